@@ -1,0 +1,106 @@
+// What a scene is made of, as plain host data: no Vulkan type and no VTK type in here.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace rtg
+{
+
+/// A failure that has one clear sentence for the user: the thing, the value found and the remedy.
+class Error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The analytic unit forms, each in its own frame (see Shapes/<name>.glsl).
+/// The numbers are those of Shapes/Registry.glsl.
+enum class Shape : std::uint32_t
+{
+  Sphere = 0,   ///< diameter 1, centred
+  Box = 1,      ///< side 1, centred
+  Cylinder = 2, ///< along y, height 1, radius 0.5, centred
+  Cone = 3,     ///< along +x, height 1, base radius 0.5, centred (base at x = -0.5, apex at 0.5)
+  Arrow = 4     ///< along +x from 0 to 1, see ArrowForm
+};
+
+/// Proportions of the unit arrow, as fractions of its length of 1. Defaults are vtkArrowSource's.
+struct ArrowForm
+{
+  float shaftRadius = 0.03f; ///< [0, 0.5]
+  float tipRadius = 0.1f;    ///< [0, 0.5]
+  float tipLength = 0.35f;   ///< (0, 1]
+  /// 0: a sharp cone, vtkArrowSource's outline. 1: fully rounded. In [0, 1].
+  float tipRounding = 0.5f;
+  /// True: only the shaft grows with an instance's x size; shaft radius and head keep the world size
+  /// they have on an arrow of length `unitLength`; an arrow shorter than its head shrinks as a whole.
+  /// False: the whole arrow is scaled by the instance's sizes.
+  bool fixedHeads = true;
+  float unitLength = 1.0f; ///< world length of the arrow whose head has the fractions above
+};
+
+/// The glyphs of one set in structure-of-arrays form. An array that a set does not need stays empty
+/// and costs nothing: neither memory nor time.
+struct GlyphInstances
+{
+  Shape shape = Shape::Sphere;
+  ArrowForm arrow;
+
+  /// World position that `centres` are relative to; chosen near the data, subtracted in double.
+  glm::dvec3 origin{ 0.0 };
+  std::vector<glm::vec3> centres;
+
+  /// World size of a unit glyph: full extents along the unit form's axes. Exactly one of:
+  /// sizes3 (one vec3 a glyph), sizes1 (one float a glyph), both empty (uniformSize for all).
+  /// Every size is finite and > 0; degenerate glyphs are left out by whoever fills this.
+  std::vector<glm::vec3> sizes3;
+  std::vector<float> sizes1;
+  float uniformSize = 1.0f;
+
+  /// Unit quaternions (x, y, z, w) that turn the unit form's frame to the world; empty: none is turned.
+  std::vector<glm::vec4> rotations;
+
+  std::size_t Count() const { return centres.size(); }
+};
+
+/// Colours of one set: one RGBA8 a glyph in the order of GlyphInstances (red in the lowest byte),
+/// or empty for Material::colour.
+using GlyphColours = std::vector<std::uint32_t>;
+
+/// ParaView's surface appearance. Colours are as the lookup table gives them (display-referred).
+struct Material
+{
+  glm::vec3 colour{ 1.0f };        ///< diffuse and ambient colour of glyphs without their own
+  glm::vec3 specularColour{ 1.0f };
+  float ambient = 0.0f;            ///< [0, 1]
+  float diffuse = 1.0f;            ///< [0, 1]
+  float specular = 0.0f;           ///< [0, 1]
+  float specularPower = 100.0f;    ///< [0, 128] as vtkProperty
+  float opacity = 1.0f;            ///< [0, 1]; times a glyph colour's alpha
+  bool lighting = true;            ///< false: the plain colour, as vtkProperty::LightingOff
+};
+
+/// A light, in world coordinates, with vtkLight's meaning (vtkOpenGLPolyDataMapper's formulas).
+struct Light
+{
+  enum class Kind : std::uint32_t
+  {
+    Headlight = 0,   ///< shines along each view direction axis (vtkLight headlight, camera at origin)
+    Directional = 1, ///< parallel rays along `direction`
+    Positional = 2   ///< from `position`, with attenuation; a spot when coneAngle < 90
+  };
+  Kind kind = Kind::Headlight;
+  glm::vec3 colour{ 1.0f };      ///< diffuse colour times intensity
+  glm::dvec3 position{ 0.0 };    ///< Positional only
+  glm::vec3 direction{ 0, 0, -1 }; ///< unit, the way the light travels; Directional and spots
+  glm::vec3 attenuation{ 1, 0, 0 }; ///< constant, linear, quadratic
+  float coneAngle = 180.0f;      ///< half angle in degrees; 90 or more: no spot
+  float exponent = 1.0f;         ///< spot fall-off
+};
+
+} // namespace rtg

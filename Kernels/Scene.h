@@ -1,0 +1,70 @@
+#pragma once
+
+#include "Glyphs.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+
+namespace rtg
+{
+
+class Device;
+
+/// What was done and what is held; every count only grows. Seconds are wall-clock.
+struct Statistics
+{
+  std::uint64_t structureBuilds = 0;  ///< bottom-level structures built
+  std::uint64_t topLevelBuilds = 0;   ///< top-level structures built
+  std::uint64_t instanceUploads = 0;  ///< glyph sets whose centres, sizes, rotations were sent
+  std::uint64_t colourUploads = 0;    ///< glyph sets whose colours were sent
+  std::uint64_t pipelineBuilds = 0;
+  std::uint64_t dispatches = 0;       ///< images or sample batches traced
+  std::uint64_t primaryRays = 0;
+  std::uint64_t deviceBytes = 0;      ///< held now, not a running count
+  double sortSeconds = 0.0;
+  double buildSeconds = 0.0;
+  double uploadSeconds = 0.0;
+  double traceSeconds = 0.0;
+  double readSeconds = 0.0;
+};
+
+/// The glyph sets of one view and their acceleration structures on one device.
+/// Setters only take note; Commit() sends and builds what has changed and nothing else.
+/// Not thread-safe. All members throw rtg::Error.
+class Scene
+{
+public:
+  using SetId = std::uint32_t;
+
+  explicit Scene(std::shared_ptr<Device> device);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// Adds an empty, visible set.
+  SetId Add();
+  void Remove(SetId id);
+
+  void SetInstances(SetId id, GlyphInstances instances);
+  void SetColours(SetId id, GlyphColours colours);
+  void SetMaterial(SetId id, const Material& material);
+  void SetVisible(SetId id, bool visible);
+
+  std::size_t GlyphCount(SetId id) const;
+  /// True when some visible set has opacity below one, or colours with alpha below 255.
+  bool HasTranslucent() const;
+  bool HasOpaque() const;
+
+  void Commit();
+
+  const Statistics& GetStatistics() const;
+
+  struct State; ///< device side; for Tracer
+  State& GetState() { return *this->state_; }
+
+private:
+  std::unique_ptr<State> state_;
+};
+
+} // namespace rtg

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace rtg
+{
+
+/// The Vulkan device that traces. One is shared by all views of a process.
+class Device
+{
+public:
+  /// The process's device, made on first call: the one that the environment variable RTGLYPHS_DEVICE
+  /// names (an index into, or part of a name in, the list of Vulkan devices), else the first GPU with
+  /// the ray-tracing pipeline, else Mesa's lavapipe. Throws rtg::Error that says what is missing and how to
+  /// install it; a later call tries again. After the device was lost, the next call makes a new one.
+  static std::shared_ptr<Device> Shared();
+
+  ~Device();
+  std::string Name() const;
+  bool IsCpu() const;
+  bool Lost() const;
+
+  struct State; ///< Vulkan handles; for Kernels only, see Vulkan/DeviceState.h
+  State& GetState() { return *this->state_; }
+
+private:
+  Device();
+  std::unique_ptr<State> state_;
+};
+
+} // namespace rtg
