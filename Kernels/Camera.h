@@ -23,6 +23,9 @@ struct Camera
   double depthA = 0.0;
   double depthB = 0.0;
   bool parallel = false;
+  /// Where specular highlights are seen from: the eye. In parallel projection the matrix does not say; VTK then takes
+  /// the camera's position, so set it after FromWorldToClip (which puts it on the view axis at depth 0).
+  glm::dvec3 position{ 0, 0, 1 };
 
   /// The rays that rasterisation with this matrix (OpenGL clip space, column vectors, world to clip) sees.
   /// Handles off-axis frusta (stereo, tiles). Throws rtg::Error when the matrix is singular or not finite.

@@ -1,0 +1,146 @@
+// Structures that the host fills and the programs read: one text for C++ and GLSL (scalar block layout).
+// C++ includes it inside namespace rtg::device after glm; GLSL after the buffer_reference extensions.
+#ifdef __cplusplus
+#pragma once
+#include <glm/glm.hpp>
+#include <cstdint>
+namespace rtg::device
+{
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+using uint = std::uint32_t;
+#define RTG_ADDRESS(type) std::uint64_t
+#else
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_buffer_reference2 : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vec3Array { vec3 at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vec4Array { vec4 at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FloatArray { float at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer UintArray { uint at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer UintImage { uint at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer FloatImage { float at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Vec3Image { vec3 at[]; };
+#define RTG_ADDRESS(type) type
+#endif
+
+// One bottom-level structure's glyphs: instanceCustomIndex selects the record.
+struct GlyphSetRecord
+{
+  RTG_ADDRESS(Vec3Array) centres;
+  RTG_ADDRESS(FloatArray) sizes;     // one or three floats a glyph, or none (specialised)
+  RTG_ADDRESS(Vec4Array) rotations;  // none unless specialised
+  RTG_ADDRESS(UintArray) colours;    // none unless specialised
+  vec3 offset;                       // of the set's origin from the scene's: high part, as in the transform
+  vec3 offsetLow;                    // what the high part's rounding left
+  vec4 arrow;                        // shaft radius, tip radius, tip length, tip rounding
+  float unitLength;
+  float uniformSize;
+  uint setId;
+  uint firstGlyph;                   // index of this structure's first glyph in the set's sorted order
+  // Material
+  vec3 colour;
+  float opacity;
+  vec3 specularColour;
+  float specular;
+  float ambient;
+  float diffuse;
+  float specularPower;
+  uint lighting;
+};
+
+struct LightRecord
+{
+  uint kind;        // 0 headlight, 1 directional, 2 positional
+  vec3 colour;
+  vec3 position;    // relative to the scene's origin
+  vec3 direction;
+  vec3 attenuation;
+  float cosCone;    // cosine of the half angle; -2: no spot
+  float exponent;
+};
+
+struct ProbeRecord
+{
+  vec3 origin;
+  vec3 originLow;
+  vec3 direction;
+};
+
+struct ProbeResult
+{
+  float t;
+  vec3 normal;
+  uint setId;
+  uint glyph;
+};
+
+#ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer GlyphSetRecords { GlyphSetRecord at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer LightRecords { LightRecord at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer ProbeRecords { ProbeRecord at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer ProbeResults { ProbeResult at[]; };
+#endif
+
+// What one dispatch reads besides the acceleration structure.
+struct FrameRecord
+{
+  RTG_ADDRESS(GlyphSetRecords) sets;
+  RTG_ADDRESS(LightRecords) lights;
+  RTG_ADDRESS(UintImage) colour;
+  RTG_ADDRESS(FloatImage) depth;
+  RTG_ADDRESS(UintImage) setIds;
+  RTG_ADDRESS(UintImage) glyphIds;
+  RTG_ADDRESS(Vec3Image) originLow;   // by launch index: the low part of the ray in flight's origin
+  RTG_ADDRESS(ProbeRecords) probes;
+  RTG_ADDRESS(ProbeResults) probeResults;
+  // Camera.h, relative to the scene's origin; eye + eyeLow is exact to double-float precision.
+  vec3 eye;
+  vec3 eyeLow;
+  vec3 eyeRight;
+  vec3 eyeUp;
+  vec3 forward;
+  vec3 right;
+  vec3 up;
+  vec3 viewPosition;                  // where specular highlights are seen from
+  vec3 viewAxis;                      // unit, towards the viewer
+  float nearDepth;
+  float farDepth;
+  float depthA;
+  float depthB;
+  uint parallel;
+  vec3 sceneLower;                    // bounds of all that is visible, padded
+  vec3 sceneUpper;
+  uint width;
+  uint height;
+  uint samples;
+  uint pixelStep;
+  uint firstRow;                      // of tiles, when an image takes several dispatches
+  uint tilesX;
+  uint cullMask;
+  uint lightCount;
+  uint probeCount;
+  uint launchWidth;
+};
+
+#ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameReference { FrameRecord value; };
+#endif
+
+struct PushRecord
+{
+#ifdef __cplusplus
+  std::uint64_t topLevel;
+  std::uint64_t frame;
+#else
+  uvec2 topLevel;
+  FrameReference frame;
+#endif
+};
+
+#ifdef __cplusplus
+#undef RTG_ADDRESS
+} // namespace rtg::device
+#endif

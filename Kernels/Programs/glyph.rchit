@@ -1,0 +1,25 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "bindings.glsl"
+#include "glyph.glsl"
+
+layout(location = 0) rayPayloadInEXT SurfaceHit hit;
+
+void main()
+{
+  uint record = gl_InstanceCustomIndexEXT;
+  GlyphSetRecords sets = push.frame.value.sets;
+
+  // The normal is computed anew: hit attributes are not safe on every driver (lavapipe overwrites them
+  // with those of rejected candidates).
+  hit.t = gl_HitTEXT;
+  hit.normal = GlyphNormal(CurrentRay(), FetchGlyph(gl_PrimitiveID), gl_HitTEXT);
+  hit.record = record;
+  hit.glyph = sets.at[record].firstGlyph + gl_PrimitiveID;
+  hit.colour = vec4(sets.at[record].colour, sets.at[record].opacity);
+  if (coloured)
+  {
+    vec4 own = unpackUnorm4x8(sets.at[record].colours.at[gl_PrimitiveID]);
+    hit.colour = vec4(own.rgb, own.a * hit.colour.a);
+  }
+}

@@ -1,0 +1,66 @@
+#include "AccelerationStructure.h"
+
+namespace rtg
+{
+
+using Usage = vk::BufferUsageFlagBits;
+
+AccelerationStructure::AccelerationStructure(Device::State& device,
+  const vk::AccelerationStructureGeometryKHR& geometry, vk::AccelerationStructureTypeKHR type,
+  std::uint32_t count)
+{
+  vk::AccelerationStructureBuildGeometryInfoKHR info(
+    type, vk::BuildAccelerationStructureFlagBitsKHR::ePreferFastTrace);
+  info.setGeometries(geometry);
+  const vk::AccelerationStructureBuildSizesInfoKHR sizes =
+    device.device.getAccelerationStructureBuildSizesKHR(
+      vk::AccelerationStructureBuildTypeKHR::eDevice, info, count);
+
+  this->storage_ = Buffer(device, sizes.accelerationStructureSize,
+    Usage::eAccelerationStructureStorageKHR, Buffer::Place::Device);
+  this->structure_ = vk::raii::AccelerationStructureKHR(device.device,
+    vk::AccelerationStructureCreateInfoKHR(
+      {}, this->storage_.Handle(), 0, sizes.accelerationStructureSize, type));
+
+  // The scratch address must be aligned to the device's limit.
+  const std::size_t alignment =
+    device.structureLimits.minAccelerationStructureScratchOffsetAlignment;
+  const Buffer scratch(device, sizes.buildScratchSize + alignment, Usage::eStorageBuffer, Buffer::Place::Device);
+  info.dstAccelerationStructure = *this->structure_;
+  info.scratchData.deviceAddress = (scratch.Address() + alignment - 1) / alignment * alignment;
+  const vk::AccelerationStructureBuildRangeInfoKHR range(count, 0, 0, 0);
+  device.Submit([&](vk::raii::CommandBuffer& command)
+    { command.buildAccelerationStructuresKHR(info, &range); });
+  this->address_ = device.device.getAccelerationStructureAddressKHR(
+    vk::AccelerationStructureDeviceAddressInfoKHR(*this->structure_));
+}
+
+AccelerationStructure AccelerationStructure::OverBoxes(
+  Device::State& device, const std::vector<vk::AabbPositionsKHR>& boxes)
+{
+  const std::size_t bytes = boxes.size() * sizeof(boxes[0]);
+  Buffer input(
+    device, bytes, Usage::eAccelerationStructureBuildInputReadOnlyKHR, Buffer::Place::Device);
+  input.Upload(boxes.data(), bytes);
+  const vk::AccelerationStructureGeometryAabbsDataKHR data(input.Address(), sizeof(boxes[0]));
+  const vk::AccelerationStructureGeometryKHR geometry(
+    vk::GeometryTypeKHR::eAabbs, data, vk::GeometryFlagBitsKHR::eOpaque);
+  return AccelerationStructure(device, geometry, vk::AccelerationStructureTypeKHR::eBottomLevel,
+    static_cast<std::uint32_t>(boxes.size()));
+}
+
+AccelerationStructure AccelerationStructure::OverInstances(
+  Device::State& device, const std::vector<vk::AccelerationStructureInstanceKHR>& instances)
+{
+  const std::size_t bytes = instances.size() * sizeof(vk::AccelerationStructureInstanceKHR);
+  Buffer input(
+    device, bytes, Usage::eAccelerationStructureBuildInputReadOnlyKHR, Buffer::Place::Device);
+  input.Upload(instances.data(), bytes);
+  const vk::AccelerationStructureGeometryInstancesDataKHR data(false, input.Address());
+  const vk::AccelerationStructureGeometryKHR geometry(
+    vk::GeometryTypeKHR::eInstances, data, vk::GeometryFlagBitsKHR::eOpaque);
+  return AccelerationStructure(device, geometry, vk::AccelerationStructureTypeKHR::eTopLevel,
+    static_cast<std::uint32_t>(instances.size()));
+}
+
+} // namespace rtg

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "Buffer.h"
+
+#include <vector>
+
+namespace rtg
+{
+
+/// A bottom- or top-level acceleration structure with the memory that holds it.
+class AccelerationStructure
+{
+public:
+  AccelerationStructure() = default;
+
+  /// Over axis-aligned boxes, one procedural opaque primitive each. `boxes` are VkAabbPositionsKHR.
+  static AccelerationStructure OverBoxes(
+    Device::State& device, const std::vector<vk::AabbPositionsKHR>& boxes);
+
+  /// Over instances of bottom-level structures.
+  static AccelerationStructure OverInstances(
+    Device::State& device, const std::vector<vk::AccelerationStructureInstanceKHR>& instances);
+
+  vk::DeviceAddress Address() const { return this->address_; }
+  std::size_t Bytes() const { return this->storage_.Size(); }
+
+private:
+  AccelerationStructure(Device::State& device, const vk::AccelerationStructureGeometryKHR& geometry,
+    vk::AccelerationStructureTypeKHR type, std::uint32_t count);
+
+  Buffer storage_;
+  vk::raii::AccelerationStructureKHR structure_{ nullptr };
+  vk::DeviceAddress address_ = 0;
+};
+
+} // namespace rtg

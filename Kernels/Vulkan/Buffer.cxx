@@ -1,0 +1,123 @@
+#include "Buffer.h"
+
+#include <cstring>
+#include <optional>
+#include <utility>
+
+namespace rtg
+{
+
+namespace
+{
+
+std::optional<std::uint32_t> FindMemoryType(const vk::PhysicalDeviceMemoryProperties& memory,
+  std::uint32_t allowed, vk::MemoryPropertyFlags wanted)
+{
+  for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i)
+  {
+    if ((allowed & (1u << i)) && (memory.memoryTypes[i].propertyFlags & wanted) == wanted)
+    {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+std::uint32_t ChooseMemoryType(
+  const Device::State& device, std::uint32_t allowed, Buffer::Place place)
+{
+  using Flag = vk::MemoryPropertyFlagBits;
+  const vk::MemoryPropertyFlags host = Flag::eHostVisible | Flag::eHostCoherent;
+  const vk::MemoryPropertyFlags preferences[2][3] = {
+    // On a CPU device, or where a resizable BAR exists, device memory is also the host's.
+    { device.cpu ? Flag::eDeviceLocal | host : vk::MemoryPropertyFlags(Flag::eDeviceLocal), Flag::eDeviceLocal, {} },
+    { host | Flag::eHostCached, host, host },
+  };
+  for (const auto& wanted : preferences[static_cast<int>(place)])
+  {
+    if (const auto type = FindMemoryType(device.memory, allowed, wanted))
+    {
+      return *type;
+    }
+  }
+  throw vk::OutOfDeviceMemoryError("no suitable memory type");
+}
+
+} // namespace
+
+Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usage, Place place)
+  : device_(&device)
+  , size_(size)
+{
+  if (size == 0)
+  {
+    return;
+  }
+  using Usage = vk::BufferUsageFlagBits;
+  usage |= Usage::eShaderDeviceAddress;
+  if (place == Place::Device && !device.cpu)
+  {
+    usage |= Usage::eTransferDst;
+  }
+  this->buffer_ = vk::raii::Buffer(device.device, vk::BufferCreateInfo({}, size, usage));
+  const vk::MemoryRequirements needs = this->buffer_.getMemoryRequirements();
+
+  const vk::MemoryAllocateFlagsInfo addressable(vk::MemoryAllocateFlagBits::eDeviceAddress);
+  vk::MemoryAllocateInfo info(needs.size, ChooseMemoryType(device, needs.memoryTypeBits, place));
+  info.pNext = &addressable;
+  this->memory_ = vk::raii::DeviceMemory(device.device, info);
+  this->allocated_ = needs.size;
+  device.bytes += this->allocated_;
+
+  this->buffer_.bindMemory(*this->memory_, 0);
+  this->address_ = device.device.getBufferAddress(vk::BufferDeviceAddressInfo(*this->buffer_));
+  const auto flags = device.memory.memoryTypes[info.memoryTypeIndex].propertyFlags;
+  if (flags & vk::MemoryPropertyFlagBits::eHostVisible && flags & vk::MemoryPropertyFlagBits::eHostCoherent)
+  {
+    this->mapped_ = this->memory_.mapMemory(0, VK_WHOLE_SIZE);
+  }
+}
+
+Buffer::~Buffer()
+{
+  if (this->device_)
+  {
+    this->device_->bytes -= this->allocated_;
+  }
+}
+
+Buffer::Buffer(Buffer&& other) noexcept
+{
+  *this = std::move(other);
+}
+
+Buffer& Buffer::operator=(Buffer&& other) noexcept
+{
+  std::swap(this->device_, other.device_);
+  std::swap(this->size_, other.size_);
+  std::swap(this->allocated_, other.allocated_);
+  std::swap(this->buffer_, other.buffer_);
+  std::swap(this->memory_, other.memory_);
+  std::swap(this->address_, other.address_);
+  std::swap(this->mapped_, other.mapped_);
+  return *this;
+}
+
+void Buffer::Upload(const void* data, std::size_t size)
+{
+  if (size == 0)
+  {
+    return;
+  }
+  if (this->mapped_)
+  {
+    std::memcpy(this->mapped_, data, size);
+    return;
+  }
+  Buffer staging(*this->device_, size, vk::BufferUsageFlagBits::eTransferSrc, Place::Host);
+  std::memcpy(staging.mapped_, data, size);
+  this->device_->Submit([&](vk::raii::CommandBuffer& command)
+    { command.copyBuffer(staging.Handle(), this->Handle(), vk::BufferCopy(0, 0, size)); });
+}
+
+} // namespace rtg

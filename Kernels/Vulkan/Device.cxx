@@ -1,0 +1,316 @@
+#include "DeviceState.h"
+
+#include <cctype>
+#include <cstdlib>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <sstream>
+
+namespace rtg
+{
+
+namespace
+{
+
+constexpr const char* requiredExtensions[] = { VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+  VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME, VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME };
+
+constexpr const char* remedy =
+  "Install a driver with VK_KHR_ray_tracing_pipeline: a GPU vendor's, or Mesa 24.1 or newer with lavapipe "
+  "(Debian: mesa-vulkan-drivers, on Debian 12 from bookworm-backports).";
+
+using Features = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
+  vk::PhysicalDeviceAccelerationStructureFeaturesKHR,
+  vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>;
+
+// What the device lacks to trace, in words; empty: nothing.
+std::string Lacks(const vk::raii::PhysicalDevice& physical)
+{
+  if (physical.getProperties().apiVersion < VK_API_VERSION_1_2)
+  {
+    return "Vulkan 1.2";
+  }
+  const auto extensions = physical.enumerateDeviceExtensionProperties();
+  for (const char* name : requiredExtensions)
+  {
+    bool found = false;
+    for (const auto& extension : extensions)
+    {
+      found = found || std::string(extension.extensionName.data()) == name;
+    }
+    if (!found)
+    {
+      return name;
+    }
+  }
+
+  const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2,
+    vk::PhysicalDeviceVulkan12Features, vk::PhysicalDeviceAccelerationStructureFeaturesKHR,
+    vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>();
+  const auto& vulkan12 = features.get<vk::PhysicalDeviceVulkan12Features>();
+  if (!features.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure ||
+    !features.get<vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>().rayTracingPipeline)
+  {
+    return "the feature rayTracingPipeline";
+  }
+  if (!vulkan12.bufferDeviceAddress || !vulkan12.scalarBlockLayout)
+  {
+    return "the features bufferDeviceAddress and scalarBlockLayout";
+  }
+  return {};
+}
+
+std::string DeviceName(const vk::raii::PhysicalDevice& physical)
+{
+  return physical.getProperties().deviceName.data();
+}
+
+bool ContainsIgnoringCase(const std::string& text, const std::string& part)
+{
+  auto lower = [](std::string s)
+  {
+    for (char& c : s)
+    {
+      c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return s;
+  };
+  return lower(text).find(lower(part)) != std::string::npos;
+}
+
+// The index of the device that `wanted` names by number or part of its name.
+std::optional<std::size_t> FindNamed(
+  const std::vector<vk::raii::PhysicalDevice>& devices, const std::string& wanted)
+{
+  if (wanted.find_first_not_of("0123456789") == std::string::npos && wanted.size() < 6)
+  {
+    const std::size_t index = std::stoul(wanted);
+    return index < devices.size() ? std::optional<std::size_t>(index) : std::nullopt;
+  }
+  for (std::size_t i = 0; i < devices.size(); ++i)
+  {
+    if (ContainsIgnoringCase(DeviceName(devices[i]), wanted))
+    {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+std::size_t ChooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices)
+{
+  std::ostringstream found;
+  std::vector<std::string> lacks;
+  for (std::size_t i = 0; i < devices.size(); ++i)
+  {
+    lacks.push_back(Lacks(devices[i]));
+    found << (i ? "; " : "") << i << ": " << DeviceName(devices[i])
+          << (lacks[i].empty() ? "" : " (lacks " + lacks[i] + ")");
+  }
+  if (devices.empty())
+  {
+    found << "none";
+  }
+
+  const char* wanted = std::getenv("RTGLYPHS_DEVICE");
+  if (wanted && *wanted)
+  {
+    const auto index = FindNamed(devices, wanted);
+    if (!index)
+    {
+      throw Error("Ray Traced Glyphs: no Vulkan device matches RTGLYPHS_DEVICE='" +
+        std::string(wanted) + "'. Found: " + found.str() + ". Unset it or name one of these.");
+    }
+    if (!lacks[*index].empty())
+    {
+      throw Error("Ray Traced Glyphs: the device of RTGLYPHS_DEVICE='" + std::string(wanted) +
+        "' lacks " + lacks[*index] + ". Found: " + found.str() + ". " + remedy);
+    }
+    return *index;
+  }
+
+  // A GPU first, integrated or not; else whatever traces.
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < devices.size(); ++i)
+  {
+    if (!lacks[i].empty())
+    {
+      continue;
+    }
+    const auto type = devices[i].getProperties().deviceType;
+    if (type == vk::PhysicalDeviceType::eDiscreteGpu)
+    {
+      return i;
+    }
+    if (!best || (type != vk::PhysicalDeviceType::eCpu &&
+        devices[*best].getProperties().deviceType == vk::PhysicalDeviceType::eCpu))
+    {
+      best = i;
+    }
+  }
+  if (!best)
+  {
+    throw Error("Ray Traced Glyphs: no Vulkan device can trace rays. Found: " + found.str() + ". " + remedy);
+  }
+  return *best;
+}
+
+std::uint32_t ChooseQueueFamily(const vk::raii::PhysicalDevice& physical)
+{
+  const auto families = physical.getQueueFamilyProperties();
+  for (std::uint32_t i = 0; i < families.size(); ++i)
+  {
+    if (families[i].queueFlags & vk::QueueFlagBits::eCompute)
+    {
+      return i;
+    }
+  }
+  throw Error("Ray Traced Glyphs: the Vulkan device '" + DeviceName(physical) +
+    "' has no compute queue. " + remedy);
+}
+
+vk::raii::Device MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily)
+{
+  Features enabled;
+  auto& vulkan12 = enabled.get<vk::PhysicalDeviceVulkan12Features>();
+  vulkan12.bufferDeviceAddress = true;
+  vulkan12.scalarBlockLayout = true;
+  enabled.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure = true;
+  enabled.get<vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>().rayTracingPipeline = true;
+
+  const float priority = 1.0f;
+  const vk::DeviceQueueCreateInfo queueInfo({}, queueFamily, 1, &priority);
+  vk::DeviceCreateInfo info({}, queueInfo, {}, requiredExtensions);
+  info.pNext = &enabled.get<vk::PhysicalDeviceFeatures2>();
+  return vk::raii::Device(physical, info);
+}
+
+} // namespace
+
+Device::Device()
+{
+  try
+  {
+    this->state_ = std::make_unique<State>();
+    State& state = *this->state_;
+    const vk::ApplicationInfo application(
+      "RayTracedGlyphs", 1, "RayTracedGlyphs", 1, VK_API_VERSION_1_2);
+    state.instance = vk::raii::Instance(state.context, vk::InstanceCreateInfo({}, &application));
+
+    std::vector<vk::raii::PhysicalDevice> devices;
+    try
+    {
+      devices = vk::raii::PhysicalDevices(state.instance);
+    }
+    catch (const vk::InitializationFailedError&)
+    {
+      // No driver at all; ChooseDevice says so.
+    }
+    state.physical = devices.empty() ? vk::raii::PhysicalDevice(nullptr)
+                                     : std::move(devices[ChooseDevice(devices)]);
+    if (devices.empty())
+    {
+      ChooseDevice(devices);
+    }
+    state.name = DeviceName(state.physical);
+    state.cpu = state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
+    state.queueFamily = ChooseQueueFamily(state.physical);
+    state.device = MakeDevice(state.physical, state.queueFamily);
+    state.queue = state.device.getQueue(state.queueFamily, 0);
+    state.pool = vk::raii::CommandPool(
+      state.device, { vk::CommandPoolCreateFlagBits::eTransient, state.queueFamily });
+    state.memory = state.physical.getMemoryProperties();
+    const auto properties = state.physical.getProperties2<vk::PhysicalDeviceProperties2,
+      vk::PhysicalDeviceRayTracingPipelinePropertiesKHR,
+      vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
+    state.pipelineLimits = properties.get<vk::PhysicalDeviceRayTracingPipelinePropertiesKHR>();
+    state.structureLimits = properties.get<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
+  }
+  catch (const Error&)
+  {
+    throw;
+  }
+  catch (const std::exception& error)
+  {
+    throw Error(std::string("Ray Traced Glyphs: Vulkan cannot be started (") + error.what() +
+      "). Install the Vulkan loader (Debian: libvulkan1). " + remedy);
+  }
+}
+
+Device::~Device() = default;
+
+std::shared_ptr<Device> Device::Shared()
+{
+  static std::mutex mutex;
+  // Kept alive by its users alone: at process exit no driver code runs after the driver was unloaded.
+  static std::weak_ptr<Device> shared;
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::shared_ptr<Device> device = shared.lock();
+  if (!device || device->Lost())
+  {
+    device = std::shared_ptr<Device>(new Device);
+    shared = device;
+  }
+  return device;
+}
+
+std::string Device::Name() const
+{
+  return this->state_->name;
+}
+
+bool Device::IsCpu() const
+{
+  return this->state_->cpu;
+}
+
+bool Device::Lost() const
+{
+  return this->state_->lost;
+}
+
+void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& record)
+{
+  vk::raii::CommandBuffers commands(
+    this->device, { *this->pool, vk::CommandBufferLevel::ePrimary, 1 });
+  vk::raii::CommandBuffer& command = commands.front();
+  command.begin({ vk::CommandBufferUsageFlagBits::eOneTimeSubmit });
+  record(command);
+  command.end();
+
+  const vk::raii::Fence done(this->device, vk::FenceCreateInfo());
+  const vk::CommandBuffer handle = *command;
+  this->queue.submit(vk::SubmitInfo({}, {}, handle), *done);
+  const vk::Result result =
+    this->device.waitForFences(*done, true, std::numeric_limits<std::uint64_t>::max());
+  if (result == vk::Result::eErrorDeviceLost)
+  {
+    throw vk::DeviceLostError("waiting for the device");
+  }
+}
+
+void Device::State::Rethrow(const char* doing, const vk::SystemError& error)
+{
+  std::ostringstream message;
+  message << "Ray Traced Glyphs: " << doing << " failed on '" << this->name << "': ";
+  if (dynamic_cast<const vk::DeviceLostError*>(&error))
+  {
+    this->lost = true;
+    message << "the Vulkan device was lost. The glyphs are sent again to a new one on the next render; if it "
+               "recurs, lower SamplesPerPixel or update the driver.";
+  }
+  else if (dynamic_cast<const vk::OutOfDeviceMemoryError*>(&error) ||
+    dynamic_cast<const vk::OutOfHostMemoryError*>(&error))
+  {
+    message << "out of memory with " << (this->bytes.load() >> 20)
+            << " MiB held. Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs) or hide other data.";
+  }
+  else
+  {
+    message << error.what() << ". Update the driver, or choose another device with RTGLYPHS_DEVICE.";
+  }
+  throw Error(message.str());
+}
+
+} // namespace rtg

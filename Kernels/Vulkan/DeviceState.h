@@ -1,0 +1,55 @@
+// Vulkan handles of a Device, for Kernels only.
+#pragma once
+
+#include "Device.h"
+
+#include "../Glyphs.h"
+
+#include <vulkan/vulkan_raii.hpp>
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+namespace rtg
+{
+
+struct Device::State
+{
+  vk::raii::Context context;
+  vk::raii::Instance instance{ nullptr };
+  vk::raii::PhysicalDevice physical{ nullptr };
+  vk::raii::Device device{ nullptr };
+  vk::raii::Queue queue{ nullptr };
+  vk::raii::CommandPool pool{ nullptr };
+  vk::PhysicalDeviceMemoryProperties memory;
+  vk::PhysicalDeviceRayTracingPipelinePropertiesKHR pipelineLimits;
+  vk::PhysicalDeviceAccelerationStructurePropertiesKHR structureLimits;
+  std::uint32_t queueFamily = 0;
+  std::string name;
+  bool cpu = false;
+  std::atomic<bool> lost{ false };
+  std::atomic<std::uint64_t> bytes{ 0 }; ///< device memory held by all buffers
+
+  /// Records commands, submits them and waits until they are done.
+  void Submit(const std::function<void(vk::raii::CommandBuffer&)>& record);
+
+  /// Runs `work`; turns every Vulkan failure into one rtg::Error that says what was being done.
+  template <class Work>
+  auto Guard(const char* doing, Work&& work) -> decltype(work())
+  {
+    try
+    {
+      return work();
+    }
+    catch (const vk::SystemError& error)
+    {
+      this->Rethrow(doing, error);
+    }
+  }
+
+private:
+  [[noreturn]] void Rethrow(const char* doing, const vk::SystemError& error);
+};
+
+} // namespace rtg
