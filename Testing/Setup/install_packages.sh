@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Installs, with apt, what building, testing or benchmarking RayTracedGlyphs needs and is missing.
-# Usage: install_packages.sh [build] [test] [gui] [benchmark] [source-build]   (default: build test gui)
+# Usage: install_packages.sh [build] [test] [gui] [benchmark] [simulate] [source-build] [source-build-qt] [source-build-mpi]
+# (default: build test gui)
 # Works on Debian 12 and 13, as root or through sudo; does nothing when all is there.
 set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/debian_mirror.sh"
 
 groups=("$@")
 [ ${#groups[@]} -gt 0 ] || groups=(build test gui)
@@ -18,6 +20,13 @@ gui=(python3-mpi4py qtbase5-dev libqt5svg5-dev libqt5opengl5-dev qttools5-dev li
 test=(libgtest-dev libquadmath0 vulkan-validationlayers openmpi-bin)
 benchmark=(libembree-dev python3-matplotlib)
 simulate=(lammps)
+# What Testing/Setup/build_paraview.sh compiles ParaView with.
+source_build=(cmake ninja-build g++ ccache xz-utils ca-certificates
+  libgl-dev libegl-dev libxt-dev libxcursor-dev libpython3-dev python3-numpy
+  libvulkan-dev glslang-tools libglm-dev libvulkan1 mesa-vulkan-drivers libgl1-mesa-dri xvfb)
+source_build_qt=(qtbase5-dev libqt5svg5-dev libqt5opengl5-dev qttools5-dev qttools5-dev-tools
+  libqt5x11extras5-dev qtxmlpatterns5-dev-tools libqt5xmlpatterns5-dev)
+source_build_mpi=(libopenmpi-dev openmpi-bin)
 
 wanted=()
 for group in "${groups[@]}"; do
@@ -27,7 +36,11 @@ for group in "${groups[@]}"; do
     test) wanted+=("${test[@]}") ;;
     benchmark) wanted+=("${benchmark[@]}") ;;
     simulate) wanted+=("${simulate[@]}") ;;
-    *) echo "install_packages.sh: unknown group '$group'; known: build gui test benchmark simulate" >&2; exit 2 ;;
+    source-build) wanted+=("${source_build[@]}") ;;
+    source-build-qt) wanted+=("${source_build_qt[@]}") ;;
+    source-build-mpi) wanted+=("${source_build_mpi[@]}") ;;
+    *) echo "install_packages.sh: unknown group '$group'; known: build gui test benchmark simulate" \
+         "source-build source-build-qt source-build-mpi" >&2; exit 2 ;;
   esac
 done
 
@@ -68,25 +81,12 @@ echo "packages: installing ${missing[*]:-newer Mesa}"
 
 add_backports() {
   apt-cache policy | grep -q "n=$codename-backports" && return
-  # The mirror is whatever this machine already uses for the release itself.
-  local entry uri source_file signed_by
-  entry=$(apt-get indextargets --format '$(CODENAME) $(REPO_URI) $(SOURCESENTRY)' 'Created-By: Packages' |
-    awk -v c="$codename" '$1 == c { print; exit }')
-  uri=$(echo "$entry" | awk '{ print $2 }')
-  source_file=$(echo "$entry" | awk '{ sub(/:[0-9]+$/, "", $3); print $3 }')
-  # The key that signs the release signs its backports; both source formats can name it.
-  signed_by=$(sed -nE 's/^Signed-By: *(\/.*)/\1/p; s/.*\[.*signed-by=([^] ]+).*/\1/p' "$source_file" | head -n 1)
-  if [ -z "$uri" ]; then
+  if ! find_debian_mirror "$codename"; then
     echo "install_packages.sh: no apt source for '$codename' found; add one to /etc/apt/sources.list" >&2
     exit 1
   fi
-  {
-    echo "Types: deb"
-    echo "URIs: $uri"
-    echo "Suites: $codename-backports"
-    echo "Components: main"
-    if [ -n "$signed_by" ]; then echo "Signed-By: $signed_by"; fi
-  } | as_root tee /etc/apt/sources.list.d/raytracedglyphs-backports.sources >/dev/null
+  debian_source_entry deb "$codename-backports" |
+    as_root tee /etc/apt/sources.list.d/raytracedglyphs-backports.sources >/dev/null
   as_root apt-get -q update
 }
 
