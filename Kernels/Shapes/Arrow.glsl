@@ -1,0 +1,182 @@
+// Arrow along +x from 0 to its length; its outline is in ArrowForm.glsl.
+#ifndef RTG_ARROW
+#define RTG_ARROW
+
+#include "ArrowForm.glsl"
+#include "Disc.glsl"
+#include "Span.glsl"
+#include "Sphere.glsl"
+
+// Faces of the arrow.
+#define RTG_SHAFT_SIDE 0
+#define RTG_TAIL 1
+#define RTG_SHAFT_END 2
+#define RTG_HEAD_BASE 3
+#define RTG_HEAD_CONE 4
+#define RTG_HEAD_BALL 5
+#define RTG_HEAD_APEX 6
+
+// The ray in the arrow's unit frame, x turned round to count from the tip to the tail, its origin moved to
+// the middle of the chord through the arrow's box. False: no chord.
+RTG_FN bool ToArrowFrame(GlyphRay ray, Glyph glyph, ArrowScale scale, RTG_OUT(LocalRay) unit)
+{
+  LocalRay local = TurnToLocal(NearRay(ray, glyph), glyph);
+
+  // The box only bounds the arrow: a little more does no harm.
+  real radius = max(glyph.arrow.x, glyph.arrow.y);
+  real padded = real(1.0) + real(8.0) * real(RTG_ROUNDOFF);
+  real3 worldSize = scale.over * (padded / scale.times);
+  real3 halfSize =
+    real3(real(0.5) * padded * glyph.size.x, radius * worldSize.y, radius * worldSize.z);
+  LocalRay centred = local;
+  centred.origin = Add(local.origin, real3(real(-0.5) * glyph.size.x, real(0.0), real(0.0)));
+  Span chord = BoxSpan(centred, halfSize);
+  bool inBox = !IsEmpty(chord);
+  if (inBox)
+  {
+    local = Advance(local, real(0.5) * (chord.sIn.hi + chord.sOut.hi));
+  }
+
+  DoubleWord3 fromTip = Add(local.origin, real3(-glyph.size.x, real(0.0), real(0.0)));
+  real3 turnedRound = real3(-scale.times, scale.times, scale.times);
+  unit.start = local.start;
+  unit.origin = Divide(Multiply(fromTip, turnedRound), scale.over);
+  unit.direction = Divide(Multiply(local.direction, turnedRound), scale.over);
+  return inBox;
+}
+
+RTG_FN Span ShaftSpan(LocalRay ray, Glyph glyph, ArrowScale scale)
+{
+  Span height = Slab(WordX(ray.origin), WordX(ray.direction), Word(glyph.arrow.z), scale.extent,
+    RTG_SHAFT_END, RTG_TAIL);
+  Span side = RoundSpan(WordY(ray.origin), WordZ(ray.origin), Word(glyph.arrow.x), WordY(ray.direction),
+    WordZ(ray.direction), Word(real(0.0)), RTG_SHAFT_SIDE);
+  return Intersection(height, side);
+}
+
+// The ball at the tip, from an origin moved next to it.
+RTG_FN Span BallSpan(LocalRay ray, DoubleWord a)
+{
+  DoubleWord x = Subtract(WordX(ray.origin), a);
+  LocalRay ball = ray;
+  ball.start = Word(real(0.0));
+  ball.origin.hi.x = x.hi;
+  ball.origin.lo.x = x.lo;
+  ball = Advance(ball, -dot(ball.origin.hi, ray.direction.hi) / dot(ray.direction.hi, ray.direction.hi));
+  Span span = CentredSphereSpan(ball.origin, ray.direction.hi, Multiply(a, a));
+  span.sIn = Add(ball.start, span.sIn);
+  span.sOut = Add(ball.start, span.sOut);
+  span.faceIn = RTG_HEAD_BALL;
+  span.faceOut = RTG_HEAD_BALL;
+  return span;
+}
+
+RTG_FN Span HeadSpan(LocalRay ray, Glyph glyph, ArrowHead head)
+{
+  DoubleWord x = WordX(ray.origin);
+  DoubleWord dx = WordX(ray.direction);
+  DoubleWord toBase = Add(x, -glyph.arrow.z);
+  DoubleWord radius = Add(Multiply(toBase, head.slope), glyph.arrow.y);
+  DoubleWord rate = Multiply(dx, head.slope);
+
+  Span height = Slab(x, dx, Word(head.coneStart), Word(glyph.arrow.z), RTG_HEAD_APEX, RTG_HEAD_BASE);
+  Span side = RoundSpan(WordY(ray.origin), WordZ(ray.origin), radius, WordY(ray.direction),
+    WordZ(ray.direction), rate, RTG_HEAD_CONE);
+  Span cone = Intersection(height, side);
+  if (head.ball.hi > real(0.0))
+  {
+    return Hull(cone, BallSpan(ray, head.ball));
+  }
+  return cone;
+}
+
+RTG_FN bool ArrowCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local,
+  RTG_OUT(ArrowHead) head, RTG_OUT(Crossing) crossing)
+{
+  ArrowScale scale = ScaleOfArrow(glyph);
+  bool inBox = ToArrowFrame(ray, glyph, scale, local);
+  head = HeadOfArrow(glyph);
+  Span shaftPart = EmptySpan();
+  Span headPart = EmptySpan();
+  if (HasShaft(glyph, scale))
+  {
+    shaftPart = ShaftSpan(local, glyph, scale);
+  }
+  if (HasHead(glyph))
+  {
+    headPart = HeadSpan(local, glyph, head);
+  }
+
+  // Shaft and head share the plane of the head's base, to the bit: their spans meet there or are apart.
+  bool apart = IsEmpty(shaftPart) || IsEmpty(headPart) || shaftPart.sIn.hi > headPart.sOut.hi ||
+    headPart.sIn.hi > shaftPart.sOut.hi;
+  Span first = Hull(shaftPart, headPart);
+  Span second = EmptySpan();
+  if (apart)
+  {
+    bool shaftFirst = shaftPart.sIn.hi <= headPart.sIn.hi;
+    first = headPart;
+    second = shaftPart;
+    if (shaftFirst)
+    {
+      first = shaftPart;
+      second = headPart;
+    }
+  }
+  bool found = FirstCrossing(local, first, tMin, tMax, crossing);
+  if (!found)
+  {
+    found = FirstCrossing(local, second, tMin, tMax, crossing);
+  }
+  return found && inBox;
+}
+
+RTG_FN bool IntersectArrow(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+{
+  LocalRay local;
+  ArrowHead head;
+  Crossing crossing;
+  bool found = ArrowCrossing(ray, glyph, tMin, tMax, local, head, crossing);
+  t = crossing.t;
+  return found;
+}
+
+RTG_FN real3 ArrowNormal(GlyphRay ray, Glyph glyph, real t)
+{
+  LocalRay local;
+  ArrowHead head;
+  Crossing crossing;
+  ArrowCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, head, crossing);
+  real3 p = PointAt(local, crossing.s);
+  bool backwards = crossing.face == RTG_TAIL || crossing.face == RTG_HEAD_BASE;
+  real3 normal = real3(backwards ? real(-1.0) : real(1.0), real(0.0), real(0.0));
+  if (crossing.face == RTG_SHAFT_SIDE)
+  {
+    normal = real3(real(0.0), p.y, p.z);
+  }
+  if (crossing.face == RTG_HEAD_CONE)
+  {
+    normal = real3(head.slope.hi * sqrt(p.y * p.y + p.z * p.z), p.y, p.z);
+  }
+  if (crossing.face == RTG_HEAD_BALL)
+  {
+    normal = real3(head.ball.hi - p.x, p.y, p.z);
+  }
+  if (!glyph.fixedHeads)
+  {
+    real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
+    normal = normal * (real3(smallest) / glyph.size);
+  }
+  return normalize(RotateToWorld(glyph, normal));
+}
+
+RTG_FN void ArrowBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+{
+  real3 below;
+  real3 above;
+  ArrowReach(glyph, below, above);
+  lower = glyph.centre + (glyph.centreLow + below);
+  upper = glyph.centre + (glyph.centreLow + above);
+}
+
+#endif

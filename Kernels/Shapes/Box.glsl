@@ -1,0 +1,46 @@
+// Box of side 1, centred.
+#ifndef RTG_BOX
+#define RTG_BOX
+
+#include "Span.glsl"
+
+RTG_FN bool BoxCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(Crossing) crossing)
+{
+  LocalRay local = TurnToLocal(NearRay(ray, glyph), glyph);
+  return FirstCrossing(local, BoxSpan(local, real(0.5) * glyph.size), tMin, tMax, crossing);
+}
+
+RTG_FN bool IntersectBox(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+{
+  Crossing crossing;
+  bool found = BoxCrossing(ray, glyph, tMin, tMax, crossing);
+  t = crossing.t;
+  return found;
+}
+
+RTG_FN real3 BoxNormal(GlyphRay ray, Glyph glyph, real t)
+{
+  Crossing crossing;
+  BoxCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), crossing);
+  int axis = crossing.face / 2;
+  real outward = crossing.face == 2 * axis ? real(-1.0) : real(1.0);
+  real3 normal = real3(axis == 0 ? outward : real(0.0), axis == 1 ? outward : real(0.0),
+    axis == 2 ? outward : real(0.0));
+  return normalize(RotateToWorld(glyph, normal));
+}
+
+RTG_FN void BoxBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+{
+  real3 reach = real(0.5) * glyph.size;
+  if (glyph.turned)
+  {
+    real3 x = RotateToWorld(glyph, real3(reach.x, real(0.0), real(0.0)));
+    real3 y = RotateToWorld(glyph, real3(real(0.0), reach.y, real(0.0)));
+    real3 z = RotateToWorld(glyph, real3(real(0.0), real(0.0), reach.z));
+    reach = abs(x) + abs(y) + abs(z);
+  }
+  lower = glyph.centre + (glyph.centreLow - reach);
+  upper = glyph.centre + (glyph.centreLow + reach);
+}
+
+#endif

@@ -1,0 +1,64 @@
+// Cone along +x with its base: base of radius 0.5 at x = -0.5, apex at x = 0.5.
+#ifndef RTG_CONE
+#define RTG_CONE
+
+#include "Disc.glsl"
+#include "Span.glsl"
+
+// Faces: 0 the side, 1 the base, 2 the apex.
+RTG_FN bool ConeCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local,
+  RTG_OUT(Crossing) crossing)
+{
+  real3 halfSize = real(0.5) * glyph.size;
+  bool inBox = ToBoxFrame(ray, glyph, halfSize, local);
+
+  // In the frame of the box the radius is (1 - x) / 2.
+  DoubleWord one = Word(real(1.0));
+  DoubleWord x = WordX(local.origin);
+  DoubleWord dx = WordX(local.direction);
+  DoubleWord radius = Multiply(Subtract(one, x), real(0.5));
+  DoubleWord rate = Multiply(dx, real(-0.5));
+
+  Span height = Slab(x, dx, Minus(one), one, 1, 2);
+  Span side = RoundSpan(WordY(local.origin), WordZ(local.origin), radius, WordY(local.direction),
+    WordZ(local.direction), rate, 0);
+  return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing) && inBox;
+}
+
+RTG_FN bool IntersectCone(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+{
+  LocalRay local;
+  Crossing crossing;
+  bool found = ConeCrossing(ray, glyph, tMin, tMax, local, crossing);
+  t = crossing.t;
+  return found;
+}
+
+RTG_FN real3 ConeNormal(GlyphRay ray, Glyph glyph, real t)
+{
+  LocalRay local;
+  Crossing crossing;
+  ConeCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
+  real3 normal = real3(crossing.face == 1 ? real(-1.0) : real(1.0), real(0.0), real(0.0));
+  if (crossing.face == 0)
+  {
+    // Gradient of y^2 + z^2 - radius^2, with radius = sqrt(y^2 + z^2) on the side.
+    real3 p = PointAt(local, crossing.s);
+    real radius = sqrt(p.y * p.y + p.z * p.z);
+    real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
+    normal = real3(real(0.5) * radius, p.y, p.z) * (real3(smallest) / glyph.size);
+  }
+  return normalize(RotateToWorld(glyph, normal));
+}
+
+RTG_FN void ConeBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+{
+  real3 halfSize = real(0.5) * glyph.size;
+  real3 apex = RotateToWorld(glyph, real3(halfSize.x, real(0.0), real(0.0)));
+  real3 disc =
+    DiscReach(glyph, real3(real(0.0), halfSize.y, real(0.0)), real3(real(0.0), real(0.0), halfSize.z));
+  lower = glyph.centre + (glyph.centreLow + min(apex, -apex - disc));
+  upper = glyph.centre + (glyph.centreLow + max(apex, -apex + disc));
+}
+
+#endif

@@ -1,0 +1,55 @@
+// Cylinder along y, height 1, radius 0.5, centred, with its caps.
+#ifndef RTG_CYLINDER
+#define RTG_CYLINDER
+
+#include "Disc.glsl"
+#include "Span.glsl"
+
+// Faces: 0 the side, 1 the cap at -y, 2 the cap at +y.
+RTG_FN bool CylinderCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local,
+  RTG_OUT(Crossing) crossing)
+{
+  real3 halfSize = real(0.5) * glyph.size;
+  bool inBox = ToBoxFrame(ray, glyph, halfSize, local);
+  DoubleWord one = Word(real(1.0));
+  Span height = Slab(WordY(local.origin), WordY(local.direction), Minus(one), one, 1, 2);
+  Span side = RoundSpan(WordX(local.origin), WordZ(local.origin), one, WordX(local.direction),
+    WordZ(local.direction), Word(real(0.0)), 0);
+  return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing) && inBox;
+}
+
+RTG_FN bool IntersectCylinder(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+{
+  LocalRay local;
+  Crossing crossing;
+  bool found = CylinderCrossing(ray, glyph, tMin, tMax, local, crossing);
+  t = crossing.t;
+  return found;
+}
+
+RTG_FN real3 CylinderNormal(GlyphRay ray, Glyph glyph, real t)
+{
+  LocalRay local;
+  Crossing crossing;
+  CylinderCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
+  real3 normal = real3(real(0.0), crossing.face == 1 ? real(-1.0) : real(1.0), real(0.0));
+  if (crossing.face == 0)
+  {
+    real3 p = PointAt(local, crossing.s);
+    real smallest = min(glyph.size.x, glyph.size.z);
+    normal = real3(p.x * (smallest / glyph.size.x), real(0.0), p.z * (smallest / glyph.size.z));
+  }
+  return normalize(RotateToWorld(glyph, normal));
+}
+
+RTG_FN void CylinderBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+{
+  real3 halfSize = real(0.5) * glyph.size;
+  real3 axis = RotateToWorld(glyph, real3(real(0.0), halfSize.y, real(0.0)));
+  real3 reach = abs(axis) +
+    DiscReach(glyph, real3(halfSize.x, real(0.0), real(0.0)), real3(real(0.0), real(0.0), halfSize.z));
+  lower = glyph.centre + (glyph.centreLow - reach);
+  upper = glyph.centre + (glyph.centreLow + reach);
+}
+
+#endif

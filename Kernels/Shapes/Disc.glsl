@@ -1,0 +1,32 @@
+// What the shapes with round cross-sections share.
+#ifndef RTG_DISC
+#define RTG_DISC
+
+#include "Span.glsl"
+
+// Half the extents of the ellipse with the given half-axes (unit form's frame) along the world's axes.
+RTG_FN real3 DiscReach(Glyph glyph, real3 u, real3 v)
+{
+  real3 a = RotateToWorld(glyph, u);
+  real3 b = RotateToWorld(glyph, v);
+  return sqrt(a * a + b * b);
+}
+
+// The ray in the frame where the glyph's box is [-1, 1]^3, its origin moved to the middle of the chord
+// through that box: all that follows is of the order of one, whatever the sizes' ratios. False: no chord.
+RTG_FN bool ToBoxFrame(GlyphRay ray, Glyph glyph, real3 halfSize, RTG_OUT(LocalRay) unit)
+{
+  LocalRay local = TurnToLocal(NearRay(ray, glyph), glyph);
+  Span chord = BoxSpan(local, halfSize);
+  bool inBox = !IsEmpty(chord);
+  if (inBox)
+  {
+    local = Advance(local, real(0.5) * (chord.sIn.hi + chord.sOut.hi));
+  }
+  unit.start = local.start;
+  unit.origin = Divide(local.origin, halfSize);
+  unit.direction = Divide(local.direction, halfSize);
+  return inBox;
+}
+
+#endif

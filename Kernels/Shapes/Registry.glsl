@@ -1,0 +1,60 @@
+// The shapes by number (rtg::Shape in Glyphs.h) and the three functions that the programs call.
+// RTG_SHAPE is a number or a specialisation constant; on the host it is a template parameter.
+#ifndef RTG_REGISTRY
+#define RTG_REGISTRY
+
+#ifndef RTG_HOST
+#include "Dialect.glsl"
+#endif
+
+// A new shape: its file, which defines Intersect<Name>, <Name>Normal and <Name>Bounds, and its entry.
+#include "Arrow.glsl"
+#include "Box.glsl"
+#include "Cone.glsl"
+#include "Cylinder.glsl"
+#include "Sphere.glsl"
+#define RTG_SHAPES(ENTRY) ENTRY(0, Sphere) ENTRY(1, Box) ENTRY(2, Cylinder) ENTRY(3, Cone) ENTRY(4, Arrow)
+
+// Nearest t in [tMin, tMax] where the ray crosses the glyph's surface; from inside, where it leaves.
+RTG_FN_SHAPE bool IntersectGlyph(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+{
+#define RTG_INTERSECT(number, Name)                                                                \
+  if (RTG_SHAPE == number)                                                                         \
+  {                                                                                                \
+    return Intersect##Name(ray, glyph, tMin, tMax, t);                                             \
+  }
+  RTG_SHAPES(RTG_INTERSECT)
+#undef RTG_INTERSECT
+  t = tMin;
+  return false;
+}
+
+// Outward unit normal in the world frame at a t that IntersectGlyph returned for this ray.
+RTG_FN_SHAPE real3 GlyphNormal(GlyphRay ray, Glyph glyph, real t)
+{
+#define RTG_NORMAL(number, Name)                                                                   \
+  if (RTG_SHAPE == number)                                                                         \
+  {                                                                                                \
+    return Name##Normal(ray, glyph, t);                                                            \
+  }
+  RTG_SHAPES(RTG_NORMAL)
+#undef RTG_NORMAL
+  return -ray.direction;
+}
+
+// Axis-aligned bounds in the frame of the centres, tight but for rounding: pad them before use.
+RTG_FN_SHAPE void GlyphBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+{
+#define RTG_BOUNDS(number, Name)                                                                   \
+  if (RTG_SHAPE == number)                                                                         \
+  {                                                                                                \
+    Name##Bounds(glyph, lower, upper);                                                             \
+    return;                                                                                        \
+  }
+  RTG_SHAPES(RTG_BOUNDS)
+#undef RTG_BOUNDS
+  lower = glyph.centre;
+  upper = glyph.centre;
+}
+
+#endif

@@ -1,0 +1,238 @@
+// The part of a ray inside a convex body, and how slabs and quadrics bound it.
+#ifndef RTG_SPAN
+#define RTG_SPAN
+
+#include "LocalRay.glsl"
+
+// Inside for sIn <= s <= sOut. Faces are numbered by each shape for its normals.
+struct Span
+{
+  DoubleWord sIn;
+  DoubleWord sOut;
+  int faceIn;
+  int faceOut;
+};
+
+// One boundary point of a shape on a ray.
+struct Crossing
+{
+  DoubleWord s; // parameter of the local ray
+  real t;       // parameter of the world ray
+  int face;
+};
+
+RTG_FN Span WholeRay()
+{
+  Span span;
+  span.sIn = Word(-real(RTG_NEVER));
+  span.sOut = Word(real(RTG_NEVER));
+  span.faceIn = -1;
+  span.faceOut = -1;
+  return span;
+}
+
+RTG_FN Span EmptySpan()
+{
+  Span span = WholeRay();
+  span.sIn = Word(real(RTG_NEVER));
+  span.sOut = Word(-real(RTG_NEVER));
+  return span;
+}
+
+RTG_FN bool IsEmpty(Span span)
+{
+  return !(span.sIn.hi <= span.sOut.hi);
+}
+
+RTG_FN Span Intersection(Span a, Span b)
+{
+  Span both = a;
+  if (b.sIn.hi > a.sIn.hi)
+  {
+    both.sIn = b.sIn;
+    both.faceIn = b.faceIn;
+  }
+  if (b.sOut.hi < a.sOut.hi)
+  {
+    both.sOut = b.sOut;
+    both.faceOut = b.faceOut;
+  }
+  return both;
+}
+
+// The smallest span that holds both; the union when they touch.
+RTG_FN Span Hull(Span a, Span b)
+{
+  if (IsEmpty(a))
+  {
+    return b;
+  }
+  if (IsEmpty(b))
+  {
+    return a;
+  }
+  Span hull = a;
+  if (b.sIn.hi < a.sIn.hi)
+  {
+    hull.sIn = b.sIn;
+    hull.faceIn = b.faceIn;
+  }
+  if (b.sOut.hi > a.sOut.hi)
+  {
+    hull.sOut = b.sOut;
+    hull.faceOut = b.faceOut;
+  }
+  return hull;
+}
+
+// Between the planes lower <= o + s d <= upper; faceLower, faceUpper name the planes.
+// A ray inside a plane counts as inside the slab.
+RTG_FN Span Slab(DoubleWord o, DoubleWord d, DoubleWord lower, DoubleWord upper, int faceLower, int faceUpper)
+{
+  DoubleWord toLower = Subtract(lower, o);
+  DoubleWord toUpper = Subtract(upper, o);
+  Span span = WholeRay();
+  if (d.hi == real(0.0))
+  {
+    if (toLower.hi > real(0.0) || toUpper.hi < real(0.0))
+    {
+      return EmptySpan();
+    }
+    return span;
+  }
+  DoubleWord sLower = Word(toLower.hi / d.hi);
+  DoubleWord sUpper = Word(toUpper.hi / d.hi);
+  bool upwards = d.hi > real(0.0);
+  if (upwards)
+  {
+    span.sIn = sLower;
+    span.sOut = sUpper;
+    span.faceIn = faceLower;
+    span.faceOut = faceUpper;
+  }
+  else
+  {
+    span.sIn = sUpper;
+    span.sOut = sLower;
+    span.faceIn = faceUpper;
+    span.faceOut = faceLower;
+  }
+  return span;
+}
+
+// The box -halfSize <= x, y, z <= halfSize. Faces 0 .. 5 are -x, +x, -y, +y, -z, +z.
+RTG_FN Span BoxSpan(LocalRay ray, real3 halfSize)
+{
+  Span x = Slab(WordX(ray.origin), WordX(ray.direction), Word(-halfSize.x), Word(halfSize.x), 0, 1);
+  Span y = Slab(WordY(ray.origin), WordY(ray.direction), Word(-halfSize.y), Word(halfSize.y), 2, 3);
+  Span z = Slab(WordZ(ray.origin), WordZ(ray.direction), Word(-halfSize.z), Word(halfSize.z), 4, 5);
+  return Intersection(x, Intersection(y, z));
+}
+
+// The body of revolution y^2 + z^2 <= rho^2 where y, z and the radius rho change linearly along the ray:
+// a cylinder, or the nappe rho >= 0 of a cone, of which the caller keeps the part between two planes with
+// rho >= 0. `oRho`, `dRho`: the radius at s = 0 and its rate.
+RTG_FN Span RoundSpan(DoubleWord oy, DoubleWord oz, DoubleWord oRho, DoubleWord dy, DoubleWord dz,
+  DoubleWord dRho, int face)
+{
+  // a s^2 + 2 b s + c <= 0
+  DoubleWord a = Add(Add(Multiply(dy, dy), Multiply(dz, dz)), Minus(Multiply(dRho, dRho)));
+  DoubleWord b = Add(Add(Multiply(oy, dy), Multiply(oz, dz)), Minus(Multiply(oRho, dRho)));
+  DoubleWord c = Add(Add(Multiply(oy, oy), Multiply(oz, oz)), Minus(Multiply(oRho, oRho)));
+  DoubleWord discriminant = Subtract(Multiply(b, b), Multiply(a, c));
+  if (discriminant.hi < real(0.0) && a.hi > real(0.0))
+  {
+    return EmptySpan();
+  }
+
+  // The two roots without cancellation: q / a and c / q.
+  DoubleWord root = SquareRoot(discriminant);
+  DoubleWord q = Minus(b.hi < real(0.0) ? Subtract(b, root) : Add(b, root));
+  if (q.hi == real(0.0) && a.hi == real(0.0))
+  {
+    // Neither term in s: the ray runs along the body.
+    if (c.hi > real(0.0))
+    {
+      return EmptySpan();
+    }
+    return WholeRay();
+  }
+  DoubleWord first = q.hi == real(0.0) ? Word(real(0.0)) : Divide(c, q);
+  DoubleWord second;
+  if (abs(q.hi) >= real(RTG_NEVER) * abs(a.hi))
+  {
+    second = Word((q.hi < real(0.0)) == (a.hi < real(0.0)) ? real(RTG_NEVER) : -real(RTG_NEVER));
+  }
+  else
+  {
+    second = Divide(q, a);
+  }
+  bool ordered = first.hi <= second.hi;
+  DoubleWord s1 = second;
+  DoubleWord s2 = first;
+  if (ordered)
+  {
+    s1 = first;
+    s2 = second;
+  }
+
+  Span span = WholeRay();
+  span.faceIn = face;
+  span.faceOut = face;
+  if (a.hi < real(0.0))
+  {
+    // Steeper along the axis than the cone's side: one half line lies in each nappe.
+    if (dRho.hi > real(0.0))
+    {
+      span.sIn = s2;
+    }
+    else
+    {
+      span.sOut = s1;
+    }
+    return span;
+  }
+  span.sIn = s1;
+  span.sOut = s2;
+  return span;
+}
+
+// The first end of the span with tMin <= t <= tMax.
+RTG_FN bool FirstCrossing(LocalRay ray, Span span, real tMin, real tMax, RTG_OUT(Crossing) crossing)
+{
+  crossing.s = span.sIn;
+  crossing.face = span.faceIn;
+  crossing.t = RayParameter(ray, span.sIn).hi;
+  if (IsEmpty(span))
+  {
+    return false;
+  }
+  if (crossing.t >= tMin && crossing.t <= tMax)
+  {
+    return true;
+  }
+  crossing.s = span.sOut;
+  crossing.face = span.faceOut;
+  crossing.t = RayParameter(ray, span.sOut).hi;
+  return crossing.t >= tMin && crossing.t <= tMax;
+}
+
+// Where a normal starts to look for the crossing that was found at t: another compilation of the same
+// formula may have rounded t differently.
+RTG_FN real Before(GlyphRay ray, Glyph glyph, real t)
+{
+  real largest = max(glyph.size.x, max(glyph.size.y, glyph.size.z));
+  real glyphLength = largest / length(ray.direction);
+  return t - real(8.0) * real(RTG_ROUNDOFF) * (abs(t) + glyphLength);
+}
+
+// The local point at s in plain numbers.
+RTG_FN real3 PointAt(LocalRay ray, DoubleWord s)
+{
+  DoubleWord3 along;
+  along.hi = real3(s.hi);
+  along.lo = real3(s.lo);
+  return Add(ray.origin, Multiply(ray.direction, along)).hi;
+}
+
+#endif

@@ -1,0 +1,111 @@
+// Sphere of diameter 1 and its affine images, the ellipsoids.
+#ifndef RTG_SPHERE
+#define RTG_SPHERE
+
+#include "Span.glsl"
+
+// radius^2 - |o|^2. The squares are exact and their sum is compensated (Ogita, Rump, Oishi: Accurate sum
+// and dot product, SIAM J. Sci. Comput. 26(6), 2005, algorithm 5.3): near the silhouette all digits of
+// a plain difference cancel.
+RTG_FN real SquaredDepth(DoubleWord radiusSquared, DoubleWord3 o)
+{
+  DoubleWord3 p = TwoProduct(o.hi, o.hi);
+  DoubleWord x = TwoSum(radiusSquared.hi, -p.hi.x);
+  DoubleWord y = TwoSum(x.hi, -p.hi.y);
+  DoubleWord z = TwoSum(y.hi, -p.hi.z);
+  RTG_PRECISE real rounding = ((x.lo + y.lo) + z.lo) + radiusSquared.lo;
+  RTG_PRECISE real squares = (p.lo.x + p.lo.y) + p.lo.z;
+  RTG_PRECISE real mixed = (o.hi.x * o.lo.x + o.hi.y * o.lo.y) + o.hi.z * o.lo.z;
+  RTG_PRECISE real low = (rounding - squares) - real(2.0) * mixed;
+  RTG_PRECISE real depth = z.hi + low;
+  return depth;
+}
+
+// The span inside |o + s d| <= radius when o is close to the point of the line nearest to the origin: then
+// b is next to nothing and b^2 + a c cancels only inside c, which is compensated.
+// Haines et al.: Precision improvements for ray/sphere intersection, Ray Tracing Gems, chapter 7, 2019.
+RTG_FN Span CentredSphereSpan(DoubleWord3 o, real3 d, DoubleWord radiusSquared)
+{
+  real a = dot(d, d);
+  real b = dot(o.hi, d);
+  real c = SquaredDepth(radiusSquared, o);
+  real discriminant = b * b + a * c;
+  if (!(discriminant >= real(0.0)))
+  {
+    return EmptySpan();
+  }
+  real root = sqrt(discriminant);
+  Span span;
+  span.sIn = Word((-b - root) / a);
+  span.sOut = Word((-b + root) / a);
+  span.faceIn = 0;
+  span.faceOut = 0;
+  return span;
+}
+
+// The ray in the frame where the ellipsoid is the unit sphere, its origin moved once more: what is
+// nearest to the centre in the world is far from it here when the sizes differ much.
+RTG_FN LocalRay ToUnitSphere(LocalRay ray, real3 halfSize)
+{
+  LocalRay unit;
+  unit.start = ray.start;
+  unit.origin = Divide(ray.origin, halfSize);
+  unit.direction = Divide(ray.direction, halfSize);
+  real s = -dot(unit.origin.hi, unit.direction.hi) / dot(unit.direction.hi, unit.direction.hi);
+  return Advance(unit, s);
+}
+
+RTG_FN bool SphereCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local,
+  RTG_OUT(Crossing) crossing)
+{
+  real3 halfSize = real(0.5) * glyph.size;
+  local = NearRay(ray, glyph);
+  if (glyph.sameSize)
+  {
+    Span span = CentredSphereSpan(local.origin, ray.direction, TwoProduct(halfSize.x, halfSize.x));
+    return FirstCrossing(local, span, tMin, tMax, crossing);
+  }
+  local = ToUnitSphere(TurnToLocal(local, glyph), halfSize);
+  Span span = CentredSphereSpan(local.origin, local.direction.hi, Word(real(1.0)));
+  return FirstCrossing(local, span, tMin, tMax, crossing);
+}
+
+RTG_FN bool IntersectSphere(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+{
+  LocalRay local;
+  Crossing crossing;
+  bool found = SphereCrossing(ray, glyph, tMin, tMax, local, crossing);
+  t = crossing.t;
+  return found;
+}
+
+RTG_FN real3 SphereNormal(GlyphRay ray, Glyph glyph, real t)
+{
+  LocalRay local;
+  Crossing crossing;
+  SphereCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
+  real3 p = PointAt(local, crossing.s);
+  if (glyph.sameSize)
+  {
+    return normalize(p);
+  }
+  // The gradient of x^2/a^2 + y^2/b^2 + z^2/c^2, scaled by the smallest half-length against overflow.
+  real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
+  return normalize(RotateToWorld(glyph, p * (real3(smallest) / glyph.size)));
+}
+
+RTG_FN void SphereBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+{
+  real3 reach = real(0.5) * glyph.size;
+  if (glyph.turned && !glyph.sameSize)
+  {
+    real3 x = RotateToWorld(glyph, real3(reach.x, real(0.0), real(0.0)));
+    real3 y = RotateToWorld(glyph, real3(real(0.0), reach.y, real(0.0)));
+    real3 z = RotateToWorld(glyph, real3(real(0.0), real(0.0), reach.z));
+    reach = sqrt(x * x + y * y + z * z);
+  }
+  lower = glyph.centre + (glyph.centreLow - reach);
+  upper = glyph.centre + (glyph.centreLow + reach);
+}
+
+#endif
