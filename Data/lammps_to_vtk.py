@@ -16,6 +16,7 @@ import numpy
 ARRAYS = {
     "diameter": ("diameter",),
     "velocity": ("vx", "vy", "vz"),
+    "shape": ("c_shape[1]", "c_shape[2]", "c_shape[3]"),
     "quaternion": ("c_rotation[1]", "c_rotation[2]", "c_rotation[3]", "c_rotation[4]"),
     "stress": tuple("c_stress[%d]" % i for i in range(1, 7)),
 }

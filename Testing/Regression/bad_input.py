@@ -1,0 +1,123 @@
+"""Bad input: one clear message each, the view stays alive, the good glyphs show.
+
+Usage: pvpython bad_input.py [no-device]
+With no-device, the process was started with RTGLYPHS_DEVICE naming a device that does not exist.
+"""
+import sys
+
+import numpy
+import paraview.simple as pv
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+import comparison
+import session
+
+LINE = numpy.array([[-1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+
+
+class Case:
+    """One render of one bad input and what is expected of it."""
+
+    def __init__(self):
+        self.failures = []
+        self.view = session.view(200, 100)
+        session.look(self.view, (0.0, 0.0, 6.0))
+
+    def render(self, name, data, visible, message=None, **properties):
+        """Draws data; visible: x positions (of -1, 0, 1) where a glyph must be seen; message: words of the only message."""
+        points = session.source(data)
+        shown = session.glyphs(points, self.view, **{"GlyphOrient": 0, "GlyphScaleFactor": 0.5, **properties})
+
+        def twice():
+            pv.Render(self.view)
+            session.look(self.view, (0.0, 0.0, 6.001))
+            pv.Render(self.view)
+
+        text = session.messages(twice)
+        session.look(self.view, (0.0, 0.0, 6.0))
+        mask = comparison.covered(session.capture(self.view, "bad-" + name.replace(" ", "-")))
+        for x in (-1, 0, 1):
+            # 6 units away, view angle 30 degrees: half the height is 6 tan 15 degrees = 1.608 units.
+            column = int(round(99.5 + x * 50.0 / 1.608))
+            seen = bool(mask[50, column])
+            if seen != (x in visible):
+                self.failures.append("%s: the glyph at %d is %s" % (name, x, "visible" if seen else "missing"))
+        count = text.count("ERR:") + text.count("ERROR:") + text.count("Warning:") + text.count("WARN")
+        print("%s: %s" % (name, text.strip() or "no message"))
+        if message is None and text.strip():
+            self.failures.append("%s: unexpected message: %s" % (name, text.strip()))
+        if message is not None:
+            for word in message:
+                if word not in text:
+                    self.failures.append("%s: the message does not speak of '%s': %s" % (name, word, text.strip()))
+            if count > 1:
+                self.failures.append("%s: %d messages instead of one" % (name, count))
+        pv.Delete(shown)
+        pv.Delete(points)
+
+
+def degenerate(case):
+    """Points and scales that make no glyph: the others show, and the missing are reported once."""
+    infinity, nothing = numpy.inf, numpy.nan
+    for name, scale in (("zero scale", 0.0), ("NaN scale", nothing), ("infinite scale", infinity)):
+        case.render(name, session.poly_data(LINE, size=numpy.array([1.0, scale, 1.0])), (-1, 1),
+                    None if scale == 0.0 else ("1",),
+                    GlyphScaling=1, GlyphScaleArray=["POINTS", "size"], GlyphScaleMode="Magnitude")
+    broken = LINE.copy()
+    broken[1, 1] = nothing
+    case.render("NaN position", session.poly_data(broken), (-1, 1), ("1",))
+    case.render("negative scale", session.poly_data(LINE, size=numpy.array([1.0, -1.0, 1.0])), (-1, 0, 1), None,
+                GlyphScaling=1, GlyphScaleArray=["POINTS", "size"], GlyphScaleMode="Magnitude")
+    case.render("NaN vector", session.poly_data(LINE, v=numpy.array([[1, 0, 0], [nothing, 0, 0], [0, 1, 0.0]])), (-1, 1), ("1",),
+                GlyphOrient=1, GlyphOrientationArray=["POINTS", "v"], GlyphOrientationMode="Direction")
+
+
+def arrays(case):
+    """Arrays that are missing or have the wrong number of components are named in the message."""
+    data = session.poly_data(LINE, scalar=numpy.ones(3))
+    case.render("missing array", data, (-1, 0, 1), ("nonesuch",),
+                GlyphScaling=1, GlyphScaleArray=["POINTS", "nonesuch"], GlyphScaleMode="Magnitude")
+    case.render("wrong components", session.poly_data(LINE, scalar=numpy.ones(3)), (-1, 0, 1), ("scalar", "1"),
+                GlyphOrient=1, GlyphOrientationArray=["POINTS", "scalar"], GlyphOrientationMode="Quaternion")
+
+
+def amounts(case):
+    """No points, one point, no data."""
+    case.render("no points", session.poly_data(numpy.zeros((0, 3))), ())
+    case.render("empty data", vtkPolyData(), ())
+    case.render("one point", session.poly_data(LINE[1:2]), (0,))
+
+
+def sizes(case):
+    """A view of one pixel renders and comes back."""
+    points = session.source(session.poly_data(LINE))
+    shown = session.glyphs(points, case.view, GlyphOrient=0, GlyphScaleFactor=0.5)
+    for size in ([1, 1], [1, 200], [200, 100]):
+        case.view.ViewSize = size
+        text = session.messages(lambda: pv.Render(case.view))
+        if text.strip():
+            case.failures.append("view of %s: %s" % (size, text.strip()))
+    pv.Delete(shown)
+    case.render("after one pixel", session.poly_data(LINE), (-1, 0, 1))
+
+
+def main(no_device):
+    """Runs the cases."""
+    session.load()
+    case = Case()
+    if no_device:
+        case.render("no device", session.poly_data(LINE), (), ("RTGLYPHS_DEVICE",))
+        surface = pv.Sphere()
+        pv.Show(surface, case.view)
+        if not comparison.covered(session.capture(case.view, "bad-no-device-surface")).any():
+            case.failures.append("no device: the view does not draw other things any more")
+        session.finish(case.failures)
+    degenerate(case)
+    arrays(case)
+    amounts(case)
+    sizes(case)
+    session.finish(case.failures)
+
+
+if __name__ == "__main__":
+    main("no-device" in sys.argv[1:])

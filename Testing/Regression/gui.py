@@ -1,0 +1,52 @@
+"""Runs inside ParaView's window: open data, apply, choose the representation and shapes, compare with the baseline.
+
+Usage: RTGLYPHS_DATA=DIR paraview --plugin-search-paths=DIR --plugins=RayTracedGlyphs --script=gui.py
+Prints GUI TEST PASSED as its last line; the pictures are compared by this very process.
+"""
+import os
+import sys
+import traceback
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRIPT", "."))))
+
+import paraview.simple as pv  # noqa: E402
+from paraview.modules.vtkRemotingCore import vtkProcessModule  # noqa: E402,F401
+
+import comparison  # noqa: E402
+import session  # noqa: E402
+
+SHAPES = ("Sphere", "Box", "Cylinder", "Cone", "Arrow")
+
+
+def main():
+    """Opens the simulation and goes through the shapes."""
+    failures = []
+    view = pv.GetActiveViewOrCreate("RenderView")
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [channel / 255.0 for channel in session.BACKGROUND]
+    reader = pv.OpenDataFile(os.environ["RTGLYPHS_DATA"] + "/impact/impact.vtk.series")
+    shown = pv.Show(reader, view)
+    if session.REPRESENTATION not in list(shown.GetProperty("RepresentationTypesInfo")):
+        failures.append("'%s' is not among the representations" % session.REPRESENTATION)
+    shown.SetRepresentationType(session.REPRESENTATION)
+    session.look(view, (14.0, -32.0, 26.0), (14.0, 14.0, 4.0), (0.0, 0.0, 1.0))
+    pv.GetAnimationScene().AnimationTime = 0.8
+    for shape in SHAPES:
+        shown.GlyphShape = shape
+        shown.GlyphScaleFactor = 0.9
+        pv.Render(view)
+        pixels = session.capture(view, "gui-" + shape, ImageResolution=[300, 200])
+        failures += comparison.against_baseline(pixels, "gui-" + shape)
+    return failures
+
+
+try:
+    FOUND = main()
+except Exception:  # the window would stay open for ever
+    FOUND = [traceback.format_exc()]
+for failure in FOUND:
+    print("FAILED:", failure)
+print("GUI TEST %s" % ("FAILED" if FOUND else "PASSED"))
+sys.stdout.flush()
+os._exit(1 if FOUND else 0)

@@ -1,0 +1,93 @@
+"""Ray-traced glyphs against ParaView's 3D Glyphs at high tessellation: one shape, every projection, colouring and light.
+
+Usage: pvpython same_as_3d_glyphs.py SHAPE
+"""
+import sys
+
+import numpy
+import paraview.simple as pv
+
+import comparison
+import session
+
+#: the tessellation of ParaView's source of the same name
+RESOLUTION = {
+    "Sphere": {"ThetaResolution": 128, "PhiResolution": 128},
+    "Box": {},
+    "Cylinder": {"Resolution": 128},
+    "Cone": {"Resolution": 128},
+    "Arrow": {"TipResolution": 128, "ShaftResolution": 128},
+}
+
+
+def scene(count=24):
+    """Random points with vectors of different lengths and a scalar."""
+    generator = numpy.random.default_rng(7)
+    points = generator.uniform(-1.0, 1.0, (count, 3))
+    vectors = generator.normal(size=(count, 3))
+    return session.source(session.poly_data(points, vector=vectors, scalar=points[:, 0] + points[:, 1]))
+
+
+def theirs(points, in_view, shape):
+    """The scene as ParaView's 3D Glyphs."""
+    shown = pv.Show(points, in_view)
+    shown.SetRepresentationType("3D Glyphs")
+    shown.GlyphType = shape
+    for name, value in RESOLUTION[shape].items():
+        setattr(shown.GlyphType, name, value)
+    shown.Orient = 1
+    shown.OrientationMode = "Direction"
+    shown.SelectOrientationVectors = "vector"
+    shown.Scaling = 1
+    shown.ScaleMode = "Magnitude"
+    shown.SelectScaleArray = "vector"
+    shown.ScaleFactor = 0.3
+    return shown
+
+
+def ours(points, in_view, shape):
+    """The scene as ray-traced glyphs, arrows with the outline of ParaView's arrow source."""
+    shown = session.glyphs(points, in_view, shape,
+                           GlyphOrient=1, GlyphOrientationArray=["POINTS", "vector"], GlyphOrientationMode="Direction",
+                           GlyphScaling=1, GlyphScaleArray=["POINTS", "vector"], GlyphScaleMode="Magnitude",
+                           GlyphScaleFactor=0.3)
+    if shape == "Arrow":
+        shown.ArrowHeads = "Scaled"
+        shown.ArrowTipRounding = 0.0
+    return shown
+
+
+def main(shape):
+    """All combinations for one shape."""
+    session.load()
+    view = session.view()
+    points = scene()
+    failures = []
+    for colouring in ("solid", "table"):
+        pictures = {}
+        for who, show in (("ours", ours), ("paraview", theirs)):
+            shown = show(points, view, shape)
+            shown.Specular = 0.4
+            shown.SpecularPower = 20.0
+            if colouring == "solid":
+                session.solid(shown, (0.8, 0.5, 0.2))
+            else:
+                pv.ColorBy(shown, ("POINTS", "scalar"))
+                shown.SetScalarBarVisibility(view, False)
+            for projection, scale in (("perspective", None), ("parallel", 1.4)):
+                session.look(view, (2.0, 1.5, 5.0), parallel_scale=scale)
+                for light, kit in (("headlight", 0), ("lightkit", 1)):
+                    view.UseLight = kit
+                    case = "%s-%s-%s-%s" % (shape, colouring, projection, light)
+                    pv.Render(view)
+                    pictures[who, case] = session.capture(view, case + "-" + who)
+            pv.Hide(points, view)
+            pv.Delete(shown)
+        for who, case in pictures:
+            if who == "ours":
+                failures += comparison.against_paraview(pictures[who, case], pictures["paraview", case], case)
+    session.finish(failures)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

@@ -1,0 +1,156 @@
+"""A pvpython session with the plugin loaded: sources from numpy, glyph representations, pictures as arrays.
+
+Environment: RTGLYPHS_PLUGIN is the plugin's library, RTGLYPHS_OUTPUT the folder that pictures are written to.
+"""
+import json
+import os
+import sys
+
+import numpy
+import paraview.simple as pv
+from vtkmodules.numpy_interface import dataset_adapter
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringOutputWindow
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+REPRESENTATION = "Ray Traced Glyphs"
+#: No shaded glyph has this colour, so what differs from it is covered by glyphs.
+BACKGROUND = (255, 0, 255)
+
+
+def load():
+    """Loads the plugin; every test calls it first."""
+    pv._DisableFirstRenderCameraReset()
+    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
+
+
+def finish(failures=()):
+    """Ends the process: 0 when the list of failures is empty. Debian's pvpython crashes at exit unless disconnected."""
+    for failure in failures:
+        print("FAILED:", failure)
+    print("%d failures" % len(failures))
+    pv.Disconnect()
+    sys.stdout.flush()
+    sys.exit(1 if failures else 0)
+
+
+def output(name):
+    """Path of a result file."""
+    folder = os.environ.get("RTGLYPHS_OUTPUT", ".")
+    os.makedirs(folder, exist_ok=True)
+    return os.path.join(folder, name)
+
+
+def poly_data(points, **arrays):
+    """vtkPolyData without cells: one point per row of points, one point array per keyword."""
+    data = vtkPolyData()
+    coordinates = vtkPoints()
+    coordinates.SetData(numpy_to_vtk(numpy.ascontiguousarray(points), deep=True))
+    data.SetPoints(coordinates)
+    add_arrays(data, **arrays)
+    return data
+
+
+def add_arrays(data, **arrays):
+    """Adds point arrays to a vtkDataSet."""
+    for name, values in arrays.items():
+        array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
+        array.SetName(name)
+        data.GetPointData().AddArray(array)
+
+
+def source(data):
+    """A pipeline source that gives out a VTK data object made here."""
+    producer = pv.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(data)
+    producer.UpdatePipeline()
+    return producer
+
+
+def replace_data(producer, data):
+    """Gives a source new data, as a new time step would."""
+    producer.GetClientSideObject().SetOutput(data)
+    producer.MarkModified(producer)
+    producer.UpdatePipeline()
+
+
+def view(width=400, height=300, background=BACKGROUND):
+    """A render view with one plain background colour and nothing in it."""
+    made = pv.CreateView("RenderView")
+    made.ViewSize = [width, height]
+    made.OrientationAxesVisibility = 0
+    made.UseFXAA = 0
+    made.UseColorPaletteForBackground = 0
+    made.BackgroundColorMode = "Single Color"
+    made.Background = [channel / 255.0 for channel in background]
+    return made
+
+
+def look(at_view, position, focal_point=(0.0, 0.0, 0.0), up=(0.0, 1.0, 0.0), parallel_scale=None):
+    """Sets the camera; with parallel_scale, parallel projection."""
+    at_view.CameraPosition = list(position)
+    at_view.CameraFocalPoint = list(focal_point)
+    at_view.CameraViewUp = list(up)
+    at_view.CameraParallelProjection = 0 if parallel_scale is None else 1
+    if parallel_scale is not None:
+        at_view.CameraParallelScale = parallel_scale
+
+
+def glyphs(of_source, in_view, shape="Sphere", samples=1, **properties):
+    """Shows a source as ray-traced glyphs; properties as in the property reference."""
+    shown = pv.Show(of_source, in_view)
+    shown.SetRepresentationType(REPRESENTATION)
+    shown.GlyphShape = shape
+    shown.SamplesPerPixel = samples
+    for name, value in properties.items():
+        setattr(shown, name, value)
+    return shown
+
+
+def solid(shown, colour):
+    """One colour for all."""
+    shown.ColorArrayName = [None, ""]
+    shown.DiffuseColor = list(colour)
+    shown.AmbientColor = list(colour)
+
+
+def capture(of_view, name, **options):
+    """Saves the view as name.png and returns it as an array (rows from the top, columns, channels)."""
+    path = output(name + ".png")
+    pv.SaveScreenshot(path, of_view, **options)
+    return read_image(path)
+
+
+def read_image(path):
+    """A PNG file as uint8 array (rows from the top, columns, channels)."""
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1]
+
+
+def statistics(of_representation):
+    """The representation's RenderStatistics as a dictionary."""
+    of_representation.UpdatePropertyInformation()
+    return json.loads(of_representation.GetProperty("RenderStatistics").GetElement(0))
+
+
+def messages(action):
+    """Errors and warnings that VTK and ParaView print while action() runs, as one text."""
+    before = vtkOutputWindow.GetInstance()
+    collector = vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(collector)
+    try:
+        action()
+    finally:
+        vtkOutputWindow.SetInstance(before)
+    return collector.GetOutput() or ""
+
+
+def array_of(of_source, name):
+    """A point array of a source as numpy."""
+    data = dataset_adapter.WrapDataObject(of_source.GetClientSideObject().GetOutputDataObject(0))
+    return numpy.asarray(data.PointData[name])
