@@ -1,0 +1,101 @@
+"""The main job: simulation data to pictures of ray-traced arrows, spheres and ellipsoids.
+
+Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython simulation.py DATA-FOLDER OUTPUT-FOLDER [WIDTH HEIGHT]
+"""
+import os
+import sys
+
+import paraview.simple as pv
+
+REPRESENTATION = "Ray Traced Glyphs"
+
+
+def new_view(size):
+    """A render view on white."""
+    view = pv.CreateView("RenderView")
+    view.ViewSize = list(size)
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1.0, 1.0, 1.0]
+    return view
+
+
+def look(view, position, focal_point, up):
+    """Sets the camera."""
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = list(position), list(focal_point), list(up)
+
+
+def show(source, view, shape, **properties):
+    """Shows a source as ray-traced glyphs."""
+    shown = pv.Show(source, view)
+    shown.SetRepresentationType(REPRESENTATION)
+    shown.GlyphShape = shape
+    for name, value in properties.items():
+        setattr(shown, name, value)
+    return shown
+
+
+def colour(shown, view, array, component, limits, preset, title):
+    """Colours by an array's component, with a scalar bar."""
+    pv.ColorBy(shown, ("POINTS", array, component), True)
+    table = pv.GetColorTransferFunction(array, shown, separate=True)
+    table.ApplyPreset(preset, True)
+    table.RescaleTransferFunction(*limits)
+    shown.SetScalarBarVisibility(view, True)
+    bar = pv.GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle = title, ""
+    bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
+
+
+def spheres(impact, view):
+    """The grains as spheres of their diameter, coloured by speed."""
+    shown = show(impact, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray=["POINTS", "diameter"],
+                 GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
+    colour(shown, view, "velocity", "Magnitude", (0.0, 8.0), "Inferno (matplotlib)", "speed")
+    look(view, (6.0, -26.0, 21.0), (13.5, 14.0, 3.5), (0.0, 0.0, 1.0))
+
+
+def arrows(impact, view):
+    """The grains' velocities as arrows, coloured by their upward part."""
+    shown = show(impact, view, "Arrow", GlyphOrient=1, GlyphOrientationArray=["POINTS", "velocity"],
+                 GlyphOrientationMode="Direction", GlyphScaling=1, GlyphScaleArray=["POINTS", "velocity"],
+                 GlyphScaleMode="Magnitude", GlyphScaleFactor=0.35)
+    colour(shown, view, "velocity", "Z", (-6.0, 6.0), "Cool to Warm", "upward velocity")
+    look(view, (6.0, -20.0, 16.0), (13.5, 14.0, 4.0), (0.0, 0.0, 1.0))
+
+
+def ellipsoids(nematic, view):
+    """The molecules as ellipsoids of their shape and orientation."""
+    shown = show(nematic, view, "Sphere", GlyphOrient=1, GlyphOrientationArray=["POINTS", "quaternion"],
+                 GlyphOrientationMode="Quaternion", GlyphScaling=1, GlyphScaleArray=["POINTS", "shape"],
+                 GlyphScaleMode="Components", GlyphScaleFactor=1.0)
+    colour(shown, view, "velocity", "Magnitude", (0.0, 4.0), "Viridis (matplotlib)", "speed")
+    look(view, (22.0, 14.0, 34.0), (6.2, 6.2, 6.2), (0.0, 1.0, 0.0))
+
+
+def main():
+    """Makes the pictures."""
+    data, folder = sys.argv[1], sys.argv[2]
+    size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
+    os.makedirs(folder, exist_ok=True)
+    pv._DisableFirstRenderCameraReset()
+    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
+    impact = pv.OpenDataFile(os.path.join(data, "impact", "impact.vtk.series"))
+    nematic = pv.OpenDataFile(os.path.join(data, "nematic", "nematic.vtk.series"))
+    for name, source, draw, time in (("spheres", impact, spheres, 0.8), ("arrows", impact, arrows, 0.8),
+                                     ("ellipsoids", nematic, ellipsoids, nematic.TimestepValues[-1])):
+        view = new_view(size)
+        view.ViewTime = time
+        pv.UpdatePipeline(time, source)
+        draw(source, view)
+        pv.Render(view)
+        path = os.path.join(folder, name + ".png")
+        pv.SaveScreenshot(path, view, ImageResolution=size)
+        print("wrote", path)
+        sys.stdout.flush()
+        pv.Delete(view)
+    pv.Disconnect()
+
+
+if __name__ == "__main__":
+    main()
