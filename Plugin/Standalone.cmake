@@ -1,0 +1,51 @@
+# Builds the plugin outside ParaView's own tree, against an installed ParaView.
+
+# Without Qt the plugin needs only ParaView's server side, and so no Qt packages on the machine.
+# ParaView says itself whether it was built with Qt; Qt's development files must be there too.
+find_package(Qt5 QUIET COMPONENTS Core Widgets)
+if (NOT Qt5_FOUND)
+  find_package(Qt6 QUIET COMPONENTS Core Widgets)
+endif ()
+set(rtglyphs_qt_found OFF)
+if (Qt5_FOUND OR Qt6_FOUND)
+  set(rtglyphs_qt_found ON)
+endif ()
+option(RTGLYPHS_USE_QT "Build the parts for ParaView's graphical interface" ${rtglyphs_qt_found})
+
+if (RTGLYPHS_USE_QT)
+  find_package(ParaView 5.11 REQUIRED)
+  if (NOT PARAVIEW_USE_QT)
+    message(STATUS "RayTracedGlyphs: ${ParaView_DIR} was built without Qt; building without it.")
+  endif ()
+else ()
+  # ParaView's modules refer to these packages without finding them when only components are asked for.
+  find_package(Python3 QUIET COMPONENTS Interpreter Development)
+  find_package(Freetype QUIET)
+  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingViews)
+  set(PARAVIEW_USE_QT OFF)
+endif ()
+
+set(_paraview_plugin_default_RayTracedGlyphs ON)
+paraview_plugin_scan(
+  PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/paraview.plugin"
+  PROVIDES_PLUGINS rtglyphs_plugins
+  REQUIRES_MODULES rtglyphs_required_modules)
+
+foreach (module IN LISTS rtglyphs_required_modules)
+  if (NOT TARGET "${module}")
+    message(FATAL_ERROR "RayTracedGlyphs needs the ParaView module ${module}, "
+      "which ${ParaView_DIR} does not have.")
+  endif ()
+endforeach ()
+
+# paraview_plugin_build() adds the folder of the scanned file as a subdirectory. That is this
+# project's root, which would add itself; the plugin's own folder is meant.
+set_property(GLOBAL PROPERTY _paraview_plugin_RayTracedGlyphs_file
+  "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin")
+
+paraview_plugin_build(
+  RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
+  PLUGINS_FILE_NAME "raytracedglyphs.xml"
+  PLUGINS ${rtglyphs_plugins})

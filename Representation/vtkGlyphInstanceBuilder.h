@@ -1,0 +1,89 @@
+/**
+ * @class   vtkGlyphInstanceBuilder
+ * @brief   turns points and arrays into the glyph instances that the kernels trace
+ *
+ * Arrays mean what they mean to vtkGlyph3DMapper: magnitudes of scale arrays of any length, components of arrays of
+ * three; orientation by direction (the same half turn, so that also boxes agree), by angles about z, x, y in degrees
+ * or by quaternion (w, x, y, z). Positions are made relative to the middle of the data in double precision.
+ *
+ * A negative scale component mirrors the glyph. That changes nothing about a sphere, box or cylinder; cones and arrows
+ * point the other way, as 3D Glyphs shows them.
+ *
+ * What cannot be shown (position, scale, direction zero where one is needed, or not finite) makes no glyph; it is
+ * counted and put into words in Result::Messages.
+ */
+#ifndef vtkGlyphInstanceBuilder_h
+#define vtkGlyphInstanceBuilder_h
+
+#include "Glyphs.h"
+#include "vtkGlyphBlockAttributes.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkMatrix4x4;
+class vtkPolyData;
+
+class vtkGlyphInstanceBuilder
+{
+public:
+  enum ScaleModes
+  {
+    MAGNITUDE = 0,
+    COMPONENTS = 1
+  };
+  enum OrientationModes
+  {
+    DIRECTION = 0,
+    ROTATION = 1,
+    QUATERNION = 2
+  };
+
+  struct Settings
+  {
+    rtg::Shape Shape = rtg::Shape::Sphere;
+    bool Scaling = false;
+    std::string ScaleArray; // empty or "None": none
+    int ScaleMode = MAGNITUDE;
+    double ScaleFactor = 1.0;
+    bool Orient = true;
+    std::string OrientationArray;
+    int OrientationMode = DIRECTION;
+    rtg::ArrowForm Arrow;
+    bool Mask = false;
+    vtkIdType MaximumNumberOfGlyphs = 5000;
+    int Seed = 1;
+  };
+
+  struct Result
+  {
+    rtg::GlyphInstances Instances;
+    std::vector<vtkIdType> Points; // point of each glyph
+    vtkIdType Skipped = 0;         // points that could not be shown
+    std::vector<std::string> Messages;
+  };
+
+  /**
+   * `blocks` as Resolve()d for `points`; `modelToWorld` may be null.
+   */
+  static Result Build(vtkPolyData* points, const Settings& settings,
+    const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld);
+
+  /**
+   * A box around all glyphs before the actor's transform; cheap, and not tight. Uninitialised when there are none.
+   */
+  static void ComputeBounds(vtkPolyData* points, const Settings& settings,
+    const vtkGlyphBlockAttributes::Table& blocks, double bounds[6]);
+
+  ///@{
+  /**
+   * The arrays that the settings name; null when none is wanted, or it is missing.
+   */
+  static vtkDataArray* ScaleArray(vtkPolyData* points, const Settings& settings);
+  static vtkDataArray* OrientationArray(vtkPolyData* points, const Settings& settings);
+  ///@}
+};
+
+#endif

@@ -1,0 +1,425 @@
+#include "vtkRayTracedGlyphMapper.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkGlyphPointGatherer.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRayTracedGlyphScene.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedIntArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+vtkStandardNewMacro(vtkRayTracedGlyphMapper);
+
+namespace
+{
+vtkMTimeType TimeOf(vtkObject* object)
+{
+  return object ? object->GetMTime() : 0;
+}
+
+bool SameSettings(
+  const vtkGlyphInstanceBuilder::Settings& a, const vtkGlyphInstanceBuilder::Settings& b)
+{
+  const auto all = [](const vtkGlyphInstanceBuilder::Settings& s)
+  {
+    return std::tie(s.Shape, s.Scaling, s.ScaleArray, s.ScaleMode, s.ScaleFactor, s.Orient,
+      s.OrientationArray, s.OrientationMode, s.Arrow.shaftRadius, s.Arrow.tipRadius,
+      s.Arrow.tipLength, s.Arrow.tipRounding, s.Arrow.fixedHeads, s.Mask, s.MaximumNumberOfGlyphs,
+      s.Seed);
+  };
+  return all(a) == all(b);
+}
+}
+
+//----------------------------------------------------------------------------
+// Everything that instances depend on. Arrays are known by their time stamps, of which no two are alike: so data
+// that come again in a new vtkPolyData are seen to be the same.
+struct vtkRayTracedGlyphMapper::InstanceKey
+{
+  vtkGlyphInstanceBuilder::Settings Settings;
+  std::array<vtkMTimeType, 5> Times{};
+  std::vector<unsigned int> HiddenBlocks;
+  std::array<double, 16> Matrix{};
+
+  bool operator==(const InstanceKey& other) const
+  {
+    return SameSettings(this->Settings, other.Settings) && this->Times == other.Times &&
+      this->HiddenBlocks == other.HiddenBlocks && this->Matrix == other.Matrix;
+  }
+};
+
+//----------------------------------------------------------------------------
+struct vtkRayTracedGlyphMapper::ColorKey
+{
+  bool Visible = false;
+  std::string Array;
+  int ScalarMode = 0, ColorMode = 0;
+  std::array<vtkMTimeType, 2> Times{};
+  std::uint64_t Instances = 0;
+  vtkGlyphBlockAttributes::Table Blocks;
+  std::array<double, 3> SolidColor{}; // where blocks without a colour of their own need it
+
+  bool operator==(const ColorKey& other) const
+  {
+    return this->Visible == other.Visible && this->Array == other.Array &&
+      this->ScalarMode == other.ScalarMode && this->ColorMode == other.ColorMode &&
+      this->Times == other.Times && this->Instances == other.Instances &&
+      this->Blocks == other.Blocks && this->SolidColor == other.SolidColor;
+  }
+};
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphMapper::vtkRayTracedGlyphMapper() = default;
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphMapper::~vtkRayTracedGlyphMapper()
+{
+  for (const auto& scene : this->Scenes)
+  {
+    scene->Remove(this);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << endl;
+  os << indent << "SamplesPerRender: " << this->SamplesPerRender << endl;
+  os << indent << "InteractiveReduction: " << this->InteractiveReduction << endl;
+  os << indent << "Number of glyphs: " << this->GetNumberOfGlyphs() << endl;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedGlyphMapper::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+vtkPolyData* vtkRayTracedGlyphMapper::GetPoints()
+{
+  return this->GetNumberOfInputConnections(0) > 0
+    ? vtkPolyData::SafeDownCast(this->GetExecutive()->GetInputData(0, 0))
+    : nullptr;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::Report(
+  const std::vector<std::string>& messages, std::vector<std::string>& reported)
+{
+  for (const std::string& message : messages)
+  {
+    if (std::find(reported.begin(), reported.end(), message) == reported.end())
+    {
+      vtkWarningMacro(<< message);
+    }
+  }
+  reported = messages;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::UpdateBlocks(vtkPolyData* points)
+{
+  if (this->BlockTableTime < this->BlocksTime || this->BlockTableTime < points->GetMTime() ||
+    this->BlockTableTime < this->GetMTime())
+  {
+    this->BlockTable = this->Blocks.Resolve(points);
+    this->BlockTableTime.Modified();
+  }
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphMapper::InstanceKey
+vtkRayTracedGlyphMapper::MakeInstanceKey(vtkPolyData* points) const
+{
+  InstanceKey key;
+  key.Settings = this->Glyphs;
+  key.Times = { TimeOf(points->GetPoints()),
+    points->GetPoints() ? TimeOf(points->GetPoints()->GetData()) : 0,
+    TimeOf(vtkGlyphInstanceBuilder::ScaleArray(points, this->Glyphs)),
+    TimeOf(vtkGlyphInstanceBuilder::OrientationArray(points, this->Glyphs)),
+    TimeOf(points->GetPointData()->GetArray(vtkGlyphPointGatherer::CompositeIndexName())) };
+  for (const auto& item : this->BlockTable)
+  {
+    if (!item.second.Visible)
+    {
+      key.HiddenBlocks.push_back(item.first);
+    }
+  }
+  std::sort(key.HiddenBlocks.begin(), key.HiddenBlocks.end());
+  return key;
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphMapper::ColorKey
+vtkRayTracedGlyphMapper::MakeColorKey(vtkPolyData* points, vtkActor* actor)
+{
+  ColorKey key;
+  key.Instances = this->InstanceVersion;
+  key.Blocks = this->BlockTable;
+  key.Visible = this->ScalarVisibility != 0;
+  if (!key.Blocks.empty())
+  {
+    actor->GetProperty()->GetDiffuseColor(key.SolidColor.data());
+  }
+  if (key.Visible)
+  {
+    int cellFlag = 0;
+    vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
+      points, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+    key.Array = this->ArrayName;
+    key.ScalarMode = this->ScalarMode;
+    key.ColorMode = this->ColorMode;
+    key.Times = { TimeOf(scalars), TimeOf(this->LookupTable) };
+  }
+  return key;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::Update(vtkActor* actor)
+{
+  vtkPolyData* points = this->GetPoints();
+  if (!points)
+  {
+    if (!this->Points.empty())
+    {
+      this->Instances = rtg::GlyphInstances();
+      this->Points.clear();
+      this->Skipped = 0;
+      this->InstancesTaken = false;
+      this->Built.reset();
+      ++this->InstanceVersion;
+    }
+    return;
+  }
+
+  this->UpdateBlocks(points);
+  InstanceKey key = this->MakeInstanceKey(points);
+  std::copy_n(&actor->GetMatrix()->Element[0][0], 16, key.Matrix.begin());
+  if (!this->Built || !(*this->Built == key))
+  {
+    this->BuildInstances(points, actor);
+    this->Built = std::make_unique<InstanceKey>(std::move(key));
+  }
+  ColorKey colorKey = this->MakeColorKey(points, actor);
+  if (!this->Colored || !(*this->Colored == colorKey))
+  {
+    this->SolidColor = colorKey.SolidColor;
+    this->BuildColors(points);
+    this->Colored = std::make_unique<ColorKey>(std::move(colorKey));
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* actor)
+{
+  vtkGlyphInstanceBuilder::Result result = points->GetNumberOfPoints() > 0
+    ? vtkGlyphInstanceBuilder::Build(points, this->Glyphs, this->BlockTable, actor->GetMatrix())
+    : vtkGlyphInstanceBuilder::Result();
+  this->Instances = std::move(result.Instances);
+  this->InstancesTaken = false;
+  this->Points = std::move(result.Points);
+  this->Skipped = result.Skipped;
+  ++this->InstanceVersion;
+  this->Report(result.Messages, this->ReportedInstances);
+}
+
+//----------------------------------------------------------------------------
+rtg::GlyphInstances vtkRayTracedGlyphMapper::TakeInstances(vtkActor* actor)
+{
+  if (this->InstancesTaken)
+  {
+    if (vtkPolyData* points = this->GetPoints())
+    {
+      const std::uint64_t version = this->InstanceVersion;
+      this->BuildInstances(points, actor);
+      this->InstanceVersion = version;
+    }
+  }
+  this->InstancesTaken = true;
+  return std::move(this->Instances);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
+{
+  std::vector<std::string> messages;
+  vtkUnsignedCharArray* mapped = nullptr;
+  if (this->ScalarVisibility && !this->Points.empty())
+  {
+    mapped = this->MapScalars(points, 1.0);
+    if (!mapped)
+    {
+      messages.push_back("There is no array '" + std::string(this->ArrayName) +
+        "' that has a value for each glyph, so the glyphs have one colour. Choose a point array, "
+        "or cell data of "
+        "vertices, as ColorArrayName.");
+    }
+  }
+  auto* blockIds = vtkUnsignedIntArray::SafeDownCast(
+    points->GetPointData()->GetArray(vtkGlyphPointGatherer::CompositeIndexName()));
+  const bool blockColors = blockIds &&
+    std::any_of(this->BlockTable.begin(), this->BlockTable.end(),
+      [](const auto& item) { return item.second.HasColor || item.second.Opacity < 1.0; });
+
+  this->Colors8.clear();
+  this->Translucent = false;
+  if (mapped || blockColors)
+  {
+    this->Colors8.resize(this->Points.size());
+    const int components = mapped ? mapped->GetNumberOfComponents() : 0;
+    for (std::size_t glyph = 0; glyph < this->Points.size(); ++glyph)
+    {
+      const vtkIdType point = this->Points[glyph];
+      std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2],
+        1.0 } };
+      for (int c = 0; c < std::min(components, 4); ++c)
+      {
+        rgba[c] = mapped->GetValue(point * components + c) / 255.0;
+      }
+      if (blockColors)
+      {
+        const auto block = this->BlockTable.find(blockIds->GetValue(point));
+        if (block != this->BlockTable.end())
+        {
+          if (block->second.HasColor)
+          {
+            std::copy(block->second.Color.begin(), block->second.Color.end(), rgba.begin());
+          }
+          rgba[3] *= block->second.Opacity;
+        }
+      }
+      std::uint32_t packed = 0;
+      for (int c = 0; c < 4; ++c)
+      {
+        packed |=
+          static_cast<std::uint32_t>(std::lround(vtkMath::ClampValue(rgba[c], 0.0, 1.0) * 255.0))
+          << (8 * c);
+      }
+      this->Translucent |= (packed >> 24) != 255u;
+      this->Colors8[glyph] = packed;
+    }
+  }
+  ++this->ColorVersion;
+  this->Report(messages, this->ReportedColors);
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph)
+{
+  Origin origin;
+  vtkPolyData* points = this->GetPoints();
+  if (!points || glyph < 0 || glyph >= this->GetNumberOfGlyphs())
+  {
+    return origin;
+  }
+  const vtkIdType point = this->Points[glyph];
+  vtkPointData* data = points->GetPointData();
+  vtkDataArray* ids = data->GetArray(vtkGlyphPointGatherer::PointIdsName());
+  vtkDataArray* blocks = data->GetArray(vtkGlyphPointGatherer::CompositeIndexName());
+  vtkDataArray* processes = data->GetArray(vtkGlyphPointGatherer::ProcessIdName());
+  origin.Point = ids ? static_cast<vtkIdType>(ids->GetComponent(point, 0)) : point;
+  origin.CompositeIndex = blocks ? static_cast<unsigned int>(blocks->GetComponent(point, 0)) : 0;
+  origin.Process = processes ? static_cast<int>(processes->GetComponent(point, 0)) : -1;
+  return origin;
+}
+
+//----------------------------------------------------------------------------
+double* vtkRayTracedGlyphMapper::GetBounds()
+{
+  vtkPolyData* points = this->GetPoints();
+  if (!points || points->GetNumberOfPoints() == 0)
+  {
+    vtkMath::UninitializeBounds(this->Bounds);
+    this->Bounded.reset();
+    return this->Bounds;
+  }
+  this->UpdateBlocks(points);
+  InstanceKey key = this->MakeInstanceKey(points);
+  if (!this->Bounded || !(*this->Bounded == key))
+  {
+    vtkGlyphInstanceBuilder::ComputeBounds(points, this->Glyphs, this->BlockTable, this->Bounds);
+    this->Bounded = std::make_unique<InstanceKey>(std::move(key));
+  }
+  return this->Bounds;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::Join(vtkRenderer* renderer)
+{
+  vtkSmartPointer<vtkRayTracedGlyphScene> scene = vtkRayTracedGlyphScene::Of(renderer);
+  if (std::find(this->Scenes.begin(), this->Scenes.end(), scene) == this->Scenes.end())
+  {
+    this->Scenes.push_back(scene);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::Leave(vtkRenderer* renderer)
+{
+  const auto left = std::remove_if(this->Scenes.begin(), this->Scenes.end(),
+    [this, renderer](const auto& scene)
+    {
+      if (scene->GetRenderer() && scene->GetRenderer() != renderer)
+      {
+        return false;
+      }
+      scene->Remove(this);
+      return true;
+    });
+  this->Scenes.erase(left, this->Scenes.end());
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Join(renderer);
+  vtkRayTracedGlyphScene::Of(renderer)->Render(actor, this);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (const auto& scene : this->Scenes)
+  {
+    scene->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//----------------------------------------------------------------------------
+std::string vtkRayTracedGlyphMapper::GetStatistics()
+{
+  return this->Scenes.empty() ? std::string("{}") : this->Scenes.front()->GetStatistics(this);
+}
+
+//----------------------------------------------------------------------------
+std::string vtkRayTracedGlyphMapper::GetDeviceName()
+{
+  return this->Scenes.empty() ? std::string() : this->Scenes.front()->GetDeviceName();
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedGlyphMapper::GetAccumulatedSamples()
+{
+  return this->Scenes.empty() ? 0 : this->Scenes.front()->GetAccumulatedSamples();
+}

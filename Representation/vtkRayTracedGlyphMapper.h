@@ -1,0 +1,166 @@
+/**
+ * @class   vtkRayTracedGlyphMapper
+ * @brief   shows points as ray-traced glyphs
+ *
+ * Input is the vtkPolyData of vtkGlyphPointGatherer. The mapper turns points and arrays into glyph instances and
+ * colours, each only when something they depend on has changed; the vtkRayTracedGlyphScene of the renderer, which all
+ * mappers in it share, traces and draws them.
+ *
+ * @sa vtkGlyphInstanceBuilder vtkRayTracedGlyphScene
+ */
+#ifndef vtkRayTracedGlyphMapper_h
+#define vtkRayTracedGlyphMapper_h
+
+#include "vtkGlyphBlockAttributes.h"
+#include "vtkGlyphInstanceBuilder.h"
+#include "vtkMapper.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkPolyData;
+class vtkRayTracedGlyphScene;
+class vtkRenderer;
+
+class vtkRayTracedGlyphMapper : public vtkMapper
+{
+public:
+  static vtkRayTracedGlyphMapper* New();
+  vtkTypeMacro(vtkRayTracedGlyphMapper, vtkMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * How arrays become glyphs. May be changed at any time; what a change touches is found out at the next render.
+   */
+  vtkGlyphInstanceBuilder::Settings Glyphs;
+
+  ///@{
+  /**
+   * Visibility, colour and opacity of blocks. Call BlocksModified() after a change.
+   */
+  vtkGlyphBlockAttributes Blocks;
+  void BlocksModified() { this->BlocksTime.Modified(); }
+  ///@}
+
+  ///@{
+  /**
+   * Samples of a finished image. In [1, 65536]; the largest of a view's mappers counts. Default is 16.
+   */
+  vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
+  vtkGetMacro(SamplesPerPixel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Samples that one render adds while the image is not finished; 0: all of them. Default is 0.
+   */
+  vtkSetClampMacro(SamplesPerRender, int, 0, 65536);
+  vtkGetMacro(SamplesPerRender, int);
+  ///@}
+
+  ///@{
+  /**
+   * While the camera moves, only every n-th pixel in x and y is traced. In [1, 16]. Default is 2.
+   */
+  vtkSetClampMacro(InteractiveReduction, int, 1, 16);
+  vtkGetMacro(InteractiveReduction, int);
+  ///@}
+
+  ///@{
+  /**
+   * Joins or leaves the scene of a renderer. A mapper that is rendered without joining does so then.
+   */
+  void Join(vtkRenderer* renderer);
+  void Leave(vtkRenderer* renderer);
+  ///@}
+
+  /**
+   * What the renderers of this mapper have done, as JSON; "{}" before the first render.
+   */
+  std::string GetStatistics();
+  std::string GetDeviceName();
+  int GetAccumulatedSamples();
+
+  // vtkMapper
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
+  double* GetBounds() override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  bool HasOpaqueGeometry() override { return !this->Translucent; }
+  bool HasTranslucentPolygonalGeometry() override { return this->Translucent; }
+  bool GetSupportsSelection() override { return true; }
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * For vtkRayTracedGlyphScene. Update() brings instances and colours up to date; their versions grow with
+   * each change. TakeInstances() hands the instances over (they are built again for a second taker).
+   */
+  void Update(vtkActor* actor);
+  std::uint64_t GetInstanceVersion() const { return this->InstanceVersion; }
+  std::uint64_t GetColorVersion() const { return this->ColorVersion; }
+  rtg::GlyphInstances TakeInstances(vtkActor* actor);
+  rtg::GlyphColours GetColors() const { return this->Colors8; }
+  vtkIdType GetNumberOfGlyphs() const { return static_cast<vtkIdType>(this->Points.size()); }
+  vtkIdType GetSkippedGlyphs() const { return this->Skipped; }
+  ///@}
+
+  /**
+   * What picking says about a glyph.
+   */
+  struct Origin
+  {
+    vtkIdType Point = 0;
+    unsigned int CompositeIndex = 0;
+    int Process = -1; // -1: this one
+  };
+  Origin OriginOf(vtkIdType glyph);
+
+protected:
+  vtkRayTracedGlyphMapper();
+  ~vtkRayTracedGlyphMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+private:
+  vtkRayTracedGlyphMapper(const vtkRayTracedGlyphMapper&) = delete;
+  void operator=(const vtkRayTracedGlyphMapper&) = delete;
+
+  struct InstanceKey;
+  struct ColorKey;
+
+  vtkPolyData* GetPoints();
+  void UpdateBlocks(vtkPolyData* points);
+  void BuildInstances(vtkPolyData* points, vtkActor* actor);
+  void BuildColors(vtkPolyData* points);
+  InstanceKey MakeInstanceKey(vtkPolyData* points) const;
+  ColorKey MakeColorKey(vtkPolyData* points, vtkActor* actor);
+  void Report(const std::vector<std::string>& messages, std::vector<std::string>& reported);
+
+  int SamplesPerPixel = 16;
+  int SamplesPerRender = 0;
+  int InteractiveReduction = 2;
+
+  vtkTimeStamp BlocksTime, BlockTableTime;
+  vtkGlyphBlockAttributes::Table BlockTable;
+
+  std::unique_ptr<InstanceKey> Built, Bounded;
+  std::unique_ptr<ColorKey> Colored;
+  rtg::GlyphInstances Instances;
+  bool InstancesTaken = false;
+  std::vector<vtkIdType> Points; // of each glyph
+  rtg::GlyphColours Colors8;
+  vtkIdType Skipped = 0;
+  bool Translucent = false;
+  std::array<double, 3> SolidColor{ { 1.0, 1.0,
+    1.0 } }; // of blocks without their own, where some have one
+  std::uint64_t InstanceVersion = 0, ColorVersion = 0;
+  std::vector<std::string> ReportedInstances, ReportedColors;
+
+  std::vector<vtkSmartPointer<vtkRayTracedGlyphScene>> Scenes;
+};
+
+#endif

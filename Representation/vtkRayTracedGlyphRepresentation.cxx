@@ -1,0 +1,534 @@
+#include "vtkRayTracedGlyphRepresentation.h"
+
+#include "vtkActor.h"
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkGlyphPointGatherer.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVView.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRayTracedGlyphMapper.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkTransform.h"
+
+vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
+  : Mapper(vtkSmartPointer<vtkRayTracedGlyphMapper>::New())
+  , Points(vtkSmartPointer<vtkPolyData>::New())
+{
+  this->Actor->SetMapper(this->Mapper);
+  this->Actor->SetProperty(this->Property);
+  // Render passes tell the mapper through these keys what they want of its shader.
+  vtkNew<vtkInformation> keys;
+  this->Actor->SetPropertyKeys(keys);
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphRepresentation::~vtkRayTracedGlyphRepresentation() = default;
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mapper:" << endl;
+  this->Mapper->PrintSelf(os, indent.GetNextIndent());
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedGlyphRepresentation::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkHyperTreeGrid");
+  // On processes that only render there is no input.
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedGlyphRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = inputVector[0]->GetNumberOfInformationObjects() == 1
+    ? vtkDataObject::GetData(inputVector[0], 0)
+    : nullptr;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  this->Points =
+    vtkGlyphPointGatherer::Gather(input, controller ? controller->GetLocalProcessId() : 0,
+      controller ? controller->GetNumberOfProcesses() : 1);
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//----------------------------------------------------------------------------
+vtkDataObject* vtkRayTracedGlyphRepresentation::GetRenderedDataObject(int)
+{
+  return this->Points;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedGlyphRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0; // not visible
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    vtkPVView::SetPiece(inInfo, this, this->Points);
+    double bounds[6];
+    vtkGlyphInstanceBuilder::ComputeBounds(
+      this->Points, this->Mapper->Glyphs, this->Mapper->Blocks.Resolve(this->Points), bounds);
+    vtkNew<vtkMatrix4x4> matrix;
+    this->Actor->GetMatrix(matrix);
+    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
+    vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
+      vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+    outInfo->Set(
+      vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->NeedsOrderedCompositing() ? 1 : 0);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    auto* points = vtkPolyData::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));
+    if (points != this->Mapper->GetInputDataObject(0, 0))
+    {
+      this->Mapper->SetInputDataObject(points);
+    }
+    this->UpdateColoring(points);
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::UpdateColoring(vtkPolyData* points)
+{
+  const char* name = nullptr;
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  if (info && info->Has(vtkDataObject::FIELD_ASSOCIATION()) &&
+    info->Has(vtkDataObject::FIELD_NAME()))
+  {
+    name = info->Get(vtkDataObject::FIELD_NAME());
+    association = info->Get(vtkDataObject::FIELD_ASSOCIATION());
+  }
+  if (!name || !name[0])
+  {
+    this->Mapper->ScalarVisibilityOff();
+    this->Mapper->SelectColorArray(static_cast<const char*>(nullptr));
+    return;
+  }
+  // Cells of a hyper tree grid have become points on the way.
+  bool cells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  if (cells && points && !points->GetCellData()->HasArray(name))
+  {
+    cells = !points->GetPointData()->HasArray(name);
+  }
+  this->Mapper->ScalarVisibilityOn();
+  this->Mapper->SelectColorArray(name);
+  this->Mapper->SetUseLookupTableScalarRange(1);
+  this->Mapper->SetScalarMode(
+    cells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedGlyphRepresentation::NeedsOrderedCompositing()
+{
+  // Asked on all ranks before the data are delivered: what may turn out translucent counts.
+  const double opacity = this->Property->GetOpacity();
+  if ((opacity > 0.0 && opacity < 1.0) || this->Mapper->Blocks.HasTranslucent())
+  {
+    return true;
+  }
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  const char* name = info && info->Has(vtkDataObject::FIELD_NAME())
+    ? info->Get(vtkDataObject::FIELD_NAME())
+    : nullptr;
+  if (!name || !name[0])
+  {
+    return false;
+  }
+  vtkScalarsToColors* table = this->Mapper->GetLookupTable();
+  return this->Mapper->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (table && table->IsOpaque() == 0);
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedGlyphRepresentation::AddToView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->AddActor(this->Actor);
+  renderView->RegisterPropForHardwareSelection(this, this->Actor);
+  this->Mapper->Join(renderView->GetRenderer());
+  return this->Superclass::AddToView(view);
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedGlyphRepresentation::RemoveFromView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->RemoveActor(this->Actor);
+  renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
+  this->Mapper->Leave(renderView->GetRenderer());
+  return this->Superclass::RemoveFromView(view);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetVisibility(bool visible)
+{
+  this->Actor->SetVisibility(visible);
+  this->Superclass::SetVisibility(visible);
+}
+
+//----------------------------------------------------------------------------
+const char* vtkRayTracedGlyphRepresentation::GetDeviceName()
+{
+  this->DeviceName = this->Mapper->GetDeviceName();
+  return this->DeviceName.c_str();
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedGlyphRepresentation::GetAccumulatedSamples()
+{
+  return this->Mapper->GetAccumulatedSamples();
+}
+
+//----------------------------------------------------------------------------
+const char* vtkRayTracedGlyphRepresentation::GetRenderStatistics()
+{
+  this->Statistics = this->Mapper->GetStatistics();
+  return this->Statistics.c_str();
+}
+
+//****************************************************************************
+// Settings of the glyphs
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
+{
+  if (shape < 0 || shape > static_cast<int>(rtg::Shape::Arrow))
+  {
+    vtkErrorMacro("GlyphShape is " << shape << "; it must lie between 0 (Sphere) and "
+                                   << static_cast<int>(rtg::Shape::Arrow) << " (Arrow).");
+    return;
+  }
+  this->Mapper->Glyphs.Shape = static_cast<rtg::Shape>(shape);
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedGlyphRepresentation::GetGlyphShape()
+{
+  return static_cast<int>(this->Mapper->Glyphs.Shape);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphScaling(bool on)
+{
+  this->Mapper->Glyphs.Scaling = on;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphScaleArray(const char* name)
+{
+  this->Mapper->Glyphs.ScaleArray = name ? name : "";
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphScaleMode(int mode)
+{
+  this->Mapper->Glyphs.ScaleMode = mode;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphScaleFactor(double factor)
+{
+  this->Mapper->Glyphs.ScaleFactor = factor;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphOrient(bool on)
+{
+  this->Mapper->Glyphs.Orient = on;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphOrientationArray(const char* name)
+{
+  this->Mapper->Glyphs.OrientationArray = name ? name : "";
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphOrientationMode(int mode)
+{
+  this->Mapper->Glyphs.OrientationMode = mode;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetArrowHeads(int heads)
+{
+  this->Mapper->Glyphs.Arrow.fixedHeads = heads == 0;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetArrowShaftRadius(double radius)
+{
+  this->Mapper->Glyphs.Arrow.shaftRadius =
+    static_cast<float>(vtkMath::ClampValue(radius, 0.0, 0.5));
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetArrowTipRadius(double radius)
+{
+  this->Mapper->Glyphs.Arrow.tipRadius = static_cast<float>(vtkMath::ClampValue(radius, 0.0, 0.5));
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetArrowTipLength(double length)
+{
+  this->Mapper->Glyphs.Arrow.tipLength =
+    static_cast<float>(vtkMath::ClampValue(length, 0.001, 1.0));
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetArrowTipRounding(double rounding)
+{
+  this->Mapper->Glyphs.Arrow.tipRounding =
+    static_cast<float>(vtkMath::ClampValue(rounding, 0.0, 1.0));
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphMask(bool on)
+{
+  this->Mapper->Glyphs.Mask = on;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetMaximumNumberOfGlyphs(int number)
+{
+  this->Mapper->Glyphs.MaximumNumberOfGlyphs = number;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphSeed(int seed)
+{
+  this->Mapper->Glyphs.Seed = seed;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetShadingMode(int mode)
+{
+  if (mode != 0)
+  {
+    vtkErrorMacro("ShadingMode is " << mode << "; only 0 (Local) is there.");
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetSamplesPerPixel(int samples)
+{
+  this->Mapper->SetSamplesPerPixel(samples);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetSamplesPerRender(int samples)
+{
+  this->Mapper->SetSamplesPerRender(samples);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetInteractiveReduction(int step)
+{
+  this->Mapper->SetInteractiveReduction(step);
+}
+
+//****************************************************************************
+// Appearance
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetLookupTable(vtkScalarsToColors* table)
+{
+  this->Mapper->SetLookupTable(table);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetMapScalars(int map)
+{
+  this->Mapper->SetColorMode(map ? VTK_COLOR_MODE_MAP_SCALARS : VTK_COLOR_MODE_DIRECT_SCALARS);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetOpacity(double opacity)
+{
+  this->Property->SetOpacity(opacity);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetAmbientColor(double r, double g, double b)
+{
+  this->Property->SetAmbientColor(r, g, b);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetDiffuseColor(double r, double g, double b)
+{
+  this->Property->SetDiffuseColor(r, g, b);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetSpecularColor(double r, double g, double b)
+{
+  this->Property->SetSpecularColor(r, g, b);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetAmbient(double ambient)
+{
+  this->Property->SetAmbient(ambient);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetDiffuse(double diffuse)
+{
+  this->Property->SetDiffuse(diffuse);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetSpecular(double specular)
+{
+  this->Property->SetSpecular(specular);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetSpecularPower(double power)
+{
+  this->Property->SetSpecularPower(power);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetMetallic(double metallic)
+{
+  this->Property->SetMetallic(metallic);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetRoughness(double roughness)
+{
+  this->Property->SetRoughness(roughness);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetPosition(double x, double y, double z)
+{
+  this->Actor->SetPosition(x, y, z);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetScale(double x, double y, double z)
+{
+  this->Actor->SetScale(x, y, z);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetOrientation(double x, double y, double z)
+{
+  this->Actor->SetOrientation(x, y, z);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetOrigin(double x, double y, double z)
+{
+  this->Actor->SetOrigin(x, y, z);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetUserTransform(const double matrix[16])
+{
+  vtkNew<vtkTransform> transform;
+  transform->SetMatrix(matrix);
+  this->Actor->SetUserTransform(transform);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetPickable(int pickable)
+{
+  this->Actor->SetPickable(pickable);
+}
+
+//****************************************************************************
+// Blocks
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::AddBlockSelector(const char* selector)
+{
+  if (this->Mapper->Blocks.AddSelector(selector))
+  {
+    this->Mapper->BlocksModified();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::RemoveAllBlockSelectors()
+{
+  if (this->Mapper->Blocks.RemoveAllSelectors())
+  {
+    this->Mapper->BlocksModified();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetBlockColor(
+  const char* selector, double r, double g, double b)
+{
+  if (this->Mapper->Blocks.SetColor(selector, r, g, b))
+  {
+    this->Mapper->BlocksModified();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::RemoveAllBlockColors()
+{
+  if (this->Mapper->Blocks.RemoveAllColors())
+  {
+    this->Mapper->BlocksModified();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetBlockOpacity(const char* selector, double opacity)
+{
+  if (this->Mapper->Blocks.SetOpacity(selector, opacity))
+  {
+    this->Mapper->BlocksModified();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::RemoveAllBlockOpacities()
+{
+  if (this->Mapper->Blocks.RemoveAllOpacities())
+  {
+    this->Mapper->BlocksModified();
+  }
+}

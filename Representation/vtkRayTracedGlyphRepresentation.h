@@ -1,0 +1,167 @@
+/**
+ * @class   vtkRayTracedGlyphRepresentation
+ * @brief   representation that shows the points of any data set as ray-traced glyphs
+ *
+ * The points are gathered where the data are (vtkGlyphPointGatherer), delivered by the view to where it renders, and
+ * shown there by a vtkRayTracedGlyphMapper.
+ *
+ * @sa vtkGlyph3DRepresentation, whose meaning of scale and orientation arrays this one shares.
+ */
+#ifndef vtkRayTracedGlyphRepresentation_h
+#define vtkRayTracedGlyphRepresentation_h
+
+#include "vtkNew.h"
+#include "vtkPVDataRepresentation.h"
+#include "vtkRayTracedGlyphsModule.h" // for export macro
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkActor;
+class vtkPolyData;
+class vtkProperty;
+class vtkRayTracedGlyphMapper;
+class vtkScalarsToColors;
+
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedGlyphRepresentation : public vtkPVDataRepresentation
+{
+public:
+  static vtkRayTracedGlyphRepresentation* New();
+  vtkTypeMacro(vtkRayTracedGlyphRepresentation, vtkPVDataRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Shape of the glyphs, a number of rtg::Shape. Default is 0 (sphere).
+   */
+  void SetGlyphShape(int shape);
+  int GetGlyphShape();
+  ///@}
+
+  ///@{
+  /**
+   * Size: a factor, and an array when scaling is on; "None" or empty is no array. Modes are those of
+   * vtkGlyphInstanceBuilder::ScaleModes. Default is off, factor 1, magnitude.
+   */
+  void SetGlyphScaling(bool on);
+  void SetGlyphScaleArray(const char* name);
+  void SetGlyphScaleMode(int mode);
+  void SetGlyphScaleFactor(double factor);
+  ///@}
+
+  ///@{
+  /**
+   * Orientation. Modes are those of vtkGlyphInstanceBuilder::OrientationModes. Default is on, no array, direction.
+   */
+  void SetGlyphOrient(bool on);
+  void SetGlyphOrientationArray(const char* name);
+  void SetGlyphOrientationMode(int mode);
+  ///@}
+
+  ///@{
+  /**
+   * The arrow's form, in fractions of the unit arrow's length. Default is fixed heads, vtkArrowSource's
+   * proportions and a rounding of 0.5.
+   */
+  void SetArrowHeads(int heads);
+  void SetArrowShaftRadius(double radius);
+  void SetArrowTipRadius(double radius);
+  void SetArrowTipLength(double length);
+  void SetArrowTipRounding(double rounding);
+  ///@}
+
+  ///@{
+  /**
+   * Shows at most so many of the glyphs, chosen at random but the same at each time step. Default is off, 5000, 1.
+   */
+  void SetGlyphMask(bool on);
+  void SetMaximumNumberOfGlyphs(int number);
+  void SetGlyphSeed(int seed);
+  ///@}
+
+  ///@{
+  /**
+   * Forwarded to the mapper.
+   */
+  void SetShadingMode(int mode);
+  void SetSamplesPerPixel(int samples);
+  void SetSamplesPerRender(int samples);
+  void SetInteractiveReduction(int step);
+  ///@}
+
+  ///@{
+  /**
+   * Information: the device that traces, the samples a pixel of the last image, and what was done (JSON).
+   */
+  const char* GetDeviceName();
+  int GetAccumulatedSamples();
+  const char* GetRenderStatistics();
+  ///@}
+
+  ///@{
+  /**
+   * Appearance, forwarded to mapper, property and actor.
+   */
+  void SetLookupTable(vtkScalarsToColors* table);
+  void SetMapScalars(int map);
+  void SetOpacity(double opacity);
+  void SetAmbientColor(double r, double g, double b);
+  void SetDiffuseColor(double r, double g, double b);
+  void SetSpecularColor(double r, double g, double b);
+  void SetAmbient(double ambient);
+  void SetDiffuse(double diffuse);
+  void SetSpecular(double specular);
+  void SetSpecularPower(double power);
+  void SetMetallic(double metallic);
+  void SetRoughness(double roughness);
+  void SetPosition(double x, double y, double z);
+  void SetScale(double x, double y, double z);
+  void SetOrientation(double x, double y, double z);
+  void SetOrigin(double x, double y, double z);
+  void SetUserTransform(const double matrix[16]);
+  void SetPickable(int pickable);
+  ///@}
+
+  ///@{
+  /**
+   * Blocks of a composite data set, by selectors in its hierarchy. Default is the selector "/".
+   */
+  void AddBlockSelector(const char* selector);
+  void RemoveAllBlockSelectors();
+  void SetBlockColor(const char* selector, double r, double g, double b);
+  void RemoveAllBlockColors();
+  void SetBlockOpacity(const char* selector, double opacity);
+  void RemoveAllBlockOpacities();
+  ///@}
+
+  // vtkPVDataRepresentation
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+  void SetVisibility(bool visible) override;
+  vtkDataObject* GetRenderedDataObject(int port) override;
+
+protected:
+  vtkRayTracedGlyphRepresentation();
+  ~vtkRayTracedGlyphRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+private:
+  vtkRayTracedGlyphRepresentation(const vtkRayTracedGlyphRepresentation&) = delete;
+  void operator=(const vtkRayTracedGlyphRepresentation&) = delete;
+
+  void UpdateColoring(vtkPolyData* points);
+  bool NeedsOrderedCompositing();
+
+  vtkSmartPointer<vtkRayTracedGlyphMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkProperty> Property;
+  vtkSmartPointer<vtkPolyData> Points; // gathered, not yet delivered
+  std::string DeviceName, Statistics;
+};
+
+#endif

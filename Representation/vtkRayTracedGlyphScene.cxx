@@ -1,0 +1,692 @@
+#include "vtkRayTracedGlyphScene.h"
+
+#include "Scene.h"
+#include "Tracer.h"
+#include "Vulkan/Device.h"
+
+#include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRayTracedGlyphMapper.h"
+#include "vtkRayTracedGlyphView.h"
+#include "vtkRayTracedImageQuad.h"
+#include "vtkRenderer.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkRayTracedGlyphScene);
+
+namespace
+{
+constexpr int passes = 2; // opaque, translucent: as rtg::Pass
+
+// Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
+constexpr double interactiveRate = 1.0;
+
+vtkRayTracedGlyphMapper* GlyphMapperOf(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor ? vtkRayTracedGlyphMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+}
+
+// What an image was traced from.
+struct ImageKey
+{
+  glm::dmat4 WorldToClip{ 0.0 };
+  glm::dvec3 Position{ 0.0 };
+  std::vector<rtg::Light> Lights;
+  std::uint32_t Width = 0, Height = 0;
+  std::uint64_t Content = 0;
+
+  bool operator==(const ImageKey& other) const
+  {
+    return this->WorldToClip == other.WorldToClip && this->Position == other.Position &&
+      this->Width == other.Width && this->Height == other.Height &&
+      this->Content == other.Content && vtkRayTracedGlyphView::Same(this->Lights, other.Lights);
+  }
+};
+
+// The image of one pass. Each has a tracer of its own, which keeps its pixels.
+struct PassImage
+{
+  std::unique_ptr<rtg::Tracer> Tracer;
+  rtg::Image Image;
+  ImageKey Key;
+  std::uint32_t PixelStep = 1;
+  bool Valid = false; // Image has the pixels of Key
+  bool Sent = false;  // Quad has them, too
+  vtkRayTracedImageQuad Quad;
+};
+
+std::map<vtkRenderer*, vtkWeakPointer<vtkRayTracedGlyphScene>>& Registry()
+{
+  static std::map<vtkRenderer*, vtkWeakPointer<vtkRayTracedGlyphScene>> registry;
+  return registry;
+}
+}
+
+//----------------------------------------------------------------------------
+struct vtkRayTracedGlyphScene::Internals
+{
+  // A mapper's glyph set and what of it the kernels have.
+  struct Member
+  {
+    rtg::Scene::SetId Set = 0;
+    std::uint64_t Instances = 0, Colors = 0;
+    rtg::Material Material;
+    bool MaterialSent = false;
+    bool Visible = true;
+  };
+
+  std::shared_ptr<rtg::Device> Device;
+  std::unique_ptr<rtg::Scene> Scene;
+  std::map<vtkRayTracedGlyphMapper*, Member> Members;
+  std::uint64_t Content = 1; // grows with every change of what is traced
+  std::array<PassImage, passes> Images;
+  vtkRayTracedImageQuad IdQuad;
+
+  // This frame
+  bool Synchronised = false;
+  bool OpaqueDrawn = false;
+  vtkRayTracedGlyphMapper* TranslucentLeader = nullptr;
+  std::uint32_t SamplesPerPixel = 1, SamplesPerRender = 0, InteractiveReduction = 1;
+
+  // After a failure nothing is tried until what is to be shown changes
+  std::string Failure, CameraFailure;
+  std::uint64_t FailedVersion = 0;
+  std::uint64_t Version = 0; // sum of the mappers' versions, visible ones
+
+  void Forget()
+  {
+    for (PassImage& image : this->Images)
+    {
+      image.Valid = image.Sent = false;
+      image.Tracer.reset();
+    }
+    this->Scene.reset();
+    this->Device.reset();
+    this->Members.clear();
+    ++this->Content;
+  }
+
+  rtg::Statistics Sum() const
+  {
+    rtg::Statistics sum = this->Scene ? this->Scene->GetStatistics() : rtg::Statistics();
+    for (const PassImage& image : this->Images)
+    {
+      if (image.Tracer)
+      {
+        const rtg::Statistics& s = image.Tracer->GetStatistics();
+        sum.pipelineBuilds += s.pipelineBuilds;
+        sum.dispatches += s.dispatches;
+        sum.primaryRays += s.primaryRays;
+        sum.deviceBytes = std::max(sum.deviceBytes, s.deviceBytes);
+        sum.traceSeconds += s.traceSeconds;
+        sum.readSeconds += s.readSeconds;
+      }
+    }
+    return sum;
+  }
+};
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphScene::vtkRayTracedGlyphScene()
+  : Self(std::make_unique<Internals>())
+{
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphScene::~vtkRayTracedGlyphScene()
+{
+  if (this->Renderer)
+  {
+    this->Renderer->RemoveObserver(this->Observer);
+    Registry().erase(this->Renderer);
+    if (vtkWindow* window = this->Renderer->GetVTKWindow())
+    {
+      this->ReleaseGraphicsResources(window);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphScene::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Renderer.Get() << endl;
+  os << indent << "Number of mappers: " << this->Self->Members.size() << endl;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkRayTracedGlyphScene> vtkRayTracedGlyphScene::Of(vtkRenderer* renderer)
+{
+  vtkWeakPointer<vtkRayTracedGlyphScene>& entry = Registry()[renderer];
+  // A new renderer may have the address of one that is gone.
+  if (entry && entry->Renderer == renderer)
+  {
+    return entry.Get();
+  }
+  auto scene = vtkSmartPointer<vtkRayTracedGlyphScene>::Take(vtkRayTracedGlyphScene::New());
+  scene->Renderer = renderer;
+  scene->Observer =
+    renderer->AddObserver(vtkCommand::StartEvent, scene.Get(), &vtkRayTracedGlyphScene::StartFrame);
+  entry = scene;
+  return scene;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphScene::StartFrame()
+{
+  Internals& self = *this->Self;
+  self.Synchronised = false;
+  self.OpaqueDrawn = false;
+  self.TranslucentLeader = nullptr;
+  this->DrawLast();
+  this->Synchronise();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphScene::DrawLast()
+{
+  std::vector<vtkSmartPointer<vtkProp>> glyphs;
+  bool inFront = false;
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    if (GlyphMapperOf(prop))
+    {
+      glyphs.emplace_back(prop);
+    }
+    else
+    {
+      inFront |= !glyphs.empty();
+    }
+  }
+  if (inFront)
+  {
+    for (const auto& prop : glyphs)
+    {
+      props->RemoveItem(prop);
+      props->AddItem(prop);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphScene::Fail(const std::string& message)
+{
+  Internals& self = *this->Self;
+  self.FailedVersion = self.Version;
+  const bool lost = self.Device && self.Device->Lost();
+  if (lost || !self.Device)
+  {
+    self.Forget();
+  }
+  if (self.Failure != message)
+  {
+    self.Failure = message;
+    vtkErrorMacro(<< message);
+  }
+}
+
+//----------------------------------------------------------------------------
+// Hands over to the kernels what has changed since the last frame; touches no graphics.
+void vtkRayTracedGlyphScene::Synchronise()
+{
+  Internals& self = *this->Self;
+  self.Synchronised = true;
+
+  // The actors of this frame; mappers of actors that are gone leave
+  std::vector<std::pair<vtkActor*, vtkRayTracedGlyphMapper*>> actors;
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    if (vtkRayTracedGlyphMapper* mapper = GlyphMapperOf(prop))
+    {
+      actors.emplace_back(vtkActor::SafeDownCast(prop), mapper);
+    }
+  }
+  std::vector<vtkRayTracedGlyphMapper*> gone;
+  for (const auto& item : self.Members)
+  {
+    if (std::none_of(actors.begin(), actors.end(),
+          [&item](const auto& actor) { return actor.second == item.first; }))
+    {
+      gone.push_back(item.first);
+    }
+  }
+  for (vtkRayTracedGlyphMapper* mapper : gone)
+  {
+    this->Remove(mapper);
+  }
+
+  // Arrays to instances and colours
+  bool any = false;
+  std::uint64_t version = 0;
+  self.SamplesPerPixel = 1;
+  self.SamplesPerRender = 0;
+  self.InteractiveReduction = 1;
+  for (const auto& item : actors)
+  {
+    vtkRayTracedGlyphMapper* mapper = item.second;
+    if (!item.first->GetVisibility())
+    {
+      continue;
+    }
+    mapper->Update(item.first);
+    any |= mapper->GetNumberOfGlyphs() > 0;
+    version += mapper->GetInstanceVersion() + mapper->GetColorVersion();
+    const auto largest = [](std::uint32_t& value, int other)
+    { value = std::max(value, static_cast<std::uint32_t>(other)); };
+    largest(self.SamplesPerPixel, mapper->GetSamplesPerPixel());
+    largest(self.SamplesPerRender, mapper->GetSamplesPerRender());
+    largest(self.InteractiveReduction, mapper->GetInteractiveReduction());
+  }
+  self.Version = version;
+  if ((!any && !self.Scene) || (!self.Failure.empty() && self.FailedVersion == version))
+  {
+    return;
+  }
+  try
+  {
+    if (!self.Device || self.Device->Lost())
+    {
+      self.Forget();
+      self.Device = rtg::Device::Shared();
+    }
+    if (!self.Scene)
+    {
+      self.Scene = std::make_unique<rtg::Scene>(self.Device);
+    }
+    for (const auto& item : actors)
+    {
+      vtkRayTracedGlyphMapper* mapper = item.second;
+      const bool visible = item.first->GetVisibility() && mapper->GetNumberOfGlyphs() > 0;
+      auto found = self.Members.find(mapper);
+      if (found == self.Members.end())
+      {
+        if (!visible)
+        {
+          continue;
+        }
+        mapper->Join(this->Renderer);
+        Internals::Member member;
+        member.Set = self.Scene->Add();
+        found = self.Members.emplace(mapper, member).first;
+        ++self.Content;
+      }
+      Internals::Member& member = found->second;
+      if (member.Visible != visible)
+      {
+        self.Scene->SetVisible(member.Set, visible);
+        member.Visible = visible;
+        ++self.Content;
+      }
+      if (!visible)
+      {
+        continue;
+      }
+      if (member.Instances != mapper->GetInstanceVersion())
+      {
+        self.Scene->SetInstances(member.Set, mapper->TakeInstances(item.first));
+        member.Instances = mapper->GetInstanceVersion();
+        ++self.Content;
+      }
+      if (member.Colors != mapper->GetColorVersion())
+      {
+        self.Scene->SetColours(member.Set, mapper->GetColors());
+        member.Colors = mapper->GetColorVersion();
+        ++self.Content;
+      }
+      const rtg::Material material = vtkRayTracedGlyphView::MaterialOf(item.first->GetProperty());
+      if (!member.MaterialSent || !vtkRayTracedGlyphView::Same(member.Material, material))
+      {
+        self.Scene->SetMaterial(member.Set, material);
+        member.Material = material;
+        member.MaterialSent = true;
+        ++self.Content;
+      }
+    }
+    self.Scene->Commit();
+    self.Failure.clear();
+  }
+  catch (const std::exception& error)
+  {
+    this->Fail(error.what());
+  }
+}
+
+//----------------------------------------------------------------------------
+// Makes the image of a pass the one of this frame; false: there is nothing to draw.
+bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
+{
+  Internals& self = *this->Self;
+  const bool translucent = pass == static_cast<int>(rtg::Pass::Translucent);
+  if (!self.Scene || !self.Failure.empty() ||
+    !(translucent ? self.Scene->HasTranslucent() : self.Scene->HasOpaque()))
+  {
+    return false;
+  }
+  int viewport[4] = { 0, 0, 0, 0 };
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  if (viewport[2] < 1 || viewport[3] < 1)
+  {
+    return false;
+  }
+
+  // A camera that sees nothing is no failure of the glyphs: the next one may be good.
+  ImageKey key;
+  rtg::Camera camera;
+  try
+  {
+    key.WorldToClip = vtkRayTracedGlyphView::WorldToClip(this->Renderer);
+    camera = vtkRayTracedGlyphView::CameraOf(this->Renderer, key.WorldToClip);
+    self.CameraFailure.clear();
+  }
+  catch (const rtg::Error& error)
+  {
+    if (self.CameraFailure != error.what())
+    {
+      self.CameraFailure = error.what();
+      vtkWarningMacro(<< error.what());
+    }
+    return false;
+  }
+
+  PassImage& image = self.Images[pass];
+  try
+  {
+    key.Position = camera.position;
+    key.Lights = vtkRayTracedGlyphView::LightsOf(this->Renderer);
+    key.Width = static_cast<std::uint32_t>(viewport[2]);
+    key.Height = static_cast<std::uint32_t>(viewport[3]);
+    key.Content = self.Content;
+
+    // How good an image this frame wants
+    const bool same = image.Valid && image.Key == key;
+    const bool interactive =
+      this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() >= interactiveRate;
+    rtg::TraceSettings settings;
+    settings.width = key.Width;
+    settings.height = key.Height;
+    if (forIds)
+    {
+      settings.samples = 1;
+    }
+    else if (interactive)
+    {
+      settings.pixelStep = self.InteractiveReduction;
+      settings.samples = 1;
+    }
+    else if (self.SamplesPerRender > 0)
+    {
+      const std::uint32_t done = same && image.PixelStep == 1 ? image.Image.samples : 0;
+      settings.samples = std::min(self.SamplesPerPixel, done + self.SamplesPerRender);
+    }
+    else
+    {
+      settings.samples = self.SamplesPerPixel;
+    }
+    const bool good = forIds || interactive ? image.Image.samples >= settings.samples
+                                            : image.Image.samples == settings.samples;
+    if (same && good && image.PixelStep <= settings.pixelStep)
+    {
+      return true;
+    }
+
+    if (!image.Tracer)
+    {
+      image.Tracer = std::make_unique<rtg::Tracer>(self.Device);
+    }
+    image.Valid = image.Sent = false;
+    image.Image =
+      image.Tracer->Trace(*self.Scene, camera, key.Lights, settings, static_cast<rtg::Pass>(pass));
+    image.Key = std::move(key);
+    image.PixelStep = settings.pixelStep;
+    image.Valid = true;
+    return true;
+  }
+  catch (const std::exception& error)
+  {
+    this->Fail(error.what());
+    return false;
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphScene::Render(vtkActor* actor, vtkRayTracedGlyphMapper* mapper)
+{
+  Internals& self = *this->Self;
+  if (!this->Renderer)
+  {
+    return;
+  }
+  if (!self.Synchronised)
+  {
+    this->Synchronise();
+  }
+  if (vtkHardwareSelector* selector = this->Renderer->GetSelector())
+  {
+    this->DrawIds(actor, mapper, selector);
+    return;
+  }
+
+  // One actor draws for all; in the translucent pass each time, for the pass peels layer by layer
+  const bool translucent = actor->IsRenderingTranslucentPolygonalGeometry() != 0;
+  if (translucent)
+  {
+    if (self.TranslucentLeader && self.TranslucentLeader != mapper)
+    {
+      return;
+    }
+    self.TranslucentLeader = mapper;
+  }
+  else
+  {
+    if (self.OpaqueDrawn)
+    {
+      return;
+    }
+    self.OpaqueDrawn = true;
+  }
+
+  const int pass = static_cast<int>(translucent ? rtg::Pass::Translucent : rtg::Pass::Opaque);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  if (window && this->UpdateImage(pass, /*forIds=*/false))
+  {
+    PassImage& image = self.Images[pass];
+    if (!image.Sent)
+    {
+      image.Quad.SetImage(
+        window, image.Image.width, image.Image.height, image.Image.colour, image.Image.depth);
+      image.Sent = true;
+    }
+    image.Quad.Draw(this->Renderer, actor, mapper, vtkRayTracedImageQuad::BLEND);
+  }
+}
+
+//----------------------------------------------------------------------------
+// Draws a number in the place of each of the actor's pixels, 24 bits of it, as a hardware selector asks for.
+void vtkRayTracedGlyphScene::DrawIds(
+  vtkActor* actor, vtkRayTracedGlyphMapper* mapper, vtkHardwareSelector* selector)
+{
+  Internals& self = *this->Self;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  const auto member = self.Members.find(mapper);
+  // A glyph stands for a point: it has no cell to select.
+  if (!window || member == self.Members.end() ||
+    selector->GetFieldAssociation() != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    return;
+  }
+  selector->BeginRenderProp();
+  std::array<const rtg::Image*, passes> images{};
+  std::size_t pixels = 0;
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    if (this->UpdateImage(pass, /*forIds=*/true))
+    {
+      images[pass] = &self.Images[pass].Image;
+      pixels = std::size_t(images[pass]->width) * images[pass]->height;
+    }
+  }
+
+  std::vector<std::uint32_t> values(pixels, 0);
+  std::vector<float> depths(pixels, 1.0f);
+  vtkIdType maximum = 0;
+  const int currentPass = selector->GetCurrentPass();
+  std::uint32_t propValue = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    propValue |= static_cast<std::uint32_t>(selector->GetPropColorValue()[c] * 255.0f + 0.5f)
+      << (8 * c);
+  }
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    const rtg::Image* nearest = nullptr;
+    for (const rtg::Image* image : images)
+    {
+      if (image && image->glyphIds[i] != rtg::Image::noGlyph &&
+        (!nearest || image->depth[i] < nearest->depth[i]))
+      {
+        nearest = image;
+      }
+    }
+    if (!nearest || nearest->setIds[i] != member->second.Set)
+    {
+      continue;
+    }
+    const vtkRayTracedGlyphMapper::Origin origin =
+      mapper->OriginOf(self.Scene->OriginalGlyph(member->second.Set, nearest->glyphIds[i]));
+    maximum = std::max(maximum, origin.Point);
+    std::uint32_t value = 0;
+    switch (currentPass)
+    {
+      case vtkHardwareSelector::ACTOR_PASS:
+        value = propValue;
+        break;
+      case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
+        value = origin.CompositeIndex;
+        break;
+      case vtkHardwareSelector::POINT_ID_LOW24:
+        value = static_cast<std::uint32_t>(origin.Point & 0xffffff);
+        break;
+      case vtkHardwareSelector::POINT_ID_HIGH24:
+        value = static_cast<std::uint32_t>((origin.Point >> 24) & 0xffffff);
+        break;
+      case vtkHardwareSelector::PROCESS_PASS:
+        // One more than the rank: zero means that nothing was hit.
+        value = static_cast<std::uint32_t>(
+          (origin.Process >= 0 ? origin.Process : std::max(selector->GetProcessID(), 0)) + 1);
+        break;
+      default:
+        break;
+    }
+    values[i] = (value & 0xffffff) | 0xff000000u;
+    depths[i] = nearest->depth[i];
+  }
+  selector->UpdateMaximumPointId(maximum);
+  if (pixels > 0)
+  {
+    const rtg::Image* any = images[0] ? images[0] : images[1];
+    self.IdQuad.SetImage(window, any->width, any->height, values.data(), depths.data());
+    self.IdQuad.Draw(this->Renderer, actor, mapper, vtkRayTracedImageQuad::IDS);
+  }
+  selector->EndRenderProp();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphScene::Remove(vtkRayTracedGlyphMapper* mapper)
+{
+  Internals& self = *this->Self;
+  const auto found = self.Members.find(mapper);
+  if (found == self.Members.end())
+  {
+    return;
+  }
+  if (self.Scene)
+  {
+    try
+    {
+      self.Scene->Remove(found->second.Set);
+    }
+    catch (const std::exception& error)
+    {
+      this->Fail(error.what());
+      return;
+    }
+  }
+  self.Members.erase(mapper);
+  ++self.Content;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphScene::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& self = *this->Self;
+  for (PassImage& image : self.Images)
+  {
+    image.Quad.ReleaseGraphicsResources(window);
+    image.Sent = false;
+  }
+  self.IdQuad.ReleaseGraphicsResources(window);
+}
+
+//----------------------------------------------------------------------------
+std::string vtkRayTracedGlyphScene::GetDeviceName()
+{
+  return this->Self->Device ? this->Self->Device->Name() : std::string();
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedGlyphScene::GetAccumulatedSamples()
+{
+  std::uint32_t samples = 0;
+  for (const PassImage& image : this->Self->Images)
+  {
+    samples = std::max(samples, image.Valid ? image.Image.samples : 0);
+  }
+  return static_cast<int>(samples);
+}
+
+//----------------------------------------------------------------------------
+std::string vtkRayTracedGlyphScene::GetStatistics(vtkRayTracedGlyphMapper* mapper)
+{
+  const rtg::Statistics s = this->Self->Sum();
+  std::string device;
+  for (char c : this->GetDeviceName())
+  {
+    device += c == '"' || c == '\\' ? std::string{ '\\', c } : std::string{ c };
+  }
+  std::ostringstream json;
+  json << "{ \"DeviceName\": \"" << device << "\""
+       << ", \"AccumulatedSamples\": " << this->GetAccumulatedSamples()
+       << ", \"glyphs\": " << mapper->GetNumberOfGlyphs()
+       << ", \"skippedGlyphs\": " << mapper->GetSkippedGlyphs()
+       << ", \"structureBuilds\": " << s.structureBuilds
+       << ", \"topLevelBuilds\": " << s.topLevelBuilds
+       << ", \"instanceUploads\": " << s.instanceUploads
+       << ", \"colourUploads\": " << s.colourUploads << ", \"pipelineBuilds\": " << s.pipelineBuilds
+       << ", \"dispatches\": " << s.dispatches << ", \"primaryRays\": " << s.primaryRays
+       << ", \"deviceBytes\": " << s.deviceBytes << ", \"sortSeconds\": " << s.sortSeconds
+       << ", \"buildSeconds\": " << s.buildSeconds << ", \"uploadSeconds\": " << s.uploadSeconds
+       << ", \"traceSeconds\": " << s.traceSeconds << ", \"readSeconds\": " << s.readSeconds
+       << " }";
+  return json.str();
+}

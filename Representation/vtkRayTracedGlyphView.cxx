@@ -1,0 +1,144 @@
+#include "vtkRayTracedGlyphView.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace
+{
+template <typename Vector>
+Vector ToVector(const double* v)
+{
+  return Vector(v[0], v[1], v[2]);
+}
+}
+
+//----------------------------------------------------------------------------
+glm::dmat4 vtkRayTracedGlyphView::WorldToClip(vtkRenderer* renderer)
+{
+  glm::dmat4 result(1.0);
+  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
+  if (!camera)
+  {
+    return result;
+  }
+  vtkMatrix4x4 *worldToView, *viewToClip, *worldToClip;
+  vtkMatrix3x3* normals;
+  camera->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);
+  // VTK keeps it transposed for OpenGL: its rows are GLM's columns.
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      result[i][j] = worldToClip->GetElement(i, j);
+    }
+  }
+  return result;
+}
+
+//----------------------------------------------------------------------------
+rtg::Camera vtkRayTracedGlyphView::CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip)
+{
+  rtg::Camera camera = rtg::Camera::FromWorldToClip(worldToClip);
+  if (camera.parallel)
+  {
+    camera.position = ToVector<glm::dvec3>(renderer->GetActiveCamera()->GetPosition());
+  }
+  return camera;
+}
+
+//----------------------------------------------------------------------------
+std::vector<rtg::Light> vtkRayTracedGlyphView::LightsOf(vtkRenderer* renderer)
+{
+  std::vector<vtkLight*> on;
+  vtkLightCollection* all = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  all->InitTraversal(iterator);
+  while (vtkLight* light = all->GetNextLight(iterator))
+  {
+    if (light->GetSwitch())
+    {
+      on.push_back(light);
+    }
+  }
+  const bool loneHeadlight =
+    on.size() == 1 && on.front()->LightTypeIsHeadlight() && !on.front()->GetPositional();
+
+  std::vector<rtg::Light> lights;
+  for (vtkLight* light : on)
+  {
+    rtg::Light converted;
+    converted.colour =
+      ToVector<glm::vec3>(light->GetDiffuseColor()) * static_cast<float>(light->GetIntensity());
+    const glm::dvec3 position = ToVector<glm::dvec3>(light->GetTransformedPosition());
+    const glm::dvec3 focus = ToVector<glm::dvec3>(light->GetTransformedFocalPoint());
+    converted.position = position;
+    if (position != focus)
+    {
+      converted.direction = glm::normalize(focus - position);
+    }
+    if (loneHeadlight)
+    {
+      converted.kind = rtg::Light::Kind::Headlight;
+    }
+    else if (light->GetPositional())
+    {
+      converted.kind = rtg::Light::Kind::Positional;
+      converted.attenuation = ToVector<glm::vec3>(light->GetAttenuationValues());
+      converted.coneAngle = static_cast<float>(light->GetConeAngle());
+      converted.exponent = static_cast<float>(light->GetExponent());
+    }
+    else
+    {
+      converted.kind = rtg::Light::Kind::Directional;
+    }
+    lights.push_back(converted);
+  }
+  return lights;
+}
+
+//----------------------------------------------------------------------------
+rtg::Material vtkRayTracedGlyphView::MaterialOf(vtkProperty* property)
+{
+  rtg::Material material;
+  material.colour = ToVector<glm::vec3>(property->GetDiffuseColor());
+  material.specularColour = ToVector<glm::vec3>(property->GetSpecularColor());
+  material.ambient = static_cast<float>(property->GetAmbient());
+  material.diffuse = static_cast<float>(property->GetDiffuse());
+  material.specular = static_cast<float>(property->GetSpecular());
+  material.specularPower = static_cast<float>(property->GetSpecularPower());
+  material.opacity = static_cast<float>(property->GetOpacity());
+  material.lighting = property->GetLighting();
+  return material;
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedGlyphView::Same(const rtg::Material& a, const rtg::Material& b)
+{
+  const auto all = [](const rtg::Material& m)
+  {
+    return std::tie(m.colour, m.specularColour, m.ambient, m.diffuse, m.specular, m.specularPower,
+      m.opacity, m.lighting);
+  };
+  return all(a) == all(b);
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedGlyphView::Same(const std::vector<rtg::Light>& a, const std::vector<rtg::Light>& b)
+{
+  const auto all = [](const rtg::Light& l)
+  {
+    return std::tie(
+      l.kind, l.colour, l.position, l.direction, l.attenuation, l.coneAngle, l.exponent);
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [&all](const rtg::Light& x, const rtg::Light& y) { return all(x) == all(y); });
+}

@@ -1,0 +1,45 @@
+/**
+ * What a renderer's state means to the kernels: camera, lights, material.
+ */
+#ifndef vtkRayTracedGlyphView_h
+#define vtkRayTracedGlyphView_h
+
+#include "Camera.h"
+#include "Glyphs.h"
+
+#include <vector>
+
+class vtkProperty;
+class vtkRenderer;
+
+namespace vtkRayTracedGlyphView
+{
+/**
+ * World to OpenGL clip space, in double and with all that a tile, stereo or an off-axis frustum adds.
+ */
+glm::dmat4 WorldToClip(vtkRenderer* renderer);
+
+/**
+ * The rays of the renderer's camera. Throws rtg::Error for a camera that sees nothing.
+ */
+rtg::Camera CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip);
+
+/**
+ * The lights that are on, as vtkOpenGLRenderer::UpdateLights() counts them: a headlight that is alone is shaded
+ * as such, several lights as directional and positional ones.
+ */
+std::vector<rtg::Light> LightsOf(vtkRenderer* renderer);
+
+rtg::Material MaterialOf(vtkProperty* property);
+
+///@{
+/**
+ * Whether two of them look the same.
+ */
+bool Same(const rtg::Material& a, const rtg::Material& b);
+bool Same(const std::vector<rtg::Light>& a, const std::vector<rtg::Light>& b);
+///@}
+}
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRayTracedGlyphView.h

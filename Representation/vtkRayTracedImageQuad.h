@@ -1,0 +1,60 @@
+/**
+ * @class   vtkRayTracedImageQuad
+ * @brief   draws an image with depth over the whole viewport
+ *
+ * The image's pixels compete with everything else in the view by depth. Partly covered pixels (edges) are blended, or,
+ * where the frame buffer is multisampled, cover as many samples, which does not depend on the order of drawing.
+ */
+#ifndef vtkRayTracedImageQuad_h
+#define vtkRayTracedImageQuad_h
+
+#include "vtkNew.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+
+class vtkActor;
+class vtkMapper;
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkRayTracedImageQuad
+{
+public:
+  vtkRayTracedImageQuad();
+  ~vtkRayTracedImageQuad();
+
+  enum Uses
+  {
+    BLEND, // colour, blended by alpha
+    IDS    // exact values in place of colour
+  };
+
+  /**
+   * Sends an image: RGBA8 and window depths, bottom row first.
+   */
+  void SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,
+    const std::uint32_t* color, const float* depth);
+  bool HasImage() const { return this->Sent; }
+
+  /**
+   * Draws it. `actor`, with `mapper`, carries the render passes that have a say in the shader (depth peeling).
+   */
+  void Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper, Uses use);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  vtkNew<vtkTextureObject> Color;
+  vtkNew<vtkTextureObject> Depth;
+  bool Sent = false;
+  // By fragment shader: each stage of depth peeling has its own.
+  std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
+};
+
+#endif
