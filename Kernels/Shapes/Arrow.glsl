@@ -16,25 +16,20 @@
 #define RTG_HEAD_BALL 5
 #define RTG_HEAD_APEX 6
 
-// The ray in the arrow's unit frame, x turned round to count from the tip to the tail, its origin moved to
-// the middle of the chord through the arrow's box. False: no chord.
+// The ray in the arrow's unit frame, x turned round to count from the tip to the tail. False: it certainly
+// misses.
 RTG_FN bool ToArrowFrame(GlyphRay ray, Glyph glyph, ArrowScale scale, RTG_OUT(LocalRay) unit)
 {
-  LocalRay local = TurnToLocal(NearRay(ray, glyph), glyph);
-
-  // The box only bounds the arrow: a little more does no harm.
   real radius = max(glyph.arrow.x, glyph.arrow.y);
-  real padded = real(1.0) + real(8.0) * real(RTG_ROUNDOFF);
-  real3 worldSize = scale.over * (padded / scale.times);
-  real3 halfSize =
-    real3(real(0.5) * padded * glyph.size.x, radius * worldSize.y, radius * worldSize.z);
-  LocalRay centred = local;
-  centred.origin = Add(local.origin, real3(real(-0.5) * glyph.size.x, real(0.0), real(0.0)));
-  Span chord = BoxSpan(centred, halfSize);
-  bool inBox = !IsEmpty(chord);
-  if (inBox)
+  real3 worldSize = scale.over / scale.times;
+  real halfLength = real(0.5) * glyph.size.x;
+  LocalRay local;
+  bool near = ToLocal(ray, glyph, real3(halfLength, real(0.0), real(0.0)),
+    real3(halfLength, radius * worldSize.y, radius * worldSize.z), local);
+  unit = local;
+  if (!near)
   {
-    local = Advance(local, real(0.5) * (chord.sIn.hi + chord.sOut.hi));
+    return false;
   }
 
   DoubleWord3 fromTip = Add(local.origin, real3(-glyph.size.x, real(0.0), real(0.0)));
@@ -42,7 +37,7 @@ RTG_FN bool ToArrowFrame(GlyphRay ray, Glyph glyph, ArrowScale scale, RTG_OUT(Lo
   unit.start = local.start;
   unit.origin = Divide(Multiply(fromTip, turnedRound), scale.over);
   unit.direction = Divide(Multiply(local.direction, turnedRound), scale.over);
-  return inBox;
+  return true;
 }
 
 RTG_FN Span ShaftSpan(LocalRay ray, Glyph glyph, ArrowScale scale)
@@ -94,7 +89,11 @@ RTG_FN bool ArrowCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_O
   RTG_OUT(ArrowHead) head, RTG_OUT(Crossing) crossing)
 {
   ArrowScale scale = ScaleOfArrow(glyph);
-  bool inBox = ToArrowFrame(ray, glyph, scale, local);
+  head = NoHead();
+  if (!ToArrowFrame(ray, glyph, scale, local))
+  {
+    return NoCrossing(local, crossing);
+  }
   head = HeadOfArrow(glyph);
   Span shaftPart = EmptySpan();
   Span headPart = EmptySpan();
@@ -108,13 +107,13 @@ RTG_FN bool ArrowCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_O
   }
 
   // Shaft and head share the plane of the head's base, to the bit: their spans meet there or are apart.
-  bool apart = IsEmpty(shaftPart) || IsEmpty(headPart) || shaftPart.sIn.hi > headPart.sOut.hi ||
-    headPart.sIn.hi > shaftPart.sOut.hi;
+  bool apart = IsEmpty(shaftPart) || IsEmpty(headPart) || IsLess(headPart.sOut, shaftPart.sIn) ||
+    IsLess(shaftPart.sOut, headPart.sIn);
   Span first = Hull(shaftPart, headPart);
   Span second = EmptySpan();
   if (apart)
   {
-    bool shaftFirst = shaftPart.sIn.hi <= headPart.sIn.hi;
+    bool shaftFirst = IsLess(shaftPart.sIn, headPart.sIn);
     first = headPart;
     second = shaftPart;
     if (shaftFirst)
@@ -128,7 +127,7 @@ RTG_FN bool ArrowCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_O
   {
     found = FirstCrossing(local, second, tMin, tMax, crossing);
   }
-  return found && inBox;
+  return found;
 }
 
 RTG_FN bool IntersectArrow(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)

@@ -66,15 +66,22 @@ struct ArrowHead
   real coneStart;   // where the cone touches the sphere
 };
 
+RTG_FN ArrowHead NoHead()
+{
+  ArrowHead head;
+  head.ball = Word(real(0.0));
+  head.slope = Word(real(0.0));
+  head.coneStart = real(0.0);
+  return head;
+}
+
 RTG_FN ArrowHead HeadOfArrow(Glyph glyph)
 {
   real radius = glyph.arrow.y;
   real height = glyph.arrow.z;
   real rounding = glyph.arrow.w;
-  ArrowHead head;
-  head.ball = Word(real(0.0));
+  ArrowHead head = NoHead();
   head.slope = Divide(Word(radius), height);
-  head.coneStart = real(0.0);
   if (!(rounding > real(0.0)))
   {
     return head;

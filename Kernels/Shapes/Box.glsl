@@ -6,8 +6,13 @@
 
 RTG_FN bool BoxCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(Crossing) crossing)
 {
-  LocalRay local = TurnToLocal(NearRay(ray, glyph), glyph);
-  return FirstCrossing(local, BoxSpan(local, real(0.5) * glyph.size), tMin, tMax, crossing);
+  real3 halfSize = real(0.5) * glyph.size;
+  LocalRay local;
+  if (!ToLocal(ray, glyph, real3(real(0.0)), halfSize, local))
+  {
+    return NoCrossing(local, crossing);
+  }
+  return FirstCrossing(local, BoxSpan(local, halfSize), tMin, tMax, crossing);
 }
 
 RTG_FN bool IntersectBox(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)

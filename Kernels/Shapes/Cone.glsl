@@ -10,7 +10,10 @@ RTG_FN bool ConeCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OU
   RTG_OUT(Crossing) crossing)
 {
   real3 halfSize = real(0.5) * glyph.size;
-  bool inBox = ToBoxFrame(ray, glyph, halfSize, local);
+  if (!ToBoxFrame(ray, glyph, halfSize, local))
+  {
+    return NoCrossing(local, crossing);
+  }
 
   // In the frame of the box the radius is (1 - x) / 2.
   DoubleWord one = Word(real(1.0));
@@ -22,7 +25,7 @@ RTG_FN bool ConeCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OU
   Span height = Slab(x, dx, Minus(one), one, 1, 2);
   Span side = RoundSpan(WordY(local.origin), WordZ(local.origin), radius, WordY(local.direction),
     WordZ(local.direction), rate, 0);
-  return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing) && inBox;
+  return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing);
 }
 
 RTG_FN bool IntersectCone(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)

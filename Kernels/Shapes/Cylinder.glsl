@@ -10,12 +10,15 @@ RTG_FN bool CylinderCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RT
   RTG_OUT(Crossing) crossing)
 {
   real3 halfSize = real(0.5) * glyph.size;
-  bool inBox = ToBoxFrame(ray, glyph, halfSize, local);
+  if (!ToBoxFrame(ray, glyph, halfSize, local))
+  {
+    return NoCrossing(local, crossing);
+  }
   DoubleWord one = Word(real(1.0));
   Span height = Slab(WordY(local.origin), WordY(local.direction), Minus(one), one, 1, 2);
   Span side = RoundSpan(WordX(local.origin), WordZ(local.origin), one, WordX(local.direction),
     WordZ(local.direction), Word(real(0.0)), 0);
-  return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing) && inBox;
+  return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing);
 }
 
 RTG_FN bool IntersectCylinder(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)

@@ -12,21 +12,19 @@ RTG_FN real3 DiscReach(Glyph glyph, real3 u, real3 v)
   return sqrt(a * a + b * b);
 }
 
-// The ray in the frame where the glyph's box is [-1, 1]^3, its origin moved to the middle of the chord
-// through that box: all that follows is of the order of one, whatever the sizes' ratios. False: no chord.
+// The ray in the frame where the glyph's box is [-1, 1]^3: all that follows is of the order of one, whatever
+// the sizes' ratios. False: it certainly misses.
 RTG_FN bool ToBoxFrame(GlyphRay ray, Glyph glyph, real3 halfSize, RTG_OUT(LocalRay) unit)
 {
-  LocalRay local = TurnToLocal(NearRay(ray, glyph), glyph);
-  Span chord = BoxSpan(local, halfSize);
-  bool inBox = !IsEmpty(chord);
-  if (inBox)
+  LocalRay local;
+  bool near = ToLocal(ray, glyph, real3(real(0.0)), halfSize, local);
+  unit = local;
+  if (near)
   {
-    local = Advance(local, real(0.5) * (chord.sIn.hi + chord.sOut.hi));
+    unit.origin = Divide(local.origin, halfSize);
+    unit.direction = Divide(local.direction, halfSize);
   }
-  unit.start = local.start;
-  unit.origin = Divide(local.origin, halfSize);
-  unit.direction = Divide(local.direction, halfSize);
-  return inBox;
+  return near;
 }
 
 #endif

@@ -84,21 +84,45 @@ RTG_FN DoubleWord3 RotateToLocal(real4 q, DoubleWord twoOverNorm, DoubleWord3 a)
   return AddSloppy(a, Multiply(e, factor));
 }
 
-// The rotation of the same quaternion in plain arithmetic, for normals and bounds.
+// The rotation of the same quaternion in plain arithmetic, for normals, bounds and early rejection.
+RTG_FN real3 Rotate(real3 u, real w, real3 a)
+{
+  real3 c = cross(u, a);
+  return a + (real(2.0) / (dot(u, u) + w * w)) * (cross(u, c) + w * c);
+}
+
 RTG_FN real3 RotateToWorld(Glyph glyph, real3 a)
 {
   if (!glyph.turned)
   {
     return a;
   }
-  real4 q = glyph.rotation;
-  real3 u = real3(q.x, q.y, q.z);
-  real3 c = cross(u, a) + q.w * a;
-  return a + (real(2.0) / dot(q, q)) * cross(u, c - q.w * a) + (real(2.0) * q.w / dot(q, q)) * cross(u, a);
+  return Rotate(real3(glyph.rotation.x, glyph.rotation.y, glyph.rotation.z), glyph.rotation.w, a);
 }
 
-// Subtract the centre exactly, go along the ray to where it passes the centre, still in the world frame:
-// from here on errors are relative to the distance between ray and centre.
+RTG_FN real3 RotateToLocal(Glyph glyph, real3 a)
+{
+  if (!glyph.turned)
+  {
+    return a;
+  }
+  return Rotate(-real3(glyph.rotation.x, glyph.rotation.y, glyph.rotation.z), glyph.rotation.w, a);
+}
+
+// True only if the line passes the ball around centre + middle: most candidates of a ray end here, in
+// plain arithmetic. The rounding of v, of s d and of their sum moves p by less than 12 u (|v| + radius).
+RTG_FN bool MissesBall(GlyphRay ray, Glyph glyph, real3 middle, real radius)
+{
+  real3 d = ray.direction;
+  real3 v = (ray.origin - glyph.centre) + (ray.originLow - glyph.centreLow) - middle;
+  real3 p = v - (dot(v, d) / dot(d, d)) * d;
+  real distance = abs(v.x) + abs(v.y) + abs(v.z);
+  real reach = radius + real(16.0 * RTG_ROUNDOFF) * (distance + radius);
+  return dot(p, p) > reach * reach;
+}
+
+// Subtract the centre exactly and go along the ray to where it passes the centre, still in the world's
+// frame: from here on errors are relative to the distance between ray and centre.
 RTG_FN LocalRay NearRay(GlyphRay ray, Glyph glyph)
 {
   DoubleWord3 origin;
@@ -107,17 +131,13 @@ RTG_FN LocalRay NearRay(GlyphRay ray, Glyph glyph)
   DoubleWord3 centre;
   centre.hi = glyph.centre;
   centre.lo = glyph.centreLow;
-
-  LocalRay offset;
-  offset.start = Word(real(0.0));
-  offset.origin = Subtract(origin, centre);
-  offset.direction = Word3(ray.direction);
-  real t0 = -dot(offset.origin.hi, ray.direction) / dot(ray.direction, ray.direction);
+  DoubleWord3 offset = Subtract(origin, centre);
+  real t0 = -dot(offset.hi, ray.direction) / dot(ray.direction, ray.direction);
 
   LocalRay near;
   near.start = Word(t0);
-  near.origin = Add(offset.origin, TwoProduct(real3(t0), ray.direction));
-  near.direction = offset.direction;
+  near.origin = Add(offset, TwoProduct(real3(t0), ray.direction));
+  near.direction = Word3(ray.direction);
   return near;
 }
 
@@ -133,6 +153,49 @@ RTG_FN LocalRay TurnToLocal(LocalRay ray, Glyph glyph)
   local.origin = RotateToLocal(glyph.rotation, twoOverNorm, ray.origin);
   local.direction = RotateToLocal(glyph.rotation, twoOverNorm, ray.direction);
   return local;
+}
+
+// The ray's chord through the box middle - halfSize .. middle + halfSize in the glyph's frame, in plain
+// arithmetic: the box is padded by more than its rounding, so that an empty chord is certain. `radius`
+// is at least half the box's diagonal.
+RTG_FN bool PaddedChord(LocalRay ray, Glyph glyph, real3 middle, real3 halfSize, real radius, RTG_OUT(real) sMiddle)
+{
+  real3 o = RotateToLocal(glyph, ray.origin.hi) - middle;
+  real3 d = RotateToLocal(glyph, ray.direction.hi);
+  real padding = real(64.0 * RTG_ROUNDOFF) * (radius + abs(middle.x));
+  real3 padded = halfSize + real3(padding);
+  real least = real(RTG_ROUNDOFF * RTG_ROUNDOFF) * (abs(d.x) + abs(d.y) + abs(d.z));
+  real3 e = real3(abs(d.x) > least ? d.x : least, abs(d.y) > least ? d.y : least, abs(d.z) > least ? d.z : least);
+  real3 a = (-padded - o) / e;
+  real3 b = (padded - o) / e;
+  real3 sNear = min(a, b);
+  real3 sFar = max(a, b);
+  real sIn = max(sNear.x, max(sNear.y, sNear.z));
+  real sOut = min(sFar.x, min(sFar.y, sFar.z));
+  sMiddle = real(0.5) * (sIn + sOut);
+  return sIn <= sOut;
+}
+
+// The ray in the glyph's frame, its origin moved to the middle of its chord through the glyph's box.
+// False: the ray certainly misses that box, and `local` means nothing.
+RTG_FN bool ToLocal(GlyphRay ray, Glyph glyph, real3 middle, real3 halfSize, RTG_OUT(LocalRay) local)
+{
+  real radius = length(halfSize);
+  local.start = Word(real(0.0));
+  local.origin = Word3(real3(real(0.0)));
+  local.direction = Word3(ray.direction);
+  if (MissesBall(ray, glyph, RotateToWorld(glyph, middle), radius))
+  {
+    return false;
+  }
+  LocalRay near = NearRay(ray, glyph);
+  real sMiddle;
+  if (!PaddedChord(near, glyph, middle, halfSize, radius, sMiddle))
+  {
+    return false;
+  }
+  local = Advance(TurnToLocal(near, glyph), sMiddle);
+  return true;
 }
 
 #endif

@@ -14,6 +14,7 @@ namespace rtg::shapes
 
 using glm::cross;
 using glm::dot;
+using glm::length;
 using glm::max;
 using glm::min;
 using glm::normalize;

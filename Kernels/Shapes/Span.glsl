@@ -39,20 +39,25 @@ RTG_FN Span EmptySpan()
   return span;
 }
 
+RTG_FN bool IsLess(DoubleWord a, DoubleWord b)
+{
+  return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo);
+}
+
 RTG_FN bool IsEmpty(Span span)
 {
-  return !(span.sIn.hi <= span.sOut.hi);
+  return IsLess(span.sOut, span.sIn) || !(span.sIn.hi <= span.sOut.hi);
 }
 
 RTG_FN Span Intersection(Span a, Span b)
 {
   Span both = a;
-  if (b.sIn.hi > a.sIn.hi)
+  if (IsLess(a.sIn, b.sIn))
   {
     both.sIn = b.sIn;
     both.faceIn = b.faceIn;
   }
-  if (b.sOut.hi < a.sOut.hi)
+  if (IsLess(b.sOut, a.sOut))
   {
     both.sOut = b.sOut;
     both.faceOut = b.faceOut;
@@ -72,12 +77,12 @@ RTG_FN Span Hull(Span a, Span b)
     return a;
   }
   Span hull = a;
-  if (b.sIn.hi < a.sIn.hi)
+  if (IsLess(b.sIn, a.sIn))
   {
     hull.sIn = b.sIn;
     hull.faceIn = b.faceIn;
   }
-  if (b.sOut.hi > a.sOut.hi)
+  if (IsLess(a.sOut, b.sOut))
   {
     hull.sOut = b.sOut;
     hull.faceOut = b.faceOut;
@@ -100,8 +105,8 @@ RTG_FN Span Slab(DoubleWord o, DoubleWord d, DoubleWord lower, DoubleWord upper,
     }
     return span;
   }
-  DoubleWord sLower = Word(toLower.hi / d.hi);
-  DoubleWord sUpper = Word(toUpper.hi / d.hi);
+  DoubleWord sLower = Divide(toLower, d);
+  DoubleWord sUpper = Divide(toUpper, d);
   bool upwards = d.hi > real(0.0);
   if (upwards)
   {
@@ -167,10 +172,9 @@ RTG_FN Span RoundSpan(DoubleWord oy, DoubleWord oz, DoubleWord oRho, DoubleWord 
   {
     second = Divide(q, a);
   }
-  bool ordered = first.hi <= second.hi;
   DoubleWord s1 = second;
   DoubleWord s2 = first;
-  if (ordered)
+  if (IsLess(first, second))
   {
     s1 = first;
     s2 = second;
@@ -215,6 +219,18 @@ RTG_FN bool FirstCrossing(LocalRay ray, Span span, real tMin, real tMax, RTG_OUT
   crossing.face = span.faceOut;
   crossing.t = RayParameter(ray, span.sOut).hi;
   return crossing.t >= tMin && crossing.t <= tMax;
+}
+
+// The answer to a ray that certainly misses.
+RTG_FN bool NoCrossing(RTG_OUT(LocalRay) ray, RTG_OUT(Crossing) crossing)
+{
+  ray.start = Word(real(0.0));
+  ray.origin = Word3(real3(real(0.0)));
+  ray.direction = Word3(real3(real(0.0)));
+  crossing.s = Word(real(0.0));
+  crossing.t = real(RTG_NEVER);
+  crossing.face = -1;
+  return false;
 }
 
 // Where a normal starts to look for the crossing that was found at t: another compilation of the same

@@ -59,14 +59,25 @@ RTG_FN bool SphereCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_
   RTG_OUT(Crossing) crossing)
 {
   real3 halfSize = real(0.5) * glyph.size;
-  local = NearRay(ray, glyph);
+  Span span = EmptySpan();
   if (glyph.sameSize)
   {
-    Span span = CentredSphereSpan(local.origin, ray.direction, TwoProduct(halfSize.x, halfSize.x));
-    return FirstCrossing(local, span, tMin, tMax, crossing);
+    if (MissesBall(ray, glyph, real3(real(0.0)), halfSize.x))
+    {
+      return NoCrossing(local, crossing);
+    }
+    local = NearRay(ray, glyph);
+    span = CentredSphereSpan(local.origin, ray.direction, TwoProduct(halfSize.x, halfSize.x));
   }
-  local = ToUnitSphere(TurnToLocal(local, glyph), halfSize);
-  Span span = CentredSphereSpan(local.origin, local.direction.hi, Word(real(1.0)));
+  else
+  {
+    if (!ToLocal(ray, glyph, real3(real(0.0)), halfSize, local))
+    {
+      return NoCrossing(local, crossing);
+    }
+    local = ToUnitSphere(local, halfSize);
+    span = CentredSphereSpan(local.origin, local.direction.hi, Word(real(1.0)));
+  }
   return FirstCrossing(local, span, tMin, tMax, crossing);
 }
 
@@ -84,11 +95,17 @@ RTG_FN real3 SphereNormal(GlyphRay ray, Glyph glyph, real t)
   LocalRay local;
   Crossing crossing;
   SphereCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
-  real3 p = PointAt(local, crossing.s);
   if (glyph.sameSize)
   {
-    return normalize(p);
+    return normalize(PointAt(local, crossing.s));
   }
+  // One Newton step from the rounded s, away from the silhouette: a needle's tip shows every digit.
+  local = Advance(local, crossing.s.hi);
+  real a = dot(local.direction.hi, local.direction.hi);
+  real b = dot(local.origin.hi, local.direction.hi);
+  real c = SquaredDepth(Word(real(1.0)), local.origin);
+  real step = real(64.0) * a * abs(c) < b * b ? c / (real(2.0) * b) : real(0.0);
+  real3 p = PointAt(local, Word(step));
   // The gradient of x^2/a^2 + y^2/b^2 + z^2/c^2, scaled by the smallest half-length against overflow.
   real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
   return normalize(RotateToWorld(glyph, p * (real3(smallest) / glyph.size)));

@@ -1,0 +1,252 @@
+// The rays and glyphs on which float ray tracing goes wrong, for every shape: the same cases go through the
+// kernels in C++ and through the ray-tracing pipeline. Deterministic.
+#pragma once
+
+#include "Glyphs.h"
+#include "Shapes/Shapes.h"
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace rtg::testing
+{
+
+struct HardRay
+{
+  glm::dvec3 origin;    ///< relative to GlyphInstances::origin; a float plus a float, exactly
+  glm::vec3 direction;  ///< of any length
+  std::uint32_t glyph;  ///< the glyph it is aimed at
+};
+
+struct HardCase
+{
+  std::string subject;   ///< the shape and its parameters
+  std::string situation; ///< what makes it hard
+  GlyphInstances instances;
+  std::vector<HardRay> rays;
+};
+
+template <class Real>
+typename shapes::Kernel<Real>::Glyph KernelGlyph(const GlyphInstances& instances, std::uint32_t index)
+{
+  typename shapes::Kernel<Real>::Glyph glyph{};
+  glyph.centre = instances.centres[index];
+  glyph.size = !instances.sizes3.empty() ? instances.sizes3[index]
+    : glm::vec3(!instances.sizes1.empty() ? instances.sizes1[index] : instances.uniformSize);
+  glyph.turned = !instances.rotations.empty();
+  glyph.rotation = glyph.turned ? instances.rotations[index] : glm::vec4(0, 0, 0, 1);
+  glyph.sameSize = instances.sizes3.empty();
+  const ArrowForm& form = instances.arrow;
+  glyph.arrow = glm::vec4(form.shaftRadius, form.tipRadius, form.tipLength, form.tipRounding);
+  glyph.fixedHeads = form.fixedHeads;
+  glyph.unitLength = form.unitLength;
+  return glyph;
+}
+
+/// Rounds and widens again. GCC 12 at -O2 takes double(float(x)) for x when it does two components at once
+/// (straight-line vectorisation, x86-64); a volatile in between keeps it from that.
+template <class Real>
+glm::dvec3 Rounded(const glm::dvec3& v)
+{
+  volatile Real x = Real(v.x), y = Real(v.y), z = Real(v.z);
+  return { double(x), double(y), double(z) };
+}
+
+template <class Real>
+typename shapes::Kernel<Real>::GlyphRay KernelRay(const HardRay& ray)
+{
+  using Vector = glm::vec<3, Real>;
+  const glm::dvec3 high = Rounded<Real>(ray.origin);
+  return { Vector(high), Vector(ray.origin - high), Vector(ray.direction) };
+}
+
+/// One shape with its parameters, and how to make it flat or thin.
+struct Subject
+{
+  std::string name;
+  Shape shape;
+  ArrowForm arrow;
+  bool sameSize;
+};
+
+class HardCaseMaker
+{
+public:
+  HardCaseMaker(const Subject& subject, int glyphs, int raysPerGlyph)
+    : subject_(subject)
+    , glyphs_(glyphs)
+    , raysPerGlyph_(raysPerGlyph)
+  {
+  }
+
+  std::vector<HardCase> All();
+
+private:
+  using Vec = glm::dvec3;
+  using Exact = shapes::Kernel<double>;
+  /// Adds one ray at the glyph of the given number.
+  using RayMaker = std::function<void(HardCase&, std::uint32_t)>;
+
+  double Uniform(double low, double high)
+  {
+    return low + (high - low) * double(this->engine_() >> 11) * 0x1p-53;
+  }
+  int Choice(int count) { return int(this->engine_() % std::uint64_t(count)); }
+  Vec UnitVector()
+  {
+    const double z = this->Uniform(-1, 1), phi = this->Uniform(-M_PI, M_PI);
+    return { std::sqrt(1 - z * z) * std::cos(phi), std::sqrt(1 - z * z) * std::sin(phi), z };
+  }
+  glm::vec4 Rotation()
+  {
+    const Vec axis = this->UnitVector();
+    const double angle = this->Uniform(0, M_PI);
+    return glm::vec4(glm::dvec4(std::sin(angle / 2) * axis, std::cos(angle / 2)));
+  }
+
+  bool IsFixedArrow() const
+  {
+    return this->subject_.shape == Shape::Arrow && this->subject_.arrow.fixedHeads;
+  }
+
+  /// The unit form's box: (0 .. 1) along x for arrows, else centred.
+  Vec ToWorld(const HardCase& hard, std::uint32_t index, const Vec& box) const;
+  Vec RandomBoxPoint();
+  Vec EdgePoint();
+  bool Surface(const HardCase& hard, std::uint32_t index, Vec& point, Vec& normal);
+  double Extent(const HardCase& hard, std::uint32_t index) const;
+
+  HardCase Start(const std::string& situation, double size, double ratio, double distance, bool turned);
+  void Shoot(HardCase& hard, std::uint32_t index, const Vec& target, Vec direction, double distance);
+  void Fill(HardCase& hard, const RayMaker& maker);
+  void Aim(HardCase& hard, double distance);
+  void Graze(HardCase& hard);
+  void Touch(HardCase& hard);
+  void StartInside(HardCase& hard);
+  void StartOnSurface(HardCase& hard);
+  void AlongAxes(HardCase& hard);
+  void AlongThinness(HardCase& hard, double ratio);
+
+  Subject subject_;
+  int glyphs_;
+  int raysPerGlyph_;
+  std::mt19937_64 engine_{ 20 };
+};
+
+inline HardCase HardCaseMaker::Start(
+  const std::string& situation, double size, double ratio, double distance, bool turned)
+{
+  HardCase hard;
+  hard.subject = this->subject_.name;
+  hard.situation = situation;
+  GlyphInstances& instances = hard.instances;
+  instances.shape = this->subject_.shape;
+  instances.arrow = this->subject_.arrow;
+  // A fixed head's proportions are its own; what can be extreme is the shaft's length.
+  instances.arrow.unitLength = float(size / (ratio > 1 ? ratio : 1.25));
+  for (int i = 0; i < this->glyphs_; ++i)
+  {
+    instances.centres.emplace_back(distance * this->UnitVector() + 0.5 * size * this->UnitVector());
+    if (turned)
+    {
+      instances.rotations.push_back(this->Rotation());
+    }
+    if (this->subject_.sameSize)
+    {
+      instances.sizes1.push_back(float(size));
+      continue;
+    }
+    Vec sizes = size * Vec(this->Uniform(0.3, 1), this->Uniform(0.3, 1), this->Uniform(0.3, 1));
+    if (ratio > 1)
+    {
+      const int axis = this->Choice(3);
+      const bool needle = this->Choice(2) == 0;
+      sizes = Vec(needle ? size / ratio : size);
+      sizes[axis] = needle ? size : size / ratio;
+    }
+    if (this->IsFixedArrow())
+    {
+      sizes = Vec(size * this->Uniform(0.3, 1), size, size);
+    }
+    instances.sizes3.emplace_back(sizes);
+  }
+  return hard;
+}
+
+inline double HardCaseMaker::Extent(const HardCase& hard, std::uint32_t index) const
+{
+  const Exact::Glyph glyph = KernelGlyph<double>(hard.instances, index);
+  return glm::max(glyph.size.x, glm::max(glyph.size.y, glyph.size.z));
+}
+
+inline glm::dvec3 HardCaseMaker::ToWorld(
+  const HardCase& hard, std::uint32_t index, const Vec& box) const
+{
+  const Exact::Glyph glyph = KernelGlyph<double>(hard.instances, index);
+  Vec scale = glyph.size;
+  if (this->IsFixedArrow())
+  {
+    scale.y = scale.z = 2 * std::max(glyph.arrow.x, glyph.arrow.y) *
+      std::min(glyph.unitLength, glyph.size.x / glyph.arrow.z);
+  }
+  else if (this->subject_.shape == Shape::Arrow)
+  {
+    scale.y *= 2 * std::max(glyph.arrow.x, glyph.arrow.y);
+    scale.z *= 2 * std::max(glyph.arrow.x, glyph.arrow.y);
+  }
+  const Vec shift(this->subject_.shape == Shape::Arrow ? 0.5 : 0.0, 0, 0);
+  return glyph.centre + Exact::RotateToWorld(glyph, (box + shift) * scale);
+}
+
+inline glm::dvec3 HardCaseMaker::RandomBoxPoint()
+{
+  const double half = 0.52;
+  return { this->Uniform(-half, half), this->Uniform(-half, half), this->Uniform(-half, half) };
+}
+
+/// A point of an edge, rim, vertex or apex of the unit form, in its box.
+inline glm::dvec3 HardCaseMaker::EdgePoint()
+{
+  const double phi = this->Uniform(-M_PI, M_PI);
+  const double c = 0.5 * std::cos(phi), s = 0.5 * std::sin(phi);
+  const double side = this->Choice(2) - 0.5;
+  const ArrowForm& arrow = this->subject_.arrow;
+  switch (this->subject_.shape)
+  {
+    case Shape::Box:
+    {
+      Vec p(this->Choice(2) - 0.5, this->Choice(2) - 0.5, this->Choice(2) - 0.5);
+      if (this->Choice(4) != 0)
+      {
+        p[this->Choice(3)] = this->Uniform(-0.5, 0.5);
+      }
+      return p;
+    }
+    case Shape::Cylinder:
+      return { c, side, s };
+    case Shape::Cone:
+      return this->Choice(3) == 0 ? Vec(0.5, 0, 0) : Vec(-0.5, c, s);
+    case Shape::Arrow:
+    {
+      const double r = std::max(arrow.shaftRadius, arrow.tipRadius);
+      const double shaft = r > 0 ? arrow.shaftRadius / r : 0, tip = r > 0 ? arrow.tipRadius / r : 0;
+      // For fixed heads the head's base is elsewhere unless the arrow has unit length: still near edges.
+      const double base = 0.5 - arrow.tipLength;
+      const Vec edges[] = { { 0.5, 0, 0 }, { base, tip * c, tip * s }, { base, shaft * c, shaft * s },
+        { -0.5, shaft * c, shaft * s } };
+      return edges[this->Choice(4)];
+    }
+    default:
+      return 2.0 * Vec(c, 0.5 * s, s) / std::sqrt(1.0 + s * s);
+  }
+}
+
+inline std::vector<HardCase> MakeHardCases(int glyphs = 12, int raysPerGlyph = 100);
+
+} // namespace rtg::testing
+
+#include "HardCaseRays.h"

@@ -1,0 +1,84 @@
+// Compares one answer of a kernel or of the pipeline with the reference.
+#pragma once
+
+#include "HardCases.h"
+#include "Reference.h"
+
+#include <limits>
+#include <vector>
+
+namespace rtg::testing
+{
+
+/// What a kernel says of one ray.
+struct Answer
+{
+  bool hit = false;
+  double t = 0.0;
+  glm::dvec3 normal{ 0.0 };
+};
+
+/// Half the width of the band around the silhouette in which hit or miss are both accepted, in glyph sizes.
+/// A ray is in the band when the number of times its line crosses the surface changes as the glyph's scale
+/// changes by 2 band (ReferenceGlyph::Crossings): no point of the surface moves by more than `band`
+/// glyph sizes, and a thin glyph's sides move by `band` of its thickness only.
+constexpr double band = 1e-5;
+
+/// The same for the value of t where both hit: within so little of the silhouette even exact roots jump
+/// (a ray in the plane of a face).
+constexpr double bandOfT = 1e-9;
+
+/// Normals are compared where the nearest edge or apex is at least this far away in the unit form.
+constexpr double edgeBand = 1e-4;
+
+/// The bound on t: ulps of t, and glyph sizes in float arithmetic; for double it shrinks with the roundoff.
+constexpr double boundUlps = 8.0;
+constexpr double boundSizes = 1e-6;
+
+/// The bound on the normal's angle in float arithmetic; for double it shrinks with the roundoff.
+constexpr double boundRadians = 4e-6;
+
+template <class Real>
+constexpr double relativeRoundoff =
+  double(std::numeric_limits<Real>::epsilon()) / double(std::numeric_limits<float>::epsilon());
+
+struct Verdict
+{
+  bool hit = false;           ///< of the reference
+  bool nearSilhouette = false;
+  bool nearStart = false;     ///< a crossing at the start of the ray's range: either side is accepted
+  bool falseHit = false, falseMiss = false; ///< outside the band only
+  bool bothHit = false;       ///< and not within bandOfT of the silhouette
+  double ulps = 0.0;          ///< |dt| in ulps of t
+  double sizes = 0.0;         ///< |dt| in glyph sizes
+  double excess = 0.0;        ///< |dt| over the bound: at most 1
+  bool hasNormal = false;     ///< the normal is compared: neither near an edge nor near the silhouette
+  double radians = 0.0;       ///< error of the normal
+  double normalExcess = 0.0;  ///< the same over its bound
+};
+
+/// `Real` is the arithmetic whose ulps count. The ray's range is [tMin, infinity).
+template <class Real>
+Verdict Judge(ReferenceGlyph& glyph, const HardRay& ray, double tMin, const Answer& answer);
+
+extern template Verdict Judge<float>(ReferenceGlyph&, const HardRay&, double, const Answer&);
+extern template Verdict Judge<double>(ReferenceGlyph&, const HardRay&, double, const Answer&);
+
+/// Summary of a case: medians and maxima over rays where both hit, counts over all.
+struct CaseReport
+{
+  std::size_t rays = 0, hits = 0, nearSilhouette = 0, compared = 0, falseHits = 0, falseMisses = 0, outOfBound = 0;
+  double medianUlps = 0, maxUlps = 0, medianSizes = 0, maxSizes = 0, maxExcess = 0;
+  double medianRadians = 0, maxRadians = 0, maxNormalExcess = 0;
+};
+
+CaseReport Summarise(const std::vector<Verdict>& verdicts);
+
+/// All rays of a case through the C++ kernel.
+template <class Real>
+std::vector<Verdict> JudgeKernel(const HardCase& hard);
+
+extern template std::vector<Verdict> JudgeKernel<float>(const HardCase&);
+extern template std::vector<Verdict> JudgeKernel<double>(const HardCase&);
+
+} // namespace rtg::testing

@@ -1,0 +1,340 @@
+#include "Reference.h"
+
+#include <quadmath.h>
+
+#include <algorithm>
+
+namespace rtg::testing
+{
+namespace
+{
+
+/// Far above the rounding of 113 bits and far below anything a float can notice.
+constexpr double tolerance = 1e-26;
+
+QuadVector ToQuad(const glm::dvec3& v)
+{
+  return { v.x, v.y, v.z };
+}
+
+Quad Dot(const QuadVector& a, const QuadVector& b)
+{
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+QuadVector At(const QuadVector& o, const QuadVector& d, Quad t)
+{
+  return { o.x + t * d.x, o.y + t * d.y, o.z + t * d.z };
+}
+
+/// Real roots of a t^2 + 2 b t + c.
+std::vector<Quad> Roots(Quad a, Quad b, Quad c)
+{
+  if (a == 0)
+  {
+    return b == 0 ? std::vector<Quad>{} : std::vector<Quad>{ -c / (2 * b) };
+  }
+  Quad discriminant = b * b - a * c;
+  // A line that touches may leave a negative rest of rounding.
+  if (discriminant < 0 && discriminant > -Quad(1e-30) * (b * b + fabsq(a * c)))
+  {
+    discriminant = 0;
+  }
+  if (discriminant < 0)
+  {
+    return {};
+  }
+  const Quad root = sqrtq(discriminant);
+  const Quad q = b < 0 ? root - b : -root - b;
+  return q == 0 ? std::vector<Quad>{ 0 } : std::vector<Quad>{ q / a, c / q };
+}
+
+} // namespace
+
+ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t index)
+  : shape_(instances.shape)
+  , centre_(ToQuad(glm::dvec3(instances.centres[index])))
+{
+  const glm::vec3 size = !instances.sizes3.empty() ? instances.sizes3[index]
+    : glm::vec3(!instances.sizes1.empty() ? instances.sizes1[index] : instances.uniformSize);
+  const glm::vec4 q =
+    instances.rotations.empty() ? glm::vec4(0, 0, 0, 1) : instances.rotations[index];
+
+  // The rotation matrix of q / |q| (Shoemake 1985), columns are the unit form's axes in the world.
+  const Quad x = q.x, y = q.y, z = q.z, w = q.w;
+  const Quad n = x * x + y * y + z * z + w * w;
+  const Quad rows[3][3] = {
+    { w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y) },
+    { 2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x) },
+    { 2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z },
+  };
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      this->rotation_[i][j] = rows[i][j] / n;
+    }
+  }
+
+  this->scale_ = ToQuad(glm::dvec3(size));
+  this->size_ = std::max({ size.x, size.y, size.z });
+  const Quad half = 0.5;
+  switch (this->shape_)
+  {
+    case Shape::Cylinder:
+      this->profile_ = { { -half, 0 }, { -half, half }, { half, half }, { half, 0 } };
+      break;
+    case Shape::Cone:
+      this->profile_ = { { -half, 0 }, { -half, half }, { half, 0 } };
+      break;
+    case Shape::Arrow:
+      this->arrow_ = instances.arrow;
+      this->arrowLength_ = size.x;
+      this->MakeArrow(1);
+      break;
+    default:
+      break;
+  }
+}
+
+void ReferenceGlyph::MakeArrow(Quad factor)
+{
+  const ArrowForm& form = this->arrow_;
+  const Quad length = this->arrowLength_;
+  const Quad shaft = form.shaftRadius * factor;
+  const Quad tip = form.tipRadius * factor;
+  const Quad outwards = (factor - 1) * std::max(form.shaftRadius, form.tipRadius);
+  Quad height = form.tipLength;
+  Quad end = 1;
+  this->ball_ = 0;
+  this->smoothEnd_ = false;
+  if (form.fixedHeads)
+  {
+    const bool shrunk = length <= height * form.unitLength;
+    const Quad unit = shrunk ? length / height : Quad(form.unitLength);
+    this->scale_ = { unit, unit, unit };
+    end = shrunk ? height : length / unit;
+  }
+  const bool hasShaft = shaft > 0 && end > height;
+  const Quad base = end - height - outwards;
+  end += outwards;
+  height += 2 * outwards;
+  if (hasShaft)
+  {
+    this->profile_ = { { -outwards, 0 }, { -outwards, shaft }, { base, shaft } };
+  }
+  else
+  {
+    this->profile_ = { { base, 0 } };
+  }
+  if (tip == 0)
+  {
+    this->profile_.push_back({ base, 0 });
+  }
+  else
+  {
+    this->profile_.push_back({ base, tip });
+    if (form.tipRounding == 0)
+    {
+      this->profile_.push_back({ end, 0 });
+    }
+    else
+    {
+      const Quad inradius = tip * height / (tip + sqrtq(tip * tip + height * height));
+      this->ball_ = form.tipRounding * inradius;
+      this->ballCentre_ = end - this->ball_;
+      // Angle at the base's rim between the axis and the line that touches the ball.
+      const Quad toCentre = this->ballCentre_ - base;
+      const Quad distance = sqrtq(tip * tip + toCentre * toCentre);
+      const Quad angle = atan2q(tip, toCentre) - asinq(this->ball_ / distance);
+      this->profile_.push_back({ this->ballCentre_ + this->ball_ * sinq(angle), this->ball_ * cosq(angle) });
+      this->smoothEnd_ = true;
+    }
+  }
+  const Quad along = tip > 0 ? (hasShaft ? end : height) : base;
+  const Quad across = 2 * std::max(tip, hasShaft ? shaft : Quad(0));
+  this->size_ = double(std::max(
+    along * this->scale_.x, across * std::max(this->scale_.y, this->scale_.z)));
+}
+
+QuadVector ReferenceGlyph::Turned(const QuadVector& v, bool toWorld) const
+{
+  const auto& r = this->rotation_;
+  if (toWorld)
+  {
+    return { r[0][0] * v.x + r[0][1] * v.y + r[0][2] * v.z,
+      r[1][0] * v.x + r[1][1] * v.y + r[1][2] * v.z, r[2][0] * v.x + r[2][1] * v.y + r[2][2] * v.z };
+  }
+  return { r[0][0] * v.x + r[1][0] * v.y + r[2][0] * v.z,
+    r[0][1] * v.x + r[1][1] * v.y + r[2][1] * v.z, r[0][2] * v.x + r[1][2] * v.y + r[2][2] * v.z };
+}
+
+std::vector<ReferenceCrossing> ReferenceGlyph::Crossings(
+  const glm::dvec3& origin, const glm::vec3& direction, double factor)
+{
+  const QuadVector o = ToQuad(origin);
+  const QuadVector d = ToQuad(glm::dvec3(direction));
+  const QuadVector lo =
+    this->Turned({ o.x - this->centre_.x, o.y - this->centre_.y, o.z - this->centre_.z }, false);
+  const QuadVector ld = this->Turned(d, false);
+  Quad scale = factor;
+  if (this->shape_ == Shape::Arrow)
+  {
+    this->MakeArrow(factor);
+    scale = 1;
+  }
+  UnitRay ray;
+  ray.origin = { lo.x / this->scale_.x / scale, lo.y / this->scale_.y / scale, lo.z / this->scale_.z / scale };
+  ray.direction = { ld.x / this->scale_.x / scale, ld.y / this->scale_.y / scale, ld.z / this->scale_.z / scale };
+
+  // Every t below counts from the point nearest to the glyph's origin, where digits matter most.
+  const Quad start = -Dot(ray.origin, ray.direction) / Dot(ray.direction, ray.direction);
+  ray.origin = At(ray.origin, ray.direction, start);
+
+  std::vector<ReferenceCrossing> found;
+  if (this->shape_ == Shape::Box)
+  {
+    this->MeetRectangles(ray, found);
+  }
+  else if (this->shape_ == Shape::Sphere)
+  {
+    this->MeetSphere(ray, 0, Quad(0.5), -1, found);
+  }
+  else
+  {
+    if (this->shape_ == Shape::Cylinder)
+    {
+      // The profile's axis is x.
+      std::swap(ray.origin.x, ray.origin.y);
+      std::swap(ray.direction.x, ray.direction.y);
+    }
+    for (std::size_t i = 0; i + 1 < this->profile_.size(); ++i)
+    {
+      const ProfilePoint a = this->profile_[i], b = this->profile_[i + 1];
+      if (a.h == b.h)
+      {
+        this->MeetAnnulus(ray, a, b, found);
+      }
+      else
+      {
+        this->MeetFrustum(ray, a, b, this->smoothEnd_ && i + 2 == this->profile_.size(), found);
+      }
+    }
+    if (this->ball_ > 0)
+    {
+      this->MeetSphere(ray, this->ballCentre_, this->ball_, this->profile_.back().h, found);
+    }
+  }
+
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+  std::vector<ReferenceCrossing> crossings;
+  const Quad near = tolerance * this->size_ / sqrtq(Dot(d, d));
+  for (ReferenceCrossing& crossing : found)
+  {
+    crossing.t += start;
+    if (crossings.empty() || crossing.t - crossings.back().t > near)
+    {
+      crossings.push_back(crossing);
+    }
+    else
+    {
+      crossings.back().edgeDistance = std::min(crossings.back().edgeDistance, crossing.edgeDistance);
+    }
+  }
+  return crossings;
+}
+
+void ReferenceGlyph::Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance,
+  std::vector<ReferenceCrossing>& crossings) const
+{
+  QuadVector normal = unitNormal;
+  if (this->shape_ == Shape::Cylinder)
+  {
+    std::swap(normal.x, normal.y);
+  }
+  normal = { normal.x / this->scale_.x, normal.y / this->scale_.y, normal.z / this->scale_.z };
+  normal = this->Turned(normal, true);
+  const Quad length = sqrtq(Dot(normal, normal));
+  crossings.push_back(
+    { t, { normal.x / length, normal.y / length, normal.z / length }, edgeDistance });
+}
+
+void ReferenceGlyph::MeetRectangles(
+  const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const
+{
+  const Quad o[3] = { ray.origin.x, ray.origin.y, ray.origin.z };
+  const Quad d[3] = { ray.direction.x, ray.direction.y, ray.direction.z };
+  const Quad half = 0.5;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int side = -1; side <= 1 && d[axis] != 0; side += 2)
+    {
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      const Quad t = (side * half - o[axis]) / d[axis];
+      const Quad inU = half - fabsq(o[u] + t * d[u]);
+      const Quad inV = half - fabsq(o[v] + t * d[v]);
+      if (inU >= -tolerance && inV >= -tolerance)
+      {
+        Quad normal[3] = { 0, 0, 0 };
+        normal[axis] = side;
+        this->Add(t, { normal[0], normal[1], normal[2] }, std::min(inU, inV), crossings);
+      }
+    }
+  }
+}
+
+void ReferenceGlyph::MeetSphere(const UnitRay& ray, Quad centre, Quad radius, Quad from,
+  std::vector<ReferenceCrossing>& crossings) const
+{
+  const QuadVector o{ ray.origin.x - centre, ray.origin.y, ray.origin.z };
+  for (const Quad t : Roots(Dot(ray.direction, ray.direction), Dot(o, ray.direction),
+         Dot(o, o) - radius * radius))
+  {
+    const QuadVector p = At(o, ray.direction, t);
+    if (p.x + centre >= from - tolerance)
+    {
+      this->Add(t, p, 1, crossings);
+    }
+  }
+}
+
+void ReferenceGlyph::MeetAnnulus(const UnitRay& ray, ProfilePoint a, ProfilePoint b,
+  std::vector<ReferenceCrossing>& crossings) const
+{
+  if (ray.direction.x == 0)
+  {
+    return;
+  }
+  const Quad t = (a.h - ray.origin.x) / ray.direction.x;
+  const QuadVector p = At(ray.origin, ray.direction, t);
+  const Quad r = sqrtq(p.y * p.y + p.z * p.z);
+  const Quad inner = std::min(a.r, b.r), outer = std::max(a.r, b.r);
+  const Quad inside = std::min(inner > 0 ? r - inner : outer, outer - r);
+  if (inside >= -tolerance && outer > inner)
+  {
+    this->Add(t, { a.r - b.r, 0, 0 }, inside, crossings);
+  }
+}
+
+void ReferenceGlyph::MeetFrustum(const UnitRay& ray, ProfilePoint a, ProfilePoint b, bool smoothEnd,
+  std::vector<ReferenceCrossing>& crossings) const
+{
+  const QuadVector& o = ray.origin;
+  const QuadVector& d = ray.direction;
+  const Quad slope = (b.r - a.r) / (b.h - a.h);
+  const Quad radius = a.r + slope * (o.x - a.h);
+  const Quad rate = slope * d.x;
+  for (const Quad t : Roots(d.y * d.y + d.z * d.z - rate * rate,
+         o.y * d.y + o.z * d.z - radius * rate, o.y * o.y + o.z * o.z - radius * radius))
+  {
+    const QuadVector p = At(o, d, t);
+    const Quad r = a.r + slope * (p.x - a.h);
+    const Quad inside = std::min(p.x - a.h, smoothEnd ? Quad(1) : b.h - p.x);
+    if (p.x >= a.h - tolerance && p.x <= b.h + tolerance && r >= -tolerance && (a.r > 0 || b.r > 0))
+    {
+      this->Add(t, { -slope * fabsq(r), p.y, p.z }, inside, crossings);
+    }
+  }
+}
+
+} // namespace rtg::testing

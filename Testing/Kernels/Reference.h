@@ -1,0 +1,81 @@
+// Ray-glyph intersection in 113-bit arithmetic by other means than Kernels/Shapes: the surface is cut into
+// pieces (rectangles, and the surfaces of revolution of a profile's segments and arc), each piece is
+// met on its own, and the crossings are sorted.
+#pragma once
+
+#include "Glyphs.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace rtg::testing
+{
+
+using Quad = __float128;
+
+struct QuadVector
+{
+  Quad x = 0, y = 0, z = 0;
+};
+
+/// A point where the line of a ray crosses a glyph's surface.
+struct ReferenceCrossing
+{
+  Quad t = 0;          ///< in lengths of the direction
+  QuadVector normal;   ///< outward, unit, in the world frame
+  Quad edgeDistance = 0; ///< to the nearest edge or apex, in the unit form's frame
+};
+
+/// One glyph whose inputs, as floats, are taken as exact.
+class ReferenceGlyph
+{
+public:
+  ReferenceGlyph(const GlyphInstances& instances, std::uint32_t index);
+
+  /// The largest full extent of the glyph, along its own axes, in world units.
+  double Size() const { return this->size_; }
+
+  /// All crossings of the whole line, in order; those that coincide are one.
+  /// `origin` counts from GlyphInstances::origin. `factor` makes the glyph a little larger or smaller: affine
+  /// glyphs scale about their centre; an arrow's radii scale and its ends move outwards by the same as
+  /// its largest radius, so that a long thin arrow's head stays where it is.
+  std::vector<ReferenceCrossing> Crossings(
+    const glm::dvec3& origin, const glm::vec3& direction, double factor = 1.0);
+
+private:
+  struct UnitRay
+  {
+    QuadVector origin, direction;
+  };
+  struct ProfilePoint
+  {
+    Quad h, r;
+  };
+
+  QuadVector Turned(const QuadVector& v, bool toWorld) const;
+  void MakeArrow(Quad factor);
+  void Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance,
+    std::vector<ReferenceCrossing>& crossings) const;
+  void MeetRectangles(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const;
+  void MeetSphere(const UnitRay& ray, Quad centre, Quad radius, Quad from,
+    std::vector<ReferenceCrossing>& crossings) const;
+  void MeetAnnulus(const UnitRay& ray, ProfilePoint a, ProfilePoint b,
+    std::vector<ReferenceCrossing>& crossings) const;
+  void MeetFrustum(const UnitRay& ray, ProfilePoint a, ProfilePoint b, bool smoothEnd,
+    std::vector<ReferenceCrossing>& crossings) const;
+
+  Shape shape_;
+  QuadVector centre_;
+  QuadVector scale_;  ///< world size of the unit frame's unit
+  ArrowForm arrow_;
+  Quad arrowLength_ = 0; ///< in world units
+  Quad rotation_[3][3];
+  /// Round shapes: the outline in the half plane of the axis (x here) and the distance from it.
+  std::vector<ProfilePoint> profile_;
+  bool smoothEnd_ = false; ///< the profile's last segment runs tangentially into the ball
+  Quad ball_ = 0;          ///< radius of the ball at the profile's end, 0: none
+  Quad ballCentre_ = 0;
+  double size_ = 0.0;
+};
+
+} // namespace rtg::testing
