@@ -354,7 +354,8 @@ void vtkRayTracedGlyphScene::Synchronise()
         member.Colors = mapper->GetColorVersion();
         ++self.Content;
       }
-      const rtg::Material material = vtkRayTracedGlyphView::MaterialOf(item.first->GetProperty());
+      const rtg::Material material =
+        vtkRayTracedGlyphView::MaterialOf(item.first->GetProperty(), this->Renderer);
       if (!member.MaterialSent || !vtkRayTracedGlyphView::Same(member.Material, material))
       {
         self.Scene->SetMaterial(member.Set, material);

@@ -19,6 +19,22 @@ Vector ToVector(const double* v)
 {
   return Vector(v[0], v[1], v[2]);
 }
+
+std::vector<vtkLight*> LightsOn(vtkRenderer* renderer)
+{
+  std::vector<vtkLight*> on;
+  vtkLightCollection* all = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  all->InitTraversal(iterator);
+  while (vtkLight* light = all->GetNextLight(iterator))
+  {
+    if (light->GetSwitch())
+    {
+      on.push_back(light);
+    }
+  }
+  return on;
+}
 }
 
 //----------------------------------------------------------------------------
@@ -58,17 +74,7 @@ rtg::Camera vtkRayTracedGlyphView::CameraOf(vtkRenderer* renderer, const glm::dm
 //----------------------------------------------------------------------------
 std::vector<rtg::Light> vtkRayTracedGlyphView::LightsOf(vtkRenderer* renderer)
 {
-  std::vector<vtkLight*> on;
-  vtkLightCollection* all = renderer->GetLights();
-  vtkCollectionSimpleIterator iterator;
-  all->InitTraversal(iterator);
-  while (vtkLight* light = all->GetNextLight(iterator))
-  {
-    if (light->GetSwitch())
-    {
-      on.push_back(light);
-    }
-  }
+  const std::vector<vtkLight*> on = LightsOn(renderer);
   const bool loneHeadlight =
     on.size() == 1 && on.front()->LightTypeIsHeadlight() && !on.front()->GetPositional();
 
@@ -106,7 +112,7 @@ std::vector<rtg::Light> vtkRayTracedGlyphView::LightsOf(vtkRenderer* renderer)
 }
 
 //----------------------------------------------------------------------------
-rtg::Material vtkRayTracedGlyphView::MaterialOf(vtkProperty* property)
+rtg::Material vtkRayTracedGlyphView::MaterialOf(vtkProperty* property, vtkRenderer* renderer)
 {
   rtg::Material material;
   material.colour = ToVector<glm::vec3>(property->GetDiffuseColor());
@@ -116,7 +122,8 @@ rtg::Material vtkRayTracedGlyphView::MaterialOf(vtkProperty* property)
   material.specular = static_cast<float>(property->GetSpecular());
   material.specularPower = static_cast<float>(property->GetSpecularPower());
   material.opacity = static_cast<float>(property->GetOpacity());
-  material.lighting = property->GetLighting();
+  material.lighting = property->GetLighting() &&
+    (renderer->GetAutomaticLightCreation() || !LightsOn(renderer).empty());
   return material;
 }
 

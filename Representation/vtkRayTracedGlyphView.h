@@ -30,7 +30,10 @@ rtg::Camera CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip);
  */
 std::vector<rtg::Light> LightsOf(vtkRenderer* renderer);
 
-rtg::Material MaterialOf(vtkProperty* property);
+/**
+ * What the property says; unlit, as VTK draws surfaces then, when the renderer has no light on and makes none.
+ */
+rtg::Material MaterialOf(vtkProperty* property, vtkRenderer* renderer);
 
 ///@{
 /**
