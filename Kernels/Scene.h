@@ -52,6 +52,8 @@ public:
   void SetVisible(SetId id, bool visible);
 
   std::size_t GlyphCount(SetId id) const;
+  /// Index into the set's GlyphInstances of a glyph id as Image::glyphIds has it.
+  std::uint32_t OriginalGlyph(SetId id, std::uint32_t glyphId) const;
   /// True when some visible set has opacity below one, or colours with alpha below 255.
   bool HasTranslucent() const;
   bool HasOpaque() const;

@@ -21,7 +21,7 @@ struct Image
   const std::uint32_t* colour = nullptr;
   /// Window depth in [0, 1] of the sample at the pixel's centre, or else of the nearest sample; 1: nothing hit.
   const float* depth = nullptr;
-  /// Set and glyph (index into GlyphInstances) of the same sample; noGlyph: nothing hit.
+  /// Set and glyph (see Scene::OriginalGlyph) of the same sample; noGlyph: nothing hit.
   const std::uint32_t* setIds = nullptr;
   const std::uint32_t* glyphIds = nullptr;
   std::uint32_t samples = 0; ///< samples a pixel in it so far
@@ -39,7 +39,6 @@ struct TraceSettings
   std::uint32_t width = 0, height = 0;
   std::uint32_t samples = 1;    ///< samples a pixel of this image, >= 1; sample 0 is the pixel's centre
   std::uint32_t pixelStep = 1;  ///< trace every n-th pixel in x and y and repeat it, for interaction
-  bool headlightOnly = false;
 };
 
 /// Traces a committed scene. Not thread-safe. Throws rtg::Error; on a lost device the message says so

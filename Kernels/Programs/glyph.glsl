@@ -21,11 +21,9 @@ Glyph FetchGlyph(uint primitive)
   // The set's offset is part of the centre; what rounding would lose stays in the low part.
   vec3 local = sets.at[record].centres.at[primitive];
   vec3 offset = sets.at[record].offset;
-  precise vec3 sum = local + offset;
-  precise vec3 back = sum - local;
-  precise vec3 lost = (local - (sum - back)) + (offset - back);
-  glyph.centre = sum;
-  glyph.centreLow = lost + sets.at[record].offsetLow;
+  DoubleWord3 centre = TwoSum(local, offset);
+  glyph.centre = centre.hi;
+  glyph.centreLow = centre.lo + sets.at[record].offsetLow;
 
   if (sizesPerGlyph == 3u)
   {

@@ -1,30 +1,8 @@
 // Tracing one ray from ray generation programs.
+#include "../Shapes/Dialect.glsl"
+#include "../Shapes/DoubleWord.glsl"
+
 layout(location = 0) rayPayloadEXT SurfaceHit hit;
-
-// a * b = product + low, exactly (Dekker 1971, Veltkamp's split with 2^12 + 1).
-void TwoProduct(vec3 a, float b, out vec3 product, out vec3 low)
-{
-  precise vec3 p = a * b;
-  precise vec3 ca = a * 4097.0;
-  precise float cb = b * 4097.0;
-  precise vec3 ah = ca - (ca - a);
-  precise float bh = cb - (cb - b);
-  precise vec3 al = a - ah;
-  precise float bl = b - bh;
-  precise vec3 e = ((ah * bh - p) + ah * bl + al * bh) + al * bl;
-  product = p;
-  low = e;
-}
-
-// a + b = sum + low, exactly (Knuth's two-sum).
-void TwoSum(vec3 a, vec3 b, out vec3 sum, out vec3 low)
-{
-  precise vec3 s = a + b;
-  precise vec3 bb = s - a;
-  precise vec3 e = (a - (s - bb)) + (b - bb);
-  sum = s;
-  low = e;
-}
 
 // Where the ray enters the scene's bounds, or 0 when it starts inside them.
 float SceneEntry(vec3 origin, vec3 direction)
@@ -38,31 +16,27 @@ float SceneEntry(vec3 origin, vec3 direction)
   return max(max(entry.x, entry.y), max(entry.z, 0.0));
 }
 
-// Traces the ray whose exact origin is origin + originLow. The traversal's box tests are in float, so
+// Traces the ray whose exact origin is that double word. The traversal's box tests are in float, so
 // their error grows with the origin's distance: the origin is first moved to the scene's bounds, and the part
 // of it that a float cannot hold goes to the intersection programs beside the ray. The result in `hit`
 // counts t from the given origin.
-void TraceNearest(vec3 origin, vec3 originLow, vec3 direction, float tMin, float tMax, uint cullMask)
+void TraceNearest(DoubleWord3 origin, vec3 direction, float tMin, float tMax, uint cullMask)
 {
-  float start = SceneEntry(origin, direction);
+  float start = SceneEntry(origin.hi, direction);
   // One step back in case rounding put the entry beyond the bounds.
   start = max(start - 1e-5 * start, 0.0);
-  vec3 moved = origin;
-  vec3 movedLow = originLow;
+  DoubleWord3 moved = origin;
   if (start > 0.0)
   {
-    vec3 step, stepLow, sumLow;
-    TwoProduct(direction, start, step, stepLow);
-    TwoSum(origin, step, moved, sumLow);
-    TwoSum(moved, sumLow + (stepLow + originLow), moved, movedLow);
+    moved = Add(origin, TwoProduct(direction, vec3(start)));
   }
   uint launch = gl_LaunchIDEXT.y * push.frame.value.launchWidth + gl_LaunchIDEXT.x;
-  push.frame.value.originLow.at[launch] = movedLow;
+  push.frame.value.originLow.at[launch] = moved.lo;
 
   hit.t = -1.0;
   if (tMax > start)
   {
-    traceRayEXT(accelerationStructureEXT(push.topLevel), gl_RayFlagsOpaqueEXT, cullMask, 0u, 0u, 0u, moved,
+    traceRayEXT(accelerationStructureEXT(push.topLevel), gl_RayFlagsOpaqueEXT, cullMask, 0u, 0u, 0u, moved.hi,
       max(tMin - start, 0.0), direction, tMax - start, 0);
   }
   if (hit.t >= 0.0)

@@ -1,0 +1,451 @@
+#include "SceneState.h"
+
+#include "Shapes/Shapes.h"
+#include "SpatialOrder.h"
+#include "Stopwatch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rtg
+{
+
+namespace
+{
+
+using Usage = vk::BufferUsageFlagBits;
+using HostShapes = shapes::Kernel<double>;
+
+constexpr std::uint32_t opaqueMask = 1;
+constexpr std::uint32_t translucentMask = 2;
+
+template <class T>
+void Reorder(std::vector<T>& values, const std::vector<std::uint32_t>& order)
+{
+  if (values.empty())
+  {
+    return;
+  }
+  std::vector<T> sorted(values.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    sorted[i] = values[order[i]];
+  }
+  values = std::move(sorted);
+}
+
+template <class T>
+Buffer Send(Device::State& device, const std::vector<T>& values)
+{
+  Buffer buffer(device, values.size() * sizeof(T), Usage::eStorageBuffer, Buffer::Place::Device);
+  buffer.Upload(values.data(), values.size() * sizeof(T));
+  return buffer;
+}
+
+HostShapes::Glyph DoubleGlyph(const GlyphInstances& instances, std::size_t i)
+{
+  HostShapes::Glyph glyph;
+  glyph.centre = glm::dvec3(instances.centres[i]);
+  glyph.centreLow = glm::dvec3(0.0);
+  glyph.size = !instances.sizes3.empty() ? glm::dvec3(instances.sizes3[i])
+    : !instances.sizes1.empty()          ? glm::dvec3(instances.sizes1[i])
+                                         : glm::dvec3(instances.uniformSize);
+  glyph.sameSize = instances.sizes3.empty();
+  glyph.turned = !instances.rotations.empty();
+  glyph.rotation = glyph.turned ? glm::dvec4(instances.rotations[i]) : glm::dvec4(0, 0, 0, 1);
+  const ArrowForm& arrow = instances.arrow;
+  glyph.arrow = glm::dvec4(arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding);
+  glyph.fixedHeads = arrow.fixedHeads;
+  glyph.unitLength = arrow.unitLength;
+  return glyph;
+}
+
+float RoundDown(double value)
+{
+  const float rounded = static_cast<float>(value);
+  return rounded > value ? std::nextafterf(rounded, -INFINITY) : rounded;
+}
+
+float RoundUp(double value)
+{
+  const float rounded = static_cast<float>(value);
+  return rounded < value ? std::nextafterf(rounded, INFINITY) : rounded;
+}
+
+// Boxes of the glyphs, without padding.
+std::vector<vk::AabbPositionsKHR> TightBoxes(const GlyphInstances& instances)
+{
+  std::vector<vk::AabbPositionsKHR> boxes(instances.Count());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    glm::dvec3 lower, upper;
+    HostShapes::Bounds(instances.shape, DoubleGlyph(instances, i), lower, upper);
+    boxes[i] = vk::AabbPositionsKHR(RoundDown(lower.x), RoundDown(lower.y), RoundDown(lower.z), RoundUp(upper.x),
+      RoundUp(upper.y), RoundUp(upper.z));
+  }
+  return boxes;
+}
+
+// A slab test in float errs by a few ulps of the distances it subtracts: at most 16 half-ulps of `reach`, which
+// bounds box coordinates and ray origins. Padding by that keeps every box conservative.
+void Pad(std::vector<vk::AabbPositionsKHR>& boxes, float reach)
+{
+  const float pad = std::ldexp(reach, -20);
+  for (auto& box : boxes)
+  {
+    box.minX -= pad;
+    box.minY -= pad;
+    box.minZ -= pad;
+    box.maxX += pad;
+    box.maxY += pad;
+    box.maxZ += pad;
+  }
+}
+
+} // namespace
+
+void Bounds::Include(const glm::vec3& a, const glm::vec3& b)
+{
+  this->lower = glm::min(this->lower, a);
+  this->upper = glm::max(this->upper, b);
+}
+
+float Bounds::Reach() const
+{
+  const glm::vec3 reach = glm::max(glm::abs(this->lower), glm::abs(this->upper));
+  return this->Empty() ? 0.0f : std::max({ reach.x, reach.y, reach.z });
+}
+
+Scene::State::State(std::shared_ptr<Device> d)
+  : device(std::move(d))
+{
+}
+
+Scene::Scene(std::shared_ptr<Device> device)
+  : state_(std::make_unique<State>(std::move(device)))
+{
+}
+
+Scene::~Scene() = default;
+
+Scene::SetId Scene::Add()
+{
+  const SetId id = this->state_->nextId++;
+  this->state_->sets[id];
+  return id;
+}
+
+void Scene::Remove(SetId id)
+{
+  this->state_->topLevelChanged |= this->state_->sets.erase(id) > 0;
+}
+
+void Scene::SetInstances(SetId id, GlyphInstances instances)
+{
+  GlyphSet& set = this->state_->sets.at(id);
+  set.count = instances.Count();
+  set.instances = std::move(instances);
+  set.instancesChanged = true;
+  // Colours are by glyph: those of the old glyphs mean nothing now.
+  set.colours.clear();
+  set.coloursChanged = true;
+  set.translucentColours = false;
+}
+
+void Scene::SetColours(SetId id, GlyphColours colours)
+{
+  GlyphSet& set = this->state_->sets.at(id);
+  if (!colours.empty() && colours.size() != set.count)
+  {
+    throw Error("Ray Traced Glyphs: " + std::to_string(colours.size()) + " colours for " +
+      std::to_string(set.count) + " glyphs; give one colour a glyph or none.");
+  }
+  set.translucentColours = std::any_of(
+    colours.begin(), colours.end(), [](std::uint32_t colour) { return (colour >> 24) != 255; });
+  set.colours = std::move(colours);
+  set.coloursChanged = true;
+}
+
+void Scene::SetMaterial(SetId id, const Material& material)
+{
+  GlyphSet& set = this->state_->sets.at(id);
+  set.material = material;
+  this->state_->recordsChanged = true;
+}
+
+void Scene::SetVisible(SetId id, bool visible)
+{
+  GlyphSet& set = this->state_->sets.at(id);
+  this->state_->topLevelChanged |= set.visible != visible;
+  set.visible = visible;
+}
+
+std::size_t Scene::GlyphCount(SetId id) const
+{
+  return this->state_->sets.at(id).count;
+}
+
+std::uint32_t Scene::OriginalGlyph(SetId set, std::uint32_t sorted) const
+{
+  const auto& order = this->state_->sets.at(set).order;
+  return order.empty() ? sorted : order.at(sorted);
+}
+
+bool Scene::HasTranslucent() const
+{
+  const auto& sets = this->state_->sets;
+  return std::any_of(sets.begin(), sets.end(),
+    [](const auto& entry) { return entry.second.visible && entry.second.count && entry.second.Translucent(); });
+}
+
+bool Scene::HasOpaque() const
+{
+  const auto& sets = this->state_->sets;
+  return std::any_of(sets.begin(), sets.end(),
+    [](const auto& entry) { return entry.second.visible && entry.second.count && !entry.second.Translucent(); });
+}
+
+const Statistics& Scene::GetStatistics() const
+{
+  this->state_->statistics.deviceBytes = this->state_->device->GetState().bytes;
+  return this->state_->statistics;
+}
+
+void Scene::Commit()
+{
+  State& state = *this->state_;
+  state.device->GetState().Guard("sending glyphs",
+    [&]
+    {
+      // Ray origins are at most a scene away from a set, so every set's padding depends on all the others' extent.
+      float reach = 0.0f;
+      for (auto& [id, set] : state.sets)
+      {
+        if (set.instancesChanged)
+        {
+          set.bounds = Bounds();
+          const auto boxes = TightBoxes(set.instances);
+          for (const auto& box : boxes)
+          {
+            set.bounds.Include({ box.minX, box.minY, box.minZ }, { box.maxX, box.maxY, box.maxZ });
+          }
+        }
+      }
+      // The scene's origin is that of its first set: near the data, and it stays put.
+      const auto first = std::find_if(
+        state.sets.begin(), state.sets.end(), [](const auto& entry) { return entry.second.count > 0; });
+      const glm::dvec3 origin = first == state.sets.end() ? glm::dvec3(0.0) : first->second.instances.origin;
+      if (origin != state.origin)
+      {
+        state.origin = origin;
+        state.topLevelChanged = true;
+      }
+      for (const auto& [id, set] : state.sets)
+      {
+        const glm::dvec3 offset = glm::abs(set.instances.origin - origin);
+        reach = std::max(
+          reach, set.bounds.Reach() + static_cast<float>(std::max({ offset.x, offset.y, offset.z })));
+      }
+
+      for (auto& [id, set] : state.sets)
+      {
+        if (set.instancesChanged || (set.count && 2.0f * reach > set.builtReach))
+        {
+          state.SendInstances(set, reach);
+          state.topLevelChanged = true;
+        }
+        if (set.coloursChanged)
+        {
+          state.SendColours(set);
+          state.recordsChanged = true;
+        }
+      }
+      // The top level says which hit group and which pass a set belongs to.
+      for (const auto& [id, set] : state.sets)
+      {
+        state.topLevelChanged |= set.visible && set.count &&
+          !(set.group == set.placedGroup && set.Translucent() == set.placedTranslucent);
+      }
+      if (state.topLevelChanged)
+      {
+        state.BuildTopLevel();
+        state.recordsChanged = true;
+      }
+      if (state.recordsChanged)
+      {
+        state.FillRecords();
+        ++state.version;
+      }
+      state.topLevelChanged = state.recordsChanged = false;
+    });
+}
+
+// Sorts, sends and builds one set's glyphs.
+void Scene::State::SendInstances(GlyphSet& set, float reach)
+{
+  Device::State& vulkan = this->device->GetState();
+  GlyphInstances& instances = set.instances;
+  set.runs.clear();
+  set.centres = Buffer();
+  set.sizes = Buffer();
+  set.rotations = Buffer();
+  if (set.count == 0)
+  {
+    set.instancesChanged = false;
+    return;
+  }
+
+  Stopwatch watch;
+  if (set.instancesChanged)
+  {
+    // lavapipe builds in input order; a GPU's driver sorts for itself.
+    set.order.clear();
+    if (this->device->IsCpu())
+    {
+      set.order = SpatialOrder(instances.centres);
+      Reorder(instances.centres, set.order);
+      Reorder(instances.sizes3, set.order);
+      Reorder(instances.sizes1, set.order);
+      Reorder(instances.rotations, set.order);
+    }
+    this->statistics.sortSeconds += watch.Lap();
+  }
+
+  set.centres = Send(vulkan, instances.centres);
+  set.sizes = instances.sizes3.empty() ? Send(vulkan, instances.sizes1) : Send(vulkan, instances.sizes3);
+  set.rotations = Send(vulkan, instances.rotations);
+  set.group.shape = instances.shape;
+  set.group.sizesPerGlyph = !instances.sizes3.empty() ? 3 : !instances.sizes1.empty() ? 1 : 0;
+  set.group.turned = !instances.rotations.empty();
+  set.group.fixedHeads = instances.shape == Shape::Arrow && instances.arrow.fixedHeads;
+  ++this->statistics.instanceUploads;
+  this->statistics.uploadSeconds += watch.Lap();
+
+  // Some head-room, so that a scene that grows little by little is not rebuilt at every step.
+  set.builtReach = 4.0f * reach;
+  std::vector<vk::AabbPositionsKHR> boxes = TightBoxes(instances);
+  Pad(boxes, set.builtReach);
+  for (std::size_t at = 0; at < set.count; at += this->glyphsPerRun)
+  {
+    GlyphRun run;
+    run.first = static_cast<std::uint32_t>(at);
+    run.count = static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, set.count - at));
+    const bool whole = run.count == set.count;
+    run.structure = AccelerationStructure::OverBoxes(vulkan,
+      whole ? boxes : std::vector<vk::AabbPositionsKHR>(boxes.begin() + at, boxes.begin() + at + run.count));
+    set.runs.push_back(std::move(run));
+    ++this->statistics.structureBuilds;
+  }
+  set.instancesChanged = false;
+  this->statistics.buildSeconds += watch.Lap();
+}
+
+void Scene::State::SendColours(GlyphSet& set)
+{
+  Stopwatch watch;
+  set.group.coloured = !set.colours.empty();
+  if (set.group.coloured && !set.order.empty())
+  {
+    Reorder(set.colours, set.order);
+  }
+  set.colourBuffer = Send(this->device->GetState(), set.colours);
+  if (set.group.coloured)
+  {
+    ++this->statistics.colourUploads;
+  }
+  GlyphColours().swap(set.colours);
+  set.coloursChanged = false;
+  this->statistics.uploadSeconds += watch.Lap();
+}
+
+void Scene::State::BuildTopLevel()
+{
+  Stopwatch watch;
+  std::vector<vk::AccelerationStructureInstanceKHR> instances;
+  this->groups.clear();
+  this->bounds = Bounds();
+  std::uint32_t record = 0;
+  for (auto& [id, set] : this->sets)
+  {
+    if (!set.visible || set.count == 0)
+    {
+      continue;
+    }
+    set.placedGroup = set.group;
+    set.placedTranslucent = set.Translucent();
+    auto group = std::find(this->groups.begin(), this->groups.end(), set.group);
+    if (group == this->groups.end())
+    {
+      group = this->groups.insert(group, set.group);
+    }
+    const glm::vec3 offset(set.instances.origin - this->origin);
+    for (const GlyphRun& run : set.runs)
+    {
+      vk::AccelerationStructureInstanceKHR instance;
+      const std::array<std::array<float, 4>, 3> translation = { { { 1, 0, 0, offset.x },
+        { 0, 1, 0, offset.y }, { 0, 0, 1, offset.z } } };
+      instance.transform.matrix = translation;
+      instance.instanceCustomIndex = record++;
+      instance.mask = set.Translucent() ? translucentMask : opaqueMask;
+      instance.instanceShaderBindingTableRecordOffset =
+        static_cast<std::uint32_t>(group - this->groups.begin());
+      instance.accelerationStructureReference = run.structure.Address();
+      instances.push_back(instance);
+    }
+    const float pad = std::ldexp(set.builtReach, -20);
+    this->bounds.Include(set.bounds.lower + offset - pad, set.bounds.upper + offset + pad);
+  }
+  this->topLevel = AccelerationStructure();
+  if (!instances.empty())
+  {
+    this->topLevel = AccelerationStructure::OverInstances(this->device->GetState(), instances);
+    ++this->statistics.topLevelBuilds;
+  }
+  this->statistics.buildSeconds += watch.Lap();
+}
+
+// In the order of BuildTopLevel()'s instances.
+void Scene::State::FillRecords()
+{
+  this->records.clear();
+  for (const auto& [id, set] : this->sets)
+  {
+    if (!set.visible || set.count == 0)
+    {
+      continue;
+    }
+    for (const GlyphRun& run : set.runs)
+    {
+      device::GlyphSetRecord record{};
+      const auto at = [&](const Buffer& buffer, std::size_t stride)
+      { return buffer.Size() ? buffer.Address() + run.first * stride : 0; };
+      record.centres = at(set.centres, sizeof(glm::vec3));
+      record.sizes = at(set.sizes, set.group.sizesPerGlyph * sizeof(float));
+      record.rotations = at(set.rotations, sizeof(glm::vec4));
+      record.colours = at(set.colourBuffer, sizeof(std::uint32_t));
+      const glm::dvec3 offset = set.instances.origin - this->origin;
+      record.offset = glm::vec3(offset);
+      record.offsetLow = glm::vec3(offset - glm::dvec3(record.offset));
+      const ArrowForm& arrow = set.instances.arrow;
+      record.arrow = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding };
+      record.unitLength = arrow.unitLength;
+      record.uniformSize = set.instances.uniformSize;
+      record.setId = id;
+      record.firstGlyph = run.first;
+      const Material& material = set.material;
+      record.colour = material.colour;
+      record.opacity = material.opacity;
+      record.specularColour = material.specularColour;
+      record.specular = material.specular;
+      record.ambient = material.ambient;
+      record.diffuse = material.diffuse;
+      record.specularPower = material.specularPower;
+      record.lighting = material.lighting;
+      this->records.push_back(record);
+    }
+  }
+  this->recordBuffer = Send(this->device->GetState(), this->records);
+}
+
+} // namespace rtg

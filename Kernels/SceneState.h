@@ -1,0 +1,86 @@
+// The device side of a Scene, for Kernels only.
+#pragma once
+
+#include "HostDevice.h"
+#include "Scene.h"
+#include "Vulkan/AccelerationStructure.h"
+#include "Vulkan/Buffer.h"
+#include "Vulkan/Pipeline.h"
+
+#include <vector>
+
+namespace rtg
+{
+
+/// A box in single precision that is certain to contain what it bounds.
+struct Bounds
+{
+  glm::vec3 lower{ 1e38f };
+  glm::vec3 upper{ -1e38f };
+  void Include(const glm::vec3& a, const glm::vec3& b);
+  bool Empty() const { return this->lower.x > this->upper.x; }
+  /// Largest absolute coordinate.
+  float Reach() const;
+};
+
+/// A run of at most 2^24 - 1 glyphs: what one bottom-level structure may hold.
+struct GlyphRun
+{
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  AccelerationStructure structure;
+};
+
+/// One glyph set: what was asked for, and what of it is on the device.
+struct GlyphSet
+{
+  GlyphInstances instances; ///< its arrays are released once sent
+  GlyphColours colours;
+  Material material;
+  bool visible = true;
+  bool translucentColours = false;
+  bool instancesChanged = false;
+  bool coloursChanged = false;
+
+  std::size_t count = 0;
+  std::vector<std::uint32_t> order; ///< sorted position -> index in the caller's order; empty: the same
+  HitGroup group;
+  HitGroup placedGroup;           ///< as the top level has it
+  bool placedTranslucent = false; ///< likewise
+  Bounds bounds;            ///< relative to instances.origin
+  float builtReach = 0.0f;  ///< distance of ray origins that the boxes' padding allows for
+  Buffer centres, sizes, rotations, colourBuffer;
+  std::vector<GlyphRun> runs;
+
+  bool Translucent() const { return this->material.opacity < 1.0f || this->translucentColours; }
+};
+
+struct Scene::State
+{
+  explicit State(std::shared_ptr<Device> d);
+
+  std::shared_ptr<Device> device;
+  std::map<SetId, GlyphSet> sets;
+  SetId nextId = 0;
+  /// What one bottom-level structure may hold at most; every device allows 2^24 - 1. Tests lower it.
+  std::uint32_t glyphsPerRun = (1u << 24) - 1;
+  Statistics statistics;
+
+  // Built by Commit().
+  glm::dvec3 origin{ 0.0 };
+  Bounds bounds;                       ///< of all visible sets, relative to origin
+  std::vector<HitGroup> groups;
+  std::vector<device::GlyphSetRecord> records;
+  Buffer recordBuffer;
+  AccelerationStructure topLevel;
+  bool topLevelChanged = true;
+  bool recordsChanged = true;
+  std::uint64_t version = 0;           ///< grows with every change that changes the image
+
+  void SendInstances(GlyphSet& set, float reach);
+  void SendColours(GlyphSet& set);
+  void BuildTopLevel();
+  void FillRecords();
+};
+
+} // namespace rtg

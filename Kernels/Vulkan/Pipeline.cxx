@@ -1,0 +1,131 @@
+#include "Pipeline.h"
+
+#include "../HostDevice.h"
+#include "Programs.h"
+
+#include <cstring>
+
+namespace rtg
+{
+
+namespace
+{
+
+struct Specialisation
+{
+  std::uint32_t sizesPerGlyph;
+  vk::Bool32 turned;
+  vk::Bool32 coloured;
+  vk::Bool32 fixedHeads;
+};
+
+const vk::SpecializationMapEntry specialisationMap[] = {
+  { 0, offsetof(Specialisation, sizesPerGlyph), sizeof(std::uint32_t) },
+  { 1, offsetof(Specialisation, turned), sizeof(vk::Bool32) },
+  { 2, offsetof(Specialisation, coloured), sizeof(vk::Bool32) },
+  { 3, offsetof(Specialisation, fixedHeads), sizeof(vk::Bool32) },
+};
+
+vk::raii::ShaderModule MakeModule(Device::State& device, const programs::Code& code)
+{
+  return vk::raii::ShaderModule(
+    device.device, vk::ShaderModuleCreateInfo({}, code.bytes, code.words));
+}
+
+std::size_t AlignUp(std::size_t value, std::size_t alignment)
+{
+  return (value + alignment - 1) / alignment * alignment;
+}
+
+} // namespace
+
+Pipeline::Pipeline(Device::State& device, Program program, const std::vector<HitGroup>& groups)
+  : program_(program)
+  , groups_(groups)
+{
+  using Stage = vk::ShaderStageFlagBits;
+  const vk::PushConstantRange pushRange(
+    Stage::eRaygenKHR | Stage::eIntersectionKHR | Stage::eClosestHitKHR | Stage::eMissKHR, 0,
+    sizeof(device::PushRecord));
+  this->layout_ =
+    vk::raii::PipelineLayout(device.device, vk::PipelineLayoutCreateInfo({}, {}, pushRange));
+
+  // Ray generation and miss, then two stages a hit group. Every group has stage entries of its own:
+  // lavapipe mixes up groups that share one.
+  std::vector<vk::raii::ShaderModule> modules;
+  std::vector<vk::PipelineShaderStageCreateInfo> stages;
+  std::vector<Specialisation> constants(groups.size());
+  std::vector<vk::SpecializationInfo> specialisations(groups.size());
+  modules.reserve(2 + 2 * groups.size());
+  const auto addStage = [&](Stage stage, const programs::Code& code, const vk::SpecializationInfo* special)
+  {
+    modules.push_back(MakeModule(device, code));
+    stages.emplace_back(
+      vk::PipelineShaderStageCreateFlags(), stage, *modules.back(), "main", special);
+    return static_cast<std::uint32_t>(stages.size() - 1);
+  };
+  std::vector<vk::RayTracingShaderGroupCreateInfoKHR> shaderGroups;
+  const auto addGeneral = [&](std::uint32_t stage)
+  {
+    shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eGeneral, stage, VK_SHADER_UNUSED_KHR,
+      VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
+  };
+  addGeneral(addStage(Stage::eRaygenKHR,
+    program == Program::Image ? programs::imageGeneration : programs::probeGeneration, nullptr));
+  addGeneral(addStage(Stage::eMissKHR, programs::nothingMiss, nullptr));
+  for (std::size_t i = 0; i < groups.size(); ++i)
+  {
+    const HitGroup& group = groups[i];
+    constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads };
+    specialisations[i] = vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
+      specialisationMap, sizeof(Specialisation), &constants[i]);
+    const programs::ShapeCode& code = programs::shapes[static_cast<std::uint32_t>(group.shape)];
+    const std::uint32_t intersection =
+      addStage(Stage::eIntersectionKHR, code.intersection, &specialisations[i]);
+    const std::uint32_t closestHit = addStage(Stage::eClosestHitKHR, code.closestHit, &specialisations[i]);
+    shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eProceduralHitGroup,
+      VK_SHADER_UNUSED_KHR, closestHit, VK_SHADER_UNUSED_KHR, intersection);
+  }
+
+  const vk::RayTracingPipelineCreateInfoKHR info(
+    {}, stages, shaderGroups, 1, nullptr, nullptr, nullptr, *this->layout_);
+  this->pipeline_ = vk::raii::Pipeline(device.device, nullptr, nullptr, info);
+
+  // Shader binding table: three regions of equally spaced handles.
+  const std::size_t handleSize = device.pipelineLimits.shaderGroupHandleSize;
+  const std::size_t stride = AlignUp(handleSize, device.pipelineLimits.shaderGroupHandleAlignment);
+  const std::size_t base = device.pipelineLimits.shaderGroupBaseAlignment;
+  const auto handles = this->pipeline_.getRayTracingShaderGroupHandlesKHR<std::uint8_t>(
+    0, static_cast<std::uint32_t>(shaderGroups.size()), handleSize * shaderGroups.size());
+  const std::size_t missAt = AlignUp(stride, base);
+  const std::size_t hitAt = missAt + AlignUp(stride, base);
+  std::vector<std::uint8_t> table(hitAt + stride * groups.size());
+  std::memcpy(table.data(), handles.data(), handleSize);
+  std::memcpy(table.data() + missAt, handles.data() + handleSize, handleSize);
+  for (std::size_t i = 0; i < groups.size(); ++i)
+  {
+    std::memcpy(table.data() + hitAt + i * stride, handles.data() + (2 + i) * handleSize, handleSize);
+  }
+  // The buffer's address need not be aligned to the table's base, so room is left to shift it.
+  this->table_ = Buffer(device, table.size() + base, vk::BufferUsageFlagBits::eShaderBindingTableKHR,
+    Buffer::Place::Device);
+  const vk::DeviceAddress address = AlignUp(this->table_.Address(), base);
+  table.insert(table.begin(), address - this->table_.Address(), 0);
+  this->table_.Upload(table.data(), table.size());
+  this->generation_ = vk::StridedDeviceAddressRegionKHR(address, stride, stride);
+  this->miss_ = vk::StridedDeviceAddressRegionKHR(address + missAt, stride, stride);
+  this->hit_ = vk::StridedDeviceAddressRegionKHR(address + hitAt, stride, stride * groups.size());
+}
+
+void Pipeline::Trace(vk::raii::CommandBuffer& command, const void* push, std::uint32_t pushSize,
+  std::uint32_t width, std::uint32_t height) const
+{
+  using Stage = vk::ShaderStageFlagBits;
+  command.bindPipeline(vk::PipelineBindPoint::eRayTracingKHR, *this->pipeline_);
+  command.pushConstants<std::uint8_t>(*this->layout_,
+    Stage::eRaygenKHR | Stage::eIntersectionKHR | Stage::eClosestHitKHR | Stage::eMissKHR, 0,
+    vk::ArrayProxy<const std::uint8_t>(pushSize, static_cast<const std::uint8_t*>(push)));
+  command.traceRaysKHR(this->generation_, this->miss_, this->hit_, this->callable_, width, height, 1);
+}
+
+} // namespace rtg

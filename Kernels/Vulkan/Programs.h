@@ -1,0 +1,27 @@
+// The SPIR-V of Kernels/Programs, compiled at build time and embedded.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rtg::programs
+{
+
+struct Code
+{
+  std::size_t bytes;
+  const std::uint32_t* words;
+};
+
+struct ShapeCode
+{
+  Code intersection;
+  Code closestHit;
+};
+
+extern const Code imageGeneration;
+extern const Code probeGeneration;
+extern const Code nothingMiss;
+extern const ShapeCode shapes[]; ///< by rtg::Shape
+
+} // namespace rtg::programs

@@ -1,0 +1,321 @@
+// Scene and Tracer on the machine's Vulkan device: what an image holds and what work is done for it.
+#include "Scene.h"
+#include "SceneState.h"
+#include "Tracer.h"
+#include "Vulkan/Device.h"
+
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace
+{
+
+using rtg::Image;
+
+class TracerTest : public ::testing::Test
+{
+protected:
+  std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
+  rtg::Scene scene{ device };
+  rtg::Tracer tracer{ device };
+  rtg::TraceSettings settings;
+  std::vector<rtg::Light> lights{ rtg::Light() };
+  rtg::Camera camera = rtg::Camera::FromWorldToClip(
+    glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * this->LookFrom(5.0));
+
+  void SetUp() override { this->settings.width = this->settings.height = 100; }
+
+  static glm::dmat4 LookFrom(double z)
+  {
+    return glm::lookAt(glm::dvec3(0, 0, z), glm::dvec3(0), glm::dvec3(0, 1, 0));
+  }
+
+  rtg::Scene::SetId AddSpheres(const std::vector<glm::vec3>& centres, float size)
+  {
+    const auto id = this->scene.Add();
+    rtg::GlyphInstances instances;
+    instances.centres = centres;
+    instances.uniformSize = size;
+    this->scene.SetInstances(id, instances);
+    return id;
+  }
+
+  Image Trace(rtg::Pass pass = rtg::Pass::Opaque)
+  {
+    this->scene.Commit();
+    return this->tracer.Trace(this->scene, this->camera, this->lights, this->settings, pass);
+  }
+
+  static double Coverage(const Image& image)
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < std::size_t(image.width) * image.height; ++i)
+    {
+      sum += (image.colour[i] >> 24) / 255.0;
+    }
+    return sum / (double(image.width) * image.height);
+  }
+};
+
+std::vector<glm::vec3> RandomPoints(std::size_t count)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> uniform(-0.9f, 0.9f);
+  std::vector<glm::vec3> points(count);
+  for (auto& p : points)
+  {
+    p = { uniform(random), uniform(random), uniform(random) };
+  }
+  return points;
+}
+
+} // namespace
+
+TEST_F(TracerTest, SphereCoversExactlyThePixelsWhoseCentresItCovers)
+{
+  this->AddSpheres({ { 0.1f, -0.2f, 0.0f } }, 1.0f);
+  const Image image = this->Trace();
+  for (int y = 0; y < 100; ++y)
+  {
+    for (int x = 0; x < 100; ++x)
+    {
+      const double dx = (x + 0.5) / 50.0 - 1.0 - double(0.1f);
+      const double dy = (y + 0.5) / 50.0 - 1.0 - double(-0.2f);
+      const double r2 = dx * dx + dy * dy;
+      if (std::abs(r2 - 0.25) < 1e-6)
+      {
+        continue;
+      }
+      const std::size_t at = y * 100 + x;
+      ASSERT_EQ(image.glyphIds[at] != Image::noGlyph, r2 < 0.25) << x << ' ' << y;
+      // Camera at z = 5, planes at 1 and 9: depth runs linearly from z = 4 to z = -4.
+      const double depth = r2 < 0.25 ? (4.0 - std::sqrt(0.25 - r2)) / 8.0 : 1.0;
+      ASSERT_NEAR(image.depth[at], depth, 1e-6) << x << ' ' << y;
+    }
+  }
+}
+
+TEST_F(TracerTest, MoreSamplesApproachTheExactArea)
+{
+  this->AddSpheres({ { 0.0f, 0.0f, 0.0f } }, 1.0f);
+  this->settings.width = this->settings.height = 16;
+  this->settings.samples = 256;
+  const double area = glm::pi<double>() * 0.25 / 4.0;
+  // 256 samples of 8-bit alpha in the 16 x 16 pixels: the R2 sequence errs by less than 1e-3 here, one sample by 8e-3.
+  EXPECT_NEAR(Coverage(this->Trace()), area, 2e-3);
+}
+
+TEST_F(TracerTest, HeadlightShadesAsVtkDoes)
+{
+  const auto id = this->AddSpheres({ { 0.0f, 0.0f, 0.0f } }, 1.8f);
+  rtg::Material material;
+  material.colour = { 0.8f, 0.4f, 0.2f };
+  material.ambient = 0.1f;
+  material.diffuse = 0.7f;
+  material.specular = 0.3f;
+  material.specularPower = 20.0f;
+  this->scene.SetMaterial(id, material);
+  const Image image = this->Trace();
+  for (int x = 10; x < 90; x += 7)
+  {
+    const double dx = (x + 0.5) / 50.0 - 1.0;
+    const double dy = 0.5 / 50.0;
+    const double nz = std::sqrt(1.0 - (dx * dx + dy * dy) / 0.81);
+    const std::uint32_t colour = image.colour[50 * 100 + x];
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      const double expected = material.colour[channel] * (0.1 + 0.7 * nz) + 0.3 * std::pow(nz, 20.0);
+      EXPECT_NEAR((colour >> (8 * channel)) & 255, 255.0 * std::min(expected, 1.0), 1.0) << x;
+    }
+  }
+}
+
+TEST_F(TracerTest, EachGlyphShowsItsOwnColourAndId)
+{
+  const std::vector<glm::vec3> centres = { { -0.5f, -0.5f, 0 }, { 0.5f, -0.5f, 0 }, { -0.5f, 0.5f, 0 },
+    { 0.5f, 0.5f, 0 }, { 0.0f, 0.0f, 0.2f } };
+  const auto id = this->AddSpheres(centres, 0.5f);
+  const rtg::GlyphColours colours = { 0xff0000ff, 0xff00ff00, 0xffff0000, 0xff00ffff, 0xffff00ff };
+  this->scene.SetColours(id, colours);
+  rtg::Material material;
+  material.lighting = false;
+  this->scene.SetMaterial(id, material);
+  const Image image = this->Trace();
+  for (std::size_t i = 0; i < centres.size(); ++i)
+  {
+    const int x = static_cast<int>((centres[i].x + 1.0f) * 50.0f);
+    const int y = static_cast<int>((centres[i].y + 1.0f) * 50.0f);
+    EXPECT_EQ(image.colour[y * 100 + x], colours[i]);
+    EXPECT_EQ(this->scene.OriginalGlyph(id, image.glyphIds[y * 100 + x]), i);
+    EXPECT_EQ(image.setIds[y * 100 + x], id);
+  }
+}
+
+TEST_F(TracerTest, EveryStepRedoesOnlyWhatItsInputChanged)
+{
+  const auto id = this->AddSpheres(RandomPoints(500), 0.1f);
+  this->scene.SetColours(id, rtg::GlyphColours(500, 0xff808080u));
+  this->Trace();
+  const rtg::Statistics first = this->scene.GetStatistics();
+  EXPECT_EQ(first.structureBuilds, 1u);
+  EXPECT_EQ(first.instanceUploads, 1u);
+  EXPECT_EQ(first.colourUploads, 1u);
+  EXPECT_EQ(this->tracer.GetStatistics().primaryRays, 10000u);
+
+  // Camera moved: trace only.
+  this->camera =
+    rtg::Camera::FromWorldToClip(glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * this->LookFrom(5.5));
+  this->Trace();
+  EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u);
+  EXPECT_EQ(this->scene.GetStatistics().topLevelBuilds, first.topLevelBuilds);
+  EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 1u);
+  EXPECT_EQ(this->scene.GetStatistics().colourUploads, 1u);
+  EXPECT_EQ(this->tracer.GetStatistics().pipelineBuilds, 1u);
+
+  // Colours changed: colours only.
+  this->scene.SetColours(id, rtg::GlyphColours(500, 0xff8080ffu));
+  this->Trace();
+  EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u);
+  EXPECT_EQ(this->scene.GetStatistics().topLevelBuilds, first.topLevelBuilds);
+  EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 1u);
+  EXPECT_EQ(this->scene.GetStatistics().colourUploads, 2u);
+
+  // Hidden and shown: the set's own structure stays.
+  this->scene.SetVisible(id, false);
+  EXPECT_EQ(Coverage(this->Trace()), 0.0);
+  this->scene.SetVisible(id, true);
+  EXPECT_GT(Coverage(this->Trace()), 0.0);
+  EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u);
+  EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 1u);
+}
+
+TEST_F(TracerTest, SetsFarApartKeepTheirPlaces)
+{
+  // The second set's own origin is far from the first's, and its glyph sits back at the middle.
+  this->AddSpheres({ { -0.5f, 0.0f, 0.0f } }, 0.5f);
+  const auto far = this->scene.Add();
+  rtg::GlyphInstances instances;
+  instances.origin = { 1000.25, 0.0, 0.0 };
+  instances.centres = { { -999.75f, 0.0f, 0.0f } };
+  instances.uniformSize = 0.5f;
+  this->scene.SetInstances(far, instances);
+  const Image image = this->Trace();
+  EXPECT_EQ(image.setIds[50 * 100 + 75], far);
+  EXPECT_EQ(image.setIds[50 * 100 + 51 + 13 - 1], far); // just inside its left edge at x = 0.25
+  EXPECT_EQ(image.setIds[50 * 100 + 50], Image::noGlyph);
+}
+
+TEST_F(TracerTest, TranslucentSetsShowInTheirOwnPass)
+{
+  const auto opaque = this->AddSpheres({ { -0.5f, 0.0f, 0.0f } }, 0.5f);
+  const auto translucent = this->AddSpheres({ { 0.5f, 0.0f, 0.0f } }, 0.5f);
+  rtg::Material material;
+  material.opacity = 0.5f;
+  this->scene.SetMaterial(translucent, material);
+  EXPECT_TRUE(this->scene.HasOpaque());
+  EXPECT_TRUE(this->scene.HasTranslucent());
+  Image image = this->Trace(rtg::Pass::Opaque);
+  EXPECT_EQ(image.setIds[50 * 100 + 25], opaque);
+  EXPECT_EQ(image.setIds[50 * 100 + 75], Image::noGlyph);
+  image = this->Trace(rtg::Pass::Translucent);
+  EXPECT_EQ(image.setIds[50 * 100 + 25], Image::noGlyph);
+  EXPECT_EQ(image.setIds[50 * 100 + 75], translucent);
+  EXPECT_NEAR(image.colour[50 * 100 + 75] >> 24, 127.5, 1.0);
+}
+
+TEST_F(TracerTest, SeveralStructuresOfOneSetGiveTheSameImage)
+{
+  const auto points = RandomPoints(1000);
+  rtg::GlyphColours colours;
+  for (std::uint32_t i = 0; i < 1000; ++i)
+  {
+    colours.push_back(0xff000000u | (i * 2654435761u >> 8));
+  }
+  const auto whole = this->AddSpheres(points, 0.2f);
+  this->scene.SetColours(whole, colours);
+  Image image = this->Trace();
+  const std::vector<std::uint32_t> expected(image.colour, image.colour + 10000);
+  const std::vector<std::uint32_t> ids(image.glyphIds, image.glyphIds + 10000);
+
+  this->scene.Remove(whole);
+  this->scene.GetState().glyphsPerRun = 150;
+  const auto pieces = this->AddSpheres(points, 0.2f);
+  this->scene.SetColours(pieces, colours);
+  image = this->Trace();
+  EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u + 7u);
+  EXPECT_EQ(expected, std::vector<std::uint32_t>(image.colour, image.colour + 10000));
+  EXPECT_EQ(ids, std::vector<std::uint32_t>(image.glyphIds, image.glyphIds + 10000));
+}
+
+TEST_F(TracerTest, CoarseImageRepeatsEveryNthPixel)
+{
+  this->AddSpheres(RandomPoints(200), 0.2f);
+  this->settings.width = 101; // not a multiple of the step
+  this->settings.pixelStep = 3;
+  const Image image = this->Trace();
+  for (std::size_t y = 0; y < 100; ++y)
+  {
+    for (std::size_t x = 0; x < 101; ++x)
+    {
+      ASSERT_EQ(image.colour[y * 101 + x], image.colour[y / 3 * 3 * 101 + x / 3 * 3]);
+    }
+  }
+  EXPECT_EQ(this->tracer.GetStatistics().primaryRays, 34u * 34u);
+}
+
+TEST_F(TracerTest, EmptyThingsAreFine)
+{
+  EXPECT_EQ(Coverage(this->Trace()), 0.0);
+  const auto id = this->AddSpheres({}, 1.0f);
+  EXPECT_EQ(Coverage(this->Trace()), 0.0);
+  EXPECT_EQ(this->scene.GlyphCount(id), 0u);
+  this->settings.width = 0;
+  EXPECT_EQ(this->Trace().colour, nullptr);
+  this->settings.width = this->settings.height = 1;
+  this->AddSpheres({ { 0, 0, 0 } }, 1.0f);
+  EXPECT_EQ(Coverage(this->Trace()), 1.0);
+}
+
+TEST_F(TracerTest, NothingStaysBehind)
+{
+  const std::uint64_t before = this->scene.GetStatistics().deviceBytes;
+  for (int i = 0; i < 20; ++i)
+  {
+    const auto id = this->AddSpheres(RandomPoints(1000), 0.1f);
+    this->Trace();
+    this->scene.Remove(id);
+  }
+  this->Trace();
+  // What the tracer keeps for its next image is all that may remain.
+  rtg::Tracer(this->device).GetStatistics();
+  const std::uint64_t kept = this->scene.GetStatistics().deviceBytes - before;
+  EXPECT_LT(kept, 1000000u);
+  const auto id = this->AddSpheres(RandomPoints(1000), 0.1f);
+  this->Trace();
+  this->scene.Remove(id);
+  this->Trace();
+  EXPECT_EQ(this->scene.GetStatistics().deviceBytes - before, kept);
+}
+
+TEST_F(TracerTest, BadSettingsAreNamed)
+{
+  this->AddSpheres({ { 0, 0, 0 } }, 1.0f);
+  this->settings.samples = 0;
+  try
+  {
+    this->Trace();
+    FAIL() << "no error";
+  }
+  catch (const rtg::Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("samples per pixel is 0"), std::string::npos) << error.what();
+  }
+  this->settings.samples = 1;
+  this->settings.width = 100000;
+  EXPECT_THROW(this->Trace(), rtg::Error);
+  EXPECT_THROW(this->scene.SetColours(0, rtg::GlyphColours(7, 0u)), rtg::Error);
+}
