@@ -61,24 +61,24 @@ def degenerate(case):
     infinity, nothing = numpy.inf, numpy.nan
     for name, scale in (("zero scale", 0.0), ("NaN scale", nothing), ("infinite scale", infinity)):
         case.render(name, session.poly_data(LINE, size=numpy.array([1.0, scale, 1.0])), (-1, 1),
-                    None if scale == 0.0 else ("1",),
-                    GlyphScaling=1, GlyphScaleArray=["POINTS", "size"], GlyphScaleMode="Magnitude")
+                    ("1 of 3",),
+                    GlyphScaling=1, GlyphScaleArray="size", GlyphScaleMode="Magnitude")
     broken = LINE.copy()
     broken[1, 1] = nothing
-    case.render("NaN position", session.poly_data(broken), (-1, 1), ("1",))
+    case.render("NaN position", session.poly_data(broken), (-1, 1), ("1 of 3",))
     case.render("negative scale", session.poly_data(LINE, size=numpy.array([1.0, -1.0, 1.0])), (-1, 0, 1), None,
-                GlyphScaling=1, GlyphScaleArray=["POINTS", "size"], GlyphScaleMode="Magnitude")
-    case.render("NaN vector", session.poly_data(LINE, v=numpy.array([[1, 0, 0], [nothing, 0, 0], [0, 1, 0.0]])), (-1, 1), ("1",),
-                GlyphOrient=1, GlyphOrientationArray=["POINTS", "v"], GlyphOrientationMode="Direction")
+                GlyphScaling=1, GlyphScaleArray="size", GlyphScaleMode="Magnitude")
+    case.render("NaN vector", session.poly_data(LINE, v=numpy.array([[1, 0, 0], [nothing, 0, 0], [0, 1, 0.0]])), (-1, 1), ("1 of 3",),
+                GlyphOrient=1, GlyphOrientationArray="v", GlyphOrientationMode="Direction")
 
 
 def arrays(case):
     """Arrays that are missing or have the wrong number of components are named in the message."""
     data = session.poly_data(LINE, scalar=numpy.ones(3))
     case.render("missing array", data, (-1, 0, 1), ("nonesuch",),
-                GlyphScaling=1, GlyphScaleArray=["POINTS", "nonesuch"], GlyphScaleMode="Magnitude")
+                GlyphScaling=1, GlyphScaleArray="nonesuch", GlyphScaleMode="Magnitude")
     case.render("wrong components", session.poly_data(LINE, scalar=numpy.ones(3)), (-1, 0, 1), ("scalar", "1"),
-                GlyphOrient=1, GlyphOrientationArray=["POINTS", "scalar"], GlyphOrientationMode="Quaternion")
+                GlyphOrient=1, GlyphOrientationArray="scalar", GlyphOrientationMode="Quaternion")
 
 
 def amounts(case):

@@ -30,7 +30,10 @@ def theirs(points, view):
     shown.SetRepresentationType("3D Glyphs")
     shown.GlyphType = "Sphere"
     shown.GlyphType.ThetaResolution = shown.GlyphType.PhiResolution = 128
-    shown.Orient = shown.Scaling = 0
+    shown.Orient = 0
+    # With Scaling off, 3D Glyphs ignore the scale factor too.
+    shown.Scaling = 1
+    shown.ScaleMode = "No Data Scaling Off"
     shown.ScaleFactor = 0.8
     return shown
 
@@ -61,12 +64,14 @@ def translucent(view):
 
 
 def axes(view):
-    """The axes grid."""
+    """The axes grid; bounds given, because those of 3D Glyphs are the points' and ours the glyphs'."""
     view.AxesGrid.Visibility = 1
+    view.AxesGrid.UseCustomBounds = 1
+    view.AxesGrid.CustomBounds = [-1.5, 1.5, -1.5, 1.5, -0.5, 0.5]
 
 
 def scalar_bar(view):
-    """A scalar bar over the spheres; shown by colour()."""
+    """A scalar bar over the spheres; picture() shows it."""
 
 
 SCENES = {"opaque": opaque, "wireframe": wireframe, "translucent": translucent, "axes": axes, "scalarbar": scalar_bar}

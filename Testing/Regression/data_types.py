@@ -7,8 +7,8 @@ import numpy
 import paraview.simple as pv
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    vtkImageData, vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkRectilinearGrid,
-    vtkStructuredGrid, vtkUnstructuredGrid)
+    vtkCompositeDataSet, vtkImageData, vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkRectilinearGrid,
+    vtkStructuredGrid, vtkTable, vtkUnstructuredGrid)
 
 import comparison
 import session
@@ -68,6 +68,16 @@ def unstructured():
     return data
 
 
+def table():
+    """The corners as a table with columns x, y, z."""
+    data = vtkTable()
+    for name, values in zip("xyz", CORNERS.T):
+        column = coordinates(values)
+        column.SetName(name)
+        data.AddColumn(column)
+    return data
+
+
 def blocks(container):
     """The corners of the lower half in the first block, the upper half in the second."""
     halves = [session.poly_data(CORNERS[:4], half=numpy.zeros(4)), session.poly_data(CORNERS[4:], half=numpy.ones(4))]
@@ -75,6 +85,7 @@ def blocks(container):
     for index, half in enumerate(halves):
         if container is vtkMultiBlockDataSet:
             data.SetBlock(index, half)
+            data.GetMetaData(index).Set(vtkCompositeDataSet.NAME(), "half%d" % index)
         else:
             piece = vtkPartitionedDataSet()
             piece.SetPartition(0, half)
@@ -139,14 +150,14 @@ def block_attributes(view):
     shown = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.5)
     session.solid(shown, (1.0, 1.0, 0.0))
     failures = []
-    for selector, expected in (("/Root/Block0", CORNERS[:, 2] < 0), ("/Root/Block1", CORNERS[:, 2] > 0)):
+    for selector, expected in (("/Root/half0", CORNERS[:, 2] < 0), ("/Root/half1", CORNERS[:, 2] > 0)):
         shown.BlockSelectors = [selector]
         pv.Render(view)
         found = seen(session.capture(view, "data-block" + selector[-1]))
         if found != list(expected):
             failures.append("BlockSelectors %s: glyphs seen %s" % (selector, found))
     shown.BlockSelectors = ["/"]
-    shown.BlockColors = ["/Root/Block1", "0", "0", "1"]
+    shown.BlockColors = ["/Root/half1", "0", "0", "1"]
     pv.Render(view)
     pixels = session.capture(view, "data-blockcolour")
     column, row = pixel(CORNERS[7], pixels.shape[1], pixels.shape[0])
@@ -160,11 +171,11 @@ def block_attributes(view):
 
 def other_sources(view):
     """Sources of other kinds of data: something is drawn and nothing complains."""
-    corners = session.source(session.poly_data(CORNERS, x=CORNERS[:, 0], y=CORNERS[:, 1], z=CORNERS[:, 2]))
     sources = {
-        "hyper-tree grid": lambda: pv.HyperTreeGridSource(),
-        "table": lambda: pv.TableToPoints(Input=pv.AttributeDataToTableFilter(Input=corners), XColumn="x", YColumn="y", ZColumn="z"),
-        "AMR": lambda: pv.TimeSource() and pv.HierarchicalFractal(),
+        "hyper-tree grid": lambda: pv.HyperTreeGridRandom(),
+        "table": lambda: pv.TableToPoints(Input=session.source(table()), XColumn="x", YColumn="y", ZColumn="z"),
+        "AMR": lambda: pv.AMRGaussianPulseSource(),
+        "hierarchical fractal": lambda: pv.HierarchicalFractal(),
     }
     failures = []
     for name, make in sources.items():

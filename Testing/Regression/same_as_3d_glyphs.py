@@ -20,6 +20,10 @@ RESOLUTION = {
 }
 
 
+#: no light at all: surfaces then have their plain colour
+LIGHTS = ("lightkit", "headlight", "spot", "none")
+
+
 def scene(count=24):
     """Random points with vectors of different lengths and a scalar."""
     generator = numpy.random.default_rng(7)
@@ -48,13 +52,29 @@ def theirs(points, in_view, shape):
 def ours(points, in_view, shape):
     """The scene as ray-traced glyphs, arrows with the outline of ParaView's arrow source."""
     shown = session.glyphs(points, in_view, shape,
-                           GlyphOrient=1, GlyphOrientationArray=["POINTS", "vector"], GlyphOrientationMode="Direction",
-                           GlyphScaling=1, GlyphScaleArray=["POINTS", "vector"], GlyphScaleMode="Magnitude",
+                           GlyphOrient=1, GlyphOrientationArray="vector", GlyphOrientationMode="Direction",
+                           GlyphScaling=1, GlyphScaleArray="vector", GlyphScaleMode="Magnitude",
                            GlyphScaleFactor=0.3)
     if shape == "Arrow":
         shown.ArrowHeads = "Scaled"
         shown.ArrowTipRounding = 0.0
     return shown
+
+
+def illuminate(view, light):
+    """Exactly one kind of light; returns what to remove afterwards."""
+    view.UseLight = 1 if light == "lightkit" else 0
+    properties = {
+        "headlight": {"Coords": "Headlight", "Type": "Directional"},
+        "spot": {"Coords": "Scene", "Type": "Positional", "Position": [3.0, 3.0, 4.0], "FocalPoint": [0.0, 0.0, 0.0],
+                 "ConeAngle": 25.0, "DiffuseColor": [1.0, 0.9, 0.7]},
+    }.get(light)
+    if properties is None:
+        return None
+    lamp = pv.AddLight(view=view)
+    for name, value in properties.items():
+        setattr(lamp, name, value)
+    return lamp
 
 
 def main(shape):
@@ -71,16 +91,20 @@ def main(shape):
             shown.SpecularPower = 20.0
             if colouring == "solid":
                 session.solid(shown, (0.8, 0.5, 0.2))
+                # 3D Glyphs mix the specular colour into the solid one (vtkProperty::GetColor), surfaces do not.
+                shown.SpecularColor = [0.8, 0.5, 0.2]
             else:
                 pv.ColorBy(shown, ("POINTS", "scalar"))
                 shown.SetScalarBarVisibility(view, False)
             for projection, scale in (("perspective", None), ("parallel", 1.4)):
                 session.look(view, (2.0, 1.5, 5.0), parallel_scale=scale)
-                for light, kit in (("headlight", 0), ("lightkit", 1)):
-                    view.UseLight = kit
+                for light in LIGHTS:
+                    lamp = illuminate(view, light)
                     case = "%s-%s-%s-%s" % (shape, colouring, projection, light)
                     pv.Render(view)
                     pictures[who, case] = session.capture(view, case + "-" + who)
+                    if lamp:
+                        pv.RemoveLight(lamp)
             pv.Hide(points, view)
             pv.Delete(shown)
         for who, case in pictures:

@@ -12,14 +12,14 @@ import session
 
 
 def cross():
-    """Five spheres of different sizes and a scalar."""
-    points = numpy.array([[0, 0, 0], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0.0]])
+    """Five spheres of different sizes at different depths."""
+    points = numpy.array([[0, 0, 0], [1, 0, 1], [-1, 0, -1], [0, 1, 1], [0, -1, -1.0]])
     return session.source(session.poly_data(points, size=numpy.array([0.9, 0.6, 0.5, 0.4, 0.3])))
 
 
 def show(points, view):
     """The cross as spheres."""
-    shown = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray=["POINTS", "size"],
+    shown = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="size",
                            GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
     pv.ColorBy(shown, ("POINTS", "size"))
     shown.SetScalarBarVisibility(view, False)
@@ -100,7 +100,7 @@ def time_steps(folder):
     """Stepping through the simulation moves the glyphs, and going back gives the first picture again."""
     reader = pv.OpenDataFile(folder + "/impact/impact.vtk.series")
     view = session.view(300, 200)
-    session.glyphs(reader, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray=["POINTS", "diameter"],
+    session.glyphs(reader, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
                    GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
     session.look(view, (11.0, -32.0, 26.0), (14.0, 14.0, 4.0), (0.0, 0.0, 1.0))
     pictures = []
@@ -121,8 +121,8 @@ def ellipsoids(folder):
     """Components and quaternions: the molecules of the nematic."""
     reader = pv.OpenDataFile(folder + "/nematic/nematic.vtk.series")
     view = session.view(300, 300)
-    shown = session.glyphs(reader, view, "Sphere", GlyphOrient=1, GlyphOrientationArray=["POINTS", "quaternion"],
-                           GlyphOrientationMode="Quaternion", GlyphScaling=1, GlyphScaleArray=["POINTS", "shape"],
+    shown = session.glyphs(reader, view, "Sphere", GlyphOrient=1, GlyphOrientationArray="quaternion",
+                           GlyphOrientationMode="Quaternion", GlyphScaling=1, GlyphScaleArray="shape",
                            GlyphScaleMode="Components", GlyphScaleFactor=1.0)
     session.solid(shown, (0.9, 0.7, 0.3))
     view.ViewTime = reader.TimestepValues[-1]

@@ -1,0 +1,194 @@
+"""Time per frame of ray-traced glyphs beside ParaView's own ways of drawing the same 280,000 spheres.
+
+Usage: pvpython speed.py FOLDER [--count N] [--size PIXELS] [--frames N] [--only NAME,NAME]
+Environment: RTGLYPHS_PLUGIN is the plugin's library.
+
+Each competitor runs in a process of its own: it shows the scene of Data/spheres_280k.py (73% of the pixels covered) in a
+view of PIXELS x PIXELS, then turns the camera by one degree a frame and takes the time of each frame on the wall and on all
+cores. Written to FOLDER: speed.csv, speed.png, and one picture per competitor. The table gives medians; "first image" is
+from new data to finished picture.
+"""
+import argparse
+import csv
+import json
+import os
+import resource
+import statistics
+import subprocess
+import sys
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "..", "Data"))
+sys.dont_write_bytecode = True
+import spheres_280k  # noqa: E402
+
+OURS = "ray-traced glyphs"
+#: competitor -> (theta and phi resolution of its sphere, or None; the least ratio of times that is asked of us, or None)
+COMPETITORS = {
+    OURS: (None, None),
+    "3D Glyphs 6x6": (6, 2.0),
+    "3D Glyphs 12x12": (12, 8.0),
+    "3D Glyphs 24x24": (24, 40.0),
+    "Point Gaussian": (None, None),
+}
+STAGES = ("sortSeconds", "buildSeconds", "uploadSeconds", "traceSeconds", "readSeconds")
+
+
+def show(pv, points, view, name, count):
+    """The spheres drawn by one competitor, white."""
+    shown = pv.Show(points, view)
+    radius = spheres_280k.radius(count)
+    if name == OURS:
+        shown.SetRepresentationType("Ray Traced Glyphs")
+        shown.GlyphShape = "Sphere"
+        shown.GlyphOrient = shown.GlyphScaling = 0
+        shown.GlyphScaleFactor = 2.0 * radius
+        shown.SamplesPerPixel = 1
+    elif name == "Point Gaussian":
+        shown.SetRepresentationType("Point Gaussian")
+        shown.ShaderPreset = "Sphere"
+        shown.GaussianRadius = radius
+    else:
+        shown.SetRepresentationType("3D Glyphs")
+        shown.GlyphType = "Sphere"
+        shown.GlyphType.ThetaResolution = shown.GlyphType.PhiResolution = COMPETITORS[name][0]
+        shown.Orient = 0
+        # With Scaling off, 3D Glyphs ignore the scale factor too.
+        shown.Scaling = 1
+        shown.ScaleMode = "No Data Scaling Off"
+        shown.ScaleFactor = 2.0 * radius
+    return shown
+
+
+def cpu_seconds():
+    """User and system time of this process on all cores."""
+    usage = resource.getrusage(resource.RUSAGE_SELF)
+    return usage.ru_utime + usage.ru_stime
+
+
+def resident_megabytes():
+    """Peak resident memory of this process."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+
+
+def measure(name, scene, count, size, frames, folder):
+    """Runs one competitor in this process and returns its figures."""
+    import paraview.simple as pv
+
+    pv._DisableFirstRenderCameraReset()
+    if name == OURS:
+        pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
+    points = pv.OpenDataFile(scene)
+    points.UpdatePipeline()
+    view = pv.CreateView("RenderView")
+    view.ViewSize = [size, size]
+    view.OrientationAxesVisibility = 0
+    view.UseFXAA = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [0.0, 0.0, 0.0]
+    for key, value in spheres_280k.CAMERA.items():
+        setattr(view, key, value)
+    pv.Render(view)
+    before_megabytes = resident_megabytes()
+
+    start = time.monotonic()
+    shown = show(pv, points, view, name, count)
+    pv.Render(view)
+    figures = {"name": name, "first": time.monotonic() - start}
+    if name == OURS:
+        shown.UpdatePropertyInformation()
+        counters = json.loads(shown.GetProperty("RenderStatistics").GetElement(0))
+        figures.update({stage: counters.get(stage, "") for stage in STAGES})
+
+    camera = pv.GetActiveCamera()
+    wall, cpu = [], []
+    for _ in range(frames):
+        camera.Azimuth(1.0)
+        start, start_cpu = time.monotonic(), cpu_seconds()
+        pv.Render(view)
+        wall.append(time.monotonic() - start)
+        cpu.append(cpu_seconds() - start_cpu)
+    figures.update(wall=statistics.median(wall), cpu=statistics.median(cpu), megabytes=resident_megabytes(),
+                   scene_megabytes=resident_megabytes() - before_megabytes)
+    pv.SaveScreenshot(os.path.join(folder, name.replace(" ", "-") + ".png"), view)
+    pv.Disconnect()
+    return figures
+
+
+def run_all(options):
+    """Each competitor in its own pvpython."""
+    scene = os.path.join(options.folder, "spheres.vtk")
+    spheres_280k.write(scene, options.count)
+    rows = []
+    for name in options.only.split(",") if options.only else COMPETITORS:
+        # The slowest competitor needs half a minute a frame; its median settles with few.
+        frames = max(3, options.frames // 4) if name.startswith("3D Glyphs 24") else options.frames
+        command = [sys.executable if "pvpython" in sys.executable else "pvpython", os.path.abspath(__file__), options.folder,
+                   "--count", str(options.count), "--size", str(options.size), "--frames", str(frames), "--measure", name]
+        print("measuring %s ..." % name, flush=True)
+        run = subprocess.run(command, stdout=subprocess.PIPE, text=True)
+        line = next((line for line in run.stdout.splitlines() if line.startswith("{")), None)
+        if line is None:
+            sys.exit("speed.py: %s gave no figures:\n%s" % (name, run.stdout))
+        rows.append(json.loads(line))
+    os.remove(scene)
+    return rows
+
+
+def report(rows, options):
+    """Prints the table, writes the CSV and the plot."""
+    ours = next((row for row in rows if row["name"] == OURS), None)
+    print("\n%d spheres, %d x %d pixels, camera moving, medians" % (options.count, options.size, options.size))
+    print("%-20s %9s %9s %7s %6s %12s %8s" % ("", "wall s", "CPU s", "ratio", "asked", "first image", "peak MB"))
+    for row in rows:
+        row["ratio"] = row["wall"] / ours["wall"] if ours else ""
+        asked = COMPETITORS[row["name"]][1]
+        print("%-20s %9.3f %9.3f %7s %6s %12.3f %8.0f" % (
+            row["name"], row["wall"], row["cpu"], "%.1f" % row["ratio"] if ours else "", asked or "", row["first"], row["megabytes"]))
+    if ours:
+        print("first image of ours: " + ", ".join("%s %.3f" % (stage, ours[stage]) for stage in STAGES if ours.get(stage, "") != ""))
+    with open(os.path.join(options.folder, "speed.csv"), "w", newline="") as table:
+        fields = ["name", "wall", "cpu", "ratio", "first", "megabytes", "scene_megabytes", *STAGES]
+        writer = csv.DictWriter(table, fields)
+        writer.writeheader()
+        writer.writerows(rows)
+    try:
+        import matplotlib
+    except ImportError:
+        print("speed.py: no matplotlib, so no plot")
+        return
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(7, 0.5 * len(rows) + 1.2))
+    names = [row["name"] for row in rows][::-1]
+    bars = axes.barh(names, [row["wall"] for row in rows][::-1], color=["#888888" if name != OURS else "#c44e52" for name in names])
+    axes.bar_label(bars, fmt=" %.2f s")
+    axes.set_xscale("log")
+    axes.set_xlabel("seconds per frame, wall (%d spheres, %d x %d)" % (options.count, options.size, options.size))
+    axes.margins(x=0.15)
+    figure.tight_layout()
+    figure.savefig(os.path.join(options.folder, "speed.png"), dpi=110)
+
+
+def main():
+    """Either one competitor (--measure, for the child processes) or all."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder")
+    parser.add_argument("--count", type=int, default=spheres_280k.COUNT)
+    parser.add_argument("--size", type=int, default=1200)
+    parser.add_argument("--frames", type=int, default=12)
+    parser.add_argument("--only")
+    parser.add_argument("--measure", help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    os.makedirs(options.folder, exist_ok=True)
+    if options.measure:
+        scene = os.path.join(options.folder, "spheres.vtk")
+        print(json.dumps(measure(options.measure, scene, options.count, options.size, options.frames, options.folder)), flush=True)
+        return
+    report(run_all(options), options)
+
+
+if __name__ == "__main__":
+    main()
