@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <tuple>
 
 vtkStandardNewMacro(vtkRayTracedGlyphMapper);
@@ -31,6 +32,50 @@ namespace
 vtkMTimeType TimeOf(vtkObject* object)
 {
   return object ? object->GetMTime() : 0;
+}
+
+// A number that no mapper of this process has had as a version.
+std::uint64_t NewVersion()
+{
+  static std::uint64_t last = 0;
+  return ++last;
+}
+
+template <typename Value>
+void Mix(std::array<std::uint64_t, 2>& sum, const Value* values, std::size_t count)
+{
+  const auto* words = reinterpret_cast<const unsigned char*>(values);
+  std::size_t bytes = count * sizeof(Value);
+  sum[0] ^= bytes;
+  while (bytes > 0)
+  {
+    std::uint64_t word = 0;
+    const std::size_t part = std::min(bytes, sizeof(word));
+    std::memcpy(&word, words, part);
+    words += part;
+    bytes -= part;
+    sum[0] = (sum[0] ^ word) * 0x9e3779b97f4a7c15ull;
+    sum[0] ^= sum[0] >> 32;
+    sum[1] = (sum[1] + word) * 0xd1342543de82ef95ull + 1;
+    sum[1] ^= sum[1] >> 29;
+  }
+}
+
+// Of everything in the instances: data that are read or computed again and come out the same are not sent again.
+std::array<std::uint64_t, 2> DigestOf(const rtg::GlyphInstances& instances)
+{
+  std::array<std::uint64_t, 2> sum{ { 1, 2 } };
+  const rtg::ArrowForm& arrow = instances.arrow;
+  const float numbers[] = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding,
+    arrow.fixedHeads ? 1.0f : 0.0f, arrow.unitLength, instances.uniformSize,
+    static_cast<float>(instances.shape) };
+  Mix(sum, numbers, sizeof(numbers) / sizeof(numbers[0]));
+  Mix(sum, &instances.origin, 1);
+  Mix(sum, instances.centres.data(), instances.centres.size());
+  Mix(sum, instances.sizes3.data(), instances.sizes3.size());
+  Mix(sum, instances.sizes1.data(), instances.sizes1.size());
+  Mix(sum, instances.rotations.data(), instances.rotations.size());
+  return sum;
 }
 
 bool SameSettings(
@@ -71,7 +116,7 @@ struct vtkRayTracedGlyphMapper::ColorKey
   std::string Array;
   int ScalarMode = 0, ColorMode = 0;
   std::array<vtkMTimeType, 2> Times{};
-  std::uint64_t Instances = 0;
+  std::uint64_t Points = 0; // grows with each choice of points
   vtkGlyphBlockAttributes::Table Blocks;
   std::array<double, 3> SolidColor{}; // where blocks without a colour of their own need it
 
@@ -79,8 +124,8 @@ struct vtkRayTracedGlyphMapper::ColorKey
   {
     return this->Visible == other.Visible && this->Array == other.Array &&
       this->ScalarMode == other.ScalarMode && this->ColorMode == other.ColorMode &&
-      this->Times == other.Times && this->Instances == other.Instances &&
-      this->Blocks == other.Blocks && this->SolidColor == other.SolidColor;
+      this->Times == other.Times && this->Points == other.Points && this->Blocks == other.Blocks &&
+      this->SolidColor == other.SolidColor;
   }
 };
 
@@ -174,7 +219,7 @@ vtkRayTracedGlyphMapper::ColorKey
 vtkRayTracedGlyphMapper::MakeColorKey(vtkPolyData* points, vtkActor* actor)
 {
   ColorKey key;
-  key.Instances = this->InstanceVersion;
+  key.Points = this->PointsVersion;
   key.Blocks = this->BlockTable;
   key.Visible = this->ScalarVisibility != 0;
   if (!key.Blocks.empty())
@@ -207,7 +252,7 @@ void vtkRayTracedGlyphMapper::Update(vtkActor* actor)
       this->Skipped = 0;
       this->InstancesTaken = false;
       this->Built.reset();
-      ++this->InstanceVersion;
+      this->InstanceVersion = 0;
     }
     return;
   }
@@ -238,8 +283,14 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   this->Instances = std::move(result.Instances);
   this->InstancesTaken = false;
   this->Points = std::move(result.Points);
+  ++this->PointsVersion;
   this->Skipped = result.Skipped;
-  ++this->InstanceVersion;
+  const std::array<std::uint64_t, 2> digest = DigestOf(this->Instances);
+  if (this->InstanceVersion == 0 || this->Digest != digest)
+  {
+    this->Digest = digest;
+    this->InstanceVersion = NewVersion();
+  }
   this->Report(result.Messages, this->ReportedInstances);
 }
 
@@ -250,9 +301,7 @@ rtg::GlyphInstances vtkRayTracedGlyphMapper::TakeInstances(vtkActor* actor)
   {
     if (vtkPolyData* points = this->GetPoints())
     {
-      const std::uint64_t version = this->InstanceVersion;
       this->BuildInstances(points, actor);
-      this->InstanceVersion = version;
     }
   }
   this->InstancesTaken = true;
@@ -281,11 +330,11 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
     std::any_of(this->BlockTable.begin(), this->BlockTable.end(),
       [](const auto& item) { return item.second.HasColor || item.second.Opacity < 1.0; });
 
-  this->Colors8.clear();
+  rtg::GlyphColours colors;
   this->Translucent = false;
   if (mapped || blockColors)
   {
-    this->Colors8.resize(this->Points.size());
+    colors.resize(this->Points.size());
     const int components = mapped ? mapped->GetNumberOfComponents() : 0;
     for (std::size_t glyph = 0; glyph < this->Points.size(); ++glyph)
     {
@@ -316,10 +365,14 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
           << (8 * c);
       }
       this->Translucent |= (packed >> 24) != 255u;
-      this->Colors8[glyph] = packed;
+      colors[glyph] = packed;
     }
   }
-  ++this->ColorVersion;
+  if (this->ColorVersion == 0 || this->Colors8 != colors)
+  {
+    this->Colors8 = std::move(colors);
+    this->ColorVersion = NewVersion();
+  }
   this->Report(messages, this->ReportedColors);
 }
 

@@ -157,7 +157,8 @@ private:
   bool Translucent = false;
   std::array<double, 3> SolidColor{ { 1.0, 1.0,
     1.0 } }; // of blocks without their own, where some have one
-  std::uint64_t InstanceVersion = 0, ColorVersion = 0;
+  std::uint64_t InstanceVersion = 0, ColorVersion = 0, PointsVersion = 0;
+  std::array<std::uint64_t, 2> Digest{}; // of the instances of InstanceVersion
   std::vector<std::string> ReportedInstances, ReportedColors;
 
   std::vector<vtkSmartPointer<vtkRayTracedGlyphScene>> Scenes;

@@ -41,6 +41,10 @@ vtkRayTracedGlyphMapper* GlyphMapperOf(vtkProp* prop)
   return actor ? vtkRayTracedGlyphMapper::SafeDownCast(actor->GetMapper()) : nullptr;
 }
 
+// What can be seen: for each set its versions of instances, colours and material, of which no two in the process are
+// alike. Two frames with the same list look the same.
+using Content = std::vector<std::array<std::uint64_t, 3>>;
+
 // What an image was traced from.
 struct ImageKey
 {
@@ -48,7 +52,7 @@ struct ImageKey
   glm::dvec3 Position{ 0.0 };
   std::vector<rtg::Light> Lights;
   std::uint32_t Width = 0, Height = 0;
-  std::uint64_t Content = 0;
+  ::Content Content;
 
   bool operator==(const ImageKey& other) const
   {
@@ -86,21 +90,25 @@ struct vtkRayTracedGlyphScene::Internals
     rtg::Scene::SetId Set = 0;
     std::uint64_t Instances = 0, Colors = 0;
     rtg::Material Material;
-    bool MaterialSent = false;
-    bool Visible = true;
+    std::uint64_t MaterialVersion = 0; // 0: not yet sent
+    bool Visible = true;               // as the kernels have it
+    bool Shown = false;                // in this frame
+    bool Translucent = false;          // then in the translucent pass
   };
 
   std::shared_ptr<rtg::Device> Device;
   std::unique_ptr<rtg::Scene> Scene;
   std::map<vtkRayTracedGlyphMapper*, Member> Members;
-  std::uint64_t Content = 1; // grows with every change of what is traced
+  std::uint64_t MaterialVersion = 0; // grows with every change of a material
   std::array<PassImage, passes> Images;
   vtkRayTracedImageQuad IdQuad;
 
   // This frame
+  ::Content Content;
   bool Synchronised = false;
   bool OpaqueDrawn = false;
   vtkRayTracedGlyphMapper* TranslucentLeader = nullptr;
+  std::uint32_t Samples = 0; // of the last image
   std::uint32_t SamplesPerPixel = 1, SamplesPerRender = 0, InteractiveReduction = 1;
 
   // After a failure nothing is tried until what is to be shown changes
@@ -118,7 +126,6 @@ struct vtkRayTracedGlyphScene::Internals
     this->Scene.reset();
     this->Device.reset();
     this->Members.clear();
-    ++this->Content;
   }
 
   rtg::Statistics Sum() const
@@ -314,57 +321,18 @@ void vtkRayTracedGlyphScene::Synchronise()
     {
       self.Scene = std::make_unique<rtg::Scene>(self.Device);
     }
+    for (auto& item : self.Members)
+    {
+      item.second.Shown = false;
+    }
+    self.Content.clear();
     for (const auto& item : actors)
     {
-      vtkRayTracedGlyphMapper* mapper = item.second;
-      const bool visible = item.first->GetVisibility() && mapper->GetNumberOfGlyphs() > 0;
-      auto found = self.Members.find(mapper);
-      if (found == self.Members.end())
+      if (item.first->GetVisibility() && item.second->GetNumberOfGlyphs() > 0)
       {
-        if (!visible)
-        {
-          continue;
-        }
-        mapper->Join(this->Renderer);
-        Internals::Member member;
-        member.Set = self.Scene->Add();
-        found = self.Members.emplace(mapper, member).first;
-        ++self.Content;
-      }
-      Internals::Member& member = found->second;
-      if (member.Visible != visible)
-      {
-        self.Scene->SetVisible(member.Set, visible);
-        member.Visible = visible;
-        ++self.Content;
-      }
-      if (!visible)
-      {
-        continue;
-      }
-      if (member.Instances != mapper->GetInstanceVersion())
-      {
-        self.Scene->SetInstances(member.Set, mapper->TakeInstances(item.first));
-        member.Instances = mapper->GetInstanceVersion();
-        ++self.Content;
-      }
-      if (member.Colors != mapper->GetColorVersion())
-      {
-        self.Scene->SetColours(member.Set, mapper->GetColors());
-        member.Colors = mapper->GetColorVersion();
-        ++self.Content;
-      }
-      const rtg::Material material =
-        vtkRayTracedGlyphView::MaterialOf(item.first->GetProperty(), this->Renderer);
-      if (!member.MaterialSent || !vtkRayTracedGlyphView::Same(member.Material, material))
-      {
-        self.Scene->SetMaterial(member.Set, material);
-        member.Material = material;
-        member.MaterialSent = true;
-        ++self.Content;
+        this->Show(item.first, item.second);
       }
     }
-    self.Scene->Commit();
     self.Failure.clear();
   }
   catch (const std::exception& error)
@@ -374,13 +342,52 @@ void vtkRayTracedGlyphScene::Synchronise()
 }
 
 //----------------------------------------------------------------------------
+// Takes note of what a visible actor has to show.
+void vtkRayTracedGlyphScene::Show(vtkActor* actor, vtkRayTracedGlyphMapper* mapper)
+{
+  Internals& self = *this->Self;
+  auto found = self.Members.find(mapper);
+  if (found == self.Members.end())
+  {
+    mapper->Join(this->Renderer);
+    Internals::Member member;
+    member.Set = self.Scene->Add();
+    found = self.Members.emplace(mapper, member).first;
+  }
+  Internals::Member& member = found->second;
+  if (member.Instances != mapper->GetInstanceVersion())
+  {
+    self.Scene->SetInstances(member.Set, mapper->TakeInstances(actor));
+    member.Instances = mapper->GetInstanceVersion();
+    member.Colors = 0; // the kernels forget a set's colours with its glyphs
+  }
+  if (member.Colors != mapper->GetColorVersion())
+  {
+    self.Scene->SetColours(member.Set, mapper->GetColors());
+    member.Colors = mapper->GetColorVersion();
+  }
+  const rtg::Material material =
+    vtkRayTracedGlyphView::MaterialOf(actor->GetProperty(), this->Renderer);
+  if (member.MaterialVersion == 0 || !vtkRayTracedGlyphView::Same(member.Material, material))
+  {
+    self.Scene->SetMaterial(member.Set, material);
+    member.Material = material;
+    member.MaterialVersion = ++self.MaterialVersion;
+  }
+  member.Shown = true;
+  member.Translucent = material.opacity < 1.0f || mapper->HasTranslucentPolygonalGeometry();
+  self.Content.push_back({ { member.Instances, member.Colors, member.MaterialVersion } });
+}
+
+//----------------------------------------------------------------------------
 // Makes the image of a pass the one of this frame; false: there is nothing to draw.
 bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
 {
   Internals& self = *this->Self;
   const bool translucent = pass == static_cast<int>(rtg::Pass::Translucent);
-  if (!self.Scene || !self.Failure.empty() ||
-    !(translucent ? self.Scene->HasTranslucent() : self.Scene->HasOpaque()))
+  const bool wanted = std::any_of(self.Members.begin(), self.Members.end(),
+    [translucent](const auto& m) { return m.second.Shown && m.second.Translucent == translucent; });
+  if (!self.Scene || !self.Failure.empty() || !wanted)
   {
     return false;
   }
@@ -448,6 +455,7 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
                                             : image.Image.samples == settings.samples;
     if (same && good && image.PixelStep <= settings.pixelStep)
     {
+      self.Samples = image.Image.samples;
       return true;
     }
 
@@ -456,11 +464,22 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
       image.Tracer = std::make_unique<rtg::Tracer>(self.Device);
     }
     image.Valid = image.Sent = false;
+    // Only now: what is hidden and shown again before the next image costs nothing.
+    for (auto& item : self.Members)
+    {
+      if (item.second.Visible != item.second.Shown)
+      {
+        self.Scene->SetVisible(item.second.Set, item.second.Shown);
+        item.second.Visible = item.second.Shown;
+      }
+    }
+    self.Scene->Commit();
     image.Image =
       image.Tracer->Trace(*self.Scene, camera, key.Lights, settings, static_cast<rtg::Pass>(pass));
     image.Key = std::move(key);
     image.PixelStep = settings.pixelStep;
     image.Valid = true;
+    self.Samples = image.Image.samples;
     return true;
   }
   catch (const std::exception& error)
@@ -634,7 +653,6 @@ void vtkRayTracedGlyphScene::Remove(vtkRayTracedGlyphMapper* mapper)
     }
   }
   self.Members.erase(mapper);
-  ++self.Content;
 }
 
 //----------------------------------------------------------------------------
@@ -658,12 +676,7 @@ std::string vtkRayTracedGlyphScene::GetDeviceName()
 //----------------------------------------------------------------------------
 int vtkRayTracedGlyphScene::GetAccumulatedSamples()
 {
-  std::uint32_t samples = 0;
-  for (const PassImage& image : this->Self->Images)
-  {
-    samples = std::max(samples, image.Valid ? image.Image.samples : 0);
-  }
-  return static_cast<int>(samples);
+  return static_cast<int>(this->Self->Samples);
 }
 
 //----------------------------------------------------------------------------

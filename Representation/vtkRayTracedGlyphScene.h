@@ -77,6 +77,7 @@ private:
   void StartFrame();
   void DrawLast();
   void Synchronise();
+  void Show(vtkActor* actor, vtkRayTracedGlyphMapper* mapper);
   bool UpdateImage(int pass, bool forIds);
   void DrawIds(vtkActor* actor, vtkRayTracedGlyphMapper* mapper, vtkHardwareSelector* selector);
   void Fail(const std::string& message);
