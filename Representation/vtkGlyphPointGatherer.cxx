@@ -371,10 +371,12 @@ void AddHierarchy(vtkCompositeDataSet* composite, vtkPolyData* out)
 {
   vtkNew<vtkDataAssembly> hierarchy;
   vtkNew<vtkPartitionedDataSetCollection> collection;
-  if (!vtkDataAssemblyUtilities::GenerateHierarchy(composite, hierarchy, collection))
+  if (!vtkDataAssemblyUtilities::GenerateHierarchy(composite, hierarchy, collection) ||
+    !collection->GetDataAssembly())
   {
     return;
   }
+  // Of the two copies of the hierarchy only the collection's speaks of data sets by their index in it.
   std::map<vtkDataObject*, unsigned int> dataSetIndex;
   for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
   {
@@ -399,7 +401,7 @@ void AddHierarchy(vtkCompositeDataSet* composite, vtkPolyData* out)
   }
   vtkNew<vtkStringArray> xml;
   xml->SetName(vtkGlyphPointGatherer::HierarchyName());
-  xml->InsertNextValue(hierarchy->SerializeToXML(vtkIndent()));
+  xml->InsertNextValue(collection->GetDataAssembly()->SerializeToXML(vtkIndent()));
   out->GetFieldData()->AddArray(xml);
   out->GetFieldData()->AddArray(leaves);
 }
