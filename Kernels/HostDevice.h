@@ -22,7 +22,6 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Flo
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer UintArray { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer UintImage { uint at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer FloatImage { float at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Vec3Image { vec3 at[]; };
 #define RTG_ADDRESS(type) type
 #endif
 
@@ -33,6 +32,7 @@ struct GlyphSetRecord
   RTG_ADDRESS(FloatArray) sizes;     // one or three floats a glyph, or none (specialised)
   RTG_ADDRESS(Vec4Array) rotations;  // none unless specialised
   RTG_ADDRESS(UintArray) colours;    // none unless specialised
+  RTG_ADDRESS(UintArray) tree;       // GlyphTreeNode, when the set is traced by its tree
   vec3 offset;                       // of the set's origin from the scene's: high part, as in the transform
   vec3 offsetLow;                    // what the high part's rounding left
   vec4 arrow;                        // shaft radius, tip radius, tip length, tip rounding
@@ -40,6 +40,9 @@ struct GlyphSetRecord
   float uniformSize;
   uint setId;
   uint firstGlyph;                   // index of this structure's first glyph in the set's sorted order
+  uint glyphCount;
+  uint treeLevels;                   // as GlyphTree has them
+  uint treeLeafBits;
   // Material
   vec3 colour;
   float opacity;
@@ -49,6 +52,13 @@ struct GlyphSetRecord
   float diffuse;
   float specularPower;
   uint lighting;
+};
+
+// What intersection programs must know of the ray in flight but cannot read from its payload.
+struct RayRecord
+{
+  vec3 originLow;                    // the low part of its origin
+  uint glyph;                        // the nearest glyph so far, when it belongs to a set with a tree
 };
 
 struct LightRecord
@@ -78,6 +88,7 @@ struct ProbeResult
 };
 
 #ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer RayRecords { RayRecord at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer GlyphSetRecords { GlyphSetRecord at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer LightRecords { LightRecord at[]; };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer ProbeRecords { ProbeRecord at[]; };
@@ -93,7 +104,7 @@ struct FrameRecord
   RTG_ADDRESS(FloatImage) depth;
   RTG_ADDRESS(UintImage) setIds;
   RTG_ADDRESS(UintImage) glyphIds;
-  RTG_ADDRESS(Vec3Image) originLow;   // by launch index: the low part of the ray in flight's origin
+  RTG_ADDRESS(RayRecords) rays;       // by launch index
   RTG_ADDRESS(ProbeRecords) probes;
   RTG_ADDRESS(ProbeResults) probeResults;
   // Camera.h, relative to the scene's origin; eye + eyeLow is exact to double-float precision.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace rtg
 {
@@ -74,33 +75,53 @@ float RoundUp(double value)
 }
 
 // Boxes of the glyphs, without padding.
-std::vector<vk::AabbPositionsKHR> TightBoxes(const GlyphInstances& instances)
+std::vector<Box> TightBoxes(const GlyphInstances& instances)
 {
-  std::vector<vk::AabbPositionsKHR> boxes(instances.Count());
+  std::vector<Box> boxes(instances.Count());
   for (std::size_t i = 0; i < boxes.size(); ++i)
   {
     glm::dvec3 lower, upper;
     HostShapes::Bounds(instances.shape, DoubleGlyph(instances, i), lower, upper);
-    boxes[i] = vk::AabbPositionsKHR(RoundDown(lower.x), RoundDown(lower.y), RoundDown(lower.z), RoundUp(upper.x),
-      RoundUp(upper.y), RoundUp(upper.z));
+    boxes[i] = { { RoundDown(lower.x), RoundDown(lower.y), RoundDown(lower.z) },
+      { RoundUp(upper.x), RoundUp(upper.y), RoundUp(upper.z) } };
   }
   return boxes;
 }
 
 // A slab test in float errs by a few ulps of the distances it subtracts: at most 16 half-ulps of `reach`, which
 // bounds box coordinates and ray origins. Padding by that keeps every box conservative.
-void Pad(std::vector<vk::AabbPositionsKHR>& boxes, float reach)
+void Pad(std::vector<Box>& boxes, float reach)
 {
   const float pad = std::ldexp(reach, -20);
-  for (auto& box : boxes)
+  for (Box& box : boxes)
   {
-    box.minX -= pad;
-    box.minY -= pad;
-    box.minZ -= pad;
-    box.maxX += pad;
-    box.maxY += pad;
-    box.maxZ += pad;
+    box.lower -= pad;
+    box.upper += pad;
   }
+}
+
+vk::AabbPositionsKHR ToVulkan(const Box& box)
+{
+  return vk::AabbPositionsKHR(box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z);
+}
+
+// Two to four glyphs a leaf measured best on lavapipe (Testing/Benchmarks).
+constexpr std::size_t glyphsPerLeaf = 4;
+
+// A device whose traversal runs on the CPU does better with our own; RTGLYPHS_STRUCTURE (boxes or tree)
+// overrides, for measurements.
+Structure ChooseStructure(const Device& device, bool canTree)
+{
+  const char* wanted = std::getenv("RTGLYPHS_STRUCTURE");
+  if (wanted && std::string(wanted) == "boxes")
+  {
+    return Structure::Boxes;
+  }
+  if (wanted && std::string(wanted) != "tree" && *wanted)
+  {
+    throw Error("Ray Traced Glyphs: RTGLYPHS_STRUCTURE is '" + std::string(wanted) + "'; it can be 'boxes' or 'tree'.");
+  }
+  return canTree && (device.IsCpu() || (wanted && *wanted)) ? Structure::Tree : Structure::Boxes;
 }
 
 } // namespace
@@ -119,6 +140,7 @@ float Bounds::Reach() const
 
 Scene::State::State(std::shared_ptr<Device> d)
   : device(std::move(d))
+  , structure(ChooseStructure(*device, device->GetState().int64))
 {
 }
 
@@ -228,7 +250,7 @@ void Scene::Commit()
           const auto boxes = TightBoxes(set.instances);
           for (const auto& box : boxes)
           {
-            set.bounds.Include({ box.minX, box.minY, box.minZ }, { box.maxX, box.maxY, box.maxZ });
+            set.bounds.Include(box.lower, box.upper);
           }
         }
       }
@@ -290,6 +312,7 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
   set.centres = Buffer();
   set.sizes = Buffer();
   set.rotations = Buffer();
+  set.tree = Buffer();
   if (set.count == 0)
   {
     set.instancesChanged = false;
@@ -299,16 +322,7 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
   Stopwatch watch;
   if (set.instancesChanged)
   {
-    // lavapipe builds in input order; a GPU's driver sorts for itself.
-    set.order.clear();
-    if (this->device->IsCpu())
-    {
-      set.order = SpatialOrder(instances.centres);
-      Reorder(instances.centres, set.order);
-      Reorder(instances.sizes3, set.order);
-      Reorder(instances.sizes1, set.order);
-      Reorder(instances.rotations, set.order);
-    }
+    this->Sort(set);
     this->statistics.sortSeconds += watch.Lap();
   }
 
@@ -324,21 +338,76 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
 
   // Some head-room, so that a scene that grows little by little is not rebuilt at every step.
   set.builtReach = 4.0f * reach;
-  std::vector<vk::AabbPositionsKHR> boxes = TightBoxes(instances);
+  std::vector<Box> boxes = TightBoxes(instances);
   Pad(boxes, set.builtReach);
+  set.group.hasTree = this->structure == Structure::Tree;
+  if (set.group.hasTree)
+  {
+    this->BuildTree(set, boxes);
+  }
+  else
+  {
+    this->BuildBoxes(set, boxes);
+  }
+  set.instancesChanged = false;
+  this->statistics.buildSeconds += watch.Lap();
+}
+
+void Scene::State::Sort(GlyphSet& set)
+{
+  GlyphInstances& instances = set.instances;
+  set.order.clear();
+  set.kdAxes.clear();
+  if (this->structure == Structure::Tree)
+  {
+    set.treeLeafBits = GlyphTree::LeafBits(set.count, glyphsPerLeaf);
+    KdOrder kd = MakeKdOrder(instances.centres, set.treeLeafBits);
+    set.order = std::move(kd.order);
+    set.kdAxes = std::move(kd.axes);
+  }
+  else if (this->device->IsCpu())
+  {
+    // lavapipe builds in input order; a GPU's driver sorts for itself.
+    set.order = SpatialOrder(instances.centres);
+  }
+  if (!set.order.empty())
+  {
+    Reorder(instances.centres, set.order);
+    Reorder(instances.sizes3, set.order);
+    Reorder(instances.sizes1, set.order);
+    Reorder(instances.rotations, set.order);
+  }
+}
+
+// One primitive a glyph.
+void Scene::State::BuildBoxes(GlyphSet& set, const std::vector<Box>& boxes)
+{
   for (std::size_t at = 0; at < set.count; at += this->glyphsPerRun)
   {
     GlyphRun run;
     run.first = static_cast<std::uint32_t>(at);
     run.count = static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, set.count - at));
-    const bool whole = run.count == set.count;
-    run.structure = AccelerationStructure::OverBoxes(vulkan,
-      whole ? boxes : std::vector<vk::AabbPositionsKHR>(boxes.begin() + at, boxes.begin() + at + run.count));
+    std::vector<vk::AabbPositionsKHR> positions(run.count);
+    std::transform(boxes.begin() + at, boxes.begin() + at + run.count, positions.begin(), ToVulkan);
+    run.structure = AccelerationStructure::OverBoxes(this->device->GetState(), positions);
     set.runs.push_back(std::move(run));
     ++this->statistics.structureBuilds;
   }
-  set.instancesChanged = false;
-  this->statistics.buildSeconds += watch.Lap();
+}
+
+// One primitive for all, with the tree behind it.
+void Scene::State::BuildTree(GlyphSet& set, const std::vector<Box>& boxes)
+{
+  const GlyphTree tree = BuildGlyphTree(boxes, set.treeLeafBits, set.kdAxes);
+  set.tree = Send(this->device->GetState(), tree.nodes);
+  set.treeLevels = tree.levels;
+  const float pad = std::ldexp(set.builtReach, -20);
+  GlyphRun run;
+  run.count = static_cast<std::uint32_t>(set.count);
+  run.structure = AccelerationStructure::OverBoxes(this->device->GetState(),
+    { ToVulkan({ set.bounds.lower - pad, set.bounds.upper + pad }) });
+  set.runs.push_back(std::move(run));
+  ++this->statistics.structureBuilds;
 }
 
 void Scene::State::SendColours(GlyphSet& set)
@@ -431,6 +500,10 @@ void Scene::State::FillRecords()
       record.arrow = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding };
       record.unitLength = arrow.unitLength;
       record.uniformSize = set.instances.uniformSize;
+      record.tree = set.tree.Size() ? set.tree.Address() : 0;
+      record.treeLevels = set.treeLevels;
+      record.treeLeafBits = set.treeLeafBits;
+      record.glyphCount = run.count;
       record.setId = id;
       record.firstGlyph = run.first;
       const Material& material = set.material;

@@ -1,6 +1,7 @@
 // The device side of a Scene, for Kernels only.
 #pragma once
 
+#include "GlyphTree.h"
 #include "HostDevice.h"
 #include "Scene.h"
 #include "Vulkan/AccelerationStructure.h"
@@ -31,6 +32,13 @@ struct GlyphRun
   AccelerationStructure structure;
 };
 
+/// What traversal finds a set's glyphs by.
+enum class Structure
+{
+  Boxes, ///< the driver's: one primitive a glyph; on GPUs
+  Tree   ///< our GlyphTree, of which the driver sees only the whole as one primitive; on CPU devices
+};
+
 /// One glyph set: what was asked for, and what of it is on the device.
 struct GlyphSet
 {
@@ -49,7 +57,10 @@ struct GlyphSet
   bool placedTranslucent = false; ///< likewise
   Bounds bounds;            ///< relative to instances.origin
   float builtReach = 0.0f;  ///< distance of ray origins that the boxes' padding allows for
-  Buffer centres, sizes, rotations, colourBuffer;
+  Buffer centres, sizes, rotations, colourBuffer, tree;
+  std::uint32_t treeLevels = 0;
+  std::uint32_t treeLeafBits = 0;
+  std::vector<std::uint8_t> kdAxes; ///< see KdOrder
   std::vector<GlyphRun> runs;
 
   bool Translucent() const { return this->material.opacity < 1.0f || this->translucentColours; }
@@ -64,6 +75,7 @@ struct Scene::State
   SetId nextId = 0;
   /// What one bottom-level structure may hold at most; every device allows 2^24 - 1. Tests lower it.
   std::uint32_t glyphsPerRun = (1u << 24) - 1;
+  Structure structure;
   Statistics statistics;
 
   // Built by Commit().
@@ -78,6 +90,9 @@ struct Scene::State
   std::uint64_t version = 0;           ///< grows with every change that changes the image
 
   void SendInstances(GlyphSet& set, float reach);
+  void Sort(GlyphSet& set);
+  void BuildBoxes(GlyphSet& set, const std::vector<Box>& boxes);
+  void BuildTree(GlyphSet& set, const std::vector<Box>& boxes);
   void SendColours(GlyphSet& set);
   void BuildTopLevel();
   void FillRecords();

@@ -116,7 +116,7 @@ struct Tracer::State
   std::shared_ptr<Device> device;
   Statistics statistics;
   std::vector<std::unique_ptr<Pipeline>> pipelines; ///< the last few used, newest last
-  Buffer frameBuffer, lightBuffer, colour, depth, setIds, glyphIds, originLow;
+  Buffer frameBuffer, lightBuffer, colour, depth, setIds, glyphIds, rays;
 };
 
 Tracer::Tracer(std::shared_ptr<Device> device)
@@ -160,8 +160,8 @@ void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene,
   const std::uint32_t rowsAtOnce =
     std::max(1u, std::min(height, vulkan.pipelineLimits.maxRayDispatchInvocationCount / width));
   frame.launchWidth = width;
-  Fit(this->originLow, vulkan, std::size_t(width) * rowsAtOnce * sizeof(glm::vec3));
-  frame.originLow = this->originLow.Address();
+  Fit(this->rays, vulkan, std::size_t(width) * rowsAtOnce * sizeof(device::RayRecord));
+  frame.rays = this->rays.Address();
   Fit(this->frameBuffer, vulkan, sizeof(frame));
 
   for (std::uint32_t row = 0; row < height; row += rowsAtOnce)

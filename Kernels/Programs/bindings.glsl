@@ -14,3 +14,8 @@ struct SurfaceHit
   uint record;      // index of its GlyphSetRecord
   uint glyph;       // index in the set's sorted order
 };
+
+uint LaunchIndex()
+{
+  return gl_LaunchIDEXT.y * push.frame.value.launchWidth + gl_LaunchIDEXT.x;
+}

@@ -4,52 +4,62 @@ layout(constant_id = 0) const uint sizesPerGlyph = 0;   // 0: uniformSize, 1, or
 layout(constant_id = 1) const bool turned = false;
 layout(constant_id = 2) const bool coloured = false;
 layout(constant_id = 3) const bool fixedHeads = false;
+layout(constant_id = 4) const bool hasTree = false;
 
 #include "../Shapes/Registry.glsl"
 
-GlyphSetRecord CurrentSet()
+// Where a set's glyphs are found: read once a program, not once a glyph.
+struct GlyphSource
 {
-  return push.frame.value.sets.at[gl_InstanceCustomIndexEXT];
-}
+  Vec3Array centres;
+  FloatArray sizes;
+  Vec4Array rotations;
+  vec3 offset;
+  vec3 offsetLow;
+  Glyph alike;  // what all glyphs of the set share
+};
 
-Glyph FetchGlyph(uint primitive)
+GlyphSource CurrentSource()
 {
   GlyphSetRecords sets = push.frame.value.sets;
   uint record = gl_InstanceCustomIndexEXT;
+  GlyphSource source;
+  source.centres = sets.at[record].centres;
+  source.sizes = sets.at[record].sizes;
+  source.rotations = sets.at[record].rotations;
+  source.offset = sets.at[record].offset;
+  source.offsetLow = sets.at[record].offsetLow;
+  source.alike.size = vec3(sets.at[record].uniformSize);
+  source.alike.rotation = vec4(0.0, 0.0, 0.0, 1.0);
+  source.alike.turned = turned;
+  source.alike.sameSize = sizesPerGlyph != 3u;
+  source.alike.arrow = sets.at[record].arrow;
+  source.alike.unitLength = sets.at[record].unitLength;
+  source.alike.fixedHeads = fixedHeads;
+  return source;
+}
 
-  Glyph glyph;
+Glyph FetchGlyph(GlyphSource source, uint primitive)
+{
+  Glyph glyph = source.alike;
   // The set's offset is part of the centre; what rounding would lose stays in the low part.
-  vec3 local = sets.at[record].centres.at[primitive];
-  vec3 offset = sets.at[record].offset;
-  DoubleWord3 centre = TwoSum(local, offset);
+  DoubleWord3 centre = TwoSum(source.centres.at[primitive], source.offset);
   glyph.centre = centre.hi;
-  glyph.centreLow = centre.lo + sets.at[record].offsetLow;
+  glyph.centreLow = centre.lo + source.offsetLow;
 
   if (sizesPerGlyph == 3u)
   {
-    FloatArray sizes = sets.at[record].sizes;
+    FloatArray sizes = source.sizes;
     glyph.size = vec3(sizes.at[3u * primitive], sizes.at[3u * primitive + 1u], sizes.at[3u * primitive + 2u]);
   }
   else if (sizesPerGlyph == 1u)
   {
-    glyph.size = vec3(sets.at[record].sizes.at[primitive]);
+    glyph.size = vec3(source.sizes.at[primitive]);
   }
-  else
-  {
-    glyph.size = vec3(sets.at[record].uniformSize);
-  }
-  glyph.sameSize = sizesPerGlyph != 3u;
-
-  glyph.turned = turned;
-  glyph.rotation = vec4(0.0, 0.0, 0.0, 1.0);
   if (turned)
   {
-    glyph.rotation = sets.at[record].rotations.at[primitive];
+    glyph.rotation = source.rotations.at[primitive];
   }
-
-  glyph.arrow = sets.at[record].arrow;
-  glyph.unitLength = sets.at[record].unitLength;
-  glyph.fixedHeads = fixedHeads;
   return glyph;
 }
 
@@ -60,7 +70,6 @@ GlyphRay CurrentRay()
   GlyphRay ray;
   ray.origin = gl_WorldRayOriginEXT;
   ray.direction = gl_WorldRayDirectionEXT;
-  uint launch = gl_LaunchIDEXT.y * push.frame.value.launchWidth + gl_LaunchIDEXT.x;
-  ray.originLow = push.frame.value.originLow.at[launch];
+  ray.originLow = push.frame.value.rays.at[LaunchIndex()].originLow;
   return ray;
 }

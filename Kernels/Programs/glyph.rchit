@@ -10,16 +10,18 @@ void main()
   uint record = gl_InstanceCustomIndexEXT;
   GlyphSetRecords sets = push.frame.value.sets;
 
+  uint glyph = hasTree ? push.frame.value.rays.at[LaunchIndex()].glyph : gl_PrimitiveID;
+
   // The normal is computed anew: hit attributes are not safe on every driver (lavapipe overwrites them
   // with those of rejected candidates).
   hit.t = gl_HitTEXT;
-  hit.normal = GlyphNormal(CurrentRay(), FetchGlyph(gl_PrimitiveID), gl_HitTEXT);
+  hit.normal = GlyphNormal(CurrentRay(), FetchGlyph(CurrentSource(), glyph), gl_HitTEXT);
   hit.record = record;
-  hit.glyph = sets.at[record].firstGlyph + gl_PrimitiveID;
+  hit.glyph = sets.at[record].firstGlyph + glyph;
   hit.colour = vec4(sets.at[record].colour, sets.at[record].opacity);
   if (coloured)
   {
-    vec4 own = unpackUnorm4x8(sets.at[record].colours.at[gl_PrimitiveID]);
+    vec4 own = unpackUnorm4x8(sets.at[record].colours.at[glyph]);
     hit.colour = vec4(own.rgb, own.a * hit.colour.a);
   }
 }

@@ -30,8 +30,7 @@ void TraceNearest(DoubleWord3 origin, vec3 direction, float tMin, float tMax, ui
   {
     moved = Add(origin, TwoProduct(direction, vec3(start)));
   }
-  uint launch = gl_LaunchIDEXT.y * push.frame.value.launchWidth + gl_LaunchIDEXT.x;
-  push.frame.value.originLow.at[launch] = moved.lo;
+  push.frame.value.rays.at[LaunchIndex()].originLow = moved.lo;
 
   hit.t = -1.0;
   if (tMax > start)

@@ -74,15 +74,21 @@ RTG_FN Span HeadSpan(LocalRay ray, Glyph glyph, ArrowHead head)
   DoubleWord radius = Add(Multiply(toBase, head.slope), glyph.arrow.y);
   DoubleWord rate = Multiply(dx, head.slope);
 
-  Span height = Slab(x, dx, Word(head.coneStart), Word(glyph.arrow.z), RTG_HEAD_APEX, RTG_HEAD_BASE);
+  bool rounded = head.ball.hi > real(0.0);
+  DoubleWord start = Word(head.coneStart);
+  int startFace = rounded ? RTG_HEAD_CONE : RTG_HEAD_APEX;
+  Span height = Slab(x, dx, start, Word(glyph.arrow.z), startFace, RTG_HEAD_BASE);
   Span side = RoundSpan(WordY(ray.origin), WordZ(ray.origin), radius, WordY(ray.direction),
     WordZ(ray.direction), rate, RTG_HEAD_CONE);
   Span cone = Intersection(height, side);
-  if (head.ball.hi > real(0.0))
+  if (!rounded)
   {
-    return Hull(cone, BallSpan(ray, head.ball));
+    return cone;
   }
-  return cone;
+  // Cone and ball share the plane of the circle where they touch; each ends there, since next to it their
+  // surfaces are too close to tell which is outside.
+  Span cap = Slab(x, dx, Word(real(0.0)), start, RTG_HEAD_BALL, startFace);
+  return Hull(cone, Intersection(cap, BallSpan(ray, head.ball)));
 }
 
 RTG_FN bool ArrowCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local,

@@ -170,9 +170,11 @@ std::uint32_t ChooseQueueFamily(const vk::raii::PhysicalDevice& physical)
     "' has no compute queue. " + remedy);
 }
 
-vk::raii::Device MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily)
+vk::raii::Device MakeDevice(
+  const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool int64)
 {
   Features enabled;
+  enabled.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 = int64;
   auto& vulkan12 = enabled.get<vk::PhysicalDeviceVulkan12Features>();
   vulkan12.bufferDeviceAddress = true;
   vulkan12.scalarBlockLayout = true;
@@ -216,7 +218,8 @@ Device::Device()
     state.name = DeviceName(state.physical);
     state.cpu = state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
     state.queueFamily = ChooseQueueFamily(state.physical);
-    state.device = MakeDevice(state.physical, state.queueFamily);
+    state.int64 = state.physical.getFeatures().shaderInt64;
+    state.device = MakeDevice(state.physical, state.queueFamily, state.int64);
     state.queue = state.device.getQueue(state.queueFamily, 0);
     state.pool = vk::raii::CommandPool(
       state.device, { vk::CommandPoolCreateFlagBits::eTransient, state.queueFamily });

@@ -28,6 +28,7 @@ struct Device::State
   std::uint32_t queueFamily = 0;
   std::string name;
   bool cpu = false;
+  bool int64 = false; ///< 64-bit integers in programs
   std::atomic<bool> lost{ false };
   std::atomic<std::uint64_t> bytes{ 0 }; ///< device memory held by all buffers
 

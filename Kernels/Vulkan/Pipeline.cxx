@@ -17,6 +17,7 @@ struct Specialisation
   vk::Bool32 turned;
   vk::Bool32 coloured;
   vk::Bool32 fixedHeads;
+  vk::Bool32 hasTree;
 };
 
 const vk::SpecializationMapEntry specialisationMap[] = {
@@ -24,6 +25,7 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 1, offsetof(Specialisation, turned), sizeof(vk::Bool32) },
   { 2, offsetof(Specialisation, coloured), sizeof(vk::Bool32) },
   { 3, offsetof(Specialisation, fixedHeads), sizeof(vk::Bool32) },
+  { 4, offsetof(Specialisation, hasTree), sizeof(vk::Bool32) },
 };
 
 vk::raii::ShaderModule MakeModule(Device::State& device, const programs::Code& code)
@@ -76,12 +78,13 @@ Pipeline::Pipeline(Device::State& device, Program program, const std::vector<Hit
   for (std::size_t i = 0; i < groups.size(); ++i)
   {
     const HitGroup& group = groups[i];
-    constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads };
+    constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads, group.hasTree };
     specialisations[i] = vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
       specialisationMap, sizeof(Specialisation), &constants[i]);
     const programs::ShapeCode& code = programs::shapes[static_cast<std::uint32_t>(group.shape)];
     const std::uint32_t intersection =
-      addStage(Stage::eIntersectionKHR, code.intersection, &specialisations[i]);
+      addStage(Stage::eIntersectionKHR,
+        group.hasTree ? code.treeIntersection : code.intersection, &specialisations[i]);
     const std::uint32_t closestHit = addStage(Stage::eClosestHitKHR, code.closestHit, &specialisations[i]);
     shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eProceduralHitGroup,
       VK_SHADER_UNUSED_KHR, closestHit, VK_SHADER_UNUSED_KHR, intersection);

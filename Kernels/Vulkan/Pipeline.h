@@ -17,11 +17,12 @@ struct HitGroup
   bool turned = false;
   bool coloured = false;
   bool fixedHeads = false;
+  bool hasTree = false;
 
   friend bool operator==(const HitGroup& a, const HitGroup& b)
   {
     return a.shape == b.shape && a.sizesPerGlyph == b.sizesPerGlyph && a.turned == b.turned &&
-      a.coloured == b.coloured && a.fixedHeads == b.fixedHeads;
+      a.coloured == b.coloured && a.fixedHeads == b.fixedHeads && a.hasTree == b.hasTree;
   }
 };
 

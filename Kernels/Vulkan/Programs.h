@@ -15,7 +15,8 @@ struct Code
 
 struct ShapeCode
 {
-  Code intersection;
+  Code intersection;     ///< a glyph is a primitive
+  Code treeIntersection; ///< a set's GlyphTree is
   Code closestHit;
 };
 
