@@ -15,6 +15,13 @@ double UlpOf(double t)
   return double(std::nextafter(magnitude, std::numeric_limits<Real>::infinity()) - magnitude);
 }
 
+/// |dt| may be this much; `sizeInT` is the glyph's size in units of t.
+template <class Real>
+double BoundOfT(double t, double sizeInT)
+{
+  return boundUlps * UlpOf<Real>(t) + boundSizes * relativeRoundoff<Real> * sizeInT;
+}
+
 double Median(std::vector<double> values)
 {
   if (values.empty())
@@ -26,83 +33,90 @@ double Median(std::vector<double> values)
   return *middle;
 }
 
+/// How far the silhouette is, as the share by which the glyph must grow or shrink for the line to cross its
+/// surface another number of times; at least this of the widths tried.
+double SilhouetteWidth(ReferenceGlyph& glyph, const HardRay& ray, std::size_t crossings)
+{
+  for (double width = 1e-11; width < 2.0 * band; width *= 10.0)
+  {
+    if (glyph.Crossings(ray.origin, ray.direction, 1.0 - 2.0 * width).size() != crossings ||
+      glyph.Crossings(ray.origin, ray.direction, 1.0 + 2.0 * width).size() != crossings)
+    {
+      return width;
+    }
+  }
+  return 1.0;
+}
+
+glm::dvec3 ToDouble(const QuadVector& v)
+{
+  return { double(v.x), double(v.y), double(v.z) };
+}
+
+template <class Real>
+void CompareHit(const ReferenceGlyph& glyph, const HardRay& ray, const Answer& answer,
+  const ReferenceCrossing& crossing, Verdict& verdict)
+{
+  const double sizeInT = glyph.Size() / glm::length(glm::dvec3(ray.direction));
+  const double t = double(crossing.t);
+  const double error = std::abs(double(crossing.t - Quad(answer.t)));
+  verdict.bothHit = true;
+  verdict.ulps = error / UlpOf<Real>(t);
+  verdict.sizes = error / sizeInT;
+  verdict.excess = error / BoundOfT<Real>(t, sizeInT);
+
+  verdict.hasNormal = crossing.edgeDistance > edgeBand && crossing.edgeSizes > edgeBandSizes;
+  const glm::dvec3 normal = ToDouble(crossing.normal);
+  verdict.radians = glm::length(glm::cross(normal, answer.normal));
+  if (glm::dot(normal, answer.normal) <= 0.0)
+  {
+    verdict.radians = M_PI - verdict.radians;
+  }
+  verdict.normalExcess = verdict.radians / (boundRadians * relativeRoundoff<Real>);
+}
+
 } // namespace
 
 template <class Real>
 Verdict Judge(ReferenceGlyph& glyph, const HardRay& ray, double tMin, const Answer& answer)
 {
   const std::vector<ReferenceCrossing> exact = glyph.Crossings(ray.origin, ray.direction);
-  Verdict verdict;
-  const auto within = [&](double width) {
-    return glyph.Crossings(ray.origin, ray.direction, 1.0 - 2.0 * width).size() != exact.size() ||
-      glyph.Crossings(ray.origin, ray.direction, 1.0 + 2.0 * width).size() != exact.size();
-  };
-  verdict.nearSilhouette = within(band);
-
   const double sizeInT = glyph.Size() / glm::length(glm::dvec3(ray.direction));
-  const auto bound = [&](double t) {
-    return boundUlps * UlpOf<Real>(t) + boundSizes * relativeRoundoff<Real> * sizeInT;
-  };
+  const glm::dvec3 direction = glm::normalize(glm::dvec3(ray.direction));
 
   // The crossings that may be the first at or after tMin, given the bound on t.
   std::vector<const ReferenceCrossing*> candidates;
-  bool mayMiss = true;
+  bool mayMiss = true, grazes = false;
   for (const ReferenceCrossing& crossing : exact)
   {
     const double t = double(crossing.t);
-    if (t < tMin - bound(t))
+    const double bound = BoundOfT<Real>(t, sizeInT);
+    grazes = grazes || std::abs(glm::dot(direction, ToDouble(crossing.normal))) < grazingAngle;
+    if (mayMiss && t >= tMin - bound)
     {
-      continue;
+      candidates.push_back(&crossing);
+      mayMiss = t <= tMin + bound;
     }
-    candidates.push_back(&crossing);
-    if (t > tMin + bound(t))
-    {
-      mayMiss = false;
-      break;
-    }
-    verdict.nearStart = true;
   }
-  verdict.hit = !candidates.empty() && !mayMiss;
 
+  Verdict verdict;
+  verdict.hit = !mayMiss;
+  const double width = SilhouetteWidth(glyph, ray, exact.size());
+  verdict.nearSilhouette = width <= band;
   if (!answer.hit || candidates.empty())
   {
     verdict.falseHit = answer.hit && !verdict.nearSilhouette;
     verdict.falseMiss = !answer.hit && !mayMiss && !verdict.nearSilhouette;
     return verdict;
   }
-
-  if (verdict.nearSilhouette && within(bandOfT))
+  if (width <= bandOfT || grazes)
   {
     return verdict;
   }
-  verdict.bothHit = true;
-  const ReferenceCrossing* closest = candidates.front();
-  for (const ReferenceCrossing* candidate : candidates)
-  {
-    if (fabs(double(candidate->t - answer.t)) < fabs(double(closest->t - answer.t)))
-    {
-      closest = candidate;
-    }
-  }
-  const double t = double(closest->t);
-  const double error = std::abs(double(closest->t - Quad(answer.t)));
-  verdict.ulps = error / UlpOf<Real>(t);
-  verdict.sizes = error / sizeInT;
-  verdict.excess = error / bound(t);
-
-  verdict.hasNormal = !verdict.nearSilhouette && closest->edgeDistance > edgeBand;
-  if (verdict.hasNormal)
-  {
-    const glm::dvec3 normal(
-      double(closest->normal.x), double(closest->normal.y), double(closest->normal.z));
-    verdict.radians = glm::length(glm::cross(normal, answer.normal));
-    if (glm::dot(normal, answer.normal) <= 0.0)
-    {
-      verdict.radians = M_PI - verdict.radians;
-    }
-    verdict.normalExcess =
-      verdict.radians / (boundRadians * relativeRoundoff<Real>);
-  }
+  const auto closest = std::min_element(candidates.begin(), candidates.end(),
+    [&](const auto* a, const auto* b) { return fabs(double(a->t - answer.t)) < fabs(double(b->t - answer.t)); });
+  CompareHit<Real>(glyph, ray, answer, **closest, verdict);
+  verdict.hasNormal = verdict.hasNormal && !verdict.nearSilhouette;
   return verdict;
 }
 
@@ -125,7 +139,7 @@ CaseReport Summarise(const std::vector<Verdict>& verdicts)
       report.outOfBound += !(verdict.excess <= 1.0);
       report.maxExcess = std::max(report.maxExcess, verdict.excess);
     }
-    if (verdict.hasNormal)
+    if (verdict.bothHit && verdict.hasNormal)
     {
       radians.push_back(verdict.radians);
       report.maxNormalExcess = std::max(report.maxNormalExcess, verdict.normalExcess);

@@ -24,12 +24,16 @@ struct Answer
 /// glyph sizes, and a thin glyph's sides move by `band` of its thickness only.
 constexpr double band = 1e-5;
 
-/// The same for the value of t where both hit: within so little of the silhouette even exact roots jump
-/// (a ray in the plane of a face).
+/// Where t is not compared although both hit: within 1e-9 of the scale of a silhouette, also of one inside
+/// the outline (an arrow's head before its shaft), or on a surface met at less than 2e-9 radians: such a
+/// ray stays within 2e-9 glyph sizes of that surface all along the glyph.
 constexpr double bandOfT = 1e-9;
+constexpr double grazingAngle = 2e-9;
 
-/// Normals are compared where the nearest edge or apex is at least this far away in the unit form.
+/// Normals are compared where the nearest edge or apex is at least this far away in the unit form, and also
+/// in glyph sizes: about as much as t may be wrong by.
 constexpr double edgeBand = 1e-4;
+constexpr double edgeBandSizes = 2e-6;
 
 /// The bound on t: ulps of t, and glyph sizes in float arithmetic; for double it shrinks with the roundoff.
 constexpr double boundUlps = 8.0;
@@ -42,13 +46,13 @@ template <class Real>
 constexpr double relativeRoundoff =
   double(std::numeric_limits<Real>::epsilon()) / double(std::numeric_limits<float>::epsilon());
 
+/// A crossing within the bound of tMin is accepted and may be missed.
 struct Verdict
 {
   bool hit = false;           ///< of the reference
   bool nearSilhouette = false;
-  bool nearStart = false;     ///< a crossing at the start of the ray's range: either side is accepted
   bool falseHit = false, falseMiss = false; ///< outside the band only
-  bool bothHit = false;       ///< and not within bandOfT of the silhouette
+  bool bothHit = false;       ///< and t is compared
   double ulps = 0.0;          ///< |dt| in ulps of t
   double sizes = 0.0;         ///< |dt| in glyph sizes
   double excess = 0.0;        ///< |dt| over the bound: at most 1

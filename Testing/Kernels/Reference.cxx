@@ -151,10 +151,8 @@ void ReferenceGlyph::MakeArrow(Quad factor)
       this->smoothEnd_ = true;
     }
   }
-  const Quad along = tip > 0 ? (hasShaft ? end : height) : base;
-  const Quad across = 2 * std::max(tip, hasShaft ? shaft : Quad(0));
-  this->size_ = double(std::max(
-    along * this->scale_.x, across * std::max(this->scale_.y, this->scale_.z)));
+  const Quad across = 2 * std::max(shaft, tip) * std::max(this->scale_.y, this->scale_.z);
+  this->size_ = double(std::max(length, across));
 }
 
 QuadVector ReferenceGlyph::Turned(const QuadVector& v, bool toWorld) const
@@ -238,7 +236,9 @@ std::vector<ReferenceCrossing> ReferenceGlyph::Crossings(
     }
     else
     {
-      crossings.back().edgeDistance = std::min(crossings.back().edgeDistance, crossing.edgeDistance);
+      ReferenceCrossing& kept = crossings.back();
+      kept.edgeDistance = std::min(kept.edgeDistance, crossing.edgeDistance);
+      kept.edgeSizes = std::min(kept.edgeSizes, crossing.edgeSizes);
     }
   }
   return crossings;
@@ -255,8 +255,9 @@ void ReferenceGlyph::Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance
   normal = { normal.x / this->scale_.x, normal.y / this->scale_.y, normal.z / this->scale_.z };
   normal = this->Turned(normal, true);
   const Quad length = sqrtq(Dot(normal, normal));
-  crossings.push_back(
-    { t, { normal.x / length, normal.y / length, normal.z / length }, edgeDistance });
+  const Quad least = std::min({ this->scale_.x, this->scale_.y, this->scale_.z }) / this->size_;
+  crossings.push_back({ t, { normal.x / length, normal.y / length, normal.z / length }, edgeDistance,
+    edgeDistance * least });
 }
 
 void ReferenceGlyph::MeetRectangles(

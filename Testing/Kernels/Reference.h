@@ -24,6 +24,7 @@ struct ReferenceCrossing
   Quad t = 0;          ///< in lengths of the direction
   QuadVector normal;   ///< outward, unit, in the world frame
   Quad edgeDistance = 0; ///< to the nearest edge or apex, in the unit form's frame
+  Quad edgeSizes = 0;    ///< at most the same in the world, in glyph sizes
 };
 
 /// One glyph whose inputs, as floats, are taken as exact.
@@ -32,7 +33,7 @@ class ReferenceGlyph
 public:
   ReferenceGlyph(const GlyphInstances& instances, std::uint32_t index);
 
-  /// The largest full extent of the glyph, along its own axes, in world units.
+  /// The largest full extent of the glyph along its own axes, in world units; an arrow's length counts whole.
   double Size() const { return this->size_; }
 
   /// All crossings of the whole line, in order; those that coincide are one.

@@ -1,0 +1,107 @@
+// The hard cases through the ray-tracing pipeline: the same bounds as for the kernels in C++.
+#include "Measure.h"
+#include "Scene.h"
+#include "Tracer.h"
+#include "Vulkan/Device.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace rtg;
+using namespace rtg::testing;
+
+/// A set of only one of the glyphs, so that no other hides it.
+GlyphInstances Single(const GlyphInstances& all, std::uint32_t index)
+{
+  GlyphInstances one = all;
+  const auto keep = [&](auto& values) {
+    if (!values.empty())
+    {
+      values = { values[index] };
+    }
+  };
+  keep(one.centres);
+  keep(one.sizes1);
+  keep(one.sizes3);
+  keep(one.rotations);
+  return one;
+}
+
+class PipelineNumericsTest : public ::testing::TestWithParam<Subject>
+{
+protected:
+  std::vector<Verdict> JudgePipeline(const HardCase& hard)
+  {
+    std::vector<Verdict> verdicts;
+    for (std::uint32_t i = 0; i < hard.instances.Count(); ++i)
+    {
+      std::vector<HardRay> rays;
+      std::vector<Tracer::Probe> probes;
+      for (const HardRay& ray : hard.rays)
+      {
+        if (ray.glyph == i)
+        {
+          rays.push_back(ray);
+          probes.push_back({ hard.instances.origin + ray.origin, ray.direction });
+        }
+      }
+      if (rays.empty())
+      {
+        continue;
+      }
+      this->scene_.SetInstances(this->set_, Single(hard.instances, i));
+      this->scene_.Commit();
+      const std::vector<Tracer::ProbeHit> hits = this->tracer_.TraceProbes(this->scene_, probes);
+      ReferenceGlyph reference(hard.instances, i);
+      for (std::size_t k = 0; k < rays.size(); ++k)
+      {
+        const Answer answer{ std::isfinite(hits[k].t), hits[k].t, glm::dvec3(hits[k].normal) };
+        verdicts.push_back(Judge<float>(reference, rays[k], 0.0, answer));
+      }
+    }
+    return verdicts;
+  }
+
+  std::shared_ptr<Device> device_ = Device::Shared();
+  Scene scene_{ device_ };
+  Tracer tracer_{ device_ };
+  Scene::SetId set_ = scene_.Add();
+};
+
+TEST_P(PipelineNumericsTest, KeepsTheBounds)
+{
+  std::vector<Verdict> all;
+  for (const HardCase& hard : HardCaseMaker(this->GetParam(), 3, 100).All())
+  {
+    SCOPED_TRACE(hard.subject + ": " + hard.situation);
+    const std::vector<Verdict> verdicts = this->JudgePipeline(hard);
+    const CaseReport report = Summarise(verdicts);
+    EXPECT_EQ(report.falseHits, 0u);
+    EXPECT_EQ(report.falseMisses, 0u);
+    EXPECT_EQ(report.outOfBound, 0u) << "worst: " << report.maxExcess << " times the bound";
+    EXPECT_LE(report.maxNormalExcess, 1.0) << report.maxRadians << " radians";
+    all.insert(all.end(), verdicts.begin(), verdicts.end());
+  }
+  const CaseReport report = Summarise(all);
+  EXPECT_GT(report.compared, 1000u);
+  std::cout << report.hits << " hits of " << report.rays << " rays; t: median " << report.medianUlps
+            << " ulps, " << report.medianSizes << " sizes, worst " << report.maxExcess
+            << " of the bound; normal: worst " << report.maxRadians << " radians; false hits "
+            << report.falseHits << ", misses " << report.falseMisses << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, PipelineNumericsTest, ::testing::ValuesIn(HardSubjects()),
+  [](const auto& info) {
+    std::string name = info.param.name;
+    for (char& c : name)
+    {
+      c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+    }
+    return name;
+  });
+
+} // namespace

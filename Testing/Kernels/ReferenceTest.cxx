@@ -1,0 +1,104 @@
+// The reference itself, on rays whose answer is known in closed form.
+#include "Reference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace rtg;
+using namespace rtg::testing;
+
+ReferenceGlyph Unit(Shape shape, glm::vec3 size = glm::vec3(1.0f), const ArrowForm& arrow = {})
+{
+  GlyphInstances instances;
+  instances.shape = shape;
+  instances.arrow = arrow;
+  instances.centres = { glm::vec3(0.0f) };
+  instances.sizes3 = { size };
+  return ReferenceGlyph(instances, 0);
+}
+
+void ExpectCrossings(ReferenceGlyph glyph, glm::dvec3 origin, glm::vec3 direction, std::vector<double> expected)
+{
+  const auto crossings = glyph.Crossings(origin, direction);
+  ASSERT_EQ(crossings.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    EXPECT_NEAR(double(crossings[i].t), expected[i], 1e-15 * (1 + std::abs(expected[i])));
+  }
+}
+
+TEST(ReferenceTest, Centred)
+{
+  ExpectCrossings(Unit(Shape::Sphere), { -3, 0.3, 0 }, { 1, 0, 0 }, { 2.6, 3.4 });
+  ExpectCrossings(Unit(Shape::Box), { -3, 0.25, 0 }, { 2, 0, 0 }, { 1.25, 1.75 });
+  ExpectCrossings(Unit(Shape::Cylinder), { -3, 0.5, 0.3 }, { 1, 0, 0 }, { 2.6, 3.4 });
+  ExpectCrossings(Unit(Shape::Cylinder), { -3, 0.51, 0.3 }, { 1, 0, 0 }, {});
+  ExpectCrossings(Unit(Shape::Cylinder), { 0.2, 3, 0.2 }, { 0, -1, 0 }, { 2.5, 3.5 });
+  // The cone's radius is 0.25 half way along x.
+  ExpectCrossings(Unit(Shape::Cone), { 0, -3, 0 }, { 0, 1, 0 }, { 2.75, 3.25 });
+  ExpectCrossings(Unit(Shape::Cone), { -3, 0.25, 0 }, { 1, 0, 0 }, { 2.5, 3.0 });
+  ExpectCrossings(Unit(Shape::Sphere, { 2, 4, 6 }), { 0, -5, 0 }, { 0, 1, 0 }, { 3, 7 });
+}
+
+TEST(ReferenceTest, ArrowsAreThoseOfVtk)
+{
+  ArrowForm form;
+  form.shaftRadius = 0.0625f;
+  form.tipRadius = 0.125f;
+  form.tipLength = 0.25f;
+  form.tipRounding = 0.0f;
+  form.fixedHeads = false;
+  const ReferenceGlyph unit = Unit(Shape::Arrow, glm::vec3(1.0f), form);
+  ExpectCrossings(unit, { -1, 0, 0 }, { 1, 0, 0 }, { 1, 2 });
+  ExpectCrossings(unit, { 0.5, -1, 0 }, { 0, 1, 0 }, { 0.9375, 1.0625 });
+  ExpectCrossings(unit, { 0.875, -1, 0 }, { 0, 1, 0 }, { 0.9375, 1.0625 });
+  // Past the shaft, into the base of the head, out of its side.
+  ExpectCrossings(unit, { 0, 0.09375, 0 }, { 1, 0, 0 }, { 0.75, 0.8125 });
+
+  form.fixedHeads = true;
+  form.unitLength = 2.0f;
+  const ReferenceGlyph longer = Unit(Shape::Arrow, { 8, 1, 1 }, form);
+  ExpectCrossings(longer, { 4, -1, 0 }, { 0, 1, 0 }, { 0.875, 1.125 });
+  ExpectCrossings(longer, { 0, 0.1875, 0 }, { 1, 0, 0 }, { 7.5, 7.625 });
+  const ReferenceGlyph shorter = Unit(Shape::Arrow, { 0.25f, 1, 1 }, form);
+  ExpectCrossings(shorter, { 0.125, -1, 0 }, { 0, 1, 0 }, { 1 - 0.0625, 1 + 0.0625 });
+}
+
+TEST(ReferenceTest, RoundedArrowsEndWhereSharpOnesDo)
+{
+  for (const float rounding : { 0.0f, 0.25f, 0.5f, 1.0f })
+  {
+    ArrowForm form;
+    form.tipRounding = rounding;
+    form.fixedHeads = false;
+    ExpectCrossings(Unit(Shape::Arrow, glm::vec3(1.0f), form), { -1, 0, 0 }, { 1, 0, 0 }, { 1, 2 });
+  }
+}
+
+/// The normal is smooth where the head's cone runs into its ball.
+TEST(ReferenceTest, RoundedHeadIsSmooth)
+{
+  ArrowForm form;
+  form.tipRounding = 0.7f;
+  form.fixedHeads = false;
+  ReferenceGlyph glyph = Unit(Shape::Arrow, glm::vec3(1.0f), form);
+  QuadVector previous;
+  for (int i = 0; i <= 2000; ++i)
+  {
+    const double x = 0.7 + 0.2999 * i / 2000;
+    const auto crossings = glyph.Crossings({ x, -1, 0 }, { 0, 1, 0 });
+    ASSERT_EQ(crossings.size(), 2u);
+    const QuadVector n = crossings[0].normal;
+    if (i > 0 && x < 0.99)
+    {
+      EXPECT_LT(std::abs(double(n.x - previous.x)), 0.01) << x;
+    }
+    previous = n;
+  }
+}
+
+} // namespace
