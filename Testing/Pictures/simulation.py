@@ -49,28 +49,29 @@ def colour(shown, view, array, component, limits, preset, title):
 
 def spheres(impact, view):
     """The grains as spheres of their diameter, coloured by speed."""
-    shown = show(impact, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray=["POINTS", "diameter"],
+    shown = show(impact, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
                  GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
-    colour(shown, view, "velocity", "Magnitude", (0.0, 8.0), "Inferno (matplotlib)", "speed")
-    look(view, (6.0, -26.0, 21.0), (13.5, 14.0, 3.5), (0.0, 0.0, 1.0))
+    colour(shown, view, "velocity", "Magnitude", (0.0, 9.0), "Inferno (matplotlib)", "speed")
+    look(view, (6.0, -32.0, 25.0), (13.8, 14.0, 2.5), (0.0, 0.0, 1.0))
 
 
 def arrows(impact, view):
     """The grains' velocities as arrows, coloured by their upward part."""
-    shown = show(impact, view, "Arrow", GlyphOrient=1, GlyphOrientationArray=["POINTS", "velocity"],
-                 GlyphOrientationMode="Direction", GlyphScaling=1, GlyphScaleArray=["POINTS", "velocity"],
-                 GlyphScaleMode="Magnitude", GlyphScaleFactor=0.35)
+    shown = show(impact, view, "Arrow", GlyphOrient=1, GlyphOrientationArray="velocity",
+                 GlyphOrientationMode="Direction", GlyphScaling=1, GlyphScaleArray="velocity",
+                 GlyphScaleMode="Magnitude", GlyphScaleFactor=0.3, ArrowShaftRadius=0.12, ArrowTipRadius=0.3,
+                 ArrowTipLength=0.8)
     colour(shown, view, "velocity", "Z", (-6.0, 6.0), "Cool to Warm", "upward velocity")
-    look(view, (6.0, -20.0, 16.0), (13.5, 14.0, 4.0), (0.0, 0.0, 1.0))
+    look(view, (6.0, -27.0, 20.0), (13.5, 14.0, 4.5), (0.0, 0.0, 1.0))
 
 
 def ellipsoids(nematic, view):
     """The molecules as ellipsoids of their shape and orientation."""
-    shown = show(nematic, view, "Sphere", GlyphOrient=1, GlyphOrientationArray=["POINTS", "quaternion"],
-                 GlyphOrientationMode="Quaternion", GlyphScaling=1, GlyphScaleArray=["POINTS", "shape"],
+    shown = show(nematic, view, "Sphere", GlyphOrient=1, GlyphOrientationArray="quaternion",
+                 GlyphOrientationMode="Quaternion", GlyphScaling=1, GlyphScaleArray="shape",
                  GlyphScaleMode="Components", GlyphScaleFactor=1.0)
     colour(shown, view, "velocity", "Magnitude", (0.0, 4.0), "Viridis (matplotlib)", "speed")
-    look(view, (22.0, 14.0, 34.0), (6.2, 6.2, 6.2), (0.0, 1.0, 0.0))
+    look(view, (28.0, 21.0, 44.0), (12.2, 12.2, 12.2), (0.0, 1.0, 0.0))
 
 
 def main():

@@ -68,8 +68,9 @@ def degenerate(case):
     case.render("NaN position", session.poly_data(broken), (-1, 1), ("1 of 3",))
     case.render("negative scale", session.poly_data(LINE, size=numpy.array([1.0, -1.0, 1.0])), (-1, 0, 1), None,
                 GlyphScaling=1, GlyphScaleArray="size", GlyphScaleMode="Magnitude")
+    # A box, because spheres of one size are not turned and need no vector.
     case.render("NaN vector", session.poly_data(LINE, v=numpy.array([[1, 0, 0], [nothing, 0, 0], [0, 1, 0.0]])), (-1, 1), ("1 of 3",),
-                GlyphOrient=1, GlyphOrientationArray="v", GlyphOrientationMode="Direction")
+                shape="Box", GlyphOrient=1, GlyphOrientationArray="v", GlyphOrientationMode="Direction")
 
 
 def arrays(case):

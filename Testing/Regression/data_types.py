@@ -15,7 +15,8 @@ import session
 
 #: the corners of the cube [-1, 1]^3, x fastest
 CORNERS = numpy.array([[x, y, z] for z in (-1.0, 1.0) for y in (-1.0, 1.0) for x in (-1.0, 1.0)])
-EYE = (1.5, 2.0, 8.0)
+#: from here no corner hides another
+EYE = (2.2, 3.4, 8.0)
 
 
 def coordinates(values):
@@ -186,7 +187,7 @@ def other_sources(view):
             continue
 
         def draw():
-            shown = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.1)
+            shown = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.3)
             session.solid(shown, (1.0, 1.0, 0.0))
             pv.ResetCamera(view)
             pv.Render(view)

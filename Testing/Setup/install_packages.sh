@@ -93,9 +93,9 @@ add_backports() {
 as_root apt-get -q update
 if [ "$codename" = bookworm ]; then
   add_backports
-  # Backports have priority 100, so only these packages come from there.
-  as_root apt-get -qy install --no-install-recommends -t bookworm-backports \
-    mesa-vulkan-drivers libgl1-mesa-dri libgl1 libegl-mesa0 libglx-mesa0
+  # PACKAGE/SUITE takes from backports these packages and only those dependencies that they cannot do without; -t would
+  # also take newer libraries that packages of the release then conflict with (libelf1 against libdw1).
+  as_root apt-get -qy install --no-install-recommends {mesa-vulkan-drivers,libgl1-mesa-dri,libegl-mesa0,libglx-mesa0}/bookworm-backports
 fi
 as_root apt-get -qy install --no-install-recommends "${missing[@]}"
 echo "packages: done"
