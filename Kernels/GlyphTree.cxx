@@ -33,7 +33,8 @@ struct KdSplitter
       return;
     }
     const std::size_t half = std::size_t(1) << (bits - 1);
-    const auto start = [this](std::size_t l) { return GlyphTree::Start(l, this->count, this->leafBits); };
+    const auto start = [this](std::size_t l)
+    { return GlyphTree::Start(l, this->count, this->leafBits); };
     this->axes[heapIndex] = static_cast<std::uint8_t>(
       PartitionAt(this->entries, start(leaf), start(leaf + half), start(leaf + 2 * half)));
     ForkJoin(
@@ -73,8 +74,10 @@ GlyphTreeNode Quantise(const Box& whole, const Box (&children)[4], std::uint8_t 
         upper[axis][child] = 0;
         continue;
       }
-      lower[axis][child] = static_cast<std::uint8_t>(std::clamp(std::floor((box.lower[axis] - origin) / step), 0.0, 255.0));
-      upper[axis][child] = static_cast<std::uint8_t>(std::clamp(std::ceil((box.upper[axis] - origin) / step), 0.0, 255.0));
+      lower[axis][child] = static_cast<std::uint8_t>(
+        std::clamp(std::floor((box.lower[axis] - origin) / step), 0.0, 255.0));
+      upper[axis][child] = static_cast<std::uint8_t>(
+        std::clamp(std::ceil((box.upper[axis] - origin) / step), 0.0, 255.0));
     }
   }
   return node;
@@ -150,9 +153,10 @@ GlyphTree BuildGlyphTree(
       const std::size_t heap = heapFirst + i;
       const auto axis = [&](std::size_t split) { return split < axes.size() ? axes[split] : 0; };
       // Two children are the lower pair of a node whose upper pair is empty.
-      const int packed =
-        twoChildren ? axis(heap) << 2 : axis(heap) | axis(2 * heap + 1) << 2 | axis(2 * heap + 2) << 4;
-      tree.nodes[LevelOffset(level) + i] = 
+      const int packed = twoChildren
+        ? axis(heap) << 2
+        : axis(heap) | axis(2 * heap + 1) << 2 | axis(2 * heap + 2) << 4;
+      tree.nodes[LevelOffset(level) + i] =
         Quantise(current[i], children, static_cast<std::uint8_t>(packed));
     }
     below = std::move(current);

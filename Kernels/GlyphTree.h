@@ -20,10 +20,10 @@ struct Box
 /// High-Performance Graphics 2017, with four children instead of eight and without pointers.
 struct GlyphTreeNode
 {
-  glm::vec3 origin;                    ///< lower corner of the node's box
-  std::uint8_t exponent[3];            ///< biased by 127: plane = origin + 2^(exponent - 127) * quantised
-  std::uint8_t axes;                   ///< split axes, 2 bits each: first split, lower pair, upper pair
-  std::uint8_t lowerX[4], upperX[4];   ///< lower > upper: no child
+  glm::vec3 origin;         ///< lower corner of the node's box
+  std::uint8_t exponent[3]; ///< biased by 127: plane = origin + 2^(exponent - 127) * quantised
+  std::uint8_t axes;        ///< split axes, 2 bits each: first split, lower pair, upper pair
+  std::uint8_t lowerX[4], upperX[4]; ///< lower > upper: no child
   std::uint8_t lowerY[4], upperY[4];
   std::uint8_t lowerZ[4], upperZ[4];
 };

@@ -75,14 +75,14 @@ using GlyphColours = std::vector<std::uint32_t>;
 /// ParaView's surface appearance. Colours are as the lookup table gives them (display-referred).
 struct Material
 {
-  glm::vec3 colour{ 1.0f };        ///< diffuse and ambient colour of glyphs without their own
+  glm::vec3 colour{ 1.0f }; ///< diffuse and ambient colour of glyphs without their own
   glm::vec3 specularColour{ 1.0f };
-  float ambient = 0.0f;            ///< [0, 1]
-  float diffuse = 1.0f;            ///< [0, 1]
-  float specular = 0.0f;           ///< [0, 1]
-  float specularPower = 100.0f;    ///< [0, 128] as vtkProperty
-  float opacity = 1.0f;            ///< [0, 1]; times a glyph colour's alpha
-  bool lighting = true;            ///< false: the plain colour, as vtkProperty::LightingOff
+  float ambient = 0.0f;         ///< [0, 1]
+  float diffuse = 1.0f;         ///< [0, 1]
+  float specular = 0.0f;        ///< [0, 1]
+  float specularPower = 100.0f; ///< [0, 128] as vtkProperty
+  float opacity = 1.0f;         ///< [0, 1]; times a glyph colour's alpha
+  bool lighting = true;         ///< false: the plain colour, as vtkProperty::LightingOff
 };
 
 /// A light, in world coordinates, with vtkLight's meaning (vtkOpenGLPolyDataMapper's formulas).
@@ -90,17 +90,17 @@ struct Light
 {
   enum class Kind : std::uint32_t
   {
-    Headlight = 0,   ///< shines along each view direction axis (vtkLight headlight, camera at origin)
+    Headlight = 0, ///< shines along each view direction axis (vtkLight headlight, camera at origin)
     Directional = 1, ///< parallel rays along `direction`
     Positional = 2   ///< from `position`, with attenuation; a spot when coneAngle < 90
   };
   Kind kind = Kind::Headlight;
-  glm::vec3 colour{ 1.0f };      ///< diffuse colour times intensity
-  glm::dvec3 position{ 0.0 };    ///< Positional only
-  glm::vec3 direction{ 0, 0, -1 }; ///< unit, the way the light travels; Directional and spots
+  glm::vec3 colour{ 1.0f };         ///< diffuse colour times intensity
+  glm::dvec3 position{ 0.0 };       ///< Positional only
+  glm::vec3 direction{ 0, 0, -1 };  ///< unit, the way the light travels; Directional and spots
   glm::vec3 attenuation{ 1, 0, 0 }; ///< constant, linear, quadratic
-  float coneAngle = 180.0f;      ///< half angle in degrees; 90 or more: no spot
-  float exponent = 1.0f;         ///< spot fall-off
+  float coneAngle = 180.0f;         ///< half angle in degrees; 90 or more: no spot
+  float exponent = 1.0f;            ///< spot fall-off
 };
 
 } // namespace rtg

@@ -19,7 +19,8 @@ std::vector<PartitionEntry> MakePartitionEntries(const std::vector<glm::vec3>& p
 std::vector<std::uint32_t> OrderOf(const std::vector<PartitionEntry>& entries)
 {
   std::vector<std::uint32_t> order(entries.size());
-  std::transform(entries.begin(), entries.end(), order.begin(), [](const PartitionEntry& e) { return e.index; });
+  std::transform(
+    entries.begin(), entries.end(), order.begin(), [](const PartitionEntry& e) { return e.index; });
   return order;
 }
 
@@ -37,9 +38,11 @@ int PartitionAt(PartitionEntry* entries, std::size_t first, std::size_t middle, 
     upper = glm::max(upper, entries[i].point);
   }
   const glm::vec3 extent = upper - lower;
-  const int axis = extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
+  const int axis =
+    extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
   std::nth_element(entries + first, entries + middle, entries + last,
-    [axis](const PartitionEntry& a, const PartitionEntry& b) { return a.point[axis] < b.point[axis]; });
+    [axis](const PartitionEntry& a, const PartitionEntry& b)
+    { return a.point[axis] < b.point[axis]; });
   return axis;
 }
 

@@ -102,11 +102,12 @@ void Pad(std::vector<Box>& boxes, float reach)
 
 vk::AabbPositionsKHR ToVulkan(const Box& box)
 {
-  return vk::AabbPositionsKHR(box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z);
+  return vk::AabbPositionsKHR(
+    box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z);
 }
 
 // Two to four glyphs a leaf measured best on lavapipe (Testing/Benchmarks).
-constexpr std::size_t glyphsPerLeaf = 4;
+constexpr std::size_t glyphsPerLeaf = 2;
 
 // A device whose traversal runs on the CPU does better with our own; RTGLYPHS_STRUCTURE (boxes or tree)
 // overrides, for measurements.
@@ -119,7 +120,8 @@ Structure ChooseStructure(const Device& device, bool canTree)
   }
   if (wanted && std::string(wanted) != "tree" && *wanted)
   {
-    throw Error("Ray Traced Glyphs: RTGLYPHS_STRUCTURE is '" + std::string(wanted) + "'; it can be 'boxes' or 'tree'.");
+    throw Error("Ray Traced Glyphs: RTGLYPHS_STRUCTURE is '" + std::string(wanted) +
+      "'; it can be 'boxes' or 'tree'.");
   }
   return canTree && (device.IsCpu() || (wanted && *wanted)) ? Structure::Tree : Structure::Boxes;
 }
@@ -218,14 +220,16 @@ bool Scene::HasTranslucent() const
 {
   const auto& sets = this->state_->sets;
   return std::any_of(sets.begin(), sets.end(),
-    [](const auto& entry) { return entry.second.visible && entry.second.count && entry.second.Translucent(); });
+    [](const auto& entry)
+    { return entry.second.visible && entry.second.count && entry.second.Translucent(); });
 }
 
 bool Scene::HasOpaque() const
 {
   const auto& sets = this->state_->sets;
   return std::any_of(sets.begin(), sets.end(),
-    [](const auto& entry) { return entry.second.visible && entry.second.count && !entry.second.Translucent(); });
+    [](const auto& entry)
+    { return entry.second.visible && entry.second.count && !entry.second.Translucent(); });
 }
 
 const Statistics& Scene::GetStatistics() const
@@ -255,9 +259,10 @@ void Scene::Commit()
         }
       }
       // The scene's origin is that of its first set: near the data, and it stays put.
-      const auto first = std::find_if(
-        state.sets.begin(), state.sets.end(), [](const auto& entry) { return entry.second.count > 0; });
-      const glm::dvec3 origin = first == state.sets.end() ? glm::dvec3(0.0) : first->second.instances.origin;
+      const auto first = std::find_if(state.sets.begin(), state.sets.end(),
+        [](const auto& entry) { return entry.second.count > 0; });
+      const glm::dvec3 origin =
+        first == state.sets.end() ? glm::dvec3(0.0) : first->second.instances.origin;
       if (origin != state.origin)
       {
         state.origin = origin;
@@ -266,8 +271,8 @@ void Scene::Commit()
       for (const auto& [id, set] : state.sets)
       {
         const glm::dvec3 offset = glm::abs(set.instances.origin - origin);
-        reach = std::max(
-          reach, set.bounds.Reach() + static_cast<float>(std::max({ offset.x, offset.y, offset.z })));
+        reach = std::max(reach,
+          set.bounds.Reach() + static_cast<float>(std::max({ offset.x, offset.y, offset.z })));
       }
 
       for (auto& [id, set] : state.sets)
@@ -327,7 +332,8 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
   }
 
   set.centres = Send(vulkan, instances.centres);
-  set.sizes = instances.sizes3.empty() ? Send(vulkan, instances.sizes1) : Send(vulkan, instances.sizes3);
+  set.sizes =
+    instances.sizes3.empty() ? Send(vulkan, instances.sizes1) : Send(vulkan, instances.sizes3);
   set.rotations = Send(vulkan, instances.rotations);
   set.group.shape = instances.shape;
   set.group.sizesPerGlyph = !instances.sizes3.empty() ? 3 : !instances.sizes1.empty() ? 1 : 0;
@@ -386,7 +392,8 @@ void Scene::State::BuildBoxes(GlyphSet& set, const std::vector<Box>& boxes)
   {
     GlyphRun run;
     run.first = static_cast<std::uint32_t>(at);
-    run.count = static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, set.count - at));
+    run.count =
+      static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, set.count - at));
     std::vector<vk::AabbPositionsKHR> positions(run.count);
     std::transform(boxes.begin() + at, boxes.begin() + at + run.count, positions.begin(), ToVulkan);
     run.structure = AccelerationStructure::OverBoxes(this->device->GetState(), positions);
@@ -404,8 +411,8 @@ void Scene::State::BuildTree(GlyphSet& set, const std::vector<Box>& boxes)
   const float pad = std::ldexp(set.builtReach, -20);
   GlyphRun run;
   run.count = static_cast<std::uint32_t>(set.count);
-  run.structure = AccelerationStructure::OverBoxes(this->device->GetState(),
-    { ToVulkan({ set.bounds.lower - pad, set.bounds.upper + pad }) });
+  run.structure = AccelerationStructure::OverBoxes(
+    this->device->GetState(), { ToVulkan({ set.bounds.lower - pad, set.bounds.upper + pad }) });
   set.runs.push_back(std::move(run));
   ++this->statistics.structureBuilds;
 }

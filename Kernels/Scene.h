@@ -14,14 +14,14 @@ class Device;
 /// What was done and what is held; every count only grows. Seconds are wall-clock.
 struct Statistics
 {
-  std::uint64_t structureBuilds = 0;  ///< bottom-level structures built
-  std::uint64_t topLevelBuilds = 0;   ///< top-level structures built
-  std::uint64_t instanceUploads = 0;  ///< glyph sets whose centres, sizes, rotations were sent
-  std::uint64_t colourUploads = 0;    ///< glyph sets whose colours were sent
+  std::uint64_t structureBuilds = 0; ///< bottom-level structures built
+  std::uint64_t topLevelBuilds = 0;  ///< top-level structures built
+  std::uint64_t instanceUploads = 0; ///< glyph sets whose centres, sizes, rotations were sent
+  std::uint64_t colourUploads = 0;   ///< glyph sets whose colours were sent
   std::uint64_t pipelineBuilds = 0;
-  std::uint64_t dispatches = 0;       ///< images or sample batches traced
+  std::uint64_t dispatches = 0; ///< images or sample batches traced
   std::uint64_t primaryRays = 0;
-  std::uint64_t deviceBytes = 0;      ///< held now, not a running count
+  std::uint64_t deviceBytes = 0; ///< held now, not a running count
   double sortSeconds = 0.0;
   double buildSeconds = 0.0;
   double uploadSeconds = 0.0;

@@ -36,7 +36,7 @@ struct GlyphRun
 enum class Structure
 {
   Boxes, ///< the driver's: one primitive a glyph; on GPUs
-  Tree   ///< our GlyphTree, of which the driver sees only the whole as one primitive; on CPU devices
+  Tree ///< our GlyphTree, of which the driver sees only the whole as one primitive; on CPU devices
 };
 
 /// One glyph set: what was asked for, and what of it is on the device.
@@ -51,12 +51,13 @@ struct GlyphSet
   bool coloursChanged = false;
 
   std::size_t count = 0;
-  std::vector<std::uint32_t> order; ///< sorted position -> index in the caller's order; empty: the same
+  std::vector<std::uint32_t>
+    order; ///< sorted position -> index in the caller's order; empty: the same
   HitGroup group;
   HitGroup placedGroup;           ///< as the top level has it
   bool placedTranslucent = false; ///< likewise
-  Bounds bounds;            ///< relative to instances.origin
-  float builtReach = 0.0f;  ///< distance of ray origins that the boxes' padding allows for
+  Bounds bounds;                  ///< relative to instances.origin
+  float builtReach = 0.0f;        ///< distance of ray origins that the boxes' padding allows for
   Buffer centres, sizes, rotations, colourBuffer, tree;
   std::uint32_t treeLevels = 0;
   std::uint32_t treeLeafBits = 0;
@@ -80,14 +81,14 @@ struct Scene::State
 
   // Built by Commit().
   glm::dvec3 origin{ 0.0 };
-  Bounds bounds;                       ///< of all visible sets, relative to origin
+  Bounds bounds; ///< of all visible sets, relative to origin
   std::vector<HitGroup> groups;
   std::vector<device::GlyphSetRecord> records;
   Buffer recordBuffer;
   AccelerationStructure topLevel;
   bool topLevelChanged = true;
   bool recordsChanged = true;
-  std::uint64_t version = 0;           ///< grows with every change that changes the image
+  std::uint64_t version = 0; ///< grows with every change that changes the image
 
   void SendInstances(GlyphSet& set, float reach);
   void Sort(GlyphSet& set);

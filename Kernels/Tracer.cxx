@@ -62,7 +62,8 @@ void FillCamera(device::FrameRecord& frame, const Camera& camera, const glm::dve
   frame.parallel = camera.parallel;
 }
 
-std::vector<device::LightRecord> MakeLights(const std::vector<Light>& lights, const glm::dvec3& origin)
+std::vector<device::LightRecord>
+MakeLights(const std::vector<Light>& lights, const glm::dvec3& origin)
 {
   std::vector<device::LightRecord> records;
   for (const Light& light : lights)
@@ -95,8 +96,8 @@ void CheckSettings(const TraceSettings& settings)
   if (settings.width > maxSide || settings.height > maxSide)
   {
     throw Error("Ray Traced Glyphs: an image of " + std::to_string(settings.width) + " x " +
-      std::to_string(settings.height) + " pixels is too large; the most is " + std::to_string(maxSide) +
-      " a side.");
+      std::to_string(settings.height) + " pixels is too large; the most is " +
+      std::to_string(maxSide) + " a side.");
   }
 }
 
@@ -174,7 +175,8 @@ void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene,
       {
         pipeline.Trace(command, &push, sizeof(push), width, std::min(rowsAtOnce, height - row));
         // Results are read by the host.
-        const vk::MemoryBarrier barrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
+        const vk::MemoryBarrier barrier(
+          vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
         command.pipelineBarrier(vk::PipelineStageFlagBits::eRayTracingShaderKHR,
           vk::PipelineStageFlagBits::eHost, {}, barrier, {}, {});
       });
@@ -223,8 +225,10 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
       device::FrameRecord frame{};
       FillCamera(frame, camera, glyphs.origin);
       const auto lightRecords = MakeLights(lights, glyphs.origin);
-      Fit(state.lightBuffer, vulkan, std::max<std::size_t>(1, lightRecords.size()) * sizeof(device::LightRecord));
-      state.lightBuffer.Upload(lightRecords.data(), lightRecords.size() * sizeof(device::LightRecord));
+      Fit(state.lightBuffer, vulkan,
+        std::max<std::size_t>(1, lightRecords.size()) * sizeof(device::LightRecord));
+      state.lightBuffer.Upload(
+        lightRecords.data(), lightRecords.size() * sizeof(device::LightRecord));
       frame.sets = glyphs.recordBuffer.Address();
       frame.lights = state.lightBuffer.Address();
       frame.lightCount = static_cast<std::uint32_t>(lightRecords.size());
@@ -241,7 +245,8 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
       frame.cullMask = 1u << static_cast<std::uint32_t>(pass);
 
       const std::uint32_t tilesX = DivideUp(DivideUp(settings.width, settings.pixelStep), tileSize);
-      const std::uint32_t tilesY = DivideUp(DivideUp(settings.height, settings.pixelStep), tileSize);
+      const std::uint32_t tilesY =
+        DivideUp(DivideUp(settings.height, settings.pixelStep), tileSize);
       frame.tilesX = tilesX;
       state.Launch(state.PipelineFor(Program::Image, glyphs.groups), glyphs, frame,
         tilesX * lanesPerTile, tilesY);
@@ -256,7 +261,8 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
 {
   State& state = *this->state_;
   const Scene::State& glyphs = scene.GetState();
-  std::vector<ProbeHit> hits(probes.size(), { INFINITY, glm::vec3(0.0f), Image::noGlyph, Image::noGlyph });
+  std::vector<ProbeHit> hits(
+    probes.size(), { INFINITY, glm::vec3(0.0f), Image::noGlyph, Image::noGlyph });
   if (probes.empty() || glyphs.topLevel.Address() == 0)
   {
     return hits;
@@ -272,9 +278,11 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
         Split(probes[i].origin - glyphs.origin, records[i].origin, records[i].originLow);
         records[i].direction = probes[i].direction;
       }
-      Buffer input(vulkan, records.size() * sizeof(records[0]), Usage::eStorageBuffer, Buffer::Place::Host);
+      Buffer input(
+        vulkan, records.size() * sizeof(records[0]), Usage::eStorageBuffer, Buffer::Place::Host);
       input.Upload(records.data(), input.Size());
-      Buffer output(vulkan, probes.size() * sizeof(device::ProbeResult), Usage::eStorageBuffer, Buffer::Place::Host);
+      Buffer output(vulkan, probes.size() * sizeof(device::ProbeResult), Usage::eStorageBuffer,
+        Buffer::Place::Host);
 
       device::FrameRecord frame{};
       frame.sets = glyphs.recordBuffer.Address();

@@ -37,8 +37,9 @@ enum class Pass : std::uint32_t
 struct TraceSettings
 {
   std::uint32_t width = 0, height = 0;
-  std::uint32_t samples = 1;    ///< samples a pixel of this image, >= 1; sample 0 is the pixel's centre
-  std::uint32_t pixelStep = 1;  ///< trace every n-th pixel in x and y and repeat it, for interaction
+  std::uint32_t samples =
+    1; ///< samples a pixel of this image, >= 1; sample 0 is the pixel's centre
+  std::uint32_t pixelStep = 1; ///< trace every n-th pixel in x and y and repeat it, for interaction
 };
 
 /// Traces a committed scene. Not thread-safe. Throws rtg::Error; on a lost device the message says so
@@ -64,8 +65,8 @@ public:
   };
   struct ProbeHit
   {
-    float t;             ///< +inf: no hit
-    glm::vec3 normal;    ///< outward, unit
+    float t;          ///< +inf: no hit
+    glm::vec3 normal; ///< outward, unit
     std::uint32_t setId, glyphId;
   };
   std::vector<ProbeHit> TraceProbes(Scene& scene, const std::vector<Probe>& probes);

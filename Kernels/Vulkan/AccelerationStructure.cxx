@@ -25,7 +25,8 @@ AccelerationStructure::AccelerationStructure(Device::State& device,
   // The scratch address must be aligned to the device's limit.
   const std::size_t alignment =
     device.structureLimits.minAccelerationStructureScratchOffsetAlignment;
-  const Buffer scratch(device, sizes.buildScratchSize + alignment, Usage::eStorageBuffer, Buffer::Place::Device);
+  const Buffer scratch(
+    device, sizes.buildScratchSize + alignment, Usage::eStorageBuffer, Buffer::Place::Device);
   info.dstAccelerationStructure = *this->structure_;
   info.scratchData.deviceAddress = (scratch.Address() + alignment - 1) / alignment * alignment;
   const vk::AccelerationStructureBuildRangeInfoKHR range(count, 0, 0, 0);

@@ -14,8 +14,8 @@ public:
   AccelerationStructure() = default;
 
   /// Over axis-aligned boxes, one procedural opaque primitive each. `boxes` are VkAabbPositionsKHR.
-  static AccelerationStructure OverBoxes(
-    Device::State& device, const std::vector<vk::AabbPositionsKHR>& boxes);
+  static AccelerationStructure
+  OverBoxes(Device::State& device, const std::vector<vk::AabbPositionsKHR>& boxes);
 
   /// Over instances of bottom-level structures.
   static AccelerationStructure OverInstances(

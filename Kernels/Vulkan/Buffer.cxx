@@ -23,14 +23,15 @@ std::optional<std::uint32_t> FindMemoryType(const vk::PhysicalDeviceMemoryProper
   return std::nullopt;
 }
 
-std::uint32_t ChooseMemoryType(
-  const Device::State& device, std::uint32_t allowed, Buffer::Place place)
+std::uint32_t
+ChooseMemoryType(const Device::State& device, std::uint32_t allowed, Buffer::Place place)
 {
   using Flag = vk::MemoryPropertyFlagBits;
   const vk::MemoryPropertyFlags host = Flag::eHostVisible | Flag::eHostCoherent;
   const vk::MemoryPropertyFlags preferences[2][3] = {
     // On a CPU device, or where a resizable BAR exists, device memory is also the host's.
-    { device.cpu ? Flag::eDeviceLocal | host : vk::MemoryPropertyFlags(Flag::eDeviceLocal), Flag::eDeviceLocal, {} },
+    { device.cpu ? Flag::eDeviceLocal | host : vk::MemoryPropertyFlags(Flag::eDeviceLocal),
+      Flag::eDeviceLocal, {} },
     { host | Flag::eHostCached, host, host },
   };
   for (const auto& wanted : preferences[static_cast<int>(place)])
@@ -72,7 +73,8 @@ Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usa
   this->buffer_.bindMemory(*this->memory_, 0);
   this->address_ = device.device.getBufferAddress(vk::BufferDeviceAddressInfo(*this->buffer_));
   const auto flags = device.memory.memoryTypes[info.memoryTypeIndex].propertyFlags;
-  if (flags & vk::MemoryPropertyFlagBits::eHostVisible && flags & vk::MemoryPropertyFlagBits::eHostCoherent)
+  if (flags & vk::MemoryPropertyFlagBits::eHostVisible &&
+    flags & vk::MemoryPropertyFlagBits::eHostCoherent)
   {
     this->mapped_ = this->memory_.mapMemory(0, VK_WHOLE_SIZE);
   }

@@ -17,7 +17,8 @@ constexpr const char* requiredExtensions[] = { VK_KHR_ACCELERATION_STRUCTURE_EXT
   VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME, VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME };
 
 constexpr const char* remedy =
-  "Install a driver with VK_KHR_ray_tracing_pipeline: a GPU vendor's, or Mesa 24.1 or newer with lavapipe "
+  "Install a driver with VK_KHR_ray_tracing_pipeline: a GPU vendor's, or Mesa 24.1 or newer with "
+  "lavapipe "
   "(Debian: mesa-vulkan-drivers, on Debian 12 from bookworm-backports).";
 
 using Features = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
@@ -80,8 +81,8 @@ bool ContainsIgnoringCase(const std::string& text, const std::string& part)
 }
 
 // The index of the device that `wanted` names by number or part of its name.
-std::optional<std::size_t> FindNamed(
-  const std::vector<vk::raii::PhysicalDevice>& devices, const std::string& wanted)
+std::optional<std::size_t>
+FindNamed(const std::vector<vk::raii::PhysicalDevice>& devices, const std::string& wanted)
 {
   if (wanted.find_first_not_of("0123456789") == std::string::npos && wanted.size() < 6)
   {
@@ -143,7 +144,8 @@ std::size_t ChooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices)
     {
       return i;
     }
-    if (!best || (type != vk::PhysicalDeviceType::eCpu &&
+    if (!best ||
+      (type != vk::PhysicalDeviceType::eCpu &&
         devices[*best].getProperties().deviceType == vk::PhysicalDeviceType::eCpu))
     {
       best = i;
@@ -151,7 +153,8 @@ std::size_t ChooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices)
   }
   if (!best)
   {
-    throw Error("Ray Traced Glyphs: no Vulkan device can trace rays. Found: " + found.str() + ". " + remedy);
+    throw Error(
+      "Ray Traced Glyphs: no Vulkan device can trace rays. Found: " + found.str() + ". " + remedy);
   }
   return *best;
 }
@@ -170,8 +173,8 @@ std::uint32_t ChooseQueueFamily(const vk::raii::PhysicalDevice& physical)
     "' has no compute queue. " + remedy);
 }
 
-vk::raii::Device MakeDevice(
-  const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool int64)
+vk::raii::Device
+MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool int64)
 {
   Features enabled;
   enabled.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 = int64;
@@ -300,18 +303,21 @@ void Device::State::Rethrow(const char* doing, const vk::SystemError& error)
   if (dynamic_cast<const vk::DeviceLostError*>(&error))
   {
     this->lost = true;
-    message << "the Vulkan device was lost. The glyphs are sent again to a new one on the next render; if it "
+    message << "the Vulkan device was lost. The glyphs are sent again to a new one on the next "
+               "render; if it "
                "recurs, lower SamplesPerPixel or update the driver.";
   }
   else if (dynamic_cast<const vk::OutOfDeviceMemoryError*>(&error) ||
     dynamic_cast<const vk::OutOfHostMemoryError*>(&error))
   {
-    message << "out of memory with " << (this->bytes.load() >> 20)
-            << " MiB held. Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs) or hide other data.";
+    message
+      << "out of memory with " << (this->bytes.load() >> 20)
+      << " MiB held. Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs) or hide other data.";
   }
   else
   {
-    message << error.what() << ". Update the driver, or choose another device with RTGLYPHS_DEVICE.";
+    message << error.what()
+            << ". Update the driver, or choose another device with RTGLYPHS_DEVICE.";
   }
   throw Error(message.str());
 }

@@ -59,7 +59,8 @@ Pipeline::Pipeline(Device::State& device, Program program, const std::vector<Hit
   std::vector<Specialisation> constants(groups.size());
   std::vector<vk::SpecializationInfo> specialisations(groups.size());
   modules.reserve(2 + 2 * groups.size());
-  const auto addStage = [&](Stage stage, const programs::Code& code, const vk::SpecializationInfo* special)
+  const auto addStage =
+    [&](Stage stage, const programs::Code& code, const vk::SpecializationInfo* special)
   {
     modules.push_back(MakeModule(device, code));
     stages.emplace_back(
@@ -69,8 +70,8 @@ Pipeline::Pipeline(Device::State& device, Program program, const std::vector<Hit
   std::vector<vk::RayTracingShaderGroupCreateInfoKHR> shaderGroups;
   const auto addGeneral = [&](std::uint32_t stage)
   {
-    shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eGeneral, stage, VK_SHADER_UNUSED_KHR,
-      VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
+    shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eGeneral, stage,
+      VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
   };
   addGeneral(addStage(Stage::eRaygenKHR,
     program == Program::Image ? programs::imageGeneration : programs::probeGeneration, nullptr));
@@ -78,14 +79,16 @@ Pipeline::Pipeline(Device::State& device, Program program, const std::vector<Hit
   for (std::size_t i = 0; i < groups.size(); ++i)
   {
     const HitGroup& group = groups[i];
-    constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads, group.hasTree };
-    specialisations[i] = vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
-      specialisationMap, sizeof(Specialisation), &constants[i]);
+    constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads,
+      group.hasTree };
+    specialisations[i] =
+      vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
+        specialisationMap, sizeof(Specialisation), &constants[i]);
     const programs::ShapeCode& code = programs::shapes[static_cast<std::uint32_t>(group.shape)];
-    const std::uint32_t intersection =
-      addStage(Stage::eIntersectionKHR,
-        group.hasTree ? code.treeIntersection : code.intersection, &specialisations[i]);
-    const std::uint32_t closestHit = addStage(Stage::eClosestHitKHR, code.closestHit, &specialisations[i]);
+    const std::uint32_t intersection = addStage(Stage::eIntersectionKHR,
+      group.hasTree ? code.treeIntersection : code.intersection, &specialisations[i]);
+    const std::uint32_t closestHit =
+      addStage(Stage::eClosestHitKHR, code.closestHit, &specialisations[i]);
     shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eProceduralHitGroup,
       VK_SHADER_UNUSED_KHR, closestHit, VK_SHADER_UNUSED_KHR, intersection);
   }
@@ -107,11 +110,12 @@ Pipeline::Pipeline(Device::State& device, Program program, const std::vector<Hit
   std::memcpy(table.data() + missAt, handles.data() + handleSize, handleSize);
   for (std::size_t i = 0; i < groups.size(); ++i)
   {
-    std::memcpy(table.data() + hitAt + i * stride, handles.data() + (2 + i) * handleSize, handleSize);
+    std::memcpy(
+      table.data() + hitAt + i * stride, handles.data() + (2 + i) * handleSize, handleSize);
   }
   // The buffer's address need not be aligned to the table's base, so room is left to shift it.
-  this->table_ = Buffer(device, table.size() + base, vk::BufferUsageFlagBits::eShaderBindingTableKHR,
-    Buffer::Place::Device);
+  this->table_ = Buffer(device, table.size() + base,
+    vk::BufferUsageFlagBits::eShaderBindingTableKHR, Buffer::Place::Device);
   const vk::DeviceAddress address = AlignUp(this->table_.Address(), base);
   table.insert(table.begin(), address - this->table_.Address(), 0);
   this->table_.Upload(table.data(), table.size());
@@ -128,7 +132,8 @@ void Pipeline::Trace(vk::raii::CommandBuffer& command, const void* push, std::ui
   command.pushConstants<std::uint8_t>(*this->layout_,
     Stage::eRaygenKHR | Stage::eIntersectionKHR | Stage::eClosestHitKHR | Stage::eMissKHR, 0,
     vk::ArrayProxy<const std::uint8_t>(pushSize, static_cast<const std::uint8_t*>(push)));
-  command.traceRaysKHR(this->generation_, this->miss_, this->hit_, this->callable_, width, height, 1);
+  command.traceRaysKHR(
+    this->generation_, this->miss_, this->hit_, this->callable_, width, height, 1);
 }
 
 } // namespace rtg

@@ -37,22 +37,25 @@ inline void HardCaseMaker::Fill(HardCase& hard, const RayMaker& maker)
 /// Rays all over the glyph's box, from `distance` glyph sizes away.
 inline void HardCaseMaker::Aim(HardCase& hard, double distance)
 {
-  this->Fill(hard, [&](HardCase& h, std::uint32_t i) {
-    this->Shoot(h, i, this->ToWorld(h, i, this->RandomBoxPoint()), this->UnitVector(),
-      distance * this->Extent(h, i) * this->Uniform(0.9, 1.1));
-  });
+  this->Fill(hard,
+    [&](HardCase& h, std::uint32_t i)
+    {
+      this->Shoot(h, i, this->ToWorld(h, i, this->RandomBoxPoint()), this->UnitVector(),
+        distance * this->Extent(h, i) * this->Uniform(0.9, 1.1));
+    });
 }
 
 /// A point of the surface, by the kernel in double.
-inline bool HardCaseMaker::Surface(
-  const HardCase& hard, std::uint32_t index, Vec& point, Vec& normal)
+inline bool
+HardCaseMaker::Surface(const HardCase& hard, std::uint32_t index, Vec& point, Vec& normal)
 {
   const Exact::Glyph glyph = KernelGlyph<double>(hard.instances, index);
   for (int attempt = 0; attempt < 100; ++attempt)
   {
     const Vec direction = this->UnitVector();
     const Vec target = this->ToWorld(hard, index, this->RandomBoxPoint());
-    const Exact::GlyphRay ray{ target - 3.0 * this->Extent(hard, index) * direction, Vec(0), direction };
+    const Exact::GlyphRay ray{ target - 3.0 * this->Extent(hard, index) * direction, Vec(0),
+      direction };
     double t;
     if (Exact::Intersect(hard.instances.shape, ray, glyph, 0.0, 1e30, t))
     {
@@ -67,88 +70,99 @@ inline bool HardCaseMaker::Surface(
 /// Tangents of the surface, moved out or in by 0 to 1e-2 glyph sizes.
 inline void HardCaseMaker::Graze(HardCase& hard)
 {
-  this->Fill(hard, [&](HardCase& h, std::uint32_t i) {
-    Vec point, normal;
-    if (this->Surface(h, i, point, normal))
+  this->Fill(hard,
+    [&](HardCase& h, std::uint32_t i)
     {
-      const double extent = this->Extent(h, i);
-      const double off = this->Choice(8) == 0 ? 0.0 : std::pow(10.0, this->Uniform(-9, -2));
-      const Vec tangent = glm::normalize(glm::cross(normal, this->UnitVector()));
-      const double side = this->Choice(3) == 0 ? 1.0 : -1.0;
-      this->Shoot(h, i, point + side * off * extent * normal, tangent, 2 * extent);
-    }
-  });
+      Vec point, normal;
+      if (this->Surface(h, i, point, normal))
+      {
+        const double extent = this->Extent(h, i);
+        const double off = this->Choice(8) == 0 ? 0.0 : std::pow(10.0, this->Uniform(-9, -2));
+        const Vec tangent = glm::normalize(glm::cross(normal, this->UnitVector()));
+        const double side = this->Choice(3) == 0 ? 1.0 : -1.0;
+        this->Shoot(h, i, point + side * off * extent * normal, tangent, 2 * extent);
+      }
+    });
 }
 
 /// Rays through, or within 1e-8 to 1e-3 sizes of, edges, rims, vertices and apexes.
 inline void HardCaseMaker::Touch(HardCase& hard)
 {
-  this->Fill(hard, [&](HardCase& h, std::uint32_t i) {
-    const double off = this->Choice(4) == 0 ? 0.0 : std::pow(10.0, this->Uniform(-8, -3));
-    const double extent = this->Extent(h, i);
-    const Vec target = this->ToWorld(h, i, this->EdgePoint()) + off * extent * this->UnitVector();
-    this->Shoot(h, i, target, this->UnitVector(), extent * this->Uniform(0.5, 5));
-  });
+  this->Fill(hard,
+    [&](HardCase& h, std::uint32_t i)
+    {
+      const double off = this->Choice(4) == 0 ? 0.0 : std::pow(10.0, this->Uniform(-8, -3));
+      const double extent = this->Extent(h, i);
+      const Vec target = this->ToWorld(h, i, this->EdgePoint()) + off * extent * this->UnitVector();
+      this->Shoot(h, i, target, this->UnitVector(), extent * this->Uniform(0.5, 5));
+    });
 }
 
 inline void HardCaseMaker::StartInside(HardCase& hard)
 {
-  this->Fill(hard, [&](HardCase& h, std::uint32_t i) {
-    this->Shoot(h, i, this->ToWorld(h, i, 0.9 * this->RandomBoxPoint()), this->UnitVector(), 0.0);
-  });
+  this->Fill(hard,
+    [&](HardCase& h, std::uint32_t i) {
+      this->Shoot(h, i, this->ToWorld(h, i, 0.9 * this->RandomBoxPoint()), this->UnitVector(), 0.0);
+    });
 }
 
 inline void HardCaseMaker::StartOnSurface(HardCase& hard)
 {
-  this->Fill(hard, [&](HardCase& h, std::uint32_t i) {
-    Vec point, normal;
-    if (this->Surface(h, i, point, normal))
+  this->Fill(hard,
+    [&](HardCase& h, std::uint32_t i)
     {
-      this->Shoot(h, i, point, this->UnitVector(), 0.0);
-    }
-  });
+      Vec point, normal;
+      if (this->Surface(h, i, point, normal))
+      {
+        this->Shoot(h, i, point, this->UnitVector(), 0.0);
+      }
+    });
 }
 
 /// Parallel to the unit form's axes, edges, diagonals, through its symmetry points; the glyph is not turned,
 /// so these rays meet edges, vertices and apexes exactly.
 inline void HardCaseMaker::AlongAxes(HardCase& hard)
 {
-  this->Fill(hard, [&](HardCase& h, std::uint32_t i) {
-    const double lattice[] = { -0.5, -0.25, 0.0, 0.25, 0.5, 0.5000001, 0.4999999 };
-    const Vec box(lattice[this->Choice(7)], lattice[this->Choice(7)], lattice[this->Choice(7)]);
-    Vec direction(this->Choice(3) - 1, this->Choice(3) - 1, this->Choice(3) - 1);
-    if (direction == Vec(0))
+  this->Fill(hard,
+    [&](HardCase& h, std::uint32_t i)
     {
-      direction.x = 1;
-    }
-    this->Shoot(h, i, this->ToWorld(h, i, box), direction, 4 * this->Extent(h, i));
-  });
+      const double lattice[] = { -0.5, -0.25, 0.0, 0.25, 0.5, 0.5000001, 0.4999999 };
+      const Vec box(lattice[this->Choice(7)], lattice[this->Choice(7)], lattice[this->Choice(7)]);
+      Vec direction(this->Choice(3) - 1, this->Choice(3) - 1, this->Choice(3) - 1);
+      if (direction == Vec(0))
+      {
+        direction.x = 1;
+      }
+      this->Shoot(h, i, this->ToWorld(h, i, box), direction, 4 * this->Extent(h, i));
+    });
 }
 
 /// Within a few thicknesses of a needle's axis or of a flat glyph's plane.
 inline void HardCaseMaker::AlongThinness(HardCase& hard, double ratio)
 {
-  this->Fill(hard, [&](HardCase& h, std::uint32_t i) {
-    const Vec centre = this->ToWorld(h, i, 0.8 * this->RandomBoxPoint());
-    const Vec other = this->ToWorld(h, i, 0.8 * this->RandomBoxPoint());
-    const double spread = std::pow(ratio, this->Uniform(-1.2, 0.0));
-    const Vec direction = glm::normalize(other - centre) + spread * this->UnitVector();
-    this->Shoot(h, i, centre, glm::normalize(direction), 3 * this->Extent(h, i));
-  });
+  this->Fill(hard,
+    [&](HardCase& h, std::uint32_t i)
+    {
+      const Vec centre = this->ToWorld(h, i, 0.8 * this->RandomBoxPoint());
+      const Vec other = this->ToWorld(h, i, 0.8 * this->RandomBoxPoint());
+      const double spread = std::pow(ratio, this->Uniform(-1.2, 0.0));
+      const Vec direction = glm::normalize(other - centre) + spread * this->UnitVector();
+      this->Shoot(h, i, centre, glm::normalize(direction), 3 * this->Extent(h, i));
+    });
 }
 
 inline std::vector<HardCase> HardCaseMaker::All()
 {
   std::vector<HardCase> cases;
   const auto add = [&](const std::string& situation, double size, double ratio, double distance,
-                     bool turned, const std::function<void(HardCase&)>& rays) {
+                     bool turned, const std::function<void(HardCase&)>& rays)
+  {
     HardCase hard = this->Start(situation, size, ratio, distance, turned);
     rays(hard);
     cases.push_back(std::move(hard));
   };
-  const auto aim = [&](double distance) {
-    return [this, distance](HardCase& h) { this->Aim(h, distance); };
-  };
+  const auto aim = [&](double distance)
+  { return [this, distance](HardCase& h) { this->Aim(h, distance); }; };
   const bool turned = !this->subject_.sameSize;
 
   add("plain", 1, 1, 0, false, aim(3));
@@ -172,7 +186,8 @@ inline std::vector<HardCase> HardCaseMaker::All()
       add("thin" + suffix, 1, ratio, 0, true, aim(3));
       add("thin" + suffix + ", along", 1, ratio, 0, true,
         [this, ratio](HardCase& h) { this->AlongThinness(h, ratio); });
-      add("thin" + suffix + ", grazing", 1, ratio, 0, true, [this](HardCase& h) { this->Graze(h); });
+      add(
+        "thin" + suffix + ", grazing", 1, ratio, 0, true, [this](HardCase& h) { this->Graze(h); });
     }
     add("thin 1:1e4, 1e4 from the origin", 0.02, 1e4, 1e4, true, aim(50));
   }
@@ -181,7 +196,8 @@ inline std::vector<HardCase> HardCaseMaker::All()
 
 inline std::vector<Subject> HardSubjects()
 {
-  const auto arrow = [](float shaft, float tip, float length, float rounding, bool fixed) {
+  const auto arrow = [](float shaft, float tip, float length, float rounding, bool fixed)
+  {
     ArrowForm form;
     form.shaftRadius = shaft;
     form.tipRadius = tip;
@@ -204,7 +220,8 @@ inline std::vector<Subject> HardSubjects()
     { "arrow, only a head", Shape::Arrow, arrow(0.03f, 0.5f, 1, 0.5f, false), false },
     { "arrow, no shaft", Shape::Arrow, arrow(0, 0.2f, 0.5f, 0.3f, true), false },
     { "arrow, thick shaft", Shape::Arrow, arrow(0.3f, 0.1f, 0.35f, 1, true), false },
-    { "arrow, shaft as thick as the tip", Shape::Arrow, arrow(0.1f, 0.1f, 0.35f, 0.5f, true), false },
+    { "arrow, shaft as thick as the tip", Shape::Arrow, arrow(0.1f, 0.1f, 0.35f, 0.5f, true),
+      false },
   };
 }
 

@@ -17,9 +17,9 @@ namespace rtg::testing
 
 struct HardRay
 {
-  glm::dvec3 origin;    ///< relative to GlyphInstances::origin; a float plus a float, exactly
-  glm::vec3 direction;  ///< of any length
-  std::uint32_t glyph;  ///< the glyph it is aimed at
+  glm::dvec3 origin;   ///< relative to GlyphInstances::origin; a float plus a float, exactly
+  glm::vec3 direction; ///< of any length
+  std::uint32_t glyph; ///< the glyph it is aimed at
 };
 
 struct HardCase
@@ -31,11 +31,13 @@ struct HardCase
 };
 
 template <class Real>
-typename shapes::Kernel<Real>::Glyph KernelGlyph(const GlyphInstances& instances, std::uint32_t index)
+typename shapes::Kernel<Real>::Glyph
+KernelGlyph(const GlyphInstances& instances, std::uint32_t index)
 {
   typename shapes::Kernel<Real>::Glyph glyph{};
   glyph.centre = instances.centres[index];
-  glyph.size = !instances.sizes3.empty() ? instances.sizes3[index]
+  glyph.size = !instances.sizes3.empty()
+    ? instances.sizes3[index]
     : glm::vec3(!instances.sizes1.empty() ? instances.sizes1[index] : instances.uniformSize);
   glyph.turned = !instances.rotations.empty();
   glyph.rotation = glyph.turned ? instances.rotations[index] : glm::vec4(0, 0, 0, 1);
@@ -120,8 +122,10 @@ private:
   bool Surface(const HardCase& hard, std::uint32_t index, Vec& point, Vec& normal);
   double Extent(const HardCase& hard, std::uint32_t index) const;
 
-  HardCase Start(const std::string& situation, double size, double ratio, double distance, bool turned);
-  void Shoot(HardCase& hard, std::uint32_t index, const Vec& target, Vec direction, double distance);
+  HardCase
+  Start(const std::string& situation, double size, double ratio, double distance, bool turned);
+  void
+  Shoot(HardCase& hard, std::uint32_t index, const Vec& target, Vec direction, double distance);
   void Fill(HardCase& hard, const RayMaker& maker);
   void Aim(HardCase& hard, double distance);
   void Graze(HardCase& hard);
@@ -183,8 +187,8 @@ inline double HardCaseMaker::Extent(const HardCase& hard, std::uint32_t index) c
   return glm::max(glyph.size.x, glm::max(glyph.size.y, glyph.size.z));
 }
 
-inline glm::dvec3 HardCaseMaker::ToWorld(
-  const HardCase& hard, std::uint32_t index, const Vec& box) const
+inline glm::dvec3
+HardCaseMaker::ToWorld(const HardCase& hard, std::uint32_t index, const Vec& box) const
 {
   const Exact::Glyph glyph = KernelGlyph<double>(hard.instances, index);
   Vec scale = glyph.size;
@@ -236,8 +240,8 @@ inline glm::dvec3 HardCaseMaker::EdgePoint()
       const double shaft = r > 0 ? arrow.shaftRadius / r : 0, tip = r > 0 ? arrow.tipRadius / r : 0;
       // For fixed heads the head's base is elsewhere unless the arrow has unit length: still near edges.
       const double base = 0.5 - arrow.tipLength;
-      const Vec edges[] = { { 0.5, 0, 0 }, { base, tip * c, tip * s }, { base, shaft * c, shaft * s },
-        { -0.5, shaft * c, shaft * s } };
+      const Vec edges[] = { { 0.5, 0, 0 }, { base, tip * c, tip * s },
+        { base, shaft * c, shaft * s }, { -0.5, shaft * c, shaft * s } };
       return edges[this->Choice(4)];
     }
     default:

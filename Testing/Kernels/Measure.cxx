@@ -114,7 +114,8 @@ Verdict Judge(ReferenceGlyph& glyph, const HardRay& ray, double tMin, const Answ
     return verdict;
   }
   const auto closest = std::min_element(candidates.begin(), candidates.end(),
-    [&](const auto* a, const auto* b) { return fabs(double(a->t - answer.t)) < fabs(double(b->t - answer.t)); });
+    [&](const auto* a, const auto* b)
+    { return fabs(double(a->t - answer.t)) < fabs(double(b->t - answer.t)); });
   CompareHit<Real>(glyph, ray, answer, **closest, verdict);
   verdict.hasNormal = verdict.hasNormal && !verdict.nearSilhouette;
   return verdict;
@@ -145,9 +146,8 @@ CaseReport Summarise(const std::vector<Verdict>& verdicts)
       report.maxNormalExcess = std::max(report.maxNormalExcess, verdict.normalExcess);
     }
   }
-  const auto maximum = [](const std::vector<double>& values) {
-    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-  };
+  const auto maximum = [](const std::vector<double>& values)
+  { return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end()); };
   report.medianUlps = Median(ulps);
   report.maxUlps = maximum(ulps);
   report.medianSizes = Median(sizes);
@@ -177,8 +177,7 @@ std::vector<Verdict> JudgeKernel(const HardCase& hard)
     const typename Kernel::GlyphRay kernelRay = KernelRay<Real>(ray);
     Answer answer;
     Real t = 0;
-    answer.hit =
-      Kernel::Intersect(hard.instances.shape, kernelRay, glyph, Real(0), Real(1e30), t);
+    answer.hit = Kernel::Intersect(hard.instances.shape, kernelRay, glyph, Real(0), Real(1e30), t);
     answer.t = double(t);
     if (answer.hit)
     {

@@ -55,7 +55,8 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
   : shape_(instances.shape)
   , centre_(ToQuad(glm::dvec3(instances.centres[index])))
 {
-  const glm::vec3 size = !instances.sizes3.empty() ? instances.sizes3[index]
+  const glm::vec3 size = !instances.sizes3.empty()
+    ? instances.sizes3[index]
     : glm::vec3(!instances.sizes1.empty() ? instances.sizes1[index] : instances.uniformSize);
   const glm::vec4 q =
     instances.rotations.empty() ? glm::vec4(0, 0, 0, 1) : instances.rotations[index];
@@ -147,7 +148,8 @@ void ReferenceGlyph::MakeArrow(Quad factor)
       const Quad toCentre = this->ballCentre_ - base;
       const Quad distance = sqrtq(tip * tip + toCentre * toCentre);
       const Quad angle = atan2q(tip, toCentre) - asinq(this->ball_ / distance);
-      this->profile_.push_back({ this->ballCentre_ + this->ball_ * sinq(angle), this->ball_ * cosq(angle) });
+      this->profile_.push_back(
+        { this->ballCentre_ + this->ball_ * sinq(angle), this->ball_ * cosq(angle) });
       this->smoothEnd_ = true;
     }
   }
@@ -161,14 +163,15 @@ QuadVector ReferenceGlyph::Turned(const QuadVector& v, bool toWorld) const
   if (toWorld)
   {
     return { r[0][0] * v.x + r[0][1] * v.y + r[0][2] * v.z,
-      r[1][0] * v.x + r[1][1] * v.y + r[1][2] * v.z, r[2][0] * v.x + r[2][1] * v.y + r[2][2] * v.z };
+      r[1][0] * v.x + r[1][1] * v.y + r[1][2] * v.z,
+      r[2][0] * v.x + r[2][1] * v.y + r[2][2] * v.z };
   }
   return { r[0][0] * v.x + r[1][0] * v.y + r[2][0] * v.z,
     r[0][1] * v.x + r[1][1] * v.y + r[2][1] * v.z, r[0][2] * v.x + r[1][2] * v.y + r[2][2] * v.z };
 }
 
-std::vector<ReferenceCrossing> ReferenceGlyph::Crossings(
-  const glm::dvec3& origin, const glm::vec3& direction, double factor)
+std::vector<ReferenceCrossing>
+ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, double factor)
 {
   const QuadVector o = ToQuad(origin);
   const QuadVector d = ToQuad(glm::dvec3(direction));
@@ -182,8 +185,10 @@ std::vector<ReferenceCrossing> ReferenceGlyph::Crossings(
     scale = 1;
   }
   UnitRay ray;
-  ray.origin = { lo.x / this->scale_.x / scale, lo.y / this->scale_.y / scale, lo.z / this->scale_.z / scale };
-  ray.direction = { ld.x / this->scale_.x / scale, ld.y / this->scale_.y / scale, ld.z / this->scale_.z / scale };
+  ray.origin = { lo.x / this->scale_.x / scale, lo.y / this->scale_.y / scale,
+    lo.z / this->scale_.z / scale };
+  ray.direction = { ld.x / this->scale_.x / scale, ld.y / this->scale_.y / scale,
+    ld.z / this->scale_.z / scale };
 
   // Every t below counts from the point nearest to the glyph's origin, where digits matter most.
   const Quad start = -Dot(ray.origin, ray.direction) / Dot(ray.direction, ray.direction);
@@ -256,8 +261,8 @@ void ReferenceGlyph::Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance
   normal = this->Turned(normal, true);
   const Quad length = sqrtq(Dot(normal, normal));
   const Quad least = std::min({ this->scale_.x, this->scale_.y, this->scale_.z }) / this->size_;
-  crossings.push_back({ t, { normal.x / length, normal.y / length, normal.z / length }, edgeDistance,
-    edgeDistance * least });
+  crossings.push_back({ t, { normal.x / length, normal.y / length, normal.z / length },
+    edgeDistance, edgeDistance * least });
 }
 
 void ReferenceGlyph::MeetRectangles(
@@ -288,8 +293,8 @@ void ReferenceGlyph::MeetSphere(const UnitRay& ray, Quad centre, Quad radius, Qu
   std::vector<ReferenceCrossing>& crossings) const
 {
   const QuadVector o{ ray.origin.x - centre, ray.origin.y, ray.origin.z };
-  for (const Quad t : Roots(Dot(ray.direction, ray.direction), Dot(o, ray.direction),
-         Dot(o, o) - radius * radius))
+  for (const Quad t :
+    Roots(Dot(ray.direction, ray.direction), Dot(o, ray.direction), Dot(o, o) - radius * radius))
   {
     const QuadVector p = At(o, ray.direction, t);
     if (p.x + centre >= from - tolerance)

@@ -21,8 +21,8 @@ struct QuadVector
 /// A point where the line of a ray crosses a glyph's surface.
 struct ReferenceCrossing
 {
-  Quad t = 0;          ///< in lengths of the direction
-  QuadVector normal;   ///< outward, unit, in the world frame
+  Quad t = 0;            ///< in lengths of the direction
+  QuadVector normal;     ///< outward, unit, in the world frame
   Quad edgeDistance = 0; ///< to the nearest edge or apex, in the unit form's frame
   Quad edgeSizes = 0;    ///< at most the same in the world, in glyph sizes
 };
@@ -40,8 +40,8 @@ public:
   /// `origin` counts from GlyphInstances::origin. `factor` makes the glyph a little larger or smaller: affine
   /// glyphs scale about their centre; an arrow's radii scale and its ends move outwards by the same as
   /// its largest radius, so that a long thin arrow's head stays where it is.
-  std::vector<ReferenceCrossing> Crossings(
-    const glm::dvec3& origin, const glm::vec3& direction, double factor = 1.0);
+  std::vector<ReferenceCrossing>
+  Crossings(const glm::dvec3& origin, const glm::vec3& direction, double factor = 1.0);
 
 private:
   struct UnitRay
@@ -67,7 +67,7 @@ private:
 
   Shape shape_;
   QuadVector centre_;
-  QuadVector scale_;  ///< world size of the unit frame's unit
+  QuadVector scale_; ///< world size of the unit frame's unit
   ArrowForm arrow_;
   Quad arrowLength_ = 0; ///< in world units
   Quad rotation_[3][3];

@@ -21,7 +21,8 @@ ReferenceGlyph Unit(Shape shape, glm::vec3 size = glm::vec3(1.0f), const ArrowFo
   return ReferenceGlyph(instances, 0);
 }
 
-void ExpectCrossings(ReferenceGlyph glyph, glm::dvec3 origin, glm::vec3 direction, std::vector<double> expected)
+void ExpectCrossings(
+  ReferenceGlyph glyph, glm::dvec3 origin, glm::vec3 direction, std::vector<double> expected)
 {
   const auto crossings = glyph.Crossings(origin, direction);
   ASSERT_EQ(crossings.size(), expected.size());

@@ -43,7 +43,8 @@ bool Reaches(ReferenceGlyph& glyph, int axis, double bound, glm::dvec3 seed)
   double left = full;
   while (std::abs(left) > 1e-5 * glyph.Size())
   {
-    left = std::abs(0.3 * left) > 1e-5 * glyph.Size() ? 0.3 * left : std::copysign(0.99e-5 * glyph.Size(), full);
+    left = std::abs(0.3 * left) > 1e-5 * glyph.Size() ? 0.3 * left
+                                                      : std::copysign(0.99e-5 * glyph.Size(), full);
     if (!Cuts(glyph, axis, bound - left, seed))
     {
       return false;
@@ -70,15 +71,17 @@ TEST_P(ShapeBoundsTest, HoldTheSurface)
       Kernel::Bounds(hard.instances.shape, KernelGlyph<float>(hard.instances, i), lower, upper);
       // Tight but for rounding: what the scene pads by.
       const glm::vec3 size(float(reference.Size()));
-      const glm::vec3 pad = 4.0f * std::numeric_limits<float>::epsilon() * (glm::abs(hard.instances.centres[i]) + size);
+      const glm::vec3 pad =
+        4.0f * std::numeric_limits<float>::epsilon() * (glm::abs(hard.instances.centres[i]) + size);
       for (std::size_t k = i * 200; k < (i + 1) * 200 && k < hard.rays.size(); ++k)
       {
-        for (const auto& crossing : reference.Crossings(hard.rays[k].origin, hard.rays[k].direction))
+        for (const auto& crossing :
+          reference.Crossings(hard.rays[k].origin, hard.rays[k].direction))
         {
           for (int axis = 0; axis < 3; ++axis)
           {
-            const double p =
-              double(Quad(hard.rays[k].origin[axis]) + crossing.t * Quad(hard.rays[k].direction[axis]));
+            const double p = double(
+              Quad(hard.rays[k].origin[axis]) + crossing.t * Quad(hard.rays[k].direction[axis]));
             ASSERT_GE(p, lower[axis] - pad[axis]);
             ASSERT_LE(p, upper[axis] + pad[axis]);
           }
@@ -110,9 +113,9 @@ TEST_P(ShapeBoundsTest, TouchTheSurface)
         {
           const auto crossings = reference.Crossings(ray.origin, ray.direction);
           found = crossings.size() == 2;
-          inside = found ? ray.origin +
-              double(crossings[0].t + crossings[1].t) / 2 * glm::dvec3(ray.direction)
-                         : inside;
+          inside = found
+            ? ray.origin + double(crossings[0].t + crossings[1].t) / 2 * glm::dvec3(ray.direction)
+            : inside;
         }
       }
       ASSERT_TRUE(found);
@@ -126,7 +129,8 @@ TEST_P(ShapeBoundsTest, TouchTheSurface)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ShapeBoundsTest, ::testing::ValuesIn(HardSubjects()),
-  [](const auto& info) {
+  [](const auto& info)
+  {
     std::string name = info.param.name;
     for (char& c : name)
     {

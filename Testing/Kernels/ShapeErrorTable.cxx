@@ -38,7 +38,8 @@ double NanosecondsPerRay(const HardCase& hard)
       for (std::size_t i = 0; i < rays.size(); ++i)
       {
         float t = 0;
-        sum += Kernel::Intersect(hard.instances.shape, rays[i], glyphs[i], 0.0f, 1e30f, t) ? t : 0.0f;
+        sum +=
+          Kernel::Intersect(hard.instances.shape, rays[i], glyphs[i], 0.0f, 1e30f, t) ? t : 0.0f;
       }
     }
     sink = sink + sum;
@@ -50,10 +51,11 @@ double NanosecondsPerRay(const HardCase& hard)
 
 void WriteRow(std::ostream& csv, const HardCase& hard, const char* arithmetic, const CaseReport& r)
 {
-  csv << '"' << hard.subject << "\",\"" << hard.situation << "\"," << arithmetic << ',' << r.rays << ','
-      << r.hits << ',' << r.nearSilhouette << ',' << r.falseHits << ',' << r.falseMisses << ','
-      << r.outOfBound << ',' << r.medianUlps << ',' << r.maxUlps << ',' << r.medianSizes << ','
-      << r.maxSizes << ',' << r.maxExcess << ',' << r.medianRadians << ',' << r.maxRadians << ',' << r.maxNormalExcess << '\n';
+  csv << '"' << hard.subject << "\",\"" << hard.situation << "\"," << arithmetic << ',' << r.rays
+      << ',' << r.hits << ',' << r.nearSilhouette << ',' << r.falseHits << ',' << r.falseMisses
+      << ',' << r.outOfBound << ',' << r.medianUlps << ',' << r.maxUlps << ',' << r.medianSizes
+      << ',' << r.maxSizes << ',' << r.maxExcess << ',' << r.medianRadians << ',' << r.maxRadians
+      << ',' << r.maxNormalExcess << '\n';
 }
 
 } // namespace
@@ -68,15 +70,17 @@ int main(int argc, char** argv)
             "t_median_ulps,t_max_ulps,t_median_sizes,t_max_sizes,t_max_over_bound,"
             "normal_median_radians,normal_max_radians,normal_max_over_bound\n";
   }
-  std::printf("| shape | case | hits / rays | dt median, max (ulps) | dt median, max (sizes) | of bound | "
-              "normal max (rad) | false hits, misses | ns |\n|---|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+    "| shape | case | hits / rays | dt median, max (ulps) | dt median, max (sizes) | of bound | "
+    "normal max (rad) | false hits, misses | ns |\n|---|---|---|---|---|---|---|---|---|\n");
   for (const HardCase& hard : MakeHardCases())
   {
     const CaseReport r = Summarise(JudgeKernel<float>(hard));
-    std::printf("| %s | %s | %zu / %zu | %.2g, %.2g | %.1e, %.1e | %.2f | %.1e (%.1f) | %zu, %zu | %.0f |\n",
+    std::printf(
+      "| %s | %s | %zu / %zu | %.2g, %.2g | %.1e, %.1e | %.2f | %.1e (%.1f) | %zu, %zu | %.0f |\n",
       hard.subject.c_str(), hard.situation.c_str(), r.hits, r.rays, r.medianUlps, r.maxUlps,
-      r.medianSizes, r.maxSizes, r.maxExcess, r.maxRadians, r.maxNormalExcess, r.falseHits, r.falseMisses,
-      NanosecondsPerRay(hard));
+      r.medianSizes, r.maxSizes, r.maxExcess, r.maxRadians, r.maxNormalExcess, r.falseHits,
+      r.falseMisses, NanosecondsPerRay(hard));
     if (file)
     {
       WriteRow(file, hard, "float", r);

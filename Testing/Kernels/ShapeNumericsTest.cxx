@@ -43,7 +43,8 @@ TEST_P(ShapeNumericsTest, Double)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ShapeNumericsTest, ::testing::ValuesIn(HardSubjects()),
-  [](const auto& info) {
+  [](const auto& info)
+  {
     std::string name = info.param.name;
     for (char& c : name)
     {

@@ -50,16 +50,18 @@ protected:
 /// From outside the first surface met faces the ray; so it does from inside the other way round.
 TEST_P(ShapePropertiesTest, NormalsPointOutwards)
 {
-  this->ForEachHit([&](const auto& ray, const auto& glyph, float t, const glm::vec3& normal) {
-    EXPECT_NEAR(glm::length(normal), 1.0f, 1e-6f);
-    EXPECT_LT(glm::dot(normal, ray.direction), 1e-6f * glm::length(ray.direction));
-    float exit = 0;
-    if (this->Hit(ray, glyph, exit, std::nextafter(t, 1e30f)))
+  this->ForEachHit(
+    [&](const auto& ray, const auto& glyph, float t, const glm::vec3& normal)
     {
-      const glm::vec3 out = Kernel::Normal(this->GetParam().shape, ray, glyph, exit);
-      EXPECT_GT(glm::dot(out, ray.direction), -1e-6f * glm::length(ray.direction));
-    }
-  });
+      EXPECT_NEAR(glm::length(normal), 1.0f, 1e-6f);
+      EXPECT_LT(glm::dot(normal, ray.direction), 1e-6f * glm::length(ray.direction));
+      float exit = 0;
+      if (this->Hit(ray, glyph, exit, std::nextafter(t, 1e30f)))
+      {
+        const glm::vec3 out = Kernel::Normal(this->GetParam().shape, ray, glyph, exit);
+        EXPECT_GT(glm::dot(out, ray.direction), -1e-6f * glm::length(ray.direction));
+      }
+    });
 }
 
 /// A ray that leaves from a hit point, lifted by the bound on t, outwards, never meets a convex glyph again.
@@ -71,54 +73,62 @@ TEST_P(ShapePropertiesTest, LeavingRaysDoNotReturn)
   }
   std::mt19937 engine(3);
   std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
-  this->ForEachHit([&](const auto& ray, const auto& glyph, float t, const glm::vec3& normal) {
-    const glm::dvec3 point = glm::dvec3(ray.origin) + glm::dvec3(ray.originLow) +
-      double(t) * glm::dvec3(ray.direction);
-    const double size = glm::max(glyph.size.x, glm::max(glyph.size.y, glyph.size.z));
-    const double lift = 8.0 * std::numeric_limits<float>::epsilon() * double(t) *
-        glm::length(glm::dvec3(ray.direction)) + 1e-6 * size;
-    glm::vec3 direction(uniform(engine), uniform(engine), uniform(engine));
-    direction *= glm::dot(direction, normal) < 0.0f ? -1.0f : 1.0f;
-    const HardRay leaving{ Rounded<float>(point + 2.0 * lift * glm::dvec3(normal)), direction, 0 };
-    float again = 0;
-    EXPECT_FALSE(this->Hit(KernelRay<float>(leaving), glyph, again)) << again;
-  });
+  this->ForEachHit(
+    [&](const auto& ray, const auto& glyph, float t, const glm::vec3& normal)
+    {
+      const glm::dvec3 point =
+        glm::dvec3(ray.origin) + glm::dvec3(ray.originLow) + double(t) * glm::dvec3(ray.direction);
+      const double size = glm::max(glyph.size.x, glm::max(glyph.size.y, glyph.size.z));
+      const double lift = 8.0 * std::numeric_limits<float>::epsilon() * double(t) *
+          glm::length(glm::dvec3(ray.direction)) +
+        1e-6 * size;
+      glm::vec3 direction(uniform(engine), uniform(engine), uniform(engine));
+      direction *= glm::dot(direction, normal) < 0.0f ? -1.0f : 1.0f;
+      const HardRay leaving{ Rounded<float>(point + 2.0 * lift * glm::dvec3(normal)), direction,
+        0 };
+      float again = 0;
+      EXPECT_FALSE(this->Hit(KernelRay<float>(leaving), glyph, again)) << again;
+    });
 }
 
 /// What lies at t is found again by every range that holds t, and by none that ends before it.
 TEST_P(ShapePropertiesTest, RangesAreKept)
 {
-  this->ForEachHit([&](const auto& ray, const auto& glyph, float t, const glm::vec3&) {
-    float again = 0;
-    EXPECT_TRUE(this->Hit(ray, glyph, again, t, t));
-    EXPECT_EQ(again, t);
-    EXPECT_FALSE(this->Hit(ray, glyph, again, 0.0f, std::nextafter(t, 0.0f)));
-    if (this->Hit(ray, glyph, again, std::nextafter(t, 1e30f)))
+  this->ForEachHit(
+    [&](const auto& ray, const auto& glyph, float t, const glm::vec3&)
     {
-      EXPECT_GT(again, t);
-    }
-  });
+      float again = 0;
+      EXPECT_TRUE(this->Hit(ray, glyph, again, t, t));
+      EXPECT_EQ(again, t);
+      EXPECT_FALSE(this->Hit(ray, glyph, again, 0.0f, std::nextafter(t, 0.0f)));
+      if (this->Hit(ray, glyph, again, std::nextafter(t, 1e30f)))
+      {
+        EXPECT_GT(again, t);
+      }
+    });
 }
 
 /// Doubling all lengths doubles t and nothing else: powers of two change no rounding.
 TEST_P(ShapePropertiesTest, ScaleByPowersOfTwo)
 {
-  this->ForEachHit([&](auto ray, auto glyph, float t, const glm::vec3& normal) {
-    for (const float scale : { 0x1p-20f, 0x1p20f })
+  this->ForEachHit(
+    [&](auto ray, auto glyph, float t, const glm::vec3& normal)
     {
-      auto scaledRay = ray;
-      auto scaledGlyph = glyph;
-      scaledRay.origin *= scale;
-      scaledRay.originLow *= scale;
-      scaledGlyph.centre *= scale;
-      scaledGlyph.size *= scale;
-      scaledGlyph.unitLength *= scale;
-      float scaled = 0;
-      ASSERT_TRUE(this->Hit(scaledRay, scaledGlyph, scaled));
-      EXPECT_EQ(scaled, t * scale);
-      EXPECT_EQ(Kernel::Normal(this->GetParam().shape, scaledRay, scaledGlyph, scaled), normal);
-    }
-  });
+      for (const float scale : { 0x1p-20f, 0x1p20f })
+      {
+        auto scaledRay = ray;
+        auto scaledGlyph = glyph;
+        scaledRay.origin *= scale;
+        scaledRay.originLow *= scale;
+        scaledGlyph.centre *= scale;
+        scaledGlyph.size *= scale;
+        scaledGlyph.unitLength *= scale;
+        float scaled = 0;
+        ASSERT_TRUE(this->Hit(scaledRay, scaledGlyph, scaled));
+        EXPECT_EQ(scaled, t * scale);
+        EXPECT_EQ(Kernel::Normal(this->GetParam().shape, scaledRay, scaledGlyph, scaled), normal);
+      }
+    });
 }
 
 /// Moving glyph and ray together, far from the origin, changes nothing but the rounding of the inputs: none
@@ -126,26 +136,31 @@ TEST_P(ShapePropertiesTest, ScaleByPowersOfTwo)
 TEST_P(ShapePropertiesTest, MoveTogether)
 {
   const glm::vec3 shift(1e4f, -2e4f, 3e4f);
-  this->ForEachHit([&](auto ray, auto glyph, float t, const glm::vec3& normal) {
-    const auto move = [&](glm::vec3& high, glm::vec3& low) {
-      for (int i = 0; i < 3; ++i)
+  this->ForEachHit(
+    [&](auto ray, auto glyph, float t, const glm::vec3& normal)
+    {
+      const auto move = [&](glm::vec3& high, glm::vec3& low)
       {
-        const auto sum = Kernel::Add(Kernel::TwoSum(high[i], shift[i]), low[i]);
-        high[i] = sum.hi;
-        low[i] = sum.lo;
-      }
-    };
-    move(ray.origin, ray.originLow);
-    move(glyph.centre, glyph.centreLow);
-    float moved = 0;
-    ASSERT_TRUE(this->Hit(ray, glyph, moved));
-    EXPECT_NEAR(moved, t, 2e-7f * t);
-    EXPECT_LT(glm::length(Kernel::Normal(this->GetParam().shape, ray, glyph, moved) - normal), 1e-4f);
-  });
+        for (int i = 0; i < 3; ++i)
+        {
+          const auto sum = Kernel::Add(Kernel::TwoSum(high[i], shift[i]), low[i]);
+          high[i] = sum.hi;
+          low[i] = sum.lo;
+        }
+      };
+      move(ray.origin, ray.originLow);
+      move(glyph.centre, glyph.centreLow);
+      float moved = 0;
+      ASSERT_TRUE(this->Hit(ray, glyph, moved));
+      EXPECT_NEAR(moved, t, 2e-7f * t);
+      EXPECT_LT(
+        glm::length(Kernel::Normal(this->GetParam().shape, ray, glyph, moved) - normal), 1e-4f);
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ShapePropertiesTest, ::testing::ValuesIn(HardSubjects()),
-  [](const auto& info) {
+  [](const auto& info)
+  {
     std::string name = info.param.name;
     for (char& c : name)
     {

@@ -22,8 +22,7 @@ std::vector<glm::vec3> RandomPoints(std::size_t count, float sizeZ)
 }
 
 // Along some axis, all of [first, middle] lies at or below all of [middle + 1, last].
-bool SeparatesEverywhere(
-  const std::vector<glm::vec3>& sorted, std::size_t first, std::size_t last)
+bool SeparatesEverywhere(const std::vector<glm::vec3>& sorted, std::size_t first, std::size_t last)
 {
   if (last - first < 2)
   {

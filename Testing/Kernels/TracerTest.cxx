@@ -16,7 +16,8 @@ namespace
 
 using rtg::Image;
 
-class TracerTest : public ::testing::Test
+// Every test runs with the driver's structure, as on GPUs, and with our tree, as on CPU devices.
+class TracerTest : public ::testing::TestWithParam<rtg::Structure>
 {
 protected:
   std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
@@ -24,10 +25,14 @@ protected:
   rtg::Tracer tracer{ device };
   rtg::TraceSettings settings;
   std::vector<rtg::Light> lights{ rtg::Light() };
-  rtg::Camera camera = rtg::Camera::FromWorldToClip(
-    glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * this->LookFrom(5.0));
+  rtg::Camera camera =
+    rtg::Camera::FromWorldToClip(glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * this->LookFrom(5.0));
 
-  void SetUp() override { this->settings.width = this->settings.height = 100; }
+  void SetUp() override
+  {
+    this->settings.width = this->settings.height = 100;
+    this->scene.GetState().structure = GetParam();
+  }
 
   static glm::dmat4 LookFrom(double z)
   {
@@ -75,7 +80,7 @@ std::vector<glm::vec3> RandomPoints(std::size_t count)
 
 } // namespace
 
-TEST_F(TracerTest, SphereCoversExactlyThePixelsWhoseCentresItCovers)
+TEST_P(TracerTest, SphereCoversExactlyThePixelsWhoseCentresItCovers)
 {
   this->AddSpheres({ { 0.1f, -0.2f, 0.0f } }, 1.0f);
   const Image image = this->Trace();
@@ -99,7 +104,7 @@ TEST_F(TracerTest, SphereCoversExactlyThePixelsWhoseCentresItCovers)
   }
 }
 
-TEST_F(TracerTest, MoreSamplesApproachTheExactArea)
+TEST_P(TracerTest, MoreSamplesApproachTheExactArea)
 {
   this->AddSpheres({ { 0.0f, 0.0f, 0.0f } }, 1.0f);
   this->settings.width = this->settings.height = 16;
@@ -109,7 +114,7 @@ TEST_F(TracerTest, MoreSamplesApproachTheExactArea)
   EXPECT_NEAR(Coverage(this->Trace()), area, 2e-3);
 }
 
-TEST_F(TracerTest, HeadlightShadesAsVtkDoes)
+TEST_P(TracerTest, HeadlightShadesAsVtkDoes)
 {
   const auto id = this->AddSpheres({ { 0.0f, 0.0f, 0.0f } }, 1.8f);
   rtg::Material material;
@@ -128,16 +133,17 @@ TEST_F(TracerTest, HeadlightShadesAsVtkDoes)
     const std::uint32_t colour = image.colour[50 * 100 + x];
     for (int channel = 0; channel < 3; ++channel)
     {
-      const double expected = material.colour[channel] * (0.1 + 0.7 * nz) + 0.3 * std::pow(nz, 20.0);
+      const double expected =
+        material.colour[channel] * (0.1 + 0.7 * nz) + 0.3 * std::pow(nz, 20.0);
       EXPECT_NEAR((colour >> (8 * channel)) & 255, 255.0 * std::min(expected, 1.0), 1.0) << x;
     }
   }
 }
 
-TEST_F(TracerTest, EachGlyphShowsItsOwnColourAndId)
+TEST_P(TracerTest, EachGlyphShowsItsOwnColourAndId)
 {
-  const std::vector<glm::vec3> centres = { { -0.5f, -0.5f, 0 }, { 0.5f, -0.5f, 0 }, { -0.5f, 0.5f, 0 },
-    { 0.5f, 0.5f, 0 }, { 0.0f, 0.0f, 0.2f } };
+  const std::vector<glm::vec3> centres = { { -0.5f, -0.5f, 0 }, { 0.5f, -0.5f, 0 },
+    { -0.5f, 0.5f, 0 }, { 0.5f, 0.5f, 0 }, { 0.0f, 0.0f, 0.2f } };
   const auto id = this->AddSpheres(centres, 0.5f);
   const rtg::GlyphColours colours = { 0xff0000ff, 0xff00ff00, 0xffff0000, 0xff00ffff, 0xffff00ff };
   this->scene.SetColours(id, colours);
@@ -155,7 +161,7 @@ TEST_F(TracerTest, EachGlyphShowsItsOwnColourAndId)
   }
 }
 
-TEST_F(TracerTest, EveryStepRedoesOnlyWhatItsInputChanged)
+TEST_P(TracerTest, EveryStepRedoesOnlyWhatItsInputChanged)
 {
   const auto id = this->AddSpheres(RandomPoints(500), 0.1f);
   this->scene.SetColours(id, rtg::GlyphColours(500, 0xff808080u));
@@ -193,7 +199,7 @@ TEST_F(TracerTest, EveryStepRedoesOnlyWhatItsInputChanged)
   EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 1u);
 }
 
-TEST_F(TracerTest, SetsFarApartKeepTheirPlaces)
+TEST_P(TracerTest, SetsFarApartKeepTheirPlaces)
 {
   // The second set's own origin is far from the first's, and its glyph sits back at the middle.
   this->AddSpheres({ { -0.5f, 0.0f, 0.0f } }, 0.5f);
@@ -209,7 +215,7 @@ TEST_F(TracerTest, SetsFarApartKeepTheirPlaces)
   EXPECT_EQ(image.setIds[50 * 100 + 50], Image::noGlyph);
 }
 
-TEST_F(TracerTest, TranslucentSetsShowInTheirOwnPass)
+TEST_P(TracerTest, TranslucentSetsShowInTheirOwnPass)
 {
   const auto opaque = this->AddSpheres({ { -0.5f, 0.0f, 0.0f } }, 0.5f);
   const auto translucent = this->AddSpheres({ { 0.5f, 0.0f, 0.0f } }, 0.5f);
@@ -227,7 +233,7 @@ TEST_F(TracerTest, TranslucentSetsShowInTheirOwnPass)
   EXPECT_NEAR(image.colour[50 * 100 + 75] >> 24, 127.5, 1.0);
 }
 
-TEST_F(TracerTest, SeveralStructuresOfOneSetGiveTheSameImage)
+TEST_P(TracerTest, SeveralStructuresOfOneSetGiveTheSameImage)
 {
   const auto points = RandomPoints(1000);
   rtg::GlyphColours colours;
@@ -246,12 +252,93 @@ TEST_F(TracerTest, SeveralStructuresOfOneSetGiveTheSameImage)
   const auto pieces = this->AddSpheres(points, 0.2f);
   this->scene.SetColours(pieces, colours);
   image = this->Trace();
-  EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u + 7u);
+  if (GetParam() == rtg::Structure::Boxes)
+  {
+    EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u + 7u);
+  }
   EXPECT_EQ(expected, std::vector<std::uint32_t>(image.colour, image.colour + 10000));
   EXPECT_EQ(ids, std::vector<std::uint32_t>(image.glyphIds, image.glyphIds + 10000));
 }
 
-TEST_F(TracerTest, CoarseImageRepeatsEveryNthPixel)
+TEST_P(TracerTest, FindsTheNearestOfManyGlyphsOfAnyCount)
+{
+  // Against brute force, from counts that make the smallest trees, with even and odd depth, upwards.
+  for (std::size_t count : { 1, 2, 3, 4, 5, 7, 8, 9, 16, 17, 33, 100, 1000 })
+  {
+    const auto points = RandomPoints(count);
+    const float size = 0.6f / std::cbrt(static_cast<float>(count));
+    const auto id = this->AddSpheres(points, size);
+    const Image image = this->Trace();
+    for (int y = 0; y < 100; y += 3)
+    {
+      for (int x = 0; x < 100; x += 3)
+      {
+        const double px = (x + 0.5) / 50.0 - 1.0;
+        const double py = (y + 0.5) / 50.0 - 1.0;
+        double highest = -INFINITY;
+        std::uint32_t nearest = Image::noGlyph;
+        bool grazing = false;
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          const double dx = px - points[i].x;
+          const double dy = py - points[i].y;
+          const double left = 0.25 * size * size - dx * dx - dy * dy;
+          grazing = grazing || std::abs(left) < 1e-6 * size * size;
+          if (left > 0.0 && points[i].z + std::sqrt(left) > highest)
+          {
+            highest = points[i].z + std::sqrt(left);
+            nearest = static_cast<std::uint32_t>(i);
+          }
+        }
+        if (grazing)
+        {
+          continue;
+        }
+        const std::uint32_t found = image.glyphIds[y * 100 + x];
+        ASSERT_EQ(found == Image::noGlyph ? found : this->scene.OriginalGlyph(id, found), nearest)
+          << count << " glyphs, pixel " << x << ' ' << y;
+      }
+    }
+    this->scene.Remove(id);
+  }
+}
+
+TEST_P(TracerTest, NearestAcrossSetsWins)
+{
+  // Two interleaved sets: what the second set's program rejects must not disturb the first's hit.
+  const auto points = RandomPoints(400);
+  std::vector<glm::vec3> even, odd;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    (i % 2 ? odd : even).push_back(points[i]);
+  }
+  const auto whole = this->AddSpheres(points, 0.2f);
+  Image image = this->Trace();
+  std::vector<std::uint32_t> expected(10000);
+  for (std::size_t i = 0; i < 10000; ++i)
+  {
+    expected[i] = image.glyphIds[i] == Image::noGlyph
+      ? Image::noGlyph
+      : this->scene.OriginalGlyph(whole, image.glyphIds[i]);
+  }
+  this->scene.Remove(whole);
+  const auto evenId = this->AddSpheres(even, 0.2f);
+  const auto oddId = this->AddSpheres(odd, 0.2f);
+  image = this->Trace();
+  for (std::size_t i = 0; i < 10000; ++i)
+  {
+    std::uint32_t glyph = image.glyphIds[i];
+    if (glyph != Image::noGlyph)
+    {
+      glyph =
+        2 * this->scene.OriginalGlyph(image.setIds[i], glyph) + (image.setIds[i] == oddId ? 1 : 0);
+      ASSERT_TRUE(image.setIds[i] == evenId || image.setIds[i] == oddId);
+    }
+    ASSERT_EQ(glyph, expected[i]) << i;
+  }
+}
+
+TEST_P(TracerTest, CoarseImageRepeatsEveryNthPixel)
 {
   this->AddSpheres(RandomPoints(200), 0.2f);
   this->settings.width = 101; // not a multiple of the step
@@ -267,7 +354,7 @@ TEST_F(TracerTest, CoarseImageRepeatsEveryNthPixel)
   EXPECT_EQ(this->tracer.GetStatistics().primaryRays, 34u * 34u);
 }
 
-TEST_F(TracerTest, EmptyThingsAreFine)
+TEST_P(TracerTest, EmptyThingsAreFine)
 {
   EXPECT_EQ(Coverage(this->Trace()), 0.0);
   const auto id = this->AddSpheres({}, 1.0f);
@@ -280,7 +367,7 @@ TEST_F(TracerTest, EmptyThingsAreFine)
   EXPECT_EQ(Coverage(this->Trace()), 1.0);
 }
 
-TEST_F(TracerTest, NothingStaysBehind)
+TEST_P(TracerTest, NothingStaysBehind)
 {
   const std::uint64_t before = this->scene.GetStatistics().deviceBytes;
   for (int i = 0; i < 20; ++i)
@@ -291,7 +378,6 @@ TEST_F(TracerTest, NothingStaysBehind)
   }
   this->Trace();
   // What the tracer keeps for its next image is all that may remain.
-  rtg::Tracer(this->device).GetStatistics();
   const std::uint64_t kept = this->scene.GetStatistics().deviceBytes - before;
   EXPECT_LT(kept, 1000000u);
   const auto id = this->AddSpheres(RandomPoints(1000), 0.1f);
@@ -301,7 +387,7 @@ TEST_F(TracerTest, NothingStaysBehind)
   EXPECT_EQ(this->scene.GetStatistics().deviceBytes - before, kept);
 }
 
-TEST_F(TracerTest, BadSettingsAreNamed)
+TEST_P(TracerTest, BadSettingsAreNamed)
 {
   this->AddSpheres({ { 0, 0, 0 } }, 1.0f);
   this->settings.samples = 0;
@@ -312,10 +398,15 @@ TEST_F(TracerTest, BadSettingsAreNamed)
   }
   catch (const rtg::Error& error)
   {
-    EXPECT_NE(std::string(error.what()).find("samples per pixel is 0"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("samples per pixel is 0"), std::string::npos)
+      << error.what();
   }
   this->settings.samples = 1;
   this->settings.width = 100000;
   EXPECT_THROW(this->Trace(), rtg::Error);
   EXPECT_THROW(this->scene.SetColours(0, rtg::GlyphColours(7, 0u)), rtg::Error);
 }
+
+INSTANTIATE_TEST_SUITE_P(Structures, TracerTest,
+  ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
+  [](const auto& info) { return info.param == rtg::Structure::Boxes ? "Boxes" : "Tree"; });

@@ -20,6 +20,7 @@ SHAPES = ("Sphere", "Box", "Cylinder", "Cone", "Arrow")
 def main():
     """Opens the simulation and goes through the shapes."""
     failures = []
+    pv._DisableFirstRenderCameraReset()
     view = pv.GetActiveViewOrCreate("RenderView")
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
