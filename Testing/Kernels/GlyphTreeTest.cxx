@@ -1,0 +1,149 @@
+// GlyphTree must contain every glyph's box on the way from the root to its leaf, whatever the boxes are like.
+#include "GlyphTree.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace
+{
+
+using rtg::Box;
+using rtg::GlyphTree;
+using rtg::GlyphTreeNode;
+
+// As Programs/tree.glsl decodes them, in double.
+Box Child(const GlyphTreeNode& node, int child)
+{
+  const std::uint8_t* lower[3] = { node.lowerX, node.lowerY, node.lowerZ };
+  const std::uint8_t* upper[3] = { node.upperX, node.upperY, node.upperZ };
+  Box box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double step = std::ldexp(1.0, node.exponent[axis] - 127);
+    // Rounded towards the inside, so that a plane a hair too tight shows.
+    box.lower[axis] =
+      std::nextafterf(static_cast<float>(node.origin[axis] + step * lower[axis][child]), INFINITY);
+    box.upper[axis] =
+      std::nextafterf(static_cast<float>(node.origin[axis] + step * upper[axis][child]), -INFINITY);
+  }
+  return box;
+}
+
+void ExpectContained(const std::vector<glm::vec3>& centres, const std::vector<glm::vec3>& halfSizes)
+{
+  const std::size_t count = centres.size();
+  const std::uint32_t leafBits = GlyphTree::LeafBits(count, 2);
+  const rtg::KdOrder kd = rtg::MakeKdOrder(centres, leafBits);
+  ASSERT_EQ(kd.order.size(), count);
+  std::vector<Box> boxes;
+  std::vector<bool> seen(count);
+  for (std::uint32_t i : kd.order)
+  {
+    ASSERT_FALSE(seen[i]);
+    seen[i] = true;
+    boxes.push_back({ centres[i] - halfSizes[i], centres[i] + halfSizes[i] });
+  }
+  const GlyphTree tree = rtg::BuildGlyphTree(boxes, leafBits, kd.axes);
+
+  std::size_t glyphs = 0;
+  for (std::size_t leaf = 0; leaf < (std::size_t(1) << leafBits); ++leaf)
+  {
+    const std::size_t end = GlyphTree::Start(leaf + 1, count, leafBits);
+    for (std::size_t i = GlyphTree::Start(leaf, count, leafBits); i < end; ++i, ++glyphs)
+    {
+      std::size_t levelOffset = 0;
+      for (std::uint32_t level = 0; level < tree.levels; ++level)
+      {
+        const std::size_t path = leaf >> (2 * (tree.levels - 1 - level));
+        const GlyphTreeNode& node = tree.nodes.at(levelOffset + path / 4);
+        const Box child = Child(node, path % 4);
+        // The pad that the scene adds before is far more than the two ulps of the rounding above.
+        const glm::vec3 slack =
+          1e-30f + 4e-7f * glm::max(glm::abs(boxes[i].lower), glm::abs(boxes[i].upper));
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          ASSERT_LE(child.lower[axis], boxes[i].lower[axis] + slack[axis])
+            << count << ' ' << leaf << ' ' << level;
+          ASSERT_GE(child.upper[axis], boxes[i].upper[axis] - slack[axis])
+            << count << ' ' << leaf << ' ' << level;
+        }
+        levelOffset += std::size_t(1) << (2 * level);
+      }
+    }
+  }
+  EXPECT_EQ(glyphs, count);
+}
+
+std::vector<glm::vec3> Random(std::size_t count, const glm::vec3& size)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+  std::vector<glm::vec3> points(count);
+  for (auto& p : points)
+  {
+    p = size * glm::vec3(uniform(random), uniform(random), uniform(random));
+  }
+  return points;
+}
+
+} // namespace
+
+TEST(GlyphTree, ContainsAllBoxesAtEveryCount)
+{
+  for (std::size_t count = 1; count < 70; ++count)
+  {
+    ExpectContained(
+      Random(count, glm::vec3(1.0f)), std::vector<glm::vec3>(count, glm::vec3(0.05f)));
+  }
+  ExpectContained(Random(50000, glm::vec3(1.0f)), std::vector<glm::vec3>(50000, glm::vec3(0.01f)));
+}
+
+TEST(GlyphTree, ContainsBoxesOfVeryDifferentSizes)
+{
+  std::vector<glm::vec3> sizes = Random(3000, glm::vec3(1.0f));
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    sizes[i] = glm::abs(sizes[i]) * std::pow(10.0f, -float(i % 9));
+  }
+  ExpectContained(Random(3000, glm::vec3(100.0f, 1.0f, 1e-5f)), sizes);
+}
+
+TEST(GlyphTree, ContainsFlatCoincidentAndSinglePoints)
+{
+  ExpectContained(
+    Random(777, glm::vec3(1.0f, 0.0f, 1.0f)), std::vector<glm::vec3>(777, glm::vec3(0.0f)));
+  ExpectContained(
+    std::vector<glm::vec3>(500, glm::vec3(3.0f)), std::vector<glm::vec3>(500, glm::vec3(1.0f)));
+}
+
+TEST(GlyphTree, TightEnoughToBeUseful)
+{
+  // A child's decoded box exceeds its contents by at most one step a side: 1/127 of the parent's extent, or less.
+  const std::vector<glm::vec3> centres = Random(4096, glm::vec3(1.0f));
+  const std::uint32_t leafBits = GlyphTree::LeafBits(centres.size(), 2);
+  const rtg::KdOrder kd = rtg::MakeKdOrder(centres, leafBits);
+  std::vector<Box> boxes;
+  for (std::uint32_t i : kd.order)
+  {
+    boxes.push_back({ centres[i] - 0.01f, centres[i] + 0.01f });
+  }
+  const GlyphTree tree = rtg::BuildGlyphTree(boxes, leafBits, kd.axes);
+  Box whole = boxes[0];
+  for (const Box& box : boxes)
+  {
+    whole = { glm::min(whole.lower, box.lower), glm::max(whole.upper, box.upper) };
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    float lower = INFINITY, upper = -INFINITY;
+    for (int child = 0; child < 4; ++child)
+    {
+      lower = std::min(lower, Child(tree.nodes[0], child).lower[axis]);
+      upper = std::max(upper, Child(tree.nodes[0], child).upper[axis]);
+    }
+    const float extent = whole.upper[axis] - whole.lower[axis];
+    EXPECT_LT(upper - lower, extent * (1.0f + 2.1f / 127.0f));
+  }
+}
