@@ -1,37 +1,29 @@
 #include "vtkRayTracedGlyphScene.h"
 
-#include "Scene.h"
-#include "Tracer.h"
-#include "Vulkan/Device.h"
+#include "vtkRayTracedGlyphSceneInternals.h"
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
-#include "vtkDataObject.h"
-#include "vtkHardwareSelector.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedGlyphMapper.h"
-#include "vtkRayTracedGlyphView.h"
-#include "vtkRayTracedImageQuad.h"
 #include "vtkRenderer.h"
 #include "vtk_glew.h"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <map>
 #include <sstream>
 #include <vector>
 
 vtkStandardNewMacro(vtkRayTracedGlyphScene);
 
+using namespace vtkRayTracedGlyphSceneDetail;
+
 namespace
 {
-constexpr int passes = 2; // opaque, translucent: as rtg::Pass
-
 // Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
 constexpr double interactiveRate = 1.0;
 
@@ -41,112 +33,12 @@ vtkRayTracedGlyphMapper* GlyphMapperOf(vtkProp* prop)
   return actor ? vtkRayTracedGlyphMapper::SafeDownCast(actor->GetMapper()) : nullptr;
 }
 
-// What can be seen: for each set its versions of instances, colours and material, of which no two in the process are
-// alike. Two frames with the same list look the same.
-using Content = std::vector<std::array<std::uint64_t, 3>>;
-
-// What an image was traced from.
-struct ImageKey
-{
-  glm::dmat4 WorldToClip{ 0.0 };
-  glm::dvec3 Position{ 0.0 };
-  std::vector<rtg::Light> Lights;
-  std::uint32_t Width = 0, Height = 0;
-  ::Content Content;
-
-  bool operator==(const ImageKey& other) const
-  {
-    return this->WorldToClip == other.WorldToClip && this->Position == other.Position &&
-      this->Width == other.Width && this->Height == other.Height &&
-      this->Content == other.Content && vtkRayTracedGlyphView::Same(this->Lights, other.Lights);
-  }
-};
-
-// The image of one pass. Each has a tracer of its own, which keeps its pixels.
-struct PassImage
-{
-  std::unique_ptr<rtg::Tracer> Tracer;
-  rtg::Image Image;
-  ImageKey Key;
-  std::uint32_t PixelStep = 1;
-  bool Valid = false; // Image has the pixels of Key
-  bool Sent = false;  // Quad has them, too
-  vtkRayTracedImageQuad Quad;
-};
-
 std::map<vtkRenderer*, vtkWeakPointer<vtkRayTracedGlyphScene>>& Registry()
 {
   static std::map<vtkRenderer*, vtkWeakPointer<vtkRayTracedGlyphScene>> registry;
   return registry;
 }
 }
-
-//----------------------------------------------------------------------------
-struct vtkRayTracedGlyphScene::Internals
-{
-  // A mapper's glyph set and what of it the kernels have.
-  struct Member
-  {
-    rtg::Scene::SetId Set = 0;
-    std::uint64_t Instances = 0, Colors = 0;
-    rtg::Material Material;
-    std::uint64_t MaterialVersion = 0; // 0: not yet sent
-    bool Visible = true;               // as the kernels have it
-    bool Shown = false;                // in this frame
-    bool Translucent = false;          // then in the translucent pass
-  };
-
-  std::shared_ptr<rtg::Device> Device;
-  std::unique_ptr<rtg::Scene> Scene;
-  std::map<vtkRayTracedGlyphMapper*, Member> Members;
-  std::uint64_t MaterialVersion = 0; // grows with every change of a material
-  std::array<PassImage, passes> Images;
-  vtkRayTracedImageQuad IdQuad;
-
-  // This frame
-  ::Content Content;
-  bool Synchronised = false;
-  bool OpaqueDrawn = false;
-  vtkRayTracedGlyphMapper* TranslucentLeader = nullptr;
-  std::uint32_t Samples = 0; // of the last image
-  std::uint32_t SamplesPerPixel = 1, SamplesPerRender = 0, InteractiveReduction = 1;
-
-  // After a failure nothing is tried until what is to be shown changes
-  std::string Failure, CameraFailure;
-  std::uint64_t FailedVersion = 0;
-  std::uint64_t Version = 0; // sum of the mappers' versions, visible ones
-
-  void Forget()
-  {
-    for (PassImage& image : this->Images)
-    {
-      image.Valid = image.Sent = false;
-      image.Tracer.reset();
-    }
-    this->Scene.reset();
-    this->Device.reset();
-    this->Members.clear();
-  }
-
-  rtg::Statistics Sum() const
-  {
-    rtg::Statistics sum = this->Scene ? this->Scene->GetStatistics() : rtg::Statistics();
-    for (const PassImage& image : this->Images)
-    {
-      if (image.Tracer)
-      {
-        const rtg::Statistics& s = image.Tracer->GetStatistics();
-        sum.pipelineBuilds += s.pipelineBuilds;
-        sum.dispatches += s.dispatches;
-        sum.primaryRays += s.primaryRays;
-        sum.deviceBytes = std::max(sum.deviceBytes, s.deviceBytes);
-        sum.traceSeconds += s.traceSeconds;
-        sum.readSeconds += s.readSeconds;
-      }
-    }
-    return sum;
-  }
-};
 
 //----------------------------------------------------------------------------
 vtkRayTracedGlyphScene::vtkRayTracedGlyphScene()
@@ -501,9 +393,9 @@ void vtkRayTracedGlyphScene::Render(vtkActor* actor, vtkRayTracedGlyphMapper* ma
   {
     this->Synchronise();
   }
-  if (vtkHardwareSelector* selector = this->Renderer->GetSelector())
+  if (this->Renderer->GetSelector())
   {
-    this->DrawIds(actor, mapper, selector);
+    this->DrawIds(actor, mapper);
     return;
   }
 
@@ -539,96 +431,6 @@ void vtkRayTracedGlyphScene::Render(vtkActor* actor, vtkRayTracedGlyphMapper* ma
     }
     image.Quad.Draw(this->Renderer, actor, mapper, vtkRayTracedImageQuad::BLEND);
   }
-}
-
-//----------------------------------------------------------------------------
-// Draws a number in the place of each of the actor's pixels, 24 bits of it, as a hardware selector asks for.
-void vtkRayTracedGlyphScene::DrawIds(
-  vtkActor* actor, vtkRayTracedGlyphMapper* mapper, vtkHardwareSelector* selector)
-{
-  Internals& self = *this->Self;
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
-  const auto member = self.Members.find(mapper);
-  // A glyph stands for a point: it has no cell to select.
-  if (!window || member == self.Members.end() ||
-    selector->GetFieldAssociation() != vtkDataObject::FIELD_ASSOCIATION_POINTS)
-  {
-    return;
-  }
-  selector->BeginRenderProp();
-  std::array<const rtg::Image*, passes> images{};
-  std::size_t pixels = 0;
-  for (int pass = 0; pass < passes; ++pass)
-  {
-    if (this->UpdateImage(pass, /*forIds=*/true))
-    {
-      images[pass] = &self.Images[pass].Image;
-      pixels = std::size_t(images[pass]->width) * images[pass]->height;
-    }
-  }
-
-  std::vector<std::uint32_t> values(pixels, 0);
-  std::vector<float> depths(pixels, 1.0f);
-  vtkIdType maximum = 0;
-  const int currentPass = selector->GetCurrentPass();
-  std::uint32_t propValue = 0;
-  for (int c = 0; c < 3; ++c)
-  {
-    propValue |= static_cast<std::uint32_t>(selector->GetPropColorValue()[c] * 255.0f + 0.5f)
-      << (8 * c);
-  }
-  for (std::size_t i = 0; i < pixels; ++i)
-  {
-    const rtg::Image* nearest = nullptr;
-    for (const rtg::Image* image : images)
-    {
-      if (image && image->glyphIds[i] != rtg::Image::noGlyph &&
-        (!nearest || image->depth[i] < nearest->depth[i]))
-      {
-        nearest = image;
-      }
-    }
-    if (!nearest || nearest->setIds[i] != member->second.Set)
-    {
-      continue;
-    }
-    const vtkRayTracedGlyphMapper::Origin origin =
-      mapper->OriginOf(self.Scene->OriginalGlyph(member->second.Set, nearest->glyphIds[i]));
-    maximum = std::max(maximum, origin.Point);
-    std::uint32_t value = 0;
-    switch (currentPass)
-    {
-      case vtkHardwareSelector::ACTOR_PASS:
-        value = propValue;
-        break;
-      case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
-        value = origin.CompositeIndex;
-        break;
-      case vtkHardwareSelector::POINT_ID_LOW24:
-        value = static_cast<std::uint32_t>(origin.Point & 0xffffff);
-        break;
-      case vtkHardwareSelector::POINT_ID_HIGH24:
-        value = static_cast<std::uint32_t>((origin.Point >> 24) & 0xffffff);
-        break;
-      case vtkHardwareSelector::PROCESS_PASS:
-        // One more than the rank: zero means that nothing was hit.
-        value = static_cast<std::uint32_t>(
-          (origin.Process >= 0 ? origin.Process : std::max(selector->GetProcessID(), 0)) + 1);
-        break;
-      default:
-        break;
-    }
-    values[i] = (value & 0xffffff) | 0xff000000u;
-    depths[i] = nearest->depth[i];
-  }
-  selector->UpdateMaximumPointId(maximum);
-  if (pixels > 0)
-  {
-    const rtg::Image* any = images[0] ? images[0] : images[1];
-    self.IdQuad.SetImage(window, any->width, any->height, values.data(), depths.data());
-    self.IdQuad.Draw(this->Renderer, actor, mapper, vtkRayTracedImageQuad::IDS);
-  }
-  selector->EndRenderProp();
 }
 
 //----------------------------------------------------------------------------

@@ -22,7 +22,6 @@
 #include <string>
 
 class vtkActor;
-class vtkHardwareSelector;
 class vtkRayTracedGlyphMapper;
 class vtkRenderer;
 class vtkWindow;
@@ -79,7 +78,7 @@ private:
   void Synchronise();
   void Show(vtkActor* actor, vtkRayTracedGlyphMapper* mapper);
   bool UpdateImage(int pass, bool forIds);
-  void DrawIds(vtkActor* actor, vtkRayTracedGlyphMapper* mapper, vtkHardwareSelector* selector);
+  void DrawIds(vtkActor* actor, vtkRayTracedGlyphMapper* mapper);
   void Fail(const std::string& message);
 
   vtkWeakPointer<vtkRenderer> Renderer;
