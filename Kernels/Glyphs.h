@@ -75,7 +75,8 @@ using GlyphColours = std::vector<std::uint32_t>;
 /// ParaView's surface appearance. Colours are as the lookup table gives them (display-referred).
 struct Material
 {
-  glm::vec3 colour{ 1.0f }; ///< diffuse and ambient colour of glyphs without their own
+  glm::vec3 colour{ 1.0f };        ///< diffuse colour of glyphs without their own
+  glm::vec3 ambientColour{ 1.0f }; ///< ambient colour of glyphs without their own
   glm::vec3 specularColour{ 1.0f };
   float ambient = 0.0f;         ///< [0, 1]
   float diffuse = 1.0f;         ///< [0, 1]

@@ -46,6 +46,8 @@ struct GlyphSetRecord
   // Material
   vec3 colour;
   float opacity;
+  vec3 ambientColour;
+  uint coloured;                     // glyphs have colours of their own, also in ambient light
   vec3 specularColour;
   float specular;
   float ambient;

@@ -516,6 +516,8 @@ void Scene::State::FillRecords()
       const Material& material = set.material;
       record.colour = material.colour;
       record.opacity = material.opacity;
+      record.ambientColour = material.ambientColour;
+      record.coloured = set.group.coloured;
       record.specularColour = material.specularColour;
       record.specular = material.specular;
       record.ambient = material.ambient;

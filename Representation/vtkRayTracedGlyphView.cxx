@@ -116,6 +116,7 @@ rtg::Material vtkRayTracedGlyphView::MaterialOf(vtkProperty* property, vtkRender
 {
   rtg::Material material;
   material.colour = ToVector<glm::vec3>(property->GetDiffuseColor());
+  material.ambientColour = ToVector<glm::vec3>(property->GetAmbientColor());
   material.specularColour = ToVector<glm::vec3>(property->GetSpecularColor());
   material.ambient = static_cast<float>(property->GetAmbient());
   material.diffuse = static_cast<float>(property->GetDiffuse());
@@ -132,8 +133,8 @@ bool vtkRayTracedGlyphView::Same(const rtg::Material& a, const rtg::Material& b)
 {
   const auto all = [](const rtg::Material& m)
   {
-    return std::tie(m.colour, m.specularColour, m.ambient, m.diffuse, m.specular, m.specularPower,
-      m.opacity, m.lighting);
+    return std::tie(m.colour, m.ambientColour, m.specularColour, m.ambient, m.diffuse, m.specular,
+      m.specularPower, m.opacity, m.lighting);
   };
   return all(a) == all(b);
 }

@@ -8,9 +8,10 @@ vec3 ShadeLocal(SurfaceHit hit, vec3 position, vec3 direction)
   GlyphSetRecords sets = frame.sets;
   uint record = hit.record;
   vec3 base = hit.colour.rgb;
+  vec3 ambient = sets.at[record].ambient * (sets.at[record].coloured != 0u ? base : sets.at[record].ambientColour);
   if (sets.at[record].lighting == 0u)
   {
-    return clamp((sets.at[record].ambient + sets.at[record].diffuse) * base, 0.0, 1.0);
+    return clamp(ambient + sets.at[record].diffuse * base, 0.0, 1.0);
   }
 
   // A surface shows its lit side to the viewer, the inside of a cut glyph too.
@@ -58,7 +59,7 @@ vec3 ShadeLocal(SurfaceHit hit, vec3 position, vec3 direction)
       specular += attenuation * pow(max(1e-5, dot(reflect(incident, normal), toViewer)), power) * colour;
     }
   }
-  vec3 shaded = sets.at[record].ambient * base + diffuse * sets.at[record].diffuse * base +
+  vec3 shaded = ambient + diffuse * sets.at[record].diffuse * base +
     specular * sets.at[record].specular * sets.at[record].specularColour;
   return clamp(shaded, 0.0, 1.0);
 }

@@ -119,6 +119,7 @@ TEST_P(TracerTest, HeadlightShadesAsVtkDoes)
   const auto id = this->AddSpheres({ { 0.0f, 0.0f, 0.0f } }, 1.8f);
   rtg::Material material;
   material.colour = { 0.8f, 0.4f, 0.2f };
+  material.ambientColour = { 0.2f, 0.9f, 1.0f };
   material.ambient = 0.1f;
   material.diffuse = 0.7f;
   material.specular = 0.3f;
@@ -133,8 +134,8 @@ TEST_P(TracerTest, HeadlightShadesAsVtkDoes)
     const std::uint32_t colour = image.colour[50 * 100 + x];
     for (int channel = 0; channel < 3; ++channel)
     {
-      const double expected =
-        material.colour[channel] * (0.1 + 0.7 * nz) + 0.3 * std::pow(nz, 20.0);
+      const double expected = material.ambientColour[channel] * 0.1 +
+        material.colour[channel] * 0.7 * nz + 0.3 * std::pow(nz, 20.0);
       EXPECT_NEAR((colour >> (8 * channel)) & 255, 255.0 * std::min(expected, 1.0), 1.0) << x;
     }
   }
