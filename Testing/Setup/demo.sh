@@ -19,6 +19,7 @@ done
 
 echo "== packages"
 "$here/install_packages.sh" build gui test
+build_targets=(RayTracedGlyphs)
 build_plugin "$paraview"
 
 echo "== pictures"
