@@ -30,6 +30,7 @@ def main():
     if session.REPRESENTATION not in list(shown.GetProperty("RepresentationTypesInfo")):
         failures.append("'%s' is not among the representations" % session.REPRESENTATION)
     shown.SetRepresentationType(session.REPRESENTATION)
+    shown.SamplesPerPixel = 2
     session.look(view, (10.0, -22.0, 20.0), (14.0, 13.0, 3.0), (0.0, 0.0, 1.0))
     pv.GetAnimationScene().AnimationTime = 0.8
     for shape in SHAPES:

@@ -1,0 +1,123 @@
+"""Glyphs through a server: the pictures of remote and of client rendering are those of a session without a server.
+
+Usage: pvpython client_server.py DATA-FOLDER PVSERVER [MPIEXEC ARGUMENT...]
+PVSERVER is run behind MPIEXEC ARGUMENT..., for a server of several ranks.
+"""
+import os
+import socket
+import subprocess
+import sys
+
+import paraview.simple as pv
+
+import comparison
+import session
+
+#: megabytes of geometry above which ParaView renders on the server: always, never
+REMOTE, CLIENT = 0.0, 20.0
+
+
+def scene(folder):
+    """Particles moved between the ranks as arrows and spheres, on an opaque surface; (view, both representations)."""
+    view = session.view(300, 200)
+    reader = pv.OpenDataFile(folder + "/impact/impact.vtk.series")
+    spread = pv.RedistributeDataSet(Input=reader)
+    spheres = session.glyphs(spread, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
+                             GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
+    session.solid(spheres, (0.9, 0.7, 0.3))
+    lifted = pv.Transform(Input=spread)
+    lifted.Transform.Translate = [0.0, 0.0, 12.0]
+    arrows = session.glyphs(lifted, view, "Arrow", GlyphOrientationArray="velocity", GlyphScaling=1,
+                            GlyphScaleArray="velocity", GlyphScaleFactor=0.2)
+    pv.ColorBy(arrows, ("POINTS", "velocity"))
+    arrows.SetScalarBarVisibility(view, False)
+    ball = pv.Show(pv.Sphere(Center=[14.0, 14.0, 4.0], Radius=8.0, ThetaResolution=64, PhiResolution=64), view)
+    ball.SetRepresentationType("Surface")
+    session.solid(ball, (0.2, 0.5, 0.3))
+    view.ViewTime = 0.8
+    session.look(view, (11.0, -32.0, 26.0), (14.0, 14.0, 8.0), (0.0, 0.0, 1.0))
+    return view, spheres, arrows
+
+
+def blocks():
+    """Two blocks of which one is hidden and one red: their names travel with the points."""
+    view = session.view(200, 150)
+    left = pv.Sphere(Center=[-1.0, 0.0, 0.0])
+    right = pv.Sphere(Center=[1.0, 0.0, 0.0])
+    group = pv.GroupDatasets(Input=[left, right])
+    group.BlockNames = ["left", "right"]
+    shown = session.glyphs(group, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.15)
+    session.solid(shown, (1.0, 1.0, 1.0))
+    shown.BlockSelectors = ["/Root/right"]
+    shown.BlockColors = ["/Root/right", "1", "0", "0"]
+    session.look(view, (0.0, 0.0, 6.0))
+    pv.Render(view)
+    return view
+
+
+def start_server(program):
+    """A server that waits for this process; (process, port)."""
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        port = probe.getsockname()[1]
+    log = open(session.output("client-server-server.log"), "w")
+    return subprocess.Popen(program + ["--server-port=%d" % port], stdout=log, stderr=subprocess.STDOUT), port
+
+
+def check_statistics(shown, what):
+    """Information properties speak of the process that traced."""
+    found = session.statistics(shown)
+    device = shown.GetProperty("DeviceName").GetElement(0)
+    samples = shown.GetProperty("AccumulatedSamples").GetElement(0)
+    print("%s: device %s, %d samples, %s" % (what, device, samples, found))
+    if not device or found.get("DeviceName") != device or samples != 1 or found.get("dispatches", 0) < 1:
+        return ["%s: DeviceName '%s', AccumulatedSamples %s, RenderStatistics %s" % (what, device, samples, found)]
+    return []
+
+
+def main(folder, server):
+    """The same scene without a server, then with one that renders, then with one that only has the data."""
+    pv._DisableFirstRenderCameraReset()
+    session.load()
+    view = scene(folder)[0]
+    pv.Render(view)
+    expected = session.capture(view, "client-server-none")
+    expected_blocks = session.capture(blocks(), "client-server-blocks-none")
+    pv.Disconnect()
+
+    process, port = start_server(server)
+    failures = []
+    try:
+        pv.Connect("localhost", port)
+        session.load()
+        pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))
+        for where, threshold in (("remote", REMOTE), ("client", CLIENT)):
+            view, spheres, arrows = scene(folder)
+            view.RemoteRenderThreshold = threshold
+            pv.Render(view)
+            failures += check_statistics(spheres, where) + check_statistics(arrows, where)
+            block_view = blocks()
+            block_view.RemoteRenderThreshold = threshold
+            pv.Render(block_view)
+            pairs = (("client-server-" + where, view, expected), ("client-server-blocks-" + where, block_view, expected_blocks))
+            for name, of_view, wanted in pairs:
+                pixels = session.capture(of_view, name)
+                share, mean, apart = comparison.difference(pixels, wanted)
+                print("%s: %.3f%% of the pixels differ by more than %d, mean %.4f" % (name, 100 * share, comparison.LEVELS, mean))
+                if share > 0.0:
+                    comparison.write_image(session.output(name + "-difference.png"), 4 * apart)
+                    failures.append("%s rendering: the picture is not that without a server" % name)
+            pv.Delete(view)
+            pv.Delete(block_view)
+        pv.Disconnect()
+        process.wait(30)
+    finally:
+        if process.poll() is None:
+            process.terminate()
+    with open(session.output("client-server-server.log")) as log:
+        print(log.read())
+    session.finish(failures)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[3:] + [sys.argv[2]])

@@ -1,0 +1,97 @@
+"""Glyphs on several ranks: the picture is that of one rank, and no point of a structured data set has two glyphs.
+
+Usage: mpiexec -n RANKS pvbatch parallel.py DATA-FOLDER
+On one rank the pictures are stored; on several they are compared with the stored ones.
+"""
+import sys
+
+import paraview.simple as pv
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+import comparison
+import session
+
+SIDE = 11
+
+
+def look_at_cube(view):
+    """A slanted look at the wavelet."""
+    session.look(view, (13.0, 9.0, 31.0))
+
+
+def structured(view):
+    """Spheres at the points of an image, whose pieces share the points between them."""
+    half = SIDE // 2
+    wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
+    shown = session.glyphs(wavelet, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.9)
+    pv.ColorBy(shown, ("POINTS", "RTData"))
+    shown.SetScalarBarVisibility(view, False)
+    look_at_cube(view)
+    return shown
+
+
+def vectors(view):
+    """Arrows on the same image, scaled and turned by a vector array; some are much longer than others."""
+    half = SIDE // 2
+    wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
+    calculator = pv.Calculator(Input=wavelet, ResultArrayName="flow", Function="coordsY*iHat-coordsX*jHat+coordsZ*kHat")
+    shown = session.glyphs(calculator, view, "Arrow", GlyphOrientationArray="flow", GlyphScaling=1, GlyphScaleArray="flow",
+                           GlyphScaleFactor=0.3)
+    session.solid(shown, (0.3, 0.6, 0.9))
+    look_at_cube(view)
+    return shown
+
+
+def unstructured(view, folder):
+    """The particles of the simulation, moved between the ranks, and an opaque surface of their own in between."""
+    reader = pv.OpenDataFile(folder + "/impact/impact.vtk.series")
+    spread = pv.RedistributeDataSet(Input=reader)
+    shown = session.glyphs(spread, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
+                           GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
+    session.solid(shown, (0.9, 0.7, 0.3))
+    ball = pv.Sphere(Center=[14.0, 14.0, 4.0], Radius=8.0, ThetaResolution=64, PhiResolution=64)
+    surface = pv.Show(ball, view)
+    surface.SetRepresentationType("Surface")
+    session.solid(surface, (0.2, 0.5, 0.3))
+    view.ViewTime = 0.8
+    session.look(view, (11.0, -32.0, 26.0), (14.0, 14.0, 4.0), (0.0, 0.0, 1.0))
+    return shown
+
+
+def number_of_points(shown):
+    """Points that carry glyphs, over all ranks."""
+    return shown.GetRepresentedDataInformation().GetNumberOfPoints()
+
+
+def main(folder):
+    """Every scene, with one ray through each pixel and with smooth edges."""
+    pv._DisableFirstRenderCameraReset()
+    session.load()
+    ranks = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
+    failures = []
+    scenes = (("structured", structured, SIDE**3), ("vectors", vectors, SIDE**3),
+              ("unstructured", lambda view: unstructured(view, folder), None))
+    for name, scene, points in scenes:
+        view = session.view(300, 200)
+        shown = scene(view)
+        for samples in (1, 16):
+            shown.SamplesPerPixel = samples
+            pv.Render(view)
+            picture = "parallel-%s-%d" % (name, samples)
+            pixels = session.capture(view, picture + ("" if ranks == 1 else "-%d-ranks" % ranks))
+            if ranks == 1:
+                continue
+            share, mean, apart = comparison.difference(pixels, session.read_image(session.output(picture + ".png")))
+            print("%s on %d ranks: %.3f%% of the pixels differ by more than %d, mean %.4f"
+                  % (picture, ranks, 100 * share, comparison.LEVELS, mean))
+            if share > 0.0:
+                comparison.write_image(session.output("%s-%d-ranks-difference.png" % (picture, ranks)), 4 * apart)
+                failures.append("%s on %d ranks differs from one rank" % (picture, ranks))
+        if points and number_of_points(shown) != points:
+            failures.append("%s: %d glyphs, %d points" % (name, number_of_points(shown), points))
+        pv.Delete(view)
+    session.finish(failures)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
