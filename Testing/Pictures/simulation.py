@@ -45,14 +45,17 @@ def colour(shown, view, array, component, limits, preset, title):
     bar = pv.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.0f", "%.0f"
+    bar.WindowLocation, bar.Orientation = "Any Location", "Horizontal"
+    bar.Position, bar.ScalarBarLength = [0.62, 0.03], 0.34
 
 
 def spheres(impact, view):
     """The grains as spheres of their diameter, coloured by speed."""
     shown = show(impact, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
                  GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
-    colour(shown, view, "velocity", "Magnitude", (0.0, 9.0), "Inferno (matplotlib)", "speed")
-    look(view, (6.0, -32.0, 25.0), (13.8, 14.0, 2.5), (0.0, 0.0, 1.0))
+    colour(shown, view, "velocity", "Magnitude", (0.0, 8.0), "Plasma (matplotlib)", "speed")
+    look(view, (9.0, -36.0, 27.0), (14.3, 14.0, 4.0), (0.0, 0.0, 1.0))
 
 
 def arrows(impact, view):
@@ -61,8 +64,8 @@ def arrows(impact, view):
                  GlyphOrientationMode="Direction", GlyphScaling=1, GlyphScaleArray="velocity",
                  GlyphScaleMode="Magnitude", GlyphScaleFactor=0.3, ArrowShaftRadius=0.12, ArrowTipRadius=0.3,
                  ArrowTipLength=0.8)
-    colour(shown, view, "velocity", "Z", (-6.0, 6.0), "Cool to Warm", "upward velocity")
-    look(view, (6.0, -27.0, 20.0), (13.5, 14.0, 4.5), (0.0, 0.0, 1.0))
+    colour(shown, view, "velocity", "Z", (-5.0, 5.0), "Cool to Warm", "upward velocity")
+    look(view, (9.0, -34.0, 22.0), (14.3, 14.0, 5.5), (0.0, 0.0, 1.0))
 
 
 def ellipsoids(nematic, view):
@@ -71,7 +74,7 @@ def ellipsoids(nematic, view):
                  GlyphOrientationMode="Quaternion", GlyphScaling=1, GlyphScaleArray="shape",
                  GlyphScaleMode="Components", GlyphScaleFactor=1.0)
     colour(shown, view, "velocity", "Magnitude", (0.0, 4.0), "Viridis (matplotlib)", "speed")
-    look(view, (28.0, 21.0, 44.0), (12.2, 12.2, 12.2), (0.0, 1.0, 0.0))
+    look(view, (31.0, 24.0, 49.0), (12.6, 11.6, 12.2), (0.0, 1.0, 0.0))
 
 
 def main():
