@@ -4,9 +4,10 @@
 //   shaft: radius Rs, from the tail to the head's base
 //   head:  base disc of radius R at distance H from the tip, sphere of radius a centred at distance a
 //          from the tip, and the cone that touches both; so the tip lies at x = 1 whatever a is.
-//   a = rounding R H / (R + sqrt(R^2 + H^2)). The fraction is the inradius of the sharp head's profile:
+//   a = rounding^2 R H / (R + sqrt(R^2 + H^2)). The fraction is the inradius of the sharp head's profile:
 //          the largest sphere that fits between the head's base and sides, hence always narrower than
-//          the base. rounding = 0 leaves vtkArrowSource's cone, rounding = 1 gives a bullet.
+//          the base. rounding = 0 leaves vtkArrowSource's cone, rounding = 1 gives a bullet; the square keeps
+//          the middle of the range an arrow with a soft tip.
 #ifndef RTG_ARROW_FORM
 #define RTG_ARROW_FORM
 
@@ -89,7 +90,8 @@ RTG_FN ArrowHead HeadOfArrow(Glyph glyph)
 
   DoubleWord radiusSquared = TwoProduct(radius, radius);
   DoubleWord sideSquared = Add(radiusSquared, TwoProduct(height, height));
-  DoubleWord a = Divide(Multiply(TwoProduct(radius, height), rounding), Add(SquareRoot(sideSquared), radius));
+  DoubleWord a = Divide(Multiply(TwoProduct(radius, height), TwoProduct(rounding, rounding)),
+    Add(SquareRoot(sideSquared), radius));
   DoubleWord centre = Minus(Add(a, -height)); // distance between the sphere's centre and the base
 
   // The line from the base's rim (0, R) that touches the circle (centre, a): its unit normal is

@@ -91,7 +91,9 @@ Verdict Judge(ReferenceGlyph& glyph, const HardRay& ray, double tMin, const Answ
   {
     const double t = double(crossing.t);
     const double bound = BoundOfT<Real>(t, sizeInT);
-    grazes = grazes || std::abs(glm::dot(direction, ToDouble(crossing.normal))) < grazingAngle;
+    grazes = grazes ||
+      std::abs(glm::dot(direction, ToDouble(crossing.normal))) <
+        grazingAngle * relativeRoundoff<Real>;
     if (mayMiss && t >= tMin - bound)
     {
       candidates.push_back(&crossing);

@@ -25,10 +25,12 @@ struct Answer
 constexpr double band = 1e-5;
 
 /// Where t is not compared although both hit: within 1e-9 of the scale of a silhouette, also of one inside
-/// the outline (an arrow's head before its shaft), or on a surface met at less than 2e-9 radians: such a
-/// ray stays within 2e-9 glyph sizes of that surface all along the glyph.
+/// the outline (an arrow's head before its shaft), or on a surface met at less than this angle (float; for
+/// double it shrinks with the roundoff). Double words know the surface to about 5 u^2 = 2e-14 glyph
+/// sizes, which is 1e-6 sizes along a ray at 2e-8 radians; such a ray stays within 2e-8 glyph sizes of
+/// that surface all along the glyph.
 constexpr double bandOfT = 1e-9;
-constexpr double grazingAngle = 2e-9;
+constexpr double grazingAngle = 2e-8;
 
 /// Normals are compared where the nearest edge or apex is at least this far away in the unit form, and also
 /// in glyph sizes: about as much as t may be wrong by.

@@ -142,7 +142,7 @@ void ReferenceGlyph::MakeArrow(Quad factor)
     else
     {
       const Quad inradius = tip * height / (tip + sqrtq(tip * tip + height * height));
-      this->ball_ = form.tipRounding * inradius;
+      this->ball_ = Quad(form.tipRounding) * form.tipRounding * inradius;
       this->ballCentre_ = end - this->ball_;
       // Angle at the base's rim between the axis and the line that touches the ball.
       const Quad toCentre = this->ballCentre_ - base;

@@ -84,7 +84,7 @@ TEST(ReferenceTest, RoundedArrowsEndWhereSharpOnesDo)
 TEST(ReferenceTest, RoundedHeadIsSmooth)
 {
   ArrowForm form;
-  form.tipRounding = 0.7f;
+  form.tipRounding = 0.85f;
   form.fixedHeads = false;
   ReferenceGlyph glyph = Unit(Shape::Arrow, glm::vec3(1.0f), form);
   QuadVector previous;
