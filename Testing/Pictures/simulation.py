@@ -35,8 +35,8 @@ def show(source, view, shape, **properties):
     return shown
 
 
-def colour(shown, view, array, component, limits, preset, title):
-    """Colours by an array's component, with a scalar bar."""
+def colour(shown, view, array, component, limits, preset, title, place=(0.6, 0.84)):
+    """Colours by an array's component, with a scalar bar whose lower left corner is at place (fractions of the view)."""
     pv.ColorBy(shown, ("POINTS", array, component), True)
     table = pv.GetColorTransferFunction(array, shown, separate=True)
     table.ApplyPreset(preset, True)
@@ -47,7 +47,7 @@ def colour(shown, view, array, component, limits, preset, title):
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
     bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.0f", "%.0f"
     bar.WindowLocation, bar.Orientation = "Any Location", "Horizontal"
-    bar.Position, bar.ScalarBarLength = [0.62, 0.03], 0.34
+    bar.Position, bar.ScalarBarLength = list(place), 0.34
 
 
 def spheres(impact, view):
@@ -64,7 +64,7 @@ def arrows(impact, view):
                  GlyphOrientationMode="Direction", GlyphScaling=1, GlyphScaleArray="velocity",
                  GlyphScaleMode="Magnitude", GlyphScaleFactor=0.3, ArrowShaftRadius=0.12, ArrowTipRadius=0.3,
                  ArrowTipLength=0.8)
-    colour(shown, view, "velocity", "Z", (-5.0, 5.0), "Cool to Warm", "upward velocity")
+    colour(shown, view, "velocity", "Z", (-5.0, 5.0), "Cool to Warm", "upward velocity", (0.6, 0.02))
     look(view, (9.0, -34.0, 22.0), (14.3, 14.0, 5.5), (0.0, 0.0, 1.0))
 
 
