@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <random>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,12 @@ struct Subject
   ArrowForm arrow;
   bool sameSize;
 };
+
+/// For GoogleTest's lists of parameters.
+inline void PrintTo(const Subject& subject, std::ostream* out)
+{
+  *out << subject.name;
+}
 
 class HardCaseMaker
 {

@@ -11,6 +11,15 @@
 #include <cmath>
 #include <random>
 
+namespace rtg
+{
+// Names the parameter in lists of tests.
+static void PrintTo(Structure structure, std::ostream* out)
+{
+  *out << (structure == Structure::Boxes ? "Boxes" : "Tree");
+}
+} // namespace rtg
+
 namespace
 {
 
@@ -410,4 +419,4 @@ TEST_P(TracerTest, BadSettingsAreNamed)
 
 INSTANTIATE_TEST_SUITE_P(Structures, TracerTest,
   ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
-  [](const auto& info) { return info.param == rtg::Structure::Boxes ? "Boxes" : "Tree"; });
+  [](const auto& info) { return ::testing::PrintToString(info.param); });
