@@ -4,6 +4,7 @@
 #include "vtkArrayDispatch.h"
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkGlyphPointGatherer.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -28,6 +29,11 @@ using Settings = vtkGlyphInstanceBuilder::Settings;
 bool IsNone(const std::string& name)
 {
   return name.empty() || name == "None";
+}
+
+bool IsPositive(double value)
+{
+  return value > 0.0 && std::isfinite(value);
 }
 
 // Tuples of a float or double array without a virtual call each; any other array through its interface.
@@ -374,6 +380,58 @@ vtkGlyphInstanceBuilder::OrientationArray(vtkPolyData* points, const Settings& s
 }
 
 //----------------------------------------------------------------------------
+bool vtkGlyphInstanceBuilder::NeedsMeanScale(const Settings& settings)
+{
+  return settings.Shape == rtg::Shape::Arrow && settings.Arrow.fixedHeads && settings.Scaling &&
+    !IsNone(settings.ScaleArray) && !IsPositive(settings.ArrowReference);
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphInstanceBuilder::ScaleSum vtkGlyphInstanceBuilder::SumScales(
+  vtkPolyData* points, const Settings& settings, const vtkGlyphBlockAttributes::Table& blocks)
+{
+  ScaleSum sum;
+  vtkDataArray* array = ScaleArray(points, settings);
+  const bool byComponents = settings.ScaleMode == COMPONENTS;
+  if (!array || (byComponents && array->GetNumberOfComponents() != 3))
+  {
+    return sum;
+  }
+  Tuples scales(array);
+  for (vtkIdType i : Candidates(points, settings, blocks))
+  {
+    const double* tuple = scales.Get(i);
+    const double scale = byComponents ? std::abs(tuple[0]) : vtkMath::Norm(tuple, scales.Size());
+    if (IsPositive(scale)) // else there is no glyph
+    {
+      sum.Sum += scale;
+      sum.Count += 1.0;
+    }
+  }
+  return sum;
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphInstanceBuilder::SharedMeanScale(vtkPolyData* points)
+{
+  vtkDataArray* shared = points->GetFieldData()->GetArray(MeanScaleName());
+  return shared && shared->GetNumberOfValues() > 0 ? shared->GetComponent(0, 0) : 0.0;
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphInstanceBuilder::ReferenceScale(
+  vtkPolyData* points, const Settings& settings, const vtkGlyphBlockAttributes::Table& blocks)
+{
+  if (!NeedsMeanScale(settings))
+  {
+    const bool scaled = settings.Scaling && !IsNone(settings.ScaleArray);
+    return scaled && IsPositive(settings.ArrowReference) ? settings.ArrowReference : 1.0;
+  }
+  const double shared = SharedMeanScale(points);
+  return IsPositive(shared) ? shared : SumScales(points, settings, blocks).Mean();
+}
+
+//----------------------------------------------------------------------------
 vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* points,
   const Settings& settings, const vtkGlyphBlockAttributes::Table& blocks,
   vtkMatrix4x4* modelToWorld)
@@ -500,9 +558,14 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     }
   }
 
-  // The head of an arrow has the world size that it has on the unit glyph
-  const double unit = std::abs(settings.ScaleFactor * placement.Scale);
-  instances.arrow.unitLength = unit > 0.0 && std::isfinite(unit) ? static_cast<float>(unit) : 1.0f;
+  // Fixed heads have the world size that they have on the arrow of reference
+  if (settings.Shape == rtg::Shape::Arrow)
+  {
+    const double reference = scales ? ReferenceScale(points, settings, blocks) : 1.0;
+    const auto unit =
+      static_cast<float>(std::abs(settings.ScaleFactor * placement.Scale) * reference);
+    instances.arrow.unitLength = IsPositive(unit) ? unit : 1.0f;
+  }
   if (!placement.Uniform && !sphere)
   {
     result.Messages.push_back(
@@ -564,8 +627,11 @@ void vtkGlyphInstanceBuilder::ComputeBounds(vtkPolyData* points, const Settings&
     reach = glm::dvec3(1.0, thick, thick);
     if (settings.Arrow.fixedHeads)
     {
-      largest =
-        glm::dvec3(largest.x, std::abs(settings.ScaleFactor), std::abs(settings.ScaleFactor));
+      // As thick as on the arrow of reference; where even the longest is but a shrunk head, as that.
+      const double thickness =
+        std::min(std::abs(settings.ScaleFactor) * ReferenceScale(points, settings, blocks),
+          largest.x / settings.Arrow.tipLength);
+      largest = glm::dvec3(largest.x, thickness, thickness);
     }
   }
   reach *= largest;

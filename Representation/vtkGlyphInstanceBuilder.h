@@ -51,7 +51,9 @@ public:
     bool Orient = true;
     std::string OrientationArray;
     int OrientationMode = DIRECTION;
-    rtg::ArrowForm Arrow;
+    rtg::ArrowForm Arrow; // its unit length is computed
+    double ArrowReference =
+      0.0; // scale of the arrow whose head has the unit arrow's proportions; 0: the mean
     bool Mask = false;
     vtkIdType MaximumNumberOfGlyphs = 5000;
     int Seed = 1;
@@ -76,6 +78,29 @@ public:
    */
   static void ComputeBounds(vtkPolyData* points, const Settings& settings,
     const vtkGlyphBlockAttributes::Table& blocks, double bounds[6]);
+
+  ///@{
+  /**
+   * The scale of the arrow whose fixed head has the proportions of the unit arrow: as set, else the mean scale over
+   * all processes where field data of `points` say it, else that of the glyphs of `points`. Scales of a set of points
+   * add up to the mean of several processes.
+   */
+  struct ScaleSum
+  {
+    double Sum = 0.0, Count = 0.0;
+    double Mean() const
+    {
+      return this->Count > 0.0 && this->Sum > 0.0 ? this->Sum / this->Count : 1.0;
+    }
+  };
+  static bool NeedsMeanScale(const Settings& settings);
+  static ScaleSum SumScales(
+    vtkPolyData* points, const Settings& settings, const vtkGlyphBlockAttributes::Table& blocks);
+  static double ReferenceScale(
+    vtkPolyData* points, const Settings& settings, const vtkGlyphBlockAttributes::Table& blocks);
+  static double SharedMeanScale(vtkPolyData* points); // 0: the field data say nothing
+  static const char* MeanScaleName() { return "RayTracedGlyphsMeanScale"; }
+  ///@}
 
   ///@{
   /**

@@ -14,6 +14,7 @@
 #include "vtkHyperTreeGridCellCenters.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
@@ -22,7 +23,10 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStringArray.h"
+#include "vtkStructuredData.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
 
@@ -118,6 +122,67 @@ void DropGhosts(Leaf& leaf)
       leaf.Points.push_back(i);
     }
   }
+}
+
+// Extent of structured data; false: the data are not structured.
+bool ExtentOf(vtkDataSet* data, int extent[6])
+{
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    image->GetExtent(extent);
+    return true;
+  }
+  if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    rectilinear->GetExtent(extent);
+    return true;
+  }
+  if (auto* curvilinear = vtkStructuredGrid::SafeDownCast(data))
+  {
+    curvilinear->GetExtent(extent);
+    return true;
+  }
+  return false;
+}
+
+// Neighbouring pieces of a structured data set both have the points between them: they belong to the lower piece.
+void DropSharedFaces(Leaf& leaf, const int wholeExtent[6])
+{
+  int extent[6];
+  if (!ExtentOf(leaf.Data, extent) || leaf.Data->GetPointGhostArray())
+  {
+    return; // ghosts already say whose the points are
+  }
+  int first[3];
+  bool shared = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool inside =
+      extent[2 * axis] > wholeExtent[2 * axis] && extent[2 * axis + 1] <= wholeExtent[2 * axis + 1];
+    first[axis] = extent[2 * axis] + (inside ? 1 : 0);
+    shared |= inside;
+  }
+  if (!shared)
+  {
+    return;
+  }
+  const auto isShared = [&](vtkIdType point)
+  {
+    int ijk[3];
+    vtkStructuredData::ComputePointStructuredCoordsForExtent(point, extent, ijk);
+    return ijk[0] < first[0] || ijk[1] < first[1] || ijk[2] < first[2];
+  };
+  std::vector<vtkIdType> own;
+  for (vtkIdType i = 0; i < leaf.Count(); ++i)
+  {
+    const vtkIdType point = leaf.All ? i : leaf.Points[i];
+    if (!isShared(point))
+    {
+      own.push_back(point);
+    }
+  }
+  leaf.All = false;
+  leaf.Points = std::move(own);
 }
 
 // Cell data belongs to points where every cell is a single vertex; as in particle files.
@@ -420,16 +485,20 @@ void AddVertices(vtkPolyData* out)
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData>
-vtkGlyphPointGatherer::Gather(vtkDataObject* input, int processId, int processes)
+vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(
+  vtkDataObject* input, int processId, int processes, const int* wholeExtent)
 {
   auto out = vtkSmartPointer<vtkPolyData>::New();
   if (!input)
   {
     return out;
   }
-  const std::vector<Leaf> leaves = Leaves(input);
+  std::vector<Leaf> leaves = Leaves(input);
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite && !leaves.empty() && processes > 1 && wholeExtent)
+  {
+    DropSharedFaces(leaves.front(), wholeExtent);
+  }
   const vtkIdType count = std::accumulate(leaves.begin(), leaves.end(), vtkIdType(0),
     [](vtkIdType sum, const Leaf& leaf) { return sum + leaf.Count(); });
 

@@ -3,8 +3,9 @@
  * @brief   gathers the points of any data object that carry a glyph into one vtkPolyData
  *
  * Input may be any data set, hyper tree grid (cell centres carry the glyphs) or composite of them. Ghost points,
- * hidden points and the points that belong only to blanked cells (as under a finer AMR level) are left out. Where
- * nothing has to be copied, points and arrays are shared with the input.
+ * hidden points and the points that belong only to blanked cells (as under a finer AMR level) are left out; so are,
+ * where a structured data set is spread over processes, points that its piece shares with a lower one. Where nothing
+ * has to be copied, points and arrays are shared with the input.
  *
  * The output's point data has the union of all blocks' arrays (NaN where a block lacks one), and:
  * - `vtkOriginalPointIds`, `vtkCompositeIndex` (flat index of the block), `vtkProcessId` for picking. The first and
@@ -26,9 +27,10 @@ class vtkGlyphPointGatherer
 public:
   /**
    * `processId` and `processes`: this process's rank among those whose points are put together for rendering.
+   * `wholeExtent`: that of the structured data set of which the input is this process's piece; null when there is none.
    */
-  static vtkSmartPointer<vtkPolyData>
-  Gather(vtkDataObject* input, int processId = 0, int processes = 1);
+  static vtkSmartPointer<vtkPolyData> Gather(
+    vtkDataObject* input, int processId = 0, int processes = 1, const int* wholeExtent = nullptr);
 
   ///@{
   /**

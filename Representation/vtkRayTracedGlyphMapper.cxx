@@ -85,8 +85,8 @@ bool SameSettings(
   {
     return std::tie(s.Shape, s.Scaling, s.ScaleArray, s.ScaleMode, s.ScaleFactor, s.Orient,
       s.OrientationArray, s.OrientationMode, s.Arrow.shaftRadius, s.Arrow.tipRadius,
-      s.Arrow.tipLength, s.Arrow.tipRounding, s.Arrow.fixedHeads, s.Mask, s.MaximumNumberOfGlyphs,
-      s.Seed);
+      s.Arrow.tipLength, s.Arrow.tipRounding, s.Arrow.fixedHeads, s.ArrowReference, s.Mask,
+      s.MaximumNumberOfGlyphs, s.Seed);
   };
   return all(a) == all(b);
 }
@@ -101,11 +101,13 @@ struct vtkRayTracedGlyphMapper::InstanceKey
   std::array<vtkMTimeType, 5> Times{};
   std::vector<unsigned int> HiddenBlocks;
   std::array<double, 16> Matrix{};
+  double SharedMeanScale = 0.0; // of all processes, where it matters
 
   bool operator==(const InstanceKey& other) const
   {
     return SameSettings(this->Settings, other.Settings) && this->Times == other.Times &&
-      this->HiddenBlocks == other.HiddenBlocks && this->Matrix == other.Matrix;
+      this->HiddenBlocks == other.HiddenBlocks && this->Matrix == other.Matrix &&
+      this->SharedMeanScale == other.SharedMeanScale;
   }
 };
 
@@ -203,6 +205,10 @@ vtkRayTracedGlyphMapper::MakeInstanceKey(vtkPolyData* points) const
     TimeOf(vtkGlyphInstanceBuilder::ScaleArray(points, this->Glyphs)),
     TimeOf(vtkGlyphInstanceBuilder::OrientationArray(points, this->Glyphs)),
     TimeOf(points->GetPointData()->GetArray(vtkGlyphPointGatherer::CompositeIndexName())) };
+  if (vtkGlyphInstanceBuilder::NeedsMeanScale(this->Glyphs))
+  {
+    key.SharedMeanScale = vtkGlyphInstanceBuilder::SharedMeanScale(points);
+  }
   for (const auto& item : this->BlockTable)
   {
     if (!item.second.Visible)

@@ -2,7 +2,10 @@
 
 #include "vtkActor.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkGlyphPointGatherer.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -18,6 +21,7 @@
 #include "vtkRayTracedGlyphMapper.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTransform.h"
 
 vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
@@ -64,9 +68,13 @@ int vtkRayTracedGlyphRepresentation::RequestData(
     ? vtkDataObject::GetData(inputVector[0], 0)
     : nullptr;
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  vtkInformation* info = input ? inputVector[0]->GetInformationObject(0) : nullptr;
+  const int* wholeExtent = info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
+    ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
+    : nullptr;
   this->Points =
     vtkGlyphPointGatherer::Gather(input, controller ? controller->GetLocalProcessId() : 0,
-      controller ? controller->GetNumberOfProcesses() : 1);
+      controller ? controller->GetNumberOfProcesses() : 1, wholeExtent);
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -86,6 +94,7 @@ int vtkRayTracedGlyphRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
+    this->ShareMeanScale();
     vtkPVView::SetPiece(inInfo, this, this->Points);
     double bounds[6];
     vtkGlyphInstanceBuilder::ComputeBounds(
@@ -93,8 +102,11 @@ int vtkRayTracedGlyphRepresentation::ProcessViewRequest(
     vtkNew<vtkMatrix4x4> matrix;
     this->Actor->GetMatrix(matrix);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
+    vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, this->ReplicateGlyphs);
     vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
-      vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+      this->ReplicateGlyphs
+        ? vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION
+        : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
     outInfo->Set(
       vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->NeedsOrderedCompositing() ? 1 : 0);
   }
@@ -108,6 +120,32 @@ int vtkRayTracedGlyphRepresentation::ProcessViewRequest(
     this->UpdateColoring(points);
   }
   return 1;
+}
+
+//----------------------------------------------------------------------------
+// Heads of arrows are of one size on all ranks: each takes the mean over all of them along with its points.
+void vtkRayTracedGlyphRepresentation::ShareMeanScale()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (!controller || controller->GetNumberOfProcesses() < 2 ||
+    !vtkGlyphInstanceBuilder::NeedsMeanScale(this->Mapper->Glyphs))
+  {
+    return;
+  }
+  const vtkGlyphInstanceBuilder::ScaleSum own = vtkGlyphInstanceBuilder::SumScales(
+    this->Points, this->Mapper->Glyphs, this->Mapper->Blocks.Resolve(this->Points));
+  const double send[2] = { own.Sum, own.Count };
+  double sum[2] = { 0.0, 0.0 };
+  controller->AllReduce(send, sum, 2, vtkCommunicator::SUM_OP);
+  const vtkGlyphInstanceBuilder::ScaleSum all{ sum[0], sum[1] };
+  if (vtkGlyphInstanceBuilder::SharedMeanScale(this->Points) != all.Mean())
+  {
+    vtkNew<vtkDoubleArray> mean;
+    mean->SetName(vtkGlyphInstanceBuilder::MeanScaleName());
+    mean->InsertNextValue(all.Mean());
+    this->Points->GetFieldData()->AddArray(mean);
+    this->Points->Modified();
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -218,6 +256,13 @@ const char* vtkRayTracedGlyphRepresentation::GetRenderStatistics()
   return this->Statistics.c_str();
 }
 
+//----------------------------------------------------------------------------
+bool vtkRayTracedGlyphRepresentation::GetRenderedRemotely()
+{
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  return view && view->GetUseDistributedRenderingForRender();
+}
+
 //****************************************************************************
 // Settings of the glyphs
 //****************************************************************************
@@ -289,6 +334,12 @@ void vtkRayTracedGlyphRepresentation::SetArrowHeads(int heads)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetArrowReferenceMagnitude(double magnitude)
+{
+  this->Mapper->Glyphs.ArrowReference = magnitude;
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetArrowShaftRadius(double radius)
 {
   this->Mapper->Glyphs.Arrow.shaftRadius =
@@ -331,6 +382,16 @@ void vtkRayTracedGlyphRepresentation::SetMaximumNumberOfGlyphs(int number)
 void vtkRayTracedGlyphRepresentation::SetGlyphSeed(int seed)
 {
   this->Mapper->Glyphs.Seed = seed;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetReplicateGlyphs(bool on)
+{
+  if (this->ReplicateGlyphs != on)
+  {
+    this->ReplicateGlyphs = on;
+    this->MarkModified(); // the points must be delivered again
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -61,9 +61,11 @@ public:
   ///@{
   /**
    * The arrow's form, in fractions of the unit arrow's length. Default is fixed heads, vtkArrowSource's
-   * proportions and a rounding of 0.5.
+   * proportions and a rounding of 0.5. Fixed heads have these proportions on an arrow of the reference magnitude; it
+   * is the mean of the scale array when not positive, the default.
    */
   void SetArrowHeads(int heads);
+  void SetArrowReferenceMagnitude(double magnitude);
   void SetArrowShaftRadius(double radius);
   void SetArrowTipRadius(double radius);
   void SetArrowTipLength(double length);
@@ -78,6 +80,11 @@ public:
   void SetMaximumNumberOfGlyphs(int number);
   void SetGlyphSeed(int seed);
   ///@}
+
+  /**
+   * With several ranks that render: each gets the points of all. Default is off.
+   */
+  void SetReplicateGlyphs(bool on);
 
   ///@{
   /**
@@ -97,6 +104,11 @@ public:
   int GetAccumulatedSamples();
   const char* GetRenderStatistics();
   ///@}
+
+  /**
+   * Whether the last render of the view was a server's, so that this process, the client, has no image of its own.
+   */
+  bool GetRenderedRemotely();
 
   ///@{
   /**
@@ -155,12 +167,14 @@ private:
   void operator=(const vtkRayTracedGlyphRepresentation&) = delete;
 
   void UpdateColoring(vtkPolyData* points);
+  void ShareMeanScale();
   bool NeedsOrderedCompositing();
 
   vtkSmartPointer<vtkRayTracedGlyphMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkProperty> Property;
   vtkSmartPointer<vtkPolyData> Points; // gathered, not yet delivered
+  bool ReplicateGlyphs = false;
   std::string DeviceName, Statistics;
 };
 

@@ -322,6 +322,8 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
     const bool same = image.Valid && image.Key == key;
     const bool interactive =
       this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() >= interactiveRate;
+    // ParaView captures without showing, and only once
+    const bool capturing = this->Renderer->GetRenderWindow()->GetSwapBuffers() == 0;
     rtg::TraceSettings settings;
     settings.width = key.Width;
     settings.height = key.Height;
@@ -329,12 +331,12 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
     {
       settings.samples = 1;
     }
-    else if (interactive)
+    else if (interactive && !capturing)
     {
       settings.pixelStep = self.InteractiveReduction;
       settings.samples = 1;
     }
-    else if (self.SamplesPerRender > 0)
+    else if (self.SamplesPerRender > 0 && !capturing)
     {
       const std::uint32_t done = same && image.PixelStep == 1 ? image.Image.samples : 0;
       settings.samples = std::min(self.SamplesPerPixel, done + self.SamplesPerRender);
@@ -343,8 +345,9 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
     {
       settings.samples = self.SamplesPerPixel;
     }
-    const bool good = forIds || interactive ? image.Image.samples >= settings.samples
-                                            : image.Image.samples == settings.samples;
+    const bool good = forIds || (interactive && !capturing)
+      ? image.Image.samples >= settings.samples
+      : image.Image.samples == settings.samples;
     if (same && good && image.PixelStep <= settings.pixelStep)
     {
       self.Samples = image.Image.samples;

@@ -13,6 +13,8 @@ import paraview.simple as pv
 import comparison
 import session
 
+#: share of the pixels that may differ: those on outlines, where another order of the points rounds another way
+OUTLINE = 0.0002
 #: megabytes of geometry above which ParaView renders on the server: always, never
 REMOTE, CLIENT = 0.0, 20.0
 
@@ -61,7 +63,10 @@ def start_server(program):
         probe.bind(("localhost", 0))
         port = probe.getsockname()[1]
     log = open(session.output("client-server-server.log"), "w")
-    return subprocess.Popen(program + ["--server-port=%d" % port], stdout=log, stderr=subprocess.STDOUT), port
+    # This process is an MPI rank, too; an mpiexec that is told so starts nothing.
+    environment = {name: value for name, value in os.environ.items()
+                   if not name.startswith(("PMIX_", "ORTE_", "OMPI_")) or name.startswith(("OMPI_ALLOW", "OMPI_MCA_rmaps"))}
+    return subprocess.Popen(program + ["--server-port=%d" % port], env=environment, stdout=log, stderr=subprocess.STDOUT), port
 
 
 def check_statistics(shown, what):
@@ -104,19 +109,22 @@ def main(folder, server):
                 pixels = session.capture(of_view, name)
                 share, mean, apart = comparison.difference(pixels, wanted)
                 print("%s: %.3f%% of the pixels differ by more than %d, mean %.4f" % (name, 100 * share, comparison.LEVELS, mean))
-                if share > 0.0:
+                if share > OUTLINE:
                     comparison.write_image(session.output(name + "-difference.png"), 4 * apart)
                     failures.append("%s rendering: the picture is not that without a server" % name)
             pv.Delete(view)
             pv.Delete(block_view)
-        pv.Disconnect()
-        process.wait(30)
     finally:
-        if process.poll() is None:
-            process.terminate()
+        # ParaView's own server of several ranks does not end when its client leaves.
+        process.terminate()
+        process.wait()
     with open(session.output("client-server-server.log")) as log:
         print(log.read())
-    session.finish(failures)
+    for failure in failures:
+        print("FAILED:", failure)
+    print("CLIENT SERVER TEST " + ("FAILED" if failures else "PASSED"))
+    sys.stdout.flush()
+    os._exit(1 if failures else 0)
 
 
 if __name__ == "__main__":

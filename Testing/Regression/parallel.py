@@ -12,11 +12,13 @@ import comparison
 import session
 
 SIDE = 11
+#: share of the pixels that may differ where smooth edges of one rank's glyphs lie before another rank's
+EDGES = 0.02
 
 
 def look_at_cube(view):
     """A slanted look at the wavelet."""
-    session.look(view, (13.0, 9.0, 31.0))
+    session.look(view, (11.0, 8.0, 24.0))
 
 
 def structured(view):
@@ -36,7 +38,7 @@ def vectors(view):
     wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
     calculator = pv.Calculator(Input=wavelet, ResultArrayName="flow", Function="coordsY*iHat-coordsX*jHat+coordsZ*kHat")
     shown = session.glyphs(calculator, view, "Arrow", GlyphOrientationArray="flow", GlyphScaling=1, GlyphScaleArray="flow",
-                           GlyphScaleFactor=0.3)
+                           GlyphScaleFactor=0.35, ArrowTipRadius=0.25, ArrowShaftRadius=0.1)
     session.solid(shown, (0.3, 0.6, 0.9))
     look_at_cube(view)
     return shown
@@ -74,23 +76,28 @@ def main(folder):
     for name, scene, points in scenes:
         view = session.view(300, 200)
         shown = scene(view)
-        for samples in (1, 16):
+        for samples, replicate, allowed in ((1, 0, 0.0), (16, 0, EDGES), (16, 1, 0.0)):
             shown.SamplesPerPixel = samples
+            shown.ReplicateGlyphs = replicate
             pv.Render(view)
             picture = "parallel-%s-%d" % (name, samples)
-            pixels = session.capture(view, picture + ("" if ranks == 1 else "-%d-ranks" % ranks))
+            name_here = picture + ("" if ranks == 1 else "-%d-ranks%s" % (ranks, "-replicated" if replicate else ""))
+            pixels = session.capture(view, name_here)
             if ranks == 1:
                 continue
             share, mean, apart = comparison.difference(pixels, session.read_image(session.output(picture + ".png")))
-            print("%s on %d ranks: %.3f%% of the pixels differ by more than %d, mean %.4f"
-                  % (picture, ranks, 100 * share, comparison.LEVELS, mean))
-            if share > 0.0:
-                comparison.write_image(session.output("%s-%d-ranks-difference.png" % (picture, ranks)), 4 * apart)
-                failures.append("%s on %d ranks differs from one rank" % (picture, ranks))
+            print("%s: %.3f%% of the pixels differ by more than %d, mean %.4f"
+                  % (name_here, 100 * share, comparison.LEVELS, mean))
+            if share > allowed:
+                comparison.write_image(session.output(name_here + "-difference.png"), 4 * apart)
+                failures.append(name_here + " differs from one rank")
         if points and number_of_points(shown) != points:
             failures.append("%s: %d glyphs, %d points" % (name, number_of_points(shown), points))
         pv.Delete(view)
-    session.finish(failures)
+    # The script ends by itself: leaving early, MPI would call it a failure.
+    for failure in failures:
+        print("FAILED:", failure)
+    print("PARALLEL TEST " + ("FAILED" if failures else "PASSED"))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,41 @@
+# Tests that take more than one process: ranks, a server, a second session. Included by CMakeLists.txt.
+find_program(RTGLYPHS_PVBATCH pvbatch HINTS "${ParaView_PREFIX_PATH}/bin" NO_DEFAULT_PATH)
+find_program(RTGLYPHS_PVBATCH pvbatch)
+find_program(RTGLYPHS_PVSERVER pvserver HINTS "${ParaView_PREFIX_PATH}/bin" NO_DEFAULT_PATH)
+find_program(RTGLYPHS_PVSERVER pvserver)
+find_program(RTGLYPHS_MPIEXEC mpiexec)
+
+# Open MPI refuses by default to start more ranks than cores, and to run as root, which it is in a container.
+set(mpi_environment
+  "OMPI_MCA_rmaps_base_oversubscribe=1"
+  "OMPI_ALLOW_RUN_AS_ROOT=1"
+  "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+
+if (PARAVIEW_USE_MPI AND RTGLYPHS_PVBATCH AND RTGLYPHS_MPIEXEC)
+  # One rank makes the pictures that the others are compared with.
+  foreach (ranks IN ITEMS 1 2 4)
+    rtglyphs_regression_test("Parallel${ranks}" ENVIRONMENT ${mpi_environment}
+      COMMAND "${RTGLYPHS_MPIEXEC}" -n "${ranks}" "${RTGLYPHS_PVBATCH}" "${regression}/parallel.py" "${data}")
+    set_tests_properties("Parallel${ranks}" PROPERTIES PASS_REGULAR_EXPRESSION "PARALLEL TEST PASSED")
+  endforeach ()
+  set_tests_properties(Parallel1 PROPERTIES FIXTURES_SETUP one_rank)
+  set_property(TEST Parallel2 Parallel4 APPEND PROPERTY FIXTURES_REQUIRED one_rank)
+endif ()
+
+if (RTGLYPHS_PVSERVER)
+  rtglyphs_regression_test(ClientServer
+    COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/client_server.py" "${data}" "${RTGLYPHS_PVSERVER}")
+  if (PARAVIEW_USE_MPI AND RTGLYPHS_MPIEXEC)
+    rtglyphs_regression_test(ClientServer2 ENVIRONMENT ${mpi_environment}
+      COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/client_server.py" "${data}" "${RTGLYPHS_PVSERVER}"
+        "${RTGLYPHS_MPIEXEC}" -n 2)
+  endif ()
+endif ()
+
+# A session that saves, and a fresh one for each of the two ways back.
+foreach (step IN ITEMS save state trace)
+  rtglyphs_regression_test("State-${step}"
+    COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/state_and_trace.py" "${step}" "${data}")
+endforeach ()
+set_tests_properties(State-save PROPERTIES FIXTURES_SETUP saved_state)
+set_property(TEST State-state State-trace APPEND PROPERTY FIXTURES_REQUIRED saved_state)
