@@ -135,9 +135,12 @@ void vtkRayTracedGlyphScene::Fail(const std::string& message)
   {
     self.Forget();
   }
-  if (self.Failure != message)
+  self.TryNewDevice = lost && !self.LostDevice;
+  self.LostDevice |= lost;
+  self.Failure = message;
+  if (self.Reported != message)
   {
-    self.Failure = message;
+    self.Reported = message;
     vtkErrorMacro(<< message);
   }
 }
@@ -198,10 +201,12 @@ void vtkRayTracedGlyphScene::Synchronise()
     largest(self.InteractiveReduction, mapper->GetInteractiveReduction());
   }
   self.Version = version;
-  if ((!any && !self.Scene) || (!self.Failure.empty() && self.FailedVersion == version))
+  const bool again = self.TryNewDevice || self.FailedVersion != version;
+  if ((!any && !self.Scene) || (!self.Failure.empty() && !again))
   {
     return;
   }
+  self.TryNewDevice = false;
   try
   {
     if (!self.Device || self.Device->Lost())
@@ -375,6 +380,8 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
     image.PixelStep = settings.pixelStep;
     image.Valid = true;
     self.Samples = image.Image.samples;
+    self.Reported.clear();
+    self.LostDevice = false;
     return true;
   }
   catch (const std::exception& error)

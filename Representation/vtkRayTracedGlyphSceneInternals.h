@@ -88,6 +88,9 @@ struct vtkRayTracedGlyphScene::Internals
 
   // After a failure nothing is tried until what is to be shown changes
   std::string Failure, CameraFailure;
+  std::string Reported;      // the last failure, until there is an image again
+  bool LostDevice = false;   // since the last image
+  bool TryNewDevice = false; // once: a second loss is no accident
   std::uint64_t FailedVersion = 0;
   std::uint64_t Version = 0; // sum of the mappers' versions, visible ones
 
