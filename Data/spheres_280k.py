@@ -19,6 +19,8 @@ COUNT = 280000
 SIDE = 100.0
 #: Solves mean over the pixels of 1 - exp(-density * pi * radius^2 * path in the box) = 0.73.
 RADIUS = 0.17769
+#: Spheres that nearly touch, as in a packing of particles: 0.4 times the mean distance of neighbours.
+PACKED_RADIUS = 0.4 * SIDE / COUNT ** (1.0 / 3.0)
 #: The box's near face just fills a square view of ParaView's view angle of 30 degrees.
 CAMERA = {
     "CameraPosition": [0.5 * SIDE, 0.5 * SIDE, SIDE + 186.6025],

@@ -1,10 +1,10 @@
 """Time per frame of ray-traced glyphs beside ParaView's own ways of drawing the same 280,000 spheres.
 
-Usage: pvpython speed.py FOLDER [--count N] [--size PIXELS] [--frames N] [--only NAME,NAME]
+Usage: pvpython speed.py FOLDER [--count N] [--size PIXELS] [--frames N] [--packed] [--only NAME,NAME]
 Environment: RTGLYPHS_PLUGIN is the plugin's library.
 
 Each competitor runs in a process of its own: it shows the scene of Data/spheres_280k.py (73% of the pixels covered) in a
-view of PIXELS x PIXELS, then turns the camera by one degree a frame and takes the time of each frame on the wall and on all
+view of PIXELS x PIXELS (or, --packed, the same centres with spheres so large that they nearly touch), then turns the camera by one degree a frame and takes the time of each frame on the wall and on all
 cores. Written to FOLDER: speed.csv, speed.png, and one picture per competitor. The table gives medians; "first image" is
 from new data to finished picture.
 """
@@ -126,6 +126,7 @@ def run_all(options):
         frames = max(3, options.frames // 4) if name.startswith("3D Glyphs 24") else options.frames
         command = [sys.executable if "pvpython" in sys.executable else "pvpython", os.path.abspath(__file__), options.folder,
                    "--count", str(options.count), "--size", str(options.size), "--frames", str(frames), "--measure", name]
+        command += ["--packed"] if options.packed else []
         print("measuring %s ..." % name, flush=True)
         run = subprocess.run(command, stdout=subprocess.PIPE, text=True)
         line = next((line for line in run.stdout.splitlines() if line.startswith("{")), None)
@@ -179,10 +180,13 @@ def main():
     parser.add_argument("--count", type=int, default=spheres_280k.COUNT)
     parser.add_argument("--size", type=int, default=1200)
     parser.add_argument("--frames", type=int, default=12)
+    parser.add_argument("--packed", action="store_true", help="spheres that nearly touch: every pixel is covered")
     parser.add_argument("--only")
     parser.add_argument("--measure", help=argparse.SUPPRESS)
     options = parser.parse_args()
     os.makedirs(options.folder, exist_ok=True)
+    if options.packed:
+        spheres_280k.RADIUS = spheres_280k.PACKED_RADIUS
     if options.measure:
         scene = os.path.join(options.folder, "spheres.vtk")
         print(json.dumps(measure(options.measure, scene, options.count, options.size, options.frames, options.folder)), flush=True)
