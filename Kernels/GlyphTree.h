@@ -39,7 +39,7 @@ static_assert(sizeof(GlyphTreeNode) == 40, "read by Programs/tree.glsl as five 6
 struct GlyphTree
 {
   std::uint32_t leafBits = 0;
-  std::uint32_t levels = 0; ///< of nodes; 0: a single leaf
+  std::uint32_t levels = 0; ///< of nodes, at least 1
   std::vector<GlyphTreeNode> nodes;
 
   /// Leaves hold two to four glyphs from `glyphsPerLeaf` = 4 on; at least one level.

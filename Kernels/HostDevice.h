@@ -131,7 +131,6 @@ struct FrameRecord
   uint samples;
   uint pixelStep;
   uint firstRow;                      // of tiles, when an image takes several dispatches
-  uint tilesX;
   uint cullMask;
   uint lightCount;
   uint probeCount;

@@ -251,8 +251,8 @@ void Scene::Commit()
         if (set.instancesChanged)
         {
           set.bounds = Bounds();
-          const auto boxes = TightBoxes(set.instances);
-          for (const auto& box : boxes)
+          set.boxes = TightBoxes(set.instances);
+          for (const Box& box : set.boxes)
           {
             set.bounds.Include(box.lower, box.upper);
           }
@@ -344,7 +344,9 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
 
   // Some head-room, so that a scene that grows little by little is not rebuilt at every step.
   set.builtReach = 4.0f * reach;
-  std::vector<Box> boxes = TightBoxes(instances);
+  // Those of Commit(), unless old instances are built anew for a larger scene.
+  std::vector<Box> boxes = set.boxes.empty() ? TightBoxes(instances) : std::move(set.boxes);
+  set.boxes.clear();
   Pad(boxes, set.builtReach);
   set.group.hasTree = this->structure == Structure::Tree;
   if (set.group.hasTree)
@@ -382,6 +384,7 @@ void Scene::State::Sort(GlyphSet& set)
     Reorder(instances.sizes3, set.order);
     Reorder(instances.sizes1, set.order);
     Reorder(instances.rotations, set.order);
+    Reorder(set.boxes, set.order);
   }
 }
 

@@ -247,7 +247,6 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
       const std::uint32_t tilesX = DivideUp(DivideUp(settings.width, settings.pixelStep), tileSize);
       const std::uint32_t tilesY =
         DivideUp(DivideUp(settings.height, settings.pixelStep), tileSize);
-      frame.tilesX = tilesX;
       state.Launch(state.PipelineFor(Program::Image, glyphs.groups), glyphs, frame,
         tilesX * lanesPerTile, tilesY);
       state.statistics.primaryRays += std::uint64_t(DivideUp(settings.width, settings.pixelStep)) *

@@ -3,6 +3,7 @@
 #include "Scene.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
+#include "SubjectName.h"
 
 #include <gtest/gtest.h>
 
@@ -101,14 +102,6 @@ TEST_P(PipelineNumericsTest, KeepsTheBounds)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, PipelineNumericsTest, ::testing::ValuesIn(HardSubjects()),
-  [](const auto& info)
-  {
-    std::string name = info.param.name;
-    for (char& c : name)
-    {
-      c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-    }
-    return name;
-  });
+  SubjectName);
 
 } // namespace

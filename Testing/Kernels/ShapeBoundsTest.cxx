@@ -1,6 +1,7 @@
 // GlyphBounds holds the glyph and touches it on all six sides.
 #include "HardCases.h"
 #include "Reference.h"
+#include "SubjectName.h"
 
 #include <gtest/gtest.h>
 
@@ -129,14 +130,6 @@ TEST_P(ShapeBoundsTest, TouchTheSurface)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ShapeBoundsTest, ::testing::ValuesIn(HardSubjects()),
-  [](const auto& info)
-  {
-    std::string name = info.param.name;
-    for (char& c : name)
-    {
-      c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-    }
-    return name;
-  });
+  SubjectName);
 
 } // namespace

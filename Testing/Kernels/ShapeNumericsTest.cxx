@@ -1,5 +1,6 @@
 // The bounds that every shape keeps on every hard case, in float and double: t, normal, hit or miss.
 #include "Measure.h"
+#include "SubjectName.h"
 
 #include <gtest/gtest.h>
 
@@ -43,14 +44,6 @@ TEST_P(ShapeNumericsTest, Double)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ShapeNumericsTest, ::testing::ValuesIn(HardSubjects()),
-  [](const auto& info)
-  {
-    std::string name = info.param.name;
-    for (char& c : name)
-    {
-      c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-    }
-    return name;
-  });
+  SubjectName);
 
 } // namespace

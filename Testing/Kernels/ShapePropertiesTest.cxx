@@ -1,5 +1,6 @@
 // Properties that hold for every shape, without a reference.
 #include "HardCases.h"
+#include "SubjectName.h"
 
 #include <gtest/gtest.h>
 
@@ -158,16 +159,6 @@ TEST_P(ShapePropertiesTest, MoveTogether)
     });
 }
 
-std::string NameOf(const ::testing::TestParamInfo<Subject>& info)
-{
-  std::string name = info.param.name;
-  for (char& c : name)
-  {
-    c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-  }
-  return name;
-}
-
 std::vector<Subject> ConvexSubjects()
 {
   std::vector<Subject> convex;
@@ -181,7 +172,7 @@ std::vector<Subject> ConvexSubjects()
   return convex;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, ShapePropertiesTest, ::testing::ValuesIn(HardSubjects()), NameOf);
-INSTANTIATE_TEST_SUITE_P(Shapes, ConvexShapePropertiesTest, ::testing::ValuesIn(ConvexSubjects()), NameOf);
+INSTANTIATE_TEST_SUITE_P(Shapes, ShapePropertiesTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(Shapes, ConvexShapePropertiesTest, ::testing::ValuesIn(ConvexSubjects()), SubjectName);
 
 } // namespace
