@@ -26,8 +26,16 @@ enum class Shape : std::uint32_t
   Box = 1,      ///< side 1, centred
   Cylinder = 2, ///< along y, height 1, radius 0.5, centred
   Cone = 3,     ///< along +x, height 1, base radius 0.5, centred (base at x = -0.5, apex at 0.5)
-  Arrow = 4     ///< along +x from 0 to 1, see ArrowForm
+  Arrow = 4,    ///< along +x from 0 to 1, see ArrowForm
+  /// |2x|^r + |2y|^s + |2z|^t = 1, half-lengths 0.5, centred; r, s, t are GlyphInstances' exponents
+  Superquadric = 5
 };
+
+/// Whether a shape has GlyphInstances' exponents.
+inline bool HasExponents(Shape shape)
+{
+  return shape == Shape::Superquadric;
+}
 
 /// Proportions of the unit arrow, as fractions of its length of 1. Defaults are vtkArrowSource's.
 struct ArrowForm
@@ -64,6 +72,12 @@ struct GlyphInstances
 
   /// Unit quaternions (x, y, z, w) that turn the unit form's frame to the world; empty: none is turned.
   std::vector<glm::vec4> rotations;
+
+  /// Exponents of the shapes that have them (HasExponents): one vec3 a glyph, or empty
+  /// (uniformExponents for all). 2 is round, 1 an octahedron, larger ones approach a box, smaller ones a star.
+  /// In [0.1, 100]; see Shapes/README.md for where accuracy is promised.
+  std::vector<glm::vec3> exponents3;
+  glm::vec3 uniformExponents{ 2.0f };
 
   std::size_t Count() const { return centres.size(); }
 };

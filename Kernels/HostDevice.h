@@ -31,6 +31,7 @@ struct GlyphSetRecord
   RTG_ADDRESS(Vec3Array) centres;
   RTG_ADDRESS(FloatArray) sizes;     // one or three floats a glyph, or none (specialised)
   RTG_ADDRESS(Vec4Array) rotations;  // none unless specialised
+  RTG_ADDRESS(FloatArray) exponents; // three floats a glyph, or none (specialised)
   RTG_ADDRESS(UintArray) colours;    // none unless specialised
   RTG_ADDRESS(UintArray) tree;       // GlyphTreeNode, when the set is traced by its tree
   vec3 offset;                       // of the set's origin from the scene's: high part, as in the transform
@@ -38,6 +39,7 @@ struct GlyphSetRecord
   vec4 arrow;                        // shaft radius, tip radius, tip length, tip rounding
   float unitLength;
   float uniformSize;
+  vec3 uniformExponents;
   uint setId;
   uint firstGlyph;                   // index of this structure's first glyph in the set's sorted order
   uint glyphCount;

@@ -58,6 +58,8 @@ HostShapes::Glyph DoubleGlyph(const GlyphInstances& instances, std::size_t i)
   const ArrowForm& arrow = instances.arrow;
   glyph.arrow = glm::dvec4(arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding);
   glyph.fixedHeads = arrow.fixedHeads;
+  glyph.exponents =
+    glm::dvec3(instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i]);
   glyph.unitLength = arrow.unitLength;
   return glyph;
 }
@@ -317,6 +319,7 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
   set.centres = Buffer();
   set.sizes = Buffer();
   set.rotations = Buffer();
+  set.exponents = Buffer();
   set.tree = Buffer();
   if (set.count == 0)
   {
@@ -335,9 +338,15 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
   set.sizes =
     instances.sizes3.empty() ? Send(vulkan, instances.sizes1) : Send(vulkan, instances.sizes3);
   set.rotations = Send(vulkan, instances.rotations);
+  if (!HasExponents(instances.shape))
+  {
+    instances.exponents3.clear();
+  }
+  set.exponents = Send(vulkan, instances.exponents3);
   set.group.shape = instances.shape;
   set.group.sizesPerGlyph = !instances.sizes3.empty() ? 3 : !instances.sizes1.empty() ? 1 : 0;
   set.group.turned = !instances.rotations.empty();
+  set.group.ownExponents = !instances.exponents3.empty();
   set.group.fixedHeads = instances.shape == Shape::Arrow && instances.arrow.fixedHeads;
   ++this->statistics.instanceUploads;
   this->statistics.uploadSeconds += watch.Lap();
@@ -384,6 +393,7 @@ void Scene::State::Sort(GlyphSet& set)
     Reorder(instances.sizes3, set.order);
     Reorder(instances.sizes1, set.order);
     Reorder(instances.rotations, set.order);
+    Reorder(instances.exponents3, set.order);
     Reorder(set.boxes, set.order);
   }
 }
@@ -502,6 +512,7 @@ void Scene::State::FillRecords()
       record.centres = at(set.centres, sizeof(glm::vec3));
       record.sizes = at(set.sizes, set.group.sizesPerGlyph * sizeof(float));
       record.rotations = at(set.rotations, sizeof(glm::vec4));
+      record.exponents = at(set.exponents, sizeof(glm::vec3));
       record.colours = at(set.colourBuffer, sizeof(std::uint32_t));
       const glm::dvec3 offset = set.instances.origin - this->origin;
       record.offset = glm::vec3(offset);
@@ -510,6 +521,7 @@ void Scene::State::FillRecords()
       record.arrow = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding };
       record.unitLength = arrow.unitLength;
       record.uniformSize = set.instances.uniformSize;
+      record.uniformExponents = set.instances.uniformExponents;
       record.tree = set.tree.Size() ? set.tree.Address() : 0;
       record.treeLevels = set.treeLevels;
       record.treeLeafBits = set.treeLeafBits;

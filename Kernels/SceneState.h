@@ -59,7 +59,7 @@ struct GlyphSet
   std::vector<Box> boxes; ///< of new instances, from their bounds to their build
   Bounds bounds;                  ///< relative to instances.origin
   float builtReach = 0.0f;        ///< distance of ray origins that the boxes' padding allows for
-  Buffer centres, sizes, rotations, colourBuffer, tree;
+  Buffer centres, sizes, rotations, exponents, colourBuffer, tree;
   std::uint32_t treeLevels = 0;
   std::uint32_t treeLeafBits = 0;
   std::vector<std::uint8_t> kdAxes; ///< see KdOrder

@@ -5,6 +5,7 @@ layout(constant_id = 1) const bool turned = false;
 layout(constant_id = 2) const bool coloured = false;
 layout(constant_id = 3) const bool fixedHeads = false;
 layout(constant_id = 4) const bool hasTree = false;
+layout(constant_id = 5) const bool ownExponents = false;
 
 #include "../Shapes/Registry.glsl"
 
@@ -14,6 +15,7 @@ struct GlyphSource
   Vec3Array centres;
   FloatArray sizes;
   Vec4Array rotations;
+  FloatArray exponents;
   vec3 offset;
   vec3 offsetLow;
   Glyph alike;  // what all glyphs of the set share
@@ -27,6 +29,7 @@ GlyphSource CurrentSource()
   source.centres = sets.at[record].centres;
   source.sizes = sets.at[record].sizes;
   source.rotations = sets.at[record].rotations;
+  source.exponents = sets.at[record].exponents;
   source.offset = sets.at[record].offset;
   source.offsetLow = sets.at[record].offsetLow;
   source.alike.size = vec3(sets.at[record].uniformSize);
@@ -36,6 +39,7 @@ GlyphSource CurrentSource()
   source.alike.arrow = sets.at[record].arrow;
   source.alike.unitLength = sets.at[record].unitLength;
   source.alike.fixedHeads = fixedHeads;
+  source.alike.exponents = sets.at[record].uniformExponents;
   return source;
 }
 
@@ -59,6 +63,12 @@ Glyph FetchGlyph(GlyphSource source, uint primitive)
   if (turned)
   {
     glyph.rotation = source.rotations.at[primitive];
+  }
+  if (ownExponents)
+  {
+    FloatArray exponents = source.exponents;
+    glyph.exponents =
+      vec3(exponents.at[3u * primitive], exponents.at[3u * primitive + 1u], exponents.at[3u * primitive + 2u]);
   }
   return glyph;
 }

@@ -23,6 +23,7 @@ struct Glyph
   real4 arrow;     // shaft radius, tip radius, tip length, tip rounding
   bool fixedHeads;
   real unitLength;
+  real3 exponents; // of a superquadric's axes
 };
 
 // A ray in a glyph's frame, not yet divided by the glyph's size. Its parameter s counts from the

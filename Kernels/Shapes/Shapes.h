@@ -19,6 +19,7 @@ using glm::max;
 using glm::min;
 using glm::normalize;
 using std::abs;
+using std::pow;
 using std::sqrt;
 
 /// Dekker's constant 2^ceil(p / 2) + 1 for a significand of p bits.

@@ -18,6 +18,7 @@ struct Specialisation
   vk::Bool32 coloured;
   vk::Bool32 fixedHeads;
   vk::Bool32 hasTree;
+  vk::Bool32 ownExponents;
 };
 
 const vk::SpecializationMapEntry specialisationMap[] = {
@@ -26,6 +27,7 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 2, offsetof(Specialisation, coloured), sizeof(vk::Bool32) },
   { 3, offsetof(Specialisation, fixedHeads), sizeof(vk::Bool32) },
   { 4, offsetof(Specialisation, hasTree), sizeof(vk::Bool32) },
+  { 5, offsetof(Specialisation, ownExponents), sizeof(vk::Bool32) },
 };
 
 vk::raii::ShaderModule MakeModule(Device::State& device, const programs::Code& code)
@@ -80,7 +82,7 @@ Pipeline::Pipeline(Device::State& device, Program program, const std::vector<Hit
   {
     const HitGroup& group = groups[i];
     constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads,
-      group.hasTree };
+      group.hasTree, group.ownExponents };
     specialisations[i] =
       vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
         specialisationMap, sizeof(Specialisation), &constants[i]);

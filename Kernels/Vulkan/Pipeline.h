@@ -18,11 +18,12 @@ struct HitGroup
   bool coloured = false;
   bool fixedHeads = false;
   bool hasTree = false;
+  bool ownExponents = false;
 
   friend bool operator==(const HitGroup& a, const HitGroup& b)
   {
     return a.shape == b.shape && a.sizesPerGlyph == b.sizesPerGlyph && a.turned == b.turned &&
-      a.coloured == b.coloured && a.fixedHeads == b.fixedHeads && a.hasTree == b.hasTree;
+      a.coloured == b.coloured && a.fixedHeads == b.fixedHeads && a.hasTree == b.hasTree && a.ownExponents == b.ownExponents;
   }
 };
 

@@ -47,6 +47,8 @@ KernelGlyph(const GlyphInstances& instances, std::uint32_t index)
   glyph.arrow = glm::vec4(form.shaftRadius, form.tipRadius, form.tipLength, form.tipRounding);
   glyph.fixedHeads = form.fixedHeads;
   glyph.unitLength = form.unitLength;
+  glyph.exponents =
+    instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index];
   return glyph;
 }
 

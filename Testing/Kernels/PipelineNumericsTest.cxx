@@ -31,6 +31,7 @@ GlyphInstances Single(const GlyphInstances& all, std::uint32_t index)
   keep(one.sizes1);
   keep(one.sizes3);
   keep(one.rotations);
+  keep(one.exponents3);
   return one;
 }
 

@@ -113,6 +113,82 @@ TEST_P(TracerTest, SphereCoversExactlyThePixelsWhoseCentresItCovers)
   }
 }
 
+TEST_P(TracerTest, ExponentsFollowTheirGlyphs)
+{
+  // Superquadrics side by side, seen along z: the outline is |x|^r + |y|^s = 1, whatever t is. There are so many
+  // that they get sorted.
+  constexpr int side = 8;
+  constexpr float cell = 2.0f / side;
+  rtg::GlyphInstances instances;
+  instances.shape = rtg::Shape::Superquadric;
+  instances.uniformSize = 0.9f * cell;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> logarithm(std::log(0.3f), std::log(20.0f));
+  for (int i = 0; i < side * side; ++i)
+  {
+    instances.centres.emplace_back(
+      -1.0f + cell * (i % side + 0.5f), -1.0f + cell * (i / side + 0.5f), 0.0f);
+    instances.exponents3.emplace_back(
+      std::exp(logarithm(random)), std::exp(logarithm(random)), std::exp(logarithm(random)));
+  }
+  const std::vector<glm::vec3> own = instances.exponents3;
+  instances.uniformExponents = { 0.7f, 5.0f, 3.0f };
+  const auto id = this->scene.Add();
+
+  for (const bool uniform : { false, true })
+  {
+    const std::uint64_t uploads = this->scene.GetStatistics().instanceUploads;
+    instances.exponents3 = uniform ? std::vector<glm::vec3>() : own;
+    this->scene.SetInstances(id, instances);
+    const Image image = this->Trace();
+    EXPECT_EQ(this->scene.GetStatistics().instanceUploads, uploads + 1);
+    int judged = 0;
+    for (int at = 0; at < 10000; ++at)
+    {
+      const double px = (at % 100 + 0.5) / 50.0 - 1.0;
+      const double py = (at / 100 + 0.5) / 50.0 - 1.0;
+      const int glyph = int((py + 1.0) / cell) * side + int((px + 1.0) / cell);
+      const glm::dvec3 e(uniform ? instances.uniformExponents : own[glyph]);
+      const double halfSize = 0.5 * instances.uniformSize;
+      const double x = std::abs(px - instances.centres[glyph].x) / halfSize;
+      const double y = std::abs(py - instances.centres[glyph].y) / halfSize;
+      const double value = std::pow(x, e.x) + std::pow(y, e.y);
+      if (std::abs(value - 1.0) < 1e-3)
+      {
+        continue;
+      }
+      ++judged;
+      ASSERT_EQ(image.glyphIds[at] != Image::noGlyph, value < 1.0) << at << ' ' << value;
+      if (value < 1.0)
+      {
+        ASSERT_EQ(this->scene.OriginalGlyph(id, image.glyphIds[at]), std::uint32_t(glyph));
+        const double z = halfSize * std::pow(1.0 - value, 1.0 / e.z);
+        ASSERT_NEAR(image.depth[at], (4.0 - z) / 8.0, 1e-6) << at;
+      }
+    }
+    EXPECT_GT(judged, 9900);
+  }
+}
+
+TEST_P(TracerTest, ExponentsOfOtherShapesAreNotKept)
+{
+  rtg::GlyphInstances instances;
+  instances.centres = RandomPoints(1000);
+  instances.uniformSize = 0.1f;
+  const auto id = this->scene.Add();
+  this->scene.SetInstances(id, instances);
+  this->scene.Commit();
+  const std::uint64_t without = this->scene.GetStatistics().deviceBytes;
+  instances.exponents3.assign(1000, glm::vec3(2.0f));
+  this->scene.SetInstances(id, instances);
+  this->scene.Commit();
+  EXPECT_EQ(this->scene.GetStatistics().deviceBytes, without);
+  instances.shape = rtg::Shape::Superquadric;
+  this->scene.SetInstances(id, instances);
+  this->scene.Commit();
+  EXPECT_GE(this->scene.GetStatistics().deviceBytes, without + 12000u);
+}
+
 TEST_P(TracerTest, MoreSamplesApproachTheExactArea)
 {
   this->AddSpheres({ { 0.0f, 0.0f, 0.0f } }, 1.0f);
