@@ -1,0 +1,502 @@
+// Tensors: decomposition against 113 bits, the exponents of both kinds of glyphs, continuity.
+#include "Tensor.h"
+
+#include <gtest/gtest.h>
+
+#include <quadmath.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace rtg;
+using Quad = __float128;
+
+//----------------------------------------------------------------------------
+// The reference: Jacobi's rotations in 113 bits, which loses 1e-33 of the largest eigenvalue.
+
+std::array<Quad, 3> QuadEigenvalues(const SymmetricTensor& t)
+{
+  Quad a[3][3] = { { t.xx, t.xy, t.xz }, { t.xy, t.yy, t.yz }, { t.xz, t.yz, t.zz } };
+  for (int rotation = 0; rotation < 60; ++rotation)
+  {
+    const int p = rotation % 3, q = (p + 1) % 3;
+    if (a[p][q] == 0)
+    {
+      continue;
+    }
+    const Quad difference = a[p][p] - a[q][q];
+    const Quad angle = difference == 0 ? atanq(1) : atanq(2 * a[p][q] / difference) / 2;
+    const Quad c = cosq(angle), s = sinq(angle);
+    for (int k = 0; k < 3; ++k)
+    {
+      const Quad kp = a[k][p], kq = a[k][q];
+      a[k][p] = c * kp + s * kq;
+      a[k][q] = c * kq - s * kp;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const Quad pk = a[p][k], qk = a[q][k];
+      a[p][k] = c * pk + s * qk;
+      a[q][k] = c * qk - s * pk;
+    }
+  }
+  std::array<Quad, 3> values = { a[0][0], a[1][1], a[2][2] };
+  std::sort(values.begin(), values.end(), std::greater<Quad>());
+  return values;
+}
+
+class Random
+{
+public:
+  double Uniform(double low, double high)
+  {
+    return low + (high - low) * double(this->engine_() >> 11) * 0x1p-53;
+  }
+  glm::dquat Rotation()
+  {
+    std::normal_distribution<double> normal;
+    const double w = normal(this->engine_), x = normal(this->engine_);
+    const double y = normal(this->engine_), z = normal(this->engine_);
+    return glm::normalize(glm::dquat(w, x, y, z));
+  }
+
+private:
+  std::mt19937_64 engine_{ 11 };
+};
+
+SymmetricTensor Make(const glm::dvec3& values, const glm::dquat& rotation)
+{
+  const glm::dmat3 r = glm::mat3_cast(rotation);
+  glm::dmat3 m(0.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    m += values[k] * glm::outerProduct(r[k], r[k]);
+  }
+  return { m[0][0], m[1][1], m[2][2], m[1][0], m[2][1], m[2][0] };
+}
+
+// What every decomposition must be: ordered, orthonormal, right-handed, with a small residual.
+void ExpectValid(const SymmetricTensor& t, const Eigensystem& eigen)
+{
+  const double u = 0x1p-53, largest = t.Largest();
+  EXPECT_GE(eigen.values.x, eigen.values.y);
+  EXPECT_GE(eigen.values.y, eigen.values.z);
+  const glm::dmat3& v = eigen.vectors;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      EXPECT_NEAR(glm::dot(v[i], v[j]), i == j ? 1.0 : 0.0, 32 * u);
+    }
+    const glm::dvec3 scaled = (t.Matrix() / largest) * v[i] - (eigen.values[i] / largest) * v[i];
+    EXPECT_LT(glm::length(scaled), 64 * u);
+  }
+  EXPECT_NEAR(glm::determinant(v), 1.0, 64 * u);
+}
+
+TEST(TensorTest, LayoutsNameTheSameTensor)
+{
+  const double vtk[] = { 1, 2, 3, 4, 5, 6 }; // xx yy zz xy yz xz
+  const double row[] = { 1, 4, 6, 2, 5, 3 };
+  const double lammps[] = { 1, 2, 3, 4, 6, 5 };
+  const double matrix[] = { 1, 4 + 0.5, 6 - 1, 4 - 0.5, 2, 5 + 3, 6 + 1, 5 - 3, 3 };
+  const glm::dmat3 expected = MakeTensor(vtk, TensorLayout::Vtk).Matrix();
+  EXPECT_EQ(expected, glm::dmat3(1, 4, 6, 4, 2, 5, 6, 5, 3));
+  EXPECT_EQ(MakeTensor(row, TensorLayout::Row).Matrix(), expected);
+  EXPECT_EQ(MakeTensor(lammps, TensorLayout::Lammps).Matrix(), expected);
+  EXPECT_EQ(MakeTensor(matrix, TensorLayout::Matrix).Matrix(), expected);
+  EXPECT_EQ(TensorComponents(TensorLayout::Lammps), 6);
+  EXPECT_EQ(TensorComponents(TensorLayout::Matrix), 9);
+}
+
+TEST(TensorTest, AntisymmetricPartTurnsAboutItsAxis)
+{
+  const double m[] = { 1, 2, 3, 4, 5, 6, 7, 8, 10 };
+  const glm::dvec3 axis = AntisymmetricAxis(m), x(0.3, -0.7, 0.2);
+  glm::dvec3 turned(0.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      turned[i] += 0.5 * (m[3 * i + j] - m[3 * j + i]) * x[j];
+    }
+  }
+  EXPECT_LT(glm::length(glm::cross(axis, x) - turned), 1e-15);
+}
+
+TEST(TensorTest, EigenvaluesAgainst113Bits)
+{
+  Random random;
+  double worst = 0.0;
+  for (int i = 0; i < 20000; ++i)
+  {
+    // Ratios up to 1e12, either sign; every fourth with two nearly equal ones.
+    glm::dvec3 values(
+      std::pow(10.0, random.Uniform(-12, 0)), std::pow(10.0, random.Uniform(-12, 0)), 1.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      values[k] *= random.Uniform(0, 1) < 0.5 ? -1.0 : 1.0;
+    }
+    if (i % 4 == 0)
+    {
+      values.y = values.x * (1.0 + std::pow(10.0, random.Uniform(-9, -1)));
+    }
+    const SymmetricTensor t = Make(values, random.Rotation());
+    const Eigensystem eigen = Decompose(t);
+    ExpectValid(t, eigen);
+    const auto exact = QuadEigenvalues(t);
+    for (int k = 0; k < 3; ++k)
+    {
+      worst = std::max(worst, double(fabsq((exact[k] - eigen.values[k]) / exact[k])));
+    }
+  }
+  EXPECT_LT(worst, 1e-15);
+  RecordProperty("worst", std::to_string(worst));
+}
+
+TEST(TensorTest, TinyAndHugeTensors)
+{
+  Random random;
+  const SymmetricTensor t = Make({ 3.0, -1.5, 0.25 }, random.Rotation());
+  const Eigensystem unit = Decompose(t);
+  for (const int exponent : { -1000, -500, 500, 1020 })
+  {
+    const auto scaled = [&](double x) { return std::ldexp(x, exponent); };
+    const Eigensystem eigen = Decompose(
+      { scaled(t.xx), scaled(t.yy), scaled(t.zz), scaled(t.xy), scaled(t.yz), scaled(t.xz) });
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(eigen.values[k], scaled(unit.values[k]));
+      EXPECT_EQ(eigen.vectors[k], unit.vectors[k]);
+    }
+  }
+}
+
+TEST(TensorTest, EqualAndZeroEigenvalues)
+{
+  EXPECT_EQ(Decompose({}).values, glm::dvec3(0.0));
+  EXPECT_EQ(Decompose({}).vectors, glm::dmat3(1.0));
+  EXPECT_EQ(Decompose({ 2, 2, 2, 0, 0, 0 }).vectors, glm::dmat3(1.0));
+  // Ties keep the order of the axes.
+  const Eigensystem planar = Decompose({ 1, 3, 3, 0, 0, 0 });
+  EXPECT_EQ(planar.values, glm::dvec3(3, 3, 1));
+  EXPECT_EQ(planar.vectors, glm::dmat3(0, 1, 0, 0, 0, 1, 1, 0, 0));
+  // All ones: one eigenvalue 3 along the diagonal, two zeros.
+  const SymmetricTensor ones{ 1, 1, 1, 1, 1, 1 };
+  const Eigensystem linear = Decompose(ones);
+  ExpectValid(ones, linear);
+  EXPECT_NEAR(linear.values.x, 3.0, 1e-15);
+  EXPECT_LT(std::abs(linear.values.y), 1e-28);
+  EXPECT_LT(std::abs(linear.values.z), 1e-28);
+  EXPECT_NEAR(glm::dot(linear.vectors[0], glm::dvec3(1.0)), std::sqrt(3.0), 1e-15);
+}
+
+/// The glyph's half-lengths and exponents stay, its axes turn.
+TEST(TensorTest, TurningATensorTurnsItsGlyph)
+{
+  Random random;
+  for (int i = 0; i < 5000; ++i)
+  {
+    const glm::dvec3 values(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
+    const double gap = std::min({ std::abs(values.x - values.y), std::abs(values.y - values.z),
+      std::abs(values.z - values.x), std::abs(std::abs(values.x) - std::abs(values.y)),
+      std::abs(std::abs(values.y) - std::abs(values.z)),
+      std::abs(std::abs(values.z) - std::abs(values.x)) });
+    if (gap < 1e-3)
+    {
+      continue;
+    }
+    const glm::dquat first = random.Rotation(), turn = random.Rotation();
+    for (const auto kind : { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
+           TensorGlyphKind::SignedSuperquadric })
+    {
+      const TensorGlyph a = MakeTensorGlyph(Decompose(Make(values, first)), kind, 3.0);
+      const TensorGlyph b = MakeTensorGlyph(Decompose(Make(values, turn * first)), kind, 3.0);
+      EXPECT_LT(glm::length(a.halfLengths - b.halfLengths), 1e-14);
+      EXPECT_LT(glm::length(a.exponents - b.exponents), 1e-12);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const glm::dvec3 unit(axis == 0, axis == 1, axis == 2);
+        const double c = glm::dot(turn * (a.rotation * unit), b.rotation * unit);
+        EXPECT_NEAR(std::abs(c), 1.0, 1e-12);
+      }
+    }
+  }
+}
+
+TEST(TensorTest, Measures)
+{
+  EXPECT_EQ(FractionalAnisotropy({ 0, 0, 0 }), 0.0);
+  EXPECT_EQ(FractionalAnisotropy({ 2, 2, 2 }), 0.0);
+  EXPECT_NEAR(FractionalAnisotropy({ 5e300, 0, 0 }), 1.0, 1e-15);
+  EXPECT_NEAR(FractionalAnisotropy({ 1e-300, 1e-300, 0 }), std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(FractionalAnisotropy({ 1, 0, -1 }), std::sqrt(1.5), 1e-15);
+}
+
+TEST(TensorTest, KindlmannsCorners)
+{
+  const auto expect = [](const glm::dvec3& lengths, double alpha, double beta, bool first)
+  {
+    const TensorExponents e = KindlmannExponents(lengths, 3.0);
+    EXPECT_NEAR(e.alpha, alpha, 1e-15);
+    EXPECT_NEAR(e.beta, beta, 1e-15);
+    EXPECT_EQ(e.beta, e.c);
+    EXPECT_EQ(e.alongFirst, first);
+  };
+  expect({ 1, 1, 1 }, 1, 1, true);
+  expect({ 1, 0, 0 }, 1, 0, true);
+  expect({ 1, 1, 0 }, 1, 0, false);
+  // cl = 0.15, cp = 0.4.
+  expect({ 0.5, 0.35, 0.15 }, 0.614125, 0.216, false);
+  // cl = 0.5, cp = 0.2.
+  expect({ 0.7, 0.2, 0.1 }, 0.512, 0.125, true);
+  expect({ 7e200, 2e200, 1e200 }, 0.512, 0.125, true);
+}
+
+/// Centroids of the ten zones: the mean of three corners' shapes, worked out by hand.
+TEST(TensorTest, SchultzKindlmannsZones)
+{
+  struct Row
+  {
+    double u, v, alpha, beta, c;
+    bool first;
+  };
+  const Row rows[] = {
+    { 2.25 / 3, 2.75 / 3, 2.5 / 3, 0.5, 0.5, true },
+    { 2.75 / 3, 2.25 / 3, 2.5 / 3, 0.5, 0.5, false },
+    { 2.5 / 3, 1.5 / 3, 2.0 / 3, 7.0 / 3, 7.0 / 3, false },
+    { 2.0 / 3, 1.5 / 3, 1.0 / 3, 8.0 / 3, 7.0 / 3, false },
+    { 2.0 / 3, 0.5 / 3, 2.0 / 3, 8.0 / 3, 7.0 / 3, false },
+    { 1.0 / 3, 2.5 / 3, 2.0 / 3, 8.0 / 3, 7.0 / 3, true },
+    { 1.0 / 3, 1.5 / 3, 1.0 / 3, 8.0 / 3, 7.0 / 3, true },
+    { 0.5 / 3, 1.5 / 3, 2.0 / 3, 7.0 / 3, 7.0 / 3, true },
+    { 0.25 / 3, 0.75 / 3, 2.5 / 3, 0.5, 0.5, true },
+    { 0.75 / 3, 0.25 / 3, 2.5 / 3, 0.5, 0.5, false },
+  };
+  for (const Row& row : rows)
+  {
+    const TensorExponents e = SchultzKindlmannBase({ row.u, row.v });
+    EXPECT_NEAR(e.alpha, row.alpha, 1e-14) << row.u << ' ' << row.v;
+    EXPECT_NEAR(e.beta, row.beta, 1e-14) << row.u << ' ' << row.v;
+    EXPECT_NEAR(e.c, row.c, 1e-14) << row.u << ' ' << row.v;
+    EXPECT_EQ(e.alongFirst, row.first) << row.u << ' ' << row.v;
+  }
+}
+
+TEST(TensorTest, EigenvaluesInTheSquare)
+{
+  const auto expect = [](const glm::dvec3& values, double u, double v)
+  {
+    for (const double scale : { 1.0, 1e-200, 1e200 })
+    {
+      const glm::dvec2 uv = EigenvalueSquare(scale * values);
+      EXPECT_NEAR(uv.x, u, 1e-15);
+      EXPECT_NEAR(uv.y, v, 1e-15);
+    }
+  };
+  expect({ 1, 1, 1 }, 1, 1);
+  expect({ 1, 0, 0 }, 0.5, 1);
+  expect({ 1, 1, 0 }, 1, 0.5);
+  expect({ 1, 1, -1 }, 1, 0);
+  expect({ 1, -1, -1 }, 0, 1);
+  expect({ 0, -1, -1 }, 0, 0.5);
+  expect({ 0, 0, -1 }, 0.5, 0);
+  expect({ -1, -1, -1 }, 0, 0);
+  expect({ 1, 0, -1 }, 0.5, 0.5);
+  // Two ways in at x = -z; both must be the same point.
+  expect({ 1, 0.5, -1 + 1e-16 }, 0.75, 0.25);
+  expect({ 1 - 1e-16, 0.5, -1 }, 0.75, 0.25);
+}
+
+TEST(TensorTest, SharpnessKeepsBallAndCone)
+{
+  const TensorExponents ball = SchultzKindlmannExponents({ 1, 1, 1 }, 3.0);
+  EXPECT_EQ(glm::dvec3(ball.alpha, ball.beta, ball.c), glm::dvec3(1.0));
+  const TensorExponents linear = SchultzKindlmannExponents({ 1, 1e-9, 1e-9 }, 3.0);
+  EXPECT_NEAR(linear.alpha, 1.0, 1e-8);
+  EXPECT_NEAR(linear.beta, 0.0, 1e-8);
+  const TensorExponents funk = SchultzKindlmannExponents({ 1, -1e-9, -1 }, 3.0);
+  EXPECT_NEAR(funk.alpha, 0.0, 1e-8);
+  EXPECT_NEAR(funk.beta, 5.0, 1e-7);
+  EXPECT_NEAR(funk.c, 2.0, 1e-7);
+}
+
+/// Teem's own exponents (tenGlyphBqdAbcUv), when its table is there: u fastest, cell-centred, two values of the
+/// concave corners' beta.
+TEST(TensorTest, TeemsTable)
+{
+  const char* folder = std::getenv("RTGLYPHS_SHARED_DATA");
+  std::ifstream file(std::string(folder ? folder : RTGLYPHS_SHARED_DATA) + "/tenGlyphBqdAbcUv.nrrd",
+    std::ios::binary);
+  if (!file)
+  {
+    std::cout
+      << "without tenGlyphBqdAbcUv.nrrd (set RTGLYPHS_SHARED_DATA); see SchultzKindlmannsZones\n";
+    return;
+  }
+  std::string line;
+  while (std::getline(file, line) && !line.empty())
+  {
+  }
+  double worst = 0.0;
+  for (const double concave : { 2.5555555555, 3.888888888888 })
+  {
+    for (int j = 0; j < 100; ++j)
+    {
+      for (int i = 0; i < 100; ++i)
+      {
+        double exact[3];
+        ASSERT_TRUE(file.read(reinterpret_cast<char*>(exact), sizeof(exact)));
+        const TensorExponents e =
+          SchultzKindlmannBase({ (i + 0.5) / 100, (j + 0.5) / 100 }, concave);
+        worst = std::max({ worst, std::abs(e.alpha - exact[0]), std::abs(e.beta - exact[1]),
+          std::abs(e.c - exact[2]) });
+      }
+    }
+  }
+  EXPECT_LT(worst, 1e-12);
+  std::cout << "20000 points, largest difference " << worst << '\n';
+}
+
+//----------------------------------------------------------------------------
+// Continuity. A glyph's support in a direction n is a norm of its local components; here that of its box and
+// its exponents are enough: the glyph as a set of points depends on nothing else.
+
+/// Largest change of the distance from the glyph's centre to its surface over directions, from a to b: radial, so
+/// that it compares sets of points and not their coordinates.
+double
+RadialChange(const TensorGlyph& a, const TensorGlyph& b, const std::vector<glm::dvec3>& directions)
+{
+  const auto radius = [](const TensorGlyph& glyph, const glm::dvec3& world)
+  {
+    // |x / Rx|^(2/alpha) + |y / Ry|^(2/alpha) <= 1, bisected along the ray: the glyph is star-shaped.
+    const glm::dvec3 d = (glm::conjugate(glyph.rotation) * world) / glyph.halfLengths;
+    double low = 0.0, high = 1.0 / std::max({ std::abs(d.x), std::abs(d.y), std::abs(d.z) });
+    for (int i = 0; i < 40; ++i)
+    {
+      const double s = 0.5 * (low + high);
+      const glm::dvec3 p = glm::abs(s * d);
+      const double rx =
+        std::pow(1.0 - std::pow(p.z, 2.0 / glyph.exponents.y), glyph.exponents.y / 2.0);
+      const double ry =
+        std::pow(1.0 - std::pow(p.z, 2.0 / glyph.exponents.z), glyph.exponents.z / 2.0);
+      const double e = 2.0 / glyph.exponents.x;
+      (std::pow(p.x / rx, e) + std::pow(p.y / ry, e) < 1.0 ? low : high) = s;
+    }
+    return low;
+  };
+  double change = 0.0;
+  for (const glm::dvec3& d : directions)
+  {
+    change = std::max(change, std::abs(radius(a, d) - radius(b, d)));
+  }
+  return change;
+}
+
+/// 10,000 steps through equal, zero and sign-changing eigenvalues, the frame turning as well. Where a step
+/// changes the glyph most, a step ten times smaller changes it about ten times less: there is no jump.
+TEST(TensorTest, GlyphsChangeContinuously)
+{
+  Random random;
+  std::vector<glm::dvec3> directions;
+  for (int i = 0; i < 16; ++i)
+  {
+    directions.push_back(random.Rotation() * glm::dvec3(1, 0, 0));
+  }
+  // Two equal, all equal, one zero, two zero, signs change one after the other, to all negative.
+  const glm::dvec3 stations[] = { { 1, 0.6, 0.2 }, { 1, 1, 0.2 }, { 1, 1, 1 }, { 1, 0.5, 0.5 },
+    { 1, 0.4, 0 }, { 1, 0.3, -0.5 }, { 1, 0, -1 }, { 0.7, -0.3, -1 }, { 0, -0.6, -1 },
+    { -0.3, -0.3, -1 }, { -0.8, -0.8, -0.8 } };
+  const int legs = int(std::size(stations)) - 1;
+  const auto glyphAt = [&](double s, TensorGlyphKind kind)
+  {
+    const int leg = std::min(int(s * legs), legs - 1);
+    const double f = s * legs - leg;
+    const glm::dvec3 values = (1.0 - f) * stations[leg] + f * stations[leg + 1];
+    const glm::dquat turn = glm::angleAxis(3.0 * s, glm::normalize(glm::dvec3(1, 2, 3)));
+    return MakeTensorGlyph(Decompose(Make(values, turn)), kind, 3.0);
+  };
+  for (const auto kind : { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
+         TensorGlyphKind::SignedSuperquadric })
+  {
+    constexpr int steps = 10000;
+    double largest = 0.0, at = 0.0;
+    TensorGlyph previous = glyphAt(0.0, kind);
+    for (int i = 1; i <= steps; ++i)
+    {
+      const TensorGlyph glyph = glyphAt(double(i) / steps, kind);
+      const double change = RadialChange(previous, glyph, directions);
+      at = change > largest ? double(i) / steps : at;
+      largest = std::max(largest, change);
+      EXPECT_NEAR(glm::length(glyph.rotation), 1.0, 1e-14);
+      previous = glyph;
+    }
+    // A tenth of the largest step, there: continuous functions change less.
+    double fine = 0.0;
+    for (int i = 0; i < 10; ++i)
+    {
+      const double s = at - 1.0 / steps + i / (10.0 * steps);
+      fine = std::max(fine,
+        RadialChange(glyphAt(s, kind), glyphAt(std::min(s + 0.1 / steps, 1.0), kind), directions));
+    }
+    EXPECT_LT(fine, 0.2 * largest) << int(kind) << " at " << at;
+    std::cout << "kind " << int(kind) << ": largest step " << largest << " at " << at
+              << ", a tenth of it " << fine << '\n';
+  }
+}
+
+TEST(TensorTest, ThinGlyphsAreThereAndNoiseBecomesBalls)
+{
+  const Eigensystem linear = Decompose({ 1, 0, 0, 0, 0, 0 });
+  for (const auto kind : { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
+         TensorGlyphKind::SignedSuperquadric })
+  {
+    const TensorGlyph glyph = MakeTensorGlyph(linear, kind, 3.0);
+    EXPECT_EQ(std::min({ glyph.halfLengths.x, glyph.halfLengths.y, glyph.halfLengths.z }),
+      thinnestTensorGlyph);
+    EXPECT_EQ(std::max({ glyph.halfLengths.x, glyph.halfLengths.y, glyph.halfLengths.z }), 1.0);
+    EXPECT_GE(
+      std::min({ glyph.exponents.x, glyph.exponents.y, glyph.exponents.z }), leastTensorExponent);
+  }
+  const Eigensystem nearly = Decompose({ 1, 1e-4, 1e-4, 0, 0, 0 });
+  const TensorGlyph sharp = MakeTensorGlyph(nearly, TensorGlyphKind::SignedSuperquadric, 3.0, 1.0);
+  const TensorGlyph blurred =
+    MakeTensorGlyph(nearly, TensorGlyphKind::SignedSuperquadric, 3.0, 100.0);
+  EXPECT_EQ(sharp.exponents.y, leastTensorExponent);
+  EXPECT_NEAR(blurred.exponents.y, 1.0, 1e-3);
+}
+
+/// Half-lengths lie along the eigenvectors of their eigenvalues, for all orders of signs and magnitudes.
+TEST(TensorTest, LengthsLieAlongTheirEigenvectors)
+{
+  Random random;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const glm::dvec3 values(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
+    const SymmetricTensor t = Make(values, random.Rotation());
+    for (const auto kind : { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
+           TensorGlyphKind::SignedSuperquadric })
+    {
+      const TensorGlyph glyph = MakeTensorGlyph(Decompose(t), kind, 3.0);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const glm::dvec3 n = glyph.rotation * glm::dvec3(axis == 0, axis == 1, axis == 2);
+        EXPECT_NEAR(std::abs(glm::dot(n, t.Matrix() * n)), std::max(glyph.halfLengths[axis], 0.0),
+          1e-3 + 1e-13);
+        EXPECT_NEAR(glm::length(t.Matrix() * n), std::abs(glm::dot(n, t.Matrix() * n)), 1e-12);
+      }
+    }
+  }
+}
+
+} // namespace
