@@ -476,6 +476,22 @@ TEST(TensorTest, ThinGlyphsAreThereAndNoiseBecomesBalls)
   EXPECT_NEAR(blurred.exponents.y, 1.0, 1e-3);
 }
 
+/// The profile with the exponent c, straight where the other one is concave, lies over the eigenvector of the middle
+/// eigenvalue: between eigenvalues of opposite signs the glyph is concave.
+TEST(TensorTest, MiddleEigenvectorIsTheGlyphsY)
+{
+  Random random;
+  for (const glm::dvec3 values :
+    { glm::dvec3(1, 0.2, -1), glm::dvec3(1, -0.2, -1), glm::dvec3(1, 0.5, 0.1) })
+  {
+    const Eigensystem eigen = Decompose(Make(values, random.Rotation()));
+    const TensorGlyph glyph = MakeTensorGlyph(eigen, TensorGlyphKind::SignedSuperquadric, 3.0);
+    const glm::dvec3 y = glyph.rotation * glm::dvec3(0, 1, 0);
+    EXPECT_NEAR(std::abs(glm::dot(y, eigen.vectors[1])), 1.0, 1e-14);
+    EXPECT_EQ(glyph.exponents.y > glyph.exponents.z, values.z < 0.0);
+  }
+}
+
 /// Half-lengths lie along the eigenvectors of their eigenvalues, for all orders of signs and magnitudes.
 TEST(TensorTest, LengthsLieAlongTheirEigenvectors)
 {
