@@ -18,7 +18,14 @@ Box Union(const Box& a, const Box& b)
   return { glm::min(a.lower, b.lower), glm::max(a.upper, b.upper) };
 }
 
-// Splits the leaves [leaf, leaf + 2^bits) of `order.size()` glyphs until each has its own.
+// Splits a node has: three, but for the root what is left.
+std::uint32_t SplitsOf(std::uint32_t level, std::uint32_t leafBits)
+{
+  return level > 0 ? 3 : leafBits - 3 * (GlyphTree::Levels(leafBits) - 1);
+}
+
+// Orders entries into leaves, node by node. All children of a node are split along the same axes, so
+// that three signs of the ray's direction give the order of all eight.
 struct KdSplitter
 {
   PartitionEntry* entries;
@@ -26,20 +33,54 @@ struct KdSplitter
   std::uint32_t leafBits;
   std::uint8_t* axes;
 
-  void Split(std::size_t leaf, std::uint32_t bits, std::size_t heapIndex, int forks) const
+  std::size_t Start(std::size_t leaf) const
   {
-    if (bits == 0)
+    return GlyphTree::Start(leaf, this->count, this->leafBits);
+  }
+
+  // `bits` binary levels lie below the node, whose first leaf is `leaf`.
+  void SplitNode(
+    std::uint32_t level, std::size_t node, std::size_t leaf, std::uint32_t bits, int forks) const
+  {
+    const std::uint32_t splits = SplitsOf(level, this->leafBits);
+    glm::vec3 extent =
+      Extent(this->entries, this->Start(leaf), this->Start(leaf + (std::size_t(1) << bits)));
+    int chosen[3] = { 0, 0, 0 };
+    std::uint8_t packed = 0;
+    for (std::uint32_t i = 0; i < splits; ++i)
     {
+      chosen[i] = LongestAxis(extent);
+      extent[chosen[i]] *= 0.5f;
+      // The bit of a child's number that split i decides is splits - 1 - i; the first field is that of bit 2.
+      packed |= static_cast<std::uint8_t>(chosen[i] << (2 * (3 - splits + i)));
+    }
+    this->axes[GlyphTree::LevelOffset(level) + node] = packed;
+    this->Split(level, node << splits, leaf, bits, chosen, splits, forks);
+  }
+
+  // The remaining `splits` of a node, which lead to the children from `child` on.
+  void Split(std::uint32_t level, std::size_t child, std::size_t leaf, std::uint32_t bits,
+    const int* chosen, std::uint32_t splits, int forks) const
+  {
+    if (splits == 0)
+    {
+      if (bits > 0)
+      {
+        this->SplitNode(level + 1, child, leaf, bits, forks);
+      }
       return;
     }
     const std::size_t half = std::size_t(1) << (bits - 1);
-    const auto start = [this](std::size_t l)
-    { return GlyphTree::Start(l, this->count, this->leafBits); };
-    this->axes[heapIndex] = static_cast<std::uint8_t>(
-      PartitionAt(this->entries, start(leaf), start(leaf + half), start(leaf + 2 * half)));
+    PartitionAlong(this->entries, this->Start(leaf), this->Start(leaf + half),
+      this->Start(leaf + 2 * half), *chosen);
     ForkJoin(
-      forks > 0, [&] { this->Split(leaf, bits - 1, 2 * heapIndex + 1, forks - 1); },
-      [&] { this->Split(leaf + half, bits - 1, 2 * heapIndex + 2, forks - 1); });
+      forks > 0,
+      [&] { this->Split(level, child, leaf, bits - 1, chosen + 1, splits - 1, forks - 1); },
+      [&]
+      {
+        this->Split(level, child + (std::size_t(1) << (splits - 1)), leaf + half, bits - 1,
+          chosen + 1, splits - 1, forks - 1);
+      });
   }
 };
 
@@ -51,42 +92,32 @@ std::uint8_t StepExponent(float extent)
   return static_cast<std::uint8_t>(std::clamp(extent > 0.0f ? exponent + 127 : 1, 1, 254));
 }
 
-GlyphTreeNode Quantise(const Box& whole, const Box (&children)[4], std::uint8_t axes)
+GlyphTreeNode Quantise(const Box& whole, const Box* children, std::size_t count, std::uint8_t axes)
 {
   GlyphTreeNode node{};
   node.origin = whole.lower;
   node.axes = axes;
-  std::uint8_t* lower[3] = { node.lowerX, node.lowerY, node.lowerZ };
-  std::uint8_t* upper[3] = { node.upperX, node.upperY, node.upperZ };
   for (int axis = 0; axis < 3; ++axis)
   {
     // The extent is rounded up, so that the last step reaches the upper plane.
     const float extent = std::nextafterf(whole.upper[axis] - whole.lower[axis], INFINITY);
     node.exponent[axis] = StepExponent(extent);
-    const double step = std::ldexp(1.0, node.exponent[axis] - 127);
+    const double perStep = std::ldexp(1.0, 127 - node.exponent[axis]);
     const double origin = whole.lower[axis];
-    for (int child = 0; child < 4; ++child)
+    for (std::size_t child = 0; child < 8; ++child)
     {
-      const Box& box = children[child];
-      if (box.lower.x > box.upper.x)
-      {
-        lower[axis][child] = 255;
-        upper[axis][child] = 0;
-        continue;
-      }
-      lower[axis][child] = static_cast<std::uint8_t>(
-        std::clamp(std::floor((box.lower[axis] - origin) / step), 0.0, 255.0));
-      upper[axis][child] = static_cast<std::uint8_t>(
-        std::clamp(std::ceil((box.upper[axis] - origin) / step), 0.0, 255.0));
+      const bool none = child >= count || children[child].lower.x > children[child].upper.x;
+      node.planes[axis][0][child] = none
+        ? 255
+        : static_cast<std::uint8_t>(
+            std::clamp(std::floor((children[child].lower[axis] - origin) * perStep), 0.0, 255.0));
+      node.planes[axis][1][child] = none
+        ? 0
+        : static_cast<std::uint8_t>(
+            std::clamp(std::ceil((children[child].upper[axis] - origin) * perStep), 0.0, 255.0));
     }
   }
   return node;
-}
-
-// Number of nodes on the levels above `level`: 1 + 4 + 16 + ...
-std::size_t LevelOffset(std::uint32_t level)
-{
-  return ((std::size_t(1) << (2 * level)) - 1) / 3;
 }
 
 } // namespace
@@ -98,16 +129,18 @@ std::uint32_t GlyphTree::LeafBits(std::size_t count, std::size_t glyphsPerLeaf)
   {
     ++bits;
   }
-  return bits;
+  return std::min(bits, 3 * maxLevels);
 }
 
 KdOrder MakeKdOrder(const std::vector<glm::vec3>& centres, std::uint32_t leafBits)
 {
   KdOrder result;
   std::vector<PartitionEntry> entries = MakePartitionEntries(centres);
-  result.axes.resize((std::size_t(1) << leafBits) - 1);
+  const std::uint32_t last = GlyphTree::Levels(leafBits) - 1;
+  const std::size_t lastCount = std::size_t(1) << (last > 0 ? leafBits - 3 : 0);
+  result.axes.resize(GlyphTree::LevelOffset(last) + lastCount);
   const KdSplitter splitter{ entries.data(), entries.size(), leafBits, result.axes.data() };
-  splitter.Split(0, leafBits, 0, ForksFor(entries.size()));
+  splitter.SplitNode(0, 0, 0, leafBits, ForksFor(entries.size()));
   result.order = OrderOf(entries);
   return result;
 }
@@ -117,7 +150,8 @@ GlyphTree BuildGlyphTree(
 {
   GlyphTree tree;
   tree.leafBits = leafBits;
-  tree.levels = (leafBits + 1) / 2;
+  tree.levels = GlyphTree::Levels(leafBits);
+  tree.nodes.resize(axes.size());
 
   // Boxes of the leaves, then of every level's nodes upwards.
   std::vector<Box> below(std::size_t(1) << leafBits, nothing);
@@ -129,35 +163,18 @@ GlyphTree BuildGlyphTree(
       below[leaf] = Union(below[leaf], boxes[i]);
     }
   }
-
-  const std::uint32_t last = tree.levels - 1;
-  const std::size_t lastCount = std::max<std::size_t>(1, below.size() / 4);
-  tree.nodes.resize(LevelOffset(last) + lastCount);
-  for (std::uint32_t up = 0; up < tree.levels; ++up)
+  for (std::uint32_t level = tree.levels; level-- > 0;)
   {
-    const std::uint32_t level = last - up;
-    const std::size_t count = std::max<std::size_t>(1, below.size() / 4);
-    const bool twoChildren = below.size() < 4;
-    std::vector<Box> current(count, nothing);
-    // Binary depth of this level's first split.
-    const std::uint32_t depth = twoChildren ? 0 : leafBits - 2 * (up + 1);
-    const std::size_t heapFirst = (std::size_t(1) << depth) - 1;
-    for (std::size_t i = 0; i < count; ++i)
+    const std::size_t children = std::size_t(1) << SplitsOf(level, leafBits);
+    std::vector<Box> current(below.size() / children, nothing);
+    for (std::size_t i = 0; i < current.size(); ++i)
     {
-      Box children[4] = { nothing, nothing, nothing, nothing };
-      for (std::size_t child = 0; child < (twoChildren ? 2 : 4); ++child)
+      for (std::size_t child = 0; child < children; ++child)
       {
-        children[child] = below[4 * i + child];
-        current[i] = Union(current[i], below[4 * i + child]);
+        current[i] = Union(current[i], below[children * i + child]);
       }
-      const std::size_t heap = heapFirst + i;
-      const auto axis = [&](std::size_t split) { return split < axes.size() ? axes[split] : 0; };
-      // Two children are the lower pair of a node whose upper pair is empty.
-      const int packed = twoChildren
-        ? axis(heap) << 2
-        : axis(heap) | axis(2 * heap + 1) << 2 | axis(2 * heap + 2) << 4;
-      tree.nodes[LevelOffset(level) + i] =
-        Quantise(current[i], children, static_cast<std::uint8_t>(packed));
+      const std::size_t node = GlyphTree::LevelOffset(level) + i;
+      tree.nodes[node] = Quantise(current[i], &below[children * i], children, axes[node]);
     }
     below = std::move(current);
   }

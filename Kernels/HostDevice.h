@@ -16,12 +16,30 @@ using uint = std::uint32_t;
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference2 : require
 #extension GL_EXT_buffer_reference_uvec2 : require
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vec3Array { vec3 at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vec4Array { vec4 at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FloatArray { float at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer UintArray { uint at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer UintImage { uint at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer FloatImage { float at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vec3Array
+{
+  vec3 at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vec4Array
+{
+  vec4 at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FloatArray
+{
+  float at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer UintArray
+{
+  uint at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer UintImage
+{
+  uint at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer FloatImage
+{
+  float at[];
+};
 #define RTG_ADDRESS(type) type
 #endif
 
@@ -34,22 +52,22 @@ struct GlyphSetRecord
   RTG_ADDRESS(FloatArray) exponents; // three floats a glyph, or none (specialised)
   RTG_ADDRESS(UintArray) colours;    // none unless specialised
   RTG_ADDRESS(UintArray) tree;       // GlyphTreeNode, when the set is traced by its tree
-  vec3 offset;                       // of the set's origin from the scene's: high part, as in the transform
-  vec3 offsetLow;                    // what the high part's rounding left
-  vec4 arrow;                        // shaft radius, tip radius, tip length, tip rounding
+  vec3 offset;    // of the set's origin from the scene's: high part, as in the transform
+  vec3 offsetLow; // what the high part's rounding left
+  vec4 arrow;     // shaft radius, tip radius, tip length, tip rounding
   float unitLength;
   float uniformSize;
   vec3 uniformExponents;
   uint setId;
-  uint firstGlyph;                   // index of this structure's first glyph in the set's sorted order
+  uint firstGlyph; // index of this structure's first glyph in the set's sorted order
   uint glyphCount;
-  uint treeLevels;                   // as GlyphTree has them
+  uint treeLevels; // as GlyphTree has them
   uint treeLeafBits;
   // Material
   vec3 colour;
   float opacity;
   vec3 ambientColour;
-  uint coloured;                     // glyphs have colours of their own, also in ambient light
+  uint coloured; // glyphs have colours of their own, also in ambient light
   vec3 specularColour;
   float specular;
   float ambient;
@@ -61,18 +79,18 @@ struct GlyphSetRecord
 // What intersection programs must know of the ray in flight but cannot read from its payload.
 struct RayRecord
 {
-  vec3 originLow;                    // the low part of its origin
-  uint glyph;                        // the nearest glyph so far, when it belongs to a set with a tree
+  vec3 originLow; // the low part of its origin
+  uint glyph;     // the nearest glyph so far, when it belongs to a set with a tree
 };
 
 struct LightRecord
 {
-  uint kind;        // 0 headlight, 1 directional, 2 positional
+  uint kind; // 0 headlight, 1 directional, 2 positional
   vec3 colour;
-  vec3 position;    // relative to the scene's origin
+  vec3 position; // relative to the scene's origin
   vec3 direction;
   vec3 attenuation;
-  float cosCone;    // cosine of the half angle; -2: no spot
+  float cosCone; // cosine of the half angle; -2: no spot
   float exponent;
 };
 
@@ -92,23 +110,44 @@ struct ProbeResult
 };
 
 #ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer RayRecords { RayRecord at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer GlyphSetRecords { GlyphSetRecord at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer LightRecords { LightRecord at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer ProbeRecords { ProbeRecord at[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer ProbeResults { ProbeResult at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer RayRecords
+{
+  RayRecord at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer GlyphSetRecords
+{
+  GlyphSetRecord at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer LightRecords
+{
+  LightRecord at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer ProbeRecords
+{
+  ProbeRecord at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer ProbeResults
+{
+  ProbeResult at[];
+};
 #endif
 
-// What one dispatch reads besides the acceleration structure.
+// What one dispatch reads. A uniform block rather than a buffer's address: CPU devices load uniforms once for all
+// lanes, but gather lane by lane behind an address.
 struct FrameRecord
 {
+#ifdef __cplusplus
+  std::uint64_t topLevel;
+#else
+  uvec2 topLevel;
+#endif
   RTG_ADDRESS(GlyphSetRecords) sets;
   RTG_ADDRESS(LightRecords) lights;
   RTG_ADDRESS(UintImage) colour;
   RTG_ADDRESS(FloatImage) depth;
   RTG_ADDRESS(UintImage) setIds;
   RTG_ADDRESS(UintImage) glyphIds;
-  RTG_ADDRESS(RayRecords) rays;       // by launch index
+  RTG_ADDRESS(RayRecords) rays; // by launch index
   RTG_ADDRESS(ProbeRecords) probes;
   RTG_ADDRESS(ProbeResults) probeResults;
   // Camera.h, relative to the scene's origin; eye + eyeLow is exact to double-float precision.
@@ -119,39 +158,25 @@ struct FrameRecord
   vec3 forward;
   vec3 right;
   vec3 up;
-  vec3 viewPosition;                  // where specular highlights are seen from
-  vec3 viewAxis;                      // unit, towards the viewer
+  vec3 viewPosition; // where specular highlights are seen from
+  vec3 viewAxis;     // unit, towards the viewer
   float nearDepth;
   float farDepth;
   float depthA;
   float depthB;
   uint parallel;
-  vec3 sceneLower;                    // bounds of all that is visible, padded
+  vec3 sceneLower; // bounds of all that is visible, padded
   vec3 sceneUpper;
   uint width;
   uint height;
   uint samples;
   uint pixelStep;
-  uint firstRow;                      // of tiles, when an image takes several dispatches
+  uint firstRow; // of tiles, when an image takes several dispatches
   uint cullMask;
   uint lightCount;
   uint probeCount;
   uint launchWidth;
-};
-
-#ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer FrameReference { FrameRecord value; };
-#endif
-
-struct PushRecord
-{
-#ifdef __cplusplus
-  std::uint64_t topLevel;
-  std::uint64_t frame;
-#else
-  uvec2 topLevel;
-  FrameReference frame;
-#endif
+  GlyphSetRecord onlySet; // sets.at[0] again when there is no other: a uniform load, no gather
 };
 
 #ifdef __cplusplus

@@ -24,11 +24,11 @@ std::vector<std::uint32_t> OrderOf(const std::vector<PartitionEntry>& entries)
   return order;
 }
 
-int PartitionAt(PartitionEntry* entries, std::size_t first, std::size_t middle, std::size_t last)
+glm::vec3 Extent(const PartitionEntry* entries, std::size_t first, std::size_t last)
 {
-  if (last - first < 2)
+  if (first >= last)
   {
-    return 0;
+    return glm::vec3(0.0f);
   }
   glm::vec3 lower = entries[first].point;
   glm::vec3 upper = lower;
@@ -37,13 +37,24 @@ int PartitionAt(PartitionEntry* entries, std::size_t first, std::size_t middle, 
     lower = glm::min(lower, entries[i].point);
     upper = glm::max(upper, entries[i].point);
   }
-  const glm::vec3 extent = upper - lower;
-  const int axis =
-    extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
+  return upper - lower;
+}
+
+int LongestAxis(const glm::vec3& extent)
+{
+  return extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
+}
+
+void PartitionAlong(
+  PartitionEntry* entries, std::size_t first, std::size_t middle, std::size_t last, int axis)
+{
+  if (last - first < 2)
+  {
+    return;
+  }
   std::nth_element(entries + first, entries + middle, entries + last,
     [axis](const PartitionEntry& a, const PartitionEntry& b)
     { return a.point[axis] < b.point[axis]; });
-  return axis;
 }
 
 int ForksFor(std::size_t count)

@@ -108,7 +108,7 @@ vk::AabbPositionsKHR ToVulkan(const Box& box)
     box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z);
 }
 
-// Two to four glyphs a leaf measured best on lavapipe (Testing/Benchmarks).
+// One or two glyphs a leaf measured best on lavapipe (Testing/Benchmarks).
 constexpr std::size_t glyphsPerLeaf = 2;
 
 // A device whose traversal runs on the CPU does better with our own; RTGLYPHS_STRUCTURE (boxes or tree)

@@ -16,8 +16,9 @@ struct Statistics
 {
   std::uint64_t structureBuilds = 0; ///< bottom-level structures built
   std::uint64_t topLevelBuilds = 0;  ///< top-level structures built
-  std::uint64_t instanceUploads = 0; ///< glyph sets whose centres, sizes, rotations, exponents were sent
-  std::uint64_t colourUploads = 0;   ///< glyph sets whose colours were sent
+  std::uint64_t instanceUploads =
+    0; ///< glyph sets whose centres, sizes, rotations, exponents were sent
+  std::uint64_t colourUploads = 0; ///< glyph sets whose colours were sent
   std::uint64_t pipelineBuilds = 0;
   std::uint64_t dispatches = 0; ///< images or sample batches traced
   std::uint64_t primaryRays = 0;

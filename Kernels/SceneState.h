@@ -56,7 +56,7 @@ struct GlyphSet
   HitGroup group;
   HitGroup placedGroup;           ///< as the top level has it
   bool placedTranslucent = false; ///< likewise
-  std::vector<Box> boxes; ///< of new instances, from their bounds to their build
+  std::vector<Box> boxes;         ///< of new instances, from their bounds to their build
   Bounds bounds;                  ///< relative to instances.origin
   float builtReach = 0.0f;        ///< distance of ray origins that the boxes' padding allows for
   Buffer centres, sizes, rotations, exponents, colourBuffer, tree;

@@ -110,7 +110,7 @@ struct Tracer::State
   {
   }
 
-  const Pipeline& PipelineFor(Program program, const std::vector<HitGroup>& groups);
+  const Pipeline& PipelineFor(Program program, const std::vector<HitGroup>& groups, bool alone);
   void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame,
     std::uint32_t width, std::uint32_t height);
 
@@ -133,10 +133,12 @@ const Statistics& Tracer::GetStatistics() const
   return this->state_->statistics;
 }
 
-const Pipeline& Tracer::State::PipelineFor(Program program, const std::vector<HitGroup>& groups)
+const Pipeline&
+Tracer::State::PipelineFor(Program program, const std::vector<HitGroup>& groups, bool alone)
 {
   const auto found = std::find_if(this->pipelines.begin(), this->pipelines.end(),
-    [&](const auto& p) { return p->GetProgram() == program && p->Groups() == groups; });
+    [&](const auto& p)
+    { return p->GetProgram() == program && p->Groups() == groups && p->Alone() == alone; });
   if (found != this->pipelines.end())
   {
     std::rotate(found, found + 1, this->pipelines.end());
@@ -148,7 +150,8 @@ const Pipeline& Tracer::State::PipelineFor(Program program, const std::vector<Hi
   {
     this->pipelines.erase(this->pipelines.begin());
   }
-  this->pipelines.push_back(std::make_unique<Pipeline>(this->device->GetState(), program, groups));
+  this->pipelines.push_back(
+    std::make_unique<Pipeline>(this->device->GetState(), program, groups, alone));
   ++this->statistics.pipelineBuilds;
   return *this->pipelines.back();
 }
@@ -163,17 +166,21 @@ void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene,
   frame.launchWidth = width;
   Fit(this->rays, vulkan, std::size_t(width) * rowsAtOnce * sizeof(device::RayRecord));
   frame.rays = this->rays.Address();
-  Fit(this->frameBuffer, vulkan, sizeof(frame));
+  frame.topLevel = scene.topLevel.Address();
+  frame.onlySet = scene.records.front();
+  if (this->frameBuffer.Size() == 0)
+  {
+    this->frameBuffer = Buffer(vulkan, sizeof(frame), Usage::eUniformBuffer, Buffer::Place::Host);
+  }
 
   for (std::uint32_t row = 0; row < height; row += rowsAtOnce)
   {
     frame.firstRow = row;
     this->frameBuffer.Upload(&frame, sizeof(frame));
-    const device::PushRecord push{ scene.topLevel.Address(), this->frameBuffer.Address() };
     vulkan.Submit(
       [&](vk::raii::CommandBuffer& command)
       {
-        pipeline.Trace(command, &push, sizeof(push), width, std::min(rowsAtOnce, height - row));
+        pipeline.Trace(command, this->frameBuffer, width, std::min(rowsAtOnce, height - row));
         // Results are read by the host.
         const vk::MemoryBarrier barrier(
           vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
@@ -247,8 +254,8 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
       const std::uint32_t tilesX = DivideUp(DivideUp(settings.width, settings.pixelStep), tileSize);
       const std::uint32_t tilesY =
         DivideUp(DivideUp(settings.height, settings.pixelStep), tileSize);
-      state.Launch(state.PipelineFor(Program::Image, glyphs.groups), glyphs, frame,
-        tilesX * lanesPerTile, tilesY);
+      state.Launch(state.PipelineFor(Program::Image, glyphs.groups, glyphs.records.size() == 1),
+        glyphs, frame, tilesX * lanesPerTile, tilesY);
       state.statistics.primaryRays += std::uint64_t(DivideUp(settings.width, settings.pixelStep)) *
         DivideUp(settings.height, settings.pixelStep) * settings.samples;
       state.statistics.traceSeconds += watch.Lap();
@@ -292,8 +299,8 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       frame.sceneUpper = glyphs.bounds.upper;
       frame.cullMask = 0xff;
       constexpr std::uint32_t rowLength = 1024;
-      state.Launch(state.PipelineFor(Program::Probe, glyphs.groups), glyphs, frame, rowLength,
-        DivideUp(frame.probeCount, rowLength));
+      state.Launch(state.PipelineFor(Program::Probe, glyphs.groups, glyphs.records.size() == 1),
+        glyphs, frame, rowLength, DivideUp(frame.probeCount, rowLength));
 
       const auto* results = static_cast<const device::ProbeResult*>(output.Mapped());
       for (std::size_t i = 0; i < probes.size(); ++i)

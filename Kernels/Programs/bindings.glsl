@@ -1,9 +1,20 @@
-// What every program sees: the frame by push constant, one payload.
+// What every program sees: the frame and one payload.
 #extension GL_EXT_ray_tracing : require
 #extension GL_EXT_control_flow_attributes : enable
 #include "../HostDevice.h"
 
-layout(push_constant, scalar) uniform Push { PushRecord push; };
+layout(set = 0, binding = 0, scalar) uniform Frame { FrameRecord frame; };
+
+layout(constant_id = 15) const bool alone = false;  // the scene has one record
+
+GlyphSetRecord SetRecord(uint index)
+{
+  if (alone)
+  {
+    return frame.onlySet;
+  }
+  return frame.sets.at[index];
+}
 
 // What the nearest hit tells the ray generation program.
 struct SurfaceHit
@@ -17,5 +28,5 @@ struct SurfaceHit
 
 uint LaunchIndex()
 {
-  return gl_LaunchIDEXT.y * push.frame.value.launchWidth + gl_LaunchIDEXT.x;
+  return gl_LaunchIDEXT.y * frame.launchWidth + gl_LaunchIDEXT.x;
 }

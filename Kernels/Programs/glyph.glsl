@@ -23,23 +23,23 @@ struct GlyphSource
 
 GlyphSource CurrentSource()
 {
-  GlyphSetRecords sets = push.frame.value.sets;
   uint record = gl_InstanceCustomIndexEXT;
+  GlyphSetRecord set = SetRecord(record);
   GlyphSource source;
-  source.centres = sets.at[record].centres;
-  source.sizes = sets.at[record].sizes;
-  source.rotations = sets.at[record].rotations;
-  source.exponents = sets.at[record].exponents;
-  source.offset = sets.at[record].offset;
-  source.offsetLow = sets.at[record].offsetLow;
-  source.alike.size = vec3(sets.at[record].uniformSize);
+  source.centres = set.centres;
+  source.sizes = set.sizes;
+  source.rotations = set.rotations;
+  source.exponents = set.exponents;
+  source.offset = set.offset;
+  source.offsetLow = set.offsetLow;
+  source.alike.size = vec3(set.uniformSize);
   source.alike.rotation = vec4(0.0, 0.0, 0.0, 1.0);
   source.alike.turned = turned;
   source.alike.sameSize = sizesPerGlyph != 3u;
-  source.alike.arrow = sets.at[record].arrow;
-  source.alike.unitLength = sets.at[record].unitLength;
+  source.alike.arrow = set.arrow;
+  source.alike.unitLength = set.unitLength;
   source.alike.fixedHeads = fixedHeads;
-  source.alike.exponents = sets.at[record].uniformExponents;
+  source.alike.exponents = set.uniformExponents;
   return source;
 }
 
@@ -80,6 +80,6 @@ GlyphRay CurrentRay()
   GlyphRay ray;
   ray.origin = gl_WorldRayOriginEXT;
   ray.direction = gl_WorldRayDirectionEXT;
-  ray.originLow = push.frame.value.rays.at[LaunchIndex()].originLow;
+  ray.originLow = frame.rays.at[LaunchIndex()].originLow;
   return ray;
 }

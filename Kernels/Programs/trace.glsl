@@ -8,8 +8,8 @@ layout(location = 0) rayPayloadEXT SurfaceHit hit;
 float SceneEntry(vec3 origin, vec3 direction)
 {
   vec3 inverse = 1.0 / direction;
-  vec3 t0 = (push.frame.value.sceneLower - origin) * inverse;
-  vec3 t1 = (push.frame.value.sceneUpper - origin) * inverse;
+  vec3 t0 = (frame.sceneLower - origin) * inverse;
+  vec3 t1 = (frame.sceneUpper - origin) * inverse;
   // An axis the ray runs along says nothing about where it enters; min and max drop its NaN or infinities.
   vec3 entry = vec3(direction.x != 0.0 ? min(t0.x, t1.x) : 0.0, direction.y != 0.0 ? min(t0.y, t1.y) : 0.0,
     direction.z != 0.0 ? min(t0.z, t1.z) : 0.0);
@@ -30,12 +30,12 @@ void TraceNearest(DoubleWord3 origin, vec3 direction, float tMin, float tMax, ui
   {
     moved = Add(origin, TwoProduct(direction, vec3(start)));
   }
-  push.frame.value.rays.at[LaunchIndex()].originLow = moved.lo;
+  frame.rays.at[LaunchIndex()].originLow = moved.lo;
 
   hit.t = -1.0;
   if (tMax > start)
   {
-    traceRayEXT(accelerationStructureEXT(push.topLevel), gl_RayFlagsOpaqueEXT, cullMask, 0u, 0u, 0u, moved.hi,
+    traceRayEXT(accelerationStructureEXT(frame.topLevel), gl_RayFlagsOpaqueEXT, cullMask, 0u, 0u, 0u, moved.hi,
       max(tMin - start, 0.0), direction, tMax - start, 0);
   }
   if (hit.t >= 0.0)

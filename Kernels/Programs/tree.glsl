@@ -3,15 +3,15 @@
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TreeNodes { uint64_t word[]; };
 
-// A path through the tree without a stack: the node is known by level and index, and for every level
-// on the way to it four bits say which of the children are still to be visited, in the order of visits,
-// and four in what order that is.
+// A path through the tree without a stack: the node is known by level and index, and for every level on the way to it
+// eight bits say which of the children are still to be visited, the first to be visited highest, and four in what
+// order they are numbered.
 struct TreePosition
 {
   uint level;
   uint node;
   uint64_t pending;
-  uint64_t orders;
+  uint orders;
 };
 
 // The ray prepared for boxes.
@@ -41,15 +41,36 @@ vec4 PlaneParameters(uint quantised, float step, float offset)
   return q * step + offset;
 }
 
-// Which of a node's four children the ray meets between tMin and tMax, in the order of visits, and that order.
+// min and max as one machine instruction: nothing here is NaN, which GLSL's own must care for.
+vec4 Lesser(vec4 a, vec4 b)
+{
+  return vec4(a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.z < b.z ? a.z : b.z, a.w < b.w ? a.w : b.w);
+}
+
+vec4 Greater(vec4 a, vec4 b)
+{
+  return vec4(a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z, a.w > b.w ? a.w : b.w);
+}
+
+uint Bits(bvec4 set)
+{
+  return (set.x ? 1u : 0u) | (set.y ? 2u : 0u) | (set.z ? 4u : 0u) | (set.w ? 8u : 0u);
+}
+
+// Which of a node's eight children the ray meets between tMin and tMax, bit 7 - rank for the child visited as number
+// `rank`, and the order: child = rank ^ order.
 void IntersectNode(TreeNodes nodes, uint index, BoxRay ray, float tMin, float tMax, out uint mask, out uint order)
 {
-  uint at = 5u * index;
+  uint at = 8u * index;
   uvec2 originXY = unpack32(nodes.word[at]);
   uvec2 originZ = unpack32(nodes.word[at + 1u]);
-  uvec2 planesX = unpack32(nodes.word[at + 2u]);
-  uvec2 planesY = unpack32(nodes.word[at + 3u]);
-  uvec2 planesZ = unpack32(nodes.word[at + 4u]);
+  // Near planes are the lower ones where the direction is positive.
+  uvec3 negative = uvec3(ray.signs & 1u, (ray.signs >> 1) & 1u, ray.signs >> 2);
+  uvec3 nearAt = uvec3(at) + uvec3(2u, 4u, 6u) + negative;
+  uvec3 farAt = uvec3(at) + uvec3(3u, 5u, 7u) - negative;
+  uvec2 nearX = unpack32(nodes.word[nearAt.x]), farX = unpack32(nodes.word[farAt.x]);
+  uvec2 nearY = unpack32(nodes.word[nearAt.y]), farY = unpack32(nodes.word[farAt.y]);
+  uvec2 nearZ = unpack32(nodes.word[nearAt.z]), farZ = unpack32(nodes.word[farAt.z]);
 
   vec3 origin = vec3(uintBitsToFloat(originXY.x), uintBitsToFloat(originXY.y), uintBitsToFloat(originZ.x));
   uint exponents = originZ.y;
@@ -57,43 +78,34 @@ void IntersectNode(TreeNodes nodes, uint index, BoxRay ray, float tMin, float tM
     uintBitsToFloat((exponents & 0xff0000u) << 7)) * ray.inverse;
   vec3 offset = (origin - ray.origin) * ray.inverse;
 
-  // Near planes are the lower ones where the direction is positive.
-  bvec3 swap = bvec3((ray.signs & 1u) != 0u, (ray.signs & 2u) != 0u, (ray.signs & 4u) != 0u);
-  vec4 nearT = max(max(PlaneParameters(swap.x ? planesX.y : planesX.x, step.x, offset.x),
-                       PlaneParameters(swap.y ? planesY.y : planesY.x, step.y, offset.y)),
-    max(PlaneParameters(swap.z ? planesZ.y : planesZ.x, step.z, offset.z), vec4(tMin)));
-  vec4 farT = min(min(PlaneParameters(swap.x ? planesX.x : planesX.y, step.x, offset.x),
-                      PlaneParameters(swap.y ? planesY.x : planesY.y, step.y, offset.y)),
-    min(PlaneParameters(swap.z ? planesZ.x : planesZ.y, step.z, offset.z), vec4(tMax)));
+  vec4 near0 = Greater(Greater(PlaneParameters(nearX.x, step.x, offset.x), PlaneParameters(nearY.x, step.y, offset.y)),
+    Greater(PlaneParameters(nearZ.x, step.z, offset.z), vec4(tMin)));
+  vec4 far0 = Lesser(Lesser(PlaneParameters(farX.x, step.x, offset.x), PlaneParameters(farY.x, step.y, offset.y)),
+    Lesser(PlaneParameters(farZ.x, step.z, offset.z), vec4(tMax)));
+  vec4 near1 = Greater(Greater(PlaneParameters(nearX.y, step.x, offset.x), PlaneParameters(nearY.y, step.y, offset.y)),
+    Greater(PlaneParameters(nearZ.y, step.z, offset.z), vec4(tMin)));
+  vec4 far1 = Lesser(Lesser(PlaneParameters(farX.y, step.x, offset.x), PlaneParameters(farY.y, step.y, offset.y)),
+    Lesser(PlaneParameters(farZ.y, step.z, offset.z), vec4(tMax)));
   // One more ulp or two for the rounding of t itself (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
-  bvec4 met = lessThanEqual(nearT, farT * 1.0000004);
+  uint met = Bits(lessThanEqual(near0, far0)) | (Bits(lessThanEqual(near1, far1)) << 4);
 
-  // Rank r visits child (r1 ^ s0, r0 ^ s1 or s2): along each split's axis the ray's near side comes first.
+  // Rank r visits child r ^ order: along each split's axis the ray's near side comes first.
   uint axes = exponents >> 24;
-  uint s0 = (ray.signs >> (axes & 3u)) & 1u;
-  uint s1 = (ray.signs >> ((axes >> 2) & 3u)) & 1u;
-  uint s2 = (ray.signs >> ((axes >> 4) & 3u)) & 1u;
-  order = s0 | (s1 << 1) | (s2 << 2);
-  uint lowerPair = (met.x ? 1u : 0u) | (met.y ? 2u : 0u);
-  uint upperPair = (met.z ? 1u : 0u) | (met.w ? 2u : 0u);
-  lowerPair = s1 != 0u ? (lowerPair >> 1) | ((lowerPair & 1u) << 1) : lowerPair;
-  upperPair = s2 != 0u ? (upperPair >> 1) | ((upperPair & 1u) << 1) : upperPair;
-  mask = s0 != 0u ? upperPair | (lowerPair << 2) : lowerPair | (upperPair << 2);
-}
-
-uint ChildOfRank(uint rank, uint order)
-{
-  uint upper = (rank >> 1) ^ (order & 1u);
-  uint second = (rank & 1u) ^ ((upper != 0u ? order >> 2 : order >> 1) & 1u);
-  return 2u * upper + second;
+  order = (((ray.signs >> (axes & 3u)) & 1u) << 2) | (((ray.signs >> ((axes >> 2) & 3u)) & 1u) << 1) |
+    ((ray.signs >> (axes >> 4)) & 1u);
+  // From bit child to bit 7 - rank = child ^ order ^ 7.
+  uint flips = order ^ 7u;
+  met = (flips & 4u) != 0u ? ((met & 0x0fu) << 4) | (met >> 4) : met;
+  met = (flips & 2u) != 0u ? ((met & 0x33u) << 2) | ((met >> 2) & 0x33u) : met;
+  mask = (flips & 1u) != 0u ? ((met & 0x55u) << 1) | ((met >> 1) & 0x55u) : met;
 }
 
 // Takes note of the children of the current node that are to be visited.
 void PushChildren(inout TreePosition position, uint mask, uint order)
 {
+  position.pending |= uint64_t(mask) << (8u * position.level);
   uint shift = 4u * position.level;
-  position.pending |= uint64_t(mask) << shift;
-  position.orders = (position.orders & ~(uint64_t(15u) << shift)) | (uint64_t(order) << shift);
+  position.orders = (position.orders & ~(15u << shift)) | (order << shift);
 }
 
 // Moves to the next child: the first pending one on the deepest level that has any. False: none is left.
@@ -105,14 +117,11 @@ bool PopChild(inout TreePosition position)
     return false;
   }
   uint highest = halves.y != 0u ? 32u + uint(findMSB(halves.y)) : uint(findMSB(halves.x));
-  uint parentLevel = highest >> 2;
-  uint shift = 4u * parentLevel;
-  uint mask = uint(position.pending >> shift) & 15u;
-  uint rank = uint(findLSB(mask));
-  position.pending &= ~(uint64_t(1u) << (shift + rank));
-  uint order = uint(position.orders >> shift) & 15u;
-  uint parent = position.node >> (2u * (position.level - parentLevel));
-  position.node = 4u * parent + ChildOfRank(rank, order);
+  position.pending ^= uint64_t(1u) << highest;
+  uint parentLevel = highest >> 3;
+  uint child = (7u - (highest & 7u)) ^ ((position.orders >> (4u * parentLevel)) & 7u);
+  uint parent = position.node >> (3u * (position.level - parentLevel));
+  position.node = 8u * parent + child;
   position.level = parentLevel + 1u;
   return true;
 }

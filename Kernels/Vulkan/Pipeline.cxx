@@ -1,6 +1,5 @@
 #include "Pipeline.h"
 
-#include "../HostDevice.h"
 #include "Programs.h"
 
 #include <cstring>
@@ -19,6 +18,7 @@ struct Specialisation
   vk::Bool32 fixedHeads;
   vk::Bool32 hasTree;
   vk::Bool32 ownExponents;
+  vk::Bool32 alone;
 };
 
 const vk::SpecializationMapEntry specialisationMap[] = {
@@ -28,6 +28,7 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 3, offsetof(Specialisation, fixedHeads), sizeof(vk::Bool32) },
   { 4, offsetof(Specialisation, hasTree), sizeof(vk::Bool32) },
   { 5, offsetof(Specialisation, ownExponents), sizeof(vk::Bool32) },
+  { 15, offsetof(Specialisation, alone), sizeof(vk::Bool32) },
 };
 
 vk::raii::ShaderModule MakeModule(Device::State& device, const programs::Code& code)
@@ -43,16 +44,26 @@ std::size_t AlignUp(std::size_t value, std::size_t alignment)
 
 } // namespace
 
-Pipeline::Pipeline(Device::State& device, Program program, const std::vector<HitGroup>& groups)
-  : program_(program)
+Pipeline::Pipeline(
+  Device::State& device, Program program, const std::vector<HitGroup>& groups, bool alone)
+  : device_(&device)
+  , program_(program)
   , groups_(groups)
+  , alone_(alone)
 {
   using Stage = vk::ShaderStageFlagBits;
-  const vk::PushConstantRange pushRange(
-    Stage::eRaygenKHR | Stage::eIntersectionKHR | Stage::eClosestHitKHR | Stage::eMissKHR, 0,
-    sizeof(device::PushRecord));
+  const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eUniformBuffer, 1,
+    Stage::eRaygenKHR | Stage::eIntersectionKHR | Stage::eClosestHitKHR | Stage::eMissKHR);
+  this->setLayout_ =
+    vk::raii::DescriptorSetLayout(device.device, vk::DescriptorSetLayoutCreateInfo({}, binding));
+  const vk::DescriptorPoolSize poolSize(vk::DescriptorType::eUniformBuffer, 1);
+  this->pool_ = vk::raii::DescriptorPool(device.device,
+    vk::DescriptorPoolCreateInfo(
+      vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, poolSize));
+  this->set_ =
+    std::move(device.device.allocateDescriptorSets({ *this->pool_, *this->setLayout_ }).front());
   this->layout_ =
-    vk::raii::PipelineLayout(device.device, vk::PipelineLayoutCreateInfo({}, {}, pushRange));
+    vk::raii::PipelineLayout(device.device, vk::PipelineLayoutCreateInfo({}, *this->setLayout_));
 
   // Ray generation and miss, then two stages a hit group. Every group has stage entries of its own:
   // lavapipe mixes up groups that share one.
@@ -70,19 +81,24 @@ Pipeline::Pipeline(Device::State& device, Program program, const std::vector<Hit
     return static_cast<std::uint32_t>(stages.size() - 1);
   };
   std::vector<vk::RayTracingShaderGroupCreateInfoKHR> shaderGroups;
+  Specialisation general{};
+  general.alone = alone;
+  const vk::SpecializationInfo generalInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
+    specialisationMap, sizeof(Specialisation), &general);
   const auto addGeneral = [&](std::uint32_t stage)
   {
     shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eGeneral, stage,
       VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
   };
   addGeneral(addStage(Stage::eRaygenKHR,
-    program == Program::Image ? programs::imageGeneration : programs::probeGeneration, nullptr));
+    program == Program::Image ? programs::imageGeneration : programs::probeGeneration,
+    &generalInfo));
   addGeneral(addStage(Stage::eMissKHR, programs::nothingMiss, nullptr));
   for (std::size_t i = 0; i < groups.size(); ++i)
   {
     const HitGroup& group = groups[i];
     constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads,
-      group.hasTree, group.ownExponents };
+      group.hasTree, group.ownExponents, alone };
     specialisations[i] =
       vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
         specialisationMap, sizeof(Specialisation), &constants[i]);
@@ -126,14 +142,15 @@ Pipeline::Pipeline(Device::State& device, Program program, const std::vector<Hit
   this->hit_ = vk::StridedDeviceAddressRegionKHR(address + hitAt, stride, stride * groups.size());
 }
 
-void Pipeline::Trace(vk::raii::CommandBuffer& command, const void* push, std::uint32_t pushSize,
-  std::uint32_t width, std::uint32_t height) const
+void Pipeline::Trace(vk::raii::CommandBuffer& command, const Buffer& frame, std::uint32_t width,
+  std::uint32_t height) const
 {
-  using Stage = vk::ShaderStageFlagBits;
+  const vk::DescriptorBufferInfo block(frame.Handle(), 0, frame.Size());
+  this->device_->device.updateDescriptorSets(
+    vk::WriteDescriptorSet(*this->set_, 0, 0, vk::DescriptorType::eUniformBuffer, {}, block), {});
   command.bindPipeline(vk::PipelineBindPoint::eRayTracingKHR, *this->pipeline_);
-  command.pushConstants<std::uint8_t>(*this->layout_,
-    Stage::eRaygenKHR | Stage::eIntersectionKHR | Stage::eClosestHitKHR | Stage::eMissKHR, 0,
-    vk::ArrayProxy<const std::uint8_t>(pushSize, static_cast<const std::uint8_t*>(push)));
+  command.bindDescriptorSets(
+    vk::PipelineBindPoint::eRayTracingKHR, *this->layout_, 0, *this->set_, {});
   command.traceRaysKHR(
     this->generation_, this->miss_, this->hit_, this->callable_, width, height, 1);
 }

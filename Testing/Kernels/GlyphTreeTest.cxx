@@ -16,17 +16,15 @@ using rtg::GlyphTreeNode;
 // As Programs/tree.glsl decodes them, in double.
 Box Child(const GlyphTreeNode& node, int child)
 {
-  const std::uint8_t* lower[3] = { node.lowerX, node.lowerY, node.lowerZ };
-  const std::uint8_t* upper[3] = { node.upperX, node.upperY, node.upperZ };
   Box box;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double step = std::ldexp(1.0, node.exponent[axis] - 127);
     // Rounded towards the inside, so that a plane a hair too tight shows.
-    box.lower[axis] =
-      std::nextafterf(static_cast<float>(node.origin[axis] + step * lower[axis][child]), INFINITY);
-    box.upper[axis] =
-      std::nextafterf(static_cast<float>(node.origin[axis] + step * upper[axis][child]), -INFINITY);
+    box.lower[axis] = std::nextafterf(
+      static_cast<float>(node.origin[axis] + step * node.planes[axis][0][child]), INFINITY);
+    box.upper[axis] = std::nextafterf(
+      static_cast<float>(node.origin[axis] + step * node.planes[axis][1][child]), -INFINITY);
   }
   return box;
 }
@@ -53,12 +51,11 @@ void ExpectContained(const std::vector<glm::vec3>& centres, const std::vector<gl
     const std::size_t end = GlyphTree::Start(leaf + 1, count, leafBits);
     for (std::size_t i = GlyphTree::Start(leaf, count, leafBits); i < end; ++i, ++glyphs)
     {
-      std::size_t levelOffset = 0;
       for (std::uint32_t level = 0; level < tree.levels; ++level)
       {
-        const std::size_t path = leaf >> (2 * (tree.levels - 1 - level));
-        const GlyphTreeNode& node = tree.nodes.at(levelOffset + path / 4);
-        const Box child = Child(node, path % 4);
+        const std::size_t path = leaf >> (3 * (tree.levels - 1 - level));
+        const GlyphTreeNode& node = tree.nodes.at(GlyphTree::LevelOffset(level) + path / 8);
+        const Box child = Child(node, path % 8);
         // The pad that the scene adds before is far more than the two ulps of the rounding above.
         const glm::vec3 slack =
           1e-30f + 4e-7f * glm::max(glm::abs(boxes[i].lower), glm::abs(boxes[i].upper));
@@ -69,7 +66,6 @@ void ExpectContained(const std::vector<glm::vec3>& centres, const std::vector<gl
           ASSERT_GE(child.upper[axis], boxes[i].upper[axis] - slack[axis])
             << count << ' ' << leaf << ' ' << level;
         }
-        levelOffset += std::size_t(1) << (2 * level);
       }
     }
   }
@@ -118,6 +114,40 @@ TEST(GlyphTree, ContainsFlatCoincidentAndSinglePoints)
     std::vector<glm::vec3>(500, glm::vec3(3.0f)), std::vector<glm::vec3>(500, glm::vec3(1.0f)));
 }
 
+TEST(GlyphTree, OrdersChildrenAlongTheSplits)
+{
+  // Children whose number differs only in the bit of one split lie on either side of it, as the order of visits assumes.
+  const std::vector<glm::vec3> centres = Random(5000, glm::vec3(3.0f, 1.0f, 0.2f));
+  const std::uint32_t leafBits = GlyphTree::LeafBits(centres.size(), 2);
+  const rtg::KdOrder kd = rtg::MakeKdOrder(centres, leafBits);
+  std::vector<Box> points;
+  for (std::uint32_t i : kd.order)
+  {
+    points.push_back({ centres[i], centres[i] });
+  }
+  const GlyphTree tree = rtg::BuildGlyphTree(points, leafBits, kd.axes);
+  ASSERT_EQ(tree.nodes.size(), kd.axes.size());
+  // The root has what splits are left over, the levels below all three.
+  for (std::size_t i = 1; i < tree.nodes.size(); ++i)
+  {
+    const GlyphTreeNode& node = tree.nodes[i];
+    // The first split parts the lower four from the upper four; the planes may touch, and quantising moves them by a step.
+    const int axis = node.axes & 3;
+    int lowerHalf = 0, upperHalf = 255;
+    for (int child = 0; child < 4; ++child)
+    {
+      lowerHalf = std::max<int>(lowerHalf, node.planes[axis][1][child]);
+      upperHalf = std::min<int>(upperHalf, node.planes[axis][0][child + 4]);
+    }
+    EXPECT_LE(lowerHalf, upperHalf + 1) << i;
+    for (int pair = 0; pair < 8; pair += 2)
+    {
+      const int third = node.axes >> 4 & 3;
+      EXPECT_LE(node.planes[third][1][pair], node.planes[third][0][pair + 1] + 1) << i;
+    }
+  }
+}
+
 TEST(GlyphTree, TightEnoughToBeUseful)
 {
   // A child's decoded box exceeds its contents by at most one step a side: 1/127 of the parent's extent, or less.
@@ -138,7 +168,7 @@ TEST(GlyphTree, TightEnoughToBeUseful)
   for (int axis = 0; axis < 3; ++axis)
   {
     float lower = INFINITY, upper = -INFINITY;
-    for (int child = 0; child < 4; ++child)
+    for (int child = 0; child < 8; ++child)
     {
       lower = std::min(lower, Child(tree.nodes[0], child).lower[axis]);
       upper = std::max(upper, Child(tree.nodes[0], child).upper[axis]);
