@@ -29,6 +29,7 @@ std::uint32_t SplitsOf(std::uint32_t level, std::uint32_t leafBits)
 struct KdSplitter
 {
   PartitionEntry* entries;
+  const Box* boxes;
   std::size_t count;
   std::uint32_t leafBits;
   std::uint8_t* axes;
@@ -43,19 +44,85 @@ struct KdSplitter
     std::uint32_t level, std::size_t node, std::size_t leaf, std::uint32_t bits, int forks) const
   {
     const std::uint32_t splits = SplitsOf(level, this->leafBits);
-    glm::vec3 extent =
-      Extent(this->entries, this->Start(leaf), this->Start(leaf + (std::size_t(1) << bits)));
     int chosen[3] = { 0, 0, 0 };
+    if (bits == splits)
+    {
+      this->ChooseByArea(leaf, splits, chosen);
+    }
+    else
+    {
+      this->ChooseByExtent(leaf, bits, splits, chosen);
+    }
     std::uint8_t packed = 0;
     for (std::uint32_t i = 0; i < splits; ++i)
     {
-      chosen[i] = LongestAxis(extent);
-      extent[chosen[i]] *= 0.5f;
       // The bit of a child's number that split i decides is splits - 1 - i; the first field is that of bit 2.
       packed |= static_cast<std::uint8_t>(chosen[i] << (2 * (3 - splits + i)));
     }
     this->axes[GlyphTree::LevelOffset(level) + node] = packed;
     this->Split(level, node << splits, leaf, bits, chosen, splits, forks);
+  }
+
+  void ChooseByExtent(std::size_t leaf, std::uint32_t bits, std::uint32_t splits, int* chosen) const
+  {
+    glm::vec3 extent =
+      Extent(this->entries, this->Start(leaf), this->Start(leaf + (std::size_t(1) << bits)));
+    for (std::uint32_t i = 0; i < splits; ++i)
+    {
+      chosen[i] = LongestAxis(extent);
+      extent[chosen[i]] *= 0.5f;
+    }
+  }
+
+  // For a node of leaves: the axes that leave the boxes the least surface, with which the number of rays that meet them
+  // grows. Further up it makes no difference worth its time.
+  void ChooseByArea(std::size_t leaf, std::uint32_t splits, int* chosen) const
+  {
+    const std::size_t leaves = std::size_t(1) << splits;
+    for (std::uint32_t i = 0; i < splits; ++i)
+    {
+      const std::size_t part = leaves >> i;
+      float best = INFINITY;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const float area = this->PartitionParts(leaf, leaves, part, axis);
+        if (area < best)
+        {
+          best = area;
+          chosen[i] = axis;
+        }
+      }
+      this->PartitionParts(leaf, leaves, part, chosen[i]);
+    }
+  }
+
+  // Halves each part of so many leaves along the axis; returns the surface of all halves.
+  float PartitionParts(std::size_t leaf, std::size_t leaves, std::size_t part, int axis) const
+  {
+    float area = 0.0f;
+    for (std::size_t at = leaf; at < leaf + leaves; at += part)
+    {
+      const std::size_t first = this->Start(at), middle = this->Start(at + part / 2),
+                        last = this->Start(at + part);
+      PartitionAlong(this->entries, first, middle, last, axis);
+      area += this->Area(first, middle) + this->Area(middle, last);
+    }
+    return area;
+  }
+
+  float Area(std::size_t first, std::size_t last) const
+  {
+    if (first >= last)
+    {
+      return 0.0f;
+    }
+    Box box = nothing;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      box = Union(box, this->boxes[this->entries[i].index]);
+    }
+    const glm::vec3 e = box.upper - box.lower;
+    return e.x * e.y + e.y * e.z + e.z * e.x;
   }
 
   // The remaining `splits` of a node, which lead to the children from `child` on.
@@ -132,14 +199,18 @@ std::uint32_t GlyphTree::LeafBits(std::size_t count, std::size_t glyphsPerLeaf)
   return std::min(bits, 3 * maxLevels);
 }
 
-KdOrder MakeKdOrder(const std::vector<glm::vec3>& centres, std::uint32_t leafBits)
+KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits)
 {
   KdOrder result;
+  std::vector<glm::vec3> centres(boxes.size());
+  std::transform(boxes.begin(), boxes.end(), centres.begin(),
+    [](const Box& box) { return 0.5f * box.lower + 0.5f * box.upper; });
   std::vector<PartitionEntry> entries = MakePartitionEntries(centres);
   const std::uint32_t last = GlyphTree::Levels(leafBits) - 1;
   const std::size_t lastCount = std::size_t(1) << (last > 0 ? leafBits - 3 : 0);
   result.axes.resize(GlyphTree::LevelOffset(last) + lastCount);
-  const KdSplitter splitter{ entries.data(), entries.size(), leafBits, result.axes.data() };
+  const KdSplitter splitter{ entries.data(), boxes.data(), entries.size(), leafBits,
+    result.axes.data() };
   splitter.SplitNode(0, 0, 0, leafBits, ForksFor(entries.size()));
   result.order = OrderOf(entries);
   return result;

@@ -61,14 +61,14 @@ struct GlyphTree
   }
 };
 
-/// The order in which the glyphs must lie for a tree of 2^leafBits leaves to be a kd tree over their centres, and the
+/// The order in which the glyphs must lie for a tree of 2^leafBits leaves to be a kd tree over the centres of their boxes, and the
 /// axes of every node's splits, packed as GlyphTreeNode has them, node by node.
 struct KdOrder
 {
   std::vector<std::uint32_t> order;
   std::vector<std::uint8_t> axes;
 };
-KdOrder MakeKdOrder(const std::vector<glm::vec3>& centres, std::uint32_t leafBits);
+KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits);
 
 /// Builds the nodes over boxes that are in that order. The boxes must be padded for the arithmetic of the
 /// traversal (see Scene.cxx).

@@ -378,7 +378,7 @@ void Scene::State::Sort(GlyphSet& set)
   if (this->structure == Structure::Tree)
   {
     set.treeLeafBits = GlyphTree::LeafBits(set.count, glyphsPerLeaf);
-    KdOrder kd = MakeKdOrder(instances.centres, set.treeLeafBits);
+    KdOrder kd = MakeKdOrder(set.boxes, set.treeLeafBits);
     set.order = std::move(kd.order);
     set.kdAxes = std::move(kd.axes);
   }

@@ -33,7 +33,12 @@ void ExpectContained(const std::vector<glm::vec3>& centres, const std::vector<gl
 {
   const std::size_t count = centres.size();
   const std::uint32_t leafBits = GlyphTree::LeafBits(count, 2);
-  const rtg::KdOrder kd = rtg::MakeKdOrder(centres, leafBits);
+  std::vector<Box> unordered;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    unordered.push_back({ centres[i] - halfSizes[i], centres[i] + halfSizes[i] });
+  }
+  const rtg::KdOrder kd = rtg::MakeKdOrder(unordered, leafBits);
   ASSERT_EQ(kd.order.size(), count);
   std::vector<Box> boxes;
   std::vector<bool> seen(count);
@@ -41,7 +46,7 @@ void ExpectContained(const std::vector<glm::vec3>& centres, const std::vector<gl
   {
     ASSERT_FALSE(seen[i]);
     seen[i] = true;
-    boxes.push_back({ centres[i] - halfSizes[i], centres[i] + halfSizes[i] });
+    boxes.push_back(unordered[i]);
   }
   const GlyphTree tree = rtg::BuildGlyphTree(boxes, leafBits, kd.axes);
 
@@ -84,6 +89,16 @@ std::vector<glm::vec3> Random(std::size_t count, const glm::vec3& size)
   return points;
 }
 
+std::vector<Box> Around(const std::vector<glm::vec3>& centres, float halfSize)
+{
+  std::vector<Box> boxes;
+  for (const glm::vec3& centre : centres)
+  {
+    boxes.push_back({ centre - halfSize, centre + halfSize });
+  }
+  return boxes;
+}
+
 } // namespace
 
 TEST(GlyphTree, ContainsAllBoxesAtEveryCount)
@@ -119,7 +134,7 @@ TEST(GlyphTree, OrdersChildrenAlongTheSplits)
   // Children whose number differs only in the bit of one split lie on either side of it, as the order of visits assumes.
   const std::vector<glm::vec3> centres = Random(5000, glm::vec3(3.0f, 1.0f, 0.2f));
   const std::uint32_t leafBits = GlyphTree::LeafBits(centres.size(), 2);
-  const rtg::KdOrder kd = rtg::MakeKdOrder(centres, leafBits);
+  const rtg::KdOrder kd = rtg::MakeKdOrder(Around(centres, 0.0f), leafBits);
   std::vector<Box> points;
   for (std::uint32_t i : kd.order)
   {
@@ -153,7 +168,7 @@ TEST(GlyphTree, TightEnoughToBeUseful)
   // A child's decoded box exceeds its contents by at most one step a side: 1/127 of the parent's extent, or less.
   const std::vector<glm::vec3> centres = Random(4096, glm::vec3(1.0f));
   const std::uint32_t leafBits = GlyphTree::LeafBits(centres.size(), 2);
-  const rtg::KdOrder kd = rtg::MakeKdOrder(centres, leafBits);
+  const rtg::KdOrder kd = rtg::MakeKdOrder(Around(centres, 0.0f), leafBits);
   std::vector<Box> boxes;
   for (std::uint32_t i : kd.order)
   {
