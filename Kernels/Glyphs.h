@@ -98,6 +98,15 @@ struct Material
   float specularPower = 100.0f; ///< [0, 128] as vtkProperty
   float opacity = 1.0f;         ///< [0, 1]; times a glyph colour's alpha
   bool lighting = true;         ///< false: the plain colour, as vtkProperty::LightingOff
+
+  // Path tracing only, with vtkProperty's meaning; `specular` is then Burley's (0.5: glass, plastic), `ambient`
+  // light that the surface gives off.
+  float metallic = 0.0f;      ///< [0, 1]
+  float roughness = 0.5f;     ///< [0, 1]
+  float coatStrength = 0.0f;  ///< [0, 1]
+  float coatRoughness = 0.0f; ///< [0, 1]
+  float coatIor = 2.0f;       ///< refractive index, >= 1
+  glm::vec3 coatColour{ 1.0f };
 };
 
 /// A light, in world coordinates, with vtkLight's meaning (vtkOpenGLPolyDataMapper's formulas).

@@ -74,6 +74,13 @@ struct GlyphSetRecord
   float diffuse;
   float specularPower;
   uint lighting;
+  // Material, path tracing only
+  float metallic;
+  float roughness;
+  float coatStrength;
+  float coatRoughness;
+  float coatReflectance;             // of the coat at normal incidence
+  vec3 coatColour;
 };
 
 // What intersection programs must know of the ray in flight but cannot read from its payload.
@@ -109,7 +116,31 @@ struct ProbeResult
   uint glyph;
 };
 
+// What a pixel has gathered, when samples will be added later.
+struct PixelSums
+{
+  vec4 colour;      // of the samples that hit: colour times opacity, opacity
+  float depth;      // view depth of the nearest sample that hit; of the centre's, negated, if that hit
+};
+
+// Sums of what the samples' camera rays hit, for denoising and scripts.
+struct PixelFeatures
+{
+  vec3 normal;
+  vec3 albedo;
+  float depth;      // view depth
+  float hits;
+};
+
 #ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PixelSumsImage
+{
+  PixelSums at[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PixelFeaturesImage
+{
+  PixelFeatures at[];
+};
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer RayRecords
 {
   RayRecord at[];
@@ -132,6 +163,10 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer Pr
 };
 #endif
 
+// Bits of instance masks.
+const uint OPAQUE_MASK = 1u;
+const uint TRANSLUCENT_MASK = 2u;
+
 // What one dispatch reads. A uniform block rather than a buffer's address: CPU devices load uniforms once for all
 // lanes, but gather lane by lane behind an address.
 struct FrameRecord
@@ -147,6 +182,9 @@ struct FrameRecord
   RTG_ADDRESS(FloatImage) depth;
   RTG_ADDRESS(UintImage) setIds;
   RTG_ADDRESS(UintImage) glyphIds;
+  RTG_ADDRESS(PixelSumsImage) sums;         // when the program accumulates
+  RTG_ADDRESS(PixelFeaturesImage) features; // when it gathers features
+  RTG_ADDRESS(UintArray) blueNoise;         // blueNoiseSide squared thresholds, for the sampler that needs them
   RTG_ADDRESS(RayRecords) rays; // by launch index
   RTG_ADDRESS(ProbeRecords) probes;
   RTG_ADDRESS(ProbeResults) probeResults;
@@ -169,13 +207,23 @@ struct FrameRecord
   vec3 sceneUpper;
   uint width;
   uint height;
-  uint samples;
+  uint firstSample;                   // number of the first sample of this dispatch
+  uint samples;                       // that this dispatch adds
+  uint plannedSamples;                // of the finished image, for the stratified sampler
   uint pixelStep;
   uint firstRow; // of tiles, when an image takes several dispatches
   uint cullMask;
   uint lightCount;
   uint probeCount;
   uint launchWidth;
+  // Light
+  vec3 environment; // occlusion: factor of display colours; path tracing: linear radiance
+  float occlusionRadius;
+  uint maximumBounces;
+  uint roulette;
+  // Resolving
+  float exposureFactor;
+  uint filmic;
   GlyphSetRecord onlySet; // sets.at[0] again when there is no other: a uniform load, no gather
 };
 

@@ -18,8 +18,12 @@ namespace
 using Usage = vk::BufferUsageFlagBits;
 using HostShapes = shapes::Kernel<double>;
 
-constexpr std::uint32_t opaqueMask = 1;
-constexpr std::uint32_t translucentMask = 2;
+// Share of light that a surface of that refractive index reflects straight back (Fresnel).
+float NormalReflectance(float ior)
+{
+  const float root = (ior - 1.0f) / (ior + 1.0f);
+  return root * root;
+}
 
 template <class T>
 void Reorder(std::vector<T>& values, const std::vector<std::uint32_t>& order)
@@ -476,7 +480,7 @@ void Scene::State::BuildTopLevel()
         { 0, 1, 0, offset.y }, { 0, 0, 1, offset.z } } };
       instance.transform.matrix = translation;
       instance.instanceCustomIndex = record++;
-      instance.mask = set.Translucent() ? translucentMask : opaqueMask;
+      instance.mask = set.Translucent() ? device::TRANSLUCENT_MASK : device::OPAQUE_MASK;
       instance.instanceShaderBindingTableRecordOffset =
         static_cast<std::uint32_t>(group - this->groups.begin());
       instance.accelerationStructureReference = run.structure.Address();
@@ -539,6 +543,12 @@ void Scene::State::FillRecords()
       record.diffuse = material.diffuse;
       record.specularPower = material.specularPower;
       record.lighting = material.lighting;
+      record.metallic = material.metallic;
+      record.roughness = material.roughness;
+      record.coatStrength = material.coatStrength;
+      record.coatRoughness = material.coatRoughness;
+      record.coatReflectance = NormalReflectance(material.coatIor);
+      record.coatColour = material.coatColour;
       this->records.push_back(record);
     }
   }

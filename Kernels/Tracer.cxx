@@ -1,12 +1,16 @@
 #include "Tracer.h"
 
+#include "BlueNoise.h"
 #include "HostDevice.h"
 #include "SceneState.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
+#include <cstring>
+#include <sstream>
 
 namespace rtg
 {
@@ -19,6 +23,8 @@ using Usage = vk::BufferUsageFlagBits;
 constexpr std::uint32_t tileSize = 8;
 constexpr std::uint32_t lanesPerTile = tileSize * tileSize;
 constexpr std::uint32_t maxSide = 32768; ///< of an image, in pixels; more than any OpenGL viewport
+constexpr std::uint32_t maxSamples = 1u << 20; ///< a pixel
+constexpr std::uint32_t blueNoiseSide = 64;    ///< as in Shading/Sampling.glsl
 
 std::uint32_t DivideUp(std::uint32_t value, std::uint32_t by)
 {
@@ -83,22 +89,92 @@ MakeLights(const std::vector<Light>& lights, const glm::dvec3& origin)
 
 void CheckSettings(const TraceSettings& settings)
 {
-  const auto check = [](const char* name, std::uint32_t value, std::uint32_t most)
+  const auto check = [](const char* name, auto value, auto least, auto most)
   {
-    if (value < 1 || value > most)
+    if (!(value >= least && value <= most))
     {
-      throw Error("Ray Traced Glyphs: " + std::string(name) + " is " + std::to_string(value) +
-        "; it must lie between 1 and " + std::to_string(most) + ".");
+      std::ostringstream message;
+      message << "Ray Traced Glyphs: " << name << " is " << value << "; it must lie between "
+              << least << " and " << most << ".";
+      throw Error(message.str());
     }
   };
-  check("the samples per pixel", settings.samples, 1u << 20);
-  check("the pixel step", settings.pixelStep, 64);
+  check("the samples per pixel", settings.samples, 1u, maxSamples);
+  check("the number of the first sample", settings.firstSample, 0u, maxSamples);
+  check("the pixel step", settings.pixelStep, 1u, 64u);
+  check("the ambient occlusion radius", settings.occlusionRadius, 0.0f, FLT_MAX);
+  check("the maximum of bounces", settings.maximumBounces, 1u, 1000u);
+  check("the light intensity", settings.lightIntensity, 0.0f, 1e30f);
+  for (int i = 0; i < 3; ++i)
+  {
+    check("the environment colour", settings.environmentColour[i], 0.0f, 1e30f);
+  }
+  check("the exposure", settings.exposure, -100.0f, 100.0f);
+  if (settings.features && settings.pixelStep != 1)
+  {
+    throw Error("Ray Traced Glyphs: normals and albedos are asked of a coarse image; set its pixel "
+                "step to 1.");
+  }
   if (settings.width > maxSide || settings.height > maxSide)
   {
     throw Error("Ray Traced Glyphs: an image of " + std::to_string(settings.width) + " x " +
       std::to_string(settings.height) + " pixels is too large; the most is " +
       std::to_string(maxSide) + " a side.");
   }
+}
+
+// Each component from sRGB to linear light (IEC 61966-2-1).
+glm::vec3 DisplayToLinear(const glm::vec3& colour)
+{
+  glm::vec3 light;
+  for (int i = 0; i < 3; ++i)
+  {
+    light[i] =
+      colour[i] <= 0.04045f ? colour[i] / 12.92f : std::pow((colour[i] + 0.055f) / 1.055f, 2.4f);
+  }
+  return light;
+}
+
+void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
+{
+  frame.width = settings.width;
+  frame.height = settings.height;
+  frame.pixelStep = settings.pixelStep;
+  frame.plannedSamples =
+    settings.plannedSamples ? settings.plannedSamples : settings.firstSample + settings.samples;
+  frame.environment = settings.lightIntensity *
+    (settings.shading == Shading::PathTracing ? DisplayToLinear(settings.environmentColour)
+                                              : settings.environmentColour);
+  frame.occlusionRadius = settings.occlusionRadius > 0.0f ? settings.occlusionRadius : 1e38f;
+  frame.maximumBounces = settings.maximumBounces;
+  frame.exposureFactor = std::exp2(settings.exposure);
+  frame.filmic = settings.toneMapping == ToneMapping::Filmic;
+  frame.roulette = settings.roulette;
+}
+
+// What local shading does not use does not tell its programs apart.
+Generation GenerationFor(const TraceSettings& settings)
+{
+  Generation generation;
+  generation.program = settings.shading == Shading::Local ? Program::Local
+    : settings.shading == Shading::PathTracing            ? Program::Path
+                                                          : Program::Occlusion;
+  generation.sampler =
+    settings.shading == Shading::Local ? 0 : static_cast<std::uint32_t>(settings.sampler);
+  generation.gathersFeatures = settings.features;
+  generation.develops = settings.shading == Shading::PathTracing || settings.exposure != 0.0f ||
+    settings.toneMapping != ToneMapping::None;
+  return generation;
+}
+
+// Samples a pixel in one dispatch: a GPU that works on one for seconds is taken for hung by its driver.
+std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
+{
+  const std::size_t cameraRays = std::size_t(1) << (settings.shading == Shading::Local ? 28
+                                     : settings.shading == Shading::PathTracing        ? 23
+                                                                                       : 26);
+  const std::size_t samples = std::max<std::size_t>(1, cameraRays / pixels);
+  return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
 }
 
 } // namespace
@@ -110,7 +186,11 @@ struct Tracer::State
   {
   }
 
-  const Pipeline& PipelineFor(Program program, const std::vector<HitGroup>& groups, bool alone);
+  const Pipeline& PipelineFor(const Generation& generation, const std::vector<HitGroup>& groups);
+  void Prepare(const TraceSettings& settings, bool keepSums);
+  void CheckContinues(const TraceSettings& settings) const;
+  void Clear(std::size_t pixels);
+  void FillFeatures(Image& image) const;
   void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame,
     std::uint32_t width, std::uint32_t height);
 
@@ -118,6 +198,10 @@ struct Tracer::State
   Statistics statistics;
   std::vector<std::unique_ptr<Pipeline>> pipelines; ///< the last few used, newest last
   Buffer frameBuffer, lightBuffer, colour, depth, setIds, glyphIds, rays;
+  Buffer sums, features;         ///< none unless asked for
+  Buffer blueNoise;              ///< none unless its sampler was used
+  TraceSettings last;            ///< of the last image
+  std::uint32_t keptSamples = 0; ///< that `sums` hold
 };
 
 Tracer::Tracer(std::shared_ptr<Device> device)
@@ -134,11 +218,10 @@ const Statistics& Tracer::GetStatistics() const
 }
 
 const Pipeline&
-Tracer::State::PipelineFor(Program program, const std::vector<HitGroup>& groups, bool alone)
+Tracer::State::PipelineFor(const Generation& generation, const std::vector<HitGroup>& groups)
 {
   const auto found = std::find_if(this->pipelines.begin(), this->pipelines.end(),
-    [&](const auto& p)
-    { return p->GetProgram() == program && p->Groups() == groups && p->Alone() == alone; });
+    [&](const auto& p) { return p->GetGeneration() == generation && p->Groups() == groups; });
   if (found != this->pipelines.end())
   {
     std::rotate(found, found + 1, this->pipelines.end());
@@ -151,7 +234,7 @@ Tracer::State::PipelineFor(Program program, const std::vector<HitGroup>& groups,
     this->pipelines.erase(this->pipelines.begin());
   }
   this->pipelines.push_back(
-    std::make_unique<Pipeline>(this->device->GetState(), program, groups, alone));
+    std::make_unique<Pipeline>(this->device->GetState(), generation, groups));
   ++this->statistics.pipelineBuilds;
   return *this->pipelines.back();
 }
@@ -191,17 +274,106 @@ void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene,
   }
 }
 
+// The buffers of an image; those that it does not need are given back.
+void Tracer::State::Prepare(const TraceSettings& settings, bool keepSums)
+{
+  Device::State& vulkan = this->device->GetState();
+  const std::size_t pixels = std::size_t(settings.width) * settings.height;
+  for (Buffer* buffer : { &this->colour, &this->depth, &this->setIds, &this->glyphIds })
+  {
+    Fit(*buffer, vulkan, pixels * sizeof(std::uint32_t));
+  }
+  if (keepSums)
+  {
+    Fit(this->sums, vulkan, pixels * sizeof(device::PixelSums));
+  }
+  else
+  {
+    this->sums = Buffer();
+  }
+  if (!settings.features)
+  {
+    this->features = Buffer();
+  }
+  else if (settings.firstSample == 0)
+  {
+    Fit(this->features, vulkan, pixels * sizeof(device::PixelFeatures));
+    std::memset(this->features.Mapped(), 0, pixels * sizeof(device::PixelFeatures));
+  }
+  if (settings.sampler == Sampler::BlueNoise && this->blueNoise.Size() == 0)
+  {
+    const std::vector<std::uint32_t> tile = BlueNoiseTile(blueNoiseSide);
+    this->blueNoise =
+      Buffer(vulkan, tile.size() * sizeof(tile[0]), Usage::eStorageBuffer, Buffer::Place::Device);
+    this->blueNoise.Upload(tile.data(), tile.size() * sizeof(tile[0]));
+  }
+}
+
+// Throws unless new samples can be added to what is kept.
+void Tracer::State::CheckContinues(const TraceSettings& settings) const
+{
+  if (settings.firstSample == 0)
+  {
+    return;
+  }
+  const bool same = this->last.width == settings.width && this->last.height == settings.height &&
+    this->last.pixelStep == settings.pixelStep && this->last.shading == settings.shading &&
+    this->last.features == settings.features;
+  if (!same || this->keptSamples != settings.firstSample)
+  {
+    throw Error("Ray Traced Glyphs: samples from number " + std::to_string(settings.firstSample) +
+      " on are to be added to an image that holds " + std::to_string(same ? this->keptSamples : 0) +
+      "; trace it from its first sample with keepSums.");
+  }
+}
+
+// An image of nothing.
+void Tracer::State::Clear(std::size_t pixels)
+{
+  const auto fill = [pixels](Buffer& buffer, auto value)
+  { std::fill_n(static_cast<decltype(value)*>(buffer.Mapped()), pixels, value); };
+  fill(this->colour, 0u);
+  fill(this->depth, 1.0f);
+  fill(this->setIds, Image::noGlyph);
+  fill(this->glyphIds, Image::noGlyph);
+  if (this->sums.Size())
+  {
+    fill(this->sums, device::PixelSums{ glm::vec4(0.0f), 1e38f });
+  }
+}
+
+void Tracer::State::FillFeatures(Image& image) const
+{
+  const auto* sums = static_cast<const device::PixelFeatures*>(this->features.Mapped());
+  const std::size_t pixels = std::size_t(image.width) * image.height;
+  image.normals.assign(pixels, glm::vec3(0.0f));
+  image.albedos.assign(pixels, glm::vec3(0.0f));
+  image.viewDepths.assign(pixels, 0.0f);
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    if (sums[i].hits > 0.0f)
+    {
+      const float length = glm::length(sums[i].normal);
+      image.normals[i] = length > 0.0f ? sums[i].normal / length : glm::vec3(0.0f);
+      image.albedos[i] = sums[i].albedo / sums[i].hits;
+      image.viewDepths[i] = sums[i].depth / sums[i].hits;
+    }
+  }
+}
+
 Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights,
   const TraceSettings& settings, Pass pass)
 {
   CheckSettings(settings);
   State& state = *this->state_;
+  state.CheckContinues(settings);
   const Scene::State& glyphs = scene.GetState();
   Image image;
   image.width = settings.width;
   image.height = settings.height;
-  image.samples = settings.samples;
+  image.samples = settings.firstSample + settings.samples;
   const std::size_t pixels = std::size_t(settings.width) * settings.height;
+  state.keptSamples = 0;
   if (pixels == 0)
   {
     return image;
@@ -212,55 +384,85 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
     [&]
     {
       Stopwatch watch;
-      for (Buffer* buffer : { &state.colour, &state.depth, &state.setIds, &state.glyphIds })
-      {
-        Fit(*buffer, vulkan, pixels * sizeof(std::uint32_t));
-      }
+      const std::uint32_t atOnce = SamplesAtOnce(settings, pixels);
+      const bool keeps = settings.keepSums || settings.firstSample > 0 || atOnce < settings.samples;
+      state.Prepare(settings, keeps);
       image.colour = static_cast<const std::uint32_t*>(state.colour.Mapped());
       image.depth = static_cast<const float*>(state.depth.Mapped());
       image.setIds = static_cast<const std::uint32_t*>(state.setIds.Mapped());
       image.glyphIds = static_cast<const std::uint32_t*>(state.glyphIds.Mapped());
       if (glyphs.topLevel.Address() == 0)
       {
-        std::fill_n(static_cast<std::uint32_t*>(state.colour.Mapped()), pixels, 0u);
-        std::fill_n(static_cast<float*>(state.depth.Mapped()), pixels, 1.0f);
-        std::fill_n(static_cast<std::uint32_t*>(state.setIds.Mapped()), pixels, Image::noGlyph);
-        std::fill_n(static_cast<std::uint32_t*>(state.glyphIds.Mapped()), pixels, Image::noGlyph);
-        return;
+        state.Clear(pixels);
       }
+      else
+      {
+        device::FrameRecord frame{};
+        FillCamera(frame, camera, glyphs.origin);
+        const auto lightRecords = MakeLights(lights, glyphs.origin);
+        Fit(state.lightBuffer, vulkan,
+          std::max<std::size_t>(1, lightRecords.size()) * sizeof(device::LightRecord));
+        state.lightBuffer.Upload(
+          lightRecords.data(), lightRecords.size() * sizeof(device::LightRecord));
+        frame.sets = glyphs.recordBuffer.Address();
+        frame.lights = state.lightBuffer.Address();
+        frame.lightCount = static_cast<std::uint32_t>(lightRecords.size());
+        frame.colour = state.colour.Address();
+        frame.depth = state.depth.Address();
+        frame.setIds = state.setIds.Address();
+        frame.glyphIds = state.glyphIds.Address();
+        frame.sums = state.sums.Address();
+        frame.features = state.features.Address();
+        frame.blueNoise = state.blueNoise.Address();
+        frame.sceneLower = glyphs.bounds.lower;
+        frame.sceneUpper = glyphs.bounds.upper;
+        frame.cullMask = pass == Pass::All ? device::OPAQUE_MASK | device::TRANSLUCENT_MASK
+          : pass == Pass::Opaque           ? device::OPAQUE_MASK
+                                           : device::TRANSLUCENT_MASK;
+        FillSettings(frame, settings);
 
-      device::FrameRecord frame{};
-      FillCamera(frame, camera, glyphs.origin);
-      const auto lightRecords = MakeLights(lights, glyphs.origin);
-      Fit(state.lightBuffer, vulkan,
-        std::max<std::size_t>(1, lightRecords.size()) * sizeof(device::LightRecord));
-      state.lightBuffer.Upload(
-        lightRecords.data(), lightRecords.size() * sizeof(device::LightRecord));
-      frame.sets = glyphs.recordBuffer.Address();
-      frame.lights = state.lightBuffer.Address();
-      frame.lightCount = static_cast<std::uint32_t>(lightRecords.size());
-      frame.colour = state.colour.Address();
-      frame.depth = state.depth.Address();
-      frame.setIds = state.setIds.Address();
-      frame.glyphIds = state.glyphIds.Address();
-      frame.sceneLower = glyphs.bounds.lower;
-      frame.sceneUpper = glyphs.bounds.upper;
-      frame.width = settings.width;
-      frame.height = settings.height;
-      frame.samples = settings.samples;
-      frame.pixelStep = settings.pixelStep;
-      frame.cullMask = 1u << static_cast<std::uint32_t>(pass);
-
-      const std::uint32_t tilesX = DivideUp(DivideUp(settings.width, settings.pixelStep), tileSize);
-      const std::uint32_t tilesY =
-        DivideUp(DivideUp(settings.height, settings.pixelStep), tileSize);
-      state.Launch(state.PipelineFor(Program::Image, glyphs.groups, glyphs.records.size() == 1),
-        glyphs, frame, tilesX * lanesPerTile, tilesY);
-      state.statistics.primaryRays += std::uint64_t(DivideUp(settings.width, settings.pixelStep)) *
-        DivideUp(settings.height, settings.pixelStep) * settings.samples;
+        Generation generation = GenerationFor(settings);
+        generation.alone = glyphs.records.size() == 1;
+        generation.accumulates = keeps;
+        generation.translucency = settings.shading != Shading::Local && scene.HasTranslucent();
+        const Pipeline& pipeline = state.PipelineFor(generation, glyphs.groups);
+        const std::uint32_t columns = DivideUp(settings.width, settings.pixelStep);
+        const std::uint32_t rows = DivideUp(settings.height, settings.pixelStep);
+        for (std::uint32_t done = 0; done < settings.samples; done += frame.samples)
+        {
+          frame.firstSample = settings.firstSample + done;
+          frame.samples = std::min(atOnce, settings.samples - done);
+          state.Launch(pipeline, glyphs, frame, DivideUp(columns, tileSize) * lanesPerTile,
+            DivideUp(rows, tileSize));
+        }
+        state.statistics.primaryRays += std::uint64_t(columns) * rows * settings.samples;
+      }
+      state.last = settings;
+      state.keptSamples = settings.keepSums ? image.samples : 0;
+      if (settings.features)
+      {
+        state.FillFeatures(image);
+      }
       state.statistics.traceSeconds += watch.Lap();
     });
   return image;
+}
+
+std::vector<glm::vec4> Tracer::Means() const
+{
+  const State& state = *this->state_;
+  const std::size_t pixels = std::size_t(state.last.width) * state.last.height;
+  if (state.keptSamples == 0)
+  {
+    throw Error("Ray Traced Glyphs: means are asked of an image that was traced without keepSums.");
+  }
+  const auto* sums = static_cast<const device::PixelSums*>(state.sums.Mapped());
+  std::vector<glm::vec4> means(pixels);
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    means[i] = sums[i].colour / static_cast<float>(state.keptSamples);
+  }
+  return means;
 }
 
 std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vector<Probe>& probes)
@@ -298,9 +500,12 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       frame.sceneLower = glyphs.bounds.lower;
       frame.sceneUpper = glyphs.bounds.upper;
       frame.cullMask = 0xff;
+      Generation probing;
+      probing.program = Program::Probe;
+      probing.alone = glyphs.records.size() == 1;
       constexpr std::uint32_t rowLength = 1024;
-      state.Launch(state.PipelineFor(Program::Probe, glyphs.groups, glyphs.records.size() == 1),
-        glyphs, frame, rowLength, DivideUp(frame.probeCount, rowLength));
+      state.Launch(state.PipelineFor(probing, glyphs.groups), glyphs, frame, rowLength,
+        DivideUp(frame.probeCount, rowLength));
 
       const auto* results = static_cast<const device::ProbeResult*>(output.Mapped());
       for (std::size_t i = 0; i < probes.size(); ++i)

@@ -16,33 +16,84 @@ namespace rtg
 struct Image
 {
   std::uint32_t width = 0, height = 0;
-  /// RGBA8, straight (not premultiplied): the mean colour of the samples that hit, and in alpha the
-  /// share of samples that hit times opacity.
+  /// RGBA8, straight (not premultiplied): the mean colour of the samples that hit, weighted by their opacity, and in
+  /// alpha the mean over all samples of the opacity hit.
   const std::uint32_t* colour = nullptr;
   /// Window depth in [0, 1] of the sample at the pixel's centre, or else of the nearest sample; 1: nothing hit.
   const float* depth = nullptr;
   /// Set and glyph (see Scene::OriginalGlyph) of the same sample; noGlyph: nothing hit.
   const std::uint32_t* setIds = nullptr;
   const std::uint32_t* glyphIds = nullptr;
-  std::uint32_t samples = 0; ///< samples a pixel in it so far
+  /// With TraceSettings::features, means over the samples that hit: unit normal (of the surface, world frame), colour
+  /// without light, view depth. Zero: nothing hit.
+  std::vector<glm::vec3> normals, albedos;
+  std::vector<float> viewDepths;
+  std::uint32_t samples = 0; ///< samples a pixel in it so far; the same for all pixels
   static constexpr std::uint32_t noGlyph = 0xffffffffu;
 };
 
 enum class Pass : std::uint32_t
 {
-  Opaque = 0,     ///< the sets that HasOpaque() speaks of
-  Translucent = 1 ///< nearest translucent layer
+  Opaque = 0,      ///< the sets that HasOpaque() speaks of
+  Translucent = 1, ///< nearest translucent layer
+  All = 2          ///< both in one image; for path tracing, which mixes them by chance
+};
+
+/// Where the light comes from that is seen on a surface.
+enum class Shading : std::uint32_t
+{
+  Local = 0, ///< the view's lights, as if the surface were alone
+  AmbientOcclusion =
+    1,            ///< the same, times the share of light from all around that reaches the surface
+  PathTracing = 2 ///< all around and the view's lights, after up to maximumBounces scatterings
+};
+
+/// How the random choices of a pixel's samples are spread. Sobol is the one to use; the others are
+/// there to be measured (Testing/Benchmarks). Numbers as in Shading/Sampling.glsl.
+enum class Sampler : std::uint32_t
+{
+  Random = 0,     ///< independent
+  Stratified = 1, ///< jittered in cells; good when plannedSamples is reached, and only then
+  Sobol = 2,      ///< Owen-scrambled, independent from pixel to pixel
+  BlueNoise = 3   ///< Sobol shifted so that neighbouring pixels' errors differ
+};
+
+enum class ToneMapping : std::uint32_t
+{
+  None = 0,  ///< light beyond 1 is cut off
+  Filmic = 1 ///< a fit of the ACES curve
 };
 
 struct TraceSettings
 {
-  std::uint32_t width = 0, height = 0;
+  std::uint32_t width = 0, height = 0; ///< pixels
   std::uint32_t samples =
-    1; ///< samples a pixel of this image, >= 1; sample 0 is the pixel's centre
+    1; ///< samples a pixel that this call adds, >= 1; sample 0 is the pixel's centre
+  /// Samples a pixel that this tracer's image already has and keeps: 0 starts anew. Otherwise the last
+  /// Trace() must have been with keepSums, ended with this many, and all else be as it was then.
+  std::uint32_t firstSample = 0;
+  bool keepSums = false;       ///< more samples will be added: keep what they are added to
+  bool resolve = true;         ///< false: no colours yet, only sums
   std::uint32_t pixelStep = 1; ///< trace every n-th pixel in x and y and repeat it, for interaction
+
+  Shading shading = Shading::Local;
+  /// Light from all around, of ambient occlusion and path tracing: a display colour and its strength, >= 0.
+  glm::vec3 environmentColour{ 1.0f };
+  float lightIntensity = 1.0f;
+  float occlusionRadius = 0.0f; ///< world units, from how far things occlude; 0: from everywhere
+  std::uint32_t maximumBounces = 10; ///< of path tracing, 1 to 1000
+  bool roulette = true; ///< path tracing ends unimportant paths early, which changes no mean
+
+  Sampler sampler = Sampler::Sobol;
+  std::uint32_t plannedSamples =
+    0; ///< of the finished image, for Stratified; 0: firstSample + samples
+  ToneMapping toneMapping = ToneMapping::None;
+  float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
+  bool features = false; ///< fill Image::normals and so on; with pixelStep 1 only
 };
 
-/// Traces a committed scene. Not thread-safe. Throws rtg::Error; on a lost device the message says so
+/// Traces a committed scene. The same scene, settings and device give the same image, however its samples are
+/// shared out among calls and threads. Not thread-safe. Throws rtg::Error; on a lost device the message says so
 /// and Device::Lost() becomes true.
 class Tracer
 {
@@ -54,6 +105,10 @@ public:
 
   Image Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass = Pass::Opaque);
+
+  /// Mean linear radiance (or display colour, unless path-traced) times opacity, and opacity, of each pixel of the last
+  /// image as sums left them, before any clipping: for error measurements. Needs keepSums.
+  std::vector<glm::vec4> Means() const;
 
   const Statistics& GetStatistics() const;
 

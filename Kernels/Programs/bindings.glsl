@@ -16,14 +16,15 @@ GlyphSetRecord SetRecord(uint index)
   return frame.sets.at[index];
 }
 
-// What the nearest hit tells the ray generation program.
+// What the nearest hit tells the ray generation program. Whatever kind of surface it lies on, it fills all of this.
 struct SurfaceHit
 {
-  float t;          // along the traced ray; negative: nothing hit
-  vec3 normal;      // outward, unit, world frame
+  float t;            // along the traced ray; negative: nothing hit
+  vec3 normal;        // outward, unit, world frame
   vec4 colour;
-  uint record;      // index of its GlyphSetRecord
-  uint glyph;       // index in the set's sorted order
+  uint record;        // index of its GlyphSetRecord
+  uint glyph;         // index in the set's sorted order
+  float uncertainty;  // distance from the exact surface, besides the rounding of t; unknown with local shading
 };
 
 uint LaunchIndex()

@@ -3,6 +3,8 @@
 #include "bindings.glsl"
 #include "glyph.glsl"
 
+layout(constant_id = 20) const bool leavesSurface = false;  // rays will start from the hit
+
 layout(location = 0) rayPayloadInEXT SurfaceHit hit;
 
 void main()
@@ -14,8 +16,14 @@ void main()
 
   // The normal is computed anew: hit attributes are not safe on every driver (lavapipe overwrites them
   // with those of rejected candidates).
+  Glyph found = FetchGlyph(CurrentSource(), glyph);
   hit.t = gl_HitTEXT;
-  hit.normal = GlyphNormal(CurrentRay(), FetchGlyph(CurrentSource(), glyph), gl_HitTEXT);
+  hit.normal = GlyphNormal(CurrentRay(), found, gl_HitTEXT);
+  // The shapes promise 1e-6 sizes (Shapes/README.md).
+  if (leavesSurface)
+  {
+    hit.uncertainty = 2e-6 * max(found.size.x, max(found.size.y, found.size.z));
+  }
   hit.record = record;
   hit.glyph = set.firstGlyph + glyph;
   hit.colour = vec4(set.colour, set.opacity);

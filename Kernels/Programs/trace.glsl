@@ -4,6 +4,10 @@
 
 layout(location = 0) rayPayloadEXT SurfaceHit hit;
 
+// The last traced ray as the traversal saw it: its exact origin, and where on it `hit` lies.
+DoubleWord3 tracedOrigin;
+float tracedT;
+
 // Where the ray enters the scene's bounds, or 0 when it starts inside them.
 float SceneEntry(vec3 origin, vec3 direction)
 {
@@ -32,14 +36,43 @@ void TraceNearest(DoubleWord3 origin, vec3 direction, float tMin, float tMax, ui
   }
   frame.rays.at[LaunchIndex()].originLow = moved.lo;
 
+  tracedOrigin = moved;
   hit.t = -1.0;
   if (tMax > start)
   {
     traceRayEXT(accelerationStructureEXT(frame.topLevel), gl_RayFlagsOpaqueEXT, cullMask, 0u, 0u, 0u, moved.hi,
       max(tMin - start, 0.0), direction, tMax - start, 0);
   }
+  tracedT = hit.t;
   if (hit.t >= 0.0)
   {
     hit.t += start;
   }
+}
+
+// True when anything in `cullMask` lies between the exact origin, which is inside the scene's bounds, and
+// `tMax`: the traversal ends at the first hit and runs no closest-hit program.
+bool MeetsAny(DoubleWord3 origin, vec3 direction, float tMax, uint cullMask)
+{
+  frame.rays.at[LaunchIndex()].originLow = origin.lo;
+  // The miss program makes it negative.
+  hit.t = 0.0;
+  traceRayEXT(accelerationStructureEXT(frame.topLevel),
+    gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT, cullMask, 0u, 0u, 0u,
+    origin.hi, 0.0, direction, tMax, 0);
+  return hit.t >= 0.0;
+}
+
+// How far the found t may be from the exact surface: Shapes/README.md's 8 ulp, doubled.
+float HitUncertainty(vec3 direction)
+{
+  return hit.uncertainty / length(direction) + 2e-6 * tracedT;
+}
+
+// Where rays from the last hit start: off the surface on the side of `normal`, so far that rounding
+// cannot put the start behind it. A start clear of the surface needs no minimum t.
+DoubleWord3 LeaveSurface(vec3 direction, vec3 normal)
+{
+  DoubleWord3 position = Add(tracedOrigin, TwoProduct(direction, vec3(tracedT)));
+  return Add(position, TwoProduct(normal, vec3(HitUncertainty(direction) * length(direction))));
 }

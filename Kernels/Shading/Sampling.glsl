@@ -1,4 +1,17 @@
-// Where the samples of a pixel lie. Deterministic: a function of the sample's number alone.
+// Where the samples of a pixel lie. Deterministic: functions of the pixel, the sample's number and the dimension alone.
+#ifndef RTG_SAMPLING
+#define RTG_SAMPLING
+
+#include "Sobol.glsl"
+
+// rtg::Sampler in Tracer.h.
+layout(constant_id = 10) const uint samplerKind = 2u;
+const uint samplerRandom = 0u;
+const uint samplerStratified = 1u;
+const uint samplerSobol = 2u;
+const uint samplerBlueNoise = 3u;
+
+const uint blueNoiseSide = 64u; // of Tracer's tile of thresholds
 
 // Sample s >= 1 in [0,1)^2: the R2 sequence (Roberts 2018, the plastic number's additive recurrence) started at the
 // pixel's centre, so that with sample 0 there the first samples spread evenly round it.
@@ -6,3 +19,68 @@ vec2 PixelSample(uint s)
 {
   return fract(vec2(0.5) + float(s) * vec2(0.7548776662466927, 0.5698402909980532));
 }
+
+// One sample of one pixel; its dimensions come in pairs.
+struct SampleNumber
+{
+  uvec2 pixel;
+  uint index;
+};
+
+// The pair number `pair` in [0,1)^2. Different pairs, and for all samplers but the blue-noise one different pixels,
+// are independent of each other.
+vec2 SamplePair(SampleNumber number, uint pair)
+{
+  uint pixelSeed = Hash(pair * 0x9e3779b9u ^ Hash(number.pixel.x, number.pixel.y));
+  uvec2 bits;
+  if (samplerKind == samplerRandom)
+  {
+    bits = uvec2(Hash(pixelSeed, 2u * number.index), Hash(pixelSeed, 2u * number.index + 1u));
+  }
+  else if (samplerKind == samplerStratified)
+  {
+    bits = Stratified(number.index, frame.plannedSamples, pixelSeed);
+  }
+  else if (samplerKind == samplerSobol)
+  {
+    bits = ScrambledSobol(number.index, pixelSeed);
+  }
+  else
+  {
+    // One sequence for all pixels, shifted by a tile of blue noise: neighbours err differently, so their errors
+    // cancel to the eye. Georgiev and Fajardo, "Blue-noise Dithered Sampling", SIGGRAPH 2016 Talks.
+    uint seed = Hash(pair * 0x9e3779b9u);
+    bits = ScrambledSobol(number.index, seed);
+    UintArray tile = frame.blueNoise;
+    uvec2 a = (number.pixel + uvec2(seed, seed >> 8u)) & (blueNoiseSide - 1u);
+    uvec2 b = (number.pixel + uvec2(seed >> 16u, seed >> 24u)) & (blueNoiseSide - 1u);
+    bits += uvec2(tile.at[a.y * blueNoiseSide + a.x], tile.at[b.y * blueNoiseSide + b.x]);
+  }
+  return vec2(UnitInterval(bits.x), UnitInterval(bits.y));
+}
+
+// An independent number in [0,1) for what has no bounded dimension.
+float SampleIndependent(SampleNumber number, uint event)
+{
+  return UnitInterval(Hash(Hash(number.pixel.x, number.pixel.y), Hash(number.index, event)));
+}
+
+// The pairs in use.
+const uint pairPixel = 0u;
+const uint pairFirstBounce = 1u;
+// of one bounce
+const uint pairDirection = 0u;
+const uint pairLobe = 1u;      // metal or not, coat or base
+const uint pairFacet = 2u;
+const uint pairCoatFacet = 3u;
+const uint pairChance = 4u;    // escape from between facets, Russian roulette
+const uint pairLight = 5u;
+const uint pairsPerBounce = 6u;
+
+// Where in the pixel the sample's camera ray goes through; sample 0 is the middle.
+vec2 PixelPosition(SampleNumber number)
+{
+  return number.index == 0u ? vec2(0.5) : SamplePair(number, pairPixel);
+}
+
+#endif

@@ -19,6 +19,7 @@ struct Specialisation
   vk::Bool32 hasTree;
   vk::Bool32 ownExponents;
   vk::Bool32 alone;
+  vk::Bool32 leavesSurface;
 };
 
 const vk::SpecializationMapEntry specialisationMap[] = {
@@ -29,7 +30,43 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 4, offsetof(Specialisation, hasTree), sizeof(vk::Bool32) },
   { 5, offsetof(Specialisation, ownExponents), sizeof(vk::Bool32) },
   { 15, offsetof(Specialisation, alone), sizeof(vk::Bool32) },
+  { 20, offsetof(Specialisation, leavesSurface), sizeof(vk::Bool32) },
 };
+
+// Shading/Sampling.glsl, Programs/pixel.glsl, Programs/bindings.glsl
+struct GenerationSpecialisation
+{
+  std::uint32_t sampler;
+  vk::Bool32 accumulates;
+  vk::Bool32 gathersFeatures;
+  vk::Bool32 develops;
+  vk::Bool32 translucency;
+  vk::Bool32 alone;
+};
+
+const vk::SpecializationMapEntry generationMap[] = {
+  { 10, offsetof(GenerationSpecialisation, sampler), sizeof(std::uint32_t) },
+  { 11, offsetof(GenerationSpecialisation, accumulates), sizeof(vk::Bool32) },
+  { 12, offsetof(GenerationSpecialisation, gathersFeatures), sizeof(vk::Bool32) },
+  { 13, offsetof(GenerationSpecialisation, develops), sizeof(vk::Bool32) },
+  { 14, offsetof(GenerationSpecialisation, translucency), sizeof(vk::Bool32) },
+  { 15, offsetof(GenerationSpecialisation, alone), sizeof(vk::Bool32) },
+};
+
+const programs::Code& CodeOf(Program program)
+{
+  switch (program)
+  {
+    case Program::Local:
+      return programs::imageGeneration;
+    case Program::Occlusion:
+      return programs::occlusionGeneration;
+    case Program::Path:
+      return programs::pathGeneration;
+    default:
+      return programs::probeGeneration;
+  }
+}
 
 vk::raii::ShaderModule MakeModule(Device::State& device, const programs::Code& code)
 {
@@ -45,11 +82,10 @@ std::size_t AlignUp(std::size_t value, std::size_t alignment)
 } // namespace
 
 Pipeline::Pipeline(
-  Device::State& device, Program program, const std::vector<HitGroup>& groups, bool alone)
+  Device::State& device, const Generation& generation, const std::vector<HitGroup>& groups)
   : device_(&device)
-  , program_(program)
+  , generation_(generation)
   , groups_(groups)
-  , alone_(alone)
 {
   using Stage = vk::ShaderStageFlagBits;
   const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eUniformBuffer, 1,
@@ -81,24 +117,24 @@ Pipeline::Pipeline(
     return static_cast<std::uint32_t>(stages.size() - 1);
   };
   std::vector<vk::RayTracingShaderGroupCreateInfoKHR> shaderGroups;
-  Specialisation general{};
-  general.alone = alone;
-  const vk::SpecializationInfo generalInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
-    specialisationMap, sizeof(Specialisation), &general);
+  const GenerationSpecialisation generationConstants = { generation.sampler, generation.accumulates,
+    generation.gathersFeatures, generation.develops, generation.translucency, generation.alone };
+  const vk::SpecializationInfo generationInfo(static_cast<std::uint32_t>(std::size(generationMap)),
+    generationMap, sizeof(generationConstants), &generationConstants);
   const auto addGeneral = [&](std::uint32_t stage)
   {
     shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eGeneral, stage,
       VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
   };
-  addGeneral(addStage(Stage::eRaygenKHR,
-    program == Program::Image ? programs::imageGeneration : programs::probeGeneration,
-    &generalInfo));
+  addGeneral(addStage(Stage::eRaygenKHR, CodeOf(generation.program), &generationInfo));
   addGeneral(addStage(Stage::eMissKHR, programs::nothingMiss, nullptr));
+  const vk::Bool32 leavesSurface =
+    generation.program == Program::Occlusion || generation.program == Program::Path;
   for (std::size_t i = 0; i < groups.size(); ++i)
   {
     const HitGroup& group = groups[i];
     constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads,
-      group.hasTree, group.ownExponents, alone };
+      group.hasTree, group.ownExponents, generation.alone, leavesSurface };
     specialisations[i] =
       vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
         specialisationMap, sizeof(Specialisation), &constants[i]);
@@ -137,9 +173,10 @@ Pipeline::Pipeline(
   const vk::DeviceAddress address = AlignUp(this->table_.Address(), base);
   table.insert(table.begin(), address - this->table_.Address(), 0);
   this->table_.Upload(table.data(), table.size());
-  this->generation_ = vk::StridedDeviceAddressRegionKHR(address, stride, stride);
-  this->miss_ = vk::StridedDeviceAddressRegionKHR(address + missAt, stride, stride);
-  this->hit_ = vk::StridedDeviceAddressRegionKHR(address + hitAt, stride, stride * groups.size());
+  this->generationTable_ = vk::StridedDeviceAddressRegionKHR(address, stride, stride);
+  this->missTable_ = vk::StridedDeviceAddressRegionKHR(address + missAt, stride, stride);
+  this->hitTable_ =
+    vk::StridedDeviceAddressRegionKHR(address + hitAt, stride, stride * groups.size());
 }
 
 void Pipeline::Trace(vk::raii::CommandBuffer& command, const Buffer& frame, std::uint32_t width,
@@ -151,8 +188,8 @@ void Pipeline::Trace(vk::raii::CommandBuffer& command, const Buffer& frame, std:
   command.bindPipeline(vk::PipelineBindPoint::eRayTracingKHR, *this->pipeline_);
   command.bindDescriptorSets(
     vk::PipelineBindPoint::eRayTracingKHR, *this->layout_, 0, *this->set_, {});
-  command.traceRaysKHR(
-    this->generation_, this->miss_, this->hit_, this->callable_, width, height, 1);
+  command.traceRaysKHR(this->generationTable_, this->missTable_, this->hitTable_,
+    this->callableTable_, width, height, 1);
 }
 
 } // namespace rtg

@@ -31,8 +31,29 @@ struct HitGroup
 /// A ray generation program.
 enum class Program
 {
-  Image,
+  Local,     ///< an image with local shading
+  Occlusion, ///< with ambient occlusion
+  Path,      ///< path-traced
   Probe
+};
+
+/// A ray generation program and what it is specialised for (Programs/bindings.glsl, pixel.glsl, Shading/Sampling.glsl).
+struct Generation
+{
+  Program program = Program::Local;
+  bool alone = false;        ///< the scene has a single GlyphSetRecord, FrameRecord::onlySet
+  std::uint32_t sampler = 0; ///< number of an rtg::Sampler
+  bool accumulates = false;
+  bool gathersFeatures = false;
+  bool develops = false;
+  bool translucency = false;
+
+  friend bool operator==(const Generation& a, const Generation& b)
+  {
+    return a.program == b.program && a.alone == b.alone && a.sampler == b.sampler &&
+      a.accumulates == b.accumulates && a.gathersFeatures == b.gathersFeatures &&
+      a.develops == b.develops && a.translucency == b.translucency;
+  }
 };
 
 /// One ray generation program with the hit groups of a scene, and its shader binding table.
@@ -40,12 +61,11 @@ class Pipeline
 {
 public:
   /// Hit group i is the one at shader binding table offset i. Throws vk::SystemError.
-  /// `alone`: the scene has a single GlyphSetRecord, FrameRecord::onlySet.
-  Pipeline(Device::State& device, Program program, const std::vector<HitGroup>& groups, bool alone);
+  Pipeline(
+    Device::State& device, const Generation& generation, const std::vector<HitGroup>& groups);
 
-  Program GetProgram() const { return this->program_; }
+  const Generation& GetGeneration() const { return this->generation_; }
   const std::vector<HitGroup>& Groups() const { return this->groups_; }
-  bool Alone() const { return this->alone_; }
 
   /// Binds and launches; `frame` is the uniform block that all programs see. Not while a launch before is still running.
   void Trace(vk::raii::CommandBuffer& command, const Buffer& frame, std::uint32_t width,
@@ -53,16 +73,15 @@ public:
 
 private:
   Device::State* device_;
-  Program program_;
+  Generation generation_;
   std::vector<HitGroup> groups_;
-  bool alone_;
   vk::raii::DescriptorSetLayout setLayout_{ nullptr };
   vk::raii::DescriptorPool pool_{ nullptr };
   vk::raii::DescriptorSet set_{ nullptr };
   vk::raii::PipelineLayout layout_{ nullptr };
   vk::raii::Pipeline pipeline_{ nullptr };
   Buffer table_;
-  vk::StridedDeviceAddressRegionKHR generation_, miss_, hit_, callable_;
+  vk::StridedDeviceAddressRegionKHR generationTable_, missTable_, hitTable_, callableTable_;
 };
 
 } // namespace rtg

@@ -20,7 +20,9 @@ struct ShapeCode
   Code closestHit;
 };
 
-extern const Code imageGeneration;
+extern const Code imageGeneration; ///< local shading
+extern const Code occlusionGeneration;
+extern const Code pathGeneration;
 extern const Code probeGeneration;
 extern const Code nothingMiss;
 extern const ShapeCode shapes[]; ///< by rtg::Shape

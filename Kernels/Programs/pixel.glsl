@@ -1,0 +1,143 @@
+// What the ray generation programs of images share: the pixel of a launch, camera rays, and what a pixel gathers.
+// What an image does not ask for is not in its program: on CPU devices even untaken branches cost time.
+layout(constant_id = 11) const bool accumulates = false;      // samples are added to earlier ones, or will be
+layout(constant_id = 12) const bool gathersFeatures = false;  // normals and so on are summed
+layout(constant_id = 13) const bool develops = false;         // colours change on their way to the display
+layout(constant_id = 14) const bool translucency = false;     // the scene has sets with opacity below one
+
+#include "../Shading/Sampling.glsl"
+#include "../Shading/Tone.glsl"
+
+const uint tileSize = 8u;
+
+// Launch index to pixel: tiles of 8 by 8 pixels, inside them blocks of 4 by 2, so that the eight lanes
+// that lavapipe runs together see neighbouring pixels.
+uvec2 LaunchPixel(uvec2 launch)
+{
+  uint lane = launch.x & 63u;
+  uint tile = launch.x >> 6u;
+  uint block = lane >> 3u;
+  uvec2 inBlock = uvec2(lane & 3u, (lane >> 2u) & 1u);
+  uvec2 inTile = uvec2((block & 1u) * 4u, (block >> 1u) * 2u) + inBlock;
+  return uvec2(tile, launch.y + frame.firstRow) * tileSize + inTile;
+}
+
+// The ray through a position in the pixel, or in the block of pixels that it stands for, in [0,1)^2. Its parameter is
+// the view depth.
+void CameraRay(uvec2 pixel, vec2 position, out DoubleWord3 origin, out vec3 direction)
+{
+  vec2 ndc = 2.0 * (vec2(pixel) + position * float(frame.pixelStep)) / vec2(frame.width, frame.height) - 1.0;
+  direction = frame.forward + ndc.x * frame.right + ndc.y * frame.up;
+  origin.hi = frame.eye;
+  origin.lo = frame.eyeLow;
+  if (frame.parallel != 0u)
+  {
+    origin = Add(origin, TwoProduct(frame.eyeRight, vec3(ndc.x)));
+    origin = Add(origin, TwoProduct(frame.eyeUp, vec3(ndc.y)));
+  }
+}
+
+// What a pixel has gathered.
+struct Pixel
+{
+  vec4 colour;      // sum of colour times opacity, and of opacity
+  bool found;       // some sample hit
+  bool centreHit;
+  float depth;      // view depth of the centre's sample, or else of the nearest
+  uint record;      // its glyph set's, when a sample of this dispatch identified it; else 0xffffffff
+  uint glyph;
+};
+
+Pixel BeginPixel(uvec2 position)
+{
+  Pixel pixel;
+  pixel.colour = vec4(0.0);
+  pixel.found = false;
+  pixel.centreHit = false;
+  pixel.depth = 1e38;
+  pixel.record = 0xffffffffu;
+  pixel.glyph = 0xffffffffu;
+  if (accumulates && frame.firstSample > 0u)
+  {
+    uint at = position.y * frame.width + position.x;
+    pixel.colour = frame.sums.at[at].colour;
+    float depth = frame.sums.at[at].depth;
+    pixel.found = depth < 1e38;
+    pixel.centreHit = floatBitsToUint(depth) >> 31u != 0u;
+    pixel.depth = abs(depth);
+  }
+  return pixel;
+}
+
+// Depth and identity of a sample whose camera ray has just hit.
+void Identify(inout Pixel pixel, uint index, float viewDepth, uint record, uint glyph)
+{
+  if (index == 0u || (!pixel.centreHit && viewDepth < pixel.depth))
+  {
+    pixel.centreHit = index == 0u;
+    pixel.depth = viewDepth;
+    pixel.record = record;
+    pixel.glyph = glyph;
+  }
+  pixel.found = true;
+}
+
+// Adds what the sample's camera ray hit to the sums for denoising and scripts.
+void AddFeatures(uvec2 position, uint index, vec3 normal, vec3 albedo, float viewDepth)
+{
+  if (!gathersFeatures)
+  {
+    return;
+  }
+  uint at = position.y * frame.width + position.x;
+  frame.features.at[at].normal += normal;
+  frame.features.at[at].albedo += albedo;
+  frame.features.at[at].depth += viewDepth;
+  frame.features.at[at].hits += 1.0;
+}
+
+// Keeps and shows the pixel. `linear`: its colour is light, not a display colour.
+void EndPixel(uvec2 position, Pixel pixel, bool linear)
+{
+  if (accumulates)
+  {
+    uint at = position.y * frame.width + position.x;
+    frame.sums.at[at].colour = pixel.colour;
+    frame.sums.at[at].depth = pixel.centreHit ? -pixel.depth : pixel.depth;
+  }
+
+  uint packedColour = 0u;
+  if (pixel.colour.a > 0.0)
+  {
+    float samples = float(frame.firstSample + frame.samples);
+    vec3 mean = pixel.colour.rgb / pixel.colour.a;
+    packedColour = packUnorm4x8(vec4(develops ? Develop(mean, linear) : mean, pixel.colour.a / samples));
+  }
+  float windowDepth = 1.0;
+  uint setId = 0xffffffffu;
+  if (pixel.found)
+  {
+    windowDepth = frame.depthA + (frame.parallel != 0u ? frame.depthB * pixel.depth : frame.depthB / pixel.depth);
+  }
+  if (pixel.record != 0xffffffffu)
+  {
+    setId = SetRecord(pixel.record).setId;
+  }
+  // Earlier samples may have said already what is there.
+  bool fresh = !accumulates || frame.firstSample == 0u || pixel.record != 0xffffffffu;
+  uvec2 end = min(position + uvec2(frame.pixelStep), uvec2(frame.width, frame.height));
+  for (uint y = position.y; y < end.y; ++y)
+  {
+    for (uint x = position.x; x < end.x; ++x)
+    {
+      uint at = y * frame.width + x;
+      frame.colour.at[at] = packedColour;
+      if (fresh)
+      {
+        frame.depth.at[at] = windowDepth;
+        frame.setIds.at[at] = setId;
+        frame.glyphIds.at[at] = pixel.glyph;
+      }
+    }
+  }
+}

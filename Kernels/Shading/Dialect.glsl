@@ -1,0 +1,9 @@
+// The common subset of GLSL and C++ that Sobol.glsl and Principled.glsl are written in. C++ gets the same
+// names from Shading.h.
+#ifndef RTG_SHADING_DIALECT
+#define RTG_SHADING_DIALECT
+
+#define RTG_SHADING_FN
+#define RTG_SHADING_OUT(type) out type
+
+#endif

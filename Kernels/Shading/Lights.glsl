@@ -1,0 +1,36 @@
+// One of the view's lights, with vtkLight's meaning, as it arrives at a position relative to the scene's origin.
+#ifndef RTG_LIGHTS
+#define RTG_LIGHTS
+
+struct Incidence
+{
+  vec3 direction;     // the way the light travels, unit
+  float distance;     // from where it comes; far for lights at infinity
+  float attenuation;  // zero: it does not arrive
+};
+
+Incidence ArriveAt(LightRecord light, vec3 position)
+{
+  Incidence at;
+  at.distance = 1e38;
+  at.attenuation = 1.0;
+  // A headlight shines along the view axis, in perspective too.
+  at.direction = light.kind == 0u ? -frame.viewAxis : light.direction;
+  if (light.kind == 2u)
+  {
+    vec3 way = position - light.position;
+    at.distance = length(way);
+    at.direction = way / at.distance;
+    vec3 a = light.attenuation;
+    at.attenuation = 1.0 / (a.x + at.distance * (a.y + at.distance * a.z));
+    float cosCone = light.cosCone;
+    if (cosCone > -1.5)
+    {
+      float coneDot = dot(at.direction, light.direction);
+      at.attenuation *= coneDot >= cosCone ? pow(coneDot, light.exponent) : 0.0;
+    }
+  }
+  return at;
+}
+
+#endif

@@ -1,0 +1,39 @@
+// Sobol.glsl and Principled.glsl as C++, from the same text that the GPU runs; for tests.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cmath>
+
+namespace rtg::shading
+{
+
+using glm::bitCount;
+using glm::bitfieldReverse;
+using glm::dot;
+using glm::max;
+using glm::min;
+using glm::normalize;
+using glm::reflect;
+using glm::uvec2;
+using glm::vec2;
+using glm::vec3;
+using std::abs;
+using std::cos;
+using std::floor;
+using std::sin;
+using std::sqrt;
+using uint = glm::uint;
+
+#define RTG_SHADING_HOST
+#define RTG_SHADING_FN inline
+#define RTG_SHADING_OUT(type) type&
+
+#include "Principled.glsl"
+#include "Sobol.glsl"
+
+#undef RTG_SHADING_HOST
+#undef RTG_SHADING_FN
+#undef RTG_SHADING_OUT
+
+} // namespace rtg::shading
