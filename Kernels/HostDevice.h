@@ -83,11 +83,14 @@ struct GlyphSetRecord
   vec3 coatColour;
 };
 
-// What intersection programs must know of the ray in flight but cannot read from its payload.
+// What is known of the ray in flight beside its payload, which intersection programs cannot read.
 struct RayRecord
 {
   vec3 originLow; // the low part of its origin
   uint glyph;     // the nearest glyph so far, when it belongs to a set with a tree
+  // Distance of the hit from the exact surface, besides the rounding of t. Written by the closest-hit program when rays
+  // will start there; not in the payload, whose every word costs time.
+  float uncertainty;
 };
 
 struct LightRecord

@@ -24,7 +24,6 @@ struct SurfaceHit
   vec4 colour;
   uint record;        // index of its GlyphSetRecord
   uint glyph;         // index in the set's sorted order
-  float uncertainty;  // distance from the exact surface, besides the rounding of t; unknown with local shading
 };
 
 uint LaunchIndex()

@@ -22,7 +22,7 @@ void main()
   // The shapes promise 1e-6 sizes (Shapes/README.md).
   if (leavesSurface)
   {
-    hit.uncertainty = 2e-6 * max(found.size.x, max(found.size.y, found.size.z));
+    frame.rays.at[LaunchIndex()].uncertainty = 2e-6 * max(found.size.x, max(found.size.y, found.size.z));
   }
   hit.record = record;
   hit.glyph = set.firstGlyph + glyph;

@@ -66,7 +66,7 @@ bool MeetsAny(DoubleWord3 origin, vec3 direction, float tMax, uint cullMask)
 // How far the found t may be from the exact surface: Shapes/README.md's 8 ulp, doubled.
 float HitUncertainty(vec3 direction)
 {
-  return hit.uncertainty / length(direction) + 2e-6 * tracedT;
+  return frame.rays.at[LaunchIndex()].uncertainty / length(direction) + 2e-6 * tracedT;
 }
 
 // Where rays from the last hit start: off the surface on the side of `normal`, so far that rounding

@@ -5,6 +5,7 @@
 // image with local shading, depth and ids through the Vulkan pipeline, on all cores, divided by processor time.
 // Both walk the image in tiles of 8 x 8 pixels.
 #include "Camera.h"
+#include "Files.h"
 #include "Scene.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
@@ -16,9 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
-#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -26,72 +25,7 @@
 namespace
 {
 
-struct Spheres
-{
-  std::vector<glm::vec3> centres;
-  float radius = 0.0f;
-};
-
-// Big-endian floats from the stream, as legacy VTK files hold them.
-std::vector<float> ReadFloats(std::istream& in, std::size_t count)
-{
-  std::vector<std::uint32_t> raw(count);
-  in.read(reinterpret_cast<char*>(raw.data()), static_cast<std::streamsize>(4 * count));
-  std::vector<float> values(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const std::uint32_t swapped = __builtin_bswap32(raw[i]);
-    std::memcpy(&values[i], &swapped, 4);
-  }
-  return values;
-}
-
-// The points and the first value of the array `radius` of a file by Data/spheres_280k.py.
-Spheres ReadSpheres(const char* path)
-{
-  Spheres spheres;
-  std::ifstream in(path, std::ios::binary);
-  std::string word;
-  while (in >> word && word != "POINTS")
-  {
-  }
-  std::size_t count = 0;
-  in >> count >> word;
-  in.get();
-  const std::vector<float> xyz = ReadFloats(in, 3 * count);
-  while (in >> word && word != "radius")
-  {
-  }
-  std::getline(in, word);
-  const std::vector<float> radii = ReadFloats(in, 1);
-  if (!in || count == 0)
-  {
-    std::fprintf(stderr, "EmbreeBenchmark: %s is no file by spheres_280k.py\n", path);
-    std::exit(1);
-  }
-  spheres.radius = radii[0];
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    spheres.centres.emplace_back(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]);
-  }
-  return spheres;
-}
-
-// The camera of spheres_280k.py: the box's near face just fills a square view of 30 degrees.
-rtg::Camera SceneCamera()
-{
-  const double tangent = std::tan(15.0 * 3.14159265358979323846 / 180.0);
-  rtg::Camera camera;
-  camera.eye = { 50.0, 50.0, 100.0 + 186.6025 };
-  camera.forward = { 0.0, 0.0, -1.0 };
-  camera.right = { tangent, 0.0, 0.0 };
-  camera.up = { 0.0, tangent, 0.0 };
-  camera.nearDepth = 180.0;
-  camera.farDepth = 300.0;
-  camera.depthA = camera.farDepth / (camera.farDepth - camera.nearDepth);
-  camera.depthB = -camera.farDepth * camera.nearDepth / (camera.farDepth - camera.nearDepth);
-  return camera;
-}
+using benchmark::Spheres;
 
 // Processor seconds of this process, all threads.
 double CpuSeconds()
@@ -130,7 +64,8 @@ void SphereIntersect(const RTCIntersectFunctionNArguments* arguments)
   auto& hit = reinterpret_cast<RTCRayHit*>(arguments->rayhit)->hit;
 
   // Nearest point of the ray to the centre first: stable far from the sphere.
-  const glm::vec3 origin(ray.org_x, ray.org_y, ray.org_z), direction(ray.dir_x, ray.dir_y, ray.dir_z);
+  const glm::vec3 origin(ray.org_x, ray.org_y, ray.org_z),
+    direction(ray.dir_x, ray.dir_y, ray.dir_z);
   const glm::vec3 toCentre = spheres.centres[arguments->primID] - origin;
   const float directionSquared = glm::dot(direction, direction);
   const float middle = glm::dot(toCentre, direction) / directionSquared;
@@ -165,7 +100,8 @@ struct Result
   double build = 0.0; // wall seconds
 };
 
-Result TraceWithEmbree(const Spheres& spheres, const rtg::Camera& camera, int pixels, int repetitions)
+Result
+TraceWithEmbree(const Spheres& spheres, const rtg::Camera& camera, int pixels, int repetitions)
 {
   Result result;
   RTCDevice device = rtcNewDevice("threads=1");
@@ -197,7 +133,8 @@ Result TraceWithEmbree(const Spheres& spheres, const rtg::Camera& camera, int pi
           continue;
         }
         const double x = (column + 0.5) / pixels * 2.0 - 1.0, y = (row + 0.5) / pixels * 2.0 - 1.0;
-        const glm::vec3 origin(camera.eye), direction(camera.forward + x * camera.right + y * camera.up);
+        const glm::vec3 origin(camera.eye),
+          direction(camera.forward + x * camera.right + y * camera.up);
         RTCRayHit query = {};
         query.ray.org_x = origin.x;
         query.ray.org_y = origin.y;
@@ -276,10 +213,10 @@ try
     std::fprintf(stderr, "Usage: EmbreeBenchmark SPHERES.vtk [PIXELS] [REPETITIONS]\n");
     return 2;
   }
-  const Spheres spheres = ReadSpheres(argv[1]);
+  const Spheres spheres = benchmark::ReadSpheres(argv[1]);
   const int pixels = argc > 2 ? std::atoi(argv[2]) : 1200;
   const int repetitions = argc > 3 ? std::atoi(argv[3]) : 5;
-  const rtg::Camera camera = SceneCamera();
+  const rtg::Camera camera = benchmark::SpheresCamera();
 
   const Result embree = TraceWithEmbree(spheres, camera, pixels, repetitions);
   const Result ours = TraceWithOurs(spheres, camera, pixels, repetitions);
@@ -294,11 +231,13 @@ try
       (std::isfinite(embree.depth[i]) && std::abs(embree.depth[i] - ours.depth[i]) > 1e-3f);
   }
   const double rays = static_cast<double>(embree.depth.size());
-  std::printf("%zu spheres, %d x %d primary rays, %.1f%% hit, %zu pixels differ\n", spheres.centres.size(), pixels, pixels,
-    100.0 * static_cast<double>(hits) / rays, differ);
+  std::printf("%zu spheres, %d x %d primary rays, %.1f%% hit, %zu pixels differ\n",
+    spheres.centres.size(), pixels, pixels, 100.0 * static_cast<double>(hits) / rays, differ);
   std::printf("%-22s %8s %8s %8s %16s\n", "", "build s", "wall s", "CPU s", "Mray/s per core");
-  std::printf("%-22s %8.3f %8.3f %8.3f %16.2f\n", "Embree, single rays", embree.build, embree.wall, embree.cpu, 1e-6 * rays / embree.cpu);
-  std::printf("%-22s %8.3f %8.3f %8.3f %16.2f\n", "ray-traced glyphs", ours.build, ours.wall, ours.cpu, 1e-6 * rays / ours.cpu);
+  std::printf("%-22s %8.3f %8.3f %8.3f %16.2f\n", "Embree, single rays", embree.build, embree.wall,
+    embree.cpu, 1e-6 * rays / embree.cpu);
+  std::printf("%-22s %8.3f %8.3f %8.3f %16.2f\n", "ray-traced glyphs", ours.build, ours.wall,
+    ours.cpu, 1e-6 * rays / ours.cpu);
   std::printf("ours / Embree: %.2f (asked: 0.30)\n", embree.cpu / ours.cpu);
   return differ > embree.depth.size() / 1000 ? 1 : 0;
 }
