@@ -66,6 +66,7 @@ struct GlyphSetRecord
   // Material
   vec3 colour;
   float opacity;
+  uint translucent; // belongs to the translucent pass
   vec3 ambientColour;
   uint coloured; // glyphs have colours of their own, also in ambient light
   vec3 specularColour;

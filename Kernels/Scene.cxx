@@ -535,6 +535,7 @@ void Scene::State::FillRecords()
       const Material& material = set.material;
       record.colour = material.colour;
       record.opacity = material.opacity;
+      record.translucent = set.Translucent();
       record.ambientColour = material.ambientColour;
       record.coloured = set.group.coloured;
       record.specularColour = material.specularColour;

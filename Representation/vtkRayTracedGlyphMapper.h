@@ -12,6 +12,7 @@
 #define vtkRayTracedGlyphMapper_h
 
 #include "vtkGlyphBlockAttributes.h"
+#include "vtkRayTracedGlyphLight.h"
 #include "vtkGlyphInstanceBuilder.h"
 #include "vtkMapper.h"
 #include "vtkSmartPointer.h"
@@ -45,6 +46,11 @@ public:
   vtkGlyphBlockAttributes Blocks;
   void BlocksModified() { this->BlocksTime.Modified(); }
   ///@}
+
+  /**
+   * The light that the view is asked for.
+   */
+  vtkRayTracedGlyphLight Light;
 
   ///@{
   /**

@@ -24,7 +24,18 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTransform.h"
 
+#include <algorithm>
+#include <cmath>
+
 vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
+
+namespace
+{
+double InRange(double value, double least, double most, double otherwise)
+{
+  return std::isnan(value) ? otherwise : std::clamp(value, least, most);
+}
+}
 
 //----------------------------------------------------------------------------
 vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
@@ -397,10 +408,44 @@ void vtkRayTracedGlyphRepresentation::SetReplicateGlyphs(bool on)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetShadingMode(int mode)
 {
-  if (mode != 0)
-  {
-    vtkErrorMacro("ShadingMode is " << mode << "; only 0 (Local) is there.");
-  }
+  this->Mapper->Light.ShadingMode = std::clamp(mode, 0, 2);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetAmbientOcclusionRadius(double radius)
+{
+  this->Mapper->Light.AmbientOcclusionRadius = InRange(radius, 0.0, 1e30, 0.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetMaximumBounces(int bounces)
+{
+  this->Mapper->Light.MaximumBounces = std::clamp(bounces, 1, 1000);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetLightIntensity(double intensity)
+{
+  this->Mapper->Light.LightIntensity = InRange(intensity, 0.0, 1e6, 1.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetEnvironmentColor(double red, double green, double blue)
+{
+  this->Mapper->Light.EnvironmentColor = { InRange(red, 0.0, 1.0, 1.0),
+    InRange(green, 0.0, 1.0, 1.0), InRange(blue, 0.0, 1.0, 1.0) };
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetToneMapping(int kind)
+{
+  this->Mapper->Light.ToneMapping = std::clamp(kind, 0, 1);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetExposure(double stops)
+{
+  this->Mapper->Light.Exposure = InRange(stops, -100.0, 100.0, 0.0);
 }
 
 //----------------------------------------------------------------------------

@@ -88,9 +88,15 @@ public:
 
   ///@{
   /**
-   * Forwarded to the mapper.
+   * Forwarded to the mapper. Values out of range become the nearest in it, NaN the default.
    */
   void SetShadingMode(int mode);
+  void SetAmbientOcclusionRadius(double radius);
+  void SetMaximumBounces(int bounces);
+  void SetLightIntensity(double intensity);
+  void SetEnvironmentColor(double red, double green, double blue);
+  void SetToneMapping(int kind);
+  void SetExposure(double stops);
   void SetSamplesPerPixel(int samples);
   void SetSamplesPerRender(int samples);
   void SetInteractiveReduction(int step);

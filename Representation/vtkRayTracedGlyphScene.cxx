@@ -33,6 +33,20 @@ vtkRayTracedGlyphMapper* GlyphMapperOf(vtkProp* prop)
   return actor ? vtkRayTracedGlyphMapper::SafeDownCast(actor->GetMapper()) : nullptr;
 }
 
+rtg::TraceSettings SettingsOf(const vtkRayTracedGlyphLight& light)
+{
+  rtg::TraceSettings settings;
+  settings.shading = static_cast<rtg::Shading>(light.ShadingMode);
+  settings.occlusionRadius = static_cast<float>(light.AmbientOcclusionRadius);
+  settings.maximumBounces = static_cast<std::uint32_t>(light.MaximumBounces);
+  settings.lightIntensity = static_cast<float>(light.LightIntensity);
+  settings.environmentColour = glm::vec3(static_cast<float>(light.EnvironmentColor[0]),
+    static_cast<float>(light.EnvironmentColor[1]), static_cast<float>(light.EnvironmentColor[2]));
+  settings.toneMapping = static_cast<rtg::ToneMapping>(light.ToneMapping);
+  settings.exposure = static_cast<float>(light.Exposure);
+  return settings;
+}
+
 std::map<vtkRenderer*, vtkWeakPointer<vtkRayTracedGlyphScene>>& Registry()
 {
   static std::map<vtkRenderer*, vtkWeakPointer<vtkRayTracedGlyphScene>> registry;
@@ -184,6 +198,8 @@ void vtkRayTracedGlyphScene::Synchronise()
   self.SamplesPerPixel = 1;
   self.SamplesPerRender = 0;
   self.InteractiveReduction = 1;
+  self.Light = vtkRayTracedGlyphLight();
+  bool lit = false;
   for (const auto& item : actors)
   {
     vtkRayTracedGlyphMapper* mapper = item.second;
@@ -199,6 +215,11 @@ void vtkRayTracedGlyphScene::Synchronise()
     largest(self.SamplesPerPixel, mapper->GetSamplesPerPixel());
     largest(self.SamplesPerRender, mapper->GetSamplesPerRender());
     largest(self.InteractiveReduction, mapper->GetInteractiveReduction());
+    if (!lit || mapper->Light.ShadingMode > self.Light.ShadingMode)
+    {
+      self.Light = mapper->Light;
+      lit = true;
+    }
   }
   self.Version = version;
   const bool again = self.TryNewDevice || self.FailedVersion != version;
@@ -322,18 +343,34 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
     key.Width = static_cast<std::uint32_t>(viewport[2]);
     key.Height = static_cast<std::uint32_t>(viewport[3]);
     key.Content = self.Content;
+    key.Light = self.Light;
+    // A headlight that is alone makes up for the lack of light; path tracing's surroundings need no such help.
+    const bool pathTraced = self.Light.ShadingMode == static_cast<int>(rtg::Shading::PathTracing);
+    if (pathTraced && self.Light.LightIntensity > 0.0 && key.Lights.size() == 1 &&
+      key.Lights.front().kind == rtg::Light::Kind::Headlight)
+    {
+      key.Lights.clear();
+    }
 
     // How good an image this frame wants
+    // Identities and depths do not depend on the light.
+    if (forIds)
+    {
+      key.Light = image.Valid ? image.Key.Light : vtkRayTracedGlyphLight();
+    }
     const bool same = image.Valid && image.Key == key;
     const bool interactive =
       this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() >= interactiveRate;
     // ParaView captures without showing, and only once
     const bool capturing = this->Renderer->GetRenderWindow()->GetSwapBuffers() == 0;
-    rtg::TraceSettings settings;
+    rtg::TraceSettings settings = SettingsOf(self.Light);
     settings.width = key.Width;
     settings.height = key.Height;
     if (forIds)
     {
+      settings = SettingsOf(key.Light = vtkRayTracedGlyphLight());
+      settings.width = key.Width;
+      settings.height = key.Height;
       settings.samples = 1;
     }
     else if (interactive && !capturing)
@@ -359,11 +396,22 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
       return true;
     }
 
+    // An image that grows step by step keeps its sums, and new samples are added to them.
+    settings.plannedSamples = self.SamplesPerPixel;
+    settings.keepSums =
+      settings.pixelStep == 1 && !forIds && settings.samples < self.SamplesPerPixel;
+    if (same && image.Kept && image.PixelStep == 1 && settings.pixelStep == 1 && !forIds &&
+      image.Image.samples < settings.samples)
+    {
+      settings.firstSample = image.Image.samples;
+      settings.samples -= settings.firstSample;
+    }
+
     if (!image.Tracer)
     {
       image.Tracer = std::make_unique<rtg::Tracer>(self.Device);
     }
-    image.Valid = image.Sent = false;
+    image.Valid = image.Kept = image.Sent = false;
     // Only now: what is hidden and shown again before the next image costs nothing.
     for (auto& item : self.Members)
     {
@@ -379,6 +427,7 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
     image.Key = std::move(key);
     image.PixelStep = settings.pixelStep;
     image.Valid = true;
+    image.Kept = settings.keepSums;
     self.Samples = image.Image.samples;
     self.Reported.clear();
     self.LostDevice = false;

@@ -10,6 +10,7 @@
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
+#include "vtkRayTracedGlyphLight.h"
 #include "vtkRayTracedGlyphView.h"
 #include "vtkRayTracedImageQuad.h"
 
@@ -34,12 +35,13 @@ struct ImageKey
   glm::dvec3 Position{ 0.0 };
   std::vector<rtg::Light> Lights;
   std::uint32_t Width = 0, Height = 0;
+  vtkRayTracedGlyphLight Light;
   vtkRayTracedGlyphSceneDetail::Content Content;
 
   bool operator==(const ImageKey& other) const
   {
     return this->WorldToClip == other.WorldToClip && this->Position == other.Position &&
-      this->Width == other.Width && this->Height == other.Height &&
+      this->Width == other.Width && this->Height == other.Height && this->Light == other.Light &&
       this->Content == other.Content && vtkRayTracedGlyphView::Same(this->Lights, other.Lights);
   }
 };
@@ -52,6 +54,7 @@ struct PassImage
   ImageKey Key;
   std::uint32_t PixelStep = 1;
   bool Valid = false; // Image has the pixels of Key
+  bool Kept = false;  // and Tracer what more samples are added to
   bool Sent = false;  // Quad has them, too
   vtkRayTracedImageQuad Quad;
 };
@@ -83,7 +86,8 @@ struct vtkRayTracedGlyphScene::Internals
   bool Synchronised = false;
   bool OpaqueDrawn = false;
   vtkRayTracedGlyphMapper* TranslucentLeader = nullptr;
-  std::uint32_t Samples = 0; // of the last image
+  std::uint32_t Samples = 0;    // of the last image
+  vtkRayTracedGlyphLight Light; // of the view
   std::uint32_t SamplesPerPixel = 1, SamplesPerRender = 0, InteractiveReduction = 1;
 
   // After a failure nothing is tried until what is to be shown changes
@@ -98,7 +102,7 @@ struct vtkRayTracedGlyphScene::Internals
   {
     for (auto& image : this->Images)
     {
-      image.Valid = image.Sent = false;
+      image.Valid = image.Kept = image.Sent = false;
       image.Tracer.reset();
     }
     this->Scene.reset();

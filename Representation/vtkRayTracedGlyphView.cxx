@@ -123,6 +123,12 @@ rtg::Material vtkRayTracedGlyphView::MaterialOf(vtkProperty* property, vtkRender
   material.specular = static_cast<float>(property->GetSpecular());
   material.specularPower = static_cast<float>(property->GetSpecularPower());
   material.opacity = static_cast<float>(property->GetOpacity());
+  material.metallic = static_cast<float>(property->GetMetallic());
+  material.roughness = static_cast<float>(property->GetRoughness());
+  material.coatStrength = static_cast<float>(property->GetCoatStrength());
+  material.coatRoughness = static_cast<float>(property->GetCoatRoughness());
+  material.coatIor = static_cast<float>(property->GetCoatIOR());
+  material.coatColour = ToVector<glm::vec3>(property->GetCoatColor());
   material.lighting = property->GetLighting() &&
     (renderer->GetAutomaticLightCreation() || !LightsOn(renderer).empty());
   return material;
@@ -134,7 +140,8 @@ bool vtkRayTracedGlyphView::Same(const rtg::Material& a, const rtg::Material& b)
   const auto all = [](const rtg::Material& m)
   {
     return std::tie(m.colour, m.ambientColour, m.specularColour, m.ambient, m.diffuse, m.specular,
-      m.specularPower, m.opacity, m.lighting);
+      m.specularPower, m.opacity, m.lighting, m.metallic, m.roughness, m.coatStrength,
+      m.coatRoughness, m.coatIor, m.coatColour);
   };
   return all(a) == all(b);
 }

@@ -3,7 +3,7 @@
 // LightBenchmark cost SCENE [PIXELS] [REPETITIONS]
 //   Seconds of an image with local shading, with one ray of ambient occlusion, and path-traced with 1, 2, ... bounces.
 // LightBenchmark error SCENE OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]
-//   Mean squared error against a reference of independent samples, by shading, sampler, samples and seconds.
+//   Of the middle PIXELS x PIXELS of an image of 1200 x 1200: mean squared error against a reference of independent samples, by shading, sampler, samples and seconds.
 // SCENE: a file by Data/spheres_280k.py, or one of Data/impact, whose velocities become arrows.
 #include "Files.h"
 #include "Scene.h"
@@ -222,6 +222,9 @@ void MeasureError(Subject& subject, const std::string& output, int pixels,
   {
     throw std::runtime_error("cannot write " + output);
   }
+  // The middle of an image of 1200 x 1200: what a pixel sees there decides how hard it is.
+  subject.camera.right *= pixels / 1200.0;
+  subject.camera.up *= pixels / 1200.0;
   std::fprintf(csv, "shading,sampler,samples,cpu_seconds,mse,reference_mse,blurred_mse\n");
   const std::pair<const char*, Shading> shadings[] = { { "occlusion", Shading::AmbientOcclusion },
     { "path", Shading::PathTracing } };
