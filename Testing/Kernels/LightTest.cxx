@@ -474,6 +474,15 @@ TEST_F(LightTest, TranslucentThingsAreHitByChance)
     EXPECT_NEAR(mean.r / mean.a, 1.0, certain * 0.6 / std::sqrt(1024 * 0.75));
   }
 
+  // In the translucent pass what is opaque hides what is behind it, here the second face.
+  const auto wall = this->Add(Shape::Box, { { 0, 0, 0 } }, { { 100.0f, 100.0f, 0.05f } }, White());
+  this->Trace(rtg::Pass::Translucent);
+  for (const glm::vec4& mean : this->tracer.Means())
+  {
+    EXPECT_NEAR(mean.a, 0.5, certain * std::sqrt(0.5 * 0.5 / 1024));
+  }
+  this->scene.Remove(wall);
+
   // A translucent roof above an opaque floor lets a quarter of the light through, at every angle.
   this->scene.Remove(0);
   this->Add(Shape::Box, { { 0, -1.0f, 0 } }, { { 1000.0f, 0.1f, 1000.0f } }, Flat());
