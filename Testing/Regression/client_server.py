@@ -20,10 +20,9 @@ REMOTE, CLIENT = 0.0, 20.0
 
 
 def scene(folder):
-    """Particles moved between the ranks as arrows and spheres, on an opaque surface; (view, both representations)."""
+    """Particles strewn over the ranks as arrows and spheres, on an opaque surface; (view, both representations)."""
     view = session.view(300, 200)
-    reader = pv.OpenDataFile(folder + "/impact/impact.vtk.series")
-    spread = pv.RedistributeDataSet(Input=reader)
+    spread = session.strewn(folder + "/impact/impact_04.vtk")
     spheres = session.glyphs(spread, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
                              GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
     session.solid(spheres, (0.9, 0.7, 0.3))
@@ -36,7 +35,6 @@ def scene(folder):
     ball = pv.Show(pv.Sphere(Center=[14.0, 14.0, 4.0], Radius=8.0, ThetaResolution=64, PhiResolution=64), view)
     ball.SetRepresentationType("Surface")
     session.solid(ball, (0.2, 0.5, 0.3))
-    view.ViewTime = 0.8
     session.look(view, (11.0, -32.0, 26.0), (14.0, 14.0, 8.0), (0.0, 0.0, 1.0))
     return view, spheres, arrows
 

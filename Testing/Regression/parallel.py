@@ -45,9 +45,8 @@ def vectors(view):
 
 
 def unstructured(view, folder):
-    """The particles of the simulation, moved between the ranks, and an opaque surface of their own in between."""
-    reader = pv.OpenDataFile(folder + "/impact/impact.vtk.series")
-    spread = pv.RedistributeDataSet(Input=reader)
+    """The particles of the simulation, strewn over the ranks, and an opaque surface of their own in between."""
+    spread = session.strewn(folder + "/impact/impact_04.vtk")
     shown = session.glyphs(spread, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
                            GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
     session.solid(shown, (0.9, 0.7, 0.3))
@@ -55,7 +54,6 @@ def unstructured(view, folder):
     surface = pv.Show(ball, view)
     surface.SetRepresentationType("Surface")
     session.solid(surface, (0.2, 0.5, 0.3))
-    view.ViewTime = 0.8
     session.look(view, (11.0, -32.0, 26.0), (14.0, 14.0, 4.0), (0.0, 0.0, 1.0))
     return shown
 

@@ -18,6 +18,36 @@ REPRESENTATION = "Ray Traced Glyphs"
 #: No shaded glyph has this colour, so what differs from it is covered by glyphs.
 BACKGROUND = (255, 0, 255)
 
+#: Script of a source of which each rank keeps every n-th point. RedistributeDataSet would do, but Debian 12's ParaView
+#: sends data sets between ranks as XML with raw data, which its libexpat rejects since a security update.
+STREWN = """
+from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+controller = vtkMultiProcessController.GetGlobalController()
+reader = vtkGenericDataObjectReader()
+reader.SetFileName(%r)
+reader.ReadAllScalarsOn()
+reader.ReadAllVectorsOn()
+reader.Update()
+whole = reader.GetOutput()
+part = self.GetOutput()
+points, cells, values = vtkPoints(), vtkCellArray(), part.GetPointData()
+values.CopyAllocate(whole.GetPointData())
+for i in range(controller.GetLocalProcessId(), whole.GetNumberOfPoints(), controller.GetNumberOfProcesses()):
+    at = points.InsertNextPoint(whole.GetPoint(i))
+    cells.InsertNextCell(1, [at])
+    values.CopyData(whole.GetPointData(), i, at)
+part.SetPoints(points)
+part.SetVerts(cells)
+"""
+
+
+def strewn(path):
+    """A source: the points of a legacy VTK file as vertices, each rank having its share of them."""
+    return pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=STREWN % path)
+
 
 def load():
     """Loads the plugin; every test calls it first."""
