@@ -341,6 +341,39 @@ TEST_F(LightTest, OcclusionOfParallelPlanes)
   EXPECT_EQ(this->PixelMean(0, 0), glm::vec4(0.5f, 0.25f, 0.0f, 1.0f));
 }
 
+// Where occluders are large in view, scrambled nets err less than independent samples, each pixel on its own.
+TEST_F(LightTest, NetsErrLessThanIndependentSamples)
+{
+  this->Add(Shape::Box, { { 0, -0.05f, 0 } }, { { 10.0f, 0.1f, 10.0f } }, Flat());
+  this->Add(Shape::Cylinder, { { 0, 0.55f, 0 } }, { { 1.0f, 0.1f, 1.0f } }, Flat());
+  this->settings.shading = Shading::AmbientOcclusion;
+  this->settings.samples = 256;
+  this->camera = rtg::Camera::FromWorldToClip(glm::ortho(-1e-4, 1e-4, -1e-4, 1e-4, 0.01, 20.0) *
+    glm::lookAt(glm::dvec3(0, 0.3, 3), glm::dvec3(0, 0, 0), glm::dvec3(0, 1, 0)));
+  const auto meanSquare = [this](Sampler sampler)
+  {
+    this->settings.sampler = sampler;
+    this->Trace();
+    double sum = 0.0;
+    const std::vector<glm::vec4> means = this->tracer.Means();
+    for (const glm::vec4& mean : means)
+    {
+      sum += (mean.r - 0.5) * (mean.r - 0.5) / static_cast<double>(means.size());
+    }
+    return sum;
+  };
+  const double random = meanSquare(Sampler::Random);
+  // p (1 - p) / n; the mean square of 576 pixels varies by sqrt(2 / 576) of itself.
+  EXPECT_NEAR(random, 0.25 / 256, certain * std::sqrt(2.0 / 576) * 0.25 / 256);
+  for (Sampler sampler : { Sampler::Stratified, Sampler::Sobol, Sampler::BlueNoise })
+  {
+    const double error = meanSquare(sampler);
+    EXPECT_LT(error, 0.5 * random) << static_cast<int>(sampler);
+    std::printf("sampler %d errs %.1f times less than independent samples\n",
+      static_cast<int>(sampler), random / error);
+  }
+}
+
 // Convex things alone hide nothing from themselves, wherever they lie and however they are seen.
 TEST_F(LightTest, NothingShadowsItself)
 {

@@ -198,11 +198,11 @@ TEST(Principled, DiffuseAlbedoIsTheIntegral)
 {
   for (float roughness : { 0.0f, 0.3f, 1.0f })
   {
-    for (float z : { 0.01f, 0.4f, 1.0f })
+    for (float z : { 0.01f, 0.2f, 0.5f, 1.0f })
     {
       const vec3 from(std::sqrt(1.0f - z * z), 0.0f, z);
       double sum = 0.0;
-      const int rings = 400, sectors = 64;
+      const int rings = 8000, sectors = 32;
       for (int i = 0; i < rings; ++i)
       {
         // Cosine-distributed: equal areas of the unit disc.
@@ -216,7 +216,7 @@ TEST(Principled, DiffuseAlbedoIsTheIntegral)
             roughness);
         }
       }
-      EXPECT_NEAR(sum / (rings * sectors), DiffuseAlbedo(z, roughness), 1e-3)
+      EXPECT_NEAR(sum / (rings * sectors), DiffuseAlbedo(z, roughness), 2e-5)
         << roughness << ' ' << z;
     }
   }
