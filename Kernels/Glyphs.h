@@ -1,9 +1,12 @@
 // What a scene is made of, as plain host data: no Vulkan type and no VTK type in here.
 #pragma once
 
+#include "TriangleMesh.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,7 +31,8 @@ enum class Shape : std::uint32_t
   Cone = 3,     ///< along +x, height 1, base radius 0.5, centred (base at x = -0.5, apex at 0.5)
   Arrow = 4,    ///< along +x from 0 to 1, see ArrowForm
   /// |2x|^r + |2y|^s + |2z|^t = 1, half-lengths 0.5, centred; r, s, t are GlyphInstances' exponents
-  Superquadric = 5
+  Superquadric = 5,
+  Mesh = 7 ///< the triangles of GlyphInstances::mesh, in their own frame and size
 };
 
 /// Whether a shape has GlyphInstances' exponents.
@@ -58,6 +62,10 @@ struct GlyphInstances
 {
   Shape shape = Shape::Sphere;
   ArrowForm arrow;
+  /// Shape::Mesh only: what every glyph is a copy of, scaled by its size, turned, and moved to its centre.
+  std::shared_ptr<const TriangleMesh> mesh;
+  /// Shape::Mesh only: images name the triangle, not the glyph; for surfaces, which are a single glyph.
+  bool identifyTriangles = false;
 
   /// World position that `centres` are relative to; chosen near the data, subtracted in double.
   glm::dvec3 origin{ 0.0 };

@@ -75,6 +75,13 @@ struct GlyphSetRecord
   float diffuse;
   float specularPower;
   uint lighting;
+  // Of mesh glyphs
+  RTG_ADDRESS(Vec3Array) meshPositions;
+  RTG_ADDRESS(UintArray) meshTriangles; // three a triangle
+  RTG_ADDRESS(Vec3Array) meshNormals;   // none unless specialised
+  RTG_ADDRESS(UintArray) meshColours;   // by position or by triangle, or none (specialised)
+  uint firstInstance;                   // gl_InstanceID of the set's first glyph
+  uint identifiesTriangles;
   // Material, path tracing only
   float metallic;
   float roughness;

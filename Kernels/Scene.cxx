@@ -15,7 +15,6 @@ namespace rtg
 namespace
 {
 
-using Usage = vk::BufferUsageFlagBits;
 using HostShapes = shapes::Kernel<double>;
 
 // Share of light that a surface of that refractive index reflects straight back (Fresnel).
@@ -38,14 +37,6 @@ void Reorder(std::vector<T>& values, const std::vector<std::uint32_t>& order)
     sorted[i] = values[order[i]];
   }
   values = std::move(sorted);
-}
-
-template <class T>
-Buffer Send(Device::State& device, const std::vector<T>& values)
-{
-  Buffer buffer(device, values.size() * sizeof(T), Usage::eStorageBuffer, Buffer::Place::Device);
-  buffer.Upload(values.data(), values.size() * sizeof(T));
-  return buffer;
 }
 
 HostShapes::Glyph DoubleGlyph(const GlyphInstances& instances, std::size_t i)
@@ -83,6 +74,10 @@ float RoundUp(double value)
 // Boxes of the glyphs, without padding.
 std::vector<Box> TightBoxes(const GlyphInstances& instances)
 {
+  if (instances.shape == Shape::Mesh)
+  {
+    return MeshBoxes(instances);
+  }
   std::vector<Box> boxes(instances.Count());
   for (std::size_t i = 0; i < boxes.size(); ++i)
   {
@@ -174,7 +169,22 @@ void Scene::Remove(SetId id)
 void Scene::SetInstances(SetId id, GlyphInstances instances)
 {
   GlyphSet& set = this->state_->sets.at(id);
+  if (instances.shape == Shape::Mesh)
+  {
+    CheckMesh(instances.mesh.get());
+    constexpr std::size_t most = (1u << 24) - 1;
+    if (instances.Count() > most)
+    {
+      throw Error("Ray Traced Glyphs: " + std::to_string(instances.Count()) +
+        " mesh glyphs; the most is " + std::to_string(most) + ". Show fewer with GlyphMask.");
+    }
+  }
   set.count = instances.Count();
+  const auto seeThrough = [](std::uint32_t colour) { return (colour >> 24) != 255; };
+  const TriangleMesh* mesh = instances.shape == Shape::Mesh ? instances.mesh.get() : nullptr;
+  set.translucentMesh = mesh &&
+    (std::any_of(mesh->positionColours.begin(), mesh->positionColours.end(), seeThrough) ||
+      std::any_of(mesh->triangleColours.begin(), mesh->triangleColours.end(), seeThrough));
   set.instances = std::move(instances);
   set.instancesChanged = true;
   // Colours are by glyph: those of the old glyphs mean nothing now.
@@ -218,7 +228,8 @@ std::size_t Scene::GlyphCount(SetId id) const
 
 std::uint32_t Scene::OriginalGlyph(SetId set, std::uint32_t sorted) const
 {
-  const auto& order = this->state_->sets.at(set).order;
+  const GlyphSet& glyphs = this->state_->sets.at(set);
+  const auto& order = glyphs.instances.identifyTriangles ? glyphs.mesh.order : glyphs.order;
   return order.empty() ? sorted : order.at(sorted);
 }
 
@@ -338,6 +349,15 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
     this->statistics.sortSeconds += watch.Lap();
   }
 
+  if (instances.shape == Shape::Mesh)
+  {
+    this->SendMesh(set, reach);
+    return;
+  }
+  set.mesh = PlacedMesh();
+  set.group.smoothNormals = false;
+  set.group.meshColours = 0;
+
   set.centres = Send(vulkan, instances.centres);
   set.sizes =
     instances.sizes3.empty() ? Send(vulkan, instances.sizes1) : Send(vulkan, instances.sizes3);
@@ -379,7 +399,7 @@ void Scene::State::Sort(GlyphSet& set)
   GlyphInstances& instances = set.instances;
   set.order.clear();
   set.kdAxes.clear();
-  if (this->structure == Structure::Tree)
+  if (this->structure == Structure::Tree && instances.shape != Shape::Mesh)
   {
     set.treeLeafBits = GlyphTree::LeafBits(set.count, glyphsPerLeaf);
     KdOrder kd = MakeKdOrder(set.boxes, set.treeLeafBits);
@@ -483,6 +503,11 @@ void Scene::State::BuildTopLevel()
       instance.mask = set.Translucent() ? device::TRANSLUCENT_MASK : device::OPAQUE_MASK;
       instance.instanceShaderBindingTableRecordOffset =
         static_cast<std::uint32_t>(group - this->groups.begin());
+      if (set.group.shape == Shape::Mesh)
+      {
+        this->PlaceMesh(set, instance, instances);
+        continue;
+      }
       instance.accelerationStructureReference = run.structure.Address();
       instances.push_back(instance);
     }
@@ -530,6 +555,12 @@ void Scene::State::FillRecords()
       record.treeLevels = set.treeLevels;
       record.treeLeafBits = set.treeLeafBits;
       record.glyphCount = run.count;
+      record.meshPositions = set.mesh.positions.Size() ? set.mesh.positions.Address() : 0;
+      record.meshTriangles = set.mesh.triangles.Size() ? set.mesh.triangles.Address() : 0;
+      record.meshNormals = set.mesh.normals.Size() ? set.mesh.normals.Address() : 0;
+      record.meshColours = set.mesh.colours.Size() ? set.mesh.colours.Address() : 0;
+      record.firstInstance = set.firstInstance;
+      record.identifiesTriangles = set.instances.identifyTriangles;
       record.setId = id;
       record.firstGlyph = run.first;
       const Material& material = set.material;
@@ -537,7 +568,7 @@ void Scene::State::FillRecords()
       record.opacity = material.opacity;
       record.translucent = set.Translucent();
       record.ambientColour = material.ambientColour;
-      record.coloured = set.group.coloured;
+      record.coloured = set.group.coloured || set.group.meshColours != 0;
       record.specularColour = material.specularColour;
       record.specular = material.specular;
       record.ambient = material.ambient;

@@ -39,6 +39,15 @@ enum class Structure
   Tree ///< our GlyphTree, of which the driver sees only the whole as one primitive; on CPU devices
 };
 
+/// A mesh on the device.
+struct PlacedMesh
+{
+  std::shared_ptr<const TriangleMesh> source;
+  std::vector<std::uint32_t> order; ///< place on the device -> triangle of the source; empty: the same
+  Buffer positions, triangles, normals, colours;
+  AccelerationStructure structure;
+};
+
 /// One glyph set: what was asked for, and what of it is on the device.
 struct GlyphSet
 {
@@ -47,6 +56,7 @@ struct GlyphSet
   Material material;
   bool visible = true;
   bool translucentColours = false;
+  bool translucentMesh = false;
   bool instancesChanged = false;
   bool coloursChanged = false;
 
@@ -64,8 +74,13 @@ struct GlyphSet
   std::uint32_t treeLeafBits = 0;
   std::vector<std::uint8_t> kdAxes; ///< see KdOrder
   std::vector<GlyphRun> runs;
+  PlacedMesh mesh;                  ///< Shape::Mesh only
+  std::uint32_t firstInstance = 0;  ///< in the top level; Shape::Mesh only
 
-  bool Translucent() const { return this->material.opacity < 1.0f || this->translucentColours; }
+  bool Translucent() const
+  {
+    return this->material.opacity < 1.0f || this->translucentColours || this->translucentMesh;
+  }
 };
 
 struct Scene::State
@@ -92,6 +107,10 @@ struct Scene::State
   std::uint64_t version = 0; ///< grows with every change that changes the image
 
   void SendInstances(GlyphSet& set, float reach);
+  void SendMesh(GlyphSet& set, float reach);
+  /// Adds one instance a glyph; `like` moves a set's frame to the scene's.
+  void PlaceMesh(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
+    std::vector<vk::AccelerationStructureInstanceKHR>& instances) const;
   void Sort(GlyphSet& set);
   void BuildBoxes(GlyphSet& set, const std::vector<Box>& boxes);
   void BuildTree(GlyphSet& set, const std::vector<Box>& boxes);
@@ -99,5 +118,20 @@ struct Scene::State
   void BuildTopLevel();
   void FillRecords();
 };
+
+/// Throws rtg::Error when it is missing, has no triangle, or arrays that do not fit together.
+void CheckMesh(const TriangleMesh* mesh);
+/// Boxes of mesh glyphs relative to instances.origin, without padding.
+std::vector<Box> MeshBoxes(const GlyphInstances& instances);
+
+/// A buffer on the device with these values; `more` is usage besides that of a storage buffer.
+template <class T>
+Buffer Send(Device::State& device, const std::vector<T>& values, vk::BufferUsageFlags more = {})
+{
+  Buffer buffer(device, values.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more,
+    Buffer::Place::Device);
+  buffer.Upload(values.data(), values.size() * sizeof(T));
+  return buffer;
+}
 
 } // namespace rtg

@@ -50,6 +50,19 @@ AccelerationStructure AccelerationStructure::OverBoxes(
     static_cast<std::uint32_t>(boxes.size()));
 }
 
+AccelerationStructure AccelerationStructure::OverTriangles(Device::State& device,
+  const Buffer& positions, std::uint32_t positionCount, const Buffer& indices,
+  std::uint32_t triangleCount)
+{
+  const vk::AccelerationStructureGeometryTrianglesDataKHR data(vk::Format::eR32G32B32Sfloat,
+    positions.Address(), 3 * sizeof(float), positionCount - 1, vk::IndexType::eUint32,
+    indices.Address());
+  const vk::AccelerationStructureGeometryKHR geometry(
+    vk::GeometryTypeKHR::eTriangles, data, vk::GeometryFlagBitsKHR::eOpaque);
+  return AccelerationStructure(
+    device, geometry, vk::AccelerationStructureTypeKHR::eBottomLevel, triangleCount);
+}
+
 AccelerationStructure AccelerationStructure::OverInstances(
   Device::State& device, const std::vector<vk::AccelerationStructureInstanceKHR>& instances)
 {

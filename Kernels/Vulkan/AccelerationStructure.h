@@ -17,6 +17,11 @@ public:
   static AccelerationStructure
   OverBoxes(Device::State& device, const std::vector<vk::AabbPositionsKHR>& boxes);
 
+  /// Over opaque triangles: `positions` are so many vec3, `indices` three 32-bit numbers a triangle. Both buffers need
+  /// the usage eAccelerationStructureBuildInputReadOnlyKHR.
+  static AccelerationStructure OverTriangles(Device::State& device, const Buffer& positions,
+    std::uint32_t positionCount, const Buffer& indices, std::uint32_t triangleCount);
+
   /// Over instances of bottom-level structures.
   static AccelerationStructure OverInstances(
     Device::State& device, const std::vector<vk::AccelerationStructureInstanceKHR>& instances);

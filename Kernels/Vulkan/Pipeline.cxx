@@ -18,6 +18,8 @@ struct Specialisation
   vk::Bool32 fixedHeads;
   vk::Bool32 hasTree;
   vk::Bool32 ownExponents;
+  vk::Bool32 smoothNormals;
+  std::uint32_t meshColours;
   vk::Bool32 alone;
   vk::Bool32 leavesSurface;
 };
@@ -29,6 +31,8 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 3, offsetof(Specialisation, fixedHeads), sizeof(vk::Bool32) },
   { 4, offsetof(Specialisation, hasTree), sizeof(vk::Bool32) },
   { 5, offsetof(Specialisation, ownExponents), sizeof(vk::Bool32) },
+  { 6, offsetof(Specialisation, smoothNormals), sizeof(vk::Bool32) },
+  { 7, offsetof(Specialisation, meshColours), sizeof(std::uint32_t) },
   { 15, offsetof(Specialisation, alone), sizeof(vk::Bool32) },
   { 20, offsetof(Specialisation, leavesSurface), sizeof(vk::Bool32) },
 };
@@ -134,10 +138,18 @@ Pipeline::Pipeline(
   {
     const HitGroup& group = groups[i];
     constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads,
-      group.hasTree, group.ownExponents, generation.alone, leavesSurface };
+      group.hasTree, group.ownExponents, group.smoothNormals, group.meshColours, generation.alone, leavesSurface };
     specialisations[i] =
       vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
         specialisationMap, sizeof(Specialisation), &constants[i]);
+    if (group.shape == Shape::Mesh)
+    {
+      const std::uint32_t closestHit =
+        addStage(Stage::eClosestHitKHR, programs::triangleClosestHit, &specialisations[i]);
+      shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eTrianglesHitGroup,
+        VK_SHADER_UNUSED_KHR, closestHit, VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
+      continue;
+    }
     const programs::ShapeCode& code = programs::shapes[static_cast<std::uint32_t>(group.shape)];
     const std::uint32_t intersection = addStage(Stage::eIntersectionKHR,
       group.hasTree ? code.treeIntersection : code.intersection, &specialisations[i]);

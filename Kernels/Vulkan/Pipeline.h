@@ -19,12 +19,16 @@ struct HitGroup
   bool fixedHeads = false;
   bool hasTree = false;
   bool ownExponents = false;
+  // Shape::Mesh only
+  bool smoothNormals = false;
+  std::uint32_t meshColours = 0; ///< 0: none, 1: by position, 2: by triangle
 
   friend bool operator==(const HitGroup& a, const HitGroup& b)
   {
     return a.shape == b.shape && a.sizesPerGlyph == b.sizesPerGlyph && a.turned == b.turned &&
       a.coloured == b.coloured && a.fixedHeads == b.fixedHeads && a.hasTree == b.hasTree &&
-      a.ownExponents == b.ownExponents;
+      a.ownExponents == b.ownExponents && a.smoothNormals == b.smoothNormals &&
+      a.meshColours == b.meshColours;
   }
 };
 

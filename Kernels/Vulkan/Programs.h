@@ -25,6 +25,7 @@ extern const Code occlusionGeneration;
 extern const Code pathGeneration;
 extern const Code probeGeneration;
 extern const Code nothingMiss;
+extern const Code triangleClosestHit;
 extern const ShapeCode shapes[]; ///< by rtg::Shape
 
 } // namespace rtg::programs

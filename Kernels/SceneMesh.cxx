@@ -1,0 +1,190 @@
+// The part of a scene that is made of triangles: mesh glyphs and surfaces.
+#include "SceneState.h"
+
+#include "SpatialOrder.h"
+#include "Stopwatch.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtg
+{
+
+namespace
+{
+
+using Usage = vk::BufferUsageFlagBits;
+
+// Rotation times scale of one glyph.
+glm::mat3 LinearPart(const GlyphInstances& instances, std::size_t i)
+{
+  const glm::vec3 size = !instances.sizes3.empty() ? instances.sizes3[i]
+    : !instances.sizes1.empty()                    ? glm::vec3(instances.sizes1[i])
+                                                   : glm::vec3(instances.uniformSize);
+  glm::mat3 linear(1.0f);
+  if (!instances.rotations.empty())
+  {
+    const glm::vec4& q = instances.rotations[i];
+    linear = glm::mat3_cast(glm::quat(q.w, q.x, q.y, q.z));
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    linear[axis] *= size[axis];
+  }
+  return linear;
+}
+
+// lavapipe splits triangles in their own order; see SpatialOrder.h.
+std::vector<std::uint32_t> OrderTriangles(const TriangleMesh& mesh)
+{
+  std::vector<glm::vec3> centroids(mesh.triangles.size());
+  std::transform(mesh.triangles.begin(), mesh.triangles.end(), centroids.begin(),
+    [&](const glm::uvec3& corner)
+    {
+      return (mesh.positions[corner.x] + mesh.positions[corner.y] + mesh.positions[corner.z]) /
+        3.0f;
+    });
+  return SpatialOrder(centroids);
+}
+
+template <class T>
+std::vector<T> Ordered(const std::vector<T>& values, const std::vector<std::uint32_t>& order)
+{
+  if (order.empty() || values.empty())
+  {
+    return values;
+  }
+  std::vector<T> ordered(values.size());
+  std::transform(
+    order.begin(), order.end(), ordered.begin(), [&](std::uint32_t i) { return values[i]; });
+  return ordered;
+}
+
+PlacedMesh Place(Device::State& device, std::shared_ptr<const TriangleMesh> source, bool sorts)
+{
+  PlacedMesh mesh;
+  mesh.order = sorts ? OrderTriangles(*source) : std::vector<std::uint32_t>();
+  const auto input = Usage::eAccelerationStructureBuildInputReadOnlyKHR;
+  mesh.positions = Send(device, source->positions, input);
+  mesh.triangles = Send(device, Ordered(source->triangles, mesh.order), input);
+  mesh.normals = Send(device, source->normals);
+  mesh.colours = source->positionColours.empty()
+    ? Send(device, Ordered(source->triangleColours, mesh.order))
+    : Send(device, source->positionColours);
+  mesh.structure = AccelerationStructure::OverTriangles(device, mesh.positions,
+    static_cast<std::uint32_t>(source->positions.size()), mesh.triangles,
+    static_cast<std::uint32_t>(source->triangles.size()));
+  mesh.source = std::move(source);
+  return mesh;
+}
+
+} // namespace
+
+void CheckMesh(const TriangleMesh* mesh)
+{
+  const auto fail = [](const std::string& what) { throw Error("Ray Traced Glyphs: " + what); };
+  if (!mesh || mesh->triangles.empty())
+  {
+    fail("the mesh has no triangle; choose a source with polygons.");
+  }
+  const auto fits = [&](const char* name, std::size_t found, std::size_t wanted)
+  {
+    if (found != 0 && found != wanted)
+    {
+      fail("the mesh has " + std::to_string(found) + " " + name + "; it must have " +
+        std::to_string(wanted) + " or none.");
+    }
+  };
+  fits("normals", mesh->normals.size(), mesh->positions.size());
+  fits("colours of positions", mesh->positionColours.size(), mesh->positions.size());
+  fits("colours of triangles", mesh->triangleColours.size(), mesh->triangles.size());
+  for (const glm::uvec3& corner : mesh->triangles)
+  {
+    const std::uint32_t largest = std::max({ corner.x, corner.y, corner.z });
+    if (largest >= mesh->positions.size())
+    {
+      fail("a triangle of the mesh has corner " + std::to_string(largest) + " of " +
+        std::to_string(mesh->positions.size()) + " positions.");
+    }
+  }
+}
+
+std::vector<Box> MeshBoxes(const GlyphInstances& instances)
+{
+  Bounds form;
+  for (const glm::uvec3& corner : instances.mesh->triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const glm::vec3& position = instances.mesh->positions[corner[i]];
+      form.Include(position, position);
+    }
+  }
+  const glm::vec3 middle = 0.5f * (form.lower + form.upper);
+  const glm::vec3 reach = 0.5f * (form.upper - form.lower);
+  std::vector<Box> boxes(instances.Count());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    const glm::mat3 linear = LinearPart(instances, i);
+    const glm::vec3 centre = instances.centres[i] + linear * middle;
+    // A few ulps for the roundings of this and of the transform.
+    const glm::vec3 half = (glm::abs(linear[0]) * reach.x + glm::abs(linear[1]) * reach.y +
+                             glm::abs(linear[2]) * reach.z) +
+      1e-6f * (glm::abs(centre) + glm::abs(linear * middle));
+    boxes[i] = { centre - 1.000001f * half, centre + 1.000001f * half };
+  }
+  return boxes;
+}
+
+void Scene::State::SendMesh(GlyphSet& set, float reach)
+{
+  Stopwatch watch;
+  const GlyphInstances& instances = set.instances;
+  const TriangleMesh& mesh = *instances.mesh;
+  const bool coloured = set.group.coloured;
+  set.group = HitGroup();
+  set.group.shape = Shape::Mesh;
+  set.group.coloured = coloured;
+  set.group.smoothNormals = !mesh.normals.empty();
+  set.group.meshColours = !mesh.positionColours.empty() ? 1 : !mesh.triangleColours.empty() ? 2 : 0;
+  ++this->statistics.instanceUploads;
+  // The same mesh at other places is sent once.
+  if (set.mesh.source != instances.mesh)
+  {
+    set.mesh = PlacedMesh();
+    set.mesh = Place(this->device->GetState(), instances.mesh, this->device->IsCpu());
+    ++this->statistics.structureBuilds;
+  }
+  GlyphRun run;
+  run.count = static_cast<std::uint32_t>(set.count);
+  set.runs.push_back(std::move(run));
+  set.builtReach = 4.0f * reach;
+  set.boxes.clear();
+  set.instancesChanged = false;
+  this->statistics.buildSeconds += watch.Lap();
+}
+
+void Scene::State::PlaceMesh(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
+  std::vector<vk::AccelerationStructureInstanceKHR>& instances) const
+{
+  set.firstInstance = static_cast<std::uint32_t>(instances.size());
+  for (std::size_t i = 0; i < set.count; ++i)
+  {
+    vk::AccelerationStructureInstanceKHR instance = like;
+    const glm::mat3 linear = LinearPart(set.instances, i);
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int column = 0; column < 3; ++column)
+      {
+        instance.transform.matrix[row][column] = linear[column][row];
+      }
+      instance.transform.matrix[row][3] += set.instances.centres[i][row];
+    }
+    instance.accelerationStructureReference = set.mesh.structure.Address();
+    instances.push_back(instance);
+  }
+}
+
+} // namespace rtg

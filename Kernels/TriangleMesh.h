@@ -1,0 +1,25 @@
+// Triangles as plain host data: the form of mesh glyphs, or a surface among the glyphs.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace rtg
+{
+
+/// An indexed triangle mesh in its own frame. Arrays that are not needed stay empty.
+struct TriangleMesh
+{
+  std::vector<glm::vec3> positions;  ///< finite
+  std::vector<glm::uvec3> triangles; ///< indices of positions, counter-clockwise seen from outside
+  /// Unit normals: one a position (smooth), or empty (flat: the triangles' own).
+  std::vector<glm::vec3> normals;
+  /// RGBA8 (red in the lowest byte): one a position, interpolated, or one a triangle, or empty for the glyph's or the
+  /// material's colour.
+  std::vector<std::uint32_t> positionColours;
+  std::vector<std::uint32_t> triangleColours;
+};
+
+} // namespace rtg
