@@ -157,7 +157,8 @@ TEST_F(MeshTest, BoxesOfTrianglesAreBoxes)
 
 TEST_F(MeshTest, HidesAndIsHiddenByOtherGlyphs)
 {
-  const auto meshes = this->scene.Add(), spheres = this->scene.Add();
+  // The spheres come first, so that the meshes are not the first instances of the top level.
+  const auto spheres = this->scene.Add(), meshes = this->scene.Add();
   rtg::GlyphInstances instances;
   instances.shape = rtg::Shape::Mesh;
   instances.mesh = Share(BoxMesh());
