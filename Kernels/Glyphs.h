@@ -73,7 +73,7 @@ struct GlyphInstances
 
   /// World size of a unit glyph: full extents along the unit form's axes. Exactly one of:
   /// sizes3 (one vec3 a glyph), sizes1 (one float a glyph), both empty (uniformSize for all).
-  /// Every size is finite and > 0; degenerate glyphs are left out by whoever fills this.
+  /// Every size is finite and > 0, or < 0 to mirror a Shape::Mesh; degenerate glyphs are left out by whoever fills this.
   std::vector<glm::vec3> sizes3;
   std::vector<float> sizes1;
   float uniformSize = 1.0f;

@@ -62,6 +62,18 @@ std::vector<T> Ordered(const std::vector<T>& values, const std::vector<std::uint
   return ordered;
 }
 
+bool SameShape(const TriangleMesh& a, const TriangleMesh& b)
+{
+  return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals;
+}
+
+Buffer SendMeshColours(Device::State& device, const PlacedMesh& mesh, const TriangleMesh& source)
+{
+  return source.positionColours.empty()
+    ? Send(device, Ordered(source.triangleColours, mesh.order))
+    : Send(device, source.positionColours);
+}
+
 PlacedMesh Place(Device::State& device, std::shared_ptr<const TriangleMesh> source, bool sorts)
 {
   PlacedMesh mesh;
@@ -70,9 +82,7 @@ PlacedMesh Place(Device::State& device, std::shared_ptr<const TriangleMesh> sour
   mesh.positions = Send(device, source->positions, input);
   mesh.triangles = Send(device, Ordered(source->triangles, mesh.order), input);
   mesh.normals = Send(device, source->normals);
-  mesh.colours = source->positionColours.empty()
-    ? Send(device, Ordered(source->triangleColours, mesh.order))
-    : Send(device, source->positionColours);
+  mesh.colours = SendMeshColours(device, mesh, *source);
   mesh.structure = AccelerationStructure::OverTriangles(device, mesh.positions,
     static_cast<std::uint32_t>(source->positions.size()), mesh.triangles,
     static_cast<std::uint32_t>(source->triangles.size()));
@@ -149,8 +159,18 @@ void Scene::State::SendMesh(GlyphSet& set, float reach)
   set.group.coloured = coloured;
   set.group.smoothNormals = !mesh.normals.empty();
   set.group.meshColours = !mesh.positionColours.empty() ? 1 : !mesh.triangleColours.empty() ? 2 : 0;
-  ++this->statistics.instanceUploads;
-  // The same mesh at other places is sent once.
+  // The same mesh at other places is sent once, and of one that has only other colours nothing but these.
+  if (set.mesh.source != instances.mesh && set.mesh.source &&
+    SameShape(*set.mesh.source, *instances.mesh))
+  {
+    set.mesh.colours = SendMeshColours(this->device->GetState(), set.mesh, *instances.mesh);
+    set.mesh.source = instances.mesh;
+    ++this->statistics.colourUploads;
+  }
+  else
+  {
+    ++this->statistics.instanceUploads;
+  }
   if (set.mesh.source != instances.mesh)
   {
     set.mesh = PlacedMesh();

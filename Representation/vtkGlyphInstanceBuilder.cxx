@@ -440,6 +440,14 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   rtg::GlyphInstances& instances = result.Instances;
   instances.shape = settings.Shape;
   instances.arrow = settings.Arrow;
+  const bool isMesh = settings.Shape == rtg::Shape::Mesh;
+  if (isMesh && (!settings.Mesh || settings.Mesh->triangles.empty()))
+  {
+    result.Messages.emplace_back("GlyphMesh has no polygons, so there are no glyphs. Choose a "
+                                 "source that has some, such as Arrow, Cone or Sphere.");
+    return result;
+  }
+  instances.mesh = isMesh ? settings.Mesh : nullptr;
   const std::vector<vtkIdType> candidates = Candidates(points, settings, blocks);
   if (candidates.empty())
   {
@@ -539,18 +547,19 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
 
     result.Points.push_back(i);
     instances.centres.push_back(center);
+    const glm::vec3 stored = isMesh ? glm::vec3(size) : extent;
     if (!sized)
     {
-      instances.uniformSize = extent.x;
+      instances.uniformSize = stored.x;
       sized = true;
     }
     if (!oneSize)
     {
-      instances.sizes3.push_back(extent);
+      instances.sizes3.push_back(stored);
     }
     else if (!sameSizes)
     {
-      instances.sizes1.push_back(extent.x);
+      instances.sizes1.push_back(stored.x);
     }
     if (turned || flips)
     {
@@ -632,6 +641,14 @@ void vtkGlyphInstanceBuilder::ComputeBounds(vtkPolyData* points, const Settings&
         std::min(std::abs(settings.ScaleFactor) * ReferenceScale(points, settings, blocks),
           largest.x / settings.Arrow.tipLength);
       largest = glm::dvec3(largest.x, thickness, thickness);
+    }
+  }
+  if (settings.Shape == rtg::Shape::Mesh && settings.Mesh)
+  {
+    reach = glm::dvec3(0.0);
+    for (const glm::vec3& position : settings.Mesh->positions)
+    {
+      reach = glm::max(reach, glm::abs(glm::dvec3(position)));
     }
   }
   reach *= largest;

@@ -7,7 +7,7 @@
  * or by quaternion (w, x, y, z). Positions are made relative to the middle of the data in double precision.
  *
  * A negative scale component mirrors the glyph. That changes nothing about a sphere, box or cylinder; cones and arrows
- * point the other way, as 3D Glyphs shows them.
+ * point the other way, as 3D Glyphs shows them; meshes are mirrored.
  *
  * What cannot be shown (position, scale, direction zero where one is needed, or not finite) makes no glyph; it is
  * counted and put into words in Result::Messages.
@@ -19,6 +19,7 @@
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkType.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,7 @@ public:
     rtg::ArrowForm Arrow; // its unit length is computed
     double ArrowReference =
       0.0; // scale of the arrow whose head has the unit arrow's proportions; 0: the mean
+    std::shared_ptr<const rtg::TriangleMesh> Mesh; // for rtg::Shape::Mesh
     bool Mask = false;
     vtkIdType MaximumNumberOfGlyphs = 5000;
     int Seed = 1;

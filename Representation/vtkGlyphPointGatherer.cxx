@@ -430,47 +430,6 @@ void AddPickingIds(
   }
 }
 
-// The tree that block selectors are paths in, with the flat index of each of its data sets: small, and so
-// delivered with the points to wherever they are rendered.
-void AddHierarchy(vtkCompositeDataSet* composite, vtkPolyData* out)
-{
-  vtkNew<vtkDataAssembly> hierarchy;
-  vtkNew<vtkPartitionedDataSetCollection> collection;
-  if (!vtkDataAssemblyUtilities::GenerateHierarchy(composite, hierarchy, collection) ||
-    !collection->GetDataAssembly())
-  {
-    return;
-  }
-  // Of the two copies of the hierarchy only the collection's speaks of data sets by their index in it.
-  std::map<vtkDataObject*, unsigned int> dataSetIndex;
-  for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
-  {
-    for (unsigned int p = 0; p < collection->GetNumberOfPartitions(i); ++p)
-    {
-      dataSetIndex[collection->GetPartitionAsDataObject(i, p)] = i;
-    }
-  }
-  vtkNew<vtkUnsignedIntArray> leaves;
-  leaves->SetName(vtkGlyphPointGatherer::LeavesName());
-  leaves->SetNumberOfComponents(2);
-  vtkSmartPointer<vtkCompositeDataIterator> iterator;
-  iterator.TakeReference(composite->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    const auto found = dataSetIndex.find(iterator->GetCurrentDataObject());
-    if (found != dataSetIndex.end())
-    {
-      const unsigned int pair[2] = { iterator->GetCurrentFlatIndex(), found->second };
-      leaves->InsertNextTypedTuple(pair);
-    }
-  }
-  vtkNew<vtkStringArray> xml;
-  xml->SetName(vtkGlyphPointGatherer::HierarchyName());
-  xml->InsertNextValue(collection->GetDataAssembly()->SerializeToXML(vtkIndent()));
-  out->GetFieldData()->AddArray(xml);
-  out->GetFieldData()->AddArray(leaves);
-}
-
 void AddVertices(vtkPolyData* out)
 {
   const vtkIdType count = out->GetNumberOfPoints();
@@ -530,4 +489,45 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(
     AddVertices(out);
   }
   return out;
+}
+
+//----------------------------------------------------------------------------
+// Small, and so delivered with the points to wherever they are rendered.
+void vtkGlyphPointGatherer::AddHierarchy(vtkCompositeDataSet* composite, vtkPolyData* out)
+{
+  vtkNew<vtkDataAssembly> hierarchy;
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  if (!vtkDataAssemblyUtilities::GenerateHierarchy(composite, hierarchy, collection) ||
+    !collection->GetDataAssembly())
+  {
+    return;
+  }
+  // Of the two copies of the hierarchy only the collection's speaks of data sets by their index in it.
+  std::map<vtkDataObject*, unsigned int> dataSetIndex;
+  for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    for (unsigned int p = 0; p < collection->GetNumberOfPartitions(i); ++p)
+    {
+      dataSetIndex[collection->GetPartitionAsDataObject(i, p)] = i;
+    }
+  }
+  vtkNew<vtkUnsignedIntArray> leaves;
+  leaves->SetName(vtkGlyphPointGatherer::LeavesName());
+  leaves->SetNumberOfComponents(2);
+  vtkSmartPointer<vtkCompositeDataIterator> iterator;
+  iterator.TakeReference(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    const auto found = dataSetIndex.find(iterator->GetCurrentDataObject());
+    if (found != dataSetIndex.end())
+    {
+      const unsigned int pair[2] = { iterator->GetCurrentFlatIndex(), found->second };
+      leaves->InsertNextTypedTuple(pair);
+    }
+  }
+  vtkNew<vtkStringArray> xml;
+  xml->SetName(vtkGlyphPointGatherer::HierarchyName());
+  xml->InsertNextValue(collection->GetDataAssembly()->SerializeToXML(vtkIndent()));
+  out->GetFieldData()->AddArray(xml);
+  out->GetFieldData()->AddArray(leaves);
 }

@@ -19,6 +19,7 @@
 
 #include "vtkSmartPointer.h"
 
+class vtkCompositeDataSet;
 class vtkDataObject;
 class vtkPolyData;
 
@@ -31,6 +32,12 @@ public:
    */
   static vtkSmartPointer<vtkPolyData> Gather(
     vtkDataObject* input, int processId = 0, int processes = 1, const int* wholeExtent = nullptr);
+
+  /**
+   * Adds to the field data of `out` the tree that block selectors are paths in, with the flat index of each of its data
+   * sets.
+   */
+  static void AddHierarchy(vtkCompositeDataSet* composite, vtkPolyData* out);
 
   ///@{
   /**

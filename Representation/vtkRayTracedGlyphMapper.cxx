@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedGlyphScene.h"
+#include "vtkRayTracedTriangleBuilder.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
@@ -32,13 +33,6 @@ namespace
 vtkMTimeType TimeOf(vtkObject* object)
 {
   return object ? object->GetMTime() : 0;
-}
-
-// A number that no mapper of this process has had as a version.
-std::uint64_t NewVersion()
-{
-  static std::uint64_t last = 0;
-  return ++last;
 }
 
 template <typename Value>
@@ -71,6 +65,12 @@ std::array<std::uint64_t, 2> DigestOf(const rtg::GlyphInstances& instances)
     static_cast<float>(instances.shape) };
   Mix(sum, numbers, sizeof(numbers) / sizeof(numbers[0]));
   Mix(sum, &instances.origin, 1);
+  if (const rtg::TriangleMesh* mesh = instances.mesh.get())
+  {
+    Mix(sum, mesh->positions.data(), mesh->positions.size());
+    Mix(sum, mesh->triangles.data(), mesh->triangles.size());
+    Mix(sum, mesh->normals.data(), mesh->normals.size());
+  }
   Mix(sum, instances.centres.data(), instances.centres.size());
   Mix(sum, instances.sizes3.data(), instances.sizes3.size());
   Mix(sum, instances.sizes1.data(), instances.sizes1.size());
@@ -86,7 +86,7 @@ bool SameSettings(
     return std::tie(s.Shape, s.Scaling, s.ScaleArray, s.ScaleMode, s.ScaleFactor, s.Orient,
       s.OrientationArray, s.OrientationMode, s.Arrow.shaftRadius, s.Arrow.tipRadius,
       s.Arrow.tipLength, s.Arrow.tipRounding, s.Arrow.fixedHeads, s.ArrowReference, s.Mask,
-      s.MaximumNumberOfGlyphs, s.Seed);
+      s.MaximumNumberOfGlyphs, s.Seed, s.Mesh);
   };
   return all(a) == all(b);
 }
@@ -99,6 +99,7 @@ struct vtkRayTracedGlyphMapper::InstanceKey
 {
   vtkGlyphInstanceBuilder::Settings Settings;
   std::array<vtkMTimeType, 5> Times{};
+  std::vector<vtkMTimeType> FurtherTimes;
   std::vector<unsigned int> HiddenBlocks;
   std::array<double, 16> Matrix{};
   double SharedMeanScale = 0.0; // of all processes, where it matters
@@ -106,7 +107,7 @@ struct vtkRayTracedGlyphMapper::InstanceKey
   bool operator==(const InstanceKey& other) const
   {
     return SameSettings(this->Settings, other.Settings) && this->Times == other.Times &&
-      this->HiddenBlocks == other.HiddenBlocks && this->Matrix == other.Matrix &&
+      this->FurtherTimes == other.FurtherTimes && this->HiddenBlocks == other.HiddenBlocks && this->Matrix == other.Matrix &&
       this->SharedMeanScale == other.SharedMeanScale;
   }
 };
@@ -170,6 +171,37 @@ vtkPolyData* vtkRayTracedGlyphMapper::GetPoints()
 }
 
 //----------------------------------------------------------------------------
+std::uint64_t vtkRayTracedGlyphMapper::NewVersion()
+{
+  static std::uint64_t last = 0;
+  return ++last;
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::FurtherTimes(vtkPolyData*) const
+{
+  return {};
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::SetGlyphMesh(vtkPolyData* mesh)
+{
+  if (this->Glyphs.Shape != rtg::Shape::Mesh ||
+    (this->Glyphs.Mesh && mesh == this->GlyphMesh && TimeOf(mesh) == this->GlyphMeshTime))
+  {
+    return;
+  }
+  this->GlyphMesh = mesh;
+  this->GlyphMeshTime = TimeOf(mesh);
+  auto triangles = std::make_shared<rtg::TriangleMesh>();
+  if (mesh)
+  {
+    *triangles = vtkRayTracedTriangleBuilder::BuildInPlace(mesh).Mesh;
+  }
+  this->Glyphs.Mesh = std::move(triangles);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphMapper::Report(
   const std::vector<std::string>& messages, std::vector<std::string>& reported)
 {
@@ -205,6 +237,7 @@ vtkRayTracedGlyphMapper::MakeInstanceKey(vtkPolyData* points) const
     TimeOf(vtkGlyphInstanceBuilder::ScaleArray(points, this->Glyphs)),
     TimeOf(vtkGlyphInstanceBuilder::OrientationArray(points, this->Glyphs)),
     TimeOf(points->GetPointData()->GetArray(vtkGlyphPointGatherer::CompositeIndexName())) };
+  key.FurtherTimes = this->FurtherTimes(points);
   if (vtkGlyphInstanceBuilder::NeedsMeanScale(this->Glyphs))
   {
     key.SharedMeanScale = vtkGlyphInstanceBuilder::SharedMeanScale(points);
@@ -396,7 +429,7 @@ vtkRayTracedGlyphMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyp
   vtkDataArray* ids = data->GetArray(vtkGlyphPointGatherer::PointIdsName());
   vtkDataArray* blocks = data->GetArray(vtkGlyphPointGatherer::CompositeIndexName());
   vtkDataArray* processes = data->GetArray(vtkGlyphPointGatherer::ProcessIdName());
-  origin.Point = ids ? static_cast<vtkIdType>(ids->GetComponent(point, 0)) : point;
+  origin.Id = ids ? static_cast<vtkIdType>(ids->GetComponent(point, 0)) : point;
   origin.CompositeIndex = blocks ? static_cast<unsigned int>(blocks->GetComponent(point, 0)) : 0;
   origin.Process = processes ? static_cast<int>(processes->GetComponent(point, 0)) : -1;
   return origin;

@@ -16,6 +16,7 @@
 #include "vtkGlyphInstanceBuilder.h"
 #include "vtkMapper.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <array>
 #include <memory>
@@ -38,6 +39,11 @@ public:
    * How arrays become glyphs. May be changed at any time; what a change touches is found out at the next render.
    */
   vtkGlyphInstanceBuilder::Settings Glyphs;
+
+  /**
+   * The form of glyphs of shape Mesh, in its own frame and size: the triangles of a vtkRayTracedSurfaceGatherer.
+   */
+  void SetGlyphMesh(vtkPolyData* mesh);
 
   ///@{
   /**
@@ -108,28 +114,63 @@ public:
   void Update(vtkActor* actor);
   std::uint64_t GetInstanceVersion() const { return this->InstanceVersion; }
   std::uint64_t GetColorVersion() const { return this->ColorVersion; }
-  rtg::GlyphInstances TakeInstances(vtkActor* actor);
+  virtual rtg::GlyphInstances TakeInstances(vtkActor* actor);
   rtg::GlyphColours GetColors() const { return this->Colors8; }
   vtkIdType GetNumberOfGlyphs() const { return static_cast<vtkIdType>(this->Points.size()); }
   vtkIdType GetSkippedGlyphs() const { return this->Skipped; }
   ///@}
 
+  ///@{
   /**
-   * What picking says about a glyph.
+   * What picking says about a glyph: its point, or the cell of a mapper that PicksCells().
    */
   struct Origin
   {
-    vtkIdType Point = 0;
+    vtkIdType Id = 0;
     unsigned int CompositeIndex = 0;
     int Process = -1; // -1: this one
   };
-  Origin OriginOf(vtkIdType glyph);
+  virtual Origin OriginOf(vtkIdType glyph);
+  virtual bool PicksCells() const { return false; }
+  ///@}
 
 protected:
   vtkRayTracedGlyphMapper();
   ~vtkRayTracedGlyphMapper() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  ///@{
+  /**
+   * For mappers that make something else of their input than glyphs at its points. Both fill in what follows; a new
+   * version of instances or colours makes the scene take them.
+   */
+  virtual void BuildInstances(vtkPolyData* points, vtkActor* actor);
+  virtual void BuildColors(vtkPolyData* points);
+  ///@}
+
+  /**
+   * Time stamps of what else the instances depend on.
+   */
+  virtual std::vector<vtkMTimeType> FurtherTimes(vtkPolyData* points) const;
+
+  /**
+   * A number that no mapper of this process has had as a version.
+   */
+  static std::uint64_t NewVersion();
+
+  vtkPolyData* GetPoints();
+  void Report(const std::vector<std::string>& messages, std::vector<std::string>& reported);
+
+  vtkGlyphBlockAttributes::Table BlockTable;
+  rtg::GlyphInstances Instances;
+  std::vector<vtkIdType> Points; // of each glyph
+  vtkIdType Skipped = 0;
+  bool Translucent = false;
+  std::array<double, 3> SolidColor{ { 1.0, 1.0,
+    1.0 } }; // of blocks without their own, where some have one
+  std::uint64_t InstanceVersion = 0, ColorVersion = 0, PointsVersion = 0;
+  std::vector<std::string> ReportedInstances, ReportedColors;
 
 private:
   vtkRayTracedGlyphMapper(const vtkRayTracedGlyphMapper&) = delete;
@@ -138,34 +179,24 @@ private:
   struct InstanceKey;
   struct ColorKey;
 
-  vtkPolyData* GetPoints();
   void UpdateBlocks(vtkPolyData* points);
-  void BuildInstances(vtkPolyData* points, vtkActor* actor);
-  void BuildColors(vtkPolyData* points);
   InstanceKey MakeInstanceKey(vtkPolyData* points) const;
   ColorKey MakeColorKey(vtkPolyData* points, vtkActor* actor);
-  void Report(const std::vector<std::string>& messages, std::vector<std::string>& reported);
 
   int SamplesPerPixel = 16;
   int SamplesPerRender = 0;
   int InteractiveReduction = 2;
 
   vtkTimeStamp BlocksTime, BlockTableTime;
-  vtkGlyphBlockAttributes::Table BlockTable;
+
+  vtkWeakPointer<vtkPolyData> GlyphMesh; // that Glyphs.Mesh was made of
+  vtkMTimeType GlyphMeshTime = 0;
 
   std::unique_ptr<InstanceKey> Built, Bounded;
   std::unique_ptr<ColorKey> Colored;
-  rtg::GlyphInstances Instances;
   bool InstancesTaken = false;
-  std::vector<vtkIdType> Points; // of each glyph
   rtg::GlyphColours Colors8;
-  vtkIdType Skipped = 0;
-  bool Translucent = false;
-  std::array<double, 3> SolidColor{ { 1.0, 1.0,
-    1.0 } }; // of blocks without their own, where some have one
-  std::uint64_t InstanceVersion = 0, ColorVersion = 0, PointsVersion = 0;
   std::array<std::uint64_t, 2> Digest{}; // of the instances of InstanceVersion
-  std::vector<std::string> ReportedInstances, ReportedColors;
 
   std::vector<vtkSmartPointer<vtkRayTracedGlyphScene>> Scenes;
 };

@@ -11,6 +11,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
@@ -19,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedGlyphMapper.h"
+#include "vtkRayTracedSurfaceGatherer.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -39,9 +41,17 @@ double InRange(double value, double least, double most, double otherwise)
 
 //----------------------------------------------------------------------------
 vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
-  : Mapper(vtkSmartPointer<vtkRayTracedGlyphMapper>::New())
+  : vtkRayTracedGlyphRepresentation(vtkSmartPointer<vtkRayTracedGlyphMapper>::New())
+{
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation(
+  vtkSmartPointer<vtkRayTracedGlyphMapper> mapper)
+  : Mapper(std::move(mapper))
   , Points(vtkSmartPointer<vtkPolyData>::New())
 {
+  this->SetNumberOfInputPorts(2);
   this->Actor->SetMapper(this->Mapper);
   this->Actor->SetProperty(this->Property);
   // Render passes tell the mapper through these keys what they want of its shader.
@@ -53,6 +63,18 @@ vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
 vtkRayTracedGlyphRepresentation::~vtkRayTracedGlyphRepresentation() = default;
 
 //----------------------------------------------------------------------------
+vtkRayTracedGlyphMapper* vtkRayTracedGlyphRepresentation::GetMapper()
+{
+  return this->Mapper;
+}
+
+//----------------------------------------------------------------------------
+vtkProperty* vtkRayTracedGlyphRepresentation::GetProperty()
+{
+  return this->Property;
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -61,8 +83,15 @@ void vtkRayTracedGlyphRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //----------------------------------------------------------------------------
-int vtkRayTracedGlyphRepresentation::FillInputPortInformation(int, vtkInformation* info)
+int vtkRayTracedGlyphRepresentation::FillInputPortInformation(int port, vtkInformation* info)
 {
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkHyperTreeGrid");
@@ -78,15 +107,50 @@ int vtkRayTracedGlyphRepresentation::RequestData(
   vtkDataObject* input = inputVector[0]->GetNumberOfInformationObjects() == 1
     ? vtkDataObject::GetData(inputVector[0], 0)
     : nullptr;
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   vtkInformation* info = input ? inputVector[0]->GetInformationObject(0) : nullptr;
   const int* wholeExtent = info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
     ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
     : nullptr;
-  this->Points =
-    vtkGlyphPointGatherer::Gather(input, controller ? controller->GetLocalProcessId() : 0,
-      controller ? controller->GetNumberOfProcesses() : 1, wholeExtent);
+  this->Points = this->Gather(input, wholeExtent);
+  if (this->GetNumberOfInputPorts() > 1)
+  {
+    vtkDataObject* mesh = inputVector[1]->GetNumberOfInformationObjects() == 1
+      ? vtkDataObject::GetData(inputVector[1], 0)
+      : nullptr;
+    // 3D Glyphs shade meshes by the normals they have, and compute none.
+    vtkRayTracedSurfaceGatherer::Settings settings;
+    settings.ComputesNormals = false;
+    this->Mesh->SetBlock(0, vtkRayTracedSurfaceGatherer::Gather(mesh, settings));
+    this->Mesh->Modified();
+  }
   return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//----------------------------------------------------------------------------
+// The form of mesh glyphs is the same on all processes.
+int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  for (int i = 0;
+       this->GetNumberOfInputPorts() > 1 && i < inputVector[1]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = inputVector[1]->GetInformationObject(i);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    info->Set(vtkStreamingDemandDrivenPipeline::EXACT_EXTENT(), 1);
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(
+  vtkDataObject* input, const int* wholeExtent)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return vtkGlyphPointGatherer::Gather(input, controller ? controller->GetLocalProcessId() : 0,
+    controller ? controller->GetNumberOfProcesses() : 1, wholeExtent);
 }
 
 //----------------------------------------------------------------------------
@@ -107,6 +171,12 @@ int vtkRayTracedGlyphRepresentation::ProcessViewRequest(
   {
     this->ShareMeanScale();
     vtkPVView::SetPiece(inInfo, this, this->Points);
+    if (this->GetNumberOfInputPorts() > 1)
+    {
+      // In a composite, because data of several ranks that are put together do not stay apart otherwise.
+      vtkPVView::SetPiece(inInfo, this, this->Mesh, 0, 1);
+      this->Mapper->SetGlyphMesh(vtkPolyData::SafeDownCast(this->Mesh->GetBlock(0)));
+    }
     double bounds[6];
     vtkGlyphInstanceBuilder::ComputeBounds(
       this->Points, this->Mapper->Glyphs, this->Mapper->Blocks.Resolve(this->Points), bounds);
@@ -127,6 +197,14 @@ int vtkRayTracedGlyphRepresentation::ProcessViewRequest(
     if (points != this->Mapper->GetInputDataObject(0, 0))
     {
       this->Mapper->SetInputDataObject(points);
+    }
+    if (this->GetNumberOfInputPorts() > 1)
+    {
+      auto* mesh =
+        vtkMultiBlockDataSet::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this, 1));
+      this->Mapper->SetGlyphMesh(mesh && mesh->GetNumberOfBlocks() > 0
+          ? vtkPolyData::SafeDownCast(mesh->GetBlock(0))
+          : nullptr);
     }
     this->UpdateColoring(points);
   }
@@ -281,19 +359,21 @@ bool vtkRayTracedGlyphRepresentation::GetRenderedRemotely()
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 {
-  if (shape < 0 || shape > static_cast<int>(rtg::Shape::Arrow))
+  if (shape != MESH && (shape < 0 || shape > static_cast<int>(rtg::Shape::Arrow)))
   {
     vtkErrorMacro("GlyphShape is " << shape << "; it must lie between 0 (Sphere) and "
-                                   << static_cast<int>(rtg::Shape::Arrow) << " (Arrow).");
+                                   << static_cast<int>(rtg::Shape::Arrow) << " (Arrow), or be "
+                                   << MESH << " (Mesh).");
     return;
   }
-  this->Mapper->Glyphs.Shape = static_cast<rtg::Shape>(shape);
+  this->Mapper->Glyphs.Shape = shape == MESH ? rtg::Shape::Mesh : static_cast<rtg::Shape>(shape);
 }
 
 //----------------------------------------------------------------------------
 int vtkRayTracedGlyphRepresentation::GetGlyphShape()
 {
-  return static_cast<int>(this->Mapper->Glyphs.Shape);
+  const rtg::Shape shape = this->Mapper->Glyphs.Shape;
+  return shape == rtg::Shape::Mesh ? MESH : static_cast<int>(shape);
 }
 
 //----------------------------------------------------------------------------

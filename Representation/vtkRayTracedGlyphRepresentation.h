@@ -18,6 +18,7 @@
 #include <string>
 
 class vtkActor;
+class vtkMultiBlockDataSet;
 class vtkPolyData;
 class vtkProperty;
 class vtkRayTracedGlyphMapper;
@@ -32,8 +33,12 @@ public:
 
   ///@{
   /**
-   * Shape of the glyphs, a number of rtg::Shape. Default is 0 (sphere).
+   * Shape of the glyphs: a number of rtg::Shape, or MESH for the polygons of the second input. Default is 0 (sphere).
    */
+  enum
+  {
+    MESH = 9
+  };
   void SetGlyphShape(int shape);
   int GetGlyphShape();
   ///@}
@@ -160,13 +165,24 @@ public:
 
 protected:
   vtkRayTracedGlyphRepresentation();
+  explicit vtkRayTracedGlyphRepresentation(vtkSmartPointer<vtkRayTracedGlyphMapper> mapper);
   ~vtkRayTracedGlyphRepresentation() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
+
+  /**
+   * What is delivered to the mapper. `wholeExtent` is null unless `input` is a piece of a structured data set.
+   */
+  virtual vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent);
+
+  vtkRayTracedGlyphMapper* GetMapper();
+  vtkProperty* GetProperty();
 
 private:
   vtkRayTracedGlyphRepresentation(const vtkRayTracedGlyphRepresentation&) = delete;
@@ -180,6 +196,7 @@ private:
   vtkNew<vtkActor> Actor;
   vtkNew<vtkProperty> Property;
   vtkSmartPointer<vtkPolyData> Points; // gathered, not yet delivered
+  vtkNew<vtkMultiBlockDataSet> Mesh;   // likewise; its only block is the form of mesh glyphs
   bool ReplicateGlyphs = false;
   std::string DeviceName, Statistics;
 };

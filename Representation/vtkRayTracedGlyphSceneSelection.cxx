@@ -20,9 +20,10 @@ void vtkRayTracedGlyphScene::DrawIds(vtkActor* actor, vtkRayTracedGlyphMapper* m
   vtkHardwareSelector* selector = this->Renderer->GetSelector();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
   const auto member = self.Members.find(mapper);
-  // A glyph stands for a point: it has no cell to select.
-  if (!window || member == self.Members.end() ||
-    selector->GetFieldAssociation() != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  // A glyph stands for a point and has no cell to select; a surface is selected by cells.
+  const int association = mapper->PicksCells() ? vtkDataObject::FIELD_ASSOCIATION_CELLS
+                                               : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  if (!window || member == self.Members.end() || selector->GetFieldAssociation() != association)
   {
     return;
   }
@@ -65,7 +66,7 @@ void vtkRayTracedGlyphScene::DrawIds(vtkActor* actor, vtkRayTracedGlyphMapper* m
     }
     const vtkRayTracedGlyphMapper::Origin origin =
       mapper->OriginOf(self.Scene->OriginalGlyph(member->second.Set, nearest->glyphIds[i]));
-    maximum = std::max(maximum, origin.Point);
+    maximum = std::max(maximum, origin.Id);
     std::uint32_t value = 0;
     switch (currentPass)
     {
@@ -76,10 +77,12 @@ void vtkRayTracedGlyphScene::DrawIds(vtkActor* actor, vtkRayTracedGlyphMapper* m
         value = origin.CompositeIndex;
         break;
       case vtkHardwareSelector::POINT_ID_LOW24:
-        value = static_cast<std::uint32_t>(origin.Point & 0xffffff);
+      case vtkHardwareSelector::CELL_ID_LOW24:
+        value = static_cast<std::uint32_t>(origin.Id & 0xffffff);
         break;
       case vtkHardwareSelector::POINT_ID_HIGH24:
-        value = static_cast<std::uint32_t>((origin.Point >> 24) & 0xffffff);
+      case vtkHardwareSelector::CELL_ID_HIGH24:
+        value = static_cast<std::uint32_t>((origin.Id >> 24) & 0xffffff);
         break;
       case vtkHardwareSelector::PROCESS_PASS:
         // One more than the rank: zero means that nothing was hit.
@@ -92,7 +95,14 @@ void vtkRayTracedGlyphScene::DrawIds(vtkActor* actor, vtkRayTracedGlyphMapper* m
     values[i] = (value & 0xffffff) | 0xff000000u;
     depths[i] = nearest->depth[i];
   }
-  selector->UpdateMaximumPointId(maximum);
+  if (mapper->PicksCells())
+  {
+    selector->UpdateMaximumCellId(maximum);
+  }
+  else
+  {
+    selector->UpdateMaximumPointId(maximum);
+  }
   if (pixels > 0)
   {
     const rtg::Image* any = images[0] ? images[0] : images[1];

@@ -1,0 +1,74 @@
+#include "vtkRayTracedSurfaceRepresentation.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkProcessModule.h"
+#include "vtkProperty.h"
+#include "vtkRayTracedSurfaceGatherer.h"
+#include "vtkRayTracedSurfaceMapper.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+vtkStandardNewMacro(vtkRayTracedSurfaceRepresentation);
+
+//----------------------------------------------------------------------------
+vtkRayTracedSurfaceRepresentation::vtkRayTracedSurfaceRepresentation()
+  : vtkRayTracedGlyphRepresentation(vtkSmartPointer<vtkRayTracedSurfaceMapper>::New())
+{
+  this->SetNumberOfInputPorts(1); // no glyph mesh
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedSurfaceRepresentation::~vtkRayTracedSurfaceRepresentation() = default;
+
+//----------------------------------------------------------------------------
+void vtkRayTracedSurfaceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedSurfaceRepresentation::SetInterpolation(int interpolation)
+{
+  const bool smooth = interpolation != VTK_FLAT;
+  auto* mapper = static_cast<vtkRayTracedSurfaceMapper*>(this->GetMapper());
+  this->GetProperty()->SetInterpolation(interpolation);
+  if (mapper->GetSmooth() != smooth)
+  {
+    mapper->SetSmooth(smooth);
+    this->MarkModified(); // normals may be missing
+  }
+}
+
+//----------------------------------------------------------------------------
+// Where unstructured data are spread over processes, ghost cells tell the faces between two pieces from outer ones.
+int vtkRayTracedSurfaceRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  for (int i = 0; i < inputVector[0]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = inputVector[0]->GetInformationObject(i);
+    auto* levels = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS();
+    info->Set(levels,
+      info->Get(levels) + vtkProcessModule::GetNumberOfGhostLevelsToRequest(info));
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceRepresentation::Gather(
+  vtkDataObject* input, const int* wholeExtent)
+{
+  vtkRayTracedSurfaceGatherer::Settings settings;
+  if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())
+  {
+    settings.Process = controller->GetLocalProcessId();
+    settings.Processes = controller->GetNumberOfProcesses();
+  }
+  settings.WholeExtent = wholeExtent;
+  settings.ComputesNormals = static_cast<vtkRayTracedSurfaceMapper*>(this->GetMapper())->GetSmooth();
+  return vtkRayTracedSurfaceGatherer::Gather(input, settings);
+}

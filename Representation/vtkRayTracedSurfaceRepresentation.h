@@ -1,0 +1,42 @@
+/**
+ * @class   vtkRayTracedSurfaceRepresentation
+ * @brief   representation that shows the outer surface of any data set among the ray-traced glyphs of the view
+ *
+ * The surface is that of ParaView's ordinary surface representation: its triangles, colours, opacity and material.
+ * Lines and vertices are not shown.
+ *
+ * @sa vtkRayTracedSurfaceGatherer vtkRayTracedSurfaceMapper
+ */
+#ifndef vtkRayTracedSurfaceRepresentation_h
+#define vtkRayTracedSurfaceRepresentation_h
+
+#include "vtkRayTracedGlyphRepresentation.h"
+
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedSurfaceRepresentation
+  : public vtkRayTracedGlyphRepresentation
+{
+public:
+  static vtkRayTracedSurfaceRepresentation* New();
+  vtkTypeMacro(vtkRayTracedSurfaceRepresentation, vtkRayTracedGlyphRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * 0, VTK_FLAT: each triangle has its own normal. Any other: the points' normals are interpolated, which are
+   * computed where the data have none. Default is 1, VTK_GOURAUD.
+   */
+  void SetInterpolation(int interpolation);
+
+protected:
+  vtkRayTracedSurfaceRepresentation();
+  ~vtkRayTracedSurfaceRepresentation() override;
+
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) override;
+
+private:
+  vtkRayTracedSurfaceRepresentation(const vtkRayTracedSurfaceRepresentation&) = delete;
+  void operator=(const vtkRayTracedSurfaceRepresentation&) = delete;
+};
+
+#endif

@@ -1,0 +1,46 @@
+/**
+ * @class   vtkRayTracedTriangleBuilder
+ * @brief   turns polygons into the triangles that the kernels trace
+ *
+ * Normals of the points become those of the triangles' corners, with an actor's transform as vtk does it; normals of
+ * zero length, or not finite, leave a triangle its own.
+ *
+ * Triangles with a corner that is not finite are left out and counted.
+ */
+#ifndef vtkRayTracedTriangleBuilder_h
+#define vtkRayTracedTriangleBuilder_h
+
+#include "TriangleMesh.h"
+#include "vtkGlyphBlockAttributes.h"
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkMatrix4x4;
+class vtkPolyData;
+
+class vtkRayTracedTriangleBuilder
+{
+public:
+  struct Result
+  {
+    rtg::TriangleMesh Mesh; // without colours; positions are those of the points, in their order
+    glm::dvec3 Origin{ 0.0 };     // that positions are relative to
+    std::vector<vtkIdType> Cells; // of each triangle
+    vtkIdType Skipped = 0;        // triangles
+  };
+
+  /**
+   * In the world, relative to the middle of the data. Blocks as Resolve()d for `polygons`; hidden ones are left out.
+   * `modelToWorld` may be null. Without `smooth`, normals are left out.
+   */
+  static Result BuildRelative(vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& blocks,
+    vtkMatrix4x4* modelToWorld, bool smooth);
+
+  /**
+   * In the polygons' own frame, relative to its origin.
+   */
+  static Result BuildInPlace(vtkPolyData* polygons);
+};
+
+#endif
