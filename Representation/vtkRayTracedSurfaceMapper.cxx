@@ -98,7 +98,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
       " triangles are not shown: a corner's position is not finite. Remove these points, for "
       "example with Threshold or Clean.");
   }
-  else if (surface->GetNumberOfPolys() == 0)
+  else if (surface->GetNumberOfPolys() == 0 && surface->GetNumberOfPoints() > 0)
   {
     messages.emplace_back("The data have no polygons and so no surface to show; lines and vertices "
                           "are left out. Choose another representation, or make polygons with a "

@@ -110,11 +110,171 @@ def like_paraview(view):
         FAILURES.extend(comparison.against_paraview(pictures[SURFACE], pictures["Surface"], "surface-" + name))
 
 
+def with_glyphs(view):
+    """Glyphs before, behind and inside of a surface: one scene, in which the nearer one is seen, through opacity too."""
+    red, blue = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
+    plane = pv.Plane(Origin=[-2, -1, 0], Point1=[2, -1, 0], Point2=[-2, 1, 0])
+    surface = show(plane, view, SURFACE)
+    session.solid(surface, blue)
+    points = session.source(session.poly_data(numpy.array([[-1.0, 0.0, 0.7], [0.0, 0.0, -0.7], [1.0, 0.0, 0.0]])))
+    glyphs = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.8)
+    session.solid(glyphs, red)
+    for shown in (surface, glyphs):
+        shown.Ambient, shown.Diffuse = 1.0, 0.0
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
+    columns = {x: 200 + 100 * x for x in (-1, 0, 1)}  # 300 pixels are 3 units high
+    pixels = session.capture(view, "surface-with-glyphs")
+    for x, wanted in ((-1, (255, 0, 0)), (0, (0, 0, 255)), (1, (255, 0, 0))):
+        found = colour_at(pixels, columns[x], 150)
+        check(found == wanted, "at %d there is colour %s, not %s" % (x, found, wanted))
+    check(comparison.covered(pixels)[150 - 95, 200] and not comparison.covered(pixels)[150 - 105, 200],
+          "the plane's edge is not where it belongs")
+    counted = session.statistics(glyphs)
+    check(counted["glyphs"] == 3, "%s glyphs beside the surface" % counted["glyphs"])
+
+    # A translucent surface: what is behind it shines through, as it does through ParaView's own.
+    pictures = {}
+    for kind in (SURFACE, "Surface"):
+        surface.SetRepresentationType(kind)
+        surface.Opacity = 0.5
+        pictures[kind] = session.capture(view, "surface-translucent-" + ("ours" if kind == SURFACE else "paraview"))
+    FAILURES.extend(comparison.against_paraview(pictures[SURFACE], pictures["Surface"], "surface-translucent"))
+    mixed = colour_at(pictures[SURFACE], 200, 150)
+    check(abs(mixed[0] - 128) < 4 and abs(mixed[2] - 128) < 4, "a red sphere behind blue at opacity 0.5 is %s" % (mixed,))
+
+    pv.Hide(plane, view)
+    pixels = session.capture(view, "surface-hidden")
+    check(colour_at(pixels, 200, 150) == (255, 0, 0), "the hidden surface still hides a sphere")
+    pv.Delete(surface)
+    pv.Delete(glyphs)
+
+
+def blocks(view):
+    """Blocks are hidden, coloured and made translucent by their selectors; an array that one lacks does no harm."""
+    data = vtkMultiBlockDataSet()
+    for i, x in enumerate((-1.0, 0.0, 1.0)):
+        part = sphere_data(0.4, 32, (x, 0.0, 0.0))
+        if i == 1:
+            part.GetPointData().RemoveArray("height")
+        data.SetBlock(i, part)
+    source = session.source(data)
+    shown = show(source, view, SURFACE)
+    session.solid(shown, COLOUR)
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    solid = tuple(round(255 * channel) for channel in COLOUR)
+
+    def row(name):
+        pixels = session.capture(view, "surface-blocks-" + name)
+        return [colour_at(pixels, 200 + 100 * x, 150) for x in (-1, 0, 1)]
+
+    check(row("all") == [solid] * 3, "not all blocks are shown: %s" % row("all"))
+    shown.BlockSelectors = ["/Root/Block0", "/Root/Block2"]
+    check(row("hidden") == [solid, session.BACKGROUND, solid], "hidden block: %s" % row("hidden"))
+    shown.BlockSelectors = ["/"]
+    shown.BlockColors = ["/Root/Block1", "0", "1", "0"]
+    check(row("coloured") == [solid, (0, 255, 0), solid], "coloured block: %s" % row("coloured"))
+    shown.BlockColors = []
+    pv.ColorBy(shown, ("POINTS", "height"))
+    shown.SetScalarBarVisibility(view, False)
+    table = pv.GetColorTransferFunction("height")
+    table.NanColor = [1.0, 1.0, 0.0]
+    check(row("partial")[1] == (255, 255, 0), "a block without the array has %s" % (row("partial")[1],))
+    pv.Delete(shown)
+
+
+def only_colours(view):
+    """A new colour map sends colours and builds nothing; the same data again do nothing at all."""
+    sphere = session.source(sphere_data())
+    shown = show(sphere, view, SURFACE)
+    pv.ColorBy(shown, ("POINTS", "height"))
+    shown.SetScalarBarVisibility(view, False)
+    session.look(view, (1.5, 1.2, 4.0))
+    pv.Render(view)
+    first = session.statistics(shown)
+    pv.GetColorTransferFunction("height").ApplyPreset("Viridis (matplotlib)", True)
+    pv.Render(view)
+    second = session.statistics(shown)
+    print("colour map:", {key: (first[key], second[key]) for key in first if first[key] != second[key]})
+    for key in ("structureBuilds", "instanceUploads"):
+        check(first[key] == second[key], "new colours: %s went from %s to %s" % (key, first[key], second[key]))
+    check(second["colourUploads"] == first["colourUploads"] + 1, "new colours have not been sent once")
+    session.replace_data(sphere, sphere_data())
+    pv.Render(view)
+    third = session.statistics(shown)
+    for key in ("structureBuilds", "instanceUploads", "colourUploads", "primaryRays"):
+        check(second[key] == third[key], "same data: %s went from %s to %s" % (key, second[key], third[key]))
+    session.replace_data(sphere, sphere_data(0.9))
+    pv.Render(view)
+    check(session.statistics(shown)["structureBuilds"] == third["structureBuilds"] + 1, "new data: no new structure")
+    pv.Delete(shown)
+
+
+def picking(view):
+    """A pixel names the cell of the data whose triangle is seen there."""
+    quads = pv.Plane(XResolution=4, YResolution=3, Origin=[-2, -1.5, 0], Point1=[2, -1.5, 0], Point2=[-2, 1.5, 0])
+    shown = show(quads, view, SURFACE)
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
+    pv.Render(view)
+    for cell, (x, y) in ((0, (50, 50)), (6, (250, 150)), (11, (399, 299))):
+        pv.SelectSurfaceCells(Rectangle=[x - 1, y - 1, x, y], View=view)
+        source = quads.GetSelectionInput(0)
+        ids = [int(i) for i in source.IDs] if source and hasattr(source, "IDs") else []
+        print("picked at", x, y, ids)
+        check(ids[1::2] == [cell], "at %d, %d cell %s is picked, not %d" % (x, y, ids, cell))
+        pv.ClearSelection(quads)
+    pv.Delete(shown)
+
+
+def bad_input(view):
+    """One clear message each, and the rest is shown."""
+    line = vtkLineSource()
+    line.Update()
+    broken = sphere_data()
+    vtk_to_numpy(broken.GetPoints().GetData())[40] = numpy.nan
+    crooked = sphere_data()
+    vtk_to_numpy(crooked.GetPointData().GetNormals())[:] = numpy.nan
+    cases = (
+        ("no polygons", line.GetOutput(), ("no polygons",), None, False),
+        ("no points", vtkPolyData(), None, None, False),
+        ("NaN position", broken, ("6 of 1920 triangles",), None, True),
+        ("NaN normals", crooked, None, None, True),
+        ("missing array", sphere_data(), ("nonesuch",), ["POINTS", "nonesuch"], True),
+    )
+    for name, data, words, array, visible in cases:
+        source = session.source(data)
+        session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
+
+        def twice():
+            shown = show(source, view, SURFACE)
+            session.solid(shown, COLOUR)
+            if array:
+                shown.ColorArrayName = array
+            pv.Render(view)
+            session.look(view, (0.0, 0.0, 5.001), parallel_scale=1.5)
+            pv.Render(view)
+
+        text = session.messages(twice)
+        print("%s: %s" % (name, text.strip() or "no message"))
+        count = text.count("ERR:") + text.count("ERROR:") + text.count("Warning:") + text.count("WARN")
+        check(count == (1 if words else 0), "%s: %d messages" % (name, count))
+        for word in words or ():
+            check(word in text, "%s: the message does not speak of '%s'" % (name, word))
+        pixels = session.capture(view, "surface-bad-" + name.replace(" ", "-"))
+        check(comparison.covered(pixels)[150, 200] == visible, "%s: the surface is %s" % (name, "missing" if visible else "there"))
+        pv.Delete(pv.GetDisplayProperties(source, view))
+
+
 def main():
     """All parts."""
     session.load()
     view = session.view()
     like_paraview(view)
+    with_glyphs(view)
+    blocks(view)
+    only_colours(view)
+    picking(view)
+    bad_input(view)
     session.finish(FAILURES)
 
 
