@@ -87,7 +87,7 @@ struct GlyphSetRecord
   float roughness;
   float coatStrength;
   float coatRoughness;
-  float coatReflectance;             // of the coat at normal incidence
+  float coatReflectance; // of the coat at normal incidence
   vec3 coatColour;
 };
 
@@ -130,8 +130,8 @@ struct ProbeResult
 // What a pixel has gathered, when samples will be added later.
 struct PixelSums
 {
-  vec4 colour;      // of the samples that hit: colour times opacity, opacity
-  float depth;      // view depth of the nearest sample that hit; of the centre's, negated, if that hit
+  vec4 colour; // of the samples that hit: colour times opacity, opacity
+  float depth; // view depth of the nearest sample that hit; of the centre's, negated, if that hit
 };
 
 // Sums of what the samples' camera rays hit, for denoising and scripts.
@@ -139,7 +139,7 @@ struct PixelFeatures
 {
   vec3 normal;
   vec3 albedo;
-  float depth;      // view depth
+  float depth; // view depth
   float hits;
 };
 
@@ -195,7 +195,8 @@ struct FrameRecord
   RTG_ADDRESS(UintImage) glyphIds;
   RTG_ADDRESS(PixelSumsImage) sums;         // when the program accumulates
   RTG_ADDRESS(PixelFeaturesImage) features; // when it gathers features
-  RTG_ADDRESS(UintArray) blueNoise;         // blueNoiseSide squared thresholds, for the sampler that needs them
+  RTG_ADDRESS(UintArray)
+  blueNoise;                    // blueNoiseSide squared thresholds, for the sampler that needs them
   RTG_ADDRESS(RayRecords) rays; // by launch index
   RTG_ADDRESS(ProbeRecords) probes;
   RTG_ADDRESS(ProbeResults) probeResults;
@@ -218,9 +219,9 @@ struct FrameRecord
   vec3 sceneUpper;
   uint width;
   uint height;
-  uint firstSample;                   // number of the first sample of this dispatch
-  uint samples;                       // that this dispatch adds
-  uint plannedSamples;                // of the finished image, for the stratified sampler
+  uint firstSample;    // number of the first sample of this dispatch
+  uint samples;        // that this dispatch adds
+  uint plannedSamples; // of the finished image, for the stratified sampler
   uint pixelStep;
   uint firstRow; // of tiles, when an image takes several dispatches
   uint cullMask;

@@ -69,9 +69,8 @@ bool SameShape(const TriangleMesh& a, const TriangleMesh& b)
 
 Buffer SendMeshColours(Device::State& device, const PlacedMesh& mesh, const TriangleMesh& source)
 {
-  return source.positionColours.empty()
-    ? Send(device, Ordered(source.triangleColours, mesh.order))
-    : Send(device, source.positionColours);
+  return source.positionColours.empty() ? Send(device, Ordered(source.triangleColours, mesh.order))
+                                        : Send(device, source.positionColours);
 }
 
 PlacedMesh Place(Device::State& device, std::shared_ptr<const TriangleMesh> source, bool sorts)

@@ -43,7 +43,8 @@ enum class Structure
 struct PlacedMesh
 {
   std::shared_ptr<const TriangleMesh> source;
-  std::vector<std::uint32_t> order; ///< place on the device -> triangle of the source; empty: the same
+  std::vector<std::uint32_t>
+    order; ///< place on the device -> triangle of the source; empty: the same
   Buffer positions, triangles, normals, colours;
   AccelerationStructure structure;
 };
@@ -74,8 +75,8 @@ struct GlyphSet
   std::uint32_t treeLeafBits = 0;
   std::vector<std::uint8_t> kdAxes; ///< see KdOrder
   std::vector<GlyphRun> runs;
-  PlacedMesh mesh;                  ///< Shape::Mesh only
-  std::uint32_t firstInstance = 0;  ///< in the top level; Shape::Mesh only
+  PlacedMesh mesh;                 ///< Shape::Mesh only
+  std::uint32_t firstInstance = 0; ///< in the top level; Shape::Mesh only
 
   bool Translucent() const
   {

@@ -107,8 +107,8 @@ struct vtkRayTracedGlyphMapper::InstanceKey
   bool operator==(const InstanceKey& other) const
   {
     return SameSettings(this->Settings, other.Settings) && this->Times == other.Times &&
-      this->FurtherTimes == other.FurtherTimes && this->HiddenBlocks == other.HiddenBlocks && this->Matrix == other.Matrix &&
-      this->SharedMeanScale == other.SharedMeanScale;
+      this->FurtherTimes == other.FurtherTimes && this->HiddenBlocks == other.HiddenBlocks &&
+      this->Matrix == other.Matrix && this->SharedMeanScale == other.SharedMeanScale;
   }
 };
 

@@ -133,7 +133,8 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 {
   this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   for (int i = 0;
-       this->GetNumberOfInputPorts() > 1 && i < inputVector[1]->GetNumberOfInformationObjects(); ++i)
+       this->GetNumberOfInputPorts() > 1 && i < inputVector[1]->GetNumberOfInformationObjects();
+       ++i)
   {
     vtkInformation* info = inputVector[1]->GetInformationObject(i);
     info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
@@ -145,8 +146,8 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(
-  vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkPolyData>
+vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   return vtkGlyphPointGatherer::Gather(input, controller ? controller->GetLocalProcessId() : 0,

@@ -127,8 +127,8 @@ void CompleteArrays(const std::vector<vtkSmartPointer<vtkPolyData>>& blocks, boo
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceGatherer::Triangulate(
-  vtkPolyData* polygons, const Settings& settings)
+vtkSmartPointer<vtkPolyData>
+vtkRayTracedSurfaceGatherer::Triangulate(vtkPolyData* polygons, const Settings& settings)
 {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->PassVertsOff();
@@ -149,8 +149,8 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceGatherer::Triangulate(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceGatherer::Gather(
-  vtkDataObject* input, const Settings& settings)
+vtkSmartPointer<vtkPolyData>
+vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* input, const Settings& settings)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> blocks;
   const auto add = [&](vtkDataObject* data, bool isBlock, unsigned int flatIndex)

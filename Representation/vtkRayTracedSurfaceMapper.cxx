@@ -38,7 +38,8 @@ std::uint32_t Pack(const std::array<double, 4>& rgba)
   std::uint32_t packed = 0;
   for (int c = 0; c < 4; ++c)
   {
-    packed |= static_cast<std::uint32_t>(std::lround(vtkMath::ClampValue(rgba[c], 0.0, 1.0) * 255.0))
+    packed |=
+      static_cast<std::uint32_t>(std::lround(vtkMath::ClampValue(rgba[c], 0.0, 1.0) * 255.0))
       << (8 * c);
   }
   return packed;
@@ -121,8 +122,7 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
     if (!mapped || mapped->GetNumberOfTuples() != wanted)
     {
       mapped = nullptr;
-      messages.push_back("There is no array '" +
-        std::string(this->ArrayName) +
+      messages.push_back("There is no array '" + std::string(this->ArrayName) +
         "' that has a value for each point or cell of the surface, so it has one colour. Choose a "
         "point or cell array as ColorArrayName.");
     }

@@ -52,15 +52,14 @@ int vtkRayTracedSurfaceRepresentation::RequestUpdateExtent(
   {
     vtkInformation* info = inputVector[0]->GetInformationObject(i);
     auto* levels = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS();
-    info->Set(levels,
-      info->Get(levels) + vtkProcessModule::GetNumberOfGhostLevelsToRequest(info));
+    info->Set(levels, info->Get(levels) + vtkProcessModule::GetNumberOfGhostLevelsToRequest(info));
   }
   return 1;
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceRepresentation::Gather(
-  vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkPolyData>
+vtkRayTracedSurfaceRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
 {
   vtkRayTracedSurfaceGatherer::Settings settings;
   if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())
@@ -69,6 +68,7 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceRepresentation::Gather(
     settings.Processes = controller->GetNumberOfProcesses();
   }
   settings.WholeExtent = wholeExtent;
-  settings.ComputesNormals = static_cast<vtkRayTracedSurfaceMapper*>(this->GetMapper())->GetSmooth();
+  settings.ComputesNormals =
+    static_cast<vtkRayTracedSurfaceMapper*>(this->GetMapper())->GetSmooth();
   return vtkRayTracedSurfaceGatherer::Gather(input, settings);
 }

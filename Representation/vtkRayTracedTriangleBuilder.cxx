@@ -97,8 +97,7 @@ void AddTriangles(vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& t
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     iterator->GetCurrentCell(size, corners);
-    const auto block =
-      blocks && size > 0 ? table.find(blocks->GetValue(corners[0])) : table.end();
+    const auto block = blocks && size > 0 ? table.find(blocks->GetValue(corners[0])) : table.end();
     if (block != table.end() && !block->second.Visible)
     {
       continue;
@@ -157,9 +156,9 @@ vtkRayTracedTriangleBuilder::Result Build(vtkPolyData* polygons,
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedTriangleBuilder::Result vtkRayTracedTriangleBuilder::BuildRelative(
-  vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld,
-  bool smooth)
+vtkRayTracedTriangleBuilder::Result
+vtkRayTracedTriangleBuilder::BuildRelative(vtkPolyData* polygons,
+  const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld, bool smooth)
 {
   return Build(polygons, blocks, Placement(modelToWorld), smooth, /*relative=*/true);
 }

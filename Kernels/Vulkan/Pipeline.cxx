@@ -138,7 +138,8 @@ Pipeline::Pipeline(
   {
     const HitGroup& group = groups[i];
     constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads,
-      group.hasTree, group.ownExponents, group.smoothNormals, group.meshColours, generation.alone, leavesSurface };
+      group.hasTree, group.ownExponents, group.smoothNormals, group.meshColours, generation.alone,
+      leavesSurface };
     specialisations[i] =
       vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
         specialisationMap, sizeof(Specialisation), &constants[i]);

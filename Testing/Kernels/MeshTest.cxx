@@ -225,8 +225,8 @@ TEST_F(MeshTest, ColoursAndNamesOfTrianglesFollowThem)
   {
     place[i] = i * 7 % stripes;
     const float x = float(place[i]) / stripes;
-    mesh.positions.insert(
-      mesh.positions.end(), { { x, -9, 0 }, { x + 1.0f / stripes, -9, 0 }, { x + 0.5f / stripes, 99, 0 } });
+    mesh.positions.insert(mesh.positions.end(),
+      { { x, -9, 0 }, { x + 1.0f / stripes, -9, 0 }, { x + 0.5f / stripes, 99, 0 } });
     mesh.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
     mesh.triangleColours.push_back(0xff000000u + i);
   }

@@ -1,6 +1,7 @@
 """Ray-traced glyphs against ParaView's 3D Glyphs at high tessellation: one shape, every projection, colouring and light.
 
 Usage: pvpython same_as_3d_glyphs.py SHAPE
+SHAPE is Sphere, Box, ..., or MeshSphere, MeshBox, ...: the glyphs are then meshes of ParaView's source of that name.
 """
 import sys
 
@@ -36,8 +37,8 @@ def theirs(points, in_view, shape):
     """The scene as ParaView's 3D Glyphs."""
     shown = pv.Show(points, in_view)
     shown.SetRepresentationType("3D Glyphs")
-    shown.GlyphType = shape
-    for name, value in RESOLUTION[shape].items():
+    shown.GlyphType = shape.replace("Mesh", "")
+    for name, value in RESOLUTION.get(shape, {}).items():
         setattr(shown.GlyphType, name, value)
     shown.Orient = 1
     shown.OrientationMode = "Direction"
@@ -51,10 +52,13 @@ def theirs(points, in_view, shape):
 
 def ours(points, in_view, shape):
     """The scene as ray-traced glyphs, arrows with the outline of ParaView's arrow source."""
-    shown = session.glyphs(points, in_view, shape,
+    is_mesh = shape.startswith("Mesh")
+    shown = session.glyphs(points, in_view, "Mesh" if is_mesh else shape,
                            GlyphOrient=1, GlyphOrientationArray="vector", GlyphOrientationMode="Direction",
                            GlyphScaling=1, GlyphScaleArray="vector", GlyphScaleMode="Magnitude",
                            GlyphScaleFactor=0.3)
+    if is_mesh:
+        shown.GlyphMesh = shape.replace("Mesh", "")
     if shape == "Arrow":
         shown.ArrowHeads = "Scaled"
         shown.ArrowTipRounding = 0.0

@@ -4,6 +4,7 @@ Usage: pvpython surface.py
 """
 import numpy
 import paraview.simple as pv
+from vtkmodules.vtkCommonCore import vtkCollection
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkSphereSource
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -216,13 +217,16 @@ def picking(view):
     shown = show(quads, view, SURFACE)
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
     pv.Render(view)
-    for cell, (x, y) in ((0, (50, 50)), (6, (250, 150)), (11, (399, 299))):
-        pv.SelectSurfaceCells(Rectangle=[x - 1, y - 1, x, y], View=view)
-        source = quads.GetSelectionInput(0)
-        ids = [int(i) for i in source.IDs] if source and hasattr(source, "IDs") else []
+    for cell, (x, y) in ((0, (50, 50)), (6, (250, 150)), (11, (398, 298))):
+        ids = []
+        representations, sources = vtkCollection(), vtkCollection()
+        view.SMProxy.SelectSurfaceCells([x, y, x, y], representations, sources, 0)
+        for i in range(sources.GetNumberOfItems()):
+            selected = pv.servermanager._getPyProxy(sources.GetItemAsObject(i))
+            check(selected.FieldType == "CELL", "%s is selected" % selected.FieldType)
+            ids += list(selected.IDs)[1::2]
         print("picked at", x, y, ids)
-        check(ids[1::2] == [cell], "at %d, %d cell %s is picked, not %d" % (x, y, ids, cell))
-        pv.ClearSelection(quads)
+        check(ids == [cell], "at %d, %d cells %s are picked, not %d" % (x, y, ids, cell))
     pv.Delete(shown)
 
 
