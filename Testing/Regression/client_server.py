@@ -20,9 +20,9 @@ REMOTE, CLIENT = 0.0, 20.0
 
 
 def scene(folder):
-    """Particles strewn over the ranks as arrows and spheres, on an opaque surface; (view, both representations)."""
+    """Particles spread over the ranks as arrows and spheres, on an opaque surface; (view, both representations)."""
     view = session.view(300, 200)
-    spread = session.strewn(folder + "/impact/impact_04.vtk")
+    spread = session.spread(folder + "/impact/impact_04.vtk")
     spheres = session.glyphs(spread, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
                              GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
     session.solid(spheres, (0.9, 0.7, 0.3))

@@ -45,8 +45,8 @@ def vectors(view):
 
 
 def unstructured(view, folder):
-    """The particles of the simulation, strewn over the ranks, and an opaque surface of their own in between."""
-    spread = session.strewn(folder + "/impact/impact_04.vtk")
+    """The particles of the simulation, spread over the ranks, and an opaque surface of their own in between."""
+    spread = session.spread(folder + "/impact/impact_04.vtk")
     shown = session.glyphs(spread, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
                            GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
     session.solid(shown, (0.9, 0.7, 0.3))

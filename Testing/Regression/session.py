@@ -18,9 +18,9 @@ REPRESENTATION = "Ray Traced Glyphs"
 #: No shaded glyph has this colour, so what differs from it is covered by glyphs.
 BACKGROUND = (255, 0, 255)
 
-#: Script of a source of which each rank keeps every n-th point. RedistributeDataSet would do, but Debian 12's ParaView
+#: Script of a source of which each rank keeps the points of a slab. RedistributeDataSet would do, but Debian 12's ParaView
 #: sends data sets between ranks as XML with raw data, which its libexpat rejects since a security update.
-STREWN = """
+SPREAD = """
 from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray
@@ -35,7 +35,9 @@ whole = reader.GetOutput()
 part = self.GetOutput()
 points, cells, values = vtkPoints(), vtkCellArray(), part.GetPointData()
 values.CopyAllocate(whole.GetPointData())
-for i in range(controller.GetLocalProcessId(), whole.GetNumberOfPoints(), controller.GetNumberOfProcesses()):
+rank, ranks, count = controller.GetLocalProcessId(), controller.GetNumberOfProcesses(), whole.GetNumberOfPoints()
+along_x = sorted(range(count), key=lambda i: whole.GetPoint(i)[0])
+for i in along_x[count * rank // ranks:count * (rank + 1) // ranks]:
     at = points.InsertNextPoint(whole.GetPoint(i))
     cells.InsertNextCell(1, [at])
     values.CopyData(whole.GetPointData(), i, at)
@@ -44,9 +46,9 @@ part.SetVerts(cells)
 """
 
 
-def strewn(path):
-    """A source: the points of a legacy VTK file as vertices, each rank having its share of them."""
-    return pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=STREWN % path)
+def spread(path):
+    """A source: the points of a legacy VTK file as vertices, each rank having a slab of them."""
+    return pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=SPREAD % path)
 
 
 def load():
