@@ -32,13 +32,16 @@ enum class Shape : std::uint32_t
   Arrow = 4,    ///< along +x from 0 to 1, see ArrowForm
   /// |2x|^r + |2y|^s + |2z|^t = 1, half-lengths 0.5, centred; r, s, t are GlyphInstances' exponents
   Superquadric = 5,
+  /// Two profiles round z, half-lengths 0.5, centred; see Shapes/NestedSuperquadric.glsl. GlyphInstances' exponents
+  /// are alpha, beta, c: cross-section 2/alpha, profile over x 2/beta, profile over y 2/c
+  NestedSuperquadric = 6,
   Mesh = 7 ///< the triangles of GlyphInstances::mesh, in their own frame and size
 };
 
 /// Whether a shape has GlyphInstances' exponents.
 inline bool HasExponents(Shape shape)
 {
-  return shape == Shape::Superquadric;
+  return shape == Shape::Superquadric || shape == Shape::NestedSuperquadric;
 }
 
 /// Proportions of the unit arrow, as fractions of its length of 1. Defaults are vtkArrowSource's.

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <sstream>
 
@@ -295,6 +296,7 @@ enum Reason
   POSITION,
   SCALE,
   ORIENTATION,
+  TENSOR,
   REASONS
 };
 
@@ -330,6 +332,9 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
       "', is zero or not finite",
     "Choose another GlyphOrientationArray, switch GlyphOrient off, or remove these points with "
     "Threshold.");
+  say(skipped[TENSOR],
+    "their tensor, from the point array '" + settings.Tensors.Array + "', is zero or not finite",
+    "Remove these points with Threshold, or leave it at that.");
 }
 
 vtkDataArray* WantedArray(vtkPolyData* points, bool wanted, const std::string& name)
@@ -463,13 +468,26 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     settings.OrientationArray, "GlyphOrientationArray",
     { settings.OrientationMode == QUATERNION ? 4 : 3 }, "the glyphs are not turned", result));
   Tuples positions(points->GetPoints()->GetData());
+  std::unique_ptr<vtkGlyphTensors> tensors;
+  if (settings.Tensors.On)
+  {
+    vtkDataArray* array = vtkGlyphTensors::Array(points, settings.Tensors);
+    const std::string problem = vtkGlyphTensors::Problem(array, settings.Tensors);
+    if (!problem.empty())
+    {
+      result.Messages.push_back(problem);
+      result.Skipped = static_cast<vtkIdType>(candidates.size());
+      return result;
+    }
+    tensors = std::make_unique<vtkGlyphTensors>(array, settings.Tensors, candidates);
+  }
 
   // What an instance stores: nothing that is the same for all, and no turn of what looks the same from all sides
   const Placement placement(modelToWorld);
   const bool sphere = settings.Shape == rtg::Shape::Sphere;
-  const bool sameSizes = !scales && placement.Uniform;
-  const bool oneSize = (!scales || !byComponents) && placement.Uniform;
-  const bool turned = (orientations || !placement.Identity) && !(sphere && oneSize);
+  const bool sameSizes = !scales && !tensors && placement.Uniform;
+  const bool oneSize = (!scales || !byComponents) && !tensors && placement.Uniform;
+  const bool turned = (orientations || tensors || !placement.Identity) && !(sphere && oneSize);
   const bool pointed = settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow;
   bool flips = (scales && byComponents) || settings.ScaleFactor < 0.0 || placement.Scale < 0.0;
   flips = flips && pointed;
@@ -515,7 +533,18 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
                            : glm::dvec3(vtkMath::Norm(tuple, scales.Size()));
     }
     glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
-    if (orientations && turned &&
+    rtg::TensorGlyph tensorGlyph;
+    if (tensors)
+    {
+      if (!tensors->Glyph(i, tensorGlyph))
+      {
+        ++skipped[TENSOR];
+        continue;
+      }
+      size *= tensorGlyph.halfLengths;
+      rotation = tensorGlyph.rotation;
+    }
+    else if (orientations && turned &&
       !RotationFromTuple(orientations.Get(i), settings.OrientationMode, rotation))
     {
       ++skipped[ORIENTATION];
@@ -552,6 +581,10 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     {
       instances.uniformSize = stored.x;
       sized = true;
+    }
+    if (tensors && HasExponents(settings.Shape))
+    {
+      instances.exponents3.emplace_back(tensorGlyph.exponents);
     }
     if (!oneSize)
     {
@@ -627,6 +660,10 @@ void vtkGlyphInstanceBuilder::ComputeBounds(vtkPolyData* points, const Settings&
   {
     largest = glm::dvec3(0.0);
   }
+  if (vtkDataArray* tensors = vtkGlyphTensors::Array(points, settings.Tensors))
+  {
+    largest *= vtkGlyphTensors::Largest(tensors, settings.Tensors);
+  }
   // Reach of the unit form from its centre along the axes; turned, in every direction
   const bool arrow = settings.Shape == rtg::Shape::Arrow;
   glm::dvec3 reach(0.5);
@@ -652,7 +689,7 @@ void vtkGlyphInstanceBuilder::ComputeBounds(vtkPolyData* points, const Settings&
     }
   }
   reach *= largest;
-  if (OrientationArray(points, settings) || arrow || settings.Shape == rtg::Shape::Cone)
+  if (OrientationArray(points, settings) || settings.Tensors.On || arrow || settings.Shape == rtg::Shape::Cone)
   {
     const double radius = settings.Shape == rtg::Shape::Sphere
       ? std::max({ reach.x, reach.y, reach.z })

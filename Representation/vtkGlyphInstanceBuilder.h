@@ -17,6 +17,7 @@
 
 #include "Glyphs.h"
 #include "vtkGlyphBlockAttributes.h"
+#include "vtkGlyphTensors.h"
 #include "vtkType.h"
 
 #include <memory>
@@ -56,6 +57,7 @@ public:
     double ArrowReference =
       0.0; // scale of the arrow whose head has the unit arrow's proportions; 0: the mean
     std::shared_ptr<const rtg::TriangleMesh> Mesh; // for rtg::Shape::Mesh
+    vtkGlyphTensors::Settings Tensors; // on: they give size, rotation and exponents
     bool Mask = false;
     vtkIdType MaximumNumberOfGlyphs = 5000;
     int Seed = 1;

@@ -24,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <tuple>
 
 vtkStandardNewMacro(vtkRayTracedGlyphMapper);
@@ -75,6 +76,7 @@ std::array<std::uint64_t, 2> DigestOf(const rtg::GlyphInstances& instances)
   Mix(sum, instances.sizes3.data(), instances.sizes3.size());
   Mix(sum, instances.sizes1.data(), instances.sizes1.size());
   Mix(sum, instances.rotations.data(), instances.rotations.size());
+  Mix(sum, instances.exponents3.data(), instances.exponents3.size());
   return sum;
 }
 
@@ -85,7 +87,8 @@ bool SameSettings(
   {
     return std::tie(s.Shape, s.Scaling, s.ScaleArray, s.ScaleMode, s.ScaleFactor, s.Orient,
       s.OrientationArray, s.OrientationMode, s.Arrow.shaftRadius, s.Arrow.tipRadius,
-      s.Arrow.tipLength, s.Arrow.tipRounding, s.Arrow.fixedHeads, s.ArrowReference, s.Mask,
+      s.Arrow.tipLength, s.Arrow.tipRounding, s.Arrow.fixedHeads, s.ArrowReference, s.Tensors.On, s.Tensors.Kind,
+      s.Tensors.Array, s.Tensors.Layout, s.Tensors.Sharpness, s.Mask,
       s.MaximumNumberOfGlyphs, s.Seed, s.Mesh);
   };
   return all(a) == all(b);
@@ -98,7 +101,7 @@ bool SameSettings(
 struct vtkRayTracedGlyphMapper::InstanceKey
 {
   vtkGlyphInstanceBuilder::Settings Settings;
-  std::array<vtkMTimeType, 5> Times{};
+  std::array<vtkMTimeType, 6> Times{};
   std::vector<vtkMTimeType> FurtherTimes;
   std::vector<unsigned int> HiddenBlocks;
   std::array<double, 16> Matrix{};
@@ -121,6 +124,7 @@ struct vtkRayTracedGlyphMapper::ColorKey
   std::array<vtkMTimeType, 2> Times{};
   std::uint64_t Points = 0; // grows with each choice of points
   vtkGlyphBlockAttributes::Table Blocks;
+  int TensorColoring = 0;
   std::array<double, 3> SolidColor{}; // where blocks without a colour of their own need it
 
   bool operator==(const ColorKey& other) const
@@ -128,7 +132,7 @@ struct vtkRayTracedGlyphMapper::ColorKey
     return this->Visible == other.Visible && this->Array == other.Array &&
       this->ScalarMode == other.ScalarMode && this->ColorMode == other.ColorMode &&
       this->Times == other.Times && this->Points == other.Points && this->Blocks == other.Blocks &&
-      this->SolidColor == other.SolidColor;
+      this->TensorColoring == other.TensorColoring && this->SolidColor == other.SolidColor;
   }
 };
 
@@ -236,7 +240,8 @@ vtkRayTracedGlyphMapper::MakeInstanceKey(vtkPolyData* points) const
     points->GetPoints() ? TimeOf(points->GetPoints()->GetData()) : 0,
     TimeOf(vtkGlyphInstanceBuilder::ScaleArray(points, this->Glyphs)),
     TimeOf(vtkGlyphInstanceBuilder::OrientationArray(points, this->Glyphs)),
-    TimeOf(points->GetPointData()->GetArray(vtkGlyphPointGatherer::CompositeIndexName())) };
+    TimeOf(points->GetPointData()->GetArray(vtkGlyphPointGatherer::CompositeIndexName())),
+    TimeOf(vtkGlyphTensors::Array(points, this->Glyphs.Tensors)) };
   key.FurtherTimes = this->FurtherTimes(points);
   if (vtkGlyphInstanceBuilder::NeedsMeanScale(this->Glyphs))
   {
@@ -261,6 +266,7 @@ vtkRayTracedGlyphMapper::MakeColorKey(vtkPolyData* points, vtkActor* actor)
   key.Points = this->PointsVersion;
   key.Blocks = this->BlockTable;
   key.Visible = this->ScalarVisibility != 0;
+  key.TensorColoring = this->Glyphs.Tensors.On ? this->Glyphs.Tensors.Coloring : 0;
   if (!key.Blocks.empty())
   {
     actor->GetProperty()->GetDiffuseColor(key.SolidColor.data());
@@ -352,7 +358,13 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
 {
   std::vector<std::string> messages;
   vtkUnsignedCharArray* mapped = nullptr;
-  if (this->ScalarVisibility && !this->Points.empty())
+  std::unique_ptr<vtkGlyphTensors> tensors;
+  if (this->Glyphs.Tensors.On && this->Glyphs.Tensors.Coloring != vtkGlyphTensors::NONE && !this->Points.empty())
+  {
+    tensors = std::make_unique<vtkGlyphTensors>(
+      vtkGlyphTensors::Array(points, this->Glyphs.Tensors), this->Glyphs.Tensors, std::vector<vtkIdType>());
+  }
+  else if (this->ScalarVisibility && !this->Points.empty())
   {
     mapped = this->MapScalars(points, 1.0);
     if (!mapped)
@@ -371,7 +383,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
 
   rtg::GlyphColours colors;
   this->Translucent = false;
-  if (mapped || blockColors)
+  if (mapped || tensors || blockColors)
   {
     colors.resize(this->Points.size());
     const int components = mapped ? mapped->GetNumberOfComponents() : 0;
@@ -383,6 +395,10 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
       for (int c = 0; c < std::min(components, 4); ++c)
       {
         rgba[c] = mapped->GetValue(point * components + c) / 255.0;
+      }
+      if (tensors)
+      {
+        tensors->DirectionColor(point, rgba.data());
       }
       if (blockColors)
       {

@@ -360,21 +360,60 @@ bool vtkRayTracedGlyphRepresentation::GetRenderedRemotely()
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 {
-  if (shape != MESH && (shape < 0 || shape > static_cast<int>(rtg::Shape::Arrow)))
+  vtkGlyphInstanceBuilder::Settings& glyphs = this->Mapper->Glyphs;
+  const bool tensor = shape >= TENSOR_ELLIPSOID && shape <= SIGNED_TENSOR_SUPERQUADRIC;
+  if (!tensor && shape != MESH && (shape < 0 || shape > static_cast<int>(rtg::Shape::Arrow)))
   {
     vtkErrorMacro("GlyphShape is " << shape << "; it must lie between 0 (Sphere) and "
-                                   << static_cast<int>(rtg::Shape::Arrow) << " (Arrow), or be "
-                                   << MESH << " (Mesh).");
+                                   << static_cast<int>(rtg::Shape::Arrow) << " (Arrow), or between "
+                                   << TENSOR_ELLIPSOID << " (Tensor Ellipsoid) and "
+                                   << SIGNED_TENSOR_SUPERQUADRIC << " (Signed Tensor Superquadric), or be " << MESH
+                                   << " (Mesh).");
     return;
   }
-  this->Mapper->Glyphs.Shape = shape == MESH ? rtg::Shape::Mesh : static_cast<rtg::Shape>(shape);
+  this->GlyphShape = shape;
+  glyphs.Tensors.On = tensor;
+  if (tensor)
+  {
+    glyphs.Tensors.Kind = static_cast<rtg::TensorGlyphKind>(shape - TENSOR_ELLIPSOID);
+    glyphs.Shape =
+      shape == TENSOR_ELLIPSOID ? rtg::Shape::Sphere : rtg::Shape::NestedSuperquadric;
+  }
+  else
+  {
+    glyphs.Shape = shape == MESH ? rtg::Shape::Mesh : static_cast<rtg::Shape>(shape);
+  }
 }
 
 //----------------------------------------------------------------------------
 int vtkRayTracedGlyphRepresentation::GetGlyphShape()
 {
-  const rtg::Shape shape = this->Mapper->Glyphs.Shape;
-  return shape == rtg::Shape::Mesh ? MESH : static_cast<int>(shape);
+  return this->GlyphShape;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorArray(const char* name)
+{
+  this->Mapper->Glyphs.Tensors.Array = name ? name : "";
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorLayout(int layout)
+{
+  this->Mapper->Glyphs.Tensors.Layout =
+    static_cast<rtg::TensorLayout>(vtkMath::ClampValue(layout, 0, 3));
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorSharpness(double sharpness)
+{
+  this->Mapper->Glyphs.Tensors.Sharpness = vtkMath::ClampValue(sharpness, 0.0, 10.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorColoring(int coloring)
+{
+  this->Mapper->Glyphs.Tensors.Coloring = coloring;
 }
 
 //----------------------------------------------------------------------------

@@ -77,6 +77,27 @@ public:
   void SetArrowTipRounding(double rounding);
   ///@}
 
+  /**
+   * Values of GlyphShape beyond those of rtg::Shape.
+   */
+  enum TensorShapes
+  {
+    TENSOR_ELLIPSOID = 6,
+    TENSOR_SUPERQUADRIC = 7,
+    SIGNED_TENSOR_SUPERQUADRIC = 8
+  };
+
+  ///@{
+  /**
+   * The tensors of tensor glyphs, the order of their components (rtg::TensorLayout; default is 0, VTK's), the sharpness of
+   * superquadrics (in [0, 10], default 3), and whether the principal direction colours the glyphs (default 0, no).
+   */
+  void SetGlyphTensorArray(const char* name);
+  void SetGlyphTensorLayout(int layout);
+  void SetGlyphTensorSharpness(double sharpness);
+  void SetGlyphTensorColoring(int coloring);
+  ///@}
+
   ///@{
   /**
    * Shows at most so many of the glyphs, chosen at random but the same at each time step. Default is off, 5000, 1.
@@ -197,6 +218,7 @@ private:
   vtkNew<vtkProperty> Property;
   vtkSmartPointer<vtkPolyData> Points; // gathered, not yet delivered
   vtkNew<vtkMultiBlockDataSet> Mesh;   // likewise; its only block is the form of mesh glyphs
+  int GlyphShape = 0;
   bool ReplicateGlyphs = false;
   std::string DeviceName, Statistics;
 };

@@ -13,10 +13,11 @@
 #include "Cone.glsl"
 #include "Cylinder.glsl"
 #include "Sphere.glsl"
+#include "NestedSuperquadric.glsl"
 #include "Superquadric.glsl"
 #define RTG_SHAPES(ENTRY)                                                                          \
   ENTRY(0, Sphere) ENTRY(1, Box) ENTRY(2, Cylinder) ENTRY(3, Cone) ENTRY(4, Arrow)                 \
-  ENTRY(5, Superquadric)
+  ENTRY(5, Superquadric) ENTRY(6, NestedSuperquadric)
 
 // Nearest t in [tMin, tMax] where the ray crosses the glyph's surface; from inside, where it leaves.
 RTG_FN_SHAPE bool IntersectGlyph(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)

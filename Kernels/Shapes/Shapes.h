@@ -19,6 +19,10 @@ using glm::max;
 using glm::min;
 using glm::normalize;
 using std::abs;
+using std::exp2;
+using std::floor;
+using std::log;
+using std::log2;
 using std::pow;
 using std::sqrt;
 

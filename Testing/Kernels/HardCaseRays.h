@@ -225,10 +225,30 @@ inline std::vector<Subject> HardSubjects()
   };
 }
 
+/// Nested superquadrics, as tensors of both kinds and of sharpness up to 3 give them.
+inline std::vector<Subject> NestedSubjects()
+{
+  return {
+    { "nested, ball", Shape::NestedSuperquadric, {}, false, { 1, 1, 1 } },
+    { "nested, rounded box", Shape::NestedSuperquadric, {}, false, { 0.125f, 0.125f, 0.125f } },
+    { "nested, cylinder", Shape::NestedSuperquadric, {}, false, { 1, 0.01f, 0.01f } },
+    { "nested, nearly a cone", Shape::NestedSuperquadric, {}, false, { 0.6f, 1.8f, 1.8f } },
+    { "nested, octahedron", Shape::NestedSuperquadric, {}, false, { 0.01f, 2, 2 } },
+    { "nested, thorn", Shape::NestedSuperquadric, {}, false, { 1, 5, 5 } },
+    { "nested, between", Shape::NestedSuperquadric, {}, false, { 0.4f, 3.5f, 2.4f } },
+    { "nested, funk", Shape::NestedSuperquadric, {}, false, { 0.01f, 5, 2 } },
+  };
+}
+
 inline std::vector<HardCase> MakeHardCases(int glyphs, int raysPerGlyph)
 {
   std::vector<HardCase> cases;
-  for (const Subject& subject : HardSubjects())
+  std::vector<Subject> subjects = HardSubjects();
+  for (const Subject& nested : NestedSubjects())
+  {
+    subjects.push_back(nested);
+  }
+  for (const Subject& subject : subjects)
   {
     for (HardCase& hard : HardCaseMaker(subject, glyphs, raysPerGlyph).All())
     {

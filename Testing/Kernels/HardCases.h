@@ -76,6 +76,7 @@ struct Subject
   Shape shape;
   ArrowForm arrow;
   bool sameSize;
+  glm::vec3 exponents = glm::vec3(2.0f); ///< of the shapes that have them
 };
 
 /// For GoogleTest's lists of parameters.
@@ -159,6 +160,7 @@ inline HardCase HardCaseMaker::Start(
   GlyphInstances& instances = hard.instances;
   instances.shape = this->subject_.shape;
   instances.arrow = this->subject_.arrow;
+  instances.uniformExponents = this->subject_.exponents;
   // A fixed head's proportions are its own; what can be extreme is the shaft's length.
   instances.arrow.unitLength = float(size / (ratio > 1 ? ratio : 1.25));
   for (int i = 0; i < this->glyphs_; ++i)
@@ -252,6 +254,27 @@ inline glm::dvec3 HardCaseMaker::EdgePoint()
       const Vec edges[] = { { 0.5, 0, 0 }, { base, tip * c, tip * s },
         { base, shaft * c, shaft * s }, { -0.5, shaft * c, shaft * s } };
       return edges[this->Choice(4)];
+    }
+    case Shape::NestedSuperquadric:
+    {
+      // The rim, the seams where a profile meets a coordinate plane, the corners of the cross-section, the ends.
+      const double alpha = std::max(this->subject_.exponents.x, 1e-6f);
+      const double a = std::abs(2 * c), b = std::abs(2 * s);
+      const double norm = std::pow(std::pow(a, 2 / alpha) + std::pow(b, 2 / alpha), alpha / 2);
+      const Vec rim(c / norm, s / norm, 0), end(0, 0, side);
+      const double along = this->Choice(3) == 0 ? std::pow(10.0, this->Uniform(-6, 0)) : this->Uniform(0, 1);
+      const Vec corner(side, side, 0);
+      switch (this->Choice(4))
+      {
+        case 0:
+          return rim;
+        case 1:
+          return end * (1 - along) + Vec(along * along * c / norm, along * along * s / norm, 0);
+        case 2:
+          return std::pow(0.5, alpha / 2) * corner;
+        default:
+          return end;
+      }
     }
     default:
       return 2.0 * Vec(c, 0.5 * s, s) / std::sqrt(1.0 + s * s);

@@ -1,5 +1,7 @@
 #include "Reference.h"
 
+#include "NestedReference.h"
+
 #include <quadmath.h>
 
 #include <algorithm>
@@ -79,6 +81,8 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
 
   this->scale_ = ToQuad(glm::dvec3(size));
   this->size_ = std::max({ size.x, size.y, size.z });
+  this->exponents_ =
+    instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index];
   const Quad half = 0.5;
   switch (this->shape_)
   {
@@ -202,6 +206,17 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
   else if (this->shape_ == Shape::Sphere)
   {
     this->MeetSphere(ray, 0, Quad(0.5), -1, found);
+  }
+  else if (this->shape_ == Shape::NestedSuperquadric)
+  {
+    const NestedReference nested(this->exponents_[0], this->exponents_[1], this->exponents_[2]);
+    const Quad o2[3] = { 2 * ray.origin.x, 2 * ray.origin.y, 2 * ray.origin.z };
+    const Quad d2[3] = { 2 * ray.direction.x, 2 * ray.direction.y, 2 * ray.direction.z };
+    for (const NestedReference::Crossing& crossing : nested.Crossings(o2, d2, factor == 1.0))
+    {
+      this->Add(crossing.s, { crossing.gradient[0], crossing.gradient[1], crossing.gradient[2] },
+        crossing.edgeDistance / 2, found);
+    }
   }
   else
   {

@@ -76,6 +76,7 @@ private:
   bool smoothEnd_ = false; ///< the profile's last segment runs tangentially into the ball
   Quad ball_ = 0;          ///< radius of the ball at the profile's end, 0: none
   Quad ballCentre_ = 0;
+  glm::vec3 exponents_{ 0.0f }; ///< of superquadrics
   double size_ = 0.0;
 };
 

@@ -1,0 +1,120 @@
+#include "vtkGlyphTensors.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+//----------------------------------------------------------------------------
+vtkDataArray* vtkGlyphTensors::Array(vtkPolyData* points, const Settings& settings)
+{
+  const bool wanted = settings.On && !settings.Array.empty() && settings.Array != "None";
+  return wanted ? points->GetPointData()->GetArray(settings.Array.c_str()) : nullptr;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkGlyphTensors::Problem(vtkDataArray* array, const Settings& settings)
+{
+  std::ostringstream text;
+  if (settings.Array.empty() || settings.Array == "None")
+  {
+    return "Tensor glyphs need tensors. Choose a point array of 6 or 9 components as "
+           "GlyphTensorArray.";
+  }
+  if (!array)
+  {
+    text << "There is no point array '" << settings.Array
+         << "', which GlyphTensorArray names, so there are no glyphs. Choose one of 6 or 9 "
+            "components.";
+    return text.str();
+  }
+  const int components = array->GetNumberOfComponents();
+  const int needed = rtg::TensorComponents(settings.Layout);
+  if (components != 9 && components != needed)
+  {
+    text << "The point array '" << settings.Array << "', which GlyphTensorArray names, has "
+         << components << " components where " << needed << (needed == 6 ? " or 9" : "")
+         << " are needed, so there are no glyphs. Choose another array"
+         << (components == 6 ? " or another GlyphTensorLayout." : ".");
+  }
+  return text.str();
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphTensors::vtkGlyphTensors(
+  vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points)
+  : Tensors(array)
+  , How(settings)
+{
+  if (array->GetNumberOfComponents() == 9)
+  {
+    this->How.Layout = rtg::TensorLayout::Matrix;
+  }
+  double largest = 0.0;
+  for (vtkIdType point : points)
+  {
+    const rtg::SymmetricTensor tensor = this->Tensor(point);
+    largest = tensor.IsFinite() ? std::max(largest, tensor.Largest()) : largest;
+  }
+  this->Noise = 1e-6 * largest;
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphTensors::Largest(vtkDataArray* array, const Settings& settings)
+{
+  double largest = 0.0;
+  if (Problem(array, settings).empty())
+  {
+    const vtkGlyphTensors tensors(array, settings, {});
+    for (vtkIdType point = 0; point < array->GetNumberOfTuples(); ++point)
+    {
+      const rtg::SymmetricTensor t = tensors.Tensor(point);
+      const double off = std::hypot(t.xy, t.yz, t.xz);
+      const double norm = std::hypot(std::hypot(t.xx, t.yy, t.zz), std::sqrt(2.0) * off);
+      largest = std::isfinite(norm) ? std::max(largest, norm) : largest;
+    }
+  }
+  return largest;
+}
+
+//----------------------------------------------------------------------------
+rtg::SymmetricTensor vtkGlyphTensors::Tensor(vtkIdType point) const
+{
+  double components[9];
+  this->Tensors->GetTuple(point, components);
+  return rtg::MakeTensor(components, this->How.Layout);
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphTensors::Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const
+{
+  const rtg::SymmetricTensor tensor = this->Tensor(point);
+  if (!tensor.IsFinite() || tensor.IsZero())
+  {
+    return false;
+  }
+  glyph =
+    rtg::MakeTensorGlyph(rtg::Decompose(tensor), this->How.Kind, this->How.Sharpness, this->Noise);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphTensors::DirectionColor(vtkIdType point, double rgb[3]) const
+{
+  const rtg::SymmetricTensor tensor = this->Tensor(point);
+  if (!tensor.IsFinite() || tensor.IsZero())
+  {
+    return false;
+  }
+  const rtg::Eigensystem eigen = rtg::Decompose(tensor);
+  const glm::dvec3& principal =
+    std::abs(eigen.values.z) > std::abs(eigen.values.x) ? eigen.vectors[2] : eigen.vectors[0];
+  for (int i = 0; i < 3; ++i)
+  {
+    rgb[i] = std::abs(principal[i]);
+  }
+  return true;
+}
