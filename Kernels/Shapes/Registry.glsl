@@ -1,5 +1,5 @@
 // The shapes by number (rtg::Shape in Glyphs.h) and the three functions that the programs call.
-// RTG_SHAPE is a number or a specialisation constant; on the host it is a template parameter.
+// RTG_SHAPE is a number that the compiler of programs is given; on the host it is a template parameter.
 #ifndef RTG_REGISTRY
 #define RTG_REGISTRY
 
@@ -15,9 +15,26 @@
 #include "Sphere.glsl"
 #include "NestedSuperquadric.glsl"
 #include "Superquadric.glsl"
+#ifdef RTG_HOST
 #define RTG_SHAPES(ENTRY)                                                                          \
   ENTRY(0, Sphere) ENTRY(1, Box) ENTRY(2, Cylinder) ENTRY(3, Cone) ENTRY(4, Arrow)                 \
   ENTRY(5, Superquadric) ENTRY(6, NestedSuperquadric)
+// A program has one shape only: drivers spend seconds on code that is never run.
+#elif RTG_SHAPE == 0
+#define RTG_SHAPES(ENTRY) ENTRY(0, Sphere)
+#elif RTG_SHAPE == 1
+#define RTG_SHAPES(ENTRY) ENTRY(1, Box)
+#elif RTG_SHAPE == 2
+#define RTG_SHAPES(ENTRY) ENTRY(2, Cylinder)
+#elif RTG_SHAPE == 3
+#define RTG_SHAPES(ENTRY) ENTRY(3, Cone)
+#elif RTG_SHAPE == 4
+#define RTG_SHAPES(ENTRY) ENTRY(4, Arrow)
+#elif RTG_SHAPE == 5
+#define RTG_SHAPES(ENTRY) ENTRY(5, Superquadric)
+#elif RTG_SHAPE == 6
+#define RTG_SHAPES(ENTRY) ENTRY(6, NestedSuperquadric)
+#endif
 
 // Nearest t in [tMin, tMax] where the ray crosses the glyph's surface; from inside, where it leaves.
 RTG_FN_SHAPE bool IntersectGlyph(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
