@@ -67,6 +67,16 @@ def start_server(program):
     return subprocess.Popen(program + ["--server-port=%d" % port], env=environment, stdout=log, stderr=subprocess.STDOUT), port
 
 
+def stop(process):
+    """Ends the server: ParaView's own of several ranks stays when its client leaves, and MPI may hold back SIGTERM."""
+    process.terminate()
+    try:
+        process.wait(timeout=20)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+
+
 def check_statistics(shown, what):
     """Information properties speak of the process that traced."""
     found = session.statistics(shown)
@@ -113,9 +123,7 @@ def main(folder, server):
             pv.Delete(view)
             pv.Delete(block_view)
     finally:
-        # ParaView's own server of several ranks does not end when its client leaves.
-        process.terminate()
-        process.wait()
+        stop(process)
     with open(session.output("client-server-server.log")) as log:
         print(log.read())
     for failure in failures:

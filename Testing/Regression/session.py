@@ -2,6 +2,7 @@
 
 Environment: RTGLYPHS_PLUGIN is the plugin's library, RTGLYPHS_OUTPUT the folder that pictures are written to.
 """
+import faulthandler
 import json
 import os
 import sys
@@ -17,6 +18,8 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 REPRESENTATION = "Ray Traced Glyphs"
 #: No shaded glyph has this colour, so what differs from it is covered by glyphs.
 BACKGROUND = (255, 0, 255)
+#: seconds after which a test is taken for hanging; CTest's limit is longer (CMakeLists.txt)
+HANGS = 270
 
 #: Script of a source of which each rank keeps the points of a slab. RedistributeDataSet would do, but Debian 12's ParaView
 #: sends data sets between ranks as XML with raw data, which its libexpat rejects since a security update.
@@ -53,6 +56,8 @@ def spread(path):
 
 def load():
     """Loads the plugin; every test calls it first."""
+    # Says where a test hangs before CTest ends it.
+    faulthandler.dump_traceback_later(HANGS, file=sys.__stderr__)
     pv._DisableFirstRenderCameraReset()
     pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
 
