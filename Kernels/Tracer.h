@@ -73,7 +73,6 @@ struct TraceSettings
   /// Trace() must have been with keepSums, ended with this many, and all else be as it was then.
   std::uint32_t firstSample = 0;
   bool keepSums = false;       ///< more samples will be added: keep what they are added to
-  bool resolve = true;         ///< false: no colours yet, only sums
   std::uint32_t pixelStep = 1; ///< trace every n-th pixel in x and y and repeat it, for interaction
 
   Shading shading = Shading::Local;

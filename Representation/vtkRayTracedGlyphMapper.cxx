@@ -155,6 +155,7 @@ void vtkRayTracedGlyphMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << endl;
   os << indent << "SamplesPerRender: " << this->SamplesPerRender << endl;
   os << indent << "InteractiveReduction: " << this->InteractiveReduction << endl;
+  os << indent << "StepwiseRendering: " << this->StepwiseRendering << endl;
   os << indent << "Number of glyphs: " << this->GetNumberOfGlyphs() << endl;
 }
 

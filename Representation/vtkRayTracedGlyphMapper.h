@@ -84,6 +84,15 @@ public:
 
   ///@{
   /**
+   * Whoever renders goes on until the image is finished: with SamplesPerRender 0, one render adds what fits into a
+   * tenth of a second instead of all. Default is off.
+   */
+  vtkSetMacro(StepwiseRendering, bool);
+  vtkGetMacro(StepwiseRendering, bool);
+  ///@}
+
+  ///@{
+  /**
    * Joins or leaves the scene of a renderer. A mapper that is rendered without joining does so then.
    */
   void Join(vtkRenderer* renderer);
@@ -186,6 +195,7 @@ private:
   int SamplesPerPixel = 16;
   int SamplesPerRender = 0;
   int InteractiveReduction = 2;
+  bool StepwiseRendering = false;
 
   vtkTimeStamp BlocksTime, BlockTableTime;
 

@@ -586,6 +586,12 @@ void vtkRayTracedGlyphRepresentation::SetInteractiveReduction(int step)
   this->Mapper->SetInteractiveReduction(step);
 }
 
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetStepwiseRendering(bool stepwise)
+{
+  this->Mapper->SetStepwiseRendering(stepwise);
+}
+
 //****************************************************************************
 // Appearance
 //****************************************************************************

@@ -126,6 +126,7 @@ public:
   void SetSamplesPerPixel(int samples);
   void SetSamplesPerRender(int samples);
   void SetInteractiveReduction(int step);
+  void SetStepwiseRendering(bool stepwise);
   ///@}
 
   ///@{

@@ -26,6 +26,8 @@ namespace
 {
 // Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
 constexpr double interactiveRate = 1.0;
+// One step of an image that somebody watches, in seconds: a camera that is turned meanwhile waits so long.
+constexpr double stepSeconds = 0.1;
 
 vtkRayTracedGlyphMapper* GlyphMapperOf(vtkProp* prop)
 {
@@ -198,6 +200,7 @@ void vtkRayTracedGlyphScene::Synchronise()
   self.SamplesPerPixel = 1;
   self.SamplesPerRender = 0;
   self.InteractiveReduction = 1;
+  self.Stepwise = false;
   self.Light = vtkRayTracedGlyphLight();
   bool lit = false;
   for (const auto& item : actors)
@@ -215,6 +218,7 @@ void vtkRayTracedGlyphScene::Synchronise()
     largest(self.SamplesPerPixel, mapper->GetSamplesPerPixel());
     largest(self.SamplesPerRender, mapper->GetSamplesPerRender());
     largest(self.InteractiveReduction, mapper->GetInteractiveReduction());
+    self.Stepwise |= mapper->GetStepwiseRendering();
     if (!lit || mapper->Light.ShadingMode > self.Light.ShadingMode)
     {
       self.Light = mapper->Light;
@@ -378,10 +382,17 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
       settings.pixelStep = self.InteractiveReduction;
       settings.samples = 1;
     }
-    else if (self.SamplesPerRender > 0 && !capturing)
+    else if ((self.SamplesPerRender > 0 || self.Stepwise) && !capturing)
     {
       const std::uint32_t done = same && image.PixelStep == 1 ? image.Image.samples : 0;
-      settings.samples = std::min(self.SamplesPerPixel, done + self.SamplesPerRender);
+      std::uint32_t step = self.SamplesPerRender;
+      if (step == 0)
+      {
+        step = done == 0 || image.SecondsPerSample <= 0.0
+          ? 1
+          : static_cast<std::uint32_t>(std::clamp(stepSeconds / image.SecondsPerSample, 1.0, 1e6));
+      }
+      settings.samples = std::min(self.SamplesPerPixel, done + step);
     }
     else
     {
@@ -396,10 +407,11 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
       return true;
     }
 
-    // An image that grows step by step keeps its sums, and new samples are added to them.
+    // An image that grows step by step keeps its sums, and new samples are added to them. Images of a moving camera
+    // do so, too, when steps will follow: they need no other program then, which would first have to be compiled.
     settings.plannedSamples = self.SamplesPerPixel;
-    settings.keepSums =
-      settings.pixelStep == 1 && !forIds && settings.samples < self.SamplesPerPixel;
+    settings.keepSums = !forIds && settings.samples < self.SamplesPerPixel &&
+      (settings.pixelStep == 1 || self.Stepwise);
     if (same && image.Kept && image.PixelStep == 1 && settings.pixelStep == 1 && !forIds &&
       image.Image.samples < settings.samples)
     {
@@ -422,10 +434,16 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
       }
     }
     self.Scene->Commit();
+    const double traced = image.Tracer->GetStatistics().traceSeconds;
     image.Image =
       image.Tracer->Trace(*self.Scene, camera, key.Lights, settings, static_cast<rtg::Pass>(pass));
     image.Key = std::move(key);
     image.PixelStep = settings.pixelStep;
+    if (settings.pixelStep == 1)
+    {
+      image.SecondsPerSample =
+        (image.Tracer->GetStatistics().traceSeconds - traced) / settings.samples;
+    }
     image.Valid = true;
     image.Kept = settings.keepSums;
     self.Samples = image.Image.samples;

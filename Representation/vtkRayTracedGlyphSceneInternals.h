@@ -53,6 +53,7 @@ struct PassImage
   rtg::Image Image;
   ImageKey Key;
   std::uint32_t PixelStep = 1;
+  double SecondsPerSample = 0.0; // of the last trace of all pixels
   bool Valid = false; // Image has the pixels of Key
   bool Kept = false;  // and Tracer what more samples are added to
   bool Sent = false;  // Quad has them, too
@@ -89,6 +90,7 @@ struct vtkRayTracedGlyphScene::Internals
   std::uint32_t Samples = 0;    // of the last image
   vtkRayTracedGlyphLight Light; // of the view
   std::uint32_t SamplesPerPixel = 1, SamplesPerRender = 0, InteractiveReduction = 1;
+  bool Stepwise = false;
 
   // After a failure nothing is tried until what is to be shown changes
   std::string Failure, CameraFailure;

@@ -1,0 +1,150 @@
+"""Runs inside ParaView's window: an image is refined while the window rests, stops when finished, and waits while the
+camera is turned.
+
+Usage: [RTGLYPHS_PVSERVER=PVSERVER] paraview --plugin-search-paths=DIR --plugins=RayTracedGlyphs --script=refinement.py
+With PVSERVER the images come from such a server. Prints REFINEMENT TEST PASSED as its last line.
+"""
+import ctypes
+import os
+import sys
+import time
+import traceback
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRIPT", "."))))
+
+import numpy  # noqa: E402
+import paraview.simple as pv  # noqa: E402
+
+import client_server  # noqa: E402
+import session  # noqa: E402
+
+SAMPLES = 12
+SERVER = os.environ.get("RTGLYPHS_PVSERVER")
+#: seconds within which the image must be finished; it takes a few
+LIMIT = 120.0
+
+
+def say(text):
+    """ParaView's window catches print(); ctest reads the process's own output."""
+    os.write(1, (text + "\n").encode())
+
+
+def event_loop():
+    """A function that lets the window take its events: scripts run inside one."""
+    for version in ("5", "6"):
+        try:
+            process = ctypes.CDLL("libQt%sCore.so.%s" % (version, version), mode=ctypes.RTLD_GLOBAL)[
+                "_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
+        except OSError:
+            continue
+        process.argtypes, process.restype = [ctypes.c_int], None
+        return lambda: process(0)
+    raise RuntimeError("ParaView's window uses neither Qt 5 nor Qt 6")
+
+
+def wait(events, until, seconds):
+    """Handles events until the condition holds; False after that many seconds."""
+    end = time.time() + seconds
+    while time.time() < end:
+        events()
+        if until():
+            return True
+        time.sleep(0.002)
+    return False
+
+
+def state(shown):
+    """(samples of the image, images traced so far)."""
+    statistics = session.statistics(shown)
+    return statistics["AccumulatedSamples"], statistics["dispatches"]
+
+
+def scene():
+    """(view, representation): a cloud of spheres with ambient occlusion."""
+    view = pv.GetActiveViewOrCreate("RenderView")
+    if SERVER:
+        source = pv.PointSource(NumberOfPoints=10000, Radius=1.5)
+        view.RemoteRenderThreshold = 0.0
+    else:
+        points = numpy.random.default_rng(1).uniform(-1.0, 1.0, (10000, 3))
+        source = session.source(session.poly_data(points))
+    shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.05)
+    session.solid(shown, (0.9, 0.9, 0.9))
+    shown.ShadingMode = "Ambient Occlusion"
+    shown.SamplesPerPixel = SAMPLES
+    session.look(view, (0.0, 0.0, 6.0))
+    return view, shown
+
+
+def main():
+    """Ambient occlusion at rest, then after a turn of the camera, then while it is turned."""
+    failures = []
+    events = event_loop()
+    view, shown = scene()
+    seen = []
+
+    def finished():
+        samples = state(shown)[0]
+        if not seen or seen[-1] != samples:
+            seen.append(samples)
+        return samples >= SAMPLES
+
+    pv.Render(view)
+    seen.append(state(shown)[0])
+    if seen[0] >= SAMPLES:
+        failures.append("the first image has all %d samples at once" % seen[0])
+    start = time.time()
+    if not wait(events, finished, LIMIT):
+        failures.append("after %g s the image has %s samples, not %d" % (LIMIT, seen[-1], SAMPLES))
+    say("refined at rest: %s samples in %.2f s" % (seen, time.time() - start))
+
+    # Nothing goes on when all is done.
+    before, cpu = state(shown), time.process_time()
+    wait(events, lambda: False, 2.0)
+    idle = (time.process_time() - cpu) / 2.0
+    say("at rest: %.1f %% of one core" % (100.0 * idle))
+    if state(shown) != before:
+        failures.append("a finished image was traced again: %s, then %s" % (before, state(shown)))
+
+    # While the camera is turned there are coarse images and no steps between them.
+    window = view.SMProxy.GetInteractor()
+    window.InvokeEvent("StartInteractionEvent")
+    before = state(shown)
+    start = time.time()
+    session.look(view, (1.0, 0.0, 6.0))
+    view.SMProxy.InteractiveRender()
+    answer = time.time() - start
+    turning = state(shown)
+    wait(events, lambda: False, 1.0)
+    if state(shown) != turning:
+        failures.append("the image was refined while the camera was turned")
+    if turning[1] != before[1] + 1 or turning[0] != 1:
+        failures.append("a turn of the camera took %s to %s samples and images" % (before, turning))
+    window.InvokeEvent("EndInteractionEvent")
+    start = time.time()
+    view.SMProxy.StillRender()
+    sample = time.time() - start
+    say("first picture of a turn after %.3f s, a sample at rest %.3f s" % (answer, sample))
+    seen.clear()
+    if not wait(events, finished, LIMIT):
+        failures.append("after a turn the image has %s samples, not %d" % (seen[-1], SAMPLES))
+    say("refined after a turn: %s" % seen)
+    return failures
+
+
+PROCESS = None
+try:
+    pv._DisableFirstRenderCameraReset()
+    if SERVER:
+        PROCESS, PORT = client_server.start_server([SERVER])
+        pv.Connect("localhost", PORT)
+        pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))
+    FOUND = main()
+except Exception:  # the window would stay open for ever
+    FOUND = [traceback.format_exc()]
+if PROCESS:
+    client_server.stop(PROCESS)
+for failure in FOUND:
+    say("FAILED: " + failure)
+say("REFINEMENT TEST " + ("FAILED" if FOUND else "PASSED"))
+os._exit(1 if FOUND else 0)
