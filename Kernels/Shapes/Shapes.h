@@ -12,6 +12,7 @@
 namespace rtg::shapes
 {
 
+using glm::clamp;
 using glm::cross;
 using glm::dot;
 using glm::length;
@@ -21,6 +22,7 @@ using glm::normalize;
 using std::abs;
 using std::exp2;
 using std::floor;
+using std::ldexp;
 using std::log;
 using std::log2;
 using std::pow;

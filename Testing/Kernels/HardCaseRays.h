@@ -93,7 +93,7 @@ inline void HardCaseMaker::Touch(HardCase& hard)
     {
       const double off = this->Choice(4) == 0 ? 0.0 : std::pow(10.0, this->Uniform(-8, -3));
       const double extent = this->Extent(h, i);
-      const Vec target = this->ToWorld(h, i, this->EdgePoint()) + off * extent * this->UnitVector();
+      const Vec target = this->ToWorld(h, i, this->EdgePoint(h, i)) + off * extent * this->UnitVector();
       this->Shoot(h, i, target, this->UnitVector(), extent * this->Uniform(0.5, 5));
     });
 }
@@ -206,6 +206,8 @@ inline std::vector<Subject> HardSubjects()
     form.fixedHeads = fixed;
     return form;
   };
+  const auto superquadric = [](const std::string& name, const glm::vec3& least, const glm::vec3& most)
+  { return Subject{ "superquadric, " + name, Shape::Superquadric, {}, false, least, most }; };
   return {
     { "sphere", Shape::Sphere, {}, true },
     { "ellipsoid", Shape::Sphere, {}, false },
@@ -222,21 +224,31 @@ inline std::vector<Subject> HardSubjects()
     { "arrow, thick shaft", Shape::Arrow, arrow(0.3f, 0.1f, 0.35f, 1, true), false },
     { "arrow, shaft as thick as the tip", Shape::Arrow, arrow(0.1f, 0.1f, 0.35f, 0.5f, true),
       false },
+    superquadric("all 2", glm::vec3(2.0f), glm::vec3(2.0f)),
+    superquadric("all 1", glm::vec3(1.0f), glm::vec3(1.0f)),
+    superquadric("all 20", glm::vec3(20.0f), glm::vec3(20.0f)),
+    superquadric("all 0.3", glm::vec3(0.3f), glm::vec3(0.3f)),
+    superquadric("1 to 2", glm::vec3(1.0f), glm::vec3(2.0f)),
+    superquadric("2 to 20", glm::vec3(2.0f), glm::vec3(20.0f)),
+    superquadric("0.3 to 1", glm::vec3(0.3f), glm::vec3(1.0f)),
+    superquadric("0.3 to 20", glm::vec3(0.3f), glm::vec3(20.0f)),
   };
 }
 
 /// Nested superquadrics, as tensors of both kinds and of sharpness up to 3 give them.
 inline std::vector<Subject> NestedSubjects()
 {
+  const auto nested = [](const std::string& name, const glm::vec3& exponents)
+  { return Subject{ "nested, " + name, Shape::NestedSuperquadric, {}, false, exponents, exponents }; };
   return {
-    { "nested, ball", Shape::NestedSuperquadric, {}, false, { 1, 1, 1 } },
-    { "nested, rounded box", Shape::NestedSuperquadric, {}, false, { 0.125f, 0.125f, 0.125f } },
-    { "nested, cylinder", Shape::NestedSuperquadric, {}, false, { 1, 0.01f, 0.01f } },
-    { "nested, nearly a cone", Shape::NestedSuperquadric, {}, false, { 0.6f, 1.8f, 1.8f } },
-    { "nested, octahedron", Shape::NestedSuperquadric, {}, false, { 0.01f, 2, 2 } },
-    { "nested, thorn", Shape::NestedSuperquadric, {}, false, { 1, 5, 5 } },
-    { "nested, between", Shape::NestedSuperquadric, {}, false, { 0.4f, 3.5f, 2.4f } },
-    { "nested, funk", Shape::NestedSuperquadric, {}, false, { 0.01f, 5, 2 } },
+    nested("ball", { 1, 1, 1 }),
+    nested("rounded box", { 0.125f, 0.125f, 0.125f }),
+    nested("cylinder", { 1, 0.01f, 0.01f }),
+    nested("nearly a cone", { 0.6f, 1.8f, 1.8f }),
+    nested("octahedron", { 0.01f, 2, 2 }),
+    nested("thorn", { 1, 5, 5 }),
+    nested("between", { 0.4f, 3.5f, 2.4f }),
+    nested("funk", { 0.01f, 5, 2 }),
   };
 }
 

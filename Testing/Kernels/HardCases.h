@@ -76,7 +76,9 @@ struct Subject
   Shape shape;
   ArrowForm arrow;
   bool sameSize;
-  glm::vec3 exponents = glm::vec3(2.0f); ///< of the shapes that have them
+  /// Each glyph's exponents lie between these, at random on a logarithmic scale.
+  glm::vec3 leastExponents{ 2.0f };
+  glm::vec3 mostExponents{ 2.0f };
 };
 
 /// For GoogleTest's lists of parameters.
@@ -120,6 +122,16 @@ private:
     return glm::vec4(glm::dvec4(std::sin(angle / 2) * axis, std::cos(angle / 2)));
   }
 
+  glm::vec3 Exponents()
+  {
+    glm::vec3 exponents = this->subject_.leastExponents;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double least = exponents[axis], most = this->subject_.mostExponents[axis];
+      exponents[axis] = float(least * std::pow(most / least, this->Uniform(0, 1)));
+    }
+    return exponents;
+  }
   bool IsFixedArrow() const
   {
     return this->subject_.shape == Shape::Arrow && this->subject_.arrow.fixedHeads;
@@ -128,7 +140,7 @@ private:
   /// The unit form's box: (0 .. 1) along x for arrows, else centred.
   Vec ToWorld(const HardCase& hard, std::uint32_t index, const Vec& box) const;
   Vec RandomBoxPoint();
-  Vec EdgePoint();
+  Vec EdgePoint(const HardCase& hard, std::uint32_t index);
   bool Surface(const HardCase& hard, std::uint32_t index, Vec& point, Vec& normal);
   double Extent(const HardCase& hard, std::uint32_t index) const;
 
@@ -160,7 +172,7 @@ inline HardCase HardCaseMaker::Start(
   GlyphInstances& instances = hard.instances;
   instances.shape = this->subject_.shape;
   instances.arrow = this->subject_.arrow;
-  instances.uniformExponents = this->subject_.exponents;
+  instances.uniformExponents = this->subject_.leastExponents;
   // A fixed head's proportions are its own; what can be extreme is the shaft's length.
   instances.arrow.unitLength = float(size / (ratio > 1 ? ratio : 1.25));
   for (int i = 0; i < this->glyphs_; ++i)
@@ -169,6 +181,10 @@ inline HardCase HardCaseMaker::Start(
     if (turned)
     {
       instances.rotations.push_back(this->Rotation());
+    }
+    if (this->subject_.leastExponents != this->subject_.mostExponents)
+    {
+      instances.exponents3.push_back(this->Exponents());
     }
     if (this->subject_.sameSize)
     {
@@ -224,7 +240,7 @@ inline glm::dvec3 HardCaseMaker::RandomBoxPoint()
 }
 
 /// A point of an edge, rim, vertex or apex of the unit form, in its box.
-inline glm::dvec3 HardCaseMaker::EdgePoint()
+inline glm::dvec3 HardCaseMaker::EdgePoint(const HardCase& hard, std::uint32_t index)
 {
   const double phi = this->Uniform(-M_PI, M_PI);
   const double c = 0.5 * std::cos(phi), s = 0.5 * std::sin(phi);
@@ -258,7 +274,7 @@ inline glm::dvec3 HardCaseMaker::EdgePoint()
     case Shape::NestedSuperquadric:
     {
       // The rim, the seams where a profile meets a coordinate plane, the corners of the cross-section, the ends.
-      const double alpha = std::max(this->subject_.exponents.x, 1e-6f);
+      const double alpha = std::max(this->subject_.leastExponents.x, 1e-6f);
       const double a = std::abs(2 * c), b = std::abs(2 * s);
       const double norm = std::pow(std::pow(a, 2 / alpha) + std::pow(b, 2 / alpha), alpha / 2);
       const Vec rim(c / norm, s / norm, 0), end(0, 0, side);
@@ -275,6 +291,17 @@ inline glm::dvec3 HardCaseMaker::EdgePoint()
         default:
           return end;
       }
+    }
+    case Shape::Superquadric:
+    {
+      // Where it meets a plane of its frame, or its tips.
+      const Vec e(KernelGlyph<double>(hard.instances, index).exponents);
+      const int axis = this->Choice(3), u = (axis + 1) % 3, v = (axis + 2) % 3;
+      const double share = this->Choice(4) == 0 ? 1.0 : this->Uniform(0, 1);
+      Vec p(0);
+      p[u] = 2.0 * side * 0.5 * std::pow(share, 1.0 / e[u]);
+      p[v] = (this->Choice(2) - 0.5) * std::pow(1.0 - share, 1.0 / e[v]);
+      return p;
     }
     default:
       return 2.0 * Vec(c, 0.5 * s, s) / std::sqrt(1.0 + s * s);

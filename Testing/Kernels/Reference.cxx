@@ -92,6 +92,10 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
     case Shape::Cone:
       this->profile_ = { { -half, 0 }, { -half, half }, { half, 0 } };
       break;
+    case Shape::Superquadric:
+      this->exponents_ = ToQuad(glm::dvec3(
+        instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index]));
+      break;
     case Shape::Arrow:
       this->arrow_ = instances.arrow;
       this->arrowLength_ = size.x;
@@ -202,6 +206,10 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
   if (this->shape_ == Shape::Box)
   {
     this->MeetRectangles(ray, found);
+  }
+  else if (this->shape_ == Shape::Superquadric)
+  {
+    this->MeetSuperquadric(ray, found);
   }
   else if (this->shape_ == Shape::Sphere)
   {

@@ -57,6 +57,8 @@ private:
   void MakeArrow(Quad factor);
   void Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance,
     std::vector<ReferenceCrossing>& crossings) const;
+  /// Superquadrics: SuperquadricReference.cxx.
+  void MeetSuperquadric(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const;
   void MeetRectangles(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const;
   void MeetSphere(const UnitRay& ray, Quad centre, Quad radius, Quad from,
     std::vector<ReferenceCrossing>& crossings) const;
@@ -69,6 +71,7 @@ private:
   QuadVector centre_;
   QuadVector scale_; ///< world size of the unit frame's unit
   ArrowForm arrow_;
+  QuadVector exponents_;
   Quad arrowLength_ = 0; ///< in world units
   Quad rotation_[3][3];
   /// Round shapes: the outline in the half plane of the axis (x here) and the distance from it.

@@ -80,6 +80,29 @@ TEST(ReferenceTest, RoundedArrowsEndWhereSharpOnesDo)
   }
 }
 
+TEST(ReferenceTest, Superquadrics)
+{
+  const auto unit = [](glm::vec3 exponents, glm::vec3 size = glm::vec3(1.0f))
+  {
+    GlyphInstances instances;
+    instances.shape = Shape::Superquadric;
+    instances.centres = { glm::vec3(0.0f) };
+    instances.sizes3 = { size };
+    instances.uniformExponents = exponents;
+    return ReferenceGlyph(instances, 0);
+  };
+  ExpectCrossings(unit(glm::vec3(2.0f)), { -3, 0.3, 0 }, { 1, 0, 0 }, { 2.6, 3.4 });
+  ExpectCrossings(unit(glm::vec3(2.0f), { 2, 4, 6 }), { 0, -5, 0 }, { 0, 1, 0 }, { 3, 7 });
+  // The octahedron |x| + |y| + |z| = 1/2, through a face, along an edge's plane, and past it.
+  ExpectCrossings(unit(glm::vec3(1.0f)), { -3, 0.125, 0.125 }, { 1, 0, 0 }, { 2.75, 3.25 });
+  ExpectCrossings(unit(glm::vec3(1.0f)), { -3, 0.25, 0 }, { 1, 0, 0 }, { 2.75, 3.25 });
+  ExpectCrossings(unit(glm::vec3(1.0f)), { -3, 0.3, 0.25 }, { 1, 0, 0 }, {});
+  // sqrt|2x| + sqrt|2y| = 1 at z = 0: at 2y = 1/16 it is 2x = 9/16.
+  ExpectCrossings(unit(glm::vec3(0.5f)), { -3, 0.03125, 0 }, { 1, 0, 0 }, { 3 - 0.28125, 3 + 0.28125 });
+  // Exponents of their own: x^2 + |y| + z^4 = 1 in the frame of the half-lengths.
+  ExpectCrossings(unit({ 2, 1, 4 }), { 0.25, -3, 0.25 }, { 0, 1, 0 }, { 3 - 0.34375, 3 + 0.34375 });
+}
+
 /// The normal is smooth where the head's cone runs into its ball.
 TEST(ReferenceTest, RoundedHeadIsSmooth)
 {

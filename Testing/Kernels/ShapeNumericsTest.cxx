@@ -77,7 +77,7 @@ std::vector<Subject> SmoothNestedSubjects()
   std::vector<Subject> smooth;
   for (const Subject& subject : NestedSubjects())
   {
-    if (subject.exponents.y < 2.0f)
+    if (subject.leastExponents.y < 2.0f)
     {
       smooth.push_back(subject);
     }

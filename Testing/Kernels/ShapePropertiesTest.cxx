@@ -20,7 +20,7 @@ protected:
   void ForEachHit(Function function)
   {
     std::size_t hits = 0;
-    for (const HardCase& hard : HardCaseMaker(this->GetParam(), 8, 200).All())
+    for (const HardCase& hard : HardCaseMaker(this->GetParam(), 8, 400).All())
     {
       if (hard.situation != "plain" && hard.situation != "turned")
       {
@@ -60,8 +60,10 @@ TEST_P(ShapePropertiesTest, NormalsPointOutwards)
     {
       EXPECT_NEAR(glm::length(normal), 1.0f, 1e-6f);
       EXPECT_LT(glm::dot(normal, ray.direction), 1e-6f * glm::length(ray.direction));
+      // The wings of a star may be thinner than an ulp of t: then the next crossing is where another one begins.
+      const bool winged = glm::min(glyph.exponents.x, glm::min(glyph.exponents.y, glyph.exponents.z)) < 1.0f;
       float exit = 0;
-      if (this->Hit(ray, glyph, exit, std::nextafter(t, 1e30f)))
+      if (!winged && this->Hit(ray, glyph, exit, std::nextafter(t, 1e30f)))
       {
         const glm::vec3 out = Kernel::Normal(this->GetParam().shape, ray, glyph, exit);
         EXPECT_GT(glm::dot(out, ray.direction), -1e-6f * glm::length(ray.direction));
@@ -164,7 +166,8 @@ std::vector<Subject> ConvexSubjects()
   std::vector<Subject> convex;
   for (const Subject& subject : HardSubjects())
   {
-    if (subject.shape != Shape::Arrow)
+    const glm::vec3 e = subject.leastExponents;
+    if (subject.shape != Shape::Arrow && glm::min(e.x, glm::min(e.y, e.z)) >= 1.0f)
     {
       convex.push_back(subject);
     }

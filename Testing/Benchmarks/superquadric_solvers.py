@@ -1,0 +1,47 @@
+#!/usr/bin/python3
+"""Plots speed against error of the superquadric solvers.
+
+Usage: superquadric_solvers.py FILE.csv FILE.png
+
+FILE.csv is written by SuperquadricSolvers. One panel for convex and one for mixed and concave glyphs; every point is a solver in
+one arithmetic on all rays, random and hard: nanoseconds a ray against the 99.9th percentile of the error of t. Solvers with
+false hits or misses are drawn hollow, with their number per million rays.
+"""
+import csv
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
+
+
+def main(source, target):
+    """Draws the figure of source's rows."""
+    with open(source, newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["case"] == "all"]
+    solvers = list(dict.fromkeys(row["solver"] for row in rows))
+    figure, axes = pyplot.subplots(1, 2, figsize=(13, 5.5), sharey=True, constrained_layout=True)
+    for axis, family in zip(axes, ("convex", "concave")):
+        for row in rows:
+            if row["family"] != family:
+                continue
+            wrong = float(row["false_hits_per_million"]) + float(row["misses_per_million"])
+            colour = "C%d" % (solvers.index(row["solver"]) % 10)
+            x = float(row["ns_per_ray"])
+            # Errors below an ulp of t are shown at the plot's lower edge.
+            y = max(float(row["t_p999_sizes"]), 1e-18)
+            axis.plot(x, y, marker="o" if row["arithmetic"] == "float" else "s", markersize=9, color=colour,
+                      fillstyle="none" if wrong else "full")
+            label = row["solver"] + (", %d wrong a million" % wrong if wrong else "")
+            axis.annotate(label, (x, y), xytext=(7, 3), textcoords="offset points", fontsize=7)
+        axis.set(xscale="log", yscale="log", xlabel="nanoseconds a ray", title=family)
+        axis.grid(alpha=0.3)
+    axes[0].set_ylabel("error of t beyond an ulp, 99.9th percentile, glyph sizes (circle: float, square: double)")
+    figure.savefig(target, dpi=110)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
