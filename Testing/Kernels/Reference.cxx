@@ -81,8 +81,8 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
 
   this->scale_ = ToQuad(glm::dvec3(size));
   this->size_ = std::max({ size.x, size.y, size.z });
-  this->exponents_ =
-    instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index];
+  this->exponents_ = ToQuad(glm::dvec3(
+    instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index]));
   const Quad half = 0.5;
   switch (this->shape_)
   {
@@ -91,10 +91,6 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
       break;
     case Shape::Cone:
       this->profile_ = { { -half, 0 }, { -half, half }, { half, 0 } };
-      break;
-    case Shape::Superquadric:
-      this->exponents_ = ToQuad(glm::dvec3(
-        instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index]));
       break;
     case Shape::Arrow:
       this->arrow_ = instances.arrow;
@@ -217,7 +213,7 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
   }
   else if (this->shape_ == Shape::NestedSuperquadric)
   {
-    const NestedReference nested(this->exponents_[0], this->exponents_[1], this->exponents_[2]);
+    const NestedReference nested(this->exponents_.x, this->exponents_.y, this->exponents_.z);
     const Quad o2[3] = { 2 * ray.origin.x, 2 * ray.origin.y, 2 * ray.origin.z };
     const Quad d2[3] = { 2 * ray.direction.x, 2 * ray.direction.y, 2 * ray.direction.z };
     for (const NestedReference::Crossing& crossing : nested.Crossings(o2, d2, factor == 1.0))

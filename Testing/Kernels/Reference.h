@@ -71,7 +71,7 @@ private:
   QuadVector centre_;
   QuadVector scale_; ///< world size of the unit frame's unit
   ArrowForm arrow_;
-  QuadVector exponents_;
+  QuadVector exponents_; ///< of superquadrics
   Quad arrowLength_ = 0; ///< in world units
   Quad rotation_[3][3];
   /// Round shapes: the outline in the half plane of the axis (x here) and the distance from it.
@@ -79,7 +79,6 @@ private:
   bool smoothEnd_ = false; ///< the profile's last segment runs tangentially into the ball
   Quad ball_ = 0;          ///< radius of the ball at the profile's end, 0: none
   Quad ballCentre_ = 0;
-  glm::vec3 exponents_{ 0.0f }; ///< of superquadrics
   double size_ = 0.0;
 };
 
