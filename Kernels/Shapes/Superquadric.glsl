@@ -29,9 +29,7 @@
 #include "Span.glsl"
 #include "Sphere.glsl"
 
-#define RTG_STEPS 96
-// Rounding of f where its terms are of the order of one.
-#define RTG_NOISE (8.0 * RTG_ROUNDOFF)
+#define RTG_STEPS 256
 // The slope of a concave term at its cusp.
 #define RTG_CUSP 1.0e30
 
@@ -45,6 +43,7 @@ struct SuperquadricRay
   real sIn;    // its chord through the box, slightly longer
   real sOut;
   real accuracy; // of s, after the last step
+  real noise;    // rounding of f where its terms are of the order of one
 };
 
 // f and its terms at one point of the ray.
@@ -138,6 +137,8 @@ RTG_FN SuperquadricRay MakeSuperquadricRay(LocalRay local, real3 exponents)
   ray.sIn = max(sNear.x, max(sNear.y, sNear.z));
   ray.sOut = min(sFar.x, min(sFar.y, sFar.z));
   ray.accuracy = real(0.5 * RTG_ROUNDOFF) * (ray.sOut - ray.sIn);
+  // Vulkan allows log2 an absolute error of 2^-21 next to 1; pow multiplies it by the exponent.
+  ray.noise = real(RTG_ROUNDOFF) * (real(4.0) + real(4.0) * max(exponents.x, max(exponents.y, exponents.z)));
 
   real reach = real(4.0) * max(abs(ray.sIn), abs(ray.sOut));
   ZeroOfAxis(o.x, d.x, reach, ray.zero.x, ray.base.x);
@@ -197,7 +198,7 @@ RTG_FN int Look(SuperquadricRay ray, Probe a, Probe b, real outward, RTG_OUT(rea
   real slopeA = SumOf(lineA);
   real slopeB = SumOf(lineB);
   // Lowered by the rounding of f: what is empty is certain to be.
-  real above = max(outward * a.f - real(RTG_NOISE), real(0.0));
+  real above = max(outward * a.f - ray.noise, real(0.0));
   left = slopeA < real(0.0) ? a.s - above / slopeA : a.s;
   if (changes)
   {
@@ -220,7 +221,7 @@ RTG_FN int Look(SuperquadricRay ray, Probe a, Probe b, real outward, RTG_OUT(rea
     next = middle;
     return RTG_DOUBTFUL;
   }
-  real right = b.s - max(outward * b.f - real(RTG_NOISE), real(0.0)) / slopeB;
+  real right = b.s - max(outward * b.f - ray.noise, real(0.0)) / slopeB;
   if (!(slopeA < real(0.0)) || !(slopeB > real(0.0)))
   {
     return RTG_EMPTY;
@@ -394,7 +395,7 @@ RTG_FN bool NextCrossing(LocalRay local, SuperquadricRay ray, Search search, RTG
 {
   bool solving = false;
   int dawdling = 0;
-  real noise = real(RTG_NOISE);
+  real noise = ray.noise;
   real touchWidth = real(16.0) * sqrt(noise) * (ray.sOut - ray.sIn);
   search.touch = false;
   real next = search.a.s;
@@ -514,10 +515,10 @@ RTG_FN bool Polish(LocalRay local, SuperquadricRay ray, Search search, RTG_OUT(D
     exists = discriminant >= real(0.0) && (slope < real(0.0) || second > real(0.0));
     if (discriminant < real(0.0) && second > real(0.0) && i < 3)
     {
-      // Least at a place too far for the parabola to be trusted? Then look from there.
+      // Least at a place too far for the parabola to be trusted? Then look from there. The true one may be twice as far.
       real toLeast = -slope / second;
       real least = f + real(0.5) * slope * toLeast;
-      if (least * real(6.0) < abs(toLeast * toLeast * toLeast) * probe.third)
+      if (least < real(2.0) * abs(toLeast * toLeast * toLeast) * probe.third)
       {
         s = Add(s, toLeast);
         continue;
@@ -527,7 +528,7 @@ RTG_FN bool Polish(LocalRay local, SuperquadricRay ray, Search search, RTG_OUT(D
     real step = slope < real(0.0) ? real(2.0) * f / (root - slope) : -(slope + root) / second;
     if (i < 4 && second > real(0.0) && search.touch)
     {
-      resume = s.hi - slope / second + (exists ? real(0.0) : sqrt(real(4.0 * RTG_NOISE) / second));
+      resume = s.hi - slope / second + (exists ? real(0.0) : sqrt(real(4.0) * ray.noise / second));
     }
     step = exists ? step : real(0.0);
     s = Add(s, step);
@@ -632,9 +633,45 @@ RTG_FN real3 SuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
   return normalize(RotateToWorld(glyph, gradient / largest));
 }
 
+// The largest a.x u + a.y v + a.z w on |u|^e.x + |v|^e.y + |w|^e.z <= 1, a >= 0; with exponents below 1 on the larger body where
+// they are 1. By duality it is the least over k > 0 of k + sum max_u (a_i u - k u^e_i), and no k gives less: rounding
+// and an unfinished iteration err on the safe side. The best k has sum 2^(q_i (l_i - log2 k)) = 1, l_i = log2(a_i / e_i),
+// q_i = e_i / (e_i - 1); the logarithm of that sum is convex in log2 k, and Newton's method goes up from the largest l_i without
+// passing the root.
+RTG_FN real SuperquadricReach(real3 a, real3 exponents)
+{
+  real3 e = max(exponents, real3(real(1.0)));
+  real3 rest = max(e - real(1.0), real3(real(1e-6)));
+  real3 l = log2(max(a / e, real3(real(1e-37))));
+  real x = max(l.x, max(l.y, l.z));
+  real3 power;
+  for (int i = 0; i < 6; ++i)
+  {
+    real3 q = e / rest;
+    power = exp2(max(q * (l - x), real3(real(-120.0))));
+    real sum = SumOf(power);
+    x += log2(sum) * sum / dot(power, q);
+  }
+  real k = exp2(x);
+  real3 u = exp2(clamp((l - x) / rest, real3(real(-120.0)), real3(real(0.0))));
+  power = exp2(clamp(e * ((l - x) / rest), real3(real(-120.0)), real3(real(0.0))));
+  return k + SumOf(a * u - k * power);
+}
+
 RTG_FN void SuperquadricBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
-  BoxBounds(glyph, lower, upper);
+  real3 reach = real(0.5) * glyph.size;
+  if (glyph.turned)
+  {
+    real3 x = abs(RotateToWorld(glyph, real3(reach.x, real(0.0), real(0.0))));
+    real3 y = abs(RotateToWorld(glyph, real3(real(0.0), reach.y, real(0.0))));
+    real3 z = abs(RotateToWorld(glyph, real3(real(0.0), real(0.0), reach.z)));
+    reach = real3(SuperquadricReach(real3(x.x, y.x, z.x), glyph.exponents),
+      SuperquadricReach(real3(x.y, y.y, z.y), glyph.exponents),
+      SuperquadricReach(real3(x.z, y.z, z.z), glyph.exponents));
+  }
+  lower = glyph.centre + (glyph.centreLow - reach);
+  upper = glyph.centre + (glyph.centreLow + reach);
 }
 
 #endif

@@ -301,6 +301,12 @@ NestedReference::Crossings(const Quad o[3], const Quad d[3], bool precise) const
         crossing.edgeDistance = std::min(z, 1 - z);
       }
       const Quad step = slope != 0 ? -value / slope : Quad(0);
+      // Next to the end of the axis the gauge is a quotient of small numbers, on which Newton's method may need longer; the
+      // root is that of the bisection then, good for t but not for a normal.
+      if (!(fabsq(step) < 1e-20) && (i == 3 || !(fabsq(step) < 1e-9)))
+      {
+        crossing.edgeDistance = 0;
+      }
       if (i == 3 || !(fabsq(step) < 1e-9))
       {
         break;

@@ -54,7 +54,7 @@ double NanosecondsPerRay(const HardCase& hard)
 void WriteRow(std::ostream& csv, const HardCase& hard, const char* arithmetic, const CaseReport& r)
 {
   csv << '"' << hard.subject << "\",\"" << hard.situation << "\"," << arithmetic << ',' << r.rays
-      << ',' << r.hits << ',' << r.nearSilhouette << ',' << r.falseHits << ',' << r.falseMisses
+      << ',' << r.hits << ',' << r.excused << ',' << r.falseHits << ',' << r.falseMisses
       << ',' << r.outOfBound << ',' << r.medianUlps << ',' << r.maxUlps << ',' << r.medianSizes
       << ',' << r.maxSizes << ',' << r.maxExcess << ',' << r.medianRadians << ',' << r.maxRadians
       << ',' << r.maxNormalExcess << '\n';
@@ -68,7 +68,7 @@ int main(int argc, char** argv)
   if (argc > 1)
   {
     file.open(argv[1]);
-    file << "shape,case,arithmetic,rays,hits,near_silhouette,false_hits,false_misses,out_of_bound,"
+    file << "shape,case,arithmetic,rays,hits,excused,false_hits,false_misses,out_of_bound,"
             "t_median_ulps,t_max_ulps,t_median_sizes,t_max_sizes,t_max_over_bound,"
             "normal_median_radians,normal_max_radians,normal_max_over_bound\n";
   }

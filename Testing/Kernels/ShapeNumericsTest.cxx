@@ -15,7 +15,7 @@ protected:
   template <class Real>
   void Run()
   {
-    constexpr int glyphs = 8, raysPerGlyph = 60;
+    constexpr int glyphs = 8, raysPerGlyph = 40;
     for (const HardCase& hard : HardCaseMaker(this->GetParam(), glyphs, raysPerGlyph).All())
     {
       SCOPED_TRACE(hard.subject + ": " + hard.situation);
