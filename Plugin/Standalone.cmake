@@ -1,13 +1,19 @@
 # Builds the plugin outside ParaView's own tree, against an installed ParaView.
 
 # Without Qt the plugin needs only ParaView's server side, and so no Qt packages on the machine.
-# ParaView says itself whether it was built with Qt; Qt's development files must be there too.
-find_package(Qt5 QUIET COMPONENTS Core Widgets)
-if (NOT Qt5_FOUND)
-  find_package(Qt6 QUIET COMPONENTS Core Widgets)
-endif ()
+# ParaView says itself whether, and with which, it was built; Qt's development files must be there too. They are only
+# looked for: once one version is loaded, ParaView can no longer load the other.
+set(rtglyphs_qt_places)
+foreach (version IN ITEMS 6 5)
+  list(APPEND rtglyphs_qt_places lib/cmake/Qt${version} lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/Qt${version})
+endforeach ()
+find_file(RTGLYPHS_QT_CONFIG NAMES Qt6Config.cmake Qt5Config.cmake
+  HINTS ${CMAKE_PREFIX_PATH} "${Qt6_DIR}" "${Qt5_DIR}"
+  PATHS ${CMAKE_SYSTEM_PREFIX_PATH}
+  PATH_SUFFIXES ${rtglyphs_qt_places})
+mark_as_advanced(RTGLYPHS_QT_CONFIG)
 set(rtglyphs_qt_found OFF)
-if (Qt5_FOUND OR Qt6_FOUND)
+if (RTGLYPHS_QT_CONFIG)
   set(rtglyphs_qt_found ON)
 endif ()
 option(RTGLYPHS_USE_QT "Build the parts for ParaView's graphical interface" ${rtglyphs_qt_found})

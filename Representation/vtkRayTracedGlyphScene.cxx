@@ -343,18 +343,15 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
   try
   {
     key.Position = camera.position;
-    key.Lights = vtkRayTracedGlyphView::LightsOf(this->Renderer);
     key.Width = static_cast<std::uint32_t>(viewport[2]);
     key.Height = static_cast<std::uint32_t>(viewport[3]);
     key.Content = self.Content;
     key.Light = self.Light;
-    // A headlight that is alone makes up for the lack of light; path tracing's surroundings need no such help.
-    const bool pathTraced = self.Light.ShadingMode == static_cast<int>(rtg::Shading::PathTracing);
-    if (pathTraced && self.Light.LightIntensity > 0.0 && key.Lights.size() == 1 &&
-      key.Lights.front().kind == rtg::Light::Kind::Headlight)
-    {
-      key.Lights.clear();
-    }
+    // Headlight and light kit make up for the lack of light from all around; path tracing has that.
+    const bool surrounded =
+      self.Light.ShadingMode == static_cast<int>(rtg::Shading::PathTracing) &&
+      self.Light.LightIntensity > 0.0;
+    key.Lights = vtkRayTracedGlyphView::LightsOf(this->Renderer, /*placedOnly=*/surrounded);
 
     // How good an image this frame wants
     // Identities and depths do not depend on the light.

@@ -72,7 +72,7 @@ rtg::Camera vtkRayTracedGlyphView::CameraOf(vtkRenderer* renderer, const glm::dm
 }
 
 //----------------------------------------------------------------------------
-std::vector<rtg::Light> vtkRayTracedGlyphView::LightsOf(vtkRenderer* renderer)
+std::vector<rtg::Light> vtkRayTracedGlyphView::LightsOf(vtkRenderer* renderer, bool placedOnly)
 {
   const std::vector<vtkLight*> on = LightsOn(renderer);
   const bool loneHeadlight =
@@ -81,6 +81,10 @@ std::vector<rtg::Light> vtkRayTracedGlyphView::LightsOf(vtkRenderer* renderer)
   std::vector<rtg::Light> lights;
   for (vtkLight* light : on)
   {
+    if (placedOnly && !light->LightTypeIsSceneLight() && !light->GetPositional())
+    {
+      continue;
+    }
     rtg::Light converted;
     converted.colour =
       ToVector<glm::vec3>(light->GetDiffuseColor()) * static_cast<float>(light->GetIntensity());

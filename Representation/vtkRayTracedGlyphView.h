@@ -26,9 +26,10 @@ rtg::Camera CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip);
 
 /**
  * The lights that are on, as vtkOpenGLRenderer::UpdateLights() counts them: a headlight that is alone is shaded
- * as such, several lights as directional and positional ones.
+ * as such, several lights as directional and positional ones. `placedOnly` leaves out those that move with the camera
+ * and have no place: headlight and light kit.
  */
-std::vector<rtg::Light> LightsOf(vtkRenderer* renderer);
+std::vector<rtg::Light> LightsOf(vtkRenderer* renderer, bool placedOnly = false);
 
 /**
  * What the property says; unlit, as VTK draws surfaces then, when the renderer has no light on and makes none.

@@ -1,0 +1,143 @@
+"""Light between representations: contact shadows of glyphs and surfaces in one view, shown, hidden and deleted.
+
+Usage: pvpython light.py [CYCLES]
+CYCLES: how often everything is shown and deleted to see whether memory stays behind; default 10.
+"""
+import os
+import resource
+import sys
+
+import numpy
+import paraview.simple as pv
+
+import comparison
+import session
+
+SURFACE = "Ray Traced Surface"
+SAMPLES = 64
+#: cycles of showing and deleting before those that are measured
+WARM = 12
+#: bytes a cycle may leave behind in the process, beyond what ParaView's Points and Surface leave; one scene has more
+LEAK = 3 << 19
+
+
+class Scene:
+    """A ball and arrows on a floor, lit from all around: two glyph representations and a surface in one view."""
+
+    def __init__(self, mode):
+        self.view = session.view(300, 225, background=(255, 255, 255))
+        self.floor_source = pv.Plane(Origin=[-2, -2, 0], Point1=[2, -2, 0], Point2=[-2, 2, 0])
+        self.floor = pv.Show(self.floor_source, self.view)
+        self.floor.SetRepresentationType(SURFACE)
+        self.floor.SamplesPerPixel = SAMPLES
+        self.floor.ShadingMode = mode
+        session.solid(self.floor, (0.8, 0.8, 0.8))
+        self.ball_source = session.source(session.poly_data(numpy.array([[-0.6, 0.0, 0.5]])))
+        self.ball = session.glyphs(self.ball_source, self.view, "Sphere", GlyphOrient=0, GlyphScaleFactor=1.0)
+        session.solid(self.ball, (0.9, 0.3, 0.2))
+        self.arrow_source = session.source(session.poly_data(
+            numpy.array([[0.6, -0.5, 0.0], [0.6, 0.0, 0.0], [0.6, 0.5, 0.0]]), up=numpy.array([[0, 0, 1.0]] * 3)))
+        self.arrows = session.glyphs(self.arrow_source, self.view, "Arrow", GlyphOrient=1, GlyphOrientationArray="up",
+                                     GlyphScaleFactor=1.0)
+        session.solid(self.arrows, (0.2, 0.4, 0.9))
+        session.look(self.view, (0.0, -5.0, 3.5), (0.0, 0.0, 0.3), (0.0, 0.0, 1.0))
+
+    def close(self):
+        """Deletes the representations, their sources and the view."""
+        for source in (self.floor_source, self.ball_source, self.arrow_source):
+            pv.Delete(source)
+        pv.Delete(self.view)
+
+
+def brightness(pixels, column, row):
+    """Mean level of a small patch around that share of the width and height."""
+    x, y = int(column * pixels.shape[1]), int(row * pixels.shape[0])
+    return float(pixels[y - 2:y + 3, x - 2:x + 3, :3].mean())
+
+
+#: on the floor right in front of the ball, in front of the middle arrow, and far from both; shares of width and height
+NEAR_BALL, NEAR_ARROW, FAR = (0.36, 0.655), (0.65, 0.69), (0.80, 0.80)
+
+
+def shadows(mode, name):
+    """What is hidden darkens nothing any more, and what is left keeps its own shadow."""
+    failures = []
+    scene = Scene(mode)
+    seen = {}
+    for state in ("all", "no-ball", "no-arrows"):
+        scene.ball.Visibility = state != "no-ball"
+        scene.arrows.Visibility = state != "no-arrows"
+        pixels = session.capture(scene.view, "light-" + name + ("" if state == "all" else "-" + state))
+        seen[state] = [brightness(pixels, *place) for place in (NEAR_BALL, NEAR_ARROW, FAR)]
+        print("%s, %s: near the ball %.1f, near the arrow %.1f, far %.1f" % ((name, state) + tuple(seen[state])))
+        if state == "all":
+            failures += comparison.against_baseline(pixels, "light-" + name)
+    everything, no_ball, no_arrows = seen["all"], seen["no-ball"], seen["no-arrows"]
+    for what, left, right in (("the ball's shadow ends with the ball", no_ball[0], everything[0]),
+                              ("the arrow's shadow ends with the arrow", no_arrows[1], everything[1]),
+                              ("the ball's shadow is dark", everything[2], everything[0])):
+        if not left > right + 5.0:
+            failures.append("%s: %s: %.1f is not clearly brighter than %.1f" % (name, what, left, right))
+    if abs(no_arrows[0] - everything[0]) > 4.0:
+        failures.append("%s: hiding arrows changed the ball's shadow from %.1f to %.1f" % (name, everything[0], no_arrows[0]))
+    scene.close()
+    return failures
+
+
+def resident():
+    """Bytes of this process in memory."""
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * resource.getpagesize()
+
+
+def cycle(kind):
+    """Shows two representations, renders and deletes all; (bytes on the device, of this process)."""
+    view = session.view(200, 150)
+    points = session.source(session.poly_data(numpy.array([[-0.6, 0.0, 0.5], [0.6, 0.0, 0.5]])))
+    plane = pv.Plane()
+    on_device = None
+    if kind == "ray traced":
+        shown = session.glyphs(points, view, "Sphere", GlyphOrient=0, ShadingMode="Ambient Occlusion")
+        pv.Show(plane, view).SetRepresentationType(SURFACE)
+    else:
+        pv.Show(points, view).SetRepresentationType("Points")
+        pv.Show(plane, view)
+    session.look(view, (0.0, -5.0, 3.5))
+    pv.Render(view)
+    if kind == "ray traced":
+        on_device = session.statistics(shown)["deviceBytes"]
+    for source in (points, plane):
+        pv.Delete(source)
+    pv.Delete(view)
+    return on_device, resident()
+
+
+def cycles(count):
+    """Showing and deleting everything leaves nothing behind that ParaView's own representations do not."""
+    left = {}
+    device = set()
+    for kind in ("ray traced", "ordinary"):
+        # Caches and the heap's fragments grow at first.
+        for _ in range(WARM):
+            _, start = cycle(kind)
+        for _ in range(count):
+            on_device, end = cycle(kind)
+            device.add(on_device)
+        left[kind] = (end - start) / count
+    device.discard(None)
+    more = left["ray traced"] - left["ordinary"]
+    print("%d cycles: %s bytes on the device; a cycle leaves %.0f bytes in the process, ParaView's own %.0f"
+          % (count, sorted(device), left["ray traced"], left["ordinary"]))
+    failures = []
+    if len(device) != 1:
+        failures.append("bytes on the device change from cycle to cycle: %s" % device)
+    if more > LEAK:
+        failures.append("%.0f bytes stay behind a cycle; at most %d may" % (more, LEAK))
+    return failures
+
+
+session.load()
+FAILURES = shadows("Ambient Occlusion", "occlusion") + shadows("Path Tracing", "paths")
+if os.path.exists("/proc/self/statm"):
+    FAILURES += cycles(int(sys.argv[1]) if len(sys.argv) > 1 else 10)
+session.finish(FAILURES)
