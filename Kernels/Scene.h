@@ -27,7 +27,7 @@ struct Statistics
   double buildSeconds = 0.0;
   double uploadSeconds = 0.0;
   double traceSeconds = 0.0;
-  double readSeconds = 0.0;
+  double denoiseSeconds = 0.0;
 };
 
 /// The glyph sets of one view and their acceleration structures on one device.

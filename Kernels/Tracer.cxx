@@ -1,12 +1,16 @@
 #include "Tracer.h"
 
 #include "BlueNoise.h"
+#include "Denoiser.h"
 #include "HostDevice.h"
 #include "SceneState.h"
+#include "Shading/Shading.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
 #include <array>
+#include <glm/gtc/packing.hpp>
+
 #include <cfloat>
 #include <cmath>
 #include <cstring>
@@ -110,29 +114,12 @@ void CheckSettings(const TraceSettings& settings)
     check("the environment colour", settings.environmentColour[i], 0.0f, 1e30f);
   }
   check("the exposure", settings.exposure, -100.0f, 100.0f);
-  if (settings.features && settings.pixelStep != 1)
-  {
-    throw Error("Ray Traced Glyphs: normals and albedos are asked of a coarse image; set its pixel "
-                "step to 1.");
-  }
   if (settings.width > maxSide || settings.height > maxSide)
   {
     throw Error("Ray Traced Glyphs: an image of " + std::to_string(settings.width) + " x " +
       std::to_string(settings.height) + " pixels is too large; the most is " +
       std::to_string(maxSide) + " a side.");
   }
-}
-
-// Each component from sRGB to linear light (IEC 61966-2-1).
-glm::vec3 DisplayToLinear(const glm::vec3& colour)
-{
-  glm::vec3 light;
-  for (int i = 0; i < 3; ++i)
-  {
-    light[i] =
-      colour[i] <= 0.04045f ? colour[i] / 12.92f : std::pow((colour[i] + 0.055f) / 1.055f, 2.4f);
-  }
-  return light;
 }
 
 void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
@@ -143,7 +130,7 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
   frame.plannedSamples =
     settings.plannedSamples ? settings.plannedSamples : settings.firstSample + settings.samples;
   frame.environment = settings.lightIntensity *
-    (settings.shading == Shading::PathTracing ? DisplayToLinear(settings.environmentColour)
+    (settings.shading == Shading::PathTracing ? shading::DisplayToLinear(settings.environmentColour)
                                               : settings.environmentColour);
   frame.occlusionRadius = settings.occlusionRadius > 0.0f ? settings.occlusionRadius : 1e38f;
   frame.maximumBounces = settings.maximumBounces;
@@ -200,6 +187,7 @@ struct Tracer::State
   Buffer frameBuffer, lightBuffer, colour, depth, setIds, glyphIds, rays;
   Buffer sums, features;         ///< none unless asked for
   Buffer blueNoise;              ///< none unless its sampler was used
+  std::vector<std::uint32_t> denoised; ///< colours of the last image, if they are
   TraceSettings last;            ///< of the last image
   std::uint32_t keptSamples = 0; ///< that `sums` hold
 };
@@ -439,7 +427,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
       }
       state.last = settings;
       state.keptSamples = settings.keepSums ? image.samples : 0;
-      if (settings.features)
+      if (settings.features && settings.pixelStep == 1)
       {
         state.FillFeatures(image);
       }
@@ -463,6 +451,43 @@ std::vector<glm::vec4> Tracer::Means() const
     means[i] = sums[i].colour / static_cast<float>(state.keptSamples);
   }
   return means;
+}
+
+void Tracer::Denoise(Image& image)
+{
+  State& state = *this->state_;
+  std::vector<glm::vec4> means = this->Means();
+  if (image.normals.size() != means.size())
+  {
+    throw Error("Ray Traced Glyphs: an image is to be denoised that was traced without features.");
+  }
+  Stopwatch watch;
+  const bool linear = state.last.shading == Shading::PathTracing;
+  std::vector<glm::vec3> albedos = image.albedos;
+  if (linear)
+  {
+    std::transform(albedos.begin(), albedos.end(), albedos.begin(), shading::DisplayToLinear);
+  }
+  rtg::Denoise(means, { image.width, image.height, image.normals, albedos, image.viewDepths });
+
+  const bool develops = GenerationFor(state.last).develops;
+  const float exposureFactor = std::exp2(state.last.exposure);
+  const bool filmic = state.last.toneMapping == ToneMapping::Filmic;
+  state.denoised.resize(means.size());
+  for (std::size_t i = 0; i < means.size(); ++i)
+  {
+    const glm::vec4& mean = means[i];
+    if (mean.a <= 0.0f)
+    {
+      state.denoised[i] = 0;
+      continue;
+    }
+    const glm::vec3 colour = glm::vec3(mean) / mean.a;
+    state.denoised[i] = glm::packUnorm4x8(glm::vec4(
+      develops ? shading::Develop(colour, linear, exposureFactor, filmic) : colour, mean.a));
+  }
+  image.colour = state.denoised.data();
+  state.statistics.denoiseSeconds += watch.Lap();
 }
 
 std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vector<Probe>& probes)

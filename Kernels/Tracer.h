@@ -88,7 +88,7 @@ struct TraceSettings
     0; ///< of the finished image, for Stratified; 0: firstSample + samples
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
-  bool features = false; ///< fill Image::normals and so on; with pixelStep 1 only
+  bool features = false; ///< gather Image::normals and so on, which need a pixelStep of 1 to be filled
 };
 
 /// Traces a committed scene. The same scene, settings and device give the same image, however its samples are
@@ -108,6 +108,10 @@ public:
   /// Mean linear radiance (or display colour, unless path-traced) times opacity, and opacity, of each pixel of the last
   /// image as sums left them, before any clipping: for error measurements. Needs keepSums.
   std::vector<glm::vec4> Means() const;
+
+  /// Replaces the colours of the last Trace()'s image by ones with less noise (Denoiser.h); edges and glyphs' own colours
+  /// stay. Needs keepSums and features. The sums stay as they are: more samples can be added.
+  void Denoise(Image& image);
 
   const Statistics& GetStatistics() const;
 

@@ -17,13 +17,14 @@ struct vtkRayTracedGlyphLight
   std::array<double, 3> EnvironmentColor{ 1.0, 1.0, 1.0 }; // in [0, 1]
   int ToneMapping = 0;                                     // as rtg::ToneMapping, in [0, 1]
   double Exposure = 0.0;                                   // stops, in [-100, 100]
+  int Denoising = 1; // 0: never, 1: images that are being refined, 2: always
 
   bool operator==(const vtkRayTracedGlyphLight& other) const
   {
     const auto all = [](const vtkRayTracedGlyphLight& l)
     {
       return std::tie(l.ShadingMode, l.AmbientOcclusionRadius, l.MaximumBounces, l.LightIntensity,
-        l.EnvironmentColor, l.ToneMapping, l.Exposure);
+        l.EnvironmentColor, l.ToneMapping, l.Exposure, l.Denoising);
     };
     return all(*this) == all(other);
   }

@@ -569,6 +569,12 @@ void vtkRayTracedGlyphRepresentation::SetExposure(double stops)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetDenoising(int when)
+{
+  this->Mapper->Light.Denoising = std::clamp(when, 0, 2);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetSamplesPerPixel(int samples)
 {
   this->Mapper->SetSamplesPerPixel(samples);

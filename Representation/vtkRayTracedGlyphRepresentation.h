@@ -123,6 +123,7 @@ public:
   void SetEnvironmentColor(double red, double green, double blue);
   void SetToneMapping(int kind);
   void SetExposure(double stops);
+  void SetDenoising(int when);
   void SetSamplesPerPixel(int samples);
   void SetSamplesPerRender(int samples);
   void SetInteractiveReduction(int step);

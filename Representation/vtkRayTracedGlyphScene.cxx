@@ -416,6 +416,15 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
       settings.samples -= settings.firstSample;
     }
 
+    // Smooth light in place of noise; surfaces that are lit locally have none. What a step gathers the next ones need.
+    const bool noisy = !forIds && self.Light.ShadingMode != static_cast<int>(rtg::Shading::Local);
+    const bool unfinished = settings.samples + settings.firstSample < self.SamplesPerPixel;
+    const bool inSteps = (self.SamplesPerRender > 0 || self.Stepwise) && !capturing;
+    settings.features = noisy && (self.Light.Denoising == 2 || (self.Light.Denoising == 1 && inSteps));
+    settings.keepSums |= settings.features;
+    const bool denoise = settings.features && settings.pixelStep == 1 &&
+      (self.Light.Denoising == 2 || unfinished);
+
     if (!image.Tracer)
     {
       image.Tracer = std::make_unique<rtg::Tracer>(self.Device);
@@ -434,6 +443,10 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
     const double traced = image.Tracer->GetStatistics().traceSeconds;
     image.Image =
       image.Tracer->Trace(*self.Scene, camera, key.Lights, settings, static_cast<rtg::Pass>(pass));
+    if (denoise)
+    {
+      image.Tracer->Denoise(image.Image);
+    }
     image.Key = std::move(key);
     image.PixelStep = settings.pixelStep;
     if (settings.pixelStep == 1)
@@ -576,7 +589,7 @@ std::string vtkRayTracedGlyphScene::GetStatistics(vtkRayTracedGlyphMapper* mappe
        << ", \"dispatches\": " << s.dispatches << ", \"primaryRays\": " << s.primaryRays
        << ", \"deviceBytes\": " << s.deviceBytes << ", \"sortSeconds\": " << s.sortSeconds
        << ", \"buildSeconds\": " << s.buildSeconds << ", \"uploadSeconds\": " << s.uploadSeconds
-       << ", \"traceSeconds\": " << s.traceSeconds << ", \"readSeconds\": " << s.readSeconds
+       << ", \"traceSeconds\": " << s.traceSeconds << ", \"denoiseSeconds\": " << s.denoiseSeconds
        << " }";
   return json.str();
 }

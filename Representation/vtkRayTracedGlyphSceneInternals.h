@@ -125,7 +125,7 @@ struct vtkRayTracedGlyphScene::Internals
         sum.primaryRays += s.primaryRays;
         sum.deviceBytes = std::max(sum.deviceBytes, s.deviceBytes);
         sum.traceSeconds += s.traceSeconds;
-        sum.readSeconds += s.readSeconds;
+        sum.denoiseSeconds += s.denoiseSeconds;
       }
     }
     return sum;

@@ -111,7 +111,8 @@ void EndPixel(uvec2 position, Pixel pixel, bool linear)
   {
     float samples = float(frame.firstSample + frame.samples);
     vec3 mean = pixel.colour.rgb / pixel.colour.a;
-    packedColour = packUnorm4x8(vec4(develops ? Develop(mean, linear) : mean, pixel.colour.a / samples));
+    vec3 shown = develops ? Develop(mean, linear, frame.exposureFactor, frame.filmic != 0u) : mean;
+    packedColour = packUnorm4x8(vec4(shown, pixel.colour.a / samples));
   }
   float windowDepth = 1.0;
   uint setId = 0xffffffffu;

@@ -1,4 +1,4 @@
-// Sobol.glsl and Principled.glsl as C++, from the same text that the GPU runs; for tests.
+// Sobol.glsl, Principled.glsl and Tone.glsl as C++, from the same text that the GPU runs.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,10 +10,14 @@ namespace rtg::shading
 
 using glm::bitCount;
 using glm::bitfieldReverse;
+using glm::clamp;
 using glm::dot;
+using glm::lessThanEqual;
 using glm::max;
 using glm::min;
+using glm::mix;
 using glm::normalize;
+using glm::pow;
 using glm::reflect;
 using glm::uvec2;
 using glm::vec2;
@@ -31,6 +35,7 @@ using uint = glm::uint;
 
 #include "Principled.glsl"
 #include "Sobol.glsl"
+#include "Tone.glsl"
 
 #undef RTG_SHADING_HOST
 #undef RTG_SHADING_FN

@@ -10,6 +10,7 @@
 #include "Vulkan/Device.h"
 
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/packing.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
@@ -638,12 +639,6 @@ TEST_F(LightTest, BadSettingsAreNamed)
   fails("intensity", [](auto& s) { s.lightIntensity = -0.5f; });
   fails("colour", [](auto& s) { s.environmentColour.g = NAN; });
   fails("exposure", [](auto& s) { s.exposure = INFINITY; });
-  fails("coarse",
-    [](auto& s)
-    {
-      s.features = true;
-      s.pixelStep = 2;
-    });
 }
 
 TEST_F(LightTest, ExposureAndToneMappingDevelopTheImage)
@@ -684,4 +679,67 @@ TEST_F(LightTest, FeaturesSayWhatTheEyeMet)
   EXPECT_EQ(image.albedos[middle], material.colour);
   EXPECT_NEAR(image.viewDepths[middle], 5.0 - 0.9, 2e-3 + 0.01);
   EXPECT_EQ(image.normals[0], glm::vec3(0.0f));
+}
+
+TEST_F(LightTest, DenoisingBringsAnImageCloserToTheTruth)
+{
+  // A sphere on a floor, darkened where they meet.
+  this->camera = LookFrom({ 0, -5, 4 }, { 0, 0, 0.3 }, 1.5);
+  const auto ball = this->Add(Shape::Sphere, { { 0, 0, 0.5 } }, { glm::vec3(1.0f) }, Flat());
+  const auto floor = this->Add(Shape::Box, { { 0, 0, -0.5 } }, { { 20, 20, 1 } }, Flat());
+  rtg::Material grey;
+  grey.colour = glm::vec3(0.7f);
+  this->settings.width = this->settings.height = 48;
+  for (Shading shading : { Shading::AmbientOcclusion, Shading::PathTracing })
+  {
+    if (shading == Shading::PathTracing)
+    {
+      this->scene.SetMaterial(ball, grey);
+      this->scene.SetMaterial(floor, grey);
+    }
+    this->settings.shading = shading;
+    this->settings.features = false;
+    this->settings.sampler = Sampler::Sobol;
+    this->settings.samples = 512;
+    this->Trace();
+    const std::vector<glm::vec4> truth = this->tracer.Means();
+    // Display colours of the truth and of few samples, with noise and without.
+    const auto error = [&](const Image& image)
+    {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < truth.size(); ++i)
+      {
+        glm::vec3 wanted = glm::vec3(truth[i]) / std::max(truth[i].a, 1e-6f);
+        if (shading == Shading::PathTracing)
+        {
+          wanted = rtg::shading::LinearToDisplay(glm::clamp(wanted, 0.0f, 1.0f));
+        }
+        const glm::vec3 apart = glm::vec3(glm::unpackUnorm4x8(image.colour[i])) - wanted;
+        sum += glm::dot(apart, apart);
+      }
+      return sum / (3.0 * truth.size());
+    };
+    this->settings.features = true;
+    this->settings.samples = 4;
+    Image image = this->Trace();
+    const double noisy = error(image);
+    const std::vector<std::uint32_t> alphas(image.colour, image.colour + truth.size());
+    this->tracer.Denoise(image);
+    const double smooth = error(image);
+    std::printf("squared error of 4 samples %.2e, denoised %.2e\n", noisy, smooth);
+    // What is left is edges: few samples do not smooth these.
+    EXPECT_LT(smooth, 0.5 * noisy);
+    for (std::size_t i = 0; i < truth.size(); ++i)
+    {
+      ASSERT_EQ(image.colour[i] >> 24, alphas[i] >> 24);
+    }
+  }
+}
+
+TEST_F(LightTest, DenoisingNeedsWhatItIsGuidedBy)
+{
+  this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(1.0f) }, White());
+  this->settings.shading = Shading::AmbientOcclusion;
+  Image image = this->Trace();
+  EXPECT_THROW(this->tracer.Denoise(image), rtg::Error);
 }

@@ -1,0 +1,265 @@
+#include "Denoiser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <thread>
+
+namespace rtg
+{
+
+namespace
+{
+
+constexpr int levels = 5;            // steps of 1, 2, 4, 8 and 16 pixels: 61 pixels in all
+constexpr float normalPower = 64.0f; // of the cosine between two normals
+constexpr float depthSlack = 1.0f;   // times what the surface's own slope explains
+constexpr float lightSlack = 4.0f;   // standard deviations of the noise
+constexpr float darkest = 0.02f;     // colour by which light is still divided
+constexpr float kernel[3] = { 3.0f / 8.0f, 1.0f / 4.0f, 1.0f / 16.0f }; // B3 spline
+
+// Light of a pixel and the variance of its luminance.
+using Light = glm::vec4;
+
+float Luminance(const glm::vec3& light)
+{
+  return glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
+class Filter
+{
+public:
+  explicit Filter(const DenoiserGuides& guides)
+    : guides_(guides)
+    , width_(static_cast<int>(guides.width))
+    , height_(static_cast<int>(guides.height))
+  {
+    this->slopes_.resize(guides.normals.size());
+    this->ForRows([this](int y) { this->FindSlopes(y); });
+  }
+
+  // Calls `row` with each row's number, on all cores.
+  void ForRows(const std::function<void(int)>& row) const
+  {
+    const int workers = std::max(
+      1, std::min(this->height_, static_cast<int>(std::thread::hardware_concurrency())));
+    std::vector<std::thread> threads;
+    const auto work = [&](int first)
+    {
+      for (int y = first; y < this->height_; y += workers)
+      {
+        row(y);
+      }
+    };
+    for (int i = 1; i < workers; ++i)
+    {
+      threads.emplace_back(work, i);
+    }
+    work(0);
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+  }
+
+  std::size_t At(int x, int y) const
+  {
+    return static_cast<std::size_t>(y) * this->width_ + x;
+  }
+
+  bool Inside(int x, int y) const { return x >= 0 && y >= 0 && x < this->width_ && y < this->height_; }
+
+  bool Known(std::size_t at) const { return this->guides_.normals[at] != glm::vec3(0.0f); }
+
+  // How likely two pixels, `distance` apart, see the same smooth surface, in [0, 1].
+  float Alike(std::size_t a, std::size_t b, float distance) const
+  {
+    if (!this->Known(b))
+    {
+      return 0.0f;
+    }
+    const float cosine = glm::dot(this->guides_.normals[a], this->guides_.normals[b]);
+    if (cosine <= 0.0f)
+    {
+      return 0.0f;
+    }
+    const float apart = std::abs(this->guides_.viewDepths[a] - this->guides_.viewDepths[b]);
+    const float slack = depthSlack * this->slopes_[a] * distance + 1e-4f * this->guides_.viewDepths[a];
+    return std::pow(cosine, normalPower) * std::exp(-apart / std::max(slack, 1e-30f));
+  }
+
+  // The variance of the luminance around each pixel, over pixels alike.
+  void EstimateVariance(std::vector<Light>& lights) const
+  {
+    std::vector<float> variances(lights.size(), 0.0f);
+    this->ForRows(
+      [&](int y)
+      {
+        for (int x = 0; x < this->width_; ++x)
+        {
+          const std::size_t at = this->At(x, y);
+          if (!this->Known(at))
+          {
+            continue;
+          }
+          float weights = 0.0f, sum = 0.0f, squares = 0.0f;
+          for (int dy = -3; dy <= 3; ++dy)
+          {
+            for (int dx = -3; dx <= 3; ++dx)
+            {
+              if (this->Inside(x + dx, y + dy))
+              {
+                const std::size_t other = this->At(x + dx, y + dy);
+                const float weight = this->Alike(at, other, std::hypot(float(dx), float(dy)));
+                const float luminance = Luminance(glm::vec3(lights[other]));
+                weights += weight;
+                sum += weight * luminance;
+                squares += weight * luminance * luminance;
+              }
+            }
+          }
+          variances[at] = std::max(0.0f, squares / weights - sum * sum / (weights * weights));
+        }
+      });
+    for (std::size_t i = 0; i < lights.size(); ++i)
+    {
+      lights[i].w = variances[i];
+    }
+  }
+
+  // One level of the transform: a smoother image from one of taps `step` apart.
+  std::vector<Light> Smooth(const std::vector<Light>& lights, int step) const
+  {
+    std::vector<Light> smooth(lights);
+    this->ForRows(
+      [&](int y)
+      {
+        for (int x = 0; x < this->width_; ++x)
+        {
+          const std::size_t at = this->At(x, y);
+          if (this->Known(at))
+          {
+            smooth[at] = this->SmoothPixel(lights, x, y, step);
+          }
+        }
+      });
+    return smooth;
+  }
+
+private:
+  // Steepest of the depth differences to neighbours that go on in the same way: at an edge only one side does.
+  void FindSlopes(int y)
+  {
+    for (int x = 0; x < this->width_; ++x)
+    {
+      const std::size_t at = this->At(x, y);
+      if (!this->Known(at))
+      {
+        continue;
+      }
+      float steepest = 0.0f;
+      for (const auto& [dx, dy] : { std::pair(1, 0), std::pair(0, 1) })
+      {
+        float least = INFINITY;
+        for (int side : { -1, 1 })
+        {
+          if (this->Inside(x + side * dx, y + side * dy) && this->Known(this->At(x + side * dx, y + side * dy)))
+          {
+            least = std::min(least,
+              std::abs(this->guides_.viewDepths[this->At(x + side * dx, y + side * dy)] - this->guides_.viewDepths[at]));
+          }
+        }
+        steepest = std::max(steepest, std::isinf(least) ? 0.0f : least);
+      }
+      this->slopes_[at] = steepest;
+    }
+  }
+
+  // Noise around a pixel, itself less noisy than one pixel's estimate.
+  float Deviation(const std::vector<Light>& lights, int x, int y) const
+  {
+    float sum = 0.0f, weights = 0.0f;
+    for (int dy = -1; dy <= 1; ++dy)
+    {
+      for (int dx = -1; dx <= 1; ++dx)
+      {
+        if (this->Inside(x + dx, y + dy) && this->Known(this->At(x + dx, y + dy)))
+        {
+          const float weight = 1.0f / float(1 << (std::abs(dx) + std::abs(dy)));
+          sum += weight * lights[this->At(x + dx, y + dy)].w;
+          weights += weight;
+        }
+      }
+    }
+    return std::sqrt(sum / weights);
+  }
+
+  Light SmoothPixel(const std::vector<Light>& lights, int x, int y, int step) const
+  {
+    const std::size_t at = this->At(x, y);
+    const float luminance = Luminance(glm::vec3(lights[at]));
+    const float slack = lightSlack * this->Deviation(lights, x, y) + 1e-6f;
+    glm::vec3 light(0.0f);
+    float variance = 0.0f, weights = 0.0f;
+    for (int dy = -2; dy <= 2; ++dy)
+    {
+      for (int dx = -2; dx <= 2; ++dx)
+      {
+        const int px = x + dx * step, py = y + dy * step;
+        if (!this->Inside(px, py))
+        {
+          continue;
+        }
+        const std::size_t other = this->At(px, py);
+        float weight = kernel[std::abs(dx)] * kernel[std::abs(dy)];
+        if (other != at)
+        {
+          weight *= this->Alike(at, other, float(step) * std::hypot(float(dx), float(dy)));
+          if (weight <= 0.0f)
+          {
+            continue;
+          }
+          weight *= std::exp(-std::abs(luminance - Luminance(glm::vec3(lights[other]))) / slack);
+        }
+        light += weight * glm::vec3(lights[other]);
+        variance += weight * weight * lights[other].w;
+        weights += weight;
+      }
+    }
+    return Light(light / weights, variance / (weights * weights));
+  }
+
+  const DenoiserGuides& guides_;
+  int width_, height_;
+  std::vector<float> slopes_; ///< of the view depth, per pixel
+};
+
+} // namespace
+
+void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides)
+{
+  const Filter filter(guides);
+  const auto colourOf = [&](std::size_t i) { return glm::max(guides.albedos[i], glm::vec3(darkest)); };
+  std::vector<Light> lights(means.size(), Light(0.0f));
+  for (std::size_t i = 0; i < means.size(); ++i)
+  {
+    if (means[i].a > 0.0f)
+    {
+      lights[i] = Light(glm::vec3(means[i]) / means[i].a / colourOf(i), 0.0f);
+    }
+  }
+  filter.EstimateVariance(lights);
+  for (int level = 0; level < levels; ++level)
+  {
+    lights = filter.Smooth(lights, 1 << level);
+  }
+  for (std::size_t i = 0; i < means.size(); ++i)
+  {
+    if (means[i].a > 0.0f && filter.Known(i))
+    {
+      means[i] = glm::vec4(glm::vec3(lights[i]) * colourOf(i) * means[i].a, means[i].a);
+    }
+  }
+}
+
+} // namespace rtg
