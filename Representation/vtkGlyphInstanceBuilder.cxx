@@ -297,6 +297,7 @@ enum Reason
   SCALE,
   ORIENTATION,
   TENSOR,
+  EXPONENT,
   REASONS
 };
 
@@ -335,6 +336,53 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
   say(skipped[TENSOR],
     "their tensor, from the point array '" + settings.Tensors.Array + "', is zero or not finite",
     "Remove these points with Threshold, or leave it at that.");
+  if (IsNone(settings.ExponentArray))
+  {
+    std::ostringstream why;
+    why << "GlyphExponents are " << settings.Exponents[0] << ", " << settings.Exponents[1] << ", "
+        << settings.Exponents[2];
+    say(skipped[EXPONENT], why.str(), "Make each of them positive; 2 2 2 is an ellipsoid.");
+  }
+  else
+  {
+    say(skipped[EXPONENT],
+      "their exponents, from the point array '" + settings.ExponentArray +
+        "', are zero, negative or not finite",
+      "Choose another GlyphExponentArray, or None, or remove these points with Threshold.");
+  }
+}
+
+// Whether the shape is a superquadric with exponents of the settings; those of tensors come from elsewhere.
+bool HasOwnExponents(const Settings& settings)
+{
+  return HasExponents(settings.Shape) && !settings.Tensors.On;
+}
+
+// A tuple's exponents as the kernels want them; false: there are none.
+bool MakeExponents(const Settings& settings, const double* tuple, int components, glm::vec3& exponents)
+{
+  glm::dvec3 e(tuple[0]);
+  if (components == 2)
+  {
+    e = glm::dvec3(tuple[0], tuple[0], tuple[1]);
+  }
+  else if (components == 3)
+  {
+    e = glm::dvec3(tuple[0], tuple[1], tuple[2]);
+  }
+  const bool nested = settings.Shape == rtg::Shape::NestedSuperquadric;
+  if (nested)
+  {
+    // Along z, across; the third is not used.
+    e = components > 1 ? glm::dvec3(tuple[0], tuple[1], tuple[1]) : glm::dvec3(tuple[0]);
+  }
+  if (!IsPositive(e.x) || !IsPositive(e.y) || !IsPositive(e.z))
+  {
+    return false;
+  }
+  e = glm::clamp(e, glm::dvec3(0.1), glm::dvec3(100.0));
+  exponents = nested ? glm::vec3(2.0 / e.y, 2.0 / e.x, 2.0 / e.x) : glm::vec3(e);
+  return true;
 }
 
 vtkDataArray* WantedArray(vtkPolyData* points, bool wanted, const std::string& name)
@@ -363,6 +411,7 @@ vtkDataArray* CheckedArray(vtkDataArray* array, bool wanted, const std::string& 
     std::ostringstream text;
     text << "The point array '" << name << "', which " << property << " names, has "
          << array->GetNumberOfComponents() << " components where " << lengths.front()
+         << (lengths.size() > 1 ? " to " + std::to_string(lengths.back()) : "")
          << " are needed; " << without << ". Choose another array or mode.";
     result.Messages.push_back(text.str());
     return nullptr;
@@ -382,6 +431,12 @@ vtkDataArray*
 vtkGlyphInstanceBuilder::OrientationArray(vtkPolyData* points, const Settings& settings)
 {
   return WantedArray(points, settings.Orient, settings.OrientationArray);
+}
+
+//----------------------------------------------------------------------------
+vtkDataArray* vtkGlyphInstanceBuilder::ExponentArray(vtkPolyData* points, const Settings& settings)
+{
+  return WantedArray(points, HasOwnExponents(settings), settings.ExponentArray);
 }
 
 //----------------------------------------------------------------------------
@@ -467,6 +522,11 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   Tuples orientations(CheckedArray(OrientationArray(points, settings), settings.Orient,
     settings.OrientationArray, "GlyphOrientationArray",
     { settings.OrientationMode == QUATERNION ? 4 : 3 }, "the glyphs are not turned", result));
+  const bool ownExponents = HasOwnExponents(settings);
+  Tuples exponents(CheckedArray(ExponentArray(points, settings), ownExponents, settings.ExponentArray,
+    "GlyphExponentArray", { 1, 2, 3 }, "GlyphExponents count", result));
+  const bool goodExponents =
+    ownExponents && MakeExponents(settings, settings.Exponents, 3, instances.uniformExponents);
   Tuples positions(points->GetPoints()->GetData());
   std::unique_ptr<vtkGlyphTensors> tensors;
   if (settings.Tensors.On)
@@ -551,6 +611,14 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
       continue;
     }
 
+    glm::vec3 ownExponent(2.0f);
+    if (ownExponents &&
+      !(exponents ? MakeExponents(settings, exponents.Get(i), exponents.Size(), ownExponent) : goodExponents))
+    {
+      ++skipped[EXPONENT];
+      continue;
+    }
+
     // The actor's transform
     if (!placement.Uniform)
     {
@@ -585,6 +653,10 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     if (tensors && HasExponents(settings.Shape))
     {
       instances.exponents3.emplace_back(tensorGlyph.exponents);
+    }
+    else if (exponents)
+    {
+      instances.exponents3.push_back(ownExponent);
     }
     if (!oneSize)
     {

@@ -6,10 +6,14 @@
  * three; orientation by direction (the same half turn, so that also boxes agree), by angles about z, x, y in degrees
  * or by quaternion (w, x, y, z). Positions are made relative to the middle of the data in double precision.
  *
+ * Superquadrics have exponents, the same for all or from an array: with one component the same on every axis, with two
+ * the first across (x and y) and the second along z, with three one for each axis. In the nested form the first is
+ * that along z, the second that across, as blockiness is given in granular matter codes; one component is both.
+ *
  * A negative scale component mirrors the glyph. That changes nothing about a sphere, box or cylinder; cones and arrows
  * point the other way, as 3D Glyphs shows them; meshes are mirrored.
  *
- * What cannot be shown (position, scale, direction zero where one is needed, or not finite) makes no glyph; it is
+ * What cannot be shown (an exponent that is not positive; position, scale, direction zero where one is needed, or not finite) makes no glyph; it is
  * counted and put into words in Result::Messages.
  */
 #ifndef vtkGlyphInstanceBuilder_h
@@ -58,6 +62,8 @@ public:
       0.0; // scale of the arrow whose head has the unit arrow's proportions; 0: the mean
     std::shared_ptr<const rtg::TriangleMesh> Mesh; // for rtg::Shape::Mesh
     vtkGlyphTensors::Settings Tensors; // on: they give size, rotation and exponents
+    double Exponents[3] = { 2.0, 2.0, 2.0 }; // of superquadrics; each counts as one in [0.1, 100]
+    std::string ExponentArray;               // overrides them; empty or "None": none
     bool Mask = false;
     vtkIdType MaximumNumberOfGlyphs = 5000;
     int Seed = 1;
@@ -112,6 +118,7 @@ public:
    */
   static vtkDataArray* ScaleArray(vtkPolyData* points, const Settings& settings);
   static vtkDataArray* OrientationArray(vtkPolyData* points, const Settings& settings);
+  static vtkDataArray* ExponentArray(vtkPolyData* points, const Settings& settings);
   ///@}
 };
 

@@ -60,6 +60,16 @@ vtkGlyphTensors::vtkGlyphTensors(
     largest = tensor.IsFinite() ? std::max(largest, tensor.Largest()) : largest;
   }
   this->Noise = 1e-6 * largest;
+  if (settings.Coloring == TRACE)
+  {
+    this->Range = 0.0;
+    double value = 0.0;
+    for (vtkIdType point : points)
+    {
+      this->Range =
+        this->Number(point, value) ? std::max(this->Range, std::abs(value)) : this->Range;
+    }
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -98,6 +108,19 @@ bool vtkGlyphTensors::Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const
   }
   glyph =
     rtg::MakeTensorGlyph(rtg::Decompose(tensor), this->How.Kind, this->How.Sharpness, this->Noise);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphTensors::Number(vtkIdType point, double& value) const
+{
+  const rtg::SymmetricTensor tensor = this->Tensor(point);
+  if (!tensor.IsFinite() || tensor.IsZero())
+  {
+    return false;
+  }
+  value = this->How.Coloring == TRACE ? tensor.xx + tensor.yy + tensor.zz
+                                      : rtg::FractionalAnisotropy(rtg::Decompose(tensor).values);
   return true;
 }
 

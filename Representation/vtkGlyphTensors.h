@@ -23,7 +23,9 @@ public:
   enum Colorings
   {
     NONE = 0,
-    PRINCIPAL_DIRECTION = 1
+    PRINCIPAL_DIRECTION = 1,
+    FRACTIONAL_ANISOTROPY = 2,
+    TRACE = 3
   };
 
   struct Settings
@@ -69,12 +71,22 @@ public:
    */
   bool DirectionColor(vtkIdType point, double rgb[3]) const;
 
+  ///@{
+  /**
+   * The number of the coloring: the fractional anisotropy of the eigenvalues, or the trace, in units of the tensor. False:
+   * there is none, as above. NumberRange is its largest magnitude: 1, or that of the trace over the points given.
+   */
+  bool Number(vtkIdType point, double& value) const;
+  double NumberRange() const { return this->Range; }
+  ///@}
+
 private:
   rtg::SymmetricTensor Tensor(vtkIdType point) const;
 
   vtkDataArray* Tensors;
   Settings How;
   double Noise = 0.0;
+  double Range = 1.0;
 };
 
 #endif

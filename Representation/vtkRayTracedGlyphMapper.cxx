@@ -66,6 +66,7 @@ std::array<std::uint64_t, 2> DigestOf(const rtg::GlyphInstances& instances)
     static_cast<float>(instances.shape) };
   Mix(sum, numbers, sizeof(numbers) / sizeof(numbers[0]));
   Mix(sum, &instances.origin, 1);
+  Mix(sum, &instances.uniformExponents, 1);
   if (const rtg::TriangleMesh* mesh = instances.mesh.get())
   {
     Mix(sum, mesh->positions.data(), mesh->positions.size());
@@ -88,7 +89,8 @@ bool SameSettings(
     return std::tie(s.Shape, s.Scaling, s.ScaleArray, s.ScaleMode, s.ScaleFactor, s.Orient,
       s.OrientationArray, s.OrientationMode, s.Arrow.shaftRadius, s.Arrow.tipRadius,
       s.Arrow.tipLength, s.Arrow.tipRounding, s.Arrow.fixedHeads, s.ArrowReference, s.Tensors.On, s.Tensors.Kind,
-      s.Tensors.Array, s.Tensors.Layout, s.Tensors.Sharpness, s.Mask,
+      s.Tensors.Array, s.Tensors.Layout, s.Tensors.Sharpness, s.Exponents[0], s.Exponents[1],
+      s.Exponents[2], s.ExponentArray, s.Mask,
       s.MaximumNumberOfGlyphs, s.Seed, s.Mesh);
   };
   return all(a) == all(b);
@@ -101,7 +103,7 @@ bool SameSettings(
 struct vtkRayTracedGlyphMapper::InstanceKey
 {
   vtkGlyphInstanceBuilder::Settings Settings;
-  std::array<vtkMTimeType, 6> Times{};
+  std::array<vtkMTimeType, 7> Times{};
   std::vector<vtkMTimeType> FurtherTimes;
   std::vector<unsigned int> HiddenBlocks;
   std::array<double, 16> Matrix{};
@@ -242,7 +244,8 @@ vtkRayTracedGlyphMapper::MakeInstanceKey(vtkPolyData* points) const
     TimeOf(vtkGlyphInstanceBuilder::ScaleArray(points, this->Glyphs)),
     TimeOf(vtkGlyphInstanceBuilder::OrientationArray(points, this->Glyphs)),
     TimeOf(points->GetPointData()->GetArray(vtkGlyphPointGatherer::CompositeIndexName())),
-    TimeOf(vtkGlyphTensors::Array(points, this->Glyphs.Tensors)) };
+    TimeOf(vtkGlyphTensors::Array(points, this->Glyphs.Tensors)),
+    TimeOf(vtkGlyphInstanceBuilder::ExponentArray(points, this->Glyphs)) };
   key.FurtherTimes = this->FurtherTimes(points);
   if (vtkGlyphInstanceBuilder::NeedsMeanScale(this->Glyphs))
   {
@@ -268,6 +271,10 @@ vtkRayTracedGlyphMapper::MakeColorKey(vtkPolyData* points, vtkActor* actor)
   key.Blocks = this->BlockTable;
   key.Visible = this->ScalarVisibility != 0;
   key.TensorColoring = this->Glyphs.Tensors.On ? this->Glyphs.Tensors.Coloring : 0;
+  if (key.TensorColoring != vtkGlyphTensors::NONE)
+  {
+    key.Times[1] = TimeOf(this->LookupTable);
+  }
   if (!key.Blocks.empty())
   {
     actor->GetProperty()->GetDiffuseColor(key.SolidColor.data());
@@ -355,6 +362,35 @@ rtg::GlyphInstances vtkRayTracedGlyphMapper::TakeInstances(vtkActor* actor)
 }
 
 //----------------------------------------------------------------------------
+// Numbers go through the representation's colour map when it has one, else from blue over white to red.
+void vtkRayTracedGlyphMapper::TensorColor(
+  const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3])
+{
+  if (this->Glyphs.Tensors.Coloring == vtkGlyphTensors::PRINCIPAL_DIRECTION)
+  {
+    tensors.DirectionColor(point, rgb);
+    return;
+  }
+  double value = 0.0;
+  if (!tensors.Number(point, value))
+  {
+    return;
+  }
+  if (vtkScalarsToColors* map = this->LookupTable)
+  {
+    const unsigned char* color = map->MapValue(value);
+    std::transform(color, color + 3, rgb, [](unsigned char c) { return c / 255.0; });
+    return;
+  }
+  const double range = tensors.NumberRange();
+  const double share = range > 0.0 ? vtkMath::ClampValue(value / range, -1.0, 1.0) : 0.0;
+  const double pale = 1.0 - std::abs(share);
+  rgb[0] = share > 0.0 ? 0.7 + 0.25 * pale : 0.23 + 0.72 * pale;
+  rgb[1] = share > 0.0 ? 0.02 + 0.93 * pale : 0.3 + 0.65 * pale;
+  rgb[2] = share > 0.0 ? 0.15 + 0.8 * pale : 0.75 + 0.2 * pale;
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
 {
   std::vector<std::string> messages;
@@ -363,7 +399,11 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   if (this->Glyphs.Tensors.On && this->Glyphs.Tensors.Coloring != vtkGlyphTensors::NONE && !this->Points.empty())
   {
     tensors = std::make_unique<vtkGlyphTensors>(
-      vtkGlyphTensors::Array(points, this->Glyphs.Tensors), this->Glyphs.Tensors, std::vector<vtkIdType>());
+      vtkGlyphTensors::Array(points, this->Glyphs.Tensors), this->Glyphs.Tensors, this->Points);
+    if (this->LookupTable)
+    {
+      this->LookupTable->Build();
+    }
   }
   else if (this->ScalarVisibility && !this->Points.empty())
   {
@@ -399,7 +439,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
       }
       if (tensors)
       {
-        tensors->DirectionColor(point, rgba.data());
+        this->TensorColor(*tensors, point, rgba.data());
       }
       if (blockColors)
       {

@@ -156,6 +156,7 @@ protected:
    */
   virtual void BuildInstances(vtkPolyData* points, vtkActor* actor);
   virtual void BuildColors(vtkPolyData* points);
+  void TensorColor(const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]);
   ///@}
 
   /**

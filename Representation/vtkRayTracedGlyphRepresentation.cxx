@@ -362,10 +362,10 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 {
   vtkGlyphInstanceBuilder::Settings& glyphs = this->Mapper->Glyphs;
   const bool tensor = shape >= TENSOR_ELLIPSOID && shape <= SIGNED_TENSOR_SUPERQUADRIC;
-  if (!tensor && shape != MESH && (shape < 0 || shape > static_cast<int>(rtg::Shape::Arrow)))
+  if (!tensor && shape != MESH && (shape < 0 || shape > static_cast<int>(rtg::Shape::Superquadric)))
   {
     vtkErrorMacro("GlyphShape is " << shape << "; it must lie between 0 (Sphere) and "
-                                   << static_cast<int>(rtg::Shape::Arrow) << " (Arrow), or between "
+                                   << static_cast<int>(rtg::Shape::Superquadric) << " (Superquadric), or between "
                                    << TENSOR_ELLIPSOID << " (Tensor Ellipsoid) and "
                                    << SIGNED_TENSOR_SUPERQUADRIC << " (Signed Tensor Superquadric), or be " << MESH
                                    << " (Mesh).");
@@ -382,6 +382,10 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
   else
   {
     glyphs.Shape = shape == MESH ? rtg::Shape::Mesh : static_cast<rtg::Shape>(shape);
+    if (glyphs.Shape == rtg::Shape::Superquadric && this->NestedExponents)
+    {
+      glyphs.Shape = rtg::Shape::NestedSuperquadric;
+    }
   }
 }
 
@@ -389,6 +393,28 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 int vtkRayTracedGlyphRepresentation::GetGlyphShape()
 {
   return this->GlyphShape;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphExponents(double r, double s, double t)
+{
+  double* exponents = this->Mapper->Glyphs.Exponents;
+  exponents[0] = r;
+  exponents[1] = s;
+  exponents[2] = t;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphExponentArray(const char* name)
+{
+  this->Mapper->Glyphs.ExponentArray = name ? name : "";
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphExponentForm(int form)
+{
+  this->NestedExponents = form == 1;
+  this->SetGlyphShape(this->GlyphShape);
 }
 
 //----------------------------------------------------------------------------

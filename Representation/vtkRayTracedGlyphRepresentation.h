@@ -77,6 +77,16 @@ public:
   void SetArrowTipRounding(double rounding);
   ///@}
 
+  ///@{
+  /**
+   * Exponents of superquadrics, each in [0.1, 100], default 2 2 2, an array that overrides them, default none, and the form:
+   * 0 (default) an exponent for each axis, 1 nested. See vtkGlyphInstanceBuilder.
+   */
+  void SetGlyphExponents(double r, double s, double t);
+  void SetGlyphExponentArray(const char* name);
+  void SetGlyphExponentForm(int form);
+  ///@}
+
   /**
    * Values of GlyphShape beyond those of rtg::Shape.
    */
@@ -90,7 +100,7 @@ public:
   ///@{
   /**
    * The tensors of tensor glyphs, the order of their components (rtg::TensorLayout; default is 0, VTK's), the sharpness of
-   * superquadrics (in [0, 10], default 3), and whether the principal direction colours the glyphs (default 0, no).
+   * superquadrics (in [0, 10], default 3), and what colours the glyphs (vtkGlyphTensors::Colorings, default 0, an array).
    */
   void SetGlyphTensorArray(const char* name);
   void SetGlyphTensorLayout(int layout);
@@ -221,6 +231,7 @@ private:
   vtkSmartPointer<vtkPolyData> Points; // gathered, not yet delivered
   vtkNew<vtkMultiBlockDataSet> Mesh;   // likewise; its only block is the form of mesh glyphs
   int GlyphShape = 0;
+  bool NestedExponents = false;
   bool ReplicateGlyphs = false;
   std::string DeviceName, Statistics;
 };

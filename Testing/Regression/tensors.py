@@ -35,6 +35,40 @@ def picture(view, name, data, **properties):
     return image
 
 
+def colours(failures, view):
+    """The colour in the middle of a ball or a needle, lit by nothing."""
+    data = session.poly_data(POINTS, t=numpy.array([numpy.eye(3), numpy.diag([1.0, 0.2, 0.2]), -numpy.eye(3)]).reshape(3, 9))
+    points = session.source(data)
+    shown = session.glyphs(points, view, GlyphScaleFactor=0.5, GlyphShape="Tensor Ellipsoid", GlyphTensorArray="t")
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    shown.AmbientColor = [1.0, 1.0, 1.0]
+    middle = lambda image, x: image[75, int(round(149.5 + x * 75.0 / 1.608)), :3].astype(int)
+    wanted = {"Trace": [(242, 242, 242), None, (59, 77, 191)], "Fractional Anisotropy": [(242, 242, 242), None, (242, 242, 242)],
+              "Principal Direction": [None, (255, 0, 0), None]}
+    # Of the trace the largest magnitude is 3: 3 is the end of the map in red, -3 that in blue.
+    wanted["Trace"][0] = (179, 5, 38)
+    for colouring, expected in wanted.items():
+        shown.GlyphTensorColoring = colouring
+        image = session.capture(view, "tensors-colour-" + colouring.replace(" ", "-"))
+        for x, colour in zip((-1, 0, 1), expected):
+            seen = middle(image, x)
+            print("%s at %d: %s" % (colouring, x, seen))
+            if colour is not None and numpy.abs(seen - numpy.array(colour)).max() > 3:
+                failures.append("%s at %d is %s instead of %s" % (colouring, x, seen, colour))
+    table = pv.GetColorTransferFunction("anisotropy of the test")
+    table.RGBPoints = [0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 1.0]
+    table.ColorSpace = "RGB"
+    shown.GlyphTensorColoring = "Fractional Anisotropy"
+    shown.LookupTable = table
+    image = session.capture(view, "tensors-colour-table")
+    # Eigenvalues 1, 0.2, 0.2: sqrt(3/2) sqrt(0.8^2 2/3) / sqrt(1.08) = 0.770.
+    if max(numpy.abs(middle(image, -1) - numpy.array([0, 255, 0])).max(),
+           numpy.abs(middle(image, 0) - numpy.array([0, 59, 196])).max()) > 3:
+        failures.append("the colour map of the user gives %s, %s" % (middle(image, -1), middle(image, 0)))
+    pv.Delete(shown)
+    pv.Delete(points)
+
+
 def main():
     failures = []
     view = session.view(300, 150)
@@ -69,11 +103,19 @@ def main():
          picture(view, "negative", negative, GlyphShape="Tensor Ellipsoid", GlyphTensorArray="t"))
     positive = session.poly_data(POINTS, t=t.reshape(3, 9))
     for shape in ("Tensor Superquadric", "Signed Tensor Superquadric"):
-        same(shape + " of sharpness 0", ellipsoids,
-             picture(view, shape, positive, GlyphShape=shape, GlyphTensorArray="t", GlyphTensorSharpness=0.0))
-        sharp = picture(view, shape + " sharp", positive, GlyphShape=shape, GlyphTensorArray="t")
+        points = session.source(positive)
+        shown = session.glyphs(points, view, GlyphScaleFactor=0.9, GlyphShape=shape, GlyphTensorArray="t",
+                               GlyphTensorSharpness=0.0)
+        same(shape + " of sharpness 0", ellipsoids, session.capture(view, "tensors-" + shape.replace(" ", "-")))
+        shown.GlyphTensorSharpness = 3.0
+        sharp = session.capture(view, "tensors-" + shape.replace(" ", "-") + "-sharp")
+        pv.Delete(shown)
+        pv.Delete(points)
         if numpy.mean(numpy.any(sharp != ellipsoids, axis=2)) < 0.01:
             failures.append(shape + ": sharpness makes no difference")
+
+    # Numbers as colours: through a map of the user's, and the one of our own; of the principal direction.
+    colours(failures, view)
 
     # Bad tensors: counted and told once; wrong lengths of tuples: one message, no glyph.
     bad = t.reshape(3, 9).copy()
@@ -85,7 +127,7 @@ def main():
                 ("no array", bad, "None", "VTK", "Choose a point array")]
     for name, values, array, layout, words in expected:
         points = session.source(session.poly_data(POINTS, t=values))
-        shown = session.glyphs(points, view, GlyphShape="Signed Tensor Superquadric", GlyphTensorArray=array,
+        shown = session.glyphs(points, view, GlyphShape="Tensor Ellipsoid", GlyphTensorArray=array,
                                GlyphTensorLayout=layout)
         text = session.messages(lambda: (pv.Render(view), pv.Render(view)))
         if text.count(words) != 1:
