@@ -445,7 +445,21 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
       image.Tracer->Trace(*self.Scene, camera, key.Lights, settings, static_cast<rtg::Pass>(pass));
     if (denoise)
     {
-      image.Tracer->Denoise(image.Image);
+      // Denoising takes about as long as a sample: only when there is a good deal more to see.
+      const std::uint32_t samples = image.Image.samples;
+      if (settings.firstSample == 0 || image.SmoothSamples == 0 || 2 * samples >= 3 * image.SmoothSamples)
+      {
+        image.Tracer->Denoise(image.Image);
+        image.Smooth.assign(
+          image.Image.colour, image.Image.colour + std::size_t(settings.width) * settings.height);
+        image.SmoothSamples = samples;
+      }
+      image.Image.colour = image.Smooth.data();
+    }
+    else
+    {
+      image.Smooth.clear();
+      image.SmoothSamples = 0;
     }
     image.Key = std::move(key);
     image.PixelStep = settings.pixelStep;

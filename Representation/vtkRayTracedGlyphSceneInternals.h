@@ -54,6 +54,8 @@ struct PassImage
   ImageKey Key;
   std::uint32_t PixelStep = 1;
   double SecondsPerSample = 0.0; // of the last trace of all pixels
+  std::vector<std::uint32_t> Smooth; // colours of Key's image, denoised
+  std::uint32_t SmoothSamples = 0;   // that it had then; 0: none
   bool Valid = false; // Image has the pixels of Key
   bool Kept = false;  // and Tracer what more samples are added to
   bool Sent = false;  // Quad has them, too

@@ -84,6 +84,27 @@ def shadows(mode, name):
     return failures
 
 
+def denoised():
+    """Four samples come closer to sixty-four when their noise is smoothed, and finished images are left alone."""
+    scene = Scene("Ambient Occlusion")
+    pictures = {}
+    for name, samples, when in (("truth", SAMPLES, "Never"), ("noisy", 4, "Never"), ("refining", 4, "While Refining"),
+                                ("denoised", 4, "Always")):
+        for shown in (scene.floor, scene.ball, scene.arrows):
+            shown.SamplesPerPixel = samples
+            shown.Denoising = when
+        pictures[name] = session.capture(scene.view, "light-noise-" + name).astype(float)
+    scene.close()
+    error = {name: float(numpy.square(picture - pictures["truth"]).mean()) for name, picture in pictures.items()}
+    print("squared error of 4 samples %.1f, denoised %.1f" % (error["noisy"], error["denoised"]))
+    failures = []
+    if not error["denoised"] < 0.5 * error["noisy"]:
+        failures.append("denoising takes the squared error from %.1f to %.1f only" % (error["noisy"], error["denoised"]))
+    if (pictures["refining"] != pictures["noisy"]).any():
+        failures.append("a finished picture was denoised without being asked to")
+    return failures
+
+
 def resident():
     """Bytes of this process in memory."""
     with open("/proc/self/statm") as file:
@@ -137,7 +158,7 @@ def cycles(count):
 
 
 session.load()
-FAILURES = shadows("Ambient Occlusion", "occlusion") + shadows("Path Tracing", "paths")
+FAILURES = shadows("Ambient Occlusion", "occlusion") + shadows("Path Tracing", "paths") + denoised()
 if os.path.exists("/proc/self/statm"):
     FAILURES += cycles(int(sys.argv[1]) if len(sys.argv) > 1 else 10)
 session.finish(FAILURES)
