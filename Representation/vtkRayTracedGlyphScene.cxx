@@ -376,7 +376,9 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
     }
     else if (interactive && !capturing)
     {
-      settings.pixelStep = self.InteractiveReduction;
+      // Pixels that need more than one ray are spared more of them, for the camera to answer as fast.
+      const bool dear = self.Light.ShadingMode != static_cast<int>(rtg::Shading::Local);
+      settings.pixelStep = self.InteractiveReduction + (dear && self.InteractiveReduction > 1 ? 1 : 0);
       settings.samples = 1;
     }
     else if ((self.SamplesPerRender > 0 || self.Stepwise) && !capturing)
