@@ -16,28 +16,36 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
 
+#: One for each solver.
+COLOURS = pyplot.get_cmap("tab20").colors[::2] + pyplot.get_cmap("tab20").colors[1::2]
+
+
 def main(source, target):
     """Draws the figure of source's rows."""
     with open(source, newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["case"] == "all"]
     solvers = list(dict.fromkeys(row["solver"] for row in rows))
-    figure, axes = pyplot.subplots(1, 2, figsize=(13, 5.5), sharey=True, constrained_layout=True)
+    figure, axes = pyplot.subplots(1, 2, figsize=(13, 5.5), sharey=True, layout="constrained")
     for axis, family in zip(axes, ("convex", "concave")):
         for row in rows:
             if row["family"] != family:
                 continue
             wrong = float(row["false_hits_per_million"]) + float(row["misses_per_million"])
-            colour = "C%d" % (solvers.index(row["solver"]) % 10)
+            colour = COLOURS[solvers.index(row["solver"])]
             x = float(row["ns_per_ray"])
             # Errors below an ulp of t are shown at the plot's lower edge.
             y = max(float(row["t_p999_sizes"]), 1e-18)
             axis.plot(x, y, marker="o" if row["arithmetic"] == "float" else "s", markersize=9, color=colour,
                       fillstyle="none" if wrong else "full")
-            label = row["solver"] + (", %d wrong a million" % wrong if wrong else "")
-            axis.annotate(label, (x, y), xytext=(7, 3), textcoords="offset points", fontsize=7)
+            if wrong:
+                axis.annotate("%d wrong\na million" % wrong, (x, y), xytext=(0, -18), textcoords="offset points", fontsize=6,
+                              ha="center")
         axis.set(xscale="log", yscale="log", xlabel="nanoseconds a ray", title=family)
         axis.grid(alpha=0.3)
-    axes[0].set_ylabel("error of t beyond an ulp, 99.9th percentile, glyph sizes (circle: float, square: double)")
+    axes[0].set_ylabel("error of t beyond an ulp, 99.9th percentile, glyph sizes\n(circle: float, square: double, hollow: wrong hits)")
+    for index, solver in enumerate(solvers):
+        axes[0].plot([], [], "o", color=COLOURS[index], label=solver)
+    axes[0].legend(loc="lower right", fontsize=7)
     figure.savefig(target, dpi=110)
 
 
