@@ -701,6 +701,30 @@ void vtkRayTracedGlyphRepresentation::SetRoughness(double roughness)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetCoatStrength(double strength)
+{
+  this->Property->SetCoatStrength(strength);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetCoatIOR(double ior)
+{
+  this->Property->SetCoatIOR(ior);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetCoatRoughness(double roughness)
+{
+  this->Property->SetCoatRoughness(roughness);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetCoatColor(double red, double green, double blue)
+{
+  this->Property->SetCoatColor(red, green, blue);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetPosition(double x, double y, double z)
 {
   this->Actor->SetPosition(x, y, z);

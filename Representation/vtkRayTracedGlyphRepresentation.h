@@ -170,6 +170,10 @@ public:
   void SetSpecularPower(double power);
   void SetMetallic(double metallic);
   void SetRoughness(double roughness);
+  void SetCoatStrength(double strength);
+  void SetCoatIOR(double ior);
+  void SetCoatRoughness(double roughness);
+  void SetCoatColor(double red, double green, double blue);
   void SetPosition(double x, double y, double z);
   void SetScale(double x, double y, double z);
   void SetOrientation(double x, double y, double z);

@@ -105,6 +105,21 @@ def denoised():
     return failures
 
 
+def coated():
+    """A coat makes a dark ball mirror the white floor."""
+    scene = Scene("Path Tracing")
+    session.solid(scene.ball, (0.05, 0.05, 0.05))
+    scene.ball.Specular = 0.0
+    seen = {}
+    for strength in (0.0, 1.0):
+        scene.ball.CoatStrength, scene.ball.CoatIOR, scene.ball.CoatRoughness = strength, 2.5, 0.1
+        pixels = session.capture(scene.view, "light-coat-%d" % strength)
+        seen[strength] = brightness(pixels, 0.35, 0.45)
+    scene.close()
+    print("ball without coat %.1f, with coat %.1f" % (seen[0.0], seen[1.0]))
+    return [] if seen[1.0] > seen[0.0] + 20.0 else ["a coat does not brighten a dark ball: %s" % seen]
+
+
 def resident():
     """Bytes of this process in memory."""
     with open("/proc/self/statm") as file:
@@ -158,7 +173,7 @@ def cycles(count):
 
 
 session.load()
-FAILURES = shadows("Ambient Occlusion", "occlusion") + shadows("Path Tracing", "paths") + denoised()
+FAILURES = shadows("Ambient Occlusion", "occlusion") + shadows("Path Tracing", "paths") + denoised() + coated()
 if os.path.exists("/proc/self/statm"):
     FAILURES += cycles(int(sys.argv[1]) if len(sys.argv) > 1 else 10)
 session.finish(FAILURES)
