@@ -1,6 +1,7 @@
 // What a scene is made of, as plain host data: no Vulkan type and no VTK type in here.
 #pragma once
 
+#include "Motion.h"
 #include "TriangleMesh.h"
 
 #include <glm/glm.hpp>
@@ -89,6 +90,8 @@ struct GlyphInstances
   /// In [0.1, 100]; see Shapes/README.md for where accuracy is promised.
   std::vector<glm::vec3> exponents3;
   glm::vec3 uniformExponents{ 2.0f };
+
+  GlyphMotion motion; ///< none of Shape::Mesh
 
   std::size_t Count() const { return centres.size(); }
 };

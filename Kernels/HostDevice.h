@@ -52,6 +52,13 @@ struct GlyphSetRecord
   RTG_ADDRESS(FloatArray) exponents; // three floats a glyph, or none (specialised)
   RTG_ADDRESS(UintArray) colours;    // none unless specialised
   RTG_ADDRESS(UintArray) tree;       // GlyphTreeNode, when the set is traced by its tree
+  RTG_ADDRESS(Vec3Array) velocities; // each of these three: none unless specialised
+  RTG_ADDRESS(Vec3Array) accelerations;
+  RTG_ADDRESS(Vec3Array) angularVelocities;
+  float shutterOpen; // as GlyphMotion has it
+  float shutterLength;
+  uint timeSliceBits; // the tree has 2^timeSliceBits versions one after the other, each of so many nodes
+  uint nodesPerSlice;
   vec3 offset;    // of the set's origin from the scene's: high part, as in the transform
   vec3 offsetLow; // what the high part's rounding left
   vec4 arrow;     // shaft radius, tip radius, tip length, tip rounding
@@ -99,6 +106,8 @@ struct RayRecord
   // Distance of the hit from the exact surface, besides the rounding of t. Written by the closest-hit program when rays
   // will start there; not in the payload, whose every word costs time.
   float uncertainty;
+  // When in the shutter's opening its path runs, in [0, 1). Written when something in the scene moves.
+  float time;
 };
 
 struct LightRecord
@@ -117,6 +126,7 @@ struct ProbeRecord
   vec3 origin;
   vec3 originLow;
   vec3 direction;
+  float time;
 };
 
 struct ProbeResult
@@ -222,6 +232,7 @@ struct FrameRecord
   uint firstSample;    // number of the first sample of this dispatch
   uint samples;        // that this dispatch adds
   uint plannedSamples; // of the finished image, for the stratified sampler
+  uint sharedTimeBits; // Shading/ShutterTime.glsl
   uint pixelStep;
   uint firstRow; // of tiles, when an image takes several dispatches
   uint cullMask;

@@ -3,9 +3,12 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <future>
+#include <thread>
 #include <vector>
 
 namespace rtg
@@ -45,6 +48,32 @@ void ForkJoin(bool fork, Left&& left, Right&& right)
   auto other = std::async(std::launch::async, left);
   right();
   other.get();
+}
+
+/// Runs work(0) ... work(count - 1) on all cores.
+template <class Work>
+void InParallel(std::size_t count, Work&& work)
+{
+  const std::size_t threads =
+    std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
+  std::atomic<std::size_t> next{ 0 };
+  const auto run = [&]
+  {
+    for (std::size_t i = next++; i < count; i = next++)
+    {
+      work(i);
+    }
+  };
+  std::vector<std::future<void>> others;
+  for (std::size_t i = 1; i < threads; ++i)
+  {
+    others.push_back(std::async(std::launch::async, run));
+  }
+  run();
+  for (auto& other : others)
+  {
+    other.get();
+  }
 }
 
 } // namespace rtg

@@ -1,6 +1,7 @@
 #include "SceneState.h"
 
-#include "Shapes/Shapes.h"
+#include "GlyphBoxes.h"
+#include "Partition.h"
 #include "SpatialOrder.h"
 #include "Stopwatch.h"
 
@@ -14,8 +15,6 @@ namespace rtg
 
 namespace
 {
-
-using HostShapes = shapes::Kernel<double>;
 
 // Share of light that a surface of that refractive index reflects straight back (Fresnel).
 float NormalReflectance(float ior)
@@ -37,56 +36,6 @@ void Reorder(std::vector<T>& values, const std::vector<std::uint32_t>& order)
     sorted[i] = values[order[i]];
   }
   values = std::move(sorted);
-}
-
-HostShapes::Glyph DoubleGlyph(const GlyphInstances& instances, std::size_t i)
-{
-  HostShapes::Glyph glyph;
-  glyph.centre = glm::dvec3(instances.centres[i]);
-  glyph.centreLow = glm::dvec3(0.0);
-  glyph.size = !instances.sizes3.empty() ? glm::dvec3(instances.sizes3[i])
-    : !instances.sizes1.empty()          ? glm::dvec3(instances.sizes1[i])
-                                         : glm::dvec3(instances.uniformSize);
-  glyph.sameSize = instances.sizes3.empty();
-  glyph.turned = !instances.rotations.empty();
-  glyph.rotation = glyph.turned ? glm::dvec4(instances.rotations[i]) : glm::dvec4(0, 0, 0, 1);
-  const ArrowForm& arrow = instances.arrow;
-  glyph.arrow = glm::dvec4(arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding);
-  glyph.fixedHeads = arrow.fixedHeads;
-  glyph.exponents =
-    glm::dvec3(instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i]);
-  glyph.unitLength = arrow.unitLength;
-  return glyph;
-}
-
-float RoundDown(double value)
-{
-  const float rounded = static_cast<float>(value);
-  return rounded > value ? std::nextafterf(rounded, -INFINITY) : rounded;
-}
-
-float RoundUp(double value)
-{
-  const float rounded = static_cast<float>(value);
-  return rounded < value ? std::nextafterf(rounded, INFINITY) : rounded;
-}
-
-// Boxes of the glyphs, without padding.
-std::vector<Box> TightBoxes(const GlyphInstances& instances)
-{
-  if (instances.shape == Shape::Mesh)
-  {
-    return MeshBoxes(instances);
-  }
-  std::vector<Box> boxes(instances.Count());
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-  {
-    glm::dvec3 lower, upper;
-    HostShapes::Bounds(instances.shape, DoubleGlyph(instances, i), lower, upper);
-    boxes[i] = { { RoundDown(lower.x), RoundDown(lower.y), RoundDown(lower.z) },
-      { RoundUp(upper.x), RoundUp(upper.y), RoundUp(upper.z) } };
-  }
-  return boxes;
 }
 
 // A slab test in float errs by a few ulps of the distances it subtracts: at most 16 half-ulps of `reach`, which
@@ -179,6 +128,7 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
         " mesh glyphs; the most is " + std::to_string(most) + ". Show fewer with GlyphMask.");
     }
   }
+  CheckMotion(instances.motion, instances.Count());
   set.count = instances.Count();
   const auto seeThrough = [](std::uint32_t colour) { return (colour >> 24) != 255; };
   const TriangleMesh* mesh = instances.shape == Shape::Mesh ? instances.mesh.get() : nullptr;
@@ -268,7 +218,7 @@ void Scene::Commit()
         if (set.instancesChanged)
         {
           set.bounds = Bounds();
-          set.boxes = TightBoxes(set.instances);
+          set.boxes = GlyphBoxes(set.instances);
           for (const Box& box : set.boxes)
           {
             set.bounds.Include(box.lower, box.upper);
@@ -335,6 +285,9 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
   set.sizes = Buffer();
   set.rotations = Buffer();
   set.exponents = Buffer();
+  set.velocities = Buffer();
+  set.accelerations = Buffer();
+  set.angularVelocities = Buffer();
   set.tree = Buffer();
   if (set.count == 0)
   {
@@ -372,26 +325,39 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
   set.group.turned = !instances.rotations.empty();
   set.group.ownExponents = !instances.exponents3.empty();
   set.group.fixedHeads = instances.shape == Shape::Arrow && instances.arrow.fixedHeads;
+  this->SendMotion(set);
   ++this->statistics.instanceUploads;
   this->statistics.uploadSeconds += watch.Lap();
 
   // Some head-room, so that a scene that grows little by little is not rebuilt at every step.
   set.builtReach = 4.0f * reach;
   // Those of Commit(), unless old instances are built anew for a larger scene.
-  std::vector<Box> boxes = set.boxes.empty() ? TightBoxes(instances) : std::move(set.boxes);
+  std::vector<Box> boxes = set.boxes.empty() ? GlyphBoxes(instances) : std::move(set.boxes);
   set.boxes.clear();
-  Pad(boxes, set.builtReach);
   set.group.hasTree = this->structure == Structure::Tree;
   if (set.group.hasTree)
   {
-    this->BuildTree(set, boxes);
+    this->BuildTree(set, std::move(boxes));
   }
   else
   {
+    Pad(boxes, set.builtReach);
     this->BuildBoxes(set, boxes);
   }
   set.instancesChanged = false;
   this->statistics.buildSeconds += watch.Lap();
+}
+
+void Scene::State::SendMotion(GlyphSet& set)
+{
+  Device::State& vulkan = this->device->GetState();
+  const GlyphMotion& motion = set.instances.motion;
+  set.velocities = Send(vulkan, motion.velocities);
+  set.accelerations = Send(vulkan, motion.accelerations);
+  set.angularVelocities = Send(vulkan, motion.angularVelocities);
+  set.group.hasVelocities = !motion.velocities.empty();
+  set.group.hasAccelerations = !motion.accelerations.empty();
+  set.group.spins = motion.Spins();
 }
 
 void Scene::State::Sort(GlyphSet& set)
@@ -402,7 +368,10 @@ void Scene::State::Sort(GlyphSet& set)
   if (this->structure == Structure::Tree && instances.shape != Shape::Mesh)
   {
     set.treeLeafBits = GlyphTree::LeafBits(set.count, glyphsPerLeaf);
-    KdOrder kd = MakeKdOrder(set.boxes, set.treeLeafBits);
+    // Glyphs that move are sorted as they lie in the middle of the shutter's opening: boxes round whole paths would
+    // say little about what each slice of time needs.
+    KdOrder kd = MakeKdOrder(
+      instances.motion.Any() ? GlyphBoxes(instances, 0.5, 0.5) : set.boxes, set.treeLeafBits);
     set.order = std::move(kd.order);
     set.kdAxes = std::move(kd.axes);
   }
@@ -418,6 +387,9 @@ void Scene::State::Sort(GlyphSet& set)
     Reorder(instances.sizes1, set.order);
     Reorder(instances.rotations, set.order);
     Reorder(instances.exponents3, set.order);
+    Reorder(instances.motion.velocities, set.order);
+    Reorder(instances.motion.accelerations, set.order);
+    Reorder(instances.motion.angularVelocities, set.order);
     Reorder(set.boxes, set.order);
   }
 }
@@ -439,12 +411,41 @@ void Scene::State::BuildBoxes(GlyphSet& set, const std::vector<Box>& boxes)
   }
 }
 
-// One primitive for all, with the tree behind it.
-void Scene::State::BuildTree(GlyphSet& set, const std::vector<Box>& boxes)
+// One primitive for all, with the tree behind it: of glyphs that move, a tree for each slice of time.
+void Scene::State::BuildTree(GlyphSet& set, std::vector<Box> boxes)
 {
-  const GlyphTree tree = BuildGlyphTree(boxes, set.treeLeafBits, set.kdAxes);
-  set.tree = Send(this->device->GetState(), tree.nodes);
-  set.treeLevels = tree.levels;
+  set.treeLevels = GlyphTree::Levels(set.treeLeafBits);
+  set.nodesPerSlice = static_cast<std::uint32_t>(set.kdAxes.size());
+  set.timeSliceBits = 0;
+  if (set.instances.motion.Any())
+  {
+    set.timeSliceBits = this->timeSliceBits >= 0
+      ? static_cast<std::uint32_t>(this->timeSliceBits)
+      : TimeSliceBits(set.instances, set.nodesPerSlice * sizeof(GlyphTreeNode));
+  }
+  const std::size_t slices = std::size_t(1) << set.timeSliceBits;
+  std::vector<GlyphTreeNode> nodes(slices * set.nodesPerSlice);
+  const auto build = [&](std::size_t slice, std::vector<Box> own)
+  {
+    Pad(own, set.builtReach);
+    const GlyphTree tree = BuildGlyphTree(own, set.treeLeafBits, set.kdAxes);
+    std::copy(tree.nodes.begin(), tree.nodes.end(), nodes.begin() + slice * set.nodesPerSlice);
+  };
+  if (slices == 1)
+  {
+    build(0, std::move(boxes));
+  }
+  else
+  {
+    InParallel(slices,
+      [&](std::size_t slice)
+      {
+        build(slice,
+          GlyphBoxes(
+            set.instances, double(slice) / double(slices), double(slice + 1) / double(slices)));
+      });
+  }
+  set.tree = Send(this->device->GetState(), nodes);
   const float pad = std::ldexp(set.builtReach, -20);
   GlyphRun run;
   run.count = static_cast<std::uint32_t>(set.count);
@@ -478,6 +479,8 @@ void Scene::State::BuildTopLevel()
   std::vector<vk::AccelerationStructureInstanceKHR> instances;
   this->groups.clear();
   this->bounds = Bounds();
+  this->moves = false;
+  this->placedTimeSliceBits = 0;
   std::uint32_t record = 0;
   for (auto& [id, set] : this->sets)
   {
@@ -487,6 +490,8 @@ void Scene::State::BuildTopLevel()
     }
     set.placedGroup = set.group;
     set.placedTranslucent = set.Translucent();
+    this->moves |= set.group.Moves();
+    this->placedTimeSliceBits = std::max(this->placedTimeSliceBits, set.timeSliceBits);
     auto group = std::find(this->groups.begin(), this->groups.end(), set.group);
     if (group == this->groups.end())
     {
@@ -552,6 +557,13 @@ void Scene::State::FillRecords()
       record.uniformSize = set.instances.uniformSize;
       record.uniformExponents = set.instances.uniformExponents;
       record.tree = set.tree.Size() ? set.tree.Address() : 0;
+      record.velocities = at(set.velocities, sizeof(glm::vec3));
+      record.accelerations = at(set.accelerations, sizeof(glm::vec3));
+      record.angularVelocities = at(set.angularVelocities, sizeof(glm::vec3));
+      record.shutterOpen = set.instances.motion.shutterOpen;
+      record.shutterLength = set.instances.motion.shutterClose - set.instances.motion.shutterOpen;
+      record.timeSliceBits = set.timeSliceBits;
+      record.nodesPerSlice = set.nodesPerSlice;
       record.treeLevels = set.treeLevels;
       record.treeLeafBits = set.treeLeafBits;
       record.glyphCount = run.count;

@@ -71,6 +71,10 @@ struct GlyphSet
   Bounds bounds;                  ///< relative to instances.origin
   float builtReach = 0.0f;        ///< distance of ray origins that the boxes' padding allows for
   Buffer centres, sizes, rotations, exponents, colourBuffer, tree;
+  Buffer velocities, accelerations, angularVelocities; ///< none of a set at rest
+  std::uint32_t timeSliceBits =
+    0; ///< the tree has 2^timeSliceBits versions, one for each slice of the shutter's opening
+  std::uint32_t nodesPerSlice = 0;
   std::uint32_t treeLevels = 0;
   std::uint32_t treeLeafBits = 0;
   std::vector<std::uint8_t> kdAxes; ///< see KdOrder
@@ -94,6 +98,9 @@ struct Scene::State
   /// What one bottom-level structure may hold at most; every device allows 2^24 - 1. Tests lower it.
   std::uint32_t glyphsPerRun = (1u << 24) - 1;
   Structure structure;
+  /// Number of slices of time (its logarithm to base 2) of sets that move; -1: what TimeSliceBits() says. Tests and
+  /// benchmarks set it.
+  int timeSliceBits = -1;
   Statistics statistics;
 
   // Built by Commit().
@@ -103,18 +110,21 @@ struct Scene::State
   std::vector<device::GlyphSetRecord> records;
   Buffer recordBuffer;
   AccelerationStructure topLevel;
+  bool moves = false;                    ///< some visible set does
+  std::uint32_t placedTimeSliceBits = 0; ///< the most of any visible set
   bool topLevelChanged = true;
   bool recordsChanged = true;
   std::uint64_t version = 0; ///< grows with every change that changes the image
 
   void SendInstances(GlyphSet& set, float reach);
+  void SendMotion(GlyphSet& set);
   void SendMesh(GlyphSet& set, float reach);
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.
   void PlaceMesh(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
     std::vector<vk::AccelerationStructureInstanceKHR>& instances) const;
   void Sort(GlyphSet& set);
   void BuildBoxes(GlyphSet& set, const std::vector<Box>& boxes);
-  void BuildTree(GlyphSet& set, const std::vector<Box>& boxes);
+  void BuildTree(GlyphSet& set, std::vector<Box> boxes);
   void SendColours(GlyphSet& set);
   void BuildTopLevel();
   void FillRecords();

@@ -105,6 +105,7 @@ void CheckSettings(const TraceSettings& settings)
   };
   check("the samples per pixel", settings.samples, 1u, maxSamples);
   check("the number of the first sample", settings.firstSample, 0u, maxSamples);
+  check("the number of shared binary digits of time", settings.sharedTimeBits, -1, 5);
   check("the pixel step", settings.pixelStep, 1u, 64u);
   check("the ambient occlusion radius", settings.occlusionRadius, 0.0f, FLT_MAX);
   check("the maximum of bounces", settings.maximumBounces, 1u, 1000u);
@@ -162,6 +163,23 @@ std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
                                                                                        : 26);
   const std::size_t samples = std::max<std::size_t>(1, cameraRays / pixels);
   return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
+}
+
+// See TraceSettings::sharedTimeBits.
+std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceBits)
+{
+  if (settings.sharedTimeBits >= 0)
+  {
+    return static_cast<std::uint32_t>(settings.sharedTimeBits);
+  }
+  const std::uint32_t planned =
+    settings.plannedSamples ? settings.plannedSamples : settings.firstSample + settings.samples;
+  std::uint32_t bits = 0;
+  while (bits < sliceBits && (planned >> (bits + 1)) != 0)
+  {
+    ++bits;
+  }
+  return bits;
 }
 
 } // namespace
@@ -412,6 +430,12 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
         Generation generation = GenerationFor(settings);
         generation.alone = glyphs.records.size() == 1;
         generation.accumulates = keeps;
+        generation.moves = glyphs.moves;
+        if (glyphs.moves)
+        {
+          generation.sampler = static_cast<std::uint32_t>(settings.sampler);
+          frame.sharedTimeBits = SharedTimeBits(settings, glyphs.placedTimeSliceBits);
+        }
         generation.translucency = settings.shading != Shading::Local && scene.HasTranslucent();
         const Pipeline& pipeline = state.PipelineFor(generation, glyphs.groups);
         const std::uint32_t columns = DivideUp(settings.width, settings.pixelStep);
@@ -510,6 +534,7 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       {
         Split(probes[i].origin - glyphs.origin, records[i].origin, records[i].originLow);
         records[i].direction = probes[i].direction;
+        records[i].time = probes[i].time;
       }
       Buffer input(
         vulkan, records.size() * sizeof(records[0]), Usage::eStorageBuffer, Buffer::Place::Host);
@@ -528,6 +553,7 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       Generation probing;
       probing.program = Program::Probe;
       probing.alone = glyphs.records.size() == 1;
+      probing.moves = glyphs.moves;
       constexpr std::uint32_t rowLength = 1024;
       state.Launch(state.PipelineFor(probing, glyphs.groups), glyphs, frame, rowLength,
         DivideUp(frame.probeCount, rowLength));

@@ -84,8 +84,12 @@ struct TraceSettings
   bool roulette = true; ///< path tracing ends unimportant paths early, which changes no mean
 
   Sampler sampler = Sampler::Sobol;
-  std::uint32_t plannedSamples =
-    0; ///< of the finished image, for Stratified; 0: firstSample + samples
+  /// Of the finished image, for Stratified and for the times of scenes that move; 0: firstSample + samples. Such images are
+  /// the same however their samples are shared out among calls only when it is given.
+  std::uint32_t plannedSamples = 0;
+  /// How many binary digits of the time in the shutter's opening all pixels share in one sample, so that neighbouring rays
+  /// see the same slice of time; -1: as many as the scene has slices and plannedSamples fill. 0 to 5. Benchmarks set it.
+  int sharedTimeBits = -1;
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
   bool features = false; ///< gather Image::normals and so on, which need a pixelStep of 1 to be filled
@@ -120,6 +124,7 @@ public:
   {
     glm::dvec3 origin;
     glm::vec3 direction; ///< need not be of length one; t counts in its lengths
+    float time = 0.5f;   ///< fraction of the shutter's opening, [0, 1)
   };
   struct ProbeHit
   {

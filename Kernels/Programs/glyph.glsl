@@ -8,6 +8,7 @@ layout(constant_id = 4) const bool hasTree = false;
 layout(constant_id = 5) const bool ownExponents = false;
 
 #include "../Shapes/Registry.glsl"
+#include "motion.glsl"
 
 #ifdef RTG_INT64
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
@@ -23,6 +24,7 @@ struct GlyphSource
   FloatArray exponents;
   vec3 offset;
   vec3 offsetLow;
+  MotionSource motion;
   Glyph alike;  // what all glyphs of the set share
 };
 
@@ -39,7 +41,8 @@ GlyphSource CurrentSource()
   source.offsetLow = set.offsetLow;
   source.alike.size = vec3(set.uniformSize);
   source.alike.rotation = vec4(0.0, 0.0, 0.0, 1.0);
-  source.alike.turned = turned;
+  source.motion = CurrentMotion(set);
+  source.alike.turned = turned || spins;
   source.alike.sameSize = sizesPerGlyph != 3u;
   source.alike.arrow = set.arrow;
   source.alike.unitLength = set.unitLength;
@@ -89,6 +92,7 @@ Glyph FetchGlyph(GlyphSource source, uint primitive)
     glyph.exponents =
       vec3(exponents.at[3u * primitive], exponents.at[3u * primitive + 1u], exponents.at[3u * primitive + 2u]);
   }
+  Move(glyph, source.motion, primitive);
   return glyph;
 }
 

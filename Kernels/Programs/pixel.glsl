@@ -4,8 +4,10 @@ layout(constant_id = 11) const bool accumulates = false;      // samples are add
 layout(constant_id = 12) const bool gathersFeatures = false;  // normals and so on are summed
 layout(constant_id = 13) const bool develops = false;         // colours change on their way to the display
 layout(constant_id = 14) const bool translucency = false;     // the scene has sets with opacity below one
+layout(constant_id = 33) const bool moves = false;            // something in the scene does
 
 #include "../Shading/Sampling.glsl"
+#include "../Shading/ShutterTime.glsl"
 #include "../Shading/Tone.glsl"
 
 const uint tileSize = 8u;
@@ -34,6 +36,15 @@ void CameraRay(uvec2 pixel, vec2 position, out DoubleWord3 origin, out vec3 dire
   {
     origin = Add(origin, TwoProduct(frame.eyeRight, vec3(ndc.x)));
     origin = Add(origin, TwoProduct(frame.eyeUp, vec3(ndc.y)));
+  }
+}
+
+// Chooses the time of a sample's whole path: of its camera ray, its occlusion rays and its bounces.
+void OpenShutter(SampleNumber number)
+{
+  if (moves)
+  {
+    frame.rays.at[LaunchIndex()].time = ShutterTime(number);
   }
 }
 

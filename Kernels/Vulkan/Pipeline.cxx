@@ -22,6 +22,9 @@ struct Specialisation
   std::uint32_t meshColours;
   vk::Bool32 alone;
   vk::Bool32 leavesSurface;
+  vk::Bool32 hasVelocities;
+  vk::Bool32 hasAccelerations;
+  vk::Bool32 spins;
 };
 
 const vk::SpecializationMapEntry specialisationMap[] = {
@@ -35,6 +38,9 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 7, offsetof(Specialisation, meshColours), sizeof(std::uint32_t) },
   { 15, offsetof(Specialisation, alone), sizeof(vk::Bool32) },
   { 20, offsetof(Specialisation, leavesSurface), sizeof(vk::Bool32) },
+  { 30, offsetof(Specialisation, hasVelocities), sizeof(vk::Bool32) },
+  { 31, offsetof(Specialisation, hasAccelerations), sizeof(vk::Bool32) },
+  { 32, offsetof(Specialisation, spins), sizeof(vk::Bool32) },
 };
 
 // Shading/Sampling.glsl, Programs/pixel.glsl, Programs/bindings.glsl
@@ -46,6 +52,7 @@ struct GenerationSpecialisation
   vk::Bool32 develops;
   vk::Bool32 translucency;
   vk::Bool32 alone;
+  vk::Bool32 moves;
 };
 
 const vk::SpecializationMapEntry generationMap[] = {
@@ -55,6 +62,7 @@ const vk::SpecializationMapEntry generationMap[] = {
   { 13, offsetof(GenerationSpecialisation, develops), sizeof(vk::Bool32) },
   { 14, offsetof(GenerationSpecialisation, translucency), sizeof(vk::Bool32) },
   { 15, offsetof(GenerationSpecialisation, alone), sizeof(vk::Bool32) },
+  { 33, offsetof(GenerationSpecialisation, moves), sizeof(vk::Bool32) },
 };
 
 const programs::Code& CodeOf(Program program)
@@ -122,7 +130,8 @@ Pipeline::Pipeline(
   };
   std::vector<vk::RayTracingShaderGroupCreateInfoKHR> shaderGroups;
   const GenerationSpecialisation generationConstants = { generation.sampler, generation.accumulates,
-    generation.gathersFeatures, generation.develops, generation.translucency, generation.alone };
+    generation.gathersFeatures, generation.develops, generation.translucency, generation.alone,
+    generation.moves };
   const vk::SpecializationInfo generationInfo(static_cast<std::uint32_t>(std::size(generationMap)),
     generationMap, sizeof(generationConstants), &generationConstants);
   const auto addGeneral = [&](std::uint32_t stage)
@@ -139,7 +148,7 @@ Pipeline::Pipeline(
     const HitGroup& group = groups[i];
     constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads,
       group.hasTree, group.ownExponents, group.smoothNormals, group.meshColours, generation.alone,
-      leavesSurface };
+      leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins };
     specialisations[i] =
       vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
         specialisationMap, sizeof(Specialisation), &constants[i]);

@@ -19,16 +19,22 @@ struct HitGroup
   bool fixedHeads = false;
   bool hasTree = false;
   bool ownExponents = false;
+  bool hasVelocities = false;
+  bool hasAccelerations = false;
+  bool spins = false;
   // Shape::Mesh only
   bool smoothNormals = false;
   std::uint32_t meshColours = 0; ///< 0: none, 1: by position, 2: by triangle
+
+  bool Moves() const { return this->hasVelocities || this->hasAccelerations || this->spins; }
 
   friend bool operator==(const HitGroup& a, const HitGroup& b)
   {
     return a.shape == b.shape && a.sizesPerGlyph == b.sizesPerGlyph && a.turned == b.turned &&
       a.coloured == b.coloured && a.fixedHeads == b.fixedHeads && a.hasTree == b.hasTree &&
-      a.ownExponents == b.ownExponents && a.smoothNormals == b.smoothNormals &&
-      a.meshColours == b.meshColours;
+      a.ownExponents == b.ownExponents && a.hasVelocities == b.hasVelocities &&
+      a.hasAccelerations == b.hasAccelerations && a.spins == b.spins &&
+      a.smoothNormals == b.smoothNormals && a.meshColours == b.meshColours;
   }
 };
 
@@ -51,12 +57,13 @@ struct Generation
   bool gathersFeatures = false;
   bool develops = false;
   bool translucency = false;
+  bool moves = false; ///< paths run at times of their own
 
   friend bool operator==(const Generation& a, const Generation& b)
   {
     return a.program == b.program && a.alone == b.alone && a.sampler == b.sampler &&
       a.accumulates == b.accumulates && a.gathersFeatures == b.gathersFeatures &&
-      a.develops == b.develops && a.translucency == b.translucency;
+      a.develops == b.develops && a.translucency == b.translucency && a.moves == b.moves;
   }
 };
 

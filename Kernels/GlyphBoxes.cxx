@@ -1,0 +1,196 @@
+#include "GlyphBoxes.h"
+
+#include "SceneState.h"
+#include "Shapes/Shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtg
+{
+
+namespace
+{
+
+using HostShapes = shapes::Kernel<double>;
+
+HostShapes::Glyph DoubleGlyph(const GlyphInstances& instances, std::size_t i)
+{
+  HostShapes::Glyph glyph;
+  glyph.centre = glm::dvec3(instances.centres[i]);
+  glyph.centreLow = glm::dvec3(0.0);
+  glyph.size = !instances.sizes3.empty() ? glm::dvec3(instances.sizes3[i])
+    : !instances.sizes1.empty()          ? glm::dvec3(instances.sizes1[i])
+                                         : glm::dvec3(instances.uniformSize);
+  glyph.sameSize = instances.sizes3.empty();
+  glyph.turned = !instances.rotations.empty();
+  glyph.rotation = glyph.turned ? glm::dvec4(instances.rotations[i]) : glm::dvec4(0, 0, 0, 1);
+  const ArrowForm& arrow = instances.arrow;
+  glyph.arrow = glm::dvec4(arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding);
+  glyph.fixedHeads = arrow.fixedHeads;
+  glyph.exponents =
+    glm::dvec3(instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i]);
+  glyph.unitLength = arrow.unitLength;
+  return glyph;
+}
+
+float RoundDown(double value)
+{
+  const float rounded = static_cast<float>(value);
+  return rounded > value ? std::nextafterf(rounded, -INFINITY) : rounded;
+}
+
+float RoundUp(double value)
+{
+  const float rounded = static_cast<float>(value);
+  return rounded < value ? std::nextafterf(rounded, INFINITY) : rounded;
+}
+
+struct DoubleBox
+{
+  glm::dvec3 lower, upper;
+};
+
+DoubleBox StillBox(const GlyphInstances& instances, const HostShapes::Glyph& glyph)
+{
+  DoubleBox box;
+  HostShapes::Bounds(instances.shape, glyph, box.lower, box.upper);
+  return box;
+}
+
+// The product of two quaternions (x, y, z, w): first b, then a.
+glm::dvec4 Product(const glm::dvec4& a, const glm::dvec4& b)
+{
+  const glm::dvec3 u(a), v(b);
+  return glm::dvec4(a.w * v + b.w * u + glm::cross(u, v), a.w * b.w - glm::dot(u, v));
+}
+
+// Of a glyph that turns between two times: the boxes at the middles of so short pieces that in half of one no
+// point goes further than a twentieth of its distance from the centre, widened by the way it goes.
+DoubleBox SpunBox(const GlyphInstances& instances, std::size_t i, double first, double last)
+{
+  const HostShapes::Glyph still = DoubleGlyph(instances, i);
+  HostShapes::Glyph upright = still;
+  upright.turned = false;
+  const DoubleBox own = StillBox(instances, upright);
+  const double radius =
+    glm::length(glm::max(glm::abs(own.lower - still.centre), glm::abs(own.upper - still.centre)));
+  const DoubleBox ball{ still.centre - radius, still.centre + radius };
+
+  const double angle =
+    glm::length(glm::dvec3(instances.motion.angularVelocities[i])) * (last - first);
+  constexpr double mostPieces = 64.0;
+  const double pieces = std::max(1.0, std::ceil(angle / 0.1));
+  if (!(pieces <= mostPieces))
+  {
+    return ball;
+  }
+  DoubleBox box{ glm::dvec3(INFINITY), glm::dvec3(-INFINITY) };
+  for (double piece = 0.5; piece < pieces; piece += 1.0)
+  {
+    HostShapes::Glyph turned = still;
+    turned.turned = true;
+    turned.rotation =
+      Product(instances.motion.Turn(i, first + (last - first) * piece / pieces), still.rotation);
+    const DoubleBox at = StillBox(instances, turned);
+    box.lower = glm::min(box.lower, at.lower);
+    box.upper = glm::max(box.upper, at.upper);
+  }
+  const double way = radius * (0.5 * angle / pieces);
+  return { glm::max(box.lower - way, ball.lower), glm::min(box.upper + way, ball.upper) };
+}
+
+// What the device's arithmetic in float may add to a path: a few ulps of its terms.
+glm::dvec3 PathSlack(const GlyphMotion& motion, std::size_t i, double time)
+{
+  glm::dvec3 terms(0.0);
+  if (!motion.velocities.empty())
+  {
+    terms += glm::abs(glm::dvec3(motion.velocities[i])) * time;
+  }
+  if (!motion.accelerations.empty())
+  {
+    terms += glm::abs(glm::dvec3(motion.accelerations[i])) * (0.5 * time * time);
+  }
+  return std::ldexp(1.0, -21) * terms;
+}
+
+DoubleBox MovingBox(const GlyphInstances& instances, std::size_t i, double first, double last)
+{
+  const GlyphMotion& motion = instances.motion;
+  DoubleBox box = motion.Spins() ? SpunBox(instances, i, first, last)
+                                 : StillBox(instances, DoubleGlyph(instances, i));
+  if (motion.Spins())
+  {
+    // Sine and cosine in float are right to 2^-20 of the glyph's reach; some drivers' are worse (2^-11 is allowed).
+    const double slack = std::ldexp(glm::length(box.upper - box.lower), -18);
+    box.lower -= slack;
+    box.upper += slack;
+  }
+  if (motion.Moves())
+  {
+    const DisplacementRange range = RangeOfDisplacements(motion, i, first, last);
+    const glm::dvec3 slack = PathSlack(motion, i, std::max(std::abs(first), std::abs(last)));
+    box.lower += range.lower - slack;
+    box.upper += range.upper + slack;
+  }
+  return box;
+}
+
+double Surface(const glm::dvec3& extent)
+{
+  return extent.x * extent.y + extent.y * extent.z + extent.z * extent.x;
+}
+
+} // namespace
+
+std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first, double last)
+{
+  if (instances.shape == Shape::Mesh)
+  {
+    return MeshBoxes(instances);
+  }
+  const bool moves = instances.motion.Any();
+  const double start = instances.motion.Time(first);
+  const double end = instances.motion.Time(last);
+  std::vector<Box> boxes(instances.Count());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    const DoubleBox box =
+      moves ? MovingBox(instances, i, start, end) : StillBox(instances, DoubleGlyph(instances, i));
+    boxes[i] = { { RoundDown(box.lower.x), RoundDown(box.lower.y), RoundDown(box.lower.z) },
+      { RoundUp(box.upper.x), RoundUp(box.upper.y), RoundUp(box.upper.z) } };
+  }
+  return boxes;
+}
+
+std::uint32_t TimeSliceBits(const GlyphInstances& instances, std::size_t bytesPerSlice)
+{
+  constexpr std::size_t mostBytes = std::size_t(1) << 29;
+  constexpr double mostGrowth = 2.0;
+  // Some thousand glyphs tell what all are like.
+  const std::size_t step = std::max<std::size_t>(1, instances.Count() / 4096);
+  std::uint32_t bits = 0;
+  for (; bits < maxTimeSliceBits && (bytesPerSlice << (bits + 1)) <= mostBytes; ++bits)
+  {
+    double still = 0.0, moving = 0.0;
+    const double length = 1.0 / double(1u << bits);
+    for (std::size_t i = 0; i < instances.Count(); i += step)
+    {
+      // A slice that is another one for every glyph stands for all of them.
+      const double first = length * double((i / step) & ((1u << bits) - 1));
+      const DoubleBox own = StillBox(instances, DoubleGlyph(instances, i));
+      const DoubleBox swept = MovingBox(
+        instances, i, instances.motion.Time(first), instances.motion.Time(first + length));
+      still += Surface(own.upper - own.lower);
+      moving += Surface(swept.upper - swept.lower);
+    }
+    if (moving <= mostGrowth * still)
+    {
+      break;
+    }
+  }
+  return bits;
+}
+
+} // namespace rtg

@@ -1,0 +1,98 @@
+#include "Motion.h"
+
+#include "Glyphs.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace rtg
+{
+
+glm::dvec3 GlyphMotion::Displacement(std::size_t glyph, double time) const
+{
+  glm::dvec3 displacement(0.0);
+  if (!this->velocities.empty())
+  {
+    displacement += glm::dvec3(this->velocities[glyph]) * time;
+  }
+  if (!this->accelerations.empty())
+  {
+    displacement += glm::dvec3(this->accelerations[glyph]) * (0.5 * time * time);
+  }
+  return displacement;
+}
+
+glm::dvec4 GlyphMotion::Turn(std::size_t glyph, double time) const
+{
+  const glm::dvec3 half =
+    this->Spins() ? 0.5 * time * glm::dvec3(this->angularVelocities[glyph]) : glm::dvec3(0.0);
+  const double angle = glm::length(half);
+  return angle > 0.0 ? glm::dvec4(std::sin(angle) / angle * half, std::cos(angle))
+                     : glm::dvec4(0.0, 0.0, 0.0, 1.0);
+}
+
+DisplacementRange
+RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last)
+{
+  const glm::dvec3 start = motion.Displacement(glyph, first);
+  const glm::dvec3 end = motion.Displacement(glyph, last);
+  DisplacementRange range{ glm::min(start, end), glm::max(start, end) };
+  if (motion.accelerations.empty() || motion.velocities.empty())
+  {
+    // Without velocity the parabola turns at time 0.
+    if (!motion.accelerations.empty() && first < 0.0 && last > 0.0)
+    {
+      range.lower = glm::min(range.lower, glm::dvec3(0.0));
+      range.upper = glm::max(range.upper, glm::dvec3(0.0));
+    }
+    return range;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double v = motion.velocities[glyph][axis];
+    const double a = motion.accelerations[glyph][axis];
+    const double turning = -v / a; // not finite, and so outside, when it never turns
+    if (turning > first && turning < last)
+    {
+      const double extreme = 0.5 * v * turning;
+      range.lower[axis] = std::min(range.lower[axis], extreme);
+      range.upper[axis] = std::max(range.upper[axis], extreme);
+    }
+  }
+  return range;
+}
+
+void CheckMotion(const GlyphMotion& motion, std::size_t count)
+{
+  const auto check = [count](const char* name, const std::vector<glm::vec3>& values)
+  {
+    if (!values.empty() && values.size() != count)
+    {
+      throw Error("Ray Traced Glyphs: " + std::to_string(values.size()) + " " + name + " for " +
+        std::to_string(count) + " glyphs; give one a glyph or none.");
+    }
+    for (const glm::vec3& value : values)
+    {
+      if (!std::isfinite(value.x + value.y + value.z))
+      {
+        std::ostringstream message;
+        message << "Ray Traced Glyphs: one of the " << name << " is (" << value.x << ", " << value.y
+                << ", " << value.z << "); leave that glyph out.";
+        throw Error(message.str());
+      }
+    }
+  };
+  check("velocities", motion.velocities);
+  check("accelerations", motion.accelerations);
+  check("angular velocities", motion.angularVelocities);
+  const float length = motion.shutterClose - motion.shutterOpen;
+  if (motion.Any() && !(length > 0.0f && std::isfinite(length)))
+  {
+    std::ostringstream message;
+    message << "Ray Traced Glyphs: the shutter opens at " << motion.shutterOpen << " and closes at "
+            << motion.shutterClose << "; it must close later than it opens.";
+    throw Error(message.str());
+  }
+}
+
+} // namespace rtg

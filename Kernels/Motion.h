@@ -1,0 +1,53 @@
+// How glyphs move while the shutter is open, as plain host data.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace rtg
+{
+
+/// Motion of one set's glyphs. A glyph whose centre is x at time 0 is at x + v t + a t^2 / 2 at time t; an angular
+/// velocity w turns it about its centre by |w| t round w's direction, after its own rotation. One light path sees the
+/// whole scene at one time; times are spread evenly over the shutter's opening. Arrays that a set does not need stay
+/// empty; a set without any is at rest and costs nothing.
+struct GlyphMotion
+{
+  std::vector<glm::vec3> velocities;        ///< world units per time, one a glyph
+  std::vector<glm::vec3> accelerations;     ///< world units per time squared, one a glyph
+  std::vector<glm::vec3> angularVelocities; ///< radians per time, world frame, one a glyph
+  /// When the shutter opens and closes, relative to the time of the centres: open < close, both finite.
+  float shutterOpen = -0.5f;
+  float shutterClose = 0.5f;
+
+  bool Moves() const { return !this->velocities.empty() || !this->accelerations.empty(); }
+  bool Spins() const { return !this->angularVelocities.empty(); }
+  bool Any() const { return this->Moves() || this->Spins(); }
+  /// Time at a fraction of the opening in [0, 1].
+  double Time(double fraction) const
+  {
+    return this->shutterOpen + fraction * (double(this->shutterClose) - this->shutterOpen);
+  }
+
+  /// x(t) - x(0).
+  glm::dvec3 Displacement(std::size_t glyph, double time) const;
+  /// Unit quaternion (x, y, z, w) of the turn since time 0.
+  glm::dvec4 Turn(std::size_t glyph, double time) const;
+};
+
+/// Where something lies while time passes.
+struct DisplacementRange
+{
+  glm::dvec3 lower;
+  glm::dvec3 upper;
+};
+
+/// All displacements between two times, first <= last: those of the ends, and of the turning points of the parabola.
+DisplacementRange
+RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
+
+/// Throws rtg::Error unless the arrays fit `count` glyphs and all is finite.
+void CheckMotion(const GlyphMotion& motion, std::size_t count);
+
+} // namespace rtg
