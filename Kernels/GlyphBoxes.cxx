@@ -66,7 +66,7 @@ glm::dvec4 Product(const glm::dvec4& a, const glm::dvec4& b)
 }
 
 // Of a glyph that turns between two times: the boxes at the middles of so short pieces that in half of one no
-// point goes further than a twentieth of its distance from the centre, widened by the way it goes.
+// point goes further than a fortieth of its distance from the centre (longer ones of fast turns), widened by the way it goes.
 DoubleBox SpunBox(const GlyphInstances& instances, std::size_t i, double first, double last)
 {
   const HostShapes::Glyph still = DoubleGlyph(instances, i);
@@ -80,11 +80,7 @@ DoubleBox SpunBox(const GlyphInstances& instances, std::size_t i, double first, 
   const double angle =
     glm::length(glm::dvec3(instances.motion.angularVelocities[i])) * (last - first);
   constexpr double mostPieces = 64.0;
-  const double pieces = std::max(1.0, std::ceil(angle / 0.1));
-  if (!(pieces <= mostPieces))
-  {
-    return ball;
-  }
+  const double pieces = std::clamp(std::ceil(angle / 0.05), 1.0, mostPieces);
   DoubleBox box{ glm::dvec3(INFINITY), glm::dvec3(-INFINITY) };
   for (double piece = 0.5; piece < pieces; piece += 1.0)
   {

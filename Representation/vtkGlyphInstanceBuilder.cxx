@@ -298,6 +298,7 @@ enum Reason
   ORIENTATION,
   TENSOR,
   EXPONENT,
+  MOTION,
   REASONS
 };
 
@@ -336,6 +337,10 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
   say(skipped[TENSOR],
     "their tensor, from the point array '" + settings.Tensors.Array + "', is zero or not finite",
     "Remove these points with Threshold, or leave it at that.");
+  say(skipped[MOTION],
+    "their velocity, acceleration or angular velocity, or the way they go while the shutter is "
+    "open, is not finite",
+    "Choose other arrays, switch MotionBlur off, or remove these points with Threshold.");
   if (IsNone(settings.ExponentArray))
   {
     std::ostringstream why;
@@ -542,6 +547,15 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     tensors = std::make_unique<vtkGlyphTensors>(array, settings.Tensors, candidates);
   }
 
+  const vtkGlyphMotion motion(points, isMesh ? vtkGlyphMotion::Settings() : settings.Motion);
+  result.Messages.insert(
+    result.Messages.end(), motion.Messages().begin(), motion.Messages().end());
+  if (isMesh && settings.Motion.On)
+  {
+    result.Messages.emplace_back("MotionBlur has no effect on glyphs of GlyphShape Mesh. Choose "
+                                 "another shape, or switch MotionBlur off.");
+  }
+
   // What an instance stores: nothing that is the same for all, and no turn of what looks the same from all sides
   const Placement placement(modelToWorld);
   const bool sphere = settings.Shape == rtg::Shape::Sphere;
@@ -641,8 +655,15 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
       ++skipped[SCALE];
       continue;
     }
+    if (!motion.IsFinite(i))
+    {
+      ++skipped[MOTION];
+      continue;
+    }
 
     result.Points.push_back(i);
+    motion.AppendTo(
+      instances.motion, i, placement.Linear, glm::mat3_cast(placement.Rotation));
     instances.centres.push_back(center);
     const glm::vec3 stored = isMesh ? glm::vec3(size) : extent;
     if (!sized)
@@ -672,6 +693,12 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     }
   }
 
+  motion.Finish(instances.motion);
+  if (sphere && oneSize)
+  {
+    instances.motion.angularVelocities.clear(); // it looks the same from all sides
+  }
+
   // Fixed heads have the world size that they have on the arrow of reference
   if (settings.Shape == rtg::Shape::Arrow)
   {
@@ -697,6 +724,8 @@ void vtkGlyphInstanceBuilder::ComputeBounds(vtkPolyData* points, const Settings&
   vtkMath::UninitializeBounds(bounds);
   vtkBoundingBox box;
   Tuples positions(points->GetPoints() ? points->GetPoints()->GetData() : nullptr);
+  const bool isMesh = settings.Shape == rtg::Shape::Mesh;
+  const vtkGlyphMotion motion(points, isMesh ? vtkGlyphMotion::Settings() : settings.Motion);
   auto* blockIds = vtkUnsignedIntArray::SafeDownCast(
     points->GetPointData()->GetArray(vtkGlyphPointGatherer::CompositeIndexName()));
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
@@ -707,6 +736,12 @@ void vtkGlyphInstanceBuilder::ComputeBounds(vtkPolyData* points, const Settings&
     if (visible && std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
     {
       box.AddPoint(x[0], x[1], x[2]);
+      if (motion.On() && motion.IsFinite(i))
+      {
+        const rtg::DisplacementRange range = motion.Range(i);
+        box.AddPoint(x[0] + range.lower.x, x[1] + range.lower.y, x[2] + range.lower.z);
+        box.AddPoint(x[0] + range.upper.x, x[1] + range.upper.y, x[2] + range.upper.z);
+      }
     }
   }
   if (!box.IsValid())
@@ -761,7 +796,7 @@ void vtkGlyphInstanceBuilder::ComputeBounds(vtkPolyData* points, const Settings&
     }
   }
   reach *= largest;
-  if (OrientationArray(points, settings) || settings.Tensors.On || arrow || settings.Shape == rtg::Shape::Cone)
+  if (OrientationArray(points, settings) || settings.Tensors.On || arrow || settings.Shape == rtg::Shape::Cone || motion.Spins())
   {
     const double radius = settings.Shape == rtg::Shape::Sphere
       ? std::max({ reach.x, reach.y, reach.z })

@@ -13,7 +13,8 @@
  * A negative scale component mirrors the glyph. That changes nothing about a sphere, box or cylinder; cones and arrows
  * point the other way, as 3D Glyphs shows them; meshes are mirrored.
  *
- * What cannot be shown (an exponent that is not positive; position, scale, direction zero where one is needed, or not finite) makes no glyph; it is
+ * What cannot be shown (an exponent that is not positive; position, scale, direction zero where one is needed, or anything
+ * not finite) makes no glyph; it is
  * counted and put into words in Result::Messages.
  */
 #ifndef vtkGlyphInstanceBuilder_h
@@ -21,6 +22,7 @@
 
 #include "Glyphs.h"
 #include "vtkGlyphBlockAttributes.h"
+#include "vtkGlyphMotion.h"
 #include "vtkGlyphTensors.h"
 #include "vtkType.h"
 
@@ -64,6 +66,7 @@ public:
     vtkGlyphTensors::Settings Tensors; // on: they give size, rotation and exponents
     double Exponents[3] = { 2.0, 2.0, 2.0 }; // of superquadrics; each counts as one in [0.1, 100]
     std::string ExponentArray;               // overrides them; empty or "None": none
+    vtkGlyphMotion::Settings Motion;   // on: the glyphs move while the shutter is open
     bool Mask = false;
     vtkIdType MaximumNumberOfGlyphs = 5000;
     int Seed = 1;

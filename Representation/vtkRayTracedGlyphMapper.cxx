@@ -78,6 +78,12 @@ std::array<std::uint64_t, 2> DigestOf(const rtg::GlyphInstances& instances)
   Mix(sum, instances.sizes1.data(), instances.sizes1.size());
   Mix(sum, instances.rotations.data(), instances.rotations.size());
   Mix(sum, instances.exponents3.data(), instances.exponents3.size());
+  const rtg::GlyphMotion& motion = instances.motion;
+  const float shutter[] = { motion.shutterOpen, motion.shutterClose };
+  Mix(sum, shutter, 2);
+  Mix(sum, motion.velocities.data(), motion.velocities.size());
+  Mix(sum, motion.accelerations.data(), motion.accelerations.size());
+  Mix(sum, motion.angularVelocities.data(), motion.angularVelocities.size());
   return sum;
 }
 
@@ -90,7 +96,8 @@ bool SameSettings(
       s.OrientationArray, s.OrientationMode, s.Arrow.shaftRadius, s.Arrow.tipRadius,
       s.Arrow.tipLength, s.Arrow.tipRounding, s.Arrow.fixedHeads, s.ArrowReference, s.Tensors.On, s.Tensors.Kind,
       s.Tensors.Array, s.Tensors.Layout, s.Tensors.Sharpness, s.Exponents[0], s.Exponents[1],
-      s.Exponents[2], s.ExponentArray, s.Mask,
+      s.Exponents[2], s.ExponentArray, s.Motion.On, s.Motion.Velocity, s.Motion.Acceleration,
+      s.Motion.AngularVelocity, s.Motion.ShutterTime, s.Motion.Opening, s.Mask,
       s.MaximumNumberOfGlyphs, s.Seed, s.Mesh);
   };
   return all(a) == all(b);
@@ -103,7 +110,7 @@ bool SameSettings(
 struct vtkRayTracedGlyphMapper::InstanceKey
 {
   vtkGlyphInstanceBuilder::Settings Settings;
-  std::array<vtkMTimeType, 7> Times{};
+  std::array<vtkMTimeType, 10> Times{};
   std::vector<vtkMTimeType> FurtherTimes;
   std::vector<unsigned int> HiddenBlocks;
   std::array<double, 16> Matrix{};
@@ -239,13 +246,15 @@ vtkRayTracedGlyphMapper::MakeInstanceKey(vtkPolyData* points) const
 {
   InstanceKey key;
   key.Settings = this->Glyphs;
+  const std::array<vtkDataArray*, 3> motion = vtkGlyphMotion::Arrays(points, this->Glyphs.Motion);
   key.Times = { TimeOf(points->GetPoints()),
     points->GetPoints() ? TimeOf(points->GetPoints()->GetData()) : 0,
     TimeOf(vtkGlyphInstanceBuilder::ScaleArray(points, this->Glyphs)),
     TimeOf(vtkGlyphInstanceBuilder::OrientationArray(points, this->Glyphs)),
     TimeOf(points->GetPointData()->GetArray(vtkGlyphPointGatherer::CompositeIndexName())),
     TimeOf(vtkGlyphTensors::Array(points, this->Glyphs.Tensors)),
-    TimeOf(vtkGlyphInstanceBuilder::ExponentArray(points, this->Glyphs)) };
+    TimeOf(vtkGlyphInstanceBuilder::ExponentArray(points, this->Glyphs)), TimeOf(motion[0]),
+    TimeOf(motion[1]), TimeOf(motion[2]) };
   key.FurtherTimes = this->FurtherTimes(points);
   if (vtkGlyphInstanceBuilder::NeedsMeanScale(this->Glyphs))
   {

@@ -524,6 +524,43 @@ void vtkRayTracedGlyphRepresentation::SetArrowTipRounding(double rounding)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetMotionBlur(bool on)
+{
+  this->Mapper->Glyphs.Motion.On = on;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetVelocityArray(const char* name)
+{
+  this->Mapper->Glyphs.Motion.Velocity = name ? name : "";
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetAccelerationArray(const char* name)
+{
+  this->Mapper->Glyphs.Motion.Acceleration = name ? name : "";
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetAngularVelocityArray(const char* name)
+{
+  this->Mapper->Glyphs.Motion.AngularVelocity = name ? name : "";
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetShutterTime(double time)
+{
+  // NaN would make the settings differ from themselves.
+  this->Mapper->Glyphs.Motion.ShutterTime = std::isnan(time) ? 0.0 : time;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetShutterOpening(int opening)
+{
+  this->Mapper->Glyphs.Motion.Opening = std::clamp(opening, 0, 2);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphMask(bool on)
 {
   this->Mapper->Glyphs.Mask = on;

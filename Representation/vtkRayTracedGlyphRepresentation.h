@@ -110,6 +110,19 @@ public:
 
   ///@{
   /**
+   * Motion blur: names of point arrays of three components ("None" or empty: none), the time that the shutter is open, and
+   * when that is, of vtkGlyphMotion::Openings. Default is off, no arrays, 1, centred.
+   */
+  void SetMotionBlur(bool on);
+  void SetVelocityArray(const char* name);
+  void SetAccelerationArray(const char* name);
+  void SetAngularVelocityArray(const char* name);
+  void SetShutterTime(double time);
+  void SetShutterOpening(int opening);
+  ///@}
+
+  ///@{
+  /**
    * Shows at most so many of the glyphs, chosen at random but the same at each time step. Default is off, 5000, 1.
    */
   void SetGlyphMask(bool on);

@@ -45,8 +45,8 @@ Subject Load(const std::string& path)
   subject.spheres = benchmark::ReadSpheres(path);
   std::ifstream in(path, std::ios::binary);
   benchmark::ReadPoints(in);
-  subject.velocities = benchmark::ToVectors(
-    benchmark::ReadArray(in, "velocity", 3 * subject.spheres.centres.size()));
+  subject.velocities =
+    benchmark::ToVectors(benchmark::ReadArray(in, "velocity", 3 * subject.spheres.centres.size()));
   for (glm::vec3& velocity : subject.velocities)
   {
     velocity = glm::normalize(velocity);
@@ -55,7 +55,8 @@ Subject Load(const std::string& path)
 }
 
 // The spheres at a fraction of the shutter's opening, at rest; or with the motion of a path of so many radii.
-rtg::GlyphInstances Instances(const Subject& subject, double path, bool moving, double fraction = 0.5)
+rtg::GlyphInstances
+Instances(const Subject& subject, double path, bool moving, double fraction = 0.5)
 {
   const auto length = static_cast<float>(path * subject.spheres.radius);
   rtg::GlyphInstances instances;
@@ -98,7 +99,8 @@ struct Scene
 };
 
 // Processor seconds of an image after one that compiles.
-double Cost(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const rtg::TraceSettings& settings)
+double
+Cost(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const rtg::TraceSettings& settings)
 {
   rtg::TraceSettings first = settings;
   first.samples = 1;

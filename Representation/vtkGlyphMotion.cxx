@@ -1,0 +1,203 @@
+#include "vtkGlyphMotion.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+enum Kinds
+{
+  VELOCITY,
+  ACCELERATION,
+  ANGULAR_VELOCITY,
+  KINDS
+};
+
+const char* const properties[KINDS] = { "VelocityArray", "AccelerationArray",
+  "AngularVelocityArray" };
+
+const std::string& NameOf(const vtkGlyphMotion::Settings& settings, int kind)
+{
+  return kind == VELOCITY  ? settings.Velocity
+    : kind == ACCELERATION ? settings.Acceleration
+                           : settings.AngularVelocity;
+}
+
+bool IsNamed(const vtkGlyphMotion::Settings& settings, int kind)
+{
+  const std::string& name = NameOf(settings, kind);
+  return !name.empty() && name != "None";
+}
+
+bool IsFinite3(const glm::dvec3& v)
+{
+  // As the kernels will have it: a double may be beyond the range of float.
+  const glm::vec3 stored(v);
+  return std::isfinite(stored.x) && std::isfinite(stored.y) && std::isfinite(stored.z);
+}
+
+void ClearZeros(std::vector<glm::vec3>& values)
+{
+  if (std::all_of(
+        values.begin(), values.end(), [](const glm::vec3& v) { return v == glm::vec3(0.0f); }))
+  {
+    values.clear();
+  }
+}
+}
+
+//----------------------------------------------------------------------------
+std::array<vtkDataArray*, 3> vtkGlyphMotion::Arrays(vtkPolyData* points, const Settings& settings)
+{
+  std::array<vtkDataArray*, 3> arrays{};
+  for (int kind = 0; kind < KINDS; ++kind)
+  {
+    if (settings.On && IsNamed(settings, kind))
+    {
+      arrays[kind] = points->GetPointData()->GetArray(NameOf(settings, kind).c_str());
+    }
+  }
+  return arrays;
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphMotion::vtkGlyphMotion(vtkPolyData* points, const Settings& settings)
+{
+  if (!settings.On)
+  {
+    return;
+  }
+  if (!(settings.ShutterTime > 0.0) || !std::isfinite(float(settings.ShutterTime)))
+  {
+    std::ostringstream text;
+    text << "ShutterTime is " << settings.ShutterTime
+         << ", so the glyphs are shown without motion blur. Set it to a positive number, in the "
+            "data's unit of time, or switch MotionBlur off.";
+    this->Messages_.push_back(text.str());
+    return;
+  }
+  this->Open = settings.Opening == FORWARD ? 0.0
+    : settings.Opening == BACKWARD         ? -settings.ShutterTime
+                                           : -0.5 * settings.ShutterTime;
+  this->Close = this->Open + settings.ShutterTime;
+  this->Found = Arrays(points, settings);
+  bool named = false;
+  for (int kind = 0; kind < KINDS; ++kind)
+  {
+    if (!IsNamed(settings, kind))
+    {
+      continue;
+    }
+    named = true;
+    std::ostringstream text;
+    if (!this->Found[kind])
+    {
+      text << "There is no point array '" << NameOf(settings, kind) << "', which "
+           << properties[kind]
+           << " names; motion blur goes without. Choose one that exists, or None.";
+    }
+    else if (this->Found[kind]->GetNumberOfComponents() != 3)
+    {
+      text << "The point array '" << NameOf(settings, kind) << "', which " << properties[kind]
+           << " names, has " << this->Found[kind]->GetNumberOfComponents()
+           << " components where 3 are needed; motion blur goes without. Choose another array, or "
+              "None.";
+      this->Found[kind] = nullptr;
+    }
+    if (!text.str().empty())
+    {
+      this->Messages_.push_back(text.str());
+    }
+  }
+  if (!named)
+  {
+    this->Messages_.emplace_back(
+      "MotionBlur is on, but VelocityArray, AccelerationArray and AngularVelocityArray are "
+      "None, so nothing moves. Choose a VelocityArray, or switch MotionBlur off.");
+  }
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphMotion::On() const
+{
+  return this->Found[VELOCITY] || this->Found[ACCELERATION] || this->Found[ANGULAR_VELOCITY];
+}
+
+//----------------------------------------------------------------------------
+glm::dvec3 vtkGlyphMotion::Tuple(int kind, vtkIdType point) const
+{
+  double tuple[3];
+  this->Found[kind]->GetTuple(point, tuple);
+  return { tuple[0], tuple[1], tuple[2] };
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphMotion::IsFinite(vtkIdType point) const
+{
+  for (int kind = 0; kind < KINDS; ++kind)
+  {
+    if (this->Found[kind] && !IsFinite3(this->Tuple(kind, point)))
+    {
+      return false;
+    }
+  }
+  if (this->On())
+  {
+    // Nor may the way be beyond the range.
+    const rtg::DisplacementRange range = this->Range(point);
+    return IsFinite3(range.lower) && IsFinite3(range.upper);
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
+void vtkGlyphMotion::AppendTo(rtg::GlyphMotion& motion, vtkIdType point, const glm::dmat3& linear,
+  const glm::dmat3& rotation) const
+{
+  if (this->Found[VELOCITY])
+  {
+    motion.velocities.emplace_back(linear * this->Tuple(VELOCITY, point));
+  }
+  if (this->Found[ACCELERATION])
+  {
+    motion.accelerations.emplace_back(linear * this->Tuple(ACCELERATION, point));
+  }
+  if (this->Found[ANGULAR_VELOCITY])
+  {
+    motion.angularVelocities.emplace_back(rotation * this->Tuple(ANGULAR_VELOCITY, point));
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkGlyphMotion::Finish(rtg::GlyphMotion& motion) const
+{
+  if (!this->On())
+  {
+    return;
+  }
+  motion.shutterOpen = static_cast<float>(this->Open);
+  motion.shutterClose = static_cast<float>(this->Close);
+  ClearZeros(motion.velocities);
+  ClearZeros(motion.accelerations);
+  ClearZeros(motion.angularVelocities);
+}
+
+//----------------------------------------------------------------------------
+rtg::DisplacementRange vtkGlyphMotion::Range(vtkIdType point) const
+{
+  rtg::GlyphMotion one;
+  if (this->Found[VELOCITY])
+  {
+    one.velocities.emplace_back(this->Tuple(VELOCITY, point));
+  }
+  if (this->Found[ACCELERATION])
+  {
+    one.accelerations.emplace_back(this->Tuple(ACCELERATION, point));
+  }
+  return rtg::RangeOfDisplacements(one, 0, this->Open, this->Close);
+}

@@ -1,0 +1,673 @@
+// Glyphs that move while the shutter is open, against closed forms and against brute-force integration in double.
+#include "GlyphBoxes.h"
+#include "Scene.h"
+#include "SceneState.h"
+#include "Shapes/Shapes.h"
+#include "Tracer.h"
+#include "Vulkan/Device.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <random>
+
+namespace
+{
+
+using rtg::Image;
+using Double = rtg::shapes::Kernel<double>;
+
+// Sets of a few glyphs of one shape with random places, turns and motion.
+class MovingGlyphs
+{
+public:
+  explicit MovingGlyphs(unsigned seed)
+    : random_(seed)
+  {
+  }
+
+  float Uniform(float lower, float upper)
+  {
+    return std::uniform_real_distribution<float>(lower, upper)(this->random_);
+  }
+
+  glm::vec3 Vector(float reach)
+  {
+    return { this->Uniform(-reach, reach), this->Uniform(-reach, reach),
+      this->Uniform(-reach, reach) };
+  }
+
+  glm::vec4 Rotation()
+  {
+    std::normal_distribution<float> normal;
+    return glm::normalize(glm::vec4(
+      normal(this->random_), normal(this->random_), normal(this->random_), normal(this->random_)));
+  }
+
+  rtg::GlyphInstances Make(rtg::Shape shape, std::size_t count, bool moves, bool spins)
+  {
+    rtg::GlyphInstances instances;
+    instances.shape = shape;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      instances.centres.push_back(this->Vector(0.5f));
+      instances.sizes3.push_back(
+        { this->Uniform(0.1f, 0.4f), this->Uniform(0.1f, 0.4f), this->Uniform(0.1f, 0.4f) });
+      instances.rotations.push_back(this->Rotation());
+      if (moves)
+      {
+        instances.motion.velocities.push_back(this->Vector(2.0f));
+        // Half of the paths turn back.
+        instances.motion.accelerations.push_back(this->Vector(8.0f));
+      }
+      if (spins)
+      {
+        instances.motion.angularVelocities.push_back(this->Vector(4.0f));
+      }
+    }
+    return instances;
+  }
+
+private:
+  std::mt19937 random_;
+};
+
+glm::dvec4 Product(const glm::dvec4& a, const glm::dvec4& b)
+{
+  const glm::dvec3 u(a), v(b);
+  return glm::dvec4(a.w * v + b.w * u + glm::cross(u, v), a.w * b.w - glm::dot(u, v));
+}
+
+// A glyph in double at a time: the definition in Motion.h, written down once more.
+Double::Glyph GlyphAt(const rtg::GlyphInstances& instances, std::size_t i, double time)
+{
+  const rtg::GlyphMotion& motion = instances.motion;
+  Double::Glyph glyph{};
+  glyph.centre = glm::dvec3(instances.centres[i]);
+  if (!motion.velocities.empty())
+  {
+    glyph.centre += glm::dvec3(motion.velocities[i]) * time;
+  }
+  if (!motion.accelerations.empty())
+  {
+    glyph.centre += glm::dvec3(motion.accelerations[i]) * time * time / 2.0;
+  }
+  glyph.size =
+    instances.sizes3.empty() ? glm::dvec3(instances.uniformSize) : glm::dvec3(instances.sizes3[i]);
+  glyph.sameSize = instances.sizes3.empty();
+  glyph.turned = true;
+  glyph.rotation =
+    instances.rotations.empty() ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(instances.rotations[i]);
+  if (!motion.angularVelocities.empty())
+  {
+    const glm::dvec3 turn = glm::dvec3(motion.angularVelocities[i]) * time;
+    const double angle = glm::length(turn);
+    if (angle > 0.0)
+    {
+      glyph.rotation = Product(
+        glm::dvec4(std::sin(angle / 2.0) / angle * turn, std::cos(angle / 2.0)), glyph.rotation);
+    }
+  }
+  glyph.rotation = glm::normalize(glyph.rotation);
+  const rtg::ArrowForm& arrow = instances.arrow;
+  glyph.arrow = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding };
+  glyph.fixedHeads = arrow.fixedHeads;
+  glyph.unitLength = arrow.unitLength;
+  glyph.exponents = glm::dvec3(instances.uniformExponents);
+  return glyph;
+}
+
+// With the driver's structure, and with trees of one, of eight and of a chosen number of slices.
+struct Way
+{
+  rtg::Structure structure;
+  int sliceBits;
+};
+
+void PrintTo(const Way& way, std::ostream* out)
+{
+  *out << (way.structure == rtg::Structure::Boxes ? "Boxes" : "Tree")
+       << (way.sliceBits < 0 ? "Chosen" : std::to_string(1 << way.sliceBits));
+}
+
+class MotionTest : public ::testing::TestWithParam<Way>
+{
+protected:
+  std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
+  rtg::Scene scene{ device };
+  rtg::Tracer tracer{ device };
+  rtg::TraceSettings settings;
+  // The square [-1, 1] x [-1, 1], seen along -z.
+  rtg::Camera camera = rtg::Camera::FromWorldToClip(glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) *
+    glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+
+  void SetUp() override
+  {
+    this->settings.width = this->settings.height = 40;
+    this->settings.keepSums = true;
+    this->scene.GetState().structure = GetParam().structure;
+    this->scene.GetState().timeSliceBits = GetParam().sliceBits;
+  }
+
+  rtg::Scene::SetId Add(const rtg::GlyphInstances& instances)
+  {
+    const auto id = this->scene.Add();
+    this->scene.SetInstances(id, instances);
+    this->scene.Commit();
+    return id;
+  }
+
+  std::vector<glm::vec4> Means()
+  {
+    this->tracer.Trace(this->scene, this->camera, { rtg::Light() }, this->settings);
+    return this->tracer.Means();
+  }
+
+  // Position in the square of sample s of a pixel, as local shading has it (Shading/Sampling.glsl).
+  glm::dvec2 Position(std::uint32_t pixel, std::uint32_t s) const
+  {
+    const std::uint32_t side = this->settings.width;
+    const double x = std::fmod(0.5 + s * 0.7548776662466927, 1.0);
+    const double y = std::fmod(0.5 + s * 0.5698402909980532, 1.0);
+    return (2.0 / side) * glm::dvec2(pixel % side + x, pixel / side + y) - 1.0;
+  }
+
+  // Independent times make each sample of each pixel a coin that shows a glyph with the share of the shutter's opening for
+  // which one covers the sample's position; that share is given. The sum over pixels of squared deviations over
+  // variances is then chi-squared. Fails by chance once in 10,000.
+  void ExpectCoverage(const std::function<double(glm::dvec2)>& share)
+  {
+    this->settings.sampler = rtg::Sampler::Random;
+    const std::vector<glm::vec4> means = this->Means();
+    double chiSquared = 0.0, total = 0.0, expectedTotal = 0.0, variance = 0.0;
+    int freedoms = 0;
+    for (std::uint32_t pixel = 0; pixel < means.size(); ++pixel)
+    {
+      double expected = 0.0, spread = 0.0;
+      for (std::uint32_t s = 0; s < this->settings.samples; ++s)
+      {
+        const double p = share(this->Position(pixel, s));
+        expected += p;
+        spread += p * (1.0 - p);
+      }
+      const double found = double(means[pixel].a) * this->settings.samples;
+      total += found;
+      expectedTotal += expected;
+      variance += spread;
+      // Where chance has next to no part, say a whole pixel on the path's inside, nothing may differ.
+      if (spread < 0.5)
+      {
+        ASSERT_NEAR(found, expected, 6.0) << pixel;
+        continue;
+      }
+      chiSquared += (found - expected) * (found - expected) / spread;
+      ++freedoms;
+    }
+    ASSERT_GT(freedoms, 100);
+    // Wilson and Hilferty: the cube root of chi-squared over its freedoms is nearly normal.
+    const double tail = 2.0 / (9.0 * freedoms);
+    const double deviation = (std::cbrt(chiSquared / freedoms) - (1.0 - tail)) / std::sqrt(tail);
+    EXPECT_LT(std::abs(deviation), 3.9) << chiSquared << " of " << freedoms;
+    EXPECT_LT(std::abs(total - expectedTotal), 3.9 * std::sqrt(variance))
+      << total << ' ' << expectedTotal;
+  }
+};
+
+// The share of times, of so many evenly spread, at which the only glyph lies on the ray along -z.
+class BruteForce
+{
+public:
+  BruteForce(const rtg::GlyphInstances& instances, int times)
+    : shape_(instances.shape)
+  {
+    for (int i = 0; i < times; ++i)
+    {
+      this->glyphs_.push_back(GlyphAt(instances, 0, instances.motion.Time((i + 0.5) / times)));
+    }
+  }
+  double operator()(glm::dvec2 position) const
+  {
+    Double::GlyphRay ray{};
+    ray.origin = { position, 5.0 };
+    ray.direction = { 0.0, 0.0, -1.0 };
+    double t;
+    const auto hits = std::count_if(this->glyphs_.begin(), this->glyphs_.end(),
+      [&](const Double::Glyph& glyph)
+      { return Double::Intersect(this->shape_, ray, glyph, 0.0, 10.0, t); });
+    return double(hits) / double(this->glyphs_.size());
+  }
+
+private:
+  rtg::Shape shape_;
+  std::vector<Double::Glyph> glyphs_;
+};
+
+} // namespace
+
+// Few programs a test: compiling one takes the device seconds.
+TEST_P(MotionTest, SpheresCoverAsTheirPathsSay)
+{
+  // Straight: in closed form.
+  constexpr double radius = 0.3, path = 1.0;
+  rtg::GlyphInstances instances;
+  instances.centres = { { 0.1f, -0.05f, 0.0f } };
+  instances.uniformSize = 2.0 * radius;
+  // Half the speed for twice the time.
+  instances.motion.velocities = { { 0.5f * path, 0.0f, 0.7f } };
+  instances.motion.accelerations = { glm::vec3(0.0f) };
+  instances.motion.shutterOpen = -1.0f;
+  instances.motion.shutterClose = 1.0f;
+  const auto id = this->Add(instances);
+  this->settings.samples = 64;
+  this->ExpectCoverage(
+    [&](glm::dvec2 p)
+    {
+      const double x = p.x - double(0.1f), y = p.y - double(-0.05f);
+      const double half = std::sqrt(std::max(radius * radius - y * y, 0.0));
+      // Displacements between -path / 2 and path / 2 that bring the chord over x.
+      return std::max(std::min(x + half, path / 2) - std::max(x - half, -path / 2), 0.0) / path;
+    });
+
+  // Along a parabola that turns back: by brute force.
+  instances.centres = { glm::vec3(0.0f) };
+  instances.uniformSize = 0.5f;
+  instances.motion.velocities = { { 0.9f, 0.3f, 0.0f } };
+  instances.motion.accelerations = { { -2.5f, 2.0f, 0.0f } };
+  instances.motion.shutterOpen = 0.0f;
+  this->scene.SetInstances(id, instances);
+  this->scene.Commit();
+  this->settings.samples = 16;
+  this->ExpectCoverage(
+    [&](glm::dvec2 p)
+    {
+      constexpr int times = 1000;
+      int hits = 0;
+      for (int i = 0; i < times; ++i)
+      {
+        const glm::dvec2 from = p - glm::dvec2(instances.motion.Displacement(0, (i + 0.5) / times));
+        hits += glm::dot(from, from) < 0.0625;
+      }
+      return double(hits) / times;
+    });
+}
+
+TEST_P(MotionTest, NoVelocityIsTheImageAtRest)
+{
+  MovingGlyphs make(9);
+  rtg::GlyphInstances instances;
+  for (int i = 0; i < 200; ++i)
+  {
+    instances.centres.push_back(make.Vector(0.9f));
+  }
+  instances.uniformSize = 0.2f;
+  const auto id = this->Add(instances);
+  this->settings.samples = 4;
+  const std::vector<glm::vec4> atRest = this->Means();
+  instances.motion.velocities.assign(200, glm::vec3(0.0f));
+  instances.motion.accelerations.assign(200, glm::vec3(0.0f));
+  this->scene.SetInstances(id, instances);
+  this->scene.Commit();
+  const std::vector<glm::vec4> moving = this->Means();
+  EXPECT_EQ(0, std::memcmp(atRest.data(), moving.data(), atRest.size() * sizeof(glm::vec4)));
+}
+
+class MotionOfShapes : public MotionTest
+{
+protected:
+  // Distance and normal of the nearest glyph, turning along a parabola, are those in double at the same time.
+  void ExpectRaysMeetWhatIsThere(rtg::Shape shape)
+  {
+    MovingGlyphs make(4);
+    rtg::GlyphInstances instances = make.Make(shape, 40, true, true);
+    instances.motion.shutterOpen = -0.7f;
+    instances.motion.shutterClose = 0.4f;
+    this->Add(instances);
+    std::vector<rtg::Tracer::Probe> probes;
+    for (int i = 0; i < 1000; ++i)
+    {
+      // At a glyph where it then is, so that most rays hit.
+      rtg::Tracer::Probe probe;
+      probe.time = make.Uniform(0.0f, 0.9999f);
+      const Double::Glyph glyph = GlyphAt(instances, i % 40, instances.motion.Time(probe.time));
+      probe.origin = glm::dvec3(make.Vector(1.0f)) + glm::dvec3(0.0, 0.0, 6.0);
+      probe.direction = glm::vec3(glyph.centre + glm::dvec3(make.Vector(0.1f)) - probe.origin);
+      probes.push_back(probe);
+    }
+    const auto found = this->tracer.TraceProbes(this->scene, probes);
+    int hits = 0, doubtful = 0;
+    for (std::size_t i = 0; i < probes.size(); ++i)
+    {
+      Double::GlyphRay ray{};
+      ray.origin = probes[i].origin;
+      ray.direction = glm::dvec3(probes[i].direction);
+      double nearest = INFINITY;
+      std::size_t hit = Image::noGlyph;
+      const double time = instances.motion.Time(probes[i].time);
+      for (std::size_t glyph = 0; glyph < instances.Count(); ++glyph)
+      {
+        double t;
+        const bool met =
+          Double::Intersect(shape, ray, GlyphAt(instances, glyph, time), 0.0, 100.0, t);
+        if (met && t < nearest)
+        {
+          nearest = t;
+          hit = glyph;
+        }
+      }
+      // A ray that grazes a glyph or an edge within rounding may see either.
+      if (found[i].glyphId != (hit & 0xffffffffu) ||
+        (hit != Image::noGlyph && std::abs(found[i].t - nearest) > 1e-4))
+      {
+        ++doubtful;
+        continue;
+      }
+      if (hit != Image::noGlyph)
+      {
+        ++hits;
+        const glm::dvec3 normal =
+          Double::Normal(shape, ray, GlyphAt(instances, hit, time), nearest);
+        doubtful += glm::length(normal - glm::dvec3(found[i].normal)) > 1e-3;
+      }
+    }
+    EXPECT_GT(hits, 500);
+    EXPECT_LE(doubtful, 3);
+  }
+
+  // A single glyph that turns along a parabola.
+  void ExpectItCoversAsBruteForce(rtg::Shape shape, const glm::vec3& size)
+  {
+    rtg::GlyphInstances instances;
+    instances.shape = shape;
+    instances.centres = { { -0.1f, 0.05f, 0.0f } };
+    instances.sizes3 = { size };
+    instances.rotations = { glm::normalize(glm::vec4(0.1f, 0.2f, 0.3f, 0.9f)) };
+    instances.motion.velocities = { { 0.5f, -0.4f, 0.0f } };
+    instances.motion.accelerations = { { 0.0f, 1.0f, 0.5f } };
+    instances.motion.angularVelocities = { { 0.3f, 0.5f, 2.5f } };
+    this->Add(instances);
+    this->settings.width = this->settings.height = 30;
+    this->settings.samples = 8;
+    this->ExpectCoverage(BruteForce(instances, 150));
+  }
+};
+
+TEST_P(MotionOfShapes, RaysMeetSpheres)
+{
+  this->ExpectRaysMeetWhatIsThere(rtg::Shape::Sphere);
+}
+
+TEST_P(MotionOfShapes, RaysMeetBoxes)
+{
+  this->ExpectRaysMeetWhatIsThere(rtg::Shape::Box);
+}
+
+TEST_P(MotionOfShapes, RaysMeetCones)
+{
+  this->ExpectRaysMeetWhatIsThere(rtg::Shape::Cone);
+}
+
+TEST_P(MotionOfShapes, RaysMeetArrows)
+{
+  this->ExpectRaysMeetWhatIsThere(rtg::Shape::Arrow);
+}
+
+TEST_P(MotionOfShapes, BoxCoversAsBruteForce)
+{
+  this->ExpectItCoversAsBruteForce(rtg::Shape::Box, { 0.7f, 0.4f, 0.2f });
+}
+
+TEST_P(MotionOfShapes, ArrowCoversAsBruteForce)
+{
+  this->ExpectItCoversAsBruteForce(rtg::Shape::Arrow, glm::vec3(0.9f));
+}
+
+// Nothing but a sphere, which hides nothing from itself: to rays of other times it would, as it is then elsewhere.
+class OneTimeAPath : public MotionTest
+{
+protected:
+  void Add(const rtg::Material& material)
+  {
+    rtg::GlyphInstances instances;
+    instances.centres = { glm::vec3(0.0f) };
+    instances.uniformSize = 0.6f;
+    instances.motion.velocities = { { 0.8f, 0.3f, -0.5f } };
+    const auto id = this->MotionTest::Add(instances);
+    this->scene.SetMaterial(id, material);
+    this->scene.Commit();
+    this->settings.samples = 16;
+  }
+};
+
+TEST_P(OneTimeAPath, NothingHidesTheSphereFromTheSky)
+{
+  // It gives off its colour, so that every sample that hits is white or, if occluded, black.
+  rtg::Material material;
+  material.diffuse = 0.0f;
+  material.ambient = 1.0f;
+  this->Add(material);
+  this->settings.shading = rtg::Shading::AmbientOcclusion;
+  int covered = 0;
+  for (const glm::vec4& mean : this->Means())
+  {
+    EXPECT_EQ(mean.r, mean.a);
+    covered += mean.a > 0.0f;
+  }
+  EXPECT_GT(covered, 300);
+}
+
+TEST_P(OneTimeAPath, LightGoesStraightFromTheSphereToTheSky)
+{
+  // So that further bounces change nothing.
+  this->Add(rtg::Material());
+  this->settings.shading = rtg::Shading::PathTracing;
+  this->settings.roulette = false;
+  this->settings.maximumBounces = 1;
+  const std::vector<glm::vec4> once = this->Means();
+  this->settings.maximumBounces = 8;
+  const std::vector<glm::vec4> often = this->Means();
+  EXPECT_EQ(0, std::memcmp(once.data(), often.data(), once.size() * sizeof(glm::vec4)));
+}
+
+class TimesOf : public MotionTest
+{
+protected:
+  // An edge that moves: its error is much less than the variance of independent times.
+  void ExpectStratified(rtg::Sampler sampler)
+  {
+    rtg::GlyphInstances instances;
+    instances.shape = rtg::Shape::Box;
+    instances.centres = { glm::vec3(-0.75f, 0.0f, 0.0f) };
+    instances.sizes3 = { glm::vec3(0.5f, 4.0f, 0.5f) };
+    instances.motion.velocities = { { 1.0f, 0.0f, 0.0f } };
+    instances.motion.shutterOpen = 0.0f;
+    instances.motion.shutterClose = 1.0f;
+    this->Add(instances);
+    this->settings.samples = 16;
+    this->settings.sampler = sampler;
+    const std::vector<glm::vec4> means = this->Means();
+    double squares = 0.0, variances = 0.0;
+    for (std::uint32_t pixel = 0; pixel < means.size(); ++pixel)
+    {
+      double expected = 0.0;
+      for (std::uint32_t s = 0; s < 16; ++s)
+      {
+        const double x = this->Position(pixel, s).x;
+        const double share = std::max(std::min(x + 1.0, 1.0) - std::max(x + 0.5, 0.0), 0.0);
+        expected += share / 16.0;
+        variances += share * (1.0 - share) / 256.0;
+      }
+      squares += (means[pixel].a - expected) * (means[pixel].a - expected);
+    }
+    EXPECT_LT(squares, 0.15 * variances);
+  }
+};
+
+TEST_P(TimesOf, SobolAreStratified)
+{
+  this->ExpectStratified(rtg::Sampler::Sobol);
+}
+
+TEST_P(TimesOf, BlueNoiseAreStratified)
+{
+  this->ExpectStratified(rtg::Sampler::BlueNoise);
+}
+
+TEST_P(TimesOf, StratifiedAreStratified)
+{
+  this->ExpectStratified(rtg::Sampler::Stratified);
+}
+
+TEST_P(MotionTest, SamplesMayBeSharedOutAmongCalls)
+{
+  MovingGlyphs make(2);
+  this->Add(make.Make(rtg::Shape::Box, 50, true, true));
+  this->settings.samples = this->settings.plannedSamples = 8;
+  const std::vector<glm::vec4> once = this->Means();
+  this->settings.samples = 3;
+  this->Means();
+  this->settings.firstSample = 3;
+  this->settings.samples = 5;
+  const std::vector<glm::vec4> twice = this->Means();
+  EXPECT_EQ(0, std::memcmp(once.data(), twice.data(), once.size() * sizeof(glm::vec4)));
+}
+
+TEST_P(MotionTest, MovingAndRestingSetsShareAScene)
+{
+  // A large sphere at rest behind a small one that moves: all pixels are covered, and many mixed.
+  rtg::GlyphInstances wall;
+  wall.centres = { { 0.0f, 0.0f, -2.0f } };
+  wall.uniformSize = 3.5f;
+  rtg::Material dark;
+  dark.colour = glm::vec3(0.0f);
+  const auto wallSet = this->Add(wall);
+  this->scene.SetMaterial(wallSet, dark);
+  rtg::GlyphInstances sphere;
+  sphere.centres = { glm::vec3(0.0f) };
+  sphere.uniformSize = 0.6f;
+  sphere.motion.velocities = { { 1.0f, 0.0f, 0.0f } };
+  this->Add(sphere);
+  this->settings.samples = 16;
+  const std::vector<glm::vec4> means = this->Means();
+  int mixed = 0;
+  for (const glm::vec4& mean : means)
+  {
+    EXPECT_EQ(mean.a, 1.0f);
+    mixed += mean.r > 0.05f && mean.r < 0.9f;
+  }
+  EXPECT_GT(mixed, 200);
+}
+
+TEST_P(MotionTest, RefusesWhatMakesNoSense)
+{
+  const auto id = this->scene.Add();
+  rtg::GlyphInstances good;
+  good.centres = { glm::vec3(0.0f), glm::vec3(1.0f) };
+  good.motion.velocities = { glm::vec3(0.0f), glm::vec3(1.0f) };
+  const auto message = [&](const std::function<void(rtg::GlyphInstances&)>& change)
+  {
+    rtg::GlyphInstances instances = good;
+    change(instances);
+    try
+    {
+      this->scene.SetInstances(id, instances);
+    }
+    catch (const rtg::Error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message([](auto&) {}), "");
+  EXPECT_NE(
+    message([](auto& i) { i.motion.velocities.pop_back(); }).find("1 velocities for 2 glyphs"),
+    std::string::npos);
+  EXPECT_NE(message([](auto& i) { i.motion.accelerations.resize(3); }).find("3 accelerations"),
+    std::string::npos);
+  EXPECT_NE(message([](auto& i) { i.motion.velocities[1].y = NAN; }).find("(1, nan, 1)"),
+    std::string::npos);
+  EXPECT_NE(message([](auto& i) { i.motion.shutterClose = -0.5f; }).find("must close later"),
+    std::string::npos);
+  EXPECT_NE(message([](auto& i) { i.motion.shutterOpen = NAN; }).find("must close later"),
+    std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, MotionTest,
+  ::testing::Values(Way{ rtg::Structure::Boxes, 0 }, Way{ rtg::Structure::Tree, 3 }),
+  ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Ways, MotionOfShapes, ::testing::Values(Way{ rtg::Structure::Tree, 3 }),
+  ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Ways, OneTimeAPath, ::testing::Values(Way{ rtg::Structure::Tree, 0 }),
+  ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Ways, TimesOf, ::testing::Values(Way{ rtg::Structure::Tree, -1 }),
+  ::testing::PrintToStringParamName());
+
+TEST(GlyphBoxesOfPaths, HoldEveryTimeAndAreTight)
+{
+  MovingGlyphs make(6);
+  for (const rtg::Shape shape : { rtg::Shape::Sphere, rtg::Shape::Box, rtg::Shape::Arrow })
+  {
+    for (const int kind : { 1, 2, 3 })
+    {
+      rtg::GlyphInstances instances = make.Make(shape, 200, kind & 1, kind & 2);
+      instances.motion.shutterOpen = -0.3f;
+      instances.motion.shutterClose = 1.0f;
+      for (const auto& [first, last] : { std::pair(0.0, 1.0), std::pair(0.25, 0.5) })
+      {
+        const std::vector<rtg::Box> boxes = rtg::GlyphBoxes(instances, first, last);
+        double growth = 0.0;
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+        {
+          glm::dvec3 lower(INFINITY), upper(-INFINITY);
+          for (int step = 0; step <= 200; ++step)
+          {
+            const double time = instances.motion.Time(first + (last - first) * step / 200);
+            glm::dvec3 a(0.0), b(0.0);
+            Double::Bounds(shape, GlyphAt(instances, i, time), a, b);
+            lower = glm::min(lower, a);
+            upper = glm::max(upper, b);
+          }
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            ASSERT_LE(boxes[i].lower[axis], lower[axis]);
+            ASSERT_GE(boxes[i].upper[axis], upper[axis]);
+          }
+          const glm::dvec3 extent = upper - lower;
+          const glm::dvec3 own = glm::dvec3(boxes[i].upper) - glm::dvec3(boxes[i].lower);
+          growth += (own.x + own.y + own.z) / (extent.x + extent.y + extent.z) / 200.0;
+        }
+        // A path without turning is as tight as can be; turns are bounded by pieces.
+        EXPECT_LT(growth, kind == 1 ? 1.0001 : 1.15) << int(shape) << ' ' << kind;
+      }
+    }
+  }
+}
+
+TEST(GlyphBoxesOfPaths, LongerPathsHaveMoreSlices)
+{
+  MovingGlyphs make(8);
+  rtg::GlyphInstances instances;
+  instances.uniformSize = 0.02f;
+  for (int i = 0; i < 1000; ++i)
+  {
+    instances.centres.push_back(make.Vector(1.0f));
+  }
+  std::uint32_t before = 0;
+  for (const float path : { 0.0f, 0.005f, 0.05f, 0.5f, 5.0f })
+  {
+    instances.motion.velocities.clear();
+    for (int i = 0; i < 1000; ++i)
+    {
+      instances.motion.velocities.push_back(path * glm::normalize(make.Vector(1.0f)));
+    }
+    const std::uint32_t bits = rtg::TimeSliceBits(instances, 1000);
+    EXPECT_GE(bits, before);
+    EXPECT_EQ(bits == 0, path < 0.01f);
+    before = bits;
+  }
+  EXPECT_EQ(before, rtg::maxTimeSliceBits);
+  EXPECT_LE(rtg::TimeSliceBits(instances, std::size_t(1) << 28), 1u);
+}

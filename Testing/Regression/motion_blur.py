@@ -1,0 +1,149 @@
+"""Motion blur in ParaView: streaks where the arrays say, bad input, and what is sent again when.
+
+Usage: pvpython motion_blur.py
+"""
+import numpy
+import paraview.simple as pv
+
+import bad_input
+import comparison
+import session
+
+VELOCITY = numpy.array([[0.6, 0.0, 0.0]] * 3)
+
+
+def opacity(image, row):
+    """How far the white glyphs cover a row of pixels, 0 to 1: the background's green is 0."""
+    return image[row, :, 1].astype(float) / 255.0
+
+
+class Blur:
+    """Three white, self-lit spheres of radius 0.1 on a line, seen in parallel projection, 100 pixels a unit."""
+
+    def __init__(self):
+        self.failures = []
+        self.view = session.view(400, 100)
+        session.look(self.view, (0.0, 0.0, 5.0), parallel_scale=0.5)
+        spin = numpy.array([[0.0, 0.0, 1.0]] * 3)
+        self.data = session.poly_data(bad_input.LINE, velocity=VELOCITY, turning=0.0 * VELOCITY + spin,
+                                      slowing=numpy.array([[-2.0, 0.0, 0.0]] * 3), nothing=0.0 * VELOCITY)
+        self.data.GetPointData().SetActiveVectors("velocity")
+        self.points = session.source(self.data)
+        self.shown = session.glyphs(self.points, self.view, samples=64, GlyphOrient=0, GlyphScaleFactor=0.2)
+        session.solid(self.shown, (1.0, 1.0, 1.0))
+        self.shown.Ambient, self.shown.Diffuse = 1.0, 0.0
+
+    def picture(self, name, **properties):
+        """Sets properties and takes the picture."""
+        for key, value in properties.items():
+            setattr(self.shown, key, value)
+        return session.capture(self.view, "motion-" + name)
+
+    def expect(self, condition, what):
+        """Takes note of what does not hold."""
+        if not condition:
+            self.failures.append(what)
+
+    def streak(self, name, image, positions):
+        """The middle row around x = 0 must be covered for the share of the positions, given over time, that it is."""
+        found = opacity(image, 50)[150:250]
+        # Row 50 lies half a pixel off the axis.
+        half = numpy.sqrt(0.1 ** 2 - 0.005 ** 2)
+        column = (numpy.arange(150, 250) + 0.5 - 200.0) / 100.0
+        fine = (column[:, None] + (numpy.arange(10) - 4.5) / 1000.0)[:, :, None]
+        expected = (numpy.abs(fine - positions) < half).mean(axis=(1, 2))
+        worst = numpy.abs(found - expected).max()
+        print("%s: coverage differs by at most %.3f" % (name, worst))
+        # 64 samples in strata of time: within a few of them.
+        self.expect(worst < 0.08, "%s: coverage differs by %.3f" % (name, worst))
+
+
+def looks(blur):
+    """Without blur, straight, with acceleration, and the shutter's openings."""
+    expect = blur.expect
+    expect(blur.shown.AccelerationArray == "None" or blur.shown.AccelerationArray[-1] in ("None", ""),
+           "AccelerationArray is %s, not None by default" % blur.shown.AccelerationArray)
+    still = blur.picture("off", VelocityArray="velocity", ShutterTime=1.0)
+    blur.streak("off", still, numpy.zeros(1))
+    times = (numpy.arange(2000) + 0.5) / 2000.0 - 0.5
+    blur.streak("centred", blur.picture("centred", MotionBlur=1), 0.6 * times)
+    blur.streak("half the time", blur.picture("half", ShutterTime=0.5), 0.3 * times)
+    blur.streak("forward", blur.picture("forward", ShutterOpening="Forward"), 0.3 * (times + 0.5))
+    blur.streak("backward", blur.picture("backward", ShutterOpening="Backward"), 0.3 * (times - 0.5))
+    way = 0.6 * times - times ** 2
+    blur.streak("accelerated", blur.picture(
+        "accelerated", ShutterOpening="Centred", ShutterTime=1.0, AccelerationArray="slowing"), way)
+    nothing = blur.picture("at rest", VelocityArray="nothing", AccelerationArray="None")
+    expect((nothing == still).all(), "zero velocities do not give the picture at rest")
+
+
+def bad(failures):
+    """Each bad input: one message, and the other glyphs show."""
+    case = bad_input.Case()
+    nothing = numpy.nan
+    broken = 0.1 * VELOCITY
+    broken[1, 2] = nothing
+    good = session.poly_data(bad_input.LINE, v=0.1 * VELOCITY, scalar=numpy.ones(3))
+    on = {"MotionBlur": 1, "VelocityArray": "v", "AccelerationArray": "None", "ShutterTime": 1.0}
+    case.render("motion", good, (-1, 0, 1), None, **on)
+    case.render("no velocity", good, (-1, 0, 1), ("nonesuch", "VelocityArray"), **{**on, "VelocityArray": "nonesuch"})
+    case.render("scalar velocity", good, (-1, 0, 1), ("scalar", "1 components"), **{**on, "VelocityArray": "scalar"})
+    case.render("nothing moves", good, (-1, 0, 1), ("None", "VelocityArray"), **{**on, "VelocityArray": "None"})
+    case.render("zero shutter", good, (-1, 0, 1), ("ShutterTime is 0", "positive"), **{**on, "ShutterTime": 0.0})
+    case.render("negative shutter", good, (-1, 0, 1), ("ShutterTime is -1",), **{**on, "ShutterTime": -1.0})
+    case.render("NaN velocity", session.poly_data(bad_input.LINE, v=broken), (-1, 1), ("1 of 3", "velocity"), **on)
+    case.render("endless way", session.poly_data(bad_input.LINE, v=numpy.array([[0, 0, 0], [1e38, 0, 0], [0, 0, 0.0]])),
+                (-1, 1), ("1 of 3", "velocity"), **{**on, "ShutterTime": 1e3})
+    case.render("through the scene", session.poly_data(bad_input.LINE, v=1e6 * VELOCITY), (), None, **on)
+    case.render("mesh", good, (-1, 0, 1), ("Mesh",), shape="Mesh", **on)
+    failures += case.failures
+
+
+def series(failures):
+    """Steps of a series with ever other numbers of points: one upload a step, memory that does not grow."""
+    view = session.view(100, 100)
+    generator = numpy.random.default_rng(3)
+    points = session.source(session.poly_data(numpy.zeros((0, 3)), v=numpy.zeros((0, 3))))
+    shown = session.glyphs(points, view, GlyphOrient=0, GlyphScaleFactor=0.1, MotionBlur=1, VelocityArray="v",
+                           AccelerationArray="None", ShutterTime=0.2)
+    session.look(view, (0.0, 0.0, 6.0))
+    size = []
+    for step in range(40):
+        count = (300, 300, 500, 0, 1)[step % 5]
+        before = session.statistics(shown)
+        session.replace_data(points, session.poly_data(
+            generator.uniform(-1.0, 1.0, (count, 3)), v=generator.uniform(-1.0, 1.0, (count, 3))))
+        text = session.messages(lambda: pv.Render(view))
+        if text.strip():
+            failures.append("step %d: %s" % (step, text.strip()))
+        after = session.statistics(shown)
+        uploads = after.get("instanceUploads", 0) - before.get("instanceUploads", 0)
+        if uploads != (1 if count else 0):
+            failures.append("step %d of %d points: %d uploads" % (step, count, uploads))
+        if after["pipelineBuilds"] != before.get("pipelineBuilds", 0) and step > 0:
+            failures.append("step %d built a pipeline" % step)
+        size.append(after["deviceBytes"])
+    print("bytes on the device:", size[2::5])
+    if size[-3] > size[2]:
+        failures.append("the device's memory grew from %d to %d bytes" % (size[2], size[-3]))
+    before = session.statistics(shown)
+    shown.ShutterTime = 0.3
+    pv.Render(view)
+    after = session.statistics(shown)
+    for key in ("colourUploads", "pipelineBuilds"):
+        if after[key] != before[key]:
+            failures.append("another ShutterTime: %s went from %s to %s" % (key, before[key], after[key]))
+
+
+def main():
+    """Runs all."""
+    session.load()
+    blur = Blur()
+    looks(blur)
+    bad(blur.failures)
+    series(blur.failures)
+    session.finish(blur.failures)
+
+
+if __name__ == "__main__":
+    main()
