@@ -27,8 +27,8 @@ import numpy
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from lammps_to_vtk import write_vtk  # noqa: E402
 
-LENGTH, INLET, INLET_LENGTH = 5.0, 0.15, 0.5
-JET, DRIFT, EDDIES = 12.0, 0.35, 0.9  # speeds
+LENGTH, INLET, INLET_LENGTH = 4.0, 0.08, 0.5
+JET, DRIFT, EDDIES = 9.0, 0.25, 1.5  # speeds
 TAU = 0.12
 DT, SUBSTEPS = 0.02, 4
 MODES = 48
@@ -40,7 +40,7 @@ class Flow:
     def __init__(self, generator):
         direction = generator.normal(size=(MODES, 3))
         direction /= numpy.linalg.norm(direction, axis=1)[:, None]
-        wave_number = numpy.geomspace(2.0, 25.0, MODES)
+        wave_number = numpy.geomspace(1.5, 25.0, MODES)
         self.waves = direction * wave_number[:, None]
         amplitude = numpy.cross(direction, generator.normal(size=(MODES, 3)))
         amplitude *= (wave_number ** (-5.0 / 6.0) / numpy.linalg.norm(amplitude, axis=1))[:, None]
@@ -121,7 +121,7 @@ class Particles:
 
 
 #: Time in which the chamber fills before the first step.
-FILL = 2.4
+FILL = 4.0
 
 
 def chamber(triangles):

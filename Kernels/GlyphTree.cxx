@@ -216,6 +216,27 @@ KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits)
   return result;
 }
 
+double LeafSurface(const std::vector<Box>& boxes, std::uint32_t leafBits)
+{
+  double surface = 0.0;
+  for (std::size_t leaf = 0; leaf < (std::size_t(1) << leafBits); ++leaf)
+  {
+    const std::size_t first = GlyphTree::Start(leaf, boxes.size(), leafBits);
+    const std::size_t last = GlyphTree::Start(leaf + 1, boxes.size(), leafBits);
+    if (first < last)
+    {
+      Box box = nothing;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        box = Union(box, boxes[i]);
+      }
+      const glm::dvec3 e(box.upper - box.lower);
+      surface += e.x * e.y + e.y * e.z + e.z * e.x;
+    }
+  }
+  return surface;
+}
+
 GlyphTree BuildGlyphTree(
   const std::vector<Box>& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes)
 {

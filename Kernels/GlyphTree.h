@@ -70,6 +70,9 @@ struct KdOrder
 };
 KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits);
 
+/// The surface of all leaves' boxes, to which the number of rays that meet them is in proportion: tells how good an order is.
+double LeafSurface(const std::vector<Box>& boxes, std::uint32_t leafBits);
+
 /// Builds the nodes over boxes that are in that order. The boxes must be padded for the arithmetic of the
 /// traversal (see Scene.cxx).
 GlyphTree BuildGlyphTree(

@@ -55,6 +55,7 @@ struct GlyphSetRecord
   RTG_ADDRESS(Vec3Array) velocities; // each of these three: none unless specialised
   RTG_ADDRESS(Vec3Array) accelerations;
   RTG_ADDRESS(Vec3Array) angularVelocities;
+  RTG_ADDRESS(UintArray) treeOrder; // slice by slice, the glyph at each place of its tree, or none (specialised)
   float shutterOpen; // as GlyphMotion has it
   float shutterLength;
   uint timeSliceBits; // the tree has 2^timeSliceBits versions one after the other, each of so many nodes

@@ -1,9 +1,9 @@
 #include "SceneState.h"
 
 #include "GlyphBoxes.h"
-#include "Partition.h"
 #include "SpatialOrder.h"
 #include "Stopwatch.h"
+#include "TimeSlices.h"
 
 #include <algorithm>
 #include <array>
@@ -289,6 +289,7 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
   set.accelerations = Buffer();
   set.angularVelocities = Buffer();
   set.tree = Buffer();
+  set.treeOrder = Buffer();
   if (set.count == 0)
   {
     set.instancesChanged = false;
@@ -414,43 +415,33 @@ void Scene::State::BuildBoxes(GlyphSet& set, const std::vector<Box>& boxes)
 // One primitive for all, with the tree behind it: of glyphs that move, a tree for each slice of time.
 void Scene::State::BuildTree(GlyphSet& set, std::vector<Box> boxes)
 {
+  Device::State& vulkan = this->device->GetState();
+  const float pad = std::ldexp(set.builtReach, -20);
   set.treeLevels = GlyphTree::Levels(set.treeLeafBits);
   set.nodesPerSlice = static_cast<std::uint32_t>(set.kdAxes.size());
   set.timeSliceBits = 0;
+  set.group.ownTreeOrder = false;
   if (set.instances.motion.Any())
   {
-    set.timeSliceBits = this->timeSliceBits >= 0
+    const std::uint32_t bits = this->timeSliceBits >= 0
       ? static_cast<std::uint32_t>(this->timeSliceBits)
       : TimeSliceBits(set.instances, set.nodesPerSlice * sizeof(GlyphTreeNode));
-  }
-  const std::size_t slices = std::size_t(1) << set.timeSliceBits;
-  std::vector<GlyphTreeNode> nodes(slices * set.nodesPerSlice);
-  const auto build = [&](std::size_t slice, std::vector<Box> own)
-  {
-    Pad(own, set.builtReach);
-    const GlyphTree tree = BuildGlyphTree(own, set.treeLeafBits, set.kdAxes);
-    std::copy(tree.nodes.begin(), tree.nodes.end(), nodes.begin() + slice * set.nodesPerSlice);
-  };
-  if (slices == 1)
-  {
-    build(0, std::move(boxes));
+    const TimeSlices slices =
+      BuildTimeSlices(set.instances, set.treeLeafBits, set.kdAxes, pad, bits, this->sliceSorting);
+    set.timeSliceBits = slices.bits;
+    set.group.ownTreeOrder = !slices.order.empty();
+    set.tree = Send(vulkan, slices.nodes);
+    set.treeOrder = Send(vulkan, slices.order);
   }
   else
   {
-    InParallel(slices,
-      [&](std::size_t slice)
-      {
-        build(slice,
-          GlyphBoxes(
-            set.instances, double(slice) / double(slices), double(slice + 1) / double(slices)));
-      });
+    Pad(boxes, set.builtReach);
+    set.tree = Send(vulkan, BuildGlyphTree(boxes, set.treeLeafBits, set.kdAxes).nodes);
   }
-  set.tree = Send(this->device->GetState(), nodes);
-  const float pad = std::ldexp(set.builtReach, -20);
   GlyphRun run;
   run.count = static_cast<std::uint32_t>(set.count);
   run.structure = AccelerationStructure::OverBoxes(
-    this->device->GetState(), { ToVulkan({ set.bounds.lower - pad, set.bounds.upper + pad }) });
+    vulkan, { ToVulkan({ set.bounds.lower - pad, set.bounds.upper + pad }) });
   set.runs.push_back(std::move(run));
   ++this->statistics.structureBuilds;
 }
@@ -560,6 +551,7 @@ void Scene::State::FillRecords()
       record.velocities = at(set.velocities, sizeof(glm::vec3));
       record.accelerations = at(set.accelerations, sizeof(glm::vec3));
       record.angularVelocities = at(set.angularVelocities, sizeof(glm::vec3));
+      record.treeOrder = at(set.treeOrder, sizeof(std::uint32_t));
       record.shutterOpen = set.instances.motion.shutterOpen;
       record.shutterLength = set.instances.motion.shutterClose - set.instances.motion.shutterOpen;
       record.timeSliceBits = set.timeSliceBits;

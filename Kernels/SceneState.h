@@ -4,6 +4,7 @@
 #include "GlyphTree.h"
 #include "HostDevice.h"
 #include "Scene.h"
+#include "TimeSlices.h"
 #include "Vulkan/AccelerationStructure.h"
 #include "Vulkan/Buffer.h"
 #include "Vulkan/Pipeline.h"
@@ -72,6 +73,7 @@ struct GlyphSet
   float builtReach = 0.0f;        ///< distance of ray origins that the boxes' padding allows for
   Buffer centres, sizes, rotations, exponents, colourBuffer, tree;
   Buffer velocities, accelerations, angularVelocities; ///< none of a set at rest
+  Buffer treeOrder; ///< none unless slices are sorted each for itself
   std::uint32_t timeSliceBits =
     0; ///< the tree has 2^timeSliceBits versions, one for each slice of the shutter's opening
   std::uint32_t nodesPerSlice = 0;
@@ -101,6 +103,7 @@ struct Scene::State
   /// Number of slices of time (its logarithm to base 2) of sets that move; -1: what TimeSliceBits() says. Tests and
   /// benchmarks set it.
   int timeSliceBits = -1;
+  SliceSorting sliceSorting = SliceSorting::WhereDecayed; ///< likewise
   Statistics statistics;
 
   // Built by Commit().

@@ -25,6 +25,7 @@ struct Specialisation
   vk::Bool32 hasVelocities;
   vk::Bool32 hasAccelerations;
   vk::Bool32 spins;
+  vk::Bool32 ownTreeOrder;
 };
 
 const vk::SpecializationMapEntry specialisationMap[] = {
@@ -41,6 +42,7 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 30, offsetof(Specialisation, hasVelocities), sizeof(vk::Bool32) },
   { 31, offsetof(Specialisation, hasAccelerations), sizeof(vk::Bool32) },
   { 32, offsetof(Specialisation, spins), sizeof(vk::Bool32) },
+  { 34, offsetof(Specialisation, ownTreeOrder), sizeof(vk::Bool32) },
 };
 
 // Shading/Sampling.glsl, Programs/pixel.glsl, Programs/bindings.glsl
@@ -148,7 +150,7 @@ Pipeline::Pipeline(
     const HitGroup& group = groups[i];
     constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads,
       group.hasTree, group.ownExponents, group.smoothNormals, group.meshColours, generation.alone,
-      leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins };
+      leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins, group.ownTreeOrder };
     specialisations[i] =
       vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
         specialisationMap, sizeof(Specialisation), &constants[i]);

@@ -22,6 +22,7 @@ struct HitGroup
   bool hasVelocities = false;
   bool hasAccelerations = false;
   bool spins = false;
+  bool ownTreeOrder = false; ///< slices of time are sorted each for itself
   // Shape::Mesh only
   bool smoothNormals = false;
   std::uint32_t meshColours = 0; ///< 0: none, 1: by position, 2: by triangle
@@ -34,7 +35,8 @@ struct HitGroup
       a.coloured == b.coloured && a.fixedHeads == b.fixedHeads && a.hasTree == b.hasTree &&
       a.ownExponents == b.ownExponents && a.hasVelocities == b.hasVelocities &&
       a.hasAccelerations == b.hasAccelerations && a.spins == b.spins &&
-      a.smoothNormals == b.smoothNormals && a.meshColours == b.meshColours;
+      a.ownTreeOrder == b.ownTreeOrder && a.smoothNormals == b.smoothNormals &&
+      a.meshColours == b.meshColours;
   }
 };
 

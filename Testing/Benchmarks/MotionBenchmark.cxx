@@ -127,19 +127,30 @@ void MeasureCost(const Subject& subject, std::uint32_t pixels, std::uint32_t sam
     scene.Show(Instances(subject, path, false));
     const double still = Cost(scene, tracer, subject, settings) / samples;
     std::printf("%8.1f %7s %7s %10s %12.3f %10.2f\n", path, "rest", "", "", still, 1.0);
-    for (int bits = -1; bits <= 5; ++bits)
+    const auto measure = [&](int bits, rtg::SliceSorting sorting, int sharedBits)
     {
       scene.scene.GetState().timeSliceBits = bits;
+      scene.scene.GetState().sliceSorting = sorting;
       const double build = scene.Show(Instances(subject, path, true));
-      for (const int sharedBits : { -1, 0 })
-      {
-        settings.sharedTimeBits = sharedBits;
-        const double seconds = Cost(scene, tracer, subject, settings) / samples;
-        std::printf("%8.1f %6u%s %7d %10.2f %12.3f %10.2f\n", path,
-          1u << scene.scene.GetState().placedTimeSliceBits, bits < 0 ? "*" : " ", sharedBits, build,
-          seconds, seconds / still);
-        std::fflush(stdout);
-      }
+      settings.sharedTimeBits = sharedBits;
+      const double seconds = Cost(scene, tracer, subject, settings) / samples;
+      std::printf("%8.1f %6u%s %7d %10.2f %12.3f %10.2f %s\n", path,
+        1u << scene.scene.GetState().placedTimeSliceBits, bits < 0 ? "*" : " ", sharedBits, build,
+        seconds, seconds / still,
+        sorting == rtg::SliceSorting::Always    ? "sorted"
+          : sorting == rtg::SliceSorting::Never ? "not sorted"
+                                                : "");
+      std::fflush(stdout);
+    };
+    using Sorting = rtg::SliceSorting;
+    measure(0, Sorting::Never, -1);
+    measure(-1, Sorting::WhereDecayed, -1);
+    measure(-1, Sorting::WhereDecayed, 0);
+    measure(-1, Sorting::Never, -1);
+    measure(-1, Sorting::Always, -1);
+    for (int bits = 1; bits <= 5; ++bits)
+    {
+      measure(bits, Sorting::WhereDecayed, -1);
     }
   }
 }
