@@ -13,7 +13,7 @@
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
-#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -155,6 +155,160 @@ void MeasureCost(const Subject& subject, std::uint32_t pixels, std::uint32_t sam
   }
 }
 
+// Mean over pixels and channels of the squared difference.
+double SquaredError(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    const glm::dvec3 difference = glm::dvec3(a[i]) - glm::dvec3(b[i]);
+    sum += glm::dot(difference, difference);
+  }
+  return sum / (3.0 * static_cast<double>(a.size()));
+}
+
+// A Gaussian of 1.5 pixels, as the eye takes it from some distance: it takes noise away, but no ghost images.
+std::vector<glm::vec4> Blurred(const std::vector<glm::vec4>& image, int side)
+{
+  constexpr int reach = 4;
+  const auto pass = [side](const std::vector<glm::vec4>& in, int dx, int dy)
+  {
+    std::vector<glm::vec4> out(in.size());
+    for (int y = 0; y < side; ++y)
+    {
+      for (int x = 0; x < side; ++x)
+      {
+        glm::dvec4 sum(0.0);
+        double weights = 0.0;
+        for (int k = -reach; k <= reach; ++k)
+        {
+          const int px = x + k * dx, py = y + k * dy;
+          if (px >= 0 && py >= 0 && px < side && py < side)
+          {
+            const double weight = std::exp(-k * k / (2.0 * 1.5 * 1.5));
+            sum += weight * glm::dvec4(in[static_cast<std::size_t>(py) * side + px]);
+            weights += weight;
+          }
+        }
+        out[static_cast<std::size_t>(y) * side + x] = glm::vec4(sum / weights);
+      }
+    }
+    return out;
+  };
+  return pass(pass(image, 1, 0), 0, 1);
+}
+
+// A way to spread times over an image, and what the rays are traced through.
+struct Scheme
+{
+  const char* name;
+  rtg::Sampler sampler;
+  int sharedTimeBits;
+  int timeSliceBits;
+  bool frames; // all pixels of a sample see one time, with a structure of its own
+};
+
+constexpr Scheme schemes[] = {
+  { "random times, whole paths", rtg::Sampler::Random, 0, 0, false },
+  { "random times, slices", rtg::Sampler::Random, 0, -1, false },
+  { "stratified times, slices", rtg::Sampler::Stratified, 0, -1, false },
+  { "Sobol times, slices", rtg::Sampler::Sobol, 0, -1, false },
+  { "Sobol times, slices shared", rtg::Sampler::Sobol, -1, -1, false },
+  { "one time a frame, rebuilt", rtg::Sampler::Sobol, 0, 0, true },
+};
+
+struct Measured
+{
+  double build = 0.0;
+  double trace = 0.0;
+  std::vector<glm::vec4> means;
+};
+
+Measured Trace(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const Scheme& scheme,
+  double path, rtg::TraceSettings settings)
+{
+  const std::vector<rtg::Light> lights(1);
+  const auto trace = [&]
+  {
+    const double start = CpuSeconds();
+    tracer.Trace(scene.scene, subject.camera, lights, settings);
+    return CpuSeconds() - start;
+  };
+  Measured measured;
+  settings.sampler = scheme.sampler;
+  settings.sharedTimeBits = scheme.sharedTimeBits;
+  scene.scene.GetState().timeSliceBits = scheme.timeSliceBits;
+  if (!scheme.frames)
+  {
+    measured.build = scene.Show(Instances(subject, path, true));
+    // The first image compiles the programs.
+    rtg::TraceSettings first = settings;
+    first.samples = 1;
+    tracer.Trace(scene.scene, subject.camera, lights, first);
+    measured.trace = trace();
+  }
+  else
+  {
+    const std::uint32_t samples = settings.samples;
+    settings.samples = 1;
+    for (std::uint32_t s = 0; s < samples; ++s)
+    {
+      settings.firstSample = s;
+      measured.build += scene.Show(Instances(subject, path, false, (s + 0.5) / samples));
+      measured.trace += trace();
+    }
+  }
+  measured.means = tracer.Means();
+  return measured;
+}
+
+void MeasureError(Subject& subject, const std::string& output, std::uint32_t pixels,
+  std::uint32_t referenceSamples, std::uint32_t mostSamples)
+{
+  std::FILE* csv = std::fopen(output.c_str(), "w");
+  if (!csv)
+  {
+    throw std::runtime_error("cannot write " + output);
+  }
+  // The middle of an image of 1200 x 1200; seconds of tracing are of all of it.
+  const double whole = 1200.0 * 1200.0 / (double(pixels) * pixels);
+  subject.camera.right *= pixels / 1200.0;
+  subject.camera.up *= pixels / 1200.0;
+  std::fprintf(csv,
+    "radii,scheme,samples,build_cpu_seconds,trace_cpu_seconds,mse,reference_mse,blurred_mse\n");
+  rtg::TraceSettings settings;
+  settings.width = settings.height = pixels;
+  settings.keepSums = true;
+  rtg::Tracer tracer(subject.device);
+  Scene scene(subject);
+  for (const double path : paths)
+  {
+    settings.samples = referenceSamples;
+    std::fprintf(stderr, "%g radii: reference of %u samples\n", path, referenceSamples);
+    const Measured truth = Trace(scene, tracer, subject, schemes[1], path, settings);
+    const std::vector<glm::vec4> blurredTruth = Blurred(truth.means, static_cast<int>(pixels));
+    // Random times' error falls as 1 / samples, so what they measure tells the reference's own part.
+    double referenceError = 0.0;
+    for (const Scheme& scheme : schemes)
+    {
+      for (settings.samples = 1; settings.samples <= mostSamples; settings.samples *= 4)
+      {
+        const Measured found = Trace(scene, tracer, subject, scheme, path, settings);
+        const double error = SquaredError(found.means, truth.means);
+        if (scheme.sampler == rtg::Sampler::Random && settings.samples == 4)
+        {
+          referenceError = error / (1.0 + double(referenceSamples) / settings.samples);
+        }
+        std::fprintf(csv, "%g,%s,%u,%.4f,%.4f,%.6g,%.6g,%.6g\n", path, scheme.name,
+          settings.samples, found.build, found.trace * whole, error, referenceError,
+          SquaredError(Blurred(found.means, static_cast<int>(pixels)), blurredTruth));
+        std::fflush(csv);
+      }
+    }
+  }
+  std::fclose(csv);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -163,8 +317,23 @@ try
   const std::string what = argc > 2 ? argv[1] : "";
   const auto number = [&](int at, int otherwise)
   { return static_cast<std::uint32_t>(argc > at ? std::atoi(argv[at]) : otherwise); };
-  const Subject subject = Load(argv[2]);
-  MeasureCost(subject, number(3, 600), number(4, 8));
+  if (what != "cost" && !(what == "error" && argc > 3))
+  {
+    std::fprintf(stderr,
+      "Usage: MotionBenchmark cost SPHERES.vtk [PIXELS] [SAMPLES]\n"
+      "       MotionBenchmark error SPHERES.vtk OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] "
+      "[MOST-SAMPLES]\n");
+    return 2;
+  }
+  Subject subject = Load(argv[2]);
+  if (what == "cost")
+  {
+    MeasureCost(subject, number(3, 600), number(4, 8));
+  }
+  else
+  {
+    MeasureError(subject, argv[3], number(4, 160), number(5, 1024), number(6, 64));
+  }
   return 0;
 }
 catch (const std::exception& error)

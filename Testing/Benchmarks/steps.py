@@ -1,0 +1,91 @@
+"""Plays a time series of arrows in a chamber and says where the time of a step goes and whether memory grows.
+
+Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython steps.py FOLDER OUTPUT.csv [STEPS [PIXELS [BLUR]]]
+
+FOLDER: written by Data/injection.py with 12,500 particles and 657,000 triangles. STEPS (default 200) go round and round through its
+steps, in a view of PIXELS x PIXELS (default 800), one sample a pixel; BLUR: 1 shows blurred spheres instead of arrows.
+Seconds of wall time; "other" is what ParaView and OpenGL do.
+"""
+import csv
+import os
+import sys
+import time
+
+import paraview.simple as pv
+
+STAGES = ("sortSeconds", "buildSeconds", "uploadSeconds", "traceSeconds")
+
+
+def resident():
+    """Memory of this process in MB."""
+    with open("/proc/self/status", encoding="ascii") as status:
+        return [int(line.split()[1]) for line in status if line.startswith("VmRSS")][0] / 1024.0
+
+
+def statistics(shown):
+    """RenderStatistics as a dictionary."""
+    import json
+    shown.UpdatePropertyInformation()
+    return json.loads(shown.GetProperty("RenderStatistics").GetElement(0))
+
+
+def main():
+    """Plays and measures."""
+    folder, output = sys.argv[1], sys.argv[2]
+    steps, pixels, blur = [int(value) for value in sys.argv[3:6]] + [200, 800, 0][len(sys.argv[3:6]):]
+    pv._DisableFirstRenderCameraReset()
+    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
+    view = pv.CreateView("RenderView")
+    view.ViewSize = [pixels, pixels]
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [1.8, 9.0, 2.5], [1.8, 0.0, 0.0], [0.0, 0.0, 1.0]
+    wall = pv.OpenDataFile(os.path.join(folder, "chamber.vtk"))
+    pv.Show(wall, view).SetRepresentationType("Ray Traced Surface")
+    series = pv.OpenDataFile(os.path.join(folder, "injection.vtk.series"))
+    shown = pv.Show(series, view)
+    shown.SetRepresentationType("Ray Traced Glyphs")
+    shown.SamplesPerPixel = 1
+    shown.GlyphScaleFactor = 0.03
+    if blur:
+        shown.MotionBlur, shown.VelocityArray, shown.AccelerationArray = 1, "velocity", "acceleration"
+        shown.GlyphOrient, shown.ShutterTime = 0, 0.03
+    else:
+        shown.GlyphShape, shown.GlyphOrient, shown.GlyphOrientationArray = "Arrow", 1, "velocity"
+        shown.GlyphScaling, shown.GlyphScaleArray, shown.GlyphScaleMode = 1, "velocity", "Magnitude"
+    times = series.TimestepValues
+    view.ViewTime = times[0]
+    pv.Render(view)
+    rows = []
+    for step in range(steps):
+        now = times[(step + 1) % len(times)]
+        before = statistics(shown)
+        start = time.perf_counter()
+        view.ViewTime = now
+        pv.UpdatePipeline(now, series)
+        read = time.perf_counter()
+        pv.Render(view)
+        end = time.perf_counter()
+        after = statistics(shown)
+        row = {"step": step, "pipeline": read - start}
+        row.update({stage[:-7]: after[stage] - before[stage] for stage in STAGES})
+        row["other"] = end - read - sum(row[stage[:-7]] for stage in STAGES)
+        row["total"] = end - start
+        row["instance_uploads"] = after["instanceUploads"] - before["instanceUploads"]
+        row["structure_builds"] = after["structureBuilds"] - before["structureBuilds"]
+        row["resident_mb"], row["device_mb"] = resident(), after["deviceBytes"] / 2.0 ** 20
+        rows.append(row)
+    with open(output, "w", encoding="ascii", newline="") as out:
+        writer = csv.DictWriter(out, list(rows[0]))
+        writer.writeheader()
+        writer.writerows({key: "%.5g" % value for key, value in row.items()} for row in rows)
+    print("| | median ms | largest ms |\n|---|---|---|")
+    for key in ("pipeline", "sort", "build", "upload", "trace", "other", "total"):
+        values = sorted(1000.0 * row[key] for row in rows)
+        print("| %s | %.1f | %.1f |" % (key, values[len(values) // 2], values[-1]))
+    for key in ("resident_mb", "device_mb"):
+        print("%s: %.1f after 20 steps, %.1f at the end" % (key, rows[min(19, steps - 1)][key], rows[-1][key]))
+    print("uploads a step: %s" % sorted({row["instance_uploads"] for row in rows}))
+    pv.Disconnect()
+
+
+if __name__ == "__main__":
+    main()
