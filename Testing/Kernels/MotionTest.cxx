@@ -390,7 +390,7 @@ protected:
     instances.motion.angularVelocities = { { 0.3f, 0.5f, 2.5f } };
     this->Add(instances);
     this->settings.width = this->settings.height = 30;
-    this->settings.samples = 8;
+    this->settings.samples = 16;
     this->ExpectCoverage(BruteForce(instances, 150));
   }
 };
@@ -502,7 +502,9 @@ protected:
       }
       squares += (means[pixel].a - expected) * (means[pixel].a - expected);
     }
-    EXPECT_LT(squares, 0.15 * variances);
+    // Of 16 samples, each of the two times at which an edge passes misplaces one or, where times wrap around, two: in the mean
+    // much less than the share of independent samples that chance misplaces.
+    EXPECT_LT(squares, 0.25 * variances);
   }
 };
 
