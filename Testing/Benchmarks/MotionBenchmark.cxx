@@ -209,12 +209,12 @@ struct Scheme
 };
 
 constexpr Scheme schemes[] = {
-  { "random times, whole paths", rtg::Sampler::Random, 0, 0, false },
-  { "random times, slices", rtg::Sampler::Random, 0, -1, false },
-  { "stratified times, slices", rtg::Sampler::Stratified, 0, -1, false },
-  { "Sobol times, slices", rtg::Sampler::Sobol, 0, -1, false },
-  { "Sobol times, slices shared", rtg::Sampler::Sobol, -1, -1, false },
-  { "one time a frame, rebuilt", rtg::Sampler::Sobol, 0, 0, true },
+  { "random times: whole paths", rtg::Sampler::Random, 0, 0, false },
+  { "random times: slices", rtg::Sampler::Random, 0, -1, false },
+  { "stratified times: slices", rtg::Sampler::Stratified, 0, -1, false },
+  { "Sobol times: slices", rtg::Sampler::Sobol, 0, -1, false },
+  { "Sobol times: slices shared", rtg::Sampler::Sobol, -1, -1, false },
+  { "one time a frame: rebuilt", rtg::Sampler::Sobol, 0, 0, true },
 };
 
 struct Measured

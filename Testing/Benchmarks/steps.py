@@ -73,10 +73,11 @@ def main():
         row["structure_builds"] = after["structureBuilds"] - before["structureBuilds"]
         row["resident_mb"], row["device_mb"] = resident(), after["deviceBytes"] / 2.0 ** 20
         rows.append(row)
-    with open(output, "w", encoding="ascii", newline="") as out:
-        writer = csv.DictWriter(out, list(rows[0]))
-        writer.writeheader()
-        writer.writerows({key: "%.5g" % value for key, value in row.items()} for row in rows)
+        with open(output, "w" if step == 0 else "a", encoding="ascii", newline="") as out:
+            writer = csv.DictWriter(out, list(row))
+            if step == 0:
+                writer.writeheader()
+            writer.writerow({key: "%.5g" % value for key, value in row.items()})
     # On a machine that does other things too the lower decile says what a step costs by itself.
     print("| | lower decile ms | median ms | largest ms |\n|---|---|---|---|")
     for key in ("pipeline", "sort", "build", "upload", "trace", "other", "total"):

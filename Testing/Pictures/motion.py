@@ -19,7 +19,7 @@ def chamber(folder, view):
     series = pv.OpenDataFile(os.path.join(folder, "injection.vtk.series"))
     view.ViewTime = series.TimestepValues[-1]
     pv.UpdatePipeline(view.ViewTime, series)
-    simulation.look(view, (1.75, 6.3, 1.6), (1.75, 0.0, -0.02), (0.0, 0.0, 1.0))
+    simulation.look(view, (1.75, 5.2, 1.5), (1.75, 0.0, -0.04), (0.0, 0.0, 1.0))
     return series, ("velocity", "acceleration"), 0.022, 0.05, 0.03, (0.0, 6.0)
 
 
@@ -27,8 +27,8 @@ def can(path, view):
     """The same of the crushed can."""
     source = pv.OpenDataFile(path)
     source.UpdatePipeline()
-    simulation.look(view, (-18.0, -26.0, 2.0), (-3.0, 1.0, -16.2), (0.0, 0.0, 1.0))
-    return source, ("VEL", "ACCL"), 0.14, 3e-4, 2.5e-4, (2000.0, 5000.0)
+    simulation.look(view, (-15.5, -20.5, -3.0), (-3.4, 1.0, -16.2), (0.0, 0.0, 1.0))
+    return source, ("VEL", "ACCL"), 0.1, 1.5e-4, 1.2e-4, (2000.0, 5000.0)
 
 
 def show(look, source, arrays, diameter, shutter, factor, limits, view):
