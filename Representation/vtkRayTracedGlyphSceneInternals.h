@@ -102,6 +102,17 @@ struct vtkRayTracedGlyphScene::Internals
   std::uint64_t FailedVersion = 0;
   std::uint64_t Version = 0; // sum of the mappers' versions, visible ones
 
+  // How the image of a pass is to be traced. Good: the one at hand will do.
+  struct Plan
+  {
+    rtg::TraceSettings Settings;
+    bool Denoise = false;
+    bool Good = false;
+  };
+  Plan PlanImage(const vtkRayTracedGlyphSceneDetail::PassImage& image,
+    const vtkRayTracedGlyphSceneDetail::ImageKey& key, bool forIds, bool interactive,
+    bool capturing) const;
+
   void Forget()
   {
     for (auto& image : this->Images)

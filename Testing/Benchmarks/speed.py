@@ -32,7 +32,7 @@ COMPETITORS = {
     "3D Glyphs 24x24": (24, 40.0),
     "Point Gaussian": (None, None),
 }
-STAGES = ("sortSeconds", "buildSeconds", "uploadSeconds", "traceSeconds", "readSeconds")
+STAGES = ("sortSeconds", "buildSeconds", "uploadSeconds", "traceSeconds")
 
 
 def show(pv, points, view, name, count):

@@ -60,17 +60,12 @@ def write(path, pixels):
 
 def main():
     """Makes one picture of each scene, the modes from left to right."""
-    data, folder = sys.argv[1], sys.argv[2]
+    _, folder, impact, nematic = simulation.begin()
     samples = int(sys.argv[3]) if len(sys.argv) > 3 else 64
     size = [int(value) for value in sys.argv[4:6]] or [460, 400]
-    os.makedirs(folder, exist_ok=True)
-    pv._DisableFirstRenderCameraReset()
-    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
-    impact = pv.OpenDataFile(os.path.join(data, "impact", "impact.vtk.series"))
-    nematic = pv.OpenDataFile(os.path.join(data, "nematic", "nematic.vtk.series"))
-    for name, source, draw, time in (("spheres", impact, simulation.spheres, 0.8),
-                                     ("ellipsoids", nematic, simulation.ellipsoids, nematic.TimestepValues[-1]),
-                                     ("vessel", impact, vessel, 0.8)):
+    for name, source, draw, time, reach in (("spheres", impact, simulation.spheres, 0.8, 6.0),
+                                            ("ellipsoids", nematic, simulation.ellipsoids, nematic.TimestepValues[-1], 0.0),
+                                            ("vessel", impact, vessel, 0.8, 8.0)):
         view = simulation.new_view(size)
         view.ViewTime = time
         pv.UpdatePipeline(time, source)
@@ -82,7 +77,10 @@ def main():
             for shown in view.Representations:
                 if hasattr(shown, "ShadingMode"):
                     shown.ShadingMode, shown.SamplesPerPixel = mode, samples
-                    shown.LightIntensity = 1.4 if mode == "Ambient Occlusion" else 1.0
+                    if mode == "Ambient Occlusion":
+                        shown.LightIntensity, shown.AmbientOcclusionRadius = 1.3, reach
+                    else:
+                        shown.LightIntensity = 1.0
             path = os.path.join(folder, "%s-%s.png" % (name, mode.split()[0].lower()))
             pv.SaveScreenshot(path, view, ImageResolution=size)
             row.append(pixels_of(path))

@@ -77,15 +77,21 @@ def ellipsoids(nematic, view):
     look(view, (31.0, 24.0, 49.0), (12.6, 11.6, 12.2), (0.0, 1.0, 0.0))
 
 
-def main():
-    """Makes the pictures."""
+def begin():
+    """Loads the plugin; (data folder, output folder, the impact, the molecules)."""
     data, folder = sys.argv[1], sys.argv[2]
-    size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
     os.makedirs(folder, exist_ok=True)
     pv._DisableFirstRenderCameraReset()
     pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
     impact = pv.OpenDataFile(os.path.join(data, "impact", "impact.vtk.series"))
     nematic = pv.OpenDataFile(os.path.join(data, "nematic", "nematic.vtk.series"))
+    return data, folder, impact, nematic
+
+
+def main():
+    """Makes the pictures."""
+    _, folder, impact, nematic = begin()
+    size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
     for name, source, draw, time in (("spheres", impact, spheres, 0.8), ("arrows", impact, arrows, 0.8),
                                      ("ellipsoids", nematic, ellipsoids, nematic.TimestepValues[-1])):
         view = new_view(size)
