@@ -764,7 +764,23 @@ void vtkRayTracedGlyphRepresentation::SetCoatColor(double red, double green, dou
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetPosition(double x, double y, double z)
 {
-  this->Actor->SetPosition(x, y, z);
+  this->Position = { x, y, z };
+  this->Place();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetTranslation(double x, double y, double z)
+{
+  this->Translation = { x, y, z };
+  this->Place();
+}
+
+//----------------------------------------------------------------------------
+// ParaView knows one of the two names, and the other stays zero.
+void vtkRayTracedGlyphRepresentation::Place()
+{
+  this->Actor->SetPosition(this->Position[0] + this->Translation[0],
+    this->Position[1] + this->Translation[1], this->Position[2] + this->Translation[2]);
 }
 
 //----------------------------------------------------------------------------

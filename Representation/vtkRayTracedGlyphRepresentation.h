@@ -15,6 +15,7 @@
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <string>
 
 class vtkActor;
@@ -188,6 +189,7 @@ public:
   void SetCoatRoughness(double roughness);
   void SetCoatColor(double red, double green, double blue);
   void SetPosition(double x, double y, double z);
+  void SetTranslation(double x, double y, double z);
   void SetScale(double x, double y, double z);
   void SetOrientation(double x, double y, double z);
   void SetOrigin(double x, double y, double z);
@@ -241,12 +243,14 @@ private:
   void UpdateColoring(vtkPolyData* points);
   void ShareMeanScale();
   bool NeedsOrderedCompositing();
+  void Place();
 
   vtkSmartPointer<vtkRayTracedGlyphMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkProperty> Property;
   vtkSmartPointer<vtkPolyData> Points; // gathered, not yet delivered
   vtkNew<vtkMultiBlockDataSet> Mesh;   // likewise; its only block is the form of mesh glyphs
+  std::array<double, 3> Position{}, Translation{};
   int GlyphShape = 0;
   bool NestedExponents = false;
   bool ReplicateGlyphs = false;

@@ -34,6 +34,8 @@ def show(source, view, kind, **properties):
     shown.SetRepresentationType(kind)
     shown.SamplesPerPixel = 1
     for name, value in properties.items():
+        if name == "Position" and shown.SMProxy.GetProperty(name) is None:
+            name = "Translation"  # since ParaView 5.12
         setattr(shown, name, value)
     return shown
 
