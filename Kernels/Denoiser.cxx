@@ -1,9 +1,9 @@
 #include "Denoiser.h"
 
+#include "Partition.h"
+
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <thread>
 
 namespace rtg
 {
@@ -65,27 +65,10 @@ public:
   }
 
   // Calls `row` with each row's number, on all cores.
-  void ForRows(const std::function<void(int)>& row) const
+  template <class Row>
+  void ForRows(Row&& row) const
   {
-    const int workers = std::max(
-      1, std::min(this->height_, static_cast<int>(std::thread::hardware_concurrency())));
-    std::vector<std::thread> threads;
-    const auto work = [&](int first)
-    {
-      for (int y = first; y < this->height_; y += workers)
-      {
-        row(y);
-      }
-    };
-    for (int i = 1; i < workers; ++i)
-    {
-      threads.emplace_back(work, i);
-    }
-    work(0);
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
+    InParallel(static_cast<std::size_t>(this->height_), [&row](std::size_t y) { row(static_cast<int>(y)); });
   }
 
   std::size_t At(int x, int y) const

@@ -6,6 +6,7 @@
 // Both walk the image in tiles of 8 x 8 pixels.
 #include "Camera.h"
 #include "Files.h"
+#include "Measures.h"
 #include "Scene.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <limits>
 #include <string>
 #include <vector>
@@ -26,14 +26,6 @@ namespace
 {
 
 using benchmark::Spheres;
-
-// Processor seconds of this process, all threads.
-double CpuSeconds()
-{
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double WallSeconds()
 {
@@ -122,7 +114,7 @@ TraceWithEmbree(const Spheres& spheres, const rtg::Camera& camera, int pixels, i
   const int tiles = (pixels + 7) / 8;
   for (int repetition = 0; repetition < repetitions; ++repetition)
   {
-    const double wall = WallSeconds(), cpu = CpuSeconds();
+    const double wall = WallSeconds(), cpu = benchmark::CpuSeconds();
     for (int tile = 0; tile < tiles * tiles; ++tile)
     {
       for (int lane = 0; lane < 64; ++lane)
@@ -155,7 +147,7 @@ TraceWithEmbree(const Spheres& spheres, const rtg::Camera& camera, int pixels, i
       }
     }
     result.wall = std::min(result.wall, WallSeconds() - wall);
-    result.cpu = std::min(result.cpu, CpuSeconds() - cpu);
+    result.cpu = std::min(result.cpu, benchmark::CpuSeconds() - cpu);
   }
   rtcReleaseScene(scene);
   rtcReleaseDevice(device);
@@ -189,10 +181,10 @@ Result TraceWithOurs(const Spheres& spheres, const rtg::Camera& camera, int pixe
   tracer.Trace(scene, camera, lights, settings);
   for (int repetition = 0; repetition < repetitions; ++repetition)
   {
-    const double wall = WallSeconds(), cpu = CpuSeconds();
+    const double wall = WallSeconds(), cpu = benchmark::CpuSeconds();
     const rtg::Image image = tracer.Trace(scene, camera, lights, settings);
     result.wall = std::min(result.wall, WallSeconds() - wall);
-    result.cpu = std::min(result.cpu, CpuSeconds() - cpu);
+    result.cpu = std::min(result.cpu, benchmark::CpuSeconds() - cpu);
     result.depth.assign(image.depth, image.depth + static_cast<std::size_t>(pixels) * pixels);
   }
   for (float& depth : result.depth)

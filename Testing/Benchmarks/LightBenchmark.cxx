@@ -6,6 +6,7 @@
 //   Of the middle PIXELS x PIXELS of an image of 1200 x 1200: mean squared error against a reference of independent samples, by shading, sampler, samples and seconds.
 // SCENE: a file by Data/spheres_280k.py, or one of Data/impact, whose velocities become arrows.
 #include "Files.h"
+#include "Measures.h"
 #include "Scene.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <limits>
 
@@ -30,14 +30,6 @@ struct Subject
   rtg::Camera camera;
   double extent = 1.0; // a radius of ambient occlusion that means something
 };
-
-// Processor seconds of this process, all threads: less disturbed by other work than the wall clock.
-double CpuSeconds()
-{
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 rtg::Material Grey()
 {
@@ -123,9 +115,9 @@ double BestOf(int repetitions, const std::function<void()>& work)
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < repetitions; ++i)
   {
-    const double start = CpuSeconds();
+    const double start = benchmark::CpuSeconds();
     work();
-    best = std::min(best, CpuSeconds() - start);
+    best = std::min(best, benchmark::CpuSeconds() - start);
   }
   return best;
 }
@@ -170,50 +162,6 @@ void MeasureCost(Subject& subject, int pixels, int repetitions)
   }
 }
 
-// Mean over pixels and channels of the squared difference.
-double SquaredError(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b)
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    const glm::dvec3 difference = glm::dvec3(a[i]) - glm::dvec3(b[i]);
-    sum += glm::dot(difference, difference);
-  }
-  return sum / (3.0 * static_cast<double>(a.size()));
-}
-
-// A Gaussian over pixels, as the eye takes it from some distance.
-std::vector<glm::vec4> Blurred(const std::vector<glm::vec4>& image, int side)
-{
-  constexpr int reach = 4;
-  constexpr double sigma = 1.5;
-  const auto pass = [side](const std::vector<glm::vec4>& in, int dx, int dy)
-  {
-    std::vector<glm::vec4> out(in.size());
-    for (int y = 0; y < side; ++y)
-    {
-      for (int x = 0; x < side; ++x)
-      {
-        glm::dvec4 sum(0.0);
-        double weights = 0.0;
-        for (int k = -reach; k <= reach; ++k)
-        {
-          const int px = x + k * dx, py = y + k * dy;
-          if (px >= 0 && py >= 0 && px < side && py < side)
-          {
-            const double weight = std::exp(-k * k / (2.0 * sigma * sigma));
-            sum += weight * glm::dvec4(in[static_cast<std::size_t>(py) * side + px]);
-            weights += weight;
-          }
-        }
-        out[static_cast<std::size_t>(y) * side + x] = glm::vec4(sum / weights);
-      }
-    }
-    return out;
-  };
-  return pass(pass(image, 1, 0), 0, 1);
-}
-
 void MeasureError(Subject& subject, const std::string& output, int pixels,
   std::uint32_t referenceSamples, std::uint32_t mostSamples)
 {
@@ -247,7 +195,7 @@ void MeasureError(Subject& subject, const std::string& output, int pixels,
     std::fprintf(stderr, "%s: reference of %u samples\n", shadingName, referenceSamples);
     tracer.Trace(subject.scene, subject.camera, lights, reference);
     const std::vector<glm::vec4> truth = tracer.Means();
-    const std::vector<glm::vec4> blurredTruth = Blurred(truth, pixels);
+    const std::vector<glm::vec4> blurredTruth = benchmark::Blurred(truth, pixels);
 
     // Random samples' error falls as 1 / samples, so what they measure tells the reference's own part.
     double referenceError = 0.0;
@@ -261,14 +209,14 @@ void MeasureError(Subject& subject, const std::string& output, int pixels,
         const auto image = [&] { tracer.Trace(subject.scene, subject.camera, lights, settings); };
         const double seconds = BestOf(settings.samples <= 16 ? 3 : 1, image);
         const std::vector<glm::vec4> means = tracer.Means();
-        const double error = SquaredError(means, truth);
+        const double error = benchmark::SquaredError(means, truth);
         if (sampler == Sampler::Random && settings.samples == std::min(16u, most))
         {
           referenceError = error / (1.0 + double(referenceSamples) / settings.samples);
         }
         std::fprintf(csv, "%s,%s,%u,%.4f,%.6g,%.6g,%.6g\n", shadingName, samplerName,
           settings.samples, seconds, error, referenceError,
-          SquaredError(Blurred(means, pixels), blurredTruth));
+          benchmark::SquaredError(benchmark::Blurred(means, pixels), blurredTruth));
         std::fflush(csv);
       }
     }

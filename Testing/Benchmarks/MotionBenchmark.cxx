@@ -8,6 +8,7 @@
 //   scheme, path length, samples and seconds.
 // SPHERES: a file by Data/spheres_280k.py. Paths are in radii, along the file's velocities, and straight.
 #include "Files.h"
+#include "Measures.h"
 #include "Scene.h"
 #include "SceneState.h"
 #include "Tracer.h"
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
 namespace
 {
@@ -30,14 +30,6 @@ struct Subject
   std::vector<glm::vec3> velocities; // of length one
   rtg::Camera camera = benchmark::SpheresCamera();
 };
-
-// Processor seconds of this process, all threads: less disturbed by other work than the wall clock.
-double CpuSeconds()
-{
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 Subject Load(const std::string& path)
 {
@@ -89,10 +81,10 @@ struct Scene
   // Processor seconds to have them ready.
   double Show(rtg::GlyphInstances instances)
   {
-    const double start = CpuSeconds();
+    const double start = benchmark::CpuSeconds();
     this->scene.SetInstances(this->set, std::move(instances));
     this->scene.Commit();
-    return CpuSeconds() - start;
+    return benchmark::CpuSeconds() - start;
   }
   rtg::Scene scene;
   rtg::Scene::SetId set;
@@ -107,9 +99,9 @@ Cost(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const rtg::Trace
   first.keepSums = true;
   const std::vector<rtg::Light> lights(1);
   tracer.Trace(scene.scene, subject.camera, lights, first);
-  const double start = CpuSeconds();
+  const double start = benchmark::CpuSeconds();
   tracer.Trace(scene.scene, subject.camera, lights, settings);
-  return CpuSeconds() - start;
+  return benchmark::CpuSeconds() - start;
 }
 
 void MeasureCost(const Subject& subject, std::uint32_t pixels, std::uint32_t samples)
@@ -155,49 +147,6 @@ void MeasureCost(const Subject& subject, std::uint32_t pixels, std::uint32_t sam
   }
 }
 
-// Mean over pixels and channels of the squared difference.
-double SquaredError(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b)
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    const glm::dvec3 difference = glm::dvec3(a[i]) - glm::dvec3(b[i]);
-    sum += glm::dot(difference, difference);
-  }
-  return sum / (3.0 * static_cast<double>(a.size()));
-}
-
-// A Gaussian of 1.5 pixels, as the eye takes it from some distance: it takes noise away, but no ghost images.
-std::vector<glm::vec4> Blurred(const std::vector<glm::vec4>& image, int side)
-{
-  constexpr int reach = 4;
-  const auto pass = [side](const std::vector<glm::vec4>& in, int dx, int dy)
-  {
-    std::vector<glm::vec4> out(in.size());
-    for (int y = 0; y < side; ++y)
-    {
-      for (int x = 0; x < side; ++x)
-      {
-        glm::dvec4 sum(0.0);
-        double weights = 0.0;
-        for (int k = -reach; k <= reach; ++k)
-        {
-          const int px = x + k * dx, py = y + k * dy;
-          if (px >= 0 && py >= 0 && px < side && py < side)
-          {
-            const double weight = std::exp(-k * k / (2.0 * 1.5 * 1.5));
-            sum += weight * glm::dvec4(in[static_cast<std::size_t>(py) * side + px]);
-            weights += weight;
-          }
-        }
-        out[static_cast<std::size_t>(y) * side + x] = glm::vec4(sum / weights);
-      }
-    }
-    return out;
-  };
-  return pass(pass(image, 1, 0), 0, 1);
-}
-
 // A way to spread times over an image, and what the rays are traced through.
 struct Scheme
 {
@@ -230,9 +179,9 @@ Measured Trace(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const 
   const std::vector<rtg::Light> lights(1);
   const auto trace = [&]
   {
-    const double start = CpuSeconds();
+    const double start = benchmark::CpuSeconds();
     tracer.Trace(scene.scene, subject.camera, lights, settings);
-    return CpuSeconds() - start;
+    return benchmark::CpuSeconds() - start;
   };
   Measured measured;
   settings.sampler = scheme.sampler;
@@ -286,7 +235,7 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
     settings.samples = referenceSamples;
     std::fprintf(stderr, "%g radii: reference of %u samples\n", path, referenceSamples);
     const Measured truth = Trace(scene, tracer, subject, schemes[1], path, settings);
-    const std::vector<glm::vec4> blurredTruth = Blurred(truth.means, static_cast<int>(pixels));
+    const std::vector<glm::vec4> blurredTruth = benchmark::Blurred(truth.means, static_cast<int>(pixels));
     // Random times' error falls as 1 / samples, so what they measure tells the reference's own part.
     double referenceError = 0.0;
     for (const Scheme& scheme : schemes)
@@ -294,14 +243,14 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
       for (settings.samples = 1; settings.samples <= mostSamples; settings.samples *= 4)
       {
         const Measured found = Trace(scene, tracer, subject, scheme, path, settings);
-        const double error = SquaredError(found.means, truth.means);
+        const double error = benchmark::SquaredError(found.means, truth.means);
         if (scheme.sampler == rtg::Sampler::Random && settings.samples == 4)
         {
           referenceError = error / (1.0 + double(referenceSamples) / settings.samples);
         }
         std::fprintf(csv, "%g,%s,%u,%.4f,%.4f,%.6g,%.6g,%.6g\n", path, scheme.name,
           settings.samples, found.build, found.trace * whole, error, referenceError,
-          SquaredError(Blurred(found.means, static_cast<int>(pixels)), blurredTruth));
+          benchmark::SquaredError(benchmark::Blurred(found.means, static_cast<int>(pixels)), blurredTruth));
         std::fflush(csv);
       }
     }

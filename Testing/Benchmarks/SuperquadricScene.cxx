@@ -3,6 +3,7 @@
 //
 // Layout, camera and coverage are those of Data/spheres_280k.py; exponents lie between 0.3 and 20 at random on a logarithmic
 // scale. The superquadrics' sizes are such that their boxes' sides are the spheres' diameters.
+#include "Measures.h"
 #include "Camera.h"
 #include "Scene.h"
 #include "Tracer.h"
@@ -13,19 +14,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <random>
 #include <vector>
 
 namespace
 {
-
-double CpuSeconds()
-{
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 // The camera of spheres_280k.py: the box's near face just fills a square view of 30 degrees.
 rtg::Camera SceneCamera()
@@ -116,10 +109,10 @@ try
       double wall = 1e30, cpu = 1e30, hits = 0;
       for (int i = 0; i < repetitions; ++i)
       {
-        const double wallStart = wallNow(), cpuStart = CpuSeconds();
+        const double wallStart = wallNow(), cpuStart = benchmark::CpuSeconds();
         const rtg::Image image = tracer.Trace(scene, SceneCamera(), lights, settings);
         wall = std::min(wall, wallNow() - wallStart);
-        cpu = std::min(cpu, CpuSeconds() - cpuStart);
+        cpu = std::min(cpu, benchmark::CpuSeconds() - cpuStart);
         hits = double(std::count_if(image.depth, image.depth + std::size_t(pixels) * pixels,
           [](float depth) { return depth < 1.0f; }));
       }

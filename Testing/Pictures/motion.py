@@ -50,20 +50,13 @@ def show(look, source, arrays, diameter, shutter, factor, limits, view):
 
 def main():
     """Makes three pictures."""
-    data, folder = sys.argv[1], sys.argv[2]
+    data, folder = simulation.begin()
     size = [int(value) for value in sys.argv[3:5]] or [1000, 700]
-    os.makedirs(folder, exist_ok=True)
-    pv._DisableFirstRenderCameraReset()
-    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
     name, load = ("can", can) if os.path.isfile(data) else ("injection", chamber)
     for look in ("arrows", "velocity", "acceleration"):
         view = simulation.new_view(size)
         show(look, *load(data, view), view)
-        path = os.path.join(folder, "%s-%s.png" % (name, look))
-        pv.SaveScreenshot(path, view, ImageResolution=size)
-        print("wrote", path)
-        sys.stdout.flush()
-        pv.Delete(view)
+        simulation.save(view, folder, "%s-%s" % (name, look), size)
     pv.Disconnect()
 
 

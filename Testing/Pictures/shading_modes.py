@@ -60,7 +60,8 @@ def write(path, pixels):
 
 def main():
     """Makes one picture of each scene, the modes from left to right."""
-    _, folder, impact, nematic = simulation.begin()
+    data, folder = simulation.begin()
+    impact, nematic = simulation.simulations(data)
     samples = int(sys.argv[3]) if len(sys.argv) > 3 else 64
     size = [int(value) for value in sys.argv[4:6]] or [460, 400]
     for name, source, draw, time, reach in (("spheres", impact, simulation.spheres, 0.8, 6.0),

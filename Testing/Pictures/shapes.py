@@ -12,7 +12,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from simulation import look, new_view, show
+from simulation import begin, look, new_view, save, show
 
 #: The exponents of the table: of x and y from left to right, of z from bottom to top.
 EXPONENTS = (0.4, 0.7, 1.0, 2.0, 4.0, 20.0)
@@ -75,19 +75,12 @@ def point_load(view, data):
 
 def main():
     """Makes the pictures."""
-    data, folder = sys.argv[1], sys.argv[2]
+    data, folder = begin()
     size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
-    os.makedirs(folder, exist_ok=True)
-    pv._DisableFirstRenderCameraReset()
-    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
     for name, draw in (("superquadrics", superquadrics), ("point_load", lambda view: point_load(view, data))):
         view = new_view(size)
         draw(view)
-        path = os.path.join(folder, name + ".png")
-        pv.SaveScreenshot(path, view, ImageResolution=size)
-        print("wrote", path)
-        sys.stdout.flush()
-        pv.Delete(view)
+        save(view, folder, name, size)
     pv.Disconnect()
 
 

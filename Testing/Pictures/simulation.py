@@ -78,19 +78,33 @@ def ellipsoids(nematic, view):
 
 
 def begin():
-    """Loads the plugin; (data folder, output folder, the impact, the molecules)."""
+    """Loads the plugin; (data, output folder) of the command line."""
     data, folder = sys.argv[1], sys.argv[2]
     os.makedirs(folder, exist_ok=True)
     pv._DisableFirstRenderCameraReset()
     pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
-    impact = pv.OpenDataFile(os.path.join(data, "impact", "impact.vtk.series"))
-    nematic = pv.OpenDataFile(os.path.join(data, "nematic", "nematic.vtk.series"))
-    return data, folder, impact, nematic
+    return data, folder
+
+
+def simulations(data):
+    """The impact and the molecules of the data folder."""
+    return (pv.OpenDataFile(os.path.join(data, "impact", "impact.vtk.series")),
+            pv.OpenDataFile(os.path.join(data, "nematic", "nematic.vtk.series")))
+
+
+def save(view, folder, name, size):
+    """Writes the view's picture and deletes the view."""
+    path = os.path.join(folder, name + ".png")
+    pv.SaveScreenshot(path, view, ImageResolution=size)
+    print("wrote", path)
+    sys.stdout.flush()
+    pv.Delete(view)
 
 
 def main():
     """Makes the pictures."""
-    _, folder, impact, nematic = begin()
+    data, folder = begin()
+    impact, nematic = simulations(data)
     size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
     for name, source, draw, time in (("spheres", impact, spheres, 0.8), ("arrows", impact, arrows, 0.8),
                                      ("ellipsoids", nematic, ellipsoids, nematic.TimestepValues[-1])):
@@ -99,11 +113,7 @@ def main():
         pv.UpdatePipeline(time, source)
         draw(source, view)
         pv.Render(view)
-        path = os.path.join(folder, name + ".png")
-        pv.SaveScreenshot(path, view, ImageResolution=size)
-        print("wrote", path)
-        sys.stdout.flush()
-        pv.Delete(view)
+        save(view, folder, name, size)
     pv.Disconnect()
 
 
