@@ -16,16 +16,24 @@
 #define RTG_HEAD_BALL 5
 #define RTG_HEAD_APEX 6
 
-// The ray in the arrow's unit frame, x turned round to count from the tip to the tail. False: it certainly
-// misses.
-RTG_FN bool ToArrowFrame(GlyphRay ray, Glyph glyph, ArrowScale scale, RTG_OUT(LocalRay) unit)
+// The box round the arrow in the glyph's frame.
+RTG_FN void ArrowBox(Glyph glyph, ArrowScale scale, RTG_OUT(real3) middle, RTG_OUT(real3) halfSize)
 {
   real radius = max(glyph.arrow.x, glyph.arrow.y);
   real3 worldSize = scale.over / scale.times;
   real halfLength = real(0.5) * glyph.size.x;
+  middle = real3(halfLength, real(0.0), real(0.0));
+  halfSize = real3(halfLength, radius * worldSize.y, radius * worldSize.z);
+}
+
+// The ray in the arrow's unit frame, x turned round to count from the tip to the tail. False: it certainly
+// misses.
+RTG_FN bool ToArrowFrame(GlyphRay ray, Glyph glyph, ArrowScale scale, RTG_OUT(LocalRay) unit)
+{
+  real3 middle, halfSize;
+  ArrowBox(glyph, scale, middle, halfSize);
   LocalRay local;
-  bool near = ToLocal(ray, glyph, real3(halfLength, real(0.0), real(0.0)),
-    real3(halfLength, radius * worldSize.y, radius * worldSize.z), local);
+  bool near = ToLocal(ray, glyph, middle, halfSize, local);
   unit = local;
   if (!near)
   {

@@ -8,6 +8,7 @@
 #define real4 vec4
 #define RTG_FN
 #define RTG_FN_SHAPE
+#define RTG_OF_SHAPE
 #define RTG_OUT(type) out type
 #define RTG_PRECISE precise
 

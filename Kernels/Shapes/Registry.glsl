@@ -1,4 +1,4 @@
-// The shapes by number (rtg::Shape in Glyphs.h) and the three functions that the programs call.
+// The shapes by number (rtg::Shape in Glyphs.h) and the four functions that the programs call.
 // RTG_SHAPE is a number that the compiler of programs is given; on the host it is a template parameter.
 #ifndef RTG_REGISTRY
 #define RTG_REGISTRY
@@ -12,6 +12,7 @@
 #include "Box.glsl"
 #include "Cone.glsl"
 #include "Cylinder.glsl"
+#include "Estimate.glsl"
 #include "Sphere.glsl"
 #include "NestedSuperquadric.glsl"
 #include "Superquadric.glsl"
@@ -48,6 +49,41 @@ RTG_FN_SHAPE bool IntersectGlyph(GlyphRay ray, Glyph glyph, real tMin, real tMax
 #undef RTG_INTERSECT
   t = tMin;
   return false;
+}
+
+// What the glyph lies in.
+RTG_FN_SHAPE Enclosure GlyphEnclosure(Glyph glyph)
+{
+  Enclosure outer;
+  outer.middle = real3(real(0.0));
+  outer.halfSize = real(0.5) * glyph.size;
+  outer.fills = RTG_SHAPE == 0;
+  outer.boxed = !outer.fills;
+  // The corner of the cube; for a superquadric whose largest exponent is m at least 2, |x|_2 <= 3^(1/2 - 1/m) |x|_m.
+  outer.radius = outer.fills ? real(1.0) : real(1.7320509);
+  if (RTG_SHAPE == 4)
+  {
+    ArrowBox(glyph, ScaleOfArrow(glyph), outer.middle, outer.halfSize);
+  }
+  if (RTG_SHAPE == 5)
+  {
+    real m = max(glyph.exponents.x, max(glyph.exponents.y, glyph.exponents.z));
+    outer.radius = m <= real(2.0) ? real(1.0) : m <= real(4.0) ? real(1.3160741) : outer.radius;
+    outer.fills = IsEllipsoid(glyph);
+  }
+  return outer;
+}
+
+// Says in plain arithmetic what is certain of IntersectGlyph's answer: one of Estimate.glsl's three.
+RTG_FN_SHAPE int EstimateGlyph(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) low, RTG_OUT(real) high)
+{
+  Enclosure outer = GlyphEnclosure RTG_OF_SHAPE(glyph);
+  if (RTG_SHAPE == 0 && glyph.sameSize)
+  {
+    outer.radius = outer.halfSize.x;
+    return Estimate(ToSphere(ray, glyph, outer.radius), outer, tMin, tMax, low, high);
+  }
+  return Estimate(ToEnclosure(ray, glyph, outer), outer, tMin, tMax, low, high);
 }
 
 // Outward unit normal in the world frame at a t that IntersectGlyph returned for this ray.

@@ -26,6 +26,7 @@ using std::ldexp;
 using std::log;
 using std::log2;
 using std::pow;
+using glm::inversesqrt;
 using std::sqrt;
 
 /// Dekker's constant 2^ceil(p / 2) + 1 for a significand of p bits.
@@ -37,13 +38,14 @@ constexpr Real splitter = Real((1LL << ((std::numeric_limits<Real>::digits + 1) 
 #define RTG_FN_SHAPE                                                                               \
   template <int RTG_SHAPE>                                                                         \
   static inline
+#define RTG_OF_SHAPE <RTG_SHAPE>
 #define RTG_OUT(type) type&
 #define RTG_PRECISE
 #define RTG_ROUNDOFF (std::numeric_limits<Real>::epsilon() / 2)
 #define RTG_SPLITTER splitter<Real>
 #define RTG_NEVER 1.0e30
 
-/// GlyphRay, Glyph, IntersectGlyph, GlyphNormal and GlyphBounds of Registry.glsl.
+/// GlyphRay, Glyph, IntersectGlyph, EstimateGlyph, GlyphNormal and GlyphBounds of Registry.glsl.
 template <class Real>
 struct Kernel
 {
@@ -66,6 +68,21 @@ struct Kernel
 #undef RTG_CASE
     return false;
   }
+
+  /// EstimateGlyph of a shape that is known at run time.
+  static int Estimate(
+    Shape shape, const GlyphRay& ray, const Glyph& glyph, Real tMin, Real tMax, Real& low, Real& high)
+  {
+#define RTG_CASE(number, Name)                                                                     \
+  if (shape == Shape(number))                                                                      \
+  {                                                                                                \
+    return EstimateGlyph<number>(ray, glyph, tMin, tMax, low, high);                               \
+  }
+    RTG_SHAPES(RTG_CASE)
+#undef RTG_CASE
+    return missed;
+  }
+  static constexpr int missed = RTG_MISSED, met = RTG_MET, unknown = RTG_UNKNOWN;
 
   /// GlyphNormal of a shape that is known at run time.
   static real3 Normal(Shape shape, const GlyphRay& ray, const Glyph& glyph, Real t)
@@ -96,6 +113,7 @@ struct Kernel
 #undef RTG_HOST
 #undef RTG_FN
 #undef RTG_FN_SHAPE
+#undef RTG_OF_SHAPE
 #undef RTG_OUT
 #undef RTG_PRECISE
 #undef RTG_ROUNDOFF
