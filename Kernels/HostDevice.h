@@ -234,6 +234,7 @@ struct FrameRecord
   uint samples;        // that this dispatch adds
   uint plannedSamples; // of the finished image, for the stratified sampler
   uint sharedTimeBits; // Shading/ShutterTime.glsl
+  uint timeStrataBits; // the same
   uint pixelStep;
   uint firstRow; // of tiles, when an image takes several dispatches
   uint cullMask;

@@ -182,6 +182,19 @@ std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceB
   return bits;
 }
 
+// The parts of the shutter's opening that local shading gives one sample each (Shading/ShutterTime.glsl); 0: other times.
+std::uint32_t TimeStrataBits(const TraceSettings& settings, std::uint32_t planned)
+{
+  const bool asked = settings.shading == Shading::Local && settings.sharedTimeBits < 0 &&
+    (settings.sampler == Sampler::Sobol || settings.sampler == Sampler::BlueNoise);
+  std::uint32_t bits = 0;
+  while (asked && (1u << bits) < planned)
+  {
+    ++bits;
+  }
+  return bits;
+}
+
 } // namespace
 
 struct Tracer::State
@@ -435,6 +448,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
         {
           generation.sampler = static_cast<std::uint32_t>(settings.sampler);
           frame.sharedTimeBits = SharedTimeBits(settings, glyphs.placedTimeSliceBits);
+          frame.timeStrataBits = TimeStrataBits(settings, frame.plannedSamples);
         }
         generation.translucency = settings.shading != Shading::Local && scene.HasTranslucent();
         const Pipeline& pipeline = state.PipelineFor(generation, glyphs.groups);

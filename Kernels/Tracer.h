@@ -87,8 +87,9 @@ struct TraceSettings
   /// Of the finished image, for Stratified and for the times of scenes that move; 0: firstSample + samples. Such images are
   /// the same however their samples are shared out among calls only when it is given.
   std::uint32_t plannedSamples = 0;
-  /// How many binary digits of the time in the shutter's opening all pixels share in one sample, so that neighbouring rays
-  /// see the same slice of time; -1: as many as the scene has slices and plannedSamples fill. 0 to 5. Benchmarks set it.
+  /// Other shadings than Local: how many binary digits of the time in the shutter's opening all pixels share in one sample, so that neighbouring rays
+  /// see the same slice of time; -1: as many as the scene has slices and plannedSamples fill. 0 to 5. Benchmarks set it, and for Local shading it
+  /// is theirs alone: with -1 that gives each sample its part of the time and a place in the pixel that goes with it.
   int sharedTimeBits = -1;
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]

@@ -162,7 +162,8 @@ constexpr Scheme schemes[] = {
   { "random times: slices", rtg::Sampler::Random, 0, -1, false },
   { "stratified times: slices", rtg::Sampler::Stratified, 0, -1, false },
   { "Sobol times: slices", rtg::Sampler::Sobol, 0, -1, false },
-  { "Sobol times: slices shared", rtg::Sampler::Sobol, -1, -1, false },
+  { "Sobol times: slices shared", rtg::Sampler::Sobol, 3, -1, false },
+  { "strata of times with places: slices", rtg::Sampler::Sobol, -1, -1, false },
   { "one time a frame: rebuilt", rtg::Sampler::Sobol, 0, 0, true },
 };
 
