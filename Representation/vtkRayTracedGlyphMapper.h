@@ -58,6 +58,12 @@ public:
    */
   vtkRayTracedGlyphLight Light;
 
+  /**
+   * Where the view's finished images leave what they show besides colours (vtkRayTracedGlyphScene); empty: nowhere. The first of
+   * a view's mappers that names a file counts.
+   */
+  std::string FeatureImageFile;
+
   ///@{
   /**
    * Samples of a finished image. In [1, 65536]; the largest of a view's mappers counts. Default is 16.

@@ -638,6 +638,12 @@ void vtkRayTracedGlyphRepresentation::SetDenoising(int when)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetFeatureImageFile(const char* name)
+{
+  this->Mapper->FeatureImageFile = name ? name : "";
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetSamplesPerPixel(int samples)
 {
   this->Mapper->SetSamplesPerPixel(samples);

@@ -148,6 +148,7 @@ public:
   void SetToneMapping(int kind);
   void SetExposure(double stops);
   void SetDenoising(int when);
+  void SetFeatureImageFile(const char* name);
   void SetSamplesPerPixel(int samples);
   void SetSamplesPerRender(int samples);
   void SetInteractiveReduction(int step);

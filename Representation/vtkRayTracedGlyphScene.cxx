@@ -181,6 +181,7 @@ void vtkRayTracedGlyphScene::Synchronise()
   self.SamplesPerRender = 0;
   self.InteractiveReduction = 1;
   self.Stepwise = false;
+  self.FeatureFile.clear();
   self.Light = vtkRayTracedGlyphLight();
   bool lit = false;
   for (const auto& item : actors)
@@ -199,6 +200,10 @@ void vtkRayTracedGlyphScene::Synchronise()
     largest(self.SamplesPerRender, mapper->GetSamplesPerRender());
     largest(self.InteractiveReduction, mapper->GetInteractiveReduction());
     self.Stepwise |= mapper->GetStepwiseRendering();
+    if (self.FeatureFile.empty())
+    {
+      self.FeatureFile = mapper->FeatureImageFile;
+    }
     if (!lit || mapper->Light.ShadingMode > self.Light.ShadingMode)
     {
       self.Light = mapper->Light;

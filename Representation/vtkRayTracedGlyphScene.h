@@ -78,6 +78,7 @@ private:
   void Synchronise();
   void Show(vtkActor* actor, vtkRayTracedGlyphMapper* mapper);
   bool UpdateImage(int pass, bool forIds);
+  void WriteFeatures(const std::string& fileName, double eyeDepth);
   void DrawIds(vtkActor* actor, vtkRayTracedGlyphMapper* mapper);
   void Fail(const std::string& message);
 

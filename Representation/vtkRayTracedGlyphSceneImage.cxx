@@ -101,10 +101,10 @@ vtkRayTracedGlyphScene::Internals::Plan vtkRayTracedGlyphScene::Internals::PlanI
 
   // Smooth light in place of noise; what a step gathers the next ones need.
   const int denoising = key.Light.Denoising;
-  settings.features = noisy && (denoising == 2 || (denoising == 1 && inSteps));
+  const bool smooth = noisy && (denoising == 2 || (denoising == 1 && inSteps));
+  settings.features = smooth || !key.FeatureFile.empty();
   settings.keepSums |= settings.features;
-  plan.Denoise =
-    settings.features && settings.pixelStep == 1 && (denoising == 2 || unfinished);
+  plan.Denoise = smooth && settings.pixelStep == 1 && (denoising == 2 || unfinished);
   return plan;
 }
 
@@ -154,6 +154,7 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
     key.Height = static_cast<std::uint32_t>(viewport[3]);
     key.Content = self.Content;
     key.Light = self.Light;
+    key.FeatureFile = self.FeatureFile;
     // Headlight and light kit make up for the lack of light from all around; path tracing has that.
     const bool surrounded =
       self.Light.ShadingMode == static_cast<int>(rtg::Shading::PathTracing) &&
@@ -163,6 +164,7 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
     if (forIds)
     {
       key.Light = image.Valid ? image.Key.Light : vtkRayTracedGlyphLight();
+      key.FeatureFile = image.Valid ? image.Key.FeatureFile : std::string();
     }
     vtkRenderWindow* window = this->Renderer->GetRenderWindow();
     const Internals::Plan plan =
@@ -216,6 +218,7 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
       image.SmoothSamples = 0;
     }
     image.Key = std::move(key);
+    const std::string featureFile = image.Key.FeatureFile;
     image.PixelStep = settings.pixelStep;
     if (settings.pixelStep == 1)
     {
@@ -227,6 +230,17 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
     self.Samples = image.Image.samples;
     self.Reported.clear();
     self.LostDevice = false;
+    // The translucent pass comes last, and with it both images are there.
+    const bool last = translucent ||
+      std::none_of(self.Members.begin(), self.Members.end(),
+        [](const auto& m) { return m.second.Shown && m.second.Translucent; });
+    if (!featureFile.empty() && !forIds && last && settings.pixelStep == 1 &&
+      self.Samples == self.SamplesPerPixel)
+    {
+      // Parallel rays start from another plane than the camera's.
+      this->WriteFeatures(
+        featureFile, glm::dot(camera.eye - camera.position, glm::dvec3(camera.forward)));
+    }
     return true;
   }
   catch (const std::exception& error)

@@ -36,12 +36,14 @@ struct ImageKey
   std::vector<rtg::Light> Lights;
   std::uint32_t Width = 0, Height = 0;
   vtkRayTracedGlyphLight Light;
+  std::string FeatureFile; // to be written when the image is finished
   vtkRayTracedGlyphSceneDetail::Content Content;
 
   bool operator==(const ImageKey& other) const
   {
     return this->WorldToClip == other.WorldToClip && this->Position == other.Position &&
       this->Width == other.Width && this->Height == other.Height && this->Light == other.Light &&
+      this->FeatureFile == other.FeatureFile &&
       this->Content == other.Content && vtkRayTracedGlyphView::Same(this->Lights, other.Lights);
   }
 };
@@ -93,6 +95,7 @@ struct vtkRayTracedGlyphScene::Internals
   vtkRayTracedGlyphLight Light; // of the view
   std::uint32_t SamplesPerPixel = 1, SamplesPerRender = 0, InteractiveReduction = 1;
   bool Stepwise = false;
+  std::string FeatureFile;
 
   // After a failure nothing is tried until what is to be shown changes
   std::string Failure, CameraFailure;

@@ -1,0 +1,134 @@
+// What an image shows besides its colours, as a file for scripts.
+#include "vtkRayTracedGlyphScene.h"
+
+#include "vtkRayTracedGlyphSceneInternals.h"
+
+#include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRayTracedGlyphMapper.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkXMLImageDataWriter.h"
+
+#include <map>
+
+using namespace vtkRayTracedGlyphSceneDetail;
+
+namespace
+{
+template <class Array>
+Array* Add(vtkImageData* data, const char* name, int components)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(data->GetNumberOfPoints());
+  data->GetPointData()->AddArray(array);
+  return array;
+}
+
+// Every rank has an image of its own.
+std::string NameOfRank(const std::string& name)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (!controller || controller->GetNumberOfProcesses() < 2)
+  {
+    return name;
+  }
+  const std::string rank = "-" + std::to_string(controller->GetLocalProcessId());
+  const std::size_t dot = name.find_last_of("./\\");
+  return dot == std::string::npos || name[dot] != '.' ? name + rank
+                                                      : name.substr(0, dot) + rank + name.substr(dot);
+}
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphScene::WriteFeatures(const std::string& fileName, double eyeDepth)
+{
+  Internals& self = *this->Self;
+  std::vector<const rtg::Image*> images;
+  for (const PassImage& image : self.Images)
+  {
+    if (image.Valid && !image.Image.normals.empty())
+    {
+      images.push_back(&image.Image);
+    }
+  }
+  if (images.empty())
+  {
+    return;
+  }
+  // Sets are numbered in the order in which they came.
+  std::map<rtg::Scene::SetId, vtkRayTracedGlyphMapper*> mappers;
+  for (const auto& member : self.Members)
+  {
+    mappers[member.second.Set] = member.first;
+  }
+  std::map<rtg::Scene::SetId, int> numbers;
+  for (const auto& mapper : mappers)
+  {
+    numbers.emplace(mapper.first, static_cast<int>(numbers.size()));
+  }
+
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(
+    static_cast<int>(images[0]->width), static_cast<int>(images[0]->height), 1);
+  auto* colours = Add<vtkUnsignedCharArray>(data, "Colour", 4);
+  auto* windowDepths = Add<vtkFloatArray>(data, "WindowDepth", 1);
+  auto* viewDepths = Add<vtkFloatArray>(data, "ViewDepth", 1);
+  auto* normals = Add<vtkFloatArray>(data, "Normal", 3);
+  auto* albedos = Add<vtkFloatArray>(data, "Albedo", 3);
+  auto* representations = Add<vtkIntArray>(data, "Representation", 1);
+  auto* ids = Add<vtkIdTypeArray>(data, "OriginalId", 1);
+  auto* blocks = Add<vtkIntArray>(data, "CompositeIndex", 1);
+  auto* samples = Add<vtkIntArray>(data, "SampleCount", 1);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const rtg::Image* image = images[0];
+    for (const rtg::Image* other : images)
+    {
+      image = other->depth[i] < image->depth[i] ? other : image;
+    }
+    const std::uint32_t colour = image->colour[i];
+    colours->SetTuple4(i, colour & 255, (colour >> 8) & 255, (colour >> 16) & 255, colour >> 24);
+    windowDepths->SetValue(i, image->depth[i]);
+    viewDepths->SetValue(i,
+      image->normals[i] == glm::vec3(0.0f) ? 0.0f : image->viewDepths[i] + static_cast<float>(eyeDepth));
+    const glm::vec3 normal = image->normals[i], albedo = image->albedos[i];
+    normals->SetTuple3(i, normal.x, normal.y, normal.z);
+    albedos->SetTuple3(i, albedo.x, albedo.y, albedo.z);
+    samples->SetValue(i, static_cast<int>(image->samples));
+
+    const auto mapper = mappers.find(image->setIds[i]);
+    const bool hit = image->glyphIds[i] != rtg::Image::noGlyph && mapper != mappers.end();
+    const vtkRayTracedGlyphMapper::Origin origin = hit
+      ? mapper->second->OriginOf(self.Scene->OriginalGlyph(mapper->first, image->glyphIds[i]))
+      : vtkRayTracedGlyphMapper::Origin{ -1, 0, -1 };
+    representations->SetValue(i, hit ? numbers[mapper->first] : -1);
+    ids->SetValue(i, origin.Id);
+    blocks->SetValue(i, static_cast<int>(origin.CompositeIndex));
+  }
+
+  const std::string name = NameOfRank(fileName);
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetFileName(name.c_str());
+  writer->SetInputData(data);
+  // Raw bytes in XML are refused by newer versions of libexpat.
+  writer->SetDataModeToBinary();
+  const vtkTypeBool shown = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::SetGlobalWarningDisplay(0); // one message is enough
+  const bool written = writer->Write() != 0 && writer->GetErrorCode() == vtkErrorCode::NoError;
+  vtkObject::SetGlobalWarningDisplay(shown);
+  if (!written)
+  {
+    vtkErrorMacro(<< "The feature image could not be written to '" << name
+                  << "'. Give FeatureImageFile the path of a file (.vti) in a folder that exists and "
+                     "may be written to.");
+  }
+}
