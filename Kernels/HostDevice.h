@@ -6,6 +6,7 @@
 #include <cstdint>
 namespace rtg::device
 {
+using glm::uvec2;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
@@ -246,6 +247,16 @@ struct FrameRecord
   float occlusionRadius;
   uint maximumBounces;
   uint roulette;
+  // An environment image (Shading/Environment.glsl), when the program has one
+  RTG_ADDRESS(Vec3Array) environmentTexels;
+  RTG_ADDRESS(UintArray) environmentCells; // EnvironmentCell
+  uvec2 environmentSize;
+  uint environmentCellSide;
+  uint environmentCellColumns; // 0: nothing to aim at
+  uint environmentCellRows;
+  float environmentThreshold;
+  vec3 environmentRight;
+  vec3 environmentUp;
   // Resolving
   float exposureFactor;
   uint filmic;

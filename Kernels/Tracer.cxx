@@ -152,6 +152,8 @@ Generation GenerationFor(const TraceSettings& settings)
   generation.gathersFeatures = settings.features;
   generation.develops = settings.shading == Shading::PathTracing || settings.exposure != 0.0f ||
     settings.toneMapping != ToneMapping::None;
+  generation.environmentImage =
+    settings.environmentImage && settings.shading == Shading::PathTracing;
   return generation;
 }
 
@@ -218,6 +220,11 @@ struct Tracer::State
   Buffer frameBuffer, lightBuffer, colour, depth, setIds, glyphIds, rays;
   Buffer sums, features;         ///< none unless asked for
   Buffer blueNoise;              ///< none unless its sampler was used
+  void PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame);
+
+  std::shared_ptr<const EnvironmentImage> environment; ///< that the next three are made from
+  EnvironmentCells environmentCells;
+  Buffer environmentTexels, environmentCellBuffer;
   std::vector<std::uint32_t> denoised; ///< colours of the last image, if they are
   TraceSettings last;            ///< of the last image
   std::uint32_t keptSamples = 0; ///< that `sums` hold
@@ -328,6 +335,46 @@ void Tracer::State::Prepare(const TraceSettings& settings, bool keepSums)
   }
 }
 
+// The environment image on the device, if path tracing asks for one.
+void Tracer::State::PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame)
+{
+  if (!settings.environmentImage || settings.shading != Shading::PathTracing)
+  {
+    return;
+  }
+  const EnvironmentImage& image = *settings.environmentImage;
+  if (this->environment != settings.environmentImage)
+  {
+    Device::State& vulkan = this->device->GetState();
+    this->environment.reset();
+    this->environmentCells = MakeEnvironmentCells(image);
+    const auto fill = [&vulkan](Buffer& buffer, const auto& values)
+    {
+      buffer = Buffer();
+      buffer = Buffer(vulkan, values.size() * sizeof(values[0]), Usage::eStorageBuffer, Buffer::Place::Device);
+      buffer.Upload(values.data(), values.size() * sizeof(values[0]));
+    };
+    fill(this->environmentTexels, image.radiance);
+    if (!this->environmentCells.cells.empty())
+    {
+      fill(this->environmentCellBuffer, this->environmentCells.cells);
+    }
+    this->environment = settings.environmentImage;
+  }
+  frame.environmentTexels = this->environmentTexels.Address();
+  frame.environmentSize = { image.width, image.height };
+  frame.environmentThreshold = this->environmentCells.threshold;
+  frame.environmentRight = image.right;
+  frame.environmentUp = image.up;
+  if (!this->environmentCells.cells.empty())
+  {
+    frame.environmentCells = this->environmentCellBuffer.Address();
+    frame.environmentCellSide = this->environmentCells.side;
+    frame.environmentCellColumns = this->environmentCells.columns;
+    frame.environmentCellRows = this->environmentCells.rows;
+  }
+}
+
 // Throws unless new samples can be added to what is kept.
 void Tracer::State::CheckContinues(const TraceSettings& settings) const
 {
@@ -337,7 +384,8 @@ void Tracer::State::CheckContinues(const TraceSettings& settings) const
   }
   const bool same = this->last.width == settings.width && this->last.height == settings.height &&
     this->last.pixelStep == settings.pixelStep && this->last.shading == settings.shading &&
-    this->last.features == settings.features;
+    this->last.features == settings.features &&
+    this->last.environmentImage == settings.environmentImage;
   if (!same || this->keptSamples != settings.firstSample)
   {
     throw Error("Ray Traced Glyphs: samples from number " + std::to_string(settings.firstSample) +
@@ -439,6 +487,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
           : pass == Pass::Opaque           ? device::OPAQUE_MASK
                                            : device::TRANSLUCENT_MASK;
         FillSettings(frame, settings);
+        state.PrepareEnvironment(settings, frame);
 
         Generation generation = GenerationFor(settings);
         generation.alone = glyphs.records.size() == 1;

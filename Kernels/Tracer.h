@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Camera.h"
+#include "Environment.h"
 #include "Glyphs.h"
 #include "Scene.h"
 
@@ -79,6 +80,9 @@ struct TraceSettings
   /// Light from all around, of ambient occlusion and path tracing: a display colour and its strength, >= 0.
   glm::vec3 environmentColour{ 1.0f };
   float lightIntensity = 1.0f;
+  /// Path tracing: the light from all around is this image's, times environmentColour and lightIntensity; null: it is the same
+  /// from everywhere. Not to be changed afterwards: another image is another object.
+  std::shared_ptr<const EnvironmentImage> environmentImage;
   float occlusionRadius = 0.0f; ///< world units, from how far things occlude; 0: from everywhere
   std::uint32_t maximumBounces = 10; ///< of path tracing, 1 to 1000
   bool roulette = true; ///< path tracing ends unimportant paths early, which changes no mean

@@ -42,6 +42,7 @@ vtkRayTracedGlyphScene::Internals::Plan vtkRayTracedGlyphScene::Internals::PlanI
   Plan plan;
   rtg::TraceSettings& settings = plan.Settings;
   settings = SettingsOf(key.Light);
+  settings.environmentImage = key.Environment;
   settings.width = key.Width;
   settings.height = key.Height;
   settings.plannedSamples = this->SamplesPerPixel;
@@ -161,10 +162,17 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
       self.Light.LightIntensity > 0.0;
     key.Lights = vtkRayTracedGlyphView::LightsOf(this->Renderer, /*placedOnly=*/surrounded);
 
+    if (surrounded)
+    {
+      self.Environment = vtkRayTracedGlyphView::EnvironmentOf(this->Renderer, self.Environment);
+      key.Environment = self.Environment.Image;
+    }
+
     if (forIds)
     {
       key.Light = image.Valid ? image.Key.Light : vtkRayTracedGlyphLight();
       key.FeatureFile = image.Valid ? image.Key.FeatureFile : std::string();
+      key.Environment = image.Valid ? image.Key.Environment : nullptr;
     }
     vtkRenderWindow* window = this->Renderer->GetRenderWindow();
     const Internals::Plan plan =

@@ -36,6 +36,7 @@ struct ImageKey
   std::vector<rtg::Light> Lights;
   std::uint32_t Width = 0, Height = 0;
   vtkRayTracedGlyphLight Light;
+  std::shared_ptr<const rtg::EnvironmentImage> Environment;
   std::string FeatureFile; // to be written when the image is finished
   vtkRayTracedGlyphSceneDetail::Content Content;
 
@@ -43,7 +44,7 @@ struct ImageKey
   {
     return this->WorldToClip == other.WorldToClip && this->Position == other.Position &&
       this->Width == other.Width && this->Height == other.Height && this->Light == other.Light &&
-      this->FeatureFile == other.FeatureFile &&
+      this->FeatureFile == other.FeatureFile && this->Environment == other.Environment &&
       this->Content == other.Content && vtkRayTracedGlyphView::Same(this->Lights, other.Lights);
   }
 };
@@ -93,6 +94,7 @@ struct vtkRayTracedGlyphScene::Internals
   vtkRayTracedGlyphMapper* TranslucentLeader = nullptr;
   std::uint32_t Samples = 0;    // of the last image
   vtkRayTracedGlyphLight Light; // of the view
+  vtkRayTracedGlyphView::Environment Environment;
   std::uint32_t SamplesPerPixel = 1, SamplesPerRender = 0, InteractiveReduction = 1;
   bool Stepwise = false;
   std::string FeatureFile;

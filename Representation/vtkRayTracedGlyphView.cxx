@@ -1,15 +1,22 @@
 #include "vtkRayTracedGlyphView.h"
 
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
+#include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTexture.h"
+
+#include "Shading/Shading.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace
@@ -113,6 +120,54 @@ std::vector<rtg::Light> vtkRayTracedGlyphView::LightsOf(vtkRenderer* renderer, b
     lights.push_back(converted);
   }
   return lights;
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphView::Environment vtkRayTracedGlyphView::EnvironmentOf(
+  vtkRenderer* renderer, const Environment& last)
+{
+  vtkTexture* texture =
+    renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
+  vtkImageData* input = texture && !texture->GetCubeMap() ? texture->GetInput() : nullptr;
+  vtkDataArray* colours = input ? input->GetPointData()->GetScalars() : nullptr;
+  if (!colours || input->GetDimensions()[2] != 1)
+  {
+    return Environment();
+  }
+  auto image = std::make_shared<rtg::EnvironmentImage>();
+  image->right = glm::normalize(ToVector<glm::vec3>(renderer->GetEnvironmentRight()));
+  image->up = glm::normalize(ToVector<glm::vec3>(renderer->GetEnvironmentUp()));
+  Environment environment;
+  environment.Input = input;
+  environment.Time = input->GetMTime();
+  if (last.Image && last.Input == environment.Input && last.Time == environment.Time &&
+    last.Image->right == image->right && last.Image->up == image->up)
+  {
+    return last;
+  }
+  image->width = static_cast<std::uint32_t>(input->GetDimensions()[0]);
+  image->height = static_cast<std::uint32_t>(input->GetDimensions()[1]);
+  const int components = colours->GetNumberOfComponents();
+  const bool display = colours->GetDataType() == VTK_UNSIGNED_CHAR;
+  image->radiance.reserve(static_cast<std::size_t>(colours->GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i)
+  {
+    glm::vec3 radiance;
+    for (int c = 0; c < 3; ++c)
+    {
+      // One component, or one and alpha: grey.
+      const double value = colours->GetComponent(i, components >= 3 ? c : 0);
+      radiance[c] = static_cast<float>(display ? value / 255.0 : value);
+    }
+    radiance = display ? rtg::shading::DisplayToLinear(radiance) : radiance;
+    for (int c = 0; c < 3; ++c)
+    {
+      radiance[c] = std::isfinite(radiance[c]) ? std::max(radiance[c], 0.0f) : 0.0f;
+    }
+    image->radiance.push_back(radiance);
+  }
+  environment.Image = std::move(image);
+  return environment;
 }
 
 //----------------------------------------------------------------------------

@@ -5,8 +5,10 @@
 #define vtkRayTracedGlyphView_h
 
 #include "Camera.h"
+#include "Environment.h"
 #include "Glyphs.h"
 
+#include <memory>
 #include <vector>
 
 class vtkProperty;
@@ -30,6 +32,18 @@ rtg::Camera CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip);
  * and have no place: headlight and light kit.
  */
 std::vector<rtg::Light> LightsOf(vtkRenderer* renderer, bool placedOnly = false);
+
+/**
+ * The image that the renderer takes light from all around from (vtkRenderer::UseImageBasedLighting), with 8-bit colours as sRGB and
+ * others as linear; null: it has none, or none of two dimensions. `last` is given back when it is still that image.
+ */
+struct Environment
+{
+  const void* Input = nullptr;
+  unsigned long Time = 0;
+  std::shared_ptr<const rtg::EnvironmentImage> Image;
+};
+Environment EnvironmentOf(vtkRenderer* renderer, const Environment& last);
 
 /**
  * What the property says; unlit, as VTK draws surfaces then, when the renderer has no light on and makes none.

@@ -55,6 +55,7 @@ struct GenerationSpecialisation
   vk::Bool32 translucency;
   vk::Bool32 alone;
   vk::Bool32 moves;
+  vk::Bool32 environmentImage;
 };
 
 const vk::SpecializationMapEntry generationMap[] = {
@@ -65,6 +66,7 @@ const vk::SpecializationMapEntry generationMap[] = {
   { 14, offsetof(GenerationSpecialisation, translucency), sizeof(vk::Bool32) },
   { 15, offsetof(GenerationSpecialisation, alone), sizeof(vk::Bool32) },
   { 33, offsetof(GenerationSpecialisation, moves), sizeof(vk::Bool32) },
+  { 35, offsetof(GenerationSpecialisation, environmentImage), sizeof(vk::Bool32) },
 };
 
 const programs::Code& CodeOf(Program program)
@@ -133,7 +135,7 @@ Pipeline::Pipeline(
   std::vector<vk::RayTracingShaderGroupCreateInfoKHR> shaderGroups;
   const GenerationSpecialisation generationConstants = { generation.sampler, generation.accumulates,
     generation.gathersFeatures, generation.develops, generation.translucency, generation.alone,
-    generation.moves };
+    generation.moves, generation.environmentImage };
   const vk::SpecializationInfo generationInfo(static_cast<std::uint32_t>(std::size(generationMap)),
     generationMap, sizeof(generationConstants), &generationConstants);
   const auto addGeneral = [&](std::uint32_t stage)

@@ -60,12 +60,14 @@ struct Generation
   bool develops = false;
   bool translucency = false;
   bool moves = false; ///< paths run at times of their own
+  bool environmentImage = false;
 
   friend bool operator==(const Generation& a, const Generation& b)
   {
     return a.program == b.program && a.alone == b.alone && a.sampler == b.sampler &&
       a.accumulates == b.accumulates && a.gathersFeatures == b.gathersFeatures &&
-      a.develops == b.develops && a.translucency == b.translucency && a.moves == b.moves;
+      a.develops == b.develops && a.translucency == b.translucency && a.moves == b.moves &&
+      a.environmentImage == b.environmentImage;
   }
 };
 

@@ -9,6 +9,9 @@ import sys
 
 import numpy
 import paraview.simple as pv
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
 
 import comparison
 import session
@@ -121,6 +124,48 @@ def coated():
     return [] if seen[1.0] > seen[0.0] + 20.0 else ["a coat does not brighten a dark ball: %s" % seen]
 
 
+def surrounded():
+    """The view's environment image lights path-traced glyphs, from the side on which VTK shows it."""
+    columns, rows = 64, 32
+    pixels = numpy.zeros((rows, columns, 3), numpy.uint8)
+    pixels[:, :, 2] = 60                                    # dim blue all around,
+    pixels[:, columns * 3 // 8:columns * 5 // 8, 0] = 255   # red along the view's environment right, which is +x
+    image = vtkImageData()
+    image.SetDimensions(columns, rows, 1)
+    array = numpy_to_vtk(pixels.reshape(-1, 3), deep=True)
+    image.GetPointData().SetScalars(array)
+    path = session.output("light-environment-input.png")
+    writer = vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(image)
+    writer.Write()
+
+    view = session.view(160, 120, background=(255, 255, 255))
+    points = session.source(session.poly_data(numpy.array([[0.0, 0.0, 0.0]])))
+    ball = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=1.0, ShadingMode="Path Tracing",
+                          SamplesPerPixel=32)
+    session.solid(ball, (0.9, 0.9, 0.9))
+    session.look(view, (0.0, 0.0, 4.0), parallel_scale=0.6)
+    seen = {}
+    for state in ("without", "with"):
+        if state == "with":
+            view.BackgroundTexture = pv.CreateTexture(path)
+            view.BackgroundColorMode = "Skybox"
+            view.UseEnvironmentLighting = 1
+        shown = session.capture(view, "light-environment-" + state)
+        seen[state] = [shown[60, x, :3].astype(float) for x in (45, 80, 115)]  # left, middle, right of the ball
+        print("environment image %s: left, middle, right" % state, [list(colour) for colour in seen[state]])
+    pv.Delete(points)
+    pv.Delete(view)
+    failures = []
+    left, _, right = seen["with"]
+    if not (abs(seen["without"][0] - seen["without"][2]) < 12).all():
+        failures.append("without an image the ball's sides differ: %s" % seen["without"])
+    if not (right[0] > 150 and left[0] < 60 and right[0] > 2 * right[2]):
+        failures.append("the environment image does not light the ball from its right: %s" % seen["with"])
+    return failures
+
+
 def resident():
     """Bytes of this process in memory."""
     with open("/proc/self/statm") as file:
@@ -174,7 +219,8 @@ def cycles(count):
 
 
 session.load()
-FAILURES = shadows("Ambient Occlusion", "occlusion") + shadows("Path Tracing", "paths") + denoised() + coated()
+FAILURES = shadows("Ambient Occlusion", "occlusion") + shadows("Path Tracing", "paths") + denoised() + coated() + \
+    surrounded()
 if os.path.exists("/proc/self/statm"):
     FAILURES += cycles(int(sys.argv[1]) if len(sys.argv) > 1 else 4)
 session.finish(FAILURES)
