@@ -91,6 +91,11 @@ struct GlyphInstances
   std::vector<glm::vec3> exponents3;
   glm::vec3 uniformExponents{ 2.0f };
 
+  /// Coefficients f of a quadratic form in each glyph's own frame, of any scale, or empty. Where there are any, a point at p from
+  /// the glyph's centre, in its frame, has Material::positiveColour or negativeColour by the sign of f.x p.x^2 + f.y p.y^2 +
+  /// f.z p.z^2, whatever the colours of the glyphs; their opacity stays. None of Shape::Mesh.
+  std::vector<glm::vec3> forms;
+
   GlyphMotion motion; ///< none of Shape::Mesh
 
   std::size_t Count() const { return centres.size(); }
@@ -106,6 +111,8 @@ struct Material
   glm::vec3 colour{ 1.0f };        ///< diffuse colour of glyphs without their own
   glm::vec3 ambientColour{ 1.0f }; ///< ambient colour of glyphs without their own
   glm::vec3 specularColour{ 1.0f };
+  glm::vec3 positiveColour{ 1.0f }; ///< where GlyphInstances::forms are zero or more
+  glm::vec3 negativeColour{ 1.0f }; ///< where they are less
   float ambient = 0.0f;         ///< [0, 1]
   float diffuse = 1.0f;         ///< [0, 1]
   float specular = 0.0f;        ///< [0, 1]

@@ -52,6 +52,7 @@ struct GlyphSetRecord
   RTG_ADDRESS(Vec4Array) rotations;  // none unless specialised
   RTG_ADDRESS(FloatArray) exponents; // three floats a glyph, or none (specialised)
   RTG_ADDRESS(UintArray) colours;    // none unless specialised
+  RTG_ADDRESS(Vec3Array) forms;      // none unless specialised
   RTG_ADDRESS(UintArray) tree;       // GlyphTreeNode, when the set is traced by its tree
   RTG_ADDRESS(Vec3Array) velocities; // each of these three: none unless specialised
   RTG_ADDRESS(Vec3Array) accelerations;
@@ -78,6 +79,8 @@ struct GlyphSetRecord
   uint translucent; // belongs to the translucent pass
   vec3 ambientColour;
   uint coloured; // glyphs have colours of their own, also in ambient light
+  vec3 positiveColour; // of glyphs coloured by their forms
+  vec3 negativeColour;
   vec3 specularColour;
   float specular;
   float ambient;

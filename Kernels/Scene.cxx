@@ -129,6 +129,11 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
     }
   }
   CheckMotion(instances.motion, instances.Count());
+  if (!instances.forms.empty() && instances.forms.size() != instances.Count())
+  {
+    throw Error("Ray Traced Glyphs: " + std::to_string(instances.forms.size()) + " quadratic forms for " +
+      std::to_string(instances.Count()) + " glyphs; give one a glyph or none.");
+  }
   set.count = instances.Count();
   const auto seeThrough = [](std::uint32_t colour) { return (colour >> 24) != 255; };
   const TriangleMesh* mesh = instances.shape == Shape::Mesh ? instances.mesh.get() : nullptr;
@@ -285,6 +290,7 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
   set.sizes = Buffer();
   set.rotations = Buffer();
   set.exponents = Buffer();
+  set.forms = Buffer();
   set.velocities = Buffer();
   set.accelerations = Buffer();
   set.angularVelocities = Buffer();
@@ -321,10 +327,12 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
     instances.exponents3.clear();
   }
   set.exponents = Send(vulkan, instances.exponents3);
+  set.forms = Send(vulkan, instances.forms);
   set.group.shape = instances.shape;
   set.group.sizesPerGlyph = !instances.sizes3.empty() ? 3 : !instances.sizes1.empty() ? 1 : 0;
   set.group.turned = !instances.rotations.empty();
   set.group.ownExponents = !instances.exponents3.empty();
+  set.group.colouredByForm = !instances.forms.empty();
   set.group.fixedHeads = instances.shape == Shape::Arrow && instances.arrow.fixedHeads;
   this->SendMotion(set);
   ++this->statistics.instanceUploads;
@@ -388,6 +396,7 @@ void Scene::State::Sort(GlyphSet& set)
     Reorder(instances.sizes1, set.order);
     Reorder(instances.rotations, set.order);
     Reorder(instances.exponents3, set.order);
+    Reorder(instances.forms, set.order);
     Reorder(instances.motion.velocities, set.order);
     Reorder(instances.motion.accelerations, set.order);
     Reorder(instances.motion.angularVelocities, set.order);
@@ -539,6 +548,7 @@ void Scene::State::FillRecords()
       record.rotations = at(set.rotations, sizeof(glm::vec4));
       record.exponents = at(set.exponents, sizeof(glm::vec3));
       record.colours = at(set.colourBuffer, sizeof(std::uint32_t));
+      record.forms = at(set.forms, sizeof(glm::vec3));
       const glm::dvec3 offset = set.instances.origin - this->origin;
       record.offset = glm::vec3(offset);
       record.offsetLow = glm::vec3(offset - glm::dvec3(record.offset));
@@ -572,7 +582,10 @@ void Scene::State::FillRecords()
       record.opacity = material.opacity;
       record.translucent = set.Translucent();
       record.ambientColour = material.ambientColour;
-      record.coloured = set.group.coloured || set.group.meshColours != 0;
+      record.coloured =
+        set.group.coloured || set.group.meshColours != 0 || set.group.colouredByForm;
+      record.positiveColour = material.positiveColour;
+      record.negativeColour = material.negativeColour;
       record.specularColour = material.specularColour;
       record.specular = material.specular;
       record.ambient = material.ambient;

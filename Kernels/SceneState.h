@@ -71,7 +71,7 @@ struct GlyphSet
   std::vector<Box> boxes;         ///< of new instances, from their bounds to their build
   Bounds bounds;                  ///< relative to instances.origin
   float builtReach = 0.0f;        ///< distance of ray origins that the boxes' padding allows for
-  Buffer centres, sizes, rotations, exponents, colourBuffer, tree;
+  Buffer centres, sizes, rotations, exponents, forms, colourBuffer, tree;
   Buffer velocities, accelerations, angularVelocities; ///< none of a set at rest
   Buffer treeOrder; ///< none unless slices are sorted each for itself
   std::uint32_t timeSliceBits =

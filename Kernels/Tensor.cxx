@@ -378,6 +378,7 @@ MakeTensorGlyph(const Eigensystem& eigen, TensorGlyphKind kind, double sharpness
   frame[0] = glm::cross(frame[1], frame[2]);
 
   TensorGlyph glyph;
+  glyph.values = { eigen.values[x], eigen.values[y], eigen.values[z] };
   glyph.rotation = glm::normalize(glm::quat_cast(frame));
   glyph.halfLengths = glm::max(glm::dvec3(magnitude[x], magnitude[y], magnitude[z]),
     glm::dvec3(thinnestTensorGlyph * largest));

@@ -497,6 +497,23 @@ double vtkGlyphInstanceBuilder::ReferenceScale(
 }
 
 //----------------------------------------------------------------------------
+vtkGlyphInstanceBuilder::Settings vtkGlyphInstanceBuilder::AxesOf(const Settings& tensorGlyphs)
+{
+  Settings settings = tensorGlyphs;
+  settings.Shape = rtg::Shape::Arrow;
+  settings.Tensors.Axes = true;
+  settings.Scaling &= settings.ScaleMode != COMPONENTS;
+  settings.ScaleFactor = std::abs(settings.ScaleFactor);
+  // Thin, so as to hide little, and of one form: short ones are small.
+  settings.Arrow.shaftRadius = 0.015f;
+  settings.Arrow.tipRadius = 0.05f;
+  settings.Arrow.tipLength = 0.15f;
+  settings.Arrow.tipRounding = 0.0f;
+  settings.Arrow.fixedHeads = false;
+  return settings;
+}
+
+//----------------------------------------------------------------------------
 vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* points,
   const Settings& settings, const vtkGlyphBlockAttributes::Table& blocks,
   vtkMatrix4x4* modelToWorld)
@@ -608,7 +625,17 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     }
     glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
     rtg::TensorGlyph tensorGlyph;
-    if (tensors)
+    double axis[3];
+    if (tensors && settings.Tensors.Axes)
+    {
+      if (!tensors->Axis(i, axis))
+      {
+        continue; // nothing to show is no fault
+      }
+      size *= std::hypot(axis[0], axis[1], axis[2]);
+      RotationFromTuple(axis, DIRECTION, rotation);
+    }
+    else if (tensors)
     {
       if (!tensors->Glyph(i, tensorGlyph))
       {
@@ -670,6 +697,12 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     {
       instances.uniformSize = stored.x;
       sized = true;
+    }
+    if (settings.Tensors.ColorsBySign())
+    {
+      instances.forms.emplace_back(
+        tensorGlyph.values / std::max({ std::abs(tensorGlyph.values.x),
+                               std::abs(tensorGlyph.values.y), std::abs(tensorGlyph.values.z) }));
     }
     if (tensors && HasExponents(settings.Shape))
     {
@@ -769,7 +802,8 @@ void vtkGlyphInstanceBuilder::ComputeBounds(vtkPolyData* points, const Settings&
   }
   if (vtkDataArray* tensors = vtkGlyphTensors::Array(points, settings.Tensors))
   {
-    largest *= vtkGlyphTensors::Largest(tensors, settings.Tensors);
+    largest *= settings.Tensors.Axes ? vtkGlyphTensors::LargestAxis(tensors, settings.Tensors)
+                                     : vtkGlyphTensors::Largest(tensors, settings.Tensors);
   }
   // Reach of the unit form from its centre along the axes; turned, in every direction
   const bool arrow = settings.Shape == rtg::Shape::Arrow;

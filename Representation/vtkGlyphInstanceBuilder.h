@@ -81,6 +81,13 @@ public:
   };
 
   /**
+   * The arrows that show the antisymmetric parts of the tensors that glyphs of these settings show: from each glyph's
+   * centre along vtkGlyphTensors::Axis, as long as the factors and scales that make a tensor glyph's axis out of an eigenvalue
+   * make of the vector's length. Components of a scale array belong to the glyph's own axes and do not count.
+   */
+  static Settings AxesOf(const Settings& tensorGlyphs);
+
+  /**
    * `blocks` as Resolve()d for `points`; `modelToWorld` may be null.
    */
   static Result Build(vtkPolyData* points, const Settings& settings,

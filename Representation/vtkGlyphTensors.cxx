@@ -91,6 +91,52 @@ double vtkGlyphTensors::Largest(vtkDataArray* array, const Settings& settings)
 }
 
 //----------------------------------------------------------------------------
+bool vtkGlyphTensors::Axis(vtkIdType point, double axis[3]) const
+{
+  if (this->Tensors->GetNumberOfComponents() != 9)
+  {
+    return false;
+  }
+  double matrix[9];
+  this->Tensors->GetTuple(point, matrix);
+  const glm::dvec3 w = rtg::AntisymmetricAxis(matrix);
+  double largest = 0.0, longest = 0.0;
+  for (double component : matrix)
+  {
+    if (!std::isfinite(component))
+    {
+      return false;
+    }
+    largest = std::max(largest, std::abs(component));
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    axis[i] = w[i];
+    longest = std::max(longest, std::abs(w[i]));
+  }
+  return longest > 1e-6 * largest && std::isfinite(w.x + w.y + w.z);
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphTensors::LargestAxis(vtkDataArray* array, const Settings& settings)
+{
+  double largest = 0.0;
+  if (Problem(array, settings).empty())
+  {
+    const vtkGlyphTensors tensors(array, settings, {});
+    double axis[3];
+    for (vtkIdType point = 0; point < array->GetNumberOfTuples(); ++point)
+    {
+      if (tensors.Axis(point, axis))
+      {
+        largest = std::max(largest, std::hypot(axis[0], axis[1], axis[2]));
+      }
+    }
+  }
+  return largest;
+}
+
+//----------------------------------------------------------------------------
 rtg::SymmetricTensor vtkGlyphTensors::Tensor(vtkIdType point) const
 {
   double components[9];

@@ -25,7 +25,8 @@ public:
     NONE = 0,
     PRINCIPAL_DIRECTION = 1,
     FRACTIONAL_ANISOTROPY = 2,
-    TRACE = 3
+    TRACE = 3,
+    SIGN = 4 // of x^T D x at each point x of a glyph's surface, seen from its centre
   };
 
   struct Settings
@@ -36,6 +37,14 @@ public:
     rtg::TensorLayout Layout = rtg::TensorLayout::Vtk;
     double Sharpness = 3.0;
     int Coloring = NONE;
+    ///@{
+    // Where x^T D x is zero or more, and where it is less; with SIGN.
+    double PositiveColor[3] = { 0.839, 0.376, 0.302 };
+    double NegativeColor[3] = { 0.263, 0.576, 0.765 };
+    ///@}
+    bool Axes = false; // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
+
+    bool ColorsBySign() const { return this->On && !this->Axes && this->Coloring == SIGN; }
   };
 
   /**
@@ -59,6 +68,16 @@ public:
    * No eigenvalue of the finite tensors is larger in magnitude: the largest Frobenius norm.
    */
   static double Largest(vtkDataArray* array, const Settings& settings);
+
+  ///@{
+  /**
+   * The vector w of a matrix A of nine components with (A - A^T) / 2 x = w cross x, in units of the tensor: of a velocity
+   * gradient (row i, column j: d v_i / d x_j) the angular velocity, half the vorticity. False: there is none, because A is
+   * symmetric to a millionth of its largest component, not finite, or given by six numbers. LargestAxis: of an array.
+   */
+  bool Axis(vtkIdType point, double axis[3]) const;
+  static double LargestAxis(vtkDataArray* array, const Settings& settings);
+  ///@}
 
   /**
    * False: the tensor is zero or not finite.

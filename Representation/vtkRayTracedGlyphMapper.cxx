@@ -78,6 +78,7 @@ std::array<std::uint64_t, 2> DigestOf(const rtg::GlyphInstances& instances)
   Mix(sum, instances.sizes1.data(), instances.sizes1.size());
   Mix(sum, instances.rotations.data(), instances.rotations.size());
   Mix(sum, instances.exponents3.data(), instances.exponents3.size());
+  Mix(sum, instances.forms.data(), instances.forms.size());
   const rtg::GlyphMotion& motion = instances.motion;
   const float shutter[] = { motion.shutterOpen, motion.shutterClose };
   Mix(sum, shutter, 2);
@@ -95,12 +96,12 @@ bool SameSettings(
     return std::tie(s.Shape, s.Scaling, s.ScaleArray, s.ScaleMode, s.ScaleFactor, s.Orient,
       s.OrientationArray, s.OrientationMode, s.Arrow.shaftRadius, s.Arrow.tipRadius,
       s.Arrow.tipLength, s.Arrow.tipRounding, s.Arrow.fixedHeads, s.ArrowReference, s.Tensors.On, s.Tensors.Kind,
-      s.Tensors.Array, s.Tensors.Layout, s.Tensors.Sharpness, s.Exponents[0], s.Exponents[1],
+      s.Tensors.Array, s.Tensors.Layout, s.Tensors.Sharpness, s.Tensors.Axes, s.Exponents[0], s.Exponents[1],
       s.Exponents[2], s.ExponentArray, s.Motion.On, s.Motion.Velocity, s.Motion.Acceleration,
       s.Motion.AngularVelocity, s.Motion.ShutterTime, s.Motion.Opening, s.Mask,
       s.MaximumNumberOfGlyphs, s.Seed, s.Mesh);
   };
-  return all(a) == all(b);
+  return all(a) == all(b) && a.Tensors.ColorsBySign() == b.Tensors.ColorsBySign();
 }
 }
 
@@ -353,7 +354,11 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
     this->Digest = digest;
     this->InstanceVersion = NewVersion();
   }
-  this->Report(result.Messages, this->ReportedInstances);
+  // Axes go with tensor glyphs, which have told what is wrong with the points.
+  if (!this->Glyphs.Tensors.Axes)
+  {
+    this->Report(result.Messages, this->ReportedInstances);
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -405,7 +410,9 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   std::vector<std::string> messages;
   vtkUnsignedCharArray* mapped = nullptr;
   std::unique_ptr<vtkGlyphTensors> tensors;
-  if (this->Glyphs.Tensors.On && this->Glyphs.Tensors.Coloring != vtkGlyphTensors::NONE && !this->Points.empty())
+  const vtkGlyphTensors::Settings& shown = this->Glyphs.Tensors;
+  const bool bySign = shown.ColorsBySign();
+  if (shown.On && !shown.Axes && !bySign && shown.Coloring != vtkGlyphTensors::NONE && !this->Points.empty())
   {
     tensors = std::make_unique<vtkGlyphTensors>(
       vtkGlyphTensors::Array(points, this->Glyphs.Tensors), this->Glyphs.Tensors, this->Points);
@@ -414,7 +421,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
       this->LookupTable->Build();
     }
   }
-  else if (this->ScalarVisibility && !this->Points.empty())
+  else if (this->ScalarVisibility && !bySign && !this->Points.empty())
   {
     mapped = this->MapScalars(points, 1.0);
     if (!mapped)
@@ -455,7 +462,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
         const auto block = this->BlockTable.find(blockIds->GetValue(point));
         if (block != this->BlockTable.end())
         {
-          if (block->second.HasColor)
+          if (block->second.HasColor && !shown.Axes)
           {
             std::copy(block->second.Color.begin(), block->second.Color.end(), rgba.begin());
           }

@@ -1,6 +1,7 @@
 #include "vtkRayTracedGlyphRepresentation.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkCommunicator.h"
 #include "vtkDataObject.h"
@@ -57,6 +58,10 @@ vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation(
   // Render passes tell the mapper through these keys what they want of its shader.
   vtkNew<vtkInformation> keys;
   this->Actor->SetPropertyKeys(keys);
+  this->AxisActor->SetMapper(this->AxisMapper);
+  vtkNew<vtkInformation> axisKeys;
+  this->AxisActor->SetPropertyKeys(axisKeys);
+  this->AxisActor->VisibilityOff();
 }
 
 //----------------------------------------------------------------------------
@@ -181,6 +186,16 @@ int vtkRayTracedGlyphRepresentation::ProcessViewRequest(
     double bounds[6];
     vtkGlyphInstanceBuilder::ComputeBounds(
       this->Points, this->Mapper->Glyphs, this->Mapper->Blocks.Resolve(this->Points), bounds);
+    if (this->ShowsAxes(this->Points))
+    {
+      double axes[6];
+      vtkGlyphInstanceBuilder::ComputeBounds(this->Points,
+        vtkGlyphInstanceBuilder::AxesOf(this->Mapper->Glyphs),
+        this->Mapper->Blocks.Resolve(this->Points), axes);
+      vtkBoundingBox both(bounds);
+      both.AddBounds(axes);
+      both.GetBounds(bounds);
+    }
     vtkNew<vtkMatrix4x4> matrix;
     this->Actor->GetMatrix(matrix);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
@@ -208,8 +223,53 @@ int vtkRayTracedGlyphRepresentation::ProcessViewRequest(
           : nullptr);
     }
     this->UpdateColoring(points);
+    this->UpdateAxes(points);
   }
   return 1;
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points) const
+{
+  vtkDataArray* tensors = this->TensorAxis && points
+    ? vtkGlyphTensors::Array(points, this->Mapper->Glyphs.Tensors)
+    : nullptr;
+  return tensors && tensors->GetNumberOfComponents() == 9;
+}
+
+//----------------------------------------------------------------------------
+// The arrows of antisymmetric parts are a second set of glyphs of the same points, which follows the first in all else.
+void vtkRayTracedGlyphRepresentation::UpdateAxes(vtkPolyData* points)
+{
+  const bool shown = this->ShowsAxes(points);
+  this->AxisActor->SetVisibility(shown && this->Actor->GetVisibility());
+  if (!shown)
+  {
+    this->AxisMapper->SetInputDataObject(nullptr);
+    return;
+  }
+  vtkRayTracedGlyphMapper& axes = *this->AxisMapper;
+  if (points != axes.GetInputDataObject(0, 0))
+  {
+    axes.SetInputDataObject(points);
+  }
+  axes.Glyphs = vtkGlyphInstanceBuilder::AxesOf(this->Mapper->Glyphs);
+  axes.Blocks = this->Mapper->Blocks;
+  axes.BlocksModified();
+  axes.ScalarVisibilityOff();
+  axes.Light = this->Mapper->Light;
+  axes.SetSamplesPerPixel(this->Mapper->GetSamplesPerPixel());
+  axes.SetSamplesPerRender(this->Mapper->GetSamplesPerRender());
+  axes.SetInteractiveReduction(this->Mapper->GetInteractiveReduction());
+  axes.SetStepwiseRendering(this->Mapper->GetStepwiseRendering());
+  vtkProperty* property = this->AxisActor->GetProperty();
+  property->DeepCopy(this->Property);
+  property->SetAmbientColor(this->TensorAxisColor.data());
+  property->SetDiffuseColor(this->TensorAxisColor.data());
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Actor->GetMatrix(matrix);
+  this->AxisActor->SetUserMatrix(matrix);
+  this->AxisActor->SetPickable(this->Actor->GetPickable());
 }
 
 //----------------------------------------------------------------------------
@@ -300,7 +360,9 @@ bool vtkRayTracedGlyphRepresentation::AddToView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->AddActor(this->Actor);
+  renderView->GetRenderer()->AddActor(this->AxisActor);
   renderView->RegisterPropForHardwareSelection(this, this->Actor);
+  renderView->RegisterPropForHardwareSelection(this, this->AxisActor);
   this->Mapper->Join(renderView->GetRenderer());
   return this->Superclass::AddToView(view);
 }
@@ -314,8 +376,11 @@ bool vtkRayTracedGlyphRepresentation::RemoveFromView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->RemoveActor(this->Actor);
+  renderView->GetRenderer()->RemoveActor(this->AxisActor);
   renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
+  renderView->UnRegisterPropForHardwareSelection(this, this->AxisActor);
   this->Mapper->Leave(renderView->GetRenderer());
+  this->AxisMapper->Leave(renderView->GetRenderer());
   return this->Superclass::RemoveFromView(view);
 }
 
@@ -323,6 +388,7 @@ bool vtkRayTracedGlyphRepresentation::RemoveFromView(vtkView* view)
 void vtkRayTracedGlyphRepresentation::SetVisibility(bool visible)
 {
   this->Actor->SetVisibility(visible);
+  this->AxisActor->SetVisibility(visible && this->AxisMapper->GetInputDataObject(0, 0));
   this->Superclass::SetVisibility(visible);
 }
 
@@ -440,6 +506,37 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorSharpness(double sharpness)
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorColoring(int coloring)
 {
   this->Mapper->Glyphs.Tensors.Coloring = coloring;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorPositiveColor(double red, double green, double blue)
+{
+  double* color = this->Mapper->Glyphs.Tensors.PositiveColor;
+  color[0] = InRange(red, 0.0, 1.0, 1.0);
+  color[1] = InRange(green, 0.0, 1.0, 1.0);
+  color[2] = InRange(blue, 0.0, 1.0, 1.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorNegativeColor(double red, double green, double blue)
+{
+  double* color = this->Mapper->Glyphs.Tensors.NegativeColor;
+  color[0] = InRange(red, 0.0, 1.0, 1.0);
+  color[1] = InRange(green, 0.0, 1.0, 1.0);
+  color[2] = InRange(blue, 0.0, 1.0, 1.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorAxis(bool on)
+{
+  this->TensorAxis = on;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorAxisColor(double red, double green, double blue)
+{
+  this->TensorAxisColor = { InRange(red, 0.0, 1.0, 1.0), InRange(green, 0.0, 1.0, 1.0),
+    InRange(blue, 0.0, 1.0, 1.0) };
 }
 
 //----------------------------------------------------------------------------

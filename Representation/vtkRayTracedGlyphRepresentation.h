@@ -111,6 +111,23 @@ public:
 
   ///@{
   /**
+   * Colours in [0, 1] of vtkGlyphTensors::SIGN: where x^T D x is zero or more, and where it is less. Default is a red and a blue.
+   */
+  void SetGlyphTensorPositiveColor(double red, double green, double blue);
+  void SetGlyphTensorNegativeColor(double red, double green, double blue);
+  ///@}
+
+  ///@{
+  /**
+   * Whether arrows show the antisymmetric parts of tensors of nine components (vtkGlyphInstanceBuilder::AxesOf), and their
+   * colour. Default is off, yellow.
+   */
+  void SetGlyphTensorAxis(bool on);
+  void SetGlyphTensorAxisColor(double red, double green, double blue);
+  ///@}
+
+  ///@{
+  /**
    * Motion blur: names of point arrays of three components ("None" or empty: none), the time that the shutter is open, and
    * when that is, of vtkGlyphMotion::Openings. Default is off, no arrays, 1, centred.
    */
@@ -242,6 +259,8 @@ private:
   void operator=(const vtkRayTracedGlyphRepresentation&) = delete;
 
   void UpdateColoring(vtkPolyData* points);
+  void UpdateAxes(vtkPolyData* points);
+  bool ShowsAxes(vtkPolyData* points) const;
   void ShareMeanScale();
   bool NeedsOrderedCompositing();
   void Place();
@@ -249,11 +268,15 @@ private:
   vtkSmartPointer<vtkRayTracedGlyphMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkProperty> Property;
+  vtkNew<vtkRayTracedGlyphMapper> AxisMapper;
+  vtkNew<vtkActor> AxisActor;
   vtkSmartPointer<vtkPolyData> Points; // gathered, not yet delivered
   vtkNew<vtkMultiBlockDataSet> Mesh;   // likewise; its only block is the form of mesh glyphs
   std::array<double, 3> Position{}, Translation{};
   int GlyphShape = 0;
   bool NestedExponents = false;
+  bool TensorAxis = false;
+  std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
   bool ReplicateGlyphs = false;
   std::string DeviceName, Statistics;
 };

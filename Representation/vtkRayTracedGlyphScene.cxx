@@ -273,8 +273,12 @@ void vtkRayTracedGlyphScene::Show(vtkActor* actor, vtkRayTracedGlyphMapper* mapp
     self.Scene->SetColours(member.Set, mapper->GetColors());
     member.Colors = mapper->GetColorVersion();
   }
-  const rtg::Material material =
-    vtkRayTracedGlyphView::MaterialOf(actor->GetProperty(), this->Renderer);
+  rtg::Material material = vtkRayTracedGlyphView::MaterialOf(actor->GetProperty(), this->Renderer);
+  const vtkGlyphTensors::Settings& tensors = mapper->Glyphs.Tensors;
+  material.positiveColour =
+    glm::vec3(tensors.PositiveColor[0], tensors.PositiveColor[1], tensors.PositiveColor[2]);
+  material.negativeColour =
+    glm::vec3(tensors.NegativeColor[0], tensors.NegativeColor[1], tensors.NegativeColor[2]);
   if (member.MaterialVersion == 0 || !vtkRayTracedGlyphView::Same(member.Material, material))
   {
     self.Scene->SetMaterial(member.Set, material);

@@ -198,7 +198,7 @@ bool vtkRayTracedGlyphView::Same(const rtg::Material& a, const rtg::Material& b)
 {
   const auto all = [](const rtg::Material& m)
   {
-    return std::tie(m.colour, m.ambientColour, m.specularColour, m.ambient, m.diffuse, m.specular,
+    return std::tie(m.colour, m.ambientColour, m.positiveColour, m.negativeColour, m.specularColour, m.ambient, m.diffuse, m.specular,
       m.specularPower, m.opacity, m.lighting, m.metallic, m.roughness, m.coatStrength,
       m.coatRoughness, m.coatIor, m.coatColour);
   };

@@ -3,6 +3,7 @@
 #include "bindings.glsl"
 #include "glyph.glsl"
 
+layout(constant_id = 8) const bool colouredByForm = false;
 layout(constant_id = 20) const bool leavesSurface = false;  // rays will start from the hit
 
 layout(location = 0) rayPayloadInEXT SurfaceHit hit;
@@ -31,5 +32,11 @@ void main()
   {
     vec4 own = unpackUnorm4x8(set.colours.at[glyph]);
     hit.colour = vec4(own.rgb, own.a * hit.colour.a);
+  }
+  if (colouredByForm)
+  {
+    // In glyph sizes: squares of tiny lengths vanish.
+    vec3 p = FromCentre(CurrentRay(), found, gl_HitTEXT) / max(found.size.x, max(found.size.y, found.size.z));
+    hit.colour.rgb = dot(set.forms.at[glyph], p * p) < 0.0 ? set.negativeColour : set.positiveColour;
   }
 }

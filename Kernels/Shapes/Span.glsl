@@ -251,4 +251,12 @@ RTG_FN real3 PointAt(LocalRay ray, DoubleWord s)
   return Add(ray.origin, Multiply(ray.direction, along)).hi;
 }
 
+// The way from the glyph's centre to the ray's point at t, in the glyph's frame: right to a few ulps of the glyph's size beside what
+// the rounding of t does.
+RTG_FN real3 FromCentre(GlyphRay ray, Glyph glyph, real t)
+{
+  LocalRay near = NearRay(ray, glyph);
+  return RotateToLocal(glyph, PointAt(near, Add(Word(t), Minus(near.start))));
+}
+
 #endif

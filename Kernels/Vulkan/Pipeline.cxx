@@ -20,6 +20,7 @@ struct Specialisation
   vk::Bool32 ownExponents;
   vk::Bool32 smoothNormals;
   std::uint32_t meshColours;
+  vk::Bool32 colouredByForm;
   vk::Bool32 alone;
   vk::Bool32 leavesSurface;
   vk::Bool32 hasVelocities;
@@ -37,6 +38,7 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 5, offsetof(Specialisation, ownExponents), sizeof(vk::Bool32) },
   { 6, offsetof(Specialisation, smoothNormals), sizeof(vk::Bool32) },
   { 7, offsetof(Specialisation, meshColours), sizeof(std::uint32_t) },
+  { 8, offsetof(Specialisation, colouredByForm), sizeof(vk::Bool32) },
   { 15, offsetof(Specialisation, alone), sizeof(vk::Bool32) },
   { 20, offsetof(Specialisation, leavesSurface), sizeof(vk::Bool32) },
   { 30, offsetof(Specialisation, hasVelocities), sizeof(vk::Bool32) },
@@ -151,8 +153,8 @@ Pipeline::Pipeline(
   {
     const HitGroup& group = groups[i];
     constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads,
-      group.hasTree, group.ownExponents, group.smoothNormals, group.meshColours, generation.alone,
-      leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins, group.ownTreeOrder };
+      group.hasTree, group.ownExponents, group.smoothNormals, group.meshColours,
+      group.colouredByForm, generation.alone, leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins, group.ownTreeOrder };
     specialisations[i] =
       vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
         specialisationMap, sizeof(Specialisation), &constants[i]);

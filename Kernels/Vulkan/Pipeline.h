@@ -19,6 +19,7 @@ struct HitGroup
   bool fixedHeads = false;
   bool hasTree = false;
   bool ownExponents = false;
+  bool colouredByForm = false;
   bool hasVelocities = false;
   bool hasAccelerations = false;
   bool spins = false;
@@ -33,7 +34,7 @@ struct HitGroup
   {
     return a.shape == b.shape && a.sizesPerGlyph == b.sizesPerGlyph && a.turned == b.turned &&
       a.coloured == b.coloured && a.fixedHeads == b.fixedHeads && a.hasTree == b.hasTree &&
-      a.ownExponents == b.ownExponents && a.hasVelocities == b.hasVelocities &&
+      a.ownExponents == b.ownExponents && a.colouredByForm == b.colouredByForm && a.hasVelocities == b.hasVelocities &&
       a.hasAccelerations == b.hasAccelerations && a.spins == b.spins &&
       a.ownTreeOrder == b.ownTreeOrder && a.smoothNormals == b.smoothNormals &&
       a.meshColours == b.meshColours;

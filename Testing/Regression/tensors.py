@@ -1,7 +1,10 @@
-"""Tensor glyphs: the same picture as the sizes and rotations they stand for, in every layout; bad tensors; turned ones.
+"""Tensor glyphs: the same picture as the sizes and rotations they stand for, in every layout; bad tensors;
+colours. With the argument: colours by the sign of x^T D x, and axes of antisymmetric parts.
 
-Usage: pvpython tensors.py
+Usage: pvpython tensors.py [parts]
 """
+import sys
+
 import numpy
 
 import paraview.simple as pv
@@ -69,6 +72,131 @@ def colours(failures, view):
     pv.Delete(points)
 
 
+def frame_of(view, direction, up, scale, size):
+    """Looks at the origin against `direction` in parallel projection: the world positions of all pixels, in the plane through it."""
+    direction = numpy.array(direction) / numpy.linalg.norm(direction)
+    right = numpy.cross(up, direction)
+    right /= numpy.linalg.norm(right)
+    up = numpy.cross(direction, right)
+    session.look(view, 5.0 * direction, up=up, parallel_scale=scale)
+    width, height = size
+    x = (numpy.arange(width) + 0.5 - width / 2.0) * 2.0 * scale / height
+    y = (height / 2.0 - numpy.arange(height) - 0.5) * 2.0 * scale / height
+    return x[None, :, None] * right + y[:, None, None] * up, direction
+
+
+def inner(mask):
+    """Pixels of a mask whose eight neighbours belong to it, too."""
+    padded = numpy.pad(mask, 1)
+    height, width = mask.shape
+    return numpy.all([padded[i:i + height, j:j + width] for i in range(3) for j in range(3)], axis=0)
+
+
+def signs(failures, view, size):
+    """Colours by the sign of x^T D x. Of ellipsoids the point that a pixel shows is computed; of superquadrics seen along their
+    third eigenvector those pixels count whose sign is the same at all depths within the glyph."""
+    warm, cool = (0.9, 0.5, 0.1), (0.1, 0.2, 0.8)
+    turn = matrix(numpy.array([0.8, 0.36, 0.48, 0.0]))
+    axial = numpy.array([[0.0, 0.4, -0.2], [-0.4, 0.0, 0.3], [0.2, -0.3, 0.0]])  # must not count
+    aslant = numpy.array([0.3, -0.5, 0.8])
+    cases = (("Tensor Ellipsoid", (1.0, -1.0, 0.5), aslant), ("Tensor Ellipsoid", (1.0, -1.0, 0.5), turn[:, 0]),
+             ("Tensor Ellipsoid", (0.9, -0.4, -0.7), aslant), ("Tensor Ellipsoid", (-0.3, -0.6, -0.8), aslant),
+             ("Tensor Superquadric", (1.0, -1.0, 0.5), turn[:, 2]), ("Signed Tensor Superquadric", (1.0, -0.8, 0.0), turn[:, 2]),
+             ("Signed Tensor Superquadric", (1.0, -1.0, 0.5), turn[:, 2]))
+    for number, (shape, values, direction) in enumerate(cases):
+        values = numpy.array(values)
+        d = turn @ numpy.diag(values) @ turn.T
+        half = 0.5 * numpy.maximum(numpy.abs(values), 1e-3)
+        points = session.source(session.poly_data(numpy.zeros((1, 3)), t=(d + axial).reshape(1, 9)))
+        shown = session.glyphs(points, view, GlyphShape=shape, GlyphScaleFactor=1.0, GlyphTensorArray="t",
+                               GlyphTensorColoring="Sign", GlyphTensorPositiveColor=warm, GlyphTensorNegativeColor=cool)
+        shown.Ambient, shown.Diffuse = 1.0, 0.0
+        at, along = frame_of(view, direction, numpy.array([0.1, 1.0, 0.0]), 0.6, size)
+        image = session.capture(view, "tensors-sign-%d" % number)[:, :, :3].astype(int)
+        hit = comparison.covered(image)
+        form = lambda x: numpy.einsum("...i,ij,...j", x, d, x)
+        if shape == "Tensor Ellipsoid":
+            # |p + s q| = 1 in units of the half-lengths; the camera looks along -q from s = infinity.
+            p, q = at @ turn / half, along @ turn / half
+            a, b, c = q @ q, p @ q, (p * p).sum(axis=-1) - 1.0
+            there = b * b - a * c >= 0.0
+            value = form(at + ((-b + numpy.sqrt(numpy.maximum(b * b - a * c, 0.0))) / a)[..., None] * along)
+            if (there != hit).mean() > 0.003:
+                failures.append("sign of %s: the glyph is not where it should be" % values)
+            positive, negative, least = inner(there & (value > 0)), inner(there & (value < 0)), 0.7
+        else:
+            value = numpy.array([form(at + s * along) for s in numpy.linspace(-1.0, 1.0, 65) * half[2]])
+            positive, negative, least = inner(hit & (value > 0).all(axis=0)), inner(hit & (value < 0).all(axis=0)), 0.3
+        wrong = sum(int((numpy.abs(image[mask] - numpy.round(255 * numpy.array(colour))).max(axis=1, initial=0) > 1).sum())
+                    for mask, colour in ((positive, warm), (negative, cool)))
+        judged = positive.sum() + negative.sum()
+        words = "%s, sign of %s: %d positive, %d negative of %d covered pixels, %d wrong" % (
+            shape, values, positive.sum(), negative.sum(), hit.sum(), wrong)
+        print(words)
+        if wrong or judged < least * hit.sum() or hit.sum() < 1000 or not negative.any():
+            failures.append(words)
+        pv.Delete(shown)
+        pv.Delete(points)
+
+
+def axes(failures, view, same):
+    """The antisymmetric part's arrow is the arrow of an array with its axis; symmetric and six-component tensors have none."""
+    session.look(view, (0.5, 1.0, 6.0))
+    symmetric = tensors((1, -1, 1))
+    w = numpy.array([[0.3, 0.9, 0.2], [0.0, 0.0, 0.0], [-0.8, 0.4, 0.6]])
+    a = symmetric + numpy.array([[[0, -z, y], [z, 0, -x], [-y, x, 0]] for x, y, z in w])
+    levi_civita = numpy.zeros((3, 3, 3))
+    levi_civita[[0, 1, 2], [1, 2, 0], [2, 0, 1]], levi_civita[[0, 1, 2], [2, 0, 1], [1, 2, 0]] = 1.0, -1.0
+    axis = -0.5 * numpy.einsum("ijk,njk->ni", levi_civita, a)
+    factors = numpy.array([0.8, 1.0, 1.3])
+    data = dict(t=a.reshape(3, 9), axis=axis, factor=factors, both=axis * factors[:, None])
+    colour = [0.2, 0.9, 0.3]
+    for scaled in (0, 1):
+        points = session.source(session.poly_data(POINTS, **data))
+        scaling = dict(GlyphScaling=scaled, GlyphScaleArray="factor", GlyphScaleFactor=1.1)
+        shown = session.glyphs(points, view, GlyphShape="Tensor Ellipsoid", GlyphTensorArray="t",
+                               GlyphTensorAxisColor=colour, **scaling)
+        session.solid(shown, (0.7, 0.7, 0.7))
+        without = session.capture(view, "tensors-axis-off-%d" % scaled)
+        shown.GlyphTensorAxis = 1
+        with_axes = session.capture(view, "tensors-axis-%d" % scaled)
+        shown.GlyphTensorAxis = 0
+        same("axis switched off again", without, session.capture(view, "tensors-axis-off-again"), 0.0)
+        # The second tensor is symmetric.
+        array = "both" if scaled else "axis"
+        other = session.source(session.poly_data(POINTS[[0, 2]], axis=axis[[0, 2]], both=data["both"][[0, 2]]))
+        arrows = session.glyphs(other, view, "Arrow", GlyphScaleFactor=1.1, GlyphScaling=1, GlyphScaleArray=array,
+                                GlyphScaleMode="Magnitude", GlyphOrient=1, GlyphOrientationArray=array, ArrowHeads="Scaled",
+                                ArrowShaftRadius=0.015, ArrowTipRadius=0.05, ArrowTipLength=0.15, ArrowTipRounding=0.0)
+        session.solid(arrows, colour)
+        same("axes as arrows, scaled %d" % scaled, with_axes, session.capture(view, "tensors-axis-arrows-%d" % scaled))
+        changed = numpy.mean(numpy.any(without != with_axes, axis=2))
+        if changed < 0.003:
+            failures.append("the axes change %.3f %% of the pixels only" % (100 * changed))
+        for proxy in (shown, arrows, points, other):
+            pv.Delete(proxy)
+
+    bad = a.reshape(3, 9).copy()
+    bad[0, 0], bad[2, 3] = numpy.nan, numpy.inf
+    six = symmetric[:, [0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]]
+    for name, values, words in (("symmetric", symmetric.reshape(3, 9), ""), ("six components", six, ""),
+                                ("not finite", bad, "2 of 3 points")):
+        points = session.source(session.poly_data(POINTS, t=values))
+        shown = session.glyphs(points, view, GlyphShape="Tensor Ellipsoid", GlyphTensorArray="t", GlyphScaleFactor=1.0)
+        pictures = []
+        def both():
+            for on in (0, 1):
+                shown.GlyphTensorAxis = on
+                pictures.append(session.capture(view, "tensors-axis-none"))
+        text = session.messages(both)
+        same("no axes: " + name, pictures[0], pictures[1], 0.0)
+        if text.count("have no glyph") != (1 if words else 0) or words not in text:
+            failures.append("axes, %s: %s" % (name, text))
+        pv.Delete(shown)
+        pv.Delete(points)
+
+
+
 def main():
     failures = []
     view = session.view(300, 150)
@@ -80,6 +208,11 @@ def main():
               (name, 100 * wrong, 100 * numpy.mean(comparison.covered(left))))
         if wrong > share or not comparison.covered(left).any():
             failures.append("%s: %.3f %% of the pixels differ" % (name, 100 * wrong))
+
+    if sys.argv[1:] == ["parts"]:
+        axes(failures, view, same)
+        signs(failures, view, (300, 150))
+        session.finish(failures)
 
     # Ellipsoids from lengths and quaternions are the reference.
     ellipsoids = picture(view, "reference", session.poly_data(POINTS, size=LENGTHS, turn=QUATERNIONS),
