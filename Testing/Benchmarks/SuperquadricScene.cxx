@@ -1,11 +1,14 @@
-// Time of an image of 280,000 superquadrics with random exponents beside one of as many spheres, through the pipeline.
-// Usage: SuperquadricScene [PIXELS] [REPETITIONS] [COUNT]
+// Time of an image of 280,000 glyphs of each shape beside one of as many spheres, through the pipeline.
+// Usage: SuperquadricScene [PIXELS] [REPETITIONS] [COUNT] [dilute|packed|both] [CSV]
 //
 // Layout, camera and coverage are those of Data/spheres_280k.py; exponents lie between 0.3 and 20 at random on a logarithmic
-// scale. The superquadrics' sizes are such that their boxes' sides are the spheres' diameters.
+// scale. The superquadrics' sizes are such that their boxes' sides are the spheres' diameters. Those that are turned have sides from
+// half of it to all of it. Arrows are as long as that, of vtkArrowSource's proportions. Eigenvalues of tensor glyphs are such that the
+// largest magnitude is 1, which makes the diameter: positive ones as all-positive tensors have them, signed ones of either sign.
 #include "Measures.h"
 #include "Camera.h"
 #include "Scene.h"
+#include "Tensor.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
@@ -14,7 +17,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace
@@ -42,7 +47,118 @@ struct Kind
   rtg::Shape shape;
   float leastExponent, mostExponent; ///< equal: one for all
   bool turned;
+  int tensors = -1; ///< an rtg::TensorGlyphKind, or none
 };
+
+class Random
+{
+public:
+  float Place() { return std::uniform_real_distribution<float>(-50.0f, 50.0f)(this->engine_); }
+  float Unit() { return std::uniform_real_distribution<float>(0.0f, 1.0f)(this->engine_); }
+  glm::vec3 Unit3()
+  {
+    const float x = this->Unit(), y = this->Unit();
+    return { x, y, this->Unit() };
+  }
+  glm::vec4 Quaternion()
+  {
+    std::normal_distribution<float> normal;
+    const float x = normal(this->engine_), y = normal(this->engine_), z = normal(this->engine_);
+    return glm::normalize(glm::vec4(x, y, z, normal(this->engine_)));
+  }
+
+private:
+  std::mt19937 engine_{ 20190923 };
+};
+
+// One tensor glyph more, turned at random.
+void AddTensor(rtg::GlyphInstances& instances, rtg::TensorGlyphKind kind, Random& random)
+{
+  glm::dvec3 values(random.Unit3());
+  if (kind == rtg::TensorGlyphKind::SignedSuperquadric)
+  {
+    values = 2.0 * values - 1.0;
+  }
+  values /= std::max({ std::abs(values.x), std::abs(values.y), std::abs(values.z), 1e-3 });
+  std::sort(&values.x, &values.x + 3, [](double a, double b) { return a > b; });
+  rtg::Eigensystem eigen;
+  eigen.values = values;
+  const rtg::TensorGlyph glyph = rtg::MakeTensorGlyph(eigen, kind, 3.0);
+  instances.sizes3.push_back(instances.uniformSize * glm::vec3(glyph.halfLengths));
+  instances.rotations.push_back(random.Quaternion());
+  instances.exponents3.emplace_back(glyph.exponents);
+}
+
+rtg::GlyphInstances MakeInstances(const Kind& kind, bool packed, int count)
+{
+  Random random;
+  rtg::GlyphInstances instances;
+  instances.shape = kind.shape;
+  instances.uniformSize = packed ? 0.8f * 100.0f / std::cbrt(float(count))
+                                 : 2.0f * 0.17769f * std::sqrt(280000.0f / float(count));
+  instances.arrow.unitLength = instances.uniformSize;
+  for (int i = 0; i < count; ++i)
+  {
+    const float x = random.Place(), y = random.Place();
+    instances.centres.emplace_back(x, y, random.Place());
+    if (kind.tensors >= 0)
+    {
+      AddTensor(instances, static_cast<rtg::TensorGlyphKind>(kind.tensors), random);
+      continue;
+    }
+    const glm::vec3 share = random.Unit3();
+    const float least = kind.leastExponent, ratio = kind.mostExponent / least;
+    if (ratio > 1.0f)
+    {
+      instances.exponents3.push_back(least * glm::pow(glm::vec3(ratio), share));
+    }
+    if (kind.turned)
+    {
+      instances.rotations.push_back(random.Quaternion());
+      const glm::vec3 sides = 0.5f + 0.5f * random.Unit3();
+      instances.sizes3.push_back(
+        instances.uniformSize * (kind.shape == rtg::Shape::Arrow ? glm::vec3(1.0f) : sides));
+    }
+  }
+  return instances;
+}
+
+struct Times
+{
+  double first = 0.0, wall = 1e30, cpu = 1e30, hits = 0.0; ///< seconds; share of the rays
+};
+
+double WallNow()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Times Measure(const std::shared_ptr<rtg::Device>& device, rtg::GlyphInstances instances,
+  std::uint32_t pixels, int repetitions)
+{
+  rtg::Scene scene(device);
+  rtg::Tracer tracer(device);
+  scene.SetInstances(scene.Add(), std::move(instances));
+  scene.Commit();
+  rtg::TraceSettings settings;
+  settings.width = settings.height = pixels;
+  const std::vector<rtg::Light> lights(1);
+  Times times;
+  times.first = WallNow();
+  tracer.Trace(scene, SceneCamera(), lights, settings);
+  times.first = WallNow() - times.first;
+  const std::size_t rays = std::size_t(pixels) * pixels;
+  for (int i = 0; i < repetitions; ++i)
+  {
+    const double wall = WallNow(), cpu = benchmark::CpuSeconds();
+    const rtg::Image image = tracer.Trace(scene, SceneCamera(), lights, settings);
+    times.wall = std::min(times.wall, WallNow() - wall);
+    times.cpu = std::min(times.cpu, benchmark::CpuSeconds() - cpu);
+    times.hits = double(std::count_if(image.depth, image.depth + rays,
+                   [](float depth) { return depth < 1.0f; })) / double(rays);
+  }
+  return times;
+}
 
 } // namespace
 
@@ -52,74 +168,52 @@ try
   const std::uint32_t pixels = argc > 1 ? std::uint32_t(std::atoi(argv[1])) : 1200;
   const int repetitions = argc > 2 ? std::atoi(argv[2]) : 5;
   const int count = argc > 3 ? std::atoi(argv[3]) : 280000;
+  const std::string layout = argc > 4 ? argv[4] : "both";
+  const auto tensor = [](rtg::TensorGlyphKind kind) { return static_cast<int>(kind); };
   const Kind kinds[] = {
     { "spheres", rtg::Shape::Sphere, 2, 2, false },
     { "superquadrics, all 2", rtg::Shape::Superquadric, 2, 2, false },
     { "superquadrics, 1 to 20", rtg::Shape::Superquadric, 1, 20, false },
     { "superquadrics, 0.3 to 20", rtg::Shape::Superquadric, 0.3f, 20, false },
     { "ellipsoids, turned", rtg::Shape::Sphere, 2, 2, true },
+    { "boxes, turned", rtg::Shape::Box, 2, 2, true },
+    { "cylinders, turned", rtg::Shape::Cylinder, 2, 2, true },
+    { "cones, turned", rtg::Shape::Cone, 2, 2, true },
+    { "arrows, turned", rtg::Shape::Arrow, 2, 2, true },
     { "superquadrics, 0.3 to 20, turned", rtg::Shape::Superquadric, 0.3f, 20, true },
+    { "tensor superquadrics", rtg::Shape::NestedSuperquadric, 2, 2, true,
+      tensor(rtg::TensorGlyphKind::Superquadric) },
+    { "signed tensor superquadrics", rtg::Shape::NestedSuperquadric, 2, 2, true,
+      tensor(rtg::TensorGlyphKind::SignedSuperquadric) },
   };
+  std::ofstream csv;
+  if (argc > 5)
+  {
+    csv.open(argv[5]);
+    csv << "layout,shape,glyphs,pixels,first s,wall s,CPU s,Mray/s,hit share,CPU over spheres\n";
+  }
   std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   std::printf("device: %s, %d glyphs, %u x %u\n", device->Name().c_str(), count, pixels, pixels);
-  std::printf("%-34s %8s %8s %8s %10s %8s\n", "", "first s", "wall s", "CPU s", "Mray/s", "hit %");
+  std::printf("%-34s %8s %8s %8s %10s %8s %8s\n", "", "first s", "wall s", "CPU s", "Mray/s", "hit %", "ratio");
   for (const bool packed : { false, true })
   {
+    const char* name = packed ? "packed" : "dilute";
+    if (layout != "both" && layout != name)
+    {
+      continue;
+    }
+    double spheres = 0.0;
     for (const Kind& kind : kinds)
     {
-      std::mt19937 random(20190923);
-      std::uniform_real_distribution<float> place(-50.0f, 50.0f), unit(0.0f, 1.0f);
-      std::normal_distribution<float> normal;
-      rtg::GlyphInstances instances;
-      instances.shape = kind.shape;
-      instances.uniformSize = packed ? 0.8f * 100.0f / std::cbrt(float(count))
-                                     : 2.0f * 0.17769f * std::sqrt(280000.0f / float(count));
-      for (int i = 0; i < count; ++i)
-      {
-        instances.centres.emplace_back(place(random), place(random), place(random));
-        const glm::vec3 share(unit(random), unit(random), unit(random));
-        const float least = kind.leastExponent, ratio = kind.mostExponent / least;
-        if (ratio > 1.0f)
-        {
-          instances.exponents3.push_back(least * glm::pow(glm::vec3(ratio), share));
-        }
-        if (kind.turned)
-        {
-          instances.rotations.push_back(
-            glm::normalize(glm::vec4(normal(random), normal(random), normal(random), normal(random))));
-          instances.sizes3.push_back(
-            instances.uniformSize * (0.5f + 0.5f * glm::vec3(unit(random), unit(random), unit(random))));
-        }
-      }
-      rtg::Scene scene(device);
-      rtg::Tracer tracer(device);
-      scene.SetInstances(scene.Add(), std::move(instances));
-      scene.Commit();
-      rtg::TraceSettings settings;
-      settings.width = settings.height = pixels;
-      const std::vector<rtg::Light> lights(1);
-      const auto wallNow = []
-      {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-          .count();
-      };
-      double first = wallNow();
-      tracer.Trace(scene, SceneCamera(), lights, settings);
-      first = wallNow() - first;
-      double wall = 1e30, cpu = 1e30, hits = 0;
-      for (int i = 0; i < repetitions; ++i)
-      {
-        const double wallStart = wallNow(), cpuStart = benchmark::CpuSeconds();
-        const rtg::Image image = tracer.Trace(scene, SceneCamera(), lights, settings);
-        wall = std::min(wall, wallNow() - wallStart);
-        cpu = std::min(cpu, benchmark::CpuSeconds() - cpuStart);
-        hits = double(std::count_if(image.depth, image.depth + std::size_t(pixels) * pixels,
-          [](float depth) { return depth < 1.0f; }));
-      }
-      const double rays = double(pixels) * pixels;
-      std::printf("%-34s %8.2f %8.3f %8.3f %10.2f %8.1f%s\n", kind.name, first, wall, cpu,
-        1e-6 * rays / wall, 100.0 * hits / rays, packed ? "  packed" : "");
+      const Times times = Measure(device, MakeInstances(kind, packed, count), pixels, repetitions);
+      spheres = spheres > 0.0 ? spheres : times.cpu;
+      const double rate = 1e-6 * double(pixels) * pixels / times.wall;
+      std::printf("%-34s %8.2f %8.3f %8.3f %10.2f %8.1f %8.2f  %s\n", kind.name, times.first,
+        times.wall, times.cpu, rate, 100.0 * times.hits, times.cpu / spheres, name);
       std::fflush(stdout);
+      csv << name << ",\"" << kind.name << "\"," << count << ',' << pixels << ',' << times.first << ','
+          << times.wall << ',' << times.cpu << ',' << rate << ',' << times.hits << ','
+          << times.cpu / spheres << std::endl;
     }
   }
   return 0;
