@@ -1,26 +1,44 @@
-"""Pictures of motion: arrows beside spheres that leave streaks, straight and with acceleration.
+"""Pictures of motion: arrows beside spheres that leave streaks, and an animation.
 
-Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython motion.py DATASET OUTPUT-FOLDER [WIDTH HEIGHT]
-DATASET: a folder by Data/injection.py, or can-vtu.hdf of VTK's test data (arrays VEL and ACCL).
+Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython motion.py DATASET OUTPUT-FOLDER [WIDTH HEIGHT [SAMPLES]] [--animation [FRAMES]]
+
+DATASET: a folder by Data/injection.py, or can-vtu.hdf of VTK's test data (arrays VEL and ACCL). Of the injection there are pictures of
+the whole chamber, in local shading and with ambient occlusion, and of a part of it from near by. The looks are arrows; spheres that
+move by their velocities only, which leaves even streaks; with the data's accelerations; and braked: with accelerations opposite to the
+velocities that would stop each sphere by the time the shutter closes, for streaks that thicken where the sphere goes.
+
+--animation writes a frame of each of the first FRAMES time steps (default: all) into OUTPUT-FOLDER/frames instead, and an
+animated picture of them, OUTPUT-FOLDER/injection.webp, with img2webp (Debian's package webp) when that is installed.
 """
 import os
+import shutil
+import subprocess
 import sys
 
 import paraview.simple as pv
 
 import simulation
 
+LOOKS = ("arrows", "velocity", "acceleration", "braked")
+SHADING = {"local": "Local", "occlusion": "Ambient Occlusion"}
+#: Camera, focal point, up.
+WHOLE = ((1.75, 4.9, -0.8), (1.75, 0.0, 0.05), (0.0, 0.0, -1.0))
+NEAR = ((1.75, 2.3, -0.3), (1.75, 0.0, 0.0), (0.0, 0.0, -1.0))
+#: Speed from blue over green to red, none of them as pale as the wall.
+COLOURS = (0.0, 0.08, 0.30, 0.68, 0.3, 0.05, 0.55, 0.60, 0.6, 0.95, 0.70, 0.10, 1.0, 0.80, 0.10, 0.08)
+
 
 def chamber(folder, view):
     """(source, arrays, sphere diameter, shutter time, arrow factor, colour limits) of the injection."""
     wall = pv.Show(pv.OpenDataFile(os.path.join(folder, "chamber.vtk")), view)
     wall.SetRepresentationType("Ray Traced Surface")
-    wall.ColorArrayName, wall.DiffuseColor, wall.AmbientColor = [None, ""], [0.75, 0.78, 0.8], [0.75, 0.78, 0.8]
+    wall.ColorArrayName, wall.DiffuseColor, wall.AmbientColor = [None, ""], [0.92, 0.93, 0.95], [0.92, 0.93, 0.95]
+    wall.Ambient, wall.Diffuse = 0.4, 0.6
     series = pv.OpenDataFile(os.path.join(folder, "injection.vtk.series"))
     view.ViewTime = series.TimestepValues[-1]
     pv.UpdatePipeline(view.ViewTime, series)
-    simulation.look(view, (1.75, 5.2, 1.5), (1.75, 0.0, -0.04), (0.0, 0.0, 1.0))
-    return series, ("velocity", "acceleration"), 0.022, 0.05, 0.03, (0.0, 6.0)
+    simulation.look(view, *WHOLE)
+    return series, ("velocity", "acceleration"), 0.024, 0.07, 0.03, (0.0, 5.0)
 
 
 def can(path, view):
@@ -32,31 +50,89 @@ def can(path, view):
 
 
 def show(look, source, arrays, diameter, shutter, factor, limits, view):
-    """One of the three looks."""
+    """One of the looks."""
     velocity, acceleration = arrays
+    if look == "braked":
+        # Twice the time, so that a sphere goes as far as without brakes.
+        shutter, acceleration = 2.0 * shutter, "braking"
+        source = pv.Calculator(Input=source, ResultArrayName=acceleration, Function="%s*%.9g" % (velocity, -1.0 / shutter))
     if look == "arrows":
         shown = simulation.show(source, view, "Arrow", GlyphOrient=1, GlyphOrientationArray=velocity,
-                                GlyphScaling=1, GlyphScaleArray=velocity, GlyphScaleMode="Magnitude", GlyphScaleFactor=factor)
+                                GlyphScaling=1, GlyphScaleArray=velocity, GlyphScaleMode="Magnitude", GlyphScaleFactor=factor,
+                                ArrowShaftRadius=0.06, ArrowTipRadius=0.16)
     else:
         shown = simulation.show(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=diameter, MotionBlur=1,
                                 VelocityArray=velocity, ShutterTime=shutter, ShutterOpening="Forward",
-                                AccelerationArray=acceleration if look == "acceleration" else "None")
-    shown.SamplesPerPixel = 64
+                                AccelerationArray="None" if look == "velocity" else acceleration)
     pv.ColorBy(shown, ("POINTS", velocity, "Magnitude"), True)
     table = pv.GetColorTransferFunction(velocity, shown, separate=True)
-    table.ApplyPreset("Plasma (matplotlib)", True)
+    table.RGBPoints, table.ColorSpace = list(COLOURS), "RGB"
     table.RescaleTransferFunction(*limits)
+    return shown
+
+
+def pictures(data, folder, size, samples):
+    """All looks from near by; of the whole injection arrows and blur, in local shading and with ambient occlusion."""
+    name, load = ("can", can) if os.path.isfile(data) else ("injection", chamber)
+    for look in LOOKS:
+        view = simulation.new_view(size)
+        shown = show(look, *load(data, view), view)
+        shown.SamplesPerPixel = samples
+        if name == "can":
+            simulation.write(view, folder, "can-%s" % look, size)
+        elif look in ("arrows", "acceleration"):
+            simulation.write(view, folder, "injection-%s" % look, size)
+            shown.ShadingMode, shown.AmbientOcclusionRadius, shown.Denoising = "Ambient Occlusion", 0.5, "Always"
+            shown.SamplesPerPixel = max(samples // 2, 1)
+            simulation.write(view, folder, "injection-%s-occlusion" % look, size)
+            shown.ShadingMode, shown.SamplesPerPixel = "Local", samples
+        if name == "injection":
+            simulation.look(view, *NEAR)
+            simulation.write(view, folder, "injection-%s-near" % look, [5 * pixels // 6 for pixels in size])
+        pv.Delete(view)
+
+
+def animation(data, folder, size, samples, frames):
+    """Frames of blurred spheres, and an animated picture of them."""
+    view = simulation.new_view(size)
+    series, *how = chamber(data, view)
+    how[2] = series.TimestepValues[1] - series.TimestepValues[0]  # the shutter is open from frame to frame
+    shown = show("acceleration", series, *how, view)
+    shown.SamplesPerPixel = samples
+    shown.ShadingMode, shown.AmbientOcclusionRadius, shown.Denoising = "Ambient Occlusion", 0.5, "Always"
+    frame_folder = os.path.join(folder, "frames")
+    os.makedirs(frame_folder, exist_ok=True)
+    written = []
+    for number, time in enumerate(series.TimestepValues[:frames]):
+        view.ViewTime = time
+        written.append(simulation.write(view, frame_folder, "injection-%03d" % number, size))
+    tool = shutil.which("img2webp")
+    if not tool:
+        print("img2webp is not installed (Debian's package webp), so there are only the frames")
+        return
+    picture = os.path.join(folder, "injection.webp")
+    subprocess.run([tool, "-loop", "0", "-mixed", "-d", "60", "-lossy", "-q", "60", "-m", "6"] + written + ["-o", picture],
+                   check=True)
+    print("wrote %s, %d kB" % (picture, os.path.getsize(picture) // 1000))
 
 
 def main():
-    """Makes three pictures."""
+    """Makes the pictures, or the animation."""
+    moving = "--animation" in sys.argv
+    frames = None
+    if moving:
+        at = sys.argv.index("--animation")
+        rest = sys.argv[at + 1:]
+        frames = int(rest[0]) if rest else None
+        del sys.argv[at:]
     data, folder = simulation.begin()
-    size = [int(value) for value in sys.argv[3:5]] or [1000, 700]
-    name, load = ("can", can) if os.path.isfile(data) else ("injection", chamber)
-    for look in ("arrows", "velocity", "acceleration"):
-        view = simulation.new_view(size)
-        show(look, *load(data, view), view)
-        simulation.save(view, folder, "%s-%s" % (name, look), size)
+    numbers = [int(value) for value in sys.argv[3:6]]
+    size = numbers[:2] or ([640, 300] if moving else [720, 336])
+    samples = numbers[2] if len(numbers) > 2 else (16 if moving else 48)
+    if moving:
+        animation(data, folder, size, samples, frames)
+    else:
+        pictures(data, folder, size, samples)
     pv.Disconnect()
 
 

@@ -92,12 +92,18 @@ def simulations(data):
             pv.OpenDataFile(os.path.join(data, "nematic", "nematic.vtk.series")))
 
 
-def save(view, folder, name, size):
-    """Writes the view's picture and deletes the view."""
+def write(view, folder, name, size):
+    """Writes the view's picture; its path."""
     path = os.path.join(folder, name + ".png")
     pv.SaveScreenshot(path, view, ImageResolution=size)
     print("wrote", path)
     sys.stdout.flush()
+    return path
+
+
+def save(view, folder, name, size):
+    """Writes the view's picture and deletes the view."""
+    write(view, folder, name, size)
     pv.Delete(view)
 
 
