@@ -149,7 +149,9 @@ def surrounded():
     seen = {}
     for state in ("without", "with"):
         if state == "with":
-            view.BackgroundTexture = pv.CreateTexture(path)
+            texture = pv.CreateTexture(path)
+            texture.UpdateVTKObjects()  # ParaView 5.13 reads the file only then
+            view.BackgroundTexture = texture
             view.BackgroundColorMode = "Skybox"
             view.UseEnvironmentLighting = 1
         shown = session.capture(view, "light-environment-" + state)
