@@ -1,0 +1,143 @@
+"""Tensor fields and a packing of superquadrics: stress of the simulation, diffusion along a helix, a flow (shapes.py has the point load).
+
+Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython tensors.py DATA-FOLDER OUTPUT-FOLDER [WIDTH HEIGHT]
+With RTGLYPHS_SHARED_DATA, a folder, also pictures of tensors.vtk and dt-helix.nhdr in it (../Kernels/TensorTest.cxx names their sources).
+"""
+import os
+import subprocess
+import sys
+
+import numpy
+import paraview.simple as pv
+from vtkmodules.numpy_interface import dataset_adapter
+
+from shapes import source
+from simulation import begin, look, new_view, save, show
+
+
+def arrays_of(reader):
+    """Points and point arrays of a reader as numpy."""
+    reader.UpdatePipeline()
+    adapter = dataset_adapter.WrapDataObject(pv.servermanager.Fetch(reader))
+    data = adapter.VTKObject
+    points = numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
+    return points, {name: numpy.array(adapter.PointData[name]) for name in adapter.PointData.keys()}
+
+
+def written_by(script, data, folder):
+    """What a script of the data folder writes, opened."""
+    path = os.path.join(folder, script.replace(".py", ".vtk"))
+    subprocess.run([os.path.join(data, script), path], check=True)
+    return pv.OpenDataFile(path)
+
+
+def norms(six):
+    """Frobenius norms of tensors whose last three components are those off the diagonal."""
+    return numpy.sqrt((six[:, :3] ** 2).sum(axis=1) + 2.0 * (six[:, 3:] ** 2).sum(axis=1))
+
+
+def logarithmic(six, share):
+    """Scales that make glyphs as large as log10(1 + |s| / s0), s0 being the quantile `share` of |s|; the largest glyph has size 1."""
+    norm = numpy.maximum(norms(six), 1e-300)
+    size = numpy.log10(1.0 + norm / numpy.quantile(norm, share))
+    return size / size.max() / norm
+
+
+def grain_stress(view, data, _):
+    """Stress of the grains as the ball hits them, of the loaded ones."""
+    reader = pv.OpenDataFile(os.path.join(data, "impact", "impact_01.vtk"))
+    points, arrays = arrays_of(reader)
+    stress = arrays["stress"]
+    norm = norms(stress)
+    loaded = norm > numpy.quantile(norm, 0.6)
+    show(source(points[loaded], stress=stress[loaded], log_size=logarithmic(stress[loaded], 0.3)), view,
+         "Signed Tensor Superquadric", GlyphTensorArray="stress", GlyphTensorLayout="LAMMPS", GlyphTensorColoring="Sign",
+         GlyphScaling=1, GlyphScaleArray="log_size", GlyphScaleMode="Magnitude", GlyphScaleFactor=2.0)
+    look(view, (10.0, -24.0, 22.0), (14.3, 13.0, 1.5), (0.0, 0.0, 1.0))
+
+
+def fibres(view, points, tensors, share, layout, spacing):
+    """Tensors of diffusion, where the share of fibres is large enough, by their principal direction."""
+    inside = share > 0.5
+    largest = numpy.quantile(norms(tensors[inside]), 0.9)
+    show(source(points[inside], d=tensors[inside]), view, "Tensor Superquadric", GlyphTensorArray="d", GlyphTensorLayout=layout,
+         GlyphTensorColoring="Principal Direction", GlyphScaleFactor=1.3 * spacing / largest)
+
+
+def helix(view, data, folder):
+    """Fibres along a helix."""
+    points, arrays = arrays_of(written_by("helix.py", data, folder))
+    fibres(view, points, arrays["diffusion"], arrays["bundle"], "VTK", 2.0 / 23)
+    look(view, (2.6, -3.0, 1.9), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+
+
+def packing(view, data, folder):
+    """Superquadrics of random exponents, by the logarithm of the smallest of them."""
+    points, arrays = arrays_of(written_by("packing.py", data, folder))
+    least = numpy.log10(arrays["exponents"].min(axis=1))
+    shown = show(source(points, least=least, **arrays), view, "Superquadric", GlyphExponentArray="exponents", GlyphScaling=1,
+                 GlyphScaleArray="lengths", GlyphScaleMode="Components", GlyphScaleFactor=1.0, GlyphOrient=1,
+                 GlyphOrientationArray="quaternion", GlyphOrientationMode="Quaternion")
+    pv.ColorBy(shown, ("POINTS", "least"), True)
+    table = pv.GetColorTransferFunction("least", shown, separate=True)
+    table.ApplyPreset("Viridis (matplotlib)", True)
+    table.RescaleTransferFunction(numpy.log10(0.4), numpy.log10(8.0))
+    look(view, (2.3, -1.6, 1.7), (0.5, 0.5, 0.5), (0.0, 0.0, 1.0))
+
+
+def flow(view, _, __):
+    """Velocity gradients of the flow (sin z + cos y, sin x + cos z, sin y + cos x) of Arnold, Beltrami and Childress, in one layer.
+
+    Its vorticity is its velocity, so that the arrows, half the vorticity, point along the flow."""
+    x, y = (a.ravel() for a in numpy.meshgrid(numpy.linspace(0, 2 * numpy.pi, 17)[:-1], numpy.linspace(0, 2 * numpy.pi, 17)[:-1]))
+    z, o = numpy.zeros_like(x), numpy.zeros_like(x)
+    gradient = numpy.array([o, -numpy.sin(y), numpy.cos(z), numpy.cos(x), o, -numpy.sin(z), -numpy.sin(x), numpy.cos(y), o]).T
+    show(source(numpy.array([x, y, z]).T, gradient=gradient), view, "Signed Tensor Superquadric", GlyphTensorArray="gradient",
+         GlyphTensorColoring="Sign", GlyphTensorAxis=1, GlyphTensorAxisColor=[0.1, 0.1, 0.1], GlyphScaleFactor=0.4)
+    look(view, (2.9, -2.6, 12.2), (2.9, 2.75, 0.0), (0.0, 1.0, 0.0))
+
+
+def third_party(view, path):
+    """The eight tensors of tensors.vtk, by sign, or the helix of dt-helix.nhdr."""
+    if path.endswith("tensors.vtk"):
+        points, arrays = arrays_of(pv.OpenDataFile(path))
+        t = arrays["tensors1"].reshape(-1, 9)
+        show(source(points, t=t), view, "Signed Tensor Superquadric", GlyphTensorArray="t", GlyphTensorColoring="Sign",
+             GlyphScaleFactor=0.25)
+        look(view, (2.6, -3.4, 2.0), (0.5, 0.5, 0.5), (0.0, 0.0, 1.0))
+        return
+    raw = numpy.fromfile(os.path.splitext(path)[0] + ".raw", dtype=">f4").reshape(40, 39, 38, 7).astype(float)
+    axes = [numpy.linspace(-2.0, 2.0, n) for n in (38, 39, 40)]
+    z, y, x = numpy.meshgrid(axes[2], axes[1], axes[0], indexing="ij")
+    tensors = raw[..., 1:].reshape(-1, 6)  # xx xy xz yy yz zz
+    diagonal_first = tensors[:, [0, 3, 5, 1, 4, 2]]
+    mean = diagonal_first[:, :3].mean(axis=1, keepdims=True)
+    apart = numpy.hstack([diagonal_first[:, :3] - mean, diagonal_first[:, 3:]])
+    anisotropy = numpy.sqrt(1.5) * norms(apart) / numpy.maximum(norms(diagonal_first), 1e-30)
+    share = ((raw[..., 0].ravel() > 0.5) & (anisotropy > 0.6)).astype(float)
+    fibres(view, numpy.array([x.ravel(), y.ravel(), z.ravel()]).T, diagonal_first, share, "VTK", 4.0 / 39)
+    look(view, (4.6, -6.0, 3.6), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+
+
+def main():
+    """Makes the pictures."""
+    data, folder = begin()
+    size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
+    wanted = os.environ.get("RTGLYPHS_PICTURES", "").split()  # names, or none for all
+    pictures = {"flow": flow, "packing": packing, "grain_stress": grain_stress, "helix": helix}
+    shared = os.environ.get("RTGLYPHS_SHARED_DATA", "")
+    for name, file in (("third-party-tensors", "tensors.vtk"), ("third-party-helix", "dt-helix.nhdr")):
+        path = os.path.join(shared, file)
+        if shared and os.path.exists(path):
+            pictures[name] = lambda view, _, __, path=path: third_party(view, path)
+    for name, draw in pictures.items():
+        if wanted and name not in wanted:
+            continue
+        view = new_view(size)
+        draw(view, data, folder)
+        save(view, folder, name, size)
+    pv.Disconnect()
+
+
+if __name__ == "__main__":
+    main()
