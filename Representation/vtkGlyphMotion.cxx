@@ -1,6 +1,7 @@
 #include "vtkGlyphMotion.h"
 
 #include "vtkDataArray.h"
+#include "vtkGlyphStepVelocity.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -21,16 +22,22 @@ enum Kinds
 const char* const properties[KINDS] = { "VelocityArray", "AccelerationArray",
   "AngularVelocityArray" };
 
-const std::string& NameOf(const vtkGlyphMotion::Settings& settings, int kind)
+std::string NameOf(const vtkGlyphMotion::Settings& settings, int kind)
 {
-  return kind == VELOCITY  ? settings.Velocity
-    : kind == ACCELERATION ? settings.Acceleration
-                           : settings.AngularVelocity;
+  switch (kind)
+  {
+    case VELOCITY:
+      return settings.FromPreviousStep ? vtkGlyphStepVelocity::Name() : settings.Velocity;
+    case ACCELERATION:
+      return settings.Acceleration;
+    default:
+      return settings.AngularVelocity;
+  }
 }
 
 bool IsNamed(const vtkGlyphMotion::Settings& settings, int kind)
 {
-  const std::string& name = NameOf(settings, kind);
+  const std::string name = NameOf(settings, kind);
   return !name.empty() && name != "None";
 }
 

@@ -33,6 +33,7 @@ public:
     bool On = false;
     // Names of point arrays of three components; empty or "None": none
     std::string Velocity;
+    bool FromPreviousStep = false; // the velocities are those of vtkGlyphStepVelocity instead
     std::string Acceleration;
     std::string AngularVelocity; // radians per time
     double ShutterTime = 1.0;    // in the arrays' unit of time, > 0

@@ -473,6 +473,11 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(
   {
     AppendPoints(leaves, count, out);
     AppendArrays(leaves, count, false, out->GetPointData());
+    // Which array the global ids are must not get lost.
+    if (vtkDataArray* ids = leaves.front().Data->GetPointData()->GetGlobalIds())
+    {
+      out->GetPointData()->SetActiveGlobalIds(ids->GetName());
+    }
   }
   if (count > 0)
   {

@@ -97,7 +97,8 @@ bool SameSettings(
       s.OrientationArray, s.OrientationMode, s.Arrow.shaftRadius, s.Arrow.tipRadius,
       s.Arrow.tipLength, s.Arrow.tipRounding, s.Arrow.fixedHeads, s.ArrowReference, s.Tensors.On, s.Tensors.Kind,
       s.Tensors.Array, s.Tensors.Layout, s.Tensors.Sharpness, s.Tensors.Axes, s.Exponents[0], s.Exponents[1],
-      s.Exponents[2], s.ExponentArray, s.Motion.On, s.Motion.Velocity, s.Motion.Acceleration,
+      s.Exponents[2], s.ExponentArray, s.Motion.On, s.Motion.Velocity, s.Motion.FromPreviousStep,
+      s.Motion.Acceleration,
       s.Motion.AngularVelocity, s.Motion.ShutterTime, s.Motion.Opening, s.Mask,
       s.MaximumNumberOfGlyphs, s.Seed, s.Mesh);
   };

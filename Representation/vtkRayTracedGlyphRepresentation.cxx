@@ -8,6 +8,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkGlyphPointGatherer.h"
+#include "vtkGlyphStepVelocity.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -51,6 +52,7 @@ vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation(
   vtkSmartPointer<vtkRayTracedGlyphMapper> mapper)
   : Mapper(std::move(mapper))
   , Points(vtkSmartPointer<vtkPolyData>::New())
+  , StepVelocity(std::make_unique<vtkGlyphStepVelocity>())
 {
   this->SetNumberOfInputPorts(2);
   this->Actor->SetMapper(this->Mapper);
@@ -117,6 +119,7 @@ int vtkRayTracedGlyphRepresentation::RequestData(
     ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
     : nullptr;
   this->Points = this->Gather(input, wholeExtent);
+  this->AddStepVelocities(input);
   if (this->GetNumberOfInputPorts() > 1)
   {
     vtkDataObject* mesh = inputVector[1]->GetNumberOfInformationObjects() == 1
@@ -129,6 +132,42 @@ int vtkRayTracedGlyphRepresentation::RequestData(
     this->Mesh->Modified();
   }
   return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//----------------------------------------------------------------------------
+// Where the data are, and not where they are rendered: what is delivered may come from ParaView's cache of time steps.
+void vtkRayTracedGlyphRepresentation::AddStepVelocities(vtkDataObject* input)
+{
+  if (!this->Mapper->Glyphs.Motion.FromPreviousStep || !input)
+  {
+    return;
+  }
+  vtkAlgorithm* source = this->GetInputAlgorithm();
+  if (this->StepVelocitySource != source)
+  {
+    this->StepVelocity->Reset();
+    this->StepVelocitySource = source;
+  }
+  vtkInformation* info = input->GetInformation();
+  const double time = info->Has(vtkDataObject::DATA_TIME_STEP())
+    ? info->Get(vtkDataObject::DATA_TIME_STEP())
+    : vtkMath::Nan();
+  this->StepVelocity->AddTo(this->Points, this->PointIds(), time);
+  const std::string message = this->StepVelocity->TakeMessage();
+  if (!message.empty())
+  {
+    vtkWarningMacro(<< message);
+  }
+}
+
+//----------------------------------------------------------------------------
+// Of the gathered points; null: there are none.
+vtkDataArray* vtkRayTracedGlyphRepresentation::PointIds()
+{
+  vtkPointData* data = this->Points->GetPointData();
+  const bool named = !this->PointIdArray.empty() && this->PointIdArray != "None";
+  vtkDataArray* ids = named ? data->GetArray(this->PointIdArray.c_str()) : data->GetGlobalIds();
+  return ids && ids->GetNumberOfComponents() == 1 ? ids : nullptr;
 }
 
 //----------------------------------------------------------------------------
@@ -630,6 +669,32 @@ void vtkRayTracedGlyphRepresentation::SetMotionBlur(bool on)
 void vtkRayTracedGlyphRepresentation::SetVelocityArray(const char* name)
 {
   this->Mapper->Glyphs.Motion.Velocity = name ? name : "";
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetVelocityFromPreviousStep(bool on)
+{
+  if (this->Mapper->Glyphs.Motion.FromPreviousStep != on)
+  {
+    this->Mapper->Glyphs.Motion.FromPreviousStep = on;
+    this->StepVelocity->Reset();
+    this->MarkModified(); // the points must be gathered again
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetPointIdArray(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  if (this->PointIdArray != wanted)
+  {
+    this->PointIdArray = wanted;
+    this->StepVelocity->Reset();
+    if (this->Mapper->Glyphs.Motion.FromPreviousStep)
+    {
+      this->MarkModified();
+    }
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -14,11 +14,17 @@
 #include "vtkPVDataRepresentation.h"
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <array>
+#include <memory>
 #include <string>
 
 class vtkActor;
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkDataObject;
+class vtkGlyphStepVelocity;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
 class vtkProperty;
@@ -129,10 +135,14 @@ public:
   ///@{
   /**
    * Motion blur: names of point arrays of three components ("None" or empty: none), the time that the shutter is open, and
-   * when that is, of vtkGlyphMotion::Openings. Default is off, no arrays, 1, centred.
+   * when that is, of vtkGlyphMotion::Openings. Default is off, no arrays, 1, centred. Velocities may instead be those of
+   * vtkGlyphStepVelocity, default off, where an array of one component, by default the global ids, tells which point is
+   * which.
    */
   void SetMotionBlur(bool on);
   void SetVelocityArray(const char* name);
+  void SetVelocityFromPreviousStep(bool on);
+  void SetPointIdArray(const char* name);
   void SetAccelerationArray(const char* name);
   void SetAngularVelocityArray(const char* name);
   void SetShutterTime(double time);
@@ -261,6 +271,8 @@ private:
   void UpdateColoring(vtkPolyData* points);
   void UpdateAxes(vtkPolyData* points);
   bool ShowsAxes(vtkPolyData* points) const;
+  void AddStepVelocities(vtkDataObject* input);
+  vtkDataArray* PointIds();
   void ShareMeanScale();
   bool NeedsOrderedCompositing();
   void Place();
@@ -277,6 +289,9 @@ private:
   bool NestedExponents = false;
   bool TensorAxis = false;
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
+  std::unique_ptr<vtkGlyphStepVelocity> StepVelocity;
+  std::string PointIdArray;
+  vtkWeakPointer<vtkAlgorithm> StepVelocitySource; // whose steps they are
   bool ReplicateGlyphs = false;
   std::string DeviceName, Statistics;
 };

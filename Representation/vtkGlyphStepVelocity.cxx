@@ -1,0 +1,182 @@
+#include "vtkGlyphStepVelocity.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+// Without going through double, which has not room for all 64-bit ids.
+struct ReadIds
+{
+  template <typename Array>
+  void operator()(Array* array, std::vector<std::int64_t>& ids) const
+  {
+    const auto values = vtk::DataArrayValueRange<1>(array);
+    std::transform(values.begin(), values.end(), ids.begin(),
+      [](auto value) { return static_cast<std::int64_t>(value); });
+  }
+};
+
+bool IsFinite(const double x[3])
+{
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+}
+
+//----------------------------------------------------------------------------
+void vtkGlyphStepVelocity::Reset()
+{
+  *this = vtkGlyphStepVelocity();
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkGlyphStepVelocity::Entry>
+vtkGlyphStepVelocity::EntriesOf(vtkPolyData* points, vtkDataArray* ids)
+{
+  const vtkIdType count = points->GetNumberOfPoints();
+  std::vector<std::int64_t> numbers(count);
+  ReadIds read;
+  if (!vtkArrayDispatch::Dispatch::Execute(ids, read, numbers))
+  {
+    read(ids, numbers);
+  }
+  std::vector<Entry> entries(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    entries[i].Id = numbers[i];
+    entries[i].Point = i;
+    points->GetPoint(i, entries[i].X);
+  }
+  const auto before = [](const Entry& a, const Entry& b) { return a.Id < b.Id; };
+  if (!std::is_sorted(entries.begin(), entries.end(), before))
+  {
+    std::sort(entries.begin(), entries.end(), before);
+  }
+  // Who is who cannot be told of ids that occur more than once.
+  std::size_t kept = 0;
+  for (std::size_t first = 0, last; first < entries.size(); first = last)
+  {
+    last = first + 1;
+    while (last < entries.size() && entries[last].Id == entries[first].Id)
+    {
+      ++last;
+    }
+    if (last == first + 1 && IsFinite(entries[first].X))
+    {
+      entries[kept++] = entries[first];
+    }
+  }
+  entries.resize(kept);
+  return entries;
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphStepVelocity::Outcomes
+vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataArray* ids, double time)
+{
+  this->Points = points->GetNumberOfPoints();
+  this->WithoutPartner = 0;
+  vtkNew<vtkFloatArray> velocities;
+  velocities->SetName(Name());
+  velocities->SetNumberOfComponents(3);
+  velocities->SetNumberOfTuples(this->Points);
+  velocities->FillValue(0.0f);
+  points->GetPointData()->AddArray(velocities);
+  if (this->Points > 0 && !ids)
+  {
+    return this->Outcome = NO_IDS;
+  }
+  if (!std::isfinite(time))
+  {
+    return this->Outcome = NO_TIME;
+  }
+
+  // Data of the same time that come again, as after a change of a filter, take the place of what they were. A step
+  // without points counts: those of the next have come from nowhere.
+  if (this->Now.Seen && this->Now.Time != time)
+  {
+    std::swap(this->Before, this->Now);
+  }
+  this->Now.Seen = true;
+  this->Now.Time = time;
+  this->Now.Entries = this->Points > 0 ? EntriesOf(points, ids) : std::vector<Entry>();
+  if (!this->Before.Seen)
+  {
+    return this->Outcome = this->Points > 0 ? FIRST_STEP : FOUND;
+  }
+
+  const double length = time - this->Before.Time;
+  vtkIdType partners = 0;
+  auto partner = this->Before.Entries.begin();
+  for (const Entry& now : this->Now.Entries)
+  {
+    partner = std::find_if(partner, this->Before.Entries.end(),
+      [&now](const Entry& before) { return before.Id >= now.Id; });
+    if (partner == this->Before.Entries.end())
+    {
+      break;
+    }
+    if (partner->Id == now.Id)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        velocities->SetTypedComponent(
+          now.Point, c, static_cast<float>((now.X[c] - partner->X[c]) / length));
+      }
+      ++partners;
+    }
+  }
+  this->WithoutPartner = this->Points - partners;
+  return this->Outcome = this->WithoutPartner > 0 ? WITHOUT_PARTNER : FOUND;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkGlyphStepVelocity::TakeMessage()
+{
+  bool& said = this->Said[this->Outcome];
+  if (said || this->Outcome == FOUND)
+  {
+    return "";
+  }
+  said = true;
+  return this->Describe();
+}
+
+//----------------------------------------------------------------------------
+std::string vtkGlyphStepVelocity::Describe() const
+{
+  switch (this->Outcome)
+  {
+    case NO_IDS:
+      return "VelocityFromPreviousStep needs to know which point is which, and the points have neither global ids nor the "
+             "array that PointIdArray names, of one component; so the glyphs stand still. Choose a PointIdArray; where "
+             "points never change their order, the filter Point And Cell Ids makes one.";
+    case NO_TIME:
+      return "VelocityFromPreviousStep needs the time of the data, and they say none; so the glyphs stand still. Open "
+             "them as a time series, or choose a VelocityArray.";
+    case FIRST_STEP:
+      return "VelocityFromPreviousStep is on, but no other time step has been shown yet, so the glyphs of this first one "
+             "stand still. They move from the next step on.";
+    case WITHOUT_PARTNER:
+    {
+      std::ostringstream text;
+      text << this->WithoutPartner << " of " << this->Points
+           << " points stand still, because VelocityFromPreviousStep finds no single point of the same id in the step "
+              "shown before, at time "
+           << this->Before.Time << ". Of later steps nothing is said.";
+      return text.str();
+    }
+    default:
+      return "";
+  }
+}

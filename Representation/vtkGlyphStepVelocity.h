@@ -1,0 +1,84 @@
+/**
+ * @class   vtkGlyphStepVelocity
+ * @brief   velocities of points by differences to the time step seen before
+ *
+ * For data without an array of velocities: v = (x(now) - x(before)) / (t(now) - t(before)), a backward difference of first
+ * order, of the points that have the same id in both steps. "Before" is the last step of another time that this object was
+ * given, whichever it was, so that time may jump and run backwards; its positions are kept, 40 bytes a point.
+ *
+ * A point without a partner stands still: its id is new, or occurs more than once in one of the steps, or one of
+ * the two positions is not finite. So do all in the first step.
+ */
+#ifndef vtkGlyphStepVelocity_h
+#define vtkGlyphStepVelocity_h
+
+#include "vtkType.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkPolyData;
+
+class vtkGlyphStepVelocity
+{
+public:
+  enum Outcomes
+  {
+    FOUND = 0,           // all points have a velocity
+    NO_IDS = 1,          // the other outcomes: all or some stand still
+    NO_TIME = 2,
+    FIRST_STEP = 3,
+    WITHOUT_PARTNER = 4
+  };
+
+  /**
+   * Adds the point array Name() to `points`, which are those of `time`. `ids` tell which point is which; without any (null)
+   * and with a time that is not finite (the data say none) all stand still.
+   */
+  Outcomes AddTo(vtkPolyData* points, vtkDataArray* ids, double time);
+
+  /**
+   * The last outcome in words, with a remedy; empty the second time that one comes since Reset().
+   */
+  std::string TakeMessage();
+
+  /**
+   * Forgets all steps.
+   */
+  void Reset();
+
+  /**
+   * Points that stood still in the last step because they have no partner.
+   */
+  vtkIdType GetNumberWithoutPartner() const { return this->WithoutPartner; }
+
+  static const char* Name() { return "VelocityFromPreviousStep"; }
+
+private:
+  struct Entry
+  {
+    std::int64_t Id;
+    vtkIdType Point;
+    double X[3];
+  };
+  struct Step
+  {
+    bool Seen = false;
+    double Time = 0.0;
+    std::vector<Entry> Entries; // by rising id, each id once
+  };
+  static std::vector<Entry> EntriesOf(vtkPolyData* points, vtkDataArray* ids);
+
+  std::string Describe() const;
+
+  Step Now, Before;
+  Outcomes Outcome = FOUND;
+  std::array<bool, WITHOUT_PARTNER + 1> Said{};
+  vtkIdType Points = 0;
+  vtkIdType WithoutPartner = 0;
+};
+
+#endif
