@@ -146,7 +146,7 @@ private:
 };
 
 /// The rays of a small image in parallel projection, from a direction that is nobody's axis.
-constexpr int side = 10;
+constexpr int side = 6;
 const glm::dvec3 towards = glm::normalize(glm::dvec3(-0.48, 0.36, -0.8));
 
 glm::dvec3 Origin(int pixel)
