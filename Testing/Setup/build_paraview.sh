@@ -125,17 +125,18 @@ configure() {
   [ "$window" = x11 ] || { x=OFF; egl=ON; }
   # RENDERING is the smallest edition with pvpython, views and plugins; only the GUI wants the canonical one.
   local edition=RENDERING
-  # It reads XML files only; legacy VTK, STL, PLY and image files are added.
-  local readers=(-DVTK_MODULE_ENABLE_VTK_IOParallel=YES -DVTK_MODULE_ENABLE_VTK_IOGeometry=YES
-    -DVTK_MODULE_ENABLE_VTK_IOPLY=YES -DVTK_MODULE_ENABLE_ParaView_VTKExtensionsIOImage=YES)
-  [ "$qt" = OFF ] || { edition=CANONICAL; readers=(); }
+  # It reads XML files only and plays nothing; legacy VTK, STL, PLY and image files and animations are added.
+  local additions=(-DVTK_MODULE_ENABLE_VTK_IOParallel=YES -DVTK_MODULE_ENABLE_VTK_IOGeometry=YES
+    -DVTK_MODULE_ENABLE_VTK_IOPLY=YES -DVTK_MODULE_ENABLE_ParaView_VTKExtensionsIOImage=YES
+    -DVTK_MODULE_ENABLE_ParaView_RemotingAnimation=YES)
+  [ "$qt" = OFF ] || { edition=CANONICAL; additions=(); }
   cmake -S "$source_dir" -B "$objects" -G Ninja \
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" \
     -DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
     -DPARAVIEW_BUILD_EDITION=$edition -DPARAVIEW_USE_QT=$qt -DPARAVIEW_USE_MPI=$mpi \
     -DPARAVIEW_USE_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3 \
     -DPARAVIEW_USE_FORTRAN=OFF -DPARAVIEW_PLUGINS_DEFAULT=OFF \
-    -DVTK_USE_X=$x -DVTK_OPENGL_HAS_EGL=$egl "${readers[@]}" \
+    -DVTK_USE_X=$x -DVTK_OPENGL_HAS_EGL=$egl "${additions[@]}" \
     >"$build_dir/configure.log" 2>&1 || fail "cmake failed; the end of $build_dir/configure.log:
 $(tail -n 15 "$build_dir/configure.log")"
   echo "configure: done, see $build_dir/configure.log"
