@@ -287,7 +287,23 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
 
   const vk::raii::Fence done(this->device, vk::FenceCreateInfo());
   const vk::CommandBuffer handle = *command;
-  this->queue.submit(vk::SubmitInfo({}, {}, handle), *done);
+  try
+  {
+    this->queue.submit(vk::SubmitInfo({}, {}, handle), *done);
+  }
+  catch (const vk::DeviceLostError&)
+  {
+    // What was handed over may count as pending until somebody waits; it is given back when this function is left.
+    try
+    {
+      this->device.waitIdle();
+    }
+    catch (const vk::SystemError&)
+    {
+      // It is lost: that is what the caller hears.
+    }
+    throw;
+  }
   const vk::Result result =
     this->device.waitForFences(*done, true, std::numeric_limits<std::uint64_t>::max());
   if (result == vk::Result::eErrorDeviceLost)
