@@ -6,6 +6,7 @@ With PVSERVER the images come from such a server. Prints REFINEMENT TEST PASSED 
 """
 import ctypes
 import os
+import re
 import sys
 import time
 import traceback
@@ -31,12 +32,12 @@ def say(text):
 
 def event_loop():
     """A function that lets the window take its events: scripts run inside one."""
-    for version in ("5", "6"):
-        try:
-            process = ctypes.CDLL("libQt%sCore.so.%s" % (version, version), mode=ctypes.RTLD_GLOBAL)[
-                "_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
-        except OSError:
-            continue
+    # Only the library that the window uses: another version may be installed as well.
+    with open("/proc/self/maps", encoding="utf-8") as maps:
+        loaded = re.search(r"/\S*libQt[56]Core\.so\.[56]\S*", maps.read())
+    if loaded:
+        process = ctypes.CDLL(loaded.group(), mode=ctypes.RTLD_GLOBAL)[
+            "_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
         process.argtypes, process.restype = [ctypes.c_int], None
         return lambda: process(0)
     raise RuntimeError("ParaView's window uses neither Qt 5 nor Qt 6")
