@@ -883,6 +883,29 @@ TEST_F(EnvironmentTest, AimingAndScatteringAddUp)
   EXPECT_NEAR(quarters, whole, certain * 2.0 * std::sqrt(5.0) / std::sqrt(24.0 * 24.0 * 256.0));
 }
 
+// Camera and sun see the floor through the same black roof: each of the two ways meets both of its faces, and whether a face
+// stops one says nothing about the other.
+TEST_F(EnvironmentTest, TranslucentThingsStopTheSunIndependently)
+{
+  rtg::Material roof = White();
+  roof.diffuse = 0.0f;
+  roof.opacity = 0.5f;
+  this->Add(Shape::Box, { { 0, 0, 0 } }, { { 1000.0f, 1000.0f, 0.1f } }, roof);
+  this->Add(Shape::Box, { { 0, 0, -2 } }, { { 1000.0f, 1000.0f, 0.1f } }, White());
+  const auto image = Make(64, 32, [](auto x, auto y) { return glm::vec3(x == 48 && y == 16 ? 100.0f : 0.0f); });
+  this->settings.environmentImage = image;
+  this->scene.Commit();
+  this->tracer.Trace(this->scene, this->camera, this->lights, this->settings, rtg::Pass::All);
+  double sum = 0.0;
+  for (const glm::vec4& mean : this->tracer.Means())
+  {
+    EXPECT_EQ(mean.a, 1.0f);
+    sum += mean.r;
+  }
+  const double lit = Expected(*image, { 0, 0, 1 }), share = 1.0 / 16.0;
+  EXPECT_NEAR(sum / (24.0 * 24.0), share * lit, certain * lit * std::sqrt(share / (24.0 * 24.0 * 64.0)));
+}
+
 TEST_F(EnvironmentTest, LargeImagesAreAimedAtInCells)
 {
   // 1030 columns in cells of three texels, the last of one; the sun lies in that.
