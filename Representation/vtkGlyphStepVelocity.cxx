@@ -81,8 +81,7 @@ vtkGlyphStepVelocity::EntriesOf(vtkPolyData* points, vtkDataArray* ids)
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphStepVelocity::Outcomes
-vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataArray* ids, double time)
+void vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataArray* ids, double time)
 {
   this->Points = points->GetNumberOfPoints();
   this->WithoutPartner = 0;
@@ -94,11 +93,13 @@ vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataArray* ids, double time)
   points->GetPointData()->AddArray(velocities);
   if (this->Points > 0 && !ids)
   {
-    return this->Outcome = NO_IDS;
+    this->Outcome = NO_IDS;
+    return;
   }
   if (!std::isfinite(time))
   {
-    return this->Outcome = NO_TIME;
+    this->Outcome = NO_TIME;
+    return;
   }
 
   // Data of the same time that come again, as after a change of a filter, take the place of what they were. A step
@@ -112,7 +113,8 @@ vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataArray* ids, double time)
   this->Now.Entries = this->Points > 0 ? EntriesOf(points, ids) : std::vector<Entry>();
   if (!this->Before.Seen)
   {
-    return this->Outcome = this->Points > 0 ? FIRST_STEP : FOUND;
+    this->Outcome = this->Points > 0 ? FIRST_STEP : FOUND;
+    return;
   }
 
   const double length = time - this->Before.Time;
@@ -137,7 +139,7 @@ vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataArray* ids, double time)
     }
   }
   this->WithoutPartner = this->Points - partners;
-  return this->Outcome = this->WithoutPartner > 0 ? WITHOUT_PARTNER : FOUND;
+  this->Outcome = this->WithoutPartner > 0 ? WITHOUT_PARTNER : FOUND;
 }
 
 //----------------------------------------------------------------------------

@@ -25,6 +25,25 @@ class vtkPolyData;
 class vtkGlyphStepVelocity
 {
 public:
+  /**
+   * Adds the point array Name() to `points`, which are those of `time`. `ids` tell which point is which; without any (null)
+   * and with a time that is not finite (the data say none) all stand still.
+   */
+  void AddTo(vtkPolyData* points, vtkDataArray* ids, double time);
+
+  /**
+   * What is to be said of the last step, with a remedy; empty the second time that the same comes since Reset().
+   */
+  std::string TakeMessage();
+
+  /**
+   * Forgets all steps.
+   */
+  void Reset();
+
+  static const char* Name() { return "VelocityFromPreviousStep"; }
+
+private:
   enum Outcomes
   {
     FOUND = 0,           // all points have a velocity
@@ -34,30 +53,6 @@ public:
     WITHOUT_PARTNER = 4
   };
 
-  /**
-   * Adds the point array Name() to `points`, which are those of `time`. `ids` tell which point is which; without any (null)
-   * and with a time that is not finite (the data say none) all stand still.
-   */
-  Outcomes AddTo(vtkPolyData* points, vtkDataArray* ids, double time);
-
-  /**
-   * The last outcome in words, with a remedy; empty the second time that one comes since Reset().
-   */
-  std::string TakeMessage();
-
-  /**
-   * Forgets all steps.
-   */
-  void Reset();
-
-  /**
-   * Points that stood still in the last step because they have no partner.
-   */
-  vtkIdType GetNumberWithoutPartner() const { return this->WithoutPartner; }
-
-  static const char* Name() { return "VelocityFromPreviousStep"; }
-
-private:
   struct Entry
   {
     std::int64_t Id;

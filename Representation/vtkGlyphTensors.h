@@ -11,6 +11,7 @@
 #include "Tensor.h"
 #include "vtkType.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,8 @@ public:
     int Coloring = NONE;
     ///@{
     // Where x^T D x is zero or more, and where it is less; with SIGN.
-    double PositiveColor[3] = { 0.839, 0.376, 0.302 };
-    double NegativeColor[3] = { 0.263, 0.576, 0.765 };
+    std::array<double, 3> PositiveColor{ { 0.839, 0.376, 0.302 } };
+    std::array<double, 3> NegativeColor{ { 0.263, 0.576, 0.765 } };
     ///@}
     bool Axes = false; // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
 

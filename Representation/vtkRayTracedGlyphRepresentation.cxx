@@ -39,6 +39,11 @@ double InRange(double value, double least, double most, double otherwise)
 {
   return std::isnan(value) ? otherwise : std::clamp(value, least, most);
 }
+
+std::array<double, 3> ColorInRange(double red, double green, double blue)
+{
+  return { InRange(red, 0.0, 1.0, 1.0), InRange(green, 0.0, 1.0, 1.0), InRange(blue, 0.0, 1.0, 1.0) };
+}
 }
 
 //----------------------------------------------------------------------------
@@ -550,19 +555,13 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorColoring(int coloring)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorPositiveColor(double red, double green, double blue)
 {
-  double* color = this->Mapper->Glyphs.Tensors.PositiveColor;
-  color[0] = InRange(red, 0.0, 1.0, 1.0);
-  color[1] = InRange(green, 0.0, 1.0, 1.0);
-  color[2] = InRange(blue, 0.0, 1.0, 1.0);
+  this->Mapper->Glyphs.Tensors.PositiveColor = ColorInRange(red, green, blue);
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorNegativeColor(double red, double green, double blue)
 {
-  double* color = this->Mapper->Glyphs.Tensors.NegativeColor;
-  color[0] = InRange(red, 0.0, 1.0, 1.0);
-  color[1] = InRange(green, 0.0, 1.0, 1.0);
-  color[2] = InRange(blue, 0.0, 1.0, 1.0);
+  this->Mapper->Glyphs.Tensors.NegativeColor = ColorInRange(red, green, blue);
 }
 
 //----------------------------------------------------------------------------
@@ -574,8 +573,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorAxis(bool on)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorAxisColor(double red, double green, double blue)
 {
-  this->TensorAxisColor = { InRange(red, 0.0, 1.0, 1.0), InRange(green, 0.0, 1.0, 1.0),
-    InRange(blue, 0.0, 1.0, 1.0) };
+  this->TensorAxisColor = ColorInRange(red, green, blue);
 }
 
 //----------------------------------------------------------------------------
@@ -777,8 +775,7 @@ void vtkRayTracedGlyphRepresentation::SetLightIntensity(double intensity)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetEnvironmentColor(double red, double green, double blue)
 {
-  this->Mapper->Light.EnvironmentColor = { InRange(red, 0.0, 1.0, 1.0),
-    InRange(green, 0.0, 1.0, 1.0), InRange(blue, 0.0, 1.0, 1.0) };
+  this->Mapper->Light.EnvironmentColor = ColorInRange(red, green, blue);
 }
 
 //----------------------------------------------------------------------------

@@ -65,15 +65,20 @@ void vtkRayTracedGlyphScene::WriteFeatures(const std::string& fileName, double e
     return;
   }
   // Sets are numbered in the order in which they came.
-  std::map<rtg::Scene::SetId, vtkRayTracedGlyphMapper*> mappers;
+  struct Source
+  {
+    vtkRayTracedGlyphMapper* Mapper;
+    int Number;
+  };
+  std::map<rtg::Scene::SetId, Source> sources;
   for (const auto& member : self.Members)
   {
-    mappers[member.second.Set] = member.first;
+    sources[member.second.Set] = { member.first, 0 };
   }
-  std::map<rtg::Scene::SetId, int> numbers;
-  for (const auto& mapper : mappers)
+  int number = 0;
+  for (auto& source : sources)
   {
-    numbers.emplace(mapper.first, static_cast<int>(numbers.size()));
+    source.second.Number = number++;
   }
 
   vtkNew<vtkImageData> data;
@@ -105,12 +110,12 @@ void vtkRayTracedGlyphScene::WriteFeatures(const std::string& fileName, double e
     albedos->SetTuple3(i, albedo.x, albedo.y, albedo.z);
     samples->SetValue(i, static_cast<int>(image->samples));
 
-    const auto mapper = mappers.find(image->setIds[i]);
-    const bool hit = image->glyphIds[i] != rtg::Image::noGlyph && mapper != mappers.end();
+    const auto source = sources.find(image->setIds[i]);
+    const bool hit = image->glyphIds[i] != rtg::Image::noGlyph && source != sources.end();
     const vtkRayTracedGlyphMapper::Origin origin = hit
-      ? mapper->second->OriginOf(self.Scene->OriginalGlyph(mapper->first, image->glyphIds[i]))
+      ? source->second.Mapper->OriginOf(self.Scene->OriginalGlyph(source->first, image->glyphIds[i]))
       : vtkRayTracedGlyphMapper::Origin{ -1, 0, -1 };
-    representations->SetValue(i, hit ? numbers[mapper->first] : -1);
+    representations->SetValue(i, hit ? source->second.Number : -1);
     ids->SetValue(i, origin.Id);
     blocks->SetValue(i, static_cast<int>(origin.CompositeIndex));
   }

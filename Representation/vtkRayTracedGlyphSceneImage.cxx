@@ -226,7 +226,6 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
       image.SmoothSamples = 0;
     }
     image.Key = std::move(key);
-    const std::string featureFile = image.Key.FeatureFile;
     image.PixelStep = settings.pixelStep;
     if (settings.pixelStep == 1)
     {
@@ -242,12 +241,12 @@ bool vtkRayTracedGlyphScene::UpdateImage(int pass, bool forIds)
     const bool last = translucent ||
       std::none_of(self.Members.begin(), self.Members.end(),
         [](const auto& m) { return m.second.Shown && m.second.Translucent; });
-    if (!featureFile.empty() && !forIds && last && settings.pixelStep == 1 &&
+    if (!image.Key.FeatureFile.empty() && !forIds && last && settings.pixelStep == 1 &&
       self.Samples == self.SamplesPerPixel)
     {
       // Parallel rays start from another plane than the camera's.
       this->WriteFeatures(
-        featureFile, glm::dot(camera.eye - camera.position, glm::dvec3(camera.forward)));
+        image.Key.FeatureFile, glm::dot(camera.eye - camera.position, glm::dvec3(camera.forward)));
     }
     return true;
   }

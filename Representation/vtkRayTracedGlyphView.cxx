@@ -134,17 +134,19 @@ vtkRayTracedGlyphView::Environment vtkRayTracedGlyphView::EnvironmentOf(
   {
     return Environment();
   }
-  auto image = std::make_shared<rtg::EnvironmentImage>();
-  image->right = glm::normalize(ToVector<glm::vec3>(renderer->GetEnvironmentRight()));
-  image->up = glm::normalize(ToVector<glm::vec3>(renderer->GetEnvironmentUp()));
+  const auto right = glm::normalize(ToVector<glm::vec3>(renderer->GetEnvironmentRight()));
+  const auto up = glm::normalize(ToVector<glm::vec3>(renderer->GetEnvironmentUp()));
   Environment environment;
   environment.Input = input;
   environment.Time = input->GetMTime();
   if (last.Image && last.Input == environment.Input && last.Time == environment.Time &&
-    last.Image->right == image->right && last.Image->up == image->up)
+    last.Image->right == right && last.Image->up == up)
   {
     return last;
   }
+  auto image = std::make_shared<rtg::EnvironmentImage>();
+  image->right = right;
+  image->up = up;
   image->width = static_cast<std::uint32_t>(input->GetDimensions()[0]);
   image->height = static_cast<std::uint32_t>(input->GetDimensions()[1]);
   const int components = colours->GetNumberOfComponents();

@@ -5,7 +5,6 @@
 
 const float environmentPi = 3.14159265358979;
 
-// Its texel, times the environment's colour and strength.
 vec3 EnvironmentTexel(uvec2 at)
 {
   at = min(at, frame.environmentSize - 1u);
@@ -22,6 +21,7 @@ vec3 EnvironmentSeen(vec3 direction)
   return EnvironmentTexel(uvec2(clamp(at, 0.0, 1.0) * vec2(frame.environmentSize)));
 }
 
+// What a scattered ray finds, times the environment's colour and strength.
 vec3 EnvironmentBelow(vec3 direction)
 {
   return frame.environment * min(EnvironmentSeen(direction), vec3(frame.environmentThreshold));

@@ -28,7 +28,7 @@ struct EnclosureRay
   real moved; // rounding may have moved its points near it by so much
 };
 
-// The rounding of the differences and of what PassBall does with them is less than 12 u (|v| + radius): see MissesBall.
+// The rounding of the differences and of the line's nearest point is less than 12 u (|v| + radius): see MissesBall.
 RTG_FN EnclosureRay ToSphere(GlyphRay ray, Glyph glyph, real radius)
 {
   EnclosureRay local;

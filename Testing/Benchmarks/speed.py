@@ -13,7 +13,6 @@ import csv
 import json
 import os
 import resource
-import statistics
 import subprocess
 import sys
 import time
@@ -61,12 +60,6 @@ def show(pv, points, view, name, count):
     return shown
 
 
-def cpu_seconds():
-    """User and system time of this process on all cores."""
-    usage = resource.getrusage(resource.RUSAGE_SELF)
-    return usage.ru_utime + usage.ru_stime
-
-
 def resident_megabytes():
     """Peak resident memory of this process."""
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
@@ -75,6 +68,7 @@ def resident_megabytes():
 def measure(name, scene, count, size, frames, folder):
     """Runs one competitor in this process and returns its figures."""
     import paraview.simple as pv
+    from frames import turning
 
     pv._DisableFirstRenderCameraReset()
     if name == OURS:
@@ -101,15 +95,8 @@ def measure(name, scene, count, size, frames, folder):
         counters = json.loads(shown.GetProperty("RenderStatistics").GetElement(0))
         figures.update({stage: counters.get(stage, "") for stage in STAGES})
 
-    camera = pv.GetActiveCamera()
-    wall, cpu = [], []
-    for _ in range(frames):
-        camera.Azimuth(1.0)
-        start, start_cpu = time.monotonic(), cpu_seconds()
-        pv.Render(view)
-        wall.append(time.monotonic() - start)
-        cpu.append(cpu_seconds() - start_cpu)
-    figures.update(wall=statistics.median(wall), cpu=statistics.median(cpu), megabytes=resident_megabytes(),
+    wall, cpu = turning(view, frames)
+    figures.update(wall=wall, cpu=cpu, megabytes=resident_megabytes(),
                    scene_megabytes=resident_megabytes() - before_megabytes)
     pv.SaveScreenshot(os.path.join(folder, name.replace(" ", "-") + ".png"), view)
     pv.Disconnect()

@@ -12,10 +12,7 @@ with the camera turning by a degree. Written to FOLDER: tessellations.csv and on
 import argparse
 import csv
 import os
-import resource
-import statistics
 import sys
-import time
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Regression"))
@@ -25,6 +22,7 @@ import paraview.simple as pv
 
 import comparison
 import session
+from frames import turning
 
 FACETS = ((6, 12), (12, 24), (24, 48), (96, 192))
 
@@ -61,24 +59,12 @@ def theirs(points, view, factor, exponent, facets):
     return shown, source
 
 
-def cpu_seconds():
-    """User and system time of this process on all cores."""
-    usage = resource.getrusage(resource.RUSAGE_SELF)
-    return usage.ru_utime + usage.ru_stime
-
-
 def measure(view, name, frames):
     """The picture, and the medians of wall and processor seconds a frame; the camera comes back."""
     image = session.capture(view, name)[:, :, :3].astype(int)
-    camera, wall, cpu = pv.GetActiveCamera(), [], []
-    for _ in range(frames):
-        camera.Azimuth(1.0)
-        start, start_cpu = time.monotonic(), cpu_seconds()
-        pv.Render(view)
-        wall.append(time.monotonic() - start)
-        cpu.append(cpu_seconds() - start_cpu)
-    camera.Azimuth(-float(frames))
-    return image, statistics.median(wall), statistics.median(cpu)
+    wall, cpu = turning(view, frames)
+    pv.GetActiveCamera().Azimuth(-float(frames))
+    return image, wall, cpu
 
 
 def main():

@@ -1,34 +1,24 @@
 // Rays at tensor glyphs, by the kernel in double: what TensorTest.cxx finds about sizes and exponents holds for what one sees.
 #include "Shapes/Shapes.h"
-#include "Tensor.h"
+#include "RandomTensors.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <random>
 #include <vector>
 
 namespace
 {
 
 using namespace rtg;
+using rtg::testing::Random;
+using rtg::testing::TensorOf;
 using Kernel = shapes::Kernel<double>;
 
 constexpr TensorGlyphKind kinds[] = { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
   TensorGlyphKind::SignedSuperquadric };
-
-SymmetricTensor Make(const glm::dvec3& values, const glm::dquat& rotation)
-{
-  const glm::dmat3 r = glm::mat3_cast(rotation);
-  glm::dmat3 m(0.0);
-  for (int k = 0; k < 3; ++k)
-  {
-    m += values[k] * glm::outerProduct(r[k], r[k]);
-  }
-  return { m[0][0], m[1][1], m[2][2], m[1][0], m[2][1], m[2][0] };
-}
 
 /// A tensor's glyph as the kernel has it, of the full extents |l|.
 struct Subject
@@ -130,21 +120,6 @@ private:
   }
 };
 
-class Random
-{
-public:
-  glm::dquat Rotation()
-  {
-    std::normal_distribution<double> normal;
-    const double w = normal(this->engine_), x = normal(this->engine_);
-    const double y = normal(this->engine_), z = normal(this->engine_);
-    return glm::normalize(glm::dquat(w, x, y, z));
-  }
-
-private:
-  std::mt19937_64 engine_{ 23 };
-};
-
 /// The rays of a small image in parallel projection, from a direction that is nobody's axis.
 constexpr int side = 6;
 const glm::dvec3 towards = glm::normalize(glm::dvec3(-0.48, 0.36, -0.8));
@@ -192,7 +167,7 @@ TEST(TensorImageTest, ImagesChangeContinuously)
     const auto leg = std::min(static_cast<std::size_t>(along), stations.size() - 2);
     const double f = along - static_cast<double>(leg);
     const glm::dquat turn = glm::angleAxis(3.0 * s, glm::normalize(glm::dvec3(1, 2, 3)));
-    return Subject(Make((1.0 - f) * stations[leg] + f * stations[leg + 1], turn), kind);
+    return Subject(TensorOf((1.0 - f) * stations[leg] + f * stations[leg + 1], turn), kind);
   };
   for (const TensorGlyphKind kind : kinds)
   {
@@ -223,7 +198,7 @@ TEST(TensorImageTest, ImagesChangeContinuously)
 /// eigenvectors open, and the glyph must look the same whichever are chosen.
 TEST(TensorImageTest, ImagesTurnWithTheirTensors)
 {
-  Random random;
+  Random random(23);
   const std::vector<glm::dvec3> tensors = { { 1, 0.5, 0.2 }, { 1, 1, 0.3 }, { 1, 0.3, 0.3 }, { 1, 1, 1 }, { 1, 0.4, -0.7 },
     { 1, -0.4, -0.7 }, { 1, 1, -0.6 }, { 1, 1, -1 }, { 0.5, -1, -1 }, { 1, -1, -1 }, { 0.8, 0, -0.8 }, { -0.2, -0.5, -1 },
     { -1, -1, -1 }, { 0, -1, -1 } };
@@ -235,7 +210,7 @@ TEST(TensorImageTest, ImagesTurnWithTheirTensors)
       for (int trial = 0; trial < 20; ++trial)
       {
         const glm::dquat first = random.Rotation(), turn = random.Rotation();
-        const Subject still(Make(values, first), kind), turned(Make(values, turn * first), kind);
+        const Subject still(TensorOf(values, first), kind), turned(TensorOf(values, turn * first), kind);
         for (int pixel = 0; pixel < side * side; ++pixel)
         {
           const glm::dvec3 origin = Origin(pixel);

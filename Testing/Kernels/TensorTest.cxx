@@ -1,5 +1,5 @@
 // Tensors: decomposition against 113 bits, the exponents of both kinds of glyphs, continuity.
-#include "Tensor.h"
+#include "RandomTensors.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,8 @@ namespace
 {
 
 using namespace rtg;
+using rtg::testing::Random;
+using rtg::testing::TensorOf;
 using Quad = __float128;
 
 //----------------------------------------------------------------------------
@@ -53,36 +54,6 @@ std::array<Quad, 3> QuadEigenvalues(const SymmetricTensor& t)
   std::array<Quad, 3> values = { a[0][0], a[1][1], a[2][2] };
   std::sort(values.begin(), values.end(), std::greater<Quad>());
   return values;
-}
-
-class Random
-{
-public:
-  double Uniform(double low, double high)
-  {
-    return low + (high - low) * double(this->engine_() >> 11) * 0x1p-53;
-  }
-  glm::dquat Rotation()
-  {
-    std::normal_distribution<double> normal;
-    const double w = normal(this->engine_), x = normal(this->engine_);
-    const double y = normal(this->engine_), z = normal(this->engine_);
-    return glm::normalize(glm::dquat(w, x, y, z));
-  }
-
-private:
-  std::mt19937_64 engine_{ 11 };
-};
-
-SymmetricTensor Make(const glm::dvec3& values, const glm::dquat& rotation)
-{
-  const glm::dmat3 r = glm::mat3_cast(rotation);
-  glm::dmat3 m(0.0);
-  for (int k = 0; k < 3; ++k)
-  {
-    m += values[k] * glm::outerProduct(r[k], r[k]);
-  }
-  return { m[0][0], m[1][1], m[2][2], m[1][0], m[2][1], m[2][0] };
 }
 
 // What every decomposition must be: ordered, orthonormal, right-handed, with a small residual.
@@ -136,7 +107,7 @@ TEST(TensorTest, AntisymmetricPartTurnsAboutItsAxis)
 
 TEST(TensorTest, EigenvaluesAgainst113Bits)
 {
-  Random random;
+  Random random(11);
   double worst = 0.0;
   for (int i = 0; i < 20000; ++i)
   {
@@ -151,7 +122,7 @@ TEST(TensorTest, EigenvaluesAgainst113Bits)
     {
       values.y = values.x * (1.0 + std::pow(10.0, random.Uniform(-9, -1)));
     }
-    const SymmetricTensor t = Make(values, random.Rotation());
+    const SymmetricTensor t = TensorOf(values, random.Rotation());
     const Eigensystem eigen = Decompose(t);
     ExpectValid(t, eigen);
     const auto exact = QuadEigenvalues(t);
@@ -166,8 +137,8 @@ TEST(TensorTest, EigenvaluesAgainst113Bits)
 
 TEST(TensorTest, TinyAndHugeTensors)
 {
-  Random random;
-  const SymmetricTensor t = Make({ 3.0, -1.5, 0.25 }, random.Rotation());
+  Random random(11);
+  const SymmetricTensor t = TensorOf({ 3.0, -1.5, 0.25 }, random.Rotation());
   const Eigensystem unit = Decompose(t);
   for (const int exponent : { -1000, -500, 500, 1020 })
   {
@@ -204,7 +175,7 @@ TEST(TensorTest, EqualAndZeroEigenvalues)
 /// The glyph's half-lengths and exponents stay, its axes turn.
 TEST(TensorTest, TurningATensorTurnsItsGlyph)
 {
-  Random random;
+  Random random(11);
   for (int i = 0; i < 5000; ++i)
   {
     const glm::dvec3 values(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
@@ -220,8 +191,8 @@ TEST(TensorTest, TurningATensorTurnsItsGlyph)
     for (const auto kind : { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
            TensorGlyphKind::SignedSuperquadric })
     {
-      const TensorGlyph a = MakeTensorGlyph(Decompose(Make(values, first)), kind, 3.0);
-      const TensorGlyph b = MakeTensorGlyph(Decompose(Make(values, turn * first)), kind, 3.0);
+      const TensorGlyph a = MakeTensorGlyph(Decompose(TensorOf(values, first)), kind, 3.0);
+      const TensorGlyph b = MakeTensorGlyph(Decompose(TensorOf(values, turn * first)), kind, 3.0);
       EXPECT_LT(glm::length(a.halfLengths - b.halfLengths), 1e-14);
       EXPECT_LT(glm::length(a.exponents - b.exponents), 1e-12);
       for (int axis = 0; axis < 3; ++axis)
@@ -407,7 +378,7 @@ RadialChange(const TensorGlyph& a, const TensorGlyph& b, const std::vector<glm::
 /// changes the glyph most, a step ten times smaller changes it about ten times less: there is no jump.
 TEST(TensorTest, GlyphsChangeContinuously)
 {
-  Random random;
+  Random random(11);
   std::vector<glm::dvec3> directions;
   for (int i = 0; i < 16; ++i)
   {
@@ -424,7 +395,7 @@ TEST(TensorTest, GlyphsChangeContinuously)
     const double f = s * legs - leg;
     const glm::dvec3 values = (1.0 - f) * stations[leg] + f * stations[leg + 1];
     const glm::dquat turn = glm::angleAxis(3.0 * s, glm::normalize(glm::dvec3(1, 2, 3)));
-    return MakeTensorGlyph(Decompose(Make(values, turn)), kind, 3.0);
+    return MakeTensorGlyph(Decompose(TensorOf(values, turn)), kind, 3.0);
   };
   for (const auto kind : { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
          TensorGlyphKind::SignedSuperquadric })
@@ -480,11 +451,11 @@ TEST(TensorTest, ThinGlyphsAreThereAndNoiseBecomesBalls)
 /// eigenvalue: between eigenvalues of opposite signs the glyph is concave.
 TEST(TensorTest, MiddleEigenvectorIsTheGlyphsY)
 {
-  Random random;
+  Random random(11);
   for (const glm::dvec3 values :
     { glm::dvec3(1, 0.2, -1), glm::dvec3(1, -0.2, -1), glm::dvec3(1, 0.5, 0.1) })
   {
-    const Eigensystem eigen = Decompose(Make(values, random.Rotation()));
+    const Eigensystem eigen = Decompose(TensorOf(values, random.Rotation()));
     const TensorGlyph glyph = MakeTensorGlyph(eigen, TensorGlyphKind::SignedSuperquadric, 3.0);
     const glm::dvec3 y = glyph.rotation * glm::dvec3(0, 1, 0);
     EXPECT_NEAR(std::abs(glm::dot(y, eigen.vectors[1])), 1.0, 1e-14);
@@ -495,11 +466,11 @@ TEST(TensorTest, MiddleEigenvectorIsTheGlyphsY)
 /// Half-lengths lie along the eigenvectors of their eigenvalues, for all orders of signs and magnitudes.
 TEST(TensorTest, LengthsLieAlongTheirEigenvectors)
 {
-  Random random;
+  Random random(11);
   for (int i = 0; i < 2000; ++i)
   {
     const glm::dvec3 values(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
-    const SymmetricTensor t = Make(values, random.Rotation());
+    const SymmetricTensor t = TensorOf(values, random.Rotation());
     for (const auto kind : { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
            TensorGlyphKind::SignedSuperquadric })
     {
