@@ -58,6 +58,8 @@ vk::AabbPositionsKHR ToVulkan(const Box& box)
 
 // One or two glyphs a leaf measured best on lavapipe (Testing/Benchmarks).
 constexpr std::size_t glyphsPerLeaf = 2;
+// From so many leaves met by a line on average, rays find so soon what stops them that dropping what lies behind pays.
+constexpr double leavesWorthDropping = 20.0;
 
 // A device whose traversal runs on the CPU does better with our own; RTGLYPHS_STRUCTURE (boxes or tree)
 // overrides, for measurements.
@@ -430,6 +432,7 @@ void Scene::State::BuildTree(GlyphSet& set, std::vector<Box> boxes)
   set.nodesPerSlice = static_cast<std::uint32_t>(set.kdAxes.size());
   set.timeSliceBits = 0;
   set.group.ownTreeOrder = false;
+  set.group.dropsHidden = false;
   if (set.instances.motion.Any())
   {
     const std::uint32_t bits = this->timeSliceBits >= 0
@@ -445,6 +448,10 @@ void Scene::State::BuildTree(GlyphSet& set, std::vector<Box> boxes)
   else
   {
     Pad(boxes, set.builtReach);
+    // So many leaves a line through the bounds meets on average, by Cauchy's formula.
+    const glm::dvec3 e(set.bounds.upper - set.bounds.lower);
+    const double leavesMet = LeafSurface(boxes, set.treeLeafBits) / (e.x * e.y + e.y * e.z + e.z * e.x);
+    set.group.dropsHidden = leavesMet > leavesWorthDropping;
     set.tree = Send(vulkan, BuildGlyphTree(boxes, set.treeLeafBits, set.kdAxes).nodes);
   }
   GlyphRun run;

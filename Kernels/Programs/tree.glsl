@@ -3,15 +3,18 @@
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TreeNodes { uint64_t word[]; };
 
+layout(constant_id = 36) const bool dropsHidden = false;  // rays are soon stopped: what lies behind a hit is dropped at once
+
 // A path through the tree without a stack: the node is known by level and index, and for every level on the way to it
 // eight bits say which of the children are still to be visited, the first to be visited highest, and four in what
-// order they are numbered.
+// order they are numbered; and where the ray enters the first of them but the one visited first, or before.
 struct TreePosition
 {
   uint level;
   uint node;
   uint64_t pending;
   uint orders;
+  vec4 behind[2];
 };
 
 // The ray prepared for boxes.
@@ -57,9 +60,18 @@ uint Bits(bvec4 set)
   return (set.x ? 1u : 0u) | (set.y ? 2u : 0u) | (set.z ? 4u : 0u) | (set.w ? 8u : 0u);
 }
 
+// Where the ray enters the boxes that it meets, but those left out.
+vec4 Unless(vec4 near, bvec4 leftOut, vec4 far)
+{
+  return vec4(leftOut.x || near.x > far.x ? 1e38 : near.x, leftOut.y || near.y > far.y ? 1e38 : near.y,
+    leftOut.z || near.z > far.z ? 1e38 : near.z, leftOut.w || near.w > far.w ? 1e38 : near.w);
+}
+
 // Which of a node's eight children the ray meets between tMin and tMax, bit 7 - rank for the child visited as number
-// `rank`, and the order: child = rank ^ order.
-void IntersectNode(TreeNodes nodes, uint index, BoxRay ray, float tMin, float tMax, out uint mask, out uint order)
+// `rank`, and the order: child = rank ^ order. With dropsHidden, also where it enters the first of them but the one
+// visited first.
+void IntersectNode(TreeNodes nodes, uint index, BoxRay ray, float tMin, float tMax, out uint mask, out uint order,
+  out float behind)
 {
   uint at = 8u * index;
   uvec2 originXY = unpack32(nodes.word[at]);
@@ -98,14 +110,47 @@ void IntersectNode(TreeNodes nodes, uint index, BoxRay ray, float tMin, float tM
   met = (flips & 4u) != 0u ? ((met & 0x0fu) << 4) | (met >> 4) : met;
   met = (flips & 2u) != 0u ? ((met & 0x33u) << 2) | ((met >> 2) & 0x33u) : met;
   mask = (flips & 1u) != 0u ? ((met & 0x55u) << 1) | ((met >> 1) & 0x55u) : met;
+
+  behind = 0.0;
+  if (dropsHidden)
+  {
+    uvec4 first = uvec4(uint(7 - findMSB(mask)) ^ order);
+    vec4 others0 = Unless(near0, equal(first, uvec4(0u, 1u, 2u, 3u)), far0);
+    vec4 others1 = Unless(near1, equal(first, uvec4(4u, 5u, 6u, 7u)), far1);
+    vec4 four = Lesser(others0, others1);
+    behind = min(min(four.x, four.y), min(four.z, four.w));
+  }
 }
 
 // Takes note of the children of the current node that are to be visited.
-void PushChildren(inout TreePosition position, uint mask, uint order)
+void PushChildren(inout TreePosition position, uint mask, uint order, float behind)
 {
   position.pending |= uint64_t(mask) << (8u * position.level);
   uint shift = 4u * position.level;
   position.orders = (position.orders & ~(15u << shift)) | (order << shift);
+  if (dropsHidden)
+  {
+    uvec4 level = uvec4(position.level);
+    position.behind[0] = mix(position.behind[0], vec4(behind), equal(level, uvec4(0u, 1u, 2u, 3u)));
+    position.behind[1] = mix(position.behind[1], vec4(behind), equal(level, uvec4(4u, 5u, 6u, 7u)));
+  }
+}
+
+// Levels whose pending children all lie behind `nearest`, 8 bits each.
+uint HiddenLevels(vec4 behind, float nearest)
+{
+  return (behind.x > nearest ? 0xffu : 0u) | (behind.y > nearest ? 0xff00u : 0u) |
+    (behind.z > nearest ? 0xff0000u : 0u) | (behind.w > nearest ? 0xff000000u : 0u);
+}
+
+// Forgets pending children behind a new nearest hit, which would be found to be so one by one.
+void DropHidden(inout TreePosition position, float nearest)
+{
+  if (dropsHidden)
+  {
+    position.pending &=
+      ~pack64(uvec2(HiddenLevels(position.behind[0], nearest), HiddenLevels(position.behind[1], nearest)));
+  }
 }
 
 // Moves to the next child: the first pending one on the deepest level that has any. False: none is left.

@@ -27,6 +27,7 @@ struct Specialisation
   vk::Bool32 hasAccelerations;
   vk::Bool32 spins;
   vk::Bool32 ownTreeOrder;
+  vk::Bool32 dropsHidden;
 };
 
 const vk::SpecializationMapEntry specialisationMap[] = {
@@ -45,6 +46,7 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 31, offsetof(Specialisation, hasAccelerations), sizeof(vk::Bool32) },
   { 32, offsetof(Specialisation, spins), sizeof(vk::Bool32) },
   { 34, offsetof(Specialisation, ownTreeOrder), sizeof(vk::Bool32) },
+  { 36, offsetof(Specialisation, dropsHidden), sizeof(vk::Bool32) },
 };
 
 // Shading/Sampling.glsl, Programs/pixel.glsl, Programs/bindings.glsl
@@ -154,7 +156,8 @@ Pipeline::Pipeline(
     const HitGroup& group = groups[i];
     constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads,
       group.hasTree, group.ownExponents, group.smoothNormals, group.meshColours,
-      group.colouredByForm, generation.alone, leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins, group.ownTreeOrder };
+      group.colouredByForm, generation.alone, leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins,
+      group.ownTreeOrder, group.dropsHidden };
     specialisations[i] =
       vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
         specialisationMap, sizeof(Specialisation), &constants[i]);

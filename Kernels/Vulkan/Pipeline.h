@@ -24,6 +24,7 @@ struct HitGroup
   bool hasAccelerations = false;
   bool spins = false;
   bool ownTreeOrder = false; ///< slices of time are sorted each for itself
+  bool dropsHidden = false;  ///< glyphs lie so densely that most of what a ray might meet is behind its hit
   // Shape::Mesh only
   bool smoothNormals = false;
   std::uint32_t meshColours = 0; ///< 0: none, 1: by position, 2: by triangle
@@ -36,7 +37,7 @@ struct HitGroup
       a.coloured == b.coloured && a.fixedHeads == b.fixedHeads && a.hasTree == b.hasTree &&
       a.ownExponents == b.ownExponents && a.colouredByForm == b.colouredByForm && a.hasVelocities == b.hasVelocities &&
       a.hasAccelerations == b.hasAccelerations && a.spins == b.spins &&
-      a.ownTreeOrder == b.ownTreeOrder && a.smoothNormals == b.smoothNormals &&
+      a.ownTreeOrder == b.ownTreeOrder && a.dropsHidden == b.dropsHidden && a.smoothNormals == b.smoothNormals &&
       a.meshColours == b.meshColours;
   }
 };

@@ -349,11 +349,18 @@ TEST_P(TracerTest, SeveralStructuresOfOneSetGiveTheSameImage)
 TEST_P(TracerTest, FindsTheNearestOfManyGlyphsOfAnyCount)
 {
   // Against brute force, from counts that make the smallest trees, with even and odd depth, upwards.
-  for (std::size_t count : { 1, 2, 3, 4, 5, 7, 8, 9, 16, 17, 33, 100, 1000 })
+  // Then so densely that rays drop what lies behind their hits.
+  const std::pair<std::size_t, float> scenes[] = { { 1, 0.6f }, { 2, 0.6f }, { 3, 0.6f }, { 4, 0.6f }, { 5, 0.6f },
+    { 7, 0.6f }, { 8, 0.6f }, { 9, 0.6f }, { 16, 0.6f }, { 17, 0.6f }, { 33, 0.6f }, { 100, 0.6f }, { 1000, 0.6f },
+    { 1000, 4.0f }, { 4100, 4.0f }, { 33000, 1.5f } };
+  for (const auto& [count, filling] : scenes)
   {
     const auto points = RandomPoints(count);
-    const float size = 0.6f / std::cbrt(static_cast<float>(count));
+    const float size = filling / std::cbrt(static_cast<float>(count));
     const auto id = this->AddSpheres(points, size);
+    this->scene.Commit();
+    const auto& group = this->scene.GetState().sets.at(id).group;
+    EXPECT_EQ(group.dropsHidden, GetParam() == rtg::Structure::Tree && filling > 1.0f) << count;
     const Image image = this->Trace();
     for (int y = 0; y < 100; y += 3)
     {
@@ -387,6 +394,43 @@ TEST_P(TracerTest, FindsTheNearestOfManyGlyphsOfAnyCount)
     }
     this->scene.Remove(id);
   }
+}
+
+/// Needles, whose boxes are large and mostly empty: rays meet many before they hit, and drop at every hit what is behind it.
+TEST_P(TracerTest, NeedlesInFrontAreNotDropped)
+{
+  std::mt19937 random(5);
+  std::normal_distribution<float> normal;
+  rtg::GlyphInstances needles;
+  needles.centres = RandomPoints(3000);
+  needles.sizes3.assign(needles.centres.size(), glm::vec3(0.01f, 0.01f, 0.5f));
+  for (std::size_t i = 0; i < needles.centres.size(); ++i)
+  {
+    const float x = normal(random), y = normal(random), z = normal(random), w = normal(random);
+    needles.rotations.push_back(glm::normalize(glm::vec4(x, y, z, w)));
+  }
+  this->camera = rtg::Camera::FromWorldToClip(glm::perspective(0.6, 1.0, 1.0, 9.0) *
+    glm::lookAt(glm::dvec3(2.0, -1.5, 3.0), glm::dvec3(0.0), glm::dvec3(0.0, 1.0, 0.0)));
+  this->settings.width = this->settings.height = 200;
+  const auto trace = [&](rtg::Structure structure)
+  {
+    this->scene.GetState().structure = structure;
+    const auto id = this->scene.Add();
+    this->scene.SetInstances(id, needles);
+    this->scene.Commit();
+    EXPECT_EQ(this->scene.GetState().sets.at(id).group.dropsHidden, structure == rtg::Structure::Tree);
+    const Image image = this->Trace();
+    std::vector<std::uint32_t> found(image.glyphIds, image.glyphIds + 40000);
+    for (std::uint32_t& glyph : found)
+    {
+      glyph = glyph == Image::noGlyph ? glyph : this->scene.OriginalGlyph(id, glyph);
+    }
+    this->scene.Remove(id);
+    return found;
+  };
+  const auto expected = trace(rtg::Structure::Boxes);
+  EXPECT_GT(std::count(expected.begin(), expected.end(), Image::noGlyph), 2000);
+  EXPECT_EQ(trace(GetParam()), expected);
 }
 
 TEST_P(TracerTest, NearestAcrossSetsWins)
