@@ -299,6 +299,7 @@ enum Reason
   TENSOR,
   EXPONENT,
   MOTION,
+  FORM,
   REASONS
 };
 
@@ -341,6 +342,9 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
     "their velocity, acceleration or angular velocity, or the way they go while the shutter is "
     "open, is not finite",
     "Choose other arrays, switch MotionBlur off, or remove these points with Threshold.");
+  say(skipped[FORM],
+    "the number of their form, from the point array '" + settings.TableIndexArray + "', is not finite",
+    "Choose another GlyphMeshIndexArray, or remove these points with Threshold.");
   if (IsNone(settings.ExponentArray))
   {
     std::ostringstream why;
@@ -445,6 +449,12 @@ vtkDataArray* vtkGlyphInstanceBuilder::ExponentArray(vtkPolyData* points, const 
 }
 
 //----------------------------------------------------------------------------
+vtkDataArray* vtkGlyphInstanceBuilder::TableIndexArray(vtkPolyData* points, const Settings& settings)
+{
+  return WantedArray(points, settings.TableSize > 1, settings.TableIndexArray);
+}
+
+//----------------------------------------------------------------------------
 bool vtkGlyphInstanceBuilder::NeedsMeanScale(const Settings& settings)
 {
   return settings.Shape == rtg::Shape::Arrow && settings.Arrow.fixedHeads && settings.Scaling &&
@@ -523,10 +533,13 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   instances.shape = settings.Shape;
   instances.arrow = settings.Arrow;
   const bool isMesh = settings.Shape == rtg::Shape::Mesh;
+  const bool hasTable = isMesh && settings.TableSize > 1;
   if (isMesh && (!settings.Mesh || settings.Mesh->triangles.empty()))
   {
-    result.Messages.emplace_back("GlyphMesh has no polygons, so there are no glyphs. Choose a "
-                                 "source that has some, such as Arrow, Cone or Sphere.");
+    const std::string number = std::to_string(settings.TableEntry);
+    result.Messages.push_back((hasTable ? "Entry " + number + " of GlyphMesh has no polygons, so points that choose it have no glyph."
+                                        : "GlyphMesh has no polygons, so there are no glyphs.") +
+      " Choose a source that has some, such as Arrow, Cone or Sphere.");
     return result;
   }
   instances.mesh = isMesh ? settings.Mesh : nullptr;
@@ -544,6 +557,8 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   Tuples orientations(CheckedArray(OrientationArray(points, settings), settings.Orient,
     settings.OrientationArray, "GlyphOrientationArray",
     { settings.OrientationMode == QUATERNION ? 4 : 3 }, "the glyphs are not turned", result));
+  Tuples forms(CheckedArray(TableIndexArray(points, settings), hasTable, settings.TableIndexArray, "GlyphMeshIndexArray", {},
+    "all points have the table's first form", result));
   const bool ownExponents = HasOwnExponents(settings);
   Tuples exponents(CheckedArray(ExponentArray(points, settings), ownExponents, settings.ExponentArray,
     "GlyphExponentArray", { 1, 2, 3 }, "GlyphExponents count", result));
@@ -606,6 +621,21 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   bool sized = false;
   for (vtkIdType i : candidates)
   {
+    if (hasTable)
+    {
+      const double number = forms ? vtkMath::Norm(forms.Get(i), forms.Size()) : 0.0;
+      const int last = settings.TableSize - 1;
+      const bool counts = !std::isnan(number);
+      if ((counts ? static_cast<int>(std::min<double>(number, last)) : 0) != settings.TableEntry)
+      {
+        continue;
+      }
+      if (!counts)
+      {
+        ++skipped[FORM];
+        continue;
+      }
+    }
     const double* x = positions.Get(i);
     const glm::dvec3 position =
       placement.Linear * glm::dvec3(x[0], x[1], x[2]) + placement.Offset - instances.origin;
@@ -745,6 +775,10 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     result.Messages.push_back(
       "Scale of the representation differs between its axes, which glyphs of this shape "
       "can follow only approximately. Transform the data instead, or use one scale.");
+  }
+  if (hasTable && settings.TableEntry > 0)
+  {
+    result.Messages.clear(); // what is not about single points the first entry has said
   }
   Describe(result, settings, skipped, candidates.size());
   return result;

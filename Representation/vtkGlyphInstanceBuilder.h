@@ -10,6 +10,9 @@
  * the first across (x and y) and the second along z, with three one for each axis. In the nested form the first is
  * that along z, the second that across, as blockiness is given in granular matter codes; one component is both.
  *
+ * With a table of forms the magnitude of the index array's tuple, cut to a whole number and clamped to the table, is the
+ * number of a point's form.
+ *
  * A negative scale component mirrors the glyph. That changes nothing about a sphere, box or cylinder; cones and arrows
  * point the other way, as 3D Glyphs shows them; meshes are mirrored.
  *
@@ -63,6 +66,9 @@ public:
     double ArrowReference =
       0.0; // scale of the arrow whose head has the unit arrow's proportions; 0: the mean
     std::shared_ptr<const rtg::TriangleMesh> Mesh; // for rtg::Shape::Mesh
+    /// Of a table of TableSize forms, Mesh is that of number TableEntry: only points that choose it show it.
+    int TableSize = 1, TableEntry = 0;
+    std::string TableIndexArray; // empty or "None": all points choose entry 0
     vtkGlyphTensors::Settings Tensors; // on: they give size, rotation and exponents
     double Exponents[3] = { 2.0, 2.0, 2.0 }; // of superquadrics; each counts as one in [0.1, 100]
     std::string ExponentArray;               // overrides them; empty or "None": none
@@ -129,6 +135,7 @@ public:
   static vtkDataArray* ScaleArray(vtkPolyData* points, const Settings& settings);
   static vtkDataArray* OrientationArray(vtkPolyData* points, const Settings& settings);
   static vtkDataArray* ExponentArray(vtkPolyData* points, const Settings& settings);
+  static vtkDataArray* TableIndexArray(vtkPolyData* points, const Settings& settings);
   ///@}
 };
 

@@ -100,7 +100,7 @@ bool SameSettings(
       s.Exponents[2], s.ExponentArray, s.Motion.On, s.Motion.Velocity, s.Motion.FromPreviousStep,
       s.Motion.Acceleration,
       s.Motion.AngularVelocity, s.Motion.ShutterTime, s.Motion.Opening, s.Mask,
-      s.MaximumNumberOfGlyphs, s.Seed, s.Mesh);
+      s.MaximumNumberOfGlyphs, s.Seed, s.Mesh, s.TableSize, s.TableEntry, s.TableIndexArray);
   };
   return all(a) == all(b) && a.Tensors.ColorsBySign() == b.Tensors.ColorsBySign();
 }
@@ -112,7 +112,7 @@ bool SameSettings(
 struct vtkRayTracedGlyphMapper::InstanceKey
 {
   vtkGlyphInstanceBuilder::Settings Settings;
-  std::array<vtkMTimeType, 10> Times{};
+  std::array<vtkMTimeType, 11> Times{};
   std::vector<vtkMTimeType> FurtherTimes;
   std::vector<unsigned int> HiddenBlocks;
   std::array<double, 16> Matrix{};
@@ -256,7 +256,7 @@ vtkRayTracedGlyphMapper::MakeInstanceKey(vtkPolyData* points) const
     TimeOf(points->GetPointData()->GetArray(vtkGlyphPointGatherer::CompositeIndexName())),
     TimeOf(vtkGlyphTensors::Array(points, this->Glyphs.Tensors)),
     TimeOf(vtkGlyphInstanceBuilder::ExponentArray(points, this->Glyphs)), TimeOf(motion[0]),
-    TimeOf(motion[1]), TimeOf(motion[2]) };
+    TimeOf(motion[1]), TimeOf(motion[2]), TimeOf(vtkGlyphInstanceBuilder::TableIndexArray(points, this->Glyphs)) };
   key.FurtherTimes = this->FurtherTimes(points);
   if (vtkGlyphInstanceBuilder::NeedsMeanScale(this->Glyphs))
   {

@@ -5,6 +5,8 @@
 #include "vtkCellData.h"
 #include "vtkCommunicator.h"
 #include "vtkDataObject.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkGlyphPointGatherer.h"
@@ -21,6 +23,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRayTracedGlyphCompanion.h"
 #include "vtkRayTracedGlyphMapper.h"
 #include "vtkRayTracedSurfaceGatherer.h"
 #include "vtkRenderer.h"
@@ -30,6 +33,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
 
@@ -56,6 +60,7 @@ vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
 vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation(
   vtkSmartPointer<vtkRayTracedGlyphMapper> mapper)
   : Mapper(std::move(mapper))
+  , Axes(std::make_unique<vtkRayTracedGlyphCompanion>())
   , Points(vtkSmartPointer<vtkPolyData>::New())
   , StepVelocity(std::make_unique<vtkGlyphStepVelocity>())
 {
@@ -65,10 +70,6 @@ vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation(
   // Render passes tell the mapper through these keys what they want of its shader.
   vtkNew<vtkInformation> keys;
   this->Actor->SetPropertyKeys(keys);
-  this->AxisActor->SetMapper(this->AxisMapper);
-  vtkNew<vtkInformation> axisKeys;
-  this->AxisActor->SetPropertyKeys(axisKeys);
-  this->AxisActor->VisibilityOff();
 }
 
 //----------------------------------------------------------------------------
@@ -133,7 +134,24 @@ int vtkRayTracedGlyphRepresentation::RequestData(
     // 3D Glyphs shade meshes by the normals they have, and compute none.
     vtkRayTracedSurfaceGatherer::Settings settings;
     settings.ComputesNormals = false;
-    this->Mesh->SetBlock(0, vtkRayTracedSurfaceGatherer::Gather(mesh, settings));
+    auto* blocks = vtkDataObjectTree::SafeDownCast(mesh);
+    if (this->GlyphMeshTable && blocks)
+    {
+      vtkNew<vtkMultiBlockDataSet> table;
+      auto block = vtk::TakeSmartPointer(blocks->NewTreeIterator());
+      block->SetSkipEmptyNodes(false);
+      block->SetVisitOnlyLeaves(false);
+      block->SetTraverseSubTree(false);
+      for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
+      {
+        table->SetBlock(table->GetNumberOfBlocks(), vtkRayTracedSurfaceGatherer::Gather(block->GetCurrentDataObject(), settings));
+      }
+      this->Mesh->SetBlock(0, table);
+    }
+    else
+    {
+      this->Mesh->SetBlock(0, vtkRayTracedSurfaceGatherer::Gather(mesh, settings));
+    }
     this->Mesh->Modified();
   }
   return this->Superclass::RequestData(request, inputVector, outputVector);
@@ -225,21 +243,27 @@ int vtkRayTracedGlyphRepresentation::ProcessViewRequest(
     {
       // In a composite, because data of several ranks that are put together do not stay apart otherwise.
       vtkPVView::SetPiece(inInfo, this, this->Mesh, 0, 1);
-      this->Mapper->SetGlyphMesh(vtkPolyData::SafeDownCast(this->Mesh->GetBlock(0)));
+      this->UpdateTable(this->Mesh->GetBlock(0));
     }
     double bounds[6];
     vtkGlyphInstanceBuilder::ComputeBounds(
       this->Points, this->Mapper->Glyphs, this->Mapper->Blocks.Resolve(this->Points), bounds);
+    vtkBoundingBox all(bounds);
+    const auto add = [&](const vtkGlyphInstanceBuilder::Settings& glyphs)
+    {
+      vtkGlyphInstanceBuilder::ComputeBounds(
+        this->Points, glyphs, this->Mapper->Blocks.Resolve(this->Points), bounds);
+      all.AddBounds(bounds);
+    };
+    for (const auto& form : this->Table)
+    {
+      add(form->GetMapper().Glyphs);
+    }
     if (this->ShowsAxes(this->Points))
     {
-      double axes[6];
-      vtkGlyphInstanceBuilder::ComputeBounds(this->Points,
-        vtkGlyphInstanceBuilder::AxesOf(this->Mapper->Glyphs),
-        this->Mapper->Blocks.Resolve(this->Points), axes);
-      vtkBoundingBox both(bounds);
-      both.AddBounds(axes);
-      both.GetBounds(bounds);
+      add(vtkGlyphInstanceBuilder::AxesOf(this->Mapper->Glyphs));
     }
+    all.GetBounds(bounds);
     vtkNew<vtkMatrix4x4> matrix;
     this->Actor->GetMatrix(matrix);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
@@ -262,11 +286,14 @@ int vtkRayTracedGlyphRepresentation::ProcessViewRequest(
     {
       auto* mesh =
         vtkMultiBlockDataSet::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this, 1));
-      this->Mapper->SetGlyphMesh(mesh && mesh->GetNumberOfBlocks() > 0
-          ? vtkPolyData::SafeDownCast(mesh->GetBlock(0))
-          : nullptr);
+      this->UpdateTable(mesh && mesh->GetNumberOfBlocks() > 0 ? mesh->GetBlock(0) : nullptr);
     }
     this->UpdateColoring(points);
+    for (const auto& form : this->Table)
+    {
+      form->Follow(points, this->Mapper, this->Actor);
+      form->FollowColors(this->Mapper);
+    }
     this->UpdateAxes(points);
   }
   return 1;
@@ -282,38 +309,66 @@ bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points) const
 }
 
 //----------------------------------------------------------------------------
-// The arrows of antisymmetric parts are a second set of glyphs of the same points, which follows the first in all else.
+// The arrows of antisymmetric parts are a second set of glyphs of the same points, of one colour.
 void vtkRayTracedGlyphRepresentation::UpdateAxes(vtkPolyData* points)
 {
-  const bool shown = this->ShowsAxes(points);
-  this->AxisActor->SetVisibility(shown && this->Actor->GetVisibility());
-  if (!shown)
+  if (!this->ShowsAxes(points))
   {
-    this->AxisMapper->SetInputDataObject(nullptr);
+    this->Axes->Hide();
     return;
   }
-  vtkRayTracedGlyphMapper& axes = *this->AxisMapper;
-  if (points != axes.GetInputDataObject(0, 0))
+  this->Axes->GetMapper().Glyphs = vtkGlyphInstanceBuilder::AxesOf(this->Mapper->Glyphs);
+  this->Axes->Follow(points, this->Mapper, this->Actor);
+  this->Axes->GetProperty()->SetAmbientColor(this->TensorAxisColor.data());
+  this->Axes->GetProperty()->SetDiffuseColor(this->TensorAxisColor.data());
+}
+
+//----------------------------------------------------------------------------
+// The mapper takes the first form, or the only one; each further one has a companion.
+void vtkRayTracedGlyphRepresentation::UpdateTable(vtkDataObject* forms)
+{
+  auto* table = vtkMultiBlockDataSet::SafeDownCast(forms);
+  vtkGlyphInstanceBuilder::Settings& glyphs = this->Mapper->Glyphs;
+  const bool used = table && table->GetNumberOfBlocks() > 1 && glyphs.Shape == rtg::Shape::Mesh;
+  glyphs.TableSize = used ? static_cast<int>(table->GetNumberOfBlocks()) : 1;
+  vtkDataObject* first = table && table->GetNumberOfBlocks() > 0 ? table->GetBlock(0) : forms;
+  this->Mapper->SetGlyphMesh(vtkPolyData::SafeDownCast(first));
+
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  const auto further = static_cast<std::size_t>(glyphs.TableSize - 1);
+  while (this->Table.size() > further)
   {
-    axes.SetInputDataObject(points);
+    if (view)
+    {
+      this->Table.back()->RemoveFrom(view, this);
+    }
+    this->Table.pop_back();
   }
-  axes.Glyphs = vtkGlyphInstanceBuilder::AxesOf(this->Mapper->Glyphs);
-  axes.Blocks = this->Mapper->Blocks;
-  axes.BlocksModified();
-  axes.ScalarVisibilityOff();
-  axes.Light = this->Mapper->Light;
-  axes.SetSamplesPerPixel(this->Mapper->GetSamplesPerPixel());
-  axes.SetSamplesPerRender(this->Mapper->GetSamplesPerRender());
-  axes.SetInteractiveReduction(this->Mapper->GetInteractiveReduction());
-  axes.SetStepwiseRendering(this->Mapper->GetStepwiseRendering());
-  vtkProperty* property = this->AxisActor->GetProperty();
-  property->DeepCopy(this->Property);
-  property->SetAmbientColor(this->TensorAxisColor.data());
-  property->SetDiffuseColor(this->TensorAxisColor.data());
-  vtkNew<vtkMatrix4x4> matrix;
-  this->Actor->GetMatrix(matrix);
-  this->AxisActor->SetUserMatrix(matrix);
-  this->AxisActor->SetPickable(this->Actor->GetPickable());
+  while (this->Table.size() < further)
+  {
+    this->Table.push_back(std::make_unique<vtkRayTracedGlyphCompanion>());
+    if (view)
+    {
+      this->Table.back()->AddTo(view, this);
+    }
+  }
+  for (int entry = 1; entry < glyphs.TableSize; ++entry)
+  {
+    vtkRayTracedGlyphMapper& mapper = this->Table[entry - 1]->GetMapper();
+    const auto mesh = mapper.Glyphs.Mesh;
+    mapper.Glyphs = glyphs;
+    mapper.Glyphs.TableEntry = entry;
+    mapper.Glyphs.Mesh = mesh;
+    mapper.SetGlyphMesh(vtkPolyData::SafeDownCast(table->GetBlock(entry)));
+  }
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkRayTracedGlyphCompanion*> vtkRayTracedGlyphRepresentation::Companions()
+{
+  std::vector<vtkRayTracedGlyphCompanion*> all{ this->Axes.get() };
+  std::transform(this->Table.begin(), this->Table.end(), std::back_inserter(all), [](const auto& form) { return form.get(); });
+  return all;
 }
 
 //----------------------------------------------------------------------------
@@ -404,9 +459,11 @@ bool vtkRayTracedGlyphRepresentation::AddToView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->AddActor(this->Actor);
-  renderView->GetRenderer()->AddActor(this->AxisActor);
   renderView->RegisterPropForHardwareSelection(this, this->Actor);
-  renderView->RegisterPropForHardwareSelection(this, this->AxisActor);
+  for (vtkRayTracedGlyphCompanion* companion : this->Companions())
+  {
+    companion->AddTo(renderView, this);
+  }
   this->Mapper->Join(renderView->GetRenderer());
   return this->Superclass::AddToView(view);
 }
@@ -420,11 +477,12 @@ bool vtkRayTracedGlyphRepresentation::RemoveFromView(vtkView* view)
     return false;
   }
   renderView->GetRenderer()->RemoveActor(this->Actor);
-  renderView->GetRenderer()->RemoveActor(this->AxisActor);
   renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
-  renderView->UnRegisterPropForHardwareSelection(this, this->AxisActor);
   this->Mapper->Leave(renderView->GetRenderer());
-  this->AxisMapper->Leave(renderView->GetRenderer());
+  for (vtkRayTracedGlyphCompanion* companion : this->Companions())
+  {
+    companion->RemoveFrom(renderView, this);
+  }
   return this->Superclass::RemoveFromView(view);
 }
 
@@ -432,7 +490,10 @@ bool vtkRayTracedGlyphRepresentation::RemoveFromView(vtkView* view)
 void vtkRayTracedGlyphRepresentation::SetVisibility(bool visible)
 {
   this->Actor->SetVisibility(visible);
-  this->AxisActor->SetVisibility(visible && this->AxisMapper->GetInputDataObject(0, 0));
+  for (vtkRayTracedGlyphCompanion* companion : this->Companions())
+  {
+    companion->SetVisibility(visible);
+  }
   this->Superclass::SetVisibility(visible);
 }
 
@@ -562,6 +623,22 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorPositiveColor(double red, do
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorNegativeColor(double red, double green, double blue)
 {
   this->Mapper->Glyphs.Tensors.NegativeColor = ColorInRange(red, green, blue);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphMeshTable(bool use)
+{
+  if (this->GlyphMeshTable != use)
+  {
+    this->GlyphMeshTable = use;
+    this->MarkModified();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphMeshIndexArray(const char* name)
+{
+  this->Mapper->Glyphs.TableIndexArray = name ? name : "";
 }
 
 //----------------------------------------------------------------------------

@@ -19,6 +19,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkActor;
 class vtkAlgorithm;
@@ -28,6 +29,7 @@ class vtkGlyphStepVelocity;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
 class vtkProperty;
+class vtkRayTracedGlyphCompanion;
 class vtkRayTracedGlyphMapper;
 class vtkScalarsToColors;
 
@@ -121,6 +123,15 @@ public:
    */
   void SetGlyphTensorPositiveColor(double red, double green, double blue);
   void SetGlyphTensorNegativeColor(double red, double green, double blue);
+  ///@}
+
+  ///@{
+  /**
+   * Whether points choose their form among the blocks of GlyphMesh by the magnitude of a point array, cut to a whole number and clamped to
+   * the table; without the array all have the first. For Mesh glyphs. Default is off, none.
+   */
+  void SetGlyphMeshTable(bool use);
+  void SetGlyphMeshIndexArray(const char* name);
   ///@}
 
   ///@{
@@ -270,6 +281,8 @@ private:
 
   void UpdateColoring(vtkPolyData* points);
   void UpdateAxes(vtkPolyData* points);
+  void UpdateTable(vtkDataObject* forms);
+  std::vector<vtkRayTracedGlyphCompanion*> Companions();
   bool ShowsAxes(vtkPolyData* points) const;
   void AddStepVelocities(vtkDataObject* input);
   vtkDataArray* PointIds();
@@ -280,12 +293,13 @@ private:
   vtkSmartPointer<vtkRayTracedGlyphMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkProperty> Property;
-  vtkNew<vtkRayTracedGlyphMapper> AxisMapper;
-  vtkNew<vtkActor> AxisActor;
+  std::unique_ptr<vtkRayTracedGlyphCompanion> Axes;
+  std::vector<std::unique_ptr<vtkRayTracedGlyphCompanion>> Table; // of mesh glyphs, all forms but the first
   vtkSmartPointer<vtkPolyData> Points; // gathered, not yet delivered
-  vtkNew<vtkMultiBlockDataSet> Mesh;   // likewise; its only block is the form of mesh glyphs
+  vtkNew<vtkMultiBlockDataSet> Mesh;   // likewise; its only block is the form of mesh glyphs, or those of a table
   std::array<double, 3> Position{}, Translation{};
   int GlyphShape = 0;
+  bool GlyphMeshTable = false;
   bool NestedExponents = false;
   bool TensorAxis = false;
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
