@@ -1,7 +1,9 @@
 #include "GlyphBoxes.h"
 
-#include "SceneState.h"
+#include "MeshTree.h"
 #include "Shapes/Shapes.h"
+
+#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -51,10 +53,53 @@ struct DoubleBox
   glm::dvec3 lower, upper;
 };
 
-DoubleBox StillBox(const GlyphInstances& instances, const HostShapes::Glyph& glyph)
+// What the boxes are of: the glyphs, and of meshes what each is a copy of.
+struct Subject
 {
+  Subject(const GlyphInstances& glyphs, double firstTime, double lastTime)
+    : instances(glyphs)
+  {
+    if (glyphs.shape == Shape::Mesh)
+    {
+      this->form = BoundsOf(*glyphs.mesh, firstTime, lastTime);
+    }
+  }
+
+  const GlyphInstances& instances;
+  MeshBounds form{};
+};
+
+DoubleBox MeshBox(const MeshBounds& form, const HostShapes::Glyph& glyph)
+{
+  const glm::dvec3 middle = 0.5 * (form.lower + form.upper);
+  const glm::dvec3 reach = 0.5 * (form.upper - form.lower);
+  glm::dmat3 linear(1.0);
+  if (glyph.turned)
+  {
+    const glm::dvec4& q = glyph.rotation;
+    linear = glm::mat3_cast(glm::normalize(glm::dquat(q.w, q.x, q.y, q.z)));
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    linear[axis] *= glyph.size[axis];
+  }
+  const glm::dvec3 offset = linear * middle;
+  const glm::dvec3 centre = glyph.centre + offset;
+  // A few ulps for the roundings of the device's own transform.
+  const glm::dvec3 half = 1.000001 *
+      (glm::abs(linear[0]) * reach.x + glm::abs(linear[1]) * reach.y + glm::abs(linear[2]) * reach.z) +
+    1e-6 * (glm::abs(centre) + glm::length(offset));
+  return { centre - half, centre + half };
+}
+
+DoubleBox StillBox(const Subject& subject, const HostShapes::Glyph& glyph)
+{
+  if (subject.instances.shape == Shape::Mesh)
+  {
+    return MeshBox(subject.form, glyph);
+  }
   DoubleBox box;
-  HostShapes::Bounds(instances.shape, glyph, box.lower, box.upper);
+  HostShapes::Bounds(subject.instances.shape, glyph, box.lower, box.upper);
   return box;
 }
 
@@ -67,12 +112,13 @@ glm::dvec4 Product(const glm::dvec4& a, const glm::dvec4& b)
 
 // Of a glyph that turns between two times: the boxes at the middles of so short pieces that in half of one no
 // point goes further than a fortieth of its distance from the centre (longer ones of fast turns), widened by the way it goes.
-DoubleBox SpunBox(const GlyphInstances& instances, std::size_t i, double first, double last)
+DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double last)
 {
+  const GlyphInstances& instances = subject.instances;
   const HostShapes::Glyph still = DoubleGlyph(instances, i);
   HostShapes::Glyph upright = still;
   upright.turned = false;
-  const DoubleBox own = StillBox(instances, upright);
+  const DoubleBox own = StillBox(subject, upright);
   const double radius =
     glm::length(glm::max(glm::abs(own.lower - still.centre), glm::abs(own.upper - still.centre)));
   const DoubleBox ball{ still.centre - radius, still.centre + radius };
@@ -88,7 +134,7 @@ DoubleBox SpunBox(const GlyphInstances& instances, std::size_t i, double first, 
     turned.turned = true;
     turned.rotation =
       Product(instances.motion.Turn(i, first + (last - first) * piece / pieces), still.rotation);
-    const DoubleBox at = StillBox(instances, turned);
+    const DoubleBox at = StillBox(subject, turned);
     box.lower = glm::min(box.lower, at.lower);
     box.upper = glm::max(box.upper, at.upper);
   }
@@ -111,11 +157,11 @@ glm::dvec3 PathSlack(const GlyphMotion& motion, std::size_t i, double time)
   return std::ldexp(1.0, -21) * terms;
 }
 
-DoubleBox MovingBox(const GlyphInstances& instances, std::size_t i, double first, double last)
+DoubleBox MovingBox(const Subject& subject, std::size_t i, double first, double last)
 {
-  const GlyphMotion& motion = instances.motion;
-  DoubleBox box = motion.Spins() ? SpunBox(instances, i, first, last)
-                                 : StillBox(instances, DoubleGlyph(instances, i));
+  const GlyphMotion& motion = subject.instances.motion;
+  DoubleBox box = motion.Spins() ? SpunBox(subject, i, first, last)
+                                 : StillBox(subject, DoubleGlyph(subject.instances, i));
   if (motion.Spins())
   {
     // Sine and cosine in float are right to 2^-20 of the glyph's reach; some drivers' are worse (2^-11 is allowed).
@@ -142,18 +188,15 @@ double Surface(const glm::dvec3& extent)
 
 std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first, double last)
 {
-  if (instances.shape == Shape::Mesh)
-  {
-    return MeshBoxes(instances);
-  }
   const bool moves = instances.motion.Any();
   const double start = instances.motion.Time(first);
   const double end = instances.motion.Time(last);
+  const Subject subject(instances, start, end);
   std::vector<Box> boxes(instances.Count());
   for (std::size_t i = 0; i < boxes.size(); ++i)
   {
     const DoubleBox box =
-      moves ? MovingBox(instances, i, start, end) : StillBox(instances, DoubleGlyph(instances, i));
+      moves ? MovingBox(subject, i, start, end) : StillBox(subject, DoubleGlyph(instances, i));
     boxes[i] = { { RoundDown(box.lower.x), RoundDown(box.lower.y), RoundDown(box.lower.z) },
       { RoundUp(box.upper.x), RoundUp(box.upper.y), RoundUp(box.upper.z) } };
   }
@@ -164,6 +207,7 @@ std::uint32_t TimeSliceBits(const GlyphInstances& instances, std::size_t bytesPe
 {
   constexpr std::size_t mostBytes = std::size_t(1) << 29;
   constexpr double mostGrowth = 2.0;
+  const Subject subject(instances, instances.motion.Time(0.0), instances.motion.Time(1.0));
   // Some thousand glyphs tell what all are like.
   const std::size_t step = std::max<std::size_t>(1, instances.Count() / 4096);
   std::uint32_t bits = 0;
@@ -175,9 +219,9 @@ std::uint32_t TimeSliceBits(const GlyphInstances& instances, std::size_t bytesPe
     {
       // A slice that is another one for every glyph stands for all of them.
       const double first = length * double((i / step) & ((1u << bits) - 1));
-      const DoubleBox own = StillBox(instances, DoubleGlyph(instances, i));
+      const DoubleBox own = StillBox(subject, DoubleGlyph(instances, i));
       const DoubleBox swept = MovingBox(
-        instances, i, instances.motion.Time(first), instances.motion.Time(first + length));
+        subject, i, instances.motion.Time(first), instances.motion.Time(first + length));
       still += Surface(own.upper - own.lower);
       moving += Surface(swept.upper - swept.lower);
     }

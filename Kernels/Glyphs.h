@@ -96,7 +96,7 @@ struct GlyphInstances
   /// f.z p.z^2, whatever the colours of the glyphs; their opacity stays. None of Shape::Mesh.
   std::vector<glm::vec3> forms;
 
-  GlyphMotion motion; ///< none of Shape::Mesh
+  GlyphMotion motion;
 
   std::size_t Count() const { return centres.size(); }
 };

@@ -94,6 +94,17 @@ struct GlyphSetRecord
   RTG_ADDRESS(UintArray) meshColours;   // by position or by triangle, or none (specialised)
   uint firstInstance;                   // gl_InstanceID of the set's first glyph
   uint identifiesTriangles;
+  // Of mesh glyphs that move: MeshTree.h. Positions are then relative to the middle of the mesh.
+  RTG_ADDRESS(UintArray) meshTree;
+  RTG_ADDRESS(Vec3Array) meshVelocities; // each of these two: none unless specialised
+  RTG_ADDRESS(Vec3Array) meshAccelerations;
+  vec3 meshMiddle;
+  float meshRadius; // of the ball round its middle that holds it all the time
+  uint meshTriangleCount;
+  uint meshTreeLevels;
+  uint meshTreeLeafBits;
+  uint meshTimeSliceBits;
+  uint meshNodesPerSlice;
   // Material, path tracing only
   float metallic;
   float roughness;
@@ -108,6 +119,7 @@ struct RayRecord
 {
   vec3 originLow; // the low part of its origin
   uint glyph;     // the nearest glyph so far, when it belongs to a set with a tree
+  uint triangle;  // of that glyph, when it is a mesh that moves
   // Distance of the hit from the exact surface, besides the rounding of t. Written by the closest-hit program when rays
   // will start there; not in the payload, whose every word costs time.
   float uncertainty;

@@ -85,8 +85,16 @@ void CheckMotion(const GlyphMotion& motion, std::size_t count)
   check("velocities", motion.velocities);
   check("accelerations", motion.accelerations);
   check("angular velocities", motion.angularVelocities);
+  if (motion.Any())
+  {
+    CheckShutter(motion);
+  }
+}
+
+void CheckShutter(const GlyphMotion& motion)
+{
   const float length = motion.shutterClose - motion.shutterOpen;
-  if (motion.Any() && !(length > 0.0f && std::isfinite(length)))
+  if (!(length > 0.0f && std::isfinite(length)))
   {
     std::ostringstream message;
     message << "Ray Traced Glyphs: the shutter opens at " << motion.shutterOpen << " and closes at "

@@ -49,5 +49,7 @@ RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first,
 
 /// Throws rtg::Error unless the arrays fit `count` glyphs and all is finite.
 void CheckMotion(const GlyphMotion& motion, std::size_t count);
+/// Throws rtg::Error unless the shutter closes later than it opens.
+void CheckShutter(const GlyphMotion& motion);
 
 } // namespace rtg

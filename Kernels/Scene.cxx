@@ -122,7 +122,7 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   GlyphSet& set = this->state_->sets.at(id);
   if (instances.shape == Shape::Mesh)
   {
-    CheckMesh(instances.mesh.get());
+    CheckMesh(instances.mesh.get(), instances.motion);
     constexpr std::size_t most = (1u << 24) - 1;
     if (instances.Count() > most)
     {
@@ -311,14 +311,23 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
     this->statistics.sortSeconds += watch.Lap();
   }
 
-  if (instances.shape == Shape::Mesh)
+  const bool movingMesh = IsMovingMesh(instances);
+  if (instances.shape == Shape::Mesh && !movingMesh)
   {
     this->SendMesh(set, reach);
     return;
   }
-  set.mesh = PlacedMesh();
-  set.group.smoothNormals = false;
+  set.group.smoothNormals = set.group.meshTree = set.group.meshVelocities =
+    set.group.meshAccelerations = false;
   set.group.meshColours = 0;
+  if (movingMesh)
+  {
+    this->SendMovingMesh(set);
+  }
+  else
+  {
+    set.mesh = PlacedMesh();
+  }
 
   set.centres = Send(vulkan, instances.centres);
   set.sizes =
@@ -376,7 +385,8 @@ void Scene::State::Sort(GlyphSet& set)
   GlyphInstances& instances = set.instances;
   set.order.clear();
   set.kdAxes.clear();
-  if (this->structure == Structure::Tree && instances.shape != Shape::Mesh)
+  if (this->structure == Structure::Tree &&
+    (instances.shape != Shape::Mesh || IsMovingMesh(instances)))
   {
     set.treeLeafBits = GlyphTree::LeafBits(set.count, glyphsPerLeaf);
     // Glyphs that move are sorted as they lie in the middle of the shutter's opening: boxes round whole paths would
@@ -498,7 +508,8 @@ void Scene::State::BuildTopLevel()
     set.placedGroup = set.group;
     set.placedTranslucent = set.Translucent();
     this->moves |= set.group.Moves();
-    this->placedTimeSliceBits = std::max(this->placedTimeSliceBits, set.timeSliceBits);
+    this->placedTimeSliceBits = std::max(
+      { this->placedTimeSliceBits, set.timeSliceBits, set.mesh.shape.sliceBits });
     auto group = std::find(this->groups.begin(), this->groups.end(), set.group);
     if (group == this->groups.end())
     {
@@ -515,7 +526,7 @@ void Scene::State::BuildTopLevel()
       instance.mask = set.Translucent() ? device::TRANSLUCENT_MASK : device::OPAQUE_MASK;
       instance.instanceShaderBindingTableRecordOffset =
         static_cast<std::uint32_t>(group - this->groups.begin());
-      if (set.group.shape == Shape::Mesh)
+      if (set.group.shape == Shape::Mesh && !set.group.meshTree)
       {
         this->PlaceMesh(set, instance, instances);
         continue;
@@ -580,6 +591,17 @@ void Scene::State::FillRecords()
       record.meshTriangles = set.mesh.triangles.Size() ? set.mesh.triangles.Address() : 0;
       record.meshNormals = set.mesh.normals.Size() ? set.mesh.normals.Address() : 0;
       record.meshColours = set.mesh.colours.Size() ? set.mesh.colours.Address() : 0;
+      record.meshTree = at(set.mesh.tree, 0);
+      record.meshVelocities = at(set.mesh.velocities, 0);
+      record.meshAccelerations = at(set.mesh.accelerations, 0);
+      record.meshMiddle = set.mesh.shape.middle;
+      record.meshRadius = set.mesh.shape.radius;
+      record.meshTriangleCount =
+        set.mesh.source ? static_cast<std::uint32_t>(set.mesh.source->triangles.size()) : 0;
+      record.meshTreeLevels = set.mesh.shape.levels;
+      record.meshTreeLeafBits = set.mesh.shape.leafBits;
+      record.meshTimeSliceBits = set.mesh.shape.sliceBits;
+      record.meshNodesPerSlice = set.mesh.shape.nodesPerSlice;
       record.firstInstance = set.firstInstance;
       record.identifiesTriangles = set.instances.identifyTriangles;
       record.setId = id;

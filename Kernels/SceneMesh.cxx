@@ -64,7 +64,8 @@ std::vector<T> Ordered(const std::vector<T>& values, const std::vector<std::uint
 
 bool SameShape(const TriangleMesh& a, const TriangleMesh& b)
 {
-  return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals;
+  return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals &&
+    a.motion.velocities == b.motion.velocities && a.motion.accelerations == b.motion.accelerations;
 }
 
 Buffer SendMeshColours(Device::State& device, const PlacedMesh& mesh, const TriangleMesh& source)
@@ -91,7 +92,7 @@ PlacedMesh Place(Device::State& device, std::shared_ptr<const TriangleMesh> sour
 
 } // namespace
 
-void CheckMesh(const TriangleMesh* mesh)
+void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter)
 {
   const auto fail = [](const std::string& what) { throw Error("Ray Traced Glyphs: " + what); };
   if (!mesh || mesh->triangles.empty())
@@ -118,33 +119,78 @@ void CheckMesh(const TriangleMesh* mesh)
         std::to_string(mesh->positions.size()) + " positions.");
     }
   }
+  CheckMotion(mesh->motion, mesh->positions.size());
+  if (mesh->motion.Spins())
+  {
+    fail("the positions of a mesh have angular velocities; they can have velocities and accelerations.");
+  }
+  if (Deforms(*mesh))
+  {
+    CheckShutter(shutter);
+  }
 }
 
-std::vector<Box> MeshBoxes(const GlyphInstances& instances)
+bool IsMovingMesh(const GlyphInstances& instances)
 {
-  Bounds form;
-  for (const glm::uvec3& corner : instances.mesh->triangles)
+  return instances.shape == Shape::Mesh && (instances.motion.Any() || Deforms(*instances.mesh));
+}
+
+// The same mesh at other places is sent once, and of one that has only other colours nothing but these.
+bool Scene::State::KeepsMesh(GlyphSet& set)
+{
+  const GlyphInstances& instances = set.instances;
+  if (set.mesh.source != instances.mesh && set.mesh.source &&
+    SameShape(*set.mesh.source, *instances.mesh))
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      const glm::vec3& position = instances.mesh->positions[corner[i]];
-      form.Include(position, position);
-    }
+    set.mesh.colours = SendMeshColours(this->device->GetState(), set.mesh, *instances.mesh);
+    set.mesh.source = instances.mesh;
+    ++this->statistics.colourUploads;
+    return true;
   }
-  const glm::vec3 middle = 0.5f * (form.lower + form.upper);
-  const glm::vec3 reach = 0.5f * (form.upper - form.lower);
-  std::vector<Box> boxes(instances.Count());
-  for (std::size_t i = 0; i < boxes.size(); ++i)
+  return set.mesh.source == instances.mesh;
+}
+
+// The mesh itself; its glyphs are sent like those of other shapes.
+void Scene::State::SendMovingMesh(GlyphSet& set)
+{
+  const GlyphInstances& instances = set.instances;
+  const TriangleMesh& mesh = *instances.mesh;
+  Device::State& vulkan = this->device->GetState();
+  if (!vulkan.int64)
   {
-    const glm::mat3 linear = LinearPart(instances, i);
-    const glm::vec3 centre = instances.centres[i] + linear * middle;
-    // A few ulps for the roundings of this and of the transform.
-    const glm::vec3 half = (glm::abs(linear[0]) * reach.x + glm::abs(linear[1]) * reach.y +
-                             glm::abs(linear[2]) * reach.z) +
-      1e-6f * (glm::abs(centre) + glm::abs(linear * middle));
-    boxes[i] = { centre - 1.000001f * half, centre + 1.000001f * half };
+    throw Error("Ray Traced Glyphs: the device has no 64-bit integers in shaders (shaderInt64), which meshes that move "
+                "need; switch their MotionBlur off.");
   }
-  return boxes;
+  const GlyphMotion& shutter = instances.motion;
+  // A tree of positions at rest is the same whatever the shutter does.
+  const bool sameShutter = !Deforms(mesh) ||
+    (set.mesh.shutterOpen == shutter.shutterOpen && set.mesh.shutterClose == shutter.shutterClose);
+  if (!(this->KeepsMesh(set) && set.mesh.tree.Size() && sameShutter))
+  {
+    set.mesh = PlacedMesh();
+    PlacedMesh& placed = set.mesh;
+    MeshTree tree = BuildMeshTree(mesh, shutter, this->timeSliceBits);
+    placed.tree = Send(vulkan, tree.nodes);
+    placed.order = std::move(tree.order);
+    placed.positions = Send(vulkan, tree.positions);
+    placed.triangles = Send(vulkan, Ordered(mesh.triangles, placed.order));
+    placed.normals = Send(vulkan, mesh.normals);
+    placed.velocities = Send(vulkan, mesh.motion.velocities);
+    placed.accelerations = Send(vulkan, mesh.motion.accelerations);
+    placed.colours = SendMeshColours(vulkan, placed, mesh);
+    placed.source = instances.mesh;
+    placed.shutterOpen = shutter.shutterOpen;
+    placed.shutterClose = shutter.shutterClose;
+    tree.nodes = {};
+    tree.positions = {};
+    placed.shape = std::move(tree);
+    ++this->statistics.structureBuilds;
+  }
+  set.group.meshTree = true;
+  set.group.meshVelocities = !mesh.motion.velocities.empty();
+  set.group.meshAccelerations = !mesh.motion.accelerations.empty();
+  set.group.smoothNormals = !mesh.normals.empty();
+  set.group.meshColours = !mesh.positionColours.empty() ? 1 : !mesh.triangleColours.empty() ? 2 : 0;
 }
 
 void Scene::State::SendMesh(GlyphSet& set, float reach)
@@ -158,19 +204,14 @@ void Scene::State::SendMesh(GlyphSet& set, float reach)
   set.group.coloured = coloured;
   set.group.smoothNormals = !mesh.normals.empty();
   set.group.meshColours = !mesh.positionColours.empty() ? 1 : !mesh.triangleColours.empty() ? 2 : 0;
-  // The same mesh at other places is sent once, and of one that has only other colours nothing but these.
-  if (set.mesh.source != instances.mesh && set.mesh.source &&
-    SameShape(*set.mesh.source, *instances.mesh))
+  if (set.mesh.tree.Size())
   {
-    set.mesh.colours = SendMeshColours(this->device->GetState(), set.mesh, *instances.mesh);
-    set.mesh.source = instances.mesh;
-    ++this->statistics.colourUploads;
+    set.mesh = PlacedMesh();
   }
-  else
-  {
-    ++this->statistics.instanceUploads;
-  }
-  if (set.mesh.source != instances.mesh)
+  const std::shared_ptr<const TriangleMesh> before = set.mesh.source;
+  const bool keeps = this->KeepsMesh(set);
+  this->statistics.instanceUploads += !keeps || before == instances.mesh;
+  if (!keeps)
   {
     set.mesh = PlacedMesh();
     set.mesh = Place(this->device->GetState(), instances.mesh, this->device->IsCpu());

@@ -3,6 +3,7 @@
 
 #include "GlyphTree.h"
 #include "HostDevice.h"
+#include "MeshTree.h"
 #include "Scene.h"
 #include "TimeSlices.h"
 #include "Vulkan/AccelerationStructure.h"
@@ -48,7 +49,14 @@ struct PlacedMesh
     order; ///< place on the device -> triangle of the source; empty: the same
   Buffer positions, triangles, normals, colours;
   AccelerationStructure structure;
+  // Of one that moves, instead of the structure; `positions` are then relative to the middle of the tree.
+  Buffer tree, velocities, accelerations;
+  MeshTree shape; ///< without its arrays, which have been sent
+  float shutterOpen = 0.0f, shutterClose = 0.0f; ///< that its tree is made for
 };
+
+/// Whether the glyphs of a set are copies of a mesh that moves or deforms.
+bool IsMovingMesh(const GlyphInstances& instances);
 
 /// One glyph set: what was asked for, and what of it is on the device.
 struct GlyphSet
@@ -122,6 +130,9 @@ struct Scene::State
   void SendInstances(GlyphSet& set, float reach);
   void SendMotion(GlyphSet& set);
   void SendMesh(GlyphSet& set, float reach);
+  void SendMovingMesh(GlyphSet& set);
+  /// Takes over the mesh that is on the device if it has the shape that is wanted.
+  bool KeepsMesh(GlyphSet& set);
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.
   void PlaceMesh(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
     std::vector<vk::AccelerationStructureInstanceKHR>& instances) const;
@@ -134,10 +145,7 @@ struct Scene::State
 };
 
 /// Throws rtg::Error when it is missing, has no triangle, or arrays that do not fit together.
-void CheckMesh(const TriangleMesh* mesh);
-/// Boxes of mesh glyphs relative to instances.origin, without padding.
-std::vector<Box> MeshBoxes(const GlyphInstances& instances);
-
+void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter);
 /// A buffer on the device with these values; `more` is usage besides that of a storage buffer.
 template <class T>
 Buffer Send(Device::State& device, const std::vector<T>& values, vk::BufferUsageFlags more = {})

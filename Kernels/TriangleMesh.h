@@ -1,6 +1,8 @@
 // Triangles as plain host data: the form of mesh glyphs, or a surface among the glyphs.
 #pragma once
 
+#include "Motion.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -20,6 +22,9 @@ struct TriangleMesh
   /// material's colour.
   std::vector<std::uint32_t> positionColours;
   std::vector<std::uint32_t> triangleColours;
+  /// How its positions move in its own frame, one velocity and acceleration a position; no angular velocities. The shutter is
+  /// that of the glyphs' own motion (GlyphInstances::motion).
+  GlyphMotion motion;
 };
 
 } // namespace rtg

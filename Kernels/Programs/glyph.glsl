@@ -7,8 +7,12 @@ layout(constant_id = 3) const bool fixedHeads = false;
 layout(constant_id = 4) const bool hasTree = false;
 layout(constant_id = 5) const bool ownExponents = false;
 
+#if RTG_SHAPE == 7
+#include "mesh.glsl"
+#else
 #include "../Shapes/Registry.glsl"
 #include "motion.glsl"
+#endif
 
 #ifdef RTG_INT64
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require

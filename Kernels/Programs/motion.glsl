@@ -2,8 +2,10 @@
 layout(constant_id = 30) const bool hasVelocities = false;
 layout(constant_id = 31) const bool hasAccelerations = false;
 layout(constant_id = 32) const bool spins = false;
+layout(constant_id = 40) const bool meshVelocities = false;  // the positions of the set's mesh move
+layout(constant_id = 41) const bool meshAccelerations = false;
 const bool displaced = hasVelocities || hasAccelerations;
-const bool setMoves = displaced || spins;
+const bool setMoves = displaced || spins || meshVelocities || meshAccelerations;
 
 // Where a set's motion is found, and the time: read once a program, not once a glyph.
 struct MotionSource

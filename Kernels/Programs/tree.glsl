@@ -1,4 +1,7 @@
 // Traversal of a set's GlyphTree (Kernels/GlyphTree.h) inside its intersection program.
+#ifndef RTG_TREE
+#define RTG_TREE
+
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TreeNodes { uint64_t word[]; };
@@ -170,3 +173,5 @@ bool PopChild(inout TreePosition position)
   position.level = parentLevel + 1u;
   return true;
 }
+
+#endif

@@ -1,12 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A triangle of a mesh glyph or of a surface.
+// A triangle of a mesh glyph or of a surface, both at rest.
 #include "bindings.glsl"
 
 layout(constant_id = 2) const bool coloured = false;       // one colour a glyph
-layout(constant_id = 6) const bool smoothNormals = false;
-layout(constant_id = 7) const uint meshColours = 0u;       // 1: by position, 2: by triangle
 layout(constant_id = 20) const bool leavesSurface = false;  // rays will start from the hit
+
+#include "triangle.glsl"
 
 layout(location = 0) rayPayloadInEXT SurfaceHit hit;
 hitAttributeEXT vec2 barycentrics;
@@ -20,8 +20,7 @@ float LargestComponent(vec3 v)
 void main()
 {
   GlyphSetRecord set = SetRecord(gl_InstanceCustomIndexEXT);
-  uvec3 corner = uvec3(set.meshTriangles.at[3u * gl_PrimitiveID], set.meshTriangles.at[3u * gl_PrimitiveID + 1u],
-    set.meshTriangles.at[3u * gl_PrimitiveID + 2u]);
+  uvec3 corner = CornersOf(set, gl_PrimitiveID);
   vec3 weight = vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics);
   vec3 a = set.meshPositions.at[corner.x];
   vec3 toB = set.meshPositions.at[corner.y] - a;
@@ -30,9 +29,7 @@ void main()
   vec3 normal = cross(toB, toC);
   if (smoothNormals)
   {
-    vec3 smoothed = weight.x * set.meshNormals.at[corner.x] + weight.y * set.meshNormals.at[corner.y] +
-      weight.z * set.meshNormals.at[corner.z];
-    normal = dot(smoothed, smoothed) > 0.0 ? smoothed : normal;
+    normal = SmoothNormal(set, corner, weight, normal);
   }
   hit.t = gl_HitTEXT;
   // Normals turn with the inverse transpose.
@@ -47,20 +44,5 @@ void main()
     vec3 size = abs(mat3(gl_ObjectToWorldEXT) * toB) + abs(mat3(gl_ObjectToWorldEXT) * toC);
     frame.rays.at[LaunchIndex()].uncertainty = 1e-6 * (LargestComponent(reach) + LargestComponent(size));
   }
-
-  hit.colour = vec4(set.colour, 1.0);
-  if (meshColours == 1u)
-  {
-    hit.colour = weight.x * unpackUnorm4x8(set.meshColours.at[corner.x]) +
-      weight.y * unpackUnorm4x8(set.meshColours.at[corner.y]) + weight.z * unpackUnorm4x8(set.meshColours.at[corner.z]);
-  }
-  else if (meshColours == 2u)
-  {
-    hit.colour = unpackUnorm4x8(set.meshColours.at[gl_PrimitiveID]);
-  }
-  else if (coloured)
-  {
-    hit.colour = unpackUnorm4x8(set.colours.at[glyph]);
-  }
-  hit.colour.a *= set.opacity;
+  hit.colour = TriangleColour(set, corner, weight, gl_PrimitiveID, glyph);
 }

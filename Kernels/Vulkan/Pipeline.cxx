@@ -28,6 +28,8 @@ struct Specialisation
   vk::Bool32 spins;
   vk::Bool32 ownTreeOrder;
   vk::Bool32 dropsHidden;
+  vk::Bool32 meshVelocities;
+  vk::Bool32 meshAccelerations;
 };
 
 const vk::SpecializationMapEntry specialisationMap[] = {
@@ -47,6 +49,8 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 32, offsetof(Specialisation, spins), sizeof(vk::Bool32) },
   { 34, offsetof(Specialisation, ownTreeOrder), sizeof(vk::Bool32) },
   { 36, offsetof(Specialisation, dropsHidden), sizeof(vk::Bool32) },
+  { 40, offsetof(Specialisation, meshVelocities), sizeof(vk::Bool32) },
+  { 41, offsetof(Specialisation, meshAccelerations), sizeof(vk::Bool32) },
 };
 
 // Shading/Sampling.glsl, Programs/pixel.glsl, Programs/bindings.glsl
@@ -157,11 +161,11 @@ Pipeline::Pipeline(
     constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads,
       group.hasTree, group.ownExponents, group.smoothNormals, group.meshColours,
       group.colouredByForm, generation.alone, leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins,
-      group.ownTreeOrder, group.dropsHidden };
+      group.ownTreeOrder, group.dropsHidden, group.meshVelocities, group.meshAccelerations };
     specialisations[i] =
       vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
         specialisationMap, sizeof(Specialisation), &constants[i]);
-    if (group.shape == Shape::Mesh)
+    if (group.shape == Shape::Mesh && !group.meshTree)
     {
       const std::uint32_t closestHit =
         addStage(Stage::eClosestHitKHR, programs::triangleClosestHit, &specialisations[i]);

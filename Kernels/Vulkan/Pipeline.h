@@ -28,8 +28,15 @@ struct HitGroup
   // Shape::Mesh only
   bool smoothNormals = false;
   std::uint32_t meshColours = 0; ///< 0: none, 1: by position, 2: by triangle
+  bool meshTree = false; ///< our tree of the mesh's triangles; the driver knows no triangles that move
+  bool meshVelocities = false;
+  bool meshAccelerations = false;
 
-  bool Moves() const { return this->hasVelocities || this->hasAccelerations || this->spins; }
+  bool Moves() const
+  {
+    return this->hasVelocities || this->hasAccelerations || this->spins || this->meshVelocities ||
+      this->meshAccelerations;
+  }
 
   friend bool operator==(const HitGroup& a, const HitGroup& b)
   {
@@ -38,7 +45,8 @@ struct HitGroup
       a.ownExponents == b.ownExponents && a.colouredByForm == b.colouredByForm && a.hasVelocities == b.hasVelocities &&
       a.hasAccelerations == b.hasAccelerations && a.spins == b.spins &&
       a.ownTreeOrder == b.ownTreeOrder && a.dropsHidden == b.dropsHidden && a.smoothNormals == b.smoothNormals &&
-      a.meshColours == b.meshColours;
+      a.meshColours == b.meshColours && a.meshTree == b.meshTree &&
+      a.meshVelocities == b.meshVelocities && a.meshAccelerations == b.meshAccelerations;
   }
 };
 

@@ -39,7 +39,10 @@ def main():
     view.ViewSize = [pixels, pixels]
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [1.8, 9.0, 2.5], [1.8, 0.0, 0.0], [0.0, 0.0, 1.0]
     wall = pv.OpenDataFile(os.path.join(folder, "chamber.vtk"))
-    pv.Show(wall, view).SetRepresentationType("Ray Traced Surface")
+    surface = pv.Show(wall, view)
+    surface.SetRepresentationType("Ray Traced Surface")
+    # Of what a view shows the largest number counts.
+    surface.SamplesPerPixel = 1
     series = pv.OpenDataFile(os.path.join(folder, "injection.vtk.series"))
     shown = pv.Show(series, view)
     shown.SetRepresentationType("Ray Traced Glyphs")

@@ -1,0 +1,37 @@
+// What the two kinds of triangles share: normals and colours by their corners. Needs `coloured`.
+layout(constant_id = 6) const bool smoothNormals = false;
+layout(constant_id = 7) const uint meshColours = 0u;  // 1: by position, 2: by triangle
+
+uvec3 CornersOf(GlyphSetRecord set, uint triangle)
+{
+  return uvec3(set.meshTriangles.at[3u * triangle], set.meshTriangles.at[3u * triangle + 1u],
+    set.meshTriangles.at[3u * triangle + 2u]);
+}
+
+// Mean of the corners' normals, of any length; `flat_` where they cancel out.
+vec3 SmoothNormal(GlyphSetRecord set, uvec3 corner, vec3 weight, vec3 flat_)
+{
+  vec3 smoothed = weight.x * set.meshNormals.at[corner.x] + weight.y * set.meshNormals.at[corner.y] +
+    weight.z * set.meshNormals.at[corner.z];
+  return dot(smoothed, smoothed) > 0.0 ? smoothed : flat_;
+}
+
+vec4 TriangleColour(GlyphSetRecord set, uvec3 corner, vec3 weight, uint triangle, uint glyph)
+{
+  vec4 colour = vec4(set.colour, 1.0);
+  if (meshColours == 1u)
+  {
+    colour = weight.x * unpackUnorm4x8(set.meshColours.at[corner.x]) +
+      weight.y * unpackUnorm4x8(set.meshColours.at[corner.y]) + weight.z * unpackUnorm4x8(set.meshColours.at[corner.z]);
+  }
+  else if (meshColours == 2u)
+  {
+    colour = unpackUnorm4x8(set.meshColours.at[triangle]);
+  }
+  else if (coloured)
+  {
+    colour = unpackUnorm4x8(set.colours.at[glyph]);
+  }
+  colour.a *= set.opacity;
+  return colour;
+}
