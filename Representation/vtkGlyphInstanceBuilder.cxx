@@ -579,14 +579,9 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     tensors = std::make_unique<vtkGlyphTensors>(array, settings.Tensors, candidates);
   }
 
-  const vtkGlyphMotion motion(points, isMesh ? vtkGlyphMotion::Settings() : settings.Motion);
+  const vtkGlyphMotion motion(points, settings.Motion);
   result.Messages.insert(
     result.Messages.end(), motion.Messages().begin(), motion.Messages().end());
-  if (isMesh && settings.Motion.On)
-  {
-    result.Messages.emplace_back("MotionBlur has no effect on glyphs of GlyphShape Mesh. Choose "
-                                 "another shape, or switch MotionBlur off.");
-  }
 
   // What an instance stores: nothing that is the same for all, and no turn of what looks the same from all sides
   const Placement placement(modelToWorld);
@@ -791,8 +786,7 @@ void vtkGlyphInstanceBuilder::ComputeBounds(vtkPolyData* points, const Settings&
   vtkMath::UninitializeBounds(bounds);
   vtkBoundingBox box;
   Tuples positions(points->GetPoints() ? points->GetPoints()->GetData() : nullptr);
-  const bool isMesh = settings.Shape == rtg::Shape::Mesh;
-  const vtkGlyphMotion motion(points, isMesh ? vtkGlyphMotion::Settings() : settings.Motion);
+  const vtkGlyphMotion motion(points, settings.Motion);
   auto* blockIds = vtkUnsignedIntArray::SafeDownCast(
     points->GetPointData()->GetArray(vtkGlyphPointGatherer::CompositeIndexName()));
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)

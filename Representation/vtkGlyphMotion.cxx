@@ -83,7 +83,7 @@ vtkGlyphMotion::vtkGlyphMotion(vtkPolyData* points, const Settings& settings)
   {
     std::ostringstream text;
     text << "ShutterTime is " << settings.ShutterTime
-         << ", so the glyphs are shown without motion blur. Set it to a positive number, in the "
+         << ", so there is no motion blur. Set it to a positive number, in the "
             "data's unit of time, or switch MotionBlur off.";
     this->Messages_.push_back(text.str());
     return;

@@ -4,6 +4,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkGlyphMotion.h"
 #include "vtkGlyphPointGatherer.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -30,7 +31,8 @@ vtkUnsignedIntArray* BlocksOf(vtkPolyData* surface)
 
 bool SameShape(const rtg::TriangleMesh& a, const rtg::TriangleMesh& b)
 {
-  return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals;
+  return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals &&
+    a.motion.velocities == b.motion.velocities && a.motion.accelerations == b.motion.accelerations;
 }
 
 std::uint32_t Pack(const std::array<double, 4>& rgba)
@@ -73,13 +75,20 @@ std::vector<vtkMTimeType> vtkRayTracedSurfaceMapper::FurtherTimes(vtkPolyData* s
 //----------------------------------------------------------------------------
 void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* actor)
 {
+  vtkGlyphMotion::Settings settings = this->Glyphs.Motion;
+  settings.AngularVelocity.clear(); // points do not turn
+  const vtkGlyphMotion motion(surface, settings);
   vtkRayTracedTriangleBuilder::Result result = vtkRayTracedTriangleBuilder::BuildRelative(
-    surface, this->BlockTable, actor->GetMatrix(), this->Smooth);
+    surface, this->BlockTable, actor->GetMatrix(), this->Smooth, motion);
+  rtg::GlyphMotion shutter;
+  motion.Finish(shutter);
   this->Points = std::move(result.Cells);
   this->Skipped = result.Skipped;
   ++this->PointsVersion;
   const bool same = this->Instances.mesh && this->InstanceVersion > 0 &&
-    result.Origin == this->Instances.origin && SameShape(result.Mesh, *this->Instances.mesh);
+    result.Origin == this->Instances.origin && SameShape(result.Mesh, *this->Instances.mesh) &&
+    shutter.shutterOpen == this->Instances.motion.shutterOpen &&
+    shutter.shutterClose == this->Instances.motion.shutterClose;
   if (!same)
   {
     this->Instances = rtg::GlyphInstances();
@@ -87,16 +96,17 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
     this->Instances.identifyTriangles = true;
     this->Instances.centres = { glm::vec3(0.0f) };
     this->Instances.origin = result.Origin;
+    this->Instances.motion = shutter;
     this->Instances.mesh = std::make_shared<rtg::TriangleMesh>(std::move(result.Mesh));
     this->ShapeChanged = true;
   }
 
-  std::vector<std::string> messages;
+  std::vector<std::string> messages = motion.Messages();
   if (result.Skipped > 0)
   {
     messages.push_back(std::to_string(result.Skipped) + " of " +
       std::to_string(result.Skipped + this->GetNumberOfGlyphs()) +
-      " triangles are not shown: a corner's position is not finite. Remove these points, for "
+      " triangles are not shown: a corner's position, or its motion, is not finite. Remove these points, for "
       "example with Threshold or Clean.");
   }
   else if (surface->GetNumberOfPolys() == 0 && surface->GetNumberOfPoints() > 0)
@@ -179,10 +189,7 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
   if (ofPositions != mesh.positionColours || ofTriangles != mesh.triangleColours)
   {
     // The scene may still hold the old mesh; the kernels see that only the colours are new.
-    auto colored = std::make_shared<rtg::TriangleMesh>();
-    colored->positions = mesh.positions;
-    colored->triangles = mesh.triangles;
-    colored->normals = mesh.normals;
+    auto colored = std::make_shared<rtg::TriangleMesh>(mesh);
     colored->positionColours = std::move(ofPositions);
     colored->triangleColours = std::move(ofTriangles);
     this->Instances.mesh = std::move(colored);

@@ -3,6 +3,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
+#include "vtkGlyphMotion.h"
 #include "vtkGlyphPointGatherer.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
@@ -121,9 +122,33 @@ void AddTriangles(vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& t
   }
 }
 
+// Positions whose motion is not finite become so themselves.
+void AddMotion(const vtkGlyphMotion& motion, const Placement& placement, rtg::TriangleMesh& mesh)
+{
+  const vtkIdType count = static_cast<vtkIdType>(mesh.positions.size());
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const bool finite = motion.IsFinite(i);
+    motion.AppendTo(mesh.motion, i, placement.Linear, glm::dmat3(1.0));
+    if (!finite)
+    {
+      mesh.positions[i] = glm::vec3(NAN);
+      // Of no triangle.
+      for (std::vector<glm::vec3>* values : { &mesh.motion.velocities, &mesh.motion.accelerations })
+      {
+        if (!values->empty())
+        {
+          values->back() = glm::vec3(0.0f);
+        }
+      }
+    }
+  }
+  motion.Finish(mesh.motion);
+}
+
 vtkRayTracedTriangleBuilder::Result Build(vtkPolyData* polygons,
   const vtkGlyphBlockAttributes::Table& blocks, const Placement& placement, bool smooth,
-  bool relative)
+  bool relative, const vtkGlyphMotion* motion)
 {
   vtkRayTracedTriangleBuilder::Result result;
   if (!polygons->GetPoints() || polygons->GetNumberOfPoints() == 0)
@@ -140,6 +165,10 @@ vtkRayTracedTriangleBuilder::Result Build(vtkPolyData* polygons,
   for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
   {
     mesh.positions.emplace_back(placement(PointOf(points, i)) - result.Origin);
+  }
+  if (motion && motion->On())
+  {
+    AddMotion(*motion, placement, mesh);
   }
   AddTriangles(polygons, blocks, glm::determinant(placement.Linear) < 0.0, result);
   for (glm::vec3& position : mesh.positions)
@@ -158,13 +187,14 @@ vtkRayTracedTriangleBuilder::Result Build(vtkPolyData* polygons,
 //----------------------------------------------------------------------------
 vtkRayTracedTriangleBuilder::Result
 vtkRayTracedTriangleBuilder::BuildRelative(vtkPolyData* polygons,
-  const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld, bool smooth)
+  const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld, bool smooth,
+  const vtkGlyphMotion& motion)
 {
-  return Build(polygons, blocks, Placement(modelToWorld), smooth, /*relative=*/true);
+  return Build(polygons, blocks, Placement(modelToWorld), smooth, /*relative=*/true, &motion);
 }
 
 //----------------------------------------------------------------------------
 vtkRayTracedTriangleBuilder::Result vtkRayTracedTriangleBuilder::BuildInPlace(vtkPolyData* polygons)
 {
-  return Build(polygons, {}, Placement(nullptr), /*smooth=*/true, /*relative=*/false);
+  return Build(polygons, {}, Placement(nullptr), /*smooth=*/true, /*relative=*/false, nullptr);
 }

@@ -5,7 +5,7 @@
  * Normals of the points become those of the triangles' corners, with an actor's transform as vtk does it; normals of
  * zero length, or not finite, leave a triangle its own.
  *
- * Triangles with a corner that is not finite are left out and counted.
+ * Triangles with a corner that is not finite, or whose motion is not, are left out and counted.
  */
 #ifndef vtkRayTracedTriangleBuilder_h
 #define vtkRayTracedTriangleBuilder_h
@@ -16,6 +16,7 @@
 
 #include <vector>
 
+class vtkGlyphMotion;
 class vtkMatrix4x4;
 class vtkPolyData;
 
@@ -32,10 +33,11 @@ public:
 
   /**
    * In the world, relative to the middle of the data. Blocks as Resolve()d for `polygons`; hidden ones are left out.
-   * `modelToWorld` may be null. Without `smooth`, normals are left out.
+   * `modelToWorld` may be null. Without `smooth`, normals are left out. The motion of the points becomes that of the
+   * positions.
    */
   static Result BuildRelative(vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& blocks,
-    vtkMatrix4x4* modelToWorld, bool smooth);
+    vtkMatrix4x4* modelToWorld, bool smooth, const vtkGlyphMotion& motion);
 
   /**
    * In the polygons' own frame, relative to its origin.

@@ -5,7 +5,8 @@ Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython motion.py DATASET OUTPUT-FOLDER [WIDTH
 DATASET: a folder by Data/injection.py, or can-vtu.hdf of VTK's test data (arrays VEL and ACCL). Of the injection there are pictures of
 the whole chamber, in local shading and with ambient occlusion, and of a part of it from near by. The looks are arrows; spheres that
 move by their velocities only, which leaves even streaks; with the data's accelerations; and braked: with accelerations opposite to the
-velocities that would stop each sphere by the time the shutter closes, for streaks that thicken where the sphere goes.
+velocities that would stop each sphere by the time the shutter closes, for streaks that thicken where the sphere goes. Of the can also: its
+surface, moved by both.
 
 --animation writes a frame of each of the first FRAMES time steps (default: all) into OUTPUT-FOLDER/frames instead, and an
 animated picture of them, OUTPUT-FOLDER/injection.webp, with img2webp (Debian's package webp) when that is installed.
@@ -42,11 +43,28 @@ def chamber(folder, view):
 
 
 def can(path, view):
-    """The same of the crushed can."""
+    """The same of the crushed can, which folds within a millisecond: after 4e-4 s many points have turned aside."""
     source = pv.OpenDataFile(path)
     source.UpdatePipeline()
-    simulation.look(view, (-15.5, -20.5, -3.0), (-3.4, 1.0, -16.2), (0.0, 0.0, 1.0))
-    return source, ("VEL", "ACCL"), 0.1, 1.5e-4, 1.2e-4, (2000.0, 5000.0)
+    simulation.look(view, (6.5, 14.0, -7.0), (-3.4, 1.5, -16.0), (0.0, 0.0, 1.0))
+    return source, ("VEL", "ACCL"), 0.22, 4e-4, 4e-4, (2000.0, 5000.0)
+
+
+def show_can(look, path, view):
+    """One of the looks of the can: what moves, on its surface at rest; or its surface itself."""
+    source, arrays, *how = can(path, view)
+    wall = pv.Show(source, view)
+    wall.SetRepresentationType("Ray Traced Surface")
+    if look == "surface":
+        wall.MotionBlur, wall.VelocityArray, wall.AccelerationArray = 1, arrays[0], arrays[1]
+        wall.ShutterTime, wall.ShutterOpening = how[1], "Forward"
+        colour_by_speed(wall, arrays[0], how[3])
+        return wall
+    wall.ColorArrayName, wall.DiffuseColor, wall.AmbientColor = [None, ""], [0.92, 0.93, 0.95], [0.92, 0.93, 0.95]
+    # A second representation of the same source needs a source of its own.
+    shown = show(look, pv.Calculator(Input=source, ResultArrayName="unused", Function="1"), arrays, *how, view)
+    shown.GlyphMask, shown.MaximumNumberOfGlyphs = 1, 500
+    return shown
 
 
 def show(look, source, arrays, diameter, shutter, factor, limits, view):
@@ -64,31 +82,39 @@ def show(look, source, arrays, diameter, shutter, factor, limits, view):
         shown = simulation.show(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=diameter, MotionBlur=1,
                                 VelocityArray=velocity, ShutterTime=shutter, ShutterOpening="Forward",
                                 AccelerationArray="None" if look == "velocity" else acceleration)
+    colour_by_speed(shown, velocity, limits)
+    return shown
+
+
+def colour_by_speed(shown, velocity, limits):
+    """Colours by the magnitude of the velocity."""
     pv.ColorBy(shown, ("POINTS", velocity, "Magnitude"), True)
     table = pv.GetColorTransferFunction(velocity, shown, separate=True)
     table.RGBPoints, table.ColorSpace = list(COLOURS), "RGB"
     table.RescaleTransferFunction(*limits)
-    return shown
 
 
 def pictures(data, folder, size, samples):
     """All looks from near by; of the whole injection arrows and blur, in local shading and with ambient occlusion."""
-    name, load = ("can", can) if os.path.isfile(data) else ("injection", chamber)
+    if os.path.isfile(data):
+        for look in LOOKS[:3] + ("surface",):
+            view = simulation.new_view(size)
+            show_can(look, data, view).SamplesPerPixel = samples
+            simulation.write(view, folder, "can-%s" % look, size)
+            pv.Delete(view)
+        return
     for look in LOOKS:
         view = simulation.new_view(size)
-        shown = show(look, *load(data, view), view)
+        shown = show(look, *chamber(data, view), view)
         shown.SamplesPerPixel = samples
-        if name == "can":
-            simulation.write(view, folder, "can-%s" % look, size)
-        elif look in ("arrows", "acceleration"):
+        if look in ("arrows", "acceleration"):
             simulation.write(view, folder, "injection-%s" % look, size)
             shown.ShadingMode, shown.AmbientOcclusionRadius, shown.Denoising = "Ambient Occlusion", 0.5, "Always"
             shown.SamplesPerPixel = max(samples // 2, 1)
             simulation.write(view, folder, "injection-%s-occlusion" % look, size)
             shown.ShadingMode, shown.SamplesPerPixel = "Local", samples
-        if name == "injection":
-            simulation.look(view, *NEAR)
-            simulation.write(view, folder, "injection-%s-near" % look, [5 * pixels // 6 for pixels in size])
+        simulation.look(view, *NEAR)
+        simulation.write(view, folder, "injection-%s-near" % look, [5 * pixels // 6 for pixels in size])
         pv.Delete(view)
 
 
