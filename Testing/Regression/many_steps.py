@@ -10,8 +10,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 import session
 
-POINTS = 1500
-SIDE = 30  # of the surface, in points
+POINTS = 400
+SIDE = 10  # of the surface, in points
 
 
 def sheet(generator):
@@ -37,7 +37,7 @@ def main():
     """Plays, and looks at the memory now and then."""
     steps = int(sys.argv[1]) if len(sys.argv) > 1 else 2000
     session.load()
-    view = session.view(40, 30)
+    view = session.view(20, 16)
     generator = numpy.random.default_rng(5)
 
     def cloud(count):
@@ -59,7 +59,7 @@ def main():
             memory.append(resident())
             device.append(session.statistics(shown).get("deviceBytes", 0))
         # Their number is another one each time, now and then it is none.
-        session.replace_data(points, cloud(0 if step % 50 == 7 else POINTS - 10 * (step % 20)))
+        session.replace_data(points, cloud(0 if step % 50 == 7 else POINTS - 5 * (step % 20)))
         session.replace_data(surface, sheet(generator))
         pv.Render(view)
     print("resident MB after each %d steps: %s" % (settled, ["%.1f" % (size / 2.0 ** 20) for size in memory]))
