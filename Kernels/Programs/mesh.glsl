@@ -134,7 +134,7 @@ bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out 
   float least = (tMin - ray.start.hi) - ray.start.lo;
   float nearest = (tMax - ray.start.hi) - ray.start.lo;
   bool found = false;
-  TreePosition position = TreePosition(0u, 0u, uint64_t(0), 0u);
+  TreePosition position = TreePosition(0u, 0u, uint64_t(0), 0u, vec4[2](vec4(0.0), vec4(0.0)));
   uint i = 0u, end = 0u;
   bool going = true;
   do
@@ -142,9 +142,10 @@ bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out 
     if (position.level < levels)
     {
       uint mask, order;
+      float behind;
       uint levelOffset = 0x09249249u & ((1u << (3u * position.level)) - 1u);
-      IntersectNode(nodes, firstNode + levelOffset + position.node, boxRay, least, nearest, mask, order);
-      PushChildren(position, mask, order);
+      IntersectNode(nodes, firstNode + levelOffset + position.node, boxRay, least, nearest, mask, order, behind);
+      PushChildren(position, mask, order, behind);
     }
     else if (i < end)
     {
@@ -157,6 +158,7 @@ bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out 
         found = true;
         nearest = s;
         metTriangle = i;
+        DropHidden(position, nearest);
         going = !any;
       }
       ++i;
