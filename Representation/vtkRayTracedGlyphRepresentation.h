@@ -145,7 +145,7 @@ public:
 
   ///@{
   /**
-   * Motion blur: names of point arrays of three components ("None" or empty: none), the time that the shutter is open, and
+   * Motion blur, of glyphs and of surfaces: names of point arrays of three components ("None" or empty: none), the time that the shutter is open, and
    * when that is, of vtkGlyphMotion::Openings. Default is off, no arrays, 1, centred. Velocities may instead be those of
    * vtkGlyphStepVelocity, default off, where an array of one component, by default the global ids, tells which point is
    * which.

@@ -6,7 +6,10 @@
  * what the superclass calls glyphs are here the triangles shown, and Points their cells. Colours are a part of the
  * mesh, of its positions or of its triangles.
  *
- * Triangles that have a corner without finite coordinates are left out, counted and reported once.
+ * With motion (vtkGlyphMotion) each point of the surface goes its own way while the shutter is open; angular velocities mean
+ * nothing here.
+ *
+ * Triangles that have a corner without finite coordinates or motion are left out, counted and reported once.
  *
  * @sa vtkRayTracedSurfaceRepresentation
  */

@@ -287,6 +287,71 @@ TEST_P(TimesOf, StratifiedAreStratified)
   this->ExpectStratified(rtg::Sampler::Stratified);
 }
 
+TEST_P(MotionTest, StreaksKeepTheColoursOfTheirGlyphs)
+{
+  // Whatever else colours mean: thin parts of a streak are more transparent, not darker nor mixed with anything.
+  rtg::GlyphInstances instances;
+  instances.centres = { { 0.0f, 0.5f, 0.0f }, { 0.0f, -0.5f, 0.0f } };
+  instances.uniformSize = 0.4f;
+  instances.motion.velocities = { { 1.2f, 0.0f, 0.0f }, { 0.8f, 0.1f, 0.0f } };
+  instances.motion.accelerations = { { 3.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 1.0f } };
+  const auto id = this->Add(instances);
+  const rtg::GlyphColours colours = { 0xff2040c0u, 0xffa08010u };
+  this->scene.SetColours(id, colours);
+  rtg::Material material;
+  material.lighting = false;
+  this->scene.SetMaterial(id, material);
+  this->scene.Commit();
+  this->settings.samples = 32;
+  const Image image =
+    this->tracer.Trace(this->scene, this->camera, { rtg::Light() }, this->settings);
+  int thin = 0;
+  for (std::uint32_t i = 0; i < image.width * image.height; ++i)
+  {
+    const std::uint32_t alpha = image.colour[i] >> 24;
+    const std::uint32_t wanted = colours[i / image.width >= image.height / 2 ? 0 : 1];
+    for (int shift = 0; shift < 24 && alpha > 0; shift += 8)
+    {
+      ASSERT_NEAR(image.colour[i] >> shift & 255, wanted >> shift & 255, 1) << i;
+    }
+    thin += alpha > 0 && alpha < 128;
+  }
+  EXPECT_GT(thin, 100);
+}
+
+TEST_P(MotionTest, FastSpheresAreSeenForTheirShareOfTheTime)
+{
+  // A thousand times the view while the shutter is open, there and back.
+  constexpr double radius = 0.3, half = 1000.0;
+  rtg::GlyphInstances instances;
+  instances.centres = { { 0.0f, 0.1f, 0.0f } };
+  instances.uniformSize = 2.0 * radius;
+  // x(t) = half (2 t - 2 t^2) for t in 0 .. 1 is 0 at both ends, where the speed is 2 half.
+  instances.motion.velocities = { { 2.0 * half, 0.0f, 0.0f } };
+  instances.motion.accelerations = { { -4.0 * half, 0.0f, 0.0f } };
+  instances.motion.shutterOpen = 0.0f;
+  instances.motion.shutterClose = 1.0f;
+  this->Add(instances);
+  this->settings.samples = 1024;
+  this->settings.sampler = rtg::Sampler::Random;
+  double found = 0.0, expected = 0.0;
+  const std::vector<glm::vec4> means = this->Means();
+  for (std::uint32_t pixel = 0; pixel < means.size(); ++pixel)
+  {
+    found += double(means[pixel].a) * this->settings.samples;
+    for (std::uint32_t s = 0; s < this->settings.samples; ++s)
+    {
+      const glm::dvec2 p = this->Position(pixel, s);
+      const double y = p.y - double(0.1f);
+      const double chord = std::sqrt(std::max(radius * radius - y * y, 0.0));
+      // Times at which it is over p, near either end; the parabola is straight there to a thousandth.
+      expected += 2.0 * std::max(p.x + chord - std::max(p.x - chord, 0.0), 0.0) / (2.0 * half);
+    }
+  }
+  EXPECT_GT(expected, 50.0);
+  EXPECT_NEAR(found, expected, 3.9 * std::sqrt(expected));
+}
+
 TEST_P(MotionTest, SamplesMayBeSharedOutAmongCalls)
 {
   MovingGlyphs make(2);
