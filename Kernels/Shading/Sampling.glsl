@@ -20,6 +20,32 @@ vec2 PixelSample(uint s)
   return fract(vec2(0.5) + float(s) * vec2(0.7548776662466927, 0.5698402909980532));
 }
 
+// The pairs in use. Those that matter together share a sequence, and the place in the pixel and the first direction its
+// best four dimensions.
+const uint pairPixel = 0u;
+// of one bounce
+const uint pairDirection = 0u;
+const uint pairLobe = 1u;      // metal or not, coat or base
+const uint pairFacet = 2u;
+const uint pairCoatFacet = 3u;
+const uint pairChance = 4u;    // escape from between facets
+const uint pairLight = 5u;
+const uint pairAim = 6u;       // at the environment image: the cell, and the next pair: where in it
+
+uint PairOf(uint bounce, uint purpose)
+{
+  // The first sequence: place and first direction; next two directions; facet and chance; lobe and fourth direction.
+  if (purpose == pairDirection)
+  {
+    return bounce < 3u ? 1u + bounce : bounce == 3u ? 7u : pairsPerSequence * 0x1000u + bounce - 4u;
+  }
+  if (bounce == 0u && (purpose == pairLobe || purpose == pairFacet || purpose == pairChance))
+  {
+    return purpose == pairFacet ? 4u : purpose == pairChance ? 5u : 6u;
+  }
+  return pairsPerSequence * (bounce + 1u) + purpose;
+}
+
 // One sample of one pixel; its dimensions come in pairs.
 struct SampleNumber
 {
@@ -43,14 +69,21 @@ vec2 SamplePair(SampleNumber number, uint pair)
   }
   else if (samplerKind == samplerSobol)
   {
-    bits = ScrambledSobol(number.index, pixelSeed);
+    uint sequenceSeed = Hash((pair / pairsPerSequence) * 0x9e3779b9u ^ Hash(number.pixel.x, number.pixel.y));
+    bits = ScrambledSobol(number.index, sequenceSeed, pair % pairsPerSequence);
+    if (pair == pairPixel)
+    {
+      // Sample 0 goes through the pixel's centre. A shift by digits puts it there and keeps the net; turned round in half of the pixels,
+      // because such a net leans to one side.
+      bits ^= ScrambledSobol(0u, sequenceSeed, pairPixel) ^ ((sequenceSeed & 1u) != 0u ? 0x7fffffffu : 0x80000000u);
+    }
   }
   else
   {
     // One sequence for all pixels, shifted by a tile of blue noise: neighbours err differently, so their errors
     // cancel to the eye. Georgiev and Fajardo, "Blue-noise Dithered Sampling", SIGGRAPH 2016 Talks.
     uint seed = Hash(pair * 0x9e3779b9u);
-    bits = ScrambledSobol(number.index, seed);
+    bits = ScrambledSobol(number.index, Hash((pair / pairsPerSequence) * 0x9e3779b9u), pair % pairsPerSequence);
     UintArray tile = frame.blueNoise;
     uvec2 a = (number.pixel + uvec2(seed, seed >> 8u)) & (blueNoiseSide - 1u);
     uvec2 b = (number.pixel + uvec2(seed >> 16u, seed >> 24u)) & (blueNoiseSide - 1u);
@@ -64,18 +97,6 @@ float SampleIndependent(SampleNumber number, uint event)
 {
   return UnitInterval(Hash(Hash(number.pixel.x, number.pixel.y), Hash(number.index, event)));
 }
-
-// The pairs in use.
-const uint pairPixel = 0u;
-const uint pairFirstBounce = 1u;
-// of one bounce
-const uint pairDirection = 0u;
-const uint pairLobe = 1u;      // metal or not, coat or base
-const uint pairFacet = 2u;
-const uint pairCoatFacet = 3u;
-const uint pairChance = 4u;    // escape from between facets, Russian roulette
-const uint pairLight = 5u;
-const uint pairsPerBounce = 6u;
 
 // Where in the pixel the sample's camera ray goes through; sample 0 is the middle.
 vec2 PixelPosition(SampleNumber number)

@@ -52,7 +52,7 @@ float ShutterTime(SampleNumber number)
     return min((float(Permuted(number.index, frame.plannedSamples, pixelSeed)) + UnitInterval(random)) /
       float(frame.plannedSamples), 0.99999994);
   }
-  uint shared_ = ScrambledSobol(number.index, timeSeed).x;
+  uint shared_ = ScrambledSobol(number.index, timeSeed, 0u).x;
   uint own = 0xffffffffu >> frame.sharedTimeBits;
   uint scrambled;
   if (samplerKind == samplerSobol)

@@ -1,5 +1,5 @@
-// Pseudo-random numbers and the first two dimensions of the Sobol sequence, scrambled after Owen. Integers only, but for
-// the last step, so that every device gets the same numbers.
+// Pseudo-random numbers and sequences whose first two dimensions are Sobol's, scrambled after Owen. Integers only, but
+// for the last step, so that every device gets the same numbers.
 #ifndef RTG_SOBOL
 #define RTG_SOBOL
 
@@ -52,15 +52,76 @@ RTG_SHADING_FN uint PascalProduct(uint index)
   return index;
 }
 
-// Number `index` of the two-dimensional sequence that `seed` chooses, as fractions of 2^32: the order is
-// shuffled and the values scrambled, which keeps every aligned run of 2^k numbers a (0, k, 2)-net.
-// Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
-RTG_SHADING_FN uvec2 ScrambledSobol(uint index, uint seed)
+// Each digit of two bits as an element a + b w of the field of four, w^2 = w + 1, times w.
+RTG_SHADING_FN uint TimesOmega(uint digits)
 {
-  uint shuffled = bitfieldReverse(ScrambleReversed(bitfieldReverse(index), seed));
-  return uvec2(bitfieldReverse(ScrambleReversed(shuffled, Hash(seed ^ 0x68bc21ebu))),
-    bitfieldReverse(ScrambleReversed(PascalProduct(shuffled), Hash(seed ^ 0x02e5be93u))));
+  uint a = digits & 0x55555555u;
+  uint b = (digits >> 1u) & 0x55555555u;
+  return b | ((a ^ b) << 1u);
 }
+
+// The same times w^power, power in 0 .. 2.
+RTG_SHADING_FN uint TimesOmega(uint digits, uint power)
+{
+  uint once = TimesOmega(digits);
+  return power == 0u ? digits : power == 1u ? once : once ^ digits;
+}
+
+// Each digit of four bits as an element a + b z of the field of sixteen over that of four, z^2 = z + w, times z.
+RTG_SHADING_FN uint TimesZeta(uint digits)
+{
+  uint a = digits & 0x33333333u;
+  uint b = (digits >> 2u) & 0x33333333u;
+  return TimesOmega(b) | ((a ^ b) << 2u);
+}
+
+// Faure's generator matrix of the field's element e, times a sample's number: the digits are a polynomial's coefficients, and
+// what is asked for are those of f(t + e). Of halves f0 + t^s f1 the lower one gains e^s f1, then each half for itself.
+RTG_SHADING_FN uint ShiftedByOmega(uint number)
+{
+  number ^= TimesOmega(number & 0xffff0000u, 2u) >> 16u;
+  number ^= TimesOmega(number & 0xff00ff00u) >> 8u;
+  number ^= TimesOmega(number & 0xf0f0f0f0u, 2u) >> 4u;
+  return number ^ (TimesOmega(number & 0xccccccccu) >> 2u);
+}
+
+// For e = z w^power; z^4 = z + 1.
+RTG_SHADING_FN uint ShiftedByZeta(uint number, uint power)
+{
+  uint high = number & 0xffff0000u;
+  number ^= TimesOmega(TimesZeta(high) ^ high, power) >> 16u;
+  high = number & 0xff00ff00u;
+  number ^= TimesOmega(TimesZeta(high) ^ TimesOmega(high), (2u * power) % 3u) >> 8u;
+  high = number & 0xf0f0f0f0u;
+  return number ^ (TimesOmega(TimesZeta(high), power) >> 4u);
+}
+
+// Number `index` of a sequence of sixteen dimensions that `seed` chooses, as fractions of 2^32: the two of pair 0 .. 7.
+// Every pair is a (0, 2)-sequence in base 2, pairs 2k and 2k + 1 together are a (0, 4)-sequence in base 4 and all a
+// (0, 16)-sequence in base 16: any aligned 4^k numbers fill every cell of 4^k equal ones, whatever powers of 4 the four
+// dimensions are cut into, once. That such sequences can be nested is due to Ahmed, Skopenkov, Hadwiger and Wonka,
+// "SZ Sequences: Binary-based (0, 2^q)-Sequences", SIGGRAPH Asia 2024; the matrices here are Faure's ("Discrepance de suites associees
+// a un systeme de numeration", Acta Arithmetica 41, 1982) in the fields of 2, 4 and 16 elements, each a subfield of the next.
+// The order is shuffled and the values scrambled after Owen, which keeps all of this.
+// Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
+RTG_SHADING_FN uvec2 ScrambledSobol(uint index, uint seed, uint pair)
+{
+  uint number = bitfieldReverse(ScrambleReversed(bitfieldReverse(index), seed));
+  uint four = pair >> 1u;
+  if (four > 0u)
+  {
+    number = ShiftedByZeta(number, four - 1u);
+  }
+  if ((pair & 1u) != 0u)
+  {
+    number = ShiftedByOmega(number);
+  }
+  uint own = Hash(seed + pair);
+  return uvec2(bitfieldReverse(ScrambleReversed(number, Hash(own ^ 0x68bc21ebu))),
+    bitfieldReverse(ScrambleReversed(PascalProduct(number), Hash(own ^ 0x02e5be93u))));
+}
+
+const uint pairsPerSequence = 8u;
 
 // Where `index` goes in a permutation of 0 .. count - 1 that `seed` chooses: rounds of steps that are invertible
 // modulo a power of two, repeated until the result is one of the count (Black and Rogaway's cycle walking).

@@ -3,110 +3,35 @@
 // LightBenchmark cost SCENE [PIXELS] [REPETITIONS]
 //   Seconds of an image with local shading, with one ray of ambient occlusion, and path-traced with 1, 2, ... bounces.
 // LightBenchmark error SCENE OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]
-//   Of the middle PIXELS x PIXELS of an image of 1200 x 1200: mean squared error against a reference of independent samples, by shading, sampler, samples and seconds.
-// SCENE: a file by Data/spheres_280k.py, or one of Data/impact, whose velocities become arrows.
-#include "Files.h"
+//   Of the middle PIXELS x PIXELS of the scene's view: mean squared error against a reference of independent samples, by shading,
+//   sampler, samples and seconds, as traced, denoised and blurred. References are kept beside OUTPUT and used again.
+// LightBenchmark picture SCENE OUTPUT.ppm [PIXELS] [SAMPLES]
+//   That part of the view, ambient occlusion beside path tracing, to be looked at.
+// SCENE: a file by Data/spheres_280k.py or Data/helix.py, or one of Data/impact, whose velocities become arrows in a vessel.
+#include "Denoiser.h"
+#include "LightScenes.h"
 #include "Measures.h"
-#include "Scene.h"
+#include "Shading/Shading.h"
 #include "Tracer.h"
-#include "Vulkan/Device.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <limits>
 
 namespace
 {
 
+using benchmark::LightScene;
 using rtg::Sampler;
 using rtg::Shading;
 
-struct Subject
-{
-  std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
-  rtg::Scene scene{ device };
-  rtg::Camera camera;
-  double extent = 1.0; // a radius of ambient occlusion that means something
-};
-
-rtg::Material Grey()
-{
-  rtg::Material material;
-  material.colour = material.ambientColour = glm::vec3(0.85f, 0.8f, 0.7f);
-  return material;
-}
-
-void AddSpheres(Subject& subject, const std::string& path)
-{
-  const benchmark::Spheres spheres = benchmark::ReadSpheres(path);
-  rtg::GlyphInstances instances;
-  instances.origin = glm::dvec3(50.0);
-  instances.uniformSize = 2.0f * spheres.radius;
-  for (const glm::vec3& centre : spheres.centres)
-  {
-    instances.centres.push_back(centre - glm::vec3(50.0f));
-  }
-  const auto set = subject.scene.Add();
-  subject.scene.SetInstances(set, std::move(instances));
-  subject.scene.SetMaterial(set, Grey());
-  subject.camera = benchmark::SpheresCamera();
-}
-
-// The grains' velocities as arrows, as in Testing/Pictures/simulation.py.
-void AddArrows(Subject& subject, const std::string& path)
-{
-  std::ifstream in(path, std::ios::binary);
-  const std::vector<glm::vec3> points = benchmark::ReadPoints(in);
-  const std::vector<glm::vec3> velocities =
-    benchmark::ToVectors(benchmark::ReadArray(in, "velocity", 3 * points.size()));
-  if (!in || points.empty())
-  {
-    throw std::runtime_error(path + " has no points with an array 'velocity'");
-  }
-  rtg::GlyphInstances instances;
-  instances.shape = rtg::Shape::Arrow;
-  instances.arrow = { 0.12f, 0.3f, 0.8f, 0.5f, true, 0.3f };
-  instances.origin = { 14.0, 14.0, 5.0 };
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const float speed = glm::length(velocities[i]);
-    if (!(speed > 0.0f))
-    {
-      continue;
-    }
-    // The shortest turn of x to the velocity.
-    const glm::vec3 d = velocities[i] / speed;
-    const glm::vec4 turn =
-      d.x > -0.9999f ? glm::vec4(0.0f, -d.z, d.y, 1.0f + d.x) : glm::vec4(0, 0, 1, 0);
-    instances.centres.push_back(points[i] - glm::vec3(instances.origin));
-    instances.sizes3.push_back(glm::vec3(0.3f * speed));
-    instances.rotations.push_back(glm::normalize(turn));
-  }
-  const auto set = subject.scene.Add();
-  subject.scene.SetInstances(set, std::move(instances));
-  subject.scene.SetMaterial(set, Grey());
-  subject.camera = benchmark::LookAt(
-    { 9.0, -34.0, 22.0 }, { 14.3, 14.0, 5.5 }, { 0.0, 0.0, 1.0 }, 30.0, 10.0, 100.0);
-}
-
-void Load(Subject& subject, const std::string& path)
-{
-  std::ifstream in(path, std::ios::binary);
-  std::string line;
-  std::getline(in, line);
-  std::getline(in, line);
-  if (line.find("impact") != std::string::npos)
-  {
-    AddArrows(subject, path);
-  }
-  else
-  {
-    AddSpheres(subject, path);
-  }
-  subject.scene.Commit();
-}
+constexpr std::pair<const char*, Sampler> samplers[] = { { "random", Sampler::Random },
+  { "stratified", Sampler::Stratified }, { "sobol", Sampler::Sobol }, { "blue noise", Sampler::BlueNoise } };
+constexpr std::pair<const char*, Shading> shadings[] = { { "occlusion", Shading::AmbientOcclusion },
+  { "path", Shading::PathTracing } };
 
 // Best processor seconds of a number of repetitions after a first one that compiles.
 double BestOf(int repetitions, const std::function<void()>& work)
@@ -122,7 +47,7 @@ double BestOf(int repetitions, const std::function<void()>& work)
   return best;
 }
 
-void MeasureCost(Subject& subject, int pixels, int repetitions)
+void MeasureCost(LightScene& subject, int pixels, int repetitions)
 {
   rtg::Tracer tracer(subject.device);
   const std::vector<rtg::Light> lights(1);
@@ -139,14 +64,11 @@ void MeasureCost(Subject& subject, int pixels, int repetitions)
   const double local = seconds();
   std::printf("%-24s %10.3f %14.2f\n", "local", local, 1.0);
   settings.shading = Shading::AmbientOcclusion;
-  for (const auto& [name, sampler] : { std::pair("occlusion, random", Sampler::Random),
-         std::pair("occlusion, stratified", Sampler::Stratified),
-         std::pair("occlusion, Sobol", Sampler::Sobol),
-         std::pair("occlusion, blue noise", Sampler::BlueNoise) })
+  for (const auto& [name, sampler] : samplers)
   {
     settings.sampler = sampler;
     const double cost = seconds();
-    std::printf("%-24s %10.3f %14.2f\n", name, cost, cost / local);
+    std::printf("occlusion, %-13s %10.3f %14.2f\n", name, cost, cost / local);
   }
   settings.sampler = Sampler::Sobol;
   settings.shading = Shading::PathTracing;
@@ -162,66 +84,154 @@ void MeasureCost(Subject& subject, int pixels, int repetitions)
   }
 }
 
-void MeasureError(Subject& subject, const std::string& output, int pixels,
-  std::uint32_t referenceSamples, std::uint32_t mostSamples)
+using Pixels = std::vector<glm::vec4>;
+
+// Shows only the middle of the view, at its scale: what a pixel sees there decides how hard it is.
+rtg::TraceSettings MiddleOf(LightScene& subject, int pixels, Shading shading)
+{
+  rtg::TraceSettings settings;
+  settings.width = settings.height = static_cast<std::uint32_t>(pixels);
+  settings.shading = shading;
+  settings.occlusionRadius = subject.radius;
+  settings.keepSums = true;
+  return settings;
+}
+
+std::vector<rtg::Light> LightsOf(Shading shading)
+{
+  return std::vector<rtg::Light>(shading == Shading::PathTracing ? 0 : 1);
+}
+
+// Independent samples, which favour none of the samplers; from the file if it holds so many of so many pixels.
+Pixels Reference(rtg::Tracer& tracer, LightScene& subject, rtg::TraceSettings settings, std::uint32_t samples,
+  const std::string& path)
+{
+  Pixels means(std::size_t(settings.width) * settings.height);
+  const std::uint32_t head[2] = { samples, settings.width };
+  std::uint32_t found[2] = {};
+  std::ifstream in(path, std::ios::binary);
+  in.read(reinterpret_cast<char*>(found), sizeof found);
+  in.read(reinterpret_cast<char*>(means.data()), static_cast<std::streamsize>(means.size() * sizeof(glm::vec4)));
+  if (in && found[0] == head[0] && found[1] == head[1])
+  {
+    return means;
+  }
+  settings.sampler = Sampler::Random;
+  settings.samples = samples;
+  tracer.Trace(subject.scene, subject.camera, LightsOf(settings.shading), settings);
+  means = tracer.Means();
+  std::ofstream out(path, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(head), sizeof head);
+  out.write(reinterpret_cast<const char*>(means.data()), static_cast<std::streamsize>(means.size() * sizeof(glm::vec4)));
+  return means;
+}
+
+Pixels Denoised(Pixels means, const rtg::Image& image, Shading shading)
+{
+  std::vector<glm::vec3> albedos = image.albedos;
+  if (shading == Shading::PathTracing)
+  {
+    std::transform(albedos.begin(), albedos.end(), albedos.begin(), rtg::shading::DisplayToLinear);
+  }
+  rtg::Denoise(means, { image.width, image.height, image.normals, albedos, image.viewDepths });
+  return means;
+}
+
+void MeasureShading(LightScene& subject, const char* name, const std::string& output, std::FILE* csv, int pixels,
+  std::uint32_t referenceSamples, std::uint32_t mostSamples, Shading shading)
+{
+  rtg::Tracer tracer(subject.device);
+  const std::vector<rtg::Light> lights = LightsOf(shading);
+  rtg::TraceSettings settings = MiddleOf(subject, pixels, shading);
+  const Pixels truth = Reference(tracer, subject, settings, referenceSamples, output + "." + name + ".reference");
+  const Pixels blurredTruth = benchmark::Blurred(truth, pixels);
+
+  double ownError = 0.0; // of the reference: the variance of a sample over its number of samples
+  for (const auto& [samplerName, sampler] : samplers)
+  {
+    settings.sampler = sampler;
+    settings.samples = settings.plannedSamples = 16;
+    settings.features = false;
+    const double seconds =
+      BestOf(3, [&] { tracer.Trace(subject.scene, subject.camera, lights, settings); }) / settings.samples;
+    settings.features = true;
+    for (settings.samples = 1; settings.samples <= mostSamples; settings.samples *= 4)
+    {
+      settings.plannedSamples = settings.samples;
+      const rtg::Image image = tracer.Trace(subject.scene, subject.camera, lights, settings);
+      const Pixels means = tracer.Means();
+      double error = benchmark::SquaredError(means, truth);
+      const double before = benchmark::CpuSeconds();
+      const Pixels smooth = Denoised(means, image, shading);
+      const double denoising = benchmark::CpuSeconds() - before;
+      // Random samples are the first of the reference's: they differ from it by less than from the truth, others by more.
+      const double share = static_cast<double>(settings.samples) / referenceSamples;
+      if (sampler == Sampler::Random)
+      {
+        if (settings.samples == std::min(16u, mostSamples))
+        {
+          ownError = error * share / (1.0 - share);
+        }
+        error /= 1.0 - share;
+      }
+      else
+      {
+        error = std::max(error - ownError, 0.0);
+      }
+      std::fprintf(csv, "%s,%s,%u,%.5f,%.6g,%.6g,%.6g,%.5f,%.6g\n", name, samplerName, settings.samples,
+        seconds * settings.samples, error, ownError,
+        std::max(benchmark::SquaredError(smooth, truth) - ownError, 0.0), denoising,
+        benchmark::SquaredError(benchmark::Blurred(means, pixels), blurredTruth));
+      std::fflush(csv);
+    }
+  }
+}
+
+void MeasureError(LightScene& subject, const std::string& output, int pixels, std::uint32_t referenceSamples,
+  std::uint32_t mostSamples)
 {
   std::FILE* csv = std::fopen(output.c_str(), "w");
   if (!csv)
   {
     throw std::runtime_error("cannot write " + output);
   }
-  // The middle of an image of 1200 x 1200: what a pixel sees there decides how hard it is.
-  subject.camera.right *= pixels / 1200.0;
-  subject.camera.up *= pixels / 1200.0;
-  std::fprintf(csv, "shading,sampler,samples,cpu_seconds,mse,reference_mse,blurred_mse\n");
-  const std::pair<const char*, Shading> shadings[] = { { "occlusion", Shading::AmbientOcclusion },
-    { "path", Shading::PathTracing } };
-  const std::pair<const char*, Sampler> samplers[] = { { "random", Sampler::Random },
-    { "stratified", Sampler::Stratified }, { "sobol", Sampler::Sobol },
-    { "blue noise", Sampler::BlueNoise } };
-  for (const auto& [shadingName, shading] : shadings)
+  std::fprintf(csv, "shading,sampler,samples,cpu_seconds,mse,reference_mse,denoised_mse,denoise_seconds,blurred_mse\n");
+  for (const auto& [name, shading] : shadings)
   {
-    rtg::TraceSettings settings;
-    settings.width = settings.height = static_cast<std::uint32_t>(pixels);
-    settings.shading = shading;
-    settings.keepSums = true;
-    const std::vector<rtg::Light> lights(shading == Shading::PathTracing ? 0 : 1);
+    MeasureShading(subject, name, output, csv, pixels, referenceSamples,
+      shading == Shading::AmbientOcclusion ? std::min(256u, mostSamples) : mostSamples, shading);
+  }
+  std::fclose(csv);
+}
+
+void WritePicture(LightScene& subject, const std::string& output, int pixels, std::uint32_t samples)
+{
+  std::FILE* file = std::fopen(output.c_str(), "wb");
+  if (!file)
+  {
+    throw std::runtime_error("cannot write " + output);
+  }
+  std::fprintf(file, "P6 %d %d 255\n", 2 * pixels, pixels);
+  std::vector<std::uint32_t> images[2];
+  for (int i = 0; i < 2; ++i)
+  {
     rtg::Tracer tracer(subject.device);
-
-    // Independent samples favour none of the others; its own error is known.
-    rtg::TraceSettings reference = settings;
-    reference.samples = referenceSamples;
-    reference.sampler = Sampler::Random;
-    std::fprintf(stderr, "%s: reference of %u samples\n", shadingName, referenceSamples);
-    tracer.Trace(subject.scene, subject.camera, lights, reference);
-    const std::vector<glm::vec4> truth = tracer.Means();
-    const std::vector<glm::vec4> blurredTruth = benchmark::Blurred(truth, pixels);
-
-    // Random samples' error falls as 1 / samples, so what they measure tells the reference's own part.
-    double referenceError = 0.0;
-    const std::uint32_t most =
-      shading == Shading::AmbientOcclusion ? std::min(256u, mostSamples) : mostSamples;
-    for (const auto& [samplerName, sampler] : samplers)
+    rtg::TraceSettings settings = MiddleOf(subject, pixels, shadings[i].second);
+    settings.samples = samples;
+    const rtg::Image image = tracer.Trace(subject.scene, subject.camera, LightsOf(settings.shading), settings);
+    images[i].assign(image.colour, image.colour + std::size_t(pixels) * pixels);
+  }
+  for (int y = pixels - 1; y >= 0; --y)
+  {
+    for (const std::vector<std::uint32_t>& image : images)
     {
-      settings.sampler = sampler;
-      for (settings.samples = 1; settings.samples <= most; settings.samples *= 2)
+      for (int x = 0; x < pixels; ++x)
       {
-        const auto image = [&] { tracer.Trace(subject.scene, subject.camera, lights, settings); };
-        const double seconds = BestOf(settings.samples <= 16 ? 3 : 1, image);
-        const std::vector<glm::vec4> means = tracer.Means();
-        const double error = benchmark::SquaredError(means, truth);
-        if (sampler == Sampler::Random && settings.samples == std::min(16u, most))
-        {
-          referenceError = error / (1.0 + double(referenceSamples) / settings.samples);
-        }
-        std::fprintf(csv, "%s,%s,%u,%.4f,%.6g,%.6g,%.6g\n", shadingName, samplerName,
-          settings.samples, seconds, error, referenceError,
-          benchmark::SquaredError(benchmark::Blurred(means, pixels), blurredTruth));
-        std::fflush(csv);
+        std::fwrite(&image[std::size_t(y) * pixels + x], 1, 3, file);
       }
     }
   }
-  std::fclose(csv);
+  std::fclose(file);
 }
 
 } // namespace
@@ -230,27 +240,32 @@ int main(int argc, char** argv)
 try
 {
   const std::string what = argc > 2 ? argv[1] : "";
-  const auto number = [&](int at, int otherwise)
-  { return argc > at ? std::atoi(argv[at]) : otherwise; };
-  if (what != "cost" && !(what == "error" && argc > 3))
+  const auto number = [&](int at, int otherwise) { return argc > at ? std::atoi(argv[at]) : otherwise; };
+  if (what != "cost" && !((what == "error" || what == "picture") && argc > 3))
   {
     std::fprintf(stderr,
       "Usage: LightBenchmark cost SCENE.vtk [PIXELS] [REPETITIONS]\n"
-      "       LightBenchmark error SCENE.vtk OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] "
-      "[MOST-SAMPLES]\n");
+      "       LightBenchmark error SCENE.vtk OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]\n"
+      "       LightBenchmark picture SCENE.vtk OUTPUT.ppm [PIXELS] [SAMPLES]\n");
     return 2;
   }
-  Subject subject;
-  Load(subject, argv[2]);
+  LightScene subject;
+  benchmark::Load(subject, argv[2]);
   if (what == "cost")
   {
     MeasureCost(subject, number(3, 1200), number(4, 3));
+    return 0;
   }
-  else
+  const int pixels = number(4, 64);
+  subject.camera.right *= static_cast<double>(pixels) / subject.side;
+  subject.camera.up *= static_cast<double>(pixels) / subject.side;
+  if (what == "picture")
   {
-    MeasureError(subject, argv[3], number(4, 240), static_cast<std::uint32_t>(number(5, 16384)),
-      static_cast<std::uint32_t>(number(6, 1024)));
+    WritePicture(subject, argv[3], pixels, static_cast<std::uint32_t>(number(5, 16)));
+    return 0;
   }
+  MeasureError(subject, argv[3], pixels, static_cast<std::uint32_t>(number(5, 16384)),
+    static_cast<std::uint32_t>(number(6, 1024)));
   return 0;
 }
 catch (const std::exception& error)

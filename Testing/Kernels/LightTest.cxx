@@ -375,6 +375,32 @@ TEST_F(LightTest, NetsErrLessThanIndependentSamples)
   }
 }
 
+// A thing that covers a quarter of each pixel is hit by exactly a quarter of the samples: their places are a net, although the
+// first of them is the pixel's centre.
+TEST_F(LightTest, PlacesInAPixelAreANet)
+{
+  std::vector<glm::vec3> centres;
+  for (int column = 0; column < 24; ++column)
+  {
+    centres.emplace_back(-1.0f + (column + 0.125f) / 12.0f, 0.0f, 0.0f);
+  }
+  this->Add(Shape::Box, centres, std::vector<glm::vec3>(24, glm::vec3(0.25f / 12.0f, 10.0f, 0.1f)), Flat());
+  this->settings.sampler = Sampler::Sobol;
+  this->settings.shading = Shading::AmbientOcclusion;
+  this->settings.occlusionRadius = 1e-6f;
+  for (std::uint32_t samples : { 4, 16, 64 })
+  {
+    this->settings.samples = samples;
+    const Image image = this->Trace();
+    for (const glm::vec4& mean : this->tracer.Means())
+    {
+      ASSERT_EQ(mean.a, 0.25f) << samples;
+    }
+    // That of the nearest sample, none of which is the centre.
+    EXPECT_LT(image.depth[0], 1.0f);
+  }
+}
+
 // Convex things alone hide nothing from themselves, wherever they lie and however they are seen.
 TEST_F(LightTest, NothingShadowsItself)
 {

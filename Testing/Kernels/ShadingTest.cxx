@@ -5,50 +5,116 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 #include <set>
+#include <vector>
 
 using namespace rtg::shading;
 
-// Each aligned run of 2^k numbers has exactly one in every elementary interval of area 2^-k: a (0, 2)-sequence.
-TEST(Sobol, EveryAlignedRunIsANet)
+// Dimension 0 .. 15 of the sequence of that seed.
+static uint Value(uint index, uint seed, uint dimension)
 {
-  for (uint seed : { 0u, 1u, 0x12345678u, 0xffffffffu })
+  const uvec2 pair = ScrambledSobol(index, seed, dimension / 2);
+  return dimension % 2 ? pair.y : pair.x;
+}
+
+// Whether 2^(sum of bits) numbers from `start` on, a multiple of that, put one into each cell that bits[i] cuts of dimension
+// dimensions[i] make.
+static bool IsNet(uint start, uint seed, const std::vector<uint>& dimensions, const std::vector<uint>& bits)
+{
+  const uint all = std::accumulate(bits.begin(), bits.end(), 0u);
+  std::set<uint> cells;
+  for (uint i = 0; i < (1u << all); ++i)
   {
-    for (uint k = 1; k <= 10; ++k)
+    uint cell = 0;
+    for (std::size_t d = 0; d < bits.size(); ++d)
     {
-      for (uint start : { 0u, 3u << k, 17u << k })
+      if (bits[d] > 0)
       {
-        for (uint a = 0; a <= k; ++a)
+        cell = (cell << bits[d]) | Value((start << all) + i, seed, dimensions[d]) >> (32 - bits[d]);
+      }
+    }
+    cells.insert(cell);
+  }
+  return cells.size() == std::size_t(1) << all;
+}
+
+constexpr uint seeds[] = { 0u, 1u, 0x12345678u, 0xffffffffu };
+
+// Every pair is a (0, 2)-sequence in base 2.
+TEST(Sobol, EveryAlignedRunOfAPairIsANet)
+{
+  for (uint seed : seeds)
+  {
+    for (uint pair = 0; pair < 8; ++pair)
+    {
+      for (uint k = 1; k <= 8; ++k)
+      {
+        for (uint start : { 0u, 3u, 17u })
         {
-          std::set<std::pair<uint, uint>> cells;
-          for (uint i = 0; i < (1u << k); ++i)
+          for (uint a = 0; a <= k; ++a)
           {
-            const uvec2 p = ScrambledSobol(start + i, seed);
-            cells.insert({ a ? p.x >> (32 - a) : 0, k - a ? p.y >> (32 - (k - a)) : 0 });
+            ASSERT_TRUE(IsNet(start, seed, { 2 * pair, 2 * pair + 1 }, { a, k - a }))
+              << seed << ' ' << pair << ' ' << k << ' ' << a;
           }
-          ASSERT_EQ(cells.size(), 1u << k) << seed << ' ' << k << ' ' << a;
         }
       }
     }
   }
 }
 
+// Two pairs are a (0, 4)-sequence in base 4: 256 numbers are one in each of 4 x 4 x 4 x 4 cells.
+TEST(Sobol, TwoPairsAreNetsInBaseFour)
+{
+  for (uint first = 0; first < 16; first += 4)
+  {
+    const std::vector<uint> dimensions = { first, first + 1, first + 2, first + 3 };
+    for (uint k = 1; k <= 5; ++k)
+    {
+      for (uint a = 0; a <= k; ++a)
+      {
+        for (uint b = 0; a + b <= k; ++b)
+        {
+          for (uint c = 0; a + b + c <= k; ++c)
+          {
+            ASSERT_TRUE(IsNet(first + 5, seeds[first / 4], dimensions, { 2 * a, 2 * b, 2 * c, 2 * (k - a - b - c) }))
+              << first << ' ' << k << ' ' << a << b << c;
+          }
+        }
+      }
+    }
+  }
+}
+
+// All are a (0, 16)-sequence in base 16: 256 numbers are one in each of 16 x 16 cells of any two dimensions.
+TEST(Sobol, AllPairsAreNetsInBaseSixteen)
+{
+  for (uint d = 0; d < 16; ++d)
+  {
+    for (uint e = 0; e < d; ++e)
+    {
+      ASSERT_TRUE(IsNet(2, 9u + d, { d, e }, { 4, 4 })) << d << ' ' << e;
+    }
+    ASSERT_TRUE(IsNet(1, 7u, { d, (d + 3) % 16, (d + 11) % 16 }, { 4, 4, 4 })) << d;
+  }
+}
+
 TEST(Sobol, SeedsGiveIndependentNumbers)
 {
   // Over many seeds each number is uniform, and two dimensions and neighbours in the sequence are uncorrelated.
-  constexpr int seeds = 20000;
+  constexpr int count = 20000;
   double mean = 0.0, cross = 0.0;
-  for (int i = 0; i < seeds; ++i)
+  for (int i = 0; i < count; ++i)
   {
-    const uvec2 p = ScrambledSobol(5, Hash(i));
+    const uvec2 p = ScrambledSobol(5, Hash(i), 0u);
     const double x = UnitInterval(p.x) - 0.5, y = UnitInterval(p.y) - 0.5;
-    mean += x / seeds;
-    cross += x * y / seeds;
+    mean += x / count;
+    cross += x * y / count;
   }
   // Deviations sqrt(1/12) and 1/12 of one value; five of the means'.
-  EXPECT_NEAR(mean, 0.0, 5.0 * std::sqrt(1.0 / 12.0 / seeds));
-  EXPECT_NEAR(cross, 0.0, 5.0 / 12.0 / std::sqrt(double(seeds)));
+  EXPECT_NEAR(mean, 0.0, 5.0 * std::sqrt(1.0 / 12.0 / count));
+  EXPECT_NEAR(cross, 0.0, 5.0 / 12.0 / std::sqrt(double(count)));
 }
 
 TEST(Permutation, IsOne)
