@@ -499,6 +499,8 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
           frame.sharedTimeBits = SharedTimeBits(settings, glyphs.placedTimeSliceBits);
           frame.timeStrataBits = TimeStrataBits(settings, frame.plannedSamples);
         }
+        // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
+        generation.layered = pass == Pass::Translucent && settings.shading != Shading::PathTracing;
         generation.translucency = settings.shading != Shading::Local && scene.HasTranslucent();
         const Pipeline& pipeline = state.PipelineFor(generation, glyphs.groups);
         const std::uint32_t columns = DivideUp(settings.width, settings.pixelStep);

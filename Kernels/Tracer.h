@@ -36,7 +36,7 @@ struct Image
 enum class Pass : std::uint32_t
 {
   Opaque = 0,      ///< the sets that HasOpaque() speaks of
-  Translucent = 1, ///< nearest translucent layer
+  Translucent = 1, ///< all translucent layers in front of what is opaque, up to 256 on a ray
   All = 2          ///< both in one image; for path tracing, which mixes them by chance
 };
 

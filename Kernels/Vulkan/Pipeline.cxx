@@ -53,7 +53,7 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 41, offsetof(Specialisation, meshAccelerations), sizeof(vk::Bool32) },
 };
 
-// Shading/Sampling.glsl, Programs/pixel.glsl, Programs/bindings.glsl
+// Shading/Sampling.glsl, Programs/pixel.glsl, Programs/bindings.glsl, Programs/layers.glsl
 struct GenerationSpecialisation
 {
   std::uint32_t sampler;
@@ -64,6 +64,7 @@ struct GenerationSpecialisation
   vk::Bool32 alone;
   vk::Bool32 moves;
   vk::Bool32 environmentImage;
+  vk::Bool32 layered;
 };
 
 const vk::SpecializationMapEntry generationMap[] = {
@@ -75,6 +76,7 @@ const vk::SpecializationMapEntry generationMap[] = {
   { 15, offsetof(GenerationSpecialisation, alone), sizeof(vk::Bool32) },
   { 33, offsetof(GenerationSpecialisation, moves), sizeof(vk::Bool32) },
   { 35, offsetof(GenerationSpecialisation, environmentImage), sizeof(vk::Bool32) },
+  { 36, offsetof(GenerationSpecialisation, layered), sizeof(vk::Bool32) },
 };
 
 const programs::Code& CodeOf(Program program)
@@ -143,7 +145,7 @@ Pipeline::Pipeline(
   std::vector<vk::RayTracingShaderGroupCreateInfoKHR> shaderGroups;
   const GenerationSpecialisation generationConstants = { generation.sampler, generation.accumulates,
     generation.gathersFeatures, generation.develops, generation.translucency, generation.alone,
-    generation.moves, generation.environmentImage };
+    generation.moves, generation.environmentImage, generation.layered };
   const vk::SpecializationInfo generationInfo(static_cast<std::uint32_t>(std::size(generationMap)),
     generationMap, sizeof(generationConstants), &generationConstants);
   const auto addGeneral = [&](std::uint32_t stage)
@@ -154,7 +156,7 @@ Pipeline::Pipeline(
   addGeneral(addStage(Stage::eRaygenKHR, CodeOf(generation.program), &generationInfo));
   addGeneral(addStage(Stage::eMissKHR, programs::nothingMiss, nullptr));
   const vk::Bool32 leavesSurface =
-    generation.program == Program::Occlusion || generation.program == Program::Path;
+    generation.program == Program::Occlusion || generation.program == Program::Path || generation.layered;
   for (std::size_t i = 0; i < groups.size(); ++i)
   {
     const HitGroup& group = groups[i];

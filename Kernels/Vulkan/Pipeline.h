@@ -71,13 +71,14 @@ struct Generation
   bool translucency = false;
   bool moves = false; ///< paths run at times of their own
   bool environmentImage = false;
+  bool layered = false; ///< all translucent surfaces along camera rays are shown
 
   friend bool operator==(const Generation& a, const Generation& b)
   {
     return a.program == b.program && a.alone == b.alone && a.sampler == b.sampler &&
       a.accumulates == b.accumulates && a.gathersFeatures == b.gathersFeatures &&
       a.develops == b.develops && a.translucency == b.translucency && a.moves == b.moves &&
-      a.environmentImage == b.environmentImage;
+      a.environmentImage == b.environmentImage && a.layered == b.layered;
   }
 };
 

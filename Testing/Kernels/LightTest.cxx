@@ -177,20 +177,49 @@ std::vector<Finish> WhiteFinishes()
 
 } // namespace
 
-namespace rtg
+struct Form
 {
-static void PrintTo(Shape shape, std::ostream* out)
+  const char* name;
+  Shape shape;
+  glm::vec3 exponents{ 2.0f };
+};
+
+static void PrintTo(const Form& form, std::ostream* out)
 {
-  static const char* const names[] = { "Sphere", "Box", "Cylinder", "Cone", "Arrow",
-    "Superquadric" };
-  *out << names[static_cast<int>(shape)];
+  *out << form.name;
 }
-} // namespace rtg
 
 class Furnace
   : public LightTest
-  , public ::testing::WithParamInterface<Shape>
+  , public ::testing::WithParamInterface<Form>
 {
+protected:
+  // A tetrahedron.
+  static std::shared_ptr<const rtg::TriangleMesh> Mesh()
+  {
+    rtg::TriangleMesh mesh;
+    mesh.positions = { { 0.5f, 0.5f, 0.5f }, { 0.5f, -0.5f, -0.5f }, { -0.5f, 0.5f, -0.5f }, { -0.5f, -0.5f, 0.5f } };
+    mesh.triangles = { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 } };
+    return std::make_shared<const rtg::TriangleMesh>(mesh);
+  }
+
+  rtg::Scene::SetId AddForm(const Form& form)
+  {
+    rtg::GlyphInstances instances;
+    instances.shape = form.shape;
+    instances.arrow.fixedHeads = false;
+    instances.centres = { { 0, 0, 0 } };
+    instances.sizes3 = { { 1.6f, 1.1f, 1.3f } };
+    instances.rotations = { glm::normalize(glm::vec4(0.3f, 0.5f, -0.2f, 0.8f)) };
+    instances.uniformExponents = form.exponents;
+    if (form.shape == Shape::Mesh)
+    {
+      instances.mesh = Mesh();
+    }
+    const auto id = this->scene.Add();
+    this->scene.SetInstances(id, std::move(instances));
+    return id;
+  }
 };
 
 // A white thing in white light is invisible, in every pixel.
@@ -200,13 +229,18 @@ TEST_P(Furnace, WhiteInWhiteLightIsWhite)
   this->settings.samples = 256;
   this->settings.maximumBounces = 100;
   this->settings.width = this->settings.height = 16;
-  const glm::vec4 turn = glm::normalize(glm::vec4(0.3f, 0.5f, -0.2f, 0.8f));
-  const auto id =
-    this->Add(GetParam(), { { 0, 0, 0 } }, { { 1.6f, 1.1f, 1.3f } }, White(), { turn });
-  for (const Finish& finish : WhiteFinishes())
+  const auto id = this->AddForm(GetParam());
+  std::vector<Finish> finishes = WhiteFinishes();
+  // Opacity below one: light goes in, is scattered inside, and comes out.
+  for (const int which : { 0, 2, 5, 8 })
+  {
+    finishes.push_back(finishes[which]);
+    finishes.back().material.opacity = 0.6f;
+  }
+  for (const Finish& finish : finishes)
   {
     this->scene.SetMaterial(id, finish.material);
-    this->Trace();
+    this->Trace(rtg::Pass::All);
     // A sample is a product of weights of mean 1, each at most (7/2)^2 / 0.48 but seldom beyond 1; what Burley's
     // diffuse lobe varies about its mean is below 0.5 at any angle.
     const double deviation =
@@ -232,8 +266,14 @@ TEST_P(Furnace, WhiteInWhiteLightIsWhite)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Furnace,
-  ::testing::Values(Shape::Sphere, Shape::Box, Shape::Cylinder, Shape::Cone, Shape::Arrow),
-  [](const auto& info) { return ::testing::PrintToString(info.param); });
+  ::testing::Values(Form{ "Sphere", Shape::Sphere }, Form{ "Box", Shape::Box },
+    Form{ "Cylinder", Shape::Cylinder }, Form{ "Cone", Shape::Cone }, Form{ "Arrow", Shape::Arrow },
+    Form{ "Mesh", Shape::Mesh }, Form{ "RoundedBox", Shape::Superquadric, { 6, 4, 10 } },
+    Form{ "Star", Shape::Superquadric, { 0.6f, 0.8f, 0.7f } },
+    Form{ "TensorRod", Shape::NestedSuperquadric, { 0.4f, 0.2f, 0.2f } },
+    Form{ "TensorDouble", Shape::NestedSuperquadric, { 0.5f, 0.7f, 0.3f } },
+    Form{ "TensorThorn", Shape::NestedSuperquadric, { 1.0f, 2.6f, 2.6f } }),
+  [](const auto& info) { return std::string(info.param.name); });
 
 // In clutter light takes several bounces to get out: more bounces let more out, never more than came in.
 TEST_F(LightTest, EnergyNeverGrowsWithBounces)
@@ -252,14 +292,16 @@ TEST_F(LightTest, EnergyNeverGrowsWithBounces)
     this->Add(Shape::Sphere, centres, std::vector<glm::vec3>(200, glm::vec3(0.3f)), White());
   this->settings.shading = Shading::PathTracing;
   this->settings.samples = 64;
-  for (const rtg::Material& material : { White(), metal })
+  rtg::Material half;
+  half.opacity = 0.5f;
+  for (const rtg::Material& material : { White(), metal, half })
   {
     this->scene.SetMaterial(id, material);
     double before = 0.0;
     for (std::uint32_t bounces : { 1, 2, 4, 8, 16, 64, 256 })
     {
       this->settings.maximumBounces = bounces;
-      this->Trace();
+      this->Trace(rtg::Pass::All);
       glm::dvec4 sum(0.0);
       for (const glm::vec4& mean : this->tracer.Means())
       {
@@ -422,7 +464,7 @@ TEST_F(LightTest, NothingShadowsItself)
         for (const glm::vec3& radiance : this->Radiances())
         {
           ASSERT_EQ(radiance.r, 1.0f)
-            << ::testing::PrintToString(shape) << ' ' << size.x << ' ' << size.y << ' ' << where;
+            << static_cast<int>(shape) << ' ' << size.x << ' ' << size.y << ' ' << where;
         }
         this->scene.Remove(id);
       }
@@ -553,6 +595,73 @@ TEST_F(LightTest, TranslucentThingsAreHitByChance)
   for (const glm::vec4& mean : this->tracer.Means())
   {
     EXPECT_NEAR(mean.r, 0.25, interval);
+  }
+}
+
+// All layers along a ray, front to back, up to what is opaque: exactly, in every pixel.
+TEST_F(LightTest, TranslucentLayersAreBlendedFrontToBack)
+{
+  const auto add = [this](float z, glm::vec3 colour, float opacity)
+  {
+    rtg::Material material;
+    material.colour = colour;
+    material.opacity = opacity;
+    material.lighting = false;
+    this->Add(Shape::Box, { { 0, 0, z } }, { { 100.0f, 100.0f, 0.1f } }, material);
+  };
+  add(0.0f, { 1, 0, 0 }, 0.5f);
+  add(-1.0f, { 0, 0, 1 }, 0.25f);
+  add(-2.0f, { 0, 1, 0 }, 1.0f);
+  add(-3.0f, { 1, 1, 1 }, 0.5f);
+  // Of each box both faces.
+  const float red = 0.75f, blue = 0.25f * (1.0f - 0.75f * 0.75f);
+  this->settings.samples = 4;
+  for (Shading shading : { Shading::Local, Shading::AmbientOcclusion })
+  {
+    this->settings.shading = shading;
+    const Image image = this->Trace(rtg::Pass::Translucent);
+    for (const glm::vec4& mean : this->tracer.Means())
+    {
+      ASSERT_NEAR(mean.r, red, 1e-6);
+      ASSERT_EQ(mean.g, 0.0f);
+      ASSERT_NEAR(mean.b, blue, 1e-6);
+      ASSERT_NEAR(mean.a, red + blue, 1e-6);
+    }
+    // The nearest layer's depth and identity.
+    EXPECT_EQ(image.setIds[0], 0u);
+    EXPECT_NEAR(image.depth[0], (4.95 - 0.01) / 19.99, 1e-6);
+    for (const glm::vec4& mean : (this->Trace(rtg::Pass::Opaque), this->tracer.Means()))
+    {
+      ASSERT_EQ(mean, glm::vec4(0, 1, 0, 1));
+    }
+  }
+  // Path tracing stops at each by chance.
+  this->settings.shading = Shading::PathTracing;
+  this->settings.samples = 1024;
+  this->Trace(rtg::Pass::Translucent);
+  for (const glm::vec4& mean : this->tracer.Means())
+  {
+    EXPECT_NEAR(mean.r, red, certain * std::sqrt(red * (1 - red) / 1024));
+    EXPECT_NEAR(mean.b, blue, certain * std::sqrt(blue * (1 - blue) / 1024));
+    EXPECT_NEAR(mean.a, red + blue, certain * std::sqrt((red + blue) * (1 - red - blue) / 1024));
+  }
+}
+
+TEST_F(LightTest, LayersOfARayAreLimited)
+{
+  std::vector<glm::vec3> centres;
+  for (int i = 0; i < 200; ++i)
+  {
+    centres.emplace_back(0.0f, 0.0f, -0.01f * i);
+  }
+  rtg::Material thin;
+  thin.lighting = false;
+  thin.opacity = 0.004f;
+  this->Add(Shape::Box, centres, std::vector<glm::vec3>(200, glm::vec3(10, 10, 0.005f)), thin);
+  this->Trace(rtg::Pass::Translucent);
+  for (const glm::vec4& mean : this->tracer.Means())
+  {
+    ASSERT_NEAR(mean.a, 1.0 - std::pow(0.996, 256), 1e-4);
   }
 }
 
