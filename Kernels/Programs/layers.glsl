@@ -1,6 +1,6 @@
 // Translucent surfaces along a camera ray, front to back: what each lets through lights what the eye sees of the next. That is
 // how depth peeling composites them, and what path tracing, which stops at each by chance, shows in the mean.
-layout(constant_id = 36) const bool layered = false;  // the image is that of translucent sets: opaque ones only hide
+layout(constant_id = 38) const bool layered = false;  // the image is that of translucent sets: opaque ones only hide
 
 // More are left out, and so is what shines through by less than half a level of a display's 255.
 const uint maximumLayers = 256u;

@@ -76,7 +76,7 @@ const vk::SpecializationMapEntry generationMap[] = {
   { 15, offsetof(GenerationSpecialisation, alone), sizeof(vk::Bool32) },
   { 33, offsetof(GenerationSpecialisation, moves), sizeof(vk::Bool32) },
   { 35, offsetof(GenerationSpecialisation, environmentImage), sizeof(vk::Bool32) },
-  { 36, offsetof(GenerationSpecialisation, layered), sizeof(vk::Bool32) },
+  { 38, offsetof(GenerationSpecialisation, layered), sizeof(vk::Bool32) },
 };
 
 const programs::Code& CodeOf(Program program)
