@@ -104,7 +104,7 @@ def third_party(view, path):
         t = arrays["tensors1"].reshape(-1, 9)
         show(source(points, t=t), view, "Signed Tensor Superquadric", GlyphTensorArray="t", GlyphTensorColoring="Sign",
              GlyphScaleFactor=0.25)
-        look(view, (2.6, -3.4, 2.0), (0.5, 0.5, 0.5), (0.0, 0.0, 1.0))
+        look(view, (2.4, -3.0, 1.9), (0.62, 0.5, 0.4), (0.0, 0.0, 1.0))
         return
     raw = numpy.fromfile(os.path.splitext(path)[0] + ".raw", dtype=">f4").reshape(40, 39, 38, 7).astype(float)
     axes = [numpy.linspace(-2.0, 2.0, n) for n in (38, 39, 40)]
@@ -116,7 +116,7 @@ def third_party(view, path):
     anisotropy = numpy.sqrt(1.5) * norms(apart) / numpy.maximum(norms(diagonal_first), 1e-30)
     share = ((raw[..., 0].ravel() > 0.5) & (anisotropy > 0.6)).astype(float)
     fibres(view, numpy.array([x.ravel(), y.ravel(), z.ravel()]).T, diagonal_first, share, "VTK", 4.0 / 39)
-    look(view, (4.6, -6.0, 3.6), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+    look(view, (5.6, -7.3, 4.4), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
 
 
 def main():
@@ -126,7 +126,7 @@ def main():
     wanted = os.environ.get("RTGLYPHS_PICTURES", "").split()  # names, or none for all
     pictures = {"flow": flow, "packing": packing, "grain_stress": grain_stress, "helix": helix}
     shared = os.environ.get("RTGLYPHS_SHARED_DATA", "")
-    for name, file in (("third-party-tensors", "tensors.vtk"), ("third-party-helix", "dt-helix.nhdr")):
+    for name, file in (("tensors-vtk", "tensors.vtk"), ("dt-helix", "dt-helix.nhdr")):
         path = os.path.join(shared, file)
         if shared and os.path.exists(path):
             pictures[name] = lambda view, _, __, path=path: third_party(view, path)
