@@ -107,7 +107,7 @@ def signs(failures, view, size):
         values = numpy.array(values)
         d = turn @ numpy.diag(values) @ turn.T
         half = 0.5 * numpy.maximum(numpy.abs(values), 1e-3)
-        points = session.source(session.poly_data(numpy.zeros((1, 3)), t=(d + axial).reshape(1, 9)))
+        points = session.source(session.poly_data(numpy.zeros((1, 3)), t=(d + axial).reshape(1, 9), along=2.0 * direction[None]))
         shown = session.glyphs(points, view, GlyphShape=shape, GlyphScaleFactor=1.0, GlyphTensorArray="t",
                                GlyphTensorColoring="Sign", GlyphTensorPositiveColor=warm, GlyphTensorNegativeColor=cool)
         shown.Ambient, shown.Diffuse = 1.0, 0.0
@@ -135,8 +135,26 @@ def signs(failures, view, size):
         print(words)
         if wrong or judged < least * hit.sum() or hit.sum() < 1000 or not negative.any():
             failures.append(words)
+        if number == 0:
+            signs_in_motion_and_light(failures, view, shown, (positive, negative), (warm, cool))
         pv.Delete(shown)
         pv.Delete(points)
+
+
+def signs_in_motion_and_light(failures, view, shown, masks, sign_colours):
+    """Going along the line of sight, a glyph in parallel projection looks as it does at rest; path-traced, both colours lie where they lay."""
+    shown.MotionBlur, shown.VelocityArray, shown.ShutterTime, shown.SamplesPerPixel = 1, "along", 1.0, 8
+    image = session.capture(view, "tensors-sign-moving")[:, :, :3].astype(int)
+    wrong = sum(int((numpy.abs(image[mask] - numpy.round(255 * numpy.array(colour))).max(axis=1, initial=0) > 1).sum())
+                for mask, colour in zip(masks, sign_colours))
+    shown.MotionBlur = 0
+    shown.ShadingMode, shown.MaximumBounces, shown.SamplesPerPixel = "Path Tracing", 2, 16
+    light = session.capture(view, "tensors-sign-path")[:, :, :3].astype(int)
+    reddish = light[:, :, 0] > light[:, :, 2]
+    lost = int((~reddish[masks[0]]).sum() + reddish[masks[1]].sum())
+    print("signs moving: %d wrong, path-traced: %d wrong" % (wrong, lost))
+    if wrong or lost:
+        failures.append("signs of the moving glyph are wrong on %d pixels, of the path-traced one on %d" % (wrong, lost))
 
 
 def axes(failures, view, same):
