@@ -43,11 +43,12 @@ def chamber(folder, view):
 
 
 def can(path, view):
-    """The same of the crushed can, which folds within a millisecond: after 4e-4 s many points have turned aside."""
-    source = pv.OpenDataFile(path)
+    """The same of the crushed can, which folds within a millisecond: its points lose much of their speed in half of one."""
+    # Where parts hit each other a few points have accelerations a hundred times the others', which hold for much less time.
+    source = pv.Calculator(Input=pv.OpenDataFile(path), ResultArrayName="ACCL limited", Function="ACCL*min(1,1.2e7/mag(ACCL))")
     source.UpdatePipeline()
-    simulation.look(view, (6.5, 14.0, -7.0), (-3.4, 1.5, -16.0), (0.0, 0.0, 1.0))
-    return source, ("VEL", "ACCL"), 0.22, 4e-4, 4e-4, (2000.0, 5000.0)
+    simulation.look(view, (-12.0, -5.0, 10.0), (-3.5, 0.4, -16.0), (0.0, 1.0, 0.0))
+    return source, ("VEL", "ACCL limited"), 0.25, 5e-4, 4e-4, (2000.0, 5000.0)
 
 
 def show_can(look, path, view):
@@ -57,13 +58,13 @@ def show_can(look, path, view):
     wall.SetRepresentationType("Ray Traced Surface")
     if look == "surface":
         wall.MotionBlur, wall.VelocityArray, wall.AccelerationArray = 1, arrays[0], arrays[1]
-        wall.ShutterTime, wall.ShutterOpening = how[1], "Forward"
+        wall.ShutterTime, wall.ShutterOpening = 0.5 * how[1], "Forward"
         colour_by_speed(wall, arrays[0], how[3])
         return wall
     wall.ColorArrayName, wall.DiffuseColor, wall.AmbientColor = [None, ""], [0.92, 0.93, 0.95], [0.92, 0.93, 0.95]
     # A second representation of the same source needs a source of its own.
     shown = show(look, pv.Calculator(Input=source, ResultArrayName="unused", Function="1"), arrays, *how, view)
-    shown.GlyphMask, shown.MaximumNumberOfGlyphs = 1, 500
+    shown.GlyphMask, shown.MaximumNumberOfGlyphs = 1, 1500
     return shown
 
 
