@@ -87,7 +87,7 @@ def main():
         values = sorted(1000.0 * row[key] for row in rows)
         print("| %s | %.1f | %.1f | %.1f |" % (key, values[len(values) // 10], values[len(values) // 2], values[-1]))
     for key in ("resident_mb", "device_mb"):
-        print("%s: %.1f after 20 steps, %.1f at the end" % (key, rows[min(19, steps - 1)][key], rows[-1][key]))
+        print(key + ": " + ", ".join("%.1f after step %d" % (rows[at - 1][key], at) for at in (1, 50, 100, 200, steps) if at <= steps))
     print("uploads a step: %s" % sorted({row["instance_uploads"] for row in rows}))
     pv.Disconnect()
 
