@@ -81,6 +81,8 @@ def surface(streaks):
     rest = numpy.zeros(1)
     still = streaks.streak("surface off", [rest - HALF], [rest + HALF])
     streaks.streak("surface centred", [0.6 * TIMES - HALF], [0.6 * TIMES + HALF], MotionBlur=1)
+    streaks.streak("surface half the time", [0.3 * TIMES - HALF], [0.3 * TIMES + HALF], ShutterTime=0.5)
+    streaks.set(ShutterTime=1.0)
     later = TIMES + 0.5
     way = 0.6 * later - later ** 2
     streaks.streak("surface there and back", [way - HALF], [way + HALF], ShutterOpening="Forward", AccelerationArray="slowing")
