@@ -323,6 +323,7 @@ void Scene::State::SendInstances(GlyphSet& set, float reach)
   if (movingMesh)
   {
     this->SendMovingMesh(set);
+    this->statistics.buildSeconds += watch.Lap();
   }
   else
   {
