@@ -123,6 +123,13 @@ std::vector<rtg::Light> vtkRayTracedGlyphView::LightsOf(vtkRenderer* renderer, b
 }
 
 //----------------------------------------------------------------------------
+namespace
+{
+// Wider environment images, or higher than half of it, are made smaller: one of 32768 x 16384 would take 6 GB twice.
+constexpr vtkIdType mostEnvironmentColumns = 4096;
+}
+
+//----------------------------------------------------------------------------
 vtkRayTracedGlyphView::Environment vtkRayTracedGlyphView::EnvironmentOf(
   vtkRenderer* renderer, const Environment& last)
 {
@@ -147,26 +154,36 @@ vtkRayTracedGlyphView::Environment vtkRayTracedGlyphView::EnvironmentOf(
   auto image = std::make_shared<rtg::EnvironmentImage>();
   image->right = right;
   image->up = up;
-  image->width = static_cast<std::uint32_t>(input->GetDimensions()[0]);
-  image->height = static_cast<std::uint32_t>(input->GetDimensions()[1]);
+  // Blocks of side x side texels become one, of their mean light: the light from an image asks for no more of them.
+  const vtkIdType columns = input->GetDimensions()[0], rows = input->GetDimensions()[1];
+  const vtkIdType side = std::max<vtkIdType>(1,
+    std::max((columns + mostEnvironmentColumns - 1) / mostEnvironmentColumns,
+      (2 * rows + mostEnvironmentColumns - 1) / mostEnvironmentColumns));
+  image->width = static_cast<std::uint32_t>((columns + side - 1) / side);
+  image->height = static_cast<std::uint32_t>((rows + side - 1) / side);
+  image->radiance.assign(std::size_t(image->width) * image->height, glm::vec3(0.0f));
   const int components = colours->GetNumberOfComponents();
   const bool display = colours->GetDataType() == VTK_UNSIGNED_CHAR;
-  image->radiance.reserve(static_cast<std::size_t>(colours->GetNumberOfTuples()));
-  for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i)
+  for (vtkIdType y = 0; y < rows; ++y)
   {
-    glm::vec3 radiance;
-    for (int c = 0; c < 3; ++c)
+    const vtkIdType blockRows = std::min(side, rows - y / side * side);
+    for (vtkIdType x = 0; x < columns; ++x)
     {
-      // One component, or one and alpha: grey.
-      const double value = colours->GetComponent(i, components >= 3 ? c : 0);
-      radiance[c] = static_cast<float>(display ? value / 255.0 : value);
+      glm::vec3 radiance;
+      for (int c = 0; c < 3; ++c)
+      {
+        // One component, or one and alpha: grey.
+        const double value = colours->GetComponent(y * columns + x, components >= 3 ? c : 0);
+        radiance[c] = static_cast<float>(display ? value / 255.0 : value);
+      }
+      radiance = display ? rtg::shading::DisplayToLinear(radiance) : radiance;
+      for (int c = 0; c < 3; ++c)
+      {
+        radiance[c] = std::isfinite(radiance[c]) ? std::max(radiance[c], 0.0f) : 0.0f;
+      }
+      const vtkIdType blockColumns = std::min(side, columns - x / side * side);
+      image->radiance[y / side * image->width + x / side] += radiance / static_cast<float>(blockRows * blockColumns);
     }
-    radiance = display ? rtg::shading::DisplayToLinear(radiance) : radiance;
-    for (int c = 0; c < 3; ++c)
-    {
-      radiance[c] = std::isfinite(radiance[c]) ? std::max(radiance[c], 0.0f) : 0.0f;
-    }
-    image->radiance.push_back(radiance);
   }
   environment.Image = std::move(image);
   return environment;

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Plots and tabulates what LightBenchmark error wrote: error over samples and over time, per sampler.
+"""Plots and tabulates what LightBenchmark error wrote for several scenes: error over time, per sampler.
 
-Usage: light.py RESULTS.csv PLOT.png
-Prints a Markdown table: mean squared error of independent samples over that of each sampler, at equal time
-(interpolated on logarithms) and at equal samples; above 1 the sampler is better. The reference's own error is taken off.
+Usage: light.py PLOT.png NAME=RESULTS.csv ...
+Prints a Markdown table. Gain: mean squared error of independent samples over that of the sampler at the same time, that of
+independent samples being interpolated on logarithms and extrapolated as 1 / time; above 1 the sampler is better.
 """
 import csv
 import math
@@ -14,23 +14,24 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
+TABLED = (1, 4, 16, 64, 256, 1024)
+
 
 def read(path):
-    """{shading: {sampler: [(samples, seconds, mse, blurred mse)]}}"""
+    """{shading: {sampler: [row]}} with numbers; the denoised error's time has the denoiser's in it."""
     results = {}
     with open(path, encoding="ascii") as file:
-        rows = list(csv.DictReader(file))
-    own = {row["shading"]: float(row["reference_mse"]) for row in rows}  # the last row of a shading knows it
-    for row in rows:
-        error = max(float(row["mse"]) - own[row["shading"]], 1e-12)
-        results.setdefault(row["shading"], {}).setdefault(row["sampler"], []).append(
-            (int(row["samples"]), float(row["cpu_seconds"]), error, float(row["blurred_mse"])))
+        for row in csv.DictReader(file):
+            results.setdefault(row["shading"], {}).setdefault(row["sampler"], []).append({
+                "samples": int(row["samples"]), "seconds": float(row["cpu_seconds"]), "error": max(float(row["mse"]), 1e-12),
+                "denoised": max(float(row["denoised_mse"]), 1e-12),
+                "denoised_seconds": float(row["cpu_seconds"]) + float(row["denoise_seconds"])})
     return results
 
 
-def at_time(rows, seconds, column):
-    """Error of a sampler at that time, interpolated on logarithms, extrapolated as 1 / time."""
-    points = [(math.log(r[1]), math.log(r[column])) for r in rows]
+def at_time(rows, seconds):
+    """Error of a sampler at that time."""
+    points = [(math.log(r["seconds"]), math.log(r["error"])) for r in rows]
     x = math.log(seconds)
     for (x0, y0), (x1, y1) in zip(points, points[1:]):
         if x0 <= x <= x1:
@@ -41,26 +42,31 @@ def at_time(rows, seconds, column):
 
 def main():
     """Reads, tabulates, plots."""
-    results = read(sys.argv[1])
-    figure, axes = plt.subplots(1, len(results), figsize=(5.5 * len(results), 4.2), squeeze=False)
-    print("| light | sampler | samples | gain at equal samples | gain at equal time | after a blur, equal time |")
-    print("|---|---|---|---|---|---|")
-    for axis, (shading, samplers) in zip(axes[0], results.items()):
-        random = samplers["random"]
-        for name, rows in samplers.items():
-            axis.loglog([r[1] for r in rows], [r[2] for r in rows], "o-", label=name, markersize=3)
-            for base, row in zip(random, rows):
-                if name != "random" and row[0] in (4, 16, 64, 256, 1024):
-                    print("| %s | %s | %d | %.2f | %.2f | %.2f |" % (
-                        shading, name, row[0], base[2] / row[2], at_time(random, row[1], 2) / row[2],
-                        at_time(random, row[1], 3) / row[3]))
-        axis.set_xlabel("processor seconds")
-        axis.set_ylabel("mean squared error")
-        axis.set_title(shading)
-        axis.grid(True, which="both", alpha=0.3)
-        axis.legend()
+    scenes = [argument.split("=", 1) for argument in sys.argv[2:]]
+    figure, axes = plt.subplots(2, len(scenes), figsize=(4.6 * len(scenes), 7.6), squeeze=False)
+    print("| scene | light | sampler | " + " | ".join("%d" % n for n in TABLED) + " |")
+    print("|---|---|---|" + "---|" * len(TABLED))
+    for column, (name, path) in enumerate(scenes):
+        for axis, (shading, samplers) in zip(axes[:, column], read(path).items()):
+            random = samplers["random"]
+            for sampler, rows in samplers.items():
+                axis.loglog([r["seconds"] for r in rows], [r["error"] for r in rows], "o-", label=sampler, markersize=3)
+                found = {r["samples"]: r for r in rows}
+                cells = ["" if n not in found else "%.2g" % found[n]["error"] if sampler == "random" else
+                         "%.2f" % (at_time(random, found[n]["seconds"]) / found[n]["error"]) for n in TABLED]
+                print("| %s | %s | %s | %s |" % (name, shading, "random: error" if sampler == "random" else sampler + ": gain", " | ".join(cells)))
+                if sampler == "sobol":
+                    axis.loglog([r["denoised_seconds"] for r in rows], [r["denoised"] for r in rows], "s--", color="0.5",
+                                label="sobol, denoised", markersize=3)
+                    cells = ["%.2g" % found[n]["denoised"] if n in found else "" for n in TABLED]
+                    print("| %s | %s | %s | %s |" % (name, shading, "sobol, denoised: error", " | ".join(cells)))
+            axis.set_xlabel("processor seconds")
+            axis.set_ylabel("mean squared error")
+            axis.set_title("%s, %s" % (name, shading))
+            axis.grid(True, which="both", alpha=0.3)
+            axis.legend(fontsize=8)
     figure.tight_layout()
-    figure.savefig(sys.argv[2], dpi=110)
+    figure.savefig(sys.argv[1], dpi=90)
 
 
 if __name__ == "__main__":

@@ -102,6 +102,33 @@ def sizes(case):
     case.render("after one pixel", session.poly_data(LINE), (-1, 0, 1))
 
 
+def settings(case):
+    """Numbers out of range count as the nearest that makes sense, NaN as the default: the picture is that of those."""
+    points = session.source(session.poly_data(LINE))
+    nothing = numpy.nan
+    for name, mode, bad, good in (("SamplesPerPixel", "Ambient Occlusion", (0, -7), 1), ("SamplesPerRender", "Local", (-3,), 0),
+                                  ("AmbientOcclusionRadius", "Ambient Occlusion", (-1.0, nothing), 0.0),
+                                  ("LightIntensity", "Path Tracing", (-2.0,), 0.0), ("LightIntensity", "Path Tracing", (nothing,), 1.0),
+                                  ("MaximumBounces", "Path Tracing", (0, -4), 1),
+                                  ("Exposure", "Local", (1e9,), 100.0), ("Exposure", "Local", (-1e9,), -100.0),
+                                  ("Exposure", "Local", (nothing,), 0.0), ("InteractiveReduction", "Local", (0, -2), 1)):
+        pictures = []
+        for value in (good,) + bad:
+            shown = session.glyphs(points, case.view, GlyphOrient=0, GlyphScaleFactor=0.9, ShadingMode=mode, samples=2)
+            setattr(shown, name, value)
+            text = session.messages(lambda: pv.Render(case.view))
+            pictures.append(session.capture(case.view, "bad-settings"))
+            if text.strip():
+                case.failures.append("%s %s: unexpected message: %s" % (name, value, text.strip()))
+            pv.Delete(shown)
+        for value, picture in zip(bad, pictures[1:]):
+            same = (picture == pictures[0]).all()
+            print("%s %s: %s" % (name, value, "as %s" % good if same else "another picture"))
+            if not same or not comparison.covered(picture).any():
+                case.failures.append("%s %s does not count as %s" % (name, value, good))
+    pv.Delete(points)
+
+
 def main(no_device):
     """Runs the cases."""
     session.load()
@@ -117,6 +144,7 @@ def main(no_device):
     arrays(case)
     amounts(case)
     sizes(case)
+    settings(case)
     session.finish(case.failures)
 
 

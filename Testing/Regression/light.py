@@ -124,21 +124,29 @@ def coated():
     return [] if seen[1.0] > seen[0.0] + 20.0 else ["a coat does not brighten a dark ball: %s" % seen]
 
 
+def write_texture(path, pixels):
+    """Writes rows of RGB from the bottom as PNG."""
+    image = vtkImageData()
+    image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
+    array = numpy_to_vtk(numpy.ascontiguousarray(pixels).reshape(-1, 3), deep=True)
+    image.GetPointData().SetScalars(array)
+    writer = vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(image)
+    writer.Write()
+
+
 def surrounded():
     """The view's environment image lights path-traced glyphs, from the side on which VTK shows it."""
     columns, rows = 64, 32
     pixels = numpy.zeros((rows, columns, 3), numpy.uint8)
     pixels[:, :, 2] = 60                                    # dim blue all around,
     pixels[:, columns * 3 // 8:columns * 5 // 8, 0] = 255   # red along the view's environment right, which is +x
-    image = vtkImageData()
-    image.SetDimensions(columns, rows, 1)
-    array = numpy_to_vtk(pixels.reshape(-1, 3), deep=True)
-    image.GetPointData().SetScalars(array)
     path = session.output("light-environment-input.png")
-    writer = vtkPNGWriter()
-    writer.SetFileName(path)
-    writer.SetInputData(image)
-    writer.Write()
+    write_texture(path, pixels)
+    # The same with more columns than are kept. Few rows: ParaView itself takes minutes to prepare a large one.
+    huge = session.output("light-environment-huge.png")
+    write_texture(huge, numpy.repeat(numpy.repeat(pixels, 2, axis=0), 80, axis=1))
 
     view = session.view(160, 120, background=(255, 255, 255))
     points = session.source(session.poly_data(numpy.array([[0.0, 0.0, 0.0]])))
@@ -146,17 +154,18 @@ def surrounded():
                           SamplesPerPixel=32)
     session.solid(ball, (0.9, 0.9, 0.9))
     session.look(view, (0.0, 0.0, 4.0), parallel_scale=0.6)
-    seen = {}
-    for state in ("without", "with"):
-        if state == "with":
-            texture = pv.CreateTexture(path)
+    seen, on_device = {}, {}
+    for state in ("without", "with", "huge"):
+        if state != "without":
+            texture = pv.CreateTexture(path if state == "with" else huge)
             texture.UpdateVTKObjects()  # ParaView 5.13 reads the file only then
             view.BackgroundTexture = texture
             view.BackgroundColorMode = "Skybox"
             view.UseEnvironmentLighting = 1
         shown = session.capture(view, "light-environment-" + state)
         seen[state] = [shown[60, x, :3].astype(float) for x in (45, 80, 115)]  # left, middle, right of the ball
-        print("environment image %s: left, middle, right" % state, [list(colour) for colour in seen[state]])
+        on_device[state] = session.statistics(ball)["deviceBytes"]
+        print("environment image %s: left, middle, right" % state, [list(colour) for colour in seen[state]], on_device[state], "bytes")
     pv.Delete(points)
     pv.Delete(view)
     failures = []
@@ -165,6 +174,11 @@ def surrounded():
         failures.append("without an image the ball's sides differ: %s" % seen["without"])
     if not (right[0] > 150 and left[0] < 60 and right[0] > 2 * right[2]):
         failures.append("the environment image does not light the ball from its right: %s" % seen["with"])
+    # 5120 x 64 texels; by halves the columns are 2560, the rows 32. Rays are aimed at other cells: noise of 32 samples.
+    if not (numpy.abs(numpy.array(seen["huge"]) - numpy.array(seen["with"])) < 24).all():
+        failures.append("a huge image lights the ball otherwise: %s instead of %s" % (seen["huge"], seen["with"]))
+    if not 0.9e6 < on_device["huge"] - on_device["without"] < 1.5e6:
+        failures.append("a huge image takes %d bytes on the device" % (on_device["huge"] - on_device["without"]))
     return failures
 
 

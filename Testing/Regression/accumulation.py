@@ -1,0 +1,76 @@
+"""Scripts may watch an image grow: with SamplesPerRender each render adds samples, until there are SamplesPerPixel.
+
+Usage: pvpython accumulation.py
+"""
+import numpy
+import paraview.simple as pv
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+
+import comparison
+import session
+
+STEP, FINISHED = 4, 64
+
+
+def shown_by(view):
+    """What the window shows, without rendering: a screenshot would have all samples."""
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(view.SMProxy.GetRenderWindow())
+    grab.ReadFrontBufferOff()
+    grab.ShouldRerenderOff()
+    grab.Update()
+    image = grab.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3].astype(int)
+
+
+def grow(mode):
+    """Failures of one shading mode."""
+    failures = []
+    view = session.view(160, 120, background=(255, 255, 255))
+    points = session.source(session.poly_data(numpy.random.default_rng(3).uniform(-1.0, 1.0, (300, 3))))
+    shown = session.glyphs(points, view, GlyphOrient=0, GlyphScaleFactor=0.35, ShadingMode=mode, samples=FINISHED)
+    shown.SamplesPerRender, shown.Denoising = STEP, "Never"
+    session.solid(shown, (0.9, 0.9, 0.9))
+    session.look(view, (0.0, 0.0, 6.0))
+    pictures, counts, traced = [], [], []
+    for _ in range(FINISHED // STEP + 2):
+        pv.Render(view)
+        pictures.append(shown_by(view))
+        counts.append(session.statistics(shown)["AccumulatedSamples"])
+        traced.append(session.statistics(shown)["primaryRays"])
+    comparison.write_image(session.output("accumulation-%s-first.png" % mode.split()[0].lower()), pictures[0])
+    comparison.write_image(session.output("accumulation-%s-last.png" % mode.split()[0].lower()), pictures[-1])
+    if counts != [min(STEP * (i + 1), FINISHED) for i in range(len(counts))]:
+        failures.append("%s: samples after each render: %s" % (mode, counts))
+    # Render number k has 4 k samples of the 64 that the last one has: of independent ones the squared difference is (64 - 4 k) / 4 k over 64.
+    errors = [float(numpy.square(picture - pictures[-1]).mean()) for picture in pictures]
+    print(mode, "squared differences from the finished picture:", [round(error, 2) for error in errors])
+    for earlier, later in ((0, 3), (3, 7), (7, 11), (11, 15)):
+        if not errors[later] < 0.7 * errors[earlier]:
+            failures.append("%s: from render %d to %d the error goes from %.2f to %.2f" % (mode, earlier, later, errors[earlier], errors[later]))
+    if not errors[0] > 1.0:
+        failures.append("%s: the first render differs from the last by %.2f only" % (mode, errors[0]))
+    # Then nothing is traced any more, and the picture stays; it is the one that a screenshot makes at once.
+    if errors[-3:] != [0.0, 0.0, 0.0] or len(set(traced[-3:])) != 1:
+        failures.append("%s: the finished picture changes: %s, rays %s" % (mode, errors[-3:], traced[-3:]))
+    shown.SamplesPerRender = 0
+    session.look(view, (0.0, 0.0, 6.5))
+    pv.Render(view)
+    session.look(view, (0.0, 0.0, 6.0))
+    whole = session.capture(view, "accumulation-whole")[..., :3].astype(int)
+    if (whole != pictures[-1]).any():
+        failures.append("%s: all samples at once make another picture, %g apart" % (mode, numpy.abs(whole - pictures[-1]).max()))
+    pv.Delete(view)
+    return failures
+
+
+def main():
+    """Both modes that have noise."""
+    session.load()
+    session.finish(grow("Ambient Occlusion") + grow("Path Tracing"))
+
+
+if __name__ == "__main__":
+    main()
