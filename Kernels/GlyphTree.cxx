@@ -216,6 +216,13 @@ KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits)
   return result;
 }
 
+std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& order)
+{
+  std::vector<Box> sorted(boxes.size());
+  std::transform(order.begin(), order.end(), sorted.begin(), [&](std::uint32_t i) { return boxes[i]; });
+  return sorted;
+}
+
 double LeafSurface(const std::vector<Box>& boxes, std::uint32_t leafBits)
 {
   double surface = 0.0;

@@ -381,26 +381,49 @@ void Scene::State::SendMotion(GlyphSet& set)
   set.group.spins = motion.Spins();
 }
 
+// Glyphs of a time series mostly stay near those beside which they were: as long as the nodes above the leaves have not grown by
+// much, the last order does.
+void Scene::State::SortIntoTree(GlyphSet& set)
+{
+  const GlyphInstances& instances = set.instances;
+  // Glyphs that move are sorted as they lie in the middle of the shutter's opening: boxes round whole paths would
+  // say little about what each slice of time needs.
+  const std::vector<Box> middle = instances.motion.Any() ? GlyphBoxes(instances, 0.5, 0.5) : std::vector<Box>();
+  const std::vector<Box>& boxes = instances.motion.Any() ? middle : set.boxes;
+  const std::uint32_t leafBits = GlyphTree::LeafBits(set.count, glyphsPerLeaf);
+  const auto surface = [&]
+  { return LeafSurface(InOrder(boxes, set.order), leafBits - std::min(leafBits, 3u)); };
+  const bool sorted = !set.kdAxes.empty() && set.order.size() == set.count && set.treeLeafBits == leafBits;
+  if (sorted && surface() <= this->orderDecay * set.sortedSurface)
+  {
+    return;
+  }
+  set.treeLeafBits = leafBits;
+  KdOrder kd = MakeKdOrder(boxes, leafBits);
+  set.order = std::move(kd.order);
+  set.kdAxes = std::move(kd.axes);
+  set.sortedSurface = surface();
+  ++this->statistics.sorts;
+}
+
 void Scene::State::Sort(GlyphSet& set)
 {
   GlyphInstances& instances = set.instances;
-  set.order.clear();
-  set.kdAxes.clear();
   if (this->structure == Structure::Tree &&
     (instances.shape != Shape::Mesh || IsMovingMesh(instances)))
   {
-    set.treeLeafBits = GlyphTree::LeafBits(set.count, glyphsPerLeaf);
-    // Glyphs that move are sorted as they lie in the middle of the shutter's opening: boxes round whole paths would
-    // say little about what each slice of time needs.
-    KdOrder kd = MakeKdOrder(
-      instances.motion.Any() ? GlyphBoxes(instances, 0.5, 0.5) : set.boxes, set.treeLeafBits);
-    set.order = std::move(kd.order);
-    set.kdAxes = std::move(kd.axes);
+    this->SortIntoTree(set);
   }
-  else if (this->device->IsCpu())
+  else
   {
-    // lavapipe builds in input order; a GPU's driver sorts for itself.
-    set.order = SpatialOrder(instances.centres);
+    set.order.clear();
+    set.kdAxes.clear();
+    if (this->device->IsCpu())
+    {
+      // lavapipe builds in input order; a GPU's driver sorts for itself.
+      set.order = SpatialOrder(instances.centres);
+      ++this->statistics.sorts;
+    }
   }
   if (!set.order.empty())
   {

@@ -88,6 +88,7 @@ struct GlyphSet
   std::uint32_t treeLevels = 0;
   std::uint32_t treeLeafBits = 0;
   std::vector<std::uint8_t> kdAxes; ///< see KdOrder
+  double sortedSurface = 0.0;       ///< of the nodes of leaves when `order` was found
   std::vector<GlyphRun> runs;
   PlacedMesh mesh;                 ///< Shape::Mesh only
   std::uint32_t firstInstance = 0; ///< in the top level; Shape::Mesh only
@@ -107,6 +108,9 @@ struct Scene::State
   SetId nextId = 0;
   /// What one bottom-level structure may hold at most; every device allows 2^24 - 1. Tests lower it.
   std::uint32_t glyphsPerRun = (1u << 24) - 1;
+  /// New instances are sorted when with the last order the nodes above the leaves have grown by more than that factor. Measured:
+  /// Testing/Benchmarks/OrderBenchmark.cxx.
+  double orderDecay = 1.2;
   Structure structure;
   /// Number of slices of time (its logarithm to base 2) of sets that move; -1: what TimeSliceBits() says. Tests and
   /// benchmarks set it.
@@ -137,6 +141,7 @@ struct Scene::State
   void PlaceMesh(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
     std::vector<vk::AccelerationStructureInstanceKHR>& instances) const;
   void Sort(GlyphSet& set);
+  void SortIntoTree(GlyphSet& set);
   void BuildBoxes(GlyphSet& set, const std::vector<Box>& boxes);
   void BuildTree(GlyphSet& set, std::vector<Box> boxes);
   void SendColours(GlyphSet& set);

@@ -13,14 +13,6 @@ namespace rtg
 namespace
 {
 
-std::vector<Box> Sorted(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& order)
-{
-  std::vector<Box> sorted(boxes.size());
-  std::transform(
-    order.begin(), order.end(), sorted.begin(), [&](std::uint32_t i) { return boxes[i]; });
-  return sorted;
-}
-
 // Surface of the leaves beyond which a slice is sorted for itself. Few slices need it when the first does not, which is
 // the furthest from the middle.
 double SurfaceToSort(const std::vector<Box>& first, std::uint32_t leafBits, SliceSorting sorting)
@@ -30,7 +22,7 @@ double SurfaceToSort(const std::vector<Box>& first, std::uint32_t leafBits, Slic
   {
     return sorting == SliceSorting::Always ? 0.0 : INFINITY;
   }
-  const double own = LeafSurface(Sorted(first, MakeKdOrder(first, leafBits).order), leafBits);
+  const double own = LeafSurface(InOrder(first, MakeKdOrder(first, leafBits).order), leafBits);
   return LeafSurface(first, leafBits) > decay * own ? decay * own : INFINITY;
 }
 
@@ -65,7 +57,7 @@ TimeSlices BuildTimeSlices(const GlyphInstances& instances, std::uint32_t leafBi
         {
           kd = MakeKdOrder(boxes, leafBits);
           std::copy(kd.order.begin(), kd.order.end(), places);
-          boxes = Sorted(boxes, kd.order);
+          boxes = InOrder(boxes, kd.order);
         }
       }
       for (Box& box : boxes)

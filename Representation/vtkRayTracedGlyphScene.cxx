@@ -409,7 +409,7 @@ std::string vtkRayTracedGlyphScene::GetStatistics(vtkRayTracedGlyphMapper* mappe
        << ", \"instanceUploads\": " << s.instanceUploads
        << ", \"colourUploads\": " << s.colourUploads << ", \"pipelineBuilds\": " << s.pipelineBuilds
        << ", \"dispatches\": " << s.dispatches << ", \"primaryRays\": " << s.primaryRays
-       << ", \"deviceBytes\": " << s.deviceBytes << ", \"sortSeconds\": " << s.sortSeconds
+       << ", \"deviceBytes\": " << s.deviceBytes << ", \"sorts\": " << s.sorts << ", \"sortSeconds\": " << s.sortSeconds
        << ", \"buildSeconds\": " << s.buildSeconds << ", \"uploadSeconds\": " << s.uploadSeconds
        << ", \"traceSeconds\": " << s.traceSeconds << ", \"denoiseSeconds\": " << s.denoiseSeconds
        << " }";

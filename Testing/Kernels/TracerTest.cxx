@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -432,6 +433,59 @@ TEST_P(TracerTest, NeedlesInFrontAreNotDropped)
   const auto expected = trace(rtg::Structure::Boxes);
   EXPECT_GT(std::count(expected.begin(), expected.end(), Image::noGlyph), 2000);
   EXPECT_EQ(trace(GetParam()), expected);
+}
+
+/// New instances near where the last ones were keep the order; others do not. The image is right all the same.
+TEST_P(TracerTest, SortsOnlyWhenTheOrderHasDecayed)
+{
+  auto points = RandomPoints(4096); // one glyph a leaf: leaves alone would notice nothing
+  const auto id = this->AddSpheres(points, 0.05f);
+  const auto move = [&](float way, bool mixed)
+  {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> uniform(-way, way);
+    for (glm::vec3& point : points)
+    {
+      point += glm::vec3(uniform(random), uniform(random), uniform(random));
+    }
+    if (mixed)
+    {
+      std::shuffle(points.begin(), points.end(), random);
+    }
+    rtg::GlyphInstances instances;
+    instances.centres = points;
+    instances.uniformSize = 0.05f;
+    const auto sorts = this->scene.GetStatistics().sorts;
+    this->scene.SetInstances(id, instances);
+    const Image image = this->Trace();
+    std::vector<std::uint32_t> found(image.glyphIds, image.glyphIds + 10000);
+    for (std::uint32_t& glyph : found)
+    {
+      glyph = glyph == Image::noGlyph ? glyph : this->scene.OriginalGlyph(id, glyph);
+    }
+    const auto again = this->scene.GetStatistics().sorts - sorts;
+
+    rtg::Scene fresh(this->device);
+    fresh.GetState().structure = GetParam();
+    const auto other = fresh.Add();
+    fresh.SetInstances(other, instances);
+    fresh.Commit();
+    const Image expected = this->tracer.Trace(fresh, this->camera, this->lights, this->settings, rtg::Pass::Opaque);
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      const std::uint32_t glyph = expected.glyphIds[i];
+      EXPECT_EQ(found[i], glyph == Image::noGlyph ? glyph : fresh.OriginalGlyph(other, glyph)) << i;
+    }
+    return again;
+  };
+  this->Trace();
+  const bool tree = GetParam() == rtg::Structure::Tree;
+  const unsigned drivers = this->device->IsCpu() ? 1u : 0u; // boxes on a GPU are sorted by its driver
+  EXPECT_EQ(move(0.002f, false), tree ? 0u : drivers);
+  EXPECT_EQ(move(0.002f, false), tree ? 0u : drivers);
+  EXPECT_EQ(move(0.0f, true), tree ? 1u : drivers);
+  EXPECT_EQ(move(0.3f, false), tree ? 1u : drivers);
+  EXPECT_EQ(move(0.002f, false), tree ? 0u : drivers);
 }
 
 TEST_P(TracerTest, NearestAcrossSetsWins)
