@@ -142,21 +142,6 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
   return { glm::max(box.lower - way, ball.lower), glm::min(box.upper + way, ball.upper) };
 }
 
-// What the device's arithmetic in float may add to a path: a few ulps of its terms.
-glm::dvec3 PathSlack(const GlyphMotion& motion, std::size_t i, double time)
-{
-  glm::dvec3 terms(0.0);
-  if (!motion.velocities.empty())
-  {
-    terms += glm::abs(glm::dvec3(motion.velocities[i])) * time;
-  }
-  if (!motion.accelerations.empty())
-  {
-    terms += glm::abs(glm::dvec3(motion.accelerations[i])) * (0.5 * time * time);
-  }
-  return std::ldexp(1.0, -21) * terms;
-}
-
 DoubleBox MovingBox(const Subject& subject, std::size_t i, double first, double last)
 {
   const GlyphMotion& motion = subject.instances.motion;
@@ -171,10 +156,9 @@ DoubleBox MovingBox(const Subject& subject, std::size_t i, double first, double 
   }
   if (motion.Moves())
   {
-    const DisplacementRange range = RangeOfDisplacements(motion, i, first, last);
-    const glm::dvec3 slack = PathSlack(motion, i, std::max(std::abs(first), std::abs(last)));
-    box.lower += range.lower - slack;
-    box.upper += range.upper + slack;
+    const DisplacementRange range = PaddedRangeOfDisplacements(motion, i, first, last);
+    box.lower += range.lower;
+    box.upper += range.upper;
   }
   return box;
 }

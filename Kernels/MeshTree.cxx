@@ -12,21 +12,6 @@ namespace rtg
 namespace
 {
 
-// A few ulps of the terms of a position's way, by which the device's arithmetic in float may be wrong.
-glm::dvec3 PathSlack(const GlyphMotion& motion, std::uint32_t position, double time)
-{
-  glm::dvec3 terms(0.0);
-  if (!motion.velocities.empty())
-  {
-    terms += glm::abs(glm::dvec3(motion.velocities[position])) * time;
-  }
-  if (!motion.accelerations.empty())
-  {
-    terms += glm::abs(glm::dvec3(motion.accelerations[position])) * (0.5 * time * time);
-  }
-  return std::ldexp(1.0, -21) * terms;
-}
-
 struct Paths
 {
   const std::vector<glm::vec3>& positions;
@@ -40,10 +25,8 @@ struct Paths
       return { at, at };
     }
     const DisplacementRange range =
-      RangeOfDisplacements(this->mesh.motion, corner, first, last);
-    const glm::dvec3 slack =
-      PathSlack(this->mesh.motion, corner, std::max(std::abs(first), std::abs(last)));
-    return { at + range.lower - slack, at + range.upper + slack };
+      PaddedRangeOfDisplacements(this->mesh.motion, corner, first, last);
+    return { at + range.lower, at + range.upper };
   }
 
   MeshBounds Triangle(std::size_t triangle, double first, double last) const

@@ -2,6 +2,7 @@
 
 #include "Glyphs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -60,6 +61,24 @@ RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first,
     }
   }
   return range;
+}
+
+DisplacementRange
+PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last)
+{
+  const double time = std::max(std::abs(first), std::abs(last));
+  glm::dvec3 terms(0.0);
+  if (!motion.velocities.empty())
+  {
+    terms += glm::abs(glm::dvec3(motion.velocities[glyph])) * time;
+  }
+  if (!motion.accelerations.empty())
+  {
+    terms += glm::abs(glm::dvec3(motion.accelerations[glyph])) * (0.5 * time * time);
+  }
+  const glm::dvec3 slack = std::ldexp(1.0, -21) * terms;
+  const DisplacementRange range = RangeOfDisplacements(motion, glyph, first, last);
+  return { range.lower - slack, range.upper + slack };
 }
 
 void CheckMotion(const GlyphMotion& motion, std::size_t count)

@@ -62,12 +62,6 @@ std::vector<T> Ordered(const std::vector<T>& values, const std::vector<std::uint
   return ordered;
 }
 
-bool SameShape(const TriangleMesh& a, const TriangleMesh& b)
-{
-  return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals &&
-    a.motion.velocities == b.motion.velocities && a.motion.accelerations == b.motion.accelerations;
-}
-
 Buffer SendMeshColours(Device::State& device, const PlacedMesh& mesh, const TriangleMesh& source)
 {
   return source.positionColours.empty() ? Send(device, Ordered(source.triangleColours, mesh.order))

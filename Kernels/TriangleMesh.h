@@ -27,4 +27,11 @@ struct TriangleMesh
   GlyphMotion motion;
 };
 
+/// True when they differ in colours at most.
+inline bool SameShape(const TriangleMesh& a, const TriangleMesh& b)
+{
+  return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals &&
+    a.motion.velocities == b.motion.velocities && a.motion.accelerations == b.motion.accelerations;
+}
+
 } // namespace rtg

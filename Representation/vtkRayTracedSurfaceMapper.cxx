@@ -29,12 +29,6 @@ vtkUnsignedIntArray* BlocksOf(vtkPolyData* surface)
     surface->GetPointData()->GetArray(vtkGlyphPointGatherer::CompositeIndexName()));
 }
 
-bool SameShape(const rtg::TriangleMesh& a, const rtg::TriangleMesh& b)
-{
-  return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals &&
-    a.motion.velocities == b.motion.velocities && a.motion.accelerations == b.motion.accelerations;
-}
-
 std::uint32_t Pack(const std::array<double, 4>& rgba)
 {
   std::uint32_t packed = 0;
@@ -86,7 +80,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   this->Skipped = result.Skipped;
   ++this->PointsVersion;
   const bool same = this->Instances.mesh && this->InstanceVersion > 0 &&
-    result.Origin == this->Instances.origin && SameShape(result.Mesh, *this->Instances.mesh) &&
+    result.Origin == this->Instances.origin && rtg::SameShape(result.Mesh, *this->Instances.mesh) &&
     shutter.shutterOpen == this->Instances.motion.shutterOpen &&
     shutter.shutterClose == this->Instances.motion.shutterClose;
   if (!same)

@@ -1,4 +1,5 @@
 // Mesh glyphs and surfaces through the pipeline.
+#include "BoxMesh.h"
 #include "Scene.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
@@ -15,28 +16,8 @@ namespace
 
 using rtg::Image;
 
-// The unit box as twelve triangles, outwards.
-rtg::TriangleMesh BoxMesh()
-{
-  rtg::TriangleMesh mesh;
-  for (int i = 0; i < 8; ++i)
-  {
-    mesh.positions.push_back(glm::vec3(i & 1, (i >> 1) & 1, i >> 2) - 0.5f);
-  }
-  const glm::uvec4 sides[] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
-    { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
-  for (const glm::uvec4& side : sides)
-  {
-    mesh.triangles.push_back({ side.x, side.y, side.z });
-    mesh.triangles.push_back({ side.x, side.z, side.w });
-  }
-  return mesh;
-}
-
-std::shared_ptr<const rtg::TriangleMesh> Share(rtg::TriangleMesh mesh)
-{
-  return std::make_shared<rtg::TriangleMesh>(std::move(mesh));
-}
+using rtg::testing::BoxMesh;
+using rtg::testing::Share;
 
 class MeshTest : public ::testing::Test
 {

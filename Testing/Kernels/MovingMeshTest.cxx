@@ -1,4 +1,5 @@
 // Meshes that move as a whole or position by position, against boxes in double and against themselves at rest.
+#include "BoxMesh.h"
 #include "MovingGlyphs.h"
 
 #include <cstring>
@@ -7,24 +8,6 @@ using namespace moving;
 
 namespace
 {
-
-// The unit box as triangles, outwards; its middle is where `origin` is not.
-rtg::TriangleMesh BoxMesh(const glm::vec3& middle = glm::vec3(0.0f))
-{
-  rtg::TriangleMesh mesh;
-  for (int i = 0; i < 8; ++i)
-  {
-    mesh.positions.push_back(middle + glm::vec3(i & 1, (i >> 1) & 1, i >> 2) - 0.5f);
-  }
-  const glm::uvec4 sides[] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
-    { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
-  for (const glm::uvec4& side : sides)
-  {
-    mesh.triangles.push_back({ side.x, side.y, side.z });
-    mesh.triangles.push_back({ side.x, side.z, side.w });
-  }
-  return mesh;
-}
 
 // A sphere of radius 1 as rings * 2 rings quadrilaterals.
 rtg::TriangleMesh SphereMesh(std::uint32_t rings)
@@ -52,10 +35,8 @@ rtg::TriangleMesh SphereMesh(std::uint32_t rings)
   return mesh;
 }
 
-std::shared_ptr<const rtg::TriangleMesh> Share(rtg::TriangleMesh mesh)
-{
-  return std::make_shared<rtg::TriangleMesh>(std::move(mesh));
-}
+using rtg::testing::BoxMesh;
+using rtg::testing::Share;
 
 class MovingMesh : public MotionTest
 {
