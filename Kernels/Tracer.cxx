@@ -108,6 +108,7 @@ void CheckSettings(const TraceSettings& settings)
   check("the number of shared binary digits of time", settings.sharedTimeBits, -1, 5);
   check("the pixel step", settings.pixelStep, 1u, 64u);
   check("the ambient occlusion radius", settings.occlusionRadius, 0.0f, FLT_MAX);
+  check("the number of occlusion rays", settings.occlusionRays, 1u, 64u);
   check("the maximum of bounces", settings.maximumBounces, 1u, 1000u);
   check("the light intensity", settings.lightIntensity, 0.0f, 1e30f);
   for (int i = 0; i < 3; ++i)
@@ -134,6 +135,8 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
     (settings.shading == Shading::PathTracing ? shading::DisplayToLinear(settings.environmentColour)
                                               : settings.environmentColour);
   frame.occlusionRadius = settings.occlusionRadius > 0.0f ? settings.occlusionRadius : 1e38f;
+  frame.occlusionRays =
+    settings.shading == Shading::AmbientOcclusion ? settings.occlusionRays : 1;
   frame.maximumBounces = settings.maximumBounces;
   frame.exposureFactor = std::exp2(settings.exposure);
   frame.filmic = settings.toneMapping == ToneMapping::Filmic;
@@ -163,7 +166,9 @@ std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
   const std::size_t cameraRays = std::size_t(1) << (settings.shading == Shading::Local ? 28
                                      : settings.shading == Shading::PathTracing        ? 23
                                                                                        : 26);
-  const std::size_t samples = std::max<std::size_t>(1, cameraRays / pixels);
+  const std::size_t each =
+    pixels * (settings.shading == Shading::AmbientOcclusion ? settings.occlusionRays : 1);
+  const std::size_t samples = std::max<std::size_t>(1, cameraRays / each);
   return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
 }
 

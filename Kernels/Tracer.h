@@ -84,6 +84,9 @@ struct TraceSettings
   /// from everywhere. Not to be changed afterwards: another image is another object.
   std::shared_ptr<const EnvironmentImage> environmentImage;
   float occlusionRadius = 0.0f; ///< world units, from how far things occlude; 0: from everywhere
+  /// Ambient occlusion: directions that each sample asks for light, 1 to 64; powers of two are spread best. Among small glyphs the light
+  /// differs more from direction to direction than the place in the pixel matters, and asking costs less than a sample.
+  std::uint32_t occlusionRays = 1;
   std::uint32_t maximumBounces = 10; ///< of path tracing, 1 to 1000
   bool roulette = true; ///< path tracing ends unimportant paths early, which changes no mean
 

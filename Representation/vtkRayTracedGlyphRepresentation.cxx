@@ -838,6 +838,12 @@ void vtkRayTracedGlyphRepresentation::SetAmbientOcclusionRadius(double radius)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetAmbientOcclusionRays(int rays)
+{
+  this->Mapper->Light.AmbientOcclusionRays = std::clamp(rays, 1, 64);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetMaximumBounces(int bounces)
 {
   this->Mapper->Light.MaximumBounces = std::clamp(bounces, 1, 1000);

@@ -180,6 +180,7 @@ public:
    */
   void SetShadingMode(int mode);
   void SetAmbientOcclusionRadius(double radius);
+  void SetAmbientOcclusionRays(int rays);
   void SetMaximumBounces(int bounces);
   void SetLightIntensity(double intensity);
   void SetEnvironmentColor(double red, double green, double blue);

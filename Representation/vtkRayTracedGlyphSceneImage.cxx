@@ -24,6 +24,7 @@ rtg::TraceSettings SettingsOf(const vtkRayTracedGlyphLight& light)
   rtg::TraceSettings settings;
   settings.shading = static_cast<rtg::Shading>(light.ShadingMode);
   settings.occlusionRadius = static_cast<float>(light.AmbientOcclusionRadius);
+  settings.occlusionRays = static_cast<std::uint32_t>(light.AmbientOcclusionRays);
   settings.maximumBounces = static_cast<std::uint32_t>(light.MaximumBounces);
   settings.lightIntensity = static_cast<float>(light.LightIntensity);
   settings.environmentColour = glm::vec3(static_cast<float>(light.EnvironmentColor[0]),
@@ -68,6 +69,8 @@ vtkRayTracedGlyphScene::Internals::Plan vtkRayTracedGlyphScene::Internals::PlanI
     settings.pixelStep =
       this->InteractiveReduction + (noisy && this->InteractiveReduction > 1 ? 1 : 0);
     settings.samples = 1;
+    // Such an image is not added to, so its samples need not be like others.
+    settings.occlusionRays = settings.pixelStep > 1 ? 1 : settings.occlusionRays;
   }
   else if (inSteps)
   {

@@ -65,7 +65,9 @@ vec2 SamplePair(SampleNumber number, uint pair)
   }
   else if (samplerKind == samplerStratified)
   {
-    bits = Stratified(number.index, frame.plannedSamples, pixelSeed);
+    // Occlusion asks for light several times a sample.
+    uint planned = pair == pairPixel ? frame.plannedSamples : frame.plannedSamples * frame.occlusionRays;
+    bits = Stratified(number.index, planned, pixelSeed);
   }
   else if (samplerKind == samplerSobol)
   {

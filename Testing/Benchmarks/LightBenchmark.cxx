@@ -5,6 +5,10 @@
 // LightBenchmark error SCENE OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]
 //   Of the middle PIXELS x PIXELS of the scene's view: mean squared error against a reference of independent samples, by shading,
 //   sampler, samples and seconds, as traced, denoised and blurred. References are kept beside OUTPUT and used again.
+// LightBenchmark variance SCENE [PIXELS] [SIDE]
+//   Of the same part: the variance of one sample, split into what the place in the pixel alone decides, what the directions after it alone
+//   decide, and what only both together do, which is what samples spread well in each of them cannot take away. SIDE^2 places
+//   by SIDE^2 choices of directions a pixel.
 // LightBenchmark picture SCENE OUTPUT.ppm [PIXELS] [SAMPLES]
 //   That part of the view, ambient occlusion beside path tracing, to be looked at.
 // SCENE: a file by Data/spheres_280k.py or Data/helix.py, or one of Data/impact, whose velocities become arrows in a vessel.
@@ -20,6 +24,7 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <random>
 
 namespace
 {
@@ -102,6 +107,38 @@ std::vector<rtg::Light> LightsOf(Shading shading)
   return std::vector<rtg::Light>(shading == Shading::PathTracing ? 0 : 1);
 }
 
+// How the rays of a pixel are shared out and spread.
+struct Method
+{
+  const char* samplerName;
+  Sampler sampler;
+  std::uint32_t occlusionRays = 1; ///< a sample
+
+  std::string Name() const
+  {
+    return this->occlusionRays == 1 ? this->samplerName
+                                    : this->samplerName + (" x" + std::to_string(this->occlusionRays));
+  }
+};
+
+std::vector<Method> MethodsOf(Shading shading)
+{
+  std::vector<Method> methods;
+  for (const auto& [name, sampler] : samplers)
+  {
+    methods.push_back({ name, sampler });
+  }
+  if (shading == Shading::AmbientOcclusion)
+  {
+    methods.push_back({ "random", Sampler::Random, 4 });
+    for (const std::uint32_t rays : { 2, 4, 8, 16 })
+    {
+      methods.push_back({ "sobol", Sampler::Sobol, rays });
+    }
+  }
+  return methods;
+}
+
 // Independent samples, which favour none of the samplers; from the file if it holds so many of so many pixels.
 Pixels Reference(rtg::Tracer& tracer, LightScene& subject, rtg::TraceSettings settings, std::uint32_t samples,
   const std::string& path)
@@ -147,9 +184,10 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
   const Pixels blurredTruth = benchmark::Blurred(truth, pixels);
 
   double ownError = 0.0; // of the reference: the variance of a sample over its number of samples
-  for (const auto& [samplerName, sampler] : samplers)
+  for (const Method& method : MethodsOf(shading))
   {
-    settings.sampler = sampler;
+    settings.sampler = method.sampler;
+    settings.occlusionRays = method.occlusionRays;
     settings.samples = settings.plannedSamples = 16;
     settings.features = false;
     const double seconds =
@@ -166,7 +204,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
       const double denoising = benchmark::CpuSeconds() - before;
       // Random samples are the first of the reference's: they differ from it by less than from the truth, others by more.
       const double share = static_cast<double>(settings.samples) / referenceSamples;
-      if (sampler == Sampler::Random)
+      if (method.sampler == Sampler::Random && method.occlusionRays == 1)
       {
         if (settings.samples == std::min(16u, mostSamples))
         {
@@ -178,7 +216,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
       {
         error = std::max(error - ownError, 0.0);
       }
-      std::fprintf(csv, "%s,%s,%u,%.5f,%.6g,%.6g,%.6g,%.5f,%.6g\n", name, samplerName, settings.samples,
+      std::fprintf(csv, "%s,%s,%u,%.5f,%.6g,%.6g,%.6g,%.5f,%.6g\n", name, method.Name().c_str(), settings.samples,
         seconds * settings.samples, error, ownError,
         std::max(benchmark::SquaredError(smooth, truth) - ownError, 0.0), denoising,
         benchmark::SquaredError(benchmark::Blurred(means, pixels), blurredTruth));
@@ -202,6 +240,97 @@ void MeasureError(LightScene& subject, const std::string& output, int pixels, st
       shading == Shading::AmbientOcclusion ? std::min(256u, mostSamples) : mostSamples, shading);
   }
   std::fclose(csv);
+}
+
+// The variance of one sample, averaged over pixels: analysis of variance of `places` by `directions` samples a pixel, in which
+// every place is seen with every choice of directions. What a pixel's first sample chooses depends on the pixel's number
+// alone, so a view moved by whole pixels sees the same with other choices, one moved by parts of a pixel other places with the same.
+struct VarianceParts
+{
+  double place = 0.0, direction = 0.0, both = 0.0;
+  double adaptive = 0.0; ///< mean variance over squared mean deviation: what samples shared out by deviation would gain
+  double covered = 0.0;  ///< share of the samples that hit something
+
+  double Total() const { return this->place + this->direction + this->both; }
+};
+
+VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading shading)
+{
+  rtg::Tracer tracer(subject.device);
+  rtg::TraceSettings settings = MiddleOf(subject, pixels + side, shading);
+  settings.sampler = Sampler::Random;
+  const std::vector<rtg::Light> lights = LightsOf(shading);
+  rtg::Camera camera = subject.camera;
+  camera.right *= static_cast<double>(pixels + side) / pixels;
+  camera.up *= static_cast<double>(pixels + side) / pixels;
+  const glm::dvec3 forward = camera.forward;
+  const std::size_t count = static_cast<std::size_t>(pixels) * pixels;
+  const int factors = side * side;
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> within(-0.5, 0.5);
+
+  // Sums over the other factor, and over both, of the samples and of their squares.
+  std::vector<glm::dvec3> ofPlaces(count * factors), ofDirections(count * factors), all(count), squares(count);
+  VarianceParts parts;
+  for (int place = 0; place < factors; ++place)
+  {
+    const double x = within(engine), y = within(engine);
+    for (int choice = 0; choice < factors; ++choice)
+    {
+      const int dx = choice % side, dy = choice / side;
+      const double pixel = 2.0 / (pixels + side);
+      camera.forward = forward + (x + 0.5 * side - dx) * pixel * camera.right + (y + 0.5 * side - dy) * pixel * camera.up;
+      tracer.Trace(subject.scene, camera, lights, settings);
+      const Pixels means = tracer.Means();
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const std::size_t at = (i / pixels + dy) * (pixels + side) + i % pixels + dx;
+        const glm::dvec3 value(means[at]);
+        ofPlaces[i * factors + place] += value;
+        ofDirections[i * factors + choice] += value;
+        all[i] += value;
+        squares[i] += value * value;
+        parts.covered += means[at].w;
+      }
+    }
+  }
+
+  double deviation = 0.0, n = factors;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    glm::dvec3 placeSum(0.0), directionSum(0.0);
+    for (int k = 0; k < factors; ++k)
+    {
+      placeSum += ofPlaces[i * factors + k] * ofPlaces[i * factors + k];
+      directionSum += ofDirections[i * factors + k] * ofDirections[i * factors + k];
+    }
+    const glm::dvec3 mean = all[i] * all[i] / (n * n);
+    const glm::dvec3 byPlaces = placeSum / n - mean, byDirections = directionSum / n - mean;
+    const glm::dvec3 both = (squares[i] - mean - byPlaces - byDirections) / ((n - 1.0) * (n - 1.0));
+    const glm::dvec3 place = (byPlaces / (n - 1.0) - both) / n;
+    const glm::dvec3 direction = (byDirections / (n - 1.0) - both) / n;
+    const auto channels = [&](const glm::dvec3& v) { return (v.x + v.y + v.z) / (3.0 * static_cast<double>(count)); };
+    parts.place += channels(place);
+    parts.direction += channels(direction);
+    parts.both += channels(both);
+    const glm::dvec3 whole = place + direction + both;
+    deviation += std::sqrt(std::max((whole.x + whole.y + whole.z) / 3.0, 0.0)) / static_cast<double>(count);
+  }
+  parts.adaptive = parts.Total() / (deviation * deviation);
+  parts.covered /= static_cast<double>(count) * n * n;
+  return parts;
+}
+
+void MeasureVariance(LightScene& subject, int pixels, int side)
+{
+  std::printf("%-12s %12s %8s %11s %8s %10s %9s\n", "", "variance", "place", "directions", "both", "adaptive", "covered");
+  for (const auto& [name, shading] : shadings)
+  {
+    const VarianceParts parts = SplitVariance(subject, pixels, side, shading);
+    std::printf("%-12s %12.4g %8.3f %11.3f %8.3f %10.2f %9.3f\n", name, parts.Total(), parts.place / parts.Total(),
+      parts.direction / parts.Total(), parts.both / parts.Total(), parts.adaptive, parts.covered);
+    std::fflush(stdout);
+  }
 }
 
 void WritePicture(LightScene& subject, const std::string& output, int pixels, std::uint32_t samples)
@@ -241,11 +370,12 @@ try
 {
   const std::string what = argc > 2 ? argv[1] : "";
   const auto number = [&](int at, int otherwise) { return argc > at ? std::atoi(argv[at]) : otherwise; };
-  if (what != "cost" && !((what == "error" || what == "picture") && argc > 3))
+  if (what != "cost" && what != "variance" && !((what == "error" || what == "picture") && argc > 3))
   {
     std::fprintf(stderr,
       "Usage: LightBenchmark cost SCENE.vtk [PIXELS] [REPETITIONS]\n"
       "       LightBenchmark error SCENE.vtk OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]\n"
+      "       LightBenchmark variance SCENE.vtk [PIXELS] [SIDE]\n"
       "       LightBenchmark picture SCENE.vtk OUTPUT.ppm [PIXELS] [SAMPLES]\n");
     return 2;
   }
@@ -256,9 +386,14 @@ try
     MeasureCost(subject, number(3, 1200), number(4, 3));
     return 0;
   }
-  const int pixels = number(4, 64);
+  const int pixels = number(what == "variance" ? 3 : 4, what == "variance" ? 32 : 64);
   subject.camera.right *= static_cast<double>(pixels) / subject.side;
   subject.camera.up *= static_cast<double>(pixels) / subject.side;
+  if (what == "variance")
+  {
+    MeasureVariance(subject, pixels, number(4, 8));
+    return 0;
+  }
   if (what == "picture")
   {
     WritePicture(subject, argv[3], pixels, static_cast<std::uint32_t>(number(5, 16)));

@@ -228,7 +228,9 @@ TEST_P(Furnace, WhiteInWhiteLightIsWhite)
   this->settings.shading = Shading::PathTracing;
   this->settings.samples = 256;
   this->settings.maximumBounces = 100;
-  this->settings.width = this->settings.height = 16;
+  // The forms whose rays cost most get fewer pixels; each has its own interval.
+  const bool costly = GetParam().shape == Shape::Superquadric || GetParam().shape == Shape::NestedSuperquadric;
+  this->settings.width = this->settings.height = costly ? 8 : 16;
   const auto id = this->AddForm(GetParam());
   std::vector<Finish> finishes = WhiteFinishes();
   // Opacity below one: light goes in, is scattered inside, and comes out.
@@ -414,6 +416,50 @@ TEST_F(LightTest, NetsErrLessThanIndependentSamples)
     EXPECT_LT(error, 0.5 * random) << static_cast<int>(sampler);
     std::printf("sampler %d errs %.1f times less than independent samples\n",
       static_cast<int>(sampler), random / error);
+  }
+}
+
+// Several occlusion rays a sample: the same mean, to which each ray adds its part, and those of one sample and of all together are nets.
+TEST_F(LightTest, SeveralOcclusionRaysASample)
+{
+  this->Add(Shape::Box, { { 0, -0.05f, 0 } }, { { 10.0f, 0.1f, 10.0f } }, Flat());
+  this->Add(Shape::Cylinder, { { 0, 0.55f, 0 } }, { { 1.0f, 0.1f, 1.0f } }, Flat());
+  this->settings.shading = Shading::AmbientOcclusion;
+  // One place in all pixels: half of the light is seen from there.
+  this->camera = rtg::Camera::FromWorldToClip(glm::ortho(-1e-4, 1e-4, -1e-4, 1e-4, 0.01, 20.0) *
+    glm::lookAt(glm::dvec3(0, 0.3, 3), glm::dvec3(0, 0, 0), glm::dvec3(0, 1, 0)));
+  struct Error
+  {
+    double mean = 0.0, square = 0.0;
+  };
+  const auto errors = [this](Sampler sampler, std::uint32_t samples, std::uint32_t rays)
+  {
+    this->settings.sampler = sampler;
+    this->settings.samples = samples;
+    this->settings.occlusionRays = rays;
+    this->Trace();
+    Error error;
+    const std::vector<glm::vec4> means = this->tracer.Means();
+    for (const glm::vec4& mean : means)
+    {
+      error.mean += (mean.r - 0.5) / static_cast<double>(means.size());
+      error.square += (mean.r - 0.5) * (mean.r - 0.5) / static_cast<double>(means.size());
+    }
+    return error;
+  };
+  const double pixels = static_cast<double>(this->settings.width * this->settings.height);
+  for (const std::uint32_t samples : { 1u, 4u })
+  {
+    const double variance = 0.25 / (64.0 * samples); // of independent rays
+    const Error independent = errors(Sampler::Random, samples, 64);
+    EXPECT_NEAR(independent.mean, 0.0, certain * std::sqrt(variance / pixels));
+    EXPECT_NEAR(independent.square, variance, certain * std::sqrt(2.0 / pixels) * variance);
+    for (Sampler sampler : { Sampler::Stratified, Sampler::Sobol, Sampler::BlueNoise })
+    {
+      const Error spread = errors(sampler, samples, 64);
+      EXPECT_NEAR(spread.mean, 0.0, certain * std::sqrt(variance / pixels)) << static_cast<int>(sampler);
+      EXPECT_LT(spread.square, 0.5 * variance) << static_cast<int>(sampler);
+    }
   }
 }
 
@@ -690,6 +736,7 @@ TEST_P(Steps, AccumulateToTheSameImage)
   this->settings.width = 41;
   this->settings.height = 33;
   this->settings.plannedSamples = 13;
+  this->settings.occlusionRays = 3;
   this->settings.features = true;
   const std::size_t pixels = 41 * 33;
   for (Sampler sampler : { Sampler::Stratified, Sampler::Sobol })
@@ -770,6 +817,8 @@ TEST_F(LightTest, BadSettingsAreNamed)
   };
   fails("radius", [](auto& s) { s.occlusionRadius = -1.0f; });
   fails("radius", [](auto& s) { s.occlusionRadius = NAN; });
+  fails("occlusion rays", [](auto& s) { s.occlusionRays = 0; });
+  fails("occlusion rays", [](auto& s) { s.occlusionRays = 65; });
   fails("bounces", [](auto& s) { s.maximumBounces = 0; });
   fails("intensity", [](auto& s) { s.lightIntensity = -0.5f; });
   fails("colour", [](auto& s) { s.environmentColour.g = NAN; });
