@@ -15,18 +15,22 @@
 // the distance to a closest point where the ray only just misses. The exit is found the same way from behind.
 //
 // All others. Inside one octant x / Rx along the ray has at most one extremum, at z^(1-q) = (z x' - x z') / x', and so
-// has y / Ry. The chord is cut there and at the three coordinate planes: at most twelve pieces, on each of which both quotients are
-// monotone. Where both rise or both fall, so does their p-norm N: its ends tell whether there is a crossing, and there is at most
-// one. Where one rises and the other falls, N on [a, b] lies between the p-norms of the smaller and of the larger quotients at
-// the ends: when those say that all of it is outside (or inside), there is nothing; else the piece is halved, the
-// earlier half first. Nothing is sampled, except that windows below 4e-4 of the half-lengths and away from rim and tip count as
-// having one extremum at most, and that rays grazing a rim of beta >= 2 closer than rounding may be decided wrongly: a few
-// in 10,000 of the hard cases have t or a normal beyond the bound of the other shapes (ShapeErrorTable tells how far). A crossing is bracketed and found by Chandrupatla's method (Advances in
-// Engineering Software 28(3), 1997), which never leaves its bracket. Evaluations are counted; a ray that comes to the end
-// of RTG_NESTED_BUDGET touches the surface within rounding, and what is left is decided by the signs at the ends of pieces.
+// has y / Ry. The chord is cut there and at the three coordinate planes, whose order double words tell: at most twelve pieces, on each
+// of which both quotients are monotone. What a window [a, b] of a piece holds is known from its ends (NestedLook):
+//   - Both quotients rise or both fall, or one is all there is: their p-norm N is monotone, and has one crossing or none.
+//   - N lies between the p-norms of the smaller and of the larger quotients at the ends: all outside, or all inside.
+//   - The slope of N^p / p is |x|^(p-1) Rx^-p x' + (x / Rx)^p fall z' and the same of y, whose factors are monotone, so
+//     that the ends bound it: N may be monotone, or lines from the ends tell that it does not come near 1.
+// Else it is cut where those lines leave room. Every value comes with a bound of its rounding, and what is less than that,
+// a sign at a window's end or a window in which N touches 1 within rounding, is left to double words. Nothing is
+// sampled; windows in which all coordinates and quotients change by less than 0.4 % (for sharp edges: less than the rounding of the
+// edge) count as having one extremum at most. A crossing is bracketed and found by Chandrupatla's method (Advances in
+// Engineering Software 28(3), 1997), which never leaves its bracket. Probes are counted: 3 on average, above RTG_NESTED_BUDGET only for
+// rays that lie within rounding of the surface all along.
 //
 // Both: the last steps are Newton's on the logarithm of g, or of N, in double words (WordFunctions.glsl), until what a tangent
-// leaves is below rounding: the plain solution knows the surface to 1e-6 only, and a grazing ray wants 1e-11.
+// leaves is below rounding: the plain solution knows the surface to 1e-6 only, and a grazing ray wants 1e-11. Where the terms of
+// the slope cancel they are double words too, inside a bracket (NestedSettle).
 // No hit is invented: each one is a change of sign.
 #ifndef RTG_NESTED_SUPERQUADRIC
 #define RTG_NESTED_SUPERQUADRIC
@@ -38,6 +42,8 @@
 
 #define RTG_NESTED_BUDGET 1024
 #define RTG_NESTED_LEAST 1.0e-6 // exponent
+// Where 1 - z^q is less than what the logarithms know of it, it counts as outside: the end of the axis.
+#define RTG_NESTED_END (16.0 * RTG_ROUNDOFF * RTG_ROUNDOFF + 1.0e-22)
 #define RTG_NESTED_TINY (RTG_ROUNDOFF * RTG_ROUNDOFF * RTG_ROUNDOFF * RTG_ROUNDOFF)
 
 struct NestedForm
@@ -48,7 +54,15 @@ struct NestedForm
   real3 exponents; // alpha, beta, c, which p, q and r are rounded from
   bool convex;
   bool twoProfiles;
+  real2 steepAt;   // of a profile with q < 1: |z| where -d(log R)/d|z| is least, and that; 0 for others
+  real2 leastFall;
 };
+
+// Where z^(q - 1) / (1 - z^q) is least: z^q = 1 - q.
+RTG_FN real LeastFallAt(real q)
+{
+  return q < real(1.0) ? exp2(max(log2(max(real(1.0) - q, real(1e-6))) / q, real(-60.0))) : real(0.0);
+}
 
 RTG_FN NestedForm MakeNestedForm(real3 exponents)
 {
@@ -60,6 +74,14 @@ RTG_FN NestedForm MakeNestedForm(real3 exponents)
   form.r = real(2.0) / e.z;
   form.twoProfiles = e.y != e.z;
   form.convex = !form.twoProfiles && e.x <= real(2.0) && e.y <= real(2.0);
+  form.steepAt = real2(real(0.0));
+  form.leastFall = real2(real(0.0));
+  if (!form.convex)
+  {
+    form.steepAt = real2(LeastFallAt(form.q), LeastFallAt(form.r));
+    form.leastFall.x = form.q < real(1.0) ? exp2((form.q - real(1.0)) * log2(form.steepAt.x)) / form.q : real(0.0);
+    form.leastFall.y = form.r < real(1.0) ? exp2((form.r - real(1.0)) * log2(form.steepAt.y)) / form.r : real(0.0);
+  }
   return form;
 }
 
@@ -112,10 +134,9 @@ RTG_FN real2 NestedGauge(NestedForm form, real3 o, real3 d, real s)
   return real2(outer.value, slope);
 }
 
-// Newton from outside: the first s on the way from `from` to `to` with g = 1. False: none.
+// Newton from outside: the first s in [from, to] with g = 1. False: none.
 RTG_FN bool NestedNewton(NestedForm form, real3 o, real3 d, real from, real to, RTG_OUT(real) s)
 {
-  real way = to >= from ? real(1.0) : real(-1.0);
   s = from;
   for (int i = 0; i < 48; ++i)
   {
@@ -125,14 +146,13 @@ RTG_FN bool NestedNewton(NestedForm form, real3 o, real3 d, real from, real to, 
     {
       return true;
     }
-    real slope = way * g.y;
-    if (!(slope < real(0.0)))
+    if (!(g.y < real(0.0)))
     {
       return false;
     }
-    real step = -above / slope;
-    s += way * step;
-    if (way * (s - to) > real(0.0))
+    real step = -above / g.y;
+    s += step;
+    if (s > to)
     {
       return false;
     }
@@ -144,23 +164,20 @@ RTG_FN bool NestedNewton(NestedForm form, real3 o, real3 d, real from, real to, 
   return true;
 }
 
-// log2 of x / Rx and y / Ry. At s = plane.x the coordinate x is zero whatever rounding makes of o + s d, and so on: next to
-// the rim of a concave profile the difference matters.
-RTG_FN real2 NestedQuotients(NestedForm form, real3 o, real3 d, real3 plane, real s)
+// What plain arithmetic knows of the surface at one point of the ray.
+struct NestedProbe
 {
-  real3 v = o + s * d;
-  real3 a = max(real3(s == plane.x ? real(0.0) : abs(v.x), s == plane.y ? real(0.0) : abs(v.y),
-                  s == plane.z ? real(0.0) : abs(v.z)),
-    real3(real(RTG_NESTED_TINY)));
-  real z = log2(a.z);
-  real rx = log2(max(real(1.0) - SafeExp2(form.q * z), real(RTG_NESTED_TINY))) / form.q;
-  real ry = rx;
-  if (form.twoProfiles)
-  {
-    ry = log2(max(real(1.0) - SafeExp2(form.r * z), real(RTG_NESTED_TINY))) / form.r;
-  }
-  return real2(log2(a.x) - rx, log2(a.y) - ry);
-}
+  DoubleWord where; // on the ray
+  int axis;         // of the coordinate plane that the point is on, else -1
+  bool outside;     // for certain
+  real height;      // |z|
+  real2 lows;       // log2 |x|, log2 |y|
+  real2 logs;       // log2 |x| / Rx, log2 |y| / Ry
+  real2 falls;      // -d(log R) / d|z|
+  real2 doubts;     // rounding of the logs
+  real f;           // log2 N
+  real noise;       // rounding of f
+};
 
 // log2 of the p-norm of two numbers that are given by their logarithms.
 RTG_FN real LogNorm(NestedForm form, real2 l)
@@ -170,28 +187,102 @@ RTG_FN real LogNorm(NestedForm form, real2 l)
   return high + log2(real(1.0) + SafeExp2(form.p * (low - high))) / form.p;
 }
 
-// The sign of the slope of N along the ray.
-RTG_FN real NestedRise(NestedForm form, real3 o, real3 d, real s)
+// log2 R of a profile at log2 |z| and its fall.
+RTG_FN real PlainProfile(real z, real logZ, real q, RTG_OUT(real) fall)
 {
-  real3 v = o + s * d;
-  real3 a = max(abs(v), real3(real(RTG_NESTED_TINY)));
-  real3 towards = real3(v.x < real(0.0) ? -d.x : d.x, v.y < real(0.0) ? -d.y : d.y, v.z < real(0.0) ? -d.z : d.z) / a;
+  real power = SafeExp2(q * logZ);
+  real rest = max(real(1.0) - power, real(RTG_NESTED_TINY));
+  fall = power / (rest * z);
+  return log2(rest) / q;
+}
+
+RTG_FN real LogNAt(NestedForm form, real3 o, real3 d, real s)
+{
+  real3 a = max(abs(o + s * d), real3(real(RTG_NESTED_TINY)));
   real z = log2(a.z);
-  real powerX = SafeExp2(form.q * z);
-  real restX = max(real(1.0) - powerX, real(RTG_NESTED_TINY));
-  real powerY = powerX;
-  real restY = restX;
+  real fall;
+  real rx = PlainProfile(a.z, z, form.q, fall);
+  real ry = rx;
   if (form.twoProfiles)
   {
-    powerY = SafeExp2(form.r * z);
-    restY = max(real(1.0) - powerY, real(RTG_NESTED_TINY));
+    ry = PlainProfile(a.z, z, form.r, fall);
   }
-  real x = log2(a.x) - log2(restX) / form.q;
-  real y = log2(a.y) - log2(restY) / form.r;
-  real share = SafeExp2(form.p * (min(x, y) - max(x, y)));
-  real riseX = towards.x + powerX / restX * towards.z;
-  real riseY = towards.y + powerY / restY * towards.z;
-  return x > y ? riseX + share * riseY : share * riseX + riseY;
+  return LogNorm(form, real2(log2(a.x) - rx, log2(a.y) - ry));
+}
+
+// What rounding does to log2 R: `rounding` is that of |z|, built-in logarithms and powers are good to 2^-20. Where 1 - z^q is next to
+// nothing it may be nothing, but not much more: that is the certain side when the point is outside.
+RTG_FN real ProfileDoubt(real fall, real z, real q, real rounding, bool outside)
+{
+  real share = q * rounding * fall + real(16.0 * RTG_ROUNDOFF) * (real(1.0) + q) * (real(1.0) + fall * z);
+  return share < real(0.5) ? real(2.0) * share / q : outside ? log2(real(1.0) + share) / q : real(1e9);
+}
+
+// On the coordinate plane of `axis` that coordinate is zero whatever rounding makes of o + s d: next to the rim of a
+// concave profile the difference matters.
+RTG_FN NestedProbe NestedProbeAt(NestedForm form, real3 o, real3 d, DoubleWord where, int axis)
+{
+  real3 way = where.hi * d;
+  real3 known = real3(axis == 0 ? real(0.0) : real(1.0), axis == 1 ? real(0.0) : real(1.0),
+    axis == 2 ? real(0.0) : real(1.0));
+  real3 a = max(known * abs(o + way), real3(real(RTG_NESTED_TINY)));
+  real u = real(RTG_ROUNDOFF);
+  real3 rounding = real(4.0) * u * (known * (abs(o) + abs(way)));
+  real3 l = log2(a);
+  NestedProbe probe;
+  probe.where = where;
+  probe.axis = axis;
+  probe.height = a.z;
+  probe.lows = real2(l.x, l.y);
+  real rx = PlainProfile(a.z, l.z, form.q, probe.falls.x);
+  real ry = rx;
+  probe.falls.y = probe.falls.x;
+  if (form.twoProfiles)
+  {
+    ry = PlainProfile(a.z, l.z, form.r, probe.falls.y);
+  }
+  probe.logs = real2(l.x - rx, l.y - ry);
+  probe.f = LogNorm(form, probe.logs);
+  probe.outside = probe.f > real(0.0);
+  probe.doubts.x = ProfileDoubt(probe.falls.x, a.z, form.q, rounding.z, probe.outside);
+  probe.doubts.y = probe.doubts.x;
+  if (form.twoProfiles)
+  {
+    probe.doubts.y = ProfileDoubt(probe.falls.y, a.z, form.r, rounding.z, probe.outside);
+  }
+  probe.doubts.x += real(16.0) * u + real(2.0) * rounding.x / a.x;
+  probe.doubts.y += real(16.0) * u + real(2.0) * rounding.y / a.y;
+  // Outside the larger quotient alone keeps N up; inside neither may be large.
+  probe.noise = real(16.0) * u * (real(1.0) + real(1.0) / form.p);
+  if (probe.outside)
+  {
+    probe.noise += SafeExp2(form.p * (probe.logs.x - probe.f)) * probe.doubts.x +
+      SafeExp2(form.p * (probe.logs.y - probe.f)) * probe.doubts.y;
+  }
+  else
+  {
+    probe.noise += LogNorm(form, probe.logs + probe.doubts) - probe.f;
+  }
+  return probe;
+}
+
+// Bounds of the derivative of (x / R)^p / p along the ray between two probes, over 2^(p unit): that is
+//   |x|^(p-1) R^-p x' + (x / R)^p fall z',
+// in which every factor is monotone, but for the fall of a profile with q < 1.
+RTG_FN real2 NestedSlopeOfTerm(real p, real unit, real2 lows, real2 logs, real2 falls, real2 heights, real steepAt,
+  real leastFall, real2 doubts, real dx, real dz)
+{
+  real2 k = (p - real(1.0)) * lows;
+  real2 r = lows - logs;
+  real most = SafeExp2(max(k.x, k.y) - p * (min(r.x, r.y) + unit));
+  real least = SafeExp2(min(k.x, k.y) - p * (max(r.x, r.y) + unit));
+  bool dips = steepAt > min(heights.x, heights.y) && steepAt < max(heights.x, heights.y);
+  real fallMost = SafeExp2(p * (max(logs.x, logs.y) - unit)) * max(falls.x, falls.y);
+  real fallLeast = SafeExp2(p * (min(logs.x, logs.y) - unit)) * (dips ? leastFall : min(falls.x, falls.y));
+  real pad = (real(1.0) + p) * min(doubts.x, doubts.y) * (abs(dx) * most + abs(dz) * fallMost);
+  real low = dx * (dx < real(0.0) ? most : least) + dz * (dz < real(0.0) ? fallMost : fallLeast);
+  real high = dx * (dx < real(0.0) ? least : most) + dz * (dz < real(0.0) ? fallLeast : fallMost);
+  return real2(low - pad, high + pad);
 }
 
 // The extremum of x / R along the ray, R with exponent q: x' z^(1-q) = x' z - x z'. `none` when there is none.
@@ -205,8 +296,8 @@ RTG_FN real NestedExtremum(real x, real dx, real z, real dz, real q, real none)
   return (exp2(max(min(log2(base) / (real(1.0) - q), real(100.0)), real(-100.0))) - z) / dz;
 }
 
-// A zero of LogNorm in [a, b], whose signs at the ends differ.
-RTG_FN real NestedBracketed(NestedForm form, real3 o, real3 d, real3 plane, real a, real fa, real b, real fb)
+// A zero of log N in [a, b], whose signs at the ends differ.
+RTG_FN real NestedBracketed(NestedForm form, real3 o, real3 d, real a, real fa, real b, real fb)
 {
   // Chandrupatla's names: the zero is between x1 and x2, x3 is an earlier x1.
   real x1 = b, x2 = a, x3 = b;
@@ -215,7 +306,7 @@ RTG_FN real NestedBracketed(NestedForm form, real3 o, real3 d, real3 plane, real
   for (int i = 0; i < 60; ++i)
   {
     real x = x1 + t * (x2 - x1);
-    real f = LogNorm(form, NestedQuotients(form, o, d, plane, x));
+    real f = LogNAt(form, o, d, x);
     if ((f > real(0.0)) == (f1 > real(0.0)))
     {
       x3 = x1;
@@ -233,7 +324,7 @@ RTG_FN real NestedBracketed(NestedForm form, real3 o, real3 d, real3 plane, real
     real best = abs(f2) < abs(f1) ? x2 : x1;
     real width = abs(x2 - x1);
     real least = real(2.0 * RTG_ROUNDOFF) * (abs(best) + real(0.01));
-    if (width <= real(2.0) * least || f == real(0.0))
+    if (width <= real(2.0) * least || abs(f) <= real(8.0 * RTG_ROUNDOFF))
     {
       return best;
     }
@@ -281,15 +372,6 @@ RTG_FN DoubleWord LogNorm(DoubleWord a, DoubleWord b, real exponent, RTG_OUT(rea
   return Add(high, Multiply(Logarithm(Add(power, real(1.0))), real(0.5) * exponent));
 }
 
-// log R of a profile with q = 2 / exponent at log z, and -z d(log R)/dz.
-RTG_FN DoubleWord LogProfile(DoubleWord logZ, real exponent, RTG_OUT(real) fall)
-{
-  DoubleWord power = Exponential(Multiply(logZ, Divide(Word(real(2.0)), exponent)));
-  DoubleWord rest = Add(Minus(power), real(1.0));
-  fall = power.hi / max(rest.hi, real(RTG_NESTED_TINY));
-  return Multiply(Logarithm(rest), real(0.5) * exponent);
-}
-
 RTG_FN DoubleWord Magnitude(DoubleWord a)
 {
   if (a.hi < real(0.0))
@@ -299,43 +381,121 @@ RTG_FN DoubleWord Magnitude(DoubleWord a)
   return a;
 }
 
-RTG_FN NestedPoint NestedAt(NestedForm form, DoubleWord3 at)
+RTG_FN NestedPoint NestedConvexAt(NestedForm form, DoubleWord3 at)
 {
   DoubleWord x = Logarithm(Magnitude(WordX(at)));
   DoubleWord y = Logarithm(Magnitude(WordY(at)));
   DoubleWord z = Logarithm(Magnitude(WordZ(at)));
   NestedPoint point;
   real2 inner;
-  real3 share;
-  if (form.convex)
-  {
-    real2 outer;
-    DoubleWord rho = LogNorm(x, y, form.exponents.x, inner);
-    point.value = LogNorm(rho, z, form.exponents.y, outer);
-    share = real3(outer.x * inner.x, outer.x * inner.y, outer.y);
-  }
-  else
-  {
-    real fallX;
-    DoubleWord rx = LogProfile(z, form.exponents.y, fallX);
-    real fallY = fallX;
-    DoubleWord ry = rx;
-    if (form.twoProfiles)
-    {
-      ry = LogProfile(z, form.exponents.z, fallY);
-    }
-    point.value = LogNorm(Subtract(x, rx), Subtract(y, ry), form.exponents.x, inner);
-    share = real3(inner.x, inner.y, inner.x * fallX + inner.y * fallY);
-  }
+  real2 outer;
+  DoubleWord rho = LogNorm(x, y, form.exponents.x, inner);
+  point.value = LogNorm(rho, z, form.exponents.y, outer);
+  real3 share = real3(outer.x * inner.x, outer.x * inner.y, outer.y);
   point.gradient = share / max(abs(at.hi), real3(real(RTG_NESTED_TINY)));
   return point;
 }
 
-RTG_FN real NestedSlope(NestedPoint point, LocalRay ray)
+// log R of a profile with q = 2 / exponent at log z, and -z d(log R)/dz.
+RTG_FN DoubleWord LogProfile(DoubleWord logZ, real exponent, RTG_OUT(DoubleWord) fall)
+{
+  DoubleWord power = Exponential(Multiply(logZ, Divide(Word(real(2.0)), exponent)));
+  DoubleWord rest = Add(Minus(power), real(1.0));
+  if (!(rest.hi > real(RTG_NESTED_END)))
+  {
+    rest = Word(real(RTG_NESTED_END));
+  }
+  fall = Divide(power, rest);
+  return Multiply(Logarithm(rest), real(0.5) * exponent);
+}
+
+RTG_FN DoubleWord RateOf(DoubleWord x, DoubleWord dx)
+{
+  if (!(abs(x.hi) > real(1e-30)))
+  {
+    return Word(real(0.0));
+  }
+  return Divide(dx, x);
+}
+
+// The logarithm of N at the origin of a ray, with its slope along that: the terms of a slope cancel where the ray grazes.
+struct NestedProfilePoint
+{
+  DoubleWord value;
+  real slope;
+  real bend;      // about the second derivative along the ray; rather too large
+  real3 gradient; // in absolute coordinates
+};
+
+RTG_FN NestedProfilePoint NestedProfileAt(NestedForm form, LocalRay at)
+{
+  DoubleWord z = Logarithm(Magnitude(WordZ(at.origin)));
+  DoubleWord fallX;
+  DoubleWord rx = LogProfile(z, form.exponents.y, fallX);
+  DoubleWord fallY = fallX;
+  DoubleWord ry = rx;
+  if (form.twoProfiles)
+  {
+    ry = LogProfile(z, form.exponents.z, fallY);
+  }
+  DoubleWord x = Subtract(Logarithm(Magnitude(WordX(at.origin))), rx);
+  DoubleWord y = Subtract(Logarithm(Magnitude(WordY(at.origin))), ry);
+
+  // The p-norm of the quotients, and the share of each in the sum of powers. A rounded p would be another surface, as a
+  // grazing ray notices.
+  bool xHigh = !IsLess(x, y);
+  DoubleWord high = x;
+  DoubleWord low = y;
+  if (!xHigh)
+  {
+    high = y;
+    low = x;
+  }
+  DoubleWord power = Exponential(Multiply(Subtract(low, high), Divide(Word(real(2.0)), form.exponents.x)));
+  DoubleWord sum = Add(power, real(1.0));
+  NestedProfilePoint point;
+  point.value = high;
+  if (power.hi > real(0.0))
+  {
+    point.value = Add(high, Multiply(Logarithm(sum), real(0.5) * form.exponents.x));
+  }
+  if (fallX.hi * real(RTG_NESTED_END) > real(0.5) || fallY.hi * real(RTG_NESTED_END) > real(0.5))
+  {
+    point.value = Word(real(100.0));
+  }
+  DoubleWord shareX = Divide(Word(real(1.0)), sum);
+  DoubleWord shareY = Multiply(power, shareX);
+  if (!xHigh)
+  {
+    DoubleWord swapped = shareX;
+    shareX = shareY;
+    shareY = swapped;
+  }
+
+  DoubleWord rateZ = RateOf(WordZ(at.origin), WordZ(at.direction));
+  DoubleWord rateX = Add(RateOf(WordX(at.origin), WordX(at.direction)), Multiply(fallX, rateZ));
+  DoubleWord rateY = Add(RateOf(WordY(at.origin), WordY(at.direction)), Multiply(fallY, rateZ));
+  point.slope = Add(Multiply(shareX, rateX), Multiply(shareY, rateY)).hi;
+  // On a flat end x and y tell 1 - z^q = rho^q better than z.
+  real unlike = form.q * point.value.hi;
+  real mend = form.twoProfiles || !(abs(unlike) < real(0.5)) ? real(1.0) : exp2(real(-1.4426950408889634074) * unlike);
+  real3 share = real3(shareX.hi, shareY.hi, mend * (shareX.hi * fallX.hi + shareY.hi * fallY.hi));
+  real3 a = max(abs(at.origin.hi), real3(real(RTG_NESTED_TINY)));
+  point.gradient = share / a;
+  real3 d = at.direction.hi;
+  real3 bends = point.gradient * (d * d) / a;
+  bends.z *= real(1.0) + max(fallX.hi, fallY.hi);
+  point.bend = (real(1.0) + max(form.p, max(form.q, form.r))) * (bends.x + bends.y + bends.z);
+  return point;
+}
+
+// `steepness` is what the slope would be if its terms did not cancel.
+RTG_FN real NestedSlope(NestedPoint point, LocalRay ray, RTG_OUT(real) steepness)
 {
   real3 o = ray.origin.hi;
   real3 d = ray.direction.hi;
   real3 towards = real3(o.x < real(0.0) ? -d.x : d.x, o.y < real(0.0) ? -d.y : d.y, o.z < real(0.0) ? -d.z : d.z);
+  steepness = dot(point.gradient, abs(d));
   return dot(point.gradient, towards);
 }
 
@@ -347,83 +507,6 @@ RTG_FN real NestedBend(NestedForm form, NestedPoint point, LocalRay ray)
   return (real(1.0) + max(form.p, max(form.q, form.r))) * (bends.x + bends.y + bends.z);
 }
 
-// The crossing near s, in double words: `at` is the ray with its origin there. `way` is 1 where the surface is entered
-// along the ray and -1 where it is left; `speed` is the length of the ray's direction. False: there is none.
-RTG_FN bool NestedPolish(NestedForm form, LocalRay ray, real s, real way, real speed, RTG_OUT(LocalRay) at)
-{
-  at = Advance(ray, s);
-  LocalRay plain = at;
-  int backwards = 0;
-  bool stepped = false;
-  for (int i = 0; i < 24; ++i)
-  {
-    NestedPoint point = NestedAt(form, at.origin);
-    real slope = way * NestedSlope(point, at);
-    real value = point.value.hi + point.value.lo;
-    if (!(abs(value) < real(0.5)) || !(abs(slope) < real(RTG_NEVER)) ||
-      !(abs(at.start.hi - plain.start.hi) * speed <
-        (form.convex ? real(4.0) : real(0.01)) + real(4.0 * RTG_ROUNDOFF) * abs(at.start.hi) * speed))
-    {
-      // At a tip, or at a rim closer than rounding: the plain solution is as good as it gets.
-      at = plain;
-      return form.convex;
-    }
-    // Grazing: the plain solution may be past the closest point. Start anew from before it.
-    bool past = !(slope < real(0.0));
-    if (past && form.convex && stepped && value <= real(0.0))
-    {
-      // A tangent from outside ends behind the crossing only by rounding: at a rim, where the slope changes at once.
-      return true;
-    }
-    bool grazing = i == 0 && -slope < real(0.02) * speed;
-    if (past || grazing)
-    {
-      if (backwards >= 2)
-      {
-        // Past the closest point twice and on the same side all the time: no crossing. Convex glyphs are met from
-        // outside, from either end of the ray.
-        at = plain;
-        return !((form.convex ? value : way * value) > real(0.0));
-      }
-      ++backwards;
-      stepped = false;
-      at = Advance(at, -way * real(0.003) / speed);
-    }
-    else
-    {
-      // From the logarithm to the gauge, which is the convex one of the two.
-      real step = value;
-      if (form.convex)
-      {
-        step = value * (real(1.0) + real(0.5) * value) / (real(1.0) + value);
-      }
-      step = -step / slope;
-      real bend = step * step * NestedBend(form, point, at);
-      at = Advance(at, way * step);
-      stepped = true;
-      // What a tangent leaves is half the second derivative times the square of the step, over the slope.
-      if (bend * speed <= real(RTG_ROUNDOFF) * -slope || abs(step) * speed < real(0.25 * RTG_ROUNDOFF))
-      {
-        return true;
-      }
-    }
-  }
-  return true;
-}
-
-// The ray with its origin where it passes the coordinate plane of the given axis, which is near s.
-RTG_FN LocalRay AtPlane(LocalRay ray, real s, int axis)
-{
-  LocalRay at = Advance(ray, s);
-  real3 back = at.origin.hi / at.direction.hi;
-  at = Advance(at, axis == 0 ? -back.x : axis == 1 ? -back.y : -back.z);
-  real3 keep = real3(axis == 0 ? real(0.0) : real(1.0), axis == 1 ? real(0.0) : real(1.0),
-    axis == 2 ? real(0.0) : real(1.0));
-  at.origin.hi = at.origin.hi * keep;
-  at.origin.lo = at.origin.lo * keep;
-  return at;
-}
-
 // What is found: the ray with its origin at the crossing, and t.
 struct NestedCrossing
 {
@@ -432,169 +515,476 @@ struct NestedCrossing
   LocalRay at;
 };
 
-RTG_FN NestedCrossing NestedConvex(NestedForm form, LocalRay ray, real3 o, real3 d, real speed, real sIn, real sOut,
+// Where the ray passes the coordinate planes, and the axes in that order.
+struct NestedPlanes
+{
+  DoubleWord x;
+  DoubleWord y;
+  DoubleWord z;
+  int first;
+  int second;
+  int third;
+};
+
+RTG_FN DoubleWord PlaneOf(NestedPlanes planes, int axis)
+{
+  if (axis == 0)
+  {
+    return planes.x;
+  }
+  if (axis == 1)
+  {
+    return planes.y;
+  }
+  return planes.z;
+}
+
+RTG_FN DoubleWord PassesAt(DoubleWord o, DoubleWord d)
+{
+  if (!(abs(d.hi) > real(RTG_NESTED_TINY)))
+  {
+    return Word(real(RTG_NEVER));
+  }
+  return Divide(Minus(o), d);
+}
+
+RTG_FN NestedPlanes MakeNestedPlanes(LocalRay ray)
+{
+  NestedPlanes planes;
+  planes.x = PassesAt(WordX(ray.origin), WordX(ray.direction));
+  planes.y = PassesAt(WordY(ray.origin), WordY(ray.direction));
+  planes.z = PassesAt(WordZ(ray.origin), WordZ(ray.direction));
+  bool yx = IsLess(planes.y, planes.x);
+  int low = yx ? 1 : 0;
+  int high = yx ? 0 : 1;
+  bool zFirst = IsLess(planes.z, PlaneOf(planes, low));
+  bool zLast = !IsLess(planes.z, PlaneOf(planes, high));
+  planes.first = zFirst ? 2 : low;
+  planes.second = zFirst ? low : zLast ? high : 2;
+  planes.third = zLast ? 2 : high;
+  return planes;
+}
+
+// The ray with its origin at a point of it; on a coordinate plane that coordinate is zero to the last digit.
+RTG_FN LocalRay RayFrom(LocalRay ray, DoubleWord where, int axis)
+{
+  DoubleWord3 along;
+  along.hi = real3(where.hi);
+  along.lo = real3(where.lo);
+  LocalRay at;
+  at.start = Add(ray.start, where);
+  at.origin = Add(ray.origin, Multiply(ray.direction, along));
+  at.direction = ray.direction;
+  real3 keep = real3(axis == 0 ? real(0.0) : real(1.0), axis == 1 ? real(0.0) : real(1.0),
+    axis == 2 ? real(0.0) : real(1.0));
+  at.origin.hi = at.origin.hi * keep;
+  at.origin.lo = at.origin.lo * keep;
+  return at;
+}
+
+// Whether a step stays on its side of the coordinate planes, where the surface may be bent all at once.
+RTG_FN bool StaysInOctant(LocalRay at, real step)
+{
+  real3 v = at.origin.hi;
+  real3 w = v * (v + step * at.direction.hi);
+  return min(w.x, min(w.y, w.z)) >= real(0.0);
+}
+
+// What plain arithmetic leaves open, in double words. `low` to `high` is a part of the ray round its origin; at low
+// way log N is above zero. `changes`: at high it is not, and the crossing is Newton's or, where that leaves the bracket or
+// dawdles, bisection's. Else the least of it is looked for by its slopes, which change their sign once. False: there is none.
+RTG_FN bool NestedSettle(NestedForm form, LocalRay ray, real low, real high, real way, bool changes, RTG_OUT(LocalRay) at)
+{
+  real fine = real(RTG_ROUNDOFF / 64.0) / (real(1.0) + form.p);
+  bool root = changes;
+  real slopeLow = real(0.0);
+  real slopeHigh = real(0.0);
+  at = ray;
+  for (int i = 0; i < 48; ++i)
+  {
+    NestedProfilePoint point = NestedProfileAt(form, at);
+    real g = way * (point.value.hi + point.value.lo);
+    real slope = way * point.slope;
+    root = root || g <= real(0.0);
+    real step;
+    bool settled = false;
+    if (root)
+    {
+      low = g > real(0.0) ? real(0.0) : low;
+      high = g > real(0.0) ? high : real(0.0);
+      step = -g / slope;
+      // What a tangent leaves is half the second derivative times the square of the step, over the slope.
+      bool newton = slope < real(0.0) && abs(g) < real(0.5);
+      settled = newton &&
+        (abs(step) <= real(1e-3) * fine || (point.bend * step * step <= fine * -slope && StaysInOctant(at, step)));
+      bool inside = newton && step >= low && step <= high && (i < 12 || (i & 1) == 0);
+      if (!settled && !inside)
+      {
+        step = real(0.5) * (low + high);
+        settled = high - low <= fine;
+      }
+    }
+    else
+    {
+      bool falls = slope < real(0.0);
+      low = falls ? real(0.0) : low;
+      slopeLow = falls ? slope : slopeLow;
+      high = falls ? high : real(0.0);
+      slopeHigh = falls ? slopeHigh : slope;
+      // The tangent of a convex function stays below it.
+      bool above = form.p >= real(1.0) && high - low < real(0.05) && g - abs(slope) * (falls ? high : -low) > real(0.0);
+      if (above || !(high - low > fine))
+      {
+        return false;
+      }
+      real share = slopeLow < real(0.0) && slopeHigh > real(0.0) && (i & 3) != 3
+        ? max(real(0.02), min(real(0.98), slopeLow / (slopeLow - slopeHigh)))
+        : real(0.5);
+      step = low + share * (high - low);
+    }
+    at = Advance(at, step);
+    low -= step;
+    high -= step;
+    if (settled)
+    {
+      return true;
+    }
+  }
+  return root;
+}
+
+// The crossing near s where a ray enters a convex glyph, in double words: `at` is the ray with its origin there. `reach` is more than
+// the length of its chord through the box. False: there is none.
+RTG_FN bool NestedPolish(NestedForm form, LocalRay ray, real s, real reach, RTG_OUT(LocalRay) at)
+{
+  at = Advance(ray, s);
+  LocalRay plain = at;
+  int backwards = 0;
+  bool stepped = false;
+  for (int i = 0; i < 24; ++i)
+  {
+    NestedPoint point = NestedConvexAt(form, at.origin);
+    real steepness;
+    real slope = NestedSlope(point, at, steepness);
+    real value = point.value.hi + point.value.lo;
+    if (!(abs(value) < real(0.5)) || !(abs(slope) < real(RTG_NEVER)) || !(abs(at.start.hi - s) < real(4.0)))
+    {
+      // At a tip, or at a rim closer than rounding: the plain solution is as good as it gets.
+      at = plain;
+      return true;
+    }
+    if (abs(slope) < real(1e-3) * steepness)
+    {
+      // The terms of the slope cancel: plain numbers know too little of it.
+      LocalRay last = at;
+      return NestedSettle(form, last, -reach, reach, real(1.0), false, at);
+    }
+    // Grazing: the plain solution may be past the closest point. Start anew from before it.
+    bool past = !(slope < real(0.0));
+    if (past && stepped && value <= real(0.0))
+    {
+      // A tangent from outside ends behind the crossing only by rounding: at a rim, where the slope changes at once.
+      return true;
+    }
+    bool grazing = i == 0 && -slope < real(0.02);
+    if (past || grazing)
+    {
+      if (backwards >= 2)
+      {
+        // Past the closest point twice and on the same side all the time: no crossing.
+        at = plain;
+        return !(value > real(0.0));
+      }
+      ++backwards;
+      stepped = false;
+      at = Advance(at, real(-0.003));
+    }
+    else
+    {
+      // From the logarithm to the gauge, which is the convex one of the two.
+      real step = -value * (real(1.0) + real(0.5) * value) / ((real(1.0) + value) * slope);
+      real bend = step * step * NestedBend(form, point, at);
+      // What a tangent leaves is half the second derivative times the square of the step, over the slope.
+      bool settled =
+        (bend <= real(RTG_ROUNDOFF) * -slope && StaysInOctant(at, step)) || abs(step) < real(1e-4 * RTG_ROUNDOFF);
+      at = Advance(at, step);
+      stepped = true;
+      if (settled)
+      {
+        return true;
+      }
+    }
+  }
+  return true;
+}
+
+// Convex glyphs are met from outside, from either end of the ray.
+RTG_FN NestedCrossing NestedConvex(NestedForm form, LocalRay ray, LocalRay unit, real scale, real sIn, real sOut,
   real tMin, real tMax)
 {
   NestedCrossing crossing;
   crossing.found = false;
   crossing.t = real(RTG_NEVER);
   crossing.at = ray;
-  real s;
-  if (!NestedNewton(form, o, d, sIn, sOut, s) ||
-    !NestedPolish(form, ray, s / speed, real(1.0), speed, crossing.at))
+  LocalRay towards = unit;
+  real way = real(1.0);
+  for (int side = 0; side < 2; ++side)
   {
-    return crossing;
+    real s;
+    if (!NestedNewton(form, towards.origin.hi, towards.direction.hi, way > real(0.0) ? sIn : -sOut,
+          way > real(0.0) ? sOut : -sIn, s) ||
+      !NestedPolish(form, towards, s, real(1.01) * (sOut - sIn), crossing.at))
+    {
+      return crossing;
+    }
+    DoubleWord exact;
+    exact.hi = way * scale * crossing.at.start.hi;
+    exact.lo = way * scale * crossing.at.start.lo;
+    crossing.t = RayParameter(ray, exact).hi;
+    crossing.found = crossing.t >= tMin && crossing.t <= tMax;
+    if (crossing.t >= tMin)
+    {
+      return crossing;
+    }
+    way = real(-1.0);
+    towards.direction = Minus(unit.direction);
   }
-  crossing.t = crossing.at.start.hi;
-  if (crossing.t < tMin && NestedNewton(form, o, d, sOut, sIn, s) &&
-    NestedPolish(form, ray, s / speed, real(-1.0), speed, crossing.at))
-  {
-    crossing.t = crossing.at.start.hi;
-  }
-  crossing.found = crossing.t >= tMin && crossing.t <= tMax;
   return crossing;
 }
 
-RTG_FN NestedCrossing NestedPieces(NestedForm form, LocalRay ray, real3 o, real3 d, real speed, real sIn, real sOut,
+// What is known of a window.
+#define RTG_NESTED_EMPTY 0
+#define RTG_NESTED_UNIQUE 1 // it has one crossing, which plain arithmetic finds
+#define RTG_NESTED_SETTLE 2 // only double words can tell
+#define RTG_NESTED_SPLIT 3  // at `next`
+
+RTG_FN int NestedLook(NestedForm form, NestedProbe a, NestedProbe b, real3 towards, RTG_OUT(real) next)
+{
+  real way = a.outside ? real(1.0) : real(-1.0);
+  bool changes = a.outside != b.outside;
+  int unique = changes ? RTG_NESTED_UNIQUE : RTG_NESTED_EMPTY;
+  real width = Subtract(b.where, a.where).hi;
+  bool narrow = !(width > real(64.0 * RTG_ROUNDOFF));
+  real noise = a.noise + b.noise;
+  next = a.where.hi;
+
+  real2 rises = b.logs - a.logs;
+  real2 doubts = a.doubts + b.doubts;
+  bool together = abs(rises.x) > doubts.x && abs(rises.y) > doubts.y && (rises.x > real(0.0)) == (rises.y > real(0.0));
+  // One of the quotients is all there is.
+  real apart = max(min(a.logs.x, b.logs.x) - max(a.logs.y, b.logs.y), min(a.logs.y, b.logs.y) - max(a.logs.x, b.logs.x));
+  bool alone = form.p * (apart - max(doubts.x, doubts.y)) > real(60.0);
+  if ((together || alone) && !narrow)
+  {
+    return unique;
+  }
+  real bound = a.outside ? LogNorm(form, min(a.logs - a.doubts, b.logs - b.doubts))
+                         : -LogNorm(form, max(a.logs + a.doubts, b.logs + b.doubts));
+  if (!changes && bound > real(32.0 * RTG_ROUNDOFF))
+  {
+    return RTG_NESTED_EMPTY;
+  }
+  if (narrow)
+  {
+    return RTG_NESTED_SETTLE;
+  }
+
+  // Over the largest term, so that nothing that counts under- or overflows; f' = slope 2^(p (most - f)) with least <= f
+  real2 largest = max(a.logs, b.logs);
+  real most = max(largest.x, largest.y);
+  real least = LogNorm(form, min(a.logs, b.logs));
+  real2 heights = real2(a.height, b.height);
+  real2 slopes = NestedSlopeOfTerm(form.p, most, real2(a.lows.x, b.lows.x), real2(a.logs.x, b.logs.x),
+                   real2(a.falls.x, b.falls.x), heights, form.steepAt.x, form.leastFall.x,
+                   real2(a.doubts.x, b.doubts.x), towards.x, towards.z) +
+    NestedSlopeOfTerm(form.p, most, real2(a.lows.y, b.lows.y), real2(a.logs.y, b.logs.y),
+      real2(a.falls.y, b.falls.y), heights, form.steepAt.y, form.leastFall.y, real2(a.doubts.y, b.doubts.y), towards.y,
+      towards.z);
+  real low = real(1.4426950408889634074) * (a.outside ? slopes.x : -slopes.y);
+  real high = real(1.4426950408889634074) * (a.outside ? slopes.y : -slopes.x);
+  if (low >= real(0.0) || high <= real(0.0))
+  {
+    return unique;
+  }
+  real stretch = form.p * (most - least);
+  stretch = stretch < real(60.0) ? exp2(stretch) : real(1e18);
+  low *= stretch;
+  high *= stretch;
+
+  // Lines below way f from both ends.
+  real fa = max(way * a.f - a.noise, real(0.0));
+  real fb = max(way * b.f - b.noise, real(0.0));
+  real left = max(a.where.hi, a.where.hi - fa / low);
+  real right = changes ? b.where.hi : min(b.where.hi, b.where.hi - fb / high);
+  if (!changes && left >= right)
+  {
+    return RTG_NESTED_EMPTY;
+  }
+  real meet = (fa + high * width - fb) / (high - low);
+  real depth = changes ? max(abs(a.f), abs(b.f)) : -(fa + low * meet);
+  next = real(0.5) * (left + right);
+  // So short that nothing but one extremum is in it.
+  real3 change = real3(abs(rises.x), abs(rises.y), abs(b.height - a.height) / max(a.height, b.height));
+  bool tiny = depth <= real(4.0) * noise && max(change.x, max(change.y, change.z)) < real(0.004) + real(0.0004) * form.p;
+  return tiny || !(next > a.where.hi) || !(next < b.where.hi) ? RTG_NESTED_SETTLE : RTG_NESTED_SPLIT;
+}
+
+// `unit` is the ray with a direction of length one to two, its start zero; s counts in its lengths, `scale` of them are one
+// of the ray's.
+RTG_FN NestedCrossing NestedPieces(NestedForm form, LocalRay ray, LocalRay unit, real scale, real sIn, real sOut,
   real tMin, real tMax)
 {
   NestedCrossing crossing;
   crossing.found = false;
   crossing.t = real(RTG_NEVER);
   crossing.at = ray;
+  real3 o = unit.origin.hi;
+  real3 d = unit.direction.hi;
+  NestedPlanes planes = MakeNestedPlanes(unit);
 
-  // Where the ray passes the coordinate planes, in order
-  real3 plane = real3(d.x != real(0.0) ? -o.x / d.x : real(RTG_NEVER),
-    d.y != real(0.0) ? -o.y / d.y : real(RTG_NEVER), d.z != real(0.0) ? -o.z / d.z : real(RTG_NEVER));
-  real3 cut = max(real3(sIn), min(real3(sOut), plane));
-  real first = min(cut.x, min(cut.y, cut.z));
-  real last = max(cut.x, max(cut.y, cut.z));
-  real second = max(min(cut.x, cut.y), min(max(cut.x, cut.y), cut.z));
-
-  bool inside = false;
-  real from = sIn;
-  real2 fromLogs = NestedQuotients(form, o, d, plane, sIn);
-  int budget = RTG_NESTED_BUDGET;
-  for (int octant = 0; octant < 4; ++octant)
+  // The window is [a, b], its piece ends at `end`.
+  NestedProbe a = NestedProbeAt(form, o, d, Word(sIn), -1);
+  a.outside = true;
+  NestedProbe end = a;
+  NestedProbe b = a;
+  NestedProbe beyond = a; // where the window ended before it was split
+  int octant = -1;
+  DoubleWord octantEnd = Word(sIn);
+  int octantAxis = -1;
+  real turnLow = sIn;
+  real turnHigh = sIn;
+  real3 towards = d;
+  bool newPiece = true;
+  bool resumes = false;
+  DoubleWord next = Word(sIn);
+  for (int step = 0; step < RTG_NESTED_BUDGET; ++step)
   {
-    real octantEnd = octant == 0 ? first : octant == 1 ? second : octant == 2 ? last : sOut;
-    if (!(octantEnd > from))
+    int axis = -1;
+    if (newPiece)
     {
-      continue;
+      if (!IsLess(end.where, octantEnd))
+      {
+        // On to the next octant
+        do
+        {
+          ++octant;
+          octantAxis = octant == 0 ? planes.first : octant == 1 ? planes.second : octant == 2 ? planes.third : -1;
+          octantEnd = octant < 3 ? PlaneOf(planes, octantAxis) : Word(sOut);
+        } while (octant < 3 && !(IsLess(end.where, octantEnd) && octantEnd.hi < sOut));
+        if (octant > 3 || !IsLess(end.where, octantEnd))
+        {
+          return crossing;
+        }
+        real3 m = o + (real(0.5) * (end.where.hi + octantEnd.hi)) * d;
+        real3 signs = real3(m.x < real(0.0) ? real(-1.0) : real(1.0), m.y < real(0.0) ? real(-1.0) : real(1.0),
+          m.z < real(0.0) ? real(-1.0) : real(1.0));
+        real3 v = signs * o;
+        towards = signs * d;
+        real turnX = NestedExtremum(v.x, towards.x, v.z, towards.z, form.q, sIn);
+        real turnY = NestedExtremum(v.y, towards.y, v.z, towards.z, form.r, sIn);
+        turnLow = min(turnX, turnY);
+        turnHigh = max(turnX, turnY);
+      }
+      real turn = turnLow > end.where.hi ? turnLow : turnHigh;
+      bool turns = turn > end.where.hi && turn < octantEnd.hi;
+      next = octantEnd;
+      if (turns)
+      {
+        next = Word(turn);
+      }
+      axis = turns ? -1 : octantAxis;
     }
-    // In the octant all coordinates are positive: those of its middle tell the signs.
-    real middle = real(0.5) * (from + octantEnd);
-    real3 m = o + middle * d;
-    real3 signs = real3(m.x < real(0.0) ? real(-1.0) : real(1.0), m.y < real(0.0) ? real(-1.0) : real(1.0),
-      m.z < real(0.0) ? real(-1.0) : real(1.0));
-    real3 v = signs * o;
-    real3 dv = signs * d;
-    real turnX = NestedExtremum(v.x, dv.x, v.z, dv.z, form.q, octantEnd);
-    real turnY = NestedExtremum(v.y, dv.y, v.z, dv.z, form.r, octantEnd);
-    turnX = max(from, min(octantEnd, turnX));
-    turnY = max(from, min(octantEnd, turnY));
 
-    for (int piece = 0; piece < 3; ++piece)
+    // A probe, and for certain whether it is outside
+    NestedProbe probe = NestedProbeAt(form, o, d, next, axis);
+    if (!(abs(probe.f) > probe.noise))
     {
-      real end = piece == 0 ? min(turnX, turnY) : piece == 1 ? max(turnX, turnY) : octantEnd;
-      if (!(end > from))
+      probe.outside = NestedProfileAt(form, RayFrom(unit, next, axis)).value.hi > real(0.0);
+    }
+    probe.outside = probe.outside || (octant == 3 && axis == -1 && next.hi == sOut);
+    if (resumes)
+    {
+      probe.outside = !a.outside;
+      a = probe;
+    }
+    else
+    {
+      b = probe;
+      if (newPiece)
       {
-        continue;
+        end = probe;
+        beyond = probe;
       }
-      real2 endLogs = NestedQuotients(form, o, d, plane, end);
-      bool together = (endLogs.x - fromLogs.x) * (endLogs.y - fromLogs.y) >= real(0.0);
-      real width = end - from;
-      while (from < end)
+    }
+    newPiece = false;
+    resumes = false;
+
+    bool looking = true;
+    while (looking)
+    {
+      real split;
+      int verdict = NestedLook(form, a, b, towards, split);
+      looking = false;
+      if (verdict == RTG_NESTED_SPLIT)
       {
-        --budget;
-        // The window [from, to]: can N = 1 in it?
-        real to = from + width;
-        real2 logs = endLogs;
-        if (to < end)
+        next = Word(split);
+        beyond = b;
+      }
+      else
+      {
+        bool changes = a.outside != b.outside;
+        bool crosses = false;
+        if (verdict != RTG_NESTED_EMPTY)
         {
-          logs = NestedQuotients(form, o, d, plane, to);
-        }
-        else
-        {
-          to = end;
-        }
-        real f = LogNorm(form, logs);
-        bool changes = (f <= real(0.0)) != inside;
-        bool certain = together || budget < 0;
-        bool touches = false;
-        real touch = to;
-        real way = inside ? real(-1.0) : real(1.0);
-        if (!certain)
-        {
-          real bound = inside ? LogNorm(form, max(logs, fromLogs)) : LogNorm(form, min(logs, fromLogs));
-          certain = inside ? bound < real(0.0) : bound > real(0.0);
-          certain = certain || (changes && width < real(4e-4));
-          // Short beside the distances from rim and tip: at most one extremum is in it, where the ray may touch.
-          real away = min(abs(o.z + from * d.z), abs(o.z + to * d.z));
-          away = min(away, real(1.0) - max(abs(o.z + from * d.z), abs(o.z + to * d.z)));
-          bool atEnd = !certain && (width < real(16.0 * RTG_ROUNDOFF) || (width < real(4e-4) && width < real(0.06) * away));
-          certain = certain || atEnd;
-          if (atEnd && way * NestedRise(form, o, d, from) < real(0.0) && way * NestedRise(form, o, d, to) > real(0.0))
+          real way = a.outside ? real(1.0) : real(-1.0);
+          real width = Subtract(b.where, a.where).hi;
+          LocalRay base;
+          real from = real(0.0);
+          if (verdict == RTG_NESTED_UNIQUE)
           {
-            real below = from;
-            real above = to;
-            for (int k = 0; k < 14; ++k)
-            {
-              touch = real(0.5) * (below + above);
-              bool falls = way * NestedRise(form, o, d, touch) < real(0.0);
-              below = falls ? touch : below;
-              above = falls ? above : touch;
-            }
-            touches = way * LogNorm(form, NestedQuotients(form, o, d, plane, touch)) < real(64.0 * RTG_ROUNDOFF);
+            real least = real(RTG_NESTED_TINY);
+            real fa = a.outside ? max(a.f, least) : min(a.f, -least);
+            real fb = b.outside ? max(b.f, least) : min(b.f, -least);
+            from = NestedBracketed(form, o, d, a.where.hi, fa, b.where.hi, fb) - a.where.hi;
           }
-        }
-        if (!certain)
-        {
-          width *= real(0.5);
-          continue;
-        }
-        if (changes || touches)
-        {
-          real s = touch;
-          if (changes)
+          else
           {
-            s = NestedBracketed(form, o, d, plane, from, LogNorm(form, fromLogs), to, f);
+            from = real(0.5) * width;
           }
+          from = max(real(0.0), min(width, from));
+          base = Advance(RayFrom(unit, a.where, a.axis), from);
           LocalRay at;
-          // A change of sign that is more than rounding needs no confirmation. At a tip everything is rounding.
-          real end = inside ? from : to;
-          bool sure = changes && min(abs(f), abs(LogNorm(form, fromLogs))) > real(256.0 * RTG_ROUNDOFF) &&
-            abs(o.z + end * d.z) < real(0.99);
-          bool polished = NestedPolish(form, ray, s / speed, way, speed, at);
-          bool crosses = polished || sure;
-          int axis = end == plane.z ? 2 : end == plane.x ? 0 : end == plane.y ? 1 : -1;
-          if (!sure && changes && axis >= 0)
+          crosses = NestedSettle(form, base, -from, width - from, way, changes, at) || changes;
+          if (crosses)
           {
-            // Whether the glyph's rim or tip reaches this far, double words tell in the plane where it does.
-            LocalRay sharp = AtPlane(ray, end / speed, axis);
-            DoubleWord value = NestedAt(form, sharp.origin).value;
-            crosses = value.hi <= real(0.0);
-            if (!polished && value.hi > real(-64.0 * RTG_ROUNDOFF))
+            DoubleWord s;
+            s.hi = scale * at.start.hi;
+            s.lo = scale * at.start.lo;
+            real t = RayParameter(ray, s).hi;
+            if (t >= tMin)
             {
-              at = sharp;
+              crossing.found = t <= tMax;
+              crossing.t = t;
+              crossing.at = at;
+              return crossing;
+            }
+            if (!changes)
+            {
+              // It touched before tMin: the other crossing is still to come.
+              resumes = true;
+              next = at.start;
             }
           }
-          inside = inside != crosses;
-          real t = at.start.hi;
-          if (crosses && t >= tMin)
-          {
-            crossing.found = t <= tMax;
-            crossing.t = t;
-            crossing.at = at;
-            return crossing;
-          }
         }
-        from = to;
-        fromLogs = logs;
-        width *= real(2.0);
+        if (!resumes)
+        {
+          a = b;
+          newPiece = !IsLess(b.where, end.where);
+          b = beyond;
+          beyond = end;
+          looking = !newPiece;
+        }
       }
-      from = end;
-      fromLogs = endLogs;
     }
   }
   return crossing;
@@ -612,12 +1002,18 @@ RTG_FN NestedCrossing NestedSuperquadricCrossing(GlyphRay ray, Glyph glyph, real
     return crossing;
   }
 
-  // The origin next to the centre, plain copies with a direction of length one, the chord through the box
+  // The origin next to the centre, a copy with a direction of about length one, the chord through the box
+  NestedForm form = MakeNestedForm(glyph.exponents);
   real speed = length(local.direction.hi);
   local = Advance(local, -dot(local.origin.hi, local.direction.hi) / (speed * speed));
   crossing.at = local;
+  real scale = ldexp(real(1.0), -int(floor(log2(speed))));
+  LocalRay unit = local;
+  unit.start = Word(real(0.0));
+  unit.direction.hi = scale * local.direction.hi;
+  unit.direction.lo = scale * local.direction.lo;
   real3 o = local.origin.hi;
-  real3 d = local.direction.hi / speed;
+  real3 d = unit.direction.hi;
   real reach = real(1.0) + real(8.0 * RTG_ROUNDOFF);
   real least = real(RTG_ROUNDOFF * RTG_ROUNDOFF);
   real3 e = real3(abs(d.x) > least ? d.x : least, abs(d.y) > least ? d.y : least, abs(d.z) > least ? d.z : least);
@@ -631,12 +1027,11 @@ RTG_FN NestedCrossing NestedSuperquadricCrossing(GlyphRay ray, Glyph glyph, real
   {
     return crossing;
   }
-  NestedForm form = MakeNestedForm(glyph.exponents);
   if (form.convex)
   {
-    return NestedConvex(form, local, o, d, speed, sIn, sOut, tMin, tMax);
+    return NestedConvex(form, local, unit, scale, sIn, sOut, tMin, tMax);
   }
-  return NestedPieces(form, local, o, d, speed, sIn, sOut, tMin, tMax);
+  return NestedPieces(form, local, unit, scale, sIn, sOut, tMin, tMax);
 }
 
 RTG_FN bool IntersectNestedSuperquadric(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
@@ -651,7 +1046,8 @@ RTG_FN real3 NestedSuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
   NestedCrossing crossing = NestedSuperquadricCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER));
   NestedForm form = MakeNestedForm(glyph.exponents);
   real3 p = crossing.at.origin.hi;
-  real3 gradient = NestedAt(form, crossing.at.origin).gradient;
+  real3 gradient = form.convex ? NestedConvexAt(form, crossing.at.origin).gradient
+                               : NestedProfileAt(form, crossing.at).gradient;
   gradient = gradient / max(gradient.x, max(gradient.y, max(gradient.z, real(RTG_NESTED_TINY))));
   // On the axis of a thorn nothing points anywhere but along it.
   if (!(gradient.x + gradient.y + gradient.z > real(0.0)))

@@ -240,6 +240,11 @@ inline std::vector<Subject> NestedSubjects()
 {
   const auto nested = [](const std::string& name, const glm::vec3& exponents)
   { return Subject{ "nested, " + name, Shape::NestedSuperquadric, {}, false, exponents, exponents }; };
+  const auto tensors = [](const std::string& name, TensorGlyphKind kind)
+  {
+    return Subject{ "nested, " + name, Shape::NestedSuperquadric, {}, false, glm::vec3(1.0f),
+      glm::vec3(1.0f), true, kind };
+  };
   return {
     nested("ball", { 1, 1, 1 }),
     nested("rounded box", { 0.125f, 0.125f, 0.125f }),
@@ -249,6 +254,11 @@ inline std::vector<Subject> NestedSubjects()
     nested("thorn", { 1, 5, 5 }),
     nested("between", { 0.4f, 3.5f, 2.4f }),
     nested("funk", { 0.01f, 5, 2 }),
+    tensors("positive tensors", TensorGlyphKind::Superquadric),
+    tensors("signed tensors", TensorGlyphKind::SignedSuperquadric),
+    // 2 / alpha and 2 / beta from 0.3 to 20
+    Subject{ "nested, 0.3 to 20", Shape::NestedSuperquadric, {}, false, { 0.1f, 0.1f, 0.1f },
+      { 20.0f / 3, 20.0f / 3, 0 } },
   };
 }
 

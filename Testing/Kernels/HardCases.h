@@ -4,7 +4,9 @@
 
 #include "Glyphs.h"
 #include "Shapes/Shapes.h"
+#include "Tensor.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -76,9 +78,12 @@ struct Subject
   Shape shape;
   ArrowForm arrow;
   bool sameSize;
-  /// Each glyph's exponents lie between these, at random on a logarithmic scale.
+  /// Each glyph's exponents lie between these, at random on a logarithmic scale; the third is the second where `most` of it is 0.
   glm::vec3 leastExponents{ 2.0f };
   glm::vec3 mostExponents{ 2.0f };
+  /// Instead those of random tensors whose eigenvalues have ratios to 1e6, now and then equal ones or zeros.
+  bool fromTensors = false;
+  TensorGlyphKind tensors = TensorGlyphKind::Superquadric;
 };
 
 /// For GoogleTest's lists of parameters.
@@ -90,10 +95,11 @@ inline void PrintTo(const Subject& subject, std::ostream* out)
 class HardCaseMaker
 {
 public:
-  HardCaseMaker(const Subject& subject, int glyphs, int raysPerGlyph)
+  HardCaseMaker(const Subject& subject, int glyphs, int raysPerGlyph, std::uint64_t seed = 20)
     : subject_(subject)
     , glyphs_(glyphs)
     , raysPerGlyph_(raysPerGlyph)
+    , engine_(seed)
   {
   }
 
@@ -122,13 +128,36 @@ private:
     return glm::vec4(glm::dvec4(std::sin(angle / 2) * axis, std::cos(angle / 2)));
   }
 
+  glm::vec3 TensorExponents()
+  {
+    Eigensystem eigen;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool negative =
+        this->subject_.tensors == TensorGlyphKind::SignedSuperquadric && this->Choice(2) == 0;
+      const double magnitude = std::pow(10.0, this->Choice(2) == 0 ? this->Uniform(-6, 0) : this->Uniform(-1, 0));
+      eigen.values[axis] = negative ? -magnitude : magnitude;
+    }
+    if (this->Choice(6) == 0)
+    {
+      eigen.values.y = this->Choice(2) == 0 ? 0.0 : eigen.values.x;
+    }
+    double* values = &eigen.values.x;
+    std::sort(values, values + 3, std::greater<double>());
+    return glm::vec3(MakeTensorGlyph(eigen, this->subject_.tensors, 3.0).exponents);
+  }
+
   glm::vec3 Exponents()
   {
+    if (this->subject_.fromTensors)
+    {
+      return this->TensorExponents();
+    }
     glm::vec3 exponents = this->subject_.leastExponents;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double least = exponents[axis], most = this->subject_.mostExponents[axis];
-      exponents[axis] = float(least * std::pow(most / least, this->Uniform(0, 1)));
+      exponents[axis] = most == 0 ? exponents.y : float(least * std::pow(most / least, this->Uniform(0, 1)));
     }
     return exponents;
   }
@@ -160,7 +189,7 @@ private:
   Subject subject_;
   int glyphs_;
   int raysPerGlyph_;
-  std::mt19937_64 engine_{ 20 };
+  std::mt19937_64 engine_;
 };
 
 inline HardCase HardCaseMaker::Start(
@@ -182,7 +211,7 @@ inline HardCase HardCaseMaker::Start(
     {
       instances.rotations.push_back(this->Rotation());
     }
-    if (this->subject_.leastExponents != this->subject_.mostExponents)
+    if (this->subject_.fromTensors || this->subject_.leastExponents != this->subject_.mostExponents)
     {
       instances.exponents3.push_back(this->Exponents());
     }
@@ -274,7 +303,7 @@ inline glm::dvec3 HardCaseMaker::EdgePoint(const HardCase& hard, std::uint32_t i
     case Shape::NestedSuperquadric:
     {
       // The rim, the seams where a profile meets a coordinate plane, the corners of the cross-section, the ends.
-      const double alpha = std::max(this->subject_.leastExponents.x, 1e-6f);
+      const double alpha = std::max(KernelGlyph<double>(hard.instances, index).exponents.x, 1e-6);
       const double a = std::abs(2 * c), b = std::abs(2 * s);
       const double norm = std::pow(std::pow(a, 2 / alpha) + std::pow(b, 2 / alpha), alpha / 2);
       const Vec rim(c / norm, s / norm, 0), end(0, 0, side);

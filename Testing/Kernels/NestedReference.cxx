@@ -197,7 +197,8 @@ void NestedReference::Divide(
     return;
   }
   const Long toEnd = std::min(to - octantFrom, octantTo - from);
-  if (to - from <= std::max(Long(1e-9), toEnd / 16))
+  // As short beside its distance from the octant's ends as no two extrema are.
+  if (to - from <= std::max(Long(1e-9), toEnd / 512))
   {
     this->Finish(from, to, roots);
     return;
@@ -294,11 +295,17 @@ NestedReference::Crossings(const Quad o[3], const Quad d[3], bool precise) const
       {
         slope += crossing.gradient[k] * (d[k] / length);
       }
-      // Smooth or not, where the profile's curvature is infinite.
+      // Smooth or not, where the curvature of the profile or of the cross-section is infinite.
+      crossing.edgeDistance = 1;
       if (this->beta_ > 1 || this->c_ > 1)
       {
         const Quad z = fabsq(point[2]);
         crossing.edgeDistance = std::min(z, 1 - z);
+      }
+      if (this->alpha_ > 1)
+      {
+        crossing.edgeDistance =
+          std::min({ crossing.edgeDistance, fabsq(point[0]), fabsq(point[1]) });
       }
       const Quad step = slope != 0 ? -value / slope : Quad(0);
       // Next to the end of the axis the gauge is a quotient of small numbers, on which Newton's method may need longer; the

@@ -16,7 +16,7 @@ public:
   {
     Quad s = 0;
     Quad gradient[3] = { 0, 0, 0 }; ///< outward, in the frame of the half-lengths
-    Quad edgeDistance = 1;          ///< to the rim or tip where there is one, in that frame
+    Quad edgeDistance = 1;          ///< to the rim, tip or seam where there is one, in that frame
   };
 
   NestedReference(double alpha, double beta, double c);
