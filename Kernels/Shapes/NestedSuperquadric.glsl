@@ -706,7 +706,7 @@ RTG_FN bool NestedPolish(NestedForm form, LocalRay ray, real s, real reach, RTG_
       real bend = step * step * NestedBend(form, point, at);
       // What a tangent leaves is half the second derivative times the square of the step, over the slope.
       bool settled =
-        (bend <= real(RTG_ROUNDOFF) * -slope && StaysInOctant(at, step)) || abs(step) < real(1e-4 * RTG_ROUNDOFF);
+        (bend <= real(0.125 * RTG_ROUNDOFF) * -slope && StaysInOctant(at, step)) || abs(step) < real(1e-4 * RTG_ROUNDOFF);
       at = Advance(at, step);
       stepped = true;
       if (settled)

@@ -1,5 +1,6 @@
 // Prints the error of every shape's kernel on the hard cases, and how fast it is; the tables of README.md.
-// Usage: ShapeErrorTable [file.csv]   (the CSV holds every case, float and double)
+// Usage: ShapeErrorTable [file.csv]            (the CSV holds every case, float and double)
+//        ShapeErrorTable --speed [file.csv]    families of superquadrics, also out of range: speed against error
 
 #include "Measure.h"
 
@@ -14,39 +15,39 @@ using namespace rtg::testing;
 namespace
 {
 
-/// Nanoseconds of processor time for one ray against one glyph, the best of some repetitions.
-double NanosecondsPerRay(const HardCase& hard)
+/// Nanoseconds of processor time for one ray against one glyph, the best of some repetitions of some rounds.
+template <class Real>
+double NanosecondsPerRay(const HardCase& hard, int repetitions, int rounds)
 {
-  using Kernel = shapes::Kernel<float>;
-  std::vector<Kernel::GlyphRay> rays;
-  std::vector<Kernel::Glyph> glyphs;
+  using Kernel = shapes::Kernel<Real>;
+  std::vector<typename Kernel::GlyphRay> rays;
+  std::vector<typename Kernel::Glyph> glyphs;
   for (const HardRay& ray : hard.rays)
   {
-    rays.push_back(KernelRay<float>(ray));
-    glyphs.push_back(KernelGlyph<float>(hard.instances, ray.glyph));
+    rays.push_back(KernelRay<Real>(ray));
+    glyphs.push_back(KernelGlyph<Real>(hard.instances, ray.glyph));
   }
   if (rays.empty())
   {
     return 0.0;
   }
   double best = 1e30;
-  volatile float sink = 0;
-  for (int repetition = 0; repetition < 7; ++repetition)
+  volatile Real sink = 0;
+  for (int repetition = 0; repetition < repetitions; ++repetition)
   {
     const std::clock_t start = std::clock();
-    float sum = 0;
-    for (int round = 0; round < 20; ++round)
+    Real sum = 0;
+    for (int round = 0; round < rounds; ++round)
     {
       for (std::size_t i = 0; i < rays.size(); ++i)
       {
-        float t = 0;
-        sum +=
-          Kernel::Intersect(hard.instances.shape, rays[i], glyphs[i], 0.0f, 1e30f, t) ? t : 0.0f;
+        Real t = 0;
+        sum += Kernel::Intersect(hard.instances.shape, rays[i], glyphs[i], Real(0), Real(1e30), t) ? t : Real(0);
       }
     }
     sink = sink + sum;
     const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
-    best = std::min(best, seconds / 20 / double(rays.size()));
+    best = std::min(best, seconds / rounds / double(rays.size()));
   }
   return 1e9 * best;
 }
@@ -60,10 +61,107 @@ void WriteRow(std::ostream& csv, const HardCase& hard, const char* arithmetic, c
       << ',' << r.maxNormalExcess << '\n';
 }
 
+double Quantile(std::vector<double> values, double share)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto at = values.begin() +
+    std::ptrdiff_t(std::min(values.size() - 1, std::size_t(share * double(values.size()))));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// The hard cases of one family together.
+template <class Real>
+void TableOfFamily(const Subject& subject, const char* range, const char* arithmetic, std::ostream& csv)
+{
+  std::vector<double> sizes, radians;
+  std::size_t rays = 0, falseHits = 0, falseMisses = 0, outOfBound = 0, wrongNormals = 0;
+  double nanoseconds = 0, plain = 0;
+  for (const HardCase& hard : HardCaseMaker(subject, 12, 50, 21).All())
+  {
+    for (const Verdict& verdict : JudgeKernel<Real>(hard))
+    {
+      ++rays;
+      falseHits += verdict.falseHit;
+      falseMisses += verdict.falseMiss;
+      if (verdict.bothHit)
+      {
+        // Beyond what t itself can hold
+        sizes.push_back(verdict.ulps > 1.0 ? verdict.sizes * (1.0 - 1.0 / verdict.ulps) : 0.0);
+        outOfBound += !(verdict.excess <= 1.0);
+      }
+      if (verdict.bothHit && verdict.hasNormal)
+      {
+        radians.push_back(verdict.radians);
+        wrongNormals += !(verdict.normalExcess <= 1.0);
+      }
+    }
+    const double ns = NanosecondsPerRay<Real>(hard, 3, 3);
+    nanoseconds += ns * double(hard.rays.size());
+    plain = hard.situation == "turned" ? ns : plain;
+  }
+  const double ns = nanoseconds / double(rays);
+  csv << '"' << subject.name << "\"," << range << ',' << arithmetic << ',' << rays << ',' << plain << ',' << ns << ','
+      << Quantile(sizes, 0.5) << ',' << Quantile(sizes, 0.999) << ',' << Quantile(sizes, 1) << ','
+      << Quantile(radians, 0.5) << ',' << Quantile(radians, 0.999) << ',' << Quantile(radians, 1) << ','
+      << outOfBound << ',' << wrongNormals << ',' << falseHits << ',' << falseMisses << '\n';
+  std::printf("| %s | %s | %s | %.0f | %.0f | %.1e | %.1e | %.1e | %.1e | %zu / %zu | %zu / %zu |\n",
+    subject.name.c_str(), range, arithmetic, plain, ns, Quantile(sizes, 0.5), Quantile(sizes, 0.999),
+    Quantile(sizes, 1), Quantile(radians, 1), outOfBound, wrongNormals, falseHits, falseMisses);
+  std::fflush(stdout);
+}
+
+/// Superquadrics and tensor glyphs within the range in which the bounds are promised, and beyond it.
+void TableOfSpeed(std::ostream& csv)
+{
+  const auto family = [](const std::string& name, Shape shape, const glm::vec3& least, const glm::vec3& most)
+  { return Subject{ name, shape, {}, false, least, most }; };
+  std::vector<Subject> within, beyond;
+  for (const Subject& subject : HardSubjects())
+  {
+    const std::string& name = subject.name;
+    if (name == "superquadric, 1 to 2" || name == "superquadric, 2 to 20" || name == "superquadric, 0.3 to 20")
+    {
+      within.push_back(subject);
+    }
+  }
+  const std::vector<Subject> nested = NestedSubjects();
+  within.insert(within.end(), nested.begin(), nested.end());
+  beyond.push_back(family("superquadric, 0.1 to 0.3", Shape::Superquadric, glm::vec3(0.1f), glm::vec3(0.3f)));
+  beyond.push_back(family("superquadric, 20 to 100", Shape::Superquadric, glm::vec3(20.0f), glm::vec3(100.0f)));
+  beyond.push_back(family("nested, 0.1 to 0.3", Shape::NestedSuperquadric, { 20.0f / 3, 20.0f / 3, 1 }, { 20, 20, 0 }));
+  beyond.push_back(family("nested, 20 to 100", Shape::NestedSuperquadric, { 0.02f, 0.02f, 0.02f }, { 0.1f, 0.1f, 0 }));
+  beyond.push_back(family("nested, sharpness 10", Shape::NestedSuperquadric, { 0.01f, 5, 5 }, { 1, 12, 0 }));
+  csv << "family,range,arithmetic,rays,ns_per_ray_random,ns_per_ray_all,t_median_sizes,t_p999_sizes,t_max_sizes,"
+         "normal_median_radians,normal_p999_radians,normal_max_radians,t_out_of_bound,normals_out_of_bound,"
+         "false_hits,false_misses\n";
+  std::printf("| glyphs | range | arithmetic | ns a ray, random | all | dt median | 99.9 %% | max (sizes) | normal max (rad) "
+              "| t / normals out of bound | false hits / misses |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const Subject& subject : within)
+  {
+    TableOfFamily<float>(subject, "within", "float", csv);
+    TableOfFamily<double>(subject, "within", "double", csv);
+  }
+  for (const Subject& subject : beyond)
+  {
+    TableOfFamily<float>(subject, "beyond", "float", csv);
+    TableOfFamily<double>(subject, "beyond", "double", csv);
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
+  if (argc > 1 && std::string(argv[1]) == "--speed")
+  {
+    std::ofstream csv(argc > 2 ? argv[2] : "superquadric-errors.csv");
+    TableOfSpeed(csv);
+    return 0;
+  }
   std::ofstream file;
   if (argc > 1)
   {
@@ -82,7 +180,7 @@ int main(int argc, char** argv)
       "| %s | %s | %zu / %zu | %.2g, %.2g | %.1e, %.1e | %.2f | %.1e (%.1f) | %zu, %zu | %.0f |\n",
       hard.subject.c_str(), hard.situation.c_str(), r.hits, r.rays, r.medianUlps, r.maxUlps,
       r.medianSizes, r.maxSizes, r.maxExcess, r.maxRadians, r.maxNormalExcess, r.falseHits,
-      r.falseMisses, NanosecondsPerRay(hard));
+      r.falseMisses, NanosecondsPerRay<float>(hard, 7, 20));
     if (file)
     {
       WriteRow(file, hard, "float", r);
