@@ -507,6 +507,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
         // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
         generation.layered = pass == Pass::Translucent && settings.shading != Shading::PathTracing;
         generation.translucency = settings.shading != Shading::Local && scene.HasTranslucent();
+        generation.whole = CanBeWhole(generation, glyphs.groups);
         const Pipeline& pipeline = state.PipelineFor(generation, glyphs.groups);
         const std::uint32_t columns = DivideUp(settings.width, settings.pixelStep);
         const std::uint32_t rows = DivideUp(settings.height, settings.pixelStep);

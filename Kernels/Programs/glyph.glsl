@@ -32,10 +32,8 @@ struct GlyphSource
   Glyph alike;  // what all glyphs of the set share
 };
 
-GlyphSource CurrentSource()
+GlyphSource SourceOf(GlyphSetRecord set)
 {
-  uint record = gl_InstanceCustomIndexEXT;
-  GlyphSetRecord set = SetRecord(record);
   GlyphSource source;
   source.centres = set.centres;
   source.sizes = set.sizes;
@@ -100,6 +98,12 @@ Glyph FetchGlyph(GlyphSource source, uint primitive)
   return glyph;
 }
 
+#ifndef RTG_WHOLE
+GlyphSource CurrentSource()
+{
+  return SourceOf(SetRecord(gl_InstanceCustomIndexEXT));
+}
+
 // The exact ray: its origin's low part travels beside it, because intersection programs cannot
 // read the payload.
 GlyphRay CurrentRay()
@@ -110,3 +114,4 @@ GlyphRay CurrentRay()
   ray.originLow = frame.rays.at[LaunchIndex()].originLow;
   return ray;
 }
+#endif

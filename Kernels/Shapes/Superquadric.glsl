@@ -617,16 +617,54 @@ RTG_FN bool IntersectSuperquadric(GlyphRay ray, Glyph glyph, real tMin, real tMa
   return found;
 }
 
+// The gradient where the crossing was found whose parameter was rounded to t, by a few of Newton's steps in double words. False: the
+// surface may have other crossings within t's rounding, or an edge, and only the search tells which one it was.
+RTG_FN bool GradientNear(GlyphRay ray, Glyph glyph, real t, RTG_OUT(real3) gradient)
+{
+  gradient = real3(real(0.0));
+  LocalRay local;
+  if (!ToBoxFrame(ray, glyph, real(0.5) * glyph.size, local))
+  {
+    return false;
+  }
+  real doubt = t - Before(ray, glyph, t);
+  DoubleWord s = Add(Word(t), Minus(local.start));
+  for (int i = 0; i < 4; ++i)
+  {
+    ExactProbe probe = ExactlyAt(local, glyph.exponents, s, -1, real(0.0));
+    // How fast the slope changes, at most, in twice the doubt: the third derivative holds within `reach`.
+    real bend = abs(probe.second.x) + abs(probe.second.y) + abs(probe.second.z) + real(2.0) * doubt * probe.third;
+    bool plain = real(4.0) * doubt <= probe.reach && real(4.0) * doubt * bend <= abs(probe.slope);
+    real step = -probe.f.hi / probe.slope;
+    if (!plain || !(abs(step) <= real(2.0) * doubt))
+    {
+      return false;
+    }
+    // As it is one step on; what that leaves out is less than the square of the change.
+    gradient = probe.gradient * (real3(real(1.0)) + step * (glyph.exponents - real3(real(1.0))) * probe.rate);
+    if (abs(step) * SumOf(abs(probe.rate) * glyph.exponents) <= real(1.0e-4))
+    {
+      return true;
+    }
+    s = Add(s, step);
+  }
+  return true;
+}
+
 RTG_FN real3 SuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
 {
   if (IsEllipsoid(glyph))
   {
     return SphereNormal(ray, glyph, t);
   }
-  LocalRay local;
-  Crossing crossing;
-  SuperquadricCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
-  real3 gradient = ExactlyAt(local, glyph.exponents, crossing.s, -1, real(0.0)).gradient;
+  real3 gradient;
+  if (!GradientNear(ray, glyph, t, gradient))
+  {
+    LocalRay local;
+    Crossing crossing;
+    SuperquadricCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
+    gradient = ExactlyAt(local, glyph.exponents, crossing.s, -1, real(0.0)).gradient;
+  }
   real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
   gradient = gradient * (real3(smallest) / glyph.size);
   real largest = max(abs(gradient.x), max(abs(gradient.y), abs(gradient.z)));

@@ -2,6 +2,7 @@
 
 #include "Programs.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace rtg
@@ -79,9 +80,14 @@ const vk::SpecializationMapEntry generationMap[] = {
   { 38, offsetof(GenerationSpecialisation, layered), sizeof(vk::Bool32) },
 };
 
-const programs::Code& CodeOf(Program program)
+const programs::Code& CodeOf(const Generation& generation, const std::vector<HitGroup>& groups)
 {
-  switch (program)
+  if (generation.whole)
+  {
+    return programs::shapes[static_cast<std::uint32_t>(groups.front().shape)]
+      .whole[static_cast<std::uint32_t>(generation.program)];
+  }
+  switch (generation.program)
   {
     case Program::Local:
       return programs::imageGeneration;
@@ -92,6 +98,39 @@ const programs::Code& CodeOf(Program program)
     default:
       return programs::probeGeneration;
   }
+}
+
+Specialisation ConstantsOf(const HitGroup& group, const Generation& generation)
+{
+  const vk::Bool32 leavesSurface =
+    generation.program == Program::Occlusion || generation.program == Program::Path || generation.layered;
+  return { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads, group.hasTree, group.ownExponents,
+    group.smoothNormals, group.meshColours, group.colouredByForm, generation.alone, leavesSurface, group.hasVelocities,
+    group.hasAccelerations, group.spins, group.ownTreeOrder, group.dropsHidden, group.meshVelocities,
+    group.meshAccelerations };
+}
+
+// What ray generation programs are specialised for; those of whole scenes for their only set, too.
+struct GenerationConstants
+{
+  GenerationSpecialisation generation;
+  Specialisation set;
+};
+
+std::vector<vk::SpecializationMapEntry> GenerationMap(bool whole)
+{
+  std::vector<vk::SpecializationMapEntry> entries(std::begin(generationMap), std::end(generationMap));
+  for (vk::SpecializationMapEntry entry : specialisationMap)
+  {
+    const bool known = std::any_of(std::begin(generationMap), std::end(generationMap),
+      [&entry](const auto& e) { return e.constantID == entry.constantID; });
+    if (whole && !known)
+    {
+      entry.offset += offsetof(GenerationConstants, set);
+      entries.push_back(entry);
+    }
+  }
+  return entries;
 }
 
 vk::raii::ShaderModule MakeModule(Device::State& device, const programs::Code& code)
@@ -106,6 +145,13 @@ std::size_t AlignUp(std::size_t value, std::size_t alignment)
 }
 
 } // namespace
+
+bool CanBeWhole(const Generation& generation, const std::vector<HitGroup>& groups)
+{
+  return generation.alone && groups.size() == 1 && groups.front().hasTree && !generation.translucency &&
+    generation.program != Program::Probe &&
+    programs::shapes[static_cast<std::uint32_t>(groups.front().shape)].whole[0].words;
+}
 
 Pipeline::Pipeline(
   Device::State& device, const Generation& generation, const std::vector<HitGroup>& groups)
@@ -143,27 +189,29 @@ Pipeline::Pipeline(
     return static_cast<std::uint32_t>(stages.size() - 1);
   };
   std::vector<vk::RayTracingShaderGroupCreateInfoKHR> shaderGroups;
-  const GenerationSpecialisation generationConstants = { generation.sampler, generation.accumulates,
+  GenerationConstants generationConstants{};
+  generationConstants.generation = { generation.sampler, generation.accumulates,
     generation.gathersFeatures, generation.develops, generation.translucency, generation.alone,
     generation.moves, generation.environmentImage, generation.layered };
-  const vk::SpecializationInfo generationInfo(static_cast<std::uint32_t>(std::size(generationMap)),
-    generationMap, sizeof(generationConstants), &generationConstants);
+  if (generation.whole)
+  {
+    generationConstants.set = ConstantsOf(groups.front(), generation);
+  }
+  const std::vector<vk::SpecializationMapEntry> entries = GenerationMap(generation.whole);
+  const vk::SpecializationInfo generationInfo(static_cast<std::uint32_t>(entries.size()),
+    entries.data(), sizeof(generationConstants), &generationConstants);
   const auto addGeneral = [&](std::uint32_t stage)
   {
     shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eGeneral, stage,
       VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
   };
-  addGeneral(addStage(Stage::eRaygenKHR, CodeOf(generation.program), &generationInfo));
+  addGeneral(addStage(Stage::eRaygenKHR, CodeOf(generation, groups), &generationInfo));
   addGeneral(addStage(Stage::eMissKHR, programs::nothingMiss, nullptr));
-  const vk::Bool32 leavesSurface =
-    generation.program == Program::Occlusion || generation.program == Program::Path || generation.layered;
-  for (std::size_t i = 0; i < groups.size(); ++i)
+  const std::size_t hitGroups = generation.whole ? 0 : groups.size();
+  for (std::size_t i = 0; i < hitGroups; ++i)
   {
     const HitGroup& group = groups[i];
-    constants[i] = { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads,
-      group.hasTree, group.ownExponents, group.smoothNormals, group.meshColours,
-      group.colouredByForm, generation.alone, leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins,
-      group.ownTreeOrder, group.dropsHidden, group.meshVelocities, group.meshAccelerations };
+    constants[i] = ConstantsOf(group, generation);
     specialisations[i] =
       vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
         specialisationMap, sizeof(Specialisation), &constants[i]);
@@ -196,10 +244,10 @@ Pipeline::Pipeline(
     0, static_cast<std::uint32_t>(shaderGroups.size()), handleSize * shaderGroups.size());
   const std::size_t missAt = AlignUp(stride, base);
   const std::size_t hitAt = missAt + AlignUp(stride, base);
-  std::vector<std::uint8_t> table(hitAt + stride * groups.size());
+  std::vector<std::uint8_t> table(hitAt + stride * hitGroups);
   std::memcpy(table.data(), handles.data(), handleSize);
   std::memcpy(table.data() + missAt, handles.data() + handleSize, handleSize);
-  for (std::size_t i = 0; i < groups.size(); ++i)
+  for (std::size_t i = 0; i < hitGroups; ++i)
   {
     std::memcpy(
       table.data() + hitAt + i * stride, handles.data() + (2 + i) * handleSize, handleSize);
@@ -212,8 +260,10 @@ Pipeline::Pipeline(
   this->table_.Upload(table.data(), table.size());
   this->generationTable_ = vk::StridedDeviceAddressRegionKHR(address, stride, stride);
   this->missTable_ = vk::StridedDeviceAddressRegionKHR(address + missAt, stride, stride);
-  this->hitTable_ =
-    vk::StridedDeviceAddressRegionKHR(address + hitAt, stride, stride * groups.size());
+  if (hitGroups > 0)
+  {
+    this->hitTable_ = vk::StridedDeviceAddressRegionKHR(address + hitAt, stride, stride * hitGroups);
+  }
 }
 
 void Pipeline::Trace(vk::raii::CommandBuffer& command, const Buffer& frame, std::uint32_t width,

@@ -72,15 +72,19 @@ struct Generation
   bool moves = false; ///< paths run at times of their own
   bool environmentImage = false;
   bool layered = false; ///< all translucent surfaces along camera rays are shown
+  bool whole = false;   ///< the scene is one set of glyphs with a tree, which the program walks itself; see CanBeWhole()
 
   friend bool operator==(const Generation& a, const Generation& b)
   {
     return a.program == b.program && a.alone == b.alone && a.sampler == b.sampler &&
       a.accumulates == b.accumulates && a.gathersFeatures == b.gathersFeatures &&
       a.develops == b.develops && a.translucency == b.translucency && a.moves == b.moves &&
-      a.environmentImage == b.environmentImage && a.layered == b.layered;
+      a.environmentImage == b.environmentImage && a.layered == b.layered && a.whole == b.whole;
   }
 };
+
+/// Whether there are programs for a scene of this single hit group alone.
+bool CanBeWhole(const Generation& generation, const std::vector<HitGroup>& groups);
 
 /// One ray generation program with the hit groups of a scene, and its shader binding table.
 class Pipeline

@@ -14,6 +14,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -782,6 +783,111 @@ static std::string NameOf(const ::testing::TestParamInfo<Shading>& info)
 
 INSTANTIATE_TEST_SUITE_P(Shadings, Steps,
   ::testing::Values(Shading::Local, Shading::AmbientOcclusion, Shading::PathTracing), NameOf);
+
+struct Whole
+{
+  const char* name;
+  Shape shape;
+  bool plain; ///< all alike and at rest
+  Shading shading;
+};
+
+static void PrintTo(const Whole& whole, std::ostream* out)
+{
+  *out << whole.name;
+}
+
+class WholeScene
+  : public LightTest
+  , public ::testing::WithParamInterface<Whole>
+{
+};
+
+// A scene that is one set of glyphs has programs of its own, which walk its tree without the driver's structure. With another set, which nobody can
+// see inside one of the glyphs, the same picture comes through that structure.
+TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
+{
+  const auto [name, shape, plain, shading] = GetParam();
+  this->scene.GetState().structure = rtg::Structure::Tree;
+  this->settings.width = this->settings.height = 80;
+  this->settings.samples = 3;
+  this->settings.sharedTimeBits = 0; // the sets have different numbers of slices
+  this->settings.shading = shading;
+  this->lights.emplace_back();
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+  rtg::GlyphInstances instances;
+  instances.shape = shape;
+  instances.origin = { 0.03, -0.01, 0.02 };
+  instances.uniformSize = 0.2f;
+  rtg::GlyphColours colours;
+  for (int i = 0; i < 300; ++i)
+  {
+    instances.centres.emplace_back(1.8f * uniform(random) - 0.9f, 1.8f * uniform(random) - 0.9f, uniform(random));
+    if (!plain)
+    {
+      instances.sizes3.emplace_back(0.1f + 0.2f * uniform(random), 0.1f + 0.1f * uniform(random), 0.1f);
+      instances.rotations.push_back(glm::normalize(glm::vec4(uniform(random), uniform(random), uniform(random), 1.0f)));
+      instances.motion.velocities.emplace_back(0.1f, 0.05f, 0.0f);
+      colours.push_back(static_cast<std::uint32_t>(random()) | 0xff000000u);
+      instances.exponents3.emplace_back(1.0f + 3.0f * uniform(random), 2.0f, 1.0f + 5.0f * uniform(random));
+    }
+  }
+  if (shape != Shape::Superquadric)
+  {
+    instances.exponents3.clear();
+  }
+  // A set that is not shown, but whose origin is the scene's: centres are not relative to that.
+  rtg::GlyphInstances away;
+  away.origin = { 0.7, -0.4, 0.2 };
+  away.centres = { glm::vec3(0.0f) };
+  const auto first = this->scene.Add();
+  this->scene.SetInstances(first, away);
+  this->scene.SetVisible(first, false);
+  const auto id = this->scene.Add();
+  this->scene.SetInstances(id, instances);
+  this->scene.SetColours(id, colours);
+  const Image one = this->Trace();
+  const std::size_t pixels = std::size_t(one.width) * one.height;
+  const std::vector<std::uint32_t> glyphs(one.glyphIds, one.glyphIds + pixels);
+  const std::vector<float> depths(one.depth, one.depth + pixels);
+  const std::vector<glm::vec4> means = this->tracer.Means();
+  EXPECT_GT(pixels, 3 * std::size_t(std::count(glyphs.begin(), glyphs.end(), Image::noGlyph)) / 2);
+
+  rtg::GlyphInstances hidden;
+  hidden.origin = instances.origin;
+  hidden.uniformSize = 1e-4f;
+  hidden.centres = { instances.centres[0] };
+  if (!plain)
+  {
+    hidden.motion.velocities = { instances.motion.velocities[0] };
+  }
+  this->scene.SetInstances(this->scene.Add(), hidden);
+  const Image several = this->Trace();
+  const std::vector<glm::vec4> others = this->tracer.Means();
+  std::size_t otherGlyphs = 0, otherDepths = 0, otherColours = 0;
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    otherGlyphs += glyphs[i] != several.glyphIds[i];
+    otherDepths += depths[i] != several.depth[i];
+    otherColours += means[i] != others[i];
+  }
+  EXPECT_EQ(otherGlyphs, 0u);
+  EXPECT_EQ(otherDepths, 0u);
+  EXPECT_EQ(otherColours, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, WholeScene,
+  ::testing::Values(Whole{ "SphereLocal", Shape::Sphere, true, Shading::Local },
+    Whole{ "SphereOcclusion", Shape::Sphere, true, Shading::AmbientOcclusion },
+    Whole{ "SpherePath", Shape::Sphere, true, Shading::PathTracing },
+    Whole{ "EllipsoidPath", Shape::Sphere, false, Shading::PathTracing },
+    Whole{ "BoxOcclusion", Shape::Box, false, Shading::AmbientOcclusion },
+    Whole{ "CylinderLocal", Shape::Cylinder, true, Shading::Local },
+    Whole{ "ConeOcclusion", Shape::Cone, true, Shading::AmbientOcclusion },
+    Whole{ "ArrowOcclusion", Shape::Arrow, false, Shading::AmbientOcclusion },
+    Whole{ "SuperquadricLocal", Shape::Superquadric, false, Shading::Local }),
+  [](const auto& info) { return std::string(info.param.name); });
 
 TEST_F(LightTest, SamplesAreAddedOnlyToTheirOwnImage)
 {
