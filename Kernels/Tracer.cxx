@@ -124,6 +124,12 @@ void CheckSettings(const TraceSettings& settings)
   }
 }
 
+// What a sample asks for light from all around.
+std::uint32_t OcclusionRays(const TraceSettings& settings)
+{
+  return settings.shading == Shading::AmbientOcclusion ? settings.occlusionRays : 1;
+}
+
 void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
 {
   frame.width = settings.width;
@@ -135,8 +141,7 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
     (settings.shading == Shading::PathTracing ? shading::DisplayToLinear(settings.environmentColour)
                                               : settings.environmentColour);
   frame.occlusionRadius = settings.occlusionRadius > 0.0f ? settings.occlusionRadius : 1e38f;
-  frame.occlusionRays =
-    settings.shading == Shading::AmbientOcclusion ? settings.occlusionRays : 1;
+  frame.occlusionRays = OcclusionRays(settings);
   frame.maximumBounces = settings.maximumBounces;
   frame.exposureFactor = std::exp2(settings.exposure);
   frame.filmic = settings.toneMapping == ToneMapping::Filmic;
@@ -166,9 +171,7 @@ std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
   const std::size_t cameraRays = std::size_t(1) << (settings.shading == Shading::Local ? 28
                                      : settings.shading == Shading::PathTracing        ? 23
                                                                                        : 26);
-  const std::size_t each =
-    pixels * (settings.shading == Shading::AmbientOcclusion ? settings.occlusionRays : 1);
-  const std::size_t samples = std::max<std::size_t>(1, cameraRays / each);
+  const std::size_t samples = std::max<std::size_t>(1, cameraRays / (pixels * OcclusionRays(settings)));
   return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
 }
 

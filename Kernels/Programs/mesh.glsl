@@ -134,7 +134,7 @@ bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out 
   float least = (tMin - ray.start.hi) - ray.start.lo;
   float nearest = (tMax - ray.start.hi) - ray.start.lo;
   bool found = false;
-  TreePosition position = TreePosition(0u, 0u, uint64_t(0), 0u, vec4[2](vec4(0.0), vec4(0.0)));
+  TreePosition position = RootOfTree();
   uint i = 0u, end = 0u;
   bool going = true;
   do
@@ -143,8 +143,7 @@ bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out 
     {
       uint mask, order;
       float behind;
-      uint levelOffset = 0x09249249u & ((1u << (3u * position.level)) - 1u);
-      IntersectNode(nodes, firstNode + levelOffset + position.node, boxRay, least, nearest, mask, order, behind);
+      IntersectNode(nodes, firstNode + NodeNumber(position), boxRay, least, nearest, mask, order, behind);
       PushChildren(position, mask, order, behind);
     }
     else if (i < end)
@@ -166,9 +165,9 @@ bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out 
     if (i >= end && going)
     {
       going = PopChild(position);
-      bool leaf = position.level == levels;
-      i = leaf ? uint((uint64_t(position.node) * count) >> set.meshTreeLeafBits) : 0u;
-      end = leaf ? uint((uint64_t(position.node + 1u) * count) >> set.meshTreeLeafBits) : 0u;
+      uvec2 range = LeafRange(position, levels, count, set.meshTreeLeafBits);
+      i = range.x;
+      end = range.y;
     }
   } while (going);
   t = clamp(Add(ray.start, nearest).hi, tMin, tMax);

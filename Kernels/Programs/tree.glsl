@@ -20,6 +20,25 @@ struct TreePosition
   vec4 behind[2];
 };
 
+TreePosition RootOfTree()
+{
+  return TreePosition(0u, 0u, uint64_t(0), 0u, vec4[2](vec4(0.0), vec4(0.0)));
+}
+
+// The current node's number: 1 + 8 + 64 + ... are on the levels above it.
+uint NodeNumber(TreePosition position)
+{
+  return (0x09249249u & ((1u << (3u * position.level)) - 1u)) + position.node;
+}
+
+// Which of the `count` things are in the current node, when it is a leaf: from x up to y; otherwise none.
+uvec2 LeafRange(TreePosition position, uint levels, uint64_t count, uint leafBits)
+{
+  bool leaf = position.level == levels;
+  return leaf ? uvec2((uint64_t(position.node) * count) >> leafBits, (uint64_t(position.node + 1u) * count) >> leafBits)
+              : uvec2(0u);
+}
+
 // The ray prepared for boxes.
 struct BoxRay
 {

@@ -28,7 +28,7 @@ uint NearestGlyph(GlyphSetRecord set, GlyphSource source, GlyphRay ray, vec3 ori
   // While `found` is estimated, its t lies between `surely` and `nearest`.
   float surely = nearest;
   bool estimated = false;
-  TreePosition position = TreePosition(0u, 0u, uint64_t(0), 0u, vec4[2](vec4(0.0), vec4(0.0)));
+  TreePosition position = RootOfTree();
   uint i = 0u, end = 0u;  // what is left of the current leaf
   bool going = true;
   do
@@ -42,9 +42,7 @@ uint NearestGlyph(GlyphSetRecord set, GlyphSource source, GlyphRay ray, vec3 ori
       {
         uint mask, order;
         float behind;
-        // 1 + 8 + 64 + ...
-        uint levelOffset = 0x09249249u & ((1u << (3u * position.level)) - 1u);
-        IntersectNode(nodes, firstNode + levelOffset + position.node, boxRay, tMin, nearest, mask, order, behind);
+        IntersectNode(nodes, firstNode + NodeNumber(position), boxRay, tMin, nearest, mask, order, behind);
         PushChildren(position, mask, order, behind);
       }
       else if (i < end)
@@ -71,9 +69,9 @@ uint NearestGlyph(GlyphSetRecord set, GlyphSource source, GlyphRay ray, vec3 ori
       if (i >= end && going)
       {
         going = PopChild(position);
-        bool leaf = position.level == levels;
-        i = leaf ? uint((uint64_t(position.node) * count) >> leafBits) : 0u;
-        end = leaf ? uint((uint64_t(position.node + 1u) * count) >> leafBits) : 0u;
+        uvec2 range = LeafRange(position, levels, count, leafBits);
+        i = range.x;
+        end = range.y;
       }
     } while (going && candidate == nothing);
 

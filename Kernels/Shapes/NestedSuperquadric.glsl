@@ -348,11 +348,11 @@ struct NestedPoint
   real3 gradient;
 };
 
-// log (high^p + low^p)^(1/p), p = 2 / exponent, of numbers given by their logarithms, and the share of each in the
-// sum of powers. A rounded p would be another surface, as a grazing ray notices.
-RTG_FN DoubleWord LogNorm(DoubleWord a, DoubleWord b, real exponent, RTG_OUT(real2) share)
+// log (high^p + low^p)^(1/p), p = 2 / exponent, of numbers given by their logarithms; which of them is high, and the power of low
+// over high. A rounded p would be another surface, as a grazing ray notices.
+RTG_FN DoubleWord LogNorm(DoubleWord a, DoubleWord b, real exponent, RTG_OUT(bool) aHigh, RTG_OUT(DoubleWord) power)
 {
-  bool aHigh = !IsLess(a, b);
+  aHigh = !IsLess(a, b);
   DoubleWord high = a;
   DoubleWord low = b;
   if (!aHigh)
@@ -360,16 +360,24 @@ RTG_FN DoubleWord LogNorm(DoubleWord a, DoubleWord b, real exponent, RTG_OUT(rea
     high = b;
     low = a;
   }
-  DoubleWord p = Divide(Word(real(2.0)), exponent);
-  DoubleWord power = Exponential(Multiply(Subtract(low, high), p));
-  real highShare = real(1.0) / (real(1.0) + power.hi);
-  real lowShare = power.hi * highShare;
-  share = aHigh ? real2(highShare, lowShare) : real2(lowShare, highShare);
+  power = Exponential(Multiply(Subtract(low, high), Divide(Word(real(2.0)), exponent)));
   if (power.hi == real(0.0))
   {
     return high;
   }
   return Add(high, Multiply(Logarithm(Add(power, real(1.0))), real(0.5) * exponent));
+}
+
+// The same, and the share of each in the sum of powers.
+RTG_FN DoubleWord LogNorm(DoubleWord a, DoubleWord b, real exponent, RTG_OUT(real2) share)
+{
+  bool aHigh;
+  DoubleWord power;
+  DoubleWord norm = LogNorm(a, b, exponent, aHigh, power);
+  real highShare = real(1.0) / (real(1.0) + power.hi);
+  real lowShare = power.hi * highShare;
+  share = aHigh ? real2(highShare, lowShare) : real2(lowShare, highShare);
+  return norm;
 }
 
 RTG_FN DoubleWord Magnitude(DoubleWord a)
@@ -441,29 +449,16 @@ RTG_FN NestedProfilePoint NestedProfileAt(NestedForm form, LocalRay at)
   DoubleWord x = Subtract(Logarithm(Magnitude(WordX(at.origin))), rx);
   DoubleWord y = Subtract(Logarithm(Magnitude(WordY(at.origin))), ry);
 
-  // The p-norm of the quotients, and the share of each in the sum of powers. A rounded p would be another surface, as a
-  // grazing ray notices.
-  bool xHigh = !IsLess(x, y);
-  DoubleWord high = x;
-  DoubleWord low = y;
-  if (!xHigh)
-  {
-    high = y;
-    low = x;
-  }
-  DoubleWord power = Exponential(Multiply(Subtract(low, high), Divide(Word(real(2.0)), form.exponents.x)));
-  DoubleWord sum = Add(power, real(1.0));
+  // The p-norm of the quotients, and the share of each in the sum of powers
   NestedProfilePoint point;
-  point.value = high;
-  if (power.hi > real(0.0))
-  {
-    point.value = Add(high, Multiply(Logarithm(sum), real(0.5) * form.exponents.x));
-  }
+  bool xHigh;
+  DoubleWord power;
+  point.value = LogNorm(x, y, form.exponents.x, xHigh, power);
   if (fallX.hi * real(RTG_NESTED_END) > real(0.5) || fallY.hi * real(RTG_NESTED_END) > real(0.5))
   {
     point.value = Word(real(100.0));
   }
-  DoubleWord shareX = Divide(Word(real(1.0)), sum);
+  DoubleWord shareX = Divide(Word(real(1.0)), Add(power, real(1.0)));
   DoubleWord shareY = Multiply(power, shareX);
   if (!xHigh)
   {

@@ -178,18 +178,6 @@ Report Run(Solver<Real> solver, const Scene& scene)
   return report;
 }
 
-double Quantile(std::vector<double> values, double share)
-{
-  if (values.empty())
-  {
-    return 0;
-  }
-  const auto at = values.begin() +
-    std::ptrdiff_t(std::min(values.size() - 1, std::size_t(share * double(values.size()))));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 void Write(std::ostream& csv, const char* family, const std::string& situation, const char* solver,
   const char* arithmetic, const Report& r)
 {

@@ -22,17 +22,6 @@ double BoundOfT(double t, double sizeInT)
   return boundUlps * UlpOf<Real>(t) + boundSizes * relativeRoundoff<Real> * sizeInT;
 }
 
-double Median(std::vector<double> values)
-{
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// How far the silhouette is, as the share by which the glyph must grow or shrink for the line to cross its
 /// surface another number of times; at least this of the widths tried.
 double SilhouetteWidth(ReferenceGlyph& glyph, const HardRay& ray, std::size_t crossings)
@@ -130,6 +119,18 @@ Verdict Judge(ReferenceGlyph& glyph, const HardRay& ray, double tMin, const Answ
   return verdict;
 }
 
+double Quantile(std::vector<double> values, double share)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto at = values.begin() +
+    std::ptrdiff_t(std::min(values.size() - 1, std::size_t(share * double(values.size()))));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 CaseReport Summarise(const std::vector<Verdict>& verdicts)
 {
   CaseReport report;
@@ -157,11 +158,11 @@ CaseReport Summarise(const std::vector<Verdict>& verdicts)
   }
   const auto maximum = [](const std::vector<double>& values)
   { return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end()); };
-  report.medianUlps = Median(ulps);
+  report.medianUlps = Quantile(ulps, 0.5);
   report.maxUlps = maximum(ulps);
-  report.medianSizes = Median(sizes);
+  report.medianSizes = Quantile(sizes, 0.5);
   report.maxSizes = maximum(sizes);
-  report.medianRadians = Median(radians);
+  report.medianRadians = Quantile(radians, 0.5);
   report.maxRadians = maximum(radians);
   return report;
 }

@@ -81,6 +81,9 @@ struct CaseReport
 
 CaseReport Summarise(const std::vector<Verdict>& verdicts);
 
+/// The value below which that share of them lies, in [0, 1]; 0 of none.
+double Quantile(std::vector<double> values, double share);
+
 /// All rays of a case through the C++ kernel.
 template <class Real>
 std::vector<Verdict> JudgeKernel(const HardCase& hard);

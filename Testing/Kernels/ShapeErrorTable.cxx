@@ -61,18 +61,6 @@ void WriteRow(std::ostream& csv, const HardCase& hard, const char* arithmetic, c
       << ',' << r.maxNormalExcess << '\n';
 }
 
-double Quantile(std::vector<double> values, double share)
-{
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  const auto at = values.begin() +
-    std::ptrdiff_t(std::min(values.size() - 1, std::size_t(share * double(values.size()))));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 /// The hard cases of one family together.
 template <class Real>
 void TableOfFamily(const Subject& subject, const char* range, const char* arithmetic, std::ostream& csv)
