@@ -260,7 +260,7 @@ struct FrameRecord
   // Light
   vec3 environment; // occlusion: factor of display colours; path tracing: linear radiance
   float occlusionRadius;
-  uint occlusionRays; // a sample
+  uint branches; // of a sample at its first hit: occlusion rays or paths
   uint maximumBounces;
   uint roulette;
   // An environment image (Shading/Environment.glsl), when the program has one

@@ -109,6 +109,7 @@ void CheckSettings(const TraceSettings& settings)
   check("the pixel step", settings.pixelStep, 1u, 64u);
   check("the ambient occlusion radius", settings.occlusionRadius, 0.0f, FLT_MAX);
   check("the number of occlusion rays", settings.occlusionRays, 1u, 64u);
+  check("the number of paths a sample", settings.paths, 1u, 64u);
   check("the maximum of bounces", settings.maximumBounces, 1u, 1000u);
   check("the light intensity", settings.lightIntensity, 0.0f, 1e30f);
   for (int i = 0; i < 3; ++i)
@@ -124,10 +125,12 @@ void CheckSettings(const TraceSettings& settings)
   }
 }
 
-// What a sample asks for light from all around.
-std::uint32_t OcclusionRays(const TraceSettings& settings)
+// In how many ways a sample looks for light.
+std::uint32_t Branches(const TraceSettings& settings)
 {
-  return settings.shading == Shading::AmbientOcclusion ? settings.occlusionRays : 1;
+  return settings.shading == Shading::AmbientOcclusion ? settings.occlusionRays
+    : settings.shading == Shading::PathTracing         ? settings.paths
+                                                       : 1;
 }
 
 void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
@@ -141,7 +144,7 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
     (settings.shading == Shading::PathTracing ? shading::DisplayToLinear(settings.environmentColour)
                                               : settings.environmentColour);
   frame.occlusionRadius = settings.occlusionRadius > 0.0f ? settings.occlusionRadius : 1e38f;
-  frame.occlusionRays = OcclusionRays(settings);
+  frame.branches = Branches(settings);
   frame.maximumBounces = settings.maximumBounces;
   frame.exposureFactor = std::exp2(settings.exposure);
   frame.filmic = settings.toneMapping == ToneMapping::Filmic;
@@ -171,7 +174,7 @@ std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
   const std::size_t cameraRays = std::size_t(1) << (settings.shading == Shading::Local ? 28
                                      : settings.shading == Shading::PathTracing        ? 23
                                                                                        : 26);
-  const std::size_t samples = std::max<std::size_t>(1, cameraRays / (pixels * OcclusionRays(settings)));
+  const std::size_t samples = std::max<std::size_t>(1, cameraRays / (pixels * Branches(settings)));
   return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
 }
 

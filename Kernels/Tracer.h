@@ -87,6 +87,8 @@ struct TraceSettings
   /// Ambient occlusion: directions that each sample asks for light, 1 to 64; powers of two are spread best. Among small glyphs the light
   /// differs more from direction to direction than the place in the pixel matters, and asking costs less than a sample.
   std::uint32_t occlusionRays = 1;
+  /// Path tracing: paths that each sample follows from what its camera ray hits, 1 to 64; powers of two are spread best.
+  std::uint32_t paths = 1;
   std::uint32_t maximumBounces = 10; ///< of path tracing, 1 to 1000
   bool roulette = true; ///< path tracing ends unimportant paths early, which changes no mean
 

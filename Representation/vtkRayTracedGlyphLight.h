@@ -13,6 +13,7 @@ struct vtkRayTracedGlyphLight
   int ShadingMode = 0;                                     // as rtg::Shading, in [0, 2]
   double AmbientOcclusionRadius = 0.0;                     // world units, >= 0; 0: unbounded
   int AmbientOcclusionRays = 4;                            // a sample, in [1, 64]
+  int PathsPerSample = 4;                                  // in [1, 64]
   int MaximumBounces = 10;                                 // of path tracing, in [1, 1000]
   double LightIntensity = 1.0;                             // in [0, 1e6]
   std::array<double, 3> EnvironmentColor{ 1.0, 1.0, 1.0 }; // in [0, 1]
@@ -24,8 +25,8 @@ struct vtkRayTracedGlyphLight
   {
     const auto all = [](const vtkRayTracedGlyphLight& l)
     {
-      return std::tie(l.ShadingMode, l.AmbientOcclusionRadius, l.AmbientOcclusionRays, l.MaximumBounces,
-        l.LightIntensity, l.EnvironmentColor, l.ToneMapping, l.Exposure, l.Denoising);
+      return std::tie(l.ShadingMode, l.AmbientOcclusionRadius, l.AmbientOcclusionRays, l.PathsPerSample,
+        l.MaximumBounces, l.LightIntensity, l.EnvironmentColor, l.ToneMapping, l.Exposure, l.Denoising);
     };
     return all(*this) == all(other);
   }

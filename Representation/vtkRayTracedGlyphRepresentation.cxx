@@ -844,6 +844,12 @@ void vtkRayTracedGlyphRepresentation::SetAmbientOcclusionRays(int rays)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetPathsPerSample(int paths)
+{
+  this->Mapper->Light.PathsPerSample = std::clamp(paths, 1, 64);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetMaximumBounces(int bounces)
 {
   this->Mapper->Light.MaximumBounces = std::clamp(bounces, 1, 1000);

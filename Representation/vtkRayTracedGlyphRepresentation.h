@@ -181,6 +181,7 @@ public:
   void SetShadingMode(int mode);
   void SetAmbientOcclusionRadius(double radius);
   void SetAmbientOcclusionRays(int rays);
+  void SetPathsPerSample(int paths);
   void SetMaximumBounces(int bounces);
   void SetLightIntensity(double intensity);
   void SetEnvironmentColor(double red, double green, double blue);

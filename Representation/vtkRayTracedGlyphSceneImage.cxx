@@ -25,6 +25,7 @@ rtg::TraceSettings SettingsOf(const vtkRayTracedGlyphLight& light)
   settings.shading = static_cast<rtg::Shading>(light.ShadingMode);
   settings.occlusionRadius = static_cast<float>(light.AmbientOcclusionRadius);
   settings.occlusionRays = static_cast<std::uint32_t>(light.AmbientOcclusionRays);
+  settings.paths = static_cast<std::uint32_t>(light.PathsPerSample);
   settings.maximumBounces = static_cast<std::uint32_t>(light.MaximumBounces);
   settings.lightIntensity = static_cast<float>(light.LightIntensity);
   settings.environmentColour = glm::vec3(static_cast<float>(light.EnvironmentColor[0]),
@@ -70,7 +71,10 @@ vtkRayTracedGlyphScene::Internals::Plan vtkRayTracedGlyphScene::Internals::PlanI
       this->InteractiveReduction + (noisy && this->InteractiveReduction > 1 ? 1 : 0);
     settings.samples = 1;
     // Such an image is not added to, so its samples need not be like others.
-    settings.occlusionRays = settings.pixelStep > 1 ? 1 : settings.occlusionRays;
+    if (settings.pixelStep > 1)
+    {
+      settings.occlusionRays = settings.paths = 1;
+    }
   }
   else if (inSteps)
   {

@@ -29,7 +29,7 @@ const uint pairLobe = 1u;      // metal or not, coat or base
 const uint pairFacet = 2u;
 const uint pairCoatFacet = 3u;
 const uint pairChance = 4u;    // escape from between facets
-const uint pairLight = 5u;
+const uint pairLight = 5u;     // which one; whether the path goes on at the next hit
 const uint pairAim = 6u;       // at the environment image: the cell, and the next pair: where in it
 
 uint PairOf(uint bounce, uint purpose)
@@ -65,8 +65,8 @@ vec2 SamplePair(SampleNumber number, uint pair)
   }
   else if (samplerKind == samplerStratified)
   {
-    // Occlusion asks for light several times a sample.
-    uint planned = pair == pairPixel ? frame.plannedSamples : frame.plannedSamples * frame.occlusionRays;
+    // A sample looks for light several times.
+    uint planned = pair == pairPixel ? frame.plannedSamples : frame.plannedSamples * frame.branches;
     bits = Stratified(number.index, planned, pixelSeed);
   }
   else if (samplerKind == samplerSobol)

@@ -3,10 +3,10 @@
 // LightBenchmark cost SCENE [PIXELS] [REPETITIONS]
 //   Seconds of an image with local shading, with one ray of ambient occlusion, and path-traced with 1, 2, ... bounces.
 // LightBenchmark error SCENE OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]
-//   Of the middle PIXELS x PIXELS of the scene's view: mean squared error against a reference of independent samples, by shading,
-//   sampler, samples and seconds, as traced, denoised and blurred. References are kept beside OUTPUT and used again.
+//   Of 3 x 3 squares of PIXELS x PIXELS, evenly spread over the scene's view: mean squared error against a reference of independent
+//   samples, by shading, sampler, samples and seconds, as traced, denoised and blurred. References are kept beside OUTPUT and used again.
 // LightBenchmark variance SCENE [PIXELS] [SIDE]
-//   Of the same part: the variance of one sample, split into what the place in the pixel alone decides, what the directions after it alone
+//   Of the middle PIXELS x PIXELS of the view: the variance of one sample, split into what the place in the pixel alone decides, what the directions after it alone
 //   decide, and what only both together do, which is what samples spread well in each of them cannot take away. SIDE^2 places
 //   by SIDE^2 choices of directions a pixel.
 // LightBenchmark picture SCENE OUTPUT.ppm [PIXELS] [SAMPLES]
@@ -91,8 +91,29 @@ void MeasureCost(LightScene& subject, int pixels, int repetitions)
 
 using Pixels = std::vector<glm::vec4>;
 
-// Shows only the middle of the view, at its scale: what a pixel sees there decides how hard it is.
-rtg::TraceSettings MiddleOf(LightScene& subject, int pixels, Shading shading)
+// The middle of the view, at its scale.
+rtg::Camera MiddleOf(const LightScene& subject, int pixels)
+{
+  rtg::Camera camera = subject.camera;
+  camera.right *= static_cast<double>(pixels) / subject.side;
+  camera.up *= static_cast<double>(pixels) / subject.side;
+  return camera;
+}
+
+// Squares of the view at its scale, as many a side.
+std::vector<rtg::Camera> SquaresOf(const LightScene& subject, int pixels, int aside = 3)
+{
+  std::vector<rtg::Camera> squares;
+  for (int i = 0; i < aside * aside; ++i)
+  {
+    const double x = (2 * (i % aside) + 1.0) / aside - 1.0, y = (2 * (i / aside) + 1.0) / aside - 1.0;
+    squares.push_back(MiddleOf(subject, pixels));
+    squares.back().forward += x * subject.camera.right + y * subject.camera.up;
+  }
+  return squares;
+}
+
+rtg::TraceSettings SettingsOf(LightScene& subject, int pixels, Shading shading)
 {
   rtg::TraceSettings settings;
   settings.width = settings.height = static_cast<std::uint32_t>(pixels);
@@ -112,55 +133,33 @@ struct Method
 {
   const char* samplerName;
   Sampler sampler;
-  std::uint32_t occlusionRays = 1; ///< a sample
+  std::uint32_t branches = 1; ///< of a sample: occlusion rays or paths
 
   std::string Name() const
   {
-    return this->occlusionRays == 1 ? this->samplerName
-                                    : this->samplerName + (" x" + std::to_string(this->occlusionRays));
+    return this->branches == 1 ? this->samplerName : this->samplerName + (" x" + std::to_string(this->branches));
+  }
+
+  void Apply(rtg::TraceSettings& settings) const
+  {
+    settings.sampler = this->sampler;
+    settings.occlusionRays = settings.paths = this->branches;
   }
 };
 
-std::vector<Method> MethodsOf(Shading shading)
+std::vector<Method> Methods()
 {
   std::vector<Method> methods;
   for (const auto& [name, sampler] : samplers)
   {
     methods.push_back({ name, sampler });
   }
-  if (shading == Shading::AmbientOcclusion)
+  methods.push_back({ "random", Sampler::Random, 4 });
+  for (const std::uint32_t branches : { 2, 4, 8, 16 })
   {
-    methods.push_back({ "random", Sampler::Random, 4 });
-    for (const std::uint32_t rays : { 2, 4, 8, 16 })
-    {
-      methods.push_back({ "sobol", Sampler::Sobol, rays });
-    }
+    methods.push_back({ "sobol", Sampler::Sobol, branches });
   }
   return methods;
-}
-
-// Independent samples, which favour none of the samplers; from the file if it holds so many of so many pixels.
-Pixels Reference(rtg::Tracer& tracer, LightScene& subject, rtg::TraceSettings settings, std::uint32_t samples,
-  const std::string& path)
-{
-  Pixels means(std::size_t(settings.width) * settings.height);
-  const std::uint32_t head[2] = { samples, settings.width };
-  std::uint32_t found[2] = {};
-  std::ifstream in(path, std::ios::binary);
-  in.read(reinterpret_cast<char*>(found), sizeof found);
-  in.read(reinterpret_cast<char*>(means.data()), static_cast<std::streamsize>(means.size() * sizeof(glm::vec4)));
-  if (in && found[0] == head[0] && found[1] == head[1])
-  {
-    return means;
-  }
-  settings.sampler = Sampler::Random;
-  settings.samples = samples;
-  tracer.Trace(subject.scene, subject.camera, LightsOf(settings.shading), settings);
-  means = tracer.Means();
-  std::ofstream out(path, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(head), sizeof head);
-  out.write(reinterpret_cast<const char*>(means.data()), static_cast<std::streamsize>(means.size() * sizeof(glm::vec4)));
-  return means;
 }
 
 Pixels Denoised(Pixels means, const rtg::Image& image, Shading shading)
@@ -174,37 +173,132 @@ Pixels Denoised(Pixels means, const rtg::Image& image, Shading shading)
   return means;
 }
 
+// What is measured: squares of a view, one after the other.
+struct Squares
+{
+  rtg::Tracer tracer;
+  LightScene& subject;
+  std::vector<rtg::Camera> cameras;
+  std::vector<rtg::Light> lights;
+  std::vector<Pixels> denoised; ///< when features were asked for
+  double denoising = 0.0;       ///< processor seconds it took
+
+  std::vector<Pixels> Trace(const rtg::TraceSettings& settings)
+  {
+    std::vector<Pixels> means;
+    this->denoised.clear();
+    this->denoising = 0.0;
+    for (const rtg::Camera& camera : this->cameras)
+    {
+      const rtg::Image image = this->tracer.Trace(this->subject.scene, camera, this->lights, settings);
+      means.push_back(this->tracer.Means());
+      if (settings.features)
+      {
+        const double before = benchmark::CpuSeconds();
+        this->denoised.push_back(Denoised(means.back(), image, settings.shading));
+        this->denoising += benchmark::CpuSeconds() - before;
+      }
+    }
+    return means;
+  }
+};
+
+double SquaredError(const std::vector<Pixels>& a, const std::vector<Pixels>& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    sum += benchmark::SquaredError(a[i], b[i]) / static_cast<double>(a.size());
+  }
+  return sum;
+}
+
+std::vector<Pixels> Blurred(std::vector<Pixels> squares, int side)
+{
+  for (Pixels& pixels : squares)
+  {
+    pixels = benchmark::Blurred(pixels, side);
+  }
+  return squares;
+}
+
+// Independent samples, which favour none of the samplers; from the file if it holds so many of so many pixels.
+std::vector<Pixels> Reference(Squares& squares, rtg::TraceSettings settings, std::uint32_t samples, const std::string& path)
+{
+  std::vector<Pixels> means(squares.cameras.size(), Pixels(std::size_t(settings.width) * settings.height));
+  const std::uint32_t head[3] = { samples, settings.width, static_cast<std::uint32_t>(means.size()) };
+  std::uint32_t found[3] = {};
+  const auto bytes = [](const Pixels& pixels) { return static_cast<std::streamsize>(pixels.size() * sizeof(glm::vec4)); };
+  std::ifstream in(path, std::ios::binary);
+  in.read(reinterpret_cast<char*>(found), sizeof found);
+  for (Pixels& pixels : means)
+  {
+    in.read(reinterpret_cast<char*>(pixels.data()), bytes(pixels));
+  }
+  if (in && std::equal(head, head + 3, found))
+  {
+    return means;
+  }
+  settings.sampler = Sampler::Random;
+  settings.samples = samples;
+  means = squares.Trace(settings);
+  std::ofstream out(path, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(head), sizeof head);
+  for (const Pixels& pixels : means)
+  {
+    out.write(reinterpret_cast<const char*>(pixels.data()), bytes(pixels));
+  }
+  return means;
+}
+
+// Processor seconds of a sample by each method, the best of several that are taken in turns: the machine's speed changes.
+std::vector<double> SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettings settings)
+{
+  constexpr int turns = 5;
+  std::vector<double> best(methods.size(), std::numeric_limits<double>::infinity());
+  settings.samples = settings.plannedSamples = 16;
+  for (int turn = 0; turn <= turns; ++turn)
+  {
+    for (std::size_t i = 0; i < methods.size(); ++i)
+    {
+      methods[i].Apply(settings);
+      const double start = benchmark::CpuSeconds();
+      squares.Trace(settings);
+      // The first turn compiles.
+      if (turn > 0)
+      {
+        best[i] = std::min(best[i], (benchmark::CpuSeconds() - start) / settings.samples);
+      }
+    }
+  }
+  return best;
+}
+
 void MeasureShading(LightScene& subject, const char* name, const std::string& output, std::FILE* csv, int pixels,
   std::uint32_t referenceSamples, std::uint32_t mostSamples, Shading shading)
 {
-  rtg::Tracer tracer(subject.device);
-  const std::vector<rtg::Light> lights = LightsOf(shading);
-  rtg::TraceSettings settings = MiddleOf(subject, pixels, shading);
-  const Pixels truth = Reference(tracer, subject, settings, referenceSamples, output + "." + name + ".reference");
-  const Pixels blurredTruth = benchmark::Blurred(truth, pixels);
+  Squares squares{ rtg::Tracer(subject.device), subject, SquaresOf(subject, pixels), LightsOf(shading), {} };
+  rtg::TraceSettings settings = SettingsOf(subject, pixels, shading);
+  const std::vector<Pixels> truth = Reference(squares, settings, referenceSamples, output + "." + name + ".reference");
+  const std::vector<Pixels> blurredTruth = Blurred(truth, pixels);
+  const std::vector<Method> methods = Methods();
+  const std::vector<double> seconds = SecondsOf(squares, methods, settings);
 
+  settings.features = true;
   double ownError = 0.0; // of the reference: the variance of a sample over its number of samples
-  for (const Method& method : MethodsOf(shading))
+  for (std::size_t i = 0; i < methods.size(); ++i)
   {
-    settings.sampler = method.sampler;
-    settings.occlusionRays = method.occlusionRays;
-    settings.samples = settings.plannedSamples = 16;
-    settings.features = false;
-    const double seconds =
-      BestOf(3, [&] { tracer.Trace(subject.scene, subject.camera, lights, settings); }) / settings.samples;
-    settings.features = true;
-    for (settings.samples = 1; settings.samples <= mostSamples; settings.samples *= 4)
+    const Method& method = methods[i];
+    method.Apply(settings);
+    for (settings.samples = 1; settings.samples * method.branches <= 4 * mostSamples && settings.samples <= mostSamples;
+         settings.samples *= 4)
     {
       settings.plannedSamples = settings.samples;
-      const rtg::Image image = tracer.Trace(subject.scene, subject.camera, lights, settings);
-      const Pixels means = tracer.Means();
-      double error = benchmark::SquaredError(means, truth);
-      const double before = benchmark::CpuSeconds();
-      const Pixels smooth = Denoised(means, image, shading);
-      const double denoising = benchmark::CpuSeconds() - before;
+      const std::vector<Pixels> means = squares.Trace(settings);
+      double error = SquaredError(means, truth);
       // Random samples are the first of the reference's: they differ from it by less than from the truth, others by more.
       const double share = static_cast<double>(settings.samples) / referenceSamples;
-      if (method.sampler == Sampler::Random && method.occlusionRays == 1)
+      if (method.sampler == Sampler::Random && method.branches == 1)
       {
         if (settings.samples == std::min(16u, mostSamples))
         {
@@ -217,9 +311,8 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
         error = std::max(error - ownError, 0.0);
       }
       std::fprintf(csv, "%s,%s,%u,%.5f,%.6g,%.6g,%.6g,%.5f,%.6g\n", name, method.Name().c_str(), settings.samples,
-        seconds * settings.samples, error, ownError,
-        std::max(benchmark::SquaredError(smooth, truth) - ownError, 0.0), denoising,
-        benchmark::SquaredError(benchmark::Blurred(means, pixels), blurredTruth));
+        seconds[i] * settings.samples, error, ownError, std::max(SquaredError(squares.denoised, truth) - ownError, 0.0),
+        squares.denoising, SquaredError(Blurred(means, pixels), blurredTruth));
       std::fflush(csv);
     }
   }
@@ -257,12 +350,10 @@ struct VarianceParts
 VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading shading)
 {
   rtg::Tracer tracer(subject.device);
-  rtg::TraceSettings settings = MiddleOf(subject, pixels + side, shading);
+  rtg::TraceSettings settings = SettingsOf(subject, pixels + side, shading);
   settings.sampler = Sampler::Random;
   const std::vector<rtg::Light> lights = LightsOf(shading);
-  rtg::Camera camera = subject.camera;
-  camera.right *= static_cast<double>(pixels + side) / pixels;
-  camera.up *= static_cast<double>(pixels + side) / pixels;
+  rtg::Camera camera = MiddleOf(subject, pixels + side);
   const glm::dvec3 forward = camera.forward;
   const std::size_t count = static_cast<std::size_t>(pixels) * pixels;
   const int factors = side * side;
@@ -345,9 +436,9 @@ void WritePicture(LightScene& subject, const std::string& output, int pixels, st
   for (int i = 0; i < 2; ++i)
   {
     rtg::Tracer tracer(subject.device);
-    rtg::TraceSettings settings = MiddleOf(subject, pixels, shadings[i].second);
+    rtg::TraceSettings settings = SettingsOf(subject, pixels, shadings[i].second);
     settings.samples = samples;
-    const rtg::Image image = tracer.Trace(subject.scene, subject.camera, LightsOf(settings.shading), settings);
+    const rtg::Image image = tracer.Trace(subject.scene, MiddleOf(subject, pixels), LightsOf(settings.shading), settings);
     images[i].assign(image.colour, image.colour + std::size_t(pixels) * pixels);
   }
   for (int y = pixels - 1; y >= 0; --y)
@@ -386,9 +477,7 @@ try
     MeasureCost(subject, number(3, 1200), number(4, 3));
     return 0;
   }
-  const int pixels = number(what == "variance" ? 3 : 4, what == "variance" ? 32 : 64);
-  subject.camera.right *= static_cast<double>(pixels) / subject.side;
-  subject.camera.up *= static_cast<double>(pixels) / subject.side;
+  const int pixels = number(what == "variance" ? 3 : 4, what == "picture" ? 64 : what == "error" ? 24 : 32);
   if (what == "variance")
   {
     MeasureVariance(subject, pixels, number(4, 8));

@@ -485,6 +485,46 @@ TEST_F(LightTest, SeveralOcclusionRaysASample)
   }
 }
 
+// Several paths a sample: those of one sample and of all together are nets, too. One scattering on a matt floor under the same lid: half of the
+// light, but for the shape of the diffuse lobe.
+TEST_F(LightTest, SeveralPathsASample)
+{
+  this->Add(Shape::Box, { { 0, -0.05f, 0 } }, { { 10.0f, 0.1f, 10.0f } }, White());
+  this->Add(Shape::Cylinder, { { 0, 0.55f, 0 } }, { { 1.0f, 0.1f, 1.0f } }, White());
+  this->settings.shading = Shading::PathTracing;
+  this->settings.maximumBounces = 1;
+  this->settings.paths = 64;
+  this->camera = rtg::Camera::FromWorldToClip(glm::ortho(-1e-4, 1e-4, -1e-4, 1e-4, 0.01, 20.0) *
+    glm::lookAt(glm::dvec3(0, 0.3, 3), glm::dvec3(0, 0, 0), glm::dvec3(0, 1, 0)));
+  const double pixels = static_cast<double>(this->settings.width * this->settings.height);
+  for (const std::uint32_t samples : { 1u, 4u })
+  {
+    this->settings.samples = samples;
+    const double independent = 0.25 / (64.0 * samples);
+    for (Sampler sampler : { Sampler::Random, Sampler::Stratified, Sampler::Sobol, Sampler::BlueNoise })
+    {
+      this->settings.sampler = sampler;
+      this->Trace();
+      double sum = 0.0, squares = 0.0;
+      for (const glm::vec4& mean : this->tracer.Means())
+      {
+        sum += mean.r / pixels;
+        squares += mean.r * mean.r / pixels;
+      }
+      EXPECT_NEAR(sum, 0.5, 0.05) << static_cast<int>(sampler);
+      const double variance = squares - sum * sum;
+      if (sampler == Sampler::Random)
+      {
+        EXPECT_NEAR(variance, independent, 0.2 * independent);
+      }
+      else
+      {
+        EXPECT_LT(variance, 0.5 * independent) << static_cast<int>(sampler);
+      }
+    }
+  }
+}
+
 // A thing that covers a quarter of each pixel is hit by exactly a quarter of the samples: their places are a net, although the
 // first of them is the pixel's centre.
 TEST_F(LightTest, PlacesInAPixelAreANet)
@@ -540,11 +580,12 @@ TEST_F(LightTest, NothingShadowsItself)
   }
 }
 
-// Inside a sphere no light comes in.
+// Inside a sphere no light comes in. What roulette guesses of it is taken back on average.
 TEST_F(LightTest, InsideIsDark)
 {
   this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(4.0f) }, Flat());
   this->camera = this->LookFrom({ 0, 0, 1 });
+  this->settings.roulette = false;
   for (Shading shading : { Shading::AmbientOcclusion, Shading::PathTracing })
   {
     this->scene.SetMaterial(0, shading == Shading::PathTracing ? White() : Flat());
@@ -555,41 +596,71 @@ TEST_F(LightTest, InsideIsDark)
       ASSERT_EQ(mean, glm::vec4(0, 0, 0, 1));
     }
   }
+  this->settings.roulette = true;
+  this->settings.samples = 64;
+  this->Trace();
+  double sum = 0.0, squares = 0.0;
+  const std::vector<glm::vec4> means = this->tracer.Means();
+  for (const glm::vec4& mean : means)
+  {
+    sum += mean.r;
+    squares += mean.r * mean.r;
+  }
+  EXPECT_NEAR(sum, 0.0, certain * std::sqrt(squares));
+  EXPECT_LT(certain * std::sqrt(squares) / static_cast<double>(means.size()), 0.01);
 }
 
-TEST_F(LightTest, RouletteChangesNoMean)
+// Russian roulette, with guesses where light comes from all around alone and without, and several paths a sample: the same mean.
+TEST_F(LightTest, RouletteAndPathsChangeNoMean)
 {
-  rtg::Material grey;
-  grey.colour = glm::vec3(0.6f, 0.75f, 0.9f);
+  rtg::Material shining;
+  shining.colour = glm::vec3(0.6f, 0.75f, 0.9f);
+  shining.ambientColour = glm::vec3(0.5f, 0.3f, 0.1f);
+  shining.ambient = 0.2f;
+  shining.specular = 0.5f;
+  shining.roughness = 0.4f;
   std::vector<glm::vec3> centres;
   for (int i = 0; i < 27; ++i)
   {
     centres.emplace_back(0.5f * (i % 3 - 1), 0.5f * (i / 3 % 3 - 1), 0.5f * (i / 9 - 1));
   }
-  this->Add(Shape::Sphere, centres, std::vector<glm::vec3>(27, glm::vec3(0.55f)), grey);
+  this->Add(Shape::Sphere, centres, std::vector<glm::vec3>(27, glm::vec3(0.55f)), shining);
   this->settings.shading = Shading::PathTracing;
-  this->settings.samples = 256;
-  glm::dvec3 mean[2] = {};
-  double hits = 0.0;
-  for (bool roulette : { false, true })
+  this->settings.environmentColour = glm::vec3(1.0f, 0.8f, 0.9f);
+  this->settings.samples = 128;
+  rtg::Light sun;
+  sun.kind = rtg::Light::Kind::Directional;
+  sun.direction = glm::normalize(glm::vec3(0.3f, -0.5f, -1.0f));
+  for (const bool lit : { false, true })
   {
-    this->settings.roulette = roulette;
+    this->lights = lit ? std::vector<rtg::Light>{ sun } : std::vector<rtg::Light>();
+    this->settings.roulette = false;
+    this->settings.paths = 1;
     this->Trace();
-    glm::dvec4 sum(0.0);
-    for (const glm::vec4& m : this->tracer.Means())
+    const std::vector<glm::vec4> plain = this->tracer.Means();
+    for (const auto& [roulette, paths] : { std::pair(true, 1u), std::pair(false, 4u), std::pair(true, 5u) })
     {
-      sum += glm::dvec4(m);
+      this->settings.roulette = roulette;
+      this->settings.paths = paths;
+      this->Trace();
+      const std::vector<glm::vec4> means = this->tracer.Means();
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        // Pixel by pixel, so that only noise is left; mean and deviation of the difference.
+        double sum = 0.0, squares = 0.0;
+        const double count = static_cast<double>(means.size());
+        for (std::size_t i = 0; i < means.size(); ++i)
+        {
+          const double difference = means[i][channel] - plain[i][channel];
+          sum += difference;
+          squares += difference * difference;
+        }
+        EXPECT_GT(squares, 0.0);
+        EXPECT_NEAR(sum / count, 0.0, certain * std::sqrt(squares) / count) << lit << roulette << paths << channel;
+        EXPECT_LT(certain * std::sqrt(squares) / count, 0.01);
+      }
     }
-    mean[roulette] = glm::dvec3(sum) / sum.a;
-    hits = sum.a * this->settings.samples;
   }
-  // Both images' samples lie in [0, 1] but for what roulette adds: survivors weigh at most 1 / throughput more.
-  const double interval = certain * std::sqrt(2.0) * 0.5 / std::sqrt(hits);
-  for (int i = 0; i < 3; ++i)
-  {
-    EXPECT_NEAR(mean[0][i], mean[1][i], interval) << i;
-  }
-  EXPECT_NE(mean[0], mean[1]);
 }
 
 // A view's light on a white plane: what local shading shows, to a matt surface, is what path tracing must converge to
@@ -758,7 +829,7 @@ TEST_P(Steps, AccumulateToTheSameImage)
   this->settings.width = 41;
   this->settings.height = 33;
   this->settings.plannedSamples = 13;
-  this->settings.occlusionRays = 3;
+  this->settings.occlusionRays = this->settings.paths = 3;
   this->settings.features = true;
   const std::size_t pixels = 41 * 33;
   for (Sampler sampler : { Sampler::Stratified, Sampler::Sobol })
@@ -833,6 +904,7 @@ TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
   this->settings.width = this->settings.height = 80;
   this->settings.samples = 3;
   this->settings.sharedTimeBits = 0; // the sets have different numbers of slices
+  this->settings.paths = 2;
   this->settings.shading = shading;
   this->lights.emplace_back();
   std::mt19937 random(8);
@@ -946,6 +1018,8 @@ TEST_F(LightTest, BadSettingsAreNamed)
   fails("radius", [](auto& s) { s.occlusionRadius = NAN; });
   fails("occlusion rays", [](auto& s) { s.occlusionRays = 0; });
   fails("occlusion rays", [](auto& s) { s.occlusionRays = 65; });
+  fails("paths", [](auto& s) { s.paths = 0; });
+  fails("paths", [](auto& s) { s.paths = 65; });
   fails("bounces", [](auto& s) { s.maximumBounces = 0; });
   fails("intensity", [](auto& s) { s.lightIntensity = -0.5f; });
   fails("colour", [](auto& s) { s.environmentColour.g = NAN; });

@@ -109,6 +109,7 @@ def settings(case):
     for name, mode, bad, good in (("SamplesPerPixel", "Ambient Occlusion", (0, -7), 1), ("SamplesPerRender", "Local", (-3,), 0),
                                   ("AmbientOcclusionRadius", "Ambient Occlusion", (-1.0, nothing), 0.0),
                                   ("AmbientOcclusionRays", "Ambient Occlusion", (0, -3), 1),
+                                  ("PathsPerSample", "Path Tracing", (0, -5), 1),
                                   ("LightIntensity", "Path Tracing", (-2.0,), 0.0), ("LightIntensity", "Path Tracing", (nothing,), 1.0),
                                   ("MaximumBounces", "Path Tracing", (0, -4), 1),
                                   ("Exposure", "Local", (1e9,), 100.0), ("Exposure", "Local", (-1e9,), -100.0),
