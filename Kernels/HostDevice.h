@@ -262,7 +262,7 @@ struct FrameRecord
   float occlusionRadius;
   uint branches; // of a sample at its first hit: occlusion rays or paths
   uint maximumBounces;
-  uint roulette;
+  uint roulette; // rtg::Roulette
   // An environment image (Shading/Environment.glsl), when the program has one
   RTG_ADDRESS(Vec3Array) environmentTexels;
   RTG_ADDRESS(UintArray) environmentCells; // EnvironmentCell

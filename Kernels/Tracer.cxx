@@ -148,7 +148,7 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
   frame.maximumBounces = settings.maximumBounces;
   frame.exposureFactor = std::exp2(settings.exposure);
   frame.filmic = settings.toneMapping == ToneMapping::Filmic;
-  frame.roulette = settings.roulette;
+  frame.roulette = static_cast<std::uint32_t>(settings.roulette);
 }
 
 // What local shading does not use does not tell its programs apart.

@@ -51,6 +51,15 @@ enum class Shading : std::uint32_t
 
 /// How the random choices of a pixel's samples are spread. Sobol is the one to use; the others are
 /// there to be measured (Testing/Benchmarks). Numbers as in Shading/Sampling.glsl.
+/// Whether path tracing ends unimportant paths early, which changes no mean, and what an ended path brings: nothing, or a guess where
+/// light comes from all around alone.
+enum class Roulette : std::uint32_t
+{
+  None,
+  Plain,
+  Guessing
+};
+
 enum class Sampler : std::uint32_t
 {
   Random = 0,     ///< independent
@@ -90,7 +99,7 @@ struct TraceSettings
   /// Path tracing: paths that each sample follows from what its camera ray hits, 1 to 64; powers of two are spread best.
   std::uint32_t paths = 1;
   std::uint32_t maximumBounces = 10; ///< of path tracing, 1 to 1000
-  bool roulette = true; ///< path tracing ends unimportant paths early, which changes no mean
+  Roulette roulette = Roulette::Guessing;
 
   Sampler sampler = Sampler::Sobol;
   /// Of the finished image, for Stratified and for the times of scenes that move; 0: firstSample + samples. Such images are

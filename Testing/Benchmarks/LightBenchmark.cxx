@@ -131,23 +131,26 @@ std::vector<rtg::Light> LightsOf(Shading shading)
 // How the rays of a pixel are shared out and spread.
 struct Method
 {
-  const char* samplerName;
+  std::string samplerName;
   Sampler sampler;
   std::uint32_t branches = 1; ///< of a sample: occlusion rays or paths
+  bool guessing = true;       ///< what paths that are ended would bring
 
   std::string Name() const
   {
-    return this->branches == 1 ? this->samplerName : this->samplerName + (" x" + std::to_string(this->branches));
+    return this->samplerName + (this->branches == 1 ? "" : " x" + std::to_string(this->branches)) +
+      (this->guessing ? "" : " plain");
   }
 
   void Apply(rtg::TraceSettings& settings) const
   {
     settings.sampler = this->sampler;
     settings.occlusionRays = settings.paths = this->branches;
+    settings.roulette = this->guessing ? rtg::Roulette::Guessing : rtg::Roulette::Plain;
   }
 };
 
-std::vector<Method> Methods()
+std::vector<Method> Methods(Shading shading)
 {
   std::vector<Method> methods;
   for (const auto& [name, sampler] : samplers)
@@ -155,6 +158,12 @@ std::vector<Method> Methods()
     methods.push_back({ name, sampler });
   }
   methods.push_back({ "random", Sampler::Random, 4 });
+  // Paths that bring nothing when they are ended, as in textbooks.
+  if (shading == Shading::PathTracing)
+  {
+    methods.push_back({ "random", Sampler::Random, 1, false });
+    methods.push_back({ "sobol", Sampler::Sobol, 1, false });
+  }
   for (const std::uint32_t branches : { 2, 4, 8, 16 })
   {
     methods.push_back({ "sobol", Sampler::Sobol, branches });
@@ -259,8 +268,10 @@ std::vector<double> SecondsOf(Squares& squares, const std::vector<Method>& metho
   settings.samples = settings.plannedSamples = 16;
   for (int turn = 0; turn <= turns; ++turn)
   {
-    for (std::size_t i = 0; i < methods.size(); ++i)
+    for (std::size_t k = 0; k < methods.size(); ++k)
     {
+      // Nor does one always follow the same other.
+      const std::size_t i = turn % 2 == 0 ? k : methods.size() - 1 - k;
       methods[i].Apply(settings);
       const double start = benchmark::CpuSeconds();
       squares.Trace(settings);
@@ -281,7 +292,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
   rtg::TraceSettings settings = SettingsOf(subject, pixels, shading);
   const std::vector<Pixels> truth = Reference(squares, settings, referenceSamples, output + "." + name + ".reference");
   const std::vector<Pixels> blurredTruth = Blurred(truth, pixels);
-  const std::vector<Method> methods = Methods();
+  const std::vector<Method> methods = Methods(shading);
   const std::vector<double> seconds = SecondsOf(squares, methods, settings);
 
   settings.features = true;
@@ -298,7 +309,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
       double error = SquaredError(means, truth);
       // Random samples are the first of the reference's: they differ from it by less than from the truth, others by more.
       const double share = static_cast<double>(settings.samples) / referenceSamples;
-      if (method.sampler == Sampler::Random && method.branches == 1)
+      if (method.sampler == Sampler::Random && method.branches == 1 && method.guessing)
       {
         if (settings.samples == std::min(16u, mostSamples))
         {

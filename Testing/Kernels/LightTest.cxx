@@ -22,6 +22,7 @@ namespace
 {
 
 using rtg::Image;
+using rtg::Roulette;
 using rtg::Sampler;
 using rtg::Shading;
 using rtg::Shape;
@@ -585,7 +586,7 @@ TEST_F(LightTest, InsideIsDark)
 {
   this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(4.0f) }, Flat());
   this->camera = this->LookFrom({ 0, 0, 1 });
-  this->settings.roulette = false;
+  this->settings.roulette = Roulette::None;
   for (Shading shading : { Shading::AmbientOcclusion, Shading::PathTracing })
   {
     this->scene.SetMaterial(0, shading == Shading::PathTracing ? White() : Flat());
@@ -596,7 +597,7 @@ TEST_F(LightTest, InsideIsDark)
       ASSERT_EQ(mean, glm::vec4(0, 0, 0, 1));
     }
   }
-  this->settings.roulette = true;
+  this->settings.roulette = Roulette::Guessing;
   this->settings.samples = 64;
   this->Trace();
   double sum = 0.0, squares = 0.0;
@@ -634,11 +635,12 @@ TEST_F(LightTest, RouletteAndPathsChangeNoMean)
   for (const bool lit : { false, true })
   {
     this->lights = lit ? std::vector<rtg::Light>{ sun } : std::vector<rtg::Light>();
-    this->settings.roulette = false;
+    this->settings.roulette = Roulette::None;
     this->settings.paths = 1;
     this->Trace();
     const std::vector<glm::vec4> plain = this->tracer.Means();
-    for (const auto& [roulette, paths] : { std::pair(true, 1u), std::pair(false, 4u), std::pair(true, 5u) })
+    for (const auto& [roulette, paths] : { std::pair(Roulette::Guessing, 1u), std::pair(Roulette::None, 4u),
+           std::pair(Roulette::Plain, 1u), std::pair(Roulette::Guessing, 5u) })
     {
       this->settings.roulette = roulette;
       this->settings.paths = paths;
@@ -656,7 +658,7 @@ TEST_F(LightTest, RouletteAndPathsChangeNoMean)
           squares += difference * difference;
         }
         EXPECT_GT(squares, 0.0);
-        EXPECT_NEAR(sum / count, 0.0, certain * std::sqrt(squares) / count) << lit << roulette << paths << channel;
+        EXPECT_NEAR(sum / count, 0.0, certain * std::sqrt(squares) / count) << lit << static_cast<int>(roulette) << paths << channel;
         EXPECT_LT(certain * std::sqrt(squares) / count, 0.01);
       }
     }

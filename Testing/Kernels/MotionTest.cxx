@@ -228,7 +228,7 @@ TEST_P(OneTimeAPath, LightGoesStraightFromTheSphereToTheSky)
   // So that further bounces change nothing.
   this->Add(rtg::Material());
   this->settings.shading = rtg::Shading::PathTracing;
-  this->settings.roulette = false;
+  this->settings.roulette = rtg::Roulette::None;
   this->settings.maximumBounces = 1;
   const std::vector<glm::vec4> once = this->Means();
   this->settings.maximumBounces = 8;
