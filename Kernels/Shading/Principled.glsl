@@ -144,6 +144,16 @@ RTG_SHADING_FN vec3 CoatTint(Surface surface)
   return vec3(1.0f) + surface.coat * (surface.coatColour - vec3(1.0f));
 }
 
+// About what share of light from all around a surface seen at that angle sends back, all layers together: as if each
+// were smooth. White stays white.
+RTG_SHADING_FN vec3 AlbedoSeen(Surface surface, float cosine)
+{
+  float facets = (1.0f - surface.metallic) * Fresnel(surface.reflectance, cosine);
+  float coat = surface.coat * Fresnel(surface.coatReflectance, cosine);
+  vec3 below = facets * surface.specularColour + (1.0f - facets) * surface.base;
+  return vec3(coat) + (1.0f - coat) * CoatTint(surface) * below;
+}
+
 RTG_SHADING_FN vec3 DiffuseDirection(vec2 u)
 {
   float radius = sqrt(u.x);

@@ -301,8 +301,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
   {
     const Method& method = methods[i];
     method.Apply(settings);
-    for (settings.samples = 1; settings.samples * method.branches <= 4 * mostSamples && settings.samples <= mostSamples;
-         settings.samples *= 4)
+    for (settings.samples = 1; settings.samples * method.branches <= mostSamples; settings.samples *= 4)
     {
       settings.plannedSamples = settings.samples;
       const std::vector<Pixels> means = squares.Trace(settings);

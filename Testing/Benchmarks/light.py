@@ -3,7 +3,7 @@
 
 Usage: light.py PLOT.png NAME=RESULTS.csv ...
 Prints a Markdown table. Gain: mean squared error of independent samples over that of the sampler at the same time, that of
-independent samples being interpolated on logarithms and extrapolated as 1 / time; above 1 the sampler is better.
+independent samples (paths that bring nothing when roulette ends them) being interpolated on logarithms and extrapolated as 1 / time; above 1 the sampler is better.
 """
 import csv
 import math
@@ -48,18 +48,19 @@ def main():
     print("|---|---|---|" + "---|" * len(TABLED))
     for column, (name, path) in enumerate(scenes):
         for axis, (shading, samplers) in zip(axes[:, column], read(path).items()):
-            random = samplers["random"]
+            plain = "random plain" if "random plain" in samplers else "random"
+            random = samplers[plain]
             for sampler, rows in samplers.items():
                 axis.loglog([r["seconds"] for r in rows], [r["error"] for r in rows], "o-", label=sampler, markersize=3)
                 found = {r["samples"]: r for r in rows}
-                cells = ["" if n not in found else "%.2g" % found[n]["error"] if sampler == "random" else
+                cells = ["" if n not in found else "%.2g" % found[n]["error"] if sampler == plain else
                          "%.2f" % (at_time(random, found[n]["seconds"]) / found[n]["error"]) for n in TABLED]
-                print("| %s | %s | %s | %s |" % (name, shading, "random: error" if sampler == "random" else sampler + ": gain", " | ".join(cells)))
-                if sampler == "sobol":
+                print("| %s | %s | %s | %s |" % (name, shading, sampler + (": error" if sampler == plain else ": gain"), " | ".join(cells)))
+                if sampler == "sobol x4":
                     axis.loglog([r["denoised_seconds"] for r in rows], [r["denoised"] for r in rows], "s--", color="0.5",
-                                label="sobol, denoised", markersize=3)
+                                label="sobol x4, denoised", markersize=3)
                     cells = ["%.2g" % found[n]["denoised"] if n in found else "" for n in TABLED]
-                    print("| %s | %s | %s | %s |" % (name, shading, "sobol, denoised: error", " | ".join(cells)))
+                    print("| %s | %s | %s | %s |" % (name, shading, "sobol x4, denoised: error", " | ".join(cells)))
             axis.set_xlabel("processor seconds")
             axis.set_ylabel("mean squared error")
             axis.set_title("%s, %s" % (name, shading))
