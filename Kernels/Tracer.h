@@ -49,17 +49,17 @@ enum class Shading : std::uint32_t
   PathTracing = 2 ///< all around and the view's lights, after up to maximumBounces scatterings
 };
 
-/// How the random choices of a pixel's samples are spread. Sobol is the one to use; the others are
-/// there to be measured (Testing/Benchmarks). Numbers as in Shading/Sampling.glsl.
-/// Whether path tracing ends unimportant paths early, which changes no mean, and what an ended path brings: nothing, or a guess where
-/// light comes from all around alone.
+/// Whether path tracing ends unimportant paths early, which changes no mean. Guessing is the one to use. Numbers as in
+/// Programs/path.rgen.
 enum class Roulette : std::uint32_t
 {
-  None,
-  Plain,
-  Guessing
+  None = 0,
+  Plain = 1,   ///< a path that is ended brings nothing more
+  Guessing = 2 ///< it brings a guess of the rest, where light comes from all around alone; otherwise as Plain
 };
 
+/// How the random choices of a pixel's samples are spread. Sobol is the one to use; the others are
+/// there to be measured (Testing/Benchmarks). Numbers as in Shading/Sampling.glsl.
 enum class Sampler : std::uint32_t
 {
   Random = 0,     ///< independent

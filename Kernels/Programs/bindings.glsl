@@ -26,6 +26,12 @@ struct SurfaceHit
   uint glyph;         // index in the set's sorted order
 };
 
+// The normal on the side that a ray along `direction` came from: both sides of a surface are the same.
+vec3 FacingNormal(SurfaceHit hit, vec3 direction)
+{
+  return dot(hit.normal, direction) > 0.0 ? -hit.normal : hit.normal;
+}
+
 uint LaunchIndex()
 {
   return gl_LaunchIDEXT.y * frame.launchWidth + gl_LaunchIDEXT.x;
