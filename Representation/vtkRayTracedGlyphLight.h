@@ -12,7 +12,7 @@ struct vtkRayTracedGlyphLight
 {
   int ShadingMode = 0;                                     // as rtg::Shading, in [0, 2]
   double AmbientOcclusionRadius = 0.0;                     // world units, >= 0; 0: unbounded
-  int AmbientOcclusionRays = 4;                            // a sample, in [1, 64]
+  int AmbientOcclusionRays = 8;                            // a sample, in [1, 64]
   int PathsPerSample = 4;                                  // in [1, 64]
   int MaximumBounces = 10;                                 // of path tracing, in [1, 1000]
   double LightIntensity = 1.0;                             // in [0, 1e6]

@@ -1,4 +1,4 @@
-// The common subset of GLSL and C++ that Sobol.glsl, Principled.glsl and Tone.glsl are written in. C++ gets the same
+// The common subset of GLSL and C++ that Frame.glsl, Sobol.glsl, Principled.glsl and Tone.glsl are written in. C++ gets the same
 // names from Shading.h.
 #ifndef RTG_SHADING_DIALECT
 #define RTG_SHADING_DIALECT

@@ -2,25 +2,33 @@
 #ifndef RTG_FRAME
 #define RTG_FRAME
 
+#ifndef RTG_SHADING_HOST
+#include "Dialect.glsl"
+#endif
+
 // Two unit vectors that make a right-handed frame with the unit vector n. Duff et al., "Building an Orthonormal
 // Basis, Revisited", JCGT 6(1), 2017.
-void Tangents(vec3 n, out vec3 x, out vec3 y)
+RTG_SHADING_FN void Tangents(vec3 n, RTG_SHADING_OUT(vec3) x, RTG_SHADING_OUT(vec3) y)
 {
-  float s = n.z >= 0.0 ? 1.0 : -1.0;
-  float a = -1.0 / (s + n.z);
+  float s = n.z >= 0.0f ? 1.0f : -1.0f;
+  float a = -1.0f / (s + n.z);
   float b = n.x * n.y * a;
-  x = vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x);
+  x = vec3(1.0f + s * n.x * n.x * a, s * b, -s * n.x);
   y = vec3(b, s + n.y * n.y * a, -n.y);
 }
 
-// Malley's method: uniform on the disc, lifted to the hemisphere; density cos / pi.
-vec3 CosineDirection(vec3 normal, vec2 u)
+// The unit vector, z > 0, that uniform numbers in [0,1)^2 choose with density z / pi: a point of the disc, lifted to the hemisphere
+// (Malley's method). Squares about the middle become circles, so that cells of the square stay compact: Shirley and Chiu, "A Low
+// Distortion Map Between Disk and Square", Journal of Graphics Tools 2(3), 1997.
+RTG_SHADING_FN vec3 CosineDirection(vec2 u)
 {
-  vec3 x, y;
-  Tangents(normal, x, y);
-  float radius = sqrt(u.x);
-  float angle = 6.28318530717958648 * u.y;
-  return normalize(radius * (cos(angle) * x + sin(angle) * y) + sqrt(1.0 - u.x) * normal);
+  const float eighth = 0.78539816339744831f;  // of a turn
+  float a = 2.0f * u.x - 1.0f;
+  float b = 2.0f * u.y - 1.0f;
+  bool beside = abs(a) > abs(b);
+  float radius = beside ? a : b;
+  float angle = beside ? eighth * (b / a) : b == 0.0f ? 0.0f : 2.0f * eighth - eighth * (a / b);
+  return vec3(radius * cos(angle), radius * sin(angle), max(sqrt(max(1.0f - radius * radius, 0.0f)), 1e-6f));
 }
 
 #endif

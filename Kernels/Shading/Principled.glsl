@@ -12,9 +12,7 @@
 #ifndef RTG_PRINCIPLED
 #define RTG_PRINCIPLED
 
-#ifndef RTG_SHADING_HOST
-#include "Dialect.glsl"
-#endif
+#include "Frame.glsl"
 
 struct Surface
 {
@@ -154,13 +152,6 @@ RTG_SHADING_FN vec3 AlbedoSeen(Surface surface, float cosine)
   return vec3(coat) + (1.0f - coat) * CoatTint(surface) * below;
 }
 
-RTG_SHADING_FN vec3 DiffuseDirection(vec2 u)
-{
-  float radius = sqrt(u.x);
-  float angle = 2.0f * scatterPi * u.y;
-  return vec3(radius * cos(angle), radius * sin(angle), max(sqrt(1.0f - u.x), 1e-6f));
-}
-
 // Draws the direction that light, followed back from `from`, came from; returns its weight.
 RTG_SHADING_FN vec3 Scatter(Surface surface, vec3 from, ScatterNumbers u, RTG_SHADING_OUT(vec3) to)
 {
@@ -185,7 +176,7 @@ RTG_SHADING_FN vec3 Scatter(Surface surface, vec3 from, ScatterNumbers u, RTG_SH
     to = reflect(-from, m);
     if (u.chance.x >= EscapeProbability(from, to, width))
     {
-      to = DiffuseDirection(u.direction);
+      to = CosineDirection(u.direction);
       weight *= MetalAverage(surface.base);
     }
     return weight;
@@ -200,7 +191,7 @@ RTG_SHADING_FN vec3 Scatter(Surface surface, vec3 from, ScatterNumbers u, RTG_SH
       return weight * surface.specularColour;
     }
   }
-  to = DiffuseDirection(u.direction);
+  to = CosineDirection(u.direction);
   return weight * surface.base *
     (DiffuseShape(from, to, surface.roughness) / DiffuseAlbedo(from.z, surface.roughness));
 }

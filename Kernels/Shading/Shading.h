@@ -1,4 +1,4 @@
-// Sobol.glsl, Principled.glsl and Tone.glsl as C++, from the same text that the GPU runs.
+// Frame.glsl, Sobol.glsl, Principled.glsl and Tone.glsl as C++, from the same text that the GPU runs.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -1,7 +1,8 @@
-// Sobol.glsl and Principled.glsl as C++: what the samplers and the scattering model promise.
+// Frame.glsl, Sobol.glsl and Principled.glsl as C++: what the samplers and the scattering model promise.
 #include "BlueNoise.h"
 #include "Shading/Shading.h"
 
+#include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -196,6 +197,51 @@ std::vector<Case> Cases()
 }
 
 } // namespace
+
+// In proportion to the cosine: as many numbers of a net in every cell of the disc, of rings and sectors of equal area.
+TEST(Frame, CosineDirectionsCoverTheDiscEvenly)
+{
+  const int rings = 8, sectors = 12;
+  const uint count = 1u << 18;
+  std::vector<int> cells(rings * sectors);
+  for (uint i = 0; i < count; ++i)
+  {
+    const uvec2 bits = ScrambledSobol(i, 1u, 0u);
+    const vec3 to = CosineDirection(vec2(UnitInterval(bits.x), UnitInterval(bits.y)));
+    ASSERT_NEAR(glm::length(to), 1.0f, 1e-6f);
+    ASSERT_GT(to.z, 0.0f);
+    const double ring = rings * (double(to.x) * to.x + double(to.y) * to.y);
+    const double sector = sectors * (std::atan2(to.y, to.x) / glm::two_pi<double>() + 0.5);
+    ++cells[std::min(int(ring), rings - 1) * sectors + std::min(int(sector), sectors - 1)];
+  }
+  const double expected = double(count) / (rings * sectors);
+  for (const int inside : cells)
+  {
+    EXPECT_NEAR(inside, expected, std::sqrt(expected)); // independent numbers' standard deviation
+  }
+}
+
+// What is close in the square is close on the disc, and its corners and middle are directions, too.
+TEST(Frame, CosineDirectionsKeepNeighboursTogether)
+{
+  const int side = 512;
+  const auto at = [side](int i, int j) { return CosineDirection(vec2((i + 0.5f) / side, (j + 0.5f) / side)); };
+  for (int i = 0; i + 1 < side; ++i)
+  {
+    for (int j = 0; j + 1 < side; ++j)
+    {
+      for (const vec3& next : { at(i + 1, j), at(i, j + 1) })
+      {
+        ASSERT_LT(glm::length(vec2(next) - vec2(at(i, j))), 3.0f / side) << i << ' ' << j;
+      }
+    }
+  }
+  for (const vec2& corner : { vec2(0.0f), vec2(0.5f), vec2(0.0f, 0.99999994f), vec2(0.99999994f) })
+  {
+    EXPECT_NEAR(glm::length(CosineDirection(corner)), 1.0f, 1e-6f);
+    EXPECT_GT(CosineDirection(corner).z, 0.0f);
+  }
+}
 
 // The directions that Scatter() draws, times their weights, have the density that Evaluate() gives: for lights and for
 // bounces the surface is the same one. Checked as the light each gets from 5 x 8 regions of the hemisphere.

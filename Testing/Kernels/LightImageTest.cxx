@@ -1,0 +1,142 @@
+// What becomes of light: exposure, features, denoising; and settings that it cannot be traced with.
+#include "LightFixture.h"
+#include "Shading/Shading.h"
+
+#include <glm/gtc/packing.hpp>
+
+#include <algorithm>
+
+using namespace light;
+
+TEST_F(LightTest, BadSettingsAreNamed)
+{
+  this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(1.0f) }, White());
+  const auto fails = [this](const char* name, auto change)
+  {
+    const rtg::TraceSettings before = this->settings;
+    change(this->settings);
+    try
+    {
+      this->Trace();
+      ADD_FAILURE() << name;
+    }
+    catch (const rtg::Error& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+    }
+    this->settings = before;
+  };
+  fails("radius", [](auto& s) { s.occlusionRadius = -1.0f; });
+  fails("radius", [](auto& s) { s.occlusionRadius = NAN; });
+  fails("occlusion rays", [](auto& s) { s.occlusionRays = 0; });
+  fails("occlusion rays", [](auto& s) { s.occlusionRays = 65; });
+  fails("paths", [](auto& s) { s.paths = 0; });
+  fails("paths", [](auto& s) { s.paths = 65; });
+  fails("bounces", [](auto& s) { s.maximumBounces = 0; });
+  fails("intensity", [](auto& s) { s.lightIntensity = -0.5f; });
+  fails("colour", [](auto& s) { s.environmentColour.g = NAN; });
+  fails("exposure", [](auto& s) { s.exposure = INFINITY; });
+}
+
+TEST_F(LightTest, ExposureAndToneMappingDevelopTheImage)
+{
+  rtg::Material material;
+  material.lighting = false;
+  material.colour = glm::vec3(0.5f);
+  this->Add(Shape::Box, { { 0, 0, 0 } }, { { 10, 10, 1 } }, material);
+  const auto shown = [this] { return static_cast<int>(this->Trace().colour[0] & 255u); };
+  for (Shading shading : { Shading::Local, Shading::PathTracing })
+  {
+    this->settings.shading = shading;
+    this->settings.exposure = 0.0f;
+    this->settings.toneMapping = rtg::ToneMapping::None;
+    EXPECT_NEAR(shown(), 128, 1);
+    // 0.5 is 0.2140 in linear light; one stop doubles it.
+    this->settings.exposure = 1.0f;
+    EXPECT_NEAR(shown(), 255.0 * (1.055 * std::pow(0.42808, 1.0 / 2.4) - 0.055), 1.0);
+    this->settings.exposure = 10.0f;
+    EXPECT_EQ(shown(), 255);
+    this->settings.exposure = 0.0f;
+    this->settings.toneMapping = rtg::ToneMapping::Filmic;
+    const double x = 0.21404;
+    const double filmic = x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
+    EXPECT_NEAR(shown(), 255.0 * (1.055 * std::pow(filmic, 1.0 / 2.4) - 0.055), 1.0);
+  }
+}
+
+TEST_F(LightTest, FeaturesSayWhatTheEyeMet)
+{
+  rtg::Material material;
+  material.colour = { 0.25f, 0.5f, 0.75f };
+  this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(1.8f) }, material);
+  this->settings.features = true;
+  const Image image = this->Trace();
+  const std::size_t middle = 12 * 24 + 12;
+  EXPECT_GT(image.normals[middle].z, 0.99f);
+  EXPECT_EQ(image.albedos[middle], material.colour);
+  EXPECT_NEAR(image.viewDepths[middle], 5.0 - 0.9, 2e-3 + 0.01);
+  EXPECT_EQ(image.normals[0], glm::vec3(0.0f));
+}
+
+TEST_F(LightTest, DenoisingBringsAnImageCloserToTheTruth)
+{
+  // A sphere on a floor, darkened where they meet.
+  this->camera = LookFrom({ 0, -5, 4 }, { 0, 0, 0.3 }, 1.5);
+  const auto ball = this->Add(Shape::Sphere, { { 0, 0, 0.5 } }, { glm::vec3(1.0f) }, Flat());
+  const auto floor = this->Add(Shape::Box, { { 0, 0, -0.5 } }, { { 20, 20, 1 } }, Flat());
+  rtg::Material grey;
+  grey.colour = glm::vec3(0.7f);
+  this->settings.width = this->settings.height = 48;
+  for (Shading shading : { Shading::AmbientOcclusion, Shading::PathTracing })
+  {
+    if (shading == Shading::PathTracing)
+    {
+      this->scene.SetMaterial(ball, grey);
+      this->scene.SetMaterial(floor, grey);
+    }
+    this->settings.shading = shading;
+    this->settings.features = false;
+    this->settings.sampler = Sampler::Sobol;
+    this->settings.samples = 512;
+    this->Trace();
+    const std::vector<glm::vec4> truth = this->tracer.Means();
+    // Display colours of the truth and of few samples, with noise and without.
+    const auto error = [&](const Image& image)
+    {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < truth.size(); ++i)
+      {
+        glm::vec3 wanted = glm::vec3(truth[i]) / std::max(truth[i].a, 1e-6f);
+        if (shading == Shading::PathTracing)
+        {
+          wanted = rtg::shading::LinearToDisplay(glm::clamp(wanted, 0.0f, 1.0f));
+        }
+        const glm::vec3 apart = glm::vec3(glm::unpackUnorm4x8(image.colour[i])) - wanted;
+        sum += glm::dot(apart, apart);
+      }
+      return sum / (3.0 * truth.size());
+    };
+    this->settings.features = true;
+    this->settings.samples = 4;
+    Image image = this->Trace();
+    const double noisy = error(image);
+    const std::vector<std::uint32_t> alphas(image.colour, image.colour + truth.size());
+    this->tracer.Denoise(image);
+    const double smooth = error(image);
+    std::printf("squared error of 4 samples %.2e, denoised %.2e\n", noisy, smooth);
+    // What is left is edges: few samples do not smooth these.
+    EXPECT_LT(smooth, 0.5 * noisy);
+    for (std::size_t i = 0; i < truth.size(); ++i)
+    {
+      ASSERT_EQ(image.colour[i] >> 24, alphas[i] >> 24);
+    }
+  }
+}
+
+TEST_F(LightTest, DenoisingNeedsWhatItIsGuidedBy)
+{
+  this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(1.0f) }, White());
+  this->settings.shading = Shading::AmbientOcclusion;
+  Image image = this->Trace();
+  EXPECT_THROW(this->tracer.Denoise(image), rtg::Error);
+}

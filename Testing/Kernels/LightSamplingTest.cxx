@@ -1,0 +1,364 @@
+// How the samples of ambient occlusion and path tracing are spread, ended and added up.
+#include "LightFixture.h"
+#include "SceneState.h"
+
+#include <algorithm>
+#include <random>
+
+using namespace light;
+
+// Where occluders are large in view, scrambled nets err less than independent samples, each pixel on its own.
+TEST_F(LightTest, NetsErrLessThanIndependentSamples)
+{
+  this->LookUnderALid(Flat());
+  this->settings.shading = Shading::AmbientOcclusion;
+  this->settings.samples = 256;
+  const auto meanSquare = [this](Sampler sampler)
+  {
+    this->settings.sampler = sampler;
+    this->Trace();
+    return this->ErrorOf(0.5).square;
+  };
+  const double random = meanSquare(Sampler::Random);
+  // p (1 - p) / n; the mean square of 576 pixels varies by sqrt(2 / 576) of itself.
+  EXPECT_NEAR(random, 0.25 / 256, certain * std::sqrt(2.0 / 576) * 0.25 / 256);
+  for (Sampler sampler : { Sampler::Stratified, Sampler::Sobol, Sampler::BlueNoise })
+  {
+    const double error = meanSquare(sampler);
+    EXPECT_LT(error, 0.5 * random) << static_cast<int>(sampler);
+    std::printf("sampler %d errs %.1f times less than independent samples\n",
+      static_cast<int>(sampler), random / error);
+  }
+}
+
+// Several occlusion rays a sample: the same mean, to which each ray adds its part, and those of one sample and of all together are nets.
+TEST_F(LightTest, SeveralOcclusionRaysASample)
+{
+  this->LookUnderALid(Flat());
+  this->settings.shading = Shading::AmbientOcclusion;
+  const auto errors = [this](Sampler sampler, std::uint32_t samples, std::uint32_t rays)
+  {
+    this->settings.sampler = sampler;
+    this->settings.samples = samples;
+    this->settings.occlusionRays = rays;
+    this->Trace();
+    return this->ErrorOf(0.5);
+  };
+  const double pixels = static_cast<double>(this->settings.width * this->settings.height);
+  for (const std::uint32_t samples : { 1u, 4u })
+  {
+    const double variance = 0.25 / (64.0 * samples); // of independent rays
+    const Error independent = errors(Sampler::Random, samples, 64);
+    EXPECT_NEAR(independent.mean, 0.0, certain * std::sqrt(variance / pixels));
+    EXPECT_NEAR(independent.square, variance, certain * std::sqrt(2.0 / pixels) * variance);
+    for (Sampler sampler : { Sampler::Stratified, Sampler::Sobol, Sampler::BlueNoise })
+    {
+      const Error spread = errors(sampler, samples, 64);
+      EXPECT_NEAR(spread.mean, 0.0, certain * std::sqrt(variance / pixels)) << static_cast<int>(sampler);
+      EXPECT_LT(spread.square, 0.5 * variance) << static_cast<int>(sampler);
+    }
+  }
+}
+
+// Several paths a sample: those of one sample and of all together are nets, too. One scattering on a matt floor under the same lid: half of the
+// light, but for the shape of the diffuse lobe.
+TEST_F(LightTest, SeveralPathsASample)
+{
+  this->LookUnderALid(White());
+  this->settings.shading = Shading::PathTracing;
+  this->settings.maximumBounces = 1;
+  this->settings.paths = 64;
+  for (const std::uint32_t samples : { 1u, 4u })
+  {
+    this->settings.samples = samples;
+    const double independent = 0.25 / (64.0 * samples);
+    for (Sampler sampler : { Sampler::Random, Sampler::Stratified, Sampler::Sobol, Sampler::BlueNoise })
+    {
+      this->settings.sampler = sampler;
+      this->Trace();
+      const Error error = this->ErrorOf(0.5);
+      EXPECT_NEAR(error.mean, 0.0, 0.05) << static_cast<int>(sampler);
+      const double variance = error.square - error.mean * error.mean;
+      if (sampler == Sampler::Random)
+      {
+        EXPECT_NEAR(variance, independent, 0.2 * independent);
+      }
+      else
+      {
+        EXPECT_LT(variance, 0.5 * independent) << static_cast<int>(sampler);
+      }
+    }
+  }
+}
+
+// A thing that covers a quarter of each pixel is hit by exactly a quarter of the samples: their places are a net, although the
+// first of them is the pixel's centre.
+TEST_F(LightTest, PlacesInAPixelAreANet)
+{
+  std::vector<glm::vec3> centres;
+  for (int column = 0; column < 24; ++column)
+  {
+    centres.emplace_back(-1.0f + (column + 0.125f) / 12.0f, 0.0f, 0.0f);
+  }
+  this->Add(Shape::Box, centres, std::vector<glm::vec3>(24, glm::vec3(0.25f / 12.0f, 10.0f, 0.1f)), Flat());
+  this->settings.sampler = Sampler::Sobol;
+  this->settings.shading = Shading::AmbientOcclusion;
+  this->settings.occlusionRadius = 1e-6f;
+  for (std::uint32_t samples : { 4, 16, 64 })
+  {
+    this->settings.samples = samples;
+    const Image image = this->Trace();
+    for (const glm::vec4& mean : this->tracer.Means())
+    {
+      ASSERT_EQ(mean.a, 0.25f) << samples;
+    }
+    // That of the nearest sample, none of which is the centre.
+    EXPECT_LT(image.depth[0], 1.0f);
+  }
+}
+
+// Russian roulette, with guesses where light comes from all around alone and without, and several paths a sample: the same mean.
+TEST_F(LightTest, RouletteAndPathsChangeNoMean)
+{
+  rtg::Material shining;
+  shining.colour = glm::vec3(0.6f, 0.75f, 0.9f);
+  shining.ambientColour = glm::vec3(0.5f, 0.3f, 0.1f);
+  shining.ambient = 0.2f;
+  shining.specular = 0.5f;
+  shining.roughness = 0.4f;
+  std::vector<glm::vec3> centres;
+  for (int i = 0; i < 27; ++i)
+  {
+    centres.emplace_back(0.5f * (i % 3 - 1), 0.5f * (i / 3 % 3 - 1), 0.5f * (i / 9 - 1));
+  }
+  this->Add(Shape::Sphere, centres, std::vector<glm::vec3>(27, glm::vec3(0.55f)), shining);
+  this->settings.shading = Shading::PathTracing;
+  this->settings.environmentColour = glm::vec3(1.0f, 0.8f, 0.9f);
+  this->settings.samples = 128;
+  rtg::Light sun;
+  sun.kind = rtg::Light::Kind::Directional;
+  sun.direction = glm::normalize(glm::vec3(0.3f, -0.5f, -1.0f));
+  for (const bool lit : { false, true })
+  {
+    this->lights = lit ? std::vector<rtg::Light>{ sun } : std::vector<rtg::Light>();
+    this->settings.roulette = Roulette::None;
+    this->settings.paths = 1;
+    this->Trace();
+    const std::vector<glm::vec4> plain = this->tracer.Means();
+    for (const auto& [roulette, paths] : { std::pair(Roulette::Guessing, 1u), std::pair(Roulette::None, 4u),
+           std::pair(Roulette::Plain, 1u), std::pair(Roulette::Guessing, 5u) })
+    {
+      this->settings.roulette = roulette;
+      this->settings.paths = paths;
+      this->Trace();
+      const std::vector<glm::vec4> means = this->tracer.Means();
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        // Pixel by pixel, so that only noise is left; mean and deviation of the difference.
+        double sum = 0.0, squares = 0.0;
+        const double count = static_cast<double>(means.size());
+        for (std::size_t i = 0; i < means.size(); ++i)
+        {
+          const double difference = means[i][channel] - plain[i][channel];
+          sum += difference;
+          squares += difference * difference;
+        }
+        EXPECT_GT(squares, 0.0);
+        EXPECT_NEAR(sum / count, 0.0, certain * std::sqrt(squares) / count) << lit << static_cast<int>(roulette) << paths << channel;
+        EXPECT_LT(certain * std::sqrt(squares) / count, 0.01);
+      }
+    }
+  }
+}
+
+class Steps
+  : public LightTest
+  , public ::testing::WithParamInterface<Shading>
+{
+};
+
+// However the samples are shared out among calls: the same image to the bit.
+TEST_P(Steps, AccumulateToTheSameImage)
+{
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> uniform(-0.8f, 0.8f);
+  std::vector<glm::vec3> centres(50);
+  for (auto& c : centres)
+  {
+    c = { uniform(random), uniform(random), uniform(random) };
+  }
+  rtg::Material material;
+  material.colour = { 0.9f, 0.5f, 0.3f };
+  material.specular = 0.4f;
+  this->Add(Shape::Sphere, centres, std::vector<glm::vec3>(50, glm::vec3(0.3f)), material);
+  this->lights.emplace_back();
+  this->settings.shading = GetParam();
+  this->settings.width = 41;
+  this->settings.height = 33;
+  this->settings.plannedSamples = 13;
+  this->settings.occlusionRays = this->settings.paths = 3;
+  this->settings.features = true;
+  const std::size_t pixels = 41 * 33;
+  for (Sampler sampler : { Sampler::Stratified, Sampler::Sobol })
+  {
+    this->settings.sampler = sampler;
+    this->settings.firstSample = 0;
+    this->settings.samples = 13;
+    const Image whole = this->Trace();
+    const std::vector<std::uint32_t> colour(whole.colour, whole.colour + pixels);
+    const std::vector<std::uint32_t> glyphs(whole.glyphIds, whole.glyphIds + pixels);
+    const std::vector<std::uint32_t> sets(whole.setIds, whole.setIds + pixels);
+    const std::vector<float> depth(whole.depth, whole.depth + pixels);
+    const std::vector<glm::vec4> means = this->tracer.Means();
+
+    // A fresh tracer too: nothing may depend on what was traced before.
+    rtg::Tracer other(this->device);
+    Image image;
+    std::uint32_t done = 0;
+    for (std::uint32_t step : { 1, 4, 8 })
+    {
+      this->settings.firstSample = done;
+      this->settings.samples = step;
+      image = other.Trace(this->scene, this->camera, this->lights, this->settings);
+      done += step;
+      EXPECT_EQ(image.samples, done);
+    }
+    EXPECT_EQ(colour, std::vector<std::uint32_t>(image.colour, image.colour + pixels));
+    EXPECT_EQ(glyphs, std::vector<std::uint32_t>(image.glyphIds, image.glyphIds + pixels));
+    EXPECT_EQ(sets, std::vector<std::uint32_t>(image.setIds, image.setIds + pixels));
+    EXPECT_EQ(depth, std::vector<float>(image.depth, image.depth + pixels));
+    EXPECT_EQ(means, other.Means());
+    EXPECT_EQ(whole.normals, image.normals);
+    EXPECT_EQ(whole.albedos, image.albedos);
+    EXPECT_EQ(whole.viewDepths, image.viewDepths);
+  }
+}
+
+static std::string NameOf(const ::testing::TestParamInfo<Shading>& info)
+{
+  static const char* const names[] = { "Local", "AmbientOcclusion", "PathTracing" };
+  return names[static_cast<int>(info.param)];
+}
+
+INSTANTIATE_TEST_SUITE_P(Shadings, Steps,
+  ::testing::Values(Shading::Local, Shading::AmbientOcclusion, Shading::PathTracing), NameOf);
+
+struct Whole
+{
+  const char* name;
+  Shape shape;
+  bool plain; ///< all alike and at rest
+  Shading shading;
+};
+
+static void PrintTo(const Whole& whole, std::ostream* out)
+{
+  *out << whole.name;
+}
+
+class WholeScene
+  : public LightTest
+  , public ::testing::WithParamInterface<Whole>
+{
+};
+
+// A scene that is one set of glyphs has programs of its own, which walk its tree without the driver's structure. With another set, which nobody can
+// see inside one of the glyphs, the same picture comes through that structure.
+TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
+{
+  const auto [name, shape, plain, shading] = GetParam();
+  this->scene.GetState().structure = rtg::Structure::Tree;
+  this->settings.width = this->settings.height = 80;
+  this->settings.samples = 3;
+  this->settings.sharedTimeBits = 0; // the sets have different numbers of slices
+  this->settings.paths = 2;
+  this->settings.shading = shading;
+  this->lights.emplace_back();
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+  rtg::GlyphInstances instances;
+  instances.shape = shape;
+  instances.origin = { 0.03, -0.01, 0.02 };
+  instances.uniformSize = 0.2f;
+  rtg::GlyphColours colours;
+  for (int i = 0; i < 300; ++i)
+  {
+    instances.centres.emplace_back(1.8f * uniform(random) - 0.9f, 1.8f * uniform(random) - 0.9f, uniform(random));
+    if (!plain)
+    {
+      instances.sizes3.emplace_back(0.1f + 0.2f * uniform(random), 0.1f + 0.1f * uniform(random), 0.1f);
+      instances.rotations.push_back(glm::normalize(glm::vec4(uniform(random), uniform(random), uniform(random), 1.0f)));
+      instances.motion.velocities.emplace_back(0.1f, 0.05f, 0.0f);
+      colours.push_back(static_cast<std::uint32_t>(random()) | 0xff000000u);
+      instances.exponents3.emplace_back(1.0f + 3.0f * uniform(random), 2.0f, 1.0f + 5.0f * uniform(random));
+    }
+  }
+  if (shape != Shape::Superquadric)
+  {
+    instances.exponents3.clear();
+  }
+  // A set that is not shown, but whose origin is the scene's: centres are not relative to that.
+  rtg::GlyphInstances away;
+  away.origin = { 0.7, -0.4, 0.2 };
+  away.centres = { glm::vec3(0.0f) };
+  const auto first = this->scene.Add();
+  this->scene.SetInstances(first, away);
+  this->scene.SetVisible(first, false);
+  const auto id = this->scene.Add();
+  this->scene.SetInstances(id, instances);
+  this->scene.SetColours(id, colours);
+  const Image one = this->Trace();
+  const std::size_t pixels = std::size_t(one.width) * one.height;
+  const std::vector<std::uint32_t> glyphs(one.glyphIds, one.glyphIds + pixels);
+  const std::vector<float> depths(one.depth, one.depth + pixels);
+  const std::vector<glm::vec4> means = this->tracer.Means();
+  EXPECT_GT(pixels, 3 * std::size_t(std::count(glyphs.begin(), glyphs.end(), Image::noGlyph)) / 2);
+
+  rtg::GlyphInstances hidden;
+  hidden.origin = instances.origin;
+  hidden.uniformSize = 1e-4f;
+  hidden.centres = { instances.centres[0] };
+  if (!plain)
+  {
+    hidden.motion.velocities = { instances.motion.velocities[0] };
+  }
+  this->scene.SetInstances(this->scene.Add(), hidden);
+  const Image several = this->Trace();
+  const std::vector<glm::vec4> others = this->tracer.Means();
+  std::size_t otherGlyphs = 0, otherDepths = 0, otherColours = 0;
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    otherGlyphs += glyphs[i] != several.glyphIds[i];
+    otherDepths += depths[i] != several.depth[i];
+    otherColours += means[i] != others[i];
+  }
+  EXPECT_EQ(otherGlyphs, 0u);
+  EXPECT_EQ(otherDepths, 0u);
+  EXPECT_EQ(otherColours, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, WholeScene,
+  ::testing::Values(Whole{ "SphereLocal", Shape::Sphere, true, Shading::Local },
+    Whole{ "SphereOcclusion", Shape::Sphere, true, Shading::AmbientOcclusion },
+    Whole{ "SpherePath", Shape::Sphere, true, Shading::PathTracing },
+    Whole{ "EllipsoidPath", Shape::Sphere, false, Shading::PathTracing },
+    Whole{ "BoxOcclusion", Shape::Box, false, Shading::AmbientOcclusion },
+    Whole{ "CylinderLocal", Shape::Cylinder, true, Shading::Local },
+    Whole{ "ConeOcclusion", Shape::Cone, true, Shading::AmbientOcclusion },
+    Whole{ "ArrowOcclusion", Shape::Arrow, false, Shading::AmbientOcclusion },
+    Whole{ "SuperquadricLocal", Shape::Superquadric, false, Shading::Local }),
+  [](const auto& info) { return std::string(info.param.name); });
+
+TEST_F(LightTest, SamplesAreAddedOnlyToTheirOwnImage)
+{
+  this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(1.0f) }, White());
+  this->settings.samples = 4;
+  this->Trace();
+  this->settings.firstSample = 3;
+  EXPECT_THROW(this->Trace(), rtg::Error); // four are there
+  this->settings.firstSample = 4;
+  this->settings.shading = Shading::AmbientOcclusion;
+  EXPECT_THROW(this->Trace(), rtg::Error); // of another kind
+  this->settings.shading = Shading::Local;
+  EXPECT_EQ(this->Trace().samples, 8u);
+}
