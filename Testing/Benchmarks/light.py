@@ -15,6 +15,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 TABLED = (1, 4, 16, 64, 256, 1024)
+KEPT = {"occlusion": "sobol x8", "path": "sobol x4"}  # what the plugin does by default
 
 
 def read(path):
@@ -50,17 +51,18 @@ def main():
         for axis, (shading, samplers) in zip(axes[:, column], read(path).items()):
             plain = "random plain" if "random plain" in samplers else "random"
             random = samplers[plain]
+            axis.set_prop_cycle(color=plt.get_cmap("tab20").colors)
             for sampler, rows in samplers.items():
                 axis.loglog([r["seconds"] for r in rows], [r["error"] for r in rows], "o-", label=sampler, markersize=3)
                 found = {r["samples"]: r for r in rows}
                 cells = ["" if n not in found else "%.2g" % found[n]["error"] if sampler == plain else
                          "%.2f" % (at_time(random, found[n]["seconds"]) / found[n]["error"]) for n in TABLED]
                 print("| %s | %s | %s | %s |" % (name, shading, sampler + (": error" if sampler == plain else ": gain"), " | ".join(cells)))
-                if sampler == "sobol x4":
+                if sampler == KEPT[shading]:
                     axis.loglog([r["denoised_seconds"] for r in rows], [r["denoised"] for r in rows], "s--", color="0.5",
-                                label="sobol x4, denoised", markersize=3)
+                                label=sampler + ", denoised", markersize=3)
                     cells = ["%.2g" % found[n]["denoised"] if n in found else "" for n in TABLED]
-                    print("| %s | %s | %s | %s |" % (name, shading, "sobol x4, denoised: error", " | ".join(cells)))
+                    print("| %s | %s | %s | %s |" % (name, shading, sampler + ", denoised: error", " | ".join(cells)))
             axis.set_xlabel("processor seconds")
             axis.set_ylabel("mean squared error")
             axis.set_title("%s, %s" % (name, shading))
