@@ -2,19 +2,17 @@
 
 #include "BlueNoise.h"
 #include "Denoiser.h"
+#include "Frame.h"
 #include "HostDevice.h"
 #include "SceneState.h"
 #include "Shading/Shading.h"
 #include "Stopwatch.h"
 
-#include <algorithm>
-#include <array>
 #include <glm/gtc/packing.hpp>
 
-#include <cfloat>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <sstream>
 
 namespace rtg
 {
@@ -26,9 +24,7 @@ using Usage = vk::BufferUsageFlagBits;
 
 constexpr std::uint32_t tileSize = 8;
 constexpr std::uint32_t lanesPerTile = tileSize * tileSize;
-constexpr std::uint32_t maxSide = 32768; ///< of an image, in pixels; more than any OpenGL viewport
-constexpr std::uint32_t maxSamples = 1u << 20; ///< a pixel
-constexpr std::uint32_t blueNoiseSide = 64;    ///< as in Shading/Sampling.glsl
+constexpr std::uint32_t blueNoiseSide = 64; ///< as in Shading/Sampling.glsl
 
 std::uint32_t DivideUp(std::uint32_t value, std::uint32_t by)
 {
@@ -45,169 +41,6 @@ void Fit(Buffer& buffer, Device::State& device, std::size_t size)
   }
 }
 
-void Split(const glm::dvec3& exact, glm::vec3& high, glm::vec3& low)
-{
-  high = glm::vec3(exact);
-  low = glm::vec3(exact - glm::dvec3(high));
-}
-
-void FillCamera(device::FrameRecord& frame, const Camera& camera, const glm::dvec3& origin)
-{
-  Split(camera.eye - origin, frame.eye, frame.eyeLow);
-  frame.eyeRight = camera.eyeRight;
-  frame.eyeUp = camera.eyeUp;
-  frame.forward = camera.forward;
-  frame.right = camera.right;
-  frame.up = camera.up;
-  frame.viewPosition = camera.position - origin;
-  // Screen-space right cross up points at the viewer for both kinds of projection.
-  const glm::dvec3 spanX = camera.parallel ? camera.eyeRight : camera.right;
-  const glm::dvec3 spanY = camera.parallel ? camera.eyeUp : camera.up;
-  const glm::dvec3 axis = glm::normalize(glm::cross(spanX, spanY));
-  frame.viewAxis = glm::dot(axis, camera.forward) > 0 ? -axis : axis;
-  frame.nearDepth = static_cast<float>(camera.nearDepth);
-  frame.farDepth = static_cast<float>(camera.farDepth);
-  frame.depthA = static_cast<float>(camera.depthA);
-  frame.depthB = static_cast<float>(camera.depthB);
-  frame.parallel = camera.parallel;
-}
-
-std::vector<device::LightRecord>
-MakeLights(const std::vector<Light>& lights, const glm::dvec3& origin)
-{
-  std::vector<device::LightRecord> records;
-  for (const Light& light : lights)
-  {
-    device::LightRecord record{};
-    record.kind = static_cast<std::uint32_t>(light.kind);
-    record.colour = light.colour;
-    record.position = light.position - origin;
-    record.direction = light.direction;
-    record.attenuation = light.attenuation;
-    record.cosCone = light.coneAngle < 90.0f ? std::cos(glm::radians(light.coneAngle)) : -2.0f;
-    record.exponent = light.exponent;
-    records.push_back(record);
-  }
-  return records;
-}
-
-void CheckSettings(const TraceSettings& settings)
-{
-  const auto check = [](const char* name, auto value, auto least, auto most)
-  {
-    if (!(value >= least && value <= most))
-    {
-      std::ostringstream message;
-      message << "Ray Traced Glyphs: " << name << " is " << value << "; it must lie between "
-              << least << " and " << most << ".";
-      throw Error(message.str());
-    }
-  };
-  check("the samples per pixel", settings.samples, 1u, maxSamples);
-  check("the number of the first sample", settings.firstSample, 0u, maxSamples);
-  check("the number of shared binary digits of time", settings.sharedTimeBits, -1, 5);
-  check("the pixel step", settings.pixelStep, 1u, 64u);
-  check("the ambient occlusion radius", settings.occlusionRadius, 0.0f, FLT_MAX);
-  check("the number of occlusion rays", settings.occlusionRays, 1u, 64u);
-  check("the number of paths a sample", settings.paths, 1u, 64u);
-  check("the maximum of bounces", settings.maximumBounces, 1u, 1000u);
-  check("the light intensity", settings.lightIntensity, 0.0f, 1e30f);
-  for (int i = 0; i < 3; ++i)
-  {
-    check("the environment colour", settings.environmentColour[i], 0.0f, 1e30f);
-  }
-  check("the exposure", settings.exposure, -100.0f, 100.0f);
-  if (settings.width > maxSide || settings.height > maxSide)
-  {
-    throw Error("Ray Traced Glyphs: an image of " + std::to_string(settings.width) + " x " +
-      std::to_string(settings.height) + " pixels is too large; the most is " +
-      std::to_string(maxSide) + " a side.");
-  }
-}
-
-// In how many ways a sample looks for light.
-std::uint32_t Branches(const TraceSettings& settings)
-{
-  return settings.shading == Shading::AmbientOcclusion ? settings.occlusionRays
-    : settings.shading == Shading::PathTracing         ? settings.paths
-                                                       : 1;
-}
-
-void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
-{
-  frame.width = settings.width;
-  frame.height = settings.height;
-  frame.pixelStep = settings.pixelStep;
-  frame.plannedSamples =
-    settings.plannedSamples ? settings.plannedSamples : settings.firstSample + settings.samples;
-  frame.environment = settings.lightIntensity *
-    (settings.shading == Shading::PathTracing ? shading::DisplayToLinear(settings.environmentColour)
-                                              : settings.environmentColour);
-  frame.occlusionRadius = settings.occlusionRadius > 0.0f ? settings.occlusionRadius : 1e38f;
-  frame.branches = Branches(settings);
-  frame.maximumBounces = settings.maximumBounces;
-  frame.exposureFactor = std::exp2(settings.exposure);
-  frame.filmic = settings.toneMapping == ToneMapping::Filmic;
-  frame.roulette = static_cast<std::uint32_t>(settings.roulette);
-}
-
-// What local shading does not use does not tell its programs apart.
-Generation GenerationFor(const TraceSettings& settings)
-{
-  Generation generation;
-  generation.program = settings.shading == Shading::Local ? Program::Local
-    : settings.shading == Shading::PathTracing            ? Program::Path
-                                                          : Program::Occlusion;
-  generation.sampler =
-    settings.shading == Shading::Local ? 0 : static_cast<std::uint32_t>(settings.sampler);
-  generation.gathersFeatures = settings.features;
-  generation.develops = settings.shading == Shading::PathTracing || settings.exposure != 0.0f ||
-    settings.toneMapping != ToneMapping::None;
-  generation.environmentImage =
-    settings.environmentImage && settings.shading == Shading::PathTracing;
-  return generation;
-}
-
-// Samples a pixel in one dispatch: a GPU that works on one for seconds is taken for hung by its driver.
-std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
-{
-  const std::size_t cameraRays = std::size_t(1) << (settings.shading == Shading::Local ? 28
-                                     : settings.shading == Shading::PathTracing        ? 23
-                                                                                       : 26);
-  const std::size_t samples = std::max<std::size_t>(1, cameraRays / (pixels * Branches(settings)));
-  return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
-}
-
-// See TraceSettings::sharedTimeBits.
-std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceBits)
-{
-  if (settings.sharedTimeBits >= 0)
-  {
-    return static_cast<std::uint32_t>(settings.sharedTimeBits);
-  }
-  const std::uint32_t planned =
-    settings.plannedSamples ? settings.plannedSamples : settings.firstSample + settings.samples;
-  std::uint32_t bits = 0;
-  while (bits < sliceBits && (planned >> (bits + 1)) != 0)
-  {
-    ++bits;
-  }
-  return bits;
-}
-
-// The parts of the shutter's opening that local shading gives one sample each (Shading/ShutterTime.glsl); 0: other times.
-std::uint32_t TimeStrataBits(const TraceSettings& settings, std::uint32_t planned)
-{
-  const bool asked = settings.shading == Shading::Local && settings.sharedTimeBits < 0 &&
-    (settings.sampler == Sampler::Sobol || settings.sampler == Sampler::BlueNoise);
-  std::uint32_t bits = 0;
-  while (asked && (1u << bits) < planned)
-  {
-    ++bits;
-  }
-  return bits;
-}
-
 } // namespace
 
 struct Tracer::State
@@ -222,6 +55,9 @@ struct Tracer::State
   void CheckContinues(const TraceSettings& settings) const;
   void Clear(std::size_t pixels);
   void FillFeatures(Image& image) const;
+  void PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame);
+  device::FrameRecord MakeFrame(const Scene::State& scene, const Camera& camera, const std::vector<Light>& lights,
+    const TraceSettings& settings, Pass pass);
   void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame,
     std::uint32_t width, std::uint32_t height);
 
@@ -231,8 +67,6 @@ struct Tracer::State
   Buffer frameBuffer, lightBuffer, colour, depth, setIds, glyphIds, rays;
   Buffer sums, features;         ///< none unless asked for
   Buffer blueNoise;              ///< none unless its sampler was used
-  void PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame);
-
   std::shared_ptr<const EnvironmentImage> environment; ///< that the next three are made from
   EnvironmentCells environmentCells;
   Buffer environmentTexels, environmentCellBuffer;
@@ -339,10 +173,7 @@ void Tracer::State::Prepare(const TraceSettings& settings, bool keepSums)
   }
   if (settings.sampler == Sampler::BlueNoise && this->blueNoise.Size() == 0)
   {
-    const std::vector<std::uint32_t> tile = BlueNoiseTile(blueNoiseSide);
-    this->blueNoise =
-      Buffer(vulkan, tile.size() * sizeof(tile[0]), Usage::eStorageBuffer, Buffer::Place::Device);
-    this->blueNoise.Upload(tile.data(), tile.size() * sizeof(tile[0]));
+    this->blueNoise = Send(vulkan, BlueNoiseTile(blueNoiseSide));
   }
 }
 
@@ -359,17 +190,10 @@ void Tracer::State::PrepareEnvironment(const TraceSettings& settings, device::Fr
     Device::State& vulkan = this->device->GetState();
     this->environment.reset();
     this->environmentCells = MakeEnvironmentCells(image);
-    const auto fill = [&vulkan](Buffer& buffer, const auto& values)
-    {
-      buffer = Buffer();
-      buffer = Buffer(vulkan, values.size() * sizeof(values[0]), Usage::eStorageBuffer, Buffer::Place::Device);
-      buffer.Upload(values.data(), values.size() * sizeof(values[0]));
-    };
-    fill(this->environmentTexels, image.radiance);
-    if (!this->environmentCells.cells.empty())
-    {
-      fill(this->environmentCellBuffer, this->environmentCells.cells);
-    }
+    this->environmentTexels = Buffer();
+    this->environmentTexels = Send(vulkan, image.radiance);
+    this->environmentCellBuffer = Buffer();
+    this->environmentCellBuffer = Send(vulkan, this->environmentCells.cells);
     this->environment = settings.environmentImage;
   }
   frame.environmentTexels = this->environmentTexels.Address();
@@ -439,6 +263,36 @@ void Tracer::State::FillFeatures(Image& image) const
   }
 }
 
+// But for samples and times.
+device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Camera& camera,
+  const std::vector<Light>& lights, const TraceSettings& settings, Pass pass)
+{
+  device::FrameRecord frame{};
+  FillCamera(frame, camera, scene.origin);
+  FillSettings(frame, settings);
+  const std::vector<device::LightRecord> records = MakeLights(lights, scene.origin);
+  const std::size_t lightBytes = records.size() * sizeof(device::LightRecord);
+  Fit(this->lightBuffer, this->device->GetState(), std::max(lightBytes, sizeof(device::LightRecord)));
+  this->lightBuffer.Upload(records.data(), lightBytes);
+  frame.lights = this->lightBuffer.Address();
+  frame.lightCount = static_cast<std::uint32_t>(records.size());
+  frame.sets = scene.recordBuffer.Address();
+  frame.sceneLower = scene.bounds.lower;
+  frame.sceneUpper = scene.bounds.upper;
+  frame.colour = this->colour.Address();
+  frame.depth = this->depth.Address();
+  frame.setIds = this->setIds.Address();
+  frame.glyphIds = this->glyphIds.Address();
+  frame.sums = this->sums.Address();
+  frame.features = this->features.Address();
+  frame.blueNoise = this->blueNoise.Address();
+  frame.cullMask = pass == Pass::All ? device::OPAQUE_MASK | device::TRANSLUCENT_MASK
+    : pass == Pass::Opaque           ? device::OPAQUE_MASK
+                                     : device::TRANSLUCENT_MASK;
+  this->PrepareEnvironment(settings, frame);
+  return frame;
+}
+
 Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights,
   const TraceSettings& settings, Pass pass)
 {
@@ -475,31 +329,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
       }
       else
       {
-        device::FrameRecord frame{};
-        FillCamera(frame, camera, glyphs.origin);
-        const auto lightRecords = MakeLights(lights, glyphs.origin);
-        Fit(state.lightBuffer, vulkan,
-          std::max<std::size_t>(1, lightRecords.size()) * sizeof(device::LightRecord));
-        state.lightBuffer.Upload(
-          lightRecords.data(), lightRecords.size() * sizeof(device::LightRecord));
-        frame.sets = glyphs.recordBuffer.Address();
-        frame.lights = state.lightBuffer.Address();
-        frame.lightCount = static_cast<std::uint32_t>(lightRecords.size());
-        frame.colour = state.colour.Address();
-        frame.depth = state.depth.Address();
-        frame.setIds = state.setIds.Address();
-        frame.glyphIds = state.glyphIds.Address();
-        frame.sums = state.sums.Address();
-        frame.features = state.features.Address();
-        frame.blueNoise = state.blueNoise.Address();
-        frame.sceneLower = glyphs.bounds.lower;
-        frame.sceneUpper = glyphs.bounds.upper;
-        frame.cullMask = pass == Pass::All ? device::OPAQUE_MASK | device::TRANSLUCENT_MASK
-          : pass == Pass::Opaque           ? device::OPAQUE_MASK
-                                           : device::TRANSLUCENT_MASK;
-        FillSettings(frame, settings);
-        state.PrepareEnvironment(settings, frame);
-
+        device::FrameRecord frame = state.MakeFrame(glyphs, camera, lights, settings, pass);
         Generation generation = GenerationFor(settings);
         generation.alone = glyphs.records.size() == 1;
         generation.accumulates = keeps;
@@ -508,7 +338,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
         {
           generation.sampler = static_cast<std::uint32_t>(settings.sampler);
           frame.sharedTimeBits = SharedTimeBits(settings, glyphs.placedTimeSliceBits);
-          frame.timeStrataBits = TimeStrataBits(settings, frame.plannedSamples);
+          frame.timeStrataBits = TimeStrataBits(settings);
         }
         // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
         generation.layered = pass == Pass::Translucent && settings.shading != Shading::PathTracing;

@@ -1,26 +1,21 @@
 #include "vtkGlyphInstanceBuilder.h"
 
 #include "vtkAOSDataArrayTemplate.h"
-#include "vtkArrayDispatch.h"
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkGlyphPlacement.h"
 #include "vtkGlyphPointGatherer.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkQuaternion.h"
 #include "vtkUnsignedIntArray.h"
-
-#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <sstream>
 
 namespace
@@ -130,166 +125,6 @@ std::vector<vtkIdType> Candidates(
   return candidates;
 }
 
-// What vtkGlyph3DMapper turns a glyph by. False: the tuple gives no rotation.
-bool RotationFromTuple(const double* tuple, int mode, glm::dquat& rotation)
-{
-  const auto finite = [tuple](int n)
-  { return std::all_of(tuple, tuple + n, [](double v) { return std::isfinite(v); }); };
-  switch (mode)
-  {
-    case vtkGlyphInstanceBuilder::ROTATION:
-    {
-      if (!finite(3))
-      {
-        return false;
-      }
-      const glm::dvec3 half = 0.5 * glm::radians(glm::dvec3(tuple[0], tuple[1], tuple[2]));
-      rotation = glm::dquat(std::cos(half.z), 0.0, 0.0, std::sin(half.z)) *
-        glm::dquat(std::cos(half.x), std::sin(half.x), 0.0, 0.0) *
-        glm::dquat(std::cos(half.y), 0.0, std::sin(half.y), 0.0);
-      return true;
-    }
-    case vtkGlyphInstanceBuilder::QUATERNION:
-    {
-      if (!finite(4))
-      {
-        return false;
-      }
-      // Scaled first: the square of a tiny or huge component would leave the range of double.
-      const double largest = std::max(
-        { std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]), std::abs(tuple[3]) });
-      if (largest == 0.0)
-      {
-        return false;
-      }
-      rotation = glm::normalize(
-        glm::dquat(tuple[0] / largest, tuple[1] / largest, tuple[2] / largest, tuple[3] / largest));
-      return true;
-    }
-    default:
-    {
-      if (!finite(3))
-      {
-        return false;
-      }
-      const double largest =
-        std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) });
-      if (largest == 0.0)
-      {
-        return false;
-      }
-      // A half turn about the middle between +x and the direction. It is +z for -x, as in vtkGlyph3DMapper.
-      const glm::dvec3 direction =
-        glm::normalize(glm::dvec3(tuple[0], tuple[1], tuple[2]) / largest);
-      if (direction.y == 0.0 && direction.z == 0.0)
-      {
-        rotation =
-          direction.x < 0.0 ? glm::dquat(0.0, 0.0, 1.0, 0.0) : glm::dquat(1.0, 0.0, 0.0, 0.0);
-        return true;
-      }
-      // 1 + x loses its digits where the direction is nearly -x; there (y^2 + z^2) / (1 - x) is the same.
-      const double yz = direction.y * direction.y + direction.z * direction.z;
-      const double x = direction.x < 0.0 ? yz / (1.0 - direction.x) : 1.0 + direction.x;
-      const glm::dvec3 axis = glm::normalize(glm::dvec3(x, direction.y, direction.z));
-      rotation = glm::dquat(0.0, axis.x, axis.y, axis.z);
-      return true;
-    }
-  }
-}
-
-// The linear part of the actor's matrix: none, a turn with one scale, or one that also shears.
-struct Placement
-{
-  bool Identity = true;
-  bool Uniform = true;
-  glm::dmat3 Linear{ 1.0 };
-  glm::dvec3 Offset{ 0.0 };
-  double Scale = 1.0;
-  glm::dquat Rotation{ 1.0, 0.0, 0.0, 0.0 };
-
-  explicit Placement(vtkMatrix4x4* matrix)
-  {
-    if (!matrix || matrix->IsIdentity())
-    {
-      return;
-    }
-    this->Identity = false;
-    for (int row = 0; row < 3; ++row)
-    {
-      for (int column = 0; column < 3; ++column)
-      {
-        this->Linear[column][row] = matrix->GetElement(row, column);
-      }
-      this->Offset[row] = matrix->GetElement(row, 3);
-    }
-    const glm::dmat3 gram = glm::transpose(this->Linear) * this->Linear;
-    const double square = (gram[0][0] + gram[1][1] + gram[2][2]) / 3.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      for (int j = 0; j < 3; ++j)
-      {
-        this->Uniform &= std::abs(gram[i][j] - (i == j ? square : 0.0)) <= 1e-9 * square;
-      }
-    }
-    if (this->Uniform && square > 0.0)
-    {
-      // A mirror image is the negative of a turned one: the sign goes into the scale.
-      this->Scale = std::copysign(std::sqrt(square), glm::determinant(this->Linear));
-      this->Rotation = glm::normalize(glm::quat_cast(this->Linear / this->Scale));
-    }
-  }
-};
-
-// Size and rotation of the image of a glyph under a map that is no turn with one scale. Exact for spheres, whose
-// image is an ellipsoid; of other shapes the sheared image is no glyph and its straight-angled neighbour is taken.
-void Deform(const glm::dmat3& linear, bool sphere, glm::dvec3& size, glm::dquat& rotation)
-{
-  glm::dmat3 image = linear * glm::mat3_cast(rotation);
-  for (int i = 0; i < 3; ++i)
-  {
-    image[i] *= size[i];
-  }
-  if (!sphere)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      size[i] = glm::length(image[i]);
-      if (size[i] > 0.0)
-      {
-        image[i] /= size[i];
-      }
-    }
-  }
-  double a[3][3], u[3][3], w[3], vt[3][3];
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      a[row][column] = image[column][row];
-    }
-  }
-  vtkMath::SingularValueDecomposition3x3(a, u, w, vt);
-  glm::dmat3 left, right;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      left[column][row] = u[row][column];
-      right[column][row] = vt[row][column];
-    }
-  }
-  glm::dmat3 turn = sphere ? left : left * right;
-  if (glm::determinant(turn) < 0.0)
-  {
-    turn = -turn;
-  }
-  if (sphere)
-  {
-    size = glm::dvec3(std::abs(w[0]), std::abs(w[1]), std::abs(w[2]));
-  }
-  rotation = glm::normalize(glm::quat_cast(turn));
-}
-
 // Why a point has no glyph.
 enum Reason
 {
@@ -300,7 +135,8 @@ enum Reason
   EXPONENT,
   MOTION,
   FORM,
-  REASONS
+  REASONS,
+  NO_REASON = REASONS
 };
 
 void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
@@ -523,6 +359,230 @@ vtkGlyphInstanceBuilder::Settings vtkGlyphInstanceBuilder::AxesOf(const Settings
   return settings;
 }
 
+namespace
+{
+bool IsFinite(const double* x)
+{
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+
+// Appends glyphs to a result, one point after the other.
+class Assembly
+{
+public:
+  // Takes the arrays that are there and fit. `tensors` may be null; all stay the caller's.
+  Assembly(vtkPolyData* points, const Settings& settings, vtkMatrix4x4* modelToWorld, const vtkGlyphTensors* tensors,
+    vtkGlyphInstanceBuilder::Result& result)
+    : How(settings)
+    , Tensors(tensors)
+    , Placement(modelToWorld)
+    , Motion(points, settings.Motion)
+    , Out(result)
+    , Instances(result.Instances)
+    , ByComponents(settings.ScaleMode == vtkGlyphInstanceBuilder::COMPONENTS)
+    , HasTable(settings.Shape == rtg::Shape::Mesh && settings.TableSize > 1)
+    , OwnExponents(HasOwnExponents(settings))
+    , Sphere(settings.Shape == rtg::Shape::Sphere)
+    , Positions(points->GetPoints()->GetData())
+    , Scales(CheckedArray(vtkGlyphInstanceBuilder::ScaleArray(points, settings), settings.Scaling, settings.ScaleArray,
+        "GlyphScaleArray", this->ByComponents ? std::vector<int>{ 3 } : std::vector<int>{},
+        "all glyphs get the same size", result))
+    , Orientations(CheckedArray(vtkGlyphInstanceBuilder::OrientationArray(points, settings), settings.Orient,
+        settings.OrientationArray, "GlyphOrientationArray",
+        { settings.OrientationMode == vtkGlyphInstanceBuilder::QUATERNION ? 4 : 3 }, "the glyphs are not turned", result))
+    , Forms(CheckedArray(vtkGlyphInstanceBuilder::TableIndexArray(points, settings), this->HasTable,
+        settings.TableIndexArray, "GlyphMeshIndexArray", {}, "all points have the table's first form", result))
+    , Exponents(CheckedArray(vtkGlyphInstanceBuilder::ExponentArray(points, settings), this->OwnExponents,
+        settings.ExponentArray, "GlyphExponentArray", { 1, 2, 3 }, "GlyphExponents count", result))
+  {
+    this->GoodExponents =
+      this->OwnExponents && MakeExponents(settings, settings.Exponents, 3, this->Instances.uniformExponents);
+
+    // What an instance stores: nothing that is the same for all, and no turn of what looks the same from all sides
+    const bool sizedByData = this->Scales || tensors;
+    this->SameSizes = !sizedByData && this->Placement.Uniform;
+    this->OneSize = (!this->Scales || !this->ByComponents) && !tensors && this->Placement.Uniform;
+    this->Turned =
+      (this->Orientations || tensors || !this->Placement.Identity) && !(this->Sphere && this->OneSize);
+    const bool pointed = settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow;
+    this->Flips = pointed &&
+      ((this->Scales && this->ByComponents) || settings.ScaleFactor < 0.0 || this->Placement.Scale < 0.0);
+  }
+
+  bool IsScaled() const { return static_cast<bool>(this->Scales); }
+  const vtkGlyphPlacement& GetPlacement() const { return this->Placement; }
+  const vtkGlyphMotion& GetMotion() const { return this->Motion; }
+
+  // The middle of the data, from which the positions lose the least when they become float
+  void ChooseOrigin(const std::vector<vtkIdType>& candidates)
+  {
+    vtkBoundingBox box;
+    for (vtkIdType i : candidates)
+    {
+      const double* x = this->Positions.Get(i);
+      if (IsFinite(x))
+      {
+        box.AddPoint(x[0], x[1], x[2]);
+      }
+    }
+    if (box.IsValid())
+    {
+      glm::dvec3 center;
+      box.GetCenter(&center[0]);
+      this->Instances.origin = this->Placement.Linear * center + this->Placement.Offset;
+    }
+  }
+
+  // Why the point has no glyph; NO_REASON when it has one, or is none of this set's.
+  Reason Add(vtkIdType i)
+  {
+    if (this->HasTable)
+    {
+      const double number = this->Forms ? vtkMath::Norm(this->Forms.Get(i), this->Forms.Size()) : 0.0;
+      const int last = this->How.TableSize - 1;
+      const bool counts = !std::isnan(number);
+      if ((counts ? static_cast<int>(std::min<double>(number, last)) : 0) != this->How.TableEntry)
+      {
+        return NO_REASON;
+      }
+      if (!counts)
+      {
+        return FORM;
+      }
+    }
+    const double* x = this->Positions.Get(i);
+    const glm::dvec3 position = this->Placement.Linear * glm::dvec3(x[0], x[1], x[2]) + this->Placement.Offset -
+      this->Instances.origin;
+    const glm::vec3 center(position);
+    if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z))
+    {
+      return POSITION;
+    }
+
+    glm::dvec3 size(this->How.ScaleFactor);
+    if (this->Scales)
+    {
+      const double* tuple = this->Scales.Get(i);
+      size *= this->ByComponents ? glm::dvec3(tuple[0], tuple[1], tuple[2])
+                                 : glm::dvec3(vtkMath::Norm(tuple, this->Scales.Size()));
+    }
+    glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
+    rtg::TensorGlyph tensorGlyph;
+    if (this->Tensors && this->How.Tensors.Axes)
+    {
+      double axis[3];
+      if (!this->Tensors->Axis(i, axis))
+      {
+        return NO_REASON; // nothing to show is no fault
+      }
+      size *= std::hypot(axis[0], axis[1], axis[2]);
+      vtkGlyphPlacement::RotationFromTuple(axis, vtkGlyphInstanceBuilder::DIRECTION, rotation);
+    }
+    else if (this->Tensors)
+    {
+      if (!this->Tensors->Glyph(i, tensorGlyph))
+      {
+        return TENSOR;
+      }
+      size *= tensorGlyph.halfLengths;
+      rotation = tensorGlyph.rotation;
+    }
+    else if (this->Orientations && this->Turned &&
+      !vtkGlyphPlacement::RotationFromTuple(this->Orientations.Get(i), this->How.OrientationMode, rotation))
+    {
+      return ORIENTATION;
+    }
+
+    glm::vec3 exponents(2.0f);
+    if (this->OwnExponents &&
+      !(this->Exponents ? MakeExponents(this->How, this->Exponents.Get(i), this->Exponents.Size(), exponents)
+                        : this->GoodExponents))
+    {
+      return EXPONENT;
+    }
+
+    this->Placement.Apply(this->Sphere, size, rotation);
+    if (this->Flips && size.x < 0.0)
+    {
+      rotation = rotation * glm::dquat(0.0, 0.0, 0.0, 1.0);
+    }
+    const glm::vec3 extent(glm::abs(size));
+    const float smallest = std::min({ extent.x, extent.y, extent.z });
+    const float largest = std::max({ extent.x, extent.y, extent.z });
+    if (!(smallest > 0.0f) || !std::isfinite(largest) || !std::isfinite(extent.y))
+    {
+      return SCALE;
+    }
+    if (!this->Motion.IsFinite(i))
+    {
+      return MOTION;
+    }
+
+    this->Out.Points.push_back(i);
+    this->Motion.AppendTo(
+      this->Instances.motion, i, this->Placement.Linear, glm::mat3_cast(this->Placement.Rotation));
+    this->Instances.centres.push_back(center);
+    this->Store(this->How.Shape == rtg::Shape::Mesh ? glm::vec3(size) : extent, rotation, tensorGlyph, exponents);
+    return NO_REASON;
+  }
+
+  void Finish()
+  {
+    this->Motion.Finish(this->Instances.motion);
+    if (this->Sphere && this->OneSize)
+    {
+      this->Instances.motion.angularVelocities.clear(); // it looks the same from all sides
+    }
+  }
+
+private:
+  void Store(const glm::vec3& size, const glm::dquat& rotation, const rtg::TensorGlyph& tensor, const glm::vec3& exponents)
+  {
+    if (this->Instances.centres.size() == 1)
+    {
+      this->Instances.uniformSize = size.x;
+    }
+    if (this->How.Tensors.ColorsBySign())
+    {
+      const glm::dvec3 magnitudes(glm::abs(tensor.values));
+      this->Instances.forms.emplace_back(tensor.values / std::max({ magnitudes.x, magnitudes.y, magnitudes.z }));
+    }
+    if (this->Tensors && HasExponents(this->How.Shape))
+    {
+      this->Instances.exponents3.emplace_back(tensor.exponents);
+    }
+    else if (this->Exponents)
+    {
+      this->Instances.exponents3.push_back(exponents);
+    }
+    if (!this->OneSize)
+    {
+      this->Instances.sizes3.push_back(size);
+    }
+    else if (!this->SameSizes)
+    {
+      this->Instances.sizes1.push_back(size.x);
+    }
+    if (this->Turned || this->Flips)
+    {
+      this->Instances.rotations.emplace_back(rotation.x, rotation.y, rotation.z, rotation.w);
+    }
+  }
+
+  const Settings& How;
+  const vtkGlyphTensors* Tensors;
+  const vtkGlyphPlacement Placement;
+  const vtkGlyphMotion Motion;
+  vtkGlyphInstanceBuilder::Result& Out;
+  rtg::GlyphInstances& Instances;
+  const bool ByComponents, HasTable, OwnExponents, Sphere;
+  Tuples Positions, Scales, Orientations, Forms, Exponents;
+  bool GoodExponents = false; // of the settings
+  bool SameSizes = false, OneSize = false; // for all glyphs; for all axes of one
+  bool Turned = false, Flips = false;
+};
+}
+
 //----------------------------------------------------------------------------
 vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* points,
   const Settings& settings, const vtkGlyphBlockAttributes::Table& blocks,
@@ -548,224 +608,51 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   {
     return result;
   }
-
-  // Arrays, as far as they are there and fit
-  const bool byComponents = settings.ScaleMode == COMPONENTS;
-  Tuples scales(CheckedArray(ScaleArray(points, settings), settings.Scaling, settings.ScaleArray,
-    "GlyphScaleArray", byComponents ? std::vector<int>{ 3 } : std::vector<int>{},
-    "all glyphs get the same size", result));
-  Tuples orientations(CheckedArray(OrientationArray(points, settings), settings.Orient,
-    settings.OrientationArray, "GlyphOrientationArray",
-    { settings.OrientationMode == QUATERNION ? 4 : 3 }, "the glyphs are not turned", result));
-  Tuples forms(CheckedArray(TableIndexArray(points, settings), hasTable, settings.TableIndexArray, "GlyphMeshIndexArray", {},
-    "all points have the table's first form", result));
-  const bool ownExponents = HasOwnExponents(settings);
-  Tuples exponents(CheckedArray(ExponentArray(points, settings), ownExponents, settings.ExponentArray,
-    "GlyphExponentArray", { 1, 2, 3 }, "GlyphExponents count", result));
-  const bool goodExponents =
-    ownExponents && MakeExponents(settings, settings.Exponents, 3, instances.uniformExponents);
-  Tuples positions(points->GetPoints()->GetData());
   std::unique_ptr<vtkGlyphTensors> tensors;
+  std::string problem;
   if (settings.Tensors.On)
   {
     vtkDataArray* array = vtkGlyphTensors::Array(points, settings.Tensors);
-    const std::string problem = vtkGlyphTensors::Problem(array, settings.Tensors);
-    if (!problem.empty())
+    problem = vtkGlyphTensors::Problem(array, settings.Tensors);
+    if (problem.empty())
     {
-      result.Messages.push_back(problem);
-      result.Skipped = static_cast<vtkIdType>(candidates.size());
-      return result;
-    }
-    tensors = std::make_unique<vtkGlyphTensors>(array, settings.Tensors, candidates);
-  }
-
-  const vtkGlyphMotion motion(points, settings.Motion);
-  result.Messages.insert(
-    result.Messages.end(), motion.Messages().begin(), motion.Messages().end());
-
-  // What an instance stores: nothing that is the same for all, and no turn of what looks the same from all sides
-  const Placement placement(modelToWorld);
-  const bool sphere = settings.Shape == rtg::Shape::Sphere;
-  const bool sameSizes = !scales && !tensors && placement.Uniform;
-  const bool oneSize = (!scales || !byComponents) && !tensors && placement.Uniform;
-  const bool turned = (orientations || tensors || !placement.Identity) && !(sphere && oneSize);
-  const bool pointed = settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow;
-  bool flips = (scales && byComponents) || settings.ScaleFactor < 0.0 || placement.Scale < 0.0;
-  flips = flips && pointed;
-
-  // The middle of the data, from which the positions lose the least when they become float
-  vtkBoundingBox box;
-  for (vtkIdType i : candidates)
-  {
-    const double* x = positions.Get(i);
-    if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
-    {
-      box.AddPoint(x[0], x[1], x[2]);
+      tensors = std::make_unique<vtkGlyphTensors>(array, settings.Tensors, candidates);
     }
   }
-  if (box.IsValid())
-  {
-    glm::dvec3 center;
-    box.GetCenter(&center[0]);
-    instances.origin = placement.Linear * center + placement.Offset;
-  }
 
+  Assembly assembly(points, settings, modelToWorld, tensors.get(), result);
+  if (!problem.empty())
+  {
+    result.Messages.push_back(problem);
+    result.Skipped = static_cast<vtkIdType>(candidates.size());
+    return result;
+  }
+  const std::vector<std::string>& aboutMotion = assembly.GetMotion().Messages();
+  result.Messages.insert(result.Messages.end(), aboutMotion.begin(), aboutMotion.end());
+  assembly.ChooseOrigin(candidates);
   result.Points.reserve(candidates.size());
   instances.centres.reserve(candidates.size());
   std::array<vtkIdType, REASONS> skipped{};
-  bool sized = false;
   for (vtkIdType i : candidates)
   {
-    if (hasTable)
+    const Reason reason = assembly.Add(i);
+    if (reason != NO_REASON)
     {
-      const double number = forms ? vtkMath::Norm(forms.Get(i), forms.Size()) : 0.0;
-      const int last = settings.TableSize - 1;
-      const bool counts = !std::isnan(number);
-      if ((counts ? static_cast<int>(std::min<double>(number, last)) : 0) != settings.TableEntry)
-      {
-        continue;
-      }
-      if (!counts)
-      {
-        ++skipped[FORM];
-        continue;
-      }
-    }
-    const double* x = positions.Get(i);
-    const glm::dvec3 position =
-      placement.Linear * glm::dvec3(x[0], x[1], x[2]) + placement.Offset - instances.origin;
-    const glm::vec3 center(position);
-    if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z))
-    {
-      ++skipped[POSITION];
-      continue;
-    }
-
-    glm::dvec3 size(settings.ScaleFactor);
-    if (scales)
-    {
-      const double* tuple = scales.Get(i);
-      size *= byComponents ? glm::dvec3(tuple[0], tuple[1], tuple[2])
-                           : glm::dvec3(vtkMath::Norm(tuple, scales.Size()));
-    }
-    glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
-    rtg::TensorGlyph tensorGlyph;
-    double axis[3];
-    if (tensors && settings.Tensors.Axes)
-    {
-      if (!tensors->Axis(i, axis))
-      {
-        continue; // nothing to show is no fault
-      }
-      size *= std::hypot(axis[0], axis[1], axis[2]);
-      RotationFromTuple(axis, DIRECTION, rotation);
-    }
-    else if (tensors)
-    {
-      if (!tensors->Glyph(i, tensorGlyph))
-      {
-        ++skipped[TENSOR];
-        continue;
-      }
-      size *= tensorGlyph.halfLengths;
-      rotation = tensorGlyph.rotation;
-    }
-    else if (orientations && turned &&
-      !RotationFromTuple(orientations.Get(i), settings.OrientationMode, rotation))
-    {
-      ++skipped[ORIENTATION];
-      continue;
-    }
-
-    glm::vec3 ownExponent(2.0f);
-    if (ownExponents &&
-      !(exponents ? MakeExponents(settings, exponents.Get(i), exponents.Size(), ownExponent) : goodExponents))
-    {
-      ++skipped[EXPONENT];
-      continue;
-    }
-
-    // The actor's transform
-    if (!placement.Uniform)
-    {
-      Deform(placement.Linear, sphere, size, rotation);
-    }
-    else if (!placement.Identity)
-    {
-      size *= placement.Scale;
-      rotation = placement.Rotation * rotation;
-    }
-    if (flips && size.x < 0.0)
-    {
-      rotation = rotation * glm::dquat(0.0, 0.0, 0.0, 1.0);
-    }
-    const glm::vec3 extent(glm::abs(size));
-    const float smallest = std::min({ extent.x, extent.y, extent.z });
-    const float largest = std::max({ extent.x, extent.y, extent.z });
-    if (!(smallest > 0.0f) || !std::isfinite(largest) || !std::isfinite(extent.y))
-    {
-      ++skipped[SCALE];
-      continue;
-    }
-    if (!motion.IsFinite(i))
-    {
-      ++skipped[MOTION];
-      continue;
-    }
-
-    result.Points.push_back(i);
-    motion.AppendTo(
-      instances.motion, i, placement.Linear, glm::mat3_cast(placement.Rotation));
-    instances.centres.push_back(center);
-    const glm::vec3 stored = isMesh ? glm::vec3(size) : extent;
-    if (!sized)
-    {
-      instances.uniformSize = stored.x;
-      sized = true;
-    }
-    if (settings.Tensors.ColorsBySign())
-    {
-      instances.forms.emplace_back(
-        tensorGlyph.values / std::max({ std::abs(tensorGlyph.values.x),
-                               std::abs(tensorGlyph.values.y), std::abs(tensorGlyph.values.z) }));
-    }
-    if (tensors && HasExponents(settings.Shape))
-    {
-      instances.exponents3.emplace_back(tensorGlyph.exponents);
-    }
-    else if (exponents)
-    {
-      instances.exponents3.push_back(ownExponent);
-    }
-    if (!oneSize)
-    {
-      instances.sizes3.push_back(stored);
-    }
-    else if (!sameSizes)
-    {
-      instances.sizes1.push_back(stored.x);
-    }
-    if (turned || flips)
-    {
-      instances.rotations.emplace_back(rotation.x, rotation.y, rotation.z, rotation.w);
+      ++skipped[reason];
     }
   }
-
-  motion.Finish(instances.motion);
-  if (sphere && oneSize)
-  {
-    instances.motion.angularVelocities.clear(); // it looks the same from all sides
-  }
+  assembly.Finish();
 
   // Fixed heads have the world size that they have on the arrow of reference
+  const vtkGlyphPlacement& placement = assembly.GetPlacement();
   if (settings.Shape == rtg::Shape::Arrow)
   {
-    const double reference = scales ? ReferenceScale(points, settings, blocks) : 1.0;
+    const double reference = assembly.IsScaled() ? ReferenceScale(points, settings, blocks) : 1.0;
     const auto unit =
       static_cast<float>(std::abs(settings.ScaleFactor * placement.Scale) * reference);
     instances.arrow.unitLength = IsPositive(unit) ? unit : 1.0f;
   }
-  if (!placement.Uniform && !sphere)
+  if (!placement.Uniform && settings.Shape != rtg::Shape::Sphere)
   {
     result.Messages.push_back(
       "Scale of the representation differs between its axes, which glyphs of this shape "
@@ -794,7 +681,7 @@ void vtkGlyphInstanceBuilder::ComputeBounds(vtkPolyData* points, const Settings&
     const double* x = positions.Get(i);
     const auto block = blockIds ? blocks.find(blockIds->GetValue(i)) : blocks.end();
     const bool visible = block == blocks.end() || block->second.Visible;
-    if (visible && std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
+    if (visible && IsFinite(x))
     {
       box.AddPoint(x[0], x[1], x[2]);
       if (motion.On() && motion.IsFinite(i))

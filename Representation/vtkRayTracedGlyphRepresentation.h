@@ -286,11 +286,13 @@ private:
   void UpdateTable(vtkDataObject* forms);
   std::vector<vtkRayTracedGlyphCompanion*> Companions();
   bool ShowsAxes(vtkPolyData* points) const;
+  void GatherMesh(vtkDataObject* mesh);
   void AddStepVelocities(vtkDataObject* input);
   vtkDataArray* PointIds();
   void ShareMeanScale();
   bool NeedsOrderedCompositing();
   void Place();
+  void NoteBlocks(bool changed);
 
   vtkSmartPointer<vtkRayTracedGlyphMapper> Mapper;
   vtkNew<vtkActor> Actor;

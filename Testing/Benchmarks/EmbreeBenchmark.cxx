@@ -90,12 +90,6 @@ struct Result
   double build = 0.0;            // wall seconds
 };
 
-double Quantile(std::vector<double> values, double share)
-{
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
-}
-
 class Embree
 {
 public:
@@ -231,8 +225,8 @@ private:
 
 void Print(const char* name, const Result& result)
 {
-  const double cpu = Quantile(result.cpu, 0.5);
-  std::printf("%-22s %8.3f %8.3f %8.3f %16.2f\n", name, result.build, Quantile(result.wall, 0.5),
+  const double cpu = benchmark::Quantile(result.cpu, 0.5);
+  std::printf("%-22s %8.3f %8.3f %8.3f %16.2f\n", name, result.build, benchmark::Quantile(result.wall, 0.5),
     cpu, 1e-6 * static_cast<double>(result.depth.size()) / cpu);
 }
 
@@ -279,8 +273,8 @@ try
     "CPU s", "Mray/s per core", repetitions);
   Print("Embree, single rays", embree.result);
   Print("ray-traced glyphs", ours.result);
-  std::printf("ours / Embree: %.2f (quartiles %.2f, %.2f; asked: 0.30)\n", Quantile(ratios, 0.5),
-    Quantile(ratios, 0.25), Quantile(ratios, 0.75));
+  std::printf("ours / Embree: %.2f (quartiles %.2f, %.2f; asked: 0.30)\n", benchmark::Quantile(ratios, 0.5),
+    benchmark::Quantile(ratios, 0.25), benchmark::Quantile(ratios, 0.75));
   return differ > a.size() / 1000 ? 1 : 0;
 }
 catch (const std::exception& error)

@@ -23,7 +23,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <random>
 
 namespace
@@ -262,14 +264,17 @@ std::vector<Pixels> Reference(Squares& squares, rtg::TraceSettings settings, std
   return means;
 }
 
-// Processor seconds of a sample by each method, the best of several that are taken in turns: the machine's speed changes.
+// Processor seconds of a sample by each method. They are taken in turns, and of several turns the median of a method's share
+// counts: the machine's speed changes.
 std::vector<double> SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettings settings)
 {
   constexpr int turns = 9;
-  std::vector<double> best(methods.size(), std::numeric_limits<double>::infinity());
+  std::vector<std::vector<double>> shares(methods.size());
+  std::vector<double> totals;
   settings.samples = settings.plannedSamples = 16;
   for (int turn = 0; turn <= turns; ++turn)
   {
+    std::vector<double> seconds(methods.size());
     for (std::size_t k = 0; k < methods.size(); ++k)
     {
       // Nor does one always follow the same other.
@@ -277,14 +282,23 @@ std::vector<double> SecondsOf(Squares& squares, const std::vector<Method>& metho
       methods[i].Apply(settings);
       const double start = benchmark::CpuSeconds();
       squares.Trace(settings);
-      // The first turn compiles.
-      if (turn > 0)
-      {
-        best[i] = std::min(best[i], (benchmark::CpuSeconds() - start) / settings.samples);
-      }
+      seconds[i] = (benchmark::CpuSeconds() - start) / settings.samples;
+    }
+    if (turn == 0)
+    {
+      continue; // it compiled
+    }
+    totals.push_back(std::accumulate(seconds.begin(), seconds.end(), 0.0));
+    for (std::size_t i = 0; i < methods.size(); ++i)
+    {
+      shares[i].push_back(seconds[i] / totals.back());
     }
   }
-  return best;
+  std::vector<double> result;
+  std::transform(shares.begin(), shares.end(), std::back_inserter(result),
+    [total = benchmark::Quantile(totals, 0.5)](const std::vector<double>& share)
+    { return benchmark::Quantile(share, 0.5) * total; });
+  return result;
 }
 
 void MeasureShading(LightScene& subject, const char* name, const std::string& output, std::FILE* csv, int pixels,

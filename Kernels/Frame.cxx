@@ -1,0 +1,185 @@
+#include "Frame.h"
+
+#include "Shading/Shading.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <sstream>
+
+namespace rtg
+{
+
+namespace
+{
+
+constexpr std::uint32_t maxSide = 32768; ///< of an image, in pixels; more than any OpenGL viewport
+constexpr std::uint32_t maxSamples = 1u << 20; ///< a pixel
+
+// Of the whole image, over all calls.
+std::uint32_t PlannedSamples(const TraceSettings& settings)
+{
+  return settings.plannedSamples ? settings.plannedSamples : settings.firstSample + settings.samples;
+}
+
+// In how many ways a sample looks for light.
+std::uint32_t Branches(const TraceSettings& settings)
+{
+  return settings.shading == Shading::AmbientOcclusion ? settings.occlusionRays
+    : settings.shading == Shading::PathTracing         ? settings.paths
+                                                       : 1;
+}
+
+} // namespace
+
+void Split(const glm::dvec3& exact, glm::vec3& high, glm::vec3& low)
+{
+  high = glm::vec3(exact);
+  low = glm::vec3(exact - glm::dvec3(high));
+}
+
+void FillCamera(device::FrameRecord& frame, const Camera& camera, const glm::dvec3& origin)
+{
+  Split(camera.eye - origin, frame.eye, frame.eyeLow);
+  frame.eyeRight = camera.eyeRight;
+  frame.eyeUp = camera.eyeUp;
+  frame.forward = camera.forward;
+  frame.right = camera.right;
+  frame.up = camera.up;
+  frame.viewPosition = camera.position - origin;
+  // Screen-space right cross up points at the viewer for both kinds of projection.
+  const glm::dvec3 spanX = camera.parallel ? camera.eyeRight : camera.right;
+  const glm::dvec3 spanY = camera.parallel ? camera.eyeUp : camera.up;
+  const glm::dvec3 axis = glm::normalize(glm::cross(spanX, spanY));
+  frame.viewAxis = glm::dot(axis, camera.forward) > 0 ? -axis : axis;
+  frame.nearDepth = static_cast<float>(camera.nearDepth);
+  frame.farDepth = static_cast<float>(camera.farDepth);
+  frame.depthA = static_cast<float>(camera.depthA);
+  frame.depthB = static_cast<float>(camera.depthB);
+  frame.parallel = camera.parallel;
+}
+
+std::vector<device::LightRecord>
+MakeLights(const std::vector<Light>& lights, const glm::dvec3& origin)
+{
+  std::vector<device::LightRecord> records;
+  for (const Light& light : lights)
+  {
+    device::LightRecord record{};
+    record.kind = static_cast<std::uint32_t>(light.kind);
+    record.colour = light.colour;
+    record.position = light.position - origin;
+    record.direction = light.direction;
+    record.attenuation = light.attenuation;
+    record.cosCone = light.coneAngle < 90.0f ? std::cos(glm::radians(light.coneAngle)) : -2.0f;
+    record.exponent = light.exponent;
+    records.push_back(record);
+  }
+  return records;
+}
+
+void CheckSettings(const TraceSettings& settings)
+{
+  const auto check = [](const char* name, auto value, auto least, auto most)
+  {
+    if (!(value >= least && value <= most))
+    {
+      std::ostringstream message;
+      message << "Ray Traced Glyphs: " << name << " is " << value << "; it must lie between "
+              << least << " and " << most << ".";
+      throw Error(message.str());
+    }
+  };
+  check("the samples per pixel", settings.samples, 1u, maxSamples);
+  check("the number of the first sample", settings.firstSample, 0u, maxSamples);
+  check("the number of shared binary digits of time", settings.sharedTimeBits, -1, 5);
+  check("the pixel step", settings.pixelStep, 1u, 64u);
+  check("the ambient occlusion radius", settings.occlusionRadius, 0.0f, FLT_MAX);
+  check("the number of occlusion rays", settings.occlusionRays, 1u, 64u);
+  check("the number of paths a sample", settings.paths, 1u, 64u);
+  check("the maximum of bounces", settings.maximumBounces, 1u, 1000u);
+  check("the light intensity", settings.lightIntensity, 0.0f, 1e30f);
+  for (int i = 0; i < 3; ++i)
+  {
+    check("the environment colour", settings.environmentColour[i], 0.0f, 1e30f);
+  }
+  check("the exposure", settings.exposure, -100.0f, 100.0f);
+  if (settings.width > maxSide || settings.height > maxSide)
+  {
+    throw Error("Ray Traced Glyphs: an image of " + std::to_string(settings.width) + " x " +
+      std::to_string(settings.height) + " pixels is too large; the most is " +
+      std::to_string(maxSide) + " a side.");
+  }
+}
+
+void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
+{
+  frame.width = settings.width;
+  frame.height = settings.height;
+  frame.pixelStep = settings.pixelStep;
+  frame.plannedSamples = PlannedSamples(settings);
+  frame.environment = settings.lightIntensity *
+    (settings.shading == Shading::PathTracing ? shading::DisplayToLinear(settings.environmentColour)
+                                              : settings.environmentColour);
+  frame.occlusionRadius = settings.occlusionRadius > 0.0f ? settings.occlusionRadius : 1e38f;
+  frame.branches = Branches(settings);
+  frame.maximumBounces = settings.maximumBounces;
+  frame.exposureFactor = std::exp2(settings.exposure);
+  frame.filmic = settings.toneMapping == ToneMapping::Filmic;
+  frame.roulette = static_cast<std::uint32_t>(settings.roulette);
+}
+
+// What local shading does not use does not tell its programs apart.
+Generation GenerationFor(const TraceSettings& settings)
+{
+  Generation generation;
+  generation.program = settings.shading == Shading::Local ? Program::Local
+    : settings.shading == Shading::PathTracing            ? Program::Path
+                                                          : Program::Occlusion;
+  generation.sampler =
+    settings.shading == Shading::Local ? 0 : static_cast<std::uint32_t>(settings.sampler);
+  generation.gathersFeatures = settings.features;
+  generation.develops = settings.shading == Shading::PathTracing || settings.exposure != 0.0f ||
+    settings.toneMapping != ToneMapping::None;
+  generation.environmentImage =
+    settings.environmentImage && settings.shading == Shading::PathTracing;
+  return generation;
+}
+
+std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
+{
+  const std::size_t cameraRays = std::size_t(1) << (settings.shading == Shading::Local ? 28
+                                     : settings.shading == Shading::PathTracing        ? 23
+                                                                                       : 26);
+  const std::size_t samples = std::max<std::size_t>(1, cameraRays / (pixels * Branches(settings)));
+  return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
+}
+
+std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceBits)
+{
+  if (settings.sharedTimeBits >= 0)
+  {
+    return static_cast<std::uint32_t>(settings.sharedTimeBits);
+  }
+  const std::uint32_t planned = PlannedSamples(settings);
+  std::uint32_t bits = 0;
+  while (bits < sliceBits && (planned >> (bits + 1)) != 0)
+  {
+    ++bits;
+  }
+  return bits;
+}
+
+std::uint32_t TimeStrataBits(const TraceSettings& settings)
+{
+  const bool asked = settings.shading == Shading::Local && settings.sharedTimeBits < 0 &&
+    (settings.sampler == Sampler::Sobol || settings.sampler == Sampler::BlueNoise);
+  std::uint32_t bits = 0;
+  while (asked && (1u << bits) < PlannedSamples(settings))
+  {
+    ++bits;
+  }
+  return bits;
+}
+
+} // namespace rtg

@@ -1,0 +1,38 @@
+// What the device's programs are told of an image that is to be traced.
+#pragma once
+
+#include "HostDevice.h"
+#include "Tracer.h"
+#include "Vulkan/Pipeline.h"
+
+#include <vector>
+
+namespace rtg
+{
+
+/// Throws rtg::Error, which names the first setting that is out of its range.
+void CheckSettings(const TraceSettings& settings);
+
+/// A position as a sum of two floats.
+void Split(const glm::dvec3& exact, glm::vec3& high, glm::vec3& low);
+
+/// `origin`: of the scene, in world coordinates.
+void FillCamera(device::FrameRecord& frame, const Camera& camera, const glm::dvec3& origin);
+std::vector<device::LightRecord> MakeLights(const std::vector<Light>& lights, const glm::dvec3& origin);
+/// But for samples, which are those of one dispatch, and times.
+void FillSettings(device::FrameRecord& frame, const TraceSettings& settings);
+
+/// The ray generation program for these settings, but for what the scene and the pass say.
+Generation GenerationFor(const TraceSettings& settings);
+
+/// Samples a pixel in one dispatch: a GPU that works on one for seconds is taken for hung by its driver.
+std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels);
+
+/// See TraceSettings::sharedTimeBits.
+std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceBits);
+
+/// Logarithm to base 2 of the number of parts of the shutter's opening that local shading gives one sample each
+/// (Shading/ShutterTime.glsl); 0: other times.
+std::uint32_t TimeStrataBits(const TraceSettings& settings);
+
+} // namespace rtg

@@ -1,0 +1,169 @@
+// The part of a scene that places its sets beside each other, and tells the device's programs about each.
+#include "SceneState.h"
+
+#include "Stopwatch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rtg
+{
+
+namespace
+{
+
+// Share of light that a surface of that refractive index reflects straight back (Fresnel).
+float NormalReflectance(float ior)
+{
+  const float root = (ior - 1.0f) / (ior + 1.0f);
+  return root * root;
+}
+
+} // namespace
+
+void Scene::State::BuildTopLevel()
+{
+  Stopwatch watch;
+  std::vector<vk::AccelerationStructureInstanceKHR> instances;
+  this->groups.clear();
+  this->bounds = Bounds();
+  this->moves = false;
+  this->placedTimeSliceBits = 0;
+  std::uint32_t record = 0;
+  for (auto& [id, set] : this->sets)
+  {
+    if (!set.visible || set.count == 0)
+    {
+      continue;
+    }
+    set.placedGroup = set.group;
+    set.placedTranslucent = set.Translucent();
+    this->moves |= set.group.Moves();
+    this->placedTimeSliceBits = std::max(
+      { this->placedTimeSliceBits, set.timeSliceBits, set.mesh.shape.sliceBits });
+    auto group = std::find(this->groups.begin(), this->groups.end(), set.group);
+    if (group == this->groups.end())
+    {
+      group = this->groups.insert(group, set.group);
+    }
+    const glm::vec3 offset(set.instances.origin - this->origin);
+    for (const GlyphRun& run : set.runs)
+    {
+      vk::AccelerationStructureInstanceKHR instance;
+      const std::array<std::array<float, 4>, 3> translation = { { { 1, 0, 0, offset.x },
+        { 0, 1, 0, offset.y }, { 0, 0, 1, offset.z } } };
+      instance.transform.matrix = translation;
+      instance.instanceCustomIndex = record++;
+      instance.mask = set.Translucent() ? device::TRANSLUCENT_MASK : device::OPAQUE_MASK;
+      instance.instanceShaderBindingTableRecordOffset =
+        static_cast<std::uint32_t>(group - this->groups.begin());
+      if (set.group.shape == Shape::Mesh && !set.group.meshTree)
+      {
+        this->PlaceMesh(set, instance, instances);
+        continue;
+      }
+      instance.accelerationStructureReference = run.structure.Address();
+      instances.push_back(instance);
+    }
+    const float pad = std::ldexp(set.builtReach, -20);
+    this->bounds.Include(set.bounds.lower + offset - pad, set.bounds.upper + offset + pad);
+  }
+  this->topLevel = AccelerationStructure();
+  if (!instances.empty())
+  {
+    this->topLevel = AccelerationStructure::OverInstances(this->device->GetState(), instances);
+    ++this->statistics.topLevelBuilds;
+  }
+  this->statistics.buildSeconds += watch.Lap();
+}
+
+// In the order of BuildTopLevel()'s instances.
+void Scene::State::FillRecords()
+{
+  this->records.clear();
+  for (const auto& [id, set] : this->sets)
+  {
+    if (!set.visible || set.count == 0)
+    {
+      continue;
+    }
+    for (const GlyphRun& run : set.runs)
+    {
+      device::GlyphSetRecord record{};
+      // Of the run's first glyph, or 0.
+      const auto at = [&](const Buffer& buffer, std::size_t stride)
+      { return buffer.Size() ? buffer.Address() + run.first * stride : 0; };
+      record.centres = at(set.centres, sizeof(glm::vec3));
+      record.sizes = at(set.sizes, set.group.sizesPerGlyph * sizeof(float));
+      record.rotations = at(set.rotations, sizeof(glm::vec4));
+      record.exponents = at(set.exponents, sizeof(glm::vec3));
+      record.colours = at(set.colourBuffer, sizeof(std::uint32_t));
+      record.forms = at(set.forms, sizeof(glm::vec3));
+      const glm::dvec3 offset = set.instances.origin - this->origin;
+      record.offset = glm::vec3(offset);
+      record.offsetLow = glm::vec3(offset - glm::dvec3(record.offset));
+      const ArrowForm& arrow = set.instances.arrow;
+      record.arrow = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding };
+      record.unitLength = arrow.unitLength;
+      record.uniformSize = set.instances.uniformSize;
+      record.uniformExponents = set.instances.uniformExponents;
+      record.tree = set.tree.Address();
+      record.velocities = at(set.velocities, sizeof(glm::vec3));
+      record.accelerations = at(set.accelerations, sizeof(glm::vec3));
+      record.angularVelocities = at(set.angularVelocities, sizeof(glm::vec3));
+      record.treeOrder = at(set.treeOrder, sizeof(std::uint32_t));
+      record.shutterOpen = set.instances.motion.shutterOpen;
+      record.shutterLength = set.instances.motion.shutterClose - set.instances.motion.shutterOpen;
+      record.timeSliceBits = set.timeSliceBits;
+      record.nodesPerSlice = set.nodesPerSlice;
+      record.treeLevels = set.treeLevels;
+      record.treeLeafBits = set.treeLeafBits;
+      record.glyphCount = run.count;
+      record.meshPositions = set.mesh.positions.Address();
+      record.meshTriangles = set.mesh.triangles.Address();
+      record.meshNormals = set.mesh.normals.Address();
+      record.meshColours = set.mesh.colours.Address();
+      record.meshTree = set.mesh.tree.Address();
+      record.meshVelocities = set.mesh.velocities.Address();
+      record.meshAccelerations = set.mesh.accelerations.Address();
+      record.meshMiddle = set.mesh.shape.middle;
+      record.meshRadius = set.mesh.shape.radius;
+      record.meshTriangleCount =
+        set.mesh.source ? static_cast<std::uint32_t>(set.mesh.source->triangles.size()) : 0;
+      record.meshTreeLevels = set.mesh.shape.levels;
+      record.meshTreeLeafBits = set.mesh.shape.leafBits;
+      record.meshTimeSliceBits = set.mesh.shape.sliceBits;
+      record.meshNodesPerSlice = set.mesh.shape.nodesPerSlice;
+      record.firstInstance = set.firstInstance;
+      record.identifiesTriangles = set.instances.identifyTriangles;
+      record.setId = id;
+      record.firstGlyph = run.first;
+      const Material& material = set.material;
+      record.colour = material.colour;
+      record.opacity = material.opacity;
+      record.translucent = set.Translucent();
+      record.ambientColour = material.ambientColour;
+      record.coloured =
+        set.group.coloured || set.group.meshColours != 0 || set.group.colouredByForm;
+      record.positiveColour = material.positiveColour;
+      record.negativeColour = material.negativeColour;
+      record.specularColour = material.specularColour;
+      record.specular = material.specular;
+      record.ambient = material.ambient;
+      record.diffuse = material.diffuse;
+      record.specularPower = material.specularPower;
+      record.lighting = material.lighting;
+      record.metallic = material.metallic;
+      record.roughness = material.roughness;
+      record.coatStrength = material.coatStrength;
+      record.coatRoughness = material.coatRoughness;
+      record.coatReflectance = NormalReflectance(material.coatIor);
+      record.coatColour = material.coatColour;
+      this->records.push_back(record);
+    }
+  }
+  this->recordBuffer = Send(this->device->GetState(), this->records);
+}
+
+} // namespace rtg
