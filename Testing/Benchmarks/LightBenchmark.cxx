@@ -1,7 +1,8 @@
 // What light costs and how far from the truth it is.
 //
 // LightBenchmark cost SCENE [PIXELS] [REPETITIONS]
-//   Seconds of an image with local shading, with one ray of ambient occlusion, and path-traced with 1, 2, ... bounces.
+//   Seconds of an image with local shading, with one ray of ambient occlusion, and path-traced with 1, 2, ... bounces; ratios to
+//   local shading, medians of so many turns.
 // LightBenchmark error SCENE OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]
 //   Of 3 x 3 squares of PIXELS x PIXELS, evenly spread over the scene's view: mean squared error against a reference of independent
 //   samples, by shading, sampler, samples and seconds, as traced, denoised and blurred. References are kept beside OUTPUT and used again.
@@ -22,9 +23,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <random>
 
@@ -40,54 +39,58 @@ constexpr std::pair<const char*, Sampler> samplers[] = { { "random", Sampler::Ra
 constexpr std::pair<const char*, Shading> shadings[] = { { "occlusion", Shading::AmbientOcclusion },
   { "path", Shading::PathTracing } };
 
-// Best processor seconds of a number of repetitions after a first one that compiles.
-double BestOf(int repetitions, const std::function<void()>& work)
+// A way of lighting whose cost is asked for.
+struct Costly
 {
-  work();
-  double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < repetitions; ++i)
-  {
-    const double start = benchmark::CpuSeconds();
-    work();
-    best = std::min(best, benchmark::CpuSeconds() - start);
-  }
-  return best;
-}
+  std::string name;
+  Shading shading = Shading::Local;
+  Sampler sampler = Sampler::Sobol;
+  std::uint32_t bounces = 1;
+};
 
+// All are taken in turns, and of several turns the median of the ratio to local shading's time counts: the machine's speed changes.
 void MeasureCost(LightScene& subject, int pixels, int repetitions)
 {
-  rtg::Tracer tracer(subject.device);
-  const std::vector<rtg::Light> lights(1);
-  rtg::TraceSettings settings;
-  settings.width = settings.height = static_cast<std::uint32_t>(pixels);
-  const auto seconds = [&]
-  {
-    return BestOf(
-      repetitions, [&] { tracer.Trace(subject.scene, subject.camera, lights, settings); });
-  };
-
-  std::printf("%s, %d x %d, one sample a pixel\n%-24s %10s %14s\n", subject.device->Name().c_str(),
-    pixels, pixels, "", "CPU s", "local = 1");
-  const double local = seconds();
-  std::printf("%-24s %10.3f %14.2f\n", "local", local, 1.0);
-  settings.shading = Shading::AmbientOcclusion;
+  std::vector<Costly> all{ { "local" } };
   for (const auto& [name, sampler] : samplers)
   {
-    settings.sampler = sampler;
-    const double cost = seconds();
-    std::printf("occlusion, %-13s %10.3f %14.2f\n", name, cost, cost / local);
+    all.push_back({ std::string("occlusion, ") + name, Shading::AmbientOcclusion, sampler });
   }
-  settings.sampler = Sampler::Sobol;
-  settings.shading = Shading::PathTracing;
-  double before = local;
   for (std::uint32_t bounces : { 1, 2, 3, 4, 6, 8, 10 })
   {
-    settings.maximumBounces = bounces;
-    const auto image = [&] { tracer.Trace(subject.scene, subject.camera, {}, settings); };
-    const double cost = BestOf(repetitions, image);
-    std::printf("path, %2u bounces         %10.3f %14.2f  (%+.3f s)\n", bounces, cost, cost / local,
-      cost - before);
-    before = cost;
+    all.push_back({ "path, " + std::to_string(bounces) + " bounces", Shading::PathTracing, Sampler::Sobol, bounces });
+  }
+  rtg::Tracer tracer(subject.device);
+  rtg::TraceSettings settings;
+  settings.width = settings.height = static_cast<std::uint32_t>(pixels);
+  std::vector<std::vector<double>> seconds(all.size()), ratios(all.size());
+  for (int turn = 0; turn <= repetitions; ++turn)
+  {
+    double local = 0.0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      settings.shading = all[i].shading;
+      settings.sampler = all[i].sampler;
+      settings.maximumBounces = all[i].bounces;
+      const std::vector<rtg::Light> lights(settings.shading == Shading::PathTracing ? 0 : 1);
+      const double start = benchmark::CpuSeconds();
+      tracer.Trace(subject.scene, subject.camera, lights, settings);
+      const double spent = benchmark::CpuSeconds() - start;
+      local = i == 0 ? spent : local;
+      if (turn > 0) // the first one compiles
+      {
+        seconds[i].push_back(spent);
+        ratios[i].push_back(spent / local);
+      }
+    }
+  }
+  std::printf("%s, %d x %d, one sample a pixel, medians of %d\n%-24s %10s %14s %20s\n", subject.device->Name().c_str(), pixels,
+    pixels, repetitions, "", "CPU s", "local = 1", "(quartiles)");
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const auto quantile = [&](double share) { return benchmark::Quantile(ratios[i], share); };
+    std::printf("%-24s %10.3f %14.2f %10.2f %9.2f\n", all[i].name.c_str(), benchmark::Quantile(seconds[i], 0.5),
+      quantile(0.5), quantile(0.25), quantile(0.75));
   }
 }
 
@@ -502,7 +505,7 @@ try
   benchmark::Load(subject, argv[2]);
   if (what == "cost")
   {
-    MeasureCost(subject, number(3, 1200), number(4, 3));
+    MeasureCost(subject, number(3, 1200), number(4, 9));
     return 0;
   }
   const int pixels = number(what == "variance" ? 3 : 4, what == "picture" ? 64 : what == "error" ? 24 : 32);

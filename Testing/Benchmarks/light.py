@@ -53,7 +53,8 @@ def main():
             random = samplers[plain]
             axis.set_prop_cycle(color=plt.get_cmap("tab20").colors)
             for sampler, rows in samplers.items():
-                axis.loglog([r["seconds"] for r in rows], [r["error"] for r in rows], "o-", label=sampler, markersize=3)
+                axis.loglog([r["seconds"] for r in rows], [r["error"] for r in rows], "o-", label=sampler, markersize=3,
+                            linewidth=2.5 if sampler == KEPT[shading] else 1.2)
                 found = {r["samples"]: r for r in rows}
                 cells = ["" if n not in found else "%.2g" % found[n]["error"] if sampler == plain else
                          "%.2f" % (at_time(random, found[n]["seconds"]) / found[n]["error"]) for n in TABLED]
@@ -67,7 +68,7 @@ def main():
             axis.set_ylabel("mean squared error")
             axis.set_title("%s, %s" % (name, shading))
             axis.grid(True, which="both", alpha=0.3)
-            axis.legend(fontsize=8)
+            axis.legend(fontsize=6.5, loc="lower left", framealpha=0.5)
     figure.tight_layout()
     figure.savefig(sys.argv[1], dpi=90)
 
