@@ -197,6 +197,12 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
   }
 }
 
+// Whether the points choose among several forms.
+bool HasTable(const Settings& settings)
+{
+  return settings.Shape == rtg::Shape::Mesh && settings.TableSize > 1;
+}
+
 // Whether the shape is a superquadric with exponents of the settings; those of tensors come from elsewhere.
 bool HasOwnExponents(const Settings& settings)
 {
@@ -380,7 +386,7 @@ public:
     , Out(result)
     , Instances(result.Instances)
     , ByComponents(settings.ScaleMode == vtkGlyphInstanceBuilder::COMPONENTS)
-    , HasTable(settings.Shape == rtg::Shape::Mesh && settings.TableSize > 1)
+    , ChoosesForm(HasTable(settings))
     , OwnExponents(HasOwnExponents(settings))
     , Sphere(settings.Shape == rtg::Shape::Sphere)
     , Positions(points->GetPoints()->GetData())
@@ -390,7 +396,7 @@ public:
     , Orientations(CheckedArray(vtkGlyphInstanceBuilder::OrientationArray(points, settings), settings.Orient,
         settings.OrientationArray, "GlyphOrientationArray",
         { settings.OrientationMode == vtkGlyphInstanceBuilder::QUATERNION ? 4 : 3 }, "the glyphs are not turned", result))
-    , Forms(CheckedArray(vtkGlyphInstanceBuilder::TableIndexArray(points, settings), this->HasTable,
+    , Forms(CheckedArray(vtkGlyphInstanceBuilder::TableIndexArray(points, settings), this->ChoosesForm,
         settings.TableIndexArray, "GlyphMeshIndexArray", {}, "all points have the table's first form", result))
     , Exponents(CheckedArray(vtkGlyphInstanceBuilder::ExponentArray(points, settings), this->OwnExponents,
         settings.ExponentArray, "GlyphExponentArray", { 1, 2, 3 }, "GlyphExponents count", result))
@@ -436,7 +442,7 @@ public:
   // Why the point has no glyph; NO_REASON when it has one, or is none of this set's.
   Reason Add(vtkIdType i)
   {
-    if (this->HasTable)
+    if (this->ChoosesForm)
     {
       const double number = this->Forms ? vtkMath::Norm(this->Forms.Get(i), this->Forms.Size()) : 0.0;
       const int last = this->How.TableSize - 1;
@@ -575,7 +581,7 @@ private:
   const vtkGlyphMotion Motion;
   vtkGlyphInstanceBuilder::Result& Out;
   rtg::GlyphInstances& Instances;
-  const bool ByComponents, HasTable, OwnExponents, Sphere;
+  const bool ByComponents, ChoosesForm, OwnExponents, Sphere;
   Tuples Positions, Scales, Orientations, Forms, Exponents;
   bool GoodExponents = false; // of the settings
   bool SameSizes = false, OneSize = false; // for all glyphs; for all axes of one
@@ -593,11 +599,10 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   instances.shape = settings.Shape;
   instances.arrow = settings.Arrow;
   const bool isMesh = settings.Shape == rtg::Shape::Mesh;
-  const bool hasTable = isMesh && settings.TableSize > 1;
   if (isMesh && (!settings.Mesh || settings.Mesh->triangles.empty()))
   {
     const std::string number = std::to_string(settings.TableEntry);
-    result.Messages.push_back((hasTable ? "Entry " + number + " of GlyphMesh has no polygons, so points that choose it have no glyph."
+    result.Messages.push_back((HasTable(settings) ? "Entry " + number + " of GlyphMesh has no polygons, so points that choose it have no glyph."
                                         : "GlyphMesh has no polygons, so there are no glyphs.") +
       " Choose a source that has some, such as Arrow, Cone or Sphere.");
     return result;
@@ -658,7 +663,7 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
       "Scale of the representation differs between its axes, which glyphs of this shape "
       "can follow only approximately. Transform the data instead, or use one scale.");
   }
-  if (hasTable && settings.TableEntry > 0)
+  if (HasTable(settings) && settings.TableEntry > 0)
   {
     result.Messages.clear(); // what is not about single points the first entry has said
   }

@@ -17,6 +17,12 @@ RTG_SHADING_FN void Tangents(vec3 n, RTG_SHADING_OUT(vec3) x, RTG_SHADING_OUT(ve
   y = vec3(b, s + n.y * n.y * a, -n.y);
 }
 
+// A direction that is given in a frame of unit vectors, among which z is the normal.
+RTG_SHADING_FN vec3 FromFrame(vec3 to, vec3 x, vec3 y, vec3 z)
+{
+  return normalize(to.x * x + to.y * y + to.z * z);
+}
+
 // The unit vector, z > 0, that uniform numbers in [0,1)^2 choose with density z / pi: a point of the disc, lifted to the hemisphere
 // (Malley's method). Squares about the middle become circles, so that cells of the square stay compact: Shirley and Chiu, "A Low
 // Distortion Map Between Disk and Square", Journal of Graphics Tools 2(3), 1997.

@@ -126,10 +126,7 @@ RTG_FN bool NestedPolish(NestedForm form, LocalRay ray, real s, real reach, RTG_
 RTG_FN NestedCrossing NestedConvex(NestedForm form, LocalRay ray, LocalRay unit, real scale, real sIn, real sOut,
   real tMin, real tMax)
 {
-  NestedCrossing crossing;
-  crossing.found = false;
-  crossing.t = real(RTG_NEVER);
-  crossing.at = ray;
+  NestedCrossing crossing = NoCrossing(ray);
   LocalRay towards = unit;
   real way = real(1.0);
   for (int side = 0; side < 2; ++side)

@@ -103,10 +103,7 @@ RTG_FN int NestedLook(NestedForm form, NestedProbe a, NestedProbe b, real3 towar
 RTG_FN NestedCrossing NestedPieces(NestedForm form, LocalRay ray, LocalRay unit, real scale, real sIn, real sOut,
   real tMin, real tMax)
 {
-  NestedCrossing crossing;
-  crossing.found = false;
-  crossing.t = real(RTG_NEVER);
-  crossing.at = ray;
+  NestedCrossing crossing = NoCrossing(ray);
   real3 o = unit.origin.hi;
   real3 d = unit.direction.hi;
   NestedPlanes planes = MakeNestedPlanes(unit);

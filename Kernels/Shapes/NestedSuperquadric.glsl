@@ -24,21 +24,16 @@
 
 RTG_FN NestedCrossing NestedSuperquadricCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax)
 {
-  NestedCrossing crossing;
-  crossing.found = false;
-  crossing.t = real(RTG_NEVER);
   LocalRay local;
   if (!ToBoxFrame(ray, glyph, real(0.5) * glyph.size, local))
   {
-    crossing.at = local;
-    return crossing;
+    return NoCrossing(local);
   }
 
   // The origin next to the centre, a copy with a direction of about length one, the chord through the box
   NestedForm form = MakeNestedForm(glyph.exponents);
   real speed = length(local.direction.hi);
   local = Advance(local, -dot(local.origin.hi, local.direction.hi) / (speed * speed));
-  crossing.at = local;
   real scale = ldexp(real(1.0), -int(floor(log2(speed))));
   LocalRay unit = local;
   unit.start = Word(real(0.0));
@@ -57,7 +52,7 @@ RTG_FN NestedCrossing NestedSuperquadricCrossing(GlyphRay ray, Glyph glyph, real
   real sOut = min(sFar.x, min(sFar.y, sFar.z));
   if (!(sIn <= sOut))
   {
-    return crossing;
+    return NoCrossing(local);
   }
   if (form.convex)
   {

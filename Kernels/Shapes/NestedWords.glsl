@@ -174,6 +174,15 @@ struct NestedCrossing
   LocalRay at;
 };
 
+RTG_FN NestedCrossing NoCrossing(LocalRay ray)
+{
+  NestedCrossing crossing;
+  crossing.found = false;
+  crossing.t = real(RTG_NEVER);
+  crossing.at = ray;
+  return crossing;
+}
+
 // Where the ray passes the coordinate planes, and the axes in that order.
 struct NestedPlanes
 {

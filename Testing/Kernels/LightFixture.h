@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace light
 {
@@ -37,6 +38,19 @@ inline rtg::Material Flat()
   material.ambient = 1.0f;
   material.diffuse = 0.0f;
   return material;
+}
+
+// Random places in a cube of half-width 0.8.
+inline std::vector<glm::vec3> Clutter(unsigned seed, std::size_t count)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> uniform(-0.8f, 0.8f);
+  std::vector<glm::vec3> places(count);
+  for (glm::vec3& place : places)
+  {
+    place = { uniform(random), uniform(random), uniform(random) };
+  }
+  return places;
 }
 
 class LightTest : public ::testing::Test

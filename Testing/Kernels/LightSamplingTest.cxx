@@ -180,13 +180,7 @@ class Steps
 // However the samples are shared out among calls: the same image to the bit.
 TEST_P(Steps, AccumulateToTheSameImage)
 {
-  std::mt19937 random(6);
-  std::uniform_real_distribution<float> uniform(-0.8f, 0.8f);
-  std::vector<glm::vec3> centres(50);
-  for (auto& c : centres)
-  {
-    c = { uniform(random), uniform(random), uniform(random) };
-  }
+  const std::vector<glm::vec3> centres = Clutter(6, 50);
   rtg::Material material;
   material.colour = { 0.9f, 0.5f, 0.3f };
   material.specular = 0.4f;

@@ -5,7 +5,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
-#include <random>
 
 namespace
 {
@@ -204,13 +203,7 @@ TEST_F(WhiteLightTest, WhiteTensorGlyphsInWhiteLightAreWhite)
 // In clutter light takes several bounces to get out: more bounces let more out, never more than came in.
 TEST_F(LightTest, EnergyNeverGrowsWithBounces)
 {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<float> uniform(-0.8f, 0.8f);
-  std::vector<glm::vec3> centres(200);
-  for (auto& c : centres)
-  {
-    c = { uniform(random), uniform(random), uniform(random) };
-  }
+  const std::vector<glm::vec3> centres = Clutter(5, 200);
   rtg::Material metal;
   metal.metallic = 1.0f;
   metal.roughness = 0.8f;
