@@ -27,6 +27,8 @@ struct Camera
   /// the camera's position, so set it after FromWorldToClip (which puts it on the view axis at depth 0).
   glm::dvec3 position{ 0, 0, 1 };
 
+  bool operator==(const Camera&) const = default;
+
   /// The rays that rasterisation with this matrix (OpenGL clip space, column vectors, world to clip) sees.
   /// Handles off-axis frusta (stereo, tiles). Throws rtg::Error when the matrix is singular or not finite.
   static Camera FromWorldToClip(const glm::dmat4& worldToClip);

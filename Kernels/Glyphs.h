@@ -58,6 +58,8 @@ struct ArrowForm
   /// False: the whole arrow is scaled by the instance's sizes.
   bool fixedHeads = true;
   float unitLength = 1.0f; ///< world length of the arrow whose head has the fractions above
+
+  bool operator==(const ArrowForm&) const = default;
 };
 
 /// The glyphs of one set in structure-of-arrays form. An array that a set does not need stays empty
@@ -128,6 +130,8 @@ struct Material
   float coatRoughness = 0.0f; ///< [0, 1]
   float coatIor = 2.0f;       ///< refractive index, >= 1
   glm::vec3 coatColour{ 1.0f };
+
+  bool operator==(const Material&) const = default;
 };
 
 /// A light, in world coordinates, with vtkLight's meaning (vtkOpenGLPolyDataMapper's formulas).
@@ -146,6 +150,8 @@ struct Light
   glm::vec3 attenuation{ 1, 0, 0 }; ///< constant, linear, quadratic
   float coneAngle = 180.0f;         ///< half angle in degrees; 90 or more: no spot
   float exponent = 1.0f;            ///< spot fall-off
+
+  bool operator==(const Light&) const = default;
 };
 
 } // namespace rtg

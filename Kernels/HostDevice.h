@@ -252,7 +252,13 @@ struct FrameRecord
   uint sharedTimeBits; // Shading/ShutterTime.glsl
   uint timeStrataBits; // the same
   uint pixelStep;
-  uint firstRow; // of tiles, when an image takes several dispatches
+  // The tiles of this launch, out of all tiles of the image: numbers firstTile to endTile - 1, scattered over the image
+  // by tileStride, which has no common divisor with tileCount.
+  uint firstTile;
+  uint endTile;
+  uint tileStride;
+  uint tileCount;
+  uint tileColumns;
   uint cullMask;
   uint lightCount;
   uint probeCount;

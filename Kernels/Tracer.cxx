@@ -1,18 +1,19 @@
 #include "Tracer.h"
 
-#include "BlueNoise.h"
 #include "Denoiser.h"
 #include "Frame.h"
 #include "HostDevice.h"
 #include "SceneState.h"
 #include "Shading/Shading.h"
 #include "Stopwatch.h"
+#include "TracerResources.h"
 
 #include <glm/gtc/packing.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 namespace rtg
 {
@@ -24,7 +25,9 @@ using Usage = vk::BufferUsageFlagBits;
 
 constexpr std::uint32_t tileSize = 8;
 constexpr std::uint32_t lanesPerTile = tileSize * tileSize;
-constexpr std::uint32_t blueNoiseSide = 64; ///< as in Shading/Sampling.glsl
+constexpr std::uint32_t tilesPerRow = 1024; ///< of a launch
+/// Seconds that a launch of an interruptible trace is to take: whoever waits for it to stop waits so long.
+constexpr double launchSeconds = 0.04;
 
 std::uint32_t DivideUp(std::uint32_t value, std::uint32_t by)
 {
@@ -41,84 +44,85 @@ void Fit(Buffer& buffer, Device::State& device, std::size_t size)
   }
 }
 
+// A number of tiles from one to the next of a launch that has no common divisor with their count and whose multiples, of
+// all tiles, fit into 32 bits: neighbors in a launch are far apart in the image.
+std::uint32_t TileStride(std::uint32_t count)
+{
+  auto stride = static_cast<std::uint32_t>(
+    std::min<std::uint64_t>(count * 5ull / 13, 0xffffffffull / std::max(count, 1u)));
+  while (stride > 1 && std::gcd(stride, count) != 1)
+  {
+    --stride;
+  }
+  return std::max(stride, 1u);
+}
+
 } // namespace
 
 struct Tracer::State
 {
-  explicit State(std::shared_ptr<Device> d)
-    : device(std::move(d))
+  // An image, or further samples of one, in the making.
+  struct Job
   {
-  }
+    const Scene::State* scene = nullptr;
+    std::uint64_t sceneVersion = 0;
+    Image image;
+    TraceSettings settings;
+    Generation generation;
+    device::FrameRecord frame{}; ///< of the samples in work; firstTile: the first one that lacks them
+    std::uint32_t atOnce = 1;    ///< samples of one dispatch over all tiles
+    std::uint32_t done = 0;      ///< samples that all tiles have
+    std::size_t rays = 0;        ///< camera rays of one sample
+  };
 
-  const Pipeline& PipelineFor(const Generation& generation, const std::vector<HitGroup>& groups);
   void Prepare(const TraceSettings& settings, bool keepSums);
-  void CheckContinues(const TraceSettings& settings) const;
+  void CheckContinues(const TraceSettings& settings, const Scene::State& scene) const;
   void Clear(std::size_t pixels);
   void FillFeatures(Image& image) const;
-  void PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame);
   device::FrameRecord MakeFrame(const Scene::State& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass);
-  void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame,
-    std::uint32_t width, std::uint32_t height);
+  void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame, std::uint32_t width,
+    std::uint32_t height);
+  std::uint32_t TilesAtOnce(const TracerResources::Program& program, const Job& job, bool interruptible) const;
+  void Begin(const Scene::State& scene, bool translucentScene, const Camera& camera, const std::vector<Light>& lights,
+    const TraceSettings& settings, Pass pass, bool interruptible);
+  void Run(const Scene::State& scene, const Interrupt& interrupt);
 
+  std::shared_ptr<TracerResources> shared;
   std::shared_ptr<Device> device;
-  Statistics statistics;
-  std::vector<std::unique_ptr<Pipeline>> pipelines; ///< the last few used, newest last
   Buffer frameBuffer, lightBuffer, colour, depth, setIds, glyphIds, rays;
   Buffer sums, features;         ///< none unless asked for
-  Buffer blueNoise;              ///< none unless its sampler was used
-  std::shared_ptr<const EnvironmentImage> environment; ///< that the next three are made from
-  EnvironmentCells environmentCells;
-  Buffer environmentTexels, environmentCellBuffer;
-  std::vector<std::uint32_t> denoised; ///< colours of the last image, if they are
+  Job job;                       ///< the last one; goes on where image.complete is false
   TraceSettings last;            ///< of the last image
   std::uint32_t keptSamples = 0; ///< that `sums` hold
 };
 
 Tracer::Tracer(std::shared_ptr<Device> device)
-  : state_(std::make_unique<State>(std::move(device)))
+  : Tracer(std::make_shared<TracerResources>(std::move(device)))
 {
+}
+
+Tracer::Tracer(std::shared_ptr<TracerResources> shared)
+  : state_(std::make_unique<State>())
+{
+  this->state_->device = shared->device;
+  this->state_->shared = std::move(shared);
 }
 
 Tracer::~Tracer() = default;
 
 const Statistics& Tracer::GetStatistics() const
 {
-  this->state_->statistics.deviceBytes = this->state_->device->GetState().bytes;
-  return this->state_->statistics;
+  return this->state_->shared->GetStatistics();
 }
 
-const Pipeline&
-Tracer::State::PipelineFor(const Generation& generation, const std::vector<HitGroup>& groups)
-{
-  const auto found = std::find_if(this->pipelines.begin(), this->pipelines.end(),
-    [&](const auto& p) { return p->GetGeneration() == generation && p->Groups() == groups; });
-  if (found != this->pipelines.end())
-  {
-    std::rotate(found, found + 1, this->pipelines.end());
-    return *this->pipelines.back();
-  }
-
-  constexpr std::size_t kept = 8;
-  if (this->pipelines.size() >= kept)
-  {
-    this->pipelines.erase(this->pipelines.begin());
-  }
-  this->pipelines.push_back(
-    std::make_unique<Pipeline>(this->device->GetState(), generation, groups));
-  ++this->statistics.pipelineBuilds;
-  return *this->pipelines.back();
-}
-
-// Launches width x height rays in as many dispatches as the device's limit asks for.
-void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene,
-  device::FrameRecord& frame, std::uint32_t width, std::uint32_t height)
+// Launches width x height rays.
+void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame,
+  std::uint32_t width, std::uint32_t height)
 {
   Device::State& vulkan = this->device->GetState();
-  const std::uint32_t rowsAtOnce =
-    std::max(1u, std::min(height, vulkan.pipelineLimits.maxRayDispatchInvocationCount / width));
   frame.launchWidth = width;
-  Fit(this->rays, vulkan, std::size_t(width) * rowsAtOnce * sizeof(device::RayRecord));
+  Fit(this->rays, vulkan, std::size_t(width) * height * sizeof(device::RayRecord));
   frame.rays = this->rays.Address();
   frame.topLevel = scene.topLevel.Address();
   frame.onlySet = scene.records.front();
@@ -126,23 +130,16 @@ void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene,
   {
     this->frameBuffer = Buffer(vulkan, sizeof(frame), Usage::eUniformBuffer, Buffer::Place::Host);
   }
-
-  for (std::uint32_t row = 0; row < height; row += rowsAtOnce)
-  {
-    frame.firstRow = row;
-    this->frameBuffer.Upload(&frame, sizeof(frame));
-    vulkan.Submit(
-      [&](vk::raii::CommandBuffer& command)
-      {
-        pipeline.Trace(command, this->frameBuffer, width, std::min(rowsAtOnce, height - row));
-        // Results are read by the host.
-        const vk::MemoryBarrier barrier(
-          vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
-        command.pipelineBarrier(vk::PipelineStageFlagBits::eRayTracingShaderKHR,
-          vk::PipelineStageFlagBits::eHost, {}, barrier, {}, {});
-      });
-    ++this->statistics.dispatches;
-  }
+  this->frameBuffer.Upload(&frame, sizeof(frame));
+  vulkan.Submit(
+    [&](vk::raii::CommandBuffer& command)
+    {
+      pipeline.Trace(command, this->frameBuffer, width, height);
+      // Results are read by the host.
+      const vk::MemoryBarrier barrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
+      command.pipelineBarrier(vk::PipelineStageFlagBits::eRayTracingShaderKHR, vk::PipelineStageFlagBits::eHost, {},
+        barrier, {}, {});
+    });
 }
 
 // The buffers of an image; those that it does not need are given back.
@@ -171,56 +168,20 @@ void Tracer::State::Prepare(const TraceSettings& settings, bool keepSums)
     Fit(this->features, vulkan, pixels * sizeof(device::PixelFeatures));
     std::memset(this->features.Mapped(), 0, pixels * sizeof(device::PixelFeatures));
   }
-  if (settings.sampler == Sampler::BlueNoise && this->blueNoise.Size() == 0)
-  {
-    this->blueNoise = Send(vulkan, BlueNoiseTile(blueNoiseSide));
-  }
-}
-
-// The environment image on the device, if path tracing asks for one.
-void Tracer::State::PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame)
-{
-  if (!settings.environmentImage || settings.shading != Shading::PathTracing)
-  {
-    return;
-  }
-  const EnvironmentImage& image = *settings.environmentImage;
-  if (this->environment != settings.environmentImage)
-  {
-    Device::State& vulkan = this->device->GetState();
-    this->environment.reset();
-    this->environmentCells = MakeEnvironmentCells(image);
-    this->environmentTexels = Buffer();
-    this->environmentTexels = Send(vulkan, image.radiance);
-    this->environmentCellBuffer = Buffer();
-    this->environmentCellBuffer = Send(vulkan, this->environmentCells.cells);
-    this->environment = settings.environmentImage;
-  }
-  frame.environmentTexels = this->environmentTexels.Address();
-  frame.environmentSize = { image.width, image.height };
-  frame.environmentThreshold = this->environmentCells.threshold;
-  frame.environmentRight = image.right;
-  frame.environmentUp = image.up;
-  if (!this->environmentCells.cells.empty())
-  {
-    frame.environmentCells = this->environmentCellBuffer.Address();
-    frame.environmentCellSide = this->environmentCells.side;
-    frame.environmentCellColumns = this->environmentCells.columns;
-    frame.environmentCellRows = this->environmentCells.rows;
-  }
 }
 
 // Throws unless new samples can be added to what is kept.
-void Tracer::State::CheckContinues(const TraceSettings& settings) const
+void Tracer::State::CheckContinues(const TraceSettings& settings, const Scene::State& scene) const
 {
   if (settings.firstSample == 0)
   {
     return;
   }
-  const bool same = this->last.width == settings.width && this->last.height == settings.height &&
-    this->last.pixelStep == settings.pixelStep && this->last.shading == settings.shading &&
-    this->last.features == settings.features &&
-    this->last.environmentImage == settings.environmentImage;
+  const TraceSettings& l = this->last;
+  const bool same = l.width == settings.width && l.height == settings.height && l.pixelStep == settings.pixelStep &&
+    l.shading == settings.shading && l.features == settings.features && l.occlusionRays == settings.occlusionRays &&
+    l.paths == settings.paths && l.environmentImage == settings.environmentImage && this->job.image.complete &&
+    this->job.scene == &scene && this->job.sceneVersion == scene.version;
   if (!same || this->keptSamples != settings.firstSample)
   {
     throw Error("Ray Traced Glyphs: samples from number " + std::to_string(settings.firstSample) +
@@ -285,86 +246,187 @@ device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Ca
   frame.glyphIds = this->glyphIds.Address();
   frame.sums = this->sums.Address();
   frame.features = this->features.Address();
-  frame.blueNoise = this->blueNoise.Address();
+  frame.blueNoise = settings.sampler == Sampler::BlueNoise ? this->shared->BlueNoise() : 0;
   frame.cullMask = pass == Pass::All ? device::OPAQUE_MASK | device::TRANSLUCENT_MASK
     : pass == Pass::Opaque           ? device::OPAQUE_MASK
                                      : device::TRANSLUCENT_MASK;
-  this->PrepareEnvironment(settings, frame);
+  this->shared->PrepareEnvironment(settings, frame);
   return frame;
 }
 
+// What is to be launched for an image; nothing is launched yet.
+void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, const Camera& camera,
+  const std::vector<Light>& lights, const TraceSettings& settings, Pass pass, bool interruptible)
+{
+  const std::size_t pixels = std::size_t(settings.width) * settings.height;
+  Job& begun = this->job;
+  begun = Job();
+  begun.scene = &scene;
+  begun.sceneVersion = scene.version;
+  begun.settings = settings;
+  begun.image.width = settings.width;
+  begun.image.height = settings.height;
+  begun.image.complete = false;
+  begun.atOnce = SamplesAtOnce(settings, pixels);
+  const bool keeps = settings.keepSums || settings.firstSample > 0 || begun.atOnce < settings.samples;
+  this->Prepare(settings, keeps);
+  begun.image.colour = static_cast<const std::uint32_t*>(this->colour.Mapped());
+  begun.image.traced = begun.image.colour;
+  begun.image.depth = static_cast<const float*>(this->depth.Mapped());
+  begun.image.setIds = static_cast<const std::uint32_t*>(this->setIds.Mapped());
+  begun.image.glyphIds = static_cast<const std::uint32_t*>(this->glyphIds.Mapped());
+  const bool empty = scene.topLevel.Address() == 0;
+  if (empty || (interruptible && settings.firstSample == 0 && !settings.overPreview))
+  {
+    this->Clear(pixels);
+  }
+  if (empty)
+  {
+    begun.done = settings.samples;
+    return;
+  }
+  begun.frame = this->MakeFrame(scene, camera, lights, settings, pass);
+  begun.generation = GenerationFor(settings);
+  Generation& generation = begun.generation;
+  generation.alone = scene.records.size() == 1;
+  generation.accumulates = keeps;
+  generation.moves = scene.moves;
+  if (scene.moves)
+  {
+    generation.sampler = static_cast<std::uint32_t>(settings.sampler);
+    begun.frame.sharedTimeBits = SharedTimeBits(settings, scene.placedTimeSliceBits);
+    begun.frame.timeStrataBits = TimeStrataBits(settings);
+  }
+  // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
+  generation.layered = pass == Pass::Translucent && settings.shading != Shading::PathTracing;
+  generation.translucency = settings.shading != Shading::Local && translucentScene;
+  generation.whole = CanBeWhole(generation, scene.groups);
+
+  const std::uint32_t columns = DivideUp(settings.width, settings.pixelStep);
+  const std::uint32_t rows = DivideUp(settings.height, settings.pixelStep);
+  begun.rays = std::size_t(columns) * rows;
+  begun.frame.tileColumns = DivideUp(columns, tileSize);
+  begun.frame.tileCount = begun.frame.tileColumns * DivideUp(rows, tileSize);
+  begun.frame.tileStride = TileStride(begun.frame.tileCount);
+}
+
+// Tiles of the next launch. What can be interrupted is launched in parts of some hundredths of a second, as far as the
+// program's launches so far tell; a part is at most eight times the last one, because costs differ.
+std::uint32_t Tracer::State::TilesAtOnce(
+  const TracerResources::Program& program, const Job& job, bool interruptible) const
+{
+  const Device::State& vulkan = this->device->GetState();
+  const std::uint32_t left = job.frame.tileCount - job.frame.firstTile;
+  const std::uint32_t limit = std::max(1u, vulkan.pipelineLimits.maxRayDispatchInvocationCount / lanesPerTile);
+  std::uint32_t most = std::min(left, limit > tilesPerRow ? limit - limit % tilesPerRow : limit);
+  if (!interruptible)
+  {
+    return most;
+  }
+  if (!program.launched || program.secondsPerRay <= 0.0)
+  {
+    return std::min(most, program.launched ? 8u : 1u);
+  }
+  const double tileSeconds = program.secondsPerRay * lanesPerTile * job.frame.samples;
+  const double wanted = std::min(launchSeconds / tileSeconds, 8.0 * static_cast<double>(program.lastTiles));
+  return std::min(most, static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 1e9)));
+}
+
+// Goes on with the job until it is done or somebody interrupts; after each launch one is asked.
+void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
+{
+  Job& work = this->job;
+  Stopwatch watch;
+  const TraceSettings& settings = work.settings;
+  const bool interruptible = static_cast<bool>(interrupt);
+  bool stopped = false;
+  if (work.done < settings.samples)
+  {
+    TracerResources::Program& program = this->shared->ProgramFor(work.generation, scene.groups);
+    double secondsBefore = watch.Lap();
+    while (work.done < settings.samples && !stopped)
+    {
+      device::FrameRecord& frame = work.frame;
+      if (frame.firstTile == 0)
+      {
+        frame.firstSample = settings.firstSample + work.done;
+        frame.samples = std::min(work.atOnce, settings.samples - work.done);
+      }
+      const std::uint32_t tiles = this->TilesAtOnce(program, work, interruptible);
+      frame.endTile = frame.firstTile + tiles;
+      const std::uint32_t columns = std::min(tiles, tilesPerRow);
+      this->Launch(*program.pipeline, scene, frame, columns * lanesPerTile, DivideUp(tiles, columns));
+      const double seconds = watch.Lap();
+      this->shared->statistics.traceSeconds += secondsBefore + seconds;
+      secondsBefore = 0.0;
+      if (program.launched)
+      {
+        // Of old and new costs the mean: launches differ.
+        const double cost = seconds / (double(tiles) * lanesPerTile * frame.samples);
+        program.secondsPerRay = program.secondsPerRay > 0.0 ? 0.5 * (program.secondsPerRay + cost) : cost;
+        program.lastTiles = std::max(tiles, 8u);
+      }
+      program.launched = true;
+      frame.firstTile = frame.endTile;
+      if (frame.firstTile == frame.tileCount)
+      {
+        frame.firstTile = 0;
+        work.done += frame.samples;
+        ++this->shared->statistics.dispatches;
+        this->shared->statistics.primaryRays += work.rays * frame.samples;
+      }
+      stopped = work.done < settings.samples && interruptible && interrupt();
+    }
+  }
+  work.image.complete = work.done == settings.samples;
+  work.image.samples = settings.firstSample + work.done;
+  const float part = work.image.complete ? 0.0f : float(work.frame.samples) * work.frame.firstTile / work.frame.tileCount;
+  work.image.share = (work.done + part) / settings.samples;
+  this->keptSamples = settings.keepSums && work.image.complete ? work.image.samples : 0;
+  this->last = settings;
+  if (settings.features && settings.pixelStep == 1 && work.image.complete)
+  {
+    this->FillFeatures(work.image);
+  }
+  this->shared->statistics.traceSeconds += watch.Lap();
+}
+
 Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights,
-  const TraceSettings& settings, Pass pass)
+  const TraceSettings& settings, Pass pass, const Interrupt& interrupt)
 {
   CheckSettings(settings);
   State& state = *this->state_;
-  state.CheckContinues(settings);
   const Scene::State& glyphs = scene.GetState();
-  Image image;
-  image.width = settings.width;
-  image.height = settings.height;
-  image.samples = settings.firstSample + settings.samples;
-  const std::size_t pixels = std::size_t(settings.width) * settings.height;
+  state.CheckContinues(settings, glyphs);
   state.keptSamples = 0;
-  if (pixels == 0)
+  if (settings.width == 0 || settings.height == 0)
   {
+    Image image;
+    image.width = settings.width;
+    image.height = settings.height;
+    image.samples = settings.firstSample + settings.samples;
     return image;
   }
-
-  Device::State& vulkan = state.device->GetState();
-  vulkan.Guard("tracing an image",
+  state.device->GetState().Guard("tracing an image",
     [&]
     {
-      Stopwatch watch;
-      const std::uint32_t atOnce = SamplesAtOnce(settings, pixels);
-      const bool keeps = settings.keepSums || settings.firstSample > 0 || atOnce < settings.samples;
-      state.Prepare(settings, keeps);
-      image.colour = static_cast<const std::uint32_t*>(state.colour.Mapped());
-      image.depth = static_cast<const float*>(state.depth.Mapped());
-      image.setIds = static_cast<const std::uint32_t*>(state.setIds.Mapped());
-      image.glyphIds = static_cast<const std::uint32_t*>(state.glyphIds.Mapped());
-      if (glyphs.topLevel.Address() == 0)
-      {
-        state.Clear(pixels);
-      }
-      else
-      {
-        device::FrameRecord frame = state.MakeFrame(glyphs, camera, lights, settings, pass);
-        Generation generation = GenerationFor(settings);
-        generation.alone = glyphs.records.size() == 1;
-        generation.accumulates = keeps;
-        generation.moves = glyphs.moves;
-        if (glyphs.moves)
-        {
-          generation.sampler = static_cast<std::uint32_t>(settings.sampler);
-          frame.sharedTimeBits = SharedTimeBits(settings, glyphs.placedTimeSliceBits);
-          frame.timeStrataBits = TimeStrataBits(settings);
-        }
-        // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
-        generation.layered = pass == Pass::Translucent && settings.shading != Shading::PathTracing;
-        generation.translucency = settings.shading != Shading::Local && scene.HasTranslucent();
-        generation.whole = CanBeWhole(generation, glyphs.groups);
-        const Pipeline& pipeline = state.PipelineFor(generation, glyphs.groups);
-        const std::uint32_t columns = DivideUp(settings.width, settings.pixelStep);
-        const std::uint32_t rows = DivideUp(settings.height, settings.pixelStep);
-        for (std::uint32_t done = 0; done < settings.samples; done += frame.samples)
-        {
-          frame.firstSample = settings.firstSample + done;
-          frame.samples = std::min(atOnce, settings.samples - done);
-          state.Launch(pipeline, glyphs, frame, DivideUp(columns, tileSize) * lanesPerTile,
-            DivideUp(rows, tileSize));
-        }
-        state.statistics.primaryRays += std::uint64_t(columns) * rows * settings.samples;
-      }
-      state.last = settings;
-      state.keptSamples = settings.keepSums ? image.samples : 0;
-      if (settings.features && settings.pixelStep == 1)
-      {
-        state.FillFeatures(image);
-      }
-      state.statistics.traceSeconds += watch.Lap();
+      const bool translucent = scene.HasTranslucent();
+      state.Begin(glyphs, translucent, camera, lights, settings, pass, static_cast<bool>(interrupt));
+      state.Run(glyphs, interrupt);
     });
-  return image;
+  return state.job.image;
+}
+
+Image Tracer::Resume(Scene& scene, const Interrupt& interrupt)
+{
+  State& state = *this->state_;
+  const Scene::State& glyphs = scene.GetState();
+  if (state.job.scene != &glyphs || state.job.sceneVersion != glyphs.version)
+  {
+    throw Error("Ray Traced Glyphs: an image of another scene is to be gone on with; trace it from its first sample.");
+  }
+  state.device->GetState().Guard("tracing an image", [&] { state.Run(glyphs, interrupt); });
+  return state.job.image;
 }
 
 std::vector<glm::vec4> Tracer::Means() const
@@ -384,41 +446,48 @@ std::vector<glm::vec4> Tracer::Means() const
   return means;
 }
 
-void Tracer::Denoise(Image& image)
+DenoiseTask Tracer::Denoise(const Image& image) const
 {
-  State& state = *this->state_;
-  std::vector<glm::vec4> means = this->Means();
-  if (image.normals.size() != means.size())
+  DenoiseTask task;
+  task.means_ = this->Means();
+  if (image.normals.size() != task.means_.size())
   {
     throw Error("Ray Traced Glyphs: an image is to be denoised that was traced without features.");
   }
+  task.image_ = image;
+  task.settings_ = this->state_->last;
+  task.shared_ = this->state_->shared;
+  return task;
+}
+
+std::vector<std::uint32_t> DenoiseTask::operator()()
+{
   Stopwatch watch;
-  const bool linear = state.last.shading == Shading::PathTracing;
-  std::vector<glm::vec3> albedos = image.albedos;
+  const bool linear = this->settings_.shading == Shading::PathTracing;
   if (linear)
   {
-    std::transform(albedos.begin(), albedos.end(), albedos.begin(), shading::DisplayToLinear);
+    std::transform(this->image_.albedos.begin(), this->image_.albedos.end(), this->image_.albedos.begin(),
+      shading::DisplayToLinear);
   }
-  rtg::Denoise(means, { image.width, image.height, image.normals, albedos, image.viewDepths });
+  rtg::Denoise(this->means_,
+    { this->image_.width, this->image_.height, this->image_.normals, this->image_.albedos, this->image_.viewDepths });
 
-  const bool develops = GenerationFor(state.last).develops;
-  const float exposureFactor = std::exp2(state.last.exposure);
-  const bool filmic = state.last.toneMapping == ToneMapping::Filmic;
-  state.denoised.resize(means.size());
-  for (std::size_t i = 0; i < means.size(); ++i)
+  const bool develops = GenerationFor(this->settings_).develops;
+  const float exposureFactor = std::exp2(this->settings_.exposure);
+  const bool filmic = this->settings_.toneMapping == ToneMapping::Filmic;
+  std::vector<std::uint32_t> smooth(this->means_.size(), 0);
+  for (std::size_t i = 0; i < smooth.size(); ++i)
   {
-    const glm::vec4& mean = means[i];
-    if (mean.a <= 0.0f)
+    const glm::vec4& mean = this->means_[i];
+    if (mean.a > 0.0f)
     {
-      state.denoised[i] = 0;
-      continue;
+      const glm::vec3 colour = glm::vec3(mean) / mean.a;
+      smooth[i] = glm::packUnorm4x8(
+        glm::vec4(develops ? shading::Develop(colour, linear, exposureFactor, filmic) : colour, mean.a));
     }
-    const glm::vec3 colour = glm::vec3(mean) / mean.a;
-    state.denoised[i] = glm::packUnorm4x8(glm::vec4(
-      develops ? shading::Develop(colour, linear, exposureFactor, filmic) : colour, mean.a));
   }
-  image.colour = state.denoised.data();
-  state.statistics.denoiseSeconds += watch.Lap();
+  this->shared_->denoiseSeconds += watch.Lap();
+  return smooth;
 }
 
 std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vector<Probe>& probes)
@@ -462,7 +531,7 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       probing.alone = glyphs.records.size() == 1;
       probing.moves = glyphs.moves;
       constexpr std::uint32_t rowLength = 1024;
-      state.Launch(state.PipelineFor(probing, glyphs.groups), glyphs, frame, rowLength,
+      state.Launch(*state.shared->ProgramFor(probing, glyphs.groups).pipeline, glyphs, frame, rowLength,
         DivideUp(frame.probeCount, rowLength));
 
       const auto* results = static_cast<const device::ProbeResult*>(output.Mapped());

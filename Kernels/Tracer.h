@@ -6,6 +6,7 @@
 #include "Scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Image
   /// RGBA8, straight (not premultiplied): the mean colour of the samples that hit, weighted by their opacity, and in
   /// alpha the mean over all samples of the opacity hit.
   const std::uint32_t* colour = nullptr;
+  const std::uint32_t* traced = nullptr; ///< the same before denoising
   /// Window depth in [0, 1] of the sample at the pixel's centre, or else of the nearest sample; 1: nothing hit.
   const float* depth = nullptr;
   /// Set and glyph (see Scene::OriginalGlyph) of the same sample; noGlyph: nothing hit.
@@ -29,7 +31,10 @@ struct Image
   /// without light, view depth. Zero: nothing hit.
   std::vector<glm::vec3> normals, albedos;
   std::vector<float> viewDepths;
-  std::uint32_t samples = 0; ///< samples a pixel in it so far; the same for all pixels
+  std::uint32_t samples = 0; ///< samples a pixel in it so far, in all pixels
+  /// False: tracing was interrupted, and some pixels have further samples, or none yet where samples is 0.
+  bool complete = true;
+  float share = 1.0f; ///< of the samples that the last call asked for, in [0, 1]
   static constexpr std::uint32_t noGlyph = 0xffffffffu;
 };
 
@@ -84,6 +89,9 @@ struct TraceSettings
   std::uint32_t firstSample = 0;
   bool keepSums = false;       ///< more samples will be added: keep what they are added to
   std::uint32_t pixelStep = 1; ///< trace every n-th pixel in x and y and repeat it, for interaction
+  /// The last image of this tracer, of the same size, shows the same view with a larger pixelStep. Where a trace is
+  /// interrupted the pixels that have no sample yet keep what it shows; otherwise they are empty.
+  bool overPreview = false;
 
   Shading shading = Shading::Local;
   /// Light from all around, of ambient occlusion and path tracing: a display colour and its strength, >= 0.
@@ -112,6 +120,28 @@ struct TraceSettings
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
   bool features = false; ///< gather Image::normals and so on, which need a pixelStep of 1 to be filled
+
+  bool operator==(const TraceSettings&) const = default;
+};
+
+/// Asked some twenty times a second while an image is traced; true: stop.
+using Interrupt = std::function<bool()>;
+
+class TracerResources;
+
+/// The denoising of an image (Denoiser.h), which may run in another thread while its tracer goes on.
+class DenoiseTask
+{
+public:
+  /// The colors of the image with less noise, RGBA8; edges and glyphs' own colors stay.
+  std::vector<std::uint32_t> operator()();
+
+private:
+  friend class Tracer;
+  std::vector<glm::vec4> means_;
+  Image image_;
+  TraceSettings settings_;
+  std::shared_ptr<TracerResources> shared_;
 };
 
 /// Traces a committed scene. The same scene, settings and device give the same image, however its samples are
@@ -121,20 +151,27 @@ class Tracer
 {
 public:
   explicit Tracer(std::shared_ptr<Device> device);
+  /// The tracers of a view share what they can: programs are compiled once. Their statistics are one, too.
+  explicit Tracer(std::shared_ptr<TracerResources> shared);
   ~Tracer();
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
-  Image Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights,
-    const TraceSettings& settings, Pass pass = Pass::Opaque);
+  /// With `interrupt` the image is traced in parts of some hundredths of a second, and after each that is asked whether
+  /// to stop.
+  Image Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights, const TraceSettings& settings,
+    Pass pass = Pass::Opaque, const Interrupt& interrupt = {});
+
+  /// Goes on with the last image, which was interrupted, of the same scene.
+  Image Resume(Scene& scene, const Interrupt& interrupt = {});
 
   /// Mean linear radiance (or display colour, unless path-traced) times opacity, and opacity, of each pixel of the last
   /// image as sums left them, before any clipping: for error measurements. Needs keepSums.
   std::vector<glm::vec4> Means() const;
 
-  /// Replaces the colours of the last Trace()'s image by ones with less noise (Denoiser.h); edges and glyphs' own colours
-  /// stay. Needs keepSums and features. The sums stay as they are: more samples can be added.
-  void Denoise(Image& image);
+  /// The denoising of the last Trace()'s image, which must be complete and traced with keepSums and features. It has
+  /// copies of what it needs: more samples can be added meanwhile.
+  DenoiseTask Denoise(const Image& image) const;
 
   const Statistics& GetStatistics() const;
 

@@ -13,15 +13,18 @@ layout(constant_id = 33) const bool moves = false;            // something in th
 const uint tileSize = 8u;
 
 // Launch index to pixel: tiles of 8 by 8 pixels, inside them blocks of 4 by 2, so that the eight lanes
-// that lavapipe runs together see neighbouring pixels.
-uvec2 LaunchPixel(uvec2 launch)
+// that lavapipe runs together see neighbouring pixels. The tiles of a launch lie scattered over the image: each launch
+// costs about as much as any other of its size, and so does each thread's share of it. False: no pixel is left.
+bool LaunchPixel(uvec2 launch, out uvec2 position)
 {
   uint lane = launch.x & 63u;
-  uint tile = launch.x >> 6u;
+  uint number = frame.firstTile + launch.y * (frame.launchWidth >> 6u) + (launch.x >> 6u);
+  uint tile = (number * frame.tileStride) % frame.tileCount;
   uint block = lane >> 3u;
   uvec2 inBlock = uvec2(lane & 3u, (lane >> 2u) & 1u);
   uvec2 inTile = uvec2((block & 1u) * 4u, (block >> 1u) * 2u) + inBlock;
-  return uvec2(tile, launch.y + frame.firstRow) * tileSize + inTile;
+  position = (uvec2(tile % frame.tileColumns, tile / frame.tileColumns) * tileSize + inTile) * frame.pixelStep;
+  return number < frame.endTile && position.x < frame.width && position.y < frame.height;
 }
 
 // The ray through a position in the pixel, or in the block of pixels that it stands for, in [0,1)^2. Its parameter is

@@ -121,7 +121,8 @@ TEST_F(LightTest, DenoisingBringsAnImageCloserToTheTruth)
     Image image = this->Trace();
     const double noisy = error(image);
     const std::vector<std::uint32_t> alphas(image.colour, image.colour + truth.size());
-    this->tracer.Denoise(image);
+    const std::vector<std::uint32_t> denoised = this->tracer.Denoise(image)();
+    image.colour = denoised.data();
     const double smooth = error(image);
     std::printf("squared error of 4 samples %.2e, denoised %.2e\n", noisy, smooth);
     // What is left is edges: few samples do not smooth these.

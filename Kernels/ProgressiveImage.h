@@ -1,0 +1,161 @@
+// One image that grows while somebody watches, or is traced at once: what it shows, how far it is, whether it can be
+// continued, and what it failed of. Nobody else decides these.
+#pragma once
+
+#include "Tracer.h"
+
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rtg
+{
+
+/// What an image shows. Images of equal views with the same number of samples are the same.
+struct ImageView
+{
+  Camera camera;
+  std::vector<Light> lights;
+  Pass pass = Pass::Opaque;
+  TraceSettings settings;    ///< size and light; everything about samples keeps its default
+  std::uint64_t content = 0; ///< version of what the scene shows
+
+  bool operator==(const ImageView&) const = default;
+};
+
+enum class Denoising
+{
+  Never,
+  WhileGrowing, ///< finished images are left as they are
+  Always
+};
+
+/// How good an image is wanted, and how much of it one Update() may do.
+struct ImageEffort
+{
+  std::uint32_t samples = 1;       ///< samples a pixel of a finished image, >= 1
+  std::uint32_t samplesAtOnce = 0; ///< most samples that one Update() adds; 0: as many as there is time for
+  double seconds = 0.0;            ///< that one Update() may take, but for a launch; 0: no limit
+  bool preview = false;            ///< the camera moves: one sample of every n-th pixel will do
+  std::uint32_t pixelStep = 2;     ///< that n, >= 1; time may ask for a larger one
+  /// True: the finished image has exactly `samples`, spread as for that number. False: more are as good, and a larger
+  /// number is added to what is there.
+  bool exact = true;
+  Denoising denoising = Denoising::Never;
+  bool features = false; ///< the finished image has Image::normals and so on
+};
+
+/// What traces for a ProgressiveImage: a Tracer and its Scene, or a stand-in in tests.
+class ImageSource
+{
+public:
+  virtual ~ImageSource() = default;
+
+  /// Brings device and scene up to date. False: samples that the tracer kept are gone.
+  virtual bool Prepare() = 0;
+  virtual Image Trace(const ImageView& view, const TraceSettings& settings, const Interrupt& interrupt) = 0;
+  virtual Image Resume(const Interrupt& interrupt) = 0;
+  /// The denoising of the last image, to be run in any thread.
+  virtual std::function<std::vector<std::uint32_t>()> Denoise(const Image& image) = 0;
+
+  /// False: there is no device, or it was lost.
+  virtual bool HasDevice() const = 0;
+  /// Bytes that are held on the device by all views.
+  virtual std::uint64_t HeldBytes() const = 0;
+  /// Seconds since some fixed time.
+  virtual double Now() const = 0;
+};
+
+class ProgressiveImage
+{
+public:
+  enum class State
+  {
+    Empty,    ///< nothing was asked for yet, or all was forgotten
+    Growing,  ///< there is an image, a preview at least, and more samples are to come
+    Finished, ///< it has all samples that the last effort wanted
+    Failed    ///< there is none; see Failure
+  };
+
+  /// Where a failure lies. It is tried again when its cause may have gone.
+  enum class Cause
+  {
+    Device, ///< none, or lost: again once after a loss, then with other content
+    Scene,  ///< it could not be sent or built: again with other content or when memory was given back
+    Image   ///< it could not be traced: again with another size, light, number of samples, content, or memory given back
+  };
+  struct Failure
+  {
+    Cause cause = Cause::Image;
+    std::string message;
+  };
+
+  ProgressiveImage() = default;
+  ~ProgressiveImage();
+  ProgressiveImage(const ProgressiveImage&) = delete;
+  ProgressiveImage& operator=(const ProgressiveImage&) = delete;
+
+  /// Makes the image of this view, or makes it better. Null: there is none, see GetFailure(). The image is valid until
+  /// the next call. `interrupt` ends the work early; the next call goes on with it. Throws nothing.
+  const Image* Update(
+    ImageSource& source, const ImageView& view, const ImageEffort& effort, const Interrupt& interrupt = {});
+
+  /// Drops image and failure.
+  void Forget();
+
+  State GetState() const { return this->state_; }
+  const Failure& GetFailure() const { return this->failure_; }
+  /// Samples that all pixels have.
+  std::uint32_t Samples() const { return this->samples_; }
+  /// In [0, 1]; 1: finished, or failed, so that more calls of the same kind change nothing.
+  double Progress() const;
+  /// Grows whenever the pixels of the image change.
+  std::uint64_t Version() const { return this->version_; }
+  /// What the image shows, and whether it shows it in full resolution.
+  const ImageView& View() const { return this->view_; }
+  bool IsComplete() const { return this->samples_ > 0; }
+  const Image& GetImage() const { return this->image_; }
+
+private:
+  struct Request; ///< of one Update()
+
+  bool MayTryAgain(const ImageSource& source, const ImageView& view, const ImageEffort& effort) const;
+  void Restart(const Request& request);
+  void Preview(const Request& request, std::uint32_t pixelStep);
+  void Grow(const Request& request);
+  void Smooth(const Request& request);
+  void Show(const Image& image);
+  void Fail(const Request& request, bool prepared, const char* message);
+
+  State state_ = State::Empty;
+  Failure failure_;
+  ImageView view_;
+  Image image_;
+  std::uint64_t version_ = 0;
+  std::uint32_t wanted_ = 1;   ///< samples of a finished image, as last asked
+  std::uint32_t planned_ = 1;  ///< likewise, when the first sample was traced
+  std::uint32_t samples_ = 0;  ///< that all pixels have
+  std::uint32_t previewStep_ = 0; ///< of the preview that is there; 0: none
+  bool pending_ = false;       ///< the tracer was interrupted, and goes on by Resume()
+  bool canContinue_ = false;   ///< the tracer keeps the sums of samples_
+  bool features_ = false;      ///< and of normals and so on
+  double secondsPerRay_ = 0.0; ///< of a sample in full resolution; 0: unknown
+
+  // Denoised colors, and the number of samples that they were made of.
+  std::vector<std::uint32_t> smooth_;
+  std::uint32_t smoothSamples_ = 0;
+  std::future<std::vector<std::uint32_t>> smoothing_;
+  std::uint32_t smoothingSamples_ = 0;
+
+  // What failed, for MayTryAgain().
+  ImageView failedView_;
+  std::uint32_t failedSamples_ = 0;
+  std::uint64_t failedBytes_ = 0;
+  bool tryNewDevice_ = false; ///< once: a second loss is no accident
+  bool lostDevice_ = false;   ///< since the last image
+};
+
+} // namespace rtg
