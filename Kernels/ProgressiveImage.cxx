@@ -34,14 +34,17 @@ struct ProgressiveImage::Request
 
   bool IsTimed() const { return this->effort.seconds > 0.0; }
   double Left() const { return this->start + this->effort.seconds - this->source.Now(); }
-  // Never empty where somebody may want to stop the trace.
-  Interrupt MakeInterrupt() const
+  // Of work that takes the image's progress from one value to another.
+  Interrupt MakeInterrupt(double from, double to) const
   {
-    if (!this->IsTimed())
+    if (!this->IsTimed() && !this->interrupt)
     {
-      return this->interrupt;
+      return {};
     }
-    return [this] { return this->Left() <= 0.0 || (this->interrupt && this->interrupt()); };
+    return [this, from, to](double share)
+    {
+      return (this->IsTimed() && this->Left() <= 0.0) || (this->interrupt && this->interrupt(from + share * (to - from)));
+    };
   }
   bool Denoises() const
   {
@@ -81,7 +84,7 @@ double ProgressiveImage::Progress() const
   {
     return this->state_ == State::Empty ? 0.0 : 1.0;
   }
-  const double part = this->pending_ ? double(this->image_.share) : 0.0;
+  const double part = this->pending_ ? double(this->image_.share) * this->pendingSamples_ : 0.0;
   return std::min(0.999, (this->samples_ + part) / std::max(1u, this->wanted_));
 }
 
@@ -173,8 +176,7 @@ void ProgressiveImage::Fail(const Request& request, bool prepared, const char* m
   this->state_ = State::Failed;
   this->failure_.cause = !hasDevice ? Cause::Device : prepared ? Cause::Image : Cause::Scene;
   this->failure_.message = message;
-  // A device that was there when the work began has been lost.
-  const bool lost = !hasDevice && prepared;
+  const bool lost = request.source.IsDeviceLost();
   this->tryNewDevice_ = lost && !this->lostDevice_;
   this->lostDevice_ |= lost;
   this->failedView_ = request.view;
@@ -230,7 +232,7 @@ void ProgressiveImage::Preview(const Request& request, std::uint32_t pixelStep)
       settings.occlusionRays = settings.paths = 1;
     }
     const double before = request.source.Now();
-    Image image = request.source.Trace(this->view_, settings, request.MakeInterrupt());
+    Image image = request.source.Trace(this->view_, settings, request.MakeInterrupt(0.0, 0.0));
     const double seconds = request.source.Now() - before;
     if (image.complete || step >= coarsestPreviewStep)
     {
@@ -278,14 +280,15 @@ void ProgressiveImage::Grow(const Request& request)
   }
   std::uint32_t added = 0;
   bool interrupted = false;
-  const Interrupt interrupt = request.MakeInterrupt();
+  const double wanted = effort.samples;
   while (this->samples_ < effort.samples && !interrupted && (effort.samplesAtOnce == 0 || added < effort.samplesAtOnce))
   {
     const double before = request.source.Now();
     Image image;
     if (this->pending_)
     {
-      image = request.source.Resume(interrupt);
+      image = request.source.Resume(
+        request.MakeInterrupt(this->samples_ / wanted, (this->samples_ + this->pendingSamples_) / wanted));
     }
     else
     {
@@ -307,7 +310,9 @@ void ProgressiveImage::Grow(const Request& request)
       settings.keepSums = !effort.exact || this->features_ || this->samples_ + left < effort.samples;
       settings.overPreview = this->samples_ == 0 && this->previewStep_ > 0;
       this->canContinue_ = settings.keepSums;
-      image = request.source.Trace(this->view_, settings, interrupt);
+      this->pendingSamples_ = left;
+      image = request.source.Trace(this->view_, settings,
+        request.MakeInterrupt(this->samples_ / wanted, (this->samples_ + left) / wanted));
     }
     const std::uint32_t before_ = this->samples_;
     this->pending_ = interrupted = !image.complete;

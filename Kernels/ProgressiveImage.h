@@ -63,6 +63,8 @@ public:
 
   /// False: there is no device, or it was lost.
   virtual bool HasDevice() const = 0;
+  /// There is one, but it was lost.
+  virtual bool IsDeviceLost() const = 0;
   /// Bytes that are held on the device by all views.
   virtual std::uint64_t HeldBytes() const = 0;
   /// Seconds since some fixed time.
@@ -99,7 +101,8 @@ public:
   ProgressiveImage& operator=(const ProgressiveImage&) = delete;
 
   /// Makes the image of this view, or makes it better. Null: there is none, see GetFailure(). The image is valid until
-  /// the next call. `interrupt` ends the work early; the next call goes on with it. Throws nothing.
+  /// the next call. `interrupt` is told the progress of the image, as Progress(), and ends the work early; the next call
+  /// goes on with it. Throws nothing.
   const Image* Update(
     ImageSource& source, const ImageView& view, const ImageEffort& effort, const Interrupt& interrupt = {});
 
@@ -140,6 +143,7 @@ private:
   std::uint32_t samples_ = 0;  ///< that all pixels have
   std::uint32_t previewStep_ = 0; ///< of the preview that is there; 0: none
   bool pending_ = false;       ///< the tracer was interrupted, and goes on by Resume()
+  std::uint32_t pendingSamples_ = 0; ///< that it was asked for
   bool canContinue_ = false;   ///< the tracer keeps the sums of samples_
   bool features_ = false;      ///< and of normals and so on
   double secondsPerRay_ = 0.0; ///< of a sample in full resolution; 0: unknown

@@ -43,6 +43,25 @@ float Bounds::Reach() const
   return this->Empty() ? 0.0f : std::max({ reach.x, reach.y, reach.z });
 }
 
+Statistics& Statistics::operator+=(const Statistics& other)
+{
+  this->structureBuilds += other.structureBuilds;
+  this->topLevelBuilds += other.topLevelBuilds;
+  this->instanceUploads += other.instanceUploads;
+  this->colourUploads += other.colourUploads;
+  this->sorts += other.sorts;
+  this->pipelineBuilds += other.pipelineBuilds;
+  this->dispatches += other.dispatches;
+  this->primaryRays += other.primaryRays;
+  this->deviceBytes = std::max(this->deviceBytes, other.deviceBytes);
+  this->sortSeconds += other.sortSeconds;
+  this->buildSeconds += other.buildSeconds;
+  this->uploadSeconds += other.uploadSeconds;
+  this->traceSeconds += other.traceSeconds;
+  this->denoiseSeconds += other.denoiseSeconds;
+  return *this;
+}
+
 Scene::State::State(std::shared_ptr<Device> d)
   : device(std::move(d))
   , structure(ChooseStructure(*device, device->GetState().int64))

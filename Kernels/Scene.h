@@ -29,6 +29,9 @@ struct Statistics
   double uploadSeconds = 0.0;
   double traceSeconds = 0.0;
   double denoiseSeconds = 0.0;
+
+  /// Adds the counts of another; bytes are the larger ones.
+  Statistics& operator+=(const Statistics& other);
 };
 
 /// The glyph sets of one view and their acceleration structures on one device.

@@ -375,7 +375,8 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
         ++this->shared->statistics.dispatches;
         this->shared->statistics.primaryRays += work.rays * frame.samples;
       }
-      stopped = work.done < settings.samples && interruptible && interrupt();
+      const double part = double(frame.samples) * frame.firstTile / frame.tileCount;
+      stopped = work.done < settings.samples && interruptible && interrupt((work.done + part) / settings.samples);
     }
   }
   work.image.complete = work.done == settings.samples;

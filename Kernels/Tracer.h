@@ -124,10 +124,13 @@ struct TraceSettings
   bool operator==(const TraceSettings&) const = default;
 };
 
-/// Asked some twenty times a second while an image is traced; true: stop.
-using Interrupt = std::function<bool()>;
+/// Asked some twenty times a second while an image is traced, with the share of the work that is done, in [0, 1]; true: stop.
+using Interrupt = std::function<bool(double share)>;
 
+/// What the tracers of one view share: compiled programs, an environment image on the device, and statistics.
 class TracerResources;
+std::shared_ptr<TracerResources> MakeTracerResources(std::shared_ptr<Device> device);
+const Statistics& StatisticsOf(TracerResources& resources);
 
 /// The denoising of an image (Denoiser.h), which may run in another thread while its tracer goes on.
 class DenoiseTask

@@ -16,6 +16,16 @@ constexpr std::size_t keptPrograms = 16;
 
 } // namespace
 
+std::shared_ptr<TracerResources> MakeTracerResources(std::shared_ptr<Device> device)
+{
+  return std::make_shared<TracerResources>(std::move(device));
+}
+
+const Statistics& StatisticsOf(TracerResources& resources)
+{
+  return resources.GetStatistics();
+}
+
 TracerResources::TracerResources(std::shared_ptr<Device> d)
   : device(std::move(d))
 {

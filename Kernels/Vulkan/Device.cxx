@@ -276,6 +276,11 @@ bool Device::Lost() const
   return this->state_->lost;
 }
 
+std::uint64_t Device::HeldBytes() const
+{
+  return this->state_->bytes;
+}
+
 void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& record)
 {
   vk::raii::CommandBuffers commands(

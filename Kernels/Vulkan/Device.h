@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -20,6 +21,8 @@ public:
   std::string Name() const;
   bool IsCpu() const;
   bool Lost() const;
+  /// Device memory that all buffers of the process hold.
+  std::uint64_t HeldBytes() const;
 
   struct State; ///< Vulkan handles; for Kernels only, see Vulkan/DeviceState.h
   State& GetState() { return *this->state_; }

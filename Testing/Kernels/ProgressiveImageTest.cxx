@@ -33,6 +33,7 @@ public:
     }
     const bool kept = this->hasDevice;
     this->hasDevice = true;
+    this->lost = false;
     if (this->sceneFails)
     {
       throw rtg::Error("scene");
@@ -67,6 +68,7 @@ public:
   }
 
   bool HasDevice() const override { return this->hasDevice; }
+  bool IsDeviceLost() const override { return this->lost; }
   std::uint64_t HeldBytes() const override { return this->bytes; }
   double Now() const override { return this->now; }
 
@@ -87,11 +89,12 @@ public:
       if (this->loseDevice)
       {
         this->loseDevice = this->hasDevice = false;
+        this->lost = true;
         throw rtg::Error("lost");
       }
       this->now += 0.25 * this->secondsPerSample * this->last.samples / (step * step);
       --this->launchesLeft;
-      stopped = interrupt && interrupt();
+      stopped = interrupt && interrupt(1.0 - 0.25 * this->launchesLeft);
     }
     Image image;
     image.width = width;
@@ -109,7 +112,7 @@ public:
     return image;
   }
 
-  bool noDevice = false, hasDevice = true, sceneFails = false, traceFails = false, memoryFails = false,
+  bool noDevice = false, hasDevice = true, lost = false, sceneFails = false, traceFails = false, memoryFails = false,
        loseDevice = false;
   double secondsPerSample = 0.01, now = 0.0, rays = 0.0;
   std::uint64_t bytes = 100;
@@ -439,10 +442,16 @@ TEST_F(ProgressiveImageTest, SomebodyStopsATraceAndItGoesOn)
 {
   this->source.secondsPerSample = 20.0;
   bool stop = true;
-  const rtg::Interrupt interrupt = [&stop] { return stop; };
+  double told = 0.0;
+  const rtg::Interrupt interrupt = [&](double progress)
+  {
+    told = progress;
+    return stop;
+  };
   ASSERT_NE(this->image.Update(this->source, this->view, Script(1), interrupt), nullptr);
   EXPECT_EQ(this->image.GetState(), State::Growing);
   EXPECT_NEAR(this->image.Progress(), 0.25, 1e-6);
+  EXPECT_NEAR(told, 0.25, 1e-6);
   stop = false;
   this->image.Update(this->source, this->view, Script(1), interrupt);
   EXPECT_EQ(this->image.GetState(), State::Finished);

@@ -1,0 +1,27 @@
+/**
+ * Names of the arrays that travel from where the data are to where they are rendered, besides the input's own. They
+ * begin as the input's arrays never should: nobody's arrays of the same name are lost.
+ */
+#ifndef vtkRayTracedArrays_h
+#define vtkRayTracedArrays_h
+
+namespace vtkRayTracedArrays
+{
+/// Of each point: its id in the input's block. Missing where it would be the identity.
+constexpr const char* PointIds = "vtkRayTraced_PointIds";
+/// Of each point, or of each cell of a surface: the cell of the input's block that it stands for. Missing where there is none.
+constexpr const char* CellIds = "vtkRayTraced_CellIds";
+/// Of each point: flat index of its block. Missing where the input is a single data set.
+constexpr const char* CompositeIndex = "vtkRayTraced_CompositeIndex";
+/// Of each point: the rank that it comes from. Missing where there is one.
+constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
+///@{
+/// Field data of composite input: the tree that block selectors are paths in, as XML, and pairs (flat index, index of the
+/// data set in the tree).
+constexpr const char* Hierarchy = "vtkRayTraced_Hierarchy";
+constexpr const char* Leaves = "vtkRayTraced_Leaves";
+///@}
+}
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRayTracedArrays.h

@@ -1,0 +1,206 @@
+#include "vtkGlyphBounds.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkDataArray.h"
+#include "vtkGlyphMotion.h"
+#include "vtkGlyphTuples.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRayTracedArrays.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedIntArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace
+{
+// Adds the boxes of a range of points; one object serves all threads.
+class Collector
+{
+public:
+  Collector(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
+    : Settings(settings)
+    , Blocks(blocks)
+    , Positions(points->GetPoints()->GetData())
+    , Scales(vtkGlyphArrays::Scale(points, settings))
+    , TensorArray(vtkGlyphTensors::Array(points, settings.Tensors))
+    , BlockIds(vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex)))
+    , Motion(points, settings.Motion)
+  {
+    this->ByComponents = settings.ScaleMode == vtkGlyphSettings::COMPONENTS;
+    if (this->Scales && this->ByComponents && this->Scales->GetNumberOfComponents() != 3)
+    {
+      this->Scales = nullptr; // the builder says so
+    }
+    if (this->TensorArray && vtkGlyphTensors::Problem(this->TensorArray, settings.Tensors).empty())
+    {
+      this->Tensors =
+        std::make_unique<vtkGlyphTensors>(this->TensorArray, settings.Tensors, std::vector<vtkIdType>());
+    }
+    const bool arrow = settings.Shape == rtg::Shape::Arrow;
+    this->Turned = vtkGlyphArrays::Orientation(points, settings) || settings.Tensors.On || arrow ||
+      settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
+    if (arrow)
+    {
+      const double thick = std::max(settings.Arrow.shaftRadius, settings.Arrow.tipRadius);
+      this->UnitReach = glm::dvec3(1.0, thick, thick);
+      if (settings.Arrow.fixedHeads)
+      {
+        this->HeadScale =
+          std::abs(settings.ScaleFactor) * vtkGlyphArrays::ReferenceScale(points, settings, blocks);
+      }
+    }
+    else if (settings.Shape == rtg::Shape::Mesh && settings.Mesh)
+    {
+      this->UnitReach = glm::dvec3(0.0);
+      for (const glm::vec3& position : settings.Mesh->positions)
+      {
+        this->UnitReach = glm::max(this->UnitReach, glm::abs(glm::dvec3(position)));
+      }
+    }
+  }
+
+  void Initialize() { this->Local.Local() = std::make_shared<Thread>(*this); }
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    Thread& own = *this->Local.Local();
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const double* x = own.Positions.Get(i);
+      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]) || !this->IsVisible(i))
+      {
+        continue;
+      }
+      const glm::dvec3 position(x[0], x[1], x[2]);
+      glm::dvec3 lower = position, upper = position;
+      if (this->Motion.On() && this->Motion.IsFinite(i))
+      {
+        const rtg::DisplacementRange range = this->Motion.Range(i);
+        lower = glm::min(lower, position + range.lower);
+        upper = glm::max(upper, position + range.upper);
+      }
+      const glm::dvec3 reach = this->Reach(i, own);
+      own.Lower = glm::min(own.Lower, lower - reach);
+      own.Upper = glm::max(own.Upper, upper + reach);
+    }
+  }
+
+  void Reduce()
+  {
+    for (auto& thread : this->Local)
+    {
+      if (thread && thread->Lower.x <= thread->Upper.x)
+      {
+        this->Box.AddPoint(&thread->Lower[0]);
+        this->Box.AddPoint(&thread->Upper[0]);
+      }
+    }
+  }
+
+  vtkBoundingBox Box;
+
+private:
+  struct Thread
+  {
+    explicit Thread(const Collector& all)
+      : Positions(all.Positions)
+      , Scales(all.Scales)
+    {
+    }
+    vtkGlyphTuples Positions, Scales;
+    glm::dvec3 Lower{ HUGE_VAL }, Upper{ -HUGE_VAL };
+  };
+
+  bool IsVisible(vtkIdType point) const
+  {
+    if (!this->BlockIds || this->Blocks.empty())
+    {
+      return true;
+    }
+    const auto block = this->Blocks.find(this->BlockIds->GetValue(point));
+    return block == this->Blocks.end() || block->second.Visible;
+  }
+
+  // How far the glyph extends from its point along each axis; zero where it has no finite size.
+  glm::dvec3 Reach(vtkIdType point, Thread& own) const
+  {
+    glm::dvec3 size(std::abs(this->Settings.ScaleFactor));
+    if (this->Scales)
+    {
+      const double* tuple = own.Scales.Get(point);
+      size *= this->ByComponents ? glm::abs(glm::dvec3(tuple[0], tuple[1], tuple[2]))
+                                 : glm::dvec3(vtkMath::Norm(tuple, own.Scales.Size()));
+    }
+    if (this->Tensors)
+    {
+      size *= this->Tensors->Extent(point);
+    }
+    glm::dvec3 reach = this->UnitReach * size;
+    if (this->HeadScale > 0.0)
+    {
+      // As thick as on the arrow of reference; an arrow shorter than its head shrinks as a whole.
+      const double thickness = std::min(this->HeadScale, size.x / this->Settings.Arrow.tipLength);
+      reach.y = reach.z = this->UnitReach.y * thickness;
+    }
+    if (this->Turned)
+    {
+      reach = glm::dvec3(
+        this->Settings.Shape == rtg::Shape::Sphere ? std::max({ reach.x, reach.y, reach.z }) : glm::length(reach));
+    }
+    return std::isfinite(reach.x + reach.y + reach.z) ? reach : glm::dvec3(0.0);
+  }
+
+  const vtkGlyphSettings& Settings;
+  const vtkGlyphBlockAttributes::Table& Blocks;
+  vtkDataArray *Positions, *Scales, *TensorArray;
+  vtkUnsignedIntArray* BlockIds;
+  std::unique_ptr<vtkGlyphTensors> Tensors;
+  const vtkGlyphMotion Motion;
+  bool ByComponents = false, Turned = false;
+  glm::dvec3 UnitReach{ 0.5 }; // of the unit glyph from its point
+  double HeadScale = 0.0;      // of arrows with fixed heads
+  vtkSMPThreadLocal<std::shared_ptr<Thread>> Local;
+};
+}
+
+//----------------------------------------------------------------------------
+const double* vtkGlyphBounds::Get(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings,
+  const vtkGlyphBlockAttributes::Table& blocks)
+{
+  Key key{ settings, {}, blocks };
+  for (const vtkGlyphSettings& form : settings)
+  {
+    for (vtkDataArray* array : vtkGlyphArrays::All(points, form))
+    {
+      key.Times.push_back(array ? array->GetMTime() : 0);
+    }
+  }
+  if (this->IsKnown && this->Known == key)
+  {
+    return this->Bounds;
+  }
+  vtkBoundingBox box;
+  if (points->GetPoints() && points->GetNumberOfPoints() > 0)
+  {
+    for (const vtkGlyphSettings& form : settings)
+    {
+      Collector collector(points, form, blocks);
+      vtkSMPTools::For(0, points->GetNumberOfPoints(), collector);
+      box.AddBox(collector.Box);
+    }
+  }
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (box.IsValid())
+  {
+    box.GetBounds(this->Bounds);
+  }
+  this->Known = std::move(key);
+  this->IsKnown = true;
+  return this->Bounds;
+}

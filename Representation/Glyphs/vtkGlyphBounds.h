@@ -1,0 +1,43 @@
+/**
+ * @class   vtkGlyphBounds
+ * @brief   a box around all glyphs of a set of points
+ *
+ * Each glyph counts with its own size: a point whose scale is large and another one whose tensor is do not add up. Boxes of
+ * turned glyphs are those of the balls round them. All cores share the work, which is kept until data or settings change.
+ */
+#ifndef vtkGlyphBounds_h
+#define vtkGlyphBounds_h
+
+#include "vtkGlyphBlockAttributes.h"
+#include "vtkGlyphSettings.h"
+
+#include <vector>
+
+class vtkBoundingBox;
+class vtkPolyData;
+
+class vtkGlyphBounds
+{
+public:
+  /**
+   * The box of glyphs of all these settings at the same points, before the actor's transform. Uninitialized when there
+   * are none. Blocks as Resolve()d for `points`.
+   */
+  const double* Get(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings,
+    const vtkGlyphBlockAttributes::Table& blocks);
+
+private:
+  struct Key
+  {
+    std::vector<vtkGlyphSettings> Settings;
+    std::vector<vtkMTimeType> Times; // of all arrays
+    vtkGlyphBlockAttributes::Table Blocks;
+    bool operator==(const Key&) const = default;
+  };
+  Key Known;
+  bool IsKnown = false;
+  double Bounds[6];
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkGlyphBounds.h

@@ -1,0 +1,478 @@
+#include "vtkGlyphInstanceBuilder.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkDataArray.h"
+#include "vtkGlyphPlacement.h"
+#include "vtkGlyphTuples.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+namespace
+{
+using Settings = vtkGlyphSettings;
+
+bool IsPositive(double value)
+{
+  return value > 0.0 && std::isfinite(value);
+}
+
+// Why a point has no glyph.
+enum Reason
+{
+  POSITION,
+  SCALE,
+  ORIENTATION,
+  TENSOR,
+  EXPONENT,
+  MOTION,
+  FORM,
+  REASONS,
+  NO_REASON = REASONS
+};
+
+void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
+  const std::array<vtkIdType, REASONS>& skipped, std::size_t candidates)
+{
+  const auto say = [&](vtkIdType count, const std::string& why, const std::string& remedy)
+  {
+    if (count > 0)
+    {
+      std::ostringstream text;
+      text << count << " of " << candidates << " points have no glyph: " << why << ". " << remedy;
+      result.Messages.push_back(text.str());
+      result.Skipped += count;
+    }
+  };
+  say(skipped[POSITION], "their position is not finite",
+    "Remove these points, for example with Threshold or Clean.");
+  if (!settings.Scaling)
+  {
+    say(skipped[SCALE], "GlyphScaleFactor, or Scale of the representation, is zero or not finite",
+      "Set it to a positive number.");
+  }
+  else
+  {
+    say(skipped[SCALE],
+      "their scale, from the point array '" + settings.ScaleArray + "', is zero or not finite",
+      "Choose another GlyphScaleArray, switch GlyphScaling off, or remove these points with "
+      "Threshold.");
+  }
+  say(skipped[ORIENTATION],
+    "their orientation, from the point array '" + settings.OrientationArray +
+      "', is zero or not finite",
+    "Choose another GlyphOrientationArray, switch GlyphOrient off, or remove these points with "
+    "Threshold.");
+  say(skipped[TENSOR],
+    "their tensor, from the point array '" + settings.Tensors.Array + "', is zero or not finite",
+    "Remove these points with Threshold, or leave it at that.");
+  say(skipped[MOTION],
+    "their velocity, acceleration or angular velocity, or the way they go while the shutter is "
+    "open, is not finite",
+    "Choose other arrays, switch MotionBlur off, or remove these points with Threshold.");
+  say(skipped[FORM],
+    "the number of their form, from the point array '" + settings.TableIndexArray + "', is not finite",
+    "Choose another GlyphMeshIndexArray, or remove these points with Threshold.");
+  if (Settings::IsNone(settings.ExponentArray))
+  {
+    std::ostringstream why;
+    why << "GlyphExponents are " << settings.Exponents[0] << ", " << settings.Exponents[1] << ", "
+        << settings.Exponents[2];
+    say(skipped[EXPONENT], why.str(), "Make each of them positive; 2 2 2 is an ellipsoid.");
+  }
+  else
+  {
+    say(skipped[EXPONENT],
+      "their exponents, from the point array '" + settings.ExponentArray +
+        "', are zero, negative or not finite",
+      "Choose another GlyphExponentArray, or None, or remove these points with Threshold.");
+  }
+}
+
+// A tuple's exponents as the kernels want them; false: there are none.
+bool MakeExponents(const Settings& settings, const double* tuple, int components, glm::vec3& exponents)
+{
+  glm::dvec3 e(tuple[0]);
+  if (components == 2)
+  {
+    e = glm::dvec3(tuple[0], tuple[0], tuple[1]);
+  }
+  else if (components == 3)
+  {
+    e = glm::dvec3(tuple[0], tuple[1], tuple[2]);
+  }
+  const bool nested = settings.Shape == rtg::Shape::NestedSuperquadric;
+  if (nested)
+  {
+    // Along z, across; the third is not used.
+    e = components > 1 ? glm::dvec3(tuple[0], tuple[1], tuple[1]) : glm::dvec3(tuple[0]);
+  }
+  if (!IsPositive(e.x) || !IsPositive(e.y) || !IsPositive(e.z))
+  {
+    return false;
+  }
+  e = glm::clamp(e, glm::dvec3(0.1), glm::dvec3(100.0));
+  exponents = nested ? glm::vec3(2.0 / e.y, 2.0 / e.x, 2.0 / e.x) : glm::vec3(e);
+  return true;
+}
+
+// The wanted array, when it is there and its tuples have one of the lengths that make sense (none given: any).
+vtkDataArray* CheckedArray(vtkDataArray* array, bool wanted, const std::string& name,
+  const char* property, const std::vector<int>& lengths, const char* without,
+  vtkGlyphInstanceBuilder::Result& result)
+{
+  if (!wanted || Settings::IsNone(name))
+  {
+    return nullptr;
+  }
+  if (!array)
+  {
+    result.Messages.push_back("There is no point array '" + name + "', which " + property +
+      " names; " + without + ". Choose one that exists, or None.");
+    return nullptr;
+  }
+  if (!lengths.empty() &&
+    std::find(lengths.begin(), lengths.end(), array->GetNumberOfComponents()) == lengths.end())
+  {
+    std::ostringstream text;
+    text << "The point array '" << name << "', which " << property << " names, has "
+         << array->GetNumberOfComponents() << " components where " << lengths.front()
+         << (lengths.size() > 1 ? " to " + std::to_string(lengths.back()) : "")
+         << " are needed; " << without << ". Choose another array or mode.";
+    result.Messages.push_back(text.str());
+    return nullptr;
+  }
+  return array;
+}
+}
+
+
+namespace
+{
+bool IsFinite(const double* x)
+{
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+
+// Appends glyphs to a result, one point after the other.
+class Assembly
+{
+public:
+  // Takes the arrays that are there and fit. `tensors` may be null; all stay the caller's.
+  Assembly(vtkPolyData* points, const Settings& settings, vtkMatrix4x4* modelToWorld, const vtkGlyphTensors* tensors,
+    vtkGlyphInstanceBuilder::Result& result)
+    : How(settings)
+    , Tensors(tensors)
+    , Placement(modelToWorld)
+    , Motion(points, settings.Motion)
+    , Out(result)
+    , Instances(result.Instances)
+    , ByComponents(settings.ScaleMode == Settings::COMPONENTS)
+    , ChoosesForm(settings.HasTable())
+    , OwnExponents(settings.HasOwnExponents())
+    , Sphere(settings.Shape == rtg::Shape::Sphere)
+    , Positions(points->GetPoints()->GetData())
+    , Scales(CheckedArray(vtkGlyphArrays::Scale(points, settings), settings.Scaling, settings.ScaleArray,
+        "GlyphScaleArray", this->ByComponents ? std::vector<int>{ 3 } : std::vector<int>{},
+        "all glyphs get the same size", result))
+    , Orientations(CheckedArray(vtkGlyphArrays::Orientation(points, settings), settings.Orient,
+        settings.OrientationArray, "GlyphOrientationArray",
+        { settings.OrientationMode == Settings::QUATERNION ? 4 : 3 }, "the glyphs are not turned", result))
+    , Forms(CheckedArray(vtkGlyphArrays::TableIndex(points, settings), this->ChoosesForm,
+        settings.TableIndexArray, "GlyphMeshIndexArray", {}, "all points have the table's first form", result))
+    , Exponents(CheckedArray(vtkGlyphArrays::Exponents(points, settings), this->OwnExponents,
+        settings.ExponentArray, "GlyphExponentArray", { 1, 2, 3 }, "GlyphExponents count", result))
+  {
+    this->GoodExponents =
+      this->OwnExponents && MakeExponents(settings, settings.Exponents, 3, this->Instances.uniformExponents);
+
+    // What an instance stores: nothing that is the same for all, and no turn of what looks the same from all sides
+    const bool sizedByData = this->Scales || tensors;
+    this->SameSizes = !sizedByData && this->Placement.Uniform;
+    this->OneSize = (!this->Scales || !this->ByComponents) && !tensors && this->Placement.Uniform;
+    this->Turned =
+      (this->Orientations || tensors || !this->Placement.Identity) && !(this->Sphere && this->OneSize);
+    const bool pointed = settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow;
+    this->Flips = pointed &&
+      ((this->Scales && this->ByComponents) || settings.ScaleFactor < 0.0 || this->Placement.Scale < 0.0);
+  }
+
+  bool IsScaled() const { return static_cast<bool>(this->Scales); }
+  const vtkGlyphPlacement& GetPlacement() const { return this->Placement; }
+  const vtkGlyphMotion& GetMotion() const { return this->Motion; }
+
+  // The middle of the data, from which the positions lose the least when they become float
+  void ChooseOrigin(const std::vector<vtkIdType>& candidates)
+  {
+    vtkBoundingBox box;
+    for (vtkIdType i : candidates)
+    {
+      const double* x = this->Positions.Get(i);
+      if (IsFinite(x))
+      {
+        box.AddPoint(x[0], x[1], x[2]);
+      }
+    }
+    if (box.IsValid())
+    {
+      glm::dvec3 center;
+      box.GetCenter(&center[0]);
+      this->Instances.origin = this->Placement.Linear * center + this->Placement.Offset;
+    }
+  }
+
+  // Why the point has no glyph; NO_REASON when it has one, or is none of this set's.
+  Reason Add(vtkIdType i)
+  {
+    if (this->ChoosesForm)
+    {
+      const double number = this->Forms ? vtkMath::Norm(this->Forms.Get(i), this->Forms.Size()) : 0.0;
+      const int last = this->How.TableSize - 1;
+      const bool counts = !std::isnan(number);
+      if ((counts ? static_cast<int>(std::min<double>(number, last)) : 0) != this->How.TableEntry)
+      {
+        return NO_REASON;
+      }
+      if (!counts)
+      {
+        return FORM;
+      }
+    }
+    const double* x = this->Positions.Get(i);
+    const glm::dvec3 position = this->Placement.Linear * glm::dvec3(x[0], x[1], x[2]) + this->Placement.Offset -
+      this->Instances.origin;
+    const glm::vec3 center(position);
+    if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z))
+    {
+      return POSITION;
+    }
+
+    glm::dvec3 size(this->How.ScaleFactor);
+    if (this->Scales)
+    {
+      const double* tuple = this->Scales.Get(i);
+      size *= this->ByComponents ? glm::dvec3(tuple[0], tuple[1], tuple[2])
+                                 : glm::dvec3(vtkMath::Norm(tuple, this->Scales.Size()));
+    }
+    glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
+    rtg::TensorGlyph tensorGlyph;
+    if (this->Tensors && this->How.Tensors.Axes)
+    {
+      double axis[3];
+      if (!this->Tensors->Axis(i, axis))
+      {
+        return NO_REASON; // nothing to show is no fault
+      }
+      size *= std::hypot(axis[0], axis[1], axis[2]);
+      vtkGlyphPlacement::RotationFromTuple(axis, Settings::DIRECTION, rotation);
+    }
+    else if (this->Tensors)
+    {
+      if (!this->Tensors->Glyph(i, tensorGlyph))
+      {
+        return TENSOR;
+      }
+      size *= tensorGlyph.halfLengths;
+      rotation = tensorGlyph.rotation;
+    }
+    else if (this->Orientations && this->Turned &&
+      !vtkGlyphPlacement::RotationFromTuple(this->Orientations.Get(i), this->How.OrientationMode, rotation))
+    {
+      return ORIENTATION;
+    }
+
+    glm::vec3 exponents(2.0f);
+    if (this->OwnExponents &&
+      !(this->Exponents ? MakeExponents(this->How, this->Exponents.Get(i), this->Exponents.Size(), exponents)
+                        : this->GoodExponents))
+    {
+      return EXPONENT;
+    }
+
+    this->Placement.Apply(this->Sphere, size, rotation);
+    if (this->Flips && size.x < 0.0)
+    {
+      rotation = rotation * glm::dquat(0.0, 0.0, 0.0, 1.0);
+    }
+    const glm::vec3 extent(glm::abs(size));
+    const float smallest = std::min({ extent.x, extent.y, extent.z });
+    const float largest = std::max({ extent.x, extent.y, extent.z });
+    if (!(smallest > 0.0f) || !std::isfinite(largest) || !std::isfinite(extent.y))
+    {
+      return SCALE;
+    }
+    if (!this->Motion.IsFinite(i))
+    {
+      return MOTION;
+    }
+
+    this->Out.Points.push_back(i);
+    this->Motion.AppendTo(
+      this->Instances.motion, i, this->Placement.Linear, glm::mat3_cast(this->Placement.Rotation));
+    this->Instances.centres.push_back(center);
+    this->Store(this->How.Shape == rtg::Shape::Mesh ? glm::vec3(size) : extent, rotation, tensorGlyph, exponents);
+    return NO_REASON;
+  }
+
+  void Finish()
+  {
+    this->Motion.Finish(this->Instances.motion);
+    if (this->Sphere && this->OneSize)
+    {
+      this->Instances.motion.angularVelocities.clear(); // it looks the same from all sides
+    }
+  }
+
+private:
+  void Store(const glm::vec3& size, const glm::dquat& rotation, const rtg::TensorGlyph& tensor, const glm::vec3& exponents)
+  {
+    if (this->Instances.centres.size() == 1)
+    {
+      this->Instances.uniformSize = size.x;
+    }
+    if (this->How.Tensors.ColorsBySign())
+    {
+      const glm::dvec3 magnitudes(glm::abs(tensor.values));
+      this->Instances.forms.emplace_back(tensor.values / std::max({ magnitudes.x, magnitudes.y, magnitudes.z }));
+    }
+    if (this->Tensors && HasExponents(this->How.Shape))
+    {
+      this->Instances.exponents3.emplace_back(tensor.exponents);
+    }
+    else if (this->Exponents)
+    {
+      this->Instances.exponents3.push_back(exponents);
+    }
+    if (!this->OneSize)
+    {
+      this->Instances.sizes3.push_back(size);
+    }
+    else if (!this->SameSizes)
+    {
+      this->Instances.sizes1.push_back(size.x);
+    }
+    if (this->Turned || this->Flips)
+    {
+      this->Instances.rotations.emplace_back(rotation.x, rotation.y, rotation.z, rotation.w);
+    }
+  }
+
+  const Settings& How;
+  const vtkGlyphTensors* Tensors;
+  const vtkGlyphPlacement Placement;
+  const vtkGlyphMotion Motion;
+  vtkGlyphInstanceBuilder::Result& Out;
+  rtg::GlyphInstances& Instances;
+  const bool ByComponents, ChoosesForm, OwnExponents, Sphere;
+  vtkGlyphTuples Positions, Scales, Orientations, Forms, Exponents;
+  bool GoodExponents = false; // of the settings
+  bool SameSizes = false, OneSize = false; // for all glyphs; for all axes of one
+  bool Turned = false, Flips = false;
+};
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* points,
+  const Settings& settings, const vtkGlyphBlockAttributes::Table& blocks,
+  vtkMatrix4x4* modelToWorld)
+{
+  Result result;
+  rtg::GlyphInstances& instances = result.Instances;
+  instances.shape = settings.Shape;
+  instances.arrow = settings.Arrow;
+  const bool isMesh = settings.Shape == rtg::Shape::Mesh;
+  if (isMesh && (!settings.Mesh || settings.Mesh->triangles.empty()))
+  {
+    const std::string number = std::to_string(settings.TableEntry);
+    result.Messages.push_back((settings.HasTable() ? "Entry " + number + " of GlyphMesh has no polygons, so points that choose it have no glyph."
+                                        : "GlyphMesh has no polygons, so there are no glyphs.") +
+      " Choose a source that has some, such as Arrow, Cone or Sphere.");
+    return result;
+  }
+  instances.mesh = isMesh ? settings.Mesh : nullptr;
+  const std::vector<vtkIdType> candidates = vtkGlyphArrays::Candidates(points, settings, blocks);
+  if (candidates.empty())
+  {
+    return result;
+  }
+  std::unique_ptr<vtkGlyphTensors> tensors;
+  std::string problem;
+  if (settings.Tensors.On)
+  {
+    vtkDataArray* array = vtkGlyphTensors::Array(points, settings.Tensors);
+    problem = vtkGlyphTensors::Problem(array, settings.Tensors);
+    if (problem.empty())
+    {
+      tensors = std::make_unique<vtkGlyphTensors>(array, settings.Tensors, candidates);
+    }
+  }
+
+  Assembly assembly(points, settings, modelToWorld, tensors.get(), result);
+  if (!problem.empty())
+  {
+    result.Messages.push_back(problem);
+    result.Skipped = static_cast<vtkIdType>(candidates.size());
+    return result;
+  }
+  const std::vector<std::string>& aboutMotion = assembly.GetMotion().Messages();
+  result.Messages.insert(result.Messages.end(), aboutMotion.begin(), aboutMotion.end());
+  assembly.ChooseOrigin(candidates);
+  result.Points.reserve(candidates.size());
+  instances.centres.reserve(candidates.size());
+  std::array<vtkIdType, REASONS> skipped{};
+  for (vtkIdType i : candidates)
+  {
+    const Reason reason = assembly.Add(i);
+    if (reason != NO_REASON)
+    {
+      ++skipped[reason];
+    }
+  }
+  assembly.Finish();
+
+  // Fixed heads have the world size that they have on the arrow of reference
+  const vtkGlyphPlacement& placement = assembly.GetPlacement();
+  if (settings.Shape == rtg::Shape::Arrow)
+  {
+    const double reference = assembly.IsScaled() ? vtkGlyphArrays::ReferenceScale(points, settings, blocks) : 1.0;
+    const auto unit =
+      static_cast<float>(std::abs(settings.ScaleFactor * placement.Scale) * reference);
+    instances.arrow.unitLength = IsPositive(unit) ? unit : 1.0f;
+  }
+  if (!placement.Uniform && settings.Shape != rtg::Shape::Sphere)
+  {
+    result.Messages.push_back(
+      "Scale of the representation differs between its axes, which glyphs of this shape "
+      "can follow only approximately. Transform the data instead, or use one scale.");
+  }
+  if (settings.HasTable() && settings.TableEntry > 0)
+  {
+    result.Messages.clear(); // what is not about single points the first entry has said
+  }
+  Describe(result, settings, skipped, candidates.size());
+  return result;
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphSettings vtkGlyphSettings::AxesOfTensors() const
+{
+  vtkGlyphSettings settings = *this;
+  settings.Shape = rtg::Shape::Arrow;
+  settings.Tensors.Axes = true;
+  settings.Scaling &= settings.ScaleMode != COMPONENTS;
+  settings.ScaleFactor = std::abs(settings.ScaleFactor);
+  // Thin, so as to hide little, and of one form: short ones are small.
+  settings.Arrow.shaftRadius = 0.015f;
+  settings.Arrow.tipRadius = 0.05f;
+  settings.Arrow.tipLength = 0.15f;
+  settings.Arrow.tipRounding = 0.0f;
+  settings.Arrow.fixedHeads = false;
+  return settings;
+}

@@ -1,0 +1,42 @@
+/**
+ * @class   vtkGlyphPlacement
+ * @brief   where the actor's matrix puts glyphs, and how the data turn them
+ *
+ * The linear part of the matrix is nothing, a turn with one scale, or a map that also shears.
+ */
+#ifndef vtkGlyphPlacement_h
+#define vtkGlyphPlacement_h
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+class vtkMatrix4x4;
+
+struct vtkGlyphPlacement
+{
+  bool Identity = true;
+  bool Uniform = true; // a turn with one scale
+  glm::dmat3 Linear{ 1.0 };
+  glm::dvec3 Offset{ 0.0 };
+  double Scale = 1.0; // negative: mirrored
+  glm::dquat Rotation{ 1.0, 0.0, 0.0, 0.0 };
+
+  /**
+   * Null is the identity.
+   */
+  explicit vtkGlyphPlacement(vtkMatrix4x4* matrix);
+
+  /**
+   * Size and rotation of a glyph's image. Exact but for shearing maps of other shapes than spheres: the sheared image is no
+   * glyph, and its straight-angled neighbour is taken.
+   */
+  void Apply(bool sphere, glm::dvec3& size, glm::dquat& rotation) const;
+
+  /**
+   * What vtkGlyph3DMapper turns a glyph by, given a tuple of an orientation array and one of
+   * vtkGlyphSettings::OrientationModes. False: the tuple gives no rotation.
+   */
+  static bool RotationFromTuple(const double* tuple, int mode, glm::dquat& rotation);
+};
+
+#endif

@@ -1,0 +1,86 @@
+/**
+ * How arrays become glyphs: everything that instances depend on besides the data and the actor's matrix. A new field is
+ * compared with the others by itself.
+ */
+#ifndef vtkGlyphSettings_h
+#define vtkGlyphSettings_h
+
+#include "Glyphs.h"
+#include "vtkGlyphMotion.h"
+#include "vtkGlyphTensors.h"
+#include "vtkType.h"
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+struct vtkGlyphSettings
+{
+  enum ScaleModes
+  {
+    MAGNITUDE = 0,
+    COMPONENTS = 1
+  };
+  enum OrientationModes
+  {
+    DIRECTION = 0,
+    ROTATION = 1,
+    QUATERNION = 2
+  };
+
+  rtg::Shape Shape = rtg::Shape::Sphere;
+  bool Scaling = false;
+  std::string ScaleArray; // empty or "None": none
+  int ScaleMode = MAGNITUDE;
+  double ScaleFactor = 1.0; // world units
+  bool Orient = true;
+  std::string OrientationArray; // empty or "None": none
+  int OrientationMode = DIRECTION;
+  rtg::ArrowForm Arrow;        // its unit length is computed
+  double ArrowReference = 0.0; // scale of the arrow whose head has the unit arrow's proportions; 0: the mean
+  double MeanScale = 0.0;      // of the glyphs of all ranks; 0: of those at hand
+  std::shared_ptr<const rtg::TriangleMesh> Mesh; // for rtg::Shape::Mesh
+  int TableSize = 1;           // of a table of meshes, of which Mesh is
+  int TableEntry = 0;          // that number: only points that choose it show it
+  std::string TableIndexArray; // empty or "None": all points choose entry 0
+  vtkGlyphTensors::Settings Tensors;       // on: they give size, rotation and exponents
+  double Exponents[3] = { 2.0, 2.0, 2.0 }; // of superquadrics; each counts as one in [0.1, 100]
+  std::string ExponentArray;               // overrides them; empty or "None": none
+  vtkGlyphMotion::Settings Motion;         // on: the glyphs move while the shutter is open
+  bool Mask = false;
+  vtkIdType MaximumNumberOfGlyphs = 5000;
+  int Seed = 1;
+
+  bool operator==(const vtkGlyphSettings&) const = default;
+
+  static bool IsNone(const std::string& name) { return name.empty() || name == "None"; }
+
+  /**
+   * Whether fixed arrow heads have the proportions of the unit arrow on an arrow of mean scale.
+   */
+  bool NeedsMeanScale() const
+  {
+    return this->Shape == rtg::Shape::Arrow && this->Arrow.fixedHeads && this->Scaling && !IsNone(this->ScaleArray) &&
+      !(this->ArrowReference > 0.0 && std::isfinite(this->ArrowReference));
+  }
+
+  /**
+   * Whether the points choose among several meshes.
+   */
+  bool HasTable() const { return this->Shape == rtg::Shape::Mesh && this->TableSize > 1; }
+
+  /**
+   * Whether the shape is a superquadric with exponents of these settings; those of tensors come from elsewhere.
+   */
+  bool HasOwnExponents() const { return HasExponents(this->Shape) && !this->Tensors.On; }
+
+  /**
+   * The arrows that show the antisymmetric parts of the tensors that glyphs of these settings show: from each glyph's
+   * center along vtkGlyphTensors::Axis, as long as the factors and scales that make a tensor glyph's axis out of an
+   * eigenvalue make of the vector's length. Components of a scale array belong to the glyph's own axes and do not count.
+   */
+  vtkGlyphSettings AxesOfTensors() const;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkGlyphSettings.h

@@ -1,0 +1,201 @@
+#include "vtkGlyphTensors.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+//----------------------------------------------------------------------------
+vtkDataArray* vtkGlyphTensors::Array(vtkPolyData* points, const Settings& settings)
+{
+  const bool wanted = settings.On && !settings.Array.empty() && settings.Array != "None";
+  return wanted ? points->GetPointData()->GetArray(settings.Array.c_str()) : nullptr;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkGlyphTensors::Problem(vtkDataArray* array, const Settings& settings)
+{
+  std::ostringstream text;
+  if (settings.Array.empty() || settings.Array == "None")
+  {
+    return "Tensor glyphs need tensors. Choose a point array of 6 or 9 components as "
+           "GlyphTensorArray.";
+  }
+  if (!array)
+  {
+    text << "There is no point array '" << settings.Array
+         << "', which GlyphTensorArray names, so there are no glyphs. Choose one of 6 or 9 "
+            "components.";
+    return text.str();
+  }
+  const int components = array->GetNumberOfComponents();
+  const int needed = rtg::TensorComponents(settings.Layout);
+  if (components != 9 && components != needed)
+  {
+    text << "The point array '" << settings.Array << "', which GlyphTensorArray names, has "
+         << components << " components where " << needed << (needed == 6 ? " or 9" : "")
+         << " are needed, so there are no glyphs. Choose another array"
+         << (components == 6 ? " or another GlyphTensorLayout." : ".");
+  }
+  return text.str();
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphTensors::vtkGlyphTensors(
+  vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points)
+  : Tensors(array)
+  , How(settings)
+{
+  if (array->GetNumberOfComponents() == 9)
+  {
+    this->How.Layout = rtg::TensorLayout::Matrix;
+  }
+  double largest = 0.0;
+  for (vtkIdType point : points)
+  {
+    const rtg::SymmetricTensor tensor = this->Tensor(point);
+    largest = tensor.IsFinite() ? std::max(largest, tensor.Largest()) : largest;
+  }
+  this->Noise = 1e-6 * largest;
+  if (settings.Coloring == TRACE)
+  {
+    this->Range = 0.0;
+    double value = 0.0;
+    for (vtkIdType point : points)
+    {
+      this->Range =
+        this->Number(point, value) ? std::max(this->Range, std::abs(value)) : this->Range;
+    }
+  }
+}
+
+namespace
+{
+// By Cardano's formula: the eigenvalue of the largest magnitude is one of the two at the ends, and well conditioned.
+double LargestEigenvalue(const rtg::SymmetricTensor& t)
+{
+  const double mean = (t.xx + t.yy + t.zz) / 3.0;
+  const double a = t.xx - mean, b = t.yy - mean, c = t.zz - mean;
+  const double off = t.xy * t.xy + t.yz * t.yz + t.xz * t.xz;
+  const double p = std::sqrt((a * a + b * b + c * c + 2.0 * off) / 6.0);
+  if (!(p > 0.0))
+  {
+    return std::abs(mean);
+  }
+  const double determinant =
+    a * (b * c - t.yz * t.yz) - t.xy * (t.xy * c - t.yz * t.xz) + t.xz * (t.xy * t.yz - b * t.xz);
+  const double angle = std::acos(std::clamp(0.5 * determinant / (p * p * p), -1.0, 1.0)) / 3.0;
+  const double highest = mean + 2.0 * p * std::cos(angle);
+  const double lowest = mean + 2.0 * p * std::cos(angle + 2.0943951023931953);
+  return std::max(std::abs(highest), std::abs(lowest));
+}
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphTensors::Extent(vtkIdType point) const
+{
+  double extent = 0.0;
+  if (this->How.Axes)
+  {
+    double axis[3];
+    extent = this->Axis(point, axis) ? std::hypot(axis[0], axis[1], axis[2]) : 0.0;
+  }
+  else
+  {
+    const rtg::SymmetricTensor t = this->Tensor(point);
+    // Relative to the largest component: squares of huge and tiny ones leave the range of numbers.
+    const double largest = t.Largest();
+    if (largest > 0.0 && std::isfinite(largest))
+    {
+      const rtg::SymmetricTensor u{ t.xx / largest, t.yy / largest, t.zz / largest, t.xy / largest, t.yz / largest,
+        t.xz / largest };
+      extent = largest *
+        (this->How.Kind == rtg::TensorGlyphKind::Ellipsoid
+            ? LargestEigenvalue(u)
+            : std::sqrt(u.xx * u.xx + u.yy * u.yy + u.zz * u.zz + 2.0 * (u.xy * u.xy + u.yz * u.yz + u.xz * u.xz)));
+    }
+  }
+  return std::isfinite(extent) ? extent : 0.0;
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphTensors::Axis(vtkIdType point, double axis[3]) const
+{
+  if (this->Tensors->GetNumberOfComponents() != 9)
+  {
+    return false;
+  }
+  double matrix[9];
+  this->Tensors->GetTuple(point, matrix);
+  const glm::dvec3 w = rtg::AntisymmetricAxis(matrix);
+  double largest = 0.0, longest = 0.0;
+  for (double component : matrix)
+  {
+    if (!std::isfinite(component))
+    {
+      return false;
+    }
+    largest = std::max(largest, std::abs(component));
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    axis[i] = w[i];
+    longest = std::max(longest, std::abs(w[i]));
+  }
+  return longest > 1e-6 * largest && std::isfinite(w.x + w.y + w.z);
+}
+
+//----------------------------------------------------------------------------
+rtg::SymmetricTensor vtkGlyphTensors::Tensor(vtkIdType point) const
+{
+  double components[9];
+  this->Tensors->GetTuple(point, components);
+  return rtg::MakeTensor(components, this->How.Layout);
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphTensors::Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const
+{
+  const rtg::SymmetricTensor tensor = this->Tensor(point);
+  if (!tensor.IsFinite() || tensor.IsZero())
+  {
+    return false;
+  }
+  glyph =
+    rtg::MakeTensorGlyph(rtg::Decompose(tensor), this->How.Kind, this->How.Sharpness, this->Noise);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphTensors::Number(vtkIdType point, double& value) const
+{
+  const rtg::SymmetricTensor tensor = this->Tensor(point);
+  if (!tensor.IsFinite() || tensor.IsZero())
+  {
+    return false;
+  }
+  value = this->How.Coloring == TRACE ? tensor.xx + tensor.yy + tensor.zz
+                                      : rtg::FractionalAnisotropy(rtg::Decompose(tensor).values);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphTensors::DirectionColor(vtkIdType point, double rgb[3]) const
+{
+  const rtg::SymmetricTensor tensor = this->Tensor(point);
+  if (!tensor.IsFinite() || tensor.IsZero())
+  {
+    return false;
+  }
+  const rtg::Eigensystem eigen = rtg::Decompose(tensor);
+  const glm::dvec3& principal =
+    std::abs(eigen.values.z) > std::abs(eigen.values.x) ? eigen.vectors[2] : eigen.vectors[0];
+  for (int i = 0; i < 3; ++i)
+  {
+    rgb[i] = std::abs(principal[i]);
+  }
+  return true;
+}

@@ -1,0 +1,112 @@
+/**
+ * @class   vtkGlyphTensors
+ * @brief   an array of tensors as the sizes, rotations and exponents of glyphs
+ *
+ * Nine components are a matrix row by row whatever the layout, and their symmetric part counts; six are read as the layout
+ * says. See Kernels/Tensor.h for what the glyphs are.
+ */
+#ifndef vtkGlyphTensors_h
+#define vtkGlyphTensors_h
+
+#include "Tensor.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkPolyData;
+
+class vtkGlyphTensors
+{
+public:
+  enum Colorings
+  {
+    NONE = 0,
+    PRINCIPAL_DIRECTION = 1,
+    FRACTIONAL_ANISOTROPY = 2,
+    TRACE = 3,
+    SIGN = 4 // of x^T D x at each point x of a glyph's surface, seen from its centre
+  };
+
+  struct Settings
+  {
+    bool On = false; // whether the glyphs show tensors at all
+    rtg::TensorGlyphKind Kind = rtg::TensorGlyphKind::Ellipsoid;
+    std::string Array; // empty or "None": none
+    rtg::TensorLayout Layout = rtg::TensorLayout::Vtk;
+    double Sharpness = 3.0;
+    int Coloring = NONE;
+    ///@{
+    // Where x^T D x is zero or more, and where it is less; with SIGN.
+    std::array<double, 3> PositiveColor{ { 0.839, 0.376, 0.302 } };
+    std::array<double, 3> NegativeColor{ { 0.263, 0.576, 0.765 } };
+    ///@}
+    bool Axes = false; // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
+
+    bool operator==(const Settings&) const = default;
+    bool ColorsByNumber() const { return this->Coloring == FRACTIONAL_ANISOTROPY || this->Coloring == TRACE; }
+    bool ColorsBySign() const { return this->On && !this->Axes && this->Coloring == SIGN; }
+  };
+
+  /**
+   * The array that the settings name when they are on; null when there is none.
+   */
+  static vtkDataArray* Array(vtkPolyData* points, const Settings& settings);
+
+  /**
+   * Why the array cannot be shown, with the remedy; empty when it can.
+   */
+  static std::string Problem(vtkDataArray* array, const Settings& settings);
+
+  /**
+   * For an array without a problem. Exponents of tensors below a millionth of the largest of `points` go to those of a
+   * ball.
+   */
+  vtkGlyphTensors(
+    vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points);
+
+  /**
+   * What the extents of a unit glyph are multiplied with: of ellipsoids the largest magnitude of an eigenvalue, of
+   * superquadrics, whose corners reach farther, the Frobenius norm, of axes the axis's length. Zero where it is not finite.
+   */
+  double Extent(vtkIdType point) const;
+
+  /**
+   * The vector w of a matrix A of nine components with (A - A^T) / 2 x = w cross x, in units of the tensor: of a velocity
+   * gradient (row i, column j: d v_i / d x_j) the angular velocity, half the vorticity. False: there is none, because A is
+   * symmetric to a millionth of its largest component, not finite, or given by six numbers.
+   */
+  bool Axis(vtkIdType point, double axis[3]) const;
+
+  /**
+   * False: the tensor is zero or not finite.
+   */
+  bool Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const;
+
+  /**
+   * The components' magnitudes of the unit eigenvector of the eigenvalue with the largest magnitude, as red, green and
+   * blue in [0, 1]; false as above.
+   */
+  bool DirectionColor(vtkIdType point, double rgb[3]) const;
+
+  ///@{
+  /**
+   * The number of the coloring: the fractional anisotropy of the eigenvalues, or the trace, in units of the tensor. False:
+   * there is none, as above. NumberRange is its largest magnitude: 1, or that of the trace over the points given.
+   */
+  bool Number(vtkIdType point, double& value) const;
+  double NumberRange() const { return this->Range; }
+  ///@}
+
+private:
+  rtg::SymmetricTensor Tensor(vtkIdType point) const;
+
+  vtkDataArray* Tensors;
+  Settings How;
+  double Noise = 0.0;
+  double Range = 1.0;
+};
+
+#endif

@@ -1,0 +1,105 @@
+/**
+ * What the builders of instances and bounds share: tuples of arrays as double, and which points have a glyph at all.
+ */
+#ifndef vtkGlyphTuples_h
+#define vtkGlyphTuples_h
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkDataArray.h"
+#include "vtkGlyphBlockAttributes.h"
+#include "vtkGlyphSettings.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+class vtkPolyData;
+
+/**
+ * Tuples of a float or double array without a virtual call each; of any other array through its interface. Each thread
+ * needs one of its own.
+ */
+class vtkGlyphTuples
+{
+public:
+  explicit vtkGlyphTuples(vtkDataArray* array)
+    : Array(array)
+    , Float(vtkAOSDataArrayTemplate<float>::FastDownCast(array))
+    , Double(vtkAOSDataArrayTemplate<double>::FastDownCast(array))
+    , Components(array ? array->GetNumberOfComponents() : 0)
+  {
+  }
+  explicit operator bool() const { return this->Array != nullptr; }
+  int Size() const { return this->Components; }
+
+  const double* Get(vtkIdType i)
+  {
+    if (this->Double)
+    {
+      return this->Double->GetPointer(i * this->Components);
+    }
+    this->Buffer.resize(this->Components);
+    if (this->Float)
+    {
+      const float* tuple = this->Float->GetPointer(i * this->Components);
+      std::copy(tuple, tuple + this->Components, this->Buffer.begin());
+    }
+    else
+    {
+      this->Array->GetTuple(i, this->Buffer.data());
+    }
+    return this->Buffer.data();
+  }
+
+private:
+  vtkDataArray* Array;
+  vtkAOSDataArrayTemplate<float>* Float;
+  vtkAOSDataArrayTemplate<double>* Double;
+  int Components;
+  std::vector<double> Buffer;
+};
+
+namespace vtkGlyphArrays
+{
+///@{
+/**
+ * The point arrays that the settings name; null where none is wanted, or it is missing.
+ */
+vtkDataArray* Scale(vtkPolyData* points, const vtkGlyphSettings& settings);
+vtkDataArray* Orientation(vtkPolyData* points, const vtkGlyphSettings& settings);
+vtkDataArray* Exponents(vtkPolyData* points, const vtkGlyphSettings& settings);
+vtkDataArray* TableIndex(vtkPolyData* points, const vtkGlyphSettings& settings);
+///@}
+
+/**
+ * All arrays that instances of these settings are built from, positions and blocks among them, in a fixed order; null where
+ * there is none. Instances are the same as long as these and the settings are.
+ */
+std::vector<vtkDataArray*> All(vtkPolyData* points, const vtkGlyphSettings& settings);
+
+/**
+ * The points of visible blocks, thinned out as the mask says, in their own order. Blocks as Resolve()d for `points`.
+ */
+std::vector<vtkIdType> Candidates(
+  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
+
+/**
+ * Of several sets of points sums and counts add up.
+ */
+struct ScaleSum
+{
+  double Sum = 0.0, Count = 0.0;
+  double Mean() const { return this->Count > 0.0 && this->Sum > 0.0 ? this->Sum / this->Count : 1.0; }
+};
+ScaleSum SumScales(
+  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
+
+/**
+ * The scale of the arrow whose fixed head has the proportions of the unit arrow.
+ */
+double ReferenceScale(
+  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
+}
+
+#endif
+// VTK-HeaderTest-Exclude: vtkGlyphTuples.h

@@ -1,0 +1,313 @@
+#include "vtkRayTracedGlyphMapper.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkGlyphInstanceBuilder.h"
+#include "vtkGlyphTuples.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRayTracedArrays.h"
+#include "vtkRayTracedTriangleBuilder.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+vtkStandardNewMacro(vtkRayTracedGlyphMapper);
+
+namespace
+{
+template <typename Value>
+void Mix(std::array<std::uint64_t, 2>& sum, const Value* values, std::size_t count)
+{
+  const auto* words = reinterpret_cast<const unsigned char*>(values);
+  std::size_t bytes = count * sizeof(Value);
+  sum[0] ^= bytes;
+  while (bytes > 0)
+  {
+    std::uint64_t word = 0;
+    const std::size_t part = std::min(bytes, sizeof(word));
+    std::memcpy(&word, words, part);
+    words += part;
+    bytes -= part;
+    sum[0] = (sum[0] ^ word) * 0x9e3779b97f4a7c15ull;
+    sum[0] ^= sum[0] >> 32;
+    sum[1] = (sum[1] + word) * 0xd1342543de82ef95ull + 1;
+    sum[1] ^= sum[1] >> 29;
+  }
+}
+
+// Of everything in the instances: data that are read or computed again and come out the same are not sent again.
+std::array<std::uint64_t, 2> DigestOf(const rtg::GlyphInstances& instances)
+{
+  std::array<std::uint64_t, 2> sum{ { 1, 2 } };
+  const rtg::ArrowForm& arrow = instances.arrow;
+  const float numbers[] = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding,
+    arrow.fixedHeads ? 1.0f : 0.0f, arrow.unitLength, instances.uniformSize,
+    static_cast<float>(instances.shape) };
+  Mix(sum, numbers, sizeof(numbers) / sizeof(numbers[0]));
+  Mix(sum, &instances.origin, 1);
+  Mix(sum, &instances.uniformExponents, 1);
+  if (const rtg::TriangleMesh* mesh = instances.mesh.get())
+  {
+    Mix(sum, mesh->positions.data(), mesh->positions.size());
+    Mix(sum, mesh->triangles.data(), mesh->triangles.size());
+    Mix(sum, mesh->normals.data(), mesh->normals.size());
+  }
+  Mix(sum, instances.centres.data(), instances.centres.size());
+  Mix(sum, instances.sizes3.data(), instances.sizes3.size());
+  Mix(sum, instances.sizes1.data(), instances.sizes1.size());
+  Mix(sum, instances.rotations.data(), instances.rotations.size());
+  Mix(sum, instances.exponents3.data(), instances.exponents3.size());
+  Mix(sum, instances.forms.data(), instances.forms.size());
+  const rtg::GlyphMotion& motion = instances.motion;
+  const float shutter[] = { motion.shutterOpen, motion.shutterClose };
+  Mix(sum, shutter, 2);
+  Mix(sum, motion.velocities.data(), motion.velocities.size());
+  Mix(sum, motion.accelerations.data(), motion.accelerations.size());
+  Mix(sum, motion.angularVelocities.data(), motion.angularVelocities.size());
+  return sum;
+}
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphMapper::vtkRayTracedGlyphMapper() = default;
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphMapper::~vtkRayTracedGlyphMapper() = default;
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Shape: " << static_cast<int>(this->Settings.Shape) << endl;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::SetSettings(const vtkGlyphSettings& settings, vtkPolyData* mesh)
+{
+  std::shared_ptr<const rtg::TriangleMesh> triangles = this->Settings.Mesh;
+  const vtkMTimeType time = mesh ? mesh->GetMTime() : 0;
+  if (settings.Shape != rtg::Shape::Mesh)
+  {
+    triangles.reset();
+  }
+  else if (!triangles || mesh != this->Mesh || time != this->MeshTime)
+  {
+    auto built = std::make_shared<rtg::TriangleMesh>();
+    if (mesh)
+    {
+      *built = vtkRayTracedTriangleBuilder::BuildInPlace(mesh).Mesh;
+    }
+    // A mesh that was made again and came out the same is the same.
+    if (!triangles || !rtg::SameShape(*triangles, *built))
+    {
+      triangles = std::move(built);
+    }
+  }
+  this->Mesh = mesh;
+  this->MeshTime = time;
+  this->Settings = settings;
+  this->Settings.Mesh = std::move(triangles);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::SetTensorTable(vtkScalarsToColors* table)
+{
+  this->TensorTable = table;
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkObject*> vtkRayTracedGlyphMapper::InstanceInputs(vtkPolyData* points) const
+{
+  const std::vector<vtkDataArray*> arrays = vtkGlyphArrays::All(points, this->Settings);
+  return { arrays.begin(), arrays.end() };
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* actor)
+{
+  vtkGlyphInstanceBuilder::Result result = points->GetNumberOfPoints() > 0
+    ? vtkGlyphInstanceBuilder::Build(points, this->Settings, this->BlockTable, actor->GetMatrix())
+    : vtkGlyphInstanceBuilder::Result();
+  this->BuiltSettings = this->Settings;
+  this->Instances = std::move(result.Instances);
+  this->InstancesTaken = false;
+  this->Sources = std::move(result.Points);
+  ++this->SourcesVersion;
+  this->Skipped = result.Skipped;
+  const std::array<std::uint64_t, 2> digest = DigestOf(this->Instances);
+  if (this->InstanceVersion == 0 || this->Digest != digest)
+  {
+    this->Digest = digest;
+    this->InstanceVersion = NewVersion();
+  }
+  // Axes go with tensor glyphs, which have told what is wrong with the points.
+  if (!this->Settings.Tensors.Axes)
+  {
+    this->Report(result.Messages, this->ReportedInstances);
+  }
+}
+
+//----------------------------------------------------------------------------
+rtg::GlyphInstances vtkRayTracedGlyphMapper::TakeInstances(vtkActor* actor)
+{
+  if (this->InstancesTaken)
+  {
+    if (vtkPolyData* points = this->GetPoints())
+    {
+      this->BuildInstances(points, actor);
+    }
+  }
+  this->InstancesTaken = true;
+  return std::move(this->Instances);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::AddToMaterial(rtg::Material& material) const
+{
+  const vtkGlyphTensors::Settings& tensors = this->Settings.Tensors;
+  for (int c = 0; c < 3; ++c)
+  {
+    material.positiveColour[c] = static_cast<float>(tensors.PositiveColor[c]);
+    material.negativeColour[c] = static_cast<float>(tensors.NegativeColor[c]);
+  }
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
+{
+  const vtkGlyphTensors::Settings& tensors = this->Settings.Tensors;
+  const int coloring = tensors.On ? tensors.Coloring : 0;
+  return { static_cast<vtkMTimeType>(coloring),
+    coloring != vtkGlyphTensors::NONE && this->TensorTable ? this->TensorTable->GetMTime() : 0 };
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::TensorColor(
+  const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3])
+{
+  if (this->Settings.Tensors.Coloring == vtkGlyphTensors::PRINCIPAL_DIRECTION)
+  {
+    tensors.DirectionColor(point, rgb);
+    return;
+  }
+  double value = 0.0;
+  if (!tensors.Number(point, value))
+  {
+    return;
+  }
+  if (vtkScalarsToColors* map = this->TensorTable)
+  {
+    const unsigned char* color = map->MapValue(value);
+    std::transform(color, color + 3, rgb, [](unsigned char c) { return c / 255.0; });
+    return;
+  }
+  const double range = tensors.NumberRange();
+  const double share = range > 0.0 ? vtkMath::ClampValue(value / range, -1.0, 1.0) : 0.0;
+  const double pale = 1.0 - std::abs(share);
+  rgb[0] = share > 0.0 ? 0.7 + 0.25 * pale : 0.23 + 0.72 * pale;
+  rgb[1] = share > 0.0 ? 0.02 + 0.93 * pale : 0.3 + 0.65 * pale;
+  rgb[2] = share > 0.0 ? 0.15 + 0.8 * pale : 0.75 + 0.2 * pale;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
+{
+  std::vector<std::string> messages;
+  vtkUnsignedCharArray* mapped = nullptr;
+  std::unique_ptr<vtkGlyphTensors> tensors;
+  const vtkGlyphTensors::Settings& shown = this->Settings.Tensors;
+  const bool bySign = shown.ColorsBySign();
+  if (shown.On && !shown.Axes && !bySign && shown.Coloring != vtkGlyphTensors::NONE && !this->Sources.empty())
+  {
+    tensors = std::make_unique<vtkGlyphTensors>(vtkGlyphTensors::Array(points, shown), shown, this->Sources);
+    if (this->TensorTable)
+    {
+      this->TensorTable->Build();
+    }
+  }
+  else if (this->ScalarVisibility && !bySign && !this->Sources.empty())
+  {
+    mapped = this->MapScalars(points, 1.0);
+    if (!mapped)
+    {
+      messages.push_back("There is no array '" + std::string(this->ArrayName) +
+        "' that has a value for each glyph, so the glyphs have one color. Choose a point array, or cell data of "
+        "vertices, as ColorArrayName.");
+    }
+  }
+  const bool blockColors = this->HasBlockColors(points);
+
+  rtg::GlyphColours colors;
+  bool translucent = false;
+  if (mapped || tensors || blockColors)
+  {
+    colors.resize(this->Sources.size());
+    const int components = mapped ? mapped->GetNumberOfComponents() : 0;
+    for (std::size_t glyph = 0; glyph < this->Sources.size(); ++glyph)
+    {
+      const vtkIdType point = this->Sources[glyph];
+      std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
+      for (int c = 0; c < std::min(components, 4); ++c)
+      {
+        rgba[c] = mapped->GetValue(point * components + c) / 255.0;
+      }
+      if (tensors)
+      {
+        this->TensorColor(*tensors, point, rgba.data());
+      }
+      if (blockColors)
+      {
+        this->BlockColor(points, point, rgba, !shown.Axes);
+      }
+      colors[glyph] = Pack(rgba);
+      translucent |= (colors[glyph] >> 24) != 255u;
+    }
+  }
+  this->Translucent = translucent;
+  if (this->ColorVersion == 0 || this->Colors != colors)
+  {
+    this->Colors = std::move(colors);
+    this->ColorVersion = NewVersion();
+  }
+  this->Report(messages, this->ReportedColors);
+}
+
+//----------------------------------------------------------------------------
+// A glyph stands for its point, and for a cell where the gatherer has found one.
+vtkRayTracedMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, int association, const double*)
+{
+  vtkPolyData* points = this->GetPoints();
+  if (!points || glyph < 0 || glyph >= this->GetNumberOfGlyphs())
+  {
+    return Origin();
+  }
+  const vtkIdType point = this->Sources[glyph];
+  Origin origin = this->OriginOfPoint(points, point);
+  vtkPointData* data = points->GetPointData();
+  vtkDataArray* ids = data->GetArray(vtkRayTracedArrays::PointIds);
+  vtkDataArray* cells = data->GetArray(vtkRayTracedArrays::CellIds);
+  if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    origin.Id = cells ? static_cast<vtkIdType>(cells->GetComponent(point, 0)) : -1;
+  }
+  else
+  {
+    origin.Id = ids ? static_cast<vtkIdType>(ids->GetComponent(point, 0)) : point;
+  }
+  return origin;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedGlyphMapper::GetNaturalAssociation() const
+{
+  return vtkDataObject::FIELD_ASSOCIATION_POINTS;
+}

@@ -1,0 +1,66 @@
+/**
+ * @class   vtkRayTracedGlyphMapper
+ * @brief   makes glyphs of points and arrays, and their colors
+ *
+ * Input is the vtkPolyData of vtkGlyphPointGatherer.
+ *
+ * @sa vtkGlyphInstanceBuilder
+ */
+#ifndef vtkRayTracedGlyphMapper_h
+#define vtkRayTracedGlyphMapper_h
+
+#include "vtkGlyphSettings.h"
+#include "vtkRayTracedMapper.h"
+#include "vtkSmartPointer.h"
+
+class vtkRayTracedGlyphMapper : public vtkRayTracedMapper
+{
+public:
+  static vtkRayTracedGlyphMapper* New();
+  vtkTypeMacro(vtkRayTracedGlyphMapper, vtkRayTracedMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * How arrays become glyphs, but for Mesh, which is made of the triangles of a vtkRayTracedSurfaceGatherer; null: there
+   * are none.
+   */
+  void SetSettings(const vtkGlyphSettings& settings, vtkPolyData* mesh);
+
+  /**
+   * The table that numbers of tensors (vtkGlyphTensors::FRACTIONAL_ANISOTROPY, TRACE) are colored by; null: from blue over
+   * white to red.
+   */
+  void SetTensorTable(vtkScalarsToColors* table);
+
+  // vtkRayTracedMapper
+  rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
+  void AddToMaterial(rtg::Material& material) const override;
+  Origin OriginOf(vtkIdType glyph, int association, const double position[3]) override;
+  int GetNaturalAssociation() const override;
+
+protected:
+  vtkRayTracedGlyphMapper();
+  ~vtkRayTracedGlyphMapper() override;
+
+  bool HaveSettingsChanged() const override { return !(this->Settings == this->BuiltSettings); }
+  std::vector<vtkObject*> InstanceInputs(vtkPolyData* points) const override;
+  void BuildInstances(vtkPolyData* points, vtkActor* actor) override;
+  void BuildColors(vtkPolyData* points) override;
+  std::vector<vtkMTimeType> ColorState() const override;
+
+private:
+  vtkRayTracedGlyphMapper(const vtkRayTracedGlyphMapper&) = delete;
+  void operator=(const vtkRayTracedGlyphMapper&) = delete;
+
+  void TensorColor(const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]);
+
+  vtkGlyphSettings Settings, BuiltSettings;
+  vtkWeakPointer<vtkPolyData> Mesh; // that Settings.Mesh was made of
+  vtkMTimeType MeshTime = 0;
+  vtkSmartPointer<vtkScalarsToColors> TensorTable;
+  rtg::GlyphInstances Instances;
+  bool InstancesTaken = false;
+  std::array<std::uint64_t, 2> Digest{}; // of the instances of InstanceVersion
+};
+
+#endif

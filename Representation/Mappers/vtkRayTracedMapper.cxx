@@ -1,0 +1,253 @@
+#include "vtkRayTracedMapper.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRayTracedArrays.h"
+#include "vtkRayTracedScene.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnsignedIntArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+vtkMTimeType TimeOf(vtkObject* object)
+{
+  return object ? object->GetMTime() : 0;
+}
+
+vtkUnsignedIntArray* BlocksOf(vtkPolyData* points)
+{
+  return vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));
+}
+}
+
+//----------------------------------------------------------------------------
+// What instances depend on besides the settings. Arrays are known by their time stamps, of which no two are alike: data
+// that come again in a new vtkPolyData are seen to be the same.
+struct vtkRayTracedMapper::InstanceKey
+{
+  std::vector<vtkMTimeType> Times;
+  std::vector<unsigned int> HiddenBlocks;
+  std::array<double, 16> Matrix{};
+  bool operator==(const InstanceKey&) const = default;
+};
+
+//----------------------------------------------------------------------------
+struct vtkRayTracedMapper::ColorKey
+{
+  bool Visible = false;
+  std::string Array;
+  int ScalarMode = 0, ColorMode = 0;
+  std::array<vtkMTimeType, 2> Times{};
+  std::vector<vtkMTimeType> State;
+  std::uint64_t Sources = 0;
+  vtkGlyphBlockAttributes::Table Blocks;
+  std::array<double, 3> SolidColor{};
+  bool operator==(const ColorKey&) const = default;
+};
+
+//----------------------------------------------------------------------------
+vtkRayTracedMapper::vtkRayTracedMapper() = default;
+
+//----------------------------------------------------------------------------
+vtkRayTracedMapper::~vtkRayTracedMapper()
+{
+  if (this->Scene)
+  {
+    this->Scene->Remove(this);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Number of glyphs: " << this->GetNumberOfGlyphs() << endl;
+  os << indent << "Skipped glyphs: " << this->Skipped << endl;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedMapper::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+vtkPolyData* vtkRayTracedMapper::GetPoints()
+{
+  return this->GetNumberOfInputConnections(0) > 0
+    ? vtkPolyData::SafeDownCast(this->GetExecutive()->GetInputData(0, 0))
+    : nullptr;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedMapper::SetBlocks(const vtkGlyphBlockAttributes& blocks)
+{
+  if (this->Blocks.GetVersion() != blocks.GetVersion())
+  {
+    this->Blocks = blocks;
+  }
+}
+
+//----------------------------------------------------------------------------
+// The representation tells the view the bounds; nobody asks a mapper that draws nothing.
+double* vtkRayTracedMapper::GetBounds()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  return this->Bounds;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedMapper::SetScene(vtkRayTracedScene* scene)
+{
+  this->Scene = scene;
+}
+
+//----------------------------------------------------------------------------
+std::uint64_t vtkRayTracedMapper::NewVersion()
+{
+  static std::uint64_t last = 0;
+  return ++last;
+}
+
+//----------------------------------------------------------------------------
+std::uint32_t vtkRayTracedMapper::Pack(const std::array<double, 4>& rgba)
+{
+  std::uint32_t packed = 0;
+  for (int c = 0; c < 4; ++c)
+  {
+    packed |= static_cast<std::uint32_t>(std::lround(vtkMath::ClampValue(rgba[c], 0.0, 1.0) * 255.0)) << (8 * c);
+  }
+  return packed;
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedMapper::HasBlockColors(vtkPolyData* points) const
+{
+  return BlocksOf(points) &&
+    std::any_of(this->BlockTable.begin(), this->BlockTable.end(),
+      [](const auto& item) { return item.second.HasColor || item.second.Opacity < 1.0; });
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedMapper::BlockColor(
+  vtkPolyData* points, vtkIdType point, std::array<double, 4>& rgba, bool colors) const
+{
+  const auto block = this->BlockTable.find(BlocksOf(points)->GetValue(point));
+  if (block != this->BlockTable.end())
+  {
+    if (block->second.HasColor && colors)
+    {
+      std::copy(block->second.Color.begin(), block->second.Color.end(), rgba.begin());
+    }
+    rgba[3] *= block->second.Opacity;
+  }
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedMapper::Origin vtkRayTracedMapper::OriginOfPoint(vtkPolyData* points, vtkIdType point) const
+{
+  Origin origin;
+  vtkDataArray* processes = points->GetPointData()->GetArray(vtkRayTracedArrays::ProcessId);
+  vtkUnsignedIntArray* blocks = BlocksOf(points);
+  origin.CompositeIndex = blocks ? blocks->GetValue(point) : 0;
+  origin.Process = processes ? static_cast<int>(processes->GetComponent(point, 0)) : -1;
+  return origin;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedMapper::Report(const std::vector<std::string>& messages, std::vector<std::string>& reported)
+{
+  for (const std::string& message : messages)
+  {
+    if (std::find(reported.begin(), reported.end(), message) == reported.end())
+    {
+      vtkWarningMacro(<< message);
+    }
+  }
+  reported = messages;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedMapper::Update(vtkActor* actor)
+{
+  vtkPolyData* points = this->GetPoints();
+  if (!points)
+  {
+    this->Sources.clear();
+    this->Skipped = 0;
+    this->Built.reset();
+    return;
+  }
+
+  this->BlockTable = this->Blocks.Resolve(points);
+  InstanceKey key;
+  for (vtkObject* input : this->InstanceInputs(points))
+  {
+    key.Times.push_back(TimeOf(input));
+  }
+  for (const auto& item : this->BlockTable)
+  {
+    if (!item.second.Visible)
+    {
+      key.HiddenBlocks.push_back(item.first);
+    }
+  }
+  std::sort(key.HiddenBlocks.begin(), key.HiddenBlocks.end());
+  std::copy_n(&actor->GetMatrix()->Element[0][0], 16, key.Matrix.begin());
+  if (!this->Built || !(*this->Built == key) || this->HaveSettingsChanged())
+  {
+    this->Built.reset();
+    this->BuildInstances(points, actor);
+    ++this->InstanceBuilds;
+    this->Built = std::make_unique<InstanceKey>(std::move(key));
+  }
+
+  ColorKey color;
+  color.Sources = this->SourcesVersion;
+  color.Blocks = this->BlockTable;
+  color.Visible = this->ScalarVisibility != 0;
+  color.State = this->ColorState();
+  if (!color.Blocks.empty())
+  {
+    actor->GetProperty()->GetDiffuseColor(color.SolidColor.data());
+  }
+  if (color.Visible)
+  {
+    int cellFlag = 0;
+    vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
+      points, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+    color.Array = this->ArrayName;
+    color.ScalarMode = this->ScalarMode;
+    color.ColorMode = this->ColorMode;
+    color.Times = { TimeOf(scalars), TimeOf(this->LookupTable) };
+  }
+  if (!this->Colored || !(*this->Colored == color))
+  {
+    this->Colored.reset();
+    this->SolidColor = color.SolidColor;
+    this->BuildColors(points);
+    this->Colored = std::make_unique<ColorKey>(std::move(color));
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (this->Scene && renderer->GetSelector())
+  {
+    this->Scene->DrawIds(actor, this);
+  }
+}

@@ -1,0 +1,155 @@
+/**
+ * @class   vtkRayTracedMapper
+ * @brief   what a vtkRayTracedScene traces of one actor: instances and colors, each built when what they depend on changes
+ *
+ * Subclasses make glyphs or surfaces of the points. The scene draws the image of all its mappers; a mapper itself draws
+ * only the ids of its pixels, for a selector.
+ *
+ * @sa vtkRayTracedScene
+ */
+#ifndef vtkRayTracedMapper_h
+#define vtkRayTracedMapper_h
+
+#include "Glyphs.h"
+#include "vtkGlyphBlockAttributes.h"
+#include "vtkMapper.h"
+#include "vtkWeakPointer.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkPolyData;
+class vtkRayTracedScene;
+
+class vtkRayTracedMapper : public vtkMapper
+{
+public:
+  vtkTypeMacro(vtkRayTracedMapper, vtkMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Visibility, color and opacity of blocks.
+   */
+  void SetBlocks(const vtkGlyphBlockAttributes& blocks);
+
+  /**
+   * The scene that draws this mapper's ids; null: none.
+   */
+  void SetScene(vtkRayTracedScene* scene);
+
+  ///@{
+  /**
+   * For the scene. Update() brings instances and colors up to date, whose versions then differ from all earlier ones of
+   * any mapper; it may throw std::bad_alloc and is then to be called again. TakeInstances() hands the instances over,
+   * and builds them again for a second taker.
+   */
+  void Update(vtkActor* actor);
+  std::uint64_t GetInstanceVersion() const { return this->InstanceVersion; }
+  std::uint64_t GetColorVersion() const { return this->ColorVersion; }
+  virtual rtg::GlyphInstances TakeInstances(vtkActor* actor) = 0;
+  const rtg::GlyphColours& GetColors() const { return this->Colors; }
+  virtual void AddToMaterial(rtg::Material&) const {}
+  bool IsTranslucent() const { return this->Translucent; }
+  ///@}
+
+  ///@{
+  /**
+   * Counters: glyphs or triangles shown, those left out because something of them is not finite, and how often instances
+   * were built.
+   */
+  vtkIdType GetNumberOfGlyphs() const { return static_cast<vtkIdType>(this->Sources.size()); }
+  vtkIdType GetSkippedGlyphs() const { return this->Skipped; }
+  std::uint64_t GetInstanceBuilds() const { return this->InstanceBuilds; }
+  ///@}
+
+  /**
+   * What picking says of a place on a glyph or triangle.
+   */
+  struct Origin
+  {
+    vtkIdType Id = -1; // of the point or cell; -1: there is none to select, but nothing behind it can be selected either
+    unsigned int CompositeIndex = 0;
+    int Process = -1; // -1: this one
+  };
+  /**
+   * `association` is a vtkDataObject::FieldAssociations, `position` in world coordinates.
+   */
+  virtual Origin OriginOf(vtkIdType glyph, int association, const double position[3]) = 0;
+
+  /**
+   * What a glyph or triangle stands for first of all: a point or a cell.
+   */
+  virtual int GetNaturalAssociation() const = 0;
+
+  // vtkMapper
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
+  double* GetBounds() override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  bool GetSupportsSelection() override { return true; }
+
+protected:
+  vtkRayTracedMapper();
+  ~vtkRayTracedMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  ///@{
+  /**
+   * For subclasses. Instances are built when their settings or arrays have changed; colors when the points chosen, their
+   * arrays, the lookup table or anything of ColorState() has. SetInstances() and SetColors() say what was made.
+   */
+  virtual bool HaveSettingsChanged() const = 0;
+  virtual std::vector<vtkObject*> InstanceInputs(vtkPolyData* points) const = 0;
+  virtual void BuildInstances(vtkPolyData* points, vtkActor* actor) = 0;
+  virtual void BuildColors(vtkPolyData* points) = 0;
+  virtual std::vector<vtkMTimeType> ColorState() const { return {}; }
+  ///@}
+
+  /**
+   * A number that no mapper of this process has had as a version.
+   */
+  static std::uint64_t NewVersion();
+
+  static std::uint32_t Pack(const std::array<double, 4>& rgba);
+
+  /**
+   * Whether blocks have colors or opacities of their own; then BlockColor() overrides those of a point's block.
+   */
+  bool HasBlockColors(vtkPolyData* points) const;
+  void BlockColor(vtkPolyData* points, vtkIdType point, std::array<double, 4>& rgba, bool colors = true) const;
+
+  /**
+   * Fills in block and rank of a point.
+   */
+  Origin OriginOfPoint(vtkPolyData* points, vtkIdType point) const;
+
+  vtkPolyData* GetPoints();
+  void Report(const std::vector<std::string>& messages, std::vector<std::string>& reported);
+
+  vtkGlyphBlockAttributes Blocks;
+  vtkGlyphBlockAttributes::Table BlockTable;
+  std::vector<vtkIdType> Sources; // point of each glyph, cell of each triangle
+  vtkIdType Skipped = 0;
+  rtg::GlyphColours Colors;
+  bool Translucent = false;
+  std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of blocks without a color, where some have one
+  std::uint64_t InstanceVersion = 0, ColorVersion = 0, SourcesVersion = 0, InstanceBuilds = 0;
+  std::vector<std::string> ReportedInstances, ReportedColors;
+
+private:
+  vtkRayTracedMapper(const vtkRayTracedMapper&) = delete;
+  void operator=(const vtkRayTracedMapper&) = delete;
+
+  struct InstanceKey;
+  struct ColorKey;
+
+  std::unique_ptr<InstanceKey> Built;
+  std::unique_ptr<ColorKey> Colored;
+  vtkWeakPointer<vtkRayTracedScene> Scene;
+};
+
+#endif

@@ -1,0 +1,210 @@
+#include "vtkRayTracedSurfaceMapper.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkGlyphMotion.h"
+#include "vtkRayTracedArrays.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRayTracedTriangleBuilder.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+vtkStandardNewMacro(vtkRayTracedSurfaceMapper);
+
+//----------------------------------------------------------------------------
+vtkRayTracedSurfaceMapper::vtkRayTracedSurfaceMapper() = default;
+
+//----------------------------------------------------------------------------
+vtkRayTracedSurfaceMapper::~vtkRayTracedSurfaceMapper() = default;
+
+//----------------------------------------------------------------------------
+void vtkRayTracedSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Smooth: " << this->Settings.Smooth << endl;
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkObject*> vtkRayTracedSurfaceMapper::InstanceInputs(vtkPolyData* surface) const
+{
+  const std::array<vtkDataArray*, 3> motion = vtkGlyphMotion::Arrays(surface, this->Settings.Motion);
+  vtkPointData* data = surface->GetPointData();
+  return { surface->GetPoints() ? surface->GetPoints()->GetData() : nullptr, surface->GetPolys(),
+    this->Settings.Smooth ? data->GetNormals() : nullptr, data->GetArray(vtkRayTracedArrays::CompositeIndex), motion[0],
+    motion[1] };
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* actor)
+{
+  vtkGlyphMotion::Settings settings = this->Settings.Motion;
+  settings.AngularVelocity.clear(); // points do not turn
+  const vtkGlyphMotion motion(surface, settings);
+  vtkRayTracedTriangleBuilder::Result result = vtkRayTracedTriangleBuilder::BuildRelative(
+    surface, this->BlockTable, actor->GetMatrix(), this->Settings.Smooth, motion);
+  this->BuiltSettings = this->Settings;
+  rtg::GlyphMotion shutter;
+  motion.Finish(shutter);
+  this->Sources = std::move(result.Cells);
+  this->Skipped = result.Skipped;
+  ++this->SourcesVersion;
+  const bool same = this->Instances.mesh && this->InstanceVersion > 0 &&
+    result.Origin == this->Instances.origin && rtg::SameShape(result.Mesh, *this->Instances.mesh) &&
+    shutter.shutterOpen == this->Instances.motion.shutterOpen &&
+    shutter.shutterClose == this->Instances.motion.shutterClose;
+  if (!same)
+  {
+    this->Instances = rtg::GlyphInstances();
+    this->Instances.shape = rtg::Shape::Mesh;
+    this->Instances.identifyTriangles = true;
+    this->Instances.centres = { glm::vec3(0.0f) };
+    this->Instances.origin = result.Origin;
+    this->Instances.motion = shutter;
+    this->Instances.mesh = std::make_shared<rtg::TriangleMesh>(std::move(result.Mesh));
+    this->ShapeChanged = true;
+  }
+
+  std::vector<std::string> messages = motion.Messages();
+  if (result.Skipped > 0)
+  {
+    messages.push_back(std::to_string(result.Skipped) + " of " +
+      std::to_string(result.Skipped + this->GetNumberOfGlyphs()) +
+      " triangles are not shown: a corner's position, or its motion, is not finite. Remove these points, for "
+      "example with Threshold or Clean.");
+  }
+  else if (surface->GetNumberOfPolys() == 0 && surface->GetNumberOfPoints() > 0)
+  {
+    messages.emplace_back("The data have no polygons and so no surface to show; lines and vertices "
+                          "are left out. Choose another representation, or make polygons with a "
+                          "filter such as Extract Surface, Tube or Contour.");
+  }
+  this->Report(messages, this->ReportedInstances);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
+{
+  std::vector<std::string> messages;
+  const rtg::TriangleMesh& mesh = *this->Instances.mesh;
+  vtkUnsignedCharArray* mapped = nullptr;
+  int ofCells = 0;
+  if (this->ScalarVisibility && !mesh.triangles.empty())
+  {
+    mapped = this->MapScalars(surface, 1.0, ofCells);
+    const vtkIdType wanted = ofCells ? surface->GetNumberOfCells() : surface->GetNumberOfPoints();
+    if (!mapped || mapped->GetNumberOfTuples() != wanted)
+    {
+      mapped = nullptr;
+      messages.push_back("There is no array '" + std::string(this->ArrayName) +
+        "' that has a value for each point or cell of the surface, so it has one color. Choose a "
+        "point or cell array as ColorArrayName.");
+    }
+  }
+  const bool blockColors = this->HasBlockColors(surface);
+
+  // Colour of a point or cell of the data that lies in the block of `point`.
+  const int components = mapped ? std::min(mapped->GetNumberOfComponents(), 4) : 0;
+  const auto colorOf = [&](vtkIdType value, vtkIdType point)
+  {
+    std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2],
+      1.0 } };
+    for (int c = 0; c < components; ++c)
+    {
+      rgba[c] = mapped->GetValue(value * mapped->GetNumberOfComponents() + c) / 255.0;
+    }
+    if (blockColors)
+    {
+      this->BlockColor(surface, point, rgba);
+    }
+    return Pack(rgba);
+  };
+
+  std::vector<std::uint32_t> ofPositions, ofTriangles;
+  if (mapped && ofCells)
+  {
+    ofTriangles.resize(mesh.triangles.size());
+    for (std::size_t i = 0; i < ofTriangles.size(); ++i)
+    {
+      ofTriangles[i] = colorOf(this->Sources[i], mesh.triangles[i].x);
+    }
+  }
+  else if (mapped || blockColors)
+  {
+    ofPositions.resize(mesh.positions.size());
+    for (std::size_t i = 0; i < ofPositions.size(); ++i)
+    {
+      ofPositions[i] = colorOf(static_cast<vtkIdType>(i), static_cast<vtkIdType>(i));
+    }
+  }
+
+  const auto translucent = [](std::uint32_t color) { return (color >> 24) != 255u; };
+  this->Translucent = std::any_of(ofPositions.begin(), ofPositions.end(), translucent) ||
+    std::any_of(ofTriangles.begin(), ofTriangles.end(), translucent);
+  if (ofPositions != mesh.positionColours || ofTriangles != mesh.triangleColours)
+  {
+    // The scene may still hold the old mesh; the kernels see that only the colours are new.
+    auto colored = std::make_shared<rtg::TriangleMesh>(mesh);
+    colored->positionColours = std::move(ofPositions);
+    colored->triangleColours = std::move(ofTriangles);
+    this->Instances.mesh = std::move(colored);
+    this->ShapeChanged = true;
+  }
+  if (this->ShapeChanged)
+  {
+    this->ShapeChanged = false;
+    this->InstanceVersion = NewVersion();
+  }
+  this->Report(messages, this->ReportedColors);
+}
+
+//----------------------------------------------------------------------------
+rtg::GlyphInstances vtkRayTracedSurfaceMapper::TakeInstances(vtkActor*)
+{
+  return this->Instances;
+}
+
+//----------------------------------------------------------------------------
+// A point is that corner of the triangle that lies nearest.
+vtkRayTracedMapper::Origin vtkRayTracedSurfaceMapper::OriginOf(
+  vtkIdType triangle, int association, const double position[3])
+{
+  vtkPolyData* surface = this->GetPoints();
+  if (!surface || triangle < 0 || triangle >= this->GetNumberOfGlyphs())
+  {
+    return Origin();
+  }
+  const rtg::TriangleMesh& mesh = *this->Instances.mesh;
+  const glm::uvec3 corners = mesh.triangles[triangle];
+  vtkIdType nearest = corners.x;
+  const glm::dvec3 place = glm::dvec3(position[0], position[1], position[2]) - this->Instances.origin;
+  for (unsigned int corner : { corners.y, corners.z })
+  {
+    if (glm::distance(place, glm::dvec3(mesh.positions[corner])) <
+      glm::distance(place, glm::dvec3(mesh.positions[nearest])))
+    {
+      nearest = corner;
+    }
+  }
+  Origin origin = this->OriginOfPoint(surface, nearest);
+  const bool cells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  vtkDataArray* ids = cells ? surface->GetCellData()->GetArray(vtkRayTracedArrays::CellIds)
+                            : surface->GetPointData()->GetArray(vtkRayTracedArrays::PointIds);
+  const vtkIdType own = cells ? this->Sources[triangle] : nearest;
+  origin.Id = ids ? static_cast<vtkIdType>(ids->GetComponent(own, 0)) : own;
+  return origin;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedSurfaceMapper::GetNaturalAssociation() const
+{
+  return vtkDataObject::FIELD_ASSOCIATION_CELLS;
+}

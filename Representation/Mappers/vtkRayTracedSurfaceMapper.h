@@ -1,0 +1,59 @@
+/**
+ * @class   vtkRayTracedSurfaceMapper
+ * @brief   shows triangles as a surface among ray-traced glyphs
+ *
+ * Input is the vtkPolyData of vtkRayTracedSurfaceGatherer. To the scene the surface is one glyph in the form of a mesh.
+ * Colors are a part of the mesh, of its positions or of its triangles.
+ *
+ * With motion (vtkGlyphMotion) each point of the surface moves by itself while the shutter is open; angular velocities mean
+ * nothing here.
+ *
+ * Triangles that have a corner without finite coordinates or motion are left out, counted and reported once.
+ *
+ * @sa vtkRayTracedSurfaceRepresentation
+ */
+#ifndef vtkRayTracedSurfaceMapper_h
+#define vtkRayTracedSurfaceMapper_h
+
+#include "vtkGlyphMotion.h"
+#include "vtkRayTracedMapper.h"
+
+class vtkRayTracedSurfaceMapper : public vtkRayTracedMapper
+{
+public:
+  static vtkRayTracedSurfaceMapper* New();
+  vtkTypeMacro(vtkRayTracedSurfaceMapper, vtkRayTracedMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  struct SurfaceSettings
+  {
+    bool Smooth = true; // the points' normals, where they have some, are interpolated over the triangles
+    vtkGlyphMotion::Settings Motion;
+    bool operator==(const SurfaceSettings&) const = default;
+  };
+  void SetSettings(const SurfaceSettings& settings) { this->Settings = settings; }
+
+  // vtkRayTracedMapper
+  rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
+  Origin OriginOf(vtkIdType triangle, int association, const double position[3]) override;
+  int GetNaturalAssociation() const override;
+
+protected:
+  vtkRayTracedSurfaceMapper();
+  ~vtkRayTracedSurfaceMapper() override;
+
+  bool HaveSettingsChanged() const override { return !(this->Settings == this->BuiltSettings); }
+  std::vector<vtkObject*> InstanceInputs(vtkPolyData* surface) const override;
+  void BuildInstances(vtkPolyData* surface, vtkActor* actor) override;
+  void BuildColors(vtkPolyData* surface) override;
+
+private:
+  vtkRayTracedSurfaceMapper(const vtkRayTracedSurfaceMapper&) = delete;
+  void operator=(const vtkRayTracedSurfaceMapper&) = delete;
+
+  SurfaceSettings Settings, BuiltSettings;
+  rtg::GlyphInstances Instances;
+  bool ShapeChanged = false; // since the last BuildColors()
+};
+
+#endif

@@ -1,0 +1,528 @@
+#include "vtkRayTracedGlyphRepresentation.h"
+
+#include "vtkCommunicator.h"
+#include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkGlyphPointGatherer.h"
+#include "vtkGlyphTuples.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVView.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRayTracedActors.h"
+#include "vtkRayTracedGlyphMapper.h"
+#include "vtkRayTracedSurfaceGatherer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
+
+//----------------------------------------------------------------------------
+struct vtkRayTracedGlyphRepresentation::Layer
+{
+  vtkNew<vtkRayTracedActor> Actor;
+  vtkNew<vtkRayTracedGlyphMapper> Mapper;
+
+  // Input, blocks and appearance of the main actor and mapper.
+  void Follow(vtkPolyData* points, vtkRayTracedActor* actor, const vtkGlyphBlockAttributes& blocks)
+  {
+    if (points != this->Mapper->GetInputDataObject(0, 0))
+    {
+      this->Mapper->SetInputDataObject(points);
+    }
+    this->Mapper->SetBlocks(blocks);
+    this->Actor->GetProperty()->DeepCopy(actor->GetProperty());
+    vtkNew<vtkMatrix4x4> matrix;
+    actor->GetMatrix(matrix);
+    this->Actor->SetUserMatrix(matrix);
+    this->Actor->SetPickable(actor->GetPickable());
+    this->Actor->SetVisibility(actor->GetVisibility());
+  }
+
+  void FollowColors(vtkRayTracedMapper* main)
+  {
+    this->Mapper->SetScalarVisibility(main->GetScalarVisibility());
+    this->Mapper->SelectColorArray(main->GetArrayName());
+    this->Mapper->SetUseLookupTableScalarRange(main->GetUseLookupTableScalarRange());
+    this->Mapper->SetScalarMode(main->GetScalarMode());
+    this->Mapper->SetColorMode(main->GetColorMode());
+    // Asked for its table, a mapper without one makes one.
+    if (main->GetScalarVisibility())
+    {
+      this->Mapper->SetLookupTable(main->GetLookupTable());
+    }
+  }
+};
+
+//----------------------------------------------------------------------------
+struct vtkRayTracedGlyphRepresentation::ScaleKey
+{
+  vtkGlyphSettings Settings;
+  std::vector<vtkMTimeType> Times;
+  vtkGlyphBlockAttributes::Table Blocks;
+  vtkGlyphArrays::ScaleSum Sum;
+};
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedGlyphRepresentation::~vtkRayTracedGlyphRepresentation() = default;
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "GlyphShape: " << this->GlyphShape << endl;
+}
+
+//****************************************************************************
+// The data side
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+int vtkRayTracedGlyphRepresentation::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedGlyphRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->GatherMesh(
+    inputVector[1]->GetNumberOfInformationObjects() == 1 ? vtkDataObject::GetData(inputVector[1], 0) : nullptr);
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//----------------------------------------------------------------------------
+// The mesh of mesh glyphs, or those of a table.
+void vtkRayTracedGlyphRepresentation::GatherMesh(vtkDataObject* mesh)
+{
+  // 3D Glyphs shade meshes by the normals they have, and compute none.
+  vtkRayTracedSurfaceGatherer::Settings settings;
+  settings.ComputesNormals = false;
+  this->MeshExtents.clear();
+  const auto gather = [&](vtkDataObject* data)
+  {
+    vtkSmartPointer<vtkPolyData> triangles = vtkRayTracedSurfaceGatherer::Gather(data, settings);
+    auto corners = std::make_shared<rtg::TriangleMesh>();
+    if (triangles->GetNumberOfPoints() > 0)
+    {
+      double b[6];
+      triangles->GetBounds(b);
+      corners->positions = { glm::vec3(b[0], b[2], b[4]), glm::vec3(b[1], b[3], b[5]) };
+    }
+    this->MeshExtents.push_back(std::move(corners));
+    return triangles;
+  };
+  auto* blocks = vtkDataObjectTree::SafeDownCast(mesh);
+  if (this->GlyphMeshTable && blocks)
+  {
+    vtkNew<vtkMultiBlockDataSet> table;
+    auto block = vtk::TakeSmartPointer(blocks->NewTreeIterator());
+    block->SetSkipEmptyNodes(false);
+    block->SetVisitOnlyLeaves(false);
+    block->SetTraverseSubTree(false);
+    for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
+    {
+      table->SetBlock(table->GetNumberOfBlocks(), gather(block->GetCurrentDataObject()));
+    }
+    this->Mesh->SetBlock(0, table);
+  }
+  else
+  {
+    this->Mesh->SetBlock(0, gather(mesh));
+  }
+  this->Mesh->Modified();
+}
+
+//----------------------------------------------------------------------------
+// The mesh of mesh glyphs is the same on all processes.
+int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  for (int i = 0; i < inputVector[1]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = inputVector[1]->GetInformationObject(i);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    info->Set(vtkStreamingDemandDrivenPipeline::EXACT_EXTENT(), 1);
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return vtkGlyphPointGatherer::Gather(input, controller ? controller->GetLocalProcessId() : 0,
+    controller ? controller->GetNumberOfProcesses() : 1, wholeExtent);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::Deliver(vtkInformation* inInfo, bool lod)
+{
+  // In a composite, because data of several ranks that are put together do not stay apart otherwise.
+  if (lod)
+  {
+    vtkPVRenderView::SetPieceLOD(inInfo, this, this->Mesh, 0, 1);
+  }
+  else
+  {
+    vtkPVView::SetPiece(inInfo, this, this->Mesh, 0, 1);
+    this->UpdateTensorRange(this->GetPoints());
+  }
+}
+
+//----------------------------------------------------------------------------
+const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points)
+{
+  const vtkGlyphSettings settings = this->MakeSettings();
+  std::vector<vtkGlyphSettings> all{ settings };
+  if (settings.Shape == rtg::Shape::Mesh)
+  {
+    all.clear();
+    for (const auto& corners : this->MeshExtents)
+    {
+      all.push_back(settings);
+      all.back().Mesh = corners;
+    }
+  }
+  else if (this->ShowsAxes(points, settings))
+  {
+    all.push_back(settings.AxesOfTensors());
+  }
+  return this->Bounds.Get(points, all, this->Blocks.Resolve(points));
+}
+
+//----------------------------------------------------------------------------
+// Least and largest number that colors the tensor glyphs, over all ranks that have data.
+void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
+{
+  const vtkGlyphTensors::Settings settings = this->MakeSettings().Tensors;
+  if (!settings.On || !settings.ColorsByNumber())
+  {
+    return;
+  }
+  vtkDataArray* array = vtkGlyphTensors::Array(points, settings);
+  const vtkMTimeType time = array ? array->GetMTime() : 0;
+  if (time != this->RangeTime || !(settings == this->RangeSettings))
+  {
+    this->OwnRange = { HUGE_VAL, HUGE_VAL };
+    if (array && vtkGlyphTensors::Problem(array, settings).empty())
+    {
+      const vtkGlyphTensors tensors(array, settings, {});
+      double value = 0.0;
+      for (vtkIdType point = 0; point < points->GetNumberOfPoints(); ++point)
+      {
+        if (tensors.Number(point, value))
+        {
+          this->OwnRange = { std::min(this->OwnRange[0], value), std::min(this->OwnRange[1], -value) };
+        }
+      }
+    }
+    this->RangeTime = time;
+    this->RangeSettings = settings;
+  }
+  std::array<double, 2> least = this->OwnRange;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    controller->AllReduce(this->OwnRange.data(), least.data(), 2, vtkCommunicator::MIN_OP);
+  }
+  const bool any = least[0] <= -least[1];
+  this->TensorRange[0] = any ? least[0] : 1.0;
+  this->TensorRange[1] = any ? -least[1] : -1.0;
+}
+
+//****************************************************************************
+// The render side
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkRayTracedMapper> vtkRayTracedGlyphRepresentation::MakeMapper()
+{
+  return vtkSmartPointer<vtkRayTracedGlyphMapper>::New();
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const
+{
+  vtkDataArray* tensors =
+    this->TensorAxis && points ? vtkGlyphTensors::Array(points, settings.Tensors) : nullptr;
+  return tensors && tensors->GetNumberOfComponents() == 9;
+}
+
+//----------------------------------------------------------------------------
+// Form 0 of a table of meshes is drawn by the main mapper, form i by layer i - 1. The arrows of antisymmetric parts are a
+// layer, too.
+void vtkRayTracedGlyphRepresentation::Configure(
+  vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
+{
+  auto* mesh = vtkMultiBlockDataSet::SafeDownCast(
+    lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1) : vtkPVView::GetDeliveredPiece(inInfo, this, 1));
+  vtkDataObject* forms = mesh && mesh->GetNumberOfBlocks() > 0 ? mesh->GetBlock(0) : nullptr;
+  auto* table = vtkMultiBlockDataSet::SafeDownCast(forms);
+  const auto form = [&](int entry)
+  { return vtkPolyData::SafeDownCast(table ? table->GetBlock(entry) : entry == 0 ? forms : nullptr); };
+
+  vtkGlyphSettings settings = this->MakeSettings();
+  const bool usesTable = table && table->GetNumberOfBlocks() > 1 && settings.Shape == rtg::Shape::Mesh;
+  settings.TableSize = usesTable ? static_cast<int>(table->GetNumberOfBlocks()) : 1;
+  settings.MeanScale = this->MeanScale(points, settings, collective);
+  auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
+  main->SetSettings(settings, table && table->GetNumberOfBlocks() == 0 ? nullptr : form(0));
+  main->SetTensorTable(this->TensorTable);
+
+  const bool axes = this->ShowsAxes(points, settings);
+  const std::size_t wanted = settings.TableSize - 1 + (axes ? 1 : 0);
+  while (this->Layers.size() > wanted)
+  {
+    this->RemovePart(this->GetRenderView(), this->Layers.back()->Actor, this->Layers.back()->Mapper);
+    this->Layers.pop_back();
+  }
+  while (this->Layers.size() < wanted)
+  {
+    this->Layers.push_back(std::make_unique<Layer>());
+    this->AddPart(this->GetRenderView(), this->Layers.back()->Actor, this->Layers.back()->Mapper);
+  }
+  for (int entry = 1; entry < settings.TableSize; ++entry)
+  {
+    Layer& layer = *this->Layers[entry - 1];
+    layer.Follow(points, this->GetActor(), this->Blocks);
+    layer.FollowColors(main);
+    settings.TableEntry = entry;
+    layer.Mapper->SetSettings(settings, form(entry));
+  }
+  if (axes)
+  {
+    Layer& layer = *this->Layers.back();
+    layer.Follow(points, this->GetActor(), this->Blocks);
+    layer.Mapper->ScalarVisibilityOff();
+    layer.Mapper->SetSettings(settings.AxesOfTensors(), nullptr);
+    layer.Actor->GetProperty()->SetAmbientColor(this->TensorAxisColor.data());
+    layer.Actor->GetProperty()->SetDiffuseColor(this->TensorAxisColor.data());
+  }
+}
+
+//----------------------------------------------------------------------------
+// Heads of arrows are of one size on all ranks: each asks the others for their scales.
+double vtkRayTracedGlyphRepresentation::MeanScale(
+  vtkPolyData* points, const vtkGlyphSettings& settings, bool collective)
+{
+  if (!settings.NeedsMeanScale())
+  {
+    return 0.0;
+  }
+  vtkGlyphArrays::ScaleSum sum;
+  if (points && points->GetNumberOfPoints() > 0)
+  {
+    const vtkGlyphBlockAttributes::Table& blocks = this->Blocks.Resolve(points);
+    std::vector<vtkMTimeType> times;
+    for (vtkDataArray* array : vtkGlyphArrays::All(points, settings))
+    {
+      times.push_back(array ? array->GetMTime() : 0);
+    }
+    if (!this->Scale || !(this->Scale->Settings == settings) || this->Scale->Times != times ||
+      this->Scale->Blocks != blocks)
+    {
+      this->Scale = std::make_unique<ScaleKey>(
+        ScaleKey{ settings, times, blocks, vtkGlyphArrays::SumScales(points, settings, blocks) });
+    }
+    sum = this->Scale->Sum;
+  }
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (collective && controller && controller->GetNumberOfProcesses() > 1)
+  {
+    const double own[2] = { sum.Sum, sum.Count };
+    double all[2];
+    controller->AllReduce(own, all, 2, vtkCommunicator::SUM_OP);
+    sum = { all[0], all[1] };
+  }
+  return sum.Mean();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::ShowLayers(bool visible)
+{
+  for (const auto& layer : this->Layers)
+  {
+    layer->Actor->SetVisibility(visible);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::RemoveLayers(vtkPVRenderView* view)
+{
+  for (const auto& layer : this->Layers)
+  {
+    this->RemovePart(view, layer->Actor, layer->Mapper);
+  }
+  this->Layers.clear();
+}
+
+//****************************************************************************
+// Properties
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+// Properties that determine each other are put together here, whatever the order in which they were set.
+vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
+{
+  vtkGlyphSettings settings = this->Glyphs;
+  settings.Motion = this->Motion;
+  settings.Tensors.On = this->GlyphShape >= TENSOR_ELLIPSOID && this->GlyphShape <= SIGNED_TENSOR_SUPERQUADRIC;
+  if (settings.Tensors.On)
+  {
+    settings.Tensors.Kind = static_cast<rtg::TensorGlyphKind>(this->GlyphShape - TENSOR_ELLIPSOID);
+    settings.Shape =
+      this->GlyphShape == TENSOR_ELLIPSOID ? rtg::Shape::Sphere : rtg::Shape::NestedSuperquadric;
+  }
+  else
+  {
+    settings.Shape = this->GlyphShape == MESH ? rtg::Shape::Mesh : static_cast<rtg::Shape>(this->GlyphShape);
+    if (settings.Shape == rtg::Shape::Superquadric && this->NestedExponents)
+    {
+      settings.Shape = rtg::Shape::NestedSuperquadric;
+    }
+  }
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
+{
+  const int last = static_cast<int>(rtg::Shape::Superquadric);
+  const bool known = (shape >= 0 && shape <= last) || (shape >= TENSOR_ELLIPSOID && shape <= MESH);
+  if (!known)
+  {
+    vtkErrorMacro("GlyphShape is " << shape << "; it must lie between 0 (Sphere) and " << last
+                                   << " (Superquadric), or between " << TENSOR_ELLIPSOID << " (Tensor Ellipsoid) and "
+                                   << SIGNED_TENSOR_SUPERQUADRIC << " (Signed Tensor Superquadric), or be " << MESH
+                                   << " (Mesh).");
+    return;
+  }
+  this->GlyphShape = shape;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphScaleMode(int mode)
+{
+  this->Glyphs.ScaleMode = std::clamp<int>(mode, vtkGlyphSettings::MAGNITUDE, vtkGlyphSettings::COMPONENTS);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphOrientationMode(int mode)
+{
+  this->Glyphs.OrientationMode = std::clamp<int>(mode, vtkGlyphSettings::DIRECTION, vtkGlyphSettings::QUATERNION);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetArrowShaftRadius(double radius)
+{
+  this->Glyphs.Arrow.shaftRadius = static_cast<float>(InRange(radius, 0.0, 0.5, 0.03));
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetArrowTipRadius(double radius)
+{
+  this->Glyphs.Arrow.tipRadius = static_cast<float>(InRange(radius, 0.0, 0.5, 0.1));
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetArrowTipLength(double length)
+{
+  this->Glyphs.Arrow.tipLength = static_cast<float>(InRange(length, 0.001, 1.0, 0.35));
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetArrowTipRounding(double rounding)
+{
+  this->Glyphs.Arrow.tipRounding = static_cast<float>(InRange(rounding, 0.0, 1.0, 0.5));
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphExponents(double r, double s, double t)
+{
+  // What is no number makes no glyph, as zero does.
+  this->Glyphs.Exponents[0] = NumberOr(r, 0.0);
+  this->Glyphs.Exponents[1] = NumberOr(s, 0.0);
+  this->Glyphs.Exponents[2] = NumberOr(t, 0.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorLayout(int layout)
+{
+  this->Glyphs.Tensors.Layout = static_cast<rtg::TensorLayout>(std::clamp(layout, 0, 3));
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorSharpness(double sharpness)
+{
+  this->Glyphs.Tensors.Sharpness = InRange(sharpness, 0.0, 10.0, 3.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorColoring(int coloring)
+{
+  this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::SIGN);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorLookupTable(vtkScalarsToColors* table)
+{
+  this->TensorTable = table;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorPositiveColor(double red, double green, double blue)
+{
+  this->Glyphs.Tensors.PositiveColor = ColorInRange(red, green, blue);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorNegativeColor(double red, double green, double blue)
+{
+  this->Glyphs.Tensors.NegativeColor = ColorInRange(red, green, blue);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphMeshTable(bool use)
+{
+  if (this->GlyphMeshTable != use)
+  {
+    this->GlyphMeshTable = use;
+    this->MarkModified(); // the meshes must be gathered again
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorAxisColor(double red, double green, double blue)
+{
+  this->TensorAxisColor = ColorInRange(red, green, blue);
+}

@@ -1,0 +1,178 @@
+/**
+ * @class   vtkRayTracedGlyphRepresentation
+ * @brief   representation that shows the points of any data set as ray-traced glyphs
+ *
+ * @sa vtkGlyph3DRepresentation, whose meaning of scale and orientation arrays this one shares.
+ */
+#ifndef vtkRayTracedGlyphRepresentation_h
+#define vtkRayTracedGlyphRepresentation_h
+
+#include "vtkRayTracedRepresentation.h"
+#ifndef __VTK_WRAP__ // what the wrapping tools need not know
+#include "vtkGlyphBounds.h"
+#include "vtkGlyphSettings.h"
+#endif
+
+#include <vector>
+
+class vtkMultiBlockDataSet;
+
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedGlyphRepresentation : public vtkRayTracedRepresentation
+{
+public:
+  static vtkRayTracedGlyphRepresentation* New();
+  vtkTypeMacro(vtkRayTracedGlyphRepresentation, vtkRayTracedRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Values of GlyphShape beyond those of rtg::Shape. Mesh: the polygons of the second input.
+   */
+  enum FurtherShapes
+  {
+    TENSOR_ELLIPSOID = 6,
+    TENSOR_SUPERQUADRIC = 7,
+    SIGNED_TENSOR_SUPERQUADRIC = 8,
+    MESH = 9
+  };
+  void SetGlyphShape(int shape);
+
+  ///@{
+  /**
+   * Size and orientation; see vtkGlyphSettings for modes and defaults.
+   */
+  void SetGlyphScaling(bool on) { this->Glyphs.Scaling = on; }
+  void SetGlyphScaleArray(const char* name) { this->Glyphs.ScaleArray = OrEmpty(name); }
+  void SetGlyphScaleMode(int mode);
+  void SetGlyphScaleFactor(double factor) { this->Glyphs.ScaleFactor = NumberOr(factor, 0.0); }
+  void SetGlyphOrient(bool on) { this->Glyphs.Orient = on; }
+  void SetGlyphOrientationArray(const char* name) { this->Glyphs.OrientationArray = OrEmpty(name); }
+  void SetGlyphOrientationMode(int mode);
+  ///@}
+
+  ///@{
+  /**
+   * The arrow's form, in fractions of the unit arrow's length. Default is fixed heads, vtkArrowSource's proportions and a
+   * rounding of 0.5. Fixed heads have these proportions on an arrow of the reference magnitude; it is the mean of the
+   * scale array when not positive, the default.
+   */
+  void SetArrowHeads(int heads) { this->Glyphs.Arrow.fixedHeads = heads == 0; }
+  void SetArrowReferenceMagnitude(double magnitude) { this->Glyphs.ArrowReference = NumberOr(magnitude, 0.0); }
+  void SetArrowShaftRadius(double radius);
+  void SetArrowTipRadius(double radius);
+  void SetArrowTipLength(double length);
+  void SetArrowTipRounding(double rounding);
+  ///@}
+
+  ///@{
+  /**
+   * Exponents of superquadrics, each in [0.1, 100], default 2 2 2, an array that overrides them, default none, and the form:
+   * 0 (default) an exponent for each axis, 1 nested. See vtkGlyphInstanceBuilder.
+   */
+  void SetGlyphExponents(double r, double s, double t);
+  void SetGlyphExponentArray(const char* name) { this->Glyphs.ExponentArray = OrEmpty(name); }
+  void SetGlyphExponentForm(int form) { this->NestedExponents = form == 1; }
+  ///@}
+
+  ///@{
+  /**
+   * The tensors of tensor glyphs, the order of their components (rtg::TensorLayout; default is 0, VTK's), the sharpness of
+   * superquadrics (in [0, 10], default 3), what colors the glyphs (vtkGlyphTensors::Colorings, default 0, an array), the
+   * table that numbers of tensors are colored by, and the colors of vtkGlyphTensors::SIGN: where x^T D x is zero or more,
+   * and where it is less.
+   */
+  void SetGlyphTensorArray(const char* name) { this->Glyphs.Tensors.Array = OrEmpty(name); }
+  void SetGlyphTensorLayout(int layout);
+  void SetGlyphTensorSharpness(double sharpness);
+  void SetGlyphTensorColoring(int coloring);
+  void SetGlyphTensorLookupTable(vtkScalarsToColors* table);
+  void SetGlyphTensorPositiveColor(double red, double green, double blue);
+  void SetGlyphTensorNegativeColor(double red, double green, double blue);
+  ///@}
+
+  /**
+   * Information: least and largest number that GlyphTensorColoring gives; an empty interval (1, -1) where it gives none.
+   */
+  double* GetGlyphTensorRange() { return this->TensorRange; }
+
+  ///@{
+  /**
+   * Whether points choose their form among the blocks of GlyphMesh by the magnitude of a point array, cut to a whole number
+   * and clamped to the table; without the array all have the first. For Mesh glyphs. Default is off, none.
+   */
+  void SetGlyphMeshTable(bool use);
+  void SetGlyphMeshIndexArray(const char* name) { this->Glyphs.TableIndexArray = OrEmpty(name); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether arrows show the antisymmetric parts of tensors of nine components (vtkGlyphSettings::AxesOfTensors), and their
+   * color. Default is off, yellow.
+   */
+  void SetGlyphTensorAxis(bool on) { this->TensorAxis = on; }
+  void SetGlyphTensorAxisColor(double red, double green, double blue);
+  ///@}
+
+  ///@{
+  /**
+   * Shows at most so many of the glyphs, chosen at random but the same at each time step. Default is off, 5000, 1.
+   */
+  void SetGlyphMask(bool on) { this->Glyphs.Mask = on; }
+  void SetMaximumNumberOfGlyphs(int number) { this->Glyphs.MaximumNumberOfGlyphs = number; }
+  void SetGlyphSeed(int seed) { this->Glyphs.Seed = seed; }
+  ///@}
+
+protected:
+  vtkRayTracedGlyphRepresentation();
+  ~vtkRayTracedGlyphRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) override;
+  const double* GetDataBounds(vtkPolyData* points) override;
+  void Deliver(vtkInformation* inInfo, bool lod) override;
+
+  vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;
+  void Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective) override;
+  void ShowLayers(bool visible) override;
+  void RemoveLayers(vtkPVRenderView* view) override;
+
+private:
+  vtkRayTracedGlyphRepresentation(const vtkRayTracedGlyphRepresentation&) = delete;
+  void operator=(const vtkRayTracedGlyphRepresentation&) = delete;
+
+  struct Layer;
+
+  vtkGlyphSettings MakeSettings() const;
+  bool ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const;
+  void GatherMesh(vtkDataObject* mesh);
+  void UpdateTensorRange(vtkPolyData* points);
+  double MeanScale(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective);
+
+  vtkGlyphSettings Glyphs; // but for what MakeSettings() adds
+  int GlyphShape = 0;
+  bool NestedExponents = false;
+  bool GlyphMeshTable = false;
+  bool TensorAxis = false;
+  std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
+  vtkSmartPointer<vtkScalarsToColors> TensorTable;
+  double TensorRange[2] = { 1.0, -1.0 };
+  std::array<double, 2> OwnRange{}; // of this rank: the least number, and the negative of the largest
+  vtkGlyphTensors::Settings RangeSettings;
+  vtkMTimeType RangeTime = 1;
+
+  vtkNew<vtkMultiBlockDataSet> Mesh; // gathered; its only block is the mesh of mesh glyphs, or those of a table
+  vtkGlyphBounds Bounds;
+  std::vector<std::shared_ptr<const rtg::TriangleMesh>> MeshExtents; // corners of the boxes of Mesh, for Bounds
+
+  // One more actor and mapper each: the arrows of tensor axes, further meshes of a table.
+  std::vector<std::unique_ptr<Layer>> Layers;
+
+  struct ScaleKey;
+  std::unique_ptr<ScaleKey> Scale; // what the sum of the scales is known for
+};
+
+#endif

@@ -1,0 +1,709 @@
+#include "vtkRayTracedRepresentation.h"
+
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkGlyphStepVelocity.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPVRenderView.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRayTracedActors.h"
+#include "vtkRayTracedMapper.h"
+#include "vtkRayTracedScene.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTransform.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// ParaView says so to subclasses of its views only.
+struct ScreenshotState : vtkPVRenderView
+{
+  static bool Of(vtkPVView* view) { return (view->*(&ScreenshotState::GetInCaptureScreenshot))(); }
+};
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedRepresentation::vtkRayTracedRepresentation()
+  : Points(vtkSmartPointer<vtkPolyData>::New())
+  , StepVelocity(std::make_unique<vtkGlyphStepVelocity>())
+{
+  this->Actor->SetProperty(this->Property);
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedRepresentation::~vtkRayTracedRepresentation() = default;
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mapper: " << this->Mapper.Get() << endl;
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedMapper* vtkRayTracedRepresentation::GetMapper()
+{
+  return this->Mapper;
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedActor* vtkRayTracedRepresentation::GetActor()
+{
+  return this->Actor;
+}
+
+//----------------------------------------------------------------------------
+vtkPolyData* vtkRayTracedRepresentation::GetPoints()
+{
+  return this->Points;
+}
+
+//----------------------------------------------------------------------------
+double vtkRayTracedRepresentation::NumberOr(double value, double otherwise)
+{
+  return std::isnan(value) ? otherwise : value;
+}
+
+//----------------------------------------------------------------------------
+double vtkRayTracedRepresentation::InRange(double value, double lowest, double highest, double otherwise)
+{
+  return std::isnan(value) ? otherwise : std::clamp(value, lowest, highest);
+}
+
+//----------------------------------------------------------------------------
+std::array<double, 3> vtkRayTracedRepresentation::ColorInRange(double red, double green, double blue)
+{
+  return { InRange(red, 0.0, 1.0, 1.0), InRange(green, 0.0, 1.0, 1.0), InRange(blue, 0.0, 1.0, 1.0) };
+}
+
+//****************************************************************************
+// The data side
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+int vtkRayTracedRepresentation::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkHyperTreeGrid");
+  // On processes that only render there is no input.
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input =
+    inputVector[0]->GetNumberOfInformationObjects() == 1 ? vtkDataObject::GetData(inputVector[0], 0) : nullptr;
+  vtkInformation* info = input ? inputVector[0]->GetInformationObject(0) : nullptr;
+  const int* wholeExtent = info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
+    ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
+    : nullptr;
+  this->Points = this->Gather(input, wholeExtent);
+  this->AddStepVelocities(input);
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//----------------------------------------------------------------------------
+// Where the data are, and not where they are rendered: what is delivered may come from ParaView's cache of time steps.
+void vtkRayTracedRepresentation::AddStepVelocities(vtkDataObject* input)
+{
+  if (!this->Motion.FromPreviousStep || !input)
+  {
+    return;
+  }
+  vtkAlgorithm* source = this->GetInputAlgorithm();
+  if (this->StepVelocitySource != source)
+  {
+    this->StepVelocity->Reset();
+    this->StepVelocitySource = source;
+  }
+  vtkInformation* info = input->GetInformation();
+  const double time =
+    info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : vtkMath::Nan();
+  this->StepVelocity->AddTo(this->Points, this->PointIds(), time);
+  const std::string message = this->StepVelocity->TakeMessage();
+  if (!message.empty())
+  {
+    vtkWarningMacro(<< message);
+  }
+}
+
+//----------------------------------------------------------------------------
+// Of the gathered points; null: there are none.
+vtkDataArray* vtkRayTracedRepresentation::PointIds()
+{
+  vtkPointData* data = this->Points->GetPointData();
+  const bool named = !this->PointIdArray.empty() && this->PointIdArray != "None";
+  vtkDataArray* ids = named ? data->GetArray(this->PointIdArray.c_str()) : data->GetGlobalIds();
+  return ids && ids->GetNumberOfComponents() == 1 ? ids : nullptr;
+}
+
+//----------------------------------------------------------------------------
+vtkDataObject* vtkRayTracedRepresentation::GetRenderedDataObject(int)
+{
+  return this->Points;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0; // not visible
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    vtkPVView::SetPiece(inInfo, this, this->Points);
+    this->Deliver(inInfo, /*lod=*/false);
+    double bounds[6];
+    std::copy_n(this->GetDataBounds(this->Points), 6, bounds);
+    vtkNew<vtkMatrix4x4> matrix;
+    this->Actor->GetMatrix(matrix);
+    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
+    vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, this->ReplicateGlyphs);
+    vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
+      this->ReplicateGlyphs ? vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION
+                            : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+    outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->NeedsOrderedCompositing() ? 1 : 0);
+  }
+  else if (request == vtkPVView::REQUEST_UPDATE_LOD())
+  {
+    // Glyphs are as quick to trace while the camera moves; they only must not be missing.
+    vtkPVRenderView::SetPieceLOD(inInfo, this, this->Points);
+    this->Deliver(inInfo, /*lod=*/true);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    if (vtkPVRenderView* view = this->GetRenderView())
+    {
+      this->Render(view, inInfo);
+    }
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedRepresentation::NeedsOrderedCompositing()
+{
+  // Asked on all ranks before the data are delivered: what may turn out translucent counts.
+  const double opacity = this->Property->GetOpacity();
+  if ((opacity > 0.0 && opacity < 1.0) || this->Blocks.HasTranslucent())
+  {
+    return true;
+  }
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  const char* name =
+    info && info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  if (!name || !name[0])
+  {
+    return false;
+  }
+  return !this->MapScalars || (this->LookupTable && this->LookupTable->IsOpaque() == 0);
+}
+
+//****************************************************************************
+// The render side
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+vtkPVRenderView* vtkRayTracedRepresentation::GetRenderView()
+{
+  return vtkPVRenderView::SafeDownCast(this->GetView());
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::AddPart(
+  vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
+{
+  actor->SetMapper(mapper);
+  view->GetRenderer()->AddActor(actor);
+  view->RegisterPropForHardwareSelection(this, actor);
+  vtkRayTracedScene::Of(view->GetRenderer())->Add(actor, mapper);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::RemovePart(
+  vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
+{
+  vtkRayTracedScene::Of(view->GetRenderer())->Remove(mapper);
+  view->UnRegisterPropForHardwareSelection(this, actor);
+  view->GetRenderer()->RemoveActor(actor);
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedRepresentation::RemoveFromView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  if (this->Mapper)
+  {
+    this->RemoveLayers(renderView);
+    this->RemovePart(renderView, this->Actor, this->Mapper);
+    this->Mapper = nullptr;
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetVisibility(bool visible)
+{
+  this->Actor->SetVisibility(visible);
+  this->ShowLayers(visible);
+  this->Superclass::SetVisibility(visible);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* inInfo)
+{
+  if (!this->Mapper)
+  {
+    this->Mapper = this->MakeMapper();
+    this->AddPart(view, this->Actor, this->Mapper);
+  }
+  const bool lod = inInfo->Has(vtkPVRenderView::USE_LOD()) != 0;
+  vtkDataObject* delivered =
+    lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this) : vtkPVView::GetDeliveredPiece(inInfo, this);
+  auto* points = vtkPolyData::SafeDownCast(delivered);
+  if (points != this->Mapper->GetInputDataObject(0, 0))
+  {
+    this->Mapper->SetInputDataObject(points);
+  }
+  this->Mapper->SetBlocks(this->Blocks);
+  this->ConfigureColors(points);
+  const bool collective =
+    lod ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender();
+  this->Configure(inInfo, points, lod, collective);
+  vtkRayTracedScene* scene = this->GetScene();
+  scene->SetSettings(this->Image);
+  scene->SetFrameKind(ScreenshotState::Of(view), collective);
+  if (!this->FeatureFile.empty())
+  {
+    scene->SaveFeatureImage(this->FeatureFile);
+    this->FeatureFile.clear();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::ConfigureColors(vtkPolyData* points)
+{
+  const char* name = nullptr;
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  if (info && info->Has(vtkDataObject::FIELD_ASSOCIATION()) && info->Has(vtkDataObject::FIELD_NAME()))
+  {
+    name = info->Get(vtkDataObject::FIELD_NAME());
+    association = info->Get(vtkDataObject::FIELD_ASSOCIATION());
+  }
+  this->Mapper->SetColorMode(this->MapScalars ? VTK_COLOR_MODE_MAP_SCALARS : VTK_COLOR_MODE_DIRECT_SCALARS);
+  if (this->LookupTable)
+  {
+    this->Mapper->SetLookupTable(this->LookupTable);
+  }
+  if (!name || !name[0])
+  {
+    this->Mapper->ScalarVisibilityOff();
+    this->Mapper->SelectColorArray(static_cast<const char*>(nullptr));
+    return;
+  }
+  // Cells of a hyper tree grid have become points on the way.
+  bool cells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  if (cells && points && !points->GetCellData()->HasArray(name))
+  {
+    cells = !points->GetPointData()->HasArray(name);
+  }
+  this->Mapper->ScalarVisibilityOn();
+  this->Mapper->SelectColorArray(name);
+  this->Mapper->SetUseLookupTableScalarRange(1);
+  this->Mapper->SetScalarMode(cells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+}
+
+//----------------------------------------------------------------------------
+// Null until something of this representation was rendered.
+vtkRayTracedScene* vtkRayTracedRepresentation::GetScene()
+{
+  vtkPVRenderView* view = this->GetRenderView();
+  return view && this->Mapper ? vtkRayTracedScene::Of(view->GetRenderer()) : nullptr;
+}
+
+//----------------------------------------------------------------------------
+const char* vtkRayTracedRepresentation::GetDeviceName()
+{
+  vtkRayTracedScene* scene = this->GetScene();
+  this->DeviceName = scene ? scene->GetDeviceName() : std::string();
+  return this->DeviceName.c_str();
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedRepresentation::GetAccumulatedSamples()
+{
+  vtkRayTracedScene* scene = this->GetScene();
+  return scene ? scene->GetAccumulatedSamples() : 0;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedRepresentation::GetRefinementPending()
+{
+  return this->GetRefinementProgress() < 1.0;
+}
+
+//----------------------------------------------------------------------------
+double vtkRayTracedRepresentation::GetRefinementProgress()
+{
+  vtkRayTracedScene* scene = this->GetScene();
+  return scene ? scene->GetProgress() : 1.0;
+}
+
+//----------------------------------------------------------------------------
+const char* vtkRayTracedRepresentation::GetRenderStatistics()
+{
+  vtkRayTracedScene* scene = this->GetScene();
+  this->Statistics = scene ? scene->GetStatistics(this->Mapper) : std::string("{}");
+  return this->Statistics.c_str();
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedRepresentation::GetRenderedRemotely()
+{
+  vtkPVRenderView* view = this->GetRenderView();
+  return view && view->GetUseDistributedRenderingForRender();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SaveFeatureImage(const char* fileName)
+{
+  this->FeatureFile = OrEmpty(fileName);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::StopRefinement()
+{
+  if (vtkRayTracedScene* scene = this->GetScene())
+  {
+    scene->Stop();
+  }
+}
+
+//****************************************************************************
+// Properties
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetReplicateGlyphs(bool on)
+{
+  if (this->ReplicateGlyphs != on)
+  {
+    this->ReplicateGlyphs = on;
+    this->MarkModified(); // the points must be delivered again
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetVelocityFromPreviousStep(bool on)
+{
+  if (this->Motion.FromPreviousStep != on)
+  {
+    this->Motion.FromPreviousStep = on;
+    this->StepVelocity->Reset();
+    this->MarkModified(); // the points must be gathered again
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetPointIdArray(const char* name)
+{
+  const std::string wanted = OrEmpty(name);
+  if (this->PointIdArray != wanted)
+  {
+    this->PointIdArray = wanted;
+    this->StepVelocity->Reset();
+    if (this->Motion.FromPreviousStep)
+    {
+      this->MarkModified();
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetShutterOpening(int opening)
+{
+  this->Motion.Opening = std::clamp(opening, 0, 2);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetShadingMode(int mode)
+{
+  this->Image.ShadingMode = std::clamp(mode, 0, 2);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetAmbientOcclusionRadius(double radius)
+{
+  this->Image.AmbientOcclusionRadius = InRange(radius, 0.0, 1e30, 0.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetAmbientOcclusionRays(int rays)
+{
+  this->Image.AmbientOcclusionRays = std::clamp(rays, 1, 64);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetPathsPerSample(int paths)
+{
+  this->Image.PathsPerSample = std::clamp(paths, 1, 64);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetMaximumBounces(int bounces)
+{
+  this->Image.MaximumBounces = std::clamp(bounces, 1, 1000);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetLightIntensity(double intensity)
+{
+  this->Image.LightIntensity = InRange(intensity, 0.0, 1e6, 1.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetEnvironmentColor(double red, double green, double blue)
+{
+  this->Image.EnvironmentColor = ColorInRange(red, green, blue);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetToneMapping(int kind)
+{
+  this->Image.ToneMapping = std::clamp(kind, 0, 1);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetExposure(double stops)
+{
+  this->Image.Exposure = InRange(stops, -100.0, 100.0, 0.0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetDenoising(int when)
+{
+  this->Image.Denoising = std::clamp(when, 0, 2);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetSamplesPerPixel(int samples)
+{
+  this->Image.SamplesPerPixel = std::clamp(samples, 1, 65536);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetSamplesPerRender(int samples)
+{
+  this->Image.SamplesPerRender = std::clamp(samples, 0, 65536);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetInteractiveReduction(int step)
+{
+  this->Image.InteractiveReduction = std::clamp(step, 1, 16);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetStepwiseRendering(bool stepwise)
+{
+  this->Image.StepwiseRendering = stepwise;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetLookupTable(vtkScalarsToColors* table)
+{
+  this->LookupTable = table;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetOpacity(double opacity)
+{
+  this->Property->SetOpacity(opacity);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetAmbientColor(double r, double g, double b)
+{
+  this->Property->SetAmbientColor(r, g, b);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetDiffuseColor(double r, double g, double b)
+{
+  this->Property->SetDiffuseColor(r, g, b);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetSpecularColor(double r, double g, double b)
+{
+  this->Property->SetSpecularColor(r, g, b);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetAmbient(double ambient)
+{
+  this->Property->SetAmbient(ambient);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetDiffuse(double diffuse)
+{
+  this->Property->SetDiffuse(diffuse);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetSpecular(double specular)
+{
+  this->Property->SetSpecular(specular);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetSpecularPower(double power)
+{
+  this->Property->SetSpecularPower(power);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetMetallic(double metallic)
+{
+  this->Property->SetMetallic(metallic);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetRoughness(double roughness)
+{
+  this->Property->SetRoughness(roughness);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetCoatStrength(double strength)
+{
+  this->Property->SetCoatStrength(strength);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetCoatIOR(double ior)
+{
+  this->Property->SetCoatIOR(ior);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetCoatRoughness(double roughness)
+{
+  this->Property->SetCoatRoughness(roughness);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetCoatColor(double red, double green, double blue)
+{
+  this->Property->SetCoatColor(red, green, blue);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetPosition(double x, double y, double z)
+{
+  this->Position = { x, y, z };
+  this->UpdateActorPosition();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetTranslation(double x, double y, double z)
+{
+  this->Translation = { x, y, z };
+  this->UpdateActorPosition();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::UpdateActorPosition()
+{
+  this->Actor->SetPosition(this->Position[0] + this->Translation[0], this->Position[1] + this->Translation[1],
+    this->Position[2] + this->Translation[2]);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetScale(double x, double y, double z)
+{
+  this->Actor->SetScale(x, y, z);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetOrientation(double x, double y, double z)
+{
+  this->Actor->SetOrientation(x, y, z);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetOrigin(double x, double y, double z)
+{
+  this->Actor->SetOrigin(x, y, z);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetUserTransform(const double matrix[16])
+{
+  vtkNew<vtkTransform> transform;
+  transform->SetMatrix(matrix);
+  this->Actor->SetUserTransform(transform);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetPickable(int pickable)
+{
+  this->Actor->SetPickable(pickable);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::AddBlockSelector(const char* selector)
+{
+  this->Blocks.AddSelector(selector);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::RemoveAllBlockSelectors()
+{
+  this->Blocks.RemoveAllSelectors();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetBlockColor(const char* selector, double r, double g, double b)
+{
+  this->Blocks.SetColor(selector, r, g, b);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::RemoveAllBlockColors()
+{
+  this->Blocks.RemoveAllColors();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetBlockOpacity(const char* selector, double opacity)
+{
+  this->Blocks.SetOpacity(selector, opacity);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::RemoveAllBlockOpacities()
+{
+  this->Blocks.RemoveAllOpacities();
+}

@@ -1,0 +1,257 @@
+/**
+ * @class   vtkRayTracedRepresentation
+ * @brief   what ray-traced glyphs and surfaces have in common: delivery, colors, blocks, placement, and the view's image
+ *
+ * Points or triangles are gathered where the data are, in RequestData(). REQUEST_UPDATE hands them to the view with their
+ * bounds and touches nothing of the render side. Mappers, actors and the renderer's vtkRayTracedScene are made when
+ * something is first rendered, and configured from the properties at each REQUEST_RENDER. Which work a change of a property
+ * causes is found out there by comparing; only what needs a new gather or delivery calls MarkModified().
+ *
+ * @sa vtkRayTracedScene vtkRayTracedMapper
+ */
+#ifndef vtkRayTracedRepresentation_h
+#define vtkRayTracedRepresentation_h
+
+#include "vtkNew.h"
+#include "vtkPVDataRepresentation.h"
+#include "vtkRayTracedGlyphsModule.h" // for export macro
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+#ifndef __VTK_WRAP__ // what the wrapping tools need not know
+#include "vtkGlyphBlockAttributes.h"
+#include "vtkGlyphMotion.h"
+#include "vtkRayTracedImageSettings.h"
+#endif
+
+#include <array>
+#include <memory>
+#include <string>
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkGlyphStepVelocity;
+class vtkPVRenderView;
+class vtkPolyData;
+class vtkProperty;
+class vtkRayTracedActor;
+class vtkRayTracedMapper;
+class vtkRayTracedScene;
+class vtkScalarsToColors;
+
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedRepresentation : public vtkPVDataRepresentation
+{
+public:
+  vtkTypeMacro(vtkRayTracedRepresentation, vtkPVDataRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Settings of the view's image; see vtkRayTracedImageSettings for units and ranges. Values out of range become the
+   * nearest in it, NaN the default.
+   */
+  void SetShadingMode(int mode);
+  void SetAmbientOcclusionRadius(double radius);
+  void SetAmbientOcclusionRays(int rays);
+  void SetPathsPerSample(int paths);
+  void SetMaximumBounces(int bounces);
+  void SetLightIntensity(double intensity);
+  void SetEnvironmentColor(double red, double green, double blue);
+  void SetToneMapping(int kind);
+  void SetExposure(double stops);
+  void SetDenoising(int when);
+  void SetSamplesPerPixel(int samples);
+  void SetSamplesPerRender(int samples);
+  void SetInteractiveReduction(int step);
+  void SetStepwiseRendering(bool stepwise);
+  ///@}
+
+  /**
+   * The view's next finished image also leaves what it shows besides colors in this file (vtkRayTracedFeatureImage).
+   */
+  void SaveFeatureImage(const char* fileName);
+
+  /**
+   * Images of the view that are not finished stay as they are until something else changes them.
+   */
+  void StopRefinement();
+
+  ///@{
+  /**
+   * Information: the device that traces, the samples a pixel that all images of the view's last frame have, whether more
+   * renders would improve them, how far they are in [0, 1], and what was done (JSON).
+   */
+  const char* GetDeviceName();
+  int GetAccumulatedSamples();
+  int GetRefinementPending();
+  double GetRefinementProgress();
+  const char* GetRenderStatistics();
+  ///@}
+
+  /**
+   * Whether the last render of the view was a server's, so that this process, the client, has no image of its own.
+   */
+  bool GetRenderedRemotely();
+
+  /**
+   * With several ranks that render: each gets the data of all. Default is off.
+   */
+  void SetReplicateGlyphs(bool on);
+
+  ///@{
+  /**
+   * Motion blur: names of point arrays of three components ("None" or empty: none), the time that the shutter is open, and
+   * when that is, of vtkGlyphMotion::Openings. Velocities may instead be those of vtkGlyphStepVelocity, where an array of
+   * one component, by default the global ids, tells which point is which. See vtkGlyphMotion::Settings for defaults.
+   */
+  void SetMotionBlur(bool on) { this->Motion.On = on; }
+  void SetVelocityArray(const char* name) { this->Motion.Velocity = OrEmpty(name); }
+  void SetVelocityFromPreviousStep(bool on);
+  void SetPointIdArray(const char* name);
+  void SetAccelerationArray(const char* name) { this->Motion.Acceleration = OrEmpty(name); }
+  void SetAngularVelocityArray(const char* name) { this->Motion.AngularVelocity = OrEmpty(name); }
+  void SetShutterTime(double time) { this->Motion.ShutterTime = NumberOr(time, 0.0); }
+  void SetShutterOpening(int opening);
+  ///@}
+
+  ///@{
+  /**
+   * Appearance, as of ParaView's ordinary surface.
+   */
+  void SetLookupTable(vtkScalarsToColors* table);
+  void SetMapScalars(int map) { this->MapScalars = map != 0; }
+  void SetInterpolateScalarsBeforeMapping(int interpolate) { this->InterpolateScalarsBeforeMapping = interpolate != 0; }
+  void SetOpacity(double opacity);
+  void SetAmbientColor(double r, double g, double b);
+  void SetDiffuseColor(double r, double g, double b);
+  void SetSpecularColor(double r, double g, double b);
+  void SetAmbient(double ambient);
+  void SetDiffuse(double diffuse);
+  void SetSpecular(double specular);
+  void SetSpecularPower(double power);
+  void SetMetallic(double metallic);
+  void SetRoughness(double roughness);
+  void SetCoatStrength(double strength);
+  void SetCoatIOR(double ior);
+  void SetCoatRoughness(double roughness);
+  void SetCoatColor(double red, double green, double blue);
+  ///@}
+
+  ///@{
+  /**
+   * Placement. Position (up to ParaView 5.11) and Translation (from 5.12) are one property under two names; only one is
+   * ever set, and the other stays zero.
+   */
+  void SetPosition(double x, double y, double z);
+  void SetTranslation(double x, double y, double z);
+  void SetScale(double x, double y, double z);
+  void SetOrientation(double x, double y, double z);
+  void SetOrigin(double x, double y, double z);
+  void SetUserTransform(const double matrix[16]);
+  void SetPickable(int pickable);
+  ///@}
+
+  ///@{
+  /**
+   * Blocks of a composite data set, by selectors in its hierarchy. Default is the selector "/".
+   */
+  void AddBlockSelector(const char* selector);
+  void RemoveAllBlockSelectors();
+  void SetBlockColor(const char* selector, double r, double g, double b);
+  void RemoveAllBlockColors();
+  void SetBlockOpacity(const char* selector, double opacity);
+  void RemoveAllBlockOpacities();
+  ///@}
+
+  // vtkPVDataRepresentation
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+  void SetVisibility(bool visible) override;
+  vtkDataObject* GetRenderedDataObject(int port) override;
+
+protected:
+  vtkRayTracedRepresentation();
+  ~vtkRayTracedRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool RemoveFromView(vtkView* view) override;
+
+  ///@{
+  /**
+   * The data side. Gather() makes what is delivered to the mapper; `wholeExtent` is null unless `input` is a piece of a
+   * structured data set. GetDataBounds() are those of everything shown of the gathered points, before the actor's
+   * transform. Deliver() may hand further pieces to the view.
+   */
+  virtual vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) = 0;
+  virtual const double* GetDataBounds(vtkPolyData* points) = 0;
+  virtual void Deliver(vtkInformation*, bool /*lod*/) {}
+  ///@}
+
+  ///@{
+  /**
+   * The render side. MakeMapper() is called once; Configure() at each render, with the delivered points (may be null).
+   * `collective`: all ranks render together. Hide() is called when the representation is hidden.
+   */
+  virtual vtkSmartPointer<vtkRayTracedMapper> MakeMapper() = 0;
+  virtual void Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective) = 0;
+  virtual void ShowLayers(bool /*visible*/) {}
+  virtual void RemoveLayers(vtkPVRenderView*) {}
+  ///@}
+
+  ///@{
+  /**
+   * Adds an actor to the view's renderer and scene as part of this representation, or takes it out.
+   */
+  void AddPart(vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper);
+  void RemovePart(vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper);
+  ///@}
+
+  vtkRayTracedMapper* GetMapper();
+  vtkRayTracedActor* GetActor();
+  vtkPolyData* GetPoints();
+  vtkPVRenderView* GetRenderView();
+
+  ///@{
+  /**
+   * For setters. Strings of the server manager may be null, which means no array. Numbers that are NaN would differ from
+   * themselves.
+   */
+  static std::string OrEmpty(const char* name) { return name ? name : ""; }
+  static double NumberOr(double value, double otherwise);
+  static double InRange(double value, double lowest, double highest, double otherwise);
+  static std::array<double, 3> ColorInRange(double red, double green, double blue);
+  ///@}
+
+  vtkGlyphMotion::Settings Motion;
+  vtkGlyphBlockAttributes Blocks;
+
+private:
+  vtkRayTracedRepresentation(const vtkRayTracedRepresentation&) = delete;
+  void operator=(const vtkRayTracedRepresentation&) = delete;
+
+  void AddStepVelocities(vtkDataObject* input);
+  vtkDataArray* PointIds();
+  bool NeedsOrderedCompositing();
+  void UpdateActorPosition();
+  void Render(vtkPVRenderView* view, vtkInformation* inInfo);
+  void ConfigureColors(vtkPolyData* points);
+  vtkRayTracedScene* GetScene();
+
+  vtkRayTracedImageSettings Image;
+  vtkNew<vtkRayTracedActor> Actor; // in no renderer until it is shown
+  vtkNew<vtkProperty> Property;
+  vtkSmartPointer<vtkRayTracedMapper> Mapper; // null until something is rendered
+  vtkSmartPointer<vtkPolyData> Points;        // gathered, not yet delivered
+  vtkSmartPointer<vtkScalarsToColors> LookupTable;
+  bool MapScalars = true, InterpolateScalarsBeforeMapping = true;
+  std::array<double, 3> Position{}, Translation{};
+  std::unique_ptr<vtkGlyphStepVelocity> StepVelocity;
+  std::string PointIdArray;
+  vtkWeakPointer<vtkAlgorithm> StepVelocitySource; // whose steps they are
+  bool ReplicateGlyphs = false;
+  std::string FeatureFile; // until there is a scene
+  std::string DeviceName, Statistics;
+};
+
+#endif

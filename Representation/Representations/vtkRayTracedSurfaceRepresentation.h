@@ -1,0 +1,50 @@
+/**
+ * @class   vtkRayTracedSurfaceRepresentation
+ * @brief   representation that shows the outer surface of any data set among the ray-traced glyphs of the view
+ *
+ * The surface is that of ParaView's ordinary surface representation: its triangles, colors, opacity and material.
+ * Lines and vertices are not shown.
+ *
+ * @sa vtkRayTracedSurfaceGatherer vtkRayTracedSurfaceMapper
+ */
+#ifndef vtkRayTracedSurfaceRepresentation_h
+#define vtkRayTracedSurfaceRepresentation_h
+
+#include "vtkRayTracedRepresentation.h"
+#ifndef __VTK_WRAP__ // what the wrapping tools need not know
+#include "vtkGlyphBounds.h"
+#endif
+
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedSurfaceRepresentation : public vtkRayTracedRepresentation
+{
+public:
+  static vtkRayTracedSurfaceRepresentation* New();
+  vtkTypeMacro(vtkRayTracedSurfaceRepresentation, vtkRayTracedRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * 0, VTK_FLAT: each triangle has its own normal. Any other: the points' normals are interpolated, which are
+   * computed where the data have none. Default is 1, VTK_GOURAUD.
+   */
+  void SetInterpolation(int interpolation);
+
+protected:
+  vtkRayTracedSurfaceRepresentation();
+  ~vtkRayTracedSurfaceRepresentation() override;
+
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) override;
+  const double* GetDataBounds(vtkPolyData* surface) override;
+  vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;
+  void Configure(vtkInformation* inInfo, vtkPolyData* surface, bool lod, bool collective) override;
+
+private:
+  vtkRayTracedSurfaceRepresentation(const vtkRayTracedSurfaceRepresentation&) = delete;
+  void operator=(const vtkRayTracedSurfaceRepresentation&) = delete;
+
+  bool Smooth = true;
+  vtkGlyphBounds Bounds;
+};
+
+#endif

@@ -1,0 +1,31 @@
+/**
+ * How the image of a view is lit, denoised and displayed, and how many samples it gets. One value a view: every
+ * representation of it says the same (vtkSMRayTracedRepresentationProxy).
+ */
+#ifndef vtkRayTracedImageSettings_h
+#define vtkRayTracedImageSettings_h
+
+#include <array>
+
+struct vtkRayTracedImageSettings
+{
+  int ShadingMode = 0;                                     // as rtg::Shading, in [0, 2]
+  double AmbientOcclusionRadius = 0.0;                     // world units, >= 0; 0: unbounded
+  int AmbientOcclusionRays = 8;                            // a sample, in [1, 64]
+  int PathsPerSample = 4;                                  // in [1, 64]
+  int MaximumBounces = 10;                                 // of path tracing, in [1, 1000]
+  double LightIntensity = 1.0;                             // in [0, 1e6]
+  std::array<double, 3> EnvironmentColor{ 1.0, 1.0, 1.0 }; // in [0, 1]
+  int ToneMapping = 0;                                     // as rtg::ToneMapping, in [0, 1]
+  double Exposure = 0.0;                                   // stops, in [-100, 100]
+  int Denoising = 1;                                       // as rtg::Denoising, in [0, 2]
+  int SamplesPerPixel = 16;                                // of a finished image, in [1, 65536]
+  int SamplesPerRender = 0;                                // in [0, 65536]; 0: all, or what time allows
+  int InteractiveReduction = 2;                            // every n-th pixel while the camera moves, in [1, 16]
+  bool StepwiseRendering = false;                          // somebody renders until the image is finished
+
+  bool operator==(const vtkRayTracedImageSettings&) const = default;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRayTracedImageSettings.h

@@ -1,0 +1,187 @@
+#include "vtkRayTracedImages.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace
+{
+// Images of one pass that are kept: two eyes, and as many of a capture.
+constexpr std::size_t mostEntries = 4 * vtkRayTracedImages::Passes;
+// Calls of Get() after which an image that nobody asks for is given up.
+constexpr std::uint64_t patience = 12;
+}
+
+// What traces an entry's image.
+class vtkRayTracedImages::Source : public rtg::ImageSource
+{
+public:
+  Source(vtkRayTracedImages& images, Entry& entry, const std::function<void(rtg::Scene&)>& send)
+    : Images(images)
+    , Own(entry)
+    , Send(send)
+  {
+  }
+
+  bool Prepare() override
+  {
+    if (!this->Images.Device || this->Images.Device->Lost())
+    {
+      this->Images.DropScene();
+      this->Images.Resources.reset();
+      this->Images.Device.reset();
+      this->Images.Device = rtg::Device::Shared();
+    }
+    if (!this->Images.Resources)
+    {
+      this->Images.Resources = rtg::MakeTracerResources(this->Images.Device);
+    }
+    if (!this->Images.Scene)
+    {
+      this->Images.Scene = std::make_unique<rtg::Scene>(this->Images.Device);
+      ++this->Images.SceneNumber;
+    }
+    try
+    {
+      this->Send(*this->Images.Scene);
+      this->Images.Scene->Commit();
+    }
+    catch (...)
+    {
+      // What was sent only in part must not be taken for whole.
+      this->Images.DropScene();
+      throw;
+    }
+    const bool kept = this->Own.Tracer && this->Own.SceneNumber == this->Images.SceneNumber;
+    if (!kept)
+    {
+      this->Own.Tracer = std::make_unique<rtg::Tracer>(this->Images.Resources);
+      this->Own.SceneNumber = this->Images.SceneNumber;
+    }
+    return kept;
+  }
+
+  rtg::Image Trace(
+    const rtg::ImageView& view, const rtg::TraceSettings& settings, const rtg::Interrupt& interrupt) override
+  {
+    return this->Own.Tracer->Trace(*this->Images.Scene, view.camera, view.lights, settings, view.pass, interrupt);
+  }
+
+  rtg::Image Resume(const rtg::Interrupt& interrupt) override
+  {
+    return this->Own.Tracer->Resume(*this->Images.Scene, interrupt);
+  }
+
+  std::function<std::vector<std::uint32_t>()> Denoise(const rtg::Image& image) override
+  {
+    return this->Own.Tracer->Denoise(image);
+  }
+
+  bool HasDevice() const override { return this->Images.Device && !this->Images.Device->Lost(); }
+  bool IsDeviceLost() const override { return this->Images.Device && this->Images.Device->Lost(); }
+  std::uint64_t HeldBytes() const override { return this->Images.Device ? this->Images.Device->HeldBytes() : 0; }
+
+  double Now() const override
+  {
+    const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
+    return now.count();
+  }
+
+private:
+  vtkRayTracedImages& Images;
+  Entry& Own;
+  const std::function<void(rtg::Scene&)>& Send;
+};
+
+//----------------------------------------------------------------------------
+vtkRayTracedImages::Entry& vtkRayTracedImages::Get(const Place& place)
+{
+  std::unique_ptr<Entry>& entry = this->Entries[place];
+  if (!entry)
+  {
+    entry = std::make_unique<Entry>();
+  }
+  entry->LastUsed = ++this->Uses;
+  Entry& found = *entry;
+  for (auto it = this->Entries.begin(); it != this->Entries.end();)
+  {
+    it = it->second->LastUsed + patience < this->Uses ? this->Entries.erase(it) : std::next(it);
+  }
+  while (this->Entries.size() > mostEntries)
+  {
+    this->Entries.erase(std::min_element(this->Entries.begin(), this->Entries.end(),
+      [](const auto& a, const auto& b) { return a.second->LastUsed < b.second->LastUsed; }));
+  }
+  return found;
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedImages::Entry* vtkRayTracedImages::FindSame(const rtg::ImageView& view)
+{
+  for (const auto& [place, entry] : this->Entries)
+  {
+    const rtg::ImageView& other = entry->Image.View();
+    if (entry->Image.GetState() != rtg::ProgressiveImage::State::Failed && entry->Image.IsComplete() &&
+      other.pass == view.pass && other.content == view.content && other.camera == view.camera &&
+      other.settings.width == view.settings.width && other.settings.height == view.settings.height)
+    {
+      return entry.get();
+    }
+  }
+  return nullptr;
+}
+
+//----------------------------------------------------------------------------
+const rtg::Image* vtkRayTracedImages::Update(Entry& entry, const rtg::ImageView& view, const rtg::ImageEffort& effort,
+  const rtg::Interrupt& interrupt, const std::function<void(rtg::Scene&)>& send)
+{
+  Source source(*this, entry, send);
+  return entry.Image.Update(source, view, effort, interrupt);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedImages::DropScene()
+{
+  if (this->Scene)
+  {
+    this->Past += this->Scene->GetStatistics();
+    this->Scene.reset();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedImages::DropAll()
+{
+  this->DropScene();
+  this->Entries.clear();
+  if (this->Resources)
+  {
+    this->Past += rtg::StatisticsOf(*this->Resources);
+    this->Resources.reset();
+  }
+}
+
+//----------------------------------------------------------------------------
+rtg::Statistics vtkRayTracedImages::GetStatistics() const
+{
+  rtg::Statistics sum = this->Past;
+  if (this->Scene)
+  {
+    sum += this->Scene->GetStatistics();
+  }
+  if (this->Resources)
+  {
+    sum += rtg::StatisticsOf(*this->Resources);
+  }
+  sum.deviceBytes = this->Device ? this->Device->HeldBytes() : 0;
+  return sum;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedImages::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& [place, entry] : this->Entries)
+  {
+    entry->Quad.ReleaseGraphicsResources(window);
+    entry->Uploaded = 0;
+  }
+}

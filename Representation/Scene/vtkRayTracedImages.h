@@ -1,0 +1,90 @@
+/**
+ * The kernels' side of a vtkRayTracedScene: device, glyph sets, and the images that are kept. There is one image for each
+ * pass and place that a renderer draws to: eyes of a stereo pair, tiles, a capture of another size than the window's.
+ */
+#ifndef vtkRayTracedImages_h
+#define vtkRayTracedImages_h
+
+#include "ProgressiveImage.h"
+#include "Scene.h"
+#include "Tracer.h"
+#include "Vulkan/Device.h"
+
+#include "vtkRayTracedImageQuad.h"
+
+#include <array>
+#include <compare>
+#include <functional>
+#include <map>
+#include <memory>
+
+class vtkWindow;
+
+class vtkRayTracedImages
+{
+public:
+  static constexpr int Passes = 2; // opaque, translucent: as rtg::Pass
+
+  // Where an image is drawn.
+  struct Place
+  {
+    int Pass = 0;
+    std::uint32_t Width = 0, Height = 0; // pixels
+    int Eye = 0;                         // vtkCamera::GetLeftEye()
+    std::array<double, 4> Tile{};        // vtkWindow::GetTileViewport()
+    bool OnlyIds = false;                // for selecting, of no light
+    auto operator<=>(const Place&) const = default;
+  };
+  struct Entry
+  {
+    rtg::ProgressiveImage Image;
+    std::unique_ptr<rtg::Tracer> Tracer;
+    std::uint64_t SceneNumber = 0; // of the scene that the tracer traces
+    vtkRayTracedImageQuad Quad;
+    std::uint64_t Uploaded = 0; // version of the pixels that Quad has
+    std::uint64_t LastUsed = 0;
+  };
+
+  /**
+   * The image of a place; those not asked for in a while make room.
+   */
+  Entry& Get(const Place& place);
+
+  /**
+   * The image of a pass that shows this view in full resolution, whatever its light; null: there is none.
+   */
+  Entry* FindSame(const rtg::ImageView& view);
+
+  /**
+   * Makes or improves an entry's image. `send` hands over to the kernels' scene what has changed; it may throw.
+   */
+  const rtg::Image* Update(Entry& entry, const rtg::ImageView& view, const rtg::ImageEffort& effort,
+    const rtg::Interrupt& interrupt, const std::function<void(rtg::Scene&)>& send);
+
+  ///@{
+  /**
+   * Gives device memory back; counters stay. The number of the scene grows with each new one, whose sets are empty.
+   */
+  void DropScene();
+  void DropAll();
+  std::uint64_t GetSceneNumber() const { return this->SceneNumber; }
+  rtg::Scene* GetScene() { return this->Scene.get(); }
+  ///@}
+
+  rtg::Statistics GetStatistics() const;
+  std::string GetDeviceName() const { return this->Device ? this->Device->Name() : std::string(); }
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  class Source;
+
+  std::shared_ptr<rtg::Device> Device;
+  std::unique_ptr<rtg::Scene> Scene;
+  std::shared_ptr<rtg::TracerResources> Resources;
+  std::uint64_t SceneNumber = 0, Uses = 0;
+  std::map<Place, std::unique_ptr<Entry>> Entries;
+  rtg::Statistics Past; // of scenes that are gone
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRayTracedImages.h

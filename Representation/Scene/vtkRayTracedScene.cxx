@@ -1,0 +1,671 @@
+#include "vtkRayTracedScene.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkCommunicator.h"
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPVProgressHandler.h"
+#include "vtkPVSession.h"
+#include "vtkProcessModule.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRayTracedActors.h"
+#include "vtkRayTracedFeatureImage.h"
+#include "vtkRayTracedIdBuffer.h"
+#include "vtkRayTracedImages.h"
+#include "vtkRayTracedMapper.h"
+#include "vtkRayTracedOpenGL.h"
+#include "vtkRayTracedRendererState.h"
+#include "vtkRayTracedSignal.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderer.h"
+#include "vtk_nlohmannjson.h"
+#include VTK_NLOHMANN_JSON(json.hpp)
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <new>
+#include <vector>
+
+vtkInformationKeyMacro(vtkRayTracedScene, SCENE, ObjectBase);
+vtkStandardNewMacro(vtkRayTracedScene);
+
+namespace
+{
+// Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
+constexpr double interactiveRate = 1.0;
+// Seconds of one step of an image that somebody watches: a camera that is turned meanwhile waits so long.
+constexpr double stepSeconds = 0.1;
+// Seconds of tracing after which ParaView's progress bar is told.
+constexpr double quietSeconds = 0.3;
+
+constexpr int opaque = static_cast<int>(rtg::Pass::Opaque);
+constexpr int translucent = static_cast<int>(rtg::Pass::Translucent);
+
+rtg::TraceSettings ToTraceSettings(const vtkRayTracedImageSettings& from)
+{
+  rtg::TraceSettings settings;
+  settings.shading = static_cast<rtg::Shading>(from.ShadingMode);
+  settings.occlusionRadius = static_cast<float>(from.AmbientOcclusionRadius);
+  settings.occlusionRays = static_cast<std::uint32_t>(from.AmbientOcclusionRays);
+  settings.paths = static_cast<std::uint32_t>(from.PathsPerSample);
+  settings.maximumBounces = static_cast<std::uint32_t>(from.MaximumBounces);
+  settings.lightIntensity = static_cast<float>(from.LightIntensity);
+  settings.environmentColour = glm::vec3(from.EnvironmentColor[0], from.EnvironmentColor[1], from.EnvironmentColor[2]);
+  settings.toneMapping = static_cast<rtg::ToneMapping>(from.ToneMapping);
+  settings.exposure = static_cast<float>(from.Exposure);
+  return settings;
+}
+}
+
+//----------------------------------------------------------------------------
+struct vtkRayTracedScene::Internals
+{
+  // A mapper's glyph set, and what of it the kernels have.
+  struct Member
+  {
+    vtkWeakPointer<vtkActor> Actor;
+    std::uint64_t Scene = 0; // number of the kernels' scene that has the set; 0: none
+    rtg::Scene::SetId Set = 0;
+    std::uint64_t SentInstances = 0, SentColors = 0, SentMaterial = 0;
+    rtg::Material Material;
+    std::uint64_t MaterialVersion = 0;
+    bool Shown = false;       // in this frame
+    bool Translucent = false; // and then in the translucent pass
+  };
+
+  vtkNew<vtkRayTracedImageActor> Actor;
+  std::map<vtkRayTracedMapper*, Member> Members;
+  vtkRayTracedImageSettings Settings;
+  bool Capture = false, Collective = false, Stopped = false;
+  std::string FeatureFile;
+  vtkRayTracedImages Images;
+  vtkRayTracedImageQuad IdQuad;
+  vtkRayTracedRendererState::Environment Environment;
+
+  // What can be seen: of each shown member the versions of instances, colors and material. Two frames with the same list look
+  // the same; each new list has a number.
+  std::vector<std::array<std::uint64_t, 3>> Content;
+  std::uint64_t ContentNumber = 0, MaterialVersions = 0;
+
+  // The images of this frame
+  struct Drawn
+  {
+    vtkRayTracedImages::Entry* Entry;
+    double EyeDepth;
+  };
+  std::vector<Drawn> Frame;
+  bool Wants[vtkRayTracedImages::Passes] = { false, false };
+  bool Interactive = false;
+
+  // Of the last frame, on all ranks that rendered it together
+  double Progress = 1.0;
+  std::uint32_t Samples = 0;
+
+  std::string Reported, CameraReported; // the last failures, until there is an image again
+  bool PassReported = false;
+  vtkNew<vtkAlgorithm> Teller; // of ParaView's progress bar
+  bool TellerKnown = false;
+
+  void Send(rtg::Scene& scene);
+  bool WantsAnything() const { return this->Wants[opaque] || this->Wants[translucent]; }
+};
+
+//----------------------------------------------------------------------------
+vtkRayTracedScene::vtkRayTracedScene()
+  : Self(std::make_unique<Internals>())
+{
+  this->Self->Actor->SetScene(this);
+  this->Self->Teller->SetProgressText("Ray Tracing");
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedScene::~vtkRayTracedScene()
+{
+  for (const auto& member : this->Self->Members)
+  {
+    member.first->SetScene(nullptr);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Renderer.Get() << endl;
+  os << indent << "Number of mappers: " << this->Self->Members.size() << endl;
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedScene* vtkRayTracedScene::Of(vtkRenderer* renderer)
+{
+  vtkInformation* information = renderer->GetInformation();
+  auto* scene = vtkRayTracedScene::SafeDownCast(information->Get(SCENE()));
+  if (!scene)
+  {
+    auto made = vtkSmartPointer<vtkRayTracedScene>::Take(vtkRayTracedScene::New());
+    scene = made;
+    information->Set(SCENE(), scene);
+    scene->Renderer = renderer;
+    renderer->AddObserver(vtkCommand::StartEvent, scene, &vtkRayTracedScene::StartFrame);
+    renderer->AddObserver(vtkCommand::EndEvent, scene, &vtkRayTracedScene::EndFrame);
+  }
+  return scene;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::Add(vtkActor* actor, vtkRayTracedMapper* mapper)
+{
+  Internals::Member& member = this->Self->Members[mapper];
+  member.Actor = actor;
+  mapper->SetScene(this);
+  if (this->Renderer && !this->Renderer->HasViewProp(this->Self->Actor))
+  {
+    this->Renderer->AddActor(this->Self->Actor);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::Remove(vtkRayTracedMapper* mapper)
+{
+  Internals& self = *this->Self;
+  const auto found = self.Members.find(mapper);
+  if (found == self.Members.end())
+  {
+    return;
+  }
+  if (rtg::Scene* scene = self.Images.GetScene())
+  {
+    if (found->second.Scene == self.Images.GetSceneNumber())
+    {
+      scene->Remove(found->second.Set);
+    }
+  }
+  self.Members.erase(found);
+  if (self.Members.empty())
+  {
+    self.Images.DropAll();
+    self.Wants[opaque] = self.Wants[translucent] = false;
+    if (this->Renderer)
+    {
+      this->Renderer->RemoveActor(self.Actor);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::SetSettings(const vtkRayTracedImageSettings& settings)
+{
+  if (!(this->Self->Settings == settings))
+  {
+    this->Self->Settings = settings;
+    this->Self->Stopped = false;
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::SetFrameKind(bool capture, bool collective)
+{
+  this->Self->Capture = capture;
+  this->Self->Collective = collective;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::SaveFeatureImage(const std::string& fileName)
+{
+  this->Self->FeatureFile = fileName;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::Stop()
+{
+  this->Self->Stopped = true;
+  this->Self->Progress = 1.0;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::Report(const std::string& message)
+{
+  if (this->Self->Reported != message)
+  {
+    this->Self->Reported = message;
+    vtkErrorMacro(<< message);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::StartFrame()
+{
+  Internals& self = *this->Self;
+  self.Frame.clear();
+  self.Wants[opaque] = self.Wants[translucent] = false;
+  if (self.Members.empty())
+  {
+    return;
+  }
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  if (props->GetLastProp() != self.Actor)
+  {
+    props->RemoveItem(self.Actor);
+    props->AddItem(self.Actor);
+  }
+  if (!this->UpdateMappers())
+  {
+    // Nothing is shown: device memory goes back.
+    self.Images.DropAll();
+  }
+  vtkRenderPass* pass = this->Renderer->GetPass();
+  const bool other = pass && pass->IsA("vtkOSPRayPass");
+  if (other && self.WantsAnything() && !self.PassReported)
+  {
+    vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out while the view's EnableRayTracing is on. Switch it "
+                       "off, or choose another representation such as 3D Glyphs.");
+  }
+  self.PassReported = other;
+}
+
+//----------------------------------------------------------------------------
+// Instances and colors of all visible members; false: nothing is to be seen.
+bool vtkRayTracedScene::UpdateMappers()
+{
+  Internals& self = *this->Self;
+  std::vector<std::array<std::uint64_t, 3>> content;
+  for (auto& [mapper, member] : self.Members)
+  {
+    member.Shown = false;
+    vtkActor* actor = member.Actor;
+    if (!actor || !actor->GetVisibility())
+    {
+      continue;
+    }
+    try
+    {
+      mapper->Update(actor);
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->Report("Ray Traced Glyphs: the computer's memory does not suffice to make the glyphs of these data. Show fewer "
+                   "(GlyphMask, MaximumNumberOfGlyphs) or hide other data.");
+      continue;
+    }
+    if (mapper->GetNumberOfGlyphs() == 0)
+    {
+      continue;
+    }
+    rtg::Material material = vtkRayTracedRendererState::MaterialOf(actor->GetProperty(), this->Renderer);
+    mapper->AddToMaterial(material);
+    if (member.MaterialVersion == 0 || !(member.Material == material))
+    {
+      member.Material = material;
+      member.MaterialVersion = ++self.MaterialVersions;
+    }
+    member.Shown = true;
+    member.Translucent = material.opacity < 1.0f || mapper->IsTranslucent();
+    self.Wants[member.Translucent ? translucent : opaque] = true;
+    content.push_back({ { mapper->GetInstanceVersion(), mapper->GetColorVersion(), member.MaterialVersion } });
+  }
+  if (content != self.Content)
+  {
+    self.Content = std::move(content);
+    ++self.ContentNumber;
+    self.Stopped = false;
+  }
+  return self.WantsAnything();
+}
+
+//----------------------------------------------------------------------------
+// What has changed since the kernels last had it.
+void vtkRayTracedScene::Internals::Send(rtg::Scene& scene)
+{
+  for (auto& [mapper, member] : this->Members)
+  {
+    const bool known = member.Scene == this->Images.GetSceneNumber();
+    if (!member.Shown)
+    {
+      if (known)
+      {
+        scene.Remove(member.Set);
+        member.Scene = 0;
+      }
+      continue;
+    }
+    if (!known)
+    {
+      member.Set = scene.Add();
+      member.Scene = this->Images.GetSceneNumber();
+      member.SentInstances = member.SentColors = member.SentMaterial = 0;
+    }
+    if (member.SentInstances != mapper->GetInstanceVersion())
+    {
+      scene.SetInstances(member.Set, mapper->TakeInstances(member.Actor));
+      member.SentInstances = mapper->GetInstanceVersion();
+      member.SentColors = 0; // the kernels forget a set's colors with its glyphs
+    }
+    if (member.SentColors != mapper->GetColorVersion())
+    {
+      scene.SetColours(member.Set, mapper->GetColors());
+      member.SentColors = mapper->GetColorVersion();
+    }
+    if (member.SentMaterial != member.MaterialVersion)
+    {
+      scene.SetMaterial(member.Set, member.Material);
+      member.SentMaterial = member.MaterialVersion;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedScene::HasPass(int pass) const
+{
+  return this->Self->Wants[pass];
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor)
+{
+  Internals& self = *this->Self;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  int viewport[4] = { 0, 0, 0, 0 };
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  if (!window || viewport[2] < 1 || viewport[3] < 1)
+  {
+    return;
+  }
+
+  // A camera that sees nothing is no failure of the glyphs: the next one may be good.
+  rtg::ImageView view;
+  try
+  {
+    view.camera = vtkRayTracedRendererState::CameraOf(
+      this->Renderer, vtkRayTracedRendererState::WorldToClip(this->Renderer));
+    self.CameraReported.clear();
+  }
+  catch (const rtg::Error& error)
+  {
+    if (self.CameraReported != error.what())
+    {
+      self.CameraReported = error.what();
+      vtkWarningMacro(<< error.what());
+    }
+    return;
+  }
+  const vtkRayTracedImageSettings& wanted = self.Settings;
+  view.pass = static_cast<rtg::Pass>(pass);
+  view.content = self.ContentNumber;
+  view.settings = ToTraceSettings(wanted);
+  view.settings.width = static_cast<std::uint32_t>(viewport[2]);
+  view.settings.height = static_cast<std::uint32_t>(viewport[3]);
+  // Headlight and light kit make up for the lack of light from all around; path tracing has that.
+  const bool surrounded = view.settings.shading == rtg::Shading::PathTracing && wanted.LightIntensity > 0.0;
+  view.lights = vtkRayTracedRendererState::LightsOf(this->Renderer, /*placedOnly=*/surrounded);
+  if (surrounded)
+  {
+    self.Environment = vtkRayTracedRendererState::EnvironmentOf(this->Renderer, self.Environment);
+    view.settings.environmentImage = self.Environment.Image;
+  }
+
+  const bool capture = self.Capture;
+  self.Interactive = window->GetDesiredUpdateRate() >= interactiveRate && !capture;
+  const bool noisy = view.settings.shading != rtg::Shading::Local;
+  rtg::ImageEffort effort;
+  effort.samples = static_cast<std::uint32_t>(wanted.SamplesPerPixel);
+  effort.samplesAtOnce = capture ? 0 : static_cast<std::uint32_t>(wanted.SamplesPerRender);
+  effort.seconds = wanted.StepwiseRendering && !capture ? stepSeconds : 0.0;
+  effort.preview = self.Interactive;
+  // Pixels that need more than one ray are spared more of them, for the camera to answer as fast.
+  effort.pixelStep =
+    static_cast<std::uint32_t>(wanted.InteractiveReduction + (noisy && wanted.InteractiveReduction > 1 ? 1 : 0));
+  effort.exact = !wanted.StepwiseRendering || capture;
+  effort.denoising = static_cast<rtg::Denoising>(wanted.Denoising);
+  effort.features = !self.FeatureFile.empty() && !self.Interactive;
+
+  vtkRayTracedImages::Place place;
+  place.Pass = pass;
+  place.Width = view.settings.width;
+  place.Height = view.settings.height;
+  place.Eye = this->Renderer->GetActiveCamera()->GetLeftEye();
+  window->GetTileViewport(place.Tile.data());
+  vtkRayTracedImages::Entry& entry = self.Images.Get(place);
+
+  if (self.Stopped && entry.Image.GetState() == rtg::ProgressiveImage::State::Growing && entry.Image.View() == view)
+  {
+    effort.samples = std::max(1u, entry.Image.Samples());
+  }
+  // Somebody may not want it any more; and ParaView's progress bar wants to know.
+  vtkRayTracedSignal signal;
+  const auto start = std::chrono::steady_clock::now();
+  bool told = false;
+  const rtg::Interrupt interrupt = [&](double progress)
+  {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    if (passed.count() > quietSeconds)
+    {
+      self.Teller->UpdateProgress(progress);
+      told = true;
+    }
+    return window->CheckAbortStatus() != 0 || signal.Arrived();
+  };
+  if (!self.TellerKnown)
+  {
+    vtkProcessModule* module = vtkProcessModule::GetProcessModule();
+    auto* session = module ? vtkPVSession::SafeDownCast(module->GetActiveSession()) : nullptr;
+    if (session && session->GetProgressHandler())
+    {
+      session->GetProgressHandler()->RegisterProgressEvent(self.Teller, 0);
+    }
+    self.TellerKnown = true;
+  }
+  const rtg::Image* image =
+    self.Images.Update(entry, view, effort, interrupt, [&self](rtg::Scene& scene) { self.Send(scene); });
+  if (told)
+  {
+    self.Teller->UpdateProgress(1.0);
+  }
+  self.Frame.push_back({ &entry, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
+  if (!image)
+  {
+    this->Report(entry.Image.GetFailure().message);
+    return;
+  }
+  self.Reported.clear();
+  if (entry.Uploaded != entry.Image.Version() || !entry.Quad.HasImage())
+  {
+    entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth);
+    entry.Uploaded = entry.Image.Version();
+  }
+  entry.Quad.Draw(this->Renderer, imageActor, nullptr, vtkRayTracedImageQuad::BLEND);
+}
+
+//----------------------------------------------------------------------------
+// How far the frame is: the least of its images, over all ranks. Where nothing was drawn nothing is to be done.
+void vtkRayTracedScene::EndFrame()
+{
+  Internals& self = *this->Self;
+  if (self.Members.empty() || this->Renderer->GetSelector())
+  {
+    return;
+  }
+  double progress = 1.0;
+  double samples = self.Settings.SamplesPerPixel;
+  bool finished = true;
+  for (const Internals::Drawn& drawn : self.Frame)
+  {
+    const rtg::ProgressiveImage& image = drawn.Entry->Image;
+    progress = std::min(progress, image.Progress());
+    samples = std::min(samples, image.GetState() == rtg::ProgressiveImage::State::Failed ? 0.0 : double(image.Samples()));
+    finished &= image.GetState() == rtg::ProgressiveImage::State::Finished;
+  }
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (self.Collective && !self.Interactive && controller && controller->GetNumberOfProcesses() > 1)
+  {
+    const double own[2] = { progress, samples };
+    double least[2];
+    controller->AllReduce(own, least, 2, vtkCommunicator::MIN_OP);
+    progress = least[0];
+    samples = least[1];
+  }
+  self.Progress = self.Stopped ? 1.0 : progress;
+  self.Samples = static_cast<std::uint32_t>(samples);
+
+  if (!self.FeatureFile.empty() && finished && !self.Frame.empty() && self.Images.GetScene())
+  {
+    std::vector<const rtg::Image*> images;
+    for (const Internals::Drawn& drawn : self.Frame)
+    {
+      images.push_back(&drawn.Entry->Image.GetImage());
+    }
+    std::map<rtg::Scene::SetId, vtkRayTracedMapper*> mappers;
+    for (const auto& [mapper, member] : self.Members)
+    {
+      if (member.Shown)
+      {
+        mappers[member.Set] = mapper;
+      }
+    }
+    const std::string problem = vtkRayTracedFeatureImage::Write(
+      self.FeatureFile, images, *self.Images.GetScene(), mappers, self.Frame.front().EyeDepth);
+    self.FeatureFile.clear();
+    if (!problem.empty())
+    {
+      vtkErrorMacro(<< problem);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
+{
+  Internals& self = *this->Self;
+  vtkHardwareSelector* selector = this->Renderer->GetSelector();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  const auto member = self.Members.find(mapper);
+  int viewport[4] = { 0, 0, 0, 0 };
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  if (!window || member == self.Members.end() || !member->second.Shown || viewport[2] < 1 || viewport[3] < 1)
+  {
+    return;
+  }
+  selector->BeginRenderProp();
+  rtg::ImageView view;
+  glm::dmat4 worldToClip;
+  std::vector<const rtg::Image*> images;
+  try
+  {
+    worldToClip = vtkRayTracedRendererState::WorldToClip(this->Renderer);
+    view.camera = vtkRayTracedRendererState::CameraOf(this->Renderer, worldToClip);
+    view.content = self.ContentNumber;
+    view.settings.width = static_cast<std::uint32_t>(viewport[2]);
+    view.settings.height = static_cast<std::uint32_t>(viewport[3]);
+    for (int pass : { opaque, translucent })
+    {
+      if (!self.Wants[pass])
+      {
+        continue;
+      }
+      // The image that is shown knows the ids; without it one ray a pixel finds them.
+      view.pass = static_cast<rtg::Pass>(pass);
+      vtkRayTracedImages::Entry* entry = self.Images.FindSame(view);
+      if (entry)
+      {
+        images.push_back(&entry->Image.GetImage());
+        continue;
+      }
+      vtkRayTracedImages::Entry& own =
+        self.Images.Get({ pass, view.settings.width, view.settings.height, 0, {}, /*OnlyIds=*/true });
+      const rtg::Image* image =
+        self.Images.Update(own, view, rtg::ImageEffort(), {}, [&self](rtg::Scene& scene) { self.Send(scene); });
+      if (image)
+      {
+        images.push_back(image);
+      }
+      else
+      {
+        this->Report(own.Image.GetFailure().message);
+      }
+    }
+  }
+  catch (const rtg::Error&)
+  {
+    images.clear(); // a camera that sees nothing
+  }
+  if (!images.empty() && self.Images.GetScene())
+  {
+    vtkRayTracedIdBuffer buffer;
+    buffer.Fill(images, *self.Images.GetScene(), member->second.Set, worldToClip, mapper, selector);
+    if (selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+    {
+      selector->UpdateMaximumCellId(buffer.LargestId);
+    }
+    else
+    {
+      selector->UpdateMaximumPointId(buffer.LargestId);
+    }
+    self.IdQuad.SetImage(
+      window, view.settings.width, view.settings.height, buffer.Values.data(), buffer.Depths.data());
+    self.IdQuad.Draw(this->Renderer, actor, mapper, vtkRayTracedImageQuad::IDS);
+  }
+  selector->EndRenderProp();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Self->Images.ReleaseGraphicsResources(window);
+  this->Self->IdQuad.ReleaseGraphicsResources(window);
+}
+
+//----------------------------------------------------------------------------
+std::string vtkRayTracedScene::GetDeviceName() const
+{
+  return this->Self->Images.GetDeviceName();
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedScene::GetAccumulatedSamples() const
+{
+  return static_cast<int>(this->Self->Samples);
+}
+
+//----------------------------------------------------------------------------
+double vtkRayTracedScene::GetProgress() const
+{
+  return this->Self->Progress;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper) const
+{
+  const rtg::Statistics s = this->Self->Images.GetStatistics();
+  const nlohmann::ordered_json json = {
+    { "DeviceName", this->GetDeviceName() },
+    { "AccumulatedSamples", this->GetAccumulatedSamples() },
+    { "glyphs", mapper ? mapper->GetNumberOfGlyphs() : 0 },
+    { "skippedGlyphs", mapper ? mapper->GetSkippedGlyphs() : 0 },
+    { "instanceBuilds", mapper ? mapper->GetInstanceBuilds() : 0 },
+    { "structureBuilds", s.structureBuilds },
+    { "topLevelBuilds", s.topLevelBuilds },
+    { "instanceUploads", s.instanceUploads },
+    { "colourUploads", s.colourUploads },
+    { "pipelineBuilds", s.pipelineBuilds },
+    { "dispatches", s.dispatches },
+    { "primaryRays", s.primaryRays },
+    { "deviceBytes", s.deviceBytes },
+    { "sorts", s.sorts },
+    { "sortSeconds", s.sortSeconds },
+    { "buildSeconds", s.buildSeconds },
+    { "uploadSeconds", s.uploadSeconds },
+    { "traceSeconds", s.traceSeconds },
+    { "denoiseSeconds", s.denoiseSeconds },
+  };
+  return json.dump();
+}

@@ -1,0 +1,122 @@
+/**
+ * @class   vtkRayTracedScene
+ * @brief   everything ray-traced in one renderer: what is traced together, and drawn as one image
+ *
+ * A renderer has at most one scene, made when something of it is first shown. Representations add their actors and mappers
+ * and tell the view's settings; an actor of the scene's own draws the image, behind the other actors of the renderer,
+ * because smooth edges are blended with what lies behind them. The actors that were added draw only ids, for a selector.
+ *
+ * At the start of every frame the mappers of visible actors bring instances and colors up to date; what changed is handed
+ * to the kernels when an image needs it. A mapper that is hidden gives its device memory back. Images are kept
+ * (vtkRayTracedImages), and each decides by itself what is to be traced (rtg::ProgressiveImage).
+ */
+#ifndef vtkRayTracedScene_h
+#define vtkRayTracedScene_h
+
+#include "vtkObject.h"
+#include "vtkRayTracedImageSettings.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <memory>
+#include <string>
+
+class vtkActor;
+class vtkInformationObjectBaseKey;
+class vtkRayTracedMapper;
+class vtkRenderer;
+class vtkWindow;
+
+class vtkRayTracedScene : public vtkObject
+{
+public:
+  vtkTypeMacro(vtkRayTracedScene, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The scene of a renderer, which keeps it.
+   */
+  static vtkRayTracedScene* Of(vtkRenderer* renderer);
+
+  ///@{
+  /**
+   * Adds an actor, which the renderer has, with its mapper; or takes the mapper out. Both may be called again.
+   */
+  void Add(vtkActor* actor, vtkRayTracedMapper* mapper);
+  void Remove(vtkRayTracedMapper* mapper);
+  ///@}
+
+  ///@{
+  /**
+   * What holds for the whole view.
+   */
+  void SetSettings(const vtkRayTracedImageSettings& settings);
+  ///@}
+
+  /**
+   * What the next frames are for. `capture`: pictures that ParaView takes without showing them, and only once: each has
+   * all samples. `collective`: all ranks render them together.
+   */
+  void SetFrameKind(bool capture, bool collective);
+
+  /**
+   * The next finished image also leaves a file; see WriteFeatureImage.
+   */
+  void SaveFeatureImage(const std::string& fileName);
+
+  /**
+   * Images that are not finished stay as they are until something else changes them.
+   */
+  void Stop();
+
+  ///@{
+  /**
+   * For the scene's own actor: whether a pass (of rtg::Pass) has something to draw, and drawing it.
+   */
+  bool HasPass(int pass) const;
+  void DrawImage(int pass, vtkActor* imageActor);
+  ///@}
+
+  /**
+   * Draws a number in the place of each of the actor's pixels, 24 bits of it, as the renderer's selector asks for.
+   */
+  void DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  ///@{
+  /**
+   * Information: counters as JSON with those of one mapper (may be null), the device, samples a pixel that all images of the
+   * last frame have, and how far that frame is in [0, 1] (1: another one would change nothing). The last two are the least of
+   * all ranks that rendered the frame together.
+   */
+  std::string GetStatistics(vtkRayTracedMapper* mapper) const;
+  std::string GetDeviceName() const;
+  int GetAccumulatedSamples() const;
+  double GetProgress() const;
+  ///@}
+
+  /// Of a renderer's information: its scene.
+  static vtkInformationObjectBaseKey* SCENE();
+
+protected:
+  vtkRayTracedScene();
+  ~vtkRayTracedScene() override;
+
+private:
+  vtkRayTracedScene(const vtkRayTracedScene&) = delete;
+  void operator=(const vtkRayTracedScene&) = delete;
+  static vtkRayTracedScene* New();
+
+  void StartFrame();
+  void EndFrame();
+  bool UpdateMappers();
+  void Report(const std::string& message);
+
+  vtkWeakPointer<vtkRenderer> Renderer;
+
+  struct Internals;
+  std::unique_ptr<Internals> Self;
+};
+
+#endif

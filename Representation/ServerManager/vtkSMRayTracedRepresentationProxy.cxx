@@ -1,0 +1,265 @@
+#include "vtkSMRayTracedRepresentationProxy.h"
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVSession.h"
+#include "vtkPVXMLElement.h"
+#include "vtkRayTracedRepresentation.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMPropertyIterator.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMTransferFunctionManager.h"
+#include "vtkSMTransferFunctionProxy.h"
+#include "vtkSmartPointer.h"
+
+#include <cstring>
+#include <functional>
+
+vtkStandardNewMacro(vtkSMRayTracedRepresentationProxy);
+
+namespace
+{
+// While one display's value is copied to the others, their changes are not copied on.
+bool sharing = false;
+
+// Values of GlyphTensorColoring that are numbers.
+constexpr int fractionalAnisotropy = 2;
+constexpr int trace = 3;
+
+void ForEachDisplay(vtkSMProxy* view, const std::function<void(vtkSMProxy*)>& visit)
+{
+  vtkSMProperty* displays = view->GetProperty("Representations");
+  vtkSMPropertyHelper helper(displays, /*quiet=*/true);
+  for (unsigned int i = 0; displays && i < helper.GetNumberOfElements(); ++i)
+  {
+    if (vtkSMProxy* display = helper.GetAsProxy(i))
+    {
+      visit(display);
+    }
+  }
+}
+}
+
+//----------------------------------------------------------------------------
+vtkSMRayTracedRepresentationProxy::vtkSMRayTracedRepresentationProxy() = default;
+
+//----------------------------------------------------------------------------
+vtkSMRayTracedRepresentationProxy::~vtkSMRayTracedRepresentationProxy() = default;
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TensorTableName: " << this->TensorTableName << endl;
+}
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMProperty* property)
+{
+  this->CreateVTKObjects();
+  auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
+  const vtkTypeUInt32 everywhere = this->Location;
+  if (everywhere != 0 && local && local->GetRenderedRemotely())
+  {
+    this->Location = vtkPVSession::RENDER_SERVER_ROOT;
+  }
+  this->Superclass::UpdatePropertyInformationInternal(property);
+  this->Location = everywhere;
+}
+
+//----------------------------------------------------------------------------
+// Null while the display is in no view.
+vtkSMProxy* vtkSMRayTracedRepresentationProxy::FindView()
+{
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  for (unsigned int i = 0; display && i < display->GetNumberOfConsumers(); ++i)
+  {
+    vtkSMProxy* consumer = display->GetConsumerProxy(i);
+    if (consumer && consumer->IsA("vtkSMViewProxy"))
+    {
+      return consumer;
+    }
+  }
+  return nullptr;
+}
+
+//----------------------------------------------------------------------------
+// Glyphs and surfaces of one display share their properties: those of one of the two are what users see.
+bool vtkSMRayTracedRepresentationProxy::IsExposed(const char* name)
+{
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  return display && display->GetProperty(name) && display->GetProperty(name) == this->GetProperty(name);
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedRepresentationProxy::HoldsForView(const char* name)
+{
+  vtkSMProperty* property = this->GetProperty(name);
+  vtkPVXMLElement* hints = property ? property->GetHints() : nullptr;
+  return hints && hints->FindNestedElementByName("OfView") && this->IsExposed(name);
+}
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name, int flag)
+{
+  this->Superclass::SetPropertyModifiedFlag(name, flag);
+  if (flag && name && !sharing && this->HoldsForView(name))
+  {
+    this->ShareWithView(name);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedRepresentationProxy::ShareWithView(const char* name)
+{
+  vtkSMProxy* view = this->FindView();
+  if (!view)
+  {
+    return;
+  }
+  sharing = true;
+  ForEachDisplay(view,
+    [this, name](vtkSMProxy* display)
+    {
+      vtkSMProperty* other = display->GetProperty(name);
+      if (other && other != this->GetProperty(name) && display != this->GetTrueParentProxy())
+      {
+        other->Copy(this->GetProperty(name));
+        display->UpdateVTKObjects();
+      }
+    });
+  sharing = false;
+}
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtkSMProxy* consumer)
+{
+  this->Superclass::AddConsumer(property, consumer);
+  if (!consumer || !consumer->IsA("vtkSMViewProxy"))
+  {
+    return;
+  }
+  if (this->ObservedView != consumer)
+  {
+    this->ObservedView = consumer;
+    consumer->AddObserver(vtkCommand::EndEvent, this, &vtkSMRayTracedRepresentationProxy::Rendered);
+  }
+  this->TakeFromView(consumer);
+}
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedRepresentationProxy::TakeFromView(vtkSMProxy* view)
+{
+  vtkSMProxy* own = this->GetTrueParentProxy();
+  vtkSMProxy* example = nullptr;
+  ForEachDisplay(view,
+    [&](vtkSMProxy* display)
+    {
+      if (!example && display != own && display->GetProperty("ShadingMode"))
+      {
+        example = display;
+      }
+    });
+  if (!own || !example || sharing)
+  {
+    return;
+  }
+  sharing = true;
+  bool changed = false;
+  auto properties = vtk::TakeSmartPointer(this->NewPropertyIterator());
+  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+  {
+    const char* name = properties->GetKey();
+    if (this->HoldsForView(name) && example->GetProperty(name))
+    {
+      this->GetProperty(name)->Copy(example->GetProperty(name));
+      changed = true;
+    }
+  }
+  if (changed)
+  {
+    own->UpdateVTKObjects();
+  }
+  sharing = false;
+}
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedRepresentationProxy::Rendered(vtkObject*, unsigned long, void* interactive)
+{
+  auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
+  if (local && local->GetVisibility() && !(interactive && *static_cast<int*>(interactive)))
+  {
+    this->UpdatePropertyInformation();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
+{
+  this->Superclass::ViewUpdated(view);
+  if (this->GetProperty("GlyphTensorLookupTable") && this->IsExposed("GlyphTensorLookupTable"))
+  {
+    this->UpdateTensorTable(view);
+  }
+}
+
+//----------------------------------------------------------------------------
+// The table of a tensor number has a name of its own, so that nothing of the table of an array is left in it.
+void vtkSMRayTracedRepresentationProxy::UpdateTensorTable(vtkSMProxy* view)
+{
+  auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
+  const int coloring = vtkSMPropertyHelper(this, "GlyphTensorColoring").GetAsInt();
+  const int shape = vtkSMPropertyHelper(this, "GlyphShape").GetAsInt();
+  const char* array = vtkSMPropertyHelper(this, "GlyphTensorArray").GetAsString();
+  std::string name;
+  if (local && local->GetVisibility() && shape >= 6 && shape <= 8 && array && array[0] && strcmp(array, "None") != 0)
+  {
+    name = coloring == trace          ? std::string(array) + " Trace"
+      : coloring == fractionalAnisotropy ? std::string(array) + " Fractional Anisotropy"
+                                         : std::string();
+  }
+  vtkNew<vtkSMTransferFunctionManager> tables;
+  vtkSMSessionProxyManager* proxies = this->GetSessionProxyManager();
+  const auto barOf = [&](const std::string& of)
+  { return tables->GetScalarBarRepresentation(tables->GetColorTransferFunction(of.c_str(), proxies), view); };
+  if (name != this->TensorTableName && !this->TensorTableName.empty())
+  {
+    if (vtkSMProxy* bar = barOf(this->TensorTableName))
+    {
+      vtkSMPropertyHelper(bar, "Visibility").Set(0);
+      bar->UpdateVTKObjects();
+    }
+  }
+  const bool fresh = name != this->TensorTableName;
+  this->TensorTableName = name;
+  if (name.empty())
+  {
+    return;
+  }
+  vtkSMProxy* table = tables->GetColorTransferFunction(name.c_str(), proxies);
+  vtkSMProperty* range = this->GetProperty("GlyphTensorRange");
+  this->UpdatePropertyInformation(range);
+  double found[2];
+  vtkSMPropertyHelper(range).Get(found, 2);
+  if (found[0] <= found[1] && (fresh || found[0] != this->TensorRange[0] || found[1] != this->TensorRange[1]))
+  {
+    vtkSMTransferFunctionProxy::RescaleTransferFunction(table, found[0], found[1]);
+    this->TensorRange[0] = found[0];
+    this->TensorRange[1] = found[1];
+  }
+  if (vtkSMPropertyHelper(this, "GlyphTensorLookupTable").GetAsProxy() != table)
+  {
+    vtkSMPropertyHelper(this, "GlyphTensorLookupTable").Set(table);
+    this->UpdateVTKObjects();
+  }
+  if (vtkSMProxy* bar = fresh ? barOf(name) : nullptr)
+  {
+    vtkSMPropertyHelper(bar, "Title").Set(name.c_str());
+    vtkSMPropertyHelper(bar, "ComponentTitle").Set("");
+    vtkSMPropertyHelper(bar, "Enabled").Set(1);
+    vtkSMPropertyHelper(bar, "Visibility").Set(1);
+    bar->UpdateVTKObjects();
+  }
+}

@@ -1,0 +1,55 @@
+/**
+ * @class   vtkSMRayTracedRepresentationProxy
+ * @brief   the client's side of ray-traced glyphs and surfaces
+ *
+ * - Properties with the hint OfView hold for the whole view: a change on one of its displays is a change on all, and a display
+ *   that is added takes the values of those that are there.
+ * - Information properties speak of the process that renders, and are current after each render. ParaView asks the
+ *   client for information about whatever is there too; with remote rendering nothing happens there, and the server's first
+ *   rank is asked.
+ * - Numbers of tensors (GlyphTensorColoring) have a lookup table and a scalar bar of their own.
+ */
+#ifndef vtkSMRayTracedRepresentationProxy_h
+#define vtkSMRayTracedRepresentationProxy_h
+
+#include "vtkRayTracedGlyphsModule.h" // for export macro
+#include "vtkSMRepresentationProxy.h"
+#include "vtkWeakPointer.h"
+
+#include <string>
+
+class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedRepresentationProxy : public vtkSMRepresentationProxy
+{
+public:
+  static vtkSMRayTracedRepresentationProxy* New();
+  vtkTypeMacro(vtkSMRayTracedRepresentationProxy, vtkSMRepresentationProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void ViewUpdated(vtkSMProxy* view) override;
+
+protected:
+  vtkSMRayTracedRepresentationProxy();
+  ~vtkSMRayTracedRepresentationProxy() override;
+
+  void UpdatePropertyInformationInternal(vtkSMProperty* property) override;
+  void SetPropertyModifiedFlag(const char* name, int flag) override;
+  void AddConsumer(vtkSMProperty* property, vtkSMProxy* consumer) override;
+
+private:
+  vtkSMRayTracedRepresentationProxy(const vtkSMRayTracedRepresentationProxy&) = delete;
+  void operator=(const vtkSMRayTracedRepresentationProxy&) = delete;
+
+  vtkSMProxy* FindView();
+  bool IsExposed(const char* name);
+  bool HoldsForView(const char* name);
+  void ShareWithView(const char* name);
+  void TakeFromView(vtkSMProxy* view);
+  void Rendered(vtkObject* view, unsigned long event, void* interactive);
+  void UpdateTensorTable(vtkSMProxy* view);
+
+  vtkWeakPointer<vtkSMProxy> ObservedView;
+  std::string TensorTableName; // of the table and scalar bar that are in use; empty: none
+  double TensorRange[2] = { 1.0, -1.0 };
+};
+
+#endif
