@@ -132,7 +132,9 @@ const Image* ProgressiveImage::Update(
       this->Restart(request);
     }
     else if (!effort.preview &&
-      (cannotGrow || otherNumber || (lacksFeatures && (effort.features || this->samples_ < effort.samples))))
+      (cannotGrow || otherNumber ||
+        (lacksFeatures &&
+          (effort.features || effort.denoising == Denoising::Always || this->samples_ < effort.samples))))
     {
       this->Restart(request);
     }

@@ -25,7 +25,8 @@ using Usage = vk::BufferUsageFlagBits;
 
 constexpr std::uint32_t tileSize = 8;
 constexpr std::uint32_t lanesPerTile = tileSize * tileSize;
-constexpr std::uint32_t tilesPerRow = 1024; ///< of a launch
+constexpr std::uint32_t tilesPerRow = 1024;              ///< of a launch
+constexpr std::uint32_t mostTiles = 16 * tilesPerRow; ///< of a launch: 29 MB of ray records
 /// Seconds that a launch of an interruptible trace is to take: whoever waits for it to stop waits so long.
 constexpr double launchSeconds = 0.04;
 
@@ -122,7 +123,6 @@ void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene, 
 {
   Device::State& vulkan = this->device->GetState();
   frame.launchWidth = width;
-  Fit(this->rays, vulkan, std::size_t(width) * height * sizeof(device::RayRecord));
   frame.rays = this->rays.Address();
   frame.topLevel = scene.topLevel.Address();
   frame.onlySet = scene.records.front();
@@ -308,6 +308,9 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.frame.tileColumns = DivideUp(columns, tileSize);
   begun.frame.tileCount = begun.frame.tileColumns * DivideUp(rows, tileSize);
   begun.frame.tileStride = TileStride(begun.frame.tileCount);
+  const std::uint32_t largest = std::min(mostTiles, begun.frame.tileCount);
+  const std::uint32_t launched = DivideUp(largest, tilesPerRow) * std::min(largest, tilesPerRow);
+  Fit(this->rays, this->device->GetState(), std::size_t(launched) * lanesPerTile * sizeof(device::RayRecord));
 }
 
 // Tiles of the next launch. What can be interrupted is launched in parts of some hundredths of a second, as far as the
@@ -317,7 +320,8 @@ std::uint32_t Tracer::State::TilesAtOnce(
 {
   const Device::State& vulkan = this->device->GetState();
   const std::uint32_t left = job.frame.tileCount - job.frame.firstTile;
-  const std::uint32_t limit = std::max(1u, vulkan.pipelineLimits.maxRayDispatchInvocationCount / lanesPerTile);
+  const std::uint32_t limit =
+    std::max(1u, std::min(mostTiles, vulkan.pipelineLimits.maxRayDispatchInvocationCount / lanesPerTile));
   std::uint32_t most = std::min(left, limit > tilesPerRow ? limit - limit % tilesPerRow : limit);
   if (!interruptible)
   {
@@ -532,6 +536,7 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       probing.alone = glyphs.records.size() == 1;
       probing.moves = glyphs.moves;
       constexpr std::uint32_t rowLength = 1024;
+      Fit(state.rays, vulkan, (records.size() + rowLength) * sizeof(device::RayRecord));
       state.Launch(*state.shared->ProgramFor(probing, glyphs.groups).pipeline, glyphs, frame, rowLength,
         DivideUp(frame.probeCount, rowLength));
 

@@ -334,11 +334,11 @@ void vtkRayTracedRepresentation::ConfigureColors(vtkPolyData* points)
 }
 
 //----------------------------------------------------------------------------
-// Null until something of this representation was rendered.
+// Null until something ray-traced was rendered in the view.
 vtkRayTracedScene* vtkRayTracedRepresentation::GetScene()
 {
   vtkPVRenderView* view = this->GetRenderView();
-  return view && this->Mapper ? vtkRayTracedScene::Of(view->GetRenderer()) : nullptr;
+  return view ? vtkRayTracedScene::Find(view->GetRenderer()) : nullptr;
 }
 
 //----------------------------------------------------------------------------

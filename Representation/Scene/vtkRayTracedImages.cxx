@@ -27,7 +27,15 @@ public:
     if (!this->Images.Device || this->Images.Device->Lost())
     {
       this->Images.DropScene();
-      this->Images.Resources.reset();
+      if (this->Images.Resources)
+      {
+        this->Images.Past += rtg::StatisticsOf(*this->Images.Resources);
+        this->Images.Resources.reset();
+      }
+      for (auto& [place, entry] : this->Images.Entries)
+      {
+        entry->Tracer.reset();
+      }
       this->Images.Device.reset();
       this->Images.Device = rtg::Device::Shared();
     }
@@ -149,15 +157,10 @@ void vtkRayTracedImages::DropScene()
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedImages::DropAll()
+void vtkRayTracedImages::DropImages()
 {
   this->DropScene();
   this->Entries.clear();
-  if (this->Resources)
-  {
-    this->Past += rtg::StatisticsOf(*this->Resources);
-    this->Resources.reset();
-  }
 }
 
 //----------------------------------------------------------------------------

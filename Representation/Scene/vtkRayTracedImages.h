@@ -63,10 +63,10 @@ public:
 
   ///@{
   /**
-   * Gives device memory back; counters stay. The number of the scene grows with each new one, whose sets are empty.
+   * Give device memory back: the scene's, or the images', too. Counters and compiled programs stay. The number of the scene grows with each new one, whose sets are empty.
    */
   void DropScene();
-  void DropAll();
+  void DropImages();
   std::uint64_t GetSceneNumber() const { return this->SceneNumber; }
   rtg::Scene* GetScene() { return this->Scene.get(); }
   ///@}

@@ -74,6 +74,7 @@ struct vtkRayTracedScene::Internals
   // A mapper's glyph set, and what of it the kernels have.
   struct Member
   {
+    vtkRayTracedMapper* Mapper = nullptr; // takes itself out before it goes
     vtkWeakPointer<vtkActor> Actor;
     std::uint64_t Scene = 0; // number of the kernels' scene that has the set; 0: none
     rtg::Scene::SetId Set = 0;
@@ -85,7 +86,8 @@ struct vtkRayTracedScene::Internals
   };
 
   vtkNew<vtkRayTracedImageActor> Actor;
-  std::map<vtkRayTracedMapper*, Member> Members;
+  std::vector<Member> Members; // in the order in which they were added
+  Member* Find(const vtkRayTracedMapper* mapper);
   vtkRayTracedImageSettings Settings;
   bool Capture = false, Collective = false, Stopped = false;
   std::string FeatureFile;
@@ -122,6 +124,14 @@ struct vtkRayTracedScene::Internals
 };
 
 //----------------------------------------------------------------------------
+vtkRayTracedScene::Internals::Member* vtkRayTracedScene::Internals::Find(const vtkRayTracedMapper* mapper)
+{
+  const auto found = std::find_if(
+    this->Members.begin(), this->Members.end(), [mapper](const Member& member) { return member.Mapper == mapper; });
+  return found == this->Members.end() ? nullptr : &*found;
+}
+
+//----------------------------------------------------------------------------
 vtkRayTracedScene::vtkRayTracedScene()
   : Self(std::make_unique<Internals>())
 {
@@ -132,9 +142,9 @@ vtkRayTracedScene::vtkRayTracedScene()
 //----------------------------------------------------------------------------
 vtkRayTracedScene::~vtkRayTracedScene()
 {
-  for (const auto& member : this->Self->Members)
+  for (const Internals::Member& member : this->Self->Members)
   {
-    member.first->SetScene(nullptr);
+    member.Mapper->SetScene(nullptr);
   }
 }
 
@@ -149,13 +159,12 @@ void vtkRayTracedScene::PrintSelf(ostream& os, vtkIndent indent)
 //----------------------------------------------------------------------------
 vtkRayTracedScene* vtkRayTracedScene::Of(vtkRenderer* renderer)
 {
-  vtkInformation* information = renderer->GetInformation();
-  auto* scene = vtkRayTracedScene::SafeDownCast(information->Get(SCENE()));
+  vtkRayTracedScene* scene = Find(renderer);
   if (!scene)
   {
     auto made = vtkSmartPointer<vtkRayTracedScene>::Take(vtkRayTracedScene::New());
     scene = made;
-    information->Set(SCENE(), scene);
+    renderer->GetInformation()->Set(SCENE(), scene);
     scene->Renderer = renderer;
     renderer->AddObserver(vtkCommand::StartEvent, scene, &vtkRayTracedScene::StartFrame);
     renderer->AddObserver(vtkCommand::EndEvent, scene, &vtkRayTracedScene::EndFrame);
@@ -164,10 +173,21 @@ vtkRayTracedScene* vtkRayTracedScene::Of(vtkRenderer* renderer)
 }
 
 //----------------------------------------------------------------------------
+vtkRayTracedScene* vtkRayTracedScene::Find(vtkRenderer* renderer)
+{
+  return vtkRayTracedScene::SafeDownCast(renderer->GetInformation()->Get(SCENE()));
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedScene::Add(vtkActor* actor, vtkRayTracedMapper* mapper)
 {
-  Internals::Member& member = this->Self->Members[mapper];
-  member.Actor = actor;
+  Internals::Member* member = this->Self->Find(mapper);
+  if (!member)
+  {
+    member = &this->Self->Members.emplace_back();
+    member->Mapper = mapper;
+  }
+  member->Actor = actor;
   mapper->SetScene(this);
   if (this->Renderer && !this->Renderer->HasViewProp(this->Self->Actor))
   {
@@ -179,22 +199,20 @@ void vtkRayTracedScene::Add(vtkActor* actor, vtkRayTracedMapper* mapper)
 void vtkRayTracedScene::Remove(vtkRayTracedMapper* mapper)
 {
   Internals& self = *this->Self;
-  const auto found = self.Members.find(mapper);
-  if (found == self.Members.end())
+  Internals::Member* found = self.Find(mapper);
+  if (!found)
   {
     return;
   }
-  if (rtg::Scene* scene = self.Images.GetScene())
+  rtg::Scene* scene = self.Images.GetScene();
+  if (scene && found->Scene == self.Images.GetSceneNumber())
   {
-    if (found->second.Scene == self.Images.GetSceneNumber())
-    {
-      scene->Remove(found->second.Set);
-    }
+    scene->Remove(found->Set);
   }
-  self.Members.erase(found);
+  self.Members.erase(self.Members.begin() + (found - self.Members.data()));
   if (self.Members.empty())
   {
-    self.Images.DropAll();
+    self.Images.DropImages();
     self.Wants[opaque] = self.Wants[translucent] = false;
     if (this->Renderer)
     {
@@ -261,8 +279,8 @@ void vtkRayTracedScene::StartFrame()
   }
   if (!this->UpdateMappers())
   {
-    // Nothing is shown: device memory goes back.
-    self.Images.DropAll();
+    // Nothing is shown: device memory goes back, but for compiled programs.
+    self.Images.DropImages();
   }
   vtkRenderPass* pass = this->Renderer->GetPass();
   const bool other = pass && pass->IsA("vtkOSPRayPass");
@@ -280,8 +298,9 @@ bool vtkRayTracedScene::UpdateMappers()
 {
   Internals& self = *this->Self;
   std::vector<std::array<std::uint64_t, 3>> content;
-  for (auto& [mapper, member] : self.Members)
+  for (Internals::Member& member : self.Members)
   {
+    vtkRayTracedMapper* mapper = member.Mapper;
     member.Shown = false;
     vtkActor* actor = member.Actor;
     if (!actor || !actor->GetVisibility())
@@ -327,8 +346,9 @@ bool vtkRayTracedScene::UpdateMappers()
 // What has changed since the kernels last had it.
 void vtkRayTracedScene::Internals::Send(rtg::Scene& scene)
 {
-  for (auto& [mapper, member] : this->Members)
+  for (Member& member : this->Members)
   {
+    vtkRayTracedMapper* mapper = member.Mapper;
     const bool known = member.Scene == this->Images.GetSceneNumber();
     if (!member.Shown)
     {
@@ -525,11 +545,11 @@ void vtkRayTracedScene::EndFrame()
       images.push_back(&drawn.Entry->Image.GetImage());
     }
     std::map<rtg::Scene::SetId, vtkRayTracedMapper*> mappers;
-    for (const auto& [mapper, member] : self.Members)
+    for (const Internals::Member& member : self.Members)
     {
       if (member.Shown)
       {
-        mappers[member.Set] = mapper;
+        mappers[member.Set] = member.Mapper;
       }
     }
     const std::string problem = vtkRayTracedFeatureImage::Write(
@@ -548,10 +568,10 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
   Internals& self = *this->Self;
   vtkHardwareSelector* selector = this->Renderer->GetSelector();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
-  const auto member = self.Members.find(mapper);
+  const Internals::Member* member = self.Find(mapper);
   int viewport[4] = { 0, 0, 0, 0 };
   glGetIntegerv(GL_VIEWPORT, viewport);
-  if (!window || member == self.Members.end() || !member->second.Shown || viewport[2] < 1 || viewport[3] < 1)
+  if (!window || !member || !member->Shown || viewport[2] < 1 || viewport[3] < 1)
   {
     return;
   }
@@ -601,7 +621,7 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
   if (!images.empty() && self.Images.GetScene())
   {
     vtkRayTracedIdBuffer buffer;
-    buffer.Fill(images, *self.Images.GetScene(), member->second.Set, worldToClip, mapper, selector);
+    buffer.Fill(images, *self.Images.GetScene(), member->Set, worldToClip, mapper, selector);
     if (selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_CELLS)
     {
       selector->UpdateMaximumCellId(buffer.LargestId);

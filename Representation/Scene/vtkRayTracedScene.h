@@ -33,10 +33,13 @@ public:
   vtkTypeMacro(vtkRayTracedScene, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /**
-   * The scene of a renderer, which keeps it.
+   * The scene of a renderer, which keeps it. Find() makes none.
    */
   static vtkRayTracedScene* Of(vtkRenderer* renderer);
+  static vtkRayTracedScene* Find(vtkRenderer* renderer);
+  ///@}
 
   ///@{
   /**

@@ -188,8 +188,10 @@ void vtkSMRayTracedRepresentationProxy::TakeFromView(vtkSMProxy* view)
 //----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::Rendered(vtkObject*, unsigned long, void* interactive)
 {
-  auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
-  if (local && local->GetVisibility() && !(interactive && *static_cast<int*>(interactive)))
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  const bool turning = interactive && *static_cast<int*>(interactive);
+  if (!turning && this->IsExposed("RenderStatistics") && vtkSMPropertyHelper(display, "Visibility").GetAsInt() &&
+    strncmp(vtkSMPropertyHelper(display, "Representation").GetAsString(), "Ray Traced", 10) == 0)
   {
     this->UpdatePropertyInformation();
   }

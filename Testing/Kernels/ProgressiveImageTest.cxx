@@ -474,6 +474,20 @@ TEST_F(ProgressiveImageTest, GrowingImagesAreDenoisedAndFinishedOnesNotUnlessAlw
   EXPECT_EQ(this->image.GetState(), State::Finished);
 }
 
+TEST_F(ProgressiveImageTest, AFinishedImageIsTracedAnewForTheDenoiser)
+{
+  ImageEffort effort = Script(4);
+  this->Update(effort);
+  effort.denoising = Denoising::WhileGrowing;
+  this->Update(effort);
+  EXPECT_EQ(this->source.traces, 1);
+  effort.denoising = Denoising::Always;
+  this->Update(effort);
+  EXPECT_EQ(this->image.GetImage().colour[0], 4u);
+  this->Update(effort);
+  EXPECT_EQ(this->source.traces, 2);
+}
+
 TEST_F(ProgressiveImageTest, LocalLightHasNoNoiseToTakeAway)
 {
   this->view = View(rtg::Shading::Local);

@@ -44,6 +44,7 @@ def check(failures, what, seen, expected, tolerance=0.0):
 
 def main():
     session.load()
+    import raytracedglyphs  # comes with the plugin
     failures = []
     view = session.view(WIDTH, HEIGHT)
     balls = session.source(session.poly_data(CENTRES, rgb=numpy.array(COLOURS, dtype=numpy.uint8)))
@@ -63,8 +64,7 @@ def main():
     session.capture(view, "features-off")
     if os.path.exists(path):
         failures.append("a file was written without being asked for")
-    shown.FeatureImageFile = path
-    session.capture(view, "features")
+    raytracedglyphs.SaveFeatureImage(path, view)
     if not os.path.exists(path):
         failures.append("no file was written")
         session.finish(failures)
@@ -91,7 +91,7 @@ def main():
     # The normal half-way to the left ball's side.
     aside = (row, column(-2.5))
     check(failures, "normal aside", seen["Normal"][aside], (0.5, 0, 0.75 ** 0.5), 0.06)
-    covered = seen["Colour"][..., 3].sum() / 255.0 * STEP * STEP
+    covered = seen["Color"][..., 3].sum() / 255.0 * STEP * STEP
     check(failures, "covered area", covered, 2 * numpy.pi + 4.0, 0.2)
 
     # Through light from all around and a translucent ball in a pass of its own, and after the camera has moved.
@@ -100,14 +100,17 @@ def main():
     session.look(view, (0.0, 0.0, DISTANCE + 1.0), parallel_scale=0.5 * HEIGHT * STEP)
     os.remove(path)
     session.capture(view, "features-occlusion")
+    if os.path.exists(path):
+        failures.append("a file was written a second time")
+    raytracedglyphs.SaveFeatureImage(path, view)
     seen = read(path)
     check(failures, "view depth after moving", seen["ViewDepth"][middle], DISTANCE - 1.0, 0.01)
     check(failures, "translucent wall", seen["Representation"][right], 1)
-    check(failures, "its opacity", seen["Colour"][right][3], 128, 2)
+    check(failures, "its opacity", seen["Color"][right][3], 128, 2)
 
-    shown.FeatureImageFile = os.path.join(session.output("no such folder"), "features.vti")
-    text = session.messages(lambda: session.capture(view, "features-unwritable"))
-    for word in ("no such folder", "FeatureImageFile", "folder that exists"):
+    unwritable = os.path.join(session.output("no such folder"), "features.vti")
+    text = session.messages(lambda: raytracedglyphs.SaveFeatureImage(unwritable, view))
+    for word in ("no such folder", "feature image", "folder that exists"):
         if word not in text:
             failures.append("the message does not speak of '%s': %s" % (word, text.strip()))
     session.finish(failures)

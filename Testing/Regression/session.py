@@ -134,12 +134,18 @@ def look(at_view, position, focal_point=(0.0, 0.0, 0.0), up=(0.0, 1.0, 0.0), par
         at_view.CameraParallelScale = parallel_scale
 
 
-def glyphs(of_source, in_view, shape="Sphere", samples=1, **properties):
-    """Shows a source as ray-traced glyphs; properties as in the property reference."""
+def glyphs(of_source, in_view, shape="Sphere", samples=None, **properties):
+    """Shows a source as ray-traced glyphs; properties as in the property reference.
+
+    samples: SamplesPerPixel of the view; None: 1 for the first display of a view, and what holds there for others.
+    """
+    if samples is None and len(in_view.Representations) == 0:
+        samples = 1
     shown = pv.Show(of_source, in_view)
     shown.SetRepresentationType(REPRESENTATION)
     shown.GlyphShape = shape
-    shown.SamplesPerPixel = samples
+    if samples is not None:
+        shown.SamplesPerPixel = samples
     for name, value in properties.items():
         setattr(shown, name, value)
     return shown

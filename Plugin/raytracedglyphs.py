@@ -1,0 +1,49 @@
+"""Python calls of the RayTracedGlyphs plugin. Load the plugin first: paraview.simple.LoadPlugin(...).
+
+Displays are what paraview.simple.Show() returns, shown as 'Ray Traced Glyphs' or 'Ray Traced Surface'.
+"""
+import paraview.simple as pv
+
+TYPES = ("Ray Traced Glyphs", "Ray Traced Surface")
+
+
+def Displays(view=None):
+    """The visible ray-traced displays of a view (default: the active one)."""
+    view = view or pv.GetActiveView()
+    return [display for display in view.Representations
+            if display.GetProperty("Representation") is not None and display.Representation in TYPES and display.Visibility]
+
+
+def _AnyDisplay(view):
+    displays = Displays(view)
+    if not displays:
+        raise RuntimeError("The view shows nothing as 'Ray Traced Glyphs' or 'Ray Traced Surface'; choose one of them as the "
+                           "Representation of a display.")
+    return displays[0]
+
+
+def SaveFeatureImage(fileName, view=None):
+    """Renders the view and leaves in a file what its ray-traced image shows besides colors, with all samples.
+
+    fileName: path of XML image data (.vti), written by the process that renders; of several ranks each writes its own, with
+    -RANK before the extension. The data have one point a pixel, the lower left one first. Point arrays: Color (RGBA),
+    WindowDepth, ViewDepth (world units), Normal (unit, world frame), Albedo (color without light), all means over the samples
+    that hit and 0 where nothing was hit (WindowDepth: 1); Representation (number of the view's ray-traced display),
+    OriginalId (its input's point, or a surface's cell; -1: nothing was hit) and CompositeIndex (its block), of the pixel's
+    center; SampleCount.
+    """
+    display = _AnyDisplay(view).SMProxy
+    asked = display.GetProperty("FeatureImageFile")
+    asked.SetElement(0, fileName)
+    display.UpdateProperty("FeatureImageFile", True)
+    view = view or pv.GetActiveView()
+    progress = display.GetProperty("RefinementPending")
+    pv.Render(view)
+    while progress.GetElement(0):
+        pv.Render(view)
+    asked.SetElement(0, "")
+
+
+def StopRefinement(view=None):
+    """Leaves the view's image as it is, though it has not all samples, until something else changes it."""
+    _AnyDisplay(view).SMProxy.InvokeCommand("StopRefinement")
