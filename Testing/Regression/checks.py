@@ -55,9 +55,9 @@ class Checks:
     def one_message(self, what, text, *words):
         """ParaView has given exactly one message, which contains the words."""
         count = number_of_messages(text)
+        missing = [word for word in words if word.lower() not in text.lower()]
         self.true("%s: %d messages, not 1: %s" % (what, count, text.strip()), count == 1)
-        for word in words:
-            self.true("%s: the message does not contain '%s': %s" % (what, word, text.strip()), word.lower() in text.lower())
+        self.true("%s: the message does not contain %s: %s" % (what, missing, text.strip()), count == 0 or not missing)
 
     def report(self):
         """Prints what has failed and ends the process: 0 when nothing has."""
