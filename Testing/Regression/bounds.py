@@ -49,7 +49,8 @@ def check(checks, name, array, **properties):
     half = numpy.abs(bounds).max(axis=1)
     # The axes grid adds a little for its own.
     checks.true("%s: bounds reach to %s, glyphs to %s" % (name, numpy.round(half, 3), TIGHT), (half >= 0.999 * TIGHT).all())
-    checks.true("%s: bounds reach to %s, glyphs that may be turned to %s" % (name, numpy.round(half, 3), LOOSE), (half <= 1.2 * LOOSE).all())
+    checks.true("%s: bounds reach to %s, glyphs that may be turned to %s" % (name, numpy.round(half, 3), LOOSE),
+                (half <= 1.2 * LOOSE).all())
     view.AxesGrid.Visibility = 0
     checks.covered(name, session.capture(view, "bounds-" + name.replace(" ", "-")), 0.03)
     pv.Delete(view)

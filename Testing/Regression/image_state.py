@@ -107,8 +107,9 @@ def other_samples(checks):
         checks.true("%s, 32 samples raised to 64: nothing is pending" % mode, pending(shown))
         pv.Render(view)
         checks.within("%s, 32 samples raised to 64: samples of the next render" % mode, (rays(shown) - before) / PIXELS, 1, 2)
-        while information(shown, "AccumulatedSamples") < 34:
-            pv.Render(view)
+        for _ in range(34):
+            if information(shown, "AccumulatedSamples") < 34:
+                pv.Render(view)
         before = rays(shown)
         shown.SamplesPerPixel = 30
         pv.Render(view)

@@ -59,8 +59,8 @@ def main():
                     hit = view.SMProxy.ConvertDisplayToPointOnSurface(pixel_of(view, seen), place, normal, False)
                     print(what, hit, numpy.round(place, 4))
                     checks.true(what + ": no surface is found", hit)
-                    checks.true("%s: %s is %.3f from the glyph's surface" % (what, numpy.round(place, 3), distance(shape, center, place)),
-                                distance(shape, center, place) <= 0.01 * SIZE)
+                    off = distance(shape, center, place)
+                    checks.true("%s: %s is %.3f from the glyph's surface" % (what, numpy.round(place, 3), off), off <= 0.01 * SIZE)
                     checks.true("%s: %s is not under the pixel" % (what, numpy.round(place, 3)),
                                 numpy.abs(numpy.array(place) - seen)[:2].max() <= 0.05)
                 pv.Delete(shown)

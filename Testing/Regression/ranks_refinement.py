@@ -3,7 +3,6 @@
 Usage: mpiexec -n RANKS pvbatch ranks_refinement.py
 On one rank the pictures are stored; on several they are compared with the stored ones.
 """
-import numpy
 import paraview.simple as pv
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -15,7 +14,6 @@ RANKS = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
 #: Script of a source whose points, random ones with vectors of very different lengths, all lie on the last rank; or half of
 #: them on each of two.
 POINTS = """
-import numpy
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 controller = vtkMultiProcessController.GetGlobalController()
 rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()

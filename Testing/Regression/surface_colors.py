@@ -45,13 +45,15 @@ def interpolation(checks):
         for kind in ("Surface", SURFACE):
             shown.SetRepresentationType(kind)
             pv.Render(view)
-            pictures[kind, case] = session.capture(view, "surface-colors-%s-%s" % (kind.split()[0].lower(), str(case).replace(", ", "-").replace(" ", "-")))
+            name = "surface-colors-%s-%s" % (kind.split()[0].lower(), str(case).replace(", ", "-").replace(" ", "-"))
+            pictures[kind, case] = session.capture(view, name)
         ours, theirs = pictures[SURFACE, case], pictures["Surface", case]
         both = comparison.covered(ours) & comparison.covered(theirs)
         apart = numpy.abs(ours.astype(int) - theirs.astype(int)).max(axis=2)[both]
         share = float((apart > comparison.LEVELS).mean())
-        print("InterpolateScalarsBeforeMapping %s: %.2f%% of the covered pixels differ, at most by %d" % (case, 100 * share, apart.max()))
-        checks.true("InterpolateScalarsBeforeMapping %s: %.2f%% of the covered pixels differ" % (case, 100 * share), share <= 0.01)
+        what = "InterpolateScalarsBeforeMapping %s: %.2f%% of the covered pixels differ, at most by %d" % (case, 100 * share, apart.max())
+        print(what)
+        checks.true(what, share <= 0.01)
     checks.true("InterpolateScalarsBeforeMapping changes nothing in ParaView's own surface",
                 comparison.difference(pictures["Surface", 1], pictures["Surface", 0])[0] > 0.01)
     pv.Delete(view)

@@ -6,7 +6,6 @@ Usage: pvpython view_settings.py
 import paraview.simple as pv
 from paraview import smtrace
 
-import comparison
 import session
 from checks import Checks, cloud
 from state_and_trace import traced
