@@ -1,5 +1,10 @@
-// A Vulkan layer for tests that loses the device: while the file that RTGLYPHS_FAULT names exists, vkQueueSubmit
-// removes it and answers VK_ERROR_DEVICE_LOST. A file that says "always" stays.
+// A Vulkan layer for tests that makes calls fail, as the file says that RTGLYPHS_FAULT names:
+//   once                      the next vkQueueSubmit answers VK_ERROR_DEVICE_LOST, and the file is removed
+//   always                    each vkQueueSubmit does so, while the file is there
+//   FUNCTION N                the Nth call of FUNCTION from now on fails, and the file is removed
+//   FUNCTION N always         that call and all further ones fail, while the file is there
+// FUNCTION is vkQueueSubmit, which loses the device, or vkAllocateMemory, vkCreateBuffer or
+// vkCreateAccelerationStructureKHR, which answer VK_ERROR_OUT_OF_DEVICE_MEMORY.
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -9,7 +14,9 @@
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <sstream>
 #include <string>
+#include <type_traits>
 
 namespace
 {
@@ -21,6 +28,9 @@ struct Next
 {
   PFN_vkGetDeviceProcAddr procAddr = nullptr;
   PFN_vkQueueSubmit queueSubmit = nullptr;
+  PFN_vkAllocateMemory allocateMemory = nullptr;
+  PFN_vkCreateBuffer createBuffer = nullptr;
+  PFN_vkCreateAccelerationStructureKHR createAccelerationStructure = nullptr;
 };
 std::map<void*, Next>
   devices; // by the loader's dispatch table, which a device and its queues share
@@ -30,20 +40,49 @@ void* Key(void* handle)
   return *static_cast<void**>(handle);
 }
 
-bool Due()
+Next NextOf(void* handle)
 {
+  const std::lock_guard<std::mutex> lock(mutex);
+  return devices.at(Key(handle));
+}
+
+// Whether this call of a function is to fail.
+bool Due(const std::string& function)
+{
+  static std::string counted; // what the file said when the calls below were counted
+  static long calls = 0;
+
+  const std::lock_guard<std::mutex> lock(mutex);
   const char* path = std::getenv("RTGLYPHS_FAULT");
   std::ifstream file(path ? path : "");
-  if (!file)
+  std::string order;
+  if (!file || !std::getline(file, order))
+  {
+    counted.clear();
+    return false;
+  }
+  if (order != counted)
+  {
+    counted = order;
+    calls = 0;
+  }
+
+  std::istringstream words(order == "once" ? "vkQueueSubmit 1"
+      : order == "always"                  ? "vkQueueSubmit 1 always"
+                                           : order);
+  std::string name, how;
+  long number = 1;
+  words >> name >> number >> how;
+  if (name != function || ++calls < number)
   {
     return false;
   }
-  std::string word;
-  file >> word;
-  if (word != "always")
+  if (how != "always")
   {
+    counted.clear();
     std::remove(path);
   }
+  std::fprintf(stderr, "FaultLayer: %s fails\n", function.c_str());
   return true;
 }
 
@@ -91,7 +130,13 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice physical,
   const VkResult result = create(physical, info, allocator, device);
   if (result == VK_SUCCESS)
   {
-    next.queueSubmit = reinterpret_cast<PFN_vkQueueSubmit>(next.procAddr(*device, "vkQueueSubmit"));
+    const auto find = [&next, device](auto& function, const char* name) {
+      function = reinterpret_cast<std::decay_t<decltype(function)>>(next.procAddr(*device, name));
+    };
+    find(next.queueSubmit, "vkQueueSubmit");
+    find(next.allocateMemory, "vkAllocateMemory");
+    find(next.createBuffer, "vkCreateBuffer");
+    find(next.createAccelerationStructure, "vkCreateAccelerationStructureKHR");
     const std::lock_guard<std::mutex> lock(mutex);
     devices[Key(*device)] = next;
     std::fprintf(stderr, "FaultLayer: device made\n");
@@ -102,24 +147,51 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice physical,
 VKAPI_ATTR VkResult VKAPI_CALL QueueSubmit(
   VkQueue queue, std::uint32_t count, const VkSubmitInfo* submits, VkFence fence)
 {
-  if (Due())
-  {
-    std::fprintf(stderr, "FaultLayer: device lost\n");
-    return VK_ERROR_DEVICE_LOST;
-  }
-  PFN_vkQueueSubmit next;
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    next = devices.at(Key(queue)).queueSubmit;
-  }
-  return next(queue, count, submits, fence);
+  return Due("vkQueueSubmit") ? VK_ERROR_DEVICE_LOST
+                              : NextOf(queue).queueSubmit(queue, count, submits, fence);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL AllocateMemory(VkDevice device, const VkMemoryAllocateInfo* info,
+  const VkAllocationCallbacks* allocator, VkDeviceMemory* memory)
+{
+  return Due("vkAllocateMemory") ? VK_ERROR_OUT_OF_DEVICE_MEMORY
+                                 : NextOf(device).allocateMemory(device, info, allocator, memory);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL CreateBuffer(VkDevice device, const VkBufferCreateInfo* info,
+  const VkAllocationCallbacks* allocator, VkBuffer* buffer)
+{
+  return Due("vkCreateBuffer") ? VK_ERROR_OUT_OF_DEVICE_MEMORY
+                               : NextOf(device).createBuffer(device, info, allocator, buffer);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL CreateAccelerationStructure(VkDevice device,
+  const VkAccelerationStructureCreateInfoKHR* info, const VkAllocationCallbacks* allocator,
+  VkAccelerationStructureKHR* structure)
+{
+  return Due("vkCreateAccelerationStructureKHR")
+    ? VK_ERROR_OUT_OF_DEVICE_MEMORY
+    : NextOf(device).createAccelerationStructure(device, info, allocator, structure);
+}
+
+PFN_vkVoidFunction OwnDeviceFunction(const std::string& name)
+{
+  static const std::map<std::string, PFN_vkVoidFunction> own{
+    { "vkQueueSubmit", reinterpret_cast<PFN_vkVoidFunction>(QueueSubmit) },
+    { "vkAllocateMemory", reinterpret_cast<PFN_vkVoidFunction>(AllocateMemory) },
+    { "vkCreateBuffer", reinterpret_cast<PFN_vkVoidFunction>(CreateBuffer) },
+    { "vkCreateAccelerationStructureKHR",
+      reinterpret_cast<PFN_vkVoidFunction>(CreateAccelerationStructure) },
+  };
+  const auto found = own.find(name);
+  return found == own.end() ? nullptr : found->second;
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetDeviceProcAddr(VkDevice device, const char* name)
 {
-  if (!std::strcmp(name, "vkQueueSubmit"))
+  if (PFN_vkVoidFunction own = OwnDeviceFunction(name))
   {
-    return reinterpret_cast<PFN_vkVoidFunction>(QueueSubmit);
+    return own;
   }
   if (!std::strcmp(name, "vkGetDeviceProcAddr"))
   {
@@ -135,13 +207,16 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetInstanceProcAddr(VkInstance instance
     { "vkGetInstanceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(GetInstanceProcAddr) },
     { "vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(GetDeviceProcAddr) },
     { "vkCreateInstance", reinterpret_cast<PFN_vkVoidFunction>(CreateInstance) },
-    { "vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(CreateDevice) },
-    { "vkQueueSubmit", reinterpret_cast<PFN_vkVoidFunction>(QueueSubmit) }
+    { "vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(CreateDevice) }
   };
   const auto found = own.find(name);
   if (found != own.end())
   {
     return found->second;
+  }
+  if (PFN_vkVoidFunction function = OwnDeviceFunction(name))
+  {
+    return function;
   }
   return nextInstanceProcAddr ? nextInstanceProcAddr(instance, name) : nullptr;
 }

@@ -1,0 +1,133 @@
+"""A growing image: screenshots in between, glyphs out of sight, two passes, other numbers of samples.
+
+Usage: pvpython image_state.py
+"""
+import paraview.simple as pv
+
+import accumulation
+import session
+from checks import Checks, cloud, information, pending, refine, stepwise
+
+SIZE = (120, 90)
+PIXELS = SIZE[0] * SIZE[1]
+
+
+def balls(mode, samples, step=0, **properties):
+    """(view, representation): balls whose image grows from render to render."""
+    view = session.view(*SIZE)
+    shown = session.glyphs(cloud(), view, GlyphOrient=0, GlyphScaleFactor=0.35, ShadingMode=mode, samples=samples,
+                           SamplesPerRender=step, **properties)
+    stepwise(shown)
+    session.solid(shown, (0.9, 0.9, 0.9))
+    session.look(view, (0.0, 0.0, 6.0))
+    return view, shown
+
+
+def rays(shown):
+    """Primary rays that the view has traced so far."""
+    return session.statistics(shown)["primaryRays"]
+
+
+def screenshots(checks):
+    """A screenshot has all samples whatever the window shows, and the window's image grows on."""
+    for mode in ("Ambient Occlusion", "Path Tracing"):
+        view, shown = balls(mode, 8)
+        expected = session.capture(view, "image-state-fresh")
+        checks.covered(mode + ", fresh view", expected, 0.3)
+        for step, size in ((0, SIZE), (2, SIZE), (0, (90, 60)), (2, (90, 60))):
+            what = "%s, %d samples a render, screenshot of %dx%d" % ((mode, step) + size)
+            shown.SamplesPerRender = step
+            session.look(view, (0.0, 0.0, 7.0))
+            pv.Render(view)
+            session.look(view, (0.0, 0.0, 6.0))
+            pv.Render(view)
+            checks.true(what + ": nothing was pending after one render", pending(shown))
+            found = []
+            said = session.messages(lambda: found.append(
+                session.capture(view, "image-state-growing", ImageResolution=list(size))))
+            checks.no_message(what, said)
+            if size == SIZE:
+                checks.picture(what, found[0], expected)
+            checks.covered(what, found[0], 0.3)
+            pv.Render(view)
+            checks.no_message(what + ", afterwards", session.messages(lambda: refine(view, shown)))
+            checks.true(what + ": the window's image stays unfinished", not pending(shown))
+            checks.picture(what + ", finished in the window", accumulation.shown_by(view), expected)
+        pv.Delete(view)
+
+
+def out_of_sight(checks):
+    """Glyphs behind the camera end the refinement; turned back they are refined again."""
+    view, shown = balls("Ambient Occlusion", 8, 2)
+    expected = session.capture(view, "image-state-in-sight")
+    session.look(view, (0.0, 0.0, 7.0))
+    pv.Render(view)
+    session.look(view, (0.0, 0.0, 6.0), (0.0, 0.0, 12.0))
+    pv.Render(view)
+    checks.true("glyphs behind the camera: the image is pending after 10 more renders", refine(view, shown, 10) is not None)
+    session.look(view, (0.0, 0.0, 6.0))
+    pv.Render(view)
+    checks.true("glyphs in sight again: nothing is pending", pending(shown))
+    checks.true("glyphs in sight again: the image stays unfinished", refine(view, shown) is not None)
+    checks.picture("glyphs in sight again", accumulation.shown_by(view), expected)
+    pv.Delete(view)
+
+
+def two_passes(checks):
+    """Opaque and translucent glyphs have an image each; the refinement ends with the slower one."""
+    samples = 12
+    view, shown = balls("Path Tracing", samples, PathsPerSample=64)
+    other = session.glyphs(cloud(20, 5), view, GlyphOrient=0, GlyphScaleFactor=0.1, samples=samples,
+                           ShadingMode="Path Tracing", Opacity=0.5, PathsPerSample=64)
+    stepwise(other)
+    session.solid(other, (0.2, 0.5, 0.9))
+    pv.Render(view)
+    for _ in range(3 * samples):
+        least = information(shown, "AccumulatedSamples")
+        checks.true("two passes: %d samples are reported, but %d are those of both images" % (least, rays(shown) // PIXELS),
+                    2 * least <= rays(shown) // PIXELS)
+        if not pending(shown):
+            break
+        pv.Render(view)
+    checks.true("two passes: the image stays unfinished", not pending(shown))
+    checks.equal("two passes, finished: samples of both images", rays(shown) / PIXELS, 2 * samples)
+    pv.Render(view)
+    checks.equal("two passes, one more render: samples of both images", rays(shown) / PIXELS, 2 * samples)
+    pv.Delete(view)
+
+
+def other_samples(checks):
+    """Another number of samples adds a step or nothing, never all of them at once."""
+    for mode in ("Local", "Ambient Occlusion"):
+        view, shown = balls(mode, 32, 2)
+        pv.Render(view)
+        refine(view, shown)
+        before = rays(shown)
+        shown.SamplesPerPixel = 64
+        checks.true("%s, 32 samples raised to 64: nothing is pending" % mode, pending(shown))
+        pv.Render(view)
+        checks.within("%s, 32 samples raised to 64: samples of the next render" % mode, (rays(shown) - before) / PIXELS, 1, 2)
+        for _ in range(34):
+            if information(shown, "AccumulatedSamples") < 34:
+                pv.Render(view)
+        before = rays(shown)
+        shown.SamplesPerPixel = 30
+        pv.Render(view)
+        checks.equal("%s, lowered to 30 at 34: samples of the next render" % mode, (rays(shown) - before) / PIXELS, 0)
+        checks.true("%s, lowered to 30 at 34: the image is pending" % mode, not pending(shown))
+        pv.Delete(view)
+
+
+def main():
+    """All parts."""
+    session.load()
+    checks = Checks()
+    screenshots(checks)
+    out_of_sight(checks)
+    two_passes(checks)
+    other_samples(checks)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,86 @@
+"""Host memory that runs out while glyphs are made: the process lives, one message names memory and a remedy, and the
+next render without the limit is right.
+
+Usage: pvpython memory_limit.py PVPYTHON
+The limits are tried in processes of their own (pvpython memory_limit.py PVPYTHON MEGABYTES), which may die of them.
+"""
+import resource
+import subprocess
+import sys
+
+import numpy
+import paraview.simple as pv
+
+import session
+from checks import Checks
+
+POINTS = 3000000
+#: megabytes that a process may take beyond what it has before the glyphs are made, which take some 300
+LIMITS = (10, 40, 80)
+
+
+def address_space():
+    """Bytes that this process has taken."""
+    with open("/proc/self/statm", encoding="utf-8") as file:
+        return int(file.read().split()[0]) * resource.getpagesize()
+
+
+def show(source, view):
+    """Small spheres."""
+    shown = session.glyphs(source, view, GlyphOrient=0, GlyphScaleFactor=0.02)
+    session.solid(shown, (0.9, 0.8, 0.3))
+    return shown
+
+
+def limited(megabytes):
+    """Glyphs under the limit, then without it."""
+    session.load()
+    checks = Checks()
+    generator = numpy.random.default_rng(1)
+    view = session.view(80, 60)
+    session.look(view, (0.0, 0.0, 6.0))
+    few = session.source(session.poly_data(generator.uniform(-1.0, 1.0, (1000, 3)).astype(numpy.float32)))
+    show(few, view)
+    pv.Render(view)  # device, programs and OpenGL are there before the limit
+    many = session.source(session.poly_data(generator.uniform(-1.0, 1.0, (POINTS, 3)).astype(numpy.float32)))
+    show(many, view)
+    view.SMProxy.Update()  # the points are gathered, no glyphs made
+    resource.setrlimit(resource.RLIMIT_AS, (address_space() + megabytes * 2**20, resource.RLIM_INFINITY))
+    said = session.messages(lambda: pv.Render(view))
+    resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+    print("%d MB: %s" % (megabytes, said.strip()))
+    what = "%d MB" % megabytes
+    checks.one_message(what, said, "memory")
+    checks.true(what + ": the message names no remedy: " + said.strip(), "GlyphMask" in said or "hide" in said.lower())
+    checks.no_message(what + ", limit lifted", session.messages(lambda: pv.Render(view)))
+    pixels = session.capture(view, "memory-limit-%d" % megabytes)
+    fresh = session.view(80, 60)
+    session.look(fresh, (0.0, 0.0, 6.0))
+    show(few, fresh)
+    show(many, fresh)
+    expected = session.capture(fresh, "memory-limit-fresh")
+    checks.covered(what + ", fresh view", expected, 0.1)
+    checks.picture(what + ", limit lifted", pixels, expected, pixels=0.002, mean=0.1)
+    checks.report()
+
+
+def main(pvpython):
+    """Each limit in a process of its own."""
+    failures = []
+    for megabytes in LIMITS:
+        result = subprocess.run([pvpython, __file__, pvpython, str(megabytes)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                universal_newlines=True)
+        lines = result.stdout.strip().splitlines()
+        print("\n".join(lines[-12:]))
+        found = [line[len("FAILED: "):] for line in lines if line.startswith("FAILED: ")]
+        if result.returncode and not found:
+            found = ["%d MB: the process ends with %d: %s" % (megabytes, result.returncode,
+                                                             [line for line in lines if "what()" in line or "terminate" in line])]
+        failures += found
+    session.finish(failures)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 2:
+        limited(int(sys.argv[2]))
+    main(sys.argv[1])

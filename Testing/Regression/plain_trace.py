@@ -1,0 +1,69 @@
+"""A trace and a Python state of an ordinary surface name none of this plugin's properties, so that they run without it.
+
+Usage: pvpython plain_trace.py
+"""
+import re
+
+import paraview.simple as pv
+from paraview import smstate, smtrace
+
+import session
+from checks import Checks
+
+#: proxies that this plugin adds to all displays
+OURS = ("RayTracedGlyphRepresentation", "RayTracedSurfaceRepresentation")
+
+
+def names_of(proxy):
+    """Names of a prototype's properties."""
+    prototype = pv.servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy("representations", proxy)
+    if not prototype:
+        return set()
+    iterator = prototype.NewPropertyIterator()
+    iterator.Begin()
+    names = set()
+    while not iterator.IsAtEnd():
+        names.add(iterator.GetKey())
+        iterator.Next()
+    return names
+
+
+def assigned(script):
+    """Names of the properties that a script sets on displays."""
+    return set(re.findall(r"^\w*Display\w*\.(\w+)(?:\.\w+)* *=", script, re.MULTILINE))
+
+
+def main():
+    """Displays of several types of data."""
+    session.load()
+    checks = Checks()
+    ours = set().union(*map(names_of, OURS)) - names_of("SurfaceRepresentation") - names_of("GlyphRepresentation") - {"Input"}
+    print("%d properties of this plugin" % len(ours))
+    for name in ("GlyphShape", "GlyphMesh", "GlyphScaleFactor", "ShadingMode", "SamplesPerPixel", "MotionBlur"):
+        checks.true("%s is no property of this plugin" % name, name in ours)
+    smtrace.start_trace()
+    view = pv.CreateView("RenderView")
+    for source in (pv.Sphere(), pv.Wavelet(), pv.HyperTreeGridRandom(), pv.GroupDatasets(Input=[pv.Cone(), pv.Line()])):
+        shown = pv.Show(source, view)
+        shown.SetRepresentationType("Surface")
+        shown.Opacity = 0.9
+    pv.Render(view)
+    trace = smtrace.stop_trace()
+    with open(session.output("plain-trace.py"), "w", encoding="utf-8") as file:
+        file.write(trace)
+    found = assigned(trace) & ours
+    checks.true("the trace shows no display", "Representation" in assigned(trace))
+    checks.true("the trace names %s" % sorted(found), not found)
+    found = assigned(smstate.get_state()) & ours
+    checks.true("the Python state names %s" % sorted(found), not found)
+    # What is shown by the plugin must be named all the same.
+    shown.SetRepresentationType(session.REPRESENTATION)
+    shown.GlyphShape, shown.GlyphScaleFactor = "Cone", 0.3
+    pv.Render(view)
+    found = assigned(smstate.get_state())
+    checks.true("the Python state of ray-traced glyphs lacks their shape or size", {"GlyphShape", "GlyphScaleFactor"} <= found)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,118 @@
+"""What ParaView does to finished pictures leaves glyphs whole: FXAA no holes, its ambient occlusion no stripes.
+
+Usage: pvpython screen_effects.py
+"""
+import numpy
+import paraview.simple as pv
+
+import session
+from checks import Checks, cloud
+from picked_point import pixel_of
+
+#: of the balls of the wall
+RADIUS = 0.165
+
+
+def scene(count=400, size=0.25, samples=8):
+    """(view, representation): a packing of spheres."""
+    view = session.view(240, 180)
+    shown = session.glyphs(cloud(count), view, GlyphOrient=0, GlyphScaleFactor=size, samples=samples)
+    session.solid(shown, (0.9, 0.6, 0.3))
+    session.look(view, (0.0, 0.0, 4.5))
+    return view, shown
+
+
+def inner(mask, width=3):
+    """A mask without the pixels that are so near to its edge."""
+    for _ in range(width):
+        smaller = mask.copy()
+        smaller[1:] &= mask[:-1]
+        smaller[:-1] &= mask[1:]
+        smaller[:, 1:] &= mask[:, :-1]
+        smaller[:, :-1] &= mask[:, 1:]
+        mask = smaller
+    return mask
+
+
+def holes(checks):
+    """Transparent pictures have no wholly transparent pixels among glyphs."""
+    for name, samples in (("smooth", 8), ("hard", 1)):
+        view, _ = scene(samples=samples)
+        pv.Render(view)
+        alphas = {}
+        for effect in (0, 1):
+            view.UseFXAA = effect
+            alphas[effect] = session.capture(view, "screen-effects-alpha-%s-%d" % (name, effect), TransparentBackground=1)[..., 3]
+        # Where all around is covered there must be something.
+        for effect, alpha in alphas.items():
+            count = int((inner(alphas[0] > 0, 1) & (alpha == 0)).sum())
+            print("%s edges, UseFXAA %d: %d holes in %d pixels" % (name, effect, count, (alphas[0] > 0).sum()))
+            checks.equal("%s edges, UseFXAA %d: wholly transparent pixels among glyphs" % (name, effect), count, 0)
+        pv.Delete(view)
+
+
+def wall(kind):
+    """(view, points): a wall of balls before an ordinary ball, in a wire box: what those leave in the buffers matters."""
+    columns, rows = numpy.meshgrid(numpy.linspace(-2.0, 2.0, 14), numpy.linspace(-1.5, 1.5, 14))
+    points = numpy.stack([columns.ravel(), rows.ravel(), numpy.zeros(columns.size)], axis=1)
+    view = session.view(240, 180)
+    shown = session.glyphs(session.source(session.poly_data(points)), view, GlyphOrient=0, GlyphScaleFactor=2 * RADIUS, samples=1)
+    shown.SetRepresentationType(kind)
+    if kind == "3D Glyphs":
+        shown.GlyphType = "Sphere"
+        shown.GlyphType.ThetaResolution = shown.GlyphType.PhiResolution = 24
+        shown.GlyphType.Radius, shown.Scaling = RADIUS, 0
+    session.solid(shown, (0.9, 0.6, 0.3))
+    pv.Show(pv.Box(XLength=4.5, YLength=3.5, ZLength=1.0), view).SetRepresentationType("Wireframe")
+    pv.Show(pv.Sphere(Center=[0.0, 0.0, -0.3], Radius=0.6), view)
+    return view, points
+
+
+def darkened(kind, position):
+    """Patches of pixels in the middle of the balls: brightness with the view's ambient occlusion over that without."""
+    view, points = wall(kind)
+    session.look(view, position)
+    pictures = []
+    for effect in (0, 1):
+        view.UseAmbientOcclusion = effect
+        pv.Render(view)
+        name = "screen-effects-ssao-%s-%d" % (kind.split()[0].lower(), effect)
+        pictures.append(session.capture(view, name).sum(axis=2, dtype=int))
+    ratio = pictures[1] / numpy.maximum(pictures[0], 1)
+    towards = RADIUS * numpy.array(position) / numpy.linalg.norm(position)
+    patches = []
+    for point in points[numpy.hypot(points[:, 0], points[:, 1]) > 0.8]:
+        column, row = pixel_of(view, point + towards)
+        if 4 < column < 235 and 4 < row < 175:
+            patches.append(ratio[177 - row:182 - row, column - 2:column + 3])
+    pv.Delete(view)
+    return numpy.array(patches).reshape(len(patches), -1)
+
+
+def stripes(checks):
+    """The view's own ambient occlusion draws no stripes or dots on glyphs: it leaves all as they are, or darkens them as
+    it does 3D Glyphs.
+    """
+    for position in ((0.0, 0.0, 6.0), (2.0, 1.0, 6.0)):
+        ours, theirs = darkened(session.REPRESENTATION, position), darkened("3D Glyphs", position)
+        # Darkest ball, brightest ball, darkest pixel.
+        ours, theirs = ((patches.mean(axis=1).min(), patches.mean(axis=1).max(), patches.min()) for patches in (ours, theirs))
+        what = "SSAO from %s: balls have %.2f to %.2f of their brightness, single pixels at least %.2f" % (position, *ours)
+        what += "; with 3D Glyphs %.2f to %.2f, %.2f" % theirs
+        print(what)
+        untouched = ours[2] > 0.98
+        alike = ours[0] > theirs[0] - 0.1 and ours[1] < theirs[1] + 0.1 and ours[2] > theirs[2] - 0.1
+        checks.true(what, untouched or alike)
+
+
+def main():
+    """Both parts."""
+    session.load()
+    checks = Checks()
+    holes(checks)
+    stripes(checks)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()

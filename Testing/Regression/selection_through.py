@@ -1,0 +1,147 @@
+"""What a click selects: the glyph or the surface that is seen there, and never what lies behind it.
+
+Usage: pvpython selection_through.py
+"""
+import numpy
+import paraview.simple as pv
+from vtkmodules.vtkCommonCore import vtkCollection
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkFiltersSources import vtkHyperTreeGridSource
+
+import session
+from checks import Checks
+
+SURFACE = "Ray Traced Surface"
+WIDTH, HEIGHT = 240, 180
+#: world units from the middle of the picture to its upper edge
+SCALE = 1.5
+
+
+def pixel(x, y):
+    """The pixel of a place in the plane of the picture."""
+    return round(WIDTH / 2 + x * HEIGHT / 2 / SCALE), round(HEIGHT / 2 + y * HEIGHT / 2 / SCALE)
+
+
+def picked(view, kind, at):
+    """What a click at a pixel selects: a sorted list of (source, id)."""
+    representations, sources = vtkCollection(), vtkCollection()
+    select = view.SMProxy.SelectSurfaceCells if kind == "CELL" else view.SMProxy.SelectSurfacePoints
+    select([at[0], at[1], at[0], at[1]], representations, sources, 0)
+    found = []
+    for i in range(sources.GetNumberOfItems()):
+        shown = pv.servermanager._getPyProxy(representations.GetItemAsObject(i))
+        selected = pv.servermanager._getPyProxy(sources.GetItemAsObject(i))
+        step = 3 if "Composite" in selected.GetXMLName() or "Hierarchical" in selected.GetXMLName() else 2
+        found += [(shown.Input.SMProxy, number) for number in list(selected.IDs)[step - 1::step]]
+    return found
+
+
+def expect(checks, what, view, kind, at, source, wanted):
+    """A click selects that point or cell of the source and nothing else; wanted None: nothing at all."""
+    found = picked(view, kind, at)
+    print("%s: %s" % (what, [("its own" if proxy == source.SMProxy else "another's", number) for proxy, number in found]))
+    checks.equal(what + ": ids selected of what is seen", [number for proxy, number in found if proxy == source.SMProxy],
+                 [] if wanted is None else [wanted])
+    checks.equal(what + ": ids selected of what lies behind", [number for proxy, number in found if proxy != source.SMProxy], [])
+
+
+def stage():
+    """A view with an ordinary plane behind all that is shown in it."""
+    view = session.view(WIDTH, HEIGHT)
+    plane = pv.Plane(XResolution=16, YResolution=12, Origin=[-2, -1.5, -1], Point1=[2, -1.5, -1], Point2=[-2, 1.5, -1])
+    pv.Show(plane, view)
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=SCALE)
+    return view, plane
+
+
+def glyphs(checks):
+    """Glyphs are points; where the data are vertices, they are cells, too."""
+    view, plane = stage()
+    points = numpy.array([[-1.0, 0.0, 0.0], [0.0, 0.5, 0.0], [1.0, 0.0, 0.0]])
+    bare = session.poly_data(points)
+    vertices = session.poly_data(points)
+    cells = vtkCellArray()
+    for point in (2, 0, 1):  # cell 0 is point 2, and so on
+        cells.InsertNextCell(1, [point])
+    vertices.SetVerts(cells)
+    triangle = session.poly_data(points)
+    cells = vtkCellArray()
+    cells.InsertNextCell(3, [0, 1, 2])
+    triangle.SetPolys(cells)
+    for name, data, cell_ids in (("points without cells", bare, (None,) * 3), ("vertices", vertices, (1, 2, 0)),
+                                 ("corners of a triangle", triangle, (None,) * 3)):
+        for shape in ("Sphere", "Mesh"):
+            source = session.source(data)
+            shown = session.glyphs(source, view, shape, GlyphOrient=0, GlyphScaleFactor=0.6)
+            if shape == "Mesh":
+                shown.GlyphMesh = "Sphere"
+            pv.Render(view)
+            for i, (x, y, _) in enumerate(points):
+                at = pixel(x + 0.05, y)
+                expect(checks, "%s as %s, point %d" % (name, shape, i), view, "POINT", at, source, i)
+                expect(checks, "%s as %s, cell of point %d" % (name, shape, i), view, "CELL", at, source, cell_ids[i])
+            pv.Delete(shown)
+    found = picked(view, "CELL", pixel(0.05, 0.05))
+    checks.equal("where no glyph is, the plane", [proxy for proxy, _ in found], [plane.SMProxy])
+    pv.Delete(view)
+
+
+def surfaces(checks):
+    """A surface gives out the cell that is hit, and the corner of the hit triangle that is nearest to the click."""
+    view, _ = stage()
+    quads = pv.Plane(XResolution=4, YResolution=3, Origin=[-2, -1.5, 0], Point1=[2, -1.5, 0], Point2=[-2, 1.5, 0])
+    shown = pv.Show(quads, view)
+    shown.SetRepresentationType(SURFACE)
+    pv.Render(view)
+    for column, row in ((0, 0), (1, 1), (3, 2)):
+        cell, corner = row * 4 + column, row * 5 + column
+        for dx, dy, point in ((0.2, 0.1, corner), (0.9, 0.2, corner + 1), (0.1, 0.8, corner + 5), (0.8, 0.9, corner + 6)):
+            at = pixel(column - 2 + dx, row - 1.5 + dy)
+            expect(checks, "surface, cell %d" % cell, view, "CELL", at, quads, cell)
+            expect(checks, "surface, point %d" % point, view, "POINT", at, quads, point)
+    pv.Delete(shown)
+    pv.Delete(view)
+
+
+def hyper_tree_grid(checks):
+    """Glyphs of a hyper tree grid are its cells, and so are the parts of its surface."""
+    maker = vtkHyperTreeGridSource()
+    maker.SetDimensions(3, 2, 1)  # two trees in a row, of which the second one is refined
+    maker.SetGridScale(1.5, 1.5, 1.5)
+    maker.SetOrigin(-1.5, -0.75, 0.0)
+    maker.SetBranchFactor(2)
+    maker.SetMaxDepth(2)
+    maker.SetDescriptor(".R | ....")
+    maker.Update()
+    data = maker.GetOutput()
+    view, _ = stage()
+    source = session.source(data)
+    bounds = [0.0] * 6
+    for kind in (session.REPRESENTATION, SURFACE):
+        shown = session.glyphs(source, view, GlyphOrient=0, GlyphScaleFactor=0.6)
+        shown.SetRepresentationType(kind)
+        pv.Render(view)
+        for tree, child in ((0, None), (1, 0), (1, 1), (1, 2), (1, 3)):
+            cursor = data.NewNonOrientedGeometryCursor(tree)
+            if child is not None:
+                cursor.ToChild(child)
+            cursor.GetBounds(bounds)
+            at = pixel((bounds[0] + bounds[1]) / 2 + 0.03, (bounds[2] + bounds[3]) / 2 + 0.03)
+            cell = cursor.GetGlobalNodeIndex()
+            expect(checks, "hyper tree grid as %s, cell %d" % (kind, cell), view, "CELL", at, source, cell)
+        pv.Delete(shown)
+    pv.Delete(view)
+
+
+def main():
+    """All parts."""
+    session.load()
+    checks = Checks()
+    glyphs(checks)
+    surfaces(checks)
+    hyper_tree_grid(checks)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()

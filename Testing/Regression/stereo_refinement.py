@@ -1,0 +1,80 @@
+"""Stereo: the images of both eyes grow until both are finished, and show what 3D Glyphs show in the same mode.
+
+Usage: pvpython stereo_refinement.py
+"""
+import paraview.simple as pv
+
+import accumulation
+import comparison
+import session
+from checks import Checks, information, pending, refine, stepwise
+from same_as_3d_glyphs import ours, scene, theirs
+
+SAMPLES = 8
+
+
+def stereo_view(mode):
+    """A render view in a stereo mode."""
+    view = session.view(240, 180)
+    if mode == "Red-Blue":
+        view.Background = [0.0, 0.0, 0.0]  # the eyes' pictures go to different channels: gray on black is seen by both
+    view.StereoRender = 1
+    view.StereoType = mode
+    session.look(view, (2.0, 1.5, 5.0))
+    return view
+
+
+def picture(mode, who, points, show, samples=None):
+    """What the window shows after one render that traces all samples."""
+    view = stereo_view(mode)
+    shown = show(points, view, "Sphere")
+    session.solid(shown, (0.9, 0.9, 0.9))
+    if samples:
+        shown.SamplesPerPixel = samples
+    pv.Render(view)
+    pixels = accumulation.shown_by(view)
+    comparison.write_image(session.output("stereo-%s-%s.png" % (mode.lower(), who)), pixels)
+    pv.Delete(view)
+    return pixels
+
+
+def grown(checks, mode, points):
+    """What the window shows when the image has grown step by step."""
+    view = stereo_view(mode)
+    shown = ours(points, view, "Sphere")
+    session.solid(shown, (0.9, 0.9, 0.9))
+    shown.SamplesPerPixel, shown.SamplesPerRender = SAMPLES, 2
+    stepwise(shown)
+    pv.Render(view)
+    checks.true(mode + ": nothing is pending after the first render", pending(shown))
+    checks.true("%s: the image is unfinished after %d renders" % (mode, 3 * SAMPLES), refine(view, shown, 3 * SAMPLES) is not None)
+    checks.equal(mode + ": samples reported", information(shown, "AccumulatedSamples"), SAMPLES)
+    before = session.statistics(shown)["primaryRays"]
+    pv.Render(view)
+    checks.equal(mode + ": rays traced by one more render", session.statistics(shown)["primaryRays"] - before, 0)
+    pixels = accumulation.shown_by(view)
+    comparison.write_image(session.output("stereo-%s-grown.png" % mode.lower()), pixels)
+    pv.Delete(view)
+    return pixels
+
+
+def main():
+    """A mode in which one eye's picture lies beside the other's, and one that mixes them."""
+    session.load()
+    checks = Checks()
+    points = scene()
+    for mode in ("SplitViewportHorizontal", "Red-Blue"):
+        expected = picture(mode, "paraview", points, theirs)
+        one = picture(mode, "ours", points, ours, 1)
+        halves = (one[:, :120], one[:, 120:]) if mode != "Red-Blue" else (one[..., :1], one[..., 2:])
+        checks.true(mode + ": both eyes see the same", comparison.difference(*halves)[0] > 0.005)
+        if mode == "Red-Blue":
+            checks.picture(mode + ", one sample, against ParaView", one, expected)
+        else:
+            checks.failures += comparison.against_paraview(one, expected, "stereo-" + mode.lower())
+        checks.picture(mode + ", grown", grown(checks, mode, points), picture(mode, "at-once", points, ours, SAMPLES))
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()
