@@ -92,7 +92,7 @@ public:
   /**
    * Information: least and largest number that GlyphTensorColoring gives; an empty interval (1, -1) where it gives none.
    */
-  double* GetGlyphTensorRange() { return this->TensorRange; }
+  double* GetGlyphTensorRange() VTK_SIZEHINT(2) { return this->TensorRange; }
 
   ///@{
   /**

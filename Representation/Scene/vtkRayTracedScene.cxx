@@ -110,9 +110,11 @@ struct vtkRayTracedScene::Internals
   bool Wants[vtkRayTracedImages::Passes] = { false, false };
   bool Interactive = false;
 
-  // Of the last frame, on all ranks that rendered it together
-  double Progress = 1.0;
-  std::uint32_t Samples = 0;
+  // Of the last frame, on all ranks that rendered it together; of each eye its own.
+  double Progress[2] = { 1.0, 1.0 };
+  double Samples[2] = { 0.0, 0.0 };
+  bool Stereo = false;
+  int Eye = 0; // of the last frame
 
   std::string Reported, CameraReported; // the last failures, until there is an image again
   bool PassReported = false;
@@ -248,7 +250,6 @@ void vtkRayTracedScene::SaveFeatureImage(const std::string& fileName)
 void vtkRayTracedScene::Stop()
 {
   this->Self->Stopped = true;
-  this->Self->Progress = 1.0;
 }
 
 //----------------------------------------------------------------------------
@@ -534,8 +535,10 @@ void vtkRayTracedScene::EndFrame()
     progress = least[0];
     samples = least[1];
   }
-  self.Progress = self.Stopped ? 1.0 : progress;
-  self.Samples = static_cast<std::uint32_t>(samples);
+  self.Stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
+  self.Eye = this->Renderer->GetActiveCamera()->GetLeftEye() != 0;
+  self.Progress[self.Eye] = progress;
+  self.Samples[self.Eye] = samples;
 
   if (!self.FeatureFile.empty() && finished && !self.Frame.empty() && self.Images.GetScene())
   {
@@ -653,13 +656,15 @@ std::string vtkRayTracedScene::GetDeviceName() const
 //----------------------------------------------------------------------------
 int vtkRayTracedScene::GetAccumulatedSamples() const
 {
-  return static_cast<int>(this->Self->Samples);
+  const Internals& self = *this->Self;
+  return static_cast<int>(self.Stereo ? std::min(self.Samples[0], self.Samples[1]) : self.Samples[self.Eye]);
 }
 
 //----------------------------------------------------------------------------
 double vtkRayTracedScene::GetProgress() const
 {
-  return this->Self->Progress;
+  const Internals& self = *this->Self;
+  return self.Stopped ? 1.0 : self.Stereo ? std::min(self.Progress[0], self.Progress[1]) : self.Progress[self.Eye];
 }
 
 //----------------------------------------------------------------------------

@@ -251,7 +251,9 @@ void vtkSMRayTracedRepresentationProxy::UpdateTensorTable(vtkSMProxy* view)
     this->TensorRange[0] = found[0];
     this->TensorRange[1] = found[1];
   }
-  if (vtkSMPropertyHelper(this, "GlyphTensorLookupTable").GetAsProxy() != table)
+  // A table that somebody has chosen stays until another number is.
+  vtkSMProxy* chosen = vtkSMPropertyHelper(this, "GlyphTensorLookupTable").GetAsProxy();
+  if (chosen != table && (fresh || !chosen))
   {
     vtkSMPropertyHelper(this, "GlyphTensorLookupTable").Set(table);
     this->UpdateVTKObjects();

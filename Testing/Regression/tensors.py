@@ -46,10 +46,11 @@ def colours(failures, view):
     shown.Ambient, shown.Diffuse = 1.0, 0.0
     shown.AmbientColor = [1.0, 1.0, 1.0]
     middle = lambda image, x: image[75, int(round(149.5 + x * 75.0 / 1.608)), :3].astype(int)
-    wanted = {"Trace": [(242, 242, 242), None, (59, 77, 191)], "Fractional Anisotropy": [(242, 242, 242), None, (242, 242, 242)],
+    wanted = {"Trace": [None, None, (59, 77, 191)], "Fractional Anisotropy": [(59, 76, 192), None, (59, 76, 192)],
               "Principal Direction": [None, (255, 0, 0), None]}
-    # Of the trace the largest magnitude is 3: 3 is the end of the map in red, -3 that in blue.
-    wanted["Trace"][0] = (179, 5, 38)
+    # Both have tables of their own, ParaView's default from blue to red over the data's range: -3 to 3, and 0 to 0.77.
+    wanted["Trace"][0] = (180, 4, 38)
+    wanted["Fractional Anisotropy"][1] = (180, 4, 38)
     for colouring, expected in wanted.items():
         shown.GlyphTensorColoring = colouring
         image = session.capture(view, "tensors-colour-" + colouring.replace(" ", "-"))
@@ -62,7 +63,7 @@ def colours(failures, view):
     table.RGBPoints = [0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 1.0]
     table.ColorSpace = "RGB"
     shown.GlyphTensorColoring = "Fractional Anisotropy"
-    shown.LookupTable = table
+    shown.GlyphTensorLookupTable = table
     image = session.capture(view, "tensors-colour-table")
     # Eigenvalues 1, 0.2, 0.2: sqrt(3/2) sqrt(0.8^2 2/3) / sqrt(1.08) = 0.770.
     if max(numpy.abs(middle(image, -1) - numpy.array([0, 255, 0])).max(),
