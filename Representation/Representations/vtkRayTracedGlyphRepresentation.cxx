@@ -25,7 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
 
 vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
 

@@ -321,7 +321,7 @@ void vtkRayTracedRepresentation::ConfigureColors(vtkPolyData* points)
     this->Mapper->SelectColorArray(static_cast<const char*>(nullptr));
     return;
   }
-  // Cells of a hyper tree grid have become points on the way.
+  // Cells of a hyper tree grid have become points on the way, and so have the numbers of blocks, which are field data.
   bool cells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   if (cells && points && !points->GetCellData()->HasArray(name))
   {

@@ -207,6 +207,7 @@ protected:
   void RemovePart(vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper);
   ///@}
 
+  bool GetInterpolateScalarsBeforeMapping() const { return this->InterpolateScalarsBeforeMapping; }
   vtkRayTracedMapper* GetMapper();
   vtkRayTracedActor* GetActor();
   vtkPolyData* GetPoints();
