@@ -289,6 +289,8 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   const bool collective =
     lod ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender();
   this->Configure(inInfo, points, lod, collective);
+  vtkNew<vtkPolyData> nothing;
+  this->SetPartBounds(this->GetDataBounds(points ? points : nothing.Get()));
   vtkRayTracedScene* scene = this->GetScene();
   scene->SetSettings(this->Image);
   scene->SetFrameKind(ScreenshotState::Of(view), collective);
@@ -297,6 +299,12 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
     scene->SaveFeatureImage(this->FeatureFile);
     this->FeatureFile.clear();
   }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetPartBounds(const double bounds[6])
+{
+  this->Mapper->SetKnownBounds(bounds);
 }
 
 //----------------------------------------------------------------------------
