@@ -107,7 +107,7 @@ PROCESS = None
 try:
     pv._DisableFirstRenderCameraReset()
     if SERVER:
-        PROCESS, PORT = client_server.start_server([SERVER])
+        PROCESS, PORT = client_server.start_server([SERVER], "refinement-server.log")
         pv.Connect("localhost", PORT)
         pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))
     FOUND = main()
@@ -115,6 +115,8 @@ except Exception:  # the window would stay open for ever
     FOUND = [traceback.format_exc()]
 if PROCESS:
     client_server.stop(PROCESS)
+    with open(session.output("refinement-server.log")) as log:
+        say(log.read())
 for failure in FOUND:
     say("FAILED: " + failure)
 say("REFINEMENT TEST " + ("FAILED" if FOUND else "PASSED"))
