@@ -4,9 +4,9 @@
 #include "vtkRayTracedGlyphSceneInternals.h"
 
 #include "vtkRayTracedGlyphMapper.h"
+#include "vtkRayTracedOpenGL.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 #include "vtkRayTracedImageQuad.h"
 
 #include "RayTracedImageQuad.h" // the shader
+#include "vtkRayTracedOpenGL.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
@@ -13,7 +14,6 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtk_glew.h"
 
 #include <vector>
 
