@@ -195,7 +195,7 @@ def only_colours(view):
     session.look(view, (1.5, 1.2, 4.0))
     pv.Render(view)
     first = session.statistics(shown)
-    pv.GetColorTransferFunction("height").ApplyPreset("Viridis (matplotlib)", True)
+    pv.GetColorTransferFunction("height").ApplyPreset("Black-Body Radiation", True)
     pv.Render(view)
     second = session.statistics(shown)
     print("colour map:", {key: (first[key], second[key]) for key in first if first[key] != second[key]})
