@@ -42,9 +42,9 @@ def preset_name(name):
     return old_name if vtkSMTransferFunctionPresets.GetInstance().HasPreset(old_name) else name
 
 
-def number_format(digits):
-    """Format of a scalar bar's numbers with so many digits after the point: std::format's since ParaView 6.1, printf's before."""
-    return ("{:.%df}" if pv.GetParaViewVersion() >= (6, 1) else "%%.%df") % digits
+def number_format():
+    """Format of a scalar bar's numbers, three digits at most: std::format's since ParaView 6.1, printf's before."""
+    return "{:.3g}" if pv.GetParaViewVersion() >= (6, 1) else "%.3g"
 
 
 def colour(shown, view, array, component, limits, preset, title, place=(0.6, 0.84)):
@@ -57,7 +57,7 @@ def colour(shown, view, array, component, limits, preset, title, place=(0.6, 0.8
     bar = pv.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
-    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, number_format(0), number_format(0)
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, number_format(), number_format()
     bar.WindowLocation, bar.Orientation = "Any Location", "Horizontal"
     bar.Position, bar.ScalarBarLength = list(place), 0.34
 
