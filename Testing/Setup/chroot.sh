@@ -37,26 +37,30 @@ done
 dir=$(realpath -m "${dir:-$clone/build-chroot-$release}")
 complete=$dir/etc/raytracedglyphs-chroot # written when debootstrap has ended well
 
-# All that follows runs in name spaces of its own. Its mounts are invisible outside, and when the first process ends, is
-# interrupted or killed, the kernel ends the others and removes the mounts: nothing remains that must be cleaned up.
-if [ -z "${RTGLYPHS_IN_NAMESPACE:-}" ]; then
-  as_root=()
-  if [ "$(id -u)" != 0 ]; then
-    command -v sudo >/dev/null || fail "needs root; run as root or install sudo"
-    as_root=(sudo --preserve-env=http_proxy,https_proxy,no_proxy)
-  fi
-  command -v debootstrap >/dev/null ||
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qy install --no-install-recommends debootstrap ||
-    fail "no debootstrap; apt-get install debootstrap"
-  exec "${as_root[@]}" setpriv --pdeathsig TERM \
-    unshare --mount --pid --fork --kill-child --mount-proc env RTGLYPHS_IN_NAMESPACE=1 "$0" "${arguments[@]}"
+if [ "$(id -u)" != 0 ]; then
+  command -v sudo >/dev/null || fail "needs root; run as root or install sudo"
+  exec sudo --preserve-env=http_proxy,https_proxy,no_proxy,CI "$0" "${arguments[@]}"
 fi
-# The first process of a name space of processes ignores the signals that it does not handle.
-trap 'exit 130' INT
-trap 'exit 143' TERM HUP
+
+# All that follows runs in namespaces of its own: mounts that nobody else sees, and processes that the kernel ends together
+# with the first of them. However this script ends, no process and no mount remains.
+if [ -z "${RTGLYPHS_IN_NAMESPACE:-}" ]; then
+  command -v debootstrap >/dev/null ||
+    DEBIAN_FRONTEND=noninteractive apt-get -qy install --no-install-recommends debootstrap ||
+    fail "no debootstrap; apt-get install debootstrap"
+  mkdir -p "$(dirname "$dir")"
+  exec 9>"$dir.lock"
+  flock --nonblock 9 || fail "$dir is in use by another run"
+  RTGLYPHS_IN_NAMESPACE=1 setpriv --pdeathsig KILL \
+    unshare --mount --pid --fork --kill-child --mount-proc "$0" "${arguments[@]}" <&0 &
+  inside=$!
+  trap 'kill -KILL "$inside"; echo "chroot.sh: interrupted" >&2; exit 130' INT TERM HUP
+  status=0
+  wait "$inside" || status=$?
+  exit $status
+fi
 
 find_mirror() {
-  local options=()
   if [ -z "$mirror" ]; then
     . /etc/os-release
     find_debian_mirror "${VERSION_CODENAME:-}" ||
