@@ -18,17 +18,6 @@ if (RTGLYPHS_QT_CONFIG)
 endif ()
 option(RTGLYPHS_USE_QT "Build the parts for ParaView's graphical interface" ${rtglyphs_qt_found})
 
-# Policies for the CMake files of ParaView and VTK. Boost is found by its own package file.
-foreach (policy IN ITEMS CMP0167 CMP0177)
-  if (POLICY ${policy})
-    cmake_policy(SET ${policy} NEW)
-  endif ()
-endforeach ()
-# Their functions replace options that are unset by defaults, and an option that got an empty string must count as unset.
-if (POLICY CMP0174)
-  cmake_policy(SET CMP0174 OLD)
-endif ()
-
 include("${CMAKE_CURRENT_LIST_DIR}/DebianPythonModules.cmake")
 if (RTGLYPHS_USE_QT)
   find_package(ParaView 5.11 REQUIRED)
