@@ -64,9 +64,10 @@ def colour_nothing(shown, _view):
 
 
 def colour_by(association, name):
-    """A function that colours a representation with an array through its lookup table."""
+    """A function that colors a representation with an array through a lookup table that is the same in all ParaViews."""
     def apply(shown, view):
         pv.ColorBy(shown, (association, name))
+        pv.GetColorTransferFunction(name).ApplyPreset("Cool to Warm", True)
         shown.SetScalarBarVisibility(view, False)
     return apply
 
