@@ -67,7 +67,7 @@ def colour_by(association, name):
     """A function that colors a representation with an array through a lookup table that is the same in all ParaViews."""
     def apply(shown, view):
         pv.ColorBy(shown, (association, name))
-        pv.GetColorTransferFunction(name).ApplyPreset("Cool to Warm", True)
+        session.cool_to_warm(name)
         shown.SetScalarBarVisibility(view, False)
     return apply
 
