@@ -81,6 +81,9 @@ make_chroot() {
   fi
   local keyring=() script=()
   find_mirror
+  # debootstrap downloads by itself, and knows only the proxy of the environment.
+  [ -n "${http_proxy:-}" ] || eval "$(apt-config shell http_proxy Acquire::http::Proxy)"
+  export http_proxy
   [ -e "/usr/share/debootstrap/scripts/$release" ] || script=(/usr/share/debootstrap/scripts/sid)
   echo "chroot: making $dir"
   mkdir -p "$dir"
@@ -88,7 +91,7 @@ make_chroot() {
     fail "debootstrap failed; the end of $dir.log:
 $(tail -n 5 "$dir.log")"
   # How this machine's apt reaches its mirror: proxies, checks of dates.
-  apt-config dump | grep -E '^Acquire::(https?|Check-[A-Za-z-]*|Retries)(::[A-Za-z:-]*)? ' >"$dir/etc/apt/apt.conf.d/90raytracedglyphs" || true
+  apt-config dump | grep -E '^Acquire::(https?|Check-[A-Za-z-]*|Retries)(::[^ ]*)? ' >"$dir/etc/apt/apt.conf.d/90raytracedglyphs" || true
   date -u '+%Y-%m-%d %H:%M UTC' >"$complete"
   mv "$dir.log" "$dir/var/log/debootstrap-output.log"
 }
