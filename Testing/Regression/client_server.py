@@ -58,7 +58,7 @@ def blocks():
 def start_server(program, log_name="client-server.log"):
     """A server that waits for this process and writes to a log of that name; (process, port)."""
     with socket.socket() as probe:
-        probe.bind(("localhost", 0))
+        probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     log = open(session.output(log_name), "w")
     # This process is an MPI rank, too; an mpiexec that is told so starts nothing.
@@ -104,7 +104,7 @@ def main(folder, server):
     process, port = start_server(server, log_name)
     failures = []
     try:
-        pv.Connect("localhost", port)
+        pv.Connect("127.0.0.1", port)
         session.load()
         pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))
         for where, threshold in (("remote", REMOTE), ("client", CLIENT)):

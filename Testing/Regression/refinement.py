@@ -108,7 +108,7 @@ try:
     pv._DisableFirstRenderCameraReset()
     if SERVER:
         PROCESS, PORT = client_server.start_server([SERVER], "refinement-server.log")
-        pv.Connect("localhost", PORT)
+        pv.Connect("127.0.0.1", PORT)
         pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))
     FOUND = main()
 except Exception:  # the window would stay open for ever

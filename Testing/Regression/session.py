@@ -158,6 +158,11 @@ def solid(shown, colour):
     shown.AmbientColor = list(colour)
 
 
+def cool_to_warm(name):
+    """Gives an array's lookup table the colors that were ParaView's default before ParaView 6."""
+    pv.GetColorTransferFunction(name).ApplyPreset("Cool to Warm", True)
+
+
 def capture(of_view, name, **options):
     """Saves the view as name.png and returns it as an array (rows from the top, columns, channels)."""
     path = output(name + ".png")
