@@ -2,7 +2,7 @@
 # All tests, from a bare Debian 12, 13 or testing as root or with sudo: installs what is missing, builds the plugin into build/
 # and runs ctest, whose summary comes last. Failed pictures lie in build/Testing/Regression.
 # Usage: test.sh [--paraview DIR] [--long] [CTEST-OPTION...]     DIR: a ParaView made by build_paraview.sh
-# --long: also the tests labelled "long", which look for leaks over thousands of steps (a quarter of an hour more).
+# --long: also the tests labelled "long", which look for leaks over thousands of steps (five minutes more).
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 clone=$(cd "$here/../.." && pwd)
