@@ -32,7 +32,7 @@ QStatusBar* StatusBar()
 vtkSMProxy* RayTraced(pqRepresentation* representation)
 {
   vtkSMProxy* proxy = representation ? representation->getProxy() : nullptr;
-  if (!proxy || !representation->isVisible() || !proxy->GetProperty("AccumulatedSamples") ||
+  if (!proxy || !representation->isVisible() || !proxy->GetProperty("RefinementProgress") ||
     !proxy->GetProperty("Representation"))
   {
     return nullptr;
@@ -132,25 +132,17 @@ void pqRayTracedGlyphsRefinement::interactionEnded(vtkObject* interactor, unsign
 //----------------------------------------------------------------------------
 pqRayTracedGlyphsRefinement::Progress pqRayTracedGlyphsRefinement::ProgressOf(pqView* view)
 {
-  Progress progress;
+  // One scene a view: what one of its displays says holds for all.
   for (pqRepresentation* representation : view->getRepresentations())
   {
     if (vtkSMProxy* proxy = RayTraced(representation))
     {
-      // One scene a view: the largest number wanted counts, and what it has is the same for all.
-      progress.Planned =
-        std::max(progress.Planned, vtkSMPropertyHelper(proxy, "SamplesPerPixel").GetAsInt());
-      vtkSMProperty* done = proxy->GetProperty("AccumulatedSamples");
+      vtkSMProperty* done = proxy->GetProperty("RefinementProgress");
       done->GetParent()->UpdatePropertyInformation(done);
-      progress.Done = std::max(progress.Done, vtkSMPropertyHelper(done).GetAsInt());
+      return { vtkSMPropertyHelper(done).GetAsDouble() };
     }
   }
-  // Nothing could be traced, or there is nothing to trace: more renders would change nothing.
-  if (progress.Done == 0)
-  {
-    progress.Planned = 0;
-  }
-  return progress;
+  return {};
 }
 
 //----------------------------------------------------------------------------
@@ -176,7 +168,7 @@ void pqRayTracedGlyphsRefinement::rendered()
   QStatusBar* bar = StatusBar();
   if (bar && !progress.Finished())
   {
-    bar->showMessage(tr("Ray tracing: %1 of %2 samples").arg(progress.Done).arg(progress.Planned));
+    bar->showMessage(tr("Ray tracing: %1 %").arg(static_cast<int>(100.0 * progress.Done)));
     this->Showing = true;
   }
   else if (bar && this->Showing && this->Waiting.empty())

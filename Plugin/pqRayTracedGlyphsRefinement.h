@@ -42,8 +42,8 @@ private:
 
   struct Progress
   {
-    int Done = 0, Planned = 0;
-    bool Finished() const { return this->Done >= this->Planned; }
+    double Done = 1.0; ///< in [0, 1]
+    bool Finished() const { return this->Done >= 1.0; }
   };
   static Progress ProgressOf(pqView* view);
   void interactionStarted(vtkObject* interactor, unsigned long, void*);

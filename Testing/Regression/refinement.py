@@ -89,7 +89,8 @@ def main():
     wait(events, lambda: False, 1.0)
     if state(shown) != turning:
         failures.append("the image was refined while the camera was turned")
-    if turning[1] != before[1] + 1 or turning[0] != 1:
+    # A coarse image has no sample of every pixel.
+    if turning[1] != before[1] + 1 or turning[0] != 0:
         failures.append("a turn of the camera took %s to %s samples and images" % (before, turning))
     window.InvokeEvent("EndInteractionEvent")
     start = time.time()

@@ -56,7 +56,7 @@ def main(server):
     process, port = client_server.start_server([server])
     checks = Checks()
     try:
-        pv.Connect("localhost", port)
+        pv.Connect("127.0.0.1", port)
         session.load()
         pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))
         check(checks)
