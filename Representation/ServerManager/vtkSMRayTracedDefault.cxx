@@ -45,6 +45,15 @@ bool vtkSMRayTracedDefault::IsShown(vtkSMProperty* property)
 }
 
 //----------------------------------------------------------------------------
+bool vtkSMRayTracedDefault::IsAlias(vtkSMProperty* property)
+{
+  vtkSMProxy* owner = property->GetParent();
+  vtkSMProxy* display = owner ? owner->GetTrueParentProxy() : nullptr;
+  vtkSMProperty* other = display ? display->GetProperty(property->GetXMLName()) : nullptr;
+  return other && other != property && AreEqual(property, other);
+}
+
+//----------------------------------------------------------------------------
 void vtkSMRayTracedDefault::Remember(vtkSMProperty* property)
 {
   this->Chosen.TakeReference(property->NewInstance());

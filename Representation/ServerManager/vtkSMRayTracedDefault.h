@@ -19,6 +19,11 @@ struct vtkSMRayTracedDefault
   static bool IsShown(vtkSMProperty* property);
 
   /**
+   * Whether a property is but another name of one of ParaView's own, as PathMetallic is of Metallic. That one is named.
+   */
+  static bool IsAlias(vtkSMProperty* property);
+
+  /**
    * To be called when ParaView has given the property a value that fits the data.
    */
   void Remember(vtkSMProperty* property);

@@ -7,7 +7,7 @@ vtkStandardNewMacro(vtkSMRayTracedDoubleVectorProperty);
 //----------------------------------------------------------------------------
 bool vtkSMRayTracedDoubleVectorProperty::IsValueDefault()
 {
-  return this->Superclass::IsValueDefault() ||
+  return this->Superclass::IsValueDefault() || vtkSMRayTracedDefault::IsAlias(this) ||
     (!vtkSMRayTracedDefault::IsShown(this) && this->Default.Has(this));
 }
 
