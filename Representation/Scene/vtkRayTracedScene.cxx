@@ -24,6 +24,7 @@
 #include "vtkRayTracedImages.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkRayTracedOpenGL.h"
+#include "vtkRayTracedPythonClass.h"
 #include "vtkRayTracedRendererState.h"
 #include "vtkRayTracedSignal.h"
 #include "vtkRenderPass.h"
@@ -117,7 +118,7 @@ struct vtkRayTracedScene::Internals
   int Eye = 0; // of the last frame
 
   std::string Reported, CameraReported; // the last failures, until there is an image again
-  bool PassReported = false;
+  bool PassReported = false, ExportReported = false;
   vtkNew<vtkAlgorithm> Teller; // of ParaView's progress bar
   bool TellerKnown = false;
 
@@ -268,6 +269,7 @@ void vtkRayTracedScene::StartFrame()
   Internals& self = *this->Self;
   self.Frame.clear();
   self.Wants[opaque] = self.Wants[translucent] = false;
+  self.ExportReported = false;
   if (self.Members.empty())
   {
     return;
@@ -638,6 +640,19 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
     self.IdQuad.Draw(this->Renderer, actor, mapper, vtkRayTracedImageQuad::IDS);
   }
   selector->EndRenderProp();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::ReportExport()
+{
+  Internals& self = *this->Self;
+  vtkRayTracedPythonClass::Register();
+  if (self.WantsAnything() && !self.PassReported && !self.ExportReported)
+  {
+    vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out of the exported file: they have no polygons. Choose another "
+                       "representation such as 3D Glyphs or Surface to export them, or save a screenshot.");
+    self.ExportReported = true;
+  }
 }
 
 //----------------------------------------------------------------------------

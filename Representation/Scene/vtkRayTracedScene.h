@@ -85,6 +85,11 @@ public:
    */
   void DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper);
 
+  /**
+   * Says, once after each frame, that a scene that is being exported goes without what is ray traced.
+   */
+  void ReportExport();
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
   ///@{
