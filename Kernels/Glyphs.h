@@ -22,6 +22,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// There is not enough memory, of the device or of the computer, now.
+class OutOfMemory : public Error
+{
+public:
+  using Error::Error;
+};
+
 /// The analytic unit forms, each in its own frame (see Shapes/<name>.glsl).
 /// The numbers are those of Shapes/Registry.glsl.
 enum class Shape : std::uint32_t

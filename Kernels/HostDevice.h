@@ -91,7 +91,9 @@ struct GlyphSetRecord
   RTG_ADDRESS(Vec3Array) meshPositions;
   RTG_ADDRESS(UintArray) meshTriangles; // three a triangle
   RTG_ADDRESS(Vec3Array) meshNormals;   // none unless specialised
-  RTG_ADDRESS(UintArray) meshColours;   // by position or by triangle, or none (specialised)
+  RTG_ADDRESS(UintArray) meshColours;   // by position or by triangle, or values and their table, or none (specialised)
+  uint meshValueCount;                  // values of positions, behind which the table lies
+  uint meshTableSize;
   uint firstInstance;                   // gl_InstanceID of the set's first glyph
   uint identifiesTriangles;
   // Of mesh glyphs that move: MeshTree.h. Positions are then relative to the middle of the mesh.

@@ -100,6 +100,8 @@ bool ProgressiveImage::MayTryAgain(
   {
     case Cause::Device:
       return this->tryNewDevice_ || source.HasDevice();
+    case Cause::Memory:
+      return !effort.preview;
     case Cause::Scene:
       return freed;
     default:
@@ -160,23 +162,27 @@ const Image* ProgressiveImage::Update(
   }
   catch (const std::bad_alloc&)
   {
-    this->Fail(request, prepared,
+    this->Fail(request, prepared, /*memory=*/true,
       "Ray Traced Glyphs: the computer's memory does not suffice for the glyphs or their image. Show fewer glyphs "
       "(GlyphMask, MaximumNumberOfGlyphs), make the picture smaller, or hide other data.");
   }
+  catch (const OutOfMemory& error)
+  {
+    this->Fail(request, prepared, /*memory=*/true, error.what());
+  }
   catch (const std::exception& error)
   {
-    this->Fail(request, prepared, error.what());
+    this->Fail(request, prepared, /*memory=*/false, error.what());
   }
   return nullptr;
 }
 
-void ProgressiveImage::Fail(const Request& request, bool prepared, const char* message)
+void ProgressiveImage::Fail(const Request& request, bool prepared, bool memory, const char* message)
 {
   const bool hasDevice = request.source.HasDevice();
   this->Forget();
   this->state_ = State::Failed;
-  this->failure_.cause = !hasDevice ? Cause::Device : prepared ? Cause::Image : Cause::Scene;
+  this->failure_.cause = !hasDevice ? Cause::Device : memory ? Cause::Memory : prepared ? Cause::Image : Cause::Scene;
   this->failure_.message = message;
   const bool lost = request.source.IsDeviceLost();
   this->tryNewDevice_ = lost && !this->lostDevice_;

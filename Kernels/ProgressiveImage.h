@@ -86,6 +86,7 @@ public:
   enum class Cause
   {
     Device, ///< none, or lost: again once after a loss, then with other content
+    Memory, ///< it did not suffice, of the device or of the computer: again with each image that is no preview
     Scene,  ///< it could not be sent or built: again with other content or when memory was given back
     Image   ///< it could not be traced: again with another size, light, number of samples, content, or memory given back
   };
@@ -131,7 +132,7 @@ private:
   void Grow(const Request& request);
   void Smooth(const Request& request);
   void Show(const Image& image);
-  void Fail(const Request& request, bool prepared, const char* message);
+  void Fail(const Request& request, bool prepared, bool memory, const char* message);
 
   State state_ = State::Empty;
   Failure failure_;

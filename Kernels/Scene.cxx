@@ -111,7 +111,8 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   const TriangleMesh* mesh = instances.shape == Shape::Mesh ? instances.mesh.get() : nullptr;
   set.translucentMesh = mesh &&
     (std::any_of(mesh->positionColours.begin(), mesh->positionColours.end(), seeThrough) ||
-      std::any_of(mesh->triangleColours.begin(), mesh->triangleColours.end(), seeThrough));
+      std::any_of(mesh->triangleColours.begin(), mesh->triangleColours.end(), seeThrough) ||
+      std::any_of(mesh->valueColours.begin(), mesh->valueColours.end(), seeThrough));
   set.instances = std::move(instances);
   set.instancesChanged = true;
   // Colours are by glyph: those of the old glyphs mean nothing now.

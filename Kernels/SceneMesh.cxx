@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <cmath>
 
 namespace rtg
@@ -64,8 +65,25 @@ std::vector<T> Ordered(const std::vector<T>& values, const std::vector<std::uint
 
 Buffer SendMeshColours(Device::State& device, const PlacedMesh& mesh, const TriangleMesh& source)
 {
+  if (!source.positionValues.empty())
+  {
+    // The table lies behind the values.
+    std::vector<std::uint32_t> words(source.positionValues.size());
+    std::memcpy(words.data(), source.positionValues.data(), words.size() * sizeof(std::uint32_t));
+    words.insert(words.end(), source.valueColours.begin(), source.valueColours.end());
+    return Send(device, words);
+  }
   return source.positionColours.empty() ? Send(device, Ordered(source.triangleColours, mesh.order))
                                         : Send(device, source.positionColours);
+}
+
+// Which colors a mesh has; numbers as in Programs/triangle.glsl.
+std::uint32_t ColoursOf(const TriangleMesh& mesh)
+{
+  return !mesh.positionValues.empty() ? 3
+    : !mesh.positionColours.empty()   ? 1
+    : !mesh.triangleColours.empty()   ? 2
+                                      : 0;
 }
 
 PlacedMesh Place(Device::State& device, std::shared_ptr<const TriangleMesh> source, bool sorts)
@@ -104,6 +122,11 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter)
   fits("normals", mesh->normals.size(), mesh->positions.size());
   fits("colours of positions", mesh->positionColours.size(), mesh->positions.size());
   fits("colours of triangles", mesh->triangleColours.size(), mesh->triangles.size());
+  fits("values of positions", mesh->positionValues.size(), mesh->positions.size());
+  if (!mesh->positionValues.empty() && mesh->valueColours.size() < 2)
+  {
+    fail("the mesh has values of positions, but no table of colors for them.");
+  }
   for (const glm::uvec3& corner : mesh->triangles)
   {
     const std::uint32_t largest = std::max({ corner.x, corner.y, corner.z });
@@ -184,7 +207,7 @@ void Scene::State::SendMovingMesh(GlyphSet& set)
   set.group.meshVelocities = !mesh.motion.velocities.empty();
   set.group.meshAccelerations = !mesh.motion.accelerations.empty();
   set.group.smoothNormals = !mesh.normals.empty();
-  set.group.meshColours = !mesh.positionColours.empty() ? 1 : !mesh.triangleColours.empty() ? 2 : 0;
+  set.group.meshColours = ColoursOf(mesh);
 }
 
 void Scene::State::SendMesh(GlyphSet& set, float reach)
@@ -197,7 +220,7 @@ void Scene::State::SendMesh(GlyphSet& set, float reach)
   set.group.shape = Shape::Mesh;
   set.group.coloured = coloured;
   set.group.smoothNormals = !mesh.normals.empty();
-  set.group.meshColours = !mesh.positionColours.empty() ? 1 : !mesh.triangleColours.empty() ? 2 : 0;
+  set.group.meshColours = ColoursOf(mesh);
   if (set.mesh.tree.Size())
   {
     set.mesh = PlacedMesh();

@@ -124,6 +124,10 @@ void Scene::State::FillRecords()
       record.meshTriangles = set.mesh.triangles.Address();
       record.meshNormals = set.mesh.normals.Address();
       record.meshColours = set.mesh.colours.Address();
+      record.meshValueCount =
+        set.mesh.source ? static_cast<std::uint32_t>(set.mesh.source->positionValues.size()) : 0;
+      record.meshTableSize =
+        set.mesh.source ? static_cast<std::uint32_t>(set.mesh.source->valueColours.size()) : 0;
       record.meshTree = set.mesh.tree.Address();
       record.meshVelocities = set.mesh.velocities.Address();
       record.meshAccelerations = set.mesh.accelerations.Address();

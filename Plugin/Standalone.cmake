@@ -18,6 +18,7 @@ if (RTGLYPHS_QT_CONFIG)
 endif ()
 option(RTGLYPHS_USE_QT "Build the parts for ParaView's graphical interface" ${rtglyphs_qt_found})
 
+include("${CMAKE_CURRENT_LIST_DIR}/DebianPythonModules.cmake")
 if (RTGLYPHS_USE_QT)
   find_package(ParaView 5.11 REQUIRED)
   if (NOT PARAVIEW_USE_QT)

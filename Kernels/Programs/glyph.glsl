@@ -14,11 +14,6 @@ layout(constant_id = 5) const bool ownExponents = false;
 #include "motion.glsl"
 #endif
 
-#ifdef RTG_INT64
-#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer CentreWords { uint64_t xy; float z; };
-#endif
-
 // Where a set's glyphs are found: read once a program, not once a glyph.
 struct GlyphSource
 {
@@ -53,25 +48,11 @@ GlyphSource SourceOf(GlyphSetRecord set)
   return source;
 }
 
-vec3 CentreAt(Vec3Array centres, uint index)
-{
-#ifdef RTG_INT64
-  // In two loads instead of three: on CPU devices each is a gather.
-  uint carry;
-  uint low = uaddCarry(uvec2(centres).x, 12u * index, carry);
-  CentreWords words = CentreWords(uvec2(low, uvec2(centres).y + carry));
-  vec2 xy = uintBitsToFloat(unpack32(words.xy));
-  return vec3(xy, words.z);
-#else
-  return centres.at[index];
-#endif
-}
-
 Glyph FetchGlyph(GlyphSource source, uint primitive)
 {
   Glyph glyph = source.alike;
   // The set's offset is part of the centre; what rounding would lose stays in the low part.
-  DoubleWord3 centre = TwoSum(CentreAt(source.centres, primitive), source.offset);
+  DoubleWord3 centre = TwoSum(source.centres.at[primitive], source.offset);
   glyph.centre = centre.hi;
   glyph.centreLow = centre.lo + source.offsetLow;
 

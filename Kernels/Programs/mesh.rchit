@@ -1,7 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // A triangle of a mesh glyph or of a surface that moves.
-#define RTG_INT64
 #include "bindings.glsl"
 #include "glyph.glsl"
 #include "triangle.glsl"

@@ -334,6 +334,7 @@ void Device::State::Rethrow(const char* doing, const vk::SystemError& error)
     message
       << "out of memory with " << (this->bytes.load() >> 20)
       << " MiB held. Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs) or hide other data.";
+    throw OutOfMemory(message.str());
   }
   else
   {

@@ -16,6 +16,7 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
@@ -46,21 +47,22 @@ struct Leaf
 {
   vtkSmartPointer<vtkDataSet> Data;
   unsigned int FlatIndex = 0;
+  unsigned int Block = 0; // number among the blocks of the input
   bool All = true;               // every point carries a glyph; Points is empty then
   std::vector<vtkIdType> Points; // otherwise these
   std::vector<vtkIdType>
     VertexCells; // per point of Data its only cell, where Data consists of vertices
-  bool CellCenters = false; // points of Data are the centers of the input's cells of the same number
+  bool CellCenters = false; // points of Data are the centers of the input's cells, and their arrays say of which
   vtkIdType Count() const
   {
     return this->All ? this->Data->GetNumberOfPoints()
                      : static_cast<vtkIdType>(this->Points.size());
   }
   // The cell that a point's glyph stands for; -1: none.
-  bool HasCells() const { return this->CellCenters || !this->VertexCells.empty(); }
+  bool HasCells() const { return !this->VertexCells.empty(); }
   vtkIdType CellOf(vtkIdType point) const
   {
-    return this->CellCenters ? point : this->VertexCells.empty() ? -1 : this->VertexCells[point];
+    return this->VertexCells.empty() ? -1 : this->VertexCells[point];
   }
 };
 
@@ -68,8 +70,12 @@ vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* object)
 {
   if (auto* grid = vtkHyperTreeGrid::SafeDownCast(object))
   {
+    // Coarse cells are numbered, too, but have no center: the arrays say which cell is which.
+    vtkNew<vtkHyperTreeGrid> numbered;
+    numbered->ShallowCopy(grid);
+    vtkGlyphPointGatherer::NumberCells(numbered);
     vtkNew<vtkHyperTreeGridCellCenters> centers;
-    centers->SetInputDataObject(grid);
+    centers->SetInputDataObject(numbered);
     centers->VertexCellsOn();
     centers->Update();
     return vtkDataSet::SafeDownCast(centers->GetOutputDataObject(0));
@@ -228,9 +234,11 @@ void FindVertexCells(Leaf& leaf)
 std::vector<Leaf> Leaves(vtkDataObject* input)
 {
   std::vector<Leaf> leaves;
-  const auto add = [&leaves](vtkDataObject* object, unsigned int flatIndex)
+  unsigned int block = 0;
+  const auto add = [&](vtkDataObject* object, unsigned int flatIndex)
   {
     Leaf leaf;
+    leaf.Block = block;
     leaf.Data = AsDataSet(object);
     leaf.CellCenters = leaf.Data != object;
     leaf.FlatIndex = flatIndex;
@@ -249,10 +257,13 @@ std::vector<Leaf> Leaves(vtkDataObject* input)
   }
   vtkSmartPointer<vtkCompositeDataIterator> iterator;
   iterator.TakeReference(composite->NewIterator());
-  iterator->SkipEmptyNodesOn();
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  iterator->SkipEmptyNodesOff(); // an empty block has a number, too
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem(), ++block)
   {
-    add(iterator->GetCurrentDataObject(), iterator->GetCurrentFlatIndex());
+    if (vtkDataObject* data = iterator->GetCurrentDataObject())
+    {
+      add(data, iterator->GetCurrentFlatIndex());
+    }
   }
   return leaves;
 }
@@ -394,6 +405,7 @@ void AddIds(vtkPolyData* out, const char* name, vtkIdType count, Value value)
   {
     array->SetValue(i, value(i));
   }
+  array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
   out->GetPointData()->AddArray(array);
 }
 
@@ -439,6 +451,13 @@ void AddPickingIds(
       flat.insert(flat.end(), leaf.Count(), leaf.FlatIndex);
     }
     AddIds<vtkUnsignedIntArray>(out, vtkRayTracedArrays::CompositeIndex, count,
+      [&flat](vtkIdType i) { return flat[i]; });
+    flat.clear();
+    for (const Leaf& leaf : leaves)
+    {
+      flat.insert(flat.end(), leaf.Count(), leaf.Block % vtkRayTracedArrays::DistinctBlockColors);
+    }
+    AddIds<vtkUnsignedIntArray>(out, vtkRayTracedArrays::BlockColors, count,
       [&flat](vtkIdType i) { return flat[i]; });
   }
   if (processes > 1)
@@ -512,6 +531,19 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(
     AddVertices(out);
   }
   return out;
+}
+
+//----------------------------------------------------------------------------
+void vtkGlyphPointGatherer::NumberCells(vtkHyperTreeGrid* grid)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(vtkRayTracedArrays::CellIds);
+  ids->SetNumberOfTuples(grid->GetNumberOfCells());
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    ids->SetValue(i, i);
+  }
+  grid->GetCellData()->AddArray(ids);
 }
 
 //----------------------------------------------------------------------------

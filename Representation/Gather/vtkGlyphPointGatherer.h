@@ -22,6 +22,7 @@
 
 class vtkCompositeDataSet;
 class vtkDataObject;
+class vtkHyperTreeGrid;
 class vtkPolyData;
 
 class vtkGlyphPointGatherer
@@ -33,6 +34,11 @@ public:
    */
   static vtkSmartPointer<vtkPolyData> Gather(
     vtkDataObject* input, int processId = 0, int processes = 1, const int* wholeExtent = nullptr);
+
+  /**
+   * Adds a cell array vtkRayTracedArrays::CellIds of each cell's number.
+   */
+  static void NumberCells(vtkHyperTreeGrid* grid);
 
   /**
    * Adds to the field data of `out` the tree that block selectors are paths in, with the flat index of each of its data

@@ -15,6 +15,10 @@ constexpr const char* CellIds = "vtkRayTraced_CellIds";
 constexpr const char* CompositeIndex = "vtkRayTraced_CompositeIndex";
 /// Of each point: the rank that it comes from. Missing where there is one.
 constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
+/// Of each point of composite input: what ParaView calls vtkBlockColors, its field data of each block.
+constexpr const char* BlockColors = "vtkBlockColors";
+/// vtkPVGeometryFilter's default number of them, after which they repeat.
+constexpr unsigned int DistinctBlockColors = 7;
 ///@{
 /// Field data of composite input: the tree that block selectors are paths in, as XML, and pairs (flat index, index of the
 /// data set in the tree).

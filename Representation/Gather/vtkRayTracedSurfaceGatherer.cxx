@@ -7,6 +7,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkGlyphPointGatherer.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPVGeometryFilter.h"
@@ -31,6 +32,13 @@ using Settings = vtkRayTracedSurfaceGatherer::Settings;
 vtkSmartPointer<vtkPolyData> FacesOf(vtkDataObject* data, const Settings& settings)
 {
   vtkNew<vtkPVTrivialProducer> producer;
+  vtkNew<vtkHyperTreeGrid> numbered;
+  if (auto* grid = vtkHyperTreeGrid::SafeDownCast(data))
+  {
+    numbered->ShallowCopy(grid);
+    vtkGlyphPointGatherer::NumberCells(numbered);
+    data = numbered;
+  }
   producer->SetOutput(data);
   if (settings.WholeExtent)
   {
@@ -75,7 +83,10 @@ void RenameIds(vtkPolyData* surface)
     }
   };
   rename(surface->GetPointData(), "vtkOriginalPointIds", vtkRayTracedArrays::PointIds);
-  rename(surface->GetCellData(), "vtkOriginalCellIds", vtkRayTracedArrays::CellIds);
+  if (!surface->GetCellData()->GetArray(vtkRayTracedArrays::CellIds))
+  {
+    rename(surface->GetCellData(), "vtkOriginalCellIds", vtkRayTracedArrays::CellIds);
+  }
 }
 
 struct Kind
@@ -172,6 +183,7 @@ vtkSmartPointer<vtkPolyData>
 vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* input, const Settings& settings)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> blocks;
+  unsigned int block = 0;
   const auto add = [&](vtkDataObject* data, bool isBlock, unsigned int flatIndex)
   {
     vtkSmartPointer<vtkPolyData> faces = FacesOf(data, settings);
@@ -184,6 +196,7 @@ vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* input, const Settings& settin
     if (isBlock)
     {
       AddIndex(surface, vtkRayTracedArrays::CompositeIndex, flatIndex);
+      AddIndex(surface, vtkRayTracedArrays::BlockColors, block % vtkRayTracedArrays::DistinctBlockColors);
     }
     if (settings.Processes > 1)
     {
@@ -198,10 +211,13 @@ vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* input, const Settings& settin
   {
     vtkSmartPointer<vtkCompositeDataIterator> iterator;
     iterator.TakeReference(composite->NewIterator());
-    iterator->SkipEmptyNodesOn();
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    iterator->SkipEmptyNodesOff(); // an empty block has a number, too
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem(), ++block)
     {
-      add(iterator->GetCurrentDataObject(), true, iterator->GetCurrentFlatIndex());
+      if (vtkDataObject* data = iterator->GetCurrentDataObject())
+      {
+        add(data, true, iterator->GetCurrentFlatIndex());
+      }
     }
   }
   else if (input)

@@ -57,7 +57,10 @@ struct vtkRayTracedMapper::ColorKey
 };
 
 //----------------------------------------------------------------------------
-vtkRayTracedMapper::vtkRayTracedMapper() = default;
+vtkRayTracedMapper::vtkRayTracedMapper()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+}
 
 //----------------------------------------------------------------------------
 vtkRayTracedMapper::~vtkRayTracedMapper()
@@ -106,11 +109,9 @@ void vtkRayTracedMapper::SetBlocks(const vtkGlyphBlockAttributes& blocks)
 }
 
 //----------------------------------------------------------------------------
-// The representation tells the view the bounds; nobody asks a mapper that draws nothing.
-double* vtkRayTracedMapper::GetBounds()
+void vtkRayTracedMapper::SetKnownBounds(const double bounds[6])
 {
-  vtkMath::UninitializeBounds(this->Bounds);
-  return this->Bounds;
+  std::copy_n(bounds, 6, this->Bounds);
 }
 
 //----------------------------------------------------------------------------

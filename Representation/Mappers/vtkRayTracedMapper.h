@@ -47,6 +47,12 @@ public:
   void SetBlocks(const vtkGlyphBlockAttributes& blocks);
 
   /**
+   * What the mapper answers when it is asked for bounds, before the actor's transform; it computes none itself. Compositing
+   * between ranks and selecting leave out what lies outside.
+   */
+  void SetKnownBounds(const double bounds[6]);
+
+  /**
    * The scene that draws this mapper's ids; null: none.
    */
   void SetScene(vtkRayTracedScene* scene);
@@ -97,7 +103,7 @@ public:
 
   // vtkMapper
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
-  double* GetBounds() override;
+  double* GetBounds() override { return this->Bounds; }
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
   bool GetSupportsSelection() override { return true; }
 

@@ -5,7 +5,9 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkFloatArray.h"
 #include "vtkGlyphMotion.h"
+#include "vtkImageData.h"
 #include "vtkRayTracedArrays.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -31,6 +33,12 @@ void vtkRayTracedSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Smooth: " << this->Settings.Smooth << endl;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedSurfaceMapper::SetSettings(const SurfaceSettings& settings)
+{
+  this->Settings = settings;
 }
 
 //----------------------------------------------------------------------------
@@ -95,13 +103,25 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
 {
   std::vector<std::string> messages;
   const rtg::TriangleMesh& mesh = *this->Instances.mesh;
+  // The scene may still hold the old mesh; the kernels see that only the colors are new.
+  auto colored = std::make_shared<rtg::TriangleMesh>(mesh);
+  colored->positionColours.clear();
+  colored->triangleColours.clear();
+  colored->positionValues.clear();
+  colored->valueColours.clear();
+  const bool blockColors = this->HasBlockColors(surface);
+  const bool visible = this->ScalarVisibility && !mesh.triangles.empty();
   vtkUnsignedCharArray* mapped = nullptr;
   int ofCells = 0;
-  if (this->ScalarVisibility && !mesh.triangles.empty())
+  bool values = false;
+  if (visible)
   {
+    // Colors of blocks are mixed in corner by corner.
+    this->SetInterpolateScalarsBeforeMapping(this->Settings.InterpolateValues && !blockColors);
     mapped = this->MapScalars(surface, 1.0, ofCells);
+    values = !mapped && this->AddValues(*colored);
     const vtkIdType wanted = ofCells ? surface->GetNumberOfCells() : surface->GetNumberOfPoints();
-    if (!mapped || mapped->GetNumberOfTuples() != wanted)
+    if (!values && (!mapped || mapped->GetNumberOfTuples() != wanted))
     {
       mapped = nullptr;
       messages.push_back("There is no array '" + std::string(this->ArrayName) +
@@ -109,14 +129,12 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
         "point or cell array as ColorArrayName.");
     }
   }
-  const bool blockColors = this->HasBlockColors(surface);
 
-  // Colour of a point or cell of the data that lies in the block of `point`.
+  // Color of a point or cell of the data that lies in the block of `point`.
   const int components = mapped ? std::min(mapped->GetNumberOfComponents(), 4) : 0;
   const auto colorOf = [&](vtkIdType value, vtkIdType point)
   {
-    std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2],
-      1.0 } };
+    std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
     for (int c = 0; c < components; ++c)
     {
       rgba[c] = mapped->GetValue(value * mapped->GetNumberOfComponents() + c) / 255.0;
@@ -127,34 +145,33 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
     }
     return Pack(rgba);
   };
-
-  std::vector<std::uint32_t> ofPositions, ofTriangles;
   if (mapped && ofCells)
   {
-    ofTriangles.resize(mesh.triangles.size());
-    for (std::size_t i = 0; i < ofTriangles.size(); ++i)
+    colored->triangleColours.resize(mesh.triangles.size());
+    for (std::size_t i = 0; i < colored->triangleColours.size(); ++i)
     {
-      ofTriangles[i] = colorOf(this->Sources[i], mesh.triangles[i].x);
+      colored->triangleColours[i] = colorOf(this->Sources[i], mesh.triangles[i].x);
     }
   }
-  else if (mapped || blockColors)
+  else if (mapped || (blockColors && !values))
   {
-    ofPositions.resize(mesh.positions.size());
-    for (std::size_t i = 0; i < ofPositions.size(); ++i)
+    colored->positionColours.resize(mesh.positions.size());
+    for (std::size_t i = 0; i < colored->positionColours.size(); ++i)
     {
-      ofPositions[i] = colorOf(static_cast<vtkIdType>(i), static_cast<vtkIdType>(i));
+      colored->positionColours[i] = colorOf(static_cast<vtkIdType>(i), static_cast<vtkIdType>(i));
     }
   }
 
-  const auto translucent = [](std::uint32_t color) { return (color >> 24) != 255u; };
-  this->Translucent = std::any_of(ofPositions.begin(), ofPositions.end(), translucent) ||
-    std::any_of(ofTriangles.begin(), ofTriangles.end(), translucent);
-  if (ofPositions != mesh.positionColours || ofTriangles != mesh.triangleColours)
+  bool translucent = false;
+  for (const auto* colors : { &colored->positionColours, &colored->triangleColours, &colored->valueColours })
   {
-    // The scene may still hold the old mesh; the kernels see that only the colours are new.
-    auto colored = std::make_shared<rtg::TriangleMesh>(mesh);
-    colored->positionColours = std::move(ofPositions);
-    colored->triangleColours = std::move(ofTriangles);
+    translucent |=
+      std::any_of(colors->begin(), colors->end(), [](std::uint32_t color) { return (color >> 24) != 255u; });
+  }
+  this->Translucent = translucent;
+  if (colored->positionColours != mesh.positionColours || colored->triangleColours != mesh.triangleColours ||
+    colored->positionValues != mesh.positionValues || colored->valueColours != mesh.valueColours)
+  {
     this->Instances.mesh = std::move(colored);
     this->ShapeChanged = true;
   }
@@ -164,6 +181,43 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
     this->InstanceVersion = NewVersion();
   }
   this->Report(messages, this->ReportedColors);
+}
+
+//----------------------------------------------------------------------------
+// vtkMapper's texture of colors and the points' places in it; false: it has made none.
+bool vtkRayTracedSurfaceMapper::AddValues(rtg::TriangleMesh& mesh)
+{
+  vtkFloatArray* places = this->GetColorCoordinates();
+  vtkImageData* texture = this->GetColorTextureMap();
+  auto* texels = texture ? vtkUnsignedCharArray::SafeDownCast(texture->GetPointData()->GetScalars()) : nullptr;
+  if (!places || !texels || places->GetNumberOfTuples() != static_cast<vtkIdType>(mesh.positions.size()))
+  {
+    return false;
+  }
+  const vtkIdType width = texture->GetDimensions()[0];
+  const auto texel = [texels](vtkIdType i)
+  {
+    std::array<double, 4> rgba{ { 0.0, 0.0, 0.0, 1.0 } };
+    for (int c = 0; c < texels->GetNumberOfComponents(); ++c)
+    {
+      rgba[c] = texels->GetValue(i * texels->GetNumberOfComponents() + c) / 255.0;
+    }
+    return Pack(rgba);
+  };
+  mesh.valueColours.resize(width + 1);
+  for (vtkIdType i = 0; i < width; ++i)
+  {
+    mesh.valueColours[i] = texel(i);
+  }
+  mesh.valueColours[width] = texel(width); // of the second row, which is that of NaN
+  mesh.positionValues.resize(mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.positionValues.size(); ++i)
+  {
+    const bool isNumber = places->GetTypedComponent(static_cast<vtkIdType>(i), 1) < 0.5f;
+    mesh.positionValues[i] =
+      isNumber ? std::clamp(places->GetTypedComponent(static_cast<vtkIdType>(i), 0), 0.0f, 1.0f) : -1e6f;
+  }
+  return true;
 }
 
 //----------------------------------------------------------------------------

@@ -28,10 +28,10 @@ public:
   struct SurfaceSettings
   {
     bool Smooth = true; // the points' normals, where they have some, are interpolated over the triangles
+    bool InterpolateValues = true; // point data are interpolated and then mapped to colors, not the other way round
     vtkGlyphMotion::Settings Motion;
-    bool operator==(const SurfaceSettings&) const = default;
   };
-  void SetSettings(const SurfaceSettings& settings) { this->Settings = settings; }
+  void SetSettings(const SurfaceSettings& settings);
 
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
@@ -42,14 +42,20 @@ protected:
   vtkRayTracedSurfaceMapper();
   ~vtkRayTracedSurfaceMapper() override;
 
-  bool HaveSettingsChanged() const override { return !(this->Settings == this->BuiltSettings); }
+  bool HaveSettingsChanged() const override
+  {
+    return this->Settings.Smooth != this->BuiltSettings.Smooth || !(this->Settings.Motion == this->BuiltSettings.Motion);
+  }
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* surface) const override;
   void BuildInstances(vtkPolyData* surface, vtkActor* actor) override;
   void BuildColors(vtkPolyData* surface) override;
+  std::vector<vtkMTimeType> ColorState() const override { return { this->Settings.InterpolateValues }; }
 
 private:
   vtkRayTracedSurfaceMapper(const vtkRayTracedSurfaceMapper&) = delete;
   void operator=(const vtkRayTracedSurfaceMapper&) = delete;
+
+  bool AddValues(rtg::TriangleMesh& mesh);
 
   SurfaceSettings Settings, BuiltSettings;
   rtg::GlyphInstances Instances;

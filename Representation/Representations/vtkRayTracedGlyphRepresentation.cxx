@@ -15,6 +15,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVView.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
@@ -25,7 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
 
 vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
 
@@ -121,20 +122,7 @@ void vtkRayTracedGlyphRepresentation::GatherMesh(vtkDataObject* mesh)
   // 3D Glyphs shade meshes by the normals they have, and compute none.
   vtkRayTracedSurfaceGatherer::Settings settings;
   settings.ComputesNormals = false;
-  this->MeshExtents.clear();
-  const auto gather = [&](vtkDataObject* data)
-  {
-    vtkSmartPointer<vtkPolyData> triangles = vtkRayTracedSurfaceGatherer::Gather(data, settings);
-    auto corners = std::make_shared<rtg::TriangleMesh>();
-    if (triangles->GetNumberOfPoints() > 0)
-    {
-      double b[6];
-      triangles->GetBounds(b);
-      corners->positions = { glm::vec3(b[0], b[2], b[4]), glm::vec3(b[1], b[3], b[5]) };
-    }
-    this->MeshExtents.push_back(std::move(corners));
-    return triangles;
-  };
+  const auto gather = [&](vtkDataObject* data) { return vtkRayTracedSurfaceGatherer::Gather(data, settings); };
   auto* blocks = vtkDataObjectTree::SafeDownCast(mesh);
   if (this->GlyphMeshTable && blocks)
   {
@@ -154,6 +142,46 @@ void vtkRayTracedGlyphRepresentation::GatherMesh(vtkDataObject* mesh)
     this->Mesh->SetBlock(0, gather(mesh));
   }
   this->Mesh->Modified();
+  this->UpdateMeshExtents(this->Mesh->GetBlock(0));
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::UpdateMeshExtents(vtkDataObject* forms)
+{
+  std::vector<vtkPolyData*> meshes;
+  if (auto* table = vtkMultiBlockDataSet::SafeDownCast(forms))
+  {
+    for (unsigned int i = 0; i < table->GetNumberOfBlocks(); ++i)
+    {
+      meshes.push_back(vtkPolyData::SafeDownCast(table->GetBlock(i)));
+    }
+  }
+  else
+  {
+    meshes.push_back(vtkPolyData::SafeDownCast(forms));
+  }
+  std::vector<vtkMTimeType> times;
+  for (vtkPolyData* mesh : meshes)
+  {
+    times.push_back(mesh && mesh->GetPoints() ? mesh->GetPoints()->GetMTime() : 0);
+  }
+  if (times == this->MeshExtentsTimes)
+  {
+    return;
+  }
+  this->MeshExtentsTimes = times;
+  this->MeshExtents.clear();
+  for (vtkPolyData* mesh : meshes)
+  {
+    auto corners = std::make_shared<rtg::TriangleMesh>();
+    if (mesh && mesh->GetNumberOfPoints() > 0)
+    {
+      double b[6];
+      mesh->GetBounds(b);
+      corners->positions = { glm::vec3(b[0], b[2], b[4]), glm::vec3(b[1], b[3], b[5]) };
+    }
+    this->MeshExtents.push_back(std::move(corners));
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -284,6 +312,7 @@ void vtkRayTracedGlyphRepresentation::Configure(
   auto* mesh = vtkMultiBlockDataSet::SafeDownCast(
     lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1) : vtkPVView::GetDeliveredPiece(inInfo, this, 1));
   vtkDataObject* forms = mesh && mesh->GetNumberOfBlocks() > 0 ? mesh->GetBlock(0) : nullptr;
+  this->UpdateMeshExtents(forms);
   auto* table = vtkMultiBlockDataSet::SafeDownCast(forms);
   const auto form = [&](int entry)
   { return vtkPolyData::SafeDownCast(table ? table->GetBlock(entry) : entry == 0 ? forms : nullptr); };
@@ -362,6 +391,16 @@ double vtkRayTracedGlyphRepresentation::MeanScale(
     sum = { all[0], all[1] };
   }
   return sum.Mean();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetPartBounds(const double bounds[6])
+{
+  this->Superclass::SetPartBounds(bounds);
+  for (const auto& layer : this->Layers)
+  {
+    layer->Mapper->SetKnownBounds(bounds);
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -137,6 +137,7 @@ protected:
 
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;
   void Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective) override;
+  void SetPartBounds(const double bounds[6]) override;
   void ShowLayers(bool visible) override;
   void RemoveLayers(vtkPVRenderView* view) override;
 
@@ -149,6 +150,7 @@ private:
   vtkGlyphSettings MakeSettings() const;
   bool ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const;
   void GatherMesh(vtkDataObject* mesh);
+  void UpdateMeshExtents(vtkDataObject* forms);
   void UpdateTensorRange(vtkPolyData* points);
   double MeanScale(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective);
 
@@ -166,7 +168,8 @@ private:
 
   vtkNew<vtkMultiBlockDataSet> Mesh; // gathered; its only block is the mesh of mesh glyphs, or those of a table
   vtkGlyphBounds Bounds;
-  std::vector<std::shared_ptr<const rtg::TriangleMesh>> MeshExtents; // corners of the boxes of Mesh, for Bounds
+  std::vector<std::shared_ptr<const rtg::TriangleMesh>> MeshExtents; // corners of the meshes' boxes, for Bounds
+  std::vector<vtkMTimeType> MeshExtentsTimes;
 
   // One more actor and mapper each: the arrows of tensor axes, further meshes of a table.
   std::vector<std::unique_ptr<Layer>> Layers;

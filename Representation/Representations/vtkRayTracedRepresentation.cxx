@@ -288,6 +288,8 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   const bool collective =
     lod ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender();
   this->Configure(inInfo, points, lod, collective);
+  vtkNew<vtkPolyData> nothing;
+  this->SetPartBounds(this->GetDataBounds(points ? points : nothing.Get()));
   vtkRayTracedScene* scene = this->GetScene();
   scene->SetSettings(this->Image);
   scene->SetFrameKind(ScreenshotState::Of(view), collective);
@@ -296,6 +298,12 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
     scene->SaveFeatureImage(this->FeatureFile);
     this->FeatureFile.clear();
   }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetPartBounds(const double bounds[6])
+{
+  this->Mapper->SetKnownBounds(bounds);
 }
 
 //----------------------------------------------------------------------------
@@ -320,7 +328,7 @@ void vtkRayTracedRepresentation::ConfigureColors(vtkPolyData* points)
     this->Mapper->SelectColorArray(static_cast<const char*>(nullptr));
     return;
   }
-  // Cells of a hyper tree grid have become points on the way.
+  // Cells of a hyper tree grid have become points on the way, and so have the numbers of blocks, which are field data.
   bool cells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   if (cells && points && !points->GetCellData()->HasArray(name))
   {

@@ -185,8 +185,8 @@ protected:
   ///@{
   /**
    * The data side. Gather() makes what is delivered to the mapper; `wholeExtent` is null unless `input` is a piece of a
-   * structured data set. GetDataBounds() are those of everything shown of the gathered points, before the actor's
-   * transform. Deliver() may hand further pieces to the view.
+   * structured data set. GetDataBounds() are those of everything shown of gathered or delivered points, before the
+   * actor's transform. Deliver() may hand further pieces to the view.
    */
   virtual vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) = 0;
   virtual const double* GetDataBounds(vtkPolyData* points) = 0;
@@ -200,6 +200,7 @@ protected:
    */
   virtual vtkSmartPointer<vtkRayTracedMapper> MakeMapper() = 0;
   virtual void Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective) = 0;
+  virtual void SetPartBounds(const double bounds[6]);
   virtual void ShowLayers(bool /*visible*/) {}
   virtual void RemoveLayers(vtkPVRenderView*) {}
   ///@}
@@ -212,6 +213,7 @@ protected:
   void RemovePart(vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper);
   ///@}
 
+  bool GetInterpolateScalarsBeforeMapping() const { return this->InterpolateScalarsBeforeMapping; }
   vtkRayTracedMapper* GetMapper();
   vtkPolyData* GetPoints();
   vtkPVRenderView* GetRenderView();

@@ -89,6 +89,7 @@ void vtkRayTracedSurfaceRepresentation::Configure(vtkInformation*, vtkPolyData*,
 {
   vtkRayTracedSurfaceMapper::SurfaceSettings settings;
   settings.Smooth = this->Smooth;
+  settings.InterpolateValues = this->GetInterpolateScalarsBeforeMapping();
   settings.Motion = this->Motion;
   static_cast<vtkRayTracedSurfaceMapper*>(this->GetMapper())->SetSettings(settings);
 }

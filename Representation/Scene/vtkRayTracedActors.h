@@ -20,8 +20,6 @@ public:
 
   vtkTypeBool HasOpaqueGeometry() override { return 0; }
   vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
-  /// None: the view is told the bounds by the representation, and nothing is to be left out of a selection for them.
-  double* GetBounds() override { return nullptr; }
 
 protected:
   vtkRayTracedActor() = default;

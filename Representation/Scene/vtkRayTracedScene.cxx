@@ -270,6 +270,8 @@ void vtkRayTracedScene::StartFrame()
   self.Frame.clear();
   self.Wants[opaque] = self.Wants[translucent] = false;
   self.ExportReported = false;
+  // On all ranks alike, whether or not they have something to draw.
+  self.Interactive = this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() >= interactiveRate && !self.Capture;
   if (self.Members.empty())
   {
     return;
@@ -438,7 +440,6 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor)
   }
 
   const bool capture = self.Capture;
-  self.Interactive = window->GetDesiredUpdateRate() >= interactiveRate && !capture;
   const bool noisy = view.settings.shading != rtg::Shading::Local;
   rtg::ImageEffort effort;
   effort.samples = static_cast<std::uint32_t>(wanted.SamplesPerPixel);

@@ -105,6 +105,13 @@ bool vtkSMRayTracedRepresentationProxy::HoldsForView(const char* name)
 void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name, int flag)
 {
   this->Superclass::SetPropertyModifiedFlag(name, flag);
+  if (flag && name && strncmp(name, "GlyphTensor", 11) == 0)
+  {
+    // The last word counts: another number asks for its own table, until somebody chooses one.
+    const bool table = strcmp(name, "GlyphTensorLookupTable") == 0;
+    const bool number = strcmp(name, "GlyphTensorColoring") == 0 || strcmp(name, "GlyphTensorArray") == 0;
+    this->TensorTableChosen = table || (this->TensorTableChosen && !number);
+  }
   if (flag && name && !sharing && this->HoldsForView(name))
   {
     this->ShareWithView(name);
@@ -267,12 +274,11 @@ void vtkSMRayTracedRepresentationProxy::UpdateTensorTable(vtkSMProxy* view)
     this->TensorRange[0] = found[0];
     this->TensorRange[1] = found[1];
   }
-  // A table that somebody has chosen stays until another number is.
-  vtkSMProxy* chosen = vtkSMPropertyHelper(this, "GlyphTensorLookupTable").GetAsProxy();
-  if (chosen != table && (fresh || !chosen))
+  if (!this->TensorTableChosen && vtkSMPropertyHelper(this, "GlyphTensorLookupTable").GetAsProxy() != table)
   {
     vtkSMPropertyHelper(this, "GlyphTensorLookupTable").Set(table);
     this->UpdateVTKObjects();
+    this->TensorTableChosen = false;
   }
   if (vtkSMProxy* bar = fresh ? barOf(name) : nullptr)
   {

@@ -52,6 +52,7 @@ private:
   vtkWeakPointer<vtkSMProxy> ObservedView;
   std::string TensorTableName; // of the table and scalar bar that are in use; empty: none
   double TensorRange[2] = { 1.0, -1.0 };
+  bool TensorTableChosen = false; // by somebody else than this class
 };
 
 #endif

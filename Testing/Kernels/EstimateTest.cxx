@@ -21,7 +21,8 @@ bool InBand(const HardCase& hard, const HardRay& ray, Real t)
   Answer hit;
   hit.hit = true;
   hit.t = double(t);
-  const Verdict verdict = Judge<Real>(reference, ray, 0.0, hit);
+  const Verdict verdict =
+    Judge<Real>(reference, reference.Crossings(ray.origin, ray.direction), ray, 0.0, hit);
   return !verdict.hit && !verdict.falseHit;
 }
 

@@ -151,15 +151,19 @@ inline void HardCaseMaker::AlongThinness(HardCase& hard, double ratio)
     });
 }
 
-inline std::vector<HardCase> HardCaseMaker::All()
+inline void HardCaseMaker::ForEachCase(const CaseTaker& take)
 {
-  std::vector<HardCase> cases;
+  this->engine_.seed(this->seed_);
+  bool wanted = true;
   const auto add = [&](const std::string& situation, double size, double ratio, double distance,
                      bool turned, const std::function<void(HardCase&)>& rays)
   {
-    HardCase hard = this->Start(situation, size, ratio, distance, turned);
-    rays(hard);
-    cases.push_back(std::move(hard));
+    if (wanted)
+    {
+      HardCase hard = this->Start(situation, size, ratio, distance, turned);
+      rays(hard);
+      wanted = take(std::move(hard));
+    }
   };
   const auto aim = [&](double distance)
   { return [this, distance](HardCase& h) { this->Aim(h, distance); }; };
@@ -191,7 +195,35 @@ inline std::vector<HardCase> HardCaseMaker::All()
     }
     add("thin 1:1e4, 1e4 from the origin", 0.02, 1e4, 1e4, true, aim(50));
   }
+}
+
+inline std::vector<HardCase> HardCaseMaker::All()
+{
+  std::vector<HardCase> cases;
+  this->ForEachCase(
+    [&](HardCase hard)
+    {
+      cases.push_back(std::move(hard));
+      return true;
+    });
   return cases;
+}
+
+inline HardCase HardCaseMaker::Case(const std::string& situation)
+{
+  HardCase last;
+  this->ForEachCase(
+    [&](HardCase hard)
+    {
+      last = std::move(hard);
+      return last.situation != situation;
+    });
+  if (last.situation != situation)
+  {
+    throw std::invalid_argument(
+      "no hard case of " + this->subject_.name + " is called '" + situation + "'");
+  }
+  return last;
 }
 
 inline std::vector<Subject> HardSubjects()

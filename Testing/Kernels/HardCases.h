@@ -12,6 +12,7 @@
 #include <functional>
 #include <random>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -99,17 +100,24 @@ public:
     : subject_(subject)
     , glyphs_(glyphs)
     , raysPerGlyph_(raysPerGlyph)
-    , engine_(seed)
+    , seed_(seed)
   {
   }
 
   std::vector<HardCase> All();
+
+  /// One case of All(), with the same rays. The cases before it are made and thrown away, as all share
+  /// one sequence of random numbers: the first cases cost least. Throws std::invalid_argument where
+  /// the subject has no case of that name.
+  HardCase Case(const std::string& situation);
 
 private:
   using Vec = glm::dvec3;
   using Exact = shapes::Kernel<double>;
   /// Adds one ray at the glyph of the given number.
   using RayMaker = std::function<void(HardCase&, std::uint32_t)>;
+  /// Takes a case; false: no more are wanted.
+  using CaseTaker = std::function<bool(HardCase)>;
 
   double Uniform(double low, double high)
   {
@@ -173,6 +181,7 @@ private:
   bool Surface(const HardCase& hard, std::uint32_t index, Vec& point, Vec& normal);
   double Extent(const HardCase& hard, std::uint32_t index) const;
 
+  void ForEachCase(const CaseTaker& take);
   HardCase
   Start(const std::string& situation, double size, double ratio, double distance, bool turned);
   void
@@ -189,6 +198,7 @@ private:
   Subject subject_;
   int glyphs_;
   int raysPerGlyph_;
+  std::uint64_t seed_;
   std::mt19937_64 engine_;
 };
 

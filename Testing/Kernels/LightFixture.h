@@ -6,6 +6,7 @@
 #pragma once
 
 #include "Scene.h"
+#include "SharedDevice.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
@@ -58,7 +59,7 @@ class LightTest : public ::testing::Test
 protected:
   std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   rtg::Scene scene{ device };
-  rtg::Tracer tracer{ device };
+  rtg::Tracer& tracer = rtg::testing::SharedTracer();
   rtg::TraceSettings settings;
   std::vector<rtg::Light> lights;
   rtg::Camera camera = this->LookFrom({ 0, 0, 5 });

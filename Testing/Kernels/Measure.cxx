@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace rtg::testing
 {
@@ -37,6 +38,12 @@ double SilhouetteWidth(ReferenceGlyph& glyph, const HardRay& ray, std::size_t cr
   return 1.0;
 }
 
+/// The larger one; of a number and one that is none, the latter, which std::max may lose.
+double Largest(double a, double b)
+{
+  return a >= b || std::isnan(a) ? a : b;
+}
+
 glm::dvec3 ToDouble(const QuadVector& v)
 {
   return { double(v.x), double(v.y), double(v.z) };
@@ -67,9 +74,9 @@ void CompareHit(const ReferenceGlyph& glyph, const HardRay& ray, const Answer& a
 } // namespace
 
 template <class Real>
-Verdict Judge(ReferenceGlyph& glyph, const HardRay& ray, double tMin, const Answer& answer)
+Verdict Judge(ReferenceGlyph& glyph, const std::vector<ReferenceCrossing>& exact,
+  const HardRay& ray, double tMin, const Answer& answer)
 {
-  const std::vector<ReferenceCrossing> exact = glyph.Crossings(ray.origin, ray.direction);
   const double sizeInT = glyph.Size() / glm::length(glm::dvec3(ray.direction));
   const glm::dvec3 direction = glm::normalize(glm::dvec3(ray.direction));
 
@@ -148,16 +155,17 @@ CaseReport Summarise(const std::vector<Verdict>& verdicts)
       ulps.push_back(verdict.ulps);
       sizes.push_back(verdict.sizes);
       report.outOfBound += !(verdict.excess <= 1.0);
-      report.maxExcess = std::max(report.maxExcess, verdict.excess);
+      report.maxExcess = Largest(report.maxExcess, verdict.excess);
     }
     if (verdict.bothHit && verdict.hasNormal)
     {
       radians.push_back(verdict.radians);
-      report.maxNormalExcess = std::max(report.maxNormalExcess, verdict.normalExcess);
+      report.normalsOutOfBound += !(verdict.normalExcess <= 1.0);
+      report.maxNormalExcess = Largest(report.maxNormalExcess, verdict.normalExcess);
     }
   }
   const auto maximum = [](const std::vector<double>& values)
-  { return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end()); };
+  { return std::accumulate(values.begin(), values.end(), 0.0, Largest); };
   report.medianUlps = Quantile(ulps, 0.5);
   report.maxUlps = maximum(ulps);
   report.medianSizes = Quantile(sizes, 0.5);
@@ -167,21 +175,42 @@ CaseReport Summarise(const std::vector<Verdict>& verdicts)
   return report;
 }
 
+ReferenceCase::ReferenceCase(HardCase hard)
+  : hard_(std::move(hard))
+{
+  for (std::uint32_t i = 0; i < this->hard_.instances.Count(); ++i)
+  {
+    this->glyphs_.emplace_back(this->hard_.instances, i);
+  }
+  for (const HardRay& ray : this->hard_.rays)
+  {
+    this->crossings_.push_back(this->glyphs_[ray.glyph].Crossings(ray.origin, ray.direction));
+  }
+}
+
 template <class Real>
-std::vector<Verdict> JudgeKernel(const HardCase& hard)
+Verdict ReferenceCase::Judge(std::size_t ray, const Answer& answer)
+{
+  const HardRay& hardRay = this->hard_.rays[ray];
+  return testing::Judge<Real>(
+    this->glyphs_[hardRay.glyph], this->crossings_[ray], hardRay, 0.0, answer);
+}
+
+template <class Real>
+std::vector<Verdict> JudgeKernel(ReferenceCase& reference)
 {
   using Kernel = shapes::Kernel<Real>;
+  const HardCase& hard = reference.Hard();
   std::vector<Verdict> verdicts;
   verdicts.reserve(hard.rays.size());
   std::uint32_t index = ~0u;
-  std::vector<ReferenceGlyph> reference;
   typename Kernel::Glyph glyph{};
-  for (const HardRay& ray : hard.rays)
+  for (std::size_t i = 0; i < hard.rays.size(); ++i)
   {
+    const HardRay& ray = hard.rays[i];
     if (ray.glyph != index)
     {
       index = ray.glyph;
-      reference = { ReferenceGlyph(hard.instances, index) };
       glyph = KernelGlyph<Real>(hard.instances, index);
     }
     const typename Kernel::GlyphRay kernelRay = KernelRay<Real>(ray);
@@ -193,14 +222,18 @@ std::vector<Verdict> JudgeKernel(const HardCase& hard)
     {
       answer.normal = glm::dvec3(Kernel::Normal(hard.instances.shape, kernelRay, glyph, t));
     }
-    verdicts.push_back(Judge<Real>(reference[0], ray, 0.0, answer));
+    verdicts.push_back(reference.Judge<Real>(i, answer));
   }
   return verdicts;
 }
 
-template Verdict Judge<float>(ReferenceGlyph&, const HardRay&, double, const Answer&);
-template Verdict Judge<double>(ReferenceGlyph&, const HardRay&, double, const Answer&);
-template std::vector<Verdict> JudgeKernel<float>(const HardCase&);
-template std::vector<Verdict> JudgeKernel<double>(const HardCase&);
+template Verdict Judge<float>(
+  ReferenceGlyph&, const std::vector<ReferenceCrossing>&, const HardRay&, double, const Answer&);
+template Verdict Judge<double>(
+  ReferenceGlyph&, const std::vector<ReferenceCrossing>&, const HardRay&, double, const Answer&);
+template Verdict ReferenceCase::Judge<float>(std::size_t, const Answer&);
+template Verdict ReferenceCase::Judge<double>(std::size_t, const Answer&);
+template std::vector<Verdict> JudgeKernel<float>(ReferenceCase&);
+template std::vector<Verdict> JudgeKernel<double>(ReferenceCase&);
 
 } // namespace rtg::testing

@@ -63,18 +63,44 @@ struct Verdict
   double normalExcess = 0.0; ///< the same over its bound
 };
 
-/// `Real` is the arithmetic whose ulps count. The ray's range is [tMin, infinity).
+/// `Real` is the arithmetic whose ulps count. The ray's range is [tMin, infinity). `exact` is what
+/// glyph.Crossings() gives for the ray.
 template <class Real>
-Verdict Judge(ReferenceGlyph& glyph, const HardRay& ray, double tMin, const Answer& answer);
+Verdict Judge(ReferenceGlyph& glyph, const std::vector<ReferenceCrossing>& exact,
+  const HardRay& ray, double tMin, const Answer& answer);
 
-extern template Verdict Judge<float>(ReferenceGlyph&, const HardRay&, double, const Answer&);
-extern template Verdict Judge<double>(ReferenceGlyph&, const HardRay&, double, const Answer&);
+extern template Verdict Judge<float>(
+  ReferenceGlyph&, const std::vector<ReferenceCrossing>&, const HardRay&, double, const Answer&);
+extern template Verdict Judge<double>(
+  ReferenceGlyph&, const std::vector<ReferenceCrossing>&, const HardRay&, double, const Answer&);
+
+/// A hard case with the reference's crossings. The reference costs more than a kernel: found once, the
+/// crossings judge several arithmetics.
+class ReferenceCase
+{
+public:
+  explicit ReferenceCase(HardCase hard);
+
+  const HardCase& Hard() const { return this->hard_; }
+
+  /// The answer to the ray of that number in Hard().rays.
+  template <class Real>
+  Verdict Judge(std::size_t ray, const Answer& answer);
+
+private:
+  HardCase hard_;
+  std::vector<ReferenceGlyph> glyphs_;
+  std::vector<std::vector<ReferenceCrossing>> crossings_; ///< of each ray
+};
+
+extern template Verdict ReferenceCase::Judge<float>(std::size_t, const Answer&);
+extern template Verdict ReferenceCase::Judge<double>(std::size_t, const Answer&);
 
 /// Summary of a case: medians and maxima over rays where both hit, counts over all.
 struct CaseReport
 {
   std::size_t rays = 0, hits = 0, excused = 0, compared = 0, falseHits = 0, falseMisses = 0,
-              outOfBound = 0;
+              outOfBound = 0, normalsOutOfBound = 0;
   double medianUlps = 0, maxUlps = 0, medianSizes = 0, maxSizes = 0, maxExcess = 0;
   double medianRadians = 0, maxRadians = 0, maxNormalExcess = 0;
 };
@@ -86,9 +112,9 @@ double Quantile(std::vector<double> values, double share);
 
 /// All rays of a case through the C++ kernel.
 template <class Real>
-std::vector<Verdict> JudgeKernel(const HardCase& hard);
+std::vector<Verdict> JudgeKernel(ReferenceCase& reference);
 
-extern template std::vector<Verdict> JudgeKernel<float>(const HardCase&);
-extern template std::vector<Verdict> JudgeKernel<double>(const HardCase&);
+extern template std::vector<Verdict> JudgeKernel<float>(ReferenceCase&);
+extern template std::vector<Verdict> JudgeKernel<double>(ReferenceCase&);
 
 } // namespace rtg::testing

@@ -1,6 +1,7 @@
 // Mesh glyphs and surfaces through the pipeline.
 #include "BoxMesh.h"
 #include "Scene.h"
+#include "SharedDevice.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
@@ -24,7 +25,7 @@ class MeshTest : public ::testing::Test
 protected:
   std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   rtg::Scene scene{ device };
-  rtg::Tracer tracer{ device };
+  rtg::Tracer& tracer = rtg::testing::SharedTracer();
   std::mt19937 random{ 7 };
 
   float Uniform(float lower, float upper)

@@ -3,6 +3,7 @@
 
 #include "Scene.h"
 #include "SceneState.h"
+#include "SharedDevice.h"
 #include "Shapes/Shapes.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
@@ -139,7 +140,7 @@ class MotionTest : public ::testing::TestWithParam<Way>
 protected:
   std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   rtg::Scene scene{ device };
-  rtg::Tracer tracer{ device };
+  rtg::Tracer& tracer = rtg::testing::SharedTracer();
   rtg::TraceSettings settings;
   // The square [-1, 1] x [-1, 1], seen along -z.
   rtg::Camera camera = rtg::Camera::FromWorldToClip(glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) *

@@ -1,9 +1,10 @@
 // The hard cases through the ray-tracing pipeline: the same bounds as for the kernels in C++.
 #include "Measure.h"
 #include "Scene.h"
+#include "SharedDevice.h"
+#include "SubjectName.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
-#include "SubjectName.h"
 
 #include <gtest/gtest.h>
 
@@ -35,11 +36,9 @@ GlyphInstances Single(const GlyphInstances& all, std::uint32_t index)
   return one;
 }
 
-class NumericsThroughThePipeline : public ::testing::Test
+class PipelineNumericsTest : public ::testing::TestWithParam<Subject>
 {
 protected:
-  void KeepsTheBounds(const Subject& subject);
-
   std::vector<Verdict> JudgePipeline(const HardCase& hard)
   {
     std::vector<Verdict> verdicts;
@@ -66,7 +65,8 @@ protected:
       for (std::size_t k = 0; k < rays.size(); ++k)
       {
         const Answer answer{ std::isfinite(hits[k].t), hits[k].t, glm::dvec3(hits[k].normal) };
-        verdicts.push_back(Judge<float>(reference, rays[k], 0.0, answer));
+        verdicts.push_back(Judge<float>(
+          reference, reference.Crossings(rays[k].origin, rays[k].direction), rays[k], 0.0, answer));
       }
     }
     return verdicts;
@@ -74,14 +74,14 @@ protected:
 
   std::shared_ptr<Device> device_ = Device::Shared();
   Scene scene_{ device_ };
-  Tracer tracer_{ device_ };
+  Tracer& tracer_ = SharedTracer();
   Scene::SetId set_ = scene_.Add();
 };
 
-void NumericsThroughThePipeline::KeepsTheBounds(const Subject& subject)
+TEST_P(PipelineNumericsTest, KeepsTheBounds)
 {
   std::vector<Verdict> all;
-  for (const HardCase& hard : HardCaseMaker(subject, 3, 100).All())
+  for (const HardCase& hard : HardCaseMaker(this->GetParam(), 3, 100).All())
   {
     SCOPED_TRACE(hard.subject + ": " + hard.situation);
     const std::vector<Verdict> verdicts = this->JudgePipeline(hard);
@@ -106,27 +106,10 @@ void NumericsThroughThePipeline::KeepsTheBounds(const Subject& subject)
             << report.falseHits << ", misses " << report.falseMisses << "\n";
 }
 
-class PipelineNumericsTest
-  : public NumericsThroughThePipeline
-  , public ::testing::WithParamInterface<Subject>
-{
-};
-
-TEST_P(PipelineNumericsTest, KeepsTheBounds)
-{
-  this->KeepsTheBounds(GetParam());
-}
-
 INSTANTIATE_TEST_SUITE_P(Shapes, PipelineNumericsTest, ::testing::ValuesIn(HardSubjects()),
   SubjectName);
 
-// All in one process: their programs take longest to compile.
-TEST_F(NumericsThroughThePipeline, NestedFormsKeepTheBounds)
-{
-  for (const Subject& subject : NestedSubjects())
-  {
-    this->KeepsTheBounds(subject);
-  }
-}
+INSTANTIATE_TEST_SUITE_P(
+  Nested, PipelineNumericsTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);
 
 } // namespace

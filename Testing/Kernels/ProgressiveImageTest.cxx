@@ -436,6 +436,14 @@ TEST_F(ProgressiveImageTest, LackOfMemoryIsAFailureInWords)
   this->source.memoryFails = true;
   EXPECT_EQ(this->Update(Script(1)), nullptr);
   EXPECT_NE(this->image.GetFailure().message.find("memory"), std::string::npos);
+  EXPECT_EQ(this->image.GetFailure().cause, ProgressiveImage::Cause::Memory);
+  EXPECT_EQ(this->image.Progress(), 1.0) << "a window would render for ever";
+  // Memory may be free again at any time; a turning camera does not ask for it with each picture.
+  this->source.memoryFails = false;
+  ImageEffort turning = Window(1);
+  turning.preview = true;
+  EXPECT_EQ(this->Update(turning), nullptr);
+  EXPECT_NE(this->Update(Script(1)), nullptr);
 }
 
 TEST_F(ProgressiveImageTest, SomebodyStopsATraceAndItGoesOn)

@@ -70,7 +70,8 @@ void TableOfFamily(const Subject& subject, const char* range, const char* arithm
   double nanoseconds = 0, plain = 0;
   for (const HardCase& hard : HardCaseMaker(subject, 12, 50, 21).All())
   {
-    for (const Verdict& verdict : JudgeKernel<Real>(hard))
+    ReferenceCase reference(hard);
+    for (const Verdict& verdict : JudgeKernel<Real>(reference))
     {
       ++rays;
       falseHits += verdict.falseHit;
@@ -163,7 +164,8 @@ int main(int argc, char** argv)
     "normal max (rad) | false hits, misses | ns |\n|---|---|---|---|---|---|---|---|---|\n");
   for (const HardCase& hard : MakeHardCases())
   {
-    const CaseReport r = Summarise(JudgeKernel<float>(hard));
+    ReferenceCase reference(hard);
+    const CaseReport r = Summarise(JudgeKernel<float>(reference));
     std::printf(
       "| %s | %s | %zu / %zu | %.2g, %.2g | %.1e, %.1e | %.2f | %.1e (%.1f) | %zu, %zu | %.0f |\n",
       hard.subject.c_str(), hard.situation.c_str(), r.hits, r.rays, r.medianUlps, r.maxUlps,
@@ -172,7 +174,7 @@ int main(int argc, char** argv)
     if (file)
     {
       WriteRow(file, hard, "float", r);
-      WriteRow(file, hard, "double", Summarise(JudgeKernel<double>(hard)));
+      WriteRow(file, hard, "double", Summarise(JudgeKernel<double>(reference)));
     }
   }
   return 0;

@@ -20,12 +20,9 @@ protected:
   void ForEachHit(Function function)
   {
     std::size_t hits = 0;
-    for (const HardCase& hard : HardCaseMaker(this->GetParam(), 8, 400).All())
+    for (const char* situation : { "plain", "turned" })
     {
-      if (hard.situation != "plain" && hard.situation != "turned")
-      {
-        continue;
-      }
+      const HardCase hard = HardCaseMaker(this->GetParam(), 8, 400).Case(situation);
       for (const HardRay& hardRay : hard.rays)
       {
         const auto ray = KernelRay<float>(hardRay);

@@ -6,6 +6,7 @@ import os
 import sys
 
 import paraview.simple as pv
+from paraview.modules.vtkRemotingViews import vtkSMTransferFunctionPresets
 
 REPRESENTATION = "Ray Traced Glyphs"
 
@@ -35,17 +36,28 @@ def show(source, view, shape, **properties):
     return shown
 
 
+def preset_name(name):
+    """A preset of matplotlib's, under the name that it has in this ParaView: 'Viridis', or before 6 'Viridis (matplotlib)'."""
+    old_name = name + " (matplotlib)"
+    return old_name if vtkSMTransferFunctionPresets.GetInstance().HasPreset(old_name) else name
+
+
+def number_format():
+    """Format of a scalar bar's numbers, three digits at most: std::format's since ParaView 6.1, printf's before."""
+    return "{:.3g}" if pv.GetParaViewVersion() >= (6, 1) else "%.3g"
+
+
 def colour(shown, view, array, component, limits, preset, title, place=(0.6, 0.84)):
     """Colours by an array's component, with a scalar bar whose lower left corner is at place (fractions of the view)."""
     pv.ColorBy(shown, ("POINTS", array, component), True)
     table = pv.GetColorTransferFunction(array, shown, separate=True)
-    table.ApplyPreset(preset, True)
+    table.ApplyPreset(preset_name(preset), True)
     table.RescaleTransferFunction(*limits)
     shown.SetScalarBarVisibility(view, True)
     bar = pv.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
-    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.0f", "%.0f"
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, number_format(), number_format()
     bar.WindowLocation, bar.Orientation = "Any Location", "Horizontal"
     bar.Position, bar.ScalarBarLength = list(place), 0.34
 
@@ -54,7 +66,7 @@ def spheres(impact, view):
     """The grains as spheres of their diameter, coloured by speed."""
     shown = show(impact, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
                  GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
-    colour(shown, view, "velocity", "Magnitude", (0.0, 8.0), "Plasma (matplotlib)", "speed")
+    colour(shown, view, "velocity", "Magnitude", (0.0, 8.0), "Plasma", "speed")
     look(view, (9.0, -36.0, 27.0), (14.3, 14.0, 4.0), (0.0, 0.0, 1.0))
 
 
@@ -73,7 +85,7 @@ def ellipsoids(nematic, view):
     shown = show(nematic, view, "Sphere", GlyphOrient=1, GlyphOrientationArray="quaternion",
                  GlyphOrientationMode="Quaternion", GlyphScaling=1, GlyphScaleArray="shape",
                  GlyphScaleMode="Components", GlyphScaleFactor=1.0)
-    colour(shown, view, "velocity", "Magnitude", (0.0, 4.0), "Viridis (matplotlib)", "speed")
+    colour(shown, view, "velocity", "Magnitude", (0.0, 4.0), "Viridis", "speed")
     look(view, (31.0, 24.0, 49.0), (12.6, 11.6, 12.2), (0.0, 1.0, 0.0))
 
 

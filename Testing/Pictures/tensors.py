@@ -12,7 +12,7 @@ import paraview.simple as pv
 from vtkmodules.numpy_interface import dataset_adapter
 
 from shapes import source
-from simulation import begin, look, new_view, save, show
+from simulation import begin, look, new_view, preset_name, save, show
 
 
 def arrays_of(reader):
@@ -80,7 +80,7 @@ def packing(view, data, folder):
                  GlyphOrientationArray="quaternion", GlyphOrientationMode="Quaternion")
     pv.ColorBy(shown, ("POINTS", "least"), True)
     table = pv.GetColorTransferFunction("least", shown, separate=True)
-    table.ApplyPreset("Viridis (matplotlib)", True)
+    table.ApplyPreset(preset_name("Viridis"), True)
     table.RescaleTransferFunction(numpy.log10(0.4), numpy.log10(8.0))
     look(view, (2.3, -1.6, 1.7), (0.5, 0.5, 0.5), (0.0, 0.0, 1.0))
 

@@ -21,6 +21,8 @@ if (PARAVIEW_USE_MPI AND RTGLYPHS_PVBATCH AND RTGLYPHS_MPIEXEC)
   endforeach ()
   set_tests_properties(Parallel1 PROPERTIES FIXTURES_SETUP one_rank)
   set_property(TEST Parallel2 Parallel4 APPEND PROPERTY FIXTURES_REQUIRED one_rank)
+else ()
+  message(STATUS "No tests of several ranks: they need a ParaView with MPI, pvbatch and mpiexec")
 endif ()
 
 if (RTGLYPHS_PVSERVER)
@@ -31,6 +33,8 @@ if (RTGLYPHS_PVSERVER)
       COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/client_server.py" "${data}" "${RTGLYPHS_PVSERVER}"
         "${RTGLYPHS_MPIEXEC}" -n 2)
   endif ()
+else ()
+  message(STATUS "No tests of a server: pvserver was not found")
 endif ()
 
 # A session that saves, and a fresh one for each of the two ways back.

@@ -105,6 +105,8 @@ def sizes(case):
 def settings(case):
     """Numbers out of range count as the nearest that makes sense, NaN as the default: the picture is that of those."""
     points = session.source(session.poly_data(LINE))
+    # One representation for all: with the last one of a view go the programs that were compiled for it.
+    shown = session.glyphs(points, case.view, GlyphOrient=0, GlyphScaleFactor=0.9, samples=2)
     nothing = numpy.nan
     for name, mode, bad, good in (("SamplesPerPixel", "Ambient Occlusion", (0, -7), 1), ("SamplesPerRender", "Local", (-3,), 0),
                                   ("AmbientOcclusionRadius", "Ambient Occlusion", (-1.0, nothing), 0.0),
@@ -115,19 +117,23 @@ def settings(case):
                                   ("Exposure", "Local", (1e9,), 100.0), ("Exposure", "Local", (-1e9,), -100.0),
                                   ("Exposure", "Local", (nothing,), 0.0), ("InteractiveReduction", "Local", (0, -2), 1)):
         pictures = []
+        shown.ShadingMode = mode
+        before = getattr(shown, name)
         for value in (good,) + bad:
-            shown = session.glyphs(points, case.view, GlyphOrient=0, GlyphScaleFactor=0.9, ShadingMode=mode, samples=2)
+            # A bad value that is not heeded would leave this one.
+            setattr(shown, name, before)
             setattr(shown, name, value)
             text = session.messages(lambda: pv.Render(case.view))
             pictures.append(session.capture(case.view, "bad-settings"))
             if text.strip():
                 case.failures.append("%s %s: unexpected message: %s" % (name, value, text.strip()))
-            pv.Delete(shown)
+        setattr(shown, name, before)
         for value, picture in zip(bad, pictures[1:]):
             same = (picture == pictures[0]).all()
             print("%s %s: %s" % (name, value, "as %s" % good if same else "another picture"))
             if not same or not comparison.covered(picture).any():
                 case.failures.append("%s %s does not count as %s" % (name, value, good))
+    pv.Delete(shown)
     pv.Delete(points)
 
 

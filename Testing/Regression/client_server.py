@@ -55,12 +55,12 @@ def blocks():
     return view
 
 
-def start_server(program):
-    """A server that waits for this process; (process, port)."""
+def start_server(program, log_name="client-server.log"):
+    """A server that waits for this process and writes to a log of that name; (process, port)."""
     with socket.socket() as probe:
-        probe.bind(("localhost", 0))
+        probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
-    log = open(session.output("client-server-server.log"), "w")
+    log = open(session.output(log_name), "w")
     # This process is an MPI rank, too; an mpiexec that is told so starts nothing.
     environment = {name: value for name, value in os.environ.items()
                    if not name.startswith(("PMIX_", "ORTE_", "OMPI_")) or name.startswith(("OMPI_ALLOW", "OMPI_MCA_rmaps"))}
@@ -94,14 +94,17 @@ def main(folder, server):
     session.load()
     view = scene(folder)[0]
     pv.Render(view)
-    expected = session.capture(view, "client-server-none")
-    expected_blocks = session.capture(blocks(), "client-server-blocks-none")
+    # Two servers may be tested at once.
+    test = "client-server" + ("-ranks" if len(server) > 1 else "")
+    log_name = test + ".log"
+    expected = session.capture(view, test + "-none")
+    expected_blocks = session.capture(blocks(), test + "-blocks-none")
     pv.Disconnect()
 
-    process, port = start_server(server)
+    process, port = start_server(server, log_name)
     failures = []
     try:
-        pv.Connect("localhost", port)
+        pv.Connect("127.0.0.1", port)
         session.load()
         pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))
         for where, threshold in (("remote", REMOTE), ("client", CLIENT)):
@@ -112,7 +115,7 @@ def main(folder, server):
             block_view = blocks()
             block_view.RemoteRenderThreshold = threshold
             pv.Render(block_view)
-            pairs = (("client-server-" + where, view, expected), ("client-server-blocks-" + where, block_view, expected_blocks))
+            pairs = ((test + "-" + where, view, expected), (test + "-blocks-" + where, block_view, expected_blocks))
             for name, of_view, wanted in pairs:
                 pixels = session.capture(of_view, name)
                 share, mean, apart = comparison.difference(pixels, wanted)
@@ -124,7 +127,7 @@ def main(folder, server):
             pv.Delete(block_view)
     finally:
         stop(process)
-    with open(session.output("client-server-server.log")) as log:
+    with open(session.output(log_name)) as log:
         print(log.read())
     for failure in failures:
         print("FAILED:", failure)

@@ -82,6 +82,7 @@ def picture(scene, points, show, who):
     view = session.view(*SIZE)
     shown = show(points, view)
     pv.ColorBy(shown, ("POINTS", "column"))
+    session.cool_to_warm("column")
     shown.SetScalarBarVisibility(view, scene == "scalarbar")
     if scene == "scalarbar":
         bar = pv.GetScalarBar(pv.GetColorTransferFunction("column"), view)

@@ -1,4 +1,4 @@
-"""2,000 time steps of glyphs and of a surface, both blurred and both new in every step: nothing must be left over from any.
+"""Many time steps of glyphs and of a surface, both blurred and both new in every step: nothing must be left over from any.
 
 Usage: pvpython many_steps.py [STEPS]
 """

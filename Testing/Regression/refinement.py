@@ -107,14 +107,16 @@ PROCESS = None
 try:
     pv._DisableFirstRenderCameraReset()
     if SERVER:
-        PROCESS, PORT = client_server.start_server([SERVER])
-        pv.Connect("localhost", PORT)
+        PROCESS, PORT = client_server.start_server([SERVER], "refinement-server.log")
+        pv.Connect("127.0.0.1", PORT)
         pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))
     FOUND = main()
 except Exception:  # the window would stay open for ever
     FOUND = [traceback.format_exc()]
 if PROCESS:
     client_server.stop(PROCESS)
+    with open(session.output("refinement-server.log")) as log:
+        say(log.read())
 for failure in FOUND:
     say("FAILED: " + failure)
 say("REFINEMENT TEST " + ("FAILED" if FOUND else "PASSED"))

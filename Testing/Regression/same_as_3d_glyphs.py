@@ -1,6 +1,6 @@
-"""Ray-traced glyphs against ParaView's 3D Glyphs at high tessellation: one shape, every projection, colouring and light.
+"""Ray-traced glyphs against ParaView's 3D Glyphs at high tessellation: every shape, projection, coloring and light.
 
-Usage: pvpython same_as_3d_glyphs.py SHAPE
+Usage: pvpython same_as_3d_glyphs.py [SHAPE...]
 SHAPE is Sphere, Box, ..., or MeshSphere, MeshBox, ...: the glyphs are then meshes of ParaView's source of that name.
 """
 import sys
@@ -21,6 +21,11 @@ RESOLUTION = {
 }
 
 
+#: those tested where no shape is named
+SHAPES = ("Sphere", "Box", "Cylinder", "Cone", "Arrow", "MeshArrow", "MeshCylinder")
+COLORINGS = ("solid", "table")
+#: by name: the parallel scale
+PROJECTIONS = {"perspective": None, "parallel": 1.4}
 #: no light at all: surfaces then have their plain colour
 LIGHTS = ("lightkit", "headlight", "spot", "none")
 
@@ -81,41 +86,58 @@ def illuminate(view, light):
     return lamp
 
 
-def main(shape):
-    """All combinations for one shape."""
+def combinations(shape):
+    """Combinations (coloring, projection, light): every pair of two of them occurs.
+
+    Meshes have ParaView's own triangles: two combinations that have nothing in common are enough.
+    """
+    if shape.startswith("Mesh"):
+        return [("solid", "perspective", "lightkit"), ("table", "parallel", "spot")]
+    projections = list(PROJECTIONS)
+    return [(coloring, projections[(row + column) % 2], light)
+            for row, coloring in enumerate(COLORINGS) for column, light in enumerate(LIGHTS)]
+
+
+def pictures(view, points, shape, show, who):
+    """The shape's pictures by one of the two representations, by combination."""
+    taken = {}
+    for coloring in COLORINGS:
+        shown = show(points, view, shape)
+        shown.Specular = 0.4
+        shown.SpecularPower = 20.0
+        if coloring == "solid":
+            session.solid(shown, (0.8, 0.5, 0.2))
+            # 3D Glyphs mix the specular colour into the solid one (vtkProperty::GetColor), surfaces do not.
+            shown.SpecularColor = [0.8, 0.5, 0.2]
+        else:
+            pv.ColorBy(shown, ("POINTS", "scalar"))
+            shown.SetScalarBarVisibility(view, False)
+        for combination in combinations(shape):
+            if combination[0] == coloring:
+                _, projection, light = combination
+                session.look(view, (2.0, 1.5, 5.0), parallel_scale=PROJECTIONS[projection])
+                lamp = illuminate(view, light)
+                pv.Render(view)
+                taken[combination] = session.capture(view, "-".join((shape,) + combination + (who,)))
+                if lamp:
+                    pv.RemoveLight(lamp)
+        pv.Hide(points, view)
+        pv.Delete(shown)
+    return taken
+
+
+def main(shapes):
+    """Every shape by both representations."""
     session.load()
     view = session.view()
     points = scene()
     failures = []
-    for colouring in ("solid", "table"):
-        pictures = {}
-        for who, show in (("ours", ours), ("paraview", theirs)):
-            shown = show(points, view, shape)
-            shown.Specular = 0.4
-            shown.SpecularPower = 20.0
-            if colouring == "solid":
-                session.solid(shown, (0.8, 0.5, 0.2))
-                # 3D Glyphs mix the specular colour into the solid one (vtkProperty::GetColor), surfaces do not.
-                shown.SpecularColor = [0.8, 0.5, 0.2]
-            else:
-                pv.ColorBy(shown, ("POINTS", "scalar"))
-                shown.SetScalarBarVisibility(view, False)
-            for projection, scale in (("perspective", None), ("parallel", 1.4)):
-                session.look(view, (2.0, 1.5, 5.0), parallel_scale=scale)
-                for light in LIGHTS:
-                    lamp = illuminate(view, light)
-                    case = "%s-%s-%s-%s" % (shape, colouring, projection, light)
-                    pv.Render(view)
-                    pictures[who, case] = session.capture(view, case + "-" + who)
-                    if lamp:
-                        pv.RemoveLight(lamp)
-            pv.Hide(points, view)
-            pv.Delete(shown)
-        for who, case in pictures:
-            if who == "ours":
-                failures += comparison.against_paraview(pictures[who, case], pictures["paraview", case], case)
+    for shape in shapes:
+        expected = pictures(view, points, shape, theirs, "paraview")
+        for combination, picture in pictures(view, points, shape, ours, "ours").items():
+            failures += comparison.against_paraview(picture, expected[combination], "-".join((shape,) + combination))
     session.finish(failures)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main(sys.argv[1:] or SHAPES)

@@ -19,7 +19,7 @@ REPRESENTATION = "Ray Traced Glyphs"
 #: No shaded glyph has this colour, so what differs from it is covered by glyphs.
 BACKGROUND = (255, 0, 255)
 #: seconds after which a test is taken for hanging; CTest's limit is longer (CMakeLists.txt)
-HANGS = 270
+HANGS = 540
 
 #: Script of a source of which each rank keeps the points of a slab. RedistributeDataSet would do, but Debian 12's ParaView
 #: sends data sets between ranks as XML with raw data, which its libexpat rejects since a security update.
@@ -156,6 +156,11 @@ def solid(shown, colour):
     shown.ColorArrayName = [None, ""]
     shown.DiffuseColor = list(colour)
     shown.AmbientColor = list(colour)
+
+
+def cool_to_warm(name):
+    """Gives an array's lookup table the colors that were ParaView's default before ParaView 6."""
+    pv.GetColorTransferFunction(name).ApplyPreset("Cool to Warm", True)
 
 
 def capture(of_view, name, **options):

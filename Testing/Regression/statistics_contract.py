@@ -51,7 +51,7 @@ def main():
         session.look(view, (1.0, 0.5, 5.0))
 
     def change_table():
-        table.ApplyPreset("Viridis (matplotlib)", True)
+        table.ApplyPreset("Black-Body Radiation", True)
 
     def change_data():
         session.replace_data(points, cloud(2))

@@ -25,12 +25,13 @@ def stereo_view(mode):
 
 
 def picture(mode, who, points, show, samples=None):
-    """What the window shows after one render that traces all samples."""
+    """What the window shows when each render traces all samples. ParaView moves the eyes a little after its first render."""
     view = stereo_view(mode)
     shown = show(points, view, "Sphere")
     session.solid(shown, (0.9, 0.9, 0.9))
     if samples:
         shown.SamplesPerPixel = samples
+    pv.Render(view)
     pv.Render(view)
     pixels = accumulation.shown_by(view)
     comparison.write_image(session.output("stereo-%s-%s.png" % (mode.lower(), who)), pixels)

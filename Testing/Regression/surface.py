@@ -64,9 +64,10 @@ def colour_nothing(shown, _view):
 
 
 def colour_by(association, name):
-    """A function that colours a representation with an array through its lookup table."""
+    """A function that colors a representation with an array through a lookup table that is the same in all ParaViews."""
     def apply(shown, view):
         pv.ColorBy(shown, (association, name))
+        session.cool_to_warm(name)
         shown.SetScalarBarVisibility(view, False)
     return apply
 
@@ -195,7 +196,7 @@ def only_colours(view):
     session.look(view, (1.5, 1.2, 4.0))
     pv.Render(view)
     first = session.statistics(shown)
-    pv.GetColorTransferFunction("height").ApplyPreset("Viridis (matplotlib)", True)
+    pv.GetColorTransferFunction("height").ApplyPreset("Black-Body Radiation", True)
     pv.Render(view)
     second = session.statistics(shown)
     print("colour map:", {key: (first[key], second[key]) for key in first if first[key] != second[key]})

@@ -53,6 +53,10 @@ def colours(failures, view):
     wanted["Fractional Anisotropy"][1] = (180, 4, 38)
     for colouring, expected in wanted.items():
         shown.GlyphTensorColoring = colouring
+        pv.Render(view)
+        for bar in view.Representations:  # it would stand before the glyphs
+            if bar.GetProperty("ComponentTitle") is not None:
+                bar.Visibility = 0
         image = session.capture(view, "tensors-colour-" + colouring.replace(" ", "-"))
         for x, colour in zip((-1, 0, 1), expected):
             seen = middle(image, x)

@@ -22,6 +22,7 @@ def show(points, view):
     shown = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="size",
                            GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
     pv.ColorBy(shown, ("POINTS", "size"))
+    session.cool_to_warm("size")
     shown.SetScalarBarVisibility(view, False)
     session.look(view, (1.0, 1.0, 5.0))
     return shown

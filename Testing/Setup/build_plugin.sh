@@ -3,7 +3,7 @@
 
 # Sets build and pvpython; with an argument, the folder of a ParaView installation.
 build_plugin() { # [paraview folder]
-  local options=(-DCMAKE_BUILD_TYPE=Release) paraview=${1:-}
+  local options=() paraview=${1:-}
   build=$clone/build
   pvpython=pvpython
   if [ -n "$paraview" ]; then
@@ -21,7 +21,7 @@ build_plugin() { # [paraview folder]
   fi
   echo "== configure ($build)"
   # Debian's python3, for which ParaView and numpy are installed, not another one on the path.
-  cmake -S "$clone" -B "$build" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 "${options[@]}" >"$build.configure.log" 2>&1 || {
+  cmake -S "$clone" --preset release -B "$build" -DPython3_EXECUTABLE=/usr/bin/python3 "${options[@]}" >"$build.configure.log" 2>&1 || {
     tail -n 20 "$build.configure.log" >&2
     return 1
   }

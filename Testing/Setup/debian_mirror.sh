@@ -9,6 +9,7 @@ find_debian_mirror() { # codename
   entry=$(apt-get indextargets --format '$(CODENAME) $(RELEASE) $(REPO_URI) $(SOURCESENTRY)' 'Created-By: Packages' |
     awk -v c="$1" '{ for (i = 1; i < NF - 1; ++i) if ($i == c) { print $(NF - 1), $NF; exit } }')
   mirror_uri=${entry%% *}
+  mirror_uri=${mirror_uri%/}
   mirror_signed_by=
   [ -n "$mirror_uri" ] || return 1
   source_file=${entry#* }

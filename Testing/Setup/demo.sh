@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Simulation data to pictures, from a bare Debian 12 or 13 as root or with sudo: installs what is missing, builds the
+# Simulation data to pictures, from a bare Debian 12, 13 or testing as root or with sudo: installs what is missing, builds the
 # plugin into build/, renders Data/'s simulations as ray-traced glyphs into build/pictures. May be called again at any time.
 # Usage: demo.sh [--paraview DIR]     DIR: a ParaView made by build_paraview.sh instead of the distribution's
 set -euo pipefail

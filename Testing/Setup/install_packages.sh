@@ -2,15 +2,16 @@
 # Installs, with apt, what building, testing or benchmarking RayTracedGlyphs needs and is missing.
 # Usage: install_packages.sh [build] [test] [gui] [benchmark] [simulate] [source-build] [source-build-qt] [source-build-mpi]
 # (default: build test gui)
-# Works on Debian 12 and 13, as root or through sudo; does nothing when all is there.
+# Works on Debian 12, 13 and testing, as root or through sudo; does nothing when all is there.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/debian_mirror.sh"
 
 . /etc/os-release
 codename=${VERSION_CODENAME:-unknown}
 case "$codename" in
-  bookworm | trixie) ;;
-  *) echo "install_packages.sh: '$codename' is untested; continuing as on trixie. Tested: bookworm (12), trixie (13)." ;;
+  bookworm | trixie | forky | sid) ;;
+  *) echo "install_packages.sh: '$codename' is untested; continuing as on forky." \
+       "Tested: bookworm (12), trixie (13), forky (testing)." ;;
 esac
 groups=("$@")
 [ ${#groups[@]} -gt 0 ] || groups=(build test gui)
@@ -22,6 +23,12 @@ build=(cmake ninja-build g++ ccache pkg-config
   libvulkan1 mesa-vulkan-drivers libgl1-mesa-dri xvfb python3-numpy)
 qt=(qtbase5-dev libqt5svg5-dev libqt5opengl5-dev qttools5-dev)
 [ "$codename" = bookworm ] || qt=(qt6-base-dev qt6-svg-dev qt6-5compat-dev qt6-tools-dev qt6-tools-dev-tools)
+case "$codename" in
+  bookworm | trixie) ;; # ParaView contains its own VTK.
+  *)
+    build+=(libvtk9-dev)
+    qt+=(libvtk9-qt-dev) ;;
+esac
 gui=("${qt[@]}" python3-mpi4py libgdal-dev libboost-dev
   libutfcpp-dev liblz4-dev libdouble-conversion-dev libtheora-dev libgl2ps-dev
   libavcodec-dev libavformat-dev libavutil-dev libswscale-dev)
@@ -68,28 +75,10 @@ mesa_too_old() {
   [ -z "$version" ] || dpkg --compare-versions "$version" lt 24.1
 }
 
-# Debian 13's paraview-dev refers to ParaView's Python modules as NAME.so while its package has NAME.cpython-*.so, and so
-# cannot be used by any plugin. Links of the expected names, where there is nothing yet, put that right.
-mend_module_names() {
-  local list file found links=0
-  for list in /usr/lib/*/cmake/paraview-*/ParaView*-targets-*.cmake /usr/lib/*/cmake/paraview-*/vtk/VTKPython-targets-*.cmake; do
-    [ -e "$list" ] || continue
-    while read -r file; do
-      [ -e "/usr/$file" ] && continue
-      found=$(compgen -G "/usr/${file%.so}.cpython-*.so" | head -n 1) || true
-      [ -n "$found" ] || continue
-      as_root ln -s "$(basename "$found")" "/usr/$file"
-      links=$((links + 1))
-    done < <(grep -o 'lib/python3/dist-packages/[A-Za-z0-9_/]*\.so' "$list" | sort -u)
-  done
-  [ $links = 0 ] || echo "packages: $links Python modules linked under the names that paraview-dev expects"
-}
-
 missing=()
 for package in "${wanted[@]}"; do installed "$package" || missing+=("$package"); done
 if [ ${#missing[@]} = 0 ] && ! mesa_too_old; then
   echo "packages: all ${#wanted[@]} present"
-  mend_module_names
   exit 0
 fi
 echo "packages: installing ${missing[*]:-newer Mesa}"
@@ -113,5 +102,4 @@ if [ "$codename" = bookworm ]; then
   as_root apt-get -qy install --no-install-recommends {mesa-vulkan-drivers,libgl1-mesa-dri,libegl-mesa0,libglx-mesa0}/bookworm-backports
 fi
 as_root apt-get -qy install --no-install-recommends "${missing[@]}"
-mend_module_names
 echo "packages: done"

@@ -1,17 +1,19 @@
 #!/usr/bin/env bash
-# All tests, from a bare Debian 12 or 13 as root or with sudo: installs what is missing, builds the plugin into build/
+# All tests, from a bare Debian 12, 13 or testing as root or with sudo: installs what is missing, builds the plugin into build/
 # and runs ctest, whose summary comes last. Failed pictures lie in build/Testing/Regression.
-# Usage: test.sh [--paraview DIR] [CTEST-OPTION...]     DIR: a ParaView made by build_paraview.sh
+# Usage: test.sh [--paraview DIR] [--long] [CTEST-OPTION...]     DIR: a ParaView made by build_paraview.sh
+# --long: also the tests labelled "long", which look for leaks over thousands of steps (a quarter of an hour more).
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 clone=$(cd "$here/../.." && pwd)
 . "$here/build_plugin.sh"
 
-paraview= ctest_options=()
+paraview= selection=(-LE long) ctest_options=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --paraview) [ $# -gt 1 ] || { echo "test.sh: --paraview needs a folder" >&2; exit 2; }; paraview=$2; shift ;;
-    -h | --help) sed -n '2,4s/^# //p' "$0"; exit 0 ;;
+    --long) selection=() ;;
+    -h | --help) sed -n '2,5s/^# //p' "$0"; exit 0 ;;
     *) ctest_options+=("$1") ;;
   esac
   shift
@@ -22,4 +24,4 @@ echo "== packages"
 build_plugin "$paraview"
 echo "== tests"
 cd "$build"
-ctest --output-on-failure -j "$(nproc)" "${ctest_options[@]}"
+ctest --output-on-failure -j "$(nproc)" "${selection[@]}" "${ctest_options[@]}"

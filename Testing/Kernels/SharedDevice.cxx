@@ -1,0 +1,33 @@
+#include "SharedDevice.h"
+
+#include "Vulkan/Device.h"
+
+#include <gtest/gtest.h>
+
+namespace rtg::testing
+{
+namespace
+{
+
+std::unique_ptr<Tracer> tracer;
+
+/// Holds device and tracer while tests run. Both are destroyed before main() ends: the driver may be
+/// unloaded then. The validation layers report what was not destroyed.
+class SharedDevice : public ::testing::Environment
+{
+public:
+  void SetUp() override { ASSERT_NO_THROW(tracer = std::make_unique<Tracer>(Device::Shared())); }
+  void TearDown() override { tracer.reset(); }
+};
+
+const ::testing::Environment* const environment =
+  ::testing::AddGlobalTestEnvironment(new SharedDevice);
+
+} // namespace
+
+Tracer& SharedTracer()
+{
+  return *tracer;
+}
+
+} // namespace rtg::testing
