@@ -61,7 +61,7 @@ int vtkRayTracedImageActor::Draw(vtkViewport* viewport, int pass)
   {
     return 0;
   }
-  this->Scene->DrawImage(pass, this);
+  this->Scene->DrawImage(pass, this, this->Mapper);
   return 1;
 }
 
@@ -78,6 +78,16 @@ int vtkRayTracedImageActor::RenderTranslucentPolygonalGeometry(vtkViewport* view
   const int drawn = this->Draw(viewport, static_cast<int>(rtg::Pass::Translucent));
   this->SetIsRenderingTranslucentPolygonalGeometry(false);
   return drawn;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedImageActor::RenderOverlay(vtkViewport*)
+{
+  if (this->Scene)
+  {
+    this->Scene->SmoothFrame();
+  }
+  return 0;
 }
 
 //----------------------------------------------------------------------------

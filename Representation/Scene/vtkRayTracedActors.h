@@ -48,6 +48,7 @@ public:
   vtkTypeBool HasTranslucentPolygonalGeometry() override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
+  int RenderOverlay(vtkViewport* viewport) override;
   double* GetBounds() override { return nullptr; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

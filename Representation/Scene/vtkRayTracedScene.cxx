@@ -19,6 +19,7 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
+#include "vtkRayTracedFXAA.h"
 #include "vtkRayTracedFeatureImage.h"
 #include "vtkRayTracedIdBuffer.h"
 #include "vtkRayTracedImages.h"
@@ -94,6 +95,7 @@ struct vtkRayTracedScene::Internals
   std::string FeatureFile;
   vtkRayTracedImages Images;
   vtkRayTracedImageQuad IdQuad;
+  vtkRayTracedFXAA FXAA;
   vtkRayTracedRendererState::Environment Environment;
 
   // What can be seen: of each shown member the versions of instances, colors and material. Two frames with the same list look
@@ -295,6 +297,10 @@ void vtkRayTracedScene::StartFrame()
                        "off, or choose another representation such as 3D Glyphs.");
   }
   self.PassReported = other;
+  if (self.WantsAnything() && !other)
+  {
+    self.FXAA.Take(this->Renderer);
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -396,7 +402,7 @@ bool vtkRayTracedScene::HasPass(int pass) const
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor)
+void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* mapper)
 {
   Internals& self = *this->Self;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
@@ -507,7 +513,21 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor)
     entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth);
     entry.Uploaded = entry.Image.Version();
   }
-  entry.Quad.Draw(this->Renderer, imageActor, nullptr, vtkRayTracedImageQuad::BLEND);
+  entry.Quad.Draw(this->Renderer, imageActor, mapper, vtkRayTracedImageQuad::BLEND);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::SmoothFrame()
+{
+  Internals& self = *this->Self;
+  self.FXAA.Apply(this->Renderer,
+    [this, &self](vtkTextureObject* pixels)
+    {
+      for (const Internals::Drawn& drawn : self.Frame)
+      {
+        drawn.Entry->Quad.DrawKept(this->Renderer, pixels);
+      }
+    });
 }
 
 //----------------------------------------------------------------------------
@@ -515,6 +535,7 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor)
 void vtkRayTracedScene::EndFrame()
 {
   Internals& self = *this->Self;
+  self.FXAA.GiveBack(this->Renderer);
   if (self.Members.empty() || this->Renderer->GetSelector())
   {
     return;
@@ -661,6 +682,7 @@ void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Self->Images.ReleaseGraphicsResources(window);
   this->Self->IdQuad.ReleaseGraphicsResources(window);
+  this->Self->FXAA.ReleaseGraphicsResources();
 }
 
 //----------------------------------------------------------------------------
