@@ -88,11 +88,15 @@ int vtkRayTracedMapper::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //----------------------------------------------------------------------------
-vtkPolyData* vtkRayTracedMapper::GetPoints()
+void vtkRayTracedMapper::SetPoints(vtkPolyData* points)
 {
-  return this->GetNumberOfInputConnections(0) > 0
-    ? vtkPolyData::SafeDownCast(this->GetExecutive()->GetInputData(0, 0))
-    : nullptr;
+  this->Points = points;
+}
+
+//----------------------------------------------------------------------------
+vtkPolyData* vtkRayTracedMapper::GetPoints() const
+{
+  return this->Points;
 }
 
 //----------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 #include "Glyphs.h"
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkMapper.h"
+#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <array>
@@ -30,6 +31,15 @@ class vtkRayTracedMapper : public vtkMapper
 public:
   vtkTypeMacro(vtkRayTracedMapper, vtkMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What glyphs or surfaces are made of; null: nothing. It is no input of the mapper: the inputs of a mapper are what VTK's
+   * exporters write, and the points are not what is shown.
+   */
+  void SetPoints(vtkPolyData* points);
+  vtkPolyData* GetPoints() const;
+  ///@}
 
   /**
    * Visibility, color and opacity of blocks.
@@ -133,7 +143,6 @@ protected:
    */
   Origin OriginOfPoint(vtkPolyData* points, vtkIdType point) const;
 
-  vtkPolyData* GetPoints();
   void Report(const std::vector<std::string>& messages, std::vector<std::string>& reported);
 
   vtkGlyphBlockAttributes Blocks;
@@ -153,6 +162,7 @@ private:
   struct InstanceKey;
   struct ColorKey;
 
+  vtkSmartPointer<vtkPolyData> Points;
   std::unique_ptr<InstanceKey> Built;
   std::unique_ptr<ColorKey> Colored;
   vtkWeakPointer<vtkRayTracedScene> Scene;

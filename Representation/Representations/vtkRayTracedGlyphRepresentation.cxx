@@ -39,10 +39,7 @@ struct vtkRayTracedGlyphRepresentation::Layer
   // Input, blocks and appearance of the main actor and mapper.
   void Follow(vtkPolyData* points, vtkRayTracedActor* actor, const vtkGlyphBlockAttributes& blocks)
   {
-    if (points != this->Mapper->GetInputDataObject(0, 0))
-    {
-      this->Mapper->SetInputDataObject(points);
-    }
+    this->Mapper->SetPoints(points);
     this->Mapper->SetBlocks(blocks);
     this->Actor->GetProperty()->DeepCopy(actor->GetProperty());
     vtkNew<vtkMatrix4x4> matrix;

@@ -13,6 +13,7 @@
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
 #include "vtkRayTracedMapper.h"
+#include "vtkRayTracedPythonClass.h"
 #include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
@@ -37,6 +38,7 @@ vtkRayTracedRepresentation::vtkRayTracedRepresentation()
   , StepVelocity(std::make_unique<vtkGlyphStepVelocity>())
 {
   this->Actor->SetProperty(this->Property);
+  vtkRayTracedPythonClass::RegisterIfPythonRuns();
 }
 
 //----------------------------------------------------------------------------
@@ -280,10 +282,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   vtkDataObject* delivered =
     lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this) : vtkPVView::GetDeliveredPiece(inInfo, this);
   auto* points = vtkPolyData::SafeDownCast(delivered);
-  if (points != this->Mapper->GetInputDataObject(0, 0))
-  {
-    this->Mapper->SetInputDataObject(points);
-  }
+  this->Mapper->SetPoints(points);
   this->Mapper->SetBlocks(this->Blocks);
   this->ConfigureColors(points);
   const bool collective =

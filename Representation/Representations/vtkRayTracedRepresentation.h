@@ -44,6 +44,11 @@ public:
   vtkTypeMacro(vtkRayTracedRepresentation, vtkPVDataRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * The actor of the glyphs or the surface.
+   */
+  vtkRayTracedActor* GetActor();
+
   ///@{
   /**
    * Settings of the view's image; see vtkRayTracedImageSettings for units and ranges. Values out of range become the
@@ -210,7 +215,6 @@ protected:
 
   bool GetInterpolateScalarsBeforeMapping() const { return this->InterpolateScalarsBeforeMapping; }
   vtkRayTracedMapper* GetMapper();
-  vtkRayTracedActor* GetActor();
   vtkPolyData* GetPoints();
   vtkPVRenderView* GetRenderView();
 

@@ -1,6 +1,8 @@
 //VTK::System::Dec
+//RayTraced::Define
 // Fragment shader of the full-viewport quad that puts a ray-traced image into the view: its colour, and
-// its depth in place of the quad's. Depth peeling replaces the tags where the image is translucent.
+// its depth in place of the quad's. Depth peeling replaces the tags where the image is translucent, and the view's ambient
+// occlusion in screen space (vtkSSAOPass) those that write the surface's place and normal.
 //VTK::Output::Dec
 //VTK::DepthPeeling::Dec
 
@@ -8,6 +10,31 @@ uniform sampler2D imageColour; // straight, not premultiplied
 uniform sampler2D imageDepth;  // window depth in [0, 1]
 
 in vec2 texCoord;
+
+#ifdef RAYTRACED_SURFACE
+uniform mat4 clipToView; // inverse of the camera's projection
+
+// The place that a pixel of the image shows, in the camera's coordinates.
+vec3 PlaceOf(ivec2 pixel)
+{
+  vec2 position = (vec2(pixel) + 0.5) / vec2(textureSize(imageDepth, 0));
+  float depth = texelFetch(imageDepth, pixel, 0).r;
+  vec4 place = clipToView * vec4(2.0 * vec3(position, depth) - 1.0, 1.0);
+  return place.xyz / place.w;
+}
+
+// The step along the surface from a pixel to its neighbor: of the two neighbors the one of more like depth, because the other
+// may show another surface.
+vec3 StepAlong(ivec2 direction, ivec2 pixel, vec3 place)
+{
+  ivec2 size = textureSize(imageDepth, 0);
+  bool first = any(lessThan(pixel - direction, ivec2(0)));
+  bool last = any(greaterThanEqual(pixel + direction, size));
+  vec3 forth = last ? vec3(0.0) : PlaceOf(pixel + direction) - place;
+  vec3 back = first ? vec3(0.0) : place - PlaceOf(pixel - direction);
+  return last || (!first && abs(back.z) < abs(forth.z)) ? back : forth;
+}
+#endif
 
 void main()
 {
@@ -17,6 +44,14 @@ void main()
     discard;
   }
   gl_FragDepth = texture(imageDepth, texCoord).r;
+#ifdef RAYTRACED_SURFACE
+  // These names are those of VTK's own shaders, which vtkSSAOPass looks for.
+  ivec2 pixel = ivec2(texCoord * vec2(textureSize(imageDepth, 0)));
+  vec4 vertexVC = vec4(PlaceOf(pixel), 1.0);
+  vec3 normalVCVSOutput =
+    normalize(cross(StepAlong(ivec2(1, 0), pixel, vertexVC.xyz), StepAlong(ivec2(0, 1), pixel, vertexVC.xyz)));
+#endif
+  //VTK::Light::Impl
   //VTK::DepthPeeling::PreColor
   gl_FragData[0] = colour;
   //VTK::DepthPeeling::Impl

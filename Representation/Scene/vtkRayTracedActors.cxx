@@ -3,6 +3,7 @@
 #include "Tracer.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
 
@@ -14,6 +15,10 @@ vtkRayTracedImageActor::vtkRayTracedImageActor()
 {
   this->PickableOff();
   this->UseBoundsOff();
+  // Exporters want a mapper; this one has nothing to write.
+  vtkNew<vtkPolyDataMapper> nothing;
+  nothing->StaticOn(); // or it complains that it has no input
+  this->SetMapper(nothing);
   // Render passes say through these keys what they want of the shader.
   vtkNew<vtkInformation> keys;
   this->SetPropertyKeys(keys);
@@ -23,6 +28,17 @@ vtkRayTracedImageActor::vtkRayTracedImageActor()
 void vtkRayTracedImageActor::SetScene(vtkRayTracedScene* scene)
 {
   this->Scene = scene;
+}
+
+//----------------------------------------------------------------------------
+// Nobody asks while the view is rendered: an actor that draws by itself needs no mapper.
+vtkMapper* vtkRayTracedImageActor::GetMapper()
+{
+  if (this->Scene)
+  {
+    this->Scene->ReportExport();
+  }
+  return this->Superclass::GetMapper();
 }
 
 //----------------------------------------------------------------------------
@@ -45,7 +61,7 @@ int vtkRayTracedImageActor::Draw(vtkViewport* viewport, int pass)
   {
     return 0;
   }
-  this->Scene->DrawImage(pass, this);
+  this->Scene->DrawImage(pass, this, this->Mapper);
   return 1;
 }
 
@@ -62,6 +78,16 @@ int vtkRayTracedImageActor::RenderTranslucentPolygonalGeometry(vtkViewport* view
   const int drawn = this->Draw(viewport, static_cast<int>(rtg::Pass::Translucent));
   this->SetIsRenderingTranslucentPolygonalGeometry(false);
   return drawn;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedImageActor::RenderOverlay(vtkViewport*)
+{
+  if (this->Scene)
+  {
+    this->Scene->SmoothFrame();
+  }
+  return 0;
 }
 
 //----------------------------------------------------------------------------

@@ -41,10 +41,14 @@ public:
 
   void SetScene(vtkRayTracedScene* scene);
 
+  /// What exporters ask the actors of a renderer for; the scene then says that it is not in the file.
+  vtkMapper* GetMapper() override;
+
   vtkTypeBool HasOpaqueGeometry() override;
   vtkTypeBool HasTranslucentPolygonalGeometry() override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
+  int RenderOverlay(vtkViewport* viewport) override;
   double* GetBounds() override { return nullptr; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

@@ -1,10 +1,14 @@
 #include "vtkRayTracedImageQuad.h"
 
-#include "RayTracedImageQuad.h" // the shader
+#include "RayTracedImageQuad.h" // the shaders
+#include "RayTracedKeptPixels.h"
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -15,6 +19,7 @@
 #include "vtkTextureObject.h"
 #include "vtkRayTracedOpenGL.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace
@@ -32,6 +37,22 @@ std::vector<vtkOpenGLRenderPass*> Passes(vtkActor* actor)
     }
   }
   return passes;
+}
+
+bool WantsSurface(vtkOpenGLRenderPass* pass)
+{
+  return pass->IsA("vtkSSAOPass");
+}
+
+// Of what the renderer's camera sees.
+void SetClipToView(vtkShaderProgram* program, vtkRenderer* renderer)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(
+    renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1));
+  matrix->Invert();
+  matrix->Transpose(); // column by column for the shader
+  program->SetUniformMatrix("clipToView", matrix);
 }
 
 void Send(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, unsigned int width,
@@ -74,37 +95,43 @@ void vtkRayTracedImageQuad::Draw(
   // The shader, as the passes of this stage want it
   const std::vector<vtkOpenGLRenderPass*> passes =
     use == BLEND ? Passes(actor) : std::vector<vtkOpenGLRenderPass*>();
+  // Passes that replace colors take this quad for no mapper's.
+  const auto mapperFor = [mapper](vtkOpenGLRenderPass* pass) { return WantsSurface(pass) ? mapper : nullptr; };
+  const bool surface = std::any_of(passes.begin(), passes.end(), WantsSurface);
   std::string vertex, geometry, fragment = RayTracedImageQuad;
-  for (vtkOpenGLRenderPass* pass : passes)
+  if (surface)
   {
-    pass->PreReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
+    vtkShaderProgram::Substitute(fragment, "//RayTraced::Define", "#define RAYTRACED_SURFACE");
   }
   for (vtkOpenGLRenderPass* pass : passes)
   {
-    pass->PostReplaceShaderValues(vertex, geometry, fragment, mapper, actor);
+    pass->PreReplaceShaderValues(vertex, geometry, fragment, mapperFor(pass), actor);
   }
-  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[fragment];
+  for (vtkOpenGLRenderPass* pass : passes)
+  {
+    pass->PostReplaceShaderValues(vertex, geometry, fragment, mapperFor(pass), actor);
+  }
+  vtkOpenGLQuadHelper* quad = this->Ready(window, fragment);
   if (!quad)
   {
-    quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragment.c_str(), nullptr);
+    return;
   }
-  if (!quad->Program)
-  {
-    return; // VTK has reported the compiler's messages
-  }
-  window->GetShaderCache()->ReadyShaderProgram(quad->Program);
 
   this->Color->Activate();
   this->Depth->Activate();
   quad->Program->SetUniformi("imageColour", this->Color->GetTextureUnit());
   quad->Program->SetUniformi("imageDepth", this->Depth->GetTextureUnit());
+  if (surface)
+  {
+    SetClipToView(quad->Program, renderer);
+  }
   for (vtkOpenGLRenderPass* pass : passes)
   {
-    pass->SetShaderParameters(quad->Program, mapper, actor, quad->VAO);
+    pass->SetShaderParameters(quad->Program, mapperFor(pass), actor, quad->VAO);
   }
 
   vtkOpenGLState* state = window->GetState();
-  const bool opaque = passes.empty() && !actor->IsRenderingTranslucentPolygonalGeometry();
+  const bool opaque = !actor->IsRenderingTranslucentPolygonalGeometry();
   int samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
   {
@@ -135,6 +162,56 @@ void vtkRayTracedImageQuad::Draw(
       glDisable(GL_SAMPLE_ALPHA_TO_ONE);
     }
   }
+  this->Color->Deactivate();
+  this->Depth->Deactivate();
+}
+
+//----------------------------------------------------------------------------
+// Null where the shader does not compile; VTK has then reported the compiler's messages.
+vtkOpenGLQuadHelper* vtkRayTracedImageQuad::Ready(vtkOpenGLRenderWindow* window, const std::string& fragment)
+{
+  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[fragment];
+  if (!quad)
+  {
+    quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragment.c_str(), nullptr);
+  }
+  if (quad->Program)
+  {
+    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+  }
+  return quad->Program ? quad.get() : nullptr;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedImageQuad::DrawKept(vtkRenderer* renderer, vtkTextureObject* pixels)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLQuadHelper* quad = this->Sent && window ? this->Ready(window, RayTracedKeptPixels) : nullptr;
+  if (!quad)
+  {
+    return;
+  }
+  this->Color->Activate();
+  this->Depth->Activate();
+  pixels->Activate();
+  quad->Program->SetUniformi("imageColour", this->Color->GetTextureUnit());
+  quad->Program->SetUniformi("imageDepth", this->Depth->GetTextureUnit());
+  quad->Program->SetUniformi("pixels", pixels->GetTextureUnit());
+  vtkOpenGLState* state = window->GetState();
+  {
+    vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+    vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    vtkOpenGLState::ScopedglDepthMask depthMask(state);
+    vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    quad->Render();
+  }
+  pixels->Deactivate();
   this->Color->Deactivate();
   this->Depth->Deactivate();
 }

@@ -43,9 +43,15 @@ public:
   bool HasImage() const { return this->Sent; }
 
   /**
-   * Draws it. `actor`, with `mapper`, carries the render passes that have a say in the shader (depth peeling).
+   * Draws it. `actor`, with `mapper`, carries the render passes that have a say in the shader: depth peeling, and the view's
+   * ambient occlusion in screen space, which wants the place and the normal of what each pixel shows.
    */
   void Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper, Uses use);
+
+  /**
+   * Draws pixels of the viewport again where the image is seen: where nothing that has depth lies before it.
+   */
+  void DrawKept(vtkRenderer* renderer, vtkTextureObject* pixels);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -55,6 +61,8 @@ private:
   bool Sent = false;
   // By fragment shader: each stage of depth peeling has its own.
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
+
+  vtkOpenGLQuadHelper* Ready(vtkOpenGLRenderWindow* window, const std::string& fragment);
 };
 
 #endif

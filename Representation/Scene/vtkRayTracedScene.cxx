@@ -19,11 +19,13 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
+#include "vtkRayTracedFXAA.h"
 #include "vtkRayTracedFeatureImage.h"
 #include "vtkRayTracedIdBuffer.h"
 #include "vtkRayTracedImages.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkRayTracedOpenGL.h"
+#include "vtkRayTracedPythonClass.h"
 #include "vtkRayTracedRendererState.h"
 #include "vtkRayTracedSignal.h"
 #include "vtkRenderPass.h"
@@ -93,6 +95,7 @@ struct vtkRayTracedScene::Internals
   std::string FeatureFile;
   vtkRayTracedImages Images;
   vtkRayTracedImageQuad IdQuad;
+  vtkRayTracedFXAA FXAA;
   vtkRayTracedRendererState::Environment Environment;
 
   // What can be seen: of each shown member the versions of instances, colors and material. Two frames with the same list look
@@ -117,7 +120,7 @@ struct vtkRayTracedScene::Internals
   int Eye = 0; // of the last frame
 
   std::string Reported, CameraReported; // the last failures, until there is an image again
-  bool PassReported = false;
+  bool PassReported = false, ExportReported = false;
   vtkNew<vtkAlgorithm> Teller; // of ParaView's progress bar
   bool TellerKnown = false;
 
@@ -268,6 +271,7 @@ void vtkRayTracedScene::StartFrame()
   Internals& self = *this->Self;
   self.Frame.clear();
   self.Wants[opaque] = self.Wants[translucent] = false;
+  self.ExportReported = false;
   // On all ranks alike, whether or not they have something to draw.
   self.Interactive = this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() >= interactiveRate && !self.Capture;
   if (self.Members.empty())
@@ -293,6 +297,10 @@ void vtkRayTracedScene::StartFrame()
                        "off, or choose another representation such as 3D Glyphs.");
   }
   self.PassReported = other;
+  if (self.WantsAnything() && !other)
+  {
+    self.FXAA.Take(this->Renderer);
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -394,7 +402,7 @@ bool vtkRayTracedScene::HasPass(int pass) const
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor)
+void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* mapper)
 {
   Internals& self = *this->Self;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
@@ -505,7 +513,21 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor)
     entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth);
     entry.Uploaded = entry.Image.Version();
   }
-  entry.Quad.Draw(this->Renderer, imageActor, nullptr, vtkRayTracedImageQuad::BLEND);
+  entry.Quad.Draw(this->Renderer, imageActor, mapper, vtkRayTracedImageQuad::BLEND);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::SmoothFrame()
+{
+  Internals& self = *this->Self;
+  self.FXAA.Apply(this->Renderer,
+    [this, &self](vtkTextureObject* pixels)
+    {
+      for (const Internals::Drawn& drawn : self.Frame)
+      {
+        drawn.Entry->Quad.DrawKept(this->Renderer, pixels);
+      }
+    });
 }
 
 //----------------------------------------------------------------------------
@@ -513,6 +535,7 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor)
 void vtkRayTracedScene::EndFrame()
 {
   Internals& self = *this->Self;
+  self.FXAA.GiveBack(this->Renderer);
   if (self.Members.empty() || this->Renderer->GetSelector())
   {
     return;
@@ -642,10 +665,24 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedScene::ReportExport()
+{
+  Internals& self = *this->Self;
+  vtkRayTracedPythonClass::Register();
+  if (self.WantsAnything() && !self.PassReported && !self.ExportReported)
+  {
+    vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out of the exported file: they have no polygons. Choose another "
+                       "representation such as 3D Glyphs or Surface to export them, or save a screenshot.");
+    self.ExportReported = true;
+  }
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Self->Images.ReleaseGraphicsResources(window);
   this->Self->IdQuad.ReleaseGraphicsResources(window);
+  this->Self->FXAA.ReleaseGraphicsResources();
 }
 
 //----------------------------------------------------------------------------

@@ -22,6 +22,7 @@
 #include <string>
 
 class vtkActor;
+class vtkMapper;
 class vtkInformationObjectBaseKey;
 class vtkRayTracedMapper;
 class vtkRenderer;
@@ -77,13 +78,23 @@ public:
    * For the scene's own actor: whether a pass (of rtg::Pass) has something to draw, and drawing it.
    */
   bool HasPass(int pass) const;
-  void DrawImage(int pass, vtkActor* imageActor);
+  void DrawImage(int pass, vtkActor* imageActor, vtkMapper* mapper);
   ///@}
+
+  /**
+   * For the scene's own actor, when all else of the frame is drawn: the view's FXAA, but for the image.
+   */
+  void SmoothFrame();
 
   /**
    * Draws a number in the place of each of the actor's pixels, 24 bits of it, as the renderer's selector asks for.
    */
   void DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper);
+
+  /**
+   * Says, once after each frame, that a scene that is being exported goes without what is ray traced.
+   */
+  void ReportExport();
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -116,6 +116,22 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     this->ShareWithView(name);
   }
+  if (flag && name)
+  {
+    this->ShareMaterial(name);
+  }
+}
+
+//----------------------------------------------------------------------------
+// ParaView copies its own surface's material to this proxy. What is changed here, as PathMetallic, goes the other way.
+void vtkSMRayTracedRepresentationProxy::ShareMaterial(const std::string& name)
+{
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  vtkSMProperty* own = this->GetProperty(name.c_str());
+  if (display && own && display->GetProperty(("Path" + name).c_str()) == own)
+  {
+    display->GetProperty(name.c_str())->Copy(own);
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -4,6 +4,7 @@
  *
  * - Properties with the hint OfView hold for the whole view: a change on one of its displays is a change on all, and a display
  *   that is added takes the values of those that are there.
+ * - Path tracing's material (PathMetallic and so on) has the values of the ordinary surface's (Metallic).
  * - Information properties speak of the process that renders, and are current after each render. ParaView asks the
  *   client for information about whatever is there too; with remote rendering nothing happens there, and the server's first
  *   rank is asked.
@@ -43,6 +44,7 @@ private:
   bool IsExposed(const char* name);
   bool HoldsForView(const char* name);
   void ShareWithView(const char* name);
+  void ShareMaterial(const std::string& name);
   void TakeFromView(vtkSMProxy* view);
   void Rendered(vtkObject* view, unsigned long event, void* interactive);
   void UpdateTensorTable(vtkSMProxy* view);

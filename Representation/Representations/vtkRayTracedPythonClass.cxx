@@ -1,0 +1,66 @@
+#if VTK_MODULE_ENABLE_VTK_WrappingPythonCore && VTK_MODULE_ENABLE_VTK_PythonInterpreter
+#include "vtkPython.h" // before all else
+
+#include "PyVTKObject.h"
+#include "vtkPythonInterpreter.h"
+#include "vtkPythonUtil.h"
+#include "vtkRayTracedActors.h"
+#include "vtkRayTracedRepresentation.h"
+#include "vtkSmartPyObject.h"
+#endif
+
+#include "vtkRayTracedPythonClass.h"
+
+#if VTK_MODULE_ENABLE_VTK_WrappingPythonCore && VTK_MODULE_ENABLE_VTK_PythonInterpreter
+namespace
+{
+PyObject* GetActor(PyObject* self, PyObject*)
+{
+  auto* representation = vtkRayTracedRepresentation::SafeDownCast(PyVTKObject_GetObject(self));
+  return vtkPythonUtil::GetObjectFromPointer(representation ? representation->GetActor() : nullptr);
+}
+
+PyMethodDef methods[] = { { "GetActor", GetActor, METH_NOARGS,
+                            "The actor of the glyphs or the surface." },
+  { nullptr, nullptr, 0, nullptr } };
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedPythonClass::Register()
+{
+  vtkPythonInterpreter::Initialize();
+  RegisterIfPythonRuns();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedPythonClass::RegisterIfPythonRuns()
+{
+  static bool registered = false;
+  if (registered || !Py_IsInitialized())
+  {
+    return;
+  }
+  vtkPythonScopeGilEnsurer gil;
+  vtkSmartPyObject module(PyImport_ImportModule("paraview.modules.vtkRemotingViews"));
+  vtkSmartPyObject base(
+    module ? PyObject_GetAttrString(module, "vtkPVDataRepresentation") : nullptr);
+  vtkSmartPyObject bases(base ? PyTuple_Pack(1, base.GetPointer()) : nullptr);
+  PyType_Slot slots[] = { { Py_tp_methods, methods }, { 0, nullptr } };
+  PyType_Spec spec = { "raytracedglyphs.vtkRayTracedRepresentation", 0, 0, Py_TPFLAGS_DEFAULT,
+    slots };
+  PyObject* type = bases ? PyType_FromSpecWithBases(&spec, bases) : nullptr;
+  if (type)
+  {
+    vtkPythonUtil::AddClassToMap(
+      reinterpret_cast<PyTypeObject*>(type), methods, "vtkRayTracedRepresentation", nullptr);
+    registered = true;
+  }
+  PyErr_Clear(); // on processes without ParaView's modules nobody exports either
+}
+#else
+//----------------------------------------------------------------------------
+void vtkRayTracedPythonClass::Register() {}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedPythonClass::RegisterIfPythonRuns() {}
+#endif

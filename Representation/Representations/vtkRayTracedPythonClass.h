@@ -1,0 +1,21 @@
+/**
+ * vtkRayTracedRepresentation as Python sees it: a vtkPVDataRepresentation that also has GetActor(). ParaView's exporter of
+ * .vtkjs files, which is in part written in Python, asks the representation of every source for it and else writes no file.
+ * Without Python nothing is done.
+ */
+#ifndef vtkRayTracedPythonClass_h
+#define vtkRayTracedPythonClass_h
+
+struct vtkRayTracedPythonClass
+{
+  ///@{
+  /**
+   * Makes the class known to Python, once. Register() starts the interpreter where it does not run.
+   */
+  static void Register();
+  static void RegisterIfPythonRuns();
+  ///@}
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRayTracedPythonClass.h

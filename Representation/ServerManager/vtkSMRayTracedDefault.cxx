@@ -1,0 +1,86 @@
+#include "vtkSMRayTracedDefault.h"
+
+#include "vtkSMDomain.h"
+#include "vtkSMDomainIterator.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMStringListDomain.h"
+#include "vtkSMStringVectorProperty.h"
+#include "vtkVariant.h"
+
+#include <cstring>
+
+namespace
+{
+bool AreEqual(vtkSMProperty* one, vtkSMProperty* other)
+{
+  vtkSMPropertyHelper left(one), right(other);
+  bool equal = left.GetNumberOfElements() == right.GetNumberOfElements();
+  for (unsigned int i = 0; equal && i < left.GetNumberOfElements(); ++i)
+  {
+    equal = left.GetAsVariant(i) == right.GetAsVariant(i);
+  }
+  return equal;
+}
+
+// A list of arrays prefers the default of the XML to arrays of the data.
+bool Prefers(vtkSMDomain* domain, vtkSMProperty* property)
+{
+  auto* list = vtkSMStringListDomain::SafeDownCast(domain);
+  auto* strings = vtkSMStringVectorProperty::SafeDownCast(property);
+  const char* xmlDefault = list && strings ? strings->GetDefaultValue(0) : nullptr;
+  unsigned int index = 0;
+  return xmlDefault && list->IsInDomain(xmlDefault, index);
+}
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedDefault::IsShown(vtkSMProperty* property)
+{
+  vtkSMProxy* owner = property->GetParent();
+  vtkSMProxy* display = owner ? owner->GetTrueParentProxy() : nullptr;
+  vtkSMProperty* type = display ? display->GetProperty("Representation") : nullptr;
+  const char* name = type ? vtkSMPropertyHelper(type).GetAsString() : nullptr;
+  return name && strncmp(name, "Ray Traced", 10) == 0;
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedDefault::IsAlias(vtkSMProperty* property)
+{
+  vtkSMProxy* owner = property->GetParent();
+  vtkSMProxy* display = owner ? owner->GetTrueParentProxy() : nullptr;
+  vtkSMProperty* other = display ? display->GetProperty(property->GetXMLName()) : nullptr;
+  return other && other != property && AreEqual(property, other);
+}
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedDefault::Remember(vtkSMProperty* property)
+{
+  this->Chosen.TakeReference(property->NewInstance());
+  this->Chosen->Copy(property);
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedDefault::Has(vtkSMProperty* property) const
+{
+  if (this->Chosen && AreEqual(property, this->Chosen))
+  {
+    return true;
+  }
+  auto other = vtk::TakeSmartPointer(property->NewInstance());
+  other->Copy(property);
+  auto domains = vtk::TakeSmartPointer(property->NewDomainIterator());
+  for (domains->Begin(); !domains->IsAtEnd(); domains->Next())
+  {
+    vtkSMDomain* domain = domains->GetDomain();
+    if (Prefers(domain, property))
+    {
+      return false;
+    }
+    if (domain->SetDefaultValues(other, /*use_unchecked_values=*/false))
+    {
+      return AreEqual(property, other);
+    }
+  }
+  return false;
+}

@@ -1,0 +1,41 @@
+/**
+ * Defaults of this plugin's properties, which every display of a data set has, whatever it is shown as. ParaView fills in
+ * values that fit the data, and would then name these properties in the trace and the Python state of any display: scripts
+ * that do not run without this plugin. So on displays that show nothing ray traced a property whose value ParaView itself has
+ * chosen counts as one that has its default.
+ */
+#ifndef vtkSMRayTracedDefault_h
+#define vtkSMRayTracedDefault_h
+
+#include "vtkSmartPointer.h"
+
+class vtkSMProperty;
+
+struct vtkSMRayTracedDefault
+{
+  /**
+   * Whether the display that a property belongs to shows something ray traced.
+   */
+  static bool IsShown(vtkSMProperty* property);
+
+  /**
+   * Whether a property is but another name of one of ParaView's own, as PathMetallic is of Metallic. That one is named.
+   */
+  static bool IsAlias(vtkSMProperty* property);
+
+  /**
+   * To be called when ParaView has given the property a value that fits the data.
+   */
+  void Remember(vtkSMProperty* property);
+
+  /**
+   * Whether ParaView has chosen the present value, or would choose it now.
+   */
+  bool Has(vtkSMProperty* property) const;
+
+private:
+  vtkSmartPointer<vtkSMProperty> Chosen; // null: none yet, as in a display of a state file
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkSMRayTracedDefault.h

@@ -1,0 +1,23 @@
+#include "vtkSMRayTracedStringVectorProperty.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkSMRayTracedStringVectorProperty);
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedStringVectorProperty::IsValueDefault()
+{
+  return this->Superclass::IsValueDefault() ||
+    (!vtkSMRayTracedDefault::IsShown(this) && this->Default.Has(this));
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedStringVectorProperty::ResetToDomainDefaults(bool useUncheckedValues)
+{
+  const bool reset = this->Superclass::ResetToDomainDefaults(useUncheckedValues);
+  if (reset && !useUncheckedValues)
+  {
+    this->Default.Remember(this);
+  }
+  return reset;
+}
