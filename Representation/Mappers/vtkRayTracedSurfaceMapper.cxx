@@ -118,8 +118,11 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
   {
     // Colors of blocks are mixed in corner by corner.
     this->SetInterpolateScalarsBeforeMapping(this->Settings.InterpolateValues && !blockColors);
+    // vtkMapper asks its input, which it has at no other time, when its texture was made.
+    this->SetInputDataObject(surface);
     mapped = this->MapScalars(surface, 1.0, ofCells);
     values = !mapped && this->AddValues(*colored);
+    this->SetInputDataObject(nullptr);
     const vtkIdType wanted = ofCells ? surface->GetNumberOfCells() : surface->GetNumberOfPoints();
     if (!values && (!mapped || mapped->GetNumberOfTuples() != wanted))
     {
