@@ -500,6 +500,8 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   if (told)
   {
     self.Teller->UpdateProgress(1.0);
+    // The progress bar was painted meanwhile: Qt made its own OpenGL context current.
+    window->MakeCurrent();
   }
   self.Frame.push_back({ &entry, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
   if (!image)

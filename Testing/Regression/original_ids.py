@@ -8,7 +8,6 @@ import paraview.simple as pv
 import comparison
 import session
 from checks import Checks
-from picked_point import pixel_of
 from selection_through import expect
 
 ARRAY = "vtkOriginalPointIds"
@@ -49,7 +48,7 @@ def main():
             places = numpy.array(points.GetClientSideObject().GetOutputDataObject(0).GetPoints().GetData())
             nearest = int(places[:, 2].argmax())
             # What is selected are the numbers that the extracted points have themselves.
-            expect(checks, "a click on the nearest glyph", view, "POINT", pixel_of(view, places[nearest]), points, nearest)
+            expect(checks, "a click on the nearest glyph", view, "POINT", session.pixel_of(view, places[nearest]), points, nearest)
         pv.Delete(shown)
     print(said)
     colors = {tuple(color) for color in pictures["3D Glyphs"].reshape(-1, 3)[::7]}

@@ -7,7 +7,6 @@ import paraview.simple as pv
 
 import session
 from checks import Checks, cloud
-from picked_point import pixel_of
 
 #: of the balls of the wall
 RADIUS = 0.165
@@ -82,7 +81,7 @@ def darkened(kind, position):
     towards = RADIUS * numpy.array(position) / numpy.linalg.norm(position)
     patches = []
     for point in points[numpy.hypot(points[:, 0], points[:, 1]) > 0.8]:
-        column, row = pixel_of(view, point + towards)
+        column, row = session.pixel_of(view, point + towards)
         if 4 < column < 235 and 4 < row < 175:
             patches.append(ratio[177 - row:182 - row, column - 2:column + 3])
     pv.Delete(view)

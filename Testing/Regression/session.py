@@ -134,6 +134,14 @@ def look(at_view, position, focal_point=(0.0, 0.0, 0.0), up=(0.0, 1.0, 0.0), par
         at_view.CameraParallelScale = parallel_scale
 
 
+def pixel_of(in_view, place):
+    """The pixel of a rendered view in which a place is seen, from the lower left."""
+    renderer = in_view.SMProxy.GetRenderer()
+    renderer.SetWorldPoint(*place, 1.0)
+    renderer.WorldToDisplay()
+    return tuple(int(value) for value in renderer.GetDisplayPoint()[:2])
+
+
 def glyphs(of_source, in_view, shape="Sphere", samples=None, **properties):
     """Shows a source as ray-traced glyphs; properties as in the property reference.
 
