@@ -6,7 +6,10 @@ set -euo pipefail
 action=$1 folder=$2
 shift 2
 stop() {
-  [ ! -s "$folder/xvfb.pid" ] || kill "$(cat "$folder/xvfb.pid")" 2>/dev/null || true
+  local process=none
+  [ ! -s "$folder/xvfb.pid" ] || process=$(cat "$folder/xvfb.pid")
+  # After a restart of the machine or in another chroot the number is another process's.
+  [ "$(cat "/proc/$process/comm" 2>/dev/null)" != Xvfb ] || kill "$process"
   rm -f "$folder/xvfb.pid" "$folder/xvfb.display"
 }
 case "$action" in
