@@ -25,10 +25,9 @@ if (RTGLYPHS_USE_QT)
     message(STATUS "RayTracedGlyphs: ${ParaView_DIR} was built without Qt; building without it.")
   endif ()
 else ()
-  # ParaView's modules refer to these packages without finding them when only components are asked for.
-  find_package(Python3 QUIET COMPONENTS Interpreter Development)
-  find_package(Freetype QUIET)
-  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingViews)
+  # ParaView finds the packages that the VTK modules of the named components need, but not what those of its modules
+  # beneath need (HDF5, NetCDF, Python), so these are named as well.
+  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingViews RemotingServerManager)
   set(PARAVIEW_USE_QT OFF)
 endif ()
 

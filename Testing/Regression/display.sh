@@ -8,8 +8,8 @@ shift 2
 stop() {
   local process=none
   [ ! -s "$folder/xvfb.pid" ] || process=$(cat "$folder/xvfb.pid")
-  # After a restart of the machine or in another chroot the number is another process's.
-  [ "$(cat "/proc/$process/comm" 2>/dev/null)" != Xvfb ] || kill "$process"
+  # After a restart of the machine or in another chroot the number is another process's, maybe another folder's Xvfb.
+  [ "$(readlink "/proc/$process/fd/1")" != "$(realpath -m "$folder/xvfb.log")" ] || kill "$process"
   rm -f "$folder/xvfb.pid" "$folder/xvfb.display"
 }
 case "$action" in

@@ -52,7 +52,7 @@ if [ -z "${RTGLYPHS_IN_NAMESPACE:-}" ]; then
   exec 9>"$dir.lock"
   flock --nonblock 9 || fail "$dir is in use by another run"
   RTGLYPHS_IN_NAMESPACE=1 setpriv --pdeathsig KILL \
-    unshare --mount --pid --fork --kill-child --mount-proc "$0" "${arguments[@]}" <&0 &
+    unshare --mount --ipc --pid --fork --kill-child --mount-proc "$0" "${arguments[@]}" <&0 &
   inside=$!
   trap 'kill -KILL "$inside"; echo "chroot.sh: interrupted" >&2; exit 130' INT TERM HUP
   status=0
@@ -100,6 +100,8 @@ mount_system() {
   mount -t proc proc "$dir/proc"
   mount --rbind /sys "$dir/sys"
   mount --rbind /dev "$dir/dev"
+  # MPI names its shared memory after process numbers, which are the same in every chroot.
+  mount -t tmpfs -o mode=1777 shm "$dir/dev/shm"
   cp --dereference /etc/resolv.conf "$dir/etc/resolv.conf"
   if [ -n "$cache" ]; then
     mkdir -p "$cache" "$dir/var/cache/ccache"
