@@ -5,6 +5,8 @@
 #ifndef vtkRayTracedArrays_h
 #define vtkRayTracedArrays_h
 
+#include "vtkType.h"
+
 namespace vtkRayTracedArrays
 {
 /// Of each point: its id in the input's block. Missing where it would be the identity.
@@ -24,6 +26,15 @@ constexpr unsigned int DistinctBlockColors = 7;
 /// data set in the tree).
 constexpr const char* Hierarchy = "vtkRayTraced_Hierarchy";
 constexpr const char* Leaves = "vtkRayTraced_Leaves";
+///@}
+
+///@{
+/// What a selector of cells is told of a point that has none: a number that no cell has, from which
+/// vtkRayTracedSelectionEncoder finds the point. Selectors keep 48 bits of a number.
+constexpr vtkTypeInt64 PointMark = vtkTypeInt64(1) << 47;
+constexpr bool IsMarkedPoint(vtkTypeInt64 id) { return id >= PointMark; }
+constexpr vtkTypeInt64 MarkedPoint(vtkTypeInt64 point) { return point + PointMark; }
+constexpr vtkTypeInt64 UnmarkedPoint(vtkTypeInt64 id) { return id - PointMark; }
 ///@}
 }
 

@@ -295,13 +295,11 @@ vtkRayTracedMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, in
   vtkPointData* data = points->GetPointData();
   vtkDataArray* ids = data->GetArray(vtkRayTracedArrays::PointIds);
   vtkDataArray* cells = data->GetArray(vtkRayTracedArrays::CellIds);
+  origin.Id = ids ? static_cast<vtkIdType>(ids->GetComponent(point, 0)) : point;
   if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
   {
-    origin.Id = cells ? static_cast<vtkIdType>(cells->GetComponent(point, 0)) : -1;
-  }
-  else
-  {
-    origin.Id = ids ? static_cast<vtkIdType>(ids->GetComponent(point, 0)) : point;
+    const vtkIdType cell = cells ? static_cast<vtkIdType>(cells->GetComponent(point, 0)) : -1;
+    origin.Id = cell >= 0 ? cell : vtkRayTracedArrays::MarkedPoint(origin.Id);
   }
   return origin;
 }

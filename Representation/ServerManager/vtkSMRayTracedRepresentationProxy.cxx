@@ -6,6 +6,7 @@
 #include "vtkPVSession.h"
 #include "vtkPVXMLElement.h"
 #include "vtkRayTracedRepresentation.h"
+#include "vtkRayTracedSelectionEncoder.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
@@ -43,7 +44,10 @@ void ForEachDisplay(vtkSMProxy* view, const std::function<void(vtkSMProxy*)>& vi
 }
 
 //----------------------------------------------------------------------------
-vtkSMRayTracedRepresentationProxy::vtkSMRayTracedRepresentationProxy() = default;
+vtkSMRayTracedRepresentationProxy::vtkSMRayTracedRepresentationProxy()
+{
+  vtkRayTracedSelectionEncoder::Register();
+}
 
 //----------------------------------------------------------------------------
 vtkSMRayTracedRepresentationProxy::~vtkSMRayTracedRepresentationProxy() = default;

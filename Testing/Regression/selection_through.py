@@ -23,7 +23,7 @@ def pixel(x, y):
 
 
 def picked(view, kind, at):
-    """What a click at a pixel selects: a sorted list of (source, id)."""
+    """What a click at a pixel selects: a list of (source, what, id)."""
     representations, sources = vtkCollection(), vtkCollection()
     select = view.SMProxy.SelectSurfaceCells if kind == "CELL" else view.SMProxy.SelectSurfacePoints
     select([at[0], at[1], at[0], at[1]], representations, sources, 0)
@@ -32,17 +32,17 @@ def picked(view, kind, at):
         shown = pv.servermanager._getPyProxy(representations.GetItemAsObject(i))
         selected = pv.servermanager._getPyProxy(sources.GetItemAsObject(i))
         step = 3 if "Composite" in selected.GetXMLName() or "Hierarchical" in selected.GetXMLName() else 2
-        found += [(shown.Input.SMProxy, number) for number in list(selected.IDs)[step - 1::step]]
+        found += [(shown.Input.SMProxy, selected.FieldType.GetData(), number) for number in list(selected.IDs)[step - 1::step]]
     return found
 
 
-def expect(checks, what, view, kind, at, source, wanted):
-    """A click selects that point or cell of the source and nothing else; wanted None: nothing at all."""
+def expect(checks, what, view, kind, at, source, wanted, of=None):
+    """A click for points or cells selects that point or cell of the source and nothing else; of: what, where not as asked."""
     found = picked(view, kind, at)
-    print("%s: %s" % (what, [("its own" if proxy == source.SMProxy else "another's", number) for proxy, number in found]))
-    checks.equal(what + ": ids selected of what is seen", [number for proxy, number in found if proxy == source.SMProxy],
-                 [] if wanted is None else [wanted])
-    checks.equal(what + ": ids selected of what lies behind", [number for proxy, number in found if proxy != source.SMProxy], [])
+    print("%s: %s" % (what, [("its own" if entry[0] == source.SMProxy else "another's",) + entry[1:] for entry in found]))
+    checks.equal(what + ": selected of what is seen", [entry[1:] for entry in found if entry[0] == source.SMProxy],
+                 [(of or kind, wanted)])
+    checks.equal(what + ": selected of what lies behind", [entry[1:] for entry in found if entry[0] != source.SMProxy], [])
 
 
 def stage():
@@ -55,7 +55,7 @@ def stage():
 
 
 def glyphs(checks):
-    """Glyphs are points; where the data are vertices, they are cells, too."""
+    """Glyphs are points; where the data are vertices, they are cells, too. Without cells of their own they are points always."""
     view, plane = stage()
     points = numpy.array([[-1.0, 0.0, 0.0], [0.0, 0.5, 0.0], [1.0, 0.0, 0.0]])
     bare = session.poly_data(points)
@@ -79,10 +79,12 @@ def glyphs(checks):
             for i, (x, y, _) in enumerate(points):
                 at = pixel(x + 0.05, y)
                 expect(checks, "%s as %s, point %d" % (name, shape, i), view, "POINT", at, source, i)
-                expect(checks, "%s as %s, cell of point %d" % (name, shape, i), view, "CELL", at, source, cell_ids[i])
+                cell = cell_ids[i]
+                expect(checks, "%s as %s, cell of point %d" % (name, shape, i), view, "CELL", at, source,
+                       i if cell is None else cell, of="POINT" if cell is None else None)
             pv.Delete(shown)
     found = picked(view, "CELL", pixel(0.05, 0.05))
-    checks.equal("where no glyph is, the plane", [proxy for proxy, _ in found], [plane.SMProxy])
+    checks.equal("where no glyph is, the plane", [entry[0] for entry in found], [plane.SMProxy])
     pv.Delete(view)
 
 

@@ -1,0 +1,129 @@
+#include "vtkSMRayTracedPickingHelperProxy.h"
+
+#include "vtkFloatArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyIterator.h"
+#include "vtkSMRenderViewProxy.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+vtkStandardNewMacro(vtkSMRayTracedPickingHelperProxy);
+
+namespace
+{
+bool ShowsRayTraced(vtkSMProxy* view, vtkSMProxy* input)
+{
+  vtkSMPropertyHelper displays(view, "Representations");
+  for (unsigned int i = 0; i < displays.GetNumberOfElements(); ++i)
+  {
+    vtkSMProxy* display = displays.GetAsProxy(i);
+    if (!display || !display->GetProperty("Representation") || !display->GetProperty("Input"))
+    {
+      continue;
+    }
+    const std::string type = vtkSMPropertyHelper(display, "Representation").GetAsString();
+    if ((type == "Ray Traced Glyphs" || type == "Ray Traced Surface") &&
+      vtkSMPropertyHelper(display, "Visibility").GetAsInt() && vtkSMPropertyHelper(display, "Input").GetAsProxy() == input)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::array<double, 3> ToDisplay(vtkRenderer* renderer, const std::array<double, 3>& world)
+{
+  renderer->SetWorldPoint(world[0], world[1], world[2], 1.0);
+  renderer->WorldToDisplay();
+  const double* display = renderer->GetDisplayPoint();
+  return { { display[0], display[1], display[2] } };
+}
+
+// Whether the two points are where the ray of one pixel enters and leaves what the renderer shows; and that pixel.
+bool FindPixel(vtkRenderer* renderer, const std::array<double, 3>& a, const std::array<double, 3>& b, int pixel[2])
+{
+  constexpr double tolerance = 1e-3; // in pixels, and for depths
+  const std::array<double, 3> entry = ToDisplay(renderer, a), exit = ToDisplay(renderer, b);
+  for (int i = 0; i < 2; ++i)
+  {
+    pixel[i] = static_cast<int>(std::lround(entry[i]));
+    if (std::abs(entry[i] - pixel[i]) > tolerance || std::abs(exit[i] - pixel[i]) > tolerance)
+    {
+      return false;
+    }
+  }
+  return std::abs(entry[2]) <= tolerance && std::abs(exit[2] - 1.0) <= tolerance;
+}
+}
+
+//----------------------------------------------------------------------------
+vtkSMRayTracedPickingHelperProxy::vtkSMRayTracedPickingHelperProxy() = default;
+
+//----------------------------------------------------------------------------
+vtkSMRayTracedPickingHelperProxy::~vtkSMRayTracedPickingHelperProxy() = default;
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedPickingHelperProxy::UpdatePropertyInformationInternal(vtkSMProperty* property)
+{
+  this->Superclass::UpdatePropertyInformationInternal(property);
+  const char* name = property ? this->GetPropertyName(property) : nullptr;
+  double place[3];
+  if (name && strcmp(name, "Intersection") == 0 && this->FindPlace(place))
+  {
+    vtkSMPropertyHelper(property).Set(place, 3);
+  }
+}
+
+//----------------------------------------------------------------------------
+// False where the ray hits no ray-traced display of the input.
+bool vtkSMRayTracedPickingHelperProxy::FindPlace(double place[3])
+{
+  vtkSMProxy* input = vtkSMPropertyHelper(this, "Input").GetAsProxy();
+  std::array<double, 3> a, b;
+  vtkSMPropertyHelper(this, "PointA").Get(a.data(), 3);
+  vtkSMPropertyHelper(this, "PointB").Get(b.data(), 3);
+  if (vtkSMPropertyHelper(this, "SnapOnMeshPoint").GetAsInt())
+  {
+    return false; // asks for a point of the data
+  }
+  vtkNew<vtkSMProxyIterator> views;
+  views->SetSession(this->GetSession());
+  views->SetModeToOneGroup();
+  for (views->Begin("views"); !views->IsAtEnd(); views->Next())
+  {
+    auto* view = vtkSMRenderViewProxy::SafeDownCast(views->GetProxy());
+    vtkRenderer* renderer = view ? view->GetRenderer() : nullptr;
+    int pixel[2];
+    if (!renderer || !ShowsRayTraced(view, input) || !FindPixel(renderer, a, b, pixel))
+    {
+      continue;
+    }
+    const int* size = renderer->GetSize();
+    vtkFloatArray* depths = view->CaptureDepthBuffer();
+    if (!depths || depths->GetNumberOfValues() != static_cast<vtkIdType>(size[0]) * size[1] || pixel[0] < 0 ||
+      pixel[1] < 0 || pixel[0] >= size[0] || pixel[1] >= size[1])
+    {
+      return false;
+    }
+    const double depth = depths->GetValue(static_cast<vtkIdType>(pixel[1]) * size[0] + pixel[0]);
+    if (!(depth > 0.0 && depth < 1.0))
+    {
+      return false; // nothing there, or the image came from a server
+    }
+    renderer->SetDisplayPoint(pixel[0], pixel[1], depth);
+    renderer->DisplayToWorld();
+    const double* world = renderer->GetWorldPoint();
+    for (int i = 0; i < 3; ++i)
+    {
+      place[i] = world[i] / world[3];
+    }
+    return true;
+  }
+  return false;
+}
