@@ -122,9 +122,6 @@ struct RayRecord
   vec3 originLow; // the low part of its origin
   uint glyph;     // the nearest glyph so far, when it belongs to a set with a tree
   uint triangle;  // of that glyph, when it is a mesh that moves
-  // Distance of the hit from the exact surface, besides the rounding of t. Written by the closest-hit program when rays
-  // will start there; not in the payload, whose every word costs time.
-  float uncertainty;
   // When in the shutter's opening its path runs, in [0, 1). Written when something in the scene moves.
   float time;
 };

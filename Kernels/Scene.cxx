@@ -29,6 +29,28 @@ Structure ChooseStructure(const Device& device, bool canTree)
   return canTree && (device.IsCpu() || (wanted && *wanted)) ? Structure::Tree : Structure::Boxes;
 }
 
+// Throws unless every array has an entry a glyph or none.
+void CheckLengths(const GlyphInstances& instances)
+{
+  const auto check = [&](const char* name, std::size_t found)
+  {
+    if (found != 0 && found != instances.Count())
+    {
+      throw Error("Ray Traced Glyphs: " + std::to_string(found) + " " + name + " for " +
+        std::to_string(instances.Count()) + " glyphs; give one a glyph or none.");
+    }
+  };
+  check("sizes along three axes", instances.sizes3.size());
+  check("sizes", instances.sizes1.size());
+  check("rotations", instances.rotations.size());
+  check("exponents", instances.exponents3.size());
+  check("quadratic forms", instances.forms.size());
+  if (!instances.sizes3.empty() && !instances.sizes1.empty())
+  {
+    throw Error("Ray Traced Glyphs: glyphs have sizes along three axes and single ones; give one kind of them.");
+  }
+}
+
 } // namespace
 
 void Bounds::Include(const glm::vec3& a, const glm::vec3& b)
@@ -64,6 +86,7 @@ Statistics& Statistics::operator+=(const Statistics& other)
 
 Scene::State::State(std::shared_ptr<Device> d)
   : device(std::move(d))
+  , mostInstances(device->GetState().structureLimits.maxInstanceCount)
   , structure(ChooseStructure(*device, device->GetState().int64))
 {
 }
@@ -93,19 +116,9 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   if (instances.shape == Shape::Mesh)
   {
     CheckMesh(instances.mesh.get(), instances.motion);
-    constexpr std::size_t most = (1u << 24) - 1;
-    if (instances.Count() > most)
-    {
-      throw Error("Ray Traced Glyphs: " + std::to_string(instances.Count()) +
-        " mesh glyphs; the most is " + std::to_string(most) + ". Show fewer with GlyphMask.");
-    }
   }
+  CheckLengths(instances);
   CheckMotion(instances.motion, instances.Count());
-  if (!instances.forms.empty() && instances.forms.size() != instances.Count())
-  {
-    throw Error("Ray Traced Glyphs: " + std::to_string(instances.forms.size()) + " quadratic forms for " +
-      std::to_string(instances.Count()) + " glyphs; give one a glyph or none.");
-  }
   set.count = instances.Count();
   const auto seeThrough = [](std::uint32_t colour) { return (colour >> 24) != 255; };
   const TriangleMesh* mesh = instances.shape == Shape::Mesh ? instances.mesh.get() : nullptr;

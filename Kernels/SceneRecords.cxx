@@ -22,9 +22,27 @@ float NormalReflectance(float ior)
 
 } // namespace
 
+// Every mesh glyph at rest is an instance of the driver's structure, every other set one or a few.
+void Scene::State::CheckInstanceCount() const
+{
+  std::size_t count = 0;
+  for (const auto& [id, set] : this->sets)
+  {
+    const bool instanced = set.group.shape == Shape::Mesh && !set.group.meshTree;
+    count += !set.visible || set.count == 0 ? 0 : instanced ? set.count : set.runs.size();
+  }
+  if (count > this->mostInstances)
+  {
+    throw Error("Ray Traced Glyphs: the view shows " + std::to_string(count) + " mesh glyphs; the most that '" +
+      this->device->Name() + "' can show is " + std::to_string(this->mostInstances) +
+      ". Show fewer with GlyphMask, or hide other data.");
+  }
+}
+
 void Scene::State::BuildTopLevel()
 {
   Stopwatch watch;
+  this->CheckInstanceCount();
   std::vector<vk::AccelerationStructureInstanceKHR> instances;
   this->groups.clear();
   this->bounds = Bounds();

@@ -108,6 +108,7 @@ struct Scene::State
   SetId nextId = 0;
   /// What one bottom-level structure may hold at most; every device allows 2^24 - 1. Tests lower it.
   std::uint32_t glyphsPerRun = (1u << 24) - 1;
+  std::uint64_t mostInstances; ///< of a top-level structure. Tests lower it.
   /// New instances are sorted when with the last order the nodes above the leaves have grown by more than that factor. Measured:
   /// Testing/Benchmarks/OrderBenchmark.cxx.
   double orderDecay = 1.2;
@@ -145,6 +146,7 @@ struct Scene::State
   void BuildBoxes(GlyphSet& set, const std::vector<Box>& boxes);
   void BuildTree(GlyphSet& set, std::vector<Box> boxes);
   void SendColours(GlyphSet& set);
+  void CheckInstanceCount() const;
   void BuildTopLevel();
   void FillRecords();
 };

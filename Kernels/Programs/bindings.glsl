@@ -16,20 +16,40 @@ GlyphSetRecord SetRecord(uint index)
   return frame.sets.at[index];
 }
 
+layout(constant_id = 20) const bool leavesSurface = false;  // rays will start from hits
+
 // What the nearest hit tells the ray generation program. Whatever kind of surface it lies on, it fills all of this.
 struct SurfaceHit
 {
-  float t;            // along the traced ray; negative: nothing hit
-  vec3 normal;        // outward, unit, world frame
+  float t;             // along the traced ray; negative: nothing hit
+  float error;         // world units between hit and exact surface at most, besides the rounding of t; only if leavesSurface
+  vec3 normal;         // of the surface itself: outward, unit, world frame
+  vec3 shadingNormal;  // the same, or between corners of triangles interpolated; on the same side of the surface
   vec4 colour;
-  uint record;        // index of its GlyphSetRecord
-  uint glyph;         // index in the set's sorted order
+  uint record;         // index of its GlyphSetRecord
+  uint glyph;          // index in the set's sorted order
 };
 
-// The normal on the side that a ray along `direction` came from: both sides of a surface are the same.
-vec3 FacingNormal(SurfaceHit hit, vec3 direction)
+SurfaceHit NoHit()
 {
-  return dot(hit.normal, direction) > 0.0 ? -hit.normal : hit.normal;
+  return SurfaceHit(-1.0, 0.0, vec3(0.0), vec3(0.0), vec4(0.0), 0u, 0u);
+}
+
+// Turns both normals to the side that a ray along `direction` came from: both sides of a surface are the same.
+void FaceForward(inout SurfaceHit hit, vec3 direction)
+{
+  if (dot(hit.normal, direction) > 0.0)
+  {
+    hit.normal = -hit.normal;
+    hit.shadingNormal = -hit.shadingNormal;
+  }
+}
+
+// A direction that was chosen about the shading normal of a hit that faces forward. Where that leans away from the surface,
+// some such directions point into it: they are mirrored at it, so that a body does not shade itself where it is convex.
+vec3 OutOfSurface(SurfaceHit hit, vec3 direction)
+{
+  return direction - 2.0 * min(dot(direction, hit.normal), 0.0) * hit.normal;
 }
 
 uint LaunchIndex()

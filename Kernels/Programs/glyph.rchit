@@ -10,10 +10,5 @@ void main()
 {
   uint record = gl_InstanceCustomIndexEXT;
   uint glyph = hasTree ? frame.rays.at[LaunchIndex()].glyph : gl_PrimitiveID;
-  float uncertainty;
-  hit = HitOnGlyph(record, SetRecord(record), CurrentSource(), CurrentRay(), glyph, gl_HitTEXT, uncertainty);
-  if (leavesSurface)
-  {
-    frame.rays.at[LaunchIndex()].uncertainty = uncertainty;
-  }
+  hit = HitOnGlyph(record, SetRecord(record), CurrentSource(), CurrentRay(), glyph, gl_HitTEXT);
 }

@@ -8,36 +8,40 @@ const float leastPassing = 1.0 / 512.0;
 
 struct Layers
 {
-  float start;    // view depth from which the next one is sought
+  SceneRay ray;
+  float tMin;     // from where the next one is sought
   float passing;  // share of the light from there that reaches the eye
 };
 
-Layers BeginLayers()
+Layers BeginLayers(DoubleWord3 origin, vec3 direction)
 {
-  return Layers(frame.nearDepth, 1.0);
+  SceneRay ray = EnterScene(origin, direction);
+  return Layers(ray, max(frame.nearDepth - ray.start, 0.0), 1.0);
 }
 
-// Traces the next layer into `hit`; false: there is none.
-bool NextLayer(inout Layers layers, DoubleWord3 origin, vec3 direction)
+// Finds the next layer; false: there is none.
+bool NextLayer(inout Layers layers, out SurfaceHit hit)
 {
+  hit = NoHit();
   if (layers.passing < leastPassing)
   {
     return false;
   }
-  TraceNearest(origin, direction, layers.start, frame.farDepth, layered ? frame.cullMask | OPAQUE_MASK : frame.cullMask);
+  hit = Intersect(layers.ray, layers.tMin, frame.farDepth - layers.ray.start,
+    layered ? frame.cullMask | OPAQUE_MASK : frame.cullMask);
   if (hit.t < 0.0 || (layered && SetRecord(hit.record).translucent == 0u))
   {
     return false;
   }
   if (layered)
   {
-    layers.start = hit.t + HitUncertainty(direction);
+    layers.tMin = hit.t + ErrorOfT(layers.ray, hit);
   }
   return true;
 }
 
-// How much the layer in `hit` weighs in the pixel.
-float WeightOfLayer(inout Layers layers)
+// How much the layer weighs in the pixel.
+float WeightOfLayer(inout Layers layers, SurfaceHit hit)
 {
   float weight = layers.passing * hit.colour.a;
   layers.passing -= weight;

@@ -5,8 +5,6 @@
 #include "glyph.glsl"
 #include "triangle.glsl"
 
-layout(constant_id = 20) const bool leavesSurface = false;  // rays will start from the hit
-
 layout(location = 0) rayPayloadInEXT SurfaceHit hit;
 
 // The shortest turn that takes the direction `from` to the direction `to`, both unit, of v.
@@ -33,9 +31,10 @@ void main()
   MeetsTriangle(Shear(ToMesh(CurrentRay(), found, set)), a, b, c, s, weight);
 
   vec3 normal = cross(b - a, c - a);
+  vec3 smoothed = normal;
   if (smoothNormals)
   {
-    vec3 smoothed = SmoothNormal(set, corner, weight, normal);
+    smoothed = SmoothNormal(set, corner, weight, normal);
     if (meshVelocities || meshAccelerations)
     {
       // The corners' normals are those of the mesh at rest: they turn as the triangle does.
@@ -44,17 +43,14 @@ void main()
       bool flat_ = min(dot(before, before), dot(normal, normal)) <= 0.0;
       smoothed = !flat_ ? TurnAlong(normalize(before), normalize(normal), smoothed) : smoothed;
     }
-    normal = smoothed;
   }
   hit.t = gl_HitTEXT;
   // Normals turn with the inverse transpose.
-  hit.normal = normalize(RotateToWorld(found, normal / found.size));
+  hit.shadingNormal = normalize(RotateToWorld(found, smoothed / found.size));
+  hit.normal = OnSideOf(hit.shadingNormal, normalize(RotateToWorld(found, normal / found.size)));
   hit.record = record;
   hit.glyph = set.identifiesTriangles != 0u ? triangle : set.firstGlyph + glyph;
-  if (leavesSurface)
-  {
-    vec3 size = abs(found.size);
-    frame.rays.at[LaunchIndex()].uncertainty = 2e-6 * set.meshRadius * max(size.x, max(size.y, size.z));
-  }
+  vec3 size = abs(found.size);
+  hit.error = leavesSurface ? 2e-6 * set.meshRadius * max(size.x, max(size.y, size.z)) : 0.0;
   hit.colour = TriangleColour(set, corner, weight, triangle, glyph);
 }

@@ -1,9 +1,8 @@
 // What an analytic glyph's surface is like where a ray meets it; after bindings.glsl and glyph.glsl.
 layout(constant_id = 8) const bool colouredByForm = false;
-layout(constant_id = 20) const bool leavesSurface = false;  // rays will start from the hit
 
-// `glyph`: its number in the set. `uncertainty`: world units by which the place may be wrong, when rays will start from it.
-SurfaceHit HitOnGlyph(uint record, GlyphSetRecord set, GlyphSource source, GlyphRay ray, uint glyph, float t, out float uncertainty)
+// `glyph`: its number in the set.
+SurfaceHit HitOnGlyph(uint record, GlyphSetRecord set, GlyphSource source, GlyphRay ray, uint glyph, float t)
 {
   SurfaceHit hit;
   // The normal is computed anew: hit attributes are not safe on every driver (lavapipe overwrites them
@@ -11,8 +10,9 @@ SurfaceHit HitOnGlyph(uint record, GlyphSetRecord set, GlyphSource source, Glyph
   Glyph found = FetchGlyph(source, glyph);
   hit.t = t;
   hit.normal = GlyphNormal(ray, found, t);
+  hit.shadingNormal = hit.normal;
   // The shapes promise 1e-6 sizes (Shapes/README.md).
-  uncertainty = leavesSurface ? 2e-6 * max(found.size.x, max(found.size.y, found.size.z)) : 0.0;
+  hit.error = leavesSurface ? 2e-6 * max(found.size.x, max(found.size.y, found.size.z)) : 0.0;
   hit.record = record;
   hit.glyph = set.firstGlyph + glyph;
   hit.colour = vec4(set.colour, set.opacity);

@@ -5,19 +5,23 @@
 #include "glyph.glsl"
 #include "walk.glsl"
 #include "surface.glsl"
-
-SurfaceHit hit;
-float hitUncertainty;
 #else
 #include "../Shapes/Dialect.glsl"
 #include "../Shapes/DoubleWord.glsl"
 
-layout(location = 0) rayPayloadEXT SurfaceHit hit;
+layout(location = 0) rayPayloadEXT SurfaceHit payload;
 #endif
 
-// The last traced ray as the traversal saw it: its exact origin, and where on it `hit` lies.
-DoubleWord3 tracedOrigin;
-float tracedT;
+// A ray ready to be traced. Floats near the scene are small numbers, and so are the errors of the traversal's box tests: the
+// origin is moved to where the ray enters the scene's bounds, exactly, and t counts from there. A place on the ray is
+// (ray, t): t is never added to `start` but to tell the depth, because the sum would be rounded to what the distance of the
+// eye leaves of it.
+struct SceneRay
+{
+  DoubleWord3 origin;  // exact; the low part goes to the intersection programs beside the driver's ray
+  vec3 direction;
+  float start;         // how far the origin was moved along the ray
+};
 
 // Where the ray enters the scene's bounds, or 0 when it starts inside them.
 float SceneEntry(vec3 origin, vec3 direction)
@@ -31,97 +35,85 @@ float SceneEntry(vec3 origin, vec3 direction)
   return max(max(entry.x, entry.y), max(entry.z, 0.0));
 }
 
+SceneRay EnterScene(DoubleWord3 origin, vec3 direction)
+{
+  float start = SceneEntry(origin.hi, direction);
+  // One step back in case rounding put the entry beyond the bounds.
+  start = max(start - 1e-5 * start, 0.0);
+  return SceneRay(start > 0.0 ? Add(origin, TwoProduct(direction, vec3(start))) : origin, direction, start);
+}
+
 #ifdef RTG_WHOLE
-// Leaves in `hit` what the ray meets, or hit.t < 0; with `any` only whether it meets something.
-void WalkScene(DoubleWord3 origin, vec3 direction, float tMin, float tMax, uint cullMask, bool any)
+SurfaceHit WalkScene(SceneRay ray, float tMin, float tMax, uint cullMask, bool any)
 {
   GlyphSetRecord set = SetRecord(0u);
-  hit.t = -1.0;
+  SurfaceHit hit = NoHit();
   if ((cullMask & (set.translucent != 0u ? TRANSLUCENT_MASK : OPAQUE_MASK)) == 0u)
   {
-    return;
+    return hit;
   }
   GlyphSource source = SourceOf(set);
-  GlyphRay ray = GlyphRay(origin.hi, origin.lo, direction);
+  GlyphRay exact = GlyphRay(ray.origin.hi, ray.origin.lo, ray.direction);
   float t;
   uint triangle;
-  uint glyph = NearestGlyph(set, source, ray, origin.hi - set.offset, direction, tMin, tMax, any, t, triangle);
+  uint glyph =
+    NearestGlyph(set, source, exact, ray.origin.hi - set.offset, ray.direction, tMin, tMax, any, t, triangle);
   if (glyph != nothing)
   {
     hit.t = t;
     if (!any)
     {
-      hit = HitOnGlyph(0u, set, source, ray, glyph, t, hitUncertainty);
+      hit = HitOnGlyph(0u, set, source, exact, glyph, t);
     }
   }
+  return hit;
 }
 #endif
 
-// Traces the ray whose exact origin is that double word. The traversal's box tests are in float, so
-// their error grows with the origin's distance: the origin is first moved to the scene's bounds, and the part
-// of it that a float cannot hold goes to the intersection programs beside the ray. The result in `hit`
-// counts t from the given origin.
-void TraceNearest(DoubleWord3 origin, vec3 direction, float tMin, float tMax, uint cullMask)
+// The nearest hit with tMin <= t <= tMax, or one with t < 0.
+SurfaceHit Intersect(SceneRay ray, float tMin, float tMax, uint cullMask)
 {
-  float start = SceneEntry(origin.hi, direction);
-  // One step back in case rounding put the entry beyond the bounds.
-  start = max(start - 1e-5 * start, 0.0);
-  DoubleWord3 moved = origin;
-  if (start > 0.0)
+  if (!(tMin <= tMax))
   {
-    moved = Add(origin, TwoProduct(direction, vec3(start)));
+    return NoHit();
   }
-  tracedOrigin = moved;
-  hit.t = -1.0;
-  if (tMax > start)
-  {
 #ifdef RTG_WHOLE
-    WalkScene(moved, direction, max(tMin - start, 0.0), tMax - start, cullMask, false);
+  return WalkScene(ray, tMin, tMax, cullMask, false);
 #else
-    frame.rays.at[LaunchIndex()].originLow = moved.lo;
-    traceRayEXT(accelerationStructureEXT(frame.topLevel), gl_RayFlagsOpaqueEXT, cullMask, 0u, 0u, 0u, moved.hi,
-      max(tMin - start, 0.0), direction, tMax - start, 0);
+  frame.rays.at[LaunchIndex()].originLow = ray.origin.lo;
+  traceRayEXT(accelerationStructureEXT(frame.topLevel), gl_RayFlagsOpaqueEXT, cullMask, 0u, 0u, 0u, ray.origin.hi, tMin,
+    ray.direction, tMax, 0);
+  return payload;
 #endif
-  }
-  tracedT = hit.t;
-  if (hit.t >= 0.0)
-  {
-    hit.t += start;
-  }
 }
 
-// True when anything in `cullMask` lies between the exact origin, which is inside the scene's bounds, and
-// `tMax`: the traversal ends at the first hit and runs no closest-hit program.
-bool MeetsAny(DoubleWord3 origin, vec3 direction, float tMax, uint cullMask)
+// True when anything in `cullMask` lies between the ray's origin and `tMax`: the traversal ends at the first hit and runs no
+// closest-hit program.
+bool Occluded(SceneRay ray, float tMax, uint cullMask)
 {
 #ifdef RTG_WHOLE
-  WalkScene(origin, direction, 0.0, tMax, cullMask, true);
+  return WalkScene(ray, 0.0, tMax, cullMask, true).t >= 0.0;
 #else
-  frame.rays.at[LaunchIndex()].originLow = origin.lo;
+  frame.rays.at[LaunchIndex()].originLow = ray.origin.lo;
   // The miss program makes it negative.
-  hit.t = 0.0;
+  payload.t = 0.0;
   traceRayEXT(accelerationStructureEXT(frame.topLevel),
     gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT, cullMask, 0u, 0u, 0u,
-    origin.hi, 0.0, direction, tMax, 0);
+    ray.origin.hi, 0.0, ray.direction, tMax, 0);
+  return payload.t >= 0.0;
 #endif
-  return hit.t >= 0.0;
 }
 
-// How far the found t may be from the exact surface: Shapes/README.md's 8 ulp, doubled.
-float HitUncertainty(vec3 direction)
+// How far the hit's t may be from the exact surface: Shapes/README.md's 8 ulp, doubled, and the hit's own error.
+float ErrorOfT(SceneRay ray, SurfaceHit hit)
 {
-#ifdef RTG_WHOLE
-  float uncertainty = hitUncertainty;
-#else
-  float uncertainty = frame.rays.at[LaunchIndex()].uncertainty;
-#endif
-  return uncertainty / length(direction) + 2e-6 * tracedT;
+  return hit.error / length(ray.direction) + 2e-6 * hit.t;
 }
 
-// Where rays from the last hit start: off the surface on the side of `normal`, so far that rounding
-// cannot put the start behind it. A start clear of the surface needs no minimum t.
-DoubleWord3 LeaveSurface(vec3 direction, vec3 normal)
+// Where rays from a hit that faces forward start: off the surface, so far that rounding cannot put the start behind it. A
+// start clear of the surface needs no minimum t.
+DoubleWord3 LeaveSurface(SceneRay ray, SurfaceHit hit)
 {
-  DoubleWord3 position = Add(tracedOrigin, TwoProduct(direction, vec3(tracedT)));
-  return Add(position, TwoProduct(normal, vec3(HitUncertainty(direction) * length(direction))));
+  DoubleWord3 position = Add(ray.origin, TwoProduct(ray.direction, vec3(hit.t)));
+  return Add(position, TwoProduct(hit.normal, vec3(ErrorOfT(ray, hit) * length(ray.direction))));
 }

@@ -16,6 +16,12 @@ vec3 SmoothNormal(GlyphSetRecord set, uvec3 corner, vec3 weight, vec3 flat_)
   return dot(smoothed, smoothed) > 0.0 ? smoothed : flat_;
 }
 
+// A triangle's own normal, in whichever order its corners are given.
+vec3 OnSideOf(vec3 smoothed, vec3 normal)
+{
+  return dot(smoothed, normal) < 0.0 ? -normal : normal;
+}
+
 vec4 TriangleColour(GlyphSetRecord set, uvec3 corner, vec3 weight, uint triangle, uint glyph)
 {
   vec4 colour = vec4(set.colour, 1.0);

@@ -4,7 +4,6 @@
 #include "bindings.glsl"
 
 layout(constant_id = 2) const bool coloured = false;       // one colour a glyph
-layout(constant_id = 20) const bool leavesSurface = false;  // rays will start from the hit
 
 #include "triangle.glsl"
 
@@ -27,22 +26,21 @@ void main()
   vec3 toC = set.meshPositions.at[corner.z] - a;
 
   vec3 normal = cross(toB, toC);
-  if (smoothNormals)
-  {
-    normal = SmoothNormal(set, corner, weight, normal);
-  }
+  vec3 smoothed = smoothNormals ? SmoothNormal(set, corner, weight, normal) : normal;
   hit.t = gl_HitTEXT;
   // Normals turn with the inverse transpose.
-  hit.normal = normalize(normal * mat3(gl_WorldToObjectEXT));
+  hit.shadingNormal = normalize(smoothed * mat3(gl_WorldToObjectEXT));
+  hit.normal = OnSideOf(hit.shadingNormal, normalize(normal * mat3(gl_WorldToObjectEXT)));
   hit.record = gl_InstanceCustomIndexEXT;
   uint glyph = gl_InstanceID - set.firstInstance;
   hit.glyph = set.identifiesTriangles != 0u ? gl_PrimitiveID : glyph;
+  hit.error = 0.0;
   if (leavesSurface)
   {
     // The driver's intersection works in the mesh's frame, where the ray's origin is rounded once more.
     vec3 reach = abs(gl_WorldRayOriginEXT) + abs(gl_WorldRayDirectionEXT) * gl_HitTEXT;
     vec3 size = abs(mat3(gl_ObjectToWorldEXT) * toB) + abs(mat3(gl_ObjectToWorldEXT) * toC);
-    frame.rays.at[LaunchIndex()].uncertainty = 1e-6 * (LargestComponent(reach) + LargestComponent(size));
+    hit.error = 1e-6 * (LargestComponent(reach) + LargestComponent(size));
   }
   hit.colour = TriangleColour(set, corner, weight, gl_PrimitiveID, glyph);
 }

@@ -4,31 +4,30 @@
 // More surfaces than this on one ray count as a wall.
 const uint maximumCrossings = 256u;
 
-// Nearest surface that stops the ray, in `hit`; `event` numbers the ray within its sample.
-void TraceStopping(
-  DoubleWord3 origin, vec3 direction, float tMin, float tMax, uint cullMask, SampleNumber number, uint event)
+// Nearest surface that stops the ray; `event` numbers the ray within its sample.
+SurfaceHit IntersectStopping(SceneRay ray, float tMin, float tMax, uint cullMask, SampleNumber number, uint event)
 {
-  TraceNearest(origin, direction, tMin, tMax, cullMask);
+  SurfaceHit hit = Intersect(ray, tMin, tMax, cullMask);
   if (!translucency)
   {
-    return;
+    return hit;
   }
   for (uint crossing = 0u; crossing < maximumCrossings; ++crossing)
   {
     if (hit.t < 0.0 || hit.colour.a >= 1.0 ||
       SampleIndependent(number, event * maximumCrossings + crossing) < hit.colour.a)
     {
-      return;
+      break;
     }
-    float behind = hit.t + HitUncertainty(direction);
-    TraceNearest(origin, direction, behind, tMax, cullMask);
+    hit = Intersect(ray, hit.t + ErrorOfT(ray, hit), tMax, cullMask);
   }
+  return hit;
 }
 
 // True when something stops light that arrives along `direction` (unit) from at most `distance` away.
 bool Blocked(DoubleWord3 origin, vec3 direction, float distance, SampleNumber number, uint event)
 {
-  if (MeetsAny(origin, direction, distance, OPAQUE_MASK))
+  if (Occluded(SceneRay(origin, direction, 0.0), distance, OPAQUE_MASK))
   {
     return true;
   }
@@ -36,6 +35,6 @@ bool Blocked(DoubleWord3 origin, vec3 direction, float distance, SampleNumber nu
   {
     return false;
   }
-  TraceStopping(origin, direction, 0.0, distance, TRANSLUCENT_MASK, number, event);
-  return hit.t >= 0.0;
+  SceneRay ray = EnterScene(origin, direction);
+  return IntersectStopping(ray, 0.0, distance - ray.start, TRANSLUCENT_MASK, number, event).t >= 0.0;
 }

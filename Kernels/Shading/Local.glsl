@@ -13,7 +13,7 @@ vec3 ShadeLocal(SurfaceHit hit, vec3 position, vec3 direction)
   }
 
   // A surface shows its lit side to the viewer, the inside of a cut glyph too.
-  vec3 normal = FacingNormal(hit, direction);
+  vec3 normal = dot(hit.shadingNormal, direction) > 0.0 ? -hit.shadingNormal : hit.shadingNormal;
   vec3 toViewer = normalize(frame.viewPosition - position);
   float power = set.specularPower;
   vec3 diffuse = vec3(0.0);

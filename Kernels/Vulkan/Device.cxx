@@ -80,14 +80,18 @@ bool ContainsIgnoringCase(const std::string& text, const std::string& part)
   return lower(text).find(lower(part)) != std::string::npos;
 }
 
-// The index of the device that `wanted` names by number or part of its name.
+// The index of the device that `wanted` names by number or part of its name. A number that no device has, such as 4090, is
+// part of a name.
 std::optional<std::size_t>
 FindNamed(const std::vector<vk::raii::PhysicalDevice>& devices, const std::string& wanted)
 {
   if (wanted.find_first_not_of("0123456789") == std::string::npos && wanted.size() < 6)
   {
     const std::size_t index = std::stoul(wanted);
-    return index < devices.size() ? std::optional<std::size_t>(index) : std::nullopt;
+    if (index < devices.size())
+    {
+      return index;
+    }
   }
   for (std::size_t i = 0; i < devices.size(); ++i)
   {

@@ -1,10 +1,12 @@
 // Mesh glyphs and surfaces through the pipeline.
 #include "BoxMesh.h"
 #include "Scene.h"
+#include "SceneState.h"
 #include "SharedDevice.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
@@ -19,6 +21,33 @@ using rtg::Image;
 
 using rtg::testing::BoxMesh;
 using rtg::testing::Share;
+
+// A ball of diameter 1 with so many segments round its axis and half as many rings, its normals those of the round one.
+rtg::TriangleMesh FacetedBall(int segments)
+{
+  rtg::TriangleMesh mesh;
+  const int rings = segments / 2;
+  for (int ring = 0; ring <= rings; ++ring)
+  {
+    const float down = glm::pi<float>() * float(ring) / float(rings);
+    for (int segment = 0; segment < segments; ++segment)
+    {
+      const float round = glm::two_pi<float>() * float(segment) / float(segments);
+      mesh.normals.emplace_back(std::sin(down) * std::cos(round), std::cos(down), -std::sin(down) * std::sin(round));
+      mesh.positions.push_back(0.5f * mesh.normals.back());
+    }
+  }
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    for (int segment = 0; segment < segments; ++segment)
+    {
+      const glm::uint a = ring * segments + segment, b = ring * segments + (segment + 1) % segments;
+      mesh.triangles.push_back({ a, a + segments, b + segments });
+      mesh.triangles.push_back({ a, b + segments, b });
+    }
+  }
+  return mesh;
+}
 
 class MeshTest : public ::testing::Test
 {
@@ -236,6 +265,89 @@ TEST_F(MeshTest, SameMeshElsewhereIsNotBuiltAgain)
   this->scene.SetInstances(id, instances);
   EXPECT_FLOAT_EQ(this->Probe(probe)[0].t, 9.5f);
   EXPECT_EQ(this->scene.GetStatistics().structureBuilds, builds);
+}
+
+// Of a convex body all of the light from all around reaches every point, however much the normals of its corners lean.
+TEST_F(MeshTest, ConvexBodiesWithSmoothNormalsDoNotShadeThemselves)
+{
+  const rtg::Camera camera = rtg::Camera::FromWorldToClip(
+    glm::ortho(-0.6, 0.6, -0.6, 0.6, 1.0, 9.0) * glm::lookAt(glm::dvec3(3, 1, 4), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+  rtg::Material material;
+  material.lighting = true;
+  material.ambient = 1.0f;
+  material.diffuse = 0.0f;
+  for (const bool moves : { false, true })
+  {
+    for (const int segments : { 8, 16, 32 })
+    {
+      rtg::GlyphInstances instances;
+      instances.shape = rtg::Shape::Mesh;
+      instances.mesh = Share(FacetedBall(segments));
+      instances.centres = { glm::vec3(0.0f) };
+      if (moves)
+      {
+        instances.motion.velocities = { glm::vec3(1e-6f) };
+      }
+      const auto id = this->scene.Add();
+      this->scene.SetInstances(id, instances);
+      this->scene.SetMaterial(id, material);
+      this->scene.Commit();
+      rtg::TraceSettings settings;
+      settings.width = settings.height = 60;
+      settings.samples = 16;
+      settings.keepSums = true;
+      for (const rtg::Shading shading : { rtg::Shading::AmbientOcclusion, rtg::Shading::PathTracing })
+      {
+        // All of the light is reflected, or the body shines by itself as far as light reaches it.
+        material.ambient = shading == rtg::Shading::PathTracing ? 0.0f : 1.0f;
+        material.diffuse = 1.0f - material.ambient;
+        this->scene.SetMaterial(id, material);
+        this->scene.Commit();
+        settings.shading = shading;
+        this->tracer.Trace(this->scene, camera, {}, settings);
+        double light = 0.0, covered = 0.0, least = 1.0;
+        for (const glm::vec4& mean : this->tracer.Means())
+        {
+          light += mean.r;
+          covered += mean.a;
+          least = mean.a > 0.0f ? std::min(least, double(mean.r / mean.a)) : least;
+        }
+        EXPECT_GT(covered, 1000.0);
+        EXPECT_NEAR(light / covered, 1.0, 1e-3) << segments << " segments" << (moves ? ", moving" : "");
+        // Weights of path tracing differ from direction to direction.
+        EXPECT_GT(least, shading == rtg::Shading::PathTracing ? 0.0 : 0.999) << segments << " segments" << (moves ? ", moving" : "");
+      }
+      this->scene.Remove(id);
+    }
+  }
+}
+
+TEST_F(MeshTest, TooManyInstancesAreOneError)
+{
+  this->scene.GetState().mostInstances = 7;
+  rtg::GlyphInstances instances;
+  instances.shape = rtg::Shape::Mesh;
+  instances.mesh = Share(BoxMesh());
+  instances.centres.resize(4);
+  const auto first = this->scene.Add();
+  const auto second = this->scene.Add();
+  this->scene.SetInstances(first, instances);
+  this->scene.SetInstances(second, instances);
+  try
+  {
+    this->scene.Commit();
+    FAIL() << "no error";
+  }
+  catch (const rtg::Error& error)
+  {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("8 mesh glyphs"), std::string::npos) << text;
+    EXPECT_NE(text.find("is 7"), std::string::npos) << text;
+  }
+  // Its remedy helps.
+  this->scene.SetVisible(second, false);
+  this->scene.Commit();
+  EXPECT_EQ(this->Probe({ { { 0.2, 0.1, 5 }, { 0, 0, -1 } } })[0].setId, first);
 }
 
 TEST_F(MeshTest, SaysWhatIsWrongWithAMesh)

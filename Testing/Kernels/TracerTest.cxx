@@ -616,6 +616,40 @@ TEST_F(TracerTest, BadSettingsAreNamed)
   EXPECT_THROW(this->scene.SetColours(0, rtg::GlyphColours(7, 0u)), rtg::Error);
 }
 
+TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
+{
+  const auto message = [this](const auto& change)
+  {
+    rtg::GlyphInstances instances;
+    instances.shape = rtg::Shape::Superquadric;
+    instances.centres = RandomPoints(4);
+    change(instances);
+    const auto id = this->scene.Add();
+    try
+    {
+      this->scene.SetInstances(id, instances);
+    }
+    catch (const rtg::Error& error)
+    {
+      EXPECT_EQ(this->scene.GlyphCount(id), 0u);
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto names = [&](const char* what, const auto& change)
+  { EXPECT_NE(message(change).find(what), std::string::npos) << what << ": " << message(change); };
+  names("5 sizes along three axes for 4 glyphs", [](auto& i) { i.sizes3.resize(5, glm::vec3(1.0f)); });
+  names("3 sizes for 4 glyphs", [](auto& i) { i.sizes1.resize(3, 1.0f); });
+  names("1 rotations for 4 glyphs", [](auto& i) { i.rotations.resize(1); });
+  names("8 exponents for 4 glyphs", [](auto& i) { i.exponents3.resize(8, glm::vec3(2.0f)); });
+  names("2 quadratic forms for 4 glyphs", [](auto& i) { i.forms.resize(2); });
+  names("5 velocities for 4 glyphs", [](auto& i) { i.motion.velocities.resize(5); });
+  names("one kind", [](auto& i) { i.sizes1.resize(4, 1.0f), i.sizes3.resize(4, glm::vec3(1.0f)); });
+  EXPECT_EQ(message([](auto&) {}), "");
+  // The scene still shows what is right.
+  EXPECT_GT(Coverage(this->Trace()), 0.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Structures, StructureTest,
   ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
   [](const auto& info) { return ::testing::PrintToString(info.param); });

@@ -1,0 +1,50 @@
+// Which device the environment variable RTGLYPHS_DEVICE chooses.
+#include "Glyphs.h"
+#include "Vulkan/Device.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+TEST(DeviceTest, NumbersAreIndicesOrPartsOfNames)
+{
+  ::unsetenv("RTGLYPHS_DEVICE");
+  const std::string name = rtg::Device::Shared()->Name();
+
+  // No machine has so many devices.
+  ::setenv("RTGLYPHS_DEVICE", "4090", 1);
+  if (name.find("4090") == std::string::npos)
+  {
+    try
+    {
+      rtg::Device::Shared();
+      FAIL() << "no error";
+    }
+    catch (const rtg::Error& error)
+    {
+      const std::string text = error.what();
+      EXPECT_NE(text.find("RTGLYPHS_DEVICE='4090'"), std::string::npos) << text;
+      EXPECT_NE(text.find(name), std::string::npos) << text;
+    }
+  }
+
+  // The longest number in the device's name, such as that of its model.
+  std::string number;
+  for (auto at = name.begin(); at != name.end();)
+  {
+    const auto isDigit = [](unsigned char c) { return std::isdigit(c) != 0; };
+    at = std::find_if(at, name.end(), isDigit);
+    const auto end = std::find_if_not(at, name.end(), isDigit);
+    number = std::max(number, std::string(at, end), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    at = end;
+  }
+  if (number.size() < 2)
+  {
+    GTEST_SKIP() << name << " has no number in its name";
+  }
+  ::setenv("RTGLYPHS_DEVICE", number.c_str(), 1);
+  EXPECT_EQ(rtg::Device::Shared()->Name(), name);
+  ::unsetenv("RTGLYPHS_DEVICE");
+}

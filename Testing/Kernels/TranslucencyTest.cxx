@@ -1,0 +1,169 @@
+// What shines through translucent glyphs: every layer counts once, however far away the camera is and however many glyphs there are.
+#include "LightFixture.h"
+
+#include "SceneState.h"
+
+#include <algorithm>
+
+namespace rtg
+{
+// Names the parameter in lists of tests.
+static void PrintTo(Structure structure, std::ostream* out)
+{
+  *out << (structure == Structure::Boxes ? "Boxes" : "Tree");
+}
+} // namespace rtg
+
+namespace
+{
+
+using namespace light;
+
+constexpr float opacity = 0.3f;
+
+class TranslucencyTest
+  : public LightTest
+  , public ::testing::WithParamInterface<rtg::Structure>
+{
+protected:
+  void SetUp() override
+  {
+    this->LightTest::SetUp();
+    this->scene.GetState().structure = GetParam();
+    this->settings.keepSums = false;
+  }
+
+  void AddBalls(const std::vector<glm::vec3>& centres, float size)
+  {
+    rtg::GlyphInstances instances;
+    instances.centres = centres;
+    instances.uniformSize = size;
+    const auto id = this->scene.Add();
+    this->scene.SetInstances(id, std::move(instances));
+    rtg::Material material;
+    material.opacity = opacity;
+    this->scene.SetMaterial(id, material);
+  }
+
+  // A perspective view along -z of a square of that width about the world's origin.
+  void LookFromFar(double distance, double width)
+  {
+    const double nearPlane = std::max(distance - 4.0 * width, 0.5 * distance);
+    this->camera = rtg::Camera::FromWorldToClip(
+      glm::perspective(2.0 * std::atan(0.5 * width / distance), 1.0, nearPlane, distance + 4.0 * width) *
+      glm::lookAt(glm::dvec3(0, 0, distance), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+  }
+
+  glm::dvec2 PixelCentre(std::size_t at) const
+  {
+    return { (at % this->settings.width + 0.5) / this->settings.width * 2.0 - 1.0,
+      (at / this->settings.width + 0.5) / this->settings.height * 2.0 - 1.0 };
+  }
+};
+
+} // namespace
+
+TEST_P(TranslucencyTest, BothSidesOfABallShowAtEveryDistance)
+{
+  this->AddBalls({ { 0, 0, 0 } }, 1.0f);
+  this->settings.width = this->settings.height = 40;
+  this->settings.keepSums = true;
+  const float both = 1.0f - (1.0f - opacity) * (1.0f - opacity);
+  for (double distance = 10.0; distance < 2e6; distance *= 10.0)
+  {
+    this->LookFromFar(distance, 1.2);
+    for (Shading shading : { Shading::Local, Shading::AmbientOcclusion })
+    {
+      this->settings.shading = shading;
+      this->settings.samples = 1;
+      const Image image = this->Trace(rtg::Pass::Translucent);
+      std::size_t covered = 0, wrong = 0;
+      for (const glm::vec4& mean : this->tracer.Means())
+      {
+        covered += mean.a > 0.0f;
+        wrong += mean.a > 0.0f && std::abs(mean.a - both) > 1e-5f;
+      }
+      EXPECT_GT(covered, 600u);
+      EXPECT_EQ(wrong, 0u) << "of " << covered << " pixels, camera " << distance << " glyph sizes away";
+    }
+    // Path tracing stops at each side by chance.
+    this->settings.shading = Shading::PathTracing;
+    this->settings.samples = 64;
+    this->LookFromFar(distance, 0.2);
+    this->Trace(rtg::Pass::Translucent);
+    double mean = 0.0;
+    for (const glm::vec4& pixel : this->tracer.Means())
+    {
+      mean += pixel.a / (40.0 * 40.0);
+    }
+    EXPECT_NEAR(mean, both, certain * std::sqrt(both * (1.0 - both) / (40.0 * 40.0 * 64.0)))
+      << "camera " << distance << " glyph sizes away";
+  }
+}
+
+TEST_P(TranslucencyTest, EveryLayerOfACrowdCountsOnce)
+{
+  constexpr float radius = 0.02f;
+  std::vector<glm::vec3> centres = Clutter(5, 20000);
+  this->AddBalls(centres, 2.0f * radius);
+  this->settings.width = this->settings.height = 60;
+  this->camera = rtg::Camera::FromWorldToClip(glm::ortho(-0.7, 0.7, -0.7, 0.7, 1.0, 100.0) *
+    glm::lookAt(glm::dvec3(0, 0, 50), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+
+  // The balls that the ray through a pixel's centre meets, or -1 where it grazes one.
+  std::vector<int> met(60 * 60, 0);
+  for (std::size_t at = 0; at < met.size(); ++at)
+  {
+    const glm::dvec2 place = 0.7 * this->PixelCentre(at);
+    for (const glm::vec3& centre : centres)
+    {
+      const double off = glm::length(place - glm::dvec2(centre)) / radius;
+      if (std::abs(off - 1.0) < 1e-4)
+      {
+        met[at] = -1;
+        break;
+      }
+      met[at] += off < 1.0;
+    }
+  }
+
+  for (Shading shading : { Shading::Local, Shading::AmbientOcclusion })
+  {
+    this->settings.shading = shading;
+    this->settings.keepSums = true;
+    this->Trace(rtg::Pass::Translucent);
+    const std::vector<glm::vec4> means = this->tracer.Means();
+    std::size_t judged = 0, wrong = 0;
+    for (std::size_t at = 0; at < met.size(); ++at)
+    {
+      judged += met[at] > 0;
+      // What shines through by less than half a level of a display's 255 is left out.
+      wrong += met[at] >= 0 && std::abs(means[at].a - (1.0 - std::pow(1.0 - opacity, 2 * met[at]))) > 1.0 / 512.0;
+    }
+    EXPECT_GT(judged, 3000u);
+    EXPECT_EQ(wrong, 0u) << "of " << judged << " pixels";
+  }
+
+  // Path tracing: the mean over rays beside each other, of a place that is not nearly opaque.
+  const auto thin = std::find(met.begin(), met.end(), 3) - met.begin();
+  ASSERT_LT(std::size_t(thin), met.size());
+  const glm::dvec2 place = 0.7 * this->PixelCentre(thin);
+  const double half = 1e-7;
+  this->camera = rtg::Camera::FromWorldToClip(
+    glm::ortho(place.x - half, place.x + half, place.y - half, place.y + half, 1.0, 100.0) *
+    glm::lookAt(glm::dvec3(0, 0, 50), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+  this->settings.shading = Shading::PathTracing;
+  this->settings.samples = 16;
+  this->Trace(rtg::Pass::Translucent);
+  double mean = 0.0;
+  for (const glm::vec4& pixel : this->tracer.Means())
+  {
+    mean += pixel.a / (60.0 * 60.0);
+  }
+  const double expected = 1.0 - std::pow(1.0 - opacity, 6);
+  EXPECT_NEAR(mean, expected, certain * std::sqrt(expected * (1.0 - expected) / (60.0 * 60.0 * 16.0)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Structures, TranslucencyTest,
+  ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
+  [](const auto& info) { return ::testing::PrintToString(info.param); });
