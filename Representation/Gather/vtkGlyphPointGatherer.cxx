@@ -221,7 +221,8 @@ void FindVertexCells(Leaf& leaf)
   }
   std::vector<vtkIdType> cells(count, -1);
   vtkIdType cell = 0;
-  for (const auto point : vtk::DataArrayValueRange<1>(vertices->GetConnectivityArray()))
+  vtkDataArray* const connectivity = vertices->GetConnectivityArray();
+  for (const auto point : vtk::DataArrayValueRange<1>(connectivity))
   {
     cells[static_cast<vtkIdType>(point)] = cell++;
   }
