@@ -1,13 +1,13 @@
 #include "vtkGlyphPointGatherer.h"
 
+#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkCompositeDataSetRange.h"
 #include "vtkDataArrayRange.h"
 #include "vtkDataAssembly.h"
 #include "vtkDataAssemblyUtilities.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -25,7 +25,9 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRayTracedArrayUnion.h"
 #include "vtkRayTracedArrays.h"
+#include "vtkRayTracedParallel.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStringArray.h"
 #include "vtkStructuredData.h"
@@ -35,6 +37,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <numeric>
 #include <string>
@@ -42,27 +45,32 @@
 
 namespace
 {
+namespace parallel = vtkRayTracedParallel;
+
 // One data set of the input and the points of it that carry glyphs.
 struct Leaf
 {
   vtkSmartPointer<vtkDataSet> Data;
   unsigned int FlatIndex = 0;
-  unsigned int Block = 0; // number among the blocks of the input
+  unsigned int Block = 0;        // number among the blocks of the input
   bool All = true;               // every point carries a glyph; Points is empty then
   std::vector<vtkIdType> Points; // otherwise these
-  std::vector<vtkIdType>
-    VertexCells; // per point of Data its only cell, where Data consists of vertices
+  // Where Data consists of vertices of one point each, and each point has one: these.
+  vtkCellArray* Vertices = nullptr;
+  std::vector<vtkIdType> CellOfPoint; // empty where the cell of point i is i
   bool CellCenters = false; // points of Data are the centers of the input's cells, and their arrays say of which
+
   vtkIdType Count() const
   {
     return this->All ? this->Data->GetNumberOfPoints()
                      : static_cast<vtkIdType>(this->Points.size());
   }
-  // The cell that a point's glyph stands for; -1: none.
-  bool HasCells() const { return !this->VertexCells.empty(); }
-  vtkIdType CellOf(vtkIdType point) const
+  vtkIdType Point(vtkIdType i) const { return this->All ? i : this->Points[i]; }
+  // The cell that a point's glyph stands for.
+  bool HasCells() const { return this->Vertices != nullptr; }
+  vtkIdType Cell(vtkIdType i) const
   {
-    return this->VertexCells.empty() ? -1 : this->VertexCells[point];
+    return this->CellOfPoint.empty() ? this->Point(i) : this->CellOfPoint[this->Point(i)];
   }
 };
 
@@ -83,62 +91,75 @@ vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* object)
   return vtkDataSet::SafeDownCast(object);
 }
 
+constexpr unsigned char ghostPoint =
+  vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+constexpr unsigned char ghostCell = vtkDataSetAttributes::DUPLICATECELL |
+  vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+
+bool HasAny(vtkUnsignedCharArray* ghosts, unsigned char mask)
+{
+  return ghosts &&
+    std::any_of(ghosts->GetPointer(0), ghosts->GetPointer(0) + ghosts->GetNumberOfValues(),
+      [mask](unsigned char ghost) { return (ghost & mask) != 0; });
+}
+
+// Bits of the cells that use a point.
+enum Users : unsigned char
+{
+  USED_BY_GHOST = 1,
+  USED_BY_CELL = 2
+};
+
+std::vector<unsigned char> UsersOf(vtkDataSet* data, vtkUnsignedCharArray* ghosts)
+{
+  std::vector<unsigned char> users(data->GetNumberOfPoints(), 0);
+  vtkNew<vtkIdList> first;
+  data->GetCellPoints(0, first); // builds what the threads need
+  parallel::ForChunks(data->GetNumberOfCells(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        data->GetCellPoints(cell, ids);
+        const unsigned char user =
+          (ghosts->GetValue(cell) & ghostCell) ? USED_BY_GHOST : USED_BY_CELL;
+        for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+        {
+          std::atomic_ref<unsigned char>(users[ids->GetId(i)])
+            .fetch_or(user, std::memory_order_relaxed);
+        }
+      }
+    });
+  return users;
+}
+
+// vtkRemoveGhosts would copy the data set, drop no hidden points and lose the ids of the others.
 void DropGhosts(Leaf& leaf)
 {
   vtkDataSet* data = leaf.Data;
-  const vtkIdType count = data->GetNumberOfPoints();
-  constexpr unsigned char noPoint =
-    vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
-  constexpr unsigned char noCell = vtkDataSetAttributes::DUPLICATECELL |
-    vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
-
   vtkUnsignedCharArray* pointGhosts = data->GetPointGhostArray();
   vtkUnsignedCharArray* cellGhosts = data->GetCellGhostArray();
-  const auto any = [](vtkUnsignedCharArray* ghosts, unsigned char mask)
-  {
-    for (vtkIdType i = 0; ghosts && i < ghosts->GetNumberOfValues(); ++i)
-    {
-      if (ghosts->GetValue(i) & mask)
-      {
-        return true;
-      }
-    }
-    return false;
-  };
-  const bool ghostPoints = any(pointGhosts, noPoint);
-  const bool ghostCells = any(cellGhosts, noCell);
+  const bool ghostPoints = HasAny(pointGhosts, ghostPoint);
+  const bool ghostCells = HasAny(cellGhosts, ghostCell);
   if (!ghostPoints && !ghostCells)
   {
     return;
   }
-
   // A point goes when it is a ghost itself, or when all the cells that use it (and there are some) are.
-  std::vector<unsigned char> usedByGhost, usedByCell;
+  std::vector<unsigned char> users;
   if (ghostCells)
   {
-    usedByGhost.assign(count, 0);
-    usedByCell.assign(count, 0);
-    vtkNew<vtkIdList> ids;
-    for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
-    {
-      data->GetCellPoints(cell, ids);
-      auto& used = (cellGhosts->GetValue(cell) & noCell) ? usedByGhost : usedByCell;
-      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-      {
-        used[ids->GetId(i)] = 1;
-      }
-    }
+    users = UsersOf(data, cellGhosts);
   }
   leaf.All = false;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const bool ghost = (ghostPoints && (pointGhosts->GetValue(i) & noPoint)) ||
-      (ghostCells && usedByGhost[i] && !usedByCell[i]);
-    if (!ghost)
+  leaf.Points = parallel::Select(data->GetNumberOfPoints(),
+    [&](vtkIdType i)
     {
-      leaf.Points.push_back(i);
-    }
-  }
+      const bool ghost = (ghostPoints && (pointGhosts->GetValue(i) & ghostPoint)) ||
+        (ghostCells && users[i] == USED_BY_GHOST);
+      return !ghost;
+    });
 }
 
 // Extent of structured data; false: the data are not structured.
@@ -162,7 +183,7 @@ bool ExtentOf(vtkDataSet* data, int extent[6])
   return false;
 }
 
-// Neighbouring pieces of a structured data set both have the points between them: they belong to the lower piece.
+// Neighboring pieces of a structured data set both have the points between them: they belong to the lower piece.
 void DropSharedFaces(Leaf& leaf, const int wholeExtent[6])
 {
   int extent[6];
@@ -183,24 +204,43 @@ void DropSharedFaces(Leaf& leaf, const int wholeExtent[6])
   {
     return;
   }
-  const auto isShared = [&](vtkIdType point)
+  const auto isOwn = [&](vtkIdType i)
   {
     int ijk[3];
-    vtkStructuredData::ComputePointStructuredCoordsForExtent(point, extent, ijk);
-    return ijk[0] < first[0] || ijk[1] < first[1] || ijk[2] < first[2];
+    vtkStructuredData::ComputePointStructuredCoordsForExtent(leaf.Point(i), extent, ijk);
+    return ijk[0] >= first[0] && ijk[1] >= first[1] && ijk[2] >= first[2];
   };
-  std::vector<vtkIdType> own;
-  for (vtkIdType i = 0; i < leaf.Count(); ++i)
+  std::vector<vtkIdType> own = parallel::Select(leaf.Count(), isOwn);
+  if (!leaf.All)
   {
-    const vtkIdType point = leaf.All ? i : leaf.Points[i];
-    if (!isShared(point))
-    {
-      own.push_back(point);
-    }
+    std::transform(
+      own.begin(), own.end(), own.begin(), [&leaf](vtkIdType i) { return leaf.Points[i]; });
   }
   leaf.All = false;
   leaf.Points = std::move(own);
 }
+
+// Whether cell i of vertices of one point each is that of point i.
+struct AreInOrder
+{
+  template <class Array>
+  void operator()(Array* points, std::atomic<bool>& inOrder) const
+  {
+    const auto range = vtk::DataArrayValueRange<1>(points);
+    parallel::ForChunks(points->GetNumberOfValues(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          if (static_cast<vtkIdType>(range[i]) != i)
+          {
+            inOrder = false;
+            return;
+          }
+        }
+      });
+  }
+};
 
 // The one cell of each point, where every cell is a single vertex of its own; as in particle files.
 void FindVertexCells(Leaf& leaf)
@@ -219,24 +259,35 @@ void FindVertexCells(Leaf& leaf)
   {
     return;
   }
-  std::vector<vtkIdType> cells(count, -1);
-  vtkIdType cell = 0;
-  vtkDataArray* const connectivity = vertices->GetConnectivityArray();
-  for (const auto point : vtk::DataArrayValueRange<1>(connectivity))
+  vtkDataArray* const points = vertices->GetConnectivityArray();
+  std::atomic<bool> inOrder{ true };
+  AreInOrder check;
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(
+        points, check, inOrder))
   {
-    cells[static_cast<vtkIdType>(point)] = cell++;
+    check(points, inOrder);
   }
-  if (std::find(cells.begin(), cells.end(), -1) == cells.end())
+  if (!inOrder)
   {
-    leaf.VertexCells = std::move(cells);
+    std::vector<vtkIdType> cells(count, -1);
+    vtkIdType cell = 0;
+    for (const auto point : vtk::DataArrayValueRange<1>(points))
+    {
+      cells[static_cast<vtkIdType>(point)] = cell++;
+    }
+    if (std::find(cells.begin(), cells.end(), -1) != cells.end())
+    {
+      return;
+    }
+    leaf.CellOfPoint = std::move(cells);
   }
+  leaf.Vertices = vertices;
 }
 
 std::vector<Leaf> Leaves(vtkDataObject* input)
 {
   std::vector<Leaf> leaves;
-  unsigned int block = 0;
-  const auto add = [&](vtkDataObject* object, unsigned int flatIndex)
+  const auto add = [&](vtkDataObject* object, unsigned int block, unsigned int flatIndex)
   {
     Leaf leaf;
     leaf.Block = block;
@@ -253,18 +304,17 @@ std::vector<Leaf> Leaves(vtkDataObject* input)
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   if (!composite)
   {
-    add(input, 0);
+    add(input, 0, 0);
     return leaves;
   }
-  vtkSmartPointer<vtkCompositeDataIterator> iterator;
-  iterator.TakeReference(composite->NewIterator());
-  iterator->SkipEmptyNodesOff(); // an empty block has a number, too
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem(), ++block)
+  unsigned int block = 0;
+  for (auto node : vtk::Range(composite)) // an empty block has a number, too
   {
-    if (vtkDataObject* data = iterator->GetCurrentDataObject())
+    if (node.GetDataObject())
     {
-      add(data, iterator->GetCurrentFlatIndex());
+      add(node.GetDataObject(), block, node.GetFlatIndex());
     }
+    ++block;
   }
   return leaves;
 }
@@ -273,101 +323,110 @@ vtkDataSetAttributes* AttributesOf(const Leaf& leaf, bool cells)
 {
   if (cells)
   {
-    return leaf.VertexCells.empty() ? nullptr : leaf.Data->GetCellData();
+    return leaf.HasCells() ? leaf.Data->GetCellData() : nullptr;
   }
   return leaf.Data->GetPointData();
 }
 
-// Appends the union of all leaves' arrays to `out`, in the order of the leaves' points.
-void AppendArrays(
-  const std::vector<Leaf>& leaves, vtkIdType count, bool cells, vtkDataSetAttributes* out)
+vtkRayTracedArrayUnion UnionOf(const std::vector<Leaf>& leaves, bool cells)
 {
-  struct Source
+  std::vector<vtkDataSetAttributes*> sets(leaves.size());
+  std::transform(leaves.begin(), leaves.end(), sets.begin(),
+    [cells](const Leaf& leaf) { return AttributesOf(leaf, cells); });
+  return { sets, [](vtkDataSetAttributes*, vtkAbstractArray* array) {
+            return vtkDataSetAttributes::GhostArrayName() != std::string(array->GetName());
+          } };
+}
+
+// The leaf's tuples become those of another array of the same values, from `next` on.
+struct CopyTuples
+{
+  template <class From, class To>
+  void operator()(From* from, To* to, const Leaf& leaf, bool cells, vtkIdType next) const
   {
-    vtkAbstractArray* First = nullptr;
-    std::size_t Leaves = 0;
-    bool SameType = true;
-  };
-  std::map<std::string, Source> sources;
-  for (const Leaf& leaf : leaves)
-  {
-    vtkDataSetAttributes* attributes = AttributesOf(leaf, cells);
-    for (int i = 0; attributes && i < attributes->GetNumberOfArrays(); ++i)
-    {
-      vtkAbstractArray* array = attributes->GetAbstractArray(i);
-      if (!array->GetName() ||
-        vtkDataSetAttributes::GhostArrayName() == std::string(array->GetName()))
+    const auto source = vtk::DataArrayTupleRange(from);
+    auto target = vtk::DataArrayTupleRange(to);
+    parallel::ForChunks(leaf.Count(),
+      [&](vtkIdType begin, vtkIdType end)
       {
-        continue;
-      }
-      Source& source = sources[array->GetName()];
-      source.First = source.First ? source.First : array;
-      source.SameType &= source.First->GetDataType() == array->GetDataType();
-      // Arrays of one name and different lengths of tuple are different things: the first kind wins.
-      source.Leaves += source.First->GetNumberOfComponents() == array->GetNumberOfComponents();
-    }
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          target[next + i] = source[cells ? leaf.Cell(i) : leaf.Point(i)];
+        }
+      });
   }
+};
 
-  for (const auto& item : sources)
+void CopyLeaf(
+  vtkAbstractArray* from, vtkAbstractArray* to, const Leaf& leaf, bool cells, vtkIdType next)
+{
+  CopyTuples copy;
+  auto* numbers = vtkDataArray::SafeDownCast(from);
+  auto* target = vtkDataArray::SafeDownCast(to);
+  if (numbers && target &&
+    vtkArrayDispatch::Dispatch2SameValueType::Execute(numbers, target, copy, leaf, cells, next))
   {
-    const Source& source = item.second;
-    const bool numeric = vtkDataArray::SafeDownCast(source.First) != nullptr;
-    const bool exact = source.Leaves == leaves.size() && source.SameType;
-    if (!exact && !numeric)
+    return;
+  }
+  const auto copyRange = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType i = begin; i < end; ++i)
     {
-      continue;
+      to->SetTuple(next + i, cells ? leaf.Cell(i) : leaf.Point(i), from);
     }
-    // A hole becomes NaN, which colour maps know; integer types have none.
-    vtkSmartPointer<vtkAbstractArray> array = exact
-      ? vtkSmartPointer<vtkAbstractArray>::Take(source.First->NewInstance())
-      : vtkSmartPointer<vtkAbstractArray>(vtkSmartPointer<vtkDoubleArray>::New());
-    const int components = source.First->GetNumberOfComponents();
-    array->SetName(item.first.c_str());
-    array->SetNumberOfComponents(components);
-    for (int c = 0; c < components; ++c)
-    {
-      array->SetComponentName(c, source.First->GetComponentName(c));
-    }
-    array->SetNumberOfTuples(count);
-
-    vtkIdType next = 0;
-    for (const Leaf& leaf : leaves)
-    {
-      const vtkIdType leafCount = leaf.Count();
-      vtkDataSetAttributes* attributes = AttributesOf(leaf, cells);
-      vtkAbstractArray* from =
-        attributes ? attributes->GetAbstractArray(item.first.c_str()) : nullptr;
-      if (from && from->GetNumberOfComponents() != components)
-      {
-        from = nullptr;
-      }
-      if (from && leaf.All && !cells)
-      {
-        array->InsertTuples(next, leafCount, 0, from);
-        next += leafCount;
-        continue;
-      }
-      for (vtkIdType i = 0; i < leafCount; ++i, ++next)
-      {
-        const vtkIdType point = leaf.All ? i : leaf.Points[i];
-        if (from)
-        {
-          array->SetTuple(next, cells ? leaf.VertexCells[point] : point, from);
-        }
-        else
-        {
-          for (int c = 0; c < components; ++c)
-          {
-            vtkDataArray::SafeDownCast(array)->SetComponent(next, c, vtkMath::Nan());
-          }
-        }
-      }
-    }
-    out->AddArray(array);
+  };
+  // Tuples of bits share bytes, and texts are no numbers.
+  if (numbers && target && from->GetDataType() != VTK_BIT && to->GetDataType() != VTK_BIT)
+  {
+    parallel::ForChunks(leaf.Count(), copyRange);
+  }
+  else
+  {
+    copyRange(0, leaf.Count());
   }
 }
 
-void AppendPoints(const std::vector<Leaf>& leaves, vtkIdType count, vtkPolyData* out)
+// Appends the union of all leaves' arrays to `out`, in the order of the leaves' points.
+void AppendArrays(const std::vector<Leaf>& leaves, vtkIdType count, bool cells,
+  vtkDataSetAttributes* out, const parallel::Progress& progress)
+{
+  const vtkRayTracedArrayUnion all = UnionOf(leaves, cells);
+  double done = 0.0;
+  for (const auto& [name, item] : all.Items())
+  {
+    const bool exact = all.IsExact(item);
+    if (!exact && !vtkDataArray::SafeDownCast(item.First))
+    {
+      continue; // there is no text that stands for a hole
+    }
+    vtkSmartPointer<vtkAbstractArray> array = item.Make(count, exact);
+    vtkIdType next = 0;
+    for (const Leaf& leaf : leaves)
+    {
+      if (vtkAbstractArray* from = item.Of(AttributesOf(leaf, cells)))
+      {
+        CopyLeaf(from, array, leaf, cells, next);
+      }
+      else
+      {
+        auto* numbers = vtkDoubleArray::SafeDownCast(array);
+        const int components = numbers->GetNumberOfComponents();
+        std::fill_n(
+          numbers->GetPointer(next * components), leaf.Count() * components, vtkMath::Nan());
+      }
+      next += leaf.Count();
+    }
+    out->AddArray(array);
+    done += 1.0;
+    if (progress)
+    {
+      progress(done / static_cast<double>(all.Items().size()));
+    }
+  }
+}
+
+void AppendPoints(const std::vector<Leaf>& leaves, vtkIdType count, vtkPolyData* out,
+  const parallel::Progress& progress)
 {
   // The precision of the input is kept; grids whose points are computed get double.
   int type = VTK_FLOAT;
@@ -385,26 +444,45 @@ void AppendPoints(const std::vector<Leaf>& leaves, vtkIdType count, vtkPolyData*
   vtkIdType next = 0;
   for (const Leaf& leaf : leaves)
   {
-    const vtkIdType leafCount = leaf.Count();
-    for (vtkIdType i = 0; i < leafCount; ++i, ++next)
-    {
-      double x[3];
-      leaf.Data->GetPoint(leaf.All ? i : leaf.Points[i], x);
-      points->SetPoint(next, x);
-    }
+    double first[3];
+    leaf.Data->GetPoint(0, first); // builds what the threads need
+    parallel::ForChunks(
+      leaf.Count(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          double x[3];
+          leaf.Data->GetPoint(leaf.Point(i), x);
+          points->SetPoint(next + i, x);
+        }
+      },
+      parallel::Part(progress, static_cast<double>(next) / static_cast<double>(count),
+        static_cast<double>(next + leaf.Count()) / static_cast<double>(count)));
+    next += leaf.Count();
   }
   out->SetPoints(points);
 }
 
+// An array of value(leaf, i) for the i-th point of each leaf.
 template <typename ArrayType, typename Value>
-void AddIds(vtkPolyData* out, const char* name, vtkIdType count, Value value)
+void AddIds(vtkPolyData* out, const char* name, const std::vector<Leaf>& leaves, const Value& value)
 {
   vtkNew<ArrayType> array;
   array->SetName(name);
-  array->SetNumberOfTuples(count);
-  for (vtkIdType i = 0; i < count; ++i)
+  array->SetNumberOfTuples(out->GetNumberOfPoints());
+  auto* values = array->GetPointer(0);
+  for (const Leaf& leaf : leaves)
   {
-    array->SetValue(i, value(i));
+    parallel::ForChunks(leaf.Count(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          values[i] = value(leaf, i);
+        }
+      });
+    values += leaf.Count();
   }
   array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
   out->GetPointData()->AddArray(array);
@@ -413,77 +491,53 @@ void AddIds(vtkPolyData* out, const char* name, vtkIdType count, Value value)
 void AddPickingIds(
   const std::vector<Leaf>& leaves, bool composite, int processId, int processes, vtkPolyData* out)
 {
-  const vtkIdType count = out->GetNumberOfPoints();
   const bool identity = leaves.size() == 1 && leaves.front().All && processes == 1;
   if (!identity)
   {
-    std::vector<vtkIdType> ids;
-    ids.reserve(count);
-    for (const Leaf& leaf : leaves)
-    {
-      for (vtkIdType i = 0; i < leaf.Count(); ++i)
-      {
-        ids.push_back(leaf.All ? i : leaf.Points[i]);
-      }
-    }
-    AddIds<vtkIdTypeArray>(
-      out, vtkRayTracedArrays::PointIds, count, [&ids](vtkIdType i) { return ids[i]; });
+    AddIds<vtkIdTypeArray>(out, vtkRayTracedArrays::PointIds, leaves,
+      [](const Leaf& leaf, vtkIdType i) { return leaf.Point(i); });
   }
   if (std::any_of(leaves.begin(), leaves.end(), [](const Leaf& leaf) { return leaf.HasCells(); }))
   {
-    std::vector<vtkIdType> cells;
-    cells.reserve(count);
-    for (const Leaf& leaf : leaves)
-    {
-      for (vtkIdType i = 0; i < leaf.Count(); ++i)
-      {
-        cells.push_back(leaf.CellOf(leaf.All ? i : leaf.Points[i]));
-      }
-    }
-    AddIds<vtkIdTypeArray>(
-      out, vtkRayTracedArrays::CellIds, count, [&cells](vtkIdType i) { return cells[i]; });
+    AddIds<vtkIdTypeArray>(out, vtkRayTracedArrays::CellIds, leaves,
+      [](const Leaf& leaf, vtkIdType i) { return leaf.HasCells() ? leaf.Cell(i) : -1; });
   }
   if (composite)
   {
-    std::vector<unsigned int> flat;
-    flat.reserve(count);
-    for (const Leaf& leaf : leaves)
-    {
-      flat.insert(flat.end(), leaf.Count(), leaf.FlatIndex);
-    }
-    AddIds<vtkUnsignedIntArray>(out, vtkRayTracedArrays::CompositeIndex, count,
-      [&flat](vtkIdType i) { return flat[i]; });
-    flat.clear();
-    for (const Leaf& leaf : leaves)
-    {
-      flat.insert(flat.end(), leaf.Count(), leaf.Block % vtkRayTracedArrays::DistinctBlockColors);
-    }
-    AddIds<vtkUnsignedIntArray>(out, vtkRayTracedArrays::BlockColors, count,
-      [&flat](vtkIdType i) { return flat[i]; });
+    AddIds<vtkUnsignedIntArray>(out, vtkRayTracedArrays::CompositeIndex, leaves,
+      [](const Leaf& leaf, vtkIdType) { return leaf.FlatIndex; });
+    AddIds<vtkUnsignedIntArray>(out, vtkRayTracedArrays::BlockColors, leaves,
+      [](const Leaf& leaf, vtkIdType)
+      { return leaf.Block % vtkRayTracedArrays::DistinctBlockColors; });
   }
   if (processes > 1)
   {
-    AddIds<vtkUnsignedIntArray>(out, vtkRayTracedArrays::ProcessId, count,
-      [processId](vtkIdType) { return static_cast<unsigned int>(processId); });
+    AddIds<vtkUnsignedIntArray>(out, vtkRayTracedArrays::ProcessId, leaves,
+      [processId](const Leaf&, vtkIdType) { return static_cast<unsigned int>(processId); });
   }
 }
 
-void AddVertices(vtkPolyData* out)
+// One vertex a point.
+vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType count)
 {
-  const vtkIdType count = out->GetNumberOfPoints();
-  vtkNew<vtkCellArray> vertices;
-  vertices->AllocateExact(count, count);
-  for (vtkIdType i = 0; i < count; ++i)
+  const auto counting = [](vtkIdType last)
   {
-    vertices->InsertNextCell(1, &i);
-  }
-  out->SetVerts(vertices);
+    auto array = vtkSmartPointer<vtkIdTypeArray>::New();
+    array->SetNumberOfValues(last);
+    vtkIdType* values = array->GetPointer(0);
+    parallel::ForChunks(last,
+      [values](vtkIdType begin, vtkIdType end) { std::iota(values + begin, values + end, begin); });
+    return array;
+  };
+  auto vertices = vtkSmartPointer<vtkCellArray>::New();
+  vertices->SetData(counting(count + 1), counting(count));
+  return vertices;
 }
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(
-  vtkDataObject* input, int processId, int processes, const int* wholeExtent)
+vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(vtkDataObject* input, int processId,
+  int processes, const int* wholeExtent, const vtkRayTracedParallel::Progress& progress)
 {
   auto out = vtkSmartPointer<vtkPolyData>::New();
   if (!input)
@@ -499,9 +553,10 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(
   const vtkIdType count = std::accumulate(leaves.begin(), leaves.end(), vtkIdType(0),
     [](vtkIdType sum, const Leaf& leaf) { return sum + leaf.Count(); });
 
-  auto* single = leaves.size() == 1 && leaves.front().All
-    ? vtkPointSet::SafeDownCast(leaves.front().Data)
-    : nullptr;
+  // A single data set of points is shared with the input where all of them carry glyphs.
+  const Leaf* whole = leaves.size() == 1 && leaves.front().All ? &leaves.front() : nullptr;
+  auto* single = whole ? vtkPointSet::SafeDownCast(whole->Data) : nullptr;
+  const bool sharesCells = whole && whole->HasCells() && whole->CellOfPoint.empty();
   if (single)
   {
     out->SetPoints(single->GetPoints());
@@ -509,17 +564,28 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(
   }
   else if (count > 0)
   {
-    AppendPoints(leaves, count, out);
-    AppendArrays(leaves, count, false, out->GetPointData());
+    AppendPoints(leaves, count, out, parallel::Part(progress, 0.0, 0.3));
+    AppendArrays(leaves, count, false, out->GetPointData(), parallel::Part(progress, 0.3, 0.8));
     // Which array the global ids are must not get lost.
     if (vtkDataArray* ids = leaves.front().Data->GetPointData()->GetGlobalIds())
     {
       out->GetPointData()->SetActiveGlobalIds(ids->GetName());
     }
   }
+  if (sharesCells)
+  {
+    const vtkRayTracedArrayUnion arrays = UnionOf(leaves, true);
+    for (const auto& [name, item] : arrays.Items())
+    {
+      out->GetCellData()->AddArray(item.First);
+    }
+  }
+  else if (count > 0)
+  {
+    AppendArrays(leaves, count, true, out->GetCellData(), parallel::Part(progress, 0.8, 0.9));
+  }
   if (count > 0)
   {
-    AppendArrays(leaves, count, true, out->GetCellData());
     AddPickingIds(leaves, composite != nullptr, processId, processes, out);
   }
   if (composite)
@@ -529,7 +595,8 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(
   // Filters that redistribute between ranks, and cell data, need a cell for each point.
   if (processes > 1 || out->GetCellData()->GetNumberOfArrays() > 0)
   {
-    AddVertices(out);
+    out->SetVerts(
+      sharesCells ? vtkSmartPointer<vtkCellArray>(whole->Vertices) : MakeVertices(count));
   }
   return out;
 }
@@ -540,10 +607,9 @@ void vtkGlyphPointGatherer::NumberCells(vtkHyperTreeGrid* grid)
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(vtkRayTracedArrays::CellIds);
   ids->SetNumberOfTuples(grid->GetNumberOfCells());
-  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
-  {
-    ids->SetValue(i, i);
-  }
+  vtkIdType* values = ids->GetPointer(0);
+  parallel::ForChunks(grid->GetNumberOfCells(),
+    [values](vtkIdType begin, vtkIdType end) { std::iota(values + begin, values + end, begin); });
   grid->GetCellData()->AddArray(ids);
 }
 
@@ -570,14 +636,12 @@ void vtkGlyphPointGatherer::AddHierarchy(vtkCompositeDataSet* composite, vtkPoly
   vtkNew<vtkUnsignedIntArray> leaves;
   leaves->SetName(vtkRayTracedArrays::Leaves);
   leaves->SetNumberOfComponents(2);
-  vtkSmartPointer<vtkCompositeDataIterator> iterator;
-  iterator.TakeReference(composite->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  for (auto node : vtk::Range(composite, vtk::CompositeDataSetOptions::SkipEmptyNodes))
   {
-    const auto found = dataSetIndex.find(iterator->GetCurrentDataObject());
+    const auto found = dataSetIndex.find(node.GetDataObject());
     if (found != dataSetIndex.end())
     {
-      const unsigned int pair[2] = { iterator->GetCurrentFlatIndex(), found->second };
+      const unsigned int pair[2] = { node.GetFlatIndex(), found->second };
       leaves->InsertNextTypedTuple(pair);
     }
   }

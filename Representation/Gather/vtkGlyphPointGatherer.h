@@ -2,7 +2,7 @@
  * @class   vtkGlyphPointGatherer
  * @brief   gathers the points of any data object that carry a glyph into one vtkPolyData
  *
- * Input may be any data set, hyper tree grid (cell centres carry the glyphs) or composite of them. Ghost points,
+ * Input may be any data set, hyper tree grid (cell centers carry the glyphs) or composite of them. Ghost points,
  * hidden points and the points that belong only to blanked cells (as under a finer AMR level) are left out; so are,
  * where a structured data set is spread over processes, points that its piece shares with a lower one. Where nothing
  * has to be copied, points and arrays are shared with the input.
@@ -18,6 +18,7 @@
 #ifndef vtkGlyphPointGatherer_h
 #define vtkGlyphPointGatherer_h
 
+#include "vtkRayTracedParallel.h"
 #include "vtkSmartPointer.h"
 
 class vtkCompositeDataSet;
@@ -32,8 +33,9 @@ public:
    * `processId` and `processes`: this process's rank among those whose points are put together for rendering.
    * `wholeExtent`: that of the structured data set of which the input is this process's piece; null when there is none.
    */
-  static vtkSmartPointer<vtkPolyData> Gather(
-    vtkDataObject* input, int processId = 0, int processes = 1, const int* wholeExtent = nullptr);
+  static vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, int processId = 0,
+    int processes = 1, const int* wholeExtent = nullptr,
+    const vtkRayTracedParallel::Progress& progress = {});
 
   /**
    * Adds a cell array vtkRayTracedArrays::CellIds of each cell's number.

@@ -8,6 +8,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRayTracedParallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,12 +52,16 @@ vtkGlyphStepVelocity::EntriesOf(vtkPolyData* points, vtkDataArray* ids)
     read(ids, numbers);
   }
   std::vector<Entry> entries(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    entries[i].Id = numbers[i];
-    entries[i].Point = i;
-    points->GetPoint(i, entries[i].X);
-  }
+  vtkRayTracedParallel::ForChunks(count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        entries[i].Id = numbers[i];
+        entries[i].Point = i;
+        points->GetPoint(i, entries[i].X);
+      }
+    });
   const auto before = [](const Entry& a, const Entry& b) { return a.Id < b.Id; };
   if (!std::is_sorted(entries.begin(), entries.end(), before))
   {

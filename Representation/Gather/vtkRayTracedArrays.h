@@ -7,6 +7,8 @@
 
 #include "vtkType.h"
 
+#include <string>
+
 namespace vtkRayTracedArrays
 {
 /// Of each point: its id in the input's block. Missing where it would be the identity.
@@ -36,6 +38,12 @@ constexpr bool IsMarkedPoint(vtkTypeInt64 id) { return id >= PointMark; }
 constexpr vtkTypeInt64 MarkedPoint(vtkTypeInt64 point) { return point + PointMark; }
 constexpr vtkTypeInt64 UnmarkedPoint(vtkTypeInt64 id) { return id - PointMark; }
 ///@}
+
+/// Whether a property that names an array names none.
+inline bool IsNone(const std::string& name)
+{
+  return name.empty() || name == "None";
+}
 }
 
 #endif

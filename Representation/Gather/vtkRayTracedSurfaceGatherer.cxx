@@ -2,8 +2,8 @@
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkCompositeDataSetRange.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkGlyphPointGatherer.h"
@@ -15,12 +15,12 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkRayTracedArrayUnion.h"
 #include "vtkRayTracedArrays.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -89,69 +89,48 @@ void RenameIds(vtkPolyData* surface)
   }
 }
 
-struct Kind
-{
-  std::size_t Blocks = 0;
-  int Type = 0, Components = 0;
-  bool SameType = true;
-};
-
 // Only arrays that all blocks have, of one type, survive appending: makes the numeric ones so. Normals are an attribute
 // and told apart by that, not by their name.
 void CompleteArrays(const std::vector<vtkSmartPointer<vtkPolyData>>& blocks, bool cells)
 {
-  const auto attributesOf = [cells](vtkPolyData* block)
-  {
-    return cells ? static_cast<vtkDataSetAttributes*>(block->GetCellData())
-                 : static_cast<vtkDataSetAttributes*>(block->GetPointData());
-  };
-  std::map<std::string, Kind> kinds;
+  std::vector<vtkDataSetAttributes*> sets;
   for (const auto& block : blocks)
   {
-    vtkDataSetAttributes* attributes = attributesOf(block);
-    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = attributes->GetArray(i);
-      if (array && array->GetName() && array != attributes->GetNormals())
-      {
-        Kind& kind = kinds[array->GetName()];
-        if (kind.Blocks == 0)
-        {
-          kind.Type = array->GetDataType();
-          kind.Components = array->GetNumberOfComponents();
-        }
-        // Arrays of one name and different lengths of tuple are different things: the first kind wins.
-        kind.Blocks += kind.Components == array->GetNumberOfComponents() ? 1 : 0;
-        kind.SameType &= kind.Type == array->GetDataType();
-      }
-    }
+    sets.push_back(
+      cells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData());
   }
-  for (const auto& item : kinds)
+  const vtkRayTracedArrayUnion all(sets,
+    [](vtkDataSetAttributes* set, vtkAbstractArray* array)
+    { return vtkDataArray::SafeDownCast(array) && array != set->GetNormals(); });
+  // Added at the end: until then the union speaks of the blocks' own arrays.
+  std::vector<std::pair<vtkDataSetAttributes*, vtkSmartPointer<vtkAbstractArray>>> completed;
+  for (const auto& [name, item] : all.Items())
   {
-    const Kind& kind = item.second;
-    if (kind.Blocks == blocks.size() && kind.SameType)
+    if (all.IsExact(item))
     {
       continue;
     }
-    for (const auto& block : blocks)
+    for (std::size_t i = 0; i < blocks.size(); ++i)
     {
-      vtkDataSetAttributes* attributes = attributesOf(block);
-      vtkDataArray* old = attributes->GetArray(item.first.c_str());
-      // A hole becomes NaN, which colour maps know; integer types have none.
-      vtkNew<vtkDoubleArray> array;
-      if (old && old->GetNumberOfComponents() == kind.Components)
+      const vtkIdType tuples =
+        cells ? blocks[i]->GetNumberOfCells() : blocks[i]->GetNumberOfPoints();
+      const vtkSmartPointer<vtkAbstractArray> array = item.Make(tuples, /*exact=*/false);
+      auto* numbers = vtkDoubleArray::SafeDownCast(array);
+      if (vtkAbstractArray* old = item.Of(sets[i]))
       {
-        array->DeepCopy(old);
+        numbers->DeepCopy(old);
+        numbers->SetName(name.c_str());
       }
       else
       {
-        array->SetNumberOfComponents(kind.Components);
-        array->SetNumberOfTuples(cells ? block->GetNumberOfCells() : block->GetNumberOfPoints());
-        array->Fill(vtkMath::Nan());
+        numbers->Fill(vtkMath::Nan());
       }
-      array->SetName(item.first.c_str());
-      attributes->AddArray(array);
+      completed.emplace_back(sets[i], array);
     }
+  }
+  for (const auto& [set, array] : completed)
+  {
+    set->AddArray(array);
   }
 }
 }
@@ -209,15 +188,13 @@ vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* input, const Settings& settin
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   if (composite)
   {
-    vtkSmartPointer<vtkCompositeDataIterator> iterator;
-    iterator.TakeReference(composite->NewIterator());
-    iterator->SkipEmptyNodesOff(); // an empty block has a number, too
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem(), ++block)
+    for (auto node : vtk::Range(composite)) // an empty block has a number, too
     {
-      if (vtkDataObject* data = iterator->GetCurrentDataObject())
+      if (node.GetDataObject())
       {
-        add(data, true, iterator->GetCurrentFlatIndex());
+        add(node.GetDataObject(), true, node.GetFlatIndex());
       }
+      ++block;
     }
   }
   else if (input)

@@ -1,6 +1,5 @@
 #include "vtkGlyphBounds.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkGlyphMotion.h"
 #include "vtkGlyphTuples.h"
@@ -9,8 +8,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedArrays.h"
-#include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
+#include "vtkRayTracedParallel.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
@@ -19,7 +17,7 @@
 
 namespace
 {
-// Adds the boxes of a range of points; one object serves all threads.
+// The boxes of all glyphs of one kind.
 class Collector
 {
 public:
@@ -65,14 +63,20 @@ public:
     }
   }
 
-  void Initialize() { this->Local.Local() = std::make_shared<Thread>(*this); }
-
-  void operator()(vtkIdType begin, vtkIdType end)
+  vtkRayTracedParallel::Box Box(vtkIdType count) const
   {
-    Thread& own = *this->Local.Local();
+    return vtkRayTracedParallel::BoxOf(count,
+      [this](vtkIdType begin, vtkIdType end, vtkRayTracedParallel::Box& box)
+      { this->AddRange(begin, end, box); });
+  }
+
+private:
+  void AddRange(vtkIdType begin, vtkIdType end, vtkRayTracedParallel::Box& box) const
+  {
+    vtkGlyphTuples positions(this->Positions), scales(this->Scales);
     for (vtkIdType i = begin; i < end; ++i)
     {
-      const double* x = own.Positions.Get(i);
+      const double* x = positions.Get(i);
       if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]) || !this->IsVisible(i))
       {
         continue;
@@ -85,37 +89,10 @@ public:
         lower = glm::min(lower, position + range.lower);
         upper = glm::max(upper, position + range.upper);
       }
-      const glm::dvec3 reach = this->Reach(i, own);
-      own.Lower = glm::min(own.Lower, lower - reach);
-      own.Upper = glm::max(own.Upper, upper + reach);
+      const glm::dvec3 reach = this->Reach(i, scales);
+      box.Add(lower - reach, upper + reach);
     }
   }
-
-  void Reduce()
-  {
-    for (auto& thread : this->Local)
-    {
-      if (thread && thread->Lower.x <= thread->Upper.x)
-      {
-        this->Box.AddPoint(&thread->Lower[0]);
-        this->Box.AddPoint(&thread->Upper[0]);
-      }
-    }
-  }
-
-  vtkBoundingBox Box;
-
-private:
-  struct Thread
-  {
-    explicit Thread(const Collector& all)
-      : Positions(all.Positions)
-      , Scales(all.Scales)
-    {
-    }
-    vtkGlyphTuples Positions, Scales;
-    glm::dvec3 Lower{ HUGE_VAL }, Upper{ -HUGE_VAL };
-  };
 
   bool IsVisible(vtkIdType point) const
   {
@@ -128,14 +105,14 @@ private:
   }
 
   // How far the glyph extends from its point along each axis; zero where it has no finite size.
-  glm::dvec3 Reach(vtkIdType point, Thread& own) const
+  glm::dvec3 Reach(vtkIdType point, vtkGlyphTuples& scales) const
   {
     glm::dvec3 size(std::abs(this->Settings.ScaleFactor));
     if (this->Scales)
     {
-      const double* tuple = own.Scales.Get(point);
+      const double* tuple = scales.Get(point);
       size *= this->ByComponents ? glm::abs(glm::dvec3(tuple[0], tuple[1], tuple[2]))
-                                 : glm::dvec3(vtkMath::Norm(tuple, own.Scales.Size()));
+                                 : glm::dvec3(vtkMath::Norm(tuple, scales.Size()));
     }
     if (this->Tensors)
     {
@@ -165,7 +142,6 @@ private:
   bool ByComponents = false, Turned = false;
   glm::dvec3 UnitReach{ 0.5 }; // of the unit glyph from its point
   double HeadScale = 0.0;      // of arrows with fixed heads
-  vtkSMPThreadLocal<std::shared_ptr<Thread>> Local;
 };
 }
 
@@ -185,20 +161,27 @@ const double* vtkGlyphBounds::Get(vtkPolyData* points, const std::vector<vtkGlyp
   {
     return this->Bounds;
   }
-  vtkBoundingBox box;
+  vtkRayTracedParallel::Box box;
   if (points->GetPoints() && points->GetNumberOfPoints() > 0)
   {
     for (const vtkGlyphSettings& form : settings)
     {
-      Collector collector(points, form, blocks);
-      vtkSMPTools::For(0, points->GetNumberOfPoints(), collector);
-      box.AddBox(collector.Box);
+      const vtkRayTracedParallel::Box all =
+        Collector(points, form, blocks).Box(points->GetNumberOfPoints());
+      if (!all.IsEmpty())
+      {
+        box.Add(all.Lower, all.Upper);
+      }
     }
   }
   vtkMath::UninitializeBounds(this->Bounds);
-  if (box.IsValid())
+  if (!box.IsEmpty())
   {
-    box.GetBounds(this->Bounds);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Bounds[2 * axis] = box.Lower[axis];
+      this->Bounds[2 * axis + 1] = box.Upper[axis];
+    }
   }
   this->Known = std::move(key);
   this->IsKnown = true;

@@ -13,7 +13,6 @@
 
 #include <vector>
 
-class vtkBoundingBox;
 class vtkPolyData;
 
 class vtkGlyphBounds

@@ -1,6 +1,5 @@
 #include "vtkGlyphInstanceBuilder.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkGlyphPlacement.h"
 #include "vtkGlyphTuples.h"
@@ -8,6 +7,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRayTracedArrays.h"
 
 #include <algorithm>
 #include <array>
@@ -24,8 +24,8 @@ bool IsPositive(double value)
   return value > 0.0 && std::isfinite(value);
 }
 
-// Why a point has no glyph.
-enum Reason
+// What became of a point: why it has no glyph, or that nothing is wrong.
+enum Outcome : unsigned char
 {
   POSITION,
   SCALE,
@@ -35,11 +35,12 @@ enum Reason
   MOTION,
   FORM,
   REASONS,
-  NO_REASON = REASONS
+  NOT_SHOWN = REASONS, // none of this set's, or nothing to show
+  SHOWN
 };
 
 void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
-  const std::array<vtkIdType, REASONS>& skipped, std::size_t candidates)
+  const std::array<vtkIdType, SHOWN + 1>& skipped, std::size_t candidates)
 {
   const auto say = [&](vtkIdType count, const std::string& why, const std::string& remedy)
   {
@@ -72,7 +73,7 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
     "Threshold.");
   say(skipped[TENSOR],
     "their tensor, from the point array '" + settings.Tensors.Array + "', is zero or not finite",
-    "Remove these points with Threshold, or leave it at that.");
+    "To silence this warning remove the points with Threshold.");
   say(skipped[MOTION],
     "their velocity, acceleration or angular velocity, or the way they go while the shutter is "
     "open, is not finite",
@@ -80,7 +81,7 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
   say(skipped[FORM],
     "the number of their form, from the point array '" + settings.TableIndexArray + "', is not finite",
     "Choose another GlyphMeshIndexArray, or remove these points with Threshold.");
-  if (Settings::IsNone(settings.ExponentArray))
+  if (vtkRayTracedArrays::IsNone(settings.ExponentArray))
   {
     std::ostringstream why;
     why << "GlyphExponents are " << settings.Exponents[0] << ", " << settings.Exponents[1] << ", "
@@ -128,7 +129,7 @@ vtkDataArray* CheckedArray(vtkDataArray* array, bool wanted, const std::string& 
   const char* property, const std::vector<int>& lengths, const char* without,
   vtkGlyphInstanceBuilder::Result& result)
 {
-  if (!wanted || Settings::IsNone(name))
+  if (!wanted || vtkRayTracedArrays::IsNone(name))
   {
     return nullptr;
   }
@@ -161,13 +162,13 @@ bool IsFinite(const double* x)
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }
 
-// Appends glyphs to a result, one point after the other.
+// Makes the glyphs of a result, of several points at the same time.
 class Assembly
 {
 public:
   // Takes the arrays that are there and fit. `tensors` may be null; all stay the caller's.
-  Assembly(vtkPolyData* points, const Settings& settings, vtkMatrix4x4* modelToWorld, const vtkGlyphTensors* tensors,
-    vtkGlyphInstanceBuilder::Result& result)
+  Assembly(vtkPolyData* points, const Settings& settings, vtkMatrix4x4* modelToWorld,
+    const vtkGlyphTensors* tensors, vtkGlyphInstanceBuilder::Result& result)
     : How(settings)
     , Tensors(tensors)
     , Placement(modelToWorld)
@@ -179,16 +180,20 @@ public:
     , OwnExponents(settings.HasOwnExponents())
     , Sphere(settings.Shape == rtg::Shape::Sphere)
     , Positions(points->GetPoints()->GetData())
-    , Scales(CheckedArray(vtkGlyphArrays::Scale(points, settings), settings.Scaling, settings.ScaleArray,
-        "GlyphScaleArray", this->ByComponents ? std::vector<int>{ 3 } : std::vector<int>{},
-        "all glyphs get the same size", result))
+    , Scales(
+        CheckedArray(vtkGlyphArrays::Scale(points, settings), settings.Scaling, settings.ScaleArray,
+          "GlyphScaleArray", this->ByComponents ? std::vector<int>{ 3 } : std::vector<int>{},
+          "all glyphs get the same size", result))
     , Orientations(CheckedArray(vtkGlyphArrays::Orientation(points, settings), settings.Orient,
         settings.OrientationArray, "GlyphOrientationArray",
-        { settings.OrientationMode == Settings::QUATERNION ? 4 : 3 }, "the glyphs are not turned", result))
+        { settings.OrientationMode == Settings::QUATERNION ? 4 : 3 }, "the glyphs are not turned",
+        result))
     , Forms(CheckedArray(vtkGlyphArrays::TableIndex(points, settings), this->ChoosesForm,
-        settings.TableIndexArray, "GlyphMeshIndexArray", {}, "all points have the table's first form", result))
+        settings.TableIndexArray, "GlyphMeshIndexArray", {},
+        "all points have the table's first form", result))
     , Exponents(CheckedArray(vtkGlyphArrays::Exponents(points, settings), this->OwnExponents,
         settings.ExponentArray, "GlyphExponentArray", { 1, 2, 3 }, "GlyphExponents count", result))
+    , Rotation(glm::mat3_cast(this->Placement.Rotation))
   {
     this->GoodExponents =
       this->OwnExponents && MakeExponents(settings, settings.Exponents, 3, this->Instances.uniformExponents);
@@ -204,51 +209,102 @@ public:
       ((this->Scales && this->ByComponents) || settings.ScaleFactor < 0.0 || this->Placement.Scale < 0.0);
   }
 
-  bool IsScaled() const { return static_cast<bool>(this->Scales); }
+  bool IsScaled() const { return this->Scales != nullptr; }
   const vtkGlyphPlacement& GetPlacement() const { return this->Placement; }
   const vtkGlyphMotion& GetMotion() const { return this->Motion; }
+
+  // Glyphs of the candidates, in their order; how many points had which outcome.
+  std::array<vtkIdType, SHOWN + 1>
+  AddAll(std::vector<vtkIdType> candidates, const vtkRayTracedParallel::Progress& progress)
+  {
+    this->ChooseOrigin(candidates);
+    const auto count = static_cast<vtkIdType>(candidates.size());
+    this->Allocate(candidates.size());
+    std::vector<Outcome> outcomes(candidates.size());
+    vtkRayTracedParallel::ForChunks(
+      count,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        Tuples tuples(*this);
+        for (vtkIdType k = begin; k < end; ++k)
+        {
+          outcomes[k] = this->Add(k, candidates[k], tuples);
+        }
+      },
+      progress);
+    std::array<vtkIdType, SHOWN + 1> numbers{};
+    for (Outcome outcome : outcomes)
+    {
+      ++numbers[outcome];
+    }
+    this->Out.Points = std::move(candidates);
+    if (numbers[SHOWN] < count)
+    {
+      this->Keep(
+        vtkRayTracedParallel::Select(count, [&](vtkIdType k) { return outcomes[k] == SHOWN; }));
+    }
+    this->Finish();
+    return numbers;
+  }
+
+private:
+  // What one thread reads.
+  struct Tuples
+  {
+    explicit Tuples(const Assembly& all)
+      : Positions(all.Positions)
+      , Scales(all.Scales)
+      , Orientations(all.Orientations)
+      , Forms(all.Forms)
+      , Exponents(all.Exponents)
+    {
+    }
+    vtkGlyphTuples Positions, Scales, Orientations, Forms, Exponents;
+  };
 
   // The middle of the data, from which the positions lose the least when they become float
   void ChooseOrigin(const std::vector<vtkIdType>& candidates)
   {
-    vtkBoundingBox box;
-    for (vtkIdType i : candidates)
+    const vtkRayTracedParallel::Box box =
+      vtkRayTracedParallel::BoxOf(static_cast<vtkIdType>(candidates.size()),
+        [&](vtkIdType begin, vtkIdType end, vtkRayTracedParallel::Box& own)
+        {
+          vtkGlyphTuples positions(this->Positions);
+          for (vtkIdType k = begin; k < end; ++k)
+          {
+            const double* x = positions.Get(candidates[k]);
+            if (IsFinite(x))
+            {
+              own.Add({ x[0], x[1], x[2] }, { x[0], x[1], x[2] });
+            }
+          }
+        });
+    if (!box.IsEmpty())
     {
-      const double* x = this->Positions.Get(i);
-      if (IsFinite(x))
-      {
-        box.AddPoint(x[0], x[1], x[2]);
-      }
-    }
-    if (box.IsValid())
-    {
-      glm::dvec3 center;
-      box.GetCenter(&center[0]);
-      this->Instances.origin = this->Placement.Linear * center + this->Placement.Offset;
+      this->Instances.origin = this->Placement(box.Center());
     }
   }
 
-  // Why the point has no glyph; NO_REASON when it has one, or is none of this set's.
-  Reason Add(vtkIdType i)
+  // What becomes of the point; when it is shown, the glyph of this number is its.
+  Outcome Add(vtkIdType glyph, vtkIdType i, Tuples& tuples)
   {
     if (this->ChoosesForm)
     {
-      const double number = this->Forms ? vtkMath::Norm(this->Forms.Get(i), this->Forms.Size()) : 0.0;
+      const double number =
+        this->Forms ? vtkMath::Norm(tuples.Forms.Get(i), tuples.Forms.Size()) : 0.0;
       const int last = this->How.TableSize - 1;
       const bool counts = !std::isnan(number);
       if ((counts ? static_cast<int>(std::min<double>(number, last)) : 0) != this->How.TableEntry)
       {
-        return NO_REASON;
+        return NOT_SHOWN;
       }
       if (!counts)
       {
         return FORM;
       }
     }
-    const double* x = this->Positions.Get(i);
-    const glm::dvec3 position = this->Placement.Linear * glm::dvec3(x[0], x[1], x[2]) + this->Placement.Offset -
-      this->Instances.origin;
-    const glm::vec3 center(position);
+    const double* x = tuples.Positions.Get(i);
+    const glm::vec3 center(this->Placement(glm::dvec3(x[0], x[1], x[2])) - this->Instances.origin);
     if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z))
     {
       return POSITION;
@@ -257,9 +313,9 @@ public:
     glm::dvec3 size(this->How.ScaleFactor);
     if (this->Scales)
     {
-      const double* tuple = this->Scales.Get(i);
+      const double* tuple = tuples.Scales.Get(i);
       size *= this->ByComponents ? glm::dvec3(tuple[0], tuple[1], tuple[2])
-                                 : glm::dvec3(vtkMath::Norm(tuple, this->Scales.Size()));
+                                 : glm::dvec3(vtkMath::Norm(tuple, tuples.Scales.Size()));
     }
     glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
     rtg::TensorGlyph tensorGlyph;
@@ -268,7 +324,7 @@ public:
       double axis[3];
       if (!this->Tensors->Axis(i, axis))
       {
-        return NO_REASON; // nothing to show is no fault
+        return NOT_SHOWN; // nothing to show is no fault
       }
       size *= std::hypot(axis[0], axis[1], axis[2]);
       vtkGlyphPlacement::RotationFromTuple(axis, Settings::DIRECTION, rotation);
@@ -283,15 +339,17 @@ public:
       rotation = tensorGlyph.rotation;
     }
     else if (this->Orientations && this->Turned &&
-      !vtkGlyphPlacement::RotationFromTuple(this->Orientations.Get(i), this->How.OrientationMode, rotation))
+      !vtkGlyphPlacement::RotationFromTuple(
+        tuples.Orientations.Get(i), this->How.OrientationMode, rotation))
     {
       return ORIENTATION;
     }
 
     glm::vec3 exponents(2.0f);
     if (this->OwnExponents &&
-      !(this->Exponents ? MakeExponents(this->How, this->Exponents.Get(i), this->Exponents.Size(), exponents)
-                        : this->GoodExponents))
+      !(this->Exponents
+          ? MakeExponents(this->How, tuples.Exponents.Get(i), tuples.Exponents.Size(), exponents)
+          : this->GoodExponents))
     {
       return EXPONENT;
     }
@@ -313,54 +371,93 @@ public:
       return MOTION;
     }
 
-    this->Out.Points.push_back(i);
-    this->Motion.AppendTo(
-      this->Instances.motion, i, this->Placement.Linear, glm::mat3_cast(this->Placement.Rotation));
-    this->Instances.centres.push_back(center);
-    this->Store(this->How.Shape == rtg::Shape::Mesh ? glm::vec3(size) : extent, rotation, tensorGlyph, exponents);
-    return NO_REASON;
+    this->Motion.Store(this->Instances.motion, glyph, i, this->Placement.Linear, this->Rotation);
+    this->Instances.centres[glyph] = center;
+    this->Store(glyph, this->How.Shape == rtg::Shape::Mesh ? glm::vec3(size) : extent, rotation,
+      tensorGlyph, exponents);
+    return SHOWN;
+  }
+
+  void Allocate(std::size_t count)
+  {
+    const auto allocate = [count](auto& values, bool wanted) { values.resize(wanted ? count : 0); };
+    allocate(this->Instances.centres, true);
+    allocate(this->Instances.forms, this->How.Tensors.ColorsBySign());
+    allocate(this->Instances.exponents3,
+      (this->Tensors && HasExponents(this->How.Shape)) || this->Exponents);
+    allocate(this->Instances.sizes3, !this->OneSize);
+    allocate(this->Instances.sizes1, this->OneSize && !this->SameSizes);
+    allocate(this->Instances.rotations, this->Turned || this->Flips);
+    this->Motion.Allocate(this->Instances.motion, count);
+    this->FirstSizes.assign(
+      vtkRayTracedParallel::NumberOfChunks(static_cast<vtkIdType>(count)), 0.0f);
+  }
+
+  void Store(vtkIdType glyph, const glm::vec3& size, const glm::dquat& rotation,
+    const rtg::TensorGlyph& tensor, const glm::vec3& exponents)
+  {
+    float& first = this->FirstSizes[vtkRayTracedParallel::ChunkOf(glyph)];
+    first = first == 0.0f ? size.x : first;
+    if (!this->Instances.forms.empty())
+    {
+      const glm::dvec3 magnitudes(glm::abs(tensor.values));
+      this->Instances.forms[glyph] =
+        glm::vec3(tensor.values / std::max({ magnitudes.x, magnitudes.y, magnitudes.z }));
+    }
+    if (!this->Instances.exponents3.empty())
+    {
+      this->Instances.exponents3[glyph] = this->Tensors ? glm::vec3(tensor.exponents) : exponents;
+    }
+    if (!this->Instances.sizes3.empty())
+    {
+      this->Instances.sizes3[glyph] = size;
+    }
+    else if (!this->Instances.sizes1.empty())
+    {
+      this->Instances.sizes1[glyph] = size.x;
+    }
+    if (!this->Instances.rotations.empty())
+    {
+      this->Instances.rotations[glyph] = glm::vec4(rotation.x, rotation.y, rotation.z, rotation.w);
+    }
+  }
+
+  // Only these glyphs, by rising number.
+  void Keep(const std::vector<vtkIdType>& glyphs)
+  {
+    const auto keep = [&glyphs](auto& values)
+    {
+      if (!values.empty())
+      {
+        std::transform(glyphs.begin(), glyphs.end(), values.begin(),
+          [&values](vtkIdType glyph) { return values[glyph]; });
+        values.resize(glyphs.size());
+      }
+    };
+    keep(this->Out.Points);
+    keep(this->Instances.centres);
+    keep(this->Instances.forms);
+    keep(this->Instances.exponents3);
+    keep(this->Instances.sizes3);
+    keep(this->Instances.sizes1);
+    keep(this->Instances.rotations);
+    keep(this->Instances.motion.velocities);
+    keep(this->Instances.motion.accelerations);
+    keep(this->Instances.motion.angularVelocities);
   }
 
   void Finish()
   {
+    const auto first = std::find_if(
+      this->FirstSizes.begin(), this->FirstSizes.end(), [](float size) { return size != 0.0f; });
+    if (first != this->FirstSizes.end())
+    {
+      this->Instances.uniformSize = *first;
+    }
     this->Motion.Finish(this->Instances.motion);
     if (this->Sphere && this->OneSize)
     {
       this->Instances.motion.angularVelocities.clear(); // it looks the same from all sides
-    }
-  }
-
-private:
-  void Store(const glm::vec3& size, const glm::dquat& rotation, const rtg::TensorGlyph& tensor, const glm::vec3& exponents)
-  {
-    if (this->Instances.centres.size() == 1)
-    {
-      this->Instances.uniformSize = size.x;
-    }
-    if (this->How.Tensors.ColorsBySign())
-    {
-      const glm::dvec3 magnitudes(glm::abs(tensor.values));
-      this->Instances.forms.emplace_back(tensor.values / std::max({ magnitudes.x, magnitudes.y, magnitudes.z }));
-    }
-    if (this->Tensors && HasExponents(this->How.Shape))
-    {
-      this->Instances.exponents3.emplace_back(tensor.exponents);
-    }
-    else if (this->Exponents)
-    {
-      this->Instances.exponents3.push_back(exponents);
-    }
-    if (!this->OneSize)
-    {
-      this->Instances.sizes3.push_back(size);
-    }
-    else if (!this->SameSizes)
-    {
-      this->Instances.sizes1.push_back(size.x);
-    }
-    if (this->Turned || this->Flips)
-    {
-      this->Instances.rotations.emplace_back(rotation.x, rotation.y, rotation.z, rotation.w);
     }
   }
 
@@ -371,7 +468,9 @@ private:
   vtkGlyphInstanceBuilder::Result& Out;
   rtg::GlyphInstances& Instances;
   const bool ByComponents, ChoosesForm, OwnExponents, Sphere;
-  vtkGlyphTuples Positions, Scales, Orientations, Forms, Exponents;
+  vtkDataArray *const Positions, *const Scales, *const Orientations, *const Forms, *const Exponents;
+  const glm::dmat3 Rotation;     // of the placement
+  std::vector<float> FirstSizes; // of each chunk's first glyph, which is never 0; 0: it has none
   bool GoodExponents = false; // of the settings
   bool SameSizes = false, OneSize = false; // for all glyphs; for all axes of one
   bool Turned = false, Flips = false;
@@ -381,7 +480,7 @@ private:
 //----------------------------------------------------------------------------
 vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* points,
   const Settings& settings, const vtkGlyphBlockAttributes::Table& blocks,
-  vtkMatrix4x4* modelToWorld)
+  vtkMatrix4x4* modelToWorld, const vtkRayTracedParallel::Progress& progress)
 {
   Result result;
   rtg::GlyphInstances& instances = result.Instances;
@@ -397,7 +496,7 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     return result;
   }
   instances.mesh = isMesh ? settings.Mesh : nullptr;
-  const std::vector<vtkIdType> candidates = vtkGlyphArrays::Candidates(points, settings, blocks);
+  std::vector<vtkIdType> candidates = vtkGlyphArrays::Candidates(points, settings, blocks);
   if (candidates.empty())
   {
     return result;
@@ -423,19 +522,8 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   }
   const std::vector<std::string>& aboutMotion = assembly.GetMotion().Messages();
   result.Messages.insert(result.Messages.end(), aboutMotion.begin(), aboutMotion.end());
-  assembly.ChooseOrigin(candidates);
-  result.Points.reserve(candidates.size());
-  instances.centres.reserve(candidates.size());
-  std::array<vtkIdType, REASONS> skipped{};
-  for (vtkIdType i : candidates)
-  {
-    const Reason reason = assembly.Add(i);
-    if (reason != NO_REASON)
-    {
-      ++skipped[reason];
-    }
-  }
-  assembly.Finish();
+  const std::size_t candidatesCount = candidates.size();
+  const auto outcomes = assembly.AddAll(std::move(candidates), progress);
 
   // Fixed heads have the world size that they have on the arrow of reference
   const vtkGlyphPlacement& placement = assembly.GetPlacement();
@@ -456,7 +544,7 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   {
     result.Messages.clear(); // what is not about single points the first entry has said
   }
-  Describe(result, settings, skipped, candidates.size());
+  Describe(result, settings, outcomes, candidatesCount);
   return result;
 }
 

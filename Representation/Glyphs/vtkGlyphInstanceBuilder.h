@@ -26,6 +26,7 @@
 #include "Glyphs.h"
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkGlyphSettings.h"
+#include "vtkRayTracedParallel.h"
 #include "vtkType.h"
 
 #include <string>
@@ -49,7 +50,8 @@ public:
    * `blocks` as Resolve()d for `points`; `modelToWorld` may be null.
    */
   static Result Build(vtkPolyData* points, const vtkGlyphSettings& settings,
-    const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld);
+    const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld,
+    const vtkRayTracedParallel::Progress& progress = {});
 };
 
 #endif

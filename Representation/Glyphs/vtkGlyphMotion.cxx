@@ -4,6 +4,7 @@
 #include "vtkGlyphStepVelocity.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRayTracedArrays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +38,7 @@ std::string NameOf(const vtkGlyphMotion::Settings& settings, int kind)
 
 bool IsNamed(const vtkGlyphMotion::Settings& settings, int kind)
 {
-  const std::string name = NameOf(settings, kind);
-  return !name.empty() && name != "None";
+  return !vtkRayTracedArrays::IsNone(NameOf(settings, kind));
 }
 
 bool IsFinite3(const glm::dvec3& v)
@@ -163,20 +163,28 @@ bool vtkGlyphMotion::IsFinite(vtkIdType point) const
 }
 
 //----------------------------------------------------------------------------
-void vtkGlyphMotion::AppendTo(rtg::GlyphMotion& motion, vtkIdType point, const glm::dmat3& linear,
-  const glm::dmat3& rotation) const
+void vtkGlyphMotion::Allocate(rtg::GlyphMotion& motion, std::size_t count) const
+{
+  motion.velocities.resize(this->Found[VELOCITY] ? count : 0);
+  motion.accelerations.resize(this->Found[ACCELERATION] ? count : 0);
+  motion.angularVelocities.resize(this->Found[ANGULAR_VELOCITY] ? count : 0);
+}
+
+//----------------------------------------------------------------------------
+void vtkGlyphMotion::Store(rtg::GlyphMotion& motion, std::size_t glyph, vtkIdType point,
+  const glm::dmat3& linear, const glm::dmat3& rotation) const
 {
   if (this->Found[VELOCITY])
   {
-    motion.velocities.emplace_back(linear * this->Tuple(VELOCITY, point));
+    motion.velocities[glyph] = linear * this->Tuple(VELOCITY, point);
   }
   if (this->Found[ACCELERATION])
   {
-    motion.accelerations.emplace_back(linear * this->Tuple(ACCELERATION, point));
+    motion.accelerations[glyph] = linear * this->Tuple(ACCELERATION, point);
   }
   if (this->Found[ANGULAR_VELOCITY])
   {
-    motion.angularVelocities.emplace_back(rotation * this->Tuple(ANGULAR_VELOCITY, point));
+    motion.angularVelocities[glyph] = rotation * this->Tuple(ANGULAR_VELOCITY, point);
   }
 }
 

@@ -23,9 +23,9 @@ class vtkGlyphMotion
 public:
   enum Openings
   {
-    CENTRED = 0, // from half the shutter time before the data's time to half of it after
-    FORWARD = 1, // from the data's time on
-    BACKWARD = 2 // until the data's time
+    CENTERED = 0, // from half the shutter time before the data's time to half of it after
+    FORWARD = 1,  // from the data's time on
+    BACKWARD = 2  // until the data's time
   };
 
   struct Settings
@@ -37,7 +37,7 @@ public:
     std::string Acceleration;
     std::string AngularVelocity; // radians per time
     double ShutterTime = 1.0;    // in the arrays' unit of time, > 0
-    int Opening = CENTRED;
+    int Opening = CENTERED;
 
     bool operator==(const Settings&) const = default;
   };
@@ -62,11 +62,15 @@ public:
    */
   bool IsFinite(vtkIdType point) const;
 
+  ///@{
   /**
-   * The point's motion becomes that of the last glyph of `motion`.
+   * Allocate() makes room for so many glyphs; then Store() makes the point's motion that of a glyph. Threads may store at
+   * the same time.
    */
-  void AppendTo(rtg::GlyphMotion& motion, vtkIdType point, const glm::dmat3& linear,
+  void Allocate(rtg::GlyphMotion& motion, std::size_t count) const;
+  void Store(rtg::GlyphMotion& motion, std::size_t glyph, vtkIdType point, const glm::dmat3& linear,
     const glm::dmat3& rotation) const;
+  ///@}
 
   /**
    * Sets the shutter, and empties arrays that are zero all over: glyphs at rest then cost what glyphs without motion

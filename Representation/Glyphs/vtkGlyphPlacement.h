@@ -27,6 +27,11 @@ struct vtkGlyphPlacement
   explicit vtkGlyphPlacement(vtkMatrix4x4* matrix);
 
   /**
+   * The image of a point.
+   */
+  glm::dvec3 operator()(const glm::dvec3& x) const { return this->Linear * x + this->Offset; }
+
+  /**
    * Size and rotation of a glyph's image. Exact but for shearing maps of other shapes than spheres: the sheared image is no
    * glyph, and its straight-angled neighbour is taken.
    */

@@ -8,6 +8,7 @@
 #include "Glyphs.h"
 #include "vtkGlyphMotion.h"
 #include "vtkGlyphTensors.h"
+#include "vtkRayTracedArrays.h"
 #include "vtkType.h"
 
 #include <cmath>
@@ -53,14 +54,13 @@ struct vtkGlyphSettings
 
   bool operator==(const vtkGlyphSettings&) const = default;
 
-  static bool IsNone(const std::string& name) { return name.empty() || name == "None"; }
-
   /**
    * Whether fixed arrow heads have the proportions of the unit arrow on an arrow of mean scale.
    */
   bool NeedsMeanScale() const
   {
-    return this->Shape == rtg::Shape::Arrow && this->Arrow.fixedHeads && this->Scaling && !IsNone(this->ScaleArray) &&
+    return this->Shape == rtg::Shape::Arrow && this->Arrow.fixedHeads && this->Scaling &&
+      !vtkRayTracedArrays::IsNone(this->ScaleArray) &&
       !(this->ArrowReference > 0.0 && std::isfinite(this->ArrowReference));
   }
 

@@ -3,6 +3,8 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRayTracedArrays.h"
+#include "vtkRayTracedParallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +13,7 @@
 //----------------------------------------------------------------------------
 vtkDataArray* vtkGlyphTensors::Array(vtkPolyData* points, const Settings& settings)
 {
-  const bool wanted = settings.On && !settings.Array.empty() && settings.Array != "None";
+  const bool wanted = settings.On && !vtkRayTracedArrays::IsNone(settings.Array);
   return wanted ? points->GetPointData()->GetArray(settings.Array.c_str()) : nullptr;
 }
 
@@ -19,7 +21,7 @@ vtkDataArray* vtkGlyphTensors::Array(vtkPolyData* points, const Settings& settin
 std::string vtkGlyphTensors::Problem(vtkDataArray* array, const Settings& settings)
 {
   std::ostringstream text;
-  if (settings.Array.empty() || settings.Array == "None")
+  if (vtkRayTracedArrays::IsNone(settings.Array))
   {
     return "Tensor glyphs need tensors. Choose a point array of 6 or 9 components as "
            "GlyphTensorArray.";
@@ -53,22 +55,22 @@ vtkGlyphTensors::vtkGlyphTensors(
   {
     this->How.Layout = rtg::TensorLayout::Matrix;
   }
-  double largest = 0.0;
-  for (vtkIdType point : points)
-  {
-    const rtg::SymmetricTensor tensor = this->Tensor(point);
-    largest = tensor.IsFinite() ? std::max(largest, tensor.Largest()) : largest;
-  }
-  this->Noise = 1e-6 * largest;
+  const auto count = static_cast<vtkIdType>(points.size());
+  this->Noise = 1e-6 *
+    vtkRayTracedParallel::Largest(count,
+      [&](vtkIdType i)
+      {
+        const rtg::SymmetricTensor tensor = this->Tensor(points[i]);
+        return tensor.IsFinite() ? tensor.Largest() : 0.0;
+      });
   if (settings.Coloring == TRACE)
   {
-    this->Range = 0.0;
-    double value = 0.0;
-    for (vtkIdType point : points)
-    {
-      this->Range =
-        this->Number(point, value) ? std::max(this->Range, std::abs(value)) : this->Range;
-    }
+    this->Range = vtkRayTracedParallel::Largest(count,
+      [&](vtkIdType i)
+      {
+        double value = 0.0;
+        return this->Number(points[i], value) ? std::abs(value) : 0.0;
+      });
   }
 }
 

@@ -5,11 +5,12 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedArrays.h"
+#include "vtkRayTracedParallel.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 namespace
 {
@@ -20,7 +21,9 @@ bool IsPositive(double value)
 
 vtkDataArray* Wanted(vtkPolyData* points, bool wanted, const std::string& name)
 {
-  return wanted && !vtkGlyphSettings::IsNone(name) ? points->GetPointData()->GetArray(name.c_str()) : nullptr;
+  return wanted && !vtkRayTracedArrays::IsNone(name)
+    ? points->GetPointData()->GetArray(name.c_str())
+    : nullptr;
 }
 
 // A number whose order is random but the same for a point at every time step, whatever the maximum.
@@ -31,6 +34,8 @@ std::uint64_t SampleOrder(std::uint64_t point, std::uint64_t block, std::uint64_
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
   return x ^ (x >> 31);
 }
+
+using SampleRank = std::pair<std::uint64_t, vtkIdType>; // order and point
 }
 
 //----------------------------------------------------------------------------
@@ -71,43 +76,46 @@ std::vector<vtkDataArray*> vtkGlyphArrays::All(vtkPolyData* points, const vtkGly
 std::vector<vtkIdType> vtkGlyphArrays::Candidates(
   vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
 {
-  const vtkIdType count = points->GetNumberOfPoints();
   auto* blockIds = vtkUnsignedIntArray::SafeDownCast(
     points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));
-  std::vector<vtkIdType> candidates;
-  candidates.reserve(count);
-  for (vtkIdType i = 0; i < count; ++i)
+  const auto isVisible = [&](vtkIdType i)
   {
-    if (blockIds && !blocks.empty())
+    if (!blockIds || blocks.empty())
     {
-      const auto block = blocks.find(blockIds->GetValue(i));
-      if (block != blocks.end() && !block->second.Visible)
-      {
-        continue;
-      }
+      return true;
     }
-    candidates.push_back(i);
+    const auto block = blocks.find(blockIds->GetValue(i));
+    return block == blocks.end() || block->second.Visible;
+  };
+  std::vector<vtkIdType> candidates =
+    vtkRayTracedParallel::Select(points->GetNumberOfPoints(), isVisible);
+  const vtkIdType maximum = std::max<vtkIdType>(settings.MaximumNumberOfGlyphs, 0);
+  if (!settings.Mask || static_cast<vtkIdType>(candidates.size()) <= maximum)
+  {
+    return candidates;
   }
 
-  const auto maximum =
-    static_cast<std::size_t>(std::max<vtkIdType>(settings.MaximumNumberOfGlyphs, 0));
-  if (settings.Mask && candidates.size() > maximum)
-  {
-    vtkDataArray* ids = points->GetPointData()->GetArray(vtkRayTracedArrays::PointIds);
-    std::vector<std::pair<std::uint64_t, vtkIdType>> order;
-    order.reserve(candidates.size());
-    for (vtkIdType i : candidates)
+  vtkDataArray* ids = points->GetPointData()->GetArray(vtkRayTracedArrays::PointIds);
+  std::vector<SampleRank> ranks(candidates.size());
+  vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(ranks.size()),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const auto id = static_cast<std::uint64_t>(ids ? ids->GetTuple1(i) : i);
-      order.emplace_back(SampleOrder(id, blockIds ? blockIds->GetValue(i) : 0, settings.Seed), i);
-    }
-    std::nth_element(order.begin(), order.begin() + maximum, order.end());
-    candidates.clear();
-    std::transform(order.begin(), order.begin() + maximum, std::back_inserter(candidates),
-      [](const auto& item) { return item.second; });
-    std::sort(candidates.begin(), candidates.end());
-  }
-  return candidates;
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        const vtkIdType i = candidates[k];
+        const auto id = static_cast<std::uint64_t>(ids ? ids->GetComponent(i, 0) : i);
+        ranks[k] = { SampleOrder(id, blockIds ? blockIds->GetValue(i) : 0, settings.Seed), i };
+      }
+    });
+  // Those before the one that would be in the place `maximum` when all were sorted.
+  std::vector<SampleRank> sorted = ranks;
+  std::nth_element(sorted.begin(), sorted.begin() + maximum, sorted.end());
+  const SampleRank end = sorted[maximum];
+  std::vector<vtkIdType> chosen = vtkRayTracedParallel::Select(
+    static_cast<vtkIdType>(ranks.size()), [&](vtkIdType k) { return ranks[k] < end; });
+  std::transform(
+    chosen.begin(), chosen.end(), chosen.begin(), [&](vtkIdType k) { return candidates[k]; });
+  return chosen;
 }
 
 //----------------------------------------------------------------------------
@@ -121,16 +129,30 @@ vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(
   {
     return sum;
   }
-  vtkGlyphTuples scales(array);
-  for (vtkIdType i : Candidates(points, settings, blocks))
-  {
-    const double* tuple = scales.Get(i);
-    const double scale = byComponents ? std::abs(tuple[0]) : vtkMath::Norm(tuple, scales.Size());
-    if (IsPositive(scale)) // else there is no glyph
+  const std::vector<vtkIdType> candidates = Candidates(points, settings, blocks);
+  const auto count = static_cast<vtkIdType>(candidates.size());
+  std::vector<ScaleSum> sums(vtkRayTracedParallel::NumberOfChunks(count));
+  vtkRayTracedParallel::ForChunks(count,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      sum.Sum += scale;
-      sum.Count += 1.0;
-    }
+      vtkGlyphTuples scales(array);
+      ScaleSum& own = sums[vtkRayTracedParallel::ChunkOf(begin)];
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        const double* tuple = scales.Get(candidates[k]);
+        const double scale =
+          byComponents ? std::abs(tuple[0]) : vtkMath::Norm(tuple, scales.Size());
+        if (IsPositive(scale)) // else there is no glyph
+        {
+          own.Sum += scale;
+          own.Count += 1.0;
+        }
+      }
+    });
+  for (const ScaleSum& own : sums)
+  {
+    sum.Sum += own.Sum;
+    sum.Count += own.Count;
   }
   return sum;
 }
@@ -141,7 +163,7 @@ double vtkGlyphArrays::ReferenceScale(
 {
   if (!settings.NeedsMeanScale())
   {
-    const bool scaled = settings.Scaling && !vtkGlyphSettings::IsNone(settings.ScaleArray);
+    const bool scaled = settings.Scaling && !vtkRayTracedArrays::IsNone(settings.ScaleArray);
     return scaled && IsPositive(settings.ArrowReference) ? settings.ArrowReference : 1.0;
   }
   return IsPositive(settings.MeanScale) ? settings.MeanScale : SumScales(points, settings, blocks).Mean();

@@ -16,8 +16,8 @@
 class vtkPolyData;
 
 /**
- * Tuples of a float or double array without a virtual call each; of any other array through its interface. Each thread
- * needs one of its own.
+ * Tuples of a float or double array without a virtual call each; of any other array through its interface. vtkArrayDispatch
+ * would compile the loop over glyphs for every combination of the types of six arrays. Each thread needs one of its own.
  */
 class vtkGlyphTuples
 {

@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedArrays.h"
+#include "vtkRayTracedParallel.h"
 #include "vtkRayTracedTriangleBuilder.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
@@ -24,30 +25,46 @@ vtkStandardNewMacro(vtkRayTracedGlyphMapper);
 
 namespace
 {
-template <typename Value>
-void Mix(std::array<std::uint64_t, 2>& sum, const Value* values, std::size_t count)
+using Hash = std::array<std::uint64_t, 2>;
+
+void MixWord(Hash& sum, std::uint64_t word)
 {
-  const auto* words = reinterpret_cast<const unsigned char*>(values);
-  std::size_t bytes = count * sizeof(Value);
-  sum[0] ^= bytes;
-  while (bytes > 0)
+  sum[0] = (sum[0] ^ word) * 0x9e3779b97f4a7c15ull;
+  sum[0] ^= sum[0] >> 32;
+  sum[1] = (sum[1] + word) * 0xd1342543de82ef95ull + 1;
+  sum[1] ^= sum[1] >> 29;
+}
+
+// Chunks of the values have hashes of their own, which are mixed in their order.
+template <typename Value>
+void Mix(Hash& sum, const Value* values, std::size_t count)
+{
+  const auto* bytes = reinterpret_cast<const unsigned char*>(values);
+  const auto size = static_cast<vtkIdType>(count * sizeof(Value));
+  std::vector<Hash> hashes(vtkRayTracedParallel::NumberOfChunks(size), Hash{ { 1, 2 } });
+  vtkRayTracedParallel::ForChunks(size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Hash& own = hashes[vtkRayTracedParallel::ChunkOf(begin)];
+      for (vtkIdType i = begin; i < end; i += sizeof(std::uint64_t))
+      {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes + i, std::min<vtkIdType>(end - i, sizeof(word)));
+        MixWord(own, word);
+      }
+    });
+  MixWord(sum, size);
+  for (const Hash& own : hashes)
   {
-    std::uint64_t word = 0;
-    const std::size_t part = std::min(bytes, sizeof(word));
-    std::memcpy(&word, words, part);
-    words += part;
-    bytes -= part;
-    sum[0] = (sum[0] ^ word) * 0x9e3779b97f4a7c15ull;
-    sum[0] ^= sum[0] >> 32;
-    sum[1] = (sum[1] + word) * 0xd1342543de82ef95ull + 1;
-    sum[1] ^= sum[1] >> 29;
+    MixWord(sum, own[0]);
+    MixWord(sum, own[1]);
   }
 }
 
 // Of everything in the instances: data that are read or computed again and come out the same are not sent again.
-std::array<std::uint64_t, 2> DigestOf(const rtg::GlyphInstances& instances)
+Hash DigestOf(const rtg::GlyphInstances& instances)
 {
-  std::array<std::uint64_t, 2> sum{ { 1, 2 } };
+  Hash sum{ { 1, 2 } };
   const rtg::ArrowForm& arrow = instances.arrow;
   const float numbers[] = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding,
     arrow.fixedHeads ? 1.0f : 0.0f, arrow.unitLength, instances.uniformSize,
@@ -143,7 +160,7 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   this->Sources = std::move(result.Points);
   ++this->SourcesVersion;
   this->Skipped = result.Skipped;
-  const std::array<std::uint64_t, 2> digest = DigestOf(this->Instances);
+  const Hash digest = DigestOf(this->Instances);
   if (this->InstanceVersion == 0 || this->Digest != digest)
   {
     this->Digest = digest;
@@ -191,8 +208,9 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 }
 
 //----------------------------------------------------------------------------
+// Without a table, from blue over white to red.
 void vtkRayTracedGlyphMapper::TensorColor(
-  const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3])
+  const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]) const
 {
   if (this->Settings.Tensors.Coloring == vtkGlyphTensors::PRINCIPAL_DIRECTION)
   {
@@ -204,18 +222,34 @@ void vtkRayTracedGlyphMapper::TensorColor(
   {
     return;
   }
-  if (vtkScalarsToColors* map = this->TensorTable)
-  {
-    const unsigned char* color = map->MapValue(value);
-    std::transform(color, color + 3, rgb, [](unsigned char c) { return c / 255.0; });
-    return;
-  }
   const double range = tensors.NumberRange();
   const double share = range > 0.0 ? vtkMath::ClampValue(value / range, -1.0, 1.0) : 0.0;
   const double pale = 1.0 - std::abs(share);
   rgb[0] = share > 0.0 ? 0.7 + 0.25 * pale : 0.23 + 0.72 * pale;
   rgb[1] = share > 0.0 ? 0.02 + 0.93 * pale : 0.3 + 0.65 * pale;
   rgb[2] = share > 0.0 ? 0.15 + 0.8 * pale : 0.75 + 0.2 * pale;
+}
+
+//----------------------------------------------------------------------------
+// The numbers of the tensors through the table, which serves one thread at a time; RGB of each glyph.
+std::vector<unsigned char> vtkRayTracedGlyphMapper::TableColors(const vtkGlyphTensors& tensors)
+{
+  const auto count = static_cast<vtkIdType>(this->Sources.size());
+  std::vector<double> numbers(count, vtkMath::Nan());
+  vtkRayTracedParallel::ForChunks(count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType glyph = begin; glyph < end; ++glyph)
+      {
+        tensors.Number(this->Sources[glyph], numbers[glyph]);
+      }
+    });
+  std::vector<unsigned char> colors(3 * count);
+  for (vtkIdType glyph = 0; glyph < count; ++glyph)
+  {
+    std::copy_n(this->TensorTable->MapValue(numbers[glyph]), 3, &colors[3 * glyph]);
+  }
+  return colors;
 }
 
 //----------------------------------------------------------------------------
@@ -245,6 +279,11 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
     }
   }
   const bool blockColors = this->HasBlockColors(points);
+  std::vector<unsigned char> table;
+  if (tensors && this->TensorTable && shown.ColorsByNumber())
+  {
+    table = this->TableColors(*tensors);
+  }
 
   rtg::GlyphColours colors;
   bool translucent = false;
@@ -252,25 +291,36 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   {
     colors.resize(this->Sources.size());
     const int components = mapped ? mapped->GetNumberOfComponents() : 0;
-    for (std::size_t glyph = 0; glyph < this->Sources.size(); ++glyph)
-    {
-      const vtkIdType point = this->Sources[glyph];
-      std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
-      for (int c = 0; c < std::min(components, 4); ++c)
+    vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.size()),
+      [&](vtkIdType begin, vtkIdType end)
       {
-        rgba[c] = mapped->GetValue(point * components + c) / 255.0;
-      }
-      if (tensors)
-      {
-        this->TensorColor(*tensors, point, rgba.data());
-      }
-      if (blockColors)
-      {
-        this->BlockColor(points, point, rgba, !shown.Axes);
-      }
-      colors[glyph] = Pack(rgba);
-      translucent |= (colors[glyph] >> 24) != 255u;
-    }
+        for (vtkIdType glyph = begin; glyph < end; ++glyph)
+        {
+          const vtkIdType point = this->Sources[glyph];
+          std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1],
+            this->SolidColor[2], 1.0 } };
+          for (int c = 0; c < std::min(components, 4); ++c)
+          {
+            rgba[c] = mapped->GetValue(point * components + c) / 255.0;
+          }
+          if (!table.empty())
+          {
+            std::transform(&table[3 * glyph], &table[3 * glyph] + 3, rgba.begin(),
+              [](unsigned char c) { return c / 255.0; });
+          }
+          else if (tensors)
+          {
+            this->TensorColor(*tensors, point, rgba.data());
+          }
+          if (blockColors)
+          {
+            this->BlockColor(points, point, rgba, !shown.Axes);
+          }
+          colors[glyph] = Pack(rgba);
+        }
+      });
+    translucent = std::any_of(
+      colors.begin(), colors.end(), [](std::uint32_t color) { return (color >> 24) != 255u; });
   }
   this->Translucent = translucent;
   if (this->ColorVersion == 0 || this->Colors != colors)

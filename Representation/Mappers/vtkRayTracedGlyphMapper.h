@@ -52,7 +52,8 @@ private:
   vtkRayTracedGlyphMapper(const vtkRayTracedGlyphMapper&) = delete;
   void operator=(const vtkRayTracedGlyphMapper&) = delete;
 
-  void TensorColor(const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]);
+  void TensorColor(const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]) const;
+  std::vector<unsigned char> TableColors(const vtkGlyphTensors& tensors);
 
   vtkGlyphSettings Settings, BuiltSettings;
   vtkWeakPointer<vtkPolyData> Mesh; // that Settings.Mesh was made of

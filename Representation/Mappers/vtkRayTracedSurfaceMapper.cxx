@@ -8,11 +8,12 @@
 #include "vtkFloatArray.h"
 #include "vtkGlyphMotion.h"
 #include "vtkImageData.h"
-#include "vtkRayTracedArrays.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRayTracedArrays.h"
+#include "vtkRayTracedParallel.h"
 #include "vtkRayTracedTriangleBuilder.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -151,18 +152,26 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
   if (mapped && ofCells)
   {
     colored->triangleColours.resize(mesh.triangles.size());
-    for (std::size_t i = 0; i < colored->triangleColours.size(); ++i)
-    {
-      colored->triangleColours[i] = colorOf(this->Sources[i], mesh.triangles[i].x);
-    }
+    vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.triangles.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          colored->triangleColours[i] = colorOf(this->Sources[i], mesh.triangles[i].x);
+        }
+      });
   }
   else if (mapped || (blockColors && !values))
   {
     colored->positionColours.resize(mesh.positions.size());
-    for (std::size_t i = 0; i < colored->positionColours.size(); ++i)
-    {
-      colored->positionColours[i] = colorOf(static_cast<vtkIdType>(i), static_cast<vtkIdType>(i));
-    }
+    vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.positions.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          colored->positionColours[i] = colorOf(i, i);
+        }
+      });
   }
 
   bool translucent = false;
@@ -214,12 +223,16 @@ bool vtkRayTracedSurfaceMapper::AddValues(rtg::TriangleMesh& mesh)
   }
   mesh.valueColours[width] = texel(width); // of the second row, which is that of NaN
   mesh.positionValues.resize(mesh.positions.size());
-  for (std::size_t i = 0; i < mesh.positionValues.size(); ++i)
-  {
-    const bool isNumber = places->GetTypedComponent(static_cast<vtkIdType>(i), 1) < 0.5f;
-    mesh.positionValues[i] =
-      isNumber ? std::clamp(places->GetTypedComponent(static_cast<vtkIdType>(i), 0), 0.0f, 1.0f) : -1e6f;
-  }
+  vtkRayTracedParallel::ForChunks(places->GetNumberOfTuples(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const bool isNumber = places->GetTypedComponent(i, 1) < 0.5f;
+        mesh.positionValues[i] =
+          isNumber ? std::clamp(places->GetTypedComponent(i, 0), 0.0f, 1.0f) : -1e6f;
+      }
+    });
   return true;
 }
 

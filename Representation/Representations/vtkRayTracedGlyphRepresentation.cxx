@@ -20,6 +20,7 @@
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
 #include "vtkRayTracedGlyphMapper.h"
+#include "vtkRayTracedParallel.h"
 #include "vtkRayTracedSurfaceGatherer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -262,13 +263,26 @@ void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
     if (array && vtkGlyphTensors::Problem(array, settings).empty())
     {
       const vtkGlyphTensors tensors(array, settings, {});
-      double value = 0.0;
-      for (vtkIdType point = 0; point < points->GetNumberOfPoints(); ++point)
-      {
-        if (tensors.Number(point, value))
+      const vtkIdType count = points->GetNumberOfPoints();
+      std::vector<std::array<double, 2>> ranges(
+        vtkRayTracedParallel::NumberOfChunks(count), this->OwnRange);
+      vtkRayTracedParallel::ForChunks(count,
+        [&](vtkIdType begin, vtkIdType end)
         {
-          this->OwnRange = { std::min(this->OwnRange[0], value), std::min(this->OwnRange[1], -value) };
-        }
+          std::array<double, 2>& own = ranges[vtkRayTracedParallel::ChunkOf(begin)];
+          double value = 0.0;
+          for (vtkIdType point = begin; point < end; ++point)
+          {
+            if (tensors.Number(point, value))
+            {
+              own = { std::min(own[0], value), std::min(own[1], -value) };
+            }
+          }
+        });
+      for (const std::array<double, 2>& own : ranges)
+      {
+        this->OwnRange = { std::min(this->OwnRange[0], own[0]),
+          std::min(this->OwnRange[1], own[1]) };
       }
     }
     this->RangeTime = time;

@@ -12,6 +12,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
+#include "vtkRayTracedArrays.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkRayTracedPythonClass.h"
 #include "vtkRayTracedScene.h"
@@ -147,7 +148,7 @@ void vtkRayTracedRepresentation::AddStepVelocities(vtkDataObject* input)
 vtkDataArray* vtkRayTracedRepresentation::PointIds()
 {
   vtkPointData* data = this->Points->GetPointData();
-  const bool named = !this->PointIdArray.empty() && this->PointIdArray != "None";
+  const bool named = !vtkRayTracedArrays::IsNone(this->PointIdArray);
   vtkDataArray* ids = named ? data->GetArray(this->PointIdArray.c_str()) : data->GetGlobalIds();
   return ids && ids->GetNumberOfComponents() == 1 ? ids : nullptr;
 }

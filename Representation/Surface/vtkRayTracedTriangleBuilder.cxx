@@ -4,11 +4,13 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkGlyphMotion.h"
-#include "vtkRayTracedArrays.h"
+#include "vtkGlyphPlacement.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRayTracedArrays.h"
+#include "vtkRayTracedParallel.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <cmath>
@@ -26,60 +28,45 @@ glm::dvec3 PointOf(vtkDataArray* array, vtkIdType i)
   return { array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2) };
 }
 
-// The map from the data to the world.
-struct Placement
-{
-  glm::dmat3 Linear{ 1.0 };
-  glm::dvec3 Offset{ 0.0 };
-  explicit Placement(vtkMatrix4x4* matrix)
-  {
-    for (int row = 0; matrix && row < 3; ++row)
-    {
-      for (int column = 0; column < 3; ++column)
-      {
-        this->Linear[column][row] = matrix->GetElement(row, column);
-      }
-      this->Offset[row] = matrix->GetElement(row, 3);
-    }
-  }
-  glm::dvec3 operator()(const glm::dvec3& x) const { return this->Linear * x + this->Offset; }
-};
-
 // The middle of the data, from which the positions lose the least when they become float.
-glm::dvec3 Middle(vtkPoints* points, const Placement& placement)
+glm::dvec3 Middle(vtkDataArray* points, const vtkGlyphPlacement& placement)
 {
-  vtkDataArray* array = points->GetData();
-  const vtkIdType count = points->GetNumberOfPoints();
-  glm::dvec3 lower(HUGE_VAL), upper(-HUGE_VAL);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const glm::dvec3 x = placement(PointOf(array, i));
-    if (IsFinite(x))
+  const vtkRayTracedParallel::Box box = vtkRayTracedParallel::BoxOf(points->GetNumberOfTuples(),
+    [&](vtkIdType begin, vtkIdType end, vtkRayTracedParallel::Box& own)
     {
-      lower = glm::min(lower, x);
-      upper = glm::max(upper, x);
-    }
-  }
-  return lower.x <= upper.x ? 0.5 * (lower + upper) : glm::dvec3(0.0);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const glm::dvec3 x = placement(PointOf(points, i));
+        if (IsFinite(x))
+        {
+          own.Add(x, x);
+        }
+      }
+    });
+  return box.IsEmpty() ? glm::dvec3(0.0) : box.Center();
 }
 
 // Normals turn with the inverse transpose, here times the determinant. What is no direction becomes zero, for which
 // the kernels take the triangle's own.
-std::vector<glm::vec3> Turn(vtkDataArray* array, const Placement& placement)
+std::vector<glm::vec3> Turn(vtkDataArray* array, const vtkGlyphPlacement& placement)
 {
   const glm::dmat3& m = placement.Linear;
   const glm::dmat3 cofactors(
     glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
   std::vector<glm::vec3> normals(array->GetNumberOfTuples(), glm::vec3(0.0f));
-  for (std::size_t i = 0; i < normals.size(); ++i)
-  {
-    const glm::dvec3 normal = cofactors * PointOf(array, static_cast<vtkIdType>(i));
-    const double length = glm::length(normal);
-    if (length > 0.0 && std::isfinite(length))
+  vtkRayTracedParallel::ForChunks(array->GetNumberOfTuples(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      normals[i] = normal / length;
-    }
-  }
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const glm::dvec3 normal = cofactors * PointOf(array, i);
+        const double length = glm::length(normal);
+        if (length > 0.0 && std::isfinite(length))
+        {
+          normals[i] = normal / length;
+        }
+      }
+    });
   return normals;
 }
 
@@ -123,31 +110,30 @@ void AddTriangles(vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& t
 }
 
 // Positions whose motion is not finite become so themselves.
-void AddMotion(const vtkGlyphMotion& motion, const Placement& placement, rtg::TriangleMesh& mesh)
+void AddMotion(
+  const vtkGlyphMotion& motion, const vtkGlyphPlacement& placement, rtg::TriangleMesh& mesh)
 {
-  const vtkIdType count = static_cast<vtkIdType>(mesh.positions.size());
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const bool finite = motion.IsFinite(i);
-    motion.AppendTo(mesh.motion, i, placement.Linear, glm::dmat3(1.0));
-    if (!finite)
+  motion.Allocate(mesh.motion, mesh.positions.size());
+  vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.positions.size()),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      mesh.positions[i] = glm::vec3(NAN);
-      // Of no triangle.
-      for (std::vector<glm::vec3>* values : { &mesh.motion.velocities, &mesh.motion.accelerations })
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        if (!values->empty())
+        if (motion.IsFinite(i))
         {
-          values->back() = glm::vec3(0.0f);
+          motion.Store(mesh.motion, i, i, placement.Linear, glm::dmat3(1.0));
+        }
+        else
+        {
+          mesh.positions[i] = glm::vec3(NAN); // of no triangle, and so without motion
         }
       }
-    }
-  }
+    });
   motion.Finish(mesh.motion);
 }
 
 vtkRayTracedTriangleBuilder::Result Build(vtkPolyData* polygons,
-  const vtkGlyphBlockAttributes::Table& blocks, const Placement& placement, bool smooth,
+  const vtkGlyphBlockAttributes::Table& blocks, const vtkGlyphPlacement& placement, bool smooth,
   bool relative, const vtkGlyphMotion* motion)
 {
   vtkRayTracedTriangleBuilder::Result result;
@@ -156,16 +142,20 @@ vtkRayTracedTriangleBuilder::Result Build(vtkPolyData* polygons,
     return result;
   }
   rtg::TriangleMesh& mesh = result.Mesh;
+  vtkDataArray* points = polygons->GetPoints()->GetData();
   if (relative)
   {
-    result.Origin = Middle(polygons->GetPoints(), placement);
+    result.Origin = Middle(points, placement);
   }
-  vtkDataArray* points = polygons->GetPoints()->GetData();
-  mesh.positions.reserve(points->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
-  {
-    mesh.positions.emplace_back(placement(PointOf(points, i)) - result.Origin);
-  }
+  mesh.positions.resize(points->GetNumberOfTuples());
+  vtkRayTracedParallel::ForChunks(points->GetNumberOfTuples(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        mesh.positions[i] = placement(PointOf(points, i)) - result.Origin;
+      }
+    });
   if (motion && motion->On())
   {
     AddMotion(*motion, placement, mesh);
@@ -190,11 +180,13 @@ vtkRayTracedTriangleBuilder::BuildRelative(vtkPolyData* polygons,
   const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld, bool smooth,
   const vtkGlyphMotion& motion)
 {
-  return Build(polygons, blocks, Placement(modelToWorld), smooth, /*relative=*/true, &motion);
+  return Build(
+    polygons, blocks, vtkGlyphPlacement(modelToWorld), smooth, /*relative=*/true, &motion);
 }
 
 //----------------------------------------------------------------------------
 vtkRayTracedTriangleBuilder::Result vtkRayTracedTriangleBuilder::BuildInPlace(vtkPolyData* polygons)
 {
-  return Build(polygons, {}, Placement(nullptr), /*smooth=*/true, /*relative=*/false, nullptr);
+  return Build(
+    polygons, {}, vtkGlyphPlacement(nullptr), /*smooth=*/true, /*relative=*/false, nullptr);
 }
