@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace rtg
 {
@@ -100,25 +101,38 @@ Scene::~Scene() = default;
 
 Scene::SetId Scene::Add()
 {
-  const SetId id = this->state_->nextId++;
-  this->state_->sets[id];
-  return id;
+  return this->state_->device->GetState().Guard("adding glyphs",
+    [&]
+    {
+      const SetId id = this->state_->nextId++;
+      this->state_->sets[id];
+      return id;
+    });
 }
 
 void Scene::Remove(SetId id)
 {
-  this->state_->topLevelChanged |= this->state_->sets.erase(id) > 0;
+  const auto found = this->state_->sets.find(id);
+  if (found != this->state_->sets.end())
+  {
+    this->state_->Withdraw(found->second);
+    this->state_->sets.erase(found);
+  }
 }
 
 void Scene::SetInstances(SetId id, GlyphInstances instances)
 {
-  GlyphSet& set = this->state_->sets.at(id);
+  GlyphSet& set = this->state_->Find(id);
   if (instances.shape == Shape::Mesh)
   {
     CheckMesh(instances.mesh.get(), instances.motion);
   }
   CheckLengths(instances);
   CheckMotion(instances.motion, instances.Count());
+  if (!HasExponents(instances.shape))
+  {
+    instances.exponents3.clear();
+  }
   set.count = instances.Count();
   const auto seeThrough = [](std::uint32_t colour) { return (colour >> 24) != 255; };
   const TriangleMesh* mesh = instances.shape == Shape::Mesh ? instances.mesh.get() : nullptr;
@@ -128,6 +142,8 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
       std::any_of(mesh->valueColours.begin(), mesh->valueColours.end(), seeThrough));
   set.instances = std::move(instances);
   set.instancesChanged = true;
+  set.measured = false;
+  set.boxes = {};
   // Colours are by glyph: those of the old glyphs mean nothing now.
   set.colours.clear();
   set.coloursChanged = true;
@@ -136,7 +152,7 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
 
 void Scene::SetColours(SetId id, GlyphColours colours)
 {
-  GlyphSet& set = this->state_->sets.at(id);
+  GlyphSet& set = this->state_->Find(id);
   if (!colours.empty() && colours.size() != set.count)
   {
     throw Error("Ray Traced Glyphs: " + std::to_string(colours.size()) + " colours for " +
@@ -150,28 +166,32 @@ void Scene::SetColours(SetId id, GlyphColours colours)
 
 void Scene::SetMaterial(SetId id, const Material& material)
 {
-  GlyphSet& set = this->state_->sets.at(id);
-  set.material = material;
+  this->state_->Find(id).material = material;
   this->state_->recordsChanged = true;
 }
 
 void Scene::SetVisible(SetId id, bool visible)
 {
-  GlyphSet& set = this->state_->sets.at(id);
+  GlyphSet& set = this->state_->Find(id);
   this->state_->topLevelChanged |= set.visible != visible;
   set.visible = visible;
 }
 
 std::size_t Scene::GlyphCount(SetId id) const
 {
-  return this->state_->sets.at(id).count;
+  return this->state_->Find(id).count;
 }
 
-std::uint32_t Scene::OriginalGlyph(SetId set, std::uint32_t sorted) const
+std::uint32_t Scene::OriginalGlyph(SetId id, std::uint32_t glyph) const
 {
-  const GlyphSet& glyphs = this->state_->sets.at(set);
-  const auto& order = glyphs.instances.identifyTriangles ? glyphs.mesh.order : glyphs.order;
-  return order.empty() ? sorted : order.at(sorted);
+  const GlyphSet& set = this->state_->Find(id);
+  const auto& order = set.instances.identifyTriangles ? set.placed.mesh.order : set.sorted.order;
+  if (!order.empty() && glyph >= order.size())
+  {
+    throw Error("Ray Traced Glyphs: glyph " + std::to_string(glyph) + " of a set of " + std::to_string(order.size()) +
+      " is asked for; render again.");
+  }
+  return order.empty() ? glyph : order[glyph];
 }
 
 bool Scene::HasTranslucent() const
@@ -196,61 +216,99 @@ const Statistics& Scene::GetStatistics() const
   return this->state_->statistics;
 }
 
+GlyphSet& Scene::State::Find(SetId id)
+{
+  const auto found = this->sets.find(id);
+  if (found == this->sets.end())
+  {
+    throw Error("Ray Traced Glyphs: the scene has no glyph set of number " + std::to_string(id) + "; add it first.");
+  }
+  return found->second;
+}
+
+float Scene::State::Measure()
+{
+  for (auto& [id, set] : this->sets)
+  {
+    if (set.Shown() && !set.measured)
+    {
+      set.bounds = Bounds();
+      set.boxes = GlyphBoxes(set.instances);
+      for (const Box& box : set.boxes)
+      {
+        set.bounds.Include(box.lower, box.upper);
+      }
+      set.measured = true;
+    }
+  }
+  // The scene's origin is that of its first set: near the data, and it stays put.
+  const auto first =
+    std::find_if(this->sets.begin(), this->sets.end(), [](const auto& entry) { return entry.second.count > 0; });
+  const glm::dvec3 newOrigin = first == this->sets.end() ? glm::dvec3(0.0) : first->second.instances.origin;
+  this->topLevelChanged |= newOrigin != this->origin;
+  this->origin = newOrigin;
+  float reach = 0.0f;
+  for (const auto& [id, set] : this->sets)
+  {
+    if (set.Shown())
+    {
+      const glm::dvec3 offset = glm::abs(set.instances.origin - this->origin);
+      reach = std::max(reach, set.bounds.Reach() + static_cast<float>(std::max({ offset.x, offset.y, offset.z })));
+    }
+  }
+  return reach;
+}
+
+PlacedGlyphs Scene::State::Withdraw(GlyphSet& set)
+{
+  if (set.placed.Any())
+  {
+    this->DropTopLevel();
+  }
+  return std::exchange(set.placed, PlacedGlyphs());
+}
+
+void Scene::State::DropTopLevel()
+{
+  this->topLevel = AccelerationStructure();
+  this->records.clear();
+  this->topLevelChanged = true;
+  ++this->version;
+}
+
 void Scene::Commit()
 {
   State& state = *this->state_;
   state.device->GetState().Guard("sending glyphs",
     [&]
     {
-      // Ray origins are at most a scene away from a set, so every set's padding depends on all the others' extent.
-      float reach = 0.0f;
       for (auto& [id, set] : state.sets)
       {
-        if (set.instancesChanged)
+        if (!set.Shown())
         {
-          set.bounds = Bounds();
-          set.boxes = GlyphBoxes(set.instances);
-          for (const Box& box : set.boxes)
-          {
-            set.bounds.Include(box.lower, box.upper);
-          }
+          state.Withdraw(set);
+          set.boxes = {};
         }
       }
-      // The scene's origin is that of its first set: near the data, and it stays put.
-      const auto first = std::find_if(state.sets.begin(), state.sets.end(),
-        [](const auto& entry) { return entry.second.count > 0; });
-      const glm::dvec3 origin =
-        first == state.sets.end() ? glm::dvec3(0.0) : first->second.instances.origin;
-      if (origin != state.origin)
-      {
-        state.origin = origin;
-        state.topLevelChanged = true;
-      }
-      for (const auto& [id, set] : state.sets)
-      {
-        const glm::dvec3 offset = glm::abs(set.instances.origin - origin);
-        reach = std::max(reach,
-          set.bounds.Reach() + static_cast<float>(std::max({ offset.x, offset.y, offset.z })));
-      }
-
+      const float reach = state.Measure();
       for (auto& [id, set] : state.sets)
       {
-        if (set.instancesChanged || (set.count && 2.0f * reach > set.builtReach))
+        if (!set.Shown())
         {
-          state.SendInstances(set, reach);
-          state.topLevelChanged = true;
+          continue;
         }
-        if (set.coloursChanged)
+        if (set.instancesChanged || !set.placed.Any() || 2.0f * reach > set.placed.builtReach)
         {
-          state.SendColours(set);
+          state.Place(set, reach);
+        }
+        else if (set.coloursChanged)
+        {
+          state.SendColours(set, set.placed);
           state.recordsChanged = true;
         }
-      }
-      // The top level says which hit group and which pass a set belongs to.
-      for (const auto& [id, set] : state.sets)
-      {
-        state.topLevelChanged |= set.visible && set.count &&
-          !(set.group == set.placedGroup && set.Translucent() == set.placedTranslucent);
+        set.coloursChanged = false;
+        // The top level says which hit group and which pass a set belongs to.
+        state.topLevelChanged |= !(set.placed.group == set.listedGroup && set.Translucent() == set.listedTranslucent);
       }
       if (state.topLevelChanged)
       {

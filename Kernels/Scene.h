@@ -35,8 +35,9 @@ struct Statistics
 };
 
 /// The glyph sets of one view and their acceleration structures on one device.
-/// Setters only take note; Commit() sends and builds what has changed and nothing else.
-/// Not thread-safe. All members throw rtg::Error.
+/// Setters only take note; Commit() sends and builds what has changed and nothing else. A set that is not visible holds no memory
+/// of the device. A Commit() that throws leaves the scene empty to tracers; the next one goes on where it stopped.
+/// Not thread-safe. All members throw rtg::Error and nothing else.
 class Scene
 {
 public:
@@ -57,7 +58,7 @@ public:
   void SetVisible(SetId id, bool visible);
 
   std::size_t GlyphCount(SetId id) const;
-  /// Index into the set's GlyphInstances of a glyph id as Image::glyphIds has it.
+  /// Index into the set's GlyphInstances of a glyph id as Image::glyphIds has it, of an image of these instances.
   std::uint32_t OriginalGlyph(SetId id, std::uint32_t glyphId) const;
   /// True when some visible set has opacity below one, or colours with alpha below 255.
   bool HasTranslucent() const;

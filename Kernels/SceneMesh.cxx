@@ -50,19 +50,6 @@ std::vector<std::uint32_t> OrderTriangles(const TriangleMesh& mesh)
   return SpatialOrder(centroids);
 }
 
-template <class T>
-std::vector<T> Ordered(const std::vector<T>& values, const std::vector<std::uint32_t>& order)
-{
-  if (order.empty() || values.empty())
-  {
-    return values;
-  }
-  std::vector<T> ordered(values.size());
-  std::transform(
-    order.begin(), order.end(), ordered.begin(), [&](std::uint32_t i) { return values[i]; });
-  return ordered;
-}
-
 Buffer SendMeshColours(Device::State& device, const PlacedMesh& mesh, const TriangleMesh& source)
 {
   if (!source.positionValues.empty())
@@ -73,7 +60,7 @@ Buffer SendMeshColours(Device::State& device, const PlacedMesh& mesh, const Tria
     words.insert(words.end(), source.valueColours.begin(), source.valueColours.end());
     return Send(device, words);
   }
-  return source.positionColours.empty() ? Send(device, Ordered(source.triangleColours, mesh.order))
+  return source.positionColours.empty() ? SendInOrder(device, source.triangleColours, mesh.order)
                                         : Send(device, source.positionColours);
 }
 
@@ -86,13 +73,13 @@ std::uint32_t ColoursOf(const TriangleMesh& mesh)
                                       : 0;
 }
 
-PlacedMesh Place(Device::State& device, std::shared_ptr<const TriangleMesh> source, bool sorts)
+PlacedMesh SendStillMesh(Device::State& device, std::shared_ptr<const TriangleMesh> source, bool sorts)
 {
   PlacedMesh mesh;
   mesh.order = sorts ? OrderTriangles(*source) : std::vector<std::uint32_t>();
   const auto input = Usage::eAccelerationStructureBuildInputReadOnlyKHR;
   mesh.positions = Send(device, source->positions, input);
-  mesh.triangles = Send(device, Ordered(source->triangles, mesh.order), input);
+  mesh.triangles = SendInOrder(device, source->triangles, mesh.order, input);
   mesh.normals = Send(device, source->normals);
   mesh.colours = SendMeshColours(device, mesh, *source);
   mesh.structure = AccelerationStructure::OverTriangles(device, mesh.positions,
@@ -152,23 +139,39 @@ bool IsMovingMesh(const GlyphInstances& instances)
   return instances.shape == Shape::Mesh && (instances.motion.Any() || Deforms(*instances.mesh));
 }
 
-// The same mesh at other places is sent once, and of one that has only other colours nothing but these.
-bool Scene::State::KeepsMesh(GlyphSet& set)
+bool Scene::State::KeepsMesh(const GlyphSet& set, PlacedMesh& mesh)
 {
   const GlyphInstances& instances = set.instances;
-  if (set.mesh.source != instances.mesh && set.mesh.source &&
-    SameShape(*set.mesh.source, *instances.mesh))
+  if (mesh.source != instances.mesh && mesh.source && SameShape(*mesh.source, *instances.mesh))
   {
-    set.mesh.colours = SendMeshColours(this->device->GetState(), set.mesh, *instances.mesh);
-    set.mesh.source = instances.mesh;
+    mesh.colours = SendMeshColours(this->device->GetState(), mesh, *instances.mesh);
+    mesh.source = instances.mesh;
     ++this->statistics.colourUploads;
     return true;
   }
-  return set.mesh.source == instances.mesh;
+  return mesh.source == instances.mesh;
+}
+
+void Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
+{
+  Stopwatch watch;
+  const TriangleMesh& mesh = *set.instances.mesh;
+  placed.group.shape = Shape::Mesh;
+  placed.group.smoothNormals = !mesh.normals.empty();
+  placed.group.meshColours = ColoursOf(mesh);
+  if (IsMovingMesh(set.instances))
+  {
+    this->SendMovingMesh(set, placed);
+  }
+  else
+  {
+    this->SendMesh(set, placed);
+  }
+  this->statistics.buildSeconds += watch.Lap();
 }
 
 // The mesh itself; its glyphs are sent like those of other shapes.
-void Scene::State::SendMovingMesh(GlyphSet& set)
+void Scene::State::SendMovingMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
   const GlyphInstances& instances = set.instances;
   const TriangleMesh& mesh = *instances.mesh;
@@ -179,87 +182,75 @@ void Scene::State::SendMovingMesh(GlyphSet& set)
                 "need; switch their MotionBlur off.");
   }
   const GlyphMotion& shutter = instances.motion;
+  PlacedMesh& sent = placed.mesh;
   // A tree of positions at rest is the same whatever the shutter does.
-  const bool sameShutter = !Deforms(mesh) ||
-    (set.mesh.shutterOpen == shutter.shutterOpen && set.mesh.shutterClose == shutter.shutterClose);
-  if (!(this->KeepsMesh(set) && set.mesh.tree.Size() && sameShutter))
+  const bool sameShutter =
+    !Deforms(mesh) || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
+  if (!(this->KeepsMesh(set, sent) && sent.tree.Size() && sameShutter))
   {
-    set.mesh = PlacedMesh();
-    PlacedMesh& placed = set.mesh;
+    sent = PlacedMesh();
     MeshTree tree = BuildMeshTree(mesh, shutter, this->timeSliceBits);
-    placed.tree = Send(vulkan, tree.nodes);
-    placed.order = std::move(tree.order);
-    placed.positions = Send(vulkan, tree.positions);
-    placed.triangles = Send(vulkan, Ordered(mesh.triangles, placed.order));
-    placed.normals = Send(vulkan, mesh.normals);
-    placed.velocities = Send(vulkan, mesh.motion.velocities);
-    placed.accelerations = Send(vulkan, mesh.motion.accelerations);
-    placed.colours = SendMeshColours(vulkan, placed, mesh);
-    placed.source = instances.mesh;
-    placed.shutterOpen = shutter.shutterOpen;
-    placed.shutterClose = shutter.shutterClose;
+    sent.tree = Send(vulkan, tree.nodes);
+    sent.order = std::move(tree.order);
+    sent.positions = Send(vulkan, tree.positions);
+    sent.triangles = SendInOrder(vulkan, mesh.triangles, sent.order);
+    sent.normals = Send(vulkan, mesh.normals);
+    sent.velocities = Send(vulkan, mesh.motion.velocities);
+    sent.accelerations = Send(vulkan, mesh.motion.accelerations);
+    sent.colours = SendMeshColours(vulkan, sent, mesh);
+    sent.source = instances.mesh;
+    sent.shutterOpen = shutter.shutterOpen;
+    sent.shutterClose = shutter.shutterClose;
     tree.nodes = {};
     tree.positions = {};
-    placed.shape = std::move(tree);
+    sent.shape = std::move(tree);
     ++this->statistics.structureBuilds;
   }
-  set.group.meshTree = true;
-  set.group.meshVelocities = !mesh.motion.velocities.empty();
-  set.group.meshAccelerations = !mesh.motion.accelerations.empty();
-  set.group.smoothNormals = !mesh.normals.empty();
-  set.group.meshColours = ColoursOf(mesh);
+  placed.group.meshTree = true;
+  placed.group.meshVelocities = !mesh.motion.velocities.empty();
+  placed.group.meshAccelerations = !mesh.motion.accelerations.empty();
 }
 
-void Scene::State::SendMesh(GlyphSet& set, float reach)
+// The same mesh at other places is sent once, and of one that has only other colours nothing but these.
+void Scene::State::SendMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
-  Stopwatch watch;
   const GlyphInstances& instances = set.instances;
-  const TriangleMesh& mesh = *instances.mesh;
-  const bool coloured = set.group.coloured;
-  set.group = HitGroup();
-  set.group.shape = Shape::Mesh;
-  set.group.coloured = coloured;
-  set.group.smoothNormals = !mesh.normals.empty();
-  set.group.meshColours = ColoursOf(mesh);
-  if (set.mesh.tree.Size())
+  if (placed.mesh.tree.Size())
   {
-    set.mesh = PlacedMesh();
+    placed.mesh = PlacedMesh();
   }
-  const std::shared_ptr<const TriangleMesh> before = set.mesh.source;
-  const bool keeps = this->KeepsMesh(set);
+  const std::shared_ptr<const TriangleMesh> before = placed.mesh.source;
+  const bool keeps = this->KeepsMesh(set, placed.mesh);
   this->statistics.instanceUploads += !keeps || before == instances.mesh;
   if (!keeps)
   {
-    set.mesh = PlacedMesh();
-    set.mesh = Place(this->device->GetState(), instances.mesh, this->device->IsCpu());
+    placed.mesh = PlacedMesh();
+    placed.mesh = SendStillMesh(this->device->GetState(), instances.mesh, this->device->IsCpu());
     ++this->statistics.structureBuilds;
   }
   GlyphRun run;
   run.count = static_cast<std::uint32_t>(set.count);
-  set.runs.push_back(std::move(run));
-  set.builtReach = 4.0f * reach;
-  set.boxes.clear();
-  set.instancesChanged = false;
-  this->statistics.buildSeconds += watch.Lap();
+  placed.runs.push_back(std::move(run));
 }
 
-void Scene::State::PlaceMesh(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
+void Scene::State::AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
   std::vector<vk::AccelerationStructureInstanceKHR>& instances) const
 {
   set.firstInstance = static_cast<std::uint32_t>(instances.size());
   for (std::size_t i = 0; i < set.count; ++i)
   {
+    const std::size_t glyph = set.sorted.order.empty() ? i : set.sorted.order[i];
     vk::AccelerationStructureInstanceKHR instance = like;
-    const glm::mat3 linear = LinearPart(set.instances, i);
+    const glm::mat3 linear = LinearPart(set.instances, glyph);
     for (int row = 0; row < 3; ++row)
     {
       for (int column = 0; column < 3; ++column)
       {
         instance.transform.matrix[row][column] = linear[column][row];
       }
-      instance.transform.matrix[row][3] += set.instances.centres[i][row];
+      instance.transform.matrix[row][3] += set.instances.centres[glyph][row];
     }
-    instance.accelerationStructureReference = set.mesh.structure.Address();
+    instance.accelerationStructureReference = set.placed.mesh.structure.Address();
     instances.push_back(instance);
   }
 }

@@ -28,8 +28,9 @@ void Scene::State::CheckInstanceCount() const
   std::size_t count = 0;
   for (const auto& [id, set] : this->sets)
   {
-    const bool instanced = set.group.shape == Shape::Mesh && !set.group.meshTree;
-    count += !set.visible || set.count == 0 ? 0 : instanced ? set.count : set.runs.size();
+    const HitGroup& group = set.placed.group;
+    const bool instanced = group.shape == Shape::Mesh && !group.meshTree;
+    count += !set.Shown() ? 0 : instanced ? set.count : set.placed.runs.size();
   }
   if (count > this->mostInstances)
   {
@@ -44,6 +45,7 @@ void Scene::State::BuildTopLevel()
   Stopwatch watch;
   this->CheckInstanceCount();
   std::vector<vk::AccelerationStructureInstanceKHR> instances;
+  this->DropTopLevel();
   this->groups.clear();
   this->bounds = Bounds();
   this->moves = false;
@@ -51,22 +53,23 @@ void Scene::State::BuildTopLevel()
   std::uint32_t record = 0;
   for (auto& [id, set] : this->sets)
   {
-    if (!set.visible || set.count == 0)
+    if (!set.Shown())
     {
       continue;
     }
-    set.placedGroup = set.group;
-    set.placedTranslucent = set.Translucent();
-    this->moves |= set.group.Moves();
-    this->placedTimeSliceBits = std::max(
-      { this->placedTimeSliceBits, set.timeSliceBits, set.mesh.shape.sliceBits });
-    auto group = std::find(this->groups.begin(), this->groups.end(), set.group);
+    const PlacedGlyphs& placed = set.placed;
+    set.listedGroup = placed.group;
+    set.listedTranslucent = set.Translucent();
+    this->moves |= placed.group.Moves();
+    this->placedTimeSliceBits =
+      std::max({ this->placedTimeSliceBits, placed.timeSliceBits, placed.mesh.shape.sliceBits });
+    auto group = std::find(this->groups.begin(), this->groups.end(), placed.group);
     if (group == this->groups.end())
     {
-      group = this->groups.insert(group, set.group);
+      group = this->groups.insert(group, placed.group);
     }
     const glm::vec3 offset(set.instances.origin - this->origin);
-    for (const GlyphRun& run : set.runs)
+    for (const GlyphRun& run : placed.runs)
     {
       vk::AccelerationStructureInstanceKHR instance;
       const std::array<std::array<float, 4>, 3> translation = { { { 1, 0, 0, offset.x },
@@ -76,18 +79,17 @@ void Scene::State::BuildTopLevel()
       instance.mask = set.Translucent() ? device::TRANSLUCENT_MASK : device::OPAQUE_MASK;
       instance.instanceShaderBindingTableRecordOffset =
         static_cast<std::uint32_t>(group - this->groups.begin());
-      if (set.group.shape == Shape::Mesh && !set.group.meshTree)
+      if (placed.group.shape == Shape::Mesh && !placed.group.meshTree)
       {
-        this->PlaceMesh(set, instance, instances);
+        this->AddMeshInstances(set, instance, instances);
         continue;
       }
       instance.accelerationStructureReference = run.structure.Address();
       instances.push_back(instance);
     }
-    const float pad = std::ldexp(set.builtReach, -20);
+    const float pad = std::ldexp(placed.builtReach, -20);
     this->bounds.Include(set.bounds.lower + offset - pad, set.bounds.upper + offset + pad);
   }
-  this->topLevel = AccelerationStructure();
   if (!instances.empty())
   {
     this->topLevel = AccelerationStructure::OverInstances(this->device->GetState(), instances);
@@ -99,25 +101,26 @@ void Scene::State::BuildTopLevel()
 // In the order of BuildTopLevel()'s instances.
 void Scene::State::FillRecords()
 {
-  this->records.clear();
+  std::vector<device::GlyphSetRecord> filled;
   for (const auto& [id, set] : this->sets)
   {
-    if (!set.visible || set.count == 0)
+    if (!set.Shown())
     {
       continue;
     }
-    for (const GlyphRun& run : set.runs)
+    const PlacedGlyphs& placed = set.placed;
+    for (const GlyphRun& run : placed.runs)
     {
       device::GlyphSetRecord record{};
       // Of the run's first glyph, or 0.
       const auto at = [&](const Buffer& buffer, std::size_t stride)
       { return buffer.Size() ? buffer.Address() + run.first * stride : 0; };
-      record.centres = at(set.centres, sizeof(glm::vec3));
-      record.sizes = at(set.sizes, set.group.sizesPerGlyph * sizeof(float));
-      record.rotations = at(set.rotations, sizeof(glm::vec4));
-      record.exponents = at(set.exponents, sizeof(glm::vec3));
-      record.colours = at(set.colourBuffer, sizeof(std::uint32_t));
-      record.forms = at(set.forms, sizeof(glm::vec3));
+      record.centres = at(placed.centres, sizeof(glm::vec3));
+      record.sizes = at(placed.sizes, placed.group.sizesPerGlyph * sizeof(float));
+      record.rotations = at(placed.rotations, sizeof(glm::vec4));
+      record.exponents = at(placed.exponents, sizeof(glm::vec3));
+      record.colours = at(placed.colours, sizeof(std::uint32_t));
+      record.forms = at(placed.forms, sizeof(glm::vec3));
       const glm::dvec3 offset = set.instances.origin - this->origin;
       record.offset = glm::vec3(offset);
       record.offsetLow = glm::vec3(offset - glm::dvec3(record.offset));
@@ -126,37 +129,37 @@ void Scene::State::FillRecords()
       record.unitLength = arrow.unitLength;
       record.uniformSize = set.instances.uniformSize;
       record.uniformExponents = set.instances.uniformExponents;
-      record.tree = set.tree.Address();
-      record.velocities = at(set.velocities, sizeof(glm::vec3));
-      record.accelerations = at(set.accelerations, sizeof(glm::vec3));
-      record.angularVelocities = at(set.angularVelocities, sizeof(glm::vec3));
-      record.treeOrder = at(set.treeOrder, sizeof(std::uint32_t));
+      record.tree = placed.tree.Address();
+      record.velocities = at(placed.velocities, sizeof(glm::vec3));
+      record.accelerations = at(placed.accelerations, sizeof(glm::vec3));
+      record.angularVelocities = at(placed.angularVelocities, sizeof(glm::vec3));
+      record.treeOrder = at(placed.treeOrder, sizeof(std::uint32_t));
       record.shutterOpen = set.instances.motion.shutterOpen;
       record.shutterLength = set.instances.motion.shutterClose - set.instances.motion.shutterOpen;
-      record.timeSliceBits = set.timeSliceBits;
-      record.nodesPerSlice = set.nodesPerSlice;
-      record.treeLevels = set.treeLevels;
-      record.treeLeafBits = set.treeLeafBits;
+      record.timeSliceBits = placed.timeSliceBits;
+      record.nodesPerSlice = placed.nodesPerSlice;
+      record.treeLevels = placed.treeLevels;
+      record.treeLeafBits = placed.treeLeafBits;
       record.glyphCount = run.count;
-      record.meshPositions = set.mesh.positions.Address();
-      record.meshTriangles = set.mesh.triangles.Address();
-      record.meshNormals = set.mesh.normals.Address();
-      record.meshColours = set.mesh.colours.Address();
+      record.meshPositions = placed.mesh.positions.Address();
+      record.meshTriangles = placed.mesh.triangles.Address();
+      record.meshNormals = placed.mesh.normals.Address();
+      record.meshColours = placed.mesh.colours.Address();
       record.meshValueCount =
-        set.mesh.source ? static_cast<std::uint32_t>(set.mesh.source->positionValues.size()) : 0;
+        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->positionValues.size()) : 0;
       record.meshTableSize =
-        set.mesh.source ? static_cast<std::uint32_t>(set.mesh.source->valueColours.size()) : 0;
-      record.meshTree = set.mesh.tree.Address();
-      record.meshVelocities = set.mesh.velocities.Address();
-      record.meshAccelerations = set.mesh.accelerations.Address();
-      record.meshMiddle = set.mesh.shape.middle;
-      record.meshRadius = set.mesh.shape.radius;
+        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->valueColours.size()) : 0;
+      record.meshTree = placed.mesh.tree.Address();
+      record.meshVelocities = placed.mesh.velocities.Address();
+      record.meshAccelerations = placed.mesh.accelerations.Address();
+      record.meshMiddle = placed.mesh.shape.middle;
+      record.meshRadius = placed.mesh.shape.radius;
       record.meshTriangleCount =
-        set.mesh.source ? static_cast<std::uint32_t>(set.mesh.source->triangles.size()) : 0;
-      record.meshTreeLevels = set.mesh.shape.levels;
-      record.meshTreeLeafBits = set.mesh.shape.leafBits;
-      record.meshTimeSliceBits = set.mesh.shape.sliceBits;
-      record.meshNodesPerSlice = set.mesh.shape.nodesPerSlice;
+        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->triangles.size()) : 0;
+      record.meshTreeLevels = placed.mesh.shape.levels;
+      record.meshTreeLeafBits = placed.mesh.shape.leafBits;
+      record.meshTimeSliceBits = placed.mesh.shape.sliceBits;
+      record.meshNodesPerSlice = placed.mesh.shape.nodesPerSlice;
       record.firstInstance = set.firstInstance;
       record.identifiesTriangles = set.instances.identifyTriangles;
       record.setId = id;
@@ -167,7 +170,7 @@ void Scene::State::FillRecords()
       record.translucent = set.Translucent();
       record.ambientColour = material.ambientColour;
       record.coloured =
-        set.group.coloured || set.group.meshColours != 0 || set.group.colouredByForm;
+        placed.group.coloured || placed.group.meshColours != 0 || placed.group.colouredByForm;
       record.positiveColour = material.positiveColour;
       record.negativeColour = material.negativeColour;
       record.specularColour = material.specularColour;
@@ -182,10 +185,11 @@ void Scene::State::FillRecords()
       record.coatRoughness = material.coatRoughness;
       record.coatReflectance = NormalReflectance(material.coatIor);
       record.coatColour = material.coatColour;
-      this->records.push_back(record);
+      filled.push_back(record);
     }
   }
-  this->recordBuffer = Send(this->device->GetState(), this->records);
+  this->recordBuffer = Send(this->device->GetState(), filled);
+  this->records = std::move(filled);
 }
 
 } // namespace rtg

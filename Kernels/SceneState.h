@@ -58,28 +58,13 @@ struct PlacedMesh
 /// Whether the glyphs of a set are copies of a mesh that moves or deforms.
 bool IsMovingMesh(const GlyphInstances& instances);
 
-/// One glyph set: what was asked for, and what of it is on the device.
-struct GlyphSet
+/// What of a glyph set is on the device, in the set's GlyphOrder. It is built aside and moved into its set when it is complete, so
+/// that a set has all of it or nothing.
+struct PlacedGlyphs
 {
-  GlyphInstances instances; ///< its arrays are released once sent
-  GlyphColours colours;
-  Material material;
-  bool visible = true;
-  bool translucentColours = false;
-  bool translucentMesh = false;
-  bool instancesChanged = false;
-  bool coloursChanged = false;
-
-  std::size_t count = 0;
-  std::vector<std::uint32_t>
-    order; ///< sorted position -> index in the caller's order; empty: the same
   HitGroup group;
-  HitGroup placedGroup;           ///< as the top level has it
-  bool placedTranslucent = false; ///< likewise
-  std::vector<Box> boxes;         ///< of new instances, from their bounds to their build
-  Bounds bounds;                  ///< relative to instances.origin
-  float builtReach = 0.0f;        ///< distance of ray origins that the boxes' padding allows for
-  Buffer centres, sizes, rotations, exponents, forms, colourBuffer, tree;
+  float builtReach = 0.0f; ///< distance of ray origins that the boxes' padding allows for
+  Buffer centres, sizes, rotations, exponents, forms, colours, tree;
   Buffer velocities, accelerations, angularVelocities; ///< none of a set at rest
   Buffer treeOrder; ///< none unless slices are sorted each for itself
   std::uint32_t timeSliceBits =
@@ -87,12 +72,45 @@ struct GlyphSet
   std::uint32_t nodesPerSlice = 0;
   std::uint32_t treeLevels = 0;
   std::uint32_t treeLeafBits = 0;
-  std::vector<std::uint8_t> kdAxes; ///< see KdOrder
-  double sortedSurface = 0.0;       ///< of the nodes of leaves when `order` was found
   std::vector<GlyphRun> runs;
-  PlacedMesh mesh;                 ///< Shape::Mesh only
+  PlacedMesh mesh; ///< Shape::Mesh only
+
+  bool Any() const { return !this->runs.empty(); }
+};
+
+/// The order in which a set's glyphs lie on the device.
+struct GlyphOrder
+{
+  std::vector<std::uint32_t> order; ///< place on the device -> index in the caller's order; empty: the same
+  std::vector<std::uint8_t> kdAxes; ///< see KdOrder; none without a tree
+  std::uint32_t leafBits = 0;       ///< of the tree
+  double sortedSurface = 0.0;       ///< of the nodes of leaves when `order` was found
+};
+
+/// One glyph set: what was asked for, in the caller's order, and what of it is on the device.
+struct GlyphSet
+{
+  GlyphInstances instances;
+  GlyphColours colours;
+  Material material;
+  bool visible = true;
+  bool translucentColours = false;
+  bool translucentMesh = false;
+  bool instancesChanged = false; ///< since they were placed
+  bool coloursChanged = false;   ///< likewise
+
+  std::size_t count = 0;
+  bool measured = false;  ///< `bounds` are those of the instances
+  Bounds bounds;          ///< relative to instances.origin
+  std::vector<Box> boxes; ///< of the glyphs, from their bounds to their build
+  GlyphOrder sorted;
+  PlacedGlyphs placed;
+
+  HitGroup listedGroup;            ///< as the top level has it
+  bool listedTranslucent = false;  ///< likewise
   std::uint32_t firstInstance = 0; ///< in the top level; Shape::Mesh only
 
+  bool Shown() const { return this->visible && this->count > 0; }
   bool Translucent() const
   {
     return this->material.opacity < 1.0f || this->translucentColours || this->translucentMesh;
@@ -123,7 +141,7 @@ struct Scene::State
   glm::dvec3 origin{ 0.0 };
   Bounds bounds; ///< of all visible sets, relative to origin
   std::vector<HitGroup> groups;
-  std::vector<device::GlyphSetRecord> records;
+  std::vector<device::GlyphSetRecord> records; ///< none: nothing can be traced
   Buffer recordBuffer;
   AccelerationStructure topLevel;
   bool moves = false;                    ///< some visible set does
@@ -132,20 +150,31 @@ struct Scene::State
   bool recordsChanged = true;
   std::uint64_t version = 0; ///< grows with every change that changes the image
 
-  void SendInstances(GlyphSet& set, float reach);
-  void SendMotion(GlyphSet& set);
-  void SendMesh(GlyphSet& set, float reach);
-  void SendMovingMesh(GlyphSet& set);
-  /// Takes over the mesh that is on the device if it has the shape that is wanted.
-  bool KeepsMesh(GlyphSet& set);
+  /// Throws rtg::Error when there is none of that number.
+  GlyphSet& Find(SetId id);
+  /// The largest coordinate of what is visible, relative to the scene's origin. Ray origins are at most a scene away from a set, so
+  /// every set's padding depends on all the others' extent.
+  float Measure();
+  /// Takes the set from the device, and with it the top level, which would refer to what is gone.
+  PlacedGlyphs Withdraw(GlyphSet& set);
+  void DropTopLevel();
+  /// Sorts and sends one set's glyphs and builds what rays find them by.
+  void Place(GlyphSet& set, float reach);
+  void SendGlyphs(const GlyphSet& set, PlacedGlyphs& placed);
+  /// Sends what glyphs are copies of; builds one that moves, too.
+  void PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed);
+  void SendMesh(const GlyphSet& set, PlacedGlyphs& placed);
+  void SendMovingMesh(const GlyphSet& set, PlacedGlyphs& placed);
+  /// Whether the mesh that is on the device has the shape that is wanted; its colors are then brought up to date.
+  bool KeepsMesh(const GlyphSet& set, PlacedMesh& mesh);
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.
-  void PlaceMesh(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
+  void AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
     std::vector<vk::AccelerationStructureInstanceKHR>& instances) const;
-  void Sort(GlyphSet& set);
-  void SortIntoTree(GlyphSet& set);
-  void BuildBoxes(GlyphSet& set, const std::vector<Box>& boxes);
-  void BuildTree(GlyphSet& set, std::vector<Box> boxes);
-  void SendColours(GlyphSet& set);
+  void Sort(GlyphSet& set, const std::vector<Box>& boxes);
+  void SortIntoTree(GlyphSet& set, const std::vector<Box>& boxes);
+  void BuildBoxes(PlacedGlyphs& placed, const std::vector<Box>& boxes);
+  void BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes);
+  void SendColours(const GlyphSet& set, PlacedGlyphs& placed);
   void CheckInstanceCount() const;
   void BuildTopLevel();
   void FillRecords();
@@ -153,6 +182,7 @@ struct Scene::State
 
 /// Throws rtg::Error when it is missing, has no triangle, or arrays that do not fit together.
 void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter);
+
 /// A buffer on the device with these values; `more` is usage besides that of a storage buffer.
 template <class T>
 Buffer Send(Device::State& device, const std::vector<T>& values, vk::BufferUsageFlags more = {})
@@ -160,6 +190,28 @@ Buffer Send(Device::State& device, const std::vector<T>& values, vk::BufferUsage
   Buffer buffer(device, values.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more,
     Buffer::Place::Device);
   buffer.Upload(values.data(), values.size() * sizeof(T));
+  return buffer;
+}
+
+/// The same with values[order[i]] at place i; an empty order: with the values as they are.
+template <class T>
+Buffer SendInOrder(Device::State& device, const std::vector<T>& values, const std::vector<std::uint32_t>& order,
+  vk::BufferUsageFlags more = {})
+{
+  if (order.empty() || values.empty())
+  {
+    return Send(device, values, more);
+  }
+  Buffer buffer(device, order.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more, Buffer::Place::Device);
+  buffer.Write(buffer.Size(),
+    [&](void* target)
+    {
+      auto* place = static_cast<T*>(target);
+      for (const std::uint32_t i : order)
+      {
+        *place++ = values[i];
+      }
+    });
   return buffer;
 }
 

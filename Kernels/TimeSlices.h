@@ -19,7 +19,7 @@ struct TimeSlices
 {
   std::uint32_t bits = 0;
   std::vector<GlyphTreeNode> nodes; ///< slice by slice, of each as many as `axes` has
-  /// Slice by slice, the glyph at each place of its tree; empty: all slices have the glyphs in their own order.
+  /// Slice by slice, the place in the common order of the glyph at each place of its tree; empty: all slices have that order.
   std::vector<std::uint32_t> order;
 };
 
@@ -31,8 +31,8 @@ enum class SliceSorting
   Always
 };
 
-/// Of glyphs that lie in the kd order of the middle of the opening, whose splits are `axes`; boxes are widened by `pad`.
-TimeSlices BuildTimeSlices(const GlyphInstances& instances, std::uint32_t leafBits,
-  const std::vector<std::uint8_t>& axes, float pad, std::uint32_t bits, SliceSorting sorting);
+/// Of glyphs placed in `order`, the kd order of the middle of the opening, whose splits are `axes`; boxes are widened by `pad`.
+TimeSlices BuildTimeSlices(const GlyphInstances& instances, const std::vector<std::uint32_t>& order,
+  std::uint32_t leafBits, const std::vector<std::uint8_t>& axes, float pad, std::uint32_t bits, SliceSorting sorting);
 
 } // namespace rtg

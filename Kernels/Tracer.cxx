@@ -275,7 +275,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.image.depth = static_cast<const float*>(this->depth.Mapped());
   begun.image.setIds = static_cast<const std::uint32_t*>(this->setIds.Mapped());
   begun.image.glyphIds = static_cast<const std::uint32_t*>(this->glyphIds.Mapped());
-  const bool empty = scene.topLevel.Address() == 0;
+  const bool empty = scene.records.empty();
   if (empty || (interruptible && settings.firstSample == 0 && !settings.overPreview))
   {
     this->Clear(pixels);
@@ -501,7 +501,7 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
   const Scene::State& glyphs = scene.GetState();
   std::vector<ProbeHit> hits(
     probes.size(), { INFINITY, glm::vec3(0.0f), Image::noGlyph, Image::noGlyph });
-  if (probes.empty() || glyphs.topLevel.Address() == 0)
+  if (probes.empty() || glyphs.records.empty())
   {
     return hits;
   }

@@ -67,8 +67,6 @@ Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usa
   vk::MemoryAllocateInfo info(needs.size, ChooseMemoryType(device, needs.memoryTypeBits, place));
   info.pNext = &addressable;
   this->memory_ = vk::raii::DeviceMemory(device.device, info);
-  this->allocated_ = needs.size;
-  device.bytes += this->allocated_;
 
   this->buffer_.bindMemory(*this->memory_, 0);
   this->address_ = device.device.getBufferAddress(vk::BufferDeviceAddressInfo(*this->buffer_));
@@ -78,6 +76,9 @@ Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usa
   {
     this->mapped_ = this->memory_.mapMemory(0, VK_WHOLE_SIZE);
   }
+  // Last: a constructor that throws has no destructor that would subtract it.
+  this->allocated_ = needs.size;
+  device.bytes += this->allocated_;
 }
 
 Buffer::~Buffer()
@@ -107,17 +108,22 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept
 
 void Buffer::Upload(const void* data, std::size_t size)
 {
+  this->Write(size, [&](void* target) { std::memcpy(target, data, size); });
+}
+
+void Buffer::Write(std::size_t size, const std::function<void(void*)>& fill)
+{
   if (size == 0)
   {
     return;
   }
   if (this->mapped_)
   {
-    std::memcpy(this->mapped_, data, size);
+    fill(this->mapped_);
     return;
   }
   Buffer staging(*this->device_, size, vk::BufferUsageFlagBits::eTransferSrc, Place::Host);
-  std::memcpy(staging.mapped_, data, size);
+  fill(staging.mapped_);
   this->device_->Submit([&](vk::raii::CommandBuffer& command)
     { command.copyBuffer(staging.Handle(), this->Handle(), vk::BufferCopy(0, 0, size)); });
 }

@@ -3,6 +3,7 @@
 #include "DeviceState.h"
 
 #include <cstddef>
+#include <functional>
 
 namespace rtg
 {
@@ -34,6 +35,8 @@ public:
 
   /// Copies host data to the start of the buffer, through a staging buffer when it is not mapped.
   void Upload(const void* data, std::size_t size);
+  /// Lets `fill` write so many bytes, which then are at the start of the buffer.
+  void Write(std::size_t size, const std::function<void(void*)>& fill);
 
 private:
   Device::State* device_ = nullptr;

@@ -321,6 +321,12 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
   }
 }
 
+void Device::State::ThrowOutOfMemory(const char* doing, const std::string& what)
+{
+  throw OutOfMemory("Ray Traced Glyphs: " + std::string(doing) + " failed on '" + this->name + "': " + what +
+    ". Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs) or hide other data.");
+}
+
 void Device::State::Rethrow(const char* doing, const vk::SystemError& error)
 {
   std::ostringstream message;
@@ -335,10 +341,7 @@ void Device::State::Rethrow(const char* doing, const vk::SystemError& error)
   else if (dynamic_cast<const vk::OutOfDeviceMemoryError*>(&error) ||
     dynamic_cast<const vk::OutOfHostMemoryError*>(&error))
   {
-    message
-      << "out of memory with " << (this->bytes.load() >> 20)
-      << " MiB held. Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs) or hide other data.";
-    throw OutOfMemory(message.str());
+    this->ThrowOutOfMemory(doing, "out of memory with " + std::to_string(this->bytes.load() >> 20) + " MiB held");
   }
   else
   {

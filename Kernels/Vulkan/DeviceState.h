@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <functional>
+#include <new>
 #include <string>
 
 namespace rtg
@@ -35,7 +36,8 @@ struct Device::State
   /// Records commands, submits them and waits until they are done.
   void Submit(const std::function<void(vk::raii::CommandBuffer&)>& record);
 
-  /// Runs `work`; turns every Vulkan failure into one rtg::Error that says what was being done.
+  /// Runs `work`; turns every failure of Vulkan, and memory of the computer that does not suffice, into one rtg::Error that says
+  /// what was being done.
   template <class Work>
   auto Guard(const char* doing, Work&& work) -> decltype(work())
   {
@@ -47,10 +49,15 @@ struct Device::State
     {
       this->Rethrow(doing, error);
     }
+    catch (const std::bad_alloc&)
+    {
+      this->ThrowOutOfMemory(doing, "the computer's memory does not suffice");
+    }
   }
 
 private:
   [[noreturn]] void Rethrow(const char* doing, const vk::SystemError& error);
+  [[noreturn]] void ThrowOutOfMemory(const char* doing, const std::string& what);
 };
 
 } // namespace rtg

@@ -63,11 +63,11 @@ public:
 
     const rtg::GlyphSet& set = state.sets.at(this->set_);
     std::vector<rtg::Box> boxes;
-    for (const std::uint32_t i : set.order)
+    for (const std::uint32_t i : set.sorted.order)
     {
       boxes.push_back({ instances.centres[i] - this->spheres_.radius, instances.centres[i] + this->spheres_.radius });
     }
-    timing.surface = rtg::LeafSurface(boxes, set.treeLeafBits - 3);
+    timing.surface = rtg::LeafSurface(boxes, set.sorted.leafBits - 3);
     for (int i = -1; i < repetitions; ++i) // the first one compiles
     {
       const double start = benchmark::CpuSeconds();

@@ -4,7 +4,7 @@
 #include "SceneState.h"
 #include "SharedDevice.h"
 #include "Tracer.h"
-#include "Vulkan/Device.h"
+#include "Vulkan/DeviceState.h"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>

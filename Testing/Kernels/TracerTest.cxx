@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 namespace rtg
 {
@@ -297,13 +298,65 @@ TEST_P(StructureTest, EveryStepRedoesOnlyWhatItsInputChanged)
   EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 1u);
   EXPECT_EQ(this->scene.GetStatistics().colourUploads, 2u);
 
-  // Hidden and shown: the set's own structure stays.
+  // Hidden and shown: sent again in the order that is known.
   this->scene.SetVisible(id, false);
   EXPECT_EQ(Coverage(this->Trace()), 0.0);
   this->scene.SetVisible(id, true);
   EXPECT_GT(Coverage(this->Trace()), 0.0);
-  EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u);
-  EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 1u);
+  EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 2u);
+  EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 2u);
+  EXPECT_EQ(this->scene.GetStatistics().sorts, first.sorts);
+}
+
+TEST_P(StructureTest, WhatIsHiddenHoldsNoMemory)
+{
+  this->UseOwnTracer();
+  this->AddSpheres(RandomPoints(100), 0.1f);
+  this->Trace();
+  const std::uint64_t alone = this->scene.GetStatistics().deviceBytes;
+  const auto id = this->AddSpheres(RandomPoints(20000), 0.1f);
+  this->scene.SetColours(id, rtg::GlyphColours(20000, 0xff8080ffu));
+  const Image image = this->Trace();
+  const std::vector<std::uint32_t> shown(image.colour, image.colour + 10000);
+  const std::uint64_t both = this->scene.GetStatistics().deviceBytes;
+  EXPECT_GT(both, alone + 20000u * 16u);
+  for (int i = 0; i < 3; ++i)
+  {
+    this->scene.SetVisible(id, false);
+    this->Trace();
+    EXPECT_LT(this->scene.GetStatistics().deviceBytes, alone + 10000u);
+    this->scene.SetVisible(id, true);
+    const Image again = this->Trace();
+    EXPECT_EQ(this->scene.GetStatistics().deviceBytes, both);
+    EXPECT_EQ(shown, std::vector<std::uint32_t>(again.colour, again.colour + 10000));
+  }
+}
+
+TEST_F(TracerTest, SetsThatAreNotThereAreNamed)
+{
+  const auto refused = [](const auto& work)
+  {
+    try
+    {
+      work();
+      ADD_FAILURE();
+    }
+    catch (const rtg::Error& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(" 77"), std::string::npos) << error.what();
+    }
+  };
+  refused([&] { this->scene.SetInstances(77, {}); });
+  refused([&] { this->scene.SetColours(77, {}); });
+  refused([&] { this->scene.SetMaterial(77, {}); });
+  refused([&] { this->scene.SetVisible(77, false); });
+  refused([&] { this->scene.GlyphCount(77); });
+  refused([&] { this->scene.OriginalGlyph(77, 0); });
+  this->scene.Remove(77);
+  const auto id = this->AddSpheres(RandomPoints(50), 0.1f);
+  this->scene.GetState().structure = rtg::Structure::Tree;
+  this->scene.Commit();
+  refused([&] { this->scene.OriginalGlyph(id, 77); });
 }
 
 TEST_P(StructureTest, SetsFarApartKeepTheirPlaces)
@@ -381,7 +434,7 @@ TEST_P(StructureTest, FindsTheNearestOfManyGlyphsOfAnyCount)
     const float size = filling / std::cbrt(static_cast<float>(count));
     const auto id = this->AddSpheres(points, size);
     this->scene.Commit();
-    const auto& group = this->scene.GetState().sets.at(id).group;
+    const auto& group = this->scene.GetState().sets.at(id).placed.group;
     EXPECT_EQ(group.dropsHidden, GetParam() == rtg::Structure::Tree && filling > 1.0f) << count;
     const Image image = this->Trace();
     for (int y = 0; y < 100; y += 3)
@@ -440,7 +493,7 @@ TEST_F(TracerTest, NeedlesInFrontAreNotDropped)
     const auto id = this->scene.Add();
     this->scene.SetInstances(id, needles);
     this->scene.Commit();
-    EXPECT_EQ(this->scene.GetState().sets.at(id).group.dropsHidden, structure == rtg::Structure::Tree);
+    EXPECT_EQ(this->scene.GetState().sets.at(id).placed.group.dropsHidden, structure == rtg::Structure::Tree);
     const Image image = this->Trace();
     std::vector<std::uint32_t> found(image.glyphIds, image.glyphIds + 40000);
     for (std::uint32_t& glyph : found)

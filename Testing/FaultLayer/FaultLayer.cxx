@@ -3,7 +3,7 @@
 //   always                    each vkQueueSubmit does so, while the file is there
 //   FUNCTION N                the Nth call of FUNCTION from now on fails, and the file is removed
 //   FUNCTION N always         that call and all further ones fail, while the file is there
-// FUNCTION is vkQueueSubmit, which loses the device, or vkAllocateMemory, vkCreateBuffer or
+// FUNCTION is vkQueueSubmit, which loses the device, or vkAllocateMemory, vkBindBufferMemory, vkMapMemory, vkCreateBuffer or
 // vkCreateAccelerationStructureKHR, which answer VK_ERROR_OUT_OF_DEVICE_MEMORY.
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
@@ -29,6 +29,8 @@ struct Next
   PFN_vkGetDeviceProcAddr procAddr = nullptr;
   PFN_vkQueueSubmit queueSubmit = nullptr;
   PFN_vkAllocateMemory allocateMemory = nullptr;
+  PFN_vkBindBufferMemory bindBufferMemory = nullptr;
+  PFN_vkMapMemory mapMemory = nullptr;
   PFN_vkCreateBuffer createBuffer = nullptr;
   PFN_vkCreateAccelerationStructureKHR createAccelerationStructure = nullptr;
 };
@@ -135,6 +137,8 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice physical,
     };
     find(next.queueSubmit, "vkQueueSubmit");
     find(next.allocateMemory, "vkAllocateMemory");
+    find(next.bindBufferMemory, "vkBindBufferMemory");
+    find(next.mapMemory, "vkMapMemory");
     find(next.createBuffer, "vkCreateBuffer");
     find(next.createAccelerationStructure, "vkCreateAccelerationStructureKHR");
     const std::lock_guard<std::mutex> lock(mutex);
@@ -158,6 +162,20 @@ VKAPI_ATTR VkResult VKAPI_CALL AllocateMemory(VkDevice device, const VkMemoryAll
                                  : NextOf(device).allocateMemory(device, info, allocator, memory);
 }
 
+VKAPI_ATTR VkResult VKAPI_CALL BindBufferMemory(
+  VkDevice device, VkBuffer buffer, VkDeviceMemory memory, VkDeviceSize offset)
+{
+  return Due("vkBindBufferMemory") ? VK_ERROR_OUT_OF_DEVICE_MEMORY
+                                   : NextOf(device).bindBufferMemory(device, buffer, memory, offset);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL MapMemory(
+  VkDevice device, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size, VkMemoryMapFlags flags, void** data)
+{
+  return Due("vkMapMemory") ? VK_ERROR_OUT_OF_DEVICE_MEMORY
+                            : NextOf(device).mapMemory(device, memory, offset, size, flags, data);
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL CreateBuffer(VkDevice device, const VkBufferCreateInfo* info,
   const VkAllocationCallbacks* allocator, VkBuffer* buffer)
 {
@@ -179,6 +197,8 @@ PFN_vkVoidFunction OwnDeviceFunction(const std::string& name)
   static const std::map<std::string, PFN_vkVoidFunction> own{
     { "vkQueueSubmit", reinterpret_cast<PFN_vkVoidFunction>(QueueSubmit) },
     { "vkAllocateMemory", reinterpret_cast<PFN_vkVoidFunction>(AllocateMemory) },
+    { "vkBindBufferMemory", reinterpret_cast<PFN_vkVoidFunction>(BindBufferMemory) },
+    { "vkMapMemory", reinterpret_cast<PFN_vkVoidFunction>(MapMemory) },
     { "vkCreateBuffer", reinterpret_cast<PFN_vkVoidFunction>(CreateBuffer) },
     { "vkCreateAccelerationStructureKHR",
       reinterpret_cast<PFN_vkVoidFunction>(CreateAccelerationStructure) },

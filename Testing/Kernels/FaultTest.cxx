@@ -1,0 +1,275 @@
+// A scene whose memory runs out at every step that can fail, and after it. The calls fail by Testing/FaultLayer.
+#include "Scene.h"
+#include "SceneState.h"
+#include "SharedDevice.h"
+#include "Tracer.h"
+#include "Vulkan/Device.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using rtg::Image;
+
+constexpr std::uint32_t side = 64;
+
+// While it lives, that call of a function fails.
+class Fault
+{
+public:
+  Fault(const std::string& function, int call)
+    : path_(std::getenv("RTGLYPHS_FAULT"))
+  {
+    std::ofstream(this->path_) << function << ' ' << call << '\n';
+  }
+  ~Fault() { std::remove(this->path_.c_str()); }
+  bool Pending() const { return std::ifstream(this->path_).good(); }
+
+private:
+  std::string path_;
+};
+
+enum class Content
+{
+  Spheres,
+  Moving,
+  Mesh
+};
+
+struct Glyphs
+{
+  rtg::GlyphInstances instances;
+  rtg::GlyphColours colours;
+};
+
+std::shared_ptr<const rtg::TriangleMesh> Tetrahedron()
+{
+  auto mesh = std::make_shared<rtg::TriangleMesh>();
+  mesh->positions = { { 0, 0, 0.5f }, { 0.5f, 0, -0.5f }, { -0.5f, 0.5f, -0.5f }, { -0.5f, -0.5f, -0.5f } };
+  mesh->triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } };
+  return mesh;
+}
+
+Glyphs RandomGlyphs(Content content, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> uniform(-0.9f, 0.9f);
+  Glyphs glyphs;
+  constexpr std::uint32_t count = 300;
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    glyphs.instances.centres.emplace_back(uniform(random), uniform(random), uniform(random));
+    glyphs.instances.sizes1.push_back(0.1f + 0.05f * uniform(random));
+    glyphs.colours.push_back(0xff000000u | (i * 2654435761u >> 8));
+  }
+  if (content == Content::Moving)
+  {
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      glyphs.instances.motion.velocities.emplace_back(uniform(random), uniform(random), uniform(random));
+    }
+    glyphs.instances.motion.shutterOpen = -0.05f;
+    glyphs.instances.motion.shutterClose = 0.05f;
+  }
+  if (content == Content::Mesh)
+  {
+    static const std::shared_ptr<const rtg::TriangleMesh> mesh = Tetrahedron();
+    glyphs.instances.shape = rtg::Shape::Mesh;
+    glyphs.instances.mesh = mesh;
+  }
+  return glyphs;
+}
+
+// What an image shows, whatever the order of the glyphs on the device.
+struct Picture
+{
+  std::vector<std::uint32_t> colours, glyphs;
+  bool operator==(const Picture&) const = default;
+};
+
+Picture Trace(rtg::Scene& scene)
+{
+  rtg::TraceSettings settings;
+  settings.width = settings.height = side;
+  const auto camera = rtg::Camera::FromWorldToClip(
+    glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+  const Image image = rtg::testing::SharedTracer().Trace(scene, camera, { rtg::Light() }, settings);
+  Picture picture;
+  picture.colours.assign(image.colour, image.colour + side * side);
+  for (std::uint32_t i = 0; i < side * side; ++i)
+  {
+    const std::uint32_t glyph = image.glyphIds[i];
+    picture.glyphs.push_back(glyph == Image::noGlyph ? glyph : scene.OriginalGlyph(image.setIds[i], glyph));
+  }
+  return picture;
+}
+
+class FaultTest : public ::testing::TestWithParam<rtg::Structure>
+{
+protected:
+  std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
+
+  void SetUp() override
+  {
+    ASSERT_TRUE(std::getenv("RTGLYPHS_FAULT")) << "the environment is that of CTest's entry FaultTest";
+  }
+
+  std::unique_ptr<rtg::Scene> MakeScene() const
+  {
+    auto scene = std::make_unique<rtg::Scene>(this->device);
+    scene->GetState().structure = this->GetParam();
+    return scene;
+  }
+
+  static void Set(rtg::Scene& scene, rtg::Scene::SetId id, const Glyphs& glyphs)
+  {
+    scene.SetInstances(id, glyphs.instances);
+    scene.SetColours(id, glyphs.colours);
+  }
+
+  Picture Expected(const Glyphs& glyphs) const
+  {
+    const auto scene = this->MakeScene();
+    Set(*scene, scene->Add(), glyphs);
+    scene->Commit();
+    return Trace(*scene);
+  }
+};
+
+} // namespace
+
+TEST_P(FaultTest, ACommitAfterOneThatFailedShowsEveryGlyphAsItIs)
+{
+  for (const Content content : { Content::Spheres, Content::Moving, Content::Mesh })
+  {
+    const Glyphs first = RandomGlyphs(content, 1), second = RandomGlyphs(content, 2);
+    Glyphs recoloured = second;
+    std::reverse(recoloured.colours.begin(), recoloured.colours.end());
+    const Picture firstPicture = this->Expected(first), secondPicture = this->Expected(second),
+                  recolouredPicture = this->Expected(recoloured);
+    EXPECT_FALSE(firstPicture == secondPicture);
+    int failures = 0;
+    for (const char* function : { "vkAllocateMemory", "vkCreateBuffer", "vkBindBufferMemory", "vkMapMemory",
+           "vkCreateAccelerationStructureKHR" })
+    {
+      const auto scene = this->MakeScene();
+      const auto id = scene->Add();
+      Set(*scene, id, first);
+      scene->Commit();
+      // A call later each time, until none is left that would fail.
+      for (int call = 1;; ++call)
+      {
+        ASSERT_LT(call, 100);
+        SCOPED_TRACE(std::string(function) + " " + std::to_string(call));
+        Set(*scene, id, second);
+        bool failed = false;
+        {
+          const Fault fault(function, call);
+          try
+          {
+            scene->Commit();
+          }
+          catch (const rtg::OutOfMemory&)
+          {
+            failed = true;
+          }
+          ASSERT_NE(failed, fault.Pending());
+        }
+        if (failed)
+        {
+          ++failures;
+          // Whoever traces without another Commit() sees the second glyphs or nothing.
+          for (const std::uint32_t glyph : Trace(*scene).glyphs)
+          {
+            ASSERT_EQ(glyph, Image::noGlyph);
+          }
+        }
+        scene->Commit();
+        ASSERT_TRUE(Trace(*scene) == secondPicture);
+
+        scene->SetColours(id, recoloured.colours);
+        {
+          const Fault fault(function, call);
+          try
+          {
+            scene->Commit();
+          }
+          catch (const rtg::OutOfMemory&)
+          {
+            ++failures;
+          }
+        }
+        scene->Commit();
+        ASSERT_TRUE(Trace(*scene) == recolouredPicture);
+        Set(*scene, id, first);
+        scene->Commit();
+        ASSERT_TRUE(Trace(*scene) == firstPicture);
+        if (!failed)
+        {
+          break;
+        }
+      }
+    }
+    EXPECT_GT(failures, 10);
+  }
+}
+
+TEST_P(FaultTest, WhatFailedIsNotCounted)
+{
+  const std::uint64_t before = this->device->HeldBytes();
+  for (const char* function : { "vkAllocateMemory", "vkCreateBuffer", "vkBindBufferMemory", "vkMapMemory",
+         "vkCreateAccelerationStructureKHR" })
+  {
+    int failures = 0;
+    for (int call = 1; call < 8; ++call)
+    {
+      const auto scene = this->MakeScene();
+      Set(*scene, scene->Add(), RandomGlyphs(Content::Spheres, 3));
+      const Fault fault(function, call);
+      try
+      {
+        scene->Commit();
+      }
+      catch (const rtg::OutOfMemory&)
+      {
+        ++failures;
+      }
+    }
+    EXPECT_GT(failures, 0) << function;
+    EXPECT_EQ(this->device->HeldBytes(), before) << function;
+  }
+}
+
+TEST_P(FaultTest, OneSetThatFailsLeavesTheOthersInPlace)
+{
+  const auto scene = this->MakeScene();
+  const Glyphs first = RandomGlyphs(Content::Spheres, 4), second = RandomGlyphs(Content::Spheres, 5);
+  Set(*scene, scene->Add(), first);
+  scene->Commit();
+  const auto builds = scene->GetStatistics().structureBuilds;
+  const auto other = scene->Add();
+  Set(*scene, other, second);
+  {
+    const Fault fault("vkCreateBuffer", 2);
+    EXPECT_THROW(scene->Commit(), rtg::OutOfMemory);
+  }
+  scene->Commit();
+  EXPECT_EQ(scene->GetStatistics().structureBuilds, builds + 1);
+  scene->Remove(other);
+  scene->Commit();
+  EXPECT_TRUE(Trace(*scene) == this->Expected(first));
+}
+
+INSTANTIATE_TEST_SUITE_P(, FaultTest, ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
+  [](const auto& info) { return info.param == rtg::Structure::Boxes ? "Boxes" : "Tree"; });
