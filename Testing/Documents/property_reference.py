@@ -1,0 +1,114 @@
+"""The property reference in Representation/README.md, from the documentation that ParaView shows in tooltips and help.
+
+Usage: python3 property_reference.py [--check]
+Without --check the table between the markers is written anew; with it the program only says whether it is up to date.
+"""
+import difflib
+import os
+import re
+import sys
+import xml.etree.ElementTree
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+FOLDER = os.path.join(ROOT, "Representation", "ServerManager")
+DOCUMENT = os.path.join(ROOT, "Representation", "README.md")
+BEGIN, END = "<!-- properties: written by Testing/Documents/property_reference.py -->", "<!-- end of properties -->"
+
+
+def definitions(name):
+    """(properties by name, groups of names) of one XML file, in its order."""
+    root = xml.etree.ElementTree.parse(os.path.join(FOLDER, name)).getroot()
+    properties = {}
+    for proxy in root.iter():
+        if proxy.tag.endswith("RepresentationProxy"):
+            for entry in proxy:
+                if entry.tag.endswith("Property") and entry.get("name"):
+                    properties.setdefault(entry.get("name"), entry)
+    groups = [(group.get("label"), [(entry.get("name"), entry.get("exposed_name")) for entry in group if entry.tag == "Property"])
+              for exposed in root.iter("ExposedProperties") for group in exposed.iter("PropertyGroup")]
+    return properties, groups
+
+
+def values(entry):
+    """What the property can be, as its domains say."""
+    for domain in entry:
+        if domain.tag == "EnumerationDomain":
+            return ", ".join(item.get("text") for item in domain.iter("Entry"))
+        if domain.tag == "BooleanDomain":
+            return "0, 1"
+        if domain.tag in ("ArrayListDomain", "RepresentedArrayListDomain"):
+            return "an array"
+        if domain.tag in ("ProxyGroupDomain", "ProxyListDomain"):
+            return "a proxy"
+        if domain.tag in ("DoubleRangeDomain", "IntRangeDomain"):
+            least, most = domain.get("min"), domain.get("max")
+            least, most = (least or "").split(" ")[0], (most or "").split(" ")[0]
+            if least and most:
+                return "[%s, %s]" % (least, most)
+            if least:
+                return "%s and more" % least
+    return "text" if entry.tag.endswith("StringVectorProperty") else "numbers"
+
+
+def default(entry):
+    """The value without data, or what the data give."""
+    for domain in entry:
+        if domain.tag in ("ArrayListDomain", "RepresentedArrayListDomain", "BoundsDomain"):
+            return "from the data"
+        if domain.tag == "EnumerationDomain":
+            return next((item.get("text") for item in domain.iter("Entry") if item.get("value") == entry.get("default_values")), "")
+    given = entry.get("default_values")
+    return "" if given in (None, "none") else given
+
+
+def row(name, entry):
+    """One line of the table."""
+    text = re.sub(r"\s+", " ", entry.findtext("Documentation") or "").strip()
+    if not text:
+        raise SystemExit("property_reference.py: %s has no Documentation" % name)
+    if entry.get("information_only") == "1":
+        return "| %s | *information* | | %s |" % (name, text.replace("|", "\\|"))
+    return "| %s | %s | %s | %s |" % (name, values(entry), default(entry), text.replace("|", "\\|"))
+
+
+def table():
+    """The whole reference: the panel's groups in their order, then what is shared with ParaView's surfaces."""
+    common, _ = definitions("RayTracedCommon.xml")
+    glyphs, groups = definitions("RayTracedGlyphs.xml")
+    surface, _ = definitions("RayTracedSurface.xml")
+    known = {**common, **surface, **glyphs}
+    lines, shown = [], set()
+
+    def section(title, names):
+        lines.extend(["", "#### " + title, "", "| property | values | default | meaning |", "|---|---|---|---|"])
+        for name, exposed in names:
+            shown.add(name)
+            lines.append(row(exposed or name, known[name]))
+
+    for title, names in groups:
+        section(title, names)
+    information = [name for name, entry in known.items() if entry.get("information_only") == "1" and name not in shown]
+    section("Information", [(name, None) for name in information])
+    rest = [name for name, entry in known.items() if name not in shown and entry.get("is_internal") != "1" and name != "Input"]
+    section("Shared with ParaView's Surface", [(name, None) for name in rest])
+    return "\n".join([BEGIN] + lines + ["", END])
+
+
+def main():
+    """Writes or checks."""
+    with open(DOCUMENT, encoding="utf-8") as stream:
+        old = stream.read()
+    if BEGIN not in old or END not in old:
+        raise SystemExit("property_reference.py: %s has lost its markers" % DOCUMENT)
+    new = old[:old.index(BEGIN)] + table() + old[old.index(END) + len(END):]
+    if "--check" in sys.argv[1:]:
+        sys.stdout.writelines(difflib.unified_diff(old.splitlines(True), new.splitlines(True), "README.md", "as the XML has it"))
+        if new != old:
+            raise SystemExit("Representation/README.md differs from the XML; run Testing/Documents/property_reference.py")
+        return
+    with open(DOCUMENT, "w", encoding="utf-8") as stream:
+        stream.write(new)
+
+
+if __name__ == "__main__":
+    main()
