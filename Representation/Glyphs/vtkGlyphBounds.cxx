@@ -40,6 +40,8 @@ public:
       this->Tensors =
         std::make_unique<vtkGlyphTensors>(this->TensorArray, settings.Tensors, std::vector<vtkIdType>());
     }
+    const vtkGlyphSizing& sizing = settings.Sizing;
+    this->LimitSlack = this->Tensors && (sizing.Least > 0.0 || sizing.Most > 0.0) ? std::sqrt(3.0) : 1.0;
     const bool arrow = settings.Shape == rtg::Shape::Arrow;
     this->Turned = vtkGlyphArrays::Orientation(points, settings) || settings.Tensors.On || arrow ||
       settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
@@ -111,13 +113,14 @@ private:
     if (this->Scales)
     {
       const double* tuple = scales.Get(point);
-      size *= this->ByComponents ? glm::abs(glm::dvec3(tuple[0], tuple[1], tuple[2]))
-                                 : glm::dvec3(vtkMath::Norm(tuple, scales.Size()));
+      size *= this->ByComponents ? this->Settings.Sizing(glm::abs(glm::dvec3(tuple[0], tuple[1], tuple[2])))
+                                 : glm::dvec3(this->Settings.Sizing(vtkMath::Norm(tuple, scales.Size())));
     }
     if (this->Tensors)
     {
-      size *= this->Tensors->Extent(point);
+      size *= this->Settings.Sizing.Bound(this->Tensors->Extent(point));
     }
+    size = this->Settings.Sizing.Limited(size) * this->LimitSlack;
     glm::dvec3 reach = this->UnitReach * size;
     if (this->HeadScale > 0.0)
     {
@@ -142,6 +145,7 @@ private:
   bool ByComponents = false, Turned = false;
   glm::dvec3 UnitReach{ 0.5 }; // of the unit glyph from its point
   double HeadScale = 0.0;      // of arrows with fixed heads
+  double LimitSlack = 1.0;     // extents of tensors are known to a factor of sqrt(3) only; limits are of the extents
 };
 }
 

@@ -314,8 +314,8 @@ private:
     if (this->Scales)
     {
       const double* tuple = tuples.Scales.Get(i);
-      size *= this->ByComponents ? glm::dvec3(tuple[0], tuple[1], tuple[2])
-                                 : glm::dvec3(vtkMath::Norm(tuple, tuples.Scales.Size()));
+      size *= this->ByComponents ? this->How.Sizing(glm::dvec3(tuple[0], tuple[1], tuple[2]))
+                                 : glm::dvec3(this->How.Sizing(vtkMath::Norm(tuple, tuples.Scales.Size())));
     }
     glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
     rtg::TensorGlyph tensorGlyph;
@@ -326,7 +326,7 @@ private:
       {
         return NOT_SHOWN; // nothing to show is no fault
       }
-      size *= std::hypot(axis[0], axis[1], axis[2]);
+      size *= this->How.Sizing(std::hypot(axis[0], axis[1], axis[2]));
       vtkGlyphPlacement::RotationFromTuple(axis, Settings::DIRECTION, rotation);
     }
     else if (this->Tensors)
@@ -335,7 +335,7 @@ private:
       {
         return TENSOR;
       }
-      size *= tensorGlyph.halfLengths;
+      size *= this->How.Sizing(tensorGlyph.halfLengths);
       rotation = tensorGlyph.rotation;
     }
     else if (this->Orientations && this->Turned &&
@@ -354,6 +354,7 @@ private:
       return EXPONENT;
     }
 
+    size = this->How.Sizing.Limited(size);
     this->Placement.Apply(this->Sphere, size, rotation);
     if (this->Flips && size.x < 0.0)
     {

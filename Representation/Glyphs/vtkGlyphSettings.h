@@ -7,6 +7,7 @@
 
 #include "Glyphs.h"
 #include "vtkGlyphMotion.h"
+#include "vtkGlyphSizing.h"
 #include "vtkGlyphTensors.h"
 #include "vtkRayTracedArrays.h"
 #include "vtkType.h"
@@ -34,6 +35,7 @@ struct vtkGlyphSettings
   std::string ScaleArray; // empty or "None": none
   int ScaleMode = MAGNITUDE;
   double ScaleFactor = 1.0; // world units
+  vtkGlyphSizing Sizing;    // of magnitudes of the scale array, and of eigenvalues
   bool Orient = true;
   std::string OrientationArray; // empty or "None": none
   int OrientationMode = DIRECTION;

@@ -141,7 +141,8 @@ vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(
       {
         const double* tuple = scales.Get(candidates[k]);
         const double scale =
-          byComponents ? std::abs(tuple[0]) : vtkMath::Norm(tuple, scales.Size());
+          byComponents ? settings.Sizing(glm::dvec3(std::abs(tuple[0]), tuple[1], tuple[2])).x
+                       : settings.Sizing(vtkMath::Norm(tuple, scales.Size()));
         if (IsPositive(scale)) // else there is no glyph
         {
           own.Sum += scale;
@@ -164,7 +165,7 @@ double vtkGlyphArrays::ReferenceScale(
   if (!settings.NeedsMeanScale())
   {
     const bool scaled = settings.Scaling && !vtkRayTracedArrays::IsNone(settings.ScaleArray);
-    return scaled && IsPositive(settings.ArrowReference) ? settings.ArrowReference : 1.0;
+    return scaled && IsPositive(settings.ArrowReference) ? settings.Sizing(settings.ArrowReference) : 1.0;
   }
   return IsPositive(settings.MeanScale) ? settings.MeanScale : SumScales(points, settings, blocks).Mean();
 }

@@ -487,6 +487,36 @@ void vtkRayTracedGlyphRepresentation::SetGlyphScaleMode(int mode)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphScaleFunction(int function)
+{
+  this->Glyphs.Sizing.Function = std::clamp<int>(function, vtkGlyphSizing::LINEAR, vtkGlyphSizing::UNIT);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphScaleReference(double reference)
+{
+  if (!(reference > 0.0 && std::isfinite(reference)))
+  {
+    vtkErrorMacro("GlyphScaleReference is " << reference << "; it must be positive, in units of the scale array. 1 is taken.");
+    reference = 1.0;
+  }
+  this->Glyphs.Sizing.Reference = reference;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double most)
+{
+  vtkGlyphSizing& sizing = this->Glyphs.Sizing;
+  sizing.Least = std::max(NumberOr(least, 0.0), 0.0);
+  sizing.Most = std::max(NumberOr(most, 0.0), 0.0);
+  if (sizing.Most > 0.0 && sizing.Most < sizing.Least)
+  {
+    vtkErrorMacro("GlyphSizeRange is " << least << ", " << most << "; the second must not be less than the first. All glyphs get the size "
+                                       << most << ".");
+  }
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphOrientationMode(int mode)
 {
   this->Glyphs.OrientationMode = std::clamp<int>(mode, vtkGlyphSettings::DIRECTION, vtkGlyphSettings::QUATERNION);

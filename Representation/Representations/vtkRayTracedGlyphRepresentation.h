@@ -44,6 +44,9 @@ public:
   void SetGlyphScaleArray(const char* name) { this->Glyphs.ScaleArray = OrEmpty(name); }
   void SetGlyphScaleMode(int mode);
   void SetGlyphScaleFactor(double factor) { this->Glyphs.ScaleFactor = NumberOr(factor, 0.0); }
+  void SetGlyphScaleFunction(int function);
+  void SetGlyphScaleReference(double reference);
+  void SetGlyphSizeRange(double least, double most);
   void SetGlyphOrient(bool on) { this->Glyphs.Orient = on; }
   void SetGlyphOrientationArray(const char* name) { this->Glyphs.OrientationArray = OrEmpty(name); }
   void SetGlyphOrientationMode(int mode);

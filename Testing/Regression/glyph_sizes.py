@@ -1,0 +1,127 @@
+"""Sizes of glyphs: functions of magnitudes, limits, and ratios that are kept.
+
+Usage: pvpython glyph_sizes.py
+"""
+import numpy
+import paraview.simple as pv
+
+import comparison
+import session
+from checks import Checks
+
+WIDTH, HEIGHT = 900, 300
+#: world units from the middle of the picture to its upper edge
+SCALE = 0.5
+POINTS = numpy.array([[-1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+MAGNITUDES = numpy.array([0.5, 4.0, 1000.0])
+#: error of a length that is measured in pixels
+PIXEL = 1.5 * 2 * SCALE / HEIGHT
+
+FUNCTIONS = {
+    "Linear": lambda s: s,
+    "Square Root": numpy.sqrt,
+    "Cube Root": numpy.cbrt,
+    "Logarithm": lambda s: numpy.log10(1.0 + s / 2.0),
+    "Unit": lambda s: s / s,
+}
+
+
+def extents(view, name):
+    """Width and height of what each third of the picture shows, in world units."""
+    covered = comparison.covered(session.capture(view, "glyph-sizes-" + name.lower().replace(" ", "-")))
+    found = []
+    for third in numpy.split(covered, 3, axis=1):
+        found.append([float(third.any(axis=axis).sum()) * 2 * SCALE / HEIGHT for axis in (0, 1)])
+    return numpy.array(found)
+
+
+def glyphs(view, shape, **properties):
+    """(source, representation) of the three points."""
+    vectors = MAGNITUDES[:, None] * numpy.array([1.0, 0.5, 0.25])
+    tensors = numpy.array([numpy.diag(-0.5 * vector) for vector in vectors]).reshape(-1, 9)
+    source = session.source(session.poly_data(POINTS, s=-MAGNITUDES, v=vectors, t=tensors))
+    shown = session.glyphs(source, view, shape, GlyphOrient=0, **properties)
+    session.solid(shown, (0.9, 0.8, 0.3))
+    pv.Render(view)
+    return source, shown
+
+
+def functions(checks, view):
+    """Scalars, components and tensors; the largest glyph is 0.6 wide."""
+    for name, function in FUNCTIONS.items():
+        for kind, properties, factor in (
+                ("magnitudes", {"GlyphScaling": 1, "GlyphScaleArray": "s", "GlyphScaleMode": "Magnitude"}, 1.0),
+                ("components", {"GlyphScaling": 1, "GlyphScaleArray": "v", "GlyphScaleMode": "Components"}, 1.0),
+                ("tensors", {"GlyphTensorArray": "t"}, 0.5)):
+            lengths = function(factor * MAGNITUDES)
+            largest = 0.6 / lengths.max()
+            shape = "Tensor Ellipsoid" if kind == "tensors" else "Sphere"
+            shown = glyphs(view, shape, GlyphScaleFactor=largest, GlyphScaleFunction=name, GlyphScaleReference=2.0, **properties)[1]
+            found = extents(view, kind + "-" + name)
+            ratio = 1.0 if kind == "magnitudes" else 0.5
+            wanted = largest * lengths[:, None] * numpy.array([1.0, ratio])
+            print(kind, name, numpy.round(found, 3).tolist(), numpy.round(wanted, 3).tolist())
+            checks.true("%s, %s: sizes %s, not %s" % (kind, name, numpy.round(found, 3).tolist(), numpy.round(wanted, 3).tolist()),
+                        numpy.abs(found - wanted).max() <= PIXEL)
+            pv.Delete(shown)
+
+
+def limits(checks, view):
+    """Nothing smaller or larger than the limits, with the ratios of its axes."""
+    for limit, wanted in (((0.2, 0.0), [0.2, 0.2, 0.6]), ((0.0, 0.4), [0.0003, 0.0024, 0.4]), ((0.2, 0.4), [0.2, 0.2, 0.4])):
+        shown = glyphs(view, "Sphere", GlyphScaling=1, GlyphScaleArray="v", GlyphScaleMode="Components", GlyphScaleFactor=0.0006,
+                       GlyphSizeRange=limit)[1]
+        found = extents(view, "limits %g %g" % limit)
+        wanted = numpy.array(wanted)[:, None] * numpy.array([1.0, 0.5])
+        checks.true("limits %s: sizes %s, not %s" % (limit, numpy.round(found, 3).tolist(), numpy.round(wanted, 3).tolist()),
+                    numpy.abs(found - wanted).max() <= PIXEL)
+        pv.Delete(shown)
+
+
+def bounds(checks, view):
+    """What the camera is reset to holds the glyphs, and not much more."""
+    for name, properties in (("scalars", {"GlyphShape": "Sphere", "GlyphScaling": 1, "GlyphScaleArray": "s"}),
+                             ("tensors", {"GlyphShape": "Tensor Superquadric", "GlyphTensorArray": "t"})):
+        for how in ({"GlyphScaleFunction": "Unit"}, {"GlyphSizeRange": [0.6, 0.6]}):
+            shape = properties["GlyphShape"]
+            shown = glyphs(view, shape, GlyphScaleFactor=0.6, **{**properties, **how, "GlyphShape": shape})[1]
+            box = numpy.array(view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2)
+            checks.within("bounds of %s with %s" % (name, how), round(float(box[0, 1]), 3), 1.299, 1.3 + 0.3 * (3.0 ** 0.5 - 1) * 3)
+            pv.Delete(shown)
+
+
+def heads(checks, view):
+    """Fixed heads have their size on the arrow of mean length, which is the mean of the function."""
+    shown = glyphs(view, "Arrow", GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFunction="Unit", GlyphScaleFactor=0.4,
+                   ArrowTipRadius=0.25)[1]
+    found = extents(view, "heads")
+    checks.true("arrows of unit length are %s long and thick" % numpy.round(found, 3).tolist(),
+                numpy.abs(found - [0.4, 0.2]).max() <= PIXEL)
+    pv.Delete(shown)
+
+
+def wrong(checks, view):
+    """One message each."""
+    shown = glyphs(view, "Sphere", GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFunction="Logarithm", GlyphScaleFactor=0.1)[1]
+    for name, value, word in (("GlyphScaleReference", -2.0, "-2"), ("GlyphSizeRange", [0.4, 0.2], "0.4, 0.2")):
+        said = session.messages(lambda: (setattr(shown, name, value), pv.Render(view)))
+        checks.one_message("%s %s" % (name, value), said, name, word)
+    pv.Delete(shown)
+
+
+def main():
+    """All parts in one view."""
+    session.load()
+    checks = Checks()
+    view = session.view(WIDTH, HEIGHT)
+    session.look(view, (0.0, 0.0, 10.0), parallel_scale=SCALE)
+    functions(checks, view)
+    limits(checks, view)
+    bounds(checks, view)
+    heads(checks, view)
+    wrong(checks, view)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()
