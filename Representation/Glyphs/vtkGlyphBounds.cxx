@@ -25,16 +25,12 @@ public:
     : Settings(settings)
     , Blocks(blocks)
     , Positions(points->GetPoints()->GetData())
-    , Scales(vtkGlyphArrays::Scale(points, settings))
+    , Scales(vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, settings))
     , TensorArray(vtkGlyphTensors::Array(points, settings.Tensors))
     , BlockIds(vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex)))
     , Motion(points, settings.Motion)
   {
     this->ByComponents = settings.ScaleMode == vtkGlyphSettings::COMPONENTS;
-    if (this->Scales && this->ByComponents && this->Scales->GetNumberOfComponents() != 3)
-    {
-      this->Scales = nullptr; // the builder says so
-    }
     if (this->TensorArray && vtkGlyphTensors::Problem(this->TensorArray, settings.Tensors).empty())
     {
       this->Tensors =
@@ -43,7 +39,7 @@ public:
     const vtkGlyphSizing& sizing = settings.Sizing;
     this->LimitSlack = this->Tensors && (sizing.Least > 0.0 || sizing.Most > 0.0) ? std::sqrt(3.0) : 1.0;
     const bool arrow = settings.Shape == rtg::Shape::Arrow;
-    this->Turned = vtkGlyphArrays::Orientation(points, settings) || settings.Tensors.On || arrow ||
+    this->Turned = vtkGlyphArrays::Find(vtkGlyphArrays::ORIENTATION, points, settings) || settings.Tensors.On || arrow ||
       settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
     if (arrow)
     {

@@ -79,7 +79,8 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
     "open, is not finite",
     "Choose other arrays, switch MotionBlur off, or remove these points with Threshold.");
   say(skipped[FORM],
-    "the number of their form, from the point array '" + settings.TableIndexArray + "', is not finite",
+    "the number of their form, from the point array '" + settings.TableIndexArray +
+      "', is not finite",
     "Choose another GlyphMeshIndexArray, or remove these points with Threshold.");
   if (vtkRayTracedArrays::IsNone(settings.ExponentArray))
   {
@@ -98,7 +99,8 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
 }
 
 // A tuple's exponents as the kernels want them; false: there are none.
-bool MakeExponents(const Settings& settings, const double* tuple, int components, glm::vec3& exponents)
+bool MakeExponents(
+  const Settings& settings, const double* tuple, int components, glm::vec3& exponents)
 {
   glm::dvec3 e(tuple[0]);
   if (components == 2)
@@ -124,39 +126,6 @@ bool MakeExponents(const Settings& settings, const double* tuple, int components
   return true;
 }
 
-// The wanted array, when it is there and its tuples have one of the lengths that make sense (none given: any).
-vtkDataArray* CheckedArray(vtkDataArray* array, bool wanted, const std::string& name,
-  const char* property, const std::vector<int>& lengths, const char* without,
-  vtkGlyphInstanceBuilder::Result& result)
-{
-  if (!wanted || vtkRayTracedArrays::IsNone(name))
-  {
-    return nullptr;
-  }
-  if (!array)
-  {
-    result.Messages.push_back("There is no point array '" + name + "', which " + property +
-      " names; " + without + ". Choose one that exists, or None.");
-    return nullptr;
-  }
-  if (!lengths.empty() &&
-    std::find(lengths.begin(), lengths.end(), array->GetNumberOfComponents()) == lengths.end())
-  {
-    std::ostringstream text;
-    text << "The point array '" << name << "', which " << property << " names, has "
-         << array->GetNumberOfComponents() << " components where " << lengths.front()
-         << (lengths.size() > 1 ? " to " + std::to_string(lengths.back()) : "")
-         << " are needed; " << without << ". Choose another array or mode.";
-    result.Messages.push_back(text.str());
-    return nullptr;
-  }
-  return array;
-}
-}
-
-
-namespace
-{
 bool IsFinite(const double* x)
 {
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
@@ -180,36 +149,31 @@ public:
     , OwnExponents(settings.HasOwnExponents())
     , Sphere(settings.Shape == rtg::Shape::Sphere)
     , Positions(points->GetPoints()->GetData())
-    , Scales(
-        CheckedArray(vtkGlyphArrays::Scale(points, settings), settings.Scaling, settings.ScaleArray,
-          "GlyphScaleArray", this->ByComponents ? std::vector<int>{ 3 } : std::vector<int>{},
-          "all glyphs get the same size", result))
-    , Orientations(CheckedArray(vtkGlyphArrays::Orientation(points, settings), settings.Orient,
-        settings.OrientationArray, "GlyphOrientationArray",
-        { settings.OrientationMode == Settings::QUATERNION ? 4 : 3 }, "the glyphs are not turned",
-        result))
-    , Forms(CheckedArray(vtkGlyphArrays::TableIndex(points, settings), this->ChoosesForm,
-        settings.TableIndexArray, "GlyphMeshIndexArray", {},
-        "all points have the table's first form", result))
-    , Exponents(CheckedArray(vtkGlyphArrays::Exponents(points, settings), this->OwnExponents,
-        settings.ExponentArray, "GlyphExponentArray", { 1, 2, 3 }, "GlyphExponents count", result))
     , Rotation(glm::mat3_cast(this->Placement.Rotation))
   {
-    this->GoodExponents =
-      this->OwnExponents && MakeExponents(settings, settings.Exponents, 3, this->Instances.uniformExponents);
+    for (int id = 0; id < vtkGlyphArrays::NUMBER_OF_IDS; ++id)
+    {
+      this->Arrays[id] = vtkGlyphArrays::Find(
+        static_cast<vtkGlyphArrays::Id>(id), points, settings, &result.Messages);
+    }
+    this->GoodExponents = this->OwnExponents &&
+      MakeExponents(settings, settings.Exponents, 3, this->Instances.uniformExponents);
 
     // What an instance stores: nothing that is the same for all, and no turn of what looks the same from all sides
-    const bool sizedByData = this->Scales || tensors;
+    const bool sizedByData = this->Has(vtkGlyphArrays::SCALE) || tensors;
     this->SameSizes = !sizedByData && this->Placement.Uniform;
-    this->OneSize = (!this->Scales || !this->ByComponents) && !tensors && this->Placement.Uniform;
+    this->OneSize = (!this->Has(vtkGlyphArrays::SCALE) || !this->ByComponents) && !tensors &&
+      this->Placement.Uniform;
     this->Turned =
-      (this->Orientations || tensors || !this->Placement.Identity) && !(this->Sphere && this->OneSize);
+      (this->Has(vtkGlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
+      !(this->Sphere && this->OneSize);
     const bool pointed = settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow;
     this->Flips = pointed &&
-      ((this->Scales && this->ByComponents) || settings.ScaleFactor < 0.0 || this->Placement.Scale < 0.0);
+      ((this->Has(vtkGlyphArrays::SCALE) && this->ByComponents) || settings.ScaleFactor < 0.0 ||
+        this->Placement.Scale < 0.0);
   }
 
-  bool IsScaled() const { return this->Scales != nullptr; }
+  bool IsScaled() const { return this->Has(vtkGlyphArrays::SCALE); }
   const vtkGlyphPlacement& GetPlacement() const { return this->Placement; }
   const vtkGlyphMotion& GetMotion() const { return this->Motion; }
 
@@ -248,18 +212,21 @@ public:
   }
 
 private:
+  bool Has(vtkGlyphArrays::Id id) const { return this->Arrays[id] != nullptr; }
+
   // What one thread reads.
   struct Tuples
   {
     explicit Tuples(const Assembly& all)
       : Positions(all.Positions)
-      , Scales(all.Scales)
-      , Orientations(all.Orientations)
-      , Forms(all.Forms)
-      , Exponents(all.Exponents)
+      , Named(all.Arrays.begin(), all.Arrays.end())
     {
     }
-    vtkGlyphTuples Positions, Scales, Orientations, Forms, Exponents;
+    vtkGlyphTuples& operator[](vtkGlyphArrays::Id id) { return this->Named[id]; }
+    vtkGlyphTuples Positions;
+
+  private:
+    std::vector<vtkGlyphTuples> Named; // by vtkGlyphArrays::Id
   };
 
   // The middle of the data, from which the positions lose the least when they become float
@@ -290,8 +257,10 @@ private:
   {
     if (this->ChoosesForm)
     {
-      const double number =
-        this->Forms ? vtkMath::Norm(tuples.Forms.Get(i), tuples.Forms.Size()) : 0.0;
+      const double number = this->Has(vtkGlyphArrays::TABLE_INDEX)
+        ? vtkMath::Norm(
+            tuples[vtkGlyphArrays::TABLE_INDEX].Get(i), tuples[vtkGlyphArrays::TABLE_INDEX].Size())
+        : 0.0;
       const int last = this->How.TableSize - 1;
       const bool counts = !std::isnan(number);
       if ((counts ? static_cast<int>(std::min<double>(number, last)) : 0) != this->How.TableEntry)
@@ -311,11 +280,12 @@ private:
     }
 
     glm::dvec3 size(this->How.ScaleFactor);
-    if (this->Scales)
+    if (this->Has(vtkGlyphArrays::SCALE))
     {
-      const double* tuple = tuples.Scales.Get(i);
-      size *= this->ByComponents ? this->How.Sizing(glm::dvec3(tuple[0], tuple[1], tuple[2]))
-                                 : glm::dvec3(this->How.Sizing(vtkMath::Norm(tuple, tuples.Scales.Size())));
+      const double* tuple = tuples[vtkGlyphArrays::SCALE].Get(i);
+      size *= this->ByComponents
+        ? this->How.Sizing(glm::dvec3(tuple[0], tuple[1], tuple[2]))
+        : glm::dvec3(this->How.Sizing(vtkMath::Norm(tuple, tuples[vtkGlyphArrays::SCALE].Size())));
     }
     glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
     rtg::TensorGlyph tensorGlyph;
@@ -338,17 +308,18 @@ private:
       size *= this->How.Sizing(tensorGlyph.halfLengths);
       rotation = tensorGlyph.rotation;
     }
-    else if (this->Orientations && this->Turned &&
+    else if (this->Has(vtkGlyphArrays::ORIENTATION) && this->Turned &&
       !vtkGlyphPlacement::RotationFromTuple(
-        tuples.Orientations.Get(i), this->How.OrientationMode, rotation))
+        tuples[vtkGlyphArrays::ORIENTATION].Get(i), this->How.OrientationMode, rotation))
     {
       return ORIENTATION;
     }
 
     glm::vec3 exponents(2.0f);
     if (this->OwnExponents &&
-      !(this->Exponents
-          ? MakeExponents(this->How, tuples.Exponents.Get(i), tuples.Exponents.Size(), exponents)
+      !(this->Has(vtkGlyphArrays::EXPONENTS)
+          ? MakeExponents(this->How, tuples[vtkGlyphArrays::EXPONENTS].Get(i),
+              tuples[vtkGlyphArrays::EXPONENTS].Size(), exponents)
           : this->GoodExponents))
     {
       return EXPONENT;
@@ -385,7 +356,7 @@ private:
     allocate(this->Instances.centres, true);
     allocate(this->Instances.forms, this->How.Tensors.ColorsBySign());
     allocate(this->Instances.exponents3,
-      (this->Tensors && HasExponents(this->How.Shape)) || this->Exponents);
+      (this->Tensors && HasExponents(this->How.Shape)) || this->Has(vtkGlyphArrays::EXPONENTS));
     allocate(this->Instances.sizes3, !this->OneSize);
     allocate(this->Instances.sizes1, this->OneSize && !this->SameSizes);
     allocate(this->Instances.rotations, this->Turned || this->Flips);
@@ -469,10 +440,12 @@ private:
   vtkGlyphInstanceBuilder::Result& Out;
   rtg::GlyphInstances& Instances;
   const bool ByComponents, ChoosesForm, OwnExponents, Sphere;
-  vtkDataArray *const Positions, *const Scales, *const Orientations, *const Forms, *const Exponents;
+  vtkDataArray* const Positions;
+  std::array<vtkDataArray*, vtkGlyphArrays::NUMBER_OF_IDS>
+    Arrays{};                    // null: none, or it does not fit
   const glm::dmat3 Rotation;     // of the placement
   std::vector<float> FirstSizes; // of each chunk's first glyph, which is never 0; 0: it has none
-  bool GoodExponents = false; // of the settings
+  bool GoodExponents = false;    // of the settings
   bool SameSizes = false, OneSize = false; // for all glyphs; for all axes of one
   bool Turned = false, Flips = false;
 };
@@ -491,8 +464,10 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   if (isMesh && (!settings.Mesh || settings.Mesh->triangles.empty()))
   {
     const std::string number = std::to_string(settings.TableEntry);
-    result.Messages.push_back((settings.HasTable() ? "Entry " + number + " of GlyphMesh has no polygons, so points that choose it have no glyph."
-                                        : "GlyphMesh has no polygons, so there are no glyphs.") +
+    result.Messages.push_back(
+      (settings.HasTable() ? "Entry " + number +
+            " of GlyphMesh has no polygons, so points that choose it have no glyph."
+                           : "GlyphMesh has no polygons, so there are no glyphs.") +
       " Choose a source that has some, such as Arrow, Cone or Sphere.");
     return result;
   }
@@ -530,7 +505,8 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   const vtkGlyphPlacement& placement = assembly.GetPlacement();
   if (settings.Shape == rtg::Shape::Arrow)
   {
-    const double reference = assembly.IsScaled() ? vtkGlyphArrays::ReferenceScale(points, settings, blocks) : 1.0;
+    const double reference =
+      assembly.IsScaled() ? vtkGlyphArrays::ReferenceScale(points, settings, blocks) : 1.0;
     const auto unit =
       static_cast<float>(std::abs(settings.ScaleFactor * placement.Scale) * reference);
     instances.arrow.unitLength = IsPositive(unit) ? unit : 1.0f;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace
@@ -19,12 +20,39 @@ bool IsPositive(double value)
   return value > 0.0 && std::isfinite(value);
 }
 
-vtkDataArray* Wanted(vtkPolyData* points, bool wanted, const std::string& name)
+using Settings = vtkGlyphSettings;
+
+// A row of the table of arrays.
+struct Description
 {
-  return wanted && !vtkRayTracedArrays::IsNone(name)
-    ? points->GetPointData()->GetArray(name.c_str())
-    : nullptr;
-}
+  std::string Settings::*Name;
+  bool (*IsWanted)(const Settings&);
+  std::vector<int> (*Lengths)(const Settings&); // of tuples that make sense; none: any
+  const char* Property;
+  const char* Without; // what happens without the array
+};
+
+// In the order of vtkGlyphArrays::Id.
+const std::array<Description, vtkGlyphArrays::NUMBER_OF_IDS> table = { {
+  { &Settings::ScaleArray, [](const Settings& settings) { return settings.Scaling; },
+    [](const Settings& settings) {
+      return settings.ScaleMode == Settings::COMPONENTS ? std::vector<int>{ 3 }
+                                                        : std::vector<int>{};
+    },
+    "GlyphScaleArray", "all glyphs get the same size" },
+  { &Settings::OrientationArray, [](const Settings& settings) { return settings.Orient; },
+    [](const Settings& settings)
+    { return std::vector<int>{ settings.OrientationMode == Settings::QUATERNION ? 4 : 3 }; },
+    "GlyphOrientationArray", "the glyphs are not turned" },
+  { &Settings::TableIndexArray, [](const Settings& settings) { return settings.HasTable(); },
+    [](const Settings&) { return std::vector<int>{}; }, "GlyphMeshIndexArray",
+    "all points have the table's first form" },
+  { &Settings::ExponentArray, [](const Settings& settings) { return settings.HasOwnExponents(); },
+    [](const Settings&) {
+      return std::vector<int>{ 1, 2, 3 };
+    },
+    "GlyphExponentArray", "GlyphExponents count" },
+} };
 
 // A number whose order is random but the same for a point at every time step, whatever the maximum.
 std::uint64_t SampleOrder(std::uint64_t point, std::uint64_t block, std::uint64_t seed)
@@ -39,42 +67,55 @@ using SampleRank = std::pair<std::uint64_t, vtkIdType>; // order and point
 }
 
 //----------------------------------------------------------------------------
-vtkDataArray* vtkGlyphArrays::Scale(vtkPolyData* points, const vtkGlyphSettings& settings)
+vtkDataArray* vtkGlyphArrays::Find(
+  Id id, vtkPolyData* points, const vtkGlyphSettings& settings, std::vector<std::string>* messages)
 {
-  return Wanted(points, settings.Scaling, settings.ScaleArray);
+  const Description& how = table[id];
+  const std::string& name = settings.*how.Name;
+  if (!how.IsWanted(settings) || vtkRayTracedArrays::IsNone(name))
+  {
+    return nullptr;
+  }
+  vtkDataArray* array = points->GetPointData()->GetArray(name.c_str());
+  const std::vector<int> lengths = how.Lengths(settings);
+  const bool fits = array &&
+    (lengths.empty() ||
+      std::find(lengths.begin(), lengths.end(), array->GetNumberOfComponents()) != lengths.end());
+  if (!array && messages)
+  {
+    messages->push_back("There is no point array '" + name + "', which " + how.Property +
+      " names; " + how.Without + ". Choose one that exists, or None.");
+  }
+  else if (!fits && messages)
+  {
+    std::ostringstream text;
+    text << "The point array '" << name << "', which " << how.Property << " names, has "
+         << array->GetNumberOfComponents() << " components where " << lengths.front()
+         << (lengths.size() > 1 ? " to " + std::to_string(lengths.back()) : "") << " are needed; "
+         << how.Without << ". Choose another array or mode.";
+    messages->push_back(text.str());
+  }
+  return fits ? array : nullptr;
 }
 
 //----------------------------------------------------------------------------
-vtkDataArray* vtkGlyphArrays::Orientation(vtkPolyData* points, const vtkGlyphSettings& settings)
-{
-  return Wanted(points, settings.Orient, settings.OrientationArray);
-}
-
-//----------------------------------------------------------------------------
-vtkDataArray* vtkGlyphArrays::Exponents(vtkPolyData* points, const vtkGlyphSettings& settings)
-{
-  return Wanted(points, settings.HasOwnExponents(), settings.ExponentArray);
-}
-
-//----------------------------------------------------------------------------
-vtkDataArray* vtkGlyphArrays::TableIndex(vtkPolyData* points, const vtkGlyphSettings& settings)
-{
-  return Wanted(points, settings.TableSize > 1, settings.TableIndexArray);
-}
-
-//----------------------------------------------------------------------------
-std::vector<vtkDataArray*> vtkGlyphArrays::All(vtkPolyData* points, const vtkGlyphSettings& settings)
+std::vector<vtkDataArray*>
+vtkGlyphArrays::All(vtkPolyData* points, const vtkGlyphSettings& settings)
 {
   const std::array<vtkDataArray*, 3> motion = vtkGlyphMotion::Arrays(points, settings.Motion);
-  return { points->GetPoints() ? points->GetPoints()->GetData() : nullptr,
-    points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex), Scale(points, settings),
-    Orientation(points, settings), Exponents(points, settings), TableIndex(points, settings),
+  std::vector<vtkDataArray*> all = { points->GetPoints() ? points->GetPoints()->GetData() : nullptr,
+    points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex),
     vtkGlyphTensors::Array(points, settings.Tensors), motion[0], motion[1], motion[2] };
+  for (int id = 0; id < NUMBER_OF_IDS; ++id)
+  {
+    all.push_back(Find(static_cast<Id>(id), points, settings));
+  }
+  return all;
 }
 
 //----------------------------------------------------------------------------
-std::vector<vtkIdType> vtkGlyphArrays::Candidates(
-  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
+std::vector<vtkIdType> vtkGlyphArrays::Candidates(vtkPolyData* points,
+  const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
 {
   auto* blockIds = vtkUnsignedIntArray::SafeDownCast(
     points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));
@@ -119,13 +160,13 @@ std::vector<vtkIdType> vtkGlyphArrays::Candidates(
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(
-  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
+vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(vtkPolyData* points,
+  const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
 {
   ScaleSum sum;
-  vtkDataArray* array = Scale(points, settings);
+  vtkDataArray* array = Find(SCALE, points, settings);
   const bool byComponents = settings.ScaleMode == vtkGlyphSettings::COMPONENTS;
-  if (!array || (byComponents && array->GetNumberOfComponents() != 3))
+  if (!array)
   {
     return sum;
   }
@@ -140,9 +181,9 @@ vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(
       for (vtkIdType k = begin; k < end; ++k)
       {
         const double* tuple = scales.Get(candidates[k]);
-        const double scale =
-          byComponents ? settings.Sizing(glm::dvec3(std::abs(tuple[0]), tuple[1], tuple[2])).x
-                       : settings.Sizing(vtkMath::Norm(tuple, scales.Size()));
+        const double scale = byComponents
+          ? settings.Sizing(glm::dvec3(std::abs(tuple[0]), tuple[1], tuple[2])).x
+          : settings.Sizing(vtkMath::Norm(tuple, scales.Size()));
         if (IsPositive(scale)) // else there is no glyph
         {
           own.Sum += scale;
@@ -159,13 +200,15 @@ vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(
 }
 
 //----------------------------------------------------------------------------
-double vtkGlyphArrays::ReferenceScale(
-  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
+double vtkGlyphArrays::ReferenceScale(vtkPolyData* points, const vtkGlyphSettings& settings,
+  const vtkGlyphBlockAttributes::Table& blocks)
 {
   if (!settings.NeedsMeanScale())
   {
     const bool scaled = settings.Scaling && !vtkRayTracedArrays::IsNone(settings.ScaleArray);
-    return scaled && IsPositive(settings.ArrowReference) ? settings.Sizing(settings.ArrowReference) : 1.0;
+    return scaled && IsPositive(settings.ArrowReference) ? settings.Sizing(settings.ArrowReference)
+                                                         : 1.0;
   }
-  return IsPositive(settings.MeanScale) ? settings.MeanScale : SumScales(points, settings, blocks).Mean();
+  return IsPositive(settings.MeanScale) ? settings.MeanScale
+                                        : SumScales(points, settings, blocks).Mean();
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -61,15 +62,25 @@ private:
 
 namespace vtkGlyphArrays
 {
-///@{
 /**
- * The point arrays that the settings name; null where none is wanted, or it is missing.
+ * Point arrays that settings name, besides those of tensors and motion, which have classes of their own. Each has one row in
+ * the table in vtkGlyphTuples.cxx.
  */
-vtkDataArray* Scale(vtkPolyData* points, const vtkGlyphSettings& settings);
-vtkDataArray* Orientation(vtkPolyData* points, const vtkGlyphSettings& settings);
-vtkDataArray* Exponents(vtkPolyData* points, const vtkGlyphSettings& settings);
-vtkDataArray* TableIndex(vtkPolyData* points, const vtkGlyphSettings& settings);
-///@}
+enum Id
+{
+  SCALE,
+  ORIENTATION,
+  TABLE_INDEX,
+  EXPONENTS,
+  NUMBER_OF_IDS
+};
+
+/**
+ * The array; null where none is wanted, it is missing, or its tuples have no length that makes sense. What is wrong is
+ * appended to `messages` where there are any.
+ */
+vtkDataArray* Find(Id id, vtkPolyData* points, const vtkGlyphSettings& settings,
+  std::vector<std::string>* messages = nullptr);
 
 /**
  * All arrays that instances of these settings are built from, positions and blocks among them, in a fixed order; null where
@@ -80,8 +91,8 @@ std::vector<vtkDataArray*> All(vtkPolyData* points, const vtkGlyphSettings& sett
 /**
  * The points of visible blocks, thinned out as the mask says, in their own order. Blocks as Resolve()d for `points`.
  */
-std::vector<vtkIdType> Candidates(
-  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
+std::vector<vtkIdType> Candidates(vtkPolyData* points, const vtkGlyphSettings& settings,
+  const vtkGlyphBlockAttributes::Table& blocks);
 
 /**
  * Of several sets of points sums and counts add up.
@@ -89,16 +100,19 @@ std::vector<vtkIdType> Candidates(
 struct ScaleSum
 {
   double Sum = 0.0, Count = 0.0;
-  double Mean() const { return this->Count > 0.0 && this->Sum > 0.0 ? this->Sum / this->Count : 1.0; }
+  double Mean() const
+  {
+    return this->Count > 0.0 && this->Sum > 0.0 ? this->Sum / this->Count : 1.0;
+  }
 };
-ScaleSum SumScales(
-  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
+ScaleSum SumScales(vtkPolyData* points, const vtkGlyphSettings& settings,
+  const vtkGlyphBlockAttributes::Table& blocks);
 
 /**
  * The scale of the arrow whose fixed head has the proportions of the unit arrow.
  */
-double ReferenceScale(
-  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
+double ReferenceScale(vtkPolyData* points, const vtkGlyphSettings& settings,
+  const vtkGlyphBlockAttributes::Table& blocks);
 }
 
 #endif
