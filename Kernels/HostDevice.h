@@ -122,6 +122,7 @@ struct RayRecord
   vec3 originLow; // the low part of its origin
   uint glyph;     // the nearest glyph so far, when it belongs to a set with a tree
   uint triangle;  // of that glyph, when it is a mesh that moves
+  uint seed;      // of the chance by which it passes translucent glyphs; 0: it passes none
   // When in the shutter's opening its path runs, in [0, 1). Written when something in the scene moves.
   float time;
 };

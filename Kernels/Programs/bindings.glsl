@@ -16,6 +16,7 @@ GlyphSetRecord SetRecord(uint index)
   return frame.sets.at[index];
 }
 
+layout(constant_id = 14) const bool translucency = false;   // some set has opacity below one, and rays pass it by chance
 layout(constant_id = 20) const bool leavesSurface = false;  // rays will start from hits
 
 // What the nearest hit tells the ray generation program. Whatever kind of surface it lies on, it fills all of this.

@@ -12,6 +12,12 @@ layout(constant_id = 5) const bool ownExponents = false;
 #else
 #include "../Shapes/Registry.glsl"
 #include "motion.glsl"
+
+bool IntersectGlyph(GlyphRay ray, Glyph glyph, float tMin, float tMax, out float t, out uint triangle)
+{
+  triangle = 0xffffffffu;
+  return IntersectGlyph(ray, glyph, tMin, tMax, t);
+}
 #endif
 
 // Where a set's glyphs are found: read once a program, not once a glyph.
@@ -79,6 +85,52 @@ Glyph FetchGlyph(GlyphSource source, uint primitive)
   return glyph;
 }
 
+// Translucent surfaces that rays pass by chance: Enderton et al., "Stochastic Transparency", IEEE TVCG 17(8), 2011.
+float OpacityOf(GlyphSetRecord set, uint glyph)
+{
+  return coloured ? set.opacity * unpackUnorm4x8(set.colours.at[glyph]).a : set.opacity;
+}
+
+#include "../Shading/Sobol.glsl"
+
+// Whether a ray passes a crossing of a glyph's surface, the first of which is number 0: by chance, so that in the mean the
+// share 1 - opacity passes. `seed`: of the ray; 0: it passes none. The same answer however often it is asked.
+bool PassesBy(uint seed, GlyphSetRecord set, uint glyph, uint crossing)
+{
+#if RTG_SHAPE == 7
+  // A mesh has opacities by position or triangle: whoever traces the ray asks anew.
+  return false;
+#endif
+  return translucency && seed != 0u && set.translucent != 0u &&
+    UnitInterval(Hash(Hash(seed, set.setId), Hash(set.firstGlyph + glyph, crossing))) >= OpacityOf(set, glyph);
+}
+
+// How far from t the exact crossing may lie at most: Shapes/README.md's bound, doubled.
+float ErrorOfT(GlyphRay ray, Glyph glyph, float t)
+{
+  return 2e-6 * (max(glyph.size.x, max(glyph.size.y, glyph.size.z)) / length(ray.direction) + t);
+}
+
+// More crossings of one glyph than this count as a wall.
+const uint maximumCrossings = 64u;
+
+// The first crossing in [tMin, tMax] that the ray does not pass.
+bool IntersectStopping(GlyphSetRecord set, GlyphRay ray, uint number, Glyph glyph, uint seed, float tMin, float tMax, out float t,
+  out uint triangle)
+{
+  bool met;
+  bool passes = false;
+  uint crossing = 0u;
+  do
+  {
+    met = IntersectGlyph(ray, glyph, tMin, tMax, t, triangle);
+    passes = met && crossing < maximumCrossings && PassesBy(seed, set, number, crossing);
+    tMin = t + ErrorOfT(ray, glyph, t);
+    ++crossing;
+  } while (passes);
+  return met;
+}
+
 #ifndef RTG_WHOLE
 GlyphSource CurrentSource()
 {
@@ -94,5 +146,10 @@ GlyphRay CurrentRay()
   ray.direction = gl_WorldRayDirectionEXT;
   ray.originLow = frame.rays.at[LaunchIndex()].originLow;
   return ray;
+}
+
+uint CurrentSeed()
+{
+  return translucency ? frame.rays.at[LaunchIndex()].seed : 0u;
 }
 #endif

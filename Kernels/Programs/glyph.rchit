@@ -10,5 +10,5 @@ void main()
 {
   uint record = gl_InstanceCustomIndexEXT;
   uint glyph = hasTree ? frame.rays.at[LaunchIndex()].glyph : gl_PrimitiveID;
-  hit = HitOnGlyph(record, SetRecord(record), CurrentSource(), CurrentRay(), glyph, gl_HitTEXT);
+  hit = HitOnGlyph(record, SetRecord(record), CurrentSource(), CurrentRay(), glyph, gl_HitTEXT, CurrentSeed());
 }

@@ -5,9 +5,6 @@
 #include "motion.glsl"
 #include "tree.glsl"
 
-// The triangle that IntersectGlyph met.
-uint metTriangle = 0u;
-
 // The glyph as if its centre were the middle of its mesh, which the positions on the device are relative to.
 Glyph AboutMiddle(Glyph glyph, GlyphSetRecord set)
 {
@@ -116,7 +113,7 @@ bool MeetsTriangle(ShearedRay ray, vec3 a, vec3 b, vec3 c, out float s, out vec3
 }
 
 // Nearest t in [tMin, tMax] where the ray meets a triangle, either side of it.
-bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out float t)
+bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out float t, out uint triangle)
 {
   GlyphSetRecord set = SetRecord(gl_InstanceCustomIndexEXT);
   MeshRay ray = ToMesh(worldRay, glyph, set);
@@ -134,6 +131,7 @@ bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out 
   float least = (tMin - ray.start.hi) - ray.start.lo;
   float nearest = (tMax - ray.start.hi) - ray.start.lo;
   bool found = false;
+  triangle = nothing;
   TreePosition position = RootOfTree();
   uint i = 0u, end = 0u;
   bool going = true;
@@ -156,7 +154,7 @@ bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out 
       {
         found = true;
         nearest = s;
-        metTriangle = i;
+        triangle = i;
         DropHidden(position, nearest);
         going = !any;
       }

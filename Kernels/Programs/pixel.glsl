@@ -3,7 +3,6 @@
 layout(constant_id = 11) const bool accumulates = false;      // samples are added to earlier ones, or will be
 layout(constant_id = 12) const bool gathersFeatures = false;  // normals and so on are summed
 layout(constant_id = 13) const bool develops = false;         // colours change on their way to the display
-layout(constant_id = 14) const bool translucency = false;     // the scene has sets with opacity below one
 layout(constant_id = 33) const bool moves = false;            // something in the scene does
 
 #include "../Shading/Sampling.glsl"

@@ -1,8 +1,9 @@
 // What an analytic glyph's surface is like where a ray meets it; after bindings.glsl and glyph.glsl.
 layout(constant_id = 8) const bool colouredByForm = false;
 
-// `glyph`: its number in the set.
-SurfaceHit HitOnGlyph(uint record, GlyphSetRecord set, GlyphSource source, GlyphRay ray, uint glyph, float t)
+// `glyph`: its number in the set. `seed`: of the ray, as PassesBy() has it.
+SurfaceHit HitOnGlyph(uint record, GlyphSetRecord set, GlyphSource source, GlyphRay ray, uint glyph, float t,
+  uint seed)
 {
   SurfaceHit hit;
   // The normal is computed anew: hit attributes are not safe on every driver (lavapipe overwrites them
@@ -15,11 +16,11 @@ SurfaceHit HitOnGlyph(uint record, GlyphSetRecord set, GlyphSource source, Glyph
   hit.error = leavesSurface ? 2e-6 * max(found.size.x, max(found.size.y, found.size.z)) : 0.0;
   hit.record = record;
   hit.glyph = set.firstGlyph + glyph;
-  hit.colour = vec4(set.colour, set.opacity);
-  if (coloured)
+  hit.colour = vec4(coloured ? unpackUnorm4x8(set.colours.at[glyph]).rgb : set.colour, OpacityOf(set, glyph));
+  if (translucency && seed != 0u)
   {
-    vec4 own = unpackUnorm4x8(set.colours.at[glyph]);
-    hit.colour = vec4(own.rgb, own.a * hit.colour.a);
+    // Chance has decided that it stops the ray.
+    hit.colour.a = 1.0;
   }
   if (colouredByForm)
   {

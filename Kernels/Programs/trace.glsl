@@ -35,6 +35,28 @@ float SceneEntry(vec3 origin, vec3 direction)
   return max(max(entry.x, entry.y), max(entry.z, 0.0));
 }
 
+#ifdef RTG_WHOLE
+bool IsSeen(GlyphSetRecord set, uint cullMask)
+{
+  return (cullMask & (set.translucent != 0u ? TRANSLUCENT_MASK : OPAQUE_MASK)) != 0u;
+}
+
+Query QueryOf(GlyphSetRecord set, SceneRay ray, float tMin, float tMax, bool any, uint seed)
+{
+  return Query(GlyphRay(ray.origin.hi, ray.origin.lo, ray.direction), ray.origin.hi - set.offset, tMin, tMax, any, seed);
+}
+#else
+// Tells the intersection programs what the driver does not.
+void BeginRay(SceneRay ray, uint seed)
+{
+  frame.rays.at[LaunchIndex()].originLow = ray.origin.lo;
+  if (translucency)
+  {
+    frame.rays.at[LaunchIndex()].seed = seed;
+  }
+}
+#endif
+
 SceneRay EnterScene(DoubleWord3 origin, vec3 direction)
 {
   float start = SceneEntry(origin.hi, direction);
@@ -43,44 +65,30 @@ SceneRay EnterScene(DoubleWord3 origin, vec3 direction)
   return SceneRay(start > 0.0 ? Add(origin, TwoProduct(direction, vec3(start))) : origin, direction, start);
 }
 
-#ifdef RTG_WHOLE
-SurfaceHit WalkScene(SceneRay ray, float tMin, float tMax, uint cullMask, bool any)
-{
-  GlyphSetRecord set = SetRecord(0u);
-  SurfaceHit hit = NoHit();
-  if ((cullMask & (set.translucent != 0u ? TRANSLUCENT_MASK : OPAQUE_MASK)) == 0u)
-  {
-    return hit;
-  }
-  GlyphSource source = SourceOf(set);
-  GlyphRay exact = GlyphRay(ray.origin.hi, ray.origin.lo, ray.direction);
-  float t;
-  uint triangle;
-  uint glyph =
-    NearestGlyph(set, source, exact, ray.origin.hi - set.offset, ray.direction, tMin, tMax, any, t, triangle);
-  if (glyph != nothing)
-  {
-    hit.t = t;
-    if (!any)
-    {
-      hit = HitOnGlyph(0u, set, source, exact, glyph, t);
-    }
-  }
-  return hit;
-}
-#endif
-
-// The nearest hit with tMin <= t <= tMax, or one with t < 0.
-SurfaceHit Intersect(SceneRay ray, float tMin, float tMax, uint cullMask)
+// The nearest hit with tMin <= t <= tMax, or one with t < 0. A `seed` other than 0 lets the ray pass translucent glyphs by chance,
+// the same ones whenever it is traced again.
+SurfaceHit Intersect(SceneRay ray, float tMin, float tMax, uint cullMask, uint seed)
 {
   if (!(tMin <= tMax))
   {
     return NoHit();
   }
 #ifdef RTG_WHOLE
-  return WalkScene(ray, tMin, tMax, cullMask, false);
+  SurfaceHit hit = NoHit();
+  GlyphSetRecord set = SetRecord(0u);
+  if (IsSeen(set, cullMask))
+  {
+    GlyphSource source = SourceOf(set);
+    Query query = QueryOf(set, ray, tMin, tMax, false, seed);
+    GlyphHit found = NearestGlyph(set, source, query);
+    if (found.glyph != nothing)
+    {
+      hit = HitOnGlyph(0u, set, source, query.ray, found.glyph, found.t, seed);
+    }
+  }
+  return hit;
 #else
-  frame.rays.at[LaunchIndex()].originLow = ray.origin.lo;
+  BeginRay(ray, seed);
   traceRayEXT(accelerationStructureEXT(frame.topLevel), gl_RayFlagsOpaqueEXT, cullMask, 0u, 0u, 0u, ray.origin.hi, tMin,
     ray.direction, tMax, 0);
   return payload;
@@ -92,9 +100,11 @@ SurfaceHit Intersect(SceneRay ray, float tMin, float tMax, uint cullMask)
 bool Occluded(SceneRay ray, float tMax, uint cullMask)
 {
 #ifdef RTG_WHOLE
-  return WalkScene(ray, 0.0, tMax, cullMask, true).t >= 0.0;
+  GlyphSetRecord set = SetRecord(0u);
+  return IsSeen(set, cullMask) &&
+    NearestGlyph(set, SourceOf(set), QueryOf(set, ray, 0.0, tMax, true, 0u)).glyph != nothing;
 #else
-  frame.rays.at[LaunchIndex()].originLow = ray.origin.lo;
+  BeginRay(ray, 0u);
   // The miss program makes it negative.
   payload.t = 0.0;
   traceRayEXT(accelerationStructureEXT(frame.topLevel),

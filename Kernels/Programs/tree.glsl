@@ -6,6 +6,8 @@
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TreeNodes { uint64_t word[]; };
 
+const uint nothing = 0xffffffffu;  // no glyph, no triangle
+
 layout(constant_id = 36) const bool dropsHidden = false;  // rays are soon stopped: what lies behind a hit is dropped at once
 
 // A path through the tree without a stack: the node is known by level and index, and for every level on the way to it

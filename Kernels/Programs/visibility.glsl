@@ -1,26 +1,26 @@
 // Light between two places, and rays that translucent surfaces may let through: a surface of opacity a stops
 // a ray with probability a, so that the mean over samples is the light that passes.
 
-// More surfaces than this on one ray count as a wall.
-const uint maximumCrossings = 256u;
+// More triangles than this on one ray count as a wall.
+const uint maximumPasses = 256u;
 
 // Nearest surface that stops the ray; `event` numbers the ray within its sample.
 SurfaceHit IntersectStopping(SceneRay ray, float tMin, float tMax, uint cullMask, SampleNumber number, uint event)
 {
-  SurfaceHit hit = Intersect(ray, tMin, tMax, cullMask);
-  if (!translucency)
+  uint seed = translucency ? SeedOf(number, event) : 0u;
+  SurfaceHit hit = Intersect(ray, tMin, tMax, cullMask, seed);
+#ifndef RTG_WHOLE
+  // Among glyphs the traversal has decided; a triangle's opacity is known only now.
+  for (uint pass = 0u; translucency && pass < maximumPasses && hit.t >= 0.0 && hit.colour.a < 1.0; ++pass)
   {
-    return hit;
-  }
-  for (uint crossing = 0u; crossing < maximumCrossings; ++crossing)
-  {
-    if (hit.t < 0.0 || hit.colour.a >= 1.0 ||
-      SampleIndependent(number, event * maximumCrossings + crossing) < hit.colour.a)
+    seed = Hash(seed) | 1u;
+    if (UnitInterval(Hash(seed)) < hit.colour.a)
     {
       break;
     }
-    hit = Intersect(ray, hit.t + ErrorOfT(ray, hit), tMax, cullMask);
+    hit = Intersect(ray, hit.t + ErrorOfT(ray, hit), tMax, cullMask, seed);
   }
+#endif
   return hit;
 }
 

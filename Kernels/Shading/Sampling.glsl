@@ -94,10 +94,10 @@ vec2 SamplePair(SampleNumber number, uint pair)
   return vec2(UnitInterval(bits.x), UnitInterval(bits.y));
 }
 
-// An independent number in [0,1) for what has no bounded dimension.
-float SampleIndependent(SampleNumber number, uint event)
+// A seed of independent numbers, for what has no bounded dimension; never 0.
+uint SeedOf(SampleNumber number, uint event)
 {
-  return UnitInterval(Hash(Hash(number.pixel.x, number.pixel.y), Hash(number.index, event)));
+  return Hash(Hash(number.pixel.x, number.pixel.y), Hash(number.index, event)) | 1u;
 }
 
 // Where in the pixel the sample's camera ray goes through; sample 0 is the middle.

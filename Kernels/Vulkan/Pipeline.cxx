@@ -22,6 +22,7 @@ struct Specialisation
   vk::Bool32 smoothNormals;
   std::uint32_t meshColours;
   vk::Bool32 colouredByForm;
+  vk::Bool32 translucency;
   vk::Bool32 alone;
   vk::Bool32 leavesSurface;
   vk::Bool32 hasVelocities;
@@ -43,6 +44,7 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 6, offsetof(Specialisation, smoothNormals), sizeof(vk::Bool32) },
   { 7, offsetof(Specialisation, meshColours), sizeof(std::uint32_t) },
   { 8, offsetof(Specialisation, colouredByForm), sizeof(vk::Bool32) },
+  { 14, offsetof(Specialisation, translucency), sizeof(vk::Bool32) },
   { 15, offsetof(Specialisation, alone), sizeof(vk::Bool32) },
   { 20, offsetof(Specialisation, leavesSurface), sizeof(vk::Bool32) },
   { 30, offsetof(Specialisation, hasVelocities), sizeof(vk::Bool32) },
@@ -105,8 +107,8 @@ Specialisation ConstantsOf(const HitGroup& group, const Generation& generation)
   const vk::Bool32 leavesSurface =
     generation.program == Program::Occlusion || generation.program == Program::Path || generation.layered;
   return { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads, group.hasTree, group.ownExponents,
-    group.smoothNormals, group.meshColours, group.colouredByForm, generation.alone, leavesSurface, group.hasVelocities,
-    group.hasAccelerations, group.spins, group.ownTreeOrder, group.dropsHidden, group.meshVelocities,
+    group.smoothNormals, group.meshColours, group.colouredByForm, generation.translucency, generation.alone,
+    leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins, group.ownTreeOrder, group.dropsHidden, group.meshVelocities,
     group.meshAccelerations };
 }
 
@@ -148,8 +150,7 @@ std::size_t AlignUp(std::size_t value, std::size_t alignment)
 
 bool CanBeWhole(const Generation& generation, const std::vector<HitGroup>& groups)
 {
-  return generation.alone && groups.size() == 1 && groups.front().hasTree && !generation.translucency &&
-    generation.program != Program::Probe &&
+  return generation.alone && groups.size() == 1 && groups.front().hasTree && generation.program != Program::Probe &&
     programs::shapes[static_cast<std::uint32_t>(groups.front().shape)].whole[0].words;
 }
 

@@ -164,6 +164,69 @@ TEST_P(TranslucencyTest, EveryLayerOfACrowdCountsOnce)
   EXPECT_NEAR(mean, expected, certain * std::sqrt(expected * (1.0 - expected) / (60.0 * 60.0 * 16.0)));
 }
 
+// Many more layers show than one traversal gathers, each glyph has an opacity of its own, and what is opaque ends them.
+TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
+{
+  constexpr float radius = 0.02f;
+  std::vector<glm::vec3> centres = Clutter(6, 20000);
+  this->AddBalls(centres, 2.0f * radius);
+  rtg::GlyphColours colours(centres.size());
+  for (std::size_t i = 0; i < colours.size(); ++i)
+  {
+    colours[i] = 0xffffffu | std::uint32_t(i % 60) << 24;
+  }
+  this->scene.SetMaterial(0, White());
+  this->settings.width = this->settings.height = 60;
+  this->settings.keepSums = true;
+  this->camera = rtg::Camera::FromWorldToClip(glm::ortho(-0.7, 0.7, -0.7, 0.7, 1.0, 100.0) *
+    glm::lookAt(glm::dvec3(0, 0, 50), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+
+  const float wallZ = -0.3f;
+  for (const bool wall : { false, true })
+  {
+    if (wall)
+    {
+      this->Add(Shape::Box, { { 0, 0, wallZ - 1.0f } }, { glm::vec3(2, 2, 2) }, White());
+    }
+    this->scene.SetColours(0, colours);
+    this->settings.shading = Shading::Local;
+    this->Trace(rtg::Pass::Translucent);
+    const std::vector<glm::vec4> means = this->tracer.Means();
+    std::size_t judged = 0, wrong = 0, deep = 0;
+    for (std::size_t at = 0; at < means.size(); ++at)
+    {
+      const glm::dvec2 place = 0.7 * this->PixelCentre(at);
+      double passing = 1.0;
+      std::vector<double> layers;
+      bool unclear = false;
+      for (std::size_t i = 0; i < centres.size(); ++i)
+      {
+        const double off = glm::length(place - glm::dvec2(centres[i])) / radius;
+        unclear |= std::abs(off - 1.0) < 1e-4;
+        const double half = off < 1.0 ? radius * std::sqrt(1.0 - off * off) : -1.0;
+        for (const double z : { centres[i].z + half, centres[i].z - half })
+        {
+          if (half >= 0.0 && (!wall || z > wallZ))
+          {
+            passing *= 1.0 - (colours[i] >> 24) / 255.0;
+            layers.push_back(z);
+          }
+        }
+      }
+      // Where rays are traced layer by layer, those nearer to each other than their places are known may count as one.
+      std::sort(layers.begin(), layers.end());
+      unclear |= (wall || GetParam() == rtg::Structure::Boxes) && std::adjacent_find(layers.begin(), layers.end(),
+        [](double a, double b) { return b - a < 1e-5; }) != layers.end();
+      judged += !unclear;
+      deep += layers.size() > 24;
+      wrong += !unclear && std::abs(means[at].a - (1.0 - passing)) > 1.0 / 512.0;
+    }
+    EXPECT_GT(judged, 3000u);
+    EXPECT_GT(deep, wall ? 50u : 500u);
+    EXPECT_EQ(wrong, 0u) << "of " << judged << " pixels" << (wall ? " before a wall" : "");
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Structures, TranslucencyTest,
   ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
   [](const auto& info) { return ::testing::PrintToString(info.param); });
