@@ -149,7 +149,7 @@ DoubleBox MovingBox(const Subject& subject, std::size_t i, double first, double 
                                  : StillBox(subject, DoubleGlyph(subject.instances, i));
   if (motion.Spins())
   {
-    // Sine and cosine in float are right to 2^-20 of the glyph's reach; some drivers' are worse (2^-11 is allowed).
+    // What the device computes of a turn is right to 2^-20 of the glyph's reach (Programs/motion.glsl).
     const double slack = std::ldexp(glm::length(box.upper - box.lower), -18);
     box.lower -= slack;
     box.upper += slack;

@@ -179,9 +179,11 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PixelFeature
 {
   PixelFeatures at[];
 };
+// What one program of a ray writes another one reads, which may run as another invocation (Vulkan specification, "Ray Tracing
+// Repack"). The qualifier must stand at the member: glslang 12 ignores it at the block.
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer RayRecords
 {
-  RayRecord at[];
+  shadercallcoherent RayRecord at[];
 };
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer GlyphSetRecords
 {

@@ -1,6 +1,13 @@
 // What every program sees: the frame and one payload.
 #extension GL_EXT_ray_tracing : require
-#extension GL_EXT_control_flow_attributes : enable
+#extension GL_EXT_spirv_intrinsics : require
+#extension GL_KHR_memory_scope_semantics : require
+#pragma use_vulkan_memory_model
+// Double words rest on sums and products rounded to nearest even, bracketing solvers on comparisons with NaN and on 1/0. What
+// Device.cxx requires of a device is declared here, or its compiler need not keep to it: RoundingModeRTE and
+// SignedZeroInfNanPreserve (SPIR-V specification, "Execution Mode") for 32 bits. Denormals are as the device has them.
+spirv_execution_mode(capabilities = [4467], 4462, 32);
+spirv_execution_mode(capabilities = [4466], 4461, 32);
 #include "../HostDevice.h"
 
 layout(set = 0, binding = 0, scalar) uniform Frame { FrameRecord frame; };

@@ -83,7 +83,8 @@ RTG_SHADING_FN vec3 VisibleFacet(vec3 from, float width, vec2 u)
   vec3 stretched = normalize(vec3(width * from.x, width * from.y, from.z));
   float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
   float radius = sqrt(max(1.0f - z * z, 0.0f));
-  float angle = 2.0f * scatterPi * u.x;
+  // Between -pi and pi, where sine and cosine are specified.
+  float angle = 2.0f * scatterPi * (u.x < 0.5f ? u.x : u.x - 1.0f);
   vec3 halfway = vec3(radius * cos(angle), radius * sin(angle), z) + stretched;
   return normalize(vec3(width * halfway.x, width * halfway.y, max(halfway.z, 1e-7f)));
 }

@@ -59,6 +59,22 @@ std::string Lacks(const vk::raii::PhysicalDevice& physical)
   {
     return "the features bufferDeviceAddress and scalarBlockLayout";
   }
+  if (!vulkan12.vulkanMemoryModel)
+  {
+    return "the feature vulkanMemoryModel";
+  }
+  // Programs/bindings.glsl declares them.
+  const auto properties =
+    physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan12Properties>();
+  const auto& controls = properties.get<vk::PhysicalDeviceVulkan12Properties>();
+  if (!controls.shaderRoundingModeRTEFloat32)
+  {
+    return "exact rounding (shaderRoundingModeRTEFloat32)";
+  }
+  if (!controls.shaderSignedZeroInfNanPreserveFloat32)
+  {
+    return "infinity and NaN (shaderSignedZeroInfNanPreserveFloat32)";
+  }
   return {};
 }
 
@@ -185,6 +201,7 @@ MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, 
   auto& vulkan12 = enabled.get<vk::PhysicalDeviceVulkan12Features>();
   vulkan12.bufferDeviceAddress = true;
   vulkan12.scalarBlockLayout = true;
+  vulkan12.vulkanMemoryModel = true;
   enabled.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure = true;
   enabled.get<vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>().rayTracingPipeline = true;
 

@@ -5,6 +5,8 @@
 //   FUNCTION N always         that call and all further ones fail, while the file is there
 // FUNCTION is vkQueueSubmit, which loses the device, or vkAllocateMemory, vkBindBufferMemory, vkMapMemory, vkCreateBuffer or
 // vkCreateAccelerationStructureKHR, which answer VK_ERROR_OUT_OF_DEVICE_MEMORY.
+//
+// And one that makes devices lack what RTGLYPHS_LACKS names: see Properties2() and Features2().
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -23,6 +25,8 @@ namespace
 
 std::mutex mutex;
 PFN_vkGetInstanceProcAddr nextInstanceProcAddr = nullptr;
+PFN_vkGetPhysicalDeviceProperties2 nextProperties2 = nullptr;
+PFN_vkGetPhysicalDeviceFeatures2 nextFeatures2 = nullptr;
 
 struct Next
 {
@@ -112,7 +116,47 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateInstance(
   link->u.pLayerInfo = link->u.pLayerInfo->pNext;
   auto create =
     reinterpret_cast<PFN_vkCreateInstance>(nextInstanceProcAddr(nullptr, "vkCreateInstance"));
-  return create(info, allocator, instance);
+  const VkResult result = create(info, allocator, instance);
+  if (result == VK_SUCCESS)
+  {
+    nextProperties2 = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties2>(
+      nextInstanceProcAddr(*instance, "vkGetPhysicalDeviceProperties2"));
+    nextFeatures2 = reinterpret_cast<PFN_vkGetPhysicalDeviceFeatures2>(
+      nextInstanceProcAddr(*instance, "vkGetPhysicalDeviceFeatures2"));
+  }
+  return result;
+}
+
+bool Lacks(const char* name)
+{
+  const char* lacks = std::getenv("RTGLYPHS_LACKS");
+  return lacks && std::strcmp(lacks, name) == 0;
+}
+
+VKAPI_ATTR void VKAPI_CALL Properties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties)
+{
+  nextProperties2(physical, properties);
+  for (auto* next = static_cast<VkBaseOutStructure*>(properties->pNext); next; next = next->pNext)
+  {
+    if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES)
+    {
+      auto& vulkan12 = *reinterpret_cast<VkPhysicalDeviceVulkan12Properties*>(next);
+      vulkan12.shaderRoundingModeRTEFloat32 &= !Lacks("shaderRoundingModeRTEFloat32");
+      vulkan12.shaderSignedZeroInfNanPreserveFloat32 &= !Lacks("shaderSignedZeroInfNanPreserveFloat32");
+    }
+  }
+}
+
+VKAPI_ATTR void VKAPI_CALL Features2(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2* features)
+{
+  nextFeatures2(physical, features);
+  for (auto* next = static_cast<VkBaseOutStructure*>(features->pNext); next; next = next->pNext)
+  {
+    if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES)
+    {
+      reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next)->vulkanMemoryModel &= !Lacks("vulkanMemoryModel");
+    }
+  }
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice physical,
@@ -227,6 +271,8 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetInstanceProcAddr(VkInstance instance
     { "vkGetInstanceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(GetInstanceProcAddr) },
     { "vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(GetDeviceProcAddr) },
     { "vkCreateInstance", reinterpret_cast<PFN_vkVoidFunction>(CreateInstance) },
+    { "vkGetPhysicalDeviceProperties2", reinterpret_cast<PFN_vkVoidFunction>(Properties2) },
+    { "vkGetPhysicalDeviceFeatures2", reinterpret_cast<PFN_vkVoidFunction>(Features2) },
     { "vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(CreateDevice) }
   };
   const auto found = own.find(name);
