@@ -1,6 +1,7 @@
 #include "SceneState.h"
 
 #include "GlyphBoxes.h"
+#include "Vulkan/Batch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -279,49 +280,74 @@ void Scene::State::DropTopLevel()
 void Scene::Commit()
 {
   State& state = *this->state_;
-  state.device->GetState().Guard("sending glyphs",
+  Device::State& vulkan = state.device->GetState();
+  vulkan.Guard("sending glyphs",
     [&]
     {
-      for (auto& [id, set] : state.sets)
+      Batch batch(vulkan);
+      // What is in the batch is not on the device before that has run.
+      std::vector<GlyphSet*> sent;
+      try
       {
-        if (!set.Shown())
-        {
-          state.Withdraw(set);
-          set.boxes = {};
-        }
+        state.SendChanges(sent);
+        batch.Run();
       }
-      const float reach = state.Measure();
-      for (auto& [id, set] : state.sets)
+      catch (...)
       {
-        if (!set.Shown())
-        {
-          continue;
-        }
-        if (set.instancesChanged || !set.placed.Any() || 2.0f * reach > set.placed.builtReach)
-        {
-          state.Place(set, reach);
-        }
-        else if (set.coloursChanged)
-        {
-          state.SendColours(set, set.placed);
-          state.recordsChanged = true;
-        }
-        set.coloursChanged = false;
-        // The top level says which hit group and which pass a set belongs to.
-        state.topLevelChanged |= !(set.placed.group == set.listedGroup && set.Translucent() == set.listedTranslucent);
+        std::for_each(sent.begin(), sent.end(), [&](GlyphSet* set) { state.Withdraw(*set); });
+        state.DropTopLevel();
+        throw;
       }
-      if (state.topLevelChanged)
+      for (GlyphSet* set : sent)
       {
-        state.BuildTopLevel();
-        state.recordsChanged = true;
-      }
-      if (state.recordsChanged)
-      {
-        state.FillRecords();
-        ++state.version;
+        set->instancesChanged = set->coloursChanged = false;
       }
       state.topLevelChanged = state.recordsChanged = false;
     });
+}
+
+// Into the device's batch; `sent`: sets of which something is in it.
+void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
+{
+  for (auto& [id, set] : this->sets)
+  {
+    if (!set.Shown())
+    {
+      this->Withdraw(set);
+      set.boxes = {};
+    }
+  }
+  const float reach = this->Measure();
+  for (auto& [id, set] : this->sets)
+  {
+    if (!set.Shown())
+    {
+      continue;
+    }
+    if (set.instancesChanged || !set.placed.Any() || 2.0f * reach > set.placed.builtReach)
+    {
+      sent.push_back(&set);
+      this->Place(set, reach);
+    }
+    else if (set.coloursChanged)
+    {
+      sent.push_back(&set);
+      this->SendColours(set, set.placed);
+      this->recordsChanged = true;
+    }
+    // The top level says which hit group and which pass a set belongs to.
+    this->topLevelChanged |= !(set.placed.group == set.listedGroup && set.Translucent() == set.listedTranslucent);
+  }
+  if (this->topLevelChanged)
+  {
+    this->BuildTopLevel();
+    this->recordsChanged = true;
+  }
+  if (this->recordsChanged)
+  {
+    this->FillRecords();
+    ++this->version;
+  }
 }
 
 } // namespace rtg

@@ -81,7 +81,6 @@ void Scene::State::Place(GlyphSet& set, float reach)
   }
   this->SendColours(set, placed);
   set.placed = std::move(placed);
-  set.instancesChanged = false;
   this->topLevelChanged = true;
 }
 

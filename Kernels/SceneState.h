@@ -150,6 +150,7 @@ struct Scene::State
   bool recordsChanged = true;
   std::uint64_t version = 0; ///< grows with every change that changes the image
 
+  void SendChanges(std::vector<GlyphSet*>& sent);
   /// Throws rtg::Error when there is none of that number.
   GlyphSet& Find(SetId id);
   /// The largest coordinate of what is visible, relative to the scene's origin. Ray origins are at most a scene away from a set, so

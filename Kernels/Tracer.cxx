@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 
 namespace rtg
@@ -23,6 +22,7 @@ namespace
 
 using Usage = vk::BufferUsageFlagBits;
 
+constexpr std::size_t imagesPerPixel = 4; ///< words: color, depth, id of the set, id of the glyph
 constexpr std::uint32_t tileSize = 8;
 constexpr std::uint32_t lanesPerTile = tileSize * tileSize;
 constexpr std::uint32_t tilesPerRow = 1024;              ///< of a launch
@@ -36,12 +36,12 @@ std::uint32_t DivideUp(std::uint32_t value, std::uint32_t by)
 }
 
 // Makes `buffer` at least `size` bytes; keeps a larger one unless it is far too large.
-void Fit(Buffer& buffer, Device::State& device, std::size_t size)
+void Fit(Buffer& buffer, Device::State& device, std::size_t size, Buffer::Place place = Buffer::Place::Device)
 {
   if (buffer.Size() < size || buffer.Size() > 4 * size)
   {
     buffer = Buffer();
-    buffer = Buffer(device, size, Usage::eStorageBuffer, Buffer::Place::Host);
+    buffer = Buffer(device, size, Usage::eStorageBuffer, place);
   }
 }
 
@@ -79,6 +79,7 @@ struct Tracer::State
   void Prepare(const TraceSettings& settings, bool keepSums);
   void CheckContinues(const TraceSettings& settings, const Scene::State& scene) const;
   void Clear(std::size_t pixels);
+  void Show(Image& image);
   void FillFeatures(Image& image) const;
   device::FrameRecord MakeFrame(const Scene::State& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass);
@@ -91,7 +92,9 @@ struct Tracer::State
 
   std::shared_ptr<TracerResources> shared;
   std::shared_ptr<Device> device;
-  Buffer frameBuffer, lightBuffer, colour, depth, setIds, glyphIds, rays;
+  Buffer frameBuffer, lightBuffer, rays;
+  Buffer images;                 ///< colors, depths, ids of sets, ids of glyphs, one word a pixel each
+  Buffer shown;                  ///< a copy of them for the host, none on a device that shares its memory
   Buffer sums, features;         ///< none unless asked for
   Job job;                       ///< the last one; goes on where image.complete is false
   TraceSettings last;            ///< of the last image
@@ -128,17 +131,27 @@ void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene, 
   frame.onlySet = scene.records.front();
   if (this->frameBuffer.Size() == 0)
   {
-    this->frameBuffer = Buffer(vulkan, sizeof(frame), Usage::eUniformBuffer, Buffer::Place::Host);
+    this->frameBuffer = Buffer(vulkan, sizeof(frame), Usage::eUniformBuffer, Buffer::Place::Device);
   }
-  this->frameBuffer.Upload(&frame, sizeof(frame));
+  using Stage = vk::PipelineStageFlagBits;
+  using Access = vk::AccessFlagBits;
   vulkan.Submit(
     [&](vk::raii::CommandBuffer& command)
     {
+      if (this->frameBuffer.Mapped())
+      {
+        this->frameBuffer.Upload(&frame, sizeof(frame));
+      }
+      else
+      {
+        command.updateBuffer<device::FrameRecord>(this->frameBuffer.Handle(), 0, frame);
+        Barrier(command, Stage::eTransfer, Access::eTransferWrite, Stage::eRayTracingShaderKHR, Access::eUniformRead);
+      }
       pipeline.Trace(command, this->frameBuffer, width, height);
-      // Results are read by the host.
-      const vk::MemoryBarrier barrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
-      command.pipelineBarrier(vk::PipelineStageFlagBits::eRayTracingShaderKHR, vk::PipelineStageFlagBits::eHost, {},
-        barrier, {}, {});
+      // The host or a copy reads the results, the next launch adds to them.
+      Barrier(command, Stage::eRayTracingShaderKHR, Access::eShaderWrite,
+        Stage::eRayTracingShaderKHR | Stage::eTransfer | Stage::eHost,
+        Access::eShaderRead | Access::eShaderWrite | Access::eTransferRead | Access::eTransferWrite | Access::eHostRead);
     });
 }
 
@@ -147,9 +160,10 @@ void Tracer::State::Prepare(const TraceSettings& settings, bool keepSums)
 {
   Device::State& vulkan = this->device->GetState();
   const std::size_t pixels = std::size_t(settings.width) * settings.height;
-  for (Buffer* buffer : { &this->colour, &this->depth, &this->setIds, &this->glyphIds })
+  Fit(this->images, vulkan, imagesPerPixel * pixels * sizeof(std::uint32_t));
+  if (!this->images.Mapped())
   {
-    Fit(*buffer, vulkan, pixels * sizeof(std::uint32_t));
+    Fit(this->shown, vulkan, imagesPerPixel * pixels * sizeof(std::uint32_t), Buffer::Place::Host);
   }
   if (keepSums)
   {
@@ -166,7 +180,7 @@ void Tracer::State::Prepare(const TraceSettings& settings, bool keepSums)
   else if (settings.firstSample == 0)
   {
     Fit(this->features, vulkan, pixels * sizeof(device::PixelFeatures));
-    std::memset(this->features.Mapped(), 0, pixels * sizeof(device::PixelFeatures));
+    this->features.Fill(0, pixels * sizeof(device::PixelFeatures), 0);
   }
 }
 
@@ -193,35 +207,51 @@ void Tracer::State::CheckContinues(const TraceSettings& settings, const Scene::S
 // An image of nothing.
 void Tracer::State::Clear(std::size_t pixels)
 {
-  const auto fill = [pixels](Buffer& buffer, auto value)
-  { std::fill_n(static_cast<decltype(value)*>(buffer.Mapped()), pixels, value); };
-  fill(this->colour, 0u);
-  fill(this->depth, 1.0f);
-  fill(this->setIds, Image::noGlyph);
-  fill(this->glyphIds, Image::noGlyph);
-  if (this->sums.Size())
+  const std::uint32_t empty[imagesPerPixel] = { 0u, glm::floatBitsToUint(1.0f), Image::noGlyph, Image::noGlyph };
+  const std::size_t bytes = pixels * sizeof(std::uint32_t);
+  for (std::size_t i = 0; i < imagesPerPixel; ++i)
   {
-    fill(this->sums, device::PixelSums{ glm::vec4(0.0f), 1e38f });
+    this->images.Fill(i * bytes, bytes, empty[i]);
   }
+}
+
+// The image's pixels, where the host can read them.
+void Tracer::State::Show(Image& image)
+{
+  const std::size_t pixels = std::size_t(image.width) * image.height;
+  if (!this->images.Mapped())
+  {
+    this->images.CopyTo(this->shown, imagesPerPixel * pixels * sizeof(std::uint32_t));
+  }
+  const void* place = this->images.Mapped() ? this->images.Mapped() : this->shown.Mapped();
+  const auto* words = static_cast<const std::uint32_t*>(place);
+  image.colour = image.traced = words;
+  image.depth = reinterpret_cast<const float*>(words + pixels);
+  image.setIds = words + 2 * pixels;
+  image.glyphIds = words + 3 * pixels;
 }
 
 void Tracer::State::FillFeatures(Image& image) const
 {
-  const auto* sums = static_cast<const device::PixelFeatures*>(this->features.Mapped());
   const std::size_t pixels = std::size_t(image.width) * image.height;
   image.normals.assign(pixels, glm::vec3(0.0f));
   image.albedos.assign(pixels, glm::vec3(0.0f));
   image.viewDepths.assign(pixels, 0.0f);
-  for (std::size_t i = 0; i < pixels; ++i)
-  {
-    if (sums[i].hits > 0.0f)
+  this->features.Read(pixels * sizeof(device::PixelFeatures),
+    [&](const void* read)
     {
-      const float length = glm::length(sums[i].normal);
-      image.normals[i] = length > 0.0f ? sums[i].normal / length : glm::vec3(0.0f);
-      image.albedos[i] = sums[i].albedo / sums[i].hits;
-      image.viewDepths[i] = sums[i].depth / sums[i].hits;
-    }
-  }
+      const auto* sums = static_cast<const device::PixelFeatures*>(read);
+      for (std::size_t i = 0; i < pixels; ++i)
+      {
+        if (sums[i].hits > 0.0f)
+        {
+          const float length = glm::length(sums[i].normal);
+          image.normals[i] = length > 0.0f ? sums[i].normal / length : glm::vec3(0.0f);
+          image.albedos[i] = sums[i].albedo / sums[i].hits;
+          image.viewDepths[i] = sums[i].depth / sums[i].hits;
+        }
+      }
+    });
 }
 
 // But for samples and times.
@@ -240,10 +270,11 @@ device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Ca
   frame.sets = scene.recordBuffer.Address();
   frame.sceneLower = scene.bounds.lower;
   frame.sceneUpper = scene.bounds.upper;
-  frame.colour = this->colour.Address();
-  frame.depth = this->depth.Address();
-  frame.setIds = this->setIds.Address();
-  frame.glyphIds = this->glyphIds.Address();
+  const std::size_t imageBytes = std::size_t(settings.width) * settings.height * sizeof(std::uint32_t);
+  frame.colour = this->images.Address();
+  frame.depth = frame.colour + imageBytes;
+  frame.setIds = frame.depth + imageBytes;
+  frame.glyphIds = frame.setIds + imageBytes;
   frame.sums = this->sums.Address();
   frame.features = this->features.Address();
   frame.blueNoise = settings.sampler == Sampler::BlueNoise ? this->shared->BlueNoise() : 0;
@@ -270,11 +301,6 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.atOnce = SamplesAtOnce(settings, pixels);
   const bool keeps = settings.keepSums || settings.firstSample > 0 || begun.atOnce < settings.samples;
   this->Prepare(settings, keeps);
-  begun.image.colour = static_cast<const std::uint32_t*>(this->colour.Mapped());
-  begun.image.traced = begun.image.colour;
-  begun.image.depth = static_cast<const float*>(this->depth.Mapped());
-  begun.image.setIds = static_cast<const std::uint32_t*>(this->setIds.Mapped());
-  begun.image.glyphIds = static_cast<const std::uint32_t*>(this->glyphIds.Mapped());
   const bool empty = scene.records.empty();
   if (empty || (interruptible && settings.firstSample == 0 && !settings.overPreview))
   {
@@ -282,6 +308,12 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   }
   if (empty)
   {
+    if (this->sums.Size())
+    {
+      const device::PixelSums none{ glm::vec4(0.0f), 1e38f };
+      this->sums.Write(pixels * sizeof(none),
+        [&](void* target) { std::fill_n(static_cast<device::PixelSums*>(target), pixels, none); });
+    }
     begun.done = settings.samples;
     return;
   }
@@ -387,6 +419,7 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
   work.image.samples = settings.firstSample + work.done;
   const float part = work.image.complete ? 0.0f : float(work.frame.samples) * work.frame.firstTile / work.frame.tileCount;
   work.image.share = (work.done + part) / settings.samples;
+  this->Show(work.image);
   this->keptSamples = settings.keepSums && work.image.complete ? work.image.samples : 0;
   this->last = settings;
   if (settings.features && settings.pixelStep == 1 && work.image.complete)
@@ -442,13 +475,21 @@ std::vector<glm::vec4> Tracer::Means() const
   {
     throw Error("Ray Traced Glyphs: means are asked of an image that was traced without keepSums.");
   }
-  const auto* sums = static_cast<const device::PixelSums*>(state.sums.Mapped());
-  std::vector<glm::vec4> means(pixels);
-  for (std::size_t i = 0; i < pixels; ++i)
-  {
-    means[i] = sums[i].colour / static_cast<float>(state.keptSamples);
-  }
-  return means;
+  return state.device->GetState().Guard("reading an image",
+    [&]
+    {
+      std::vector<glm::vec4> means(pixels);
+      state.sums.Read(pixels * sizeof(device::PixelSums),
+        [&](const void* read)
+        {
+          const auto* sums = static_cast<const device::PixelSums*>(read);
+          for (std::size_t i = 0; i < pixels; ++i)
+          {
+            means[i] = sums[i].colour / static_cast<float>(state.keptSamples);
+          }
+        });
+      return means;
+    });
 }
 
 DenoiseTask Tracer::Denoise(const Image& image) const
@@ -518,10 +559,10 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
         records[i].time = probes[i].time;
       }
       Buffer input(
-        vulkan, records.size() * sizeof(records[0]), Usage::eStorageBuffer, Buffer::Place::Host);
+        vulkan, records.size() * sizeof(records[0]), Usage::eStorageBuffer, Buffer::Place::Device);
       input.Upload(records.data(), input.Size());
       Buffer output(vulkan, probes.size() * sizeof(device::ProbeResult), Usage::eStorageBuffer,
-        Buffer::Place::Host);
+        Buffer::Place::Device);
 
       device::FrameRecord frame{};
       frame.sets = glyphs.recordBuffer.Address();
@@ -540,15 +581,19 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       state.Launch(*state.shared->ProgramFor(probing, glyphs.groups).pipeline, glyphs, frame, rowLength,
         DivideUp(frame.probeCount, rowLength));
 
-      const auto* results = static_cast<const device::ProbeResult*>(output.Mapped());
-      for (std::size_t i = 0; i < probes.size(); ++i)
-      {
-        if (results[i].t >= 0.0f)
+      output.Read(output.Size(),
+        [&](const void* read)
         {
-          hits[i] = { results[i].t, results[i].normal, results[i].setId,
-            scene.OriginalGlyph(results[i].setId, results[i].glyph) };
-        }
-      }
+          const auto* results = static_cast<const device::ProbeResult*>(read);
+          for (std::size_t i = 0; i < probes.size(); ++i)
+          {
+            if (results[i].t >= 0.0f)
+            {
+              hits[i] = { results[i].t, results[i].normal, results[i].setId,
+                scene.OriginalGlyph(results[i].setId, results[i].glyph) };
+            }
+          }
+        });
     });
   return hits;
 }

@@ -1,5 +1,9 @@
 #include "AccelerationStructure.h"
 
+#include "Batch.h"
+
+#include <utility>
+
 namespace rtg
 {
 
@@ -7,7 +11,7 @@ using Usage = vk::BufferUsageFlagBits;
 
 AccelerationStructure::AccelerationStructure(Device::State& device,
   const vk::AccelerationStructureGeometryKHR& geometry, vk::AccelerationStructureTypeKHR type,
-  std::uint32_t count)
+  std::uint32_t count, Buffer&& input)
 {
   vk::AccelerationStructureBuildGeometryInfoKHR info(
     type, vk::BuildAccelerationStructureFlagBitsKHR::ePreferFastTrace);
@@ -22,16 +26,18 @@ AccelerationStructure::AccelerationStructure(Device::State& device,
     vk::AccelerationStructureCreateInfoKHR(
       {}, this->storage_.Handle(), 0, sizes.accelerationStructureSize, type));
 
-  // The scratch address must be aligned to the device's limit.
-  const std::size_t alignment =
-    device.structureLimits.minAccelerationStructureScratchOffsetAlignment;
-  const Buffer scratch(
-    device, sizes.buildScratchSize + alignment, Usage::eStorageBuffer, Buffer::Place::Device);
   info.dstAccelerationStructure = *this->structure_;
-  info.scratchData.deviceAddress = (scratch.Address() + alignment - 1) / alignment * alignment;
-  const vk::AccelerationStructureBuildRangeInfoKHR range(count, 0, 0, 0);
-  device.Submit([&](vk::raii::CommandBuffer& command)
-    { command.buildAccelerationStructuresKHR(info, &range); });
+  const auto build = [&](Batch& batch) { batch.Build(info, geometry, count, sizes.buildScratchSize, std::move(input)); };
+  if (device.batch)
+  {
+    build(*device.batch);
+  }
+  else
+  {
+    Batch batch(device);
+    build(batch);
+    batch.Run();
+  }
   this->address_ = device.device.getAccelerationStructureAddressKHR(
     vk::AccelerationStructureDeviceAddressInfoKHR(*this->structure_));
 }
@@ -47,7 +53,7 @@ AccelerationStructure AccelerationStructure::OverBoxes(
   const vk::AccelerationStructureGeometryKHR geometry(
     vk::GeometryTypeKHR::eAabbs, data, vk::GeometryFlagBitsKHR::eOpaque);
   return AccelerationStructure(device, geometry, vk::AccelerationStructureTypeKHR::eBottomLevel,
-    static_cast<std::uint32_t>(boxes.size()));
+    static_cast<std::uint32_t>(boxes.size()), std::move(input));
 }
 
 AccelerationStructure AccelerationStructure::OverTriangles(Device::State& device,
@@ -60,7 +66,7 @@ AccelerationStructure AccelerationStructure::OverTriangles(Device::State& device
   const vk::AccelerationStructureGeometryKHR geometry(
     vk::GeometryTypeKHR::eTriangles, data, vk::GeometryFlagBitsKHR::eOpaque);
   return AccelerationStructure(
-    device, geometry, vk::AccelerationStructureTypeKHR::eBottomLevel, triangleCount);
+    device, geometry, vk::AccelerationStructureTypeKHR::eBottomLevel, triangleCount, Buffer());
 }
 
 AccelerationStructure AccelerationStructure::OverInstances(
@@ -74,7 +80,7 @@ AccelerationStructure AccelerationStructure::OverInstances(
   const vk::AccelerationStructureGeometryKHR geometry(
     vk::GeometryTypeKHR::eInstances, data, vk::GeometryFlagBitsKHR::eOpaque);
   return AccelerationStructure(device, geometry, vk::AccelerationStructureTypeKHR::eTopLevel,
-    static_cast<std::uint32_t>(instances.size()));
+    static_cast<std::uint32_t>(instances.size()), std::move(input));
 }
 
 } // namespace rtg

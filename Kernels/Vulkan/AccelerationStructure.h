@@ -7,7 +7,8 @@
 namespace rtg
 {
 
-/// A bottom- or top-level acceleration structure with the memory that holds it.
+/// A bottom- or top-level acceleration structure with the memory that holds it. It is built at once, or with the device's batch where
+/// there is one.
 class AccelerationStructure
 {
 public:
@@ -31,7 +32,7 @@ public:
 
 private:
   AccelerationStructure(Device::State& device, const vk::AccelerationStructureGeometryKHR& geometry,
-    vk::AccelerationStructureTypeKHR type, std::uint32_t count);
+    vk::AccelerationStructureTypeKHR type, std::uint32_t count, Buffer&& input);
 
   Buffer storage_;
   vk::raii::AccelerationStructureKHR structure_{ nullptr };

@@ -1,5 +1,8 @@
 #include "Buffer.h"
 
+#include "Batch.h"
+
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -29,8 +32,7 @@ ChooseMemoryType(const Device::State& device, std::uint32_t allowed, Buffer::Pla
   using Flag = vk::MemoryPropertyFlagBits;
   const vk::MemoryPropertyFlags host = Flag::eHostVisible | Flag::eHostCoherent;
   const vk::MemoryPropertyFlags preferences[2][3] = {
-    // On a CPU device, or where a resizable BAR exists, device memory is also the host's.
-    { device.cpu ? Flag::eDeviceLocal | host : vk::MemoryPropertyFlags(Flag::eDeviceLocal),
+    { device.sharesMemory ? Flag::eDeviceLocal | host : vk::MemoryPropertyFlags(Flag::eDeviceLocal),
       Flag::eDeviceLocal, {} },
     { host | Flag::eHostCached, host, host },
   };
@@ -56,9 +58,9 @@ Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usa
   }
   using Usage = vk::BufferUsageFlagBits;
   usage |= Usage::eShaderDeviceAddress;
-  if (place == Place::Device && !device.cpu)
+  if (!device.sharesMemory)
   {
-    usage |= Usage::eTransferDst;
+    usage |= Usage::eTransferDst | Usage::eTransferSrc;
   }
   this->buffer_ = vk::raii::Buffer(device.device, vk::BufferCreateInfo({}, size, usage));
   const vk::MemoryRequirements needs = this->buffer_.getMemoryRequirements();
@@ -71,7 +73,7 @@ Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usa
   this->buffer_.bindMemory(*this->memory_, 0);
   this->address_ = device.device.getBufferAddress(vk::BufferDeviceAddressInfo(*this->buffer_));
   const auto flags = device.memory.memoryTypes[info.memoryTypeIndex].propertyFlags;
-  if (flags & vk::MemoryPropertyFlagBits::eHostVisible &&
+  if ((place == Place::Host || device.sharesMemory) && flags & vk::MemoryPropertyFlagBits::eHostVisible &&
     flags & vk::MemoryPropertyFlagBits::eHostCoherent)
   {
     this->mapped_ = this->memory_.mapMemory(0, VK_WHOLE_SIZE);
@@ -122,10 +124,55 @@ void Buffer::Write(std::size_t size, const std::function<void(void*)>& fill)
     fill(this->mapped_);
     return;
   }
-  Buffer staging(*this->device_, size, vk::BufferUsageFlagBits::eTransferSrc, Place::Host);
-  fill(staging.mapped_);
-  this->device_->Submit([&](vk::raii::CommandBuffer& command)
-    { command.copyBuffer(staging.Handle(), this->Handle(), vk::BufferCopy(0, 0, size)); });
+  if (this->device_->batch)
+  {
+    fill(this->device_->batch->Stage(*this, size));
+    return;
+  }
+  Batch batch(*this->device_);
+  fill(batch.Stage(*this, size));
+  batch.Run();
+}
+
+void Buffer::Fill(std::size_t offset, std::size_t size, std::uint32_t word)
+{
+  if (this->mapped_)
+  {
+    std::fill_n(reinterpret_cast<std::uint32_t*>(static_cast<char*>(this->mapped_) + offset), size / sizeof(word), word);
+    return;
+  }
+  this->device_->Submit(
+    [&](vk::raii::CommandBuffer& command)
+    {
+      command.fillBuffer(this->Handle(), offset, size, word);
+      Barrier(command, vk::PipelineStageFlagBits::eTransfer, vk::AccessFlagBits::eTransferWrite,
+        vk::PipelineStageFlagBits::eRayTracingShaderKHR | vk::PipelineStageFlagBits::eTransfer,
+        vk::AccessFlagBits::eShaderRead | vk::AccessFlagBits::eShaderWrite | vk::AccessFlagBits::eTransferRead |
+          vk::AccessFlagBits::eTransferWrite);
+    });
+}
+
+void Buffer::Read(std::size_t size, const std::function<void(const void*)>& read) const
+{
+  if (this->mapped_)
+  {
+    read(this->mapped_);
+    return;
+  }
+  const Buffer host(*this->device_, size, vk::BufferUsageFlagBits::eTransferDst, Place::Host);
+  this->CopyTo(host, size);
+  read(host.Mapped());
+}
+
+void Buffer::CopyTo(const Buffer& target, std::size_t size) const
+{
+  this->device_->Submit(
+    [&](vk::raii::CommandBuffer& command)
+    {
+      command.copyBuffer(this->Handle(), target.Handle(), vk::BufferCopy(0, 0, size));
+      Barrier(command, vk::PipelineStageFlagBits::eTransfer, vk::AccessFlagBits::eTransferWrite,
+        vk::PipelineStageFlagBits::eHost, vk::AccessFlagBits::eHostRead);
+    });
 }
 
 } // namespace rtg

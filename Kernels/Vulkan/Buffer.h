@@ -3,6 +3,7 @@
 #include "DeviceState.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 
 namespace rtg
@@ -14,8 +15,8 @@ class Buffer
 public:
   enum class Place
   {
-    Device, ///< fastest for programs; filled by Upload()
-    Host    ///< mapped; programs may write it and the host reads it, or the other way round
+    Device, ///< fastest for programs; filled by Upload() or by programs
+    Host    ///< mapped; for what is copied to the device or back
   };
 
   Buffer() = default;
@@ -30,13 +31,19 @@ public:
   std::size_t Size() const { return this->size_; }
   vk::Buffer Handle() const { return *this->buffer_; }
   vk::DeviceAddress Address() const { return this->address_; }
-  /// Host pointer; null for a Place::Device buffer whose memory the host cannot reach.
+  /// Host pointer; null for a Place::Device buffer, unless the device shares the host's memory.
   void* Mapped() const { return this->mapped_; }
 
-  /// Copies host data to the start of the buffer, through a staging buffer when it is not mapped.
+  /// Copies host data to the start of the buffer: at once, or with the device's batch where there is one and the buffer is not mapped.
   void Upload(const void* data, std::size_t size);
-  /// Lets `fill` write so many bytes, which then are at the start of the buffer.
+  /// The same of what `fill` writes.
   void Write(std::size_t size, const std::function<void(void*)>& fill);
+  /// Repeats a word over some of its bytes, multiples of four.
+  void Fill(std::size_t offset, std::size_t size, std::uint32_t word);
+  /// Shows `read` so many bytes from the start, what programs have written included.
+  void Read(std::size_t size, const std::function<void(const void*)>& read) const;
+  /// Copies as many bytes from the start to a host buffer.
+  void CopyTo(const Buffer& target, std::size_t size) const;
 
 private:
   Device::State* device_ = nullptr;

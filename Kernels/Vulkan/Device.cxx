@@ -240,7 +240,7 @@ Device::Device()
       ChooseDevice(devices);
     }
     state.name = DeviceName(state.physical);
-    state.cpu = state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
+    state.cpu = state.sharesMemory = state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
     state.queueFamily = ChooseQueueFamily(state.physical);
     state.int64 = state.physical.getFeatures().shaderInt64;
     state.device = MakeDevice(state.physical, state.queueFamily, state.int64);
@@ -310,6 +310,7 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
   command.begin({ vk::CommandBufferUsageFlagBits::eOneTimeSubmit });
   record(command);
   command.end();
+  ++this->submissions;
 
   const vk::raii::Fence done(this->device, vk::FenceCreateInfo());
   const vk::CommandBuffer handle = *command;

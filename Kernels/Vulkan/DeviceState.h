@@ -15,6 +15,15 @@
 namespace rtg
 {
 
+class Batch;
+
+/// Makes what was written in the first stages visible to accesses in the second ones.
+inline void Barrier(vk::raii::CommandBuffer& command, vk::PipelineStageFlags from, vk::AccessFlags written,
+  vk::PipelineStageFlags to, vk::AccessFlags seen)
+{
+  command.pipelineBarrier(from, to, {}, vk::MemoryBarrier(written, seen), {}, {});
+}
+
 struct Device::State
 {
   vk::raii::Context context;
@@ -29,9 +38,15 @@ struct Device::State
   std::uint32_t queueFamily = 0;
   std::string name;
   bool cpu = false;
+  /// Programs run on the host's processor, so that its memory is theirs: every buffer is mapped and nothing is copied. Tests switch it
+  /// off to have a CPU device treated like others.
+  bool sharesMemory = false;
   bool int64 = false; ///< 64-bit integers in programs
   std::atomic<bool> lost{ false };
   std::atomic<std::uint64_t> bytes{ 0 }; ///< device memory held by all buffers
+
+  std::uint64_t submissions = 0; ///< so far
+  Batch* batch = nullptr; ///< that copies and builds go into; null: each is done at once
 
   /// Records commands, submits them and waits until they are done.
   void Submit(const std::function<void(vk::raii::CommandBuffer&)>& record);

@@ -3,7 +3,7 @@
 #include "SceneState.h"
 #include "SharedDevice.h"
 #include "Tracer.h"
-#include "Vulkan/Device.h"
+#include "Vulkan/DeviceState.h"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -330,6 +330,77 @@ TEST_P(StructureTest, WhatIsHiddenHoldsNoMemory)
     EXPECT_EQ(this->scene.GetStatistics().deviceBytes, both);
     EXPECT_EQ(shown, std::vector<std::uint32_t>(again.colour, again.colour + 10000));
   }
+}
+
+TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
+{
+  auto& vulkan = this->device->GetState();
+  const bool shares = vulkan.sharesMemory;
+  struct Seen
+  {
+    std::vector<std::uint32_t> colours, glyphs;
+    std::vector<float> depths;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec4> means;
+    std::vector<float> probes;
+    std::uint64_t commit = 0, recolouring = 0;
+    bool operator==(const Seen& other) const
+    {
+      return this->colours == other.colours && this->glyphs == other.glyphs && this->depths == other.depths &&
+        this->normals == other.normals && this->means == other.means && this->probes == other.probes;
+    }
+  };
+  const auto look = [&](bool own, bool empty)
+  {
+    vulkan.sharesMemory = !own;
+    Seen seen;
+    rtg::Scene scene(this->device);
+    scene.GetState().structure = GetParam();
+    rtg::Tracer tracer(this->device);
+    rtg::Scene::SetId last = 0;
+    for (unsigned set = 0; set < 3; ++set)
+    {
+      rtg::GlyphInstances instances;
+      instances.centres = empty ? std::vector<glm::vec3>() : RandomPoints(200 + 50 * set);
+      instances.uniformSize = 0.1f + 0.05f * set;
+      last = scene.Add();
+      scene.SetInstances(last, instances);
+    }
+    const auto before = vulkan.submissions;
+    scene.Commit();
+    seen.commit = vulkan.submissions - before;
+    scene.SetColours(last, rtg::GlyphColours(scene.GlyphCount(last), 0xff4080c0u));
+    const auto between = vulkan.submissions;
+    scene.Commit();
+    seen.recolouring = vulkan.submissions - between;
+    rtg::TraceSettings wanted = this->settings;
+    wanted.width = 101; // images whose bytes are no round number
+    wanted.features = wanted.keepSums = true;
+    wanted.samples = 2;
+    tracer.Trace(scene, this->camera, this->lights, wanted);
+    wanted.firstSample = 2;
+    const Image image = tracer.Trace(scene, this->camera, this->lights, wanted);
+    const std::size_t pixels = 101 * 100;
+    seen.colours.assign(image.colour, image.colour + pixels);
+    seen.glyphs.assign(image.glyphIds, image.glyphIds + pixels);
+    seen.depths.assign(image.depth, image.depth + pixels);
+    seen.normals = image.normals;
+    seen.means = tracer.Means();
+    for (const auto& hit : tracer.TraceProbes(scene, { { { 0.1, 0.1, 5 }, { 0, 0, -1 } }, { { 9, 9, 9 }, { 0, 0, 1 } } }))
+    {
+      seen.probes.push_back(hit.t);
+    }
+    return seen;
+  };
+  for (const bool empty : { false, true })
+  {
+    const Seen shared = look(false, empty), own = look(true, empty);
+    EXPECT_TRUE(shared == own) << empty;
+    // All copies and builds of a commit are one submission.
+    EXPECT_EQ(own.commit, empty ? 0u : 1u);
+    EXPECT_EQ(own.recolouring, empty ? 0u : 1u);
+  }
+  vulkan.sharesMemory = shares;
 }
 
 TEST_F(TracerTest, SetsThatAreNotThereAreNamed)

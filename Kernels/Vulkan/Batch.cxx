@@ -1,0 +1,100 @@
+#include "Batch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rtg
+{
+
+namespace
+{
+
+constexpr std::size_t stagingBlock = std::size_t(1) << 24;
+/// More than this is not held twice: it is copied before the batch goes on.
+constexpr std::size_t mostStaged = std::size_t(1) << 28;
+
+} // namespace
+
+Batch::Batch(Device::State& device)
+  : device_(device)
+  , outer_(std::exchange(device.batch, this))
+{
+}
+
+Batch::~Batch()
+{
+  this->device_.batch = this->outer_;
+}
+
+void* Batch::Stage(const Buffer& target, std::size_t size)
+{
+  if (this->staged_ > 0 && this->staged_ + size > mostStaged)
+  {
+    this->Run();
+  }
+  if (this->staging_.empty() || this->stagingUsed_ + size > this->staging_.back().Size())
+  {
+    this->staging_.emplace_back(this->device_, std::max(size, stagingBlock), vk::BufferUsageFlagBits::eTransferSrc,
+      Buffer::Place::Host);
+    this->stagingUsed_ = 0;
+  }
+  Buffer& block = this->staging_.back();
+  this->copies_.push_back({ block.Handle(), target.Handle(), vk::BufferCopy(this->stagingUsed_, 0, size) });
+  void* place = static_cast<char*>(block.Mapped()) + this->stagingUsed_;
+  this->stagingUsed_ += (size + 15) / 16 * 16;
+  this->staged_ += size;
+  return place;
+}
+
+void Batch::Build(const vk::AccelerationStructureBuildGeometryInfoKHR& info,
+  const vk::AccelerationStructureGeometryKHR& geometry, std::uint32_t count, std::size_t scratchSize, Buffer&& input)
+{
+  this->builds_.push_back({ info, geometry, count });
+  this->inputs_.push_back(std::move(input));
+  this->scratchSize_ = std::max(this->scratchSize_, scratchSize);
+}
+
+void Batch::Run()
+{
+  if (this->copies_.empty() && this->builds_.empty())
+  {
+    return;
+  }
+  using Stage = vk::PipelineStageFlagBits;
+  using Access = vk::AccessFlagBits;
+  // The scratch address must be aligned to the device's limit.
+  const std::size_t alignment = this->device_.structureLimits.minAccelerationStructureScratchOffsetAlignment;
+  const Buffer scratch(this->device_, this->builds_.empty() ? 0 : this->scratchSize_ + alignment,
+    vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Place::Device);
+  this->device_.Submit(
+    [&](vk::raii::CommandBuffer& command)
+    {
+      for (const Copy& copy : this->copies_)
+      {
+        command.copyBuffer(copy.from, copy.to, copy.region);
+      }
+      if (!this->copies_.empty())
+      {
+        Barrier(command, Stage::eTransfer, Access::eTransferWrite,
+          Stage::eAccelerationStructureBuildKHR | Stage::eRayTracingShaderKHR, Access::eShaderRead);
+      }
+      for (StructureBuild& build : this->builds_)
+      {
+        build.info.setGeometries(build.geometry);
+        build.info.scratchData.deviceAddress = (scratch.Address() + alignment - 1) / alignment * alignment;
+        const vk::AccelerationStructureBuildRangeInfoKHR range(build.count, 0, 0, 0);
+        command.buildAccelerationStructuresKHR(build.info, &range);
+        // The next one uses the same scratch memory, and may be built over this one.
+        Barrier(command, Stage::eAccelerationStructureBuildKHR, Access::eAccelerationStructureWriteKHR,
+          Stage::eAccelerationStructureBuildKHR | Stage::eRayTracingShaderKHR,
+          Access::eAccelerationStructureReadKHR | Access::eAccelerationStructureWriteKHR);
+      }
+    });
+  this->copies_.clear();
+  this->builds_.clear();
+  this->inputs_.clear();
+  this->staging_.clear();
+  this->stagingUsed_ = this->staged_ = this->scratchSize_ = 0;
+}
+
+} // namespace rtg
