@@ -27,7 +27,7 @@ constexpr std::uint32_t tileSize = 8;
 constexpr std::uint32_t lanesPerTile = tileSize * tileSize;
 constexpr std::uint32_t tilesPerRow = 1024;              ///< of a launch
 constexpr std::uint32_t mostTiles = 16 * tilesPerRow; ///< of a launch: 29 MB of ray records
-/// Seconds that a launch of an interruptible trace is to take: whoever waits for it to stop waits so long.
+/// Seconds that a launch is to take where TilesAtOnce() cuts: whoever waits for it to stop, or for the display, waits so long.
 constexpr double launchSeconds = 0.04;
 
 std::uint32_t DivideUp(std::uint32_t value, std::uint32_t by)
@@ -345,8 +345,9 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   Fit(this->rays, this->device->GetState(), std::size_t(launched) * lanesPerTile * sizeof(device::RayRecord));
 }
 
-// Tiles of the next launch. What can be interrupted is launched in parts of some hundredths of a second, as far as the
-// program's launches so far tell; a part is at most eight times the last one, because costs differ.
+// Tiles of the next launch. What can be interrupted, and all on a GPU, whose display stands still meanwhile and whose driver takes
+// a launch of seconds for hung, is launched in parts of some hundredths of a second, as far as the program's launches so far tell;
+// a part is at most eight times the last one, because costs differ, and the first is one tile.
 std::uint32_t Tracer::State::TilesAtOnce(
   const TracerResources::Program& program, const Job& job, bool interruptible) const
 {
@@ -355,7 +356,7 @@ std::uint32_t Tracer::State::TilesAtOnce(
   const std::uint32_t limit =
     std::max(1u, std::min(mostTiles, vulkan.pipelineLimits.maxRayDispatchInvocationCount / lanesPerTile));
   std::uint32_t most = std::min(left, limit > tilesPerRow ? limit - limit % tilesPerRow : limit);
-  if (!interruptible)
+  if (!interruptible && vulkan.cpu)
   {
     return most;
   }

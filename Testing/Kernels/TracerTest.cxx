@@ -403,6 +403,34 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
   vulkan.sharesMemory = shares;
 }
 
+TEST_F(TracerTest, ImagesAreLaunchedInPartsOnAGpuAlone)
+{
+  auto& vulkan = this->device->GetState();
+  const bool cpu = vulkan.cpu;
+  this->AddSpheres(RandomPoints(500), 0.2f);
+  this->scene.Commit();
+  std::vector<std::uint32_t> images[2];
+  for (const bool gpu : { false, true })
+  {
+    vulkan.cpu = !gpu;
+    rtg::Tracer tracer(this->device);
+    const auto before = vulkan.submissions;
+    const Image image = tracer.Trace(this->scene, this->camera, this->lights, this->settings);
+    // Of 169 tiles the first launch is one, the second eight.
+    if (gpu)
+    {
+      EXPECT_GE(vulkan.submissions - before, 3u);
+    }
+    else
+    {
+      EXPECT_LE(vulkan.submissions - before, 2u);
+    }
+    images[gpu].assign(image.colour, image.colour + 10000);
+  }
+  vulkan.cpu = cpu;
+  EXPECT_EQ(images[0], images[1]);
+}
+
 TEST_F(TracerTest, SetsThatAreNotThereAreNamed)
 {
   const auto refused = [](const auto& work)
