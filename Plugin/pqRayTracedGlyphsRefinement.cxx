@@ -1,19 +1,32 @@
 #include "pqRayTracedGlyphsRefinement.h"
 
+#include "pqAnimationScene.h"
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
+#include "pqProgressManager.h"
+#include "pqProgressWidget.h"
 #include "pqRenderView.h"
 #include "pqRepresentation.h"
+#include "pqServer.h"
 #include "pqServerManagerModel.h"
+#include "vtkCollection.h"
 #include "vtkCommand.h"
+#include "vtkEventQtSlotConnect.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
+#include "vtkSMComparativeViewProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMRenderViewProxy.h"
+#include "vtkSMSession.h"
+#include "vtkSMViewProxy.h"
 
-#include <QMainWindow>
-#include <QStatusBar>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QProgressDialog>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QWidget>
 
 #include <algorithm>
 
@@ -21,24 +34,47 @@ namespace
 {
 // Between two renders, in milliseconds: enough for the window to take its events.
 constexpr int pauseBetween = 5;
+// Milliseconds of a render after which its user is listened to.
+constexpr int quietTime = 300;
 
-QStatusBar* StatusBar()
+bool IsEscape(QEvent* event)
 {
-  auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
-  return window ? window->statusBar() : nullptr;
+  return (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) &&
+    static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
 }
 
-// Null unless the representation is shown and ray traced.
-vtkSMProxy* RayTraced(pqRepresentation* representation)
+// What a user does, and what may render.
+bool MayInterfere(QEvent* event)
 {
-  vtkSMProxy* proxy = representation ? representation->getProxy() : nullptr;
-  if (!proxy || !representation->isVisible() || !proxy->GetProperty("RefinementProgress") ||
-    !proxy->GetProperty("Representation"))
+  switch (event->type())
   {
-    return nullptr;
+    case QEvent::Timer: // comes again
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+    case QEvent::ShortcutOverride:
+    case QEvent::Shortcut:
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::NonClientAreaMouseButtonPress:
+    case QEvent::Wheel:
+    case QEvent::TabletPress:
+    case QEvent::TouchBegin:
+    case QEvent::ContextMenu:
+    case QEvent::DragEnter:
+    case QEvent::Drop:
+    case QEvent::Close:
+      return true;
+    default:
+      return false;
   }
-  const QString type = vtkSMPropertyHelper(proxy, "Representation").GetAsString();
-  return type == "Ray Traced Glyphs" || type == "Ray Traced Surface" ? proxy : nullptr;
+}
+
+bool IsWithin(QObject* object, const QWidget* widget)
+{
+  const auto* asWidget = qobject_cast<QWidget*>(object);
+  return widget && asWidget && (asWidget == widget || widget->isAncestorOf(asWidget));
 }
 }
 
@@ -49,6 +85,8 @@ pqRayTracedGlyphsRefinement::pqRayTracedGlyphsRefinement(QObject* parent)
   this->Timer.setSingleShot(true);
   this->Timer.setInterval(pauseBetween);
   QObject::connect(&this->Timer, &QTimer::timeout, this, &pqRayTracedGlyphsRefinement::step);
+  this->Rest.setSingleShot(true);
+  QObject::connect(&this->Rest, &QTimer::timeout, this, &pqRayTracedGlyphsRefinement::rest);
 }
 
 //----------------------------------------------------------------------------
@@ -58,10 +96,10 @@ pqRayTracedGlyphsRefinement::~pqRayTracedGlyphsRefinement() = default;
 void pqRayTracedGlyphsRefinement::startup()
 {
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
+  QObject::connect(model, &pqServerManagerModel::viewAdded, this, &pqRayTracedGlyphsRefinement::viewAdded);
   QObject::connect(
-    model, &pqServerManagerModel::viewAdded, this, &pqRayTracedGlyphsRefinement::viewAdded);
-  QObject::connect(model, &pqServerManagerModel::representationAdded, this,
-    &pqRayTracedGlyphsRefinement::representationAdded);
+    model, &pqServerManagerModel::representationAdded, this, &pqRayTracedGlyphsRefinement::representationAdded);
+  QObject::connect(model, &pqServerManagerModel::proxyAdded, this, &pqRayTracedGlyphsRefinement::proxyAdded);
   // The plugin may be loaded late.
   for (pqView* view : model->findItems<pqView*>())
   {
@@ -71,37 +109,40 @@ void pqRayTracedGlyphsRefinement::startup()
   {
     this->representationAdded(representation);
   }
+  for (pqAnimationScene* scene : model->findItems<pqAnimationScene*>())
+  {
+    this->proxyAdded(scene);
+  }
 }
 
 //----------------------------------------------------------------------------
 void pqRayTracedGlyphsRefinement::shutdown()
 {
   this->Timer.stop();
+  this->Rest.stop();
   this->Waiting.clear();
+  this->Observers->Disconnect();
+  this->Observed.clear();
+  this->Interacting.clear();
+  this->ShowProgress();
   if (pqApplicationCore* core = pqApplicationCore::instance())
   {
-    QObject::disconnect(core->getServerManagerModel(), nullptr, this, nullptr);
+    pqServerManagerModel* model = core->getServerManagerModel();
+    QObject::disconnect(model, nullptr, this, nullptr);
+    for (pqProxy* proxy : model->findItems<pqProxy*>())
+    {
+      QObject::disconnect(proxy, nullptr, this, nullptr);
+    }
   }
 }
 
 //----------------------------------------------------------------------------
 void pqRayTracedGlyphsRefinement::viewAdded(pqView* view)
 {
-  auto* renderView = qobject_cast<pqRenderView*>(view);
-  if (!renderView)
+  if (qobject_cast<pqRenderView*>(view))
   {
-    return;
-  }
-  QObject::connect(view, &pqView::endRender, this, &pqRayTracedGlyphsRefinement::rendered);
-  auto* proxy = vtkSMRenderViewProxy::SafeDownCast(view->getProxy());
-  if (vtkRenderWindowInteractor* interactor = proxy ? proxy->GetInteractor() : nullptr)
-  {
-    interactor->AddObserver(vtkCommand::StartInteractionEvent, this,
-      &pqRayTracedGlyphsRefinement::interactionStarted);
-    interactor->AddObserver(
-      vtkCommand::EndInteractionEvent, this, &pqRayTracedGlyphsRefinement::interactionEnded);
-    QObject::connect(view, &QObject::destroyed, this,
-      [this, interactor]() { this->Interacting.remove(interactor); });
+    QObject::connect(view, &pqView::beginRender, this, &pqRayTracedGlyphsRefinement::renderStarted);
+    QObject::connect(view, &pqView::endRender, this, &pqRayTracedGlyphsRefinement::rendered);
   }
 }
 
@@ -117,65 +158,165 @@ void pqRayTracedGlyphsRefinement::representationAdded(pqRepresentation* represen
 }
 
 //----------------------------------------------------------------------------
-void pqRayTracedGlyphsRefinement::interactionStarted(vtkObject* interactor, unsigned long, void*)
+void pqRayTracedGlyphsRefinement::proxyAdded(pqProxy* proxy)
 {
-  this->Interacting.insert(interactor);
+  if (auto* scene = qobject_cast<pqAnimationScene*>(proxy))
+  {
+    using Played = void (pqAnimationScene::*)(vtkObject*, unsigned long, void*, void*);
+    QObject::connect(
+      scene, static_cast<Played>(&pqAnimationScene::beginPlay), this, &pqRayTracedGlyphsRefinement::playStarted);
+    QObject::connect(
+      scene, static_cast<Played>(&pqAnimationScene::endPlay), this, &pqRayTracedGlyphsRefinement::playEnded);
+  }
+}
+
+//****************************************************************************
+// Views
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+std::vector<pqRayTracedGlyphsRefinement::Part> pqRayTracedGlyphsRefinement::PartsOf(pqView* view)
+{
+  std::vector<Part> parts;
+  if (auto* comparative = vtkSMComparativeViewProxy::SafeDownCast(view->getProxy()))
+  {
+    vtkNew<vtkCollection> views;
+    comparative->GetViews(views);
+    for (int i = 0; i < views->GetNumberOfItems(); ++i)
+    {
+      parts.push_back({ view, vtkSMViewProxy::SafeDownCast(views->GetItemAsObject(i)) });
+    }
+  }
+  else
+  {
+    parts.push_back({ view, view->getViewProxy() });
+  }
+  return parts;
+}
+
+//----------------------------------------------------------------------------
+// One scene a view: what one of its visible ray-traced displays says holds for all. Null: there is none.
+vtkSMProxy* pqRayTracedGlyphsRefinement::DisplayOf(const Part& part)
+{
+  const vtkSMPropertyHelper displays(part.Proxy, "Representations", /*quiet=*/true);
+  for (unsigned int i = 0; i < displays.GetNumberOfElements(); ++i)
+  {
+    vtkSMProxy* display = displays.GetAsProxy(i);
+    if (display && display->GetProperty("RefinementProgress") && display->GetProperty("Representation") &&
+      vtkSMPropertyHelper(display, "Visibility").GetAsInt())
+    {
+      const QString type = vtkSMPropertyHelper(display, "Representation").GetAsString();
+      if (type == "Ray Traced Glyphs" || type == "Ray Traced Surface")
+      {
+        return display;
+      }
+    }
+  }
+  return nullptr;
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsRefinement::AskProgress(Part& part)
+{
+  part.Done = 1.0;
+  if (vtkSMProxy* display = DisplayOf(part))
+  {
+    vtkSMProperty* done = display->GetProperty("RefinementProgress");
+    done->GetParent()->UpdatePropertyInformation(done);
+    part.Done = vtkSMPropertyHelper(done).GetAsDouble();
+  }
+}
+
+//----------------------------------------------------------------------------
+bool pqRayTracedGlyphsRefinement::IsInteracting(const Part& part) const
+{
+  vtkObject* interactor = part.Proxy->GetInteractor();
+  return std::find(this->Interacting.begin(), this->Interacting.end(), interactor) != this->Interacting.end();
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsRefinement::interactionStarted(vtkObject* interactor)
+{
+  this->Interacting.emplace_back(interactor);
 }
 
 //----------------------------------------------------------------------------
 // ParaView renders at rest by itself now, and with that the image begins to be refined.
-void pqRayTracedGlyphsRefinement::interactionEnded(vtkObject* interactor, unsigned long, void*)
+void pqRayTracedGlyphsRefinement::interactionEnded(vtkObject* interactor)
 {
-  this->Interacting.remove(interactor);
+  const auto gone = [interactor](vtkObject* other) { return !other || other == interactor; };
+  this->Interacting.erase(
+    std::remove_if(this->Interacting.begin(), this->Interacting.end(), gone), this->Interacting.end());
 }
 
 //----------------------------------------------------------------------------
-pqRayTracedGlyphsRefinement::Progress pqRayTracedGlyphsRefinement::ProgressOf(pqView* view)
+// Parts of a comparative view come and go, and other views may have no window at first.
+void pqRayTracedGlyphsRefinement::Attach(const Part& part)
 {
-  // One scene a view: what one of its displays says holds for all.
-  for (pqRepresentation* representation : view->getRepresentations())
+  vtkObject* interactor = part.Proxy->GetInteractor();
+  vtkObject* window = part.Proxy->GetRenderWindow();
+  if (!interactor || !window ||
+    std::find(this->Observed.begin(), this->Observed.end(), interactor) != this->Observed.end())
   {
-    if (vtkSMProxy* proxy = RayTraced(representation))
-    {
-      vtkSMProperty* done = proxy->GetProperty("RefinementProgress");
-      done->GetParent()->UpdatePropertyInformation(done);
-      return { vtkSMPropertyHelper(done).GetAsDouble() };
-    }
+    return;
   }
-  return {};
+  this->Observers->Connect(
+    interactor, vtkCommand::StartInteractionEvent, this, SLOT(interactionStarted(vtkObject*)));
+  this->Observers->Connect(interactor, vtkCommand::EndInteractionEvent, this, SLOT(interactionEnded(vtkObject*)));
+  this->Observers->Connect(window, vtkCommand::AbortCheckEvent, this, SLOT(abortChecked(vtkObject*)));
+  this->Observed.erase(std::remove(this->Observed.begin(), this->Observed.end(), nullptr), this->Observed.end());
+  this->Observed.emplace_back(interactor);
+}
+
+//****************************************************************************
+// Refinement
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsRefinement::renderStarted()
+{
+  this->SinceStart.start();
 }
 
 //----------------------------------------------------------------------------
 void pqRayTracedGlyphsRefinement::rendered()
 {
   auto* view = qobject_cast<pqView*>(this->sender());
-  auto* proxy = view ? vtkSMRenderViewProxy::SafeDownCast(view->getProxy()) : nullptr;
-  if (!proxy || this->Interacting.contains(proxy->GetInteractor()))
+  for (const Part& part : view ? PartsOf(view) : std::vector<Part>())
+  {
+    this->Look(part);
+  }
+}
+
+//----------------------------------------------------------------------------
+// How far an image is, after a render.
+void pqRayTracedGlyphsRefinement::Look(Part part)
+{
+  // A picture that is captured says nothing of the image in the window.
+  const bool captured = part.Proxy && part.Proxy->GetRenderWindow() && !part.Proxy->GetRenderWindow()->GetSwapBuffers();
+  if (!part.Proxy || captured)
   {
     return;
   }
-  const Progress progress = ProgressOf(view);
-  const auto found = std::find(this->Waiting.begin(), this->Waiting.end(), view);
-  if (!progress.Finished() && found == this->Waiting.end())
+  if (DisplayOf(part))
   {
-    this->Waiting.emplace_back(view);
+    this->Attach(part);
   }
-  else if (progress.Finished() && found != this->Waiting.end())
+  if (!this->IsInteracting(part))
   {
-    this->Waiting.erase(found);
+    AskProgress(part);
+    const auto found = std::find_if(this->Waiting.begin(), this->Waiting.end(),
+      [&part](const Part& other) { return other.Proxy == part.Proxy; });
+    if (found != this->Waiting.end())
+    {
+      this->Waiting.erase(found);
+    }
+    if (part.Done < 1.0)
+    {
+      this->Waiting.push_back(part);
+    }
   }
-
-  QStatusBar* bar = StatusBar();
-  if (bar && !progress.Finished())
-  {
-    bar->showMessage(tr("Ray tracing: %1 %").arg(static_cast<int>(100.0 * progress.Done)));
-    this->Showing = true;
-  }
-  else if (bar && this->Showing && this->Waiting.empty())
-  {
-    bar->clearMessage();
-    this->Showing = false;
-  }
+  this->ShowProgress();
   if (!this->Waiting.empty())
   {
     this->Timer.start();
@@ -183,17 +324,235 @@ void pqRayTracedGlyphsRefinement::rendered()
 }
 
 //----------------------------------------------------------------------------
+// One image at a time, so that between any two of them the window can take its events.
 void pqRayTracedGlyphsRefinement::step()
 {
-  // Each view in turn; those that are finished leave when they have been rendered.
-  std::vector<QPointer<pqView>> waiting;
-  waiting.swap(this->Waiting);
-  for (const QPointer<pqView>& view : waiting)
+  this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
+                        [](const Part& part) { return !part.View || !part.Proxy || !DisplayOf(part); }),
+    this->Waiting.end());
+  const auto next = std::find_if(
+    this->Waiting.begin(), this->Waiting.end(), [this](const Part& part) { return !this->IsInteracting(part); });
+  if (next != this->Waiting.end() && !this->Playing)
   {
-    auto* proxy = view ? vtkSMRenderViewProxy::SafeDownCast(view->getProxy()) : nullptr;
-    if (proxy && !this->Interacting.contains(proxy->GetInteractor()))
+    const Part part = *next;
+    if (part.Proxy->GetSession()->GetPendingProgress() || part.View->getServer()->isProcessingPending())
     {
-      view->forceRender();
+      this->Timer.start();
+      return;
+    }
+    this->Render(part);
+  }
+  this->ShowProgress();
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsRefinement::Render(const Part& part)
+{
+  // The progress bar goes on to show how far the image is, and not the beginning and end of each step.
+  const QSignalBlocker quiet(pqApplicationCore::instance()->getProgressManager());
+  if (part.Proxy == part.View->getViewProxy())
+  {
+    part.View->forceRender();
+    return;
+  }
+  this->renderStarted();
+  part.Proxy->StillRender();
+  this->Look(part);
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsRefinement::playStarted()
+{
+  this->Playing = true;
+}
+
+//----------------------------------------------------------------------------
+// Each step of the animation has shown what there was time for; the last one is finished.
+void pqRayTracedGlyphsRefinement::playEnded()
+{
+  this->Playing = false;
+  if (!this->Waiting.empty())
+  {
+    this->Timer.start();
+  }
+}
+
+//****************************************************************************
+// Progress and its end
+//****************************************************************************
+
+//----------------------------------------------------------------------------
+pqProgressWidget* pqRayTracedGlyphsRefinement::ProgressBar()
+{
+  QWidget* window = pqCoreUtilities::mainWidget();
+  if (!this->Bar && window)
+  {
+    this->Bar = window->findChild<pqProgressWidget*>();
+    if (this->Bar)
+    {
+      QObject::connect(this->Bar, &pqProgressWidget::abortPressed, this, &pqRayTracedGlyphsRefinement::abortPressed);
     }
   }
+  return this->Bar;
+}
+
+//----------------------------------------------------------------------------
+// The widget itself is told: while pqProgressManager has progress to show it lets no input through.
+void pqRayTracedGlyphsRefinement::ShowProgress()
+{
+  pqProgressWidget* bar = this->ProgressBar();
+  if (this->Waiting.empty() && this->Showing)
+  {
+    this->Showing = false;
+    qApp->removeEventFilter(this);
+    if (bar)
+    {
+      bar->enableAbort(false);
+      bar->enableProgress(false);
+    }
+  }
+  else if (!this->Waiting.empty())
+  {
+    if (!this->Showing)
+    {
+      qApp->installEventFilter(this);
+    }
+    this->Showing = true;
+    if (bar)
+    {
+      const auto least = std::min_element(this->Waiting.begin(), this->Waiting.end(),
+        [](const Part& a, const Part& b) { return a.Done < b.Done; });
+      bar->enableProgress(true);
+      bar->setProgress(tr("Ray Tracing"), static_cast<int>(100.0 * least->Done));
+      bar->enableAbort(true);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsRefinement::abortPressed()
+{
+  if (this->Listening)
+  {
+    this->Aborted = true;
+  }
+  else
+  {
+    this->Stop(nullptr);
+  }
+}
+
+//----------------------------------------------------------------------------
+// Null: all views.
+void pqRayTracedGlyphsRefinement::Stop(const pqView* view)
+{
+  for (const Part& part : this->Waiting)
+  {
+    vtkSMProxy* display = part.Proxy && (!view || part.View == view) ? DisplayOf(part) : nullptr;
+    if (display)
+    {
+      display->InvokeCommand("StopRefinement");
+    }
+  }
+  this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
+                        [view](const Part& part) { return !view || part.View == view; }),
+    this->Waiting.end());
+  this->ShowProgress();
+}
+
+//----------------------------------------------------------------------------
+// Within a render that takes long. Those in the window do not: pictures that are captured have all their samples.
+void pqRayTracedGlyphsRefinement::abortChecked(vtkObject* caller)
+{
+  auto* window = vtkRenderWindow::SafeDownCast(caller);
+  if (!window || window->GetSwapBuffers() || this->Listening)
+  {
+    return;
+  }
+  if (!this->Aborted && this->SinceStart.isValid() && this->SinceStart.elapsed() > quietTime)
+  {
+    this->Listening = true;
+    pqProgressWidget* bar = this->ProgressBar();
+    if (bar)
+    {
+      bar->enableAbort(true);
+    }
+    qApp->removeEventFilter(this);
+    qApp->installEventFilter(this);
+    pqProgressManager* manager = pqApplicationCore::instance()->getProgressManager();
+    const bool before = manager->unblockEvents(true);
+    QApplication::processEvents();
+    manager->unblockEvents(before);
+    if (!this->Showing)
+    {
+      qApp->removeEventFilter(this);
+    }
+    this->Listening = false;
+    // Tiles of one picture and frames of an animation that follow are not wanted either. At rest all is as before.
+    auto* dialog = qobject_cast<QProgressDialog*>(QApplication::activeModalWidget());
+    if (dialog && (this->Aborted || dialog->wasCanceled()))
+    {
+      this->Aborted = true;
+      if (!dialog->wasCanceled())
+      {
+        Q_EMIT dialog->canceled();
+      }
+    }
+    this->Rest.start();
+  }
+  if (this->Aborted)
+  {
+    window->SetAbortRender(1);
+  }
+}
+
+//----------------------------------------------------------------------------
+// No render is going on.
+void pqRayTracedGlyphsRefinement::rest()
+{
+  this->Aborted = false;
+  if (this->Bar && !this->Showing)
+  {
+    this->Bar->enableAbort(false);
+  }
+}
+
+//----------------------------------------------------------------------------
+bool pqRayTracedGlyphsRefinement::eventFilter(QObject* object, QEvent* event)
+{
+  if (this->Listening)
+  {
+    if (IsEscape(event))
+    {
+      this->Aborted = true;
+      event->accept();
+      return true;
+    }
+    if (!MayInterfere(event))
+    {
+      return false;
+    }
+    // A window hands what the mouse does on to its widgets: that is where it is looked at.
+    const bool mouse = dynamic_cast<QMouseEvent*>(event) != nullptr;
+    const bool wanted = object->isWindowType() ? mouse
+                                               : IsWithin(object, this->Bar ? this->Bar->abortButton() : nullptr) ||
+        IsWithin(object, qobject_cast<QProgressDialog*>(QApplication::activeModalWidget()));
+    if (!wanted && event->type() == QEvent::Close)
+    {
+      event->ignore();
+    }
+    return !wanted;
+  }
+  if (event->type() == QEvent::KeyPress && IsEscape(event))
+  {
+    for (const Part& part : this->Waiting)
+    {
+      if (part.View && IsWithin(object, part.View->widget()))
+      {
+        this->Stop(part.View);
+        break;
+      }
+    }
+  }
+  return QObject::eventFilter(object, event);
 }

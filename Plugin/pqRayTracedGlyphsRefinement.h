@@ -1,24 +1,36 @@
 /**
  * @class   pqRayTracedGlyphsRefinement
- * @brief   finishes ray-traced images while ParaView's window rests
+ * @brief   finishes ray-traced images while ParaView's window rests, and ends tracing that nobody wants any more
  *
  * A render in the window traces only what takes a tenth of a second or so. After each, this object renders the view
  * again until all samples are there: between two renders the window answers to its user, and none happens while the
- * camera is turned. The status bar says how far an image is. When all views are finished no timer runs.
+ * camera is turned or an animation plays. ParaView's progress bar says how far the images are. Its Abort button, or Esc in a
+ * view, leaves them as they are. When all views are finished no timer runs.
+ *
+ * A screenshot is one render with all samples. While it takes long this object looks for the same button and key, and
+ * lets nothing else happen in the window.
  */
 #ifndef pqRayTracedGlyphsRefinement_h
 #define pqRayTracedGlyphsRefinement_h
 
+#include "vtkNew.h"
+#include "vtkWeakPointer.h"
+
+#include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
-#include <QSet>
 #include <QTimer>
 
 #include <vector>
 
+class pqProgressWidget;
+class pqProxy;
 class pqRepresentation;
 class pqView;
+class vtkEventQtSlotConnect;
 class vtkObject;
+class vtkSMProxy;
+class vtkSMViewProxy;
 
 class pqRayTracedGlyphsRefinement : public QObject
 {
@@ -31,28 +43,57 @@ public:
   void startup();
   void shutdown();
 
+protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
 private Q_SLOTS:
   void viewAdded(pqView* view);
   void representationAdded(pqRepresentation* representation);
+  void proxyAdded(pqProxy* proxy);
+  void renderStarted();
   void rendered();
+  void interactionStarted(vtkObject* interactor);
+  void interactionEnded(vtkObject* interactor);
+  void playStarted();
+  void playEnded();
+  void abortChecked(vtkObject* window);
+  void abortPressed();
   void step();
+  void rest();
 
 private:
   Q_DISABLE_COPY(pqRayTracedGlyphsRefinement)
 
-  struct Progress
+  // A view of its own, or one of a comparative view's.
+  struct Part
   {
+    QPointer<pqView> View;
+    vtkWeakPointer<vtkSMViewProxy> Proxy;
     double Done = 1.0; ///< in [0, 1]
-    bool Finished() const { return this->Done >= 1.0; }
+    QString Stage;     ///< what is being done
   };
-  static Progress ProgressOf(pqView* view);
-  void interactionStarted(vtkObject* interactor, unsigned long, void*);
-  void interactionEnded(vtkObject* interactor, unsigned long, void*);
+  static std::vector<Part> PartsOf(pqView* view);
+  static vtkSMProxy* DisplayOf(const Part& part);
+  static void AskProgress(Part& part);
+  bool IsInteracting(const Part& part) const;
+  void Attach(const Part& part);
+  void Look(Part part);
+  void Render(const Part& part);
+  void Stop(const pqView* view);
+  void ShowProgress();
+  pqProgressWidget* ProgressBar();
 
-  std::vector<QPointer<pqView>> Waiting; ///< views to be rendered again
-  QSet<vtkObject*> Interacting;          ///< interactors whose camera is being turned
-  QTimer Timer;
-  bool Showing = false; ///< a message in the status bar
+  vtkNew<vtkEventQtSlotConnect> Observers;
+  std::vector<vtkWeakPointer<vtkObject>> Observed, Interacting; ///< interactors; those whose camera is being turned
+  std::vector<Part> Waiting;                                    ///< to be rendered again, the next one first
+  QPointer<pqProgressWidget> Bar;
+  QTimer Timer; ///< of the next step
+  QTimer Rest;  ///< runs out when the window is at rest again
+  QElapsedTimer SinceStart; ///< of the last render
+  bool Showing = false;     ///< something in the progress bar
+  bool Playing = false;
+  bool Listening = false; ///< to events, within a render
+  bool Aborted = false;   ///< until the window is at rest again
 };
 
 #endif

@@ -12,6 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkPVProgressHandler.h"
 #include "vtkPVSession.h"
 #include "vtkProcessModule.h"
@@ -46,7 +47,7 @@ namespace
 {
 // Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
 constexpr double interactiveRate = 1.0;
-// Seconds of one step of an image that somebody watches: a camera that is turned meanwhile waits so long.
+// Seconds of one step of the images of a frame that somebody watches: a camera that is turned meanwhile waits so long.
 constexpr double stepSeconds = 0.1;
 // Seconds of tracing after which ParaView's progress bar is told.
 constexpr double quietSeconds = 0.3;
@@ -120,11 +121,12 @@ struct vtkRayTracedScene::Internals
   int Eye = 0; // of the last frame
 
   std::string Reported, CameraReported; // the last failures, until there is an image again
-  bool PassReported = false, ExportReported = false;
+  bool PassReported = false, ExportReported = false, CutReported = false;
   vtkNew<vtkAlgorithm> Teller; // of ParaView's progress bar
   bool TellerKnown = false;
 
   void Send(rtg::Scene& scene);
+  bool HasBothPasses() const { return this->Wants[opaque] && this->Wants[translucent]; }
   bool WantsAnything() const { return this->Wants[opaque] || this->Wants[translucent]; }
 };
 
@@ -253,6 +255,7 @@ void vtkRayTracedScene::SaveFeatureImage(const std::string& fileName)
 void vtkRayTracedScene::Stop()
 {
   this->Self->Stopped = true;
+  std::fill_n(this->Self->Progress, 2, 1.0);
 }
 
 //----------------------------------------------------------------------------
@@ -272,6 +275,7 @@ void vtkRayTracedScene::StartFrame()
   self.Frame.clear();
   self.Wants[opaque] = self.Wants[translucent] = false;
   self.ExportReported = false;
+  self.CutReported &= self.Capture; // a picture may be captured in parts
   // On all ranks alike, whether or not they have something to draw.
   self.Interactive = this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() >= interactiveRate && !self.Capture;
   if (self.Members.empty())
@@ -450,7 +454,8 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   rtg::ImageEffort effort;
   effort.samples = static_cast<std::uint32_t>(wanted.SamplesPerPixel);
   effort.samplesAtOnce = capture ? 0 : static_cast<std::uint32_t>(wanted.SamplesPerRender);
-  effort.seconds = wanted.StepwiseRendering && !capture ? stepSeconds : 0.0;
+  const int images = (self.HasBothPasses() ? 2 : 1) * (this->Renderer->GetRenderWindow()->GetStereoRender() ? 2 : 1);
+  effort.seconds = wanted.StepwiseRendering && !capture ? stepSeconds / images : 0.0;
   effort.preview = self.Interactive;
   // Pixels that need more than one ray are spared more of them, for the camera to answer as fast.
   effort.pixelStep =
@@ -467,21 +472,19 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   window->GetTileViewport(place.Tile.data());
   vtkRayTracedImages::Entry& entry = self.Images.Get(place);
 
-  if (self.Stopped && entry.Image.GetState() == rtg::ProgressiveImage::State::Growing && entry.Image.View() == view)
-  {
-    effort.samples = std::max(1u, entry.Image.Samples());
-  }
+  // Another camera, for example, is asked for because somebody wants to see more.
+  const bool stays = self.Stopped && !capture && entry.Image.View() == view;
+  self.Stopped = capture ? self.Stopped : stays;
+  const bool growing = entry.Image.GetState() == rtg::ProgressiveImage::State::Growing;
   // Somebody may not want it any more; and ParaView's progress bar wants to know.
   vtkRayTracedSignal signal;
   const auto start = std::chrono::steady_clock::now();
-  bool told = false;
   const rtg::Interrupt interrupt = [&](double progress)
   {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     if (passed.count() > quietSeconds)
     {
       self.Teller->UpdateProgress(progress);
-      told = true;
     }
     return window->CheckAbortStatus() != 0 || signal.Arrived();
   };
@@ -495,14 +498,14 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
     }
     self.TellerKnown = true;
   }
-  const rtg::Image* image =
-    self.Images.Update(entry, view, effort, interrupt, [&self](rtg::Scene& scene) { self.Send(scene); });
-  if (told)
-  {
-    self.Teller->UpdateProgress(1.0);
-    // The progress bar was painted meanwhile: Qt made its own OpenGL context current.
-    window->MakeCurrent();
-  }
+  // Whoever is told or asked may paint meanwhile: Qt makes its own OpenGL context current, and binds framebuffers of widgets
+  // in ours.
+  window->GetState()->Push();
+  const rtg::Image* image = stays && growing
+    ? &entry.Image.GetImage()
+    : self.Images.Update(entry, view, effort, interrupt, [&self](rtg::Scene& scene) { self.Send(scene); });
+  window->MakeCurrent();
+  window->GetState()->Pop();
   self.Frame.push_back({ &entry, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
   if (!image)
   {
@@ -510,6 +513,12 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
     return;
   }
   self.Reported.clear();
+  if (capture && entry.Image.GetState() == rtg::ProgressiveImage::State::Growing && !self.CutReported)
+  {
+    self.CutReported = true;
+    vtkWarningMacro(<< "Tracing was stopped: the picture that is saved has " << entry.Image.Samples() << " of "
+                    << effort.samples << " samples a pixel. Save it again to have them all.");
+  }
   if (entry.Uploaded != entry.Image.Version() || !entry.Quad.HasImage())
   {
     entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth);
@@ -548,7 +557,7 @@ void vtkRayTracedScene::EndFrame()
   for (const Internals::Drawn& drawn : self.Frame)
   {
     const rtg::ProgressiveImage& image = drawn.Entry->Image;
-    progress = std::min(progress, image.Progress());
+    progress = self.Stopped && !self.Capture ? 1.0 : std::min(progress, image.Progress());
     samples = std::min(samples, image.GetState() == rtg::ProgressiveImage::State::Failed ? 0.0 : double(image.Samples()));
     finished &= image.GetState() == rtg::ProgressiveImage::State::Finished;
   }
@@ -704,7 +713,7 @@ int vtkRayTracedScene::GetAccumulatedSamples() const
 double vtkRayTracedScene::GetProgress() const
 {
   const Internals& self = *this->Self;
-  return self.Stopped ? 1.0 : self.Stereo ? std::min(self.Progress[0], self.Progress[1]) : self.Progress[self.Eye];
+  return self.Stereo ? std::min(self.Progress[0], self.Progress[1]) : self.Progress[self.Eye];
 }
 
 //----------------------------------------------------------------------------

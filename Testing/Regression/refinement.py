@@ -16,7 +16,7 @@ import paraview.simple as pv  # noqa: E402
 
 import client_server  # noqa: E402
 import session  # noqa: E402
-from window import event_loop, say, wait  # noqa: E402
+from window import Window, say  # noqa: E402
 
 SAMPLES = 12
 SERVER = os.environ.get("RTGLYPHS_PVSERVER")
@@ -50,7 +50,7 @@ def scene():
 def main():
     """Ambient occlusion at rest, then after a turn of the camera, then while it is turned."""
     failures = []
-    events = event_loop()
+    window = Window()
     view, shown = scene()
     seen = []
 
@@ -65,40 +65,40 @@ def main():
     if seen[0] >= SAMPLES:
         failures.append("the first image has all %d samples at once" % seen[0])
     start = time.time()
-    if not wait(events, finished, LIMIT):
+    if not window.wait(finished, LIMIT):
         failures.append("after %g s the image has %s samples, not %d" % (LIMIT, seen[-1], SAMPLES))
     say("refined at rest: %s samples in %.2f s" % (seen, time.time() - start))
 
     # Nothing goes on when all is done.
     before, cpu = state(shown), time.process_time()
-    wait(events, lambda: False, 2.0)
+    window.wait(lambda: False, 2.0)
     idle = (time.process_time() - cpu) / 2.0
     say("at rest: %.1f %% of one core" % (100.0 * idle))
     if state(shown) != before:
         failures.append("a finished image was traced again: %s, then %s" % (before, state(shown)))
 
     # While the camera is turned there are coarse images and no steps between them.
-    window = view.SMProxy.GetInteractor()
-    window.InvokeEvent("StartInteractionEvent")
+    interactor = view.SMProxy.GetInteractor()
+    interactor.InvokeEvent("StartInteractionEvent")
     before = state(shown)
     start = time.time()
     session.look(view, (1.0, 0.0, 6.0))
     view.SMProxy.InteractiveRender()
     answer = time.time() - start
     turning = state(shown)
-    wait(events, lambda: False, 1.0)
+    window.wait(lambda: False, 1.0)
     if state(shown) != turning:
         failures.append("the image was refined while the camera was turned")
     # A coarse image has no sample of every pixel.
     if turning[1] != before[1] + 1 or turning[0] != 0:
         failures.append("a turn of the camera took %s to %s samples and images" % (before, turning))
-    window.InvokeEvent("EndInteractionEvent")
+    interactor.InvokeEvent("EndInteractionEvent")
     start = time.time()
     view.SMProxy.StillRender()
     sample = time.time() - start
     say("first picture of a turn after %.3f s, a sample at rest %.3f s" % (answer, sample))
     seen.clear()
-    if not wait(events, finished, LIMIT):
+    if not window.wait(finished, LIMIT):
         failures.append("after a turn the image has %s samples, not %d" % (seen[-1], SAMPLES))
     say("refined after a turn: %s" % seen)
     return failures

@@ -1,7 +1,9 @@
-"""For scripts that run inside ParaView's window: its events, and output that reaches the test."""
+"""For scripts that run inside ParaView's window: its events, mouse and keys, and output that reaches the test.
+
+Environment: RTGLYPHS_WINDOW_PROBE is the library of WindowProbe.cxx.
+"""
 import ctypes
 import os
-import re
 import time
 
 
@@ -10,25 +12,40 @@ def say(text):
     os.write(1, (text + "\n").encode())
 
 
-def event_loop():
-    """A function that lets the window take its events: scripts run inside one."""
-    # Only the library that the window uses: another version may be installed as well.
-    with open("/proc/self/maps", encoding="utf-8") as maps:
-        loaded = re.search(r"/\S*libQt[56]Core\.so\.[56]\S*", maps.read())
-    if loaded:
-        process = ctypes.CDLL(loaded.group(), mode=ctypes.RTLD_GLOBAL)[
-            "_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
-        process.argtypes, process.restype = [ctypes.c_int], None
-        return lambda: process(0)
-    raise RuntimeError("ParaView's window uses neither Qt 5 nor Qt 6")
+class Window:
+    """What a user of the window does and sees; widgets are named as ParaView names them."""
 
+    def __init__(self):
+        self.probe = ctypes.CDLL(os.environ["RTGLYPHS_WINDOW_PROBE"])
 
-def wait(events, until, seconds):
-    """Handles events until the condition holds; False after that many seconds."""
-    end = time.time() + seconds
-    while time.time() < end:
-        events()
-        if until():
-            return True
-        time.sleep(0.002)
-    return False
+    def events(self):
+        """Lets the window take its events: scripts run inside one."""
+        self.probe.probe_events()
+
+    def click(self, name):
+        """Posts a click; False: there is no such widget, or it is disabled."""
+        return bool(self.probe.probe_click(name.encode()))
+
+    def escape(self, name):
+        """Posts the Esc key; False: there is no such widget."""
+        return bool(self.probe.probe_escape(name.encode()))
+
+    def enabled(self, name):
+        """Whether a visible widget takes input."""
+        return bool(self.probe.probe_enabled(name.encode()))
+
+    def text(self, name):
+        """What a label says."""
+        text = ctypes.create_string_buffer(200)
+        self.probe.probe_text(name.encode(), text, len(text))
+        return text.value.decode()
+
+    def wait(self, until, seconds):
+        """Handles events until the condition holds; False after that many seconds."""
+        end = time.time() + seconds
+        while time.time() < end:
+            self.events()
+            if until():
+                return True
+            time.sleep(0.002)
+        return False

@@ -1,0 +1,187 @@
+"""Runs inside ParaView's window: what takes long tells its progress, answers to Esc and the Abort button, and goes on afterwards.
+
+Usage: paraview --plugin-search-paths=DIR --plugins=RayTracedGlyphs --script=interrupting.py
+Prints INTERRUPTING TEST PASSED as its last line.
+"""
+import faulthandler
+import os
+import sys
+import time
+import traceback
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRIPT", "."))))
+
+import paraview.simple as pv  # noqa: E402
+
+import session  # noqa: E402
+from checks import Checks, cloud, information, pending  # noqa: E402
+from window import Window, say  # noqa: E402
+
+#: names of ParaView's widgets
+ABORT, BAR, VIEW = "AbortButton", "ProgressBar", "Viewport"
+#: samples that take long, and samples that take a few seconds
+MANY, FEW = 4000, 8
+#: seconds within which what is waited for must have happened
+LIMIT = 60.0
+
+
+class Renders:
+    """How long the renders of a view take."""
+
+    def __init__(self, view):
+        self.seconds, self.start = [], 0.0
+        view.SMProxy.AddObserver("StartEvent", lambda *_: self.begin())
+        view.SMProxy.AddObserver("EndEvent", lambda *_: self.seconds.append(time.monotonic() - self.start))
+
+    def begin(self):
+        """A render starts."""
+        self.start = time.monotonic()
+
+
+def scene():
+    """(view, display): a cloud of spheres with ambient occlusion."""
+    view = pv.GetActiveViewOrCreate("RenderView")
+    pv.GetLayout().PreviewMode = [400, 300]
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [channel / 255.0 for channel in session.BACKGROUND]
+    shown = session.glyphs(cloud(3000), view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.1)
+    session.solid(shown, (0.9, 0.9, 0.9))
+    shown.ShadingMode, shown.AmbientOcclusionRays = "Ambient Occlusion", 4
+    session.look(view, (0.0, 0.0, 6.0))
+    return view, shown
+
+
+def capture(view, name):
+    """A small screenshot, which has all samples."""
+    return session.capture(view, "interrupting-" + name, ImageResolution=[300, 200])
+
+
+def samples_of(shown):
+    """Of the image in the window."""
+    return information(shown, "AccumulatedSamples")
+
+
+def progress_told(checks, view, shown):
+    """Progress is told, and the progress bar is painted, while a picture is captured: that is the same as otherwise."""
+    shown.SamplesPerPixel = 2
+    pv.Render(view)
+    expected = capture(view, "quick")
+    checks.covered("quick picture", expected, 0.2)
+    session.look(view, (0.0, 0.0, 5.0))
+    capture(view, "other")  # the first picture is forgotten
+    session.look(view, (0.0, 0.0, 6.0))
+    handler, told = pv.servermanager.ActiveConnection.Session.GetProgressHandler(), []
+    window = view.SMProxy.GetRenderWindow()
+    # The window is asked after each launch whether to go on, and takes its time to answer.
+    asked = window.AddObserver("AbortCheckEvent", lambda *_: time.sleep(0.4))
+    progress = handler.AddObserver("ProgressEvent", lambda *_: told.append(handler.GetLastProgressText()))
+    slow = capture(view, "slow")
+    window.RemoveObserver(asked)
+    handler.RemoveObserver(progress)
+    say("progress told while a picture is captured: %s" % told)
+    checks.true("no progress of tracing was told: %s" % told, "Ray Tracing" in told)
+    checks.picture("picture that was captured while progress was told", slow, expected)
+    pv.Render(view)
+    checks.picture("next picture", capture(view, "after"), expected)
+
+
+def stopping(checks, window, view, shown, name, stop):
+    """Refinement shows its progress, ends when somebody stops it, and begins again with another camera."""
+    shown.SamplesPerPixel = MANY
+    session.look(view, (1.0, len(name) / 20.0, 6.0))
+    pv.Render(view)
+    checks.true("%s: nothing is refined" % name, window.wait(lambda: samples_of(shown) >= 2, LIMIT))
+    checks.true("%s: the progress bar says '%s'" % (name, window.text(BAR)), "Ray Tracing" in window.text(BAR))
+    checks.true("%s: the Abort button is disabled" % name, window.enabled(ABORT))
+    checks.true("%s: there is nothing to press" % name, stop())
+    window.wait(lambda: False, 0.3)
+    stopped = samples_of(shown)
+    window.wait(lambda: False, 1.0)
+    pv.Render(view)
+    window.wait(lambda: False, 0.5)
+    say("%s: stopped at %d samples of %d, then %d" % (name, stopped, MANY, samples_of(shown)))
+    checks.within("%s: samples" % name, stopped, 1, MANY - 1)
+    checks.equal("%s: samples of an image that was stopped" % name, samples_of(shown), stopped)
+    checks.true("%s: a stopped image is pending" % name, not pending(shown))
+    checks.true("%s: the progress bar still says '%s'" % (name, window.text(BAR)), "Ray Tracing" not in window.text(BAR))
+    checks.true("%s: the Abort button is enabled" % name, not window.enabled(ABORT))
+    session.look(view, (-1.0, 0.0, 6.0))
+    shown.SamplesPerPixel = FEW
+    pv.Render(view)
+    checks.true("%s: the next image is not refined" % name, window.wait(lambda: not pending(shown), LIMIT))
+    checks.true("%s: %d samples at rest" % (name, samples_of(shown)), samples_of(shown) >= FEW)
+
+
+def turned_after_stop(checks, window, view, shown):
+    """Nothing but the camera changes."""
+    shown.SamplesPerPixel = MANY
+    session.look(view, (0.0, 1.0, 6.0))
+    pv.Render(view)
+    window.wait(lambda: samples_of(shown) >= 1, LIMIT)
+    window.click(ABORT)
+    window.wait(lambda: False, 0.3)
+    checks.true("stopped: the image is pending", not pending(shown))
+    session.look(view, (0.0, 1.0, 5.0))
+    pv.Render(view)
+    checks.true("an image is not refined when the camera was turned after a stop", pending(shown))
+    window.click(ABORT)
+    window.wait(lambda: False, 0.3)
+
+
+def aborted_capture(checks, window, view, shown, name, stop):
+    """A screenshot with many samples ends soon, and says what it lacks; the next one is whole."""
+    shown.SamplesPerPixel = FEW
+    pv.Render(view)
+    window.wait(lambda: not pending(shown), LIMIT)
+    expected = capture(view, "whole")
+    shown.SamplesPerPixel = MANY
+    handler, pressed = pv.servermanager.ActiveConnection.Session.GetProgressHandler(), []
+
+    def press(*_):
+        if not pressed and stop():
+            pressed.append(time.monotonic())
+
+    observer = handler.AddObserver("ProgressEvent", press)
+    said = session.messages(lambda: capture(view, "aborted"))
+    handler.RemoveObserver(observer)
+    seconds = time.monotonic() - pressed[0] if pressed else -1.0
+    say("%s: %.2f s from the press to the end of the screenshot" % (name, seconds))
+    checks.true("%s: there is nothing to press" % name, bool(pressed))
+    checks.within("%s: seconds from the press to the end" % name, seconds, 0.0, 5.0)
+    checks.one_message(name, said, "samples", "stopped")
+    shown.SamplesPerPixel = FEW
+    pv.Render(view)
+    window.wait(lambda: not pending(shown), LIMIT)
+    checks.picture("%s: next picture" % name, capture(view, "next"), expected, pixels=0.002)
+    window.wait(lambda: False, 0.3)
+    checks.true("%s: the Abort button stays enabled" % name, not window.enabled(ABORT))
+
+
+def main():
+    """All of it in one window."""
+    faulthandler.dump_traceback_later(session.HANGS, file=sys.__stderr__)
+    checks, window = Checks(), Window()
+    pv._DisableFirstRenderCameraReset()
+    view, shown = scene()
+    pv.Render(view)  # programs are compiled
+    window.wait(lambda: not pending(shown), LIMIT)
+    progress_told(checks, view, shown)
+    renders = Renders(view)
+    stopping(checks, window, view, shown, "Abort button", lambda: window.click(ABORT))
+    stopping(checks, window, view, shown, "Esc", lambda: window.escape(VIEW))
+    turned_after_stop(checks, window, view, shown)
+    say("%d renders, the longest %.3f s" % (len(renders.seconds), max(renders.seconds)))
+    aborted_capture(checks, window, view, shown, "Abort button in a screenshot", lambda: window.click(ABORT))
+    aborted_capture(checks, window, view, shown, "Esc in a screenshot", lambda: window.escape(VIEW))
+    return checks.failures
+
+
+try:
+    FOUND = main()
+except Exception:  # the window would stay open for ever
+    FOUND = [traceback.format_exc()]
+for failure in FOUND:
+    say("FAILED: " + failure)
+say("INTERRUPTING TEST " + ("FAILED" if FOUND else "PASSED"))
+os._exit(1 if FOUND else 0)
