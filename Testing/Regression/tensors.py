@@ -48,12 +48,14 @@ def colours(failures, view):
     middle = lambda image, x: image[75, int(round(149.5 + x * 75.0 / 1.608)), :3].astype(int)
     wanted = {"Trace": [None, None, (59, 77, 191)], "Fractional Anisotropy": [(59, 76, 192), None, (59, 76, 192)],
               "Principal Direction": [None, (255, 0, 0), None]}
-    # Both have tables of their own, ParaView's default from blue to red over the data's range: -3 to 3, and 0 to 0.77.
+    # Both have tables of their own, from blue to red over the data's range: -3 to 3, and 0 to 0.77.
     wanted["Trace"][0] = (180, 4, 38)
     wanted["Fractional Anisotropy"][1] = (180, 4, 38)
     for colouring, expected in wanted.items():
         shown.GlyphTensorColoring = colouring
         pv.Render(view)
+        if colouring != "Principal Direction":
+            session.cool_to_warm("t " + colouring)
         for bar in view.Representations:  # it would stand before the glyphs
             if bar.GetProperty("ComponentTitle") is not None:
                 bar.Visibility = 0
