@@ -2,6 +2,7 @@
 
 Usage: pvpython exporters.py
 """
+import importlib.util
 import os
 import shutil
 import traceback
@@ -11,7 +12,10 @@ import paraview.simple as pv
 import session
 from checks import Checks, cloud
 
-SUFFIXES = ("x3d", "vrml", "gltf", "vtkjs")
+SUFFIXES = ["x3d", "vrml", "gltf"]
+# A part of this exporter is a Python module that a ParaView built without its web modules does not have, as Debian's 6.1.
+if importlib.util.find_spec("paraview.web"):
+    SUFFIXES.append("vtkjs")
 
 
 def export(view, suffix, name):

@@ -29,8 +29,11 @@ def names_of(proxy):
 
 
 def assigned(script):
-    """Names of the properties that a script sets on displays."""
-    return set(re.findall(r"^\w*Display\w*\.(\w+)(?:\.\w+)* *=", script, re.MULTILINE))
+    """Names of the properties that a script sets on displays: one by one, or since ParaView 6 by Set(name=value, ...)."""
+    found = set(re.findall(r"^\w*Display\w*\.(\w+)(?:\.\w+)* *=", script, re.MULTILINE))
+    for call in re.findall(r"^\w*Display\w*\.Set\((.*?)^\)", script, re.MULTILINE | re.DOTALL):
+        found |= set(re.findall(r"^ +(\w+)=", call, re.MULTILINE))
+    return found
 
 
 def main():
