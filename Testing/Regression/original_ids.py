@@ -1,4 +1,4 @@
-"""Coloring by vtkOriginalPointIds, which ExtractSelection gives its points, is that of ParaView's own representations.
+"""Coloring by vtkOriginalPointIds, which ExtractSelection gives its points, is that of any array in ParaView's 3D Glyphs.
 
 Usage: pvpython original_ids.py
 """
@@ -27,10 +27,13 @@ def main():
     session.load()
     checks = Checks()
     points = extracted()
+    # 3D Glyphs of ParaView 6.1 replace an array of the very name by the numbers of the points that they show.
+    copied = pv.Calculator(Input=points, Function=ARRAY, ResultArrayName="number")
     view = session.view(240, 180)
     pictures, said = {}, {}
     for kind in ("3D Glyphs", session.REPRESENTATION):
-        shown = pv.Show(points, view)
+        data, array = (copied, "number") if kind == "3D Glyphs" else (points, ARRAY)
+        shown = pv.Show(data, view)
         shown.SetRepresentationType(kind)
         if kind == "3D Glyphs":
             shown.GlyphType = "Sphere"
@@ -38,9 +41,9 @@ def main():
             shown.GlyphType.Radius, shown.Scaling = 0.15, 0
         else:
             shown.GlyphOrient, shown.GlyphScaleFactor, shown.SamplesPerPixel = 0, 0.3, 1
-        pv.ColorBy(shown, ("POINTS", ARRAY))
+        pv.ColorBy(shown, ("POINTS", array))
         shown.SetScalarBarVisibility(view, False)
-        pv.GetColorTransferFunction(ARRAY).RescaleTransferFunction(0.0, 60.0)
+        pv.GetColorTransferFunction(array).RescaleTransferFunction(0.0, 60.0)
         session.look(view, (0.0, 0.0, 5.0))
         said[kind] = session.messages(lambda: pv.Render(view))
         pictures[kind] = session.capture(view, "original-ids-" + kind.split()[0].lower())
