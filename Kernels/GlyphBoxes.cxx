@@ -20,6 +20,10 @@ HostShapes::Glyph DoubleGlyph(const GlyphInstances& instances, std::size_t i)
 {
   HostShapes::Glyph glyph;
   glyph.centre = glm::dvec3(instances.centres[i]);
+  if (!instances.centresLow.empty())
+  {
+    glyph.centre += glm::dvec3(instances.centresLow[i]);
+  }
   glyph.centreLow = glm::dvec3(0.0);
   glyph.size = !instances.sizes3.empty() ? glm::dvec3(instances.sizes3[i])
     : !instances.sizes1.empty()          ? glm::dvec3(instances.sizes1[i])

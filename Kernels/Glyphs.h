@@ -83,6 +83,8 @@ struct GlyphInstances
   /// World position that `centres` are relative to; chosen near the data, subtracted in double.
   glm::dvec3 origin{ 0.0 };
   std::vector<glm::vec3> centres;
+  /// What rounding to float left of each centre, or empty: for sets that extend so far that a float is not right to 1e-6 of a glyph's size.
+  std::vector<glm::vec3> centresLow;
 
   /// World size of a unit glyph: full extents along the unit form's axes. Exactly one of:
   /// sizes3 (one vec3 a glyph), sizes1 (one float a glyph), both empty (uniformSize for all).

@@ -48,6 +48,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer FloatImage
 struct GlyphSetRecord
 {
   RTG_ADDRESS(Vec3Array) centres;
+  RTG_ADDRESS(Vec3Array) centresLow; // none unless specialised
   RTG_ADDRESS(FloatArray) sizes;     // one or three floats a glyph, or none (specialised)
   RTG_ADDRESS(Vec4Array) rotations;  // none unless specialised
   RTG_ADDRESS(FloatArray) exponents; // three floats a glyph, or none (specialised)

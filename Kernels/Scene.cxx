@@ -42,6 +42,7 @@ void CheckLengths(const GlyphInstances& instances)
         std::to_string(instances.Count()) + " glyphs; give one a glyph or none.");
     }
   };
+  check("low parts of centres", instances.centresLow.size());
   check("sizes along three axes", instances.sizes3.size());
   check("sizes", instances.sizes1.size());
   check("rotations", instances.rotations.size());
@@ -242,9 +243,9 @@ float Scene::State::Measure()
       set.measured = true;
     }
   }
-  // The scene's origin is that of its first set: near the data, and it stays put.
+  // The scene's origin is that of its first visible set: near what is looked at.
   const auto first =
-    std::find_if(this->sets.begin(), this->sets.end(), [](const auto& entry) { return entry.second.count > 0; });
+    std::find_if(this->sets.begin(), this->sets.end(), [](const auto& entry) { return entry.second.Shown(); });
   const glm::dvec3 newOrigin = first == this->sets.end() ? glm::dvec3(0.0) : first->second.instances.origin;
   this->topLevelChanged |= newOrigin != this->origin;
   this->origin = newOrigin;

@@ -91,6 +91,7 @@ void Scene::State::SendGlyphs(const GlyphSet& set, PlacedGlyphs& placed)
   const GlyphInstances& instances = set.instances;
   const std::vector<std::uint32_t>& order = set.sorted.order;
   placed.centres = SendInOrder(vulkan, instances.centres, order);
+  placed.centresLow = SendInOrder(vulkan, instances.centresLow, order);
   placed.sizes = instances.sizes3.empty() ? SendInOrder(vulkan, instances.sizes1, order)
                                           : SendInOrder(vulkan, instances.sizes3, order);
   placed.rotations = SendInOrder(vulkan, instances.rotations, order);
@@ -105,6 +106,7 @@ void Scene::State::SendGlyphs(const GlyphSet& set, PlacedGlyphs& placed)
   group.sizesPerGlyph = !instances.sizes3.empty() ? 3 : !instances.sizes1.empty() ? 1 : 0;
   group.turned = !instances.rotations.empty();
   group.ownExponents = !instances.exponents3.empty();
+  group.exactCentres = !instances.centresLow.empty();
   group.colouredByForm = !instances.forms.empty();
   group.fixedHeads = instances.shape == Shape::Arrow && instances.arrow.fixedHeads;
   group.hasVelocities = !motion.velocities.empty();

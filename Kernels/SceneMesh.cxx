@@ -136,7 +136,8 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter)
 
 bool IsMovingMesh(const GlyphInstances& instances)
 {
-  return instances.shape == Shape::Mesh && (instances.motion.Any() || Deforms(*instances.mesh));
+  return instances.shape == Shape::Mesh &&
+    (instances.motion.Any() || Deforms(*instances.mesh) || !instances.centresLow.empty());
 }
 
 bool Scene::State::KeepsMesh(const GlyphSet& set, PlacedMesh& mesh)
@@ -178,8 +179,8 @@ void Scene::State::SendMovingMesh(const GlyphSet& set, PlacedGlyphs& placed)
   Device::State& vulkan = this->device->GetState();
   if (!vulkan.int64)
   {
-    throw Error("Ray Traced Glyphs: the device has no 64-bit integers in shaders (shaderInt64), which meshes that move "
-                "need; switch their MotionBlur off.");
+    throw Error("Ray Traced Glyphs: the device has no 64-bit integers in shaders (shaderInt64), which mesh glyphs "
+                "need that move or lie far apart; switch their MotionBlur off, or leave points out that lie far away.");
   }
   const GlyphMotion& shutter = instances.motion;
   PlacedMesh& sent = placed.mesh;

@@ -116,6 +116,7 @@ void Scene::State::FillRecords()
       const auto at = [&](const Buffer& buffer, std::size_t stride)
       { return buffer.Size() ? buffer.Address() + run.first * stride : 0; };
       record.centres = at(placed.centres, sizeof(glm::vec3));
+      record.centresLow = at(placed.centresLow, sizeof(glm::vec3));
       record.sizes = at(placed.sizes, placed.group.sizesPerGlyph * sizeof(float));
       record.rotations = at(placed.rotations, sizeof(glm::vec4));
       record.exponents = at(placed.exponents, sizeof(glm::vec3));

@@ -55,7 +55,7 @@ struct PlacedMesh
   float shutterOpen = 0.0f, shutterClose = 0.0f; ///< that its tree is made for
 };
 
-/// Whether the glyphs of a set are copies of a mesh that moves or deforms.
+/// Whether the glyphs of a set are copies of a mesh that moves or deforms, or lie at places that the driver's floats cannot tell.
 bool IsMovingMesh(const GlyphInstances& instances);
 
 /// What of a glyph set is on the device, in the set's GlyphOrder. It is built aside and moved into its set when it is complete, so
@@ -64,7 +64,7 @@ struct PlacedGlyphs
 {
   HitGroup group;
   float builtReach = 0.0f; ///< distance of ray origins that the boxes' padding allows for
-  Buffer centres, sizes, rotations, exponents, forms, colours, tree;
+  Buffer centres, centresLow, sizes, rotations, exponents, forms, colours, tree;
   Buffer velocities, accelerations, angularVelocities; ///< none of a set at rest
   Buffer treeOrder; ///< none unless slices are sorted each for itself
   std::uint32_t timeSliceBits =

@@ -6,6 +6,7 @@ layout(constant_id = 2) const bool coloured = false;
 layout(constant_id = 3) const bool fixedHeads = false;
 layout(constant_id = 4) const bool hasTree = false;
 layout(constant_id = 5) const bool ownExponents = false;
+layout(constant_id = 42) const bool exactCentres = false;
 
 #if RTG_SHAPE == 7
 #include "mesh.glsl"
@@ -24,6 +25,7 @@ bool IntersectGlyph(GlyphRay ray, Glyph glyph, float tMin, float tMax, out float
 struct GlyphSource
 {
   Vec3Array centres;
+  Vec3Array centresLow;
   FloatArray sizes;
   Vec4Array rotations;
   FloatArray exponents;
@@ -37,6 +39,7 @@ GlyphSource SourceOf(GlyphSetRecord set)
 {
   GlyphSource source;
   source.centres = set.centres;
+  source.centresLow = set.centresLow;
   source.sizes = set.sizes;
   source.rotations = set.rotations;
   source.exponents = set.exponents;
@@ -61,6 +64,10 @@ Glyph FetchGlyph(GlyphSource source, uint primitive)
   DoubleWord3 centre = TwoSum(source.centres.at[primitive], source.offset);
   glyph.centre = centre.hi;
   glyph.centreLow = centre.lo + source.offsetLow;
+  if (exactCentres)
+  {
+    glyph.centreLow += source.centresLow.at[primitive];
+  }
 
   if (sizesPerGlyph == 3u)
   {

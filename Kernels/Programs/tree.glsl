@@ -45,14 +45,16 @@ uvec2 LeafRange(TreePosition position, uint levels, uint64_t count, uint leafBit
 struct BoxRay
 {
   vec3 origin;
-  vec3 inverse;  // of the direction; components below 2^-60 of the longest count as that
+  // Of the direction; components below 2^-24 of the longest count as that, which the boxes' padding allows for: smaller ones would
+  // overflow where boxes extend to 1e30.
+  vec3 inverse;
   uint signs;    // bit i: component i of the direction is negative
 };
 
 BoxRay MakeBoxRay(vec3 origin, vec3 direction)
 {
   float longest = max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
-  vec3 least = vec3(longest * 8.67361737988403547e-19);
+  vec3 least = vec3(longest * 5.9604644775390625e-8);
   vec3 safe = mix(direction, least, lessThan(abs(direction), least));
   BoxRay ray;
   ray.origin = origin;

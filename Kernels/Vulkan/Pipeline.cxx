@@ -32,6 +32,7 @@ struct Specialisation
   vk::Bool32 dropsHidden;
   vk::Bool32 meshVelocities;
   vk::Bool32 meshAccelerations;
+  vk::Bool32 exactCentres;
 };
 
 const vk::SpecializationMapEntry specialisationMap[] = {
@@ -54,6 +55,7 @@ const vk::SpecializationMapEntry specialisationMap[] = {
   { 36, offsetof(Specialisation, dropsHidden), sizeof(vk::Bool32) },
   { 40, offsetof(Specialisation, meshVelocities), sizeof(vk::Bool32) },
   { 41, offsetof(Specialisation, meshAccelerations), sizeof(vk::Bool32) },
+  { 42, offsetof(Specialisation, exactCentres), sizeof(vk::Bool32) },
 };
 
 // Shading/Sampling.glsl, Programs/pixel.glsl, Programs/bindings.glsl, Programs/layers.glsl
@@ -109,7 +111,7 @@ Specialisation ConstantsOf(const HitGroup& group, const Generation& generation)
   return { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads, group.hasTree, group.ownExponents,
     group.smoothNormals, group.meshColours, group.colouredByForm, generation.translucency, generation.alone,
     leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins, group.ownTreeOrder, group.dropsHidden, group.meshVelocities,
-    group.meshAccelerations };
+    group.meshAccelerations, group.exactCentres };
 }
 
 // What ray generation programs are specialised for; those of whole scenes for their only set, too.

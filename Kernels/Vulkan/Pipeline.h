@@ -19,6 +19,7 @@ struct HitGroup
   bool fixedHeads = false;
   bool hasTree = false;
   bool ownExponents = false;
+  bool exactCentres = false; ///< centres have low parts
   bool colouredByForm = false;
   bool hasVelocities = false;
   bool hasAccelerations = false;
@@ -42,7 +43,7 @@ struct HitGroup
   {
     return a.shape == b.shape && a.sizesPerGlyph == b.sizesPerGlyph && a.turned == b.turned &&
       a.coloured == b.coloured && a.fixedHeads == b.fixedHeads && a.hasTree == b.hasTree &&
-      a.ownExponents == b.ownExponents && a.colouredByForm == b.colouredByForm && a.hasVelocities == b.hasVelocities &&
+      a.ownExponents == b.ownExponents && a.exactCentres == b.exactCentres && a.colouredByForm == b.colouredByForm && a.hasVelocities == b.hasVelocities &&
       a.hasAccelerations == b.hasAccelerations && a.spins == b.spins &&
       a.ownTreeOrder == b.ownTreeOrder && a.dropsHidden == b.dropsHidden && a.smoothNormals == b.smoothNormals &&
       a.meshColours == b.meshColours && a.meshTree == b.meshTree &&

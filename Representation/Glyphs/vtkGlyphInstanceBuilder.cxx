@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <sstream>
@@ -207,6 +208,7 @@ public:
       this->Keep(
         vtkRayTracedParallel::Select(count, [&](vtkIdType k) { return outcomes[k] == SHOWN; }));
     }
+    this->StoreLowParts();
     this->Finish();
     return numbers;
   }
@@ -229,27 +231,59 @@ private:
     std::vector<vtkGlyphTuples> Named; // by vtkGlyphArrays::Id
   };
 
-  // The middle of the data, from which the positions lose the least when they become float
+  // Where most of the data are, whatever lies far away: the median of some points, axis by axis.
   void ChooseOrigin(const std::vector<vtkIdType>& candidates)
   {
-    const vtkRayTracedParallel::Box box =
-      vtkRayTracedParallel::BoxOf(static_cast<vtkIdType>(candidates.size()),
-        [&](vtkIdType begin, vtkIdType end, vtkRayTracedParallel::Box& own)
-        {
-          vtkGlyphTuples positions(this->Positions);
-          for (vtkIdType k = begin; k < end; ++k)
-          {
-            const double* x = positions.Get(candidates[k]);
-            if (IsFinite(x))
-            {
-              own.Add({ x[0], x[1], x[2] }, { x[0], x[1], x[2] });
-            }
-          }
-        });
-    if (!box.IsEmpty())
+    constexpr std::size_t enough = 1000;
+    const std::size_t step = std::max<std::size_t>(1, candidates.size() / enough);
+    vtkGlyphTuples positions(this->Positions);
+    std::array<std::vector<double>, 3> coordinates;
+    for (std::size_t k = 0; k < candidates.size(); k += step)
     {
-      this->Instances.origin = this->Placement(box.Center());
+      const double* x = positions.Get(candidates[k]);
+      for (int axis = 0; axis < 3 && IsFinite(x); ++axis)
+      {
+        coordinates[axis].push_back(x[axis]);
+      }
     }
+    if (coordinates[0].empty())
+    {
+      return;
+    }
+    glm::dvec3 median;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      auto& values = coordinates[axis];
+      const auto middle = values.begin() + values.size() / 2;
+      std::nth_element(values.begin(), middle, values.end());
+      median[axis] = *middle;
+    }
+    this->Instances.origin = this->Placement(median);
+  }
+
+  glm::dvec3 FromOrigin(const double* x) const
+  {
+    return this->Placement(glm::dvec3(x[0], x[1], x[2])) - this->Instances.origin;
+  }
+
+  // What rounding has left of the centers, when for some glyph it is more than 1e-6 of its size.
+  void StoreLowParts()
+  {
+    if (!this->NeedsLowParts)
+    {
+      return;
+    }
+    this->Instances.centresLow.resize(this->Out.Points.size());
+    vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(this->Out.Points.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        vtkGlyphTuples positions(this->Positions);
+        for (vtkIdType k = begin; k < end; ++k)
+        {
+          this->Instances.centresLow[k] = glm::vec3(
+            this->FromOrigin(positions.Get(this->Out.Points[k])) - glm::dvec3(this->Instances.centres[k]));
+        }
+      });
   }
 
   // What becomes of the point; when it is shown, the glyph of this number is its.
@@ -273,7 +307,8 @@ private:
       }
     }
     const double* x = tuples.Positions.Get(i);
-    const glm::vec3 center(this->Placement(glm::dvec3(x[0], x[1], x[2])) - this->Instances.origin);
+    const glm::dvec3 place = this->FromOrigin(x);
+    const glm::vec3 center(place);
     if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z))
     {
       return POSITION;
@@ -345,6 +380,11 @@ private:
 
     this->Motion.Store(this->Instances.motion, glyph, i, this->Placement.Linear, this->Rotation);
     this->Instances.centres[glyph] = center;
+    const glm::dvec3 left = glm::abs(place - glm::dvec3(center));
+    if (std::max({ left.x, left.y, left.z }) > 1e-6 * smallest)
+    {
+      this->NeedsLowParts = true;
+    }
     this->Store(glyph, this->How.Shape == rtg::Shape::Mesh ? glm::vec3(size) : extent, rotation,
       tensorGlyph, exponents);
     return SHOWN;
@@ -446,6 +486,7 @@ private:
   const glm::dmat3 Rotation;     // of the placement
   std::vector<float> FirstSizes; // of each chunk's first glyph, which is never 0; 0: it has none
   bool GoodExponents = false;    // of the settings
+  std::atomic<bool> NeedsLowParts{ false };
   bool SameSizes = false, OneSize = false; // for all glyphs; for all axes of one
   bool Turned = false, Flips = false;
 };

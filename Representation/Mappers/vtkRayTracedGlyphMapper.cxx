@@ -79,6 +79,7 @@ Hash DigestOf(const rtg::GlyphInstances& instances)
     Mix(sum, mesh->normals.data(), mesh->normals.size());
   }
   Mix(sum, instances.centres.data(), instances.centres.size());
+  Mix(sum, instances.centresLow.data(), instances.centresLow.size());
   Mix(sum, instances.sizes3.data(), instances.sizes3.size());
   Mix(sum, instances.sizes1.data(), instances.sizes1.size());
   Mix(sum, instances.rotations.data(), instances.rotations.size());

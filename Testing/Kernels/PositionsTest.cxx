@@ -1,0 +1,161 @@
+// Every glyph stands where it is, to 1e-6 of its size, whatever lies elsewhere: of every shape, at rest and in motion.
+#include "BoxMesh.h"
+#include "Scene.h"
+#include "SceneState.h"
+#include "SharedDevice.h"
+#include "Tracer.h"
+#include "Vulkan/Device.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <tuple>
+
+namespace
+{
+
+using rtg::Shape;
+using rtg::Structure;
+using rtg::Tracer;
+
+constexpr float size = 0.01f;
+
+class PositionsTest : public ::testing::TestWithParam<std::tuple<Structure, bool>>
+{
+protected:
+  std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
+  Tracer& tracer = rtg::testing::SharedTracer();
+
+  // Turned glyphs at these places, which move or not.
+  static rtg::GlyphInstances Glyphs(Shape shape, const std::vector<glm::dvec3>& places, const glm::dvec3& origin)
+  {
+    rtg::GlyphInstances glyphs;
+    glyphs.shape = shape;
+    glyphs.uniformExponents = shape == Shape::NestedSuperquadric ? glm::vec3(0.7f, 0.8f, 0.8f) : glm::vec3(2.5f, 3.0f, 4.0f);
+    glyphs.origin = origin;
+    if (shape == Shape::Mesh)
+    {
+      glyphs.mesh = rtg::testing::Share(rtg::testing::BoxMesh());
+    }
+    for (const glm::dvec3& place : places)
+    {
+      const glm::dvec3 exact = place - origin;
+      glyphs.centres.emplace_back(exact);
+      glyphs.centresLow.emplace_back(exact - glm::dvec3(glyphs.centres.back()));
+      glyphs.sizes3.emplace_back(size, 0.8f * size, 0.9f * size);
+      glyphs.rotations.push_back(glm::normalize(glm::vec4(0.3f, -0.2f, 0.5f, 0.8f)));
+      if (std::get<1>(GetParam()))
+      {
+        glyphs.motion.velocities.emplace_back(size, -size, 0.5f * size);
+        glyphs.motion.angularVelocities.emplace_back(0.4f, 0.1f, -0.3f);
+      }
+    }
+    return glyphs;
+  }
+
+  std::vector<Tracer::ProbeHit> Probe(const rtg::GlyphInstances& glyphs, const std::vector<Tracer::Probe>& probes)
+  {
+    rtg::Scene scene(this->device);
+    scene.GetState().structure = std::get<0>(GetParam());
+    const auto id = scene.Add();
+    scene.SetInstances(id, glyphs);
+    scene.Commit();
+    return this->tracer.TraceProbes(scene, probes);
+  }
+};
+
+} // namespace
+
+TEST_P(PositionsTest, SurviveOutliers)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto vector = [&] { return glm::dvec3(uniform(random), uniform(random), uniform(random)); };
+  // The marked glyph is the first; 1e6 away lies another crowd.
+  for (const glm::dvec3& middle : { glm::dvec3(0.0), glm::dvec3(1e6, -3e5, 2e5) })
+  {
+    const glm::dvec3 marked = middle + glm::dvec3(0.123456789012, -0.3141592653589, 0.2718281828459);
+    std::vector<Tracer::Probe> probes, aloneProbes;
+    for (int i = 0; i < 40; ++i)
+    {
+      const glm::dvec3 from = 0.1 * glm::normalize(vector());
+      const glm::dvec3 to = 0.3 * size * vector();
+      probes.push_back({ marked + from, glm::vec3(to - from), 0.75f });
+      aloneProbes.push_back({ from, probes.back().direction, 0.75f });
+    }
+    for (std::uint32_t shape = 0; shape <= static_cast<std::uint32_t>(Shape::Mesh); ++shape)
+    {
+      const auto alone = this->Probe(Glyphs(Shape(shape), { glm::dvec3(0.0) }, glm::dvec3(0.0)), aloneProbes);
+      for (const double outlier : { 1e5, 1e30 })
+      {
+        std::vector<glm::dvec3> places{ marked, glm::dvec3(outlier, -0.5 * outlier, 0.7 * outlier) };
+        for (int i = 0; i < 6; ++i)
+        {
+          places.push_back((i < 3 ? glm::dvec3(0.0) : glm::dvec3(1e6, -3e5, 2e5)) + glm::dvec3(2.0) + vector());
+        }
+        const auto hits = this->Probe(Glyphs(Shape(shape), places, glm::dvec3(0.5, 0.25, -0.5)), probes);
+        int met = 0;
+        for (std::size_t i = 0; i < hits.size(); ++i)
+        {
+          const bool found = std::isfinite(alone[i].t);
+          met += found;
+          ASSERT_EQ(std::isfinite(hits[i].t), found) << "shape " << shape << ", outlier at " << outlier;
+          if (found)
+          {
+            EXPECT_EQ(hits[i].glyphId, 0u);
+            // Both are right to 1e-6 sizes and to some ulp of t.
+            const float length = glm::length(probes[i].direction);
+            EXPECT_NEAR(hits[i].t * length, alone[i].t * length, 2e-6 * size + 1e-7)
+              << "shape " << shape << ", outlier at " << outlier;
+          }
+        }
+        EXPECT_GT(met, 5) << "shape " << shape;
+      }
+    }
+  }
+}
+
+// Whatever the scene has shown before: its origin follows what is visible.
+TEST_P(PositionsTest, SurviveHiddenSetsFarAway)
+{
+  const glm::dvec3 far(3e14, -1e14, 2e14);
+  std::vector<Tracer::Probe> probes, aloneProbes;
+  for (int i = 0; i < 20; ++i)
+  {
+    const glm::dvec3 from(0.1, 0.0005 * i - 0.005, 0.0003 * i);
+    probes.push_back({ far + from, glm::vec3(-1, 0, 0), 0.75f });
+    probes.back().direction = glm::vec3(far - probes.back().origin);
+    aloneProbes.push_back({ probes.back().origin - far, probes.back().direction, 0.75f });
+  }
+  const auto alone = this->Probe(Glyphs(Shape::Sphere, { glm::dvec3(0.0) }, glm::dvec3(0.0)), aloneProbes);
+  rtg::Scene scene(this->device);
+  scene.GetState().structure = std::get<0>(GetParam());
+  const auto first = scene.Add();
+  scene.SetInstances(first, Glyphs(Shape::Sphere, { glm::dvec3(0.0) }, glm::dvec3(0.0)));
+  scene.Commit();
+  const auto second = scene.Add();
+  scene.SetInstances(second, Glyphs(Shape::Sphere, { far }, far));
+  scene.SetVisible(first, false);
+  scene.Commit();
+  const auto hits = this->tracer.TraceProbes(scene, probes);
+  int met = 0;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+  {
+    EXPECT_EQ(hits[i].t, alone[i].t) << i;
+    if (std::isfinite(alone[i].t))
+    {
+      ++met;
+      EXPECT_EQ(hits[i].setId, second);
+    }
+  }
+  EXPECT_GT(met, 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Structures, PositionsTest,
+  ::testing::Combine(::testing::Values(Structure::Boxes, Structure::Tree), ::testing::Bool()),
+  [](const auto& info)
+  {
+    return std::string(std::get<0>(info.param) == Structure::Boxes ? "Boxes" : "Tree") +
+      (std::get<1>(info.param) ? "Moving" : "AtRest");
+  });
