@@ -101,7 +101,7 @@ void CheckSettings(const TraceSettings& settings)
   check("the light intensity", settings.lightIntensity, 0.0f, 1e30f);
   for (int i = 0; i < 3; ++i)
   {
-    check("the environment colour", settings.environmentColour[i], 0.0f, 1e30f);
+    check("the environment color", settings.environmentColour[i], 0.0f, 1e30f);
   }
   check("the exposure", settings.exposure, -100.0f, 100.0f);
   if (settings.width > maxSide || settings.height > maxSide)

@@ -157,8 +157,8 @@ void Scene::SetColours(SetId id, GlyphColours colours)
   GlyphSet& set = this->state_->Find(id);
   if (!colours.empty() && colours.size() != set.count)
   {
-    throw Error("Ray Traced Glyphs: " + std::to_string(colours.size()) + " colours for " +
-      std::to_string(set.count) + " glyphs; give one colour a glyph or none.");
+    throw Error("Ray Traced Glyphs: " + std::to_string(colours.size()) + " colors for " +
+      std::to_string(set.count) + " glyphs; give one color a glyph or none.");
   }
   set.translucentColours = std::any_of(
     colours.begin(), colours.end(), [](std::uint32_t colour) { return (colour >> 24) != 255; });

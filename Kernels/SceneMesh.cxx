@@ -107,8 +107,8 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter)
     }
   };
   fits("normals", mesh->normals.size(), mesh->positions.size());
-  fits("colours of positions", mesh->positionColours.size(), mesh->positions.size());
-  fits("colours of triangles", mesh->triangleColours.size(), mesh->triangles.size());
+  fits("colors of positions", mesh->positionColours.size(), mesh->positions.size());
+  fits("colors of triangles", mesh->triangleColours.size(), mesh->triangles.size());
   fits("values of positions", mesh->positionValues.size(), mesh->positions.size());
   if (!mesh->positionValues.empty() && mesh->valueColours.size() < 2)
   {

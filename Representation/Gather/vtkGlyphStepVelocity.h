@@ -12,6 +12,7 @@
 #ifndef vtkGlyphStepVelocity_h
 #define vtkGlyphStepVelocity_h
 
+#include "vtkRayTracedArrays.h"
 #include "vtkType.h"
 
 #include <array>
@@ -41,7 +42,7 @@ public:
    */
   void Reset();
 
-  static const char* Name() { return "VelocityFromPreviousStep"; }
+  static const char* Name() { return vtkRayTracedArrays::StepVelocity; }
 
 private:
   enum Outcomes

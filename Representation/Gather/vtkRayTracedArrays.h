@@ -19,6 +19,8 @@ constexpr const char* CellIds = "vtkRayTraced_CellIds";
 constexpr const char* CompositeIndex = "vtkRayTraced_CompositeIndex";
 /// Of each point: the rank that it comes from. Missing where there is one.
 constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
+/// Of each point: its velocity since the step shown before. Missing unless asked for.
+constexpr const char* StepVelocity = "vtkRayTraced_StepVelocity";
 /// Of each point of composite input: what ParaView calls vtkBlockColors, its field data of each block.
 constexpr const char* BlockColors = "vtkBlockColors";
 /// vtkPVGeometryFilter's default number of them, after which they repeat.

@@ -11,6 +11,7 @@
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkGlyphSettings.h"
 
+#include <cstdint>
 #include <vector>
 
 class vtkPolyData;
@@ -25,17 +26,27 @@ public:
   const double* Get(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings,
     const vtkGlyphBlockAttributes::Table& blocks);
 
+  ///@{
+  /**
+   * How often the box was computed, and the seconds of that.
+   */
+  std::uint64_t GetBuilds() const { return this->Builds; }
+  double GetSeconds() const { return this->Seconds; }
+  ///@}
+
 private:
   struct Key
   {
     std::vector<vtkGlyphSettings> Settings;
     std::vector<vtkMTimeType> Times; // of all arrays
-    vtkGlyphBlockAttributes::Table Blocks;
+    std::vector<unsigned int> HiddenBlocks;
     bool operator==(const Key&) const = default;
   };
   Key Known;
   bool IsKnown = false;
   double Bounds[6];
+  std::uint64_t Builds = 0;
+  double Seconds = 0.0;
 };
 
 #endif

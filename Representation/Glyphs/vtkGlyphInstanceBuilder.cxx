@@ -565,20 +565,3 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   Describe(result, settings, outcomes, candidatesCount);
   return result;
 }
-
-//----------------------------------------------------------------------------
-vtkGlyphSettings vtkGlyphSettings::AxesOfTensors() const
-{
-  vtkGlyphSettings settings = *this;
-  settings.Shape = rtg::Shape::Arrow;
-  settings.Tensors.Axes = true;
-  settings.Scaling &= settings.ScaleMode != COMPONENTS;
-  settings.ScaleFactor = std::abs(settings.ScaleFactor);
-  // Thin, so as to hide little, and of one form: short ones are small.
-  settings.Arrow.shaftRadius = 0.015f;
-  settings.Arrow.tipRadius = 0.05f;
-  settings.Arrow.tipLength = 0.15f;
-  settings.Arrow.tipRounding = 0.0f;
-  settings.Arrow.fixedHeads = false;
-  return settings;
-}

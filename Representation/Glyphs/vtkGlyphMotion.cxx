@@ -59,6 +59,21 @@ void ClearZeros(std::vector<glm::vec3>& values)
 }
 
 //----------------------------------------------------------------------------
+vtkGlyphMotion::Settings vtkGlyphMotion::Settings::Effective() const
+{
+  if (!this->On)
+  {
+    return Settings();
+  }
+  Settings settings = *this;
+  if (settings.FromPreviousStep)
+  {
+    settings.Velocity.clear();
+  }
+  return settings;
+}
+
+//----------------------------------------------------------------------------
 std::array<vtkDataArray*, 3> vtkGlyphMotion::Arrays(vtkPolyData* points, const Settings& settings)
 {
   std::array<vtkDataArray*, 3> arrays{};

@@ -40,6 +40,9 @@ public:
     int Opening = CENTERED;
 
     bool operator==(const Settings&) const = default;
+
+    /// With all that has no effect at its default.
+    Settings Effective() const;
   };
 
   /**

@@ -33,7 +33,7 @@ struct vtkGlyphPlacement
 
   /**
    * Size and rotation of a glyph's image. Exact but for shearing maps of other shapes than spheres: the sheared image is no
-   * glyph, and its straight-angled neighbour is taken.
+   * glyph, and its straight-angled neighbor is taken.
    */
   void Apply(bool sphere, glm::dvec3& size, glm::dquat& rotation) const;
 

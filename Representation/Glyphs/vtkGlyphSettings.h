@@ -57,6 +57,12 @@ struct vtkGlyphSettings
   bool operator==(const vtkGlyphSettings&) const = default;
 
   /**
+   * These settings with all that has no effect on instances set to its default. Two that are equal then make the same
+   * instances of the same arrays; colors are none of them.
+   */
+  vtkGlyphSettings Effective() const;
+
+  /**
    * Whether fixed arrow heads have the proportions of the unit arrow on an arrow of mean scale.
    */
   bool NeedsMeanScale() const

@@ -18,6 +18,29 @@ vtkDataArray* vtkGlyphTensors::Array(vtkPolyData* points, const Settings& settin
 }
 
 //----------------------------------------------------------------------------
+vtkGlyphTensors::Settings vtkGlyphTensors::Settings::Effective() const
+{
+  const Settings none;
+  if (!this->On)
+  {
+    return none;
+  }
+  Settings settings = *this;
+  settings.Coloring = this->ColorsBySign() ? SIGN : NONE;
+  settings.PositiveColor = none.PositiveColor;
+  settings.NegativeColor = none.NegativeColor;
+  if (settings.Axes)
+  {
+    settings.Kind = none.Kind;
+  }
+  if (settings.Kind == rtg::TensorGlyphKind::Ellipsoid)
+  {
+    settings.Sharpness = none.Sharpness;
+  }
+  return settings;
+}
+
+//----------------------------------------------------------------------------
 std::string vtkGlyphTensors::Problem(vtkDataArray* array, const Settings& settings)
 {
   std::ostringstream text;

@@ -27,7 +27,7 @@ public:
     PRINCIPAL_DIRECTION = 1,
     FRACTIONAL_ANISOTROPY = 2,
     TRACE = 3,
-    SIGN = 4 // of x^T D x at each point x of a glyph's surface, seen from its centre
+    SIGN = 4 // of x^T D x at each point x of a glyph's surface, seen from its center
   };
 
   struct Settings
@@ -48,6 +48,9 @@ public:
     bool operator==(const Settings&) const = default;
     bool ColorsByNumber() const { return this->Coloring == FRACTIONAL_ANISOTROPY || this->Coloring == TRACE; }
     bool ColorsBySign() const { return this->On && !this->Axes && this->Coloring == SIGN; }
+
+    /// With all that has no effect on instances at its default: colors, but for whether the glyphs need forms of signs.
+    Settings Effective() const;
   };
 
   /**

@@ -82,6 +82,21 @@ bool vtkGlyphBlockAttributes::HasTranslucent() const
 }
 
 //----------------------------------------------------------------------------
+std::vector<unsigned int> vtkGlyphBlockAttributes::Hidden(const Table& blocks)
+{
+  std::vector<unsigned int> hidden;
+  for (const auto& [index, block] : blocks)
+  {
+    if (!block.Visible)
+    {
+      hidden.push_back(index);
+    }
+  }
+  std::sort(hidden.begin(), hidden.end());
+  return hidden;
+}
+
+//----------------------------------------------------------------------------
 const vtkGlyphBlockAttributes::Table& vtkGlyphBlockAttributes::Resolve(vtkPolyData* points)
 {
   const auto timeOf = [points](const char* name)

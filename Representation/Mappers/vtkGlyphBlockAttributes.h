@@ -1,6 +1,6 @@
 /**
  * @class   vtkGlyphBlockAttributes
- * @brief   visibility, colour and opacity of a composite data set's blocks, as selectors say
+ * @brief   visibility, color and opacity of a composite data set's blocks, as selectors say
  *
  * Selectors are paths in the data set's hierarchy, as the Multiblock Inspector writes them. A deeper selector wins
  * over the one of a node above it. Without a hierarchy (not a composite) everything is visible.
@@ -16,6 +16,7 @@
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 class vtkPolyData;
 
@@ -24,7 +25,7 @@ class vtkGlyphBlockAttributes
 public:
   ///@{
   /**
-   * Each returns whether it changed something. Default is the selector "/" (all blocks), no colours, no opacities.
+   * Each returns whether it changed something. Default is the selector "/" (all blocks), no colors, no opacities.
    */
   bool AddSelector(const char* selector);
   bool RemoveAllSelectors();
@@ -52,6 +53,11 @@ public:
    * Block by flat index; empty when `points` does not come from a composite.
    */
   using Table = std::unordered_map<unsigned int, Block>;
+
+  /**
+   * The flat indices of the blocks that are not visible, by rising number.
+   */
+  static std::vector<unsigned int> Hidden(const Table& blocks);
 
   /**
    * What holds for the blocks of `points`; kept until the attributes or the hierarchy change.

@@ -145,17 +145,18 @@ void vtkRayTracedGlyphMapper::SetTensorTable(vtkScalarsToColors* table)
 //----------------------------------------------------------------------------
 std::vector<vtkObject*> vtkRayTracedGlyphMapper::InstanceInputs(vtkPolyData* points) const
 {
-  const std::vector<vtkDataArray*> arrays = vtkGlyphArrays::All(points, this->Settings);
+  const std::vector<vtkDataArray*> arrays = vtkGlyphArrays::All(points, this->Settings.Effective());
   return { arrays.begin(), arrays.end() };
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* actor)
 {
+  this->BuiltSettings = this->Settings.Effective();
   vtkGlyphInstanceBuilder::Result result = points->GetNumberOfPoints() > 0
-    ? vtkGlyphInstanceBuilder::Build(points, this->Settings, this->BlockTable, actor->GetMatrix())
+    ? vtkGlyphInstanceBuilder::Build(
+        points, this->BuiltSettings, this->BlockTable, actor->GetMatrix(), this->BuildProgress)
     : vtkGlyphInstanceBuilder::Result();
-  this->BuiltSettings = this->Settings;
   this->Instances = std::move(result.Instances);
   this->InstancesTaken = false;
   this->Sources = std::move(result.Points);
@@ -192,7 +193,7 @@ rtg::GlyphInstances vtkRayTracedGlyphMapper::TakeInstances(vtkActor* actor)
 void vtkRayTracedGlyphMapper::AddToMaterial(rtg::Material& material) const
 {
   const vtkGlyphTensors::Settings& tensors = this->Settings.Tensors;
-  for (int c = 0; c < 3; ++c)
+  for (int c = 0; c < 3 && tensors.ColorsBySign(); ++c)
   {
     material.positiveColour[c] = static_cast<float>(tensors.PositiveColor[c]);
     material.negativeColour[c] = static_cast<float>(tensors.NegativeColor[c]);

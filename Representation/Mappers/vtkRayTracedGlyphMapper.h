@@ -42,7 +42,10 @@ protected:
   vtkRayTracedGlyphMapper();
   ~vtkRayTracedGlyphMapper() override;
 
-  bool HaveSettingsChanged() const override { return !(this->Settings == this->BuiltSettings); }
+  bool HaveSettingsChanged() const override
+  {
+    return !(this->Settings.Effective() == this->BuiltSettings);
+  }
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* points) const override;
   void BuildInstances(vtkPolyData* points, vtkActor* actor) override;
   void BuildColors(vtkPolyData* points) override;
@@ -55,7 +58,8 @@ private:
   void TensorColor(const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]) const;
   std::vector<unsigned char> TableColors(const vtkGlyphTensors& tensors);
 
-  vtkGlyphSettings Settings, BuiltSettings;
+  vtkGlyphSettings Settings;
+  vtkGlyphSettings BuiltSettings;   // the effective ones
   vtkWeakPointer<vtkPolyData> Mesh; // that Settings.Mesh was made of
   vtkMTimeType MeshTime = 0;
   vtkSmartPointer<vtkScalarsToColors> TensorTable;

@@ -1,5 +1,6 @@
 #include "vtkRayTracedMapper.h"
 
+#include "Stopwatch.h"
 #include "vtkActor.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
@@ -203,20 +204,15 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   {
     key.Times.push_back(TimeOf(input));
   }
-  for (const auto& item : this->BlockTable)
-  {
-    if (!item.second.Visible)
-    {
-      key.HiddenBlocks.push_back(item.first);
-    }
-  }
-  std::sort(key.HiddenBlocks.begin(), key.HiddenBlocks.end());
+  key.HiddenBlocks = vtkGlyphBlockAttributes::Hidden(this->BlockTable);
   std::copy_n(&actor->GetMatrix()->Element[0][0], 16, key.Matrix.begin());
   if (!this->Built || !(*this->Built == key) || this->HaveSettingsChanged())
   {
     this->Built.reset();
+    rtg::Stopwatch watch;
     this->BuildInstances(points, actor);
     ++this->InstanceBuilds;
+    this->InstanceSeconds += watch.Lap();
     this->Built = std::make_unique<InstanceKey>(std::move(key));
   }
 
@@ -243,7 +239,10 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   {
     this->Colored.reset();
     this->SolidColor = color.SolidColor;
+    rtg::Stopwatch watch;
     this->BuildColors(points);
+    ++this->ColorBuilds;
+    this->ColorSeconds += watch.Lap();
     this->Colored = std::make_unique<ColorKey>(std::move(color));
   }
 }

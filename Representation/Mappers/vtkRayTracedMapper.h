@@ -13,6 +13,7 @@
 #include "Glyphs.h"
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkMapper.h"
+#include "vtkRayTracedParallel.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -53,6 +54,14 @@ public:
   void SetKnownBounds(const double bounds[6]);
 
   /**
+   * Who is told how far the building of instances is.
+   */
+  void SetBuildProgress(const vtkRayTracedParallel::Progress& progress)
+  {
+    this->BuildProgress = progress;
+  }
+
+  /**
    * The scene that draws this mapper's ids; null: none.
    */
   void SetScene(vtkRayTracedScene* scene);
@@ -74,12 +83,15 @@ public:
 
   ///@{
   /**
-   * Counters: glyphs or triangles shown, those left out because something of them is not finite, and how often instances
-   * were built.
+   * Counters: glyphs or triangles shown, those left out because something of them is not finite, how often instances
+   * and colors were built, and the seconds of that.
    */
   vtkIdType GetNumberOfGlyphs() const { return static_cast<vtkIdType>(this->Sources.size()); }
   vtkIdType GetSkippedGlyphs() const { return this->Skipped; }
   std::uint64_t GetInstanceBuilds() const { return this->InstanceBuilds; }
+  std::uint64_t GetColorBuilds() const { return this->ColorBuilds; }
+  double GetInstanceSeconds() const { return this->InstanceSeconds; }
+  double GetColorSeconds() const { return this->ColorSeconds; }
   ///@}
 
   /**
@@ -153,6 +165,9 @@ protected:
   bool Translucent = false;
   std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of blocks without a color, where some have one
   std::uint64_t InstanceVersion = 0, ColorVersion = 0, SourcesVersion = 0, InstanceBuilds = 0;
+  std::uint64_t ColorBuilds = 0;
+  double InstanceSeconds = 0.0, ColorSeconds = 0.0;
+  vtkRayTracedParallel::Progress BuildProgress;
   std::vector<std::string> ReportedInstances, ReportedColors;
 
 private:

@@ -44,7 +44,8 @@ protected:
 
   bool HaveSettingsChanged() const override
   {
-    return this->Settings.Smooth != this->BuiltSettings.Smooth || !(this->Settings.Motion == this->BuiltSettings.Motion);
+    return this->Settings.Smooth != this->BuiltSettings.Smooth ||
+      !(this->Settings.Motion.Effective() == this->BuiltSettings.Motion.Effective());
   }
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* surface) const override;
   void BuildInstances(vtkPolyData* surface, vtkActor* actor) override;

@@ -70,7 +70,7 @@ struct vtkRayTracedGlyphRepresentation::ScaleKey
 {
   vtkGlyphSettings Settings;
   std::vector<vtkMTimeType> Times;
-  vtkGlyphBlockAttributes::Table Blocks;
+  std::vector<unsigned int> HiddenBlocks;
   vtkGlyphArrays::ScaleSum Sum;
 };
 
@@ -207,7 +207,8 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(vtkDataObje
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   return vtkGlyphPointGatherer::Gather(input, controller ? controller->GetLocalProcessId() : 0,
-    controller ? controller->GetNumberOfProcesses() : 1, wholeExtent);
+    controller ? controller->GetNumberOfProcesses() : 1, wholeExtent,
+    this->ProgressOf("Gathering points"));
 }
 
 //----------------------------------------------------------------------------
@@ -243,7 +244,7 @@ const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points
   {
     all.push_back(settings.AxesOfTensors());
   }
-  return this->Bounds.Get(points, all, this->Blocks.Resolve(points));
+  return this->GetBoundsOf(points, all);
 }
 
 //----------------------------------------------------------------------------
@@ -383,16 +384,17 @@ double vtkRayTracedGlyphRepresentation::MeanScale(
   if (points && points->GetNumberOfPoints() > 0)
   {
     const vtkGlyphBlockAttributes::Table& blocks = this->Blocks.Resolve(points);
+    const std::vector<unsigned int> hidden = vtkGlyphBlockAttributes::Hidden(blocks);
     std::vector<vtkMTimeType> times;
     for (vtkDataArray* array : vtkGlyphArrays::All(points, settings))
     {
       times.push_back(array ? array->GetMTime() : 0);
     }
     if (!this->Scale || !(this->Scale->Settings == settings) || this->Scale->Times != times ||
-      this->Scale->Blocks != blocks)
+      this->Scale->HiddenBlocks != hidden)
     {
       this->Scale = std::make_unique<ScaleKey>(
-        ScaleKey{ settings, times, blocks, vtkGlyphArrays::SumScales(points, settings, blocks) });
+        ScaleKey{ settings, times, hidden, vtkGlyphArrays::SumScales(points, settings, blocks) });
     }
     sum = this->Scale->Sum;
   }

@@ -9,7 +9,6 @@
 
 #include "vtkRayTracedRepresentation.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkGlyphBounds.h"
 #include "vtkGlyphSettings.h"
 #endif
 
@@ -169,8 +168,8 @@ private:
   vtkGlyphTensors::Settings RangeSettings;
   vtkMTimeType RangeTime = 1;
 
-  vtkNew<vtkMultiBlockDataSet> Mesh; // gathered; its only block is the mesh of mesh glyphs, or those of a table
-  vtkGlyphBounds Bounds;
+  vtkNew<vtkMultiBlockDataSet>
+    Mesh; // gathered; its only block is the mesh of mesh glyphs, or those of a table
   std::vector<std::shared_ptr<const rtg::TriangleMesh>> MeshExtents; // corners of the meshes' boxes, for Bounds
   std::vector<vtkMTimeType> MeshExtentsTimes;
 

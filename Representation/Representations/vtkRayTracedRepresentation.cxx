@@ -1,5 +1,6 @@
 #include "vtkRayTracedRepresentation.h"
 
+#include "Stopwatch.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkGlyphStepVelocity.h"
@@ -16,6 +17,7 @@
 #include "vtkRayTracedMapper.h"
 #include "vtkRayTracedPythonClass.h"
 #include "vtkRayTracedScene.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -23,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace
 {
@@ -77,6 +80,12 @@ double vtkRayTracedRepresentation::NumberOr(double value, double otherwise)
 }
 
 //----------------------------------------------------------------------------
+double vtkRayTracedRepresentation::FiniteOr(double value, double otherwise)
+{
+  return std::isfinite(value) ? value : otherwise;
+}
+
+//----------------------------------------------------------------------------
 double vtkRayTracedRepresentation::InRange(double value, double lowest, double highest, double otherwise)
 {
   return std::isnan(value) ? otherwise : std::clamp(value, lowest, highest);
@@ -113,9 +122,37 @@ int vtkRayTracedRepresentation::RequestData(
   const int* wholeExtent = info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
     ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
     : nullptr;
-  this->Points = this->Gather(input, wholeExtent);
-  this->AddStepVelocities(input);
+  rtg::Stopwatch watch;
+  try
+  {
+    this->Points = this->Gather(input, wholeExtent);
+    this->AddStepVelocities(input);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Points = vtkSmartPointer<vtkPolyData>::New();
+    this->ReportLackOfMemory();
+  }
+  ++this->Gathers;
+  this->GatherSeconds += watch.Lap();
   return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//----------------------------------------------------------------------------
+const double* vtkRayTracedRepresentation::GetBoundsOf(
+  vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings)
+{
+  return this->Bounds.Get(points, settings, this->Blocks.Resolve(points));
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedParallel::Progress vtkRayTracedRepresentation::ProgressOf(const char* what)
+{
+  return [this, what](double share)
+  {
+    this->SetProgressText(what);
+    this->UpdateProgress(share);
+  };
 }
 
 //----------------------------------------------------------------------------
@@ -167,6 +204,22 @@ int vtkRayTracedRepresentation::ProcessViewRequest(
   {
     return 0; // not visible
   }
+  try
+  {
+    this->Answer(request, inInfo, outInfo);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->ReportLackOfMemory();
+    return 0;
+  }
+  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::Answer(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     vtkPVView::SetPiece(inInfo, this, this->Points);
@@ -195,7 +248,14 @@ int vtkRayTracedRepresentation::ProcessViewRequest(
       this->Render(view, inInfo);
     }
   }
-  return 1;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::ReportLackOfMemory()
+{
+  vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these "
+                   "data. Show fewer of them, for example "
+                   "with Mask Points or Threshold, or hide other data.");
 }
 
 //----------------------------------------------------------------------------
@@ -234,6 +294,17 @@ void vtkRayTracedRepresentation::AddPart(
   actor->SetMapper(mapper);
   view->GetRenderer()->AddActor(actor);
   view->RegisterPropForHardwareSelection(this, actor);
+  // While the progress bar is painted Qt makes its own OpenGL context current.
+  mapper->SetBuildProgress(
+    [tell = this->ProgressOf("Building glyphs"),
+      window = vtkWeakPointer<vtkRenderWindow>(view->GetRenderWindow())](double share)
+    {
+      tell(share);
+      if (window)
+      {
+        window->MakeCurrent();
+      }
+    });
   vtkRayTracedScene::Of(view->GetRenderer())->Add(actor, mapper);
 }
 
@@ -381,7 +452,9 @@ double vtkRayTracedRepresentation::GetRefinementProgress()
 const char* vtkRayTracedRepresentation::GetRenderStatistics()
 {
   vtkRayTracedScene* scene = this->GetScene();
-  this->Statistics = scene ? scene->GetStatistics(this->Mapper) : std::string("{}");
+  const vtkRayTracedScene::DataStatistics data{ this->Gathers, this->Bounds.GetBuilds(),
+    this->GatherSeconds, this->Bounds.GetSeconds() };
+  this->Statistics = scene ? scene->GetStatistics(this->Mapper, data) : std::string("{}");
   return this->Statistics.c_str();
 }
 
@@ -546,98 +619,98 @@ void vtkRayTracedRepresentation::SetLookupTable(vtkScalarsToColors* table)
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetOpacity(double opacity)
 {
-  this->Property->SetOpacity(opacity);
+  this->Property->SetOpacity(NumberOr(opacity, 1.0));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetAmbientColor(double r, double g, double b)
 {
-  this->Property->SetAmbientColor(r, g, b);
+  this->Property->SetAmbientColor(ColorInRange(r, g, b).data());
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetDiffuseColor(double r, double g, double b)
 {
-  this->Property->SetDiffuseColor(r, g, b);
+  this->Property->SetDiffuseColor(ColorInRange(r, g, b).data());
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetSpecularColor(double r, double g, double b)
 {
-  this->Property->SetSpecularColor(r, g, b);
+  this->Property->SetSpecularColor(ColorInRange(r, g, b).data());
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetAmbient(double ambient)
 {
-  this->Property->SetAmbient(ambient);
+  this->Property->SetAmbient(NumberOr(ambient, 0.0));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetDiffuse(double diffuse)
 {
-  this->Property->SetDiffuse(diffuse);
+  this->Property->SetDiffuse(NumberOr(diffuse, 1.0));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetSpecular(double specular)
 {
-  this->Property->SetSpecular(specular);
+  this->Property->SetSpecular(NumberOr(specular, 0.0));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetSpecularPower(double power)
 {
-  this->Property->SetSpecularPower(power);
+  this->Property->SetSpecularPower(NumberOr(power, 100.0));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetMetallic(double metallic)
 {
-  this->Property->SetMetallic(metallic);
+  this->Property->SetMetallic(NumberOr(metallic, 0.0));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetRoughness(double roughness)
 {
-  this->Property->SetRoughness(roughness);
+  this->Property->SetRoughness(NumberOr(roughness, 0.5));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetCoatStrength(double strength)
 {
-  this->Property->SetCoatStrength(strength);
+  this->Property->SetCoatStrength(NumberOr(strength, 0.0));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetCoatIOR(double ior)
 {
-  this->Property->SetCoatIOR(ior);
+  this->Property->SetCoatIOR(NumberOr(ior, 2.0));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetCoatRoughness(double roughness)
 {
-  this->Property->SetCoatRoughness(roughness);
+  this->Property->SetCoatRoughness(NumberOr(roughness, 0.0));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetCoatColor(double red, double green, double blue)
 {
-  this->Property->SetCoatColor(red, green, blue);
+  this->Property->SetCoatColor(ColorInRange(red, green, blue).data());
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetPosition(double x, double y, double z)
 {
-  this->Position = { x, y, z };
+  this->Position = { FiniteOr(x, 0.0), FiniteOr(y, 0.0), FiniteOr(z, 0.0) };
   this->UpdateActorPosition();
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetTranslation(double x, double y, double z)
 {
-  this->Translation = { x, y, z };
+  this->Translation = { FiniteOr(x, 0.0), FiniteOr(y, 0.0), FiniteOr(z, 0.0) };
   this->UpdateActorPosition();
 }
 
@@ -651,26 +724,29 @@ void vtkRayTracedRepresentation::UpdateActorPosition()
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetScale(double x, double y, double z)
 {
-  this->Actor->SetScale(x, y, z);
+  this->Actor->SetScale(FiniteOr(x, 1.0), FiniteOr(y, 1.0), FiniteOr(z, 1.0));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetOrientation(double x, double y, double z)
 {
-  this->Actor->SetOrientation(x, y, z);
+  this->Actor->SetOrientation(FiniteOr(x, 0.0), FiniteOr(y, 0.0), FiniteOr(z, 0.0));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetOrigin(double x, double y, double z)
 {
-  this->Actor->SetOrigin(x, y, z);
+  this->Actor->SetOrigin(FiniteOr(x, 0.0), FiniteOr(y, 0.0), FiniteOr(z, 0.0));
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetUserTransform(const double matrix[16])
 {
   vtkNew<vtkTransform> transform;
-  transform->SetMatrix(matrix);
+  if (std::all_of(matrix, matrix + 16, [](double element) { return std::isfinite(element); }))
+  {
+    transform->SetMatrix(matrix);
+  }
   this->Actor->SetUserTransform(transform);
 }
 
@@ -695,7 +771,8 @@ void vtkRayTracedRepresentation::RemoveAllBlockSelectors()
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetBlockColor(const char* selector, double r, double g, double b)
 {
-  this->Blocks.SetColor(selector, r, g, b);
+  const std::array<double, 3> color = ColorInRange(r, g, b);
+  this->Blocks.SetColor(selector, color[0], color[1], color[2]);
 }
 
 //----------------------------------------------------------------------------
@@ -707,7 +784,7 @@ void vtkRayTracedRepresentation::RemoveAllBlockColors()
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetBlockOpacity(const char* selector, double opacity)
 {
-  this->Blocks.SetOpacity(selector, opacity);
+  this->Blocks.SetOpacity(selector, InRange(opacity, 0.0, 1.0, 1.0));
 }
 
 //----------------------------------------------------------------------------

@@ -19,13 +19,17 @@
 #include "vtkWeakPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "vtkGlyphBlockAttributes.h"
+#include "vtkGlyphBounds.h"
 #include "vtkGlyphMotion.h"
+#include "vtkRayTracedParallel.h"
 #include "vtkRayTracedImageSettings.h"
 #endif
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkDataArray;
@@ -213,6 +217,16 @@ protected:
   void RemovePart(vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper);
   ///@}
 
+  /**
+   * For GetDataBounds(): a box around glyphs of all these settings.
+   */
+  const double* GetBoundsOf(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings);
+
+  /**
+   * Tells ParaView's progress bar.
+   */
+  vtkRayTracedParallel::Progress ProgressOf(const char* what);
+
   bool GetInterpolateScalarsBeforeMapping() const { return this->InterpolateScalarsBeforeMapping; }
   vtkRayTracedMapper* GetMapper();
   vtkPolyData* GetPoints();
@@ -221,10 +235,11 @@ protected:
   ///@{
   /**
    * For setters. Strings of the server manager may be null, which means no array. Numbers that are NaN would differ from
-   * themselves.
+   * themselves; so would a matrix that is made of infinite ones.
    */
   static std::string OrEmpty(const char* name) { return name ? name : ""; }
   static double NumberOr(double value, double otherwise);
+  static double FiniteOr(double value, double otherwise);
   static double InRange(double value, double lowest, double highest, double otherwise);
   static std::array<double, 3> ColorInRange(double red, double green, double blue);
   ///@}
@@ -236,6 +251,8 @@ private:
   vtkRayTracedRepresentation(const vtkRayTracedRepresentation&) = delete;
   void operator=(const vtkRayTracedRepresentation&) = delete;
 
+  void Answer(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
+  void ReportLackOfMemory();
   void AddStepVelocities(vtkDataObject* input);
   vtkDataArray* PointIds();
   bool NeedsOrderedCompositing();
@@ -245,6 +262,9 @@ private:
   vtkRayTracedScene* GetScene();
 
   vtkRayTracedImageSettings Image;
+  vtkGlyphBounds Bounds;
+  std::uint64_t Gathers = 0;
+  double GatherSeconds = 0.0;
   vtkNew<vtkRayTracedActor> Actor; // in no renderer until it is shown
   vtkNew<vtkProperty> Property;
   vtkSmartPointer<vtkRayTracedMapper> Mapper; // null until something is rendered

@@ -75,7 +75,7 @@ const double* vtkRayTracedSurfaceRepresentation::GetDataBounds(vtkPolyData* surf
   vtkGlyphSettings settings;
   settings.ScaleFactor = 0.0;
   settings.Motion = this->Motion;
-  return this->Bounds.Get(surface, { settings }, this->Blocks.Resolve(surface));
+  return this->GetBoundsOf(surface, { settings });
 }
 
 //----------------------------------------------------------------------------

@@ -11,9 +11,6 @@
 #define vtkRayTracedSurfaceRepresentation_h
 
 #include "vtkRayTracedRepresentation.h"
-#ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkGlyphBounds.h"
-#endif
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedSurfaceRepresentation : public vtkRayTracedRepresentation
 {
@@ -44,7 +41,6 @@ private:
   void operator=(const vtkRayTracedSurfaceRepresentation&) = delete;
 
   bool Smooth = true;
-  vtkGlyphBounds Bounds;
 };
 
 #endif

@@ -55,16 +55,27 @@ constexpr double quietSeconds = 0.3;
 constexpr int opaque = static_cast<int>(rtg::Pass::Opaque);
 constexpr int translucent = static_cast<int>(rtg::Pass::Translucent);
 
+// Settings that mean nothing to the shading stay at their defaults: no image is traced again for them.
 rtg::TraceSettings ToTraceSettings(const vtkRayTracedImageSettings& from)
 {
   rtg::TraceSettings settings;
   settings.shading = static_cast<rtg::Shading>(from.ShadingMode);
-  settings.occlusionRadius = static_cast<float>(from.AmbientOcclusionRadius);
-  settings.occlusionRays = static_cast<std::uint32_t>(from.AmbientOcclusionRays);
-  settings.paths = static_cast<std::uint32_t>(from.PathsPerSample);
-  settings.maximumBounces = static_cast<std::uint32_t>(from.MaximumBounces);
-  settings.lightIntensity = static_cast<float>(from.LightIntensity);
-  settings.environmentColour = glm::vec3(from.EnvironmentColor[0], from.EnvironmentColor[1], from.EnvironmentColor[2]);
+  if (settings.shading == rtg::Shading::AmbientOcclusion)
+  {
+    settings.occlusionRadius = static_cast<float>(from.AmbientOcclusionRadius);
+    settings.occlusionRays = static_cast<std::uint32_t>(from.AmbientOcclusionRays);
+  }
+  if (settings.shading == rtg::Shading::PathTracing)
+  {
+    settings.paths = static_cast<std::uint32_t>(from.PathsPerSample);
+    settings.maximumBounces = static_cast<std::uint32_t>(from.MaximumBounces);
+  }
+  if (settings.shading != rtg::Shading::Local)
+  {
+    settings.lightIntensity = static_cast<float>(from.LightIntensity);
+    settings.environmentColour =
+      glm::vec3(from.EnvironmentColor[0], from.EnvironmentColor[1], from.EnvironmentColor[2]);
+  }
   settings.toneMapping = static_cast<rtg::ToneMapping>(from.ToneMapping);
   settings.exposure = static_cast<float>(from.Exposure);
   return settings;
@@ -717,7 +728,8 @@ double vtkRayTracedScene::GetProgress() const
 }
 
 //----------------------------------------------------------------------------
-std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper) const
+std::string
+vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper, const DataStatistics& data) const
 {
   const rtg::Statistics s = this->Self->Images.GetStatistics();
   const nlohmann::ordered_json json = {
@@ -725,16 +737,23 @@ std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper) const
     { "AccumulatedSamples", this->GetAccumulatedSamples() },
     { "glyphs", mapper ? mapper->GetNumberOfGlyphs() : 0 },
     { "skippedGlyphs", mapper ? mapper->GetSkippedGlyphs() : 0 },
+    { "gathers", data.Gathers },
+    { "boundsBuilds", data.BoundsBuilds },
     { "instanceBuilds", mapper ? mapper->GetInstanceBuilds() : 0 },
+    { "colorBuilds", mapper ? mapper->GetColorBuilds() : 0 },
     { "structureBuilds", s.structureBuilds },
     { "topLevelBuilds", s.topLevelBuilds },
     { "instanceUploads", s.instanceUploads },
-    { "colourUploads", s.colourUploads },
+    { "colorUploads", s.colourUploads },
     { "pipelineBuilds", s.pipelineBuilds },
     { "dispatches", s.dispatches },
     { "primaryRays", s.primaryRays },
     { "deviceBytes", s.deviceBytes },
     { "sorts", s.sorts },
+    { "gatherSeconds", data.GatherSeconds },
+    { "boundsSeconds", data.BoundsSeconds },
+    { "instanceSeconds", mapper ? mapper->GetInstanceSeconds() : 0.0 },
+    { "colorSeconds", mapper ? mapper->GetColorSeconds() : 0.0 },
     { "sortSeconds", s.sortSeconds },
     { "buildSeconds", s.buildSeconds },
     { "uploadSeconds", s.uploadSeconds },

@@ -18,6 +18,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -98,13 +99,22 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
+  /**
+   * What a representation does with its data before they are rendered: how often, and the seconds of that.
+   */
+  struct DataStatistics
+  {
+    std::uint64_t Gathers = 0, BoundsBuilds = 0;
+    double GatherSeconds = 0.0, BoundsSeconds = 0.0;
+  };
+
   ///@{
   /**
    * Information: counters as JSON with those of one mapper (may be null), the device, samples a pixel that all images of the
    * last frame have, and how far that frame is in [0, 1] (1: another one would change nothing). The last two are the least of
    * all ranks that rendered the frame together.
    */
-  std::string GetStatistics(vtkRayTracedMapper* mapper) const;
+  std::string GetStatistics(vtkRayTracedMapper* mapper, const DataStatistics& data) const;
   std::string GetDeviceName() const;
   int GetAccumulatedSamples() const;
   double GetProgress() const;

@@ -25,7 +25,7 @@ class vtkRayTracedTriangleBuilder
 public:
   struct Result
   {
-    rtg::TriangleMesh Mesh;   // without colours; positions are those of the points, in their order
+    rtg::TriangleMesh Mesh;   // without colors; positions are those of the points, in their order
     glm::dvec3 Origin{ 0.0 }; // that positions are relative to
     std::vector<vtkIdType> Cells; // of each triangle
     vtkIdType Skipped = 0;        // triangles

@@ -75,7 +75,7 @@ def looks(blur):
     blur.streak("backward", blur.picture("backward", ShutterOpening="Backward"), 0.3 * (times - 0.5))
     way = 0.6 * times - times ** 2
     blur.streak("accelerated", blur.picture(
-        "accelerated", ShutterOpening="Centred", ShutterTime=1.0, AccelerationArray="slowing"), way)
+        "accelerated", ShutterOpening="Centered", ShutterTime=1.0, AccelerationArray="slowing"), way)
     nothing = blur.picture("at rest", VelocityArray="nothing", AccelerationArray="None")
     expect((nothing == still).all(), "zero velocities do not give the picture at rest")
 
@@ -147,7 +147,7 @@ def series(failures):
     shown.ShutterTime = 0.3
     pv.Render(view)
     after = session.statistics(shown)
-    for key in ("colourUploads", "pipelineBuilds"):
+    for key in ("colorUploads", "pipelineBuilds"):
         if after[key] != before[key]:
             failures.append("another ShutterTime: %s went from %s to %s" % (key, before[key], after[key]))
 

@@ -87,7 +87,7 @@ def surface(streaks):
     way = 0.6 * later - later ** 2
     streaks.streak("surface there and back", [way - HALF], [way + HALF], ShutterOpening="Forward", AccelerationArray="slowing")
     grown = HALF * (1.0 + TIMES)
-    streaks.streak("surface that grows", [-grown], [grown], ShutterOpening="Centred", AccelerationArray="None",
+    streaks.streak("surface that grows", [-grown], [grown], ShutterOpening="Centered", AccelerationArray="None",
                    VelocityArray="growing")
     nothing = streaks.streak("surface at rest", [rest - HALF], [rest + HALF], VelocityArray="nothing")
     streaks.expect((nothing == still).all(), "zero velocities do not give the surface at rest")

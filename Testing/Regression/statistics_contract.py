@@ -9,7 +9,7 @@ import session
 
 #: counters that may not move when only the camera moves
 BUILDS = ("structureBuilds", "topLevelBuilds", "pipelineBuilds")
-UPLOADS = ("instanceUploads", "colourUploads")
+UPLOADS = ("instanceUploads", "colorUploads")
 
 
 def cloud(seed):
@@ -60,7 +60,7 @@ def main():
         shown.GlyphScaleFactor = 0.12
 
     step("camera", move_camera, BUILDS + UPLOADS, ("dispatches",))
-    step("colour map", change_table, BUILDS + ("instanceUploads",), ("colourUploads",))
+    step("colour map", change_table, BUILDS + ("instanceUploads",), ("colorUploads",))
     step("same again", lambda: None, BUILDS + UPLOADS + ("dispatches", "primaryRays"))
     step("new data", change_data, ("pipelineBuilds",), ("structureBuilds", "instanceUploads"))
     step("glyph size", change_size, ("pipelineBuilds",), ("structureBuilds",))

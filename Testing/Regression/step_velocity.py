@@ -115,7 +115,7 @@ class Series:
             return numpy.zeros((0, 5))
         rows = numpy.concatenate([
             vtk_to_numpy(values.GetArray("who"))[:, None], vtk_to_numpy(data.GetPoints().GetData())[:, :1],
-            vtk_to_numpy(values.GetArray("VelocityFromPreviousStep"))], axis=1)
+            vtk_to_numpy(values.GetArray("vtkRayTraced_StepVelocity"))], axis=1)
         return rows[numpy.lexsort((rows[:, 1], rows[:, 0]))]
 
     def go(self, step, before, words=()):

@@ -202,11 +202,11 @@ def only_colours(view):
     print("colour map:", {key: (first[key], second[key]) for key in first if first[key] != second[key]})
     for key in ("structureBuilds", "instanceUploads"):
         check(first[key] == second[key], "new colours: %s went from %s to %s" % (key, first[key], second[key]))
-    check(second["colourUploads"] == first["colourUploads"] + 1, "new colours have not been sent once")
+    check(second["colorUploads"] == first["colorUploads"] + 1, "new colours have not been sent once")
     session.replace_data(sphere, sphere_data())
     pv.Render(view)
     third = session.statistics(shown)
-    for key in ("structureBuilds", "instanceUploads", "colourUploads", "primaryRays"):
+    for key in ("structureBuilds", "instanceUploads", "colorUploads", "primaryRays"):
         check(second[key] == third[key], "same data: %s went from %s to %s" % (key, second[key], third[key]))
     session.replace_data(sphere, sphere_data(0.9))
     pv.Render(view)

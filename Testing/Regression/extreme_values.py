@@ -1,0 +1,79 @@
+"""Numbers that are none, and enumerations out of range: the view stays alive, and what does not change builds nothing.
+
+Usage: pvpython extreme_values.py
+
+A number that differs from itself would make glyphs, bounds or images anew at each render.
+"""
+import math
+
+import numpy
+import paraview.simple as pv
+
+import session
+from checks import Checks
+
+#: many samples are slow, and images that grow step by step move their counters
+LEFT_OUT = {"SamplesPerPixel", "StepwiseRendering"}
+STATES = ({"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "length"},
+          {"GlyphShape": "Signed Tensor Superquadric", "GlyphTensorArray": "tensor", "MotionBlur": 1, "VelocityArray": "vector"})
+
+
+def counts(shown):
+    """RenderStatistics without seconds."""
+    return {name: value for name, value in session.statistics(shown).items() if "Seconds" not in name}
+
+
+def main():
+    """Each number and each choice of the representation, one at a time."""
+    session.load()
+    checks = Checks()
+    random = numpy.random.default_rng(1)
+    points = session.source(session.poly_data(random.uniform(-1.0, 1.0, (50, 3)), length=random.uniform(0.5, 2.0, 50),
+                                              vector=random.normal(size=(50, 3)), tensor=random.normal(size=(50, 9))))
+    tried = 0
+    for state in STATES:
+        view = session.view(32, 24)
+        session.look(view, (0.0, 0.0, 5.0))
+        shown = session.glyphs(points, view, GlyphOrient=0, GlyphScaleFactor=0.2, **{"shape": state["GlyphShape"]})
+        for name, value in state.items():
+            setattr(shown, name, value)
+        pv.Render(view)
+        manager = pv.servermanager.ProxyManager().SMProxyManager
+        prototype = manager.GetPrototypeProxy("representations", "RayTracedGlyphRepresentation")
+        for name in sorted(shown.ListProperties()):
+            inner = prototype.GetProperty(name)
+            if not inner or inner.GetInformationOnly() or name in LEFT_OUT:
+                continue
+            kind = inner.GetClassName()
+            if "DoubleVectorProperty" in kind:
+                values = [math.nan, math.inf]
+            elif kind == "vtkSMIntVectorProperty" and inner.GetNumberOfElements() == 1:
+                values = [-5, 1000]
+            else:
+                continue
+            own = shown.SMProxy.GetProperty(name)
+            before = [own.GetElement(i) for i in range(own.GetNumberOfElements())]
+            for value in values:
+                for i in range(len(before)):
+                    own.SetElement(i, value)
+                shown.SMProxy.UpdateVTKObjects()
+                session.messages(lambda: pv.Render(view))
+                first = counts(shown)
+                session.messages(lambda: pv.Render(view))
+                second = counts(shown)
+                moved = {counter: (first[counter], second[counter]) for counter in first if first[counter] != second[counter]}
+                checks.true("%s, %s = %s: a second render moves %s" % (state["GlyphShape"], name, value, moved), not moved)
+                tried += 1
+            for i, value in enumerate(before):
+                own.SetElement(i, value)
+            shown.SMProxy.UpdateVTKObjects()
+        pixels = session.capture(view, "extreme-values")
+        checks.covered(state["GlyphShape"] + ", all properties as they were", pixels, 0.02)
+        pv.Delete(view)
+    print(tried, "values")
+    checks.true("only %d values were tried" % tried, tried > 150)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()

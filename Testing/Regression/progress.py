@@ -1,0 +1,50 @@
+"""Gathering many points and building their glyphs tell ParaView's progress bar; few points tell it nothing.
+
+Usage: pvpython progress.py
+"""
+import numpy
+import paraview.simple as pv
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+
+import session
+from checks import Checks
+
+TEXTS = ("Gathering points", "Building glyphs")
+
+
+def blocks(count):
+    """Points in two blocks, which have to be copied."""
+    random = numpy.random.default_rng(1)
+    data = vtkMultiBlockDataSet()
+    for block in range(2):
+        data.SetBlock(block, session.poly_data(random.random((count // 2, 3), dtype=numpy.float32),
+                                               value=random.random(count // 2, dtype=numpy.float32)))
+    return data
+
+
+def main():
+    """What the handler of progress hears for many points and for few."""
+    session.load()
+    checks = Checks()
+    handler = pv.servermanager.ActiveConnection.Session.GetProgressHandler()
+    told = []
+    handler.AddObserver("ProgressEvent", lambda *_: told.append((handler.GetLastProgressText(), handler.GetLastProgress())))
+    for count, wanted in ((4000000, True), (20000, False)):
+        view = session.view(64, 48)
+        session.look(view, (0.5, 0.5, 4.0))
+        source = session.source(blocks(count))
+        told.clear()
+        shown = session.glyphs(source, view, GlyphOrient=0, GlyphScaleFactor=0.003)
+        pv.Render(view)
+        checks.equal("glyphs", session.statistics(shown)["glyphs"], count)
+        for text in TEXTS:
+            shares = [share for what, share in told if what and text in what]
+            print("%d points, %s: %s" % (count, text, shares))
+            checks.equal("%d points: %s is told" % (count, text), bool(shares), wanted)
+            checks.true("%s: %s is no rising share of 100" % (text, shares), shares == sorted(shares) and all(0 <= s <= 100 for s in shares))
+        pv.Delete(view)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,321 @@
+"""Every field of the settings and every array, changed one at a time: exactly the work that it must cause is done.
+
+Usage: pvpython work_of_changes.py SOURCE
+
+SOURCE is the folder with Kernels and Representation. Fields are read out of the headers, so that a new one
+without an entry in FIELDS fails; so are the arrays of vtkGlyphArrays::All().
+"""
+import os
+import re
+import sys
+
+import numpy
+import paraview.simple as pv
+
+import session
+from checks import Checks
+
+#: what some change may move; of all else of RenderStatistics nothing that counts may
+KINDS = {
+    "nothing": set(),
+    # another image of the same scene
+    "image": {"dispatches", "primaryRays"},
+    # the same of glyphs that are drawn among the translucent ones from now on
+    "pass": {"dispatches", "primaryRays", "topLevelBuilds"},
+    # the image at hand, displayed otherwise
+    "display": set(),
+    "colors": {"colorBuilds", "colorUploads", "dispatches", "primaryRays"},
+    # glyphs that may lie elsewhere or be of another size
+    "glyphs": {"boundsBuilds", "instanceBuilds", "colorBuilds", "instanceUploads", "colorUploads", "structureBuilds", "topLevelBuilds",
+               "sorts", "dispatches", "primaryRays"},
+}
+#: of these at least one moves, where the kind has them
+MUST = {"image": {"dispatches"}, "pass": {"dispatches"}, "colors": {"colorBuilds", "colorUploads"}, "glyphs": {"instanceBuilds", "instanceUploads"}}
+#: bytes and seconds are no counts; programs are compiled when they are first needed
+UNCOUNTED = re.compile("Seconds$|^deviceBytes$|^pipelineBuilds$|^DeviceName$|^AccumulatedSamples$|lyphs$")
+
+ARROW = {"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "length"}
+TENSOR = {"GlyphShape": "Tensor Superquadric", "GlyphTensorArray": "tensor"}
+SIGNS = {**TENSOR, "GlyphTensorColoring": "Sign"}
+MOTION = {"MotionBlur": 1, "VelocityArray": "velocity", "AngularVelocityArray": "spin", "GlyphShape": "Box"}
+EXPONENTS = {"GlyphShape": "Superquadric"}
+TABLE = {"GlyphShape": "Mesh", "GlyphMeshTable": 1, "GlyphMeshIndexArray": "index"}
+OCCLUSION = {"ShadingMode": "Ambient Occlusion"}
+PATHS = {"ShadingMode": "Path Tracing"}
+
+#: field -> (properties to start from, property, its new value, kind) or a list of such, or why there is nothing to test
+FIELDS = {
+    "vtkGlyphSettings": {
+        "Shape": ({}, "GlyphShape", "Box", "glyphs"),
+        "Scaling": ({"GlyphScaleArray": "length"}, "GlyphScaling", 1, "glyphs"),
+        "ScaleArray": [({"GlyphScaling": 1, "GlyphScaleArray": "length"}, "GlyphScaleArray", "other", "glyphs"),
+                       ({"GlyphScaleArray": "length"}, "GlyphScaleArray", "other", "nothing")],
+        "ScaleMode": [({"GlyphScaling": 1, "GlyphScaleArray": "lengths"}, "GlyphScaleMode", "Components", "glyphs"),
+                      ({}, "GlyphScaleMode", "Components", "nothing")],
+        "ScaleFactor": ({}, "GlyphScaleFactor", 0.2, "glyphs"),
+        "Sizing": "vtkGlyphSizing",
+        "Orient": ({"GlyphShape": "Box", "GlyphOrientationArray": "velocity"}, "GlyphOrient", 1, "glyphs"),
+        "OrientationArray": [({"GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationArray": "velocity"},
+                              "GlyphOrientationArray", "spin", "glyphs"),
+                             ({"GlyphShape": "Box"}, "GlyphOrientationArray", "spin", "nothing")],
+        "OrientationMode": [({"GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationArray": "velocity"},
+                             "GlyphOrientationMode", "Rotation", "glyphs"),
+                            ({}, "GlyphOrientationMode", "Rotation", "nothing")],
+        "Arrow": "vtkGlyphSettings::ArrowForm",
+        "ArrowReference": [(ARROW, "ArrowReferenceMagnitude", 3.0, "glyphs"), ({}, "ArrowReferenceMagnitude", 3.0, "nothing")],
+        "MeanScale": (ARROW, "GlyphScaleArray", "other", "glyphs"),
+        "Mesh": ({"GlyphShape": "Mesh"}, "GlyphMesh", "Cone", "glyphs"),
+        "TableSize": ({**TABLE, "GlyphMeshTable": 0}, "GlyphMeshTable", 1, "glyphs"),
+        "TableEntry": "each form of a table has its own; see TableSize",
+        "TableIndexArray": [(TABLE, "GlyphMeshIndexArray", "other index", "glyphs"),
+                            ({}, "GlyphMeshIndexArray", "index", "nothing")],
+        "Tensors": "vtkGlyphTensors::Settings",
+        "Exponents": [(EXPONENTS, "GlyphExponents", [1.0, 2.0, 2.0], "glyphs"), ({}, "GlyphExponents", [1.0, 2.0, 2.0], "nothing")],
+        "ExponentArray": [(EXPONENTS, "GlyphExponentArray", "length", "glyphs"), ({}, "GlyphExponentArray", "length", "nothing")],
+        "Motion": "vtkGlyphMotion::Settings",
+        "Mask": ({"MaximumNumberOfGlyphs": 100}, "GlyphMask", 1, "glyphs"),
+        "MaximumNumberOfGlyphs": [({"GlyphMask": 1, "MaximumNumberOfGlyphs": 100}, "MaximumNumberOfGlyphs", 90, "glyphs"),
+                                  ({}, "MaximumNumberOfGlyphs", 90, "nothing")],
+        "Seed": [({"GlyphMask": 1, "MaximumNumberOfGlyphs": 100}, "GlyphSeed", 7, "glyphs"), ({}, "GlyphSeed", 7, "nothing")],
+    },
+    "ArrowForm": {
+        "shaftRadius": [(ARROW, "ArrowShaftRadius", 0.06, "glyphs"), ({}, "ArrowShaftRadius", 0.06, "nothing")],
+        "tipRadius": [(ARROW, "ArrowTipRadius", 0.2, "glyphs"), ({}, "ArrowTipRadius", 0.2, "nothing")],
+        "tipLength": [(ARROW, "ArrowTipLength", 0.5, "glyphs"), ({}, "ArrowTipLength", 0.5, "nothing")],
+        "tipRounding": [(ARROW, "ArrowTipRounding", 0.1, "glyphs"), ({}, "ArrowTipRounding", 0.1, "nothing")],
+        "fixedHeads": [(ARROW, "ArrowHeads", "Scaled", "glyphs"), ({}, "ArrowHeads", "Scaled", "nothing")],
+        "unitLength": "computed from the scales; see MeanScale",
+    },
+    "vtkGlyphSizing": {
+        "Function": ({"GlyphScaling": 1, "GlyphScaleArray": "length"}, "GlyphScaleFunction", "Square Root", "glyphs"),
+        "Reference": [({"GlyphScaling": 1, "GlyphScaleArray": "length", "GlyphScaleFunction": "Logarithm"}, "GlyphScaleReference", 3.0,
+                       "glyphs"), ({}, "GlyphScaleReference", 3.0, "nothing")],
+        "Least": ({}, "GlyphSizeRange", [0.15, 0.0], "glyphs"),
+        "Most": ({}, "GlyphSizeRange", [0.0, 0.05], "glyphs"),
+    },
+    "vtkGlyphTensors::Settings": {
+        "On": (TENSOR, "GlyphShape", "Sphere", "glyphs"),
+        "Kind": (TENSOR, "GlyphShape", "Signed Tensor Superquadric", "glyphs"),
+        "Array": [(TENSOR, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphTensorArray", "tensor", "nothing")],
+        "Layout": [({**TENSOR, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "Row", "glyphs"), ({}, "GlyphTensorLayout", "Row", "nothing")],
+        "Sharpness": [(TENSOR, "GlyphTensorSharpness", 1.0, "glyphs"),
+                      ({**TENSOR, "GlyphShape": "Tensor Ellipsoid"}, "GlyphTensorSharpness", 1.0, "nothing")],
+        "Coloring": [({**TENSOR, "GlyphTensorColoring": "Trace"}, "GlyphTensorColoring", "Principal Direction", "colors"), ({}, "GlyphTensorColoring", "Trace", "nothing"),
+                     (TENSOR, "GlyphTensorColoring", "Sign", "glyphs")],
+        "PositiveColor": [(SIGNS, "GlyphTensorPositiveColor", [0.0, 1.0, 0.0], "image"),
+                          (TENSOR, "GlyphTensorPositiveColor", [0.0, 1.0, 0.0], "nothing")],
+        "NegativeColor": [(SIGNS, "GlyphTensorNegativeColor", [0.0, 1.0, 0.0], "image"),
+                          (TENSOR, "GlyphTensorNegativeColor", [0.0, 1.0, 0.0], "nothing")],
+        "Axes": "of arrows beside the glyphs, whose settings are the glyphs' own",
+    },
+    "vtkGlyphMotion::Settings": {
+        "On": ({**MOTION, "MotionBlur": 0}, "MotionBlur", 1, "glyphs"),
+        "Velocity": [(MOTION, "VelocityArray", "spin", "glyphs"), ({}, "VelocityArray", "velocity", "nothing")],
+        "FromPreviousStep": "needs time steps; see step_velocity.py",
+        "Acceleration": [(MOTION, "AccelerationArray", "spin", "glyphs"), ({}, "AccelerationArray", "spin", "nothing")],
+        "AngularVelocity": [(MOTION, "AngularVelocityArray", "None", "glyphs"), ({}, "AngularVelocityArray", "spin", "nothing")],
+        "ShutterTime": [(MOTION, "ShutterTime", 0.5, "glyphs"), ({}, "ShutterTime", 0.5, "nothing")],
+        "Opening": [(MOTION, "ShutterOpening", "Forward", "glyphs"), ({}, "ShutterOpening", "Forward", "nothing")],
+    },
+    "vtkRayTracedImageSettings": {
+        "ShadingMode": ({}, "ShadingMode", "Ambient Occlusion", "image"),
+        "AmbientOcclusionRadius": [(OCCLUSION, "AmbientOcclusionRadius", 0.1, "image"), ({}, "AmbientOcclusionRadius", 0.1, "nothing")],
+        "AmbientOcclusionRays": [(OCCLUSION, "AmbientOcclusionRays", 3, "image"), ({}, "AmbientOcclusionRays", 3, "nothing")],
+        "PathsPerSample": [(PATHS, "PathsPerSample", 2, "image"), ({}, "PathsPerSample", 2, "nothing")],
+        "MaximumBounces": [(PATHS, "MaximumBounces", 2, "image"), ({}, "MaximumBounces", 2, "nothing")],
+        "LightIntensity": [(PATHS, "LightIntensity", 2.0, "image"), ({}, "LightIntensity", 2.0, "nothing")],
+        "EnvironmentColor": [(PATHS, "EnvironmentColor", [1.0, 0.5, 0.5], "image"), ({}, "EnvironmentColor", [1.0, 0.5, 0.5], "nothing")],
+        "ToneMapping": (PATHS, "ToneMapping", "Filmic", "image"),
+        "Exposure": (PATHS, "Exposure", 1.0, "image"),
+        "Denoising": ({**PATHS, "Denoising": "Always"}, "Denoising", "Never", "display"),
+        "SamplesPerPixel": [({}, "SamplesPerPixel", 3, "image"), (PATHS, "SamplesPerPixel", 3, "image")],
+        "SamplesPerRender": ({}, "SamplesPerRender", 1, "nothing"),
+        "InteractiveReduction": ({}, "InteractiveReduction", 4, "nothing"),
+        "StepwiseRendering": "asked for by the window only; see checks.py",
+    },
+    "Material": {
+        "colour": ({}, "DiffuseColor", [1.0, 0.0, 0.0], "image"),
+        "ambientColour": (PATHS, "AmbientColor", [1.0, 0.0, 0.0], "image"),
+        "specularColour": (PATHS, "SpecularColor", [1.0, 0.0, 0.0], "image"),
+        "positiveColour": "vtkGlyphTensors::Settings has it",
+        "negativeColour": "vtkGlyphTensors::Settings has it",
+        "ambient": ({}, "Ambient", 0.3, "image"),
+        "diffuse": ({}, "Diffuse", 0.3, "image"),
+        "specular": ({}, "Specular", 0.3, "image"),
+        "specularPower": ({"Specular": 0.3}, "SpecularPower", 10.0, "image"),
+        "opacity": ({}, "Opacity", 0.5, "pass"),
+        "lighting": "no property of a representation's",
+        "metallic": (PATHS, "PathMetallic", 0.5, "image"),
+        "roughness": (PATHS, "PathRoughness", 0.9, "image"),
+        "coatStrength": (PATHS, "PathCoatStrength", 0.5, "image"),
+        "coatRoughness": ({**PATHS, "PathCoatStrength": 0.5}, "PathCoatRoughness", 0.5, "image"),
+        "coatIor": ({**PATHS, "PathCoatStrength": 0.5}, "PathCoatIOR", 1.5, "image"),
+        "coatColour": ({**PATHS, "PathCoatStrength": 0.5}, "PathCoatColor", [1.0, 0.0, 0.0], "image"),
+    },
+}
+#: what vtkGlyphArrays::All() returns, in its order -> (properties, array that the data have anew; None: positions)
+ARRAYS = {
+    "GetPoints": ({}, None),
+    "CompositeIndex": "no array of the user's: it is new where the blocks are",
+    "Scale": ({"GlyphScaling": 1, "GlyphScaleArray": "length"}, "length"),
+    "Orientation": ({"GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationArray": "velocity"}, "velocity"),
+    "Exponents": ({**EXPONENTS, "GlyphExponentArray": "length"}, "length"),
+    "TableIndex": (TABLE, "index"),
+    "Tensors": (TENSOR, "tensor"),
+    "motion[0]": (MOTION, "velocity"),
+    "motion[1]": ({**MOTION, "AccelerationArray": "spin", "AngularVelocityArray": "None"}, "spin"),
+    "motion[2]": (MOTION, "spin"),
+}
+#: struct -> header
+HEADERS = {
+    "vtkGlyphSettings": "Representation/Glyphs/vtkGlyphSettings.h",
+    "vtkGlyphSizing": "Representation/Glyphs/vtkGlyphSizing.h", "ArrowForm": "Kernels/Glyphs.h", "Material": "Kernels/Glyphs.h",
+    "vtkGlyphTensors::Settings": "Representation/Glyphs/vtkGlyphTensors.h",
+    "vtkGlyphMotion::Settings": "Representation/Glyphs/vtkGlyphMotion.h",
+    "vtkRayTracedImageSettings": "Representation/Scene/vtkRayTracedImageSettings.h",
+}
+POINTS = 400
+
+
+def fields_of(path, struct):
+    """Names of the fields of a struct in a header."""
+    with open(path) as header:
+        text = re.sub(r"//[^\n]*|/\*.*?\*/", "", header.read(), flags=re.S)
+    start = re.search(r"\bstruct\s+%s\s*\{" % struct.split("::")[-1], text).end()
+    depth, body = 1, ""
+    for letter in text[start:]:
+        depth += {"{": 1, "}": -1}.get(letter, 0)
+        if depth == 0:
+            break
+        body += letter if depth == 1 else " "
+        body += ";" if letter == "}" and depth == 1 and "(" in body.split(";")[-1] else ""  # the end of a function
+    names = []
+    for statement in body.split(";"):
+        statement = statement.strip().rstrip("} ")
+        if "(" in statement.split("=")[0] or re.match(r"(enum|static|bool operator|struct)\b", statement):
+            continue
+        found = re.match(r"[\w:<>,&\s]+?[\s>](\w+)\s*(\[\d+\])?\s*(=|$)", " ".join(statement.split("{")[0].split()) if statement else "")
+        if found:
+            names.append(found.group(1))
+    return names
+
+
+def data(changed=None):
+    """Points with arrays; one of them, or None's positions, may differ."""
+    random = numpy.random.default_rng(1)
+    arrays = {"": random.uniform(-1.0, 1.0, (POINTS, 3)), "length": random.uniform(0.5, 2.0, POINTS),
+              "other": random.uniform(0.3, 1.0, POINTS), "lengths": random.uniform(0.5, 2.0, (POINTS, 3)),
+              "velocity": random.normal(size=(POINTS, 3)), "spin": random.normal(size=(POINTS, 3)),
+              "tensor": random.normal(size=(POINTS, 9)), "other tensor": random.normal(size=(POINTS, 9)),
+              "six": random.normal(size=(POINTS, 6)), "index": random.integers(0, 2, POINTS).astype(numpy.int32),
+              "other index": random.integers(0, 2, POINTS).astype(numpy.int32), "color": random.uniform(0.0, 1.0, POINTS)}
+    if changed is not None:
+        arrays[changed] = numpy.roll(arrays[changed], 1, axis=0)
+    return session.poly_data(arrays.pop(""), **arrays)
+
+
+class Bench:
+    """One view, one source, and the counters."""
+
+    def __init__(self, checks):
+        self.checks = checks
+        self.source = session.source(data())
+        self.table = pv.GroupDatasets(Input=[pv.Cone(Resolution=5), pv.Box()])
+        self.view = session.view(32, 24)
+
+    def show(self, properties, fresh):
+        """A display of the glyphs, in a view of its own where settings of views are changed."""
+        view = session.view(32, 24) if fresh else self.view
+        start = {"GlyphOrient": 0, "GlyphScaleFactor": 0.1, "GlyphShape": "Sphere", "SamplesPerPixel": 2, "Denoising": "Never",
+                 "ShadingMode": "Local", **properties}
+        shown = session.glyphs(self.source, view, start.pop("GlyphShape"), **start)
+        if properties.get("GlyphMeshIndexArray"):
+            shown.GlyphMesh = self.table
+        shown.ColorArrayName = [None, ""]
+        session.look(view, (0.0, 0.0, 5.0))
+        pv.Render(view)
+        pv.Render(view)
+        return view, shown
+
+    def expect(self, what, properties, change, kind, fresh=False):
+        """Makes the change, and compares what has moved with what the kind says."""
+        view, shown = self.show(properties, fresh)
+        before = session.statistics(shown)
+        change(shown)
+        pv.Render(view)
+        after = session.statistics(shown)
+        moved = {name for name in after if not UNCOUNTED.search(name) and after[name] != before[name]}
+        surplus = moved - KINDS[kind]
+        missing = MUST.get(kind, set()) - moved
+        print("%s (%s): %s" % (what, kind, ", ".join(sorted(moved)) or "nothing"))
+        self.checks.true("%s: also %s" % (what, ", ".join(sorted(surplus))), not surplus)
+        self.checks.true("%s: not %s" % (what, ", ".join(sorted(missing))), not missing)
+        pv.Delete(view if fresh else shown)
+
+
+def main():
+    """All fields, then all arrays."""
+    session.load()
+    checks = Checks()
+    for struct, header in HEADERS.items():
+        found = fields_of(os.path.join(sys.argv[1], header), struct)
+        checks.equal("fields of " + struct, sorted(found), sorted(FIELDS[struct]))
+    with open(os.path.join(sys.argv[1], "Representation/Glyphs/vtkGlyphTuples.cxx")) as code:
+        code = code.read()
+    # The rows of its table, and the list that All() begins with.
+    rows = len(re.findall(r"\{ &Settings::\w+", code))
+    listed = re.search(r"vtkGlyphArrays::All\(.*?all = \{(.*?)\};", code, flags=re.S).group(1)
+    found = re.sub(r"\([^()]*(\([^()]*\)[^()]*)*\)", "", listed).split(",")
+    checks.equal("arrays of vtkGlyphArrays::All()", len(found) + rows, len(ARRAYS))
+
+    bench = Bench(checks)
+    for struct, fields in FIELDS.items():
+        for field, entries in fields.items():
+            if isinstance(entries, str):
+                continue
+            for properties, name, value, kind in entries if isinstance(entries, list) else [entries]:
+                what = "%s::%s, %s = %s of %s" % (struct, field, name, value, properties.get("GlyphShape", properties.get("ShadingMode", "Sphere")))
+                bench.expect(what, properties, lambda shown, n=name, v=value: setattr(shown, n, v), kind,
+                             struct == "vtkRayTracedImageSettings")
+    for name, entry in ARRAYS.items():
+        if isinstance(entry, str):
+            continue
+        properties, changed = entry
+
+        def give(_, changed=changed):
+            # Only the one array is new: the others are those of the data at hand.
+            old = bench.source.GetClientSideObject().GetOutputDataObject(0)
+            new = old.NewInstance()
+            new.ShallowCopy(old)
+            other = data(changed or "")
+            if changed:
+                new.GetPointData().AddArray(other.GetPointData().GetArray(changed))
+            else:
+                new.SetPoints(other.GetPoints())
+            session.replace_data(bench.source, new)
+
+        KINDS["new data"] = KINDS["glyphs"] | {"gathers"}
+        MUST["new data"] = MUST["glyphs"] | {"gathers"}
+        bench.expect("array " + name, properties, give, "new data")
+        # An array that nobody asks for is no reason to build anything.
+        session.replace_data(bench.source, data())
+
+    def give_unused(_):
+        old = bench.source.GetClientSideObject().GetOutputDataObject(0)
+        new = old.NewInstance()
+        new.ShallowCopy(old)
+        new.GetPointData().AddArray(data("other").GetPointData().GetArray("other"))
+        session.replace_data(bench.source, new)
+
+    KINDS["gather"] = {"gathers"}
+    bench.expect("array that is not shown", {}, give_unused, "gather")
+    bench.expect("the same data again", {}, lambda _: session.replace_data(bench.source, data()),
+                 "again")
+    checks.report()
+
+
+#: the same numbers in other arrays: built again, and found to be the same
+KINDS["again"] = {"gathers", "boundsBuilds", "instanceBuilds", "colorBuilds"}
+
+if __name__ == "__main__":
+    main()
