@@ -242,6 +242,13 @@ void ProgressiveImage::Preview(const Request& request, std::uint32_t pixelStep)
     const double before = request.source.Now();
     Image image = request.source.Trace(this->view_, settings, request.MakeInterrupt(0.0, 0.0));
     const double seconds = request.source.Now() - before;
+    if (!image.complete && image.share <= 0.0f)
+    {
+      // Its program is being compiled.
+      this->pending_ = this->canContinue_ = false;
+      this->Show(image);
+      return;
+    }
     if (image.complete || step >= coarsestPreviewStep)
     {
       this->previewStep_ = step;
@@ -284,6 +291,10 @@ void ProgressiveImage::Grow(const Request& request)
     if (!quick)
     {
       this->Preview(request, this->secondsPerRay_ > 0.0 ? effort.pixelStep : firstPreviewStep);
+      if (this->previewStep_ == 0 && this->samples_ == 0 && !this->pending_)
+      {
+        return;
+      }
     }
   }
   std::uint32_t added = 0;

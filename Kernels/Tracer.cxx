@@ -11,6 +11,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -29,6 +30,8 @@ constexpr std::uint32_t tilesPerRow = 1024;              ///< of a launch
 constexpr std::uint32_t mostTiles = 16 * tilesPerRow; ///< of a launch: 29 MB of ray records
 /// Seconds that a launch is to take where TilesAtOnce() cuts: whoever waits for it to stop, or for the display, waits so long.
 constexpr double launchSeconds = 0.04;
+/// After so long whoever waits for a program is asked whether to go on waiting.
+constexpr std::chrono::milliseconds compilingPatience(20);
 
 std::uint32_t DivideUp(std::uint32_t value, std::uint32_t by)
 {
@@ -360,9 +363,9 @@ std::uint32_t Tracer::State::TilesAtOnce(
   {
     return most;
   }
-  if (!program.launched || program.secondsPerRay <= 0.0)
+  if (program.secondsPerRay <= 0.0)
   {
-    return std::min(most, program.launched ? 8u : 1u);
+    return std::min(most, 8u);
   }
   const double tileSeconds = program.secondsPerRay * lanesPerTile * job.frame.samples;
   const double wanted = std::min(launchSeconds / tileSeconds, 8.0 * static_cast<double>(program.lastTiles));
@@ -380,6 +383,15 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
   if (work.done < settings.samples)
   {
     TracerResources::Program& program = this->shared->ProgramFor(work.generation, scene.groups);
+    // Compiling may take many seconds.
+    if (!interruptible)
+    {
+      this->shared->WaitFor(program);
+    }
+    while (!stopped && !this->shared->IsCompiled(program, compilingPatience))
+    {
+      stopped = interrupt(double(work.done) / settings.samples);
+    }
     double secondsBefore = watch.Lap();
     while (work.done < settings.samples && !stopped)
     {
@@ -396,14 +408,10 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
       const double seconds = watch.Lap();
       this->shared->statistics.traceSeconds += secondsBefore + seconds;
       secondsBefore = 0.0;
-      if (program.launched)
-      {
-        // Of old and new costs the mean: launches differ.
-        const double cost = seconds / (double(tiles) * lanesPerTile * frame.samples);
-        program.secondsPerRay = program.secondsPerRay > 0.0 ? 0.5 * (program.secondsPerRay + cost) : cost;
-        program.lastTiles = std::max(tiles, 8u);
-      }
-      program.launched = true;
+      // Of old and new costs the mean: launches differ.
+      const double cost = seconds / (double(tiles) * lanesPerTile * frame.samples);
+      program.secondsPerRay = program.secondsPerRay > 0.0 ? 0.5 * (program.secondsPerRay + cost) : cost;
+      program.lastTiles = std::max(tiles, 8u);
       frame.firstTile = frame.endTile;
       if (frame.firstTile == frame.tileCount)
       {
@@ -579,8 +587,9 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       probing.moves = glyphs.moves;
       constexpr std::uint32_t rowLength = 1024;
       Fit(state.rays, vulkan, (records.size() + rowLength) * sizeof(device::RayRecord));
-      state.Launch(*state.shared->ProgramFor(probing, glyphs.groups).pipeline, glyphs, frame, rowLength,
-        DivideUp(frame.probeCount, rowLength));
+      TracerResources::Program& program = state.shared->ProgramFor(probing, glyphs.groups);
+      state.shared->WaitFor(program);
+      state.Launch(*program.pipeline, glyphs, frame, rowLength, DivideUp(frame.probeCount, rowLength));
 
       output.Read(output.Size(),
         [&](const void* read)

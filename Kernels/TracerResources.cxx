@@ -14,6 +14,18 @@ namespace
 constexpr std::uint32_t blueNoiseSide = 64; ///< as in Shading/Sampling.glsl
 constexpr std::size_t keptPrograms = 16;
 
+// Some drivers compile when a pipeline is made, others at its first launch: that is one of no pixel.
+void Compile(Device::State& vulkan, TracerResources::Program& program)
+{
+  program.pipeline = std::make_unique<Pipeline>(vulkan, program.generation, program.groups);
+  device::FrameRecord frame{};
+  frame.tileStride = frame.tileCount = frame.tileColumns = 1;
+  frame.launchWidth = 1;
+  Buffer buffer(vulkan, sizeof(frame), vk::BufferUsageFlagBits::eUniformBuffer, Buffer::Place::Host);
+  buffer.Upload(&frame, sizeof(frame));
+  vulkan.Submit([&](vk::raii::CommandBuffer& command) { program.pipeline->Trace(command, buffer, 1, 1); });
+}
+
 } // namespace
 
 std::shared_ptr<TracerResources> MakeTracerResources(std::shared_ptr<Device> device)
@@ -36,7 +48,7 @@ TracerResources::Program& TracerResources::ProgramFor(
 {
   const auto found = std::find_if(this->programs_.begin(), this->programs_.end(),
     [&](const auto& p)
-    { return p->pipeline->GetGeneration() == generation && p->pipeline->Groups() == groups; });
+    { return p->generation == generation && p->groups == groups; });
   if (found != this->programs_.end())
   {
     std::rotate(found, found + 1, this->programs_.end());
@@ -46,11 +58,44 @@ TracerResources::Program& TracerResources::ProgramFor(
   {
     this->programs_.erase(this->programs_.begin());
   }
-  auto program = std::make_unique<Program>();
-  program->pipeline = std::make_unique<Pipeline>(this->device->GetState(), generation, groups);
-  this->programs_.push_back(std::move(program));
-  ++this->statistics.pipelineBuilds;
-  return *this->programs_.back();
+  this->programs_.push_back(std::make_unique<Program>());
+  Program& program = *this->programs_.back();
+  program.generation = generation;
+  program.groups = groups;
+  program.compiling = std::async(std::launch::async, [this, &program] { Compile(this->device->GetState(), program); });
+  return program;
+}
+
+bool TracerResources::IsCompiled(Program& program, std::chrono::milliseconds patience)
+{
+  if (program.compiling.valid())
+  {
+    if (program.compiling.wait_for(patience) != std::future_status::ready)
+    {
+      return false;
+    }
+    this->WaitFor(program);
+  }
+  return true;
+}
+
+void TracerResources::WaitFor(Program& program)
+{
+  if (!program.compiling.valid())
+  {
+    return;
+  }
+  try
+  {
+    program.compiling.get();
+    ++this->statistics.pipelineBuilds;
+  }
+  catch (...)
+  {
+    this->programs_.erase(std::find_if(
+      this->programs_.begin(), this->programs_.end(), [&program](const auto& p) { return p.get() == &program; }));
+    throw;
+  }
 }
 
 void TracerResources::PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame)

@@ -9,6 +9,8 @@
 #include "Vulkan/Pipeline.h"
 
 #include <atomic>
+#include <chrono>
+#include <future>
 #include <memory>
 #include <vector>
 
@@ -23,14 +25,22 @@ public:
   /// A pipeline, and what its launches have cost.
   struct Program
   {
-    std::unique_ptr<Pipeline> pipeline;
-    bool launched = false;          ///< a driver may compile at the first launch, which so tells nothing of the cost
-    double secondsPerRay = 0.0;     ///< of a camera ray with all that follows it; 0: unknown
-    std::size_t lastTiles = 0;      ///< of the last launch whose time is known
+    Generation generation;
+    std::vector<HitGroup> groups;
+    std::unique_ptr<Pipeline> pipeline; ///< null until it is compiled
+    std::future<void> compiling;        ///< valid until somebody knows that it is done
+    double secondsPerRay = 0.0;         ///< of a camera ray with all that follows it; 0: unknown
+    std::size_t lastTiles = 0;          ///< of the last launch
   };
 
-  /// The program of these keys, compiled when it is not among the last ones used. Valid until the next call.
+  /// The program of these keys; compiling begins, in another thread, when it is not among the last ones used. Valid until
+  /// the next call.
   Program& ProgramFor(const Generation& generation, const std::vector<HitGroup>& groups);
+
+  /// Whether the program can be launched; waits for it so long at most. Throws what compiling failed of, and the program is
+  /// no more.
+  bool IsCompiled(Program& program, std::chrono::milliseconds patience);
+  void WaitFor(Program& program);
 
   /// Puts the environment image of path tracing, if the settings have one, on the device and into `frame`.
   void PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame);

@@ -15,6 +15,8 @@ constexpr std::size_t mostStaged = std::size_t(1) << 28;
 
 } // namespace
 
+thread_local Batch* Device::State::batch = nullptr;
+
 Batch::Batch(Device::State& device)
   : device_(device)
   , outer_(std::exchange(device.batch, this))

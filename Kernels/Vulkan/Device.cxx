@@ -245,8 +245,6 @@ Device::Device()
     state.int64 = state.physical.getFeatures().shaderInt64;
     state.device = MakeDevice(state.physical, state.queueFamily, state.int64);
     state.queue = state.device.getQueue(state.queueFamily, 0);
-    state.pool = vk::raii::CommandPool(
-      state.device, { vk::CommandPoolCreateFlagBits::eTransient, state.queueFamily });
     state.memory = state.physical.getMemoryProperties();
     const auto properties = state.physical.getProperties2<vk::PhysicalDeviceProperties2,
       vk::PhysicalDeviceRayTracingPipelinePropertiesKHR,
@@ -304,8 +302,9 @@ std::uint64_t Device::HeldBytes() const
 
 void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& record)
 {
-  vk::raii::CommandBuffers commands(
-    this->device, { *this->pool, vk::CommandBufferLevel::ePrimary, 1 });
+  const vk::raii::CommandPool pool(
+    this->device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, this->queueFamily));
+  vk::raii::CommandBuffers commands(this->device, { *pool, vk::CommandBufferLevel::ePrimary, 1 });
   vk::raii::CommandBuffer& command = commands.front();
   command.begin({ vk::CommandBufferUsageFlagBits::eOneTimeSubmit });
   record(command);
@@ -316,6 +315,7 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
   const vk::CommandBuffer handle = *command;
   try
   {
+    const std::lock_guard<std::mutex> lock(this->queueMutex);
     this->queue.submit(vk::SubmitInfo({}, {}, handle), *done);
   }
   catch (const vk::DeviceLostError&)
@@ -323,6 +323,7 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
     // What was handed over may count as pending until somebody waits; it is given back when this function is left.
     try
     {
+      const std::lock_guard<std::mutex> lock(this->queueMutex);
       this->device.waitIdle();
     }
     catch (const vk::SystemError&)

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <functional>
+#include <mutex>
 #include <new>
 #include <string>
 
@@ -31,7 +32,7 @@ struct Device::State
   vk::raii::PhysicalDevice physical{ nullptr };
   vk::raii::Device device{ nullptr };
   vk::raii::Queue queue{ nullptr };
-  vk::raii::CommandPool pool{ nullptr };
+  std::mutex queueMutex; ///< programs are compiled in threads of their own
   vk::PhysicalDeviceMemoryProperties memory;
   vk::PhysicalDeviceRayTracingPipelinePropertiesKHR pipelineLimits;
   vk::PhysicalDeviceAccelerationStructurePropertiesKHR structureLimits;
@@ -45,10 +46,10 @@ struct Device::State
   std::atomic<bool> lost{ false };
   std::atomic<std::uint64_t> bytes{ 0 }; ///< device memory held by all buffers
 
-  std::uint64_t submissions = 0; ///< so far
-  Batch* batch = nullptr; ///< that copies and builds go into; null: each is done at once
+  std::atomic<std::uint64_t> submissions{ 0 }; ///< so far
+  static thread_local Batch* batch; ///< that copies and builds of this thread go into; null: each is done at once
 
-  /// Records commands, submits them and waits until they are done.
+  /// Records commands, submits them and waits until they are done. In any thread.
   void Submit(const std::function<void(vk::raii::CommandBuffer&)>& record);
 
   /// Runs `work`; turns every failure of Vulkan, and memory of the computer that does not suffice, into one rtg::Error that says

@@ -76,6 +76,12 @@ public:
   {
     const double step = this->last.pixelStep;
     bool stopped = false;
+    while (this->compilingSeconds > 0.0 && !stopped)
+    {
+      this->now += 0.02;
+      this->compilingSeconds -= 0.02;
+      stopped = interrupt && interrupt(0.0);
+    }
     while (this->launchesLeft > 0 && !stopped)
     {
       if (this->traceFails)
@@ -114,7 +120,7 @@ public:
 
   bool noDevice = false, hasDevice = true, lost = false, sceneFails = false, traceFails = false, memoryFails = false,
        loseDevice = false;
-  double secondsPerSample = 0.01, now = 0.0, rays = 0.0;
+  double compilingSeconds = 0.0, secondsPerSample = 0.01, now = 0.0, rays = 0.0;
   std::uint64_t bytes = 100;
   int traces = 0, resumes = 0, denoisings = 0;
   rtg::TraceSettings last;
@@ -516,6 +522,28 @@ TEST_F(ProgressiveImageTest, FeaturesOfAFinishedImageAreTracedWhereTheyLack)
   EXPECT_EQ(this->source.traces, 2);
   this->Update(effort);
   EXPECT_EQ(this->source.traces, 2);
+}
+
+// Compiling takes longer than an update may: there is no image for a while, and then all is as usual.
+TEST_F(ProgressiveImageTest, CompilingHoldsNothingUp)
+{
+  this->source.compilingSeconds = 1.0;
+  int empty = 0;
+  for (; empty < 100 && !this->image.IsComplete() && this->source.compilingSeconds > 0.0; ++empty)
+  {
+    const double before = this->source.now;
+    ASSERT_NE(this->Update(Window(8)), nullptr);
+    EXPECT_LE(this->source.now - before, 0.15);
+    EXPECT_EQ(this->image.GetState(), State::Growing);
+    EXPECT_EQ(this->source.rays > 0.0, this->source.compilingSeconds <= 0.0);
+  }
+  EXPECT_GE(empty, 5);
+  for (int i = 0; i < 100 && this->image.GetState() != State::Finished; ++i)
+  {
+    this->Update(Window(8));
+  }
+  EXPECT_EQ(this->image.GetState(), State::Finished);
+  EXPECT_GE(this->image.Samples(), 8u);
 }
 
 } // namespace

@@ -366,11 +366,11 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
       last = scene.Add();
       scene.SetInstances(last, instances);
     }
-    const auto before = vulkan.submissions;
+    const std::uint64_t before = vulkan.submissions;
     scene.Commit();
     seen.commit = vulkan.submissions - before;
     scene.SetColours(last, rtg::GlyphColours(scene.GlyphCount(last), 0xff4080c0u));
-    const auto between = vulkan.submissions;
+    const std::uint64_t between = vulkan.submissions;
     scene.Commit();
     seen.recolouring = vulkan.submissions - between;
     rtg::TraceSettings wanted = this->settings;
@@ -414,7 +414,7 @@ TEST_F(TracerTest, ImagesAreLaunchedInPartsOnAGpuAlone)
   {
     vulkan.cpu = !gpu;
     rtg::Tracer tracer(this->device);
-    const auto before = vulkan.submissions;
+    const std::uint64_t before = vulkan.submissions;
     const Image image = tracer.Trace(this->scene, this->camera, this->lights, this->settings);
     // Of 169 tiles the first launch is one, the second eight.
     if (gpu)

@@ -19,8 +19,8 @@ from window import Window, say  # noqa: E402
 
 #: names of ParaView's widgets
 ABORT, BAR, VIEW = "AbortButton", "ProgressBar", "Viewport"
-#: samples that take long, and samples that take a few seconds
-MANY, FEW = 4000, 8
+#: samples that take long, and samples that do not
+MANY, FEW = 4000, 3
 #: seconds within which what is waited for must have happened
 LIMIT = 60.0
 
@@ -41,11 +41,11 @@ class Renders:
 def scene():
     """(view, display): a cloud of spheres with ambient occlusion."""
     view = pv.GetActiveViewOrCreate("RenderView")
-    pv.GetLayout().PreviewMode = [400, 300]
+    pv.GetLayout().PreviewMode = [300, 200]
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.Background = [channel / 255.0 for channel in session.BACKGROUND]
-    shown = session.glyphs(cloud(3000), view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.1)
+    shown = session.glyphs(cloud(1000), view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.15)
     session.solid(shown, (0.9, 0.9, 0.9))
     shown.ShadingMode, shown.AmbientOcclusionRays = "Ambient Occlusion", 4
     session.look(view, (0.0, 0.0, 6.0))
