@@ -1,4 +1,5 @@
-"""A long trace asks the window whether to go on, and ends when the window says no; the view goes on afterwards.
+"""A long trace asks the window whether to go on, and ends when the window says no; the view goes on afterwards. Whoever is
+asked may draw: the picture stays the same.
 
 Usage: pvpython abort.py
 """
@@ -11,6 +12,7 @@ import session
 from checks import Checks, cloud, information
 
 SAMPLES = 32
+GL_FRAMEBUFFER = 0x8D40  # of OpenGL's headers
 
 
 def seconds(action):
@@ -60,6 +62,21 @@ def main():
     checks.no_message("next render", session.messages(lambda: pv.Render(view)))
     checks.equal("samples of the next render", information(shown, "AccumulatedSamples"), SAMPLES)
     checks.picture("picture of the next render", accumulation.shown_by(view), expected)
+
+    def draw(*_):
+        """What a window leaves behind that repaints itself when it is asked."""
+        state = window.GetState()
+        state.vtkglBindFramebuffer(GL_FRAMEBUFFER, 0)
+        state.vtkglViewport(0, 0, 20, 10)
+        state.vtkglScissor(0, 0, 20, 10)
+
+    session.look(view, (1.0, 0.0, 6.0))
+    pv.Render(view)
+    session.look(view, (0.0, 0.0, 6.0))
+    observer = window.AddObserver("AbortCheckEvent", draw)
+    pv.Render(view)
+    window.RemoveObserver(observer)
+    checks.picture("picture of a render in which a window repaints itself", accumulation.shown_by(view), expected)
     checks.report()
 
 
