@@ -64,8 +64,8 @@ FIELDS = {
         "Arrow": "vtkGlyphSettings::ArrowForm",
         "ArrowReference": [(ARROW, "ArrowReferenceMagnitude", 3.0, "glyphs"), ({}, "ArrowReferenceMagnitude", 3.0, "nothing")],
         "MeanScale": (ARROW, "GlyphScaleArray", "other", "glyphs"),
-        "Mesh": ({"GlyphShape": "Mesh"}, "GlyphMesh", "Cone", "glyphs"),
-        "TableSize": ({**TABLE, "GlyphMeshTable": 0}, "GlyphMeshTable", 1, "glyphs"),
+        "Mesh": ({"GlyphShape": "Mesh"}, "GlyphMesh", "Cone", "new data"),
+        "TableSize": ({**TABLE, "GlyphMeshTable": 0}, "GlyphMeshTable", 1, "new data"),
         "TableEntry": "each form of a table has its own; see TableSize",
         "TableIndexArray": [(TABLE, "GlyphMeshIndexArray", "other index", "glyphs"),
                             ({}, "GlyphMeshIndexArray", "index", "nothing")],
@@ -294,8 +294,6 @@ def main():
                 new.SetPoints(other.GetPoints())
             session.replace_data(bench.source, new)
 
-        KINDS["new data"] = KINDS["glyphs"] | {"gathers"}
-        MUST["new data"] = MUST["glyphs"] | {"gathers"}
         bench.expect("array " + name, properties, give, "new data")
         # An array that nobody asks for is no reason to build anything.
         session.replace_data(bench.source, data())
@@ -314,6 +312,9 @@ def main():
     checks.report()
 
 
+#: points, or the mesh of glyphs, from the pipeline
+KINDS["new data"] = KINDS["glyphs"] | {"gathers"}
+MUST["new data"] = MUST["glyphs"] | {"gathers"}
 #: the same numbers in other arrays: built again, and found to be the same
 KINDS["again"] = {"gathers", "boundsBuilds", "instanceBuilds", "colorBuilds"}
 
