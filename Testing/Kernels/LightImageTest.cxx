@@ -34,7 +34,7 @@ TEST_F(LightTest, BadSettingsAreNamed)
   fails("paths", [](auto& s) { s.paths = 65; });
   fails("bounces", [](auto& s) { s.maximumBounces = 0; });
   fails("intensity", [](auto& s) { s.lightIntensity = -0.5f; });
-  fails("colour", [](auto& s) { s.environmentColour.g = NAN; });
+  fails("environment color", [](auto& s) { s.environmentColour.g = NAN; });
   fails("exposure", [](auto& s) { s.exposure = INFINITY; });
 }
 

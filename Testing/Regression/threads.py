@@ -77,7 +77,7 @@ def show_all():
     sources = {"cloud": session.source(cloud()), "blocks": session.source(blocks()), "ghosts": session.source(grid())}
     for name, properties in CASES.items():
         view = session.view(160, 120)
-        shown = session.glyphs(sources[name.split()[0]], view, **{"GlyphOrient": 0, "GlyphScaleFactor": 0.02, **properties})
+        shown = session.glyphs(sources[name.split()[0]], view, samples=1, **{"GlyphOrient": 0, "GlyphScaleFactor": 0.02, **properties})
         pv.ColorBy(shown, ("POINTS", "length"))
         session.look(view, (0.0, 0.0, 5.0))
         picture = session.capture(view, "threads-" + name.replace(" ", "-"))
