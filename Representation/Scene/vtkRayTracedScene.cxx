@@ -691,7 +691,8 @@ void vtkRayTracedScene::ReportExport()
 {
   Internals& self = *this->Self;
   vtkRayTracedPythonClass::Register();
-  if (self.WantsAnything() && !self.PassReported && !self.ExportReported)
+  const bool selecting = this->Renderer->GetSelector() != nullptr; // VTK 9.6's selector asks actors for their mappers, too
+  if (self.WantsAnything() && !selecting && !self.PassReported && !self.ExportReported)
   {
     vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out of the exported file: they have no polygons. Choose another "
                        "representation such as 3D Glyphs or Surface to export them, or save a screenshot.");
