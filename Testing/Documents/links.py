@@ -4,6 +4,7 @@ Usage: python3 links.py
 """
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -19,7 +20,9 @@ def anchors(path):
 
 def documents():
     """All of them; what git ignores is not the project's."""
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "*.md"], stdout=subprocess.PIPE, check=False, text=True).stdout.split()
+    listed = []
+    if shutil.which("git"):
+        listed = subprocess.run(["git", "-C", ROOT, "ls-files", "*.md"], stdout=subprocess.PIPE, check=False, text=True).stdout.split()
     return listed or [os.path.relpath(os.path.join(folder, name), ROOT) for folder, _, names in os.walk(ROOT)
                       for name in names if name.endswith(".md") and "/build" not in folder]
 
