@@ -70,7 +70,6 @@ private:
     QPointer<pqView> View;
     vtkWeakPointer<vtkSMViewProxy> Proxy;
     double Done = 1.0; ///< in [0, 1]
-    QString Stage;     ///< what is being done
   };
   static std::vector<Part> PartsOf(pqView* view);
   static vtkSMProxy* DisplayOf(const Part& part);

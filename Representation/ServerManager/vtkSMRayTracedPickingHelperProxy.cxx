@@ -105,8 +105,6 @@ bool vtkSMRayTracedPickingHelperProxy::FindPlace(double place[3])
       continue;
     }
     const int* size = renderer->GetSize();
-    // The pixel may have been selected from buffers that the view keeps: the last render may be any pass of a selection.
-    view->StillRender();
     vtkFloatArray* depths = view->CaptureDepthBuffer();
     if (!depths || depths->GetNumberOfValues() != static_cast<vtkIdType>(size[0]) * size[1] || pixel[0] < 0 ||
       pixel[1] < 0 || pixel[0] >= size[0] || pixel[1] >= size[1])

@@ -5,7 +5,6 @@ Prints COMPARATIVE TEST PASSED as its last line.
 """
 import os
 import sys
-import traceback
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRIPT", "."))))
 
@@ -14,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkCollection  # noqa: E402
 
 import session  # noqa: E402
 from checks import cloud, information, pending  # noqa: E402
-from window import Window, say  # noqa: E402
+from window import Window, run, say  # noqa: E402
 
 SAMPLES = 12
 #: seconds within which the images must be finished; they take a few
@@ -58,11 +57,4 @@ def main():
     return failures
 
 
-try:
-    FOUND = main()
-except Exception:  # the window would stay open for ever
-    FOUND = [traceback.format_exc()]
-for failure in FOUND:
-    say("FAILED: " + failure)
-say("COMPARATIVE TEST " + ("FAILED" if FOUND else "PASSED"))
-os._exit(1 if FOUND else 0)
+run("COMPARATIVE", main)

@@ -7,7 +7,6 @@ import faulthandler
 import os
 import sys
 import time
-import traceback
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRIPT", "."))))
 
@@ -15,7 +14,7 @@ import paraview.simple as pv  # noqa: E402
 
 import session  # noqa: E402
 from checks import Checks, cloud, information, pending  # noqa: E402
-from window import Window, say  # noqa: E402
+from window import Window, run, say  # noqa: E402
 
 #: names of ParaView's widgets
 ABORT, BAR, VIEW = "AbortButton", "ProgressBar", "Viewport"
@@ -177,11 +176,4 @@ def main():
     return checks.failures
 
 
-try:
-    FOUND = main()
-except Exception:  # the window would stay open for ever
-    FOUND = [traceback.format_exc()]
-for failure in FOUND:
-    say("FAILED: " + failure)
-say("INTERRUPTING TEST " + ("FAILED" if FOUND else "PASSED"))
-os._exit(1 if FOUND else 0)
+run("INTERRUPTING", main)

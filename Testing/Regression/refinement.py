@@ -7,7 +7,6 @@ With PVSERVER the images come from such a server. Prints REFINEMENT TEST PASSED 
 import os
 import sys
 import time
-import traceback
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRIPT", "."))))
 
@@ -16,7 +15,7 @@ import paraview.simple as pv  # noqa: E402
 
 import client_server  # noqa: E402
 import session  # noqa: E402
-from window import Window, say  # noqa: E402
+from window import Window, run, say  # noqa: E402
 
 SAMPLES = 12
 SERVER = os.environ.get("RTGLYPHS_PVSERVER")
@@ -104,21 +103,18 @@ def main():
     return failures
 
 
-PROCESS = None
-try:
-    pv._DisableFirstRenderCameraReset()
-    if SERVER:
-        PROCESS, PORT = client_server.start_server([SERVER], "refinement-server.log")
-        pv.Connect("127.0.0.1", PORT)
+def on_server():
+    """The same with images that come from a server."""
+    process, port = client_server.start_server([SERVER], "refinement-server.log")
+    try:
+        pv.Connect("127.0.0.1", port)
         pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))
-    FOUND = main()
-except Exception:  # the window would stay open for ever
-    FOUND = [traceback.format_exc()]
-if PROCESS:
-    client_server.stop(PROCESS)
-    with open(session.output("refinement-server.log")) as log:
-        say(log.read())
-for failure in FOUND:
-    say("FAILED: " + failure)
-say("REFINEMENT TEST " + ("FAILED" if FOUND else "PASSED"))
-os._exit(1 if FOUND else 0)
+        return main()
+    finally:
+        client_server.stop(process)
+        with open(session.output("refinement-server.log")) as log:
+            say(log.read())
+
+
+pv._DisableFirstRenderCameraReset()
+run("REFINEMENT", on_server if SERVER else main)

@@ -5,11 +5,24 @@ Environment: RTGLYPHS_WINDOW_PROBE is the library of WindowProbe.cxx.
 import ctypes
 import os
 import time
+import traceback
 
 
 def say(text):
     """ParaView's window catches print(); ctest reads the process's own output."""
     os.write(1, (text + "\n").encode())
+
+
+def run(name, main):
+    """Ends the process with what main() returns: sentences about what has failed. NAME TEST PASSED, or FAILED, is the last line."""
+    try:
+        failures = main()
+    except Exception:  # the window would stay open for ever
+        failures = [traceback.format_exc()]
+    for failure in failures:
+        say("FAILED: %s" % failure)
+    say("%s TEST %s" % (name, "FAILED" if failures else "PASSED"))
+    os._exit(1 if failures else 0)
 
 
 class Window:
