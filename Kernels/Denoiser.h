@@ -12,8 +12,9 @@ namespace rtg
 struct DenoiserGuides
 {
   std::uint32_t width, height;
-  const std::vector<glm::vec3>& normals;  ///< unit, or zero where nothing was hit
-  const std::vector<glm::vec3>& albedos;  ///< the surface's colour in the units of the light: divided out, put back
+  const std::vector<glm::vec3>& normals; ///< unit, or zero where nothing was hit
+  const std::vector<glm::vec3>&
+    albedos; ///< the surface's colour in the units of the light: divided out, put back
   const std::vector<float>& viewDepths;
 };
 

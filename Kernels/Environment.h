@@ -13,8 +13,8 @@ namespace rtg
 /// latitude asin(d . up), from -90 degrees at the lower edge: as VTK's skyboxes and image-based lighting have it.
 struct EnvironmentImage
 {
-  std::uint32_t width = 0, height = 0; ///< texels, >= 1
-  std::vector<glm::vec3> radiance;     ///< linear, >= 0; width x height, the lowest row first
+  std::uint32_t width = 0, height = 0;       ///< texels, >= 1
+  std::vector<glm::vec3> radiance;           ///< linear, >= 0; width x height, the lowest row first
   glm::vec3 right{ 1, 0, 0 }, up{ 0, 1, 0 }; ///< unit, perpendicular, world frame
 };
 
@@ -23,9 +23,10 @@ struct EnvironmentImage
 /// materials, whose lobes are chosen at random.
 struct EnvironmentCell
 {
-  float probability;   ///< of taking the cell itself when it was picked; else `alias` is taken (Walker 1977)
+  float
+    probability; ///< of taking the cell itself when it was picked; else `alias` is taken (Walker 1977)
   std::uint32_t alias;
-  float density;       ///< of directions, per steradian
+  float density; ///< of directions, per steradian
 };
 
 /// How to aim at what exceeds the threshold: cells of side x side texels, row by row from the lowest, those at the right and

@@ -19,7 +19,8 @@ constexpr std::uint32_t maxSamples = 1u << 20; ///< a pixel
 // Of the whole image, over all calls.
 std::uint32_t PlannedSamples(const TraceSettings& settings)
 {
-  return settings.plannedSamples ? settings.plannedSamples : settings.firstSample + settings.samples;
+  return settings.plannedSamples ? settings.plannedSamples
+                                 : settings.firstSample + settings.samples;
 }
 
 // In how many ways a sample looks for light.

@@ -91,7 +91,8 @@ DoubleBox MeshBox(const MeshBounds& form, const HostShapes::Glyph& glyph)
   const glm::dvec3 centre = glyph.centre + offset;
   // A few ulps for the roundings of the device's own transform.
   const glm::dvec3 half = 1.000001 *
-      (glm::abs(linear[0]) * reach.x + glm::abs(linear[1]) * reach.y + glm::abs(linear[2]) * reach.z) +
+      (glm::abs(linear[0]) * reach.x + glm::abs(linear[1]) * reach.y +
+        glm::abs(linear[2]) * reach.z) +
     1e-6 * (glm::abs(centre) + glm::length(offset));
   return { centre - half, centre + half };
 }
@@ -208,8 +209,8 @@ std::uint32_t TimeSliceBits(const GlyphInstances& instances, std::size_t bytesPe
       // A slice that is another one for every glyph stands for all of them.
       const double first = length * double((i / step) & ((1u << bits) - 1));
       const DoubleBox own = StillBox(subject, DoubleGlyph(instances, i));
-      const DoubleBox swept = MovingBox(
-        subject, i, instances.motion.Time(first), instances.motion.Time(first + length));
+      const DoubleBox swept =
+        MovingBox(subject, i, instances.motion.Time(first), instances.motion.Time(first + length));
       still += Surface(own.upper - own.lower);
       moving += Surface(swept.upper - swept.lower);
     }

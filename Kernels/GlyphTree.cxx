@@ -219,7 +219,8 @@ KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits)
 std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& order)
 {
   std::vector<Box> sorted(boxes.size());
-  std::transform(order.begin(), order.end(), sorted.begin(), [&](std::uint32_t i) { return boxes[i]; });
+  std::transform(
+    order.begin(), order.end(), sorted.begin(), [&](std::uint32_t i) { return boxes[i]; });
   return sorted;
 }
 

@@ -124,12 +124,12 @@ struct Material
   glm::vec3 specularColour{ 1.0f };
   glm::vec3 positiveColour{ 1.0f }; ///< where GlyphInstances::forms are zero or more
   glm::vec3 negativeColour{ 1.0f }; ///< where they are less
-  float ambient = 0.0f;         ///< [0, 1]
-  float diffuse = 1.0f;         ///< [0, 1]
-  float specular = 0.0f;        ///< [0, 1]
-  float specularPower = 100.0f; ///< [0, 128] as vtkProperty
-  float opacity = 1.0f;         ///< [0, 1]; times a glyph colour's alpha
-  bool lighting = true;         ///< false: the plain colour, as vtkProperty::LightingOff
+  float ambient = 0.0f;             ///< [0, 1]
+  float diffuse = 1.0f;             ///< [0, 1]
+  float specular = 0.0f;            ///< [0, 1]
+  float specularPower = 100.0f;     ///< [0, 128] as vtkProperty
+  float opacity = 1.0f;             ///< [0, 1]; times a glyph colour's alpha
+  bool lighting = true;             ///< false: the plain colour, as vtkProperty::LightingOff
 
   // Path tracing only, with vtkProperty's meaning; `specular` is then Burley's (0.5: glass, plastic), `ambient`
   // light that the surface gives off.

@@ -58,10 +58,12 @@ struct GlyphSetRecord
   RTG_ADDRESS(Vec3Array) velocities; // each of these three: none unless specialised
   RTG_ADDRESS(Vec3Array) accelerations;
   RTG_ADDRESS(Vec3Array) angularVelocities;
-  RTG_ADDRESS(UintArray) treeOrder; // slice by slice, the glyph at each place of its tree, or none (specialised)
+  RTG_ADDRESS(UintArray)
+  treeOrder;         // slice by slice, the glyph at each place of its tree, or none (specialised)
   float shutterOpen; // as GlyphMotion has it
   float shutterLength;
-  uint timeSliceBits; // the tree has 2^timeSliceBits versions one after the other, each of so many nodes
+  uint
+    timeSliceBits; // the tree has 2^timeSliceBits versions one after the other, each of so many nodes
   uint nodesPerSlice;
   vec3 offset;    // of the set's origin from the scene's: high part, as in the transform
   vec3 offsetLow; // what the high part's rounding left
@@ -79,7 +81,7 @@ struct GlyphSetRecord
   float opacity;
   uint translucent; // belongs to the translucent pass
   vec3 ambientColour;
-  uint coloured; // glyphs have colours of their own, also in ambient light
+  uint coloured;       // glyphs have colours of their own, also in ambient light
   vec3 positiveColour; // of glyphs coloured by their forms
   vec3 negativeColour;
   vec3 specularColour;
@@ -92,10 +94,11 @@ struct GlyphSetRecord
   RTG_ADDRESS(Vec3Array) meshPositions;
   RTG_ADDRESS(UintArray) meshTriangles; // three a triangle
   RTG_ADDRESS(Vec3Array) meshNormals;   // none unless specialised
-  RTG_ADDRESS(UintArray) meshColours;   // by position or by triangle, or values and their table, or none (specialised)
-  uint meshValueCount;                  // values of positions, behind which the table lies
+  RTG_ADDRESS(UintArray)
+  meshColours; // by position or by triangle, or values and their table, or none (specialised)
+  uint meshValueCount; // values of positions, behind which the table lies
   uint meshTableSize;
-  uint firstInstance;                   // gl_InstanceID of the set's first glyph
+  uint firstInstance; // gl_InstanceID of the set's first glyph
   uint identifiesTriangles;
   // Of mesh glyphs that move: MeshTree.h. Positions are then relative to the middle of the mesh.
   RTG_ADDRESS(UintArray) meshTree;

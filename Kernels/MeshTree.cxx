@@ -50,8 +50,8 @@ double Surface(const MeshBounds& bounds)
 }
 
 // So many slices that boxes round paths have at most twice the surface that triangles at rest have.
-std::uint32_t ChooseSliceBits(
-  const Paths& paths, const GlyphMotion& shutter, std::size_t bytesPerSlice)
+std::uint32_t
+ChooseSliceBits(const Paths& paths, const GlyphMotion& shutter, std::size_t bytesPerSlice)
 {
   constexpr std::size_t mostBytes = std::size_t(1) << 29;
   constexpr double mostGrowth = 2.0;
@@ -108,11 +108,11 @@ MeshTree BuildMeshTree(const TriangleMesh& mesh, const GlyphMotion& shutter, int
   {
     position -= tree.middle;
   }
-  const glm::dvec3 reach = glm::max(
-    glm::abs(bounds.lower - glm::dvec3(tree.middle)), glm::abs(bounds.upper - glm::dvec3(tree.middle)));
+  const glm::dvec3 reach = glm::max(glm::abs(bounds.lower - glm::dvec3(tree.middle)),
+    glm::abs(bounds.upper - glm::dvec3(tree.middle)));
   // The positions have been rounded.
-  tree.radius = static_cast<float>(
-    1.000001 * glm::length(reach) + 1e-6 * glm::length(glm::dvec3(tree.middle)));
+  tree.radius =
+    static_cast<float>(1.000001 * glm::length(reach) + 1e-6 * glm::length(glm::dvec3(tree.middle)));
 
   const Paths paths{ tree.positions, mesh };
   // A slab test in float errs by a few ulps of the distances it subtracts (Scene.cxx).
@@ -147,8 +147,8 @@ MeshTree BuildMeshTree(const TriangleMesh& mesh, const GlyphMotion& shutter, int
       const std::vector<Box> boxes =
         boxesBetween(double(slice) / double(slices), double(slice + 1) / double(slices));
       const GlyphTree built = BuildGlyphTree(boxes, tree.leafBits, kd.axes);
-      std::copy(built.nodes.begin(), built.nodes.end(),
-        tree.nodes.begin() + slice * tree.nodesPerSlice);
+      std::copy(
+        built.nodes.begin(), built.nodes.end(), tree.nodes.begin() + slice * tree.nodesPerSlice);
     });
   return tree;
 }

@@ -32,7 +32,7 @@ struct MeshTree
   std::vector<std::uint32_t> order; ///< place in the tree -> triangle
   std::vector<GlyphTreeNode> nodes;
   glm::vec3 middle{ 0.0f }; ///< what the tree's boxes and `positions` are relative to
-  float radius = 0.0f; ///< of the ball round the middle that holds all triangles all the time
+  float radius = 0.0f;      ///< of the ball round the middle that holds all triangles all the time
   std::vector<glm::vec3> positions;
 };
 

@@ -50,7 +50,8 @@ void CheckLengths(const GlyphInstances& instances)
   check("quadratic forms", instances.forms.size());
   if (!instances.sizes3.empty() && !instances.sizes1.empty())
   {
-    throw Error("Ray Traced Glyphs: glyphs have sizes along three axes and single ones; give one kind of them.");
+    throw Error("Ray Traced Glyphs: glyphs have sizes along three axes and single ones; give one "
+                "kind of them.");
   }
 }
 
@@ -190,8 +191,8 @@ std::uint32_t Scene::OriginalGlyph(SetId id, std::uint32_t glyph) const
   const auto& order = set.instances.identifyTriangles ? set.placed.mesh.order : set.sorted.order;
   if (!order.empty() && glyph >= order.size())
   {
-    throw Error("Ray Traced Glyphs: glyph " + std::to_string(glyph) + " of a set of " + std::to_string(order.size()) +
-      " is asked for; render again.");
+    throw Error("Ray Traced Glyphs: glyph " + std::to_string(glyph) + " of a set of " +
+      std::to_string(order.size()) + " is asked for; render again.");
   }
   return order.empty() ? glyph : order[glyph];
 }
@@ -223,7 +224,8 @@ GlyphSet& Scene::State::Find(SetId id)
   const auto found = this->sets.find(id);
   if (found == this->sets.end())
   {
-    throw Error("Ray Traced Glyphs: the scene has no glyph set of number " + std::to_string(id) + "; add it first.");
+    throw Error("Ray Traced Glyphs: the scene has no glyph set of number " + std::to_string(id) +
+      "; add it first.");
   }
   return found->second;
 }
@@ -244,9 +246,10 @@ float Scene::State::Measure()
     }
   }
   // The scene's origin is that of its first visible set: near what is looked at.
-  const auto first =
-    std::find_if(this->sets.begin(), this->sets.end(), [](const auto& entry) { return entry.second.Shown(); });
-  const glm::dvec3 newOrigin = first == this->sets.end() ? glm::dvec3(0.0) : first->second.instances.origin;
+  const auto first = std::find_if(
+    this->sets.begin(), this->sets.end(), [](const auto& entry) { return entry.second.Shown(); });
+  const glm::dvec3 newOrigin =
+    first == this->sets.end() ? glm::dvec3(0.0) : first->second.instances.origin;
   this->topLevelChanged |= newOrigin != this->origin;
   this->origin = newOrigin;
   float reach = 0.0f;
@@ -255,7 +258,8 @@ float Scene::State::Measure()
     if (set.Shown())
     {
       const glm::dvec3 offset = glm::abs(set.instances.origin - this->origin);
-      reach = std::max(reach, set.bounds.Reach() + static_cast<float>(std::max({ offset.x, offset.y, offset.z })));
+      reach = std::max(
+        reach, set.bounds.Reach() + static_cast<float>(std::max({ offset.x, offset.y, offset.z })));
     }
   }
   return reach;
@@ -337,7 +341,8 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
       this->recordsChanged = true;
     }
     // The top level says which hit group and which pass a set belongs to.
-    this->topLevelChanged |= !(set.placed.group == set.listedGroup && set.Translucent() == set.listedTranslucent);
+    this->topLevelChanged |=
+      !(set.placed.group == set.listedGroup && set.Translucent() == set.listedTranslucent);
   }
   if (this->topLevelChanged)
   {

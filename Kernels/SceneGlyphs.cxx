@@ -122,13 +122,15 @@ void Scene::State::SortIntoTree(GlyphSet& set, const std::vector<Box>& boxes)
   const GlyphInstances& instances = set.instances;
   // Glyphs that move are sorted as they lie in the middle of the shutter's opening: boxes round whole paths would
   // say little about what each slice of time needs.
-  const std::vector<Box> middle = instances.motion.Any() ? GlyphBoxes(instances, 0.5, 0.5) : std::vector<Box>();
+  const std::vector<Box> middle =
+    instances.motion.Any() ? GlyphBoxes(instances, 0.5, 0.5) : std::vector<Box>();
   const std::vector<Box>& sortedBoxes = instances.motion.Any() ? middle : boxes;
   const std::uint32_t leafBits = GlyphTree::LeafBits(set.count, glyphsPerLeaf);
   const auto surface = [&](const std::vector<std::uint32_t>& order)
   { return LeafSurface(InOrder(sortedBoxes, order), leafBits - std::min(leafBits, 3u)); };
   const GlyphOrder& last = set.sorted;
-  const bool fits = !last.kdAxes.empty() && last.order.size() == set.count && last.leafBits == leafBits;
+  const bool fits =
+    !last.kdAxes.empty() && last.order.size() == set.count && last.leafBits == leafBits;
   if (fits && surface(last.order) <= this->orderDecay * last.sortedSurface)
   {
     return;
@@ -164,7 +166,8 @@ void Scene::State::BuildBoxes(PlacedGlyphs& placed, const std::vector<Box>& boxe
   {
     GlyphRun run;
     run.first = static_cast<std::uint32_t>(at);
-    run.count = static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, boxes.size() - at));
+    run.count =
+      static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, boxes.size() - at));
     std::vector<vk::AabbPositionsKHR> positions(run.count);
     std::transform(boxes.begin() + at, boxes.begin() + at + run.count, positions.begin(), ToVulkan);
     run.structure = AccelerationStructure::OverBoxes(this->device->GetState(), positions);
@@ -199,7 +202,8 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vec
     Pad(boxes, placed.builtReach);
     // So many leaves a line through the bounds meets on average, by Cauchy's formula.
     const glm::dvec3 e(set.bounds.upper - set.bounds.lower);
-    const double leavesMet = LeafSurface(boxes, sorted.leafBits) / (e.x * e.y + e.y * e.z + e.z * e.x);
+    const double leavesMet =
+      LeafSurface(boxes, sorted.leafBits) / (e.x * e.y + e.y * e.z + e.z * e.x);
     placed.group.dropsHidden = leavesMet > leavesWorthDropping;
     placed.tree = Send(vulkan, BuildGlyphTree(boxes, sorted.leafBits, sorted.kdAxes).nodes);
   }

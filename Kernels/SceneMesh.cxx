@@ -73,7 +73,8 @@ std::uint32_t ColoursOf(const TriangleMesh& mesh)
                                       : 0;
 }
 
-PlacedMesh SendStillMesh(Device::State& device, std::shared_ptr<const TriangleMesh> source, bool sorts)
+PlacedMesh
+SendStillMesh(Device::State& device, std::shared_ptr<const TriangleMesh> source, bool sorts)
 {
   PlacedMesh mesh;
   mesh.order = sorts ? OrderTriangles(*source) : std::vector<std::uint32_t>();
@@ -126,7 +127,8 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter)
   CheckMotion(mesh->motion, mesh->positions.size());
   if (mesh->motion.Spins())
   {
-    fail("the positions of a mesh have angular velocities; they can have velocities and accelerations.");
+    fail("the positions of a mesh have angular velocities; they can have velocities and "
+         "accelerations.");
   }
   if (Deforms(*mesh))
   {
@@ -179,14 +181,16 @@ void Scene::State::SendMovingMesh(const GlyphSet& set, PlacedGlyphs& placed)
   Device::State& vulkan = this->device->GetState();
   if (!vulkan.int64)
   {
-    throw Error("Ray Traced Glyphs: the device has no 64-bit integers in shaders (shaderInt64), which mesh glyphs "
-                "need that move or lie far apart; switch their MotionBlur off, or leave points out that lie far away.");
+    throw Error("Ray Traced Glyphs: the device has no 64-bit integers in shaders (shaderInt64), "
+                "which mesh glyphs "
+                "need that move or lie far apart; switch their MotionBlur off, or leave points out "
+                "that lie far away.");
   }
   const GlyphMotion& shutter = instances.motion;
   PlacedMesh& sent = placed.mesh;
   // A tree of positions at rest is the same whatever the shutter does.
-  const bool sameShutter =
-    !Deforms(mesh) || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
+  const bool sameShutter = !Deforms(mesh) ||
+    (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
   if (!(this->KeepsMesh(set, sent) && sent.tree.Size() && sameShutter))
   {
     sent = PlacedMesh();

@@ -34,9 +34,9 @@ void Scene::State::CheckInstanceCount() const
   }
   if (count > this->mostInstances)
   {
-    throw Error("Ray Traced Glyphs: the view shows " + std::to_string(count) + " mesh glyphs; the most that '" +
-      this->device->Name() + "' can show is " + std::to_string(this->mostInstances) +
-      ". Show fewer with GlyphMask, or hide other data.");
+    throw Error("Ray Traced Glyphs: the view shows " + std::to_string(count) +
+      " mesh glyphs; the most that '" + this->device->Name() + "' can show is " +
+      std::to_string(this->mostInstances) + ". Show fewer with GlyphMask, or hide other data.");
   }
 }
 
@@ -146,10 +146,12 @@ void Scene::State::FillRecords()
       record.meshTriangles = placed.mesh.triangles.Address();
       record.meshNormals = placed.mesh.normals.Address();
       record.meshColours = placed.mesh.colours.Address();
-      record.meshValueCount =
-        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->positionValues.size()) : 0;
-      record.meshTableSize =
-        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->valueColours.size()) : 0;
+      record.meshValueCount = placed.mesh.source
+        ? static_cast<std::uint32_t>(placed.mesh.source->positionValues.size())
+        : 0;
+      record.meshTableSize = placed.mesh.source
+        ? static_cast<std::uint32_t>(placed.mesh.source->valueColours.size())
+        : 0;
       record.meshTree = placed.mesh.tree.Address();
       record.meshVelocities = placed.mesh.velocities.Address();
       record.meshAccelerations = placed.mesh.accelerations.Address();

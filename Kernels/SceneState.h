@@ -51,7 +51,7 @@ struct PlacedMesh
   AccelerationStructure structure;
   // Of one that moves, instead of the structure; `positions` are then relative to the middle of the tree.
   Buffer tree, velocities, accelerations;
-  MeshTree shape; ///< without its arrays, which have been sent
+  MeshTree shape;                                ///< without its arrays, which have been sent
   float shutterOpen = 0.0f, shutterClose = 0.0f; ///< that its tree is made for
 };
 
@@ -81,7 +81,8 @@ struct PlacedGlyphs
 /// The order in which a set's glyphs lie on the device.
 struct GlyphOrder
 {
-  std::vector<std::uint32_t> order; ///< place on the device -> index in the caller's order; empty: the same
+  std::vector<std::uint32_t>
+    order; ///< place on the device -> index in the caller's order; empty: the same
   std::vector<std::uint8_t> kdAxes; ///< see KdOrder; none without a tree
   std::uint32_t leafBits = 0;       ///< of the tree
   double sortedSurface = 0.0;       ///< of the nodes of leaves when `order` was found
@@ -196,14 +197,15 @@ Buffer Send(Device::State& device, const std::vector<T>& values, vk::BufferUsage
 
 /// The same with values[order[i]] at place i; an empty order: with the values as they are.
 template <class T>
-Buffer SendInOrder(Device::State& device, const std::vector<T>& values, const std::vector<std::uint32_t>& order,
-  vk::BufferUsageFlags more = {})
+Buffer SendInOrder(Device::State& device, const std::vector<T>& values,
+  const std::vector<std::uint32_t>& order, vk::BufferUsageFlags more = {})
 {
   if (order.empty() || values.empty())
   {
     return Send(device, values, more);
   }
-  Buffer buffer(device, order.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more, Buffer::Place::Device);
+  Buffer buffer(device, order.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more,
+    Buffer::Place::Device);
   buffer.Write(buffer.Size(),
     [&](void* target)
     {

@@ -95,8 +95,8 @@ enum class TensorGlyphKind : std::uint32_t
 /// A glyph with half-lengths equal to the eigenvalues' magnitudes.
 struct TensorGlyph
 {
-  glm::dvec3 values{ 1.0 };                  ///< eigenvalues, with their signs, along the glyph's own axes
-  glm::dvec3 halfLengths{ 1.0 };             ///< along the glyph's own axes
+  glm::dvec3 values{ 1.0 };      ///< eigenvalues, with their signs, along the glyph's own axes
+  glm::dvec3 halfLengths{ 1.0 }; ///< along the glyph's own axes
   glm::dquat rotation{ 1.0, 0.0, 0.0, 0.0 }; ///< the glyph's own frame to the world
   glm::dvec3 exponents{ 1.0 };               ///< alpha, beta, c
 };

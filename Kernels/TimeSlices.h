@@ -33,6 +33,7 @@ enum class SliceSorting
 
 /// Of glyphs placed in `order`, the kd order of the middle of the opening, whose splits are `axes`; boxes are widened by `pad`.
 TimeSlices BuildTimeSlices(const GlyphInstances& instances, const std::vector<std::uint32_t>& order,
-  std::uint32_t leafBits, const std::vector<std::uint8_t>& axes, float pad, std::uint32_t bits, SliceSorting sorting);
+  std::uint32_t leafBits, const std::vector<std::uint8_t>& axes, float pad, std::uint32_t bits,
+  SliceSorting sorting);
 
 } // namespace rtg

@@ -59,8 +59,9 @@ enum class Shading : std::uint32_t
 enum class Roulette : std::uint32_t
 {
   None = 0,
-  Plain = 1,   ///< a path that is ended brings nothing more
-  Guessing = 2 ///< it brings a guess of the rest, where light comes from all around alone; otherwise as Plain
+  Plain = 1, ///< a path that is ended brings nothing more
+  Guessing =
+    2 ///< it brings a guess of the rest, where light comes from all around alone; otherwise as Plain
 };
 
 /// How the random choices of a pixel's samples are spread. Sobol is the one to use; the others are
@@ -119,7 +120,8 @@ struct TraceSettings
   int sharedTimeBits = -1;
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
-  bool features = false; ///< gather Image::normals and so on, which need a pixelStep of 1 to be filled
+  bool features =
+    false; ///< gather Image::normals and so on, which need a pixelStep of 1 to be filled
 
   bool operator==(const TraceSettings&) const = default;
 };
@@ -162,8 +164,8 @@ public:
 
   /// With `interrupt` the image is traced in parts of some hundredths of a second, and after each that is asked whether
   /// to stop.
-  Image Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights, const TraceSettings& settings,
-    Pass pass = Pass::Opaque, const Interrupt& interrupt = {});
+  Image Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights,
+    const TraceSettings& settings, Pass pass = Pass::Opaque, const Interrupt& interrupt = {});
 
   /// Goes on with the last image, which was interrupted, of the same scene.
   Image Resume(Scene& scene, const Interrupt& interrupt = {});

@@ -83,11 +83,12 @@ private:
   pqProgressWidget* ProgressBar();
 
   vtkNew<vtkEventQtSlotConnect> Observers;
-  std::vector<vtkWeakPointer<vtkObject>> Observed, Interacting; ///< interactors; those whose camera is being turned
-  std::vector<Part> Waiting;                                    ///< to be rendered again, the next one first
+  std::vector<vtkWeakPointer<vtkObject>> Observed,
+    Interacting;             ///< interactors; those whose camera is being turned
+  std::vector<Part> Waiting; ///< to be rendered again, the next one first
   QPointer<pqProgressWidget> Bar;
-  QTimer Timer; ///< of the next step
-  QTimer Rest;  ///< runs out when the window is at rest again
+  QTimer Timer;             ///< of the next step
+  QTimer Rest;              ///< runs out when the window is at rest again
   QElapsedTimer SinceStart; ///< of the last render
   bool Showing = false;     ///< something in the progress bar
   bool Playing = false;

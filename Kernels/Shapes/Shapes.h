@@ -15,6 +15,7 @@ namespace rtg::shapes
 using glm::clamp;
 using glm::cross;
 using glm::dot;
+using glm::inversesqrt;
 using glm::length;
 using glm::max;
 using glm::min;
@@ -26,7 +27,6 @@ using std::ldexp;
 using std::log;
 using std::log2;
 using std::pow;
-using glm::inversesqrt;
 using std::sqrt;
 
 /// Dekker's constant 2^ceil(p / 2) + 1 for a significand of p bits.
@@ -57,7 +57,8 @@ struct Kernel
 #include "Registry.glsl"
 
   /// IntersectGlyph of a shape that is known at run time.
-  static bool Intersect(Shape shape, const GlyphRay& ray, const Glyph& glyph, Real tMin, Real tMax, Real& t)
+  static bool
+  Intersect(Shape shape, const GlyphRay& ray, const Glyph& glyph, Real tMin, Real tMax, Real& t)
   {
 #define RTG_CASE(number, Name)                                                                     \
   if (shape == Shape(number))                                                                      \
@@ -70,8 +71,8 @@ struct Kernel
   }
 
   /// EstimateGlyph of a shape that is known at run time.
-  static int Estimate(
-    Shape shape, const GlyphRay& ray, const Glyph& glyph, Real tMin, Real tMax, Real& low, Real& high)
+  static int Estimate(Shape shape, const GlyphRay& ray, const Glyph& glyph, Real tMin, Real tMax,
+    Real& low, Real& high)
   {
 #define RTG_CASE(number, Name)                                                                     \
   if (shape == Shape(number))                                                                      \

@@ -27,7 +27,8 @@ AccelerationStructure::AccelerationStructure(Device::State& device,
       {}, this->storage_.Handle(), 0, sizes.accelerationStructureSize, type));
 
   info.dstAccelerationStructure = *this->structure_;
-  const auto build = [&](Batch& batch) { batch.Build(info, geometry, count, sizes.buildScratchSize, std::move(input)); };
+  const auto build = [&](Batch& batch)
+  { batch.Build(info, geometry, count, sizes.buildScratchSize, std::move(input)); };
   if (device.batch)
   {
     build(*device.batch);

@@ -22,7 +22,8 @@ public:
   void* Stage(const Buffer& target, std::size_t size);
   /// `input`: what the geometry is read from, kept until the build is done; the info's scratch address is filled in.
   void Build(const vk::AccelerationStructureBuildGeometryInfoKHR& info,
-    const vk::AccelerationStructureGeometryKHR& geometry, std::uint32_t count, std::size_t scratchSize, Buffer&& input);
+    const vk::AccelerationStructureGeometryKHR& geometry, std::uint32_t count,
+    std::size_t scratchSize, Buffer&& input);
   void Run();
 
 private:

@@ -73,7 +73,8 @@ Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usa
   this->buffer_.bindMemory(*this->memory_, 0);
   this->address_ = device.device.getBufferAddress(vk::BufferDeviceAddressInfo(*this->buffer_));
   const auto flags = device.memory.memoryTypes[info.memoryTypeIndex].propertyFlags;
-  if ((place == Place::Host || device.sharesMemory) && flags & vk::MemoryPropertyFlagBits::eHostVisible &&
+  if ((place == Place::Host || device.sharesMemory) &&
+    flags & vk::MemoryPropertyFlagBits::eHostVisible &&
     flags & vk::MemoryPropertyFlagBits::eHostCoherent)
   {
     this->mapped_ = this->memory_.mapMemory(0, VK_WHOLE_SIZE);
@@ -138,7 +139,8 @@ void Buffer::Fill(std::size_t offset, std::size_t size, std::uint32_t word)
 {
   if (this->mapped_)
   {
-    std::fill_n(reinterpret_cast<std::uint32_t*>(static_cast<char*>(this->mapped_) + offset), size / sizeof(word), word);
+    std::fill_n(reinterpret_cast<std::uint32_t*>(static_cast<char*>(this->mapped_) + offset),
+      size / sizeof(word), word);
     return;
   }
   this->device_->Submit(
@@ -147,8 +149,8 @@ void Buffer::Fill(std::size_t offset, std::size_t size, std::uint32_t word)
       command.fillBuffer(this->Handle(), offset, size, word);
       Barrier(command, vk::PipelineStageFlagBits::eTransfer, vk::AccessFlagBits::eTransferWrite,
         vk::PipelineStageFlagBits::eRayTracingShaderKHR | vk::PipelineStageFlagBits::eTransfer,
-        vk::AccessFlagBits::eShaderRead | vk::AccessFlagBits::eShaderWrite | vk::AccessFlagBits::eTransferRead |
-          vk::AccessFlagBits::eTransferWrite);
+        vk::AccessFlagBits::eShaderRead | vk::AccessFlagBits::eShaderWrite |
+          vk::AccessFlagBits::eTransferRead | vk::AccessFlagBits::eTransferWrite);
     });
 }
 

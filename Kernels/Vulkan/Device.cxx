@@ -240,7 +240,8 @@ Device::Device()
       ChooseDevice(devices);
     }
     state.name = DeviceName(state.physical);
-    state.cpu = state.sharesMemory = state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
+    state.cpu = state.sharesMemory =
+      state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
     state.queueFamily = ChooseQueueFamily(state.physical);
     state.int64 = state.physical.getFeatures().shaderInt64;
     state.device = MakeDevice(state.physical, state.queueFamily, state.int64);
@@ -302,8 +303,8 @@ std::uint64_t Device::HeldBytes() const
 
 void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& record)
 {
-  const vk::raii::CommandPool pool(
-    this->device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, this->queueFamily));
+  const vk::raii::CommandPool pool(this->device,
+    vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, this->queueFamily));
   vk::raii::CommandBuffers commands(this->device, { *pool, vk::CommandBufferLevel::ePrimary, 1 });
   vk::raii::CommandBuffer& command = commands.front();
   command.begin({ vk::CommandBufferUsageFlagBits::eOneTimeSubmit });
@@ -342,8 +343,8 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
 
 void Device::State::ThrowOutOfMemory(const char* doing, const std::string& what)
 {
-  throw OutOfMemory("Ray Traced Glyphs: " + std::string(doing) + " failed on '" + this->name + "': " + what +
-    ". Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs) or hide other data.");
+  throw OutOfMemory("Ray Traced Glyphs: " + std::string(doing) + " failed on '" + this->name +
+    "': " + what + ". Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs) or hide other data.");
 }
 
 void Device::State::Rethrow(const char* doing, const vk::SystemError& error)
@@ -360,7 +361,8 @@ void Device::State::Rethrow(const char* doing, const vk::SystemError& error)
   else if (dynamic_cast<const vk::OutOfDeviceMemoryError*>(&error) ||
     dynamic_cast<const vk::OutOfHostMemoryError*>(&error))
   {
-    this->ThrowOutOfMemory(doing, "out of memory with " + std::to_string(this->bytes.load() >> 20) + " MiB held");
+    this->ThrowOutOfMemory(
+      doing, "out of memory with " + std::to_string(this->bytes.load() >> 20) + " MiB held");
   }
   else
   {

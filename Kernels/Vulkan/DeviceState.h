@@ -19,8 +19,8 @@ namespace rtg
 class Batch;
 
 /// Makes what was written in the first stages visible to accesses in the second ones.
-inline void Barrier(vk::raii::CommandBuffer& command, vk::PipelineStageFlags from, vk::AccessFlags written,
-  vk::PipelineStageFlags to, vk::AccessFlags seen)
+inline void Barrier(vk::raii::CommandBuffer& command, vk::PipelineStageFlags from,
+  vk::AccessFlags written, vk::PipelineStageFlags to, vk::AccessFlags seen)
 {
   command.pipelineBarrier(from, to, {}, vk::MemoryBarrier(written, seen), {}, {});
 }
@@ -47,7 +47,8 @@ struct Device::State
   std::atomic<std::uint64_t> bytes{ 0 }; ///< device memory held by all buffers
 
   std::atomic<std::uint64_t> submissions{ 0 }; ///< so far
-  static thread_local Batch* batch; ///< that copies and builds of this thread go into; null: each is done at once
+  static thread_local Batch*
+    batch; ///< that copies and builds of this thread go into; null: each is done at once
 
   /// Records commands, submits them and waits until they are done. In any thread.
   void Submit(const std::function<void(vk::raii::CommandBuffer&)>& record);

@@ -106,12 +106,13 @@ const programs::Code& CodeOf(const Generation& generation, const std::vector<Hit
 
 Specialisation ConstantsOf(const HitGroup& group, const Generation& generation)
 {
-  const vk::Bool32 leavesSurface =
-    generation.program == Program::Occlusion || generation.program == Program::Path || generation.layered;
-  return { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads, group.hasTree, group.ownExponents,
-    group.smoothNormals, group.meshColours, group.colouredByForm, generation.translucency, generation.alone,
-    leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins, group.ownTreeOrder, group.dropsHidden, group.meshVelocities,
-    group.meshAccelerations, group.exactCentres };
+  const vk::Bool32 leavesSurface = generation.program == Program::Occlusion ||
+    generation.program == Program::Path || generation.layered;
+  return { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads, group.hasTree,
+    group.ownExponents, group.smoothNormals, group.meshColours, group.colouredByForm,
+    generation.translucency, generation.alone, leavesSurface, group.hasVelocities,
+    group.hasAccelerations, group.spins, group.ownTreeOrder, group.dropsHidden,
+    group.meshVelocities, group.meshAccelerations, group.exactCentres };
 }
 
 // What ray generation programs are specialised for; those of whole scenes for their only set, too.
@@ -123,7 +124,8 @@ struct GenerationConstants
 
 std::vector<vk::SpecializationMapEntry> GenerationMap(bool whole)
 {
-  std::vector<vk::SpecializationMapEntry> entries(std::begin(generationMap), std::end(generationMap));
+  std::vector<vk::SpecializationMapEntry> entries(
+    std::begin(generationMap), std::end(generationMap));
   for (vk::SpecializationMapEntry entry : specialisationMap)
   {
     const bool known = std::any_of(std::begin(generationMap), std::end(generationMap),
@@ -152,7 +154,8 @@ std::size_t AlignUp(std::size_t value, std::size_t alignment)
 
 bool CanBeWhole(const Generation& generation, const std::vector<HitGroup>& groups)
 {
-  return generation.alone && groups.size() == 1 && groups.front().hasTree && generation.program != Program::Probe &&
+  return generation.alone && groups.size() == 1 && groups.front().hasTree &&
+    generation.program != Program::Probe &&
     programs::shapes[static_cast<std::uint32_t>(groups.front().shape)].whole[0].words;
 }
 
@@ -265,7 +268,8 @@ Pipeline::Pipeline(
   this->missTable_ = vk::StridedDeviceAddressRegionKHR(address + missAt, stride, stride);
   if (hitGroups > 0)
   {
-    this->hitTable_ = vk::StridedDeviceAddressRegionKHR(address + hitAt, stride, stride * hitGroups);
+    this->hitTable_ =
+      vk::StridedDeviceAddressRegionKHR(address + hitAt, stride, stride * hitGroups);
   }
 }
 

@@ -25,11 +25,13 @@ struct HitGroup
   bool hasAccelerations = false;
   bool spins = false;
   bool ownTreeOrder = false; ///< slices of time are sorted each for itself
-  bool dropsHidden = false;  ///< glyphs lie so densely that most of what a ray might meet is behind its hit
+  bool dropsHidden =
+    false; ///< glyphs lie so densely that most of what a ray might meet is behind its hit
   // Shape::Mesh only
   bool smoothNormals = false;
   std::uint32_t meshColours = 0; ///< 0: none, 1: by position, 2: by triangle
-  bool meshTree = false; ///< our tree of the mesh's triangles; the driver knows no triangles that move
+  bool meshTree =
+    false; ///< our tree of the mesh's triangles; the driver knows no triangles that move
   bool meshVelocities = false;
   bool meshAccelerations = false;
 
@@ -43,11 +45,13 @@ struct HitGroup
   {
     return a.shape == b.shape && a.sizesPerGlyph == b.sizesPerGlyph && a.turned == b.turned &&
       a.coloured == b.coloured && a.fixedHeads == b.fixedHeads && a.hasTree == b.hasTree &&
-      a.ownExponents == b.ownExponents && a.exactCentres == b.exactCentres && a.colouredByForm == b.colouredByForm && a.hasVelocities == b.hasVelocities &&
+      a.ownExponents == b.ownExponents && a.exactCentres == b.exactCentres &&
+      a.colouredByForm == b.colouredByForm && a.hasVelocities == b.hasVelocities &&
       a.hasAccelerations == b.hasAccelerations && a.spins == b.spins &&
-      a.ownTreeOrder == b.ownTreeOrder && a.dropsHidden == b.dropsHidden && a.smoothNormals == b.smoothNormals &&
-      a.meshColours == b.meshColours && a.meshTree == b.meshTree &&
-      a.meshVelocities == b.meshVelocities && a.meshAccelerations == b.meshAccelerations;
+      a.ownTreeOrder == b.ownTreeOrder && a.dropsHidden == b.dropsHidden &&
+      a.smoothNormals == b.smoothNormals && a.meshColours == b.meshColours &&
+      a.meshTree == b.meshTree && a.meshVelocities == b.meshVelocities &&
+      a.meshAccelerations == b.meshAccelerations;
   }
 };
 
@@ -73,7 +77,8 @@ struct Generation
   bool moves = false; ///< paths run at times of their own
   bool environmentImage = false;
   bool layered = false; ///< all translucent surfaces along camera rays are shown
-  bool whole = false;   ///< the scene is one set of glyphs with a tree, which the program walks itself; see CanBeWhole()
+  bool whole =
+    false; ///< the scene is one set of glyphs with a tree, which the program walks itself; see CanBeWhole()
 
   friend bool operator==(const Generation& a, const Generation& b)
   {

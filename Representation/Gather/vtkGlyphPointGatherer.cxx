@@ -58,7 +58,8 @@ struct Leaf
   // Where Data consists of vertices of one point each, and each point has one: these.
   vtkCellArray* Vertices = nullptr;
   std::vector<vtkIdType> CellOfPoint; // empty where the cell of point i is i
-  bool CellCenters = false; // points of Data are the centers of the input's cells, and their arrays say of which
+  bool CellCenters =
+    false; // points of Data are the centers of the input's cells, and their arrays say of which
 
   vtkIdType Count() const
   {
@@ -255,7 +256,8 @@ void FindVertexCells(Leaf& leaf)
     vertices = grid->GetCells();
   }
   const vtkIdType count = leaf.Data->GetNumberOfPoints();
-  if (!vertices || leaf.CellCenters || vertices->GetNumberOfCells() != count || vertices->IsHomogeneous() != 1)
+  if (!vertices || leaf.CellCenters || vertices->GetNumberOfCells() != count ||
+    vertices->IsHomogeneous() != 1)
   {
     return;
   }

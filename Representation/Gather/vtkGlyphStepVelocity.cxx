@@ -165,20 +165,25 @@ std::string vtkGlyphStepVelocity::Describe() const
   switch (this->Outcome)
   {
     case NO_IDS:
-      return "VelocityFromPreviousStep needs to know which point is which, and the points have neither global ids nor the "
-             "array that PointIdArray names, of one component; so the glyphs stand still. Choose a PointIdArray; where "
+      return "VelocityFromPreviousStep needs to know which point is which, and the points have "
+             "neither global ids nor the "
+             "array that PointIdArray names, of one component; so the glyphs stand still. Choose a "
+             "PointIdArray; where "
              "points never change their order, the filter Point And Cell Ids makes one.";
     case NO_TIME:
-      return "VelocityFromPreviousStep needs the time of the data, and they say none; so the glyphs stand still. Open "
+      return "VelocityFromPreviousStep needs the time of the data, and they say none; so the "
+             "glyphs stand still. Open "
              "them as a time series, or choose a VelocityArray.";
     case FIRST_STEP:
-      return "VelocityFromPreviousStep is on, but no other time step has been shown yet, so the glyphs of this first one "
+      return "VelocityFromPreviousStep is on, but no other time step has been shown yet, so the "
+             "glyphs of this first one "
              "stand still. They move from the next step on.";
     case WITHOUT_PARTNER:
     {
       std::ostringstream text;
       text << this->WithoutPartner << " of " << this->Points
-           << " points stand still, because VelocityFromPreviousStep finds no single point of the same id in the step "
+           << " points stand still, because VelocityFromPreviousStep finds no single point of the "
+              "same id in the step "
               "shown before, at time "
            << this->Before.Time << ". Of later steps nothing is said.";
       return text.str();

@@ -47,8 +47,8 @@ public:
 private:
   enum Outcomes
   {
-    FOUND = 0,           // all points have a velocity
-    NO_IDS = 1,          // the other outcomes: all or some stand still
+    FOUND = 0,  // all points have a velocity
+    NO_IDS = 1, // the other outcomes: all or some stand still
     NO_TIME = 2,
     FIRST_STEP = 3,
     WITHOUT_PARTNER = 4

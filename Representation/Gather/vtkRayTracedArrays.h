@@ -36,9 +36,18 @@ constexpr const char* Leaves = "vtkRayTraced_Leaves";
 /// What a selector of cells is told of a point that has none: a number that no cell has, from which
 /// vtkRayTracedSelectionEncoder finds the point. Selectors keep 48 bits of a number.
 constexpr vtkTypeInt64 PointMark = vtkTypeInt64(1) << 47;
-constexpr bool IsMarkedPoint(vtkTypeInt64 id) { return id >= PointMark; }
-constexpr vtkTypeInt64 MarkedPoint(vtkTypeInt64 point) { return point + PointMark; }
-constexpr vtkTypeInt64 UnmarkedPoint(vtkTypeInt64 id) { return id - PointMark; }
+constexpr bool IsMarkedPoint(vtkTypeInt64 id)
+{
+  return id >= PointMark;
+}
+constexpr vtkTypeInt64 MarkedPoint(vtkTypeInt64 point)
+{
+  return point + PointMark;
+}
+constexpr vtkTypeInt64 UnmarkedPoint(vtkTypeInt64 id)
+{
+  return id - PointMark;
+}
 ///@}
 
 /// Whether a property that names an array names none.

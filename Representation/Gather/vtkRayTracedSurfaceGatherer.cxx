@@ -175,12 +175,12 @@ vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* input, const Settings& settin
     if (isBlock)
     {
       AddIndex(surface, vtkRayTracedArrays::CompositeIndex, flatIndex);
-      AddIndex(surface, vtkRayTracedArrays::BlockColors, block % vtkRayTracedArrays::DistinctBlockColors);
+      AddIndex(
+        surface, vtkRayTracedArrays::BlockColors, block % vtkRayTracedArrays::DistinctBlockColors);
     }
     if (settings.Processes > 1)
     {
-      AddIndex(surface, vtkRayTracedArrays::ProcessId,
-        static_cast<unsigned int>(settings.Process));
+      AddIndex(surface, vtkRayTracedArrays::ProcessId, static_cast<unsigned int>(settings.Process));
     }
     blocks.push_back(surface);
   };

@@ -280,8 +280,9 @@ private:
         vtkGlyphTuples positions(this->Positions);
         for (vtkIdType k = begin; k < end; ++k)
         {
-          this->Instances.centresLow[k] = glm::vec3(
-            this->FromOrigin(positions.Get(this->Out.Points[k])) - glm::dvec3(this->Instances.centres[k]));
+          this->Instances.centresLow[k] =
+            glm::vec3(this->FromOrigin(positions.Get(this->Out.Points[k])) -
+              glm::dvec3(this->Instances.centres[k]));
         }
       });
   }

@@ -53,7 +53,8 @@ struct vtkGlyphSizing
   glm::dvec3 operator()(const glm::dvec3& lengths) const
   {
     const double largest = Largest(lengths);
-    return this->Function == LINEAR || !(largest > 0.0) ? lengths : lengths * ((*this)(largest) / largest);
+    return this->Function == LINEAR || !(largest > 0.0) ? lengths
+                                                        : lengths * ((*this)(largest) / largest);
   }
 
   /**

@@ -43,10 +43,14 @@ public:
     std::array<double, 3> PositiveColor{ { 0.839, 0.376, 0.302 } };
     std::array<double, 3> NegativeColor{ { 0.263, 0.576, 0.765 } };
     ///@}
-    bool Axes = false; // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
+    bool Axes =
+      false; // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
 
     bool operator==(const Settings&) const = default;
-    bool ColorsByNumber() const { return this->Coloring == FRACTIONAL_ANISOTROPY || this->Coloring == TRACE; }
+    bool ColorsByNumber() const
+    {
+      return this->Coloring == FRACTIONAL_ANISOTROPY || this->Coloring == TRACE;
+    }
     bool ColorsBySign() const { return this->On && !this->Axes && this->Coloring == SIGN; }
 
     /// With all that has no effect on instances at its default: colors, but for whether the glyphs need forms of signs.

@@ -262,9 +262,11 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   std::unique_ptr<vtkGlyphTensors> tensors;
   const vtkGlyphTensors::Settings& shown = this->Settings.Tensors;
   const bool bySign = shown.ColorsBySign();
-  if (shown.On && !shown.Axes && !bySign && shown.Coloring != vtkGlyphTensors::NONE && !this->Sources.empty())
+  if (shown.On && !shown.Axes && !bySign && shown.Coloring != vtkGlyphTensors::NONE &&
+    !this->Sources.empty())
   {
-    tensors = std::make_unique<vtkGlyphTensors>(vtkGlyphTensors::Array(points, shown), shown, this->Sources);
+    tensors = std::make_unique<vtkGlyphTensors>(
+      vtkGlyphTensors::Array(points, shown), shown, this->Sources);
     if (this->TensorTable)
     {
       this->TensorTable->Build();
@@ -276,7 +278,8 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
     if (!mapped)
     {
       messages.push_back("There is no array '" + std::string(this->ArrayName) +
-        "' that has a value for each glyph, so the glyphs have one color. Choose a point array, or cell data of "
+        "' that has a value for each glyph, so the glyphs have one color. Choose a point array, or "
+        "cell data of "
         "vertices, as ColorArrayName.");
     }
   }
@@ -335,7 +338,8 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
 
 //----------------------------------------------------------------------------
 // A glyph stands for its point, and for a cell where the gatherer has found one.
-vtkRayTracedMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, int association, const double*)
+vtkRayTracedMapper::Origin
+vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, int association, const double*)
 {
   vtkPolyData* points = this->GetPoints();
   if (!points || glyph < 0 || glyph >= this->GetNumberOfGlyphs())

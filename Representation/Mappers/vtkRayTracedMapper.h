@@ -99,7 +99,8 @@ public:
    */
   struct Origin
   {
-    vtkIdType Id = -1; // of the point or cell; -1: there is none to select, but nothing behind it can be selected either
+    vtkIdType Id =
+      -1; // of the point or cell; -1: there is none to select, but nothing behind it can be selected either
     unsigned int CompositeIndex = 0;
     int Process = -1; // -1: this one
   };
@@ -148,7 +149,8 @@ protected:
    * Whether blocks have colors or opacities of their own; then BlockColor() overrides those of a point's block.
    */
   bool HasBlockColors(vtkPolyData* points) const;
-  void BlockColor(vtkPolyData* points, vtkIdType point, std::array<double, 4>& rgba, bool colors = true) const;
+  void BlockColor(
+    vtkPolyData* points, vtkIdType point, std::array<double, 4>& rgba, bool colors = true) const;
 
   /**
    * Fills in block and rank of a point.
@@ -163,7 +165,8 @@ protected:
   vtkIdType Skipped = 0;
   rtg::GlyphColours Colors;
   bool Translucent = false;
-  std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of blocks without a color, where some have one
+  std::array<double, 3> SolidColor{ { 1.0, 1.0,
+    1.0 } }; // diffuse color of blocks without a color, where some have one
   std::uint64_t InstanceVersion = 0, ColorVersion = 0, SourcesVersion = 0, InstanceBuilds = 0;
   std::uint64_t ColorBuilds = 0;
   double InstanceSeconds = 0.0, ColorSeconds = 0.0;

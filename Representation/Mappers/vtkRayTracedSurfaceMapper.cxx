@@ -45,11 +45,12 @@ void vtkRayTracedSurfaceMapper::SetSettings(const SurfaceSettings& settings)
 //----------------------------------------------------------------------------
 std::vector<vtkObject*> vtkRayTracedSurfaceMapper::InstanceInputs(vtkPolyData* surface) const
 {
-  const std::array<vtkDataArray*, 3> motion = vtkGlyphMotion::Arrays(surface, this->Settings.Motion);
+  const std::array<vtkDataArray*, 3> motion =
+    vtkGlyphMotion::Arrays(surface, this->Settings.Motion);
   vtkPointData* data = surface->GetPointData();
   return { surface->GetPoints() ? surface->GetPoints()->GetData() : nullptr, surface->GetPolys(),
-    this->Settings.Smooth ? data->GetNormals() : nullptr, data->GetArray(vtkRayTracedArrays::CompositeIndex), motion[0],
-    motion[1] };
+    this->Settings.Smooth ? data->GetNormals() : nullptr,
+    data->GetArray(vtkRayTracedArrays::CompositeIndex), motion[0], motion[1] };
 }
 
 //----------------------------------------------------------------------------
@@ -87,7 +88,8 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   {
     messages.push_back(std::to_string(result.Skipped) + " of " +
       std::to_string(result.Skipped + this->GetNumberOfGlyphs()) +
-      " triangles are not shown: a corner's position, or its motion, is not finite. Remove these points, for "
+      " triangles are not shown: a corner's position, or its motion, is not finite. Remove these "
+      "points, for "
       "example with Threshold or Clean.");
   }
   else if (surface->GetNumberOfPolys() == 0 && surface->GetNumberOfPoints() > 0)
@@ -138,7 +140,8 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
   const int components = mapped ? std::min(mapped->GetNumberOfComponents(), 4) : 0;
   const auto colorOf = [&](vtkIdType value, vtkIdType point)
   {
-    std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
+    std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2],
+      1.0 } };
     for (int c = 0; c < components; ++c)
     {
       rgba[c] = mapped->GetValue(value * mapped->GetNumberOfComponents() + c) / 255.0;
@@ -175,13 +178,15 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
   }
 
   bool translucent = false;
-  for (const auto* colors : { &colored->positionColours, &colored->triangleColours, &colored->valueColours })
+  for (const auto* colors :
+    { &colored->positionColours, &colored->triangleColours, &colored->valueColours })
   {
-    translucent |=
-      std::any_of(colors->begin(), colors->end(), [](std::uint32_t color) { return (color >> 24) != 255u; });
+    translucent |= std::any_of(
+      colors->begin(), colors->end(), [](std::uint32_t color) { return (color >> 24) != 255u; });
   }
   this->Translucent = translucent;
-  if (colored->positionColours != mesh.positionColours || colored->triangleColours != mesh.triangleColours ||
+  if (colored->positionColours != mesh.positionColours ||
+    colored->triangleColours != mesh.triangleColours ||
     colored->positionValues != mesh.positionValues || colored->valueColours != mesh.valueColours)
   {
     this->Instances.mesh = std::move(colored);
@@ -201,8 +206,10 @@ bool vtkRayTracedSurfaceMapper::AddValues(rtg::TriangleMesh& mesh)
 {
   vtkFloatArray* places = this->GetColorCoordinates();
   vtkImageData* texture = this->GetColorTextureMap();
-  auto* texels = texture ? vtkUnsignedCharArray::SafeDownCast(texture->GetPointData()->GetScalars()) : nullptr;
-  if (!places || !texels || places->GetNumberOfTuples() != static_cast<vtkIdType>(mesh.positions.size()))
+  auto* texels =
+    texture ? vtkUnsignedCharArray::SafeDownCast(texture->GetPointData()->GetScalars()) : nullptr;
+  if (!places || !texels ||
+    places->GetNumberOfTuples() != static_cast<vtkIdType>(mesh.positions.size()))
   {
     return false;
   }
@@ -244,8 +251,8 @@ rtg::GlyphInstances vtkRayTracedSurfaceMapper::TakeInstances(vtkActor*)
 
 //----------------------------------------------------------------------------
 // A point is that corner of the triangle that lies nearest.
-vtkRayTracedMapper::Origin vtkRayTracedSurfaceMapper::OriginOf(
-  vtkIdType triangle, int association, const double position[3])
+vtkRayTracedMapper::Origin
+vtkRayTracedSurfaceMapper::OriginOf(vtkIdType triangle, int association, const double position[3])
 {
   vtkPolyData* surface = this->GetPoints();
   if (!surface || triangle < 0 || triangle >= this->GetNumberOfGlyphs())
@@ -255,7 +262,8 @@ vtkRayTracedMapper::Origin vtkRayTracedSurfaceMapper::OriginOf(
   const rtg::TriangleMesh& mesh = *this->Instances.mesh;
   const glm::uvec3 corners = mesh.triangles[triangle];
   vtkIdType nearest = corners.x;
-  const glm::dvec3 place = glm::dvec3(position[0], position[1], position[2]) - this->Instances.origin;
+  const glm::dvec3 place =
+    glm::dvec3(position[0], position[1], position[2]) - this->Instances.origin;
   for (unsigned int corner : { corners.y, corners.z })
   {
     if (glm::distance(place, glm::dvec3(mesh.positions[corner])) <

@@ -27,8 +27,10 @@ public:
 
   struct SurfaceSettings
   {
-    bool Smooth = true; // the points' normals, where they have some, are interpolated over the triangles
-    bool InterpolateValues = true; // point data are interpolated and then mapped to colors, not the other way round
+    bool Smooth =
+      true; // the points' normals, where they have some, are interpolated over the triangles
+    bool InterpolateValues =
+      true; // point data are interpolated and then mapped to colors, not the other way round
     vtkGlyphMotion::Settings Motion;
   };
   void SetSettings(const SurfaceSettings& settings);
@@ -50,7 +52,10 @@ protected:
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* surface) const override;
   void BuildInstances(vtkPolyData* surface, vtkActor* actor) override;
   void BuildColors(vtkPolyData* surface) override;
-  std::vector<vtkMTimeType> ColorState() const override { return { this->Settings.InterpolateValues }; }
+  std::vector<vtkMTimeType> ColorState() const override
+  {
+    return { this->Settings.InterpolateValues };
+  }
 
 private:
   vtkRayTracedSurfaceMapper(const vtkRayTracedSurfaceMapper&) = delete;

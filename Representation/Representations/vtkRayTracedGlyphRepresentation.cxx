@@ -28,7 +28,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
 
 //----------------------------------------------------------------------------
@@ -111,8 +110,9 @@ int vtkRayTracedGlyphRepresentation::FillInputPortInformation(int port, vtkInfor
 int vtkRayTracedGlyphRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->GatherMesh(
-    inputVector[1]->GetNumberOfInformationObjects() == 1 ? vtkDataObject::GetData(inputVector[1], 0) : nullptr);
+  this->GatherMesh(inputVector[1]->GetNumberOfInformationObjects() == 1
+      ? vtkDataObject::GetData(inputVector[1], 0)
+      : nullptr);
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -123,7 +123,8 @@ void vtkRayTracedGlyphRepresentation::GatherMesh(vtkDataObject* mesh)
   // 3D Glyphs shade meshes by the normals they have, and compute none.
   vtkRayTracedSurfaceGatherer::Settings settings;
   settings.ComputesNormals = false;
-  const auto gather = [&](vtkDataObject* data) { return vtkRayTracedSurfaceGatherer::Gather(data, settings); };
+  const auto gather = [&](vtkDataObject* data)
+  { return vtkRayTracedSurfaceGatherer::Gather(data, settings); };
   auto* blocks = vtkDataObjectTree::SafeDownCast(mesh);
   if (this->GlyphMeshTable && blocks)
   {
@@ -203,7 +204,8 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkPolyData>
+vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   return vtkGlyphPointGatherer::Gather(input, controller ? controller->GetLocalProcessId() : 0,
@@ -311,7 +313,8 @@ vtkSmartPointer<vtkRayTracedMapper> vtkRayTracedGlyphRepresentation::MakeMapper(
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const
+bool vtkRayTracedGlyphRepresentation::ShowsAxes(
+  vtkPolyData* points, const vtkGlyphSettings& settings) const
 {
   vtkDataArray* tensors =
     this->TensorAxis && points ? vtkGlyphTensors::Array(points, settings.Tensors) : nullptr;
@@ -324,16 +327,20 @@ bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const vtkGl
 void vtkRayTracedGlyphRepresentation::Configure(
   vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
 {
-  auto* mesh = vtkMultiBlockDataSet::SafeDownCast(
-    lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1) : vtkPVView::GetDeliveredPiece(inInfo, this, 1));
+  auto* mesh =
+    vtkMultiBlockDataSet::SafeDownCast(lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1)
+                                           : vtkPVView::GetDeliveredPiece(inInfo, this, 1));
   vtkDataObject* forms = mesh && mesh->GetNumberOfBlocks() > 0 ? mesh->GetBlock(0) : nullptr;
   this->UpdateMeshExtents(forms);
   auto* table = vtkMultiBlockDataSet::SafeDownCast(forms);
   const auto form = [&](int entry)
-  { return vtkPolyData::SafeDownCast(table ? table->GetBlock(entry) : entry == 0 ? forms : nullptr); };
+  {
+    return vtkPolyData::SafeDownCast(table ? table->GetBlock(entry) : entry == 0 ? forms : nullptr);
+  };
 
   vtkGlyphSettings settings = this->MakeSettings();
-  const bool usesTable = table && table->GetNumberOfBlocks() > 1 && settings.Shape == rtg::Shape::Mesh;
+  const bool usesTable =
+    table && table->GetNumberOfBlocks() > 1 && settings.Shape == rtg::Shape::Mesh;
   settings.TableSize = usesTable ? static_cast<int>(table->GetNumberOfBlocks()) : 1;
   settings.MeanScale = this->MeanScale(points, settings, collective);
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
@@ -344,7 +351,8 @@ void vtkRayTracedGlyphRepresentation::Configure(
   const std::size_t wanted = settings.TableSize - 1 + (axes ? 1 : 0);
   while (this->Layers.size() > wanted)
   {
-    this->RemovePart(this->GetRenderView(), this->Layers.back()->Actor, this->Layers.back()->Mapper);
+    this->RemovePart(
+      this->GetRenderView(), this->Layers.back()->Actor, this->Layers.back()->Mapper);
     this->Layers.pop_back();
   }
   while (this->Layers.size() < wanted)
@@ -448,7 +456,8 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
 {
   vtkGlyphSettings settings = this->Glyphs;
   settings.Motion = this->Motion;
-  settings.Tensors.On = this->GlyphShape >= TENSOR_ELLIPSOID && this->GlyphShape <= SIGNED_TENSOR_SUPERQUADRIC;
+  settings.Tensors.On =
+    this->GlyphShape >= TENSOR_ELLIPSOID && this->GlyphShape <= SIGNED_TENSOR_SUPERQUADRIC;
   if (settings.Tensors.On)
   {
     settings.Tensors.Kind = static_cast<rtg::TensorGlyphKind>(this->GlyphShape - TENSOR_ELLIPSOID);
@@ -457,7 +466,8 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
   }
   else
   {
-    settings.Shape = this->GlyphShape == MESH ? rtg::Shape::Mesh : static_cast<rtg::Shape>(this->GlyphShape);
+    settings.Shape =
+      this->GlyphShape == MESH ? rtg::Shape::Mesh : static_cast<rtg::Shape>(this->GlyphShape);
     if (settings.Shape == rtg::Shape::Superquadric && this->NestedExponents)
     {
       settings.Shape = rtg::Shape::NestedSuperquadric;
@@ -473,10 +483,10 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
   const bool known = (shape >= 0 && shape <= last) || (shape >= TENSOR_ELLIPSOID && shape <= MESH);
   if (!known)
   {
-    vtkErrorMacro("GlyphShape is " << shape << "; it must lie between 0 (Sphere) and " << last
-                                   << " (Superquadric), or between " << TENSOR_ELLIPSOID << " (Tensor Ellipsoid) and "
-                                   << SIGNED_TENSOR_SUPERQUADRIC << " (Signed Tensor Superquadric), or be " << MESH
-                                   << " (Mesh).");
+    vtkErrorMacro("GlyphShape is "
+      << shape << "; it must lie between 0 (Sphere) and " << last << " (Superquadric), or between "
+      << TENSOR_ELLIPSOID << " (Tensor Ellipsoid) and " << SIGNED_TENSOR_SUPERQUADRIC
+      << " (Signed Tensor Superquadric), or be " << MESH << " (Mesh).");
     return;
   }
   this->GlyphShape = shape;
@@ -485,13 +495,15 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphScaleMode(int mode)
 {
-  this->Glyphs.ScaleMode = std::clamp<int>(mode, vtkGlyphSettings::MAGNITUDE, vtkGlyphSettings::COMPONENTS);
+  this->Glyphs.ScaleMode =
+    std::clamp<int>(mode, vtkGlyphSettings::MAGNITUDE, vtkGlyphSettings::COMPONENTS);
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphScaleFunction(int function)
 {
-  this->Glyphs.Sizing.Function = std::clamp<int>(function, vtkGlyphSizing::LINEAR, vtkGlyphSizing::UNIT);
+  this->Glyphs.Sizing.Function =
+    std::clamp<int>(function, vtkGlyphSizing::LINEAR, vtkGlyphSizing::UNIT);
 }
 
 //----------------------------------------------------------------------------
@@ -499,7 +511,8 @@ void vtkRayTracedGlyphRepresentation::SetGlyphScaleReference(double reference)
 {
   if (!(reference > 0.0 && std::isfinite(reference)))
   {
-    vtkErrorMacro("GlyphScaleReference is " << reference << "; it must be positive, in units of the scale array. 1 is taken.");
+    vtkErrorMacro("GlyphScaleReference is "
+      << reference << "; it must be positive, in units of the scale array. 1 is taken.");
     reference = 1.0;
   }
   this->Glyphs.Sizing.Reference = reference;
@@ -513,15 +526,17 @@ void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double mos
   sizing.Most = std::max(NumberOr(most, 0.0), 0.0);
   if (sizing.Most > 0.0 && sizing.Most < sizing.Least)
   {
-    vtkErrorMacro("GlyphSizeRange is " << least << ", " << most << "; the second must not be less than the first. All glyphs get the size "
-                                       << most << ".");
+    vtkErrorMacro("GlyphSizeRange is "
+      << least << ", " << most
+      << "; the second must not be less than the first. All glyphs get the size " << most << ".");
   }
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphOrientationMode(int mode)
 {
-  this->Glyphs.OrientationMode = std::clamp<int>(mode, vtkGlyphSettings::DIRECTION, vtkGlyphSettings::QUATERNION);
+  this->Glyphs.OrientationMode =
+    std::clamp<int>(mode, vtkGlyphSettings::DIRECTION, vtkGlyphSettings::QUATERNION);
 }
 
 //----------------------------------------------------------------------------
@@ -572,7 +587,8 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorSharpness(double sharpness)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorColoring(int coloring)
 {
-  this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::SIGN);
+  this->Glyphs.Tensors.Coloring =
+    std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::SIGN);
 }
 
 //----------------------------------------------------------------------------
@@ -582,13 +598,15 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorLookupTable(vtkScalarsToColo
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphTensorPositiveColor(double red, double green, double blue)
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorPositiveColor(
+  double red, double green, double blue)
 {
   this->Glyphs.Tensors.PositiveColor = ColorInRange(red, green, blue);
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphTensorNegativeColor(double red, double green, double blue)
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorNegativeColor(
+  double red, double green, double blue)
 {
   this->Glyphs.Tensors.NegativeColor = ColorInRange(red, green, blue);
 }

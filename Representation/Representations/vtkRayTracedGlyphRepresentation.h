@@ -58,7 +58,10 @@ public:
    * scale array when not positive, the default.
    */
   void SetArrowHeads(int heads) { this->Glyphs.Arrow.fixedHeads = heads == 0; }
-  void SetArrowReferenceMagnitude(double magnitude) { this->Glyphs.ArrowReference = NumberOr(magnitude, 0.0); }
+  void SetArrowReferenceMagnitude(double magnitude)
+  {
+    this->Glyphs.ArrowReference = NumberOr(magnitude, 0.0);
+  }
   void SetArrowShaftRadius(double radius);
   void SetArrowTipRadius(double radius);
   void SetArrowTipLength(double length);
@@ -164,13 +167,15 @@ private:
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   double TensorRange[2] = { 1.0, -1.0 };
-  std::array<double, 2> OwnRange{}; // of this rank: the least number, and the negative of the largest
+  std::array<double, 2>
+    OwnRange{}; // of this rank: the least number, and the negative of the largest
   vtkGlyphTensors::Settings RangeSettings;
   vtkMTimeType RangeTime = 1;
 
   vtkNew<vtkMultiBlockDataSet>
     Mesh; // gathered; its only block is the mesh of mesh glyphs, or those of a table
-  std::vector<std::shared_ptr<const rtg::TriangleMesh>> MeshExtents; // corners of the meshes' boxes, for Bounds
+  std::vector<std::shared_ptr<const rtg::TriangleMesh>>
+    MeshExtents; // corners of the meshes' boxes, for Bounds
   std::vector<vtkMTimeType> MeshExtentsTimes;
 
   // One more actor and mapper each: the arrows of tensor axes, further meshes of a table.

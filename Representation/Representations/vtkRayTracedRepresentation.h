@@ -128,7 +128,10 @@ public:
    */
   void SetLookupTable(vtkScalarsToColors* table);
   void SetMapScalars(int map) { this->MapScalars = map != 0; }
-  void SetInterpolateScalarsBeforeMapping(int interpolate) { this->InterpolateScalarsBeforeMapping = interpolate != 0; }
+  void SetInterpolateScalarsBeforeMapping(int interpolate)
+  {
+    this->InterpolateScalarsBeforeMapping = interpolate != 0;
+  }
   void SetOpacity(double opacity);
   void SetAmbientColor(double r, double g, double b);
   void SetDiffuseColor(double r, double g, double b);
@@ -203,7 +206,8 @@ protected:
    * `collective`: all ranks render together. Hide() is called when the representation is hidden.
    */
   virtual vtkSmartPointer<vtkRayTracedMapper> MakeMapper() = 0;
-  virtual void Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective) = 0;
+  virtual void
+  Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective) = 0;
   virtual void SetPartBounds(const double bounds[6]);
   virtual void ShowLayers(bool /*visible*/) {}
   virtual void RemoveLayers(vtkPVRenderView*) {}

@@ -12,7 +12,8 @@
 
 #include "vtkRayTracedRepresentation.h"
 
-class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedSurfaceRepresentation : public vtkRayTracedRepresentation
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedSurfaceRepresentation
+  : public vtkRayTracedRepresentation
 {
 public:
   static vtkRayTracedSurfaceRepresentation* New();

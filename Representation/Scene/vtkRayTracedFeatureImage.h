@@ -24,8 +24,9 @@ namespace vtkRayTracedFeatureImage
  * the extension. `eyeDepth` is added to view depths: parallel rays start from another plane than the camera's. Returns what
  * is wrong; empty: nothing.
  */
-std::string Write(const std::string& fileName, const std::vector<const rtg::Image*>& images, const rtg::Scene& scene,
-  const std::map<rtg::Scene::SetId, vtkRayTracedMapper*>& mappers, double eyeDepth);
+std::string Write(const std::string& fileName, const std::vector<const rtg::Image*>& images,
+  const rtg::Scene& scene, const std::map<rtg::Scene::SetId, vtkRayTracedMapper*>& mappers,
+  double eyeDepth);
 }
 
 #endif

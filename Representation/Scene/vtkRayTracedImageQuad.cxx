@@ -48,8 +48,8 @@ bool WantsSurface(vtkOpenGLRenderPass* pass)
 void SetClipToView(vtkShaderProgram* program, vtkRenderer* renderer)
 {
   vtkNew<vtkMatrix4x4> matrix;
-  matrix->DeepCopy(
-    renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1));
+  matrix->DeepCopy(renderer->GetActiveCamera()->GetProjectionTransformMatrix(
+    renderer->GetTiledAspectRatio(), -1, 1));
   matrix->Invert();
   matrix->Transpose(); // column by column for the shader
   program->SetUniformMatrix("clipToView", matrix);
@@ -96,7 +96,8 @@ void vtkRayTracedImageQuad::Draw(
   const std::vector<vtkOpenGLRenderPass*> passes =
     use == BLEND ? Passes(actor) : std::vector<vtkOpenGLRenderPass*>();
   // Passes that replace colors take this quad for no mapper's.
-  const auto mapperFor = [mapper](vtkOpenGLRenderPass* pass) { return WantsSurface(pass) ? mapper : nullptr; };
+  const auto mapperFor = [mapper](vtkOpenGLRenderPass* pass)
+  { return WantsSurface(pass) ? mapper : nullptr; };
   const bool surface = std::any_of(passes.begin(), passes.end(), WantsSurface);
   std::string vertex, geometry, fragment = RayTracedImageQuad;
   if (surface)
@@ -168,7 +169,8 @@ void vtkRayTracedImageQuad::Draw(
 
 //----------------------------------------------------------------------------
 // Null where the shader does not compile; VTK has then reported the compiler's messages.
-vtkOpenGLQuadHelper* vtkRayTracedImageQuad::Ready(vtkOpenGLRenderWindow* window, const std::string& fragment)
+vtkOpenGLQuadHelper*
+vtkRayTracedImageQuad::Ready(vtkOpenGLRenderWindow* window, const std::string& fragment)
 {
   std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[fragment];
   if (!quad)
@@ -186,7 +188,8 @@ vtkOpenGLQuadHelper* vtkRayTracedImageQuad::Ready(vtkOpenGLRenderWindow* window,
 void vtkRayTracedImageQuad::DrawKept(vtkRenderer* renderer, vtkTextureObject* pixels)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  vtkOpenGLQuadHelper* quad = this->Sent && window ? this->Ready(window, RayTracedKeptPixels) : nullptr;
+  vtkOpenGLQuadHelper* quad =
+    this->Sent && window ? this->Ready(window, RayTracedKeptPixels) : nullptr;
   if (!quad)
   {
     return;

@@ -67,7 +67,8 @@ glm::dmat4 vtkRayTracedRendererState::WorldToClip(vtkRenderer* renderer)
 }
 
 //----------------------------------------------------------------------------
-rtg::Camera vtkRayTracedRendererState::CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip)
+rtg::Camera
+vtkRayTracedRendererState::CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip)
 {
   rtg::Camera camera = rtg::Camera::FromWorldToClip(worldToClip);
   if (camera.parallel)
@@ -129,8 +130,8 @@ constexpr vtkIdType mostEnvironmentColumns = 4096;
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedRendererState::Environment vtkRayTracedRendererState::EnvironmentOf(
-  vtkRenderer* renderer, const Environment& last)
+vtkRayTracedRendererState::Environment
+vtkRayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Environment& last)
 {
   vtkTexture* texture =
     renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
@@ -181,7 +182,8 @@ vtkRayTracedRendererState::Environment vtkRayTracedRendererState::EnvironmentOf(
         radiance[c] = std::isfinite(radiance[c]) ? std::max(radiance[c], 0.0f) : 0.0f;
       }
       const vtkIdType blockColumns = std::min(side, columns - x / side * side);
-      image->radiance[y / side * image->width + x / side] += radiance / static_cast<float>(blockRows * blockColumns);
+      image->radiance[y / side * image->width + x / side] +=
+        radiance / static_cast<float>(blockRows * blockColumns);
     }
   }
   environment.Image = std::move(image);

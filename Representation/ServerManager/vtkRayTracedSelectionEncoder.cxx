@@ -23,13 +23,17 @@ public:
   static Factory* New();
   vtkTypeMacro(Factory, vtkObjectFactory);
   const char* GetVTKSourceVersion() VTK_FUTURE_CONST override { return VTK_SOURCE_VERSION; }
-  const char* GetDescription() VTK_FUTURE_CONST override { return "RayTracedGlyphs: selection of points without cells"; }
+  const char* GetDescription() VTK_FUTURE_CONST override
+  {
+    return "RayTracedGlyphs: selection of points without cells";
+  }
 
 protected:
   Factory()
   {
     this->RegisterOverride("vtkPVEncodeSelectionForServer", "vtkRayTracedSelectionEncoder",
-      "selection of points without cells", /*enabled=*/1, []() -> vtkObject* { return vtkRayTracedSelectionEncoder::New(); });
+      "selection of points without cells", /*enabled=*/1,
+      []() -> vtkObject* { return vtkRayTracedSelectionEncoder::New(); });
   }
 };
 vtkStandardNewMacro(Factory);
@@ -47,7 +51,8 @@ bool TakePoints(vtkSelectionNode* cells, vtkSelectionNode* points)
   {
     const vtkIdType id = ids->GetValue(i);
     const bool marked = vtkRayTracedArrays::IsMarkedPoint(id);
-    (marked ? pointIds : cellIds)->InsertNextValue(marked ? vtkRayTracedArrays::UnmarkedPoint(id) : id);
+    (marked ? pointIds : cellIds)
+      ->InsertNextValue(marked ? vtkRayTracedArrays::UnmarkedPoint(id) : id);
   }
   if (pointIds->GetNumberOfValues() == 0)
   {
@@ -80,8 +85,9 @@ void vtkRayTracedSelectionEncoder::Register()
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedSelectionEncoder::ProcessSelection(vtkSelection* rawSelection, vtkSMRenderViewProxy* viewProxy,
-  bool multipleSelectionsAllowed, vtkCollection* selectedRepresentations, vtkCollection* selectionSources, int modifier,
+bool vtkRayTracedSelectionEncoder::ProcessSelection(vtkSelection* rawSelection,
+  vtkSMRenderViewProxy* viewProxy, bool multipleSelectionsAllowed,
+  vtkCollection* selectedRepresentations, vtkCollection* selectionSources, int modifier,
   bool selectBlocks)
 {
   for (unsigned int i = rawSelection->GetNumberOfNodes(); i-- > 0;)
@@ -97,6 +103,6 @@ bool vtkRayTracedSelectionEncoder::ProcessSelection(vtkSelection* rawSelection, 
       rawSelection->AddNode(points);
     }
   }
-  return this->Superclass::ProcessSelection(rawSelection, viewProxy, multipleSelectionsAllowed, selectedRepresentations,
-    selectionSources, modifier, selectBlocks);
+  return this->Superclass::ProcessSelection(rawSelection, viewProxy, multipleSelectionsAllowed,
+    selectedRepresentations, selectionSources, modifier, selectBlocks);
 }

@@ -22,8 +22,9 @@ public:
    */
   static void Register();
 
-  bool ProcessSelection(vtkSelection* rawSelection, vtkSMRenderViewProxy* viewProxy, bool multipleSelectionsAllowed,
-    vtkCollection* selectedRepresentations, vtkCollection* selectionSources, int modifier, bool selectBlocks) override;
+  bool ProcessSelection(vtkSelection* rawSelection, vtkSMRenderViewProxy* viewProxy,
+    bool multipleSelectionsAllowed, vtkCollection* selectedRepresentations,
+    vtkCollection* selectionSources, int modifier, bool selectBlocks) override;
 
 protected:
   vtkRayTracedSelectionEncoder();

@@ -175,10 +175,9 @@ vtkRayTracedTriangleBuilder::Result Build(vtkPolyData* polygons,
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedTriangleBuilder::Result
-vtkRayTracedTriangleBuilder::BuildRelative(vtkPolyData* polygons,
-  const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld, bool smooth,
-  const vtkGlyphMotion& motion)
+vtkRayTracedTriangleBuilder::Result vtkRayTracedTriangleBuilder::BuildRelative(
+  vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld,
+  bool smooth, const vtkGlyphMotion& motion)
 {
   return Build(
     polygons, blocks, vtkGlyphPlacement(modelToWorld), smooth, /*relative=*/true, &motion);

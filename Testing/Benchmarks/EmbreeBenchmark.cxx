@@ -85,7 +85,7 @@ void SphereIntersect(const RTCIntersectFunctionNArguments* arguments)
 
 struct Result
 {
-  std::vector<float> depth; // view depth by pixel, bottom row first; infinity: nothing hit
+  std::vector<float> depth;      // view depth by pixel, bottom row first; infinity: nothing hit
   std::vector<double> wall, cpu; // seconds a frame
   double build = 0.0;            // wall seconds
 };
@@ -226,8 +226,9 @@ private:
 void Print(const char* name, const Result& result)
 {
   const double cpu = benchmark::Quantile(result.cpu, 0.5);
-  std::printf("%-22s %8.3f %8.3f %8.3f %16.2f\n", name, result.build, benchmark::Quantile(result.wall, 0.5),
-    cpu, 1e-6 * static_cast<double>(result.depth.size()) / cpu);
+  std::printf("%-22s %8.3f %8.3f %8.3f %16.2f\n", name, result.build,
+    benchmark::Quantile(result.wall, 0.5), cpu,
+    1e-6 * static_cast<double>(result.depth.size()) / cpu);
 }
 
 } // namespace
@@ -273,8 +274,9 @@ try
     "CPU s", "Mray/s per core", repetitions);
   Print("Embree, single rays", embree.result);
   Print("ray-traced glyphs", ours.result);
-  std::printf("ours / Embree: %.2f (quartiles %.2f, %.2f; asked: 0.30)\n", benchmark::Quantile(ratios, 0.5),
-    benchmark::Quantile(ratios, 0.25), benchmark::Quantile(ratios, 0.75));
+  std::printf("ours / Embree: %.2f (quartiles %.2f, %.2f; asked: 0.30)\n",
+    benchmark::Quantile(ratios, 0.5), benchmark::Quantile(ratios, 0.25),
+    benchmark::Quantile(ratios, 0.75));
   return differ > a.size() / 1000 ? 1 : 0;
 }
 catch (const std::exception& error)

@@ -35,7 +35,8 @@ using rtg::Sampler;
 using rtg::Shading;
 
 constexpr std::pair<const char*, Sampler> samplers[] = { { "random", Sampler::Random },
-  { "stratified", Sampler::Stratified }, { "sobol", Sampler::Sobol }, { "blue noise", Sampler::BlueNoise } };
+  { "stratified", Sampler::Stratified }, { "sobol", Sampler::Sobol },
+  { "blue noise", Sampler::BlueNoise } };
 constexpr std::pair<const char*, Shading> shadings[] = { { "occlusion", Shading::AmbientOcclusion },
   { "path", Shading::PathTracing } };
 
@@ -58,7 +59,8 @@ void MeasureCost(LightScene& subject, int pixels, int repetitions)
   }
   for (std::uint32_t bounces : { 1, 2, 3, 4, 6, 8, 10 })
   {
-    all.push_back({ "path, " + std::to_string(bounces) + " bounces", Shading::PathTracing, Sampler::Sobol, bounces });
+    all.push_back({ "path, " + std::to_string(bounces) + " bounces", Shading::PathTracing,
+      Sampler::Sobol, bounces });
   }
   rtg::Tracer tracer(subject.device);
   rtg::TraceSettings settings;
@@ -84,13 +86,14 @@ void MeasureCost(LightScene& subject, int pixels, int repetitions)
       }
     }
   }
-  std::printf("%s, %d x %d, one sample a pixel, medians of %d\n%-24s %10s %14s %20s\n", subject.device->Name().c_str(), pixels,
-    pixels, repetitions, "", "CPU s", "local = 1", "(quartiles)");
+  std::printf("%s, %d x %d, one sample a pixel, medians of %d\n%-24s %10s %14s %20s\n",
+    subject.device->Name().c_str(), pixels, pixels, repetitions, "", "CPU s", "local = 1",
+    "(quartiles)");
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     const auto quantile = [&](double share) { return benchmark::Quantile(ratios[i], share); };
-    std::printf("%-24s %10.3f %14.2f %10.2f %9.2f\n", all[i].name.c_str(), benchmark::Quantile(seconds[i], 0.5),
-      quantile(0.5), quantile(0.25), quantile(0.75));
+    std::printf("%-24s %10.3f %14.2f %10.2f %9.2f\n", all[i].name.c_str(),
+      benchmark::Quantile(seconds[i], 0.5), quantile(0.5), quantile(0.25), quantile(0.75));
   }
 }
 
@@ -111,7 +114,8 @@ std::vector<rtg::Camera> SquaresOf(const LightScene& subject, int pixels, int as
   std::vector<rtg::Camera> squares;
   for (int i = 0; i < aside * aside; ++i)
   {
-    const double x = (2 * (i % aside) + 1.0) / aside - 1.0, y = (2 * (i / aside) + 1.0) / aside - 1.0;
+    const double x = (2 * (i % aside) + 1.0) / aside - 1.0,
+                 y = (2 * (i / aside) + 1.0) / aside - 1.0;
     squares.push_back(MiddleOf(subject, pixels));
     squares.back().forward += x * subject.camera.right + y * subject.camera.up;
   }
@@ -206,7 +210,8 @@ struct Squares
     this->denoising = 0.0;
     for (const rtg::Camera& camera : this->cameras)
     {
-      const rtg::Image image = this->tracer.Trace(this->subject.scene, camera, this->lights, settings);
+      const rtg::Image image =
+        this->tracer.Trace(this->subject.scene, camera, this->lights, settings);
       means.push_back(this->tracer.Means());
       if (settings.features)
       {
@@ -239,12 +244,16 @@ std::vector<Pixels> Blurred(std::vector<Pixels> squares, int side)
 }
 
 // Independent samples, which favour none of the samplers; from the file if it holds so many of so many pixels.
-std::vector<Pixels> Reference(Squares& squares, rtg::TraceSettings settings, std::uint32_t samples, const std::string& path)
+std::vector<Pixels> Reference(
+  Squares& squares, rtg::TraceSettings settings, std::uint32_t samples, const std::string& path)
 {
-  std::vector<Pixels> means(squares.cameras.size(), Pixels(std::size_t(settings.width) * settings.height));
-  const std::uint32_t head[3] = { samples, settings.width, static_cast<std::uint32_t>(means.size()) };
+  std::vector<Pixels> means(
+    squares.cameras.size(), Pixels(std::size_t(settings.width) * settings.height));
+  const std::uint32_t head[3] = { samples, settings.width,
+    static_cast<std::uint32_t>(means.size()) };
   std::uint32_t found[3] = {};
-  const auto bytes = [](const Pixels& pixels) { return static_cast<std::streamsize>(pixels.size() * sizeof(glm::vec4)); };
+  const auto bytes = [](const Pixels& pixels)
+  { return static_cast<std::streamsize>(pixels.size() * sizeof(glm::vec4)); };
   std::ifstream in(path, std::ios::binary);
   in.read(reinterpret_cast<char*>(found), sizeof found);
   for (Pixels& pixels : means)
@@ -269,7 +278,8 @@ std::vector<Pixels> Reference(Squares& squares, rtg::TraceSettings settings, std
 
 // Processor seconds of a sample by each method. They are taken in turns, and of several turns the median of a method's share
 // counts: the machine's speed changes.
-std::vector<double> SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettings settings)
+std::vector<double>
+SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettings settings)
 {
   constexpr int turns = 9;
   std::vector<std::vector<double>> shares(methods.size());
@@ -304,12 +314,15 @@ std::vector<double> SecondsOf(Squares& squares, const std::vector<Method>& metho
   return result;
 }
 
-void MeasureShading(LightScene& subject, const char* name, const std::string& output, std::FILE* csv, int pixels,
-  std::uint32_t referenceSamples, std::uint32_t mostSamples, Shading shading)
+void MeasureShading(LightScene& subject, const char* name, const std::string& output,
+  std::FILE* csv, int pixels, std::uint32_t referenceSamples, std::uint32_t mostSamples,
+  Shading shading)
 {
-  Squares squares{ rtg::Tracer(subject.device), subject, SquaresOf(subject, pixels), LightsOf(shading), {} };
+  Squares squares{ rtg::Tracer(subject.device), subject, SquaresOf(subject, pixels),
+    LightsOf(shading), {} };
   rtg::TraceSettings settings = SettingsOf(subject, pixels, shading);
-  const std::vector<Pixels> truth = Reference(squares, settings, referenceSamples, output + "." + name + ".reference");
+  const std::vector<Pixels> truth =
+    Reference(squares, settings, referenceSamples, output + "." + name + ".reference");
   const std::vector<Pixels> blurredTruth = Blurred(truth, pixels);
   const std::vector<Method> methods = Methods(shading);
   const std::vector<double> seconds = SecondsOf(squares, methods, settings);
@@ -341,23 +354,26 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
       {
         error = std::max(error - ownError, 0.0);
       }
-      std::fprintf(csv, "%s,%s,%u,%.5f,%.6g,%.6g,%.6g,%.5f,%.6g\n", name, method.Name().c_str(), settings.samples,
-        seconds[i] * settings.samples, error, ownError, std::max(SquaredError(squares.denoised, truth) - ownError, 0.0),
-        squares.denoising, SquaredError(Blurred(means, pixels), blurredTruth));
+      std::fprintf(csv, "%s,%s,%u,%.5f,%.6g,%.6g,%.6g,%.5f,%.6g\n", name, method.Name().c_str(),
+        settings.samples, seconds[i] * settings.samples, error, ownError,
+        std::max(SquaredError(squares.denoised, truth) - ownError, 0.0), squares.denoising,
+        SquaredError(Blurred(means, pixels), blurredTruth));
       std::fflush(csv);
     }
   }
 }
 
-void MeasureError(LightScene& subject, const std::string& output, int pixels, std::uint32_t referenceSamples,
-  std::uint32_t mostSamples)
+void MeasureError(LightScene& subject, const std::string& output, int pixels,
+  std::uint32_t referenceSamples, std::uint32_t mostSamples)
 {
   std::FILE* csv = std::fopen(output.c_str(), "w");
   if (!csv)
   {
     throw std::runtime_error("cannot write " + output);
   }
-  std::fprintf(csv, "shading,sampler,samples,cpu_seconds,mse,reference_mse,denoised_mse,denoise_seconds,blurred_mse\n");
+  std::fprintf(csv,
+    "shading,sampler,samples,cpu_seconds,mse,reference_mse,denoised_mse,denoise_seconds,blurred_"
+    "mse\n");
   for (const auto& [name, shading] : shadings)
   {
     MeasureShading(subject, name, output, csv, pixels, referenceSamples,
@@ -372,8 +388,9 @@ void MeasureError(LightScene& subject, const std::string& output, int pixels, st
 struct VarianceParts
 {
   double place = 0.0, direction = 0.0, both = 0.0;
-  double adaptive = 0.0; ///< mean variance over squared mean deviation: what samples shared out by deviation would gain
-  double covered = 0.0;  ///< share of the samples that hit something
+  double adaptive =
+    0.0; ///< mean variance over squared mean deviation: what samples shared out by deviation would gain
+  double covered = 0.0; ///< share of the samples that hit something
 
   double Total() const { return this->place + this->direction + this->both; }
 };
@@ -392,7 +409,8 @@ VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading s
   std::uniform_real_distribution<double> within(-0.5, 0.5);
 
   // Sums over the other factor, and over both, of the samples and of their squares.
-  std::vector<glm::dvec3> ofPlaces(count * factors), ofDirections(count * factors), all(count), squares(count);
+  std::vector<glm::dvec3> ofPlaces(count * factors), ofDirections(count * factors), all(count),
+    squares(count);
   VarianceParts parts;
   for (int place = 0; place < factors; ++place)
   {
@@ -401,7 +419,8 @@ VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading s
     {
       const int dx = choice % side, dy = choice / side;
       const double pixel = 2.0 / (pixels + side);
-      camera.forward = forward + (x + 0.5 * side - dx) * pixel * camera.right + (y + 0.5 * side - dy) * pixel * camera.up;
+      camera.forward = forward + (x + 0.5 * side - dx) * pixel * camera.right +
+        (y + 0.5 * side - dy) * pixel * camera.up;
       tracer.Trace(subject.scene, camera, lights, settings);
       const Pixels means = tracer.Means();
       for (std::size_t i = 0; i < count; ++i)
@@ -431,12 +450,14 @@ VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading s
     const glm::dvec3 both = (squares[i] - mean - byPlaces - byDirections) / ((n - 1.0) * (n - 1.0));
     const glm::dvec3 place = (byPlaces / (n - 1.0) - both) / n;
     const glm::dvec3 direction = (byDirections / (n - 1.0) - both) / n;
-    const auto channels = [&](const glm::dvec3& v) { return (v.x + v.y + v.z) / (3.0 * static_cast<double>(count)); };
+    const auto channels = [&](const glm::dvec3& v)
+    { return (v.x + v.y + v.z) / (3.0 * static_cast<double>(count)); };
     parts.place += channels(place);
     parts.direction += channels(direction);
     parts.both += channels(both);
     const glm::dvec3 whole = place + direction + both;
-    deviation += std::sqrt(std::max((whole.x + whole.y + whole.z) / 3.0, 0.0)) / static_cast<double>(count);
+    deviation +=
+      std::sqrt(std::max((whole.x + whole.y + whole.z) / 3.0, 0.0)) / static_cast<double>(count);
   }
   parts.adaptive = parts.Total() / (deviation * deviation);
   parts.covered /= static_cast<double>(count) * n * n;
@@ -445,12 +466,14 @@ VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading s
 
 void MeasureVariance(LightScene& subject, int pixels, int side)
 {
-  std::printf("%-12s %12s %8s %11s %8s %10s %9s\n", "", "variance", "place", "directions", "both", "adaptive", "covered");
+  std::printf("%-12s %12s %8s %11s %8s %10s %9s\n", "", "variance", "place", "directions", "both",
+    "adaptive", "covered");
   for (const auto& [name, shading] : shadings)
   {
     const VarianceParts parts = SplitVariance(subject, pixels, side, shading);
-    std::printf("%-12s %12.4g %8.3f %11.3f %8.3f %10.2f %9.3f\n", name, parts.Total(), parts.place / parts.Total(),
-      parts.direction / parts.Total(), parts.both / parts.Total(), parts.adaptive, parts.covered);
+    std::printf("%-12s %12.4g %8.3f %11.3f %8.3f %10.2f %9.3f\n", name, parts.Total(),
+      parts.place / parts.Total(), parts.direction / parts.Total(), parts.both / parts.Total(),
+      parts.adaptive, parts.covered);
     std::fflush(stdout);
   }
 }
@@ -469,7 +492,8 @@ void WritePicture(LightScene& subject, const std::string& output, int pixels, st
     rtg::Tracer tracer(subject.device);
     rtg::TraceSettings settings = SettingsOf(subject, pixels, shadings[i].second);
     settings.samples = samples;
-    const rtg::Image image = tracer.Trace(subject.scene, MiddleOf(subject, pixels), LightsOf(settings.shading), settings);
+    const rtg::Image image =
+      tracer.Trace(subject.scene, MiddleOf(subject, pixels), LightsOf(settings.shading), settings);
     images[i].assign(image.colour, image.colour + std::size_t(pixels) * pixels);
   }
   for (int y = pixels - 1; y >= 0; --y)
@@ -491,12 +515,14 @@ int main(int argc, char** argv)
 try
 {
   const std::string what = argc > 2 ? argv[1] : "";
-  const auto number = [&](int at, int otherwise) { return argc > at ? std::atoi(argv[at]) : otherwise; };
+  const auto number = [&](int at, int otherwise)
+  { return argc > at ? std::atoi(argv[at]) : otherwise; };
   if (what != "cost" && what != "variance" && !((what == "error" || what == "picture") && argc > 3))
   {
     std::fprintf(stderr,
       "Usage: LightBenchmark cost SCENE.vtk [PIXELS] [REPETITIONS]\n"
-      "       LightBenchmark error SCENE.vtk OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]\n"
+      "       LightBenchmark error SCENE.vtk OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] "
+      "[MOST-SAMPLES]\n"
       "       LightBenchmark variance SCENE.vtk [PIXELS] [SIDE]\n"
       "       LightBenchmark picture SCENE.vtk OUTPUT.ppm [PIXELS] [SAMPLES]\n");
     return 2;
@@ -508,7 +534,10 @@ try
     MeasureCost(subject, number(3, 1200), number(4, 9));
     return 0;
   }
-  const int pixels = number(what == "variance" ? 3 : 4, what == "picture" ? 64 : what == "error" ? 24 : 32);
+  const int pixels = number(what == "variance" ? 3 : 4,
+    what == "picture"   ? 64
+      : what == "error" ? 24
+                        : 32);
   if (what == "variance")
   {
     MeasureVariance(subject, pixels, number(4, 8));

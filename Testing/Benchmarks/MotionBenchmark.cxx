@@ -236,7 +236,8 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
     settings.samples = referenceSamples;
     std::fprintf(stderr, "%g radii: reference of %u samples\n", path, referenceSamples);
     const Measured truth = Trace(scene, tracer, subject, schemes[1], path, settings);
-    const std::vector<glm::vec4> blurredTruth = benchmark::Blurred(truth.means, static_cast<int>(pixels));
+    const std::vector<glm::vec4> blurredTruth =
+      benchmark::Blurred(truth.means, static_cast<int>(pixels));
     // Random times' error falls as 1 / samples, so what they measure tells the reference's own part.
     double referenceError = 0.0;
     for (const Scheme& scheme : schemes)
@@ -251,7 +252,8 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
         }
         std::fprintf(csv, "%g,%s,%u,%.4f,%.4f,%.6g,%.6g,%.6g\n", path, scheme.name,
           settings.samples, found.build, found.trace * whole, error, referenceError,
-          benchmark::SquaredError(benchmark::Blurred(found.means, static_cast<int>(pixels)), blurredTruth));
+          benchmark::SquaredError(
+            benchmark::Blurred(found.means, static_cast<int>(pixels)), blurredTruth));
         std::fflush(csv);
       }
     }

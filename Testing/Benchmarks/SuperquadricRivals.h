@@ -175,7 +175,8 @@ struct Rivals
 
   /// A bracket by halving where f is least, then `solve`.
   template <class Solve>
-  static Hit ConvexBracket(const GlyphRay& ray, const Glyph& glyph, Real tMin, bool normal, Solve solve)
+  static Hit
+  ConvexBracket(const GlyphRay& ray, const Glyph& glyph, Real tMin, bool normal, Solve solve)
   {
     Frame frame;
     if (!Enter(ray, glyph, tMin, frame))

@@ -154,8 +154,9 @@ Times Measure(const std::shared_ptr<rtg::Device>& device, rtg::GlyphInstances in
     const rtg::Image image = tracer.Trace(scene, SceneCamera(), lights, settings);
     times.wall = std::min(times.wall, WallNow() - wall);
     times.cpu = std::min(times.cpu, benchmark::CpuSeconds() - cpu);
-    times.hits = double(std::count_if(image.depth, image.depth + rays,
-                   [](float depth) { return depth < 1.0f; })) / double(rays);
+    times.hits = double(std::count_if(
+                   image.depth, image.depth + rays, [](float depth) { return depth < 1.0f; })) /
+      double(rays);
   }
   return times;
 }
@@ -194,7 +195,8 @@ try
   }
   std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   std::printf("device: %s, %d glyphs, %u x %u\n", device->Name().c_str(), count, pixels, pixels);
-  std::printf("%-34s %8s %8s %8s %10s %8s %8s\n", "", "first s", "wall s", "CPU s", "Mray/s", "hit %", "ratio");
+  std::printf("%-34s %8s %8s %8s %10s %8s %8s\n", "", "first s", "wall s", "CPU s", "Mray/s",
+    "hit %", "ratio");
   for (const bool packed : { false, true })
   {
     const char* name = packed ? "packed" : "dilute";
@@ -211,8 +213,8 @@ try
       std::printf("%-34s %8.2f %8.3f %8.3f %10.2f %8.1f %8.2f  %s\n", kind.name, times.first,
         times.wall, times.cpu, rate, 100.0 * times.hits, times.cpu / spheres, name);
       std::fflush(stdout);
-      csv << name << ",\"" << kind.name << "\"," << count << ',' << pixels << ',' << times.first << ','
-          << times.wall << ',' << times.cpu << ',' << rate << ',' << times.hits << ','
+      csv << name << ",\"" << kind.name << "\"," << count << ',' << pixels << ',' << times.first
+          << ',' << times.wall << ',' << times.cpu << ',' << rate << ',' << times.hits << ','
           << times.cpu / spheres << std::endl;
     }
   }

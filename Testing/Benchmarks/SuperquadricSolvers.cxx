@@ -115,8 +115,9 @@ struct Report
 };
 
 template <class Real>
-using Solver = typename benchmark::Rivals<Real>::Hit (*)(const typename benchmark::Rivals<Real>::GlyphRay&,
-  const typename benchmark::Rivals<Real>::Glyph&, Real, bool);
+using Solver = typename benchmark::Rivals<Real>::Hit (*)(
+  const typename benchmark::Rivals<Real>::GlyphRay&, const typename benchmark::Rivals<Real>::Glyph&,
+  Real, bool);
 
 template <class Real>
 Report Run(Solver<Real> solver, const Scene& scene)
@@ -143,8 +144,7 @@ Report Run(Solver<Real> solver, const Scene& scene)
     report.misses += !hit.found && truth.hit;
     if (hit.found && truth.hit)
     {
-      const double ulp =
-        double(std::nextafter(Real(truth.t), Real(INFINITY)) - Real(truth.t));
+      const double ulp = double(std::nextafter(Real(truth.t), Real(INFINITY)) - Real(truth.t));
       const double error = std::abs(double(truth.t - static_cast<long double>(hit.t)));
       report.sizes.push_back(std::max(0.0, error - ulp) / truth.sizeInT);
       if (truth.hasNormal)
@@ -182,11 +182,11 @@ void Write(std::ostream& csv, const char* family, const std::string& situation, 
   const char* arithmetic, const Report& r)
 {
   const double rays = double(std::max<std::size_t>(1, r.rays));
-  csv << family << ",\"" << situation << "\",\"" << solver << "\"," << arithmetic << ',' << r.rays << ','
-      << r.nanoseconds / rays << ',' << Quantile(r.sizes, 0.5) << ',' << Quantile(r.sizes, 0.999) << ','
-      << Quantile(r.sizes, 1) << ',' << Quantile(r.radians, 0.5) << ',' << Quantile(r.radians, 0.999) << ','
-      << Quantile(r.radians, 1) << ',' << 1e6 * double(r.falseHits) / rays << ','
-      << 1e6 * double(r.misses) / rays << '\n';
+  csv << family << ",\"" << situation << "\",\"" << solver << "\"," << arithmetic << ',' << r.rays
+      << ',' << r.nanoseconds / rays << ',' << Quantile(r.sizes, 0.5) << ','
+      << Quantile(r.sizes, 0.999) << ',' << Quantile(r.sizes, 1) << ',' << Quantile(r.radians, 0.5)
+      << ',' << Quantile(r.radians, 0.999) << ',' << Quantile(r.radians, 1) << ','
+      << 1e6 * double(r.falseHits) / rays << ',' << 1e6 * double(r.misses) / rays << '\n';
 }
 
 template <class Real>
@@ -242,11 +242,11 @@ void RunAll(const std::vector<Scene>& scenes, const char* arithmetic, std::ostre
       {
         const Report& r = reports[situation];
         const double rays = double(r.rays);
-        std::printf("| %s | %s | %s | %s | %.0f | %.1e | %.1e | %.1e | %.1e | %.1e | %.0f / %.0f |\n", family, situation,
-          entry.name, arithmetic, r.nanoseconds / rays, Quantile(r.sizes, 0.5),
+        std::printf(
+          "| %s | %s | %s | %s | %.0f | %.1e | %.1e | %.1e | %.1e | %.1e | %.0f / %.0f |\n", family,
+          situation, entry.name, arithmetic, r.nanoseconds / rays, Quantile(r.sizes, 0.5),
           Quantile(r.sizes, 0.999), Quantile(r.sizes, 1), Quantile(r.radians, 0.5),
-          Quantile(r.radians, 1), 1e6 * double(r.falseHits) / rays,
-          1e6 * double(r.misses) / rays);
+          Quantile(r.radians, 1), 1e6 * double(r.falseHits) / rays, 1e6 * double(r.misses) / rays);
       }
       std::fflush(stdout);
     }
@@ -263,8 +263,10 @@ int main(int argc, char** argv)
          "normal_median_radians,normal_p999_radians,normal_max_radians,false_hits_per_million,"
          "misses_per_million\n";
   const std::vector<Scene> scenes = MakeScenes(glyphs, rays);
-  std::printf("| glyphs | rays | solver | arithmetic | ns a ray | dt median | 99.9 %% | max (sizes) | normal median | max "
-              "(rad) | false hits / misses a million |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+    "| glyphs | rays | solver | arithmetic | ns a ray | dt median | 99.9 %% | max (sizes) | normal "
+    "median | max "
+    "(rad) | false hits / misses a million |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   RunAll<float>(scenes, "float", csv);
   RunAll<double>(scenes, "double", csv);
   return 0;

@@ -133,7 +133,8 @@ bool Lacks(const char* name)
   return lacks && std::strcmp(lacks, name) == 0;
 }
 
-VKAPI_ATTR void VKAPI_CALL Properties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties)
+VKAPI_ATTR void VKAPI_CALL Properties2(
+  VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties)
 {
   nextProperties2(physical, properties);
   for (auto* next = static_cast<VkBaseOutStructure*>(properties->pNext); next; next = next->pNext)
@@ -142,7 +143,8 @@ VKAPI_ATTR void VKAPI_CALL Properties2(VkPhysicalDevice physical, VkPhysicalDevi
     {
       auto& vulkan12 = *reinterpret_cast<VkPhysicalDeviceVulkan12Properties*>(next);
       vulkan12.shaderRoundingModeRTEFloat32 &= !Lacks("shaderRoundingModeRTEFloat32");
-      vulkan12.shaderSignedZeroInfNanPreserveFloat32 &= !Lacks("shaderSignedZeroInfNanPreserveFloat32");
+      vulkan12.shaderSignedZeroInfNanPreserveFloat32 &=
+        !Lacks("shaderSignedZeroInfNanPreserveFloat32");
     }
   }
 }
@@ -154,7 +156,8 @@ VKAPI_ATTR void VKAPI_CALL Features2(VkPhysicalDevice physical, VkPhysicalDevice
   {
     if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES)
     {
-      reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next)->vulkanMemoryModel &= !Lacks("vulkanMemoryModel");
+      reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next)->vulkanMemoryModel &=
+        !Lacks("vulkanMemoryModel");
     }
   }
 }
@@ -209,12 +212,13 @@ VKAPI_ATTR VkResult VKAPI_CALL AllocateMemory(VkDevice device, const VkMemoryAll
 VKAPI_ATTR VkResult VKAPI_CALL BindBufferMemory(
   VkDevice device, VkBuffer buffer, VkDeviceMemory memory, VkDeviceSize offset)
 {
-  return Due("vkBindBufferMemory") ? VK_ERROR_OUT_OF_DEVICE_MEMORY
-                                   : NextOf(device).bindBufferMemory(device, buffer, memory, offset);
+  return Due("vkBindBufferMemory")
+    ? VK_ERROR_OUT_OF_DEVICE_MEMORY
+    : NextOf(device).bindBufferMemory(device, buffer, memory, offset);
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL MapMemory(
-  VkDevice device, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size, VkMemoryMapFlags flags, void** data)
+VKAPI_ATTR VkResult VKAPI_CALL MapMemory(VkDevice device, VkDeviceMemory memory,
+  VkDeviceSize offset, VkDeviceSize size, VkMemoryMapFlags flags, void** data)
 {
   return Due("vkMapMemory") ? VK_ERROR_OUT_OF_DEVICE_MEMORY
                             : NextOf(device).mapMemory(device, memory, offset, size, flags, data);
@@ -289,8 +293,8 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetInstanceProcAddr(VkInstance instance
 
 } // namespace
 
-extern "C" __attribute__((visibility("default"))) VkResult VKAPI_CALL vkNegotiateLoaderLayerInterfaceVersion(
-  VkNegotiateLayerInterface* version)
+extern "C" __attribute__((visibility("default"))) VkResult VKAPI_CALL
+vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* version)
 {
   version->loaderLayerInterfaceVersion = 2;
   version->pfnGetInstanceProcAddr = GetInstanceProcAddr;

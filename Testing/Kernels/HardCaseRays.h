@@ -93,7 +93,8 @@ inline void HardCaseMaker::Touch(HardCase& hard)
     {
       const double off = this->Choice(4) == 0 ? 0.0 : std::pow(10.0, this->Uniform(-8, -3));
       const double extent = this->Extent(h, i);
-      const Vec target = this->ToWorld(h, i, this->EdgePoint(h, i)) + off * extent * this->UnitVector();
+      const Vec target =
+        this->ToWorld(h, i, this->EdgePoint(h, i)) + off * extent * this->UnitVector();
       this->Shoot(h, i, target, this->UnitVector(), extent * this->Uniform(0.5, 5));
     });
 }
@@ -238,8 +239,10 @@ inline std::vector<Subject> HardSubjects()
     form.fixedHeads = fixed;
     return form;
   };
-  const auto superquadric = [](const std::string& name, const glm::vec3& least, const glm::vec3& most)
-  { return Subject{ "superquadric, " + name, Shape::Superquadric, {}, false, least, most }; };
+  const auto superquadric = [](const std::string& name, const glm::vec3& least,
+                              const glm::vec3& most) {
+    return Subject{ "superquadric, " + name, Shape::Superquadric, {}, false, least, most };
+  };
   return {
     { "sphere", Shape::Sphere, {}, true },
     { "ellipsoid", Shape::Sphere, {}, false },
@@ -271,7 +274,9 @@ inline std::vector<Subject> HardSubjects()
 inline std::vector<Subject> NestedSubjects()
 {
   const auto nested = [](const std::string& name, const glm::vec3& exponents)
-  { return Subject{ "nested, " + name, Shape::NestedSuperquadric, {}, false, exponents, exponents }; };
+  {
+    return Subject{ "nested, " + name, Shape::NestedSuperquadric, {}, false, exponents, exponents };
+  };
   const auto tensors = [](const std::string& name, TensorGlyphKind kind)
   {
     return Subject{ "nested, " + name, Shape::NestedSuperquadric, {}, false, glm::vec3(1.0f),

@@ -143,7 +143,8 @@ private:
     {
       const bool negative =
         this->subject_.tensors == TensorGlyphKind::SignedSuperquadric && this->Choice(2) == 0;
-      const double magnitude = std::pow(10.0, this->Choice(2) == 0 ? this->Uniform(-6, 0) : this->Uniform(-1, 0));
+      const double magnitude =
+        std::pow(10.0, this->Choice(2) == 0 ? this->Uniform(-6, 0) : this->Uniform(-1, 0));
       eigen.values[axis] = negative ? -magnitude : magnitude;
     }
     if (this->Choice(6) == 0)
@@ -165,7 +166,8 @@ private:
     for (int axis = 0; axis < 3; ++axis)
     {
       const double least = exponents[axis], most = this->subject_.mostExponents[axis];
-      exponents[axis] = most == 0 ? exponents.y : float(least * std::pow(most / least, this->Uniform(0, 1)));
+      exponents[axis] =
+        most == 0 ? exponents.y : float(least * std::pow(most / least, this->Uniform(0, 1)));
     }
     return exponents;
   }
@@ -317,7 +319,8 @@ inline glm::dvec3 HardCaseMaker::EdgePoint(const HardCase& hard, std::uint32_t i
       const double a = std::abs(2 * c), b = std::abs(2 * s);
       const double norm = std::pow(std::pow(a, 2 / alpha) + std::pow(b, 2 / alpha), alpha / 2);
       const Vec rim(c / norm, s / norm, 0), end(0, 0, side);
-      const double along = this->Choice(3) == 0 ? std::pow(10.0, this->Uniform(-6, 0)) : this->Uniform(0, 1);
+      const double along =
+        this->Choice(3) == 0 ? std::pow(10.0, this->Uniform(-6, 0)) : this->Uniform(0, 1);
       const Vec corner(side, side, 0);
       switch (this->Choice(4))
       {

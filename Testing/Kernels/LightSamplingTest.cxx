@@ -54,7 +54,8 @@ TEST_F(LightTest, SeveralOcclusionRaysASample)
     for (Sampler sampler : { Sampler::Stratified, Sampler::Sobol, Sampler::BlueNoise })
     {
       const Error spread = errors(sampler, samples, 64);
-      EXPECT_NEAR(spread.mean, 0.0, certain * std::sqrt(variance / pixels)) << static_cast<int>(sampler);
+      EXPECT_NEAR(spread.mean, 0.0, certain * std::sqrt(variance / pixels))
+        << static_cast<int>(sampler);
       EXPECT_LT(spread.square, 0.5 * variance) << static_cast<int>(sampler);
     }
   }
@@ -72,7 +73,8 @@ TEST_F(LightTest, SeveralPathsASample)
   {
     this->settings.samples = samples;
     const double independent = 0.25 / (64.0 * samples);
-    for (Sampler sampler : { Sampler::Random, Sampler::Stratified, Sampler::Sobol, Sampler::BlueNoise })
+    for (Sampler sampler :
+      { Sampler::Random, Sampler::Stratified, Sampler::Sobol, Sampler::BlueNoise })
     {
       this->settings.sampler = sampler;
       this->Trace();
@@ -100,7 +102,8 @@ TEST_F(LightTest, PlacesInAPixelAreANet)
   {
     centres.emplace_back(-1.0f + (column + 0.125f) / 12.0f, 0.0f, 0.0f);
   }
-  this->Add(Shape::Box, centres, std::vector<glm::vec3>(24, glm::vec3(0.25f / 12.0f, 10.0f, 0.1f)), Flat());
+  this->Add(
+    Shape::Box, centres, std::vector<glm::vec3>(24, glm::vec3(0.25f / 12.0f, 10.0f, 0.1f)), Flat());
   this->settings.sampler = Sampler::Sobol;
   this->settings.shading = Shading::AmbientOcclusion;
   this->settings.occlusionRadius = 1e-6f;
@@ -145,8 +148,9 @@ TEST_F(LightTest, RouletteAndPathsChangeNoMean)
     this->settings.paths = 1;
     this->Trace();
     const std::vector<glm::vec4> plain = this->tracer.Means();
-    for (const auto& [roulette, paths] : { std::pair(Roulette::Guessing, 1u), std::pair(Roulette::None, 4u),
-           std::pair(Roulette::Plain, 1u), std::pair(Roulette::Guessing, 5u) })
+    for (const auto& [roulette, paths] :
+      { std::pair(Roulette::Guessing, 1u), std::pair(Roulette::None, 4u),
+        std::pair(Roulette::Plain, 1u), std::pair(Roulette::Guessing, 5u) })
     {
       this->settings.roulette = roulette;
       this->settings.paths = paths;
@@ -164,7 +168,8 @@ TEST_F(LightTest, RouletteAndPathsChangeNoMean)
           squares += difference * difference;
         }
         EXPECT_GT(squares, 0.0);
-        EXPECT_NEAR(sum / count, 0.0, certain * std::sqrt(squares) / count) << lit << static_cast<int>(roulette) << paths << channel;
+        EXPECT_NEAR(sum / count, 0.0, certain * std::sqrt(squares) / count)
+          << lit << static_cast<int>(roulette) << paths << channel;
         EXPECT_LT(certain * std::sqrt(squares) / count, 0.01);
       }
     }
@@ -277,14 +282,18 @@ TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
   rtg::GlyphColours colours;
   for (int i = 0; i < 300; ++i)
   {
-    instances.centres.emplace_back(1.8f * uniform(random) - 0.9f, 1.8f * uniform(random) - 0.9f, uniform(random));
+    instances.centres.emplace_back(
+      1.8f * uniform(random) - 0.9f, 1.8f * uniform(random) - 0.9f, uniform(random));
     if (!plain)
     {
-      instances.sizes3.emplace_back(0.1f + 0.2f * uniform(random), 0.1f + 0.1f * uniform(random), 0.1f);
-      instances.rotations.push_back(glm::normalize(glm::vec4(uniform(random), uniform(random), uniform(random), 1.0f)));
+      instances.sizes3.emplace_back(
+        0.1f + 0.2f * uniform(random), 0.1f + 0.1f * uniform(random), 0.1f);
+      instances.rotations.push_back(
+        glm::normalize(glm::vec4(uniform(random), uniform(random), uniform(random), 1.0f)));
       instances.motion.velocities.emplace_back(0.1f, 0.05f, 0.0f);
       colours.push_back(static_cast<std::uint32_t>(random()) | 0xff000000u);
-      instances.exponents3.emplace_back(1.0f + 3.0f * uniform(random), 2.0f, 1.0f + 5.0f * uniform(random));
+      instances.exponents3.emplace_back(
+        1.0f + 3.0f * uniform(random), 2.0f, 1.0f + 5.0f * uniform(random));
     }
   }
   if (shape != Shape::Superquadric)

@@ -100,7 +100,8 @@ protected:
   static std::shared_ptr<const rtg::TriangleMesh> Mesh()
   {
     rtg::TriangleMesh mesh;
-    mesh.positions = { { 0.5f, 0.5f, 0.5f }, { 0.5f, -0.5f, -0.5f }, { -0.5f, 0.5f, -0.5f }, { -0.5f, -0.5f, 0.5f } };
+    mesh.positions = { { 0.5f, 0.5f, 0.5f }, { 0.5f, -0.5f, -0.5f }, { -0.5f, 0.5f, -0.5f },
+      { -0.5f, -0.5f, 0.5f } };
     mesh.triangles = { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 } };
     return std::make_shared<const rtg::TriangleMesh>(mesh);
   }

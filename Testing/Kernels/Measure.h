@@ -52,14 +52,15 @@ constexpr double relativeRoundoff = double(std::numeric_limits<Real>::epsilon())
 struct Verdict
 {
   bool hit = false; ///< of the reference
-  bool excused = false; ///< something is beyond its bound, but so near a silhouette that it does not count
+  bool excused =
+    false; ///< something is beyond its bound, but so near a silhouette that it does not count
   bool falseHit = false, falseMiss = false; ///< outside the band only
   bool bothHit = false;                     ///< and t is compared
   double ulps = 0.0;                        ///< |dt| in ulps of t
   double sizes = 0.0;                       ///< |dt| in glyph sizes
   double excess = 0.0;                      ///< |dt| over the bound: at most 1
-  bool hasNormal = false; ///< the normal is compared: not near an edge, nor excused
-  double radians = 0.0;   ///< error of the normal
+  bool hasNormal = false;    ///< the normal is compared: not near an edge, nor excused
+  double radians = 0.0;      ///< error of the normal
   double normalExcess = 0.0; ///< the same over its bound
 };
 

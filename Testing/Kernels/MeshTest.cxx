@@ -33,7 +33,8 @@ rtg::TriangleMesh FacetedBall(int segments)
     for (int segment = 0; segment < segments; ++segment)
     {
       const float round = glm::two_pi<float>() * float(segment) / float(segments);
-      mesh.normals.emplace_back(std::sin(down) * std::cos(round), std::cos(down), -std::sin(down) * std::sin(round));
+      mesh.normals.emplace_back(
+        std::sin(down) * std::cos(round), std::cos(down), -std::sin(down) * std::sin(round));
       mesh.positions.push_back(0.5f * mesh.normals.back());
     }
   }
@@ -270,8 +271,9 @@ TEST_F(MeshTest, SameMeshElsewhereIsNotBuiltAgain)
 // Of a convex body all of the light from all around reaches every point, however much the normals of its corners lean.
 TEST_F(MeshTest, ConvexBodiesWithSmoothNormalsDoNotShadeThemselves)
 {
-  const rtg::Camera camera = rtg::Camera::FromWorldToClip(
-    glm::ortho(-0.6, 0.6, -0.6, 0.6, 1.0, 9.0) * glm::lookAt(glm::dvec3(3, 1, 4), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+  const rtg::Camera camera =
+    rtg::Camera::FromWorldToClip(glm::ortho(-0.6, 0.6, -0.6, 0.6, 1.0, 9.0) *
+      glm::lookAt(glm::dvec3(3, 1, 4), glm::dvec3(0), glm::dvec3(0, 1, 0)));
   rtg::Material material;
   material.lighting = true;
   material.ambient = 1.0f;
@@ -296,7 +298,8 @@ TEST_F(MeshTest, ConvexBodiesWithSmoothNormalsDoNotShadeThemselves)
       settings.width = settings.height = 60;
       settings.samples = 16;
       settings.keepSums = true;
-      for (const rtg::Shading shading : { rtg::Shading::AmbientOcclusion, rtg::Shading::PathTracing })
+      for (const rtg::Shading shading :
+        { rtg::Shading::AmbientOcclusion, rtg::Shading::PathTracing })
       {
         // All of the light is reflected, or the body shines by itself as far as light reaches it.
         material.ambient = shading == rtg::Shading::PathTracing ? 0.0f : 1.0f;
@@ -313,9 +316,11 @@ TEST_F(MeshTest, ConvexBodiesWithSmoothNormalsDoNotShadeThemselves)
           least = mean.a > 0.0f ? std::min(least, double(mean.r / mean.a)) : least;
         }
         EXPECT_GT(covered, 1000.0);
-        EXPECT_NEAR(light / covered, 1.0, 1e-3) << segments << " segments" << (moves ? ", moving" : "");
+        EXPECT_NEAR(light / covered, 1.0, 1e-3)
+          << segments << " segments" << (moves ? ", moving" : "");
         // Weights of path tracing differ from direction to direction.
-        EXPECT_GT(least, shading == rtg::Shading::PathTracing ? 0.0 : 0.999) << segments << " segments" << (moves ? ", moving" : "");
+        EXPECT_GT(least, shading == rtg::Shading::PathTracing ? 0.0 : 0.999)
+          << segments << " segments" << (moves ? ", moving" : "");
       }
       this->scene.Remove(id);
     }

@@ -19,8 +19,8 @@ rtg::TriangleMesh SphereMesh(std::uint32_t rings)
     for (std::uint32_t column = 0; column < columns; ++column)
     {
       const double polar = M_PI * row / rings, around = 2.0 * M_PI * column / columns;
-      mesh.positions.emplace_back(std::sin(polar) * std::cos(around),
-        std::sin(polar) * std::sin(around), std::cos(polar));
+      mesh.positions.emplace_back(
+        std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar));
     }
   }
   for (std::uint32_t row = 0; row < rings; ++row)
@@ -98,7 +98,7 @@ struct GrowingBox
 {
   const glm::dvec3 velocity{ 0.6, -0.3, 0.4 };
   const glm::dvec3 acceleration{ -1.5, 3.0, 1.0 };
-  const glm::dvec3 growth{ 0.8, -0.6, 0.3 };       // of a unit of length, per time
+  const glm::dvec3 growth{ 0.8, -0.6, 0.3 };         // of a unit of length, per time
   const glm::dvec3 growthOfGrowth{ -0.5, 1.0, 0.4 }; // per time squared
 
   rtg::TriangleMesh Mesh() const
@@ -158,7 +158,8 @@ TEST_P(MovingMesh, PositionsAreWhereTheyShouldBe)
   const GrowingBox box;
   const rtg::GlyphInstances instances = box.Instances();
   this->Add(instances);
-  this->ExpectRaysMeet(instances, [&](std::size_t, double time) { return box.At(time); }, true);
+  this->ExpectRaysMeet(
+    instances, [&](std::size_t, double time) { return box.At(time); }, true);
 }
 
 TEST_P(MovingMesh, GlyphCoversAsBruteForce)
@@ -198,7 +199,8 @@ TEST_P(MovingMesh, SurfaceCoversAsBruteForce)
         // Sizes of both are of the glyph: its frame is that of the mesh times 0.6.
         const Double::Glyph at = box.At(instances.motion.Time((i + 0.5) / times));
         const glm::dvec2 away = glm::abs(p - double(0.6f) * glm::dvec2(at.centre));
-        covered += away.x < 0.5 * double(0.6f) * at.size.x && away.y < 0.5 * double(0.6f) * at.size.y;
+        covered +=
+          away.x < 0.5 * double(0.6f) * at.size.x && away.y < 0.5 * double(0.6f) * at.size.y;
       }
       return double(covered) / times;
     });
@@ -263,8 +265,7 @@ TEST_P(MovingMesh, NoRayFindsAGapBetweenTriangles)
     probe.time = make.Uniform(0.0f, 0.9999f);
     probe.origin = glm::dvec3(0.3) + glm::dvec3(make.Vector(0.3f));
     const double time = instances.motion.Time(probe.time);
-    const auto at = [&](std::uint32_t corner)
-    {
+    const auto at = [&](std::uint32_t corner) {
       return glm::dvec3(mesh.positions[corner]) + time * glm::dvec3(mesh.motion.velocities[corner]);
     };
     // At a corner, or somewhere on an edge.
@@ -275,8 +276,9 @@ TEST_P(MovingMesh, NoRayFindsAGapBetweenTriangles)
     probes.push_back(probe);
   }
   const auto found = this->tracer.TraceProbes(this->scene, probes);
-  EXPECT_EQ(0, std::count_if(found.begin(), found.end(),
-                 [](const auto& hit) { return !std::isfinite(hit.t); }));
+  EXPECT_EQ(0,
+    std::count_if(
+      found.begin(), found.end(), [](const auto& hit) { return !std::isfinite(hit.t); }));
   // A box of the tree that were too small would also lose what lies behind the first triangles.
   int near = 0;
   for (std::size_t i = 0; i < probes.size(); ++i)

@@ -92,8 +92,9 @@ TEST_P(PipelineNumericsTest, KeepsTheBounds)
     // The pipeline moves the origin to the scene's bounds and keeps 48 bits of it: 6e-11 at 1e4 from the origin
     // of the set, a thousandth of this case's shaft radius of 6e-8, and 6e-5 of a superquadric's half thickness, which
     // exponents of 20 turn into 1e-3 of its normal.
-    const bool tooThin = (hard.subject.rfind("arrow", 0) == 0 || hard.subject.rfind("superquadric", 0) == 0 ||
-                           hard.subject.rfind("nested", 0) == 0) &&
+    const bool tooThin =
+      (hard.subject.rfind("arrow", 0) == 0 || hard.subject.rfind("superquadric", 0) == 0 ||
+        hard.subject.rfind("nested", 0) == 0) &&
       hard.situation == "thin 1:1e4, 1e4 from the origin";
     EXPECT_LE(report.maxRadians, tooThin ? 4e-3 : boundRadians);
     all.insert(all.end(), verdicts.begin(), verdicts.end());
@@ -106,8 +107,8 @@ TEST_P(PipelineNumericsTest, KeepsTheBounds)
             << report.falseHits << ", misses " << report.falseMisses << "\n";
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, PipelineNumericsTest, ::testing::ValuesIn(HardSubjects()),
-  SubjectName);
+INSTANTIATE_TEST_SUITE_P(
+  Shapes, PipelineNumericsTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
 
 INSTANTIATE_TEST_SUITE_P(
   Nested, PipelineNumericsTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);

@@ -41,11 +41,13 @@ public:
     return kept;
   }
 
-  Image Trace(const ImageView&, const rtg::TraceSettings& settings, const rtg::Interrupt& interrupt) override
+  Image Trace(
+    const ImageView&, const rtg::TraceSettings& settings, const rtg::Interrupt& interrupt) override
   {
     ++this->traces;
-    if (settings.firstSample > 0 && (!this->keeps || this->done != settings.firstSample || this->launchesLeft > 0 ||
-                                      this->last.features != settings.features))
+    if (settings.firstSample > 0 &&
+      (!this->keeps || this->done != settings.firstSample || this->launchesLeft > 0 ||
+        this->last.features != settings.features))
     {
       throw rtg::Error("cannot continue");
     }
@@ -118,8 +120,8 @@ public:
     return image;
   }
 
-  bool noDevice = false, hasDevice = true, lost = false, sceneFails = false, traceFails = false, memoryFails = false,
-       loseDevice = false;
+  bool noDevice = false, hasDevice = true, lost = false, sceneFails = false, traceFails = false,
+       memoryFails = false, loseDevice = false;
   double compilingSeconds = 0.0, secondsPerSample = 0.01, now = 0.0, rays = 0.0;
   std::uint64_t bytes = 100;
   int traces = 0, resumes = 0, denoisings = 0;
@@ -161,7 +163,10 @@ ImageEffort Window(std::uint32_t samples)
 class ProgressiveImageTest : public testing::Test
 {
 protected:
-  const Image* Update(const ImageEffort& effort) { return this->image.Update(this->source, this->view, effort); }
+  const Image* Update(const ImageEffort& effort)
+  {
+    return this->image.Update(this->source, this->view, effort);
+  }
 
   // Number of updates until the image is finished.
   int Finish(const ImageEffort& effort)
@@ -249,7 +254,8 @@ TEST_F(ProgressiveImageTest, ASampleThatTakesLongIsInterruptedAndGoneOnWith)
   const int updates = this->Finish(Window(2));
   EXPECT_EQ(updates, 7);
   EXPECT_EQ(this->source.resumes, 6);
-  EXPECT_EQ(this->source.rays - int(this->source.rays), this->source.rays - 2.0); // previews besides 2 samples
+  EXPECT_EQ(this->source.rays - int(this->source.rays),
+    this->source.rays - 2.0); // previews besides 2 samples
 }
 
 TEST_F(ProgressiveImageTest, MoreSamplesAreAddedToAFinishedImage)

@@ -22,7 +22,8 @@ static uint Value(uint index, uint seed, uint dimension)
 
 // Whether 2^(sum of bits) numbers from `start` on, a multiple of that, put one into each cell that bits[i] cuts of dimension
 // dimensions[i] make.
-static bool IsNet(uint start, uint seed, const std::vector<uint>& dimensions, const std::vector<uint>& bits)
+static bool
+IsNet(uint start, uint seed, const std::vector<uint>& dimensions, const std::vector<uint>& bits)
 {
   const uint all = std::accumulate(bits.begin(), bits.end(), 0u);
   std::set<uint> cells;
@@ -79,7 +80,8 @@ TEST(Sobol, TwoPairsAreNetsInBaseFour)
         {
           for (uint c = 0; a + b + c <= k; ++c)
           {
-            ASSERT_TRUE(IsNet(first + 5, seeds[first / 4], dimensions, { 2 * a, 2 * b, 2 * c, 2 * (k - a - b - c) }))
+            ASSERT_TRUE(IsNet(first + 5, seeds[first / 4], dimensions,
+              { 2 * a, 2 * b, 2 * c, 2 * (k - a - b - c) }))
               << first << ' ' << k << ' ' << a << b << c;
           }
         }
@@ -225,7 +227,8 @@ TEST(Frame, CosineDirectionsCoverTheDiscEvenly)
 TEST(Frame, CosineDirectionsKeepNeighboursTogether)
 {
   const int side = 512;
-  const auto at = [side](int i, int j) { return CosineDirection(vec2((i + 0.5f) / side, (j + 0.5f) / side)); };
+  const auto at = [side](int i, int j)
+  { return CosineDirection(vec2((i + 0.5f) / side, (j + 0.5f) / side)); };
   for (int i = 0; i + 1 < side; ++i)
   {
     for (int j = 0; j + 1 < side; ++j)

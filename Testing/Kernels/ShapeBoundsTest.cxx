@@ -147,9 +147,8 @@ std::vector<Subject> SubjectsWithoutWings()
   return subjects;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, ShapeBoundsTest, ::testing::ValuesIn(HardSubjects()),
-  SubjectName);
-INSTANTIATE_TEST_SUITE_P(Shapes, TightBoundsTest, ::testing::ValuesIn(SubjectsWithoutWings()),
-  SubjectName);
+INSTANTIATE_TEST_SUITE_P(Shapes, ShapeBoundsTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(
+  Shapes, TightBoundsTest, ::testing::ValuesIn(SubjectsWithoutWings()), SubjectName);
 
 } // namespace

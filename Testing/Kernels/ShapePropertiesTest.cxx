@@ -58,7 +58,8 @@ TEST_P(ShapePropertiesTest, NormalsPointOutwards)
       EXPECT_NEAR(glm::length(normal), 1.0f, 1e-6f);
       EXPECT_LT(glm::dot(normal, ray.direction), 1e-6f * glm::length(ray.direction));
       // The wings of a star may be thinner than an ulp of t: then the next crossing is where another one begins.
-      const bool winged = glm::min(glyph.exponents.x, glm::min(glyph.exponents.y, glyph.exponents.z)) < 1.0f;
+      const bool winged =
+        glm::min(glyph.exponents.x, glm::min(glyph.exponents.y, glyph.exponents.z)) < 1.0f;
       float exit = 0;
       if (!winged && this->Hit(ray, glyph, exit, std::nextafter(t, 1e30f)))
       {
@@ -172,7 +173,9 @@ std::vector<Subject> ConvexSubjects()
   return convex;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, ShapePropertiesTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
-INSTANTIATE_TEST_SUITE_P(Shapes, ConvexShapePropertiesTest, ::testing::ValuesIn(ConvexSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(
+  Shapes, ShapePropertiesTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(
+  Shapes, ConvexShapePropertiesTest, ::testing::ValuesIn(ConvexSubjects()), SubjectName);
 
 } // namespace

@@ -173,8 +173,7 @@ void ReferenceGlyph::MeetSuperquadric(
   std::vector<Quad> roots;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
   {
-    line.Isolate(
-      line.At(ends[i], -1), line.At(ends[i + 1], 1), Quad(1e-30) * (to - from), roots);
+    line.Isolate(line.At(ends[i], -1), line.At(ends[i + 1], 1), Quad(1e-30) * (to - from), roots);
   }
 
   for (const Quad t : roots)

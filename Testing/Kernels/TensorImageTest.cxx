@@ -65,7 +65,8 @@ struct Subject
     double distance = glm::distance(point, this->Towards(point));
     if (distance > 1e-5)
     {
-      distance = std::min(distance, glm::distance(point, this->Towards(this->Counterpart(point, other))));
+      distance =
+        std::min(distance, glm::distance(point, this->Towards(this->Counterpart(point, other))));
     }
     double t = 0.0;
     for (const double sign : { 1.0, -1.0 })
@@ -108,8 +109,8 @@ private:
       }
       const glm::dvec3 theirs = other.Axis(nearest);
       const double sign = glm::dot(this->Axis(i), theirs) < 0.0 ? -1.0 : 1.0;
-      counterpart +=
-        sign * glm::dot(point, theirs) * this->glyph.size[i] / other.glyph.size[nearest] * this->Axis(i);
+      counterpart += sign * glm::dot(point, theirs) * this->glyph.size[i] /
+        other.glyph.size[nearest] * this->Axis(i);
     }
     return counterpart;
   }
@@ -144,7 +145,8 @@ double ImageChange(const Subject& a, const Subject& b)
     double t = 0.0;
     if (b.Hit(origin, towards, t))
     {
-      change = std::max(change, -0.5 * thickness + a.Distance(origin + t * towards, b.Normal(origin, towards, t), b));
+      change = std::max(change,
+        -0.5 * thickness + a.Distance(origin + t * towards, b.Normal(origin, towards, t), b));
     }
   }
   return change;
@@ -157,9 +159,10 @@ TEST(TensorImageTest, ImagesChangeContinuously)
 {
   // Two equal, all equal, one zero, signs that change one after the other, two of opposite sign and one magnitude, all negative: through
   // all ten zones of the square of eigenvalues.
-  const std::vector<glm::dvec3> stations = { { 1, 0.6, 0.2 }, { 1, 1, 0.2 }, { 1, 1, 1 }, { 1, 0.5, 0.5 }, { 1, 0.4, 0 },
-    { 1, 0.3, -0.5 }, { 0.6, 0.4, -1 }, { 1, 0, -1 }, { 1, -0.4, -0.6 }, { 0.7, -0.3, -1 }, { 0, -0.6, -1 }, { -0.4, -1, -1 },
-    { -0.3, -0.3, -1 }, { -0.8, -0.8, -0.8 } };
+  const std::vector<glm::dvec3> stations = { { 1, 0.6, 0.2 }, { 1, 1, 0.2 }, { 1, 1, 1 },
+    { 1, 0.5, 0.5 }, { 1, 0.4, 0 }, { 1, 0.3, -0.5 }, { 0.6, 0.4, -1 }, { 1, 0, -1 },
+    { 1, -0.4, -0.6 }, { 0.7, -0.3, -1 }, { 0, -0.6, -1 }, { -0.4, -1, -1 }, { -0.3, -0.3, -1 },
+    { -0.8, -0.8, -0.8 } };
   constexpr int steps = 10000;
   const auto at = [&](double s, TensorGlyphKind kind)
   {
@@ -189,8 +192,8 @@ TEST(TensorImageTest, ImagesChangeContinuously)
     }
     EXPECT_GT(largest, 0.0);
     EXPECT_LT(fine, 0.2 * largest) << static_cast<int>(kind) << " at " << where;
-    std::cout << "kind " << static_cast<int>(kind) << ": largest change of an image " << largest << " at " << where
-              << ", of a tenth of the step " << fine << '\n';
+    std::cout << "kind " << static_cast<int>(kind) << ": largest change of an image " << largest
+              << " at " << where << ", of a tenth of the step " << fine << '\n';
   }
 }
 
@@ -199,9 +202,9 @@ TEST(TensorImageTest, ImagesChangeContinuously)
 TEST(TensorImageTest, ImagesTurnWithTheirTensors)
 {
   Random random(23);
-  const std::vector<glm::dvec3> tensors = { { 1, 0.5, 0.2 }, { 1, 1, 0.3 }, { 1, 0.3, 0.3 }, { 1, 1, 1 }, { 1, 0.4, -0.7 },
-    { 1, -0.4, -0.7 }, { 1, 1, -0.6 }, { 1, 1, -1 }, { 0.5, -1, -1 }, { 1, -1, -1 }, { 0.8, 0, -0.8 }, { -0.2, -0.5, -1 },
-    { -1, -1, -1 }, { 0, -1, -1 } };
+  const std::vector<glm::dvec3> tensors = { { 1, 0.5, 0.2 }, { 1, 1, 0.3 }, { 1, 0.3, 0.3 },
+    { 1, 1, 1 }, { 1, 0.4, -0.7 }, { 1, -0.4, -0.7 }, { 1, 1, -0.6 }, { 1, 1, -1 }, { 0.5, -1, -1 },
+    { 1, -1, -1 }, { 0.8, 0, -0.8 }, { -0.2, -0.5, -1 }, { -1, -1, -1 }, { 0, -1, -1 } };
   for (const TensorGlyphKind kind : kinds)
   {
     int hits = 0, judged = 0;
@@ -210,7 +213,8 @@ TEST(TensorImageTest, ImagesTurnWithTheirTensors)
       for (int trial = 0; trial < 20; ++trial)
       {
         const glm::dquat first = random.Rotation(), turn = random.Rotation();
-        const Subject still(TensorOf(values, first), kind), turned(TensorOf(values, turn * first), kind);
+        const Subject still(TensorOf(values, first), kind),
+          turned(TensorOf(values, turn * first), kind);
         for (int pixel = 0; pixel < side * side; ++pixel)
         {
           const glm::dvec3 origin = Origin(pixel);
@@ -223,15 +227,17 @@ TEST(TensorImageTest, ImagesTurnWithTheirTensors)
           if (hit && -glm::dot(normal, towards) > 0.17)
           {
             ++judged;
-            ASSERT_TRUE(same) << static_cast<int>(kind) << ", eigenvalues " << values.x << ' ' << values.y << ' ' << values.z;
-            ASSERT_NEAR(t, other, 1e-9) << static_cast<int>(kind) << ", eigenvalues " << values.x << ' ' << values.y << ' '
-                                        << values.z;
+            ASSERT_TRUE(same) << static_cast<int>(kind) << ", eigenvalues " << values.x << ' '
+                              << values.y << ' ' << values.z;
+            ASSERT_NEAR(t, other, 1e-9) << static_cast<int>(kind) << ", eigenvalues " << values.x
+                                        << ' ' << values.y << ' ' << values.z;
           }
         }
       }
     }
     EXPECT_GT(judged, hits / 2);
-    std::cout << "kind " << static_cast<int>(kind) << ": " << judged << " of " << hits << " hits judged\n";
+    std::cout << "kind " << static_cast<int>(kind) << ": " << judged << " of " << hits
+              << " hits judged\n";
   }
 }
 

@@ -346,8 +346,9 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     std::uint64_t commit = 0, recolouring = 0;
     bool operator==(const Seen& other) const
     {
-      return this->colours == other.colours && this->glyphs == other.glyphs && this->depths == other.depths &&
-        this->normals == other.normals && this->means == other.means && this->probes == other.probes;
+      return this->colours == other.colours && this->glyphs == other.glyphs &&
+        this->depths == other.depths && this->normals == other.normals &&
+        this->means == other.means && this->probes == other.probes;
     }
   };
   const auto look = [&](bool own, bool empty)
@@ -386,7 +387,8 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     seen.depths.assign(image.depth, image.depth + pixels);
     seen.normals = image.normals;
     seen.means = tracer.Means();
-    for (const auto& hit : tracer.TraceProbes(scene, { { { 0.1, 0.1, 5 }, { 0, 0, -1 } }, { { 9, 9, 9 }, { 0, 0, 1 } } }))
+    for (const auto& hit : tracer.TraceProbes(
+           scene, { { { 0.1, 0.1, 5 }, { 0, 0, -1 } }, { { 9, 9, 9 }, { 0, 0, 1 } } }))
     {
       seen.probes.push_back(hit.t);
     }
@@ -524,9 +526,9 @@ TEST_P(StructureTest, FindsTheNearestOfManyGlyphsOfAnyCount)
 {
   // Against brute force, from counts that make the smallest trees, with even and odd depth, upwards.
   // Then so densely that rays drop what lies behind their hits.
-  const std::pair<std::size_t, float> scenes[] = { { 1, 0.6f }, { 2, 0.6f }, { 3, 0.6f }, { 4, 0.6f }, { 5, 0.6f },
-    { 7, 0.6f }, { 8, 0.6f }, { 9, 0.6f }, { 16, 0.6f }, { 17, 0.6f }, { 33, 0.6f }, { 100, 0.6f }, { 1000, 0.6f },
-    { 1000, 4.0f }, { 4100, 4.0f }, { 33000, 1.5f } };
+  const std::pair<std::size_t, float> scenes[] = { { 1, 0.6f }, { 2, 0.6f }, { 3, 0.6f },
+    { 4, 0.6f }, { 5, 0.6f }, { 7, 0.6f }, { 8, 0.6f }, { 9, 0.6f }, { 16, 0.6f }, { 17, 0.6f },
+    { 33, 0.6f }, { 100, 0.6f }, { 1000, 0.6f }, { 1000, 4.0f }, { 4100, 4.0f }, { 33000, 1.5f } };
   for (const auto& [count, filling] : scenes)
   {
     const auto points = RandomPoints(count);
@@ -592,7 +594,8 @@ TEST_F(TracerTest, NeedlesInFrontAreNotDropped)
     const auto id = this->scene.Add();
     this->scene.SetInstances(id, needles);
     this->scene.Commit();
-    EXPECT_EQ(this->scene.GetState().sets.at(id).placed.group.dropsHidden, structure == rtg::Structure::Tree);
+    EXPECT_EQ(this->scene.GetState().sets.at(id).placed.group.dropsHidden,
+      structure == rtg::Structure::Tree);
     const Image image = this->Trace();
     std::vector<std::uint32_t> found(image.glyphIds, image.glyphIds + 40000);
     for (std::uint32_t& glyph : found)
@@ -653,7 +656,8 @@ TEST_P(StructureTest, SortsOnlyWhenTheOrderHasDecayed)
   };
   this->Trace();
   const bool tree = GetParam() == rtg::Structure::Tree;
-  const unsigned drivers = this->device->IsCpu() ? 1u : 0u; // boxes on a GPU are sorted by its driver
+  const unsigned drivers =
+    this->device->IsCpu() ? 1u : 0u; // boxes on a GPU are sorted by its driver
   EXPECT_EQ(move(0.002f, false), tree ? 0u : drivers);
   EXPECT_EQ(move(0.002f, false), tree ? 0u : drivers);
   EXPECT_EQ(move(0.0f, true), tree ? 1u : drivers);
@@ -790,7 +794,8 @@ TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
   };
   const auto names = [&](const char* what, const auto& change)
   { EXPECT_NE(message(change).find(what), std::string::npos) << what << ": " << message(change); };
-  names("5 sizes along three axes for 4 glyphs", [](auto& i) { i.sizes3.resize(5, glm::vec3(1.0f)); });
+  names(
+    "5 sizes along three axes for 4 glyphs", [](auto& i) { i.sizes3.resize(5, glm::vec3(1.0f)); });
   names("3 sizes for 4 glyphs", [](auto& i) { i.sizes1.resize(3, 1.0f); });
   names("7 low parts of centres for 4 glyphs", [](auto& i) { i.centresLow.resize(7); });
   names("1 rotations for 4 glyphs", [](auto& i) { i.rotations.resize(1); });

@@ -27,8 +27,8 @@ QWidget* Find(const char* name)
 
 void PostMouse(QWindow* window, QEvent::Type type, QPoint at, Qt::MouseButtons buttons)
 {
-  QCoreApplication::postEvent(
-    window, new QMouseEvent(type, at, window->mapToGlobal(at), Qt::LeftButton, buttons, Qt::NoModifier));
+  QCoreApplication::postEvent(window,
+    new QMouseEvent(type, at, window->mapToGlobal(at), Qt::LeftButton, buttons, Qt::NoModifier));
 }
 }
 
@@ -62,8 +62,10 @@ extern "C"
     {
       return 0;
     }
-    QCoreApplication::postEvent(widget, new QKeyEvent(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier));
-    QCoreApplication::postEvent(widget, new QKeyEvent(QEvent::KeyRelease, Qt::Key_Escape, Qt::NoModifier));
+    QCoreApplication::postEvent(
+      widget, new QKeyEvent(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier));
+    QCoreApplication::postEvent(
+      widget, new QKeyEvent(QEvent::KeyRelease, Qt::Key_Escape, Qt::NoModifier));
     return 1;
   }
 
