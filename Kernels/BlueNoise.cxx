@@ -27,8 +27,7 @@ public:
       {
         const double dx = std::min(x, side - x);
         const double dy = std::min(y, side - y);
-        this->gaussian_[y * side + x] =
-          static_cast<float>(std::exp(-(dx * dx + dy * dy) / (2.0 * sigma * sigma)));
+        this->gaussian_[y * side + x] = static_cast<float>(std::exp(-(dx * dx + dy * dy) / (2.0 * sigma * sigma)));
       }
     }
   }
@@ -126,8 +125,7 @@ std::vector<std::uint32_t> BlueNoiseTile(std::uint32_t side)
   std::vector<std::uint32_t> thresholds(cells);
   for (std::size_t i = 0; i < cells; ++i)
   {
-    thresholds[i] =
-      static_cast<std::uint32_t>((2 * std::uint64_t(rank[i]) + 1) * (1ull << 31) / cells);
+    thresholds[i] = static_cast<std::uint32_t>((2 * std::uint64_t(rank[i]) + 1) * (1ull << 31) / cells);
   }
   return thresholds;
 }

@@ -32,12 +32,11 @@ Camera Camera::FromWorldToClip(const glm::dmat4& worldToClip)
   const glm::dvec3 far0 = Unproject(inverse, 0, 0, 1);
   const glm::dvec3 farX = Unproject(inverse, 1, 0, 1);
   const glm::dvec3 farY = Unproject(inverse, 0, 1, 1);
-  if (!IsFinite(near0) || !IsFinite(nearX) || !IsFinite(nearY) || !IsFinite(far0) ||
-    !IsFinite(farX) || !IsFinite(farY) || near0 == far0)
+  if (!IsFinite(near0) || !IsFinite(nearX) || !IsFinite(nearY) || !IsFinite(far0) || !IsFinite(farX) ||
+    !IsFinite(farY) || near0 == far0)
   {
-    throw Error(
-      "Ray Traced Glyphs: the camera's matrix cannot be inverted; reset the camera or its "
-      "clipping range.");
+    throw Error("Ray Traced Glyphs: the camera's matrix cannot be inverted; reset the camera or its "
+                "clipping range.");
   }
 
   // Both clipping planes are perpendicular to the view axis, also when the frustum is off-axis.

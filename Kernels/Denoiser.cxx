@@ -16,9 +16,8 @@ constexpr float depthSlack = 1.0f; // times what the surface's own slope explain
 constexpr float lightSlack = 4.0f; // standard deviations of the noise
 constexpr float darkest = 0.02f;   // colour by which light is still divided
 constexpr float distances[3][3] = { { 0.0f, 1.0f, 2.0f }, { 1.0f, 1.414f, 2.236f },
-  { 2.0f, 2.236f, 2.828f } }; // of a tap so many pixels off in x and y
-constexpr float kernel[2] = { 0.5f,
-  0.25f }; // binomial; wider ones take thrice the time and gain little
+  { 2.0f, 2.236f, 2.828f } };                // of a tap so many pixels off in x and y
+constexpr float kernel[2] = { 0.5f, 0.25f }; // binomial; wider ones take thrice the time and gain little
 
 // Light of a pixel and the variance of its luminance.
 using Light = glm::vec4;
@@ -69,16 +68,12 @@ public:
   template <class Row>
   void ForRows(Row&& row) const
   {
-    InParallel(
-      static_cast<std::size_t>(this->height_), [&row](std::size_t y) { row(static_cast<int>(y)); });
+    InParallel(static_cast<std::size_t>(this->height_), [&row](std::size_t y) { row(static_cast<int>(y)); });
   }
 
   std::size_t At(int x, int y) const { return static_cast<std::size_t>(y) * this->width_ + x; }
 
-  bool Inside(int x, int y) const
-  {
-    return x >= 0 && y >= 0 && x < this->width_ && y < this->height_;
-  }
+  bool Inside(int x, int y) const { return x >= 0 && y >= 0 && x < this->width_ && y < this->height_; }
 
   bool Known(std::size_t at) const { return this->guides_[at].normal != glm::vec3(0.0f); }
 
@@ -120,8 +115,7 @@ public:
               if (this->Inside(x + dx, y + dy))
               {
                 const std::size_t other = this->At(x + dx, y + dy);
-                const float weight =
-                  this->Alike(at, other, distances[std::abs(dx)][std::abs(dy)], 0.0f);
+                const float weight = this->Alike(at, other, distances[std::abs(dx)][std::abs(dy)], 0.0f);
                 const float luminance = Luminance(glm::vec3(lights[other]));
                 weights += weight;
                 sum += weight * luminance;
@@ -174,12 +168,10 @@ private:
         float least = INFINITY;
         for (int side : { -1, 1 })
         {
-          if (this->Inside(x + side * dx, y + side * dy) &&
-            this->Known(this->At(x + side * dx, y + side * dy)))
+          if (this->Inside(x + side * dx, y + side * dy) && this->Known(this->At(x + side * dx, y + side * dy)))
           {
-            least = std::min(least,
-              std::abs(this->guides_[this->At(x + side * dx, y + side * dy)].depth -
-                this->guides_[at].depth));
+            least = std::min(
+              least, std::abs(this->guides_[this->At(x + side * dx, y + side * dy)].depth - this->guides_[at].depth));
           }
         }
         steepest = std::max(steepest, std::isinf(least) ? 0.0f : least);
@@ -211,8 +203,8 @@ private:
   {
     const std::size_t at = this->At(x, y);
     const float luminance = Luminance(glm::vec3(lights[at]));
-    const float perSlack = 1.0f /
-      (lightSlack * (step == 1 ? this->Deviation(lights, x, y) : std::sqrt(lights[at].w)) + 1e-6f);
+    const float perSlack =
+      1.0f / (lightSlack * (step == 1 ? this->Deviation(lights, x, y) : std::sqrt(lights[at].w)) + 1e-6f);
     glm::vec3 light(0.0f);
     float variance = 0.0f, weights = 0.0f;
     for (int dy = -1; dy <= 1; ++dy)
@@ -253,8 +245,7 @@ private:
 void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides)
 {
   const Filter filter(guides);
-  const auto colourOf = [&](std::size_t i)
-  { return glm::max(guides.albedos[i], glm::vec3(darkest)); };
+  const auto colourOf = [&](std::size_t i) { return glm::max(guides.albedos[i], glm::vec3(darkest)); };
   std::vector<Light> lights(means.size(), Light(0.0f));
   for (std::size_t i = 0; i < means.size(); ++i)
   {

@@ -13,8 +13,7 @@ struct DenoiserGuides
 {
   std::uint32_t width, height;
   const std::vector<glm::vec3>& normals; ///< unit, or zero where nothing was hit
-  const std::vector<glm::vec3>&
-    albedos; ///< the surface's colour in the units of the light: divided out, put back
+  const std::vector<glm::vec3>& albedos; ///< the surface's colour in the units of the light: divided out, put back
   const std::vector<float>& viewDepths;
 };
 

@@ -24,10 +24,9 @@ double SineOf(std::uint32_t row, std::uint32_t rows)
   return -std::cos(glm::pi<double>() * row / rows);
 }
 
-// Walker's alias method after Vose, "A linear algorithm for generating random numbers with a given distribution", IEEE Transactions
-// on Software Engineering 17(9), 1991.
-void FillAliases(
-  const std::vector<double>& weights, double total, std::vector<EnvironmentCell>& cells)
+// Walker's alias method after Vose, "A linear algorithm for generating random numbers with a given distribution", IEEE
+// Transactions on Software Engineering 17(9), 1991.
+void FillAliases(const std::vector<double>& weights, double total, std::vector<EnvironmentCell>& cells)
 {
   std::vector<double> share(weights.size());
   std::vector<std::uint32_t> poor, rich;
@@ -63,13 +62,11 @@ EnvironmentCells MakeEnvironmentCells(const EnvironmentImage& image)
   const std::uint32_t w = image.width, h = image.height;
   if (w == 0 || h == 0 || image.radiance.size() != std::size_t(w) * h)
   {
-    throw Error("Ray Traced Glyphs: an environment image of " + std::to_string(w) + " x " +
-      std::to_string(h) + " texels has " + std::to_string(image.radiance.size()) +
-      " of them; give as many as its sides say.");
+    throw Error("Ray Traced Glyphs: an environment image of " + std::to_string(w) + " x " + std::to_string(h) +
+      " texels has " + std::to_string(image.radiance.size()) + " of them; give as many as its sides say.");
   }
   EnvironmentCells result;
-  result.side =
-    std::max({ 1u, (w + mostColumns - 1) / mostColumns, (h + mostRows - 1) / mostRows });
+  result.side = std::max({ 1u, (w + mostColumns - 1) / mostColumns, (h + mostRows - 1) / mostRows });
   result.columns = (w + result.side - 1) / result.side;
   result.rows = (h + result.side - 1) / result.side;
 

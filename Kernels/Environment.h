@@ -9,8 +9,9 @@ namespace rtg
 {
 
 /// Light from all around as an image in longitude and latitude. A direction d is seen at the column of the longitude
-/// atan2(d . front, d . right), front = right x up, from -180 degrees at the left edge to 180 at the right one, and at the row of the
-/// latitude asin(d . up), from -90 degrees at the lower edge: as VTK's skyboxes and image-based lighting have it.
+/// atan2(d . front, d . right), front = right x up, from -180 degrees at the left edge to 180 at the right one, and at
+/// the row of the latitude asin(d . up), from -90 degrees at the lower edge: as VTK's skyboxes and image-based lighting
+/// have it.
 struct EnvironmentImage
 {
   std::uint32_t width = 0, height = 0;       ///< texels, >= 1
@@ -18,19 +19,18 @@ struct EnvironmentImage
   glm::vec3 right{ 1, 0, 0 }, up{ 0, 1, 0 }; ///< unit, perpendicular, world frame
 };
 
-/// Part of the image that is bright: rays are aimed at it, all others meet only what is below the threshold. A threshold instead
-/// of weights by both densities (multiple importance sampling) because the density of a scattering is not known for layered
-/// materials, whose lobes are chosen at random.
+/// Part of the image that is bright: rays are aimed at it, all others meet only what is below the threshold. A
+/// threshold instead of weights by both densities (multiple importance sampling) because the density of a scattering is
+/// not known for layered materials, whose lobes are chosen at random.
 struct EnvironmentCell
 {
-  float
-    probability; ///< of taking the cell itself when it was picked; else `alias` is taken (Walker 1977)
+  float probability; ///< of taking the cell itself when it was picked; else `alias` is taken (Walker 1977)
   std::uint32_t alias;
   float density; ///< of directions, per steradian
 };
 
-/// How to aim at what exceeds the threshold: cells of side x side texels, row by row from the lowest, those at the right and
-/// upper edges smaller.
+/// How to aim at what exceeds the threshold: cells of side x side texels, row by row from the lowest, those at the
+/// right and upper edges smaller.
 struct EnvironmentCells
 {
   float threshold = 0.0f; ///< of each channel

@@ -13,14 +13,13 @@ namespace rtg
 namespace
 {
 
-constexpr std::uint32_t maxSide = 32768; ///< of an image, in pixels; more than any OpenGL viewport
+constexpr std::uint32_t maxSide = 32768;       ///< of an image, in pixels; more than any OpenGL viewport
 constexpr std::uint32_t maxSamples = 1u << 20; ///< a pixel
 
 // Of the whole image, over all calls.
 std::uint32_t PlannedSamples(const TraceSettings& settings)
 {
-  return settings.plannedSamples ? settings.plannedSamples
-                                 : settings.firstSample + settings.samples;
+  return settings.plannedSamples ? settings.plannedSamples : settings.firstSample + settings.samples;
 }
 
 // In how many ways a sample looks for light.
@@ -60,8 +59,7 @@ void FillCamera(device::FrameRecord& frame, const Camera& camera, const glm::dve
   frame.parallel = camera.parallel;
 }
 
-std::vector<device::LightRecord>
-MakeLights(const std::vector<Light>& lights, const glm::dvec3& origin)
+std::vector<device::LightRecord> MakeLights(const std::vector<Light>& lights, const glm::dvec3& origin)
 {
   std::vector<device::LightRecord> records;
   for (const Light& light : lights)
@@ -86,8 +84,8 @@ void CheckSettings(const TraceSettings& settings)
     if (!(value >= least && value <= most))
     {
       std::ostringstream message;
-      message << "Ray Traced Glyphs: " << name << " is " << value << "; it must lie between "
-              << least << " and " << most << ".";
+      message << "Ray Traced Glyphs: " << name << " is " << value << "; it must lie between " << least << " and "
+              << most << ".";
       throw Error(message.str());
     }
   };
@@ -108,8 +106,7 @@ void CheckSettings(const TraceSettings& settings)
   if (settings.width > maxSide || settings.height > maxSide)
   {
     throw Error("Ray Traced Glyphs: an image of " + std::to_string(settings.width) + " x " +
-      std::to_string(settings.height) + " pixels is too large; the most is " +
-      std::to_string(maxSide) + " a side.");
+      std::to_string(settings.height) + " pixels is too large; the most is " + std::to_string(maxSide) + " a side.");
   }
 }
 
@@ -137,13 +134,11 @@ Generation GenerationFor(const TraceSettings& settings)
   generation.program = settings.shading == Shading::Local ? Program::Local
     : settings.shading == Shading::PathTracing            ? Program::Path
                                                           : Program::Occlusion;
-  generation.sampler =
-    settings.shading == Shading::Local ? 0 : static_cast<std::uint32_t>(settings.sampler);
+  generation.sampler = settings.shading == Shading::Local ? 0 : static_cast<std::uint32_t>(settings.sampler);
   generation.gathersFeatures = settings.features;
-  generation.develops = settings.shading == Shading::PathTracing || settings.exposure != 0.0f ||
-    settings.toneMapping != ToneMapping::None;
-  generation.environmentImage =
-    settings.environmentImage && settings.shading == Shading::PathTracing;
+  generation.develops =
+    settings.shading == Shading::PathTracing || settings.exposure != 0.0f || settings.toneMapping != ToneMapping::None;
+  generation.environmentImage = settings.environmentImage && settings.shading == Shading::PathTracing;
   return generation;
 }
 

@@ -34,8 +34,7 @@ HostShapes::Glyph DoubleGlyph(const GlyphInstances& instances, std::size_t i)
   const ArrowForm& arrow = instances.arrow;
   glyph.arrow = glm::dvec4(arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding);
   glyph.fixedHeads = arrow.fixedHeads;
-  glyph.exponents =
-    glm::dvec3(instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i]);
+  glyph.exponents = glm::dvec3(instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i]);
   glyph.unitLength = arrow.unitLength;
   return glyph;
 }
@@ -90,9 +89,8 @@ DoubleBox MeshBox(const MeshBounds& form, const HostShapes::Glyph& glyph)
   const glm::dvec3 offset = linear * middle;
   const glm::dvec3 centre = glyph.centre + offset;
   // A few ulps for the roundings of the device's own transform.
-  const glm::dvec3 half = 1.000001 *
-      (glm::abs(linear[0]) * reach.x + glm::abs(linear[1]) * reach.y +
-        glm::abs(linear[2]) * reach.z) +
+  const glm::dvec3 half =
+    1.000001 * (glm::abs(linear[0]) * reach.x + glm::abs(linear[1]) * reach.y + glm::abs(linear[2]) * reach.z) +
     1e-6 * (glm::abs(centre) + glm::length(offset));
   return { centre - half, centre + half };
 }
@@ -116,7 +114,8 @@ glm::dvec4 Product(const glm::dvec4& a, const glm::dvec4& b)
 }
 
 // Of a glyph that turns between two times: the boxes at the middles of so short pieces that in half of one no
-// point goes further than a fortieth of its distance from the centre (longer ones of fast turns), widened by the way it goes.
+// point goes further than a fortieth of its distance from the centre (longer ones of fast turns), widened by the way it
+// goes.
 DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double last)
 {
   const GlyphInstances& instances = subject.instances;
@@ -124,12 +123,10 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
   HostShapes::Glyph upright = still;
   upright.turned = false;
   const DoubleBox own = StillBox(subject, upright);
-  const double radius =
-    glm::length(glm::max(glm::abs(own.lower - still.centre), glm::abs(own.upper - still.centre)));
+  const double radius = glm::length(glm::max(glm::abs(own.lower - still.centre), glm::abs(own.upper - still.centre)));
   const DoubleBox ball{ still.centre - radius, still.centre + radius };
 
-  const double angle =
-    glm::length(glm::dvec3(instances.motion.angularVelocities[i])) * (last - first);
+  const double angle = glm::length(glm::dvec3(instances.motion.angularVelocities[i])) * (last - first);
   constexpr double mostPieces = 64.0;
   const double pieces = std::clamp(std::ceil(angle / 0.05), 1.0, mostPieces);
   DoubleBox box{ glm::dvec3(INFINITY), glm::dvec3(-INFINITY) };
@@ -137,8 +134,7 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
   {
     HostShapes::Glyph turned = still;
     turned.turned = true;
-    turned.rotation =
-      Product(instances.motion.Turn(i, first + (last - first) * piece / pieces), still.rotation);
+    turned.rotation = Product(instances.motion.Turn(i, first + (last - first) * piece / pieces), still.rotation);
     const DoubleBox at = StillBox(subject, turned);
     box.lower = glm::min(box.lower, at.lower);
     box.upper = glm::max(box.upper, at.upper);
@@ -150,8 +146,8 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
 DoubleBox MovingBox(const Subject& subject, std::size_t i, double first, double last)
 {
   const GlyphMotion& motion = subject.instances.motion;
-  DoubleBox box = motion.Spins() ? SpunBox(subject, i, first, last)
-                                 : StillBox(subject, DoubleGlyph(subject.instances, i));
+  DoubleBox box =
+    motion.Spins() ? SpunBox(subject, i, first, last) : StillBox(subject, DoubleGlyph(subject.instances, i));
   if (motion.Spins())
   {
     // What the device computes of a turn is right to 2^-20 of the glyph's reach (Programs/motion.glsl).
@@ -184,8 +180,7 @@ std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first, doubl
   std::vector<Box> boxes(instances.Count());
   for (std::size_t i = 0; i < boxes.size(); ++i)
   {
-    const DoubleBox box =
-      moves ? MovingBox(subject, i, start, end) : StillBox(subject, DoubleGlyph(instances, i));
+    const DoubleBox box = moves ? MovingBox(subject, i, start, end) : StillBox(subject, DoubleGlyph(instances, i));
     boxes[i] = { { RoundDown(box.lower.x), RoundDown(box.lower.y), RoundDown(box.lower.z) },
       { RoundUp(box.upper.x), RoundUp(box.upper.y), RoundUp(box.upper.z) } };
   }

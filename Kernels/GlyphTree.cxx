@@ -34,14 +34,10 @@ struct KdSplitter
   std::uint32_t leafBits;
   std::uint8_t* axes;
 
-  std::size_t Start(std::size_t leaf) const
-  {
-    return GlyphTree::Start(leaf, this->count, this->leafBits);
-  }
+  std::size_t Start(std::size_t leaf) const { return GlyphTree::Start(leaf, this->count, this->leafBits); }
 
   // `bits` binary levels lie below the node, whose first leaf is `leaf`.
-  void SplitNode(
-    std::uint32_t level, std::size_t node, std::size_t leaf, std::uint32_t bits, int forks) const
+  void SplitNode(std::uint32_t level, std::size_t node, std::size_t leaf, std::uint32_t bits, int forks) const
   {
     const std::uint32_t splits = SplitsOf(level, this->leafBits);
     int chosen[3] = { 0, 0, 0 };
@@ -65,8 +61,7 @@ struct KdSplitter
 
   void ChooseByExtent(std::size_t leaf, std::uint32_t bits, std::uint32_t splits, int* chosen) const
   {
-    glm::vec3 extent =
-      Extent(this->entries, this->Start(leaf), this->Start(leaf + (std::size_t(1) << bits)));
+    glm::vec3 extent = Extent(this->entries, this->Start(leaf), this->Start(leaf + (std::size_t(1) << bits)));
     for (std::uint32_t i = 0; i < splits; ++i)
     {
       chosen[i] = LongestAxis(extent);
@@ -102,8 +97,7 @@ struct KdSplitter
     float area = 0.0f;
     for (std::size_t at = leaf; at < leaf + leaves; at += part)
     {
-      const std::size_t first = this->Start(at), middle = this->Start(at + part / 2),
-                        last = this->Start(at + part);
+      const std::size_t first = this->Start(at), middle = this->Start(at + part / 2), last = this->Start(at + part);
       PartitionAlong(this->entries, first, middle, last, axis);
       area += this->Area(first, middle) + this->Area(middle, last);
     }
@@ -126,8 +120,8 @@ struct KdSplitter
   }
 
   // The remaining `splits` of a node, which lead to the children from `child` on.
-  void Split(std::uint32_t level, std::size_t child, std::size_t leaf, std::uint32_t bits,
-    const int* chosen, std::uint32_t splits, int forks) const
+  void Split(std::uint32_t level, std::size_t child, std::size_t leaf, std::uint32_t bits, const int* chosen,
+    std::uint32_t splits, int forks) const
   {
     if (splits == 0)
     {
@@ -138,15 +132,13 @@ struct KdSplitter
       return;
     }
     const std::size_t half = std::size_t(1) << (bits - 1);
-    PartitionAlong(this->entries, this->Start(leaf), this->Start(leaf + half),
-      this->Start(leaf + 2 * half), *chosen);
+    PartitionAlong(this->entries, this->Start(leaf), this->Start(leaf + half), this->Start(leaf + 2 * half), *chosen);
     ForkJoin(
-      forks > 0,
-      [&] { this->Split(level, child, leaf, bits - 1, chosen + 1, splits - 1, forks - 1); },
+      forks > 0, [&] { this->Split(level, child, leaf, bits - 1, chosen + 1, splits - 1, forks - 1); },
       [&]
       {
-        this->Split(level, child + (std::size_t(1) << (splits - 1)), leaf + half, bits - 1,
-          chosen + 1, splits - 1, forks - 1);
+        this->Split(
+          level, child + (std::size_t(1) << (splits - 1)), leaf + half, bits - 1, chosen + 1, splits - 1, forks - 1);
       });
   }
 };
@@ -174,14 +166,12 @@ GlyphTreeNode Quantise(const Box& whole, const Box* children, std::size_t count,
     for (std::size_t child = 0; child < 8; ++child)
     {
       const bool none = child >= count || children[child].lower.x > children[child].upper.x;
-      node.planes[axis][0][child] = none
-        ? 255
-        : static_cast<std::uint8_t>(
-            std::clamp(std::floor((children[child].lower[axis] - origin) * perStep), 0.0, 255.0));
-      node.planes[axis][1][child] = none
-        ? 0
-        : static_cast<std::uint8_t>(
-            std::clamp(std::ceil((children[child].upper[axis] - origin) * perStep), 0.0, 255.0));
+      node.planes[axis][0][child] = none ? 255
+                                         : static_cast<std::uint8_t>(std::clamp(
+                                             std::floor((children[child].lower[axis] - origin) * perStep), 0.0, 255.0));
+      node.planes[axis][1][child] = none ? 0
+                                         : static_cast<std::uint8_t>(std::clamp(
+                                             std::ceil((children[child].upper[axis] - origin) * perStep), 0.0, 255.0));
     }
   }
   return node;
@@ -203,14 +193,13 @@ KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits)
 {
   KdOrder result;
   std::vector<glm::vec3> centres(boxes.size());
-  std::transform(boxes.begin(), boxes.end(), centres.begin(),
-    [](const Box& box) { return 0.5f * box.lower + 0.5f * box.upper; });
+  std::transform(
+    boxes.begin(), boxes.end(), centres.begin(), [](const Box& box) { return 0.5f * box.lower + 0.5f * box.upper; });
   std::vector<PartitionEntry> entries = MakePartitionEntries(centres);
   const std::uint32_t last = GlyphTree::Levels(leafBits) - 1;
   const std::size_t lastCount = std::size_t(1) << (last > 0 ? leafBits - 3 : 0);
   result.axes.resize(GlyphTree::LevelOffset(last) + lastCount);
-  const KdSplitter splitter{ entries.data(), boxes.data(), entries.size(), leafBits,
-    result.axes.data() };
+  const KdSplitter splitter{ entries.data(), boxes.data(), entries.size(), leafBits, result.axes.data() };
   splitter.SplitNode(0, 0, 0, leafBits, ForksFor(entries.size()));
   result.order = OrderOf(entries);
   return result;
@@ -219,8 +208,7 @@ KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits)
 std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& order)
 {
   std::vector<Box> sorted(boxes.size());
-  std::transform(
-    order.begin(), order.end(), sorted.begin(), [&](std::uint32_t i) { return boxes[i]; });
+  std::transform(order.begin(), order.end(), sorted.begin(), [&](std::uint32_t i) { return boxes[i]; });
   return sorted;
 }
 
@@ -245,8 +233,7 @@ double LeafSurface(const std::vector<Box>& boxes, std::uint32_t leafBits)
   return surface;
 }
 
-GlyphTree BuildGlyphTree(
-  const std::vector<Box>& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes)
+GlyphTree BuildGlyphTree(const std::vector<Box>& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes)
 {
   GlyphTree tree;
   tree.leafBits = leafBits;

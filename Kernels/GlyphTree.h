@@ -33,9 +33,9 @@ struct GlyphTreeNode
 static_assert(sizeof(GlyphTreeNode) == 64, "read by Programs/tree.glsl as eight 64-bit words");
 
 /// A bounding volume hierarchy over a set's glyphs whose shape follows from their number alone, so that it needs
-/// no pointers: 2^leafBits leaves, leaf j holding the glyphs [start(j), start(j + 1)), start(j) = j * count >> leafBits;
-/// eight-way nodes level by level, node i of a level having nodes 8 i .. 8 i + 7 of the next as children. When
-/// leafBits is no multiple of three, the root has two or four children.
+/// no pointers: 2^leafBits leaves, leaf j holding the glyphs [start(j), start(j + 1)), start(j) = j * count >>
+/// leafBits; eight-way nodes level by level, node i of a level having nodes 8 i .. 8 i + 7 of the next as children.
+/// When leafBits is no multiple of three, the root has two or four children.
 ///
 /// Why it exists: on a CPU device every load of the driver's own traversal is a gather of eight lanes, the
 /// most expensive thing there is, and lavapipe's binary nodes take fourteen for two boxes; these take eight for eight.
@@ -55,14 +55,11 @@ struct GlyphTree
     return leaf * count >> leafBits;
   }
   /// Number of nodes on the levels above `level`, every level thought full: 1 + 8 + 64 + ...
-  static std::size_t LevelOffset(std::uint32_t level)
-  {
-    return ((std::size_t(1) << (3 * level)) - 1) / 7;
-  }
+  static std::size_t LevelOffset(std::uint32_t level) { return ((std::size_t(1) << (3 * level)) - 1) / 7; }
 };
 
-/// The order in which the glyphs must lie for a tree of 2^leafBits leaves to be a kd tree over the centres of their boxes, and the
-/// axes of every node's splits, packed as GlyphTreeNode has them, node by node.
+/// The order in which the glyphs must lie for a tree of 2^leafBits leaves to be a kd tree over the centres of their
+/// boxes, and the axes of every node's splits, packed as GlyphTreeNode has them, node by node.
 struct KdOrder
 {
   std::vector<std::uint32_t> order;
@@ -73,12 +70,12 @@ KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits);
 /// The boxes in that order.
 std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& order);
 
-/// The surface of all leaves' boxes, to which the number of rays that meet them is in proportion: tells how good an order is.
+/// The surface of all leaves' boxes, to which the number of rays that meet them is in proportion: tells how good an
+/// order is.
 double LeafSurface(const std::vector<Box>& boxes, std::uint32_t leafBits);
 
 /// Builds the nodes over boxes that are in that order. The boxes must be padded for the arithmetic of the
 /// traversal (see Scene.cxx).
-GlyphTree BuildGlyphTree(
-  const std::vector<Box>& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes);
+GlyphTree BuildGlyphTree(const std::vector<Box>& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes);
 
 } // namespace rtg

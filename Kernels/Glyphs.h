@@ -83,12 +83,14 @@ struct GlyphInstances
   /// World position that `centres` are relative to; chosen near the data, subtracted in double.
   glm::dvec3 origin{ 0.0 };
   std::vector<glm::vec3> centres;
-  /// What rounding to float left of each centre, or empty: for sets that extend so far that a float is not right to 1e-6 of a glyph's size.
+  /// What rounding to float left of each centre, or empty: for sets that extend so far that a float is not right to
+  /// 1e-6 of a glyph's size.
   std::vector<glm::vec3> centresLow;
 
   /// World size of a unit glyph: full extents along the unit form's axes. Exactly one of:
   /// sizes3 (one vec3 a glyph), sizes1 (one float a glyph), both empty (uniformSize for all).
-  /// Every size is finite and > 0, or < 0 to mirror a Shape::Mesh; degenerate glyphs are left out by whoever fills this.
+  /// Every size is finite and > 0, or < 0 to mirror a Shape::Mesh; degenerate glyphs are left out by whoever fills
+  /// this.
   std::vector<glm::vec3> sizes3;
   std::vector<float> sizes1;
   float uniformSize = 1.0f;
@@ -102,9 +104,9 @@ struct GlyphInstances
   std::vector<glm::vec3> exponents3;
   glm::vec3 uniformExponents{ 2.0f };
 
-  /// Coefficients f of a quadratic form in each glyph's own frame, of any scale, or empty. Where there are any, a point at p from
-  /// the glyph's centre, in its frame, has Material::positiveColour or negativeColour by the sign of f.x p.x^2 + f.y p.y^2 +
-  /// f.z p.z^2, whatever the colours of the glyphs; their opacity stays. None of Shape::Mesh.
+  /// Coefficients f of a quadratic form in each glyph's own frame, of any scale, or empty. Where there are any, a point
+  /// at p from the glyph's centre, in its frame, has Material::positiveColour or negativeColour by the sign of f.x
+  /// p.x^2 + f.y p.y^2 + f.z p.z^2, whatever the colours of the glyphs; their opacity stays. None of Shape::Mesh.
   std::vector<glm::vec3> forms;
 
   GlyphMotion motion;
@@ -148,7 +150,7 @@ struct Light
 {
   enum class Kind : std::uint32_t
   {
-    Headlight = 0, ///< shines along each view direction axis (vtkLight headlight, camera at origin)
+    Headlight = 0,   ///< shines along each view direction axis (vtkLight headlight, camera at origin)
     Directional = 1, ///< parallel rays along `direction`
     Positional = 2   ///< from `position`, with attenuation; a spot when coneAngle < 90
   };

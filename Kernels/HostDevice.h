@@ -62,8 +62,7 @@ struct GlyphSetRecord
   treeOrder;         // slice by slice, the glyph at each place of its tree, or none (specialised)
   float shutterOpen; // as GlyphMotion has it
   float shutterLength;
-  uint
-    timeSliceBits; // the tree has 2^timeSliceBits versions one after the other, each of so many nodes
+  uint timeSliceBits; // the tree has 2^timeSliceBits versions one after the other, each of so many nodes
   uint nodesPerSlice;
   vec3 offset;    // of the set's origin from the scene's: high part, as in the transform
   vec3 offsetLow; // what the high part's rounding left
@@ -95,7 +94,7 @@ struct GlyphSetRecord
   RTG_ADDRESS(UintArray) meshTriangles; // three a triangle
   RTG_ADDRESS(Vec3Array) meshNormals;   // none unless specialised
   RTG_ADDRESS(UintArray)
-  meshColours; // by position or by triangle, or values and their table, or none (specialised)
+  meshColours;         // by position or by triangle, or values and their table, or none (specialised)
   uint meshValueCount; // values of positions, behind which the table lies
   uint meshTableSize;
   uint firstInstance; // gl_InstanceID of the set's first glyph
@@ -183,8 +182,8 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PixelFeature
 {
   PixelFeatures at[];
 };
-// What one program of a ray writes another one reads, which may run as another invocation (Vulkan specification, "Ray Tracing
-// Repack"). The qualifier must stand at the member: glslang 12 ignores it at the block.
+// What one program of a ray writes another one reads, which may run as another invocation (Vulkan specification, "Ray
+// Tracing Repack"). The qualifier must stand at the member: glslang 12 ignores it at the block.
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer RayRecords
 {
   shadercallcoherent RayRecord at[];

@@ -24,8 +24,7 @@ struct Paths
     {
       return { at, at };
     }
-    const DisplacementRange range =
-      PaddedRangeOfDisplacements(this->mesh.motion, corner, first, last);
+    const DisplacementRange range = PaddedRangeOfDisplacements(this->mesh.motion, corner, first, last);
     return { at + range.lower, at + range.upper };
   }
 
@@ -50,8 +49,7 @@ double Surface(const MeshBounds& bounds)
 }
 
 // So many slices that boxes round paths have at most twice the surface that triangles at rest have.
-std::uint32_t
-ChooseSliceBits(const Paths& paths, const GlyphMotion& shutter, std::size_t bytesPerSlice)
+std::uint32_t ChooseSliceBits(const Paths& paths, const GlyphMotion& shutter, std::size_t bytesPerSlice)
 {
   constexpr std::size_t mostBytes = std::size_t(1) << 29;
   constexpr double mostGrowth = 2.0;
@@ -108,11 +106,10 @@ MeshTree BuildMeshTree(const TriangleMesh& mesh, const GlyphMotion& shutter, int
   {
     position -= tree.middle;
   }
-  const glm::dvec3 reach = glm::max(glm::abs(bounds.lower - glm::dvec3(tree.middle)),
-    glm::abs(bounds.upper - glm::dvec3(tree.middle)));
+  const glm::dvec3 reach =
+    glm::max(glm::abs(bounds.lower - glm::dvec3(tree.middle)), glm::abs(bounds.upper - glm::dvec3(tree.middle)));
   // The positions have been rounded.
-  tree.radius =
-    static_cast<float>(1.000001 * glm::length(reach) + 1e-6 * glm::length(glm::dvec3(tree.middle)));
+  tree.radius = static_cast<float>(1.000001 * glm::length(reach) + 1e-6 * glm::length(glm::dvec3(tree.middle)));
 
   const Paths paths{ tree.positions, mesh };
   // A slab test in float errs by a few ulps of the distances it subtracts (Scene.cxx).
@@ -135,20 +132,17 @@ MeshTree BuildMeshTree(const TriangleMesh& mesh, const GlyphMotion& shutter, int
   tree.nodesPerSlice = static_cast<std::uint32_t>(kd.axes.size());
   if (Deforms(mesh))
   {
-    tree.sliceBits = sliceBits >= 0
-      ? static_cast<std::uint32_t>(sliceBits)
-      : ChooseSliceBits(paths, shutter, tree.nodesPerSlice * sizeof(GlyphTreeNode));
+    tree.sliceBits = sliceBits >= 0 ? static_cast<std::uint32_t>(sliceBits)
+                                    : ChooseSliceBits(paths, shutter, tree.nodesPerSlice * sizeof(GlyphTreeNode));
   }
   const std::size_t slices = std::size_t(1) << tree.sliceBits;
   tree.nodes.resize(slices * tree.nodesPerSlice);
   InParallel(slices,
     [&](std::size_t slice)
     {
-      const std::vector<Box> boxes =
-        boxesBetween(double(slice) / double(slices), double(slice + 1) / double(slices));
+      const std::vector<Box> boxes = boxesBetween(double(slice) / double(slices), double(slice + 1) / double(slices));
       const GlyphTree built = BuildGlyphTree(boxes, tree.leafBits, kd.axes);
-      std::copy(
-        built.nodes.begin(), built.nodes.end(), tree.nodes.begin() + slice * tree.nodesPerSlice);
+      std::copy(built.nodes.begin(), built.nodes.end(), tree.nodes.begin() + slice * tree.nodesPerSlice);
     });
   return tree;
 }

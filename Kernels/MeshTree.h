@@ -21,8 +21,8 @@ struct MeshBounds
 };
 MeshBounds BoundsOf(const TriangleMesh& mesh, double firstTime, double lastTime);
 
-/// A GlyphTree over triangles: of a mesh that deforms, versions for 2^sliceBits slices of the shutter's opening, one after the
-/// other, all with the triangles in the order of its middle.
+/// A GlyphTree over triangles: of a mesh that deforms, versions for 2^sliceBits slices of the shutter's opening, one
+/// after the other, all with the triangles in the order of its middle.
 struct MeshTree
 {
   std::uint32_t leafBits = 0;

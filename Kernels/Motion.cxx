@@ -25,15 +25,12 @@ glm::dvec3 GlyphMotion::Displacement(std::size_t glyph, double time) const
 
 glm::dvec4 GlyphMotion::Turn(std::size_t glyph, double time) const
 {
-  const glm::dvec3 half =
-    this->Spins() ? 0.5 * time * glm::dvec3(this->angularVelocities[glyph]) : glm::dvec3(0.0);
+  const glm::dvec3 half = this->Spins() ? 0.5 * time * glm::dvec3(this->angularVelocities[glyph]) : glm::dvec3(0.0);
   const double angle = glm::length(half);
-  return angle > 0.0 ? glm::dvec4(std::sin(angle) / angle * half, std::cos(angle))
-                     : glm::dvec4(0.0, 0.0, 0.0, 1.0);
+  return angle > 0.0 ? glm::dvec4(std::sin(angle) / angle * half, std::cos(angle)) : glm::dvec4(0.0, 0.0, 0.0, 1.0);
 }
 
-DisplacementRange
-RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last)
+DisplacementRange RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last)
 {
   const glm::dvec3 start = motion.Displacement(glyph, first);
   const glm::dvec3 end = motion.Displacement(glyph, last);
@@ -63,8 +60,7 @@ RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first,
   return range;
 }
 
-DisplacementRange
-PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last)
+DisplacementRange PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last)
 {
   const double time = std::max(std::abs(first), std::abs(last));
   glm::dvec3 terms(0.0);
@@ -87,16 +83,16 @@ void CheckMotion(const GlyphMotion& motion, std::size_t count)
   {
     if (!values.empty() && values.size() != count)
     {
-      throw Error("Ray Traced Glyphs: " + std::to_string(values.size()) + " " + name + " for " +
-        std::to_string(count) + " glyphs; give one a glyph or none.");
+      throw Error("Ray Traced Glyphs: " + std::to_string(values.size()) + " " + name + " for " + std::to_string(count) +
+        " glyphs; give one a glyph or none.");
     }
     for (const glm::vec3& value : values)
     {
       if (!std::isfinite(value.x + value.y + value.z))
       {
         std::ostringstream message;
-        message << "Ray Traced Glyphs: one of the " << name << " is (" << value.x << ", " << value.y
-                << ", " << value.z << "); leave that glyph out.";
+        message << "Ray Traced Glyphs: one of the " << name << " is (" << value.x << ", " << value.y << ", " << value.z
+                << "); leave that glyph out.";
         throw Error(message.str());
       }
     }

@@ -44,11 +44,9 @@ struct DisplacementRange
 };
 
 /// All displacements between two times, first <= last: those of the ends, and of the turning points of the parabola.
-DisplacementRange
-RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
+DisplacementRange RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
 /// The same, with what the device's arithmetic in float may add to the way: a few ulps of its terms.
-DisplacementRange
-PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
+DisplacementRange PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
 
 /// Throws rtg::Error unless the arrays fit `count` glyphs and all is finite.
 void CheckMotion(const GlyphMotion& motion, std::size_t count);

@@ -19,8 +19,7 @@ std::vector<PartitionEntry> MakePartitionEntries(const std::vector<glm::vec3>& p
 std::vector<std::uint32_t> OrderOf(const std::vector<PartitionEntry>& entries)
 {
   std::vector<std::uint32_t> order(entries.size());
-  std::transform(
-    entries.begin(), entries.end(), order.begin(), [](const PartitionEntry& e) { return e.index; });
+  std::transform(entries.begin(), entries.end(), order.begin(), [](const PartitionEntry& e) { return e.index; });
   return order;
 }
 
@@ -45,16 +44,14 @@ int LongestAxis(const glm::vec3& extent)
   return extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
 }
 
-void PartitionAlong(
-  PartitionEntry* entries, std::size_t first, std::size_t middle, std::size_t last, int axis)
+void PartitionAlong(PartitionEntry* entries, std::size_t first, std::size_t middle, std::size_t last, int axis)
 {
   if (last - first < 2)
   {
     return;
   }
   std::nth_element(entries + first, entries + middle, entries + last,
-    [axis](const PartitionEntry& a, const PartitionEntry& b)
-    { return a.point[axis] < b.point[axis]; });
+    [axis](const PartitionEntry& a, const PartitionEntry& b) { return a.point[axis] < b.point[axis]; });
 }
 
 int ForksFor(std::size_t count)

@@ -29,8 +29,7 @@ glm::vec3 Extent(const PartitionEntry* entries, std::size_t first, std::size_t l
 int LongestAxis(const glm::vec3& extent);
 
 /// Reorders [first, last) so that nothing in [first, middle) lies above anything in [middle, last) along the axis.
-void PartitionAlong(
-  PartitionEntry* entries, std::size_t first, std::size_t middle, std::size_t last, int axis);
+void PartitionAlong(PartitionEntry* entries, std::size_t first, std::size_t middle, std::size_t last, int axis);
 
 /// How often to fork a recursion over so many points for all cores to have work worth a thread.
 int ForksFor(std::size_t count);
@@ -54,8 +53,7 @@ void ForkJoin(bool fork, Left&& left, Right&& right)
 template <class Work>
 void InParallel(std::size_t count, Work&& work)
 {
-  const std::size_t threads =
-    std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
+  const std::size_t threads = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
   std::atomic<std::size_t> next{ 0 };
   const auto run = [&]
   {

@@ -89,8 +89,7 @@ double ProgressiveImage::Progress() const
   return std::min(0.999, (this->samples_ + part) / std::max(1u, this->wanted_));
 }
 
-bool ProgressiveImage::MayTryAgain(
-  const ImageSource& source, const ImageView& view, const ImageEffort& effort) const
+bool ProgressiveImage::MayTryAgain(const ImageSource& source, const ImageView& view, const ImageEffort& effort) const
 {
   if (view.content != this->failedView_.content)
   {
@@ -106,8 +105,7 @@ bool ProgressiveImage::MayTryAgain(
     case Cause::Scene:
       return freed;
     default:
-      return freed || !(view.settings == this->failedView_.settings) ||
-        effort.samples != this->failedSamples_;
+      return freed || !(view.settings == this->failedView_.settings) || effort.samples != this->failedSamples_;
   }
 }
 
@@ -129,10 +127,8 @@ const Image* ProgressiveImage::Update(
     prepared = true;
     this->wanted_ = effort.samples;
     const bool lacksFeatures = (effort.features || request.Denoises()) && !this->features_;
-    const bool cannotGrow =
-      this->samples_<effort.samples&& this->samples_> 0 && !this->canContinue_;
-    const bool otherNumber =
-      effort.exact && this->planned_ != effort.samples && this->samples_ != effort.samples;
+    const bool cannotGrow = this->samples_<effort.samples&& this->samples_> 0 && !this->canContinue_;
+    const bool otherNumber = effort.exact && this->planned_ != effort.samples && this->samples_ != effort.samples;
     if (this->state_ == State::Empty || this->state_ == State::Failed || !(view == this->view_))
     {
       this->Restart(request);
@@ -140,16 +136,14 @@ const Image* ProgressiveImage::Update(
     else if (!effort.preview &&
       (cannotGrow || otherNumber ||
         (lacksFeatures &&
-          (effort.features || effort.denoising == Denoising::Always ||
-            this->samples_ < effort.samples))))
+          (effort.features || effort.denoising == Denoising::Always || this->samples_ < effort.samples))))
     {
       this->Restart(request);
     }
 
     if (effort.preview)
     {
-      const bool sharp =
-        this->samples_ > 0 || (this->previewStep_ > 0 && this->previewStep_ <= effort.pixelStep);
+      const bool sharp = this->samples_ > 0 || (this->previewStep_ > 0 && this->previewStep_ <= effort.pixelStep);
       if (!sharp)
       {
         this->Preview(request, effort.pixelStep);
@@ -160,8 +154,8 @@ const Image* ProgressiveImage::Update(
       this->Grow(request);
       this->Smooth(request);
     }
-    const bool smoothed = effort.denoising != Denoising::Always || !this->features_ ||
-      effort.preview || this->smoothSamples_ == this->samples_;
+    const bool smoothed = effort.denoising != Denoising::Always || !this->features_ || effort.preview ||
+      this->smoothSamples_ == this->samples_;
     this->state_ = this->samples_ >= effort.samples && smoothed ? State::Finished : State::Growing;
     this->lostDevice_ = false;
     return &this->image_;
@@ -189,10 +183,7 @@ void ProgressiveImage::Fail(const Request& request, bool prepared, bool memory, 
   const bool hasDevice = request.source.HasDevice();
   this->Forget();
   this->state_ = State::Failed;
-  this->failure_.cause = !hasDevice ? Cause::Device
-    : memory                        ? Cause::Memory
-    : prepared                      ? Cause::Image
-                                    : Cause::Scene;
+  this->failure_.cause = !hasDevice ? Cause::Device : memory ? Cause::Memory : prepared ? Cause::Image : Cause::Scene;
   this->failure_.message = message;
   const bool lost = request.source.IsDeviceLost();
   this->tryNewDevice_ = lost && !this->lostDevice_;
@@ -206,8 +197,7 @@ void ProgressiveImage::Fail(const Request& request, bool prepared, bool memory, 
 void ProgressiveImage::Restart(const Request& request)
 {
   const bool sameSize = Pixels(request.view) == Pixels(this->view_) &&
-    request.view.settings.shading == this->view_.settings.shading &&
-    request.view.content == this->view_.content;
+    request.view.settings.shading == this->view_.settings.shading && request.view.content == this->view_.content;
   this->Forget();
   if (!sameSize)
   {
@@ -236,9 +226,8 @@ void ProgressiveImage::Preview(const Request& request, std::uint32_t pixelStep)
   std::uint32_t step = std::max(1u, pixelStep);
   if (request.IsTimed() && this->secondsPerRay_ > 0.0)
   {
-    while (
-      step<coarsestPreviewStep&& this->secondsPerRay_ * Pixels(this->view_) / (double(step) * step)>
-        request.effort.seconds)
+    while (step<coarsestPreviewStep&& this->secondsPerRay_ * Pixels(this->view_) / (double(step) * step)> request.effort
+             .seconds)
     {
       ++step;
     }
@@ -299,8 +288,7 @@ void ProgressiveImage::Grow(const Request& request)
   if (request.IsTimed() && this->samples_ == 0 && !this->pending_ && this->previewStep_ == 0)
   {
     // Something to see at once, unless a sample of all pixels is as quick.
-    const bool quick =
-      this->secondsPerRay_ > 0.0 && this->secondsPerRay_ * pixels < 0.5 * effort.seconds;
+    const bool quick = this->secondsPerRay_ > 0.0 && this->secondsPerRay_ * pixels < 0.5 * effort.seconds;
     if (!quick)
     {
       this->Preview(request, this->secondsPerRay_ > 0.0 ? effort.pixelStep : firstPreviewStep);
@@ -313,15 +301,14 @@ void ProgressiveImage::Grow(const Request& request)
   std::uint32_t added = 0;
   bool interrupted = false;
   const double wanted = effort.samples;
-  while (this->samples_ < effort.samples && !interrupted &&
-    (effort.samplesAtOnce == 0 || added < effort.samplesAtOnce))
+  while (this->samples_ < effort.samples && !interrupted && (effort.samplesAtOnce == 0 || added < effort.samplesAtOnce))
   {
     const double before = request.source.Now();
     Image image;
     if (this->pending_)
     {
-      image = request.source.Resume(request.MakeInterrupt(
-        this->samples_ / wanted, (this->samples_ + this->pendingSamples_) / wanted));
+      image = request.source.Resume(
+        request.MakeInterrupt(this->samples_ / wanted, (this->samples_ + this->pendingSamples_) / wanted));
     }
     else
     {
@@ -333,21 +320,19 @@ void ProgressiveImage::Grow(const Request& request)
       }
       else if (request.IsTimed())
       {
-        const double affordable =
-          this->secondsPerRay_ > 0.0 ? request.Left() / (this->secondsPerRay_ * pixels) : 1.0;
+        const double affordable = this->secondsPerRay_ > 0.0 ? request.Left() / (this->secondsPerRay_ * pixels) : 1.0;
         left = std::min(left, static_cast<std::uint32_t>(std::clamp(affordable, 1.0, 1e6)));
       }
       settings.samples = left;
       settings.firstSample = this->samples_;
       settings.plannedSamples = this->planned_;
       settings.features = this->features_;
-      settings.keepSums =
-        !effort.exact || this->features_ || this->samples_ + left < effort.samples;
+      settings.keepSums = !effort.exact || this->features_ || this->samples_ + left < effort.samples;
       settings.overPreview = this->samples_ == 0 && this->previewStep_ > 0;
       this->canContinue_ = settings.keepSums;
       this->pendingSamples_ = left;
-      image = request.source.Trace(this->view_, settings,
-        request.MakeInterrupt(this->samples_ / wanted, (this->samples_ + left) / wanted));
+      image = request.source.Trace(
+        this->view_, settings, request.MakeInterrupt(this->samples_ / wanted, (this->samples_ + left) / wanted));
     }
     const std::uint32_t before_ = this->samples_;
     this->pending_ = interrupted = !image.complete;
@@ -355,10 +340,8 @@ void ProgressiveImage::Grow(const Request& request)
     {
       this->samples_ = image.samples;
       added += this->samples_ - before_;
-      const double cost =
-        (request.source.Now() - before) / (pixels * std::max(1u, this->samples_ - before_));
-      this->secondsPerRay_ =
-        this->secondsPerRay_ > 0.0 ? 0.5 * (this->secondsPerRay_ + cost) : cost;
+      const double cost = (request.source.Now() - before) / (pixels * std::max(1u, this->samples_ - before_));
+      this->secondsPerRay_ = this->secondsPerRay_ > 0.0 ? 0.5 * (this->secondsPerRay_ + cost) : cost;
     }
     else if (image.share > 0.0f)
     {
@@ -374,8 +357,8 @@ void ProgressiveImage::Smooth(const Request& request)
 {
   const ImageEffort& effort = request.effort;
   const bool finished = this->samples_ >= effort.samples;
-  const bool wanted = this->features_ && request.Denoises() && this->samples_ > 0 &&
-    (effort.denoising == Denoising::Always || !finished);
+  const bool wanted =
+    this->features_ && request.Denoises() && this->samples_ > 0 && (effort.denoising == Denoising::Always || !finished);
   if (!wanted)
   {
     if (this->smoothSamples_ > 0)
@@ -394,20 +377,18 @@ void ProgressiveImage::Smooth(const Request& request)
     ++this->version_;
   };
   if (this->smoothing_.valid() &&
-    (!request.IsTimed() ||
-      this->smoothing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready))
+    (!request.IsTimed() || this->smoothing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready))
   {
     collect();
   }
   // Denoising takes about as long as a sample: only when there is a good deal more to see, or nothing more to come.
-  const bool worthIt = this->smoothSamples_ == 0 ||
-    2 * this->samples_ >= 3 * this->smoothSamples_ ||
+  const bool worthIt = this->smoothSamples_ == 0 || 2 * this->samples_ >= 3 * this->smoothSamples_ ||
     (finished && this->smoothSamples_ != this->samples_);
   if (!this->smoothing_.valid() && !this->pending_ && worthIt && this->image_.complete)
   {
     this->smoothingSamples_ = this->samples_;
-    this->smoothing_ = std::async(request.IsTimed() ? std::launch::async : std::launch::deferred,
-      request.source.Denoise(this->image_));
+    this->smoothing_ =
+      std::async(request.IsTimed() ? std::launch::async : std::launch::deferred, request.source.Denoise(this->image_));
     if (!request.IsTimed())
     {
       collect();

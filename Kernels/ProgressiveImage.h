@@ -36,12 +36,11 @@ enum class Denoising
 /// How good an image is wanted, and how much of it one Update() may do.
 struct ImageEffort
 {
-  std::uint32_t samples = 1; ///< samples a pixel of a finished image, >= 1
-  std::uint32_t samplesAtOnce =
-    0;                  ///< most samples that one Update() adds; 0: as many as there is time for
-  double seconds = 0.0; ///< that one Update() may take, but for a launch; 0: no limit
-  bool preview = false; ///< the camera moves: one sample of every n-th pixel will do
-  std::uint32_t pixelStep = 2; ///< that n, >= 1; time may ask for a larger one
+  std::uint32_t samples = 1;       ///< samples a pixel of a finished image, >= 1
+  std::uint32_t samplesAtOnce = 0; ///< most samples that one Update() adds; 0: as many as there is time for
+  double seconds = 0.0;            ///< that one Update() may take, but for a launch; 0: no limit
+  bool preview = false;            ///< the camera moves: one sample of every n-th pixel will do
+  std::uint32_t pixelStep = 2;     ///< that n, >= 1; time may ask for a larger one
   /// True: the finished image has exactly `samples`, spread as for that number. False: more are as good, and a larger
   /// number is added to what is there.
   bool exact = true;
@@ -57,8 +56,7 @@ public:
 
   /// Brings device and scene up to date. False: samples that the tracer kept are gone.
   virtual bool Prepare() = 0;
-  virtual Image
-  Trace(const ImageView& view, const TraceSettings& settings, const Interrupt& interrupt) = 0;
+  virtual Image Trace(const ImageView& view, const TraceSettings& settings, const Interrupt& interrupt) = 0;
   virtual Image Resume(const Interrupt& interrupt) = 0;
   /// The denoising of the last image, to be run in any thread.
   virtual std::function<std::vector<std::uint32_t>()> Denoise(const Image& image) = 0;
@@ -89,7 +87,7 @@ public:
   {
     Device, ///< none, or lost: again once after a loss, then with other content
     Memory, ///< it did not suffice, of the device or of the computer: again with each image that is no preview
-    Scene, ///< it could not be sent or built: again with other content or when memory was given back
+    Scene,  ///< it could not be sent or built: again with other content or when memory was given back
     Image ///< it could not be traced: again with another size, light, number of samples, content, or memory given back
   };
   struct Failure
@@ -104,10 +102,10 @@ public:
   ProgressiveImage& operator=(const ProgressiveImage&) = delete;
 
   /// Makes the image of this view, or makes it better. Null: there is none, see GetFailure(). The image is valid until
-  /// the next call. `interrupt` is told the progress of the image, as Progress(), and ends the work early; the next call
-  /// goes on with it. Throws nothing.
-  const Image* Update(ImageSource& source, const ImageView& view, const ImageEffort& effort,
-    const Interrupt& interrupt = {});
+  /// the next call. `interrupt` is told the progress of the image, as Progress(), and ends the work early; the next
+  /// call goes on with it. Throws nothing.
+  const Image*
+  Update(ImageSource& source, const ImageView& view, const ImageEffort& effort, const Interrupt& interrupt = {});
 
   /// Drops image and failure.
   void Forget();
@@ -128,8 +126,7 @@ public:
 private:
   struct Request; ///< of one Update()
 
-  bool
-  MayTryAgain(const ImageSource& source, const ImageView& view, const ImageEffort& effort) const;
+  bool MayTryAgain(const ImageSource& source, const ImageView& view, const ImageEffort& effort) const;
   void Restart(const Request& request);
   void Preview(const Request& request, std::uint32_t pixelStep);
   void Grow(const Request& request);

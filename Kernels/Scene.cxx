@@ -25,8 +25,7 @@ Structure ChooseStructure(const Device& device, bool canTree)
   }
   if (wanted && std::string(wanted) != "tree" && *wanted)
   {
-    throw Error("Ray Traced Glyphs: RTGLYPHS_STRUCTURE is '" + std::string(wanted) +
-      "'; it can be 'boxes' or 'tree'.");
+    throw Error("Ray Traced Glyphs: RTGLYPHS_STRUCTURE is '" + std::string(wanted) + "'; it can be 'boxes' or 'tree'.");
   }
   return canTree && (device.IsCpu() || (wanted && *wanted)) ? Structure::Tree : Structure::Boxes;
 }
@@ -158,11 +157,11 @@ void Scene::SetColours(SetId id, GlyphColours colours)
   GlyphSet& set = this->state_->Find(id);
   if (!colours.empty() && colours.size() != set.count)
   {
-    throw Error("Ray Traced Glyphs: " + std::to_string(colours.size()) + " colors for " +
-      std::to_string(set.count) + " glyphs; give one color a glyph or none.");
+    throw Error("Ray Traced Glyphs: " + std::to_string(colours.size()) + " colors for " + std::to_string(set.count) +
+      " glyphs; give one color a glyph or none.");
   }
-  set.translucentColours = std::any_of(
-    colours.begin(), colours.end(), [](std::uint32_t colour) { return (colour >> 24) != 255; });
+  set.translucentColours =
+    std::any_of(colours.begin(), colours.end(), [](std::uint32_t colour) { return (colour >> 24) != 255; });
   set.colours = std::move(colours);
   set.coloursChanged = true;
 }
@@ -191,8 +190,8 @@ std::uint32_t Scene::OriginalGlyph(SetId id, std::uint32_t glyph) const
   const auto& order = set.instances.identifyTriangles ? set.placed.mesh.order : set.sorted.order;
   if (!order.empty() && glyph >= order.size())
   {
-    throw Error("Ray Traced Glyphs: glyph " + std::to_string(glyph) + " of a set of " +
-      std::to_string(order.size()) + " is asked for; render again.");
+    throw Error("Ray Traced Glyphs: glyph " + std::to_string(glyph) + " of a set of " + std::to_string(order.size()) +
+      " is asked for; render again.");
   }
   return order.empty() ? glyph : order[glyph];
 }
@@ -201,16 +200,14 @@ bool Scene::HasTranslucent() const
 {
   const auto& sets = this->state_->sets;
   return std::any_of(sets.begin(), sets.end(),
-    [](const auto& entry)
-    { return entry.second.visible && entry.second.count && entry.second.Translucent(); });
+    [](const auto& entry) { return entry.second.visible && entry.second.count && entry.second.Translucent(); });
 }
 
 bool Scene::HasOpaque() const
 {
   const auto& sets = this->state_->sets;
   return std::any_of(sets.begin(), sets.end(),
-    [](const auto& entry)
-    { return entry.second.visible && entry.second.count && !entry.second.Translucent(); });
+    [](const auto& entry) { return entry.second.visible && entry.second.count && !entry.second.Translucent(); });
 }
 
 const Statistics& Scene::GetStatistics() const
@@ -224,8 +221,7 @@ GlyphSet& Scene::State::Find(SetId id)
   const auto found = this->sets.find(id);
   if (found == this->sets.end())
   {
-    throw Error("Ray Traced Glyphs: the scene has no glyph set of number " + std::to_string(id) +
-      "; add it first.");
+    throw Error("Ray Traced Glyphs: the scene has no glyph set of number " + std::to_string(id) + "; add it first.");
   }
   return found->second;
 }
@@ -246,10 +242,9 @@ float Scene::State::Measure()
     }
   }
   // The scene's origin is that of its first visible set: near what is looked at.
-  const auto first = std::find_if(
-    this->sets.begin(), this->sets.end(), [](const auto& entry) { return entry.second.Shown(); });
-  const glm::dvec3 newOrigin =
-    first == this->sets.end() ? glm::dvec3(0.0) : first->second.instances.origin;
+  const auto first =
+    std::find_if(this->sets.begin(), this->sets.end(), [](const auto& entry) { return entry.second.Shown(); });
+  const glm::dvec3 newOrigin = first == this->sets.end() ? glm::dvec3(0.0) : first->second.instances.origin;
   this->topLevelChanged |= newOrigin != this->origin;
   this->origin = newOrigin;
   float reach = 0.0f;
@@ -258,8 +253,7 @@ float Scene::State::Measure()
     if (set.Shown())
     {
       const glm::dvec3 offset = glm::abs(set.instances.origin - this->origin);
-      reach = std::max(
-        reach, set.bounds.Reach() + static_cast<float>(std::max({ offset.x, offset.y, offset.z })));
+      reach = std::max(reach, set.bounds.Reach() + static_cast<float>(std::max({ offset.x, offset.y, offset.z })));
     }
   }
   return reach;
@@ -341,8 +335,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
       this->recordsChanged = true;
     }
     // The top level says which hit group and which pass a set belongs to.
-    this->topLevelChanged |=
-      !(set.placed.group == set.listedGroup && set.Translucent() == set.listedTranslucent);
+    this->topLevelChanged |= !(set.placed.group == set.listedGroup && set.Translucent() == set.listedTranslucent);
   }
   if (this->topLevelChanged)
   {

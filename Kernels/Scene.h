@@ -16,11 +16,9 @@ struct Statistics
 {
   std::uint64_t structureBuilds = 0; ///< bottom-level structures built
   std::uint64_t topLevelBuilds = 0;  ///< top-level structures built
-  std::uint64_t instanceUploads =
-    0; ///< glyph sets whose centres, sizes, rotations, exponents were sent
-  std::uint64_t colourUploads = 0; ///< glyph sets whose colours were sent
-  std::uint64_t sorts =
-    0; ///< glyph sets put into another order; new instances may do with the last one's
+  std::uint64_t instanceUploads = 0; ///< glyph sets whose centres, sizes, rotations, exponents were sent
+  std::uint64_t colourUploads = 0;   ///< glyph sets whose colours were sent
+  std::uint64_t sorts = 0;           ///< glyph sets put into another order; new instances may do with the last one's
   std::uint64_t pipelineBuilds = 0;
   std::uint64_t dispatches = 0; ///< images or sample batches traced
   std::uint64_t primaryRays = 0;
@@ -36,9 +34,9 @@ struct Statistics
 };
 
 /// The glyph sets of one view and their acceleration structures on one device.
-/// Setters only take note; Commit() sends and builds what has changed and nothing else. A set that is not visible holds no memory
-/// of the device. A Commit() that throws leaves the scene empty to tracers; the next one goes on where it stopped.
-/// Not thread-safe. All members throw rtg::Error and nothing else.
+/// Setters only take note; Commit() sends and builds what has changed and nothing else. A set that is not visible holds
+/// no memory of the device. A Commit() that throws leaves the scene empty to tracers; the next one goes on where it
+/// stopped. Not thread-safe. All members throw rtg::Error and nothing else.
 class Scene
 {
 public:

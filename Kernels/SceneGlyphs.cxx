@@ -29,8 +29,7 @@ void Pad(std::vector<Box>& boxes, float reach)
 
 vk::AabbPositionsKHR ToVulkan(const Box& box)
 {
-  return vk::AabbPositionsKHR(
-    box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z);
+  return vk::AabbPositionsKHR(box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z);
 }
 
 // One or two glyphs a leaf measured best on lavapipe (Testing/Benchmarks).
@@ -115,22 +114,20 @@ void Scene::State::SendGlyphs(const GlyphSet& set, PlacedGlyphs& placed)
   ++this->statistics.instanceUploads;
 }
 
-// Glyphs of a time series mostly stay near those beside which they were: as long as the nodes above the leaves have not grown by
-// much, the last order does.
+// Glyphs of a time series mostly stay near those beside which they were: as long as the nodes above the leaves have not
+// grown by much, the last order does.
 void Scene::State::SortIntoTree(GlyphSet& set, const std::vector<Box>& boxes)
 {
   const GlyphInstances& instances = set.instances;
   // Glyphs that move are sorted as they lie in the middle of the shutter's opening: boxes round whole paths would
   // say little about what each slice of time needs.
-  const std::vector<Box> middle =
-    instances.motion.Any() ? GlyphBoxes(instances, 0.5, 0.5) : std::vector<Box>();
+  const std::vector<Box> middle = instances.motion.Any() ? GlyphBoxes(instances, 0.5, 0.5) : std::vector<Box>();
   const std::vector<Box>& sortedBoxes = instances.motion.Any() ? middle : boxes;
   const std::uint32_t leafBits = GlyphTree::LeafBits(set.count, glyphsPerLeaf);
   const auto surface = [&](const std::vector<std::uint32_t>& order)
   { return LeafSurface(InOrder(sortedBoxes, order), leafBits - std::min(leafBits, 3u)); };
   const GlyphOrder& last = set.sorted;
-  const bool fits =
-    !last.kdAxes.empty() && last.order.size() == set.count && last.leafBits == leafBits;
+  const bool fits = !last.kdAxes.empty() && last.order.size() == set.count && last.leafBits == leafBits;
   if (fits && surface(last.order) <= this->orderDecay * last.sortedSurface)
   {
     return;
@@ -144,8 +141,7 @@ void Scene::State::SortIntoTree(GlyphSet& set, const std::vector<Box>& boxes)
 void Scene::State::Sort(GlyphSet& set, const std::vector<Box>& boxes)
 {
   const GlyphInstances& instances = set.instances;
-  if (this->structure == Structure::Tree &&
-    (instances.shape != Shape::Mesh || IsMovingMesh(instances)))
+  if (this->structure == Structure::Tree && (instances.shape != Shape::Mesh || IsMovingMesh(instances)))
   {
     this->SortIntoTree(set, boxes);
     return;
@@ -166,8 +162,7 @@ void Scene::State::BuildBoxes(PlacedGlyphs& placed, const std::vector<Box>& boxe
   {
     GlyphRun run;
     run.first = static_cast<std::uint32_t>(at);
-    run.count =
-      static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, boxes.size() - at));
+    run.count = static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, boxes.size() - at));
     std::vector<vk::AabbPositionsKHR> positions(run.count);
     std::transform(boxes.begin() + at, boxes.begin() + at + run.count, positions.begin(), ToVulkan);
     run.structure = AccelerationStructure::OverBoxes(this->device->GetState(), positions);
@@ -190,8 +185,8 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vec
     const std::uint32_t bits = this->timeSliceBits >= 0
       ? static_cast<std::uint32_t>(this->timeSliceBits)
       : TimeSliceBits(set.instances, placed.nodesPerSlice * sizeof(GlyphTreeNode));
-    const TimeSlices slices = BuildTimeSlices(
-      set.instances, sorted.order, sorted.leafBits, sorted.kdAxes, pad, bits, this->sliceSorting);
+    const TimeSlices slices =
+      BuildTimeSlices(set.instances, sorted.order, sorted.leafBits, sorted.kdAxes, pad, bits, this->sliceSorting);
     placed.timeSliceBits = slices.bits;
     placed.group.ownTreeOrder = !slices.order.empty();
     placed.tree = Send(vulkan, slices.nodes);
@@ -202,15 +197,14 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vec
     Pad(boxes, placed.builtReach);
     // So many leaves a line through the bounds meets on average, by Cauchy's formula.
     const glm::dvec3 e(set.bounds.upper - set.bounds.lower);
-    const double leavesMet =
-      LeafSurface(boxes, sorted.leafBits) / (e.x * e.y + e.y * e.z + e.z * e.x);
+    const double leavesMet = LeafSurface(boxes, sorted.leafBits) / (e.x * e.y + e.y * e.z + e.z * e.x);
     placed.group.dropsHidden = leavesMet > leavesWorthDropping;
     placed.tree = Send(vulkan, BuildGlyphTree(boxes, sorted.leafBits, sorted.kdAxes).nodes);
   }
   GlyphRun run;
   run.count = static_cast<std::uint32_t>(set.count);
-  run.structure = AccelerationStructure::OverBoxes(
-    vulkan, { ToVulkan({ set.bounds.lower - pad, set.bounds.upper + pad }) });
+  run.structure =
+    AccelerationStructure::OverBoxes(vulkan, { ToVulkan({ set.bounds.lower - pad, set.bounds.upper + pad }) });
   placed.runs.push_back(std::move(run));
   ++this->statistics.structureBuilds;
 }

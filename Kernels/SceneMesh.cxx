@@ -43,10 +43,7 @@ std::vector<std::uint32_t> OrderTriangles(const TriangleMesh& mesh)
   std::vector<glm::vec3> centroids(mesh.triangles.size());
   std::transform(mesh.triangles.begin(), mesh.triangles.end(), centroids.begin(),
     [&](const glm::uvec3& corner)
-    {
-      return (mesh.positions[corner.x] + mesh.positions[corner.y] + mesh.positions[corner.z]) /
-        3.0f;
-    });
+    { return (mesh.positions[corner.x] + mesh.positions[corner.y] + mesh.positions[corner.z]) / 3.0f; });
   return SpatialOrder(centroids);
 }
 
@@ -67,14 +64,10 @@ Buffer SendMeshColours(Device::State& device, const PlacedMesh& mesh, const Tria
 // Which colors a mesh has; numbers as in Programs/triangle.glsl.
 std::uint32_t ColoursOf(const TriangleMesh& mesh)
 {
-  return !mesh.positionValues.empty() ? 3
-    : !mesh.positionColours.empty()   ? 1
-    : !mesh.triangleColours.empty()   ? 2
-                                      : 0;
+  return !mesh.positionValues.empty() ? 3 : !mesh.positionColours.empty() ? 1 : !mesh.triangleColours.empty() ? 2 : 0;
 }
 
-PlacedMesh
-SendStillMesh(Device::State& device, std::shared_ptr<const TriangleMesh> source, bool sorts)
+PlacedMesh SendStillMesh(Device::State& device, std::shared_ptr<const TriangleMesh> source, bool sorts)
 {
   PlacedMesh mesh;
   mesh.order = sorts ? OrderTriangles(*source) : std::vector<std::uint32_t>();
@@ -83,9 +76,9 @@ SendStillMesh(Device::State& device, std::shared_ptr<const TriangleMesh> source,
   mesh.triangles = SendInOrder(device, source->triangles, mesh.order, input);
   mesh.normals = Send(device, source->normals);
   mesh.colours = SendMeshColours(device, mesh, *source);
-  mesh.structure = AccelerationStructure::OverTriangles(device, mesh.positions,
-    static_cast<std::uint32_t>(source->positions.size()), mesh.triangles,
-    static_cast<std::uint32_t>(source->triangles.size()));
+  mesh.structure =
+    AccelerationStructure::OverTriangles(device, mesh.positions, static_cast<std::uint32_t>(source->positions.size()),
+      mesh.triangles, static_cast<std::uint32_t>(source->triangles.size()));
   mesh.source = std::move(source);
   return mesh;
 }
@@ -103,8 +96,8 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter)
   {
     if (found != 0 && found != wanted)
     {
-      fail("the mesh has " + std::to_string(found) + " " + name + "; it must have " +
-        std::to_string(wanted) + " or none.");
+      fail("the mesh has " + std::to_string(found) + " " + name + "; it must have " + std::to_string(wanted) +
+        " or none.");
     }
   };
   fits("normals", mesh->normals.size(), mesh->positions.size());
@@ -189,8 +182,8 @@ void Scene::State::SendMovingMesh(const GlyphSet& set, PlacedGlyphs& placed)
   const GlyphMotion& shutter = instances.motion;
   PlacedMesh& sent = placed.mesh;
   // A tree of positions at rest is the same whatever the shutter does.
-  const bool sameShutter = !Deforms(mesh) ||
-    (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
+  const bool sameShutter =
+    !Deforms(mesh) || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
   if (!(this->KeepsMesh(set, sent) && sent.tree.Size() && sameShutter))
   {
     sent = PlacedMesh();

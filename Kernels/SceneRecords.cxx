@@ -34,9 +34,9 @@ void Scene::State::CheckInstanceCount() const
   }
   if (count > this->mostInstances)
   {
-    throw Error("Ray Traced Glyphs: the view shows " + std::to_string(count) +
-      " mesh glyphs; the most that '" + this->device->Name() + "' can show is " +
-      std::to_string(this->mostInstances) + ". Show fewer with GlyphMask, or hide other data.");
+    throw Error("Ray Traced Glyphs: the view shows " + std::to_string(count) + " mesh glyphs; the most that '" +
+      this->device->Name() + "' can show is " + std::to_string(this->mostInstances) +
+      ". Show fewer with GlyphMask, or hide other data.");
   }
 }
 
@@ -72,13 +72,12 @@ void Scene::State::BuildTopLevel()
     for (const GlyphRun& run : placed.runs)
     {
       vk::AccelerationStructureInstanceKHR instance;
-      const std::array<std::array<float, 4>, 3> translation = { { { 1, 0, 0, offset.x },
-        { 0, 1, 0, offset.y }, { 0, 0, 1, offset.z } } };
+      const std::array<std::array<float, 4>, 3> translation = { { { 1, 0, 0, offset.x }, { 0, 1, 0, offset.y },
+        { 0, 0, 1, offset.z } } };
       instance.transform.matrix = translation;
       instance.instanceCustomIndex = record++;
       instance.mask = set.Translucent() ? device::TRANSLUCENT_MASK : device::OPAQUE_MASK;
-      instance.instanceShaderBindingTableRecordOffset =
-        static_cast<std::uint32_t>(group - this->groups.begin());
+      instance.instanceShaderBindingTableRecordOffset = static_cast<std::uint32_t>(group - this->groups.begin());
       if (placed.group.shape == Shape::Mesh && !placed.group.meshTree)
       {
         this->AddMeshInstances(set, instance, instances);
@@ -146,12 +145,10 @@ void Scene::State::FillRecords()
       record.meshTriangles = placed.mesh.triangles.Address();
       record.meshNormals = placed.mesh.normals.Address();
       record.meshColours = placed.mesh.colours.Address();
-      record.meshValueCount = placed.mesh.source
-        ? static_cast<std::uint32_t>(placed.mesh.source->positionValues.size())
-        : 0;
-      record.meshTableSize = placed.mesh.source
-        ? static_cast<std::uint32_t>(placed.mesh.source->valueColours.size())
-        : 0;
+      record.meshValueCount =
+        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->positionValues.size()) : 0;
+      record.meshTableSize =
+        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->valueColours.size()) : 0;
       record.meshTree = placed.mesh.tree.Address();
       record.meshVelocities = placed.mesh.velocities.Address();
       record.meshAccelerations = placed.mesh.accelerations.Address();
@@ -172,8 +169,7 @@ void Scene::State::FillRecords()
       record.opacity = material.opacity;
       record.translucent = set.Translucent();
       record.ambientColour = material.ambientColour;
-      record.coloured =
-        placed.group.coloured || placed.group.meshColours != 0 || placed.group.colouredByForm;
+      record.coloured = placed.group.coloured || placed.group.meshColours != 0 || placed.group.colouredByForm;
       record.positiveColour = material.positiveColour;
       record.negativeColour = material.negativeColour;
       record.specularColour = material.specularColour;

@@ -38,15 +38,14 @@ struct GlyphRun
 enum class Structure
 {
   Boxes, ///< the driver's: one primitive a glyph; on GPUs
-  Tree ///< our GlyphTree, of which the driver sees only the whole as one primitive; on CPU devices
+  Tree   ///< our GlyphTree, of which the driver sees only the whole as one primitive; on CPU devices
 };
 
 /// A mesh on the device.
 struct PlacedMesh
 {
   std::shared_ptr<const TriangleMesh> source;
-  std::vector<std::uint32_t>
-    order; ///< place on the device -> triangle of the source; empty: the same
+  std::vector<std::uint32_t> order; ///< place on the device -> triangle of the source; empty: the same
   Buffer positions, triangles, normals, colours;
   AccelerationStructure structure;
   // Of one that moves, instead of the structure; `positions` are then relative to the middle of the tree.
@@ -55,18 +54,19 @@ struct PlacedMesh
   float shutterOpen = 0.0f, shutterClose = 0.0f; ///< that its tree is made for
 };
 
-/// Whether the glyphs of a set are copies of a mesh that moves or deforms, or lie at places that the driver's floats cannot tell.
+/// Whether the glyphs of a set are copies of a mesh that moves or deforms, or lie at places that the driver's floats
+/// cannot tell.
 bool IsMovingMesh(const GlyphInstances& instances);
 
-/// What of a glyph set is on the device, in the set's GlyphOrder. It is built aside and moved into its set when it is complete, so
-/// that a set has all of it or nothing.
+/// What of a glyph set is on the device, in the set's GlyphOrder. It is built aside and moved into its set when it is
+/// complete, so that a set has all of it or nothing.
 struct PlacedGlyphs
 {
   HitGroup group;
   float builtReach = 0.0f; ///< distance of ray origins that the boxes' padding allows for
   Buffer centres, centresLow, sizes, rotations, exponents, forms, colours, tree;
   Buffer velocities, accelerations, angularVelocities; ///< none of a set at rest
-  Buffer treeOrder; ///< none unless slices are sorted each for itself
+  Buffer treeOrder;                                    ///< none unless slices are sorted each for itself
   std::uint32_t timeSliceBits =
     0; ///< the tree has 2^timeSliceBits versions, one for each slice of the shutter's opening
   std::uint32_t nodesPerSlice = 0;
@@ -81,8 +81,7 @@ struct PlacedGlyphs
 /// The order in which a set's glyphs lie on the device.
 struct GlyphOrder
 {
-  std::vector<std::uint32_t>
-    order; ///< place on the device -> index in the caller's order; empty: the same
+  std::vector<std::uint32_t> order; ///< place on the device -> index in the caller's order; empty: the same
   std::vector<std::uint8_t> kdAxes; ///< see KdOrder; none without a tree
   std::uint32_t leafBits = 0;       ///< of the tree
   double sortedSurface = 0.0;       ///< of the nodes of leaves when `order` was found
@@ -128,8 +127,8 @@ struct Scene::State
   /// What one bottom-level structure may hold at most; every device allows 2^24 - 1. Tests lower it.
   std::uint32_t glyphsPerRun = (1u << 24) - 1;
   std::uint64_t mostInstances; ///< of a top-level structure. Tests lower it.
-  /// New instances are sorted when with the last order the nodes above the leaves have grown by more than that factor. Measured:
-  /// Testing/Benchmarks/OrderBenchmark.cxx.
+  /// New instances are sorted when with the last order the nodes above the leaves have grown by more than that factor.
+  /// Measured: Testing/Benchmarks/OrderBenchmark.cxx.
   double orderDecay = 1.2;
   Structure structure;
   /// Number of slices of time (its logarithm to base 2) of sets that move; -1: what TimeSliceBits() says. Tests and
@@ -154,8 +153,8 @@ struct Scene::State
   void SendChanges(std::vector<GlyphSet*>& sent);
   /// Throws rtg::Error when there is none of that number.
   GlyphSet& Find(SetId id);
-  /// The largest coordinate of what is visible, relative to the scene's origin. Ray origins are at most a scene away from a set, so
-  /// every set's padding depends on all the others' extent.
+  /// The largest coordinate of what is visible, relative to the scene's origin. Ray origins are at most a scene away
+  /// from a set, so every set's padding depends on all the others' extent.
   float Measure();
   /// Takes the set from the device, and with it the top level, which would refer to what is gone.
   PlacedGlyphs Withdraw(GlyphSet& set);
@@ -189,23 +188,23 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter);
 template <class T>
 Buffer Send(Device::State& device, const std::vector<T>& values, vk::BufferUsageFlags more = {})
 {
-  Buffer buffer(device, values.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more,
-    Buffer::Place::Device);
+  Buffer buffer(
+    device, values.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more, Buffer::Place::Device);
   buffer.Upload(values.data(), values.size() * sizeof(T));
   return buffer;
 }
 
 /// The same with values[order[i]] at place i; an empty order: with the values as they are.
 template <class T>
-Buffer SendInOrder(Device::State& device, const std::vector<T>& values,
-  const std::vector<std::uint32_t>& order, vk::BufferUsageFlags more = {})
+Buffer SendInOrder(Device::State& device, const std::vector<T>& values, const std::vector<std::uint32_t>& order,
+  vk::BufferUsageFlags more = {})
 {
   if (order.empty() || values.empty())
   {
     return Send(device, values, more);
   }
-  Buffer buffer(device, order.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more,
-    Buffer::Place::Device);
+  Buffer buffer(
+    device, order.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more, Buffer::Place::Device);
   buffer.Write(buffer.Size(),
     [&](void* target)
     {

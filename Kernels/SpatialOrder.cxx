@@ -16,11 +16,9 @@ void Split(PartitionEntry* entries, std::size_t first, std::size_t last, int for
     return;
   }
   const std::size_t middle = (first + last) / 2;
-  PartitionAlong(
-    entries, first, middle + 1, last + 1, LongestAxis(Extent(entries, first, last + 1)));
+  PartitionAlong(entries, first, middle + 1, last + 1, LongestAxis(Extent(entries, first, last + 1)));
   ForkJoin(
-    forks > 0, [=] { Split(entries, first, middle, forks - 1); },
-    [=] { Split(entries, middle + 1, last, forks - 1); });
+    forks > 0, [=] { Split(entries, first, middle, forks - 1); }, [=] { Split(entries, middle + 1, last, forks - 1); });
 }
 
 } // namespace

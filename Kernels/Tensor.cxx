@@ -92,8 +92,8 @@ glm::dvec3 WithPositiveLargest(const glm::dvec3& v)
 }
 
 // Corners of the square of Schultz and Kindlmann.
-constexpr double corners[11][2] = { { 1, 1 }, { .5, 1 }, { .75, .75 }, { 1, .5 }, { 1, 0 },
-  { .5, .5 }, { 0, 1 }, { 0, .5 }, { .25, .25 }, { .5, 0 }, { 0, 0 } };
+constexpr double corners[11][2] = { { 1, 1 }, { .5, 1 }, { .75, .75 }, { 1, .5 }, { 1, 0 }, { .5, .5 }, { 0, 1 },
+  { 0, .5 }, { .25, .25 }, { .5, 0 }, { 0, 0 } };
 
 // Shapes at the corners of a zone.
 enum BaseShape
@@ -168,9 +168,7 @@ glm::dvec3 ExponentsOf(BaseShape form, double concave)
 
 double Sharpened(double beta, double sharpness)
 {
-  return beta < 1.0 ? std::pow(beta, sharpness)
-    : beta > 2.0    ? (beta - 2.0) * sharpness + 2.0
-                    : beta;
+  return beta < 1.0 ? std::pow(beta, sharpness) : beta > 2.0 ? (beta - 2.0) * sharpness + 2.0 : beta;
 }
 
 } // namespace
@@ -182,8 +180,8 @@ int TensorComponents(TensorLayout layout)
 
 bool SymmetricTensor::IsFinite() const
 {
-  return std::isfinite(this->xx) && std::isfinite(this->yy) && std::isfinite(this->zz) &&
-    std::isfinite(this->xy) && std::isfinite(this->yz) && std::isfinite(this->xz);
+  return std::isfinite(this->xx) && std::isfinite(this->yy) && std::isfinite(this->zz) && std::isfinite(this->xy) &&
+    std::isfinite(this->yz) && std::isfinite(this->xz);
 }
 
 bool SymmetricTensor::IsZero() const
@@ -193,14 +191,13 @@ bool SymmetricTensor::IsZero() const
 
 double SymmetricTensor::Largest() const
 {
-  return std::max({ std::abs(this->xx), std::abs(this->yy), std::abs(this->zz), std::abs(this->xy),
-    std::abs(this->yz), std::abs(this->xz) });
+  return std::max({ std::abs(this->xx), std::abs(this->yy), std::abs(this->zz), std::abs(this->xy), std::abs(this->yz),
+    std::abs(this->xz) });
 }
 
 glm::dmat3 SymmetricTensor::Matrix() const
 {
-  return { this->xx, this->xy, this->xz, this->xy, this->yy, this->yz, this->xz, this->yz,
-    this->zz };
+  return { this->xx, this->xy, this->xz, this->xy, this->yy, this->yz, this->xz, this->yz, this->zz };
 }
 
 SymmetricTensor MakeTensor(const double* t, TensorLayout layout)
@@ -213,8 +210,7 @@ SymmetricTensor MakeTensor(const double* t, TensorLayout layout)
       return { t[0], t[1], t[2], t[3], t[5], t[4] };
     case TensorLayout::Matrix:
       // Halved first: the sum of two huge numbers would overflow.
-      return { t[0], t[4], t[8], 0.5 * t[1] + 0.5 * t[3], 0.5 * t[5] + 0.5 * t[7],
-        0.5 * t[2] + 0.5 * t[6] };
+      return { t[0], t[4], t[8], 0.5 * t[1] + 0.5 * t[3], 0.5 * t[5] + 0.5 * t[7], 0.5 * t[2] + 0.5 * t[6] };
     default:
       return { t[0], t[1], t[2], t[3], t[4], t[5] };
   }
@@ -321,8 +317,7 @@ TensorExponents SchultzKindlmannBase(const glm::dvec2& uv, double concave)
   const Zone& zone = zones[ZoneAt(uv.x, uv.y)];
 
   // Barycentric coordinates in the zone's triangle
-  const auto at = [&](int i)
-  { return glm::dvec2(corners[zone.corner[i]][0], corners[zone.corner[i]][1]); };
+  const auto at = [&](int i) { return glm::dvec2(corners[zone.corner[i]][0], corners[zone.corner[i]][1]); };
   const glm::dvec2 a = at(1) - at(0), b = at(2) - at(0), p = uv - at(0);
   const double area = a.x * b.y - a.y * b.x;
   const double first = (p.x * b.y - p.y * b.x) / area;
@@ -347,8 +342,7 @@ TensorExponents SchultzKindlmannExponents(const glm::dvec3& values, double sharp
   return exponents;
 }
 
-TensorGlyph
-MakeTensorGlyph(const Eigensystem& eigen, TensorGlyphKind kind, double sharpness, double noise)
+TensorGlyph MakeTensorGlyph(const Eigensystem& eigen, TensorGlyphKind kind, double sharpness, double noise)
 {
   const glm::dvec3 magnitude = glm::abs(eigen.values);
   const double largest = std::max({ magnitude.x, magnitude.y, magnitude.z });
@@ -358,10 +352,8 @@ MakeTensorGlyph(const Eigensystem& eigen, TensorGlyphKind kind, double sharpness
   TensorExponents exponents;
   if (kind == TensorGlyphKind::Superquadric)
   {
-    std::stable_sort(
-      order.begin(), order.end(), [&](int i, int j) { return magnitude[i] > magnitude[j]; });
-    exponents = KindlmannExponents(
-      { magnitude[order[0]], magnitude[order[1]], magnitude[order[2]] }, sharpness);
+    std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return magnitude[i] > magnitude[j]; });
+    exponents = KindlmannExponents({ magnitude[order[0]], magnitude[order[1]], magnitude[order[2]] }, sharpness);
   }
   else if (kind == TensorGlyphKind::SignedSuperquadric)
   {
@@ -380,10 +372,9 @@ MakeTensorGlyph(const Eigensystem& eigen, TensorGlyphKind kind, double sharpness
   TensorGlyph glyph;
   glyph.values = { eigen.values[x], eigen.values[y], eigen.values[z] };
   glyph.rotation = glm::normalize(glm::quat_cast(frame));
-  glyph.halfLengths = glm::max(glm::dvec3(magnitude[x], magnitude[y], magnitude[z]),
-    glm::dvec3(thinnestTensorGlyph * largest));
-  glyph.exponents = glm::max(
-    glm::dvec3(exponents.alpha, exponents.beta, exponents.c), glm::dvec3(leastTensorExponent));
+  glyph.halfLengths =
+    glm::max(glm::dvec3(magnitude[x], magnitude[y], magnitude[z]), glm::dvec3(thinnestTensorGlyph * largest));
+  glyph.exponents = glm::max(glm::dvec3(exponents.alpha, exponents.beta, exponents.c), glm::dvec3(leastTensorExponent));
   if (largest < noise)
   {
     const double r = largest / noise;

@@ -62,9 +62,9 @@ double FractionalAnisotropy(const glm::dvec3& values);
 /// Exponents of Shapes/NestedSuperquadric.glsl, in a frame whose z axis lies along one eigenvector.
 struct TensorExponents
 {
-  double alpha = 1.0; ///< of the cross-section: 1 round, 0 square
-  double beta = 1.0;  ///< of the profile over x: 0 cylinder, 1 ball, 2 cone, above that a thorn
-  double c = 1.0;     ///< of the profile over y
+  double alpha = 1.0;      ///< of the cross-section: 1 round, 0 square
+  double beta = 1.0;       ///< of the profile over x: 0 cylinder, 1 ball, 2 cone, above that a thorn
+  double c = 1.0;          ///< of the profile over y
   bool alongFirst = false; ///< z lies along the first eigenvector; else along the third
 };
 
@@ -95,8 +95,8 @@ enum class TensorGlyphKind : std::uint32_t
 /// A glyph with half-lengths equal to the eigenvalues' magnitudes.
 struct TensorGlyph
 {
-  glm::dvec3 values{ 1.0 };      ///< eigenvalues, with their signs, along the glyph's own axes
-  glm::dvec3 halfLengths{ 1.0 }; ///< along the glyph's own axes
+  glm::dvec3 values{ 1.0 };                  ///< eigenvalues, with their signs, along the glyph's own axes
+  glm::dvec3 halfLengths{ 1.0 };             ///< along the glyph's own axes
   glm::dquat rotation{ 1.0, 0.0, 0.0, 0.0 }; ///< the glyph's own frame to the world
   glm::dvec3 exponents{ 1.0 };               ///< alpha, beta, c
 };
@@ -110,7 +110,6 @@ constexpr double leastTensorExponent = 0.01;
 
 /// The glyph of a finite tensor that is not zero. Below `noise`, in units of the eigenvalues, exponents go
 /// smoothly to those of a ball: there the ratios of eigenvalues mean nothing any more.
-TensorGlyph MakeTensorGlyph(
-  const Eigensystem& eigen, TensorGlyphKind kind, double sharpness, double noise = 0.0);
+TensorGlyph MakeTensorGlyph(const Eigensystem& eigen, TensorGlyphKind kind, double sharpness, double noise = 0.0);
 
 } // namespace rtg

@@ -29,17 +29,12 @@ double SurfaceToSort(const std::vector<Box>& first, std::uint32_t leafBits, Slic
 } // namespace
 
 TimeSlices BuildTimeSlices(const GlyphInstances& instances, const std::vector<std::uint32_t>& order,
-  std::uint32_t leafBits, const std::vector<std::uint8_t>& axes, float pad, std::uint32_t bits,
-  SliceSorting sorting)
+  std::uint32_t leafBits, const std::vector<std::uint8_t>& axes, float pad, std::uint32_t bits, SliceSorting sorting)
 {
   const std::size_t count = std::size_t(1) << bits;
   const std::size_t glyphs = instances.Count();
   const auto boxesOf = [&](std::size_t slice)
-  {
-    return InOrder(
-      GlyphBoxes(instances, double(slice) / double(count), double(slice + 1) / double(count)),
-      order);
-  };
+  { return InOrder(GlyphBoxes(instances, double(slice) / double(count), double(slice + 1) / double(count)), order); };
   TimeSlices slices;
   slices.bits = bits;
   slices.nodes.resize(count * axes.size());

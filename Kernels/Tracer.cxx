@@ -28,7 +28,8 @@ constexpr std::uint32_t tileSize = 8;
 constexpr std::uint32_t lanesPerTile = tileSize * tileSize;
 constexpr std::uint32_t tilesPerRow = 1024;           ///< of a launch
 constexpr std::uint32_t mostTiles = 16 * tilesPerRow; ///< of a launch: 29 MB of ray records
-/// Seconds that a launch is to take where TilesAtOnce() cuts: whoever waits for it to stop, or for the display, waits so long.
+/// Seconds that a launch is to take where TilesAtOnce() cuts: whoever waits for it to stop, or for the display, waits
+/// so long.
 constexpr double launchSeconds = 0.04;
 /// After so long whoever waits for a program is asked whether to go on waiting.
 constexpr std::chrono::milliseconds compilingPatience(20);
@@ -39,8 +40,7 @@ std::uint32_t DivideUp(std::uint32_t value, std::uint32_t by)
 }
 
 // Makes `buffer` at least `size` bytes; keeps a larger one unless it is far too large.
-void Fit(Buffer& buffer, Device::State& device, std::size_t size,
-  Buffer::Place place = Buffer::Place::Device)
+void Fit(Buffer& buffer, Device::State& device, std::size_t size, Buffer::Place place = Buffer::Place::Device)
 {
   if (buffer.Size() < size || buffer.Size() > 4 * size)
   {
@@ -49,12 +49,12 @@ void Fit(Buffer& buffer, Device::State& device, std::size_t size,
   }
 }
 
-// A number of tiles from one to the next of a launch that has no common divisor with their count and whose multiples, of
-// all tiles, fit into 32 bits: neighbors in a launch are far apart in the image.
+// A number of tiles from one to the next of a launch that has no common divisor with their count and whose multiples,
+// of all tiles, fit into 32 bits: neighbors in a launch are far apart in the image.
 std::uint32_t TileStride(std::uint32_t count)
 {
-  auto stride = static_cast<std::uint32_t>(
-    std::min<std::uint64_t>(count * 5ull / 13, 0xffffffffull / std::max(count, 1u)));
+  auto stride =
+    static_cast<std::uint32_t>(std::min<std::uint64_t>(count * 5ull / 13, 0xffffffffull / std::max(count, 1u)));
   while (stride > 1 && std::gcd(stride, count) != 1)
   {
     --stride;
@@ -74,11 +74,10 @@ struct Tracer::State
     Image image;
     TraceSettings settings;
     Generation generation;
-    device::FrameRecord
-      frame{};                ///< of the samples in work; firstTile: the first one that lacks them
-    std::uint32_t atOnce = 1; ///< samples of one dispatch over all tiles
-    std::uint32_t done = 0;   ///< samples that all tiles have
-    std::size_t rays = 0;     ///< camera rays of one sample
+    device::FrameRecord frame{}; ///< of the samples in work; firstTile: the first one that lacks them
+    std::uint32_t atOnce = 1;    ///< samples of one dispatch over all tiles
+    std::uint32_t done = 0;      ///< samples that all tiles have
+    std::size_t rays = 0;        ///< camera rays of one sample
   };
 
   void Prepare(const TraceSettings& settings, bool keepSums);
@@ -86,24 +85,23 @@ struct Tracer::State
   void Clear(std::size_t pixels);
   void Show(Image& image);
   void FillFeatures(Image& image) const;
-  device::FrameRecord MakeFrame(const Scene::State& scene, const Camera& camera,
-    const std::vector<Light>& lights, const TraceSettings& settings, Pass pass);
-  void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame,
-    std::uint32_t width, std::uint32_t height);
-  std::uint32_t
-  TilesAtOnce(const TracerResources::Program& program, const Job& job, bool interruptible) const;
-  void Begin(const Scene::State& scene, bool translucentScene, const Camera& camera,
-    const std::vector<Light>& lights, const TraceSettings& settings, Pass pass, bool interruptible);
+  device::FrameRecord MakeFrame(const Scene::State& scene, const Camera& camera, const std::vector<Light>& lights,
+    const TraceSettings& settings, Pass pass);
+  void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame, std::uint32_t width,
+    std::uint32_t height);
+  std::uint32_t TilesAtOnce(const TracerResources::Program& program, const Job& job, bool interruptible) const;
+  void Begin(const Scene::State& scene, bool translucentScene, const Camera& camera, const std::vector<Light>& lights,
+    const TraceSettings& settings, Pass pass, bool interruptible);
   void Run(const Scene::State& scene, const Interrupt& interrupt);
 
   std::shared_ptr<TracerResources> shared;
   std::shared_ptr<Device> device;
   Buffer frameBuffer, lightBuffer, rays;
-  Buffer images;         ///< colors, depths, ids of sets, ids of glyphs, one word a pixel each
-  Buffer shown;          ///< a copy of them for the host, none on a device that shares its memory
-  Buffer sums, features; ///< none unless asked for
-  Job job;               ///< the last one; goes on where image.complete is false
-  TraceSettings last;    ///< of the last image
+  Buffer images;                 ///< colors, depths, ids of sets, ids of glyphs, one word a pixel each
+  Buffer shown;                  ///< a copy of them for the host, none on a device that shares its memory
+  Buffer sums, features;         ///< none unless asked for
+  Job job;                       ///< the last one; goes on where image.complete is false
+  TraceSettings last;            ///< of the last image
   std::uint32_t keptSamples = 0; ///< that `sums` hold
 };
 
@@ -127,8 +125,8 @@ const Statistics& Tracer::GetStatistics() const
 }
 
 // Launches width x height rays.
-void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene,
-  device::FrameRecord& frame, std::uint32_t width, std::uint32_t height)
+void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame,
+  std::uint32_t width, std::uint32_t height)
 {
   Device::State& vulkan = this->device->GetState();
   frame.launchWidth = width;
@@ -151,15 +149,14 @@ void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene,
       else
       {
         command.updateBuffer<device::FrameRecord>(this->frameBuffer.Handle(), 0, frame);
-        Barrier(command, Stage::eTransfer, Access::eTransferWrite, Stage::eRayTracingShaderKHR,
-          Access::eUniformRead);
+        Barrier(command, Stage::eTransfer, Access::eTransferWrite, Stage::eRayTracingShaderKHR, Access::eUniformRead);
       }
       pipeline.Trace(command, this->frameBuffer, width, height);
       // The host or a copy reads the results, the next launch adds to them.
       Barrier(command, Stage::eRayTracingShaderKHR, Access::eShaderWrite,
         Stage::eRayTracingShaderKHR | Stage::eTransfer | Stage::eHost,
-        Access::eShaderRead | Access::eShaderWrite | Access::eTransferRead |
-          Access::eTransferWrite | Access::eHostRead);
+        Access::eShaderRead | Access::eShaderWrite | Access::eTransferRead | Access::eTransferWrite |
+          Access::eHostRead);
     });
 }
 
@@ -200,12 +197,10 @@ void Tracer::State::CheckContinues(const TraceSettings& settings, const Scene::S
     return;
   }
   const TraceSettings& l = this->last;
-  const bool same = l.width == settings.width && l.height == settings.height &&
-    l.pixelStep == settings.pixelStep && l.shading == settings.shading &&
-    l.features == settings.features && l.occlusionRays == settings.occlusionRays &&
-    l.paths == settings.paths && l.environmentImage == settings.environmentImage &&
-    this->job.image.complete && this->job.scene == &scene &&
-    this->job.sceneVersion == scene.version;
+  const bool same = l.width == settings.width && l.height == settings.height && l.pixelStep == settings.pixelStep &&
+    l.shading == settings.shading && l.features == settings.features && l.occlusionRays == settings.occlusionRays &&
+    l.paths == settings.paths && l.environmentImage == settings.environmentImage && this->job.image.complete &&
+    this->job.scene == &scene && this->job.sceneVersion == scene.version;
   if (!same || this->keptSamples != settings.firstSample)
   {
     throw Error("Ray Traced Glyphs: samples from number " + std::to_string(settings.firstSample) +
@@ -217,8 +212,7 @@ void Tracer::State::CheckContinues(const TraceSettings& settings, const Scene::S
 // An image of nothing.
 void Tracer::State::Clear(std::size_t pixels)
 {
-  const std::uint32_t empty[imagesPerPixel] = { 0u, glm::floatBitsToUint(1.0f), Image::noGlyph,
-    Image::noGlyph };
+  const std::uint32_t empty[imagesPerPixel] = { 0u, glm::floatBitsToUint(1.0f), Image::noGlyph, Image::noGlyph };
   const std::size_t bytes = pixels * sizeof(std::uint32_t);
   for (std::size_t i = 0; i < imagesPerPixel; ++i)
   {
@@ -274,16 +268,14 @@ device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Ca
   FillSettings(frame, settings);
   const std::vector<device::LightRecord> records = MakeLights(lights, scene.origin);
   const std::size_t lightBytes = records.size() * sizeof(device::LightRecord);
-  Fit(
-    this->lightBuffer, this->device->GetState(), std::max(lightBytes, sizeof(device::LightRecord)));
+  Fit(this->lightBuffer, this->device->GetState(), std::max(lightBytes, sizeof(device::LightRecord)));
   this->lightBuffer.Upload(records.data(), lightBytes);
   frame.lights = this->lightBuffer.Address();
   frame.lightCount = static_cast<std::uint32_t>(records.size());
   frame.sets = scene.recordBuffer.Address();
   frame.sceneLower = scene.bounds.lower;
   frame.sceneUpper = scene.bounds.upper;
-  const std::size_t imageBytes =
-    std::size_t(settings.width) * settings.height * sizeof(std::uint32_t);
+  const std::size_t imageBytes = std::size_t(settings.width) * settings.height * sizeof(std::uint32_t);
   frame.colour = this->images.Address();
   frame.depth = frame.colour + imageBytes;
   frame.setIds = frame.depth + imageBytes;
@@ -312,8 +304,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.image.height = settings.height;
   begun.image.complete = false;
   begun.atOnce = SamplesAtOnce(settings, pixels);
-  const bool keeps =
-    settings.keepSums || settings.firstSample > 0 || begun.atOnce < settings.samples;
+  const bool keeps = settings.keepSums || settings.firstSample > 0 || begun.atOnce < settings.samples;
   this->Prepare(settings, keeps);
   const bool empty = scene.records.empty();
   if (empty || (interruptible && settings.firstSample == 0 && !settings.overPreview))
@@ -356,20 +347,20 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.frame.tileStride = TileStride(begun.frame.tileCount);
   const std::uint32_t largest = std::min(mostTiles, begun.frame.tileCount);
   const std::uint32_t launched = DivideUp(largest, tilesPerRow) * std::min(largest, tilesPerRow);
-  Fit(this->rays, this->device->GetState(),
-    std::size_t(launched) * lanesPerTile * sizeof(device::RayRecord));
+  Fit(this->rays, this->device->GetState(), std::size_t(launched) * lanesPerTile * sizeof(device::RayRecord));
 }
 
-// Tiles of the next launch. What can be interrupted, and all on a GPU, whose display stands still meanwhile and whose driver takes
-// a launch of seconds for hung, is launched in parts of some hundredths of a second, as far as the program's launches so far tell;
-// a part is at most eight times the last one, because costs differ, and the first is one tile.
-std::uint32_t Tracer::State::TilesAtOnce(
-  const TracerResources::Program& program, const Job& job, bool interruptible) const
+// Tiles of the next launch. What can be interrupted, and all on a GPU, whose display stands still meanwhile and whose
+// driver takes a launch of seconds for hung, is launched in parts of some hundredths of a second, as far as the
+// program's launches so far tell; a part is at most eight times the last one, because costs differ, and the first is
+// one tile.
+std::uint32_t
+Tracer::State::TilesAtOnce(const TracerResources::Program& program, const Job& job, bool interruptible) const
 {
   const Device::State& vulkan = this->device->GetState();
   const std::uint32_t left = job.frame.tileCount - job.frame.firstTile;
-  const std::uint32_t limit = std::max(
-    1u, std::min(mostTiles, vulkan.pipelineLimits.maxRayDispatchInvocationCount / lanesPerTile));
+  const std::uint32_t limit =
+    std::max(1u, std::min(mostTiles, vulkan.pipelineLimits.maxRayDispatchInvocationCount / lanesPerTile));
   std::uint32_t most = std::min(left, limit > tilesPerRow ? limit - limit % tilesPerRow : limit);
   if (!interruptible && vulkan.cpu)
   {
@@ -380,8 +371,7 @@ std::uint32_t Tracer::State::TilesAtOnce(
     return std::min(most, 8u);
   }
   const double tileSeconds = program.secondsPerRay * lanesPerTile * job.frame.samples;
-  const double wanted =
-    std::min(launchSeconds / tileSeconds, 8.0 * static_cast<double>(program.lastTiles));
+  const double wanted = std::min(launchSeconds / tileSeconds, 8.0 * static_cast<double>(program.lastTiles));
   return std::min(most, static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 1e9)));
 }
 
@@ -417,15 +407,13 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
       const std::uint32_t tiles = this->TilesAtOnce(program, work, interruptible);
       frame.endTile = frame.firstTile + tiles;
       const std::uint32_t columns = std::min(tiles, tilesPerRow);
-      this->Launch(
-        *program.pipeline, scene, frame, columns * lanesPerTile, DivideUp(tiles, columns));
+      this->Launch(*program.pipeline, scene, frame, columns * lanesPerTile, DivideUp(tiles, columns));
       const double seconds = watch.Lap();
       this->shared->statistics.traceSeconds += secondsBefore + seconds;
       secondsBefore = 0.0;
       // Of old and new costs the mean: launches differ.
       const double cost = seconds / (double(tiles) * lanesPerTile * frame.samples);
-      program.secondsPerRay =
-        program.secondsPerRay > 0.0 ? 0.5 * (program.secondsPerRay + cost) : cost;
+      program.secondsPerRay = program.secondsPerRay > 0.0 ? 0.5 * (program.secondsPerRay + cost) : cost;
       program.lastTiles = std::max(tiles, 8u);
       frame.firstTile = frame.endTile;
       if (frame.firstTile == frame.tileCount)
@@ -436,15 +424,13 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
         this->shared->statistics.primaryRays += work.rays * frame.samples;
       }
       const double part = double(frame.samples) * frame.firstTile / frame.tileCount;
-      stopped = work.done < settings.samples && interruptible &&
-        interrupt((work.done + part) / settings.samples);
+      stopped = work.done < settings.samples && interruptible && interrupt((work.done + part) / settings.samples);
     }
   }
   work.image.complete = work.done == settings.samples;
   work.image.samples = settings.firstSample + work.done;
-  const float part = work.image.complete
-    ? 0.0f
-    : float(work.frame.samples) * work.frame.firstTile / work.frame.tileCount;
+  const float part =
+    work.image.complete ? 0.0f : float(work.frame.samples) * work.frame.firstTile / work.frame.tileCount;
   work.image.share = (work.done + part) / settings.samples;
   this->Show(work.image);
   this->keptSamples = settings.keepSums && work.image.complete ? work.image.samples : 0;
@@ -456,8 +442,8 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
   this->shared->statistics.traceSeconds += watch.Lap();
 }
 
-Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights,
-  const TraceSettings& settings, Pass pass, const Interrupt& interrupt)
+Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights, const TraceSettings& settings,
+  Pass pass, const Interrupt& interrupt)
 {
   CheckSettings(settings);
   State& state = *this->state_;
@@ -476,8 +462,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
     [&]
     {
       const bool translucent = scene.HasTranslucent();
-      state.Begin(
-        glyphs, translucent, camera, lights, settings, pass, static_cast<bool>(interrupt));
+      state.Begin(glyphs, translucent, camera, lights, settings, pass, static_cast<bool>(interrupt));
       state.Run(glyphs, interrupt);
     });
   return state.job.image;
@@ -541,12 +526,11 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
   const bool linear = this->settings_.shading == Shading::PathTracing;
   if (linear)
   {
-    std::transform(this->image_.albedos.begin(), this->image_.albedos.end(),
-      this->image_.albedos.begin(), shading::DisplayToLinear);
+    std::transform(
+      this->image_.albedos.begin(), this->image_.albedos.end(), this->image_.albedos.begin(), shading::DisplayToLinear);
   }
   rtg::Denoise(this->means_,
-    { this->image_.width, this->image_.height, this->image_.normals, this->image_.albedos,
-      this->image_.viewDepths });
+    { this->image_.width, this->image_.height, this->image_.normals, this->image_.albedos, this->image_.viewDepths });
 
   const bool develops = GenerationFor(this->settings_).develops;
   const float exposureFactor = std::exp2(this->settings_.exposure);
@@ -558,8 +542,8 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
     if (mean.a > 0.0f)
     {
       const glm::vec3 colour = glm::vec3(mean) / mean.a;
-      smooth[i] = glm::packUnorm4x8(glm::vec4(
-        develops ? shading::Develop(colour, linear, exposureFactor, filmic) : colour, mean.a));
+      smooth[i] = glm::packUnorm4x8(
+        glm::vec4(develops ? shading::Develop(colour, linear, exposureFactor, filmic) : colour, mean.a));
     }
   }
   this->shared_->denoiseSeconds += watch.Lap();
@@ -570,8 +554,7 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
 {
   State& state = *this->state_;
   const Scene::State& glyphs = scene.GetState();
-  std::vector<ProbeHit> hits(
-    probes.size(), { INFINITY, glm::vec3(0.0f), Image::noGlyph, Image::noGlyph });
+  std::vector<ProbeHit> hits(probes.size(), { INFINITY, glm::vec3(0.0f), Image::noGlyph, Image::noGlyph });
   if (probes.empty() || glyphs.records.empty())
   {
     return hits;
@@ -588,11 +571,9 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
         records[i].direction = probes[i].direction;
         records[i].time = probes[i].time;
       }
-      Buffer input(
-        vulkan, records.size() * sizeof(records[0]), Usage::eStorageBuffer, Buffer::Place::Device);
+      Buffer input(vulkan, records.size() * sizeof(records[0]), Usage::eStorageBuffer, Buffer::Place::Device);
       input.Upload(records.data(), input.Size());
-      Buffer output(vulkan, probes.size() * sizeof(device::ProbeResult), Usage::eStorageBuffer,
-        Buffer::Place::Device);
+      Buffer output(vulkan, probes.size() * sizeof(device::ProbeResult), Usage::eStorageBuffer, Buffer::Place::Device);
 
       device::FrameRecord frame{};
       frame.sets = glyphs.recordBuffer.Address();
@@ -610,8 +591,7 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       Fit(state.rays, vulkan, (records.size() + rowLength) * sizeof(device::RayRecord));
       TracerResources::Program& program = state.shared->ProgramFor(probing, glyphs.groups);
       state.shared->WaitFor(program);
-      state.Launch(
-        *program.pipeline, glyphs, frame, rowLength, DivideUp(frame.probeCount, rowLength));
+      state.Launch(*program.pipeline, glyphs, frame, rowLength, DivideUp(frame.probeCount, rowLength));
 
       output.Read(output.Size(),
         [&](const void* read)

@@ -48,10 +48,9 @@ enum class Pass : std::uint32_t
 /// Where the light comes from that is seen on a surface.
 enum class Shading : std::uint32_t
 {
-  Local = 0, ///< the view's lights, as if the surface were alone
-  AmbientOcclusion =
-    1,            ///< the same, times the share of light from all around that reaches the surface
-  PathTracing = 2 ///< all around and the view's lights, after up to maximumBounces scatterings
+  Local = 0,            ///< the view's lights, as if the surface were alone
+  AmbientOcclusion = 1, ///< the same, times the share of light from all around that reaches the surface
+  PathTracing = 2       ///< all around and the view's lights, after up to maximumBounces scatterings
 };
 
 /// Whether path tracing ends unimportant paths early, which changes no mean. Guessing is the one to use. Numbers as in
@@ -59,9 +58,8 @@ enum class Shading : std::uint32_t
 enum class Roulette : std::uint32_t
 {
   None = 0,
-  Plain = 1, ///< a path that is ended brings nothing more
-  Guessing =
-    2 ///< it brings a guess of the rest, where light comes from all around alone; otherwise as Plain
+  Plain = 1,   ///< a path that is ended brings nothing more
+  Guessing = 2 ///< it brings a guess of the rest, where light comes from all around alone; otherwise as Plain
 };
 
 /// How the random choices of a pixel's samples are spread. Sobol is the one to use; the others are
@@ -83,8 +81,7 @@ enum class ToneMapping : std::uint32_t
 struct TraceSettings
 {
   std::uint32_t width = 0, height = 0; ///< pixels
-  std::uint32_t samples =
-    1; ///< samples a pixel that this call adds, >= 1; sample 0 is the pixel's centre
+  std::uint32_t samples = 1;           ///< samples a pixel that this call adds, >= 1; sample 0 is the pixel's centre
   /// Samples a pixel that this tracer's image already has and keeps: 0 starts anew. Otherwise the last
   /// Trace() must have been with keepSums, ended with this many, and all else be as it was then.
   std::uint32_t firstSample = 0;
@@ -98,35 +95,38 @@ struct TraceSettings
   /// Light from all around, of ambient occlusion and path tracing: a display colour and its strength, >= 0.
   glm::vec3 environmentColour{ 1.0f };
   float lightIntensity = 1.0f;
-  /// Path tracing: the light from all around is this image's, times environmentColour and lightIntensity; null: it is the same
-  /// from everywhere. Not to be changed afterwards: another image is another object.
+  /// Path tracing: the light from all around is this image's, times environmentColour and lightIntensity; null: it is
+  /// the same from everywhere. Not to be changed afterwards: another image is another object.
   std::shared_ptr<const EnvironmentImage> environmentImage;
   float occlusionRadius = 0.0f; ///< world units, from how far things occlude; 0: from everywhere
-  /// Ambient occlusion: directions that each sample asks for light, 1 to 64; powers of two are spread best. Among small glyphs the light
-  /// differs more from direction to direction than the place in the pixel matters, and asking costs less than a sample.
+  /// Ambient occlusion: directions that each sample asks for light, 1 to 64; powers of two are spread best. Among small
+  /// glyphs the light differs more from direction to direction than the place in the pixel matters, and asking costs
+  /// less than a sample.
   std::uint32_t occlusionRays = 1;
-  /// Path tracing: paths that each sample follows from what its camera ray hits, 1 to 64; powers of two are spread best.
+  /// Path tracing: paths that each sample follows from what its camera ray hits, 1 to 64; powers of two are spread
+  /// best.
   std::uint32_t paths = 1;
   std::uint32_t maximumBounces = 10; ///< of path tracing, 1 to 1000
   Roulette roulette = Roulette::Guessing;
 
   Sampler sampler = Sampler::Sobol;
-  /// Of the finished image, for Stratified and for the times of scenes that move; 0: firstSample + samples. Such images are
-  /// the same however their samples are shared out among calls only when it is given.
+  /// Of the finished image, for Stratified and for the times of scenes that move; 0: firstSample + samples. Such images
+  /// are the same however their samples are shared out among calls only when it is given.
   std::uint32_t plannedSamples = 0;
-  /// Other shadings than Local: how many binary digits of the time in the shutter's opening all pixels share in one sample, so that neighbouring rays
-  /// see the same slice of time; -1: as many as the scene has slices and plannedSamples fill. 0 to 5. Benchmarks set it, and for Local shading it
-  /// is theirs alone: with -1 that gives each sample its part of the time and a place in the pixel that goes with it.
+  /// Other shadings than Local: how many binary digits of the time in the shutter's opening all pixels share in one
+  /// sample, so that neighbouring rays see the same slice of time; -1: as many as the scene has slices and
+  /// plannedSamples fill. 0 to 5. Benchmarks set it, and for Local shading it is theirs alone: with -1 that gives each
+  /// sample its part of the time and a place in the pixel that goes with it.
   int sharedTimeBits = -1;
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
-  bool features =
-    false; ///< gather Image::normals and so on, which need a pixelStep of 1 to be filled
+  bool features = false; ///< gather Image::normals and so on, which need a pixelStep of 1 to be filled
 
   bool operator==(const TraceSettings&) const = default;
 };
 
-/// Asked some twenty times a second while an image is traced, with the share of the work that is done, in [0, 1]; true: stop.
+/// Asked some twenty times a second while an image is traced, with the share of the work that is done, in [0, 1]; true:
+/// stop.
 using Interrupt = std::function<bool(double share)>;
 
 /// What the tracers of one view share: compiled programs, an environment image on the device, and statistics.
@@ -164,8 +164,8 @@ public:
 
   /// With `interrupt` the image is traced in parts of some hundredths of a second, and after each that is asked whether
   /// to stop.
-  Image Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights,
-    const TraceSettings& settings, Pass pass = Pass::Opaque, const Interrupt& interrupt = {});
+  Image Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights, const TraceSettings& settings,
+    Pass pass = Pass::Opaque, const Interrupt& interrupt = {});
 
   /// Goes on with the last image, which was interrupted, of the same scene.
   Image Resume(Scene& scene, const Interrupt& interrupt = {});

@@ -21,11 +21,9 @@ void Compile(Device::State& vulkan, TracerResources::Program& program)
   device::FrameRecord frame{};
   frame.tileStride = frame.tileCount = frame.tileColumns = 1;
   frame.launchWidth = 1;
-  Buffer buffer(
-    vulkan, sizeof(frame), vk::BufferUsageFlagBits::eUniformBuffer, Buffer::Place::Host);
+  Buffer buffer(vulkan, sizeof(frame), vk::BufferUsageFlagBits::eUniformBuffer, Buffer::Place::Host);
   buffer.Upload(&frame, sizeof(frame));
-  vulkan.Submit(
-    [&](vk::raii::CommandBuffer& command) { program.pipeline->Trace(command, buffer, 1, 1); });
+  vulkan.Submit([&](vk::raii::CommandBuffer& command) { program.pipeline->Trace(command, buffer, 1, 1); });
 }
 
 } // namespace
@@ -45,8 +43,7 @@ TracerResources::TracerResources(std::shared_ptr<Device> d)
 {
 }
 
-TracerResources::Program&
-TracerResources::ProgramFor(const Generation& generation, const std::vector<HitGroup>& groups)
+TracerResources::Program& TracerResources::ProgramFor(const Generation& generation, const std::vector<HitGroup>& groups)
 {
   const auto found = std::find_if(this->programs_.begin(), this->programs_.end(),
     [&](const auto& p) { return p->generation == generation && p->groups == groups; });
@@ -63,8 +60,7 @@ TracerResources::ProgramFor(const Generation& generation, const std::vector<HitG
   Program& program = *this->programs_.back();
   program.generation = generation;
   program.groups = groups;
-  program.compiling = std::async(
-    std::launch::async, [this, &program] { Compile(this->device->GetState(), program); });
+  program.compiling = std::async(std::launch::async, [this, &program] { Compile(this->device->GetState(), program); });
   return program;
 }
 
@@ -94,8 +90,8 @@ void TracerResources::WaitFor(Program& program)
   }
   catch (...)
   {
-    this->programs_.erase(std::find_if(this->programs_.begin(), this->programs_.end(),
-      [&program](const auto& p) { return p.get() == &program; }));
+    this->programs_.erase(std::find_if(
+      this->programs_.begin(), this->programs_.end(), [&program](const auto& p) { return p.get() == &program; }));
     throw;
   }
 }

@@ -33,12 +33,12 @@ public:
     std::size_t lastTiles = 0;          ///< of the last launch
   };
 
-  /// The program of these keys; compiling begins, in another thread, when it is not among the last ones used. Valid until
-  /// the next call.
+  /// The program of these keys; compiling begins, in another thread, when it is not among the last ones used. Valid
+  /// until the next call.
   Program& ProgramFor(const Generation& generation, const std::vector<HitGroup>& groups);
 
-  /// Whether the program can be launched; waits for it so long at most. Throws what compiling failed of, and the program is
-  /// no more.
+  /// Whether the program can be launched; waits for it so long at most. Throws what compiling failed of, and the
+  /// program is no more.
   bool IsCompiled(Program& program, std::chrono::milliseconds patience);
   void WaitFor(Program& program);
 

@@ -22,12 +22,12 @@ struct TriangleMesh
   /// material's colour.
   std::vector<std::uint32_t> positionColours;
   std::vector<std::uint32_t> triangleColours;
-  /// Instead of both: one value a position, interpolated, in [0, 1] over the width of a table of RGBA8 colors whose last
-  /// entry is that of values below zero, which stand for what is no number.
+  /// Instead of both: one value a position, interpolated, in [0, 1] over the width of a table of RGBA8 colors whose
+  /// last entry is that of values below zero, which stand for what is no number.
   std::vector<float> positionValues;
   std::vector<std::uint32_t> valueColours;
-  /// How its positions move in its own frame, one velocity and acceleration a position; no angular velocities. The shutter is
-  /// that of the glyphs' own motion (GlyphInstances::motion).
+  /// How its positions move in its own frame, one velocity and acceleration a position; no angular velocities. The
+  /// shutter is that of the glyphs' own motion (GlyphInstances::motion).
   GlyphMotion motion;
 };
 

@@ -96,12 +96,10 @@ pqRayTracedGlyphsRefinement::~pqRayTracedGlyphsRefinement() = default;
 void pqRayTracedGlyphsRefinement::startup()
 {
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
+  QObject::connect(model, &pqServerManagerModel::viewAdded, this, &pqRayTracedGlyphsRefinement::viewAdded);
   QObject::connect(
-    model, &pqServerManagerModel::viewAdded, this, &pqRayTracedGlyphsRefinement::viewAdded);
-  QObject::connect(model, &pqServerManagerModel::representationAdded, this,
-    &pqRayTracedGlyphsRefinement::representationAdded);
-  QObject::connect(
-    model, &pqServerManagerModel::proxyAdded, this, &pqRayTracedGlyphsRefinement::proxyAdded);
+    model, &pqServerManagerModel::representationAdded, this, &pqRayTracedGlyphsRefinement::representationAdded);
+  QObject::connect(model, &pqServerManagerModel::proxyAdded, this, &pqRayTracedGlyphsRefinement::proxyAdded);
   // The plugin may be loaded late.
   for (pqView* view : model->findItems<pqView*>())
   {
@@ -165,10 +163,10 @@ void pqRayTracedGlyphsRefinement::proxyAdded(pqProxy* proxy)
   if (auto* scene = qobject_cast<pqAnimationScene*>(proxy))
   {
     using Played = void (pqAnimationScene::*)(vtkObject*, unsigned long, void*, void*);
-    QObject::connect(scene, static_cast<Played>(&pqAnimationScene::beginPlay), this,
-      &pqRayTracedGlyphsRefinement::playStarted);
-    QObject::connect(scene, static_cast<Played>(&pqAnimationScene::endPlay), this,
-      &pqRayTracedGlyphsRefinement::playEnded);
+    QObject::connect(
+      scene, static_cast<Played>(&pqAnimationScene::beginPlay), this, &pqRayTracedGlyphsRefinement::playStarted);
+    QObject::connect(
+      scene, static_cast<Played>(&pqAnimationScene::endPlay), this, &pqRayTracedGlyphsRefinement::playEnded);
   }
 }
 
@@ -204,8 +202,7 @@ vtkSMProxy* pqRayTracedGlyphsRefinement::DisplayOf(const Part& part)
   for (unsigned int i = 0; i < displays.GetNumberOfElements(); ++i)
   {
     vtkSMProxy* display = displays.GetAsProxy(i);
-    if (display && display->GetProperty("RefinementProgress") &&
-      display->GetProperty("Representation") &&
+    if (display && display->GetProperty("RefinementProgress") && display->GetProperty("Representation") &&
       vtkSMPropertyHelper(display, "Visibility").GetAsInt())
     {
       const QString type = vtkSMPropertyHelper(display, "Representation").GetAsString();
@@ -234,8 +231,7 @@ void pqRayTracedGlyphsRefinement::AskProgress(Part& part)
 bool pqRayTracedGlyphsRefinement::IsInteracting(const Part& part) const
 {
   vtkObject* interactor = part.Proxy->GetInteractor();
-  return std::find(this->Interacting.begin(), this->Interacting.end(), interactor) !=
-    this->Interacting.end();
+  return std::find(this->Interacting.begin(), this->Interacting.end(), interactor) != this->Interacting.end();
 }
 
 //----------------------------------------------------------------------------
@@ -249,8 +245,8 @@ void pqRayTracedGlyphsRefinement::interactionStarted(vtkObject* interactor)
 void pqRayTracedGlyphsRefinement::interactionEnded(vtkObject* interactor)
 {
   const auto gone = [interactor](vtkObject* other) { return !other || other == interactor; };
-  this->Interacting.erase(std::remove_if(this->Interacting.begin(), this->Interacting.end(), gone),
-    this->Interacting.end());
+  this->Interacting.erase(
+    std::remove_if(this->Interacting.begin(), this->Interacting.end(), gone), this->Interacting.end());
 }
 
 //----------------------------------------------------------------------------
@@ -264,14 +260,10 @@ void pqRayTracedGlyphsRefinement::Attach(const Part& part)
   {
     return;
   }
-  this->Observers->Connect(
-    interactor, vtkCommand::StartInteractionEvent, this, SLOT(interactionStarted(vtkObject*)));
-  this->Observers->Connect(
-    interactor, vtkCommand::EndInteractionEvent, this, SLOT(interactionEnded(vtkObject*)));
-  this->Observers->Connect(
-    window, vtkCommand::AbortCheckEvent, this, SLOT(abortChecked(vtkObject*)));
-  this->Observed.erase(
-    std::remove(this->Observed.begin(), this->Observed.end(), nullptr), this->Observed.end());
+  this->Observers->Connect(interactor, vtkCommand::StartInteractionEvent, this, SLOT(interactionStarted(vtkObject*)));
+  this->Observers->Connect(interactor, vtkCommand::EndInteractionEvent, this, SLOT(interactionEnded(vtkObject*)));
+  this->Observers->Connect(window, vtkCommand::AbortCheckEvent, this, SLOT(abortChecked(vtkObject*)));
+  this->Observed.erase(std::remove(this->Observed.begin(), this->Observed.end(), nullptr), this->Observed.end());
   this->Observed.emplace_back(interactor);
 }
 
@@ -300,8 +292,7 @@ void pqRayTracedGlyphsRefinement::rendered()
 void pqRayTracedGlyphsRefinement::Look(Part part)
 {
   // A picture that is captured says nothing of the image in the window.
-  const bool captured =
-    part.Proxy && part.Proxy->GetRenderWindow() && !part.Proxy->GetRenderWindow()->GetSwapBuffers();
+  const bool captured = part.Proxy && part.Proxy->GetRenderWindow() && !part.Proxy->GetRenderWindow()->GetSwapBuffers();
   if (!part.Proxy || captured)
   {
     return;
@@ -313,8 +304,8 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
   if (!this->IsInteracting(part))
   {
     AskProgress(part);
-    const auto found = std::find_if(this->Waiting.begin(), this->Waiting.end(),
-      [&part](const Part& other) { return other.Proxy == part.Proxy; });
+    const auto found = std::find_if(
+      this->Waiting.begin(), this->Waiting.end(), [&part](const Part& other) { return other.Proxy == part.Proxy; });
     if (found != this->Waiting.end())
     {
       this->Waiting.erase(found);
@@ -335,17 +326,15 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
 // One image at a time, so that between any two of them the window can take its events.
 void pqRayTracedGlyphsRefinement::step()
 {
-  this->Waiting.erase(
-    std::remove_if(this->Waiting.begin(), this->Waiting.end(),
-      [](const Part& part) { return !part.View || !part.Proxy || !DisplayOf(part); }),
+  this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
+                        [](const Part& part) { return !part.View || !part.Proxy || !DisplayOf(part); }),
     this->Waiting.end());
-  const auto next = std::find_if(this->Waiting.begin(), this->Waiting.end(),
-    [this](const Part& part) { return !this->IsInteracting(part); });
+  const auto next = std::find_if(
+    this->Waiting.begin(), this->Waiting.end(), [this](const Part& part) { return !this->IsInteracting(part); });
   if (next != this->Waiting.end() && !this->Playing)
   {
     const Part part = *next;
-    if (part.Proxy->GetSession()->GetPendingProgress() ||
-      part.View->getServer()->isProcessingPending())
+    if (part.Proxy->GetSession()->GetPendingProgress() || part.View->getServer()->isProcessingPending())
     {
       this->Timer.start();
       return;
@@ -400,8 +389,7 @@ pqProgressWidget* pqRayTracedGlyphsRefinement::ProgressBar()
     this->Bar = window->findChild<pqProgressWidget*>();
     if (this->Bar)
     {
-      QObject::connect(this->Bar, &pqProgressWidget::abortPressed, this,
-        &pqRayTracedGlyphsRefinement::abortPressed);
+      QObject::connect(this->Bar, &pqProgressWidget::abortPressed, this, &pqRayTracedGlyphsRefinement::abortPressed);
     }
   }
   return this->Bar;
@@ -431,8 +419,8 @@ void pqRayTracedGlyphsRefinement::ShowProgress()
     this->Showing = true;
     if (bar)
     {
-      const auto least = std::min_element(this->Waiting.begin(), this->Waiting.end(),
-        [](const Part& a, const Part& b) { return a.Done < b.Done; });
+      const auto least = std::min_element(
+        this->Waiting.begin(), this->Waiting.end(), [](const Part& a, const Part& b) { return a.Done < b.Done; });
       bar->enableProgress(true);
       bar->setProgress(tr("Ray Tracing"), static_cast<int>(100.0 * least->Done));
       bar->enableAbort(true);
@@ -545,9 +533,8 @@ bool pqRayTracedGlyphsRefinement::eventFilter(QObject* object, QEvent* event)
     }
     // A window hands what the mouse does on to its widgets: that is where it is looked at.
     const bool mouse = dynamic_cast<QMouseEvent*>(event) != nullptr;
-    const bool wanted = object->isWindowType()
-      ? mouse
-      : IsWithin(object, this->Bar ? this->Bar->abortButton() : nullptr) ||
+    const bool wanted = object->isWindowType() ? mouse
+                                               : IsWithin(object, this->Bar ? this->Bar->abortButton() : nullptr) ||
         IsWithin(object, qobject_cast<QProgressDialog*>(QApplication::activeModalWidget()));
     if (!wanted && event->type() == QEvent::Close)
     {

@@ -3,16 +3,19 @@
 #extension GL_EXT_spirv_intrinsics : require
 #extension GL_KHR_memory_scope_semantics : require
 #pragma use_vulkan_memory_model
-// Double words rest on sums and products rounded to nearest even, bracketing solvers on comparisons with NaN and on 1/0. What
-// Device.cxx requires of a device is declared here, or its compiler need not keep to it: RoundingModeRTE and
+// Double words rest on sums and products rounded to nearest even, bracketing solvers on comparisons with NaN and on
+// 1/0. What Device.cxx requires of a device is declared here, or its compiler need not keep to it: RoundingModeRTE and
 // SignedZeroInfNanPreserve (SPIR-V specification, "Execution Mode") for 32 bits. Denormals are as the device has them.
 spirv_execution_mode(capabilities = [4467], 4462, 32);
 spirv_execution_mode(capabilities = [4466], 4461, 32);
 #include "../HostDevice.h"
 
-layout(set = 0, binding = 0, scalar) uniform Frame { FrameRecord frame; };
+layout(set = 0, binding = 0, scalar) uniform Frame
+{
+  FrameRecord frame;
+};
 
-layout(constant_id = 15) const bool alone = false;  // the scene has one record
+layout(constant_id = 15) const bool alone = false; // the scene has one record
 
 GlyphSetRecord SetRecord(uint index)
 {
@@ -23,19 +26,19 @@ GlyphSetRecord SetRecord(uint index)
   return frame.sets.at[index];
 }
 
-layout(constant_id = 14) const bool translucency = false;   // some set has opacity below one, and rays pass it by chance
-layout(constant_id = 20) const bool leavesSurface = false;  // rays will start from hits
+layout(constant_id = 14) const bool translucency = false;  // some set has opacity below one, and rays pass it by chance
+layout(constant_id = 20) const bool leavesSurface = false; // rays will start from hits
 
 // What the nearest hit tells the ray generation program. Whatever kind of surface it lies on, it fills all of this.
 struct SurfaceHit
 {
-  float t;             // along the traced ray; negative: nothing hit
-  float error;         // world units between hit and exact surface at most, besides the rounding of t; only if leavesSurface
-  vec3 normal;         // of the surface itself: outward, unit, world frame
-  vec3 shadingNormal;  // the same, or between corners of triangles interpolated; on the same side of the surface
+  float t;     // along the traced ray; negative: nothing hit
+  float error; // world units between hit and exact surface at most, besides the rounding of t; only if leavesSurface
+  vec3 normal; // of the surface itself: outward, unit, world frame
+  vec3 shadingNormal; // the same, or between corners of triangles interpolated; on the same side of the surface
   vec4 colour;
-  uint record;         // index of its GlyphSetRecord
-  uint glyph;          // index in the set's sorted order
+  uint record; // index of its GlyphSetRecord
+  uint glyph;  // index in the set's sorted order
 };
 
 SurfaceHit NoHit()
@@ -53,8 +56,9 @@ void FaceForward(inout SurfaceHit hit, vec3 direction)
   }
 }
 
-// A direction that was chosen about the shading normal of a hit that faces forward. Where that leans away from the surface,
-// some such directions point into it: they are mirrored at it, so that a body does not shade itself where it is convex.
+// A direction that was chosen about the shading normal of a hit that faces forward. Where that leans away from the
+// surface, some such directions point into it: they are mirrored at it, so that a body does not shade itself where it
+// is convex.
 vec3 OutOfSurface(SurfaceHit hit, vec3 direction)
 {
   return direction - 2.0 * min(dot(direction, hit.normal), 0.0) * hit.normal;

@@ -1,6 +1,6 @@
 // Reads one glyph of the current hit group's set, in the frame of the scene's origin.
 // Specialised per hit group, so that absent arrays cost neither a load nor a branch.
-layout(constant_id = 0) const uint sizesPerGlyph = 0;   // 0: uniformSize, 1, or 3
+layout(constant_id = 0) const uint sizesPerGlyph = 0; // 0: uniformSize, 1, or 3
 layout(constant_id = 1) const bool turned = false;
 layout(constant_id = 2) const bool coloured = false;
 layout(constant_id = 3) const bool fixedHeads = false;
@@ -32,7 +32,7 @@ struct GlyphSource
   vec3 offset;
   vec3 offsetLow;
   MotionSource motion;
-  Glyph alike;  // what all glyphs of the set share
+  Glyph alike; // what all glyphs of the set share
 };
 
 GlyphSource SourceOf(GlyphSetRecord set)
@@ -100,8 +100,8 @@ float OpacityOf(GlyphSetRecord set, uint glyph)
 
 #include "../Shading/Sobol.glsl"
 
-// Whether a ray passes a crossing of a glyph's surface, the first of which is number 0: by chance, so that in the mean the
-// share 1 - opacity passes. `seed`: of the ray; 0: it passes none. The same answer however often it is asked.
+// Whether a ray passes a crossing of a glyph's surface, the first of which is number 0: by chance, so that in the mean
+// the share 1 - opacity passes. `seed`: of the ray; 0: it passes none. The same answer however often it is asked.
 bool PassesBy(uint seed, GlyphSetRecord set, uint glyph, uint crossing)
 {
 #if RTG_SHAPE == 7
@@ -122,8 +122,8 @@ float ErrorOfT(GlyphRay ray, Glyph glyph, float t)
 const uint maximumCrossings = 64u;
 
 // The first crossing in [tMin, tMax] that the ray does not pass.
-bool IntersectStopping(GlyphSetRecord set, GlyphRay ray, uint number, Glyph glyph, uint seed, float tMin, float tMax, out float t,
-  out uint triangle)
+bool IntersectStopping(GlyphSetRecord set, GlyphRay ray, uint number, Glyph glyph, uint seed, float tMin, float tMax,
+  out float t, out uint triangle)
 {
   bool met;
   bool passes = false;

@@ -1,6 +1,6 @@
-// Translucent surfaces along a camera ray, front to back: what each lets through lights what the eye sees of the next. That is
-// how depth peeling composites them, and what path tracing, which stops at each by chance, shows in the mean.
-layout(constant_id = 38) const bool layered = false;  // the image is that of translucent sets: opaque ones only hide
+// Translucent surfaces along a camera ray, front to back: what each lets through lights what the eye sees of the next.
+// That is how depth peeling composites them, and what path tracing, which stops at each by chance, shows in the mean.
+layout(constant_id = 38) const bool layered = false; // the image is that of translucent sets: opaque ones only hide
 
 // More are left out, and so is what shines through by less than half a level of a display's 255.
 const uint maximumLayers = 256u;
@@ -9,10 +9,10 @@ const float leastPassing = 1.0 / 512.0;
 struct Layers
 {
   SceneRay ray;
-  float tMin;     // from where the next one is sought
-  float passing;  // share of the light from there that reaches the eye
+  float tMin;    // from where the next one is sought
+  float passing; // share of the light from there that reaches the eye
 #ifdef RTG_WHOLE
-  uint next;       // in the list
+  uint next; // in the list
 #endif
 };
 
@@ -47,8 +47,7 @@ SurfaceHit NextOfList(inout Layers layers)
   GlyphSource source = SourceOf(set);
   float tMax = frame.farDepth - layers.ray.start;
   // A list that was not full was the last.
-  if (layers.next == layerCount && layers.next == layerLimit && layers.tMin <= tMax &&
-    IsSeen(set, frame.cullMask))
+  if (layers.next == layerCount && layers.next == layerLimit && layers.tMin <= tMax && IsSeen(set, frame.cullMask))
   {
     layerLimit = LayersThatShow(set);
     layerCount = layers.next = 0u;

@@ -39,8 +39,8 @@ MeshRay ToMesh(GlyphRay ray, Glyph glyph, GlyphSetRecord set)
 // Time of the ray in flight for positions of meshes.
 float MeshTime(GlyphSetRecord set)
 {
-  return meshVelocities || meshAccelerations
-    ? set.shutterOpen + frame.rays.at[LaunchIndex()].time * set.shutterLength : 0.0;
+  return meshVelocities || meshAccelerations ? set.shutterOpen + frame.rays.at[LaunchIndex()].time * set.shutterLength
+                                             : 0.0;
 }
 
 // The same numbers whatever triangle asks.
@@ -69,9 +69,9 @@ vec3 Cycled(vec3 v, uint axis)
   return axis == 0u ? v.yzx : axis == 1u ? v.zxy : v;
 }
 
-// A ray ready for triangles: shears that make it run along the last axis. After Woop, Benthin and Wald, "Watertight Ray/Triangle
-// Intersection", Journal of Computer Graphics Techniques 2(1), 2013. Rounding is monotone, so that the sign of an edge's function is
-// right or zero, and zero counts as inside: rays find no gap between neighbours.
+// A ray ready for triangles: shears that make it run along the last axis. After Woop, Benthin and Wald, "Watertight
+// Ray/Triangle Intersection", Journal of Computer Graphics Techniques 2(1), 2013. Rounding is monotone, so that the
+// sign of an edge's function is right or zero, and zero counts as inside: rays find no gap between neighbours.
 struct ShearedRay
 {
   vec3 origin;
@@ -122,7 +122,8 @@ bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out 
   TreeNodes nodes = TreeNodes(set.meshTree);
   float time = MeshTime(set);
   uint slice = meshVelocities || meshAccelerations
-    ? uint(frame.rays.at[LaunchIndex()].time * float(1u << set.meshTimeSliceBits)) : 0u;
+    ? uint(frame.rays.at[LaunchIndex()].time * float(1u << set.meshTimeSliceBits))
+    : 0u;
   uint firstNode = slice * set.meshNodesPerSlice;
   uint levels = set.meshTreeLevels;
   uint64_t count = uint64_t(set.meshTriangleCount);
@@ -146,11 +147,13 @@ bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out 
     }
     else if (i < end)
     {
-      uvec3 corner = uvec3(set.meshTriangles.at[3u * i], set.meshTriangles.at[3u * i + 1u], set.meshTriangles.at[3u * i + 2u]);
+      uvec3 corner =
+        uvec3(set.meshTriangles.at[3u * i], set.meshTriangles.at[3u * i + 1u], set.meshTriangles.at[3u * i + 2u]);
       float s;
       vec3 weight;
       if (MeetsTriangle(sheared, CornerAt(set, corner.x, time), CornerAt(set, corner.y, time),
-            CornerAt(set, corner.z, time), s, weight) && s >= least && s <= nearest)
+            CornerAt(set, corner.z, time), s, weight) &&
+        s >= least && s <= nearest)
       {
         found = true;
         nearest = s;
@@ -180,6 +183,7 @@ int EstimateGlyph(GlyphRay ray, Glyph glyph, float tMin, float tMax, out float l
   GlyphSetRecord set = SetRecord(gl_InstanceCustomIndexEXT);
   vec3 size = abs(glyph.size);
   vec3 middle = RotateToWorld(glyph, glyph.size * set.meshMiddle);
-  float radius = set.meshRadius * max(size.x, max(size.y, size.z)) + 1e-6 * (abs(middle.x) + abs(middle.y) + abs(middle.z));
+  float radius =
+    set.meshRadius * max(size.x, max(size.y, size.z)) + 1e-6 * (abs(middle.x) + abs(middle.y) + abs(middle.z));
   return MissesBall(ray, glyph, middle, radius) ? RTG_MISSED : RTG_UNKNOWN;
 }

@@ -2,7 +2,7 @@
 layout(constant_id = 30) const bool hasVelocities = false;
 layout(constant_id = 31) const bool hasAccelerations = false;
 layout(constant_id = 32) const bool spins = false;
-layout(constant_id = 40) const bool meshVelocities = false;  // the positions of the set's mesh move
+layout(constant_id = 40) const bool meshVelocities = false; // the positions of the set's mesh move
 layout(constant_id = 41) const bool meshAccelerations = false;
 const bool displaced = hasVelocities || hasAccelerations;
 const bool setMoves = displaced || spins || meshVelocities || meshAccelerations;
@@ -36,13 +36,14 @@ uint CurrentSlice(GlyphSetRecord set)
   return setMoves ? uint(frame.rays.at[LaunchIndex()].time * float(1u << set.timeSliceBits)) : 0u;
 }
 
-// Sine and cosine of an angle >= 0, right to 2^-22 below 1000. Vulkan asks 2^-11 of its own, and that between -pi and pi only.
-// Taylor polynomials within an eighth of a turn; pi/2 is subtracted in three parts whose products are exact (W. J. Cody and
-// W. Waite, Software Manual for the Elementary Functions, 1980).
+// Sine and cosine of an angle >= 0, right to 2^-22 below 1000. Vulkan asks 2^-11 of its own, and that between -pi and
+// pi only. Taylor polynomials within an eighth of a turn; pi/2 is subtracted in three parts whose products are exact
+// (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980).
 vec2 SineCosine(float angle)
 {
   float quarters = floor(0.63661977 * angle + 0.5);
-  precise float x = ((angle - quarters * 1.5703125) - quarters * 4.837512969970703125e-4) - quarters * 7.549789948768648e-8;
+  precise float x =
+    ((angle - quarters * 1.5703125) - quarters * 4.837512969970703125e-4) - quarters * 7.549789948768648e-8;
   float x2 = x * x;
   float sine = x + x * x2 * (-1.0 / 6.0 + x2 * (1.0 / 120.0 + x2 * (-1.0 / 5040.0 + x2 * (1.0 / 362880.0))));
   float cosine = 1.0 + x2 * (-0.5 + x2 * (1.0 / 24.0 + x2 * (-1.0 / 720.0 + x2 * (1.0 / 40320.0))));

@@ -1,9 +1,9 @@
 // What the ray generation programs of images share: the pixel of a launch, camera rays, and what a pixel gathers.
 // What an image does not ask for is not in its program: on CPU devices even untaken branches cost time.
-layout(constant_id = 11) const bool accumulates = false;      // samples are added to earlier ones, or will be
-layout(constant_id = 12) const bool gathersFeatures = false;  // normals and so on are summed
-layout(constant_id = 13) const bool develops = false;         // colours change on their way to the display
-layout(constant_id = 33) const bool moves = false;            // something in the scene does
+layout(constant_id = 11) const bool accumulates = false;     // samples are added to earlier ones, or will be
+layout(constant_id = 12) const bool gathersFeatures = false; // normals and so on are summed
+layout(constant_id = 13) const bool develops = false;        // colours change on their way to the display
+layout(constant_id = 33) const bool moves = false;           // something in the scene does
 
 #include "../Shading/Sampling.glsl"
 #include "../Shading/ShutterTime.glsl"
@@ -53,11 +53,11 @@ void OpenShutter(SampleNumber number)
 // What a pixel has gathered.
 struct Pixel
 {
-  vec4 colour;      // sum of colour times opacity, and of opacity
-  bool found;       // some sample hit
+  vec4 colour; // sum of colour times opacity, and of opacity
+  bool found;  // some sample hit
   bool centreHit;
-  float depth;      // view depth of the centre's sample, or else of the nearest
-  uint record;      // its glyph set's, when a sample of this dispatch identified it; else 0xffffffff
+  float depth; // view depth of the centre's sample, or else of the nearest
+  uint record; // its glyph set's, when a sample of this dispatch identified it; else 0xffffffff
   uint glyph;
 };
 

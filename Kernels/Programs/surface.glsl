@@ -2,8 +2,7 @@
 layout(constant_id = 8) const bool colouredByForm = false;
 
 // `glyph`: its number in the set. `seed`: of the ray, as PassesBy() has it.
-SurfaceHit HitOnGlyph(uint record, GlyphSetRecord set, GlyphSource source, GlyphRay ray, uint glyph, float t,
-  uint seed)
+SurfaceHit HitOnGlyph(uint record, GlyphSetRecord set, GlyphSource source, GlyphRay ray, uint glyph, float t, uint seed)
 {
   SurfaceHit hit;
   // The normal is computed anew: hit attributes are not safe on every driver (lavapipe overwrites them

@@ -1,6 +1,6 @@
 // Tracing one ray from ray generation programs. With RTG_WHOLE they are those of a scene that is one set of glyphs with
-// a tree (Pipeline.h, Generation::whole): the tree is walked here, and the driver's structure, through which a CPU device comes to
-// it for a fifth of the time, is left out.
+// a tree (Pipeline.h, Generation::whole): the tree is walked here, and the driver's structure, through which a CPU
+// device comes to it for a fifth of the time, is left out.
 #ifdef RTG_WHOLE
 #include "glyph.glsl"
 #include "walk.glsl"
@@ -12,15 +12,15 @@
 layout(location = 0) rayPayloadEXT SurfaceHit payload;
 #endif
 
-// A ray ready to be traced. Floats near the scene are small numbers, and so are the errors of the traversal's box tests: the
-// origin is moved to where the ray enters the scene's bounds, exactly, and t counts from there. A place on the ray is
-// (ray, t): t is never added to `start` but to tell the depth, because the sum would be rounded to what the distance of the
-// eye leaves of it.
+// A ray ready to be traced. Floats near the scene are small numbers, and so are the errors of the traversal's box
+// tests: the origin is moved to where the ray enters the scene's bounds, exactly, and t counts from there. A place on
+// the ray is (ray, t): t is never added to `start` but to tell the depth, because the sum would be rounded to what the
+// distance of the eye leaves of it.
 struct SceneRay
 {
-  DoubleWord3 origin;  // exact; the low part goes to the intersection programs beside the driver's ray
+  DoubleWord3 origin; // exact; the low part goes to the intersection programs beside the driver's ray
   vec3 direction;
-  float start;         // how far the origin was moved along the ray
+  float start; // how far the origin was moved along the ray
 };
 
 // Where the ray enters the scene's bounds, or 0 when it starts inside them.
@@ -43,7 +43,8 @@ bool IsSeen(GlyphSetRecord set, uint cullMask)
 
 Query QueryOf(GlyphSetRecord set, SceneRay ray, float tMin, float tMax, bool any, uint seed)
 {
-  return Query(GlyphRay(ray.origin.hi, ray.origin.lo, ray.direction), ray.origin.hi - set.offset, tMin, tMax, any, seed);
+  return Query(
+    GlyphRay(ray.origin.hi, ray.origin.lo, ray.direction), ray.origin.hi - set.offset, tMin, tMax, any, seed);
 }
 #else
 // Tells the intersection programs what the driver does not.
@@ -65,8 +66,8 @@ SceneRay EnterScene(DoubleWord3 origin, vec3 direction)
   return SceneRay(start > 0.0 ? Add(origin, TwoProduct(direction, vec3(start))) : origin, direction, start);
 }
 
-// The nearest hit with tMin <= t <= tMax, or one with t < 0. A `seed` other than 0 lets the ray pass translucent glyphs by chance,
-// the same ones whenever it is traced again.
+// The nearest hit with tMin <= t <= tMax, or one with t < 0. A `seed` other than 0 lets the ray pass translucent glyphs
+// by chance, the same ones whenever it is traced again.
 SurfaceHit Intersect(SceneRay ray, float tMin, float tMax, uint cullMask, uint seed)
 {
   if (!(tMin <= tMax))
@@ -95,8 +96,8 @@ SurfaceHit Intersect(SceneRay ray, float tMin, float tMax, uint cullMask, uint s
 #endif
 }
 
-// True when anything in `cullMask` lies between the ray's origin and `tMax`: the traversal ends at the first hit and runs no
-// closest-hit program.
+// True when anything in `cullMask` lies between the ray's origin and `tMax`: the traversal ends at the first hit and
+// runs no closest-hit program.
 bool Occluded(SceneRay ray, float tMax, uint cullMask)
 {
 #ifdef RTG_WHOLE
@@ -120,8 +121,8 @@ float ErrorOfT(SceneRay ray, SurfaceHit hit)
   return hit.error / length(ray.direction) + 2e-6 * hit.t;
 }
 
-// Where rays from a hit that faces forward start: off the surface, so far that rounding cannot put the start behind it. A
-// start clear of the surface needs no minimum t.
+// Where rays from a hit that faces forward start: off the surface, so far that rounding cannot put the start behind it.
+// A start clear of the surface needs no minimum t.
 DoubleWord3 LeaveSurface(SceneRay ray, SurfaceHit hit)
 {
   DoubleWord3 position = Add(ray.origin, TwoProduct(ray.direction, vec3(hit.t)));

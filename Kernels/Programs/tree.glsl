@@ -4,11 +4,15 @@
 
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TreeNodes { uint64_t word[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TreeNodes
+{
+  uint64_t word[];
+};
 
-const uint nothing = 0xffffffffu;  // no glyph, no triangle
+const uint nothing = 0xffffffffu; // no glyph, no triangle
 
-layout(constant_id = 36) const bool dropsHidden = false;  // rays are soon stopped: what lies behind a hit is dropped at once
+// Rays are soon stopped: what lies behind a hit is dropped at once.
+layout(constant_id = 36) const bool dropsHidden = false;
 
 // A path through the tree without a stack: the node is known by level and index, and for every level on the way to it
 // eight bits say which of the children are still to be visited, the first to be visited highest, and four in what
@@ -45,10 +49,10 @@ uvec2 LeafRange(TreePosition position, uint levels, uint64_t count, uint leafBit
 struct BoxRay
 {
   vec3 origin;
-  // Of the direction; components below 2^-24 of the longest count as that, which the boxes' padding allows for: smaller ones would
-  // overflow where boxes extend to 1e30.
+  // Of the direction; components below 2^-24 of the longest count as that, which the boxes' padding allows for: smaller
+  // ones would overflow where boxes extend to 1e30.
   vec3 inverse;
-  uint signs;    // bit i: component i of the direction is negative
+  uint signs; // bit i: component i of the direction is negative
 };
 
 BoxRay MakeBoxRay(vec3 origin, vec3 direction)
@@ -96,8 +100,8 @@ vec4 Unless(vec4 near, bvec4 leftOut, vec4 far)
 // Which of a node's eight children the ray meets between tMin and tMax, bit 7 - rank for the child visited as number
 // `rank`, and the order: child = rank ^ order. With dropsHidden, also where it enters the first of them but the one
 // visited first.
-void IntersectNode(TreeNodes nodes, uint index, BoxRay ray, float tMin, float tMax, out uint mask, out uint order,
-  out float behind)
+void IntersectNode(
+  TreeNodes nodes, uint index, BoxRay ray, float tMin, float tMax, out uint mask, out uint order, out float behind)
 {
   uint at = 8u * index;
   uvec2 originXY = unpack32(nodes.word[at]);
@@ -113,7 +117,8 @@ void IntersectNode(TreeNodes nodes, uint index, BoxRay ray, float tMin, float tM
   vec3 origin = vec3(uintBitsToFloat(originXY.x), uintBitsToFloat(originXY.y), uintBitsToFloat(originZ.x));
   uint exponents = originZ.y;
   vec3 step = vec3(uintBitsToFloat((exponents & 255u) << 23), uintBitsToFloat((exponents & 0xff00u) << 15),
-    uintBitsToFloat((exponents & 0xff0000u) << 7)) * ray.inverse;
+                uintBitsToFloat((exponents & 0xff0000u) << 7)) *
+    ray.inverse;
   vec3 offset = (origin - ray.origin) * ray.inverse;
 
   vec4 near0 = Greater(Greater(PlaneParameters(nearX.x, step.x, offset.x), PlaneParameters(nearY.x, step.y, offset.y)),

@@ -1,6 +1,6 @@
 // What the two kinds of triangles share: normals and colours by their corners. Needs `coloured`.
 layout(constant_id = 6) const bool smoothNormals = false;
-layout(constant_id = 7) const uint meshColours = 0u;  // 1: by position, 2: by triangle, 3: by values
+layout(constant_id = 7) const uint meshColours = 0u; // 1: by position, 2: by triangle, 3: by values
 
 uvec3 CornersOf(GlyphSetRecord set, uint triangle)
 {
@@ -33,7 +33,8 @@ vec4 TriangleColour(GlyphSetRecord set, uvec3 corner, vec3 weight, uint triangle
   else if (meshColours == 3u)
   {
     float value = weight.x * uintBitsToFloat(set.meshColours.at[corner.x]) +
-      weight.y * uintBitsToFloat(set.meshColours.at[corner.y]) + weight.z * uintBitsToFloat(set.meshColours.at[corner.z]);
+      weight.y * uintBitsToFloat(set.meshColours.at[corner.y]) +
+      weight.z * uintBitsToFloat(set.meshColours.at[corner.z]);
     // The last entry is that of what is no number.
     uint entries = set.meshTableSize - 1u;
     uint entry = value < 0.0 ? entries : min(uint(value * float(entries)), entries - 1u);

@@ -3,7 +3,7 @@
 // A triangle of a mesh glyph or of a surface, both at rest.
 #include "bindings.glsl"
 
-layout(constant_id = 2) const bool coloured = false;       // one colour a glyph
+layout(constant_id = 2) const bool coloured = false; // one colour a glyph
 
 #include "triangle.glsl"
 

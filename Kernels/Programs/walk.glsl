@@ -4,38 +4,38 @@
 
 #include "tree.glsl"
 
-layout(constant_id = 34) const bool ownTreeOrder = false;  // the slices of time are sorted each for itself
+layout(constant_id = 34) const bool ownTreeOrder = false; // the slices of time are sorted each for itself
 
 // What a ray asks a set of glyphs.
 struct Query
 {
   GlyphRay ray;
-  vec3 boxOrigin;  // the ray's origin in the frame of the set's centres, for boxes
+  vec3 boxOrigin; // the ray's origin in the frame of the set's centres, for boxes
   float tMin;
   float tMax;
-  bool any;        // one crossing will do, whichever it is
-  uint seed;       // PassesBy()
+  bool any;  // one crossing will do, whichever it is
+  uint seed; // PassesBy()
 };
 
 // What it finds.
 struct GlyphHit
 {
-  uint glyph;     // or `nothing`
+  uint glyph; // or `nothing`
   float t;
-  uint triangle;  // of a mesh glyph
+  uint triangle; // of a mesh glyph
 };
 
-// The nearest crossings of a ray that gathers its layers, of all glyphs, in their order: t as the upper half, the glyph as the lower.
-// Not a parameter: compilers copy arrays at every call.
+// The nearest crossings of a ray that gathers its layers, of all glyphs, in their order: t as the upper half, the glyph
+// as the lower. Not a parameter: compilers copy arrays at every call.
 const uint layerCapacity = 24u;
 uint layerCount = 0u;
-uint layerLimit = 0u;  // no more are wanted
+uint layerLimit = 0u; // no more are wanted
 uint64_t layer[layerCapacity];
 
 // Adds a crossing; of more than the limit the farthest is dropped. They come in nearly in their order.
 void AddLayer(float t, uint glyph)
 {
-  uint64_t added = pack64(uvec2(glyph, floatBitsToUint(t)));  // of floats from 0 on the bits have the numbers' order
+  uint64_t added = pack64(uvec2(glyph, floatBitsToUint(t))); // of floats from 0 on the bits have the numbers' order
   uint at = min(layerCount, layerLimit - 1u);
   for (; at > 0u && layer[at - 1u] > added; --at)
   {
@@ -55,7 +55,8 @@ float AddLayersOf(GlyphRay ray, uint number, Glyph glyph, float tMin, float tMax
 {
   float t;
   uint triangle;
-  for (uint crossing = 0u; crossing < maximumCrossings && IntersectGlyph(ray, glyph, tMin, tMax, t, triangle); ++crossing)
+  for (uint crossing = 0u; crossing < maximumCrossings && IntersectGlyph(ray, glyph, tMin, tMax, t, triangle);
+       ++crossing)
   {
     AddLayer(t, number);
     tMax = layerCount == layerLimit ? LayerT(layerLimit - 1u) : tMax;
@@ -64,7 +65,8 @@ float AddLayersOf(GlyphRay ray, uint number, Glyph glyph, float tMin, float tMax
   return tMax;
 }
 
-// The glyph whose crossing is nearest. With `gathers` all crossings are added to the layers instead, as many as are wanted.
+// The glyph whose crossing is nearest. With `gathers` all crossings are added to the layers instead, as many as are
+// wanted.
 GlyphHit Traverse(GlyphSetRecord set, GlyphSource source, Query query, const bool gathers)
 {
   TreeNodes nodes = TreeNodes(set.tree);
@@ -80,12 +82,12 @@ GlyphHit Traverse(GlyphSetRecord set, GlyphSource source, Query query, const boo
   float surely = hit.t;
   bool estimated = false;
   TreePosition position = RootOfTree();
-  uint i = 0u, end = 0u;  // what is left of the current leaf
+  uint i = 0u, end = 0u; // what is left of the current leaf
   bool going = true;
   do
   {
-    // In plain arithmetic to the next glyph that must be looked at exactly: so the lanes of a CPU device do that together, and
-    // most rays only once.
+    // In plain arithmetic to the next glyph that must be looked at exactly: so the lanes of a CPU device do that
+    // together, and most rays only once.
     uint candidate = nothing;
     do
     {
@@ -118,7 +120,8 @@ GlyphHit Traverse(GlyphSetRecord set, GlyphSource source, Query query, const boo
         }
         else if (verdict != RTG_MISSED)
         {
-          // Which of two estimated glyphs is nearer their exact t must tell: first that of the hit, then this one comes again.
+          // Which of two estimated glyphs is nearer their exact t must tell: first that of the hit, then this one comes
+          // again.
           candidate = estimated ? hit.glyph : glyph;
         }
         i += candidate == nothing || !estimated ? 1u : 0u;

@@ -1,5 +1,5 @@
-// The common subset of GLSL and C++ that Frame.glsl, Sobol.glsl, Principled.glsl and Tone.glsl are written in. C++ gets the same
-// names from Shading.h.
+// The common subset of GLSL and C++ that Frame.glsl, Sobol.glsl, Principled.glsl and Tone.glsl are written in. C++ gets
+// the same names from Shading.h.
 #ifndef RTG_SHADING_DIALECT
 #define RTG_SHADING_DIALECT
 

@@ -1,5 +1,5 @@
-// Light from an image in longitude and latitude (Kernels/Environment.h), in two parts: what is below the threshold is found by
-// rays that scatter there, what exceeds it is aimed at.
+// Light from an image in longitude and latitude (Kernels/Environment.h), in two parts: what is below the threshold is
+// found by rays that scatter there, what exceeds it is aimed at.
 #ifndef RTG_ENVIRONMENT
 #define RTG_ENVIRONMENT
 
@@ -37,7 +37,8 @@ vec3 AimAtEnvironment(vec2 pick, vec2 place, out vec3 direction)
     cell = frame.environmentCells.at[3u * cell + 1u];
   }
   float density = uintBitsToFloat(frame.environmentCells.at[3u * cell + 2u]);
-  uvec2 first = uvec2(cell % frame.environmentCellColumns, cell / frame.environmentCellColumns) * frame.environmentCellSide;
+  uvec2 first =
+    uvec2(cell % frame.environmentCellColumns, cell / frame.environmentCellColumns) * frame.environmentCellSide;
   uvec2 last = min(first + frame.environmentCellSide, frame.environmentSize);
   // Evenly over the cell's solid angle: the sine of the latitude is even.
   float low = -cos(environmentPi * float(first.y) / float(frame.environmentSize.y));
@@ -48,7 +49,8 @@ vec3 AimAtEnvironment(vec2 pick, vec2 place, out vec3 direction)
   float longitude = (column / float(frame.environmentSize.x) - 0.5) * 2.0 * environmentPi;
   float cosine = sqrt(max(1.0 - sine * sine, 0.0));
   vec3 front = cross(frame.environmentRight, frame.environmentUp);
-  direction = normalize(cosine * (cos(longitude) * frame.environmentRight + sin(longitude) * front) + sine * frame.environmentUp);
+  direction =
+    normalize(cosine * (cos(longitude) * frame.environmentRight + sin(longitude) * front) + sine * frame.environmentUp);
   uvec2 at = clamp(uvec2(column, max(row, 0.0)), first, last - 1u);
   vec3 above = max(EnvironmentTexel(at) - frame.environmentThreshold, vec3(0.0));
   return density > 0.0 ? frame.environment * above / density : vec3(0.0);

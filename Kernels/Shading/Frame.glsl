@@ -23,12 +23,12 @@ RTG_SHADING_FN vec3 FromFrame(vec3 to, vec3 x, vec3 y, vec3 z)
   return normalize(to.x * x + to.y * y + to.z * z);
 }
 
-// The unit vector, z > 0, that uniform numbers in [0,1)^2 choose with density z / pi: a point of the disc, lifted to the hemisphere
-// (Malley's method). Squares about the middle become circles, so that cells of the square stay compact: Shirley and Chiu, "A Low
-// Distortion Map Between Disk and Square", Journal of Graphics Tools 2(3), 1997.
+// The unit vector, z > 0, that uniform numbers in [0,1)^2 choose with density z / pi: a point of the disc, lifted to
+// the hemisphere (Malley's method). Squares about the middle become circles, so that cells of the square stay compact:
+// Shirley and Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics Tools 2(3), 1997.
 RTG_SHADING_FN vec3 CosineDirection(vec2 u)
 {
-  const float eighth = 0.78539816339744831f;  // of a turn
+  const float eighth = 0.78539816339744831f; // of a turn
   float a = 2.0f * u.x - 1.0f;
   float b = 2.0f * u.y - 1.0f;
   bool beside = abs(a) > abs(b);

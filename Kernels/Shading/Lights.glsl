@@ -4,9 +4,9 @@
 
 struct Incidence
 {
-  vec3 direction;     // the way the light travels, unit
-  float distance;     // from where it comes; far for lights at infinity
-  float attenuation;  // zero: it does not arrive
+  vec3 direction;    // the way the light travels, unit
+  float distance;    // from where it comes; far for lights at infinity
+  float attenuation; // zero: it does not arrive
 };
 
 Incidence ArriveAt(LightRecord light, vec3 position)

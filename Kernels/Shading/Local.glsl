@@ -57,7 +57,6 @@ vec3 ShadeLocal(SurfaceHit hit, vec3 position, vec3 direction)
       specular += attenuation * pow(max(1e-5, dot(reflect(incident, normal), toViewer)), power) * colour;
     }
   }
-  vec3 shaded = ambient + diffuse * set.diffuse * base +
-    specular * set.specular * set.specularColour;
+  vec3 shaded = ambient + diffuse * set.diffuse * base + specular * set.specular * set.specularColour;
   return clamp(shaded, 0.0, 1.0);
 }

@@ -1,7 +1,9 @@
-// How a surface scatters light: Burley's principled model ("Physically Based Shading at Disney", SIGGRAPH 2012) in layers
-// from above: a coat, then metal or a dielectric's reflection, then diffuse. Sheen, subsurface and anisotropy are left out.
+// How a surface scatters light: Burley's principled model ("Physically Based Shading at Disney", SIGGRAPH 2012) in
+// layers from above: a coat, then metal or a dielectric's reflection, then diffuse. Sheen, subsurface and anisotropy
+// are left out.
 //
-// What is different from the paper: no layer loses or makes energy, so that a white surface in white light is invisible.
+// What is different from the paper: no layer loses or makes energy, so that a white surface in white light is
+// invisible.
 // - Light that facets reflect onto each other goes to the layer below, and leaves metal as a diffuse lobe.
 // - What a layer reflects is missing below it.
 // - The diffuse lobe is divided by its albedo, which is a polynomial (DiffuseAlbedo).
@@ -16,25 +18,25 @@
 
 struct Surface
 {
-  vec3 base;              // linear, [0, 1]
-  float metallic;         // [0, 1]: probability of metal
-  float roughness;        // [0, 1]
-  float reflectance;      // of the dielectric at normal incidence
-  vec3 specularColour;    // tints the dielectric's reflection
-  float coat;             // [0, 1]: share of the coat's reflection
+  vec3 base;           // linear, [0, 1]
+  float metallic;      // [0, 1]: probability of metal
+  float roughness;     // [0, 1]
+  float reflectance;   // of the dielectric at normal incidence
+  vec3 specularColour; // tints the dielectric's reflection
+  float coat;          // [0, 1]: share of the coat's reflection
   float coatRoughness;
-  float coatReflectance;  // at normal incidence
-  vec3 coatColour;        // tints what passes the coat
+  float coatReflectance; // at normal incidence
+  vec3 coatColour;       // tints what passes the coat
 };
 
 // Independent uniform numbers in [0,1)^2.
 struct ScatterNumbers
 {
   vec2 direction;
-  vec2 lobe;       // coat or not; metal or not, then reflection or diffuse
+  vec2 lobe; // coat or not; metal or not, then reflection or diffuse
   vec2 facet;
   vec2 coatFacet;
-  vec2 chance;     // escape from the coat's and the base's facets
+  vec2 chance; // escape from the coat's and the base's facets
 };
 
 const float scatterPi = 3.14159265358979324;
@@ -193,8 +195,7 @@ RTG_SHADING_FN vec3 Scatter(Surface surface, vec3 from, ScatterNumbers u, RTG_SH
     }
   }
   to = CosineDirection(u.direction);
-  return weight * surface.base *
-    (DiffuseShape(from, to, surface.roughness) / DiffuseAlbedo(from.z, surface.roughness));
+  return weight * surface.base * (DiffuseShape(from, to, surface.roughness) / DiffuseAlbedo(from.z, surface.roughness));
 }
 
 // What arrives from `to`, a given direction, per unit of irradiance across it: the density times the cosine.
@@ -210,8 +211,7 @@ RTG_SHADING_FN vec3 Evaluate(Surface surface, vec3 from, vec3 to, ScatterNumbers
     float width = FacetWidth(surface.coatRoughness);
     sum += vec3(surface.coat * Fresnel(surface.coatReflectance, cosine) * FacetReflection(from, to, middle, width));
     vec3 m = VisibleFacet(from, width, u.coatFacet);
-    weight = CoatTint(surface) *
-      (1.0f - LayerReflection(surface.coat, surface.coatReflectance, width, from, m));
+    weight = CoatTint(surface) * (1.0f - LayerReflection(surface.coat, surface.coatReflectance, width, from, m));
   }
 
   float width = FacetWidth(surface.roughness);
@@ -219,8 +219,10 @@ RTG_SHADING_FN vec3 Evaluate(Surface surface, vec3 from, vec3 to, ScatterNumbers
   {
     vec3 m = VisibleFacet(from, width, u.facet);
     float trapped = 1.0f - EscapeProbability(from, reflect(-from, m), width);
-    return sum + weight * (MetalFresnel(surface.base, cosine) * FacetReflection(from, to, middle, width) +
-      MetalFresnel(surface.base, dot(from, m)) * MetalAverage(surface.base) * (trapped * lambert));
+    return sum +
+      weight *
+      (MetalFresnel(surface.base, cosine) * FacetReflection(from, to, middle, width) +
+        MetalFresnel(surface.base, dot(from, m)) * MetalAverage(surface.base) * (trapped * lambert));
   }
 
   if (surface.reflectance > 0.0f)
@@ -230,7 +232,8 @@ RTG_SHADING_FN vec3 Evaluate(Surface surface, vec3 from, vec3 to, ScatterNumbers
       (Fresnel(surface.reflectance, cosine) * FacetReflection(from, to, middle, width));
     weight *= 1.0f - LayerReflection(1.0f, surface.reflectance, width, from, m);
   }
-  return sum + weight * surface.base *
+  return sum +
+    weight * surface.base *
     (lambert * DiffuseShape(from, to, surface.roughness) / DiffuseAlbedo(from.z, surface.roughness));
 }
 

@@ -25,12 +25,12 @@ vec2 PixelSample(uint s)
 const uint pairPixel = 0u;
 // of one bounce
 const uint pairDirection = 0u;
-const uint pairLobe = 1u;      // metal or not, coat or base
+const uint pairLobe = 1u; // metal or not, coat or base
 const uint pairFacet = 2u;
 const uint pairCoatFacet = 3u;
-const uint pairChance = 4u;    // escape from between facets
-const uint pairLight = 5u;     // which one; whether the path goes on at the next hit
-const uint pairAim = 6u;       // at the environment image: the cell, and the next pair: where in it
+const uint pairChance = 4u; // escape from between facets
+const uint pairLight = 5u;  // which one; whether the path goes on at the next hit
+const uint pairAim = 6u;    // at the environment image: the cell, and the next pair: where in it
 
 uint PairOf(uint bounce, uint purpose)
 {
@@ -75,8 +75,8 @@ vec2 SamplePair(SampleNumber number, uint pair)
     bits = ScrambledSobol(number.index, sequenceSeed, pair % pairsPerSequence);
     if (pair == pairPixel)
     {
-      // Sample 0 goes through the pixel's centre. A shift by digits puts it there and keeps the net; turned round in half of the pixels,
-      // because such a net leans to one side.
+      // Sample 0 goes through the pixel's centre. A shift by digits puts it there and keeps the net; turned round in
+      // half of the pixels, because such a net leans to one side.
       bits ^= ScrambledSobol(0u, sequenceSeed, pairPixel) ^ ((sequenceSeed & 1u) != 0u ? 0x7fffffffu : 0x80000000u);
     }
   }

@@ -75,8 +75,9 @@ RTG_SHADING_FN uint TimesZeta(uint digits)
   return TimesOmega(b) | ((a ^ b) << 2u);
 }
 
-// Faure's generator matrix of the field's element e, times a sample's number: the digits are a polynomial's coefficients, and
-// what is asked for are those of f(t + e). Of halves f0 + t^s f1 the lower one gains e^s f1, then each half for itself.
+// Faure's generator matrix of the field's element e, times a sample's number: the digits are a polynomial's
+// coefficients, and what is asked for are those of f(t + e). Of halves f0 + t^s f1 the lower one gains e^s f1, then
+// each half for itself.
 RTG_SHADING_FN uint ShiftedByOmega(uint number)
 {
   number ^= TimesOmega(number & 0xffff0000u, 2u) >> 16u;
@@ -100,10 +101,10 @@ RTG_SHADING_FN uint ShiftedByZeta(uint number, uint power)
 // Every pair is a (0, 2)-sequence in base 2, pairs 2k and 2k + 1 together are a (0, 4)-sequence in base 4 and all a
 // (0, 16)-sequence in base 16: any aligned 4^k numbers fill every cell of 4^k equal ones, whatever powers of 4 the four
 // dimensions are cut into, once. That such sequences can be nested is due to Ahmed, Skopenkov, Hadwiger and Wonka,
-// "SZ Sequences: Binary-based (0, 2^q)-Sequences", SIGGRAPH Asia 2024; the matrices here are Faure's ("Discrepance de suites associees
-// a un systeme de numeration", Acta Arithmetica 41, 1982) in the fields of 2, 4 and 16 elements, each a subfield of the next.
-// The order is shuffled and the values scrambled after Owen, which keeps all of this.
-// Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
+// "SZ Sequences: Binary-based (0, 2^q)-Sequences", SIGGRAPH Asia 2024; the matrices here are Faure's ("Discrepance de
+// suites associees a un systeme de numeration", Acta Arithmetica 41, 1982) in the fields of 2, 4 and 16 elements, each
+// a subfield of the next. The order is shuffled and the values scrambled after Owen, which keeps all of this. Burley,
+// "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020.
 RTG_SHADING_FN uvec2 ScrambledSobol(uint index, uint seed, uint pair)
 {
   uint number = bitfieldReverse(ScrambleReversed(bitfieldReverse(index), seed));

@@ -9,14 +9,12 @@
 // IEC 61966-2-1 (sRGB).
 RTG_SHADING_FN vec3 DisplayToLinear(vec3 colour)
 {
-  return mix(
-    pow((colour + 0.055f) / 1.055f, vec3(2.4f)), colour / 12.92f, lessThanEqual(colour, vec3(0.04045f)));
+  return mix(pow((colour + 0.055f) / 1.055f, vec3(2.4f)), colour / 12.92f, lessThanEqual(colour, vec3(0.04045f)));
 }
 
 RTG_SHADING_FN vec3 LinearToDisplay(vec3 light)
 {
-  return mix(
-    1.055f * pow(light, vec3(1.0f / 2.4f)) - 0.055f, 12.92f * light, lessThanEqual(light, vec3(0.0031308f)));
+  return mix(1.055f * pow(light, vec3(1.0f / 2.4f)) - 0.055f, 12.92f * light, lessThanEqual(light, vec3(0.0031308f)));
 }
 
 // Narkowicz's fit of the ACES reference curve ("ACES Filmic Tone Mapping Curve", 2015).

@@ -50,8 +50,8 @@ RTG_FN bool ToArrowFrame(GlyphRay ray, Glyph glyph, ArrowScale scale, RTG_OUT(Lo
 
 RTG_FN Span ShaftSpan(LocalRay ray, Glyph glyph, ArrowScale scale)
 {
-  Span height = Slab(WordX(ray.origin), WordX(ray.direction), Word(glyph.arrow.z), scale.extent,
-    RTG_SHAFT_END, RTG_TAIL);
+  Span height =
+    Slab(WordX(ray.origin), WordX(ray.direction), Word(glyph.arrow.z), scale.extent, RTG_SHAFT_END, RTG_TAIL);
   Span side = RoundSpan(WordY(ray.origin), WordZ(ray.origin), Word(glyph.arrow.x), WordY(ray.direction),
     WordZ(ray.direction), Word(real(0.0)), RTG_SHAFT_SIDE);
   return Intersection(height, side);
@@ -86,8 +86,8 @@ RTG_FN Span HeadSpan(LocalRay ray, Glyph glyph, ArrowHead head)
   DoubleWord start = Word(head.coneStart);
   int startFace = rounded ? RTG_HEAD_CONE : RTG_HEAD_APEX;
   Span height = Slab(x, dx, start, Word(glyph.arrow.z), startFace, RTG_HEAD_BASE);
-  Span side = RoundSpan(WordY(ray.origin), WordZ(ray.origin), radius, WordY(ray.direction),
-    WordZ(ray.direction), rate, RTG_HEAD_CONE);
+  Span side = RoundSpan(
+    WordY(ray.origin), WordZ(ray.origin), radius, WordY(ray.direction), WordZ(ray.direction), rate, RTG_HEAD_CONE);
   Span cone = Intersection(height, side);
   if (!rounded)
   {

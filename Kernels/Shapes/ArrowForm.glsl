@@ -90,8 +90,8 @@ RTG_FN ArrowHead HeadOfArrow(Glyph glyph)
 
   DoubleWord radiusSquared = TwoProduct(radius, radius);
   DoubleWord sideSquared = Add(radiusSquared, TwoProduct(height, height));
-  DoubleWord a = Divide(Multiply(TwoProduct(radius, height), TwoProduct(rounding, rounding)),
-    Add(SquareRoot(sideSquared), radius));
+  DoubleWord a =
+    Divide(Multiply(TwoProduct(radius, height), TwoProduct(rounding, rounding)), Add(SquareRoot(sideSquared), radius));
   DoubleWord centre = Minus(Add(a, -height)); // distance between the sphere's centre and the base
 
   // The line from the base's rim (0, R) that touches the circle (centre, a): its unit normal is
@@ -113,10 +113,8 @@ RTG_FN void ArrowReach(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
   ArrowScale scale = ScaleOfArrow(glyph);
   real3 worldSize = scale.over / scale.times;
   real3 tip = RotateToWorld(glyph, real3(glyph.size.x, real(0.0), real(0.0)));
-  real3 base =
-    RotateToWorld(glyph, real3(glyph.size.x - glyph.arrow.z * worldSize.x, real(0.0), real(0.0)));
-  real3 unitDisc = DiscReach(
-    glyph, real3(real(0.0), worldSize.y, real(0.0)), real3(real(0.0), real(0.0), worldSize.z));
+  real3 base = RotateToWorld(glyph, real3(glyph.size.x - glyph.arrow.z * worldSize.x, real(0.0), real(0.0)));
+  real3 unitDisc = DiscReach(glyph, real3(real(0.0), worldSize.y, real(0.0)), real3(real(0.0), real(0.0), worldSize.z));
   bool shaft = HasShaft(glyph, scale);
   bool head = HasHead(glyph);
   lower = real3(real(0.0));

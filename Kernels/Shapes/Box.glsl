@@ -29,8 +29,8 @@ RTG_FN real3 BoxNormal(GlyphRay ray, Glyph glyph, real t)
   BoxCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), crossing);
   int axis = crossing.face / 2;
   real outward = crossing.face == 2 * axis ? real(-1.0) : real(1.0);
-  real3 normal = real3(axis == 0 ? outward : real(0.0), axis == 1 ? outward : real(0.0),
-    axis == 2 ? outward : real(0.0));
+  real3 normal =
+    real3(axis == 0 ? outward : real(0.0), axis == 1 ? outward : real(0.0), axis == 2 ? outward : real(0.0));
   return normalize(RotateToWorld(glyph, normal));
 }
 

@@ -6,8 +6,8 @@
 #include "Span.glsl"
 
 // Faces: 0 the side, 1 the base, 2 the apex.
-RTG_FN bool ConeCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local,
-  RTG_OUT(Crossing) crossing)
+RTG_FN bool
+ConeCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
   real3 halfSize = real(0.5) * glyph.size;
   if (!ToBoxFrame(ray, glyph, halfSize, local))
@@ -23,8 +23,8 @@ RTG_FN bool ConeCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OU
   DoubleWord rate = Multiply(dx, real(-0.5));
 
   Span height = Slab(x, dx, Minus(one), one, 1, 2);
-  Span side = RoundSpan(WordY(local.origin), WordZ(local.origin), radius, WordY(local.direction),
-    WordZ(local.direction), rate, 0);
+  Span side = RoundSpan(
+    WordY(local.origin), WordZ(local.origin), radius, WordY(local.direction), WordZ(local.direction), rate, 0);
   return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing);
 }
 
@@ -58,8 +58,7 @@ RTG_FN void ConeBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 halfSize = real(0.5) * glyph.size;
   real3 apex = RotateToWorld(glyph, real3(halfSize.x, real(0.0), real(0.0)));
-  real3 disc =
-    DiscReach(glyph, real3(real(0.0), halfSize.y, real(0.0)), real3(real(0.0), real(0.0), halfSize.z));
+  real3 disc = DiscReach(glyph, real3(real(0.0), halfSize.y, real(0.0)), real3(real(0.0), real(0.0), halfSize.z));
   lower = glyph.centre + (glyph.centreLow + min(apex, -apex - disc));
   upper = glyph.centre + (glyph.centreLow + max(apex, -apex + disc));
 }

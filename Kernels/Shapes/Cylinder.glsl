@@ -6,8 +6,8 @@
 #include "Span.glsl"
 
 // Faces: 0 the side, 1 the cap at -y, 2 the cap at +y.
-RTG_FN bool CylinderCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local,
-  RTG_OUT(Crossing) crossing)
+RTG_FN bool
+CylinderCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
   real3 halfSize = real(0.5) * glyph.size;
   if (!ToBoxFrame(ray, glyph, halfSize, local))
@@ -16,8 +16,8 @@ RTG_FN bool CylinderCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RT
   }
   DoubleWord one = Word(real(1.0));
   Span height = Slab(WordY(local.origin), WordY(local.direction), Minus(one), one, 1, 2);
-  Span side = RoundSpan(WordX(local.origin), WordZ(local.origin), one, WordX(local.direction),
-    WordZ(local.direction), Word(real(0.0)), 0);
+  Span side = RoundSpan(
+    WordX(local.origin), WordZ(local.origin), one, WordX(local.direction), WordZ(local.direction), Word(real(0.0)), 0);
   return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing);
 }
 
@@ -49,8 +49,8 @@ RTG_FN void CylinderBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upp
 {
   real3 halfSize = real(0.5) * glyph.size;
   real3 axis = RotateToWorld(glyph, real3(real(0.0), halfSize.y, real(0.0)));
-  real3 reach = abs(axis) +
-    DiscReach(glyph, real3(halfSize.x, real(0.0), real(0.0)), real3(real(0.0), real(0.0), halfSize.z));
+  real3 reach =
+    abs(axis) + DiscReach(glyph, real3(halfSize.x, real(0.0), real(0.0)), real3(real(0.0), real(0.0), halfSize.z));
   lower = glyph.centre + (glyph.centreLow - reach);
   upper = glyph.centre + (glyph.centreLow + reach);
 }

@@ -1,5 +1,5 @@
-// What plain arithmetic says for certain about a ray and a glyph. Traversals ask it first: most candidates end here, and
-// of the others most need no exact t before the nearest is known.
+// What plain arithmetic says for certain about a ray and a glyph. Traversals ask it first: most candidates end here,
+// and of the others most need no exact t before the nearest is known.
 #ifndef RTG_ESTIMATE
 #define RTG_ESTIMATE
 
@@ -9,8 +9,8 @@
 #define RTG_MET 1     // the nearest crossing in [tMin, tMax] exists and lies in [low, high]
 #define RTG_UNKNOWN 2 // a crossing in [tMin, tMax], if there is one, lies at low or behind it
 
-// Inside what the glyph is known to lie: a ball of that radius and, when `boxed`, the cube [-1, 1]^3, both in the frame in
-// which its half-lengths round its middle are 1, or in the world's frame when it is a plain sphere.
+// Inside what the glyph is known to lie: a ball of that radius and, when `boxed`, the cube [-1, 1]^3, both in the frame
+// in which its half-lengths round its middle are 1, or in the world's frame when it is a plain sphere.
 struct Enclosure
 {
   real3 middle;
@@ -39,8 +39,8 @@ RTG_FN EnclosureRay ToSphere(GlyphRay ray, Glyph glyph, real radius)
   return local;
 }
 
-// Turning adds less than 25 u |v| to the origin and 25 u |d| to the direction, which at the glyph's distance is the same
-// again; the shortest half-length magnifies all of it.
+// Turning adds less than 25 u |v| to the origin and 25 u |d| to the direction, which at the glyph's distance is the
+// same again; the shortest half-length magnifies all of it.
 RTG_FN EnclosureRay ToEnclosure(GlyphRay ray, Glyph glyph, Enclosure outer)
 {
   real3 v = (ray.origin - glyph.centre) + (ray.originLow - glyph.centreLow);
@@ -61,8 +61,8 @@ RTG_FN int Estimate(EnclosureRay ray, Enclosure outer, real tMin, real tMax, RTG
   real nearest = -dot(ray.o, ray.d) / dd;
   real3 p = ray.o + nearest * ray.d;
   real depth = outer.radius * outer.radius - dot(p, p);
-  // Where it matters |p| <= radius + moved, so moving p changes its square by less than 2 (radius + moved) moved + moved^2; the rounding of
-  // the squares is less than 8 u radius^2, and u radius less than moved / 16.
+  // Where it matters |p| <= radius + moved, so moving p changes its square by less than 2 (radius + moved) moved +
+  // moved^2; the rounding of the squares is less than 8 u radius^2, and u radius less than moved / 16.
   real doubt = real(4.0) * (outer.radius + ray.moved) * ray.moved;
   // Too small or too large for plain numbers, or NaN.
   if (!(doubt > real(1.0e-30) && doubt < real(1.0e30)))

@@ -3,8 +3,9 @@
 // beta = c <= 2, alpha <= 2: the gauge g = ||(||(x, y)||_p, z)||_q is a norm, so along the ray it is convex, and
 // the surface is g = 1. Newton's method on g - 1 from the ray's entry into the box, where g >= 1, follows tangents
 // that lie below g: but for rounding it cannot pass the first crossing. When the slope is no longer
-// negative while g > 1, the ray is past its closest point and there is no crossing. Steps are counted; each one at least halves
-// the distance to a closest point where the ray only just misses. The exit is found the same way from behind.
+// negative while g > 1, the ray is past its closest point and there is no crossing. Steps are counted; each one at
+// least halves the distance to a closest point where the ray only just misses. The exit is found the same way from
+// behind.
 #ifndef RTG_NESTED_CONVEX
 #define RTG_NESTED_CONVEX
 
@@ -57,8 +58,8 @@ RTG_FN bool NestedNewton(NestedForm form, real3 o, real3 d, real from, real to, 
   return true;
 }
 
-// The crossing near s where a ray enters a convex glyph, in double words: `at` is the ray with its origin there. `reach` is more than
-// the length of its chord through the box. False: there is none.
+// The crossing near s where a ray enters a convex glyph, in double words: `at` is the ray with its origin there.
+// `reach` is more than the length of its chord through the box. False: there is none.
 RTG_FN bool NestedPolish(NestedForm form, LocalRay ray, real s, real reach, RTG_OUT(LocalRay) at)
 {
   at = Advance(ray, s);
@@ -109,8 +110,8 @@ RTG_FN bool NestedPolish(NestedForm form, LocalRay ray, real s, real reach, RTG_
       real step = -value * (real(1.0) + real(0.5) * value) / ((real(1.0) + value) * slope);
       real bend = step * step * NestedBend(form, point, at);
       // What a tangent leaves is half the second derivative times the square of the step, over the slope.
-      bool settled =
-        (bend <= real(0.125 * RTG_ROUNDOFF) * -slope && StaysInOctant(at, step)) || abs(step) < real(1e-4 * RTG_ROUNDOFF);
+      bool settled = (bend <= real(0.125 * RTG_ROUNDOFF) * -slope && StaysInOctant(at, step)) ||
+        abs(step) < real(1e-4 * RTG_ROUNDOFF);
       at = Advance(at, step);
       stepped = true;
       if (settled)
@@ -123,8 +124,8 @@ RTG_FN bool NestedPolish(NestedForm form, LocalRay ray, real s, real reach, RTG_
 }
 
 // Convex glyphs are met from outside, from either end of the ray.
-RTG_FN NestedCrossing NestedConvex(NestedForm form, LocalRay ray, LocalRay unit, real scale, real sIn, real sOut,
-  real tMin, real tMax)
+RTG_FN NestedCrossing NestedConvex(
+  NestedForm form, LocalRay ray, LocalRay unit, real scale, real sIn, real sOut, real tMin, real tMax)
 {
   NestedCrossing crossing = NoCrossing(ray);
   LocalRay towards = unit;

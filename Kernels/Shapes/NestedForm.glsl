@@ -15,7 +15,7 @@ struct NestedForm
   real3 exponents; // alpha, beta, c, which p, q and r are rounded from
   bool convex;
   bool twoProfiles;
-  real2 steepAt;   // of a profile with q < 1: |z| where -d(log R)/d|z| is least, and that; 0 for others
+  real2 steepAt; // of a profile with q < 1: |z| where -d(log R)/d|z| is least, and that; 0 for others
   real2 leastFall;
 };
 

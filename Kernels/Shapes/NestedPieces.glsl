@@ -1,18 +1,20 @@
 // Rays and superquadrics with two profiles (NestedSuperquadric.glsl), or with one that is not convex.
 //
 // Inside one octant x / Rx along the ray has at most one extremum, at z^(1-q) = (z x' - x z') / x', and so
-// has y / Ry. The chord is cut there and at the three coordinate planes, whose order double words tell: at most twelve pieces, on each
-// of which both quotients are monotone. What a window [a, b] of a piece holds is known from its ends (NestedLook):
-//   - Both quotients rise or both fall, or one is all there is: their p-norm N is monotone, and has one crossing or none.
+// has y / Ry. The chord is cut there and at the three coordinate planes, whose order double words tell: at most twelve
+// pieces, on each of which both quotients are monotone. What a window [a, b] of a piece holds is known from its ends
+// (NestedLook):
+//   - Both quotients rise or both fall, or one is all there is: their p-norm N is monotone, and has one crossing or
+//   none.
 //   - N lies between the p-norms of the smaller and of the larger quotients at the ends: all outside, or all inside.
 //   - The slope of N^p / p is |x|^(p-1) Rx^-p x' + (x / Rx)^p fall z' and the same of y, whose factors are monotone, so
 //     that the ends bound it: N may be monotone, or lines from the ends tell that it does not come near 1.
-// Else it is cut where those lines leave room. Every value comes with a bound of its rounding, and what is less than that,
-// a sign at a window's end or a window in which N touches 1 within rounding, is left to double words. Nothing is
-// sampled; windows in which all coordinates and quotients change by less than 0.4 % (for sharp edges: less than the rounding of the
-// edge) count as having one extremum at most. A crossing is bracketed and found by Chandrupatla's method (Advances in
-// Engineering Software 28(3), 1997), which never leaves its bracket. Probes are counted: 3 on average, above RTG_NESTED_BUDGET only for
-// rays that lie within rounding of the surface all along.
+// Else it is cut where those lines leave room. Every value comes with a bound of its rounding, and what is less than
+// that, a sign at a window's end or a window in which N touches 1 within rounding, is left to double words. Nothing is
+// sampled; windows in which all coordinates and quotients change by less than 0.4 % (for sharp edges: less than the
+// rounding of the edge) count as having one extremum at most. A crossing is bracketed and found by Chandrupatla's
+// method (Advances in Engineering Software 28(3), 1997), which never leaves its bracket. Probes are counted: 3 on
+// average, above RTG_NESTED_BUDGET only for rays that lie within rounding of the surface all along.
 #ifndef RTG_NESTED_PIECES
 #define RTG_NESTED_PIECES
 
@@ -41,7 +43,8 @@ RTG_FN int NestedLook(NestedForm form, NestedProbe a, NestedProbe b, real3 towar
   real2 doubts = a.doubts + b.doubts;
   bool together = abs(rises.x) > doubts.x && abs(rises.y) > doubts.y && (rises.x > real(0.0)) == (rises.y > real(0.0));
   // One of the quotients is all there is.
-  real apart = max(min(a.logs.x, b.logs.x) - max(a.logs.y, b.logs.y), min(a.logs.y, b.logs.y) - max(a.logs.x, b.logs.x));
+  real apart =
+    max(min(a.logs.x, b.logs.x) - max(a.logs.y, b.logs.y), min(a.logs.y, b.logs.y) - max(a.logs.x, b.logs.x));
   bool alone = form.p * (apart - max(doubts.x, doubts.y)) > real(60.0);
   if ((together || alone) && !narrow)
   {
@@ -63,12 +66,11 @@ RTG_FN int NestedLook(NestedForm form, NestedProbe a, NestedProbe b, real3 towar
   real most = max(largest.x, largest.y);
   real least = LogNorm(form, min(a.logs, b.logs));
   real2 heights = real2(a.height, b.height);
-  real2 slopes = NestedSlopeOfTerm(form.p, most, real2(a.lows.x, b.lows.x), real2(a.logs.x, b.logs.x),
-                   real2(a.falls.x, b.falls.x), heights, form.steepAt.x, form.leastFall.x,
-                   real2(a.doubts.x, b.doubts.x), towards.x, towards.z) +
-    NestedSlopeOfTerm(form.p, most, real2(a.lows.y, b.lows.y), real2(a.logs.y, b.logs.y),
-      real2(a.falls.y, b.falls.y), heights, form.steepAt.y, form.leastFall.y, real2(a.doubts.y, b.doubts.y), towards.y,
-      towards.z);
+  real2 slopes =
+    NestedSlopeOfTerm(form.p, most, real2(a.lows.x, b.lows.x), real2(a.logs.x, b.logs.x), real2(a.falls.x, b.falls.x),
+      heights, form.steepAt.x, form.leastFall.x, real2(a.doubts.x, b.doubts.x), towards.x, towards.z) +
+    NestedSlopeOfTerm(form.p, most, real2(a.lows.y, b.lows.y), real2(a.logs.y, b.logs.y), real2(a.falls.y, b.falls.y),
+      heights, form.steepAt.y, form.leastFall.y, real2(a.doubts.y, b.doubts.y), towards.y, towards.z);
   real low = real(1.4426950408889634074) * (a.outside ? slopes.x : -slopes.y);
   real high = real(1.4426950408889634074) * (a.outside ? slopes.y : -slopes.x);
   if (low >= real(0.0) || high <= real(0.0))
@@ -94,14 +96,15 @@ RTG_FN int NestedLook(NestedForm form, NestedProbe a, NestedProbe b, real3 towar
   next = real(0.5) * (left + right);
   // So short that nothing but one extremum is in it.
   real3 change = real3(abs(rises.x), abs(rises.y), abs(b.height - a.height) / max(a.height, b.height));
-  bool tiny = depth <= real(4.0) * noise && max(change.x, max(change.y, change.z)) < real(0.004) + real(0.0004) * form.p;
+  bool tiny =
+    depth <= real(4.0) * noise && max(change.x, max(change.y, change.z)) < real(0.004) + real(0.0004) * form.p;
   return tiny || !(next > a.where.hi) || !(next < b.where.hi) ? RTG_NESTED_SETTLE : RTG_NESTED_SPLIT;
 }
 
-// `unit` is the ray with a direction of length one to two, its start zero; s counts in its lengths, `scale` of them are one
-// of the ray's.
-RTG_FN NestedCrossing NestedPieces(NestedForm form, LocalRay ray, LocalRay unit, real scale, real sIn, real sOut,
-  real tMin, real tMax)
+// `unit` is the ray with a direction of length one to two, its start zero; s counts in its lengths, `scale` of them are
+// one of the ray's.
+RTG_FN NestedCrossing NestedPieces(
+  NestedForm form, LocalRay ray, LocalRay unit, real scale, real sIn, real sOut, real tMin, real tMax)
 {
   NestedCrossing crossing = NoCrossing(ray);
   real3 o = unit.origin.hi;

@@ -1,4 +1,5 @@
-// What plain arithmetic knows of a superquadric with two profiles (NestedSuperquadric.glsl) along a ray, and how far it errs.
+// What plain arithmetic knows of a superquadric with two profiles (NestedSuperquadric.glsl) along a ray, and how far it
+// errs.
 #ifndef RTG_NESTED_PROBE
 #define RTG_NESTED_PROBE
 
@@ -50,8 +51,8 @@ RTG_FN real LogNAt(NestedForm form, real3 o, real3 d, real s)
   return LogNorm(form, real2(log2(a.x) - rx, log2(a.y) - ry));
 }
 
-// What rounding does to log2 R: `rounding` is that of |z|, built-in logarithms and powers are good to 2^-20. Where 1 - z^q is next to
-// nothing it may be nothing, but not much more: that is the certain side when the point is outside.
+// What rounding does to log2 R: `rounding` is that of |z|, built-in logarithms and powers are good to 2^-20. Where 1 -
+// z^q is next to nothing it may be nothing, but not much more: that is the certain side when the point is outside.
 RTG_FN real ProfileDoubt(real fall, real z, real q, real rounding, bool outside)
 {
   real share = q * rounding * fall + real(16.0 * RTG_ROUNDOFF) * (real(1.0) + q) * (real(1.0) + fall * z);
@@ -63,8 +64,8 @@ RTG_FN real ProfileDoubt(real fall, real z, real q, real rounding, bool outside)
 RTG_FN NestedProbe NestedProbeAt(NestedForm form, real3 o, real3 d, DoubleWord where, int axis)
 {
   real3 way = where.hi * d;
-  real3 known = real3(axis == 0 ? real(0.0) : real(1.0), axis == 1 ? real(0.0) : real(1.0),
-    axis == 2 ? real(0.0) : real(1.0));
+  real3 known =
+    real3(axis == 0 ? real(0.0) : real(1.0), axis == 1 ? real(0.0) : real(1.0), axis == 2 ? real(0.0) : real(1.0));
   real3 a = max(known * abs(o + way), real3(real(RTG_NESTED_TINY)));
   real u = real(RTG_ROUNDOFF);
   real3 rounding = real(4.0) * u * (known * (abs(o) + abs(way)));

@@ -8,11 +8,11 @@
 // Kindlmann 2004 and of granular matter codes. alpha = 0 is the square cross-section, beta = c = 0 the cylinder.
 // Glyph.exponents holds alpha, beta, c; those below 1e-6 count as that.
 //
-// Crossings are found in plain arithmetic, by Newton's method on a norm where the glyph is convex (NestedConvex.glsl), else in
-// windows of the ray that hold one crossing or none (NestedPieces.glsl). The last steps are Newton's on the norm's logarithm, in
-// double words (NestedWords.glsl), until what a tangent leaves is below rounding: the plain solution knows the surface to 1e-6 only, and a
-// grazing ray wants 1e-11. Where the terms of the slope cancel they are double words too, inside a bracket (NestedSettle).
-// No hit is invented: each one is a change of sign.
+// Crossings are found in plain arithmetic, by Newton's method on a norm where the glyph is convex (NestedConvex.glsl),
+// else in windows of the ray that hold one crossing or none (NestedPieces.glsl). The last steps are Newton's on the
+// norm's logarithm, in double words (NestedWords.glsl), until what a tangent leaves is below rounding: the plain
+// solution knows the surface to 1e-6 only, and a grazing ray wants 1e-11. Where the terms of the slope cancel they are
+// double words too, inside a bracket (NestedSettle). No hit is invented: each one is a change of sign.
 #ifndef RTG_NESTED_SUPERQUADRIC
 #define RTG_NESTED_SUPERQUADRIC
 
@@ -73,8 +73,8 @@ RTG_FN real3 NestedSuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
   NestedCrossing crossing = NestedSuperquadricCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER));
   NestedForm form = MakeNestedForm(glyph.exponents);
   real3 p = crossing.at.origin.hi;
-  real3 gradient = form.convex ? NestedConvexAt(form, crossing.at.origin).gradient
-                               : NestedProfileAt(form, crossing.at).gradient;
+  real3 gradient =
+    form.convex ? NestedConvexAt(form, crossing.at.origin).gradient : NestedProfileAt(form, crossing.at).gradient;
   gradient = gradient / max(gradient.x, max(gradient.y, max(gradient.z, real(RTG_NESTED_TINY))));
   // On the axis of a thorn nothing points anywhere but along it.
   if (!(gradient.x + gradient.y + gradient.z > real(0.0)))
@@ -100,8 +100,8 @@ RTG_FN real DualNorm(real a, real b, real exponent)
   return high * pow(real(1.0) + pow(min(a, b) / high, dual), real(1.0) / dual);
 }
 
-// Half the extent along each world axis is the glyph's support function there: of the dual norms, one in the other. A profile
-// that is convex towards the axis (beta > 2) reaches as far as its hull. Of two profiles the fuller one counts,
+// Half the extent along each world axis is the glyph's support function there: of the dual norms, one in the other. A
+// profile that is convex towards the axis (beta > 2) reaches as far as its hull. Of two profiles the fuller one counts,
 // which is exact when both are straight or convex towards the axis.
 RTG_FN void NestedSuperquadricBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {

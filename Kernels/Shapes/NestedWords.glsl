@@ -1,4 +1,5 @@
-// A superquadric with two profiles (NestedSuperquadric.glsl) along a ray in double words: its logarithm there, and where that is zero.
+// A superquadric with two profiles (NestedSuperquadric.glsl) along a ray in double words: its logarithm there, and
+// where that is zero.
 #ifndef RTG_NESTED_WORDS
 #define RTG_NESTED_WORDS
 
@@ -12,8 +13,8 @@ struct NestedPoint
   real3 gradient;
 };
 
-// log (high^p + low^p)^(1/p), p = 2 / exponent, of numbers given by their logarithms; which of them is high, and the power of low
-// over high. A rounded p would be another surface, as a grazing ray notices.
+// log (high^p + low^p)^(1/p), p = 2 / exponent, of numbers given by their logarithms; which of them is high, and the
+// power of low over high. A rounded p would be another surface, as a grazing ray notices.
 RTG_FN DoubleWord LogNorm(DoubleWord a, DoubleWord b, real exponent, RTG_OUT(bool) aHigh, RTG_OUT(DoubleWord) power)
 {
   aHigh = !IsLess(a, b);
@@ -90,7 +91,8 @@ RTG_FN DoubleWord RateOf(DoubleWord x, DoubleWord dx)
   return Divide(dx, x);
 }
 
-// The logarithm of N at the origin of a ray, with its slope along that: the terms of a slope cancel where the ray grazes.
+// The logarithm of N at the origin of a ray, with its slope along that: the terms of a slope cancel where the ray
+// grazes.
 struct NestedProfilePoint
 {
   DoubleWord value;
@@ -243,8 +245,8 @@ RTG_FN LocalRay RayFrom(LocalRay ray, DoubleWord where, int axis)
   at.start = Add(ray.start, where);
   at.origin = Add(ray.origin, Multiply(ray.direction, along));
   at.direction = ray.direction;
-  real3 keep = real3(axis == 0 ? real(0.0) : real(1.0), axis == 1 ? real(0.0) : real(1.0),
-    axis == 2 ? real(0.0) : real(1.0));
+  real3 keep =
+    real3(axis == 0 ? real(0.0) : real(1.0), axis == 1 ? real(0.0) : real(1.0), axis == 2 ? real(0.0) : real(1.0));
   at.origin.hi = at.origin.hi * keep;
   at.origin.lo = at.origin.lo * keep;
   return at;
@@ -259,9 +261,11 @@ RTG_FN bool StaysInOctant(LocalRay at, real step)
 }
 
 // What plain arithmetic leaves open, in double words. `low` to `high` is a part of the ray round its origin; at low
-// way log N is above zero. `changes`: at high it is not, and the crossing is Newton's or, where that leaves the bracket or
-// dawdles, bisection's. Else the least of it is looked for by its slopes, which change their sign once. False: there is none.
-RTG_FN bool NestedSettle(NestedForm form, LocalRay ray, real low, real high, real way, bool changes, RTG_OUT(LocalRay) at)
+// way log N is above zero. `changes`: at high it is not, and the crossing is Newton's or, where that leaves the bracket
+// or dawdles, bisection's. Else the least of it is looked for by its slopes, which change their sign once. False: there
+// is none.
+RTG_FN bool
+NestedSettle(NestedForm form, LocalRay ray, real low, real high, real way, bool changes, RTG_OUT(LocalRay) at)
 {
   real fine = real(RTG_ROUNDOFF / 64.0) / (real(1.0) + form.p);
   bool root = changes;

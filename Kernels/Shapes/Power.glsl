@@ -6,7 +6,8 @@
 // with l from the built-in logarithm: what that lacks is the logarithm of a number next to one, so the only function
 // needed with many digits is 2^y = 2^k 2^(j/8) exp(r): k integer, 2^(j/8) from a table, j = -4 .. 4, and
 // |r| <= ln(2) / 16 by the Taylor series, its first terms in double words.
-// The relative error of x^e is below 8 u^2 (1 + e (1 + |log2 x|)), in double with 2^-101 for u^2: the constants have no more digits.
+// The relative error of x^e is below 8 u^2 (1 + e (1 + |log2 x|)), in double with 2^-101 for u^2: the constants have no
+// more digits.
 #ifndef RTG_POWER
 #define RTG_POWER
 
@@ -32,8 +33,8 @@ RTG_FN DoubleWord FromParts(real c0, real c1, real c2, real c3)
 RTG_FN DoubleWord EighthPower(int i)
 {
   const real c0[9] = { real(0.70710676908493042), real(0.77110540866851807), real(0.84089642763137817),
-    real(0.9170040488243103), real(1.0), real(1.0905077457427979), real(1.1892070770263672),
-    real(1.2968395948410034), real(1.4142135381698608) };
+    real(0.9170040488243103), real(1.0), real(1.0905077457427979), real(1.1892070770263672), real(1.2968395948410034),
+    real(1.4142135381698608) };
   const real c1[9] = { real(1.2101617485882343e-08), real(4.0354524166730243e-09), real(-1.2377663338725142e-08),
     real(-5.6196389763840671e-09), real(0.0), real(-1.3077539939843064e-08), real(3.7976352729174323e-08),
     real(-4.0189995331729733e-08), real(2.4203234971764687e-08) };

@@ -17,9 +17,9 @@
 #include "NestedSuperquadric.glsl"
 #include "Superquadric.glsl"
 #ifdef RTG_HOST
-#define RTG_SHAPES(ENTRY)                                                                          \
-  ENTRY(0, Sphere) ENTRY(1, Box) ENTRY(2, Cylinder) ENTRY(3, Cone) ENTRY(4, Arrow)                 \
-  ENTRY(5, Superquadric) ENTRY(6, NestedSuperquadric)
+#define RTG_SHAPES(ENTRY)                                                                                              \
+  ENTRY(0, Sphere)                                                                                                     \
+  ENTRY(1, Box) ENTRY(2, Cylinder) ENTRY(3, Cone) ENTRY(4, Arrow) ENTRY(5, Superquadric) ENTRY(6, NestedSuperquadric)
 // A program has one shape only: drivers spend seconds on code that is never run.
 #elif RTG_SHAPE == 0
 #define RTG_SHAPES(ENTRY) ENTRY(0, Sphere)
@@ -40,10 +40,10 @@
 // Nearest t in [tMin, tMax] where the ray crosses the glyph's surface; from inside, where it leaves.
 RTG_FN_SHAPE bool IntersectGlyph(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
 {
-#define RTG_INTERSECT(number, Name)                                                                \
-  if (RTG_SHAPE == number)                                                                         \
-  {                                                                                                \
-    return Intersect##Name(ray, glyph, tMin, tMax, t);                                             \
+#define RTG_INTERSECT(number, Name)                                                                                    \
+  if (RTG_SHAPE == number)                                                                                             \
+  {                                                                                                                    \
+    return Intersect##Name(ray, glyph, tMin, tMax, t);                                                                 \
   }
   RTG_SHAPES(RTG_INTERSECT)
 #undef RTG_INTERSECT
@@ -89,10 +89,10 @@ RTG_FN_SHAPE int EstimateGlyph(GlyphRay ray, Glyph glyph, real tMin, real tMax, 
 // Outward unit normal in the world frame at a t that IntersectGlyph returned for this ray.
 RTG_FN_SHAPE real3 GlyphNormal(GlyphRay ray, Glyph glyph, real t)
 {
-#define RTG_NORMAL(number, Name)                                                                   \
-  if (RTG_SHAPE == number)                                                                         \
-  {                                                                                                \
-    return Name##Normal(ray, glyph, t);                                                            \
+#define RTG_NORMAL(number, Name)                                                                                       \
+  if (RTG_SHAPE == number)                                                                                             \
+  {                                                                                                                    \
+    return Name##Normal(ray, glyph, t);                                                                                \
   }
   RTG_SHAPES(RTG_NORMAL)
 #undef RTG_NORMAL
@@ -102,11 +102,11 @@ RTG_FN_SHAPE real3 GlyphNormal(GlyphRay ray, Glyph glyph, real t)
 // Axis-aligned bounds in the frame of the centres, tight but for rounding: pad them before use.
 RTG_FN_SHAPE void GlyphBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
-#define RTG_BOUNDS(number, Name)                                                                   \
-  if (RTG_SHAPE == number)                                                                         \
-  {                                                                                                \
-    Name##Bounds(glyph, lower, upper);                                                             \
-    return;                                                                                        \
+#define RTG_BOUNDS(number, Name)                                                                                       \
+  if (RTG_SHAPE == number)                                                                                             \
+  {                                                                                                                    \
+    Name##Bounds(glyph, lower, upper);                                                                                 \
+    return;                                                                                                            \
   }
   RTG_SHAPES(RTG_BOUNDS)
 #undef RTG_BOUNDS

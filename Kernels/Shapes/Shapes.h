@@ -35,8 +35,8 @@ constexpr Real splitter = Real((1LL << ((std::numeric_limits<Real>::digits + 1) 
 
 #define RTG_HOST
 #define RTG_FN static inline
-#define RTG_FN_SHAPE                                                                               \
-  template <int RTG_SHAPE>                                                                         \
+#define RTG_FN_SHAPE                                                                                                   \
+  template <int RTG_SHAPE>                                                                                             \
   static inline
 #define RTG_OF_SHAPE <RTG_SHAPE>
 #define RTG_OUT(type) type&
@@ -57,13 +57,12 @@ struct Kernel
 #include "Registry.glsl"
 
   /// IntersectGlyph of a shape that is known at run time.
-  static bool
-  Intersect(Shape shape, const GlyphRay& ray, const Glyph& glyph, Real tMin, Real tMax, Real& t)
+  static bool Intersect(Shape shape, const GlyphRay& ray, const Glyph& glyph, Real tMin, Real tMax, Real& t)
   {
-#define RTG_CASE(number, Name)                                                                     \
-  if (shape == Shape(number))                                                                      \
-  {                                                                                                \
-    return Intersect##Name(ray, glyph, tMin, tMax, t);                                             \
+#define RTG_CASE(number, Name)                                                                                         \
+  if (shape == Shape(number))                                                                                          \
+  {                                                                                                                    \
+    return Intersect##Name(ray, glyph, tMin, tMax, t);                                                                 \
   }
     RTG_SHAPES(RTG_CASE)
 #undef RTG_CASE
@@ -71,13 +70,12 @@ struct Kernel
   }
 
   /// EstimateGlyph of a shape that is known at run time.
-  static int Estimate(Shape shape, const GlyphRay& ray, const Glyph& glyph, Real tMin, Real tMax,
-    Real& low, Real& high)
+  static int Estimate(Shape shape, const GlyphRay& ray, const Glyph& glyph, Real tMin, Real tMax, Real& low, Real& high)
   {
-#define RTG_CASE(number, Name)                                                                     \
-  if (shape == Shape(number))                                                                      \
-  {                                                                                                \
-    return EstimateGlyph<number>(ray, glyph, tMin, tMax, low, high);                               \
+#define RTG_CASE(number, Name)                                                                                         \
+  if (shape == Shape(number))                                                                                          \
+  {                                                                                                                    \
+    return EstimateGlyph<number>(ray, glyph, tMin, tMax, low, high);                                                   \
   }
     RTG_SHAPES(RTG_CASE)
 #undef RTG_CASE
@@ -88,10 +86,10 @@ struct Kernel
   /// GlyphNormal of a shape that is known at run time.
   static real3 Normal(Shape shape, const GlyphRay& ray, const Glyph& glyph, Real t)
   {
-#define RTG_CASE(number, Name)                                                                     \
-  if (shape == Shape(number))                                                                      \
-  {                                                                                                \
-    return Name##Normal(ray, glyph, t);                                                            \
+#define RTG_CASE(number, Name)                                                                                         \
+  if (shape == Shape(number))                                                                                          \
+  {                                                                                                                    \
+    return Name##Normal(ray, glyph, t);                                                                                \
   }
     RTG_SHAPES(RTG_CASE)
 #undef RTG_CASE
@@ -101,10 +99,10 @@ struct Kernel
   /// GlyphBounds of a shape that is known at run time.
   static void Bounds(Shape shape, const Glyph& glyph, real3& lower, real3& upper)
   {
-#define RTG_CASE(number, Name)                                                                     \
-  if (shape == Shape(number))                                                                      \
-  {                                                                                                \
-    Name##Bounds(glyph, lower, upper);                                                             \
+#define RTG_CASE(number, Name)                                                                                         \
+  if (shape == Shape(number))                                                                                          \
+  {                                                                                                                    \
+    Name##Bounds(glyph, lower, upper);                                                                                 \
   }
     RTG_SHAPES(RTG_CASE)
 #undef RTG_CASE

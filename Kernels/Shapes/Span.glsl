@@ -137,8 +137,8 @@ RTG_FN Span BoxSpan(LocalRay ray, real3 halfSize)
 // The body of revolution y^2 + z^2 <= rho^2 where y, z and the radius rho change linearly along the ray:
 // a cylinder, or the nappe rho >= 0 of a cone, of which the caller keeps the part between two planes with
 // rho >= 0. `oRho`, `dRho`: the radius at s = 0 and its rate.
-RTG_FN Span RoundSpan(DoubleWord oy, DoubleWord oz, DoubleWord oRho, DoubleWord dy, DoubleWord dz,
-  DoubleWord dRho, int face)
+RTG_FN Span RoundSpan(
+  DoubleWord oy, DoubleWord oz, DoubleWord oRho, DoubleWord dy, DoubleWord dz, DoubleWord dRho, int face)
 {
   // a s^2 + 2 b s + c <= 0
   DoubleWord a = Add(Add(Multiply(dy, dy), Multiply(dz, dz)), Minus(Multiply(dRho, dRho)));
@@ -251,8 +251,8 @@ RTG_FN real3 PointAt(LocalRay ray, DoubleWord s)
   return Add(ray.origin, Multiply(ray.direction, along)).hi;
 }
 
-// The way from the glyph's centre to the ray's point at t, in the glyph's frame: right to a few ulps of the glyph's size beside what
-// the rounding of t does.
+// The way from the glyph's centre to the ray's point at t, in the glyph's frame: right to a few ulps of the glyph's
+// size beside what the rounding of t does.
 RTG_FN real3 FromCentre(GlyphRay ray, Glyph glyph, real t)
 {
   LocalRay near = NearRay(ray, glyph);

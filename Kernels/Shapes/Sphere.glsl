@@ -55,8 +55,8 @@ RTG_FN LocalRay ToUnitSphere(LocalRay ray, real3 halfSize)
   return Advance(unit, s);
 }
 
-RTG_FN bool SphereCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local,
-  RTG_OUT(Crossing) crossing)
+RTG_FN bool
+SphereCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
   real3 halfSize = real(0.5) * glyph.size;
   Span span = EmptySpan();

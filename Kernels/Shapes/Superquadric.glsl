@@ -6,20 +6,23 @@
 // concave. Its crossings are found one after the other, from the left.
 //
 // Isolation. Outside the glyph f > 0, and on a window [a, b] without cusps
-//   f(s) >= tangent of the convex terms at a (or at b) + chord of the concave terms =: a straight line through f(a) (or f(b)).
-// Where both lines are below zero is all that is left of the window; if they are nowhere, nothing is in it: that is proven,
-// nothing is sampled. For a convex glyph the line at a is Newton's, which by convexity never passes the first
+//   f(s) >= tangent of the convex terms at a (or at b) + chord of the concave terms =: a straight line through f(a) (or
+//   f(b)).
+// Where both lines are below zero is all that is left of the window; if they are nowhere, nothing is in it: that is
+// proven, nothing is sampled. For a convex glyph the line at a is Newton's, which by convexity never passes the first
 // crossing. Inside the glyph the same holds for -f, with the roles of convex and concave terms exchanged.
 // When the signs at a and b differ and f is monotone between, or purely convex or concave, the crossing is unique.
 // Otherwise the window is cut where the lines leave the most doubt, so every step at least halves it.
 //
 // Solution. Newton's method inside a bracket of certain signs, with bisection where it leaves the bracket or
 // dawdles. The last step is done on f in double words (Power.glsl): f is then known to about 1e-13, so that the
-// quadratic through it, with plain derivatives, gives a grazing crossing with the digits that t needs, and tells whether there is one.
+// quadratic through it, with plain derivatives, gives a grazing crossing with the digits that t needs, and tells
+// whether there is one.
 //
-// Why it cannot loop: every turn evaluates f once and the turns are counted; after RTG_STEPS the answer is a miss. Testing/Kernels/
-// SuperquadricTest.cxx counts them: 4 to 5 on average, and only rays that touch the surface to within rounding use them up.
-// Why it cannot invent hits: a crossing needs a certain change of sign, or the last step must find its root in double words.
+// Why it cannot loop: every turn evaluates f once and the turns are counted; after RTG_STEPS the answer is a miss.
+// Testing/Kernels/ SuperquadricTest.cxx counts them: 4 to 5 on average, and only rays that touch the surface to within
+// rounding use them up. Why it cannot invent hits: a crossing needs a certain change of sign, or the last step must
+// find its root in double words.
 #ifndef RTG_SUPERQUADRIC
 #define RTG_SUPERQUADRIC
 
@@ -40,7 +43,7 @@ struct SuperquadricRay
   real3 base;
   real3 direction;
   real3 exponents;
-  real sIn;    // its chord through the box, slightly longer
+  real sIn; // its chord through the box, slightly longer
   real sOut;
   real accuracy; // of s, after the last step
   real noise;    // rounding of f where its terms are of the order of one
@@ -70,8 +73,8 @@ RTG_FN void ParabolaAxis(real a, real d, real e, real slope, real rate, RTG_OUT(
   }
 }
 
-RTG_FN void ProbeAxis(real p, real d, real e, RTG_OUT(real) term, RTG_OUT(real) slope, RTG_OUT(real) third,
-  RTG_OUT(real) reach)
+RTG_FN void
+ProbeAxis(real p, real d, real e, RTG_OUT(real) term, RTG_OUT(real) slope, RTG_OUT(real) third, RTG_OUT(real) reach)
 {
   real a = abs(p);
   term = a > real(0.0) ? pow(a, e) : real(0.0);
@@ -236,8 +239,8 @@ struct ExactProbe
 {
   DoubleWord f;
   real slope;
-  real3 second;   // second derivatives of the terms along the ray
-  real3 rate;     // of the coordinates' logarithms
+  real3 second; // second derivatives of the terms along the ray
+  real3 rate;   // of the coordinates' logarithms
   real third;
   real reach;
   real3 gradient;
@@ -320,8 +323,8 @@ RTG_FN ExactProbe ExactlyAt(LocalRay local, real3 exponents, DoubleWord s, int p
   return probe;
 }
 
-// A probe that may be at a cusp. Whether the glyph reaches as far as the ray is decided at cusps, so there the sign must be
-// right even where the other terms are steep, or at another cusp that is too close for s to tell.
+// A probe that may be at a cusp. Whether the glyph reaches as far as the ray is decided at cusps, so there the sign
+// must be right even where the other terms are steep, or at another cusp that is too close for s to tell.
 RTG_FN Probe ProbeCusp(LocalRay local, SuperquadricRay ray, real s)
 {
   Probe probe = ProbeAt(ray, s);
@@ -353,14 +356,14 @@ RTG_FN Probe ProbeCusp(LocalRay local, SuperquadricRay ray, real s)
 // Where the search along a ray stands.
 struct Search
 {
-  Probe a;       // no crossing is left before it
-  Probe b;       // end of the window
-  Probe end;     // end of the piece
-  real outward;  // 1: a is outside the glyph; -1: inside
+  Probe a;      // no crossing is left before it
+  Probe b;      // end of the window
+  Probe end;    // end of the piece
+  real outward; // 1: a is outside the glyph; -1: inside
   int steps;
-  Probe found;   // close to a crossing
-  bool steep;    // it needs no last step: f jumps within the accuracy of s
-  bool touch;    // f is next to zero there without a change of sign: only the last step can tell
+  Probe found; // close to a crossing
+  bool steep;  // it needs no last step: f jumps within the accuracy of s
+  bool touch;  // f is next to zero there without a change of sign: only the last step can tell
 };
 
 RTG_FN Search StartSearch(SuperquadricRay ray)
@@ -515,7 +518,8 @@ RTG_FN bool Polish(LocalRay local, SuperquadricRay ray, Search search, RTG_OUT(D
     exists = discriminant >= real(0.0) && (slope < real(0.0) || second > real(0.0));
     if (discriminant < real(0.0) && second > real(0.0) && i < 3)
     {
-      // Least at a place too far for the parabola to be trusted? Then look from there. The true one may be twice as far.
+      // Least at a place too far for the parabola to be trusted? Then look from there. The true one may be twice as
+      // far.
       real toLeast = -slope / second;
       real least = f + real(0.5) * slope * toLeast;
       if (least < real(2.0) * abs(toLeast * toLeast * toLeast) * probe.third)
@@ -553,8 +557,8 @@ RTG_FN bool IsEllipsoid(Glyph glyph)
   return glyph.exponents.x == real(2.0) && glyph.exponents.y == real(2.0) && glyph.exponents.z == real(2.0);
 }
 
-RTG_FN bool SuperquadricCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local,
-  RTG_OUT(Crossing) crossing)
+RTG_FN bool SuperquadricCrossing(
+  GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
   if (!ToBoxFrame(ray, glyph, real(0.5) * glyph.size, local))
   {
@@ -563,8 +567,8 @@ RTG_FN bool SuperquadricCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax
   crossing.s = Word(real(0.0));
   crossing.t = real(RTG_NEVER);
   crossing.face = 0;
-  // The parameter is scaled by a power of two that makes directions of the order of one: third derivatives of tiny glyphs
-  // would overflow. In what follows s = scale * s of `unit` and `scaled`.
+  // The parameter is scaled by a power of two that makes directions of the order of one: third derivatives of tiny
+  // glyphs would overflow. In what follows s = scale * s of `unit` and `scaled`.
   real3 d = abs(local.direction.hi);
   real scale = ldexp(real(1.0), -int(floor(log2(max(d.x, max(d.y, d.z))))));
   LocalRay scaled = local;
@@ -617,8 +621,9 @@ RTG_FN bool IntersectSuperquadric(GlyphRay ray, Glyph glyph, real tMin, real tMa
   return found;
 }
 
-// The gradient where the crossing was found whose parameter was rounded to t, by a few of Newton's steps in double words. False: the
-// surface may have other crossings within t's rounding, or an edge, and only the search tells which one it was.
+// The gradient where the crossing was found whose parameter was rounded to t, by a few of Newton's steps in double
+// words. False: the surface may have other crossings within t's rounding, or an edge, and only the search tells which
+// one it was.
 RTG_FN bool GradientNear(GlyphRay ray, Glyph glyph, real t, RTG_OUT(real3) gradient)
 {
   gradient = real3(real(0.0));
@@ -671,11 +676,11 @@ RTG_FN real3 SuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
   return normalize(RotateToWorld(glyph, gradient / largest));
 }
 
-// The largest a.x u + a.y v + a.z w on |u|^e.x + |v|^e.y + |w|^e.z <= 1, a >= 0; with exponents below 1 on the larger body where
-// they are 1. By duality it is the least over k > 0 of k + sum max_u (a_i u - k u^e_i), and no k gives less: rounding
-// and an unfinished iteration err on the safe side. The best k has sum 2^(q_i (l_i - log2 k)) = 1, l_i = log2(a_i / e_i),
-// q_i = e_i / (e_i - 1); the logarithm of that sum is convex in log2 k, and Newton's method goes up from the largest l_i without
-// passing the root.
+// The largest a.x u + a.y v + a.z w on |u|^e.x + |v|^e.y + |w|^e.z <= 1, a >= 0; with exponents below 1 on the larger
+// body where they are 1. By duality it is the least over k > 0 of k + sum max_u (a_i u - k u^e_i), and no k gives less:
+// rounding and an unfinished iteration err on the safe side. The best k has sum 2^(q_i (l_i - log2 k)) = 1, l_i =
+// log2(a_i / e_i), q_i = e_i / (e_i - 1); the logarithm of that sum is convex in log2 k, and Newton's method goes up
+// from the largest l_i without passing the root.
 RTG_FN real SuperquadricReach(real3 a, real3 exponents)
 {
   real3 e = max(exponents, real3(real(1.0)));

@@ -45,8 +45,9 @@ RTG_FN DoubleWord Exponential(DoubleWord a)
   // Terms up to the fourth power in double words; the tail is small enough for plain numbers.
   real h = x.hi;
   real tail = real(1.0 / 120.0) +
-    h * (real(1.0 / 720.0) +
-          h * (real(1.0 / 5040.0) + h * (real(1.0 / 40320.0) + h * (real(1.0 / 362880.0) + h * real(1.0 / 3628800.0)))));
+    h *
+      (real(1.0 / 720.0) +
+        h * (real(1.0 / 5040.0) + h * (real(1.0 / 40320.0) + h * (real(1.0 / 362880.0) + h * real(1.0 / 3628800.0)))));
   DoubleWord square = Multiply(x, x);
   square.hi *= real(0.5);
   square.lo *= real(0.5);

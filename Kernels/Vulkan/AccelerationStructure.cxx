@@ -10,21 +10,18 @@ namespace rtg
 using Usage = vk::BufferUsageFlagBits;
 
 AccelerationStructure::AccelerationStructure(Device::State& device,
-  const vk::AccelerationStructureGeometryKHR& geometry, vk::AccelerationStructureTypeKHR type,
-  std::uint32_t count, Buffer&& input)
+  const vk::AccelerationStructureGeometryKHR& geometry, vk::AccelerationStructureTypeKHR type, std::uint32_t count,
+  Buffer&& input)
 {
-  vk::AccelerationStructureBuildGeometryInfoKHR info(
-    type, vk::BuildAccelerationStructureFlagBitsKHR::ePreferFastTrace);
+  vk::AccelerationStructureBuildGeometryInfoKHR info(type, vk::BuildAccelerationStructureFlagBitsKHR::ePreferFastTrace);
   info.setGeometries(geometry);
   const vk::AccelerationStructureBuildSizesInfoKHR sizes =
-    device.device.getAccelerationStructureBuildSizesKHR(
-      vk::AccelerationStructureBuildTypeKHR::eDevice, info, count);
+    device.device.getAccelerationStructureBuildSizesKHR(vk::AccelerationStructureBuildTypeKHR::eDevice, info, count);
 
-  this->storage_ = Buffer(device, sizes.accelerationStructureSize,
-    Usage::eAccelerationStructureStorageKHR, Buffer::Place::Device);
+  this->storage_ =
+    Buffer(device, sizes.accelerationStructureSize, Usage::eAccelerationStructureStorageKHR, Buffer::Place::Device);
   this->structure_ = vk::raii::AccelerationStructureKHR(device.device,
-    vk::AccelerationStructureCreateInfoKHR(
-      {}, this->storage_.Handle(), 0, sizes.accelerationStructureSize, type));
+    vk::AccelerationStructureCreateInfoKHR({}, this->storage_.Handle(), 0, sizes.accelerationStructureSize, type));
 
   info.dstAccelerationStructure = *this->structure_;
   const auto build = [&](Batch& batch)
@@ -39,16 +36,15 @@ AccelerationStructure::AccelerationStructure(Device::State& device,
     build(batch);
     batch.Run();
   }
-  this->address_ = device.device.getAccelerationStructureAddressKHR(
-    vk::AccelerationStructureDeviceAddressInfoKHR(*this->structure_));
+  this->address_ =
+    device.device.getAccelerationStructureAddressKHR(vk::AccelerationStructureDeviceAddressInfoKHR(*this->structure_));
 }
 
-AccelerationStructure AccelerationStructure::OverBoxes(
-  Device::State& device, const std::vector<vk::AabbPositionsKHR>& boxes)
+AccelerationStructure
+AccelerationStructure::OverBoxes(Device::State& device, const std::vector<vk::AabbPositionsKHR>& boxes)
 {
   const std::size_t bytes = boxes.size() * sizeof(boxes[0]);
-  Buffer input(
-    device, bytes, Usage::eAccelerationStructureBuildInputReadOnlyKHR, Buffer::Place::Device);
+  Buffer input(device, bytes, Usage::eAccelerationStructureBuildInputReadOnlyKHR, Buffer::Place::Device);
   input.Upload(boxes.data(), bytes);
   const vk::AccelerationStructureGeometryAabbsDataKHR data(input.Address(), sizeof(boxes[0]));
   const vk::AccelerationStructureGeometryKHR geometry(
@@ -57,13 +53,11 @@ AccelerationStructure AccelerationStructure::OverBoxes(
     static_cast<std::uint32_t>(boxes.size()), std::move(input));
 }
 
-AccelerationStructure AccelerationStructure::OverTriangles(Device::State& device,
-  const Buffer& positions, std::uint32_t positionCount, const Buffer& indices,
-  std::uint32_t triangleCount)
+AccelerationStructure AccelerationStructure::OverTriangles(Device::State& device, const Buffer& positions,
+  std::uint32_t positionCount, const Buffer& indices, std::uint32_t triangleCount)
 {
-  const vk::AccelerationStructureGeometryTrianglesDataKHR data(vk::Format::eR32G32B32Sfloat,
-    positions.Address(), 3 * sizeof(float), positionCount - 1, vk::IndexType::eUint32,
-    indices.Address());
+  const vk::AccelerationStructureGeometryTrianglesDataKHR data(vk::Format::eR32G32B32Sfloat, positions.Address(),
+    3 * sizeof(float), positionCount - 1, vk::IndexType::eUint32, indices.Address());
   const vk::AccelerationStructureGeometryKHR geometry(
     vk::GeometryTypeKHR::eTriangles, data, vk::GeometryFlagBitsKHR::eOpaque);
   return AccelerationStructure(
@@ -74,8 +68,7 @@ AccelerationStructure AccelerationStructure::OverInstances(
   Device::State& device, const std::vector<vk::AccelerationStructureInstanceKHR>& instances)
 {
   const std::size_t bytes = instances.size() * sizeof(vk::AccelerationStructureInstanceKHR);
-  Buffer input(
-    device, bytes, Usage::eAccelerationStructureBuildInputReadOnlyKHR, Buffer::Place::Device);
+  Buffer input(device, bytes, Usage::eAccelerationStructureBuildInputReadOnlyKHR, Buffer::Place::Device);
   input.Upload(instances.data(), bytes);
   const vk::AccelerationStructureGeometryInstancesDataKHR data(false, input.Address());
   const vk::AccelerationStructureGeometryKHR geometry(

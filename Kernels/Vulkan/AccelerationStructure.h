@@ -7,16 +7,15 @@
 namespace rtg
 {
 
-/// A bottom- or top-level acceleration structure with the memory that holds it. It is built at once, or with the device's batch where
-/// there is one.
+/// A bottom- or top-level acceleration structure with the memory that holds it. It is built at once, or with the
+/// device's batch where there is one.
 class AccelerationStructure
 {
 public:
   AccelerationStructure() = default;
 
   /// Over axis-aligned boxes, one procedural opaque primitive each. `boxes` are VkAabbPositionsKHR.
-  static AccelerationStructure
-  OverBoxes(Device::State& device, const std::vector<vk::AabbPositionsKHR>& boxes);
+  static AccelerationStructure OverBoxes(Device::State& device, const std::vector<vk::AabbPositionsKHR>& boxes);
 
   /// Over opaque triangles: `positions` are so many vec3, `indices` three 32-bit numbers a triangle. Both buffers need
   /// the usage eAccelerationStructureBuildInputReadOnlyKHR.
@@ -24,8 +23,8 @@ public:
     std::uint32_t positionCount, const Buffer& indices, std::uint32_t triangleCount);
 
   /// Over instances of bottom-level structures.
-  static AccelerationStructure OverInstances(
-    Device::State& device, const std::vector<vk::AccelerationStructureInstanceKHR>& instances);
+  static AccelerationStructure
+  OverInstances(Device::State& device, const std::vector<vk::AccelerationStructureInstanceKHR>& instances);
 
   vk::DeviceAddress Address() const { return this->address_; }
   std::size_t Bytes() const { return this->storage_.Size(); }

@@ -36,13 +36,12 @@ void* Batch::Stage(const Buffer& target, std::size_t size)
   }
   if (this->staging_.empty() || this->stagingUsed_ + size > this->staging_.back().Size())
   {
-    this->staging_.emplace_back(this->device_, std::max(size, stagingBlock),
-      vk::BufferUsageFlagBits::eTransferSrc, Buffer::Place::Host);
+    this->staging_.emplace_back(
+      this->device_, std::max(size, stagingBlock), vk::BufferUsageFlagBits::eTransferSrc, Buffer::Place::Host);
     this->stagingUsed_ = 0;
   }
   Buffer& block = this->staging_.back();
-  this->copies_.push_back(
-    { block.Handle(), target.Handle(), vk::BufferCopy(this->stagingUsed_, 0, size) });
+  this->copies_.push_back({ block.Handle(), target.Handle(), vk::BufferCopy(this->stagingUsed_, 0, size) });
   void* place = static_cast<char*>(block.Mapped()) + this->stagingUsed_;
   this->stagingUsed_ += (size + 15) / 16 * 16;
   this->staged_ += size;
@@ -50,8 +49,7 @@ void* Batch::Stage(const Buffer& target, std::size_t size)
 }
 
 void Batch::Build(const vk::AccelerationStructureBuildGeometryInfoKHR& info,
-  const vk::AccelerationStructureGeometryKHR& geometry, std::uint32_t count,
-  std::size_t scratchSize, Buffer&& input)
+  const vk::AccelerationStructureGeometryKHR& geometry, std::uint32_t count, std::size_t scratchSize, Buffer&& input)
 {
   this->builds_.push_back({ info, geometry, count });
   this->inputs_.push_back(std::move(input));
@@ -67,8 +65,7 @@ void Batch::Run()
   using Stage = vk::PipelineStageFlagBits;
   using Access = vk::AccessFlagBits;
   // The scratch address must be aligned to the device's limit.
-  const std::size_t alignment =
-    this->device_.structureLimits.minAccelerationStructureScratchOffsetAlignment;
+  const std::size_t alignment = this->device_.structureLimits.minAccelerationStructureScratchOffsetAlignment;
   const Buffer scratch(this->device_, this->builds_.empty() ? 0 : this->scratchSize_ + alignment,
     vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Place::Device);
   this->device_.Submit(
@@ -86,13 +83,11 @@ void Batch::Run()
       for (StructureBuild& build : this->builds_)
       {
         build.info.setGeometries(build.geometry);
-        build.info.scratchData.deviceAddress =
-          (scratch.Address() + alignment - 1) / alignment * alignment;
+        build.info.scratchData.deviceAddress = (scratch.Address() + alignment - 1) / alignment * alignment;
         const vk::AccelerationStructureBuildRangeInfoKHR range(build.count, 0, 0, 0);
         command.buildAccelerationStructuresKHR(build.info, &range);
         // The next one uses the same scratch memory, and may be built over this one.
-        Barrier(command, Stage::eAccelerationStructureBuildKHR,
-          Access::eAccelerationStructureWriteKHR,
+        Barrier(command, Stage::eAccelerationStructureBuildKHR, Access::eAccelerationStructureWriteKHR,
           Stage::eAccelerationStructureBuildKHR | Stage::eRayTracingShaderKHR,
           Access::eAccelerationStructureReadKHR | Access::eAccelerationStructureWriteKHR);
       }

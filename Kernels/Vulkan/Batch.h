@@ -7,9 +7,10 @@
 namespace rtg
 {
 
-/// Copies to the device and builds of acceleration structures that are submitted together and waited for once. Builds run after the
-/// copies, one after the other, each seeing what those before it built. While one lives, all of its thread's Buffer::Write() and builds
-/// go into it; what they made may be used when Run() has returned, and is empty if that is never called.
+/// Copies to the device and builds of acceleration structures that are submitted together and waited for once. Builds
+/// run after the copies, one after the other, each seeing what those before it built. While one lives, all of its
+/// thread's Buffer::Write() and builds go into it; what they made may be used when Run() has returned, and is empty if
+/// that is never called.
 class Batch
 {
 public:
@@ -22,8 +23,7 @@ public:
   void* Stage(const Buffer& target, std::size_t size);
   /// `input`: what the geometry is read from, kept until the build is done; the info's scratch address is filled in.
   void Build(const vk::AccelerationStructureBuildGeometryInfoKHR& info,
-    const vk::AccelerationStructureGeometryKHR& geometry, std::uint32_t count,
-    std::size_t scratchSize, Buffer&& input);
+    const vk::AccelerationStructureGeometryKHR& geometry, std::uint32_t count, std::size_t scratchSize, Buffer&& input);
   void Run();
 
 private:

@@ -13,8 +13,8 @@ namespace rtg
 namespace
 {
 
-std::optional<std::uint32_t> FindMemoryType(const vk::PhysicalDeviceMemoryProperties& memory,
-  std::uint32_t allowed, vk::MemoryPropertyFlags wanted)
+std::optional<std::uint32_t>
+FindMemoryType(const vk::PhysicalDeviceMemoryProperties& memory, std::uint32_t allowed, vk::MemoryPropertyFlags wanted)
 {
   for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i)
   {
@@ -26,14 +26,13 @@ std::optional<std::uint32_t> FindMemoryType(const vk::PhysicalDeviceMemoryProper
   return std::nullopt;
 }
 
-std::uint32_t
-ChooseMemoryType(const Device::State& device, std::uint32_t allowed, Buffer::Place place)
+std::uint32_t ChooseMemoryType(const Device::State& device, std::uint32_t allowed, Buffer::Place place)
 {
   using Flag = vk::MemoryPropertyFlagBits;
   const vk::MemoryPropertyFlags host = Flag::eHostVisible | Flag::eHostCoherent;
   const vk::MemoryPropertyFlags preferences[2][3] = {
-    { device.sharesMemory ? Flag::eDeviceLocal | host : vk::MemoryPropertyFlags(Flag::eDeviceLocal),
-      Flag::eDeviceLocal, {} },
+    { device.sharesMemory ? Flag::eDeviceLocal | host : vk::MemoryPropertyFlags(Flag::eDeviceLocal), Flag::eDeviceLocal,
+      {} },
     { host | Flag::eHostCached, host, host },
   };
   for (const auto& wanted : preferences[static_cast<int>(place)])
@@ -73,8 +72,7 @@ Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usa
   this->buffer_.bindMemory(*this->memory_, 0);
   this->address_ = device.device.getBufferAddress(vk::BufferDeviceAddressInfo(*this->buffer_));
   const auto flags = device.memory.memoryTypes[info.memoryTypeIndex].propertyFlags;
-  if ((place == Place::Host || device.sharesMemory) &&
-    flags & vk::MemoryPropertyFlagBits::eHostVisible &&
+  if ((place == Place::Host || device.sharesMemory) && flags & vk::MemoryPropertyFlagBits::eHostVisible &&
     flags & vk::MemoryPropertyFlagBits::eHostCoherent)
   {
     this->mapped_ = this->memory_.mapMemory(0, VK_WHOLE_SIZE);
@@ -139,8 +137,8 @@ void Buffer::Fill(std::size_t offset, std::size_t size, std::uint32_t word)
 {
   if (this->mapped_)
   {
-    std::fill_n(reinterpret_cast<std::uint32_t*>(static_cast<char*>(this->mapped_) + offset),
-      size / sizeof(word), word);
+    std::fill_n(
+      reinterpret_cast<std::uint32_t*>(static_cast<char*>(this->mapped_) + offset), size / sizeof(word), word);
     return;
   }
   this->device_->Submit(
@@ -149,8 +147,8 @@ void Buffer::Fill(std::size_t offset, std::size_t size, std::uint32_t word)
       command.fillBuffer(this->Handle(), offset, size, word);
       Barrier(command, vk::PipelineStageFlagBits::eTransfer, vk::AccessFlagBits::eTransferWrite,
         vk::PipelineStageFlagBits::eRayTracingShaderKHR | vk::PipelineStageFlagBits::eTransfer,
-        vk::AccessFlagBits::eShaderRead | vk::AccessFlagBits::eShaderWrite |
-          vk::AccessFlagBits::eTransferRead | vk::AccessFlagBits::eTransferWrite);
+        vk::AccessFlagBits::eShaderRead | vk::AccessFlagBits::eShaderWrite | vk::AccessFlagBits::eTransferRead |
+          vk::AccessFlagBits::eTransferWrite);
     });
 }
 

@@ -34,7 +34,8 @@ public:
   /// Host pointer; null for a Place::Device buffer, unless the device shares the host's memory.
   void* Mapped() const { return this->mapped_; }
 
-  /// Copies host data to the start of the buffer: at once, or with the device's batch where there is one and the buffer is not mapped.
+  /// Copies host data to the start of the buffer: at once, or with the device's batch where there is one and the buffer
+  /// is not mapped.
   void Upload(const void* data, std::size_t size);
   /// The same of what `fill` writes.
   void Write(std::size_t size, const std::function<void(void*)>& fill);

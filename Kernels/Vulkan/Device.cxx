@@ -22,8 +22,7 @@ constexpr const char* remedy =
   "(Debian: mesa-vulkan-drivers, on Debian 12 from bookworm-backports).";
 
 using Features = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
-  vk::PhysicalDeviceAccelerationStructureFeaturesKHR,
-  vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>;
+  vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>;
 
 // What the device lacks to trace, in words; empty: nothing.
 std::string Lacks(const vk::raii::PhysicalDevice& physical)
@@ -46,9 +45,8 @@ std::string Lacks(const vk::raii::PhysicalDevice& physical)
     }
   }
 
-  const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2,
-    vk::PhysicalDeviceVulkan12Features, vk::PhysicalDeviceAccelerationStructureFeaturesKHR,
-    vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>();
+  const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
+    vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>();
   const auto& vulkan12 = features.get<vk::PhysicalDeviceVulkan12Features>();
   if (!features.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure ||
     !features.get<vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>().rayTracingPipeline)
@@ -96,10 +94,9 @@ bool ContainsIgnoringCase(const std::string& text, const std::string& part)
   return lower(text).find(lower(part)) != std::string::npos;
 }
 
-// The index of the device that `wanted` names by number or part of its name. A number that no device has, such as 4090, is
-// part of a name.
-std::optional<std::size_t>
-FindNamed(const std::vector<vk::raii::PhysicalDevice>& devices, const std::string& wanted)
+// The index of the device that `wanted` names by number or part of its name. A number that no device has, such as 4090,
+// is part of a name.
+std::optional<std::size_t> FindNamed(const std::vector<vk::raii::PhysicalDevice>& devices, const std::string& wanted)
 {
   if (wanted.find_first_not_of("0123456789") == std::string::npos && wanted.size() < 6)
   {
@@ -140,13 +137,13 @@ std::size_t ChooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices)
     const auto index = FindNamed(devices, wanted);
     if (!index)
     {
-      throw Error("Ray Traced Glyphs: no Vulkan device matches RTGLYPHS_DEVICE='" +
-        std::string(wanted) + "'. Found: " + found.str() + ". Unset it or name one of these.");
+      throw Error("Ray Traced Glyphs: no Vulkan device matches RTGLYPHS_DEVICE='" + std::string(wanted) +
+        "'. Found: " + found.str() + ". Unset it or name one of these.");
     }
     if (!lacks[*index].empty())
     {
-      throw Error("Ray Traced Glyphs: the device of RTGLYPHS_DEVICE='" + std::string(wanted) +
-        "' lacks " + lacks[*index] + ". Found: " + found.str() + ". " + remedy);
+      throw Error("Ray Traced Glyphs: the device of RTGLYPHS_DEVICE='" + std::string(wanted) + "' lacks " +
+        lacks[*index] + ". Found: " + found.str() + ". " + remedy);
     }
     return *index;
   }
@@ -173,8 +170,7 @@ std::size_t ChooseDevice(const std::vector<vk::raii::PhysicalDevice>& devices)
   }
   if (!best)
   {
-    throw Error(
-      "Ray Traced Glyphs: no Vulkan device can trace rays. Found: " + found.str() + ". " + remedy);
+    throw Error("Ray Traced Glyphs: no Vulkan device can trace rays. Found: " + found.str() + ". " + remedy);
   }
   return *best;
 }
@@ -189,12 +185,10 @@ std::uint32_t ChooseQueueFamily(const vk::raii::PhysicalDevice& physical)
       return i;
     }
   }
-  throw Error("Ray Traced Glyphs: the Vulkan device '" + DeviceName(physical) +
-    "' has no compute queue. " + remedy);
+  throw Error("Ray Traced Glyphs: the Vulkan device '" + DeviceName(physical) + "' has no compute queue. " + remedy);
 }
 
-vk::raii::Device
-MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool int64)
+vk::raii::Device MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool int64)
 {
   Features enabled;
   enabled.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 = int64;
@@ -220,8 +214,7 @@ Device::Device()
   {
     this->state_ = std::make_unique<State>();
     State& state = *this->state_;
-    const vk::ApplicationInfo application(
-      "RayTracedGlyphs", 1, "RayTracedGlyphs", 1, VK_API_VERSION_1_2);
+    const vk::ApplicationInfo application("RayTracedGlyphs", 1, "RayTracedGlyphs", 1, VK_API_VERSION_1_2);
     state.instance = vk::raii::Instance(state.context, vk::InstanceCreateInfo({}, &application));
 
     std::vector<vk::raii::PhysicalDevice> devices;
@@ -233,23 +226,20 @@ Device::Device()
     {
       // No driver at all; ChooseDevice says so.
     }
-    state.physical = devices.empty() ? vk::raii::PhysicalDevice(nullptr)
-                                     : std::move(devices[ChooseDevice(devices)]);
+    state.physical = devices.empty() ? vk::raii::PhysicalDevice(nullptr) : std::move(devices[ChooseDevice(devices)]);
     if (devices.empty())
     {
       ChooseDevice(devices);
     }
     state.name = DeviceName(state.physical);
-    state.cpu = state.sharesMemory =
-      state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
+    state.cpu = state.sharesMemory = state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
     state.queueFamily = ChooseQueueFamily(state.physical);
     state.int64 = state.physical.getFeatures().shaderInt64;
     state.device = MakeDevice(state.physical, state.queueFamily, state.int64);
     state.queue = state.device.getQueue(state.queueFamily, 0);
     state.memory = state.physical.getMemoryProperties();
     const auto properties = state.physical.getProperties2<vk::PhysicalDeviceProperties2,
-      vk::PhysicalDeviceRayTracingPipelinePropertiesKHR,
-      vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
+      vk::PhysicalDeviceRayTracingPipelinePropertiesKHR, vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
     state.pipelineLimits = properties.get<vk::PhysicalDeviceRayTracingPipelinePropertiesKHR>();
     state.structureLimits = properties.get<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
   }
@@ -303,8 +293,8 @@ std::uint64_t Device::HeldBytes() const
 
 void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& record)
 {
-  const vk::raii::CommandPool pool(this->device,
-    vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, this->queueFamily));
+  const vk::raii::CommandPool pool(
+    this->device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, this->queueFamily));
   vk::raii::CommandBuffers commands(this->device, { *pool, vk::CommandBufferLevel::ePrimary, 1 });
   vk::raii::CommandBuffer& command = commands.front();
   command.begin({ vk::CommandBufferUsageFlagBits::eOneTimeSubmit });
@@ -333,8 +323,7 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
     }
     throw;
   }
-  const vk::Result result =
-    this->device.waitForFences(*done, true, std::numeric_limits<std::uint64_t>::max());
+  const vk::Result result = this->device.waitForFences(*done, true, std::numeric_limits<std::uint64_t>::max());
   if (result == vk::Result::eErrorDeviceLost)
   {
     throw vk::DeviceLostError("waiting for the device");
@@ -343,8 +332,8 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
 
 void Device::State::ThrowOutOfMemory(const char* doing, const std::string& what)
 {
-  throw OutOfMemory("Ray Traced Glyphs: " + std::string(doing) + " failed on '" + this->name +
-    "': " + what + ". Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs) or hide other data.");
+  throw OutOfMemory("Ray Traced Glyphs: " + std::string(doing) + " failed on '" + this->name + "': " + what +
+    ". Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs) or hide other data.");
 }
 
 void Device::State::Rethrow(const char* doing, const vk::SystemError& error)
@@ -361,13 +350,11 @@ void Device::State::Rethrow(const char* doing, const vk::SystemError& error)
   else if (dynamic_cast<const vk::OutOfDeviceMemoryError*>(&error) ||
     dynamic_cast<const vk::OutOfHostMemoryError*>(&error))
   {
-    this->ThrowOutOfMemory(
-      doing, "out of memory with " + std::to_string(this->bytes.load() >> 20) + " MiB held");
+    this->ThrowOutOfMemory(doing, "out of memory with " + std::to_string(this->bytes.load() >> 20) + " MiB held");
   }
   else
   {
-    message << error.what()
-            << ". Update the driver, or choose another device with RTGLYPHS_DEVICE.";
+    message << error.what() << ". Update the driver, or choose another device with RTGLYPHS_DEVICE.";
   }
   throw Error(message.str());
 }

@@ -19,8 +19,8 @@ namespace rtg
 class Batch;
 
 /// Makes what was written in the first stages visible to accesses in the second ones.
-inline void Barrier(vk::raii::CommandBuffer& command, vk::PipelineStageFlags from,
-  vk::AccessFlags written, vk::PipelineStageFlags to, vk::AccessFlags seen)
+inline void Barrier(vk::raii::CommandBuffer& command, vk::PipelineStageFlags from, vk::AccessFlags written,
+  vk::PipelineStageFlags to, vk::AccessFlags seen)
 {
   command.pipelineBarrier(from, to, {}, vk::MemoryBarrier(written, seen), {}, {});
 }
@@ -39,22 +39,21 @@ struct Device::State
   std::uint32_t queueFamily = 0;
   std::string name;
   bool cpu = false;
-  /// Programs run on the host's processor, so that its memory is theirs: every buffer is mapped and nothing is copied. Tests switch it
-  /// off to have a CPU device treated like others.
+  /// Programs run on the host's processor, so that its memory is theirs: every buffer is mapped and nothing is copied.
+  /// Tests switch it off to have a CPU device treated like others.
   bool sharesMemory = false;
   bool int64 = false; ///< 64-bit integers in programs
   std::atomic<bool> lost{ false };
   std::atomic<std::uint64_t> bytes{ 0 }; ///< device memory held by all buffers
 
   std::atomic<std::uint64_t> submissions{ 0 }; ///< so far
-  static thread_local Batch*
-    batch; ///< that copies and builds of this thread go into; null: each is done at once
+  static thread_local Batch* batch; ///< that copies and builds of this thread go into; null: each is done at once
 
   /// Records commands, submits them and waits until they are done. In any thread.
   void Submit(const std::function<void(vk::raii::CommandBuffer&)>& record);
 
-  /// Runs `work`; turns every failure of Vulkan, and memory of the computer that does not suffice, into one rtg::Error that says
-  /// what was being done.
+  /// Runs `work`; turns every failure of Vulkan, and memory of the computer that does not suffice, into one rtg::Error
+  /// that says what was being done.
   template <class Work>
   auto Guard(const char* doing, Work&& work) -> decltype(work())
   {

@@ -106,12 +106,11 @@ const programs::Code& CodeOf(const Generation& generation, const std::vector<Hit
 
 Specialisation ConstantsOf(const HitGroup& group, const Generation& generation)
 {
-  const vk::Bool32 leavesSurface = generation.program == Program::Occlusion ||
-    generation.program == Program::Path || generation.layered;
-  return { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads, group.hasTree,
-    group.ownExponents, group.smoothNormals, group.meshColours, group.colouredByForm,
-    generation.translucency, generation.alone, leavesSurface, group.hasVelocities,
-    group.hasAccelerations, group.spins, group.ownTreeOrder, group.dropsHidden,
+  const vk::Bool32 leavesSurface =
+    generation.program == Program::Occlusion || generation.program == Program::Path || generation.layered;
+  return { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads, group.hasTree, group.ownExponents,
+    group.smoothNormals, group.meshColours, group.colouredByForm, generation.translucency, generation.alone,
+    leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins, group.ownTreeOrder, group.dropsHidden,
     group.meshVelocities, group.meshAccelerations, group.exactCentres };
 }
 
@@ -124,8 +123,7 @@ struct GenerationConstants
 
 std::vector<vk::SpecializationMapEntry> GenerationMap(bool whole)
 {
-  std::vector<vk::SpecializationMapEntry> entries(
-    std::begin(generationMap), std::end(generationMap));
+  std::vector<vk::SpecializationMapEntry> entries(std::begin(generationMap), std::end(generationMap));
   for (vk::SpecializationMapEntry entry : specialisationMap)
   {
     const bool known = std::any_of(std::begin(generationMap), std::end(generationMap),
@@ -141,8 +139,7 @@ std::vector<vk::SpecializationMapEntry> GenerationMap(bool whole)
 
 vk::raii::ShaderModule MakeModule(Device::State& device, const programs::Code& code)
 {
-  return vk::raii::ShaderModule(
-    device.device, vk::ShaderModuleCreateInfo({}, code.bytes, code.words));
+  return vk::raii::ShaderModule(device.device, vk::ShaderModuleCreateInfo({}, code.bytes, code.words));
 }
 
 std::size_t AlignUp(std::size_t value, std::size_t alignment)
@@ -154,13 +151,11 @@ std::size_t AlignUp(std::size_t value, std::size_t alignment)
 
 bool CanBeWhole(const Generation& generation, const std::vector<HitGroup>& groups)
 {
-  return generation.alone && groups.size() == 1 && groups.front().hasTree &&
-    generation.program != Program::Probe &&
+  return generation.alone && groups.size() == 1 && groups.front().hasTree && generation.program != Program::Probe &&
     programs::shapes[static_cast<std::uint32_t>(groups.front().shape)].whole[0].words;
 }
 
-Pipeline::Pipeline(
-  Device::State& device, const Generation& generation, const std::vector<HitGroup>& groups)
+Pipeline::Pipeline(Device::State& device, const Generation& generation, const std::vector<HitGroup>& groups)
   : device_(&device)
   , generation_(generation)
   , groups_(groups)
@@ -168,16 +163,12 @@ Pipeline::Pipeline(
   using Stage = vk::ShaderStageFlagBits;
   const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eUniformBuffer, 1,
     Stage::eRaygenKHR | Stage::eIntersectionKHR | Stage::eClosestHitKHR | Stage::eMissKHR);
-  this->setLayout_ =
-    vk::raii::DescriptorSetLayout(device.device, vk::DescriptorSetLayoutCreateInfo({}, binding));
+  this->setLayout_ = vk::raii::DescriptorSetLayout(device.device, vk::DescriptorSetLayoutCreateInfo({}, binding));
   const vk::DescriptorPoolSize poolSize(vk::DescriptorType::eUniformBuffer, 1);
-  this->pool_ = vk::raii::DescriptorPool(device.device,
-    vk::DescriptorPoolCreateInfo(
-      vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, poolSize));
-  this->set_ =
-    std::move(device.device.allocateDescriptorSets({ *this->pool_, *this->setLayout_ }).front());
-  this->layout_ =
-    vk::raii::PipelineLayout(device.device, vk::PipelineLayoutCreateInfo({}, *this->setLayout_));
+  this->pool_ = vk::raii::DescriptorPool(
+    device.device, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, poolSize));
+  this->set_ = std::move(device.device.allocateDescriptorSets({ *this->pool_, *this->setLayout_ }).front());
+  this->layout_ = vk::raii::PipelineLayout(device.device, vk::PipelineLayoutCreateInfo({}, *this->setLayout_));
 
   // Ray generation and miss, then two stages a hit group. Every group has stage entries of its own:
   // lavapipe mixes up groups that share one.
@@ -186,30 +177,28 @@ Pipeline::Pipeline(
   std::vector<Specialisation> constants(groups.size());
   std::vector<vk::SpecializationInfo> specialisations(groups.size());
   modules.reserve(2 + 2 * groups.size());
-  const auto addStage =
-    [&](Stage stage, const programs::Code& code, const vk::SpecializationInfo* special)
+  const auto addStage = [&](Stage stage, const programs::Code& code, const vk::SpecializationInfo* special)
   {
     modules.push_back(MakeModule(device, code));
-    stages.emplace_back(
-      vk::PipelineShaderStageCreateFlags(), stage, *modules.back(), "main", special);
+    stages.emplace_back(vk::PipelineShaderStageCreateFlags(), stage, *modules.back(), "main", special);
     return static_cast<std::uint32_t>(stages.size() - 1);
   };
   std::vector<vk::RayTracingShaderGroupCreateInfoKHR> shaderGroups;
   GenerationConstants generationConstants{};
-  generationConstants.generation = { generation.sampler, generation.accumulates,
-    generation.gathersFeatures, generation.develops, generation.translucency, generation.alone,
-    generation.moves, generation.environmentImage, generation.layered };
+  generationConstants.generation = { generation.sampler, generation.accumulates, generation.gathersFeatures,
+    generation.develops, generation.translucency, generation.alone, generation.moves, generation.environmentImage,
+    generation.layered };
   if (generation.whole)
   {
     generationConstants.set = ConstantsOf(groups.front(), generation);
   }
   const std::vector<vk::SpecializationMapEntry> entries = GenerationMap(generation.whole);
-  const vk::SpecializationInfo generationInfo(static_cast<std::uint32_t>(entries.size()),
-    entries.data(), sizeof(generationConstants), &generationConstants);
+  const vk::SpecializationInfo generationInfo(
+    static_cast<std::uint32_t>(entries.size()), entries.data(), sizeof(generationConstants), &generationConstants);
   const auto addGeneral = [&](std::uint32_t stage)
   {
-    shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eGeneral, stage,
-      VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
+    shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eGeneral, stage, VK_SHADER_UNUSED_KHR,
+      VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
   };
   addGeneral(addStage(Stage::eRaygenKHR, CodeOf(generation, groups), &generationInfo));
   addGeneral(addStage(Stage::eMissKHR, programs::nothingMiss, nullptr));
@@ -218,24 +207,22 @@ Pipeline::Pipeline(
   {
     const HitGroup& group = groups[i];
     constants[i] = ConstantsOf(group, generation);
-    specialisations[i] =
-      vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
-        specialisationMap, sizeof(Specialisation), &constants[i]);
+    specialisations[i] = vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
+      specialisationMap, sizeof(Specialisation), &constants[i]);
     if (group.shape == Shape::Mesh && !group.meshTree)
     {
       const std::uint32_t closestHit =
         addStage(Stage::eClosestHitKHR, programs::triangleClosestHit, &specialisations[i]);
-      shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eTrianglesHitGroup,
-        VK_SHADER_UNUSED_KHR, closestHit, VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
+      shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eTrianglesHitGroup, VK_SHADER_UNUSED_KHR, closestHit,
+        VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
       continue;
     }
     const programs::ShapeCode& code = programs::shapes[static_cast<std::uint32_t>(group.shape)];
-    const std::uint32_t intersection = addStage(Stage::eIntersectionKHR,
-      group.hasTree ? code.treeIntersection : code.intersection, &specialisations[i]);
-    const std::uint32_t closestHit =
-      addStage(Stage::eClosestHitKHR, code.closestHit, &specialisations[i]);
-    shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eProceduralHitGroup,
-      VK_SHADER_UNUSED_KHR, closestHit, VK_SHADER_UNUSED_KHR, intersection);
+    const std::uint32_t intersection =
+      addStage(Stage::eIntersectionKHR, group.hasTree ? code.treeIntersection : code.intersection, &specialisations[i]);
+    const std::uint32_t closestHit = addStage(Stage::eClosestHitKHR, code.closestHit, &specialisations[i]);
+    shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eProceduralHitGroup, VK_SHADER_UNUSED_KHR, closestHit,
+      VK_SHADER_UNUSED_KHR, intersection);
   }
 
   const vk::RayTracingPipelineCreateInfoKHR info(
@@ -255,12 +242,11 @@ Pipeline::Pipeline(
   std::memcpy(table.data() + missAt, handles.data() + handleSize, handleSize);
   for (std::size_t i = 0; i < hitGroups; ++i)
   {
-    std::memcpy(
-      table.data() + hitAt + i * stride, handles.data() + (2 + i) * handleSize, handleSize);
+    std::memcpy(table.data() + hitAt + i * stride, handles.data() + (2 + i) * handleSize, handleSize);
   }
   // The buffer's address need not be aligned to the table's base, so room is left to shift it.
-  this->table_ = Buffer(device, table.size() + base,
-    vk::BufferUsageFlagBits::eShaderBindingTableKHR, Buffer::Place::Device);
+  this->table_ =
+    Buffer(device, table.size() + base, vk::BufferUsageFlagBits::eShaderBindingTableKHR, Buffer::Place::Device);
   const vk::DeviceAddress address = AlignUp(this->table_.Address(), base);
   table.insert(table.begin(), address - this->table_.Address(), 0);
   this->table_.Upload(table.data(), table.size());
@@ -268,22 +254,20 @@ Pipeline::Pipeline(
   this->missTable_ = vk::StridedDeviceAddressRegionKHR(address + missAt, stride, stride);
   if (hitGroups > 0)
   {
-    this->hitTable_ =
-      vk::StridedDeviceAddressRegionKHR(address + hitAt, stride, stride * hitGroups);
+    this->hitTable_ = vk::StridedDeviceAddressRegionKHR(address + hitAt, stride, stride * hitGroups);
   }
 }
 
-void Pipeline::Trace(vk::raii::CommandBuffer& command, const Buffer& frame, std::uint32_t width,
-  std::uint32_t height) const
+void Pipeline::Trace(
+  vk::raii::CommandBuffer& command, const Buffer& frame, std::uint32_t width, std::uint32_t height) const
 {
   const vk::DescriptorBufferInfo block(frame.Handle(), 0, frame.Size());
   this->device_->device.updateDescriptorSets(
     vk::WriteDescriptorSet(*this->set_, 0, 0, vk::DescriptorType::eUniformBuffer, {}, block), {});
   command.bindPipeline(vk::PipelineBindPoint::eRayTracingKHR, *this->pipeline_);
-  command.bindDescriptorSets(
-    vk::PipelineBindPoint::eRayTracingKHR, *this->layout_, 0, *this->set_, {});
-  command.traceRaysKHR(this->generationTable_, this->missTable_, this->hitTable_,
-    this->callableTable_, width, height, 1);
+  command.bindDescriptorSets(vk::PipelineBindPoint::eRayTracingKHR, *this->layout_, 0, *this->set_, {});
+  command.traceRaysKHR(
+    this->generationTable_, this->missTable_, this->hitTable_, this->callableTable_, width, height, 1);
 }
 
 } // namespace rtg

@@ -25,13 +25,11 @@ struct HitGroup
   bool hasAccelerations = false;
   bool spins = false;
   bool ownTreeOrder = false; ///< slices of time are sorted each for itself
-  bool dropsHidden =
-    false; ///< glyphs lie so densely that most of what a ray might meet is behind its hit
+  bool dropsHidden = false;  ///< glyphs lie so densely that most of what a ray might meet is behind its hit
   // Shape::Mesh only
   bool smoothNormals = false;
   std::uint32_t meshColours = 0; ///< 0: none, 1: by position, 2: by triangle
-  bool meshTree =
-    false; ///< our tree of the mesh's triangles; the driver knows no triangles that move
+  bool meshTree = false;         ///< our tree of the mesh's triangles; the driver knows no triangles that move
   bool meshVelocities = false;
   bool meshAccelerations = false;
 
@@ -45,12 +43,10 @@ struct HitGroup
   {
     return a.shape == b.shape && a.sizesPerGlyph == b.sizesPerGlyph && a.turned == b.turned &&
       a.coloured == b.coloured && a.fixedHeads == b.fixedHeads && a.hasTree == b.hasTree &&
-      a.ownExponents == b.ownExponents && a.exactCentres == b.exactCentres &&
-      a.colouredByForm == b.colouredByForm && a.hasVelocities == b.hasVelocities &&
-      a.hasAccelerations == b.hasAccelerations && a.spins == b.spins &&
-      a.ownTreeOrder == b.ownTreeOrder && a.dropsHidden == b.dropsHidden &&
-      a.smoothNormals == b.smoothNormals && a.meshColours == b.meshColours &&
-      a.meshTree == b.meshTree && a.meshVelocities == b.meshVelocities &&
+      a.ownExponents == b.ownExponents && a.exactCentres == b.exactCentres && a.colouredByForm == b.colouredByForm &&
+      a.hasVelocities == b.hasVelocities && a.hasAccelerations == b.hasAccelerations && a.spins == b.spins &&
+      a.ownTreeOrder == b.ownTreeOrder && a.dropsHidden == b.dropsHidden && a.smoothNormals == b.smoothNormals &&
+      a.meshColours == b.meshColours && a.meshTree == b.meshTree && a.meshVelocities == b.meshVelocities &&
       a.meshAccelerations == b.meshAccelerations;
   }
 };
@@ -77,15 +73,13 @@ struct Generation
   bool moves = false; ///< paths run at times of their own
   bool environmentImage = false;
   bool layered = false; ///< all translucent surfaces along camera rays are shown
-  bool whole =
-    false; ///< the scene is one set of glyphs with a tree, which the program walks itself; see CanBeWhole()
+  bool whole = false; ///< the scene is one set of glyphs with a tree, which the program walks itself; see CanBeWhole()
 
   friend bool operator==(const Generation& a, const Generation& b)
   {
-    return a.program == b.program && a.alone == b.alone && a.sampler == b.sampler &&
-      a.accumulates == b.accumulates && a.gathersFeatures == b.gathersFeatures &&
-      a.develops == b.develops && a.translucency == b.translucency && a.moves == b.moves &&
-      a.environmentImage == b.environmentImage && a.layered == b.layered && a.whole == b.whole;
+    return a.program == b.program && a.alone == b.alone && a.sampler == b.sampler && a.accumulates == b.accumulates &&
+      a.gathersFeatures == b.gathersFeatures && a.develops == b.develops && a.translucency == b.translucency &&
+      a.moves == b.moves && a.environmentImage == b.environmentImage && a.layered == b.layered && a.whole == b.whole;
   }
 };
 
@@ -97,15 +91,14 @@ class Pipeline
 {
 public:
   /// Hit group i is the one at shader binding table offset i. Throws vk::SystemError.
-  Pipeline(
-    Device::State& device, const Generation& generation, const std::vector<HitGroup>& groups);
+  Pipeline(Device::State& device, const Generation& generation, const std::vector<HitGroup>& groups);
 
   const Generation& GetGeneration() const { return this->generation_; }
   const std::vector<HitGroup>& Groups() const { return this->groups_; }
 
-  /// Binds and launches; `frame` is the uniform block that all programs see. Not while a launch before is still running.
-  void Trace(vk::raii::CommandBuffer& command, const Buffer& frame, std::uint32_t width,
-    std::uint32_t height) const;
+  /// Binds and launches; `frame` is the uniform block that all programs see. Not while a launch before is still
+  /// running.
+  void Trace(vk::raii::CommandBuffer& command, const Buffer& frame, std::uint32_t width, std::uint32_t height) const;
 
 private:
   Device::State* device_;

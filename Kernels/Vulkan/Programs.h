@@ -18,8 +18,8 @@ struct ShapeCode
   Code intersection;     ///< a glyph is a primitive
   Code treeIntersection; ///< a set's GlyphTree is
   Code closestHit;
-  Code whole
-    [3]; ///< ray generation for a scene that is one set with a tree, by rtg::Program; without words: there is none
+  Code
+    whole[3]; ///< ray generation for a scene that is one set with a tree, by rtg::Program; without words: there is none
 };
 
 extern const Code imageGeneration; ///< local shading

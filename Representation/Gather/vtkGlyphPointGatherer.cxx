@@ -58,13 +58,11 @@ struct Leaf
   // Where Data consists of vertices of one point each, and each point has one: these.
   vtkCellArray* Vertices = nullptr;
   std::vector<vtkIdType> CellOfPoint; // empty where the cell of point i is i
-  bool CellCenters =
-    false; // points of Data are the centers of the input's cells, and their arrays say of which
+  bool CellCenters = false; // points of Data are the centers of the input's cells, and their arrays say of which
 
   vtkIdType Count() const
   {
-    return this->All ? this->Data->GetNumberOfPoints()
-                     : static_cast<vtkIdType>(this->Points.size());
+    return this->All ? this->Data->GetNumberOfPoints() : static_cast<vtkIdType>(this->Points.size());
   }
   vtkIdType Point(vtkIdType i) const { return this->All ? i : this->Points[i]; }
   // The cell that a point's glyph stands for.
@@ -92,10 +90,9 @@ vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* object)
   return vtkDataSet::SafeDownCast(object);
 }
 
-constexpr unsigned char ghostPoint =
-  vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
-constexpr unsigned char ghostCell = vtkDataSetAttributes::DUPLICATECELL |
-  vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+constexpr unsigned char ghostPoint = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+constexpr unsigned char ghostCell =
+  vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
 
 bool HasAny(vtkUnsignedCharArray* ghosts, unsigned char mask)
 {
@@ -123,12 +120,10 @@ std::vector<unsigned char> UsersOf(vtkDataSet* data, vtkUnsignedCharArray* ghost
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         data->GetCellPoints(cell, ids);
-        const unsigned char user =
-          (ghosts->GetValue(cell) & ghostCell) ? USED_BY_GHOST : USED_BY_CELL;
+        const unsigned char user = (ghosts->GetValue(cell) & ghostCell) ? USED_BY_GHOST : USED_BY_CELL;
         for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
         {
-          std::atomic_ref<unsigned char>(users[ids->GetId(i)])
-            .fetch_or(user, std::memory_order_relaxed);
+          std::atomic_ref<unsigned char>(users[ids->GetId(i)]).fetch_or(user, std::memory_order_relaxed);
         }
       }
     });
@@ -157,8 +152,8 @@ void DropGhosts(Leaf& leaf)
   leaf.Points = parallel::Select(data->GetNumberOfPoints(),
     [&](vtkIdType i)
     {
-      const bool ghost = (ghostPoints && (pointGhosts->GetValue(i) & ghostPoint)) ||
-        (ghostCells && users[i] == USED_BY_GHOST);
+      const bool ghost =
+        (ghostPoints && (pointGhosts->GetValue(i) & ghostPoint)) || (ghostCells && users[i] == USED_BY_GHOST);
       return !ghost;
     });
 }
@@ -196,8 +191,7 @@ void DropSharedFaces(Leaf& leaf, const int wholeExtent[6])
   bool shared = false;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const bool inside =
-      extent[2 * axis] > wholeExtent[2 * axis] && extent[2 * axis + 1] <= wholeExtent[2 * axis + 1];
+    const bool inside = extent[2 * axis] > wholeExtent[2 * axis] && extent[2 * axis + 1] <= wholeExtent[2 * axis + 1];
     first[axis] = extent[2 * axis] + (inside ? 1 : 0);
     shared |= inside;
   }
@@ -214,8 +208,7 @@ void DropSharedFaces(Leaf& leaf, const int wholeExtent[6])
   std::vector<vtkIdType> own = parallel::Select(leaf.Count(), isOwn);
   if (!leaf.All)
   {
-    std::transform(
-      own.begin(), own.end(), own.begin(), [&leaf](vtkIdType i) { return leaf.Points[i]; });
+    std::transform(own.begin(), own.end(), own.begin(), [&leaf](vtkIdType i) { return leaf.Points[i]; });
   }
   leaf.All = false;
   leaf.Points = std::move(own);
@@ -256,16 +249,14 @@ void FindVertexCells(Leaf& leaf)
     vertices = grid->GetCells();
   }
   const vtkIdType count = leaf.Data->GetNumberOfPoints();
-  if (!vertices || leaf.CellCenters || vertices->GetNumberOfCells() != count ||
-    vertices->IsHomogeneous() != 1)
+  if (!vertices || leaf.CellCenters || vertices->GetNumberOfCells() != count || vertices->IsHomogeneous() != 1)
   {
     return;
   }
   vtkDataArray* const points = vertices->GetConnectivityArray();
   std::atomic<bool> inOrder{ true };
   AreInOrder check;
-  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(
-        points, check, inOrder))
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(points, check, inOrder))
   {
     check(points, inOrder);
   }
@@ -333,8 +324,8 @@ vtkDataSetAttributes* AttributesOf(const Leaf& leaf, bool cells)
 vtkRayTracedArrayUnion UnionOf(const std::vector<Leaf>& leaves, bool cells)
 {
   std::vector<vtkDataSetAttributes*> sets(leaves.size());
-  std::transform(leaves.begin(), leaves.end(), sets.begin(),
-    [cells](const Leaf& leaf) { return AttributesOf(leaf, cells); });
+  std::transform(
+    leaves.begin(), leaves.end(), sets.begin(), [cells](const Leaf& leaf) { return AttributesOf(leaf, cells); });
   return { sets, [](vtkDataSetAttributes*, vtkAbstractArray* array) {
             return vtkDataSetAttributes::GhostArrayName() != std::string(array->GetName());
           } };
@@ -359,14 +350,12 @@ struct CopyTuples
   }
 };
 
-void CopyLeaf(
-  vtkAbstractArray* from, vtkAbstractArray* to, const Leaf& leaf, bool cells, vtkIdType next)
+void CopyLeaf(vtkAbstractArray* from, vtkAbstractArray* to, const Leaf& leaf, bool cells, vtkIdType next)
 {
   CopyTuples copy;
   auto* numbers = vtkDataArray::SafeDownCast(from);
   auto* target = vtkDataArray::SafeDownCast(to);
-  if (numbers && target &&
-    vtkArrayDispatch::Dispatch2SameValueType::Execute(numbers, target, copy, leaf, cells, next))
+  if (numbers && target && vtkArrayDispatch::Dispatch2SameValueType::Execute(numbers, target, copy, leaf, cells, next))
   {
     return;
   }
@@ -389,8 +378,8 @@ void CopyLeaf(
 }
 
 // Appends the union of all leaves' arrays to `out`, in the order of the leaves' points.
-void AppendArrays(const std::vector<Leaf>& leaves, vtkIdType count, bool cells,
-  vtkDataSetAttributes* out, const parallel::Progress& progress)
+void AppendArrays(const std::vector<Leaf>& leaves, vtkIdType count, bool cells, vtkDataSetAttributes* out,
+  const parallel::Progress& progress)
 {
   const vtkRayTracedArrayUnion all = UnionOf(leaves, cells);
   double done = 0.0;
@@ -413,8 +402,7 @@ void AppendArrays(const std::vector<Leaf>& leaves, vtkIdType count, bool cells,
       {
         auto* numbers = vtkDoubleArray::SafeDownCast(array);
         const int components = numbers->GetNumberOfComponents();
-        std::fill_n(
-          numbers->GetPointer(next * components), leaf.Count() * components, vtkMath::Nan());
+        std::fill_n(numbers->GetPointer(next * components), leaf.Count() * components, vtkMath::Nan());
       }
       next += leaf.Count();
     }
@@ -427,8 +415,8 @@ void AppendArrays(const std::vector<Leaf>& leaves, vtkIdType count, bool cells,
   }
 }
 
-void AppendPoints(const std::vector<Leaf>& leaves, vtkIdType count, vtkPolyData* out,
-  const parallel::Progress& progress)
+void AppendPoints(
+  const std::vector<Leaf>& leaves, vtkIdType count, vtkPolyData* out, const parallel::Progress& progress)
 {
   // The precision of the input is kept; grids whose points are computed get double.
   int type = VTK_FLOAT;
@@ -490,14 +478,13 @@ void AddIds(vtkPolyData* out, const char* name, const std::vector<Leaf>& leaves,
   out->GetPointData()->AddArray(array);
 }
 
-void AddPickingIds(
-  const std::vector<Leaf>& leaves, bool composite, int processId, int processes, vtkPolyData* out)
+void AddPickingIds(const std::vector<Leaf>& leaves, bool composite, int processId, int processes, vtkPolyData* out)
 {
   const bool identity = leaves.size() == 1 && leaves.front().All && processes == 1;
   if (!identity)
   {
-    AddIds<vtkIdTypeArray>(out, vtkRayTracedArrays::PointIds, leaves,
-      [](const Leaf& leaf, vtkIdType i) { return leaf.Point(i); });
+    AddIds<vtkIdTypeArray>(
+      out, vtkRayTracedArrays::PointIds, leaves, [](const Leaf& leaf, vtkIdType i) { return leaf.Point(i); });
   }
   if (std::any_of(leaves.begin(), leaves.end(), [](const Leaf& leaf) { return leaf.HasCells(); }))
   {
@@ -506,11 +493,10 @@ void AddPickingIds(
   }
   if (composite)
   {
-    AddIds<vtkUnsignedIntArray>(out, vtkRayTracedArrays::CompositeIndex, leaves,
-      [](const Leaf& leaf, vtkIdType) { return leaf.FlatIndex; });
+    AddIds<vtkUnsignedIntArray>(
+      out, vtkRayTracedArrays::CompositeIndex, leaves, [](const Leaf& leaf, vtkIdType) { return leaf.FlatIndex; });
     AddIds<vtkUnsignedIntArray>(out, vtkRayTracedArrays::BlockColors, leaves,
-      [](const Leaf& leaf, vtkIdType)
-      { return leaf.Block % vtkRayTracedArrays::DistinctBlockColors; });
+      [](const Leaf& leaf, vtkIdType) { return leaf.Block % vtkRayTracedArrays::DistinctBlockColors; });
   }
   if (processes > 1)
   {
@@ -527,8 +513,8 @@ vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType count)
     auto array = vtkSmartPointer<vtkIdTypeArray>::New();
     array->SetNumberOfValues(last);
     vtkIdType* values = array->GetPointer(0);
-    parallel::ForChunks(last,
-      [values](vtkIdType begin, vtkIdType end) { std::iota(values + begin, values + end, begin); });
+    parallel::ForChunks(
+      last, [values](vtkIdType begin, vtkIdType end) { std::iota(values + begin, values + end, begin); });
     return array;
   };
   auto vertices = vtkSmartPointer<vtkCellArray>::New();
@@ -538,8 +524,8 @@ vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType count)
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(vtkDataObject* input, int processId,
-  int processes, const int* wholeExtent, const vtkRayTracedParallel::Progress& progress)
+vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(vtkDataObject* input, int processId, int processes,
+  const int* wholeExtent, const vtkRayTracedParallel::Progress& progress)
 {
   auto out = vtkSmartPointer<vtkPolyData>::New();
   if (!input)
@@ -552,8 +538,8 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(vtkDataObject* input,
   {
     DropSharedFaces(leaves.front(), wholeExtent);
   }
-  const vtkIdType count = std::accumulate(leaves.begin(), leaves.end(), vtkIdType(0),
-    [](vtkIdType sum, const Leaf& leaf) { return sum + leaf.Count(); });
+  const vtkIdType count = std::accumulate(
+    leaves.begin(), leaves.end(), vtkIdType(0), [](vtkIdType sum, const Leaf& leaf) { return sum + leaf.Count(); });
 
   // A single data set of points is shared with the input where all of them carry glyphs.
   const Leaf* whole = leaves.size() == 1 && leaves.front().All ? &leaves.front() : nullptr;
@@ -597,8 +583,7 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(vtkDataObject* input,
   // Filters that redistribute between ranks, and cell data, need a cell for each point.
   if (processes > 1 || out->GetCellData()->GetNumberOfArrays() > 0)
   {
-    out->SetVerts(
-      sharesCells ? vtkSmartPointer<vtkCellArray>(whole->Vertices) : MakeVertices(count));
+    out->SetVerts(sharesCells ? vtkSmartPointer<vtkCellArray>(whole->Vertices) : MakeVertices(count));
   }
   return out;
 }
@@ -621,8 +606,7 @@ void vtkGlyphPointGatherer::AddHierarchy(vtkCompositeDataSet* composite, vtkPoly
 {
   vtkNew<vtkDataAssembly> hierarchy;
   vtkNew<vtkPartitionedDataSetCollection> collection;
-  if (!vtkDataAssemblyUtilities::GenerateHierarchy(composite, hierarchy, collection) ||
-    !collection->GetDataAssembly())
+  if (!vtkDataAssemblyUtilities::GenerateHierarchy(composite, hierarchy, collection) || !collection->GetDataAssembly())
   {
     return;
   }

@@ -23,8 +23,8 @@ struct ReadIds
   void operator()(Array* array, std::vector<std::int64_t>& ids) const
   {
     const auto values = vtk::DataArrayValueRange<1>(array);
-    std::transform(values.begin(), values.end(), ids.begin(),
-      [](auto value) { return static_cast<std::int64_t>(value); });
+    std::transform(
+      values.begin(), values.end(), ids.begin(), [](auto value) { return static_cast<std::int64_t>(value); });
   }
 };
 
@@ -41,8 +41,7 @@ void vtkGlyphStepVelocity::Reset()
 }
 
 //----------------------------------------------------------------------------
-std::vector<vtkGlyphStepVelocity::Entry>
-vtkGlyphStepVelocity::EntriesOf(vtkPolyData* points, vtkDataArray* ids)
+std::vector<vtkGlyphStepVelocity::Entry> vtkGlyphStepVelocity::EntriesOf(vtkPolyData* points, vtkDataArray* ids)
 {
   const vtkIdType count = points->GetNumberOfPoints();
   std::vector<std::int64_t> numbers(count);
@@ -127,8 +126,8 @@ void vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataArray* ids, double 
   auto partner = this->Before.Entries.begin();
   for (const Entry& now : this->Now.Entries)
   {
-    partner = std::find_if(partner, this->Before.Entries.end(),
-      [&now](const Entry& before) { return before.Id >= now.Id; });
+    partner =
+      std::find_if(partner, this->Before.Entries.end(), [&now](const Entry& before) { return before.Id >= now.Id; });
     if (partner == this->Before.Entries.end())
     {
       break;
@@ -137,8 +136,7 @@ void vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataArray* ids, double 
     {
       for (int c = 0; c < 3; ++c)
       {
-        velocities->SetTypedComponent(
-          now.Point, c, static_cast<float>((now.X[c] - partner->X[c]) / length));
+        velocities->SetTypedComponent(now.Point, c, static_cast<float>((now.X[c] - partner->X[c]) / length));
       }
       ++partners;
     }

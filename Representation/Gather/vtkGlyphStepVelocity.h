@@ -2,9 +2,10 @@
  * @class   vtkGlyphStepVelocity
  * @brief   velocities of points by differences to the time step seen before
  *
- * For data without an array of velocities: v = (x(now) - x(before)) / (t(now) - t(before)), a backward difference of first
- * order, of the points that have the same id in both steps. "Before" is the last step of another time that this object was
- * given, whichever it was, so that time may jump and run backwards; its positions are kept, 40 bytes a point.
+ * For data without an array of velocities: v = (x(now) - x(before)) / (t(now) - t(before)), a backward difference of
+ * first order, of the points that have the same id in both steps. "Before" is the last step of another time that this
+ * object was given, whichever it was, so that time may jump and run backwards; its positions are kept, 40 bytes a
+ * point.
  *
  * A point without a partner stands still: its id is new, or occurs more than once in one of the steps, or one of
  * the two positions is not finite. So do all in the first step.
@@ -27,8 +28,8 @@ class vtkGlyphStepVelocity
 {
 public:
   /**
-   * Adds the point array Name() to `points`, which are those of `time`. `ids` tell which point is which; without any (null)
-   * and with a time that is not finite (the data say none) all stand still.
+   * Adds the point array Name() to `points`, which are those of `time`. `ids` tell which point is which; without any
+   * (null) and with a time that is not finite (the data say none) all stand still.
    */
   void AddTo(vtkPolyData* points, vtkDataArray* ids, double time);
 

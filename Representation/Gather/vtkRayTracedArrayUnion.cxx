@@ -31,13 +31,11 @@ vtkRayTracedArrayUnion::vtkRayTracedArrayUnion(const std::vector<vtkDataSetAttri
 vtkAbstractArray* vtkRayTracedArrayUnion::Item::Of(vtkDataSetAttributes* set) const
 {
   vtkAbstractArray* array = set ? set->GetAbstractArray(this->First->GetName()) : nullptr;
-  return array && array->GetNumberOfComponents() == this->First->GetNumberOfComponents() ? array
-                                                                                         : nullptr;
+  return array && array->GetNumberOfComponents() == this->First->GetNumberOfComponents() ? array : nullptr;
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkAbstractArray>
-vtkRayTracedArrayUnion::Item::Make(vtkIdType tuples, bool exact) const
+vtkSmartPointer<vtkAbstractArray> vtkRayTracedArrayUnion::Item::Make(vtkIdType tuples, bool exact) const
 {
   // Not an instance of the first one's class, which may be an array that cannot be written to.
   const int type = exact ? this->First->GetDataType() : VTK_DOUBLE;

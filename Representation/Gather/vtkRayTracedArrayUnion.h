@@ -2,9 +2,9 @@
  * @class   vtkRayTracedArrayUnion
  * @brief   which arrays several data sets together have
  *
- * An array that all of them have, of one type, stays what it is. A numeric array that some lack, or have of another type,
- * becomes one of double with NaN in the holes, which color maps know. vtkDataSetAttributes::FieldList, VTK's own, keeps arrays
- * of one name and different types apart and leaves holes undefined.
+ * An array that all of them have, of one type, stays what it is. A numeric array that some lack, or have of another
+ * type, becomes one of double with NaN in the holes, which color maps know. vtkDataSetAttributes::FieldList, VTK's own,
+ * keeps arrays of one name and different types apart and leaves holes undefined.
  */
 #ifndef vtkRayTracedArrayUnion_h
 #define vtkRayTracedArrayUnion_h
@@ -26,7 +26,7 @@ public:
   struct Item
   {
     vtkAbstractArray* First = nullptr; // the one that decides on the length of tuples
-    std::size_t Sets = 0; // number of data sets that have it, with tuples of this length
+    std::size_t Sets = 0;              // number of data sets that have it, with tuples of this length
     bool SameType = true;
 
     /// That of a data set, or null where it lacks this one.

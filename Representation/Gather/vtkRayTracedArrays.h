@@ -13,7 +13,8 @@ namespace vtkRayTracedArrays
 {
 /// Of each point: its id in the input's block. Missing where it would be the identity.
 constexpr const char* PointIds = "vtkRayTraced_PointIds";
-/// Of each point, or of each cell of a surface: the cell of the input's block that it stands for. Missing where there is none.
+/// Of each point, or of each cell of a surface: the cell of the input's block that it stands for. Missing where there
+/// is none.
 constexpr const char* CellIds = "vtkRayTraced_CellIds";
 /// Of each point: flat index of its block. Missing where the input is a single data set.
 constexpr const char* CompositeIndex = "vtkRayTraced_CompositeIndex";
@@ -26,8 +27,8 @@ constexpr const char* BlockColors = "vtkBlockColors";
 /// vtkPVGeometryFilter's default number of them, after which they repeat.
 constexpr unsigned int DistinctBlockColors = 7;
 ///@{
-/// Field data of composite input: the tree that block selectors are paths in, as XML, and pairs (flat index, index of the
-/// data set in the tree).
+/// Field data of composite input: the tree that block selectors are paths in, as XML, and pairs (flat index, index of
+/// the data set in the tree).
 constexpr const char* Hierarchy = "vtkRayTraced_Hierarchy";
 constexpr const char* Leaves = "vtkRayTraced_Leaves";
 ///@}

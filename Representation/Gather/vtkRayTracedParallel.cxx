@@ -23,8 +23,7 @@ vtkSMPTools::Config Configuration()
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedParallel::Progress
-vtkRayTracedParallel::Part(const Progress& whole, double first, double last)
+vtkRayTracedParallel::Progress vtkRayTracedParallel::Part(const Progress& whole, double first, double last)
 {
   if (!whole)
   {
@@ -67,8 +66,8 @@ void vtkRayTracedParallel::ForChunks(
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedParallel::Box vtkRayTracedParallel::BoxOf(
-  vtkIdType count, const std::function<void(vtkIdType, vtkIdType, Box&)>& add)
+vtkRayTracedParallel::Box
+vtkRayTracedParallel::BoxOf(vtkIdType count, const std::function<void(vtkIdType, vtkIdType, Box&)>& add)
 {
   std::vector<Box> boxes(NumberOfChunks(count));
   ForChunks(count, [&](vtkIdType begin, vtkIdType end) { add(begin, end, boxes[ChunkOf(begin)]); });

@@ -96,8 +96,7 @@ void CompleteArrays(const std::vector<vtkSmartPointer<vtkPolyData>>& blocks, boo
   std::vector<vtkDataSetAttributes*> sets;
   for (const auto& block : blocks)
   {
-    sets.push_back(
-      cells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData());
+    sets.push_back(cells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData());
   }
   const vtkRayTracedArrayUnion all(sets,
     [](vtkDataSetAttributes* set, vtkAbstractArray* array)
@@ -112,8 +111,7 @@ void CompleteArrays(const std::vector<vtkSmartPointer<vtkPolyData>>& blocks, boo
     }
     for (std::size_t i = 0; i < blocks.size(); ++i)
     {
-      const vtkIdType tuples =
-        cells ? blocks[i]->GetNumberOfCells() : blocks[i]->GetNumberOfPoints();
+      const vtkIdType tuples = cells ? blocks[i]->GetNumberOfCells() : blocks[i]->GetNumberOfPoints();
       const vtkSmartPointer<vtkAbstractArray> array = item.Make(tuples, /*exact=*/false);
       auto* numbers = vtkDoubleArray::SafeDownCast(array);
       if (vtkAbstractArray* old = item.Of(sets[i]))
@@ -136,8 +134,7 @@ void CompleteArrays(const std::vector<vtkSmartPointer<vtkPolyData>>& blocks, boo
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData>
-vtkRayTracedSurfaceGatherer::Triangulate(vtkPolyData* polygons, const Settings& settings)
+vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceGatherer::Triangulate(vtkPolyData* polygons, const Settings& settings)
 {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->PassVertsOff();
@@ -145,8 +142,7 @@ vtkRayTracedSurfaceGatherer::Triangulate(vtkPolyData* polygons, const Settings& 
   triangles->SetInputData(polygons);
   triangles->Update();
   vtkSmartPointer<vtkPolyData> surface = triangles->GetOutput();
-  if (settings.ComputesNormals && !surface->GetPointData()->GetNormals() &&
-    surface->GetNumberOfPolys() > 0)
+  if (settings.ComputesNormals && !surface->GetPointData()->GetNormals() && surface->GetNumberOfPolys() > 0)
   {
     vtkNew<vtkPolyDataNormals> normals;
     normals->SetFeatureAngle(settings.FeatureAngle);
@@ -158,8 +154,7 @@ vtkRayTracedSurfaceGatherer::Triangulate(vtkPolyData* polygons, const Settings& 
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData>
-vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* input, const Settings& settings)
+vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* input, const Settings& settings)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> blocks;
   unsigned int block = 0;
@@ -175,8 +170,7 @@ vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* input, const Settings& settin
     if (isBlock)
     {
       AddIndex(surface, vtkRayTracedArrays::CompositeIndex, flatIndex);
-      AddIndex(
-        surface, vtkRayTracedArrays::BlockColors, block % vtkRayTracedArrays::DistinctBlockColors);
+      AddIndex(surface, vtkRayTracedArrays::BlockColors, block % vtkRayTracedArrays::DistinctBlockColors);
     }
     if (settings.Processes > 1)
     {

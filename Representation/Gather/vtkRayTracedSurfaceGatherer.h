@@ -9,7 +9,8 @@
  * - what picking asks for (vtkRayTracedArrays.h): ids of points and cells, flat indices of blocks, ranks. No point is
  *   shared by two blocks.
  *
- * Its field data has, for composite input, the hierarchy that block selectors speak about (see vtkGlyphBlockAttributes).
+ * Its field data has, for composite input, the hierarchy that block selectors speak about (see
+ * vtkGlyphBlockAttributes).
  */
 #ifndef vtkRayTracedSurfaceGatherer_h
 #define vtkRayTracedSurfaceGatherer_h

@@ -22,37 +22,32 @@ namespace
 class Collector
 {
 public:
-  Collector(vtkPolyData* points, const vtkGlyphSettings& settings,
-    const vtkGlyphBlockAttributes::Table& blocks)
+  Collector(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
     : Settings(settings)
     , Blocks(blocks)
     , Positions(points->GetPoints()->GetData())
     , Scales(vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, settings))
     , TensorArray(vtkGlyphTensors::Array(points, settings.Tensors))
-    , BlockIds(vtkUnsignedIntArray::SafeDownCast(
-        points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex)))
+    , BlockIds(vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex)))
     , Motion(points, settings.Motion)
   {
     this->ByComponents = settings.ScaleMode == vtkGlyphSettings::COMPONENTS;
     if (this->TensorArray && vtkGlyphTensors::Problem(this->TensorArray, settings.Tensors).empty())
     {
-      this->Tensors = std::make_unique<vtkGlyphTensors>(
-        this->TensorArray, settings.Tensors, std::vector<vtkIdType>());
+      this->Tensors = std::make_unique<vtkGlyphTensors>(this->TensorArray, settings.Tensors, std::vector<vtkIdType>());
     }
     const vtkGlyphSizing& sizing = settings.Sizing;
-    this->LimitSlack =
-      this->Tensors && (sizing.Least > 0.0 || sizing.Most > 0.0) ? std::sqrt(3.0) : 1.0;
+    this->LimitSlack = this->Tensors && (sizing.Least > 0.0 || sizing.Most > 0.0) ? std::sqrt(3.0) : 1.0;
     const bool arrow = settings.Shape == rtg::Shape::Arrow;
-    this->Turned = vtkGlyphArrays::Find(vtkGlyphArrays::ORIENTATION, points, settings) ||
-      settings.Tensors.On || arrow || settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
+    this->Turned = vtkGlyphArrays::Find(vtkGlyphArrays::ORIENTATION, points, settings) || settings.Tensors.On ||
+      arrow || settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
     if (arrow)
     {
       const double thick = std::max(settings.Arrow.shaftRadius, settings.Arrow.tipRadius);
       this->UnitReach = glm::dvec3(1.0, thick, thick);
       if (settings.Arrow.fixedHeads)
       {
-        this->HeadScale =
-          std::abs(settings.ScaleFactor) * vtkGlyphArrays::ReferenceScale(points, settings, blocks);
+        this->HeadScale = std::abs(settings.ScaleFactor) * vtkGlyphArrays::ReferenceScale(points, settings, blocks);
       }
     }
     else if (settings.Shape == rtg::Shape::Mesh && settings.Mesh)
@@ -68,8 +63,7 @@ public:
   vtkRayTracedParallel::Box Box(vtkIdType count) const
   {
     return vtkRayTracedParallel::BoxOf(count,
-      [this](vtkIdType begin, vtkIdType end, vtkRayTracedParallel::Box& box)
-      { this->AddRange(begin, end, box); });
+      [this](vtkIdType begin, vtkIdType end, vtkRayTracedParallel::Box& box) { this->AddRange(begin, end, box); });
   }
 
 private:
@@ -79,8 +73,7 @@ private:
     for (vtkIdType i = begin; i < end; ++i)
     {
       const double* x = positions.Get(i);
-      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]) ||
-        !this->IsVisible(i))
+      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]) || !this->IsVisible(i))
       {
         continue;
       }
@@ -114,9 +107,8 @@ private:
     if (this->Scales)
     {
       const double* tuple = scales.Get(point);
-      size *= this->ByComponents
-        ? this->Settings.Sizing(glm::abs(glm::dvec3(tuple[0], tuple[1], tuple[2])))
-        : glm::dvec3(this->Settings.Sizing(vtkMath::Norm(tuple, scales.Size())));
+      size *= this->ByComponents ? this->Settings.Sizing(glm::abs(glm::dvec3(tuple[0], tuple[1], tuple[2])))
+                                 : glm::dvec3(this->Settings.Sizing(vtkMath::Norm(tuple, scales.Size())));
     }
     if (this->Tensors)
     {
@@ -132,9 +124,8 @@ private:
     }
     if (this->Turned)
     {
-      reach = glm::dvec3(this->Settings.Shape == rtg::Shape::Sphere
-          ? std::max({ reach.x, reach.y, reach.z })
-          : glm::length(reach));
+      reach = glm::dvec3(
+        this->Settings.Shape == rtg::Shape::Sphere ? std::max({ reach.x, reach.y, reach.z }) : glm::length(reach));
     }
     return std::isfinite(reach.x + reach.y + reach.z) ? reach : glm::dvec3(0.0);
   }
@@ -148,14 +139,13 @@ private:
   bool ByComponents = false, Turned = false;
   glm::dvec3 UnitReach{ 0.5 }; // of the unit glyph from its point
   double HeadScale = 0.0;      // of arrows with fixed heads
-  double LimitSlack =
-    1.0; // extents of tensors are known to a factor of sqrt(3) only; limits are of the extents
+  double LimitSlack = 1.0;     // extents of tensors are known to a factor of sqrt(3) only; limits are of the extents
 };
 }
 
 //----------------------------------------------------------------------------
-const double* vtkGlyphBounds::Get(vtkPolyData* points,
-  const std::vector<vtkGlyphSettings>& settings, const vtkGlyphBlockAttributes::Table& blocks)
+const double* vtkGlyphBounds::Get(
+  vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings, const vtkGlyphBlockAttributes::Table& blocks)
 {
   // Neither colors nor the mask count: glyphs that a mask leaves out stay in the box, which does not jump then.
   Key key{ {}, {}, vtkGlyphBlockAttributes::Hidden(blocks) };
@@ -182,8 +172,7 @@ const double* vtkGlyphBounds::Get(vtkPolyData* points,
   {
     for (const vtkGlyphSettings& form : settings)
     {
-      const vtkRayTracedParallel::Box all =
-        Collector(points, form, blocks).Box(points->GetNumberOfPoints());
+      const vtkRayTracedParallel::Box all = Collector(points, form, blocks).Box(points->GetNumberOfPoints());
       if (!all.IsEmpty())
       {
         box.Add(all.Lower, all.Upper);

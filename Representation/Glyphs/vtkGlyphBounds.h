@@ -2,8 +2,9 @@
  * @class   vtkGlyphBounds
  * @brief   a box around all glyphs of a set of points
  *
- * Each glyph counts with its own size: a point whose scale is large and another one whose tensor is do not add up. Boxes of
- * turned glyphs are those of the balls round them. All cores share the work, which is kept until data or settings change.
+ * Each glyph counts with its own size: a point whose scale is large and another one whose tensor is do not add up.
+ * Boxes of turned glyphs are those of the balls round them. All cores share the work, which is kept until data or
+ * settings change.
  */
 #ifndef vtkGlyphBounds_h
 #define vtkGlyphBounds_h
@@ -23,8 +24,8 @@ public:
    * The box of glyphs of all these settings at the same points, before the actor's transform. Uninitialized when there
    * are none. Blocks as Resolve()d for `points`.
    */
-  const double* Get(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings,
-    const vtkGlyphBlockAttributes::Table& blocks);
+  const double*
+  Get(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings, const vtkGlyphBlockAttributes::Table& blocks);
 
   ///@{
   /**

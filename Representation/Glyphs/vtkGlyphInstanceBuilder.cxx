@@ -53,8 +53,7 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
       result.Skipped += count;
     }
   };
-  say(skipped[POSITION], "their position is not finite",
-    "Remove these points, for example with Threshold or Clean.");
+  say(skipped[POSITION], "their position is not finite", "Remove these points, for example with Threshold or Clean.");
   if (!settings.Scaling)
   {
     say(skipped[SCALE], "GlyphScaleFactor, or Scale of the representation, is zero or not finite",
@@ -62,26 +61,21 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
   }
   else
   {
-    say(skipped[SCALE],
-      "their scale, from the point array '" + settings.ScaleArray + "', is zero or not finite",
+    say(skipped[SCALE], "their scale, from the point array '" + settings.ScaleArray + "', is zero or not finite",
       "Choose another GlyphScaleArray, switch GlyphScaling off, or remove these points with "
       "Threshold.");
   }
   say(skipped[ORIENTATION],
-    "their orientation, from the point array '" + settings.OrientationArray +
-      "', is zero or not finite",
+    "their orientation, from the point array '" + settings.OrientationArray + "', is zero or not finite",
     "Choose another GlyphOrientationArray, switch GlyphOrient off, or remove these points with "
     "Threshold.");
-  say(skipped[TENSOR],
-    "their tensor, from the point array '" + settings.Tensors.Array + "', is zero or not finite",
+  say(skipped[TENSOR], "their tensor, from the point array '" + settings.Tensors.Array + "', is zero or not finite",
     "To silence this warning remove the points with Threshold.");
   say(skipped[MOTION],
     "their velocity, acceleration or angular velocity, or the way they go while the shutter is "
     "open, is not finite",
     "Choose other arrays, switch MotionBlur off, or remove these points with Threshold.");
-  say(skipped[FORM],
-    "the number of their form, from the point array '" + settings.TableIndexArray +
-      "', is not finite",
+  say(skipped[FORM], "the number of their form, from the point array '" + settings.TableIndexArray + "', is not finite",
     "Choose another GlyphMeshIndexArray, or remove these points with Threshold.");
   if (vtkRayTracedArrays::IsNone(settings.ExponentArray))
   {
@@ -93,15 +87,13 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
   else
   {
     say(skipped[EXPONENT],
-      "their exponents, from the point array '" + settings.ExponentArray +
-        "', are zero, negative or not finite",
+      "their exponents, from the point array '" + settings.ExponentArray + "', are zero, negative or not finite",
       "Choose another GlyphExponentArray, or None, or remove these points with Threshold.");
   }
 }
 
 // A tuple's exponents as the kernels want them; false: there are none.
-bool MakeExponents(
-  const Settings& settings, const double* tuple, int components, glm::vec3& exponents)
+bool MakeExponents(const Settings& settings, const double* tuple, int components, glm::vec3& exponents)
 {
   glm::dvec3 e(tuple[0]);
   if (components == 2)
@@ -137,8 +129,8 @@ class Assembly
 {
 public:
   // Takes the arrays that are there and fit. `tensors` may be null; all stay the caller's.
-  Assembly(vtkPolyData* points, const Settings& settings, vtkMatrix4x4* modelToWorld,
-    const vtkGlyphTensors* tensors, vtkGlyphInstanceBuilder::Result& result)
+  Assembly(vtkPolyData* points, const Settings& settings, vtkMatrix4x4* modelToWorld, const vtkGlyphTensors* tensors,
+    vtkGlyphInstanceBuilder::Result& result)
     : How(settings)
     , Tensors(tensors)
     , Placement(modelToWorld)
@@ -154,19 +146,16 @@ public:
   {
     for (int id = 0; id < vtkGlyphArrays::NUMBER_OF_IDS; ++id)
     {
-      this->Arrays[id] = vtkGlyphArrays::Find(
-        static_cast<vtkGlyphArrays::Id>(id), points, settings, &result.Messages);
+      this->Arrays[id] = vtkGlyphArrays::Find(static_cast<vtkGlyphArrays::Id>(id), points, settings, &result.Messages);
     }
-    this->GoodExponents = this->OwnExponents &&
-      MakeExponents(settings, settings.Exponents, 3, this->Instances.uniformExponents);
+    this->GoodExponents =
+      this->OwnExponents && MakeExponents(settings, settings.Exponents, 3, this->Instances.uniformExponents);
 
     // What an instance stores: nothing that is the same for all, and no turn of what looks the same from all sides
     const bool sizedByData = this->Has(vtkGlyphArrays::SCALE) || tensors;
     this->SameSizes = !sizedByData && this->Placement.Uniform;
-    this->OneSize = (!this->Has(vtkGlyphArrays::SCALE) || !this->ByComponents) && !tensors &&
-      this->Placement.Uniform;
-    this->Turned =
-      (this->Has(vtkGlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
+    this->OneSize = (!this->Has(vtkGlyphArrays::SCALE) || !this->ByComponents) && !tensors && this->Placement.Uniform;
+    this->Turned = (this->Has(vtkGlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
       !(this->Sphere && this->OneSize);
     const bool pointed = settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow;
     this->Flips = pointed &&
@@ -205,8 +194,7 @@ public:
     this->Out.Points = std::move(candidates);
     if (numbers[SHOWN] < count)
     {
-      this->Keep(
-        vtkRayTracedParallel::Select(count, [&](vtkIdType k) { return outcomes[k] == SHOWN; }));
+      this->Keep(vtkRayTracedParallel::Select(count, [&](vtkIdType k) { return outcomes[k] == SHOWN; }));
     }
     this->StoreLowParts();
     this->Finish();
@@ -281,8 +269,7 @@ private:
         for (vtkIdType k = begin; k < end; ++k)
         {
           this->Instances.centresLow[k] =
-            glm::vec3(this->FromOrigin(positions.Get(this->Out.Points[k])) -
-              glm::dvec3(this->Instances.centres[k]));
+            glm::vec3(this->FromOrigin(positions.Get(this->Out.Points[k])) - glm::dvec3(this->Instances.centres[k]));
         }
       });
   }
@@ -293,8 +280,7 @@ private:
     if (this->ChoosesForm)
     {
       const double number = this->Has(vtkGlyphArrays::TABLE_INDEX)
-        ? vtkMath::Norm(
-            tuples[vtkGlyphArrays::TABLE_INDEX].Get(i), tuples[vtkGlyphArrays::TABLE_INDEX].Size())
+        ? vtkMath::Norm(tuples[vtkGlyphArrays::TABLE_INDEX].Get(i), tuples[vtkGlyphArrays::TABLE_INDEX].Size())
         : 0.0;
       const int last = this->How.TableSize - 1;
       const bool counts = !std::isnan(number);
@@ -353,10 +339,9 @@ private:
 
     glm::vec3 exponents(2.0f);
     if (this->OwnExponents &&
-      !(this->Has(vtkGlyphArrays::EXPONENTS)
-          ? MakeExponents(this->How, tuples[vtkGlyphArrays::EXPONENTS].Get(i),
-              tuples[vtkGlyphArrays::EXPONENTS].Size(), exponents)
-          : this->GoodExponents))
+      !(this->Has(vtkGlyphArrays::EXPONENTS) ? MakeExponents(this->How, tuples[vtkGlyphArrays::EXPONENTS].Get(i),
+                                                 tuples[vtkGlyphArrays::EXPONENTS].Size(), exponents)
+                                             : this->GoodExponents))
     {
       return EXPONENT;
     }
@@ -386,8 +371,8 @@ private:
     {
       this->NeedsLowParts = true;
     }
-    this->Store(glyph, this->How.Shape == rtg::Shape::Mesh ? glm::vec3(size) : extent, rotation,
-      tensorGlyph, exponents);
+    this->Store(
+      glyph, this->How.Shape == rtg::Shape::Mesh ? glm::vec3(size) : extent, rotation, tensorGlyph, exponents);
     return SHOWN;
   }
 
@@ -402,20 +387,18 @@ private:
     allocate(this->Instances.sizes1, this->OneSize && !this->SameSizes);
     allocate(this->Instances.rotations, this->Turned || this->Flips);
     this->Motion.Allocate(this->Instances.motion, count);
-    this->FirstSizes.assign(
-      vtkRayTracedParallel::NumberOfChunks(static_cast<vtkIdType>(count)), 0.0f);
+    this->FirstSizes.assign(vtkRayTracedParallel::NumberOfChunks(static_cast<vtkIdType>(count)), 0.0f);
   }
 
-  void Store(vtkIdType glyph, const glm::vec3& size, const glm::dquat& rotation,
-    const rtg::TensorGlyph& tensor, const glm::vec3& exponents)
+  void Store(vtkIdType glyph, const glm::vec3& size, const glm::dquat& rotation, const rtg::TensorGlyph& tensor,
+    const glm::vec3& exponents)
   {
     float& first = this->FirstSizes[vtkRayTracedParallel::ChunkOf(glyph)];
     first = first == 0.0f ? size.x : first;
     if (!this->Instances.forms.empty())
     {
       const glm::dvec3 magnitudes(glm::abs(tensor.values));
-      this->Instances.forms[glyph] =
-        glm::vec3(tensor.values / std::max({ magnitudes.x, magnitudes.y, magnitudes.z }));
+      this->Instances.forms[glyph] = glm::vec3(tensor.values / std::max({ magnitudes.x, magnitudes.y, magnitudes.z }));
     }
     if (!this->Instances.exponents3.empty())
     {
@@ -442,8 +425,8 @@ private:
     {
       if (!values.empty())
       {
-        std::transform(glyphs.begin(), glyphs.end(), values.begin(),
-          [&values](vtkIdType glyph) { return values[glyph]; });
+        std::transform(
+          glyphs.begin(), glyphs.end(), values.begin(), [&values](vtkIdType glyph) { return values[glyph]; });
         values.resize(glyphs.size());
       }
     };
@@ -461,8 +444,8 @@ private:
 
   void Finish()
   {
-    const auto first = std::find_if(
-      this->FirstSizes.begin(), this->FirstSizes.end(), [](float size) { return size != 0.0f; });
+    const auto first =
+      std::find_if(this->FirstSizes.begin(), this->FirstSizes.end(), [](float size) { return size != 0.0f; });
     if (first != this->FirstSizes.end())
     {
       this->Instances.uniformSize = *first;
@@ -482,9 +465,8 @@ private:
   rtg::GlyphInstances& Instances;
   const bool ByComponents, ChoosesForm, OwnExponents, Sphere;
   vtkDataArray* const Positions;
-  std::array<vtkDataArray*, vtkGlyphArrays::NUMBER_OF_IDS>
-    Arrays{};                    // null: none, or it does not fit
-  const glm::dmat3 Rotation;     // of the placement
+  std::array<vtkDataArray*, vtkGlyphArrays::NUMBER_OF_IDS> Arrays{}; // null: none, or it does not fit
+  const glm::dmat3 Rotation;                                         // of the placement
   std::vector<float> FirstSizes; // of each chunk's first glyph, which is never 0; 0: it has none
   bool GoodExponents = false;    // of the settings
   std::atomic<bool> NeedsLowParts{ false };
@@ -494,9 +476,9 @@ private:
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* points,
-  const Settings& settings, const vtkGlyphBlockAttributes::Table& blocks,
-  vtkMatrix4x4* modelToWorld, const vtkRayTracedParallel::Progress& progress)
+vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* points, const Settings& settings,
+  const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld,
+  const vtkRayTracedParallel::Progress& progress)
 {
   Result result;
   rtg::GlyphInstances& instances = result.Instances;
@@ -506,10 +488,9 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   if (isMesh && (!settings.Mesh || settings.Mesh->triangles.empty()))
   {
     const std::string number = std::to_string(settings.TableEntry);
-    result.Messages.push_back(
-      (settings.HasTable() ? "Entry " + number +
-            " of GlyphMesh has no polygons, so points that choose it have no glyph."
-                           : "GlyphMesh has no polygons, so there are no glyphs.") +
+    result.Messages.push_back((settings.HasTable() ? "Entry " + number +
+                                    " of GlyphMesh has no polygons, so points that choose it have no glyph."
+                                                   : "GlyphMesh has no polygons, so there are no glyphs.") +
       " Choose a source that has some, such as Arrow, Cone or Sphere.");
     return result;
   }
@@ -547,17 +528,14 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   const vtkGlyphPlacement& placement = assembly.GetPlacement();
   if (settings.Shape == rtg::Shape::Arrow)
   {
-    const double reference =
-      assembly.IsScaled() ? vtkGlyphArrays::ReferenceScale(points, settings, blocks) : 1.0;
-    const auto unit =
-      static_cast<float>(std::abs(settings.ScaleFactor * placement.Scale) * reference);
+    const double reference = assembly.IsScaled() ? vtkGlyphArrays::ReferenceScale(points, settings, blocks) : 1.0;
+    const auto unit = static_cast<float>(std::abs(settings.ScaleFactor * placement.Scale) * reference);
     instances.arrow.unitLength = IsPositive(unit) ? unit : 1.0f;
   }
   if (!placement.Uniform && settings.Shape != rtg::Shape::Sphere)
   {
-    result.Messages.push_back(
-      "Scale of the representation differs between its axes, which glyphs of this shape "
-      "can follow only approximately. Transform the data instead, or use one scale.");
+    result.Messages.push_back("Scale of the representation differs between its axes, which glyphs of this shape "
+                              "can follow only approximately. Transform the data instead, or use one scale.");
   }
   if (settings.HasTable() && settings.TableEntry > 0)
   {

@@ -10,15 +10,14 @@
  * the first across (x and y) and the second along z, with three one for each axis. In the nested form the first is
  * that along z, the second that across, as blockiness is given in granular matter codes; one component is both.
  *
- * With a table of forms the magnitude of the index array's tuple, cut to a whole number and clamped to the table, is the
- * number of a point's form.
+ * With a table of forms the magnitude of the index array's tuple, cut to a whole number and clamped to the table, is
+ * the number of a point's form.
  *
  * A negative scale component mirrors the glyph. That changes nothing about a sphere, box or cylinder; cones and arrows
  * point the other way, as 3D Glyphs shows them; meshes are mirrored.
  *
- * What cannot be shown (an exponent that is not positive; position, scale, direction zero where one is needed, or anything
- * not finite) makes no glyph; it is
- * counted and put into words in Result::Messages.
+ * What cannot be shown (an exponent that is not positive; position, scale, direction zero where one is needed, or
+ * anything not finite) makes no glyph; it is counted and put into words in Result::Messages.
  */
 #ifndef vtkGlyphInstanceBuilder_h
 #define vtkGlyphInstanceBuilder_h

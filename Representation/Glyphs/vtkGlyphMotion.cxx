@@ -20,8 +20,7 @@ enum Kinds
   KINDS
 };
 
-const char* const properties[KINDS] = { "VelocityArray", "AccelerationArray",
-  "AngularVelocityArray" };
+const char* const properties[KINDS] = { "VelocityArray", "AccelerationArray", "AngularVelocityArray" };
 
 std::string NameOf(const vtkGlyphMotion::Settings& settings, int kind)
 {
@@ -50,8 +49,7 @@ bool IsFinite3(const glm::dvec3& v)
 
 void ClearZeros(std::vector<glm::vec3>& values)
 {
-  if (std::all_of(
-        values.begin(), values.end(), [](const glm::vec3& v) { return v == glm::vec3(0.0f); }))
+  if (std::all_of(values.begin(), values.end(), [](const glm::vec3& v) { return v == glm::vec3(0.0f); }))
   {
     values.clear();
   }
@@ -119,14 +117,13 @@ vtkGlyphMotion::vtkGlyphMotion(vtkPolyData* points, const Settings& settings)
     std::ostringstream text;
     if (!this->Found[kind])
     {
-      text << "There is no point array '" << NameOf(settings, kind) << "', which "
-           << properties[kind]
+      text << "There is no point array '" << NameOf(settings, kind) << "', which " << properties[kind]
            << " names; motion blur goes without. Choose one that exists, or None.";
     }
     else if (this->Found[kind]->GetNumberOfComponents() != 3)
     {
-      text << "The point array '" << NameOf(settings, kind) << "', which " << properties[kind]
-           << " names, has " << this->Found[kind]->GetNumberOfComponents()
+      text << "The point array '" << NameOf(settings, kind) << "', which " << properties[kind] << " names, has "
+           << this->Found[kind]->GetNumberOfComponents()
            << " components where 3 are needed; motion blur goes without. Choose another array, or "
               "None.";
       this->Found[kind] = nullptr;
@@ -138,9 +135,8 @@ vtkGlyphMotion::vtkGlyphMotion(vtkPolyData* points, const Settings& settings)
   }
   if (!named)
   {
-    this->Messages_.emplace_back(
-      "MotionBlur is on, but VelocityArray, AccelerationArray and AngularVelocityArray are "
-      "None, so nothing moves. Choose a VelocityArray, or switch MotionBlur off.");
+    this->Messages_.emplace_back("MotionBlur is on, but VelocityArray, AccelerationArray and AngularVelocityArray are "
+                                 "None, so nothing moves. Choose a VelocityArray, or switch MotionBlur off.");
   }
 }
 
@@ -186,8 +182,8 @@ void vtkGlyphMotion::Allocate(rtg::GlyphMotion& motion, std::size_t count) const
 }
 
 //----------------------------------------------------------------------------
-void vtkGlyphMotion::Store(rtg::GlyphMotion& motion, std::size_t glyph, vtkIdType point,
-  const glm::dmat3& linear, const glm::dmat3& rotation) const
+void vtkGlyphMotion::Store(rtg::GlyphMotion& motion, std::size_t glyph, vtkIdType point, const glm::dmat3& linear,
+  const glm::dmat3& rotation) const
 {
   if (this->Found[VELOCITY])
   {

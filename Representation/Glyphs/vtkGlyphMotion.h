@@ -67,8 +67,8 @@ public:
 
   ///@{
   /**
-   * Allocate() makes room for so many glyphs; then Store() makes the point's motion that of a glyph. Threads may store at
-   * the same time.
+   * Allocate() makes room for so many glyphs; then Store() makes the point's motion that of a glyph. Threads may store
+   * at the same time.
    */
   void Allocate(rtg::GlyphMotion& motion, std::size_t count) const;
   void Store(rtg::GlyphMotion& motion, std::size_t glyph, vtkIdType point, const glm::dmat3& linear,

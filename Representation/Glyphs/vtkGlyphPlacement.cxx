@@ -132,14 +132,14 @@ bool vtkGlyphPlacement::RotationFromTuple(const double* tuple, int mode, glm::dq
         return false;
       }
       // Scaled first: the square of a tiny or huge component would leave the range of double.
-      const double largest = std::max(
-        { std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]), std::abs(tuple[3]) });
+      const double largest =
+        std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]), std::abs(tuple[3]) });
       if (largest == 0.0)
       {
         return false;
       }
-      rotation = glm::normalize(
-        glm::dquat(tuple[0] / largest, tuple[1] / largest, tuple[2] / largest, tuple[3] / largest));
+      rotation =
+        glm::normalize(glm::dquat(tuple[0] / largest, tuple[1] / largest, tuple[2] / largest, tuple[3] / largest));
       return true;
     }
     default:
@@ -148,19 +148,16 @@ bool vtkGlyphPlacement::RotationFromTuple(const double* tuple, int mode, glm::dq
       {
         return false;
       }
-      const double largest =
-        std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) });
+      const double largest = std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) });
       if (largest == 0.0)
       {
         return false;
       }
       // A half turn about the middle between +x and the direction. It is +z for -x, as in vtkGlyph3DMapper.
-      const glm::dvec3 direction =
-        glm::normalize(glm::dvec3(tuple[0], tuple[1], tuple[2]) / largest);
+      const glm::dvec3 direction = glm::normalize(glm::dvec3(tuple[0], tuple[1], tuple[2]) / largest);
       if (direction.y == 0.0 && direction.z == 0.0)
       {
-        rotation =
-          direction.x < 0.0 ? glm::dquat(0.0, 0.0, 1.0, 0.0) : glm::dquat(1.0, 0.0, 0.0, 0.0);
+        rotation = direction.x < 0.0 ? glm::dquat(0.0, 0.0, 1.0, 0.0) : glm::dquat(1.0, 0.0, 0.0, 0.0);
         return true;
       }
       // 1 + x loses its digits where the direction is nearly -x; there (y^2 + z^2) / (1 - x) is the same.

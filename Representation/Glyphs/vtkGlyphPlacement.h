@@ -32,8 +32,8 @@ struct vtkGlyphPlacement
   glm::dvec3 operator()(const glm::dvec3& x) const { return this->Linear * x + this->Offset; }
 
   /**
-   * Size and rotation of a glyph's image. Exact but for shearing maps of other shapes than spheres: the sheared image is no
-   * glyph, and its straight-angled neighbor is taken.
+   * Size and rotation of a glyph's image. Exact but for shearing maps of other shapes than spheres: the sheared image
+   * is no glyph, and its straight-angled neighbor is taken.
    */
   void Apply(bool sphere, glm::dvec3& size, glm::dquat& rotation) const;
 

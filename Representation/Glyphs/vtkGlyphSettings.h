@@ -39,18 +39,17 @@ struct vtkGlyphSettings
   bool Orient = true;
   std::string OrientationArray; // empty or "None": none
   int OrientationMode = DIRECTION;
-  rtg::ArrowForm Arrow; // its unit length is computed
-  double ArrowReference =
-    0.0; // scale of the arrow whose head has the unit arrow's proportions; 0: the mean
-  double MeanScale = 0.0;                        // of the glyphs of all ranks; 0: of those at hand
+  rtg::ArrowForm Arrow;        // its unit length is computed
+  double ArrowReference = 0.0; // scale of the arrow whose head has the unit arrow's proportions; 0: the mean
+  double MeanScale = 0.0;      // of the glyphs of all ranks; 0: of those at hand
   std::shared_ptr<const rtg::TriangleMesh> Mesh; // for rtg::Shape::Mesh
   int TableSize = 1;                             // of a table of meshes, of which Mesh is
   int TableEntry = 0;                            // that number: only points that choose it show it
   std::string TableIndexArray;                   // empty or "None": all points choose entry 0
   vtkGlyphTensors::Settings Tensors;             // on: they give size, rotation and exponents
-  double Exponents[3] = { 2.0, 2.0, 2.0 }; // of superquadrics; each counts as one in [0.1, 100]
-  std::string ExponentArray;               // overrides them; empty or "None": none
-  vtkGlyphMotion::Settings Motion;         // on: the glyphs move while the shutter is open
+  double Exponents[3] = { 2.0, 2.0, 2.0 };       // of superquadrics; each counts as one in [0.1, 100]
+  std::string ExponentArray;                     // overrides them; empty or "None": none
+  vtkGlyphMotion::Settings Motion;               // on: the glyphs move while the shutter is open
   bool Mask = false;
   vtkIdType MaximumNumberOfGlyphs = 5000;
   int Seed = 1;
@@ -86,7 +85,8 @@ struct vtkGlyphSettings
   /**
    * The arrows that show the antisymmetric parts of the tensors that glyphs of these settings show: from each glyph's
    * center along vtkGlyphTensors::Axis, as long as the factors and scales that make a tensor glyph's axis out of an
-   * eigenvalue make of the vector's length. Components of a scale array belong to the glyph's own axes and do not count.
+   * eigenvalue make of the vector's length. Components of a scale array belong to the glyph's own axes and do not
+   * count.
    */
   vtkGlyphSettings AxesOfTensors() const;
 };

@@ -1,6 +1,6 @@
 /**
- * How numbers of the data become sizes of glyphs: a function of their magnitude, and limits of the result. Ratios between
- * the lengths of one glyph are kept.
+ * How numbers of the data become sizes of glyphs: a function of their magnitude, and limits of the result. Ratios
+ * between the lengths of one glyph are kept.
  */
 #ifndef vtkGlyphSizing_h
 #define vtkGlyphSizing_h
@@ -53,8 +53,7 @@ struct vtkGlyphSizing
   glm::dvec3 operator()(const glm::dvec3& lengths) const
   {
     const double largest = Largest(lengths);
-    return this->Function == LINEAR || !(largest > 0.0) ? lengths
-                                                        : lengths * ((*this)(largest) / largest);
+    return this->Function == LINEAR || !(largest > 0.0) ? lengths : lengths * ((*this)(largest) / largest);
   }
 
   /**
@@ -68,8 +67,8 @@ struct vtkGlyphSizing
   }
 
   /**
-   * What is at least as large as the function of a tensor's largest eigenvalue times the ratio of `extent`, which is that
-   * eigenvalue or up to sqrt(3) times as much, to it; and as what is limited. For bounds.
+   * What is at least as large as the function of a tensor's largest eigenvalue times the ratio of `extent`, which is
+   * that eigenvalue or up to sqrt(3) times as much, to it; and as what is limited. For bounds.
    */
   double Bound(double extent) const
   {

@@ -60,8 +60,8 @@ std::string vtkGlyphTensors::Problem(vtkDataArray* array, const Settings& settin
   const int needed = rtg::TensorComponents(settings.Layout);
   if (components != 9 && components != needed)
   {
-    text << "The point array '" << settings.Array << "', which GlyphTensorArray names, has "
-         << components << " components where " << needed << (needed == 6 ? " or 9" : "")
+    text << "The point array '" << settings.Array << "', which GlyphTensorArray names, has " << components
+         << " components where " << needed << (needed == 6 ? " or 9" : "")
          << " are needed, so there are no glyphs. Choose another array"
          << (components == 6 ? " or another GlyphTensorLayout." : ".");
   }
@@ -69,8 +69,7 @@ std::string vtkGlyphTensors::Problem(vtkDataArray* array, const Settings& settin
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphTensors::vtkGlyphTensors(
-  vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points)
+vtkGlyphTensors::vtkGlyphTensors(vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points)
   : Tensors(array)
   , How(settings)
 {
@@ -135,13 +134,12 @@ double vtkGlyphTensors::Extent(vtkIdType point) const
     const double largest = t.Largest();
     if (largest > 0.0 && std::isfinite(largest))
     {
-      const rtg::SymmetricTensor u{ t.xx / largest, t.yy / largest, t.zz / largest, t.xy / largest,
-        t.yz / largest, t.xz / largest };
+      const rtg::SymmetricTensor u{ t.xx / largest, t.yy / largest, t.zz / largest, t.xy / largest, t.yz / largest,
+        t.xz / largest };
       extent = largest *
         (this->How.Kind == rtg::TensorGlyphKind::Ellipsoid
             ? LargestEigenvalue(u)
-            : std::sqrt(u.xx * u.xx + u.yy * u.yy + u.zz * u.zz +
-                2.0 * (u.xy * u.xy + u.yz * u.yz + u.xz * u.xz)));
+            : std::sqrt(u.xx * u.xx + u.yy * u.yy + u.zz * u.zz + 2.0 * (u.xy * u.xy + u.yz * u.yz + u.xz * u.xz)));
     }
   }
   return std::isfinite(extent) ? extent : 0.0;
@@ -190,8 +188,7 @@ bool vtkGlyphTensors::Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const
   {
     return false;
   }
-  glyph =
-    rtg::MakeTensorGlyph(rtg::Decompose(tensor), this->How.Kind, this->How.Sharpness, this->Noise);
+  glyph = rtg::MakeTensorGlyph(rtg::Decompose(tensor), this->How.Kind, this->How.Sharpness, this->Noise);
   return true;
 }
 

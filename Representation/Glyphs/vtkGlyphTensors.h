@@ -2,8 +2,8 @@
  * @class   vtkGlyphTensors
  * @brief   an array of tensors as the sizes, rotations and exponents of glyphs
  *
- * Nine components are a matrix row by row whatever the layout, and their symmetric part counts; six are read as the layout
- * says. See Kernels/Tensor.h for what the glyphs are.
+ * Nine components are a matrix row by row whatever the layout, and their symmetric part counts; six are read as the
+ * layout says. See Kernels/Tensor.h for what the glyphs are.
  */
 #ifndef vtkGlyphTensors_h
 #define vtkGlyphTensors_h
@@ -43,14 +43,10 @@ public:
     std::array<double, 3> PositiveColor{ { 0.839, 0.376, 0.302 } };
     std::array<double, 3> NegativeColor{ { 0.263, 0.576, 0.765 } };
     ///@}
-    bool Axes =
-      false; // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
+    bool Axes = false; // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
 
     bool operator==(const Settings&) const = default;
-    bool ColorsByNumber() const
-    {
-      return this->Coloring == FRACTIONAL_ANISOTROPY || this->Coloring == TRACE;
-    }
+    bool ColorsByNumber() const { return this->Coloring == FRACTIONAL_ANISOTROPY || this->Coloring == TRACE; }
     bool ColorsBySign() const { return this->On && !this->Axes && this->Coloring == SIGN; }
 
     /// With all that has no effect on instances at its default: colors, but for whether the glyphs need forms of signs.
@@ -71,19 +67,19 @@ public:
    * For an array without a problem. Exponents of tensors below a millionth of the largest of `points` go to those of a
    * ball.
    */
-  vtkGlyphTensors(
-    vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points);
+  vtkGlyphTensors(vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points);
 
   /**
    * What the extents of a unit glyph are multiplied with: of ellipsoids the largest magnitude of an eigenvalue, of
-   * superquadrics, whose corners reach farther, the Frobenius norm, of axes the axis's length. Zero where it is not finite.
+   * superquadrics, whose corners reach farther, the Frobenius norm, of axes the axis's length. Zero where it is not
+   * finite.
    */
   double Extent(vtkIdType point) const;
 
   /**
-   * The vector w of a matrix A of nine components with (A - A^T) / 2 x = w cross x, in units of the tensor: of a velocity
-   * gradient (row i, column j: d v_i / d x_j) the angular velocity, half the vorticity. False: there is none, because A is
-   * symmetric to a millionth of its largest component, not finite, or given by six numbers.
+   * The vector w of a matrix A of nine components with (A - A^T) / 2 x = w cross x, in units of the tensor: of a
+   * velocity gradient (row i, column j: d v_i / d x_j) the angular velocity, half the vorticity. False: there is none,
+   * because A is symmetric to a millionth of its largest component, not finite, or given by six numbers.
    */
   bool Axis(vtkIdType point, double axis[3]) const;
 
@@ -100,8 +96,9 @@ public:
 
   ///@{
   /**
-   * The number of the coloring: the fractional anisotropy of the eigenvalues, or the trace, in units of the tensor. False:
-   * there is none, as above. NumberRange is its largest magnitude: 1, or that of the trace over the points given.
+   * The number of the coloring: the fractional anisotropy of the eigenvalues, or the trace, in units of the tensor.
+   * False: there is none, as above. NumberRange is its largest magnitude: 1, or that of the trace over the points
+   * given.
    */
   bool Number(vtkIdType point, double& value) const;
   double NumberRange() const { return this->Range; }

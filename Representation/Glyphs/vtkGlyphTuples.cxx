@@ -35,10 +35,8 @@ struct Description
 // In the order of vtkGlyphArrays::Id.
 const std::array<Description, vtkGlyphArrays::NUMBER_OF_IDS> table = { {
   { &Settings::ScaleArray, [](const Settings& settings) { return settings.Scaling; },
-    [](const Settings& settings) {
-      return settings.ScaleMode == Settings::COMPONENTS ? std::vector<int>{ 3 }
-                                                        : std::vector<int>{};
-    },
+    [](const Settings& settings)
+    { return settings.ScaleMode == Settings::COMPONENTS ? std::vector<int>{ 3 } : std::vector<int>{}; },
     "GlyphScaleArray", "all glyphs get the same size" },
   { &Settings::OrientationArray, [](const Settings& settings) { return settings.Orient; },
     [](const Settings& settings)
@@ -67,8 +65,8 @@ using SampleRank = std::pair<std::uint64_t, vtkIdType>; // order and point
 }
 
 //----------------------------------------------------------------------------
-vtkDataArray* vtkGlyphArrays::Find(
-  Id id, vtkPolyData* points, const vtkGlyphSettings& settings, std::vector<std::string>* messages)
+vtkDataArray*
+vtkGlyphArrays::Find(Id id, vtkPolyData* points, const vtkGlyphSettings& settings, std::vector<std::string>* messages)
 {
   const Description& how = table[id];
   const std::string& name = settings.*how.Name;
@@ -79,28 +77,26 @@ vtkDataArray* vtkGlyphArrays::Find(
   vtkDataArray* array = points->GetPointData()->GetArray(name.c_str());
   const std::vector<int> lengths = how.Lengths(settings);
   const bool fits = array &&
-    (lengths.empty() ||
-      std::find(lengths.begin(), lengths.end(), array->GetNumberOfComponents()) != lengths.end());
+    (lengths.empty() || std::find(lengths.begin(), lengths.end(), array->GetNumberOfComponents()) != lengths.end());
   if (!array && messages)
   {
-    messages->push_back("There is no point array '" + name + "', which " + how.Property +
-      " names; " + how.Without + ". Choose one that exists, or None.");
+    messages->push_back("There is no point array '" + name + "', which " + how.Property + " names; " + how.Without +
+      ". Choose one that exists, or None.");
   }
   else if (!fits && messages)
   {
     std::ostringstream text;
     text << "The point array '" << name << "', which " << how.Property << " names, has "
          << array->GetNumberOfComponents() << " components where " << lengths.front()
-         << (lengths.size() > 1 ? " to " + std::to_string(lengths.back()) : "") << " are needed; "
-         << how.Without << ". Choose another array or mode.";
+         << (lengths.size() > 1 ? " to " + std::to_string(lengths.back()) : "") << " are needed; " << how.Without
+         << ". Choose another array or mode.";
     messages->push_back(text.str());
   }
   return fits ? array : nullptr;
 }
 
 //----------------------------------------------------------------------------
-std::vector<vtkDataArray*>
-vtkGlyphArrays::All(vtkPolyData* points, const vtkGlyphSettings& settings)
+std::vector<vtkDataArray*> vtkGlyphArrays::All(vtkPolyData* points, const vtkGlyphSettings& settings)
 {
   const std::array<vtkDataArray*, 3> motion = vtkGlyphMotion::Arrays(points, settings.Motion);
   std::vector<vtkDataArray*> all = { points->GetPoints() ? points->GetPoints()->GetData() : nullptr,
@@ -114,11 +110,11 @@ vtkGlyphArrays::All(vtkPolyData* points, const vtkGlyphSettings& settings)
 }
 
 //----------------------------------------------------------------------------
-std::vector<vtkIdType> vtkGlyphArrays::Candidates(vtkPolyData* points,
-  const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
+std::vector<vtkIdType> vtkGlyphArrays::Candidates(
+  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
 {
-  auto* blockIds = vtkUnsignedIntArray::SafeDownCast(
-    points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));
+  auto* blockIds =
+    vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));
   const auto isVisible = [&](vtkIdType i)
   {
     if (!blockIds || blocks.empty())
@@ -128,8 +124,7 @@ std::vector<vtkIdType> vtkGlyphArrays::Candidates(vtkPolyData* points,
     const auto block = blocks.find(blockIds->GetValue(i));
     return block == blocks.end() || block->second.Visible;
   };
-  std::vector<vtkIdType> candidates =
-    vtkRayTracedParallel::Select(points->GetNumberOfPoints(), isVisible);
+  std::vector<vtkIdType> candidates = vtkRayTracedParallel::Select(points->GetNumberOfPoints(), isVisible);
   const vtkIdType maximum = std::max<vtkIdType>(settings.MaximumNumberOfGlyphs, 0);
   if (!settings.Mask || static_cast<vtkIdType>(candidates.size()) <= maximum)
   {
@@ -152,16 +147,15 @@ std::vector<vtkIdType> vtkGlyphArrays::Candidates(vtkPolyData* points,
   std::vector<SampleRank> sorted = ranks;
   std::nth_element(sorted.begin(), sorted.begin() + maximum, sorted.end());
   const SampleRank end = sorted[maximum];
-  std::vector<vtkIdType> chosen = vtkRayTracedParallel::Select(
-    static_cast<vtkIdType>(ranks.size()), [&](vtkIdType k) { return ranks[k] < end; });
-  std::transform(
-    chosen.begin(), chosen.end(), chosen.begin(), [&](vtkIdType k) { return candidates[k]; });
+  std::vector<vtkIdType> chosen =
+    vtkRayTracedParallel::Select(static_cast<vtkIdType>(ranks.size()), [&](vtkIdType k) { return ranks[k] < end; });
+  std::transform(chosen.begin(), chosen.end(), chosen.begin(), [&](vtkIdType k) { return candidates[k]; });
   return chosen;
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(vtkPolyData* points,
-  const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
+vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(
+  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
 {
   ScaleSum sum;
   vtkDataArray* array = Find(SCALE, points, settings);
@@ -181,9 +175,8 @@ vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(vtkPolyData* points,
       for (vtkIdType k = begin; k < end; ++k)
       {
         const double* tuple = scales.Get(candidates[k]);
-        const double scale = byComponents
-          ? settings.Sizing(glm::dvec3(std::abs(tuple[0]), tuple[1], tuple[2])).x
-          : settings.Sizing(vtkMath::Norm(tuple, scales.Size()));
+        const double scale = byComponents ? settings.Sizing(glm::dvec3(std::abs(tuple[0]), tuple[1], tuple[2])).x
+                                          : settings.Sizing(vtkMath::Norm(tuple, scales.Size()));
         if (IsPositive(scale)) // else there is no glyph
         {
           own.Sum += scale;
@@ -200,15 +193,13 @@ vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(vtkPolyData* points,
 }
 
 //----------------------------------------------------------------------------
-double vtkGlyphArrays::ReferenceScale(vtkPolyData* points, const vtkGlyphSettings& settings,
-  const vtkGlyphBlockAttributes::Table& blocks)
+double vtkGlyphArrays::ReferenceScale(
+  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
 {
   if (!settings.NeedsMeanScale())
   {
     const bool scaled = settings.Scaling && !vtkRayTracedArrays::IsNone(settings.ScaleArray);
-    return scaled && IsPositive(settings.ArrowReference) ? settings.Sizing(settings.ArrowReference)
-                                                         : 1.0;
+    return scaled && IsPositive(settings.ArrowReference) ? settings.Sizing(settings.ArrowReference) : 1.0;
   }
-  return IsPositive(settings.MeanScale) ? settings.MeanScale
-                                        : SumScales(points, settings, blocks).Mean();
+  return IsPositive(settings.MeanScale) ? settings.MeanScale : SumScales(points, settings, blocks).Mean();
 }

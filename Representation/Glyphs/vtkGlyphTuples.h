@@ -17,8 +17,9 @@
 class vtkPolyData;
 
 /**
- * Tuples of a float or double array without a virtual call each; of any other array through its interface. vtkArrayDispatch
- * would compile the loop over glyphs for every combination of the types of six arrays. Each thread needs one of its own.
+ * Tuples of a float or double array without a virtual call each; of any other array through its interface.
+ * vtkArrayDispatch would compile the loop over glyphs for every combination of the types of six arrays. Each thread
+ * needs one of its own.
  */
 class vtkGlyphTuples
 {
@@ -63,8 +64,8 @@ private:
 namespace vtkGlyphArrays
 {
 /**
- * Point arrays that settings name, besides those of tensors and motion, which have classes of their own. Each has one row in
- * the table in vtkGlyphTuples.cxx.
+ * Point arrays that settings name, besides those of tensors and motion, which have classes of their own. Each has one
+ * row in the table in vtkGlyphTuples.cxx.
  */
 enum Id
 {
@@ -79,20 +80,20 @@ enum Id
  * The array; null where none is wanted, it is missing, or its tuples have no length that makes sense. What is wrong is
  * appended to `messages` where there are any.
  */
-vtkDataArray* Find(Id id, vtkPolyData* points, const vtkGlyphSettings& settings,
-  std::vector<std::string>* messages = nullptr);
+vtkDataArray*
+Find(Id id, vtkPolyData* points, const vtkGlyphSettings& settings, std::vector<std::string>* messages = nullptr);
 
 /**
- * All arrays that instances of these settings are built from, positions and blocks among them, in a fixed order; null where
- * there is none. Instances are the same as long as these and the settings are.
+ * All arrays that instances of these settings are built from, positions and blocks among them, in a fixed order; null
+ * where there is none. Instances are the same as long as these and the settings are.
  */
 std::vector<vtkDataArray*> All(vtkPolyData* points, const vtkGlyphSettings& settings);
 
 /**
  * The points of visible blocks, thinned out as the mask says, in their own order. Blocks as Resolve()d for `points`.
  */
-std::vector<vtkIdType> Candidates(vtkPolyData* points, const vtkGlyphSettings& settings,
-  const vtkGlyphBlockAttributes::Table& blocks);
+std::vector<vtkIdType>
+Candidates(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
 
 /**
  * Of several sets of points sums and counts add up.
@@ -100,19 +101,15 @@ std::vector<vtkIdType> Candidates(vtkPolyData* points, const vtkGlyphSettings& s
 struct ScaleSum
 {
   double Sum = 0.0, Count = 0.0;
-  double Mean() const
-  {
-    return this->Count > 0.0 && this->Sum > 0.0 ? this->Sum / this->Count : 1.0;
-  }
+  double Mean() const { return this->Count > 0.0 && this->Sum > 0.0 ? this->Sum / this->Count : 1.0; }
 };
-ScaleSum SumScales(vtkPolyData* points, const vtkGlyphSettings& settings,
-  const vtkGlyphBlockAttributes::Table& blocks);
+ScaleSum SumScales(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
 
 /**
  * The scale of the arrow whose fixed head has the proportions of the unit arrow.
  */
-double ReferenceScale(vtkPolyData* points, const vtkGlyphSettings& settings,
-  const vtkGlyphBlockAttributes::Table& blocks);
+double
+ReferenceScale(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
 }
 
 #endif

@@ -104,8 +104,8 @@ const vtkGlyphBlockAttributes::Table& vtkGlyphBlockAttributes::Resolve(vtkPolyDa
     vtkAbstractArray* array = points->GetFieldData()->GetAbstractArray(name);
     return array ? array->GetMTime() : 0;
   };
-  const std::array<vtkMTimeType, 3> wanted{ timeOf(vtkRayTracedArrays::Hierarchy),
-    timeOf(vtkRayTracedArrays::Leaves), this->Version + 1 };
+  const std::array<vtkMTimeType, 3> wanted{ timeOf(vtkRayTracedArrays::Hierarchy), timeOf(vtkRayTracedArrays::Leaves),
+    this->Version + 1 };
   if (this->KnownFor != wanted)
   {
     this->Known = this->Resolved(points);
@@ -129,13 +129,11 @@ bool vtkGlyphBlockAttributes::Note(bool changed)
 vtkGlyphBlockAttributes::Table vtkGlyphBlockAttributes::Resolved(vtkPolyData* points) const
 {
   Table table;
-  auto* xml = vtkStringArray::SafeDownCast(
-    points->GetFieldData()->GetAbstractArray(vtkRayTracedArrays::Hierarchy));
-  auto* leaves = vtkUnsignedIntArray::SafeDownCast(
-    points->GetFieldData()->GetAbstractArray(vtkRayTracedArrays::Leaves));
+  auto* xml = vtkStringArray::SafeDownCast(points->GetFieldData()->GetAbstractArray(vtkRayTracedArrays::Hierarchy));
+  auto* leaves =
+    vtkUnsignedIntArray::SafeDownCast(points->GetFieldData()->GetAbstractArray(vtkRayTracedArrays::Leaves));
   vtkNew<vtkDataAssembly> hierarchy;
-  if (!xml || !leaves || xml->GetNumberOfValues() < 1 ||
-    !hierarchy->InitializeFromXML(xml->GetValue(0).c_str()))
+  if (!xml || !leaves || xml->GetNumberOfValues() < 1 || !hierarchy->InitializeFromXML(xml->GetValue(0).c_str()))
   {
     return table;
   }
@@ -153,8 +151,7 @@ vtkGlyphBlockAttributes::Table vtkGlyphBlockAttributes::Resolved(vtkPolyData* po
   {
     byDataSet[leaves->GetTypedComponent(i, 1)].Visible = false;
   }
-  select(
-    { this->Selectors.begin(), this->Selectors.end() }, [](Block& block) { block.Visible = true; });
+  select({ this->Selectors.begin(), this->Selectors.end() }, [](Block& block) { block.Visible = true; });
   // In the order of the map a node comes before the nodes below it, which may so override it.
   for (const auto& item : this->Colors)
   {

@@ -67,8 +67,7 @@ Hash DigestOf(const rtg::GlyphInstances& instances)
   Hash sum{ { 1, 2 } };
   const rtg::ArrowForm& arrow = instances.arrow;
   const float numbers[] = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding,
-    arrow.fixedHeads ? 1.0f : 0.0f, arrow.unitLength, instances.uniformSize,
-    static_cast<float>(instances.shape) };
+    arrow.fixedHeads ? 1.0f : 0.0f, arrow.unitLength, instances.uniformSize, static_cast<float>(instances.shape) };
   Mix(sum, numbers, sizeof(numbers) / sizeof(numbers[0]));
   Mix(sum, &instances.origin, 1);
   Mix(sum, &instances.uniformExponents, 1);
@@ -211,8 +210,7 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 
 //----------------------------------------------------------------------------
 // Without a table, from blue over white to red.
-void vtkRayTracedGlyphMapper::TensorColor(
-  const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]) const
+void vtkRayTracedGlyphMapper::TensorColor(const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]) const
 {
   if (this->Settings.Tensors.Coloring == vtkGlyphTensors::PRINCIPAL_DIRECTION)
   {
@@ -262,11 +260,9 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   std::unique_ptr<vtkGlyphTensors> tensors;
   const vtkGlyphTensors::Settings& shown = this->Settings.Tensors;
   const bool bySign = shown.ColorsBySign();
-  if (shown.On && !shown.Axes && !bySign && shown.Coloring != vtkGlyphTensors::NONE &&
-    !this->Sources.empty())
+  if (shown.On && !shown.Axes && !bySign && shown.Coloring != vtkGlyphTensors::NONE && !this->Sources.empty())
   {
-    tensors = std::make_unique<vtkGlyphTensors>(
-      vtkGlyphTensors::Array(points, shown), shown, this->Sources);
+    tensors = std::make_unique<vtkGlyphTensors>(vtkGlyphTensors::Array(points, shown), shown, this->Sources);
     if (this->TensorTable)
     {
       this->TensorTable->Build();
@@ -302,16 +298,15 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
         for (vtkIdType glyph = begin; glyph < end; ++glyph)
         {
           const vtkIdType point = this->Sources[glyph];
-          std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1],
-            this->SolidColor[2], 1.0 } };
+          std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
           for (int c = 0; c < std::min(components, 4); ++c)
           {
             rgba[c] = mapped->GetValue(point * components + c) / 255.0;
           }
           if (!table.empty())
           {
-            std::transform(&table[3 * glyph], &table[3 * glyph] + 3, rgba.begin(),
-              [](unsigned char c) { return c / 255.0; });
+            std::transform(
+              &table[3 * glyph], &table[3 * glyph] + 3, rgba.begin(), [](unsigned char c) { return c / 255.0; });
           }
           else if (tensors)
           {
@@ -324,8 +319,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
           colors[glyph] = Pack(rgba);
         }
       });
-    translucent = std::any_of(
-      colors.begin(), colors.end(), [](std::uint32_t color) { return (color >> 24) != 255u; });
+    translucent = std::any_of(colors.begin(), colors.end(), [](std::uint32_t color) { return (color >> 24) != 255u; });
   }
   this->Translucent = translucent;
   if (this->ColorVersion == 0 || this->Colors != colors)
@@ -338,8 +332,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
 
 //----------------------------------------------------------------------------
 // A glyph stands for its point, and for a cell where the gatherer has found one.
-vtkRayTracedMapper::Origin
-vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, int association, const double*)
+vtkRayTracedMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, int association, const double*)
 {
   vtkPolyData* points = this->GetPoints();
   if (!points || glyph < 0 || glyph >= this->GetNumberOfGlyphs())

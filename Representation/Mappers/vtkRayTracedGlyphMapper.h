@@ -21,14 +21,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * How arrays become glyphs, but for Mesh, which is made of the triangles of a vtkRayTracedSurfaceGatherer; null: there
-   * are none.
+   * How arrays become glyphs, but for Mesh, which is made of the triangles of a vtkRayTracedSurfaceGatherer; null:
+   * there are none.
    */
   void SetSettings(const vtkGlyphSettings& settings, vtkPolyData* mesh);
 
   /**
-   * The table that numbers of tensors (vtkGlyphTensors::FRACTIONAL_ANISOTROPY, TRACE) are colored by; null: from blue over
-   * white to red.
+   * The table that numbers of tensors (vtkGlyphTensors::FRACTIONAL_ANISOTROPY, TRACE) are colored by; null: from blue
+   * over white to red.
    */
   void SetTensorTable(vtkScalarsToColors* table);
 
@@ -42,10 +42,7 @@ protected:
   vtkRayTracedGlyphMapper();
   ~vtkRayTracedGlyphMapper() override;
 
-  bool HaveSettingsChanged() const override
-  {
-    return !(this->Settings.Effective() == this->BuiltSettings);
-  }
+  bool HaveSettingsChanged() const override { return !(this->Settings.Effective() == this->BuiltSettings); }
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* points) const override;
   void BuildInstances(vtkPolyData* points, vtkActor* actor) override;
   void BuildColors(vtkPolyData* points) override;

@@ -28,8 +28,7 @@ vtkMTimeType TimeOf(vtkObject* object)
 
 vtkUnsignedIntArray* BlocksOf(vtkPolyData* points)
 {
-  return vtkUnsignedIntArray::SafeDownCast(
-    points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));
+  return vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));
 }
 }
 
@@ -135,9 +134,7 @@ std::uint32_t vtkRayTracedMapper::Pack(const std::array<double, 4>& rgba)
   std::uint32_t packed = 0;
   for (int c = 0; c < 4; ++c)
   {
-    packed |=
-      static_cast<std::uint32_t>(std::lround(vtkMath::ClampValue(rgba[c], 0.0, 1.0) * 255.0))
-      << (8 * c);
+    packed |= static_cast<std::uint32_t>(std::lround(vtkMath::ClampValue(rgba[c], 0.0, 1.0) * 255.0)) << (8 * c);
   }
   return packed;
 }
@@ -166,8 +163,7 @@ void vtkRayTracedMapper::BlockColor(
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedMapper::Origin
-vtkRayTracedMapper::OriginOfPoint(vtkPolyData* points, vtkIdType point) const
+vtkRayTracedMapper::Origin vtkRayTracedMapper::OriginOfPoint(vtkPolyData* points, vtkIdType point) const
 {
   Origin origin;
   vtkDataArray* processes = points->GetPointData()->GetArray(vtkRayTracedArrays::ProcessId);
@@ -178,8 +174,7 @@ vtkRayTracedMapper::OriginOfPoint(vtkPolyData* points, vtkIdType point) const
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedMapper::Report(
-  const std::vector<std::string>& messages, std::vector<std::string>& reported)
+void vtkRayTracedMapper::Report(const std::vector<std::string>& messages, std::vector<std::string>& reported)
 {
   for (const std::string& message : messages)
   {

@@ -1,6 +1,7 @@
 /**
  * @class   vtkRayTracedMapper
- * @brief   what a vtkRayTracedScene traces of one actor: instances and colors, each built when what they depend on changes
+ * @brief   what a vtkRayTracedScene traces of one actor: instances and colors, each built when what they depend on
+ * changes
  *
  * Subclasses make glyphs or surfaces of the points. The scene draws the image of all its mappers; a mapper itself draws
  * only the ids of its pixels, for a selector.
@@ -35,8 +36,8 @@ public:
 
   ///@{
   /**
-   * What glyphs or surfaces are made of; null: nothing. It is no input of the mapper: the inputs of a mapper are what VTK's
-   * exporters write, and the points are not what is shown.
+   * What glyphs or surfaces are made of; null: nothing. It is no input of the mapper: the inputs of a mapper are what
+   * VTK's exporters write, and the points are not what is shown.
    */
   void SetPoints(vtkPolyData* points);
   vtkPolyData* GetPoints() const;
@@ -48,18 +49,15 @@ public:
   void SetBlocks(const vtkGlyphBlockAttributes& blocks);
 
   /**
-   * What the mapper answers when it is asked for bounds, before the actor's transform; it computes none itself. Compositing
-   * between ranks and selecting leave out what lies outside.
+   * What the mapper answers when it is asked for bounds, before the actor's transform; it computes none itself.
+   * Compositing between ranks and selecting leave out what lies outside.
    */
   void SetKnownBounds(const double bounds[6]);
 
   /**
    * Who is told how far the building of instances is.
    */
-  void SetBuildProgress(const vtkRayTracedParallel::Progress& progress)
-  {
-    this->BuildProgress = progress;
-  }
+  void SetBuildProgress(const vtkRayTracedParallel::Progress& progress) { this->BuildProgress = progress; }
 
   /**
    * The scene that draws this mapper's ids; null: none.
@@ -128,8 +126,8 @@ protected:
 
   ///@{
   /**
-   * For subclasses. Instances are built when their settings or arrays have changed; colors when the points chosen, their
-   * arrays, the lookup table or anything of ColorState() has. SetInstances() and SetColors() say what was made.
+   * For subclasses. Instances are built when their settings or arrays have changed; colors when the points chosen,
+   * their arrays, the lookup table or anything of ColorState() has. SetInstances() and SetColors() say what was made.
    */
   virtual bool HaveSettingsChanged() const = 0;
   virtual std::vector<vtkObject*> InstanceInputs(vtkPolyData* points) const = 0;
@@ -149,8 +147,7 @@ protected:
    * Whether blocks have colors or opacities of their own; then BlockColor() overrides those of a point's block.
    */
   bool HasBlockColors(vtkPolyData* points) const;
-  void BlockColor(
-    vtkPolyData* points, vtkIdType point, std::array<double, 4>& rgba, bool colors = true) const;
+  void BlockColor(vtkPolyData* points, vtkIdType point, std::array<double, 4>& rgba, bool colors = true) const;
 
   /**
    * Fills in block and rank of a point.
@@ -165,8 +162,7 @@ protected:
   vtkIdType Skipped = 0;
   rtg::GlyphColours Colors;
   bool Translucent = false;
-  std::array<double, 3> SolidColor{ { 1.0, 1.0,
-    1.0 } }; // diffuse color of blocks without a color, where some have one
+  std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of blocks without a color, where some have one
   std::uint64_t InstanceVersion = 0, ColorVersion = 0, SourcesVersion = 0, InstanceBuilds = 0;
   std::uint64_t ColorBuilds = 0;
   double InstanceSeconds = 0.0, ColorSeconds = 0.0;

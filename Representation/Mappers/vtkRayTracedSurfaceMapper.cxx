@@ -45,12 +45,11 @@ void vtkRayTracedSurfaceMapper::SetSettings(const SurfaceSettings& settings)
 //----------------------------------------------------------------------------
 std::vector<vtkObject*> vtkRayTracedSurfaceMapper::InstanceInputs(vtkPolyData* surface) const
 {
-  const std::array<vtkDataArray*, 3> motion =
-    vtkGlyphMotion::Arrays(surface, this->Settings.Motion);
+  const std::array<vtkDataArray*, 3> motion = vtkGlyphMotion::Arrays(surface, this->Settings.Motion);
   vtkPointData* data = surface->GetPointData();
   return { surface->GetPoints() ? surface->GetPoints()->GetData() : nullptr, surface->GetPolys(),
-    this->Settings.Smooth ? data->GetNormals() : nullptr,
-    data->GetArray(vtkRayTracedArrays::CompositeIndex), motion[0], motion[1] };
+    this->Settings.Smooth ? data->GetNormals() : nullptr, data->GetArray(vtkRayTracedArrays::CompositeIndex), motion[0],
+    motion[1] };
 }
 
 //----------------------------------------------------------------------------
@@ -67,9 +66,8 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   this->Sources = std::move(result.Cells);
   this->Skipped = result.Skipped;
   ++this->SourcesVersion;
-  const bool same = this->Instances.mesh && this->InstanceVersion > 0 &&
-    result.Origin == this->Instances.origin && rtg::SameShape(result.Mesh, *this->Instances.mesh) &&
-    shutter.shutterOpen == this->Instances.motion.shutterOpen &&
+  const bool same = this->Instances.mesh && this->InstanceVersion > 0 && result.Origin == this->Instances.origin &&
+    rtg::SameShape(result.Mesh, *this->Instances.mesh) && shutter.shutterOpen == this->Instances.motion.shutterOpen &&
     shutter.shutterClose == this->Instances.motion.shutterClose;
   if (!same)
   {
@@ -140,8 +138,7 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
   const int components = mapped ? std::min(mapped->GetNumberOfComponents(), 4) : 0;
   const auto colorOf = [&](vtkIdType value, vtkIdType point)
   {
-    std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2],
-      1.0 } };
+    std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
     for (int c = 0; c < components; ++c)
     {
       rgba[c] = mapped->GetValue(value * mapped->GetNumberOfComponents() + c) / 255.0;
@@ -178,15 +175,13 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
   }
 
   bool translucent = false;
-  for (const auto* colors :
-    { &colored->positionColours, &colored->triangleColours, &colored->valueColours })
+  for (const auto* colors : { &colored->positionColours, &colored->triangleColours, &colored->valueColours })
   {
-    translucent |= std::any_of(
-      colors->begin(), colors->end(), [](std::uint32_t color) { return (color >> 24) != 255u; });
+    translucent |=
+      std::any_of(colors->begin(), colors->end(), [](std::uint32_t color) { return (color >> 24) != 255u; });
   }
   this->Translucent = translucent;
-  if (colored->positionColours != mesh.positionColours ||
-    colored->triangleColours != mesh.triangleColours ||
+  if (colored->positionColours != mesh.positionColours || colored->triangleColours != mesh.triangleColours ||
     colored->positionValues != mesh.positionValues || colored->valueColours != mesh.valueColours)
   {
     this->Instances.mesh = std::move(colored);
@@ -206,10 +201,8 @@ bool vtkRayTracedSurfaceMapper::AddValues(rtg::TriangleMesh& mesh)
 {
   vtkFloatArray* places = this->GetColorCoordinates();
   vtkImageData* texture = this->GetColorTextureMap();
-  auto* texels =
-    texture ? vtkUnsignedCharArray::SafeDownCast(texture->GetPointData()->GetScalars()) : nullptr;
-  if (!places || !texels ||
-    places->GetNumberOfTuples() != static_cast<vtkIdType>(mesh.positions.size()))
+  auto* texels = texture ? vtkUnsignedCharArray::SafeDownCast(texture->GetPointData()->GetScalars()) : nullptr;
+  if (!places || !texels || places->GetNumberOfTuples() != static_cast<vtkIdType>(mesh.positions.size()))
   {
     return false;
   }
@@ -236,8 +229,7 @@ bool vtkRayTracedSurfaceMapper::AddValues(rtg::TriangleMesh& mesh)
       for (vtkIdType i = begin; i < end; ++i)
       {
         const bool isNumber = places->GetTypedComponent(i, 1) < 0.5f;
-        mesh.positionValues[i] =
-          isNumber ? std::clamp(places->GetTypedComponent(i, 0), 0.0f, 1.0f) : -1e6f;
+        mesh.positionValues[i] = isNumber ? std::clamp(places->GetTypedComponent(i, 0), 0.0f, 1.0f) : -1e6f;
       }
     });
   return true;
@@ -262,8 +254,7 @@ vtkRayTracedSurfaceMapper::OriginOf(vtkIdType triangle, int association, const d
   const rtg::TriangleMesh& mesh = *this->Instances.mesh;
   const glm::uvec3 corners = mesh.triangles[triangle];
   vtkIdType nearest = corners.x;
-  const glm::dvec3 place =
-    glm::dvec3(position[0], position[1], position[2]) - this->Instances.origin;
+  const glm::dvec3 place = glm::dvec3(position[0], position[1], position[2]) - this->Instances.origin;
   for (unsigned int corner : { corners.y, corners.z })
   {
     if (glm::distance(place, glm::dvec3(mesh.positions[corner])) <

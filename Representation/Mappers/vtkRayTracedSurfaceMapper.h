@@ -5,8 +5,8 @@
  * Input is the vtkPolyData of vtkRayTracedSurfaceGatherer. To the scene the surface is one glyph in the form of a mesh.
  * Colors are a part of the mesh, of its positions or of its triangles.
  *
- * With motion (vtkGlyphMotion) each point of the surface moves by itself while the shutter is open; angular velocities mean
- * nothing here.
+ * With motion (vtkGlyphMotion) each point of the surface moves by itself while the shutter is open; angular velocities
+ * mean nothing here.
  *
  * Triangles that have a corner without finite coordinates or motion are left out, counted and reported once.
  *
@@ -27,10 +27,8 @@ public:
 
   struct SurfaceSettings
   {
-    bool Smooth =
-      true; // the points' normals, where they have some, are interpolated over the triangles
-    bool InterpolateValues =
-      true; // point data are interpolated and then mapped to colors, not the other way round
+    bool Smooth = true;            // the points' normals, where they have some, are interpolated over the triangles
+    bool InterpolateValues = true; // point data are interpolated and then mapped to colors, not the other way round
     vtkGlyphMotion::Settings Motion;
   };
   void SetSettings(const SurfaceSettings& settings);
@@ -52,10 +50,7 @@ protected:
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* surface) const override;
   void BuildInstances(vtkPolyData* surface, vtkActor* actor) override;
   void BuildColors(vtkPolyData* surface) override;
-  std::vector<vtkMTimeType> ColorState() const override
-  {
-    return { this->Settings.InterpolateValues };
-  }
+  std::vector<vtkMTimeType> ColorState() const override { return { this->Settings.InterpolateValues }; }
 
 private:
   vtkRayTracedSurfaceMapper(const vtkRayTracedSurfaceMapper&) = delete;

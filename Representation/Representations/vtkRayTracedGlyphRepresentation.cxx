@@ -110,9 +110,8 @@ int vtkRayTracedGlyphRepresentation::FillInputPortInformation(int port, vtkInfor
 int vtkRayTracedGlyphRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->GatherMesh(inputVector[1]->GetNumberOfInformationObjects() == 1
-      ? vtkDataObject::GetData(inputVector[1], 0)
-      : nullptr);
+  this->GatherMesh(
+    inputVector[1]->GetNumberOfInformationObjects() == 1 ? vtkDataObject::GetData(inputVector[1], 0) : nullptr);
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -123,8 +122,7 @@ void vtkRayTracedGlyphRepresentation::GatherMesh(vtkDataObject* mesh)
   // 3D Glyphs shade meshes by the normals they have, and compute none.
   vtkRayTracedSurfaceGatherer::Settings settings;
   settings.ComputesNormals = false;
-  const auto gather = [&](vtkDataObject* data)
-  { return vtkRayTracedSurfaceGatherer::Gather(data, settings); };
+  const auto gather = [&](vtkDataObject* data) { return vtkRayTracedSurfaceGatherer::Gather(data, settings); };
   auto* blocks = vtkDataObjectTree::SafeDownCast(mesh);
   if (this->GlyphMeshTable && blocks)
   {
@@ -204,13 +202,11 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData>
-vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   return vtkGlyphPointGatherer::Gather(input, controller ? controller->GetLocalProcessId() : 0,
-    controller ? controller->GetNumberOfProcesses() : 1, wholeExtent,
-    this->ProgressOf("Gathering points"));
+    controller ? controller->GetNumberOfProcesses() : 1, wholeExtent, this->ProgressOf("Gathering points"));
 }
 
 //----------------------------------------------------------------------------
@@ -267,8 +263,7 @@ void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
     {
       const vtkGlyphTensors tensors(array, settings, {});
       const vtkIdType count = points->GetNumberOfPoints();
-      std::vector<std::array<double, 2>> ranges(
-        vtkRayTracedParallel::NumberOfChunks(count), this->OwnRange);
+      std::vector<std::array<double, 2>> ranges(vtkRayTracedParallel::NumberOfChunks(count), this->OwnRange);
       vtkRayTracedParallel::ForChunks(count,
         [&](vtkIdType begin, vtkIdType end)
         {
@@ -284,8 +279,7 @@ void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
         });
       for (const std::array<double, 2>& own : ranges)
       {
-        this->OwnRange = { std::min(this->OwnRange[0], own[0]),
-          std::min(this->OwnRange[1], own[1]) };
+        this->OwnRange = { std::min(this->OwnRange[0], own[0]), std::min(this->OwnRange[1], own[1]) };
       }
     }
     this->RangeTime = time;
@@ -313,34 +307,28 @@ vtkSmartPointer<vtkRayTracedMapper> vtkRayTracedGlyphRepresentation::MakeMapper(
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedGlyphRepresentation::ShowsAxes(
-  vtkPolyData* points, const vtkGlyphSettings& settings) const
+bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const
 {
-  vtkDataArray* tensors =
-    this->TensorAxis && points ? vtkGlyphTensors::Array(points, settings.Tensors) : nullptr;
+  vtkDataArray* tensors = this->TensorAxis && points ? vtkGlyphTensors::Array(points, settings.Tensors) : nullptr;
   return tensors && tensors->GetNumberOfComponents() == 9;
 }
 
 //----------------------------------------------------------------------------
-// Form 0 of a table of meshes is drawn by the main mapper, form i by layer i - 1. The arrows of antisymmetric parts are a
-// layer, too.
-void vtkRayTracedGlyphRepresentation::Configure(
-  vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
+// Form 0 of a table of meshes is drawn by the main mapper, form i by layer i - 1. The arrows of antisymmetric parts are
+// a layer, too.
+void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
 {
-  auto* mesh =
-    vtkMultiBlockDataSet::SafeDownCast(lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1)
-                                           : vtkPVView::GetDeliveredPiece(inInfo, this, 1));
+  auto* mesh = vtkMultiBlockDataSet::SafeDownCast(
+    lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1) : vtkPVView::GetDeliveredPiece(inInfo, this, 1));
   vtkDataObject* forms = mesh && mesh->GetNumberOfBlocks() > 0 ? mesh->GetBlock(0) : nullptr;
   this->UpdateMeshExtents(forms);
   auto* table = vtkMultiBlockDataSet::SafeDownCast(forms);
-  const auto form = [&](int entry)
-  {
+  const auto form = [&](int entry) {
     return vtkPolyData::SafeDownCast(table ? table->GetBlock(entry) : entry == 0 ? forms : nullptr);
   };
 
   vtkGlyphSettings settings = this->MakeSettings();
-  const bool usesTable =
-    table && table->GetNumberOfBlocks() > 1 && settings.Shape == rtg::Shape::Mesh;
+  const bool usesTable = table && table->GetNumberOfBlocks() > 1 && settings.Shape == rtg::Shape::Mesh;
   settings.TableSize = usesTable ? static_cast<int>(table->GetNumberOfBlocks()) : 1;
   settings.MeanScale = this->MeanScale(points, settings, collective);
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
@@ -351,8 +339,7 @@ void vtkRayTracedGlyphRepresentation::Configure(
   const std::size_t wanted = settings.TableSize - 1 + (axes ? 1 : 0);
   while (this->Layers.size() > wanted)
   {
-    this->RemovePart(
-      this->GetRenderView(), this->Layers.back()->Actor, this->Layers.back()->Mapper);
+    this->RemovePart(this->GetRenderView(), this->Layers.back()->Actor, this->Layers.back()->Mapper);
     this->Layers.pop_back();
   }
   while (this->Layers.size() < wanted)
@@ -381,8 +368,8 @@ void vtkRayTracedGlyphRepresentation::Configure(
 
 //----------------------------------------------------------------------------
 // Heads of arrows are of one size on all ranks: each asks the others for their scales.
-double vtkRayTracedGlyphRepresentation::MeanScale(
-  vtkPolyData* points, const vtkGlyphSettings& settings, bool collective)
+double
+vtkRayTracedGlyphRepresentation::MeanScale(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective)
 {
   if (!settings.NeedsMeanScale())
   {
@@ -456,18 +443,15 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
 {
   vtkGlyphSettings settings = this->Glyphs;
   settings.Motion = this->Motion;
-  settings.Tensors.On =
-    this->GlyphShape >= TENSOR_ELLIPSOID && this->GlyphShape <= SIGNED_TENSOR_SUPERQUADRIC;
+  settings.Tensors.On = this->GlyphShape >= TENSOR_ELLIPSOID && this->GlyphShape <= SIGNED_TENSOR_SUPERQUADRIC;
   if (settings.Tensors.On)
   {
     settings.Tensors.Kind = static_cast<rtg::TensorGlyphKind>(this->GlyphShape - TENSOR_ELLIPSOID);
-    settings.Shape =
-      this->GlyphShape == TENSOR_ELLIPSOID ? rtg::Shape::Sphere : rtg::Shape::NestedSuperquadric;
+    settings.Shape = this->GlyphShape == TENSOR_ELLIPSOID ? rtg::Shape::Sphere : rtg::Shape::NestedSuperquadric;
   }
   else
   {
-    settings.Shape =
-      this->GlyphShape == MESH ? rtg::Shape::Mesh : static_cast<rtg::Shape>(this->GlyphShape);
+    settings.Shape = this->GlyphShape == MESH ? rtg::Shape::Mesh : static_cast<rtg::Shape>(this->GlyphShape);
     if (settings.Shape == rtg::Shape::Superquadric && this->NestedExponents)
     {
       settings.Shape = rtg::Shape::NestedSuperquadric;
@@ -483,10 +467,10 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
   const bool known = (shape >= 0 && shape <= last) || (shape >= TENSOR_ELLIPSOID && shape <= MESH);
   if (!known)
   {
-    vtkErrorMacro("GlyphShape is "
-      << shape << "; it must lie between 0 (Sphere) and " << last << " (Superquadric), or between "
-      << TENSOR_ELLIPSOID << " (Tensor Ellipsoid) and " << SIGNED_TENSOR_SUPERQUADRIC
-      << " (Signed Tensor Superquadric), or be " << MESH << " (Mesh).");
+    vtkErrorMacro("GlyphShape is " << shape << "; it must lie between 0 (Sphere) and " << last
+                                   << " (Superquadric), or between " << TENSOR_ELLIPSOID << " (Tensor Ellipsoid) and "
+                                   << SIGNED_TENSOR_SUPERQUADRIC << " (Signed Tensor Superquadric), or be " << MESH
+                                   << " (Mesh).");
     return;
   }
   this->GlyphShape = shape;
@@ -495,15 +479,13 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphScaleMode(int mode)
 {
-  this->Glyphs.ScaleMode =
-    std::clamp<int>(mode, vtkGlyphSettings::MAGNITUDE, vtkGlyphSettings::COMPONENTS);
+  this->Glyphs.ScaleMode = std::clamp<int>(mode, vtkGlyphSettings::MAGNITUDE, vtkGlyphSettings::COMPONENTS);
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphScaleFunction(int function)
 {
-  this->Glyphs.Sizing.Function =
-    std::clamp<int>(function, vtkGlyphSizing::LINEAR, vtkGlyphSizing::UNIT);
+  this->Glyphs.Sizing.Function = std::clamp<int>(function, vtkGlyphSizing::LINEAR, vtkGlyphSizing::UNIT);
 }
 
 //----------------------------------------------------------------------------
@@ -511,8 +493,8 @@ void vtkRayTracedGlyphRepresentation::SetGlyphScaleReference(double reference)
 {
   if (!(reference > 0.0 && std::isfinite(reference)))
   {
-    vtkErrorMacro("GlyphScaleReference is "
-      << reference << "; it must be positive, in units of the scale array. 1 is taken.");
+    vtkErrorMacro(
+      "GlyphScaleReference is " << reference << "; it must be positive, in units of the scale array. 1 is taken.");
     reference = 1.0;
   }
   this->Glyphs.Sizing.Reference = reference;
@@ -526,17 +508,16 @@ void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double mos
   sizing.Most = std::max(NumberOr(most, 0.0), 0.0);
   if (sizing.Most > 0.0 && sizing.Most < sizing.Least)
   {
-    vtkErrorMacro("GlyphSizeRange is "
-      << least << ", " << most
-      << "; the second must not be less than the first. All glyphs get the size " << most << ".");
+    vtkErrorMacro("GlyphSizeRange is " << least << ", " << most
+                                       << "; the second must not be less than the first. All glyphs get the size "
+                                       << most << ".");
   }
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphOrientationMode(int mode)
 {
-  this->Glyphs.OrientationMode =
-    std::clamp<int>(mode, vtkGlyphSettings::DIRECTION, vtkGlyphSettings::QUATERNION);
+  this->Glyphs.OrientationMode = std::clamp<int>(mode, vtkGlyphSettings::DIRECTION, vtkGlyphSettings::QUATERNION);
 }
 
 //----------------------------------------------------------------------------
@@ -587,8 +568,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorSharpness(double sharpness)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorColoring(int coloring)
 {
-  this->Glyphs.Tensors.Coloring =
-    std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::SIGN);
+  this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::SIGN);
 }
 
 //----------------------------------------------------------------------------
@@ -598,15 +578,13 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorLookupTable(vtkScalarsToColo
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphTensorPositiveColor(
-  double red, double green, double blue)
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorPositiveColor(double red, double green, double blue)
 {
   this->Glyphs.Tensors.PositiveColor = ColorInRange(red, green, blue);
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphTensorNegativeColor(
-  double red, double green, double blue)
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorNegativeColor(double red, double green, double blue)
 {
   this->Glyphs.Tensors.NegativeColor = ColorInRange(red, green, blue);
 }

@@ -53,15 +53,12 @@ public:
 
   ///@{
   /**
-   * The arrow's form, in fractions of the unit arrow's length. Default is fixed heads, vtkArrowSource's proportions and a
-   * rounding of 0.5. Fixed heads have these proportions on an arrow of the reference magnitude; it is the mean of the
+   * The arrow's form, in fractions of the unit arrow's length. Default is fixed heads, vtkArrowSource's proportions and
+   * a rounding of 0.5. Fixed heads have these proportions on an arrow of the reference magnitude; it is the mean of the
    * scale array when not positive, the default.
    */
   void SetArrowHeads(int heads) { this->Glyphs.Arrow.fixedHeads = heads == 0; }
-  void SetArrowReferenceMagnitude(double magnitude)
-  {
-    this->Glyphs.ArrowReference = NumberOr(magnitude, 0.0);
-  }
+  void SetArrowReferenceMagnitude(double magnitude) { this->Glyphs.ArrowReference = NumberOr(magnitude, 0.0); }
   void SetArrowShaftRadius(double radius);
   void SetArrowTipRadius(double radius);
   void SetArrowTipLength(double length);
@@ -70,8 +67,8 @@ public:
 
   ///@{
   /**
-   * Exponents of superquadrics, each in [0.1, 100], default 2 2 2, an array that overrides them, default none, and the form:
-   * 0 (default) an exponent for each axis, 1 nested. See vtkGlyphInstanceBuilder.
+   * Exponents of superquadrics, each in [0.1, 100], default 2 2 2, an array that overrides them, default none, and the
+   * form: 0 (default) an exponent for each axis, 1 nested. See vtkGlyphInstanceBuilder.
    */
   void SetGlyphExponents(double r, double s, double t);
   void SetGlyphExponentArray(const char* name) { this->Glyphs.ExponentArray = OrEmpty(name); }
@@ -80,10 +77,10 @@ public:
 
   ///@{
   /**
-   * The tensors of tensor glyphs, the order of their components (rtg::TensorLayout; default is 0, VTK's), the sharpness of
-   * superquadrics (in [0, 10], default 3), what colors the glyphs (vtkGlyphTensors::Colorings, default 0, an array), the
-   * table that numbers of tensors are colored by, and the colors of vtkGlyphTensors::SIGN: where x^T D x is zero or more,
-   * and where it is less.
+   * The tensors of tensor glyphs, the order of their components (rtg::TensorLayout; default is 0, VTK's), the sharpness
+   * of superquadrics (in [0, 10], default 3), what colors the glyphs (vtkGlyphTensors::Colorings, default 0, an array),
+   * the table that numbers of tensors are colored by, and the colors of vtkGlyphTensors::SIGN: where x^T D x is zero or
+   * more, and where it is less.
    */
   void SetGlyphTensorArray(const char* name) { this->Glyphs.Tensors.Array = OrEmpty(name); }
   void SetGlyphTensorLayout(int layout);
@@ -95,14 +92,15 @@ public:
   ///@}
 
   /**
-   * Information: least and largest number that GlyphTensorColoring gives; an empty interval (1, -1) where it gives none.
+   * Information: least and largest number that GlyphTensorColoring gives; an empty interval (1, -1) where it gives
+   * none.
    */
   double* GetGlyphTensorRange() VTK_SIZEHINT(2) { return this->TensorRange; }
 
   ///@{
   /**
-   * Whether points choose their form among the blocks of GlyphMesh by the magnitude of a point array, cut to a whole number
-   * and clamped to the table; without the array all have the first. For Mesh glyphs. Default is off, none.
+   * Whether points choose their form among the blocks of GlyphMesh by the magnitude of a point array, cut to a whole
+   * number and clamped to the table; without the array all have the first. For Mesh glyphs. Default is off, none.
    */
   void SetGlyphMeshTable(bool use);
   void SetGlyphMeshIndexArray(const char* name) { this->Glyphs.TableIndexArray = OrEmpty(name); }
@@ -110,8 +108,8 @@ public:
 
   ///@{
   /**
-   * Whether arrows show the antisymmetric parts of tensors of nine components (vtkGlyphSettings::AxesOfTensors), and their
-   * color. Default is off, yellow.
+   * Whether arrows show the antisymmetric parts of tensors of nine components (vtkGlyphSettings::AxesOfTensors), and
+   * their color. Default is off, yellow.
    */
   void SetGlyphTensorAxis(bool on) { this->TensorAxis = on; }
   void SetGlyphTensorAxisColor(double red, double green, double blue);
@@ -131,10 +129,10 @@ protected:
   ~vtkRayTracedGlyphRepresentation() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) override;
   const double* GetDataBounds(vtkPolyData* points) override;
@@ -167,15 +165,12 @@ private:
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   double TensorRange[2] = { 1.0, -1.0 };
-  std::array<double, 2>
-    OwnRange{}; // of this rank: the least number, and the negative of the largest
+  std::array<double, 2> OwnRange{}; // of this rank: the least number, and the negative of the largest
   vtkGlyphTensors::Settings RangeSettings;
   vtkMTimeType RangeTime = 1;
 
-  vtkNew<vtkMultiBlockDataSet>
-    Mesh; // gathered; its only block is the mesh of mesh glyphs, or those of a table
-  std::vector<std::shared_ptr<const rtg::TriangleMesh>>
-    MeshExtents; // corners of the meshes' boxes, for Bounds
+  vtkNew<vtkMultiBlockDataSet> Mesh; // gathered; its only block is the mesh of mesh glyphs, or those of a table
+  std::vector<std::shared_ptr<const rtg::TriangleMesh>> MeshExtents; // corners of the meshes' boxes, for Bounds
   std::vector<vtkMTimeType> MeshExtentsTimes;
 
   // One more actor and mapper each: the arrows of tensor axes, further meshes of a table.

@@ -20,8 +20,7 @@ PyObject* GetActor(PyObject* self, PyObject*)
   return vtkPythonUtil::GetObjectFromPointer(representation ? representation->GetActor() : nullptr);
 }
 
-PyMethodDef methods[] = { { "GetActor", GetActor, METH_NOARGS,
-                            "The actor of the glyphs or the surface." },
+PyMethodDef methods[] = { { "GetActor", GetActor, METH_NOARGS, "The actor of the glyphs or the surface." },
   { nullptr, nullptr, 0, nullptr } };
 }
 
@@ -42,17 +41,14 @@ void vtkRayTracedPythonClass::RegisterIfPythonRuns()
   }
   vtkPythonScopeGilEnsurer gil;
   vtkSmartPyObject module(PyImport_ImportModule("paraview.modules.vtkRemotingViews"));
-  vtkSmartPyObject base(
-    module ? PyObject_GetAttrString(module, "vtkPVDataRepresentation") : nullptr);
+  vtkSmartPyObject base(module ? PyObject_GetAttrString(module, "vtkPVDataRepresentation") : nullptr);
   vtkSmartPyObject bases(base ? PyTuple_Pack(1, base.GetPointer()) : nullptr);
   PyType_Slot slots[] = { { Py_tp_methods, methods }, { 0, nullptr } };
-  PyType_Spec spec = { "raytracedglyphs.vtkRayTracedRepresentation", 0, 0, Py_TPFLAGS_DEFAULT,
-    slots };
+  PyType_Spec spec = { "raytracedglyphs.vtkRayTracedRepresentation", 0, 0, Py_TPFLAGS_DEFAULT, slots };
   PyObject* type = bases ? PyType_FromSpecWithBases(&spec, bases) : nullptr;
   if (type)
   {
-    vtkPythonUtil::AddClassToMap(
-      reinterpret_cast<PyTypeObject*>(type), methods, "vtkRayTracedRepresentation", nullptr);
+    vtkPythonUtil::AddClassToMap(reinterpret_cast<PyTypeObject*>(type), methods, "vtkRayTracedRepresentation", nullptr);
     registered = true;
   }
   PyErr_Clear(); // on processes without ParaView's modules nobody exports either

@@ -86,18 +86,15 @@ double vtkRayTracedRepresentation::FiniteOr(double value, double otherwise)
 }
 
 //----------------------------------------------------------------------------
-double
-vtkRayTracedRepresentation::InRange(double value, double lowest, double highest, double otherwise)
+double vtkRayTracedRepresentation::InRange(double value, double lowest, double highest, double otherwise)
 {
   return std::isnan(value) ? otherwise : std::clamp(value, lowest, highest);
 }
 
 //----------------------------------------------------------------------------
-std::array<double, 3>
-vtkRayTracedRepresentation::ColorInRange(double red, double green, double blue)
+std::array<double, 3> vtkRayTracedRepresentation::ColorInRange(double red, double green, double blue)
 {
-  return { InRange(red, 0.0, 1.0, 1.0), InRange(green, 0.0, 1.0, 1.0),
-    InRange(blue, 0.0, 1.0, 1.0) };
+  return { InRange(red, 0.0, 1.0, 1.0), InRange(green, 0.0, 1.0, 1.0), InRange(blue, 0.0, 1.0, 1.0) };
 }
 
 //****************************************************************************
@@ -119,9 +116,8 @@ int vtkRayTracedRepresentation::FillInputPortInformation(int, vtkInformation* in
 int vtkRayTracedRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataObject* input = inputVector[0]->GetNumberOfInformationObjects() == 1
-    ? vtkDataObject::GetData(inputVector[0], 0)
-    : nullptr;
+  vtkDataObject* input =
+    inputVector[0]->GetNumberOfInformationObjects() == 1 ? vtkDataObject::GetData(inputVector[0], 0) : nullptr;
   vtkInformation* info = input ? inputVector[0]->GetInformationObject(0) : nullptr;
   const int* wholeExtent = info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
     ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
@@ -143,8 +139,8 @@ int vtkRayTracedRepresentation::RequestData(
 }
 
 //----------------------------------------------------------------------------
-const double* vtkRayTracedRepresentation::GetBoundsOf(
-  vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings)
+const double*
+vtkRayTracedRepresentation::GetBoundsOf(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings)
 {
   return this->Bounds.Get(points, settings, this->Blocks.Resolve(points));
 }
@@ -174,9 +170,8 @@ void vtkRayTracedRepresentation::AddStepVelocities(vtkDataObject* input)
     this->StepVelocitySource = source;
   }
   vtkInformation* info = input->GetInformation();
-  const double time = info->Has(vtkDataObject::DATA_TIME_STEP())
-    ? info->Get(vtkDataObject::DATA_TIME_STEP())
-    : vtkMath::Nan();
+  const double time =
+    info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : vtkMath::Nan();
   this->StepVelocity->AddTo(this->Points, this->PointIds(), time);
   const std::string message = this->StepVelocity->TakeMessage();
   if (!message.empty())
@@ -236,11 +231,9 @@ void vtkRayTracedRepresentation::Answer(
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
     vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, this->ReplicateGlyphs);
     vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
-      this->ReplicateGlyphs
-        ? vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION
-        : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
-    outInfo->Set(
-      vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->NeedsOrderedCompositing() ? 1 : 0);
+      this->ReplicateGlyphs ? vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION
+                            : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+    outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->NeedsOrderedCompositing() ? 1 : 0);
   }
   else if (request == vtkPVView::REQUEST_UPDATE_LOD())
   {
@@ -275,9 +268,7 @@ bool vtkRayTracedRepresentation::NeedsOrderedCompositing()
     return true;
   }
   vtkInformation* info = this->GetInputArrayInformation(0);
-  const char* name = info && info->Has(vtkDataObject::FIELD_NAME())
-    ? info->Get(vtkDataObject::FIELD_NAME())
-    : nullptr;
+  const char* name = info && info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
   if (!name || !name[0])
   {
     return false;
@@ -296,16 +287,15 @@ vtkPVRenderView* vtkRayTracedRepresentation::GetRenderView()
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::AddPart(
-  vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
+void vtkRayTracedRepresentation::AddPart(vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
 {
   actor->SetMapper(mapper);
   view->GetRenderer()->AddActor(actor);
   view->RegisterPropForHardwareSelection(this, actor);
   // While the progress bar is painted Qt makes its own OpenGL context current.
   mapper->SetBuildProgress(
-    [tell = this->ProgressOf("Building glyphs"),
-      window = vtkWeakPointer<vtkRenderWindow>(view->GetRenderWindow())](double share)
+    [tell = this->ProgressOf("Building glyphs"), window = vtkWeakPointer<vtkRenderWindow>(view->GetRenderWindow())](
+      double share)
     {
       tell(share);
       if (window)
@@ -317,8 +307,7 @@ void vtkRayTracedRepresentation::AddPart(
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::RemovePart(
-  vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
+void vtkRayTracedRepresentation::RemovePart(vtkPVRenderView* view, vtkRayTracedActor* actor, vtkRayTracedMapper* mapper)
 {
   vtkRayTracedScene::Of(view->GetRenderer())->Remove(mapper);
   view->UnRegisterPropForHardwareSelection(this, actor);
@@ -359,14 +348,14 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
     this->AddPart(view, this->Actor, this->Mapper);
   }
   const bool lod = inInfo->Has(vtkPVRenderView::USE_LOD()) != 0;
-  vtkDataObject* delivered = lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this)
-                                 : vtkPVView::GetDeliveredPiece(inInfo, this);
+  vtkDataObject* delivered =
+    lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this) : vtkPVView::GetDeliveredPiece(inInfo, this);
   auto* points = vtkPolyData::SafeDownCast(delivered);
   this->Mapper->SetPoints(points);
   this->Mapper->SetBlocks(this->Blocks);
   this->ConfigureColors(points);
-  const bool collective = lod ? view->GetUseDistributedRenderingForLODRender()
-                              : view->GetUseDistributedRenderingForRender();
+  const bool collective =
+    lod ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender();
   this->Configure(inInfo, points, lod, collective);
   vtkNew<vtkPolyData> nothing;
   this->SetPartBounds(this->GetDataBounds(points ? points : nothing.Get()));
@@ -392,14 +381,12 @@ void vtkRayTracedRepresentation::ConfigureColors(vtkPolyData* points)
   const char* name = nullptr;
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkInformation* info = this->GetInputArrayInformation(0);
-  if (info && info->Has(vtkDataObject::FIELD_ASSOCIATION()) &&
-    info->Has(vtkDataObject::FIELD_NAME()))
+  if (info && info->Has(vtkDataObject::FIELD_ASSOCIATION()) && info->Has(vtkDataObject::FIELD_NAME()))
   {
     name = info->Get(vtkDataObject::FIELD_NAME());
     association = info->Get(vtkDataObject::FIELD_ASSOCIATION());
   }
-  this->Mapper->SetColorMode(
-    this->MapScalars ? VTK_COLOR_MODE_MAP_SCALARS : VTK_COLOR_MODE_DIRECT_SCALARS);
+  this->Mapper->SetColorMode(this->MapScalars ? VTK_COLOR_MODE_MAP_SCALARS : VTK_COLOR_MODE_DIRECT_SCALARS);
   if (this->LookupTable)
   {
     this->Mapper->SetLookupTable(this->LookupTable);
@@ -419,8 +406,7 @@ void vtkRayTracedRepresentation::ConfigureColors(vtkPolyData* points)
   this->Mapper->ScalarVisibilityOn();
   this->Mapper->SelectColorArray(name);
   this->Mapper->SetUseLookupTableScalarRange(1);
-  this->Mapper->SetScalarMode(
-    cells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  this->Mapper->SetScalarMode(cells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
 }
 
 //----------------------------------------------------------------------------
@@ -463,8 +449,8 @@ double vtkRayTracedRepresentation::GetRefinementProgress()
 const char* vtkRayTracedRepresentation::GetRenderStatistics()
 {
   vtkRayTracedScene* scene = this->GetScene();
-  const vtkRayTracedScene::DataStatistics data{ this->Gathers, this->Bounds.GetBuilds(),
-    this->GatherSeconds, this->Bounds.GetSeconds() };
+  const vtkRayTracedScene::DataStatistics data{ this->Gathers, this->Bounds.GetBuilds(), this->GatherSeconds,
+    this->Bounds.GetSeconds() };
   this->Statistics = scene ? scene->GetStatistics(this->Mapper, data) : std::string("{}");
   return this->Statistics.c_str();
 }
@@ -728,8 +714,8 @@ void vtkRayTracedRepresentation::SetTranslation(double x, double y, double z)
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::UpdateActorPosition()
 {
-  this->Actor->SetPosition(this->Position[0] + this->Translation[0],
-    this->Position[1] + this->Translation[1], this->Position[2] + this->Translation[2]);
+  this->Actor->SetPosition(this->Position[0] + this->Translation[0], this->Position[1] + this->Translation[1],
+    this->Position[2] + this->Translation[2]);
 }
 
 //----------------------------------------------------------------------------

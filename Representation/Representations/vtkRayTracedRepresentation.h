@@ -1,11 +1,12 @@
 /**
  * @class   vtkRayTracedRepresentation
- * @brief   what ray-traced glyphs and surfaces have in common: delivery, colors, blocks, placement, and the view's image
+ * @brief   what ray-traced glyphs and surfaces have in common: delivery, colors, blocks, placement, and the view's
+ * image
  *
- * Points or triangles are gathered where the data are, in RequestData(). REQUEST_UPDATE hands them to the view with their
- * bounds and touches nothing of the render side. Mappers, actors and the renderer's vtkRayTracedScene are made when
- * something is first rendered, and configured from the properties at each REQUEST_RENDER. Which work a change of a property
- * causes is found out there by comparing; only what needs a new gather or delivery calls MarkModified().
+ * Points or triangles are gathered where the data are, in RequestData(). REQUEST_UPDATE hands them to the view with
+ * their bounds and touches nothing of the render side. Mappers, actors and the renderer's vtkRayTracedScene are made
+ * when something is first rendered, and configured from the properties at each REQUEST_RENDER. Which work a change of a
+ * property causes is found out there by comparing; only what needs a new gather or delivery calls MarkModified().
  *
  * @sa vtkRayTracedScene vtkRayTracedMapper
  */
@@ -86,8 +87,8 @@ public:
 
   ///@{
   /**
-   * Information: the device that traces, the samples a pixel that all images of the view's last frame have, whether more
-   * renders would improve them, how far they are in [0, 1], and what was done (JSON).
+   * Information: the device that traces, the samples a pixel that all images of the view's last frame have, whether
+   * more renders would improve them, how far they are in [0, 1], and what was done (JSON).
    */
   const char* GetDeviceName();
   int GetAccumulatedSamples();
@@ -108,9 +109,10 @@ public:
 
   ///@{
   /**
-   * Motion blur: names of point arrays of three components ("None" or empty: none), the time that the shutter is open, and
-   * when that is, of vtkGlyphMotion::Openings. Velocities may instead be those of vtkGlyphStepVelocity, where an array of
-   * one component, by default the global ids, tells which point is which. See vtkGlyphMotion::Settings for defaults.
+   * Motion blur: names of point arrays of three components ("None" or empty: none), the time that the shutter is open,
+   * and when that is, of vtkGlyphMotion::Openings. Velocities may instead be those of vtkGlyphStepVelocity, where an
+   * array of one component, by default the global ids, tells which point is which. See vtkGlyphMotion::Settings for
+   * defaults.
    */
   void SetMotionBlur(bool on) { this->Motion.On = on; }
   void SetVelocityArray(const char* name) { this->Motion.Velocity = OrEmpty(name); }
@@ -128,10 +130,7 @@ public:
    */
   void SetLookupTable(vtkScalarsToColors* table);
   void SetMapScalars(int map) { this->MapScalars = map != 0; }
-  void SetInterpolateScalarsBeforeMapping(int interpolate)
-  {
-    this->InterpolateScalarsBeforeMapping = interpolate != 0;
-  }
+  void SetInterpolateScalarsBeforeMapping(int interpolate) { this->InterpolateScalarsBeforeMapping = interpolate != 0; }
   void SetOpacity(double opacity);
   void SetAmbientColor(double r, double g, double b);
   void SetDiffuseColor(double r, double g, double b);
@@ -175,8 +174,7 @@ public:
   ///@}
 
   // vtkPVDataRepresentation
-  int ProcessViewRequest(
-    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
   void SetVisibility(bool visible) override;
   vtkDataObject* GetRenderedDataObject(int port) override;
 
@@ -185,8 +183,8 @@ protected:
   ~vtkRayTracedRepresentation() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   bool RemoveFromView(vtkView* view) override;
 
   ///@{
@@ -206,8 +204,7 @@ protected:
    * `collective`: all ranks render together. Hide() is called when the representation is hidden.
    */
   virtual vtkSmartPointer<vtkRayTracedMapper> MakeMapper() = 0;
-  virtual void
-  Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective) = 0;
+  virtual void Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective) = 0;
   virtual void SetPartBounds(const double bounds[6]);
   virtual void ShowLayers(bool /*visible*/) {}
   virtual void RemoveLayers(vtkPVRenderView*) {}
@@ -238,8 +235,8 @@ protected:
 
   ///@{
   /**
-   * For setters. Strings of the server manager may be null, which means no array. Numbers that are NaN would differ from
-   * themselves; so would a matrix that is made of infinite ones.
+   * For setters. Strings of the server manager may be null, which means no array. Numbers that are NaN would differ
+   * from themselves; so would a matrix that is made of infinite ones.
    */
   static std::string OrEmpty(const char* name) { return name ? name : ""; }
   static double NumberOr(double value, double otherwise);

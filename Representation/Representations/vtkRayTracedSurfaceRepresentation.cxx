@@ -55,8 +55,7 @@ int vtkRayTracedSurfaceRepresentation::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData>
-vtkRayTracedSurfaceRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
 {
   vtkRayTracedSurfaceGatherer::Settings settings;
   if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())

@@ -12,8 +12,7 @@
 
 #include "vtkRayTracedRepresentation.h"
 
-class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedSurfaceRepresentation
-  : public vtkRayTracedRepresentation
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedSurfaceRepresentation : public vtkRayTracedRepresentation
 {
 public:
   static vtkRayTracedSurfaceRepresentation* New();
@@ -30,8 +29,8 @@ protected:
   vtkRayTracedSurfaceRepresentation();
   ~vtkRayTracedSurfaceRepresentation() override;
 
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) override;
   const double* GetDataBounds(vtkPolyData* surface) override;
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;

@@ -33,8 +33,7 @@ void vtkRayTracedFXAA::GiveBack(vtkRenderer* renderer)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedFXAA::Apply(
-  vtkRenderer* renderer, const std::function<void(vtkTextureObject*)>& drawKept)
+void vtkRayTracedFXAA::Apply(vtkRenderer* renderer, const std::function<void(vtkTextureObject*)>& drawKept)
 {
   auto* glRenderer = vtkOpenGLRenderer::SafeDownCast(renderer);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());

@@ -1,6 +1,7 @@
 /**
- * The anti-aliasing in screen space (FXAA) of a view, but for ray-traced images: their edges are smooth already, and FXAA would
- * blur them and, in transparent screenshots, which are made of a picture before white and one before black, tear holes.
+ * The anti-aliasing in screen space (FXAA) of a view, but for ray-traced images: their edges are smooth already, and
+ * FXAA would blur them and, in transparent screenshots, which are made of a picture before white and one before black,
+ * tear holes.
  */
 #ifndef vtkRayTracedFXAA_h
 #define vtkRayTracedFXAA_h

@@ -35,16 +35,13 @@ std::string NameOfRank(const std::string& name)
   }
   const std::string rank = "-" + std::to_string(controller->GetLocalProcessId());
   const std::size_t dot = name.find_last_of("./\\");
-  return dot == std::string::npos || name[dot] != '.'
-    ? name + rank
-    : name.substr(0, dot) + rank + name.substr(dot);
+  return dot == std::string::npos || name[dot] != '.' ? name + rank : name.substr(0, dot) + rank + name.substr(dot);
 }
 }
 
 //----------------------------------------------------------------------------
-std::string vtkRayTracedFeatureImage::Write(const std::string& fileName,
-  const std::vector<const rtg::Image*>& images, const rtg::Scene& scene,
-  const std::map<rtg::Scene::SetId, vtkRayTracedMapper*>& mappers, double eyeDepth)
+std::string vtkRayTracedFeatureImage::Write(const std::string& fileName, const std::vector<const rtg::Image*>& images,
+  const rtg::Scene& scene, const std::map<rtg::Scene::SetId, vtkRayTracedMapper*>& mappers, double eyeDepth)
 {
   vtkNew<vtkImageData> data;
   data->SetDimensions(static_cast<int>(images[0]->width), static_cast<int>(images[0]->height), 1);
@@ -67,9 +64,8 @@ std::string vtkRayTracedFeatureImage::Write(const std::string& fileName,
     const std::uint32_t color = image->colour[i];
     colors->SetTuple4(i, color & 255, (color >> 8) & 255, (color >> 16) & 255, color >> 24);
     windowDepths->SetValue(i, image->depth[i]);
-    viewDepths->SetValue(i,
-      image->normals[i] == glm::vec3(0.0f) ? 0.0f
-                                           : image->viewDepths[i] + static_cast<float>(eyeDepth));
+    viewDepths->SetValue(
+      i, image->normals[i] == glm::vec3(0.0f) ? 0.0f : image->viewDepths[i] + static_cast<float>(eyeDepth));
     const glm::vec3 normal = image->normals[i], albedo = image->albedos[i];
     normals->SetTuple3(i, normal.x, normal.y, normal.z);
     albedos->SetTuple3(i, albedo.x, albedo.y, albedo.z);
@@ -81,12 +77,11 @@ std::string vtkRayTracedFeatureImage::Write(const std::string& fileName,
     if (hit)
     {
       const double anywhere[3] = { 0.0, 0.0, 0.0 };
-      origin = source->second->OriginOf(scene.OriginalGlyph(source->first, image->glyphIds[i]),
-        source->second->GetNaturalAssociation(), anywhere);
+      origin = source->second->OriginOf(
+        scene.OriginalGlyph(source->first, image->glyphIds[i]), source->second->GetNaturalAssociation(), anywhere);
     }
     // Sets are numbered in the order in which they came.
-    representations->SetValue(
-      i, hit ? static_cast<int>(std::distance(mappers.begin(), source)) : -1);
+    representations->SetValue(i, hit ? static_cast<int>(std::distance(mappers.begin(), source)) : -1);
     ids->SetValue(i, origin.Id);
     blocks->SetValue(i, static_cast<int>(origin.CompositeIndex));
   }

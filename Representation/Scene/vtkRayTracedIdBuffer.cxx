@@ -7,9 +7,8 @@
 
 //----------------------------------------------------------------------------
 // See vtkHardwareSelector for the passes and their order.
-void vtkRayTracedIdBuffer::Fill(const std::vector<const rtg::Image*>& images,
-  const rtg::Scene& scene, rtg::Scene::SetId set, const glm::dmat4& worldToClip,
-  vtkRayTracedMapper* mapper, vtkHardwareSelector* selector)
+void vtkRayTracedIdBuffer::Fill(const std::vector<const rtg::Image*>& images, const rtg::Scene& scene,
+  rtg::Scene::SetId set, const glm::dmat4& worldToClip, vtkRayTracedMapper* mapper, vtkHardwareSelector* selector)
 {
   const std::size_t width = images.front()->width, height = images.front()->height;
   this->Values.assign(width * height, 0);
@@ -18,8 +17,7 @@ void vtkRayTracedIdBuffer::Fill(const std::vector<const rtg::Image*>& images,
   std::uint32_t propValue = 0;
   for (int c = 0; c < 3; ++c)
   {
-    propValue |= static_cast<std::uint32_t>(selector->GetPropColorValue()[c] * 255.0f + 0.5f)
-      << (8 * c);
+    propValue |= static_cast<std::uint32_t>(selector->GetPropColorValue()[c] * 255.0f + 0.5f) << (8 * c);
   }
   const int pass = selector->GetCurrentPass();
   const int association = selector->GetFieldAssociation();
@@ -29,8 +27,7 @@ void vtkRayTracedIdBuffer::Fill(const std::vector<const rtg::Image*>& images,
     const rtg::Image* nearest = nullptr;
     for (const rtg::Image* image : images)
     {
-      if (image->glyphIds[i] != rtg::Image::noGlyph &&
-        (!nearest || image->depth[i] < nearest->depth[i]))
+      if (image->glyphIds[i] != rtg::Image::noGlyph && (!nearest || image->depth[i] < nearest->depth[i]))
       {
         nearest = image;
       }
@@ -39,8 +36,8 @@ void vtkRayTracedIdBuffer::Fill(const std::vector<const rtg::Image*>& images,
     {
       continue;
     }
-    const glm::dvec4 clip(2.0 * (i % width + 0.5) / width - 1.0,
-      2.0 * (i / width + 0.5) / height - 1.0, 2.0 * nearest->depth[i] - 1.0, 1.0);
+    const glm::dvec4 clip(2.0 * (i % width + 0.5) / width - 1.0, 2.0 * (i / width + 0.5) / height - 1.0,
+      2.0 * nearest->depth[i] - 1.0, 1.0);
     const glm::dvec4 world = clipToWorld * clip;
     const glm::dvec3 position = glm::dvec3(world) / world.w;
     const vtkRayTracedMapper::Origin origin =

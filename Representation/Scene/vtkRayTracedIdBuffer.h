@@ -22,12 +22,11 @@ struct vtkRayTracedIdBuffer
   vtkIdType LargestId = 0;
 
   /**
-   * `images` show the same view; the nearest surface counts. Where a glyph or triangle has nothing to select the number is
-   * opaque black: it hides what lies behind it.
+   * `images` show the same view; the nearest surface counts. Where a glyph or triangle has nothing to select the number
+   * is opaque black: it hides what lies behind it.
    */
-  void Fill(const std::vector<const rtg::Image*>& images, const rtg::Scene& scene,
-    rtg::Scene::SetId set, const glm::dmat4& worldToClip, vtkRayTracedMapper* mapper,
-    vtkHardwareSelector* selector);
+  void Fill(const std::vector<const rtg::Image*>& images, const rtg::Scene& scene, rtg::Scene::SetId set,
+    const glm::dmat4& worldToClip, vtkRayTracedMapper* mapper, vtkHardwareSelector* selector);
 };
 
 #endif

@@ -32,8 +32,7 @@ std::vector<vtkOpenGLRenderPass*> Passes(vtkActor* actor)
   {
     for (int i = 0; i < info->Length(vtkOpenGLRenderPass::RenderPasses()); ++i)
     {
-      passes.push_back(
-        static_cast<vtkOpenGLRenderPass*>(info->Get(vtkOpenGLRenderPass::RenderPasses(), i)));
+      passes.push_back(static_cast<vtkOpenGLRenderPass*>(info->Get(vtkOpenGLRenderPass::RenderPasses(), i)));
     }
   }
   return passes;
@@ -48,15 +47,14 @@ bool WantsSurface(vtkOpenGLRenderPass* pass)
 void SetClipToView(vtkShaderProgram* program, vtkRenderer* renderer)
 {
   vtkNew<vtkMatrix4x4> matrix;
-  matrix->DeepCopy(renderer->GetActiveCamera()->GetProjectionTransformMatrix(
-    renderer->GetTiledAspectRatio(), -1, 1));
+  matrix->DeepCopy(renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1));
   matrix->Invert();
   matrix->Transpose(); // column by column for the shader
   program->SetUniformMatrix("clipToView", matrix);
 }
 
-void Send(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, unsigned int width,
-  unsigned int height, int components, int type, const void* pixels)
+void Send(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,
+  int components, int type, const void* pixels)
 {
   texture->SetContext(window);
   texture->Create2DFromRaw(width, height, components, type, const_cast<void*>(pixels));
@@ -74,8 +72,8 @@ vtkRayTracedImageQuad::vtkRayTracedImageQuad() = default;
 vtkRayTracedImageQuad::~vtkRayTracedImageQuad() = default;
 
 //----------------------------------------------------------------------------
-void vtkRayTracedImageQuad::SetImage(vtkOpenGLRenderWindow* window, unsigned int width,
-  unsigned int height, const std::uint32_t* color, const float* depth)
+void vtkRayTracedImageQuad::SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,
+  const std::uint32_t* color, const float* depth)
 {
   Send(this->Color, window, width, height, 4, VTK_UNSIGNED_CHAR, color);
   Send(this->Depth, window, width, height, 1, VTK_FLOAT, depth);
@@ -83,8 +81,7 @@ void vtkRayTracedImageQuad::SetImage(vtkOpenGLRenderWindow* window, unsigned int
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedImageQuad::Draw(
-  vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper, Uses use)
+void vtkRayTracedImageQuad::Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper, Uses use)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!this->Sent || !window)
@@ -93,11 +90,9 @@ void vtkRayTracedImageQuad::Draw(
   }
 
   // The shader, as the passes of this stage want it
-  const std::vector<vtkOpenGLRenderPass*> passes =
-    use == BLEND ? Passes(actor) : std::vector<vtkOpenGLRenderPass*>();
+  const std::vector<vtkOpenGLRenderPass*> passes = use == BLEND ? Passes(actor) : std::vector<vtkOpenGLRenderPass*>();
   // Passes that replace colors take this quad for no mapper's.
-  const auto mapperFor = [mapper](vtkOpenGLRenderPass* pass)
-  { return WantsSurface(pass) ? mapper : nullptr; };
+  const auto mapperFor = [mapper](vtkOpenGLRenderPass* pass) { return WantsSurface(pass) ? mapper : nullptr; };
   const bool surface = std::any_of(passes.begin(), passes.end(), WantsSurface);
   std::string vertex, geometry, fragment = RayTracedImageQuad;
   if (surface)
@@ -169,8 +164,7 @@ void vtkRayTracedImageQuad::Draw(
 
 //----------------------------------------------------------------------------
 // Null where the shader does not compile; VTK has then reported the compiler's messages.
-vtkOpenGLQuadHelper*
-vtkRayTracedImageQuad::Ready(vtkOpenGLRenderWindow* window, const std::string& fragment)
+vtkOpenGLQuadHelper* vtkRayTracedImageQuad::Ready(vtkOpenGLRenderWindow* window, const std::string& fragment)
 {
   std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[fragment];
   if (!quad)
@@ -188,8 +182,7 @@ vtkRayTracedImageQuad::Ready(vtkOpenGLRenderWindow* window, const std::string& f
 void vtkRayTracedImageQuad::DrawKept(vtkRenderer* renderer, vtkTextureObject* pixels)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  vtkOpenGLQuadHelper* quad =
-    this->Sent && window ? this->Ready(window, RayTracedKeptPixels) : nullptr;
+  vtkOpenGLQuadHelper* quad = this->Sent && window ? this->Ready(window, RayTracedKeptPixels) : nullptr;
   if (!quad)
   {
     return;

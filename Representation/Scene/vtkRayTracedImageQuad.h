@@ -38,13 +38,13 @@ public:
   /**
    * Sends an image: RGBA8 and window depths, bottom row first.
    */
-  void SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,
-    const std::uint32_t* color, const float* depth);
+  void SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, const std::uint32_t* color,
+    const float* depth);
   bool HasImage() const { return this->Sent; }
 
   /**
-   * Draws it. `actor`, with `mapper`, carries the render passes that have a say in the shader: depth peeling, and the view's
-   * ambient occlusion in screen space, which wants the place and the normal of what each pixel shows.
+   * Draws it. `actor`, with `mapper`, carries the render passes that have a say in the shader: depth peeling, and the
+   * view's ambient occlusion in screen space, which wants the place and the normal of what each pixel shows.
    */
   void Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper, Uses use);
 

@@ -20,9 +20,9 @@ struct vtkRayTracedImageSettings
   double Exposure = 0.0;                                   // stops, in [-100, 100]
   int Denoising = 1;                                       // as rtg::Denoising, in [0, 2]
   int SamplesPerPixel = 16;                                // of a finished image, in [1, 65536]
-  int SamplesPerRender = 0;       // in [0, 65536]; 0: all, or what time allows
-  int InteractiveReduction = 2;   // every n-th pixel while the camera moves, in [1, 16]
-  bool StepwiseRendering = false; // somebody renders until the image is finished
+  int SamplesPerRender = 0;                                // in [0, 65536]; 0: all, or what time allows
+  int InteractiveReduction = 2;                            // every n-th pixel while the camera moves, in [1, 16]
+  bool StepwiseRendering = false;                          // somebody renders until the image is finished
 
   bool operator==(const vtkRayTracedImageSettings&) const = default;
 };

@@ -68,11 +68,10 @@ public:
     return kept;
   }
 
-  rtg::Image Trace(const rtg::ImageView& view, const rtg::TraceSettings& settings,
-    const rtg::Interrupt& interrupt) override
+  rtg::Image
+  Trace(const rtg::ImageView& view, const rtg::TraceSettings& settings, const rtg::Interrupt& interrupt) override
   {
-    return this->Own.Tracer->Trace(
-      *this->Images.Scene, view.camera, view.lights, settings, view.pass, interrupt);
+    return this->Own.Tracer->Trace(*this->Images.Scene, view.camera, view.lights, settings, view.pass, interrupt);
   }
 
   rtg::Image Resume(const rtg::Interrupt& interrupt) override
@@ -87,10 +86,7 @@ public:
 
   bool HasDevice() const override { return this->Images.Device && !this->Images.Device->Lost(); }
   bool IsDeviceLost() const override { return this->Images.Device && this->Images.Device->Lost(); }
-  std::uint64_t HeldBytes() const override
-  {
-    return this->Images.Device ? this->Images.Device->HeldBytes() : 0;
-  }
+  std::uint64_t HeldBytes() const override { return this->Images.Device ? this->Images.Device->HeldBytes() : 0; }
 
   double Now() const override
   {
@@ -132,10 +128,9 @@ vtkRayTracedImages::Entry* vtkRayTracedImages::FindSame(const rtg::ImageView& vi
   for (const auto& [place, entry] : this->Entries)
   {
     const rtg::ImageView& other = entry->Image.View();
-    if (entry->Image.GetState() != rtg::ProgressiveImage::State::Failed &&
-      entry->Image.IsComplete() && other.pass == view.pass && other.content == view.content &&
-      other.camera == view.camera && other.settings.width == view.settings.width &&
-      other.settings.height == view.settings.height)
+    if (entry->Image.GetState() != rtg::ProgressiveImage::State::Failed && entry->Image.IsComplete() &&
+      other.pass == view.pass && other.content == view.content && other.camera == view.camera &&
+      other.settings.width == view.settings.width && other.settings.height == view.settings.height)
     {
       return entry.get();
     }
@@ -144,9 +139,8 @@ vtkRayTracedImages::Entry* vtkRayTracedImages::FindSame(const rtg::ImageView& vi
 }
 
 //----------------------------------------------------------------------------
-const rtg::Image* vtkRayTracedImages::Update(Entry& entry, const rtg::ImageView& view,
-  const rtg::ImageEffort& effort, const rtg::Interrupt& interrupt,
-  const std::function<void(rtg::Scene&)>& send)
+const rtg::Image* vtkRayTracedImages::Update(Entry& entry, const rtg::ImageView& view, const rtg::ImageEffort& effort,
+  const rtg::Interrupt& interrupt, const std::function<void(rtg::Scene&)>& send)
 {
   Source source(*this, entry, send);
   return entry.Image.Update(source, view, effort, interrupt);

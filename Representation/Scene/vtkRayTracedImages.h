@@ -1,6 +1,7 @@
 /**
- * The kernels' side of a vtkRayTracedScene: device, glyph sets, and the images that are kept. There is one image for each
- * pass and place that a renderer draws to: eyes of a stereo pair, tiles, a capture of another size than the window's.
+ * The kernels' side of a vtkRayTracedScene: device, glyph sets, and the images that are kept. There is one image for
+ * each pass and place that a renderer draws to: eyes of a stereo pair, tiles, a capture of another size than the
+ * window's.
  */
 #ifndef vtkRayTracedImages_h
 #define vtkRayTracedImages_h
@@ -63,7 +64,8 @@ public:
 
   ///@{
   /**
-   * Give device memory back: the scene's, or the images', too. Counters and compiled programs stay. The number of the scene grows with each new one, whose sets are empty.
+   * Give device memory back: the scene's, or the images', too. Counters and compiled programs stay. The number of the
+   * scene grows with each new one, whose sets are empty.
    */
   void DropScene();
   void DropImages();

@@ -67,8 +67,7 @@ glm::dmat4 vtkRayTracedRendererState::WorldToClip(vtkRenderer* renderer)
 }
 
 //----------------------------------------------------------------------------
-rtg::Camera
-vtkRayTracedRendererState::CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip)
+rtg::Camera vtkRayTracedRendererState::CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip)
 {
   rtg::Camera camera = rtg::Camera::FromWorldToClip(worldToClip);
   if (camera.parallel)
@@ -82,8 +81,7 @@ vtkRayTracedRendererState::CameraOf(vtkRenderer* renderer, const glm::dmat4& wor
 std::vector<rtg::Light> vtkRayTracedRendererState::LightsOf(vtkRenderer* renderer, bool placedOnly)
 {
   const std::vector<vtkLight*> on = LightsOn(renderer);
-  const bool loneHeadlight =
-    on.size() == 1 && on.front()->LightTypeIsHeadlight() && !on.front()->GetPositional();
+  const bool loneHeadlight = on.size() == 1 && on.front()->LightTypeIsHeadlight() && !on.front()->GetPositional();
 
   std::vector<rtg::Light> lights;
   for (vtkLight* light : on)
@@ -93,8 +91,7 @@ std::vector<rtg::Light> vtkRayTracedRendererState::LightsOf(vtkRenderer* rendere
       continue;
     }
     rtg::Light converted;
-    converted.colour =
-      ToVector<glm::vec3>(light->GetDiffuseColor()) * static_cast<float>(light->GetIntensity());
+    converted.colour = ToVector<glm::vec3>(light->GetDiffuseColor()) * static_cast<float>(light->GetIntensity());
     const glm::dvec3 position = ToVector<glm::dvec3>(light->GetTransformedPosition());
     const glm::dvec3 focus = ToVector<glm::dvec3>(light->GetTransformedFocalPoint());
     converted.position = position;
@@ -133,8 +130,7 @@ constexpr vtkIdType mostEnvironmentColumns = 4096;
 vtkRayTracedRendererState::Environment
 vtkRayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Environment& last)
 {
-  vtkTexture* texture =
-    renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
+  vtkTexture* texture = renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
   vtkImageData* input = texture && !texture->GetCubeMap() ? texture->GetInput() : nullptr;
   vtkDataArray* colours = input ? input->GetPointData()->GetScalars() : nullptr;
   if (!colours || input->GetDimensions()[2] != 1)
@@ -146,8 +142,8 @@ vtkRayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Environmen
   Environment environment;
   environment.Input = input;
   environment.Time = input->GetMTime();
-  if (last.Image && last.Input == environment.Input && last.Time == environment.Time &&
-    last.Image->right == right && last.Image->up == up)
+  if (last.Image && last.Input == environment.Input && last.Time == environment.Time && last.Image->right == right &&
+    last.Image->up == up)
   {
     return last;
   }
@@ -182,8 +178,7 @@ vtkRayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Environmen
         radiance[c] = std::isfinite(radiance[c]) ? std::max(radiance[c], 0.0f) : 0.0f;
       }
       const vtkIdType blockColumns = std::min(side, columns - x / side * side);
-      image->radiance[y / side * image->width + x / side] +=
-        radiance / static_cast<float>(blockRows * blockColumns);
+      image->radiance[y / side * image->width + x / side] += radiance / static_cast<float>(blockRows * blockColumns);
     }
   }
   environment.Image = std::move(image);
@@ -208,7 +203,6 @@ rtg::Material vtkRayTracedRendererState::MaterialOf(vtkProperty* property, vtkRe
   material.coatRoughness = static_cast<float>(property->GetCoatRoughness());
   material.coatIor = static_cast<float>(property->GetCoatIOR());
   material.coatColour = ToVector<glm::vec3>(property->GetCoatColor());
-  material.lighting = property->GetLighting() &&
-    (renderer->GetAutomaticLightCreation() || !LightsOn(renderer).empty());
+  material.lighting = property->GetLighting() && (renderer->GetAutomaticLightCreation() || !LightsOn(renderer).empty());
   return material;
 }

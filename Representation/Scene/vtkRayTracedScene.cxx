@@ -110,8 +110,8 @@ struct vtkRayTracedScene::Internals
   vtkRayTracedFXAA FXAA;
   vtkRayTracedRendererState::Environment Environment;
 
-  // What can be seen: of each shown member the versions of instances, colors and material. Two frames with the same list look
-  // the same; each new list has a number.
+  // What can be seen: of each shown member the versions of instances, colors and material. Two frames with the same
+  // list look the same; each new list has a number.
   std::vector<std::array<std::uint64_t, 3>> Content;
   std::uint64_t ContentNumber = 0, MaterialVersions = 0;
 
@@ -142,11 +142,10 @@ struct vtkRayTracedScene::Internals
 };
 
 //----------------------------------------------------------------------------
-vtkRayTracedScene::Internals::Member*
-vtkRayTracedScene::Internals::Find(const vtkRayTracedMapper* mapper)
+vtkRayTracedScene::Internals::Member* vtkRayTracedScene::Internals::Find(const vtkRayTracedMapper* mapper)
 {
-  const auto found = std::find_if(this->Members.begin(), this->Members.end(),
-    [mapper](const Member& member) { return member.Mapper == mapper; });
+  const auto found = std::find_if(
+    this->Members.begin(), this->Members.end(), [mapper](const Member& member) { return member.Mapper == mapper; });
   return found == this->Members.end() ? nullptr : &*found;
 }
 
@@ -289,8 +288,7 @@ void vtkRayTracedScene::StartFrame()
   self.ExportReported = false;
   self.CutReported &= self.Capture; // a picture may be captured in parts
   // On all ranks alike, whether or not they have something to draw.
-  self.Interactive =
-    this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() >= interactiveRate && !self.Capture;
+  self.Interactive = this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() >= interactiveRate && !self.Capture;
   if (self.Members.empty())
   {
     return;
@@ -351,8 +349,7 @@ bool vtkRayTracedScene::UpdateMappers()
     {
       continue;
     }
-    rtg::Material material =
-      vtkRayTracedRendererState::MaterialOf(actor->GetProperty(), this->Renderer);
+    rtg::Material material = vtkRayTracedRendererState::MaterialOf(actor->GetProperty(), this->Renderer);
     mapper->AddToMaterial(material);
     if (member.MaterialVersion == 0 || !(member.Material == material))
     {
@@ -362,8 +359,7 @@ bool vtkRayTracedScene::UpdateMappers()
     member.Shown = true;
     member.Translucent = material.opacity < 1.0f || mapper->IsTranslucent();
     self.Wants[member.Translucent ? translucent : opaque] = true;
-    content.push_back(
-      { { mapper->GetInstanceVersion(), mapper->GetColorVersion(), member.MaterialVersion } });
+    content.push_back({ { mapper->GetInstanceVersion(), mapper->GetColorVersion(), member.MaterialVersion } });
   }
   if (content != self.Content)
   {
@@ -438,8 +434,8 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   rtg::ImageView view;
   try
   {
-    view.camera = vtkRayTracedRendererState::CameraOf(
-      this->Renderer, vtkRayTracedRendererState::WorldToClip(this->Renderer));
+    view.camera =
+      vtkRayTracedRendererState::CameraOf(this->Renderer, vtkRayTracedRendererState::WorldToClip(this->Renderer));
     self.CameraReported.clear();
   }
   catch (const rtg::Error& error)
@@ -458,8 +454,7 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   view.settings.width = static_cast<std::uint32_t>(viewport[2]);
   view.settings.height = static_cast<std::uint32_t>(viewport[3]);
   // Headlight and light kit make up for the lack of light from all around; path tracing has that.
-  const bool surrounded =
-    view.settings.shading == rtg::Shading::PathTracing && wanted.LightIntensity > 0.0;
+  const bool surrounded = view.settings.shading == rtg::Shading::PathTracing && wanted.LightIntensity > 0.0;
   view.lights = vtkRayTracedRendererState::LightsOf(this->Renderer, /*placedOnly=*/surrounded);
   if (surrounded)
   {
@@ -472,13 +467,12 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   rtg::ImageEffort effort;
   effort.samples = static_cast<std::uint32_t>(wanted.SamplesPerPixel);
   effort.samplesAtOnce = capture ? 0 : static_cast<std::uint32_t>(wanted.SamplesPerRender);
-  const int images =
-    (self.HasBothPasses() ? 2 : 1) * (this->Renderer->GetRenderWindow()->GetStereoRender() ? 2 : 1);
+  const int images = (self.HasBothPasses() ? 2 : 1) * (this->Renderer->GetRenderWindow()->GetStereoRender() ? 2 : 1);
   effort.seconds = wanted.StepwiseRendering && !capture ? stepSeconds / images : 0.0;
   effort.preview = self.Interactive;
   // Pixels that need more than one ray are spared more of them, for the camera to answer as fast.
-  effort.pixelStep = static_cast<std::uint32_t>(
-    wanted.InteractiveReduction + (noisy && wanted.InteractiveReduction > 1 ? 1 : 0));
+  effort.pixelStep =
+    static_cast<std::uint32_t>(wanted.InteractiveReduction + (noisy && wanted.InteractiveReduction > 1 ? 1 : 0));
   effort.exact = !wanted.StepwiseRendering || capture;
   effort.denoising = static_cast<rtg::Denoising>(wanted.Denoising);
   effort.features = !self.FeatureFile.empty() && !self.Interactive;
@@ -517,29 +511,26 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
     }
     self.TellerKnown = true;
   }
-  // Whoever is told or asked may paint meanwhile: Qt makes its own OpenGL context current, and binds framebuffers of widgets
-  // in ours.
+  // Whoever is told or asked may paint meanwhile: Qt makes its own OpenGL context current, and binds framebuffers of
+  // widgets in ours.
   window->GetState()->Push();
-  const rtg::Image* image = stays && growing ? &entry.Image.GetImage()
-                                             : self.Images.Update(entry, view, effort, interrupt,
-                                                 [&self](rtg::Scene& scene) { self.Send(scene); });
+  const rtg::Image* image = stays && growing
+    ? &entry.Image.GetImage()
+    : self.Images.Update(entry, view, effort, interrupt, [&self](rtg::Scene& scene) { self.Send(scene); });
   window->MakeCurrent();
   window->GetState()->Pop();
-  self.Frame.push_back(
-    { &entry, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
+  self.Frame.push_back({ &entry, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
   if (!image)
   {
     this->Report(entry.Image.GetFailure().message);
     return;
   }
   self.Reported.clear();
-  if (capture && entry.Image.GetState() == rtg::ProgressiveImage::State::Growing &&
-    !self.CutReported)
+  if (capture && entry.Image.GetState() == rtg::ProgressiveImage::State::Growing && !self.CutReported)
   {
     self.CutReported = true;
-    vtkWarningMacro(<< "Tracing was stopped: the picture that is saved has "
-                    << entry.Image.Samples() << " of " << effort.samples
-                    << " samples a pixel. Save it again to have them all.");
+    vtkWarningMacro(<< "Tracing was stopped: the picture that is saved has " << entry.Image.Samples() << " of "
+                    << effort.samples << " samples a pixel. Save it again to have them all.");
   }
   if (entry.Uploaded != entry.Image.Version() || !entry.Quad.HasImage())
   {
@@ -580,8 +571,8 @@ void vtkRayTracedScene::EndFrame()
   {
     const rtg::ProgressiveImage& image = drawn.Entry->Image;
     progress = self.Stopped && !self.Capture ? 1.0 : std::min(progress, image.Progress());
-    samples = std::min(samples,
-      image.GetState() == rtg::ProgressiveImage::State::Failed ? 0.0 : double(image.Samples()));
+    samples =
+      std::min(samples, image.GetState() == rtg::ProgressiveImage::State::Failed ? 0.0 : double(image.Samples()));
     finished &= image.GetState() == rtg::ProgressiveImage::State::Finished;
   }
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -661,10 +652,10 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
         images.push_back(&entry->Image.GetImage());
         continue;
       }
-      vtkRayTracedImages::Entry& own = self.Images.Get(
-        { pass, view.settings.width, view.settings.height, 0, {}, /*OnlyIds=*/true });
-      const rtg::Image* image = self.Images.Update(
-        own, view, rtg::ImageEffort(), {}, [&self](rtg::Scene& scene) { self.Send(scene); });
+      vtkRayTracedImages::Entry& own =
+        self.Images.Get({ pass, view.settings.width, view.settings.height, 0, {}, /*OnlyIds=*/true });
+      const rtg::Image* image =
+        self.Images.Update(own, view, rtg::ImageEffort(), {}, [&self](rtg::Scene& scene) { self.Send(scene); });
       if (image)
       {
         images.push_back(image);
@@ -691,8 +682,7 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
     {
       selector->UpdateMaximumPointId(buffer.LargestId);
     }
-    self.IdQuad.SetImage(window, view.settings.width, view.settings.height, buffer.Values.data(),
-      buffer.Depths.data());
+    self.IdQuad.SetImage(window, view.settings.width, view.settings.height, buffer.Values.data(), buffer.Depths.data());
     self.IdQuad.Draw(this->Renderer, actor, mapper, vtkRayTracedImageQuad::IDS);
   }
   selector->EndRenderProp();
@@ -703,14 +693,13 @@ void vtkRayTracedScene::ReportExport()
 {
   Internals& self = *this->Self;
   vtkRayTracedPythonClass::Register();
-  const bool selecting = this->Renderer->GetSelector() !=
-    nullptr; // VTK 9.6's selector asks actors for their mappers, too
+  const bool selecting =
+    this->Renderer->GetSelector() != nullptr; // VTK 9.6's selector asks actors for their mappers, too
   if (self.WantsAnything() && !selecting && !self.PassReported && !self.ExportReported)
   {
-    vtkWarningMacro(
-      << "Ray-traced glyphs and surfaces are left out of the exported file: they have no polygons. "
-         "Choose another "
-         "representation such as 3D Glyphs or Surface to export them, or save a screenshot.");
+    vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out of the exported file: they have no polygons. "
+                       "Choose another "
+                       "representation such as 3D Glyphs or Surface to export them, or save a screenshot.");
     self.ExportReported = true;
   }
 }
@@ -733,8 +722,7 @@ std::string vtkRayTracedScene::GetDeviceName() const
 int vtkRayTracedScene::GetAccumulatedSamples() const
 {
   const Internals& self = *this->Self;
-  return static_cast<int>(
-    self.Stereo ? std::min(self.Samples[0], self.Samples[1]) : self.Samples[self.Eye]);
+  return static_cast<int>(self.Stereo ? std::min(self.Samples[0], self.Samples[1]) : self.Samples[self.Eye]);
 }
 
 //----------------------------------------------------------------------------
@@ -745,8 +733,7 @@ double vtkRayTracedScene::GetProgress() const
 }
 
 //----------------------------------------------------------------------------
-std::string
-vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper, const DataStatistics& data) const
+std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper, const DataStatistics& data) const
 {
   const rtg::Statistics s = this->Self->Images.GetStatistics();
   const nlohmann::ordered_json json = {

@@ -2,12 +2,13 @@
  * @class   vtkRayTracedScene
  * @brief   everything ray-traced in one renderer: what is traced together, and drawn as one image
  *
- * A renderer has at most one scene, made when something of it is first shown. Representations add their actors and mappers
- * and tell the view's settings; an actor of the scene's own draws the image, behind the other actors of the renderer,
- * because smooth edges are blended with what lies behind them. The actors that were added draw only ids, for a selector.
+ * A renderer has at most one scene, made when something of it is first shown. Representations add their actors and
+ * mappers and tell the view's settings; an actor of the scene's own draws the image, behind the other actors of the
+ * renderer, because smooth edges are blended with what lies behind them. The actors that were added draw only ids, for
+ * a selector.
  *
- * At the start of every frame the mappers of visible actors bring instances and colors up to date; what changed is handed
- * to the kernels when an image needs it. A mapper that is hidden gives its device memory back. Images are kept
+ * At the start of every frame the mappers of visible actors bring instances and colors up to date; what changed is
+ * handed to the kernels when an image needs it. A mapper that is hidden gives its device memory back. Images are kept
  * (vtkRayTracedImages), and each decides by itself what is to be traced (rtg::ProgressiveImage).
  */
 #ifndef vtkRayTracedScene_h
@@ -110,9 +111,9 @@ public:
 
   ///@{
   /**
-   * Information: counters as JSON with those of one mapper (may be null), the device, samples a pixel that all images of the
-   * last frame have, and how far that frame is in [0, 1] (1: another one would change nothing). The last two are the least of
-   * all ranks that rendered the frame together.
+   * Information: counters as JSON with those of one mapper (may be null), the device, samples a pixel that all images
+   * of the last frame have, and how far that frame is in [0, 1] (1: another one would change nothing). The last two are
+   * the least of all ranks that rendered the frame together.
    */
   std::string GetStatistics(vtkRayTracedMapper* mapper, const DataStatistics& data) const;
   std::string GetDeviceName() const;

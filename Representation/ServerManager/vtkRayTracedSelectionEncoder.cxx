@@ -51,8 +51,7 @@ bool TakePoints(vtkSelectionNode* cells, vtkSelectionNode* points)
   {
     const vtkIdType id = ids->GetValue(i);
     const bool marked = vtkRayTracedArrays::IsMarkedPoint(id);
-    (marked ? pointIds : cellIds)
-      ->InsertNextValue(marked ? vtkRayTracedArrays::UnmarkedPoint(id) : id);
+    (marked ? pointIds : cellIds)->InsertNextValue(marked ? vtkRayTracedArrays::UnmarkedPoint(id) : id);
   }
   if (pointIds->GetNumberOfValues() == 0)
   {
@@ -85,9 +84,8 @@ void vtkRayTracedSelectionEncoder::Register()
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedSelectionEncoder::ProcessSelection(vtkSelection* rawSelection,
-  vtkSMRenderViewProxy* viewProxy, bool multipleSelectionsAllowed,
-  vtkCollection* selectedRepresentations, vtkCollection* selectionSources, int modifier,
+bool vtkRayTracedSelectionEncoder::ProcessSelection(vtkSelection* rawSelection, vtkSMRenderViewProxy* viewProxy,
+  bool multipleSelectionsAllowed, vtkCollection* selectedRepresentations, vtkCollection* selectionSources, int modifier,
   bool selectBlocks)
 {
   for (unsigned int i = rawSelection->GetNumberOfNodes(); i-- > 0;)
@@ -103,6 +101,6 @@ bool vtkRayTracedSelectionEncoder::ProcessSelection(vtkSelection* rawSelection,
       rawSelection->AddNode(points);
     }
   }
-  return this->Superclass::ProcessSelection(rawSelection, viewProxy, multipleSelectionsAllowed,
-    selectedRepresentations, selectionSources, modifier, selectBlocks);
+  return this->Superclass::ProcessSelection(rawSelection, viewProxy, multipleSelectionsAllowed, selectedRepresentations,
+    selectionSources, modifier, selectBlocks);
 }

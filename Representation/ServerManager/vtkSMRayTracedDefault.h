@@ -1,8 +1,8 @@
 /**
- * Defaults of this plugin's properties, which every display of a data set has, whatever it is shown as. ParaView fills in
- * values that fit the data, and would then name these properties in the trace and the Python state of any display: scripts
- * that do not run without this plugin. So on displays that show nothing ray traced a property whose value ParaView itself has
- * chosen counts as one that has its default.
+ * Defaults of this plugin's properties, which every display of a data set has, whatever it is shown as. ParaView fills
+ * in values that fit the data, and would then name these properties in the trace and the Python state of any display:
+ * scripts that do not run without this plugin. So on displays that show nothing ray traced a property whose value
+ * ParaView itself has chosen counts as one that has its default.
  */
 #ifndef vtkSMRayTracedDefault_h
 #define vtkSMRayTracedDefault_h

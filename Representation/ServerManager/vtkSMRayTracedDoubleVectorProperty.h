@@ -2,7 +2,8 @@
  * @class   vtkSMRayTracedDoubleVectorProperty
  * @brief   numbers of this plugin that depend on the data
  *
- * Its value counts as the default where ParaView has chosen it and nothing ray traced is shown; see vtkSMRayTracedDefault.
+ * Its value counts as the default where ParaView has chosen it and nothing ray traced is shown; see
+ * vtkSMRayTracedDefault.
  */
 #ifndef vtkSMRayTracedDoubleVectorProperty_h
 #define vtkSMRayTracedDoubleVectorProperty_h
@@ -13,8 +14,7 @@
 #include "vtkSMRayTracedDefault.h"
 #endif
 
-class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedDoubleVectorProperty
-  : public vtkSMDoubleVectorProperty
+class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedDoubleVectorProperty : public vtkSMDoubleVectorProperty
 {
 public:
   static vtkSMRayTracedDoubleVectorProperty* New();

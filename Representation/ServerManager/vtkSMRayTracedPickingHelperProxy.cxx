@@ -47,8 +47,7 @@ std::array<double, 3> ToDisplay(vtkRenderer* renderer, const std::array<double, 
 }
 
 // Whether the two points are where the ray of one pixel enters and leaves what the renderer shows; and that pixel.
-bool FindPixel(vtkRenderer* renderer, const std::array<double, 3>& a,
-  const std::array<double, 3>& b, int pixel[2])
+bool FindPixel(vtkRenderer* renderer, const std::array<double, 3>& a, const std::array<double, 3>& b, int pixel[2])
 {
   constexpr double tolerance = 1e-3; // in pixels, and for depths
   const std::array<double, 3> entry = ToDisplay(renderer, a), exit = ToDisplay(renderer, b);
@@ -108,8 +107,8 @@ bool vtkSMRayTracedPickingHelperProxy::FindPlace(double place[3])
     }
     const int* size = renderer->GetSize();
     vtkFloatArray* depths = view->CaptureDepthBuffer();
-    if (!depths || depths->GetNumberOfValues() != static_cast<vtkIdType>(size[0]) * size[1] ||
-      pixel[0] < 0 || pixel[1] < 0 || pixel[0] >= size[0] || pixel[1] >= size[1])
+    if (!depths || depths->GetNumberOfValues() != static_cast<vtkIdType>(size[0]) * size[1] || pixel[0] < 0 ||
+      pixel[1] < 0 || pixel[0] >= size[0] || pixel[1] >= size[1])
     {
       return false;
     }

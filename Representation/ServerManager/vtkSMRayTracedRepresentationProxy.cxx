@@ -94,8 +94,7 @@ vtkSMProxy* vtkSMRayTracedRepresentationProxy::FindView()
 bool vtkSMRayTracedRepresentationProxy::IsExposed(const char* name)
 {
   vtkSMProxy* display = this->GetTrueParentProxy();
-  return display && display->GetProperty(name) &&
-    display->GetProperty(name) == this->GetProperty(name);
+  return display && display->GetProperty(name) && display->GetProperty(name) == this->GetProperty(name);
 }
 
 //----------------------------------------------------------------------------
@@ -114,8 +113,7 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     // The last word counts: another number asks for its own table, until somebody chooses one.
     const bool table = strcmp(name, "GlyphTensorLookupTable") == 0;
-    const bool number =
-      strcmp(name, "GlyphTensorColoring") == 0 || strcmp(name, "GlyphTensorArray") == 0;
+    const bool number = strcmp(name, "GlyphTensorColoring") == 0 || strcmp(name, "GlyphTensorArray") == 0;
     this->TensorTableChosen = table || (this->TensorTableChosen && !number);
   }
   if (flag && name && !sharing && this->HoldsForView(name))
@@ -219,8 +217,7 @@ void vtkSMRayTracedRepresentationProxy::Rendered(vtkObject*, unsigned long, void
 {
   vtkSMProxy* display = this->GetTrueParentProxy();
   const bool turning = interactive && *static_cast<int*>(interactive);
-  if (!turning && this->IsExposed("RenderStatistics") &&
-    vtkSMPropertyHelper(display, "Visibility").GetAsInt() &&
+  if (!turning && this->IsExposed("RenderStatistics") && vtkSMPropertyHelper(display, "Visibility").GetAsInt() &&
     strncmp(vtkSMPropertyHelper(display, "Representation").GetAsString(), "Ray Traced", 10) == 0)
   {
     this->UpdatePropertyInformation();
@@ -246,8 +243,7 @@ void vtkSMRayTracedRepresentationProxy::UpdateTensorTable(vtkSMProxy* view)
   const int shape = vtkSMPropertyHelper(this, "GlyphShape").GetAsInt();
   const char* array = vtkSMPropertyHelper(this, "GlyphTensorArray").GetAsString();
   std::string name;
-  if (local && local->GetVisibility() && shape >= 6 && shape <= 8 && array && array[0] &&
-    strcmp(array, "None") != 0)
+  if (local && local->GetVisibility() && shape >= 6 && shape <= 8 && array && array[0] && strcmp(array, "None") != 0)
   {
     name = coloring == trace             ? std::string(array) + " Trace"
       : coloring == fractionalAnisotropy ? std::string(array) + " Fractional Anisotropy"
@@ -256,10 +252,7 @@ void vtkSMRayTracedRepresentationProxy::UpdateTensorTable(vtkSMProxy* view)
   vtkNew<vtkSMTransferFunctionManager> tables;
   vtkSMSessionProxyManager* proxies = this->GetSessionProxyManager();
   const auto barOf = [&](const std::string& of)
-  {
-    return tables->GetScalarBarRepresentation(
-      tables->GetColorTransferFunction(of.c_str(), proxies), view);
-  };
+  { return tables->GetScalarBarRepresentation(tables->GetColorTransferFunction(of.c_str(), proxies), view); };
   if (name != this->TensorTableName && !this->TensorTableName.empty())
   {
     if (vtkSMProxy* bar = barOf(this->TensorTableName))
@@ -279,15 +272,13 @@ void vtkSMRayTracedRepresentationProxy::UpdateTensorTable(vtkSMProxy* view)
   this->UpdatePropertyInformation(range);
   double found[2];
   vtkSMPropertyHelper(range).Get(found, 2);
-  if (found[0] <= found[1] &&
-    (fresh || found[0] != this->TensorRange[0] || found[1] != this->TensorRange[1]))
+  if (found[0] <= found[1] && (fresh || found[0] != this->TensorRange[0] || found[1] != this->TensorRange[1]))
   {
     vtkSMTransferFunctionProxy::RescaleTransferFunction(table, found[0], found[1]);
     this->TensorRange[0] = found[0];
     this->TensorRange[1] = found[1];
   }
-  if (!this->TensorTableChosen &&
-    vtkSMPropertyHelper(this, "GlyphTensorLookupTable").GetAsProxy() != table)
+  if (!this->TensorTableChosen && vtkSMPropertyHelper(this, "GlyphTensorLookupTable").GetAsProxy() != table)
   {
     vtkSMPropertyHelper(this, "GlyphTensorLookupTable").Set(table);
     this->UpdateVTKObjects();

@@ -2,12 +2,12 @@
  * @class   vtkSMRayTracedRepresentationProxy
  * @brief   the client's side of ray-traced glyphs and surfaces
  *
- * - Properties with the hint OfView hold for the whole view: a change on one of its displays is a change on all, and a display
- *   that is added takes the values of those that are there.
+ * - Properties with the hint OfView hold for the whole view: a change on one of its displays is a change on all, and a
+ * display that is added takes the values of those that are there.
  * - Path tracing's material (PathMetallic and so on) has the values of the ordinary surface's (Metallic).
  * - Information properties speak of the process that renders, and are current after each render. ParaView asks the
- *   client for information about whatever is there too; with remote rendering nothing happens there, and the server's first
- *   rank is asked.
+ *   client for information about whatever is there too; with remote rendering nothing happens there, and the server's
+ * first rank is asked.
  * - Numbers of tensors (GlyphTensorColoring) have a lookup table and a scalar bar of their own.
  */
 #ifndef vtkSMRayTracedRepresentationProxy_h

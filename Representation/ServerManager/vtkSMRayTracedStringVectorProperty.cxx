@@ -7,8 +7,7 @@ vtkStandardNewMacro(vtkSMRayTracedStringVectorProperty);
 //----------------------------------------------------------------------------
 bool vtkSMRayTracedStringVectorProperty::IsValueDefault()
 {
-  return this->Superclass::IsValueDefault() ||
-    (!vtkSMRayTracedDefault::IsShown(this) && this->Default.Has(this));
+  return this->Superclass::IsValueDefault() || (!vtkSMRayTracedDefault::IsShown(this) && this->Default.Has(this));
 }
 
 //----------------------------------------------------------------------------

@@ -2,7 +2,8 @@
  * @class   vtkSMRayTracedStringVectorProperty
  * @brief   an array's name, or another text, of this plugin
  *
- * Its value counts as the default where ParaView has chosen it and nothing ray traced is shown; see vtkSMRayTracedDefault.
+ * Its value counts as the default where ParaView has chosen it and nothing ray traced is shown; see
+ * vtkSMRayTracedDefault.
  */
 #ifndef vtkSMRayTracedStringVectorProperty_h
 #define vtkSMRayTracedStringVectorProperty_h
@@ -13,8 +14,7 @@
 #include "vtkSMRayTracedDefault.h"
 #endif
 
-class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedStringVectorProperty
-  : public vtkSMStringVectorProperty
+class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedStringVectorProperty : public vtkSMStringVectorProperty
 {
 public:
   static vtkSMRayTracedStringVectorProperty* New();

@@ -51,8 +51,7 @@ glm::dvec3 Middle(vtkDataArray* points, const vtkGlyphPlacement& placement)
 std::vector<glm::vec3> Turn(vtkDataArray* array, const vtkGlyphPlacement& placement)
 {
   const glm::dmat3& m = placement.Linear;
-  const glm::dmat3 cofactors(
-    glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+  const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
   std::vector<glm::vec3> normals(array->GetNumberOfTuples(), glm::vec3(0.0f));
   vtkRayTracedParallel::ForChunks(array->GetNumberOfTuples(),
     [&](vtkIdType begin, vtkIdType end)
@@ -75,12 +74,11 @@ void AddTriangles(vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& t
   vtkRayTracedTriangleBuilder::Result& result)
 {
   const std::vector<glm::vec3>& positions = result.Mesh.positions;
-  auto* blocks = vtkUnsignedIntArray::SafeDownCast(
-    polygons->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));
+  auto* blocks =
+    vtkUnsignedIntArray::SafeDownCast(polygons->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));
   vtkIdType cell = polygons->GetNumberOfVerts() + polygons->GetNumberOfLines();
   auto iterator = vtk::TakeSmartPointer(polygons->GetPolys()->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal();
-       iterator->GoToNextCell(), ++cell)
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell(), ++cell)
   {
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
@@ -93,8 +91,7 @@ void AddTriangles(vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& t
     for (vtkIdType i = 2; i < size; ++i)
     {
       glm::uvec3 triangle(corners[0], corners[i - 1], corners[i]);
-      if (!IsFinite(positions[triangle.x]) || !IsFinite(positions[triangle.y]) ||
-        !IsFinite(positions[triangle.z]))
+      if (!IsFinite(positions[triangle.x]) || !IsFinite(positions[triangle.y]) || !IsFinite(positions[triangle.z]))
       {
         ++result.Skipped;
         continue;
@@ -110,8 +107,7 @@ void AddTriangles(vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& t
 }
 
 // Positions whose motion is not finite become so themselves.
-void AddMotion(
-  const vtkGlyphMotion& motion, const vtkGlyphPlacement& placement, rtg::TriangleMesh& mesh)
+void AddMotion(const vtkGlyphMotion& motion, const vtkGlyphPlacement& placement, rtg::TriangleMesh& mesh)
 {
   motion.Allocate(mesh.motion, mesh.positions.size());
   vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.positions.size()),
@@ -132,9 +128,8 @@ void AddMotion(
   motion.Finish(mesh.motion);
 }
 
-vtkRayTracedTriangleBuilder::Result Build(vtkPolyData* polygons,
-  const vtkGlyphBlockAttributes::Table& blocks, const vtkGlyphPlacement& placement, bool smooth,
-  bool relative, const vtkGlyphMotion* motion)
+vtkRayTracedTriangleBuilder::Result Build(vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& blocks,
+  const vtkGlyphPlacement& placement, bool smooth, bool relative, const vtkGlyphMotion* motion)
 {
   vtkRayTracedTriangleBuilder::Result result;
   if (!polygons->GetPoints() || polygons->GetNumberOfPoints() == 0)
@@ -175,17 +170,14 @@ vtkRayTracedTriangleBuilder::Result Build(vtkPolyData* polygons,
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedTriangleBuilder::Result vtkRayTracedTriangleBuilder::BuildRelative(
-  vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld,
-  bool smooth, const vtkGlyphMotion& motion)
+vtkRayTracedTriangleBuilder::Result vtkRayTracedTriangleBuilder::BuildRelative(vtkPolyData* polygons,
+  const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld, bool smooth, const vtkGlyphMotion& motion)
 {
-  return Build(
-    polygons, blocks, vtkGlyphPlacement(modelToWorld), smooth, /*relative=*/true, &motion);
+  return Build(polygons, blocks, vtkGlyphPlacement(modelToWorld), smooth, /*relative=*/true, &motion);
 }
 
 //----------------------------------------------------------------------------
 vtkRayTracedTriangleBuilder::Result vtkRayTracedTriangleBuilder::BuildInPlace(vtkPolyData* polygons)
 {
-  return Build(
-    polygons, {}, vtkGlyphPlacement(nullptr), /*smooth=*/true, /*relative=*/false, nullptr);
+  return Build(polygons, {}, vtkGlyphPlacement(nullptr), /*smooth=*/true, /*relative=*/false, nullptr);
 }

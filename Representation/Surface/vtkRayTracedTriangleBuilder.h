@@ -25,8 +25,8 @@ class vtkRayTracedTriangleBuilder
 public:
   struct Result
   {
-    rtg::TriangleMesh Mesh;   // without colors; positions are those of the points, in their order
-    glm::dvec3 Origin{ 0.0 }; // that positions are relative to
+    rtg::TriangleMesh Mesh;       // without colors; positions are those of the points, in their order
+    glm::dvec3 Origin{ 0.0 };     // that positions are relative to
     std::vector<vtkIdType> Cells; // of each triangle
     vtkIdType Skipped = 0;        // triangles
   };

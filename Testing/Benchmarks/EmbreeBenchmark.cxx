@@ -55,8 +55,7 @@ void SphereIntersect(const RTCIntersectFunctionNArguments* arguments)
   auto& hit = reinterpret_cast<RTCRayHit*>(arguments->rayhit)->hit;
 
   // Nearest point of the ray to the centre first: stable far from the sphere.
-  const glm::vec3 origin(ray.org_x, ray.org_y, ray.org_z),
-    direction(ray.dir_x, ray.dir_y, ray.dir_z);
+  const glm::vec3 origin(ray.org_x, ray.org_y, ray.org_z), direction(ray.dir_x, ray.dir_y, ray.dir_z);
   const glm::vec3 toCentre = spheres.centres[arguments->primID] - origin;
   const float directionSquared = glm::dot(direction, direction);
   const float middle = glm::dot(toCentre, direction) / directionSquared;
@@ -143,10 +142,8 @@ private:
   void Ray(int column, int row)
   {
     const rtg::Camera& camera = this->camera_;
-    const double x = (column + 0.5) / this->pixels_ * 2.0 - 1.0,
-                 y = (row + 0.5) / this->pixels_ * 2.0 - 1.0;
-    const glm::vec3 origin(camera.eye),
-      direction(camera.forward + x * camera.right + y * camera.up);
+    const double x = (column + 0.5) / this->pixels_ * 2.0 - 1.0, y = (row + 0.5) / this->pixels_ * 2.0 - 1.0;
+    const glm::vec3 origin(camera.eye), direction(camera.forward + x * camera.right + y * camera.up);
     RTCRayHit query = {};
     query.ray.org_x = origin.x;
     query.ray.org_y = origin.y;
@@ -199,16 +196,13 @@ public:
   void Frame()
   {
     const double wall = WallSeconds(), cpu = benchmark::CpuSeconds();
-    const rtg::Image image =
-      this->tracer_.Trace(this->scene_, this->camera_, this->lights_, this->settings_);
+    const rtg::Image image = this->tracer_.Trace(this->scene_, this->camera_, this->lights_, this->settings_);
     this->result.wall.push_back(WallSeconds() - wall);
     this->result.cpu.push_back(benchmark::CpuSeconds() - cpu);
     this->result.depth.assign(image.depth, image.depth + std::size_t(image.width) * image.height);
     for (float& depth : this->result.depth)
     {
-      depth = depth < 1.0f
-        ? static_cast<float>(this->camera_.depthB / (depth - this->camera_.depthA))
-        : INFINITY;
+      depth = depth < 1.0f ? static_cast<float>(this->camera_.depthB / (depth - this->camera_.depthA)) : INFINITY;
     }
   }
 
@@ -226,8 +220,7 @@ private:
 void Print(const char* name, const Result& result)
 {
   const double cpu = benchmark::Quantile(result.cpu, 0.5);
-  std::printf("%-22s %8.3f %8.3f %8.3f %16.2f\n", name, result.build,
-    benchmark::Quantile(result.wall, 0.5), cpu,
+  std::printf("%-22s %8.3f %8.3f %8.3f %16.2f\n", name, result.build, benchmark::Quantile(result.wall, 0.5), cpu,
     1e-6 * static_cast<double>(result.depth.size()) / cpu);
 }
 
@@ -264,19 +257,16 @@ try
   {
     hits += std::isfinite(a[i]);
     // Window depth as a float resolves view depth to 1e-4 here.
-    differ += std::isfinite(a[i]) != std::isfinite(b[i]) ||
-      (std::isfinite(a[i]) && std::abs(a[i] - b[i]) > 1e-3f);
+    differ += std::isfinite(a[i]) != std::isfinite(b[i]) || (std::isfinite(a[i]) && std::abs(a[i] - b[i]) > 1e-3f);
   }
-  std::printf("%zu spheres, %d x %d primary rays, %.1f%% hit, %zu pixels differ\n",
-    spheres.centres.size(), pixels, pixels,
-    100.0 * static_cast<double>(hits) / static_cast<double>(a.size()), differ);
-  std::printf("%-22s %8s %8s %8s %16s   (medians of %d frames in turns)\n", "", "build s", "wall s",
-    "CPU s", "Mray/s per core", repetitions);
+  std::printf("%zu spheres, %d x %d primary rays, %.1f%% hit, %zu pixels differ\n", spheres.centres.size(), pixels,
+    pixels, 100.0 * static_cast<double>(hits) / static_cast<double>(a.size()), differ);
+  std::printf("%-22s %8s %8s %8s %16s   (medians of %d frames in turns)\n", "", "build s", "wall s", "CPU s",
+    "Mray/s per core", repetitions);
   Print("Embree, single rays", embree.result);
   Print("ray-traced glyphs", ours.result);
-  std::printf("ours / Embree: %.2f (quartiles %.2f, %.2f; asked: 0.30)\n",
-    benchmark::Quantile(ratios, 0.5), benchmark::Quantile(ratios, 0.25),
-    benchmark::Quantile(ratios, 0.75));
+  std::printf("ours / Embree: %.2f (quartiles %.2f, %.2f; asked: 0.30)\n", benchmark::Quantile(ratios, 0.5),
+    benchmark::Quantile(ratios, 0.25), benchmark::Quantile(ratios, 0.75));
   return differ > a.size() / 1000 ? 1 : 0;
 }
 catch (const std::exception& error)

@@ -86,8 +86,8 @@ inline Spheres ReadSpheres(const std::string& path)
 }
 
 /// A camera at `eye` that looks at `target` with a square view of `degrees`.
-inline rtg::Camera LookAt(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up, double degrees,
-  double nearDepth, double farDepth)
+inline rtg::Camera
+LookAt(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up, double degrees, double nearDepth, double farDepth)
 {
   const double tangent = std::tan(glm::radians(0.5 * degrees));
   rtg::Camera camera;
@@ -105,8 +105,7 @@ inline rtg::Camera LookAt(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up, doub
 /// The camera of spheres_280k.py: the box's near face just fills a square view of 30 degrees.
 inline rtg::Camera SpheresCamera()
 {
-  return LookAt(
-    { 50.0, 50.0, 286.6025 }, { 50.0, 50.0, 0.0 }, { 0.0, 1.0, 0.0 }, 30.0, 180.0, 300.0);
+  return LookAt({ 50.0, 50.0, 286.6025 }, { 50.0, 50.0, 0.0 }, { 0.0, 1.0, 0.0 }, 30.0, 180.0, 300.0);
 }
 
 } // namespace benchmark

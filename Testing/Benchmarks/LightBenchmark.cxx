@@ -1,18 +1,20 @@
 // What light costs and how far from the truth it is.
 //
 // LightBenchmark cost SCENE [PIXELS] [REPETITIONS]
-//   Seconds of an image with local shading, with one ray of ambient occlusion, and path-traced with 1, 2, ... bounces; ratios to
-//   local shading, medians of so many turns.
+//   Seconds of an image with local shading, with one ray of ambient occlusion, and path-traced with 1, 2, ... bounces;
+//   ratios to local shading, medians of so many turns.
 // LightBenchmark error SCENE OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]
-//   Of 3 x 3 squares of PIXELS x PIXELS, evenly spread over the scene's view: mean squared error against a reference of independent
-//   samples, by shading, sampler, samples and seconds, as traced, denoised and blurred. References are kept beside OUTPUT and used again.
+//   Of 3 x 3 squares of PIXELS x PIXELS, evenly spread over the scene's view: mean squared error against a reference of
+//   independent samples, by shading, sampler, samples and seconds, as traced, denoised and blurred. References are kept
+//   beside OUTPUT and used again.
 // LightBenchmark variance SCENE [PIXELS] [SIDE]
-//   Of the middle PIXELS x PIXELS of the view: the variance of one sample, split into what the place in the pixel alone decides, what the directions after it alone
-//   decide, and what only both together do, which is what samples spread well in each of them cannot take away. SIDE^2 places
-//   by SIDE^2 choices of directions a pixel.
+//   Of the middle PIXELS x PIXELS of the view: the variance of one sample, split into what the place in the pixel alone
+//   decides, what the directions after it alone decide, and what only both together do, which is what samples spread
+//   well in each of them cannot take away. SIDE^2 places by SIDE^2 choices of directions a pixel.
 // LightBenchmark picture SCENE OUTPUT.ppm [PIXELS] [SAMPLES]
 //   That part of the view, ambient occlusion beside path tracing, to be looked at.
-// SCENE: a file by Data/spheres_280k.py or Data/helix.py, or one of Data/impact, whose velocities become arrows in a vessel.
+// SCENE: a file by Data/spheres_280k.py or Data/helix.py, or one of Data/impact, whose velocities become arrows in a
+// vessel.
 #include "Denoiser.h"
 #include "LightScenes.h"
 #include "Measures.h"
@@ -35,8 +37,7 @@ using rtg::Sampler;
 using rtg::Shading;
 
 constexpr std::pair<const char*, Sampler> samplers[] = { { "random", Sampler::Random },
-  { "stratified", Sampler::Stratified }, { "sobol", Sampler::Sobol },
-  { "blue noise", Sampler::BlueNoise } };
+  { "stratified", Sampler::Stratified }, { "sobol", Sampler::Sobol }, { "blue noise", Sampler::BlueNoise } };
 constexpr std::pair<const char*, Shading> shadings[] = { { "occlusion", Shading::AmbientOcclusion },
   { "path", Shading::PathTracing } };
 
@@ -49,7 +50,8 @@ struct Costly
   std::uint32_t bounces = 1;
 };
 
-// All are taken in turns, and of several turns the median of the ratio to local shading's time counts: the machine's speed changes.
+// All are taken in turns, and of several turns the median of the ratio to local shading's time counts: the machine's
+// speed changes.
 void MeasureCost(LightScene& subject, int pixels, int repetitions)
 {
   std::vector<Costly> all{ { "local" } };
@@ -59,8 +61,7 @@ void MeasureCost(LightScene& subject, int pixels, int repetitions)
   }
   for (std::uint32_t bounces : { 1, 2, 3, 4, 6, 8, 10 })
   {
-    all.push_back({ "path, " + std::to_string(bounces) + " bounces", Shading::PathTracing,
-      Sampler::Sobol, bounces });
+    all.push_back({ "path, " + std::to_string(bounces) + " bounces", Shading::PathTracing, Sampler::Sobol, bounces });
   }
   rtg::Tracer tracer(subject.device);
   rtg::TraceSettings settings;
@@ -86,14 +87,13 @@ void MeasureCost(LightScene& subject, int pixels, int repetitions)
       }
     }
   }
-  std::printf("%s, %d x %d, one sample a pixel, medians of %d\n%-24s %10s %14s %20s\n",
-    subject.device->Name().c_str(), pixels, pixels, repetitions, "", "CPU s", "local = 1",
-    "(quartiles)");
+  std::printf("%s, %d x %d, one sample a pixel, medians of %d\n%-24s %10s %14s %20s\n", subject.device->Name().c_str(),
+    pixels, pixels, repetitions, "", "CPU s", "local = 1", "(quartiles)");
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     const auto quantile = [&](double share) { return benchmark::Quantile(ratios[i], share); };
-    std::printf("%-24s %10.3f %14.2f %10.2f %9.2f\n", all[i].name.c_str(),
-      benchmark::Quantile(seconds[i], 0.5), quantile(0.5), quantile(0.25), quantile(0.75));
+    std::printf("%-24s %10.3f %14.2f %10.2f %9.2f\n", all[i].name.c_str(), benchmark::Quantile(seconds[i], 0.5),
+      quantile(0.5), quantile(0.25), quantile(0.75));
   }
 }
 
@@ -114,8 +114,7 @@ std::vector<rtg::Camera> SquaresOf(const LightScene& subject, int pixels, int as
   std::vector<rtg::Camera> squares;
   for (int i = 0; i < aside * aside; ++i)
   {
-    const double x = (2 * (i % aside) + 1.0) / aside - 1.0,
-                 y = (2 * (i / aside) + 1.0) / aside - 1.0;
+    const double x = (2 * (i % aside) + 1.0) / aside - 1.0, y = (2 * (i / aside) + 1.0) / aside - 1.0;
     squares.push_back(MiddleOf(subject, pixels));
     squares.back().forward += x * subject.camera.right + y * subject.camera.up;
   }
@@ -210,8 +209,7 @@ struct Squares
     this->denoising = 0.0;
     for (const rtg::Camera& camera : this->cameras)
     {
-      const rtg::Image image =
-        this->tracer.Trace(this->subject.scene, camera, this->lights, settings);
+      const rtg::Image image = this->tracer.Trace(this->subject.scene, camera, this->lights, settings);
       means.push_back(this->tracer.Means());
       if (settings.features)
       {
@@ -244,13 +242,11 @@ std::vector<Pixels> Blurred(std::vector<Pixels> squares, int side)
 }
 
 // Independent samples, which favour none of the samplers; from the file if it holds so many of so many pixels.
-std::vector<Pixels> Reference(
-  Squares& squares, rtg::TraceSettings settings, std::uint32_t samples, const std::string& path)
+std::vector<Pixels>
+Reference(Squares& squares, rtg::TraceSettings settings, std::uint32_t samples, const std::string& path)
 {
-  std::vector<Pixels> means(
-    squares.cameras.size(), Pixels(std::size_t(settings.width) * settings.height));
-  const std::uint32_t head[3] = { samples, settings.width,
-    static_cast<std::uint32_t>(means.size()) };
+  std::vector<Pixels> means(squares.cameras.size(), Pixels(std::size_t(settings.width) * settings.height));
+  const std::uint32_t head[3] = { samples, settings.width, static_cast<std::uint32_t>(means.size()) };
   std::uint32_t found[3] = {};
   const auto bytes = [](const Pixels& pixels)
   { return static_cast<std::streamsize>(pixels.size() * sizeof(glm::vec4)); };
@@ -276,10 +272,9 @@ std::vector<Pixels> Reference(
   return means;
 }
 
-// Processor seconds of a sample by each method. They are taken in turns, and of several turns the median of a method's share
-// counts: the machine's speed changes.
-std::vector<double>
-SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettings settings)
+// Processor seconds of a sample by each method. They are taken in turns, and of several turns the median of a method's
+// share counts: the machine's speed changes.
+std::vector<double> SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettings settings)
 {
   constexpr int turns = 9;
   std::vector<std::vector<double>> shares(methods.size());
@@ -314,15 +309,12 @@ SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettin
   return result;
 }
 
-void MeasureShading(LightScene& subject, const char* name, const std::string& output,
-  std::FILE* csv, int pixels, std::uint32_t referenceSamples, std::uint32_t mostSamples,
-  Shading shading)
+void MeasureShading(LightScene& subject, const char* name, const std::string& output, std::FILE* csv, int pixels,
+  std::uint32_t referenceSamples, std::uint32_t mostSamples, Shading shading)
 {
-  Squares squares{ rtg::Tracer(subject.device), subject, SquaresOf(subject, pixels),
-    LightsOf(shading), {} };
+  Squares squares{ rtg::Tracer(subject.device), subject, SquaresOf(subject, pixels), LightsOf(shading), {} };
   rtg::TraceSettings settings = SettingsOf(subject, pixels, shading);
-  const std::vector<Pixels> truth =
-    Reference(squares, settings, referenceSamples, output + "." + name + ".reference");
+  const std::vector<Pixels> truth = Reference(squares, settings, referenceSamples, output + "." + name + ".reference");
   const std::vector<Pixels> blurredTruth = Blurred(truth, pixels);
   const std::vector<Method> methods = Methods(shading);
   const std::vector<double> seconds = SecondsOf(squares, methods, settings);
@@ -340,7 +332,8 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
       settings.plannedSamples = settings.samples;
       const std::vector<Pixels> means = squares.Trace(settings);
       double error = SquaredError(means, truth);
-      // Random samples are the first of the reference's: they differ from it by less than from the truth, others by more.
+      // Random samples are the first of the reference's: they differ from it by less than from the truth, others by
+      // more.
       const double share = static_cast<double>(settings.samples) / referenceSamples;
       if (method.sampler == Sampler::Random && method.branches == 1 && method.guessing)
       {
@@ -354,17 +347,16 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
       {
         error = std::max(error - ownError, 0.0);
       }
-      std::fprintf(csv, "%s,%s,%u,%.5f,%.6g,%.6g,%.6g,%.5f,%.6g\n", name, method.Name().c_str(),
-        settings.samples, seconds[i] * settings.samples, error, ownError,
-        std::max(SquaredError(squares.denoised, truth) - ownError, 0.0), squares.denoising,
-        SquaredError(Blurred(means, pixels), blurredTruth));
+      std::fprintf(csv, "%s,%s,%u,%.5f,%.6g,%.6g,%.6g,%.5f,%.6g\n", name, method.Name().c_str(), settings.samples,
+        seconds[i] * settings.samples, error, ownError, std::max(SquaredError(squares.denoised, truth) - ownError, 0.0),
+        squares.denoising, SquaredError(Blurred(means, pixels), blurredTruth));
       std::fflush(csv);
     }
   }
 }
 
-void MeasureError(LightScene& subject, const std::string& output, int pixels,
-  std::uint32_t referenceSamples, std::uint32_t mostSamples)
+void MeasureError(
+  LightScene& subject, const std::string& output, int pixels, std::uint32_t referenceSamples, std::uint32_t mostSamples)
 {
   std::FILE* csv = std::fopen(output.c_str(), "w");
   if (!csv)
@@ -382,15 +374,15 @@ void MeasureError(LightScene& subject, const std::string& output, int pixels,
   std::fclose(csv);
 }
 
-// The variance of one sample, averaged over pixels: analysis of variance of `places` by `directions` samples a pixel, in which
-// every place is seen with every choice of directions. What a pixel's first sample chooses depends on the pixel's number
-// alone, so a view moved by whole pixels sees the same with other choices, one moved by parts of a pixel other places with the same.
+// The variance of one sample, averaged over pixels: analysis of variance of `places` by `directions` samples a pixel,
+// in which every place is seen with every choice of directions. What a pixel's first sample chooses depends on the
+// pixel's number alone, so a view moved by whole pixels sees the same with other choices, one moved by parts of a pixel
+// other places with the same.
 struct VarianceParts
 {
   double place = 0.0, direction = 0.0, both = 0.0;
-  double adaptive =
-    0.0; ///< mean variance over squared mean deviation: what samples shared out by deviation would gain
-  double covered = 0.0; ///< share of the samples that hit something
+  double adaptive = 0.0; ///< mean variance over squared mean deviation: what samples shared out by deviation would gain
+  double covered = 0.0;  ///< share of the samples that hit something
 
   double Total() const { return this->place + this->direction + this->both; }
 };
@@ -409,8 +401,7 @@ VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading s
   std::uniform_real_distribution<double> within(-0.5, 0.5);
 
   // Sums over the other factor, and over both, of the samples and of their squares.
-  std::vector<glm::dvec3> ofPlaces(count * factors), ofDirections(count * factors), all(count),
-    squares(count);
+  std::vector<glm::dvec3> ofPlaces(count * factors), ofDirections(count * factors), all(count), squares(count);
   VarianceParts parts;
   for (int place = 0; place < factors; ++place)
   {
@@ -419,8 +410,8 @@ VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading s
     {
       const int dx = choice % side, dy = choice / side;
       const double pixel = 2.0 / (pixels + side);
-      camera.forward = forward + (x + 0.5 * side - dx) * pixel * camera.right +
-        (y + 0.5 * side - dy) * pixel * camera.up;
+      camera.forward =
+        forward + (x + 0.5 * side - dx) * pixel * camera.right + (y + 0.5 * side - dy) * pixel * camera.up;
       tracer.Trace(subject.scene, camera, lights, settings);
       const Pixels means = tracer.Means();
       for (std::size_t i = 0; i < count; ++i)
@@ -450,14 +441,12 @@ VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading s
     const glm::dvec3 both = (squares[i] - mean - byPlaces - byDirections) / ((n - 1.0) * (n - 1.0));
     const glm::dvec3 place = (byPlaces / (n - 1.0) - both) / n;
     const glm::dvec3 direction = (byDirections / (n - 1.0) - both) / n;
-    const auto channels = [&](const glm::dvec3& v)
-    { return (v.x + v.y + v.z) / (3.0 * static_cast<double>(count)); };
+    const auto channels = [&](const glm::dvec3& v) { return (v.x + v.y + v.z) / (3.0 * static_cast<double>(count)); };
     parts.place += channels(place);
     parts.direction += channels(direction);
     parts.both += channels(both);
     const glm::dvec3 whole = place + direction + both;
-    deviation +=
-      std::sqrt(std::max((whole.x + whole.y + whole.z) / 3.0, 0.0)) / static_cast<double>(count);
+    deviation += std::sqrt(std::max((whole.x + whole.y + whole.z) / 3.0, 0.0)) / static_cast<double>(count);
   }
   parts.adaptive = parts.Total() / (deviation * deviation);
   parts.covered /= static_cast<double>(count) * n * n;
@@ -466,14 +455,13 @@ VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading s
 
 void MeasureVariance(LightScene& subject, int pixels, int side)
 {
-  std::printf("%-12s %12s %8s %11s %8s %10s %9s\n", "", "variance", "place", "directions", "both",
-    "adaptive", "covered");
+  std::printf(
+    "%-12s %12s %8s %11s %8s %10s %9s\n", "", "variance", "place", "directions", "both", "adaptive", "covered");
   for (const auto& [name, shading] : shadings)
   {
     const VarianceParts parts = SplitVariance(subject, pixels, side, shading);
-    std::printf("%-12s %12.4g %8.3f %11.3f %8.3f %10.2f %9.3f\n", name, parts.Total(),
-      parts.place / parts.Total(), parts.direction / parts.Total(), parts.both / parts.Total(),
-      parts.adaptive, parts.covered);
+    std::printf("%-12s %12.4g %8.3f %11.3f %8.3f %10.2f %9.3f\n", name, parts.Total(), parts.place / parts.Total(),
+      parts.direction / parts.Total(), parts.both / parts.Total(), parts.adaptive, parts.covered);
     std::fflush(stdout);
   }
 }
@@ -515,8 +503,7 @@ int main(int argc, char** argv)
 try
 {
   const std::string what = argc > 2 ? argv[1] : "";
-  const auto number = [&](int at, int otherwise)
-  { return argc > at ? std::atoi(argv[at]) : otherwise; };
+  const auto number = [&](int at, int otherwise) { return argc > at ? std::atoi(argv[at]) : otherwise; };
   if (what != "cost" && what != "variance" && !((what == "error" || what == "picture") && argc > 3))
   {
     std::fprintf(stderr,
@@ -534,10 +521,7 @@ try
     MeasureCost(subject, number(3, 1200), number(4, 9));
     return 0;
   }
-  const int pixels = number(what == "variance" ? 3 : 4,
-    what == "picture"   ? 64
-      : what == "error" ? 24
-                        : 32);
+  const int pixels = number(what == "variance" ? 3 : 4, what == "picture" ? 64 : what == "error" ? 24 : 32);
   if (what == "variance")
   {
     MeasureVariance(subject, pixels, number(4, 8));

@@ -64,8 +64,8 @@ inline rtg::TriangleMesh Vessel(glm::vec3 low, glm::vec3 high)
     mesh.positions.emplace_back(
       corner & 1u ? high.x : low.x, corner & 2u ? high.y : low.y, corner & 4u ? high.z : low.z);
   }
-  mesh.triangles = { { 0, 1, 3 }, { 0, 3, 2 }, { 2, 3, 7 }, { 2, 7, 6 }, { 0, 2, 6 }, { 0, 6, 4 },
-    { 1, 5, 7 }, { 1, 7, 3 } };
+  mesh.triangles = { { 0, 1, 3 }, { 0, 3, 2 }, { 2, 3, 7 }, { 2, 7, 6 }, { 0, 2, 6 }, { 0, 6, 4 }, { 1, 5, 7 },
+    { 1, 7, 3 } };
   return mesh;
 }
 
@@ -92,8 +92,7 @@ inline void AddArrowsInVessel(LightScene& subject, const std::string& path)
     }
     // The shortest turn of x to the velocity.
     const glm::vec3 d = velocities[i] / speed;
-    const glm::vec4 turn =
-      d.x > -0.9999f ? glm::vec4(0.0f, -d.z, d.y, 1.0f + d.x) : glm::vec4(0, 0, 1, 0);
+    const glm::vec4 turn = d.x > -0.9999f ? glm::vec4(0.0f, -d.z, d.y, 1.0f + d.x) : glm::vec4(0, 0, 1, 0);
     instances.centres.push_back(points[i] - glm::vec3(instances.origin));
     instances.sizes3.push_back(glm::vec3(0.3f * speed));
     instances.rotations.push_back(glm::normalize(turn));
@@ -109,8 +108,7 @@ inline void AddArrowsInVessel(LightScene& subject, const std::string& path)
   walls.origin = glm::dvec3(origin);
   walls.centres = { glm::vec3(0.0f) };
   Show(subject, std::move(walls), { 0.85f, 0.83f, 0.8f });
-  subject.camera =
-    LookAt({ 10.0, -26.0, 24.0 }, { 14.3, 14.0, 5.5 }, { 0.0, 0.0, 1.0 }, 30.0, 5.0, 100.0);
+  subject.camera = LookAt({ 10.0, -26.0, 24.0 }, { 14.3, 14.0, 5.5 }, { 0.0, 0.0, 1.0 }, 30.0, 5.0, 100.0);
   subject.side = 400;
   subject.radius = 8.0f;
 }
@@ -142,21 +140,18 @@ inline void AddTensors(LightScene& subject, const std::string& path)
       continue;
     }
     const std::vector<double> tensor(tensors.begin() + 6 * i, tensors.begin() + 6 * i + 6);
-    const rtg::TensorGlyph glyph =
-      rtg::MakeTensorGlyph(rtg::Decompose(rtg::MakeTensor(tensor.data(), rtg::TensorLayout::Vtk)),
-        rtg::TensorGlyphKind::Superquadric, 3.0);
+    const rtg::TensorGlyph glyph = rtg::MakeTensorGlyph(
+      rtg::Decompose(rtg::MakeTensor(tensor.data(), rtg::TensorLayout::Vtk)), rtg::TensorGlyphKind::Superquadric, 3.0);
     const glm::dvec3 at(i % side, i / side % side, i / side / side);
     instances.centres.emplace_back(at * spacing - 1.0);
     // The largest eigenvalue is 1.7, and the longest glyph is to be 1.3 spacings long.
     instances.sizes3.emplace_back(glyph.halfLengths * (1.3 * spacing / 1.7));
-    instances.rotations.emplace_back(
-      glyph.rotation.x, glyph.rotation.y, glyph.rotation.z, glyph.rotation.w);
+    instances.rotations.emplace_back(glyph.rotation.x, glyph.rotation.y, glyph.rotation.z, glyph.rotation.w);
     instances.exponents3.emplace_back(glyph.exponents);
   }
   Show(subject, std::move(instances), { 0.85f, 0.8f, 0.7f });
   // At the turn in front, which is about the helix at -49 degrees.
-  subject.camera =
-    LookAt({ 2.6, -3.0, 1.9 }, { 0.39, -0.45, -0.12 }, { 0.0, 0.0, 1.0 }, 30.0, 1.0, 10.0);
+  subject.camera = LookAt({ 2.6, -3.0, 1.9 }, { 0.39, -0.45, -0.12 }, { 0.0, 0.0, 1.0 }, 30.0, 1.0, 10.0);
   subject.side = 400;
 }
 

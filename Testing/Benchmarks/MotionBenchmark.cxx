@@ -1,11 +1,11 @@
 // What motion blur costs and how far from the truth it is.
 //
 // MotionBenchmark cost SPHERES [PIXELS] [SAMPLES]
-//   Processor seconds of one sample a pixel, over those of the same spheres at rest, by path length, number of time slices and
-//   sampling of time; and seconds to build.
+//   Processor seconds of one sample a pixel, over those of the same spheres at rest, by path length, number of time
+//   slices and sampling of time; and seconds to build.
 // MotionBenchmark error SPHERES OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]
-//   Of the middle PIXELS x PIXELS of an image of 1200 x 1200: mean squared error against a reference of independent samples, by
-//   scheme, path length, samples and seconds.
+//   Of the middle PIXELS x PIXELS of an image of 1200 x 1200: mean squared error against a reference of independent
+//   samples, by scheme, path length, samples and seconds.
 // SPHERES: a file by Data/spheres_280k.py. Paths are in radii, along the file's velocities, and straight.
 #include "Files.h"
 #include "Measures.h"
@@ -37,8 +37,7 @@ Subject Load(const std::string& path)
   subject.spheres = benchmark::ReadSpheres(path);
   std::ifstream in(path, std::ios::binary);
   benchmark::ReadPoints(in);
-  subject.velocities =
-    benchmark::ToVectors(benchmark::ReadArray(in, "velocity", 3 * subject.spheres.centres.size()));
+  subject.velocities = benchmark::ToVectors(benchmark::ReadArray(in, "velocity", 3 * subject.spheres.centres.size()));
   for (glm::vec3& velocity : subject.velocities)
   {
     velocity = glm::normalize(velocity);
@@ -47,8 +46,7 @@ Subject Load(const std::string& path)
 }
 
 // The spheres at a fraction of the shutter's opening, at rest; or with the motion of a path of so many radii.
-rtg::GlyphInstances
-Instances(const Subject& subject, double path, bool moving, double fraction = 0.5)
+rtg::GlyphInstances Instances(const Subject& subject, double path, bool moving, double fraction = 0.5)
 {
   const auto length = static_cast<float>(path * subject.spheres.radius);
   rtg::GlyphInstances instances;
@@ -58,8 +56,7 @@ Instances(const Subject& subject, double path, bool moving, double fraction = 0.
   {
     const glm::vec3 displacement = length * subject.velocities[i];
     const auto time = static_cast<float>(fraction - 0.5);
-    instances.centres.push_back(
-      subject.spheres.centres[i] - glm::vec3(50.0f) + (moving ? 0.0f : time) * displacement);
+    instances.centres.push_back(subject.spheres.centres[i] - glm::vec3(50.0f) + (moving ? 0.0f : time) * displacement);
     if (moving)
     {
       instances.motion.velocities.push_back(displacement);
@@ -91,8 +88,7 @@ struct Scene
 };
 
 // Processor seconds of an image after one that compiles.
-double
-Cost(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const rtg::TraceSettings& settings)
+double Cost(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const rtg::TraceSettings& settings)
 {
   rtg::TraceSettings first = settings;
   first.samples = 1;
@@ -112,8 +108,8 @@ void MeasureCost(const Subject& subject, std::uint32_t pixels, std::uint32_t sam
   settings.keepSums = true;
   rtg::Tracer tracer(subject.device);
   Scene scene(subject);
-  std::printf("%u x %u, %u samples\n%8s %7s %7s %10s %12s %10s\n", pixels, pixels, samples, "radii",
-    "slices", "shared", "build s", "s a sample", "at rest=1");
+  std::printf("%u x %u, %u samples\n%8s %7s %7s %10s %12s %10s\n", pixels, pixels, samples, "radii", "slices", "shared",
+    "build s", "s a sample", "at rest=1");
   for (const double path : paths)
   {
     scene.Show(Instances(subject, path, false));
@@ -126,9 +122,8 @@ void MeasureCost(const Subject& subject, std::uint32_t pixels, std::uint32_t sam
       const double build = scene.Show(Instances(subject, path, true));
       settings.sharedTimeBits = sharedBits;
       const double seconds = Cost(scene, tracer, subject, settings) / samples;
-      std::printf("%8.1f %6u%s %7d %10.2f %12.3f %10.2f %s\n", path,
-        1u << scene.scene.GetState().placedTimeSliceBits, bits < 0 ? "*" : " ", sharedBits, build,
-        seconds, seconds / still,
+      std::printf("%8.1f %6u%s %7d %10.2f %12.3f %10.2f %s\n", path, 1u << scene.scene.GetState().placedTimeSliceBits,
+        bits < 0 ? "*" : " ", sharedBits, build, seconds, seconds / still,
         sorting == rtg::SliceSorting::Always    ? "sorted"
           : sorting == rtg::SliceSorting::Never ? "not sorted"
                                                 : "");
@@ -174,8 +169,8 @@ struct Measured
   std::vector<glm::vec4> means;
 };
 
-Measured Trace(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const Scheme& scheme,
-  double path, rtg::TraceSettings settings)
+Measured Trace(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const Scheme& scheme, double path,
+  rtg::TraceSettings settings)
 {
   const std::vector<rtg::Light> lights(1);
   const auto trace = [&]
@@ -212,8 +207,8 @@ Measured Trace(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const 
   return measured;
 }
 
-void MeasureError(Subject& subject, const std::string& output, std::uint32_t pixels,
-  std::uint32_t referenceSamples, std::uint32_t mostSamples)
+void MeasureError(Subject& subject, const std::string& output, std::uint32_t pixels, std::uint32_t referenceSamples,
+  std::uint32_t mostSamples)
 {
   std::FILE* csv = std::fopen(output.c_str(), "w");
   if (!csv)
@@ -224,8 +219,7 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
   const double whole = 1200.0 * 1200.0 / (double(pixels) * pixels);
   subject.camera.right *= pixels / 1200.0;
   subject.camera.up *= pixels / 1200.0;
-  std::fprintf(csv,
-    "radii,scheme,samples,build_cpu_seconds,trace_cpu_seconds,mse,reference_mse,blurred_mse\n");
+  std::fprintf(csv, "radii,scheme,samples,build_cpu_seconds,trace_cpu_seconds,mse,reference_mse,blurred_mse\n");
   rtg::TraceSettings settings;
   settings.width = settings.height = pixels;
   settings.keepSums = true;
@@ -236,8 +230,7 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
     settings.samples = referenceSamples;
     std::fprintf(stderr, "%g radii: reference of %u samples\n", path, referenceSamples);
     const Measured truth = Trace(scene, tracer, subject, schemes[1], path, settings);
-    const std::vector<glm::vec4> blurredTruth =
-      benchmark::Blurred(truth.means, static_cast<int>(pixels));
+    const std::vector<glm::vec4> blurredTruth = benchmark::Blurred(truth.means, static_cast<int>(pixels));
     // Random times' error falls as 1 / samples, so what they measure tells the reference's own part.
     double referenceError = 0.0;
     for (const Scheme& scheme : schemes)
@@ -250,10 +243,9 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
         {
           referenceError = error / (1.0 + double(referenceSamples) / settings.samples);
         }
-        std::fprintf(csv, "%g,%s,%u,%.4f,%.4f,%.6g,%.6g,%.6g\n", path, scheme.name,
-          settings.samples, found.build, found.trace * whole, error, referenceError,
-          benchmark::SquaredError(
-            benchmark::Blurred(found.means, static_cast<int>(pixels)), blurredTruth));
+        std::fprintf(csv, "%g,%s,%u,%.4f,%.4f,%.6g,%.6g,%.6g\n", path, scheme.name, settings.samples, found.build,
+          found.trace * whole, error, referenceError,
+          benchmark::SquaredError(benchmark::Blurred(found.means, static_cast<int>(pixels)), blurredTruth));
         std::fflush(csv);
       }
     }

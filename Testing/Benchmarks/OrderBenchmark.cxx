@@ -1,8 +1,9 @@
 // What keeping the order of a time series' glyphs costs and saves, as they drift away from where they were sorted.
 // Usage: OrderBenchmark FILE [PIXELS] [REPETITIONS] [CSV]     FILE: written by Data/spheres_280k.py
 //
-// Every sphere goes its own way, evenly in all directions, by 0 to 4 mean distances of neighbours. Printed: by how much the nodes above the
-// leaves grow with the old order, processor seconds of an image with the old order and with a new one, and seconds of sorting.
+// Every sphere goes its own way, evenly in all directions, by 0 to 4 mean distances of neighbours. Printed: by how much
+// the nodes above the leaves grow with the old order, processor seconds of an image with the old order and with a new
+// one, and seconds of sorting.
 #include "Files.h"
 #include "GlyphTree.h"
 #include "Measures.h"
@@ -65,15 +66,14 @@ public:
     std::vector<rtg::Box> boxes;
     for (const std::uint32_t i : set.sorted.order)
     {
-      boxes.push_back({ instances.centres[i] - this->spheres_.radius,
-        instances.centres[i] + this->spheres_.radius });
+      boxes.push_back({ instances.centres[i] - this->spheres_.radius, instances.centres[i] + this->spheres_.radius });
     }
     timing.surface = rtg::LeafSurface(boxes, set.sorted.leafBits - 3);
     for (int i = -1; i < repetitions; ++i) // the first one compiles
     {
       const double start = benchmark::CpuSeconds();
-      this->tracer_.Trace(this->scene_, benchmark::SpheresCamera(), { rtg::Light() },
-        this->settings_, rtg::Pass::Opaque);
+      this->tracer_.Trace(
+        this->scene_, benchmark::SpheresCamera(), { rtg::Light() }, this->settings_, rtg::Pass::Opaque);
       timing.image = i < 0 ? timing.image : std::min(timing.image, benchmark::CpuSeconds() - start);
     }
     return timing;
@@ -104,18 +104,15 @@ int main(int argc, char** argv)
   const int repetitions = argc > 3 ? std::atoi(argv[3]) : 3;
   std::ofstream csv(argc > 4 ? argv[4] : "/dev/null");
   csv << "way / spacing,growth,image kept s,image sorted s,sort s\n";
-  std::printf("%14s %8s %14s %14s %8s\n", "way / spacing", "growth", "kept: CPU s", "sorted: CPU s",
-    "sort s");
+  std::printf("%14s %8s %14s %14s %8s\n", "way / spacing", "growth", "kept: CPU s", "sorted: CPU s", "sort s");
   for (const float way : { 0.0f, 0.1f, 0.2f, 0.35f, 0.5f, 1.0f, 2.0f, 4.0f })
   {
     series.After(0.0f, false, 0);
     const Timing kept = series.After(way * series.Spacing(), true, repetitions);
     const Timing sorted = series.After(way * series.Spacing(), false, repetitions);
     const double growth = kept.surface / sorted.surface;
-    std::printf(
-      "%14.2f %8.3f %14.3f %14.3f %8.3f\n", way, growth, kept.image, sorted.image, sorted.sorting);
-    csv << way << ',' << growth << ',' << kept.image << ',' << sorted.image << ',' << sorted.sorting
-        << '\n';
+    std::printf("%14.2f %8.3f %14.3f %14.3f %8.3f\n", way, growth, kept.image, sorted.image, sorted.sorting);
+    csv << way << ',' << growth << ',' << kept.image << ',' << sorted.image << ',' << sorted.sorting << '\n';
   }
   return 0;
 }

@@ -70,8 +70,7 @@ struct Rivals
     {
       gradient[i] = std::isfinite(gradient[i]) ? gradient[i] / glyph.size[i] : 0;
     }
-    const Real largest =
-      std::max({ std::abs(gradient.x), std::abs(gradient.y), std::abs(gradient.z) });
+    const Real largest = std::max({ std::abs(gradient.x), std::abs(gradient.y), std::abs(gradient.z) });
     hit.normal = glm::normalize(K::RotateToWorld(glyph, gradient / largest));
     return hit;
   }
@@ -175,8 +174,7 @@ struct Rivals
 
   /// A bracket by halving where f is least, then `solve`.
   template <class Solve>
-  static Hit
-  ConvexBracket(const GlyphRay& ray, const Glyph& glyph, Real tMin, bool normal, Solve solve)
+  static Hit ConvexBracket(const GlyphRay& ray, const Glyph& glyph, Real tMin, bool normal, Solve solve)
   {
     Frame frame;
     if (!Enter(ray, glyph, tMin, frame))
@@ -186,8 +184,7 @@ struct Rivals
     const Real fLow = frame.At(frame.low).f;
     if (fLow < 0)
     {
-      return At(
-        frame, glyph, normal, solve(frame, frame.low, fLow, frame.high, frame.At(frame.high).f));
+      return At(frame, glyph, normal, solve(frame, frame.low, fLow, frame.high, frame.At(frame.high).f));
     }
     Real a = frame.low, b = frame.high;
     for (int i = 0; i < 40 && b - a > frame.tolerance; ++i)
@@ -434,9 +431,8 @@ struct Rivals
       {
         hit.found = true;
         hit.t = t;
-        hit.normal = normal
-          ? glm::normalize(K::RotateToWorld(glyph, faithful ? gradient : gradient / halfSize))
-          : Vector(0);
+        hit.normal =
+          normal ? glm::normalize(K::RotateToWorld(glyph, faithful ? gradient : gradient / halfSize)) : Vector(0);
         return hit;
       }
       t -= Real(0.5) * f / glm::dot(gradient, faithful ? worldD : d);

@@ -1,10 +1,11 @@
 // Time of an image of 280,000 glyphs of each shape beside one of as many spheres, through the pipeline.
 // Usage: SuperquadricScene [PIXELS] [REPETITIONS] [COUNT] [dilute|packed|both] [CSV]
 //
-// Layout, camera and coverage are those of Data/spheres_280k.py; exponents lie between 0.3 and 20 at random on a logarithmic
-// scale. The superquadrics' sizes are such that their boxes' sides are the spheres' diameters. Those that are turned have sides from
-// half of it to all of it. Arrows are as long as that, of vtkArrowSource's proportions. Eigenvalues of tensor glyphs are such that the
-// largest magnitude is 1, which makes the diameter: positive ones as all-positive tensors have them, signed ones of either sign.
+// Layout, camera and coverage are those of Data/spheres_280k.py; exponents lie between 0.3 and 20 at random on a
+// logarithmic scale. The superquadrics' sizes are such that their boxes' sides are the spheres' diameters. Those that
+// are turned have sides from half of it to all of it. Arrows are as long as that, of vtkArrowSource's proportions.
+// Eigenvalues of tensor glyphs are such that the largest magnitude is 1, which makes the diameter: positive ones as
+// all-positive tensors have them, signed ones of either sign.
 #include "Measures.h"
 #include "Camera.h"
 #include "Scene.h"
@@ -94,8 +95,8 @@ rtg::GlyphInstances MakeInstances(const Kind& kind, bool packed, int count)
   Random random;
   rtg::GlyphInstances instances;
   instances.shape = kind.shape;
-  instances.uniformSize = packed ? 0.8f * 100.0f / std::cbrt(float(count))
-                                 : 2.0f * 0.17769f * std::sqrt(280000.0f / float(count));
+  instances.uniformSize =
+    packed ? 0.8f * 100.0f / std::cbrt(float(count)) : 2.0f * 0.17769f * std::sqrt(280000.0f / float(count));
   instances.arrow.unitLength = instances.uniformSize;
   for (int i = 0; i < count; ++i)
   {
@@ -116,8 +117,7 @@ rtg::GlyphInstances MakeInstances(const Kind& kind, bool packed, int count)
     {
       instances.rotations.push_back(random.Quaternion());
       const glm::vec3 sides = 0.5f + 0.5f * random.Unit3();
-      instances.sizes3.push_back(
-        instances.uniformSize * (kind.shape == rtg::Shape::Arrow ? glm::vec3(1.0f) : sides));
+      instances.sizes3.push_back(instances.uniformSize * (kind.shape == rtg::Shape::Arrow ? glm::vec3(1.0f) : sides));
     }
   }
   return instances;
@@ -133,8 +133,8 @@ double WallNow()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Times Measure(const std::shared_ptr<rtg::Device>& device, rtg::GlyphInstances instances,
-  std::uint32_t pixels, int repetitions)
+Times Measure(
+  const std::shared_ptr<rtg::Device>& device, rtg::GlyphInstances instances, std::uint32_t pixels, int repetitions)
 {
   rtg::Scene scene(device);
   rtg::Tracer tracer(device);
@@ -154,9 +154,8 @@ Times Measure(const std::shared_ptr<rtg::Device>& device, rtg::GlyphInstances in
     const rtg::Image image = tracer.Trace(scene, SceneCamera(), lights, settings);
     times.wall = std::min(times.wall, WallNow() - wall);
     times.cpu = std::min(times.cpu, benchmark::CpuSeconds() - cpu);
-    times.hits = double(std::count_if(
-                   image.depth, image.depth + rays, [](float depth) { return depth < 1.0f; })) /
-      double(rays);
+    times.hits =
+      double(std::count_if(image.depth, image.depth + rays, [](float depth) { return depth < 1.0f; })) / double(rays);
   }
   return times;
 }
@@ -182,8 +181,7 @@ try
     { "cones, turned", rtg::Shape::Cone, 2, 2, true },
     { "arrows, turned", rtg::Shape::Arrow, 2, 2, true },
     { "superquadrics, 0.3 to 20, turned", rtg::Shape::Superquadric, 0.3f, 20, true },
-    { "tensor superquadrics", rtg::Shape::NestedSuperquadric, 2, 2, true,
-      tensor(rtg::TensorGlyphKind::Superquadric) },
+    { "tensor superquadrics", rtg::Shape::NestedSuperquadric, 2, 2, true, tensor(rtg::TensorGlyphKind::Superquadric) },
     { "signed tensor superquadrics", rtg::Shape::NestedSuperquadric, 2, 2, true,
       tensor(rtg::TensorGlyphKind::SignedSuperquadric) },
   };
@@ -195,8 +193,7 @@ try
   }
   std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   std::printf("device: %s, %d glyphs, %u x %u\n", device->Name().c_str(), count, pixels, pixels);
-  std::printf("%-34s %8s %8s %8s %10s %8s %8s\n", "", "first s", "wall s", "CPU s", "Mray/s",
-    "hit %", "ratio");
+  std::printf("%-34s %8s %8s %8s %10s %8s %8s\n", "", "first s", "wall s", "CPU s", "Mray/s", "hit %", "ratio");
   for (const bool packed : { false, true })
   {
     const char* name = packed ? "packed" : "dilute";
@@ -210,12 +207,11 @@ try
       const Times times = Measure(device, MakeInstances(kind, packed, count), pixels, repetitions);
       spheres = spheres > 0.0 ? spheres : times.cpu;
       const double rate = 1e-6 * double(pixels) * pixels / times.wall;
-      std::printf("%-34s %8.2f %8.3f %8.3f %10.2f %8.1f %8.2f  %s\n", kind.name, times.first,
-        times.wall, times.cpu, rate, 100.0 * times.hits, times.cpu / spheres, name);
+      std::printf("%-34s %8.2f %8.3f %8.3f %10.2f %8.1f %8.2f  %s\n", kind.name, times.first, times.wall, times.cpu,
+        rate, 100.0 * times.hits, times.cpu / spheres, name);
       std::fflush(stdout);
-      csv << name << ",\"" << kind.name << "\"," << count << ',' << pixels << ',' << times.first
-          << ',' << times.wall << ',' << times.cpu << ',' << rate << ',' << times.hits << ','
-          << times.cpu / spheres << std::endl;
+      csv << name << ",\"" << kind.name << "\"," << count << ',' << pixels << ',' << times.first << ',' << times.wall
+          << ',' << times.cpu << ',' << rate << ',' << times.hits << ',' << times.cpu / spheres << std::endl;
     }
   }
   return 0;

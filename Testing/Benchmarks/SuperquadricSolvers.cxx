@@ -1,9 +1,9 @@
 // Speed against error of ways to intersect a superquadric with a ray, in C++, one thread.
 // Usage: SuperquadricSolvers [FILE.csv] [GLYPHS] [RAYS]      (plotted by superquadric_solvers.py)
 //
-// The rays are those of Testing/Kernels/HardCases.h: random ones and every hard case, GLYPHS glyphs with RAYS rays each in
-// every case. The reference has 113 bits. Hits and misses are judged except within 1e-5 of the scale round the silhouette;
-// errors of t are in glyph sizes, beyond what t itself can hold (an ulp).
+// The rays are those of Testing/Kernels/HardCases.h: random ones and every hard case, GLYPHS glyphs with RAYS rays each
+// in every case. The reference has 113 bits. Hits and misses are judged except within 1e-5 of the scale round the
+// silhouette; errors of t are in glyph sizes, beyond what t itself can hold (an ulp).
 #include "Measure.h"
 #include "SuperquadricRivals.h"
 
@@ -43,8 +43,7 @@ Truth Judge(ReferenceGlyph& glyph, const HardRay& ray)
   Truth truth;
   truth.sizeInT = glyph.Size() / glm::length(glm::dvec3(ray.direction));
   const auto crossings = glyph.Crossings(ray.origin, ray.direction);
-  const auto count = [&](double factor)
-  { return glyph.Crossings(ray.origin, ray.direction, factor).size(); };
+  const auto count = [&](double factor) { return glyph.Crossings(ray.origin, ray.direction, factor).size(); };
   truth.judged = count(1 - 2 * band) == crossings.size() && count(1 + 2 * band) == crossings.size();
   for (const ReferenceCrossing& crossing : crossings)
   {
@@ -53,8 +52,7 @@ Truth Judge(ReferenceGlyph& glyph, const HardRay& ray)
     {
       truth.hit = true;
       truth.t = static_cast<long double>(crossing.t);
-      truth.normal = { double(crossing.normal.x), double(crossing.normal.y),
-        double(crossing.normal.z) };
+      truth.normal = { double(crossing.normal.x), double(crossing.normal.y), double(crossing.normal.z) };
       truth.hasNormal = crossing.edgeDistance > edgeBand && crossing.edgeSizes > edgeBandSizes;
     }
   }
@@ -116,8 +114,7 @@ struct Report
 
 template <class Real>
 using Solver = typename benchmark::Rivals<Real>::Hit (*)(
-  const typename benchmark::Rivals<Real>::GlyphRay&, const typename benchmark::Rivals<Real>::Glyph&,
-  Real, bool);
+  const typename benchmark::Rivals<Real>::GlyphRay&, const typename benchmark::Rivals<Real>::Glyph&, Real, bool);
 
 template <class Real>
 Report Run(Solver<Real> solver, const Scene& scene)
@@ -182,11 +179,11 @@ void Write(std::ostream& csv, const char* family, const std::string& situation, 
   const char* arithmetic, const Report& r)
 {
   const double rays = double(std::max<std::size_t>(1, r.rays));
-  csv << family << ",\"" << situation << "\",\"" << solver << "\"," << arithmetic << ',' << r.rays
-      << ',' << r.nanoseconds / rays << ',' << Quantile(r.sizes, 0.5) << ','
-      << Quantile(r.sizes, 0.999) << ',' << Quantile(r.sizes, 1) << ',' << Quantile(r.radians, 0.5)
-      << ',' << Quantile(r.radians, 0.999) << ',' << Quantile(r.radians, 1) << ','
-      << 1e6 * double(r.falseHits) / rays << ',' << 1e6 * double(r.misses) / rays << '\n';
+  csv << family << ",\"" << situation << "\",\"" << solver << "\"," << arithmetic << ',' << r.rays << ','
+      << r.nanoseconds / rays << ',' << Quantile(r.sizes, 0.5) << ',' << Quantile(r.sizes, 0.999) << ','
+      << Quantile(r.sizes, 1) << ',' << Quantile(r.radians, 0.5) << ',' << Quantile(r.radians, 0.999) << ','
+      << Quantile(r.radians, 1) << ',' << 1e6 * double(r.falseHits) / rays << ',' << 1e6 * double(r.misses) / rays
+      << '\n';
 }
 
 template <class Real>
@@ -242,11 +239,10 @@ void RunAll(const std::vector<Scene>& scenes, const char* arithmetic, std::ostre
       {
         const Report& r = reports[situation];
         const double rays = double(r.rays);
-        std::printf(
-          "| %s | %s | %s | %s | %.0f | %.1e | %.1e | %.1e | %.1e | %.1e | %.0f / %.0f |\n", family,
-          situation, entry.name, arithmetic, r.nanoseconds / rays, Quantile(r.sizes, 0.5),
-          Quantile(r.sizes, 0.999), Quantile(r.sizes, 1), Quantile(r.radians, 0.5),
-          Quantile(r.radians, 1), 1e6 * double(r.falseHits) / rays, 1e6 * double(r.misses) / rays);
+        std::printf("| %s | %s | %s | %s | %.0f | %.1e | %.1e | %.1e | %.1e | %.1e | %.0f / %.0f |\n", family,
+          situation, entry.name, arithmetic, r.nanoseconds / rays, Quantile(r.sizes, 0.5), Quantile(r.sizes, 0.999),
+          Quantile(r.sizes, 1), Quantile(r.radians, 0.5), Quantile(r.radians, 1), 1e6 * double(r.falseHits) / rays,
+          1e6 * double(r.misses) / rays);
       }
       std::fflush(stdout);
     }
@@ -263,10 +259,9 @@ int main(int argc, char** argv)
          "normal_median_radians,normal_p999_radians,normal_max_radians,false_hits_per_million,"
          "misses_per_million\n";
   const std::vector<Scene> scenes = MakeScenes(glyphs, rays);
-  std::printf(
-    "| glyphs | rays | solver | arithmetic | ns a ray | dt median | 99.9 %% | max (sizes) | normal "
-    "median | max "
-    "(rad) | false hits / misses a million |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf("| glyphs | rays | solver | arithmetic | ns a ray | dt median | 99.9 %% | max (sizes) | normal "
+              "median | max "
+              "(rad) | false hits / misses a million |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   RunAll<float>(scenes, "float", csv);
   RunAll<double>(scenes, "double", csv);
   return 0;

@@ -3,8 +3,8 @@
 //   always                    each vkQueueSubmit does so, while the file is there
 //   FUNCTION N                the Nth call of FUNCTION from now on fails, and the file is removed
 //   FUNCTION N always         that call and all further ones fail, while the file is there
-// FUNCTION is vkQueueSubmit, which loses the device, or vkAllocateMemory, vkBindBufferMemory, vkMapMemory, vkCreateBuffer or
-// vkCreateAccelerationStructureKHR, which answer VK_ERROR_OUT_OF_DEVICE_MEMORY.
+// FUNCTION is vkQueueSubmit, which loses the device, or vkAllocateMemory, vkBindBufferMemory, vkMapMemory,
+// vkCreateBuffer or vkCreateAccelerationStructureKHR, which answer VK_ERROR_OUT_OF_DEVICE_MEMORY.
 //
 // And one that makes devices lack what RTGLYPHS_LACKS names: see Properties2() and Features2().
 #include <vulkan/vk_layer.h>
@@ -38,8 +38,7 @@ struct Next
   PFN_vkCreateBuffer createBuffer = nullptr;
   PFN_vkCreateAccelerationStructureKHR createAccelerationStructure = nullptr;
 };
-std::map<void*, Next>
-  devices; // by the loader's dispatch table, which a device and its queues share
+std::map<void*, Next> devices; // by the loader's dispatch table, which a device and its queues share
 
 void* Key(void* handle)
 {
@@ -73,9 +72,7 @@ bool Due(const std::string& function)
     calls = 0;
   }
 
-  std::istringstream words(order == "once" ? "vkQueueSubmit 1"
-      : order == "always"                  ? "vkQueueSubmit 1 always"
-                                           : order);
+  std::istringstream words(order == "once" ? "vkQueueSubmit 1" : order == "always" ? "vkQueueSubmit 1 always" : order);
   std::string name, how;
   long number = 1;
   words >> name >> number >> how;
@@ -106,16 +103,14 @@ Link* FindLink(const Info* info, VkStructureType type)
 VKAPI_ATTR VkResult VKAPI_CALL CreateInstance(
   const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator, VkInstance* instance)
 {
-  auto* link =
-    FindLink<VkLayerInstanceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+  auto* link = FindLink<VkLayerInstanceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
   if (!link)
   {
     return VK_ERROR_INITIALIZATION_FAILED;
   }
   nextInstanceProcAddr = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
   link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-  auto create =
-    reinterpret_cast<PFN_vkCreateInstance>(nextInstanceProcAddr(nullptr, "vkCreateInstance"));
+  auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceProcAddr(nullptr, "vkCreateInstance"));
   const VkResult result = create(info, allocator, instance);
   if (result == VK_SUCCESS)
   {
@@ -133,8 +128,7 @@ bool Lacks(const char* name)
   return lacks && std::strcmp(lacks, name) == 0;
 }
 
-VKAPI_ATTR void VKAPI_CALL Properties2(
-  VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties)
+VKAPI_ATTR void VKAPI_CALL Properties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties)
 {
   nextProperties2(physical, properties);
   for (auto* next = static_cast<VkBaseOutStructure*>(properties->pNext); next; next = next->pNext)
@@ -143,8 +137,7 @@ VKAPI_ATTR void VKAPI_CALL Properties2(
     {
       auto& vulkan12 = *reinterpret_cast<VkPhysicalDeviceVulkan12Properties*>(next);
       vulkan12.shaderRoundingModeRTEFloat32 &= !Lacks("shaderRoundingModeRTEFloat32");
-      vulkan12.shaderSignedZeroInfNanPreserveFloat32 &=
-        !Lacks("shaderSignedZeroInfNanPreserveFloat32");
+      vulkan12.shaderSignedZeroInfNanPreserveFloat32 &= !Lacks("shaderSignedZeroInfNanPreserveFloat32");
     }
   }
 }
@@ -156,14 +149,13 @@ VKAPI_ATTR void VKAPI_CALL Features2(VkPhysicalDevice physical, VkPhysicalDevice
   {
     if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES)
     {
-      reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next)->vulkanMemoryModel &=
-        !Lacks("vulkanMemoryModel");
+      reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next)->vulkanMemoryModel &= !Lacks("vulkanMemoryModel");
     }
   }
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice physical,
-  const VkDeviceCreateInfo* info, const VkAllocationCallbacks* allocator, VkDevice* device)
+VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(
+  VkPhysicalDevice physical, const VkDeviceCreateInfo* info, const VkAllocationCallbacks* allocator, VkDevice* device)
 {
   auto* link = FindLink<VkLayerDeviceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
   if (!link)
@@ -174,14 +166,12 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice physical,
   Next next;
   next.procAddr = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
   link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-  auto create =
-    reinterpret_cast<PFN_vkCreateDevice>(instanceProcAddr(VK_NULL_HANDLE, "vkCreateDevice"));
+  auto create = reinterpret_cast<PFN_vkCreateDevice>(instanceProcAddr(VK_NULL_HANDLE, "vkCreateDevice"));
   const VkResult result = create(physical, info, allocator, device);
   if (result == VK_SUCCESS)
   {
-    const auto find = [&next, device](auto& function, const char* name) {
-      function = reinterpret_cast<std::decay_t<decltype(function)>>(next.procAddr(*device, name));
-    };
+    const auto find = [&next, device](auto& function, const char* name)
+    { function = reinterpret_cast<std::decay_t<decltype(function)>>(next.procAddr(*device, name)); };
     find(next.queueSubmit, "vkQueueSubmit");
     find(next.allocateMemory, "vkAllocateMemory");
     find(next.bindBufferMemory, "vkBindBufferMemory");
@@ -198,12 +188,11 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice physical,
 VKAPI_ATTR VkResult VKAPI_CALL QueueSubmit(
   VkQueue queue, std::uint32_t count, const VkSubmitInfo* submits, VkFence fence)
 {
-  return Due("vkQueueSubmit") ? VK_ERROR_DEVICE_LOST
-                              : NextOf(queue).queueSubmit(queue, count, submits, fence);
+  return Due("vkQueueSubmit") ? VK_ERROR_DEVICE_LOST : NextOf(queue).queueSubmit(queue, count, submits, fence);
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL AllocateMemory(VkDevice device, const VkMemoryAllocateInfo* info,
-  const VkAllocationCallbacks* allocator, VkDeviceMemory* memory)
+VKAPI_ATTR VkResult VKAPI_CALL AllocateMemory(
+  VkDevice device, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks* allocator, VkDeviceMemory* memory)
 {
   return Due("vkAllocateMemory") ? VK_ERROR_OUT_OF_DEVICE_MEMORY
                                  : NextOf(device).allocateMemory(device, info, allocator, memory);
@@ -212,20 +201,19 @@ VKAPI_ATTR VkResult VKAPI_CALL AllocateMemory(VkDevice device, const VkMemoryAll
 VKAPI_ATTR VkResult VKAPI_CALL BindBufferMemory(
   VkDevice device, VkBuffer buffer, VkDeviceMemory memory, VkDeviceSize offset)
 {
-  return Due("vkBindBufferMemory")
-    ? VK_ERROR_OUT_OF_DEVICE_MEMORY
-    : NextOf(device).bindBufferMemory(device, buffer, memory, offset);
+  return Due("vkBindBufferMemory") ? VK_ERROR_OUT_OF_DEVICE_MEMORY
+                                   : NextOf(device).bindBufferMemory(device, buffer, memory, offset);
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL MapMemory(VkDevice device, VkDeviceMemory memory,
-  VkDeviceSize offset, VkDeviceSize size, VkMemoryMapFlags flags, void** data)
+VKAPI_ATTR VkResult VKAPI_CALL MapMemory(
+  VkDevice device, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size, VkMemoryMapFlags flags, void** data)
 {
   return Due("vkMapMemory") ? VK_ERROR_OUT_OF_DEVICE_MEMORY
                             : NextOf(device).mapMemory(device, memory, offset, size, flags, data);
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL CreateBuffer(VkDevice device, const VkBufferCreateInfo* info,
-  const VkAllocationCallbacks* allocator, VkBuffer* buffer)
+VKAPI_ATTR VkResult VKAPI_CALL CreateBuffer(
+  VkDevice device, const VkBufferCreateInfo* info, const VkAllocationCallbacks* allocator, VkBuffer* buffer)
 {
   return Due("vkCreateBuffer") ? VK_ERROR_OUT_OF_DEVICE_MEMORY
                                : NextOf(device).createBuffer(device, info, allocator, buffer);
@@ -248,8 +236,7 @@ PFN_vkVoidFunction OwnDeviceFunction(const std::string& name)
     { "vkBindBufferMemory", reinterpret_cast<PFN_vkVoidFunction>(BindBufferMemory) },
     { "vkMapMemory", reinterpret_cast<PFN_vkVoidFunction>(MapMemory) },
     { "vkCreateBuffer", reinterpret_cast<PFN_vkVoidFunction>(CreateBuffer) },
-    { "vkCreateAccelerationStructureKHR",
-      reinterpret_cast<PFN_vkVoidFunction>(CreateAccelerationStructure) },
+    { "vkCreateAccelerationStructureKHR", reinterpret_cast<PFN_vkVoidFunction>(CreateAccelerationStructure) },
   };
   const auto found = own.find(name);
   return found == own.end() ? nullptr : found->second;
@@ -271,14 +258,13 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetDeviceProcAddr(VkDevice device, cons
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetInstanceProcAddr(VkInstance instance, const char* name)
 {
-  const std::map<std::string, PFN_vkVoidFunction> own{
-    { "vkGetInstanceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(GetInstanceProcAddr) },
+  const std::map<std::string, PFN_vkVoidFunction> own{ { "vkGetInstanceProcAddr",
+                                                         reinterpret_cast<PFN_vkVoidFunction>(GetInstanceProcAddr) },
     { "vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(GetDeviceProcAddr) },
     { "vkCreateInstance", reinterpret_cast<PFN_vkVoidFunction>(CreateInstance) },
     { "vkGetPhysicalDeviceProperties2", reinterpret_cast<PFN_vkVoidFunction>(Properties2) },
     { "vkGetPhysicalDeviceFeatures2", reinterpret_cast<PFN_vkVoidFunction>(Features2) },
-    { "vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(CreateDevice) }
-  };
+    { "vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(CreateDevice) } };
   const auto found = own.find(name);
   if (found != own.end())
   {
@@ -293,8 +279,8 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetInstanceProcAddr(VkInstance instance
 
 } // namespace
 
-extern "C" __attribute__((visibility("default"))) VkResult VKAPI_CALL
-vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* version)
+extern "C" __attribute__((visibility("default"))) VkResult VKAPI_CALL vkNegotiateLoaderLayerInterfaceVersion(
+  VkNegotiateLayerInterface* version)
 {
   version->loaderLayerInterfaceVersion = 2;
   version->pfnGetInstanceProcAddr = GetInstanceProcAddr;

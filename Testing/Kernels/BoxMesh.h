@@ -17,8 +17,8 @@ inline TriangleMesh BoxMesh(const glm::vec3& middle = glm::vec3(0.0f))
   {
     mesh.positions.push_back(middle + glm::vec3(i & 1, (i >> 1) & 1, i >> 2) - 0.5f);
   }
-  const glm::uvec4 sides[] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
-    { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
+  const glm::uvec4 sides[] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 2, 3, 1 },
+    { 4, 5, 7, 6 } };
   for (const glm::uvec4& side : sides)
   {
     mesh.triangles.push_back({ side.x, side.y, side.z });

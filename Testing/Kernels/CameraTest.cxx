@@ -32,8 +32,7 @@ void ExpectRaysProjectBack(const glm::dmat4& matrix, bool parallel)
   }
 }
 
-const glm::dmat4 view =
-  glm::lookAt(glm::dvec3(3, -2, 5), glm::dvec3(0.5, 0.25, -1), glm::dvec3(0.1, 1, 0));
+const glm::dmat4 view = glm::lookAt(glm::dvec3(3, -2, 5), glm::dvec3(0.5, 0.25, -1), glm::dvec3(0.1, 1, 0));
 
 } // namespace
 
@@ -54,8 +53,7 @@ TEST(Camera, OffAxisFrustum)
 
 TEST(Camera, EyeIsTheViewpoint)
 {
-  const rtg::Camera camera =
-    rtg::Camera::FromWorldToClip(glm::perspective(0.6, 1.0, 0.2, 40.0) * view);
+  const rtg::Camera camera = rtg::Camera::FromWorldToClip(glm::perspective(0.6, 1.0, 0.2, 40.0) * view);
   EXPECT_NEAR(glm::distance(camera.eye, glm::dvec3(3, -2, 5)), 0.0, 1e-10);
 }
 

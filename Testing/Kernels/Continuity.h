@@ -23,8 +23,7 @@ double LargestPart(double from, double step, double enough, const Change& change
     const double begin = from + i * step / 10;
     const double whole = change(begin, begin + step / 10);
     const bool divides = !(whole < enough) && levels > 1;
-    largest = std::max(
-      largest, divides ? LargestPart(begin, step / 10, enough, change, levels - 1) : whole);
+    largest = std::max(largest, divides ? LargestPart(begin, step / 10, enough, change, levels - 1) : whole);
   }
   return largest;
 }

@@ -37,8 +37,7 @@ TEST(DeviceTest, NumbersAreIndicesOrPartsOfNames)
     const auto isDigit = [](unsigned char c) { return std::isdigit(c) != 0; };
     at = std::find_if(at, name.end(), isDigit);
     const auto end = std::find_if_not(at, name.end(), isDigit);
-    number = std::max(number, std::string(at, end),
-      [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    number = std::max(number, std::string(at, end), [](const auto& a, const auto& b) { return a.size() < b.size(); });
     at = end;
   }
   if (number.size() < 2)

@@ -46,8 +46,7 @@ public:
   static double Error(const Word& w, Quad exact)
   {
     const Quad u = std::numeric_limits<Real>::epsilon() / 2;
-    return exact == 0 ? double(fabsq(Value(w)) > 0)
-                      : double(fabsq((Value(w) - exact) / exact) / (u * u));
+    return exact == 0 ? double(fabsq(Value(w)) > 0) : double(fabsq((Value(w) - exact) / exact) / (u * u));
   }
 
   Numbers<Real> numbers;
@@ -70,8 +69,7 @@ TYPED_TEST(DoubleWordTest, TransformationsAreExact)
 TYPED_TEST(DoubleWordTest, OperationsKeepTheirBounds)
 {
   using Kernel = typename TestFixture::Kernel;
-  double sum = 0, sumWord = 0, product = 0, productWord = 0, quotient = 0, quotientWord = 0,
-         root = 0;
+  double sum = 0, sumWord = 0, product = 0, productWord = 0, quotient = 0, quotientWord = 0, root = 0;
   for (int i = 0; i < 100000; ++i)
   {
     const auto a = this->NextWord(), b = this->NextWord();

@@ -21,8 +21,7 @@ protected:
 
   // Of w x h texels, the radiance a function of column and row.
   template <class Function>
-  static std::shared_ptr<rtg::EnvironmentImage>
-  Make(std::uint32_t w, std::uint32_t h, Function radiance)
+  static std::shared_ptr<rtg::EnvironmentImage> Make(std::uint32_t w, std::uint32_t h, Function radiance)
   {
     auto image = std::make_shared<rtg::EnvironmentImage>();
     image->width = w;
@@ -51,8 +50,7 @@ protected:
       {
         const double longitude = glm::two_pi<double>() * ((x + 0.5) / w - 0.5);
         const glm::dvec3 d =
-          std::cos(latitude) * (std::cos(longitude) * right + std::sin(longitude) * front) +
-          std::sin(latitude) * up;
+          std::cos(latitude) * (std::cos(longitude) * right + std::sin(longitude) * front) + std::sin(latitude) * up;
         const double cosine = std::max(glm::dot(d, normal), 0.0);
         sum += cosine * std::cos(latitude) * image.radiance[(y / fine) * image.width + x / fine].x;
       }
@@ -81,7 +79,8 @@ TEST_F(EnvironmentTest, OneColourIsTheSameFromEverywhere)
   this->settings.environmentImage = Make(7, 5, [](auto, auto) { return glm::vec3(0.5f); });
   this->settings.environmentColour = glm::vec3(1.0f);
   this->settings.lightIntensity = 3.0f;
-  // Burley's diffuse lobe varies by up to 0.07 of itself from direction to direction: independent ones would err by more.
+  // Burley's diffuse lobe varies by up to 0.07 of itself from direction to direction: independent ones would err by
+  // more.
   this->settings.sampler = Sampler::Sobol;
   const double image = this->Mean();
   EXPECT_NEAR(image, 1.5, 1e-4);
@@ -99,8 +98,7 @@ TEST_F(EnvironmentTest, FacesShowTheIrradianceThatReachesThem)
     { glm::normalize(glm::vec3(1, 2, 0)), glm::normalize(glm::vec3(-2, 1, 1)) } };
   for (const auto& frame : frames)
   {
-    const auto image = Make(
-      37, 18, [](auto x, auto y) { return glm::vec3(x == 30 && y == 11 ? 200.0f : 0.02f * y); });
+    const auto image = Make(37, 18, [](auto x, auto y) { return glm::vec3(x == 30 && y == 11 ? 200.0f : 0.02f * y); });
     image->right = frame[0];
     image->up = glm::normalize(frame[1] - glm::dot(frame[1], frame[0]) * frame[0]);
     this->settings.environmentImage = image;
@@ -123,8 +121,8 @@ TEST_F(EnvironmentTest, FacesShowTheIrradianceThatReachesThem)
   }
 }
 
-// What is aimed at and what is found by scattering add up, on surfaces that shine: quarters of the sky are brighter than their
-// threshold, the whole is not.
+// What is aimed at and what is found by scattering add up, on surfaces that shine: quarters of the sky are brighter
+// than their threshold, the whole is not.
 TEST_F(EnvironmentTest, AimingAndScatteringAddUp)
 {
   rtg::Material plastic = White();
@@ -137,15 +135,14 @@ TEST_F(EnvironmentTest, AimingAndScatteringAddUp)
   this->Add(Shape::Box, { glm::vec3(0) }, { glm::vec3(8) }, plastic);
   this->camera = this->LookFrom({ 0, 5.5, 2.0 }, { 0, 4, 0 }, 0.5);
   this->settings.samples = 256;
-  this->settings.environmentImage =
-    Make(16, 8, [](auto, auto y) { return glm::vec3(y >= 4 ? 1.0f : 0.0f); });
+  this->settings.environmentImage = Make(16, 8, [](auto, auto y) { return glm::vec3(y >= 4 ? 1.0f : 0.0f); });
   EXPECT_TRUE(rtg::MakeEnvironmentCells(*this->settings.environmentImage).cells.empty());
   const double whole = this->Mean();
   double quarters = 0.0;
   for (unsigned quarter = 0; quarter < 4; ++quarter)
   {
-    this->settings.environmentImage = Make(16, 8,
-      [quarter](auto x, auto y) { return glm::vec3(y >= 4 && x / 4 == quarter ? 1.0f : 0.0f); });
+    this->settings.environmentImage =
+      Make(16, 8, [quarter](auto x, auto y) { return glm::vec3(y >= 4 && x / 4 == quarter ? 1.0f : 0.0f); });
     EXPECT_FALSE(rtg::MakeEnvironmentCells(*this->settings.environmentImage).cells.empty());
     const double part = this->Mean();
     EXPECT_GT(part, 0.05);
@@ -155,8 +152,8 @@ TEST_F(EnvironmentTest, AimingAndScatteringAddUp)
   EXPECT_NEAR(quarters, whole, certain * 2.0 * std::sqrt(5.0) / std::sqrt(24.0 * 24.0 * 256.0));
 }
 
-// Camera and sun see the floor through the same black roof: each of the two ways meets both of its faces, and whether a face
-// stops one says nothing about the other.
+// Camera and sun see the floor through the same black roof: each of the two ways meets both of its faces, and whether a
+// face stops one says nothing about the other.
 TEST_F(EnvironmentTest, TranslucentThingsStopTheSunIndependently)
 {
   rtg::Material roof = White();
@@ -164,8 +161,7 @@ TEST_F(EnvironmentTest, TranslucentThingsStopTheSunIndependently)
   roof.opacity = 0.5f;
   this->Add(Shape::Box, { { 0, 0, 0 } }, { { 1000.0f, 1000.0f, 0.1f } }, roof);
   this->Add(Shape::Box, { { 0, 0, -2 } }, { { 1000.0f, 1000.0f, 0.1f } }, White());
-  const auto image =
-    Make(64, 32, [](auto x, auto y) { return glm::vec3(x == 48 && y == 16 ? 100.0f : 0.0f); });
+  const auto image = Make(64, 32, [](auto x, auto y) { return glm::vec3(x == 48 && y == 16 ? 100.0f : 0.0f); });
   this->settings.environmentImage = image;
   this->scene.Commit();
   this->tracer.Trace(this->scene, this->camera, this->lights, this->settings, rtg::Pass::All);
@@ -176,15 +172,13 @@ TEST_F(EnvironmentTest, TranslucentThingsStopTheSunIndependently)
     sum += mean.r;
   }
   const double lit = Expected(*image, { 0, 0, 1 }), share = 1.0 / 16.0;
-  EXPECT_NEAR(
-    sum / (24.0 * 24.0), share * lit, certain * lit * std::sqrt(share / (24.0 * 24.0 * 64.0)));
+  EXPECT_NEAR(sum / (24.0 * 24.0), share * lit, certain * lit * std::sqrt(share / (24.0 * 24.0 * 64.0)));
 }
 
 TEST_F(EnvironmentTest, LargeImagesAreAimedAtInCells)
 {
   // 1030 columns in cells of three texels, the last of one; the sun lies in that.
-  const auto image =
-    Make(1030, 400, [](auto x, auto y) { return glm::vec3(x == 1029 && y == 399 ? 1e6f : 0.0f); });
+  const auto image = Make(1030, 400, [](auto x, auto y) { return glm::vec3(x == 1029 && y == 399 ? 1e6f : 0.0f); });
   const rtg::EnvironmentCells cells = rtg::MakeEnvironmentCells(*image);
   EXPECT_EQ(cells.side, 3u);
   EXPECT_EQ(cells.columns, 344u);

@@ -21,8 +21,7 @@ bool InBand(const HardCase& hard, const HardRay& ray, Real t)
   Answer hit;
   hit.hit = true;
   hit.t = double(t);
-  const Verdict verdict =
-    Judge<Real>(reference, reference.Crossings(ray.origin, ray.direction), ray, 0.0, hit);
+  const Verdict verdict = Judge<Real>(reference, reference.Crossings(ray.origin, ray.direction), ray, 0.0, hit);
   return !verdict.hit && !verdict.falseHit;
 }
 
@@ -110,19 +109,16 @@ TEST(EstimatePlainTest, LeavesLittleOpen)
       Kernel::Glyph glyph{};
       glyph.centre = 10.0f * glm::vec3(unit(random), unit(random), unit(random));
       glyph.size = 0.6f + 0.4f * glm::vec3(unit(random), unit(random), unit(random));
-      glyph.rotation =
-        glm::normalize(glm::vec4(unit(random), unit(random), unit(random), unit(random)));
+      glyph.rotation = glm::normalize(glm::vec4(unit(random), unit(random), unit(random), unit(random)));
       glyph.turned = true;
       glyph.arrow = glm::vec4(0.03f, 0.1f, 0.35f, 0.3f);
       Kernel::GlyphRay ray{};
       ray.origin = glm::vec3(0.0f, 0.0f, 50.0f);
-      const glm::vec3 target =
-        glyph.centre + 0.8f * glm::vec3(unit(random), unit(random), unit(random));
+      const glm::vec3 target = glyph.centre + 0.8f * glm::vec3(unit(random), unit(random), unit(random));
       ray.direction = target - ray.origin;
       float t = 0, low = 0, high = 0;
       const bool hit = Kernel::Intersect(shape, ray, glyph, 0.0f, 1e30f, t);
-      const bool unknown =
-        Kernel::Estimate(shape, ray, glyph, 0.0f, 1e30f, low, high) == Kernel::unknown;
+      const bool unknown = Kernel::Estimate(shape, ray, glyph, 0.0f, 1e30f, low, high) == Kernel::unknown;
       open += unknown;
       openMisses += unknown && !hit;
       if (unknown && hit)

@@ -56,8 +56,7 @@ struct Glyphs
 std::shared_ptr<const rtg::TriangleMesh> Tetrahedron()
 {
   auto mesh = std::make_shared<rtg::TriangleMesh>();
-  mesh->positions = { { 0, 0, 0.5f }, { 0.5f, 0, -0.5f }, { -0.5f, 0.5f, -0.5f },
-    { -0.5f, -0.5f, -0.5f } };
+  mesh->positions = { { 0, 0, 0.5f }, { 0.5f, 0, -0.5f }, { -0.5f, 0.5f, -0.5f }, { -0.5f, -0.5f, -0.5f } };
   mesh->triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } };
   return mesh;
 }
@@ -78,8 +77,7 @@ Glyphs RandomGlyphs(Content content, unsigned seed)
   {
     for (std::uint32_t i = 0; i < count; ++i)
     {
-      glyphs.instances.motion.velocities.emplace_back(
-        uniform(random), uniform(random), uniform(random));
+      glyphs.instances.motion.velocities.emplace_back(uniform(random), uniform(random), uniform(random));
     }
     glyphs.instances.motion.shutterOpen = -0.05f;
     glyphs.instances.motion.shutterClose = 0.05f;
@@ -104,16 +102,15 @@ Picture Trace(rtg::Scene& scene)
 {
   rtg::TraceSettings settings;
   settings.width = settings.height = side;
-  const auto camera = rtg::Camera::FromWorldToClip(glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) *
-    glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+  const auto camera = rtg::Camera::FromWorldToClip(
+    glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
   const Image image = rtg::testing::SharedTracer().Trace(scene, camera, { rtg::Light() }, settings);
   Picture picture;
   picture.colours.assign(image.colour, image.colour + side * side);
   for (std::uint32_t i = 0; i < side * side; ++i)
   {
     const std::uint32_t glyph = image.glyphIds[i];
-    picture.glyphs.push_back(
-      glyph == Image::noGlyph ? glyph : scene.OriginalGlyph(image.setIds[i], glyph));
+    picture.glyphs.push_back(glyph == Image::noGlyph ? glyph : scene.OriginalGlyph(image.setIds[i], glyph));
   }
   return picture;
 }
@@ -125,8 +122,7 @@ protected:
 
   void SetUp() override
   {
-    ASSERT_TRUE(std::getenv("RTGLYPHS_FAULT"))
-      << "the environment is that of CTest's entry FaultTest";
+    ASSERT_TRUE(std::getenv("RTGLYPHS_FAULT")) << "the environment is that of CTest's entry FaultTest";
   }
 
   std::unique_ptr<rtg::Scene> MakeScene() const
@@ -164,8 +160,8 @@ TEST_P(FaultTest, ACommitAfterOneThatFailedShowsEveryGlyphAsItIs)
                   recolouredPicture = this->Expected(recoloured);
     EXPECT_FALSE(firstPicture == secondPicture);
     int failures = 0;
-    for (const char* function : { "vkAllocateMemory", "vkCreateBuffer", "vkBindBufferMemory",
-           "vkMapMemory", "vkCreateAccelerationStructureKHR" })
+    for (const char* function :
+      { "vkAllocateMemory", "vkCreateBuffer", "vkBindBufferMemory", "vkMapMemory", "vkCreateAccelerationStructureKHR" })
     {
       const auto scene = this->MakeScene();
       const auto id = scene->Add();
@@ -232,8 +228,8 @@ TEST_P(FaultTest, ACommitAfterOneThatFailedShowsEveryGlyphAsItIs)
 TEST_P(FaultTest, WhatFailedIsNotCounted)
 {
   const std::uint64_t before = this->device->HeldBytes();
-  for (const char* function : { "vkAllocateMemory", "vkCreateBuffer", "vkBindBufferMemory",
-         "vkMapMemory", "vkCreateAccelerationStructureKHR" })
+  for (const char* function :
+    { "vkAllocateMemory", "vkCreateBuffer", "vkBindBufferMemory", "vkMapMemory", "vkCreateAccelerationStructureKHR" })
   {
     int failures = 0;
     for (int call = 1; call < 8; ++call)
@@ -258,8 +254,7 @@ TEST_P(FaultTest, WhatFailedIsNotCounted)
 TEST_P(FaultTest, OneSetThatFailsLeavesTheOthersInPlace)
 {
   const auto scene = this->MakeScene();
-  const Glyphs first = RandomGlyphs(Content::Spheres, 4),
-               second = RandomGlyphs(Content::Spheres, 5);
+  const Glyphs first = RandomGlyphs(Content::Spheres, 4), second = RandomGlyphs(Content::Spheres, 5);
   Set(*scene, scene->Add(), first);
   scene->Commit();
   const auto builds = scene->GetStatistics().structureBuilds;
@@ -276,6 +271,5 @@ TEST_P(FaultTest, OneSetThatFailsLeavesTheOthersInPlace)
   EXPECT_TRUE(Trace(*scene) == this->Expected(first));
 }
 
-INSTANTIATE_TEST_SUITE_P(, FaultTest,
-  ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
+INSTANTIATE_TEST_SUITE_P(, FaultTest, ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
   [](const auto& info) { return info.param == rtg::Structure::Boxes ? "Boxes" : "Tree"; });

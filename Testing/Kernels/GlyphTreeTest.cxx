@@ -21,10 +21,10 @@ Box Child(const GlyphTreeNode& node, int child)
   {
     const double step = std::ldexp(1.0, node.exponent[axis] - 127);
     // Rounded towards the inside, so that a plane a hair too tight shows.
-    box.lower[axis] = std::nextafterf(
-      static_cast<float>(node.origin[axis] + step * node.planes[axis][0][child]), INFINITY);
-    box.upper[axis] = std::nextafterf(
-      static_cast<float>(node.origin[axis] + step * node.planes[axis][1][child]), -INFINITY);
+    box.lower[axis] =
+      std::nextafterf(static_cast<float>(node.origin[axis] + step * node.planes[axis][0][child]), INFINITY);
+    box.upper[axis] =
+      std::nextafterf(static_cast<float>(node.origin[axis] + step * node.planes[axis][1][child]), -INFINITY);
   }
   return box;
 }
@@ -62,14 +62,11 @@ void ExpectContained(const std::vector<glm::vec3>& centres, const std::vector<gl
         const GlyphTreeNode& node = tree.nodes.at(GlyphTree::LevelOffset(level) + path / 8);
         const Box child = Child(node, path % 8);
         // The pad that the scene adds before is far more than the two ulps of the rounding above.
-        const glm::vec3 slack =
-          1e-30f + 4e-7f * glm::max(glm::abs(boxes[i].lower), glm::abs(boxes[i].upper));
+        const glm::vec3 slack = 1e-30f + 4e-7f * glm::max(glm::abs(boxes[i].lower), glm::abs(boxes[i].upper));
         for (int axis = 0; axis < 3; ++axis)
         {
-          ASSERT_LE(child.lower[axis], boxes[i].lower[axis] + slack[axis])
-            << count << ' ' << leaf << ' ' << level;
-          ASSERT_GE(child.upper[axis], boxes[i].upper[axis] - slack[axis])
-            << count << ' ' << leaf << ' ' << level;
+          ASSERT_LE(child.lower[axis], boxes[i].lower[axis] + slack[axis]) << count << ' ' << leaf << ' ' << level;
+          ASSERT_GE(child.upper[axis], boxes[i].upper[axis] - slack[axis]) << count << ' ' << leaf << ' ' << level;
         }
       }
     }
@@ -105,8 +102,7 @@ TEST(GlyphTree, ContainsAllBoxesAtEveryCount)
 {
   for (std::size_t count = 1; count < 70; ++count)
   {
-    ExpectContained(
-      Random(count, glm::vec3(1.0f)), std::vector<glm::vec3>(count, glm::vec3(0.05f)));
+    ExpectContained(Random(count, glm::vec3(1.0f)), std::vector<glm::vec3>(count, glm::vec3(0.05f)));
   }
   ExpectContained(Random(50000, glm::vec3(1.0f)), std::vector<glm::vec3>(50000, glm::vec3(0.01f)));
 }
@@ -123,15 +119,14 @@ TEST(GlyphTree, ContainsBoxesOfVeryDifferentSizes)
 
 TEST(GlyphTree, ContainsFlatCoincidentAndSinglePoints)
 {
-  ExpectContained(
-    Random(777, glm::vec3(1.0f, 0.0f, 1.0f)), std::vector<glm::vec3>(777, glm::vec3(0.0f)));
-  ExpectContained(
-    std::vector<glm::vec3>(500, glm::vec3(3.0f)), std::vector<glm::vec3>(500, glm::vec3(1.0f)));
+  ExpectContained(Random(777, glm::vec3(1.0f, 0.0f, 1.0f)), std::vector<glm::vec3>(777, glm::vec3(0.0f)));
+  ExpectContained(std::vector<glm::vec3>(500, glm::vec3(3.0f)), std::vector<glm::vec3>(500, glm::vec3(1.0f)));
 }
 
 TEST(GlyphTree, OrdersChildrenAlongTheSplits)
 {
-  // Children whose number differs only in the bit of one split lie on either side of it, as the order of visits assumes.
+  // Children whose number differs only in the bit of one split lie on either side of it, as the order of visits
+  // assumes.
   const std::vector<glm::vec3> centres = Random(5000, glm::vec3(3.0f, 1.0f, 0.2f));
   const std::uint32_t leafBits = GlyphTree::LeafBits(centres.size(), 2);
   const rtg::KdOrder kd = rtg::MakeKdOrder(Around(centres, 0.0f), leafBits);
@@ -146,7 +141,8 @@ TEST(GlyphTree, OrdersChildrenAlongTheSplits)
   for (std::size_t i = 1; i < tree.nodes.size(); ++i)
   {
     const GlyphTreeNode& node = tree.nodes[i];
-    // The first split parts the lower four from the upper four; the planes may touch, and quantising moves them by a step.
+    // The first split parts the lower four from the upper four; the planes may touch, and quantising moves them by a
+    // step.
     const int axis = node.axes & 3;
     int lowerHalf = 0, upperHalf = 255;
     for (int child = 0; child < 4; ++child)

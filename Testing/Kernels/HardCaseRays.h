@@ -8,8 +8,7 @@ namespace rtg::testing
 
 /// A ray that meets `target` after about `distance`. The direction becomes float first, so that the aim is
 /// true whatever the distance.
-inline void HardCaseMaker::Shoot(
-  HardCase& hard, std::uint32_t index, const Vec& target, Vec direction, double distance)
+inline void HardCaseMaker::Shoot(HardCase& hard, std::uint32_t index, const Vec& target, Vec direction, double distance)
 {
   // Lengths other than one happen: instance transforms, unnormalised cameras.
   const double lengths[] = { 1.0, 1.0, 1.0 / 64, 40.0 };
@@ -46,16 +45,14 @@ inline void HardCaseMaker::Aim(HardCase& hard, double distance)
 }
 
 /// A point of the surface, by the kernel in double.
-inline bool
-HardCaseMaker::Surface(const HardCase& hard, std::uint32_t index, Vec& point, Vec& normal)
+inline bool HardCaseMaker::Surface(const HardCase& hard, std::uint32_t index, Vec& point, Vec& normal)
 {
   const Exact::Glyph glyph = KernelGlyph<double>(hard.instances, index);
   for (int attempt = 0; attempt < 100; ++attempt)
   {
     const Vec direction = this->UnitVector();
     const Vec target = this->ToWorld(hard, index, this->RandomBoxPoint());
-    const Exact::GlyphRay ray{ target - 3.0 * this->Extent(hard, index) * direction, Vec(0),
-      direction };
+    const Exact::GlyphRay ray{ target - 3.0 * this->Extent(hard, index) * direction, Vec(0), direction };
     double t;
     if (Exact::Intersect(hard.instances.shape, ray, glyph, 0.0, 1e30, t))
     {
@@ -93,8 +90,7 @@ inline void HardCaseMaker::Touch(HardCase& hard)
     {
       const double off = this->Choice(4) == 0 ? 0.0 : std::pow(10.0, this->Uniform(-8, -3));
       const double extent = this->Extent(h, i);
-      const Vec target =
-        this->ToWorld(h, i, this->EdgePoint(h, i)) + off * extent * this->UnitVector();
+      const Vec target = this->ToWorld(h, i, this->EdgePoint(h, i)) + off * extent * this->UnitVector();
       this->Shoot(h, i, target, this->UnitVector(), extent * this->Uniform(0.5, 5));
     });
 }
@@ -102,9 +98,8 @@ inline void HardCaseMaker::Touch(HardCase& hard)
 inline void HardCaseMaker::StartInside(HardCase& hard)
 {
   this->Fill(hard,
-    [&](HardCase& h, std::uint32_t i) {
-      this->Shoot(h, i, this->ToWorld(h, i, 0.9 * this->RandomBoxPoint()), this->UnitVector(), 0.0);
-    });
+    [&](HardCase& h, std::uint32_t i)
+    { this->Shoot(h, i, this->ToWorld(h, i, 0.9 * this->RandomBoxPoint()), this->UnitVector(), 0.0); });
 }
 
 inline void HardCaseMaker::StartOnSurface(HardCase& hard)
@@ -156,8 +151,8 @@ inline void HardCaseMaker::ForEachCase(const CaseTaker& take)
 {
   this->engine_.seed(this->seed_);
   bool wanted = true;
-  const auto add = [&](const std::string& situation, double size, double ratio, double distance,
-                     bool turned, const std::function<void(HardCase&)>& rays)
+  const auto add = [&](const std::string& situation, double size, double ratio, double distance, bool turned,
+                     const std::function<void(HardCase&)>& rays)
   {
     if (wanted)
     {
@@ -166,8 +161,7 @@ inline void HardCaseMaker::ForEachCase(const CaseTaker& take)
       wanted = take(std::move(hard));
     }
   };
-  const auto aim = [&](double distance)
-  { return [this, distance](HardCase& h) { this->Aim(h, distance); }; };
+  const auto aim = [&](double distance) { return [this, distance](HardCase& h) { this->Aim(h, distance); }; };
   const bool turned = !this->subject_.sameSize;
 
   add("plain", 1, 1, 0, false, aim(3));
@@ -189,10 +183,9 @@ inline void HardCaseMaker::ForEachCase(const CaseTaker& take)
     {
       const std::string suffix = " 1:1e" + std::to_string(int(std::lround(std::log10(ratio))));
       add("thin" + suffix, 1, ratio, 0, true, aim(3));
-      add("thin" + suffix + ", along", 1, ratio, 0, true,
-        [this, ratio](HardCase& h) { this->AlongThinness(h, ratio); });
       add(
-        "thin" + suffix + ", grazing", 1, ratio, 0, true, [this](HardCase& h) { this->Graze(h); });
+        "thin" + suffix + ", along", 1, ratio, 0, true, [this, ratio](HardCase& h) { this->AlongThinness(h, ratio); });
+      add("thin" + suffix + ", grazing", 1, ratio, 0, true, [this](HardCase& h) { this->Graze(h); });
     }
     add("thin 1:1e4, 1e4 from the origin", 0.02, 1e4, 1e4, true, aim(50));
   }
@@ -221,8 +214,7 @@ inline HardCase HardCaseMaker::Case(const std::string& situation)
     });
   if (last.situation != situation)
   {
-    throw std::invalid_argument(
-      "no hard case of " + this->subject_.name + " is called '" + situation + "'");
+    throw std::invalid_argument("no hard case of " + this->subject_.name + " is called '" + situation + "'");
   }
   return last;
 }
@@ -239,8 +231,7 @@ inline std::vector<Subject> HardSubjects()
     form.fixedHeads = fixed;
     return form;
   };
-  const auto superquadric = [](const std::string& name, const glm::vec3& least,
-                              const glm::vec3& most) {
+  const auto superquadric = [](const std::string& name, const glm::vec3& least, const glm::vec3& most) {
     return Subject{ "superquadric, " + name, Shape::Superquadric, {}, false, least, most };
   };
   return {
@@ -257,8 +248,7 @@ inline std::vector<Subject> HardSubjects()
     { "arrow, only a head", Shape::Arrow, arrow(0.03f, 0.5f, 1, 0.5f, false), false },
     { "arrow, no shaft", Shape::Arrow, arrow(0, 0.2f, 0.5f, 0.3f, true), false },
     { "arrow, thick shaft", Shape::Arrow, arrow(0.3f, 0.1f, 0.35f, 1, true), false },
-    { "arrow, shaft as thick as the tip", Shape::Arrow, arrow(0.1f, 0.1f, 0.35f, 0.5f, true),
-      false },
+    { "arrow, shaft as thick as the tip", Shape::Arrow, arrow(0.1f, 0.1f, 0.35f, 0.5f, true), false },
     superquadric("all 2", glm::vec3(2.0f), glm::vec3(2.0f)),
     superquadric("all 1", glm::vec3(1.0f), glm::vec3(1.0f)),
     superquadric("all 20", glm::vec3(20.0f), glm::vec3(20.0f)),
@@ -273,14 +263,13 @@ inline std::vector<Subject> HardSubjects()
 /// Nested superquadrics, as tensors of both kinds and of sharpness up to 3 give them.
 inline std::vector<Subject> NestedSubjects()
 {
-  const auto nested = [](const std::string& name, const glm::vec3& exponents)
-  {
+  const auto nested = [](const std::string& name, const glm::vec3& exponents) {
     return Subject{ "nested, " + name, Shape::NestedSuperquadric, {}, false, exponents, exponents };
   };
   const auto tensors = [](const std::string& name, TensorGlyphKind kind)
   {
-    return Subject{ "nested, " + name, Shape::NestedSuperquadric, {}, false, glm::vec3(1.0f),
-      glm::vec3(1.0f), true, kind };
+    return Subject{ "nested, " + name, Shape::NestedSuperquadric, {}, false, glm::vec3(1.0f), glm::vec3(1.0f), true,
+      kind };
   };
   return {
     nested("ball", { 1, 1, 1 }),
@@ -294,8 +283,8 @@ inline std::vector<Subject> NestedSubjects()
     tensors("positive tensors", TensorGlyphKind::Superquadric),
     tensors("signed tensors", TensorGlyphKind::SignedSuperquadric),
     // 2 / alpha and 2 / beta from 0.3 to 20
-    Subject{ "nested, 0.3 to 20", Shape::NestedSuperquadric, {}, false, { 0.1f, 0.1f, 0.1f },
-      { 20.0f / 3, 20.0f / 3, 0 } },
+    Subject{
+      "nested, 0.3 to 20", Shape::NestedSuperquadric, {}, false, { 0.1f, 0.1f, 0.1f }, { 20.0f / 3, 20.0f / 3, 0 } },
   };
 }
 

@@ -35,8 +35,7 @@ struct HardCase
 };
 
 template <class Real>
-typename shapes::Kernel<Real>::Glyph
-KernelGlyph(const GlyphInstances& instances, std::uint32_t index)
+typename shapes::Kernel<Real>::Glyph KernelGlyph(const GlyphInstances& instances, std::uint32_t index)
 {
   typename shapes::Kernel<Real>::Glyph glyph{};
   glyph.centre = instances.centres[index];
@@ -50,8 +49,7 @@ KernelGlyph(const GlyphInstances& instances, std::uint32_t index)
   glyph.arrow = glm::vec4(form.shaftRadius, form.tipRadius, form.tipLength, form.tipRounding);
   glyph.fixedHeads = form.fixedHeads;
   glyph.unitLength = form.unitLength;
-  glyph.exponents =
-    instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index];
+  glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index];
   return glyph;
 }
 
@@ -79,7 +77,8 @@ struct Subject
   Shape shape;
   ArrowForm arrow;
   bool sameSize;
-  /// Each glyph's exponents lie between these, at random on a logarithmic scale; the third is the second where `most` of it is 0.
+  /// Each glyph's exponents lie between these, at random on a logarithmic scale; the third is the second where `most`
+  /// of it is 0.
   glm::vec3 leastExponents{ 2.0f };
   glm::vec3 mostExponents{ 2.0f };
   /// Instead those of random tensors whose eigenvalues have ratios to 1e6, now and then equal ones or zeros.
@@ -119,10 +118,7 @@ private:
   /// Takes a case; false: no more are wanted.
   using CaseTaker = std::function<bool(HardCase)>;
 
-  double Uniform(double low, double high)
-  {
-    return low + (high - low) * double(this->engine_() >> 11) * 0x1p-53;
-  }
+  double Uniform(double low, double high) { return low + (high - low) * double(this->engine_() >> 11) * 0x1p-53; }
   int Choice(int count) { return int(this->engine_() % std::uint64_t(count)); }
   Vec UnitVector()
   {
@@ -141,10 +137,8 @@ private:
     Eigensystem eigen;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const bool negative =
-        this->subject_.tensors == TensorGlyphKind::SignedSuperquadric && this->Choice(2) == 0;
-      const double magnitude =
-        std::pow(10.0, this->Choice(2) == 0 ? this->Uniform(-6, 0) : this->Uniform(-1, 0));
+      const bool negative = this->subject_.tensors == TensorGlyphKind::SignedSuperquadric && this->Choice(2) == 0;
+      const double magnitude = std::pow(10.0, this->Choice(2) == 0 ? this->Uniform(-6, 0) : this->Uniform(-1, 0));
       eigen.values[axis] = negative ? -magnitude : magnitude;
     }
     if (this->Choice(6) == 0)
@@ -166,15 +160,11 @@ private:
     for (int axis = 0; axis < 3; ++axis)
     {
       const double least = exponents[axis], most = this->subject_.mostExponents[axis];
-      exponents[axis] =
-        most == 0 ? exponents.y : float(least * std::pow(most / least, this->Uniform(0, 1)));
+      exponents[axis] = most == 0 ? exponents.y : float(least * std::pow(most / least, this->Uniform(0, 1)));
     }
     return exponents;
   }
-  bool IsFixedArrow() const
-  {
-    return this->subject_.shape == Shape::Arrow && this->subject_.arrow.fixedHeads;
-  }
+  bool IsFixedArrow() const { return this->subject_.shape == Shape::Arrow && this->subject_.arrow.fixedHeads; }
 
   /// The unit form's box: (0 .. 1) along x for arrows, else centred.
   Vec ToWorld(const HardCase& hard, std::uint32_t index, const Vec& box) const;
@@ -184,10 +174,8 @@ private:
   double Extent(const HardCase& hard, std::uint32_t index) const;
 
   void ForEachCase(const CaseTaker& take);
-  HardCase
-  Start(const std::string& situation, double size, double ratio, double distance, bool turned);
-  void
-  Shoot(HardCase& hard, std::uint32_t index, const Vec& target, Vec direction, double distance);
+  HardCase Start(const std::string& situation, double size, double ratio, double distance, bool turned);
+  void Shoot(HardCase& hard, std::uint32_t index, const Vec& target, Vec direction, double distance);
   void Fill(HardCase& hard, const RayMaker& maker);
   void Aim(HardCase& hard, double distance);
   void Graze(HardCase& hard);
@@ -204,8 +192,8 @@ private:
   std::mt19937_64 engine_;
 };
 
-inline HardCase HardCaseMaker::Start(
-  const std::string& situation, double size, double ratio, double distance, bool turned)
+inline HardCase
+HardCaseMaker::Start(const std::string& situation, double size, double ratio, double distance, bool turned)
 {
   HardCase hard;
   hard.subject = this->subject_.name;
@@ -255,15 +243,14 @@ inline double HardCaseMaker::Extent(const HardCase& hard, std::uint32_t index) c
   return glm::max(glyph.size.x, glm::max(glyph.size.y, glyph.size.z));
 }
 
-inline glm::dvec3
-HardCaseMaker::ToWorld(const HardCase& hard, std::uint32_t index, const Vec& box) const
+inline glm::dvec3 HardCaseMaker::ToWorld(const HardCase& hard, std::uint32_t index, const Vec& box) const
 {
   const Exact::Glyph glyph = KernelGlyph<double>(hard.instances, index);
   Vec scale = glyph.size;
   if (this->IsFixedArrow())
   {
-    scale.y = scale.z = 2 * std::max(glyph.arrow.x, glyph.arrow.y) *
-      std::min(glyph.unitLength, glyph.size.x / glyph.arrow.z);
+    scale.y = scale.z =
+      2 * std::max(glyph.arrow.x, glyph.arrow.y) * std::min(glyph.unitLength, glyph.size.x / glyph.arrow.z);
   }
   else if (this->subject_.shape == Shape::Arrow)
   {
@@ -308,8 +295,8 @@ inline glm::dvec3 HardCaseMaker::EdgePoint(const HardCase& hard, std::uint32_t i
       const double shaft = r > 0 ? arrow.shaftRadius / r : 0, tip = r > 0 ? arrow.tipRadius / r : 0;
       // For fixed heads the head's base is elsewhere unless the arrow has unit length: still near edges.
       const double base = 0.5 - arrow.tipLength;
-      const Vec edges[] = { { 0.5, 0, 0 }, { base, tip * c, tip * s },
-        { base, shaft * c, shaft * s }, { -0.5, shaft * c, shaft * s } };
+      const Vec edges[] = { { 0.5, 0, 0 }, { base, tip * c, tip * s }, { base, shaft * c, shaft * s },
+        { -0.5, shaft * c, shaft * s } };
       return edges[this->Choice(4)];
     }
     case Shape::NestedSuperquadric:
@@ -319,8 +306,7 @@ inline glm::dvec3 HardCaseMaker::EdgePoint(const HardCase& hard, std::uint32_t i
       const double a = std::abs(2 * c), b = std::abs(2 * s);
       const double norm = std::pow(std::pow(a, 2 / alpha) + std::pow(b, 2 / alpha), alpha / 2);
       const Vec rim(c / norm, s / norm, 0), end(0, 0, side);
-      const double along =
-        this->Choice(3) == 0 ? std::pow(10.0, this->Uniform(-6, 0)) : this->Uniform(0, 1);
+      const double along = this->Choice(3) == 0 ? std::pow(10.0, this->Uniform(-6, 0)) : this->Uniform(0, 1);
       const Vec corner(side, side, 0);
       switch (this->Choice(4))
       {

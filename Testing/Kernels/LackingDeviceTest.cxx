@@ -43,8 +43,8 @@ std::string Message()
 TEST(LackingDeviceTest, WhatADeviceLacksIsNamedOnce)
 {
   EXPECT_EQ(Message(), "");
-  for (const char* property : { "shaderRoundingModeRTEFloat32",
-         "shaderSignedZeroInfNanPreserveFloat32", "vulkanMemoryModel" })
+  for (const char* property :
+    { "shaderRoundingModeRTEFloat32", "shaderSignedZeroInfNanPreserveFloat32", "vulkanMemoryModel" })
   {
     const Variable lacks("RTGLYPHS_LACKS", property);
     const std::string message = Message();

@@ -1,4 +1,5 @@
-// A white or coloured scene, its light and a parallel view, for tests of ambient occlusion and path tracing through the pipeline.
+// A white or coloured scene, its light and a parallel view, for tests of ambient occlusion and path tracing through the
+// pipeline.
 //
 // Confidence: a mean of n samples that each lie in [0, 1] with variance v is off by more than z sqrt(v / n) with
 // the probability that a normal variable is beyond z; z = 5 is one in 1.7 million. v is taken from the samples'
@@ -68,15 +69,13 @@ protected:
   {
     this->settings.width = this->settings.height = 24;
     this->settings.keepSums = true;
-    this->settings.sampler =
-      Sampler::Random; // the confidence intervals are those of independent samples
+    this->settings.sampler = Sampler::Random; // the confidence intervals are those of independent samples
   }
 
   // A parallel view of half-width 1.
   static rtg::Camera LookFrom(glm::dvec3 eye, glm::dvec3 target = glm::dvec3(0), double half = 1.0)
   {
-    const glm::dvec3 up =
-      std::abs(glm::normalize(eye - target).y) > 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 up = std::abs(glm::normalize(eye - target).y) > 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
     return rtg::Camera::FromWorldToClip(
       glm::ortho(-half, half, -half, half, 0.01, 20.0) * glm::lookAt(eye, target, up));
   }
@@ -116,10 +115,7 @@ protected:
     return radiances;
   }
 
-  glm::vec4 PixelMean(int x, int y) const
-  {
-    return this->tracer.Means()[y * this->settings.width + x];
-  }
+  glm::vec4 PixelMean(int x, int y) const { return this->tracer.Means()[y * this->settings.width + x]; }
 
   // A disc over a floor, and all pixels at one place, from which half of the cosine-weighted hemisphere is open
   // (OcclusionOfParallelPlanes).

@@ -26,12 +26,13 @@ TEST_F(LightTest, NetsErrLessThanIndependentSamples)
   {
     const double error = meanSquare(sampler);
     EXPECT_LT(error, 0.5 * random) << static_cast<int>(sampler);
-    std::printf("sampler %d errs %.1f times less than independent samples\n",
-      static_cast<int>(sampler), random / error);
+    std::printf(
+      "sampler %d errs %.1f times less than independent samples\n", static_cast<int>(sampler), random / error);
   }
 }
 
-// Several occlusion rays a sample: the same mean, to which each ray adds its part, and those of one sample and of all together are nets.
+// Several occlusion rays a sample: the same mean, to which each ray adds its part, and those of one sample and of all
+// together are nets.
 TEST_F(LightTest, SeveralOcclusionRaysASample)
 {
   this->LookUnderALid(Flat());
@@ -54,15 +55,14 @@ TEST_F(LightTest, SeveralOcclusionRaysASample)
     for (Sampler sampler : { Sampler::Stratified, Sampler::Sobol, Sampler::BlueNoise })
     {
       const Error spread = errors(sampler, samples, 64);
-      EXPECT_NEAR(spread.mean, 0.0, certain * std::sqrt(variance / pixels))
-        << static_cast<int>(sampler);
+      EXPECT_NEAR(spread.mean, 0.0, certain * std::sqrt(variance / pixels)) << static_cast<int>(sampler);
       EXPECT_LT(spread.square, 0.5 * variance) << static_cast<int>(sampler);
     }
   }
 }
 
-// Several paths a sample: those of one sample and of all together are nets, too. One scattering on a matt floor under the same lid: half of the
-// light, but for the shape of the diffuse lobe.
+// Several paths a sample: those of one sample and of all together are nets, too. One scattering on a matt floor under
+// the same lid: half of the light, but for the shape of the diffuse lobe.
 TEST_F(LightTest, SeveralPathsASample)
 {
   this->LookUnderALid(White());
@@ -73,8 +73,7 @@ TEST_F(LightTest, SeveralPathsASample)
   {
     this->settings.samples = samples;
     const double independent = 0.25 / (64.0 * samples);
-    for (Sampler sampler :
-      { Sampler::Random, Sampler::Stratified, Sampler::Sobol, Sampler::BlueNoise })
+    for (Sampler sampler : { Sampler::Random, Sampler::Stratified, Sampler::Sobol, Sampler::BlueNoise })
     {
       this->settings.sampler = sampler;
       this->Trace();
@@ -93,8 +92,8 @@ TEST_F(LightTest, SeveralPathsASample)
   }
 }
 
-// A thing that covers a quarter of each pixel is hit by exactly a quarter of the samples: their places are a net, although the
-// first of them is the pixel's centre.
+// A thing that covers a quarter of each pixel is hit by exactly a quarter of the samples: their places are a net,
+// although the first of them is the pixel's centre.
 TEST_F(LightTest, PlacesInAPixelAreANet)
 {
   std::vector<glm::vec3> centres;
@@ -102,8 +101,7 @@ TEST_F(LightTest, PlacesInAPixelAreANet)
   {
     centres.emplace_back(-1.0f + (column + 0.125f) / 12.0f, 0.0f, 0.0f);
   }
-  this->Add(
-    Shape::Box, centres, std::vector<glm::vec3>(24, glm::vec3(0.25f / 12.0f, 10.0f, 0.1f)), Flat());
+  this->Add(Shape::Box, centres, std::vector<glm::vec3>(24, glm::vec3(0.25f / 12.0f, 10.0f, 0.1f)), Flat());
   this->settings.sampler = Sampler::Sobol;
   this->settings.shading = Shading::AmbientOcclusion;
   this->settings.occlusionRadius = 1e-6f;
@@ -120,7 +118,8 @@ TEST_F(LightTest, PlacesInAPixelAreANet)
   }
 }
 
-// Russian roulette, with guesses where light comes from all around alone and without, and several paths a sample: the same mean.
+// Russian roulette, with guesses where light comes from all around alone and without, and several paths a sample: the
+// same mean.
 TEST_F(LightTest, RouletteAndPathsChangeNoMean)
 {
   rtg::Material shining;
@@ -148,9 +147,8 @@ TEST_F(LightTest, RouletteAndPathsChangeNoMean)
     this->settings.paths = 1;
     this->Trace();
     const std::vector<glm::vec4> plain = this->tracer.Means();
-    for (const auto& [roulette, paths] :
-      { std::pair(Roulette::Guessing, 1u), std::pair(Roulette::None, 4u),
-        std::pair(Roulette::Plain, 1u), std::pair(Roulette::Guessing, 5u) })
+    for (const auto& [roulette, paths] : { std::pair(Roulette::Guessing, 1u), std::pair(Roulette::None, 4u),
+           std::pair(Roulette::Plain, 1u), std::pair(Roulette::Guessing, 5u) })
     {
       this->settings.roulette = roulette;
       this->settings.paths = paths;
@@ -239,8 +237,8 @@ static std::string NameOf(const ::testing::TestParamInfo<Shading>& info)
   return names[static_cast<int>(info.param)];
 }
 
-INSTANTIATE_TEST_SUITE_P(Shadings, Steps,
-  ::testing::Values(Shading::Local, Shading::AmbientOcclusion, Shading::PathTracing), NameOf);
+INSTANTIATE_TEST_SUITE_P(
+  Shadings, Steps, ::testing::Values(Shading::Local, Shading::AmbientOcclusion, Shading::PathTracing), NameOf);
 
 struct Whole
 {
@@ -261,8 +259,8 @@ class WholeScene
 {
 };
 
-// A scene that is one set of glyphs has programs of its own, which walk its tree without the driver's structure. With another set, which nobody can
-// see inside one of the glyphs, the same picture comes through that structure.
+// A scene that is one set of glyphs has programs of its own, which walk its tree without the driver's structure. With
+// another set, which nobody can see inside one of the glyphs, the same picture comes through that structure.
 TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
 {
   const auto [name, shape, plain, shading] = GetParam();
@@ -282,18 +280,14 @@ TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
   rtg::GlyphColours colours;
   for (int i = 0; i < 300; ++i)
   {
-    instances.centres.emplace_back(
-      1.8f * uniform(random) - 0.9f, 1.8f * uniform(random) - 0.9f, uniform(random));
+    instances.centres.emplace_back(1.8f * uniform(random) - 0.9f, 1.8f * uniform(random) - 0.9f, uniform(random));
     if (!plain)
     {
-      instances.sizes3.emplace_back(
-        0.1f + 0.2f * uniform(random), 0.1f + 0.1f * uniform(random), 0.1f);
-      instances.rotations.push_back(
-        glm::normalize(glm::vec4(uniform(random), uniform(random), uniform(random), 1.0f)));
+      instances.sizes3.emplace_back(0.1f + 0.2f * uniform(random), 0.1f + 0.1f * uniform(random), 0.1f);
+      instances.rotations.push_back(glm::normalize(glm::vec4(uniform(random), uniform(random), uniform(random), 1.0f)));
       instances.motion.velocities.emplace_back(0.1f, 0.05f, 0.0f);
       colours.push_back(static_cast<std::uint32_t>(random()) | 0xff000000u);
-      instances.exponents3.emplace_back(
-        1.0f + 3.0f * uniform(random), 2.0f, 1.0f + 5.0f * uniform(random));
+      instances.exponents3.emplace_back(1.0f + 3.0f * uniform(random), 2.0f, 1.0f + 5.0f * uniform(random));
     }
   }
   if (shape != Shape::Superquadric)

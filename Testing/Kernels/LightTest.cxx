@@ -100,8 +100,7 @@ protected:
   static std::shared_ptr<const rtg::TriangleMesh> Mesh()
   {
     rtg::TriangleMesh mesh;
-    mesh.positions = { { 0.5f, 0.5f, 0.5f }, { 0.5f, -0.5f, -0.5f }, { -0.5f, 0.5f, -0.5f },
-      { -0.5f, -0.5f, 0.5f } };
+    mesh.positions = { { 0.5f, 0.5f, 0.5f }, { 0.5f, -0.5f, -0.5f }, { -0.5f, 0.5f, -0.5f }, { -0.5f, -0.5f, 0.5f } };
     mesh.triangles = { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 } };
     return std::make_shared<const rtg::TriangleMesh>(mesh);
   }
@@ -149,8 +148,7 @@ TEST_P(Furnace, WhiteInWhiteLightIsWhite)
     this->Trace(rtg::Pass::All);
     // A sample is a product of weights of mean 1, each at most (7/2)^2 / 0.48 but seldom beyond 1; what Burley's
     // diffuse lobe varies about its mean is below 0.5 at any angle.
-    const double deviation =
-      finish.material.roughness > 0.0f || finish.material.metallic == 0.0f ? 0.6 : 0.0;
+    const double deviation = finish.material.roughness > 0.0f || finish.material.metallic == 0.0f ? 0.6 : 0.0;
     double sum = 0.0;
     const std::vector<glm::vec4> means = this->tracer.Means();
     double count = 0.0;
@@ -173,10 +171,9 @@ TEST_P(Furnace, WhiteInWhiteLightIsWhite)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Furnace,
-  ::testing::Values(Form{ "Sphere", Shape::Sphere }, Form{ "Box", Shape::Box },
-    Form{ "Cylinder", Shape::Cylinder }, Form{ "Cone", Shape::Cone }, Form{ "Arrow", Shape::Arrow },
-    Form{ "Mesh", Shape::Mesh }, Form{ "RoundedBox", Shape::Superquadric, { 6, 4, 10 } },
-    Form{ "Star", Shape::Superquadric, { 0.6f, 0.8f, 0.7f } },
+  ::testing::Values(Form{ "Sphere", Shape::Sphere }, Form{ "Box", Shape::Box }, Form{ "Cylinder", Shape::Cylinder },
+    Form{ "Cone", Shape::Cone }, Form{ "Arrow", Shape::Arrow }, Form{ "Mesh", Shape::Mesh },
+    Form{ "RoundedBox", Shape::Superquadric, { 6, 4, 10 } }, Form{ "Star", Shape::Superquadric, { 0.6f, 0.8f, 0.7f } },
     Form{ "TensorRod", Shape::NestedSuperquadric, { 0.4f, 0.2f, 0.2f } },
     Form{ "TensorDouble", Shape::NestedSuperquadric, { 0.5f, 0.7f, 0.3f } },
     Form{ "TensorThorn", Shape::NestedSuperquadric, { 1.0f, 2.6f, 2.6f } }),
@@ -189,8 +186,7 @@ TEST_F(LightTest, EnergyNeverGrowsWithBounces)
   rtg::Material metal;
   metal.metallic = 1.0f;
   metal.roughness = 0.8f;
-  const auto id =
-    this->Add(Shape::Sphere, centres, std::vector<glm::vec3>(200, glm::vec3(0.3f)), White());
+  const auto id = this->Add(Shape::Sphere, centres, std::vector<glm::vec3>(200, glm::vec3(0.3f)), White());
   this->settings.shading = Shading::PathTracing;
   this->settings.samples = 64;
   rtg::Material half;
@@ -246,8 +242,7 @@ TEST_F(LightTest, OcclusionOfASphereOnAPlane)
       const double distance2 = px * px + 0.8 * 0.8 + radius * radius;
       expected += (1.0 - radius * radius * radius / (distance2 * std::sqrt(distance2))) / 64.0;
     }
-    const double interval =
-      certain * std::sqrt(expected * (1.0 - expected) / this->settings.samples);
+    const double interval = certain * std::sqrt(expected * (1.0 - expected) / this->settings.samples);
     EXPECT_NEAR(this->PixelMean(x, 0).r, expected, interval + 1e-5) << x;
     EXPECT_EQ(this->PixelMean(x, 0).a, 1.0f);
   }
@@ -288,24 +283,22 @@ TEST_F(LightTest, NothingShadowsItself)
   this->settings.samples = 64;
   for (Shape shape : { Shape::Sphere, Shape::Box, Shape::Cylinder, Shape::Cone })
   {
-    for (const glm::vec3& size : { glm::vec3(1.0f), glm::vec3(1e-3f), glm::vec3(1.0f, 0.01f, 0.3f),
-           glm::vec3(0.01f, 1.0f, 1.0f) })
+    for (const glm::vec3& size :
+      { glm::vec3(1.0f), glm::vec3(1e-3f), glm::vec3(1.0f, 0.01f, 0.3f), glm::vec3(0.01f, 1.0f, 1.0f) })
     {
       for (float where : { 0.0f, 900.0f })
       {
         const glm::vec4 turn = glm::normalize(glm::vec4(0.3f, 0.5f, -0.2f, 0.8f));
         const auto id = this->Add(shape, { { where, 0, 0 } }, { size }, Flat(), { turn });
         const double extent = std::max({ size.x, size.y, size.z });
-        this->camera = this->LookFrom(
-          glm::dvec3(where, 0, 0) + glm::dvec3(0, 0, 5), glm::dvec3(where, 0, 0), 0.7 * extent);
+        this->camera =
+          this->LookFrom(glm::dvec3(where, 0, 0) + glm::dvec3(0, 0, 5), glm::dvec3(where, 0, 0), 0.7 * extent);
         this->Trace();
         const std::vector<glm::vec3> radiances = this->Radiances();
-        ASSERT_GE(radiances.size(), 20u)
-          << static_cast<int>(shape) << ' ' << size.x << ' ' << size.y << ' ' << where;
+        ASSERT_GE(radiances.size(), 20u) << static_cast<int>(shape) << ' ' << size.x << ' ' << size.y << ' ' << where;
         for (const glm::vec3& radiance : radiances)
         {
-          ASSERT_EQ(radiance.r, 1.0f)
-            << static_cast<int>(shape) << ' ' << size.x << ' ' << size.y << ' ' << where;
+          ASSERT_EQ(radiance.r, 1.0f) << static_cast<int>(shape) << ' ' << size.x << ' ' << size.y << ' ' << where;
         }
         this->scene.Remove(id);
       }
@@ -355,11 +348,9 @@ TEST_F(LightTest, DirectionalLightShinesOnAPlaneAsLocally)
   this->settings.lightIntensity = 0.0f;
   this->settings.samples = 16;
   this->Trace();
-  const rtg::shading::Surface surface = { glm::vec3(0.214041f), 0, 0, 0, glm::vec3(1), 0, 0, 0,
-    glm::vec3(1) };
+  const rtg::shading::Surface surface = { glm::vec3(0.214041f), 0, 0, 0, glm::vec3(1), 0, 0, 0, glm::vec3(1) };
   const glm::vec3 from(0, 0, 1), to = -light.direction;
-  const glm::vec3 expected =
-    2.0f * glm::pi<float>() * light.colour * rtg::shading::Evaluate(surface, from, to, {});
+  const glm::vec3 expected = 2.0f * glm::pi<float>() * light.colour * rtg::shading::Evaluate(surface, from, to, {});
   // Burley's smooth diffuse differs from Lambert's by the normal's view factor only: near 0.5^2.2 * 2 * cos.
   EXPECT_NEAR(expected.r / (2 * 0.214041 * 0.8 * to.z), 1.0, 0.06);
   const std::vector<glm::vec3> radiances = this->Radiances();

@@ -74,8 +74,8 @@ void CompareHit(const ReferenceGlyph& glyph, const HardRay& ray, const Answer& a
 } // namespace
 
 template <class Real>
-Verdict Judge(ReferenceGlyph& glyph, const std::vector<ReferenceCrossing>& exact,
-  const HardRay& ray, double tMin, const Answer& answer)
+Verdict Judge(ReferenceGlyph& glyph, const std::vector<ReferenceCrossing>& exact, const HardRay& ray, double tMin,
+  const Answer& answer)
 {
   const double sizeInT = glyph.Size() / glm::length(glm::dvec3(ray.direction));
   const glm::dvec3 direction = glm::normalize(glm::dvec3(ray.direction));
@@ -87,9 +87,7 @@ Verdict Judge(ReferenceGlyph& glyph, const std::vector<ReferenceCrossing>& exact
   {
     const double t = double(crossing.t);
     const double bound = BoundOfT<Real>(t, sizeInT);
-    grazes = grazes ||
-      std::abs(glm::dot(direction, ToDouble(crossing.normal))) <
-        grazingAngle * relativeRoundoff<Real>;
+    grazes = grazes || std::abs(glm::dot(direction, ToDouble(crossing.normal))) < grazingAngle * relativeRoundoff<Real>;
     if (mayMiss && t >= tMin - bound)
     {
       candidates.push_back(&crossing);
@@ -109,8 +107,7 @@ Verdict Judge(ReferenceGlyph& glyph, const std::vector<ReferenceCrossing>& exact
     return verdict;
   }
   const auto closest = std::min_element(candidates.begin(), candidates.end(),
-    [&](const auto* a, const auto* b)
-    { return fabs(double(a->t - answer.t)) < fabs(double(b->t - answer.t)); });
+    [&](const auto* a, const auto* b) { return fabs(double(a->t - answer.t)) < fabs(double(b->t - answer.t)); });
   CompareHit<Real>(glyph, ray, answer, **closest, verdict);
   const bool wrongT = !(verdict.excess <= 1.0);
   const bool wrongNormal = verdict.hasNormal && !(verdict.normalExcess <= 1.0);
@@ -132,8 +129,8 @@ double Quantile(std::vector<double> values, double share)
   {
     return 0.0;
   }
-  const auto at = values.begin() +
-    std::ptrdiff_t(std::min(values.size() - 1, std::size_t(share * double(values.size()))));
+  const auto at =
+    values.begin() + std::ptrdiff_t(std::min(values.size() - 1, std::size_t(share * double(values.size()))));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -192,8 +189,7 @@ template <class Real>
 Verdict ReferenceCase::Judge(std::size_t ray, const Answer& answer)
 {
   const HardRay& hardRay = this->hard_.rays[ray];
-  return testing::Judge<Real>(
-    this->glyphs_[hardRay.glyph], this->crossings_[ray], hardRay, 0.0, answer);
+  return testing::Judge<Real>(this->glyphs_[hardRay.glyph], this->crossings_[ray], hardRay, 0.0, answer);
 }
 
 template <class Real>
@@ -227,10 +223,10 @@ std::vector<Verdict> JudgeKernel(ReferenceCase& reference)
   return verdicts;
 }
 
-template Verdict Judge<float>(
-  ReferenceGlyph&, const std::vector<ReferenceCrossing>&, const HardRay&, double, const Answer&);
-template Verdict Judge<double>(
-  ReferenceGlyph&, const std::vector<ReferenceCrossing>&, const HardRay&, double, const Answer&);
+template Verdict
+Judge<float>(ReferenceGlyph&, const std::vector<ReferenceCrossing>&, const HardRay&, double, const Answer&);
+template Verdict
+Judge<double>(ReferenceGlyph&, const std::vector<ReferenceCrossing>&, const HardRay&, double, const Answer&);
 template Verdict ReferenceCase::Judge<float>(std::size_t, const Answer&);
 template Verdict ReferenceCase::Judge<double>(std::size_t, const Answer&);
 template std::vector<Verdict> JudgeKernel<float>(ReferenceCase&);

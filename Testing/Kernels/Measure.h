@@ -45,35 +45,34 @@ constexpr double boundSizes = 1e-6;
 constexpr double boundRadians = 4e-6;
 
 template <class Real>
-constexpr double relativeRoundoff = double(std::numeric_limits<Real>::epsilon()) /
-  double(std::numeric_limits<float>::epsilon());
+constexpr double
+  relativeRoundoff = double(std::numeric_limits<Real>::epsilon()) / double(std::numeric_limits<float>::epsilon());
 
 /// A crossing within the bound of tMin is accepted and may be missed.
 struct Verdict
 {
-  bool hit = false; ///< of the reference
-  bool excused =
-    false; ///< something is beyond its bound, but so near a silhouette that it does not count
+  bool hit = false;     ///< of the reference
+  bool excused = false; ///< something is beyond its bound, but so near a silhouette that it does not count
   bool falseHit = false, falseMiss = false; ///< outside the band only
   bool bothHit = false;                     ///< and t is compared
   double ulps = 0.0;                        ///< |dt| in ulps of t
   double sizes = 0.0;                       ///< |dt| in glyph sizes
   double excess = 0.0;                      ///< |dt| over the bound: at most 1
-  bool hasNormal = false;    ///< the normal is compared: not near an edge, nor excused
-  double radians = 0.0;      ///< error of the normal
-  double normalExcess = 0.0; ///< the same over its bound
+  bool hasNormal = false;                   ///< the normal is compared: not near an edge, nor excused
+  double radians = 0.0;                     ///< error of the normal
+  double normalExcess = 0.0;                ///< the same over its bound
 };
 
 /// `Real` is the arithmetic whose ulps count. The ray's range is [tMin, infinity). `exact` is what
 /// glyph.Crossings() gives for the ray.
 template <class Real>
-Verdict Judge(ReferenceGlyph& glyph, const std::vector<ReferenceCrossing>& exact,
-  const HardRay& ray, double tMin, const Answer& answer);
+Verdict Judge(ReferenceGlyph& glyph, const std::vector<ReferenceCrossing>& exact, const HardRay& ray, double tMin,
+  const Answer& answer);
 
-extern template Verdict Judge<float>(
-  ReferenceGlyph&, const std::vector<ReferenceCrossing>&, const HardRay&, double, const Answer&);
-extern template Verdict Judge<double>(
-  ReferenceGlyph&, const std::vector<ReferenceCrossing>&, const HardRay&, double, const Answer&);
+extern template Verdict
+Judge<float>(ReferenceGlyph&, const std::vector<ReferenceCrossing>&, const HardRay&, double, const Answer&);
+extern template Verdict
+Judge<double>(ReferenceGlyph&, const std::vector<ReferenceCrossing>&, const HardRay&, double, const Answer&);
 
 /// A hard case with the reference's crossings. The reference costs more than a kernel: found once, the
 /// crossings judge several arithmetics.
@@ -100,8 +99,8 @@ extern template Verdict ReferenceCase::Judge<double>(std::size_t, const Answer&)
 /// Summary of a case: medians and maxima over rays where both hit, counts over all.
 struct CaseReport
 {
-  std::size_t rays = 0, hits = 0, excused = 0, compared = 0, falseHits = 0, falseMisses = 0,
-              outOfBound = 0, normalsOutOfBound = 0;
+  std::size_t rays = 0, hits = 0, excused = 0, compared = 0, falseHits = 0, falseMisses = 0, outOfBound = 0,
+              normalsOutOfBound = 0;
   double medianUlps = 0, maxUlps = 0, medianSizes = 0, maxSizes = 0, maxExcess = 0;
   double medianRadians = 0, maxRadians = 0, maxNormalExcess = 0;
 };

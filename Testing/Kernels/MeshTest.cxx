@@ -33,8 +33,7 @@ rtg::TriangleMesh FacetedBall(int segments)
     for (int segment = 0; segment < segments; ++segment)
     {
       const float round = glm::two_pi<float>() * float(segment) / float(segments);
-      mesh.normals.emplace_back(
-        std::sin(down) * std::cos(round), std::cos(down), -std::sin(down) * std::sin(round));
+      mesh.normals.emplace_back(std::sin(down) * std::cos(round), std::cos(down), -std::sin(down) * std::sin(round));
       mesh.positions.push_back(0.5f * mesh.normals.back());
     }
   }
@@ -58,16 +57,13 @@ protected:
   rtg::Tracer& tracer = rtg::testing::SharedTracer();
   std::mt19937 random{ 7 };
 
-  float Uniform(float lower, float upper)
-  {
-    return std::uniform_real_distribution<float>(lower, upper)(this->random);
-  }
+  float Uniform(float lower, float upper) { return std::uniform_real_distribution<float>(lower, upper)(this->random); }
 
   glm::vec4 RandomRotation()
   {
     std::normal_distribution<float> normal;
-    return glm::normalize(glm::vec4(
-      normal(this->random), normal(this->random), normal(this->random), normal(this->random)));
+    return glm::normalize(
+      glm::vec4(normal(this->random), normal(this->random), normal(this->random), normal(this->random)));
   }
 
   // Boxes of all sizes, turned, far from the world's origin.
@@ -78,10 +74,8 @@ protected:
     instances.origin = glm::dvec3(1000.0, -500.0, 20.0);
     for (std::size_t i = 0; i < count; ++i)
     {
-      instances.centres.push_back(
-        { this->Uniform(-5, 5), this->Uniform(-5, 5), this->Uniform(-5, 5) });
-      instances.sizes3.push_back(
-        { this->Uniform(0.3f, 1), this->Uniform(0.3f, 1), this->Uniform(0.3f, 1) });
+      instances.centres.push_back({ this->Uniform(-5, 5), this->Uniform(-5, 5), this->Uniform(-5, 5) });
+      instances.sizes3.push_back({ this->Uniform(0.3f, 1), this->Uniform(0.3f, 1), this->Uniform(0.3f, 1) });
       instances.rotations.push_back(this->RandomRotation());
     }
     return instances;
@@ -92,8 +86,7 @@ protected:
     std::vector<rtg::Tracer::Probe> probes;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const glm::dvec3 from(
-        this->Uniform(-9, 9), this->Uniform(-9, 9), this->Uniform(0, 1) < 0.5f ? -9 : 9);
+      const glm::dvec3 from(this->Uniform(-9, 9), this->Uniform(-9, 9), this->Uniform(0, 1) < 0.5f ? -9 : 9);
       const glm::dvec3 to(this->Uniform(-4, 4), this->Uniform(-4, 4), this->Uniform(-4, 4));
       probes.push_back({ around + from, glm::vec3(to - from) });
     }
@@ -120,9 +113,8 @@ protected:
     material.lighting = false;
     this->scene.SetMaterial(id, material);
     this->scene.Commit();
-    const rtg::Camera camera =
-      rtg::Camera::FromWorldToClip(glm::ortho(0.0, 1.0, 0.0, 1.0, 1.0, 9.0) *
-        glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+    const rtg::Camera camera = rtg::Camera::FromWorldToClip(
+      glm::ortho(0.0, 1.0, 0.0, 1.0, 1.0, 9.0) * glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
     rtg::TraceSettings settings;
     settings.width = settings.height = 64;
     return this->tracer.Trace(this->scene, camera, {}, settings);
@@ -179,8 +171,8 @@ TEST_F(MeshTest, HidesAndIsHiddenByOtherGlyphs)
   rtg::GlyphInstances balls;
   balls.centres = { { 0, 0, 2 }, { 3, 0, -2 } };
   this->scene.SetInstances(spheres, balls);
-  const auto hits = this->Probe({ { { 0.1, 0.1, 9 }, { 0, 0, -1 } },
-    { { 3.1, 0.1, 9 }, { 0, 0, -1 } }, { { 3.1, 0.1, -9 }, { 0, 0, 1 } } });
+  const auto hits = this->Probe(
+    { { { 0.1, 0.1, 9 }, { 0, 0, -1 } }, { { 3.1, 0.1, 9 }, { 0, 0, -1 } }, { { 3.1, 0.1, -9 }, { 0, 0, 1 } } });
   EXPECT_EQ(hits[0].setId, spheres);
   EXPECT_EQ(hits[1].setId, meshes);
   EXPECT_EQ(hits[1].glyphId, 1u);
@@ -237,8 +229,8 @@ TEST_F(MeshTest, ColoursAndNamesOfTrianglesFollowThem)
   {
     place[i] = i * 7 % stripes;
     const float x = float(place[i]) / stripes;
-    mesh.positions.insert(mesh.positions.end(),
-      { { x, -9, 0 }, { x + 1.0f / stripes, -9, 0 }, { x + 0.5f / stripes, 99, 0 } });
+    mesh.positions.insert(
+      mesh.positions.end(), { { x, -9, 0 }, { x + 1.0f / stripes, -9, 0 }, { x + 0.5f / stripes, 99, 0 } });
     mesh.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
     mesh.triangleColours.push_back(0xff000000u + i);
   }
@@ -271,9 +263,8 @@ TEST_F(MeshTest, SameMeshElsewhereIsNotBuiltAgain)
 // Of a convex body all of the light from all around reaches every point, however much the normals of its corners lean.
 TEST_F(MeshTest, ConvexBodiesWithSmoothNormalsDoNotShadeThemselves)
 {
-  const rtg::Camera camera =
-    rtg::Camera::FromWorldToClip(glm::ortho(-0.6, 0.6, -0.6, 0.6, 1.0, 9.0) *
-      glm::lookAt(glm::dvec3(3, 1, 4), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+  const rtg::Camera camera = rtg::Camera::FromWorldToClip(
+    glm::ortho(-0.6, 0.6, -0.6, 0.6, 1.0, 9.0) * glm::lookAt(glm::dvec3(3, 1, 4), glm::dvec3(0), glm::dvec3(0, 1, 0)));
   rtg::Material material;
   material.lighting = true;
   material.ambient = 1.0f;
@@ -298,8 +289,7 @@ TEST_F(MeshTest, ConvexBodiesWithSmoothNormalsDoNotShadeThemselves)
       settings.width = settings.height = 60;
       settings.samples = 16;
       settings.keepSums = true;
-      for (const rtg::Shading shading :
-        { rtg::Shading::AmbientOcclusion, rtg::Shading::PathTracing })
+      for (const rtg::Shading shading : { rtg::Shading::AmbientOcclusion, rtg::Shading::PathTracing })
       {
         // All of the light is reflected, or the body shines by itself as far as light reaches it.
         material.ambient = shading == rtg::Shading::PathTracing ? 0.0f : 1.0f;
@@ -316,8 +306,7 @@ TEST_F(MeshTest, ConvexBodiesWithSmoothNormalsDoNotShadeThemselves)
           least = mean.a > 0.0f ? std::min(least, double(mean.r / mean.a)) : least;
         }
         EXPECT_GT(covered, 1000.0);
-        EXPECT_NEAR(light / covered, 1.0, 1e-3)
-          << segments << " segments" << (moves ? ", moving" : "");
+        EXPECT_NEAR(light / covered, 1.0, 1e-3) << segments << " segments" << (moves ? ", moving" : "");
         // Weights of path tracing differ from direction to direction.
         EXPECT_GT(least, shading == rtg::Shading::PathTracing ? 0.0 : 0.999)
           << segments << " segments" << (moves ? ", moving" : "");

@@ -112,8 +112,7 @@ protected:
       for (std::size_t glyph = 0; glyph < instances.Count(); ++glyph)
       {
         double t;
-        const bool met =
-          Double::Intersect(shape, ray, GlyphAt(instances, glyph, time), 0.0, 100.0, t);
+        const bool met = Double::Intersect(shape, ray, GlyphAt(instances, glyph, time), 0.0, 100.0, t);
         if (met && t < nearest)
         {
           nearest = t;
@@ -121,8 +120,7 @@ protected:
         }
       }
       // A ray that grazes a glyph or an edge within rounding may see either.
-      if (found[i].glyphId != (hit & 0xffffffffu) ||
-        (hit != Image::noGlyph && std::abs(found[i].t - nearest) > 1e-4))
+      if (found[i].glyphId != (hit & 0xffffffffu) || (hit != Image::noGlyph && std::abs(found[i].t - nearest) > 1e-4))
       {
         ++doubtful;
         continue;
@@ -130,8 +128,7 @@ protected:
       if (hit != Image::noGlyph)
       {
         ++hits;
-        const glm::dvec3 normal =
-          Double::Normal(shape, ray, GlyphAt(instances, hit, time), nearest);
+        const glm::dvec3 normal = Double::Normal(shape, ray, GlyphAt(instances, hit, time), nearest);
         doubtful += glm::length(normal - glm::dvec3(found[i].normal)) > 1e-3;
       }
     }
@@ -266,8 +263,8 @@ protected:
       }
       squares += (means[pixel].a - expected) * (means[pixel].a - expected);
     }
-    // Of 16 samples, each of the two times at which an edge passes misplaces one or, where times wrap around, two: in the mean
-    // much less than the share of independent samples that chance misplaces.
+    // Of 16 samples, each of the two times at which an edge passes misplaces one or, where times wrap around, two: in
+    // the mean much less than the share of independent samples that chance misplaces.
     EXPECT_LT(squares, 0.25 * variances);
   }
 };
@@ -303,8 +300,7 @@ TEST_P(MotionTest, StreaksKeepTheColoursOfTheirGlyphs)
   this->scene.SetMaterial(id, material);
   this->scene.Commit();
   this->settings.samples = 32;
-  const Image image =
-    this->tracer.Trace(this->scene, this->camera, { rtg::Light() }, this->settings);
+  const Image image = this->tracer.Trace(this->scene, this->camera, { rtg::Light() }, this->settings);
   int thin = 0;
   for (std::uint32_t i = 0; i < image.width * image.height; ++i)
   {
@@ -414,27 +410,22 @@ TEST_P(MotionTest, RefusesWhatMakesNoSense)
   };
   EXPECT_EQ(message([](auto&) {}), "");
   EXPECT_NE(
-    message([](auto& i) { i.motion.velocities.pop_back(); }).find("1 velocities for 2 glyphs"),
-    std::string::npos);
-  EXPECT_NE(message([](auto& i) { i.motion.accelerations.resize(3); }).find("3 accelerations"),
-    std::string::npos);
-  EXPECT_NE(message([](auto& i) { i.motion.velocities[1].y = NAN; }).find("(1, nan, 1)"),
-    std::string::npos);
-  EXPECT_NE(message([](auto& i) { i.motion.shutterClose = -0.5f; }).find("must close later"),
-    std::string::npos);
-  EXPECT_NE(message([](auto& i) { i.motion.shutterOpen = NAN; }).find("must close later"),
-    std::string::npos);
+    message([](auto& i) { i.motion.velocities.pop_back(); }).find("1 velocities for 2 glyphs"), std::string::npos);
+  EXPECT_NE(message([](auto& i) { i.motion.accelerations.resize(3); }).find("3 accelerations"), std::string::npos);
+  EXPECT_NE(message([](auto& i) { i.motion.velocities[1].y = NAN; }).find("(1, nan, 1)"), std::string::npos);
+  EXPECT_NE(message([](auto& i) { i.motion.shutterClose = -0.5f; }).find("must close later"), std::string::npos);
+  EXPECT_NE(message([](auto& i) { i.motion.shutterOpen = NAN; }).find("must close later"), std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, MotionTest,
   ::testing::Values(Way{ rtg::Structure::Boxes, 0 }, Way{ rtg::Structure::Tree, 3 }),
   ::testing::PrintToStringParamName());
-INSTANTIATE_TEST_SUITE_P(Ways, MotionOfShapes, ::testing::Values(Way{ rtg::Structure::Tree, 3 }),
-  ::testing::PrintToStringParamName());
-INSTANTIATE_TEST_SUITE_P(Ways, OneTimeAPath, ::testing::Values(Way{ rtg::Structure::Tree, 0 }),
-  ::testing::PrintToStringParamName());
-INSTANTIATE_TEST_SUITE_P(Ways, TimesOf, ::testing::Values(Way{ rtg::Structure::Tree, -1 }),
-  ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(
+  Ways, MotionOfShapes, ::testing::Values(Way{ rtg::Structure::Tree, 3 }), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(
+  Ways, OneTimeAPath, ::testing::Values(Way{ rtg::Structure::Tree, 0 }), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(
+  Ways, TimesOf, ::testing::Values(Way{ rtg::Structure::Tree, -1 }), ::testing::PrintToStringParamName());
 
 TEST(GlyphBoxesOfPaths, HoldEveryTimeAndAreTight)
 {

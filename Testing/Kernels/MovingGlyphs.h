@@ -31,22 +31,18 @@ public:
   {
   }
 
-  float Uniform(float lower, float upper)
-  {
-    return std::uniform_real_distribution<float>(lower, upper)(this->random_);
-  }
+  float Uniform(float lower, float upper) { return std::uniform_real_distribution<float>(lower, upper)(this->random_); }
 
   glm::vec3 Vector(float reach)
   {
-    return { this->Uniform(-reach, reach), this->Uniform(-reach, reach),
-      this->Uniform(-reach, reach) };
+    return { this->Uniform(-reach, reach), this->Uniform(-reach, reach), this->Uniform(-reach, reach) };
   }
 
   glm::vec4 Rotation()
   {
     std::normal_distribution<float> normal;
-    return glm::normalize(glm::vec4(
-      normal(this->random_), normal(this->random_), normal(this->random_), normal(this->random_)));
+    return glm::normalize(
+      glm::vec4(normal(this->random_), normal(this->random_), normal(this->random_), normal(this->random_)));
   }
 
   rtg::GlyphInstances Make(rtg::Shape shape, std::size_t count, bool moves, bool spins)
@@ -56,8 +52,7 @@ public:
     for (std::size_t i = 0; i < count; ++i)
     {
       instances.centres.push_back(this->Vector(0.5f));
-      instances.sizes3.push_back(
-        { this->Uniform(0.1f, 0.4f), this->Uniform(0.1f, 0.4f), this->Uniform(0.1f, 0.4f) });
+      instances.sizes3.push_back({ this->Uniform(0.1f, 0.4f), this->Uniform(0.1f, 0.4f), this->Uniform(0.1f, 0.4f) });
       instances.rotations.push_back(this->Rotation());
       if (moves)
       {
@@ -97,20 +92,17 @@ inline Double::Glyph GlyphAt(const rtg::GlyphInstances& instances, std::size_t i
   {
     glyph.centre += glm::dvec3(motion.accelerations[i]) * time * time / 2.0;
   }
-  glyph.size =
-    instances.sizes3.empty() ? glm::dvec3(instances.uniformSize) : glm::dvec3(instances.sizes3[i]);
+  glyph.size = instances.sizes3.empty() ? glm::dvec3(instances.uniformSize) : glm::dvec3(instances.sizes3[i]);
   glyph.sameSize = instances.sizes3.empty();
   glyph.turned = true;
-  glyph.rotation =
-    instances.rotations.empty() ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(instances.rotations[i]);
+  glyph.rotation = instances.rotations.empty() ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(instances.rotations[i]);
   if (!motion.angularVelocities.empty())
   {
     const glm::dvec3 turn = glm::dvec3(motion.angularVelocities[i]) * time;
     const double angle = glm::length(turn);
     if (angle > 0.0)
     {
-      glyph.rotation = Product(
-        glm::dvec4(std::sin(angle / 2.0) / angle * turn, std::cos(angle / 2.0)), glyph.rotation);
+      glyph.rotation = Product(glm::dvec4(std::sin(angle / 2.0) / angle * turn, std::cos(angle / 2.0)), glyph.rotation);
     }
   }
   glyph.rotation = glm::normalize(glyph.rotation);
@@ -143,8 +135,8 @@ protected:
   rtg::Tracer& tracer = rtg::testing::SharedTracer();
   rtg::TraceSettings settings;
   // The square [-1, 1] x [-1, 1], seen along -z.
-  rtg::Camera camera = rtg::Camera::FromWorldToClip(glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) *
-    glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+  rtg::Camera camera = rtg::Camera::FromWorldToClip(
+    glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
 
   void SetUp() override
   {
@@ -177,8 +169,8 @@ protected:
     return (2.0 / side) * glm::dvec2(pixel % side + x, pixel / side + y) - 1.0;
   }
 
-  // Independent times make each sample of each pixel a coin that shows a glyph with the share of the shutter's opening for
-  // which one covers the sample's position; that share is given. The sum over pixels of squared deviations over
+  // Independent times make each sample of each pixel a coin that shows a glyph with the share of the shutter's opening
+  // for which one covers the sample's position; that share is given. The sum over pixels of squared deviations over
   // variances is then chi-squared. Fails by chance once in 10,000.
   void ExpectCoverage(const std::function<double(glm::dvec2)>& share)
   {
@@ -213,8 +205,7 @@ protected:
     const double tail = 2.0 / (9.0 * freedoms);
     const double deviation = (std::cbrt(chiSquared / freedoms) - (1.0 - tail)) / std::sqrt(tail);
     EXPECT_LT(std::abs(deviation), 3.9) << chiSquared << " of " << freedoms;
-    EXPECT_LT(std::abs(total - expectedTotal), 3.9 * std::sqrt(variance))
-      << total << ' ' << expectedTotal;
+    EXPECT_LT(std::abs(total - expectedTotal), 3.9 * std::sqrt(variance)) << total << ' ' << expectedTotal;
   }
 };
 

@@ -42,8 +42,8 @@ class MovingMesh : public MotionTest
 {
 protected:
   // Rays at random times meet what `boxAt` says of a box in double, glyph by glyph.
-  void ExpectRaysMeet(const rtg::GlyphInstances& meshes,
-    const std::function<Double::Glyph(std::size_t, double)>& boxAt, bool namesTriangles)
+  void ExpectRaysMeet(const rtg::GlyphInstances& meshes, const std::function<Double::Glyph(std::size_t, double)>& boxAt,
+    bool namesTriangles)
   {
     MovingGlyphs make(4);
     const std::size_t count = meshes.Count();
@@ -93,7 +93,8 @@ protected:
   }
 };
 
-// Positions that go apart from the middle while it goes along a parabola: a box at all times, of which `At` knows the size.
+// Positions that go apart from the middle while it goes along a parabola: a box at all times, of which `At` knows the
+// size.
 struct GrowingBox
 {
   const glm::dvec3 velocity{ 0.6, -0.3, 0.4 };
@@ -199,8 +200,7 @@ TEST_P(MovingMesh, SurfaceCoversAsBruteForce)
         // Sizes of both are of the glyph: its frame is that of the mesh times 0.6.
         const Double::Glyph at = box.At(instances.motion.Time((i + 0.5) / times));
         const glm::dvec2 away = glm::abs(p - double(0.6f) * glm::dvec2(at.centre));
-        covered +=
-          away.x < 0.5 * double(0.6f) * at.size.x && away.y < 0.5 * double(0.6f) * at.size.y;
+        covered += away.x < 0.5 * double(0.6f) * at.size.x && away.y < 0.5 * double(0.6f) * at.size.y;
       }
       return double(covered) / times;
     });
@@ -265,9 +265,8 @@ TEST_P(MovingMesh, NoRayFindsAGapBetweenTriangles)
     probe.time = make.Uniform(0.0f, 0.9999f);
     probe.origin = glm::dvec3(0.3) + glm::dvec3(make.Vector(0.3f));
     const double time = instances.motion.Time(probe.time);
-    const auto at = [&](std::uint32_t corner) {
-      return glm::dvec3(mesh.positions[corner]) + time * glm::dvec3(mesh.motion.velocities[corner]);
-    };
+    const auto at = [&](std::uint32_t corner)
+    { return glm::dvec3(mesh.positions[corner]) + time * glm::dvec3(mesh.motion.velocities[corner]); };
     // At a corner, or somewhere on an edge.
     const glm::uvec3& corner = mesh.triangles[i % mesh.triangles.size()];
     const double share = i % 3 == 0 ? 0.0 : make.Uniform(0.0f, 1.0f);
@@ -276,9 +275,7 @@ TEST_P(MovingMesh, NoRayFindsAGapBetweenTriangles)
     probes.push_back(probe);
   }
   const auto found = this->tracer.TraceProbes(this->scene, probes);
-  EXPECT_EQ(0,
-    std::count_if(
-      found.begin(), found.end(), [](const auto& hit) { return !std::isfinite(hit.t); }));
+  EXPECT_EQ(0, std::count_if(found.begin(), found.end(), [](const auto& hit) { return !std::isfinite(hit.t); }));
   // A box of the tree that were too small would also lose what lies behind the first triangles.
   int near = 0;
   for (std::size_t i = 0; i < probes.size(); ++i)
@@ -380,16 +377,12 @@ TEST_P(MovingMesh, RefusesWhatMakesNoSense)
     return std::string();
   };
   EXPECT_EQ(message([](auto&, auto&) {}), "");
-  EXPECT_NE(message([](auto& mesh, auto&) { mesh.motion.velocities.pop_back(); })
-              .find("7 velocities for 8"),
+  EXPECT_NE(message([](auto& mesh, auto&) { mesh.motion.velocities.pop_back(); }).find("7 velocities for 8"),
     std::string::npos);
-  EXPECT_NE(message([](auto& mesh, auto&) { mesh.motion.accelerations[2].x = NAN; }).find("nan"),
-    std::string::npos);
+  EXPECT_NE(message([](auto& mesh, auto&) { mesh.motion.accelerations[2].x = NAN; }).find("nan"), std::string::npos);
   EXPECT_NE(
-    message([](auto& mesh, auto&) { mesh.motion.angularVelocities.resize(8); }).find("angular"),
-    std::string::npos);
-  EXPECT_NE(message([](auto&, auto& shutter) { shutter.shutterClose = shutter.shutterOpen; })
-              .find("must close later"),
+    message([](auto& mesh, auto&) { mesh.motion.angularVelocities.resize(8); }).find("angular"), std::string::npos);
+  EXPECT_NE(message([](auto&, auto& shutter) { shutter.shutterClose = shutter.shutterOpen; }).find("must close later"),
     std::string::npos);
 }
 

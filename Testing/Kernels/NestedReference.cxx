@@ -88,8 +88,7 @@ Real NestedReference::Value(const Real point[3], Real* gradient) const
   const Real p = 2 / Real(this->alpha_);
   Real fallX, fallY;
   const Real rx = LogProfile(a[2], Real(this->beta_), fallX);
-  const Real ry =
-    this->c_ == this->beta_ ? (fallY = fallX, rx) : LogProfile(a[2], Real(this->c_), fallY);
+  const Real ry = this->c_ == this->beta_ ? (fallY = fallX, rx) : LogProfile(a[2], Real(this->c_), fallY);
   const Real x = a[0] > 0 ? Log(a[0]) - rx : -huge, y = a[1] > 0 ? Log(a[1]) - ry : -huge;
   const Real high = x > y ? x : y, low = x > y ? y : x;
   const Real power = Exp(std::max(p * (low - high), Real(-11000)));
@@ -108,8 +107,7 @@ Real NestedReference::Value(const Real point[3], Real* gradient) const
 
 NestedReference::Long NestedReference::Along(Long s, Long* slope) const
 {
-  const Long point[3] = { this->o_[0] + s * this->d_[0], this->o_[1] + s * this->d_[1],
-    this->o_[2] + s * this->d_[2] };
+  const Long point[3] = { this->o_[0] + s * this->d_[0], this->o_[1] + s * this->d_[1], this->o_[2] + s * this->d_[2] };
   Long gradient[3];
   const Long value = this->Value(point, slope ? gradient : nullptr);
   if (slope)
@@ -181,8 +179,7 @@ void NestedReference::FindPieces(Long from, Long to, std::vector<Long>& roots) c
 }
 
 /// In an octant N grows with every coordinate: the smallest and largest ones of a window bound it.
-void NestedReference::Divide(
-  Long from, Long to, Long octantFrom, Long octantTo, std::vector<Long>& roots) const
+void NestedReference::Divide(Long from, Long to, Long octantFrom, Long octantTo, std::vector<Long>& roots) const
 {
   Long least[3], most[3];
   for (int i = 0; i < 3; ++i)
@@ -244,8 +241,7 @@ void NestedReference::Finish(Long from, Long to, std::vector<Long>& roots) const
   }
 }
 
-std::vector<NestedReference::Crossing>
-NestedReference::Crossings(const Quad o[3], const Quad d[3], bool precise) const
+std::vector<NestedReference::Crossing> NestedReference::Crossings(const Quad o[3], const Quad d[3], bool precise) const
 {
   Quad length = 0;
   for (int i = 0; i < 3; ++i)
@@ -304,12 +300,11 @@ NestedReference::Crossings(const Quad o[3], const Quad d[3], bool precise) const
       }
       if (this->alpha_ > 1)
       {
-        crossing.edgeDistance =
-          std::min({ crossing.edgeDistance, fabsq(point[0]), fabsq(point[1]) });
+        crossing.edgeDistance = std::min({ crossing.edgeDistance, fabsq(point[0]), fabsq(point[1]) });
       }
       const Quad step = slope != 0 ? -value / slope : Quad(0);
-      // Next to the end of the axis the gauge is a quotient of small numbers, on which Newton's method may need longer; the
-      // root is that of the bisection then, good for t but not for a normal.
+      // Next to the end of the axis the gauge is a quotient of small numbers, on which Newton's method may need longer;
+      // the root is that of the bisection then, good for t but not for a normal.
       if (!(fabsq(step) < 1e-20) && (i == 3 || !(fabsq(step) < 1e-9)))
       {
         crossing.edgeDistance = 0;

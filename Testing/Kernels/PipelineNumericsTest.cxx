@@ -65,8 +65,8 @@ protected:
       for (std::size_t k = 0; k < rays.size(); ++k)
       {
         const Answer answer{ std::isfinite(hits[k].t), hits[k].t, glm::dvec3(hits[k].normal) };
-        verdicts.push_back(Judge<float>(
-          reference, reference.Crossings(rays[k].origin, rays[k].direction), rays[k], 0.0, answer));
+        verdicts.push_back(
+          Judge<float>(reference, reference.Crossings(rays[k].origin, rays[k].direction), rays[k], 0.0, answer));
       }
     }
     return verdicts;
@@ -92,25 +92,22 @@ TEST_P(PipelineNumericsTest, KeepsTheBounds)
     // The pipeline moves the origin to the scene's bounds and keeps 48 bits of it: 6e-11 at 1e4 from the origin
     // of the set, a thousandth of this case's shaft radius of 6e-8, and 6e-5 of a superquadric's half thickness, which
     // exponents of 20 turn into 1e-3 of its normal.
-    const bool tooThin =
-      (hard.subject.rfind("arrow", 0) == 0 || hard.subject.rfind("superquadric", 0) == 0 ||
-        hard.subject.rfind("nested", 0) == 0) &&
+    const bool tooThin = (hard.subject.rfind("arrow", 0) == 0 || hard.subject.rfind("superquadric", 0) == 0 ||
+                           hard.subject.rfind("nested", 0) == 0) &&
       hard.situation == "thin 1:1e4, 1e4 from the origin";
     EXPECT_LE(report.maxRadians, tooThin ? 4e-3 : boundRadians);
     all.insert(all.end(), verdicts.begin(), verdicts.end());
   }
   const CaseReport report = Summarise(all);
   EXPECT_GT(report.compared, 1000u);
-  std::cout << report.hits << " hits of " << report.rays << " rays; t: median " << report.medianUlps
-            << " ulps, " << report.medianSizes << " sizes, worst " << report.maxExcess
-            << " of the bound; normal: worst " << report.maxRadians << " radians; false hits "
-            << report.falseHits << ", misses " << report.falseMisses << "\n";
+  std::cout << report.hits << " hits of " << report.rays << " rays; t: median " << report.medianUlps << " ulps, "
+            << report.medianSizes << " sizes, worst " << report.maxExcess << " of the bound; normal: worst "
+            << report.maxRadians << " radians; false hits " << report.falseHits << ", misses " << report.falseMisses
+            << "\n";
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  Shapes, PipelineNumericsTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(Shapes, PipelineNumericsTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
 
-INSTANTIATE_TEST_SUITE_P(
-  Nested, PipelineNumericsTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(Nested, PipelineNumericsTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);
 
 } // namespace

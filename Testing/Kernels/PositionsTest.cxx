@@ -28,13 +28,12 @@ protected:
   Tracer& tracer = rtg::testing::SharedTracer();
 
   // Turned glyphs at these places, which move or not.
-  static rtg::GlyphInstances
-  Glyphs(Shape shape, const std::vector<glm::dvec3>& places, const glm::dvec3& origin)
+  static rtg::GlyphInstances Glyphs(Shape shape, const std::vector<glm::dvec3>& places, const glm::dvec3& origin)
   {
     rtg::GlyphInstances glyphs;
     glyphs.shape = shape;
-    glyphs.uniformExponents = shape == Shape::NestedSuperquadric ? glm::vec3(0.7f, 0.8f, 0.8f)
-                                                                 : glm::vec3(2.5f, 3.0f, 4.0f);
+    glyphs.uniformExponents =
+      shape == Shape::NestedSuperquadric ? glm::vec3(0.7f, 0.8f, 0.8f) : glm::vec3(2.5f, 3.0f, 4.0f);
     glyphs.origin = origin;
     if (shape == Shape::Mesh)
     {
@@ -56,8 +55,7 @@ protected:
     return glyphs;
   }
 
-  std::vector<Tracer::ProbeHit>
-  Probe(const rtg::GlyphInstances& glyphs, const std::vector<Tracer::Probe>& probes)
+  std::vector<Tracer::ProbeHit> Probe(const rtg::GlyphInstances& glyphs, const std::vector<Tracer::Probe>& probes)
   {
     rtg::Scene scene(this->device);
     scene.GetState().structure = std::get<0>(GetParam());
@@ -78,8 +76,7 @@ TEST_P(PositionsTest, SurviveOutliers)
   // The marked glyph is the first; 1e6 away lies another crowd.
   for (const glm::dvec3& middle : { glm::dvec3(0.0), glm::dvec3(1e6, -3e5, 2e5) })
   {
-    const glm::dvec3 marked =
-      middle + glm::dvec3(0.123456789012, -0.3141592653589, 0.2718281828459);
+    const glm::dvec3 marked = middle + glm::dvec3(0.123456789012, -0.3141592653589, 0.2718281828459);
     std::vector<Tracer::Probe> probes, aloneProbes;
     for (int i = 0; i < 40; ++i)
     {
@@ -90,26 +87,21 @@ TEST_P(PositionsTest, SurviveOutliers)
     }
     for (std::uint32_t shape = 0; shape <= static_cast<std::uint32_t>(Shape::Mesh); ++shape)
     {
-      const auto alone =
-        this->Probe(Glyphs(Shape(shape), { glm::dvec3(0.0) }, glm::dvec3(0.0)), aloneProbes);
+      const auto alone = this->Probe(Glyphs(Shape(shape), { glm::dvec3(0.0) }, glm::dvec3(0.0)), aloneProbes);
       for (const double outlier : { 1e5, 1e30 })
       {
-        std::vector<glm::dvec3> places{ marked,
-          glm::dvec3(outlier, -0.5 * outlier, 0.7 * outlier) };
+        std::vector<glm::dvec3> places{ marked, glm::dvec3(outlier, -0.5 * outlier, 0.7 * outlier) };
         for (int i = 0; i < 6; ++i)
         {
-          places.push_back(
-            (i < 3 ? glm::dvec3(0.0) : glm::dvec3(1e6, -3e5, 2e5)) + glm::dvec3(2.0) + vector());
+          places.push_back((i < 3 ? glm::dvec3(0.0) : glm::dvec3(1e6, -3e5, 2e5)) + glm::dvec3(2.0) + vector());
         }
-        const auto hits =
-          this->Probe(Glyphs(Shape(shape), places, glm::dvec3(0.5, 0.25, -0.5)), probes);
+        const auto hits = this->Probe(Glyphs(Shape(shape), places, glm::dvec3(0.5, 0.25, -0.5)), probes);
         int met = 0;
         for (std::size_t i = 0; i < hits.size(); ++i)
         {
           const bool found = std::isfinite(alone[i].t);
           met += found;
-          ASSERT_EQ(std::isfinite(hits[i].t), found)
-            << "shape " << shape << ", outlier at " << outlier;
+          ASSERT_EQ(std::isfinite(hits[i].t), found) << "shape " << shape << ", outlier at " << outlier;
           if (found)
           {
             EXPECT_EQ(hits[i].glyphId, 0u);
@@ -137,8 +129,7 @@ TEST_P(PositionsTest, SurviveHiddenSetsFarAway)
     probes.back().direction = glm::vec3(far - probes.back().origin);
     aloneProbes.push_back({ probes.back().origin - far, probes.back().direction, 0.75f });
   }
-  const auto alone =
-    this->Probe(Glyphs(Shape::Sphere, { glm::dvec3(0.0) }, glm::dvec3(0.0)), aloneProbes);
+  const auto alone = this->Probe(Glyphs(Shape::Sphere, { glm::dvec3(0.0) }, glm::dvec3(0.0)), aloneProbes);
   rtg::Scene scene(this->device);
   scene.GetState().structure = std::get<0>(GetParam());
   const auto first = scene.Add();

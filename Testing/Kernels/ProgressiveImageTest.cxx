@@ -41,8 +41,7 @@ public:
     return kept;
   }
 
-  Image Trace(
-    const ImageView&, const rtg::TraceSettings& settings, const rtg::Interrupt& interrupt) override
+  Image Trace(const ImageView&, const rtg::TraceSettings& settings, const rtg::Interrupt& interrupt) override
   {
     ++this->traces;
     if (settings.firstSample > 0 &&
@@ -120,8 +119,8 @@ public:
     return image;
   }
 
-  bool noDevice = false, hasDevice = true, lost = false, sceneFails = false, traceFails = false,
-       memoryFails = false, loseDevice = false;
+  bool noDevice = false, hasDevice = true, lost = false, sceneFails = false, traceFails = false, memoryFails = false,
+       loseDevice = false;
   double compilingSeconds = 0.0, secondsPerSample = 0.01, now = 0.0, rays = 0.0;
   std::uint64_t bytes = 100;
   int traces = 0, resumes = 0, denoisings = 0;
@@ -163,10 +162,7 @@ ImageEffort Window(std::uint32_t samples)
 class ProgressiveImageTest : public testing::Test
 {
 protected:
-  const Image* Update(const ImageEffort& effort)
-  {
-    return this->image.Update(this->source, this->view, effort);
-  }
+  const Image* Update(const ImageEffort& effort) { return this->image.Update(this->source, this->view, effort); }
 
   // Number of updates until the image is finished.
   int Finish(const ImageEffort& effort)
@@ -283,8 +279,7 @@ TEST_F(ProgressiveImageTest, FewerSamplesFinishAnImageThatHasThem)
 
 TEST_F(ProgressiveImageTest, ACaptureGoesOnWithTheWindowsImageAndTheWindowWithTheCapture)
 {
-  for (rtg::Shading shading :
-    { rtg::Shading::Local, rtg::Shading::AmbientOcclusion, rtg::Shading::PathTracing })
+  for (rtg::Shading shading : { rtg::Shading::Local, rtg::Shading::AmbientOcclusion, rtg::Shading::PathTracing })
   {
     this->view = View(shading);
     this->Update(Window(64));

@@ -19,10 +19,7 @@ public:
     : engine_(seed)
   {
   }
-  double Uniform(double low, double high)
-  {
-    return low + (high - low) * double(this->engine_() >> 11) * 0x1p-53;
-  }
+  double Uniform(double low, double high) { return low + (high - low) * double(this->engine_() >> 11) * 0x1p-53; }
   glm::dquat Rotation()
   {
     std::normal_distribution<double> normal;

@@ -60,8 +60,7 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
   const glm::vec3 size = !instances.sizes3.empty()
     ? instances.sizes3[index]
     : glm::vec3(!instances.sizes1.empty() ? instances.sizes1[index] : instances.uniformSize);
-  const glm::vec4 q =
-    instances.rotations.empty() ? glm::vec4(0, 0, 0, 1) : instances.rotations[index];
+  const glm::vec4 q = instances.rotations.empty() ? glm::vec4(0, 0, 0, 1) : instances.rotations[index];
 
   // The rotation matrix of q / |q| (Shoemake 1985), columns are the unit form's axes in the world.
   const Quad x = q.x, y = q.y, z = q.z, w = q.w;
@@ -81,8 +80,8 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
 
   this->scale_ = ToQuad(glm::dvec3(size));
   this->size_ = std::max({ size.x, size.y, size.z });
-  this->exponents_ = ToQuad(glm::dvec3(
-    instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index]));
+  this->exponents_ =
+    ToQuad(glm::dvec3(instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index]));
   const Quad half = 0.5;
   switch (this->shape_)
   {
@@ -152,8 +151,7 @@ void ReferenceGlyph::MakeArrow(Quad factor)
       const Quad toCentre = this->ballCentre_ - base;
       const Quad distance = sqrtq(tip * tip + toCentre * toCentre);
       const Quad angle = atan2q(tip, toCentre) - asinq(this->ball_ / distance);
-      this->profile_.push_back(
-        { this->ballCentre_ + this->ball_ * sinq(angle), this->ball_ * cosq(angle) });
+      this->profile_.push_back({ this->ballCentre_ + this->ball_ * sinq(angle), this->ball_ * cosq(angle) });
       this->smoothEnd_ = true;
     }
   }
@@ -166,12 +164,11 @@ QuadVector ReferenceGlyph::Turned(const QuadVector& v, bool toWorld) const
   const auto& r = this->rotation_;
   if (toWorld)
   {
-    return { r[0][0] * v.x + r[0][1] * v.y + r[0][2] * v.z,
-      r[1][0] * v.x + r[1][1] * v.y + r[1][2] * v.z,
+    return { r[0][0] * v.x + r[0][1] * v.y + r[0][2] * v.z, r[1][0] * v.x + r[1][1] * v.y + r[1][2] * v.z,
       r[2][0] * v.x + r[2][1] * v.y + r[2][2] * v.z };
   }
-  return { r[0][0] * v.x + r[1][0] * v.y + r[2][0] * v.z,
-    r[0][1] * v.x + r[1][1] * v.y + r[2][1] * v.z, r[0][2] * v.x + r[1][2] * v.y + r[2][2] * v.z };
+  return { r[0][0] * v.x + r[1][0] * v.y + r[2][0] * v.z, r[0][1] * v.x + r[1][1] * v.y + r[2][1] * v.z,
+    r[0][2] * v.x + r[1][2] * v.y + r[2][2] * v.z };
 }
 
 std::vector<ReferenceCrossing>
@@ -179,8 +176,7 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
 {
   const QuadVector o = ToQuad(origin);
   const QuadVector d = ToQuad(glm::dvec3(direction));
-  const QuadVector lo =
-    this->Turned({ o.x - this->centre_.x, o.y - this->centre_.y, o.z - this->centre_.z }, false);
+  const QuadVector lo = this->Turned({ o.x - this->centre_.x, o.y - this->centre_.y, o.z - this->centre_.z }, false);
   const QuadVector ld = this->Turned(d, false);
   Quad scale = factor;
   if (this->shape_ == Shape::Arrow)
@@ -189,10 +185,8 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
     scale = 1;
   }
   UnitRay ray;
-  ray.origin = { lo.x / this->scale_.x / scale, lo.y / this->scale_.y / scale,
-    lo.z / this->scale_.z / scale };
-  ray.direction = { ld.x / this->scale_.x / scale, ld.y / this->scale_.y / scale,
-    ld.z / this->scale_.z / scale };
+  ray.origin = { lo.x / this->scale_.x / scale, lo.y / this->scale_.y / scale, lo.z / this->scale_.z / scale };
+  ray.direction = { ld.x / this->scale_.x / scale, ld.y / this->scale_.y / scale, ld.z / this->scale_.z / scale };
 
   // Every t below counts from the point nearest to the glyph's origin, where digits matter most.
   const Quad start = -Dot(ray.origin, ray.direction) / Dot(ray.direction, ray.direction);
@@ -268,8 +262,8 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
   return crossings;
 }
 
-void ReferenceGlyph::Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance,
-  std::vector<ReferenceCrossing>& crossings) const
+void ReferenceGlyph::Add(
+  Quad t, const QuadVector& unitNormal, Quad edgeDistance, std::vector<ReferenceCrossing>& crossings) const
 {
   QuadVector normal = unitNormal;
   if (this->shape_ == Shape::Cylinder)
@@ -280,12 +274,11 @@ void ReferenceGlyph::Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance
   normal = this->Turned(normal, true);
   const Quad length = sqrtq(Dot(normal, normal));
   const Quad least = std::min({ this->scale_.x, this->scale_.y, this->scale_.z }) / this->size_;
-  crossings.push_back({ t, { normal.x / length, normal.y / length, normal.z / length },
-    edgeDistance, edgeDistance * least });
+  crossings.push_back(
+    { t, { normal.x / length, normal.y / length, normal.z / length }, edgeDistance, edgeDistance * least });
 }
 
-void ReferenceGlyph::MeetRectangles(
-  const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const
+void ReferenceGlyph::MeetRectangles(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const
 {
   const Quad o[3] = { ray.origin.x, ray.origin.y, ray.origin.z };
   const Quad d[3] = { ray.direction.x, ray.direction.y, ray.direction.z };
@@ -308,12 +301,11 @@ void ReferenceGlyph::MeetRectangles(
   }
 }
 
-void ReferenceGlyph::MeetSphere(const UnitRay& ray, Quad centre, Quad radius, Quad from,
-  std::vector<ReferenceCrossing>& crossings) const
+void ReferenceGlyph::MeetSphere(
+  const UnitRay& ray, Quad centre, Quad radius, Quad from, std::vector<ReferenceCrossing>& crossings) const
 {
   const QuadVector o{ ray.origin.x - centre, ray.origin.y, ray.origin.z };
-  for (const Quad t :
-    Roots(Dot(ray.direction, ray.direction), Dot(o, ray.direction), Dot(o, o) - radius * radius))
+  for (const Quad t : Roots(Dot(ray.direction, ray.direction), Dot(o, ray.direction), Dot(o, o) - radius * radius))
   {
     const QuadVector p = At(o, ray.direction, t);
     if (p.x + centre >= from - tolerance)
@@ -323,8 +315,8 @@ void ReferenceGlyph::MeetSphere(const UnitRay& ray, Quad centre, Quad radius, Qu
   }
 }
 
-void ReferenceGlyph::MeetAnnulus(const UnitRay& ray, ProfilePoint a, ProfilePoint b,
-  std::vector<ReferenceCrossing>& crossings) const
+void ReferenceGlyph::MeetAnnulus(
+  const UnitRay& ray, ProfilePoint a, ProfilePoint b, std::vector<ReferenceCrossing>& crossings) const
 {
   if (ray.direction.x == 0)
   {
@@ -341,16 +333,16 @@ void ReferenceGlyph::MeetAnnulus(const UnitRay& ray, ProfilePoint a, ProfilePoin
   }
 }
 
-void ReferenceGlyph::MeetFrustum(const UnitRay& ray, ProfilePoint a, ProfilePoint b, bool smoothEnd,
-  std::vector<ReferenceCrossing>& crossings) const
+void ReferenceGlyph::MeetFrustum(
+  const UnitRay& ray, ProfilePoint a, ProfilePoint b, bool smoothEnd, std::vector<ReferenceCrossing>& crossings) const
 {
   const QuadVector& o = ray.origin;
   const QuadVector& d = ray.direction;
   const Quad slope = (b.r - a.r) / (b.h - a.h);
   const Quad radius = a.r + slope * (o.x - a.h);
   const Quad rate = slope * d.x;
-  for (const Quad t : Roots(d.y * d.y + d.z * d.z - rate * rate,
-         o.y * d.y + o.z * d.z - radius * rate, o.y * o.y + o.z * o.z - radius * radius))
+  for (const Quad t : Roots(d.y * d.y + d.z * d.z - rate * rate, o.y * d.y + o.z * d.z - radius * rate,
+         o.y * o.y + o.z * o.z - radius * radius))
   {
     const QuadVector p = At(o, d, t);
     const Quad r = a.r + slope * (p.x - a.h);

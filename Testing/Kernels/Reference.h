@@ -40,8 +40,7 @@ public:
   /// `origin` counts from GlyphInstances::origin. `factor` makes the glyph a little larger or smaller: affine
   /// glyphs scale about their centre; an arrow's radii scale and its ends move outwards by the same as
   /// its largest radius, so that a long thin arrow's head stays where it is.
-  std::vector<ReferenceCrossing>
-  Crossings(const glm::dvec3& origin, const glm::vec3& direction, double factor = 1.0);
+  std::vector<ReferenceCrossing> Crossings(const glm::dvec3& origin, const glm::vec3& direction, double factor = 1.0);
 
 private:
   struct UnitRay
@@ -55,15 +54,13 @@ private:
 
   QuadVector Turned(const QuadVector& v, bool toWorld) const;
   void MakeArrow(Quad factor);
-  void Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance,
-    std::vector<ReferenceCrossing>& crossings) const;
+  void Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance, std::vector<ReferenceCrossing>& crossings) const;
   /// Superquadrics: SuperquadricReference.cxx.
   void MeetSuperquadric(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const;
   void MeetRectangles(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const;
-  void MeetSphere(const UnitRay& ray, Quad centre, Quad radius, Quad from,
-    std::vector<ReferenceCrossing>& crossings) const;
-  void MeetAnnulus(const UnitRay& ray, ProfilePoint a, ProfilePoint b,
-    std::vector<ReferenceCrossing>& crossings) const;
+  void
+  MeetSphere(const UnitRay& ray, Quad centre, Quad radius, Quad from, std::vector<ReferenceCrossing>& crossings) const;
+  void MeetAnnulus(const UnitRay& ray, ProfilePoint a, ProfilePoint b, std::vector<ReferenceCrossing>& crossings) const;
   void MeetFrustum(const UnitRay& ray, ProfilePoint a, ProfilePoint b, bool smoothEnd,
     std::vector<ReferenceCrossing>& crossings) const;
 

@@ -21,8 +21,7 @@ ReferenceGlyph Unit(Shape shape, glm::vec3 size = glm::vec3(1.0f), const ArrowFo
   return ReferenceGlyph(instances, 0);
 }
 
-void ExpectCrossings(
-  ReferenceGlyph glyph, glm::dvec3 origin, glm::vec3 direction, std::vector<double> expected)
+void ExpectCrossings(ReferenceGlyph glyph, glm::dvec3 origin, glm::vec3 direction, std::vector<double> expected)
 {
   const auto crossings = glyph.Crossings(origin, direction);
   ASSERT_EQ(crossings.size(), expected.size());
@@ -98,8 +97,7 @@ TEST(ReferenceTest, Superquadrics)
   ExpectCrossings(unit(glm::vec3(1.0f)), { -3, 0.25, 0 }, { 1, 0, 0 }, { 2.75, 3.25 });
   ExpectCrossings(unit(glm::vec3(1.0f)), { -3, 0.3, 0.25 }, { 1, 0, 0 }, {});
   // sqrt|2x| + sqrt|2y| = 1 at z = 0: at 2y = 1/16 it is 2x = 9/16.
-  ExpectCrossings(
-    unit(glm::vec3(0.5f)), { -3, 0.03125, 0 }, { 1, 0, 0 }, { 3 - 0.28125, 3 + 0.28125 });
+  ExpectCrossings(unit(glm::vec3(0.5f)), { -3, 0.03125, 0 }, { 1, 0, 0 }, { 3 - 0.28125, 3 + 0.28125 });
   // Exponents of their own: x^2 + |y| + z^4 = 1 in the frame of the half-lengths.
   ExpectCrossings(unit({ 2, 1, 4 }), { 0.25, -3, 0.25 }, { 0, 1, 0 }, { 3 - 0.34375, 3 + 0.34375 });
 }

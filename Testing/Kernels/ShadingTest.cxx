@@ -20,10 +20,9 @@ static uint Value(uint index, uint seed, uint dimension)
   return dimension % 2 ? pair.y : pair.x;
 }
 
-// Whether 2^(sum of bits) numbers from `start` on, a multiple of that, put one into each cell that bits[i] cuts of dimension
-// dimensions[i] make.
-static bool
-IsNet(uint start, uint seed, const std::vector<uint>& dimensions, const std::vector<uint>& bits)
+// Whether 2^(sum of bits) numbers from `start` on, a multiple of that, put one into each cell that bits[i] cuts of
+// dimension dimensions[i] make.
+static bool IsNet(uint start, uint seed, const std::vector<uint>& dimensions, const std::vector<uint>& bits)
 {
   const uint all = std::accumulate(bits.begin(), bits.end(), 0u);
   std::set<uint> cells;
@@ -80,8 +79,7 @@ TEST(Sobol, TwoPairsAreNetsInBaseFour)
         {
           for (uint c = 0; a + b + c <= k; ++c)
           {
-            ASSERT_TRUE(IsNet(first + 5, seeds[first / 4], dimensions,
-              { 2 * a, 2 * b, 2 * c, 2 * (k - a - b - c) }))
+            ASSERT_TRUE(IsNet(first + 5, seeds[first / 4], dimensions, { 2 * a, 2 * b, 2 * c, 2 * (k - a - b - c) }))
               << first << ' ' << k << ' ' << a << b << c;
           }
         }
@@ -227,8 +225,7 @@ TEST(Frame, CosineDirectionsCoverTheDiscEvenly)
 TEST(Frame, CosineDirectionsKeepNeighboursTogether)
 {
   const int side = 512;
-  const auto at = [side](int i, int j)
-  { return CosineDirection(vec2((i + 0.5f) / side, (j + 0.5f) / side)); };
+  const auto at = [side](int i, int j) { return CosineDirection(vec2((i + 0.5f) / side, (j + 0.5f) / side)); };
   for (int i = 0; i + 1 < side; ++i)
   {
     for (int j = 0; j + 1 < side; ++j)
@@ -292,13 +289,13 @@ TEST(Principled, ScattersAsItEvaluates)
         // Uniform directions
         const float height = uniform(random), angle = 6.2831853f * uniform(random);
         const float radius = std::sqrt(std::max(1.0f - height * height, 0.0f));
-        const vec3 other(
-          radius * std::cos(angle), radius * std::sin(angle), std::max(height, 1e-6f));
+        const vec3 other(radius * std::cos(angle), radius * std::sin(angle), std::max(height, 1e-6f));
         const double value = Evaluate(c.surface, from, other, numbers()).g * 6.2831853;
         dense[region(other)] += value;
         dense2[region(other)] += value * value;
       }
-      // What roulette takes for the share of the light that comes back is so to a fifth: it leaves out what roughness does.
+      // What roulette takes for the share of the light that comes back is so to a fifth: it leaves out what roughness
+      // does.
       const double albedo = std::accumulate(drawn, drawn + rings * sectors, 0.0) / count;
       EXPECT_NEAR(rtg::shading::AlbedoSeen(c.surface, z).g, albedo, 0.2) << c.name << ", z " << z;
       for (int k = 0; k < rings * sectors; ++k)
@@ -329,13 +326,10 @@ TEST(Principled, DiffuseAlbedoIsTheIntegral)
         {
           const float angle = 6.2831853f * j / sectors;
           sum += DiffuseShape(from,
-            vec3(radius * std::cos(angle), radius * std::sin(angle),
-              std::sqrt(1.0f - radius * radius)),
-            roughness);
+            vec3(radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0f - radius * radius)), roughness);
         }
       }
-      EXPECT_NEAR(sum / (rings * sectors), DiffuseAlbedo(z, roughness), 2e-5)
-        << roughness << ' ' << z;
+      EXPECT_NEAR(sum / (rings * sectors), DiffuseAlbedo(z, roughness), 2e-5) << roughness << ' ' << z;
     }
   }
 }

@@ -20,8 +20,7 @@ bool Cuts(ReferenceGlyph& glyph, int axis, double value, glm::dvec3& seed)
   double radius = glyph.Size();
   for (int i = 0; i < 3000; ++i)
   {
-    glm::dvec3 point =
-      seed + radius * glm::dvec3(uniform(engine), uniform(engine), uniform(engine));
+    glm::dvec3 point = seed + radius * glm::dvec3(uniform(engine), uniform(engine), uniform(engine));
     point[axis] = value;
     glm::dvec3 direction(uniform(engine), uniform(engine), uniform(engine));
     direction[axis] = 0.0;
@@ -44,8 +43,7 @@ bool Reaches(ReferenceGlyph& glyph, int axis, double bound, glm::dvec3 seed)
   double left = full;
   while (std::abs(left) > 1e-5 * glyph.Size())
   {
-    left = std::abs(0.3 * left) > 1e-5 * glyph.Size() ? 0.3 * left
-                                                      : std::copysign(0.99e-5 * glyph.Size(), full);
+    left = std::abs(0.3 * left) > 1e-5 * glyph.Size() ? 0.3 * left : std::copysign(0.99e-5 * glyph.Size(), full);
     if (!Cuts(glyph, axis, bound - left, seed))
     {
       return false;
@@ -72,17 +70,14 @@ TEST_P(ShapeBoundsTest, HoldTheSurface)
       Kernel::Bounds(hard.instances.shape, KernelGlyph<float>(hard.instances, i), lower, upper);
       // Tight but for rounding: what the scene pads by.
       const glm::vec3 size(float(reference.Size()));
-      const glm::vec3 pad =
-        4.0f * std::numeric_limits<float>::epsilon() * (glm::abs(hard.instances.centres[i]) + size);
+      const glm::vec3 pad = 4.0f * std::numeric_limits<float>::epsilon() * (glm::abs(hard.instances.centres[i]) + size);
       for (std::size_t k = i * 60; k < (i + 1) * 60 && k < hard.rays.size(); ++k)
       {
-        for (const auto& crossing :
-          reference.Crossings(hard.rays[k].origin, hard.rays[k].direction))
+        for (const auto& crossing : reference.Crossings(hard.rays[k].origin, hard.rays[k].direction))
         {
           for (int axis = 0; axis < 3; ++axis)
           {
-            const double p = double(
-              Quad(hard.rays[k].origin[axis]) + crossing.t * Quad(hard.rays[k].direction[axis]));
+            const double p = double(Quad(hard.rays[k].origin[axis]) + crossing.t * Quad(hard.rays[k].direction[axis]));
             ASSERT_GE(p, lower[axis] - pad[axis]);
             ASSERT_LE(p, upper[axis] + pad[axis]);
           }
@@ -92,8 +87,8 @@ TEST_P(ShapeBoundsTest, HoldTheSurface)
   }
 }
 
-/// Stars with exponents below 1 are left out: their tips are too thin to be found, and beside exponents above 1 their box is that of a
-/// larger body.
+/// Stars with exponents below 1 are left out: their tips are too thin to be found, and beside exponents above 1 their
+/// box is that of a larger body.
 class TightBoundsTest : public ShapeBoundsTest
 {
 };
@@ -118,9 +113,8 @@ TEST_P(TightBoundsTest, TouchTheSurface)
         {
           const auto crossings = reference.Crossings(ray.origin, ray.direction);
           found = crossings.size() == 2;
-          inside = found
-            ? ray.origin + double(crossings[0].t + crossings[1].t) / 2 * glm::dvec3(ray.direction)
-            : inside;
+          inside =
+            found ? ray.origin + double(crossings[0].t + crossings[1].t) / 2 * glm::dvec3(ray.direction) : inside;
         }
       }
       ASSERT_TRUE(found);
@@ -148,7 +142,6 @@ std::vector<Subject> SubjectsWithoutWings()
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ShapeBoundsTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
-INSTANTIATE_TEST_SUITE_P(
-  Shapes, TightBoundsTest, ::testing::ValuesIn(SubjectsWithoutWings()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(Shapes, TightBoundsTest, ::testing::ValuesIn(SubjectsWithoutWings()), SubjectName);
 
 } // namespace

@@ -42,9 +42,7 @@ double NanosecondsPerRay(const HardCase& hard, int repetitions, int rounds)
       for (std::size_t i = 0; i < rays.size(); ++i)
       {
         Real t = 0;
-        sum += Kernel::Intersect(hard.instances.shape, rays[i], glyphs[i], Real(0), Real(1e30), t)
-          ? t
-          : Real(0);
+        sum += Kernel::Intersect(hard.instances.shape, rays[i], glyphs[i], Real(0), Real(1e30), t) ? t : Real(0);
       }
     }
     sink = sink + sum;
@@ -56,17 +54,15 @@ double NanosecondsPerRay(const HardCase& hard, int repetitions, int rounds)
 
 void WriteRow(std::ostream& csv, const HardCase& hard, const char* arithmetic, const CaseReport& r)
 {
-  csv << '"' << hard.subject << "\",\"" << hard.situation << "\"," << arithmetic << ',' << r.rays
-      << ',' << r.hits << ',' << r.excused << ',' << r.falseHits << ',' << r.falseMisses << ','
-      << r.outOfBound << ',' << r.medianUlps << ',' << r.maxUlps << ',' << r.medianSizes << ','
-      << r.maxSizes << ',' << r.maxExcess << ',' << r.medianRadians << ',' << r.maxRadians << ','
-      << r.maxNormalExcess << '\n';
+  csv << '"' << hard.subject << "\",\"" << hard.situation << "\"," << arithmetic << ',' << r.rays << ',' << r.hits
+      << ',' << r.excused << ',' << r.falseHits << ',' << r.falseMisses << ',' << r.outOfBound << ',' << r.medianUlps
+      << ',' << r.maxUlps << ',' << r.medianSizes << ',' << r.maxSizes << ',' << r.maxExcess << ',' << r.medianRadians
+      << ',' << r.maxRadians << ',' << r.maxNormalExcess << '\n';
 }
 
 /// The hard cases of one family together.
 template <class Real>
-void TableOfFamily(
-  const Subject& subject, const char* range, const char* arithmetic, std::ostream& csv)
+void TableOfFamily(const Subject& subject, const char* range, const char* arithmetic, std::ostream& csv)
 {
   std::vector<double> sizes, radians;
   std::size_t rays = 0, falseHits = 0, falseMisses = 0, outOfBound = 0, wrongNormals = 0;
@@ -96,48 +92,38 @@ void TableOfFamily(
     plain = hard.situation == "turned" ? ns : plain;
   }
   const double ns = nanoseconds / double(rays);
-  csv << '"' << subject.name << "\"," << range << ',' << arithmetic << ',' << rays << ',' << plain
-      << ',' << ns << ',' << Quantile(sizes, 0.5) << ',' << Quantile(sizes, 0.999) << ','
-      << Quantile(sizes, 1) << ',' << Quantile(radians, 0.5) << ',' << Quantile(radians, 0.999)
-      << ',' << Quantile(radians, 1) << ',' << outOfBound << ',' << wrongNormals << ',' << falseHits
-      << ',' << falseMisses << '\n';
-  std::printf(
-    "| %s | %s | %s | %.0f | %.0f | %.1e | %.1e | %.1e | %.1e | %zu / %zu | %zu / %zu |\n",
-    subject.name.c_str(), range, arithmetic, plain, ns, Quantile(sizes, 0.5),
-    Quantile(sizes, 0.999), Quantile(sizes, 1), Quantile(radians, 1), outOfBound, wrongNormals,
-    falseHits, falseMisses);
+  csv << '"' << subject.name << "\"," << range << ',' << arithmetic << ',' << rays << ',' << plain << ',' << ns << ','
+      << Quantile(sizes, 0.5) << ',' << Quantile(sizes, 0.999) << ',' << Quantile(sizes, 1) << ','
+      << Quantile(radians, 0.5) << ',' << Quantile(radians, 0.999) << ',' << Quantile(radians, 1) << ',' << outOfBound
+      << ',' << wrongNormals << ',' << falseHits << ',' << falseMisses << '\n';
+  std::printf("| %s | %s | %s | %.0f | %.0f | %.1e | %.1e | %.1e | %.1e | %zu / %zu | %zu / %zu |\n",
+    subject.name.c_str(), range, arithmetic, plain, ns, Quantile(sizes, 0.5), Quantile(sizes, 0.999),
+    Quantile(sizes, 1), Quantile(radians, 1), outOfBound, wrongNormals, falseHits, falseMisses);
   std::fflush(stdout);
 }
 
 /// Superquadrics and tensor glyphs within the range in which the bounds are promised, and beyond it.
 void TableOfSpeed(std::ostream& csv)
 {
-  const auto family = [](const std::string& name, Shape shape, const glm::vec3& least,
-                        const glm::vec3& most) {
+  const auto family = [](const std::string& name, Shape shape, const glm::vec3& least, const glm::vec3& most) {
     return Subject{ name, shape, {}, false, least, most };
   };
   std::vector<Subject> within, beyond;
   for (const Subject& subject : HardSubjects())
   {
     const std::string& name = subject.name;
-    if (name == "superquadric, 1 to 2" || name == "superquadric, 2 to 20" ||
-      name == "superquadric, 0.3 to 20")
+    if (name == "superquadric, 1 to 2" || name == "superquadric, 2 to 20" || name == "superquadric, 0.3 to 20")
     {
       within.push_back(subject);
     }
   }
   const std::vector<Subject> nested = NestedSubjects();
   within.insert(within.end(), nested.begin(), nested.end());
-  beyond.push_back(
-    family("superquadric, 0.1 to 0.3", Shape::Superquadric, glm::vec3(0.1f), glm::vec3(0.3f)));
-  beyond.push_back(
-    family("superquadric, 20 to 100", Shape::Superquadric, glm::vec3(20.0f), glm::vec3(100.0f)));
-  beyond.push_back(family(
-    "nested, 0.1 to 0.3", Shape::NestedSuperquadric, { 20.0f / 3, 20.0f / 3, 1 }, { 20, 20, 0 }));
-  beyond.push_back(family(
-    "nested, 20 to 100", Shape::NestedSuperquadric, { 0.02f, 0.02f, 0.02f }, { 0.1f, 0.1f, 0 }));
-  beyond.push_back(
-    family("nested, sharpness 10", Shape::NestedSuperquadric, { 0.01f, 5, 5 }, { 1, 12, 0 }));
+  beyond.push_back(family("superquadric, 0.1 to 0.3", Shape::Superquadric, glm::vec3(0.1f), glm::vec3(0.3f)));
+  beyond.push_back(family("superquadric, 20 to 100", Shape::Superquadric, glm::vec3(20.0f), glm::vec3(100.0f)));
+  beyond.push_back(family("nested, 0.1 to 0.3", Shape::NestedSuperquadric, { 20.0f / 3, 20.0f / 3, 1 }, { 20, 20, 0 }));
+  beyond.push_back(family("nested, 20 to 100", Shape::NestedSuperquadric, { 0.02f, 0.02f, 0.02f }, { 0.1f, 0.1f, 0 }));
+  beyond.push_back(family("nested, sharpness 10", Shape::NestedSuperquadric, { 0.01f, 5, 5 }, { 1, 12, 0 }));
   csv << "family,range,arithmetic,rays,ns_per_ray_random,ns_per_ray_all,t_median_sizes,t_p999_"
          "sizes,t_max_sizes,"
          "normal_median_radians,normal_p999_radians,normal_max_radians,t_out_of_bound,normals_out_"
@@ -177,18 +163,15 @@ int main(int argc, char** argv)
             "t_median_ulps,t_max_ulps,t_median_sizes,t_max_sizes,t_max_over_bound,"
             "normal_median_radians,normal_max_radians,normal_max_over_bound\n";
   }
-  std::printf(
-    "| shape | case | hits / rays | dt median, max (ulps) | dt median, max (sizes) | of bound | "
-    "normal max (rad) | false hits, misses | ns |\n|---|---|---|---|---|---|---|---|---|\n");
+  std::printf("| shape | case | hits / rays | dt median, max (ulps) | dt median, max (sizes) | of bound | "
+              "normal max (rad) | false hits, misses | ns |\n|---|---|---|---|---|---|---|---|---|\n");
   for (const HardCase& hard : MakeHardCases())
   {
     ReferenceCase reference(hard);
     const CaseReport r = Summarise(JudgeKernel<float>(reference));
-    std::printf(
-      "| %s | %s | %zu / %zu | %.2g, %.2g | %.1e, %.1e | %.2f | %.1e (%.1f) | %zu, %zu | %.0f |\n",
-      hard.subject.c_str(), hard.situation.c_str(), r.hits, r.rays, r.medianUlps, r.maxUlps,
-      r.medianSizes, r.maxSizes, r.maxExcess, r.maxRadians, r.maxNormalExcess, r.falseHits,
-      r.falseMisses, NanosecondsPerRay<float>(hard, 7, 20));
+    std::printf("| %s | %s | %zu / %zu | %.2g, %.2g | %.1e, %.1e | %.2f | %.1e (%.1f) | %zu, %zu | %.0f |\n",
+      hard.subject.c_str(), hard.situation.c_str(), r.hits, r.rays, r.medianUlps, r.maxUlps, r.medianSizes, r.maxSizes,
+      r.maxExcess, r.maxRadians, r.maxNormalExcess, r.falseHits, r.falseMisses, NanosecondsPerRay<float>(hard, 7, 20));
     if (file)
     {
       WriteRow(file, hard, "float", r);

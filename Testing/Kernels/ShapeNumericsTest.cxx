@@ -48,11 +48,10 @@ TEST_P(ShapeNumericsTest, FloatAndDouble)
   this->Run<float, double>();
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  Shapes, ShapeNumericsTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(Shapes, ShapeNumericsTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
 
-/// Nested superquadrics, of tensors and of two exponents: in float. Exponential and logarithm (WordFunctions.glsl) have not the
-/// digits that double words of doubles would need at grazing angles; ShapeErrorTable tells what those reach.
+/// Nested superquadrics, of tensors and of two exponents: in float. Exponential and logarithm (WordFunctions.glsl) have
+/// not the digits that double words of doubles would need at grazing angles; ShapeErrorTable tells what those reach.
 class NestedNumericsTest : public ShapeNumericsTest
 {
 };
@@ -62,7 +61,6 @@ TEST_P(NestedNumericsTest, Float)
   this->Run<float>();
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  Shapes, NestedNumericsTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(Shapes, NestedNumericsTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);
 
 } // namespace

@@ -38,8 +38,7 @@ protected:
     EXPECT_GT(hits, 200u);
   }
 
-  bool Hit(const Kernel::GlyphRay& ray, const Kernel::Glyph& glyph, float& t, float tMin = 0.0f,
-    float tMax = 1e30f)
+  bool Hit(const Kernel::GlyphRay& ray, const Kernel::Glyph& glyph, float& t, float tMin = 0.0f, float tMax = 1e30f)
   {
     return Kernel::Intersect(this->GetParam().shape, ray, glyph, tMin, tMax, t);
   }
@@ -58,8 +57,7 @@ TEST_P(ShapePropertiesTest, NormalsPointOutwards)
       EXPECT_NEAR(glm::length(normal), 1.0f, 1e-6f);
       EXPECT_LT(glm::dot(normal, ray.direction), 1e-6f * glm::length(ray.direction));
       // The wings of a star may be thinner than an ulp of t: then the next crossing is where another one begins.
-      const bool winged =
-        glm::min(glyph.exponents.x, glm::min(glyph.exponents.y, glyph.exponents.z)) < 1.0f;
+      const bool winged = glm::min(glyph.exponents.x, glm::min(glyph.exponents.y, glyph.exponents.z)) < 1.0f;
       float exit = 0;
       if (!winged && this->Hit(ray, glyph, exit, std::nextafter(t, 1e30f)))
       {
@@ -80,13 +78,11 @@ TEST_P(ConvexShapePropertiesTest, LeavingRaysDoNotReturn)
       const glm::dvec3 point =
         glm::dvec3(ray.origin) + glm::dvec3(ray.originLow) + double(t) * glm::dvec3(ray.direction);
       const double size = glm::max(glyph.size.x, glm::max(glyph.size.y, glyph.size.z));
-      const double lift = 8.0 * std::numeric_limits<float>::epsilon() * double(t) *
-          glm::length(glm::dvec3(ray.direction)) +
-        1e-6 * size;
+      const double lift =
+        8.0 * std::numeric_limits<float>::epsilon() * double(t) * glm::length(glm::dvec3(ray.direction)) + 1e-6 * size;
       glm::vec3 direction(uniform(engine), uniform(engine), uniform(engine));
       direction *= glm::dot(direction, normal) < 0.0f ? -1.0f : 1.0f;
-      const HardRay leaving{ Rounded<float>(point + 2.0 * lift * glm::dvec3(normal)), direction,
-        0 };
+      const HardRay leaving{ Rounded<float>(point + 2.0 * lift * glm::dvec3(normal)), direction, 0 };
       float again = 0;
       EXPECT_FALSE(this->Hit(KernelRay<float>(leaving), glyph, again)) << again;
     });
@@ -154,8 +150,7 @@ TEST_P(ShapePropertiesTest, MoveTogether)
       float moved = 0;
       ASSERT_TRUE(this->Hit(ray, glyph, moved));
       EXPECT_NEAR(moved, t, 2e-7f * t);
-      EXPECT_LT(
-        glm::length(Kernel::Normal(this->GetParam().shape, ray, glyph, moved) - normal), 1e-4f);
+      EXPECT_LT(glm::length(Kernel::Normal(this->GetParam().shape, ray, glyph, moved) - normal), 1e-4f);
     });
 }
 
@@ -173,9 +168,7 @@ std::vector<Subject> ConvexSubjects()
   return convex;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  Shapes, ShapePropertiesTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
-INSTANTIATE_TEST_SUITE_P(
-  Shapes, ConvexShapePropertiesTest, ::testing::ValuesIn(ConvexSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(Shapes, ShapePropertiesTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(Shapes, ConvexShapePropertiesTest, ::testing::ValuesIn(ConvexSubjects()), SubjectName);
 
 } // namespace

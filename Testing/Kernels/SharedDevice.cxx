@@ -20,8 +20,7 @@ public:
   void TearDown() override { tracer.reset(); }
 };
 
-const ::testing::Environment* const environment =
-  ::testing::AddGlobalTestEnvironment(new SharedDevice);
+const ::testing::Environment* const environment = ::testing::AddGlobalTestEnvironment(new SharedDevice);
 
 } // namespace
 

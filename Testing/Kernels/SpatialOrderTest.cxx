@@ -33,14 +33,11 @@ bool SeparatesEverywhere(const std::vector<glm::vec3>& sorted, std::size_t first
   for (int axis = 0; axis < 3; ++axis)
   {
     const auto less = [axis](const glm::vec3& a, const glm::vec3& b) { return a[axis] < b[axis]; };
-    const auto highest =
-      std::max_element(sorted.begin() + first, sorted.begin() + middle + 1, less);
-    const auto lowest =
-      std::min_element(sorted.begin() + middle + 1, sorted.begin() + last + 1, less);
+    const auto highest = std::max_element(sorted.begin() + first, sorted.begin() + middle + 1, less);
+    const auto lowest = std::min_element(sorted.begin() + middle + 1, sorted.begin() + last + 1, less);
     separated = separated || (*highest)[axis] <= (*lowest)[axis];
   }
-  return separated && SeparatesEverywhere(sorted, first, middle) &&
-    SeparatesEverywhere(sorted, middle + 1, last);
+  return separated && SeparatesEverywhere(sorted, first, middle) && SeparatesEverywhere(sorted, middle + 1, last);
 }
 
 void ExpectKdOrder(const std::vector<glm::vec3>& points)

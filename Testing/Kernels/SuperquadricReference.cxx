@@ -1,6 +1,7 @@
 // A superquadric's crossings in 113-bit arithmetic by interval bisection: between the planes of its frame every term of
-// f = |2x|^r + |2y|^s + |2z|^t - 1, and every term of its derivative, is monotone along the line, so their values at the ends
-// of an interval bound f and f' in it. An interval is dropped when f cannot be zero, solved when f' cannot, else halved.
+// f = |2x|^r + |2y|^s + |2z|^t - 1, and every term of its derivative, is monotone along the line, so their values at
+// the ends of an interval bound f and f' in it. An interval is dropped when f cannot be zero, solved when f' cannot,
+// else halved.
 #include "Reference.h"
 
 #include <quadmath.h>
@@ -131,8 +132,7 @@ private:
 
 } // namespace
 
-void ReferenceGlyph::MeetSuperquadric(
-  const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const
+void ReferenceGlyph::MeetSuperquadric(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const
 {
   const Three o = { ray.origin.x, ray.origin.y, ray.origin.z };
   const Three d = { ray.direction.x, ray.direction.y, ray.direction.z };

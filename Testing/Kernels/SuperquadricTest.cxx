@@ -27,8 +27,7 @@ double LargestPowerError(double leastExponent, double mostExponent)
   {
     const Real e = Real(leastExponent * std::pow(mostExponent / leastExponent, unit(engine)));
     const Real hi = Real(std::pow(10.0, -6 * unit(engine)) * (i % 2 ? 1.0 : 1.2));
-    const typename Kernel::DoubleWord x =
-      Kernel::FastTwoSum(hi, Real(hi * roundoff * unit(engine)));
+    const typename Kernel::DoubleWord x = Kernel::FastTwoSum(hi, Real(hi * roundoff * unit(engine)));
     const typename Kernel::DoubleWord power = Kernel::Power(x, e);
     const __float128 exact = powq(__float128(x.hi) + x.lo, e);
     if (exact < __float128(1e-18))
@@ -36,8 +35,8 @@ double LargestPowerError(double leastExponent, double mostExponent)
       continue; // does not count beside one
     }
     const double error = double(fabsq(__float128(power.hi) + power.lo - exact) / exact);
-    const double bound = 8 * std::max(roundoff * roundoff, 0x1p-101) *
-      (1 + double(e) * (1 + std::abs(std::log2(double(x.hi)))));
+    const double bound =
+      8 * std::max(roundoff * roundoff, 0x1p-101) * (1 + double(e) * (1 + std::abs(std::log2(double(x.hi)))));
     largest = std::max(largest, error / bound);
   }
   return largest;
@@ -49,8 +48,8 @@ TEST(SuperquadricTest, PowersHaveTheDigitsTheyPromise)
   EXPECT_LT(LargestPowerError<double>(0.1, 100), 1.0);
 }
 
-/// The most evaluations of f that any ray of the hard cases needs for its first crossing, or to know that it has none, and how
-/// many exhaust RTG_STEPS, and how many of those are not within the band of a silhouette.
+/// The most evaluations of f that any ray of the hard cases needs for its first crossing, or to know that it has none,
+/// and how many exhaust RTG_STEPS, and how many of those are not within the band of a silhouette.
 struct StepCount
 {
   int rays = 0, most = 0, exhausted = 0, wrongly = 0;
@@ -79,8 +78,7 @@ StepCount CountSteps()
         }
         // As SuperquadricCrossing does it.
         const glm::dvec3 d = glm::abs(glm::dvec3(local.direction.hi));
-        const Real scale =
-          std::ldexp(Real(1), -int(std::floor(std::log2(std::max({ d.x, d.y, d.z })))));
+        const Real scale = std::ldexp(Real(1), -int(std::floor(std::log2(std::max({ d.x, d.y, d.z })))));
         local.direction.hi *= scale;
         local.direction.lo *= scale;
         const auto unit = Kernel::MakeSuperquadricRay(local, glyph.exponents);
@@ -119,8 +117,7 @@ StepCount CountSteps()
 TEST(SuperquadricTest, StepsAreExhaustedOnlyAtSilhouettes)
 {
   const StepCount count = CountSteps<float>();
-  std::cout << count.rays << " rays, most steps " << count.most << ", exhausted " << count.exhausted
-            << "\n";
+  std::cout << count.rays << " rays, most steps " << count.most << ", exhausted " << count.exhausted << "\n";
   EXPECT_EQ(count.wrongly, 0);
   EXPECT_LT(count.exhausted, count.rays / 1000);
   EXPECT_GT(count.most, 5);

@@ -1,4 +1,5 @@
-// Rays at tensor glyphs, by the kernel in double: what TensorTest.cxx finds about sizes and exponents holds for what one sees.
+// Rays at tensor glyphs, by the kernel in double: what TensorTest.cxx finds about sizes and exponents holds for what
+// one sees.
 #include "Shapes/Shapes.h"
 #include "RandomTensors.h"
 
@@ -42,10 +43,7 @@ struct Subject
   {
     return Kernel::Intersect(this->shape, Ray(origin, direction), this->glyph, 0.0, 1e30, t);
   }
-  double Thickness() const
-  {
-    return std::min({ this->glyph.size.x, this->glyph.size.y, this->glyph.size.z });
-  }
+  double Thickness() const { return std::min({ this->glyph.size.x, this->glyph.size.y, this->glyph.size.z }); }
   /// Thinnest: as thin as glyphs of vanishing eigenvalues are made.
   bool IsThinnest() const
   {
@@ -57,16 +55,15 @@ struct Subject
     return Kernel::Normal(this->shape, Ray(origin, direction), this->glyph, t);
   }
 
-  /// How far a point of another glyph's surface is from this one's at most: the least of the ways along the line through the centre,
-  /// along `direction`, and to the point of this surface that lies in its frame as the other does in that of `other`. A
-  /// knife's edge that has turned a little is far along any fixed line.
+  /// How far a point of another glyph's surface is from this one's at most: the least of the ways along the line
+  /// through the centre, along `direction`, and to the point of this surface that lies in its frame as the other does
+  /// in that of `other`. A knife's edge that has turned a little is far along any fixed line.
   double Distance(const glm::dvec3& point, const glm::dvec3& direction, const Subject& other) const
   {
     double distance = glm::distance(point, this->Towards(point));
     if (distance > 1e-5)
     {
-      distance =
-        std::min(distance, glm::distance(point, this->Towards(this->Counterpart(point, other))));
+      distance = std::min(distance, glm::distance(point, this->Towards(this->Counterpart(point, other))));
     }
     double t = 0.0;
     for (const double sign : { 1.0, -1.0 })
@@ -88,13 +85,10 @@ private:
     return this->Hit(glm::dvec3(0.0), direction, t) ? t * direction : glm::dvec3(1e3);
   }
 
-  glm::dvec3 Axis(int i) const
-  {
-    return Kernel::RotateToWorld(this->glyph, glm::dvec3(i == 0, i == 1, i == 2));
-  }
+  glm::dvec3 Axis(int i) const { return Kernel::RotateToWorld(this->glyph, glm::dvec3(i == 0, i == 1, i == 2)); }
 
-  /// The point with the same coordinates along this glyph's axes, in its sizes, as `point` has along the other's. Axes belong
-  /// together that point the same way, or the opposite one, as the glyphs are symmetric.
+  /// The point with the same coordinates along this glyph's axes, in its sizes, as `point` has along the other's. Axes
+  /// belong together that point the same way, or the opposite one, as the glyphs are symmetric.
   glm::dvec3 Counterpart(const glm::dvec3& point, const Subject& other) const
   {
     glm::dvec3 counterpart(0.0);
@@ -103,14 +97,13 @@ private:
       int nearest = 0;
       for (int k = 1; k < 3; ++k)
       {
-        const bool nearer = std::abs(glm::dot(this->Axis(i), other.Axis(k))) >
-          std::abs(glm::dot(this->Axis(i), other.Axis(nearest)));
+        const bool nearer =
+          std::abs(glm::dot(this->Axis(i), other.Axis(k))) > std::abs(glm::dot(this->Axis(i), other.Axis(nearest)));
         nearest = nearer ? k : nearest;
       }
       const glm::dvec3 theirs = other.Axis(nearest);
       const double sign = glm::dot(this->Axis(i), theirs) < 0.0 ? -1.0 : 1.0;
-      counterpart += sign * glm::dot(point, theirs) * this->glyph.size[i] /
-        other.glyph.size[nearest] * this->Axis(i);
+      counterpart += sign * glm::dot(point, theirs) * this->glyph.size[i] / other.glyph.size[nearest] * this->Axis(i);
     }
     return counterpart;
   }
@@ -133,8 +126,9 @@ glm::dvec3 Origin(int pixel)
   return 1.1 * (x * right + y * up) - 2.0 * towards;
 }
 
-/// The largest distance of what the image of one glyph shows from the surface of the other. Where an eigenvalue is zero the true glyph is
-/// flat, and its profile may be another on either side; what is drawn has a thickness, half of which does not count.
+/// The largest distance of what the image of one glyph shows from the surface of the other. Where an eigenvalue is zero
+/// the true glyph is flat, and its profile may be another on either side; what is drawn has a thickness, half of which
+/// does not count.
 double ImageChange(const Subject& a, const Subject& b)
 {
   const double thickness = a.IsThinnest() && b.IsThinnest() ? a.Thickness() : 0.0;
@@ -145,24 +139,22 @@ double ImageChange(const Subject& a, const Subject& b)
     double t = 0.0;
     if (b.Hit(origin, towards, t))
     {
-      change = std::max(change,
-        -0.5 * thickness + a.Distance(origin + t * towards, b.Normal(origin, towards, t), b));
+      change = std::max(change, -0.5 * thickness + a.Distance(origin + t * towards, b.Normal(origin, towards, t), b));
     }
   }
   return change;
 }
 
-/// 10,000 steps through equal, zero and sign-changing eigenvalues, the frame turning as well. All that the image of a step
-/// shows lies near the surface of the step before; and where it lies farthest, a step ten times smaller takes it about a tenth as
-/// far: there is no jump.
+/// 10,000 steps through equal, zero and sign-changing eigenvalues, the frame turning as well. All that the image of a
+/// step shows lies near the surface of the step before; and where it lies farthest, a step ten times smaller takes it
+/// about a tenth as far: there is no jump.
 TEST(TensorImageTest, ImagesChangeContinuously)
 {
-  // Two equal, all equal, one zero, signs that change one after the other, two of opposite sign and one magnitude, all negative: through
-  // all ten zones of the square of eigenvalues.
-  const std::vector<glm::dvec3> stations = { { 1, 0.6, 0.2 }, { 1, 1, 0.2 }, { 1, 1, 1 },
-    { 1, 0.5, 0.5 }, { 1, 0.4, 0 }, { 1, 0.3, -0.5 }, { 0.6, 0.4, -1 }, { 1, 0, -1 },
-    { 1, -0.4, -0.6 }, { 0.7, -0.3, -1 }, { 0, -0.6, -1 }, { -0.4, -1, -1 }, { -0.3, -0.3, -1 },
-    { -0.8, -0.8, -0.8 } };
+  // Two equal, all equal, one zero, signs that change one after the other, two of opposite sign and one magnitude, all
+  // negative: through all ten zones of the square of eigenvalues.
+  const std::vector<glm::dvec3> stations = { { 1, 0.6, 0.2 }, { 1, 1, 0.2 }, { 1, 1, 1 }, { 1, 0.5, 0.5 },
+    { 1, 0.4, 0 }, { 1, 0.3, -0.5 }, { 0.6, 0.4, -1 }, { 1, 0, -1 }, { 1, -0.4, -0.6 }, { 0.7, -0.3, -1 },
+    { 0, -0.6, -1 }, { -0.4, -1, -1 }, { -0.3, -0.3, -1 }, { -0.8, -0.8, -0.8 } };
   constexpr int steps = 10000;
   const auto at = [&](double s, TensorGlyphKind kind)
   {
@@ -192,19 +184,19 @@ TEST(TensorImageTest, ImagesChangeContinuously)
     }
     EXPECT_GT(largest, 0.0);
     EXPECT_LT(fine, 0.2 * largest) << static_cast<int>(kind) << " at " << where;
-    std::cout << "kind " << static_cast<int>(kind) << ": largest change of an image " << largest
-              << " at " << where << ", of a tenth of the step " << fine << '\n';
+    std::cout << "kind " << static_cast<int>(kind) << ": largest change of an image " << largest << " at " << where
+              << ", of a tenth of the step " << fine << '\n';
   }
 }
 
-/// Rays turned with a tensor meet its glyph at the same distances, with normals turned likewise; also where equal eigenvalues leave the
-/// eigenvectors open, and the glyph must look the same whichever are chosen.
+/// Rays turned with a tensor meet its glyph at the same distances, with normals turned likewise; also where equal
+/// eigenvalues leave the eigenvectors open, and the glyph must look the same whichever are chosen.
 TEST(TensorImageTest, ImagesTurnWithTheirTensors)
 {
   Random random(23);
-  const std::vector<glm::dvec3> tensors = { { 1, 0.5, 0.2 }, { 1, 1, 0.3 }, { 1, 0.3, 0.3 },
-    { 1, 1, 1 }, { 1, 0.4, -0.7 }, { 1, -0.4, -0.7 }, { 1, 1, -0.6 }, { 1, 1, -1 }, { 0.5, -1, -1 },
-    { 1, -1, -1 }, { 0.8, 0, -0.8 }, { -0.2, -0.5, -1 }, { -1, -1, -1 }, { 0, -1, -1 } };
+  const std::vector<glm::dvec3> tensors = { { 1, 0.5, 0.2 }, { 1, 1, 0.3 }, { 1, 0.3, 0.3 }, { 1, 1, 1 },
+    { 1, 0.4, -0.7 }, { 1, -0.4, -0.7 }, { 1, 1, -0.6 }, { 1, 1, -1 }, { 0.5, -1, -1 }, { 1, -1, -1 }, { 0.8, 0, -0.8 },
+    { -0.2, -0.5, -1 }, { -1, -1, -1 }, { 0, -1, -1 } };
   for (const TensorGlyphKind kind : kinds)
   {
     int hits = 0, judged = 0;
@@ -213,8 +205,7 @@ TEST(TensorImageTest, ImagesTurnWithTheirTensors)
       for (int trial = 0; trial < 20; ++trial)
       {
         const glm::dquat first = random.Rotation(), turn = random.Rotation();
-        const Subject still(TensorOf(values, first), kind),
-          turned(TensorOf(values, turn * first), kind);
+        const Subject still(TensorOf(values, first), kind), turned(TensorOf(values, turn * first), kind);
         for (int pixel = 0; pixel < side * side; ++pixel)
         {
           const glm::dvec3 origin = Origin(pixel);
@@ -227,17 +218,16 @@ TEST(TensorImageTest, ImagesTurnWithTheirTensors)
           if (hit && -glm::dot(normal, towards) > 0.17)
           {
             ++judged;
-            ASSERT_TRUE(same) << static_cast<int>(kind) << ", eigenvalues " << values.x << ' '
-                              << values.y << ' ' << values.z;
-            ASSERT_NEAR(t, other, 1e-9) << static_cast<int>(kind) << ", eigenvalues " << values.x
-                                        << ' ' << values.y << ' ' << values.z;
+            ASSERT_TRUE(same) << static_cast<int>(kind) << ", eigenvalues " << values.x << ' ' << values.y << ' '
+                              << values.z;
+            ASSERT_NEAR(t, other, 1e-9) << static_cast<int>(kind) << ", eigenvalues " << values.x << ' ' << values.y
+                                        << ' ' << values.z;
           }
         }
       }
     }
     EXPECT_GT(judged, hits / 2);
-    std::cout << "kind " << static_cast<int>(kind) << ": " << judged << " of " << hits
-              << " hits judged\n";
+    std::cout << "kind " << static_cast<int>(kind) << ": " << judged << " of " << hits << " hits judged\n";
   }
 }
 

@@ -115,8 +115,7 @@ TEST(TensorTest, EigenvaluesAgainst113Bits)
   for (int i = 0; i < 20000; ++i)
   {
     // Ratios up to 1e12, either sign; every fourth with two nearly equal ones.
-    glm::dvec3 values(
-      std::pow(10.0, random.Uniform(-12, 0)), std::pow(10.0, random.Uniform(-12, 0)), 1.0);
+    glm::dvec3 values(std::pow(10.0, random.Uniform(-12, 0)), std::pow(10.0, random.Uniform(-12, 0)), 1.0);
     for (int k = 0; k < 3; ++k)
     {
       values[k] *= random.Uniform(0, 1) < 0.5 ? -1.0 : 1.0;
@@ -146,8 +145,8 @@ TEST(TensorTest, TinyAndHugeTensors)
   for (const int exponent : { -1000, -500, 500, 1020 })
   {
     const auto scaled = [&](double x) { return std::ldexp(x, exponent); };
-    const Eigensystem eigen = Decompose(
-      { scaled(t.xx), scaled(t.yy), scaled(t.zz), scaled(t.xy), scaled(t.yz), scaled(t.xz) });
+    const Eigensystem eigen =
+      Decompose({ scaled(t.xx), scaled(t.yy), scaled(t.zz), scaled(t.xy), scaled(t.yz), scaled(t.xz) });
     for (int k = 0; k < 3; ++k)
     {
       EXPECT_EQ(eigen.values[k], scaled(unit.values[k]));
@@ -184,15 +183,14 @@ TEST(TensorTest, TurningATensorTurnsItsGlyph)
     const glm::dvec3 values(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
     const double gap = std::min({ std::abs(values.x - values.y), std::abs(values.y - values.z),
       std::abs(values.z - values.x), std::abs(std::abs(values.x) - std::abs(values.y)),
-      std::abs(std::abs(values.y) - std::abs(values.z)),
-      std::abs(std::abs(values.z) - std::abs(values.x)) });
+      std::abs(std::abs(values.y) - std::abs(values.z)), std::abs(std::abs(values.z) - std::abs(values.x)) });
     if (gap < 1e-3)
     {
       continue;
     }
     const glm::dquat first = random.Rotation(), turn = random.Rotation();
-    for (const auto kind : { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
-           TensorGlyphKind::SignedSuperquadric })
+    for (const auto kind :
+      { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric, TensorGlyphKind::SignedSuperquadric })
     {
       const TensorGlyph a = MakeTensorGlyph(Decompose(TensorOf(values, first)), kind, 3.0);
       const TensorGlyph b = MakeTensorGlyph(Decompose(TensorOf(values, turn * first)), kind, 3.0);
@@ -310,8 +308,7 @@ TEST(TensorTest, SharpnessKeepsBallAndCone)
 TEST(TensorTest, TeemsTable)
 {
   const char* folder = std::getenv("RTGLYPHS_SHARED_DATA");
-  std::ifstream file(std::string(folder ? folder : RTGLYPHS_SHARED_DATA) + "/tenGlyphBqdAbcUv.nrrd",
-    std::ios::binary);
+  std::ifstream file(std::string(folder ? folder : RTGLYPHS_SHARED_DATA) + "/tenGlyphBqdAbcUv.nrrd", std::ios::binary);
   if (!file)
   {
     GTEST_SKIP() << "tenGlyphBqdAbcUv.nrrd is not there: set RTGLYPHS_SHARED_DATA to its folder";
@@ -329,10 +326,9 @@ TEST(TensorTest, TeemsTable)
       {
         double exact[3];
         ASSERT_TRUE(file.read(reinterpret_cast<char*>(exact), sizeof(exact)));
-        const TensorExponents e =
-          SchultzKindlmannBase({ (i + 0.5) / 100, (j + 0.5) / 100 }, concave);
-        worst = std::max({ worst, std::abs(e.alpha - exact[0]), std::abs(e.beta - exact[1]),
-          std::abs(e.c - exact[2]) });
+        const TensorExponents e = SchultzKindlmannBase({ (i + 0.5) / 100, (j + 0.5) / 100 }, concave);
+        worst =
+          std::max({ worst, std::abs(e.alpha - exact[0]), std::abs(e.beta - exact[1]), std::abs(e.c - exact[2]) });
       }
     }
   }
@@ -346,8 +342,7 @@ TEST(TensorTest, TeemsTable)
 
 /// Largest change of the distance from the glyph's centre to its surface over directions, from a to b: radial, so
 /// that it compares sets of points and not their coordinates.
-double
-RadialChange(const TensorGlyph& a, const TensorGlyph& b, const std::vector<glm::dvec3>& directions)
+double RadialChange(const TensorGlyph& a, const TensorGlyph& b, const std::vector<glm::dvec3>& directions)
 {
   const auto radius = [](const TensorGlyph& glyph, const glm::dvec3& world)
   {
@@ -358,10 +353,8 @@ RadialChange(const TensorGlyph& a, const TensorGlyph& b, const std::vector<glm::
     {
       const double s = 0.5 * (low + high);
       const glm::dvec3 p = glm::abs(s * d);
-      const double rx =
-        std::pow(1.0 - std::pow(p.z, 2.0 / glyph.exponents.y), glyph.exponents.y / 2.0);
-      const double ry =
-        std::pow(1.0 - std::pow(p.z, 2.0 / glyph.exponents.z), glyph.exponents.z / 2.0);
+      const double rx = std::pow(1.0 - std::pow(p.z, 2.0 / glyph.exponents.y), glyph.exponents.y / 2.0);
+      const double ry = std::pow(1.0 - std::pow(p.z, 2.0 / glyph.exponents.z), glyph.exponents.z / 2.0);
       const double e = 2.0 / glyph.exponents.x;
       (std::pow(p.x / rx, e) + std::pow(p.y / ry, e) < 1.0 ? low : high) = s;
     }
@@ -387,9 +380,8 @@ TEST(TensorTest, GlyphsChangeContinuously)
   }
   const std::vector<glm::dvec3> few(many.begin(), many.begin() + 4);
   // Two equal, all equal, one zero, two zero, signs change one after the other, to all negative.
-  const glm::dvec3 stations[] = { { 1, 0.6, 0.2 }, { 1, 1, 0.2 }, { 1, 1, 1 }, { 1, 0.5, 0.5 },
-    { 1, 0.4, 0 }, { 1, 0.3, -0.5 }, { 1, 0, -1 }, { 0.7, -0.3, -1 }, { 0, -0.6, -1 },
-    { -0.3, -0.3, -1 }, { -0.8, -0.8, -0.8 } };
+  const glm::dvec3 stations[] = { { 1, 0.6, 0.2 }, { 1, 1, 0.2 }, { 1, 1, 1 }, { 1, 0.5, 0.5 }, { 1, 0.4, 0 },
+    { 1, 0.3, -0.5 }, { 1, 0, -1 }, { 0.7, -0.3, -1 }, { 0, -0.6, -1 }, { -0.3, -0.3, -1 }, { -0.8, -0.8, -0.8 } };
   const int legs = int(std::size(stations)) - 1;
   const auto glyphAt = [&](double s, TensorGlyphKind kind)
   {
@@ -399,8 +391,8 @@ TEST(TensorTest, GlyphsChangeContinuously)
     const glm::dquat turn = glm::angleAxis(3.0 * s, glm::normalize(glm::dvec3(1, 2, 3)));
     return MakeTensorGlyph(Decompose(TensorOf(values, turn)), kind, 3.0);
   };
-  for (const auto kind : { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
-         TensorGlyphKind::SignedSuperquadric })
+  for (const auto kind :
+    { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric, TensorGlyphKind::SignedSuperquadric })
   {
     const auto along = [&](const std::vector<glm::dvec3>& directions)
     {
@@ -409,31 +401,27 @@ TEST(TensorTest, GlyphsChangeContinuously)
     };
     const Sweep sweep(2000, along(few));
     EXPECT_LT(sweep.WorstShare(), shareOfJump) << int(kind) << " at " << sweep.WorstAt();
-    EXPECT_LT(sweep.Share(sweep.At(), along(many)), shareOfJump)
-      << int(kind) << " at " << sweep.At();
-    std::cout << "kind " << int(kind) << ": largest step " << sweep.Largest() << " at "
-              << sweep.At() << "; of " << sweep.Divided() << " large ones a part changes at most "
-              << sweep.WorstShare() << " of its step, at " << sweep.WorstAt() << '\n';
+    EXPECT_LT(sweep.Share(sweep.At(), along(many)), shareOfJump) << int(kind) << " at " << sweep.At();
+    std::cout << "kind " << int(kind) << ": largest step " << sweep.Largest() << " at " << sweep.At() << "; of "
+              << sweep.Divided() << " large ones a part changes at most " << sweep.WorstShare() << " of its step, at "
+              << sweep.WorstAt() << '\n';
   }
 }
 
 TEST(TensorTest, ThinGlyphsAreThereAndNoiseBecomesBalls)
 {
   const Eigensystem linear = Decompose({ 1, 0, 0, 0, 0, 0 });
-  for (const auto kind : { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
-         TensorGlyphKind::SignedSuperquadric })
+  for (const auto kind :
+    { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric, TensorGlyphKind::SignedSuperquadric })
   {
     const TensorGlyph glyph = MakeTensorGlyph(linear, kind, 3.0);
-    EXPECT_EQ(std::min({ glyph.halfLengths.x, glyph.halfLengths.y, glyph.halfLengths.z }),
-      thinnestTensorGlyph);
+    EXPECT_EQ(std::min({ glyph.halfLengths.x, glyph.halfLengths.y, glyph.halfLengths.z }), thinnestTensorGlyph);
     EXPECT_EQ(std::max({ glyph.halfLengths.x, glyph.halfLengths.y, glyph.halfLengths.z }), 1.0);
-    EXPECT_GE(
-      std::min({ glyph.exponents.x, glyph.exponents.y, glyph.exponents.z }), leastTensorExponent);
+    EXPECT_GE(std::min({ glyph.exponents.x, glyph.exponents.y, glyph.exponents.z }), leastTensorExponent);
   }
   const Eigensystem nearly = Decompose({ 1, 1e-4, 1e-4, 0, 0, 0 });
   const TensorGlyph sharp = MakeTensorGlyph(nearly, TensorGlyphKind::SignedSuperquadric, 3.0, 1.0);
-  const TensorGlyph blurred =
-    MakeTensorGlyph(nearly, TensorGlyphKind::SignedSuperquadric, 3.0, 100.0);
+  const TensorGlyph blurred = MakeTensorGlyph(nearly, TensorGlyphKind::SignedSuperquadric, 3.0, 100.0);
   EXPECT_EQ(sharp.exponents.y, leastTensorExponent);
   EXPECT_NEAR(blurred.exponents.y, 1.0, 1e-3);
 }
@@ -443,8 +431,7 @@ TEST(TensorTest, ThinGlyphsAreThereAndNoiseBecomesBalls)
 TEST(TensorTest, MiddleEigenvectorIsTheGlyphsY)
 {
   Random random(11);
-  for (const glm::dvec3 values :
-    { glm::dvec3(1, 0.2, -1), glm::dvec3(1, -0.2, -1), glm::dvec3(1, 0.5, 0.1) })
+  for (const glm::dvec3 values : { glm::dvec3(1, 0.2, -1), glm::dvec3(1, -0.2, -1), glm::dvec3(1, 0.5, 0.1) })
   {
     const Eigensystem eigen = Decompose(TensorOf(values, random.Rotation()));
     const TensorGlyph glyph = MakeTensorGlyph(eigen, TensorGlyphKind::SignedSuperquadric, 3.0);
@@ -462,15 +449,14 @@ TEST(TensorTest, LengthsLieAlongTheirEigenvectors)
   {
     const glm::dvec3 values(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
     const SymmetricTensor t = TensorOf(values, random.Rotation());
-    for (const auto kind : { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
-           TensorGlyphKind::SignedSuperquadric })
+    for (const auto kind :
+      { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric, TensorGlyphKind::SignedSuperquadric })
     {
       const TensorGlyph glyph = MakeTensorGlyph(Decompose(t), kind, 3.0);
       for (int axis = 0; axis < 3; ++axis)
       {
         const glm::dvec3 n = glyph.rotation * glm::dvec3(axis == 0, axis == 1, axis == 2);
-        EXPECT_NEAR(std::abs(glm::dot(n, t.Matrix() * n)), std::max(glyph.halfLengths[axis], 0.0),
-          1e-3 + 1e-13);
+        EXPECT_NEAR(std::abs(glm::dot(n, t.Matrix() * n)), std::max(glyph.halfLengths[axis], 0.0), 1e-3 + 1e-13);
         EXPECT_NEAR(glm::length(t.Matrix() * n), std::abs(glm::dot(n, t.Matrix() * n)), 1e-12);
       }
     }

@@ -36,8 +36,7 @@ protected:
   rtg::Tracer* tracer = &rtg::testing::SharedTracer();
   rtg::TraceSettings settings;
   std::vector<rtg::Light> lights{ rtg::Light() };
-  rtg::Camera camera =
-    rtg::Camera::FromWorldToClip(glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * this->LookFrom(5.0));
+  rtg::Camera camera = rtg::Camera::FromWorldToClip(glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * this->LookFrom(5.0));
 
   void SetUp() override { this->settings.width = this->settings.height = 100; }
 
@@ -48,10 +47,7 @@ protected:
     this->tracer = this->own_.get();
   }
 
-  static glm::dmat4 LookFrom(double z)
-  {
-    return glm::lookAt(glm::dvec3(0, 0, z), glm::dvec3(0), glm::dvec3(0, 1, 0));
-  }
+  static glm::dmat4 LookFrom(double z) { return glm::lookAt(glm::dvec3(0, 0, z), glm::dvec3(0), glm::dvec3(0, 1, 0)); }
 
   rtg::Scene::SetId AddSpheres(const std::vector<glm::vec3>& centres, float size)
   {
@@ -147,8 +143,7 @@ TEST_P(StructureTest, ExponentsFollowTheirGlyphs)
   std::uniform_real_distribution<float> logarithm(std::log(0.3f), std::log(20.0f));
   for (int i = 0; i < side * side; ++i)
   {
-    instances.centres.emplace_back(
-      -1.0f + cell * (i % side + 0.5f), -1.0f + cell * (i / side + 0.5f), 0.0f);
+    instances.centres.emplace_back(-1.0f + cell * (i % side + 0.5f), -1.0f + cell * (i / side + 0.5f), 0.0f);
     instances.exponents3.emplace_back(
       std::exp(logarithm(random)), std::exp(logarithm(random)), std::exp(logarithm(random)));
   }
@@ -240,8 +235,8 @@ TEST_P(StructureTest, HeadlightShadesAsVtkDoes)
     const std::uint32_t colour = image.colour[50 * 100 + x];
     for (int channel = 0; channel < 3; ++channel)
     {
-      const double expected = material.ambientColour[channel] * 0.1 +
-        material.colour[channel] * 0.7 * nz + 0.3 * std::pow(nz, 20.0);
+      const double expected =
+        material.ambientColour[channel] * 0.1 + material.colour[channel] * 0.7 * nz + 0.3 * std::pow(nz, 20.0);
       EXPECT_NEAR((colour >> (8 * channel)) & 255, 255.0 * std::min(expected, 1.0), 1.0) << x;
     }
   }
@@ -249,8 +244,8 @@ TEST_P(StructureTest, HeadlightShadesAsVtkDoes)
 
 TEST_P(StructureTest, EachGlyphShowsItsOwnColourAndId)
 {
-  const std::vector<glm::vec3> centres = { { -0.5f, -0.5f, 0 }, { 0.5f, -0.5f, 0 },
-    { -0.5f, 0.5f, 0 }, { 0.5f, 0.5f, 0 }, { 0.0f, 0.0f, 0.2f } };
+  const std::vector<glm::vec3> centres = { { -0.5f, -0.5f, 0 }, { 0.5f, -0.5f, 0 }, { -0.5f, 0.5f, 0 },
+    { 0.5f, 0.5f, 0 }, { 0.0f, 0.0f, 0.2f } };
   const auto id = this->AddSpheres(centres, 0.5f);
   const rtg::GlyphColours colours = { 0xff0000ff, 0xff00ff00, 0xffff0000, 0xff00ffff, 0xffff00ff };
   this->scene.SetColours(id, colours);
@@ -281,8 +276,7 @@ TEST_P(StructureTest, EveryStepRedoesOnlyWhatItsInputChanged)
   EXPECT_EQ(this->tracer->GetStatistics().primaryRays, 10000u);
 
   // Camera moved: trace only.
-  this->camera =
-    rtg::Camera::FromWorldToClip(glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * this->LookFrom(5.5));
+  this->camera = rtg::Camera::FromWorldToClip(glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * this->LookFrom(5.5));
   this->Trace();
   EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u);
   EXPECT_EQ(this->scene.GetStatistics().topLevelBuilds, first.topLevelBuilds);
@@ -346,9 +340,8 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     std::uint64_t commit = 0, recolouring = 0;
     bool operator==(const Seen& other) const
     {
-      return this->colours == other.colours && this->glyphs == other.glyphs &&
-        this->depths == other.depths && this->normals == other.normals &&
-        this->means == other.means && this->probes == other.probes;
+      return this->colours == other.colours && this->glyphs == other.glyphs && this->depths == other.depths &&
+        this->normals == other.normals && this->means == other.means && this->probes == other.probes;
     }
   };
   const auto look = [&](bool own, bool empty)
@@ -387,8 +380,8 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     seen.depths.assign(image.depth, image.depth + pixels);
     seen.normals = image.normals;
     seen.means = tracer.Means();
-    for (const auto& hit : tracer.TraceProbes(
-           scene, { { { 0.1, 0.1, 5 }, { 0, 0, -1 } }, { { 9, 9, 9 }, { 0, 0, 1 } } }))
+    for (const auto& hit :
+      tracer.TraceProbes(scene, { { { 0.1, 0.1, 5 }, { 0, 0, -1 } }, { { 9, 9, 9 }, { 0, 0, 1 } } }))
     {
       seen.probes.push_back(hit.t);
     }
@@ -526,9 +519,9 @@ TEST_P(StructureTest, FindsTheNearestOfManyGlyphsOfAnyCount)
 {
   // Against brute force, from counts that make the smallest trees, with even and odd depth, upwards.
   // Then so densely that rays drop what lies behind their hits.
-  const std::pair<std::size_t, float> scenes[] = { { 1, 0.6f }, { 2, 0.6f }, { 3, 0.6f },
-    { 4, 0.6f }, { 5, 0.6f }, { 7, 0.6f }, { 8, 0.6f }, { 9, 0.6f }, { 16, 0.6f }, { 17, 0.6f },
-    { 33, 0.6f }, { 100, 0.6f }, { 1000, 0.6f }, { 1000, 4.0f }, { 4100, 4.0f }, { 33000, 1.5f } };
+  const std::pair<std::size_t, float> scenes[] = { { 1, 0.6f }, { 2, 0.6f }, { 3, 0.6f }, { 4, 0.6f }, { 5, 0.6f },
+    { 7, 0.6f }, { 8, 0.6f }, { 9, 0.6f }, { 16, 0.6f }, { 17, 0.6f }, { 33, 0.6f }, { 100, 0.6f }, { 1000, 0.6f },
+    { 1000, 4.0f }, { 4100, 4.0f }, { 33000, 1.5f } };
   for (const auto& [count, filling] : scenes)
   {
     const auto points = RandomPoints(count);
@@ -572,7 +565,8 @@ TEST_P(StructureTest, FindsTheNearestOfManyGlyphsOfAnyCount)
   }
 }
 
-/// Needles, whose boxes are large and mostly empty: rays meet many before they hit, and drop at every hit what is behind it.
+/// Needles, whose boxes are large and mostly empty: rays meet many before they hit, and drop at every hit what is
+/// behind it.
 TEST_F(TracerTest, NeedlesInFrontAreNotDropped)
 {
   std::mt19937 random(5);
@@ -594,8 +588,7 @@ TEST_F(TracerTest, NeedlesInFrontAreNotDropped)
     const auto id = this->scene.Add();
     this->scene.SetInstances(id, needles);
     this->scene.Commit();
-    EXPECT_EQ(this->scene.GetState().sets.at(id).placed.group.dropsHidden,
-      structure == rtg::Structure::Tree);
+    EXPECT_EQ(this->scene.GetState().sets.at(id).placed.group.dropsHidden, structure == rtg::Structure::Tree);
     const Image image = this->Trace();
     std::vector<std::uint32_t> found(image.glyphIds, image.glyphIds + 40000);
     for (std::uint32_t& glyph : found)
@@ -645,8 +638,7 @@ TEST_P(StructureTest, SortsOnlyWhenTheOrderHasDecayed)
     const auto other = fresh.Add();
     fresh.SetInstances(other, instances);
     fresh.Commit();
-    const Image expected =
-      this->tracer->Trace(fresh, this->camera, this->lights, this->settings, rtg::Pass::Opaque);
+    const Image expected = this->tracer->Trace(fresh, this->camera, this->lights, this->settings, rtg::Pass::Opaque);
     for (std::size_t i = 0; i < found.size(); ++i)
     {
       const std::uint32_t glyph = expected.glyphIds[i];
@@ -656,8 +648,7 @@ TEST_P(StructureTest, SortsOnlyWhenTheOrderHasDecayed)
   };
   this->Trace();
   const bool tree = GetParam() == rtg::Structure::Tree;
-  const unsigned drivers =
-    this->device->IsCpu() ? 1u : 0u; // boxes on a GPU are sorted by its driver
+  const unsigned drivers = this->device->IsCpu() ? 1u : 0u; // boxes on a GPU are sorted by its driver
   EXPECT_EQ(move(0.002f, false), tree ? 0u : drivers);
   EXPECT_EQ(move(0.002f, false), tree ? 0u : drivers);
   EXPECT_EQ(move(0.0f, true), tree ? 1u : drivers);
@@ -679,9 +670,8 @@ TEST_P(StructureTest, NearestAcrossSetsWins)
   std::vector<std::uint32_t> expected(10000);
   for (std::size_t i = 0; i < 10000; ++i)
   {
-    expected[i] = image.glyphIds[i] == Image::noGlyph
-      ? Image::noGlyph
-      : this->scene.OriginalGlyph(whole, image.glyphIds[i]);
+    expected[i] =
+      image.glyphIds[i] == Image::noGlyph ? Image::noGlyph : this->scene.OriginalGlyph(whole, image.glyphIds[i]);
   }
   this->scene.Remove(whole);
   const auto evenId = this->AddSpheres(even, 0.2f);
@@ -692,8 +682,7 @@ TEST_P(StructureTest, NearestAcrossSetsWins)
     std::uint32_t glyph = image.glyphIds[i];
     if (glyph != Image::noGlyph)
     {
-      glyph =
-        2 * this->scene.OriginalGlyph(image.setIds[i], glyph) + (image.setIds[i] == oddId ? 1 : 0);
+      glyph = 2 * this->scene.OriginalGlyph(image.setIds[i], glyph) + (image.setIds[i] == oddId ? 1 : 0);
       ASSERT_TRUE(image.setIds[i] == evenId || image.setIds[i] == oddId);
     }
     ASSERT_EQ(glyph, expected[i]) << i;
@@ -763,8 +752,7 @@ TEST_F(TracerTest, BadSettingsAreNamed)
   }
   catch (const rtg::Error& error)
   {
-    EXPECT_NE(std::string(error.what()).find("samples per pixel is 0"), std::string::npos)
-      << error.what();
+    EXPECT_NE(std::string(error.what()).find("samples per pixel is 0"), std::string::npos) << error.what();
   }
   this->settings.samples = 1;
   this->settings.width = 100000;
@@ -794,8 +782,7 @@ TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
   };
   const auto names = [&](const char* what, const auto& change)
   { EXPECT_NE(message(change).find(what), std::string::npos) << what << ": " << message(change); };
-  names(
-    "5 sizes along three axes for 4 glyphs", [](auto& i) { i.sizes3.resize(5, glm::vec3(1.0f)); });
+  names("5 sizes along three axes for 4 glyphs", [](auto& i) { i.sizes3.resize(5, glm::vec3(1.0f)); });
   names("3 sizes for 4 glyphs", [](auto& i) { i.sizes1.resize(3, 1.0f); });
   names("7 low parts of centres for 4 glyphs", [](auto& i) { i.centresLow.resize(7); });
   names("1 rotations for 4 glyphs", [](auto& i) { i.rotations.resize(1); });
@@ -808,6 +795,5 @@ TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
   EXPECT_GT(Coverage(this->Trace()), 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Structures, StructureTest,
-  ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
+INSTANTIATE_TEST_SUITE_P(Structures, StructureTest, ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
   [](const auto& info) { return ::testing::PrintToString(info.param); });

@@ -1,4 +1,5 @@
-// What shines through translucent glyphs: every layer counts once, however far away the camera is and however many glyphs there are.
+// What shines through translucent glyphs: every layer counts once, however far away the camera is and however many
+// glyphs there are.
 #include "LightFixture.h"
 
 #include "SceneState.h"
@@ -49,10 +50,9 @@ protected:
   void LookFromFar(double distance, double width)
   {
     const double nearPlane = std::max(distance - 4.0 * width, 0.5 * distance);
-    this->camera =
-      rtg::Camera::FromWorldToClip(glm::perspective(2.0 * std::atan(0.5 * width / distance), 1.0,
-                                     nearPlane, distance + 4.0 * width) *
-        glm::lookAt(glm::dvec3(0, 0, distance), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+    this->camera = rtg::Camera::FromWorldToClip(
+      glm::perspective(2.0 * std::atan(0.5 * width / distance), 1.0, nearPlane, distance + 4.0 * width) *
+      glm::lookAt(glm::dvec3(0, 0, distance), glm::dvec3(0), glm::dvec3(0, 1, 0)));
   }
 
   glm::dvec2 PixelCentre(std::size_t at) const
@@ -85,8 +85,7 @@ TEST_P(TranslucencyTest, BothSidesOfABallShowAtEveryDistance)
         wrong += mean.a > 0.0f && std::abs(mean.a - both) > 1e-5f;
       }
       EXPECT_GT(covered, 600u);
-      EXPECT_EQ(wrong, 0u) << "of " << covered << " pixels, camera " << distance
-                           << " glyph sizes away";
+      EXPECT_EQ(wrong, 0u) << "of " << covered << " pixels, camera " << distance << " glyph sizes away";
     }
     // Path tracing stops at each side by chance.
     this->settings.shading = Shading::PathTracing;
@@ -140,8 +139,7 @@ TEST_P(TranslucencyTest, EveryLayerOfACrowdCountsOnce)
     {
       judged += met[at] > 0;
       // What shines through by less than half a level of a display's 255 is left out.
-      wrong += met[at] >= 0 &&
-        std::abs(means[at].a - (1.0 - std::pow(1.0 - opacity, 2 * met[at]))) > 1.0 / 512.0;
+      wrong += met[at] >= 0 && std::abs(means[at].a - (1.0 - std::pow(1.0 - opacity, 2 * met[at]))) > 1.0 / 512.0;
     }
     EXPECT_GT(judged, 3000u);
     EXPECT_EQ(wrong, 0u) << "of " << judged << " pixels";
@@ -164,8 +162,7 @@ TEST_P(TranslucencyTest, EveryLayerOfACrowdCountsOnce)
     mean += pixel.a / (60.0 * 60.0);
   }
   const double expected = 1.0 - std::pow(1.0 - opacity, 6);
-  EXPECT_NEAR(
-    mean, expected, certain * std::sqrt(expected * (1.0 - expected) / (60.0 * 60.0 * 16.0)));
+  EXPECT_NEAR(mean, expected, certain * std::sqrt(expected * (1.0 - expected) / (60.0 * 60.0 * 16.0)));
 }
 
 // Many more layers show than one traversal gathers, each glyph has an opacity of its own, and what is opaque ends them.
@@ -220,8 +217,8 @@ TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
       // Where rays are traced layer by layer, those nearer to each other than their places are known may count as one.
       std::sort(layers.begin(), layers.end());
       unclear |= (wall || GetParam() == rtg::Structure::Boxes) &&
-        std::adjacent_find(layers.begin(), layers.end(),
-          [](double a, double b) { return b - a < 1e-5; }) != layers.end();
+        std::adjacent_find(layers.begin(), layers.end(), [](double a, double b) { return b - a < 1e-5; }) !=
+          layers.end();
       judged += !unclear;
       deep += layers.size() > 24;
       wrong += !unclear && std::abs(means[at].a - (1.0 - passing)) > 1.0 / 512.0;
@@ -232,6 +229,5 @@ TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Structures, TranslucencyTest,
-  ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
+INSTANTIATE_TEST_SUITE_P(Structures, TranslucencyTest, ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
   [](const auto& info) { return ::testing::PrintToString(info.param); });

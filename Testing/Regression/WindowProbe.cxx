@@ -1,6 +1,6 @@
-// A user of ParaView's window, for scripts that run inside it (window.py): mouse and keys at widgets that are found by their
-// names, what a label says, and time for the window's events. Events are posted, as those of a window system are, and
-// take the way through ParaView's filters.
+// A user of ParaView's window, for scripts that run inside it (window.py): mouse and keys at widgets that are found by
+// their names, what a label says, and time for the window's events. Events are posted, as those of a window system are,
+// and take the way through ParaView's filters.
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLabel>
@@ -27,8 +27,8 @@ QWidget* Find(const char* name)
 
 void PostMouse(QWindow* window, QEvent::Type type, QPoint at, Qt::MouseButtons buttons)
 {
-  QCoreApplication::postEvent(window,
-    new QMouseEvent(type, at, window->mapToGlobal(at), Qt::LeftButton, buttons, Qt::NoModifier));
+  QCoreApplication::postEvent(
+    window, new QMouseEvent(type, at, window->mapToGlobal(at), Qt::LeftButton, buttons, Qt::NoModifier));
 }
 }
 
@@ -62,10 +62,8 @@ extern "C"
     {
       return 0;
     }
-    QCoreApplication::postEvent(
-      widget, new QKeyEvent(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier));
-    QCoreApplication::postEvent(
-      widget, new QKeyEvent(QEvent::KeyRelease, Qt::Key_Escape, Qt::NoModifier));
+    QCoreApplication::postEvent(widget, new QKeyEvent(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier));
+    QCoreApplication::postEvent(widget, new QKeyEvent(QEvent::KeyRelease, Qt::Key_Escape, Qt::NoModifier));
     return 1;
   }
 

@@ -1,9 +1,9 @@
 # To be sourced by demo.sh and test.sh, which set `clone`: configures and builds the plugin in clone/build, or
 # against a ParaView built from source in clone/build-<its folder's name>.
 
-# Sets build and pvpython; with an argument, the folder of a ParaView installation.
-build_plugin() { # [paraview folder]
-  local options=() paraview=${1:-}
+# Sets build and pvpython. The first argument is the folder of a ParaView installation, or empty.
+build_plugin() { # paraview-folder [CMAKE-OPTION...]
+  local paraview=$1 options=("${@:2}")
   build=$clone/build
   pvpython=pvpython
   if [ -n "$paraview" ]; then

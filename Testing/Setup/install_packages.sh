@@ -33,6 +33,8 @@ gui=("${qt[@]}" python3-mpi4py libgdal-dev libboost-dev
   libutfcpp-dev liblz4-dev libdouble-conversion-dev libtheora-dev libgl2ps-dev
   libavcodec-dev libavformat-dev libavutil-dev libswscale-dev)
 test=(libgtest-dev libquadmath0 vulkan-validationlayers openmpi-bin)
+# The version that formats this project; later releases have later ones only.
+[ "$codename" != bookworm ] || test+=(clang-format-14)
 benchmark=(libembree-dev python3-matplotlib)
 simulate=(lammps)
 # What Testing/Setup/build_paraview.sh compiles ParaView with.
