@@ -1,10 +1,10 @@
-// VTK::System::Dec
-// RayTraced::Define
+//VTK::System::Dec
+//RayTraced::Define
 //  Fragment shader of the full-viewport quad that puts a ray-traced image into the view: its colour, and
 //  its depth in place of the quad's. Depth peeling replaces the tags where the image is translucent, and the view's
 //  ambient occlusion in screen space (vtkSSAOPass) those that write the surface's place and normal.
-// VTK::Output::Dec
-// VTK::DepthPeeling::Dec
+//VTK::Output::Dec
+//VTK::DepthPeeling::Dec
 
 uniform sampler2D imageColour; // straight, not premultiplied
 uniform sampler2D imageDepth;  // window depth in [0, 1]
@@ -51,8 +51,8 @@ void main()
   vec3 normalVCVSOutput =
     normalize(cross(StepAlong(ivec2(1, 0), pixel, vertexVC.xyz), StepAlong(ivec2(0, 1), pixel, vertexVC.xyz)));
 #endif
-  // VTK::Light::Impl
-  // VTK::DepthPeeling::PreColor
+  //VTK::Light::Impl
+  //VTK::DepthPeeling::PreColor
   gl_FragData[0] = colour;
-  // VTK::DepthPeeling::Impl
+  //VTK::DepthPeeling::Impl
 }

@@ -1,6 +1,6 @@
-// VTK::System::Dec
+//VTK::System::Dec
 //  Fragment shader of the full-viewport quad that draws pixels again where a ray-traced image is seen.
-// VTK::Output::Dec
+//VTK::Output::Dec
 
 uniform sampler2D imageColour;
 uniform sampler2D imageDepth; // window depth in [0, 1]
