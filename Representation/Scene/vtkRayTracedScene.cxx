@@ -615,6 +615,80 @@ void vtkRayTracedScene::EndFrame()
 }
 
 //----------------------------------------------------------------------------
+// Images of both passes that know what the camera sees in each pixel; none where it sees nothing.
+std::vector<const rtg::Image*> vtkRayTracedScene::ImagesWithIds(int width, int height)
+{
+  Internals& self = *this->Self;
+  std::vector<const rtg::Image*> images;
+  rtg::ImageView view;
+  try
+  {
+    view.camera =
+      vtkRayTracedRendererState::CameraOf(this->Renderer, vtkRayTracedRendererState::WorldToClip(this->Renderer));
+  }
+  catch (const rtg::Error&)
+  {
+    return images;
+  }
+  view.content = self.ContentNumber;
+  view.settings.width = static_cast<std::uint32_t>(width);
+  view.settings.height = static_cast<std::uint32_t>(height);
+  for (int pass : { opaque, translucent })
+  {
+    if (!self.Wants[pass])
+    {
+      continue;
+    }
+    // The image that is shown knows the ids; without it one ray a pixel finds them.
+    view.pass = static_cast<rtg::Pass>(pass);
+    if (vtkRayTracedImages::Entry* shown = self.Images.FindSame(view))
+    {
+      images.push_back(&shown->Image.GetImage());
+      continue;
+    }
+    vtkRayTracedImages::Entry& own =
+      self.Images.Get({ pass, view.settings.width, view.settings.height, 0, {}, /*OnlyIds=*/true });
+    const rtg::Image* image =
+      self.Images.Update(own, view, rtg::ImageEffort(), {}, [&self](rtg::Scene& scene) { self.Send(scene); });
+    if (image)
+    {
+      images.push_back(image);
+    }
+    else
+    {
+      this->Report(own.Image.GetFailure().message);
+    }
+  }
+  return images;
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedScene::PlaceAt(int x, int y, double place[3])
+{
+  const int* size = this->Renderer ? this->Renderer->GetSize() : nullptr;
+  if (!size || x < 0 || y < 0 || x >= size[0] || y >= size[1])
+  {
+    return false;
+  }
+  float depth = 1.0f;
+  for (const rtg::Image* image : this->ImagesWithIds(size[0], size[1]))
+  {
+    depth = std::min(depth, image->depth[static_cast<std::size_t>(y) * image->width + x]);
+  }
+  if (!(depth < 1.0f))
+  {
+    return false;
+  }
+  const glm::dvec4 clip(2.0 * (x + 0.5) / size[0] - 1.0, 2.0 * (y + 0.5) / size[1] - 1.0, 2.0 * depth - 1.0, 1.0);
+  const glm::dvec4 world = glm::inverse(vtkRayTracedRendererState::WorldToClip(this->Renderer)) * clip;
+  for (int i = 0; i < 3; ++i)
+  {
+    place[i] = world[i] / world.w;
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
 {
   Internals& self = *this->Self;
@@ -628,52 +702,12 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
     return;
   }
   selector->BeginRenderProp();
-  rtg::ImageView view;
-  glm::dmat4 worldToClip;
-  std::vector<const rtg::Image*> images;
-  try
-  {
-    worldToClip = vtkRayTracedRendererState::WorldToClip(this->Renderer);
-    view.camera = vtkRayTracedRendererState::CameraOf(this->Renderer, worldToClip);
-    view.content = self.ContentNumber;
-    view.settings.width = static_cast<std::uint32_t>(viewport[2]);
-    view.settings.height = static_cast<std::uint32_t>(viewport[3]);
-    for (int pass : { opaque, translucent })
-    {
-      if (!self.Wants[pass])
-      {
-        continue;
-      }
-      // The image that is shown knows the ids; without it one ray a pixel finds them.
-      view.pass = static_cast<rtg::Pass>(pass);
-      vtkRayTracedImages::Entry* entry = self.Images.FindSame(view);
-      if (entry)
-      {
-        images.push_back(&entry->Image.GetImage());
-        continue;
-      }
-      vtkRayTracedImages::Entry& own =
-        self.Images.Get({ pass, view.settings.width, view.settings.height, 0, {}, /*OnlyIds=*/true });
-      const rtg::Image* image =
-        self.Images.Update(own, view, rtg::ImageEffort(), {}, [&self](rtg::Scene& scene) { self.Send(scene); });
-      if (image)
-      {
-        images.push_back(image);
-      }
-      else
-      {
-        this->Report(own.Image.GetFailure().message);
-      }
-    }
-  }
-  catch (const rtg::Error&)
-  {
-    images.clear(); // a camera that sees nothing
-  }
+  const std::vector<const rtg::Image*> images = this->ImagesWithIds(viewport[2], viewport[3]);
   if (!images.empty() && self.Images.GetScene())
   {
     vtkRayTracedIdBuffer buffer;
-    buffer.Fill(images, *self.Images.GetScene(), member->Set, worldToClip, mapper, selector);
+    buffer.Fill(images, *self.Images.GetScene(), member->Set, vtkRayTracedRendererState::WorldToClip(this->Renderer),
+      mapper, selector);
     if (selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_CELLS)
     {
       selector->UpdateMaximumCellId(buffer.LargestId);
@@ -682,7 +716,8 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
     {
       selector->UpdateMaximumPointId(buffer.LargestId);
     }
-    self.IdQuad.SetImage(window, view.settings.width, view.settings.height, buffer.Values.data(), buffer.Depths.data());
+    self.IdQuad.SetImage(
+      window, images.front()->width, images.front()->height, buffer.Values.data(), buffer.Depths.data());
     self.IdQuad.Draw(this->Renderer, actor, mapper, vtkRayTracedImageQuad::IDS);
   }
   selector->EndRenderProp();

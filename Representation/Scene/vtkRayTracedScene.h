@@ -22,7 +22,12 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
+namespace rtg
+{
+struct Image;
+}
 class vtkActor;
 class vtkMapper;
 class vtkInformationObjectBaseKey;
@@ -94,6 +99,12 @@ public:
   void DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper);
 
   /**
+   * The point of the nearest ray-traced surface, of any display, that the camera sees in a pixel of the renderer;
+   * false: none.
+   */
+  bool PlaceAt(int x, int y, double place[3]);
+
+  /**
    * Says, once after each frame, that a scene that is being exported goes without what is ray traced.
    */
   void ReportExport();
@@ -136,6 +147,7 @@ private:
   void StartFrame();
   void EndFrame();
   bool UpdateMappers();
+  std::vector<const rtg::Image*> ImagesWithIds(int width, int height);
   void Report(const std::string& message);
 
   vtkWeakPointer<vtkRenderer> Renderer;

@@ -1,7 +1,7 @@
 #include "vtkSMRayTracedPickingHelperProxy.h"
 
-#include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
+#include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -105,26 +105,8 @@ bool vtkSMRayTracedPickingHelperProxy::FindPlace(double place[3])
     {
       continue;
     }
-    const int* size = renderer->GetSize();
-    vtkFloatArray* depths = view->CaptureDepthBuffer();
-    if (!depths || depths->GetNumberOfValues() != static_cast<vtkIdType>(size[0]) * size[1] || pixel[0] < 0 ||
-      pixel[1] < 0 || pixel[0] >= size[0] || pixel[1] >= size[1])
-    {
-      return false;
-    }
-    const double depth = depths->GetValue(static_cast<vtkIdType>(pixel[1]) * size[0] + pixel[0]);
-    if (!(depth > 0.0 && depth < 1.0))
-    {
-      return false; // nothing there, or the image came from a server
-    }
-    renderer->SetDisplayPoint(pixel[0], pixel[1], depth);
-    renderer->DisplayToWorld();
-    const double* world = renderer->GetWorldPoint();
-    for (int i = 0; i < 3; ++i)
-    {
-      place[i] = world[i] / world[3];
-    }
-    return true;
+    vtkRayTracedScene* scene = vtkRayTracedScene::Find(renderer);
+    return scene && scene->PlaceAt(pixel[0], pixel[1], place); // none: a server renders
   }
   return false;
 }

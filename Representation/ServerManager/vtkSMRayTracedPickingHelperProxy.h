@@ -4,7 +4,7 @@
  *
  * ParaView picks points in space (the center of rotation, those of widgets) by intersecting a cell of the data with the
  * ray of the pixel. The cells of glyphs are vertices, or there are none, and no ray hits those: where the data are
- * shown ray traced, the point is what the view's depth buffer says of the pixel. It takes the place of ParaView's
+ * shown ray traced, the point is that of the surface traced in the pixel. It takes the place of ParaView's
  * PickingHelper proxy, and does what that does for everything else.
  */
 #ifndef vtkSMRayTracedPickingHelperProxy_h
