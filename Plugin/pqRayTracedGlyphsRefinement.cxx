@@ -18,6 +18,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMRayTracedRepresentationProxy.h"
 #include "vtkSMSession.h"
 #include "vtkSMViewProxy.h"
 
@@ -198,21 +199,10 @@ std::vector<pqRayTracedGlyphsRefinement::Part> pqRayTracedGlyphsRefinement::Part
 // One scene a view: what one of its visible ray-traced displays says holds for all. Null: there is none.
 vtkSMProxy* pqRayTracedGlyphsRefinement::DisplayOf(const Part& part)
 {
-  const vtkSMPropertyHelper displays(part.Proxy, "Representations", /*quiet=*/true);
-  for (unsigned int i = 0; i < displays.GetNumberOfElements(); ++i)
-  {
-    vtkSMProxy* display = displays.GetAsProxy(i);
-    if (display && display->GetProperty("RefinementProgress") && display->GetProperty("Representation") &&
-      vtkSMPropertyHelper(display, "Visibility").GetAsInt())
-    {
-      const QString type = vtkSMPropertyHelper(display, "Representation").GetAsString();
-      if (type == "Ray Traced Glyphs" || type == "Ray Traced Surface")
-      {
-        return display;
-      }
-    }
-  }
-  return nullptr;
+  return vtkSMRayTracedRepresentationProxy::FindDisplay(part.Proxy,
+    [](vtkSMProxy* display) {
+      return display->GetProperty("RefinementProgress") && vtkSMRayTracedRepresentationProxy::ShowsRayTraced(display);
+    });
 }
 
 //----------------------------------------------------------------------------

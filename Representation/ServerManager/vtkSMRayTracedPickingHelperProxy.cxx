@@ -6,6 +6,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
+#include "vtkSMRayTracedRepresentationProxy.h"
 #include "vtkSMRenderViewProxy.h"
 
 #include <array>
@@ -19,23 +20,12 @@ namespace
 {
 bool ShowsRayTraced(vtkSMProxy* view, vtkSMProxy* input)
 {
-  vtkSMPropertyHelper displays(view, "Representations");
-  for (unsigned int i = 0; i < displays.GetNumberOfElements(); ++i)
-  {
-    vtkSMProxy* display = displays.GetAsProxy(i);
-    if (!display || !display->GetProperty("Representation") || !display->GetProperty("Input"))
-    {
-      continue;
-    }
-    const std::string type = vtkSMPropertyHelper(display, "Representation").GetAsString();
-    if ((type == "Ray Traced Glyphs" || type == "Ray Traced Surface") &&
-      vtkSMPropertyHelper(display, "Visibility").GetAsInt() &&
-      vtkSMPropertyHelper(display, "Input").GetAsProxy() == input)
-    {
-      return true;
-    }
-  }
-  return false;
+  return vtkSMRayTracedRepresentationProxy::FindDisplay(view,
+           [input](vtkSMProxy* display)
+           {
+             return vtkSMRayTracedRepresentationProxy::ShowsRayTraced(display) &&
+               vtkSMPropertyHelper(display, "Input", true).GetAsProxy() == input;
+           }) != nullptr;
 }
 
 std::array<double, 3> ToDisplay(vtkRenderer* renderer, const std::array<double, 3>& world)

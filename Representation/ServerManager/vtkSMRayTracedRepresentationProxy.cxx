@@ -16,7 +16,6 @@
 #include "vtkSmartPointer.h"
 
 #include <cstring>
-#include <functional>
 
 vtkStandardNewMacro(vtkSMRayTracedRepresentationProxy);
 
@@ -28,19 +27,33 @@ bool sharing = false;
 // Values of GlyphTensorColoring that are numbers.
 constexpr int fractionalAnisotropy = 2;
 constexpr int trace = 3;
+}
 
-void ForEachDisplay(vtkSMProxy* view, const std::function<void(vtkSMProxy*)>& visit)
+//----------------------------------------------------------------------------
+vtkSMProxy*
+vtkSMRayTracedRepresentationProxy::FindDisplay(vtkSMProxy* view, const std::function<bool(vtkSMProxy*)>& wanted)
 {
-  vtkSMProperty* displays = view->GetProperty("Representations");
-  vtkSMPropertyHelper helper(displays, /*quiet=*/true);
-  for (unsigned int i = 0; displays && i < helper.GetNumberOfElements(); ++i)
+  const vtkSMPropertyHelper displays(view, "Representations", /*quiet=*/true);
+  for (unsigned int i = 0; i < displays.GetNumberOfElements(); ++i)
   {
-    if (vtkSMProxy* display = helper.GetAsProxy(i))
+    vtkSMProxy* display = displays.GetAsProxy(i);
+    if (display && wanted(display))
     {
-      visit(display);
+      return display;
     }
   }
+  return nullptr;
 }
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedRepresentationProxy::ShowsRayTraced(vtkSMProxy* display)
+{
+  if (!display->GetProperty("Representation") || !vtkSMPropertyHelper(display, "Visibility", true).GetAsInt())
+  {
+    return false;
+  }
+  const std::string type = vtkSMPropertyHelper(display, "Representation").GetAsString();
+  return type == "Ray Traced Glyphs" || type == "Ray Traced Surface";
 }
 
 //----------------------------------------------------------------------------
@@ -147,7 +160,7 @@ void vtkSMRayTracedRepresentationProxy::ShareWithView(const char* name)
     return;
   }
   sharing = true;
-  ForEachDisplay(view,
+  FindDisplay(view,
     [this, name](vtkSMProxy* display)
     {
       vtkSMProperty* other = display->GetProperty(name);
@@ -156,6 +169,7 @@ void vtkSMRayTracedRepresentationProxy::ShareWithView(const char* name)
         other->Copy(this->GetProperty(name));
         display->UpdateVTKObjects();
       }
+      return false; // all of them
     });
   sharing = false;
 }
@@ -180,15 +194,8 @@ void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtk
 void vtkSMRayTracedRepresentationProxy::TakeFromView(vtkSMProxy* view)
 {
   vtkSMProxy* own = this->GetTrueParentProxy();
-  vtkSMProxy* example = nullptr;
-  ForEachDisplay(view,
-    [&](vtkSMProxy* display)
-    {
-      if (!example && display != own && display->GetProperty("ShadingMode"))
-      {
-        example = display;
-      }
-    });
+  vtkSMProxy* example =
+    FindDisplay(view, [own](vtkSMProxy* display) { return display != own && display->GetProperty("ShadingMode"); });
   if (!own || !example || sharing)
   {
     return;

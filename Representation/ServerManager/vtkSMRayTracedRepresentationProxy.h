@@ -17,6 +17,7 @@
 #include "vtkSMRepresentationProxy.h"
 #include "vtkWeakPointer.h"
 
+#include <functional>
 #include <string>
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedRepresentationProxy : public vtkSMRepresentationProxy
@@ -27,6 +28,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void ViewUpdated(vtkSMProxy* view) override;
+
+  ///@{
+  /**
+   * The first display of a view that is wanted, or null; and whether a display, of any kind, is visible and shown as
+   * ray-traced glyphs or as a ray-traced surface.
+   */
+  static vtkSMProxy* FindDisplay(vtkSMProxy* view, const std::function<bool(vtkSMProxy*)>& wanted);
+  static bool ShowsRayTraced(vtkSMProxy* display);
+  ///@}
 
 protected:
   vtkSMRayTracedRepresentationProxy();
