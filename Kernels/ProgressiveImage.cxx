@@ -193,6 +193,13 @@ void ProgressiveImage::Fail(const Request& request, bool prepared, bool memory, 
   this->failedBytes_ = request.source.HeldBytes();
 }
 
+// No launch is without a share of the work.
+bool ProgressiveImage::WaitsForProgram(const Image& image)
+{
+  this->compiling_ = !image.complete && image.share <= 0.0f;
+  return this->compiling_;
+}
+
 // The image of a view that there is nothing of yet.
 void ProgressiveImage::Restart(const Request& request)
 {
@@ -243,9 +250,8 @@ void ProgressiveImage::Preview(const Request& request, std::uint32_t pixelStep)
     const double before = request.source.Now();
     Image image = request.source.Trace(this->view_, settings, request.MakeInterrupt(0.0, 0.0));
     const double seconds = request.source.Now() - before;
-    if (!image.complete && image.share <= 0.0f)
+    if (this->WaitsForProgram(image))
     {
-      // Its program is being compiled.
       this->pending_ = this->canContinue_ = false;
       this->Show(image);
       return;
@@ -334,6 +340,7 @@ void ProgressiveImage::Grow(const Request& request)
       image = request.source.Trace(
         this->view_, settings, request.MakeInterrupt(this->samples_ / wanted, (this->samples_ + left) / wanted));
     }
+    this->WaitsForProgram(image);
     const std::uint32_t before_ = this->samples_;
     this->pending_ = interrupted = !image.complete;
     if (image.complete)

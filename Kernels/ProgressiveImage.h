@@ -121,12 +121,15 @@ public:
   /// What the image shows, and whether it shows it in full resolution.
   const ImageView& View() const { return this->view_; }
   bool IsComplete() const { return this->samples_ > 0; }
+  /// The last Update() found that the program it needs is still being compiled.
+  bool IsCompiling() const { return this->compiling_; }
   const Image& GetImage() const { return this->image_; }
 
 private:
   struct Request; ///< of one Update()
 
   bool MayTryAgain(const ImageSource& source, const ImageView& view, const ImageEffort& effort) const;
+  bool WaitsForProgram(const Image& image);
   void Restart(const Request& request);
   void Preview(const Request& request, std::uint32_t pixelStep);
   void Grow(const Request& request);
@@ -138,6 +141,7 @@ private:
   Failure failure_;
   ImageView view_;
   Image image_;
+  bool compiling_ = false;
   std::uint64_t version_ = 0;
   std::uint32_t wanted_ = 1;         ///< samples of a finished image, as last asked
   std::uint32_t planned_ = 1;        ///< likewise, when the first sample was traced

@@ -239,6 +239,7 @@ float Scene::State::Measure()
         set.bounds.Include(box.lower, box.upper);
       }
       set.measured = true;
+      this->TellStage(set);
     }
   }
   // The scene's origin is that of its first visible set: near what is looked at.
@@ -276,9 +277,32 @@ void Scene::State::DropTopLevel()
   ++this->version;
 }
 
-void Scene::Commit()
+void Scene::State::CountStages()
+{
+  this->stages = this->stagesDone = 0;
+  for (const auto& [id, set] : this->sets)
+  {
+    if (set.Shown() && (set.instancesChanged || !set.measured))
+    {
+      this->stages += stagesPerGlyph * set.count;
+    }
+  }
+}
+
+void Scene::State::TellStage(const GlyphSet& set)
+{
+  this->stagesDone += set.count;
+  if (this->progress && this->stages > 0)
+  {
+    this->progress(std::min(1.0, static_cast<double>(this->stagesDone) / static_cast<double>(this->stages)));
+  }
+}
+
+void Scene::Commit(const std::function<void(double)>& progress)
 {
   State& state = *this->state_;
+  state.progress = progress;
+  state.CountStages();
   Device::State& vulkan = state.device->GetState();
   vulkan.Guard("sending glyphs",
     [&]

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <functional>
 #include <memory>
 
 namespace rtg
@@ -63,7 +64,8 @@ public:
   bool HasTranslucent() const;
   bool HasOpaque() const;
 
-  void Commit();
+  /// `progress` is told the share of the work that is done, in [0, 1], after each of its stages.
+  void Commit(const std::function<void(double share)>& progress = {});
 
   const Statistics& GetStatistics() const;
 

@@ -52,6 +52,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
     this->Sort(set, boxes);
     this->statistics.sortSeconds += watch.Lap();
   }
+  this->TellStage(set);
   PlacedGlyphs placed;
   // Some head-room, so that a scene that grows little by little is not rebuilt at every step.
   placed.builtReach = 4.0f * reach;
@@ -65,6 +66,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
   {
     this->SendGlyphs(set, placed);
     this->statistics.uploadSeconds += watch.Lap();
+    this->TellStage(set);
     boxes = set.sorted.order.empty() ? std::move(boxes) : InOrder(boxes, set.sorted.order);
     placed.group.hasTree = this->structure == Structure::Tree;
     if (placed.group.hasTree)
@@ -79,6 +81,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
     this->statistics.buildSeconds += watch.Lap();
   }
   this->SendColours(set, placed);
+  this->TellStage(set);
   set.placed = std::move(placed);
   this->topLevelChanged = true;
 }

@@ -150,6 +150,13 @@ struct Scene::State
   bool recordsChanged = true;
   std::uint64_t version = 0; ///< grows with every change that changes the image
 
+  // Of the Commit() that is going on, in stages of glyphs: measuring, sorting, sending, and building of each.
+  static constexpr std::uint64_t stagesPerGlyph = 4;
+  std::function<void(double)> progress;
+  std::uint64_t stages = 0, stagesDone = 0;
+  void CountStages();
+  void TellStage(const GlyphSet& set);
+
   void SendChanges(std::vector<GlyphSet*>& sent);
   /// Throws rtg::Error when there is none of that number.
   GlyphSet& Find(SetId id);

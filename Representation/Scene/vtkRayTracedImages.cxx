@@ -15,10 +15,10 @@ constexpr std::uint64_t patience = 12;
 class vtkRayTracedImages::Source : public rtg::ImageSource
 {
 public:
-  Source(vtkRayTracedImages& images, Entry& entry, const std::function<void(rtg::Scene&)>& send)
+  Source(vtkRayTracedImages& images, Entry& entry, const std::function<void(rtg::Scene&)>& commit)
     : Images(images)
     , Own(entry)
-    , Send(send)
+    , Commit(commit)
   {
   }
 
@@ -50,8 +50,7 @@ public:
     }
     try
     {
-      this->Send(*this->Images.Scene);
-      this->Images.Scene->Commit();
+      this->Commit(*this->Images.Scene);
     }
     catch (...)
     {
@@ -97,7 +96,7 @@ public:
 private:
   vtkRayTracedImages& Images;
   Entry& Own;
-  const std::function<void(rtg::Scene&)>& Send;
+  const std::function<void(rtg::Scene&)>& Commit;
 };
 
 //----------------------------------------------------------------------------
@@ -140,9 +139,9 @@ vtkRayTracedImages::Entry* vtkRayTracedImages::FindSame(const rtg::ImageView& vi
 
 //----------------------------------------------------------------------------
 const rtg::Image* vtkRayTracedImages::Update(Entry& entry, const rtg::ImageView& view, const rtg::ImageEffort& effort,
-  const rtg::Interrupt& interrupt, const std::function<void(rtg::Scene&)>& send)
+  const rtg::Interrupt& interrupt, const std::function<void(rtg::Scene&)>& commit)
 {
-  Source source(*this, entry, send);
+  Source source(*this, entry, commit);
   return entry.Image.Update(source, view, effort, interrupt);
 }
 

@@ -57,10 +57,10 @@ public:
   Entry* FindSame(const rtg::ImageView& view);
 
   /**
-   * Makes or improves an entry's image. `send` hands over to the kernels' scene what has changed; it may throw.
+   * Makes or improves an entry's image. `commit` brings the kernels' scene up to date; it may throw.
    */
   const rtg::Image* Update(Entry& entry, const rtg::ImageView& view, const rtg::ImageEffort& effort,
-    const rtg::Interrupt& interrupt, const std::function<void(rtg::Scene&)>& send);
+    const rtg::Interrupt& interrupt, const std::function<void(rtg::Scene&)>& commit);
 
   ///@{
   /**

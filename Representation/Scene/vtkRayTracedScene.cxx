@@ -1,7 +1,6 @@
 #include "vtkRayTracedScene.h"
 
 #include "vtkActor.h"
-#include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkDataObject.h"
@@ -13,9 +12,6 @@
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkPVProgressHandler.h"
-#include "vtkPVSession.h"
-#include "vtkProcessModule.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -23,9 +19,11 @@
 #include "vtkRayTracedFXAA.h"
 #include "vtkRayTracedFeatureImage.h"
 #include "vtkRayTracedIdBuffer.h"
+#include "vtkRayTracedImageRequest.h"
 #include "vtkRayTracedImages.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkRayTracedOpenGL.h"
+#include "vtkRayTracedProgress.h"
 #include "vtkRayTracedPythonClass.h"
 #include "vtkRayTracedRendererState.h"
 #include "vtkRayTracedSignal.h"
@@ -35,7 +33,6 @@
 #include VTK_NLOHMANN_JSON(json.hpp)
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <new>
 #include <vector>
@@ -47,39 +44,9 @@ namespace
 {
 // Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
 constexpr double interactiveRate = 1.0;
-// Seconds of one step of the images of a frame that somebody watches: a camera that is turned meanwhile waits so long.
-constexpr double stepSeconds = 0.1;
-// Seconds of tracing after which ParaView's progress bar is told.
-constexpr double quietSeconds = 0.3;
 
 constexpr int opaque = static_cast<int>(rtg::Pass::Opaque);
 constexpr int translucent = static_cast<int>(rtg::Pass::Translucent);
-
-// Settings that mean nothing to the shading stay at their defaults: no image is traced again for them.
-rtg::TraceSettings ToTraceSettings(const vtkRayTracedImageSettings& from)
-{
-  rtg::TraceSettings settings;
-  settings.shading = static_cast<rtg::Shading>(from.ShadingMode);
-  if (settings.shading == rtg::Shading::AmbientOcclusion)
-  {
-    settings.occlusionRadius = static_cast<float>(from.AmbientOcclusionRadius);
-    settings.occlusionRays = static_cast<std::uint32_t>(from.AmbientOcclusionRays);
-  }
-  if (settings.shading == rtg::Shading::PathTracing)
-  {
-    settings.paths = static_cast<std::uint32_t>(from.PathsPerSample);
-    settings.maximumBounces = static_cast<std::uint32_t>(from.MaximumBounces);
-  }
-  if (settings.shading != rtg::Shading::Local)
-  {
-    settings.lightIntensity = static_cast<float>(from.LightIntensity);
-    settings.environmentColour =
-      glm::vec3(from.EnvironmentColor[0], from.EnvironmentColor[1], from.EnvironmentColor[2]);
-  }
-  settings.toneMapping = static_cast<rtg::ToneMapping>(from.ToneMapping);
-  settings.exposure = static_cast<float>(from.Exposure);
-  return settings;
-}
 }
 
 //----------------------------------------------------------------------------
@@ -126,17 +93,16 @@ struct vtkRayTracedScene::Internals
   bool Interactive = false;
 
   // Of the last frame, on all ranks that rendered it together; of each eye its own.
-  double Progress[2] = { 1.0, 1.0 };
+  double Done[2] = { 1.0, 1.0 };
   double Samples[2] = { 0.0, 0.0 };
   bool Stereo = false;
   int Eye = 0; // of the last frame
 
   std::string Reported, CameraReported; // the last failures, until there is an image again
   bool PassReported = false, ExportReported = false, CutReported = false;
-  vtkNew<vtkAlgorithm> Teller; // of ParaView's progress bar
-  bool TellerKnown = false;
+  vtkRayTracedProgress Progress;
 
-  void Send(rtg::Scene& scene);
+  void Commit(rtg::Scene& scene);
   bool HasBothPasses() const { return this->Wants[opaque] && this->Wants[translucent]; }
   bool WantsAnything() const { return this->Wants[opaque] || this->Wants[translucent]; }
 };
@@ -154,7 +120,6 @@ vtkRayTracedScene::vtkRayTracedScene()
   : Self(std::make_unique<Internals>())
 {
   this->Self->Actor->SetScene(this);
-  this->Self->Teller->SetProgressText("Ray Tracing");
 }
 
 //----------------------------------------------------------------------------
@@ -266,7 +231,7 @@ void vtkRayTracedScene::SaveFeatureImage(const std::string& fileName)
 void vtkRayTracedScene::Stop()
 {
   this->Self->Stopped = true;
-  std::fill_n(this->Self->Progress, 2, 1.0);
+  std::fill_n(this->Self->Done, 2, 1.0);
 }
 
 //----------------------------------------------------------------------------
@@ -372,7 +337,7 @@ bool vtkRayTracedScene::UpdateMappers()
 
 //----------------------------------------------------------------------------
 // What has changed since the kernels last had it.
-void vtkRayTracedScene::Internals::Send(rtg::Scene& scene)
+void vtkRayTracedScene::Internals::Commit(rtg::Scene& scene)
 {
   for (Member& member : this->Members)
   {
@@ -410,6 +375,7 @@ void vtkRayTracedScene::Internals::Send(rtg::Scene& scene)
       member.SentMaterial = member.MaterialVersion;
     }
   }
+  scene.Commit([this](double share) { this->Progress.Tell("Sorting Glyphs", share); });
 }
 
 //----------------------------------------------------------------------------
@@ -434,8 +400,8 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   rtg::ImageView view;
   try
   {
-    view.camera =
-      vtkRayTracedRendererState::CameraOf(this->Renderer, vtkRayTracedRendererState::WorldToClip(this->Renderer));
+    view = vtkRayTracedImageRequest::ViewOf(self.Settings, this->Renderer, static_cast<rtg::Pass>(pass),
+      static_cast<std::uint32_t>(viewport[2]), static_cast<std::uint32_t>(viewport[3]), self.Environment);
     self.CameraReported.clear();
   }
   catch (const rtg::Error& error)
@@ -447,35 +413,14 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
     }
     return;
   }
-  const vtkRayTracedImageSettings& wanted = self.Settings;
-  view.pass = static_cast<rtg::Pass>(pass);
   view.content = self.ContentNumber;
-  view.settings = ToTraceSettings(wanted);
-  view.settings.width = static_cast<std::uint32_t>(viewport[2]);
-  view.settings.height = static_cast<std::uint32_t>(viewport[3]);
-  // Headlight and light kit make up for the lack of light from all around; path tracing has that.
-  const bool surrounded = view.settings.shading == rtg::Shading::PathTracing && wanted.LightIntensity > 0.0;
-  view.lights = vtkRayTracedRendererState::LightsOf(this->Renderer, /*placedOnly=*/surrounded);
-  if (surrounded)
-  {
-    self.Environment = vtkRayTracedRendererState::EnvironmentOf(this->Renderer, self.Environment);
-    view.settings.environmentImage = self.Environment.Image;
-  }
-
   const bool capture = self.Capture;
-  const bool noisy = view.settings.shading != rtg::Shading::Local;
-  rtg::ImageEffort effort;
-  effort.samples = static_cast<std::uint32_t>(wanted.SamplesPerPixel);
-  effort.samplesAtOnce = capture ? 0 : static_cast<std::uint32_t>(wanted.SamplesPerRender);
-  const int images = (self.HasBothPasses() ? 2 : 1) * (this->Renderer->GetRenderWindow()->GetStereoRender() ? 2 : 1);
-  effort.seconds = wanted.StepwiseRendering && !capture ? stepSeconds / images : 0.0;
-  effort.preview = self.Interactive;
-  // Pixels that need more than one ray are spared more of them, for the camera to answer as fast.
-  effort.pixelStep =
-    static_cast<std::uint32_t>(wanted.InteractiveReduction + (noisy && wanted.InteractiveReduction > 1 ? 1 : 0));
-  effort.exact = !wanted.StepwiseRendering || capture;
-  effort.denoising = static_cast<rtg::Denoising>(wanted.Denoising);
-  effort.features = !self.FeatureFile.empty() && !self.Interactive;
+  vtkRayTracedImageRequest::Frame frame;
+  frame.Capture = capture;
+  frame.Interactive = self.Interactive;
+  frame.Features = !self.FeatureFile.empty() && !self.Interactive;
+  frame.Images = (self.HasBothPasses() ? 2 : 1) * (window->GetStereoRender() ? 2 : 1);
+  const rtg::ImageEffort effort = vtkRayTracedImageRequest::EffortOf(self.Settings, frame);
 
   vtkRayTracedImages::Place place;
   place.Pass = pass;
@@ -491,32 +436,18 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   const bool growing = entry.Image.GetState() == rtg::ProgressiveImage::State::Growing;
   // Somebody may not want it any more; and ParaView's progress bar wants to know.
   vtkRayTracedSignal signal;
-  const auto start = std::chrono::steady_clock::now();
-  const rtg::Interrupt interrupt = [&](double progress)
+  self.Progress.Start();
+  const rtg::Interrupt interrupt = [&](double share)
   {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    if (passed.count() > quietSeconds)
-    {
-      self.Teller->UpdateProgress(progress);
-    }
+    self.Progress.Tell(entry.Image.IsCompiling() ? "Compiling Programs" : "Ray Tracing", share);
     return window->CheckAbortStatus() != 0 || signal.Arrived();
   };
-  if (!self.TellerKnown)
-  {
-    vtkProcessModule* module = vtkProcessModule::GetProcessModule();
-    auto* session = module ? vtkPVSession::SafeDownCast(module->GetActiveSession()) : nullptr;
-    if (session && session->GetProgressHandler())
-    {
-      session->GetProgressHandler()->RegisterProgressEvent(self.Teller, 0);
-    }
-    self.TellerKnown = true;
-  }
   // Whoever is told or asked may paint meanwhile: Qt makes its own OpenGL context current, and binds framebuffers of
   // widgets in ours.
   window->GetState()->Push();
   const rtg::Image* image = stays && growing
     ? &entry.Image.GetImage()
-    : self.Images.Update(entry, view, effort, interrupt, [&self](rtg::Scene& scene) { self.Send(scene); });
+    : self.Images.Update(entry, view, effort, interrupt, [&self](rtg::Scene& scene) { self.Commit(scene); });
   window->MakeCurrent();
   window->GetState()->Pop();
   self.Frame.push_back({ &entry, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
@@ -586,7 +517,7 @@ void vtkRayTracedScene::EndFrame()
   }
   self.Stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
   self.Eye = this->Renderer->GetActiveCamera()->GetLeftEye() != 0;
-  self.Progress[self.Eye] = progress;
+  self.Done[self.Eye] = progress;
   self.Samples[self.Eye] = samples;
 
   if (!self.FeatureFile.empty() && finished && !self.Frame.empty() && self.Images.GetScene())
@@ -649,7 +580,7 @@ std::vector<const rtg::Image*> vtkRayTracedScene::ImagesWithIds(int width, int h
     vtkRayTracedImages::Entry& own =
       self.Images.Get({ pass, view.settings.width, view.settings.height, 0, {}, /*OnlyIds=*/true });
     const rtg::Image* image =
-      self.Images.Update(own, view, rtg::ImageEffort(), {}, [&self](rtg::Scene& scene) { self.Send(scene); });
+      self.Images.Update(own, view, rtg::ImageEffort(), {}, [&self](rtg::Scene& scene) { self.Commit(scene); });
     if (image)
     {
       images.push_back(image);
@@ -764,7 +695,7 @@ int vtkRayTracedScene::GetAccumulatedSamples() const
 double vtkRayTracedScene::GetProgress() const
 {
   const Internals& self = *this->Self;
-  return self.Stereo ? std::min(self.Progress[0], self.Progress[1]) : self.Progress[self.Eye];
+  return self.Stereo ? std::min(self.Done[0], self.Done[1]) : self.Done[self.Eye];
 }
 
 //----------------------------------------------------------------------------

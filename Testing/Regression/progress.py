@@ -1,4 +1,4 @@
-"""Gathering many points and building their glyphs tell ParaView's progress bar; few points tell it nothing.
+"""Gathering many points, building their glyphs and sorting them tell ParaView's progress bar; few points tell it nothing.
 
 Usage: pvpython progress.py
 """
@@ -10,6 +10,7 @@ import session
 from checks import Checks
 
 TEXTS = ("Gathering points", "Building glyphs")
+TIMED = ("Sorting Glyphs",)  # told once a frame has taken some tenths of a second
 
 
 def blocks(count):
@@ -27,6 +28,7 @@ def main():
     session.load()
     checks = Checks()
     handler = pv.servermanager.ActiveConnection.Session.GetProgressHandler()
+    handler.SetProgressInterval(0.0)  # or what comes soon after something else is not heard
     told = []
     handler.AddObserver("ProgressEvent", lambda *_: told.append((handler.GetLastProgressText(), handler.GetLastProgress())))
     for count, wanted in ((4000000, True), (20000, False)):
@@ -37,7 +39,7 @@ def main():
         shown = session.glyphs(source, view, GlyphOrient=0, GlyphScaleFactor=0.003)
         pv.Render(view)
         checks.equal("glyphs", session.statistics(shown)["glyphs"], count)
-        for text in TEXTS:
+        for text in TEXTS + (TIMED if wanted else ()):
             shares = [share for what, share in told if what and text in what]
             print("%d points, %s: %s" % (count, text, shares))
             checks.equal("%d points: %s is told" % (count, text), bool(shares), wanted)
