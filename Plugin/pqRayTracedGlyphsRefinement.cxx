@@ -214,6 +214,9 @@ void pqRayTracedGlyphsRefinement::AskProgress(Part& part)
     vtkSMProperty* done = display->GetProperty("RefinementProgress");
     done->GetParent()->UpdatePropertyInformation(done);
     part.Done = vtkSMPropertyHelper(done).GetAsDouble();
+    vtkSMProperty* step = display->GetProperty("RefinementStep");
+    step->GetParent()->UpdatePropertyInformation(step);
+    part.Step = vtkSMPropertyHelper(step).GetAsString();
   }
 }
 
@@ -412,7 +415,7 @@ void pqRayTracedGlyphsRefinement::ShowProgress()
       const auto least = std::min_element(
         this->Waiting.begin(), this->Waiting.end(), [](const Part& a, const Part& b) { return a.Done < b.Done; });
       bar->enableProgress(true);
-      bar->setProgress(tr("Ray Tracing"), static_cast<int>(100.0 * least->Done));
+      bar->setProgress(least->Step, static_cast<int>(100.0 * least->Done));
       bar->enableAbort(true);
     }
   }

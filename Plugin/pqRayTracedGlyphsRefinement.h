@@ -70,6 +70,7 @@ private:
     QPointer<pqView> View;
     vtkWeakPointer<vtkSMViewProxy> Proxy;
     double Done = 1.0; ///< in [0, 1]
+    QString Step;      ///< what is being done
   };
   static std::vector<Part> PartsOf(pqView* view);
   static vtkSMProxy* DisplayOf(const Part& part);

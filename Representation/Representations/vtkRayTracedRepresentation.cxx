@@ -446,6 +446,13 @@ double vtkRayTracedRepresentation::GetRefinementProgress()
 }
 
 //----------------------------------------------------------------------------
+const char* vtkRayTracedRepresentation::GetRefinementStep()
+{
+  vtkRayTracedScene* scene = this->GetScene();
+  return scene ? scene->GetStep() : "";
+}
+
+//----------------------------------------------------------------------------
 const char* vtkRayTracedRepresentation::GetRenderStatistics()
 {
   vtkRayTracedScene* scene = this->GetScene();

@@ -88,12 +88,13 @@ public:
   ///@{
   /**
    * Information: the device that traces, the samples a pixel that all images of the view's last frame have, whether
-   * more renders would improve them, how far they are in [0, 1], and what was done (JSON).
+   * more renders would improve them, how far they are in [0, 1], what they wait for, and what was done (JSON).
    */
   const char* GetDeviceName();
   int GetAccumulatedSamples();
   int GetRefinementPending();
   double GetRefinementProgress();
+  const char* GetRefinementStep();
   const char* GetRenderStatistics();
   ///@}
 

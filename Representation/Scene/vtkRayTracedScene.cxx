@@ -45,6 +45,9 @@ namespace
 // Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
 constexpr double interactiveRate = 1.0;
 
+constexpr const char* compilingText = "Compiling Programs";
+constexpr const char* tracingText = "Ray Tracing";
+
 constexpr int opaque = static_cast<int>(rtg::Pass::Opaque);
 constexpr int translucent = static_cast<int>(rtg::Pass::Translucent);
 }
@@ -93,6 +96,7 @@ struct vtkRayTracedScene::Internals
   bool Interactive = false;
 
   // Of the last frame, on all ranks that rendered it together; of each eye its own.
+  bool Compiling = false; // some image of the last frame
   double Done[2] = { 1.0, 1.0 };
   double Samples[2] = { 0.0, 0.0 };
   bool Stereo = false;
@@ -439,7 +443,7 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   self.Progress.Start();
   const rtg::Interrupt interrupt = [&](double share)
   {
-    self.Progress.Tell(entry.Image.IsCompiling() ? "Compiling Programs" : "Ray Tracing", share);
+    self.Progress.Tell(entry.Image.IsCompiling() ? compilingText : tracingText, share);
     return window->CheckAbortStatus() != 0 || signal.Arrived();
   };
   // Whoever is told or asked may paint meanwhile: Qt makes its own OpenGL context current, and binds framebuffers of
@@ -498,9 +502,11 @@ void vtkRayTracedScene::EndFrame()
   double progress = 1.0;
   double samples = self.Settings.SamplesPerPixel;
   bool finished = true;
+  self.Compiling = false;
   for (const Internals::Drawn& drawn : self.Frame)
   {
     const rtg::ProgressiveImage& image = drawn.Entry->Image;
+    self.Compiling |= image.GetState() == rtg::ProgressiveImage::State::Growing && image.IsCompiling();
     progress = self.Stopped && !self.Capture ? 1.0 : std::min(progress, image.Progress());
     samples =
       std::min(samples, image.GetState() == rtg::ProgressiveImage::State::Failed ? 0.0 : double(image.Samples()));
@@ -696,6 +702,13 @@ double vtkRayTracedScene::GetProgress() const
 {
   const Internals& self = *this->Self;
   return self.Stereo ? std::min(self.Done[0], self.Done[1]) : self.Done[self.Eye];
+}
+
+//----------------------------------------------------------------------------
+const char* vtkRayTracedScene::GetStep() const
+{
+  const Internals& self = *this->Self;
+  return self.Compiling ? compilingText : this->GetProgress() < 1.0 ? tracingText : "";
 }
 
 //----------------------------------------------------------------------------

@@ -123,13 +123,14 @@ public:
   ///@{
   /**
    * Information: counters as JSON with those of one mapper (may be null), the device, samples a pixel that all images
-   * of the last frame have, and how far that frame is in [0, 1] (1: another one would change nothing). The last two are
-   * the least of all ranks that rendered the frame together.
+   * of the last frame have, how far that frame is in [0, 1] (1: another one would change nothing), and what it waits
+   * for. Samples and progress are the least of all ranks that rendered the frame together.
    */
   std::string GetStatistics(vtkRayTracedMapper* mapper, const DataStatistics& data) const;
   std::string GetDeviceName() const;
   int GetAccumulatedSamples() const;
   double GetProgress() const;
+  const char* GetStep() const;
   ///@}
 
   /// Of a renderer's information: its scene.

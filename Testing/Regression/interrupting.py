@@ -157,6 +157,21 @@ def aborted_capture(checks, window, view, shown, name, stop):
     checks.true("%s: the Abort button stays enabled" % name, not window.enabled(ABORT))
 
 
+def compiling(checks, window, view, shown):
+    """While programs are compiled the window answers, and its progress bar says what it waits for."""
+    told, shape, mode = [], shown.GlyphShape, shown.ShadingMode
+    shown.GlyphShape, shown.ShadingMode = "Superquadric", "Path Tracing"
+    pv.Render(view)
+    checks.true("compiling: no end of it", window.wait(lambda: told.append(window.text(BAR)) or not pending(shown), LIMIT))
+    said = sorted(set(told))
+    say("while programs were compiled and the image was refined the bar said %s" % said)
+    for text in ("Compiling Programs", "Ray Tracing"):
+        checks.true("compiling: the progress bar did not say '%s' but %s" % (text, said), any(text in one for one in said))
+    shown.GlyphShape, shown.ShadingMode = shape, mode
+    pv.Render(view)
+    window.wait(lambda: not pending(shown), LIMIT)
+
+
 def main():
     """All of it in one window."""
     faulthandler.dump_traceback_later(session.HANGS, file=sys.__stderr__)
@@ -167,6 +182,7 @@ def main():
     window.wait(lambda: not pending(shown), LIMIT)
     progress_told(checks, view, shown)
     renders = Renders(view)
+    compiling(checks, window, view, shown)
     stopping(checks, window, view, shown, "Abort button", lambda: window.click(ABORT))
     stopping(checks, window, view, shown, "Esc", lambda: window.escape(VIEW))
     turned_after_stop(checks, window, view, shown)
