@@ -11,11 +11,8 @@
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkHyperTreeGrid.h"
-#include "vtkHyperTreeGridCellCenters.h"
-#include "vtkIdList.h"
+#include "vtkGlyphLeaves.h"
 #include "vtkIdTypeArray.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -28,16 +25,10 @@
 #include "vtkRayTracedArrayUnion.h"
 #include "vtkRayTracedArrays.h"
 #include "vtkRayTracedParallel.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkStringArray.h"
-#include "vtkStructuredData.h"
-#include "vtkStructuredGrid.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <numeric>
 #include <string>
@@ -47,270 +38,7 @@ namespace
 {
 namespace parallel = vtkRayTracedParallel;
 
-// One data set of the input and the points of it that carry glyphs.
-struct Leaf
-{
-  vtkSmartPointer<vtkDataSet> Data;
-  unsigned int FlatIndex = 0;
-  unsigned int Block = 0;        // number among the blocks of the input
-  bool All = true;               // every point carries a glyph; Points is empty then
-  std::vector<vtkIdType> Points; // otherwise these
-  // Where Data consists of vertices of one point each, and each point has one: these.
-  vtkCellArray* Vertices = nullptr;
-  std::vector<vtkIdType> CellOfPoint; // empty where the cell of point i is i
-  bool CellCenters = false; // points of Data are the centers of the input's cells, and their arrays say of which
-
-  vtkIdType Count() const
-  {
-    return this->All ? this->Data->GetNumberOfPoints() : static_cast<vtkIdType>(this->Points.size());
-  }
-  vtkIdType Point(vtkIdType i) const { return this->All ? i : this->Points[i]; }
-  // The cell that a point's glyph stands for.
-  bool HasCells() const { return this->Vertices != nullptr; }
-  vtkIdType Cell(vtkIdType i) const
-  {
-    return this->CellOfPoint.empty() ? this->Point(i) : this->CellOfPoint[this->Point(i)];
-  }
-};
-
-vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* object)
-{
-  if (auto* grid = vtkHyperTreeGrid::SafeDownCast(object))
-  {
-    // Coarse cells are numbered, too, but have no center: the arrays say which cell is which.
-    vtkNew<vtkHyperTreeGrid> numbered;
-    numbered->ShallowCopy(grid);
-    vtkGlyphPointGatherer::NumberCells(numbered);
-    vtkNew<vtkHyperTreeGridCellCenters> centers;
-    centers->SetInputDataObject(numbered);
-    centers->VertexCellsOn();
-    centers->Update();
-    return vtkDataSet::SafeDownCast(centers->GetOutputDataObject(0));
-  }
-  return vtkDataSet::SafeDownCast(object);
-}
-
-constexpr unsigned char ghostPoint = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
-constexpr unsigned char ghostCell =
-  vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
-
-bool HasAny(vtkUnsignedCharArray* ghosts, unsigned char mask)
-{
-  return ghosts &&
-    std::any_of(ghosts->GetPointer(0), ghosts->GetPointer(0) + ghosts->GetNumberOfValues(),
-      [mask](unsigned char ghost) { return (ghost & mask) != 0; });
-}
-
-// Bits of the cells that use a point.
-enum Users : unsigned char
-{
-  USED_BY_GHOST = 1,
-  USED_BY_CELL = 2
-};
-
-std::vector<unsigned char> UsersOf(vtkDataSet* data, vtkUnsignedCharArray* ghosts)
-{
-  std::vector<unsigned char> users(data->GetNumberOfPoints(), 0);
-  vtkNew<vtkIdList> first;
-  data->GetCellPoints(0, first); // builds what the threads need
-  parallel::ForChunks(data->GetNumberOfCells(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      vtkNew<vtkIdList> ids;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        data->GetCellPoints(cell, ids);
-        const unsigned char user = (ghosts->GetValue(cell) & ghostCell) ? USED_BY_GHOST : USED_BY_CELL;
-        for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-        {
-          std::atomic_ref<unsigned char>(users[ids->GetId(i)]).fetch_or(user, std::memory_order_relaxed);
-        }
-      }
-    });
-  return users;
-}
-
-// vtkRemoveGhosts would copy the data set, drop no hidden points and lose the ids of the others.
-void DropGhosts(Leaf& leaf)
-{
-  vtkDataSet* data = leaf.Data;
-  vtkUnsignedCharArray* pointGhosts = data->GetPointGhostArray();
-  vtkUnsignedCharArray* cellGhosts = data->GetCellGhostArray();
-  const bool ghostPoints = HasAny(pointGhosts, ghostPoint);
-  const bool ghostCells = HasAny(cellGhosts, ghostCell);
-  if (!ghostPoints && !ghostCells)
-  {
-    return;
-  }
-  // A point goes when it is a ghost itself, or when all the cells that use it (and there are some) are.
-  std::vector<unsigned char> users;
-  if (ghostCells)
-  {
-    users = UsersOf(data, cellGhosts);
-  }
-  leaf.All = false;
-  leaf.Points = parallel::Select(data->GetNumberOfPoints(),
-    [&](vtkIdType i)
-    {
-      const bool ghost =
-        (ghostPoints && (pointGhosts->GetValue(i) & ghostPoint)) || (ghostCells && users[i] == USED_BY_GHOST);
-      return !ghost;
-    });
-}
-
-// Extent of structured data; false: the data are not structured.
-bool ExtentOf(vtkDataSet* data, int extent[6])
-{
-  if (auto* image = vtkImageData::SafeDownCast(data))
-  {
-    image->GetExtent(extent);
-    return true;
-  }
-  if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
-  {
-    rectilinear->GetExtent(extent);
-    return true;
-  }
-  if (auto* curvilinear = vtkStructuredGrid::SafeDownCast(data))
-  {
-    curvilinear->GetExtent(extent);
-    return true;
-  }
-  return false;
-}
-
-// Neighboring pieces of a structured data set both have the points between them: they belong to the lower piece.
-void DropSharedFaces(Leaf& leaf, const int wholeExtent[6])
-{
-  int extent[6];
-  if (!ExtentOf(leaf.Data, extent) || leaf.Data->GetPointGhostArray())
-  {
-    return; // ghosts already say whose the points are
-  }
-  int first[3];
-  bool shared = false;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const bool inside = extent[2 * axis] > wholeExtent[2 * axis] && extent[2 * axis + 1] <= wholeExtent[2 * axis + 1];
-    first[axis] = extent[2 * axis] + (inside ? 1 : 0);
-    shared |= inside;
-  }
-  if (!shared)
-  {
-    return;
-  }
-  const auto isOwn = [&](vtkIdType i)
-  {
-    int ijk[3];
-    vtkStructuredData::ComputePointStructuredCoordsForExtent(leaf.Point(i), extent, ijk);
-    return ijk[0] >= first[0] && ijk[1] >= first[1] && ijk[2] >= first[2];
-  };
-  std::vector<vtkIdType> own = parallel::Select(leaf.Count(), isOwn);
-  if (!leaf.All)
-  {
-    std::transform(own.begin(), own.end(), own.begin(), [&leaf](vtkIdType i) { return leaf.Points[i]; });
-  }
-  leaf.All = false;
-  leaf.Points = std::move(own);
-}
-
-// Whether cell i of vertices of one point each is that of point i.
-struct AreInOrder
-{
-  template <class Array>
-  void operator()(Array* points, std::atomic<bool>& inOrder) const
-  {
-    const auto range = vtk::DataArrayValueRange<1>(points);
-    parallel::ForChunks(points->GetNumberOfValues(),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          if (static_cast<vtkIdType>(range[i]) != i)
-          {
-            inOrder = false;
-            return;
-          }
-        }
-      });
-  }
-};
-
-// The one cell of each point, where every cell is a single vertex of its own; as in particle files.
-void FindVertexCells(Leaf& leaf)
-{
-  vtkCellArray* vertices = nullptr;
-  if (auto* poly = vtkPolyData::SafeDownCast(leaf.Data))
-  {
-    vertices = poly->GetNumberOfVerts() == poly->GetNumberOfCells() ? poly->GetVerts() : nullptr;
-  }
-  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(leaf.Data))
-  {
-    vertices = grid->GetCells();
-  }
-  const vtkIdType count = leaf.Data->GetNumberOfPoints();
-  if (!vertices || leaf.CellCenters || vertices->GetNumberOfCells() != count || vertices->IsHomogeneous() != 1)
-  {
-    return;
-  }
-  vtkDataArray* const points = vertices->GetConnectivityArray();
-  std::atomic<bool> inOrder{ true };
-  AreInOrder check;
-  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(points, check, inOrder))
-  {
-    check(points, inOrder);
-  }
-  if (!inOrder)
-  {
-    std::vector<vtkIdType> cells(count, -1);
-    vtkIdType cell = 0;
-    for (const auto point : vtk::DataArrayValueRange<1>(points))
-    {
-      cells[static_cast<vtkIdType>(point)] = cell++;
-    }
-    if (std::find(cells.begin(), cells.end(), -1) != cells.end())
-    {
-      return;
-    }
-    leaf.CellOfPoint = std::move(cells);
-  }
-  leaf.Vertices = vertices;
-}
-
-std::vector<Leaf> Leaves(vtkDataObject* input)
-{
-  std::vector<Leaf> leaves;
-  const auto add = [&](vtkDataObject* object, unsigned int block, unsigned int flatIndex)
-  {
-    Leaf leaf;
-    leaf.Block = block;
-    leaf.Data = AsDataSet(object);
-    leaf.CellCenters = leaf.Data != object;
-    leaf.FlatIndex = flatIndex;
-    if (leaf.Data && leaf.Data->GetNumberOfPoints() > 0)
-    {
-      DropGhosts(leaf);
-      FindVertexCells(leaf);
-      leaves.push_back(std::move(leaf));
-    }
-  };
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    add(input, 0, 0);
-    return leaves;
-  }
-  unsigned int block = 0;
-  for (auto node : vtk::Range(composite)) // an empty block has a number, too
-  {
-    if (node.GetDataObject())
-    {
-      add(node.GetDataObject(), block, node.GetFlatIndex());
-    }
-    ++block;
-  }
-  return leaves;
-}
+using Leaf = vtkGlyphLeaves::Leaf;
 
 vtkDataSetAttributes* AttributesOf(const Leaf& leaf, bool cells)
 {
@@ -480,11 +208,17 @@ void AddIds(vtkPolyData* out, const char* name, const std::vector<Leaf>& leaves,
 
 void AddPickingIds(const std::vector<Leaf>& leaves, bool composite, int processId, int processes, vtkPolyData* out)
 {
-  const bool identity = leaves.size() == 1 && leaves.front().All && processes == 1;
+  const auto cells = [](const Leaf& leaf)
+  { return vtkArrayDownCast<vtkIdTypeArray>(leaf.Data->GetPointData()->GetArray(vtkRayTracedArrays::CellIds)); };
+  const bool identity = leaves.size() == 1 && leaves.front().All && !leaves.front().CellCenters && processes == 1;
   if (!identity)
   {
-    AddIds<vtkIdTypeArray>(
-      out, vtkRayTracedArrays::PointIds, leaves, [](const Leaf& leaf, vtkIdType i) { return leaf.Point(i); });
+    AddIds<vtkIdTypeArray>(out, vtkRayTracedArrays::PointIds, leaves,
+      [&cells](const Leaf& leaf, vtkIdType i)
+      {
+        const vtkIdType point = leaf.Point(i);
+        return leaf.CellCenters ? vtkRayTracedArrays::Marked(cells(leaf)->GetValue(point)) : point;
+      });
   }
   if (std::any_of(leaves.begin(), leaves.end(), [](const Leaf& leaf) { return leaf.HasCells(); }))
   {
@@ -524,19 +258,18 @@ vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType count)
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(vtkDataObject* input, int processId, int processes,
-  const int* wholeExtent, const vtkRayTracedParallel::Progress& progress)
+vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(vtkDataObject* input, const Options& options)
 {
   auto out = vtkSmartPointer<vtkPolyData>::New();
   if (!input)
   {
     return out;
   }
-  std::vector<Leaf> leaves = Leaves(input);
+  std::vector<Leaf> leaves = vtkGlyphLeaves::Find(input, options.CellCenters);
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite && !leaves.empty() && processes > 1 && wholeExtent)
+  if (!composite && !leaves.empty() && options.Processes > 1 && options.WholeExtent)
   {
-    DropSharedFaces(leaves.front(), wholeExtent);
+    vtkGlyphLeaves::DropSharedFaces(leaves.front(), options.WholeExtent);
   }
   const vtkIdType count = std::accumulate(
     leaves.begin(), leaves.end(), vtkIdType(0), [](vtkIdType sum, const Leaf& leaf) { return sum + leaf.Count(); });
@@ -552,8 +285,8 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(vtkDataObject* input,
   }
   else if (count > 0)
   {
-    AppendPoints(leaves, count, out, parallel::Part(progress, 0.0, 0.3));
-    AppendArrays(leaves, count, false, out->GetPointData(), parallel::Part(progress, 0.3, 0.8));
+    AppendPoints(leaves, count, out, parallel::Part(options.Progress, 0.0, 0.3));
+    AppendArrays(leaves, count, false, out->GetPointData(), parallel::Part(options.Progress, 0.3, 0.8));
     // Which array the global ids are must not get lost.
     if (vtkDataArray* ids = leaves.front().Data->GetPointData()->GetGlobalIds())
     {
@@ -570,34 +303,22 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(vtkDataObject* input,
   }
   else if (count > 0)
   {
-    AppendArrays(leaves, count, true, out->GetCellData(), parallel::Part(progress, 0.8, 0.9));
+    AppendArrays(leaves, count, true, out->GetCellData(), parallel::Part(options.Progress, 0.8, 0.9));
   }
   if (count > 0)
   {
-    AddPickingIds(leaves, composite != nullptr, processId, processes, out);
+    AddPickingIds(leaves, composite != nullptr, options.ProcessId, options.Processes, out);
   }
   if (composite)
   {
     AddHierarchy(composite, out);
   }
   // Filters that redistribute between ranks, and cell data, need a cell for each point.
-  if (processes > 1 || out->GetCellData()->GetNumberOfArrays() > 0)
+  if (options.Processes > 1 || out->GetCellData()->GetNumberOfArrays() > 0)
   {
     out->SetVerts(sharesCells ? vtkSmartPointer<vtkCellArray>(whole->Vertices) : MakeVertices(count));
   }
   return out;
-}
-
-//----------------------------------------------------------------------------
-void vtkGlyphPointGatherer::NumberCells(vtkHyperTreeGrid* grid)
-{
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(vtkRayTracedArrays::CellIds);
-  ids->SetNumberOfTuples(grid->GetNumberOfCells());
-  vtkIdType* values = ids->GetPointer(0);
-  parallel::ForChunks(grid->GetNumberOfCells(),
-    [values](vtkIdType begin, vtkIdType end) { std::iota(values + begin, values + end, begin); });
-  grid->GetCellData()->AddArray(ids);
 }
 
 //----------------------------------------------------------------------------

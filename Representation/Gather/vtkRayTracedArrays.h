@@ -11,7 +11,8 @@
 
 namespace vtkRayTracedArrays
 {
-/// Of each point: its id in the input's block. Missing where it would be the identity.
+/// Of each point: its id in the input's block, or Marked() the cell's whose center it is. Missing where it would be the
+/// identity.
 constexpr const char* PointIds = "vtkRayTraced_PointIds";
 /// Of each point, or of each cell of a surface: the cell of the input's block that it stands for. Missing where there
 /// is none.
@@ -34,20 +35,21 @@ constexpr const char* Leaves = "vtkRayTraced_Leaves";
 ///@}
 
 ///@{
-/// What a selector of cells is told of a point that has none: a number that no cell has, from which
-/// vtkRayTracedSelectionEncoder finds the point. Selectors keep 48 bits of a number.
-constexpr vtkTypeInt64 PointMark = vtkTypeInt64(1) << 47;
-constexpr bool IsMarkedPoint(vtkTypeInt64 id)
+/// What a selector of points is told of a glyph that stands for a cell, and one of cells of a glyph that stands for a
+/// point: a number that neither has, from which vtkRayTracedSelectionEncoder finds what is meant. Selectors keep 48
+/// bits of a number.
+constexpr vtkTypeInt64 Mark = vtkTypeInt64(1) << 47;
+constexpr bool IsMarked(vtkTypeInt64 id)
 {
-  return id >= PointMark;
+  return id >= Mark;
 }
-constexpr vtkTypeInt64 MarkedPoint(vtkTypeInt64 point)
+constexpr vtkTypeInt64 Marked(vtkTypeInt64 id)
 {
-  return point + PointMark;
+  return id + Mark;
 }
-constexpr vtkTypeInt64 UnmarkedPoint(vtkTypeInt64 id)
+constexpr vtkTypeInt64 Unmarked(vtkTypeInt64 id)
 {
-  return id - PointMark;
+  return id - Mark;
 }
 ///@}
 

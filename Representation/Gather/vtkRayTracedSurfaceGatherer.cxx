@@ -6,6 +6,7 @@
 #include "vtkCompositeDataSetRange.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkGlyphLeaves.h"
 #include "vtkGlyphPointGatherer.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkMath.h"
@@ -32,11 +33,10 @@ using Settings = vtkRayTracedSurfaceGatherer::Settings;
 vtkSmartPointer<vtkPolyData> FacesOf(vtkDataObject* data, const Settings& settings)
 {
   vtkNew<vtkPVTrivialProducer> producer;
-  vtkNew<vtkHyperTreeGrid> numbered;
+  vtkSmartPointer<vtkHyperTreeGrid> numbered;
   if (auto* grid = vtkHyperTreeGrid::SafeDownCast(data))
   {
-    numbered->ShallowCopy(grid);
-    vtkGlyphPointGatherer::NumberCells(numbered);
+    numbered = vtkGlyphLeaves::Number(grid);
     data = numbered;
   }
   producer->SetOutput(data);

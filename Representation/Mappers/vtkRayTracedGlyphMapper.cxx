@@ -348,7 +348,7 @@ vtkRayTracedMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, in
   if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
   {
     const vtkIdType cell = cells ? static_cast<vtkIdType>(cells->GetComponent(point, 0)) : -1;
-    origin.Id = cell >= 0 ? cell : vtkRayTracedArrays::MarkedPoint(origin.Id);
+    origin.Id = cell >= 0 ? cell : vtkRayTracedArrays::Marked(origin.Id);
   }
   return origin;
 }

@@ -87,6 +87,7 @@ void vtkRayTracedGlyphRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "GlyphShape: " << this->GlyphShape << endl;
+  os << indent << "GlyphLocation: " << this->GlyphLocation << endl;
 }
 
 //****************************************************************************
@@ -205,8 +206,16 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return vtkGlyphPointGatherer::Gather(input, controller ? controller->GetLocalProcessId() : 0,
-    controller ? controller->GetNumberOfProcesses() : 1, wholeExtent, this->ProgressOf("Gathering points"));
+  vtkGlyphPointGatherer::Options options;
+  options.CellCenters = this->GlyphLocation == CELLS;
+  if (controller)
+  {
+    options.ProcessId = controller->GetLocalProcessId();
+    options.Processes = controller->GetNumberOfProcesses();
+  }
+  options.WholeExtent = wholeExtent;
+  options.Progress = this->ProgressOf("Gathering points");
+  return vtkGlyphPointGatherer::Gather(input, options);
 }
 
 //----------------------------------------------------------------------------
@@ -458,6 +467,17 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     }
   }
   return settings;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphLocation(int location)
+{
+  location = std::clamp<int>(location, POINTS, CELLS);
+  if (this->GlyphLocation != location)
+  {
+    this->GlyphLocation = location;
+    this->MarkModified(); // other points must be gathered
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -35,6 +35,16 @@ public:
   };
   void SetGlyphShape(int shape);
 
+  /**
+   * What carries a glyph: each point of the input, or each cell at its center.
+   */
+  enum Locations
+  {
+    POINTS = 0,
+    CELLS = 1
+  };
+  void SetGlyphLocation(int location);
+
   ///@{
   /**
    * Size and orientation; see vtkGlyphSettings for modes and defaults.
@@ -159,6 +169,7 @@ private:
 
   vtkGlyphSettings Glyphs; // but for what MakeSettings() adds
   int GlyphShape = 0;
+  int GlyphLocation = POINTS;
   bool NestedExponents = false;
   bool GlyphMeshTable = false;
   bool TensorAxis = false;

@@ -23,44 +23,41 @@ public:
   static Factory* New();
   vtkTypeMacro(Factory, vtkObjectFactory);
   const char* GetVTKSourceVersion() VTK_FUTURE_CONST override { return VTK_SOURCE_VERSION; }
-  const char* GetDescription() VTK_FUTURE_CONST override
-  {
-    return "RayTracedGlyphs: selection of points without cells";
-  }
+  const char* GetDescription() VTK_FUTURE_CONST override { return "RayTracedGlyphs: selection of glyphs"; }
 
 protected:
   Factory()
   {
-    this->RegisterOverride("vtkPVEncodeSelectionForServer", "vtkRayTracedSelectionEncoder",
-      "selection of points without cells", /*enabled=*/1,
-      []() -> vtkObject* { return vtkRayTracedSelectionEncoder::New(); });
+    this->RegisterOverride("vtkPVEncodeSelectionForServer", "vtkRayTracedSelectionEncoder", "selection of glyphs",
+      /*enabled=*/1, []() -> vtkObject* { return vtkRayTracedSelectionEncoder::New(); });
   }
 };
 vtkStandardNewMacro(Factory);
 
-// Moves the marked points of a selection of cells to `points`; false: there were none.
-bool TakePoints(vtkSelectionNode* cells, vtkSelectionNode* points)
+// Moves what is marked in a selection of cells to one of points, or the other way round; false: there is nothing.
+bool TakeMarked(vtkSelectionNode* from, vtkSelectionNode* to)
 {
-  auto* ids = vtkIdTypeArray::SafeDownCast(cells->GetSelectionList());
-  if (cells->GetFieldType() != vtkSelectionNode::CELL || !ids)
+  auto* ids = vtkIdTypeArray::SafeDownCast(from->GetSelectionList());
+  const bool cells = from->GetFieldType() == vtkSelectionNode::CELL;
+  if ((!cells && from->GetFieldType() != vtkSelectionNode::POINT) || !ids)
   {
     return false;
   }
-  vtkNew<vtkIdTypeArray> cellIds, pointIds;
+  vtkNew<vtkIdTypeArray> kept, taken;
   for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
   {
     const vtkIdType id = ids->GetValue(i);
-    const bool marked = vtkRayTracedArrays::IsMarkedPoint(id);
-    (marked ? pointIds : cellIds)->InsertNextValue(marked ? vtkRayTracedArrays::UnmarkedPoint(id) : id);
+    const bool marked = vtkRayTracedArrays::IsMarked(id);
+    (marked ? taken : kept)->InsertNextValue(marked ? vtkRayTracedArrays::Unmarked(id) : id);
   }
-  if (pointIds->GetNumberOfValues() == 0)
+  if (taken->GetNumberOfValues() == 0)
   {
     return false;
   }
-  points->GetProperties()->Copy(cells->GetProperties());
-  points->SetFieldType(vtkSelectionNode::POINT);
-  points->SetSelectionList(pointIds);
-  cells->SetSelectionList(cellIds);
+  to->GetProperties()->Copy(from->GetProperties());
+  to->SetFieldType(cells ? vtkSelectionNode::POINT : vtkSelectionNode::CELL);
+  to->SetSelectionList(taken);
+  from->SetSelectionList(kept);
   return true;
 }
 }
@@ -90,15 +87,15 @@ bool vtkRayTracedSelectionEncoder::ProcessSelection(vtkSelection* rawSelection, 
 {
   for (unsigned int i = rawSelection->GetNumberOfNodes(); i-- > 0;)
   {
-    vtkSelectionNode* cells = rawSelection->GetNode(i);
-    vtkNew<vtkSelectionNode> points;
-    if (TakePoints(cells, points))
+    vtkSelectionNode* node = rawSelection->GetNode(i);
+    vtkNew<vtkSelectionNode> marked;
+    if (TakeMarked(node, marked))
     {
-      if (cells->GetSelectionList()->GetNumberOfTuples() == 0)
+      if (node->GetSelectionList()->GetNumberOfTuples() == 0)
       {
         rawSelection->RemoveNode(i);
       }
-      rawSelection->AddNode(points);
+      rawSelection->AddNode(marked);
     }
   }
   return this->Superclass::ProcessSelection(rawSelection, viewProxy, multipleSelectionsAllowed, selectedRepresentations,

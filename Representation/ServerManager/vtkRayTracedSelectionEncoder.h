@@ -1,9 +1,10 @@
 /**
  * @class   vtkRayTracedSelectionEncoder
- * @brief   selects the points of glyphs where cells are asked for and the data have none
+ * @brief   selects what glyphs stand for, whatever is asked for
  *
- * Glyphs of points without cells give MarkedPoint() in the place of a cell's number. This class makes a selection of
- * points of those, so that picking cells on such glyphs does what the user sees. It takes the place of ParaView's
+ * Glyphs of points without cells give a Marked() number in the place of a cell's, glyphs at the centers of cells one in
+ * the place of a point's (vtkRayTracedArrays). This class makes a selection of those points or cells, so that picking
+ * such glyphs does what the user sees. It takes the place of ParaView's
  * vtkPVEncodeSelectionForServer from the first ray-traced display on.
  */
 #ifndef vtkRayTracedSelectionEncoder_h

@@ -23,6 +23,11 @@ void vtkSMRayTracedArrayDomain::PrintSelf(ostream& os, vtkIndent indent)
 //----------------------------------------------------------------------------
 int vtkSMRayTracedArrayDomain::GetAttributeType()
 {
+  vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
+  if (glyphs && vtkSMPropertyHelper(glyphs, "GlyphLocation", /*quiet=*/true).GetAsInt() == 1)
+  {
+    return vtkSMInputArrayDomain::CELL;
+  }
   vtkSMPropertyHelper input(this->GetProperty(), /*quiet=*/true);
   auto* source = this->GetProperty() && input.GetNumberOfElements() > 0
     ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy(0))

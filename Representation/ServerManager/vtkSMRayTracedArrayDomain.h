@@ -1,6 +1,6 @@
 /**
  * @class   vtkSMRayTracedArrayDomain
- * @brief   the arrays that glyphs of an input can use: of its points, or of the cells of a hyper tree grid
+ * @brief   the arrays that glyphs of an input can use: of its points, or of its cells, by GlyphLocation
  *
  * In the server manager's XML it is written as an InputArrayDomain of point arrays.
  */

@@ -129,6 +129,11 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
     const bool number = strcmp(name, "GlyphTensorColoring") == 0 || strcmp(name, "GlyphTensorArray") == 0;
     this->TensorTableChosen = table || (this->TensorTableChosen && !number);
   }
+  if (flag && name && strcmp(name, "GlyphLocation") == 0)
+  {
+    // The lists of arrays are those of the input that the glyphs stand on.
+    this->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
+  }
   if (flag && name && !sharing && this->HoldsForView(name))
   {
     this->ShareWithView(name);

@@ -11,7 +11,6 @@ import paraview.simple as pv
 import accumulation
 import session
 from checks import Checks
-from selection_through import picked
 
 FAULT = os.environ["RTGLYPHS_FAULT"]
 ALLOCATE = "vkAllocateMemory"
@@ -92,7 +91,7 @@ def freed_memory(checks):
     nearest = numpy.argsort(-points[:, 2])[:8]
 
     def ids():
-        return [picked(view, "POINT", session.pixel_of(view, points[i])) for i in nearest]
+        return [session.picked(view, "POINT", session.pixel_of(view, points[i])) for i in nearest]
 
     expected_ids = ids()
     checks.true("no ids are selected in the first place", sum(len(found) for found in expected_ids) >= 6)

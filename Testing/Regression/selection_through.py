@@ -4,7 +4,6 @@ Usage: pvpython selection_through.py
 """
 import numpy
 import paraview.simple as pv
-from vtkmodules.vtkCommonCore import vtkCollection
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkFiltersSources import vtkHyperTreeGridSource
 
@@ -22,23 +21,9 @@ def pixel(x, y):
     return round(WIDTH / 2 + x * HEIGHT / 2 / SCALE), round(HEIGHT / 2 + y * HEIGHT / 2 / SCALE)
 
 
-def picked(view, kind, at):
-    """What a click at a pixel selects: a list of (source, what, id)."""
-    representations, sources = vtkCollection(), vtkCollection()
-    select = view.SMProxy.SelectSurfaceCells if kind == "CELL" else view.SMProxy.SelectSurfacePoints
-    select([at[0], at[1], at[0], at[1]], representations, sources, 0)
-    found = []
-    for i in range(sources.GetNumberOfItems()):
-        shown = pv.servermanager._getPyProxy(representations.GetItemAsObject(i))
-        selected = pv.servermanager._getPyProxy(sources.GetItemAsObject(i))
-        step = 3 if "Composite" in selected.GetXMLName() or "Hierarchical" in selected.GetXMLName() else 2
-        found += [(shown.Input.SMProxy, selected.FieldType.GetData(), number) for number in list(selected.IDs)[step - 1::step]]
-    return found
-
-
 def expect(checks, what, view, kind, at, source, wanted, of=None):
     """A click for points or cells selects that point or cell of the source and nothing else; of: what, where not as asked."""
-    found = picked(view, kind, at)
+    found = session.picked(view, kind, at)
     print("%s: %s" % (what, [("its own" if entry[0] == source.SMProxy else "another's",) + entry[1:] for entry in found]))
     checks.equal(what + ": selected of what is seen", [entry[1:] for entry in found if entry[0] == source.SMProxy],
                  [(of or kind, wanted)])
@@ -83,7 +68,7 @@ def glyphs(checks):
                 expect(checks, "%s as %s, cell of point %d" % (name, shape, i), view, "CELL", at, source,
                        i if cell is None else cell, of="POINT" if cell is None else None)
             pv.Delete(shown)
-    found = picked(view, "CELL", pixel(0.05, 0.05))
+    found = session.picked(view, "CELL", pixel(0.05, 0.05))
     checks.equal("where no glyph is, the plane", [entry[0] for entry in found], [plane.SMProxy])
     pv.Delete(view)
 

@@ -11,7 +11,7 @@ import numpy
 import paraview.simple as pv
 from vtkmodules.numpy_interface import dataset_adapter
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringOutputWindow
+from vtkmodules.vtkCommonCore import vtkCollection, vtkOutputWindow, vtkPoints, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
 
@@ -140,6 +140,20 @@ def pixel_of(in_view, place):
     renderer.SetWorldPoint(*place, 1.0)
     renderer.WorldToDisplay()
     return tuple(int(value) for value in renderer.GetDisplayPoint()[:2])
+
+
+def picked(view, kind, at):
+    """What a click at a pixel selects: a list of (source, what, id)."""
+    representations, sources = vtkCollection(), vtkCollection()
+    select = view.SMProxy.SelectSurfaceCells if kind == "CELL" else view.SMProxy.SelectSurfacePoints
+    select([at[0], at[1], at[0], at[1]], representations, sources, 0)
+    found = []
+    for i in range(sources.GetNumberOfItems()):
+        shown = pv.servermanager._getPyProxy(representations.GetItemAsObject(i))
+        selected = pv.servermanager._getPyProxy(sources.GetItemAsObject(i))
+        step = 3 if "Composite" in selected.GetXMLName() or "Hierarchical" in selected.GetXMLName() else 2
+        found += [(shown.Input.SMProxy, selected.FieldType.GetData(), number) for number in list(selected.IDs)[step - 1::step]]
+    return found
 
 
 def glyphs(of_source, in_view, shape="Sphere", samples=None, **properties):

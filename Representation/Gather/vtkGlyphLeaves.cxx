@@ -1,0 +1,328 @@
+#include "vtkGlyphLeaves.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCellArray.h"
+#include "vtkCellCenters.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkCompositeDataSetRange.h"
+#include "vtkDataArrayRange.h"
+#include "vtkHyperTreeGrid.h"
+#include "vtkHyperTreeGridCellCenters.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRayTracedArrays.h"
+#include "vtkRayTracedParallel.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredData.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+namespace
+{
+namespace parallel = vtkRayTracedParallel;
+using Leaf = vtkGlyphLeaves::Leaf;
+
+constexpr unsigned char ghostPoint = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+constexpr unsigned char ghostCell =
+  vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+
+bool HasAny(vtkUnsignedCharArray* ghosts, unsigned char mask)
+{
+  return ghosts &&
+    std::any_of(ghosts->GetPointer(0), ghosts->GetPointer(0) + ghosts->GetNumberOfValues(),
+      [mask](unsigned char ghost) { return (ghost & mask) != 0; });
+}
+
+// Bits of the cells that use a point.
+enum Users : unsigned char
+{
+  USED_BY_GHOST = 1,
+  USED_BY_CELL = 2
+};
+
+std::vector<unsigned char> UsersOf(vtkDataSet* data, vtkUnsignedCharArray* ghosts)
+{
+  std::vector<unsigned char> users(data->GetNumberOfPoints(), 0);
+  vtkNew<vtkIdList> first;
+  data->GetCellPoints(0, first); // builds what the threads need
+  parallel::ForChunks(data->GetNumberOfCells(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        data->GetCellPoints(cell, ids);
+        const unsigned char user = (ghosts->GetValue(cell) & ghostCell) ? USED_BY_GHOST : USED_BY_CELL;
+        for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+        {
+          std::atomic_ref<unsigned char>(users[ids->GetId(i)]).fetch_or(user, std::memory_order_relaxed);
+        }
+      }
+    });
+  return users;
+}
+
+// vtkRemoveGhosts would copy the data set, drop no hidden points and lose the ids of the others.
+void DropGhosts(Leaf& leaf)
+{
+  vtkDataSet* data = leaf.Data;
+  vtkUnsignedCharArray* pointGhosts = data->GetPointGhostArray();
+  vtkUnsignedCharArray* cellGhosts = data->GetCellGhostArray();
+  const bool ghostPoints = HasAny(pointGhosts, ghostPoint);
+  const bool ghostCells = HasAny(cellGhosts, ghostCell);
+  if (!ghostPoints && !ghostCells)
+  {
+    return;
+  }
+  // A point goes when it is a ghost itself, or when all the cells that use it (and there are some) are.
+  std::vector<unsigned char> users;
+  if (ghostCells)
+  {
+    users = UsersOf(data, cellGhosts);
+  }
+  leaf.All = false;
+  leaf.Points = parallel::Select(data->GetNumberOfPoints(),
+    [&](vtkIdType i)
+    {
+      const bool ghost =
+        (ghostPoints && (pointGhosts->GetValue(i) & ghostPoint)) || (ghostCells && users[i] == USED_BY_GHOST);
+      return !ghost;
+    });
+}
+
+// Extent of structured data; false: the data are not structured.
+bool ExtentOf(vtkDataSet* data, int extent[6])
+{
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    image->GetExtent(extent);
+    return true;
+  }
+  if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    rectilinear->GetExtent(extent);
+    return true;
+  }
+  if (auto* curvilinear = vtkStructuredGrid::SafeDownCast(data))
+  {
+    curvilinear->GetExtent(extent);
+    return true;
+  }
+  return false;
+}
+
+// Whether cell i of vertices of one point each is that of point i.
+struct AreInOrder
+{
+  template <class Array>
+  void operator()(Array* points, std::atomic<bool>& inOrder) const
+  {
+    const auto range = vtk::DataArrayValueRange<1>(points);
+    parallel::ForChunks(points->GetNumberOfValues(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          if (static_cast<vtkIdType>(range[i]) != i)
+          {
+            inOrder = false;
+            return;
+          }
+        }
+      });
+  }
+};
+
+// The one cell of each point, where every cell is a single vertex of its own; as in particle files.
+void FindVertexCells(Leaf& leaf)
+{
+  vtkCellArray* vertices = nullptr;
+  if (auto* poly = vtkPolyData::SafeDownCast(leaf.Data))
+  {
+    vertices = poly->GetNumberOfVerts() == poly->GetNumberOfCells() ? poly->GetVerts() : nullptr;
+  }
+  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(leaf.Data))
+  {
+    vertices = grid->GetCells();
+  }
+  const vtkIdType count = leaf.Data->GetNumberOfPoints();
+  if (!vertices || vertices->GetNumberOfCells() != count || vertices->IsHomogeneous() != 1)
+  {
+    return;
+  }
+  vtkDataArray* const points = vertices->GetConnectivityArray();
+  std::atomic<bool> inOrder{ true };
+  AreInOrder check;
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(points, check, inOrder))
+  {
+    check(points, inOrder);
+  }
+  if (!inOrder)
+  {
+    std::vector<vtkIdType> cells(count, -1);
+    vtkIdType cell = 0;
+    for (const auto point : vtk::DataArrayValueRange<1>(points))
+    {
+      cells[static_cast<vtkIdType>(point)] = cell++;
+    }
+    if (std::find(cells.begin(), cells.end(), -1) != cells.end())
+    {
+      return;
+    }
+    leaf.CellOfPoint = std::move(cells);
+  }
+  leaf.Vertices = vertices;
+}
+
+// The same cells, with their numbers.
+template <class Data>
+vtkSmartPointer<Data> Numbered(Data* data)
+{
+  auto numbered = vtkSmartPointer<Data>::Take(data->NewInstance());
+  numbered->ShallowCopy(data);
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName(vtkRayTracedArrays::CellIds);
+  ids->SetNumberOfTuples(data->GetNumberOfCells());
+  vtkIdType* values = ids->GetPointer(0);
+  parallel::ForChunks(data->GetNumberOfCells(),
+    [values](vtkIdType begin, vtkIdType end) { std::iota(values + begin, values + end, begin); });
+  numbered->GetCellData()->AddArray(ids);
+  return numbered;
+}
+
+// Points at the centers of cells, which have the cells' arrays. Coarse cells of a hyper tree grid, and empty ones, are
+// numbered, too, but have no center: the arrays say which cell is which.
+template <class Centers>
+Leaf CentersOf(vtkDataObject* numbered)
+{
+  vtkNew<Centers> centers;
+  centers->SetInputDataObject(numbered);
+  centers->VertexCellsOn();
+  centers->Update();
+  Leaf leaf;
+  leaf.Data = vtkDataSet::SafeDownCast(centers->GetOutputDataObject(0));
+  leaf.CellCenters = true;
+  return leaf;
+}
+
+Leaf CentersOf(vtkDataSet* data)
+{
+  const vtkSmartPointer<vtkDataSet> numbered = Numbered(data);
+  numbered->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  Leaf leaf = CentersOf<vtkCellCenters>(numbered);
+  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  auto* ids = vtkIdTypeArray::SafeDownCast(leaf.Data->GetPointData()->GetArray(vtkRayTracedArrays::CellIds));
+  if (ids && HasAny(ghosts, ghostCell))
+  {
+    leaf.All = false;
+    leaf.Points = parallel::Select(
+      ids->GetNumberOfTuples(), [&](vtkIdType i) { return (ghosts->GetValue(ids->GetValue(i)) & ghostCell) == 0; });
+  }
+  return leaf;
+}
+
+Leaf LeafOf(vtkDataObject* object, bool cells)
+{
+  if (auto* grid = vtkHyperTreeGrid::SafeDownCast(object))
+  {
+    return CentersOf<vtkHyperTreeGridCellCenters>(Numbered(grid));
+  }
+  auto* data = vtkDataSet::SafeDownCast(object);
+  if (data && cells)
+  {
+    return CentersOf(data);
+  }
+  Leaf leaf;
+  leaf.Data = data;
+  if (data && data->GetNumberOfPoints() > 0)
+  {
+    DropGhosts(leaf);
+    FindVertexCells(leaf);
+  }
+  return leaf;
+}
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkGlyphLeaves::Leaf> vtkGlyphLeaves::Find(vtkDataObject* input, bool cells)
+{
+  std::vector<Leaf> leaves;
+  const auto add = [&](vtkDataObject* object, unsigned int block, unsigned int flatIndex)
+  {
+    Leaf leaf = LeafOf(object, cells);
+    if (leaf.Data && leaf.Data->GetNumberOfPoints() > 0)
+    {
+      leaf.Block = block;
+      leaf.FlatIndex = flatIndex;
+      leaves.push_back(std::move(leaf));
+    }
+  };
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    add(input, 0, 0);
+    return leaves;
+  }
+  unsigned int block = 0;
+  for (auto node : vtk::Range(composite)) // an empty block has a number, too
+  {
+    if (node.GetDataObject())
+    {
+      add(node.GetDataObject(), block, node.GetFlatIndex());
+    }
+    ++block;
+  }
+  return leaves;
+}
+
+//----------------------------------------------------------------------------
+// Neighboring pieces of a structured data set both have the points between them: they belong to the lower piece.
+void vtkGlyphLeaves::DropSharedFaces(Leaf& leaf, const int wholeExtent[6])
+{
+  int extent[6];
+  if (leaf.CellCenters || !ExtentOf(leaf.Data, extent) || leaf.Data->GetPointGhostArray())
+  {
+    return; // no two pieces have the same cell, and ghosts already say whose points are
+  }
+  int first[3];
+  bool shared = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool inside = extent[2 * axis] > wholeExtent[2 * axis] && extent[2 * axis + 1] <= wholeExtent[2 * axis + 1];
+    first[axis] = extent[2 * axis] + (inside ? 1 : 0);
+    shared |= inside;
+  }
+  if (!shared)
+  {
+    return;
+  }
+  const auto isOwn = [&](vtkIdType i)
+  {
+    int ijk[3];
+    vtkStructuredData::ComputePointStructuredCoordsForExtent(leaf.Point(i), extent, ijk);
+    return ijk[0] >= first[0] && ijk[1] >= first[1] && ijk[2] >= first[2];
+  };
+  std::vector<vtkIdType> own = parallel::Select(leaf.Count(), isOwn);
+  if (!leaf.All)
+  {
+    std::transform(own.begin(), own.end(), own.begin(), [&leaf](vtkIdType i) { return leaf.Points[i]; });
+  }
+  leaf.All = false;
+  leaf.Points = std::move(own);
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkHyperTreeGrid> vtkGlyphLeaves::Number(vtkHyperTreeGrid* grid)
+{
+  return Numbered(grid);
+}

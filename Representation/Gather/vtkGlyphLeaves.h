@@ -1,0 +1,65 @@
+/**
+ * The data sets of any data object, and which of their points carry a glyph: all but ghost points, hidden points and
+ * those that belong only to blanked cells (as under a finer AMR level); or instead of the points the centers of the
+ * cells.
+ */
+#ifndef vtkGlyphLeaves_h
+#define vtkGlyphLeaves_h
+
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkCellArray;
+class vtkDataObject;
+class vtkHyperTreeGrid;
+
+namespace vtkGlyphLeaves
+{
+// One data set of the input and the points of it that carry glyphs.
+struct Leaf
+{
+  vtkSmartPointer<vtkDataSet> Data;
+  unsigned int FlatIndex = 0;
+  unsigned int Block = 0;        // number among the blocks of the input
+  bool All = true;               // every point carries a glyph; Points is empty then
+  std::vector<vtkIdType> Points; // otherwise these
+  // Where Data consists of vertices of one point each, and each point has one: these.
+  vtkCellArray* Vertices = nullptr;
+  std::vector<vtkIdType> CellOfPoint; // empty where the cell of point i is i
+  bool CellCenters = false; // points of Data are the centers of the input's cells, and their arrays say of which
+
+  vtkIdType Count() const
+  {
+    return this->All ? this->Data->GetNumberOfPoints() : static_cast<vtkIdType>(this->Points.size());
+  }
+  vtkIdType Point(vtkIdType i) const { return this->All ? i : this->Points[i]; }
+  // The cell that a point's glyph stands for.
+  bool HasCells() const { return this->Vertices != nullptr; }
+  vtkIdType Cell(vtkIdType i) const
+  {
+    return this->CellOfPoint.empty() ? this->Point(i) : this->CellOfPoint[this->Point(i)];
+  }
+};
+
+/**
+ * The data sets that have points, in the order of the blocks. `cells`: glyphs stand at the centers of cells; those of
+ * hyper tree grids always do.
+ */
+std::vector<Leaf> Find(vtkDataObject* input, bool cells);
+
+/**
+ * Of structured data that are spread over processes, as a piece of `wholeExtent`: leaves out the points that a lower
+ * piece has, too.
+ */
+void DropSharedFaces(Leaf& leaf, const int wholeExtent[6]);
+
+/**
+ * The same grid with a cell array vtkRayTracedArrays::CellIds of each cell's number.
+ */
+vtkSmartPointer<vtkHyperTreeGrid> Number(vtkHyperTreeGrid* grid);
+}
+
+#endif
+// VTK-HeaderTest-Exclude: vtkGlyphLeaves.h

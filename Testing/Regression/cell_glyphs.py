@@ -1,0 +1,154 @@
+"""Glyphs at the centers of cells, GlyphLocation Cells: lists offer the arrays of cells, pictures are those of points put at
+the centers by hand, ghost cells have no glyph, and selecting picks cells.
+
+Usage: pvpython cell_glyphs.py
+"""
+import numpy
+import paraview.simple as pv
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_EMPTY_CELL, VTK_HEXAHEDRON, VTK_TETRA, VTK_TRIANGLE, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet, vtkUnstructuredGrid)
+
+import session
+from checks import Checks
+
+GHOST = vtkDataSetAttributes.DUPLICATECELL
+RANDOM = numpy.random.default_rng(7)
+
+
+def arrays(count):
+    """Cell arrays of each kind."""
+    half = RANDOM.normal(size=(count, 3, 3))
+    return {"size": RANDOM.uniform(0.3, 0.9, count), "flow": RANDOM.normal(size=(count, 3)),
+            "stress": (0.2 * half @ half.transpose(0, 2, 1)).reshape(count, 9)}
+
+
+def with_arrays(data, values, ghosts=None):
+    """Cells get the arrays; points one of another name, which no list may offer then."""
+    for name, array in values.items():
+        cells = numpy_to_vtk(array, deep=True)
+        cells.SetName(name)
+        data.GetCellData().AddArray(cells)
+    other = numpy_to_vtk(numpy.ones(data.GetNumberOfPoints()), deep=True)
+    other.SetName("of points")
+    data.GetPointData().AddArray(other)
+    if ghosts is not None:
+        marks = numpy_to_vtk(numpy.array(ghosts, dtype=numpy.uint8), deep=True)
+        marks.SetName(vtkDataSetAttributes.GhostArrayName())
+        data.GetCellData().AddArray(marks)
+    return data
+
+
+def image():
+    """(data, centers of the cells that show, their numbers): 3 x 2 cells, of which one is another process's."""
+    data = vtkImageData()
+    data.SetDimensions(4, 3, 2)
+    data.SetOrigin(-1.5, -1.0, -0.5)
+    centers = numpy.array([[x, y - 0.5, 0.0] for y in range(2) for x in (-1, 0, 1)], dtype=float)
+    values = arrays(6)
+    return with_arrays(data, values, [0, 0, GHOST, 0, 0, 0]), centers, [0, 1, 3, 4, 5], values
+
+
+def grid():
+    """The same of an unstructured grid with an empty cell, which has no center."""
+    corners = numpy.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float) - (1.3, 0.5, 0.5)
+    points = vtkPoints()
+    for corner in numpy.concatenate([corners, corners + (1.5, 0.0, 0.0)]):
+        points.InsertNextPoint(corner)
+    data = vtkUnstructuredGrid()
+    data.SetPoints(points)
+    for kind, ids in ((VTK_HEXAHEDRON, range(8)), (VTK_EMPTY_CELL, ()), (VTK_TETRA, (8, 9, 11, 12)), (VTK_TRIANGLE, (13, 14, 15))):
+        data.InsertNextCell(kind, len(ids), list(ids))
+    # vtkCell's parametric centers: means of the corners, and those of all corners for a hexahedron.
+    place = lambda ids: numpy.mean([points.GetPoint(i) for i in ids], axis=0)
+    centers = numpy.array([place(range(8)), [0.0, 0.0, 0.0], place((8, 9, 11, 12)), place((13, 14, 15))])
+    values = arrays(4)
+    return with_arrays(data, values), centers, [0, 2, 3], values
+
+
+def offered(shown, name):
+    """The arrays that a property's list shows."""
+    domain = shown.SMProxy.GetProperty(name).GetDomain("array_list")
+    return [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
+
+
+def lists(checks, source, view):
+    """They follow GlyphLocation both ways."""
+    shown = session.glyphs(source, view, GlyphOrient=0)
+    for location, wanted, other in (("Points", "of points", "size"), ("Cells", "size", "of points"), ("Points", "of points", "size")):
+        shown.GlyphLocation = location
+        found = offered(shown, "GlyphScaleArray")
+        checks.true("%s: GlyphScaleArray offers %s" % (location, found), wanted in found and other not in found)
+    pv.Delete(shown)
+
+
+def pictures(checks, view, what, source, points):
+    """Of cells, beside those of points at their centers."""
+    cases = (("size", "Sphere", {"GlyphScaling": 1, "GlyphScaleArray": "size", "GlyphOrient": 0}), ("direction", "Arrow", {"GlyphOrientationArray": "flow"}),
+             ("tensor", "Tensor Ellipsoid", {"GlyphTensorArray": "stress"}))
+    for name, shape, properties in cases:
+        seen = []
+        for one, location, association in ((points, "Points", "POINTS"), (source, "Cells", "CELLS")):
+            shown = session.glyphs(one, view, shape, GlyphScaleFactor=0.5, GlyphLocation=location)
+
+            def draw():
+                for key, value in properties.items():
+                    setattr(shown, key, value)
+                pv.ColorBy(shown, (association, "size"))
+                shown.LookupTable.RescaleTransferFunction(0.0, 1.0)
+                shown.SetScalarBarVisibility(view, False)
+                pv.Render(view)
+
+            said = session.messages(draw)
+            checks.no_message("%s, %s of %s" % (what, name, location), said)
+            checks.equal("%s, %s: glyphs" % (what, name), session.statistics(shown)["glyphs"], 5 if what == "image" else 3)
+            seen.append(session.capture(view, "cell-glyphs-%s-%s-%s" % (what, name, location)))
+            pv.Delete(shown)
+        checks.covered("%s, %s" % (what, name), seen[0], 0.005)
+        checks.picture("%s, %s" % (what, name), seen[1], seen[0], pixels=0.001, mean=0.1)
+
+
+def selecting(checks, view, what, source, centers, numbers):
+    """Cells are selected, also where points are asked for."""
+    shown = session.glyphs(source, view, "Sphere", GlyphScaleFactor=0.5, GlyphLocation="Cells", GlyphOrient=0)
+    pv.Render(view)
+    for number in numbers:
+        x, y = session.pixel_of(view, centers[number])
+        for kind in ("CELL", "POINT"):
+            found = session.picked(view, kind, (x, y))
+            checks.equal("%s: selecting a %s at the center of cell %d" % (what, kind, number), found, [(source.SMProxy, "CELL", number)])
+    pv.Delete(shown)
+
+
+def blocks(checks, view):
+    """Cells of a composite, one of whose blocks has no cells."""
+    data = vtkMultiBlockDataSet()
+    data.SetBlock(0, grid()[0])
+    data.SetBlock(1, session.poly_data(numpy.zeros((2, 3))))
+    data.SetBlock(2, image()[0])
+    shown = session.glyphs(session.source(data), view, GlyphLocation="Cells", GlyphOrient=0)
+    said = session.messages(lambda: pv.Render(view))
+    checks.no_message("blocks", said)
+    checks.equal("blocks: glyphs", session.statistics(shown)["glyphs"], 8)
+    pv.Delete(shown)
+
+
+def main():
+    """Of a structured and an unstructured grid."""
+    session.load()
+    checks = Checks()
+    view = session.view(200, 150)
+    session.look(view, (0.0, 0.0, 5.0))
+    for what, (data, centers, numbers, values) in (("image", image()), ("grid", grid())):
+        source = session.source(data)
+        points = session.source(session.poly_data(centers[numbers], **{name: array[numbers] for name, array in values.items()}))
+        lists(checks, source, view)
+        pictures(checks, view, what, source, points)
+        selecting(checks, view, what, source, centers, numbers)
+    blocks(checks, view)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()
