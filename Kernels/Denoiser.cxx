@@ -1,6 +1,6 @@
 #include "Denoiser.h"
 
-#include "Partition.h"
+#include "Parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ public:
   template <class Row>
   void ForRows(Row&& row) const
   {
-    InParallel(static_cast<std::size_t>(this->height_), [&row](std::size_t y) { row(static_cast<int>(y)); });
+    ParallelFor(static_cast<std::size_t>(this->height_), [&row](std::size_t y) { row(static_cast<int>(y)); });
   }
 
   std::size_t At(int x, int y) const { return static_cast<std::size_t>(y) * this->width_ + x; }

@@ -1,6 +1,7 @@
 #include "GlyphBoxes.h"
 
 #include "MeshTree.h"
+#include "Parallel.h"
 #include "Shapes/Shapes.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -174,16 +175,21 @@ double Surface(const glm::dvec3& extent)
 std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first, double last)
 {
   const bool moves = instances.motion.Any();
-  const double start = instances.motion.Time(first);
-  const double end = instances.motion.Time(last);
-  const Subject subject(instances, start, end);
+  const double opening = instances.motion.Time(first);
+  const double closing = instances.motion.Time(last);
+  const Subject subject(instances, opening, closing);
   std::vector<Box> boxes(instances.Count());
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-  {
-    const DoubleBox box = moves ? MovingBox(subject, i, start, end) : StillBox(subject, DoubleGlyph(instances, i));
-    boxes[i] = { { RoundDown(box.lower.x), RoundDown(box.lower.y), RoundDown(box.lower.z) },
-      { RoundUp(box.upper.x), RoundUp(box.upper.y), RoundUp(box.upper.z) } };
-  }
+  ParallelChunks(boxes.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const DoubleBox box =
+          moves ? MovingBox(subject, i, opening, closing) : StillBox(subject, DoubleGlyph(instances, i));
+        boxes[i] = { { RoundDown(box.lower.x), RoundDown(box.lower.y), RoundDown(box.lower.z) },
+          { RoundUp(box.upper.x), RoundUp(box.upper.y), RoundUp(box.upper.z) } };
+      }
+    });
   return boxes;
 }
 

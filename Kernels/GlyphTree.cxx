@@ -1,9 +1,11 @@
 #include "GlyphTree.h"
 
+#include "Parallel.h"
 #include "Partition.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace rtg
 {
@@ -16,6 +18,13 @@ const Box nothing = { glm::vec3(INFINITY), glm::vec3(-INFINITY) };
 Box Union(const Box& a, const Box& b)
 {
   return { glm::min(a.lower, b.lower), glm::max(a.upper, b.upper) };
+}
+
+Box LeafBox(const std::vector<Box>& boxes, std::size_t leaf, std::uint32_t leafBits)
+{
+  const std::size_t first = GlyphTree::Start(leaf, boxes.size(), leafBits);
+  const std::size_t last = GlyphTree::Start(leaf + 1, boxes.size(), leafBits);
+  return std::accumulate(boxes.begin() + first, boxes.begin() + last, nothing, Union);
 }
 
 // Splits a node has: three, but for the root what is left.
@@ -133,7 +142,7 @@ struct KdSplitter
     }
     const std::size_t half = std::size_t(1) << (bits - 1);
     PartitionAlong(this->entries, this->Start(leaf), this->Start(leaf + half), this->Start(leaf + 2 * half), *chosen);
-    ForkJoin(
+    ParallelInvoke(
       forks > 0, [&] { this->Split(level, child, leaf, bits - 1, chosen + 1, splits - 1, forks - 1); },
       [&]
       {
@@ -208,29 +217,34 @@ KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits)
 std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& order)
 {
   std::vector<Box> sorted(boxes.size());
-  std::transform(order.begin(), order.end(), sorted.begin(), [&](std::uint32_t i) { return boxes[i]; });
+  ParallelChunks(order.size(),
+    [&](std::size_t first, std::size_t last)
+    {
+      std::transform(
+        order.begin() + first, order.begin() + last, sorted.begin() + first, [&](std::uint32_t i) { return boxes[i]; });
+    });
   return sorted;
 }
 
 double LeafSurface(const std::vector<Box>& boxes, std::uint32_t leafBits)
 {
-  double surface = 0.0;
-  for (std::size_t leaf = 0; leaf < (std::size_t(1) << leafBits); ++leaf)
-  {
-    const std::size_t first = GlyphTree::Start(leaf, boxes.size(), leafBits);
-    const std::size_t last = GlyphTree::Start(leaf + 1, boxes.size(), leafBits);
-    if (first < last)
+  const std::size_t leaves = std::size_t(1) << leafBits;
+  std::vector<double> surfaces((leaves + parallelChunk - 1) / parallelChunk);
+  ParallelChunks(leaves,
+    [&](std::size_t begin, std::size_t end)
     {
-      Box box = nothing;
-      for (std::size_t i = first; i < last; ++i)
+      double& surface = surfaces[begin / parallelChunk];
+      for (std::size_t leaf = begin; leaf < end; ++leaf)
       {
-        box = Union(box, boxes[i]);
+        const Box box = LeafBox(boxes, leaf, leafBits);
+        if (box.lower.x <= box.upper.x)
+        {
+          const glm::dvec3 e(box.upper - box.lower);
+          surface += e.x * e.y + e.y * e.z + e.z * e.x;
+        }
       }
-      const glm::dvec3 e(box.upper - box.lower);
-      surface += e.x * e.y + e.y * e.z + e.z * e.x;
-    }
-  }
-  return surface;
+    });
+  return std::accumulate(surfaces.begin(), surfaces.end(), 0.0);
 }
 
 GlyphTree BuildGlyphTree(const std::vector<Box>& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes)
@@ -241,28 +255,29 @@ GlyphTree BuildGlyphTree(const std::vector<Box>& boxes, std::uint32_t leafBits, 
   tree.nodes.resize(axes.size());
 
   // Boxes of the leaves, then of every level's nodes upwards.
-  std::vector<Box> below(std::size_t(1) << leafBits, nothing);
-  for (std::size_t leaf = 0; leaf < below.size(); ++leaf)
-  {
-    const std::size_t end = GlyphTree::Start(leaf + 1, boxes.size(), leafBits);
-    for (std::size_t i = GlyphTree::Start(leaf, boxes.size(), leafBits); i < end; ++i)
+  std::vector<Box> below(std::size_t(1) << leafBits);
+  ParallelChunks(below.size(),
+    [&](std::size_t first, std::size_t last)
     {
-      below[leaf] = Union(below[leaf], boxes[i]);
-    }
-  }
+      for (std::size_t leaf = first; leaf < last; ++leaf)
+      {
+        below[leaf] = LeafBox(boxes, leaf, leafBits);
+      }
+    });
   for (std::uint32_t level = tree.levels; level-- > 0;)
   {
     const std::size_t children = std::size_t(1) << SplitsOf(level, leafBits);
-    std::vector<Box> current(below.size() / children, nothing);
-    for (std::size_t i = 0; i < current.size(); ++i)
-    {
-      for (std::size_t child = 0; child < children; ++child)
+    std::vector<Box> current(below.size() / children);
+    ParallelChunks(current.size(),
+      [&](std::size_t first, std::size_t last)
       {
-        current[i] = Union(current[i], below[children * i + child]);
-      }
-      const std::size_t node = GlyphTree::LevelOffset(level) + i;
-      tree.nodes[node] = Quantise(current[i], &below[children * i], children, axes[node]);
-    }
+        for (std::size_t i = first; i < last; ++i)
+        {
+          current[i] = std::accumulate(&below[children * i], &below[children * i] + children, nothing, Union);
+          const std::size_t node = GlyphTree::LevelOffset(level) + i;
+          tree.nodes[node] = Quantise(current[i], &below[children * i], children, axes[node]);
+        }
+      });
     below = std::move(current);
   }
   return tree;

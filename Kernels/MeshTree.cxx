@@ -1,7 +1,7 @@
 #include "MeshTree.h"
 
 #include "GlyphBoxes.h"
-#include "Partition.h"
+#include "Parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,7 +137,7 @@ MeshTree BuildMeshTree(const TriangleMesh& mesh, const GlyphMotion& shutter, int
   }
   const std::size_t slices = std::size_t(1) << tree.sliceBits;
   tree.nodes.resize(slices * tree.nodesPerSlice);
-  InParallel(slices,
+  ParallelFor(slices,
     [&](std::size_t slice)
     {
       const std::vector<Box> boxes = boxesBetween(double(slice) / double(slices), double(slice + 1) / double(slices));

@@ -1,7 +1,8 @@
 #include "Partition.h"
 
+#include "Parallel.h"
+
 #include <algorithm>
-#include <thread>
 
 namespace rtg
 {
@@ -57,7 +58,7 @@ void PartitionAlong(PartitionEntry* entries, std::size_t first, std::size_t midd
 int ForksFor(std::size_t count)
 {
   int forks = 0;
-  while ((1u << forks) < std::thread::hardware_concurrency() && (count >> forks) > 20000)
+  while ((std::size_t(1) << forks) < ThreadCount() && (count >> forks) > 20000)
   {
     ++forks;
   }

@@ -3,12 +3,8 @@
 
 #include <glm/glm.hpp>
 
-#include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <future>
-#include <thread>
 #include <vector>
 
 namespace rtg
@@ -33,45 +29,5 @@ void PartitionAlong(PartitionEntry* entries, std::size_t first, std::size_t midd
 
 /// How often to fork a recursion over so many points for all cores to have work worth a thread.
 int ForksFor(std::size_t count);
-
-/// Runs both; on two threads when asked.
-template <class Left, class Right>
-void ForkJoin(bool fork, Left&& left, Right&& right)
-{
-  if (!fork)
-  {
-    left();
-    right();
-    return;
-  }
-  auto other = std::async(std::launch::async, left);
-  right();
-  other.get();
-}
-
-/// Runs work(0) ... work(count - 1) on all cores.
-template <class Work>
-void InParallel(std::size_t count, Work&& work)
-{
-  const std::size_t threads = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
-  std::atomic<std::size_t> next{ 0 };
-  const auto run = [&]
-  {
-    for (std::size_t i = next++; i < count; i = next++)
-    {
-      work(i);
-    }
-  };
-  std::vector<std::future<void>> others;
-  for (std::size_t i = 1; i < threads; ++i)
-  {
-    others.push_back(std::async(std::launch::async, run));
-  }
-  run();
-  for (auto& other : others)
-  {
-    other.get();
-  }
-}
 
 } // namespace rtg

@@ -1,7 +1,10 @@
 #include "ProgressiveImage.h"
 
+#include "Parallel.h"
+
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace rtg
 {
@@ -394,10 +397,15 @@ void ProgressiveImage::Smooth(const Request& request)
   if (!this->smoothing_.valid() && !this->pending_ && worthIt && this->image_.complete)
   {
     this->smoothingSamples_ = this->samples_;
-    this->smoothing_ =
-      std::async(request.IsTimed() ? std::launch::async : std::launch::deferred, request.source.Denoise(this->image_));
-    if (!request.IsTimed())
+    std::packaged_task<std::vector<std::uint32_t>()> denoising(request.source.Denoise(this->image_));
+    this->smoothing_ = denoising.get_future();
+    if (request.IsTimed())
     {
+      RunInBackground(std::move(denoising));
+    }
+    else
+    {
+      denoising();
       collect();
     }
   }

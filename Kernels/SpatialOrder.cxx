@@ -1,5 +1,6 @@
 #include "SpatialOrder.h"
 
+#include "Parallel.h"
 #include "Partition.h"
 
 namespace rtg
@@ -17,7 +18,7 @@ void Split(PartitionEntry* entries, std::size_t first, std::size_t last, int for
   }
   const std::size_t middle = (first + last) / 2;
   PartitionAlong(entries, first, middle + 1, last + 1, LongestAxis(Extent(entries, first, last + 1)));
-  ForkJoin(
+  ParallelInvoke(
     forks > 0, [=] { Split(entries, first, middle, forks - 1); }, [=] { Split(entries, middle + 1, last, forks - 1); });
 }
 

@@ -1,7 +1,7 @@
 #include "TimeSlices.h"
 
 #include "GlyphBoxes.h"
-#include "Partition.h"
+#include "Parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ TimeSlices BuildTimeSlices(const GlyphInstances& instances, const std::vector<st
   {
     slices.order.resize(count * glyphs);
   }
-  InParallel(count,
+  ParallelFor(count,
     [&](std::size_t slice)
     {
       std::vector<Box> boxes = boxesOf(slice);

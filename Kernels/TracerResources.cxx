@@ -1,6 +1,7 @@
 #include "TracerResources.h"
 
 #include "BlueNoise.h"
+#include "Parallel.h"
 #include "SceneState.h"
 
 #include <algorithm>
@@ -27,6 +28,14 @@ void Compile(Device::State& vulkan, TracerResources::Program& program)
 }
 
 } // namespace
+
+TracerResources::Program::~Program()
+{
+  if (this->compiling.valid())
+  {
+    this->compiling.wait();
+  }
+}
 
 std::shared_ptr<TracerResources> MakeTracerResources(std::shared_ptr<Device> device)
 {
@@ -60,7 +69,9 @@ TracerResources::Program& TracerResources::ProgramFor(const Generation& generati
   Program& program = *this->programs_.back();
   program.generation = generation;
   program.groups = groups;
-  program.compiling = std::async(std::launch::async, [this, &program] { Compile(this->device->GetState(), program); });
+  std::packaged_task<void()> compiling([this, &program] { Compile(this->device->GetState(), program); });
+  program.compiling = compiling.get_future();
+  RunInBackground(std::move(compiling));
   return program;
 }
 

@@ -31,6 +31,11 @@ public:
     std::future<void> compiling;        ///< valid until somebody knows that it is done
     double secondsPerRay = 0.0;         ///< of a camera ray with all that follows it; 0: unknown
     std::size_t lastTiles = 0;          ///< of the last launch
+
+    Program() = default;
+    ~Program(); ///< waits for what compiles it
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
   };
 
   /// The program of these keys; compiling begins, in another thread, when it is not among the last ones used. Valid

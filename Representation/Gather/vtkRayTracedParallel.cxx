@@ -1,24 +1,31 @@
 #include "vtkRayTracedParallel.h"
 
+#include "Parallel.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <string>
+#include <thread>
 
 namespace
 {
 // Chunks between two calls of a Progress, some tenths of a second of work.
 constexpr vtkIdType chunksPerReport = 32;
 
-vtkSMPTools::Config Configuration()
+// As many as VTK's SMP tools would take. Where these know no threads, as in Debian's packages, and
+// VTK_SMP_BACKEND_IN_USE does not ask for that, one a core, or VTK_SMP_MAX_THREADS.
+std::size_t Threads()
 {
-  vtkSMPTools::Config config(vtk::detail::smp::vtkSMPToolsAPI::GetInstance());
-  if (config.Backend == "Sequential" && !std::getenv("VTK_SMP_BACKEND_IN_USE"))
+  const char* most = std::getenv("VTK_SMP_MAX_THREADS");
+  const bool threaded = std::string(vtkSMPTools::GetBackend()) != "Sequential";
+  if (threaded || std::getenv("VTK_SMP_BACKEND_IN_USE"))
   {
-    config.Backend = "STDThread";
+    return std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
   }
-  return config;
+  const int wanted = most ? std::atoi(most) : 0;
+  return wanted > 0 ? wanted : std::max(1u, std::thread::hardware_concurrency());
 }
 }
 
@@ -37,32 +44,22 @@ void vtkRayTracedParallel::ForChunks(
   vtkIdType count, const std::function<void(vtkIdType, vtkIdType)>& work, const Progress& progress)
 {
   const vtkIdType chunks = NumberOfChunks(count);
-  const auto run = [&](vtkIdType first, vtkIdType last)
+  rtg::SetThreadCount(Threads());
+  const vtkIdType step = progress ? chunksPerReport : std::max<vtkIdType>(1, chunks);
+  for (vtkIdType first = 0; first < chunks; first += step)
   {
-    for (vtkIdType chunk = first; chunk < last; ++chunk)
-    {
-      work(chunk * ChunkSize, std::min(count, (chunk + 1) * ChunkSize));
-    }
-  };
-  if (chunks < 2)
-  {
-    run(0, chunks);
-    return;
-  }
-  vtkSMPTools::LocalScope(Configuration(),
-    [&]
-    {
-      const vtkIdType step = progress ? chunksPerReport : chunks;
-      for (vtkIdType first = 0; first < chunks; first += step)
+    const vtkIdType last = std::min(chunks, first + step);
+    rtg::ParallelFor(static_cast<std::size_t>(last - first),
+      [&](std::size_t i)
       {
-        const vtkIdType last = std::min(chunks, first + step);
-        vtkSMPTools::For(first, last, 1, run);
-        if (progress && last < chunks)
-        {
-          progress(static_cast<double>(last) / static_cast<double>(chunks));
-        }
-      }
-    });
+        const vtkIdType begin = (first + static_cast<vtkIdType>(i)) * ChunkSize;
+        work(begin, std::min(count, begin + ChunkSize));
+      });
+    if (progress && last < chunks)
+    {
+      progress(static_cast<double>(last) / static_cast<double>(chunks));
+    }
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -2,7 +2,7 @@
  * Loops over points, cells or bytes on all cores.
  *
  * Work is cut into chunks of a fixed length. What is put together chunk by chunk, in their order, is the same for any
- * number of threads. Work must not throw: memory is allocated before the loop.
+ * number of threads. Memory is allocated before the loop.
  */
 #ifndef vtkRayTracedParallel_h
 #define vtkRayTracedParallel_h
@@ -42,8 +42,9 @@ Progress Part(const Progress& whole, double first, double last);
 /**
  * work(begin, end) for each chunk of [0, count).
  *
- * VTK's SMP backend does the work. Where that is Sequential, as in Debian's packages, and VTK_SMP_BACKEND_IN_USE does
- * not ask for it, VTK's threads are taken for this loop alone.
+ * The threads are those of the kernels (Kernels/Parallel.h), which from then on are as many as VTK's SMP tools would
+ * take. Where these know no threads, as in Debian's packages, and VTK_SMP_BACKEND_IN_USE does not ask for that, there
+ * is one a core.
  */
 void ForChunks(vtkIdType count, const std::function<void(vtkIdType, vtkIdType)>& work, const Progress& progress = {});
 

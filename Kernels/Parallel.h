@@ -1,0 +1,61 @@
+// Work on all cores: loops, and tasks in the background.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <future>
+#include <memory>
+#include <utility>
+
+namespace rtg
+{
+
+/// How many threads loops take from now on, the calling one included; at least 1. Default: one a core. Results do not
+/// depend on it.
+void SetThreadCount(std::size_t count);
+std::size_t ThreadCount();
+
+/// work(0) ... work(count - 1), each once, in any order, on the calling thread and those of the process's pool; returns
+/// when all is done. Loops may be nested, and started from any thread. When a call throws, no further ones begin, and
+/// the first of the exceptions is thrown here.
+///
+/// The threads are made by the first loops that want them and stay: making a thread costs as much as a small loop.
+void ParallelFor(std::size_t count, const std::function<void(std::size_t)>& work);
+
+/// Items of a loop that one thread takes at once. A constant, so that what is put together chunk by chunk is the same
+/// for any number of threads.
+constexpr std::size_t parallelChunk = 4096;
+
+/// work(first, last) for each chunk of [0, count).
+template <class Work>
+void ParallelChunks(std::size_t count, Work&& work)
+{
+  ParallelFor((count + parallelChunk - 1) / parallelChunk,
+    [&](std::size_t chunk) { work(chunk * parallelChunk, std::min(count, (chunk + 1) * parallelChunk)); });
+}
+
+/// Both; at the same time when asked.
+template <class Left, class Right>
+void ParallelInvoke(bool parallel, Left&& left, Right&& right)
+{
+  if (parallel)
+  {
+    ParallelFor(2, [&](std::size_t i) { i == 0 ? left() : right(); });
+    return;
+  }
+  left();
+  right();
+}
+
+/// Starts the task on a thread that is nobody else's until it is done. It must not throw; a packaged one may. Its
+/// future does not wait when it is dropped, as that of std::async does: whoever holds it waits before what the task
+/// uses goes away.
+void RunInBackground(std::function<void()> task);
+template <class Result>
+void RunInBackground(std::packaged_task<Result()> task)
+{
+  RunInBackground([shared = std::make_shared<std::packaged_task<Result()>>(std::move(task))] { (*shared)(); });
+}
+
+} // namespace rtg

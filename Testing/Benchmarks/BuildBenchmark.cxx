@@ -1,0 +1,193 @@
+// Wall-clock seconds of what the host does with new glyphs: their boxes, their order, their tree; and, of spheres, from
+// data in memory to the first picture, with the memory that takes.
+// Usage: BuildBenchmark shapes [COUNT] [REPETITIONS] [CSV]
+//        BuildBenchmark picture [COUNT] [PIXELS] [CSV]
+//
+// Glyphs lie in a cube at random, turned at random where it says so. Shapes are measured in turns, and of each stage
+// the median is printed, on one thread and on all cores. The picture is measured once, in a process that has done
+// nothing else, so programs are compiled in it.
+#include "Camera.h"
+#include "Files.h"
+#include "GlyphBoxes.h"
+#include "GlyphTree.h"
+#include "Measures.h"
+#include "Parallel.h"
+#include "Scene.h"
+#include "Stopwatch.h"
+#include "Tracer.h"
+#include "Vulkan/Device.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <string>
+#include <sys/resource.h>
+
+namespace
+{
+
+constexpr float side = 100.0f;
+
+struct Kind
+{
+  const char* name;
+  rtg::Shape shape;
+  bool turned;
+  float leastExponent = 2.0f, mostExponent = 2.0f; ///< equal: one for all
+};
+
+const Kind kinds[] = {
+  { "spheres", rtg::Shape::Sphere, false },
+  { "ellipsoids, turned", rtg::Shape::Sphere, true },
+  { "boxes, turned", rtg::Shape::Box, true },
+  { "cylinders, turned", rtg::Shape::Cylinder, true },
+  { "arrows, turned", rtg::Shape::Arrow, true },
+  { "superquadrics, 1 to 20, turned", rtg::Shape::Superquadric, true, 1.0f, 20.0f },
+  { "superquadrics, 0.3 to 20, turned", rtg::Shape::Superquadric, true, 0.3f, 20.0f },
+  { "nested superquadrics, turned", rtg::Shape::NestedSuperquadric, true, 0.1f, 1.0f },
+};
+
+rtg::GlyphInstances MakeInstances(const Kind& kind, std::size_t count)
+{
+  std::mt19937 random(20190923);
+  std::uniform_real_distribution<float> unit;
+  std::normal_distribution<float> normal;
+  const auto vector = [&]
+  {
+    const float x = unit(random), y = unit(random);
+    return glm::vec3(x, y, unit(random));
+  };
+  rtg::GlyphInstances instances;
+  instances.shape = kind.shape;
+  instances.uniformSize = 0.8f * side / std::cbrt(float(count));
+  instances.arrow.unitLength = instances.uniformSize;
+  instances.centres.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    instances.centres.push_back(side * (vector() - 0.5f));
+    if (kind.turned)
+    {
+      instances.sizes3.push_back(instances.uniformSize * (0.5f + 0.5f * vector()));
+      const float x = normal(random), y = normal(random), z = normal(random);
+      instances.rotations.push_back(glm::normalize(glm::vec4(x, y, z, normal(random))));
+    }
+    if (kind.mostExponent > kind.leastExponent)
+    {
+      instances.exponents3.push_back(
+        kind.leastExponent * glm::pow(glm::vec3(kind.mostExponent / kind.leastExponent), vector()));
+    }
+  }
+  return instances;
+}
+
+struct Seconds
+{
+  std::vector<double> boxes, order, tree;
+};
+
+void Build(const rtg::GlyphInstances& instances, Seconds& seconds)
+{
+  rtg::Stopwatch watch;
+  std::vector<rtg::Box> boxes = rtg::GlyphBoxes(instances);
+  seconds.boxes.push_back(watch.Lap());
+  const std::uint32_t leafBits = rtg::GlyphTree::LeafBits(instances.Count(), 2);
+  const rtg::KdOrder kd = rtg::MakeKdOrder(boxes, leafBits);
+  seconds.order.push_back(watch.Lap());
+  boxes = rtg::InOrder(boxes, kd.order);
+  const rtg::GlyphTree tree = rtg::BuildGlyphTree(boxes, leafBits, kd.axes);
+  seconds.tree.push_back(watch.Lap());
+}
+
+int MeasureShapes(std::size_t count, int repetitions, const char* path)
+{
+  std::ofstream csv(path);
+  csv << "shape,glyphs,threads,boxes s,order s,tree s\n";
+  std::printf("%-34s %9s %8s %8s %8s %8s %8s\n", "shape", "glyphs", "threads", "boxes", "order", "tree", "sum");
+  const std::size_t cores = rtg::ThreadCount();
+  for (const Kind& kind : kinds)
+  {
+    const rtg::GlyphInstances instances = MakeInstances(kind, count);
+    Seconds one, all;
+    for (int i = 0; i < repetitions; ++i)
+    {
+      rtg::SetThreadCount(1);
+      Build(instances, one);
+      rtg::SetThreadCount(cores);
+      Build(instances, all);
+    }
+    for (const Seconds* seconds : { &one, &all })
+    {
+      const std::size_t threads = seconds == &one ? 1 : cores;
+      const double boxes = benchmark::Quantile(seconds->boxes, 0.5), order = benchmark::Quantile(seconds->order, 0.5),
+                   tree = benchmark::Quantile(seconds->tree, 0.5);
+      std::printf("%-34s %9zu %8zu %8.4f %8.4f %8.4f %8.4f\n", kind.name, count, threads, boxes, order, tree,
+        boxes + order + tree);
+      csv << '"' << kind.name << "\"," << count << ',' << threads << ',' << boxes << ',' << order << ',' << tree
+          << '\n';
+    }
+  }
+  return 0;
+}
+
+double PeakMegabytes()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+int MeasurePicture(std::size_t count, std::uint32_t pixels, const char* path)
+{
+  rtg::GlyphInstances instances = MakeInstances(kinds[0], count);
+  const double before = PeakMegabytes();
+  rtg::Stopwatch watch, total;
+  const std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
+  rtg::Scene scene(device);
+  rtg::Tracer tracer(device);
+  const rtg::Scene::SetId set = scene.Add();
+  scene.SetInstances(set, std::move(instances));
+  scene.Commit();
+  const double commit = watch.Lap();
+  rtg::TraceSettings settings;
+  settings.width = settings.height = pixels;
+  const rtg::Camera camera = benchmark::LookAt({ 0.0, 0.0, 286.6 }, {}, { 0.0, 1.0, 0.0 }, 30.0, 100.0, 500.0);
+  tracer.Trace(scene, camera, { rtg::Light() }, settings, rtg::Pass::Opaque);
+  const double first = watch.Lap();
+  const double sum = total.Lap();
+  const rtg::Statistics& statistics = scene.GetStatistics();
+  std::printf("%zu spheres, %u x %u pixels, %zu threads\n", count, pixels, pixels, rtg::ThreadCount());
+  std::printf("commit %.2f s: sorting %.2f, building %.2f, sending %.2f\n", commit, statistics.sortSeconds,
+    statistics.buildSeconds, statistics.uploadSeconds);
+  std::printf("programs and picture %.2f s; all %.2f s\n", first, sum);
+  std::printf("peak memory %.0f MB, of which %.0f before; on the device %.0f MB\n", PeakMegabytes(), before,
+    static_cast<double>(statistics.deviceBytes) / 1048576.0);
+  std::ofstream csv(path);
+  csv << "glyphs,pixels,threads,commit s,sort s,build s,upload s,picture s,all s,peak MB,MB before\n"
+      << count << ',' << pixels << ',' << rtg::ThreadCount() << ',' << commit << ',' << statistics.sortSeconds << ','
+      << statistics.buildSeconds << ',' << statistics.uploadSeconds << ',' << first << ',' << sum << ','
+      << PeakMegabytes() << ',' << before << '\n';
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const std::string what = argc > 1 ? argv[1] : "";
+  const char* csv = argc > 4 ? argv[4] : "/dev/null";
+  if (what == "shapes")
+  {
+    return MeasureShapes(
+      argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 280000, argc > 3 ? std::atoi(argv[3]) : 5, csv);
+  }
+  if (what == "picture")
+  {
+    return MeasurePicture(argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 10000000,
+      argc > 3 ? std::uint32_t(std::atoi(argv[3])) : 1200, csv);
+  }
+  std::fprintf(stderr, "usage: BuildBenchmark shapes|picture [COUNT] [REPETITIONS|PIXELS] [CSV]\n");
+  return 2;
+}
