@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rtg
 {
@@ -15,43 +16,49 @@ namespace rtg
 namespace
 {
 
-using HostShapes = shapes::Kernel<double>;
+// In single precision: what that loses, a few roundings of the glyph's own size, every box is widened by. Only what
+// lies between glyphs, their centres and ways, needs double.
+using HostShapes = shapes::Kernel<float>;
+constexpr float roundings = 1e-6f;
 
-HostShapes::Glyph DoubleGlyph(const GlyphInstances& instances, std::size_t i)
+// The glyph with its centre at 0.
+HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
 {
   HostShapes::Glyph glyph;
-  glyph.centre = glm::dvec3(instances.centres[i]);
-  if (!instances.centresLow.empty())
-  {
-    glyph.centre += glm::dvec3(instances.centresLow[i]);
-  }
-  glyph.centreLow = glm::dvec3(0.0);
-  glyph.size = !instances.sizes3.empty() ? glm::dvec3(instances.sizes3[i])
-    : !instances.sizes1.empty()          ? glm::dvec3(instances.sizes1[i])
-                                         : glm::dvec3(instances.uniformSize);
+  glyph.centre = glyph.centreLow = glm::vec3(0.0f);
+  glyph.size = !instances.sizes3.empty() ? instances.sizes3[i]
+    : !instances.sizes1.empty()          ? glm::vec3(instances.sizes1[i])
+                                         : glm::vec3(instances.uniformSize);
   glyph.sameSize = instances.sizes3.empty();
   glyph.turned = !instances.rotations.empty();
-  glyph.rotation = glyph.turned ? glm::dvec4(instances.rotations[i]) : glm::dvec4(0, 0, 0, 1);
+  glyph.rotation = glyph.turned ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
   const ArrowForm& arrow = instances.arrow;
-  glyph.arrow = glm::dvec4(arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding);
+  glyph.arrow = glm::vec4(arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding);
   glyph.fixedHeads = arrow.fixedHeads;
-  glyph.exponents = glm::dvec3(instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i]);
+  glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i];
   glyph.unitLength = arrow.unitLength;
   return glyph;
 }
 
-float RoundDown(double value)
+glm::dvec3 Centre(const GlyphInstances& instances, std::size_t i)
 {
-  const float rounded = static_cast<float>(value);
-  return rounded > value ? std::nextafterf(rounded, -INFINITY) : rounded;
+  const glm::dvec3 centre(instances.centres[i]);
+  return instances.centresLow.empty() ? centre : centre + glm::dvec3(instances.centresLow[i]);
 }
 
-float RoundUp(double value)
+// Floats that are not above the values, at most two ulps below.
+glm::vec3 RoundDown(const glm::dvec3& values)
 {
-  const float rounded = static_cast<float>(value);
-  return rounded < value ? std::nextafterf(rounded, INFINITY) : rounded;
+  constexpr double ulp = std::numeric_limits<float>::epsilon(), least = std::numeric_limits<float>::denorm_min();
+  return glm::vec3(values - (ulp * glm::abs(values) + least));
 }
 
+glm::vec3 RoundUp(const glm::dvec3& values)
+{
+  return -RoundDown(-values);
+}
+
+// Relative to a glyph's centre.
 struct DoubleBox
 {
   glm::dvec3 lower, upper;
@@ -73,14 +80,14 @@ struct Subject
   MeshBounds form{};
 };
 
-DoubleBox MeshBox(const MeshBounds& form, const HostShapes::Glyph& glyph)
+DoubleBox MeshBox(const MeshBounds& form, const HostShapes::Glyph& glyph, const glm::dvec3& centre)
 {
   const glm::dvec3 middle = 0.5 * (form.lower + form.upper);
   const glm::dvec3 reach = 0.5 * (form.upper - form.lower);
   glm::dmat3 linear(1.0);
   if (glyph.turned)
   {
-    const glm::dvec4& q = glyph.rotation;
+    const glm::dvec4 q(glyph.rotation);
     linear = glm::mat3_cast(glm::normalize(glm::dquat(q.w, q.x, q.y, q.z)));
   }
   for (int axis = 0; axis < 3; ++axis)
@@ -88,23 +95,25 @@ DoubleBox MeshBox(const MeshBounds& form, const HostShapes::Glyph& glyph)
     linear[axis] *= glyph.size[axis];
   }
   const glm::dvec3 offset = linear * middle;
-  const glm::dvec3 centre = glyph.centre + offset;
   // A few ulps for the roundings of the device's own transform.
   const glm::dvec3 half =
     1.000001 * (glm::abs(linear[0]) * reach.x + glm::abs(linear[1]) * reach.y + glm::abs(linear[2]) * reach.z) +
-    1e-6 * (glm::abs(centre) + glm::length(offset));
-  return { centre - half, centre + half };
+    1e-6 * (glm::abs(centre + offset) + glm::length(offset));
+  return { offset - half, offset + half };
 }
 
-DoubleBox StillBox(const Subject& subject, const HostShapes::Glyph& glyph)
+DoubleBox StillBox(const Subject& subject, const HostShapes::Glyph& glyph, const glm::dvec3& centre)
 {
   if (subject.instances.shape == Shape::Mesh)
   {
-    return MeshBox(subject.form, glyph);
+    return MeshBox(subject.form, glyph, centre);
   }
-  DoubleBox box;
-  HostShapes::Bounds(subject.instances.shape, glyph, box.lower, box.upper);
-  return box;
+  glm::vec3 lower, upper;
+  HostShapes::Bounds(subject.instances.shape, glyph, lower, upper);
+  // Of a glyph that is turned, all its axes go into each of the box's.
+  const glm::vec3 reach = glm::max(glm::abs(lower), glm::abs(upper));
+  const glm::vec3 slack = roundings * (glyph.turned ? glm::vec3(std::max({ reach.x, reach.y, reach.z })) : reach);
+  return { glm::dvec3(lower - slack), glm::dvec3(upper + slack) };
 }
 
 // The product of two quaternions (x, y, z, w): first b, then a.
@@ -120,12 +129,13 @@ glm::dvec4 Product(const glm::dvec4& a, const glm::dvec4& b)
 DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double last)
 {
   const GlyphInstances& instances = subject.instances;
-  const HostShapes::Glyph still = DoubleGlyph(instances, i);
+  const HostShapes::Glyph still = GlyphAtZero(instances, i);
+  const glm::dvec3 centre = Centre(instances, i);
   HostShapes::Glyph upright = still;
   upright.turned = false;
-  const DoubleBox own = StillBox(subject, upright);
-  const double radius = glm::length(glm::max(glm::abs(own.lower - still.centre), glm::abs(own.upper - still.centre)));
-  const DoubleBox ball{ still.centre - radius, still.centre + radius };
+  const DoubleBox own = StillBox(subject, upright, centre);
+  const double radius = glm::length(glm::max(glm::abs(own.lower), glm::abs(own.upper)));
+  const DoubleBox ball{ glm::dvec3(-radius), glm::dvec3(radius) };
 
   const double angle = glm::length(glm::dvec3(instances.motion.angularVelocities[i])) * (last - first);
   constexpr double mostPieces = 64.0;
@@ -135,8 +145,9 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
   {
     HostShapes::Glyph turned = still;
     turned.turned = true;
-    turned.rotation = Product(instances.motion.Turn(i, first + (last - first) * piece / pieces), still.rotation);
-    const DoubleBox at = StillBox(subject, turned);
+    turned.rotation =
+      glm::vec4(Product(instances.motion.Turn(i, first + (last - first) * piece / pieces), glm::dvec4(still.rotation)));
+    const DoubleBox at = StillBox(subject, turned, centre);
     box.lower = glm::min(box.lower, at.lower);
     box.upper = glm::max(box.upper, at.upper);
   }
@@ -144,11 +155,15 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
   return { glm::max(box.lower - way, ball.lower), glm::min(box.upper + way, ball.upper) };
 }
 
+DoubleBox StillBox(const Subject& subject, std::size_t i)
+{
+  return StillBox(subject, GlyphAtZero(subject.instances, i), Centre(subject.instances, i));
+}
+
 DoubleBox MovingBox(const Subject& subject, std::size_t i, double first, double last)
 {
   const GlyphMotion& motion = subject.instances.motion;
-  DoubleBox box =
-    motion.Spins() ? SpunBox(subject, i, first, last) : StillBox(subject, DoubleGlyph(subject.instances, i));
+  DoubleBox box = motion.Spins() ? SpunBox(subject, i, first, last) : StillBox(subject, i);
   if (motion.Spins())
   {
     // What the device computes of a turn is right to 2^-20 of the glyph's reach (Programs/motion.glsl).
@@ -184,10 +199,9 @@ std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first, doubl
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const DoubleBox box =
-          moves ? MovingBox(subject, i, opening, closing) : StillBox(subject, DoubleGlyph(instances, i));
-        boxes[i] = { { RoundDown(box.lower.x), RoundDown(box.lower.y), RoundDown(box.lower.z) },
-          { RoundUp(box.upper.x), RoundUp(box.upper.y), RoundUp(box.upper.z) } };
+        const DoubleBox box = moves ? MovingBox(subject, i, opening, closing) : StillBox(subject, i);
+        const glm::dvec3 centre = Centre(instances, i);
+        boxes[i] = { RoundDown(centre + box.lower), RoundUp(centre + box.upper) };
       }
     });
   return boxes;
@@ -209,7 +223,7 @@ std::uint32_t TimeSliceBits(const GlyphInstances& instances, std::size_t bytesPe
     {
       // A slice that is another one for every glyph stands for all of them.
       const double first = length * double((i / step) & ((1u << bits) - 1));
-      const DoubleBox own = StillBox(subject, DoubleGlyph(instances, i));
+      const DoubleBox own = StillBox(subject, i);
       const DoubleBox swept =
         MovingBox(subject, i, instances.motion.Time(first), instances.motion.Time(first + length));
       still += Surface(own.upper - own.lower);

@@ -10,8 +10,9 @@
 namespace rtg
 {
 
-/// Boxes of the glyphs relative to instances.origin, tight but for the outward rounding to float: of glyphs that move,
-/// of all they touch between two fractions of the shutter's opening, 0 <= first <= last <= 1.
+/// Boxes of the glyphs relative to instances.origin, tight but for 2e-6 of a glyph's size and the outward rounding to
+/// float: of glyphs that move, of all they touch between two fractions of the shutter's opening, 0 <= first <= last
+/// <= 1.
 std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first = 0.0, double last = 1.0);
 
 /// Largest TimeSliceBits().

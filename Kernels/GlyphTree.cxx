@@ -33,6 +33,115 @@ std::uint32_t SplitsOf(std::uint32_t level, std::uint32_t leafBits)
   return level > 0 ? 3 : leafBits - 3 * (GlyphTree::Levels(leafBits) - 1);
 }
 
+// The last splits of the kd tree: those of a node whose children are leaves. The axes are those that leave the boxes of
+// the halves the least surface, with which the number of rays that meet them grows. Further up it makes no difference
+// worth its time. Glyphs are sorted along each axis once; every split keeps these orders.
+class LeafSplitter
+{
+public:
+  static constexpr std::size_t mostGlyphs = 64;
+
+  LeafSplitter(PartitionEntry* entries, std::size_t count, const Box* boxes)
+    : entries_(entries)
+    , count_(count)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->boxes_[i] = boxes[entries[i].index];
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      std::uint64_t keys[mostGlyphs];
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        // The low bits, of the index, only tell equal coordinates apart: so do places in the node.
+        keys[i] = (entries[i].Key(axis) & ~std::uint64_t(0xff)) | i;
+      }
+      std::sort(keys, keys + count);
+      std::transform(
+        keys, keys + count, this->sorted_[axis], [](std::uint64_t key) { return static_cast<std::uint8_t>(key); });
+    }
+  }
+
+  // Halves each part; places[0] ... places[halves] are where the halves start and end. Returns the axis.
+  int Split(const std::size_t* places, std::size_t halves)
+  {
+    int best = 0;
+    float least = INFINITY;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      float area = 0.0f;
+      for (std::size_t half = 0; half < halves; ++half)
+      {
+        area += this->Area(axis, places[half], places[half + 1]);
+      }
+      if (area < least)
+      {
+        least = area;
+        best = axis;
+      }
+    }
+    for (std::size_t half = 0; half < halves; half += 2)
+    {
+      this->Divide(best, places[half], places[half + 1], places[half + 2]);
+    }
+    return best;
+  }
+
+  // Puts the entries where the splits want them.
+  void Apply() const
+  {
+    PartitionEntry before[mostGlyphs];
+    std::copy_n(this->entries_, this->count_, before);
+    for (std::size_t i = 0; i < this->count_; ++i)
+    {
+      this->entries_[i] = before[this->sorted_[0][i]];
+    }
+  }
+
+private:
+  float Area(int axis, std::size_t first, std::size_t last) const
+  {
+    Box box = nothing;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      box = Union(box, this->boxes_[this->sorted_[axis][i]]);
+    }
+    const glm::vec3 e = box.upper - box.lower;
+    return first < last ? e.x * e.y + e.y * e.z + e.z * e.x : 0.0f;
+  }
+
+  void Divide(int along, std::size_t first, std::size_t middle, std::size_t last)
+  {
+    std::uint64_t lower = 0;
+    for (std::size_t i = first; i < middle; ++i)
+    {
+      lower |= std::uint64_t(1) << this->sorted_[along][i];
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      std::uint8_t* const sorted = this->sorted_[axis];
+      std::uint8_t upper[mostGlyphs];
+      std::size_t kept = first, moved = 0;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const std::uint8_t glyph = sorted[i];
+        const bool below = lower >> glyph & 1;
+        sorted[kept] = glyph;
+        upper[moved] = glyph;
+        kept += below;
+        moved += !below;
+      }
+      std::copy_n(upper, moved, sorted + kept);
+    }
+  }
+
+  PartitionEntry* entries_;
+  std::size_t count_;
+  Box boxes_[mostGlyphs];
+  std::uint8_t sorted_[3][mostGlyphs]; // glyphs along each axis, part by part
+};
+
 // Orders entries into leaves, node by node. All children of a node are split along the same axes, so
 // that three signs of the ray's direction give the order of all eight.
 struct KdSplitter
@@ -50,11 +159,8 @@ struct KdSplitter
   {
     const std::uint32_t splits = SplitsOf(level, this->leafBits);
     int chosen[3] = { 0, 0, 0 };
-    if (bits == splits)
-    {
-      this->ChooseByArea(leaf, splits, chosen);
-    }
-    else
+    const bool done = bits == splits && this->SplitByArea(leaf, splits, chosen);
+    if (!done)
     {
       this->ChooseByExtent(leaf, bits, splits, chosen);
     }
@@ -65,7 +171,10 @@ struct KdSplitter
       packed |= static_cast<std::uint8_t>(chosen[i] << (2 * (3 - splits + i)));
     }
     this->axes[GlyphTree::LevelOffset(level) + node] = packed;
-    this->Split(level, node << splits, leaf, bits, chosen, splits, forks);
+    if (!done)
+    {
+      this->Split(level, node << splits, leaf, bits, chosen, splits, forks);
+    }
   }
 
   void ChooseByExtent(std::size_t leaf, std::uint32_t bits, std::uint32_t splits, int* chosen) const
@@ -78,54 +187,28 @@ struct KdSplitter
     }
   }
 
-  // For a node of leaves: the axes that leave the boxes the least surface, with which the number of rays that meet them
-  // grows. Further up it makes no difference worth its time.
-  void ChooseByArea(std::size_t leaf, std::uint32_t splits, int* chosen) const
+  // Returns false when there are too many glyphs for that.
+  bool SplitByArea(std::size_t leaf, std::uint32_t splits, int* chosen) const
   {
     const std::size_t leaves = std::size_t(1) << splits;
+    const std::size_t first = this->Start(leaf), count = this->Start(leaf + leaves) - first;
+    if (count > LeafSplitter::mostGlyphs)
+    {
+      return false;
+    }
+    LeafSplitter splitter(this->entries + first, count, this->boxes);
     for (std::uint32_t i = 0; i < splits; ++i)
     {
-      const std::size_t part = leaves >> i;
-      float best = INFINITY;
-      for (int axis = 0; axis < 3; ++axis)
+      const std::size_t halves = std::size_t(2) << i;
+      std::size_t places[9];
+      for (std::size_t half = 0; half <= halves; ++half)
       {
-        const float area = this->PartitionParts(leaf, leaves, part, axis);
-        if (area < best)
-        {
-          best = area;
-          chosen[i] = axis;
-        }
+        places[half] = this->Start(leaf + half * leaves / halves) - first;
       }
-      this->PartitionParts(leaf, leaves, part, chosen[i]);
+      chosen[i] = splitter.Split(places, halves);
     }
-  }
-
-  // Halves each part of so many leaves along the axis; returns the surface of all halves.
-  float PartitionParts(std::size_t leaf, std::size_t leaves, std::size_t part, int axis) const
-  {
-    float area = 0.0f;
-    for (std::size_t at = leaf; at < leaf + leaves; at += part)
-    {
-      const std::size_t first = this->Start(at), middle = this->Start(at + part / 2), last = this->Start(at + part);
-      PartitionAlong(this->entries, first, middle, last, axis);
-      area += this->Area(first, middle) + this->Area(middle, last);
-    }
-    return area;
-  }
-
-  float Area(std::size_t first, std::size_t last) const
-  {
-    if (first >= last)
-    {
-      return 0.0f;
-    }
-    Box box = nothing;
-    for (std::size_t i = first; i < last; ++i)
-    {
-      box = Union(box, this->boxes[this->entries[i].index]);
-    }
-    const glm::vec3 e = box.upper - box.lower;
-    return e.x * e.y + e.y * e.z + e.z * e.x;
+    splitter.Apply();
+    return true;
   }
 
   // The remaining `splits` of a node, which lead to the children from `child` on.
@@ -160,6 +243,18 @@ std::uint8_t StepExponent(float extent)
   return static_cast<std::uint8_t>(std::clamp(extent > 0.0f ? exponent + 127 : 1, 1, 254));
 }
 
+// Whole numbers beside one that is not negative, 255 at most.
+std::uint8_t RoundDown(double value)
+{
+  return static_cast<std::uint8_t>(std::min(value, 255.0));
+}
+
+std::uint8_t RoundUp(double value)
+{
+  const std::uint8_t down = RoundDown(value);
+  return static_cast<std::uint8_t>(down + (down < 255 && down < value));
+}
+
 GlyphTreeNode Quantise(const Box& whole, const Box* children, std::size_t count, std::uint8_t axes)
 {
   GlyphTreeNode node{};
@@ -175,12 +270,10 @@ GlyphTreeNode Quantise(const Box& whole, const Box* children, std::size_t count,
     for (std::size_t child = 0; child < 8; ++child)
     {
       const bool none = child >= count || children[child].lower.x > children[child].upper.x;
-      node.planes[axis][0][child] = none ? 255
-                                         : static_cast<std::uint8_t>(std::clamp(
-                                             std::floor((children[child].lower[axis] - origin) * perStep), 0.0, 255.0));
-      node.planes[axis][1][child] = none ? 0
-                                         : static_cast<std::uint8_t>(std::clamp(
-                                             std::ceil((children[child].upper[axis] - origin) * perStep), 0.0, 255.0));
+      const double lower = none ? 255.0 : (children[child].lower[axis] - origin) * perStep;
+      const double upper = none ? 0.0 : (children[child].upper[axis] - origin) * perStep;
+      node.planes[axis][0][child] = RoundDown(lower);
+      node.planes[axis][1][child] = RoundUp(upper);
     }
   }
   return node;
@@ -201,10 +294,15 @@ std::uint32_t GlyphTree::LeafBits(std::size_t count, std::size_t glyphsPerLeaf)
 KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits)
 {
   KdOrder result;
-  std::vector<glm::vec3> centres(boxes.size());
-  std::transform(
-    boxes.begin(), boxes.end(), centres.begin(), [](const Box& box) { return 0.5f * box.lower + 0.5f * box.upper; });
-  std::vector<PartitionEntry> entries = MakePartitionEntries(centres);
+  std::vector<PartitionEntry> entries(boxes.size());
+  ParallelChunks(boxes.size(),
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        entries[i] = PartitionEntry(0.5f * boxes[i].lower + 0.5f * boxes[i].upper, static_cast<std::uint32_t>(i));
+      }
+    });
   const std::uint32_t last = GlyphTree::Levels(leafBits) - 1;
   const std::size_t lastCount = std::size_t(1) << (last > 0 ? leafBits - 3 : 0);
   result.axes.resize(GlyphTree::LevelOffset(last) + lastCount);

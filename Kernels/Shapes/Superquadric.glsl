@@ -680,25 +680,34 @@ RTG_FN real3 SuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
 // body where they are 1. By duality it is the least over k > 0 of k + sum max_u (a_i u - k u^e_i), and no k gives less:
 // rounding and an unfinished iteration err on the safe side. The best k has sum 2^(q_i (l_i - log2 k)) = 1, l_i =
 // log2(a_i / e_i), q_i = e_i / (e_i - 1); the logarithm of that sum is convex in log2 k, and Newton's method goes up
-// from the largest l_i without passing the root.
+// from the largest l_i without passing the root, which is at most log2(sum) / min q_i away: what the bound has too much
+// is less than k (sum - 1) times that. While powers with q_i < 1e6 alone make more than 1, no step is below 1.44e-6.
 RTG_FN real SuperquadricReach(real3 a, real3 exponents)
 {
   real3 e = max(exponents, real3(real(1.0)));
   real3 rest = max(e - real(1.0), real3(real(1e-6)));
+  real3 q = e / rest;
   real3 l = log2(max(a / e, real3(real(1e-37))));
-  real x = max(l.x, max(l.y, l.z));
-  real3 power;
-  for (int i = 0; i < 6; ++i)
+  real largest = max(l.x, max(l.y, l.z));
+  l = l - largest;
+  real x = real(0.0);
+  real3 power = real3(real(0.0));
+  real enough = real(1.0e-6) * min(q.x, min(q.y, q.z));
+  for (int i = 0; i < 16; ++i)
   {
-    real3 q = e / rest;
     power = exp2(max(q * (l - x), real3(real(-120.0))));
     real sum = SumOf(power);
-    x += log2(sum) * sum / dot(power, q);
+    real logarithm = log2(sum);
+    real step = logarithm * sum / dot(power, q);
+    if (i == 15 || step <= real(5.0e-7) || logarithm * (sum - real(1.0)) <= enough)
+    {
+      break;
+    }
+    x += step;
   }
-  real k = exp2(x);
+  real k = exp2(largest + x);
   real3 u = exp2(clamp((l - x) / rest, real3(real(-120.0)), real3(real(0.0))));
-  power = exp2(clamp(e * ((l - x) / rest), real3(real(-120.0)), real3(real(0.0))));
-  return k + SumOf(a * u - k * power);
+  return k + SumOf(a * u - k * min(power, real3(real(1.0))));
 }
 
 RTG_FN void SuperquadricBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)

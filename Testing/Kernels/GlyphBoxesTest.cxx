@@ -1,0 +1,99 @@
+// GlyphBoxes, which computes in single precision, holds the bounds that double precision gives, and little more.
+#include "GlyphBoxes.h"
+#include "HardCases.h"
+#include "SubjectName.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+namespace
+{
+
+using namespace rtg;
+using namespace rtg::testing;
+
+/// Of each glyph; `centres` may be given low parts.
+void ExpectTight(const GlyphInstances& instances)
+{
+  const std::vector<Box> boxes = GlyphBoxes(instances);
+  ASSERT_EQ(boxes.size(), instances.Count());
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+  {
+    shapes::Kernel<double>::Glyph glyph = KernelGlyph<double>(instances, i);
+    glm::dvec3 low(0.0);
+    if (!instances.centresLow.empty())
+    {
+      low = glm::dvec3(instances.centresLow[i]);
+    }
+    const glm::dvec3 centre = std::exchange(glyph.centre, glm::dvec3(0.0)) + low;
+    glm::dvec3 lower, upper;
+    shapes::Kernel<double>::Bounds(instances.shape, glyph, lower, upper);
+    // Of arrows, from the tail, even when there is only a head.
+    const double size = glm::length(glm::max(glm::abs(lower), glm::abs(upper)));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double least = centre[axis] + lower[axis], most = centre[axis] + upper[axis];
+      ASSERT_LE(boxes[i].lower[axis], least) << i;
+      ASSERT_GE(boxes[i].upper[axis], most) << i;
+      ASSERT_GE(boxes[i].lower[axis], least - 4e-6 * size - 4e-7 * std::abs(least)) << i;
+      ASSERT_LE(boxes[i].upper[axis], most + 4e-6 * size + 4e-7 * std::abs(most)) << i;
+    }
+  }
+}
+
+class GlyphBoxesTest : public ::testing::TestWithParam<Subject>
+{
+};
+
+TEST_P(GlyphBoxesTest, HoldTheBounds)
+{
+  for (const HardCase& hard : HardCaseMaker(this->GetParam(), 200, 0).All())
+  {
+    SCOPED_TRACE(hard.subject + ": " + hard.situation);
+    ExpectTight(hard.instances);
+  }
+}
+
+TEST_P(GlyphBoxesTest, WithLowParts)
+{
+  HardCase hard = HardCaseMaker(this->GetParam(), 200, 0).Case("turned");
+  for (glm::vec3& centre : hard.instances.centres)
+  {
+    const glm::dvec3 far = glm::dvec3(centre) + glm::dvec3(1e6, -1e7, 1.0);
+    centre = glm::vec3(far);
+    hard.instances.centresLow.emplace_back(far - glm::dvec3(centre));
+  }
+  ExpectTight(hard.instances);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, GlyphBoxesTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
+
+/// Exponents from round to nearly 1, where the reach of a turned superquadric is hardest to find, to 100.
+TEST(GlyphBoxesOfSuperquadrics, HoldTheBounds)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> unit;
+  std::normal_distribution<float> normal;
+  GlyphInstances instances;
+  instances.shape = Shape::Superquadric;
+  for (int i = 0; i < 100000; ++i)
+  {
+    const auto exponent = [&]
+    {
+      const float u = unit(random);
+      return i % 3 == 0 ? 1.0f + std::pow(10.0f, -7.0f * u) : std::pow(10.0f, -1.0f + 3.0f * u);
+    };
+    const float r = exponent(), s = exponent();
+    instances.exponents3.emplace_back(r, s, exponent());
+    const float x = std::pow(10.0f, -3.0f * unit(random)), y = std::pow(10.0f, -3.0f * unit(random));
+    instances.sizes3.emplace_back(x, y, 1.0f);
+    const float a = normal(random), b = normal(random), c = normal(random);
+    instances.rotations.push_back(glm::normalize(glm::vec4(a, b, c, normal(random))));
+    instances.centres.emplace_back(unit(random));
+  }
+  ExpectTight(instances);
+}
+
+} // namespace
