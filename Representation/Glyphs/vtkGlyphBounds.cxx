@@ -31,7 +31,8 @@ public:
     , BlockIds(vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex)))
     , Motion(points, settings.Motion)
   {
-    this->ByComponents = settings.ScaleMode == vtkGlyphSettings::COMPONENTS;
+    this->ByComponents =
+      vtkGlyphArrays::ScalesByComponents(vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, settings), settings);
     if (this->TensorArray && vtkGlyphTensors::Problem(this->TensorArray, settings.Tensors).empty())
     {
       this->Tensors = std::make_unique<vtkGlyphTensors>(this->TensorArray, settings.Tensors, std::vector<vtkIdType>());

@@ -137,7 +137,6 @@ public:
     , Motion(points, settings.Motion)
     , Out(result)
     , Instances(result.Instances)
-    , ByComponents(settings.ScaleMode == Settings::COMPONENTS)
     , ChoosesForm(settings.HasTable())
     , OwnExponents(settings.HasOwnExponents())
     , Sphere(settings.Shape == rtg::Shape::Sphere)
@@ -148,6 +147,8 @@ public:
     {
       this->Arrays[id] = vtkGlyphArrays::Find(static_cast<vtkGlyphArrays::Id>(id), points, settings, &result.Messages);
     }
+    this->ByComponents = vtkGlyphArrays::ScalesByComponents(this->Arrays[vtkGlyphArrays::SCALE], settings);
+    this->OrientationMode = vtkGlyphArrays::OrientationMode(this->Arrays[vtkGlyphArrays::ORIENTATION], settings);
     this->GoodExponents =
       this->OwnExponents && MakeExponents(settings, settings.Exponents, 3, this->Instances.uniformExponents);
 
@@ -332,7 +333,7 @@ private:
     }
     else if (this->Has(vtkGlyphArrays::ORIENTATION) && this->Turned &&
       !vtkGlyphPlacement::RotationFromTuple(
-        tuples[vtkGlyphArrays::ORIENTATION].Get(i), this->How.OrientationMode, rotation))
+        tuples[vtkGlyphArrays::ORIENTATION].Get(i), this->OrientationMode, rotation))
     {
       return ORIENTATION;
     }
@@ -463,7 +464,9 @@ private:
   const vtkGlyphMotion Motion;
   vtkGlyphInstanceBuilder::Result& Out;
   rtg::GlyphInstances& Instances;
-  const bool ByComponents, ChoosesForm, OwnExponents, Sphere;
+  bool ByComponents = false;
+  int OrientationMode = Settings::DIRECTION; // of the array that was found
+  const bool ChoosesForm, OwnExponents, Sphere;
   vtkDataArray* const Positions;
   std::array<vtkDataArray*, vtkGlyphArrays::NUMBER_OF_IDS> Arrays{}; // null: none, or it does not fit
   const glm::dmat3 Rotation;                                         // of the placement

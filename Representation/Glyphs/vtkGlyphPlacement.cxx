@@ -142,6 +142,37 @@ bool vtkGlyphPlacement::RotationFromTuple(const double* tuple, int mode, glm::dq
         glm::normalize(glm::dquat(tuple[0] / largest, tuple[1] / largest, tuple[2] / largest, tuple[3] / largest));
       return true;
     }
+    case vtkGlyphSettings::MATRIX:
+    case vtkGlyphSettings::AXES:
+    {
+      if (!finite(9))
+      {
+        return false;
+      }
+      const double largest =
+        std::abs(*std::max_element(tuple, tuple + 9, [](double a, double b) { return std::abs(a) < std::abs(b); }));
+      if (largest == 0.0)
+      {
+        return false;
+      }
+      glm::dmat3 axes; // column by column
+      for (int i = 0; i < 9; ++i)
+      {
+        axes[i / 3][i % 3] = tuple[i] / largest;
+      }
+      axes = mode == vtkGlyphSettings::AXES ? axes : glm::transpose(axes);
+      // Lengths say nothing, nor do small angles that rounding has left; a mirror image is no rotation.
+      axes[0] = glm::normalize(axes[0]);
+      axes[1] = glm::normalize(axes[1] - glm::dot(axes[0], axes[1]) * axes[0]);
+      const glm::dvec3 third = glm::cross(axes[0], axes[1]);
+      if (!(glm::dot(third, axes[2]) > 0.0))
+      {
+        return false; // NaN where an axis is zero or parallel to another
+      }
+      axes[2] = third;
+      rotation = glm::normalize(glm::quat_cast(axes));
+      return true;
+    }
     default:
     {
       if (!finite(3))

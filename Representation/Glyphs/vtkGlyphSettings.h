@@ -27,7 +27,9 @@ struct vtkGlyphSettings
   {
     DIRECTION = 0,
     ROTATION = 1,
-    QUATERNION = 2
+    QUATERNION = 2,
+    MATRIX = 3, // of rotation, row by row
+    AXES = 4    // images of x, y and z, one after another
   };
 
   rtg::Shape Shape = rtg::Shape::Sphere;

@@ -22,6 +22,12 @@ bool IsPositive(double value)
 
 using Settings = vtkGlyphSettings;
 
+// Of the lengths of orientation tuples, the first that a mode takes.
+int ModeFrom(int mode)
+{
+  return mode == Settings::QUATERNION ? 1 : mode == Settings::MATRIX || mode == Settings::AXES ? 2 : 0;
+}
+
 // A row of the table of arrays.
 struct Description
 {
@@ -35,12 +41,16 @@ struct Description
 // In the order of vtkGlyphArrays::Id.
 const std::array<Description, vtkGlyphArrays::NUMBER_OF_IDS> table = { {
   { &Settings::ScaleArray, [](const Settings& settings) { return settings.Scaling; },
-    [](const Settings& settings)
-    { return settings.ScaleMode == Settings::COMPONENTS ? std::vector<int>{ 3 } : std::vector<int>{}; },
+    [](const Settings& settings) {
+      return settings.ScaleMode == Settings::COMPONENTS ? std::vector<int>{ 1, 3 } : std::vector<int>{};
+    },
     "GlyphScaleArray", "all glyphs get the same size" },
   { &Settings::OrientationArray, [](const Settings& settings) { return settings.Orient; },
     [](const Settings& settings)
-    { return std::vector<int>{ settings.OrientationMode == Settings::QUATERNION ? 4 : 3 }; },
+    {
+      const std::vector<int> all = { 3, 4, 9 }; // longer tuples say by themselves what they are
+      return std::vector<int>(all.begin() + ModeFrom(settings.OrientationMode), all.end());
+    },
     "GlyphOrientationArray", "the glyphs are not turned" },
   { &Settings::TableIndexArray, [](const Settings& settings) { return settings.HasTable(); },
     [](const Settings&) { return std::vector<int>{}; }, "GlyphMeshIndexArray",
@@ -87,12 +97,32 @@ vtkGlyphArrays::Find(Id id, vtkPolyData* points, const vtkGlyphSettings& setting
   {
     std::ostringstream text;
     text << "The point array '" << name << "', which " << how.Property << " names, has "
-         << array->GetNumberOfComponents() << " components where " << lengths.front()
-         << (lengths.size() > 1 ? " to " + std::to_string(lengths.back()) : "") << " are needed; " << how.Without
-         << ". Choose another array or mode.";
+         << array->GetNumberOfComponents() << " components where " << lengths.front();
+    for (std::size_t i = 1; i < lengths.size(); ++i)
+    {
+      text << (i + 1 < lengths.size() ? ", " : " or ") << lengths[i];
+    }
+    text << " are needed; " << how.Without << ". Choose another array or mode.";
     messages->push_back(text.str());
   }
   return fits ? array : nullptr;
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphArrays::ScalesByComponents(vtkDataArray* scales, const vtkGlyphSettings& settings)
+{
+  return settings.ScaleMode == Settings::COMPONENTS && !(scales && scales->GetNumberOfComponents() == 1);
+}
+
+//----------------------------------------------------------------------------
+int vtkGlyphArrays::OrientationMode(vtkDataArray* orientations, const vtkGlyphSettings& settings)
+{
+  const int components = orientations ? orientations->GetNumberOfComponents() : 0;
+  if (components == 4)
+  {
+    return Settings::QUATERNION;
+  }
+  return components == 9 && settings.OrientationMode != Settings::AXES ? Settings::MATRIX : settings.OrientationMode;
 }
 
 //----------------------------------------------------------------------------
@@ -159,7 +189,7 @@ vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(
 {
   ScaleSum sum;
   vtkDataArray* array = Find(SCALE, points, settings);
-  const bool byComponents = settings.ScaleMode == vtkGlyphSettings::COMPONENTS;
+  const bool byComponents = ScalesByComponents(array, settings);
   if (!array)
   {
     return sum;

@@ -83,6 +83,15 @@ enum Id
 vtkDataArray*
 Find(Id id, vtkPolyData* points, const vtkGlyphSettings& settings, std::vector<std::string>* messages = nullptr);
 
+///@{
+/**
+ * What the arrays that were found say of themselves, whatever the settings' modes: one component is a magnitude, four
+ * are a quaternion, nine a matrix.
+ */
+bool ScalesByComponents(vtkDataArray* scales, const vtkGlyphSettings& settings);
+int OrientationMode(vtkDataArray* orientations, const vtkGlyphSettings& settings);
+///@}
+
 /**
  * All arrays that instances of these settings are built from, positions and blocks among them, in a fixed order; null
  * where there is none. Instances are the same as long as these and the settings are.

@@ -537,7 +537,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double mos
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphOrientationMode(int mode)
 {
-  this->Glyphs.OrientationMode = std::clamp<int>(mode, vtkGlyphSettings::DIRECTION, vtkGlyphSettings::QUATERNION);
+  this->Glyphs.OrientationMode = std::clamp<int>(mode, vtkGlyphSettings::DIRECTION, vtkGlyphSettings::AXES);
 }
 
 //----------------------------------------------------------------------------

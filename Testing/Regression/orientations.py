@@ -1,0 +1,85 @@
+"""Orientations as codes write them give one picture: quaternions, matrices row by row, axes one after another, angles; also
+where the array says by its length what it is. What is no rotation makes no glyph.
+
+Usage: pvpython orientations.py
+"""
+import numpy
+import paraview.simple as pv
+
+import session
+from checks import Checks
+
+#: angles about x, y and z in degrees, applied as y, then x, then z
+ANGLES = numpy.array([[20.0, 50.0, -35.0], [0.0, 0.0, 90.0], [-70.0, 10.0, 160.0], [180.0, 0.0, 0.0]])
+CENTERS = numpy.array([[-1.5, 0.0, 0.0], [-0.5, 0.0, 0.0], [0.5, 0.0, 0.0], [1.5, 0.0, 0.0]])
+LENGTHS = numpy.array([[0.9, 0.5, 0.25]] * 4)
+
+
+def turn(axis, degrees):
+    """The matrix of a turn about a coordinate axis."""
+    c, s = numpy.cos(numpy.radians(degrees)), numpy.sin(numpy.radians(degrees))
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    made = numpy.eye(3)
+    made[i, i], made[j, j], made[j, i], made[i, j] = c, c, s, -s
+    return made
+
+
+def quaternion(matrix):
+    """(w, x, y, z) from the eigenvector of Bar-Itzhack's form, Journal of Guidance, Control, and Dynamics 23(6), 2000."""
+    m = matrix
+    form = numpy.array([[m[0, 0] + m[1, 1] + m[2, 2], m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]],
+                        [m[2, 1] - m[1, 2], m[0, 0] - m[1, 1] - m[2, 2], m[0, 1] + m[1, 0], m[0, 2] + m[2, 0]],
+                        [m[0, 2] - m[2, 0], m[0, 1] + m[1, 0], m[1, 1] - m[0, 0] - m[2, 2], m[1, 2] + m[2, 1]],
+                        [m[1, 0] - m[0, 1], m[0, 2] + m[2, 0], m[1, 2] + m[2, 1], m[2, 2] - m[0, 0] - m[1, 1]]])
+    return numpy.linalg.eigh(form)[1][:, 3]
+
+
+def drawn(view, source, array, mode, **properties):
+    """(picture, messages) of boxes."""
+    shown = session.glyphs(source, view, "Box", GlyphScaleFactor=0.9, GlyphScaling=1, GlyphScaleArray="lengths", GlyphScaleMode="Components",
+                           GlyphOrient=1, GlyphOrientationArray=array, GlyphOrientationMode=mode)
+    session.solid(shown, (0.9, 0.8, 0.5))
+    for name, value in properties.items():
+        setattr(shown, name, value)
+    said = session.messages(lambda: pv.Render(view))
+    picture = session.capture(view, "orientations-%s-%s" % (array, mode))
+    pv.Delete(shown)
+    return picture, said
+
+
+def main():
+    """All against angles."""
+    session.load()
+    checks = Checks()
+    matrices = numpy.array([turn(2, z) @ turn(0, x) @ turn(1, y) for x, y, z in ANGLES])
+    # As files have them: rounded, and axes of any length.
+    rows = numpy.round(matrices, 5).reshape(4, 9)
+    axes = 1e-3 * matrices.transpose(0, 2, 1).reshape(4, 9)
+    mirrored, flat = rows.copy(), rows.copy()
+    mirrored[1, 6:] *= -1.0
+    flat[2, 3:6] = flat[2, :3]
+    source = session.source(session.poly_data(
+        CENTERS, lengths=LENGTHS, size=numpy.linalg.norm(LENGTHS, axis=1), angles=ANGLES, rows=rows, axes=axes, mirrored=mirrored, flat=flat,
+        quaternions=numpy.array([quaternion(matrix) for matrix in matrices])))
+    view = session.view(240, 100)
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.0)
+    expected, _ = drawn(view, source, "angles", "Rotation")
+    checks.covered("angles", expected, 0.1)
+    for array, mode in (("quaternions", "Quaternion"), ("quaternions", "Direction"), ("quaternions", "Rotation"), ("rows", "Matrix"), ("rows", "Direction"),
+                        ("rows", "Quaternion"), ("axes", "Axes")):
+        picture, said = drawn(view, source, array, mode)
+        checks.no_message("%s, %s" % (array, mode), said)
+        checks.picture("%s, %s" % (array, mode), picture, expected, pixels=0.002)
+    for array, mode in (("mirrored", "Matrix"), ("flat", "Matrix")):
+        checks.one_message(array, drawn(view, source, array, mode)[1], "1 of 4", "orientation", array)
+    for array, mode, needed in (("angles", "Matrix", "9"), ("angles", "Quaternion", "4 or 9"), ("size", "Direction", "3, 4 or 9")):
+        checks.one_message("%s, %s" % (array, mode), drawn(view, source, array, mode)[1], array, needed + " are needed")
+    # A size of one component has no components to scale by.
+    pictures = [drawn(view, source, "rows", "Matrix", GlyphScaleArray="size", GlyphScaleMode=mode)[0] for mode in ("Magnitude", "Components")]
+    checks.covered("size", pictures[0], 0.1)
+    checks.picture("size of one component, Components", pictures[1], pictures[0])
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()
