@@ -2,6 +2,8 @@
 
 Usage: checks = Checks(); checks.equal("ids", found, wanted); ...; checks.report()
 """
+import time
+
 import numpy
 import paraview.simple as pv
 
@@ -89,13 +91,20 @@ def pending(shown):
     return information(shown, "AccumulatedSamples") < shown.SamplesPerPixel
 
 
-def refine(view, shown, limit=60):
-    """Renders until the image is finished, as ParaView's window does; number of renders, or None beyond the limit."""
-    for count in range(limit + 1):
+def refine(view, shown, seconds=150.0, look=lambda: None):
+    """Renders until the image is finished, as ParaView's window does, with look() before each render and in the end.
+    False: it is not finished after so many seconds.
+
+    Renders are no measure: while a program is compiled, which a busy machine does for long, each of them adds nothing.
+    """
+    end = time.monotonic() + seconds
+    while True:
+        look()
         if not pending(shown):
-            return count
+            return True
+        if time.monotonic() > end:
+            return False
         pv.Render(view)
-    return None
 
 
 def cloud(count=300, seed=3, radius=1.0):

@@ -48,7 +48,7 @@ def grown(checks, mode, points):
     stepwise(shown)
     pv.Render(view)
     checks.true(mode + ": nothing is pending after the first render", pending(shown))
-    checks.true("%s: the image is unfinished after %d renders" % (mode, 3 * SAMPLES), refine(view, shown, 3 * SAMPLES) is not None)
+    checks.true(mode + ": the image stays unfinished", refine(view, shown))
     checks.equal(mode + ": samples reported", information(shown, "AccumulatedSamples"), SAMPLES)
     before = session.statistics(shown)["primaryRays"]
     pv.Render(view)
