@@ -129,10 +129,10 @@ TEST_P(Furnace, WhiteInWhiteLightIsWhite)
 {
   const Form form = GetParam();
   this->settings.shading = Shading::PathTracing;
-  this->settings.samples = 256;
   this->settings.maximumBounces = 100;
-  // The forms whose rays cost most get fewer pixels; each has its own interval.
+  // The forms whose rays cost most get fewer; each has its own interval.
   const bool costly = form.shape == Shape::Superquadric || form.shape == Shape::NestedSuperquadric;
+  this->settings.samples = costly ? 256 : 1024;
   this->settings.width = this->settings.height = costly ? 8 : 16;
   const auto id = this->AddForm(form);
   std::vector<Finish> finishes = WhiteFinishes();
@@ -149,9 +149,9 @@ TEST_P(Furnace, WhiteInWhiteLightIsWhite)
     // A sample is a product of weights of mean 1, each at most (7/2)^2 / 0.48 but seldom beyond 1; what Burley's
     // diffuse lobe varies about its mean is below 0.5 at any angle.
     const double deviation = finish.material.roughness > 0.0f || finish.material.metallic == 0.0f ? 0.6 : 0.0;
-    double sum = 0.0;
+    double sum = 0.0, squares = 0.0, count = 0.0;
+    int pixels = 0;
     const std::vector<glm::vec4> means = this->tracer.Means();
-    double count = 0.0;
     for (const glm::vec4& mean : means)
     {
       if (mean.a <= 0.0f)
@@ -162,10 +162,14 @@ TEST_P(Furnace, WhiteInWhiteLightIsWhite)
       const double radiance = mean.r / mean.a;
       EXPECT_NEAR(radiance, 1.0, certain * deviation / std::sqrt(samples) + 1e-5) << finish.name;
       sum += mean.r * this->settings.samples;
+      squares += samples * (radiance - 1.0) * (radiance - 1.0);
       count += samples;
+      ++pixels;
     }
     EXPECT_GT(count, 4.0 * this->settings.samples);
-    EXPECT_NEAR(sum / count, 1.0, certain * deviation / std::sqrt(count) + 1e-5) << finish.name;
+    // Over all pixels, by what a sample varies: 0.03 to 0.18. A loss of 0.3 % is seen on most forms.
+    EXPECT_LT(squares / pixels, deviation * deviation + 1e-9) << finish.name;
+    EXPECT_NEAR(sum / count, 1.0, certain * std::sqrt(squares / pixels / count) + 1e-5) << finish.name;
   }
   this->scene.Remove(id);
 }
