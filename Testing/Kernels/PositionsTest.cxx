@@ -117,6 +117,42 @@ TEST_P(PositionsTest, SurviveOutliers)
   }
 }
 
+// Sets have origins of their own; the scene's is the first one's, from which the others' need more digits than a float
+// has.
+TEST_P(PositionsTest, SurviveAnotherOrigin)
+{
+  const glm::dvec3 first(0.1, 0.2, 0.3), marked = first + glm::dvec3(123.456789012, -314.1592653589, 271.828182846);
+  std::vector<Tracer::Probe> probes, aloneProbes;
+  for (int i = 0; i < 20; ++i)
+  {
+    const glm::dvec3 from(0.1, 0.0005 * i - 0.005, 0.0003 * i);
+    const glm::vec3 direction(-from + glm::dvec3(0.0, 1e-4 * i, 0.0));
+    probes.push_back({ marked + from, direction, 0.75f });
+    aloneProbes.push_back({ from, direction, 0.75f });
+  }
+  const auto alone = this->Probe(Glyphs(Shape::Sphere, { glm::dvec3(0.0) }, glm::dvec3(0.0)), aloneProbes);
+  rtg::Scene scene(this->device);
+  scene.GetState().structure = std::get<0>(GetParam());
+  scene.SetInstances(scene.Add(), Glyphs(Shape::Sphere, { first }, first));
+  const auto second = scene.Add();
+  scene.SetInstances(second, Glyphs(Shape::Sphere, { marked }, marked));
+  scene.Commit();
+  const auto hits = this->tracer.TraceProbes(scene, probes);
+  int met = 0;
+  for (std::size_t i = 0; i < hits.size(); ++i)
+  {
+    ASSERT_EQ(std::isfinite(hits[i].t), std::isfinite(alone[i].t)) << i;
+    if (std::isfinite(alone[i].t))
+    {
+      ++met;
+      EXPECT_EQ(hits[i].setId, second);
+      const float length = glm::length(probes[i].direction);
+      EXPECT_NEAR(hits[i].t * length, alone[i].t * length, 2e-6 * size + 1e-7);
+    }
+  }
+  EXPECT_GT(met, 5);
+}
+
 // Whatever the scene has shown before: its origin follows what is visible.
 TEST_P(PositionsTest, SurviveHiddenSetsFarAway)
 {

@@ -303,6 +303,46 @@ TEST(TensorTest, SharpnessKeepsBallAndCone)
   EXPECT_NEAR(funk.c, 2.0, 1e-7);
 }
 
+/// Two points of each zone's triangle, nearer to one corner than to the others, from Teem's table (tenGlyphBqdAbcUv,
+/// the first of its two values of the concave corners' beta): the corners' order.
+TEST(TensorTest, CornersOfTheZonesAreTeems)
+{
+  struct Row
+  {
+    int u, v; ///< cells of the table
+    glm::dvec3 exponents;
+  };
+  const Row rows[] = {
+    { 91, 97, { 0.95, 0.83, 0.83 } },
+    { 58, 97, { 0.95, 0.17, 0.17 } },
+    { 97, 91, { 0.95, 0.83, 0.83 } },
+    { 80, 75, { 0.61, 0.51, 0.51 } },
+    { 61, 82, { 0.23, 2.06666666666, 2.12 } },
+    { 94, 50, { 0.89, 2.05555555555, 2.1 } },
+    { 55, 82, { 0.11, 2.13333333332, 2.11 } },
+    { 88, 17, { 0.77, 2.48888888884, 2.77 } },
+    { 88, 5, { 0.89, 2.48888888884, 2.77 } },
+    { 55, 38, { 0.23, 2.48888888884, 2.11 } },
+    { 44, 94, { 0.89, 2.12222222221, 2.11 } },
+    { 44, 61, { 0.23, 2.48888888884, 2.11 } },
+    { 44, 50, { 0.11, 2.49999999995, 2.11 } },
+    { 11, 82, { 0.77, 2.48888888884, 2.77 } },
+    { 5, 82, { 0.89, 2.42222222218, 2.76 } },
+    { 5, 50, { 0.89, 2.06666666666, 2.12 } },
+    { 2, 41, { 0.95, 0.17, 0.17 } },
+    { 19, 25, { 0.61, 0.49, 0.49 } },
+    { 25, 19, { 0.61, 0.49, 0.49 } },
+    { 41, 2, { 0.95, 0.17, 0.17 } },
+  };
+  for (const Row& row : rows)
+  {
+    const TensorExponents e = SchultzKindlmannBase({ (row.u + 0.5) / 100, (row.v + 0.5) / 100 }, 2.5555555555);
+    EXPECT_NEAR(e.alpha, row.exponents.x, 1e-10) << row.u << ' ' << row.v;
+    EXPECT_NEAR(e.beta, row.exponents.y, 1e-10) << row.u << ' ' << row.v;
+    EXPECT_NEAR(e.c, row.exponents.z, 1e-10) << row.u << ' ' << row.v;
+  }
+}
+
 /// Teem's own exponents (tenGlyphBqdAbcUv), when its table is there: u fastest, cell-centred, two values of the
 /// concave corners' beta.
 TEST(TensorTest, TeemsTable)

@@ -22,6 +22,8 @@ ABORT, BAR, VIEW = "AbortButton", "ProgressBar", "Viewport"
 MANY, FEW = 4000, 3
 #: seconds within which what is waited for must have happened
 LIMIT = 60.0
+#: seconds after which a screenshot that does not end is ended in any way: the test goes on, and says what took so long
+IN_VAIN = 15.0
 
 
 class Renders:
@@ -140,6 +142,9 @@ def aborted_capture(checks, window, view, shown, name, stop):
     def press(*_):
         if not pressed and stop():
             pressed.append(time.monotonic())
+        elif pressed and time.monotonic() > pressed[0] + IN_VAIN:
+            window.click(ABORT)
+            window.escape(VIEW)
 
     observer = handler.AddObserver("ProgressEvent", press)
     said = session.messages(lambda: capture(view, "aborted"))
