@@ -25,6 +25,7 @@ void Compile(Device::State& vulkan, TracerResources::Program& program)
   Buffer buffer(vulkan, sizeof(frame), vk::BufferUsageFlagBits::eUniformBuffer, Buffer::Place::Host);
   buffer.Upload(&frame, sizeof(frame));
   vulkan.Submit([&](vk::raii::CommandBuffer& command) { program.pipeline->Trace(command, buffer, 1, 1); });
+  vulkan.SavePrograms();
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <cstdlib>
+#include <iomanip>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -237,6 +238,7 @@ Device::Device()
     state.int64 = state.physical.getFeatures().shaderInt64;
     state.device = MakeDevice(state.physical, state.queueFamily, state.int64);
     state.queue = state.device.getQueue(state.queueFamily, 0);
+    state.LoadPrograms();
     state.memory = state.physical.getMemoryProperties();
     const auto properties = state.physical.getProperties2<vk::PhysicalDeviceProperties2,
       vk::PhysicalDeviceRayTracingPipelinePropertiesKHR, vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
@@ -327,6 +329,38 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
   if (result == vk::Result::eErrorDeviceLost)
   {
     throw vk::DeviceLostError("waiting for the device");
+  }
+}
+
+void Device::State::LoadPrograms()
+{
+  const vk::PhysicalDeviceProperties properties = this->physical.getProperties();
+  std::ostringstream name;
+  name << "programs-" << RTGLYPHS_VERSION << std::hex << std::setfill('0');
+  for (const std::uint32_t number : { properties.vendorID, properties.deviceID, properties.driverVersion })
+  {
+    name << '-' << number;
+  }
+  name << '-';
+  for (const std::uint8_t byte : properties.pipelineCacheUUID)
+  {
+    name << std::setw(2) << unsigned(byte);
+  }
+  this->cacheFile_ = CacheFile(CacheFolder(), name.str());
+  const std::vector<std::uint8_t> data = this->cacheFile_.Load();
+  this->cachedBytes_ = data.size();
+  this->programCache = vk::raii::PipelineCache(this->device, vk::PipelineCacheCreateInfo({}, data.size(), data.data()));
+}
+
+void Device::State::SavePrograms()
+{
+  const std::lock_guard<std::mutex> lock(this->cacheMutex_);
+  const std::vector<std::uint8_t> data = this->programCache.getData();
+  // Some drivers keep nothing behind the header, lavapipe among them.
+  if (data.size() > sizeof(VkPipelineCacheHeaderVersionOne) && data.size() != this->cachedBytes_)
+  {
+    this->cacheFile_.Save(data);
+    this->cachedBytes_ = data.size();
   }
 }
 

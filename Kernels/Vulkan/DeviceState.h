@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Device.h"
+#include "ProgramCache.h"
 
 #include "../Glyphs.h"
 
@@ -46,11 +47,17 @@ struct Device::State
   std::atomic<bool> lost{ false };
   std::atomic<std::uint64_t> bytes{ 0 }; ///< device memory held by all buffers
 
-  std::atomic<std::uint64_t> submissions{ 0 }; ///< so far
+  vk::raii::PipelineCache programCache{ nullptr }; ///< for all pipelines
+  std::atomic<std::uint64_t> submissions{ 0 };     ///< so far
   static thread_local Batch* batch; ///< that copies and builds of this thread go into; null: each is done at once
 
   /// Records commands, submits them and waits until they are done. In any thread.
   void Submit(const std::function<void(vk::raii::CommandBuffer&)>& record);
+
+  /// Starts `programCache` with what processes before have left on disk.
+  void LoadPrograms();
+  /// Leaves on disk what the driver has compiled since. In any thread.
+  void SavePrograms();
 
   /// Runs `work`; turns every failure of Vulkan, and memory of the computer that does not suffice, into one rtg::Error
   /// that says what was being done.
@@ -72,6 +79,10 @@ struct Device::State
   }
 
 private:
+  CacheFile cacheFile_;
+  std::mutex cacheMutex_;
+  std::size_t cachedBytes_ = 0; ///< on disk
+
   [[noreturn]] void Rethrow(const char* doing, const vk::SystemError& error);
   [[noreturn]] void ThrowOutOfMemory(const char* doing, const std::string& what);
 };

@@ -227,7 +227,7 @@ Pipeline::Pipeline(Device::State& device, const Generation& generation, const st
 
   const vk::RayTracingPipelineCreateInfoKHR info(
     {}, stages, shaderGroups, 1, nullptr, nullptr, nullptr, *this->layout_);
-  this->pipeline_ = vk::raii::Pipeline(device.device, nullptr, nullptr, info);
+  this->pipeline_ = vk::raii::Pipeline(device.device, nullptr, device.programCache, info);
 
   // Shader binding table: three regions of equally spaced handles.
   const std::size_t handleSize = device.pipelineLimits.shaderGroupHandleSize;

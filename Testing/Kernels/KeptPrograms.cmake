@@ -1,0 +1,30 @@
+# A process finds on disk what the one before has compiled, unless that is damaged or not wanted.
+# Arguments: PROGRAM, FOLDER. Environment: the layer of Testing/FaultLayer with RTGLYPHS_KEEPS.
+function(run_with cache wanted)
+  execute_process(COMMAND "${CMAKE_COMMAND}" -E env "RTGLYPHS_CACHE=${cache}" "${PROGRAM}"
+      "--gtest_filter=*HeadlightShadesAsVtkDoes/*"
+    RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if (NOT result EQUAL 0 OR NOT said MATCHES "PASSED")
+    message(FATAL_ERROR "${PROGRAM}: ${result}\n${said}")
+  endif ()
+  set(found OFF)
+  if (said MATCHES "programs of another process")
+    set(found ON)
+  endif ()
+  if (NOT found STREQUAL wanted)
+    message(FATAL_ERROR "programs of another process: ${found}, not ${wanted}\n${said}")
+  endif ()
+endfunction()
+
+file(REMOVE_RECURSE "${FOLDER}")
+run_with("${FOLDER}" OFF)
+run_with("${FOLDER}" ON)
+run_with(off OFF)
+file(GLOB files "${FOLDER}/*")
+list(LENGTH files count)
+if (NOT count EQUAL 1)
+  message(FATAL_ERROR "${count} files: ${files}")
+endif ()
+file(APPEND "${files}" "x")
+run_with("${FOLDER}" OFF)
+run_with("${FOLDER}" ON)
