@@ -7,8 +7,7 @@
 // the median is printed, on one thread and on all cores, beside the processor seconds of all together, which other work
 // on the machine disturbs less. The picture is measured once, in a process that has done nothing else, so programs are
 // compiled in it.
-#include "Camera.h"
-#include "Files.h"
+#include "Crowds.h"
 #include "GlyphBoxes.h"
 #include "GlyphTree.h"
 #include "Measures.h"
@@ -18,29 +17,16 @@
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
-#include <glm/gtc/quaternion.hpp>
-
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <random>
 #include <string>
 #include <sys/resource.h>
 
 namespace
 {
 
-constexpr float side = 100.0f;
-
-struct Kind
-{
-  const char* name;
-  rtg::Shape shape;
-  bool turned;
-  float leastExponent = 2.0f, mostExponent = 2.0f; ///< equal: one for all
-};
-
-const Kind kinds[] = {
+const benchmark::Crowd crowds[] = {
   { "spheres", rtg::Shape::Sphere, false },
   { "ellipsoids, turned", rtg::Shape::Sphere, true },
   { "boxes, turned", rtg::Shape::Box, true },
@@ -50,39 +36,6 @@ const Kind kinds[] = {
   { "superquadrics, 0.3 to 20, turned", rtg::Shape::Superquadric, true, 0.3f, 20.0f },
   { "nested superquadrics, turned", rtg::Shape::NestedSuperquadric, true, 0.1f, 1.0f },
 };
-
-rtg::GlyphInstances MakeInstances(const Kind& kind, std::size_t count)
-{
-  std::mt19937 random(20190923);
-  std::uniform_real_distribution<float> unit;
-  std::normal_distribution<float> normal;
-  const auto vector = [&]
-  {
-    const float x = unit(random), y = unit(random);
-    return glm::vec3(x, y, unit(random));
-  };
-  rtg::GlyphInstances instances;
-  instances.shape = kind.shape;
-  instances.uniformSize = 0.8f * side / std::cbrt(float(count));
-  instances.arrow.unitLength = instances.uniformSize;
-  instances.centres.reserve(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    instances.centres.push_back(side * (vector() - 0.5f));
-    if (kind.turned)
-    {
-      instances.sizes3.push_back(instances.uniformSize * (0.5f + 0.5f * vector()));
-      const float x = normal(random), y = normal(random), z = normal(random);
-      instances.rotations.push_back(glm::normalize(glm::vec4(x, y, z, normal(random))));
-    }
-    if (kind.mostExponent > kind.leastExponent)
-    {
-      instances.exponents3.push_back(
-        kind.leastExponent * glm::pow(glm::vec3(kind.mostExponent / kind.leastExponent), vector()));
-    }
-  }
-  return instances;
-}
 
 struct Seconds
 {
@@ -111,9 +64,9 @@ int MeasureShapes(std::size_t count, int repetitions, const char* path)
   std::printf(
     "%-34s %9s %8s %8s %8s %8s %8s %8s\n", "shape", "glyphs", "threads", "boxes", "order", "tree", "sum", "CPU");
   const std::size_t cores = rtg::ThreadCount();
-  for (const Kind& kind : kinds)
+  for (const benchmark::Crowd& crowd : crowds)
   {
-    const rtg::GlyphInstances instances = MakeInstances(kind, count);
+    const rtg::GlyphInstances instances = benchmark::MakeInstances(crowd, count);
     Seconds one, all;
     for (int i = 0; i < repetitions; ++i)
     {
@@ -128,9 +81,9 @@ int MeasureShapes(std::size_t count, int repetitions, const char* path)
       const double boxes = benchmark::Quantile(seconds->boxes, 0.5), order = benchmark::Quantile(seconds->order, 0.5),
                    tree = benchmark::Quantile(seconds->tree, 0.5),
                    processor = benchmark::Quantile(seconds->processor, 0.5);
-      std::printf("%-34s %9zu %8zu %8.4f %8.4f %8.4f %8.4f %8.4f\n", kind.name, count, threads, boxes, order, tree,
+      std::printf("%-34s %9zu %8zu %8.4f %8.4f %8.4f %8.4f %8.4f\n", crowd.name, count, threads, boxes, order, tree,
         boxes + order + tree, processor);
-      csv << '"' << kind.name << "\"," << count << ',' << threads << ',' << boxes << ',' << order << ',' << tree << ','
+      csv << '"' << crowd.name << "\"," << count << ',' << threads << ',' << boxes << ',' << order << ',' << tree << ','
           << processor << '\n';
     }
   }
@@ -146,7 +99,7 @@ double PeakMegabytes()
 
 int MeasurePicture(std::size_t count, std::uint32_t pixels, const char* path)
 {
-  rtg::GlyphInstances instances = MakeInstances(kinds[0], count);
+  rtg::GlyphInstances instances = benchmark::MakeInstances(crowds[0], count);
   const double before = PeakMegabytes();
   rtg::Stopwatch watch, total;
   const std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
@@ -158,8 +111,7 @@ int MeasurePicture(std::size_t count, std::uint32_t pixels, const char* path)
   const double commit = watch.Lap();
   rtg::TraceSettings settings;
   settings.width = settings.height = pixels;
-  const rtg::Camera camera = benchmark::LookAt({ 0.0, 0.0, 286.6 }, {}, { 0.0, 1.0, 0.0 }, 30.0, 100.0, 500.0);
-  tracer.Trace(scene, camera, { rtg::Light() }, settings, rtg::Pass::Opaque);
+  tracer.Trace(scene, benchmark::CrowdCamera(), { rtg::Light() }, settings, rtg::Pass::Opaque);
   const double first = watch.Lap();
   const double sum = total.Lap();
   const rtg::Statistics& statistics = scene.GetStatistics();

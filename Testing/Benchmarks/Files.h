@@ -1,7 +1,7 @@
 // The benchmarks' scenes from legacy VTK files (Data/).
 #pragma once
 
-#include "Camera.h"
+#include "Crowds.h"
 
 #include <glm/glm.hpp>
 
@@ -83,23 +83,6 @@ inline Spheres ReadSpheres(const std::string& path)
   }
   spheres.radius = radii[0];
   return spheres;
-}
-
-/// A camera at `eye` that looks at `target` with a square view of `degrees`.
-inline rtg::Camera
-LookAt(glm::dvec3 eye, glm::dvec3 target, glm::dvec3 up, double degrees, double nearDepth, double farDepth)
-{
-  const double tangent = std::tan(glm::radians(0.5 * degrees));
-  rtg::Camera camera;
-  camera.eye = camera.position = eye;
-  camera.forward = glm::normalize(target - eye);
-  camera.right = tangent * glm::normalize(glm::cross(camera.forward, up));
-  camera.up = tangent * glm::normalize(glm::cross(camera.right, camera.forward));
-  camera.nearDepth = nearDepth;
-  camera.farDepth = farDepth;
-  camera.depthA = farDepth / (farDepth - nearDepth);
-  camera.depthB = -farDepth * nearDepth / (farDepth - nearDepth);
-  return camera;
 }
 
 /// The camera of spheres_280k.py: the box's near face just fills a square view of 30 degrees.
