@@ -37,7 +37,7 @@ std::uint32_t ChooseMemoryType(const Device::State& device, std::uint32_t allowe
   };
   for (const auto& wanted : preferences[static_cast<int>(place)])
   {
-    if (const auto type = FindMemoryType(device.memory, allowed, wanted))
+    if (const auto type = FindMemoryType(device.memoryTypes, allowed, wanted))
     {
       return *type;
     }
@@ -64,19 +64,16 @@ Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usa
   this->buffer_ = vk::raii::Buffer(device.device, vk::BufferCreateInfo({}, size, usage));
   const vk::MemoryRequirements needs = this->buffer_.getMemoryRequirements();
 
-  const vk::MemoryAllocateFlagsInfo addressable(vk::MemoryAllocateFlagBits::eDeviceAddress);
-  vk::MemoryAllocateInfo info(needs.size, ChooseMemoryType(device, needs.memoryTypeBits, place));
-  info.pNext = &addressable;
-  this->memory_ = vk::raii::DeviceMemory(device.device, info);
+  const std::uint32_t type = ChooseMemoryType(device, needs.memoryTypeBits, place);
+  using Flag = vk::MemoryPropertyFlagBits;
+  const vk::MemoryPropertyFlags flags = device.memoryTypes.memoryTypes[type].propertyFlags;
+  const bool mapped =
+    (place == Place::Host || device.sharesMemory) && flags & Flag::eHostVisible && flags & Flag::eHostCoherent;
+  this->memory_ = device.memory.Allocate(device.device, needs, type, mapped);
 
-  this->buffer_.bindMemory(*this->memory_, 0);
+  this->buffer_.bindMemory(this->memory_.Handle(), this->memory_.Offset());
   this->address_ = device.device.getBufferAddress(vk::BufferDeviceAddressInfo(*this->buffer_));
-  const auto flags = device.memory.memoryTypes[info.memoryTypeIndex].propertyFlags;
-  if ((place == Place::Host || device.sharesMemory) && flags & vk::MemoryPropertyFlagBits::eHostVisible &&
-    flags & vk::MemoryPropertyFlagBits::eHostCoherent)
-  {
-    this->mapped_ = this->memory_.mapMemory(0, VK_WHOLE_SIZE);
-  }
+  this->mapped_ = this->memory_.Mapped();
   // Last: a constructor that throws has no destructor that would subtract it.
   this->allocated_ = needs.size;
   device.bytes += this->allocated_;

@@ -9,7 +9,7 @@
 namespace rtg
 {
 
-/// A buffer with its own memory and a device address.
+/// A buffer with memory and a device address, a multiple of 256.
 class Buffer
 {
 public:
@@ -50,8 +50,8 @@ private:
   Device::State* device_ = nullptr;
   std::size_t size_ = 0;
   std::size_t allocated_ = 0;
+  MemoryPiece memory_; ///< goes after the buffer
   vk::raii::Buffer buffer_{ nullptr };
-  vk::raii::DeviceMemory memory_{ nullptr };
   vk::DeviceAddress address_ = 0;
   void* mapped_ = nullptr;
 };

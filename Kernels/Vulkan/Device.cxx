@@ -239,7 +239,7 @@ Device::Device()
     state.device = MakeDevice(state.physical, state.queueFamily, state.int64);
     state.queue = state.device.getQueue(state.queueFamily, 0);
     state.LoadPrograms();
-    state.memory = state.physical.getMemoryProperties();
+    state.memoryTypes = state.physical.getMemoryProperties();
     const auto properties = state.physical.getProperties2<vk::PhysicalDeviceProperties2,
       vk::PhysicalDeviceRayTracingPipelinePropertiesKHR, vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
     state.pipelineLimits = properties.get<vk::PhysicalDeviceRayTracingPipelinePropertiesKHR>();

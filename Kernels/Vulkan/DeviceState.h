@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Device.h"
+#include "Memory.h"
 #include "ProgramCache.h"
 
 #include "../Glyphs.h"
@@ -34,7 +35,8 @@ struct Device::State
   vk::raii::Device device{ nullptr };
   vk::raii::Queue queue{ nullptr };
   std::mutex queueMutex; ///< programs are compiled in threads of their own
-  vk::PhysicalDeviceMemoryProperties memory;
+  Memory memory;
+  vk::PhysicalDeviceMemoryProperties memoryTypes;
   vk::PhysicalDeviceRayTracingPipelinePropertiesKHR pipelineLimits;
   vk::PhysicalDeviceAccelerationStructurePropertiesKHR structureLimits;
   std::uint32_t queueFamily = 0;

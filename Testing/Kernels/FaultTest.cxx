@@ -123,6 +123,8 @@ protected:
   void SetUp() override
   {
     ASSERT_TRUE(std::getenv("RTGLYPHS_FAULT")) << "the environment is that of CTest's entry FaultTest";
+    // Each buffer is an allocation that can fail.
+    this->device->GetState().memory.blockBytes = 0;
   }
 
   std::unique_ptr<rtg::Scene> MakeScene() const
