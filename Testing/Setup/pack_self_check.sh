@@ -38,7 +38,7 @@ for library in $libraries; do
     *) echo "FAILED: the programs need $library" >&2; exit 1 ;;
   esac
 done
-loader=$(ldconfig -p | awk '/libvulkan\.so\.1 .*x86-64/ { print $NF; exit }')
+loader=$(ldconfig -p | awk '/libvulkan\.so\.1 .*x86-64/ && !found++ { print $NF }')
 [ -n "$loader" ] || { echo "FAILED: no libvulkan.so.1 here (Debian: libvulkan1)" >&2; exit 1; }
 cp -L "$loader" "$folder/lib/loader/libvulkan.so.1"
 
