@@ -189,6 +189,7 @@ inline void HardCaseMaker::ForEachCase(const CaseTaker& take)
     }
     add("thin 1:1e4, 1e4 from the origin", 0.02, 1e4, 1e4, true, aim(50));
   }
+  add("1e7 from the origin, size 0.02, camera 1 away", 0.02, 1, 1e7, turned, aim(50));
 }
 
 inline std::vector<HardCase> HardCaseMaker::All()

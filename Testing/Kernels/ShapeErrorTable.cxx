@@ -1,10 +1,12 @@
 // Prints the error of every shape's kernel on the hard cases, and how fast it is; the tables of README.md.
 // Usage: ShapeErrorTable [file.csv]            (the CSV holds every case, float and double)
 //        ShapeErrorTable --speed [file.csv]    families of superquadrics, also out of range: speed against error
+//        ShapeErrorTable --spheres [file.csv]  spheres beside the formulas that other renderers use
 
 #include "Measure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
@@ -145,6 +147,158 @@ void TableOfSpeed(std::ostream& csv)
   }
 }
 
+/// Formulas of others for spheres, in plain float. `o`: the ray's origin from the center, which is the exact difference
+/// rounded once, so that only what the formula itself loses shows.
+using SphereFormula = bool (*)(const glm::vec3& o, const glm::vec3& d, float radius, float& t);
+
+bool Nearest(float first, float second, float& t)
+{
+  t = first >= 0.0f ? first : second;
+  return t >= 0.0f;
+}
+
+bool Textbook(const glm::vec3& o, const glm::vec3& d, float radius, float& t)
+{
+  const float a = glm::dot(d, d), b = 2.0f * glm::dot(o, d), c = glm::dot(o, o) - radius * radius;
+  const float discriminant = b * b - 4.0f * a * c;
+  if (discriminant < 0.0f)
+  {
+    return false;
+  }
+  const float root = std::sqrt(discriminant);
+  return Nearest((-b - root) / (2.0f * a), (-b + root) / (2.0f * a), t);
+}
+
+/// The origin moved to two radii before the center, then the textbook's.
+bool MovedOrigin(const glm::vec3& o, const glm::vec3& d, float radius, float& t)
+{
+  const float a = glm::dot(d, d);
+  const float moved = std::max(0.0f, (-glm::dot(o, d) - 2.0f * radius * std::sqrt(a)) / a);
+  const bool hit = Textbook(o + moved * d, d, radius, t);
+  t += moved;
+  return hit;
+}
+
+/// Haines et al., "Precision improvements for ray/sphere intersection", Ray Tracing Gems, chapter 7, 2019.
+bool RayTracingGems(const glm::vec3& o, const glm::vec3& d, float radius, float& t)
+{
+  const float a = glm::dot(d, d), b = -glm::dot(o, d);
+  const glm::vec3 apart = o + (b / a) * d;
+  const float discriminant = radius * radius - glm::dot(apart, apart);
+  if (discriminant < 0.0f)
+  {
+    return false;
+  }
+  const float q = b + std::copysign(std::sqrt(a * discriminant), b), c = glm::dot(o, o) - radius * radius;
+  return Nearest(std::min(c / q, q / a), std::max(c / q, q / a), t);
+}
+
+/// The center projected onto the ray, as in Embree's sphere_intersector.h (versions 3 and 4).
+bool EmbreesProjection(const glm::vec3& o, const glm::vec3& d, float radius, float& t)
+{
+  const float perSquare = 1.0f / glm::dot(d, d);
+  const glm::vec3 center = -o;
+  const float projected = glm::dot(center, d) * perSquare;
+  const glm::vec3 apart = center - projected * d;
+  const float square = glm::dot(apart, apart);
+  if (square > radius * radius)
+  {
+    return false;
+  }
+  const float half = std::sqrt((radius * radius - square) * perSquare);
+  return Nearest(projected - half, projected + half, t);
+}
+
+std::vector<Verdict> JudgeFormula(ReferenceCase& reference, SphereFormula formula)
+{
+  const HardCase& hard = reference.Hard();
+  std::vector<Verdict> verdicts;
+  for (std::size_t i = 0; i < hard.rays.size(); ++i)
+  {
+    const HardRay& ray = hard.rays[i];
+    const glm::vec3 o(ray.origin - glm::dvec3(hard.instances.centres[ray.glyph]));
+    Answer answer;
+    float t = 0.0f;
+    answer.hit = formula(o, ray.direction, 0.5f * hard.instances.sizes1[ray.glyph], t);
+    answer.t = t;
+    answer.normal = glm::dvec3(glm::normalize(o + t * ray.direction));
+    verdicts.push_back(reference.Judge<float>(i, answer));
+  }
+  return verdicts;
+}
+
+double NanosecondsOf(const HardCase& hard, SphereFormula formula)
+{
+  constexpr int rounds = 20;
+  double best = 1e30;
+  volatile float sink = 0.0f;
+  for (int repetition = 0; repetition < 5; ++repetition)
+  {
+    const std::clock_t start = std::clock();
+    float sum = 0.0f;
+    for (int round = 0; round < rounds; ++round)
+    {
+      for (const HardRay& ray : hard.rays)
+      {
+        float t = 0.0f;
+        const glm::vec3 o(ray.origin - glm::dvec3(hard.instances.centres[ray.glyph]));
+        sum += formula(o, ray.direction, 0.5f * hard.instances.sizes1[ray.glyph], t) ? t : 0.0f;
+      }
+    }
+    sink = sink + sum;
+    best = std::min(best, double(std::clock() - start) / CLOCKS_PER_SEC / rounds / double(hard.rays.size()));
+  }
+  return 1e9 * best;
+}
+
+void TableOfSpheres(std::ostream& csv)
+{
+  const std::pair<const char*, SphereFormula> formulas[] = { { "textbook", Textbook }, { "moved origin", MovedOrigin },
+    { "Ray Tracing Gems", RayTracingGems }, { "Embree's projection", EmbreesProjection } };
+  csv << "case,formula,rays,ns_per_ray,t_median_sizes,t_max_sizes,t_out_of_bound,normal_max_radians,false_hits,"
+         "false_misses\n";
+  std::printf(
+    "| hard case | formula | ns a ray | dt median | max (sizes) | out of bound | normal max (rad) | false hits "
+    "/ misses |\n|---|---|---|---|---|---|---|---|\n");
+  const auto row = [&csv](const HardCase& hard, const char* name, double ns, const std::vector<Verdict>& verdicts)
+  {
+    std::vector<double> sizes, radians;
+    std::size_t outOfBound = 0, falseHits = 0, falseMisses = 0;
+    for (const Verdict& verdict : verdicts)
+    {
+      falseHits += verdict.falseHit;
+      falseMisses += verdict.falseMiss;
+      if (verdict.bothHit)
+      {
+        // Beyond what t itself can hold
+        sizes.push_back(verdict.ulps > 1.0 ? verdict.sizes * (1.0 - 1.0 / verdict.ulps) : 0.0);
+        outOfBound += !(verdict.excess <= 1.0);
+      }
+      if (verdict.bothHit && verdict.hasNormal)
+      {
+        radians.push_back(verdict.radians);
+      }
+    }
+    csv << '"' << hard.situation << "\"," << name << ',' << verdicts.size() << ',' << ns << ',' << Quantile(sizes, 0.5)
+        << ',' << Quantile(sizes, 1) << ',' << outOfBound << ',' << Quantile(radians, 1) << ',' << falseHits << ','
+        << falseMisses << '\n';
+    std::printf("| %s | %s | %.0f | %.1e | %.1e | %zu of %zu | %.1e | %zu / %zu |\n", hard.situation.c_str(), name, ns,
+      Quantile(sizes, 0.5), Quantile(sizes, 1), outOfBound, sizes.size(), Quantile(radians, 1), falseHits, falseMisses);
+  };
+  const std::vector<Subject> subjects = HardSubjects();
+  const auto sphere =
+    std::find_if(subjects.begin(), subjects.end(), [](const Subject& s) { return s.name == "sphere"; });
+  for (const HardCase& hard : HardCaseMaker(*sphere, 40, 100).All())
+  {
+    ReferenceCase reference(hard);
+    row(hard, "kept", NanosecondsPerRay<float>(hard, 5, 20), JudgeKernel<float>(reference));
+    for (const auto& [name, formula] : formulas)
+    {
+      row(hard, name, NanosecondsOf(hard, formula), JudgeFormula(reference, formula));
+    }
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -153,6 +307,12 @@ int main(int argc, char** argv)
   {
     std::ofstream csv(argc > 2 ? argv[2] : "superquadric-errors.csv");
     TableOfSpeed(csv);
+    return 0;
+  }
+  if (argc > 1 && std::string(argv[1]) == "--spheres")
+  {
+    std::ofstream csv(argc > 2 ? argv[2] : "sphere-formulas.csv");
+    TableOfSpheres(csv);
     return 0;
   }
   std::ofstream file;
