@@ -130,7 +130,7 @@ const Image* ProgressiveImage::Update(
     prepared = true;
     this->wanted_ = effort.samples;
     const bool lacksFeatures = (effort.features || request.Denoises()) && !this->features_;
-    const bool cannotGrow = this->samples_<effort.samples&& this->samples_> 0 && !this->canContinue_;
+    const bool cannotGrow = 0 < this->samples_ && this->samples_ < effort.samples && !this->canContinue_;
     const bool otherNumber = effort.exact && this->planned_ != effort.samples && this->samples_ != effort.samples;
     if (this->state_ == State::Empty || this->state_ == State::Failed || !(view == this->view_))
     {
@@ -236,8 +236,8 @@ void ProgressiveImage::Preview(const Request& request, std::uint32_t pixelStep)
   std::uint32_t step = std::max(1u, pixelStep);
   if (request.IsTimed() && this->secondsPerRay_ > 0.0)
   {
-    while (step<coarsestPreviewStep&& this->secondsPerRay_ * Pixels(this->view_) / (double(step) * step)> request.effort
-             .seconds)
+    const double seconds = this->secondsPerRay_ * Pixels(this->view_); // of all pixels
+    while (step < coarsestPreviewStep && seconds / (double(step) * step) > request.effort.seconds)
     {
       ++step;
     }
