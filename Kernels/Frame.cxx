@@ -30,6 +30,18 @@ std::uint32_t Branches(const TraceSettings& settings)
                                                        : 1;
 }
 
+// How many layers of a translucent set show on a ray.
+std::uint32_t LayersThatShow(const device::GlyphSetRecord& record)
+{
+  if (record.coloured || record.opacity <= 0.0f)
+  {
+    return device::LAYER_CAPACITY;
+  }
+  const float count = std::log(device::LEAST_PASSING) / std::log(1.0f - std::min(record.opacity, 0.999f));
+  return static_cast<std::uint32_t>(
+    std::clamp(std::ceil(count + 0.01f), 1.0f, static_cast<float>(device::LAYER_CAPACITY)));
+}
+
 } // namespace
 
 void Split(const glm::dvec3& exact, glm::vec3& high, glm::vec3& low)
@@ -134,12 +146,40 @@ Generation GenerationFor(const TraceSettings& settings)
   generation.program = settings.shading == Shading::Local ? Program::Local
     : settings.shading == Shading::PathTracing            ? Program::Path
                                                           : Program::Occlusion;
-  generation.sampler = settings.shading == Shading::Local ? 0 : static_cast<std::uint32_t>(settings.sampler);
-  generation.gathersFeatures = settings.features;
-  generation.develops =
+  Constants& constants = generation.constants;
+  constants.samplerKind = settings.shading == Shading::Local ? 0 : static_cast<std::uint32_t>(settings.sampler);
+  constants.gathersFeatures = settings.features;
+  constants.develops =
     settings.shading == Shading::PathTracing || settings.exposure != 0.0f || settings.toneMapping != ToneMapping::None;
-  generation.environmentImage = settings.environmentImage && settings.shading == Shading::PathTracing;
+  constants.environmentImage = settings.environmentImage && settings.shading == Shading::PathTracing;
   return generation;
+}
+
+void FillScene(device::FrameRecord& frame, Generation& generation, const Scene::State& scene)
+{
+  frame.sets = scene.recordBuffer.Address();
+  frame.setCount = static_cast<std::uint32_t>(scene.records.size());
+  frame.sceneLower = scene.bounds.lower;
+  frame.sceneUpper = scene.bounds.upper;
+  frame.layerLimit = 1;
+  for (const device::GlyphSetRecord& record : scene.records)
+  {
+    frame.layerLimit = std::max(frame.layerLimit, record.translucent ? LayersThatShow(record) : 1);
+  }
+  generation.ownTrees = scene.structure == Structure::Tree;
+  Constants& constants = generation.constants;
+  constants.alone = scene.records.size() == 1;
+  constants.moves = scene.moves;
+  constants.allHave = generation.ownTrees ? ~0u : 0u;
+  for (const HitGroup& group : scene.groups)
+  {
+    if (generation.ownTrees)
+    {
+      constants.shapes |= 1u << static_cast<std::uint32_t>(group.shape);
+      constants.allHave &= group.variants;
+      constants.someHave |= group.variants;
+    }
+  }
 }
 
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)

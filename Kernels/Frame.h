@@ -2,6 +2,7 @@
 #pragma once
 
 #include "HostDevice.h"
+#include "SceneState.h"
 #include "Tracer.h"
 #include "Vulkan/Pipeline.h"
 
@@ -24,6 +25,8 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings);
 
 /// The ray generation program for these settings, but for what the scene and the pass say.
 Generation GenerationFor(const TraceSettings& settings);
+/// What the scene says.
+void FillScene(device::FrameRecord& frame, Generation& generation, const Scene::State& scene);
 
 /// Samples a pixel in one dispatch: a GPU that works on one for seconds is taken for hung by its driver.
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels);

@@ -109,7 +109,7 @@ DoubleBox StillBox(const Subject& subject, const HostShapes::Glyph& glyph, const
     return MeshBox(subject.form, glyph, centre);
   }
   glm::vec3 lower, upper;
-  HostShapes::Bounds(subject.instances.shape, glyph, lower, upper);
+  HostShapes::GlyphBounds(subject.instances.shape, glyph, lower, upper);
   // Of a glyph that is turned, all its axes go into each of the box's.
   const glm::vec3 reach = glm::max(glm::abs(lower), glm::abs(upper));
   const glm::vec3 slack = roundings * (glyph.turned ? glm::vec3(std::max({ reach.x, reach.y, reach.z })) : reach);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Motion.h"
+#include "Shapes/List.h"
 #include "TriangleMesh.h"
 
 #include <glm/glm.hpp>
@@ -29,21 +30,14 @@ public:
   using Error::Error;
 };
 
-/// The analytic unit forms, each in its own frame (see Shapes/<name>.glsl).
-/// The numbers are those of Shapes/Registry.glsl.
+/// The unit glyphs, each in its own frame (Shapes/<Name>.glsl says how large it is and how it stands), and Mesh: the
+/// triangles of GlyphInstances::mesh, in their own frame and size.
 enum class Shape : std::uint32_t
 {
-  Sphere = 0,   ///< diameter 1, centred
-  Box = 1,      ///< side 1, centred
-  Cylinder = 2, ///< along y, height 1, radius 0.5, centred
-  Cone = 3,     ///< along +x, height 1, base radius 0.5, centred (base at x = -0.5, apex at 0.5)
-  Arrow = 4,    ///< along +x from 0 to 1, see ArrowForm
-  /// |2x|^r + |2y|^s + |2z|^t = 1, half-lengths 0.5, centred; r, s, t are GlyphInstances' exponents
-  Superquadric = 5,
-  /// Two profiles round z, half-lengths 0.5, centred; see Shapes/NestedSuperquadric.glsl. GlyphInstances' exponents
-  /// are alpha, beta, c: cross-section 2/alpha, profile over x 2/beta, profile over y 2/c
-  NestedSuperquadric = 6,
-  Mesh = 7 ///< the triangles of GlyphInstances::mesh, in their own frame and size
+#define RTG_SHAPE_NUMBER(number, Name) Name = number,
+  RTG_SHAPES(RTG_SHAPE_NUMBER)
+#undef RTG_SHAPE_NUMBER
+    Mesh = RTG_MESH
 };
 
 /// Whether a shape has GlyphInstances' exponents.

@@ -44,7 +44,8 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer FloatImage
 #define RTG_ADDRESS(type) type
 #endif
 
-// One bottom-level structure's glyphs: instanceCustomIndex selects the record.
+// What programs are told of a set, or of one of the driver's structures of it (instanceCustomIndex is its number). An
+// address that the set's variants do not ask for is 0.
 struct GlyphSetRecord
 {
   RTG_ADDRESS(Vec3Array) centres;
@@ -70,6 +71,8 @@ struct GlyphSetRecord
   float unitLength;
   float uniformSize;
   vec3 uniformExponents;
+  uint shape;    // number of rtg::Shape
+  uint variants; // Variants.h
   uint setId;
   uint firstGlyph; // index of this structure's first glyph in the set's sorted order
   uint glyphCount;
@@ -123,8 +126,7 @@ struct GlyphSetRecord
 struct RayRecord
 {
   vec3 originLow; // the low part of its origin
-  uint glyph;     // the nearest glyph so far, when it belongs to a set with a tree
-  uint triangle;  // of that glyph, when it is a mesh that moves
+  uint triangle;  // of the nearest glyph so far, when it is a mesh with a tree
   uint seed;      // of the chance by which it passes translucent glyphs; 0: it passes none
   // When in the shutter's opening its path runs, in [0, 1). Written when something in the scene moves.
   float time;
@@ -210,6 +212,11 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer Pr
 const uint OPAQUE_MASK = 1u;
 const uint TRANSLUCENT_MASK = 2u;
 
+// Layers of translucent surfaces that one traversal gathers at most, and the share of light below which what shines
+// through them is left out: half a level of a display's 255.
+const uint LAYER_CAPACITY = 24u;
+const float LEAST_PASSING = 1.0f / 512.0f;
+
 // What one dispatch reads. A uniform block rather than a buffer's address: CPU devices load uniforms once for all
 // lanes, but gather lane by lane behind an address.
 struct FrameRecord
@@ -220,6 +227,8 @@ struct FrameRecord
   uvec2 topLevel;
 #endif
   RTG_ADDRESS(GlyphSetRecords) sets;
+  uint setCount;
+  uint layerLimit; // layers beyond which nothing shows, or as many as one traversal gathers
   RTG_ADDRESS(LightRecords) lights;
   RTG_ADDRESS(UintImage) colour;
   RTG_ADDRESS(FloatImage) depth;
@@ -289,6 +298,8 @@ struct FrameRecord
   uint filmic;
   GlyphSetRecord onlySet; // sets.at[0] again when there is no other: a uniform load, no gather
 };
+
+#include "Variants.h"
 
 #ifdef __cplusplus
 #undef RTG_ADDRESS

@@ -15,8 +15,8 @@ class Device;
 /// What was done and what is held; every count only grows. Seconds are wall-clock.
 struct Statistics
 {
-  std::uint64_t structureBuilds = 0; ///< bottom-level structures built
-  std::uint64_t topLevelBuilds = 0;  ///< top-level structures built
+  std::uint64_t structureBuilds = 0; ///< trees, or bottom-level structures of the driver, built
+  std::uint64_t topLevelBuilds = 0;  ///< lists of the visible sets, or top-level structures of the driver, built
   std::uint64_t instanceUploads = 0; ///< glyph sets whose centres, sizes, rotations, exponents were sent
   std::uint64_t colourUploads = 0;   ///< glyph sets whose colours were sent
   std::uint64_t sorts = 0;           ///< glyph sets put into another order; new instances may do with the last one's

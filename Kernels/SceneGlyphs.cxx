@@ -2,7 +2,6 @@
 #include "SceneState.h"
 
 #include "GlyphBoxes.h"
-#include "SpatialOrder.h"
 #include "Stopwatch.h"
 #include "TimeSlices.h"
 
@@ -68,8 +67,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
     this->statistics.uploadSeconds += watch.Lap();
     this->TellStage(set);
     boxes = set.sorted.order.empty() ? std::move(boxes) : InOrder(boxes, set.sorted.order);
-    placed.group.hasTree = this->structure == Structure::Tree;
-    if (placed.group.hasTree)
+    if (this->structure == Structure::Tree)
     {
       this->BuildTree(set, placed, std::move(boxes));
     }
@@ -92,35 +90,44 @@ void Scene::State::SendGlyphs(const GlyphSet& set, PlacedGlyphs& placed)
   Device::State& vulkan = this->device->GetState();
   const GlyphInstances& instances = set.instances;
   const std::vector<std::uint32_t>& order = set.sorted.order;
-  placed.centres = SendInOrder(vulkan, instances.centres, order);
-  placed.centresLow = SendInOrder(vulkan, instances.centresLow, order);
-  placed.sizes = instances.sizes3.empty() ? SendInOrder(vulkan, instances.sizes1, order)
-                                          : SendInOrder(vulkan, instances.sizes3, order);
-  placed.rotations = SendInOrder(vulkan, instances.rotations, order);
-  placed.exponents = SendInOrder(vulkan, instances.exponents3, order);
-  placed.forms = SendInOrder(vulkan, instances.forms, order);
   const GlyphMotion& motion = instances.motion;
-  placed.velocities = SendInOrder(vulkan, motion.velocities, order);
-  placed.accelerations = SendInOrder(vulkan, motion.accelerations, order);
-  placed.angularVelocities = SendInOrder(vulkan, motion.angularVelocities, order);
   HitGroup& group = placed.group;
   group.shape = instances.shape;
-  group.sizesPerGlyph = !instances.sizes3.empty() ? 3 : !instances.sizes1.empty() ? 1 : 0;
-  group.turned = !instances.rotations.empty();
-  group.ownExponents = !instances.exponents3.empty();
-  group.exactCentres = !instances.centresLow.empty();
-  group.colouredByForm = !instances.forms.empty();
-  group.fixedHeads = instances.shape == Shape::Arrow && instances.arrow.fixedHeads;
-  group.hasVelocities = !motion.velocities.empty();
-  group.hasAccelerations = !motion.accelerations.empty();
-  group.spins = motion.Spins();
+  const auto send = [&](Buffer& buffer, const auto& values, std::uint32_t variant)
+  {
+    buffer = SendInOrder(vulkan, values, order);
+    group.Set(variant, !values.empty());
+  };
+  send(placed.centres, instances.centres, 0);
+  send(placed.centresLow, instances.centresLow, device::CENTRES_LOW);
+  if (instances.sizes3.empty())
+  {
+    send(placed.sizes, instances.sizes1, device::SIZE_EACH);
+  }
+  else
+  {
+    send(placed.sizes, instances.sizes3, device::SIZES_EACH);
+  }
+  send(placed.rotations, instances.rotations, device::ROTATIONS);
+  send(placed.exponents, instances.exponents3, device::EXPONENTS);
+  send(placed.forms, instances.forms, device::FORMS);
+  send(placed.velocities, motion.velocities, device::VELOCITIES);
+  send(placed.accelerations, motion.accelerations, device::ACCELERATIONS);
+  send(placed.angularVelocities, motion.angularVelocities, device::ANGULAR_VELOCITIES);
+  group.Set(device::FIXED_HEADS, instances.shape == Shape::Arrow && instances.arrow.fixedHeads);
   ++this->statistics.instanceUploads;
 }
 
-// Glyphs of a time series mostly stay near those beside which they were: as long as the nodes above the leaves have not
-// grown by much, the last order does.
-void Scene::State::SortIntoTree(GlyphSet& set, const std::vector<Box>& boxes)
+// Into the order of a tree's leaves, which also serves lavapipe's own structure: that splits its input where it finds
+// it. A GPU's driver sorts for itself. Glyphs of a time series mostly stay near those beside which they were: as long
+// as the nodes above the leaves have not grown by much, the last order does.
+void Scene::State::Sort(GlyphSet& set, const std::vector<Box>& boxes)
 {
+  if (this->structure == Structure::Boxes && !this->device->IsCpu())
+  {
+    set.sorted = GlyphOrder();
+    return;
+  }
   const GlyphInstances& instances = set.instances;
   // Glyphs that move are sorted as they lie in the middle of the shutter's opening: boxes round whole paths would
   // say little about what each slice of time needs.
@@ -141,23 +148,6 @@ void Scene::State::SortIntoTree(GlyphSet& set, const std::vector<Box>& boxes)
   ++this->statistics.sorts;
 }
 
-void Scene::State::Sort(GlyphSet& set, const std::vector<Box>& boxes)
-{
-  const GlyphInstances& instances = set.instances;
-  if (this->structure == Structure::Tree && (instances.shape != Shape::Mesh || IsMovingMesh(instances)))
-  {
-    this->SortIntoTree(set, boxes);
-    return;
-  }
-  set.sorted = GlyphOrder();
-  if (this->device->IsCpu())
-  {
-    // lavapipe builds in input order; a GPU's driver sorts for itself.
-    set.sorted.order = SpatialOrder(instances.centres);
-    ++this->statistics.sorts;
-  }
-}
-
 // One primitive a glyph.
 void Scene::State::BuildBoxes(PlacedGlyphs& placed, const std::vector<Box>& boxes)
 {
@@ -174,7 +164,7 @@ void Scene::State::BuildBoxes(PlacedGlyphs& placed, const std::vector<Box>& boxe
   }
 }
 
-// One primitive for all, with the tree behind it: of glyphs that move, a tree for each slice of time.
+// The tree of a set: of glyphs that move, one for each slice of time.
 void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes)
 {
   Device::State& vulkan = this->device->GetState();
@@ -191,7 +181,7 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vec
     const TimeSlices slices =
       BuildTimeSlices(set.instances, sorted.order, sorted.leafBits, sorted.kdAxes, pad, bits, this->sliceSorting);
     placed.timeSliceBits = slices.bits;
-    placed.group.ownTreeOrder = !slices.order.empty();
+    placed.group.Set(device::ORDER_OF_SLICES, !slices.order.empty());
     placed.tree = Send(vulkan, slices.nodes);
     placed.treeOrder = Send(vulkan, slices.order);
   }
@@ -201,13 +191,11 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vec
     // So many leaves a line through the bounds meets on average, by Cauchy's formula.
     const glm::dvec3 e(set.bounds.upper - set.bounds.lower);
     const double leavesMet = LeafSurface(boxes, sorted.leafBits) / (e.x * e.y + e.y * e.z + e.z * e.x);
-    placed.group.dropsHidden = leavesMet > leavesWorthDropping;
+    placed.group.Set(device::DROPS_HIDDEN, leavesMet > leavesWorthDropping);
     placed.tree = Send(vulkan, BuildGlyphTree(boxes, sorted.leafBits, sorted.kdAxes).nodes);
   }
   GlyphRun run;
   run.count = static_cast<std::uint32_t>(set.count);
-  run.structure =
-    AccelerationStructure::OverBoxes(vulkan, { ToVulkan({ set.bounds.lower - pad, set.bounds.upper + pad }) });
   placed.runs.push_back(std::move(run));
   ++this->statistics.structureBuilds;
 }
@@ -216,8 +204,8 @@ void Scene::State::SendColours(const GlyphSet& set, PlacedGlyphs& placed)
 {
   Stopwatch watch;
   placed.colours = SendInOrder(this->device->GetState(), set.colours, set.sorted.order);
-  placed.group.coloured = !set.colours.empty();
-  this->statistics.colourUploads += placed.group.coloured;
+  placed.group.Set(device::COLOURS, !set.colours.empty());
+  this->statistics.colourUploads += set.colours.empty() ? 0 : 1;
   this->statistics.uploadSeconds += watch.Lap();
 }
 

@@ -1,7 +1,6 @@
 // The part of a scene that is made of triangles: mesh glyphs and surfaces.
 #include "SceneState.h"
 
-#include "SpatialOrder.h"
 #include "Stopwatch.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -37,14 +36,17 @@ glm::mat3 LinearPart(const GlyphInstances& instances, std::size_t i)
   return linear;
 }
 
-// lavapipe splits triangles in their own order; see SpatialOrder.h.
+// lavapipe's own structure splits triangles where it finds them in their input; see Scene::State::Sort().
 std::vector<std::uint32_t> OrderTriangles(const TriangleMesh& mesh)
 {
-  std::vector<glm::vec3> centroids(mesh.triangles.size());
-  std::transform(mesh.triangles.begin(), mesh.triangles.end(), centroids.begin(),
+  std::vector<Box> boxes(mesh.triangles.size());
+  std::transform(mesh.triangles.begin(), mesh.triangles.end(), boxes.begin(),
     [&](const glm::uvec3& corner)
-    { return (mesh.positions[corner.x] + mesh.positions[corner.y] + mesh.positions[corner.z]) / 3.0f; });
-  return SpatialOrder(centroids);
+    {
+      const glm::vec3 &a = mesh.positions[corner.x], &b = mesh.positions[corner.y], &c = mesh.positions[corner.z];
+      return Box{ glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)) };
+    });
+  return MakeKdOrder(boxes, GlyphTree::LeafBits(boxes.size(), 2)).order;
 }
 
 Buffer SendMeshColours(Device::State& device, const PlacedMesh& mesh, const TriangleMesh& source)
@@ -59,12 +61,6 @@ Buffer SendMeshColours(Device::State& device, const PlacedMesh& mesh, const Tria
   }
   return source.positionColours.empty() ? SendInOrder(device, source.triangleColours, mesh.order)
                                         : Send(device, source.positionColours);
-}
-
-// Which colors a mesh has; numbers as in Programs/triangle.glsl.
-std::uint32_t ColoursOf(const TriangleMesh& mesh)
-{
-  return !mesh.positionValues.empty() ? 3 : !mesh.positionColours.empty() ? 1 : !mesh.triangleColours.empty() ? 2 : 0;
 }
 
 PlacedMesh SendStillMesh(Device::State& device, std::shared_ptr<const TriangleMesh> source, bool sorts)
@@ -153,11 +149,15 @@ void Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
   Stopwatch watch;
   const TriangleMesh& mesh = *set.instances.mesh;
   placed.group.shape = Shape::Mesh;
-  placed.group.smoothNormals = !mesh.normals.empty();
-  placed.group.meshColours = ColoursOf(mesh);
-  if (IsMovingMesh(set.instances))
+  HitGroup& group = placed.group;
+  group.Set(device::MESH_NORMALS, !mesh.normals.empty());
+  group.Set(device::MESH_VALUE_COLOURS, !mesh.positionValues.empty());
+  group.Set(device::MESH_POSITION_COLOURS, mesh.positionValues.empty() && !mesh.positionColours.empty());
+  group.Set(device::MESH_TRIANGLE_COLOURS,
+    mesh.positionValues.empty() && mesh.positionColours.empty() && !mesh.triangleColours.empty());
+  if (this->structure == Structure::Tree || IsMovingMesh(set.instances))
   {
-    this->SendMovingMesh(set, placed);
+    this->SendMeshWithTree(set, placed);
   }
   else
   {
@@ -167,7 +167,7 @@ void Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
 }
 
 // The mesh itself; its glyphs are sent like those of other shapes.
-void Scene::State::SendMovingMesh(const GlyphSet& set, PlacedGlyphs& placed)
+void Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
 {
   const GlyphInstances& instances = set.instances;
   const TriangleMesh& mesh = *instances.mesh;
@@ -204,9 +204,9 @@ void Scene::State::SendMovingMesh(const GlyphSet& set, PlacedGlyphs& placed)
     sent.shape = std::move(tree);
     ++this->statistics.structureBuilds;
   }
-  placed.group.meshTree = true;
-  placed.group.meshVelocities = !mesh.motion.velocities.empty();
-  placed.group.meshAccelerations = !mesh.motion.accelerations.empty();
+  placed.group.Set(device::MESH_TREE, true);
+  placed.group.Set(device::MESH_VELOCITIES, !mesh.motion.velocities.empty());
+  placed.group.Set(device::MESH_ACCELERATIONS, !mesh.motion.accelerations.empty());
 }
 
 // The same mesh at other places is sent once, and of one that has only other colours nothing but these.

@@ -29,8 +29,7 @@ void Scene::State::CheckInstanceCount() const
   for (const auto& [id, set] : this->sets)
   {
     const HitGroup& group = set.placed.group;
-    const bool instanced = group.shape == Shape::Mesh && !group.meshTree;
-    count += !set.Shown() ? 0 : instanced ? set.count : set.placed.runs.size();
+    count += !set.Shown() ? 0 : group.DriverTriangles() ? set.count : set.placed.runs.size();
   }
   if (count > this->mostInstances)
   {
@@ -43,7 +42,11 @@ void Scene::State::CheckInstanceCount() const
 void Scene::State::BuildTopLevel()
 {
   Stopwatch watch;
-  this->CheckInstanceCount();
+  const bool trees = this->structure == Structure::Tree;
+  if (!trees)
+  {
+    this->CheckInstanceCount();
+  }
   std::vector<vk::AccelerationStructureInstanceKHR> instances;
   this->DropTopLevel();
   this->groups.clear();
@@ -69,7 +72,7 @@ void Scene::State::BuildTopLevel()
       group = this->groups.insert(group, placed.group);
     }
     const glm::vec3 offset(set.instances.origin - this->origin);
-    for (const GlyphRun& run : placed.runs)
+    for (std::size_t i = 0; !trees && i < placed.runs.size(); ++i)
     {
       vk::AccelerationStructureInstanceKHR instance;
       const std::array<std::array<float, 4>, 3> translation = { { { 1, 0, 0, offset.x }, { 0, 1, 0, offset.y },
@@ -78,12 +81,12 @@ void Scene::State::BuildTopLevel()
       instance.instanceCustomIndex = record++;
       instance.mask = set.Translucent() ? device::TRANSLUCENT_MASK : device::OPAQUE_MASK;
       instance.instanceShaderBindingTableRecordOffset = static_cast<std::uint32_t>(group - this->groups.begin());
-      if (placed.group.shape == Shape::Mesh && !placed.group.meshTree)
+      if (placed.group.DriverTriangles())
       {
         this->AddMeshInstances(set, instance, instances);
         continue;
       }
-      instance.accelerationStructureReference = run.structure.Address();
+      instance.accelerationStructureReference = placed.runs[i].structure.Address();
       instances.push_back(instance);
     }
     const float pad = std::ldexp(placed.builtReach, -20);
@@ -92,8 +95,8 @@ void Scene::State::BuildTopLevel()
   if (!instances.empty())
   {
     this->topLevel = AccelerationStructure::OverInstances(this->device->GetState(), instances);
-    ++this->statistics.topLevelBuilds;
   }
+  this->statistics.topLevelBuilds += !this->groups.empty();
   this->statistics.buildSeconds += watch.Lap();
 }
 
@@ -116,7 +119,7 @@ void Scene::State::FillRecords()
       { return buffer.Size() ? buffer.Address() + run.first * stride : 0; };
       record.centres = at(placed.centres, sizeof(glm::vec3));
       record.centresLow = at(placed.centresLow, sizeof(glm::vec3));
-      record.sizes = at(placed.sizes, placed.group.sizesPerGlyph * sizeof(float));
+      record.sizes = at(placed.sizes, placed.group.Has(device::SIZES_EACH) ? sizeof(glm::vec3) : sizeof(float));
       record.rotations = at(placed.rotations, sizeof(glm::vec4));
       record.exponents = at(placed.exponents, sizeof(glm::vec3));
       record.colours = at(placed.colours, sizeof(std::uint32_t));
@@ -162,6 +165,8 @@ void Scene::State::FillRecords()
       record.meshNodesPerSlice = placed.mesh.shape.nodesPerSlice;
       record.firstInstance = set.firstInstance;
       record.identifiesTriangles = set.instances.identifyTriangles;
+      record.shape = static_cast<std::uint32_t>(placed.group.shape);
+      record.variants = placed.group.variants;
       record.setId = id;
       record.firstGlyph = run.first;
       const Material& material = set.material;
@@ -169,7 +174,7 @@ void Scene::State::FillRecords()
       record.opacity = material.opacity;
       record.translucent = set.Translucent();
       record.ambientColour = material.ambientColour;
-      record.coloured = placed.group.coloured || placed.group.meshColours != 0 || placed.group.colouredByForm;
+      record.coloured = placed.group.Has(device::COLOURS | device::MESH_COLOURS | device::FORMS);
       record.positiveColour = material.positiveColour;
       record.negativeColour = material.negativeColour;
       record.specularColour = material.specularColour;

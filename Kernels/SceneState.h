@@ -26,7 +26,7 @@ struct Bounds
   float Reach() const;
 };
 
-/// A run of at most 2^24 - 1 glyphs: what one bottom-level structure may hold.
+/// Glyphs of a set that share a record: all of them, or what one of the driver's bottom-level structures may hold.
 struct GlyphRun
 {
   std::uint32_t first = 0;
@@ -34,11 +34,11 @@ struct GlyphRun
   AccelerationStructure structure;
 };
 
-/// What traversal finds a set's glyphs by.
+/// What rays find glyphs and triangles by.
 enum class Structure
 {
-  Boxes, ///< the driver's: one primitive a glyph; on GPUs
-  Tree   ///< our GlyphTree, of which the driver sees only the whole as one primitive; on CPU devices
+  Boxes, ///< the driver's, one primitive a glyph or triangle; on GPUs
+  Tree   ///< our own trees (GlyphTree), which ray generation programs walk; on CPU devices
 };
 
 /// A mesh on the device.
@@ -48,14 +48,14 @@ struct PlacedMesh
   std::vector<std::uint32_t> order; ///< place on the device -> triangle of the source; empty: the same
   Buffer positions, triangles, normals, colours;
   AccelerationStructure structure;
-  // Of one that moves, instead of the structure; `positions` are then relative to the middle of the tree.
+  // Of one with a tree, instead of the structure; `positions` are then relative to the middle of the tree.
   Buffer tree, velocities, accelerations;
   MeshTree shape;                                ///< without its arrays, which have been sent
   float shutterOpen = 0.0f, shutterClose = 0.0f; ///< that its tree is made for
 };
 
 /// Whether the glyphs of a set are copies of a mesh that moves or deforms, or lie at places that the driver's floats
-/// cannot tell.
+/// cannot tell: then the driver's triangles will not do.
 bool IsMovingMesh(const GlyphInstances& instances);
 
 /// What of a glyph set is on the device, in the set's GlyphOrder. It is built aside and moved into its set when it is
@@ -139,8 +139,8 @@ struct Scene::State
 
   // Built by Commit().
   glm::dvec3 origin{ 0.0 };
-  Bounds bounds; ///< of all visible sets, relative to origin
-  std::vector<HitGroup> groups;
+  Bounds bounds;                               ///< of all visible sets, relative to origin
+  std::vector<HitGroup> groups;                ///< of the visible sets, each once
   std::vector<device::GlyphSetRecord> records; ///< none: nothing can be traced
   Buffer recordBuffer;
   AccelerationStructure topLevel;
@@ -172,14 +172,13 @@ struct Scene::State
   /// Sends what glyphs are copies of; builds one that moves, too.
   void PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed);
   void SendMesh(const GlyphSet& set, PlacedGlyphs& placed);
-  void SendMovingMesh(const GlyphSet& set, PlacedGlyphs& placed);
+  void SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed);
   /// Whether the mesh that is on the device has the shape that is wanted; its colors are then brought up to date.
   bool KeepsMesh(const GlyphSet& set, PlacedMesh& mesh);
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.
   void AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
     std::vector<vk::AccelerationStructureInstanceKHR>& instances) const;
   void Sort(GlyphSet& set, const std::vector<Box>& boxes);
-  void SortIntoTree(GlyphSet& set, const std::vector<Box>& boxes);
   void BuildBoxes(PlacedGlyphs& placed, const std::vector<Box>& boxes);
   void BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes);
   void SendColours(const GlyphSet& set, PlacedGlyphs& placed);

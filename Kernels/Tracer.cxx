@@ -90,6 +90,7 @@ struct Tracer::State
   void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame, std::uint32_t width,
     std::uint32_t height);
   std::uint32_t TilesAtOnce(const TracerResources::Program& program, const Job& job, bool interruptible) const;
+  void FitRays(const Generation& generation, std::size_t count);
   void Begin(const Scene::State& scene, bool translucentScene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass, bool interruptible);
   void Run(const Scene::State& scene, const Interrupt& interrupt);
@@ -272,9 +273,6 @@ device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Ca
   this->lightBuffer.Upload(records.data(), lightBytes);
   frame.lights = this->lightBuffer.Address();
   frame.lightCount = static_cast<std::uint32_t>(records.size());
-  frame.sets = scene.recordBuffer.Address();
-  frame.sceneLower = scene.bounds.lower;
-  frame.sceneUpper = scene.bounds.upper;
   const std::size_t imageBytes = std::size_t(settings.width) * settings.height * sizeof(std::uint32_t);
   frame.colour = this->images.Address();
   frame.depth = frame.colour + imageBytes;
@@ -288,6 +286,19 @@ device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Ca
                                      : device::TRANSLUCENT_MASK;
   this->shared->PrepareEnvironment(settings, frame);
   return frame;
+}
+
+// What the driver's programs know of so many rays in flight.
+void Tracer::State::FitRays(const Generation& generation, std::size_t count)
+{
+  if (generation.ownTrees)
+  {
+    this->rays = Buffer();
+  }
+  else
+  {
+    Fit(this->rays, this->device->GetState(), count * sizeof(device::RayRecord));
+  }
 }
 
 // What is to be launched for an image; nothing is launched yet.
@@ -324,20 +335,19 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   }
   begun.frame = this->MakeFrame(scene, camera, lights, settings, pass);
   begun.generation = GenerationFor(settings);
-  Generation& generation = begun.generation;
-  generation.alone = scene.records.size() == 1;
-  generation.accumulates = keeps;
-  generation.moves = scene.moves;
+  FillScene(begun.frame, begun.generation, scene);
+  Constants& constants = begun.generation.constants;
+  constants.accumulates = keeps;
   if (scene.moves)
   {
-    generation.sampler = static_cast<std::uint32_t>(settings.sampler);
+    constants.samplerKind = static_cast<std::uint32_t>(settings.sampler);
     begun.frame.sharedTimeBits = SharedTimeBits(settings, scene.placedTimeSliceBits);
     begun.frame.timeStrataBits = TimeStrataBits(settings);
   }
   // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
-  generation.layered = pass == Pass::Translucent && settings.shading != Shading::PathTracing;
-  generation.translucency = settings.shading != Shading::Local && translucentScene;
-  generation.whole = CanBeWhole(generation, scene.groups);
+  constants.layered = pass == Pass::Translucent && settings.shading != Shading::PathTracing;
+  constants.translucency = settings.shading != Shading::Local && translucentScene;
+  constants.leavesSurface = settings.shading != Shading::Local || constants.layered;
 
   const std::uint32_t columns = DivideUp(settings.width, settings.pixelStep);
   const std::uint32_t rows = DivideUp(settings.height, settings.pixelStep);
@@ -347,7 +357,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.frame.tileStride = TileStride(begun.frame.tileCount);
   const std::uint32_t largest = std::min(mostTiles, begun.frame.tileCount);
   const std::uint32_t launched = DivideUp(largest, tilesPerRow) * std::min(largest, tilesPerRow);
-  Fit(this->rays, this->device->GetState(), std::size_t(launched) * lanesPerTile * sizeof(device::RayRecord));
+  this->FitRays(begun.generation, std::size_t(launched) * lanesPerTile);
 }
 
 // Tiles of the next launch. What can be interrupted, and all on a GPU, whose display stands still meanwhile and whose
@@ -532,7 +542,7 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
   rtg::Denoise(this->means_,
     { this->image_.width, this->image_.height, this->image_.normals, this->image_.albedos, this->image_.viewDepths });
 
-  const bool develops = GenerationFor(this->settings_).develops;
+  const bool develops = GenerationFor(this->settings_).constants.develops != 0;
   const float exposureFactor = std::exp2(this->settings_.exposure);
   const bool filmic = this->settings_.toneMapping == ToneMapping::Filmic;
   std::vector<std::uint32_t> smooth(this->means_.size(), 0);
@@ -576,19 +586,15 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       Buffer output(vulkan, probes.size() * sizeof(device::ProbeResult), Usage::eStorageBuffer, Buffer::Place::Device);
 
       device::FrameRecord frame{};
-      frame.sets = glyphs.recordBuffer.Address();
       frame.probes = input.Address();
       frame.probeResults = output.Address();
       frame.probeCount = static_cast<std::uint32_t>(probes.size());
-      frame.sceneLower = glyphs.bounds.lower;
-      frame.sceneUpper = glyphs.bounds.upper;
       frame.cullMask = 0xff;
       Generation probing;
       probing.program = Program::Probe;
-      probing.alone = glyphs.records.size() == 1;
-      probing.moves = glyphs.moves;
+      FillScene(frame, probing, glyphs);
       constexpr std::uint32_t rowLength = 1024;
-      Fit(state.rays, vulkan, (records.size() + rowLength) * sizeof(device::RayRecord));
+      state.FitRays(probing, records.size() + rowLength);
       TracerResources::Program& program = state.shared->ProgramFor(probing, glyphs.groups);
       state.shared->WaitFor(program);
       state.Launch(*program.pipeline, glyphs, frame, rowLength, DivideUp(frame.probeCount, rowLength));

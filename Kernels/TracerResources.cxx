@@ -53,8 +53,10 @@ TracerResources::TracerResources(std::shared_ptr<Device> d)
 {
 }
 
-TracerResources::Program& TracerResources::ProgramFor(const Generation& generation, const std::vector<HitGroup>& groups)
+TracerResources::Program&
+TracerResources::ProgramFor(const Generation& generation, const std::vector<HitGroup>& ofScene)
 {
+  const std::vector<HitGroup> groups = generation.ownTrees ? std::vector<HitGroup>() : ofScene;
   const auto found = std::find_if(this->programs_.begin(), this->programs_.end(),
     [&](const auto& p) { return p->generation == generation && p->groups == groups; });
   if (found != this->programs_.end())

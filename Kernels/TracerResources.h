@@ -38,8 +38,8 @@ public:
     Program& operator=(const Program&) = delete;
   };
 
-  /// The program of these keys; compiling begins, in another thread, when it is not among the last ones used. Valid
-  /// until the next call.
+  /// The program of these keys (of those that walk own trees, the first alone); compiling begins, in another thread,
+  /// when it is not among the last ones used. Valid until the next call.
   Program& ProgramFor(const Generation& generation, const std::vector<HitGroup>& groups);
 
   /// Whether the program can be launched; waits for it so long at most. Throws what compiling failed of, and the

@@ -15,7 +15,22 @@ layout(set = 0, binding = 0, scalar) uniform Frame
   FrameRecord frame;
 };
 
-layout(constant_id = 15) const bool alone = false; // the scene has one record
+#define RTG_DECLARE(id, type, name) layout(constant_id = id) const type name = type(0);
+RTG_CONSTANTS(RTG_DECLARE)
+#undef RTG_DECLARE
+
+// Whether a set has a variant (Variants.h); `variants`: those of its record.
+bool Has(uint variants, uint variant)
+{
+  return (allHave & variant) != 0u || ((someHave & variant) != 0u && (variants & variant) != 0u);
+}
+
+// Whether a set is of a shape; `shape`: that of its record.
+bool IsOfShape(uint shape, uint number)
+{
+  uint bit = 1u << number;
+  return shapes == bit || ((shapes & bit) != 0u && shape == number);
+}
 
 GlyphSetRecord SetRecord(uint index)
 {
@@ -26,8 +41,7 @@ GlyphSetRecord SetRecord(uint index)
   return frame.sets.at[index];
 }
 
-layout(constant_id = 14) const bool translucency = false;  // some set has opacity below one, and rays pass it by chance
-layout(constant_id = 20) const bool leavesSurface = false; // rays will start from hits
+const uint nothing = 0xffffffffu; // no glyph, no triangle
 
 // What the nearest hit tells the ray generation program. Whatever kind of surface it lies on, it fills all of this.
 struct SurfaceHit

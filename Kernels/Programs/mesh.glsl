@@ -1,9 +1,7 @@
-// A mesh glyph that moves: a shape like the others, whose intersection goes through the tree of its triangles
-// (Kernels/MeshTree.h) in its own frame, at the time of the ray in flight.
-#include "../Shapes/Dialect.glsl"
-#include "../Shapes/Estimate.glsl"
-#include "motion.glsl"
+// A glyph that is a copy of a mesh with a tree of our own: a shape like the others, whose intersection goes through the
+// tree of its triangles (Kernels/MeshTree.h) in its own frame, at the time of the ray in flight.
 #include "tree.glsl"
+#include "triangle.glsl"
 
 // The glyph as if its centre were the middle of its mesh, which the positions on the device are relative to.
 Glyph AboutMiddle(Glyph glyph, GlyphSetRecord set)
@@ -39,22 +37,21 @@ MeshRay ToMesh(GlyphRay ray, Glyph glyph, GlyphSetRecord set)
 // Time of the ray in flight for positions of meshes.
 float MeshTime(GlyphSetRecord set)
 {
-  return meshVelocities || meshAccelerations ? set.shutterOpen + frame.rays.at[LaunchIndex()].time * set.shutterLength
-                                             : 0.0;
+  return Has(set.variants, MOVING_MESH) ? TimeOf(set) : 0.0;
 }
 
 // The same numbers whatever triangle asks.
 vec3 CornerAt(GlyphSetRecord set, uint corner, float time)
 {
   precise vec3 position = set.meshPositions.at[corner];
-  if (meshVelocities || meshAccelerations)
+  if (Has(set.variants, MOVING_MESH))
   {
     precise vec3 displacement = vec3(0.0);
-    if (meshAccelerations)
+    if (Has(set.variants, MESH_ACCELERATIONS))
     {
       displacement = (0.5 * time) * set.meshAccelerations.at[corner];
     }
-    if (meshVelocities)
+    if (Has(set.variants, MESH_VELOCITIES))
     {
       displacement += set.meshVelocities.at[corner];
     }
@@ -113,21 +110,18 @@ bool MeetsTriangle(ShearedRay ray, vec3 a, vec3 b, vec3 c, out float s, out vec3
 }
 
 // Nearest t in [tMin, tMax] where the ray meets a triangle, either side of it.
-bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out float t, out uint triangle)
+bool IntersectMesh(
+  GlyphSetRecord set, GlyphRay worldRay, Glyph glyph, float tMin, float tMax, bool any, out float t, out uint triangle)
 {
-  GlyphSetRecord set = SetRecord(gl_InstanceCustomIndexEXT);
   MeshRay ray = ToMesh(worldRay, glyph, set);
   BoxRay boxRay = MakeBoxRay(ray.origin, ray.direction);
   ShearedRay sheared = Shear(ray);
   TreeNodes nodes = TreeNodes(set.meshTree);
   float time = MeshTime(set);
-  uint slice = meshVelocities || meshAccelerations
-    ? uint(frame.rays.at[LaunchIndex()].time * float(1u << set.meshTimeSliceBits))
-    : 0u;
+  uint slice = Has(set.variants, MOVING_MESH) ? SliceOf(set.meshTimeSliceBits) : 0u;
   uint firstNode = slice * set.meshNodesPerSlice;
   uint levels = set.meshTreeLevels;
   uint64_t count = uint64_t(set.meshTriangleCount);
-  bool any = (gl_IncomingRayFlagsEXT & gl_RayFlagsTerminateOnFirstHitEXT) != 0u;
 
   float least = (tMin - ray.start.hi) - ray.start.lo;
   float nearest = (tMax - ray.start.hi) - ray.start.lo;
@@ -147,8 +141,7 @@ bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out 
     }
     else if (i < end)
     {
-      uvec3 corner =
-        uvec3(set.meshTriangles.at[3u * i], set.meshTriangles.at[3u * i + 1u], set.meshTriangles.at[3u * i + 2u]);
+      uvec3 corner = CornersOf(set, i);
       float s;
       vec3 weight;
       if (MeetsTriangle(sheared, CornerAt(set, corner.x, time), CornerAt(set, corner.y, time),
@@ -176,14 +169,79 @@ bool IntersectGlyph(GlyphRay worldRay, Glyph glyph, float tMin, float tMax, out 
 }
 
 // Says no more than that the ray passes the ball round the mesh.
-int EstimateGlyph(GlyphRay ray, Glyph glyph, float tMin, float tMax, out float low, out float high)
+int EstimateMesh(GlyphSetRecord set, GlyphRay ray, Glyph glyph, float tMin, float tMax, out float low, out float high)
 {
   low = tMin;
   high = tMax;
-  GlyphSetRecord set = SetRecord(gl_InstanceCustomIndexEXT);
   vec3 size = abs(glyph.size);
   vec3 middle = RotateToWorld(glyph, glyph.size * set.meshMiddle);
   float radius =
     set.meshRadius * max(size.x, max(size.y, size.z)) + 1e-6 * (abs(middle.x) + abs(middle.y) + abs(middle.z));
   return MissesBall(ray, glyph, middle, radius) ? RTG_MISSED : RTG_UNKNOWN;
+}
+
+// A triangle where a ray meets it.
+struct TriangleCrossing
+{
+  uvec3 corner;
+  vec3 a, b, c; // the corners' positions at the time of the ray
+  vec3 weight;  // of the corners
+};
+
+TriangleCrossing CrossTriangle(GlyphSetRecord set, GlyphRay ray, Glyph glyph, uint triangle)
+{
+  TriangleCrossing crossing;
+  crossing.corner = CornersOf(set, triangle);
+  float time = MeshTime(set);
+  crossing.a = CornerAt(set, crossing.corner.x, time);
+  crossing.b = CornerAt(set, crossing.corner.y, time);
+  crossing.c = CornerAt(set, crossing.corner.z, time);
+  float s;
+  MeetsTriangle(Shear(ToMesh(ray, glyph, set)), crossing.a, crossing.b, crossing.c, s, crossing.weight);
+  return crossing;
+}
+
+vec4 TriangleColour(GlyphSetRecord set, GlyphRay ray, Glyph glyph, uint number, uint triangle)
+{
+  TriangleCrossing crossing = CrossTriangle(set, ray, glyph, triangle);
+  return TriangleColour(set, crossing.corner, crossing.weight, triangle, number);
+}
+
+// The shortest rotation that takes the direction `from` to the direction `to`, both unit, of v.
+vec3 RotateByShortestArc(vec3 from, vec3 to, vec3 v)
+{
+  float c = 1.0 + dot(from, to);
+  vec3 sum = from + to;
+  return c > 1e-6 ? v + 2.0 * dot(from, v) * to - (dot(sum, v) / c) * sum : -v;
+}
+
+SurfaceHit HitOnMesh(uint record, GlyphSetRecord set, Glyph glyph, GlyphRay ray, uint number, float t, uint triangle)
+{
+  TriangleCrossing crossing = CrossTriangle(set, ray, glyph, triangle);
+  uvec3 corner = crossing.corner;
+  vec3 normal = cross(crossing.b - crossing.a, crossing.c - crossing.a);
+  vec3 smoothed = normal;
+  if (Has(set.variants, MESH_NORMALS))
+  {
+    smoothed = SmoothNormal(set, corner, crossing.weight, normal);
+    if (Has(set.variants, MOVING_MESH))
+    {
+      // The corners' normals are those of the mesh at rest: they turn as the triangle does.
+      vec3 rest = set.meshPositions.at[corner.x];
+      vec3 before = cross(set.meshPositions.at[corner.y] - rest, set.meshPositions.at[corner.z] - rest);
+      bool flat_ = min(dot(before, before), dot(normal, normal)) <= 0.0;
+      smoothed = !flat_ ? RotateByShortestArc(normalize(before), normalize(normal), smoothed) : smoothed;
+    }
+  }
+  SurfaceHit hit;
+  hit.t = t;
+  // Normals turn with the inverse transpose.
+  hit.shadingNormal = normalize(RotateToWorld(glyph, smoothed / glyph.size));
+  hit.normal = OnSideOf(hit.shadingNormal, normalize(RotateToWorld(glyph, normal / glyph.size)));
+  hit.record = record;
+  hit.glyph = set.identifiesTriangles != 0u ? triangle : set.firstGlyph + number;
+  vec3 size = abs(glyph.size);
+  hit.error = leavesSurface ? 2e-6 * set.meshRadius * max(size.x, max(size.y, size.z)) : 0.0;
+  hit.colour = TriangleColour(set, corner, crossing.weight, triangle, number);
+  return hit;
 }

@@ -1,39 +1,30 @@
-// Where a glyph is at the time of the ray in flight (Kernels/Motion.h). Specialised per hit group.
-layout(constant_id = 30) const bool hasVelocities = false;
-layout(constant_id = 31) const bool hasAccelerations = false;
-layout(constant_id = 32) const bool spins = false;
-layout(constant_id = 40) const bool meshVelocities = false; // the positions of the set's mesh move
-layout(constant_id = 41) const bool meshAccelerations = false;
-const bool displaced = hasVelocities || hasAccelerations;
-const bool setMoves = displaced || spins || meshVelocities || meshAccelerations;
+// Where a glyph is at the time of the ray in flight (Kernels/Motion.h).
 
-// Where a set's motion is found, and the time: read once a program, not once a glyph.
-struct MotionSource
-{
-  Vec3Array velocities;
-  Vec3Array accelerations;
-  Vec3Array angularVelocities;
-  float time;
-};
+// When in the shutter's opening the path of the ray in flight runs, in [0, 1).
+#ifdef RTG_OWN_TREES
+float shutterTime = 0.0;
 
-MotionSource CurrentMotion(GlyphSetRecord set)
+float ShutterFraction()
 {
-  MotionSource source;
-  source.velocities = set.velocities;
-  source.accelerations = set.accelerations;
-  source.angularVelocities = set.angularVelocities;
-  source.time = 0.0;
-  if (setMoves)
-  {
-    source.time = set.shutterOpen + frame.rays.at[LaunchIndex()].time * set.shutterLength;
-  }
-  return source;
+  return shutterTime;
+}
+#else
+float ShutterFraction()
+{
+  return frame.rays.at[LaunchIndex()].time;
+}
+#endif
+
+// The same as a time of the set's own.
+float TimeOf(GlyphSetRecord set)
+{
+  return set.shutterOpen + ShutterFraction() * set.shutterLength;
 }
 
-// Which of the tree's versions the ray in flight needs.
-uint CurrentSlice(GlyphSetRecord set)
+// Which of the versions of a set's tree the ray in flight needs.
+uint SliceOf(uint sliceBits)
 {
-  return setMoves ? uint(frame.rays.at[LaunchIndex()].time * float(1u << set.timeSliceBits)) : 0u;
+  return uint(ShutterFraction() * float(1u << sliceBits));
 }
 
 // Sine and cosine of an angle >= 0, right to 2^-22 below 1000. Vulkan asks 2^-11 of its own, and that between -pi and
@@ -61,28 +52,29 @@ vec4 TurnBy(vec3 rotation)
   return angle > 0.0 ? vec4(halfway * (turn.x / angle), turn.y) : vec4(0.0, 0.0, 0.0, 1.0);
 }
 
-void Move(inout Glyph glyph, MotionSource source, uint primitive)
+// Moves a glyph to where it is at that time.
+void Move(inout Glyph glyph, GlyphSetRecord set, uint primitive, float time)
 {
-  if (displaced)
+  if (Has(set.variants, VELOCITIES | ACCELERATIONS))
   {
     vec3 displacement = vec3(0.0);
-    if (hasAccelerations)
+    if (Has(set.variants, ACCELERATIONS))
     {
-      displacement = (0.5 * source.time) * source.accelerations.at[primitive];
+      displacement = (0.5 * time) * set.accelerations.at[primitive];
     }
-    if (hasVelocities)
+    if (Has(set.variants, VELOCITIES))
     {
-      displacement += source.velocities.at[primitive];
+      displacement += set.velocities.at[primitive];
     }
     // What rounding the new centre would lose stays in the low part.
-    DoubleWord3 centre = TwoSum(glyph.centre, displacement * source.time);
+    DoubleWord3 centre = TwoSum(glyph.centre, displacement * time);
     glyph.centre = centre.hi;
     glyph.centreLow += centre.lo;
   }
-  if (spins)
+  if (Has(set.variants, ANGULAR_VELOCITIES))
   {
     // First the glyph's own rotation b, then the turn a.
-    vec4 a = TurnBy(source.time * source.angularVelocities.at[primitive]);
+    vec4 a = TurnBy(time * set.angularVelocities.at[primitive]);
     vec4 b = glyph.rotation;
     vec4 product = vec4(a.w * b.xyz + b.w * a.xyz + cross(a.xyz, b.xyz), a.w * b.w - dot(a.xyz, b.xyz));
     glyph.rotation = normalize(product);

@@ -1,10 +1,5 @@
 // What the ray generation programs of images share: the pixel of a launch, camera rays, and what a pixel gathers.
 // What an image does not ask for is not in its program: on CPU devices even untaken branches cost time.
-layout(constant_id = 11) const bool accumulates = false;     // samples are added to earlier ones, or will be
-layout(constant_id = 12) const bool gathersFeatures = false; // normals and so on are summed
-layout(constant_id = 13) const bool develops = false;        // colours change on their way to the display
-layout(constant_id = 33) const bool moves = false;           // something in the scene does
-
 #include "../Shading/Sampling.glsl"
 #include "../Shading/ShutterTime.glsl"
 #include "../Shading/Tone.glsl"
@@ -46,7 +41,7 @@ void OpenShutter(SampleNumber number)
 {
   if (moves)
   {
-    frame.rays.at[LaunchIndex()].time = ShutterTime(number);
+    SetShutterTime(ShutterTime(number));
   }
 }
 

@@ -1,27 +1,37 @@
-// What an analytic glyph's surface is like where a ray meets it; after bindings.glsl and glyph.glsl.
-layout(constant_id = 8) const bool colouredByForm = false;
+// What a surface is like where a ray meets it; after bindings.glsl and glyph.glsl.
 
-// `glyph`: its number in the set. `seed`: of the ray, as PassesBy() has it.
-SurfaceHit HitOnGlyph(uint record, GlyphSetRecord set, GlyphSource source, GlyphRay ray, uint glyph, float t, uint seed)
+// `glyph`: its number in the set. `triangle`: of a mesh. `seed`: of the ray, see MayPass().
+SurfaceHit HitOnGlyph(uint record, GlyphSource source, GlyphRay ray, uint glyph, float t, uint triangle, uint seed)
 {
-  SurfaceHit hit;
+  GlyphSetRecord set = source.set;
   // The normal is computed anew: hit attributes are not safe on every driver (lavapipe overwrites them
   // with those of rejected candidates).
   Glyph found = FetchGlyph(source, glyph);
-  hit.t = t;
-  hit.normal = GlyphNormal(ray, found, t);
-  hit.shadingNormal = hit.normal;
-  // The shapes promise 1e-6 sizes (Shapes/README.md).
-  hit.error = leavesSurface ? 2e-6 * max(found.size.x, max(found.size.y, found.size.z)) : 0.0;
-  hit.record = record;
-  hit.glyph = set.firstGlyph + glyph;
-  hit.colour = vec4(coloured ? unpackUnorm4x8(set.colours.at[glyph]).rgb : set.colour, OpacityOf(set, glyph));
-  if (translucency && seed != 0u)
+  SurfaceHit hit;
+#ifdef RTG_MESHES
+  if (IsOfShape(set.shape, RTG_MESH))
+  {
+    hit = HitOnMesh(record, set, found, ray, glyph, t, triangle);
+  }
+  else
+#endif
+  {
+    hit.t = t;
+    hit.normal = GlyphNormal(set.shape, ray, found, t);
+    hit.shadingNormal = hit.normal;
+    // The shapes promise 1e-6 sizes (Shapes/README.md).
+    hit.error = leavesSurface ? 2e-6 * max(found.size.x, max(found.size.y, found.size.z)) : 0.0;
+    hit.record = record;
+    hit.glyph = set.firstGlyph + glyph;
+    vec3 base = Has(set.variants, COLOURS) ? unpackUnorm4x8(set.colours.at[glyph]).rgb : set.colour;
+    hit.colour = vec4(base, OpacityOf(set, glyph));
+  }
+  if (MayPass(set, seed))
   {
     // Chance has decided that it stops the ray.
     hit.colour.a = 1.0;
   }
-  if (colouredByForm)
+  if (Has(set.variants, FORMS))
   {
     // In glyph sizes: squares of tiny lengths vanish.
     vec3 p = FromCentre(ray, found, t) / max(found.size.x, max(found.size.y, found.size.z));

@@ -1,13 +1,15 @@
-// Tracing one ray from ray generation programs. With RTG_WHOLE they are those of a scene that is one set of glyphs with
-// a tree (Pipeline.h, Generation::whole): the tree is walked here, and the driver's structure, through which a CPU
-// device comes to it for a fifth of the time, is left out.
-#ifdef RTG_WHOLE
+// Tracing one ray from ray generation programs. There are two ways from a ray to what it meets: with RTG_OWN_TREES the
+// program walks the trees of all sets itself (walk.glsl); else the driver traverses its own structure and calls the
+// programs of the sets' hit groups.
+#ifdef RTG_OWN_TREES
+#define RTG_MESHES
 #include "glyph.glsl"
 #include "walk.glsl"
 #include "surface.glsl"
 #else
 #include "../Shapes/Dialect.glsl"
 #include "../Shapes/DoubleWord.glsl"
+#include "../Shading/Sobol.glsl"
 
 layout(location = 0) rayPayloadEXT SurfaceHit payload;
 #endif
@@ -23,6 +25,31 @@ struct SceneRay
   float start; // how far the origin was moved along the ray
 };
 
+// Says when in the shutter's opening the rays that follow run.
+void SetShutterTime(float time)
+{
+  if (moves)
+  {
+#ifdef RTG_OWN_TREES
+    shutterTime = time;
+#else
+    frame.rays.at[LaunchIndex()].time = time;
+#endif
+  }
+}
+
+// What a ray asks the scene.
+struct Query
+{
+  SceneRay ray;
+  float tMin;
+  float tMax;
+  uint mask; // of the sets that are asked
+  uint seed; // of the chance by which it passes translucent surfaces, the same ones whenever it is asked; 0: it passes
+             // none
+  bool any;  // whether it meets anything, whatever that is
+};
+
 // Where the ray enters the scene's bounds, or 0 when it starts inside them.
 float SceneEntry(vec3 origin, vec3 direction)
 {
@@ -35,84 +62,12 @@ float SceneEntry(vec3 origin, vec3 direction)
   return max(max(entry.x, entry.y), max(entry.z, 0.0));
 }
 
-#ifdef RTG_WHOLE
-bool IsSeen(GlyphSetRecord set, uint cullMask)
-{
-  return (cullMask & (set.translucent != 0u ? TRANSLUCENT_MASK : OPAQUE_MASK)) != 0u;
-}
-
-Query QueryOf(GlyphSetRecord set, SceneRay ray, float tMin, float tMax, bool any, uint seed)
-{
-  return Query(
-    GlyphRay(ray.origin.hi, ray.origin.lo, ray.direction), ray.origin.hi - set.offset, tMin, tMax, any, seed);
-}
-#else
-// Tells the intersection programs what the driver does not.
-void BeginRay(SceneRay ray, uint seed)
-{
-  frame.rays.at[LaunchIndex()].originLow = ray.origin.lo;
-  if (translucency)
-  {
-    frame.rays.at[LaunchIndex()].seed = seed;
-  }
-}
-#endif
-
 SceneRay EnterScene(DoubleWord3 origin, vec3 direction)
 {
   float start = SceneEntry(origin.hi, direction);
   // One step back in case rounding put the entry beyond the bounds.
   start = max(start - 1e-5 * start, 0.0);
   return SceneRay(start > 0.0 ? Add(origin, TwoProduct(direction, vec3(start))) : origin, direction, start);
-}
-
-// The nearest hit with tMin <= t <= tMax, or one with t < 0. A `seed` other than 0 lets the ray pass translucent glyphs
-// by chance, the same ones whenever it is traced again.
-SurfaceHit Intersect(SceneRay ray, float tMin, float tMax, uint cullMask, uint seed)
-{
-  if (!(tMin <= tMax))
-  {
-    return NoHit();
-  }
-#ifdef RTG_WHOLE
-  SurfaceHit hit = NoHit();
-  GlyphSetRecord set = SetRecord(0u);
-  if (IsSeen(set, cullMask))
-  {
-    GlyphSource source = SourceOf(set);
-    Query query = QueryOf(set, ray, tMin, tMax, false, seed);
-    GlyphHit found = NearestGlyph(set, source, query);
-    if (found.glyph != nothing)
-    {
-      hit = HitOnGlyph(0u, set, source, query.ray, found.glyph, found.t, seed);
-    }
-  }
-  return hit;
-#else
-  BeginRay(ray, seed);
-  traceRayEXT(accelerationStructureEXT(frame.topLevel), gl_RayFlagsOpaqueEXT, cullMask, 0u, 0u, 0u, ray.origin.hi, tMin,
-    ray.direction, tMax, 0);
-  return payload;
-#endif
-}
-
-// True when anything in `cullMask` lies between the ray's origin and `tMax`: the traversal ends at the first hit and
-// runs no closest-hit program.
-bool Occluded(SceneRay ray, float tMax, uint cullMask)
-{
-#ifdef RTG_WHOLE
-  GlyphSetRecord set = SetRecord(0u);
-  return IsSeen(set, cullMask) &&
-    NearestGlyph(set, SourceOf(set), QueryOf(set, ray, 0.0, tMax, true, 0u)).glyph != nothing;
-#else
-  BeginRay(ray, 0u);
-  // The miss program makes it negative.
-  payload.t = 0.0;
-  traceRayEXT(accelerationStructureEXT(frame.topLevel),
-    gl_RayFlagsOpaqueEXT | gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT, cullMask, 0u, 0u, 0u,
-    ray.origin.hi, 0.0, ray.direction, tMax, 0);
-  return payload.t >= 0.0;
-#endif
 }
 
 // How far the hit's t may be from the exact surface: Shapes/README.md's 8 ulp, doubled, and the hit's own error.
@@ -127,4 +82,105 @@ DoubleWord3 LeaveSurface(SceneRay ray, SurfaceHit hit)
 {
   DoubleWord3 position = Add(ray.origin, TwoProduct(ray.direction, vec3(hit.t)));
   return Add(position, TwoProduct(hit.normal, vec3(ErrorOfT(ray, hit) * length(ray.direction))));
+}
+
+#ifdef RTG_OWN_TREES
+// The nearest hit with tMin <= t <= tMax, or one with t < 0; of a query of any, only the sign of t means something.
+// With `gathers` the next of the layers, which are gathered in one traversal, as many as the list holds.
+SurfaceHit Trace(Query query, bool gathers)
+{
+  GlyphRay ray = GlyphRay(query.ray.origin.hi, query.ray.origin.lo, query.ray.direction);
+  GlyphCrossing found = GlyphCrossing(0u, nothing, nothing, query.tMax);
+  // A list of layers that was not full was the last.
+  bool walks = !gathers || (layerNext == layerCount && layerCount == layerLimit);
+  if (walks && query.tMin <= query.tMax)
+  {
+    if (gathers)
+    {
+      layerLimit = frame.layerLimit;
+      layerCount = layerNext = 0u;
+    }
+    found = WalkSets(ray, query.tMin, query.tMax, query.mask, query.seed, query.any, gathers);
+  }
+  if (gathers)
+  {
+    found.glyph = nothing;
+    if (layerNext < layerCount)
+    {
+      found = LayerAt(layerNext++);
+    }
+  }
+  SurfaceHit hit = NoHit();
+  if (found.glyph != nothing)
+  {
+    hit.t = found.t;
+    if (!query.any)
+    {
+      hit = HitOnGlyph(
+        found.record, SourceOf(SetRecord(found.record)), ray, found.glyph, found.t, found.triangle, query.seed);
+    }
+  }
+  return hit;
+}
+#else
+// Lets the driver trace the ray; `flags`: besides that everything is opaque to it.
+void TraceDriver(Query query, uint flags, uint mask)
+{
+  frame.rays.at[LaunchIndex()].originLow = query.ray.origin.lo;
+  if (translucency)
+  {
+    frame.rays.at[LaunchIndex()].seed = query.seed;
+  }
+  // The miss program makes it negative.
+  payload.t = 0.0;
+  traceRayEXT(accelerationStructureEXT(frame.topLevel), gl_RayFlagsOpaqueEXT | flags, mask, 0u, 0u, 0u,
+    query.ray.origin.hi, query.tMin, query.ray.direction, query.tMax, 0);
+}
+
+// More translucent triangles than this on one ray count as a wall.
+const uint maximumPasses = 256u;
+
+SurfaceHit Trace(Query query, bool gathers)
+{
+  if (!(query.tMin <= query.tMax))
+  {
+    return NoHit();
+  }
+  if (query.any)
+  {
+    // The traversal ends at the first hit and runs no closest-hit program.
+    TraceDriver(
+      query, gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT, query.mask & OPAQUE_MASK);
+    if (payload.t >= 0.0 || !translucency)
+    {
+      return payload;
+    }
+    query.mask &= TRANSLUCENT_MASK;
+  }
+  TraceDriver(query, 0u, query.mask);
+  // Among glyphs the traversal has decided; the opacity of one of the driver's triangles is known only now.
+  for (uint pass = 0u;
+       translucency && query.seed != 0u && pass < maximumPasses && payload.t >= 0.0 && payload.colour.a < 1.0; ++pass)
+  {
+    query.seed = Hash(query.seed) | 1u;
+    if (UnitInterval(Hash(query.seed)) < payload.colour.a)
+    {
+      break;
+    }
+    query.tMin = payload.t + ErrorOfT(query.ray, payload);
+    if (query.tMin > query.tMax)
+    {
+      return NoHit();
+    }
+    TraceDriver(query, 0u, query.mask);
+  }
+  return payload;
+}
+#endif
+
+// Whether something stops light that arrives along `direction` (unit) from at most `distance` away.
+Query ShadowQuery(DoubleWord3 origin, vec3 direction, float distance, uint seed)
+{
+  return Query(
+    SceneRay(origin, direction, 0.0), 0.0, distance, OPAQUE_MASK | TRANSLUCENT_MASK, translucency ? seed : 0u, true);
 }

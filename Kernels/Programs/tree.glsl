@@ -1,4 +1,4 @@
-// Traversal of a set's GlyphTree (Kernels/GlyphTree.h) inside its intersection program.
+// Traversal of a GlyphTree (Kernels/GlyphTree.h), over glyphs or over the triangles of a mesh.
 #ifndef RTG_TREE
 #define RTG_TREE
 
@@ -9,10 +9,8 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Tre
   uint64_t word[];
 };
 
-const uint nothing = 0xffffffffu; // no glyph, no triangle
-
-// Rays are soon stopped: what lies behind a hit is dropped at once.
-layout(constant_id = 36) const bool dropsHidden = false;
+// Rays are soon stopped in some set: what lies behind a hit is dropped at once.
+const bool dropsHidden = (someHave & DROPS_HIDDEN) != 0u;
 
 // A path through the tree without a stack: the node is known by level and index, and for every level on the way to it
 // eight bits say which of the children are still to be visited, the first to be visited highest, and four in what
@@ -129,7 +127,7 @@ void IntersectNode(
     Greater(PlaneParameters(nearZ.y, step.z, offset.z), vec4(tMin)));
   vec4 far1 = Lesser(Lesser(PlaneParameters(farX.y, step.x, offset.x), PlaneParameters(farY.y, step.y, offset.y)),
     Lesser(PlaneParameters(farZ.y, step.z, offset.z), vec4(tMax)));
-  // One more ulp or two for the rounding of t itself (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+  // The padding of the boxes allows for the rounding of t (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
   uint met = Bits(lessThanEqual(near0, far0)) | (Bits(lessThanEqual(near1, far1)) << 4);
 
   // Rank r visits child r ^ order: along each split's axis the ray's near side comes first.

@@ -1,7 +1,4 @@
-// What the two kinds of triangles share: normals and colours by their corners. Needs `coloured`.
-layout(constant_id = 6) const bool smoothNormals = false;
-layout(constant_id = 7) const uint meshColours = 0u; // 1: by position, 2: by triangle, 3: by values
-
+// What triangles of our own trees and of the driver's structure share: normals and colours by their corners.
 uvec3 CornersOf(GlyphSetRecord set, uint triangle)
 {
   return uvec3(set.meshTriangles.at[3u * triangle], set.meshTriangles.at[3u * triangle + 1u],
@@ -25,12 +22,12 @@ vec3 OnSideOf(vec3 smoothed, vec3 normal)
 vec4 TriangleColour(GlyphSetRecord set, uvec3 corner, vec3 weight, uint triangle, uint glyph)
 {
   vec4 colour = vec4(set.colour, 1.0);
-  if (meshColours == 1u)
+  if (Has(set.variants, MESH_POSITION_COLOURS))
   {
     colour = weight.x * unpackUnorm4x8(set.meshColours.at[corner.x]) +
       weight.y * unpackUnorm4x8(set.meshColours.at[corner.y]) + weight.z * unpackUnorm4x8(set.meshColours.at[corner.z]);
   }
-  else if (meshColours == 3u)
+  else if (Has(set.variants, MESH_VALUE_COLOURS))
   {
     float value = weight.x * uintBitsToFloat(set.meshColours.at[corner.x]) +
       weight.y * uintBitsToFloat(set.meshColours.at[corner.y]) +
@@ -40,11 +37,11 @@ vec4 TriangleColour(GlyphSetRecord set, uvec3 corner, vec3 weight, uint triangle
     uint entry = value < 0.0 ? entries : min(uint(value * float(entries)), entries - 1u);
     colour = unpackUnorm4x8(set.meshColours.at[set.meshValueCount + entry]);
   }
-  else if (meshColours == 2u)
+  else if (Has(set.variants, MESH_TRIANGLE_COLOURS))
   {
     colour = unpackUnorm4x8(set.meshColours.at[triangle]);
   }
-  else if (coloured)
+  else if (Has(set.variants, COLOURS))
   {
     colour = unpackUnorm4x8(set.colours.at[glyph]);
   }

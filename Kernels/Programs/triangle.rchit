@@ -1,10 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A triangle of a mesh glyph or of a surface, both at rest.
+// A triangle of a mesh glyph or of a surface, both at rest, in the driver's structure.
 #include "bindings.glsl"
-
-layout(constant_id = 2) const bool coloured = false; // one colour a glyph
-
 #include "triangle.glsl"
 
 layout(location = 0) rayPayloadInEXT SurfaceHit hit;
@@ -26,7 +23,7 @@ void main()
   vec3 toC = set.meshPositions.at[corner.z] - a;
 
   vec3 normal = cross(toB, toC);
-  vec3 smoothed = smoothNormals ? SmoothNormal(set, corner, weight, normal) : normal;
+  vec3 smoothed = Has(set.variants, MESH_NORMALS) ? SmoothNormal(set, corner, weight, normal) : normal;
   hit.t = gl_HitTEXT;
   // Normals turn with the inverse transpose.
   hit.shadingNormal = normalize(smoothed * mat3(gl_WorldToObjectEXT));

@@ -1,83 +1,95 @@
-// The nearest glyph of a set that a ray meets, by the set's GlyphTree; after bindings.glsl and glyph.glsl.
+// What a ray meets of the sets of a scene, by their own trees (Kernels/GlyphTree.h); after bindings.glsl and
+// glyph.glsl.
 #ifndef RTG_WALK
 #define RTG_WALK
 
 #include "tree.glsl"
 
-layout(constant_id = 34) const bool ownTreeOrder = false; // the slices of time are sorted each for itself
-
-// What a ray asks a set of glyphs.
-struct Query
+// A crossing of a glyph's surface
+struct GlyphCrossing
 {
-  GlyphRay ray;
-  vec3 boxOrigin; // the ray's origin in the frame of the set's centres, for boxes
-  float tMin;
-  float tMax;
-  bool any;  // one crossing will do, whichever it is
-  uint seed; // PassesBy()
-};
-
-// What it finds.
-struct GlyphHit
-{
-  uint glyph; // or `nothing`
+  uint record; // of the glyph's set
+  uint glyph;  // or `nothing`
+  uint triangle;
   float t;
-  uint triangle; // of a mesh glyph
 };
 
 // The nearest crossings of a ray that gathers its layers, of all glyphs, in their order: t as the upper half, the glyph
 // as the lower. Not a parameter: compilers copy arrays at every call.
-const uint layerCapacity = 24u;
 uint layerCount = 0u;
 uint layerLimit = 0u; // no more are wanted
-uint64_t layer[layerCapacity];
+uint layerNext = 0u;  // the first that has not been shown
+uint64_t layer[LAYER_CAPACITY];
+uint layerRecord[LAYER_CAPACITY];   // where there are several
+uint layerTriangle[LAYER_CAPACITY]; // where there are meshes
+const bool gathersTriangles = (shapes & (1u << RTG_MESH)) != 0u;
 
 // Adds a crossing; of more than the limit the farthest is dropped. They come in nearly in their order.
-void AddLayer(float t, uint glyph)
+void AddLayer(GlyphCrossing added)
 {
-  uint64_t added = pack64(uvec2(glyph, floatBitsToUint(t))); // of floats from 0 on the bits have the numbers' order
+  uint64_t key = pack64(uvec2(added.glyph, floatBitsToUint(added.t))); // of floats from 0 on the bits have their order
   uint at = min(layerCount, layerLimit - 1u);
-  for (; at > 0u && layer[at - 1u] > added; --at)
+  for (; at > 0u && layer[at - 1u] > key; --at)
   {
     layer[at] = layer[at - 1u];
+    if (!alone)
+    {
+      layerRecord[at] = layerRecord[at - 1u];
+    }
+    if (gathersTriangles)
+    {
+      layerTriangle[at] = layerTriangle[at - 1u];
+    }
   }
-  layer[at] = added;
+  layer[at] = key;
+  if (!alone)
+  {
+    layerRecord[at] = added.record;
+  }
+  if (gathersTriangles)
+  {
+    layerTriangle[at] = added.triangle;
+  }
   layerCount = min(layerCount + 1u, layerLimit);
 }
 
-float LayerT(uint at)
+GlyphCrossing LayerAt(uint at)
 {
-  return uintBitsToFloat(unpack32(layer[at]).y);
+  uvec2 key = unpack32(layer[at]);
+  return GlyphCrossing(
+    alone ? 0u : layerRecord[at], key.x, gathersTriangles ? layerTriangle[at] : nothing, uintBitsToFloat(key.y));
 }
 
 // Adds the glyph's crossings in [tMin, tMax]; returns up to where others are still wanted.
-float AddLayersOf(GlyphRay ray, uint number, Glyph glyph, float tMin, float tMax)
+float AddLayersOf(uint record, GlyphSetRecord set, GlyphRay ray, uint number, Glyph glyph, float tMin, float tMax)
 {
   float t;
   uint triangle;
-  for (uint crossing = 0u; crossing < maximumCrossings && IntersectGlyph(ray, glyph, tMin, tMax, t, triangle);
+  for (uint crossing = 0u; crossing < maximumCrossings && Intersect(set, ray, glyph, tMin, tMax, false, t, triangle);
        ++crossing)
   {
-    AddLayer(t, number);
-    tMax = layerCount == layerLimit ? LayerT(layerLimit - 1u) : tMax;
+    AddLayer(GlyphCrossing(record, number, triangle, t));
+    tMax = layerCount == layerLimit ? LayerAt(layerLimit - 1u).t : tMax;
     tMin = t + ErrorOfT(ray, glyph, t);
   }
   return tMax;
 }
 
-// The glyph whose crossing is nearest. With `gathers` all crossings are added to the layers instead, as many as are
-// wanted.
-GlyphHit Traverse(GlyphSetRecord set, GlyphSource source, Query query, const bool gathers)
+// Brings a crossing of a glyph of the set that is nearer than `hit`; with `any` whichever comes first. With `gathers`
+// all crossings nearer than it are added to the layers instead, as many as are wanted.
+void Traverse(
+  uint record, GlyphSource source, GlyphRay ray, float tMin, uint seed, bool any, bool gathers, inout GlyphCrossing hit)
 {
+  GlyphSetRecord set = source.set;
   TreeNodes nodes = TreeNodes(set.tree);
   uint levels = set.treeLevels;
   uint leafBits = set.treeLeafBits;
   uint64_t count = uint64_t(set.glyphCount);
-  uint slice = CurrentSlice(set);
+  uint slice = Has(set.variants, MOVING_GLYPHS | MOVING_MESH) ? SliceOf(set.timeSliceBits) : 0u;
   uint firstNode = slice * set.nodesPerSlice;
   uint firstPlace = slice * set.glyphCount;
-  BoxRay boxRay = MakeBoxRay(query.boxOrigin, query.ray.direction);
-  GlyphHit hit = GlyphHit(nothing, query.tMax, nothing);
+  BoxRay boxRay = MakeBoxRay(ray.origin - set.offset, ray.direction);
+  bool chance = MayPass(set, seed);
   // While the hit is estimated, its t lies between `surely` and hit.t.
   float surely = hit.t;
   bool estimated = false;
@@ -95,27 +107,28 @@ GlyphHit Traverse(GlyphSetRecord set, GlyphSource source, Query query, const boo
       {
         uint mask, order;
         float behind;
-        IntersectNode(nodes, firstNode + NodeNumber(position), boxRay, query.tMin, hit.t, mask, order, behind);
+        IntersectNode(nodes, firstNode + NodeNumber(position), boxRay, tMin, hit.t, mask, order, behind);
         PushChildren(position, mask, order, behind);
       }
       else if (i < end)
       {
-        uint glyph = ownTreeOrder ? set.treeOrder.at[firstPlace + i] : i;
+        uint glyph = Has(set.variants, ORDER_OF_SLICES) ? set.treeOrder.at[firstPlace + i] : i;
         float low, high;
-        int verdict = EstimateGlyph(query.ray, FetchGlyph(source, glyph), query.tMin, hit.t, low, high);
+        int verdict = Estimate(set, ray, FetchGlyph(source, glyph), tMin, hit.t, low, high);
         // An estimated glyph is met twice; a ray that passes by both misses it.
-        bool passes = verdict == RTG_MET && PassesBy(query.seed, set, glyph, 0u);
-        if (passes && PassesBy(query.seed, set, glyph, 1u))
+        bool passes = chance && verdict == RTG_MET && Passes(set, seed, glyph, 0u, OpacityOf(set, glyph));
+        if (passes && Passes(set, seed, glyph, 1u, OpacityOf(set, glyph)))
         {
           verdict = RTG_MISSED;
         }
         if (!gathers && !passes && verdict == RTG_MET && high < surely)
         {
+          hit.record = record;
           hit.glyph = glyph;
           estimated = true;
           surely = low;
           hit.t = high;
-          going = !query.any;
+          going = !any;
           DropHidden(position, hit.t);
         }
         else if (verdict != RTG_MISSED)
@@ -135,7 +148,7 @@ GlyphHit Traverse(GlyphSetRecord set, GlyphSource source, Query query, const boo
       }
     } while (going && candidate == nothing);
 
-    if (candidate == nothing && estimated && !query.any)
+    if (candidate == nothing && estimated && !any)
     {
       candidate = hit.glyph;
     }
@@ -146,27 +159,48 @@ GlyphHit Traverse(GlyphSetRecord set, GlyphSource source, Query query, const boo
       uint triangle;
       if (gathers)
       {
-        hit.t = AddLayersOf(query.ray, candidate, glyph, query.tMin, hit.t);
+        hit.t = AddLayersOf(record, set, ray, candidate, glyph, tMin, hit.t);
         DropHidden(position, hit.t);
       }
-      else if (IntersectStopping(set, query.ray, candidate, glyph, query.seed, query.tMin, hit.t, t, triangle))
+      else if (IntersectStopping(set, ray, candidate, glyph, seed, tMin, hit.t, any, t, triangle))
       {
+        hit.record = record;
         hit.glyph = candidate;
         hit.triangle = triangle;
         hit.t = t;
-        going = going && !query.any;
+        going = going && !any;
         DropHidden(position, hit.t);
       }
       surely = hit.t;
       estimated = false;
     }
   } while (going);
-  return hit;
 }
 
-GlyphHit NearestGlyph(GlyphSetRecord set, GlyphSource source, Query query)
+bool IsSeen(GlyphSetRecord set, uint mask)
 {
-  return Traverse(set, source, query, false);
+  return (mask & (set.translucent != 0u ? TRANSLUCENT_MASK : OPAQUE_MASK)) != 0u;
+}
+
+// The nearest crossing of all sets in `mask`; with `any` whichever comes first. With `gathers` the layers of
+// translucent sets up to what is opaque.
+GlyphCrossing WalkSets(GlyphRay ray, float tMin, float tMax, uint mask, uint seed, bool any, bool gathers)
+{
+  GlyphCrossing hit = GlyphCrossing(0u, nothing, nothing, tMax);
+  uint count = alone ? 1u : frame.setCount;
+  // Two rounds where layers are gathered: opaque sets end them.
+  uint end = gathers && !alone ? 2u * count : count;
+  for (uint i = 0u; i < end && !(any && hit.glyph != nothing); ++i)
+  {
+    uint record = i < count ? i : i - count;
+    bool gathering = gathers && (alone || i >= count);
+    GlyphSetRecord set = SetRecord(record);
+    if (IsSeen(set, gathers ? (gathering ? mask & TRANSLUCENT_MASK : OPAQUE_MASK) : mask))
+    {
+      Traverse(record, SourceOf(set), ray, tMin, seed, any, gathering, hit);
+    }
+  }
+  return hit;
 }
 
 #endif

@@ -4,8 +4,7 @@
 
 #include "Sobol.glsl"
 
-// rtg::Sampler in Tracer.h.
-layout(constant_id = 10) const uint samplerKind = 2u;
+// rtg::Sampler in Tracer.h, of which samplerKind is one.
 const uint samplerRandom = 0u;
 const uint samplerStratified = 1u;
 const uint samplerSobol = 2u;

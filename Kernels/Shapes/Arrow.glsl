@@ -2,6 +2,7 @@
 #ifndef RTG_ARROW
 #define RTG_ARROW
 
+#include "Estimate.glsl"
 #include "ArrowForm.glsl"
 #include "Disc.glsl"
 #include "Span.glsl"
@@ -152,6 +153,13 @@ RTG_FN bool IntersectArrow(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_
   bool found = ArrowCrossing(ray, glyph, tMin, tMax, local, head, crossing);
   t = crossing.t;
   return found;
+}
+
+RTG_FN Enclosure ArrowEnclosure(Glyph glyph)
+{
+  Enclosure outer = BoxedEnclosure(glyph);
+  ArrowBox(glyph, ScaleOfArrow(glyph), outer.middle, outer.halfSize);
+  return outer;
 }
 
 RTG_FN real3 ArrowNormal(GlyphRay ray, Glyph glyph, real t)

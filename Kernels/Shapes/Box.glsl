@@ -2,6 +2,7 @@
 #ifndef RTG_BOX
 #define RTG_BOX
 
+#include "Estimate.glsl"
 #include "Span.glsl"
 
 RTG_FN bool BoxCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(Crossing) crossing)
@@ -21,6 +22,11 @@ RTG_FN bool IntersectBox(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OU
   bool found = BoxCrossing(ray, glyph, tMin, tMax, crossing);
   t = crossing.t;
   return found;
+}
+
+RTG_FN Enclosure BoxEnclosure(Glyph glyph)
+{
+  return BoxedEnclosure(glyph);
 }
 
 RTG_FN real3 BoxNormal(GlyphRay ray, Glyph glyph, real t)

@@ -2,6 +2,7 @@
 #ifndef RTG_CONE
 #define RTG_CONE
 
+#include "Estimate.glsl"
 #include "Disc.glsl"
 #include "Span.glsl"
 
@@ -35,6 +36,11 @@ RTG_FN bool IntersectCone(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_O
   bool found = ConeCrossing(ray, glyph, tMin, tMax, local, crossing);
   t = crossing.t;
   return found;
+}
+
+RTG_FN Enclosure ConeEnclosure(Glyph glyph)
+{
+  return BoxedEnclosure(glyph);
 }
 
 RTG_FN real3 ConeNormal(GlyphRay ray, Glyph glyph, real t)

@@ -2,6 +2,7 @@
 #ifndef RTG_CYLINDER
 #define RTG_CYLINDER
 
+#include "Estimate.glsl"
 #include "Disc.glsl"
 #include "Span.glsl"
 
@@ -28,6 +29,11 @@ RTG_FN bool IntersectCylinder(GlyphRay ray, Glyph glyph, real tMin, real tMax, R
   bool found = CylinderCrossing(ray, glyph, tMin, tMax, local, crossing);
   t = crossing.t;
   return found;
+}
+
+RTG_FN Enclosure CylinderEnclosure(Glyph glyph)
+{
+  return BoxedEnclosure(glyph);
 }
 
 RTG_FN real3 CylinderNormal(GlyphRay ray, Glyph glyph, real t)

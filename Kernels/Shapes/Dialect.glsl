@@ -7,8 +7,8 @@
 #define real3 vec3
 #define real4 vec4
 #define RTG_FN
-#define RTG_FN_SHAPE
-#define RTG_OF_SHAPE
+#define RTG_SHAPE uint
+#define RTG_IS(shape, number) IsOfShape(shape, number)
 #define RTG_OUT(type) out type
 #define RTG_PRECISE precise
 

@@ -17,8 +17,22 @@ struct Enclosure
   real3 halfSize;
   real radius;
   bool boxed;
-  bool fills; // the glyph is that ball
+  bool fills;   // the glyph is that ball
+  bool inWorld; // a plain sphere: `radius` is the world's
 };
+
+// That of a shape that reaches from -size / 2 to size / 2 along each of its axes and fills neither cube nor ball.
+RTG_FN Enclosure BoxedEnclosure(Glyph glyph)
+{
+  Enclosure outer;
+  outer.middle = real3(real(0.0));
+  outer.halfSize = real(0.5) * glyph.size;
+  outer.radius = real(1.7320509); // to the cube's corner
+  outer.boxed = true;
+  outer.fills = false;
+  outer.inWorld = false;
+  return outer;
+}
 
 // The ray in that frame.
 struct EnclosureRay

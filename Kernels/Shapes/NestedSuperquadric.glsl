@@ -16,6 +16,7 @@
 #ifndef RTG_NESTED_SUPERQUADRIC
 #define RTG_NESTED_SUPERQUADRIC
 
+#include "Estimate.glsl"
 #include "Box.glsl"
 #include "Disc.glsl"
 #include "NestedConvex.glsl"
@@ -66,6 +67,11 @@ RTG_FN bool IntersectNestedSuperquadric(GlyphRay ray, Glyph glyph, real tMin, re
   NestedCrossing crossing = NestedSuperquadricCrossing(ray, glyph, tMin, tMax);
   t = crossing.t;
   return crossing.found;
+}
+
+RTG_FN Enclosure NestedSuperquadricEnclosure(Glyph glyph)
+{
+  return BoxedEnclosure(glyph);
 }
 
 RTG_FN real3 NestedSuperquadricNormal(GlyphRay ray, Glyph glyph, real t)

@@ -2,6 +2,7 @@
 #ifndef RTG_SPHERE
 #define RTG_SPHERE
 
+#include "Estimate.glsl"
 #include "Span.glsl"
 
 // radius^2 - |o|^2. The squares are exact and their sum is compensated (Ogita, Rump, Oishi: Accurate sum
@@ -88,6 +89,16 @@ RTG_FN bool IntersectSphere(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG
   bool found = SphereCrossing(ray, glyph, tMin, tMax, local, crossing);
   t = crossing.t;
   return found;
+}
+
+RTG_FN Enclosure SphereEnclosure(Glyph glyph)
+{
+  Enclosure outer = BoxedEnclosure(glyph);
+  outer.boxed = false;
+  outer.fills = true;
+  outer.inWorld = glyph.sameSize;
+  outer.radius = glyph.sameSize ? outer.halfSize.x : real(1.0);
+  return outer;
 }
 
 RTG_FN real3 SphereNormal(GlyphRay ray, Glyph glyph, real t)

@@ -26,6 +26,7 @@
 #ifndef RTG_SUPERQUADRIC
 #define RTG_SUPERQUADRIC
 
+#include "Estimate.glsl"
 #include "Box.glsl"
 #include "Disc.glsl"
 #include "Power.glsl"
@@ -654,6 +655,16 @@ RTG_FN bool GradientNear(GlyphRay ray, Glyph glyph, real t, RTG_OUT(real3) gradi
     s = Add(s, step);
   }
   return true;
+}
+
+RTG_FN Enclosure SuperquadricEnclosure(Glyph glyph)
+{
+  Enclosure outer = BoxedEnclosure(glyph);
+  // Where the largest exponent m is at least 2, |x|_2 <= 3^(1/2 - 1/m) |x|_m.
+  real m = max(glyph.exponents.x, max(glyph.exponents.y, glyph.exponents.z));
+  outer.radius = m <= real(2.0) ? real(1.0) : m <= real(4.0) ? real(1.3160741) : outer.radius;
+  outer.fills = IsEllipsoid(glyph);
+  return outer;
 }
 
 RTG_FN real3 SuperquadricNormal(GlyphRay ray, Glyph glyph, real t)

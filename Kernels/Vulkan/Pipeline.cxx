@@ -1,9 +1,11 @@
 #include "Pipeline.h"
 
 #include "Programs.h"
+#include "Prune.h"
 
-#include <algorithm>
+#include <cstddef>
 #include <cstring>
+#include <iterator>
 
 namespace rtg
 {
@@ -11,135 +13,32 @@ namespace rtg
 namespace
 {
 
-struct Specialisation
+const vk::SpecializationMapEntry constantMap[] = {
+#define RTG_ENTRY(id, type, name) { id, offsetof(Constants, name), sizeof(std::uint32_t) },
+  RTG_CONSTANTS(RTG_ENTRY)
+#undef RTG_ENTRY
+};
+
+vk::SpecializationInfo Specialise(const Constants& constants)
 {
-  std::uint32_t sizesPerGlyph;
-  vk::Bool32 turned;
-  vk::Bool32 coloured;
-  vk::Bool32 fixedHeads;
-  vk::Bool32 hasTree;
-  vk::Bool32 ownExponents;
-  vk::Bool32 smoothNormals;
-  std::uint32_t meshColours;
-  vk::Bool32 colouredByForm;
-  vk::Bool32 translucency;
-  vk::Bool32 alone;
-  vk::Bool32 leavesSurface;
-  vk::Bool32 hasVelocities;
-  vk::Bool32 hasAccelerations;
-  vk::Bool32 spins;
-  vk::Bool32 ownTreeOrder;
-  vk::Bool32 dropsHidden;
-  vk::Bool32 meshVelocities;
-  vk::Bool32 meshAccelerations;
-  vk::Bool32 exactCentres;
-};
-
-const vk::SpecializationMapEntry specialisationMap[] = {
-  { 0, offsetof(Specialisation, sizesPerGlyph), sizeof(std::uint32_t) },
-  { 1, offsetof(Specialisation, turned), sizeof(vk::Bool32) },
-  { 2, offsetof(Specialisation, coloured), sizeof(vk::Bool32) },
-  { 3, offsetof(Specialisation, fixedHeads), sizeof(vk::Bool32) },
-  { 4, offsetof(Specialisation, hasTree), sizeof(vk::Bool32) },
-  { 5, offsetof(Specialisation, ownExponents), sizeof(vk::Bool32) },
-  { 6, offsetof(Specialisation, smoothNormals), sizeof(vk::Bool32) },
-  { 7, offsetof(Specialisation, meshColours), sizeof(std::uint32_t) },
-  { 8, offsetof(Specialisation, colouredByForm), sizeof(vk::Bool32) },
-  { 14, offsetof(Specialisation, translucency), sizeof(vk::Bool32) },
-  { 15, offsetof(Specialisation, alone), sizeof(vk::Bool32) },
-  { 20, offsetof(Specialisation, leavesSurface), sizeof(vk::Bool32) },
-  { 30, offsetof(Specialisation, hasVelocities), sizeof(vk::Bool32) },
-  { 31, offsetof(Specialisation, hasAccelerations), sizeof(vk::Bool32) },
-  { 32, offsetof(Specialisation, spins), sizeof(vk::Bool32) },
-  { 34, offsetof(Specialisation, ownTreeOrder), sizeof(vk::Bool32) },
-  { 36, offsetof(Specialisation, dropsHidden), sizeof(vk::Bool32) },
-  { 40, offsetof(Specialisation, meshVelocities), sizeof(vk::Bool32) },
-  { 41, offsetof(Specialisation, meshAccelerations), sizeof(vk::Bool32) },
-  { 42, offsetof(Specialisation, exactCentres), sizeof(vk::Bool32) },
-};
-
-// Shading/Sampling.glsl, Programs/pixel.glsl, Programs/bindings.glsl, Programs/layers.glsl
-struct GenerationSpecialisation
-{
-  std::uint32_t sampler;
-  vk::Bool32 accumulates;
-  vk::Bool32 gathersFeatures;
-  vk::Bool32 develops;
-  vk::Bool32 translucency;
-  vk::Bool32 alone;
-  vk::Bool32 moves;
-  vk::Bool32 environmentImage;
-  vk::Bool32 layered;
-};
-
-const vk::SpecializationMapEntry generationMap[] = {
-  { 10, offsetof(GenerationSpecialisation, sampler), sizeof(std::uint32_t) },
-  { 11, offsetof(GenerationSpecialisation, accumulates), sizeof(vk::Bool32) },
-  { 12, offsetof(GenerationSpecialisation, gathersFeatures), sizeof(vk::Bool32) },
-  { 13, offsetof(GenerationSpecialisation, develops), sizeof(vk::Bool32) },
-  { 14, offsetof(GenerationSpecialisation, translucency), sizeof(vk::Bool32) },
-  { 15, offsetof(GenerationSpecialisation, alone), sizeof(vk::Bool32) },
-  { 33, offsetof(GenerationSpecialisation, moves), sizeof(vk::Bool32) },
-  { 35, offsetof(GenerationSpecialisation, environmentImage), sizeof(vk::Bool32) },
-  { 38, offsetof(GenerationSpecialisation, layered), sizeof(vk::Bool32) },
-};
-
-const programs::Code& CodeOf(const Generation& generation, const std::vector<HitGroup>& groups)
-{
-  if (generation.whole)
-  {
-    return programs::shapes[static_cast<std::uint32_t>(groups.front().shape)]
-      .whole[static_cast<std::uint32_t>(generation.program)];
-  }
-  switch (generation.program)
-  {
-    case Program::Local:
-      return programs::imageGeneration;
-    case Program::Occlusion:
-      return programs::occlusionGeneration;
-    case Program::Path:
-      return programs::pathGeneration;
-    default:
-      return programs::probeGeneration;
-  }
+  return vk::SpecializationInfo(
+    static_cast<std::uint32_t>(std::size(constantMap)), constantMap, sizeof(constants), &constants);
 }
 
-Specialisation ConstantsOf(const HitGroup& group, const Generation& generation)
+// Those of a hit group's programs: every set of theirs is alike.
+Constants ConstantsOf(const HitGroup& group, const Generation& generation)
 {
-  const vk::Bool32 leavesSurface =
-    generation.program == Program::Occlusion || generation.program == Program::Path || generation.layered;
-  return { group.sizesPerGlyph, group.turned, group.coloured, group.fixedHeads, group.hasTree, group.ownExponents,
-    group.smoothNormals, group.meshColours, group.colouredByForm, generation.translucency, generation.alone,
-    leavesSurface, group.hasVelocities, group.hasAccelerations, group.spins, group.ownTreeOrder, group.dropsHidden,
-    group.meshVelocities, group.meshAccelerations, group.exactCentres };
+  Constants constants = generation.constants;
+  constants.shapes = 1u << static_cast<std::uint32_t>(group.shape);
+  constants.allHave = constants.someHave = group.variants;
+  return constants;
 }
 
-// What ray generation programs are specialised for; those of whole scenes for their only set, too.
-struct GenerationConstants
+vk::raii::ShaderModule MakeModule(Device::State& device, const programs::Code& code, const Constants& constants)
 {
-  GenerationSpecialisation generation;
-  Specialisation set;
-};
-
-std::vector<vk::SpecializationMapEntry> GenerationMap(bool whole)
-{
-  std::vector<vk::SpecializationMapEntry> entries(std::begin(generationMap), std::end(generationMap));
-  for (vk::SpecializationMapEntry entry : specialisationMap)
-  {
-    const bool known = std::any_of(std::begin(generationMap), std::end(generationMap),
-      [&entry](const auto& e) { return e.constantID == entry.constantID; });
-    if (whole && !known)
-    {
-      entry.offset += offsetof(GenerationConstants, set);
-      entries.push_back(entry);
-    }
-  }
-  return entries;
-}
-
-vk::raii::ShaderModule MakeModule(Device::State& device, const programs::Code& code)
-{
-  return vk::raii::ShaderModule(device.device, vk::ShaderModuleCreateInfo({}, code.bytes, code.words));
+  const std::vector<std::uint32_t> words = Prune(code, constants);
+  return vk::raii::ShaderModule(
+    device.device, vk::ShaderModuleCreateInfo({}, words.size() * sizeof(std::uint32_t), words.data()));
 }
 
 std::size_t AlignUp(std::size_t value, std::size_t alignment)
@@ -148,12 +47,6 @@ std::size_t AlignUp(std::size_t value, std::size_t alignment)
 }
 
 } // namespace
-
-bool CanBeWhole(const Generation& generation, const std::vector<HitGroup>& groups)
-{
-  return generation.alone && groups.size() == 1 && groups.front().hasTree && generation.program != Program::Probe &&
-    programs::shapes[static_cast<std::uint32_t>(groups.front().shape)].whole[0].words;
-}
 
 Pipeline::Pipeline(Device::State& device, const Generation& generation, const std::vector<HitGroup>& groups)
   : device_(&device)
@@ -174,53 +67,44 @@ Pipeline::Pipeline(Device::State& device, const Generation& generation, const st
   // lavapipe mixes up groups that share one.
   std::vector<vk::raii::ShaderModule> modules;
   std::vector<vk::PipelineShaderStageCreateInfo> stages;
-  std::vector<Specialisation> constants(groups.size());
-  std::vector<vk::SpecializationInfo> specialisations(groups.size());
+  std::vector<Constants> constants(groups.size());
+  std::vector<vk::SpecializationInfo> specialisations;
+  specialisations.reserve(2 + 2 * groups.size());
   modules.reserve(2 + 2 * groups.size());
-  const auto addStage = [&](Stage stage, const programs::Code& code, const vk::SpecializationInfo* special)
+  const auto addStage = [&](Stage stage, const programs::Code& code, const Constants& values)
   {
-    modules.push_back(MakeModule(device, code));
-    stages.emplace_back(vk::PipelineShaderStageCreateFlags(), stage, *modules.back(), "main", special);
+    modules.push_back(MakeModule(device, code, values));
+    specialisations.push_back(Specialise(values));
+    stages.emplace_back(vk::PipelineShaderStageCreateFlags(), stage, *modules.back(), "main", &specialisations.back());
     return static_cast<std::uint32_t>(stages.size() - 1);
   };
   std::vector<vk::RayTracingShaderGroupCreateInfoKHR> shaderGroups;
-  GenerationConstants generationConstants{};
-  generationConstants.generation = { generation.sampler, generation.accumulates, generation.gathersFeatures,
-    generation.develops, generation.translucency, generation.alone, generation.moves, generation.environmentImage,
-    generation.layered };
-  if (generation.whole)
-  {
-    generationConstants.set = ConstantsOf(groups.front(), generation);
-  }
-  const std::vector<vk::SpecializationMapEntry> entries = GenerationMap(generation.whole);
-  const vk::SpecializationInfo generationInfo(
-    static_cast<std::uint32_t>(entries.size()), entries.data(), sizeof(generationConstants), &generationConstants);
   const auto addGeneral = [&](std::uint32_t stage)
   {
     shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eGeneral, stage, VK_SHADER_UNUSED_KHR,
       VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
   };
-  addGeneral(addStage(Stage::eRaygenKHR, CodeOf(generation, groups), &generationInfo));
-  addGeneral(addStage(Stage::eMissKHR, programs::nothingMiss, nullptr));
-  const std::size_t hitGroups = generation.whole ? 0 : groups.size();
+  const programs::Code* generations = generation.ownTrees ? programs::ownTreesGeneration : programs::drivenGeneration;
+  addGeneral(
+    addStage(Stage::eRaygenKHR, generations[static_cast<std::uint32_t>(generation.program)], generation.constants));
+  addGeneral(addStage(Stage::eMissKHR, programs::nothingMiss, generation.constants));
+  const std::size_t hitGroups = groups.size();
   for (std::size_t i = 0; i < hitGroups; ++i)
   {
     const HitGroup& group = groups[i];
     constants[i] = ConstantsOf(group, generation);
-    specialisations[i] = vk::SpecializationInfo(static_cast<std::uint32_t>(std::size(specialisationMap)),
-      specialisationMap, sizeof(Specialisation), &constants[i]);
-    if (group.shape == Shape::Mesh && !group.meshTree)
+    if (group.DriverTriangles())
     {
-      const std::uint32_t closestHit =
-        addStage(Stage::eClosestHitKHR, programs::triangleClosestHit, &specialisations[i]);
+      const std::uint32_t closestHit = addStage(Stage::eClosestHitKHR, programs::triangleClosestHit, constants[i]);
       shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eTrianglesHitGroup, VK_SHADER_UNUSED_KHR, closestHit,
         VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
       continue;
     }
-    const programs::ShapeCode& code = programs::shapes[static_cast<std::uint32_t>(group.shape)];
+    const bool mesh = group.shape == Shape::Mesh;
     const std::uint32_t intersection =
-      addStage(Stage::eIntersectionKHR, group.hasTree ? code.treeIntersection : code.intersection, &specialisations[i]);
-    const std::uint32_t closestHit = addStage(Stage::eClosestHitKHR, code.closestHit, &specialisations[i]);
+      addStage(Stage::eIntersectionKHR, mesh ? programs::meshIntersection : programs::glyphIntersection, constants[i]);
+    const std::uint32_t closestHit =
+      addStage(Stage::eClosestHitKHR, mesh ? programs::meshClosestHit : programs::glyphClosestHit, constants[i]);
     shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eProceduralHitGroup, VK_SHADER_UNUSED_KHR, closestHit,
       VK_SHADER_UNUSED_KHR, intersection);
   }

@@ -3,52 +3,38 @@
 #include "Buffer.h"
 
 #include "../Glyphs.h"
+#include "../HostDevice.h"
 
 #include <vector>
 
 namespace rtg
 {
 
-/// What a hit group is specialised for: the arrays its glyph sets really have.
+/// The specialisation constants of a program (Variants.h), as Vulkan takes them.
+struct Constants
+{
+#define RTG_FIELD(id, type, name) std::uint32_t name = 0;
+  RTG_CONSTANTS(RTG_FIELD)
+#undef RTG_FIELD
+
+  bool operator==(const Constants&) const = default;
+};
+
+/// What sets have in common that are traced by the same programs.
 struct HitGroup
 {
   Shape shape = Shape::Sphere;
-  std::uint32_t sizesPerGlyph = 0; ///< 0, 1 or 3
-  bool turned = false;
-  bool coloured = false;
-  bool fixedHeads = false;
-  bool hasTree = false;
-  bool ownExponents = false;
-  bool exactCentres = false; ///< centres have low parts
-  bool colouredByForm = false;
-  bool hasVelocities = false;
-  bool hasAccelerations = false;
-  bool spins = false;
-  bool ownTreeOrder = false; ///< slices of time are sorted each for itself
-  bool dropsHidden = false;  ///< glyphs lie so densely that most of what a ray might meet is behind its hit
-  // Shape::Mesh only
-  bool smoothNormals = false;
-  std::uint32_t meshColours = 0; ///< 0: none, 1: by position, 2: by triangle
-  bool meshTree = false;         ///< our tree of the mesh's triangles; the driver knows no triangles that move
-  bool meshVelocities = false;
-  bool meshAccelerations = false;
+  std::uint32_t variants = 0; ///< bits of Variants.h
 
-  bool Moves() const
+  bool operator==(const HitGroup&) const = default;
+  bool Has(std::uint32_t variant) const { return (this->variants & variant) != 0; }
+  void Set(std::uint32_t variant, bool has)
   {
-    return this->hasVelocities || this->hasAccelerations || this->spins || this->meshVelocities ||
-      this->meshAccelerations;
+    this->variants = has ? this->variants | variant : this->variants & ~variant;
   }
-
-  friend bool operator==(const HitGroup& a, const HitGroup& b)
-  {
-    return a.shape == b.shape && a.sizesPerGlyph == b.sizesPerGlyph && a.turned == b.turned &&
-      a.coloured == b.coloured && a.fixedHeads == b.fixedHeads && a.hasTree == b.hasTree &&
-      a.ownExponents == b.ownExponents && a.exactCentres == b.exactCentres && a.colouredByForm == b.colouredByForm &&
-      a.hasVelocities == b.hasVelocities && a.hasAccelerations == b.hasAccelerations && a.spins == b.spins &&
-      a.ownTreeOrder == b.ownTreeOrder && a.dropsHidden == b.dropsHidden && a.smoothNormals == b.smoothNormals &&
-      a.meshColours == b.meshColours && a.meshTree == b.meshTree && a.meshVelocities == b.meshVelocities &&
-      a.meshAccelerations == b.meshAccelerations;
-  }
+  bool Moves() const { return this->Has(device::MOVING_GLYPHS | device::MOVING_MESH); }
+  /// Whether the driver knows the triangles.
+  bool DriverTriangles() const { return this->shape == Shape::Mesh && !this->Has(device::MESH_TREE); }
 };
 
 /// A ray generation program.
@@ -60,31 +46,15 @@ enum class Program
   Probe
 };
 
-/// A ray generation program and what it is specialised for (Programs/bindings.glsl, pixel.glsl, Shading/Sampling.glsl).
+/// A ray generation program and what it is specialised for.
 struct Generation
 {
   Program program = Program::Local;
-  bool alone = false;        ///< the scene has a single GlyphSetRecord, FrameRecord::onlySet
-  std::uint32_t sampler = 0; ///< number of an rtg::Sampler
-  bool accumulates = false;
-  bool gathersFeatures = false;
-  bool develops = false;
-  bool translucency = false;
-  bool moves = false; ///< paths run at times of their own
-  bool environmentImage = false;
-  bool layered = false; ///< all translucent surfaces along camera rays are shown
-  bool whole = false; ///< the scene is one set of glyphs with a tree, which the program walks itself; see CanBeWhole()
+  bool ownTrees = false; ///< it walks the trees of all sets itself, and there are no hit groups
+  Constants constants;
 
-  friend bool operator==(const Generation& a, const Generation& b)
-  {
-    return a.program == b.program && a.alone == b.alone && a.sampler == b.sampler && a.accumulates == b.accumulates &&
-      a.gathersFeatures == b.gathersFeatures && a.develops == b.develops && a.translucency == b.translucency &&
-      a.moves == b.moves && a.environmentImage == b.environmentImage && a.layered == b.layered && a.whole == b.whole;
-  }
+  bool operator==(const Generation&) const = default;
 };
-
-/// Whether there are programs for a scene of this single hit group alone.
-bool CanBeWhole(const Generation& generation, const std::vector<HitGroup>& groups);
 
 /// One ray generation program with the hit groups of a scene, and its shader binding table.
 class Pipeline

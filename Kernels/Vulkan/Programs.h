@@ -13,21 +13,13 @@ struct Code
   const std::uint32_t* words;
 };
 
-struct ShapeCode
-{
-  Code intersection;     ///< a glyph is a primitive
-  Code treeIntersection; ///< a set's GlyphTree is
-  Code closestHit;
-  Code
-    whole[3]; ///< ray generation for a scene that is one set with a tree, by rtg::Program; without words: there is none
-};
-
-extern const Code imageGeneration; ///< local shading
-extern const Code occlusionGeneration;
-extern const Code pathGeneration;
-extern const Code probeGeneration;
+/// Ray generation, by rtg::Program.
+extern const Code drivenGeneration[];   ///< the driver traverses its structure
+extern const Code ownTreesGeneration[]; ///< they walk the trees of all sets
 extern const Code nothingMiss;
 extern const Code triangleClosestHit;
-extern const ShapeCode shapes[]; ///< by rtg::Shape
+/// Glyphs as boxes of the driver's structure: analytic ones, and those that are copies of a mesh with a tree.
+extern const Code glyphIntersection, glyphClosestHit;
+extern const Code meshIntersection, meshClosestHit;
 
 } // namespace rtg::programs

@@ -43,15 +43,15 @@ protected:
         const auto ray = KernelRay<Real>(hardRay);
         const rtg::Shape shape = hard.instances.shape;
         Real whole = 0;
-        const bool meets = Kernel::Intersect(shape, ray, glyph, Real(0), Real(1e30), whole);
+        const bool meets = Kernel::IntersectGlyph(shape, ray, glyph, Real(0), Real(1e30), whole);
         // All of the ray, then only what lies well before the crossing, behind it, and around it.
         const Real ranges[][2] = { { Real(0), Real(1e30) }, { Real(0), whole * Real(0.99) },
           { whole * Real(1.01), Real(1e30) }, { whole * Real(0.99), whole * Real(1.01) } };
         for (const auto& range : ranges)
         {
           Real t = 0, low = 0, high = 0;
-          const bool hit = Kernel::Intersect(shape, ray, glyph, range[0], range[1], t);
-          const int verdict = Kernel::Estimate(shape, ray, glyph, range[0], range[1], low, high);
+          const bool hit = Kernel::IntersectGlyph(shape, ray, glyph, range[0], range[1], t);
+          const int verdict = Kernel::EstimateGlyph(shape, ray, glyph, range[0], range[1], low, high);
           const bool contradiction = (verdict == Kernel::missed && hit) ||
             (verdict == Kernel::met && !(hit && low <= t && t <= high)) ||
             (verdict == Kernel::unknown && hit && !(low <= t));
@@ -117,8 +117,8 @@ TEST(EstimatePlainTest, LeavesLittleOpen)
       const glm::vec3 target = glyph.centre + 0.8f * glm::vec3(unit(random), unit(random), unit(random));
       ray.direction = target - ray.origin;
       float t = 0, low = 0, high = 0;
-      const bool hit = Kernel::Intersect(shape, ray, glyph, 0.0f, 1e30f, t);
-      const bool unknown = Kernel::Estimate(shape, ray, glyph, 0.0f, 1e30f, low, high) == Kernel::unknown;
+      const bool hit = Kernel::IntersectGlyph(shape, ray, glyph, 0.0f, 1e30f, t);
+      const bool unknown = Kernel::EstimateGlyph(shape, ray, glyph, 0.0f, 1e30f, low, high) == Kernel::unknown;
       open += unknown;
       openMisses += unknown && !hit;
       if (unknown && hit)

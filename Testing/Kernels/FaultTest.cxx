@@ -248,7 +248,10 @@ TEST_P(FaultTest, WhatFailedIsNotCounted)
         ++failures;
       }
     }
-    EXPECT_GT(failures, 0) << function;
+    // Trees of our own are buffers.
+    const bool called =
+      GetParam() == rtg::Structure::Boxes || std::string(function) != "vkCreateAccelerationStructureKHR";
+    EXPECT_EQ(failures > 0, called) << function;
     EXPECT_EQ(this->device->HeldBytes(), before) << function;
   }
 }

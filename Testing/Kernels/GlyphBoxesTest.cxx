@@ -29,7 +29,7 @@ void ExpectTight(const GlyphInstances& instances)
     }
     const glm::dvec3 centre = std::exchange(glyph.centre, glm::dvec3(0.0)) + low;
     glm::dvec3 lower, upper;
-    shapes::Kernel<double>::Bounds(instances.shape, glyph, lower, upper);
+    shapes::Kernel<double>::GlyphBounds(instances.shape, glyph, lower, upper);
     // Of arrows, from the tail, even when there is only a head.
     const double size = glm::length(glm::max(glm::abs(lower), glm::abs(upper)));
     for (int axis = 0; axis < 3; ++axis)

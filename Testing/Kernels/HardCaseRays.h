@@ -54,10 +54,10 @@ inline bool HardCaseMaker::Surface(const HardCase& hard, std::uint32_t index, Ve
     const Vec target = this->ToWorld(hard, index, this->RandomBoxPoint());
     const Exact::GlyphRay ray{ target - 3.0 * this->Extent(hard, index) * direction, Vec(0), direction };
     double t;
-    if (Exact::Intersect(hard.instances.shape, ray, glyph, 0.0, 1e30, t))
+    if (Exact::IntersectGlyph(hard.instances.shape, ray, glyph, 0.0, 1e30, t))
     {
       point = ray.origin + t * direction;
-      normal = Exact::Normal(hard.instances.shape, ray, glyph, t);
+      normal = Exact::GlyphNormal(hard.instances.shape, ray, glyph, t);
       return true;
     }
   }

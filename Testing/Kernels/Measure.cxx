@@ -212,11 +212,11 @@ std::vector<Verdict> JudgeKernel(ReferenceCase& reference)
     const typename Kernel::GlyphRay kernelRay = KernelRay<Real>(ray);
     Answer answer;
     Real t = 0;
-    answer.hit = Kernel::Intersect(hard.instances.shape, kernelRay, glyph, Real(0), Real(1e30), t);
+    answer.hit = Kernel::IntersectGlyph(hard.instances.shape, kernelRay, glyph, Real(0), Real(1e30), t);
     answer.t = double(t);
     if (answer.hit)
     {
-      answer.normal = glm::dvec3(Kernel::Normal(hard.instances.shape, kernelRay, glyph, t));
+      answer.normal = glm::dvec3(Kernel::GlyphNormal(hard.instances.shape, kernelRay, glyph, t));
     }
     verdicts.push_back(reference.Judge<Real>(i, answer));
   }

@@ -112,7 +112,7 @@ protected:
       for (std::size_t glyph = 0; glyph < instances.Count(); ++glyph)
       {
         double t;
-        const bool met = Double::Intersect(shape, ray, GlyphAt(instances, glyph, time), 0.0, 100.0, t);
+        const bool met = Double::IntersectGlyph(shape, ray, GlyphAt(instances, glyph, time), 0.0, 100.0, t);
         if (met && t < nearest)
         {
           nearest = t;
@@ -128,7 +128,7 @@ protected:
       if (hit != Image::noGlyph)
       {
         ++hits;
-        const glm::dvec3 normal = Double::Normal(shape, ray, GlyphAt(instances, hit, time), nearest);
+        const glm::dvec3 normal = Double::GlyphNormal(shape, ray, GlyphAt(instances, hit, time), nearest);
         doubtful += glm::length(normal - glm::dvec3(found[i].normal)) > 1e-3;
       }
     }
@@ -448,7 +448,7 @@ TEST(GlyphBoxesOfPaths, HoldEveryTimeAndAreTight)
           {
             const double time = instances.motion.Time(first + (last - first) * step / 200);
             glm::dvec3 a(0.0), b(0.0);
-            Double::Bounds(shape, GlyphAt(instances, i, time), a, b);
+            Double::GlyphBounds(shape, GlyphAt(instances, i, time), a, b);
             lower = glm::min(lower, a);
             upper = glm::max(upper, b);
           }

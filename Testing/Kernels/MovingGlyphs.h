@@ -220,7 +220,7 @@ public:
     {
       Moment moment;
       moment.glyph = GlyphAt(instances, 0, instances.motion.Time((i + 0.5) / times));
-      Double::Bounds(this->shape_, moment.glyph, moment.lower, moment.upper);
+      Double::GlyphBounds(this->shape_, moment.glyph, moment.lower, moment.upper);
       this->moments_.push_back(moment);
     }
   }
@@ -235,7 +235,7 @@ public:
       {
         return glm::all(glm::greaterThan(position, glm::dvec2(moment.lower))) &&
           glm::all(glm::lessThan(position, glm::dvec2(moment.upper))) &&
-          Double::Intersect(this->shape_, ray, moment.glyph, 0.0, 10.0, t);
+          Double::IntersectGlyph(this->shape_, ray, moment.glyph, 0.0, 10.0, t);
       });
     return double(hits) / double(this->moments_.size());
   }

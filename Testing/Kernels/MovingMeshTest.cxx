@@ -73,11 +73,11 @@ protected:
       {
         const Double::Glyph box = boxAt(glyph, time);
         double t;
-        if (Double::Intersect(rtg::Shape::Box, ray, box, 0.0, 100.0, t) && t < nearest)
+        if (Double::IntersectGlyph(rtg::Shape::Box, ray, box, 0.0, 100.0, t) && t < nearest)
         {
           nearest = t;
           hit = glyph;
-          normal = Double::Normal(rtg::Shape::Box, ray, box, t);
+          normal = Double::GlyphNormal(rtg::Shape::Box, ray, box, t);
         }
       }
       // A ray that grazes a box or an edge within rounding may see either.

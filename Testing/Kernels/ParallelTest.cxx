@@ -4,7 +4,6 @@
 #include "GlyphTree.h"
 #include "Glyphs.h"
 #include "Parallel.h"
-#include "SpatialOrder.h"
 
 #include <gtest/gtest.h>
 
@@ -212,7 +211,6 @@ TEST_F(Parallel, SameTreeForAnyNumberOfThreads)
   const std::vector<rtg::Box> ordered = rtg::InOrder(boxes, kd.order);
   const double surface = rtg::LeafSurface(ordered, leafBits);
   const rtg::GlyphTree tree = rtg::BuildGlyphTree(ordered, leafBits, kd.axes);
-  const std::vector<std::uint32_t> spatial = rtg::SpatialOrder(instances.centres);
   for (const std::size_t threads : { 2, 7 })
   {
     rtg::SetThreadCount(threads);
@@ -223,7 +221,6 @@ TEST_F(Parallel, SameTreeForAnyNumberOfThreads)
     ExpectSameBytes(rtg::InOrder(boxes, kd.order), ordered);
     EXPECT_EQ(rtg::LeafSurface(ordered, leafBits), surface);
     ExpectSameBytes(rtg::BuildGlyphTree(ordered, leafBits, kd.axes).nodes, tree.nodes);
-    EXPECT_EQ(rtg::SpatialOrder(instances.centres), spatial);
   }
 }
 

@@ -67,7 +67,7 @@ TEST_P(ShapeBoundsTest, HoldTheSurface)
     {
       ReferenceGlyph reference(hard.instances, i);
       glm::vec3 lower, upper;
-      Kernel::Bounds(hard.instances.shape, KernelGlyph<float>(hard.instances, i), lower, upper);
+      Kernel::GlyphBounds(hard.instances.shape, KernelGlyph<float>(hard.instances, i), lower, upper);
       // Tight but for rounding: what the scene pads by.
       const glm::vec3 size(float(reference.Size()));
       const glm::vec3 pad = 4.0f * std::numeric_limits<float>::epsilon() * (glm::abs(hard.instances.centres[i]) + size);
@@ -104,7 +104,7 @@ TEST_P(TightBoundsTest, TouchTheSurface)
     {
       ReferenceGlyph reference(hard.instances, i);
       glm::vec3 lower, upper;
-      Kernel::Bounds(hard.instances.shape, KernelGlyph<float>(hard.instances, i), lower, upper);
+      Kernel::GlyphBounds(hard.instances.shape, KernelGlyph<float>(hard.instances, i), lower, upper);
       glm::dvec3 inside;
       bool found = false;
       for (const HardRay& ray : hard.rays)

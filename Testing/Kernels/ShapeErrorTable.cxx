@@ -44,7 +44,7 @@ double NanosecondsPerRay(const HardCase& hard, int repetitions, int rounds)
       for (std::size_t i = 0; i < rays.size(); ++i)
       {
         Real t = 0;
-        sum += Kernel::Intersect(hard.instances.shape, rays[i], glyphs[i], Real(0), Real(1e30), t) ? t : Real(0);
+        sum += Kernel::IntersectGlyph(hard.instances.shape, rays[i], glyphs[i], Real(0), Real(1e30), t) ? t : Real(0);
       }
     }
     sink = sink + sum;

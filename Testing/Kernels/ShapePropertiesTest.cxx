@@ -28,10 +28,10 @@ protected:
         const auto ray = KernelRay<float>(hardRay);
         const auto glyph = KernelGlyph<float>(hard.instances, hardRay.glyph);
         float t = 0;
-        if (Kernel::Intersect(hard.instances.shape, ray, glyph, 0.0f, 1e30f, t))
+        if (Kernel::IntersectGlyph(hard.instances.shape, ray, glyph, 0.0f, 1e30f, t))
         {
           ++hits;
-          function(ray, glyph, t, Kernel::Normal(hard.instances.shape, ray, glyph, t));
+          function(ray, glyph, t, Kernel::GlyphNormal(hard.instances.shape, ray, glyph, t));
         }
       }
     }
@@ -40,7 +40,7 @@ protected:
 
   bool Hit(const Kernel::GlyphRay& ray, const Kernel::Glyph& glyph, float& t, float tMin = 0.0f, float tMax = 1e30f)
   {
-    return Kernel::Intersect(this->GetParam().shape, ray, glyph, tMin, tMax, t);
+    return Kernel::IntersectGlyph(this->GetParam().shape, ray, glyph, tMin, tMax, t);
   }
 };
 
@@ -61,7 +61,7 @@ TEST_P(ShapePropertiesTest, NormalsPointOutwards)
       float exit = 0;
       if (!winged && this->Hit(ray, glyph, exit, std::nextafter(t, 1e30f)))
       {
-        const glm::vec3 out = Kernel::Normal(this->GetParam().shape, ray, glyph, exit);
+        const glm::vec3 out = Kernel::GlyphNormal(this->GetParam().shape, ray, glyph, exit);
         EXPECT_GT(glm::dot(out, ray.direction), -1e-6f * glm::length(ray.direction));
       }
     });
@@ -123,7 +123,7 @@ TEST_P(ShapePropertiesTest, ScaleByPowersOfTwo)
         float scaled = 0;
         ASSERT_TRUE(this->Hit(scaledRay, scaledGlyph, scaled));
         EXPECT_EQ(scaled, t * scale);
-        EXPECT_EQ(Kernel::Normal(this->GetParam().shape, scaledRay, scaledGlyph, scaled), normal);
+        EXPECT_EQ(Kernel::GlyphNormal(this->GetParam().shape, scaledRay, scaledGlyph, scaled), normal);
       }
     });
 }
@@ -150,7 +150,7 @@ TEST_P(ShapePropertiesTest, MoveTogether)
       float moved = 0;
       ASSERT_TRUE(this->Hit(ray, glyph, moved));
       EXPECT_NEAR(moved, t, 2e-7f * t);
-      EXPECT_LT(glm::length(Kernel::Normal(this->GetParam().shape, ray, glyph, moved) - normal), 1e-4f);
+      EXPECT_LT(glm::length(Kernel::GlyphNormal(this->GetParam().shape, ray, glyph, moved) - normal), 1e-4f);
     });
 }
 

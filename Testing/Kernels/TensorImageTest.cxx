@@ -41,7 +41,7 @@ struct Subject
 
   bool Hit(const glm::dvec3& origin, const glm::dvec3& direction, double& t) const
   {
-    return Kernel::Intersect(this->shape, Ray(origin, direction), this->glyph, 0.0, 1e30, t);
+    return Kernel::IntersectGlyph(this->shape, Ray(origin, direction), this->glyph, 0.0, 1e30, t);
   }
   double Thickness() const { return std::min({ this->glyph.size.x, this->glyph.size.y, this->glyph.size.z }); }
   /// Thinnest: as thin as glyphs of vanishing eigenvalues are made.
@@ -52,7 +52,7 @@ struct Subject
   }
   glm::dvec3 Normal(const glm::dvec3& origin, const glm::dvec3& direction, double t) const
   {
-    return Kernel::Normal(this->shape, Ray(origin, direction), this->glyph, t);
+    return Kernel::GlyphNormal(this->shape, Ray(origin, direction), this->glyph, t);
   }
 
   /// How far a point of another glyph's surface is from this one's at most: the least of the ways along the line

@@ -216,7 +216,7 @@ TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
       }
       // Where rays are traced layer by layer, those nearer to each other than their places are known may count as one.
       std::sort(layers.begin(), layers.end());
-      unclear |= (wall || GetParam() == rtg::Structure::Boxes) &&
+      unclear |= GetParam() == rtg::Structure::Boxes &&
         std::adjacent_find(layers.begin(), layers.end(), [](double a, double b) { return b - a < 1e-5; }) !=
           layers.end();
       judged += !unclear;

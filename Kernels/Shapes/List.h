@@ -1,0 +1,17 @@
+// The analytic shapes by number: one text for C++ (rtg::Shape) and GLSL. Each is described in Shapes/<Name>.glsl.
+#ifndef RTG_SHAPE_LIST
+#define RTG_SHAPE_LIST
+
+#define RTG_SHAPES(ENTRY)                                                                                              \
+  ENTRY(0, Sphere)                                                                                                     \
+  ENTRY(1, Box)                                                                                                        \
+  ENTRY(2, Cylinder)                                                                                                   \
+  ENTRY(3, Cone)                                                                                                       \
+  ENTRY(4, Arrow)                                                                                                      \
+  ENTRY(5, Superquadric)                                                                                               \
+  ENTRY(6, NestedSuperquadric)
+
+// The number after them all: the triangles of a mesh, which has no analytic form.
+#define RTG_MESH 7
+
+#endif

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "Pipeline.h"
+#include "Programs.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace rtg
+{
+
+/// A program without the functions that its constants say are never called: of shapes that no set has, of meshes and of
+/// layers. Drivers inline every function before they look at constants, which takes seconds for shapes that are not
+/// there.
+std::vector<std::uint32_t> Prune(const programs::Code& code, const Constants& constants);
+
+} // namespace rtg
