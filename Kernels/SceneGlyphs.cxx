@@ -55,11 +55,13 @@ void Scene::State::Place(GlyphSet& set, float reach)
   PlacedGlyphs placed;
   // Some head-room, so that a scene that grows little by little is not rebuilt at every step.
   placed.builtReach = 4.0f * reach;
+  bool isNew = true;
   if (set.instances.shape == Shape::Mesh)
   {
     placed.mesh = std::move(mesh);
-    this->PlaceMesh(set, placed);
+    isNew = this->PlaceMesh(set, placed);
   }
+  this->statistics.instanceUploads += isNew;
   mesh = PlacedMesh();
   if (placed.runs.empty())
   {
@@ -115,7 +117,6 @@ void Scene::State::SendGlyphs(const GlyphSet& set, PlacedGlyphs& placed)
   send(placed.accelerations, motion.accelerations, device::ACCELERATIONS);
   send(placed.angularVelocities, motion.angularVelocities, device::ANGULAR_VELOCITIES);
   group.Set(device::FIXED_HEADS, instances.shape == Shape::Arrow && instances.arrow.fixedHeads);
-  ++this->statistics.instanceUploads;
 }
 
 // Into the order of a tree's leaves, which also serves lavapipe's own structure: that splits its input where it finds
@@ -197,7 +198,8 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vec
   GlyphRun run;
   run.count = static_cast<std::uint32_t>(set.count);
   placed.runs.push_back(std::move(run));
-  ++this->statistics.structureBuilds;
+  // Copies of a mesh at rest are placed, not built, as in the driver's top level.
+  this->statistics.structureBuilds += set.instances.shape != Shape::Mesh || IsMovingMesh(set.instances);
 }
 
 void Scene::State::SendColours(const GlyphSet& set, PlacedGlyphs& placed)

@@ -144,7 +144,7 @@ bool Scene::State::KeepsMesh(const GlyphSet& set, PlacedMesh& mesh)
   return mesh.source == instances.mesh;
 }
 
-void Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
+bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
   Stopwatch watch;
   const TriangleMesh& mesh = *set.instances.mesh;
@@ -155,19 +155,16 @@ void Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
   group.Set(device::MESH_POSITION_COLOURS, mesh.positionValues.empty() && !mesh.positionColours.empty());
   group.Set(device::MESH_TRIANGLE_COLOURS,
     mesh.positionValues.empty() && mesh.positionColours.empty() && !mesh.triangleColours.empty());
-  if (this->structure == Structure::Tree || IsMovingMesh(set.instances))
-  {
-    this->SendMeshWithTree(set, placed);
-  }
-  else
-  {
-    this->SendMesh(set, placed);
-  }
+  const std::shared_ptr<const TriangleMesh> before = placed.mesh.source;
+  const bool keeps = this->structure == Structure::Tree || IsMovingMesh(set.instances)
+    ? this->SendMeshWithTree(set, placed)
+    : this->SendMesh(set, placed);
   this->statistics.buildSeconds += watch.Lap();
+  return !keeps || before == set.instances.mesh;
 }
 
 // The mesh itself; its glyphs are sent like those of other shapes.
-void Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
+bool Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
 {
   const GlyphInstances& instances = set.instances;
   const TriangleMesh& mesh = *instances.mesh;
@@ -184,7 +181,8 @@ void Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
   // A tree of positions at rest is the same whatever the shutter does.
   const bool sameShutter =
     !Deforms(mesh) || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
-  if (!(this->KeepsMesh(set, sent) && sent.tree.Size() && sameShutter))
+  const bool keeps = this->KeepsMesh(set, sent) && sent.tree.Size() && sameShutter;
+  if (!keeps)
   {
     sent = PlacedMesh();
     MeshTree tree = BuildMeshTree(mesh, shutter, this->timeSliceBits);
@@ -207,19 +205,18 @@ void Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
   placed.group.Set(device::MESH_TREE, true);
   placed.group.Set(device::MESH_VELOCITIES, !mesh.motion.velocities.empty());
   placed.group.Set(device::MESH_ACCELERATIONS, !mesh.motion.accelerations.empty());
+  return keeps;
 }
 
 // The same mesh at other places is sent once, and of one that has only other colours nothing but these.
-void Scene::State::SendMesh(const GlyphSet& set, PlacedGlyphs& placed)
+bool Scene::State::SendMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
   const GlyphInstances& instances = set.instances;
   if (placed.mesh.tree.Size())
   {
     placed.mesh = PlacedMesh();
   }
-  const std::shared_ptr<const TriangleMesh> before = placed.mesh.source;
   const bool keeps = this->KeepsMesh(set, placed.mesh);
-  this->statistics.instanceUploads += !keeps || before == instances.mesh;
   if (!keeps)
   {
     placed.mesh = PlacedMesh();
@@ -229,6 +226,7 @@ void Scene::State::SendMesh(const GlyphSet& set, PlacedGlyphs& placed)
   GlyphRun run;
   run.count = static_cast<std::uint32_t>(set.count);
   placed.runs.push_back(std::move(run));
+  return keeps;
 }
 
 void Scene::State::AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,

@@ -169,10 +169,11 @@ struct Scene::State
   /// Sorts and sends one set's glyphs and builds what rays find them by.
   void Place(GlyphSet& set, float reach);
   void SendGlyphs(const GlyphSet& set, PlacedGlyphs& placed);
-  /// Sends what glyphs are copies of; builds one that moves, too.
-  void PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed);
-  void SendMesh(const GlyphSet& set, PlacedGlyphs& placed);
-  void SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed);
+  /// Sends what glyphs are copies of, and builds what rays find its triangles by. False: nothing but its colors is new.
+  bool PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed);
+  /// Both: whether the mesh on the device stays.
+  bool SendMesh(const GlyphSet& set, PlacedGlyphs& placed);
+  bool SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed);
   /// Whether the mesh that is on the device has the shape that is wanted; its colors are then brought up to date.
   bool KeepsMesh(const GlyphSet& set, PlacedMesh& mesh);
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.

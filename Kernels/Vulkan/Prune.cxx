@@ -21,8 +21,15 @@ enum Opcode : std::uint32_t
   OpFunctionParameter = 55,
   OpFunctionEnd = 56,
   OpFunctionCall = 57,
+  OpStore = 62,
   OpDecorate = 71,
+  OpLoopMerge = 246,
+  OpSelectionMerge = 247,
   OpLabel = 248,
+  OpBranch = 249,
+  OpBranchConditional = 250,
+  OpSwitch = 251,
+  OpReturn = 253,
   OpReturnValue = 254
 };
 
@@ -75,11 +82,26 @@ std::string NameOf(const Instruction& name)
   return whole.substr(0, whole.find('('));
 }
 
-// The id that an instruction of a function defines. Where an instruction defines none, its second operand is one that
-// another instruction defines: it counts as used here, too.
+// The id that an instruction of a function defines, or 0.
 std::uint32_t ResultOf(const Instruction& instruction)
 {
-  return instruction.Code() == OpLabel ? instruction.Operand(1) : instruction.Count() > 2 ? instruction.Operand(2) : 0;
+  switch (instruction.Code())
+  {
+    case OpLabel:
+      return instruction.Operand(1);
+    case OpStore:
+    case OpLoopMerge:
+    case OpSelectionMerge:
+    case OpBranch:
+    case OpBranchConditional:
+    case OpSwitch:
+    case OpReturn:
+    case OpReturnValue:
+    case OpFunctionEnd:
+      return 0;
+    default:
+      return instruction.Count() > 2 ? instruction.Operand(2) : 0;
+  }
 }
 
 } // namespace
@@ -148,17 +170,13 @@ std::vector<std::uint32_t> Prune(const programs::Code& code, const Constants& co
       (!function.stub || instruction.Code() == OpFunction || instruction.Code() == OpFunctionParameter);
   };
   std::vector<bool> gone(code.words[boundAt], false);
-  for (const bool leaves : { true, false })
+  for (const Function& function : functions)
   {
-    for (const Function& function : functions)
+    for (const Instruction& instruction : function.instructions)
     {
-      for (const Instruction& instruction : function.instructions)
+      if (!kept(function, instruction))
       {
-        const std::uint32_t result = ResultOf(instruction);
-        if (kept(function, instruction) != leaves && result < gone.size())
-        {
-          gone[result] = leaves;
-        }
+        gone[ResultOf(instruction)] = true;
       }
     }
   }
