@@ -68,6 +68,6 @@ TEST(Prune, LeavesConstantsAndWhatIsCalled)
     {
       EXPECT_FALSE(after.functionNames.count(name)) << name;
     }
-    EXPECT_LT(pruned.size() * sizeof(std::uint32_t), code.bytes / 2);
+    EXPECT_LT(pruned.size() * sizeof(std::uint32_t), code.bytes);
   }
 }
