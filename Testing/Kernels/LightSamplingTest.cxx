@@ -259,8 +259,8 @@ class WholeScene
 {
 };
 
-// A scene that is one set of glyphs has programs of its own, which walk its tree without the driver's structure. With
-// another set, which nobody can see inside one of the glyphs, the same picture comes through that structure.
+// Programs of a scene that is one set of glyphs know its record and what it has. With another set, which nobody can see
+// inside one of the glyphs, they ask the records of both, and the picture is the same.
 TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
 {
   const auto [name, shape, plain, shading] = GetParam();

@@ -81,7 +81,10 @@ fi
 
 echo
 echo "== pictures"
-check demonstration bin/SelfCheck demonstration "$results/pictures"
+size= # the program's own width and samples
+[ "$short" = no ] || size="300 4"
+# shellcheck disable=SC2086
+check demonstration bin/SelfCheck demonstration "$results/pictures" $size
 cat "$results/demonstration.log"
 
 echo
