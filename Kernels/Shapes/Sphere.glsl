@@ -82,13 +82,19 @@ SphereCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay
   return FirstCrossing(local, span, tMin, tMax, crossing);
 }
 
-RTG_FN bool IntersectSphere(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+// Superquadrics with exponents of 2 are this, too.
+RTG_FN bool IntersectEllipsoid(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
 {
   LocalRay local;
   Crossing crossing;
   bool found = SphereCrossing(ray, glyph, tMin, tMax, local, crossing);
   t = crossing.t;
   return found;
+}
+
+RTG_FN bool IntersectSphere(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+{
+  return IntersectEllipsoid(ray, glyph, tMin, tMax, t);
 }
 
 RTG_FN Enclosure SphereEnclosure(Glyph glyph)
@@ -101,7 +107,7 @@ RTG_FN Enclosure SphereEnclosure(Glyph glyph)
   return outer;
 }
 
-RTG_FN real3 SphereNormal(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 EllipsoidNormal(GlyphRay ray, Glyph glyph, real t)
 {
   LocalRay local;
   Crossing crossing;
@@ -120,6 +126,11 @@ RTG_FN real3 SphereNormal(GlyphRay ray, Glyph glyph, real t)
   // The gradient of x^2/a^2 + y^2/b^2 + z^2/c^2, scaled by the smallest half-length against overflow.
   real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
   return normalize(RotateToWorld(glyph, p * (real3(smallest) / glyph.size)));
+}
+
+RTG_FN real3 SphereNormal(GlyphRay ray, Glyph glyph, real t)
+{
+  return EllipsoidNormal(ray, glyph, t);
 }
 
 RTG_FN void SphereBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)

@@ -613,7 +613,7 @@ RTG_FN bool IntersectSuperquadric(GlyphRay ray, Glyph glyph, real tMin, real tMa
 {
   if (IsEllipsoid(glyph))
   {
-    return IntersectSphere(ray, glyph, tMin, tMax, t);
+    return IntersectEllipsoid(ray, glyph, tMin, tMax, t);
   }
   LocalRay local;
   Crossing crossing;
@@ -671,7 +671,7 @@ RTG_FN real3 SuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
 {
   if (IsEllipsoid(glyph))
   {
-    return SphereNormal(ray, glyph, t);
+    return EllipsoidNormal(ray, glyph, t);
   }
   real3 gradient;
   if (!GradientNear(ray, glyph, t, gradient))

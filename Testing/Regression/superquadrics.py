@@ -79,7 +79,7 @@ def bad_exponents(failures, view):
     bad = numpy.full((3, 3), 2.0)
     bad[0, 1], bad[2, 2] = -1.0, numpy.nan
     cases = [("bad", (2, 2, 2), "2 of 3 points", 1), ("None", (2, 0, 2), "GlyphExponents are 2, 0, 2", 0),
-             ("four", (2, 2, 2), "4 components where 1 to 3 are needed", 3), ("nonesuch", (2, 2, 2), "'nonesuch'", 3)]
+             ("four", (2, 2, 2), "4 components where 1, 2 or 3 are needed", 3), ("nonesuch", (2, 2, 2), "'nonesuch'", 3)]
     points = session.source(session.poly_data(LINE, bad=bad, four=numpy.ones((3, 4))))
     shown = session.glyphs(points, view, "Superquadric", GlyphScaleFactor=0.5, GlyphOrient=0)
     for array, exponents, words, glyphs in cases:
