@@ -67,7 +67,13 @@ vtkRayTracedParallel::Box
 vtkRayTracedParallel::BoxOf(vtkIdType count, const std::function<void(vtkIdType, vtkIdType, Box&)>& add)
 {
   std::vector<Box> boxes(NumberOfChunks(count));
-  ForChunks(count, [&](vtkIdType begin, vtkIdType end) { add(begin, end, boxes[ChunkOf(begin)]); });
+  ForChunks(count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Box own; // threads would wait for each other's cache lines if they wrote beside each other at each point
+      add(begin, end, own);
+      boxes[ChunkOf(begin)] = own;
+    });
   Box all;
   for (const Box& box : boxes)
   {

@@ -395,7 +395,10 @@ private:
     const glm::vec3& exponents)
   {
     float& first = this->FirstSizes[vtkRayTracedParallel::ChunkOf(glyph)];
-    first = first == 0.0f ? size.x : first;
+    if (first == 0.0f) // written once: those of other threads lie beside it
+    {
+      first = size.x;
+    }
     if (!this->Instances.forms.empty())
     {
       const glm::dvec3 magnitudes(glm::abs(tensor.values));

@@ -201,7 +201,7 @@ vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkGlyphTuples scales(array);
-      ScaleSum& own = sums[vtkRayTracedParallel::ChunkOf(begin)];
+      ScaleSum own;
       for (vtkIdType k = begin; k < end; ++k)
       {
         const double* tuple = scales.Get(candidates[k]);
@@ -213,6 +213,7 @@ vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(
           own.Count += 1.0;
         }
       }
+      sums[vtkRayTracedParallel::ChunkOf(begin)] = own;
     });
   for (const ScaleSum& own : sums)
   {

@@ -45,13 +45,14 @@ void Mix(Hash& sum, const Value* values, std::size_t count)
   vtkRayTracedParallel::ForChunks(size,
     [&](vtkIdType begin, vtkIdType end)
     {
-      Hash& own = hashes[vtkRayTracedParallel::ChunkOf(begin)];
+      Hash own = hashes[vtkRayTracedParallel::ChunkOf(begin)];
       for (vtkIdType i = begin; i < end; i += sizeof(std::uint64_t))
       {
         std::uint64_t word = 0;
         std::memcpy(&word, bytes + i, std::min<vtkIdType>(end - i, sizeof(word)));
         MixWord(own, word);
       }
+      hashes[vtkRayTracedParallel::ChunkOf(begin)] = own;
     });
   MixWord(sum, size);
   for (const Hash& own : hashes)

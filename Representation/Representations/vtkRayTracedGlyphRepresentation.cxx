@@ -276,7 +276,7 @@ void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
       vtkRayTracedParallel::ForChunks(count,
         [&](vtkIdType begin, vtkIdType end)
         {
-          std::array<double, 2>& own = ranges[vtkRayTracedParallel::ChunkOf(begin)];
+          std::array<double, 2> own = ranges[vtkRayTracedParallel::ChunkOf(begin)];
           double value = 0.0;
           for (vtkIdType point = begin; point < end; ++point)
           {
@@ -285,6 +285,7 @@ void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
               own = { std::min(own[0], value), std::min(own[1], -value) };
             }
           }
+          ranges[vtkRayTracedParallel::ChunkOf(begin)] = own;
         });
       for (const std::array<double, 2>& own : ranges)
       {
