@@ -118,12 +118,15 @@ void Scene::State::FillRecords()
       const auto at = [&](const Buffer& buffer, std::size_t stride)
       { return buffer.Size() ? buffer.Address() + run.first * stride : 0; };
       record.centres = at(placed.centres, sizeof(glm::vec3));
-      record.centresLow = at(placed.centresLow, sizeof(glm::vec3));
-      record.sizes = at(placed.sizes, placed.group.Has(device::SIZES_EACH) ? sizeof(glm::vec3) : sizeof(float));
+      // Compilers may load, and drop, what a set lacks where another set of the scene has it: from its centres.
+      const auto orCentres = [&](const Buffer& buffer, std::size_t stride)
+      { return buffer.Size() ? at(buffer, stride) : record.centres; };
+      record.centresLow = orCentres(placed.centresLow, sizeof(glm::vec3));
+      record.sizes = orCentres(placed.sizes, placed.group.Has(device::SIZES_EACH) ? sizeof(glm::vec3) : sizeof(float));
       record.rotations = at(placed.rotations, sizeof(glm::vec4));
-      record.exponents = at(placed.exponents, sizeof(glm::vec3));
-      record.colours = at(placed.colours, sizeof(std::uint32_t));
-      record.forms = at(placed.forms, sizeof(glm::vec3));
+      record.exponents = orCentres(placed.exponents, sizeof(glm::vec3));
+      record.colours = orCentres(placed.colours, sizeof(std::uint32_t));
+      record.forms = orCentres(placed.forms, sizeof(glm::vec3));
       const glm::dvec3 offset = set.instances.origin - this->origin;
       record.offset = glm::vec3(offset);
       record.offsetLow = glm::vec3(offset - glm::dvec3(record.offset));

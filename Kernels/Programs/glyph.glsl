@@ -97,10 +97,17 @@ bool Intersect(
   return IntersectGlyph(set.shape, ray, glyph, tMin, tMax, t);
 }
 
+// A glyph's own colour. Compilers may load it where the condition round it does not hold, for rays that hit nothing,
+// too: the index is one of the set's whatever it was.
+vec4 ColourOf(GlyphSetRecord set, uint glyph)
+{
+  return unpackUnorm4x8(set.colours.at[min(glyph, set.glyphCount - 1u)]);
+}
+
 // Translucent surfaces that rays pass by chance: Enderton et al., "Stochastic Transparency", IEEE TVCG 17(8), 2011.
 float OpacityOf(GlyphSetRecord set, uint glyph)
 {
-  return Has(set.variants, COLOURS) ? set.opacity * unpackUnorm4x8(set.colours.at[glyph]).a : set.opacity;
+  return Has(set.variants, COLOURS) ? set.opacity * ColourOf(set, glyph).a : set.opacity;
 }
 
 // Whether the ray passes translucent surfaces of the set by chance. `seed`: of the ray; 0: it passes none.

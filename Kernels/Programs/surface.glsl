@@ -23,7 +23,7 @@ SurfaceHit HitOnGlyph(uint record, GlyphSource source, GlyphRay ray, uint glyph,
     hit.error = leavesSurface ? 2e-6 * max(found.size.x, max(found.size.y, found.size.z)) : 0.0;
     hit.record = record;
     hit.glyph = set.firstGlyph + glyph;
-    vec3 base = Has(set.variants, COLOURS) ? unpackUnorm4x8(set.colours.at[glyph]).rgb : set.colour;
+    vec3 base = Has(set.variants, COLOURS) ? ColourOf(set, glyph).rgb : set.colour;
     hit.colour = vec4(base, OpacityOf(set, glyph));
   }
   if (MayPass(set, seed))
