@@ -41,6 +41,13 @@ GlyphSetRecord SetRecord(uint index)
   return frame.sets.at[index];
 }
 
+// A glyph's own colour. Compilers may load it where the condition round it does not hold, for rays that hit nothing,
+// too: the index is one of the set's whatever it was.
+vec4 ColourOf(GlyphSetRecord set, uint glyph)
+{
+  return unpackUnorm4x8(set.colours.at[min(glyph, set.glyphCount - 1u)]);
+}
+
 const uint nothing = 0xffffffffu; // no glyph, no triangle
 
 // What the nearest hit tells the ray generation program. Whatever kind of surface it lies on, it fills all of this.

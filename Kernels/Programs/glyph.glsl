@@ -97,13 +97,6 @@ bool Intersect(
   return IntersectGlyph(set.shape, ray, glyph, tMin, tMax, t);
 }
 
-// A glyph's own colour. Compilers may load it where the condition round it does not hold, for rays that hit nothing,
-// too: the index is one of the set's whatever it was.
-vec4 ColourOf(GlyphSetRecord set, uint glyph)
-{
-  return unpackUnorm4x8(set.colours.at[min(glyph, set.glyphCount - 1u)]);
-}
-
 // Translucent surfaces that rays pass by chance: Enderton et al., "Stochastic Transparency", IEEE TVCG 17(8), 2011.
 float OpacityOf(GlyphSetRecord set, uint glyph)
 {

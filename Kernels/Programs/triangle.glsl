@@ -43,7 +43,7 @@ vec4 TriangleColour(GlyphSetRecord set, uvec3 corner, vec3 weight, uint triangle
   }
   else if (Has(set.variants, COLOURS))
   {
-    colour = unpackUnorm4x8(set.colours.at[glyph]);
+    colour = ColourOf(set, glyph);
   }
   colour.a *= set.opacity;
   return colour;
