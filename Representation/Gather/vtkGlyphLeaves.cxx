@@ -211,7 +211,7 @@ Leaf CentersOf(vtkDataObject* numbered)
   centers->Update();
   Leaf leaf;
   leaf.Data = vtkDataSet::SafeDownCast(centers->GetOutputDataObject(0));
-  leaf.CellCenters = true;
+  leaf.CellIds = vtkIdTypeArray::SafeDownCast(leaf.Data->GetPointData()->GetArray(vtkRayTracedArrays::CellIds));
   return leaf;
 }
 
@@ -221,7 +221,7 @@ Leaf CentersOf(vtkDataSet* data)
   numbered->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   Leaf leaf = CentersOf<vtkCellCenters>(numbered);
   vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
-  auto* ids = vtkIdTypeArray::SafeDownCast(leaf.Data->GetPointData()->GetArray(vtkRayTracedArrays::CellIds));
+  vtkIdTypeArray* ids = leaf.CellIds;
   if (ids && HasAny(ghosts, ghostCell))
   {
     leaf.All = false;
@@ -290,7 +290,7 @@ std::vector<vtkGlyphLeaves::Leaf> vtkGlyphLeaves::Find(vtkDataObject* input, boo
 void vtkGlyphLeaves::DropSharedFaces(Leaf& leaf, const int wholeExtent[6])
 {
   int extent[6];
-  if (leaf.CellCenters || !ExtentOf(leaf.Data, extent) || leaf.Data->GetPointGhostArray())
+  if (leaf.CellIds || !ExtentOf(leaf.Data, extent) || leaf.Data->GetPointGhostArray())
   {
     return; // no two pieces have the same cell, and ghosts already say whose points are
   }

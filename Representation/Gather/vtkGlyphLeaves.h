@@ -14,6 +14,7 @@
 class vtkCellArray;
 class vtkDataObject;
 class vtkHyperTreeGrid;
+class vtkIdTypeArray;
 
 namespace vtkGlyphLeaves
 {
@@ -28,7 +29,7 @@ struct Leaf
   // Where Data consists of vertices of one point each, and each point has one: these.
   vtkCellArray* Vertices = nullptr;
   std::vector<vtkIdType> CellOfPoint; // empty where the cell of point i is i
-  bool CellCenters = false; // points of Data are the centers of the input's cells, and their arrays say of which
+  vtkIdTypeArray* CellIds = nullptr;  // where points of Data are the centers of the input's cells: of which
 
   vtkIdType Count() const
   {

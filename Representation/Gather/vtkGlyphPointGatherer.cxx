@@ -208,16 +208,14 @@ void AddIds(vtkPolyData* out, const char* name, const std::vector<Leaf>& leaves,
 
 void AddPickingIds(const std::vector<Leaf>& leaves, bool composite, int processId, int processes, vtkPolyData* out)
 {
-  const auto cells = [](const Leaf& leaf)
-  { return vtkArrayDownCast<vtkIdTypeArray>(leaf.Data->GetPointData()->GetArray(vtkRayTracedArrays::CellIds)); };
-  const bool identity = leaves.size() == 1 && leaves.front().All && !leaves.front().CellCenters && processes == 1;
+  const bool identity = leaves.size() == 1 && leaves.front().All && !leaves.front().CellIds && processes == 1;
   if (!identity)
   {
     AddIds<vtkIdTypeArray>(out, vtkRayTracedArrays::PointIds, leaves,
-      [&cells](const Leaf& leaf, vtkIdType i)
+      [](const Leaf& leaf, vtkIdType i)
       {
         const vtkIdType point = leaf.Point(i);
-        return leaf.CellCenters ? vtkRayTracedArrays::Marked(cells(leaf)->GetValue(point)) : point;
+        return leaf.CellIds ? vtkRayTracedArrays::Marked(leaf.CellIds->GetValue(point)) : point;
       });
   }
   if (std::any_of(leaves.begin(), leaves.end(), [](const Leaf& leaf) { return leaf.HasCells(); }))

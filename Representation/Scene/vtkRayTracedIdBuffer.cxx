@@ -2,6 +2,7 @@
 
 #include "vtkHardwareSelector.h"
 #include "vtkRayTracedMapper.h"
+#include "vtkRayTracedRendererState.h"
 
 #include <algorithm>
 
@@ -36,10 +37,8 @@ void vtkRayTracedIdBuffer::Fill(const std::vector<const rtg::Image*>& images, co
     {
       continue;
     }
-    const glm::dvec4 clip(2.0 * (i % width + 0.5) / width - 1.0, 2.0 * (i / width + 0.5) / height - 1.0,
-      2.0 * nearest->depth[i] - 1.0, 1.0);
-    const glm::dvec4 world = clipToWorld * clip;
-    const glm::dvec3 position = glm::dvec3(world) / world.w;
+    const glm::dvec3 position =
+      vtkRayTracedRendererState::PlaceOf(i, nearest->width, nearest->height, nearest->depth[i], clipToWorld);
     const vtkRayTracedMapper::Origin origin =
       mapper->OriginOf(scene.OriginalGlyph(set, nearest->glyphIds[i]), association, &position[0]);
     std::uint32_t value = 0;

@@ -67,6 +67,16 @@ glm::dmat4 vtkRayTracedRendererState::WorldToClip(vtkRenderer* renderer)
 }
 
 //----------------------------------------------------------------------------
+glm::dvec3 vtkRayTracedRendererState::PlaceOf(
+  std::size_t pixel, std::uint32_t width, std::uint32_t height, float depth, const glm::dmat4& clipToWorld)
+{
+  const glm::dvec4 clip(
+    2.0 * (pixel % width + 0.5) / width - 1.0, 2.0 * (pixel / width + 0.5) / height - 1.0, 2.0 * depth - 1.0, 1.0);
+  const glm::dvec4 world = clipToWorld * clip;
+  return glm::dvec3(world) / world.w;
+}
+
+//----------------------------------------------------------------------------
 rtg::Camera vtkRayTracedRendererState::CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip)
 {
   rtg::Camera camera = rtg::Camera::FromWorldToClip(worldToClip);

@@ -22,6 +22,12 @@ namespace vtkRayTracedRendererState
 glm::dmat4 WorldToClip(vtkRenderer* renderer);
 
 /**
+ * The point in space at the center of a pixel of an image, row by row from the lowest, and at a depth in [0, 1].
+ */
+glm::dvec3
+PlaceOf(std::size_t pixel, std::uint32_t width, std::uint32_t height, float depth, const glm::dmat4& clipToWorld);
+
+/**
  * The rays of the renderer's camera. Throws rtg::Error for a camera that sees nothing.
  */
 rtg::Camera CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip);

@@ -607,21 +607,20 @@ bool vtkRayTracedScene::PlaceAt(int x, int y, double place[3])
   {
     return false;
   }
+  const auto width = static_cast<std::uint32_t>(size[0]), height = static_cast<std::uint32_t>(size[1]);
+  const std::size_t pixel = std::size_t(y) * width + x;
   float depth = 1.0f;
   for (const rtg::Image* image : this->ImagesWithIds(size[0], size[1]))
   {
-    depth = std::min(depth, image->depth[static_cast<std::size_t>(y) * image->width + x]);
+    depth = std::min(depth, image->depth[pixel]);
   }
   if (!(depth < 1.0f))
   {
     return false;
   }
-  const glm::dvec4 clip(2.0 * (x + 0.5) / size[0] - 1.0, 2.0 * (y + 0.5) / size[1] - 1.0, 2.0 * depth - 1.0, 1.0);
-  const glm::dvec4 world = glm::inverse(vtkRayTracedRendererState::WorldToClip(this->Renderer)) * clip;
-  for (int i = 0; i < 3; ++i)
-  {
-    place[i] = world[i] / world.w;
-  }
+  const glm::dmat4 clipToWorld = glm::inverse(vtkRayTracedRendererState::WorldToClip(this->Renderer));
+  const glm::dvec3 at = vtkRayTracedRendererState::PlaceOf(pixel, width, height, depth, clipToWorld);
+  std::copy_n(&at[0], 3, place);
   return true;
 }
 

@@ -62,45 +62,58 @@ void WriteRow(std::ostream& csv, const HardCase& hard, const char* arithmetic, c
       << ',' << r.maxRadians << ',' << r.maxNormalExcess << '\n';
 }
 
+/// What verdicts say together.
+struct Tally
+{
+  std::vector<double> sizes; ///< of t, beyond what t itself can hold
+  std::vector<double> radians;
+  std::size_t rays = 0, falseHits = 0, falseMisses = 0, outOfBound = 0, wrongNormals = 0;
+
+  void Add(const Verdict& verdict)
+  {
+    ++this->rays;
+    this->falseHits += verdict.falseHit;
+    this->falseMisses += verdict.falseMiss;
+    if (verdict.bothHit)
+    {
+      this->sizes.push_back(verdict.ulps > 1.0 ? verdict.sizes * (1.0 - 1.0 / verdict.ulps) : 0.0);
+      this->outOfBound += !(verdict.excess <= 1.0);
+    }
+    if (verdict.bothHit && verdict.hasNormal)
+    {
+      this->radians.push_back(verdict.radians);
+      this->wrongNormals += !(verdict.normalExcess <= 1.0);
+    }
+  }
+};
+
 /// The hard cases of one family together.
 template <class Real>
 void TableOfFamily(const Subject& subject, const char* range, const char* arithmetic, std::ostream& csv)
 {
-  std::vector<double> sizes, radians;
-  std::size_t rays = 0, falseHits = 0, falseMisses = 0, outOfBound = 0, wrongNormals = 0;
+  Tally tally;
   double nanoseconds = 0, plain = 0;
   for (const HardCase& hard : HardCaseMaker(subject, 12, 50, 21).All())
   {
     ReferenceCase reference(hard);
     for (const Verdict& verdict : JudgeKernel<Real>(reference))
     {
-      ++rays;
-      falseHits += verdict.falseHit;
-      falseMisses += verdict.falseMiss;
-      if (verdict.bothHit)
-      {
-        // Beyond what t itself can hold
-        sizes.push_back(verdict.ulps > 1.0 ? verdict.sizes * (1.0 - 1.0 / verdict.ulps) : 0.0);
-        outOfBound += !(verdict.excess <= 1.0);
-      }
-      if (verdict.bothHit && verdict.hasNormal)
-      {
-        radians.push_back(verdict.radians);
-        wrongNormals += !(verdict.normalExcess <= 1.0);
-      }
+      tally.Add(verdict);
     }
     const double ns = NanosecondsPerRay<Real>(hard, 3, 3);
     nanoseconds += ns * double(hard.rays.size());
     plain = hard.situation == "turned" ? ns : plain;
   }
-  const double ns = nanoseconds / double(rays);
-  csv << '"' << subject.name << "\"," << range << ',' << arithmetic << ',' << rays << ',' << plain << ',' << ns << ','
-      << Quantile(sizes, 0.5) << ',' << Quantile(sizes, 0.999) << ',' << Quantile(sizes, 1) << ','
-      << Quantile(radians, 0.5) << ',' << Quantile(radians, 0.999) << ',' << Quantile(radians, 1) << ',' << outOfBound
-      << ',' << wrongNormals << ',' << falseHits << ',' << falseMisses << '\n';
+  const double ns = nanoseconds / double(tally.rays);
+  csv << '"' << subject.name << "\"," << range << ',' << arithmetic << ',' << tally.rays << ',' << plain << ',' << ns
+      << ',' << Quantile(tally.sizes, 0.5) << ',' << Quantile(tally.sizes, 0.999) << ',' << Quantile(tally.sizes, 1)
+      << ',' << Quantile(tally.radians, 0.5) << ',' << Quantile(tally.radians, 0.999) << ','
+      << Quantile(tally.radians, 1) << ',' << tally.outOfBound << ',' << tally.wrongNormals << ',' << tally.falseHits
+      << ',' << tally.falseMisses << '\n';
   std::printf("| %s | %s | %s | %.0f | %.0f | %.1e | %.1e | %.1e | %.1e | %zu / %zu | %zu / %zu |\n",
-    subject.name.c_str(), range, arithmetic, plain, ns, Quantile(sizes, 0.5), Quantile(sizes, 0.999),
-    Quantile(sizes, 1), Quantile(radians, 1), outOfBound, wrongNormals, falseHits, falseMisses);
+    subject.name.c_str(), range, arithmetic, plain, ns, Quantile(tally.sizes, 0.5), Quantile(tally.sizes, 0.999),
+    Quantile(tally.sizes, 1), Quantile(tally.radians, 1), tally.outOfBound, tally.wrongNormals, tally.falseHits,
+    tally.falseMisses);
   std::fflush(stdout);
 }
 
@@ -262,28 +275,17 @@ void TableOfSpheres(std::ostream& csv)
     "/ misses |\n|---|---|---|---|---|---|---|---|\n");
   const auto row = [&csv](const HardCase& hard, const char* name, double ns, const std::vector<Verdict>& verdicts)
   {
-    std::vector<double> sizes, radians;
-    std::size_t outOfBound = 0, falseHits = 0, falseMisses = 0;
+    Tally tally;
     for (const Verdict& verdict : verdicts)
     {
-      falseHits += verdict.falseHit;
-      falseMisses += verdict.falseMiss;
-      if (verdict.bothHit)
-      {
-        // Beyond what t itself can hold
-        sizes.push_back(verdict.ulps > 1.0 ? verdict.sizes * (1.0 - 1.0 / verdict.ulps) : 0.0);
-        outOfBound += !(verdict.excess <= 1.0);
-      }
-      if (verdict.bothHit && verdict.hasNormal)
-      {
-        radians.push_back(verdict.radians);
-      }
+      tally.Add(verdict);
     }
-    csv << '"' << hard.situation << "\"," << name << ',' << verdicts.size() << ',' << ns << ',' << Quantile(sizes, 0.5)
-        << ',' << Quantile(sizes, 1) << ',' << outOfBound << ',' << Quantile(radians, 1) << ',' << falseHits << ','
-        << falseMisses << '\n';
+    csv << '"' << hard.situation << "\"," << name << ',' << verdicts.size() << ',' << ns << ','
+        << Quantile(tally.sizes, 0.5) << ',' << Quantile(tally.sizes, 1) << ',' << tally.outOfBound << ','
+        << Quantile(tally.radians, 1) << ',' << tally.falseHits << ',' << tally.falseMisses << '\n';
     std::printf("| %s | %s | %.0f | %.1e | %.1e | %zu of %zu | %.1e | %zu / %zu |\n", hard.situation.c_str(), name, ns,
-      Quantile(sizes, 0.5), Quantile(sizes, 1), outOfBound, sizes.size(), Quantile(radians, 1), falseHits, falseMisses);
+      Quantile(tally.sizes, 0.5), Quantile(tally.sizes, 1), tally.outOfBound, tally.sizes.size(),
+      Quantile(tally.radians, 1), tally.falseHits, tally.falseMisses);
   };
   const std::vector<Subject> subjects = HardSubjects();
   const auto sphere =
