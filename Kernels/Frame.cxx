@@ -33,7 +33,7 @@ std::uint32_t Branches(const TraceSettings& settings)
 // How many layers of a translucent set show on a ray.
 std::uint32_t LayersThatShow(const device::GlyphSetRecord& record)
 {
-  if (record.coloured || record.opacity <= 0.0f)
+  if (record.coloured || (record.variants & device::OPACITIES) || record.opacity <= 0.0f)
   {
     return device::LAYER_CAPACITY;
   }
@@ -103,7 +103,6 @@ void CheckSettings(const TraceSettings& settings)
   };
   check("the samples per pixel", settings.samples, 1u, maxSamples);
   check("the number of the first sample", settings.firstSample, 0u, maxSamples);
-  check("the number of shared binary digits of time", settings.sharedTimeBits, -1, 5);
   check("the pixel step", settings.pixelStep, 1u, 64u);
   check("the ambient occlusion radius", settings.occlusionRadius, 0.0f, FLT_MAX);
   check("the number of occlusion rays", settings.occlusionRays, 1u, 64u);
@@ -127,7 +126,6 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
   frame.width = settings.width;
   frame.height = settings.height;
   frame.pixelStep = settings.pixelStep;
-  frame.plannedSamples = PlannedSamples(settings);
   frame.environment = settings.lightIntensity *
     (settings.shading == Shading::PathTracing ? shading::DisplayToLinear(settings.environmentColour)
                                               : settings.environmentColour);
@@ -136,18 +134,15 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
   frame.maximumBounces = settings.maximumBounces;
   frame.exposureFactor = std::exp2(settings.exposure);
   frame.filmic = settings.toneMapping == ToneMapping::Filmic;
-  frame.roulette = static_cast<std::uint32_t>(settings.roulette);
 }
 
 // What local shading does not use does not tell its programs apart.
 Generation GenerationFor(const TraceSettings& settings)
 {
   Generation generation;
-  generation.program = settings.shading == Shading::Local ? Program::Local
-    : settings.shading == Shading::PathTracing            ? Program::Path
-                                                          : Program::Occlusion;
+  generation.program = static_cast<std::uint32_t>(settings.shading);
   Constants& constants = generation.constants;
-  constants.samplerKind = settings.shading == Shading::Local ? 0 : static_cast<std::uint32_t>(settings.sampler);
+  constants.independentSamples = settings.independentSamples && settings.shading != Shading::Local;
   constants.gathersFeatures = settings.features;
   constants.develops =
     settings.shading == Shading::PathTracing || settings.exposure != 0.0f || settings.toneMapping != ToneMapping::None;
@@ -193,10 +188,6 @@ std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
 
 std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceBits)
 {
-  if (settings.sharedTimeBits >= 0)
-  {
-    return static_cast<std::uint32_t>(settings.sharedTimeBits);
-  }
   const std::uint32_t planned = PlannedSamples(settings);
   std::uint32_t bits = 0;
   while (bits < sliceBits && (planned >> (bits + 1)) != 0)
@@ -208,8 +199,7 @@ std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceB
 
 std::uint32_t TimeStrataBits(const TraceSettings& settings)
 {
-  const bool asked = settings.shading == Shading::Local && settings.sharedTimeBits < 0 &&
-    (settings.sampler == Sampler::Sobol || settings.sampler == Sampler::BlueNoise);
+  const bool asked = settings.shading == Shading::Local && !settings.independentSamples;
   std::uint32_t bits = 0;
   while (asked && (1u << bits) < PlannedSamples(settings))
   {

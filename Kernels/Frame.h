@@ -31,7 +31,8 @@ void FillScene(device::FrameRecord& frame, Generation& generation, const Scene::
 /// Samples a pixel in one dispatch: a GPU that works on one for seconds is taken for hung by its driver.
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels);
 
-/// See TraceSettings::sharedTimeBits.
+/// How many binary digits of the time in the shutter's opening all pixels share in one sample, so that neighboring rays
+/// see the same slice of time: as many as there are slices and planned samples fill.
 std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceBits);
 
 /// Logarithm to base 2 of the number of parts of the shutter's opening that local shading gives one sample each

@@ -3,6 +3,7 @@
 #include "MeshTree.h"
 #include "Parallel.h"
 #include "Shapes/Shapes.h"
+#include "TimeSlices.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -21,6 +22,14 @@ namespace
 using HostShapes = shapes::Kernel<float>;
 constexpr float roundings = 1e-6f;
 
+template <class Real>
+void SetArrow(typename shapes::Kernel<Real>::Glyph& glyph, const ArrowForm& arrow)
+{
+  glyph.arrow = glm::vec4(arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding);
+  glyph.fixedHeads = arrow.fixedHeads;
+  glyph.unitLength = arrow.unitLength;
+}
+
 // The glyph with its centre at 0.
 HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
 {
@@ -32,11 +41,8 @@ HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
   glyph.sameSize = instances.sizes3.empty();
   glyph.turned = !instances.rotations.empty();
   glyph.rotation = glyph.turned ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
-  const ArrowForm& arrow = instances.arrow;
-  glyph.arrow = glm::vec4(arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding);
-  glyph.fixedHeads = arrow.fixedHeads;
+  SetArrow<float>(glyph, instances.arrow);
   glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i];
-  glyph.unitLength = arrow.unitLength;
   return glyph;
 }
 
@@ -58,12 +64,6 @@ glm::vec3 RoundUp(const glm::dvec3& values)
   return -RoundDown(-values);
 }
 
-// Relative to a glyph's centre.
-struct DoubleBox
-{
-  glm::dvec3 lower, upper;
-};
-
 // What the boxes are of: the glyphs, and of meshes what each is a copy of.
 struct Subject
 {
@@ -77,10 +77,11 @@ struct Subject
   }
 
   const GlyphInstances& instances;
-  MeshBounds form{};
+  DoubleBox form; ///< of the mesh
 };
 
-DoubleBox MeshBox(const MeshBounds& form, const HostShapes::Glyph& glyph, const glm::dvec3& centre)
+// The boxes of single glyphs are relative to their centres.
+DoubleBox MeshBox(const DoubleBox& form, const HostShapes::Glyph& glyph, const glm::dvec3& centre)
 {
   const glm::dvec3 middle = 0.5 * (form.lower + form.upper);
   const glm::dvec3 reach = 0.5 * (form.upper - form.lower);
@@ -140,16 +141,14 @@ DoubleBox SpunBox(const Subject& subject, std::size_t i, double first, double la
   const double angle = glm::length(glm::dvec3(instances.motion.angularVelocities[i])) * (last - first);
   constexpr double mostPieces = 64.0;
   const double pieces = std::clamp(std::ceil(angle / 0.05), 1.0, mostPieces);
-  DoubleBox box{ glm::dvec3(INFINITY), glm::dvec3(-INFINITY) };
+  DoubleBox box;
   for (double piece = 0.5; piece < pieces; piece += 1.0)
   {
     HostShapes::Glyph turned = still;
     turned.turned = true;
     turned.rotation =
       glm::vec4(Product(instances.motion.Turn(i, first + (last - first) * piece / pieces), glm::dvec4(still.rotation)));
-    const DoubleBox at = StillBox(subject, turned, centre);
-    box.lower = glm::min(box.lower, at.lower);
-    box.upper = glm::max(box.upper, at.upper);
+    box.Include(StillBox(subject, turned, centre));
   }
   const double way = radius * (0.5 * angle / pieces);
   return { glm::max(box.lower - way, ball.lower), glm::min(box.upper + way, ball.upper) };
@@ -167,22 +166,15 @@ DoubleBox MovingBox(const Subject& subject, std::size_t i, double first, double 
   if (motion.Spins())
   {
     // What the device computes of a turn is right to 2^-20 of the glyph's reach (Programs/motion.glsl).
-    const double slack = std::ldexp(glm::length(box.upper - box.lower), -18);
-    box.lower -= slack;
-    box.upper += slack;
+    box = box.Widened(std::ldexp(glm::length(box.upper - box.lower), -18));
   }
   if (motion.Moves())
   {
-    const DisplacementRange range = PaddedRangeOfDisplacements(motion, i, first, last);
+    const DoubleBox range = PaddedRangeOfDisplacements(motion, i, first, last);
     box.lower += range.lower;
     box.upper += range.upper;
   }
   return box;
-}
-
-double Surface(const glm::dvec3& extent)
-{
-  return extent.x * extent.y + extent.y * extent.z + extent.z * extent.x;
 }
 
 } // namespace
@@ -207,34 +199,24 @@ std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first, doubl
   return boxes;
 }
 
+glm::dvec3 GlyphReach(Shape shape, const ArrowForm& arrow, const glm::dvec3& size)
+{
+  shapes::Kernel<double>::Glyph glyph{};
+  glyph.size = size;
+  SetArrow<double>(glyph, arrow);
+  glm::dvec3 lower, upper;
+  shapes::Kernel<double>::GlyphBounds(shape, glyph, lower, upper);
+  return glm::max(glm::abs(lower), glm::abs(upper));
+}
+
 std::uint32_t TimeSliceBits(const GlyphInstances& instances, std::size_t bytesPerSlice)
 {
-  constexpr std::size_t mostBytes = std::size_t(1) << 29;
-  constexpr double mostGrowth = 2.0;
-  const Subject subject(instances, instances.motion.Time(0.0), instances.motion.Time(1.0));
-  // Some thousand glyphs tell what all are like.
-  const std::size_t step = std::max<std::size_t>(1, instances.Count() / 4096);
-  std::uint32_t bits = 0;
-  for (; bits < maxTimeSliceBits && (bytesPerSlice << (bits + 1)) <= mostBytes; ++bits)
-  {
-    double still = 0.0, moving = 0.0;
-    const double length = 1.0 / double(1u << bits);
-    for (std::size_t i = 0; i < instances.Count(); i += step)
-    {
-      // A slice that is another one for every glyph stands for all of them.
-      const double first = length * double((i / step) & ((1u << bits) - 1));
-      const DoubleBox own = StillBox(subject, i);
-      const DoubleBox swept =
-        MovingBox(subject, i, instances.motion.Time(first), instances.motion.Time(first + length));
-      still += Surface(own.upper - own.lower);
-      moving += Surface(swept.upper - swept.lower);
-    }
-    if (moving <= mostGrowth * still)
-    {
-      break;
-    }
-  }
-  return bits;
+  const GlyphMotion& motion = instances.motion;
+  const Subject subject(instances, motion.Time(0.0), motion.Time(1.0));
+  return ChooseSliceBits(
+    instances.Count(), bytesPerSlice, [&](std::size_t i, double) { return StillBox(subject, i); },
+    [&](std::size_t i, double first, double last)
+    { return MovingBox(subject, i, motion.Time(first), motion.Time(last)); });
 }
 
 } // namespace rtg

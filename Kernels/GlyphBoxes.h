@@ -1,7 +1,7 @@
 // Boxes of glyphs, for acceleration structures.
 #pragma once
 
-#include "GlyphTree.h"
+#include "Box.h"
 #include "Glyphs.h"
 
 #include <cstdint>
@@ -15,11 +15,10 @@ namespace rtg
 /// <= 1.
 std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first = 0.0, double last = 1.0);
 
-/// Largest TimeSliceBits().
-constexpr std::uint32_t maxTimeSliceBits = 5;
+/// How far a glyph of these sizes, not turned, reaches from its centre along each axis. None of Shape::Mesh.
+glm::dvec3 GlyphReach(Shape shape, const ArrowForm& arrow, const glm::dvec3& size);
 
-/// Logarithm to base 2 of the number of slices of time in each of which the boxes' surface, with which the number of
-/// rays that meet them grows, is at most half as large again as that of glyphs at rest. `bytesPerSlice` limits it.
+/// ChooseSliceBits() of glyphs (TimeSlices.h).
 std::uint32_t TimeSliceBits(const GlyphInstances& instances, std::size_t bytesPerSlice);
 
 } // namespace rtg

@@ -13,18 +13,17 @@ namespace rtg
 namespace
 {
 
-const Box nothing = { glm::vec3(INFINITY), glm::vec3(-INFINITY) };
-
-Box Union(const Box& a, const Box& b)
+Box Union(Box a, const Box& b)
 {
-  return { glm::min(a.lower, b.lower), glm::max(a.upper, b.upper) };
+  a.Include(b);
+  return a;
 }
 
 Box LeafBox(const std::vector<Box>& boxes, std::size_t leaf, std::uint32_t leafBits)
 {
   const std::size_t first = GlyphTree::Start(leaf, boxes.size(), leafBits);
   const std::size_t last = GlyphTree::Start(leaf + 1, boxes.size(), leafBits);
-  return std::accumulate(boxes.begin() + first, boxes.begin() + last, nothing, Union);
+  return std::accumulate(boxes.begin() + first, boxes.begin() + last, Box(), Union);
 }
 
 // Splits a node has: three, but for the root what is left.
@@ -102,13 +101,12 @@ public:
 private:
   float Area(int axis, std::size_t first, std::size_t last) const
   {
-    Box box = nothing;
+    Box box;
     for (std::size_t i = first; i < last; ++i)
     {
-      box = Union(box, this->boxes_[this->sorted_[axis][i]]);
+      box.Include(this->boxes_[this->sorted_[axis][i]]);
     }
-    const glm::vec3 e = box.upper - box.lower;
-    return first < last ? e.x * e.y + e.y * e.z + e.z * e.x : 0.0f;
+    return first < last ? HalfSurface(box.upper - box.lower) : 0.0f;
   }
 
   void Divide(int along, std::size_t first, std::size_t middle, std::size_t last)
@@ -269,7 +267,7 @@ GlyphTreeNode Quantise(const Box& whole, const Box* children, std::size_t count,
     const double origin = whole.lower[axis];
     for (std::size_t child = 0; child < 8; ++child)
     {
-      const bool none = child >= count || children[child].lower.x > children[child].upper.x;
+      const bool none = child >= count || children[child].Empty();
       const double lower = none ? 255.0 : (children[child].lower[axis] - origin) * perStep;
       const double upper = none ? 0.0 : (children[child].upper[axis] - origin) * perStep;
       node.planes[axis][0][child] = RoundDown(lower);
@@ -335,11 +333,7 @@ double LeafSurface(const std::vector<Box>& boxes, std::uint32_t leafBits)
       for (std::size_t leaf = begin; leaf < end; ++leaf)
       {
         const Box box = LeafBox(boxes, leaf, leafBits);
-        if (box.lower.x <= box.upper.x)
-        {
-          const glm::dvec3 e(box.upper - box.lower);
-          surface += e.x * e.y + e.y * e.z + e.z * e.x;
-        }
+        surface += box.Empty() ? 0.0 : HalfSurface(glm::dvec3(box.upper - box.lower));
       }
     });
   return std::accumulate(surfaces.begin(), surfaces.end(), 0.0);
@@ -350,6 +344,7 @@ GlyphTree BuildGlyphTree(const std::vector<Box>& boxes, std::uint32_t leafBits, 
   GlyphTree tree;
   tree.leafBits = leafBits;
   tree.levels = GlyphTree::Levels(leafBits);
+  tree.nodesPerSlice = static_cast<std::uint32_t>(axes.size());
   tree.nodes.resize(axes.size());
 
   // Boxes of the leaves, then of every level's nodes upwards.
@@ -371,7 +366,7 @@ GlyphTree BuildGlyphTree(const std::vector<Box>& boxes, std::uint32_t leafBits, 
       {
         for (std::size_t i = first; i < last; ++i)
         {
-          current[i] = std::accumulate(&below[children * i], &below[children * i] + children, nothing, Union);
+          current[i] = std::accumulate(&below[children * i], &below[children * i] + children, Box(), Union);
           const std::size_t node = GlyphTree::LevelOffset(level) + i;
           tree.nodes[node] = Quantise(current[i], &below[children * i], children, axes[node]);
         }

@@ -1,19 +1,12 @@
 #pragma once
 
-#include <glm/glm.hpp>
+#include "Box.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace rtg
 {
-
-/// An axis-aligned box in single precision.
-struct Box
-{
-  glm::vec3 lower;
-  glm::vec3 upper;
-};
 
 /// A node of GlyphTree: the boxes of its eight children, quantised to 8 bits a plane relative to its own.
 /// After Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
@@ -43,7 +36,14 @@ struct GlyphTree
 {
   std::uint32_t leafBits = 0;
   std::uint32_t levels = 0; ///< of nodes, 1 to maxLevels
-  std::vector<GlyphTreeNode> nodes;
+  /// Of what moves there are versions of the tree, one for each of 2^sliceBits slices of the shutter's opening: a ray
+  /// reads the one in whose slice its time falls, where boxes are little longer than the things.
+  std::uint32_t sliceBits = 0;
+  std::uint32_t nodesPerSlice = 0;
+  std::vector<GlyphTreeNode> nodes; ///< slice by slice
+  /// Slice by slice, the place in the common order of the thing at each place of its tree; empty: all slices have that
+  /// order.
+  std::vector<std::uint32_t> order;
 
   static constexpr std::uint32_t maxLevels = 8; ///< what the traversal's 64-bit words hold
 
@@ -74,8 +74,11 @@ std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::u
 /// order is.
 double LeafSurface(const std::vector<Box>& boxes, std::uint32_t leafBits);
 
+/// An order serves boxes that have moved until they leave the leaves this much more surface than when it was found.
+constexpr double orderDecay = 1.2;
+
 /// Builds the nodes over boxes that are in that order. The boxes must be padded for the arithmetic of the
-/// traversal (see Scene.cxx).
+/// traversal (SlabPadding in Box.h).
 GlyphTree BuildGlyphTree(const std::vector<Box>& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes);
 
 } // namespace rtg

@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
@@ -103,10 +104,21 @@ struct GlyphInstances
   /// p.x^2 + f.y p.y^2 + f.z p.z^2, whatever the colours of the glyphs; their opacity stays. None of Shape::Mesh.
   std::vector<glm::vec3> forms;
 
+  /// In [0, 1], times Material::opacity and the alpha of colours; or empty.
+  std::vector<float> opacities;
+
   GlyphMotion motion;
 
   std::size_t Count() const { return centres.size(); }
 };
+
+/// Whether some glyph is not opaque, whatever material and colours of glyphs say.
+inline bool IsTranslucent(const GlyphInstances& instances)
+{
+  return std::any_of(
+           instances.opacities.begin(), instances.opacities.end(), [](float opacity) { return opacity < 1.0f; }) ||
+    (instances.shape == Shape::Mesh && instances.mesh && IsTranslucent(*instances.mesh));
+}
 
 /// Colours of one set: one RGBA8 a glyph in the order of GlyphInstances (red in the lowest byte),
 /// or empty for Material::colour.

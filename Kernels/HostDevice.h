@@ -17,54 +17,43 @@ using uint = std::uint32_t;
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference2 : require
 #extension GL_EXT_buffer_reference_uvec2 : require
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vec3Array
-{
-  vec3 at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Vec4Array
-{
-  vec4 at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FloatArray
-{
-  float at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer UintArray
-{
-  uint at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer UintImage
-{
-  uint at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer FloatImage
-{
-  float at[];
-};
+#define RTG_ARRAY(name, type, access, alignment)                                                                       \
+  layout(buffer_reference, scalar, buffer_reference_align = alignment) access buffer name                              \
+  {                                                                                                                    \
+    type at[];                                                                                                         \
+  };
+RTG_ARRAY(Vec3Array, vec3, readonly, 4)
+RTG_ARRAY(Vec4Array, vec4, readonly, 4)
+RTG_ARRAY(FloatArray, float, readonly, 4)
+RTG_ARRAY(UintArray, uint, readonly, 4)
+RTG_ARRAY(UintImage, uint, , 4)
+RTG_ARRAY(FloatImage, float, , 4)
 #define RTG_ADDRESS(type) type
 #endif
 
-// What programs are told of a set, or of one of the driver's structures of it (instanceCustomIndex is its number). An
-// address that the set's variants do not ask for is 0.
+#include "Variants.h"
+
+// A GlyphTree on the device.
+struct TreeRecord
+{
+  RTG_ADDRESS(UintArray) nodes; // GlyphTreeNode
+  RTG_ADDRESS(UintArray) order; // slice by slice, the thing at each place, or none (specialised)
+  uint levels;
+  uint leafBits;
+  uint sliceBits;
+  uint nodesPerSlice;
+};
+
+// What programs are told of a set, or of one of the driver's structures of it (instanceCustomIndex is its number). Only
+// what the set's variants ask for means something.
 struct GlyphSetRecord
 {
-  RTG_ADDRESS(Vec3Array) centres;
-  RTG_ADDRESS(Vec3Array) centresLow; // none unless specialised
-  RTG_ADDRESS(FloatArray) sizes;     // one or three floats a glyph, or none (specialised)
-  RTG_ADDRESS(Vec4Array) rotations;  // none unless specialised
-  RTG_ADDRESS(FloatArray) exponents; // three floats a glyph, or none (specialised)
-  RTG_ADDRESS(UintArray) colours;    // none unless specialised
-  RTG_ADDRESS(Vec3Array) forms;      // none unless specialised
-  RTG_ADDRESS(UintArray) tree;       // GlyphTreeNode, when the set is traced by its tree
-  RTG_ADDRESS(Vec3Array) velocities; // each of these three: none unless specialised
-  RTG_ADDRESS(Vec3Array) accelerations;
-  RTG_ADDRESS(Vec3Array) angularVelocities;
-  RTG_ADDRESS(UintArray)
-  treeOrder;         // slice by slice, the glyph at each place of its tree, or none (specialised)
+#define RTG_FIELD(number, BIT, type, name, values, words) RTG_ADDRESS(type) name;
+  RTG_GLYPH_ARRAYS(RTG_FIELD)
+#undef RTG_FIELD
+  TreeRecord tree;   // when the set is traced by it
   float shutterOpen; // as GlyphMotion has it
   float shutterLength;
-  uint timeSliceBits; // the tree has 2^timeSliceBits versions one after the other, each of so many nodes
-  uint nodesPerSlice;
   vec3 offset;    // of the set's origin from the scene's: high part, as in the transform
   vec3 offsetLow; // what the high part's rounding left
   vec4 arrow;     // shaft radius, tip radius, tip length, tip rounding
@@ -76,8 +65,6 @@ struct GlyphSetRecord
   uint setId;
   uint firstGlyph; // index of this structure's first glyph in the set's sorted order
   uint glyphCount;
-  uint treeLevels; // as GlyphTree has them
-  uint treeLeafBits;
   // Material
   vec3 colour;
   float opacity;
@@ -103,16 +90,12 @@ struct GlyphSetRecord
   uint firstInstance; // gl_InstanceID of the set's first glyph
   uint identifiesTriangles;
   // Of mesh glyphs that move: MeshTree.h. Positions are then relative to the middle of the mesh.
-  RTG_ADDRESS(UintArray) meshTree;
+  TreeRecord meshTree;
   RTG_ADDRESS(Vec3Array) meshVelocities; // each of these two: none unless specialised
   RTG_ADDRESS(Vec3Array) meshAccelerations;
   vec3 meshMiddle;
   float meshRadius; // of the ball round its middle that holds it all the time
   uint meshTriangleCount;
-  uint meshTreeLevels;
-  uint meshTreeLeafBits;
-  uint meshTimeSliceBits;
-  uint meshNodesPerSlice;
   // Material, path tracing only
   float metallic;
   float roughness;
@@ -176,36 +159,18 @@ struct PixelFeatures
 };
 
 #ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PixelSumsImage
-{
-  PixelSums at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PixelFeaturesImage
-{
-  PixelFeatures at[];
-};
+RTG_ARRAY(PixelSumsImage, PixelSums, , 4)
+RTG_ARRAY(PixelFeaturesImage, PixelFeatures, , 4)
 // What one program of a ray writes another one reads, which may run as another invocation (Vulkan specification, "Ray
 // Tracing Repack"). The qualifier must stand at the member: glslang 12 ignores it at the block.
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer RayRecords
 {
   shadercallcoherent RayRecord at[];
 };
-layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer GlyphSetRecords
-{
-  GlyphSetRecord at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer LightRecords
-{
-  LightRecord at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer ProbeRecords
-{
-  ProbeRecord at[];
-};
-layout(buffer_reference, scalar, buffer_reference_align = 4) writeonly buffer ProbeResults
-{
-  ProbeResult at[];
-};
+RTG_ARRAY(GlyphSetRecords, GlyphSetRecord, readonly, 8)
+RTG_ARRAY(LightRecords, LightRecord, readonly, 4)
+RTG_ARRAY(ProbeRecords, ProbeRecord, readonly, 4)
+RTG_ARRAY(ProbeResults, ProbeResult, writeonly, 4)
 #endif
 
 // Bits of instance masks.
@@ -236,9 +201,7 @@ struct FrameRecord
   RTG_ADDRESS(UintImage) glyphIds;
   RTG_ADDRESS(PixelSumsImage) sums;         // when the program accumulates
   RTG_ADDRESS(PixelFeaturesImage) features; // when it gathers features
-  RTG_ADDRESS(UintArray)
-  blueNoise;                    // blueNoiseSide squared thresholds, for the sampler that needs them
-  RTG_ADDRESS(RayRecords) rays; // by launch index
+  RTG_ADDRESS(RayRecords) rays;             // by launch index
   RTG_ADDRESS(ProbeRecords) probes;
   RTG_ADDRESS(ProbeResults) probeResults;
   // Camera.h, relative to the scene's origin; eye + eyeLow is exact to double-float precision.
@@ -262,7 +225,6 @@ struct FrameRecord
   uint height;
   uint firstSample;    // number of the first sample of this dispatch
   uint samples;        // that this dispatch adds
-  uint plannedSamples; // of the finished image, for the stratified sampler
   uint sharedTimeBits; // Shading/ShutterTime.glsl
   uint timeStrataBits; // the same
   uint pixelStep;
@@ -282,7 +244,6 @@ struct FrameRecord
   float occlusionRadius;
   uint branches; // of a sample at its first hit: occlusion rays or paths
   uint maximumBounces;
-  uint roulette; // rtg::Roulette
   // An environment image (Shading/Environment.glsl), when the program has one
   RTG_ADDRESS(Vec3Array) environmentTexels;
   RTG_ADDRESS(UintArray) environmentCells; // EnvironmentCell
@@ -298,8 +259,6 @@ struct FrameRecord
   uint filmic;
   GlyphSetRecord onlySet; // sets.at[0] again when there is no other: a uniform load, no gather
 };
-
-#include "Variants.h"
 
 #ifdef __cplusplus
 #undef RTG_ADDRESS

@@ -15,28 +15,19 @@ bool Deforms(const TriangleMesh& mesh);
 
 /// A box round all corners of triangles between two times, in the mesh's frame; without rounding of the device's
 /// arithmetic, which may displace corners by a few ulps of their way.
-struct MeshBounds
-{
-  glm::dvec3 lower, upper;
-};
-MeshBounds BoundsOf(const TriangleMesh& mesh, double firstTime, double lastTime);
+DoubleBox BoundsOf(const TriangleMesh& mesh, double firstTime, double lastTime);
 
-/// A GlyphTree over triangles: of a mesh that deforms, versions for 2^sliceBits slices of the shutter's opening, one
-/// after the other, all with the triangles in the order of its middle.
+/// A GlyphTree over triangles, all slices with the triangles in the order of the opening's middle.
 struct MeshTree
 {
-  std::uint32_t leafBits = 0;
-  std::uint32_t levels = 0;
-  std::uint32_t sliceBits = 0;
-  std::uint32_t nodesPerSlice = 0;
+  GlyphTree tree;
   std::vector<std::uint32_t> order; ///< place in the tree -> triangle
-  std::vector<GlyphTreeNode> nodes;
-  glm::vec3 middle{ 0.0f }; ///< what the tree's boxes and `positions` are relative to
-  float radius = 0.0f;      ///< of the ball round the middle that holds all triangles all the time
+  glm::vec3 middle{ 0.0f };         ///< what the tree's boxes and `positions` are relative to
+  float radius = 0.0f;              ///< of the ball round the middle that holds all triangles all the time
   std::vector<glm::vec3> positions;
 };
 
-/// `shutter` says when the shutter is open. `sliceBits` of -1: as many as boxes round the paths of triangles ask for.
-MeshTree BuildMeshTree(const TriangleMesh& mesh, const GlyphMotion& shutter, int sliceBits = -1);
+/// `shutter` says when the shutter is open.
+MeshTree BuildMeshTree(const TriangleMesh& mesh, const GlyphMotion& shutter);
 
 } // namespace rtg

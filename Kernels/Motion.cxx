@@ -30,18 +30,17 @@ glm::dvec4 GlyphMotion::Turn(std::size_t glyph, double time) const
   return angle > 0.0 ? glm::dvec4(std::sin(angle) / angle * half, std::cos(angle)) : glm::dvec4(0.0, 0.0, 0.0, 1.0);
 }
 
-DisplacementRange RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last)
+DoubleBox RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last)
 {
   const glm::dvec3 start = motion.Displacement(glyph, first);
   const glm::dvec3 end = motion.Displacement(glyph, last);
-  DisplacementRange range{ glm::min(start, end), glm::max(start, end) };
+  DoubleBox range{ glm::min(start, end), glm::max(start, end) };
   if (motion.accelerations.empty() || motion.velocities.empty())
   {
     // Without velocity the parabola turns at time 0.
     if (!motion.accelerations.empty() && first < 0.0 && last > 0.0)
     {
-      range.lower = glm::min(range.lower, glm::dvec3(0.0));
-      range.upper = glm::max(range.upper, glm::dvec3(0.0));
+      range.Include({ glm::dvec3(0.0), glm::dvec3(0.0) });
     }
     return range;
   }
@@ -60,7 +59,7 @@ DisplacementRange RangeOfDisplacements(const GlyphMotion& motion, std::size_t gl
   return range;
 }
 
-DisplacementRange PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last)
+DoubleBox PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last)
 {
   const double time = std::max(std::abs(first), std::abs(last));
   glm::dvec3 terms(0.0);
@@ -73,7 +72,7 @@ DisplacementRange PaddedRangeOfDisplacements(const GlyphMotion& motion, std::siz
     terms += glm::abs(glm::dvec3(motion.accelerations[glyph])) * (0.5 * time * time);
   }
   const glm::dvec3 slack = std::ldexp(1.0, -21) * terms;
-  const DisplacementRange range = RangeOfDisplacements(motion, glyph, first, last);
+  const DoubleBox range = RangeOfDisplacements(motion, glyph, first, last);
   return { range.lower - slack, range.upper + slack };
 }
 

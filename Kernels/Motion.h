@@ -1,7 +1,7 @@
 // How glyphs move while the shutter is open, as plain host data.
 #pragma once
 
-#include <glm/glm.hpp>
+#include "Box.h"
 
 #include <vector>
 
@@ -36,17 +36,10 @@ struct GlyphMotion
   glm::dvec4 Turn(std::size_t glyph, double time) const;
 };
 
-/// Where something lies while time passes.
-struct DisplacementRange
-{
-  glm::dvec3 lower;
-  glm::dvec3 upper;
-};
-
 /// All displacements between two times, first <= last: those of the ends, and of the turning points of the parabola.
-DisplacementRange RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
+DoubleBox RangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
 /// The same, with what the device's arithmetic in float may add to the way: a few ulps of its terms.
-DisplacementRange PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
+DoubleBox PaddedRangeOfDisplacements(const GlyphMotion& motion, std::size_t glyph, double first, double last);
 
 /// Throws rtg::Error unless the arrays fit `count` glyphs and all is finite.
 void CheckMotion(const GlyphMotion& motion, std::size_t count);

@@ -93,20 +93,6 @@ PartitionEntry::PartitionEntry(const glm::vec3& point, std::uint32_t i)
 {
 }
 
-std::vector<PartitionEntry> MakePartitionEntries(const std::vector<glm::vec3>& points)
-{
-  std::vector<PartitionEntry> entries(points.size());
-  ParallelChunks(points.size(),
-    [&](std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        entries[i] = PartitionEntry(points[i], static_cast<std::uint32_t>(i));
-      }
-    });
-  return entries;
-}
-
 std::vector<std::uint32_t> OrderOf(const std::vector<PartitionEntry>& entries)
 {
   std::vector<std::uint32_t> order(entries.size());

@@ -12,7 +12,7 @@ namespace rtg
 
 /// A point on its way through a sort, and where it was before. Coordinates are held as integers of the same order, so
 /// that one comparison of 64 bits also tells apart points with the same coordinate: what a sort does then depends on
-/// nothing but the points, and many equal ones cost it no more than others.
+/// nothing but the points, which are finite, and many equal ones cost it no more than others.
 struct PartitionEntry
 {
   std::uint32_t coordinates[3];
@@ -24,8 +24,6 @@ struct PartitionEntry
   std::uint64_t Key(int axis) const { return std::uint64_t(this->coordinates[axis]) << 32 | this->index; }
 };
 
-/// Of points that are finite.
-std::vector<PartitionEntry> MakePartitionEntries(const std::vector<glm::vec3>& points);
 std::vector<std::uint32_t> OrderOf(const std::vector<PartitionEntry>& entries);
 
 /// Size of the smallest box around the points of [first, last); 0 for none.

@@ -31,22 +31,17 @@ Structure ChooseStructure(const Device& device, bool canTree)
 }
 
 // Throws unless every array has an entry a glyph or none.
-void CheckLengths(const GlyphInstances& instances)
+void CheckLengths(const GlyphInstances& instances, const GlyphColours& colours)
 {
-  const auto check = [&](const char* name, std::size_t found)
-  {
-    if (found != 0 && found != instances.Count())
+  ForEachArray(instances, colours,
+    [&](std::size_t, std::uint32_t, const auto& values, const char* words)
     {
-      throw Error("Ray Traced Glyphs: " + std::to_string(found) + " " + name + " for " +
-        std::to_string(instances.Count()) + " glyphs; give one a glyph or none.");
-    }
-  };
-  check("low parts of centres", instances.centresLow.size());
-  check("sizes along three axes", instances.sizes3.size());
-  check("sizes", instances.sizes1.size());
-  check("rotations", instances.rotations.size());
-  check("exponents", instances.exponents3.size());
-  check("quadratic forms", instances.forms.size());
+      if (!values.empty() && values.size() != instances.Count())
+      {
+        throw Error("Ray Traced Glyphs: " + std::to_string(values.size()) + " " + words + " for " +
+          std::to_string(instances.Count()) + " glyphs; give one a glyph or none.");
+      }
+    });
   if (!instances.sizes3.empty() && !instances.sizes1.empty())
   {
     throw Error("Ray Traced Glyphs: glyphs have sizes along three axes and single ones; give one "
@@ -55,18 +50,6 @@ void CheckLengths(const GlyphInstances& instances)
 }
 
 } // namespace
-
-void Bounds::Include(const glm::vec3& a, const glm::vec3& b)
-{
-  this->lower = glm::min(this->lower, a);
-  this->upper = glm::max(this->upper, b);
-}
-
-float Bounds::Reach() const
-{
-  const glm::vec3 reach = glm::max(glm::abs(this->lower), glm::abs(this->upper));
-  return this->Empty() ? 0.0f : std::max({ reach.x, reach.y, reach.z });
-}
 
 Statistics& Statistics::operator+=(const Statistics& other)
 {
@@ -129,19 +112,14 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   {
     CheckMesh(instances.mesh.get(), instances.motion);
   }
-  CheckLengths(instances);
+  CheckLengths(instances, {});
   CheckMotion(instances.motion, instances.Count());
   if (!HasExponents(instances.shape))
   {
     instances.exponents3.clear();
   }
   set.count = instances.Count();
-  const auto seeThrough = [](std::uint32_t colour) { return (colour >> 24) != 255; };
-  const TriangleMesh* mesh = instances.shape == Shape::Mesh ? instances.mesh.get() : nullptr;
-  set.translucentMesh = mesh &&
-    (std::any_of(mesh->positionColours.begin(), mesh->positionColours.end(), seeThrough) ||
-      std::any_of(mesh->triangleColours.begin(), mesh->triangleColours.end(), seeThrough) ||
-      std::any_of(mesh->valueColours.begin(), mesh->valueColours.end(), seeThrough));
+  set.translucentInstances = IsTranslucent(instances);
   set.instances = std::move(instances);
   set.instancesChanged = true;
   set.measured = false;
@@ -155,13 +133,8 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
 void Scene::SetColours(SetId id, GlyphColours colours)
 {
   GlyphSet& set = this->state_->Find(id);
-  if (!colours.empty() && colours.size() != set.count)
-  {
-    throw Error("Ray Traced Glyphs: " + std::to_string(colours.size()) + " colors for " + std::to_string(set.count) +
-      " glyphs; give one color a glyph or none.");
-  }
-  set.translucentColours =
-    std::any_of(colours.begin(), colours.end(), [](std::uint32_t colour) { return (colour >> 24) != 255; });
+  CheckLengths(set.instances, colours);
+  set.translucentColours = AnyTranslucent(colours);
   set.colours = std::move(colours);
   set.coloursChanged = true;
 }
@@ -232,11 +205,11 @@ float Scene::State::Measure()
   {
     if (set.Shown() && !set.measured)
     {
-      set.bounds = Bounds();
+      set.bounds = Box();
       set.boxes = GlyphBoxes(set.instances);
       for (const Box& box : set.boxes)
       {
-        set.bounds.Include(box.lower, box.upper);
+        set.bounds.Include(box);
       }
       set.measured = true;
       this->TellStage(set);
@@ -355,7 +328,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
     else if (set.coloursChanged)
     {
       sent.push_back(&set);
-      this->SendColours(set, set.placed);
+      this->SendArrays(set, set.placed, device::COLOURS);
       this->recordsChanged = true;
     }
     // The top level says which hit group and which pass a set belongs to.

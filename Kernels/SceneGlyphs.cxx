@@ -14,15 +14,12 @@ namespace rtg
 namespace
 {
 
-// A slab test in float errs by a few ulps of the distances it subtracts: at most 16 half-ulps of `reach`, which
-// bounds box coordinates and ray origins. Padding by that keeps every box conservative.
 void Pad(std::vector<Box>& boxes, float reach)
 {
-  const float pad = std::ldexp(reach, -20);
+  const float padding = SlabPadding(reach);
   for (Box& box : boxes)
   {
-    box.lower -= pad;
-    box.upper += pad;
+    box = box.Widened(padding);
   }
 }
 
@@ -37,6 +34,14 @@ constexpr std::size_t glyphsPerLeaf = 2;
 constexpr double leavesWorthDropping = 20.0;
 
 } // namespace
+
+PlacedTree::PlacedTree(Device::State& device, const GlyphTree& tree)
+  : nodes(Send(device, tree.nodes))
+  , order(Send(device, tree.order))
+  , record{ this->nodes.Address(), this->order.Address(), tree.levels, tree.leafBits, tree.sliceBits,
+    tree.nodesPerSlice }
+{
+}
 
 void Scene::State::Place(GlyphSet& set, float reach)
 {
@@ -55,6 +60,8 @@ void Scene::State::Place(GlyphSet& set, float reach)
   PlacedGlyphs placed;
   // Some head-room, so that a scene that grows little by little is not rebuilt at every step.
   placed.builtReach = 4.0f * reach;
+  placed.group.shape = set.instances.shape;
+  placed.group.Set(device::FIXED_HEADS, set.instances.shape == Shape::Arrow && set.instances.arrow.fixedHeads);
   bool isNew = true;
   if (set.instances.shape == Shape::Mesh)
   {
@@ -65,9 +72,9 @@ void Scene::State::Place(GlyphSet& set, float reach)
   mesh = PlacedMesh();
   if (placed.runs.empty())
   {
-    this->SendGlyphs(set, placed);
-    this->statistics.uploadSeconds += watch.Lap();
+    this->SendArrays(set, placed, ~device::APPEARANCE);
     this->TellStage(set);
+    Stopwatch building;
     boxes = set.sorted.order.empty() ? std::move(boxes) : InOrder(boxes, set.sorted.order);
     if (this->structure == Structure::Tree)
     {
@@ -78,45 +85,28 @@ void Scene::State::Place(GlyphSet& set, float reach)
       Pad(boxes, placed.builtReach);
       this->BuildBoxes(placed, boxes);
     }
-    this->statistics.buildSeconds += watch.Lap();
+    this->statistics.buildSeconds += building.Lap();
   }
-  this->SendColours(set, placed);
+  this->SendArrays(set, placed, device::APPEARANCE);
   this->TellStage(set);
   set.placed = std::move(placed);
   this->topLevelChanged = true;
 }
 
-// All arrays but the colors.
-void Scene::State::SendGlyphs(const GlyphSet& set, PlacedGlyphs& placed)
+void Scene::State::SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::uint32_t variants)
 {
-  Device::State& vulkan = this->device->GetState();
-  const GlyphInstances& instances = set.instances;
-  const std::vector<std::uint32_t>& order = set.sorted.order;
-  const GlyphMotion& motion = instances.motion;
-  HitGroup& group = placed.group;
-  group.shape = instances.shape;
-  const auto send = [&](Buffer& buffer, const auto& values, std::uint32_t variant)
-  {
-    buffer = SendInOrder(vulkan, values, order);
-    group.Set(variant, !values.empty());
-  };
-  send(placed.centres, instances.centres, 0);
-  send(placed.centresLow, instances.centresLow, device::CENTRES_LOW);
-  if (instances.sizes3.empty())
-  {
-    send(placed.sizes, instances.sizes1, device::SIZE_EACH);
-  }
-  else
-  {
-    send(placed.sizes, instances.sizes3, device::SIZES_EACH);
-  }
-  send(placed.rotations, instances.rotations, device::ROTATIONS);
-  send(placed.exponents, instances.exponents3, device::EXPONENTS);
-  send(placed.forms, instances.forms, device::FORMS);
-  send(placed.velocities, motion.velocities, device::VELOCITIES);
-  send(placed.accelerations, motion.accelerations, device::ACCELERATIONS);
-  send(placed.angularVelocities, motion.angularVelocities, device::ANGULAR_VELOCITIES);
-  group.Set(device::FIXED_HEADS, instances.shape == Shape::Arrow && instances.arrow.fixedHeads);
+  Stopwatch watch;
+  ForEachArray(set.instances, set.colours,
+    [&](std::size_t number, std::uint32_t bit, const auto& values, const char*)
+    {
+      if (variants & bit)
+      {
+        placed.arrays[number] = SendInOrder(this->device->GetState(), values, set.sorted.order);
+        placed.group.Set(bit, !values.empty());
+      }
+    });
+  this->statistics.colourUploads += (variants & device::COLOURS) && !set.colours.empty();
+  this->statistics.uploadSeconds += watch.Lap();
 }
 
 // Into the order of a tree's leaves, which also serves lavapipe's own structure: that splits its input where it finds
@@ -139,7 +129,7 @@ void Scene::State::Sort(GlyphSet& set, const std::vector<Box>& boxes)
   { return LeafSurface(InOrder(sortedBoxes, order), leafBits - std::min(leafBits, 3u)); };
   const GlyphOrder& last = set.sorted;
   const bool fits = !last.kdAxes.empty() && last.order.size() == set.count && last.leafBits == leafBits;
-  if (fits && surface(last.order) <= this->orderDecay * last.sortedSurface)
+  if (fits && surface(last.order) <= orderDecay * last.sortedSurface)
   {
     return;
   }
@@ -168,47 +158,36 @@ void Scene::State::BuildBoxes(PlacedGlyphs& placed, const std::vector<Box>& boxe
 // The tree of a set: of glyphs that move, one for each slice of time.
 void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes)
 {
-  Device::State& vulkan = this->device->GetState();
   const GlyphOrder& sorted = set.sorted;
-  const float pad = std::ldexp(placed.builtReach, -20);
-  placed.treeLeafBits = sorted.leafBits;
-  placed.treeLevels = GlyphTree::Levels(sorted.leafBits);
-  placed.nodesPerSlice = static_cast<std::uint32_t>(sorted.kdAxes.size());
-  if (set.instances.motion.Any())
-  {
-    const std::uint32_t bits = this->timeSliceBits >= 0
-      ? static_cast<std::uint32_t>(this->timeSliceBits)
-      : TimeSliceBits(set.instances, placed.nodesPerSlice * sizeof(GlyphTreeNode));
-    const TimeSlices slices =
-      BuildTimeSlices(set.instances, sorted.order, sorted.leafBits, sorted.kdAxes, pad, bits, this->sliceSorting);
-    placed.timeSliceBits = slices.bits;
-    placed.group.Set(device::ORDER_OF_SLICES, !slices.order.empty());
-    placed.tree = Send(vulkan, slices.nodes);
-    placed.treeOrder = Send(vulkan, slices.order);
-  }
-  else
+  const bool moves = set.instances.motion.Any();
+  if (!moves)
   {
     Pad(boxes, placed.builtReach);
     // So many leaves a line through the bounds meets on average, by Cauchy's formula.
-    const glm::dvec3 e(set.bounds.upper - set.bounds.lower);
-    const double leavesMet = LeafSurface(boxes, sorted.leafBits) / (e.x * e.y + e.y * e.z + e.z * e.x);
+    const double leavesMet =
+      LeafSurface(boxes, sorted.leafBits) / HalfSurface(glm::dvec3(set.bounds.upper - set.bounds.lower));
     placed.group.Set(device::DROPS_HIDDEN, leavesMet > leavesWorthDropping);
-    placed.tree = Send(vulkan, BuildGlyphTree(boxes, sorted.leafBits, sorted.kdAxes).nodes);
   }
+  const auto boxesBetween = [&](double first, double last)
+  {
+    if (!moves)
+    {
+      return std::move(boxes);
+    }
+    std::vector<Box> own = InOrder(GlyphBoxes(set.instances, first, last), sorted.order);
+    Pad(own, placed.builtReach);
+    return own;
+  };
+  const std::size_t bytes = sorted.kdAxes.size() * sizeof(GlyphTreeNode);
+  const GlyphTree tree =
+    BuildSlices(moves ? TimeSliceBits(set.instances, bytes) : 0, sorted.leafBits, sorted.kdAxes, moves, boxesBetween);
+  placed.group.Set(device::ORDER_OF_SLICES, !tree.order.empty());
+  placed.tree = PlacedTree(this->device->GetState(), tree);
   GlyphRun run;
   run.count = static_cast<std::uint32_t>(set.count);
   placed.runs.push_back(std::move(run));
   // Copies of a mesh at rest are placed, not built, as in the driver's top level.
   this->statistics.structureBuilds += set.instances.shape != Shape::Mesh || IsMovingMesh(set.instances);
-}
-
-void Scene::State::SendColours(const GlyphSet& set, PlacedGlyphs& placed)
-{
-  Stopwatch watch;
-  placed.colours = SendInOrder(this->device->GetState(), set.colours, set.sorted.order);
-  placed.group.Set(device::COLOURS, !set.colours.empty());
-  this->statistics.colourUploads += set.colours.empty() ? 0 : 1;
-  this->statistics.uploadSeconds += watch.Lap();
 }
 
 } // namespace rtg

@@ -148,7 +148,6 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
   Stopwatch watch;
   const TriangleMesh& mesh = *set.instances.mesh;
-  placed.group.shape = Shape::Mesh;
   HitGroup& group = placed.group;
   group.Set(device::MESH_NORMALS, !mesh.normals.empty());
   group.Set(device::MESH_VALUE_COLOURS, !mesh.positionValues.empty());
@@ -181,12 +180,12 @@ bool Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
   // A tree of positions at rest is the same whatever the shutter does.
   const bool sameShutter =
     !Deforms(mesh) || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
-  const bool keeps = this->KeepsMesh(set, sent) && sent.tree.Size() && sameShutter;
+  const bool keeps = this->KeepsMesh(set, sent) && sent.tree.nodes.Size() && sameShutter;
   if (!keeps)
   {
     sent = PlacedMesh();
-    MeshTree tree = BuildMeshTree(mesh, shutter, this->timeSliceBits);
-    sent.tree = Send(vulkan, tree.nodes);
+    MeshTree tree = BuildMeshTree(mesh, shutter);
+    sent.tree = PlacedTree(vulkan, tree.tree);
     sent.order = std::move(tree.order);
     sent.positions = Send(vulkan, tree.positions);
     sent.triangles = SendInOrder(vulkan, mesh.triangles, sent.order);
@@ -197,9 +196,8 @@ bool Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
     sent.source = instances.mesh;
     sent.shutterOpen = shutter.shutterOpen;
     sent.shutterClose = shutter.shutterClose;
-    tree.nodes = {};
-    tree.positions = {};
-    sent.shape = std::move(tree);
+    sent.middle = tree.middle;
+    sent.radius = tree.radius;
     ++this->statistics.structureBuilds;
   }
   placed.group.Set(device::MESH_TREE, true);
@@ -212,7 +210,7 @@ bool Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
 bool Scene::State::SendMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
   const GlyphInstances& instances = set.instances;
-  if (placed.mesh.tree.Size())
+  if (placed.mesh.tree.nodes.Size())
   {
     placed.mesh = PlacedMesh();
   }

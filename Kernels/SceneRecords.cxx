@@ -50,7 +50,7 @@ void Scene::State::BuildTopLevel()
   std::vector<vk::AccelerationStructureInstanceKHR> instances;
   this->DropTopLevel();
   this->groups.clear();
-  this->bounds = Bounds();
+  this->bounds = Box();
   this->moves = false;
   this->placedTimeSliceBits = 0;
   std::uint32_t record = 0;
@@ -65,7 +65,7 @@ void Scene::State::BuildTopLevel()
     set.listedTranslucent = set.Translucent();
     this->moves |= placed.group.Moves();
     this->placedTimeSliceBits =
-      std::max({ this->placedTimeSliceBits, placed.timeSliceBits, placed.mesh.shape.sliceBits });
+      std::max({ this->placedTimeSliceBits, placed.tree.record.sliceBits, placed.mesh.tree.record.sliceBits });
     auto group = std::find(this->groups.begin(), this->groups.end(), placed.group);
     if (group == this->groups.end())
     {
@@ -89,8 +89,8 @@ void Scene::State::BuildTopLevel()
       instance.accelerationStructureReference = placed.runs[i].structure.Address();
       instances.push_back(instance);
     }
-    const float pad = std::ldexp(placed.builtReach, -20);
-    this->bounds.Include(set.bounds.lower + offset - pad, set.bounds.upper + offset + pad);
+    this->bounds.Include(
+      Box{ set.bounds.lower + offset, set.bounds.upper + offset }.Widened(SlabPadding(placed.builtReach)));
   }
   if (!instances.empty())
   {
@@ -114,19 +114,18 @@ void Scene::State::FillRecords()
     for (const GlyphRun& run : placed.runs)
     {
       device::GlyphSetRecord record{};
-      // Of the run's first glyph, or 0.
+      // The values of the run's first glyph. What a set lacks and another set of the scene has points at the centres:
+      // a compiler may load it, for the first glyph (InSet in bindings.glsl), and drop it.
       const auto at = [&](const Buffer& buffer, std::size_t stride)
-      { return buffer.Size() ? buffer.Address() + run.first * stride : 0; };
-      record.centres = at(placed.centres, sizeof(glm::vec3));
-      // Compilers may load, and drop, what a set lacks where another set of the scene has it: from its centres.
-      const auto orCentres = [&](const Buffer& buffer, std::size_t stride)
-      { return buffer.Size() ? at(buffer, stride) : record.centres; };
-      record.centresLow = orCentres(placed.centresLow, sizeof(glm::vec3));
-      record.sizes = orCentres(placed.sizes, placed.group.Has(device::SIZES_EACH) ? sizeof(glm::vec3) : sizeof(float));
-      record.rotations = at(placed.rotations, sizeof(glm::vec4));
-      record.exponents = orCentres(placed.exponents, sizeof(glm::vec3));
-      record.colours = orCentres(placed.colours, sizeof(std::uint32_t));
-      record.forms = orCentres(placed.forms, sizeof(glm::vec3));
+      {
+        return buffer.Size() ? buffer.Address() + run.first * stride
+                             : placed.arrays[0].Address() + run.first * sizeof(glm::vec3);
+      };
+      const GlyphInstances& instances = set.instances;
+      const GlyphColours& colours = set.colours;
+#define RTG_FILL(number, BIT, type, name, values, words) record.name = at(placed.arrays[number], sizeof((values)[0]));
+      RTG_GLYPH_ARRAYS(RTG_FILL)
+#undef RTG_FILL
       const glm::dvec3 offset = set.instances.origin - this->origin;
       record.offset = glm::vec3(offset);
       record.offsetLow = glm::vec3(offset - glm::dvec3(record.offset));
@@ -135,37 +134,27 @@ void Scene::State::FillRecords()
       record.unitLength = arrow.unitLength;
       record.uniformSize = set.instances.uniformSize;
       record.uniformExponents = set.instances.uniformExponents;
-      record.tree = placed.tree.Address();
-      record.velocities = at(placed.velocities, sizeof(glm::vec3));
-      record.accelerations = at(placed.accelerations, sizeof(glm::vec3));
-      record.angularVelocities = at(placed.angularVelocities, sizeof(glm::vec3));
-      record.treeOrder = at(placed.treeOrder, sizeof(std::uint32_t));
+      record.tree = placed.tree.record;
+      record.tree.order = at(placed.tree.order, sizeof(std::uint32_t));
       record.shutterOpen = set.instances.motion.shutterOpen;
       record.shutterLength = set.instances.motion.shutterClose - set.instances.motion.shutterOpen;
-      record.timeSliceBits = placed.timeSliceBits;
-      record.nodesPerSlice = placed.nodesPerSlice;
-      record.treeLevels = placed.treeLevels;
-      record.treeLeafBits = placed.treeLeafBits;
       record.glyphCount = run.count;
       record.meshPositions = placed.mesh.positions.Address();
       record.meshTriangles = placed.mesh.triangles.Address();
-      record.meshNormals = placed.mesh.normals.Address();
-      record.meshColours = placed.mesh.colours.Address();
+      const auto ofMesh = [&](const Buffer& buffer) { return buffer.Size() ? buffer.Address() : record.meshPositions; };
+      record.meshNormals = ofMesh(placed.mesh.normals);
+      record.meshColours = ofMesh(placed.mesh.colours);
       record.meshValueCount =
         placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->positionValues.size()) : 0;
       record.meshTableSize =
         placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->valueColours.size()) : 0;
-      record.meshTree = placed.mesh.tree.Address();
-      record.meshVelocities = placed.mesh.velocities.Address();
-      record.meshAccelerations = placed.mesh.accelerations.Address();
-      record.meshMiddle = placed.mesh.shape.middle;
-      record.meshRadius = placed.mesh.shape.radius;
+      record.meshTree = placed.mesh.tree.record;
+      record.meshVelocities = ofMesh(placed.mesh.velocities);
+      record.meshAccelerations = ofMesh(placed.mesh.accelerations);
+      record.meshMiddle = placed.mesh.middle;
+      record.meshRadius = placed.mesh.radius;
       record.meshTriangleCount =
         placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->triangles.size()) : 0;
-      record.meshTreeLevels = placed.mesh.shape.levels;
-      record.meshTreeLeafBits = placed.mesh.shape.leafBits;
-      record.meshTimeSliceBits = placed.mesh.shape.sliceBits;
-      record.meshNodesPerSlice = placed.mesh.shape.nodesPerSlice;
       record.firstInstance = set.firstInstance;
       record.identifiesTriangles = set.instances.identifyTriangles;
       record.shape = static_cast<std::uint32_t>(placed.group.shape);

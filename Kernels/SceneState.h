@@ -1,8 +1,8 @@
 // The device side of a Scene, for Kernels only.
 #pragma once
 
+#include "GlyphArrays.h"
 #include "GlyphTree.h"
-#include "HostDevice.h"
 #include "MeshTree.h"
 #include "Scene.h"
 #include "TimeSlices.h"
@@ -10,21 +10,11 @@
 #include "Vulkan/Buffer.h"
 #include "Vulkan/Pipeline.h"
 
+#include <array>
 #include <vector>
 
 namespace rtg
 {
-
-/// A box in single precision that is certain to contain what it bounds.
-struct Bounds
-{
-  glm::vec3 lower{ 1e38f };
-  glm::vec3 upper{ -1e38f };
-  void Include(const glm::vec3& a, const glm::vec3& b);
-  bool Empty() const { return this->lower.x > this->upper.x; }
-  /// Largest absolute coordinate.
-  float Reach() const;
-};
 
 /// Glyphs of a set that share a record: all of them, or what one of the driver's bottom-level structures may hold.
 struct GlyphRun
@@ -41,6 +31,17 @@ enum class Structure
   Tree   ///< our own trees (GlyphTree), which ray generation programs walk; on CPU devices
 };
 
+/// A GlyphTree on the device.
+struct PlacedTree
+{
+  PlacedTree() = default;
+  PlacedTree(Device::State& device, const GlyphTree& tree);
+
+  Buffer nodes;
+  Buffer order; ///< none unless slices are sorted each for itself
+  device::TreeRecord record{};
+};
+
 /// A mesh on the device.
 struct PlacedMesh
 {
@@ -49,8 +50,10 @@ struct PlacedMesh
   Buffer positions, triangles, normals, colours;
   AccelerationStructure structure;
   // Of one with a tree, instead of the structure; `positions` are then relative to the middle of the tree.
-  Buffer tree, velocities, accelerations;
-  MeshTree shape;                                ///< without its arrays, which have been sent
+  PlacedTree tree;
+  Buffer velocities, accelerations;
+  glm::vec3 middle{ 0.0f }; ///< as MeshTree has them
+  float radius = 0.0f;
   float shutterOpen = 0.0f, shutterClose = 0.0f; ///< that its tree is made for
 };
 
@@ -63,15 +66,9 @@ bool IsMovingMesh(const GlyphInstances& instances);
 struct PlacedGlyphs
 {
   HitGroup group;
-  float builtReach = 0.0f; ///< distance of ray origins that the boxes' padding allows for
-  Buffer centres, centresLow, sizes, rotations, exponents, forms, colours, tree;
-  Buffer velocities, accelerations, angularVelocities; ///< none of a set at rest
-  Buffer treeOrder;                                    ///< none unless slices are sorted each for itself
-  std::uint32_t timeSliceBits =
-    0; ///< the tree has 2^timeSliceBits versions, one for each slice of the shutter's opening
-  std::uint32_t nodesPerSlice = 0;
-  std::uint32_t treeLevels = 0;
-  std::uint32_t treeLeafBits = 0;
+  float builtReach = 0.0f;                ///< distance of ray origins that the boxes' padding allows for
+  std::array<Buffer, glyphArrays> arrays; ///< by number; none where the set has no such array
+  PlacedTree tree;
   std::vector<GlyphRun> runs;
   PlacedMesh mesh; ///< Shape::Mesh only
 
@@ -95,13 +92,13 @@ struct GlyphSet
   Material material;
   bool visible = true;
   bool translucentColours = false;
-  bool translucentMesh = false;
+  bool translucentInstances = false;
   bool instancesChanged = false; ///< since they were placed
   bool coloursChanged = false;   ///< likewise
 
   std::size_t count = 0;
   bool measured = false;  ///< `bounds` are those of the instances
-  Bounds bounds;          ///< relative to instances.origin
+  Box bounds;             ///< relative to instances.origin
   std::vector<Box> boxes; ///< of the glyphs, from their bounds to their build
   GlyphOrder sorted;
   PlacedGlyphs placed;
@@ -113,7 +110,7 @@ struct GlyphSet
   bool Shown() const { return this->visible && this->count > 0; }
   bool Translucent() const
   {
-    return this->material.opacity < 1.0f || this->translucentColours || this->translucentMesh;
+    return this->material.opacity < 1.0f || this->translucentColours || this->translucentInstances;
   }
 };
 
@@ -127,19 +124,12 @@ struct Scene::State
   /// What one bottom-level structure may hold at most; every device allows 2^24 - 1. Tests lower it.
   std::uint32_t glyphsPerRun = (1u << 24) - 1;
   std::uint64_t mostInstances; ///< of a top-level structure. Tests lower it.
-  /// New instances are sorted when with the last order the nodes above the leaves have grown by more than that factor.
-  /// Measured: Testing/Benchmarks/OrderBenchmark.cxx.
-  double orderDecay = 1.2;
   Structure structure;
-  /// Number of slices of time (its logarithm to base 2) of sets that move; -1: what TimeSliceBits() says. Tests and
-  /// benchmarks set it.
-  int timeSliceBits = -1;
-  SliceSorting sliceSorting = SliceSorting::WhereDecayed; ///< likewise
   Statistics statistics;
 
   // Built by Commit().
   glm::dvec3 origin{ 0.0 };
-  Bounds bounds;                               ///< of all visible sets, relative to origin
+  Box bounds;                                  ///< of all visible sets, relative to origin
   std::vector<HitGroup> groups;                ///< of the visible sets, each once
   std::vector<device::GlyphSetRecord> records; ///< none: nothing can be traced
   Buffer recordBuffer;
@@ -168,7 +158,8 @@ struct Scene::State
   void DropTopLevel();
   /// Sorts and sends one set's glyphs and builds what rays find them by.
   void Place(GlyphSet& set, float reach);
-  void SendGlyphs(const GlyphSet& set, PlacedGlyphs& placed);
+  /// Those arrays whose bits `variants` has.
+  void SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::uint32_t variants);
   /// Sends what glyphs are copies of, and builds what rays find its triangles by. False: nothing but its colors is new.
   bool PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed);
   /// Both: whether the mesh on the device stays.
@@ -182,7 +173,6 @@ struct Scene::State
   void Sort(GlyphSet& set, const std::vector<Box>& boxes);
   void BuildBoxes(PlacedGlyphs& placed, const std::vector<Box>& boxes);
   void BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes);
-  void SendColours(const GlyphSet& set, PlacedGlyphs& placed);
   void CheckInstanceCount() const;
   void BuildTopLevel();
   void FillRecords();

@@ -1,6 +1,5 @@
 #include "TimeSlices.h"
 
-#include "GlyphBoxes.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -15,43 +14,80 @@ namespace
 
 // Surface of the leaves beyond which a slice is sorted for itself. Few slices need it when the first does not, which is
 // the furthest from the middle.
-double SurfaceToSort(const std::vector<Box>& first, std::uint32_t leafBits, SliceSorting sorting)
+double SurfaceToSort(const std::vector<Box>& first, std::uint32_t leafBits)
 {
-  constexpr double decay = 1.2;
-  if (sorting != SliceSorting::WhereDecayed)
-  {
-    return sorting == SliceSorting::Always ? 0.0 : INFINITY;
-  }
   const double own = LeafSurface(InOrder(first, MakeKdOrder(first, leafBits).order), leafBits);
-  return LeafSurface(first, leafBits) > decay * own ? decay * own : INFINITY;
+  return LeafSurface(first, leafBits) > orderDecay * own ? orderDecay * own : INFINITY;
 }
 
 } // namespace
 
-TimeSlices BuildTimeSlices(const GlyphInstances& instances, const std::vector<std::uint32_t>& order,
-  std::uint32_t leafBits, const std::vector<std::uint8_t>& axes, float pad, std::uint32_t bits, SliceSorting sorting)
+std::uint32_t ChooseSliceBits(std::size_t count, std::size_t bytesPerSlice,
+  const std::function<DoubleBox(std::size_t, double)>& still,
+  const std::function<DoubleBox(std::size_t, double, double)>& moving)
 {
-  const std::size_t count = std::size_t(1) << bits;
-  const std::size_t glyphs = instances.Count();
+  constexpr std::size_t mostBytes = std::size_t(1) << 29;
+  constexpr double mostGrowth = 2.0;
+  // Some thousand things tell what all are like.
+  const std::size_t step = std::max<std::size_t>(1, count / 4096);
+  std::uint32_t bits = 0;
+  for (; bits < maxTimeSliceBits && (bytesPerSlice << (bits + 1)) <= mostBytes; ++bits)
+  {
+    double stillSurface = 0.0, movingSurface = 0.0;
+    const double length = 1.0 / double(1u << bits);
+    for (std::size_t i = 0; i < count; i += step)
+    {
+      // A slice that is another one for every thing stands for all of them.
+      const double first = length * double((i / step) & ((1u << bits) - 1));
+      const DoubleBox own = still(i, first + 0.5 * length), swept = moving(i, first, first + length);
+      stillSurface += HalfSurface(own.upper - own.lower);
+      movingSurface += HalfSurface(swept.upper - swept.lower);
+    }
+    if (movingSurface <= mostGrowth * stillSurface)
+    {
+      break;
+    }
+  }
+  return bits;
+}
+
+GlyphTree BuildSlices(std::uint32_t sliceBits, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes,
+  bool sorts, const std::function<std::vector<Box>(double, double)>& boxesBetween)
+{
+  if (sliceBits == 0)
+  {
+    return BuildGlyphTree(boxesBetween(0.0, 1.0), leafBits, axes);
+  }
+  const std::size_t count = std::size_t(1) << sliceBits;
   const auto boxesOf = [&](std::size_t slice)
-  { return InOrder(GlyphBoxes(instances, double(slice) / double(count), double(slice + 1) / double(count)), order); };
-  TimeSlices slices;
-  slices.bits = bits;
-  slices.nodes.resize(count * axes.size());
-  const double tooLarge = count > 1 ? SurfaceToSort(boxesOf(0), leafBits, sorting) : INFINITY;
+  { return boxesBetween(double(slice) / double(count), double(slice + 1) / double(count)); };
+  GlyphTree tree;
+  tree.leafBits = leafBits;
+  tree.levels = GlyphTree::Levels(leafBits);
+  tree.sliceBits = sliceBits;
+  tree.nodesPerSlice = static_cast<std::uint32_t>(axes.size());
+  tree.nodes.resize(count * axes.size());
+  std::size_t things = 0;
+  double tooLarge = INFINITY;
+  if (sorts)
+  {
+    const std::vector<Box> first = boxesOf(0);
+    things = first.size();
+    tooLarge = SurfaceToSort(first, leafBits);
+  }
   if (tooLarge < INFINITY)
   {
-    slices.order.resize(count * glyphs);
+    tree.order.resize(count * things);
   }
   ParallelFor(count,
     [&](std::size_t slice)
     {
       std::vector<Box> boxes = boxesOf(slice);
       KdOrder kd;
-      if (!slices.order.empty())
+      if (!tree.order.empty())
       {
-        const auto places = slices.order.begin() + slice * glyphs;
-        std::iota(places, places + glyphs, 0u);
+        const auto places = tree.order.begin() + slice * things;
+        std::iota(places, places + things, 0u);
         if (LeafSurface(boxes, leafBits) > tooLarge)
         {
           kd = MakeKdOrder(boxes, leafBits);
@@ -59,15 +95,10 @@ TimeSlices BuildTimeSlices(const GlyphInstances& instances, const std::vector<st
           boxes = InOrder(boxes, kd.order);
         }
       }
-      for (Box& box : boxes)
-      {
-        box.lower -= pad;
-        box.upper += pad;
-      }
-      const GlyphTree tree = BuildGlyphTree(boxes, leafBits, kd.axes.empty() ? axes : kd.axes);
-      std::copy(tree.nodes.begin(), tree.nodes.end(), slices.nodes.begin() + slice * axes.size());
+      const GlyphTree own = BuildGlyphTree(boxes, leafBits, kd.axes.empty() ? axes : kd.axes);
+      std::copy(own.nodes.begin(), own.nodes.end(), tree.nodes.begin() + slice * axes.size());
     });
-  return slices;
+  return tree;
 }
 
 } // namespace rtg

@@ -1,40 +1,30 @@
-// The trees of glyphs that move.
+// The trees of what moves: of glyphs and of triangles.
 #pragma once
 
 #include "GlyphTree.h"
-#include "Glyphs.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace rtg
 {
 
-/// Versions of a set's GlyphTree, one for each of 2^bits slices of the shutter's opening: a ray reads the one in whose
-/// slice its time falls, where boxes are little longer than the glyphs.
-///
-/// Measured (Testing/Benchmarks/MotionBenchmark.cxx): a single tree over whole paths costs no more while paths are
-/// shorter than a glyph, 2.5 times at 10 radii and 16 times at 50.
-struct TimeSlices
-{
-  std::uint32_t bits = 0;
-  std::vector<GlyphTreeNode> nodes; ///< slice by slice, of each as many as `axes` has
-  /// Slice by slice, the place in the common order of the glyph at each place of its tree; empty: all slices have that
-  /// order.
-  std::vector<std::uint32_t> order;
-};
+/// Largest ChooseSliceBits().
+constexpr std::uint32_t maxTimeSliceBits = 5;
 
-/// When slices are sorted each for itself.
-enum class SliceSorting
-{
-  WhereDecayed, ///< where the order of the middle would leave the leaves a fifth more surface than their own
-  Never,
-  Always
-};
+/// Logarithm to base 2 of the number of slices of the shutter's opening in which boxes round paths have at most twice
+/// the surface of those of things at rest, as far as memory for the trees allows. `still`: the box of thing i at a
+/// fraction of the opening; `moving`: the one round its path between two.
+std::uint32_t ChooseSliceBits(std::size_t count, std::size_t bytesPerSlice,
+  const std::function<DoubleBox(std::size_t i, double at)>& still,
+  const std::function<DoubleBox(std::size_t i, double first, double last)>& moving);
 
-/// Of glyphs placed in `order`, the kd order of the middle of the opening, whose splits are `axes`; boxes are widened
-/// by `pad`.
-TimeSlices BuildTimeSlices(const GlyphInstances& instances, const std::vector<std::uint32_t>& order,
-  std::uint32_t leafBits, const std::vector<std::uint8_t>& axes, float pad, std::uint32_t bits, SliceSorting sorting);
+/// A GlyphTree of 2^sliceBits slices, whose things have a common order, the kd order of the middle of the opening, with
+/// the splits `axes`. `boxesBetween` gives their padded boxes in that order between two fractions of the opening. With
+/// `sorts`, slices in which the common order would leave the leaves much more surface than
+/// one of their own are sorted for themselves.
+GlyphTree BuildSlices(std::uint32_t sliceBits, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes,
+  bool sorts, const std::function<std::vector<Box>(double first, double last)>& boxesBetween);
 
 } // namespace rtg

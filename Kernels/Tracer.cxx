@@ -280,7 +280,6 @@ device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Ca
   frame.glyphIds = frame.setIds + imageBytes;
   frame.sums = this->sums.Address();
   frame.features = this->features.Address();
-  frame.blueNoise = settings.sampler == Sampler::BlueNoise ? this->shared->BlueNoise() : 0;
   frame.cullMask = pass == Pass::All ? device::OPAQUE_MASK | device::TRANSLUCENT_MASK
     : pass == Pass::Opaque           ? device::OPAQUE_MASK
                                      : device::TRANSLUCENT_MASK;
@@ -340,7 +339,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   constants.accumulates = keeps;
   if (scene.moves)
   {
-    constants.samplerKind = static_cast<std::uint32_t>(settings.sampler);
+    constants.independentSamples = settings.independentSamples;
     begun.frame.sharedTimeBits = SharedTimeBits(settings, scene.placedTimeSliceBits);
     begun.frame.timeStrataBits = TimeStrataBits(settings);
   }
@@ -591,7 +590,7 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       frame.probeCount = static_cast<std::uint32_t>(probes.size());
       frame.cullMask = 0xff;
       Generation probing;
-      probing.program = Program::Probe;
+      probing.program = probeProgram;
       FillScene(frame, probing, glyphs);
       constexpr std::uint32_t rowLength = 1024;
       state.FitRays(probing, records.size() + rowLength);

@@ -4,6 +4,7 @@
 #include "Environment.h"
 #include "Glyphs.h"
 #include "Scene.h"
+#include "Shading/List.h"
 
 #include <cstdint>
 #include <functional>
@@ -45,31 +46,12 @@ enum class Pass : std::uint32_t
   All = 2          ///< both in one image; for path tracing, which mixes them by chance
 };
 
-/// Where the light comes from that is seen on a surface.
+/// Where the light comes from that is seen on a surface: Shading/List.h.
 enum class Shading : std::uint32_t
 {
-  Local = 0,            ///< the view's lights, as if the surface were alone
-  AmbientOcclusion = 1, ///< the same, times the share of light from all around that reaches the surface
-  PathTracing = 2       ///< all around and the view's lights, after up to maximumBounces scatterings
-};
-
-/// Whether path tracing ends unimportant paths early, which changes no mean. Guessing is the one to use. Numbers as in
-/// Programs/path.rgen.
-enum class Roulette : std::uint32_t
-{
-  None = 0,
-  Plain = 1,   ///< a path that is ended brings nothing more
-  Guessing = 2 ///< it brings a guess of the rest, where light comes from all around alone; otherwise as Plain
-};
-
-/// How the random choices of a pixel's samples are spread. Sobol is the one to use; the others are
-/// there to be measured (Testing/Benchmarks). Numbers as in Shading/Sampling.glsl.
-enum class Sampler : std::uint32_t
-{
-  Random = 0,     ///< independent
-  Stratified = 1, ///< jittered in cells; good when plannedSamples is reached, and only then
-  Sobol = 2,      ///< Owen-scrambled, independent from pixel to pixel
-  BlueNoise = 3   ///< Sobol shifted so that neighbouring pixels' errors differ
+#define RTG_SHADING_NUMBER(number, Name, program) Name = number,
+  RTG_SHADINGS(RTG_SHADING_NUMBER)
+#undef RTG_SHADING_NUMBER
 };
 
 enum class ToneMapping : std::uint32_t
@@ -107,17 +89,13 @@ struct TraceSettings
   /// best.
   std::uint32_t paths = 1;
   std::uint32_t maximumBounces = 10; ///< of path tracing, 1 to 1000
-  Roulette roulette = Roulette::Guessing;
 
-  Sampler sampler = Sampler::Sobol;
-  /// Of the finished image, for Stratified and for the times of scenes that move; 0: firstSample + samples. Such images
-  /// are the same however their samples are shared out among calls only when it is given.
+  /// The samples of a pixel are independent of each other instead of spread evenly (Shading/Sobol.glsl): they err more,
+  /// but their confidence intervals are known. For tests and references.
+  bool independentSamples = false;
+  /// Of the finished image, for the times of scenes that move; 0: firstSample + samples. Such images are the same
+  /// however their samples are shared out among calls only when it is given.
   std::uint32_t plannedSamples = 0;
-  /// Other shadings than Local: how many binary digits of the time in the shutter's opening all pixels share in one
-  /// sample, so that neighbouring rays see the same slice of time; -1: as many as the scene has slices and
-  /// plannedSamples fill. 0 to 5. Benchmarks set it, and for Local shading it is theirs alone: with -1 that gives each
-  /// sample its part of the time and a place in the pixel that goes with it.
-  int sharedTimeBits = -1;
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
   bool features = false; ///< gather Image::normals and so on, which need a pixelStep of 1 to be filled

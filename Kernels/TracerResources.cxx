@@ -1,6 +1,5 @@
 #include "TracerResources.h"
 
-#include "BlueNoise.h"
 #include "Parallel.h"
 #include "SceneState.h"
 
@@ -12,7 +11,6 @@ namespace rtg
 namespace
 {
 
-constexpr std::uint32_t blueNoiseSide = 64; ///< as in Shading/Sampling.glsl
 constexpr std::size_t keptPrograms = 16;
 
 // Some drivers compile when a pipeline is made, others at its first launch: that is one of no pixel.
@@ -147,15 +145,6 @@ const Statistics& TracerResources::GetStatistics()
   this->statistics.deviceBytes = this->device->GetState().bytes;
   this->statistics.denoiseSeconds = this->denoiseSeconds;
   return this->statistics;
-}
-
-vk::DeviceAddress TracerResources::BlueNoise()
-{
-  if (this->blueNoise_.Size() == 0)
-  {
-    this->blueNoise_ = Send(this->device->GetState(), BlueNoiseTile(blueNoiseSide));
-  }
-  return this->blueNoise_.Address();
 }
 
 } // namespace rtg

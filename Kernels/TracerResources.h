@@ -50,9 +50,6 @@ public:
   /// Puts the environment image of path tracing, if the settings have one, on the device and into `frame`.
   void PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame);
 
-  /// Squared thresholds of the sampler that needs them.
-  vk::DeviceAddress BlueNoise();
-
   const Statistics& GetStatistics();
 
   std::shared_ptr<Device> device;
@@ -60,8 +57,7 @@ public:
   std::atomic<double> denoiseSeconds{ 0.0 }; ///< counted by the threads that denoise
 
 private:
-  std::vector<std::unique_ptr<Program>> programs_; ///< newest last
-  Buffer blueNoise_;
+  std::vector<std::unique_ptr<Program>> programs_;      ///< newest last
   std::shared_ptr<const EnvironmentImage> environment_; ///< that the next three are made from
   EnvironmentCells environmentCells_;
   Buffer environmentTexels_, environmentCellBuffer_;

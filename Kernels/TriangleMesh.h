@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -30,6 +31,19 @@ struct TriangleMesh
   /// shutter is that of the glyphs' own motion (GlyphInstances::motion).
   GlyphMotion motion;
 };
+
+/// Whether some of these RGBA8 colours are not opaque.
+inline bool AnyTranslucent(const std::vector<std::uint32_t>& colours)
+{
+  return std::any_of(colours.begin(), colours.end(), [](std::uint32_t colour) { return (colour >> 24) != 255u; });
+}
+
+/// Whether the mesh's own colours are not all opaque.
+inline bool IsTranslucent(const TriangleMesh& mesh)
+{
+  return AnyTranslucent(mesh.positionColours) || AnyTranslucent(mesh.triangleColours) ||
+    AnyTranslucent(mesh.valueColours);
+}
 
 /// True when they differ in colours at most.
 inline bool SameShape(const TriangleMesh& a, const TriangleMesh& b)

@@ -41,11 +41,30 @@ GlyphSetRecord SetRecord(uint index)
   return frame.sets.at[index];
 }
 
-// A glyph's own colour. Compilers may load it where the condition round it does not hold, for rays that hit nothing,
-// too: the index is one of the set's whatever it was.
+// Index of a value in an array of a set, of a glyph or a corner. Compilers may load a value where the condition round
+// the load does not hold; sets that lack the array have one value there (SceneRecords.cxx).
+uint InSet(GlyphSetRecord set, uint array, uint index)
+{
+  return Has(set.variants, array) ? index : 0u;
+}
+
+// Index of the value of a glyph that a ray may have hit. Compilers may load it where the condition round it does not
+// hold, for rays that hit nothing, too: the index is one of the set's whatever the glyph was.
+uint InSetIfHit(GlyphSetRecord set, uint array, uint glyph)
+{
+  return InSet(set, array, min(glyph, set.glyphCount - 1u));
+}
+
+// A glyph's own colour.
 vec4 ColourOf(GlyphSetRecord set, uint glyph)
 {
-  return unpackUnorm4x8(set.colours.at[min(glyph, set.glyphCount - 1u)]);
+  return unpackUnorm4x8(set.colours.at[InSetIfHit(set, COLOURS, glyph)]);
+}
+
+// What all of a glyph's surface has; its colours may lessen it.
+float OpacityOfGlyph(GlyphSetRecord set, uint glyph)
+{
+  return Has(set.variants, OPACITIES) ? set.opacity * set.opacities.at[InSetIfHit(set, OPACITIES, glyph)] : set.opacity;
 }
 
 const uint nothing = 0xffffffffu; // no glyph, no triangle

@@ -34,11 +34,6 @@ GlyphSource SourceOf(GlyphSetRecord set)
   return source;
 }
 
-vec3 Three(FloatArray values, uint at)
-{
-  return vec3(values.at[3u * at], values.at[3u * at + 1u], values.at[3u * at + 2u]);
-}
-
 Glyph FetchGlyph(GlyphSource source, uint primitive)
 {
   GlyphSetRecord set = source.set;
@@ -49,23 +44,23 @@ Glyph FetchGlyph(GlyphSource source, uint primitive)
   glyph.centreLow = centre.lo + set.offsetLow;
   if (Has(set.variants, CENTRES_LOW))
   {
-    glyph.centreLow += set.centresLow.at[primitive];
+    glyph.centreLow += set.centresLow.at[InSet(set, CENTRES_LOW, primitive)];
   }
   if (Has(set.variants, SIZES_EACH))
   {
-    glyph.size = Three(set.sizes, primitive);
+    glyph.size = set.sizes3.at[InSet(set, SIZES_EACH, primitive)];
   }
   if (Has(set.variants, SIZE_EACH))
   {
-    glyph.size = vec3(set.sizes.at[primitive]);
+    glyph.size = vec3(set.sizes1.at[InSet(set, SIZE_EACH, primitive)]);
   }
   if (Has(set.variants, ROTATIONS))
   {
-    glyph.rotation = set.rotations.at[primitive];
+    glyph.rotation = set.rotations.at[InSet(set, ROTATIONS, primitive)];
   }
   if (Has(set.variants, EXPONENTS))
   {
-    glyph.exponents = Three(set.exponents, primitive);
+    glyph.exponents = set.exponents.at[InSet(set, EXPONENTS, primitive)];
   }
   Move(glyph, set, primitive, source.time);
   return glyph;
@@ -100,7 +95,8 @@ bool Intersect(
 // Translucent surfaces that rays pass by chance: Enderton et al., "Stochastic Transparency", IEEE TVCG 17(8), 2011.
 float OpacityOf(GlyphSetRecord set, uint glyph)
 {
-  return Has(set.variants, COLOURS) ? set.opacity * ColourOf(set, glyph).a : set.opacity;
+  float opacity = OpacityOfGlyph(set, glyph);
+  return Has(set.variants, COLOURS) ? opacity * ColourOf(set, glyph).a : opacity;
 }
 
 // Whether the ray passes translucent surfaces of the set by chance. `seed`: of the ray; 0: it passes none.

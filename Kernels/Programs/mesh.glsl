@@ -49,11 +49,11 @@ vec3 CornerAt(GlyphSetRecord set, uint corner, float time)
     precise vec3 displacement = vec3(0.0);
     if (Has(set.variants, MESH_ACCELERATIONS))
     {
-      displacement = (0.5 * time) * set.meshAccelerations.at[corner];
+      displacement = (0.5 * time) * set.meshAccelerations.at[InSet(set, MESH_ACCELERATIONS, corner)];
     }
     if (Has(set.variants, MESH_VELOCITIES))
     {
-      displacement += set.meshVelocities.at[corner];
+      displacement += set.meshVelocities.at[InSet(set, MESH_VELOCITIES, corner)];
     }
     position += time * displacement;
   }
@@ -116,11 +116,11 @@ bool IntersectMesh(
   MeshRay ray = ToMesh(worldRay, glyph, set);
   BoxRay boxRay = MakeBoxRay(ray.origin, ray.direction);
   ShearedRay sheared = Shear(ray);
-  TreeNodes nodes = TreeNodes(set.meshTree);
+  TreeNodes nodes = TreeNodes(set.meshTree.nodes);
   float time = MeshTime(set);
-  uint slice = Has(set.variants, MOVING_MESH) ? SliceOf(set.meshTimeSliceBits) : 0u;
-  uint firstNode = slice * set.meshNodesPerSlice;
-  uint levels = set.meshTreeLevels;
+  uint slice = Has(set.variants, MOVING_MESH) ? SliceOf(set.meshTree.sliceBits) : 0u;
+  uint firstNode = slice * set.meshTree.nodesPerSlice;
+  uint levels = set.meshTree.levels;
   uint64_t count = uint64_t(set.meshTriangleCount);
 
   float least = (tMin - ray.start.hi) - ray.start.lo;
@@ -159,7 +159,7 @@ bool IntersectMesh(
     if (i >= end && going)
     {
       going = PopChild(position);
-      uvec2 range = LeafRange(position, levels, count, set.meshTreeLeafBits);
+      uvec2 range = LeafRange(position, levels, count, set.meshTree.leafBits);
       i = range.x;
       end = range.y;
     }

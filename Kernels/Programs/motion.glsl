@@ -60,11 +60,11 @@ void Move(inout Glyph glyph, GlyphSetRecord set, uint primitive, float time)
     vec3 displacement = vec3(0.0);
     if (Has(set.variants, ACCELERATIONS))
     {
-      displacement = (0.5 * time) * set.accelerations.at[primitive];
+      displacement = (0.5 * time) * set.accelerations.at[InSet(set, ACCELERATIONS, primitive)];
     }
     if (Has(set.variants, VELOCITIES))
     {
-      displacement += set.velocities.at[primitive];
+      displacement += set.velocities.at[InSet(set, VELOCITIES, primitive)];
     }
     // What rounding the new centre would lose stays in the low part.
     DoubleWord3 centre = TwoSum(glyph.centre, displacement * time);
@@ -74,7 +74,7 @@ void Move(inout Glyph glyph, GlyphSetRecord set, uint primitive, float time)
   if (Has(set.variants, ANGULAR_VELOCITIES))
   {
     // First the glyph's own rotation b, then the turn a.
-    vec4 a = TurnBy(time * set.angularVelocities.at[primitive]);
+    vec4 a = TurnBy(time * set.angularVelocities.at[InSet(set, ANGULAR_VELOCITIES, primitive)]);
     vec4 b = glyph.rotation;
     vec4 product = vec4(a.w * b.xyz + b.w * a.xyz + cross(a.xyz, b.xyz), a.w * b.w - dot(a.xyz, b.xyz));
     glyph.rotation = normalize(product);

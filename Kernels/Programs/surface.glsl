@@ -35,7 +35,8 @@ SurfaceHit HitOnGlyph(uint record, GlyphSource source, GlyphRay ray, uint glyph,
   {
     // In glyph sizes: squares of tiny lengths vanish.
     vec3 p = FromCentre(ray, found, t) / max(found.size.x, max(found.size.y, found.size.z));
-    hit.colour.rgb = dot(set.forms.at[glyph], p * p) < 0.0 ? set.negativeColour : set.positiveColour;
+    hit.colour.rgb =
+      dot(set.forms.at[InSetIfHit(set, FORMS, glyph)], p * p) < 0.0 ? set.negativeColour : set.positiveColour;
   }
   return hit;
 }

@@ -45,6 +45,6 @@ vec4 TriangleColour(GlyphSetRecord set, uvec3 corner, vec3 weight, uint triangle
   {
     colour = ColourOf(set, glyph);
   }
-  colour.a *= set.opacity;
+  colour.a *= OpacityOfGlyph(set, glyph);
   return colour;
 }

@@ -81,12 +81,12 @@ void Traverse(
   uint record, GlyphSource source, GlyphRay ray, float tMin, uint seed, bool any, bool gathers, inout GlyphCrossing hit)
 {
   GlyphSetRecord set = source.set;
-  TreeNodes nodes = TreeNodes(set.tree);
-  uint levels = set.treeLevels;
-  uint leafBits = set.treeLeafBits;
+  TreeNodes nodes = TreeNodes(set.tree.nodes);
+  uint levels = set.tree.levels;
+  uint leafBits = set.tree.leafBits;
   uint64_t count = uint64_t(set.glyphCount);
-  uint slice = Has(set.variants, MOVING_GLYPHS | MOVING_MESH) ? SliceOf(set.timeSliceBits) : 0u;
-  uint firstNode = slice * set.nodesPerSlice;
+  uint slice = Has(set.variants, MOVING_GLYPHS | MOVING_MESH) ? SliceOf(set.tree.sliceBits) : 0u;
+  uint firstNode = slice * set.tree.nodesPerSlice;
   uint firstPlace = slice * set.glyphCount;
   BoxRay boxRay = MakeBoxRay(ray.origin - set.offset, ray.direction);
   bool chance = MayPass(set, seed);
@@ -112,7 +112,8 @@ void Traverse(
       }
       else if (i < end)
       {
-        uint glyph = Has(set.variants, ORDER_OF_SLICES) ? set.treeOrder.at[firstPlace + i] : i;
+        uint glyph =
+          Has(set.variants, ORDER_OF_SLICES) ? set.tree.order.at[InSet(set, ORDER_OF_SLICES, firstPlace + i)] : i;
         float low, high;
         int verdict = Estimate(set, ray, FetchGlyph(source, glyph), tMin, hit.t, low, high);
         // An estimated glyph is met twice; a ray that passes by both misses it.

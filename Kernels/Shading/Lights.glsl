@@ -1,4 +1,5 @@
-// One of the view's lights, with vtkLight's meaning, as it arrives at a position relative to the scene's origin.
+// One of the view's lights, with vtkLight's meaning, as it arrives at a position relative to the scene's origin. All
+// that tells kinds of lights apart (rtg::Light::Kind) is here.
 #ifndef RTG_LIGHTS
 #define RTG_LIGHTS
 
@@ -7,6 +8,7 @@ struct Incidence
   vec3 direction;    // the way the light travels, unit
   float distance;    // from where it comes; far for lights at infinity
   float attenuation; // zero: it does not arrive
+  bool alongView;    // it shines and is seen along the view axis, in perspective too
 };
 
 Incidence ArriveAt(LightRecord light, vec3 position)
@@ -14,8 +16,8 @@ Incidence ArriveAt(LightRecord light, vec3 position)
   Incidence at;
   at.distance = 1e38;
   at.attenuation = 1.0;
-  // A headlight shines along the view axis, in perspective too.
-  at.direction = light.kind == 0u ? -frame.viewAxis : light.direction;
+  at.alongView = light.kind == 0u;
+  at.direction = at.alongView ? -frame.viewAxis : light.direction;
   if (light.kind == 2u)
   {
     vec3 way = position - light.position;

@@ -4,14 +4,6 @@
 
 #include "Sobol.glsl"
 
-// rtg::Sampler in Tracer.h, of which samplerKind is one.
-const uint samplerRandom = 0u;
-const uint samplerStratified = 1u;
-const uint samplerSobol = 2u;
-const uint samplerBlueNoise = 3u;
-
-const uint blueNoiseSide = 64u; // of Tracer's tile of thresholds
-
 // Sample s >= 1 in [0,1)^2: the R2 sequence (Roberts 2018, the plastic number's additive recurrence) started at the
 // pixel's centre, so that with sample 0 there the first samples spread evenly round it.
 vec2 PixelSample(uint s)
@@ -52,23 +44,16 @@ struct SampleNumber
   uint index;
 };
 
-// The pair number `pair` in [0,1)^2. Different pairs, and for all samplers but the blue-noise one different pixels,
-// are independent of each other.
+// The pair number `pair` in [0,1)^2. Different pairs and different pixels are independent of each other.
 vec2 SamplePair(SampleNumber number, uint pair)
 {
-  uint pixelSeed = Hash(pair * 0x9e3779b9u ^ Hash(number.pixel.x, number.pixel.y));
   uvec2 bits;
-  if (samplerKind == samplerRandom)
+  if (independentSamples)
   {
+    uint pixelSeed = Hash(pair * 0x9e3779b9u ^ Hash(number.pixel.x, number.pixel.y));
     bits = uvec2(Hash(pixelSeed, 2u * number.index), Hash(pixelSeed, 2u * number.index + 1u));
   }
-  else if (samplerKind == samplerStratified)
-  {
-    // A sample looks for light several times.
-    uint planned = pair == pairPixel ? frame.plannedSamples : frame.plannedSamples * frame.branches;
-    bits = Stratified(number.index, planned, pixelSeed);
-  }
-  else if (samplerKind == samplerSobol)
+  else
   {
     uint sequenceSeed = Hash((pair / pairsPerSequence) * 0x9e3779b9u ^ Hash(number.pixel.x, number.pixel.y));
     bits = ScrambledSobol(number.index, sequenceSeed, pair % pairsPerSequence);
@@ -78,17 +63,6 @@ vec2 SamplePair(SampleNumber number, uint pair)
       // half of the pixels, because such a net leans to one side.
       bits ^= ScrambledSobol(0u, sequenceSeed, pairPixel) ^ ((sequenceSeed & 1u) != 0u ? 0x7fffffffu : 0x80000000u);
     }
-  }
-  else
-  {
-    // One sequence for all pixels, shifted by a tile of blue noise: neighbours err differently, so their errors
-    // cancel to the eye. Georgiev and Fajardo, "Blue-noise Dithered Sampling", SIGGRAPH 2016 Talks.
-    uint seed = Hash(pair * 0x9e3779b9u);
-    bits = ScrambledSobol(number.index, Hash((pair / pairsPerSequence) * 0x9e3779b9u), pair % pairsPerSequence);
-    UintArray tile = frame.blueNoise;
-    uvec2 a = (number.pixel + uvec2(seed, seed >> 8u)) & (blueNoiseSide - 1u);
-    uvec2 b = (number.pixel + uvec2(seed >> 16u, seed >> 24u)) & (blueNoiseSide - 1u);
-    bits += uvec2(tile.at[a.y * blueNoiseSide + a.x], tile.at[b.y * blueNoiseSide + b.x]);
   }
   return vec2(UnitInterval(bits.x), UnitInterval(bits.y));
 }

@@ -26,7 +26,7 @@ uint PlaceAmongTimes(uint index)
 
 // Fraction of the shutter's opening, in [0, 1).
 //
-// With the Sobol samplers the times of a pixel are an Owen-scrambled radical inverse: any aligned 2^k samples have one
+// Without strata the times of a pixel are an Owen-scrambled radical inverse: any aligned 2^k samples have one
 // in each of 2^k equal parts. Their first frame.sharedTimeBits binary digits are scrambled alike for all pixels, so
 // that in one sample all rays fall into one part, where they meet one version of the glyphs' trees and, on CPU devices,
 // neighbouring lanes go the same way through it; the digits after them belong to each pixel.
@@ -38,35 +38,13 @@ float ShutterTime(SampleNumber number)
     float at = float(TimeStratum(number.index)) + UnitInterval(Hash(pixelSeed, number.index));
     return min(at / float(1u << frame.timeStrataBits), 0.99999994);
   }
-  if (samplerKind == samplerRandom)
+  if (independentSamples)
   {
     return UnitInterval(Hash(pixelSeed, number.index));
   }
-  if (samplerKind == samplerStratified)
-  {
-    uint random = Hash(number.index, pixelSeed);
-    if (number.index >= frame.plannedSamples)
-    {
-      return UnitInterval(random);
-    }
-    // Below one whatever rounding does.
-    return min((float(Permuted(number.index, frame.plannedSamples, pixelSeed)) + UnitInterval(random)) /
-        float(frame.plannedSamples),
-      0.99999994);
-  }
   uint shared_ = ScrambledSobol(number.index, timeSeed, 0u).x;
   uint own = 0xffffffffu >> frame.sharedTimeBits;
-  uint scrambled;
-  if (samplerKind == samplerSobol)
-  {
-    scrambled = bitfieldReverse(ScrambleReversed(bitfieldReverse(shared_), pixelSeed));
-  }
-  else
-  {
-    UintArray tile = frame.blueNoise;
-    uvec2 at = (number.pixel + uvec2(timeSeed, timeSeed >> 8u)) & (blueNoiseSide - 1u);
-    scrambled = shared_ + (tile.at[at.y * blueNoiseSide + at.x] >> frame.sharedTimeBits);
-  }
+  uint scrambled = bitfieldReverse(ScrambleReversed(bitfieldReverse(shared_), pixelSeed));
   return UnitInterval((shared_ & ~own) | (scrambled & own));
 }
 

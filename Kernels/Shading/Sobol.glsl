@@ -124,45 +124,4 @@ RTG_SHADING_FN uvec2 ScrambledSobol(uint index, uint seed, uint pair)
 
 const uint pairsPerSequence = 8u;
 
-// Where `index` goes in a permutation of 0 .. count - 1 that `seed` chooses: rounds of steps that are invertible
-// modulo a power of two, repeated until the result is one of the count (Black and Rogaway's cycle walking).
-RTG_SHADING_FN uint Permuted(uint index, uint count, uint seed)
-{
-  uint mask = count - 1u;
-  mask |= mask >> 1u;
-  mask |= mask >> 2u;
-  mask |= mask >> 4u;
-  mask |= mask >> 8u;
-  mask |= mask >> 16u;
-  uint half_ = (uint(bitCount(mask)) + 1u) / 2u;
-  do
-  {
-    for (uint turn = 0u; turn < 3u; ++turn)
-    {
-      index = (index * (Hash(seed + 2u * turn) | 1u) + Hash(seed + 2u * turn + 1u)) & mask;
-      index ^= index >> half_;
-    }
-  } while (index >= count);
-  return index;
-}
-
-// Number `index` of a planned `count`: jittered in the cells of a grid of about square cells, their order shuffled.
-// Numbers beyond the grid are independent.
-RTG_SHADING_FN uvec2 Stratified(uint index, uint count, uint seed)
-{
-  uvec2 random = uvec2(Hash(index, seed), Hash(index, seed ^ 0x9e3779b9u));
-  uint columns = uint(floor(sqrt(float(max(count, 1u)))));
-  uint rows = max(count, 1u) / columns;
-  if (index >= rows * columns)
-  {
-    return random;
-  }
-  uint cell = Permuted(index, rows * columns, seed);
-  // (cell's number + random fraction) / cells, in integers.
-  uint width = 0xffffffffu / columns;
-  uint height = 0xffffffffu / rows;
-  return uvec2((cell % columns) * width + uint(float(width) * UnitInterval(random.x)),
-    (cell / columns) * height + uint(float(height) * UnitInterval(random.y)));
-}
-
 #endif

@@ -58,23 +58,6 @@ RTG_FN Span ShaftSpan(LocalRay ray, Glyph glyph, ArrowScale scale)
   return Intersection(height, side);
 }
 
-// The ball at the tip, from an origin moved next to it.
-RTG_FN Span BallSpan(LocalRay ray, DoubleWord a)
-{
-  DoubleWord x = Subtract(WordX(ray.origin), a);
-  LocalRay ball = ray;
-  ball.start = Word(real(0.0));
-  ball.origin.hi.x = x.hi;
-  ball.origin.lo.x = x.lo;
-  ball = Advance(ball, -dot(ball.origin.hi, ray.direction.hi) / dot(ray.direction.hi, ray.direction.hi));
-  Span span = CentredSphereSpan(ball.origin, ray.direction.hi, Multiply(a, a));
-  span.sIn = Add(ball.start, span.sIn);
-  span.sOut = Add(ball.start, span.sOut);
-  span.faceIn = RTG_HEAD_BALL;
-  span.faceOut = RTG_HEAD_BALL;
-  return span;
-}
-
 RTG_FN Span HeadSpan(LocalRay ray, Glyph glyph, ArrowHead head)
 {
   DoubleWord x = WordX(ray.origin);
@@ -97,7 +80,7 @@ RTG_FN Span HeadSpan(LocalRay ray, Glyph glyph, ArrowHead head)
   // Cone and ball share the plane of the circle where they touch; each ends there, since next to it their
   // surfaces are too close to tell which is outside.
   Span cap = Slab(x, dx, Word(real(0.0)), start, RTG_HEAD_BALL, startFace);
-  return Hull(cone, Intersection(cap, BallSpan(ray, head.ball)));
+  return Hull(cone, Intersection(cap, BallSpan(ray, head.ball, head.ball, RTG_HEAD_BALL)));
 }
 
 RTG_FN bool ArrowCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local,

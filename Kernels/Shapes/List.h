@@ -1,4 +1,6 @@
-// The analytic shapes by number: one text for C++ (rtg::Shape) and GLSL. Each is described in Shapes/<Name>.glsl.
+// The analytic shapes by number, below 32: one text for C++ (rtg::Shape) and GLSL. Each is described in
+// Shapes/<Name>.glsl. A number that the property GlyphShape has, too, means the same there (state files keep it) or,
+// from 6 to 9, a tensor glyph or a mesh.
 #ifndef RTG_SHAPE_LIST
 #define RTG_SHAPE_LIST
 
@@ -9,9 +11,10 @@
   ENTRY(3, Cone)                                                                                                       \
   ENTRY(4, Arrow)                                                                                                      \
   ENTRY(5, Superquadric)                                                                                               \
-  ENTRY(6, NestedSuperquadric)
+  ENTRY(6, NestedSuperquadric)                                                                                         \
+  ENTRY(10, Capsule)
 
-// The number after them all: the triangles of a mesh, which has no analytic form.
+// The triangles of a mesh, which has no analytic form.
 #define RTG_MESH 7
 
 #endif

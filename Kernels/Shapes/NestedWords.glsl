@@ -6,6 +6,8 @@
 #include "NestedForm.glsl"
 #include "WordFunctions.glsl"
 
+#define RTG_LN2 0.6931471805599453
+
 // The logarithm of g, or of N, at a point, and its gradient in absolute coordinates.
 struct NestedPoint
 {
@@ -13,7 +15,7 @@ struct NestedPoint
   real3 gradient;
 };
 
-// log (high^p + low^p)^(1/p), p = 2 / exponent, of numbers given by their logarithms; which of them is high, and the
+// log2 (high^p + low^p)^(1/p), p = 2 / exponent, of numbers given by their logarithms; which of them is high, and the
 // power of low over high. A rounded p would be another surface, as a grazing ray notices.
 RTG_FN DoubleWord LogNorm(DoubleWord a, DoubleWord b, real exponent, RTG_OUT(bool) aHigh, RTG_OUT(DoubleWord) power)
 {
@@ -25,12 +27,12 @@ RTG_FN DoubleWord LogNorm(DoubleWord a, DoubleWord b, real exponent, RTG_OUT(boo
     high = b;
     low = a;
   }
-  power = Exponential(Multiply(Subtract(low, high), Divide(Word(real(2.0)), exponent)));
+  power = Exp2(Multiply(Subtract(low, high), Divide(Word(real(2.0)), exponent)));
   if (power.hi == real(0.0))
   {
     return high;
   }
-  return Add(high, Multiply(Logarithm(Add(power, real(1.0))), real(0.5) * exponent));
+  return Add(high, Multiply(Log2(Add(power, real(1.0))), real(0.5) * exponent));
 }
 
 // The same, and the share of each in the sum of powers.
@@ -56,30 +58,30 @@ RTG_FN DoubleWord Magnitude(DoubleWord a)
 
 RTG_FN NestedPoint NestedConvexAt(NestedForm form, DoubleWord3 at)
 {
-  DoubleWord x = Logarithm(Magnitude(WordX(at)));
-  DoubleWord y = Logarithm(Magnitude(WordY(at)));
-  DoubleWord z = Logarithm(Magnitude(WordZ(at)));
+  DoubleWord x = Log2(Magnitude(WordX(at)));
+  DoubleWord y = Log2(Magnitude(WordY(at)));
+  DoubleWord z = Log2(Magnitude(WordZ(at)));
   NestedPoint point;
   real2 inner;
   real2 outer;
   DoubleWord rho = LogNorm(x, y, form.exponents.x, inner);
-  point.value = LogNorm(rho, z, form.exponents.y, outer);
+  point.value = Multiply(LogNorm(rho, z, form.exponents.y, outer), real(RTG_LN2));
   real3 share = real3(outer.x * inner.x, outer.x * inner.y, outer.y);
   point.gradient = share / max(abs(at.hi), real3(real(RTG_NESTED_TINY)));
   return point;
 }
 
-// log R of a profile with q = 2 / exponent at log z, and -z d(log R)/dz.
+// log2 R of a profile with q = 2 / exponent at log2 z, and -z d(log R)/dz.
 RTG_FN DoubleWord LogProfile(DoubleWord logZ, real exponent, RTG_OUT(DoubleWord) fall)
 {
-  DoubleWord power = Exponential(Multiply(logZ, Divide(Word(real(2.0)), exponent)));
+  DoubleWord power = Exp2(Multiply(logZ, Divide(Word(real(2.0)), exponent)));
   DoubleWord rest = Add(Minus(power), real(1.0));
   if (!(rest.hi > real(RTG_NESTED_END)))
   {
     rest = Word(real(RTG_NESTED_END));
   }
   fall = Divide(power, rest);
-  return Multiply(Logarithm(rest), real(0.5) * exponent);
+  return Multiply(Log2(rest), real(0.5) * exponent);
 }
 
 RTG_FN DoubleWord RateOf(DoubleWord x, DoubleWord dx)
@@ -103,7 +105,7 @@ struct NestedProfilePoint
 
 RTG_FN NestedProfilePoint NestedProfileAt(NestedForm form, LocalRay at)
 {
-  DoubleWord z = Logarithm(Magnitude(WordZ(at.origin)));
+  DoubleWord z = Log2(Magnitude(WordZ(at.origin)));
   DoubleWord fallX;
   DoubleWord rx = LogProfile(z, form.exponents.y, fallX);
   DoubleWord fallY = fallX;
@@ -112,14 +114,14 @@ RTG_FN NestedProfilePoint NestedProfileAt(NestedForm form, LocalRay at)
   {
     ry = LogProfile(z, form.exponents.z, fallY);
   }
-  DoubleWord x = Subtract(Logarithm(Magnitude(WordX(at.origin))), rx);
-  DoubleWord y = Subtract(Logarithm(Magnitude(WordY(at.origin))), ry);
+  DoubleWord x = Subtract(Log2(Magnitude(WordX(at.origin))), rx);
+  DoubleWord y = Subtract(Log2(Magnitude(WordY(at.origin))), ry);
 
   // The p-norm of the quotients, and the share of each in the sum of powers
   NestedProfilePoint point;
   bool xHigh;
   DoubleWord power;
-  point.value = LogNorm(x, y, form.exponents.x, xHigh, power);
+  point.value = Multiply(LogNorm(x, y, form.exponents.x, xHigh, power), real(RTG_LN2));
   if (fallX.hi * real(RTG_NESTED_END) > real(0.5) || fallY.hi * real(RTG_NESTED_END) > real(0.5))
   {
     point.value = Word(real(100.0));

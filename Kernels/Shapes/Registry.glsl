@@ -12,6 +12,7 @@
 // in List.h.
 #include "Arrow.glsl"
 #include "Box.glsl"
+#include "Capsule.glsl"
 #include "Cone.glsl"
 #include "Cylinder.glsl"
 #include "NestedSuperquadric.glsl"

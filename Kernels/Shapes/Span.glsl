@@ -201,24 +201,23 @@ RTG_FN Span RoundSpan(
   return span;
 }
 
-// The first end of the span with tMin <= t <= tMax.
+// The first end of the span with tMin <= t <= tMax. Both are computed, and one is chosen at the end: LLVM 21 loses half
+// of a crossing that one branch fills and another one overwrites.
 RTG_FN bool FirstCrossing(LocalRay ray, Span span, real tMin, real tMax, RTG_OUT(Crossing) crossing)
 {
-  crossing.s = span.sIn;
-  crossing.face = span.faceIn;
-  crossing.t = RayParameter(ray, span.sIn).hi;
-  if (IsEmpty(span))
-  {
-    return false;
-  }
-  if (crossing.t >= tMin && crossing.t <= tMax)
-  {
-    return true;
-  }
+  real tIn = RayParameter(ray, span.sIn).hi;
+  real tOut = RayParameter(ray, span.sOut).hi;
+  bool first = IsEmpty(span) || (tIn >= tMin && tIn <= tMax);
   crossing.s = span.sOut;
   crossing.face = span.faceOut;
-  crossing.t = RayParameter(ray, span.sOut).hi;
-  return crossing.t >= tMin && crossing.t <= tMax;
+  crossing.t = tOut;
+  if (first)
+  {
+    crossing.s = span.sIn;
+    crossing.face = span.faceIn;
+    crossing.t = tIn;
+  }
+  return !IsEmpty(span) && crossing.t >= tMin && crossing.t <= tMax;
 }
 
 // The answer to a ray that certainly misses.

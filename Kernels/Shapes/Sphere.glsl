@@ -44,6 +44,23 @@ RTG_FN Span CentredSphereSpan(DoubleWord3 o, real3 d, DoubleWord radiusSquared)
   return span;
 }
 
+// The span inside the ball of that radius round a point of the x axis, from an origin moved next to it.
+RTG_FN Span BallSpan(LocalRay ray, DoubleWord centreX, DoubleWord radius, int face)
+{
+  DoubleWord x = Subtract(WordX(ray.origin), centreX);
+  LocalRay ball = ray;
+  ball.start = Word(real(0.0));
+  ball.origin.hi.x = x.hi;
+  ball.origin.lo.x = x.lo;
+  ball = Advance(ball, -dot(ball.origin.hi, ray.direction.hi) / dot(ray.direction.hi, ray.direction.hi));
+  Span span = CentredSphereSpan(ball.origin, ray.direction.hi, Multiply(radius, radius));
+  span.sIn = Add(ball.start, span.sIn);
+  span.sOut = Add(ball.start, span.sOut);
+  span.faceIn = face;
+  span.faceOut = face;
+  return span;
+}
+
 // The ray in the frame where the ellipsoid is the unit sphere, its origin moved once more: what is
 // nearest to the centre in the world is far from it here when the sizes differ much.
 RTG_FN LocalRay ToUnitSphere(LocalRay ray, real3 halfSize)
@@ -107,6 +124,17 @@ RTG_FN Enclosure SphereEnclosure(Glyph glyph)
   return outer;
 }
 
+// The point of the unit sphere next to the ray's origin, which lies on it but for the rounding of s: one Newton step,
+// away from the silhouette. A needle's tip shows every digit.
+RTG_FN real3 OnUnitSphere(LocalRay ray)
+{
+  real a = dot(ray.direction.hi, ray.direction.hi);
+  real b = dot(ray.origin.hi, ray.direction.hi);
+  real c = SquaredDepth(Word(real(1.0)), ray.origin);
+  real step = real(64.0) * a * abs(c) < b * b ? c / (real(2.0) * b) : real(0.0);
+  return PointAt(ray, Word(step));
+}
+
 RTG_FN real3 EllipsoidNormal(GlyphRay ray, Glyph glyph, real t)
 {
   LocalRay local;
@@ -116,13 +144,7 @@ RTG_FN real3 EllipsoidNormal(GlyphRay ray, Glyph glyph, real t)
   {
     return normalize(PointAt(local, crossing.s));
   }
-  // One Newton step from the rounded s, away from the silhouette: a needle's tip shows every digit.
-  local = Advance(local, crossing.s.hi);
-  real a = dot(local.direction.hi, local.direction.hi);
-  real b = dot(local.origin.hi, local.direction.hi);
-  real c = SquaredDepth(Word(real(1.0)), local.origin);
-  real step = real(64.0) * a * abs(c) < b * b ? c / (real(2.0) * b) : real(0.0);
-  real3 p = PointAt(local, Word(step));
+  real3 p = OnUnitSphere(Advance(local, crossing.s.hi));
   // The gradient of x^2/a^2 + y^2/b^2 + z^2/c^2, scaled by the smallest half-length against overflow.
   real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
   return normalize(RotateToWorld(glyph, p * (real3(smallest) / glyph.size)));
@@ -133,15 +155,25 @@ RTG_FN real3 SphereNormal(GlyphRay ray, Glyph glyph, real t)
   return EllipsoidNormal(ray, glyph, t);
 }
 
+// Half the extents of the ellipsoid with the given half-axes along the world's axes.
+RTG_FN real3 EllipsoidReach(Glyph glyph, real3 halfAxes)
+{
+  if (!glyph.turned)
+  {
+    return halfAxes;
+  }
+  real3 x = RotateToWorld(glyph, real3(halfAxes.x, real(0.0), real(0.0)));
+  real3 y = RotateToWorld(glyph, real3(real(0.0), halfAxes.y, real(0.0)));
+  real3 z = RotateToWorld(glyph, real3(real(0.0), real(0.0), halfAxes.z));
+  return sqrt(x * x + y * y + z * z);
+}
+
 RTG_FN void SphereBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 reach = real(0.5) * glyph.size;
-  if (glyph.turned && !glyph.sameSize)
+  if (!glyph.sameSize)
   {
-    real3 x = RotateToWorld(glyph, real3(reach.x, real(0.0), real(0.0)));
-    real3 y = RotateToWorld(glyph, real3(real(0.0), reach.y, real(0.0)));
-    real3 z = RotateToWorld(glyph, real3(real(0.0), real(0.0), reach.z));
-    reach = sqrt(x * x + y * y + z * z);
+    reach = EllipsoidReach(glyph, reach);
   }
   lower = glyph.centre + (glyph.centreLow - reach);
   upper = glyph.centre + (glyph.centreLow + reach);

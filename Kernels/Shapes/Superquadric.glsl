@@ -15,7 +15,7 @@
 // Otherwise the window is cut where the lines leave the most doubt, so every step at least halves it.
 //
 // Solution. Newton's method inside a bracket of certain signs, with bisection where it leaves the bracket or
-// dawdles. The last step is done on f in double words (Power.glsl): f is then known to about 1e-13, so that the
+// dawdles. The last step is done on f in double words (WordFunctions.glsl): f is then known to about 1e-13, so that the
 // quadratic through it, with plain derivatives, gives a grazing crossing with the digits that t needs, and tells
 // whether there is one.
 //
@@ -29,9 +29,9 @@
 #include "Estimate.glsl"
 #include "Box.glsl"
 #include "Disc.glsl"
-#include "Power.glsl"
 #include "Span.glsl"
 #include "Sphere.glsl"
+#include "WordFunctions.glsl"
 
 #define RTG_STEPS 256
 // The slope of a concave term at its cusp.

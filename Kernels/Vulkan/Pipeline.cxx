@@ -85,8 +85,7 @@ Pipeline::Pipeline(Device::State& device, const Generation& generation, const st
       VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
   };
   const programs::Code* generations = generation.ownTrees ? programs::ownTreesGeneration : programs::drivenGeneration;
-  addGeneral(
-    addStage(Stage::eRaygenKHR, generations[static_cast<std::uint32_t>(generation.program)], generation.constants));
+  addGeneral(addStage(Stage::eRaygenKHR, generations[generation.program], generation.constants));
   addGeneral(addStage(Stage::eMissKHR, programs::nothingMiss, generation.constants));
   const std::size_t hitGroups = groups.size();
   for (std::size_t i = 0; i < hitGroups; ++i)

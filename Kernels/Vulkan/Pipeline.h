@@ -4,6 +4,7 @@
 
 #include "../Glyphs.h"
 #include "../HostDevice.h"
+#include "../Shading/List.h"
 
 #include <vector>
 
@@ -37,20 +38,16 @@ struct HitGroup
   bool DriverTriangles() const { return this->shape == Shape::Mesh && !this->Has(device::MESH_TREE); }
 };
 
-/// A ray generation program.
-enum class Program
-{
-  Local,     ///< an image with local shading
-  Occlusion, ///< with ambient occlusion
-  Path,      ///< path-traced
-  Probe
-};
+/// The number of the ray generation program that comes after those of Shading/List.h: probe.rgen.
+#define RTG_COUNT(...) +1
+constexpr std::uint32_t probeProgram = RTG_SHADINGS(RTG_COUNT);
+#undef RTG_COUNT
 
 /// A ray generation program and what it is specialised for.
 struct Generation
 {
-  Program program = Program::Local;
-  bool ownTrees = false; ///< it walks the trees of all sets itself, and there are no hit groups
+  std::uint32_t program = 0; ///< number of a shading, or probeProgram
+  bool ownTrees = false;     ///< it walks the trees of all sets itself, and there are no hit groups
   Constants constants;
 
   bool operator==(const Generation&) const = default;

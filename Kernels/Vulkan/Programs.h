@@ -13,7 +13,7 @@ struct Code
   const std::uint32_t* words;
 };
 
-/// Ray generation, by rtg::Program.
+/// Ray generation, by Generation::program.
 extern const Code drivenGeneration[];   ///< the driver traverses its structure
 extern const Code ownTreesGeneration[]; ///< they walk the trees of all sets
 extern const Code nothingMiss;

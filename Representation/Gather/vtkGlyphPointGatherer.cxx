@@ -271,6 +271,7 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(vtkDataObject* input,
   }
   const vtkIdType count = std::accumulate(
     leaves.begin(), leaves.end(), vtkIdType(0), [](vtkIdType sum, const Leaf& leaf) { return sum + leaf.Count(); });
+  const parallel::Progress progress = parallel::Worthwhile(options.Progress, count);
 
   // A single data set of points is shared with the input where all of them carry glyphs.
   const Leaf* whole = leaves.size() == 1 && leaves.front().All ? &leaves.front() : nullptr;
@@ -283,8 +284,8 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(vtkDataObject* input,
   }
   else if (count > 0)
   {
-    AppendPoints(leaves, count, out, parallel::Part(options.Progress, 0.0, 0.3));
-    AppendArrays(leaves, count, false, out->GetPointData(), parallel::Part(options.Progress, 0.3, 0.8));
+    AppendPoints(leaves, count, out, parallel::Part(progress, 0.0, 0.3));
+    AppendArrays(leaves, count, false, out->GetPointData(), parallel::Part(progress, 0.3, 0.8));
     // Which array the global ids are must not get lost.
     if (vtkDataArray* ids = leaves.front().Data->GetPointData()->GetGlobalIds())
     {
@@ -301,7 +302,7 @@ vtkSmartPointer<vtkPolyData> vtkGlyphPointGatherer::Gather(vtkDataObject* input,
   }
   else if (count > 0)
   {
-    AppendArrays(leaves, count, true, out->GetCellData(), parallel::Part(options.Progress, 0.8, 0.9));
+    AppendArrays(leaves, count, true, out->GetCellData(), parallel::Part(progress, 0.8, 0.9));
   }
   if (count > 0)
   {

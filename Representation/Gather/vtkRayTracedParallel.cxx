@@ -30,6 +30,12 @@ std::size_t Threads()
 }
 
 //----------------------------------------------------------------------------
+vtkRayTracedParallel::Progress vtkRayTracedParallel::Worthwhile(const Progress& progress, vtkIdType count)
+{
+  return NumberOfChunks(count) > chunksPerReport ? progress : Progress();
+}
+
+//----------------------------------------------------------------------------
 vtkRayTracedParallel::Progress vtkRayTracedParallel::Part(const Progress& whole, double first, double last)
 {
   if (!whole)

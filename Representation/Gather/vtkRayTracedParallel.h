@@ -35,6 +35,11 @@ inline vtkIdType ChunkOf(vtkIdType i)
 using Progress = std::function<void(double)>;
 
 /**
+ * `progress`, or an empty one where work on that many items is done before anybody could read about it.
+ */
+Progress Worthwhile(const Progress& progress, vtkIdType count);
+
+/**
  * Progress of work that takes `whole` from one share to another.
  */
 Progress Part(const Progress& whole, double first, double last);

@@ -1,5 +1,6 @@
 #include "vtkGlyphBounds.h"
 
+#include "GlyphBoxes.h"
 #include "Stopwatch.h"
 #include "vtkDataArray.h"
 #include "vtkGlyphMotion.h"
@@ -30,6 +31,7 @@ public:
     , TensorArray(vtkGlyphTensors::Array(points, settings.Tensors))
     , BlockIds(vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex)))
     , Motion(points, settings.Motion)
+    , Arrow(settings.Arrow)
   {
     this->ByComponents =
       vtkGlyphArrays::ScalesByComponents(vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, settings), settings);
@@ -42,21 +44,16 @@ public:
     const bool arrow = settings.Shape == rtg::Shape::Arrow;
     this->Turned = vtkGlyphArrays::Find(vtkGlyphArrays::ORIENTATION, points, settings) || settings.Tensors.On ||
       arrow || settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
-    if (arrow)
+    if (arrow && settings.Arrow.fixedHeads)
     {
-      const double thick = std::max(settings.Arrow.shaftRadius, settings.Arrow.tipRadius);
-      this->UnitReach = glm::dvec3(1.0, thick, thick);
-      if (settings.Arrow.fixedHeads)
-      {
-        this->HeadScale = std::abs(settings.ScaleFactor) * vtkGlyphArrays::ReferenceScale(points, settings, blocks);
-      }
+      this->Arrow.unitLength =
+        static_cast<float>(std::abs(settings.ScaleFactor) * vtkGlyphArrays::ReferenceScale(points, settings, blocks));
     }
     else if (settings.Shape == rtg::Shape::Mesh && settings.Mesh)
     {
-      this->UnitReach = glm::dvec3(0.0);
       for (const glm::vec3& position : settings.Mesh->positions)
       {
-        this->UnitReach = glm::max(this->UnitReach, glm::abs(glm::dvec3(position)));
+        this->MeshReach = glm::max(this->MeshReach, glm::abs(glm::dvec3(position)));
       }
     }
   }
@@ -82,7 +79,7 @@ private:
       glm::dvec3 lower = position, upper = position;
       if (this->Motion.On() && this->Motion.IsFinite(i))
       {
-        const rtg::DisplacementRange range = this->Motion.Range(i);
+        const rtg::DoubleBox range = this->Motion.Range(i);
         lower = glm::min(lower, position + range.lower);
         upper = glm::max(upper, position + range.upper);
       }
@@ -116,13 +113,9 @@ private:
       size *= this->Settings.Sizing.Bound(this->Tensors->Extent(point));
     }
     size = this->Settings.Sizing.Limited(size) * this->LimitSlack;
-    glm::dvec3 reach = this->UnitReach * size;
-    if (this->HeadScale > 0.0)
-    {
-      // As thick as on the arrow of reference; an arrow shorter than its head shrinks as a whole.
-      const double thickness = std::min(this->HeadScale, size.x / this->Settings.Arrow.tipLength);
-      reach.y = reach.z = this->UnitReach.y * thickness;
-    }
+    glm::dvec3 reach = this->Settings.Shape == rtg::Shape::Mesh
+      ? this->MeshReach * size
+      : rtg::GlyphReach(this->Settings.Shape, this->Arrow, size);
     if (this->Turned)
     {
       reach = glm::dvec3(
@@ -138,8 +131,8 @@ private:
   std::unique_ptr<vtkGlyphTensors> Tensors;
   const vtkGlyphMotion Motion;
   bool ByComponents = false, Turned = false;
-  glm::dvec3 UnitReach{ 0.5 }; // of the unit glyph from its point
-  double HeadScale = 0.0;      // of arrows with fixed heads
+  rtg::ArrowForm Arrow;
+  glm::dvec3 MeshReach{ 0.0 }; // of the mesh from its own origin
   double LimitSlack = 1.0;     // extents of tensors are known to a factor of sqrt(3) only; limits are of the extents
 };
 }

@@ -1,5 +1,6 @@
 #include "vtkGlyphInstanceBuilder.h"
 
+#include "GlyphArrays.h"
 #include "vtkDataArray.h"
 #include "vtkGlyphPlacement.h"
 #include "vtkGlyphTuples.h"
@@ -367,6 +368,11 @@ private:
 
     this->Motion.Store(this->Instances.motion, glyph, i, this->Placement.Linear, this->Rotation);
     this->Instances.centres[glyph] = center;
+    if (!this->Instances.opacities.empty())
+    {
+      const double opacity = *tuples[vtkGlyphArrays::OPACITY].Get(i);
+      this->Instances.opacities[glyph] = std::isnan(opacity) ? 1.0f : static_cast<float>(std::clamp(opacity, 0.0, 1.0));
+    }
     const glm::dvec3 left = glm::abs(place - glm::dvec3(center));
     if (std::max({ left.x, left.y, left.z }) > 1e-6 * smallest)
     {
@@ -384,6 +390,7 @@ private:
     allocate(this->Instances.forms, this->How.Tensors.ColorsBySign());
     allocate(this->Instances.exponents3,
       (this->Tensors && HasExponents(this->How.Shape)) || this->Has(vtkGlyphArrays::EXPONENTS));
+    allocate(this->Instances.opacities, this->Has(vtkGlyphArrays::OPACITY));
     allocate(this->Instances.sizes3, !this->OneSize);
     allocate(this->Instances.sizes1, this->OneSize && !this->SameSizes);
     allocate(this->Instances.rotations, this->Turned || this->Flips);
@@ -435,15 +442,9 @@ private:
       }
     };
     keep(this->Out.Points);
-    keep(this->Instances.centres);
-    keep(this->Instances.forms);
-    keep(this->Instances.exponents3);
-    keep(this->Instances.sizes3);
-    keep(this->Instances.sizes1);
-    keep(this->Instances.rotations);
-    keep(this->Instances.motion.velocities);
-    keep(this->Instances.motion.accelerations);
-    keep(this->Instances.motion.angularVelocities);
+    rtg::GlyphColours colours; // are not made here
+    rtg::ForEachArray(
+      this->Instances, colours, [&keep](std::size_t, std::uint32_t, auto& values, const char*) { keep(values); });
   }
 
   void Finish()

@@ -167,7 +167,7 @@ bool vtkGlyphMotion::IsFinite(vtkIdType point) const
   if (this->On())
   {
     // Nor may the way be beyond the range.
-    const rtg::DisplacementRange range = this->Range(point);
+    const rtg::DoubleBox range = this->Range(point);
     return IsFinite3(range.lower) && IsFinite3(range.upper);
   }
   return true;
@@ -214,7 +214,7 @@ void vtkGlyphMotion::Finish(rtg::GlyphMotion& motion) const
 }
 
 //----------------------------------------------------------------------------
-rtg::DisplacementRange vtkGlyphMotion::Range(vtkIdType point) const
+rtg::DoubleBox vtkGlyphMotion::Range(vtkIdType point) const
 {
   rtg::GlyphMotion one;
   if (this->Found[VELOCITY])

@@ -84,7 +84,7 @@ public:
   /**
    * Bounds of the displacements of a point whose tuples are finite.
    */
-  rtg::DisplacementRange Range(vtkIdType point) const;
+  rtg::DoubleBox Range(vtkIdType point) const;
 
 private:
   glm::dvec3 Tuple(int kind, vtkIdType point) const;

@@ -51,6 +51,7 @@ struct vtkGlyphSettings
   vtkGlyphTensors::Settings Tensors;             // on: they give size, rotation and exponents
   double Exponents[3] = { 2.0, 2.0, 2.0 };       // of superquadrics; each counts as one in [0.1, 100]
   std::string ExponentArray;                     // overrides them; empty or "None": none
+  std::string OpacityArray;                      // empty or "None": none
   vtkGlyphMotion::Settings Motion;               // on: the glyphs move while the shutter is open
   bool Mask = false;
   vtkIdType MaximumNumberOfGlyphs = 5000;

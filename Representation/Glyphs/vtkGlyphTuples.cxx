@@ -60,6 +60,8 @@ const std::array<Description, vtkGlyphArrays::NUMBER_OF_IDS> table = { {
       return std::vector<int>{ 1, 2, 3 };
     },
     "GlyphExponentArray", "GlyphExponents count" },
+  { &Settings::OpacityArray, [](const Settings&) { return true; },
+    [](const Settings&) { return std::vector<int>{ 1 }; }, "GlyphOpacityArray", "all glyphs have the same opacity" },
 } };
 
 // A number whose order is random but the same for a point at every time step, whatever the maximum.

@@ -1,5 +1,6 @@
 #include "vtkRayTracedGlyphMapper.h"
 
+#include "GlyphArrays.h"
 #include "vtkActor.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -78,19 +79,11 @@ Hash DigestOf(const rtg::GlyphInstances& instances)
     Mix(sum, mesh->triangles.data(), mesh->triangles.size());
     Mix(sum, mesh->normals.data(), mesh->normals.size());
   }
-  Mix(sum, instances.centres.data(), instances.centres.size());
-  Mix(sum, instances.centresLow.data(), instances.centresLow.size());
-  Mix(sum, instances.sizes3.data(), instances.sizes3.size());
-  Mix(sum, instances.sizes1.data(), instances.sizes1.size());
-  Mix(sum, instances.rotations.data(), instances.rotations.size());
-  Mix(sum, instances.exponents3.data(), instances.exponents3.size());
-  Mix(sum, instances.forms.data(), instances.forms.size());
-  const rtg::GlyphMotion& motion = instances.motion;
-  const float shutter[] = { motion.shutterOpen, motion.shutterClose };
+  const rtg::GlyphColours colours; // are compared by themselves
+  rtg::ForEachArray(instances, colours,
+    [&](std::size_t, std::uint32_t, const auto& values, const char*) { Mix(sum, values.data(), values.size()); });
+  const float shutter[] = { instances.motion.shutterOpen, instances.motion.shutterClose };
   Mix(sum, shutter, 2);
-  Mix(sum, motion.velocities.data(), motion.velocities.size());
-  Mix(sum, motion.accelerations.data(), motion.accelerations.size());
-  Mix(sum, motion.angularVelocities.data(), motion.angularVelocities.size());
   return sum;
 }
 }
@@ -159,6 +152,7 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
     : vtkGlyphInstanceBuilder::Result();
   this->Instances = std::move(result.Instances);
   this->InstancesTaken = false;
+  this->TranslucentInstances = rtg::IsTranslucent(this->Instances);
   this->Sources = std::move(result.Points);
   ++this->SourcesVersion;
   this->Skipped = result.Skipped;
@@ -288,7 +282,6 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   }
 
   rtg::GlyphColours colors;
-  bool translucent = false;
   if (mapped || tensors || blockColors)
   {
     colors.resize(this->Sources.size());
@@ -320,9 +313,8 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
           colors[glyph] = Pack(rgba);
         }
       });
-    translucent = std::any_of(colors.begin(), colors.end(), [](std::uint32_t color) { return (color >> 24) != 255u; });
   }
-  this->Translucent = translucent;
+  this->Translucent = rtg::AnyTranslucent(colors);
   if (this->ColorVersion == 0 || this->Colors != colors)
   {
     this->Colors = std::move(colors);

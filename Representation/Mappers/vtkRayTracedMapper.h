@@ -76,7 +76,7 @@ public:
   virtual rtg::GlyphInstances TakeInstances(vtkActor* actor) = 0;
   const rtg::GlyphColours& GetColors() const { return this->Colors; }
   virtual void AddToMaterial(rtg::Material&) const {}
-  bool IsTranslucent() const { return this->Translucent; }
+  bool IsTranslucent() const { return this->Translucent || this->TranslucentInstances; }
   ///@}
 
   ///@{
@@ -161,7 +161,7 @@ protected:
   std::vector<vtkIdType> Sources; // point of each glyph, cell of each triangle
   vtkIdType Skipped = 0;
   rtg::GlyphColours Colors;
-  bool Translucent = false;
+  bool Translucent = false, TranslucentInstances = false; // by colors, by instances
   std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of blocks without a color, where some have one
   std::uint64_t InstanceVersion = 0, ColorVersion = 0, SourcesVersion = 0, InstanceBuilds = 0;
   std::uint64_t ColorBuilds = 0;

@@ -174,13 +174,7 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
       });
   }
 
-  bool translucent = false;
-  for (const auto* colors : { &colored->positionColours, &colored->triangleColours, &colored->valueColours })
-  {
-    translucent |=
-      std::any_of(colors->begin(), colors->end(), [](std::uint32_t color) { return (color >> 24) != 255u; });
-  }
-  this->Translucent = translucent;
+  this->Translucent = rtg::IsTranslucent(*colored);
   if (colored->positionColours != mesh.positionColours || colored->triangleColours != mesh.triangleColours ||
     colored->positionValues != mesh.positionValues || colored->valueColours != mesh.valueColours)
   {

@@ -27,6 +27,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
 
@@ -231,6 +233,12 @@ void vtkRayTracedGlyphRepresentation::Deliver(vtkInformation* inInfo, bool lod)
     vtkPVView::SetPiece(inInfo, this, this->Mesh, 0, 1);
     this->UpdateTensorRange(this->GetPoints());
   }
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedGlyphRepresentation::MayBeTranslucent()
+{
+  return !vtkRayTracedArrays::IsNone(this->Glyphs.OpacityArray) || this->Superclass::MayBeTranslucent();
 }
 
 //----------------------------------------------------------------------------
@@ -484,14 +492,20 @@ void vtkRayTracedGlyphRepresentation::SetGlyphLocation(int location)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 {
-  const int last = static_cast<int>(rtg::Shape::Superquadric);
-  const bool known = (shape >= 0 && shape <= last) || (shape >= TENSOR_ELLIPSOID && shape <= MESH);
-  if (!known)
+  // The first entry of a number counts.
+#define RTG_SHAPE_NAME(number, Name) { number, #Name },
+  static const std::map<int, std::string> names = { { TENSOR_ELLIPSOID, "Tensor Ellipsoid" },
+    { TENSOR_SUPERQUADRIC, "Tensor Superquadric" }, { SIGNED_TENSOR_SUPERQUADRIC, "Signed Tensor Superquadric" },
+    { MESH, "Mesh" }, RTG_SHAPES(RTG_SHAPE_NAME) };
+#undef RTG_SHAPE_NAME
+  if (!names.count(shape))
   {
-    vtkErrorMacro("GlyphShape is " << shape << "; it must lie between 0 (Sphere) and " << last
-                                   << " (Superquadric), or between " << TENSOR_ELLIPSOID << " (Tensor Ellipsoid) and "
-                                   << SIGNED_TENSOR_SUPERQUADRIC << " (Signed Tensor Superquadric), or be " << MESH
-                                   << " (Mesh).");
+    std::string known;
+    for (const auto& [number, name] : names)
+    {
+      known += (known.empty() ? "" : ", ") + std::to_string(number) + " (" + name + ")";
+    }
+    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of " << known << ".");
     return;
   }
   this->GlyphShape = shape;

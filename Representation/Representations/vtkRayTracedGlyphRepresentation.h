@@ -24,7 +24,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Values of GlyphShape beyond those of rtg::Shape. Mesh: the polygons of the second input.
+   * Values of GlyphShape that stand for something else than the rtg::Shape of that number. Mesh: the polygons of the
+   * second input.
    */
   enum FurtherShapes
   {
@@ -84,6 +85,11 @@ public:
   void SetGlyphExponentArray(const char* name) { this->Glyphs.ExponentArray = OrEmpty(name); }
   void SetGlyphExponentForm(int form) { this->NestedExponents = form == 1; }
   ///@}
+
+  /**
+   * Opacities of the glyphs, in [0, 1], times that of the representation and of colors; default none.
+   */
+  void SetGlyphOpacityArray(const char* name) { this->Glyphs.OpacityArray = OrEmpty(name); }
 
   ///@{
   /**
@@ -147,6 +153,7 @@ protected:
   vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) override;
   const double* GetDataBounds(vtkPolyData* points) override;
   void Deliver(vtkInformation* inInfo, bool lod) override;
+  bool MayBeTranslucent() override;
 
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;
   void Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective) override;

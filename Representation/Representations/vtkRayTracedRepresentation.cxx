@@ -223,6 +223,11 @@ void vtkRayTracedRepresentation::Answer(
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     vtkPVView::SetPiece(inInfo, this, this->Points);
+    // Where the view has kept this step of an animation nothing has been gathered, and that piece is what it shows.
+    if (auto* shown = vtkPolyData::SafeDownCast(vtkPVView::GetPiece(inInfo, this)))
+    {
+      this->Points = shown;
+    }
     this->Deliver(inInfo, /*lod=*/false);
     double bounds[6];
     std::copy_n(this->GetDataBounds(this->Points), 6, bounds);
@@ -233,7 +238,7 @@ void vtkRayTracedRepresentation::Answer(
     vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
       this->ReplicateGlyphs ? vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION
                             : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
-    outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->NeedsOrderedCompositing() ? 1 : 0);
+    outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->MayBeTranslucent() ? 1 : 0);
   }
   else if (request == vtkPVView::REQUEST_UPDATE_LOD())
   {
@@ -259,9 +264,8 @@ void vtkRayTracedRepresentation::ReportLackOfMemory()
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedRepresentation::NeedsOrderedCompositing()
+bool vtkRayTracedRepresentation::MayBeTranslucent()
 {
-  // Asked on all ranks before the data are delivered: what may turn out translucent counts.
   const double opacity = this->Property->GetOpacity();
   if ((opacity > 0.0 && opacity < 1.0) || this->Blocks.HasTranslucent())
   {

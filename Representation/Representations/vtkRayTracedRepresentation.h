@@ -199,6 +199,11 @@ protected:
   virtual void Deliver(vtkInformation*, bool /*lod*/) {}
   ///@}
 
+  /**
+   * Whether something of it may turn out translucent; asked on all ranks before the data are delivered.
+   */
+  virtual bool MayBeTranslucent();
+
   ///@{
   /**
    * The render side. MakeMapper() is called once; Configure() at each render, with the delivered points (may be null).
@@ -257,7 +262,6 @@ private:
   void ReportLackOfMemory();
   void AddStepVelocities(vtkDataObject* input);
   vtkDataArray* PointIds();
-  bool NeedsOrderedCompositing();
   void UpdateActorPosition();
   void Render(vtkPVRenderView* view, vtkInformation* inInfo);
   void ConfigureColors(vtkPolyData* points);

@@ -33,11 +33,8 @@ namespace
 {
 
 using benchmark::LightScene;
-using rtg::Sampler;
 using rtg::Shading;
 
-constexpr std::pair<const char*, Sampler> samplers[] = { { "random", Sampler::Random },
-  { "stratified", Sampler::Stratified }, { "sobol", Sampler::Sobol }, { "blue noise", Sampler::BlueNoise } };
 constexpr std::pair<const char*, Shading> shadings[] = { { "occlusion", Shading::AmbientOcclusion },
   { "path", Shading::PathTracing } };
 
@@ -46,7 +43,6 @@ struct Costly
 {
   std::string name;
   Shading shading = Shading::Local;
-  Sampler sampler = Sampler::Sobol;
   std::uint32_t bounces = 1;
 };
 
@@ -54,14 +50,10 @@ struct Costly
 // speed changes.
 void MeasureCost(LightScene& subject, int pixels, int repetitions)
 {
-  std::vector<Costly> all{ { "local" } };
-  for (const auto& [name, sampler] : samplers)
-  {
-    all.push_back({ std::string("occlusion, ") + name, Shading::AmbientOcclusion, sampler });
-  }
+  std::vector<Costly> all{ { "local" }, { "occlusion", Shading::AmbientOcclusion } };
   for (std::uint32_t bounces : { 1, 2, 3, 4, 6, 8, 10 })
   {
-    all.push_back({ "path, " + std::to_string(bounces) + " bounces", Shading::PathTracing, Sampler::Sobol, bounces });
+    all.push_back({ "path, " + std::to_string(bounces) + " bounces", Shading::PathTracing, bounces });
   }
   rtg::Tracer tracer(subject.device);
   rtg::TraceSettings settings;
@@ -73,7 +65,6 @@ void MeasureCost(LightScene& subject, int pixels, int repetitions)
     for (std::size_t i = 0; i < all.size(); ++i)
     {
       settings.shading = all[i].shading;
-      settings.sampler = all[i].sampler;
       settings.maximumBounces = all[i].bounces;
       const std::vector<rtg::Light> lights(settings.shading == Shading::PathTracing ? 0 : 1);
       const double start = benchmark::CpuSeconds();
@@ -139,44 +130,30 @@ std::vector<rtg::Light> LightsOf(Shading shading)
 // How the rays of a pixel are shared out and spread.
 struct Method
 {
-  std::string samplerName;
-  Sampler sampler;
+  bool independentSamples;
   std::uint32_t branches = 1; ///< of a sample: occlusion rays or paths
-  bool guessing = true;       ///< what paths that are ended would bring
   bool kept = false;          ///< what the plugin does by default
 
   std::string Name() const
   {
-    return this->samplerName + (this->branches == 1 ? "" : " x" + std::to_string(this->branches)) +
-      (this->guessing ? "" : " plain");
+    return std::string(this->independentSamples ? "random" : "sobol") +
+      (this->branches == 1 ? std::string() : " x" + std::to_string(this->branches));
   }
 
   void Apply(rtg::TraceSettings& settings) const
   {
-    settings.sampler = this->sampler;
+    settings.independentSamples = this->independentSamples;
     settings.occlusionRays = settings.paths = this->branches;
-    settings.roulette = this->guessing ? rtg::Roulette::Guessing : rtg::Roulette::Plain;
   }
 };
 
 std::vector<Method> Methods(Shading shading)
 {
-  std::vector<Method> methods;
-  for (const auto& [name, sampler] : samplers)
-  {
-    methods.push_back({ name, sampler });
-  }
-  methods.push_back({ "random", Sampler::Random, 4 });
-  // Paths that bring nothing when they are ended, as in textbooks.
-  if (shading == Shading::PathTracing)
-  {
-    methods.push_back({ "random", Sampler::Random, 1, false });
-    methods.push_back({ "sobol", Sampler::Sobol, 1, false });
-  }
+  std::vector<Method> methods{ { true }, { false }, { true, 4 } };
   for (const std::uint32_t branches : { 2, 4, 8, 16 })
   {
     const bool kept = branches == (shading == Shading::AmbientOcclusion ? 8u : 4u);
-    methods.push_back({ "sobol", Sampler::Sobol, branches, true, kept });
+    methods.push_back({ false, branches, kept });
   }
   return methods;
 }
@@ -241,7 +218,7 @@ std::vector<Pixels> Blurred(std::vector<Pixels> squares, int side)
   return squares;
 }
 
-// Independent samples, which favour none of the samplers; from the file if it holds so many of so many pixels.
+// Independent samples; from the file if it holds so many of so many pixels.
 std::vector<Pixels>
 Reference(Squares& squares, rtg::TraceSettings settings, std::uint32_t samples, const std::string& path)
 {
@@ -260,7 +237,7 @@ Reference(Squares& squares, rtg::TraceSettings settings, std::uint32_t samples, 
   {
     return means;
   }
-  settings.sampler = Sampler::Random;
+  settings.independentSamples = true;
   settings.samples = samples;
   means = squares.Trace(settings);
   std::ofstream out(path, std::ios::binary);
@@ -335,7 +312,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
       // Random samples are the first of the reference's: they differ from it by less than from the truth, others by
       // more.
       const double share = static_cast<double>(settings.samples) / referenceSamples;
-      if (method.sampler == Sampler::Random && method.branches == 1 && method.guessing)
+      if (method.independentSamples && method.branches == 1)
       {
         if (settings.samples == std::min(16u, mostSamples))
         {
@@ -391,7 +368,7 @@ VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading s
 {
   rtg::Tracer tracer(subject.device);
   rtg::TraceSettings settings = SettingsOf(subject, pixels + side, shading);
-  settings.sampler = Sampler::Random;
+  settings.independentSamples = true;
   const std::vector<rtg::Light> lights = LightsOf(shading);
   rtg::Camera camera = MiddleOf(subject, pixels + side);
   const glm::dvec3 forward = camera.forward;

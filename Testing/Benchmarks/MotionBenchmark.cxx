@@ -1,8 +1,8 @@
 // What motion blur costs and how far from the truth it is.
 //
 // MotionBenchmark cost SPHERES [PIXELS] [SAMPLES]
-//   Processor seconds of one sample a pixel, over those of the same spheres at rest, by path length, number of time
-//   slices and sampling of time; and seconds to build.
+//   Processor seconds of one sample a pixel, over those of the same spheres at rest, and seconds to build, by path
+//   length.
 // MotionBenchmark error SPHERES OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]
 //   Of the middle PIXELS x PIXELS of an image of 1200 x 1200: mean squared error against a reference of independent
 //   samples, by scheme, path length, samples and seconds.
@@ -108,37 +108,17 @@ void MeasureCost(const Subject& subject, std::uint32_t pixels, std::uint32_t sam
   settings.keepSums = true;
   rtg::Tracer tracer(subject.device);
   Scene scene(subject);
-  std::printf("%u x %u, %u samples\n%8s %7s %7s %10s %12s %10s\n", pixels, pixels, samples, "radii", "slices", "shared",
-    "build s", "s a sample", "at rest=1");
+  std::printf("%u x %u, %u samples\n%8s %7s %10s %12s %10s\n", pixels, pixels, samples, "radii", "slices", "build s",
+    "s a sample", "at rest=1");
   for (const double path : paths)
   {
     scene.Show(Instances(subject, path, false));
     const double still = Cost(scene, tracer, subject, settings) / samples;
-    std::printf("%8.1f %7s %7s %10s %12.3f %10.2f\n", path, "rest", "", "", still, 1.0);
-    const auto measure = [&](int bits, rtg::SliceSorting sorting, int sharedBits)
-    {
-      scene.scene.GetState().timeSliceBits = bits;
-      scene.scene.GetState().sliceSorting = sorting;
-      const double build = scene.Show(Instances(subject, path, true));
-      settings.sharedTimeBits = sharedBits;
-      const double seconds = Cost(scene, tracer, subject, settings) / samples;
-      std::printf("%8.1f %6u%s %7d %10.2f %12.3f %10.2f %s\n", path, 1u << scene.scene.GetState().placedTimeSliceBits,
-        bits < 0 ? "*" : " ", sharedBits, build, seconds, seconds / still,
-        sorting == rtg::SliceSorting::Always    ? "sorted"
-          : sorting == rtg::SliceSorting::Never ? "not sorted"
-                                                : "");
-      std::fflush(stdout);
-    };
-    using Sorting = rtg::SliceSorting;
-    measure(0, Sorting::Never, -1);
-    measure(-1, Sorting::WhereDecayed, -1);
-    measure(-1, Sorting::WhereDecayed, 0);
-    measure(-1, Sorting::Never, -1);
-    measure(-1, Sorting::Always, -1);
-    for (int bits = 1; bits <= 5; ++bits)
-    {
-      measure(bits, Sorting::WhereDecayed, -1);
-    }
+    const double build = scene.Show(Instances(subject, path, true));
+    const double seconds = Cost(scene, tracer, subject, settings) / samples;
+    std::printf("%8.1f %7u %10.2f %12.3f %10.2f\n", path, 1u << scene.scene.GetState().placedTimeSliceBits, build,
+      seconds, seconds / still);
+    std::fflush(stdout);
   }
 }
 
@@ -146,20 +126,14 @@ void MeasureCost(const Subject& subject, std::uint32_t pixels, std::uint32_t sam
 struct Scheme
 {
   const char* name;
-  rtg::Sampler sampler;
-  int sharedTimeBits;
-  int timeSliceBits;
+  bool independentSamples;
   bool frames; // all pixels of a sample see one time, with a structure of its own
 };
 
 constexpr Scheme schemes[] = {
-  { "random times: whole paths", rtg::Sampler::Random, 0, 0, false },
-  { "random times: slices", rtg::Sampler::Random, 0, -1, false },
-  { "stratified times: slices", rtg::Sampler::Stratified, 0, -1, false },
-  { "Sobol times: slices", rtg::Sampler::Sobol, 0, -1, false },
-  { "Sobol times: slices shared", rtg::Sampler::Sobol, 3, -1, false },
-  { "strata of times with places: slices", rtg::Sampler::Sobol, -1, -1, false },
-  { "one time a frame: rebuilt", rtg::Sampler::Sobol, 0, 0, true },
+  { "random times: slices", true, false },
+  { "strata of times with places: slices", false, false },
+  { "one time a frame: rebuilt", false, true },
 };
 
 struct Measured
@@ -180,9 +154,7 @@ Measured Trace(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const 
     return benchmark::CpuSeconds() - start;
   };
   Measured measured;
-  settings.sampler = scheme.sampler;
-  settings.sharedTimeBits = scheme.sharedTimeBits;
-  scene.scene.GetState().timeSliceBits = scheme.timeSliceBits;
+  settings.independentSamples = scheme.independentSamples;
   if (!scheme.frames)
   {
     measured.build = scene.Show(Instances(subject, path, true));
@@ -229,7 +201,7 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
   {
     settings.samples = referenceSamples;
     std::fprintf(stderr, "%g radii: reference of %u samples\n", path, referenceSamples);
-    const Measured truth = Trace(scene, tracer, subject, schemes[1], path, settings);
+    const Measured truth = Trace(scene, tracer, subject, schemes[0], path, settings);
     const std::vector<glm::vec4> blurredTruth = benchmark::Blurred(truth.means, static_cast<int>(pixels));
     // Random times' error falls as 1 / samples, so what they measure tells the reference's own part.
     double referenceError = 0.0;
@@ -239,7 +211,7 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
       {
         const Measured found = Trace(scene, tracer, subject, scheme, path, settings);
         const double error = benchmark::SquaredError(found.means, truth.means);
-        if (scheme.sampler == rtg::Sampler::Random && settings.samples == 4)
+        if (scheme.independentSamples && settings.samples == 4)
         {
           referenceError = error / (1.0 + double(referenceSamples) / settings.samples);
         }

@@ -3,7 +3,7 @@
 
 Usage: light.py PLOT.png NAME=RESULTS.csv ...
 Prints a Markdown table. Gain: mean squared error of independent samples over that of the sampler at the same time, that of
-independent samples (paths that bring nothing when roulette ends them) being interpolated on logarithms and extrapolated as 1 / time; above 1 the sampler is better.
+independent samples being interpolated on logarithms and extrapolated as 1 / time; above 1 the sampler is better.
 """
 import csv
 import math
@@ -49,16 +49,15 @@ def main():
     print("|---|---|---|" + "---|" * len(TABLED))
     for column, (name, path) in enumerate(scenes):
         for axis, (shading, samplers) in zip(axes[:, column], read(path).items()):
-            plain = "random plain" if "random plain" in samplers else "random"
-            random = samplers[plain]
+            random = samplers["random"]
             axis.set_prop_cycle(color=plt.get_cmap("tab20").colors)
             for sampler, rows in samplers.items():
                 axis.loglog([r["seconds"] for r in rows], [r["error"] for r in rows], "o-", label=sampler, markersize=3,
                             linewidth=2.5 if sampler == KEPT[shading] else 1.2)
                 found = {r["samples"]: r for r in rows}
-                cells = ["" if n not in found else "%.2g" % found[n]["error"] if sampler == plain else
+                cells = ["" if n not in found else "%.2g" % found[n]["error"] if sampler == "random" else
                          "%.2f" % (at_time(random, found[n]["seconds"]) / found[n]["error"]) for n in TABLED]
-                print("| %s | %s | %s | %s |" % (name, shading, sampler + (": error" if sampler == plain else ": gain"), " | ".join(cells)))
+                print("| %s | %s | %s | %s |" % (name, shading, sampler + (": error" if sampler == "random" else ": gain"), " | ".join(cells)))
                 if sampler == KEPT[shading]:
                     axis.loglog([r["denoised_seconds"] for r in rows], [r["denoised"] for r in rows], "s--", color="0.5",
                                 label=sampler + ", denoised", markersize=3)

@@ -81,7 +81,7 @@ TEST_F(EnvironmentTest, OneColourIsTheSameFromEverywhere)
   this->settings.lightIntensity = 3.0f;
   // Burley's diffuse lobe varies by up to 0.07 of itself from direction to direction: independent ones would err by
   // more.
-  this->settings.sampler = Sampler::Sobol;
+  this->settings.independentSamples = false;
   const double image = this->Mean();
   EXPECT_NEAR(image, 1.5, 1e-4);
   // The same paths, no image.

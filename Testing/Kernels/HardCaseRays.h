@@ -241,6 +241,7 @@ inline std::vector<Subject> HardSubjects()
     { "box", Shape::Box, {}, false },
     { "cylinder", Shape::Cylinder, {}, false },
     { "cone", Shape::Cone, {}, false },
+    { "capsule", Shape::Capsule, {}, false },
     { "arrow", Shape::Arrow, {}, false },
     { "arrow, sharp", Shape::Arrow, arrow(0.03f, 0.1f, 0.35f, 0, true), false },
     { "arrow, fully rounded", Shape::Arrow, arrow(0.03f, 0.1f, 0.35f, 1, true), false },

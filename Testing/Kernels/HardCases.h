@@ -257,6 +257,10 @@ inline glm::dvec3 HardCaseMaker::ToWorld(const HardCase& hard, std::uint32_t ind
     scale.y *= 2 * std::max(glyph.arrow.x, glyph.arrow.y);
     scale.z *= 2 * std::max(glyph.arrow.x, glyph.arrow.y);
   }
+  else if (this->subject_.shape == Shape::Capsule)
+  {
+    scale.x += std::max(scale.y, scale.z);
+  }
   const Vec shift(this->subject_.shape == Shape::Arrow ? 0.5 : 0.0, 0, 0);
   return glyph.centre + Exact::RotateToWorld(glyph, (box + shift) * scale);
 }
@@ -287,6 +291,13 @@ inline glm::dvec3 HardCaseMaker::EdgePoint(const HardCase& hard, std::uint32_t i
     }
     case Shape::Cylinder:
       return { c, side, s };
+    case Shape::Capsule:
+    {
+      // Where an end begins, or its pole.
+      const Exact::Glyph glyph = KernelGlyph<double>(hard.instances, index);
+      const double seam = glyph.size.x / (glyph.size.x + std::max(glyph.size.y, glyph.size.z));
+      return this->Choice(3) == 0 ? Vec(side, 0, 0) : Vec(side * seam, c, s);
+    }
     case Shape::Cone:
       return this->Choice(3) == 0 ? Vec(0.5, 0, 0) : Vec(-0.5, c, s);
     case Shape::Arrow:

@@ -21,8 +21,6 @@ namespace light
 {
 
 using rtg::Image;
-using rtg::Roulette;
-using rtg::Sampler;
 using rtg::Shading;
 using rtg::Shape;
 
@@ -69,7 +67,7 @@ protected:
   {
     this->settings.width = this->settings.height = 24;
     this->settings.keepSums = true;
-    this->settings.sampler = Sampler::Random; // the confidence intervals are those of independent samples
+    this->settings.independentSamples = true; // their confidence intervals are known
   }
 
   // A parallel view of half-width 1.

@@ -96,7 +96,7 @@ TEST_F(LightTest, DenoisingBringsAnImageCloserToTheTruth)
     }
     this->settings.shading = shading;
     this->settings.features = false;
-    this->settings.sampler = Sampler::Sobol;
+    this->settings.independentSamples = false;
     this->settings.samples = 512;
     this->Trace();
     const std::vector<glm::vec4> truth = this->tracer.Means();

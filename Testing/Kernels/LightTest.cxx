@@ -176,8 +176,9 @@ TEST_P(Furnace, WhiteInWhiteLightIsWhite)
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Furnace,
   ::testing::Values(Form{ "Sphere", Shape::Sphere }, Form{ "Box", Shape::Box }, Form{ "Cylinder", Shape::Cylinder },
-    Form{ "Cone", Shape::Cone }, Form{ "Arrow", Shape::Arrow }, Form{ "Mesh", Shape::Mesh },
-    Form{ "RoundedBox", Shape::Superquadric, { 6, 4, 10 } }, Form{ "Star", Shape::Superquadric, { 0.6f, 0.8f, 0.7f } },
+    Form{ "Capsule", Shape::Capsule }, Form{ "Cone", Shape::Cone }, Form{ "Arrow", Shape::Arrow },
+    Form{ "Mesh", Shape::Mesh }, Form{ "RoundedBox", Shape::Superquadric, { 6, 4, 10 } },
+    Form{ "Star", Shape::Superquadric, { 0.6f, 0.8f, 0.7f } },
     Form{ "TensorRod", Shape::NestedSuperquadric, { 0.4f, 0.2f, 0.2f } },
     Form{ "TensorDouble", Shape::NestedSuperquadric, { 0.5f, 0.7f, 0.3f } },
     Form{ "TensorThorn", Shape::NestedSuperquadric, { 1.0f, 2.6f, 2.6f } }),
@@ -285,7 +286,7 @@ TEST_F(LightTest, NothingShadowsItself)
 {
   this->settings.shading = Shading::AmbientOcclusion;
   this->settings.samples = 64;
-  for (Shape shape : { Shape::Sphere, Shape::Box, Shape::Cylinder, Shape::Cone })
+  for (Shape shape : { Shape::Sphere, Shape::Box, Shape::Cylinder, Shape::Capsule, Shape::Cone })
   {
     for (const glm::vec3& size :
       { glm::vec3(1.0f), glm::vec3(1e-3f), glm::vec3(1.0f, 0.01f, 0.3f), glm::vec3(0.01f, 1.0f, 1.0f) })
@@ -310,12 +311,12 @@ TEST_F(LightTest, NothingShadowsItself)
   }
 }
 
-// Inside a sphere no light comes in. What roulette guesses of it is taken back on average.
+// Inside a sphere no light comes in. What roulette guesses of it after the first scattering is taken back on average.
 TEST_F(LightTest, InsideIsDark)
 {
   this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(4.0f) }, Flat());
   this->camera = this->LookFrom({ 0, 0, 1 });
-  this->settings.roulette = Roulette::None;
+  this->settings.maximumBounces = 1;
   for (Shading shading : { Shading::AmbientOcclusion, Shading::PathTracing })
   {
     this->scene.SetMaterial(0, shading == Shading::PathTracing ? White() : Flat());
@@ -326,7 +327,7 @@ TEST_F(LightTest, InsideIsDark)
       ASSERT_EQ(mean, glm::vec4(0, 0, 0, 1));
     }
   }
-  this->settings.roulette = Roulette::Guessing;
+  this->settings.maximumBounces = 10;
   this->settings.samples = 64;
   this->Trace();
   const Error error = this->ErrorOf(0.0);

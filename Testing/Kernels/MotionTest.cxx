@@ -88,6 +88,7 @@ protected:
     instances.motion.shutterOpen = -0.7f;
     instances.motion.shutterClose = 0.4f;
     this->Add(instances);
+    EXPECT_TRUE(this->HasSlices());
     std::vector<rtg::Tracer::Probe> probes;
     for (int i = 0; i < 1000; ++i)
     {
@@ -225,7 +226,6 @@ TEST_P(OneTimeAPath, LightGoesStraightFromTheSphereToTheSky)
   // So that further bounces change nothing.
   this->Add(rtg::Material());
   this->settings.shading = rtg::Shading::PathTracing;
-  this->settings.roulette = rtg::Roulette::None;
   this->settings.maximumBounces = 1;
   const std::vector<glm::vec4> once = this->Means();
   this->settings.maximumBounces = 8;
@@ -233,55 +233,35 @@ TEST_P(OneTimeAPath, LightGoesStraightFromTheSphereToTheSky)
   EXPECT_EQ(0, std::memcmp(once.data(), often.data(), once.size() * sizeof(glm::vec4)));
 }
 
-class TimesOf : public MotionTest
+// An edge that moves: its error is much less than the variance of independent times.
+TEST_P(MotionTest, TimesAreStratified)
 {
-protected:
-  // An edge that moves: its error is much less than the variance of independent times.
-  void ExpectStratified(rtg::Sampler sampler)
+  rtg::GlyphInstances instances;
+  instances.shape = rtg::Shape::Box;
+  instances.centres = { glm::vec3(-0.75f, 0.0f, 0.0f) };
+  instances.sizes3 = { glm::vec3(0.5f, 4.0f, 0.5f) };
+  instances.motion.velocities = { { 1.0f, 0.0f, 0.0f } };
+  instances.motion.shutterOpen = 0.0f;
+  instances.motion.shutterClose = 1.0f;
+  this->Add(instances);
+  this->settings.samples = 16;
+  const std::vector<glm::vec4> means = this->Means();
+  double squares = 0.0, variances = 0.0;
+  for (std::uint32_t pixel = 0; pixel < means.size(); ++pixel)
   {
-    rtg::GlyphInstances instances;
-    instances.shape = rtg::Shape::Box;
-    instances.centres = { glm::vec3(-0.75f, 0.0f, 0.0f) };
-    instances.sizes3 = { glm::vec3(0.5f, 4.0f, 0.5f) };
-    instances.motion.velocities = { { 1.0f, 0.0f, 0.0f } };
-    instances.motion.shutterOpen = 0.0f;
-    instances.motion.shutterClose = 1.0f;
-    this->Add(instances);
-    this->settings.samples = 16;
-    this->settings.sampler = sampler;
-    const std::vector<glm::vec4> means = this->Means();
-    double squares = 0.0, variances = 0.0;
-    for (std::uint32_t pixel = 0; pixel < means.size(); ++pixel)
+    double expected = 0.0;
+    for (std::uint32_t s = 0; s < 16; ++s)
     {
-      double expected = 0.0;
-      for (std::uint32_t s = 0; s < 16; ++s)
-      {
-        const double x = this->Position(pixel, s).x;
-        const double share = std::max(std::min(x + 1.0, 1.0) - std::max(x + 0.5, 0.0), 0.0);
-        expected += share / 16.0;
-        variances += share * (1.0 - share) / 256.0;
-      }
-      squares += (means[pixel].a - expected) * (means[pixel].a - expected);
+      const double x = this->Position(pixel, s).x;
+      const double share = std::max(std::min(x + 1.0, 1.0) - std::max(x + 0.5, 0.0), 0.0);
+      expected += share / 16.0;
+      variances += share * (1.0 - share) / 256.0;
     }
-    // Of 16 samples, each of the two times at which an edge passes misplaces one or, where times wrap around, two: in
-    // the mean much less than the share of independent samples that chance misplaces.
-    EXPECT_LT(squares, 0.25 * variances);
+    squares += (means[pixel].a - expected) * (means[pixel].a - expected);
   }
-};
-
-TEST_P(TimesOf, SobolAreStratified)
-{
-  this->ExpectStratified(rtg::Sampler::Sobol);
-}
-
-TEST_P(TimesOf, BlueNoiseAreStratified)
-{
-  this->ExpectStratified(rtg::Sampler::BlueNoise);
-}
-
-TEST_P(TimesOf, StratifiedAreStratified)
-{
-  this->ExpectStratified(rtg::Sampler::Stratified);
+  // Of 16 samples, each of the two times at which an edge passes misplaces one or, where times wrap around, two: in
+  // the mean much less than the share of independent samples that chance misplaces.
+  EXPECT_LT(squares, 0.25 * variances);
 }
 
 TEST_P(MotionTest, StreaksKeepTheColoursOfTheirGlyphs)
@@ -329,7 +309,7 @@ TEST_P(MotionTest, FastSpheresAreSeenForTheirShareOfTheTime)
   instances.motion.shutterClose = 1.0f;
   this->Add(instances);
   this->settings.samples = 1024;
-  this->settings.sampler = rtg::Sampler::Random;
+  this->settings.independentSamples = true;
   double found = 0.0, expected = 0.0;
   const std::vector<glm::vec4> means = this->Means();
   for (std::uint32_t pixel = 0; pixel < means.size(); ++pixel)
@@ -417,15 +397,10 @@ TEST_P(MotionTest, RefusesWhatMakesNoSense)
   EXPECT_NE(message([](auto& i) { i.motion.shutterOpen = NAN; }).find("must close later"), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ways, MotionTest,
-  ::testing::Values(Way{ rtg::Structure::Boxes, 0 }, Way{ rtg::Structure::Tree, 3 }),
-  ::testing::PrintToStringParamName());
 INSTANTIATE_TEST_SUITE_P(
-  Ways, MotionOfShapes, ::testing::Values(Way{ rtg::Structure::Tree, 3 }), ::testing::PrintToStringParamName());
-INSTANTIATE_TEST_SUITE_P(
-  Ways, OneTimeAPath, ::testing::Values(Way{ rtg::Structure::Tree, 0 }), ::testing::PrintToStringParamName());
-INSTANTIATE_TEST_SUITE_P(
-  Ways, TimesOf, ::testing::Values(Way{ rtg::Structure::Tree, -1 }), ::testing::PrintToStringParamName());
+  Structures, MotionTest, ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree), StructureName);
+INSTANTIATE_TEST_SUITE_P(Structures, MotionOfShapes, ::testing::Values(rtg::Structure::Tree), StructureName);
+INSTANTIATE_TEST_SUITE_P(Structures, OneTimeAPath, ::testing::Values(rtg::Structure::Tree), StructureName);
 
 TEST(GlyphBoxesOfPaths, HoldEveryTimeAndAreTight)
 {

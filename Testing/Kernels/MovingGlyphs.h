@@ -114,20 +114,7 @@ inline Double::Glyph GlyphAt(const rtg::GlyphInstances& instances, std::size_t i
   return glyph;
 }
 
-// With the driver's structure, and with trees of one, of eight and of a chosen number of slices.
-struct Way
-{
-  rtg::Structure structure;
-  int sliceBits;
-};
-
-inline void PrintTo(const Way& way, std::ostream* out)
-{
-  *out << (way.structure == rtg::Structure::Boxes ? "Boxes" : "Tree")
-       << (way.sliceBits < 0 ? "Chosen" : std::to_string(1 << way.sliceBits));
-}
-
-class MotionTest : public ::testing::TestWithParam<Way>
+class MotionTest : public ::testing::TestWithParam<rtg::Structure>
 {
 protected:
   std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
@@ -142,9 +129,11 @@ protected:
   {
     this->settings.width = this->settings.height = 40;
     this->settings.keepSums = true;
-    this->scene.GetState().structure = GetParam().structure;
-    this->scene.GetState().timeSliceBits = GetParam().sliceBits;
+    this->scene.GetState().structure = GetParam();
   }
+
+  // Whether a tree has several slices of time, where glyphs have trees.
+  bool HasSlices() { return GetParam() == rtg::Structure::Boxes || this->scene.GetState().placedTimeSliceBits > 0; }
 
   rtg::Scene::SetId Add(const rtg::GlyphInstances& instances)
   {
@@ -174,7 +163,8 @@ protected:
   // variances is then chi-squared. Fails by chance once in 10,000.
   void ExpectCoverage(const std::function<double(glm::dvec2)>& share)
   {
-    this->settings.sampler = rtg::Sampler::Random;
+    this->settings.independentSamples = true;
+    EXPECT_TRUE(this->HasSlices());
     const std::vector<glm::vec4> means = this->Means();
     double chiSquared = 0.0, total = 0.0, expectedTotal = 0.0, variance = 0.0;
     int freedoms = 0;
@@ -249,5 +239,11 @@ private:
   rtg::Shape shape_;
   std::vector<Moment> moments_;
 };
+
+// After the names of the tests.
+inline std::string StructureName(const ::testing::TestParamInfo<rtg::Structure>& info)
+{
+  return info.param == rtg::Structure::Boxes ? "Boxes" : "Tree";
+}
 
 } // namespace moving

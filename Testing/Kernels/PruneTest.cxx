@@ -85,7 +85,7 @@ std::map<std::string, std::set<std::string>> Callers(const rtg::programs::Code& 
 // What is cut out with a shape must not be called for another one.
 TEST(Prune, EntriesOfShapesAreCalledByTheRegistryAlone)
 {
-  for (int program = 0; program < 4; ++program)
+  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
   {
     const auto callers = Callers(rtg::programs::ownTreesGeneration[program]);
     const auto of = [&](const std::string& function)
@@ -105,7 +105,7 @@ TEST(Prune, EntriesOfShapesAreCalledByTheRegistryAlone)
 
 TEST(Prune, LeavesConstantsAndWhatIsCalled)
 {
-  for (int program = 0; program < 4; ++program)
+  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
   {
     const rtg::programs::Code& code = rtg::programs::ownTreesGeneration[program];
     const Contents before = Read(code.words, code.bytes / sizeof(std::uint32_t));

@@ -85,6 +85,20 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
   const Quad half = 0.5;
   switch (this->shape_)
   {
+    case Shape::Sphere:
+      this->balls_ = { { 0, half, -half, half } };
+      break;
+    case Shape::Capsule:
+    {
+      // The unit along x is the larger diameter.
+      const Quad diameter = std::max(size.y, size.z), end = half * size.x / diameter;
+      this->scale_.x = diameter;
+      this->size_ = std::max(double(size.x) + double(diameter), this->size_);
+      this->profile_ = { { -end, half }, { end, half } };
+      this->balls_ = { { -end, half, -end - half, -end }, { end, half, end, end + half } };
+      this->smoothStart_ = this->smoothEnd_ = true;
+      break;
+    }
     case Shape::Cylinder:
       this->profile_ = { { -half, 0 }, { -half, half }, { half, half }, { half, 0 } };
       break;
@@ -110,7 +124,7 @@ void ReferenceGlyph::MakeArrow(Quad factor)
   const Quad outwards = (factor - 1) * std::max(form.shaftRadius, form.tipRadius);
   Quad height = form.tipLength;
   Quad end = 1;
-  this->ball_ = 0;
+  this->balls_.clear();
   this->smoothEnd_ = false;
   if (form.fixedHeads)
   {
@@ -145,13 +159,14 @@ void ReferenceGlyph::MakeArrow(Quad factor)
     else
     {
       const Quad inradius = tip * height / (tip + sqrtq(tip * tip + height * height));
-      this->ball_ = Quad(form.tipRounding) * form.tipRounding * inradius;
-      this->ballCentre_ = end - this->ball_;
+      const Quad ball = Quad(form.tipRounding) * form.tipRounding * inradius;
+      const Quad centre = end - ball;
       // Angle at the base's rim between the axis and the line that touches the ball.
-      const Quad toCentre = this->ballCentre_ - base;
+      const Quad toCentre = centre - base;
       const Quad distance = sqrtq(tip * tip + toCentre * toCentre);
-      const Quad angle = atan2q(tip, toCentre) - asinq(this->ball_ / distance);
-      this->profile_.push_back({ this->ballCentre_ + this->ball_ * sinq(angle), this->ball_ * cosq(angle) });
+      const Quad angle = atan2q(tip, toCentre) - asinq(ball / distance);
+      this->profile_.push_back({ centre + ball * sinq(angle), ball * cosq(angle) });
+      this->balls_ = { { centre, ball, this->profile_.back().h, end } };
       this->smoothEnd_ = true;
     }
   }
@@ -201,10 +216,6 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
   {
     this->MeetSuperquadric(ray, found);
   }
-  else if (this->shape_ == Shape::Sphere)
-  {
-    this->MeetSphere(ray, 0, Quad(0.5), -1, found);
-  }
   else if (this->shape_ == Shape::NestedSuperquadric)
   {
     const NestedReference nested(this->exponents_.x, this->exponents_.y, this->exponents_.z);
@@ -233,12 +244,13 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
       }
       else
       {
-        this->MeetFrustum(ray, a, b, this->smoothEnd_ && i + 2 == this->profile_.size(), found);
+        this->MeetFrustum(
+          ray, a, b, this->smoothStart_ && i == 0, this->smoothEnd_ && i + 2 == this->profile_.size(), found);
       }
     }
-    if (this->ball_ > 0)
+    for (const Ball& ball : this->balls_)
     {
-      this->MeetSphere(ray, this->ballCentre_, this->ball_, this->profile_.back().h, found);
+      this->MeetBall(ray, ball, found);
     }
   }
 
@@ -301,14 +313,14 @@ void ReferenceGlyph::MeetRectangles(const UnitRay& ray, std::vector<ReferenceCro
   }
 }
 
-void ReferenceGlyph::MeetSphere(
-  const UnitRay& ray, Quad centre, Quad radius, Quad from, std::vector<ReferenceCrossing>& crossings) const
+void ReferenceGlyph::MeetBall(const UnitRay& ray, const Ball& ball, std::vector<ReferenceCrossing>& crossings) const
 {
-  const QuadVector o{ ray.origin.x - centre, ray.origin.y, ray.origin.z };
-  for (const Quad t : Roots(Dot(ray.direction, ray.direction), Dot(o, ray.direction), Dot(o, o) - radius * radius))
+  const QuadVector o{ ray.origin.x - ball.centre, ray.origin.y, ray.origin.z };
+  const Quad c = Dot(o, o) - ball.radius * ball.radius;
+  for (const Quad t : Roots(Dot(ray.direction, ray.direction), Dot(o, ray.direction), c))
   {
     const QuadVector p = At(o, ray.direction, t);
-    if (p.x + centre >= from - tolerance)
+    if (p.x + ball.centre >= ball.from - tolerance && p.x + ball.centre <= ball.to + tolerance)
     {
       this->Add(t, p, 1, crossings);
     }
@@ -333,8 +345,8 @@ void ReferenceGlyph::MeetAnnulus(
   }
 }
 
-void ReferenceGlyph::MeetFrustum(
-  const UnitRay& ray, ProfilePoint a, ProfilePoint b, bool smoothEnd, std::vector<ReferenceCrossing>& crossings) const
+void ReferenceGlyph::MeetFrustum(const UnitRay& ray, ProfilePoint a, ProfilePoint b, bool smoothStart, bool smoothEnd,
+  std::vector<ReferenceCrossing>& crossings) const
 {
   const QuadVector& o = ray.origin;
   const QuadVector& d = ray.direction;
@@ -346,7 +358,7 @@ void ReferenceGlyph::MeetFrustum(
   {
     const QuadVector p = At(o, d, t);
     const Quad r = a.r + slope * (p.x - a.h);
-    const Quad inside = std::min(p.x - a.h, smoothEnd ? Quad(1) : b.h - p.x);
+    const Quad inside = std::min(smoothStart ? Quad(1) : p.x - a.h, smoothEnd ? Quad(1) : b.h - p.x);
     if (p.x >= a.h - tolerance && p.x <= b.h + tolerance && r >= -tolerance && (a.r > 0 || b.r > 0))
     {
       this->Add(t, { -slope * fabsq(r), p.y, p.z }, inside, crossings);

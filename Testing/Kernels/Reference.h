@@ -52,16 +52,21 @@ private:
     Quad h, r;
   };
 
+  /// The part between two heights of a ball on the axis.
+  struct Ball
+  {
+    Quad centre, radius, from, to;
+  };
+
   QuadVector Turned(const QuadVector& v, bool toWorld) const;
   void MakeArrow(Quad factor);
   void Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance, std::vector<ReferenceCrossing>& crossings) const;
   /// Superquadrics: SuperquadricReference.cxx.
   void MeetSuperquadric(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const;
   void MeetRectangles(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const;
-  void
-  MeetSphere(const UnitRay& ray, Quad centre, Quad radius, Quad from, std::vector<ReferenceCrossing>& crossings) const;
+  void MeetBall(const UnitRay& ray, const Ball& ball, std::vector<ReferenceCrossing>& crossings) const;
   void MeetAnnulus(const UnitRay& ray, ProfilePoint a, ProfilePoint b, std::vector<ReferenceCrossing>& crossings) const;
-  void MeetFrustum(const UnitRay& ray, ProfilePoint a, ProfilePoint b, bool smoothEnd,
+  void MeetFrustum(const UnitRay& ray, ProfilePoint a, ProfilePoint b, bool smoothStart, bool smoothEnd,
     std::vector<ReferenceCrossing>& crossings) const;
 
   Shape shape_;
@@ -73,9 +78,8 @@ private:
   Quad rotation_[3][3];
   /// Round shapes: the outline in the half plane of the axis (x here) and the distance from it.
   std::vector<ProfilePoint> profile_;
-  bool smoothEnd_ = false; ///< the profile's last segment runs tangentially into the ball
-  Quad ball_ = 0;          ///< radius of the ball at the profile's end, 0: none
-  Quad ballCentre_ = 0;
+  bool smoothStart_ = false, smoothEnd_ = false; ///< the first, the last segment runs tangentially into a ball
+  std::vector<Ball> balls_;
   double size_ = 0.0;
 };
 

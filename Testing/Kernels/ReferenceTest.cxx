@@ -41,6 +41,16 @@ TEST(ReferenceTest, Centred)
   // The cone's radius is 0.25 half way along x.
   ExpectCrossings(Unit(Shape::Cone), { 0, -3, 0 }, { 0, 1, 0 }, { 2.75, 3.25 });
   ExpectCrossings(Unit(Shape::Cone), { -3, 0.25, 0 }, { 1, 0, 0 }, { 2.5, 3.0 });
+  // The capsule's cylinder reaches to +-0.5 along x, its ends to +-1; through a side, along it, through both ends, past
+  // one.
+  ExpectCrossings(Unit(Shape::Capsule), { 0.4, -3, 0.3 }, { 0, 1, 0 }, { 2.6, 3.4 });
+  ExpectCrossings(Unit(Shape::Capsule), { -3, 0.3, 0 }, { 1, 0, 0 }, { 2.1, 3.9 });
+  ExpectCrossings(Unit(Shape::Capsule), { 0.8, -3, 0 }, { 0, 1, 0 }, { 2.6, 3.4 });
+  ExpectCrossings(Unit(Shape::Capsule), { 0.9, -3, 0.31 }, { 0, 1, 0 }, {});
+  // Flattened along y: half-axes 1, 0.5 and 1 of its ends, 3 to their middles.
+  ExpectCrossings(Unit(Shape::Capsule, { 6, 1, 2 }), { -5, 0, 0 }, { 1, 0, 0 }, { 1, 9 });
+  ExpectCrossings(Unit(Shape::Capsule, { 6, 1, 2 }), { 3.6, -3, 0 }, { 0, 1, 0 }, { 2.6, 3.4 });
+  ExpectCrossings(Unit(Shape::Capsule, { 6, 1, 2 }), { 3.6, 0, -3 }, { 0, 0, 1 }, { 2.2, 3.8 });
   ExpectCrossings(Unit(Shape::Sphere, { 2, 4, 6 }), { 0, -5, 0 }, { 0, 1, 0 }, { 3, 7 });
 }
 

@@ -1,5 +1,4 @@
 // Frame.glsl, Sobol.glsl and Principled.glsl as C++: what the samplers and the scattering model promise.
-#include "BlueNoise.h"
 #include "Shading/Shading.h"
 
 #include <glm/gtc/constants.hpp>
@@ -116,62 +115,6 @@ TEST(Sobol, SeedsGiveIndependentNumbers)
   // Deviations sqrt(1/12) and 1/12 of one value; five of the means'.
   EXPECT_NEAR(mean, 0.0, 5.0 * std::sqrt(1.0 / 12.0 / count));
   EXPECT_NEAR(cross, 0.0, 5.0 / 12.0 / std::sqrt(double(count)));
-}
-
-TEST(Permutation, IsOne)
-{
-  for (uint count : { 1u, 2u, 3u, 7u, 16u, 100u, 1000u })
-  {
-    std::set<uint> images;
-    for (uint i = 0; i < count; ++i)
-    {
-      const uint image = Permuted(i, count, 77u);
-      ASSERT_LT(image, count);
-      images.insert(image);
-    }
-    EXPECT_EQ(images.size(), count);
-  }
-}
-
-TEST(StratifiedNumbers, FillEveryCellOnce)
-{
-  for (uint count : { 4u, 16u, 20u, 100u })
-  {
-    const uint columns = uint(std::floor(std::sqrt(float(count))));
-    const uint rows = count / columns;
-    std::set<std::pair<uint, uint>> cells;
-    for (uint i = 0; i < rows * columns; ++i)
-    {
-      const uvec2 p = Stratified(i, count, 9u);
-      cells.insert({ uint(UnitInterval(p.x) * columns), uint(UnitInterval(p.y) * rows) });
-    }
-    EXPECT_EQ(cells.size(), rows * columns);
-  }
-}
-
-TEST(BlueNoise, IsEvenAndHighFrequency)
-{
-  const std::uint32_t side = 32;
-  const std::vector<std::uint32_t> tile = rtg::BlueNoiseTile(side);
-  ASSERT_EQ(tile.size(), side * side);
-  std::vector<std::uint32_t> sorted = tile;
-  std::sort(sorted.begin(), sorted.end());
-  double noise = 0.0, smooth = 0.0;
-  for (std::size_t i = 0; i < tile.size(); ++i)
-  {
-    EXPECT_EQ(sorted[i] >> 22, i); // evenly spread
-    // The variance of 3 x 3 means is a ninth of the values' when they are independent; here far less.
-    double sum = 0.0;
-    for (int k = 0; k < 9; ++k)
-    {
-      const std::uint32_t x = (i % side + k % 3) % side, y = (i / side + k / 3) % side;
-      sum += UnitInterval(tile[y * side + x]) - 0.5;
-    }
-    smooth += sum * sum / 81.0;
-    const double value = UnitInterval(tile[i]) - 0.5;
-    noise += value * value;
-  }
-  EXPECT_LT(smooth, 0.25 * noise / 9.0);
 }
 
 namespace

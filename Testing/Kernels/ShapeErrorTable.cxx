@@ -317,6 +317,11 @@ int main(int argc, char** argv)
     TableOfSpheres(csv);
     return 0;
   }
+  if (argc > 1 && argv[1][0] == '-')
+  {
+    std::fprintf(stderr, "Usage: ShapeErrorTable [--speed | --spheres] [file.csv], not %s\n", argv[1]);
+    return 2;
+  }
   std::ofstream file;
   if (argc > 1)
   {

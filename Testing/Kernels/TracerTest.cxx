@@ -785,7 +785,7 @@ TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
   { EXPECT_NE(message(change).find(what), std::string::npos) << what << ": " << message(change); };
   names("5 sizes along three axes for 4 glyphs", [](auto& i) { i.sizes3.resize(5, glm::vec3(1.0f)); });
   names("3 sizes for 4 glyphs", [](auto& i) { i.sizes1.resize(3, 1.0f); });
-  names("7 low parts of centres for 4 glyphs", [](auto& i) { i.centresLow.resize(7); });
+  names("7 low parts of centers for 4 glyphs", [](auto& i) { i.centresLow.resize(7); });
   names("1 rotations for 4 glyphs", [](auto& i) { i.rotations.resize(1); });
   names("8 exponents for 4 glyphs", [](auto& i) { i.exponents3.resize(8, glm::vec3(2.0f)); });
   names("2 quadratic forms for 4 glyphs", [](auto& i) { i.forms.resize(2); });

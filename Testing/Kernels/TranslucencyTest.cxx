@@ -1,10 +1,12 @@
 // What shines through translucent glyphs: every layer counts once, however far away the camera is and however many
 // glyphs there are.
+#include "BoxMesh.h"
 #include "LightFixture.h"
 
 #include "SceneState.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace rtg
 {
@@ -99,6 +101,59 @@ TEST_P(TranslucencyTest, BothSidesOfABallShowAtEveryDistance)
     }
     EXPECT_NEAR(mean, both, certain * std::sqrt(both * (1.0 - both) / (40.0 * 40.0 * 64.0)))
       << "camera " << distance << " glyph sizes away";
+  }
+}
+
+// Opacities of glyphs are as the alphas of their colors would be, of balls and of copies of a mesh.
+TEST_P(TranslucencyTest, GlyphsHaveTheirOwnOpacities)
+{
+  std::vector<float> opacities;
+  rtg::GlyphColours colours;
+  for (std::uint32_t i = 0; i < 60; ++i)
+  {
+    const std::uint32_t alpha = 255 - 4 * i;
+    opacities.push_back(static_cast<float>(alpha) / 255.0f);
+    colours.push_back(alpha << 24 | 0xffffffu);
+  }
+  rtg::GlyphInstances balls;
+  balls.centres = Clutter(3, 60);
+  balls.uniformSize = 0.4f;
+  rtg::GlyphInstances boxes = balls;
+  boxes.shape = Shape::Mesh;
+  boxes.mesh = std::make_shared<rtg::TriangleMesh>(rtg::testing::BoxMesh());
+  for (rtg::GlyphInstances& instances : { std::ref(balls), std::ref(boxes) })
+  {
+    const auto id = this->scene.Add();
+    rtg::Material material;
+    material.opacity = 0.8f;
+    this->scene.SetMaterial(id, material);
+    this->settings.keepSums = true;
+    std::vector<glm::vec4> byColour[2], byOpacity[2];
+    for (const bool own : { false, true })
+    {
+      instances.opacities = own ? opacities : std::vector<float>();
+      this->scene.SetInstances(id, instances);
+      this->scene.SetColours(id, own ? rtg::GlyphColours() : colours);
+      EXPECT_TRUE(this->scene.HasTranslucent());
+      for (const Shading shading : { Shading::Local, Shading::PathTracing })
+      {
+        this->settings.shading = shading;
+        this->Trace(rtg::Pass::Translucent);
+        (own ? byOpacity : byColour)[shading == Shading::Local] = this->tracer.Means();
+      }
+    }
+    for (const int shading : { 0, 1 })
+    {
+      std::size_t covered = 0, wrong = 0;
+      for (std::size_t at = 0; at < byColour[shading].size(); ++at)
+      {
+        covered += byColour[shading][at].a > 0.0f;
+        wrong += glm::length(byColour[shading][at] - byOpacity[shading][at]) > 1e-4f;
+      }
+      EXPECT_GT(covered, 200u);
+      EXPECT_EQ(wrong, 0u) << "of " << covered << " pixels";
+    }
+    this->scene.Remove(id);
   }
 }
 

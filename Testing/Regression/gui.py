@@ -14,7 +14,7 @@ import comparison  # noqa: E402
 import session  # noqa: E402
 from window import run  # noqa: E402
 
-SHAPES = ("Sphere", "Box", "Cylinder", "Cone", "Arrow")
+SHAPES = ("Sphere", "Box", "Cylinder", "Capsule", "Cone", "Arrow")
 
 
 def main():

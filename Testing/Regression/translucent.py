@@ -77,6 +77,38 @@ def unlit(points, mode, samples):
     return captured[..., :3]
 
 
+def own_opacities(failures):
+    """Opacities from an array multiply that of the representation; of 0 there is no glyph, beyond 1 and NaN count as 1."""
+    generator = numpy.random.default_rng(7)
+    places = generator.uniform(-1.0, 1.0, (24, 3))
+    half = numpy.arange(24) % 2 == 0
+    values = {"half": numpy.full(24, 0.5), "some": numpy.where(half, 0.0, 7.0), "odd": numpy.where(half, numpy.nan, 1.0)}
+    every = session.source(session.poly_data(places, **values))
+    rest = session.source(session.poly_data(places[~half]))
+
+    def picture(name, source, opacity=1.0, **properties):
+        view = peeling_view()
+        shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.6, **properties)
+        session.solid(shown, (0.8, 0.5, 0.2))
+        shown.Opacity = opacity
+        said = session.messages(lambda: pv.Render(view))
+        if said:
+            failures.append("opacities, %s: %s" % (name, said))
+        result = session.capture(view, "opacities-" + name)
+        pv.Delete(view)
+        return result
+    # An opacity of 0 makes the whole set translucent, whose edges are blended into eight bits once more.
+    for name, mine, other, allowed in (
+            ("half", picture("half", every, GlyphOpacityArray="half"), picture("plain half", every, 0.5), 0),
+            ("half of half", picture("half of half", every, 0.5, GlyphOpacityArray="half"), picture("quarter", every, 0.25), 0),
+            ("some", picture("some", every, GlyphOpacityArray="some"), picture("rest", rest), 1),
+            ("not a number", picture("not a number", every, GlyphOpacityArray="odd"), picture("opaque", every), 0)):
+        apart = int(numpy.abs(mine.astype(int) - other).max())
+        print("opacities, %s: %d levels apart at most" % (name, apart))
+        if apart > allowed or (mine == mine[0, 0]).all():
+            failures.append("opacities, %s: %d levels apart" % (name, apart))
+
+
 def main():
     """Against ParaView, then mode against mode."""
     session.load()
@@ -96,6 +128,7 @@ def main():
     print("path tracing differs from local shading by %s levels over %d pixels" % (numpy.round(apart, 2), both.sum()))
     if both.sum() < 20000 or numpy.abs(apart).max() > 1.0:
         failures.append("path tracing shows other layers than local shading: %s levels apart over %d pixels" % (apart, both.sum()))
+    own_opacities(failures)
     session.finish(failures)
 
 

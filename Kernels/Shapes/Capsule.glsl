@@ -1,0 +1,124 @@
+// Capsule along x, centered: a cylinder of length 1 and radius 0.5 with half balls on its ends: 2 long in all. Its
+// sizes are the length of the cylinder and the diameters along y and z. Where these differ it is the round capsule of
+// the larger diameter, flattened along the other axis: seen along that axis its ends are half discs.
+#ifndef RTG_CAPSULE
+#define RTG_CAPSULE
+
+#include "Estimate.glsl"
+#include "Disc.glsl"
+#include "Span.glsl"
+#include "Sphere.glsl"
+
+// The half-axes of the ends.
+RTG_FN real3 CapsuleEnd(Glyph glyph)
+{
+  return real(0.5) * real3(max(glyph.size.y, glyph.size.z), glyph.size.y, glyph.size.z);
+}
+
+// Half the extents of the whole.
+RTG_FN real3 CapsuleHalfSize(Glyph glyph)
+{
+  return CapsuleEnd(glyph) + real3(real(0.5) * glyph.size.x, real(0.0), real(0.0));
+}
+
+// Half the length of the cylinder where its radius is 1.
+RTG_FN DoubleWord CapsuleHalfLength(Glyph glyph)
+{
+  return Divide(Word(glyph.size.x), Word(max(glyph.size.y, glyph.size.z)));
+}
+
+// The part of the ray in the half ball on the end at +x or, with `side` -1, at -x. It starts at the very plane where
+// the cylinder ends: next to it their surfaces are too close to tell which is outside.
+RTG_FN Span CapsuleEndSpan(LocalRay ray, DoubleWord halfLength, real side)
+{
+  DoubleWord plane = Multiply(halfLength, side);
+  DoubleWord beyond = Add(plane, real(2.0) * side);
+  DoubleWord first = beyond;
+  DoubleWord last = plane;
+  if (side > real(0.0))
+  {
+    first = plane;
+    last = beyond;
+  }
+  Span part = Slab(WordX(ray.origin), WordX(ray.direction), first, last, 0, 0);
+  return Intersection(part, BallSpan(ray, plane, Word(real(1.0)), 0));
+}
+
+// The ray in the frame where the capsule is round and its radius is 1.
+RTG_FN bool
+CapsuleCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
+{
+  LocalRay world;
+  if (!ToLocal(ray, glyph, real3(real(0.0)), CapsuleHalfSize(glyph), world))
+  {
+    return NoCrossing(local, crossing);
+  }
+  real3 end = CapsuleEnd(glyph);
+  local.start = world.start;
+  local.origin = Divide(world.origin, end);
+  local.direction = Divide(world.direction, end);
+
+  Span side = RoundSpan(WordY(local.origin), WordZ(local.origin), Word(real(1.0)), WordY(local.direction),
+    WordZ(local.direction), Word(real(0.0)), 0);
+  if (IsEmpty(side))
+  {
+    return NoCrossing(local, crossing);
+  }
+  DoubleWord halfLength = CapsuleHalfLength(glyph);
+  Span body =
+    Intersection(Slab(WordX(local.origin), WordX(local.direction), Minus(halfLength), halfLength, 0, 0), side);
+  Span ends = Hull(CapsuleEndSpan(local, halfLength, real(-1.0)), CapsuleEndSpan(local, halfLength, real(1.0)));
+  return FirstCrossing(local, Hull(body, ends), tMin, tMax, crossing);
+}
+
+RTG_FN bool IntersectCapsule(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+{
+  LocalRay local;
+  Crossing crossing;
+  bool found = CapsuleCrossing(ray, glyph, tMin, tMax, local, crossing);
+  t = crossing.t;
+  return found;
+}
+
+RTG_FN Enclosure CapsuleEnclosure(Glyph glyph)
+{
+  Enclosure outer = BoxedEnclosure(glyph);
+  outer.halfSize = CapsuleHalfSize(glyph);
+  // Of a capsule with the half-length h and the radius 1, squeezed by h + 1: its farthest points lie on the half balls
+  // and have the square 2 (h + 1) / (h + 2).
+  real halfLength = glyph.size.x / max(glyph.size.y, glyph.size.z);
+  outer.radius = real(1.000001) * sqrt(real(2.0) * (halfLength + real(1.0)) / (halfLength + real(2.0)));
+  return outer;
+}
+
+RTG_FN real3 CapsuleNormal(GlyphRay ray, Glyph glyph, real t)
+{
+  LocalRay local;
+  Crossing crossing;
+  CapsuleCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
+  // The ray from the crossing, and from the middle of the half ball when the crossing lies on one.
+  local = Advance(Advance(local, crossing.s.hi), crossing.s.lo);
+  DoubleWord x = WordX(local.origin);
+  DoubleWord halfLength = CapsuleHalfLength(glyph);
+  DoubleWord middle = x.hi < real(0.0) ? Minus(halfLength) : halfLength;
+  DoubleWord fromMiddle = Subtract(x, middle);
+  real3 p = real3(real(0.0), local.origin.hi.y, local.origin.hi.z);
+  if (fromMiddle.hi * x.hi > real(0.0))
+  {
+    local.origin.hi.x = fromMiddle.hi;
+    local.origin.lo.x = fromMiddle.lo;
+    p = OnUnitSphere(local);
+  }
+  real smallest = min(glyph.size.y, glyph.size.z);
+  return normalize(RotateToWorld(glyph, p * (real(0.5) * real3(smallest) / CapsuleEnd(glyph))));
+}
+
+RTG_FN void CapsuleBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+{
+  real3 axis = RotateToWorld(glyph, real3(real(0.5) * glyph.size.x, real(0.0), real(0.0)));
+  real3 reach = abs(axis) + EllipsoidReach(glyph, CapsuleEnd(glyph));
+  lower = glyph.centre + (glyph.centreLow - reach);
+  upper = glyph.centre + (glyph.centreLow + reach);
+}
+
+#endif

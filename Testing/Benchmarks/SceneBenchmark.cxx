@@ -1,0 +1,178 @@
+// What an image of each kind of scene costs: one set of glyphs, several, surfaces beside them, translucent ones.
+// Usage: SceneBenchmark [PIXELS] [REPETITIONS] [CSV]
+//
+// Glyphs lie at random in a cube that fills the image (Crowds.h). Printed: processor seconds of an image with local
+// shading, the median and quartiles of the repetitions, which are taken in turns over the scenes, and the cost beside
+// that of the first scene. To compare two trees, run the program of each in turns.
+#include "Crowds.h"
+#include "Measures.h"
+#include "Scene.h"
+#include "Tracer.h"
+#include "Vulkan/Device.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using benchmark::Crowd;
+
+constexpr std::size_t glyphs = 280000, balls = 100000, copies = 20000;
+
+/// A smooth sheet through the cube, of 80,000 triangles.
+rtg::GlyphInstances Sheet()
+{
+  constexpr std::uint32_t side = 201;
+  auto mesh = std::make_shared<rtg::TriangleMesh>();
+  for (std::uint32_t j = 0; j < side; ++j)
+  {
+    for (std::uint32_t i = 0; i < side; ++i)
+    {
+      const glm::vec2 at = benchmark::crowdSide * (glm::vec2(i, j) / float(side - 1) - 0.5f);
+      const glm::vec2 phase = 0.15f * at;
+      const glm::vec2 slope(1.5f * std::cos(phase.x), -1.5f * std::sin(phase.y));
+      mesh->positions.emplace_back(at, 10.0f * (std::sin(phase.x) + std::cos(phase.y)));
+      mesh->normals.push_back(glm::normalize(glm::vec3(-slope, 1.0f)));
+      if (i + 1 < side && j + 1 < side)
+      {
+        const std::uint32_t a = j * side + i;
+        mesh->triangles.emplace_back(a, a + 1, a + side);
+        mesh->triangles.emplace_back(a + 1, a + side + 1, a + side);
+      }
+    }
+  }
+  rtg::GlyphInstances instances;
+  instances.shape = rtg::Shape::Mesh;
+  instances.mesh = std::move(mesh);
+  instances.identifyTriangles = true;
+  instances.centres.emplace_back(0.0f);
+  return instances;
+}
+
+/// Copies of an octahedron.
+rtg::GlyphInstances MeshGlyphs()
+{
+  auto mesh = std::make_shared<rtg::TriangleMesh>();
+  mesh->positions = { { 0.5, 0, 0 }, { -0.5, 0, 0 }, { 0, 0.5, 0 }, { 0, -0.5, 0 }, { 0, 0, 0.5 }, { 0, 0, -0.5 } };
+  mesh->triangles = { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 },
+    { 0, 3, 5 } };
+  rtg::GlyphInstances instances = benchmark::MakeInstances({ "", rtg::Shape::Sphere, true }, copies);
+  instances.shape = rtg::Shape::Mesh;
+  instances.mesh = std::move(mesh);
+  return instances;
+}
+
+rtg::GlyphInstances Spheres(std::size_t count, float size)
+{
+  rtg::GlyphInstances instances = benchmark::MakeInstances({ "", rtg::Shape::Sphere, false }, count);
+  instances.uniformSize *= size;
+  return instances;
+}
+
+struct Part
+{
+  rtg::GlyphInstances instances;
+  float opacity = 1.0f;
+};
+
+/// One scene on the device, and the processor seconds of its images.
+class Subject
+{
+public:
+  Subject(std::string name, std::vector<Part> parts)
+    : name_(std::move(name))
+  {
+    for (Part& part : parts)
+    {
+      const rtg::Scene::SetId set = this->scene_.Add();
+      rtg::Material material;
+      material.opacity = part.opacity;
+      this->translucent_ |= part.opacity < 1.0f;
+      this->opaque_ |= part.opacity == 1.0f;
+      this->scene_.SetInstances(set, std::move(part.instances));
+      this->scene_.SetMaterial(set, material);
+    }
+    this->scene_.Commit();
+  }
+
+  void Trace(std::uint32_t pixels, bool counts)
+  {
+    rtg::TraceSettings settings;
+    settings.width = settings.height = pixels;
+    const double start = benchmark::CpuSeconds();
+    if (this->opaque_)
+    {
+      this->tracer_.Trace(this->scene_, benchmark::CrowdCamera(), { rtg::Light() }, settings, rtg::Pass::Opaque);
+    }
+    if (this->translucent_)
+    {
+      this->tracer_.Trace(this->scene_, benchmark::CrowdCamera(), { rtg::Light() }, settings, rtg::Pass::Translucent);
+    }
+    if (counts)
+    {
+      this->seconds_.push_back(benchmark::CpuSeconds() - start);
+    }
+  }
+
+  const std::string& Name() const { return this->name_; }
+  double Seconds(double share) const { return benchmark::Quantile(this->seconds_, share); }
+
+private:
+  std::string name_;
+  std::shared_ptr<rtg::Device> device_ = rtg::Device::Shared();
+  rtg::Scene scene_{ device_ };
+  rtg::Tracer tracer_{ device_ };
+  std::vector<double> seconds_;
+  bool translucent_ = false, opaque_ = false;
+};
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const auto pixels = static_cast<std::uint32_t>(argc > 1 ? std::atoi(argv[1]) : 800);
+  const int repetitions = argc > 2 ? std::atoi(argv[2]) : 7;
+  std::ofstream csv(argc > 3 ? argv[3] : "/dev/null");
+  const Crowd arrows{ "", rtg::Shape::Arrow, true }, random{ "", rtg::Shape::Superquadric, true, 0.5f, 8.0f };
+  const auto crowd = [](const Crowd& of) { return Part{ benchmark::MakeInstances(of, glyphs) }; };
+  const Part packed{ Spheres(glyphs, 1.2f) };
+
+  std::vector<std::unique_ptr<Subject>> subjects;
+  const auto add = [&](const char* name, std::vector<Part> parts)
+  { subjects.push_back(std::make_unique<Subject>(name, std::move(parts))); };
+  add("spheres, packed", { packed });
+  add("spheres, dilute", { { Spheres(glyphs, 0.3f) } });
+  add("spheres, surface", { packed, { Sheet() } });
+  add("spheres, arrows, surface", { packed, crowd(arrows), { Sheet() } });
+  add("spheres, spheres", { { Spheres(glyphs / 2, 1.0f) }, { Spheres(glyphs, 0.5f) } });
+  add("surface", { { Sheet() } });
+  add("mesh glyphs", { { MeshGlyphs() } });
+  add("superquadrics", { crowd(random) });
+  add("balls", { { Spheres(balls, 1.0f) } });
+  add("balls, opacity 0.3", { { Spheres(balls, 1.0f), 0.3f } });
+  add("balls, opacity 0.3, surface", { { Spheres(balls, 1.0f), 0.3f }, { Sheet() } });
+  for (int i = -1; i < repetitions; ++i) // the first one compiles
+  {
+    for (const auto& subject : subjects)
+    {
+      subject->Trace(pixels, i >= 0);
+    }
+  }
+  csv << "scene,CPU s,lower quartile,upper quartile,cost beside the first\n";
+  std::printf("%-30s %8s %8s %8s %8s\n", "scene", "CPU s", "quartile", "quartile", "cost");
+  for (const auto& subject : subjects)
+  {
+    const double median = subject->Seconds(0.5), low = subject->Seconds(0.25), high = subject->Seconds(0.75);
+    const double cost = median / subjects.front()->Seconds(0.5);
+    std::printf("%-30s %8.3f %8.3f %8.3f %8.2f\n", subject->Name().c_str(), median, low, high, cost);
+    csv << '"' << subject->Name() << "\"," << median << ',' << low << ',' << high << ',' << cost << '\n';
+  }
+  return 0;
+}
