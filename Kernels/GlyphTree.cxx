@@ -312,6 +312,10 @@ KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits)
 
 std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& order)
 {
+  if (order.empty())
+  {
+    return boxes;
+  }
   std::vector<Box> sorted(boxes.size());
   ParallelChunks(order.size(),
     [&](std::size_t first, std::size_t last)

@@ -67,7 +67,7 @@ struct KdOrder
 };
 KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits);
 
-/// The boxes in that order.
+/// The boxes in that order; in their own when it is empty.
 std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& order);
 
 /// The surface of all leaves' boxes, to which the number of rays that meet them is in proportion: tells how good an

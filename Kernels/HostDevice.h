@@ -26,6 +26,7 @@ RTG_ARRAY(Vec3Array, vec3, readonly, 4)
 RTG_ARRAY(Vec4Array, vec4, readonly, 4)
 RTG_ARRAY(FloatArray, float, readonly, 4)
 RTG_ARRAY(UintArray, uint, readonly, 4)
+RTG_ARRAY(Uvec2Array, uvec2, readonly, 8)
 RTG_ARRAY(UintImage, uint, , 4)
 RTG_ARRAY(FloatImage, float, , 4)
 #define RTG_ADDRESS(type) type
@@ -186,11 +187,8 @@ const float LEAST_PASSING = 1.0f / 512.0f;
 // lanes, but gather lane by lane behind an address.
 struct FrameRecord
 {
-#ifdef __cplusplus
-  std::uint64_t topLevel;
-#else
-  uvec2 topLevel;
-#endif
+  RTG_ADDRESS(Uvec2Array) topLevels; // addresses of the driver's top-level structures, one for each slice of time
+  uint topLevelCount;
   RTG_ADDRESS(GlyphSetRecords) sets;
   uint setCount;
   uint layerLimit; // layers beyond which nothing shows, or as many as one traversal gathers

@@ -237,14 +237,14 @@ PlacedGlyphs Scene::State::Withdraw(GlyphSet& set)
 {
   if (set.placed.Any())
   {
-    this->DropTopLevel();
+    this->DropTopLevels();
   }
   return std::exchange(set.placed, PlacedGlyphs());
 }
 
-void Scene::State::DropTopLevel()
+void Scene::State::DropTopLevels()
 {
-  this->topLevel = AccelerationStructure();
+  this->topLevels.clear();
   this->records.clear();
   this->topLevelChanged = true;
   ++this->version;
@@ -291,7 +291,7 @@ void Scene::Commit(const std::function<void(double)>& progress)
       catch (...)
       {
         std::for_each(sent.begin(), sent.end(), [&](GlyphSet* set) { state.Withdraw(*set); });
-        state.DropTopLevel();
+        state.DropTopLevels();
         throw;
       }
       for (GlyphSet* set : sent)
@@ -336,7 +336,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
   }
   if (this->topLevelChanged)
   {
-    this->BuildTopLevel();
+    this->BuildTopLevels();
     this->recordsChanged = true;
   }
   if (this->recordsChanged)

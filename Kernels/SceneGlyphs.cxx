@@ -32,6 +32,8 @@ vk::AabbPositionsKHR ToVulkan(const Box& box)
 constexpr std::size_t glyphsPerLeaf = 2;
 // From so many leaves met by a line on average, rays find so soon what stops them that dropping what lies behind pays.
 constexpr double leavesWorthDropping = 20.0;
+// What a glyph takes of lavapipe's structure; those of GPUs are smaller.
+constexpr std::size_t bytesPerBox = 88;
 
 } // namespace
 
@@ -82,8 +84,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
     }
     else
     {
-      Pad(boxes, placed.builtReach);
-      this->BuildBoxes(placed, boxes);
+      this->BuildBoxes(set, placed, std::move(boxes));
     }
     this->statistics.buildSeconds += building.Lap();
   }
@@ -139,19 +140,34 @@ void Scene::State::Sort(GlyphSet& set, const std::vector<Box>& boxes)
   ++this->statistics.sorts;
 }
 
-// One primitive a glyph.
-void Scene::State::BuildBoxes(PlacedGlyphs& placed, const std::vector<Box>& boxes)
+// The driver's structures of a set, one primitive a glyph: of glyphs that move, one for each slice of time.
+void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes)
 {
-  for (std::size_t at = 0; at < boxes.size(); at += this->glyphsPerRun)
+  const bool moves = set.instances.motion.Any();
+  placed.sliceBits = moves ? TimeSliceBits(set.instances, set.count * bytesPerBox) : 0;
+  for (std::size_t at = 0; at < set.count; at += this->glyphsPerRun)
   {
     GlyphRun run;
     run.first = static_cast<std::uint32_t>(at);
-    run.count = static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, boxes.size() - at));
-    std::vector<vk::AabbPositionsKHR> positions(run.count);
-    std::transform(boxes.begin() + at, boxes.begin() + at + run.count, positions.begin(), ToVulkan);
-    run.structure = AccelerationStructure::OverBoxes(this->device->GetState(), positions);
+    run.count = static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, set.count - at));
     placed.runs.push_back(std::move(run));
     ++this->statistics.structureBuilds;
+  }
+  const std::size_t slices = std::size_t(1) << placed.sliceBits;
+  for (std::size_t slice = 0; slice < slices; ++slice)
+  {
+    if (moves)
+    {
+      boxes = InOrder(GlyphBoxes(set.instances, double(slice) / double(slices), double(slice + 1) / double(slices)),
+        set.sorted.order);
+    }
+    Pad(boxes, placed.builtReach);
+    for (GlyphRun& run : placed.runs)
+    {
+      std::vector<vk::AabbPositionsKHR> positions(run.count);
+      std::transform(boxes.begin() + run.first, boxes.begin() + run.first + run.count, positions.begin(), ToVulkan);
+      run.structures.push_back(AccelerationStructure::OverBoxes(this->device->GetState(), positions));
+    }
   }
 }
 
@@ -182,6 +198,7 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vec
   const GlyphTree tree =
     BuildSlices(moves ? TimeSliceBits(set.instances, bytes) : 0, sorted.leafBits, sorted.kdAxes, moves, boxesBetween);
   placed.group.Set(device::ORDER_OF_SLICES, !tree.order.empty());
+  placed.sliceBits = tree.sliceBits;
   placed.tree = PlacedTree(this->device->GetState(), tree);
   GlyphRun run;
   run.count = static_cast<std::uint32_t>(set.count);

@@ -39,21 +39,42 @@ void Scene::State::CheckInstanceCount() const
   }
 }
 
-void Scene::State::BuildTopLevel()
+void Scene::State::BuildTopLevels()
 {
   Stopwatch watch;
-  const bool trees = this->structure == Structure::Tree;
-  if (!trees)
+  if (this->structure == Structure::Boxes)
   {
     this->CheckInstanceCount();
   }
-  std::vector<vk::AccelerationStructureInstanceKHR> instances;
-  this->DropTopLevel();
+  this->DropTopLevels();
+  this->ListSets();
+  if (this->structure == Structure::Boxes && !this->groups.empty())
+  {
+    std::uint32_t sliceBits = 0;
+    for (const auto& [id, set] : this->sets)
+    {
+      sliceBits = std::max(sliceBits, set.Shown() ? set.placed.sliceBits : 0);
+    }
+    std::vector<vk::DeviceAddress> addresses;
+    for (std::uint32_t slice = 0; slice < 1u << sliceBits; ++slice)
+    {
+      this->topLevels.push_back(
+        AccelerationStructure::OverInstances(this->device->GetState(), this->InstancesIn(slice, sliceBits)));
+      addresses.push_back(this->topLevels.back().Address());
+    }
+    this->topLevelAddresses = Send(this->device->GetState(), addresses);
+  }
+  this->statistics.topLevelBuilds += !this->groups.empty();
+  this->statistics.buildSeconds += watch.Lap();
+}
+
+// What the visible sets have in common and what tells them apart.
+void Scene::State::ListSets()
+{
   this->groups.clear();
   this->bounds = Box();
   this->moves = false;
   this->placedTimeSliceBits = 0;
-  std::uint32_t record = 0;
   for (auto& [id, set] : this->sets)
   {
     if (!set.Shown())
@@ -65,14 +86,33 @@ void Scene::State::BuildTopLevel()
     set.listedTranslucent = set.Translucent();
     this->moves |= placed.group.Moves();
     this->placedTimeSliceBits =
-      std::max({ this->placedTimeSliceBits, placed.tree.record.sliceBits, placed.mesh.tree.record.sliceBits });
-    auto group = std::find(this->groups.begin(), this->groups.end(), placed.group);
-    if (group == this->groups.end())
+      std::max({ this->placedTimeSliceBits, placed.sliceBits, placed.mesh.tree.record.sliceBits });
+    if (std::find(this->groups.begin(), this->groups.end(), placed.group) == this->groups.end())
     {
-      group = this->groups.insert(group, placed.group);
+      this->groups.push_back(placed.group);
     }
     const glm::vec3 offset(set.instances.origin - this->origin);
-    for (std::size_t i = 0; !trees && i < placed.runs.size(); ++i)
+    this->bounds.Include(
+      Box{ set.bounds.lower + offset, set.bounds.upper + offset }.Widened(SlabPadding(placed.builtReach)));
+  }
+}
+
+// Of the top-level structure of a slice, out of 2^sliceBits.
+std::vector<vk::AccelerationStructureInstanceKHR>
+Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
+{
+  std::vector<vk::AccelerationStructureInstanceKHR> instances;
+  std::uint32_t record = 0;
+  for (auto& [id, set] : this->sets)
+  {
+    if (!set.Shown())
+    {
+      continue;
+    }
+    const PlacedGlyphs& placed = set.placed;
+    const auto group = std::find(this->groups.begin(), this->groups.end(), placed.group);
+    const glm::vec3 offset(set.instances.origin - this->origin);
+    for (const GlyphRun& run : placed.runs)
     {
       vk::AccelerationStructureInstanceKHR instance;
       const std::array<std::array<float, 4>, 3> translation = { { { 1, 0, 0, offset.x }, { 0, 1, 0, offset.y },
@@ -86,21 +126,14 @@ void Scene::State::BuildTopLevel()
         this->AddMeshInstances(set, instance, instances);
         continue;
       }
-      instance.accelerationStructureReference = placed.runs[i].structure.Address();
+      instance.accelerationStructureReference = run.structures[slice >> (sliceBits - placed.sliceBits)].Address();
       instances.push_back(instance);
     }
-    this->bounds.Include(
-      Box{ set.bounds.lower + offset, set.bounds.upper + offset }.Widened(SlabPadding(placed.builtReach)));
   }
-  if (!instances.empty())
-  {
-    this->topLevel = AccelerationStructure::OverInstances(this->device->GetState(), instances);
-  }
-  this->statistics.topLevelBuilds += !this->groups.empty();
-  this->statistics.buildSeconds += watch.Lap();
+  return instances;
 }
 
-// In the order of BuildTopLevel()'s instances.
+// In the order of InstancesIn().
 void Scene::State::FillRecords()
 {
   std::vector<device::GlyphSetRecord> filled;

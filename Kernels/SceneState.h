@@ -21,7 +21,7 @@ struct GlyphRun
 {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  AccelerationStructure structure;
+  std::vector<AccelerationStructure> structures; ///< of the driver: one for each slice of time
 };
 
 /// What rays find glyphs and triangles by.
@@ -70,7 +70,8 @@ struct PlacedGlyphs
   std::array<Buffer, glyphArrays> arrays; ///< by number; none where the set has no such array
   PlacedTree tree;
   std::vector<GlyphRun> runs;
-  PlacedMesh mesh; ///< Shape::Mesh only
+  std::uint32_t sliceBits = 0; ///< of the tree, or of the runs' structures
+  PlacedMesh mesh;             ///< Shape::Mesh only
 
   bool Any() const { return !this->runs.empty(); }
 };
@@ -133,7 +134,8 @@ struct Scene::State
   std::vector<HitGroup> groups;                ///< of the visible sets, each once
   std::vector<device::GlyphSetRecord> records; ///< none: nothing can be traced
   Buffer recordBuffer;
-  AccelerationStructure topLevel;
+  std::vector<AccelerationStructure> topLevels; ///< one for each slice of time
+  Buffer topLevelAddresses;
   bool moves = false;                    ///< some visible set does
   std::uint32_t placedTimeSliceBits = 0; ///< the most of any visible set
   bool topLevelChanged = true;
@@ -153,9 +155,9 @@ struct Scene::State
   /// The largest coordinate of what is visible, relative to the scene's origin. Ray origins are at most a scene away
   /// from a set, so every set's padding depends on all the others' extent.
   float Measure();
-  /// Takes the set from the device, and with it the top level, which would refer to what is gone.
+  /// Takes the set from the device, and with it the top levels, which would refer to what is gone.
   PlacedGlyphs Withdraw(GlyphSet& set);
-  void DropTopLevel();
+  void DropTopLevels();
   /// Sorts and sends one set's glyphs and builds what rays find them by.
   void Place(GlyphSet& set, float reach);
   /// Those arrays whose bits `variants` has.
@@ -171,10 +173,12 @@ struct Scene::State
   void AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
     std::vector<vk::AccelerationStructureInstanceKHR>& instances) const;
   void Sort(GlyphSet& set, const std::vector<Box>& boxes);
-  void BuildBoxes(PlacedGlyphs& placed, const std::vector<Box>& boxes);
+  void BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes);
   void BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes);
   void CheckInstanceCount() const;
-  void BuildTopLevel();
+  void BuildTopLevels();
+  void ListSets();
+  std::vector<vk::AccelerationStructureInstanceKHR> InstancesIn(std::uint32_t slice, std::uint32_t sliceBits);
   void FillRecords();
 };
 

@@ -132,7 +132,8 @@ void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene, 
   Device::State& vulkan = this->device->GetState();
   frame.launchWidth = width;
   frame.rays = this->rays.Address();
-  frame.topLevel = scene.topLevel.Address();
+  frame.topLevels = scene.topLevelAddresses.Address();
+  frame.topLevelCount = static_cast<std::uint32_t>(scene.topLevels.size());
   frame.onlySet = scene.records.front();
   if (this->frameBuffer.Size() == 0)
   {

@@ -131,9 +131,10 @@ void TraceDriver(Query query, uint flags, uint mask)
   {
     frame.rays.at[LaunchIndex()].seed = query.seed;
   }
+  uint slice = moves ? uint(frame.rays.at[LaunchIndex()].time * float(frame.topLevelCount)) : 0u;
   // The miss program makes it negative.
   payload.t = 0.0;
-  traceRayEXT(accelerationStructureEXT(frame.topLevel), gl_RayFlagsOpaqueEXT | flags, mask, 0u, 0u, 0u,
+  traceRayEXT(accelerationStructureEXT(frame.topLevels.at[slice]), gl_RayFlagsOpaqueEXT | flags, mask, 0u, 0u, 0u,
     query.ray.origin.hi, query.tMin, query.ray.direction, query.tMax, 0);
 }
 

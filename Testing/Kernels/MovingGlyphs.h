@@ -132,8 +132,8 @@ protected:
     this->scene.GetState().structure = GetParam();
   }
 
-  // Whether a tree has several slices of time, where glyphs have trees.
-  bool HasSlices() { return GetParam() == rtg::Structure::Boxes || this->scene.GetState().placedTimeSliceBits > 0; }
+  // Whether there are several slices of time.
+  bool HasSlices() { return this->scene.GetState().placedTimeSliceBits > 0; }
 
   rtg::Scene::SetId Add(const rtg::GlyphInstances& instances)
   {
