@@ -164,15 +164,23 @@ RTG_ARRAY(PixelSumsImage, PixelSums, , 4)
 RTG_ARRAY(PixelFeaturesImage, PixelFeatures, , 4)
 // What one program of a ray writes another one reads, which may run as another invocation (Vulkan specification, "Ray
 // Tracing Repack"). The qualifier must stand at the member: glslang 12 ignores it at the block.
+#ifdef RTG_OWN_TREES
+#define RTG_COHERENT
+#else
+#define RTG_COHERENT shadercallcoherent
+#endif
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer RayRecords
 {
-  shadercallcoherent RayRecord at[];
+  RTG_COHERENT RayRecord at[];
 };
 RTG_ARRAY(GlyphSetRecords, GlyphSetRecord, readonly, 8)
 RTG_ARRAY(LightRecords, LightRecord, readonly, 4)
 RTG_ARRAY(ProbeRecords, ProbeRecord, readonly, 4)
 RTG_ARRAY(ProbeResults, ProbeResult, writeonly, 4)
 #endif
+
+// Rays next to each other in a launch that a compute shader's workgroup traces; launches are whole multiples as wide.
+const uint LAUNCH_GROUP = 64u;
 
 // Bits of instance masks.
 const uint OPAQUE_MASK = 1u;

@@ -14,20 +14,23 @@ namespace rtg
 namespace
 {
 
-// A device whose traversal runs on the CPU does better with our own; RTGLYPHS_STRUCTURE (boxes or tree)
-// overrides, for measurements.
-Structure ChooseStructure(const Device& device, bool canTree)
+// A device whose traversal runs on the CPU does better with our own, and some drivers have none; RTGLYPHS_STRUCTURE
+// (boxes or tree) overrides, for measurements.
+Structure ChooseStructure(const Device& device, bool hasBoxes, bool canTree)
 {
-  const char* wanted = std::getenv("RTGLYPHS_STRUCTURE");
-  if (wanted && std::string(wanted) == "boxes")
+  const char* variable = std::getenv("RTGLYPHS_STRUCTURE");
+  const std::string wanted = variable ? variable : "";
+  if (wanted != "boxes" && wanted != "tree" && !wanted.empty())
   {
-    return Structure::Boxes;
+    throw Error("Ray Traced Glyphs: RTGLYPHS_STRUCTURE is '" + wanted + "'; it can be 'boxes' or 'tree'.");
   }
-  if (wanted && std::string(wanted) != "tree" && *wanted)
+  if ((wanted == "boxes" && !hasBoxes) || (wanted == "tree" && !canTree))
   {
-    throw Error("Ray Traced Glyphs: RTGLYPHS_STRUCTURE is '" + std::string(wanted) + "'; it can be 'boxes' or 'tree'.");
+    throw Error("Ray Traced Glyphs: RTGLYPHS_STRUCTURE is '" + wanted + "', for which '" + device.Name() + "' lacks " +
+      (canTree ? "VK_KHR_ray_tracing_pipeline" : "shaderInt64") + "; unset it.");
   }
-  return canTree && (device.IsCpu() || (wanted && *wanted)) ? Structure::Tree : Structure::Boxes;
+  const bool trees = wanted.empty() ? device.IsCpu() || !hasBoxes : wanted == "tree";
+  return trees && canTree ? Structure::Tree : Structure::Boxes;
 }
 
 // Throws unless every array has an entry a glyph or none.
@@ -73,7 +76,7 @@ Statistics& Statistics::operator+=(const Statistics& other)
 Scene::State::State(std::shared_ptr<Device> d)
   : device(std::move(d))
   , mostInstances(device->GetState().structureLimits.maxInstanceCount)
-  , structure(ChooseStructure(*device, device->GetState().int64))
+  , structure(ChooseStructure(*device, device->GetState().tracesRays, device->GetState().int64))
 {
 }
 

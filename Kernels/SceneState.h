@@ -28,7 +28,7 @@ struct GlyphRun
 enum class Structure
 {
   Boxes, ///< the driver's, one primitive a glyph or triangle; on GPUs
-  Tree   ///< our own trees (GlyphTree), which ray generation programs walk; on CPU devices
+  Tree   ///< our own trees (GlyphTree), which compute shaders walk; on CPU devices, and where the driver has none
 };
 
 /// A GlyphTree on the device.

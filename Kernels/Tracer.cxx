@@ -151,12 +151,12 @@ void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene, 
       else
       {
         command.updateBuffer<device::FrameRecord>(this->frameBuffer.Handle(), 0, frame);
-        Barrier(command, Stage::eTransfer, Access::eTransferWrite, Stage::eRayTracingShaderKHR, Access::eUniformRead);
+        Barrier(command, Stage::eTransfer, Access::eTransferWrite, vulkan.programStages, Access::eUniformRead);
       }
       pipeline.Trace(command, this->frameBuffer, width, height);
       // The host or a copy reads the results, the next launch adds to them.
-      Barrier(command, Stage::eRayTracingShaderKHR, Access::eShaderWrite,
-        Stage::eRayTracingShaderKHR | Stage::eTransfer | Stage::eHost,
+      Barrier(command, vulkan.programStages, Access::eShaderWrite,
+        vulkan.programStages | Stage::eTransfer | Stage::eHost,
         Access::eShaderRead | Access::eShaderWrite | Access::eTransferRead | Access::eTransferWrite |
           Access::eHostRead);
     });

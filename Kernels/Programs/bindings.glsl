@@ -1,5 +1,8 @@
-// What every program sees: the frame and one payload.
+// What every program sees: the frame and one payload. With RTG_OWN_TREES programs are compute shaders: they ask nothing
+// of the driver but arithmetic and memory.
+#ifndef RTG_OWN_TREES
 #extension GL_EXT_ray_tracing : require
+#endif
 #extension GL_EXT_spirv_intrinsics : require
 #extension GL_KHR_memory_scope_semantics : require
 #pragma use_vulkan_memory_model
@@ -104,7 +107,22 @@ vec3 OutOfSurface(SurfaceHit hit, vec3 direction)
   return direction - 2.0 * min(dot(direction, hit.normal), 0.0) * hit.normal;
 }
 
+#ifdef RTG_OWN_TREES
+layout(local_size_x = LAUNCH_GROUP) in;
+
+uvec2 LaunchId()
+{
+  return gl_GlobalInvocationID.xy;
+}
+#else
+uvec2 LaunchId()
+{
+  return gl_LaunchIDEXT.xy;
+}
+#endif
+
 uint LaunchIndex()
 {
-  return gl_LaunchIDEXT.y * frame.launchWidth + gl_LaunchIDEXT.x;
+  uvec2 launch = LaunchId();
+  return launch.y * frame.launchWidth + launch.x;
 }

@@ -77,8 +77,7 @@ void Batch::Run()
       }
       if (!this->copies_.empty())
       {
-        Barrier(command, Stage::eTransfer, Access::eTransferWrite,
-          Stage::eAccelerationStructureBuildKHR | Stage::eRayTracingShaderKHR, Access::eShaderRead);
+        Barrier(command, Stage::eTransfer, Access::eTransferWrite, this->device_.programStages, Access::eShaderRead);
       }
       for (StructureBuild& build : this->builds_)
       {
@@ -88,8 +87,7 @@ void Batch::Run()
         command.buildAccelerationStructuresKHR(build.info, &range);
         // The next one uses the same scratch memory, and may be built over this one.
         Barrier(command, Stage::eAccelerationStructureBuildKHR, Access::eAccelerationStructureWriteKHR,
-          Stage::eAccelerationStructureBuildKHR | Stage::eRayTracingShaderKHR,
-          Access::eAccelerationStructureReadKHR | Access::eAccelerationStructureWriteKHR);
+          this->device_.programStages, Access::eAccelerationStructureReadKHR | Access::eAccelerationStructureWriteKHR);
       }
     });
   this->copies_.clear();

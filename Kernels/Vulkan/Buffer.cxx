@@ -143,7 +143,7 @@ void Buffer::Fill(std::size_t offset, std::size_t size, std::uint32_t word)
     {
       command.fillBuffer(this->Handle(), offset, size, word);
       Barrier(command, vk::PipelineStageFlagBits::eTransfer, vk::AccessFlagBits::eTransferWrite,
-        vk::PipelineStageFlagBits::eRayTracingShaderKHR | vk::PipelineStageFlagBits::eTransfer,
+        this->device_->programStages | vk::PipelineStageFlagBits::eTransfer,
         vk::AccessFlagBits::eShaderRead | vk::AccessFlagBits::eShaderWrite | vk::AccessFlagBits::eTransferRead |
           vk::AccessFlagBits::eTransferWrite);
     });

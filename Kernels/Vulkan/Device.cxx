@@ -1,8 +1,10 @@
 #include "DeviceState.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <iomanip>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -14,16 +16,34 @@ namespace rtg
 namespace
 {
 
-constexpr const char* requiredExtensions[] = { VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+constexpr const char* rayExtensions[] = { VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
   VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME, VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME };
 
 constexpr const char* remedy =
-  "Install a driver with VK_KHR_ray_tracing_pipeline: a GPU vendor's, or Mesa 24.1 or newer with "
-  "lavapipe "
-  "(Debian: mesa-vulkan-drivers, on Debian 12 from bookworm-backports).";
+  "Install a driver for Vulkan 1.2 with shaderInt64 or VK_KHR_ray_tracing_pipeline: a GPU vendor's, or Mesa 24.1 or "
+  "newer with lavapipe (Debian: mesa-vulkan-drivers, on Debian 12 from bookworm-backports).";
 
 using Features = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
   vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>;
+
+// Whether the driver traverses structures of its own.
+bool TracesRays(const vk::raii::PhysicalDevice& physical)
+{
+  const auto extensions = physical.enumerateDeviceExtensionProperties();
+  const auto has = [&](const char* name)
+  {
+    return std::any_of(extensions.begin(), extensions.end(),
+      [&](const vk::ExtensionProperties& extension) { return std::string(extension.extensionName.data()) == name; });
+  };
+  if (!std::all_of(std::begin(rayExtensions), std::end(rayExtensions), has))
+  {
+    return false;
+  }
+  const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2,
+    vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>();
+  return features.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure &&
+    features.get<vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>().rayTracingPipeline;
+}
 
 // What the device lacks to trace, in words; empty: nothing.
 std::string Lacks(const vk::raii::PhysicalDevice& physical)
@@ -32,27 +52,11 @@ std::string Lacks(const vk::raii::PhysicalDevice& physical)
   {
     return "Vulkan 1.2";
   }
-  const auto extensions = physical.enumerateDeviceExtensionProperties();
-  for (const char* name : requiredExtensions)
-  {
-    bool found = false;
-    for (const auto& extension : extensions)
-    {
-      found = found || std::string(extension.extensionName.data()) == name;
-    }
-    if (!found)
-    {
-      return name;
-    }
-  }
-
-  const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
-    vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>();
+  const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
   const auto& vulkan12 = features.get<vk::PhysicalDeviceVulkan12Features>();
-  if (!features.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure ||
-    !features.get<vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>().rayTracingPipeline)
+  if (!features.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 && !TracesRays(physical))
   {
-    return "the feature rayTracingPipeline";
+    return "both shaderInt64 and rayTracingPipeline";
   }
   if (!vulkan12.bufferDeviceAddress || !vulkan12.scalarBlockLayout)
   {
@@ -189,7 +193,8 @@ std::uint32_t ChooseQueueFamily(const vk::raii::PhysicalDevice& physical)
   throw Error("Ray Traced Glyphs: the Vulkan device '" + DeviceName(physical) + "' has no compute queue. " + remedy);
 }
 
-vk::raii::Device MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool int64)
+vk::raii::Device
+MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool int64, bool tracesRays)
 {
   Features enabled;
   enabled.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 = int64;
@@ -199,10 +204,19 @@ vk::raii::Device MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint3
   vulkan12.vulkanMemoryModel = true;
   enabled.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure = true;
   enabled.get<vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>().rayTracingPipeline = true;
+  if (!tracesRays)
+  {
+    enabled.unlink<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>();
+    enabled.unlink<vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>();
+  }
 
   const float priority = 1.0f;
   const vk::DeviceQueueCreateInfo queueInfo({}, queueFamily, 1, &priority);
-  vk::DeviceCreateInfo info({}, queueInfo, {}, requiredExtensions);
+  vk::DeviceCreateInfo info({}, queueInfo);
+  if (tracesRays)
+  {
+    info.setPEnabledExtensionNames(rayExtensions);
+  }
   info.pNext = &enabled.get<vk::PhysicalDeviceFeatures2>();
   return vk::raii::Device(physical, info);
 }
@@ -236,14 +250,24 @@ Device::Device()
     state.cpu = state.sharesMemory = state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
     state.queueFamily = ChooseQueueFamily(state.physical);
     state.int64 = state.physical.getFeatures().shaderInt64;
-    state.device = MakeDevice(state.physical, state.queueFamily, state.int64);
+    state.tracesRays = TracesRays(state.physical);
+    using Stage = vk::PipelineStageFlagBits;
+    state.programStages = Stage::eComputeShader;
+    if (state.tracesRays)
+    {
+      state.programStages |= Stage::eRayTracingShaderKHR | Stage::eAccelerationStructureBuildKHR;
+    }
+    state.device = MakeDevice(state.physical, state.queueFamily, state.int64, state.tracesRays);
     state.queue = state.device.getQueue(state.queueFamily, 0);
     state.LoadPrograms();
     state.memoryTypes = state.physical.getMemoryProperties();
-    const auto properties = state.physical.getProperties2<vk::PhysicalDeviceProperties2,
-      vk::PhysicalDeviceRayTracingPipelinePropertiesKHR, vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
-    state.pipelineLimits = properties.get<vk::PhysicalDeviceRayTracingPipelinePropertiesKHR>();
-    state.structureLimits = properties.get<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
+    if (state.tracesRays)
+    {
+      const auto properties = state.physical.getProperties2<vk::PhysicalDeviceProperties2,
+        vk::PhysicalDeviceRayTracingPipelinePropertiesKHR, vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
+      state.pipelineLimits = properties.get<vk::PhysicalDeviceRayTracingPipelinePropertiesKHR>();
+      state.structureLimits = properties.get<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
+    }
   }
   catch (const Error&)
   {

@@ -45,7 +45,9 @@ struct Device::State
   /// Programs run on the host's processor, so that its memory is theirs: every buffer is mapped and nothing is copied.
   /// Tests switch it off to have a CPU device treated like others.
   bool sharesMemory = false;
-  bool int64 = false; ///< 64-bit integers in programs
+  bool int64 = false;                   ///< 64-bit integers in programs
+  bool tracesRays = false;              ///< the driver has structures and pipelines for rays
+  vk::PipelineStageFlags programStages; ///< in which programs run and structures are built
   std::atomic<bool> lost{ false };
   std::atomic<std::uint64_t> bytes{ 0 }; ///< device memory held by all buffers
 

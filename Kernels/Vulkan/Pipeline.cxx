@@ -55,14 +55,42 @@ Pipeline::Pipeline(Device::State& device, const Generation& generation, const st
 {
   using Stage = vk::ShaderStageFlagBits;
   const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eUniformBuffer, 1,
-    Stage::eRaygenKHR | Stage::eIntersectionKHR | Stage::eClosestHitKHR | Stage::eMissKHR);
+    generation.ownTrees ? Stage::eCompute
+                        : Stage::eRaygenKHR | Stage::eIntersectionKHR | Stage::eClosestHitKHR | Stage::eMissKHR);
   this->setLayout_ = vk::raii::DescriptorSetLayout(device.device, vk::DescriptorSetLayoutCreateInfo({}, binding));
   const vk::DescriptorPoolSize poolSize(vk::DescriptorType::eUniformBuffer, 1);
   this->pool_ = vk::raii::DescriptorPool(
     device.device, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, poolSize));
   this->set_ = std::move(device.device.allocateDescriptorSets({ *this->pool_, *this->setLayout_ }).front());
   this->layout_ = vk::raii::PipelineLayout(device.device, vk::PipelineLayoutCreateInfo({}, *this->setLayout_));
+  if (generation.ownTrees)
+  {
+    this->MakeComputePipeline();
+  }
+  else
+  {
+    this->MakeRayTracingPipeline();
+  }
+}
 
+void Pipeline::MakeComputePipeline()
+{
+  const Constants& constants = this->generation_.constants;
+  const vk::raii::ShaderModule module =
+    MakeModule(*this->device_, programs::ownTreesGeneration[this->generation_.program], constants);
+  const vk::SpecializationInfo specialisation = Specialise(constants);
+  const vk::PipelineShaderStageCreateInfo stage(
+    {}, vk::ShaderStageFlagBits::eCompute, *module, "main", &specialisation);
+  this->pipeline_ = vk::raii::Pipeline(
+    this->device_->device, this->device_->programCache, vk::ComputePipelineCreateInfo({}, stage, *this->layout_));
+}
+
+void Pipeline::MakeRayTracingPipeline()
+{
+  using Stage = vk::ShaderStageFlagBits;
+  Device::State& device = *this->device_;
+  const Generation& generation = this->generation_;
+  const std::vector<HitGroup>& groups = this->groups_;
   // Ray generation and miss, then two stages a hit group. Every group has stage entries of its own:
   // lavapipe mixes up groups that share one.
   std::vector<vk::raii::ShaderModule> modules;
@@ -84,8 +112,7 @@ Pipeline::Pipeline(Device::State& device, const Generation& generation, const st
     shaderGroups.emplace_back(vk::RayTracingShaderGroupTypeKHR::eGeneral, stage, VK_SHADER_UNUSED_KHR,
       VK_SHADER_UNUSED_KHR, VK_SHADER_UNUSED_KHR);
   };
-  const programs::Code* generations = generation.ownTrees ? programs::ownTreesGeneration : programs::drivenGeneration;
-  addGeneral(addStage(Stage::eRaygenKHR, generations[generation.program], generation.constants));
+  addGeneral(addStage(Stage::eRaygenKHR, programs::drivenGeneration[generation.program], generation.constants));
   addGeneral(addStage(Stage::eMissKHR, programs::nothingMiss, generation.constants));
   const std::size_t hitGroups = groups.size();
   for (std::size_t i = 0; i < hitGroups; ++i)
@@ -147,8 +174,15 @@ void Pipeline::Trace(
   const vk::DescriptorBufferInfo block(frame.Handle(), 0, frame.Size());
   this->device_->device.updateDescriptorSets(
     vk::WriteDescriptorSet(*this->set_, 0, 0, vk::DescriptorType::eUniformBuffer, {}, block), {});
-  command.bindPipeline(vk::PipelineBindPoint::eRayTracingKHR, *this->pipeline_);
-  command.bindDescriptorSets(vk::PipelineBindPoint::eRayTracingKHR, *this->layout_, 0, *this->set_, {});
+  const auto point =
+    this->generation_.ownTrees ? vk::PipelineBindPoint::eCompute : vk::PipelineBindPoint::eRayTracingKHR;
+  command.bindPipeline(point, *this->pipeline_);
+  command.bindDescriptorSets(point, *this->layout_, 0, *this->set_, {});
+  if (this->generation_.ownTrees)
+  {
+    command.dispatch(width / device::LAUNCH_GROUP, height, 1);
+    return;
+  }
   command.traceRaysKHR(
     this->generationTable_, this->missTable_, this->hitTable_, this->callableTable_, width, height, 1);
 }

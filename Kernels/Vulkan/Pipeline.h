@@ -43,7 +43,7 @@ struct HitGroup
 constexpr std::uint32_t probeProgram = RTG_SHADINGS(RTG_COUNT);
 #undef RTG_COUNT
 
-/// A ray generation program and what it is specialised for.
+/// The program that starts rays, and what it is specialised for.
 struct Generation
 {
   std::uint32_t program = 0; ///< number of a shading, or probeProgram
@@ -53,7 +53,8 @@ struct Generation
   bool operator==(const Generation&) const = default;
 };
 
-/// One ray generation program with the hit groups of a scene, and its shader binding table.
+/// A program that starts rays: a compute shader, which walks the sets' trees itself, or a ray generation shader with
+/// the hit groups of a scene and its shader binding table.
 class Pipeline
 {
 public:
@@ -68,6 +69,9 @@ public:
   void Trace(vk::raii::CommandBuffer& command, const Buffer& frame, std::uint32_t width, std::uint32_t height) const;
 
 private:
+  void MakeComputePipeline();
+  void MakeRayTracingPipeline();
+
   Device::State* device_;
   Generation generation_;
   std::vector<HitGroup> groups_;

@@ -154,6 +154,11 @@ VKAPI_ATTR void VKAPI_CALL Features2(VkPhysicalDevice physical, VkPhysicalDevice
     {
       reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next)->vulkanMemoryModel &= !Lacks("vulkanMemoryModel");
     }
+    if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR)
+    {
+      reinterpret_cast<VkPhysicalDeviceRayTracingPipelineFeaturesKHR*>(next)->rayTracingPipeline &=
+        !Lacks("rayTracingPipeline");
+    }
   }
 }
 

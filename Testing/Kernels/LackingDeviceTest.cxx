@@ -1,6 +1,10 @@
 // Devices that lack what the kernels need. Testing/FaultLayer makes them look so.
 #include "Glyphs.h"
+#include "Scene.h"
+#include "Tracer.h"
 #include "Vulkan/Device.h"
+
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <gtest/gtest.h>
 
@@ -54,4 +58,41 @@ TEST(LackingDeviceTest, WhatADeviceLacksIsNamedOnce)
     EXPECT_NE(message.find("Install a driver"), std::string::npos) << message;
   }
   EXPECT_EQ(Message(), "");
+}
+
+// Without pipelines for rays the trees are walked by compute shaders.
+TEST(LackingDeviceTest, ADeviceWithoutRayTracingTraces)
+{
+  const Variable lacks("RTGLYPHS_LACKS", "rayTracingPipeline");
+  const auto device = rtg::Device::Shared();
+  rtg::Scene scene{ device };
+  rtg::GlyphInstances ball;
+  ball.centres = { glm::vec3(0.0f, 0.0f, 0.0f) };
+  const auto id = scene.Add();
+  scene.SetInstances(id, ball);
+  scene.Commit();
+  rtg::Tracer tracer{ device };
+  rtg::TraceSettings settings;
+  settings.width = settings.height = 33;
+  const auto camera = rtg::Camera::FromWorldToClip(
+    glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+  const rtg::Image image = tracer.Trace(scene, camera, { rtg::Light() }, settings);
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < 33 * 33; ++i)
+  {
+    covered += image.setIds[i] == id;
+  }
+  // A disc of radius 1/2 in a square of side 2.
+  EXPECT_NEAR(covered / (33.0 * 33.0), 3.14159 / 16.0, 0.02);
+
+  const Variable wanted("RTGLYPHS_STRUCTURE", "boxes");
+  try
+  {
+    rtg::Scene boxes{ device };
+    FAIL() << "a scene of boxes without a driver for them";
+  }
+  catch (const rtg::Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("lacks VK_KHR_ray_tracing_pipeline"), std::string::npos) << error.what();
+  }
 }
