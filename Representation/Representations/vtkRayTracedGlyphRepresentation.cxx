@@ -232,6 +232,7 @@ void vtkRayTracedGlyphRepresentation::Deliver(vtkInformation* inInfo, bool lod)
   {
     vtkPVView::SetPiece(inInfo, this, this->Mesh, 0, 1);
     this->UpdateTensorRange(this->GetPoints());
+    this->UpdateScaleGuess(this->GetPoints());
   }
 }
 
@@ -312,6 +313,31 @@ void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
   const bool any = least[0] <= -least[1];
   this->TensorRange[0] = any ? least[0] : 1.0;
   this->TensorRange[1] = any ? -least[1] : -1.0;
+}
+
+//----------------------------------------------------------------------------
+// On all ranks that have data; before anything asks for the glyphs' size.
+void vtkRayTracedGlyphRepresentation::UpdateScaleGuess(vtkPolyData* points)
+{
+  if (!this->ScaleFactorFromData || this->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  const vtkGlyphSettings settings = this->MakeSettings();
+  double unitSize = settings.Shape == rtg::Shape::Capsule ? 2.0 : 1.0;
+  if (settings.Shape == rtg::Shape::Mesh)
+  {
+    unitSize = 0.0;
+    for (const auto& corners : this->MeshExtents)
+    {
+      const glm::vec3 sides =
+        corners->positions.empty() ? glm::vec3(0.0f) : corners->positions.back() - corners->positions.front();
+      unitSize = std::max<double>(unitSize, std::max({ sides.x, sides.y, sides.z }));
+    }
+  }
+  const vtkGlyphScaleGuess::Result& found = this->Guess.Get(points, settings, unitSize, this->GetUpdateTime());
+  this->ScaleGuess[0] = found.Factor;
+  this->ScaleGuess[1] = found.Limit;
 }
 
 //****************************************************************************
@@ -461,6 +487,14 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
 {
   vtkGlyphSettings settings = this->Glyphs;
   settings.Motion = this->Motion;
+  if (this->ScaleFactorFromData)
+  {
+    const bool own = this->ScaleGuess[0] > 0.0; // else this process only renders, or there are no glyphs
+    settings.ScaleFactor = own ? this->ScaleGuess[0] : settings.ScaleFactor;
+    const double limit = own ? this->ScaleGuess[1] : this->SizeLimit;
+    double& most = settings.Sizing.Most;
+    most = limit > 0.0 && (most == 0.0 || most > limit) ? limit : most;
+  }
   settings.Tensors.On = this->GlyphShape >= TENSOR_ELLIPSOID && this->GlyphShape <= SIGNED_TENSOR_SUPERQUADRIC;
   if (settings.Tensors.On)
   {
@@ -515,6 +549,14 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 void vtkRayTracedGlyphRepresentation::SetGlyphScaleMode(int mode)
 {
   this->Glyphs.ScaleMode = std::clamp<int>(mode, vtkGlyphSettings::MAGNITUDE, vtkGlyphSettings::COMPONENTS);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphScaleFactorFromData(bool on)
+{
+  this->ScaleFactorFromData = on;
+  this->Guess.Forget();
+  this->ScaleGuess[0] = this->ScaleGuess[1] = 0.0;
 }
 
 //----------------------------------------------------------------------------

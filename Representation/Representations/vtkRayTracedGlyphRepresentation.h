@@ -9,6 +9,7 @@
 
 #include "vtkRayTracedRepresentation.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
+#include "vtkGlyphScaleGuess.h"
 #include "vtkGlyphSettings.h"
 #endif
 
@@ -54,12 +55,23 @@ public:
   void SetGlyphScaleArray(const char* name) { this->Glyphs.ScaleArray = OrEmpty(name); }
   void SetGlyphScaleMode(int mode);
   void SetGlyphScaleFactor(double factor) { this->Glyphs.ScaleFactor = NumberOr(factor, 0.0); }
+  void SetGlyphScaleFactorFromData(bool on);
   void SetGlyphScaleFunction(int function);
   void SetGlyphScaleReference(double reference);
   void SetGlyphSizeRange(double least, double most);
   void SetGlyphOrient(bool on) { this->Glyphs.Orient = on; }
   void SetGlyphOrientationArray(const char* name) { this->Glyphs.OrientationArray = OrEmpty(name); }
   void SetGlyphOrientationMode(int mode);
+  ///@}
+
+  ///@{
+  /**
+   * What vtkGlyphScaleGuess has found, where GlyphScaleFactorFromData is on (default): factor and limit. Processes that
+   * have data use it by themselves; those that only render are told by SetGlyphScaleFactor() and SetGlyphSizeLimit(),
+   * the client being between them.
+   */
+  double* GetGlyphScaleGuess() VTK_SIZEHINT(2) { return this->ScaleGuess; }
+  void SetGlyphSizeLimit(double limit) { this->SizeLimit = NumberOr(limit, 0.0); }
   ///@}
 
   ///@{
@@ -172,11 +184,16 @@ private:
   void GatherMesh(vtkDataObject* mesh);
   void UpdateMeshExtents(vtkDataObject* forms);
   void UpdateTensorRange(vtkPolyData* points);
+  void UpdateScaleGuess(vtkPolyData* points);
   double MeanScale(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective);
 
   vtkGlyphSettings Glyphs; // but for what MakeSettings() adds
   int GlyphShape = 0;
   int GlyphLocation = POINTS;
+  bool ScaleFactorFromData = true;
+  vtkGlyphScaleGuess Guess;
+  double ScaleGuess[2] = { 0.0, 0.0 };
+  double SizeLimit = 0.0;
   bool NestedExponents = false;
   bool GlyphMeshTable = false;
   bool TensorAxis = false;

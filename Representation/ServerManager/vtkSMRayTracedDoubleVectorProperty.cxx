@@ -1,23 +1,24 @@
 #include "vtkSMRayTracedDoubleVectorProperty.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMRayTracedDefault.h"
+
+#include <string>
 
 vtkStandardNewMacro(vtkSMRayTracedDoubleVectorProperty);
 
 //----------------------------------------------------------------------------
 bool vtkSMRayTracedDoubleVectorProperty::IsValueDefault()
 {
-  return this->Superclass::IsValueDefault() || vtkSMRayTracedDefault::IsAlias(this) ||
-    (!vtkSMRayTracedDefault::IsShown(this) && this->Default.Has(this));
+  return this->Superclass::IsValueDefault() || vtkSMRayTracedDefault::IsAlias(this) || this->IsFromData();
 }
 
 //----------------------------------------------------------------------------
-bool vtkSMRayTracedDoubleVectorProperty::ResetToDomainDefaults(bool useUncheckedValues)
+bool vtkSMRayTracedDoubleVectorProperty::IsFromData()
 {
-  const bool reset = this->Superclass::ResetToDomainDefaults(useUncheckedValues);
-  if (reset && !useUncheckedValues)
-  {
-    this->Default.Remember(this);
-  }
-  return reset;
+  const std::string name = std::string(this->GetXMLName() ? this->GetXMLName() : "") + "FromData";
+  vtkSMProperty* fromData = this->GetParent() ? this->GetParent()->GetProperty(name.c_str()) : nullptr;
+  return fromData && vtkSMPropertyHelper(fromData).GetAsInt() != 0;
 }

@@ -1,18 +1,15 @@
 /**
  * @class   vtkSMRayTracedDoubleVectorProperty
- * @brief   numbers of this plugin that depend on the data
+ * @brief   numbers of this plugin that somebody else sets
  *
- * Its value counts as the default where ParaView has chosen it and nothing ray traced is shown; see
- * vtkSMRayTracedDefault.
+ * Its value counts as the default where the data have chosen it, which a property of the same name with FromData behind
+ * it says, and where it is but another name of one of ParaView's own; see vtkSMRayTracedDefault.
  */
 #ifndef vtkSMRayTracedDoubleVectorProperty_h
 #define vtkSMRayTracedDoubleVectorProperty_h
 
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSMDoubleVectorProperty.h"
-#ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkSMRayTracedDefault.h"
-#endif
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedDoubleVectorProperty : public vtkSMDoubleVectorProperty
 {
@@ -21,7 +18,6 @@ public:
   vtkTypeMacro(vtkSMRayTracedDoubleVectorProperty, vtkSMDoubleVectorProperty);
 
   bool IsValueDefault() override;
-  bool ResetToDomainDefaults(bool useUncheckedValues = false) override;
 
 protected:
   vtkSMRayTracedDoubleVectorProperty() = default;
@@ -31,9 +27,7 @@ private:
   vtkSMRayTracedDoubleVectorProperty(const vtkSMRayTracedDoubleVectorProperty&) = delete;
   void operator=(const vtkSMRayTracedDoubleVectorProperty&) = delete;
 
-#ifndef __VTK_WRAP__
-  vtkSMRayTracedDefault Default;
-#endif
+  bool IsFromData();
 };
 
 #endif

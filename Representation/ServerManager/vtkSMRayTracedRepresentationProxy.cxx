@@ -78,7 +78,12 @@ void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMP
   this->CreateVTKObjects();
   auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
   const vtkTypeUInt32 everywhere = this->Location;
-  if (everywhere != 0 && local && local->GetRenderedRemotely())
+  vtkPVXMLElement* hints = property ? property->GetHints() : nullptr;
+  if (everywhere != 0 && hints && hints->FindNestedElementByName("OfData"))
+  {
+    this->Location = vtkPVSession::DATA_SERVER_ROOT;
+  }
+  else if (everywhere != 0 && local && local->GetRenderedRemotely())
   {
     this->Location = vtkPVSession::RENDER_SERVER_ROOT;
   }
@@ -121,6 +126,13 @@ bool vtkSMRayTracedRepresentationProxy::HoldsForView(const char* name)
 //----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name, int flag)
 {
+  vtkSMProperty* fromData = this->GetProperty("GlyphScaleFactorFromData"); // none yet while the proxy is made
+  if (fromData && flag && name && strcmp(name, "GlyphScaleFactor") == 0 && !this->TakingGuess)
+  {
+    // Whoever sets it wants that one. Before the change itself is told, so that undoing both ends with the data's
+    // choice.
+    vtkSMPropertyHelper(fromData).Set(0);
+  }
   this->Superclass::SetPropertyModifiedFlag(name, flag);
   if (flag && name && strncmp(name, "GlyphTensor", 11) == 0)
   {
@@ -240,9 +252,37 @@ void vtkSMRayTracedRepresentationProxy::Rendered(vtkObject*, unsigned long, void
 void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
+  if (this->GetProperty("GlyphScaleFactorFromData") && this->IsExposed("GlyphScaleFactorFromData"))
+  {
+    this->TakeScaleGuess();
+  }
   if (this->GetProperty("GlyphTensorLookupTable") && this->IsExposed("GlyphTensorLookupTable"))
   {
     this->UpdateTensorTable(view);
+  }
+}
+
+//----------------------------------------------------------------------------
+// Between the update and the render of a view: processes that have the data have found the factor, and those that
+// render are told.
+void vtkSMRayTracedRepresentationProxy::TakeScaleGuess()
+{
+  auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
+  if (!local || !local->GetVisibility() || !vtkSMPropertyHelper(this, "GlyphScaleFactorFromData").GetAsInt())
+  {
+    return;
+  }
+  vtkSMProperty* guess = this->GetProperty("GlyphScaleGuess");
+  this->UpdatePropertyInformation(guess);
+  double found[2];
+  vtkSMPropertyHelper(guess).Get(found, 2);
+  if (found[0] > 0.0)
+  {
+    this->TakingGuess = true;
+    vtkSMPropertyHelper(this, "GlyphScaleFactor").Set(found[0]);
+    vtkSMPropertyHelper(this, "GlyphSizeLimit").Set(found[1]);
+    this->UpdateVTKObjects();
+    this->TakingGuess = false;
   }
 }
 

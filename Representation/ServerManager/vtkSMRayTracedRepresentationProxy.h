@@ -8,6 +8,8 @@
  * - Information properties speak of the process that renders, and are current after each render. ParaView asks the
  *   client for information about whatever is there too; with remote rendering nothing happens there, and the server's
  * first rank is asked.
+ * - Those with the hint OfData speak of the processes that have the data.
+ * - GlyphScaleFactor is what the data suggest until somebody sets it.
  * - Numbers of tensors (GlyphTensorColoring) have a lookup table and a scalar bar of their own.
  */
 #ifndef vtkSMRayTracedRepresentationProxy_h
@@ -58,11 +60,13 @@ private:
   void TakeFromView(vtkSMProxy* view);
   void Rendered(vtkObject* view, unsigned long event, void* interactive);
   void UpdateTensorTable(vtkSMProxy* view);
+  void TakeScaleGuess();
 
   vtkWeakPointer<vtkSMProxy> ObservedView;
   std::string TensorTableName; // of the table and scalar bar that are in use; empty: none
   double TensorRange[2] = { 1.0, -1.0 };
   bool TensorTableChosen = false; // by somebody else than this class
+  bool TakingGuess = false;       // GlyphScaleFactor is set to what the data suggest, not by somebody else
 };
 
 #endif

@@ -53,7 +53,7 @@ def values(entry):
 def default(entry):
     """The value without data, or what the data give."""
     for domain in entry:
-        if domain.tag in ("ArrayListDomain", "RepresentedArrayListDomain", "BoundsDomain"):
+        if domain.tag in ("ArrayListDomain", "RepresentedArrayListDomain", "RayTracedScaleDomain"):
             return "from the data"
         if domain.tag == "EnumerationDomain":
             return next((item.get("text") for item in domain.iter("Entry") if item.get("value") == entry.get("default_values")), "")

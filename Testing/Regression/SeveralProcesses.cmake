@@ -19,6 +19,9 @@ if (PARAVIEW_USE_MPI AND RTGLYPHS_PVBATCH AND RTGLYPHS_MPIEXEC)
       COMMAND "${RTGLYPHS_MPIEXEC}" -n "${ranks}" "${RTGLYPHS_PVBATCH}" "${regression}/parallel.py" "${data}")
     set_tests_properties("Parallel${ranks}" PROPERTIES PASS_REGULAR_EXPRESSION "PARALLEL TEST PASSED")
   endforeach ()
+  rtglyphs_regression_test(ScaleGuessOnRanks ENVIRONMENT ${mpi_environment}
+    COMMAND "${RTGLYPHS_MPIEXEC}" -n 3 "${RTGLYPHS_PVBATCH}" "${regression}/scale_guess.py" ranks)
+  set_tests_properties(ScaleGuessOnRanks PROPERTIES PASS_REGULAR_EXPRESSION "SCALE GUESS TEST PASSED")
   set_tests_properties(Parallel1 PROPERTIES FIXTURES_SETUP one_rank)
   set_property(TEST Parallel2 Parallel4 APPEND PROPERTY FIXTURES_REQUIRED one_rank)
 else ()
@@ -29,6 +32,8 @@ if (RTGLYPHS_PVSERVER)
   rtglyphs_regression_test(ClientServer
     COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/client_server.py" "${data}" "${RTGLYPHS_PVSERVER}")
   if (PARAVIEW_USE_MPI AND RTGLYPHS_MPIEXEC)
+    rtglyphs_regression_test(ScaleGuessOnServer ENVIRONMENT ${mpi_environment}
+      COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/scale_guess.py" server "${RTGLYPHS_PVSERVER}" "${RTGLYPHS_MPIEXEC}" -n 2)
     rtglyphs_regression_test(ClientServer2 ENVIRONMENT ${mpi_environment}
       COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/client_server.py" "${data}" "${RTGLYPHS_PVSERVER}"
         "${RTGLYPHS_MPIEXEC}" -n 2)

@@ -1,0 +1,65 @@
+/**
+ * @class   vtkGlyphScaleGuess
+ * @brief   the world size of a unit glyph with which the glyphs of any data can be seen
+ *
+ * Typical glyphs are 0.9 of the usual distance between neighbors long, arrows, which are thin, 2.5 times that. The
+ * distance is the median, over some of the points of all ranks, of that to the nearest point elsewhere; the search is
+ * exact, however the points are spread over the ranks, and points without a glyph do not count. Data that are
+ * crowded in a small part of their box, or along one direction, would show nothing, so typical glyphs are at least a
+ * 200th of the data's longest side, or half of their mean spacing where that is less. The sides are those between the
+ * outer percentiles of the same points: a lost particle does not count.
+ *
+ * Where an array or tensors scale the glyphs, the typical one has the 95 % quantile of the scales. Of stress around a
+ * load, say, most would then be specks: where all glyphs together cover less than a quarter of as many typical ones,
+ * they grow until they do. No glyph is larger than a fifth of the longest side. Where the largest would be up to twice
+ * that, all become smaller; where it would be more, a limit holds for those few, so that a single wild value neither
+ * fills the view nor makes the others vanish. The limit is lower where many glyphs have it, which then cover a quarter
+ * of the longest side's square.
+ *
+ * The factor has two significant digits.
+ */
+#ifndef vtkGlyphScaleGuess_h
+#define vtkGlyphScaleGuess_h
+
+#include "vtkGlyphSettings.h"
+
+#include <vector>
+
+class vtkPolyData;
+
+class vtkGlyphScaleGuess
+{
+public:
+  /**
+   * Limit as vtkGlyphSizing::Most. A factor of 0: there are no glyphs yet.
+   */
+  struct Result
+  {
+    double Factor = 0.0, Limit = 0.0;
+  };
+
+  /**
+   * What suits the points; all ranks call it at once, and all get the same. `unitSize` is the length of the unit glyph.
+   *
+   * It is found anew when settings that sizes or the choice of glyphs depend on have changed, or the data, unless
+   * `time` has changed with them: over the steps of an animation glyphs keep their size. A factor of 0 is not kept.
+   */
+  const Result& Get(vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time);
+
+  /**
+   * Makes Get() find it anew.
+   */
+  void Forget() { this->IsKnown = false; }
+
+  const Result& Last() const { return this->Found; }
+
+private:
+  Result Found;
+  bool IsKnown = false;
+  vtkGlyphSettings Settings; // those that matter
+  double UnitSize = 0.0, Time = 0.0;
+  std::vector<vtkMTimeType> Times; // of positions, scales and tensors
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkGlyphScaleGuess.h
