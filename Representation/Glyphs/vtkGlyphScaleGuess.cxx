@@ -2,6 +2,7 @@
 
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
+#include "vtkGlyphArrayNames.h"
 #include "vtkGlyphTuples.h"
 #include "vtkMath.h"
 #include "vtkMultiProcessController.h"
@@ -325,6 +326,18 @@ double FactorFor(const std::vector<double>& magnitudes, double size)
   return std::exp(low);
 }
 
+// Of spheres whose size the array says: 2 for radii, 1 for diameters. 0: there is no such array.
+double ExactFactor(vtkPolyData* data, const vtkGlyphSettings& settings)
+{
+  vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, data, settings);
+  const bool sizes = scales && scales->GetNumberOfComponents() == 1 && settings.Shape == rtg::Shape::Sphere &&
+    !settings.Tensors.On && settings.Sizing.Function == vtkGlyphSizing::LINEAR;
+  return !sizes                                           ? 0.0
+    : vtkGlyphArrayNames::IsRadius(settings.ScaleArray)   ? 2.0
+    : vtkGlyphArrayNames::IsDiameter(settings.ScaleArray) ? 1.0
+                                                          : 0.0;
+}
+
 vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& settings, double unitSize)
 {
   vtkGlyphScaleGuess::Result result;
@@ -347,6 +360,12 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
   }
   if (points.NumberOfAll() == 0.0)
   {
+    return result;
+  }
+  const double exact = Reduce(ExactFactor(data, settings), vtkCommunicator::MAX_OP);
+  if (exact > 0.0)
+  {
+    result.Factor = exact;
     return result;
   }
   const Extents extents = Measure(points);

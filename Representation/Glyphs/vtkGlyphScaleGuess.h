@@ -16,6 +16,8 @@
  * fills the view nor makes the others vanish. The limit is lower where many glyphs have it, which then cover a quarter
  * of the longest side's square.
  *
+ * Spheres that an array of one component named radius or diameter scales have exactly that size.
+ *
  * The factor has two significant digits.
  */
 #ifndef vtkGlyphScaleGuess_h

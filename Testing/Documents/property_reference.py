@@ -36,7 +36,7 @@ def values(entry):
             return ", ".join(item.get("text") for item in domain.iter("Entry"))
         if domain.tag == "BooleanDomain":
             return "0, 1"
-        if domain.tag in ("ArrayListDomain", "RepresentedArrayListDomain"):
+        if domain.tag in ("ArrayListDomain", "RayTracedArrayListDomain", "RepresentedArrayListDomain"):
             return "an array"
         if domain.tag in ("ProxyGroupDomain", "ProxyListDomain"):
             return "a proxy"
@@ -53,7 +53,7 @@ def values(entry):
 def default(entry):
     """The value without data, or what the data give."""
     for domain in entry:
-        if domain.tag in ("ArrayListDomain", "RepresentedArrayListDomain", "RayTracedScaleDomain"):
+        if domain.tag in ("ArrayListDomain", "RayTracedArrayListDomain", "RepresentedArrayListDomain", "RayTracedScaleDomain"):
             return "from the data"
         if domain.tag == "EnumerationDomain":
             return next((item.get("text") for item in domain.iter("Entry") if item.get("value") == entry.get("default_values")), "")

@@ -5,6 +5,8 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QScrollArea>
+#include <QString>
 #include <QWidget>
 #include <QWindow>
 
@@ -12,13 +14,26 @@
 
 namespace
 {
-// The first visible widget of that name; null: there is none.
-QWidget* Find(const char* name)
+// The first visible widget of that name; "OUTER/NAME": inside one called OUTER. Null: there is none. Where it can be
+// scrolled into sight it is.
+QWidget* Find(const char* path)
 {
+  const QString name = QString(path).section('/', -1), outer = QString(path).section('/', -2, -2);
   for (QWidget* widget : QApplication::allWidgets())
   {
-    if (widget->objectName() == name && widget->isVisible())
+    bool inside = outer.isEmpty();
+    QScrollArea* scroll = nullptr;
+    for (QWidget* around = widget->parentWidget(); around; around = around->parentWidget())
     {
+      inside = inside || around->objectName() == outer;
+      scroll = scroll ? scroll : qobject_cast<QScrollArea*>(around);
+    }
+    if (inside && widget->objectName() == name && widget->isVisible())
+    {
+      if (scroll)
+      {
+        scroll->ensureWidgetVisible(widget);
+      }
       return widget;
     }
   }

@@ -12,7 +12,7 @@ import paraview.simple as pv  # noqa: E402
 
 import comparison  # noqa: E402
 import session  # noqa: E402
-from window import run  # noqa: E402
+from window import Window, run  # noqa: E402
 
 SHAPES = ("Sphere", "Box", "Cylinder", "Capsule", "Cone", "Arrow")
 
@@ -30,7 +30,7 @@ def main():
     if session.REPRESENTATION not in list(shown.GetProperty("RepresentationTypesInfo")):
         failures.append("'%s' is not among the representations" % session.REPRESENTATION)
     shown.SetRepresentationType(session.REPRESENTATION)
-    shown.SamplesPerPixel = 2
+    shown.SamplesPerPixel, shown.GlyphOrient = 2, 0
     session.look(view, (10.0, -22.0, 20.0), (14.0, 13.0, 3.0), (0.0, 0.0, 1.0))
     pv.GetAnimationScene().AnimationTime = 0.8
     for shape in SHAPES:
@@ -39,7 +39,26 @@ def main():
         pv.Render(view)
         pixels = session.capture(view, "gui-" + shape, ImageResolution=[300, 200])
         failures += comparison.against_baseline(pixels, "gui-" + shape)
+    failures += reset(view, reader, shown)
     return failures
+
+
+def reset(view, reader, shown):
+    """The button Reset beside GlyphScaleFactor goes back to what the data suggest, and the picture follows."""
+    window = Window()
+    pv.SetActiveSource(reader)
+    shown.GlyphShape = "Sphere"
+    shown.GlyphScaleFactorFromData = 1
+    pv.Render(view)
+    suggested = shown.GlyphScaleFactor
+    shown.GlyphScaleFactor = 0.3
+    pv.Render(view)
+    # The panel is filled when the window has time.
+    clicked = window.wait(lambda: window.click("GlyphScaleFactor/Reset"), 20)
+    done = clicked and window.wait(lambda: shown.GlyphScaleFactor == suggested, 20)
+    print("factor %s, after the click %s" % (suggested, shown.GlyphScaleFactor))
+    return [] if done and shown.GlyphScaleFactorFromData else [
+        "the button %s; GlyphScaleFactor is %s, not %s" % ("was clicked" if clicked else "is not there", shown.GlyphScaleFactor, suggested)]
 
 
 run("GUI", main)

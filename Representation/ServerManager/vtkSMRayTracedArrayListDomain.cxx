@@ -1,0 +1,205 @@
+#include "vtkSMRayTracedArrayListDomain.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkGlyphArrayNames.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMInputArrayDomain.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkType.h"
+
+#include <functional>
+#include <vector>
+
+vtkStandardNewMacro(vtkSMRayTracedArrayListDomain);
+
+namespace
+{
+struct Array
+{
+  std::string Name;
+  int Components, Attribute;
+  bool IsColor; // by its type
+};
+using Arrays = std::vector<Array>;
+
+// The name of the array of the lowest rank, the first of several; those with a negative one do not count. Empty: none.
+std::string Best(const Arrays& arrays, const std::function<int(const Array&)>& rank)
+{
+  const Array* best = nullptr;
+  for (const Array& array : arrays)
+  {
+    const int own = rank(array);
+    best = own >= 0 && (!best || own < rank(*best)) ? &array : best;
+  }
+  return best ? best->Name : std::string();
+}
+
+std::string First(const Arrays& arrays, const std::function<bool(const Array&)>& wanted)
+{
+  return Best(arrays, [&](const Array& array) { return wanted(array) ? 0 : -1; });
+}
+
+std::string Active(const Arrays& arrays, int attribute)
+{
+  return First(arrays, [attribute](const Array& array) { return array.Attribute == attribute; });
+}
+
+using Choice = std::string (*)(const Arrays&);
+
+std::string FirstOf(const Arrays& arrays, const std::vector<Choice>& choices)
+{
+  for (Choice choice : choices)
+  {
+    const std::string found = choice(arrays);
+    if (!found.empty())
+    {
+      return found;
+    }
+  }
+  return {};
+}
+
+std::string ActiveVectors(const Arrays& arrays)
+{
+  return Active(arrays, vtkDataSetAttributes::VECTORS);
+}
+
+int DirectionRank(const Array& array)
+{
+  return array.Components == 3 && !array.IsColor ? vtkGlyphArrayNames::DirectionRank(array.Name) : -1;
+}
+
+std::string NamedDirection(const Arrays& arrays)
+{
+  return Best(arrays,
+    [](const Array& array)
+    {
+      const int rank = DirectionRank(array);
+      return rank == vtkGlyphArrayNames::unknown ? -1 : rank;
+    });
+}
+
+std::string Quaternion(const Arrays& arrays)
+{
+  return First(
+    arrays, [](const Array& array) { return array.Components == 4 && vtkGlyphArrayNames::IsQuaternion(array.Name); });
+}
+
+std::string AnyDirection(const Arrays& arrays)
+{
+  return Best(arrays, DirectionRank);
+}
+
+std::string Velocity(const Arrays& arrays)
+{
+  return First(arrays,
+    [](const Array& array)
+    { return array.Components == 3 && !array.IsColor && vtkGlyphArrayNames::IsVelocity(array.Name); });
+}
+
+std::string ActiveTensors(const Arrays& arrays)
+{
+  return Active(arrays, vtkDataSetAttributes::TENSORS);
+}
+
+std::string AnyTensor(const Arrays& arrays)
+{
+  return Best(arrays,
+    [](const Array& array)
+    {
+      const bool fits = array.Components == 9 || array.Components == 6;
+      return fits ? vtkGlyphArrayNames::TensorRank(array.Name) : -1;
+    });
+}
+
+std::string Size(const Arrays& arrays)
+{
+  return First(arrays,
+    [](const Array& array)
+    {
+      return array.Components == 1 &&
+        (vtkGlyphArrayNames::IsRadius(array.Name) || vtkGlyphArrayNames::IsDiameter(array.Name));
+    });
+}
+
+std::string ActiveScalars(const Arrays& arrays)
+{
+  return Active(arrays, vtkDataSetAttributes::SCALARS);
+}
+
+std::string AnyNumber(const Arrays& arrays)
+{
+  return First(
+    arrays, [](const Array& array) { return array.Components == 1 && !vtkGlyphArrayNames::IsLabel(array.Name); });
+}
+}
+
+//----------------------------------------------------------------------------
+vtkSMRayTracedArrayListDomain::vtkSMRayTracedArrayListDomain() = default;
+
+//----------------------------------------------------------------------------
+vtkSMRayTracedArrayListDomain::~vtkSMRayTracedArrayListDomain() = default;
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedArrayListDomain::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Choice: " << this->Choice << endl;
+}
+
+//----------------------------------------------------------------------------
+int vtkSMRayTracedArrayListDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element)
+{
+  this->Choice = element->GetAttributeOrEmpty("choice");
+  return this->Superclass::ReadXMLAttributes(property, element);
+}
+
+//----------------------------------------------------------------------------
+// Empty: none, or the data are not known.
+std::string vtkSMRayTracedArrayListDomain::Choose()
+{
+  vtkSMProperty* input = this->GetRequiredProperty("Input");
+  vtkPVDataInformation* data = input ? this->GetInputDataInformation("Input") : nullptr;
+  auto* domain = input ? vtkSMInputArrayDomain::SafeDownCast(input->GetDomain(this->InputDomainName)) : nullptr;
+  vtkPVDataSetAttributesInformation* attributes =
+    data && domain ? data->GetAttributeInformation(domain->GetAttributeType()) : nullptr;
+  Arrays arrays;
+  for (int i = 0; attributes && i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkPVArrayInformation* array = attributes->GetArrayInformation(i);
+    unsigned int listed = 0;
+    if (array && array->GetName() && this->IsInDomain(array->GetName(), listed))
+    {
+      arrays.push_back({ array->GetName(), array->GetNumberOfComponents(), attributes->IsArrayAnAttribute(i),
+        array->GetDataType() == VTK_UNSIGNED_CHAR });
+    }
+  }
+  if (this->Choice == "direction")
+  {
+    return FirstOf(arrays, { ActiveVectors, NamedDirection, Quaternion, AnyDirection });
+  }
+  if (this->Choice == "velocity")
+  {
+    return FirstOf(arrays, { Velocity, ActiveVectors });
+  }
+  if (this->Choice == "tensor")
+  {
+    return FirstOf(arrays, { ActiveTensors, AnyTensor });
+  }
+  return FirstOf(arrays, { Size, ActiveScalars, ActiveVectors, AnyDirection, AnyNumber });
+}
+
+//----------------------------------------------------------------------------
+int vtkSMRayTracedArrayListDomain::SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues)
+{
+  const std::string chosen = this->Choose();
+  vtkSMPropertyHelper helper(property);
+  helper.SetUseUnchecked(useUncheckedValues);
+  helper.Set(chosen.empty() ? "None" : chosen.c_str());
+  return 1;
+}

@@ -1,0 +1,48 @@
+/**
+ * @class   vtkSMRayTracedArrayListDomain
+ * @brief   a list of arrays whose default is chosen by what the arrays are
+ *
+ * ParaView's own list takes the active attribute, and without one whatever comes first. The attribute `choice` in the
+ * XML says what is looked for:
+ * - direction: the active vectors, else of three components one that is named as a direction (velocity before
+ * displacement, force, normal, others), else a quaternion, else any that is not named as a position, angle, color or
+ * length.
+ * - velocity: one named velocity, else the active vectors.
+ * - tensor: the active tensors, else of nine or six components one that is named as a tensor, else any that is not
+ * named as a rotation.
+ * - scale: one named radius or diameter, else the active scalars, else a direction, else any of one component but
+ * labels. Without any: None. See vtkGlyphArrayNames for the names.
+ */
+#ifndef vtkSMRayTracedArrayListDomain_h
+#define vtkSMRayTracedArrayListDomain_h
+
+#include "vtkRayTracedGlyphsModule.h" // for export macro
+#include "vtkSMArrayListDomain.h"
+
+#include <string>
+
+class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedArrayListDomain : public vtkSMArrayListDomain
+{
+public:
+  static vtkSMRayTracedArrayListDomain* New();
+  vtkTypeMacro(vtkSMRayTracedArrayListDomain, vtkSMArrayListDomain);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override;
+
+protected:
+  vtkSMRayTracedArrayListDomain();
+  ~vtkSMRayTracedArrayListDomain() override;
+
+  int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
+
+private:
+  vtkSMRayTracedArrayListDomain(const vtkSMRayTracedArrayListDomain&) = delete;
+  void operator=(const vtkSMRayTracedArrayListDomain&) = delete;
+
+  std::string Choose();
+
+  std::string Choice;
+};
+
+#endif
