@@ -117,7 +117,7 @@ void vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataArray* ids, double 
   this->Now.Entries = this->Points > 0 ? EntriesOf(points, ids) : std::vector<Entry>();
   if (!this->Before.Seen)
   {
-    this->Outcome = this->Points > 0 ? FIRST_STEP : FOUND;
+    this->Outcome = FOUND;
     return;
   }
 
@@ -172,10 +172,6 @@ std::string vtkGlyphStepVelocity::Describe() const
       return "VelocityFromPreviousStep needs the time of the data, and they say none; so the "
              "glyphs stand still. Open "
              "them as a time series, or choose a VelocityArray.";
-    case FIRST_STEP:
-      return "VelocityFromPreviousStep is on, but no other time step has been shown yet, so the "
-             "glyphs of this first one "
-             "stand still. They move from the next step on.";
     case WITHOUT_PARTNER:
     {
       std::ostringstream text;

@@ -48,11 +48,10 @@ public:
 private:
   enum Outcomes
   {
-    FOUND = 0,  // all points have a velocity
+    FOUND = 0,  // all points have a velocity, or this is the first step
     NO_IDS = 1, // the other outcomes: all or some stand still
     NO_TIME = 2,
-    FIRST_STEP = 3,
-    WITHOUT_PARTNER = 4
+    WITHOUT_PARTNER = 3
   };
 
   struct Entry

@@ -26,7 +26,8 @@ bool IsPositive(double value)
   return value > 0.0 && std::isfinite(value);
 }
 
-// What became of a point: why it has no glyph, or that nothing is wrong.
+// What became of a point: why it has no glyph, or that nothing is wrong. Zeros are ordinary: grains without stress,
+// walls without slip.
 enum Outcome : unsigned char
 {
   POSITION,
@@ -36,6 +37,9 @@ enum Outcome : unsigned char
   EXPONENT,
   MOTION,
   FORM,
+  ZERO_SCALE,
+  ZERO_ORIENTATION,
+  ZERO_TENSOR,
   REASONS,
   NOT_SHOWN = REASONS, // none of this set's, or nothing to show
   SHOWN
@@ -54,24 +58,40 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
       result.Skipped += count;
     }
   };
+  // Of zeros only where nothing else is left.
+  const auto sayOfZeros = [&](vtkIdType count, const std::string& why, const std::string& remedy)
+  {
+    if (skipped[SHOWN] == 0)
+    {
+      say(count, why, remedy);
+    }
+    else
+    {
+      result.Skipped += count;
+    }
+  };
   say(skipped[POSITION], "their position is not finite", "Remove these points, for example with Threshold or Clean.");
   if (!settings.Scaling)
   {
-    say(skipped[SCALE], "GlyphScaleFactor, or Scale of the representation, is zero or not finite",
+    say(skipped[SCALE] + skipped[ZERO_SCALE], "GlyphScaleFactor, or Scale of the representation, is zero or not finite",
       "Set it to a positive number.");
   }
   else
   {
-    say(skipped[SCALE], "their scale, from the point array '" + settings.ScaleArray + "', is zero or not finite",
-      "Choose another GlyphScaleArray, switch GlyphScaling off, or remove these points with "
-      "Threshold.");
+    const std::string scale = "their scale, from the point array '" + settings.ScaleArray + "', is ";
+    const std::string remedy =
+      "Choose another GlyphScaleArray, switch GlyphScaling off, or remove these points with Threshold.";
+    say(skipped[SCALE], scale + "not finite", remedy);
+    sayOfZeros(skipped[ZERO_SCALE], scale + "zero", remedy);
   }
-  say(skipped[ORIENTATION],
-    "their orientation, from the point array '" + settings.OrientationArray + "', is zero or not finite",
-    "Choose another GlyphOrientationArray, switch GlyphOrient off, or remove these points with "
-    "Threshold.");
-  say(skipped[TENSOR], "their tensor, from the point array '" + settings.Tensors.Array + "', is zero or not finite",
-    "To silence this warning remove the points with Threshold.");
+  const std::string orientation = "their orientation, from the point array '" + settings.OrientationArray + "', is ";
+  const std::string turn =
+    "Choose another GlyphOrientationArray, switch GlyphOrient off, or remove these points with Threshold.";
+  say(skipped[ORIENTATION], orientation + "not finite", turn);
+  sayOfZeros(skipped[ZERO_ORIENTATION], orientation + "zero", turn);
+  const std::string tensor = "their tensor, from the point array '" + settings.Tensors.Array + "', is ";
+  say(skipped[TENSOR], tensor + "not finite", "To silence this warning remove the points with Threshold.");
+  sayOfZeros(skipped[ZERO_TENSOR], tensor + "zero", "Choose another GlyphTensorArray, or another time step.");
   say(skipped[MOTION],
     "their velocity, acceleration or angular velocity, or the way they go while the shutter is "
     "open, is not finite",
@@ -327,16 +347,19 @@ private:
     {
       if (!this->Tensors->Glyph(i, tensorGlyph))
       {
-        return TENSOR;
+        return this->Tensors->IsZero(i) ? ZERO_TENSOR : TENSOR;
       }
       size *= this->How.Sizing(tensorGlyph.halfLengths);
       rotation = tensorGlyph.rotation;
     }
-    else if (this->Has(vtkGlyphArrays::ORIENTATION) && this->Turned &&
-      !vtkGlyphPlacement::RotationFromTuple(
-        tuples[vtkGlyphArrays::ORIENTATION].Get(i), this->OrientationMode, rotation))
+    else if (this->Has(vtkGlyphArrays::ORIENTATION) && this->Turned)
     {
-      return ORIENTATION;
+      vtkGlyphTuples& orientations = tuples[vtkGlyphArrays::ORIENTATION];
+      const double* tuple = orientations.Get(i);
+      if (!vtkGlyphPlacement::RotationFromTuple(tuple, this->OrientationMode, rotation))
+      {
+        return vtkMath::Norm(tuple, orientations.Size()) == 0.0 ? ZERO_ORIENTATION : ORIENTATION;
+      }
     }
 
     glm::vec3 exponents(2.0f);
@@ -359,7 +382,7 @@ private:
     const float largest = std::max({ extent.x, extent.y, extent.z });
     if (!(smallest > 0.0f) || !std::isfinite(largest) || !std::isfinite(extent.y))
     {
-      return SCALE;
+      return std::isfinite(extent.x + extent.y + extent.z) ? ZERO_SCALE : SCALE;
     }
     if (!this->Motion.IsFinite(i))
     {

@@ -17,7 +17,8 @@
  * point the other way, as 3D Glyphs shows them; meshes are mirrored.
  *
  * What cannot be shown (an exponent that is not positive; position, scale, direction zero where one is needed, or
- * anything not finite) makes no glyph; it is counted and put into words in Result::Messages.
+ * anything not finite) makes no glyph; it is counted and put into words in Result::Messages. Scales, directions and
+ * tensors that are zero are ordinary: they are counted, and put into words only where no glyph is left.
  */
 #ifndef vtkGlyphInstanceBuilder_h
 #define vtkGlyphInstanceBuilder_h

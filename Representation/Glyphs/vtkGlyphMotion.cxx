@@ -106,14 +106,12 @@ vtkGlyphMotion::vtkGlyphMotion(vtkPolyData* points, const Settings& settings)
                                            : -0.5 * settings.ShutterTime;
   this->Close = this->Open + settings.ShutterTime;
   this->Found = Arrays(points, settings);
-  bool named = false;
   for (int kind = 0; kind < KINDS; ++kind)
   {
     if (!IsNamed(settings, kind))
     {
       continue;
     }
-    named = true;
     std::ostringstream text;
     if (!this->Found[kind])
     {
@@ -132,11 +130,6 @@ vtkGlyphMotion::vtkGlyphMotion(vtkPolyData* points, const Settings& settings)
     {
       this->Messages_.push_back(text.str());
     }
-  }
-  if (!named)
-  {
-    this->Messages_.emplace_back("MotionBlur is on, but VelocityArray, AccelerationArray and AngularVelocityArray are "
-                                 "None, so nothing moves. Choose a VelocityArray, or switch MotionBlur off.");
   }
 }
 

@@ -193,6 +193,13 @@ bool vtkGlyphTensors::Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const
 }
 
 //----------------------------------------------------------------------------
+bool vtkGlyphTensors::IsZero(vtkIdType point) const
+{
+  const rtg::SymmetricTensor tensor = this->Tensor(point);
+  return tensor.IsFinite() && tensor.IsZero();
+}
+
+//----------------------------------------------------------------------------
 bool vtkGlyphTensors::Number(vtkIdType point, double& value) const
 {
   const rtg::SymmetricTensor tensor = this->Tensor(point);

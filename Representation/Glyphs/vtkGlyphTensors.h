@@ -87,6 +87,7 @@ public:
    * False: the tensor is zero or not finite.
    */
   bool Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const;
+  bool IsZero(vtkIdType point) const;
 
   /**
    * The components' magnitudes of the unit eigenvector of the eigenvalue with the largest magnitude, as red, green and

@@ -23,8 +23,9 @@ class Case:
         self.view = session.view(200, 100)
         session.look(self.view, (0.0, 0.0, 6.0))
 
-    def render(self, name, data, visible, message=None, **properties):
-        """Draws data; visible: x positions (of -1, 0, 1) where a glyph must be seen; message: words of the only message."""
+    def render(self, name, data, visible, message=None, skipped=None, **properties):
+        """Draws data; visible: x positions (of -1, 0, 1) where a glyph must be seen; message: words of the only message;
+        skipped: how many points RenderStatistics must count as left out."""
         points = session.source(data)
         shown = session.glyphs(points, self.view, **{"GlyphOrient": 0, "GlyphScaleFactor": 0.5, **properties})
 
@@ -52,6 +53,9 @@ class Case:
                     self.failures.append("%s: the message does not speak of '%s': %s" % (name, word, text.strip()))
             if count > 1:
                 self.failures.append("%s: %d messages instead of one" % (name, count))
+        if skipped is not None and session.statistics(shown)["skippedGlyphs"] != skipped:
+            self.failures.append("%s: %s points are counted as left out, not %d"
+                                 % (name, session.statistics(shown)["skippedGlyphs"], skipped))
         pv.Delete(shown)
         pv.Delete(points)
 
@@ -59,9 +63,9 @@ class Case:
 def degenerate(case):
     """Points and scales that make no glyph: the others show, and the missing are reported once."""
     infinity, nothing = numpy.inf, numpy.nan
-    for name, scale in (("zero scale", 0.0), ("NaN scale", nothing), ("infinite scale", infinity)):
+    for name, scale in (("NaN scale", nothing), ("infinite scale", infinity)):
         case.render(name, session.poly_data(LINE, size=numpy.array([1.0, scale, 1.0])), (-1, 1),
-                    ("1 of 3",),
+                    ("1 of 3", "'size'", "not finite"),
                     GlyphScaling=1, GlyphScaleArray="size", GlyphScaleMode="Magnitude")
     broken = LINE.copy()
     broken[1, 1] = nothing
@@ -71,6 +75,21 @@ def degenerate(case):
     # A box, because spheres of one size are not turned and need no vector.
     case.render("NaN vector", session.poly_data(LINE, v=numpy.array([[1, 0, 0], [nothing, 0, 0], [0, 1, 0.0]])), (-1, 1), ("1 of 3",),
                 shape="Box", GlyphOrient=1, GlyphOrientationArray="v", GlyphOrientationMode="Direction")
+
+
+def zeros(case):
+    """Scales, directions and tensors of zero are ordinary: counted, and spoken of only where no glyph is left."""
+    for name, property_name, properties in (
+            ("scale", "GlyphScaleArray", {"GlyphScaling": 1}), ("vector", "GlyphOrientationArray", {"shape": "Box", "GlyphOrient": 1}),
+            ("tensor", "GlyphTensorArray", {"shape": "Tensor Ellipsoid"})):
+        values = {"scale": numpy.ones(3), "vector": numpy.eye(3), "tensor": numpy.tile(numpy.eye(3).ravel(), (3, 1))}[name]
+        some, none, bad = values.copy(), 0.0 * values, values.copy()
+        some[1] = 0.0
+        bad[0], bad[1] = 0.0, numpy.nan
+        properties[property_name] = "a"
+        case.render("zero " + name, session.poly_data(LINE, a=some), (-1, 1), None, skipped=1, **properties)
+        case.render("all zero " + name, session.poly_data(LINE, a=none), (), ("3 of 3", "is zero", "'a'"), skipped=3, **properties)
+        case.render("zero and NaN " + name, session.poly_data(LINE, a=bad), (1,), ("1 of 3", "not finite"), skipped=2, **properties)
 
 
 def arrays(case):
@@ -155,6 +174,7 @@ def main(no_device):
             case.failures.append("no device: the view does not draw other things any more")
         session.finish(case.failures)
     degenerate(case)
+    zeros(case)
     arrays(case)
     amounts(case)
     sizes(case)

@@ -275,11 +275,11 @@ def main():
     # Numbers as colours: through a map of the user's, and the one of our own; of the principal direction.
     colours(failures, view)
 
-    # Bad tensors: counted and told once; wrong lengths of tuples: one message, no glyph.
+    # Bad tensors: counted and told once, unless they are zero; wrong lengths of tuples: one message, no glyph.
     bad = t.reshape(3, 9).copy()
     bad[0] = 0.0
     bad[2, 4] = numpy.nan
-    expected = [("zero and not finite", bad, "t", "Matrix", "2 of 3 points"),
+    expected = [("zero and not finite", bad, "t", "Matrix", "1 of 3 points"),
                 ("four components", numpy.ones((3, 4)), "t", "VTK", "4 components where 6 or 9 are needed"),
                 ("six as matrix", layouts["VTK"], "t", "Matrix", "6 components where 9 are needed"),
                 ("no array", bad, "None", "VTK", "Choose a point array")]
