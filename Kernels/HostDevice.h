@@ -191,6 +191,9 @@ const uint TRANSLUCENT_MASK = 2u;
 const uint LAYER_CAPACITY = 24u;
 const float LEAST_PASSING = 1.0f / 512.0f;
 
+// So many lights are uniforms; a light kit has five.
+const uint FEW_LIGHTS = 8u;
+
 // What one dispatch reads. A uniform block rather than a buffer's address: CPU devices load uniforms once for all
 // lanes, but gather lane by lane behind an address.
 struct FrameRecord
@@ -263,7 +266,9 @@ struct FrameRecord
   // Resolving
   float exposureFactor;
   uint filmic;
-  GlyphSetRecord onlySet; // sets.at[0] again when there is no other: a uniform load, no gather
+  // What all lanes of a CPU device load at once: sets.at[0] again when there is no other set, and few lights.
+  GlyphSetRecord onlySet;
+  LightRecord fewLights[FEW_LIGHTS];
 };
 
 #ifdef __cplusplus

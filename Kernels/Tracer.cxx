@@ -274,6 +274,7 @@ device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Ca
   this->lightBuffer.Upload(records.data(), lightBytes);
   frame.lights = this->lightBuffer.Address();
   frame.lightCount = static_cast<std::uint32_t>(records.size());
+  std::copy_n(records.begin(), std::min<std::size_t>(records.size(), device::FEW_LIGHTS), frame.fewLights);
   const std::size_t imageBytes = std::size_t(settings.width) * settings.height * sizeof(std::uint32_t);
   frame.colour = this->images.Address();
   frame.depth = frame.colour + imageBytes;
@@ -338,6 +339,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   FillScene(begun.frame, begun.generation, scene);
   Constants& constants = begun.generation.constants;
   constants.accumulates = keeps;
+  constants.manyLights = lights.size() > device::FEW_LIGHTS;
   if (scene.moves)
   {
     constants.independentSamples = settings.independentSamples;

@@ -55,4 +55,5 @@ const uint MOVING_MESH = MESH_VELOCITIES | MESH_ACCELERATIONS;
   ENTRY(9, bool, develops)           /* colours change on their way to the display */                                  \
   ENTRY(10, bool, moves)             /* something in the scene does */                                                 \
   ENTRY(11, bool, environmentImage)  /* light from all around is an image */                                           \
-  ENTRY(12, bool, layered)           /* the image is that of translucent sets: opaque ones only hide */
+  ENTRY(12, bool, layered)           /* the image is that of translucent sets: opaque ones only hide */                \
+  ENTRY(13, bool, manyLights)        /* more than FEW_LIGHTS */

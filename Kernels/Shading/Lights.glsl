@@ -11,6 +11,16 @@ struct Incidence
   bool alongView;    // it shines and is seen along the view axis, in perspective too
 };
 
+// Light i in a loop over all of them.
+LightRecord LightAt(uint i)
+{
+  if (manyLights)
+  {
+    return frame.lights.at[i];
+  }
+  return frame.fewLights[i];
+}
+
 Incidence ArriveAt(LightRecord light, vec3 position)
 {
   Incidence at;

@@ -21,7 +21,7 @@ vec3 ShadeLocal(SurfaceHit hit, vec3 position, vec3 direction)
   vec3 specular = vec3(0.0);
   for (uint i = 0u; i < frame.lightCount; ++i)
   {
-    LightRecord light = frame.lights.at[i];
+    LightRecord light = LightAt(i);
     Incidence at = ArriveAt(light, position);
     float df = max(at.alongView ? 0.000001 : 0.0, at.attenuation * dot(normal, -at.direction));
     diffuse += df * light.colour;
