@@ -23,6 +23,7 @@ constexpr double seen = 1.0 / 200.0; // in a picture of all data
 constexpr double coincident = 1e-6;  // at the same place, but for rounding
 constexpr double flat = 1e-3;        // along an axis that the data do not fill
 ///@}
+constexpr double specks = 0.1; // size of spheres that are far apart, as a share of the distance between neighbors
 constexpr double typicalQuantile = 0.95;
 constexpr double leastArea = 0.25;  // of all glyphs, as a share of that of as many of the typical size
 constexpr double mostExcess = 2.0;  // so much smaller all glyphs become for the largest to fit
@@ -362,16 +363,17 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
   {
     return result;
   }
+  const Extents extents = Measure(points);
+  const double typical = Quantile(sample, typicalQuantile);
   const double exact = Reduce(ExactFactor(data, settings), vtkCommunicator::MAX_OP);
-  if (exact > 0.0)
+  if (exact * typical >= extents.Longest * std::min(seen, specks * extents.Neighbors) && exact > 0.0)
   {
     result.Factor = exact;
     return result;
   }
-  const Extents extents = Measure(points);
   if (!(extents.Longest > 0.0))
   {
-    result.Factor = TwoDigits(1.0 / Quantile(sample, typicalQuantile) / unitSize); // any size will do
+    result.Factor = TwoDigits(1.0 / typical / unitSize); // any size will do
     return result;
   }
 

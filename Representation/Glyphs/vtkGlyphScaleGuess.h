@@ -16,7 +16,8 @@
  * fills the view nor makes the others vanish. The limit is lower where many glyphs have it, which then cover a quarter
  * of the longest side's square.
  *
- * Spheres that an array of one component named radius or diameter scales have exactly that size.
+ * Spheres that an array of one component named radius or diameter scales have exactly that size, unless they are
+ * specks: smaller than a 200th of the longest side and than a tenth of the distance between neighbors.
  *
  * The factor has two significant digits.
  */

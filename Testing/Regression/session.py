@@ -221,6 +221,8 @@ def messages(action):
 
 
 def array_of(of_source, name):
-    """A point array of a source as numpy."""
+    """A point array of a source as numpy; of several blocks one after another."""
     data = dataset_adapter.WrapDataObject(of_source.GetClientSideObject().GetOutputDataObject(0))
-    return numpy.asarray(data.PointData[name])
+    values = data.PointData[name]
+    return numpy.concatenate([numpy.asarray(part) for part in values.Arrays if part is not None and len(part)]) \
+        if hasattr(values, "Arrays") else numpy.asarray(values)
