@@ -20,8 +20,8 @@ constexpr const char* rayExtensions[] = { VK_KHR_ACCELERATION_STRUCTURE_EXTENSIO
   VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME, VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME };
 
 constexpr const char* remedy =
-  "Install a driver for Vulkan 1.2 with shaderInt64 or VK_KHR_ray_tracing_pipeline: a GPU vendor's, or Mesa 24.1 or "
-  "newer with lavapipe (Debian: mesa-vulkan-drivers, on Debian 12 from bookworm-backports).";
+  "Install a driver for Vulkan 1.2 with shaderInt64 or VK_KHR_ray_tracing_pipeline: a GPU vendor's, or Mesa 22.3 or "
+  "newer with lavapipe (Debian: mesa-vulkan-drivers).";
 
 using Features = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
   vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>;
