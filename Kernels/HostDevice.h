@@ -267,8 +267,8 @@ struct FrameRecord
   float exposureFactor;
   uint filmic;
   // What all lanes of a CPU device load at once: sets.at[0] again when there is no other set, and few lights.
-  GlyphSetRecord onlySet;
   LightRecord fewLights[FEW_LIGHTS];
+  GlyphSetRecord onlySet; // last: behind it C++ has padding that the device has not
 };
 
 #ifdef __cplusplus
