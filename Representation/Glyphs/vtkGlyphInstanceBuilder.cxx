@@ -161,6 +161,7 @@ public:
     , ChoosesForm(settings.HasTable())
     , OwnExponents(settings.HasOwnExponents())
     , Sphere(settings.Shape == rtg::Shape::Sphere)
+    , Pointed(settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow)
     , Positions(points->GetPoints()->GetData())
     , Rotation(glm::mat3_cast(this->Placement.Rotation))
   {
@@ -179,8 +180,7 @@ public:
     this->OneSize = (!this->Has(vtkGlyphArrays::SCALE) || !this->ByComponents) && !tensors && this->Placement.Uniform;
     this->Turned = (this->Has(vtkGlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
       !(this->Sphere && this->OneSize);
-    const bool pointed = settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow;
-    this->Flips = pointed &&
+    this->Flips = this->Pointed &&
       ((this->Has(vtkGlyphArrays::SCALE) && this->ByComponents) || settings.ScaleFactor < 0.0 ||
         this->Placement.Scale < 0.0);
   }
@@ -358,7 +358,15 @@ private:
       const double* tuple = orientations.Get(i);
       if (!vtkGlyphPlacement::RotationFromTuple(tuple, this->OrientationMode, rotation))
       {
-        return vtkMath::Norm(tuple, orientations.Size()) == 0.0 ? ZERO_ORIENTATION : ORIENTATION;
+        if (vtkMath::Norm(tuple, orientations.Size()) != 0.0)
+        {
+          return ORIENTATION;
+        }
+        if (this->Pointed || this->OrientationMode != Settings::DIRECTION)
+        {
+          return ZERO_ORIENTATION;
+        }
+        rotation = glm::dquat(1.0, 0.0, 0.0, 0.0); // a box at rest is a box
       }
     }
 
@@ -493,7 +501,7 @@ private:
   rtg::GlyphInstances& Instances;
   bool ByComponents = false;
   int OrientationMode = Settings::DIRECTION; // of the array that was found
-  const bool ChoosesForm, OwnExponents, Sphere;
+  const bool ChoosesForm, OwnExponents, Sphere, Pointed;
   vtkDataArray* const Positions;
   std::array<vtkDataArray*, vtkGlyphArrays::NUMBER_OF_IDS> Arrays{}; // null: none, or it does not fit
   const glm::dmat3 Rotation;                                         // of the placement

@@ -16,9 +16,10 @@
  * A negative scale component mirrors the glyph. That changes nothing about a sphere, box or cylinder; cones and arrows
  * point the other way, as 3D Glyphs shows them; meshes are mirrored.
  *
- * What cannot be shown (an exponent that is not positive; position, scale, direction zero where one is needed, or
- * anything not finite) makes no glyph; it is counted and put into words in Result::Messages. Scales, directions and
- * tensors that are zero are ordinary: they are counted, and put into words only where no glyph is left.
+ * What cannot be shown (an exponent that is not positive; position, scale or orientation not finite) makes no glyph; it
+ * is counted and put into words in Result::Messages. Zeros are ordinary: scales and tensors of zero, and directions of
+ * zero for arrows and cones, make no glyph either, but are put into words only where no glyph is left. Other shapes
+ * without a direction are not turned.
  */
 #ifndef vtkGlyphInstanceBuilder_h
 #define vtkGlyphInstanceBuilder_h

@@ -84,3 +84,17 @@ bool vtkSMRayTracedDefault::Has(vtkSMProperty* property) const
   }
   return false;
 }
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedDefault::Renew(vtkSMProperty* property) const
+{
+  if (!this->Chosen || !AreEqual(property, this->Chosen))
+  {
+    return;
+  }
+  const char* value = vtkSMPropertyHelper(property).GetAsString();
+  if (!value || strcmp(value, "None") == 0 || property->IsInDomains() == vtkSMDomain::NOT_IN_DOMAIN)
+  {
+    property->ResetToDomainDefaults();
+  }
+}

@@ -33,6 +33,12 @@ struct vtkSMRayTracedDefault
    */
   bool Has(vtkSMProperty* property) const;
 
+  /**
+   * To be called when the lists of values have changed: chooses anew where ParaView has chosen a value that is in
+   * none of them any more, or found none to choose.
+   */
+  void Renew(vtkSMProperty* property) const;
+
 private:
   vtkSmartPointer<vtkSMProperty> Chosen; // null: none yet, as in a display of a state file
 };

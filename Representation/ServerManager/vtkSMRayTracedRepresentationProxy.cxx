@@ -10,6 +10,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
+#include "vtkSMRayTracedStringVectorProperty.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
@@ -145,6 +146,13 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     // The lists of arrays are those of the input that the glyphs stand on.
     this->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
+    for (const char* array : { "GlyphScaleArray", "GlyphOrientationArray", "GlyphTensorArray", "VelocityArray" })
+    {
+      if (auto* property = vtkSMRayTracedStringVectorProperty::SafeDownCast(this->GetProperty(array)))
+      {
+        property->RenewDefault();
+      }
+    }
   }
   if (flag && name && !sharing && this->HoldsForView(name))
   {

@@ -20,3 +20,9 @@ bool vtkSMRayTracedStringVectorProperty::ResetToDomainDefaults(bool useUnchecked
   }
   return reset;
 }
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedStringVectorProperty::RenewDefault()
+{
+  this->Default.Renew(this);
+}

@@ -23,6 +23,11 @@ public:
   bool IsValueDefault() override;
   bool ResetToDomainDefaults(bool useUncheckedValues = false) override;
 
+  /**
+   * To be called when its domains have changed; see vtkSMRayTracedDefault::Renew().
+   */
+  void RenewDefault();
+
 protected:
   vtkSMRayTracedStringVectorProperty() = default;
   ~vtkSMRayTracedStringVectorProperty() override = default;

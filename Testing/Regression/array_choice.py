@@ -70,6 +70,29 @@ def choices(checks):
     pv.Delete(view)
 
 
+def cells(checks):
+    """With GlyphLocation the arrays are chosen among those of the cells, unless somebody has chosen one that is there."""
+    view = session.view(40, 30)
+    source = pv.Calculator(Input=pv.PointDatatoCellData(Input=pv.Wavelet(WholeExtent=[0, 3] * 3), PassPointData=1),
+                           AttributeType="Cell Data", Function="RTData*iHat", ResultArrayName="force")
+    for name, explicit, wanted in (("chosen by nobody", None, "force"), ("chosen", "None", "None"), ("chosen, wrong", "nonesuch", "nonesuch")):
+        shown = session.glyphs(source, view)
+        checks.equal("GlyphOrientationArray of points, " + name, shown.SMProxy.GetProperty("GlyphOrientationArray").GetElement(0), "None")
+        shown.GlyphLocation = "Cells"
+        if explicit:
+            shown.GlyphOrientationArray = explicit
+        shown.GlyphScaling = 1
+        session.messages(lambda: pv.Render(view))
+        checks.equal("GlyphOrientationArray of cells, " + name, shown.SMProxy.GetProperty("GlyphOrientationArray").GetElement(0), wanted)
+        checks.equal("GlyphScaleArray of cells, " + name, shown.SMProxy.GetProperty("GlyphScaleArray").GetElement(0), "RTData")
+        shown.GlyphLocation = "Points"
+        session.messages(lambda: pv.Render(view))
+        checks.equal("GlyphOrientationArray of points again, " + name,
+                     shown.SMProxy.GetProperty("GlyphOrientationArray").GetElement(0), explicit or "None")
+        pv.Delete(shown)
+    pv.Delete(view)
+
+
 def files(checks):
     """A legacy file without active vectors: arrows follow its velocity."""
     view = session.view(40, 30)
@@ -106,6 +129,7 @@ def main():
     checks = Checks()
     choices(checks)
     files(checks)
+    cells(checks)
     exact_sizes(checks)
     checks.report()
 

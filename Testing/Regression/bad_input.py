@@ -80,7 +80,7 @@ def degenerate(case):
 def zeros(case):
     """Scales, directions and tensors of zero are ordinary: counted, and spoken of only where no glyph is left."""
     for name, property_name, properties in (
-            ("scale", "GlyphScaleArray", {"GlyphScaling": 1}), ("vector", "GlyphOrientationArray", {"shape": "Box", "GlyphOrient": 1}),
+            ("scale", "GlyphScaleArray", {"GlyphScaling": 1}), ("vector", "GlyphOrientationArray", {"shape": "Cone", "GlyphOrient": 1, "GlyphScaleFactor": 0.9}),
             ("tensor", "GlyphTensorArray", {"shape": "Tensor Ellipsoid"})):
         values = {"scale": numpy.ones(3), "vector": numpy.eye(3), "tensor": numpy.tile(numpy.eye(3).ravel(), (3, 1))}[name]
         some, none, bad = values.copy(), 0.0 * values, values.copy()
@@ -90,6 +90,8 @@ def zeros(case):
         case.render("zero " + name, session.poly_data(LINE, a=some), (-1, 1), None, skipped=1, **properties)
         case.render("all zero " + name, session.poly_data(LINE, a=none), (), ("3 of 3", "is zero", "'a'"), skipped=3, **properties)
         case.render("zero and NaN " + name, session.poly_data(LINE, a=bad), (1,), ("1 of 3", "not finite"), skipped=2, **properties)
+    case.render("boxes without direction", session.poly_data(LINE, a=numpy.zeros((3, 3))), (-1, 0, 1), None, skipped=0,
+                shape="Box", GlyphOrient=1, GlyphOrientationArray="a")
 
 
 def arrays(case):
