@@ -378,6 +378,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
   main->SetSettings(settings, table && table->GetNumberOfBlocks() == 0 ? nullptr : form(0));
   main->SetTensorTable(this->TensorTable);
+  this->UpdateLegend(points, settings);
 
   const bool axes = this->ShowsAxes(points, settings);
   const std::size_t wanted = settings.TableSize - 1 + (axes ? 1 : 0);
@@ -408,6 +409,31 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
     layer.Actor->GetProperty()->SetAmbientColor(this->TensorAxisColor.data());
     layer.Actor->GetProperty()->SetDiffuseColor(this->TensorAxisColor.data());
   }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::UpdateLegend(vtkPolyData* points, vtkGlyphSettings settings)
+{
+  this->Legend->SetStyle(this->LegendStyle);
+  if (!this->LegendStyle.On)
+  {
+    return;
+  }
+  const std::string scales =
+    settings.Scaling && !vtkRayTracedArrays::IsNone(settings.ScaleArray) ? settings.ScaleArray : std::string();
+  const std::string name = settings.Tensors.On ? settings.Tensors.Array : scales;
+  if (settings.Shape == rtg::Shape::Mesh && !this->MeshExtents.empty())
+  {
+    settings.Mesh = this->MeshExtents.front();
+  }
+  vtkNew<vtkPolyData> nothing;
+  vtkPolyData* known = points ? points : nothing.Get();
+  vtkNew<vtkMatrix4x4> matrix;
+  this->GetActor()->GetMatrix(matrix);
+  const double scale = std::hypot(matrix->GetElement(0, 0), matrix->GetElement(1, 0), matrix->GetElement(2, 0));
+  const double reference =
+    scales.empty() ? 1.0 : vtkGlyphArrays::ReferenceScale(known, settings, this->Blocks.Resolve(known));
+  this->Legend->SetGlyphs(settings, scale, name, reference);
 }
 
 //----------------------------------------------------------------------------
@@ -461,10 +487,31 @@ void vtkRayTracedGlyphRepresentation::SetPartBounds(const double bounds[6])
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::ShowLayers(bool visible)
 {
+  this->Legend->SetVisibility(visible);
   for (const auto& layer : this->Layers)
   {
     layer->Actor->SetVisibility(visible);
   }
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedGlyphRepresentation::AddToView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    this->Legend->AddTo(renderView);
+  }
+  return this->Superclass::AddToView(view);
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedGlyphRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    this->Legend->RemoveFrom(renderView);
+  }
+  return this->Superclass::RemoveFromView(view);
 }
 
 //----------------------------------------------------------------------------
@@ -510,6 +557,18 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     }
   }
   return settings;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphLegendCorner(int corner)
+{
+  this->LegendStyle.Corner = std::clamp<int>(corner, vtkGlyphLegend::LOWER_LEFT, vtkGlyphLegend::UPPER_RIGHT);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphLegendColor(double red, double green, double blue)
+{
+  this->LegendStyle.Color = ColorInRange(red, green, blue);
 }
 
 //----------------------------------------------------------------------------

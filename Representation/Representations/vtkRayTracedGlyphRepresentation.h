@@ -9,6 +9,7 @@
 
 #include "vtkRayTracedRepresentation.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
+#include "vtkGlyphLegend.h"
 #include "vtkGlyphScaleGuess.h"
 #include "vtkGlyphSettings.h"
 #endif
@@ -72,6 +73,17 @@ public:
    */
   double* GetGlyphScaleGuess() VTK_SIZEHINT(2) { return this->ScaleGuess; }
   void SetGlyphSizeLimit(double limit) { this->SizeLimit = NumberOr(limit, 0.0); }
+  ///@}
+
+  ///@{
+  /**
+   * A glyph of a stated number in a corner of the view, from which sizes can be read; see vtkGlyphLegend. Default off,
+   * a number that fits, the lower left corner, white.
+   */
+  void SetGlyphLegend(bool on) { this->LegendStyle.On = on; }
+  void SetGlyphLegendValue(double value) { this->LegendStyle.Value = NumberOr(value, 0.0); }
+  void SetGlyphLegendCorner(int corner);
+  void SetGlyphLegendColor(double red, double green, double blue);
   ///@}
 
   ///@{
@@ -172,6 +184,8 @@ protected:
   void SetPartBounds(const double bounds[6]) override;
   void ShowLayers(bool visible) override;
   void RemoveLayers(vtkPVRenderView* view) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
 private:
   vtkRayTracedGlyphRepresentation(const vtkRayTracedGlyphRepresentation&) = delete;
@@ -185,11 +199,14 @@ private:
   void UpdateMeshExtents(vtkDataObject* forms);
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points);
+  void UpdateLegend(vtkPolyData* points, vtkGlyphSettings settings);
   double MeanScale(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective);
 
   vtkGlyphSettings Glyphs; // but for what MakeSettings() adds
   int GlyphShape = 0;
   int GlyphLocation = POINTS;
+  vtkNew<vtkGlyphLegend> Legend;
+  vtkGlyphLegend::Style LegendStyle;
   bool ScaleFactorFromData = true;
   vtkGlyphScaleGuess Guess;
   double ScaleGuess[2] = { 0.0, 0.0 };

@@ -1,0 +1,107 @@
+/**
+ * @class   vtkGlyphLegend
+ * @brief   a glyph of a stated number in the corner of a view, from which sizes can be read
+ *
+ * The glyph is the profile of an upright one whose every scale, or eigenvalue, is the number that stands beside it. It
+ * is as large as it would be at the center of rotation: of parallel projections that holds everywhere, of perspective
+ * ones the legend says so. Unless a number is set it is the largest of 1, 2, 5 times a power of ten whose glyph is at
+ * most a fifth of the view's shorter side and that no limit of sizes changes; so it follows the zoom as the bar of a
+ * map's scale does.
+ */
+#ifndef vtkGlyphLegend_h
+#define vtkGlyphLegend_h
+
+#include "vtkGlyphSettings.h"
+#include "vtkNew.h"
+#include "vtkProp.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkActor2D;
+class vtkPVRenderView;
+class vtkPolyData;
+class vtkPolyDataMapper2D;
+class vtkTextActor;
+
+class vtkGlyphLegend : public vtkProp
+{
+public:
+  static vtkGlyphLegend* New();
+  vtkTypeMacro(vtkGlyphLegend, vtkProp);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Corners
+  {
+    LOWER_LEFT = 0,
+    LOWER_RIGHT = 1,
+    UPPER_LEFT = 2,
+    UPPER_RIGHT = 3
+  };
+
+  /**
+   * What the user sets. Value: 0 for one that fits.
+   */
+  struct Style
+  {
+    bool On = false;
+    double Value = 0.0;
+    int Corner = LOWER_LEFT;
+    std::array<double, 3> Color{ 1.0, 1.0, 1.0 };
+
+    bool operator==(const Style&) const = default;
+  };
+
+  /**
+   * What is shown: glyphs of these settings, `scale` times as large; name of the array that scales them, or none;
+   * `reference`: the scale of the arrow whose head has the unit arrow's proportions.
+   */
+  void SetGlyphs(const vtkGlyphSettings& settings, double scale, const std::string& name, double reference);
+  void SetStyle(const Style& style);
+
+  ///@{
+  /**
+   * Among what `view` draws over its picture, on the process that shows it.
+   */
+  void AddTo(vtkPVRenderView* view);
+  void RemoveFrom(vtkPVRenderView* view);
+  ///@}
+
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderOverlay(vtkViewport* viewport) override;
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkGlyphLegend();
+  ~vtkGlyphLegend() override;
+
+private:
+  vtkGlyphLegend(const vtkGlyphLegend&) = delete;
+  void operator=(const vtkGlyphLegend&) = delete;
+
+  /**
+   * World size of the unit glyph scaled by that number, before the representation's own scale; negative: a limit has
+   * changed it.
+   */
+  double Extent(double number) const;
+  double PixelsPerLength(vtkViewport* viewport) const;
+  double ChooseNumber(double pixelsPerLength, double most) const;
+  void Arrange(vtkViewport* viewport);
+
+  vtkGlyphSettings Settings;
+  double Scale = 1.0, Reference = 1.0;
+  std::string Name;
+  Style Look;
+  vtkNew<vtkPolyData> Profile;
+  vtkNew<vtkPolyDataMapper2D> Mapper;
+  vtkNew<vtkActor2D> Actor;
+  vtkNew<vtkTextActor> Text;
+  vtkActor* Center = nullptr; // what ParaView shows at the center of rotation; lives as long as the view
+  bool Shows = false;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkGlyphLegend.h

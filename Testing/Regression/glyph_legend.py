@@ -1,0 +1,104 @@
+"""The legend of sizes: its glyph is as large as the glyph of its number at the center of rotation.
+
+Usage: pvpython glyph_legend.py
+"""
+import numpy
+import paraview.simple as pv
+
+import session
+from checks import Checks
+
+SIDE = 600
+GREEN = (0.0, 1.0, 0.0)
+
+
+def longest_run(mask):
+    """Pixels of the longest row of neighbors."""
+    padded = numpy.zeros((mask.shape[0], mask.shape[1] + 2), dtype=int)
+    padded[:, 1:-1] = mask
+    steps = numpy.diff(padded, axis=1)
+    starts, ends = numpy.nonzero(steps == 1), numpy.nonzero(steps == -1)
+    return int((ends[1] - starts[1]).max()) if len(starts[1]) else 0
+
+
+def widths(view, name):
+    """Of the legend's glyph, which is green, and of the red one in the scene, in pixels."""
+    image = session.capture(view, "glyph-legend-" + name).astype(int)
+    red, green, blue = image[..., 0], image[..., 1], image[..., 2]
+    legend = (green > 128) & (red < 128) & (blue < 128)
+    glyph = (red > 200) & (green < 100) & (blue < 100)
+    return longest_run(legend), longest_run(glyph), legend
+
+
+def scene(shape, **properties):
+    """(view, representation) of one glyph of magnitude 2, away from the origin."""
+    view = session.view(SIDE, SIDE)
+    data = session.poly_data(numpy.array([[5.0, 1.0, 0.0]]), s=numpy.array([2.0]), v=numpy.array([[2.0, 0.0, 0.0]]))
+    shown = session.glyphs(session.source(data), view, shape, GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFactor=0.25,
+                           GlyphOrientationArray="v", ArrowReferenceMagnitude=1.0, GlyphLegend=1, GlyphLegendColor=GREEN, **properties)
+    session.solid(shown, (1.0, 0.0, 0.0))
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (5.2, 1.1, 6.0), (5.2, 1.1, -3.0), (0.0, 1.0, 0.0)
+    view.CenterOfRotation = (5.0, 1.0, 0.0)
+    return view, shown
+
+
+def size(checks):
+    """The legend's glyph and that of its number at the center of rotation."""
+    for shape in ("Sphere", "Arrow", "Box", "Cylinder", "Cone", "Capsule", "Superquadric"):
+        view, shown = scene(shape, GlyphLegendValue=2.0, GlyphExponents=(4.0, 3.0, 2.0))
+        for parallel in (0, 1):
+            view.CameraParallelProjection, view.CameraParallelScale = parallel, 1.1
+            legend, glyph, _ = widths(view, "%s-%d" % (shape.lower(), parallel))
+            # In perspective the front of a thick body looks larger than its middle.
+            front = 0 if parallel else 6
+            checks.within("%s, %s: width of the glyph" % (shape, "parallel" if parallel else "perspective"), glyph,
+                          max(40, legend - 1), legend + 1 + front)
+        pv.Delete(shown)
+        pv.Delete(view)
+
+
+def choice(checks, view, shown):
+    """Numbers that fit whatever the zoom."""
+    view.CameraParallelProjection = 1
+    for scale in (0.3, 1.0, 17.0, 1e4):
+        view.CameraParallelScale = scale
+        checks.within("pixels at parallel scale %g" % scale, widths(view, "zoom")[0], SIDE / 5 / 2.6, SIDE / 5 + 1)
+    view.CameraParallelScale, shown.GlyphLegendValue = 1.0, 1.0
+
+
+def corners(checks, view, shown):
+    """Where it stands."""
+    for corner in ("Lower Left", "Lower Right", "Upper Left", "Upper Right"):
+        shown.GlyphLegendCorner = corner
+        rows, columns = numpy.nonzero(widths(view, "corner")[2])
+        checks.equal("%s: on the right" % corner, columns.mean() > SIDE / 2, "Right" in corner)
+        checks.equal("%s: at the upper edge" % corner, rows.mean() < SIDE / 2, "Upper" in corner)
+        checks.within("%s: distance from the edge" % corner, SIDE / 2 - abs(rows - SIDE / 2).max(), 5, 30)
+
+
+def absence(checks, view, shown):
+    """Nothing of it stays where it is not wanted."""
+    for switch in ("GlyphLegend", "Visibility"):
+        checks.true("%s on: no legend" % switch, widths(view, "shown")[0] > 0)
+        setattr(shown, switch, 0)
+        checks.equal("%s off: pixels of the legend" % switch, widths(view, "hidden")[0], 0)
+        setattr(shown, switch, 1)
+    pv.Delete(shown)
+    checks.equal("display deleted: pixels of the legend", widths(view, "deleted")[0], 0)
+
+
+def main():
+    """All parts."""
+    session.load()
+    checks = Checks()
+    size(checks)
+    view, shown = scene("Sphere")
+    choice(checks, view, shown)
+    corners(checks, view, shown)
+    absence(checks, view, shown)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()
