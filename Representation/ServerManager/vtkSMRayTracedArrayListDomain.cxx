@@ -10,6 +10,7 @@
 #include "vtkSMInputArrayDomain.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
 #include "vtkType.h"
 
 #include <functional>
@@ -19,6 +20,8 @@ vtkStandardNewMacro(vtkSMRayTracedArrayListDomain);
 
 namespace
 {
+constexpr int arrow = 4; // value of GlyphShape
+
 struct Array
 {
   std::string Name;
@@ -190,6 +193,11 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
   if (this->Choice == "tensor")
   {
     return FirstOf(arrays, { ActiveTensors, AnyTensor });
+  }
+  vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
+  if (glyphs && vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == arrow)
+  {
+    return FirstOf(arrays, { ActiveVectors, AnyDirection, Size, ActiveScalars, AnyNumber });
   }
   return FirstOf(arrays, { Size, ActiveScalars, ActiveVectors, AnyDirection, AnyNumber });
 }

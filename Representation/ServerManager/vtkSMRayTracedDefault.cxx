@@ -86,14 +86,14 @@ bool vtkSMRayTracedDefault::Has(vtkSMProperty* property) const
 }
 
 //----------------------------------------------------------------------------
-void vtkSMRayTracedDefault::Renew(vtkSMProperty* property) const
+void vtkSMRayTracedDefault::Renew(vtkSMProperty* property, bool lost) const
 {
   if (!this->Chosen || !AreEqual(property, this->Chosen))
   {
     return;
   }
   const char* value = vtkSMPropertyHelper(property).GetAsString();
-  if (!value || strcmp(value, "None") == 0 || property->IsInDomains() == vtkSMDomain::NOT_IN_DOMAIN)
+  if (!lost || !value || strcmp(value, "None") == 0 || property->IsInDomains() == vtkSMDomain::NOT_IN_DOMAIN)
   {
     property->ResetToDomainDefaults();
   }

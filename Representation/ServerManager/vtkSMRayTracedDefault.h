@@ -34,10 +34,9 @@ struct vtkSMRayTracedDefault
   bool Has(vtkSMProperty* property) const;
 
   /**
-   * To be called when the lists of values have changed: chooses anew where ParaView has chosen a value that is in
-   * none of them any more, or found none to choose.
+   * Chooses anew where ParaView has chosen: if `lost`, only a value that is in no list of values any more, or None.
    */
-  void Renew(vtkSMProperty* property) const;
+  void Renew(vtkSMProperty* property, bool lost) const;
 
 private:
   vtkSmartPointer<vtkSMProperty> Chosen; // null: none yet, as in a display of a state file

@@ -148,11 +148,14 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
     this->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
     for (const char* array : { "GlyphScaleArray", "GlyphOrientationArray", "GlyphTensorArray", "VelocityArray" })
     {
-      if (auto* property = vtkSMRayTracedStringVectorProperty::SafeDownCast(this->GetProperty(array)))
-      {
-        property->RenewDefault();
-      }
+      this->RenewDefault(array, /*lost=*/true);
     }
+  }
+  if (flag && name && strcmp(name, "GlyphShape") == 0 && !vtkSMPropertyHelper(this, "GlyphScaling", true).GetAsInt())
+  {
+    // Arrows are as long as vectors, others as large as radii. Not while the array is in use: scripts and states may
+    // name the array before the shape.
+    this->RenewDefault("GlyphScaleArray", /*lost=*/false);
   }
   if (flag && name && !sharing && this->HoldsForView(name))
   {
@@ -161,6 +164,15 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   if (flag && name)
   {
     this->ShareMaterial(name);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedRepresentationProxy::RenewDefault(const char* array, bool lost)
+{
+  if (auto* property = vtkSMRayTracedStringVectorProperty::SafeDownCast(this->GetProperty(array)))
+  {
+    property->RenewDefault(lost);
   }
 }
 

@@ -55,6 +55,7 @@ private:
   vtkSMProxy* FindView();
   bool IsExposed(const char* name);
   bool HoldsForView(const char* name);
+  void RenewDefault(const char* array, bool lost);
   void ShareWithView(const char* name);
   void ShareMaterial(const std::string& name);
   void TakeFromView(vtkSMProxy* view);

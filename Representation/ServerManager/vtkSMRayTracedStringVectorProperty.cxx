@@ -22,7 +22,7 @@ bool vtkSMRayTracedStringVectorProperty::ResetToDomainDefaults(bool useUnchecked
 }
 
 //----------------------------------------------------------------------------
-void vtkSMRayTracedStringVectorProperty::RenewDefault()
+void vtkSMRayTracedStringVectorProperty::RenewDefault(bool lost)
 {
-  this->Default.Renew(this);
+  this->Default.Renew(this, lost);
 }

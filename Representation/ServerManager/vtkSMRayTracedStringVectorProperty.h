@@ -24,9 +24,9 @@ public:
   bool ResetToDomainDefaults(bool useUncheckedValues = false) override;
 
   /**
-   * To be called when its domains have changed; see vtkSMRayTracedDefault::Renew().
+   * To be called when its domains would choose otherwise; see vtkSMRayTracedDefault::Renew().
    */
-  void RenewDefault();
+  void RenewDefault(bool lost);
 
 protected:
   vtkSMRayTracedStringVectorProperty() = default;

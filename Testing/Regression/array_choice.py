@@ -99,6 +99,12 @@ def files(checks):
     shown = session.glyphs(pv.OpenDataFile(os.environ["RTGLYPHS_DATA"] + "/impact/impact_04.vtk"), view)
     found = [str(shown.GetPropertyValue(name)).strip("'") for name in PROPERTIES]
     checks.equal("arrays of impact_04.vtk", found, ["diameter", "velocity", "stress", "velocity"])
+    scale = shown.SMProxy.GetProperty("GlyphScaleArray")
+    for name, value, wanted in (("GlyphShape", "Arrow", "velocity"), ("GlyphShape", "Box", "diameter"), ("GlyphScaling", 1, "diameter"),
+                                ("GlyphShape", "Arrow", "diameter"), ("GlyphScaling", 0, "diameter"), ("GlyphShape", "Cone", "diameter"),
+                                ("GlyphScaleArray", "acceleration", "acceleration"), ("GlyphShape", "Arrow", "acceleration")):
+        setattr(shown, name, value)
+        checks.equal("GlyphScaleArray of impact_04.vtk after %s = %s" % (name, value), scale.GetElement(0), wanted)
     pv.Delete(view)
 
 

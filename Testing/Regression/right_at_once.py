@@ -83,7 +83,7 @@ def files():
     listed = {
         "impact": (data + "/impact/impact_04.vtk", {}),
         "impact, diameters": (data + "/impact/impact_04.vtk", SCALED),
-        "impact, velocities": (data + "/impact/impact_04.vtk", {**ARROWS, "GlyphScaleArray": "velocity"}),
+        "impact, velocities": (data + "/impact/impact_04.vtk", ARROWS),
         "impact, stress": (data + "/impact/impact_04.vtk", {"GlyphShape": "Signed Tensor Superquadric"}),
         "nematic": (data + "/nematic/nematic_04.vtk", {}),
         "point load": (data + "/point_load/point_load.vtk", {"GlyphShape": "Signed Tensor Superquadric"}),
@@ -91,7 +91,7 @@ def files():
         "blow": (shared + "/blow.vtk", {}),
         "carotid": (shared + "/carotid.vtk", {}),
         "disk_out_ref": (shared + "/disk_out_ref.ex2", {}),
-        "disk_out_ref, velocities": (shared + "/disk_out_ref.ex2", {**ARROWS, "GlyphScaleArray": "V"}),
+        "disk_out_ref, velocities": (shared + "/disk_out_ref.ex2", ARROWS),
         "can": (shared + "/can-vtu.hdf", {}),
     }
     return {name: entry for name, entry in listed.items() if os.path.exists(entry[0])}
