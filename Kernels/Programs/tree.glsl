@@ -19,14 +19,14 @@ struct TreePosition
 {
   uint level;
   uint node;
-  uint64_t pending;
+  uvec2 pending; // levels 0 to 3, and 4 to 7
   uint orders;
   vec4 behind[2];
 };
 
 TreePosition RootOfTree()
 {
-  return TreePosition(0u, 0u, uint64_t(0), 0u, vec4[2](vec4(0.0), vec4(0.0)));
+  return TreePosition(0u, 0u, uvec2(0u), 0u, vec4[2](vec4(0.0), vec4(0.0)));
 }
 
 // The current node's number: 1 + 8 + 64 + ... are on the levels above it.
@@ -154,7 +154,8 @@ void IntersectNode(
 // Takes note of the children of the current node that are to be visited.
 void PushChildren(inout TreePosition position, uint mask, uint order, float behind)
 {
-  position.pending |= uint64_t(mask) << (8u * position.level);
+  uint bits = mask << (8u * (position.level & 3u));
+  position.pending |= position.level < 4u ? uvec2(bits, 0u) : uvec2(0u, bits);
   uint shift = 4u * position.level;
   position.orders = (position.orders & ~(15u << shift)) | (order << shift);
   if (dropsHidden)
@@ -177,21 +178,21 @@ void DropHidden(inout TreePosition position, float nearest)
 {
   if (dropsHidden)
   {
-    position.pending &=
-      ~pack64(uvec2(HiddenLevels(position.behind[0], nearest), HiddenLevels(position.behind[1], nearest)));
+    position.pending &= ~uvec2(HiddenLevels(position.behind[0], nearest), HiddenLevels(position.behind[1], nearest));
   }
 }
 
 // Moves to the next child: the first pending one on the deepest level that has any. False: none is left.
 bool PopChild(inout TreePosition position)
 {
-  uvec2 halves = unpack32(position.pending);
+  uvec2 halves = position.pending;
   if ((halves.x | halves.y) == 0u)
   {
     return false;
   }
   uint highest = halves.y != 0u ? 32u + uint(findMSB(halves.y)) : uint(findMSB(halves.x));
-  position.pending ^= uint64_t(1u) << highest;
+  uint bit = 1u << (highest & 31u);
+  position.pending ^= highest < 32u ? uvec2(bit, 0u) : uvec2(0u, bit);
   uint parentLevel = highest >> 3;
   uint child = (7u - (highest & 7u)) ^ ((position.orders >> (4u * parentLevel)) & 7u);
   uint parent = position.node >> (3u * (position.level - parentLevel));

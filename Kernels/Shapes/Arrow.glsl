@@ -120,12 +120,15 @@ RTG_FN bool ArrowCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_O
       second = headPart;
     }
   }
+  // Both are computed, and one is chosen at the end: see FirstCrossing().
+  Crossing other;
   bool found = FirstCrossing(local, first, tMin, tMax, crossing);
+  bool foundOther = FirstCrossing(local, second, tMin, tMax, other);
   if (!found)
   {
-    found = FirstCrossing(local, second, tMin, tMax, crossing);
+    crossing = other;
   }
-  return found;
+  return found || foundOther;
 }
 
 RTG_FN bool IntersectArrow(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
