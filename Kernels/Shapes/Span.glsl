@@ -68,21 +68,15 @@ RTG_FN Span Intersection(Span a, Span b)
 // The smallest span that holds both; the union when they touch.
 RTG_FN Span Hull(Span a, Span b)
 {
-  if (IsEmpty(a))
-  {
-    return b;
-  }
-  if (IsEmpty(b))
-  {
-    return a;
-  }
+  bool hasA = !IsEmpty(a);
+  bool hasB = !IsEmpty(b);
   Span hull = a;
-  if (IsLess(b.sIn, a.sIn))
+  if (hasB && (!hasA || IsLess(b.sIn, a.sIn)))
   {
     hull.sIn = b.sIn;
     hull.faceIn = b.faceIn;
   }
-  if (IsLess(a.sOut, b.sOut))
+  if (hasB && (!hasA || IsLess(a.sOut, b.sOut)))
   {
     hull.sOut = b.sOut;
     hull.faceOut = b.faceOut;
