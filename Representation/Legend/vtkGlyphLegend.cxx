@@ -76,7 +76,7 @@ std::vector<Outline> ArrowProfile(const rtg::ArrowForm& form, double length, dou
   return outlines;
 }
 
-// |x|^r + |y|^s = 1, on rays from the middle; in double logarithms no power overflows.
+// |x|^r + |y|^s = 1, on rays from the middle, right to a ten-millionth of `half`.
 Outline SuperquadricProfile(double r, double s, double half)
 {
   Outline outline;
@@ -85,7 +85,7 @@ Outline SuperquadricProfile(double r, double s, double half)
     const double angle = 2.0 * vtkMath::Pi() * i / (4 * arcPoints);
     const glm::dvec2 direction(std::cos(angle), std::sin(angle));
     double low = 0.0, high = 1.5; // the profile lies in the square [-1, 1]^2
-    for (int step = 0; step < 60; ++step)
+    for (int step = 0; step < 24; ++step)
     {
       const double middle = 0.5 * (low + high);
       const glm::dvec2 p = glm::abs(middle * direction);
@@ -323,7 +323,7 @@ void vtkGlyphLegend::Arrange(vtkViewport* viewport)
 
   char text[64];
   std::snprintf(text, sizeof(text), "%.6g", alike ? extent : number);
-  std::string label = alike || this->Name.empty() ? text : this->Name + " " + text;
+  std::string label = alike ? text : this->Name + " " + text;
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
   if (!renderer->GetActiveCamera()->GetParallelProjection())
   {

@@ -1,5 +1,6 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 
+#include "Glyphs.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGlyphArrayNames.h"
 #include "vtkObjectFactory.h"
@@ -20,8 +21,6 @@ vtkStandardNewMacro(vtkSMRayTracedArrayListDomain);
 
 namespace
 {
-constexpr int arrow = 4; // value of GlyphShape
-
 struct Array
 {
   std::string Name;
@@ -195,7 +194,8 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
     return FirstOf(arrays, { ActiveTensors, AnyTensor });
   }
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
-  if (glyphs && vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == arrow)
+  if (glyphs &&
+    vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == static_cast<int>(rtg::Shape::Arrow))
   {
     return FirstOf(arrays, { ActiveVectors, AnyDirection, Size, ActiveScalars, AnyNumber });
   }
