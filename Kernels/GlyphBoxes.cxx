@@ -42,6 +42,7 @@ HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
   glyph.turned = !instances.rotations.empty();
   glyph.rotation = glyph.turned ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
   SetArrow<float>(glyph, instances.arrow);
+  glyph.unitLength = instances.arrow.unitLength > 0.0f ? instances.arrow.unitLength : glyph.size.y;
   glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i];
   return glyph;
 }
@@ -199,14 +200,14 @@ std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first, doubl
   return boxes;
 }
 
-glm::dvec3 GlyphReach(Shape shape, const ArrowForm& arrow, const glm::dvec3& size)
+DoubleBox GlyphExtent(Shape shape, const ArrowForm& arrow, const glm::dvec3& size)
 {
   shapes::Kernel<double>::Glyph glyph{};
   glyph.size = size;
   SetArrow<double>(glyph, arrow);
-  glm::dvec3 lower, upper;
-  shapes::Kernel<double>::GlyphBounds(shape, glyph, lower, upper);
-  return glm::max(glm::abs(lower), glm::abs(upper));
+  DoubleBox box;
+  shapes::Kernel<double>::GlyphBounds(shape, glyph, box.lower, box.upper);
+  return box;
 }
 
 std::uint32_t TimeSliceBits(const GlyphInstances& instances, std::size_t bytesPerSlice)

@@ -15,8 +15,8 @@ namespace rtg
 /// <= 1.
 std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first = 0.0, double last = 1.0);
 
-/// How far a glyph of these sizes, not turned, reaches from its centre along each axis. None of Shape::Mesh.
-glm::dvec3 GlyphReach(Shape shape, const ArrowForm& arrow, const glm::dvec3& size);
+/// The box of a glyph of these sizes, not turned, relative to its centre. None of Shape::Mesh.
+DoubleBox GlyphExtent(Shape shape, const ArrowForm& arrow, const glm::dvec3& size);
 
 /// ChooseSliceBits() of glyphs (TimeSlices.h).
 std::uint32_t TimeSliceBits(const GlyphInstances& instances, std::size_t bytesPerSlice);

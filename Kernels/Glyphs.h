@@ -59,7 +59,7 @@ struct ArrowForm
   /// they have on an arrow of length `unitLength`; an arrow shorter than its head shrinks as a whole.
   /// False: the whole arrow is scaled by the instance's sizes.
   bool fixedHeads = true;
-  float unitLength = 1.0f; ///< world length of the arrow whose head has the fractions above
+  float unitLength = 1.0f; ///< world length of the arrow whose head has the fractions above; 0: each glyph's size.y
 
   bool operator==(const ArrowForm&) const = default;
 };
@@ -121,7 +121,7 @@ inline bool IsTranslucent(const GlyphInstances& instances)
 }
 
 /// Colours of one set: one RGBA8 a glyph in the order of GlyphInstances (red in the lowest byte),
-/// or empty for Material::colour.
+/// or empty for Material::colour. White leaves glyphs with GlyphInstances::forms the two colours of those.
 using GlyphColours = std::vector<std::uint32_t>;
 
 /// ParaView's surface appearance. Colours are as the lookup table gives them (display-referred).

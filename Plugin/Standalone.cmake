@@ -49,9 +49,26 @@ endforeach ()
 set_property(GLOBAL PROPERTY _paraview_plugin_RayTracedGlyphs_file
   "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin")
 
+# What users need is the component `plugin`, which is installed unless another one is asked for: ParaView's macros also
+# install archives for programs that link modules statically.
+install(CODE "if (NOT CMAKE_INSTALL_COMPONENT)\n  set(CMAKE_INSTALL_COMPONENT plugin)\nendif ()")
 paraview_plugin_build(
   RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
   PLUGINS_FILE_NAME "raytracedglyphs.xml"
+  PLUGINS_COMPONENT plugin
+  TARGET_COMPONENT plugin
+  INSTALL_HEADERS OFF
   PLUGINS ${rtglyphs_plugins})
+install(FILES LICENSE README.md Plugin/CHANGES.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT plugin)
+add_custom_target(uninstall
+  COMMAND "${CMAKE_COMMAND}" "-DMANIFEST=${CMAKE_BINARY_DIR}/install_manifest_plugin.txt"
+    -P "${CMAKE_CURRENT_LIST_DIR}/Uninstall.cmake"
+  VERBATIM)
+
+# `cpack` in the build folder packs what is installed.
+set(CPACK_GENERATOR TXZ)
+set(CPACK_PACKAGE_FILE_NAME "RayTracedGlyphs-${PROJECT_VERSION}-paraview-${ParaView_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
+set(CPACK_STRIP_FILES ON)
+include(CPack)

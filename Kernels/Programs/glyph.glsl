@@ -49,6 +49,7 @@ Glyph FetchGlyph(GlyphSource source, uint primitive)
   if (Has(set.variants, SIZES_EACH))
   {
     glyph.size = set.sizes3.at[InSet(set, SIZES_EACH, primitive)];
+    glyph.unitLength = set.unitLength > 0.0 ? set.unitLength : glyph.size.y;
   }
   if (Has(set.variants, SIZE_EACH))
   {

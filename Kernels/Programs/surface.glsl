@@ -31,7 +31,7 @@ SurfaceHit HitOnGlyph(uint record, GlyphSource source, GlyphRay ray, uint glyph,
     // Chance has decided that it stops the ray.
     hit.colour.a = 1.0;
   }
-  if (Has(set.variants, FORMS))
+  if (Has(set.variants, FORMS) && (!Has(set.variants, COLOURS) || hit.colour.rgb == vec3(1.0)))
   {
     // In glyph sizes: squares of tiny lengths vanish.
     vec3 p = FromCentre(ray, found, t) / max(found.size.x, max(found.size.y, found.size.z));

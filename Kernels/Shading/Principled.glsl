@@ -47,16 +47,19 @@ RTG_SHADING_FN float FacetWidth(float roughness)
   return max(roughness * roughness, 0.001f);
 }
 
-// Schlick's approximation, given its fifth power.
 RTG_SHADING_FN float FifthPower(float x)
 {
   float square = x * x;
   return square * square * x;
 }
 
+// Schlick's approximation. Where next to nothing is reflected at normal incidence, less is at grazing incidence, too,
+// down to nothing: what has the refractive index of air is not seen (Lagarde and de Rousiers, "Moving Frostbite to
+// Physically Based Rendering", 2014).
 RTG_SHADING_FN float Fresnel(float reflectance, float cosine)
 {
-  return reflectance + (1.0f - reflectance) * FifthPower(1.0f - min(abs(cosine), 1.0f));
+  float grazing = min(50.0f * reflectance, 1.0f);
+  return reflectance + (grazing - reflectance) * FifthPower(1.0f - min(abs(cosine), 1.0f));
 }
 
 // Smith's function of the GGX distribution: facets that block the view, per facet that does not.

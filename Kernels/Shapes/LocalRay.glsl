@@ -156,6 +156,20 @@ RTG_FN LocalRay TurnToLocal(LocalRay ray, Glyph glyph)
   return local;
 }
 
+// Where a ray passes the box -halfSize .. halfSize, in plain arithmetic. False: it misses that.
+RTG_FN bool BoxChord(real3 o, real3 d, real3 halfSize, RTG_OUT(real) sIn, RTG_OUT(real) sOut)
+{
+  real least = real(RTG_ROUNDOFF * RTG_ROUNDOFF) * (abs(d.x) + abs(d.y) + abs(d.z));
+  real3 e = real3(abs(d.x) > least ? d.x : least, abs(d.y) > least ? d.y : least, abs(d.z) > least ? d.z : least);
+  real3 a = (-halfSize - o) / e;
+  real3 b = (halfSize - o) / e;
+  real3 sNear = min(a, b);
+  real3 sFar = max(a, b);
+  sIn = max(sNear.x, max(sNear.y, sNear.z));
+  sOut = min(sFar.x, min(sFar.y, sFar.z));
+  return sIn <= sOut;
+}
+
 // The ray's chord through the box middle - halfSize .. middle + halfSize in the glyph's frame, in plain
 // arithmetic: the box is padded by more than its rounding, so that an empty chord is certain. `radius`
 // is at least half the box's diagonal.
@@ -164,17 +178,11 @@ RTG_FN bool PaddedChord(LocalRay ray, Glyph glyph, real3 middle, real3 halfSize,
   real3 o = RotateToLocal(glyph, ray.origin.hi) - middle;
   real3 d = RotateToLocal(glyph, ray.direction.hi);
   real padding = real(64.0 * RTG_ROUNDOFF) * (radius + abs(middle.x));
-  real3 padded = halfSize + real3(padding);
-  real least = real(RTG_ROUNDOFF * RTG_ROUNDOFF) * (abs(d.x) + abs(d.y) + abs(d.z));
-  real3 e = real3(abs(d.x) > least ? d.x : least, abs(d.y) > least ? d.y : least, abs(d.z) > least ? d.z : least);
-  real3 a = (-padded - o) / e;
-  real3 b = (padded - o) / e;
-  real3 sNear = min(a, b);
-  real3 sFar = max(a, b);
-  real sIn = max(sNear.x, max(sNear.y, sNear.z));
-  real sOut = min(sFar.x, min(sFar.y, sFar.z));
+  real sIn;
+  real sOut;
+  bool meets = BoxChord(o, d, halfSize + real3(padding), sIn, sOut);
   sMiddle = real(0.5) * (sIn + sOut);
-  return sIn <= sOut;
+  return meets;
 }
 
 // The ray in the glyph's frame, its origin moved to the middle of its chord through the glyph's box.

@@ -8,63 +8,26 @@
 // Kindlmann 2004 and of granular matter codes. alpha = 0 is the square cross-section, beta = c = 0 the cylinder.
 // Glyph.exponents holds alpha, beta, c; those below 1e-6 count as that.
 //
-// Crossings are found in plain arithmetic, by Newton's method on a norm where the glyph is convex (NestedConvex.glsl),
-// else in windows of the ray that hold one crossing or none (NestedPieces.glsl). The last steps are Newton's on the
-// norm's logarithm, in double words (NestedWords.glsl), until what a tangent leaves is below rounding: the plain
-// solution knows the surface to 1e-6 only, and a grazing ray wants 1e-11. Where the terms of the slope cancel they are
-// double words too, inside a bracket (NestedSettle). No hit is invented: each one is a change of sign.
+// The solver is ImplicitSearch.glsl's; what it solves is in NestedField.glsl.
 #ifndef RTG_NESTED_SUPERQUADRIC
 #define RTG_NESTED_SUPERQUADRIC
 
 #include "Estimate.glsl"
-#include "Box.glsl"
-#include "Disc.glsl"
-#include "NestedConvex.glsl"
-#include "NestedPieces.glsl"
-#include "Span.glsl"
+#include "NestedField.glsl"
 
-RTG_FN NestedCrossing NestedSuperquadricCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax)
+RTG_FN SurfaceCrossing NestedSuperquadricCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax)
 {
-  LocalRay local;
-  if (!ToBoxFrame(ray, glyph, real(0.5) * glyph.size, local))
+  Chord chord;
+  if (!ToChord(ray, glyph, tMin, tMax, chord))
   {
-    return NoCrossing(local);
+    return NoSurfaceCrossing(chord.ray);
   }
-
-  // The origin next to the centre, a copy with a direction of about length one, the chord through the box
-  NestedForm form = MakeNestedForm(glyph.exponents);
-  real speed = length(local.direction.hi);
-  local = Advance(local, -dot(local.origin.hi, local.direction.hi) / (speed * speed));
-  real scale = ldexp(real(1.0), -int(floor(log2(speed))));
-  LocalRay unit = local;
-  unit.start = Word(real(0.0));
-  unit.direction.hi = scale * local.direction.hi;
-  unit.direction.lo = scale * local.direction.lo;
-  real3 o = local.origin.hi;
-  real3 d = unit.direction.hi;
-  real reach = real(1.0) + real(8.0 * RTG_ROUNDOFF);
-  real least = real(RTG_ROUNDOFF * RTG_ROUNDOFF);
-  real3 e = real3(abs(d.x) > least ? d.x : least, abs(d.y) > least ? d.y : least, abs(d.z) > least ? d.z : least);
-  real3 a = (-real3(reach) - o) / e;
-  real3 b = (real3(reach) - o) / e;
-  real3 sNear = min(a, b);
-  real3 sFar = max(a, b);
-  real sIn = max(sNear.x, max(sNear.y, sNear.z));
-  real sOut = min(sFar.x, min(sFar.y, sFar.z));
-  if (!(sIn <= sOut))
-  {
-    return NoCrossing(local);
-  }
-  if (form.convex)
-  {
-    return NestedConvex(form, local, unit, scale, sIn, sOut, tMin, tMax);
-  }
-  return NestedPieces(form, local, unit, scale, sIn, sOut, tMin, tMax);
+  return NearestCrossing(MakeNestedField(chord, glyph.exponents), chord, tMin, tMax);
 }
 
 RTG_FN bool IntersectNestedSuperquadric(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
 {
-  NestedCrossing crossing = NestedSuperquadricCrossing(ray, glyph, tMin, tMax);
+  SurfaceCrossing crossing = NestedSuperquadricCrossing(ray, glyph, tMin, tMax);
   t = crossing.t;
   return crossing.found;
 }
@@ -76,21 +39,8 @@ RTG_FN Enclosure NestedSuperquadricEnclosure(Glyph glyph)
 
 RTG_FN real3 NestedSuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
 {
-  NestedCrossing crossing = NestedSuperquadricCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER));
-  NestedForm form = MakeNestedForm(glyph.exponents);
-  real3 p = crossing.at.origin.hi;
-  real3 gradient =
-    form.convex ? NestedConvexAt(form, crossing.at.origin).gradient : NestedProfileAt(form, crossing.at).gradient;
-  gradient = gradient / max(gradient.x, max(gradient.y, max(gradient.z, real(RTG_NESTED_TINY))));
-  // On the axis of a thorn nothing points anywhere but along it.
-  if (!(gradient.x + gradient.y + gradient.z > real(0.0)))
-  {
-    gradient = real3(real(0.0), real(0.0), real(1.0));
-  }
-  real3 outward = real3(p.x < real(0.0) ? -gradient.x : gradient.x, p.y < real(0.0) ? -gradient.y : gradient.y,
-    p.z < real(0.0) ? -gradient.z : gradient.z);
-  real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
-  return normalize(RotateToWorld(glyph, outward * (real3(smallest) / glyph.size)));
+  LocalRay at = NestedSuperquadricCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER)).at;
+  return SurfaceNormal(glyph, at.origin.hi, PointAt(MakeNestedField(NoChord(), glyph.exponents), at).gradient);
 }
 
 // The norm dual to the p-norm, p = 2 / exponent, of non-negative a, b: the reach of the p-norm's unit ball. Not

@@ -2,63 +2,49 @@
 //
 // In the frame where the half-lengths are 1, f(s) = sum |o_i + s d_i|^e_i - 1 is to be zero. Along a ray a term with
 // e >= 1 is convex; one with e < 1 is concave on either side of its coordinate plane, where it has a cusp. So the
-// chord through the box is cut at the planes of the axes with e < 1: at most four pieces, on each of which f = convex +
-// concave. Its crossings are found one after the other, from the left.
-//
-// Isolation. Outside the glyph f > 0, and on a window [a, b] without cusps
+// ray is cut at the planes of the axes with e < 1: at most four pieces, on each of which f = convex + concave. Where
+// f > 0,
 //   f(s) >= tangent of the convex terms at a (or at b) + chord of the concave terms =: a straight line through f(a) (or
 //   f(b)).
-// Where both lines are below zero is all that is left of the window; if they are nowhere, nothing is in it: that is
-// proven, nothing is sampled. For a convex glyph the line at a is Newton's, which by convexity never passes the first
-// crossing. Inside the glyph the same holds for -f, with the roles of convex and concave terms exchanged.
-// When the signs at a and b differ and f is monotone between, or purely convex or concave, the crossing is unique.
-// Otherwise the window is cut where the lines leave the most doubt, so every step at least halves it.
-//
-// Solution. Newton's method inside a bracket of certain signs, with bisection where it leaves the bracket or
-// dawdles. The last step is done on f in double words (WordFunctions.glsl): f is then known to about 1e-13, so that the
-// quadratic through it, with plain derivatives, gives a grazing crossing with the digits that t needs, and tells
-// whether there is one.
-//
-// Why it cannot loop: every turn evaluates f once and the turns are counted; after RTG_STEPS the answer is a miss.
-// Testing/Kernels/ SuperquadricTest.cxx counts them: 4 to 5 on average, and only rays that touch the surface to within
-// rounding use them up. Why it cannot invent hits: a crossing needs a certain change of sign, or the last step must
-// find its root in double words.
+// For -f the roles of convex and concave terms are exchanged. A crossing is the only one where f is monotone, or purely
+// convex or concave. The rest is ImplicitSearch.glsl's.
 #ifndef RTG_SUPERQUADRIC
 #define RTG_SUPERQUADRIC
 
 #include "Estimate.glsl"
-#include "Box.glsl"
-#include "Disc.glsl"
-#include "Span.glsl"
+#include "ImplicitSurface.glsl"
 #include "Sphere.glsl"
 #include "WordFunctions.glsl"
 
-#define RTG_STEPS 256
 // The slope of a concave term at its cusp.
 #define RTG_CUSP 1.0e30
 
-// The ray in the frame of the half-lengths; coordinate i at s is (s - zero_i) direction_i + base_i.
-struct SuperquadricRay
+// f along a ray; coordinate i at s is (s - zero_i) direction_i + base_i.
+struct SuperquadricField
 {
+  real3 exponents;
   real3 zero;
   real3 base;
   real3 direction;
-  real3 exponents;
-  real sIn; // its chord through the box, slightly longer
   real sOut;
-  real accuracy; // of s, after the last step
+  Planes cusps;
+  real accuracy; // of s, after the last steps
   real noise;    // rounding of f where its terms are of the order of one
+  real bowl;     // windows shorter than this are convex
 };
 
 // f and its terms at one point of the ray.
-struct Probe
+struct SuperquadricProbe
 {
-  real s;
+  DoubleWord where;
+  int axis;
+  bool outside;
   real f;
-  real3 term;
-  real3 slope; // of the terms along the ray; RTG_CUSP at a cusp
-  real third;  // how large the third derivative of f is
-  real reach;  // a parabola serves for f at most this far
+  real slope;
+  real noise;
+  Straying strays;
+  real3 terms;
+  real3 slopes; // of the terms along the ray; RTG_CUSP at a cusp
 };
 
 // How well a parabola follows the term (p + s d)^e: its third derivative, and how far that tells the truth. For
@@ -88,29 +74,27 @@ ProbeAxis(real p, real d, real e, RTG_OUT(real) term, RTG_OUT(real) slope, RTG_O
   }
 }
 
-RTG_FN real SumOf(real3 v)
+RTG_FN SuperquadricProbe ProbeAt(SuperquadricField field, DoubleWord where, int axis)
 {
-  return v.x + v.y + v.z;
-}
-
-RTG_FN real LeastOf(real3 v)
-{
-  return min(v.x, min(v.y, v.z));
-}
-
-RTG_FN Probe ProbeAt(SuperquadricRay ray, real s)
-{
-  Probe probe;
-  probe.s = s;
-  real3 p = (real3(s) - ray.zero) * ray.direction + ray.base;
+  SuperquadricProbe probe;
+  probe.where = where;
+  probe.axis = axis;
+  real3 p = OffPlane(axis) * ((real3(where.hi) - field.zero) * field.direction + field.base);
+  real3 d = field.direction;
+  real3 e = field.exponents;
   real3 third;
   real3 reach;
-  ProbeAxis(p.x, ray.direction.x, ray.exponents.x, probe.term.x, probe.slope.x, third.x, reach.x);
-  ProbeAxis(p.y, ray.direction.y, ray.exponents.y, probe.term.y, probe.slope.y, third.y, reach.y);
-  ProbeAxis(p.z, ray.direction.z, ray.exponents.z, probe.term.z, probe.slope.z, third.z, reach.z);
-  probe.f = SumOf(probe.term) - real(1.0);
-  probe.third = SumOf(third);
-  probe.reach = LeastOf(reach);
+  ProbeAxis(p.x, d.x, e.x, probe.terms.x, probe.slopes.x, third.x, reach.x);
+  ProbeAxis(p.y, d.y, e.y, probe.terms.y, probe.slopes.y, third.y, reach.y);
+  ProbeAxis(p.z, d.z, e.z, probe.terms.z, probe.slopes.z, third.z, reach.z);
+  probe.f = SumOf(probe.terms) - real(1.0);
+  probe.slope = SumOf(probe.slopes);
+  probe.strays.third = SumOf(third);
+  probe.strays.reach = LeastOf(reach);
+  probe.outside = probe.f > real(0.0);
+  // A plane is where double words say: rounded, that moves the other terms, even to where they have cusps, too.
+  real moved = axis < 0 ? real(0.0) : real(8.0 * RTG_ROUNDOFF) * max(abs(where.hi), real(RTG_ROUNDOFF));
+  probe.noise = field.noise + moved * SumOf(OffPlane(axis) * abs(probe.slopes));
   return probe;
 }
 
@@ -122,49 +106,33 @@ RTG_FN void ZeroOfAxis(real o, real d, real reach, RTG_OUT(real) zero, RTG_OUT(r
   base = crosses && d != real(0.0) ? real(0.0) : o;
 }
 
-RTG_FN SuperquadricRay MakeSuperquadricRay(LocalRay local, real3 exponents)
+RTG_FN SuperquadricField MakeSuperquadricField(Chord chord, real3 exponents)
 {
-  SuperquadricRay ray;
-  ray.direction = local.direction.hi;
-  ray.exponents = exponents;
-
-  // The chord through the box, padded by more than the rounding of the coordinates.
-  real3 o = local.origin.hi;
-  real3 d = local.direction.hi;
-  real least = real(RTG_ROUNDOFF * RTG_ROUNDOFF) * (abs(d.x) + abs(d.y) + abs(d.z));
-  real3 e = real3(abs(d.x) > least ? d.x : least, abs(d.y) > least ? d.y : least, abs(d.z) > least ? d.z : least);
-  real3 padded = real3(real(1.0 + 32.0 * RTG_ROUNDOFF));
-  real3 a = (-padded - o) / e;
-  real3 b = (padded - o) / e;
-  real3 sNear = min(a, b);
-  real3 sFar = max(a, b);
-  ray.sIn = max(sNear.x, max(sNear.y, sNear.z));
-  ray.sOut = min(sFar.x, min(sFar.y, sFar.z));
-  ray.accuracy = real(0.5 * RTG_ROUNDOFF) * (ray.sOut - ray.sIn);
+  SuperquadricField field;
+  LocalRay unit = chord.unit;
+  real3 o = unit.origin.hi;
+  real3 d = unit.direction.hi;
+  real reach = real(4.0) * max(abs(chord.sIn), abs(chord.sOut));
+  ZeroOfAxis(o.x, d.x, reach, field.zero.x, field.base.x);
+  ZeroOfAxis(o.y, d.y, reach, field.zero.y, field.base.y);
+  ZeroOfAxis(o.z, d.z, reach, field.zero.z, field.base.z);
+  field.exponents = exponents;
+  field.direction = d;
+  field.sOut = chord.sOut;
+  field.cusps.x = PassesAt(WordX(unit.origin), WordX(unit.direction), exponents.x < real(1.0));
+  field.cusps.y = PassesAt(WordY(unit.origin), WordY(unit.direction), exponents.y < real(1.0));
+  field.cusps.z = PassesAt(WordZ(unit.origin), WordZ(unit.direction), exponents.z < real(1.0));
+  field.accuracy = real(0.5 * RTG_ROUNDOFF) * (chord.sOut - chord.sIn);
   // Vulkan allows log2 an absolute error of 2^-21 next to 1; pow multiplies it by the exponent.
-  ray.noise = real(RTG_ROUNDOFF) * (real(4.0) + real(4.0) * max(exponents.x, max(exponents.y, exponents.z)));
-
-  real reach = real(4.0) * max(abs(ray.sIn), abs(ray.sOut));
-  ZeroOfAxis(o.x, d.x, reach, ray.zero.x, ray.base.x);
-  ZeroOfAxis(o.y, d.y, reach, ray.zero.y, ray.base.y);
-  ZeroOfAxis(o.z, d.z, reach, ray.zero.z, ray.base.z);
-  return ray;
+  field.noise = real(RTG_ROUNDOFF) * (real(4.0) + real(4.0) * MostOf(exponents));
+  field.bowl = LeastOf(exponents) >= real(1.0) ? real(RTG_NEVER) : real(0.0);
+  return field;
 }
 
-// The next cusp after s, or the end of the chord.
-RTG_FN real NextCusp(SuperquadricRay ray, real s)
+RTG_FN DoubleWord NextBreak(SuperquadricField field, DoubleWord after, RTG_OUT(int) axis)
 {
-  real next = ray.sOut;
-  next = ray.exponents.x < real(1.0) && ray.base.x == real(0.0) && ray.zero.x > s ? min(next, ray.zero.x) : next;
-  next = ray.exponents.y < real(1.0) && ray.base.y == real(0.0) && ray.zero.y > s ? min(next, ray.zero.y) : next;
-  next = ray.exponents.z < real(1.0) && ray.base.z == real(0.0) && ray.zero.z > s ? min(next, ray.zero.z) : next;
-  return next;
+  return NextPlane(field.cusps, after, NextMiddle(after, field.sOut), axis);
 }
-
-// What is known of a window.
-#define RTG_EMPTY 0
-#define RTG_UNIQUE 1
-#define RTG_DOUBTFUL 2
 
 // One term's slopes for the lines below `outward` f at both ends of a window, and the largest slope in it.
 RTG_FN void WindowAxis(real e, real outward, real termA, real termB, real slopeA, real slopeB, real width,
@@ -180,72 +148,33 @@ RTG_FN void WindowAxis(real e, real outward, real termA, real termB, real slopeA
   steepest = max(atA, atB);
 }
 
-// `outward` is 1 when a is outside the glyph, -1 inside; left: no crossing is before it; next: where to look next.
-RTG_FN int Look(SuperquadricRay ray, Probe a, Probe b, real outward, RTG_OUT(real) left, RTG_OUT(real) next)
+RTG_FN Window WindowOf(SuperquadricField field, SuperquadricProbe a, SuperquadricProbe b, real way, real width)
 {
   real3 lineA;
   real3 lineB;
   real3 steepest;
-  real3 e = ray.exponents;
-  real width = b.s - a.s;
-  left = a.s;
-  next = real(0.5) * (a.s + b.s);
-  bool changes = outward * b.f < real(0.0);
-  if (!(width > real(4.0) * ray.accuracy))
-  {
-    return changes ? RTG_UNIQUE : RTG_EMPTY;
-  }
-  WindowAxis(e.x, outward, a.term.x, b.term.x, a.slope.x, b.slope.x, width, lineA.x, lineB.x, steepest.x);
-  WindowAxis(e.y, outward, a.term.y, b.term.y, a.slope.y, b.slope.y, width, lineA.y, lineB.y, steepest.y);
-  WindowAxis(e.z, outward, a.term.z, b.term.z, a.slope.z, b.slope.z, width, lineA.z, lineB.z, steepest.z);
+  real3 e = field.exponents;
+  WindowAxis(e.x, way, a.terms.x, b.terms.x, a.slopes.x, b.slopes.x, width, lineA.x, lineB.x, steepest.x);
+  WindowAxis(e.y, way, a.terms.y, b.terms.y, a.slopes.y, b.slopes.y, width, lineA.y, lineB.y, steepest.y);
+  WindowAxis(e.z, way, a.terms.z, b.terms.z, a.slopes.z, b.slopes.z, width, lineA.z, lineB.z, steepest.z);
+  bool allConvex = LeastOf(e) >= real(1.0);
+  bool allConcave = MostOf(e) < real(1.0);
+  // How much the coordinates of the concave terms change
+  real3 pa = abs((real3(a.where.hi) - field.zero) * field.direction + field.base);
+  real3 pb = abs((real3(b.where.hi) - field.zero) * field.direction + field.base);
+  real3 change = abs(pb - pa) / max(max(pa, pb), real3(real(RTG_TINY)));
+  real3 concave = real3(e.x < real(1.0) ? change.x : real(0.0), e.y < real(1.0) ? change.y : real(0.0),
+    e.z < real(1.0) ? change.z : real(0.0));
 
-  real slopeA = SumOf(lineA);
-  real slopeB = SumOf(lineB);
-  // Lowered by the rounding of f: what is empty is certain to be.
-  real above = max(outward * a.f - ray.noise, real(0.0));
-  left = slopeA < real(0.0) ? a.s - above / slopeA : a.s;
-  if (changes)
-  {
-    bool allConvex = min(e.x, min(e.y, e.z)) >= real(1.0);
-    bool allConcave = max(e.x, max(e.y, e.z)) < real(1.0);
-    real middle = real(0.5) * (left + b.s);
-    bool apart = middle > a.s && middle < b.s; // else the window is as narrow as rounding allows
-    bool unique = allConvex || allConcave || SumOf(steepest) < real(0.0) || !apart;
-    if (unique)
-    {
-      // Newton's point from the end where that is certain not to pass the crossing, else the secant's.
-      bool convex = outward > real(0.0) ? allConvex : allConcave;
-      bool concave = outward > real(0.0) ? allConcave : allConvex;
-      real secant = a.s + width * clamp(a.f / (a.f - b.f), real(0.0625), real(0.9375));
-      next = concave ? b.s - b.f / SumOf(b.slope) : secant;
-      next = convex && slopeA < real(0.0) ? a.s - outward * a.f / slopeA : next;
-      next = next > a.s && next < b.s ? next : secant;
-      return RTG_UNIQUE;
-    }
-    next = middle;
-    return RTG_DOUBTFUL;
-  }
-  real right = b.s - max(outward * b.f - ray.noise, real(0.0)) / slopeB;
-  if (!(slopeA < real(0.0)) || !(slopeB > real(0.0)))
-  {
-    return RTG_EMPTY;
-  }
-  next = real(0.5) * (left + right);
-  return left < right ? RTG_DOUBTFUL : RTG_EMPTY;
+  Window window;
+  window.empty = false;
+  window.unique = allConvex || allConcave || SumOf(steepest) < real(0.0);
+  window.single = MostOf(concave) < real(0.02);
+  window.convex = way > real(0.0) ? allConvex : allConcave;
+  window.slopeA = SumOf(lineA);
+  window.slopeB = SumOf(lineB);
+  return window;
 }
-
-// f at s in double words, what else the last step needs in plain numbers. The axes are a loop so that
-// the programs hold the long arithmetic once.
-struct ExactProbe
-{
-  DoubleWord f;
-  real slope;
-  real3 second; // second derivatives of the terms along the ray
-  real3 rate;   // of the coordinates' logarithms
-  real third;
-  real reach;
-  real3 gradient;
-};
 
 RTG_FN DoubleWord WordOf(DoubleWord3 a, int axis)
 {
@@ -255,239 +184,6 @@ RTG_FN DoubleWord WordOf(DoubleWord3 a, int axis)
   return word;
 }
 
-// plane: the axis whose coordinate is known to be zero, or -1; then the others count as at least `least`.
-RTG_FN ExactProbe ExactlyAt(LocalRay local, real3 exponents, DoubleWord s, int plane, real least)
-{
-  DoubleWord3 along;
-  along.hi = real3(s.hi);
-  along.lo = real3(s.lo);
-  DoubleWord3 p = Add(local.origin, Multiply(local.direction, along));
-  ExactProbe probe;
-  probe.f = Word(real(-1.0));
-  probe.slope = real(0.0);
-  DoubleWord exactSlope = Word(real(0.0));
-  real steepness = real(0.0);
-  DoubleWord3 term3;
-  probe.third = real(0.0);
-  probe.reach = real(RTG_NEVER);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    DoubleWord x = WordOf(p, axis);
-    DoubleWord d = WordOf(local.direction, axis);
-    real e = exponents[axis];
-    real sign = x.hi < real(0.0) ? real(-1.0) : real(1.0);
-    x.hi = sign * x.hi;
-    x.lo = sign * x.lo;
-    d.hi = sign * d.hi;
-    d.lo = sign * d.lo;
-    if (x.hi < least && d.hi != real(0.0))
-    {
-      x = Word(least);
-    }
-    if (axis == plane)
-    {
-      x = Word(real(0.0));
-    }
-    DoubleWord term = Power(x, e);
-    term3.hi[axis] = term.hi;
-    term3.lo[axis] = term.lo;
-    real inverse = x.hi > real(1e-30) ? real(1.0) / x.hi : real(0.0);
-    real gradient = e * term.hi * inverse;
-    real slope = gradient * d.hi;
-    real rate = d.hi * inverse;
-    real third;
-    real reach;
-    ParabolaAxis(x.hi, d.hi, e, slope, rate, third, reach);
-    probe.f = Add(probe.f, term);
-    probe.slope += slope;
-    steepness += abs(slope);
-    probe.second[axis] = (e - real(1.0)) * slope * rate;
-    probe.rate[axis] = rate;
-    probe.gradient[axis] = sign * gradient;
-    probe.third += third;
-    probe.reach = min(probe.reach, reach);
-  }
-  if (abs(probe.slope) < real(0.001) * steepness && least == real(0.0))
-  {
-    // The slopes cancel, as on a face that the ray hardly rises from.
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      DoubleWord x = WordOf(p, axis);
-      if (abs(x.hi) > real(1e-30))
-      {
-        DoubleWord slope = Multiply(Divide(WordOf(term3, axis), x), WordOf(local.direction, axis));
-        exactSlope = Add(exactSlope, Multiply(slope, exponents[axis]));
-      }
-    }
-    probe.slope = exactSlope.hi;
-  }
-  return probe;
-}
-
-// A probe that may be at a cusp. Whether the glyph reaches as far as the ray is decided at cusps, so there the sign
-// must be right even where the other terms are steep, or at another cusp that is too close for s to tell.
-RTG_FN Probe ProbeCusp(LocalRay local, SuperquadricRay ray, real s)
-{
-  Probe probe = ProbeAt(ray, s);
-  real3 steepness = abs(probe.slope);
-  bool onX = steepness.x >= real(RTG_CUSP);
-  bool onY = steepness.y >= real(RTG_CUSP);
-  bool onZ = steepness.z >= real(RTG_CUSP);
-  real steep = (onX ? real(0.0) : steepness.x) + (onY ? real(0.0) : steepness.y) + (onZ ? real(0.0) : steepness.z);
-  real noise = real(8.0 * RTG_ROUNDOFF) * (real(2.0) + steep * (ray.sOut - ray.sIn));
-  bool several = (onX && onY) || (onY && onZ) || (onZ && onX);
-  if ((onX || onY || onZ) && (several || abs(probe.f) < noise))
-  {
-    // Another plane may be closer than double words can tell: then the glyph may be less than it seems.
-    real least = real(8.0 * RTG_ROUNDOFF * RTG_ROUNDOFF);
-    real f = real(RTG_NEVER);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if (axis == 0 ? onX : axis == 1 ? onY : onZ)
-      {
-        DoubleWord exact = Divide(Minus(WordOf(local.origin, axis)), WordOf(local.direction, axis));
-        f = min(f, ExactlyAt(local, ray.exponents, exact, axis, least).f.hi);
-      }
-    }
-    probe.f = f;
-  }
-  return probe;
-}
-
-// Where the search along a ray stands.
-struct Search
-{
-  Probe a;      // no crossing is left before it
-  Probe b;      // end of the window
-  Probe end;    // end of the piece
-  real outward; // 1: a is outside the glyph; -1: inside
-  int steps;
-  Probe found; // close to a crossing
-  bool steep;  // it needs no last step: f jumps within the accuracy of s
-  bool touch;  // f is next to zero there without a change of sign: only the last step can tell
-};
-
-RTG_FN Search StartSearch(SuperquadricRay ray)
-{
-  Search search;
-  search.a = ProbeAt(ray, ray.sIn);
-  search.end = search.a;
-  search.b = search.a;
-  search.outward = real(1.0);
-  search.steps = 0;
-  search.found = search.a;
-  search.steep = false;
-  search.touch = false;
-  return search;
-}
-
-// The search goes on behind a crossing, on the other side of the surface, or behind what was none.
-RTG_FN Search Continue(SuperquadricRay ray, Search search, bool crossed, real resume)
-{
-  search.a = search.b;
-  if (search.touch)
-  {
-    search.a = ProbeAt(ray, clamp(resume, search.b.s, search.end.s));
-  }
-  search.b = search.end;
-  search.outward = crossed ? -search.outward : search.outward;
-  return search;
-}
-
-// Walks to the next crossing. Each turn evaluates f once.
-RTG_FN bool NextCrossing(LocalRay local, SuperquadricRay ray, Search search, RTG_OUT(Search) after)
-{
-  bool solving = false;
-  int dawdling = 0;
-  real noise = ray.noise;
-  real touchWidth = real(16.0) * sqrt(noise) * (ray.sOut - ray.sIn);
-  search.touch = false;
-  real next = search.a.s;
-  real left = search.a.s;
-  bool found = false;
-  bool more = true;
-  while (more && search.steps < RTG_STEPS)
-  {
-    bool newPiece = false;
-    if (!solving)
-    {
-      int verdict = RTG_EMPTY;
-      if (search.a.s < search.b.s)
-      {
-        verdict = Look(ray, search.a, search.b, search.outward, left, next);
-        search.touch = verdict == RTG_DOUBTFUL && abs(search.b.f) <= noise && search.b.s < search.end.s &&
-          search.b.s - left <= touchWidth;
-      }
-      if (search.touch)
-      {
-        // From the left, so that the first of several crossings is found.
-        search.found = search.b;
-        search.found.s = left;
-        search.steep = false;
-        found = true;
-        more = false;
-      }
-      solving = verdict == RTG_UNIQUE;
-      if (verdict == RTG_EMPTY)
-      {
-        // On to a window twice as wide, as far as the piece goes, or to the next piece.
-        real width = search.b.s - search.a.s;
-        search.a = search.b;
-        search.b = search.end;
-        newPiece = !(search.a.s < search.end.s);
-        more = !newPiece || search.end.s < ray.sOut;
-        next = newPiece ? NextCusp(ray, search.end.s) : search.a.s + real(2.0) * width;
-        if (!newPiece && !(next < search.end.s))
-        {
-          continue;
-        }
-      }
-    }
-    if (more)
-    {
-      Probe probe = ProbeCusp(local, ray, next);
-      ++search.steps;
-      if (!solving)
-      {
-        search.b = probe;
-        if (newPiece)
-        {
-          search.end = probe;
-        }
-      }
-      else
-      {
-        real side = search.outward * probe.f;
-        if (side > real(0.0))
-        {
-          search.a = probe;
-        }
-        else
-        {
-          search.b = probe;
-        }
-        real slope = SumOf(probe.slope);
-        real step = probe.f / slope;
-        // What the quadratic of the last step will leave.
-        bool close = abs(step) <= probe.reach && search.outward * slope < real(0.0) &&
-          step * step * abs(step) * probe.third <= real(6.0) * ray.accuracy * abs(slope);
-        real width = search.b.s - search.a.s;
-        bool narrow = !(width > real(4.0) * ray.accuracy);
-        search.steep = narrow && abs(search.a.f - search.b.f) > noise;
-        found = close || narrow || (abs(probe.f) <= noise && search.outward * slope < real(0.0));
-        search.found = probe;
-        more = !found;
-        ++dawdling;
-        next = probe.s - step;
-        bool inside = next > search.a.s && next < search.b.s && (dawdling < 8 || (dawdling & 1) == 0);
-        next = inside ? next : real(0.5) * (search.a.s + search.b.s);
-      }
-    }
-  }
-  after = search;
-  return found;
-}
-
 // The second derivative of a term, unless its plane is too near for it to mean anything.
 RTG_FN real UsefulSecond(real f, real slope, real second, real rate, real e)
 {
@@ -495,118 +191,110 @@ RTG_FN real UsefulSecond(real f, real slope, real second, real rate, real e)
   return e >= real(2.0) || step * abs(rate) <= real(0.5) ? second : real(0.0);
 }
 
-// The last step: s where f is zero, falling when `outward` is 1. False: f has no zero here.
-// resume: after a touch, where f is least or, when that is not zero, clearly above it again.
-RTG_FN bool Polish(LocalRay local, SuperquadricRay ray, Search search, RTG_OUT(DoubleWord) s, RTG_OUT(real) resume)
+// f in double words. The axes are a loop so that the programs hold the long arithmetic once. Coordinates other than
+// that of `plane` count as at least `least`.
+RTG_FN ImplicitPoint PointAt(SuperquadricField field, LocalRay at, int plane, real least)
 {
-  s = Word(search.found.s);
-  resume = search.found.s;
-  bool settled = search.steep && !(search.found.reach > real(8.0) * ray.accuracy);
-  bool exists = true;
-  for (int i = 0; i < 6 && !settled; ++i)
+  ImplicitPoint point;
+  point.value = Word(real(-1.0));
+  point.slope = real(0.0);
+  point.strays.third = real(0.0);
+  point.strays.reach = real(RTG_NEVER);
+  real steepness = real(0.0);
+  DoubleWord3 term3;
+  real3 second = real3(real(0.0));
+  real3 rate = real3(real(0.0));
+  for (int axis = 0; axis < 3; ++axis)
   {
-    ExactProbe probe = ExactlyAt(local, ray.exponents, s, -1, real(0.0));
-    real f = search.outward * probe.f.hi;
-    real slope = search.outward * probe.slope;
-    real3 kept;
-    kept.x = UsefulSecond(f, slope, probe.second.x, probe.rate.x, ray.exponents.x);
-    kept.y = UsefulSecond(f, slope, probe.second.y, probe.rate.y, ray.exponents.y);
-    kept.z = UsefulSecond(f, slope, probe.second.z, probe.rate.z, ray.exponents.z);
-    real second = search.outward * SumOf(kept);
-
-    // The root of f + slope x + second x^2 / 2 where that falls.
-    real discriminant = slope * slope - real(2.0) * second * f;
-    exists = discriminant >= real(0.0) && (slope < real(0.0) || second > real(0.0));
-    if (discriminant < real(0.0) && second > real(0.0) && i < 3)
+    DoubleWord x = WordOf(at.origin, axis);
+    DoubleWord d = WordOf(at.direction, axis);
+    real e = field.exponents[axis];
+    real sign = x.hi < real(0.0) ? real(-1.0) : real(1.0);
+    x.hi = sign * x.hi;
+    x.lo = sign * x.lo;
+    d.hi = sign * d.hi;
+    if (axis != plane && x.hi < least && d.hi != real(0.0))
     {
-      // Least at a place too far for the parabola to be trusted? Then look from there. The true one may be twice as
-      // far.
-      real toLeast = -slope / second;
-      real least = f + real(0.5) * slope * toLeast;
-      if (least < real(2.0) * abs(toLeast * toLeast * toLeast) * probe.third)
+      x = Word(least);
+    }
+    DoubleWord term = Power(x, e);
+    term3.hi[axis] = term.hi;
+    term3.lo[axis] = term.lo;
+    real inverse = x.hi > real(1e-30) ? real(1.0) / x.hi : real(0.0);
+    real gradient = e * term.hi * inverse;
+    real slope = gradient * d.hi;
+    real third;
+    real reach;
+    rate[axis] = d.hi * inverse;
+    ParabolaAxis(x.hi, d.hi, e, slope, rate[axis], third, reach);
+    point.value = Add(point.value, term);
+    point.slope += slope;
+    steepness += abs(slope);
+    second[axis] = (e - real(1.0)) * slope * rate[axis];
+    point.gradient[axis] = gradient;
+    point.strays.third += third;
+    point.strays.reach = min(point.strays.reach, reach);
+  }
+  if (abs(point.slope) < real(0.001) * steepness && least == real(0.0))
+  {
+    // The slopes cancel, as on a face that the ray hardly rises from.
+    DoubleWord exact = Word(real(0.0));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      DoubleWord x = WordOf(at.origin, axis);
+      if (abs(x.hi) > real(1e-30))
       {
-        s = Add(s, toLeast);
-        continue;
+        DoubleWord slope = Multiply(Divide(WordOf(term3, axis), x), WordOf(at.direction, axis));
+        exact = Add(exact, Multiply(slope, field.exponents[axis]));
       }
     }
-    real root = sqrt(max(discriminant, real(0.0)));
-    real step = slope < real(0.0) ? real(2.0) * f / (root - slope) : -(slope + root) / second;
-    if (i < 4 && second > real(0.0) && search.touch)
-    {
-      resume = s.hi - slope / second + (exists ? real(0.0) : sqrt(real(4.0) * ray.noise / second));
-    }
-    step = exists ? step : real(0.0);
-    s = Add(s, step);
-
-    // What the third derivative leaves.
-    real width = abs(step);
-    real left = width * width * width * probe.third * real(1.0 / 6.0);
-    real accuracy = min(ray.accuracy, real(16.0 * RTG_ROUNDOFF) * probe.reach);
-    settled = !exists || (width <= probe.reach && left <= accuracy * root);
+    point.slope = exact.hi;
   }
-  if (!exists && search.steep)
-  {
-    // f changes its sign for certain within the accuracy of s, at a cusp that the derivatives know nothing of.
-    s = Word(search.found.s);
-    exists = true;
-  }
-  return exists;
+  real f = point.value.hi;
+  point.second = UsefulSecond(f, point.slope, second.x, rate.x, field.exponents.x) +
+    UsefulSecond(f, point.slope, second.y, rate.y, field.exponents.y) +
+    UsefulSecond(f, point.slope, second.z, rate.z, field.exponents.z);
+  point.accuracy = min(field.accuracy, real(16.0 * RTG_ROUNDOFF) * point.strays.reach);
+  return point;
 }
+
+RTG_FN ImplicitPoint PointAt(SuperquadricField field, LocalRay at)
+{
+  return PointAt(field, at, -1, real(0.0));
+}
+
+// At a cusp another plane may be closer than double words can tell: then the glyph may be less than it seems.
+RTG_FN SuperquadricProbe WithSign(SuperquadricField field, LocalRay unit, SuperquadricProbe probe)
+{
+  SuperquadricProbe certain = probe;
+  real least = probe.axis < 0 ? real(0.0) : real(8.0 * RTG_ROUNDOFF * RTG_ROUNDOFF);
+  certain.f = PointAt(field, RayFrom(unit, probe.where, probe.axis), probe.axis, least).value.hi;
+  certain.outside = certain.f > real(0.0);
+  certain.noise = field.noise;
+  return certain;
+}
+
+#define RTG_FIELD SuperquadricField
+#define RTG_PROBE SuperquadricProbe
+#define RTG_SEARCH SuperquadricSearch
+#include "ImplicitSearch.glsl"
+#undef RTG_FIELD
+#undef RTG_PROBE
+#undef RTG_SEARCH
 
 RTG_FN bool IsEllipsoid(Glyph glyph)
 {
   return glyph.exponents.x == real(2.0) && glyph.exponents.y == real(2.0) && glyph.exponents.z == real(2.0);
 }
 
-RTG_FN bool SuperquadricCrossing(
-  GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
+RTG_FN SurfaceCrossing SuperquadricCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax)
 {
-  if (!ToBoxFrame(ray, glyph, real(0.5) * glyph.size, local))
+  Chord chord;
+  if (!ToChord(ray, glyph, tMin, tMax, chord))
   {
-    return NoCrossing(local, crossing);
+    return NoSurfaceCrossing(chord.ray);
   }
-  crossing.s = Word(real(0.0));
-  crossing.t = real(RTG_NEVER);
-  crossing.face = 0;
-  // The parameter is scaled by a power of two that makes directions of the order of one: third derivatives of tiny
-  // glyphs would overflow. In what follows s = scale * s of `unit` and `scaled`.
-  real3 d = abs(local.direction.hi);
-  real scale = ldexp(real(1.0), -int(floor(log2(max(d.x, max(d.y, d.z))))));
-  LocalRay scaled = local;
-  scaled.direction.hi = scale * local.direction.hi;
-  scaled.direction.lo = scale * local.direction.lo;
-  SuperquadricRay unit = MakeSuperquadricRay(scaled, glyph.exponents);
-  real margin = real(64.0 * RTG_ROUNDOFF) * (unit.sOut - unit.sIn);
-  if (!(unit.sIn < unit.sOut) || RayParameter(local, Word(scale * (unit.sIn - margin))).hi > tMax ||
-    RayParameter(local, Word(scale * (unit.sOut + margin))).hi < tMin)
-  {
-    return false;
-  }
-
-  Search search = StartSearch(unit);
-  while (NextCrossing(scaled, unit, search, search))
-  {
-    // The crossing lies behind a: beyond tMax there is nothing to gain.
-    if (RayParameter(local, Word(scale * (search.a.s - margin))).hi > tMax)
-    {
-      return false;
-    }
-    real resume;
-    DoubleWord s;
-    bool crossed = Polish(scaled, unit, search, s, resume);
-    if (crossed)
-    {
-      crossing.s.hi = scale * s.hi;
-      crossing.s.lo = scale * s.lo;
-      crossing.t = RayParameter(local, crossing.s).hi;
-      if (crossing.t >= tMin)
-      {
-        return crossing.t <= tMax;
-      }
-    }
-    search = Continue(unit, search, crossed, resume);
-  }
-  return false;
+  return NearestCrossing(MakeSuperquadricField(chord, glyph.exponents), chord, tMin, tMax);
 }
 
 RTG_FN bool IntersectSuperquadric(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
@@ -615,46 +303,51 @@ RTG_FN bool IntersectSuperquadric(GlyphRay ray, Glyph glyph, real tMin, real tMa
   {
     return IntersectEllipsoid(ray, glyph, tMin, tMax, t);
   }
-  LocalRay local;
-  Crossing crossing;
-  bool found = SuperquadricCrossing(ray, glyph, tMin, tMax, local, crossing);
+  SurfaceCrossing crossing = SuperquadricCrossing(ray, glyph, tMin, tMax);
   t = crossing.t;
-  return found;
+  return crossing.found;
 }
 
 // The gradient where the crossing was found whose parameter was rounded to t, by a few of Newton's steps in double
-// words. False: the surface may have other crossings within t's rounding, or an edge, and only the search tells which
-// one it was.
-RTG_FN bool GradientNear(GlyphRay ray, Glyph glyph, real t, RTG_OUT(real3) gradient)
+// words, and the ray from there. False: the surface may have other crossings within t's rounding, or an edge, and only
+// the search tells which one it was.
+RTG_FN bool GradientNear(GlyphRay ray, Glyph glyph, real t, RTG_OUT(real3) gradient, RTG_OUT(LocalRay) at)
 {
   gradient = real3(real(0.0));
-  LocalRay local;
-  if (!ToBoxFrame(ray, glyph, real(0.5) * glyph.size, local))
+  Chord chord;
+  bool near = ToChord(ray, glyph, -real(RTG_NEVER), real(RTG_NEVER), chord);
+  at = chord.unit;
+  if (near)
   {
-    return false;
-  }
-  real doubt = t - Before(ray, glyph, t);
-  DoubleWord s = Add(Word(t), Minus(local.start));
-  for (int i = 0; i < 4; ++i)
-  {
-    ExactProbe probe = ExactlyAt(local, glyph.exponents, s, -1, real(0.0));
-    // How fast the slope changes, at most, in twice the doubt: the third derivative holds within `reach`.
-    real bend = abs(probe.second.x) + abs(probe.second.y) + abs(probe.second.z) + real(2.0) * doubt * probe.third;
-    bool plain = real(4.0) * doubt <= probe.reach && real(4.0) * doubt * bend <= abs(probe.slope);
-    real step = -probe.f.hi / probe.slope;
-    if (!plain || !(abs(step) <= real(2.0) * doubt))
+    SuperquadricField field = MakeSuperquadricField(chord, glyph.exponents);
+    real doubt = (t - Before(ray, glyph, t)) / chord.scale;
+    DoubleWord s = Add(Word(t), Minus(chord.ray.start));
+    s.hi = s.hi / chord.scale;
+    s.lo = s.lo / chord.scale;
+    at = RayFrom(chord.unit, s, -1);
+    bool more = true;
+    for (int i = 0; i < 4 && more; ++i)
     {
-      return false;
+      ImplicitPoint point = PointAt(field, at);
+      // How fast the slope changes, at most, in twice the doubt: the third derivative holds within `reach`.
+      real bend = abs(point.second) + real(2.0) * doubt * point.strays.third;
+      real step = -point.value.hi / point.slope;
+      near = real(4.0) * doubt <= point.strays.reach && real(4.0) * doubt * bend <= abs(point.slope) &&
+        abs(step) <= real(2.0) * doubt;
+      // As it is one step on; what that leaves out is less than the square of the change.
+      real3 x = at.origin.hi;
+      real3 rate = at.direction.hi /
+        real3(x.x == real(0.0) ? real(RTG_NEVER) : x.x, x.y == real(0.0) ? real(RTG_NEVER) : x.y,
+          x.z == real(0.0) ? real(RTG_NEVER) : x.z);
+      gradient = point.gradient * (real3(real(1.0)) + step * (glyph.exponents - real3(real(1.0))) * rate);
+      more = near && !(abs(step) * SumOf(abs(rate) * glyph.exponents) <= real(1.0e-4));
+      if (more)
+      {
+        at = Advance(at, step);
+      }
     }
-    // As it is one step on; what that leaves out is less than the square of the change.
-    gradient = probe.gradient * (real3(real(1.0)) + step * (glyph.exponents - real3(real(1.0))) * probe.rate);
-    if (abs(step) * SumOf(abs(probe.rate) * glyph.exponents) <= real(1.0e-4))
-    {
-      return true;
-    }
-    s = Add(s, step);
   }
-  return true;
+  return near;
 }
 
 RTG_FN Enclosure SuperquadricEnclosure(Glyph glyph)
@@ -674,17 +367,16 @@ RTG_FN real3 SuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
     return EllipsoidNormal(ray, glyph, t);
   }
   real3 gradient;
-  if (!GradientNear(ray, glyph, t, gradient))
+  LocalRay at;
+  if (!GradientNear(ray, glyph, t, gradient, at))
   {
-    LocalRay local;
-    Crossing crossing;
-    SuperquadricCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
-    gradient = ExactlyAt(local, glyph.exponents, crossing.s, -1, real(0.0)).gradient;
+    at = SuperquadricCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER)).at;
+    SuperquadricField field;
+    field.exponents = glyph.exponents;
+    field.accuracy = real(0.0);
+    gradient = PointAt(field, at).gradient;
   }
-  real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
-  gradient = gradient * (real3(smallest) / glyph.size);
-  real largest = max(abs(gradient.x), max(abs(gradient.y), abs(gradient.z)));
-  return normalize(RotateToWorld(glyph, gradient / largest));
+  return SurfaceNormal(glyph, at.origin.hi, gradient);
 }
 
 // The largest a.x u + a.y v + a.z w on |u|^e.x + |v|^e.y + |w|^e.z <= 1, a >= 0; with exponents below 1 on the larger

@@ -28,10 +28,12 @@ public:
     , Blocks(blocks)
     , Positions(points->GetPoints()->GetData())
     , Scales(vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, settings))
+    , Radii(vtkGlyphArrays::Find(vtkGlyphArrays::RADIUS, points, settings))
     , TensorArray(vtkGlyphTensors::Array(points, settings.Tensors))
     , BlockIds(vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex)))
     , Motion(points, settings.Motion)
     , Arrow(settings.Arrow)
+    , AnchorShift(settings.AnchorShift())
   {
     this->ByComponents =
       vtkGlyphArrays::ScalesByComponents(vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, settings), settings);
@@ -53,7 +55,7 @@ public:
     {
       for (const glm::vec3& position : settings.Mesh->positions)
       {
-        this->MeshReach = glm::max(this->MeshReach, glm::abs(glm::dvec3(position)));
+        this->Mesh.Include({ position, position });
       }
     }
   }
@@ -67,7 +69,7 @@ public:
 private:
   void AddRange(vtkIdType begin, vtkIdType end, vtkRayTracedParallel::Box& box) const
   {
-    vtkGlyphTuples positions(this->Positions), scales(this->Scales);
+    vtkGlyphTuples positions(this->Positions), scales(this->Scales), radii(this->Radii);
     for (vtkIdType i = begin; i < end; ++i)
     {
       const double* x = positions.Get(i);
@@ -83,7 +85,7 @@ private:
         lower = glm::min(lower, position + range.lower);
         upper = glm::max(upper, position + range.upper);
       }
-      const glm::dvec3 reach = this->Reach(i, scales);
+      const glm::dvec3 reach = this->Reach(i, scales, radii);
       box.Add(lower - reach, upper + reach);
     }
   }
@@ -98,8 +100,8 @@ private:
     return block == this->Blocks.end() || block->second.Visible;
   }
 
-  // How far the glyph extends from its point along each axis; zero where it has no finite size.
-  glm::dvec3 Reach(vtkIdType point, vtkGlyphTuples& scales) const
+  // How far the glyph reaches from its point along each axis; zero where it has no finite size.
+  glm::dvec3 Reach(vtkIdType point, vtkGlyphTuples& scales, vtkGlyphTuples& radii) const
   {
     glm::dvec3 size(std::abs(this->Settings.ScaleFactor));
     if (this->Scales)
@@ -113,9 +115,18 @@ private:
       size *= this->Settings.Sizing.Bound(this->Tensors->Extent(point));
     }
     size = this->Settings.Sizing.Limited(size) * this->LimitSlack;
-    glm::dvec3 reach = this->Settings.Shape == rtg::Shape::Mesh
-      ? this->MeshReach * size
-      : rtg::GlyphReach(this->Settings.Shape, this->Arrow, size);
+    rtg::ArrowForm arrow = this->Arrow;
+    if (radii)
+    {
+      size.y = size.z = std::abs(*radii.Get(point) * this->Settings.RadiusFactor) * this->Settings.SizeOfRadius();
+      arrow.unitLength = static_cast<float>(size.y);
+    }
+    rtg::DoubleBox box = this->Settings.Shape == rtg::Shape::Mesh
+      ? rtg::DoubleBox{ this->Mesh.lower * size, this->Mesh.upper * size }
+      : rtg::GlyphExtent(this->Settings.Shape, arrow, size);
+    box.lower.x += this->AnchorShift * size.x;
+    box.upper.x += this->AnchorShift * size.x;
+    glm::dvec3 reach = glm::max(glm::abs(box.lower), glm::abs(box.upper));
     if (this->Turned)
     {
       reach = glm::dvec3(
@@ -126,14 +137,15 @@ private:
 
   const vtkGlyphSettings& Settings;
   const vtkGlyphBlockAttributes::Table& Blocks;
-  vtkDataArray *Positions, *Scales, *TensorArray;
+  vtkDataArray *Positions, *Scales, *Radii, *TensorArray;
   vtkUnsignedIntArray* BlockIds;
   std::unique_ptr<vtkGlyphTensors> Tensors;
   const vtkGlyphMotion Motion;
   bool ByComponents = false, Turned = false;
   rtg::ArrowForm Arrow;
-  glm::dvec3 MeshReach{ 0.0 }; // of the mesh from its own origin
-  double LimitSlack = 1.0;     // extents of tensors are known to a factor of sqrt(3) only; limits are of the extents
+  rtg::DoubleBox Mesh; // the unit glyph's, where it is one
+  const double AnchorShift;
+  double LimitSlack = 1.0; // extents of tensors are known to a factor of sqrt(3) only; limits are of the extents
 };
 }
 
@@ -146,8 +158,7 @@ const double* vtkGlyphBounds::Get(
   for (const vtkGlyphSettings& form : settings)
   {
     key.Settings.push_back(form.Effective());
-    key.Settings.back().Mask = false;
-    key.Settings.back() = key.Settings.back().Effective();
+    key.Settings.back().Mask = {};
   }
   for (const vtkGlyphSettings& form : key.Settings)
   {

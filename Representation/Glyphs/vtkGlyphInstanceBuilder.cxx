@@ -32,12 +32,14 @@ enum Outcome : unsigned char
 {
   POSITION,
   SCALE,
+  RADIUS,
   ORIENTATION,
   TENSOR,
   EXPONENT,
   MOTION,
   FORM,
   ZERO_SCALE,
+  ZERO_RADIUS,
   ZERO_ORIENTATION,
   ZERO_TENSOR,
   REASONS,
@@ -84,6 +86,10 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
     say(skipped[SCALE], scale + "not finite", remedy);
     sayOfZeros(skipped[ZERO_SCALE], scale + "zero", remedy);
   }
+  const std::string radius = "their radius, from the point array '" + settings.RadiusArray + "', is ";
+  const std::string width = "Choose another GlyphRadiusArray, or None, or remove these points with Threshold.";
+  say(skipped[RADIUS], radius + "not finite", width);
+  sayOfZeros(skipped[ZERO_RADIUS], radius + "zero", width);
   const std::string orientation = "their orientation, from the point array '" + settings.OrientationArray + "', is ";
   const std::string turn =
     "Choose another GlyphOrientationArray, switch GlyphOrient off, or remove these points with Threshold.";
@@ -140,6 +146,8 @@ bool MakeExponents(const Settings& settings, const double* tuple, int components
   return true;
 }
 
+const glm::vec4 NoTurn(0.0f, 0.0f, 0.0f, 1.0f);
+
 bool IsFinite(const double* x)
 {
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
@@ -162,6 +170,7 @@ public:
     , OwnExponents(settings.HasOwnExponents())
     , Sphere(settings.Shape == rtg::Shape::Sphere)
     , Pointed(settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow)
+    , AnchorShift(settings.AnchorShift())
     , Positions(points->GetPoints()->GetData())
     , Rotation(glm::mat3_cast(this->Placement.Rotation))
   {
@@ -175,17 +184,19 @@ public:
       this->OwnExponents && MakeExponents(settings, settings.Exponents, 3, this->Instances.uniformExponents);
 
     // What an instance stores: nothing that is the same for all, and no turn of what looks the same from all sides
-    const bool sizedByData = this->Has(vtkGlyphArrays::SCALE) || tensors;
+    const bool sizedByData = this->Has(vtkGlyphArrays::SCALE) || this->Has(vtkGlyphArrays::RADIUS) || tensors;
     this->SameSizes = !sizedByData && this->Placement.Uniform;
-    this->OneSize = (!this->Has(vtkGlyphArrays::SCALE) || !this->ByComponents) && !tensors && this->Placement.Uniform;
+    this->OneSize = !(this->Has(vtkGlyphArrays::SCALE) && this->ByComponents) && !this->Has(vtkGlyphArrays::RADIUS) &&
+      !tensors && this->Placement.Uniform;
     this->Turned = (this->Has(vtkGlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
-      !(this->Sphere && this->OneSize);
+      !(this->Sphere && this->OneSize && this->AnchorShift == 0.0);
     this->Flips = this->Pointed &&
       ((this->Has(vtkGlyphArrays::SCALE) && this->ByComponents) || settings.ScaleFactor < 0.0 ||
         this->Placement.Scale < 0.0);
   }
 
   bool IsScaled() const { return this->Has(vtkGlyphArrays::SCALE); }
+  bool HasRadii() const { return this->Has(vtkGlyphArrays::RADIUS); }
   const vtkGlyphPlacement& GetPlacement() const { return this->Placement; }
   const vtkGlyphMotion& GetMotion() const { return this->Motion; }
 
@@ -218,8 +229,8 @@ public:
     {
       this->Keep(vtkRayTracedParallel::Select(count, [&](vtkIdType k) { return outcomes[k] == SHOWN; }));
     }
-    this->StoreLowParts();
     this->Finish();
+    this->StoreLowParts();
     return numbers;
   }
 
@@ -276,6 +287,13 @@ private:
     return this->Placement(glm::dvec3(x[0], x[1], x[2])) - this->Instances.origin;
   }
 
+  // From a glyph's point to its center, computed from what the instance stores of size and rotation.
+  glm::dvec3 FromPoint(float length, const glm::vec4& rotation) const
+  {
+    const glm::dquat turn(rotation.w, rotation.x, rotation.y, rotation.z);
+    return glm::normalize(turn) * glm::dvec3(this->AnchorShift * length, 0.0, 0.0);
+  }
+
   // What rounding has left of the centers, when for some glyph it is more than 1e-6 of its size.
   void StoreLowParts()
   {
@@ -288,10 +306,18 @@ private:
       [&](vtkIdType begin, vtkIdType end)
       {
         vtkGlyphTuples positions(this->Positions);
+        const rtg::GlyphInstances& all = this->Instances;
         for (vtkIdType k = begin; k < end; ++k)
         {
-          this->Instances.centresLow[k] =
-            glm::vec3(this->FromOrigin(positions.Get(this->Out.Points[k])) - glm::dvec3(this->Instances.centres[k]));
+          glm::dvec3 place = this->FromOrigin(positions.Get(this->Out.Points[k]));
+          if (this->AnchorShift != 0.0)
+          {
+            place += this->FromPoint(!all.sizes3.empty() ? all.sizes3[k].x
+                : !all.sizes1.empty()                    ? all.sizes1[k]
+                                                         : all.uniformSize,
+              all.rotations.empty() ? NoTurn : all.rotations[k]);
+          }
+          this->Instances.centresLow[k] = glm::vec3(place - glm::dvec3(all.centres[k]));
         }
       });
   }
@@ -316,8 +342,8 @@ private:
       }
     }
     const double* x = tuples.Positions.Get(i);
-    const glm::dvec3 place = this->FromOrigin(x);
-    const glm::vec3 center(place);
+    glm::dvec3 place = this->FromOrigin(x);
+    glm::vec3 center(place);
     if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z))
     {
       return POSITION;
@@ -380,12 +406,25 @@ private:
     }
 
     size = this->How.Sizing.Limited(size);
+    if (this->Has(vtkGlyphArrays::RADIUS))
+    {
+      const double width =
+        std::abs(*tuples[vtkGlyphArrays::RADIUS].Get(i) * this->How.RadiusFactor) * this->How.SizeOfRadius();
+      if (!IsPositive(width))
+      {
+        return width == 0.0 ? ZERO_RADIUS : RADIUS;
+      }
+      size.y = size.z = width;
+    }
     this->Placement.Apply(this->Sphere, size, rotation);
     if (this->Flips && size.x < 0.0)
     {
       rotation = rotation * glm::dquat(0.0, 0.0, 0.0, 1.0);
     }
     const glm::vec3 extent(glm::abs(size));
+    const glm::vec3 stored = this->How.Shape == rtg::Shape::Mesh ? glm::vec3(size) : extent;
+    const glm::vec4 turn =
+      this->Turned || this->Flips ? glm::vec4(rotation.x, rotation.y, rotation.z, rotation.w) : NoTurn;
     const float smallest = std::min({ extent.x, extent.y, extent.z });
     const float largest = std::max({ extent.x, extent.y, extent.z });
     if (!(smallest > 0.0f) || !std::isfinite(largest) || !std::isfinite(extent.y))
@@ -395,6 +434,11 @@ private:
     if (!this->Motion.IsFinite(i))
     {
       return MOTION;
+    }
+    if (this->AnchorShift != 0.0)
+    {
+      place += this->FromPoint(stored.x, turn);
+      center = place;
     }
 
     this->Motion.Store(this->Instances.motion, glyph, i, this->Placement.Linear, this->Rotation);
@@ -409,8 +453,7 @@ private:
     {
       this->NeedsLowParts = true;
     }
-    this->Store(
-      glyph, this->How.Shape == rtg::Shape::Mesh ? glm::vec3(size) : extent, rotation, tensorGlyph, exponents);
+    this->Store(glyph, stored, turn, tensorGlyph, exponents);
     return SHOWN;
   }
 
@@ -429,7 +472,7 @@ private:
     this->FirstSizes.assign(vtkRayTracedParallel::NumberOfChunks(static_cast<vtkIdType>(count)), 0.0f);
   }
 
-  void Store(vtkIdType glyph, const glm::vec3& size, const glm::dquat& rotation, const rtg::TensorGlyph& tensor,
+  void Store(vtkIdType glyph, const glm::vec3& size, const glm::vec4& turn, const rtg::TensorGlyph& tensor,
     const glm::vec3& exponents)
   {
     float& first = this->FirstSizes[vtkRayTracedParallel::ChunkOf(glyph)];
@@ -456,7 +499,7 @@ private:
     }
     if (!this->Instances.rotations.empty())
     {
-      this->Instances.rotations[glyph] = glm::vec4(rotation.x, rotation.y, rotation.z, rotation.w);
+      this->Instances.rotations[glyph] = turn;
     }
   }
 
@@ -502,6 +545,7 @@ private:
   bool ByComponents = false;
   int OrientationMode = Settings::DIRECTION; // of the array that was found
   const bool ChoosesForm, OwnExponents, Sphere, Pointed;
+  const double AnchorShift; // of the unit glyph
   vtkDataArray* const Positions;
   std::array<vtkDataArray*, vtkGlyphArrays::NUMBER_OF_IDS> Arrays{}; // null: none, or it does not fit
   const glm::dmat3 Rotation;                                         // of the placement
@@ -568,7 +612,7 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   {
     const double reference = assembly.IsScaled() ? vtkGlyphArrays::ReferenceScale(points, settings, blocks) : 1.0;
     const auto unit = static_cast<float>(std::abs(settings.ScaleFactor * placement.Scale) * reference);
-    instances.arrow.unitLength = IsPositive(unit) ? unit : 1.0f;
+    instances.arrow.unitLength = assembly.HasRadii() ? 0.0f : IsPositive(unit) ? unit : 1.0f;
   }
   if (!placement.Uniform && settings.Shape != rtg::Shape::Sphere)
   {

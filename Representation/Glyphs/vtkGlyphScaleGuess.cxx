@@ -97,7 +97,7 @@ class Points
 public:
   Points(vtkPolyData* points, const vtkGlyphSettings& settings)
     : Positions(points->GetPoints() ? points->GetPoints()->GetData() : nullptr)
-    , Thinned(settings.Mask)
+    , Thinned(settings.Mask.On)
     , Count(Positions ? points->GetNumberOfPoints() : 0)
   {
     if (this->Thinned)
@@ -417,9 +417,7 @@ vtkGlyphScaleGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, d
   matter.Tensors.On = settings.Tensors.On;
   matter.Tensors.Array = settings.Tensors.On ? settings.Tensors.Array : std::string();
   matter.Tensors.Layout = settings.Tensors.Layout;
-  matter.Mask = settings.Mask;
-  matter.MaximumNumberOfGlyphs = settings.Mask ? settings.MaximumNumberOfGlyphs : 0;
-  matter.Seed = settings.Mask ? settings.Seed : 0;
+  matter.Mask = settings.Mask.Effective();
 
   std::vector<vtkMTimeType> times;
   for (vtkDataArray* array : { points->GetPoints() ? points->GetPoints()->GetData() : nullptr,

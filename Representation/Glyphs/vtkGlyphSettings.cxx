@@ -1,5 +1,7 @@
 #include "vtkGlyphSettings.h"
 
+#include "GlyphBoxes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,9 +18,9 @@ vtkGlyphSettings vtkGlyphSettings::Effective() const
   {
     settings.ArrowReference = none.ArrowReference;
   }
-  if (!settings.NeedsMeanScale())
+  if (!settings.NeedsHighScale())
   {
-    settings.MeanScale = none.MeanScale;
+    settings.HighScale = none.HighScale;
   }
   if (!settings.Scaling)
   {
@@ -54,12 +56,58 @@ vtkGlyphSettings vtkGlyphSettings::Effective() const
   }
   settings.Tensors = settings.Tensors.Effective();
   settings.Motion = settings.Motion.Effective();
-  if (!settings.Mask)
+  settings.Mask = settings.Mask.Effective();
+  if (settings.Tensors.On)
   {
-    settings.MaximumNumberOfGlyphs = none.MaximumNumberOfGlyphs;
-    settings.Seed = none.Seed;
+    settings.RadiusArray.clear();
   }
+  if (vtkRayTracedArrays::IsNone(settings.RadiusArray))
+  {
+    settings.RadiusFactor = none.RadiusFactor;
+  }
+  settings.Anchor = settings.Tensors.On ? none.Anchor : settings.Anchor;
   return settings;
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphSettings::SizeOfRadius() const
+{
+  const double radius = this->Arrow.shaftRadius > 0.0f ? this->Arrow.shaftRadius : this->Arrow.tipRadius;
+  return this->Shape == rtg::Shape::Arrow && radius > 0.0 ? 1.0 / radius : 2.0;
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphSettings::AnchorShift() const
+{
+  if (this->Anchor == ORIGIN || this->Tensors.On) // tensors' axes have no heads
+  {
+    return 0.0;
+  }
+  double lower = 0.0, upper = 0.0;
+  if (this->Shape != rtg::Shape::Mesh)
+  {
+    const rtg::DoubleBox box = rtg::GlyphExtent(this->Shape, rtg::ArrowForm(), glm::dvec3(1.0));
+    lower = box.lower.x;
+    upper = box.upper.x;
+  }
+  else if (this->Mesh && !this->Mesh->positions.empty())
+  {
+    const auto [least, most] = std::minmax_element(this->Mesh->positions.begin(), this->Mesh->positions.end(),
+      [](const glm::vec3& a, const glm::vec3& b) { return a.x < b.x; });
+    lower = least->x;
+    upper = most->x;
+  }
+  switch (this->Anchor)
+  {
+    case TAIL:
+      return -lower;
+    case CENTER:
+      return -0.5 * (lower + upper);
+    case TIP:
+      return -upper;
+    default:
+      return 0.0;
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -68,6 +116,8 @@ vtkGlyphSettings vtkGlyphSettings::AxesOfTensors() const
   vtkGlyphSettings settings = *this;
   settings.Shape = rtg::Shape::Arrow;
   settings.Tensors.Axes = true;
+  settings.Anchor = ORIGIN;
+  settings.RadiusArray.clear();
   settings.Scaling &= settings.ScaleMode != COMPONENTS;
   settings.ScaleFactor = std::abs(settings.ScaleFactor);
   // Thin, so as to hide little, and of one form: short ones are small.

@@ -6,6 +6,7 @@
 #define vtkGlyphSettings_h
 
 #include "Glyphs.h"
+#include "vtkGlyphMask.h"
 #include "vtkGlyphMotion.h"
 #include "vtkGlyphSizing.h"
 #include "vtkGlyphTensors.h"
@@ -31,19 +32,29 @@ struct vtkGlyphSettings
     MATRIX = 3, // of rotation, row by row
     AXES = 4    // images of x, y and z, one after another
   };
+  enum Anchors
+  {
+    ORIGIN = 0, // of the unit glyph: an arrow's tail, the middle of all other shapes but meshes
+    TAIL = 1,   // where the glyph begins along its own x axis
+    CENTER = 2, // half-way between
+    TIP = 3     // where it ends
+  };
 
   rtg::Shape Shape = rtg::Shape::Sphere;
   bool Scaling = false;
   std::string ScaleArray; // empty or "None": none
   int ScaleMode = MAGNITUDE;
-  double ScaleFactor = 1.0; // world units
-  vtkGlyphSizing Sizing;    // of magnitudes of the scale array, and of eigenvalues
+  double ScaleFactor = 1.0;  // world units
+  vtkGlyphSizing Sizing;     // of magnitudes of the scale array, and of eigenvalues
+  std::string RadiusArray;   // across the glyph's x axis, instead of the scale; empty or "None": none
+  double RadiusFactor = 1.0; // what it is multiplied by
   bool Orient = true;
   std::string OrientationArray; // empty or "None": none
   int OrientationMode = DIRECTION;
+  int Anchor = ORIGIN;         // what of the glyph lies at its point; not of tensors' glyphs
   rtg::ArrowForm Arrow;        // its unit length is computed
-  double ArrowReference = 0.0; // scale of the arrow whose head has the unit arrow's proportions; 0: the mean
-  double MeanScale = 0.0;      // of the glyphs of all ranks; 0: of those at hand
+  double ArrowReference = 0.0; // magnitude of the arrow whose head has the unit arrow's proportions; 0: HighScale's
+  double HighScale = 0.0;      // high quantile of the scales of all ranks' glyphs; 0: of those at hand
   std::shared_ptr<const rtg::TriangleMesh> Mesh; // for rtg::Shape::Mesh
   int TableSize = 1;                             // of a table of meshes, of which Mesh is
   int TableEntry = 0;                            // that number: only points that choose it show it
@@ -53,9 +64,7 @@ struct vtkGlyphSettings
   std::string ExponentArray;                     // overrides them; empty or "None": none
   std::string OpacityArray;                      // empty or "None": none
   vtkGlyphMotion::Settings Motion;               // on: the glyphs move while the shutter is open
-  bool Mask = false;
-  vtkIdType MaximumNumberOfGlyphs = 5000;
-  int Seed = 1;
+  vtkGlyphMask Mask;
 
   bool operator==(const vtkGlyphSettings&) const = default;
 
@@ -66,9 +75,9 @@ struct vtkGlyphSettings
   vtkGlyphSettings Effective() const;
 
   /**
-   * Whether fixed arrow heads have the proportions of the unit arrow on an arrow of mean scale.
+   * Whether fixed arrow heads have the proportions of the unit arrow on an arrow of high scale.
    */
-  bool NeedsMeanScale() const
+  bool NeedsHighScale() const
   {
     return this->Shape == rtg::Shape::Arrow && this->Arrow.fixedHeads && this->Scaling &&
       !vtkRayTracedArrays::IsNone(this->ScaleArray) &&
@@ -84,6 +93,17 @@ struct vtkGlyphSettings
    * Whether the shape is a superquadric with exponents of these settings; those of tensors come from elsewhere.
    */
   bool HasOwnExponents() const { return HasExponents(this->Shape) && !this->Tensors.On; }
+
+  /**
+   * The size across the x axis of the unit glyph whose radius is 1: an arrow's is that of its shaft, or of its head
+   * where it has no shaft.
+   */
+  double SizeOfRadius() const;
+
+  /**
+   * How far Anchor moves the unit glyph along its own x axis.
+   */
+  double AnchorShift() const;
 
   /**
    * The arrows that show the antisymmetric parts of the tensors that glyphs of these settings show: from each glyph's

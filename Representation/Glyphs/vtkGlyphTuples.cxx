@@ -9,12 +9,17 @@
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <mutex>
+#include <numeric>
 #include <sstream>
-#include <utility>
 
 namespace
 {
+constexpr double highShare = 0.95; // of the scales that are not above the high one
+
 bool IsPositive(double value)
 {
   return value > 0.0 && std::isfinite(value);
@@ -62,18 +67,10 @@ const std::array<Description, vtkGlyphArrays::NUMBER_OF_IDS> table = { {
     "GlyphExponentArray", "GlyphExponents count" },
   { &Settings::OpacityArray, [](const Settings&) { return true; },
     [](const Settings&) { return std::vector<int>{ 1 }; }, "GlyphOpacityArray", "all glyphs have the same opacity" },
+  { &Settings::RadiusArray, [](const Settings& settings) { return !settings.Tensors.On; },
+    [](const Settings&) { return std::vector<int>{ 1 }; }, "GlyphRadiusArray",
+    "glyphs are as wide as their scale says" },
 } };
-
-// A number whose order is random but the same for a point at every time step, whatever the maximum.
-std::uint64_t SampleOrder(std::uint64_t point, std::uint64_t block, std::uint64_t seed)
-{
-  std::uint64_t x = point + 0x9e3779b97f4a7c15ull * (block + 1) + 0xd1342543de82ef95ull * seed;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-  return x ^ (x >> 31);
-}
-
-using SampleRank = std::pair<std::uint64_t, vtkIdType>; // order and point
 }
 
 //----------------------------------------------------------------------------
@@ -156,54 +153,63 @@ std::vector<vtkIdType> vtkGlyphArrays::Candidates(
     const auto block = blocks.find(blockIds->GetValue(i));
     return block == blocks.end() || block->second.Visible;
   };
-  std::vector<vtkIdType> candidates = vtkRayTracedParallel::Select(points->GetNumberOfPoints(), isVisible);
-  const vtkIdType maximum = std::max<vtkIdType>(settings.MaximumNumberOfGlyphs, 0);
-  if (!settings.Mask || static_cast<vtkIdType>(candidates.size()) <= maximum)
-  {
-    return candidates;
-  }
-
-  vtkDataArray* ids = points->GetPointData()->GetArray(vtkRayTracedArrays::PointIds);
-  std::vector<SampleRank> ranks(candidates.size());
-  vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(ranks.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        const vtkIdType i = candidates[k];
-        const auto id = static_cast<std::uint64_t>(ids ? ids->GetComponent(i, 0) : i);
-        ranks[k] = { SampleOrder(id, blockIds ? blockIds->GetValue(i) : 0, settings.Seed), i };
-      }
-    });
-  // Those before the one that would be in the place `maximum` when all were sorted.
-  std::vector<SampleRank> sorted = ranks;
-  std::nth_element(sorted.begin(), sorted.begin() + maximum, sorted.end());
-  const SampleRank end = sorted[maximum];
-  std::vector<vtkIdType> chosen =
-    vtkRayTracedParallel::Select(static_cast<vtkIdType>(ranks.size()), [&](vtkIdType k) { return ranks[k] < end; });
-  std::transform(chosen.begin(), chosen.end(), chosen.begin(), [&](vtkIdType k) { return candidates[k]; });
-  return chosen;
+  return settings.Mask.Choose(points, vtkRayTracedParallel::Select(points->GetNumberOfPoints(), isVisible));
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(
+// A positive float's leading bits rise with it; there are some 6 of its fraction among those that tell bins apart.
+void vtkGlyphArrays::ScaleHistogram::Add(double scale)
+{
+  const std::uint32_t bin = std::bit_cast<std::uint32_t>(static_cast<float>(scale)) >> 17;
+  this->Counts[bin] += 1.0;
+  this->Largest[bin] = std::max(this->Largest[bin], scale);
+}
+
+//----------------------------------------------------------------------------
+void vtkGlyphArrays::ScaleHistogram::Add(const ScaleHistogram& other)
+{
+  for (std::size_t bin = 0; bin < this->Counts.size(); ++bin)
+  {
+    this->Counts[bin] += other.Counts[bin];
+    this->Largest[bin] = std::max(this->Largest[bin], other.Largest[bin]);
+  }
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphArrays::ScaleHistogram::High() const
+{
+  const double all = std::accumulate(this->Counts.begin(), this->Counts.end(), 0.0);
+  double below = 0.0;
+  for (std::size_t bin = 0; bin < this->Counts.size(); ++bin)
+  {
+    below += this->Counts[bin];
+    if (below > 0.0 && below >= highShare * all)
+    {
+      return this->Largest[bin];
+    }
+  }
+  return 1.0;
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphArrays::ScaleHistogram vtkGlyphArrays::CountScales(
   vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
 {
-  ScaleSum sum;
+  ScaleHistogram all;
   vtkDataArray* array = Find(SCALE, points, settings);
   const bool byComponents = ScalesByComponents(array, settings);
   if (!array)
   {
-    return sum;
+    return all;
   }
   const std::vector<vtkIdType> candidates = Candidates(points, settings, blocks);
   const auto count = static_cast<vtkIdType>(candidates.size());
-  std::vector<ScaleSum> sums(vtkRayTracedParallel::NumberOfChunks(count));
+  std::mutex mutex;
   vtkRayTracedParallel::ForChunks(count,
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkGlyphTuples scales(array);
-      ScaleSum own;
+      ScaleHistogram own;
       for (vtkIdType k = begin; k < end; ++k)
       {
         const double* tuple = scales.Get(candidates[k]);
@@ -211,28 +217,23 @@ vtkGlyphArrays::ScaleSum vtkGlyphArrays::SumScales(
                                           : settings.Sizing(vtkMath::Norm(tuple, scales.Size()));
         if (IsPositive(scale)) // else there is no glyph
         {
-          own.Sum += scale;
-          own.Count += 1.0;
+          own.Add(scale);
         }
       }
-      sums[vtkRayTracedParallel::ChunkOf(begin)] = own;
+      const std::lock_guard<std::mutex> lock(mutex);
+      all.Add(own);
     });
-  for (const ScaleSum& own : sums)
-  {
-    sum.Sum += own.Sum;
-    sum.Count += own.Count;
-  }
-  return sum;
+  return all;
 }
 
 //----------------------------------------------------------------------------
 double vtkGlyphArrays::ReferenceScale(
   vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
 {
-  if (!settings.NeedsMeanScale())
+  if (!settings.NeedsHighScale())
   {
     const bool scaled = settings.Scaling && !vtkRayTracedArrays::IsNone(settings.ScaleArray);
     return scaled && IsPositive(settings.ArrowReference) ? settings.Sizing(settings.ArrowReference) : 1.0;
   }
-  return IsPositive(settings.MeanScale) ? settings.MeanScale : SumScales(points, settings, blocks).Mean();
+  return IsPositive(settings.HighScale) ? settings.HighScale : CountScales(points, settings, blocks).High();
 }

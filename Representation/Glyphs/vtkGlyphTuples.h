@@ -74,6 +74,7 @@ enum Id
   TABLE_INDEX,
   EXPONENTS,
   OPACITY,
+  RADIUS,
   NUMBER_OF_IDS
 };
 
@@ -106,14 +107,21 @@ std::vector<vtkIdType>
 Candidates(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
 
 /**
- * Of several sets of points sums and counts add up.
+ * How many glyphs have about which scale.
  */
-struct ScaleSum
+struct ScaleHistogram
 {
-  double Sum = 0.0, Count = 0.0;
-  double Mean() const { return this->Count > 0.0 && this->Sum > 0.0 ? this->Sum / this->Count : 1.0; }
+  std::vector<double> Counts = std::vector<double>(1 << 14), Largest = Counts; // of each bin
+  void Add(double scale);
+  void Add(const ScaleHistogram& other);
+
+  /**
+   * The 95 % quantile, but for 2 % of it, and always the scale of some glyph. 1 where there are none.
+   */
+  double High() const;
 };
-ScaleSum SumScales(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
+ScaleHistogram
+CountScales(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
 
 /**
  * The scale of the arrow whose fixed head has the proportions of the unit arrow.

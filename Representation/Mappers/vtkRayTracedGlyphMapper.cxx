@@ -199,8 +199,16 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 {
   const vtkGlyphTensors::Settings& tensors = this->Settings.Tensors;
   const int coloring = tensors.On ? tensors.Coloring : 0;
-  return { static_cast<vtkMTimeType>(coloring),
+  vtkPolyData* points = this->GetPoints();
+  vtkDataArray* selected = points ? points->GetPointData()->GetArray(vtkRayTracedArrays::Selected) : nullptr;
+  std::vector<vtkMTimeType> state{ static_cast<vtkMTimeType>(coloring),
     coloring != vtkGlyphTensors::NONE && this->TensorTable ? this->TensorTable->GetMTime() : 0 };
+  if (selected)
+  {
+    state.push_back(selected->GetMTime());
+    state.push_back(Pack({ this->SelectionColor[0], this->SelectionColor[1], this->SelectionColor[2], 1.0 }));
+  }
+  return state;
 }
 
 //----------------------------------------------------------------------------
@@ -275,6 +283,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
     }
   }
   const bool blockColors = this->HasBlockColors(points);
+  auto* selected = vtkUnsignedCharArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::Selected));
   std::vector<unsigned char> table;
   if (tensors && this->TensorTable && shown.ColorsByNumber())
   {
@@ -282,7 +291,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   }
 
   rtg::GlyphColours colors;
-  if (mapped || tensors || blockColors)
+  if (mapped || tensors || blockColors || selected)
   {
     colors.resize(this->Sources.size());
     const int components = mapped ? mapped->GetNumberOfComponents() : 0;
@@ -309,6 +318,14 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
           if (blockColors)
           {
             this->BlockColor(points, point, rgba, !shown.Axes);
+          }
+          if (bySign)
+          {
+            rgba = { { 1.0, 1.0, 1.0, rgba[3] } }; // white leaves glyphs their two colors
+          }
+          if (selected && selected->GetValue(point))
+          {
+            std::copy_n(this->SelectionColor.begin(), 3, rgba.begin());
           }
           colors[glyph] = Pack(rgba);
         }

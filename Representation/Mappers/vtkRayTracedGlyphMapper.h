@@ -32,6 +32,11 @@ public:
    */
   void SetTensorTable(vtkScalarsToColors* table);
 
+  /**
+   * Of the glyphs of points whose vtkRayTracedArrays::Selected is 1.
+   */
+  void SetSelectionColor(const std::array<double, 3>& color) { this->SelectionColor = color; }
+
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
   void AddToMaterial(rtg::Material& material) const override;
@@ -60,6 +65,7 @@ private:
   vtkWeakPointer<vtkPolyData> Mesh; // that Settings.Mesh was made of
   vtkMTimeType MeshTime = 0;
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
+  std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };
   rtg::GlyphInstances Instances;
   bool InstancesTaken = false;
   std::array<std::uint64_t, 2> Digest{}; // of the instances of InstanceVersion

@@ -221,7 +221,7 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   color.Blocks = this->BlockTable;
   color.Visible = this->ScalarVisibility != 0;
   color.State = this->ColorState();
-  if (!color.Blocks.empty())
+  if (!color.Blocks.empty() || points->GetPointData()->HasArray(vtkRayTracedArrays::Selected))
   {
     actor->GetProperty()->GetDiffuseColor(color.SolidColor.data());
   }

@@ -162,7 +162,7 @@ protected:
   vtkIdType Skipped = 0;
   rtg::GlyphColours Colors;
   bool Translucent = false, TranslucentInstances = false; // by colors, by instances
-  std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of blocks without a color, where some have one
+  std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of glyphs without a color, where some have one
   std::uint64_t InstanceVersion = 0, ColorVersion = 0, SourcesVersion = 0, InstanceBuilds = 0;
   std::uint64_t ColorBuilds = 0;
   double InstanceSeconds = 0.0, ColorSeconds = 0.0;

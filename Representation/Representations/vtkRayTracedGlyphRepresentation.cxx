@@ -1,10 +1,14 @@
 #include "vtkRayTracedGlyphRepresentation.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkGlyphJoinedArrays.h"
 #include "vtkGlyphPointGatherer.h"
+#include "vtkGlyphSelection.h"
 #include "vtkGlyphTuples.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -67,18 +71,18 @@ struct vtkRayTracedGlyphRepresentation::Layer
 };
 
 //----------------------------------------------------------------------------
-struct vtkRayTracedGlyphRepresentation::ScaleKey
+struct vtkRayTracedGlyphRepresentation::ScalesKey
 {
   vtkGlyphSettings Settings;
   std::vector<vtkMTimeType> Times;
   std::vector<unsigned int> HiddenBlocks;
-  vtkGlyphArrays::ScaleSum Sum;
+  vtkGlyphArrays::ScaleHistogram Histogram;
 };
 
 //----------------------------------------------------------------------------
 vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 //----------------------------------------------------------------------------
@@ -106,13 +110,52 @@ int vtkRayTracedGlyphRepresentation::FillInputPortInformation(int port, vtkInfor
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
   }
-  return this->Superclass::FillInputPortInformation(port, info);
+  return this->Superclass::FillInputPortInformation(port, info); // 0, and 2: what is selected of it
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedGlyphRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (request == vtkPVView::REQUEST_UPDATE() && this->GetVisibility())
+  {
+    this->FollowSelection();
+  }
+  return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
+}
+
+//----------------------------------------------------------------------------
+// As an input of this representation what is selected is brought up to date when the points are. ParaView does not tell
+// representations of data that a selection has changed.
+void vtkRayTracedGlyphRepresentation::FollowSelection()
+{
+  vtkAlgorithmOutput* input = this->GetNumberOfInputConnections(0) > 0 ? this->GetInputConnection(0, 0) : nullptr;
+  vtkAlgorithmOutput* selection = vtkGlyphSelection::Find(this->GetView(), input);
+  vtkAlgorithmOutput* known = this->GetNumberOfInputConnections(2) > 0 ? this->GetInputConnection(2, 0) : nullptr;
+  if (selection != known)
+  {
+    this->SetInputConnection(2, selection);
+  }
+  auto* pipeline =
+    selection ? vtkDemandDrivenPipeline::SafeDownCast(selection->GetProducer()->GetExecutive()) : nullptr;
+  if (pipeline)
+  {
+    pipeline->UpdatePipelineMTime();
+    const vtkMTimeType time = pipeline->GetPipelineMTime();
+    if (time != this->SelectionTime)
+    {
+      this->SelectionTime = time;
+      this->MarkModified();
+    }
+  }
 }
 
 //----------------------------------------------------------------------------
 int vtkRayTracedGlyphRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  this->Extracted =
+    inputVector[2]->GetNumberOfInformationObjects() == 1 ? vtkDataObject::GetData(inputVector[2], 0) : nullptr;
   this->GatherMesh(
     inputVector[1]->GetNumberOfInformationObjects() == 1 ? vtkDataObject::GetData(inputVector[1], 0) : nullptr);
   return this->Superclass::RequestData(request, inputVector, outputVector);
@@ -207,6 +250,14 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
 {
+  // Another selection is no reason to gather the same points again. Sources that fill the same data object anew differ
+  // by the time of its update.
+  const std::array<vtkMTimeType, 2> times =
+    input ? std::array<vtkMTimeType, 2>{ input->GetUpdateTime(), input->GetMTime() } : std::array<vtkMTimeType, 2>{};
+  if (this->Gathered && input && input == this->GatheredInput && times == this->GatheredTimes)
+  {
+    return vtkGlyphSelection::Mark(this->Gathered, this->Extracted);
+  }
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   vtkGlyphPointGatherer::Options options;
   options.CellCenters = this->GlyphLocation == CELLS;
@@ -217,7 +268,22 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(vtkDataObje
   }
   options.WholeExtent = wholeExtent;
   options.Progress = this->ProgressOf("Gathering points");
-  return vtkGlyphPointGatherer::Gather(input, options);
+  this->Gathered = vtkGlyphPointGatherer::Gather(input, options);
+  this->GatheredInput = input;
+  this->GatheredTimes = times;
+  return vtkGlyphSelection::Mark(this->Gathered, this->Extracted);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::AddArrays(vtkPolyData* points)
+{
+  const vtkGlyphSettings settings = this->MakeSettings();
+  for (const std::string& name :
+    { settings.ScaleArray, settings.OrientationArray, settings.ExponentArray, settings.Tensors.Array,
+      settings.Motion.Velocity, settings.Motion.Acceleration, settings.Motion.AngularVelocity })
+  {
+    vtkGlyphJoinedArrays::Add(points, name);
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -374,10 +440,11 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   vtkGlyphSettings settings = this->MakeSettings();
   const bool usesTable = table && table->GetNumberOfBlocks() > 1 && settings.Shape == rtg::Shape::Mesh;
   settings.TableSize = usesTable ? static_cast<int>(table->GetNumberOfBlocks()) : 1;
-  settings.MeanScale = this->MeanScale(points, settings, collective);
+  settings.HighScale = this->HighScale(points, settings, collective);
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
   main->SetSettings(settings, table && table->GetNumberOfBlocks() == 0 ? nullptr : form(0));
   main->SetTensorTable(this->TensorTable);
+  main->SetSelectionColor(this->SelectionColor);
   this->UpdateLegend(points, settings);
 
   const bool axes = this->ShowsAxes(points, settings);
@@ -397,6 +464,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
     Layer& layer = *this->Layers[entry - 1];
     layer.Follow(points, this->GetActor(), this->Blocks);
     layer.FollowColors(main);
+    layer.Mapper->SetSelectionColor(this->SelectionColor);
     settings.TableEntry = entry;
     layer.Mapper->SetSettings(settings, form(entry));
   }
@@ -439,13 +507,13 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(vtkPolyData* points, vtkGlyph
 //----------------------------------------------------------------------------
 // Heads of arrows are of one size on all ranks: each asks the others for their scales.
 double
-vtkRayTracedGlyphRepresentation::MeanScale(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective)
+vtkRayTracedGlyphRepresentation::HighScale(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective)
 {
-  if (!settings.NeedsMeanScale())
+  if (!settings.NeedsHighScale())
   {
     return 0.0;
   }
-  vtkGlyphArrays::ScaleSum sum;
+  vtkGlyphArrays::ScaleHistogram all;
   if (points && points->GetNumberOfPoints() > 0)
   {
     const vtkGlyphBlockAttributes::Table& blocks = this->Blocks.Resolve(points);
@@ -455,23 +523,23 @@ vtkRayTracedGlyphRepresentation::MeanScale(vtkPolyData* points, const vtkGlyphSe
     {
       times.push_back(array ? array->GetMTime() : 0);
     }
-    if (!this->Scale || !(this->Scale->Settings == settings) || this->Scale->Times != times ||
-      this->Scale->HiddenBlocks != hidden)
+    if (!this->Scales || !(this->Scales->Settings == settings) || this->Scales->Times != times ||
+      this->Scales->HiddenBlocks != hidden)
     {
-      this->Scale = std::make_unique<ScaleKey>(
-        ScaleKey{ settings, times, hidden, vtkGlyphArrays::SumScales(points, settings, blocks) });
+      this->Scales = std::make_unique<ScalesKey>(
+        ScalesKey{ settings, times, hidden, vtkGlyphArrays::CountScales(points, settings, blocks) });
     }
-    sum = this->Scale->Sum;
+    all = this->Scales->Histogram;
   }
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   if (collective && controller && controller->GetNumberOfProcesses() > 1)
   {
-    const double own[2] = { sum.Sum, sum.Count };
-    double all[2];
-    controller->AllReduce(own, all, 2, vtkCommunicator::SUM_OP);
-    sum = { all[0], all[1] };
+    const vtkGlyphArrays::ScaleHistogram own = all;
+    const auto bins = static_cast<vtkIdType>(all.Counts.size());
+    controller->AllReduce(own.Counts.data(), all.Counts.data(), bins, vtkCommunicator::SUM_OP);
+    controller->AllReduce(own.Largest.data(), all.Largest.data(), bins, vtkCommunicator::MAX_OP);
   }
-  return sum.Mean();
+  return all.High();
 }
 
 //----------------------------------------------------------------------------
@@ -511,6 +579,7 @@ bool vtkRayTracedGlyphRepresentation::RemoveFromView(vtkView* view)
   {
     this->Legend->RemoveFrom(renderView);
   }
+  this->SetInputConnection(2, nullptr);
   return this->Superclass::RemoveFromView(view);
 }
 
@@ -572,12 +641,19 @@ void vtkRayTracedGlyphRepresentation::SetGlyphLegendColor(double red, double gre
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetSelectionColor(double red, double green, double blue)
+{
+  this->SelectionColor = ColorInRange(red, green, blue);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphLocation(int location)
 {
   location = std::clamp<int>(location, POINTS, CELLS);
   if (this->GlyphLocation != location)
   {
     this->GlyphLocation = location;
+    this->Gathered = nullptr;
     this->MarkModified(); // other points must be gathered
   }
 }
@@ -654,6 +730,18 @@ void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double mos
 void vtkRayTracedGlyphRepresentation::SetGlyphOrientationMode(int mode)
 {
   this->Glyphs.OrientationMode = std::clamp<int>(mode, vtkGlyphSettings::DIRECTION, vtkGlyphSettings::AXES);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphAnchor(int anchor)
+{
+  this->Glyphs.Anchor = std::clamp<int>(anchor, vtkGlyphSettings::ORIGIN, vtkGlyphSettings::TIP);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphMaskMode(int mode)
+{
+  this->Glyphs.Mask.Mode = std::clamp<int>(mode, vtkGlyphMask::RANDOM, vtkGlyphMask::EVEN_IN_SPACE);
 }
 
 //----------------------------------------------------------------------------

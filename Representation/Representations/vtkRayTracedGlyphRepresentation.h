@@ -60,9 +60,12 @@ public:
   void SetGlyphScaleFunction(int function);
   void SetGlyphScaleReference(double reference);
   void SetGlyphSizeRange(double least, double most);
+  void SetGlyphRadiusArray(const char* name) { this->Glyphs.RadiusArray = OrEmpty(name); }
+  void SetGlyphRadiusFactor(double factor) { this->Glyphs.RadiusFactor = NumberOr(factor, 0.0); }
   void SetGlyphOrient(bool on) { this->Glyphs.Orient = on; }
   void SetGlyphOrientationArray(const char* name) { this->Glyphs.OrientationArray = OrEmpty(name); }
   void SetGlyphOrientationMode(int mode);
+  void SetGlyphAnchor(int anchor);
   ///@}
 
   ///@{
@@ -89,8 +92,8 @@ public:
   ///@{
   /**
    * The arrow's form, in fractions of the unit arrow's length. Default is fixed heads, vtkArrowSource's proportions and
-   * a rounding of 0.5. Fixed heads have these proportions on an arrow of the reference magnitude; it is the mean of the
-   * scale array when not positive, the default.
+   * a rounding of 0.5. Fixed heads have these proportions on an arrow of the reference magnitude; it is a high quantile
+   * of the scale array when not positive, the default.
    */
   void SetArrowHeads(int heads) { this->Glyphs.Arrow.fixedHeads = heads == 0; }
   void SetArrowReferenceMagnitude(double magnitude) { this->Glyphs.ArrowReference = NumberOr(magnitude, 0.0); }
@@ -109,6 +112,11 @@ public:
   void SetGlyphExponentArray(const char* name) { this->Glyphs.ExponentArray = OrEmpty(name); }
   void SetGlyphExponentForm(int form) { this->NestedExponents = form == 1; }
   ///@}
+
+  /**
+   * The color of selected glyphs; default is ParaView's, magenta.
+   */
+  void SetSelectionColor(double red, double green, double blue);
 
   /**
    * Opacities of the glyphs, in [0, 1], times that of the representation and of colors; default none.
@@ -157,12 +165,16 @@ public:
 
   ///@{
   /**
-   * Shows at most so many of the glyphs, chosen at random but the same at each time step. Default is off, 5000, 1.
+   * Shows only some of the glyphs; see vtkGlyphMask for modes and defaults.
    */
-  void SetGlyphMask(bool on) { this->Glyphs.Mask = on; }
-  void SetMaximumNumberOfGlyphs(int number) { this->Glyphs.MaximumNumberOfGlyphs = number; }
-  void SetGlyphSeed(int seed) { this->Glyphs.Seed = seed; }
+  void SetGlyphMask(bool on) { this->Glyphs.Mask.On = on; }
+  void SetGlyphMaskMode(int mode);
+  void SetMaximumNumberOfGlyphs(int number) { this->Glyphs.Mask.MaximumNumberOfGlyphs = number; }
+  void SetGlyphStride(int stride) { this->Glyphs.Mask.Stride = stride; }
+  void SetGlyphSeed(int seed) { this->Glyphs.Mask.Seed = seed; }
   ///@}
+
+  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
 protected:
   vtkRayTracedGlyphRepresentation();
@@ -175,6 +187,7 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) override;
+  void AddArrays(vtkPolyData* points) override;
   const double* GetDataBounds(vtkPolyData* points) override;
   void Deliver(vtkInformation* inInfo, bool lod) override;
   bool MayBeTranslucent() override;
@@ -195,12 +208,13 @@ private:
 
   vtkGlyphSettings MakeSettings() const;
   bool ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const;
+  void FollowSelection();
   void GatherMesh(vtkDataObject* mesh);
   void UpdateMeshExtents(vtkDataObject* forms);
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points);
   void UpdateLegend(vtkPolyData* points, vtkGlyphSettings settings);
-  double MeanScale(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective);
+  double HighScale(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective);
 
   vtkGlyphSettings Glyphs; // but for what MakeSettings() adds
   int GlyphShape = 0;
@@ -221,6 +235,13 @@ private:
   vtkGlyphTensors::Settings RangeSettings;
   vtkMTimeType RangeTime = 1;
 
+  vtkSmartPointer<vtkPolyData> Gathered;  // of an input of these times; null: they must be gathered
+  vtkDataObject* GatheredInput = nullptr; // only to be compared
+  std::array<vtkMTimeType, 2> GatheredTimes{};
+  vtkMTimeType SelectionTime = 0;           // of the pipeline to what is selected
+  vtkSmartPointer<vtkDataObject> Extracted; // what is selected of the input; null: nothing
+  std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };
+
   vtkNew<vtkMultiBlockDataSet> Mesh; // gathered; its only block is the mesh of mesh glyphs, or those of a table
   std::vector<std::shared_ptr<const rtg::TriangleMesh>> MeshExtents; // corners of the meshes' boxes, for Bounds
   std::vector<vtkMTimeType> MeshExtentsTimes;
@@ -228,8 +249,8 @@ private:
   // One more actor and mapper each: the arrows of tensor axes, further meshes of a table.
   std::vector<std::unique_ptr<Layer>> Layers;
 
-  struct ScaleKey;
-  std::unique_ptr<ScaleKey> Scale; // what the sum of the scales is known for
+  struct ScalesKey;
+  std::unique_ptr<ScalesKey> Scales; // what this rank's histogram of scales is known for
 };
 
 #endif

@@ -222,6 +222,10 @@ void vtkRayTracedRepresentation::Answer(
 {
   if (request == vtkPVView::REQUEST_UPDATE())
   {
+    if (this->Points)
+    {
+      this->AddArrays(this->Points);
+    }
     vtkPVView::SetPiece(inInfo, this, this->Points);
     // Where the view has kept this step of an animation nothing has been gathered, and that piece is what it shows.
     if (auto* shown = vtkPolyData::SafeDownCast(vtkPVView::GetPiece(inInfo, this)))

@@ -191,10 +191,11 @@ protected:
   ///@{
   /**
    * The data side. Gather() makes what is delivered to the mapper; `wholeExtent` is null unless `input` is a piece of a
-   * structured data set. GetDataBounds() are those of everything shown of gathered or delivered points, before the
-   * actor's transform. Deliver() may hand further pieces to the view.
+   * structured data set; AddArrays() adds to them what settings ask for. GetDataBounds() are those of everything shown
+   * of gathered or delivered points, before the actor's transform. Deliver() may hand further pieces to the view.
    */
   virtual vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) = 0;
+  virtual void AddArrays(vtkPolyData*) {}
   virtual const double* GetDataBounds(vtkPolyData* points) = 0;
   virtual void Deliver(vtkInformation*, bool /*lod*/) {}
   ///@}

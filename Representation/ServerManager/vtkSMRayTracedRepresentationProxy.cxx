@@ -157,6 +157,10 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
     // name the array before the shape.
     this->RenewDefault("GlyphScaleArray", /*lost=*/false);
   }
+  if (flag && name && !sharing && !this->ApplyingQuality)
+  {
+    this->FollowQuality(name);
+  }
   if (flag && name && !sharing && this->HoldsForView(name))
   {
     this->ShareWithView(name);
@@ -165,6 +169,43 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     this->ShareMaterial(name);
   }
+}
+
+//----------------------------------------------------------------------------
+// A quality gives other properties the values that its hints name; one of these that gets another value ends it.
+void vtkSMRayTracedRepresentationProxy::FollowQuality(const std::string& name)
+{
+  vtkSMProperty* quality = this->GetProperty("RenderingQuality");
+  vtkPVXMLElement* hints = quality ? quality->GetHints() : nullptr;
+  const bool made = quality && vtkSMPropertyHelper(quality).GetNumberOfElements() > 0; // has its default by now
+  const int chosen = made ? vtkSMPropertyHelper(quality).GetAsInt() : 0;
+  vtkPVXMLElement* values = nullptr;
+  for (unsigned int i = 0; hints && i < hints->GetNumberOfNestedElements(); ++i)
+  {
+    int of = 0;
+    vtkPVXMLElement* candidate = hints->GetNestedElement(i);
+    values = candidate->GetScalarAttribute("of", &of) && of == chosen ? candidate : values;
+  }
+  if (!values)
+  {
+    return;
+  }
+  this->ApplyingQuality = true;
+  for (const char* property : { "ShadingMode", "SamplesPerPixel", "Denoising" })
+  {
+    int value = 0;
+    values->GetScalarAttribute(property, &value);
+    vtkSMPropertyHelper helper(this, property);
+    if (name == "RenderingQuality" && helper.GetAsInt() != value)
+    {
+      helper.Set(value);
+    }
+    else if (name == property && helper.GetAsInt() != value)
+    {
+      vtkSMPropertyHelper(quality).Set(0);
+    }
+  }
+  this->ApplyingQuality = false;
 }
 
 //----------------------------------------------------------------------------

@@ -56,6 +56,7 @@ private:
   bool IsExposed(const char* name);
   bool HoldsForView(const char* name);
   void RenewDefault(const char* array, bool lost);
+  void FollowQuality(const std::string& name);
   void ShareWithView(const char* name);
   void ShareMaterial(const std::string& name);
   void TakeFromView(vtkSMProxy* view);
@@ -67,7 +68,8 @@ private:
   std::string TensorTableName; // of the table and scalar bar that are in use; empty: none
   double TensorRange[2] = { 1.0, -1.0 };
   bool TensorTableChosen = false; // by somebody else than this class
-  bool TakingGuess = false;       // GlyphScaleFactor is set to what the data suggest, not by somebody else
+  bool ApplyingQuality = false;
+  bool TakingGuess = false; // GlyphScaleFactor is set to what the data suggest, not by somebody else
 };
 
 #endif

@@ -19,7 +19,7 @@ struct Rivals
   using Vector = glm::vec<3, Real>;
   using GlyphRay = typename K::GlyphRay;
   using Glyph = typename K::Glyph;
-  using Probe = typename K::Probe;
+  using Probe = typename K::SuperquadricProbe;
 
   /// What a solver returns; the normal only when it is asked for.
   struct Hit
@@ -32,12 +32,16 @@ struct Rivals
   /// The ray in the glyph's frame, and the part of it to search.
   struct Frame
   {
-    typename K::LocalRay local;
-    typename K::SuperquadricRay unit;
+    typename K::Chord chord;
+    typename K::SuperquadricField field;
     Real low, high;
     Real tolerance; ///< of s
-    Probe At(Real s) const { return K::ProbeAt(this->unit, s); }
-    Real Slope(const Probe& probe) const { return K::SumOf(probe.slope); }
+    Probe At(Real s) const { return K::ProbeAt(this->field, K::Word(s), -1); }
+    Real NextCusp(Real s) const
+    {
+      int axis;
+      return K::NextBreak(this->field, K::Word(s), axis).hi;
+    }
   };
 
   static constexpr Real roundoff = std::numeric_limits<Real>::epsilon() / 2;
@@ -45,14 +49,14 @@ struct Rivals
 
   static bool Enter(const GlyphRay& ray, const Glyph& glyph, Real tMin, Frame& frame)
   {
-    if (!K::ToBoxFrame(ray, glyph, Real(0.5) * glyph.size, frame.local))
+    if (!K::ToChord(ray, glyph, tMin, Real(1e30), frame.chord))
     {
       return false;
     }
-    frame.unit = K::MakeSuperquadricRay(frame.local, glyph.exponents);
-    frame.low = std::max(frame.unit.sIn, tMin - frame.local.start.hi);
-    frame.high = frame.unit.sOut;
-    frame.tolerance = roundoff * (frame.unit.sOut - frame.unit.sIn);
+    frame.field = K::MakeSuperquadricField(frame.chord, glyph.exponents);
+    frame.low = std::max(frame.chord.sIn, (tMin - frame.chord.ray.start.hi) / frame.chord.scale);
+    frame.high = frame.chord.sOut;
+    frame.tolerance = roundoff * (frame.chord.sOut - frame.chord.sIn);
     return frame.low < frame.high;
   }
 
@@ -60,12 +64,12 @@ struct Rivals
   {
     Hit hit;
     hit.found = true;
-    hit.t = K::RayParameter(frame.local, K::Word(s)).hi;
+    hit.t = K::RayParameter(frame.chord.ray, K::Word(frame.chord.scale * s)).hi;
     if (!normal)
     {
       return hit;
     }
-    Vector gradient = frame.At(s).slope / frame.unit.direction;
+    Vector gradient = frame.At(s).slopes / frame.field.direction;
     for (int i = 0; i < 3; ++i)
     {
       gradient[i] = std::isfinite(gradient[i]) ? gradient[i] / glyph.size[i] : 0;
@@ -154,7 +158,7 @@ struct Rivals
     for (int i = 0; i < 64; ++i)
     {
       const Probe probe = frame.At(s);
-      const Real slope = frame.Slope(probe);
+      const Real slope = probe.slope;
       if (probe.f <= small)
       {
         return At(frame, glyph, normal, s);
@@ -195,7 +199,7 @@ struct Rivals
       {
         return At(frame, glyph, normal, solve(frame, frame.low, fLow, s, probe.f));
       }
-      (frame.Slope(probe) < 0 ? a : b) = s;
+      (probe.slope < 0 ? a : b) = s;
     }
     return {};
   }
@@ -220,7 +224,7 @@ struct Rivals
     }
     const Probe first = frame.At(frame.low), last = frame.At(frame.high);
     const bool inside = first.f < 0;
-    const Real bound = std::max(std::abs(frame.Slope(first)), std::abs(frame.Slope(last)));
+    const Real bound = std::max(std::abs(first.slope), std::abs(last.slope));
     Real s = frame.low;
     for (int i = 0; i < 4096 && s <= frame.high; ++i)
     {
@@ -270,8 +274,8 @@ struct Rivals
     std::vector<Real> ends = { frame.low, frame.high };
     for (int i = 0; i < 3; ++i)
     {
-      const Real zero = frame.unit.zero[i];
-      if (frame.unit.base[i] == 0 && zero > frame.low && zero < frame.high)
+      const Real zero = frame.field.zero[i];
+      if (frame.field.base[i] == 0 && zero > frame.low && zero < frame.high)
       {
         ends.push_back(zero);
       }
@@ -291,26 +295,26 @@ struct Rivals
       for (int k = 0; k < 3; ++k)
       {
         const Real cusp = Real(1e30);
-        const Real slopeB = b.slope[k] >= cusp ? -cusp : b.slope[k];
-        low += std::min(a.term[k], b.term[k]);
-        high += std::max(a.term[k], b.term[k]);
-        slopeLow += std::min(a.slope[k], slopeB);
-        slopeHigh += std::max(a.slope[k], slopeB);
+        const Real slopeB = b.slopes[k] >= cusp ? -cusp : b.slopes[k];
+        low += std::min(a.terms[k], b.terms[k]);
+        high += std::max(a.terms[k], b.terms[k]);
+        slopeLow += std::min(a.slopes[k], slopeB);
+        slopeHigh += std::max(a.slopes[k], slopeB);
       }
       if (low > 0 || high < 0)
       {
         continue;
       }
       const bool changes = (a.f < 0) != (b.f < 0);
-      if (slopeLow >= 0 || slopeHigh <= 0 || !(b.s - a.s > 4 * frame.tolerance))
+      if (slopeLow >= 0 || slopeHigh <= 0 || !(b.where.hi - a.where.hi > 4 * frame.tolerance))
       {
         if (changes)
         {
-          return At(frame, glyph, normal, Illinois(frame, a.s, a.f, b.s, b.f));
+          return At(frame, glyph, normal, Illinois(frame, a.where.hi, a.f, b.where.hi, b.f));
         }
         continue;
       }
-      const Probe middle = frame.At((a.s + b.s) / 2);
+      const Probe middle = frame.At((a.where.hi + b.where.hi) / 2);
       stack.emplace_back(middle, b);
       stack.emplace_back(a, middle);
     }
@@ -327,35 +331,36 @@ struct Rivals
     }
     Probe a = frame.At(frame.low);
     const Real outward = a.f < 0 ? Real(-1) : Real(1);
-    Probe b = frame.At(K::NextCusp(frame.unit, a.s));
+    Probe b = frame.At(frame.NextCusp(a.where.hi));
     for (int i = 0; i < 2000; ++i)
     {
       if (outward * a.f <= small)
       {
-        return At(frame, glyph, normal, a.s);
+        return At(frame, glyph, normal, a.where.hi);
       }
-      Real left = a.s, next = a.s;
-      const int verdict = K::Look(frame.unit, a, b, outward, left, next);
-      if (verdict == 0 || !(left < b.s))
+      const Real width = b.where.hi - a.where.hi;
+      const auto window = K::WindowOf(frame.field, a, b, outward, width);
+      const Real left = a.where.hi + (window.slopeA < 0 ? -outward * a.f / window.slopeA : width);
+      if (!(left < b.where.hi))
       {
         if (outward * b.f <= 0)
         {
-          return At(frame, glyph, normal, b.s);
+          return At(frame, glyph, normal, b.where.hi);
         }
-        if (!(b.s < frame.high))
+        if (!(b.where.hi < frame.high))
         {
           return {};
         }
         a = b;
-        b = frame.At(K::NextCusp(frame.unit, a.s));
+        b = frame.At(frame.NextCusp(a.where.hi));
         continue;
       }
-      a = frame.At(std::max(left, a.s + frame.tolerance));
+      a = frame.At(std::max(left, a.where.hi + frame.tolerance));
     }
-    return At(frame, glyph, normal, a.s);
+    return At(frame, glyph, normal, a.where.hi);
   }
 
-  /// The kept solver without its last step in double words.
+  /// The kept solver without its last steps in double words.
   static Hit PlainKept(const GlyphRay& ray, const Glyph& glyph, Real tMin, bool normal)
   {
     Frame frame;
@@ -363,17 +368,17 @@ struct Rivals
     {
       return {};
     }
-    auto search = K::StartSearch(frame.unit);
-    while (K::NextCrossing(frame.local, frame.unit, search, search))
+    auto search = K::StartSearch(frame.field, frame.chord);
+    while (K::NextRoot(frame.field, frame.chord, search, search))
     {
-      const Real slope = frame.Slope(search.found);
-      const Real step = search.touch || search.steep ? Real(0) : search.found.f / slope;
-      const Hit hit = At(frame, glyph, normal, search.found.s - step);
-      if (!search.touch && hit.t >= tMin)
+      const Probe probe = frame.At(search.a.where.hi + search.near);
+      const Real step = std::clamp(-probe.f / probe.slope, search.low - search.near, search.high - search.near);
+      const Hit hit = At(frame, glyph, normal, probe.where.hi + (std::isnan(step) ? Real(0) : step));
+      if (search.a.outside != search.b.outside && hit.t >= tMin)
       {
         return hit;
       }
-      search = K::Continue(frame.unit, search, !search.touch, search.found.s);
+      search = K::NextWindow(search);
     }
     return {};
   }

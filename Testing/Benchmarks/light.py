@@ -1,18 +1,12 @@
 #!/usr/bin/python3
-"""Plots and tabulates what LightBenchmark error wrote for several scenes: error over time, per sampler.
+"""What LightBenchmark error wrote for several scenes, plotted and as the table of tables.py: error over time, per sampler.
 
 Usage: light.py PLOT.png NAME=RESULTS.csv ...
-Prints a Markdown table. Gain: mean squared error of independent samples over that of the sampler at the same time, that of
-independent samples being interpolated on logarithms and extrapolated as 1 / time; above 1 the sampler is better.
+Gain: mean squared error of independent samples over that of the sampler at the same time, that of independent samples being interpolated on logarithms and extrapolated as 1 / time; above 1 the sampler is better.
 """
 import csv
 import math
 import sys
-
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
 
 TABLED = (1, 4, 16, 64, 256, 1024)
 KEPT = {"occlusion": "sobol x8", "path": "sobol x4"}  # what the plugin does by default
@@ -22,7 +16,7 @@ def read(path):
     """{shading: {sampler: [row]}} with numbers; the denoised error's time has the denoiser's in it."""
     results = {}
     with open(path, encoding="ascii") as file:
-        for row in csv.DictReader(file):
+        for row in csv.DictReader(line for line in file if not line.startswith("#")):
             results.setdefault(row["shading"], {}).setdefault(row["sampler"], []).append({
                 "samples": int(row["samples"]), "seconds": float(row["cpu_seconds"]), "error": max(float(row["mse"]), 1e-12),
                 "denoised": max(float(row["denoised_mse"]), 1e-12),
@@ -41,36 +35,47 @@ def at_time(rows, seconds):
     return math.exp(y0 - (x - x0))
 
 
-def main():
-    """Reads, tabulates, plots."""
-    scenes = [argument.split("=", 1) for argument in sys.argv[2:]]
+def table(scenes):
+    """Markdown of (name, path) of scenes."""
+    lines = ["| scene | light | sampler | " + " | ".join("%d" % n for n in TABLED) + " |", "|---|---|---|" + "---|" * len(TABLED)]
+    for name, path in scenes:
+        for shading, samplers in read(path).items():
+            random = samplers["random"]
+            for sampler, rows in samplers.items():
+                found = {r["samples"]: r for r in rows}
+                cells = ["" if n not in found else "%.2g" % found[n]["error"] if sampler == "random" else
+                         "%.2f" % (at_time(random, found[n]["seconds"]) / found[n]["error"]) for n in TABLED]
+                lines.append("| %s | %s | %s | %s |" % (name, shading, sampler + (": error" if sampler == "random" else ": gain"), " | ".join(cells)))
+                if sampler == KEPT[shading]:
+                    cells = ["%.2g" % found[n]["denoised"] if n in found else "" for n in TABLED]
+                    lines.append("| %s | %s | %s | %s |" % (name, shading, sampler + ", denoised: error", " | ".join(cells)))
+    return "\n".join(lines)
+
+
+def plot(scenes, path_of_plot):
+    """Error over time."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
     figure, axes = plt.subplots(2, len(scenes), figsize=(4.6 * len(scenes), 7.6), squeeze=False)
-    print("| scene | light | sampler | " + " | ".join("%d" % n for n in TABLED) + " |")
-    print("|---|---|---|" + "---|" * len(TABLED))
     for column, (name, path) in enumerate(scenes):
         for axis, (shading, samplers) in zip(axes[:, column], read(path).items()):
-            random = samplers["random"]
             axis.set_prop_cycle(color=plt.get_cmap("tab20").colors)
             for sampler, rows in samplers.items():
                 axis.loglog([r["seconds"] for r in rows], [r["error"] for r in rows], "o-", label=sampler, markersize=3,
                             linewidth=2.5 if sampler == KEPT[shading] else 1.2)
-                found = {r["samples"]: r for r in rows}
-                cells = ["" if n not in found else "%.2g" % found[n]["error"] if sampler == "random" else
-                         "%.2f" % (at_time(random, found[n]["seconds"]) / found[n]["error"]) for n in TABLED]
-                print("| %s | %s | %s | %s |" % (name, shading, sampler + (": error" if sampler == "random" else ": gain"), " | ".join(cells)))
                 if sampler == KEPT[shading]:
                     axis.loglog([r["denoised_seconds"] for r in rows], [r["denoised"] for r in rows], "s--", color="0.5",
                                 label=sampler + ", denoised", markersize=3)
-                    cells = ["%.2g" % found[n]["denoised"] if n in found else "" for n in TABLED]
-                    print("| %s | %s | %s | %s |" % (name, shading, sampler + ", denoised: error", " | ".join(cells)))
             axis.set_xlabel("processor seconds")
             axis.set_ylabel("mean squared error")
             axis.set_title("%s, %s" % (name, shading))
             axis.grid(True, which="both", alpha=0.3)
             axis.legend(fontsize=6.5, loc="lower left", framealpha=0.5)
     figure.tight_layout()
-    figure.savefig(sys.argv[1], dpi=90)
+    figure.savefig(path_of_plot, dpi=90)
 
 
 if __name__ == "__main__":
-    main()
+    plot([argument.split("=", 1) for argument in sys.argv[2:]], sys.argv[1])

@@ -1,24 +1,20 @@
 #!/usr/bin/python3
-"""Plots and tabulates what MotionBenchmark error wrote: error over time, per scheme and path length.
+"""What MotionBenchmark error wrote, plotted and as the table of tables.py: error over time, per scheme and path length.
 
 Usage: motion.py RESULTS.csv PLOT.png
-Prints a Markdown table at 16 samples a pixel. The reference's own error is taken off; times are processor seconds of an
-image of 1200 x 1200, with the building of structures.
+The reference's own error is taken off; times are processor seconds of an image of 1200 x 1200, with the building of structures.
 """
 import csv
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+KEPT = "strata of times with places: slices"  # what the plugin does
 
 
 def read(path):
     """{radii: {scheme: [(samples, build seconds, trace seconds, mse, blurred mse)]}}"""
     results = {}
     with open(path, encoding="ascii") as file:
-        rows = list(csv.DictReader(file))
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     own = {row["radii"]: float(row["reference_mse"]) for row in rows}  # the last row of a path knows it
     for row in rows:
         error = max(float(row["mse"]) - own[row["radii"]], 1e-12)
@@ -28,27 +24,33 @@ def read(path):
     return results
 
 
-def main():
-    """Reads, tabulates, plots."""
-    results = read(sys.argv[1])
+def table(path):
+    """Markdown, at 16 samples a pixel."""
+    lines = ["| path (radii) | scheme | build s | trace s | error (1e-4) | after a blur (1e-4) |", "|---|---|---|---|---|---|"]
+    lines += ["| %s | %s | %.2f | %.1f | %.2f | %.3f |" % (radii, name + (" (kept)" if name == KEPT else ""), row[1], row[2], 1e4 * row[3], 1e4 * row[4])
+              for radii, schemes in read(path).items() for name, rows in schemes.items() for row in rows if row[0] == 16]
+    return "\n".join(lines)
+
+
+def plot(path, path_of_plot):
+    """Error over time."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    results = read(path)
     figure, axes = plt.subplots(1, len(results), figsize=(4.6 * len(results), 4.4), squeeze=False, sharey=True)
-    print("| path (radii) | scheme | build s | trace s | error (1e-4) | after a blur (1e-4) |")
-    print("|---|---|---|---|---|---|")
     for axis, (radii, schemes) in zip(axes[0], results.items()):
         for name, rows in schemes.items():
             axis.loglog([r[1] + r[2] for r in rows], [r[3] for r in rows], "o-", label=name, markersize=3)
-            for row in rows:
-                if row[0] == 16:
-                    print("| %s | %s | %.2f | %.1f | %.2f | %.3f |" % (
-                        radii, name, row[1], row[2], 1e4 * row[3], 1e4 * row[4]))
         axis.set_xlabel("processor seconds")
         axis.set_title("path of %s radii" % radii)
         axis.grid(True, which="both", alpha=0.3)
     axes[0][0].set_ylabel("mean squared error")
     axes[0][0].legend(fontsize=8)
     figure.tight_layout()
-    figure.savefig(sys.argv[2], dpi=100)
+    figure.savefig(path_of_plot, dpi=100)
 
 
 if __name__ == "__main__":
-    main()
+    plot(sys.argv[1], sys.argv[2])

@@ -1,4 +1,5 @@
-"""Every link in the project's documents leads to a file that is there, and to a heading that is in it.
+"""Every link in the project's documents leads to a file that is there, and to a heading that is in it; every test that
+a table names in a column 'test' is one.
 
 Usage: python3 links.py
 """
@@ -27,13 +28,34 @@ def documents():
                       for name in names if name.endswith(".md") and "/build" not in folder]
 
 
+def tests():
+    """Every word of the files that define tests."""
+    words = set()
+    for folder, _, names in os.walk(os.path.join(ROOT, "Testing")):
+        for name in names:
+            if name == "CMakeLists.txt" or name.endswith(".cmake"):
+                with open(os.path.join(folder, name), encoding="utf-8") as stream:
+                    words.update(re.findall(r"[\w-]+", stream.read()))
+    return words
+
+
+def named_tests(text):
+    """What the last columns of tables name where they are headed 'test'."""
+    named = []
+    for table in re.findall(r"^\|.*\| test \|\n\|[-|]+\|\n((?:\|.*\|\n)+)", text, re.M):
+        for row in table.splitlines():
+            named += [name.strip() for name in row.rstrip("|").split("|")[-1].split(",")]
+    return named
+
+
 def main():
     """Lists what leads nowhere."""
-    failures, links = [], 0
+    failures, links, known = [], 0, tests()
     for document in documents():
         path = os.path.join(ROOT, document)
         with open(path, encoding="utf-8") as stream:
             text = re.sub(r"^    .*$|`[^`]*`", "", stream.read(), flags=re.M)
+        failures += ["%s: no test %s" % (document, name) for name in named_tests(text) if name not in known]
         for target in re.findall(r"\]\(([^)]+)\)", text):
             if "://" in target:
                 continue

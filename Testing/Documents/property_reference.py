@@ -29,6 +29,11 @@ def definitions(name):
     return properties, groups
 
 
+def of_representations():
+    """Properties by name of both representations, of glyphs, and of surfaces."""
+    return [definitions(name)[0] for name in ("RayTracedCommon.xml", "RayTracedGlyphs.xml", "RayTracedSurface.xml")]
+
+
 def values(entry):
     """What the property can be, as its domains say."""
     for domain in entry:
@@ -71,26 +76,25 @@ def row(name, entry):
     return "| %s | %s | %s | %s |" % (name, values(entry), default(entry), text.replace("|", "\\|"))
 
 
-def table():
-    """The whole reference: the panel's groups in their order, then what is shared with ParaView's surfaces."""
-    common, _ = definitions("RayTracedCommon.xml")
-    glyphs, groups = definitions("RayTracedGlyphs.xml")
-    surface, _ = definitions("RayTracedSurface.xml")
+def sections():
+    """(title, [(name that scripts know, XML element)]): the panel's groups in their order, then what is shared with ParaView's surfaces."""
+    common, glyphs, surface = of_representations()
     known = {**common, **surface, **glyphs}
-    lines, shown = [], set()
-
-    def section(title, names):
-        lines.extend(["", "#### " + title, "", "| property | values | default | meaning |", "|---|---|---|---|"])
-        for name, exposed in names:
-            shown.add(name)
-            lines.append(row(exposed or name, known[name]))
-
-    for title, names in groups:
-        section(title, names)
+    _, groups = definitions("RayTracedGlyphs.xml")
+    shown = {name for _, names in groups for name, _ in names}
     information = [name for name, entry in known.items() if entry.get("information_only") == "1" and name not in shown]
-    section("Information", [(name, None) for name in information])
-    rest = [name for name, entry in known.items() if name not in shown and entry.get("is_internal") != "1" and name != "Input"]
-    section("Shared with ParaView's Surface", [(name, None) for name in rest])
+    rest = [name for name, entry in known.items()
+            if name not in shown and name not in information and entry.get("is_internal") != "1" and name != "Input"]
+    groups = groups + [("Information", [(name, None) for name in information]), ("Shared with ParaView's Surface", [(name, None) for name in rest])]
+    return [(title, [(exposed or name, known[name]) for name, exposed in names]) for title, names in groups]
+
+
+def table():
+    """The whole reference."""
+    lines = []
+    for title, entries in sections():
+        lines.extend(["", "#### " + title, "", "| property | values | default | meaning |", "|---|---|---|---|"])
+        lines.extend(row(name, entry) for name, entry in entries)
     return "\n".join([BEGIN] + lines + ["", END])
 
 

@@ -49,78 +49,60 @@ TEST(SuperquadricTest, PowersHaveTheDigitsTheyPromise)
 }
 
 /// The most evaluations of f that any ray of the hard cases needs for its first crossing, or to know that it has none,
-/// and how many exhaust RTG_STEPS, and how many of those are not within the band of a silhouette.
+/// all of them, how many rays exhaust RTG_STEPS, and how many of those are not within the band of a silhouette.
 struct StepCount
 {
   int rays = 0, most = 0, exhausted = 0, wrongly = 0;
-};
+  double steps = 0;
 
-template <class Real>
-StepCount CountSteps()
-{
-  using Kernel = shapes::Kernel<Real>;
-  StepCount count;
-  for (const Subject& subject : HardSubjects())
+  template <class Crossing>
+  void Add(const std::vector<Subject>& subjects, const Crossing& crossing)
   {
-    if (subject.shape != Shape::Superquadric)
+    for (const Subject& subject : subjects)
     {
-      continue;
-    }
-    for (const HardCase& hard : HardCaseMaker(subject, 12, 100).All())
-    {
-      for (const HardRay& ray : hard.rays)
+      for (const HardCase& hard : HardCaseMaker(subject, 12, 100).All())
       {
-        const auto glyph = KernelGlyph<Real>(hard.instances, ray.glyph);
-        typename Kernel::LocalRay local;
-        if (!Kernel::ToBoxFrame(KernelRay<Real>(ray), glyph, Real(0.5) * glyph.size, local))
+        for (const HardRay& ray : hard.rays)
         {
-          continue;
-        }
-        // As SuperquadricCrossing does it.
-        const glm::dvec3 d = glm::abs(glm::dvec3(local.direction.hi));
-        const Real scale = std::ldexp(Real(1), -int(std::floor(std::log2(std::max({ d.x, d.y, d.z })))));
-        local.direction.hi *= scale;
-        local.direction.lo *= scale;
-        const auto unit = Kernel::MakeSuperquadricRay(local, glyph.exponents);
-        if (!(unit.sIn < unit.sOut))
-        {
-          continue;
-        }
-        auto search = Kernel::StartSearch(unit);
-        while (Kernel::NextCrossing(local, unit, search, search))
-        {
-          typename Kernel::DoubleWord s;
-          Real resume;
-          const bool crossed = Kernel::Polish(local, unit, search, s, resume);
-          if (crossed)
+          const int taken = crossing(KernelRay<float>(ray), KernelGlyph<float>(hard.instances, ray.glyph)).steps;
+          ++this->rays;
+          this->steps += taken;
+          this->most = std::max(this->most, taken);
+          if (taken >= RTG_STEPS)
           {
-            break;
+            ++this->exhausted;
+            ReferenceGlyph reference(hard.instances, ray.glyph);
+            this->wrongly += reference.Crossings(ray.origin, ray.direction, 1 - 2 * band).size() ==
+              reference.Crossings(ray.origin, ray.direction, 1 + 2 * band).size();
           }
-          search = Kernel::Continue(unit, search, crossed, resume);
-        }
-        ++count.rays;
-        count.most = std::max(count.most, search.steps);
-        if (search.steps >= RTG_STEPS)
-        {
-          ++count.exhausted;
-          ReferenceGlyph reference(hard.instances, ray.glyph);
-          count.wrongly += reference.Crossings(ray.origin, ray.direction, 1 - 2 * band).size() ==
-            reference.Crossings(ray.origin, ray.direction, 1 + 2 * band).size();
         }
       }
     }
   }
-  return count;
-}
+
+  void Expect(const char* name) const
+  {
+    std::cout << name << ": " << this->rays << " rays, steps " << this->steps / this->rays << " on average, at most "
+              << this->most << ", exhausted " << this->exhausted << "\n";
+    EXPECT_EQ(this->wrongly, 0);
+    EXPECT_LT(this->exhausted, this->rays / 1000);
+    EXPECT_GT(this->most, 5);
+  }
+};
 
 /// Only rays that touch the surface to within rounding can exhaust them: a miss is right there.
 TEST(SuperquadricTest, StepsAreExhaustedOnlyAtSilhouettes)
 {
-  const StepCount count = CountSteps<float>();
-  std::cout << count.rays << " rays, most steps " << count.most << ", exhausted " << count.exhausted << "\n";
-  EXPECT_EQ(count.wrongly, 0);
-  EXPECT_LT(count.exhausted, count.rays / 1000);
-  EXPECT_GT(count.most, 5);
+  using Kernel = shapes::Kernel<float>;
+  std::vector<Subject> subjects = HardSubjects();
+  std::erase_if(subjects, [](const Subject& subject) { return subject.shape != Shape::Superquadric; });
+  StepCount axes, nested;
+  axes.Add(subjects,
+    [](const auto& ray, const auto& glyph) { return Kernel::SuperquadricCrossing(ray, glyph, -1e30f, 1e30f); });
+  axes.Expect("superquadrics");
+  nested.Add(NestedSubjects(),
+    [](const auto& ray, const auto& glyph) { return Kernel::NestedSuperquadricCrossing(ray, glyph, -1e30f, 1e30f); });
+  nested.Expect("nested");
 }
 
 } // namespace

@@ -45,7 +45,7 @@ endif ()
 # A session that saves, and a fresh one for each of the two ways back.
 foreach (step IN ITEMS save state trace)
   rtglyphs_regression_test("State-${step}"
-    COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/state_and_trace.py" "${step}" "${data}")
+    COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/state_and_trace.py" "${step}")
 endforeach ()
 set_tests_properties(State-save PROPERTIES FIXTURES_SETUP saved_state)
 set_property(TEST State-state State-trace APPEND PROPERTY FIXTURES_REQUIRED saved_state)

@@ -10,6 +10,8 @@ import session
 
 #: pixels a world unit, and the arrows' lengths in world units
 PIXELS, LENGTHS = 40.0, (0.5, 1.0, 1.5, 2.0)
+#: of arrows beside the view; with them the 95 % quantile is 1, the mean about half of it
+OTHERS = (0.2,) * 60 + (1.0,) * 36
 
 
 def thickness(view, name, lengths):
@@ -30,15 +32,16 @@ def main():
     """The same arrows from arrays of very different magnitude, and heads fixed to one magnitude."""
     session.load()
     lengths = numpy.array(LENGTHS)
-    mean = lengths.mean()
+    everywhere = numpy.array(LENGTHS + OTHERS)
+    high = 1.0
     view = session.view(200, 200)
     session.look(view, (1.0, 0.0, 10.0), (1.0, 0.0, 0.0), parallel_scale=100.0 / PIXELS)
-    points = numpy.array([[0.0, i - (len(lengths) - 1) / 2.0, 0.0] for i in range(len(lengths))])
+    points = numpy.array([[0.0, i - (len(lengths) - 1) / 2.0, 0.0] for i in range(len(lengths))] + [[0.0, 100.0, 0.0]] * len(OTHERS))
     failures, pictures = [], []
 
     for unit in (1.0, 18.0, 0.01):
-        vectors = numpy.zeros((len(lengths), 3))
-        vectors[:, 0] = lengths * unit
+        vectors = numpy.zeros((len(everywhere), 3))
+        vectors[:, 0] = everywhere * unit
         data = session.source(session.poly_data(points, vectors=vectors))
         shown = session.glyphs(data, view, "Arrow", GlyphOrientationArray="vectors", GlyphScaling=1, GlyphScaleArray="vectors",
                                GlyphScaleFactor=1.0 / unit, ArrowTipRadius=0.25)
@@ -54,11 +57,11 @@ def main():
                 failures.append("unit %g, %s: heads are %s pixels wide, not %s" % (unit, what, found, wanted))
             return pixels
 
-        pictures.append(expect("mean", mean * unit))
+        pictures.append(expect("high", high * unit))
         shown.ArrowReferenceMagnitude = 0.8 * unit
         expect("fixed", 0.8 * unit)
         shown.ArrowReferenceMagnitude = 0.0
-        if (expect("mean again", mean * unit) != pictures[-1]).any():
+        if (expect("high again", high * unit) != pictures[-1]).any():
             failures.append("unit %g: the automatic reference does not come back" % unit)
         shown.GlyphScaling = 0
         shown.GlyphScaleFactor = 1.0

@@ -90,8 +90,45 @@ def bounds(checks, view):
             pv.Delete(shown)
 
 
+def radii(checks, view):
+    """Lengths by one array, radii by another; an arrow's is its shaft's, and its head belongs to its shaft."""
+    lengths, widths = numpy.array([0.3, 0.5, 0.6]), numpy.array([-0.04, 0.02, 0.01])
+    thick = 2 * numpy.abs(widths) * 1.5
+    # The head is three times as wide as the shaft and 7/3 of its width long; the last arrow is shorter than that.
+    head = 3 * thick
+    cases = {
+        "Cylinder": ({"GlyphShape": "Cylinder"}, thick), "Sphere": ({"GlyphShape": "Sphere"}, thick), "Box": ({"GlyphShape": "Box"}, thick),
+        "fixed heads": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.05, "ArrowTipRadius": 0.15, "ArrowTipLength": 0.35}, head),
+        "scaled heads": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.05, "ArrowTipRadius": 0.15, "ArrowHeads": "Scaled"}, head),
+        "short arrows": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.05, "ArrowTipRadius": 0.15, "ArrowTipLength": 1.0,
+                          "GlyphScaleFactor": 0.1}, numpy.minimum(head, 0.3 * 0.1 * lengths)),
+        "heads alone": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.0, "ArrowTipRadius": 0.15}, thick),
+    }
+    source = session.source(session.poly_data(POINTS - [0.2, 0.0, 0.0], s=lengths, w=widths, zero=numpy.array([0.0, 0.02, numpy.nan])))
+    for name, (properties, wide) in cases.items():
+        properties = {"GlyphScaleFactor": 1.0, **properties}
+        shown = session.glyphs(source, view, properties.pop("GlyphShape"), GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="s",
+                               GlyphRadiusArray="w", GlyphRadiusFactor=1.5, **properties)
+        session.solid(shown, (0.9, 0.8, 0.3))
+        pv.Render(view)
+        found = extents(view, "radii " + name)
+        wanted = numpy.stack([properties["GlyphScaleFactor"] * lengths, wide], axis=1)
+        checks.true("radii, %s: sizes %s, not %s" % (name, numpy.round(found, 3).tolist(), numpy.round(wanted, 3).tolist()),
+                    numpy.abs(found - wanted).max() <= PIXEL)
+        box = numpy.array(view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2)
+        checks.within("radii, %s: bounds along y" % name, float(box[1, 1]), 0.5 * wide.max(), 0.66)
+        pv.Delete(shown)
+    shown = session.glyphs(source, view, "Cylinder", GlyphOrient=0, GlyphScaleFactor=0.5)
+    shown.GlyphRadiusArray = "zero"
+    checks.one_message("radii that are not finite", session.messages(lambda: pv.Render(view)), "radius", "zero", "not finite", "1 of 3")
+    checks.equal("glyphs without a radius", session.statistics(shown)["skippedGlyphs"], 2)
+    shown.GlyphRadiusArray = "nowhere"
+    checks.one_message("radii that are missing", session.messages(lambda: pv.Render(view)), "GlyphRadiusArray", "nowhere")
+    pv.Delete(shown)
+
+
 def heads(checks, view):
-    """Fixed heads have their size on the arrow of mean length, which is the mean of the function."""
+    """Fixed heads have their size on an arrow of the high quantile of lengths, which are those of the function."""
     shown = glyphs(view, "Arrow", GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFunction="Unit", GlyphScaleFactor=0.4,
                    ArrowTipRadius=0.25)[1]
     found = extents(view, "heads")
@@ -118,6 +155,7 @@ def main():
     functions(checks, view)
     limits(checks, view)
     bounds(checks, view)
+    radii(checks, view)
     heads(checks, view)
     wrong(checks, view)
     checks.report()

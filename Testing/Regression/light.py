@@ -109,21 +109,6 @@ def denoised():
     return failures
 
 
-def coated():
-    """A coat makes a dark ball mirror the white floor."""
-    scene = Scene("Path Tracing")
-    session.solid(scene.ball, (0.05, 0.05, 0.05))
-    scene.ball.Specular = 0.0
-    seen = {}
-    for strength in (0.0, 1.0):
-        scene.ball.CoatStrength, scene.ball.CoatIOR, scene.ball.CoatRoughness = strength, 2.5, 0.1
-        pixels = session.capture(scene.view, "light-coat-%d" % strength)
-        seen[strength] = brightness(pixels, 0.35, 0.45)
-    scene.close()
-    print("ball without coat %.1f, with coat %.1f" % (seen[0.0], seen[1.0]))
-    return [] if seen[1.0] > seen[0.0] + 20.0 else ["a coat does not brighten a dark ball: %s" % seen]
-
-
 def write_texture(path, pixels):
     """Writes rows of RGB from the bottom as PNG."""
     image = vtkImageData()
@@ -239,6 +224,5 @@ session.load()
 if sys.argv[1:2] == ["cycles"]:
     FAILURES = cycles(int(sys.argv[2]))
 else:
-    FAILURES = shadows("Ambient Occlusion", "occlusion") + shadows("Path Tracing", "paths") + denoised() + coated() + \
-        surrounded()
+    FAILURES = shadows("Ambient Occlusion", "occlusion") + shadows("Path Tracing", "paths") + denoised() + surrounded()
 session.finish(FAILURES)

@@ -1,5 +1,6 @@
 """Orientations as codes write them give one picture: quaternions, matrices row by row, axes one after another, angles; also
-where the array says by its length what it is. What is no rotation makes no glyph.
+where the array says by its length what it is, and where each component is an array of its own. What is no rotation makes no
+glyph.
 
 Usage: pvpython orientations.py
 """
@@ -58,9 +59,12 @@ def main():
     mirrored, flat = rows.copy(), rows.copy()
     mirrored[1, 6:] *= -1.0
     flat[2, 3:6] = flat[2, :3]
+    quaternions = numpy.array([quaternion(matrix) for matrix in matrices])
+    components = {"c_q[%d]" % (i + 1): quaternions[:, i] for i in range(4)}
+    components.update({"shape" + "xyz"[i]: LENGTHS[:, i] for i in range(3)})
     source = session.source(session.poly_data(
-        CENTERS, lengths=LENGTHS, size=numpy.linalg.norm(LENGTHS, axis=1), angles=ANGLES, rows=rows, axes=axes, mirrored=mirrored, flat=flat,
-        quaternions=numpy.array([quaternion(matrix) for matrix in matrices])))
+        CENTERS, **components, lengths=LENGTHS, size=numpy.linalg.norm(LENGTHS, axis=1), angles=ANGLES, rows=rows, axes=axes, mirrored=mirrored, flat=flat,
+        quaternions=quaternions))
     view = session.view(240, 100)
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.0)
     expected, _ = drawn(view, source, "angles", "Rotation")
@@ -70,6 +74,13 @@ def main():
         picture, said = drawn(view, source, array, mode)
         checks.no_message("%s, %s" % (array, mode), said)
         checks.picture("%s, %s" % (array, mode), picture, expected, pixels=0.002)
+    # The components as arrays of their own
+    joined = "c_q[1], c_q[2],c_q[3] ,c_q[4]"
+    picture, said = drawn(view, source, joined, "Quaternion", GlyphScaleArray="shapex, shapey, shapez")
+    checks.no_message("components", said)
+    checks.picture("components", picture, expected, pixels=0.002)
+    for missing in ("c_q[1], c_q[2], c_q[3], c_q[5]", "c_q[1], lengths, c_q[3], c_q[4]"):
+        checks.one_message(missing, drawn(view, source, missing, "Quaternion")[1], "no point array", missing)
     for array, mode in (("mirrored", "Matrix"), ("flat", "Matrix")):
         checks.one_message(array, drawn(view, source, array, mode)[1], "1 of 4", "orientation", array)
     for array, mode, needed in (("angles", "Matrix", "9"), ("angles", "Quaternion", "4 or 9"), ("size", "Direction", "3, 4 or 9")):

@@ -99,7 +99,6 @@ def own_opacities(failures):
         return result
     # An opacity of 0 makes the whole set translucent, whose edges are blended into eight bits once more.
     for name, mine, other, allowed in (
-            ("half", picture("half", every, GlyphOpacityArray="half"), picture("plain half", every, 0.5), 0),
             ("half of half", picture("half of half", every, 0.5, GlyphOpacityArray="half"), picture("quarter", every, 0.25), 0),
             ("some", picture("some", every, GlyphOpacityArray="some"), picture("rest", rest), 1),
             ("not a number", picture("not a number", every, GlyphOpacityArray="odd"), picture("opaque", every), 0)):

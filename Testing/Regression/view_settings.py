@@ -1,14 +1,12 @@
 """Shading, light, samples, exposure and denoising are one value a view: set on one of its ray-traced displays, they are
-set on all of them, also on those added later; other views keep theirs; states and traces bring them back.
+set on all of them, also on those added later; other views keep theirs.
 
 Usage: pvpython view_settings.py
 """
 import paraview.simple as pv
-from paraview import smtrace
 
 import session
 from checks import Checks, cloud
-from state_and_trace import traced
 
 SURFACE = "Ray Traced Surface"
 #: what is set, no default among it
@@ -16,7 +14,6 @@ SETTINGS = {
     "ShadingMode": "Path Tracing", "AmbientOcclusionRadius": 0.5, "AmbientOcclusionRays": 4, "PathsPerSample": 2,
     "MaximumBounces": 3, "LightIntensity": 0.7, "EnvironmentColor": [0.9, 0.8, 0.7], "ToneMapping": "Filmic", "Exposure": 0.5,
     "Denoising": "Never", "SamplesPerPixel": 3, "SamplesPerRender": 2, "InteractiveReduction": 4}
-STATE = "view-settings.pvsm"
 
 
 def values(shown):
@@ -97,40 +94,37 @@ def picture_follows(checks):
     checks.picture("exposure set on either display last", pictures[0], pictures[1])
 
 
-def came_back(checks, what, view):
-    """All displays of the view that a state or a trace has made have the settings."""
-    found = displays(view)
-    checks.equal(what + ": number of ray-traced displays", len(found), 2)
-    check_all(checks, what, found)
+def quality(checks):
+    """A quality is the values that it stands for, on all displays, until one of them is changed; a state keeps it."""
+    view = session.view(80, 60)
+    shown = [show(cloud(60), view, session.REPRESENTATION), show(pv.Sphere(Radius=0.5), view, SURFACE)]
 
+    def found():
+        return [[str(display.GetPropertyValue(name)).strip("'") for name in
+                 ("RenderingQuality", "ShadingMode", "SamplesPerPixel", "Denoising")] for display in shown]
 
-def round_trips(checks):
-    """A state file and a trace make displays with the same settings."""
-    smtrace.start_trace()
-    view = pv.CreateView("RenderView")
-    view.ViewSize = [80, 60]
-    shown = []
-    for source, kind in ((pv.Wavelet(WholeExtent=[-2, 2] * 3), session.REPRESENTATION), (pv.Sphere(), SURFACE)):
-        shown.append(pv.Show(source, view))
-        shown[-1].SetRepresentationType(kind)
-    # The window's panel shows one display, on which all of them are set.
-    with traced(shown[0]):
-        for name, value in SETTINGS.items():
-            setattr(shown[0], name, value)
-    pv.Render(view)
-    trace = smtrace.stop_trace()
-    with open(session.output("view-settings-trace.py"), "w", encoding="utf-8") as file:
-        file.write(trace)
-    pv.SaveState(session.output(STATE))
-    for what, again in (("state", lambda: pv.LoadState(session.output(STATE))),
-                        ("trace", lambda: exec(compile(trace, "trace", "exec"), {"__name__": "__main__"}))):
-        pv.Delete(view)
-        for source in list(pv.GetSources().values()):
-            pv.Delete(source)
-        again()
-        view = pv.GetActiveViewOrCreate("RenderView")
-        came_back(checks, what, view)
-        pv.Render(view)
+    meant = {"Fast": ["Fast", "Local", "4", "While Refining"], "Publication": ["Publication", "Ambient Occlusion", "256", "Never"],
+             "Balanced": ["Balanced", "Ambient Occlusion", "32", "While Refining"]}
+    for number, (name, values_of_it) in enumerate(meant.items()):
+        shown[number % 2].RenderingQuality = name
+        checks.equal("quality " + name, found(), [values_of_it] * 2)
+    pv.SaveState(session.output("quality.pvsm"))
+    shown[0].Exposure = 0.5
+    checks.equal("quality after a change of another property", found(), [meant["Balanced"]] * 2)
+    shown[1].SamplesPerPixel = 31
+    checks.equal("quality after a change", found(), [["Custom", "Ambient Occlusion", "31", "While Refining"]] * 2)
+    shown[0].RenderingQuality = "Balanced"
+    checks.equal("quality set again", found(), [meant["Balanced"]] * 2)
+    pv.Delete(view)
+    for source in list(pv.GetSources().values()):
+        pv.Delete(source)
+    pv.LoadState(session.output("quality.pvsm"))
+    view = pv.GetActiveView()
+    shown = displays(view)
+    checks.equal("quality of a state", found(), [meant["Balanced"]] * 2)
+    pv.Delete(view)
+    for source in list(pv.GetSources().values()):
+        pv.Delete(source)
 
 
 def main():
@@ -139,7 +133,7 @@ def main():
     checks = Checks()
     pv.Delete(one_for_all(checks))
     picture_follows(checks)
-    round_trips(checks)
+    quality(checks)
     checks.report()
 
 

@@ -41,6 +41,8 @@ SUPERQUADRIC = {"GlyphShape": "Tensor Superquadric", "GlyphTensorArray": "tensor
 SIGNS = {**TENSOR, "GlyphTensorColoring": "Sign"}
 MOTION = {"MotionBlur": 1, "VelocityArray": "velocity", "AngularVelocityArray": "spin", "GlyphShape": "Box"}
 EXPONENTS = {"GlyphShape": "Superquadric"}
+MASK = {"GlyphMask": 1, "MaximumNumberOfGlyphs": 100}
+NTH = {"GlyphMask": 1, "GlyphMaskMode": "Every Nth"}
 TABLE = {"GlyphShape": "Mesh", "GlyphMeshTable": 1, "GlyphMeshIndexArray": "index"}
 OCCLUSION = {"ShadingMode": "Ambient Occlusion"}
 PATHS = {"ShadingMode": "Path Tracing"}
@@ -65,7 +67,7 @@ FIELDS = {
                             ({}, "GlyphOrientationMode", "Rotation", "nothing")],
         "Arrow": "vtkGlyphSettings::ArrowForm",
         "ArrowReference": [(ARROW, "ArrowReferenceMagnitude", 3.0, "glyphs"), ({}, "ArrowReferenceMagnitude", 3.0, "nothing")],
-        "MeanScale": (ARROW, "GlyphScaleArray", "other", "glyphs"),
+        "HighScale": (ARROW, "GlyphScaleArray", "other", "glyphs"),
         "Mesh": ({"GlyphShape": "Mesh"}, "GlyphMesh", "Cone", "new data"),
         "TableSize": ({**TABLE, "GlyphMeshTable": 0}, "GlyphMeshTable", 1, "new data"),
         "TableEntry": "each form of a table has its own; see TableSize",
@@ -76,10 +78,18 @@ FIELDS = {
         "ExponentArray": [(EXPONENTS, "GlyphExponentArray", "length", "glyphs"), ({}, "GlyphExponentArray", "length", "nothing")],
         "OpacityArray": ({"GlyphOpacityArray": "length"}, "GlyphOpacityArray", "other", "glyphs"),
         "Motion": "vtkGlyphMotion::Settings",
-        "Mask": ({"MaximumNumberOfGlyphs": 100}, "GlyphMask", 1, "glyphs"),
-        "MaximumNumberOfGlyphs": [({"GlyphMask": 1, "MaximumNumberOfGlyphs": 100}, "MaximumNumberOfGlyphs", 90, "glyphs"),
-                                  ({}, "MaximumNumberOfGlyphs", 90, "nothing")],
-        "Seed": [({"GlyphMask": 1, "MaximumNumberOfGlyphs": 100}, "GlyphSeed", 7, "glyphs"), ({}, "GlyphSeed", 7, "nothing")],
+        "Mask": "vtkGlyphMask",
+        "RadiusArray": [({}, "GlyphRadiusArray", "length", "glyphs"), (TENSOR, "GlyphRadiusArray", "length", "nothing")],
+        "RadiusFactor": [({"GlyphRadiusArray": "length"}, "GlyphRadiusFactor", 0.1, "glyphs"), ({}, "GlyphRadiusFactor", 0.1, "nothing")],
+        "Anchor": [(ARROW, "GlyphAnchor", "Tip", "glyphs"), (TENSOR, "GlyphAnchor", "Tip", "nothing")],
+    },
+    "vtkGlyphMask": {
+        "On": ({"MaximumNumberOfGlyphs": 100}, "GlyphMask", 1, "glyphs"),
+        "Mode": [(MASK, "GlyphMaskMode", "Even in Space", "glyphs"), ({}, "GlyphMaskMode", "Every Nth", "nothing")],
+        "MaximumNumberOfGlyphs": [(MASK, "MaximumNumberOfGlyphs", 90, "glyphs"), ({}, "MaximumNumberOfGlyphs", 90, "nothing"),
+                                  (NTH, "MaximumNumberOfGlyphs", 90, "nothing")],
+        "Stride": [(NTH, "GlyphStride", 7, "glyphs"), (MASK, "GlyphStride", 7, "nothing")],
+        "Seed": [(MASK, "GlyphSeed", 7, "glyphs"), ({}, "GlyphSeed", 7, "nothing"), (NTH, "GlyphSeed", 7, "nothing")],
     },
     "ArrowForm": {
         "shaftRadius": [(ARROW, "ArrowShaftRadius", 0.06, "glyphs"), ({}, "ArrowShaftRadius", 0.06, "nothing")],
@@ -87,7 +97,7 @@ FIELDS = {
         "tipLength": [(ARROW, "ArrowTipLength", 0.5, "glyphs"), ({}, "ArrowTipLength", 0.5, "nothing")],
         "tipRounding": [(ARROW, "ArrowTipRounding", 0.1, "glyphs"), ({}, "ArrowTipRounding", 0.1, "nothing")],
         "fixedHeads": [(ARROW, "ArrowHeads", "Scaled", "glyphs"), ({}, "ArrowHeads", "Scaled", "nothing")],
-        "unitLength": "computed from the scales; see MeanScale",
+        "unitLength": "computed from the scales; see HighScale",
     },
     "vtkGlyphSizing": {
         "Function": ({"GlyphScaling": 1, "GlyphScaleArray": "length"}, "GlyphScaleFunction", "Square Root", "glyphs"),
@@ -163,6 +173,7 @@ ARRAYS = {
     "Orientation": ({"GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationArray": "velocity"}, "velocity"),
     "Exponents": ({**EXPONENTS, "GlyphExponentArray": "length"}, "length"),
     "Opacity": ({"GlyphOpacityArray": "length"}, "length"),
+    "Radius": ({"GlyphRadiusArray": "length"}, "length"),
     "TableIndex": (TABLE, "index"),
     "Tensors": (TENSOR, "tensor"),
     "motion[0]": (MOTION, "velocity"),
@@ -172,6 +183,7 @@ ARRAYS = {
 #: struct -> header
 HEADERS = {
     "vtkGlyphSettings": "Representation/Glyphs/vtkGlyphSettings.h",
+    "vtkGlyphMask": "Representation/Glyphs/vtkGlyphMask.h",
     "vtkGlyphSizing": "Representation/Glyphs/vtkGlyphSizing.h", "ArrowForm": "Kernels/Glyphs.h", "Material": "Kernels/Glyphs.h",
     "vtkGlyphTensors::Settings": "Representation/Glyphs/vtkGlyphTensors.h",
     "vtkGlyphMotion::Settings": "Representation/Glyphs/vtkGlyphMotion.h",

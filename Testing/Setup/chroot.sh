@@ -2,6 +2,7 @@
 # Runs demo.sh or test.sh in a bare Debian of another release, in a chroot of its own, as root or with sudo. The chroot
 # holds the clone's last commit and is used again by the next run.
 # Usage: chroot.sh RELEASE [--dir DIR] [--mirror URI] [--ccache DIR] [--fresh] demo|test [ARGUMENT...]
+#        chroot.sh RELEASE [...] deb FILE.deb                   try_deb.sh: the package is installed, used and purged
 #        chroot.sh RELEASE [...] run COMMAND [ARGUMENT...]      any other command, in the chroot's copy of the clone
 #   RELEASE        bookworm, trixie, testing: a suite of the mirror
 #   --dir DIR      the chroot                   (default: build-chroot-RELEASE in the clone)
@@ -27,13 +28,14 @@ while [ $# -gt 0 ]; do
     --ccache) cache=$(realpath -m "$2"); shift ;;
     --fresh) fresh=yes ;;
     -h | --help) usage; exit 0 ;;
-    demo | test | run) break ;;
+    demo | test | deb | run) break ;;
     -*) fail "unknown option '$1'; see --help" ;;
-    *) [ -z "$release" ] || fail "unknown command '$1'; known: demo, test, run"; release=$1 ;;
+    *) [ -z "$release" ] || fail "unknown command '$1'; known: demo, test, deb, run"; release=$1 ;;
   esac
   shift
 done
 [ -n "$release" ] && [ $# -gt 0 ] || { usage >&2; exit 2; }
+[ "$1" != deb ] || { [ $# = 2 ] && [ -r "$2" ]; } || fail "deb needs the file of one package, which '${*:2}' is not"
 dir=$(realpath -m "${dir:-$clone/build-chroot-$release}")
 complete=$dir/etc/raytracedglyphs-chroot # written when debootstrap has ended well
 
@@ -138,6 +140,11 @@ copy_clone
 in_chroot dpkg --configure -a
 case "$1" in
   demo | test) command=("Testing/Setup/$1.sh" "${@:2}") ;;
+  deb)
+    copy=$dir/root/RayTracedGlyphs/build-deb
+    mkdir -p "$copy"
+    [ "$2" -ef "$copy/$(basename "$2")" ] || cp "$2" "$copy"
+    command=(Testing/Setup/try_deb.sh "build-deb/$(basename "$2")") ;;
   run) command=("${@:2}") ;;
 esac
 echo "chroot: $release ($(. "$dir/etc/os-release"; echo "${PRETTY_NAME:-?}")): ${command[*]}"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs, with apt, what building, testing or benchmarking RayTracedGlyphs needs and is missing.
-# Usage: install_packages.sh [build] [test] [gui] [benchmark] [simulate] [source-build] [source-build-qt] [source-build-mpi]
-# (default: build test gui)
+# Usage: install_packages.sh [--names] [build] [test] [gui] [deb] [benchmark] [simulate]
+#                            [source-build] [source-build-qt] [source-build-mpi]     (default: build test gui)
+# --names: only prints the packages' names
 # Works on Debian 12, 13 and testing, as root or through sudo; does nothing when all is there.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/debian_mirror.sh"
@@ -11,8 +12,10 @@ codename=${VERSION_CODENAME:-unknown}
 case "$codename" in
   bookworm | trixie | forky | sid) ;;
   *) echo "install_packages.sh: '$codename' is untested; continuing as on forky." \
-       "Tested: bookworm (12), trixie (13), forky (testing)." ;;
+       "Tested: bookworm (12), trixie (13), forky (testing)." >&2 ;;
 esac
+names=no
+[ "${1:-}" != --names ] || { names=yes; shift; }
 groups=("$@")
 [ ${#groups[@]} -gt 0 ] || groups=(build test gui)
 
@@ -35,6 +38,7 @@ gui=("${qt[@]}" python3-mpi4py libgdal-dev libboost-dev
 test=(libgtest-dev libquadmath0 vulkan-validationlayers openmpi-bin)
 # The version that formats this project; later releases have later ones only.
 [ "$codename" != bookworm ] || test+=(clang-format-14)
+deb=(dpkg-dev debhelper lintian git)
 benchmark=(libembree-dev python3-matplotlib)
 simulate=(lammps)
 # What Testing/Setup/build_paraview.sh compiles ParaView with.
@@ -51,15 +55,17 @@ for group in "${groups[@]}"; do
     build) wanted+=("${build[@]}") ;;
     gui) wanted+=("${gui[@]}") ;;
     test) wanted+=("${test[@]}") ;;
+    deb) wanted+=("${deb[@]}") ;;
     benchmark) wanted+=("${benchmark[@]}") ;;
     simulate) wanted+=("${simulate[@]}") ;;
     source-build) wanted+=("${source_build[@]}") ;;
     source-build-qt) wanted+=("${source_build_qt[@]}") ;;
     source-build-mpi) wanted+=("${source_build_mpi[@]}") ;;
-    *) echo "install_packages.sh: unknown group '$group'; known: build gui test benchmark simulate" \
+    *) echo "install_packages.sh: unknown group '$group'; known: build gui test deb benchmark simulate" \
          "source-build source-build-qt source-build-mpi" >&2; exit 2 ;;
   esac
 done
+[ "$names" = no ] || { printf '%s\n' "${wanted[@]}"; exit 0; }
 
 as_root() {
   if [ "$(id -u)" = 0 ]; then "$@"

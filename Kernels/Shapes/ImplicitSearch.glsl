@@ -1,0 +1,297 @@
+// The solver of implicit surfaces (ImplicitSurface.glsl), included once for each family: RTG_FIELD is f along one ray,
+// RTG_PROBE what plain arithmetic knows of it at one point, with at least
+//   DoubleWord where; int axis (of the coordinate plane that the point is on, else -1); bool outside;
+//   real f, slope, noise (rounding of f); Straying strays.
+//
+// Isolation. The ray is cut where the family says, and a piece is looked at in windows [a, b]. Outside the glyph f > 0;
+// inside, the same holds for -f. Straight lines below it through both ends leave of a window what lies between their
+// zeros; if that is nothing, there is no crossing: that is proven, nothing is sampled. For a convex f the line at a is
+// Newton's, which never passes the first crossing. Where the signs at a and b differ and the family knows that there
+// is but one crossing, that is it. Else the window is cut where the lines leave the most doubt. What is less than
+// rounding, a sign at the end of a window or a window in which f touches zero, is left to double words.
+//
+// Solution. Newton's method inside a bracket of certain signs, with bisection where it leaves the bracket or dawdles.
+// The last steps are done in double words: f is then known to about 1e-13, which a grazing ray wants.
+//
+// Why it cannot loop: each turn evaluates f or takes a window away, and evaluations are counted. Why it cannot invent
+// hits: a crossing needs a certain change of sign, or the last steps must find its root in double words.
+
+// Where the search along a ray stands.
+struct RTG_SEARCH
+{
+  RTG_PROBE a;      // no crossing is left before it
+  RTG_PROBE b;      // end of the window
+  RTG_PROBE beyond; // its end before it was cut
+  RTG_PROBE end;    // of the piece
+  real low;         // the crossing is between these, which count from a on
+  real high;
+  real near;    // close to it
+  bool resumes; // the other crossing of a window is left: `from` lies between them
+  DoubleWord from;
+  int steps;
+};
+
+RTG_FN RTG_SEARCH StartSearch(RTG_FIELD field, Chord chord)
+{
+  RTG_SEARCH search;
+  search.a = ProbeAt(field, Word(chord.sIn), -1);
+  search.a.outside = true;
+  search.b = search.a;
+  search.beyond = search.a;
+  search.end = search.a;
+  search.low = real(0.0);
+  search.high = real(0.0);
+  search.near = real(0.0);
+  search.resumes = false;
+  search.from = Word(chord.sIn);
+  search.steps = 1;
+  return search;
+}
+
+// On to the window behind this one.
+RTG_FN RTG_SEARCH NextWindow(RTG_SEARCH search)
+{
+  RTG_SEARCH next = search;
+  next.a = search.b;
+  next.b = search.beyond;
+  next.beyond = search.end;
+  return next;
+}
+
+// What is in a window. next: where to look, from a on.
+RTG_FN int Look(RTG_FIELD field, RTG_PROBE a, RTG_PROBE b, RTG_OUT(real) next)
+{
+  real way = a.outside ? real(1.0) : real(-1.0);
+  bool changes = a.outside != b.outside;
+  real width = Subtract(b.where, a.where).hi;
+  bool narrow = !(width > real(64.0 * RTG_ROUNDOFF));
+  next = real(0.5) * width;
+  Window window = WindowOf(field, a, b, way, max(width, real(RTG_TINY)));
+
+  // Lowered by the rounding of f: what is empty is certain to be.
+  real fa = max(way * a.f - a.noise, real(0.0));
+  real fb = max(way * b.f - b.noise, real(0.0));
+  real left = window.slopeA < real(0.0) ? -fa / window.slopeA : real(0.0);
+  real right = !changes && window.slopeB > real(0.0) ? width - fb / window.slopeB : width;
+  bool empty = window.empty || window.slopeA >= real(0.0) || window.slopeB <= real(0.0) || left >= right;
+  if (changes ? window.unique && !narrow : empty)
+  {
+    // Newton's point where that is certain not to pass the crossing, else the secant's
+    real secant = width * clamp(a.f / (a.f - b.f), real(0.0625), real(0.9375));
+    next = window.convex && left > real(0.0) && left < width ? left : secant;
+    return changes ? RTG_UNIQUE : RTG_EMPTY;
+  }
+  if (narrow)
+  {
+    return RTG_SETTLE;
+  }
+  real meet = (fa + window.slopeB * width - fb) / (window.slopeB - window.slopeA);
+  real depth = changes ? max(abs(a.f), abs(b.f)) : -(fa + window.slopeA * meet);
+  real middle = real(0.5) * (left + right);
+  bool settles = (window.single && depth <= real(4.0) * (a.noise + b.noise)) || !(middle > real(0.0) && middle < width);
+  next = settles ? next : middle;
+  return settles ? RTG_SETTLE : RTG_SPLIT;
+}
+
+// Walks to the next window that has a crossing, or may have one that only double words tell. Each turn evaluates f
+// once or takes a window away.
+RTG_FN bool NextRoot(RTG_FIELD field, Chord chord, RTG_SEARCH search, RTG_OUT(RTG_SEARCH) after)
+{
+  bool solving = false;
+  bool found = false;
+  bool more = true;
+  int dawdling = 0;
+  while (more && search.steps < RTG_STEPS)
+  {
+    bool newPiece = !search.resumes && !solving && !IsLess(search.a.where, search.end.where);
+    bool probes = true;
+    DoubleWord next = search.from;
+    int axis = -1;
+    if (newPiece)
+    {
+      more = search.a.where.hi < chord.sOut;
+      next = NextBreak(field, search.a.where, axis);
+    }
+    else if (!search.resumes)
+    {
+      if (!solving)
+      {
+        real where;
+        int verdict = Look(field, search.a, search.b, where);
+        probes = verdict == RTG_UNIQUE || verdict == RTG_SPLIT;
+        solving = verdict == RTG_UNIQUE;
+        found = verdict == RTG_SETTLE;
+        more = !found;
+        search.low = real(0.0);
+        search.high = Subtract(search.b.where, search.a.where).hi;
+        search.near = where;
+        if (verdict == RTG_SPLIT)
+        {
+          search.beyond = search.b;
+        }
+        if (verdict == RTG_EMPTY)
+        {
+          search = NextWindow(search);
+        }
+      }
+      next = Word(Add(search.a.where, search.near).hi);
+    }
+    if (more && probes)
+    {
+      RTG_PROBE probe = ProbeAt(field, next, axis);
+      ++search.steps;
+      bool doubtful = !(abs(probe.f) > probe.noise);
+      if (solving)
+      {
+        real way = search.a.outside ? real(1.0) : real(-1.0);
+        real side = doubtful ? real(0.0) : way * probe.f;
+        search.low = side > real(0.0) ? search.near : search.low;
+        search.high = side < real(0.0) ? search.near : search.high;
+        real step = -probe.f / probe.slope;
+        bool falls = way * probe.slope < real(0.0);
+        found = doubtful || !(search.high - search.low > real(64.0 * RTG_ROUNDOFF)) ||
+          (falls && Remainder(probe.strays, step) <= field.accuracy * abs(probe.slope));
+        more = !found;
+        ++dawdling;
+        real stepped = search.near + step;
+        bool inside = stepped > search.low && stepped < search.high && (dawdling < 8 || (dawdling & 1) == 0);
+        real middle = real(0.5) * (search.low + search.high);
+        search.near = found ? search.near : inside ? stepped : middle;
+      }
+      else
+      {
+        if (doubtful)
+        {
+          probe = WithSign(field, chord.unit, probe);
+        }
+        probe.outside = probe.outside || next.hi == chord.sOut;
+        if (search.resumes)
+        {
+          probe.outside = !search.a.outside;
+          search.a = probe;
+          search.resumes = false;
+        }
+        else
+        {
+          search.b = probe;
+        }
+        if (newPiece)
+        {
+          search.beyond = probe;
+          search.end = probe;
+        }
+      }
+    }
+  }
+  after = search;
+  return found;
+}
+
+// The zero of f on a part of the ray, `low` to `high` from its origin, in double words. At low way f is positive.
+// `changes`: at high it is not, and the zero is Newton's, by a parabola where the second derivative is known, or, where
+// that leaves the bracket or dawdles, bisection's. Else the least of f is looked for by its slopes, which change their
+// sign once. False: there is none.
+RTG_FN bool Settle(RTG_FIELD field, LocalRay ray, real low, real high, real way, bool changes, RTG_OUT(LocalRay) at)
+{
+  bool root = changes;
+  bool more = true;
+  real slopeLow = real(0.0);
+  real slopeHigh = real(0.0);
+  at = ray;
+  for (int i = 0; i < 48 && more; ++i)
+  {
+    ImplicitPoint point = PointAt(field, at);
+    real f = way * (point.value.hi + point.value.lo);
+    real slope = way * point.slope;
+    real second = way * point.second;
+    root = root || f <= real(0.0);
+    real step = real(0.0);
+    if (root)
+    {
+      low = f > real(0.0) ? real(0.0) : low;
+      high = f > real(0.0) ? high : real(0.0);
+      // The root of f + slope x + second x^2 / 2 where that falls
+      real discriminant = slope * slope - real(2.0) * second * f;
+      real fall = sqrt(max(discriminant, real(0.0)));
+      step = slope < real(0.0) ? real(2.0) * f / (fall - slope) : -(slope + fall) / second;
+      bool newton = discriminant >= real(0.0) && (slope < real(0.0) || second > real(0.0)) && abs(f) < real(0.5);
+      bool settled =
+        newton && (abs(step) <= real(1e-3) * point.accuracy || Remainder(point.strays, step) <= point.accuracy * fall);
+      bool inside = newton && step >= low && step <= high && (i < 12 || (i & 1) == 0);
+      more = !settled;
+      if (!settled && !inside)
+      {
+        step = real(0.5) * (low + high);
+        more = high - low > field.accuracy;
+      }
+    }
+    else
+    {
+      bool falls = slope < real(0.0);
+      low = falls ? real(0.0) : low;
+      slopeLow = falls ? slope : slopeLow;
+      high = falls ? high : real(0.0);
+      slopeHigh = falls ? slopeHigh : slope;
+      // The tangent of a convex function stays below it.
+      real rest = falls ? high : low;
+      real sag = high - low < field.bowl
+        ? real(0.0)
+        : Remainder(point.strays, rest) - min(real(0.5) * second, real(0.0)) * rest * rest;
+      more = high - low > field.accuracy && !(f - abs(slope * rest) > sag);
+      real share = slopeLow < real(0.0) && slopeHigh > real(0.0) && (i & 3) != 3
+        ? max(real(0.02), min(real(0.98), slopeLow / (slopeLow - slopeHigh)))
+        : real(0.5);
+      step = more ? low + share * (high - low) : real(0.0);
+    }
+    at = Advance(at, step);
+    low -= step;
+    high -= step;
+  }
+  return root;
+}
+
+// The nearest crossing in [tMin, tMax].
+RTG_FN SurfaceCrossing NearestCrossing(RTG_FIELD field, Chord chord, real tMin, real tMax)
+{
+  SurfaceCrossing crossing = NoSurfaceCrossing(chord.ray);
+  RTG_SEARCH search = StartSearch(field, chord);
+  real margin = real(64.0 * RTG_ROUNDOFF) * (chord.sOut - chord.sIn);
+  bool more = true;
+  while (more)
+  {
+    more = NextRoot(field, chord, search, search);
+    // The crossing lies behind a: beyond tMax there is nothing to gain.
+    more = more && RayParameter(chord.ray, Word(chord.scale * (search.a.where.hi + search.low - margin))).hi <= tMax;
+    if (more)
+    {
+      bool changes = search.a.outside != search.b.outside;
+      real way = search.a.outside ? real(1.0) : real(-1.0);
+      LocalRay base = Advance(RayFrom(chord.unit, search.a.where, search.a.axis), search.near);
+      LocalRay at;
+      bool crosses = Settle(field, base, search.low - search.near, search.high - search.near, way, changes, at);
+      DoubleWord s;
+      s.hi = chord.scale * at.start.hi;
+      s.lo = chord.scale * at.start.lo;
+      real t = RayParameter(chord.ray, s).hi;
+      more = !(crosses && t >= tMin);
+      if (!more)
+      {
+        crossing.found = t <= tMax;
+        crossing.t = t;
+        crossing.at = at;
+      }
+      else if (crosses && !changes)
+      {
+        // It touched before tMin: the other crossing is still to come.
+        search.resumes = true;
+        search.from = at.start;
+      }
+      else
+      {
+        search = NextWindow(search);
+      }
+    }
+  }
+  crossing.steps = search.steps;
+  return crossing;
+}

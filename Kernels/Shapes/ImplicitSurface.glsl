@@ -1,0 +1,233 @@
+// What rays and implicit surfaces of any family have in common: f is positive outside, its zeros along a ray are the
+// crossings. A family gives a field, which is f along one ray (RTG_FIELD, made from a Chord), with the `accuracy` that
+// is wanted of the ray's parameter and the width of the windows in which it counts as convex (`bowl`), and says of it
+//
+//   RTG_PROBE ProbeAt(field, where, axis)             plain arithmetic's f at one point, with its slope and rounding
+//   RTG_PROBE WithSign(field, unit, probe)            the same with a certain sign, from double words
+//   DoubleWord NextBreak(field, after, axis)          the next point where the ray is to be cut into pieces
+//   Window WindowOf(field, a, b, way, width)          what the probes at the ends of a part of a piece tell of f in it
+//   ImplicitPoint PointAt(field, at)                  f in double words, with two derivatives and the gradient
+//
+// ImplicitSearch.glsl does the rest for each family: isolates the crossings, brackets them, refines them in double
+// words.
+#ifndef RTG_IMPLICIT_SURFACE
+#define RTG_IMPLICIT_SURFACE
+
+#include "Disc.glsl"
+
+// Evaluations of f that a ray may take. SuperquadricTest counts them: 4 to 5 on average, and only rays that lie within
+// rounding of the surface come near this number.
+#define RTG_STEPS 1024
+#define RTG_TINY (RTG_ROUNDOFF * RTG_ROUNDOFF * RTG_ROUNDOFF * RTG_ROUNDOFF)
+
+RTG_FN real SumOf(real3 v)
+{
+  return v.x + v.y + v.z;
+}
+
+RTG_FN real LeastOf(real3 v)
+{
+  return min(v.x, min(v.y, v.z));
+}
+
+RTG_FN real MostOf(real3 v)
+{
+  return max(v.x, max(v.y, v.z));
+}
+
+// A ray and the part of it in the box [-1, 1]^3 that is the glyph's: `unit` starts next to the center, the largest
+// component of its direction is one to two, its parameter times `scale` is that of `ray`.
+struct Chord
+{
+  LocalRay ray;
+  LocalRay unit;
+  real scale;
+  real sIn; // slightly outside the box
+  real sOut;
+};
+
+RTG_FN Chord NoChord()
+{
+  Chord chord;
+  chord.ray.start = Word(real(0.0));
+  chord.ray.origin = Word3(real3(real(0.0)));
+  chord.ray.direction = chord.ray.origin;
+  chord.unit = chord.ray;
+  chord.scale = real(1.0);
+  chord.sIn = real(0.0);
+  chord.sOut = real(0.0);
+  return chord;
+}
+
+// False: the ray certainly has no crossing in [tMin, tMax], and `chord` means nothing.
+RTG_FN bool ToChord(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(Chord) chord)
+{
+  chord = NoChord();
+  LocalRay local;
+  if (!ToBoxFrame(ray, glyph, real(0.5) * glyph.size, local))
+  {
+    return false;
+  }
+  real3 d = local.direction.hi;
+  local = Advance(local, -dot(local.origin.hi, d) / dot(d, d));
+  // By a power of two: third derivatives of tiny glyphs would overflow.
+  chord.scale = ldexp(real(1.0), -int(floor(log2(max(abs(d.x), max(abs(d.y), abs(d.z)))))));
+  chord.ray = local;
+  chord.unit = local;
+  chord.unit.start = Word(real(0.0));
+  chord.unit.direction.hi = chord.scale * local.direction.hi;
+  chord.unit.direction.lo = chord.scale * local.direction.lo;
+  real3 padded = real3(real(1.0 + 32.0 * RTG_ROUNDOFF));
+  if (!BoxChord(chord.unit.origin.hi, chord.unit.direction.hi, padded, chord.sIn, chord.sOut))
+  {
+    return false;
+  }
+  real margin = real(64.0 * RTG_ROUNDOFF) * (chord.sOut - chord.sIn);
+  return RayParameter(local, Word(chord.scale * (chord.sIn - margin))).hi <= tMax &&
+    RayParameter(local, Word(chord.scale * (chord.sOut + margin))).hi >= tMin;
+}
+
+// Zero for the axis, one for the others.
+RTG_FN real3 OffPlane(int axis)
+{
+  return real3(axis == 0 ? real(0.0) : real(1.0), axis == 1 ? real(0.0) : real(1.0), axis == 2 ? real(0.0) : real(1.0));
+}
+
+// The ray with its origin at a point of it; on the coordinate plane of `axis` that coordinate is zero to the last
+// digit.
+RTG_FN LocalRay RayFrom(LocalRay ray, DoubleWord where, int axis)
+{
+  DoubleWord3 along;
+  along.hi = real3(where.hi);
+  along.lo = real3(where.lo);
+  LocalRay at;
+  at.start = Add(ray.start, where);
+  at.origin = Add(ray.origin, Multiply(ray.direction, along));
+  at.direction = ray.direction;
+  real3 keep = OffPlane(axis);
+  at.origin.hi = at.origin.hi * keep;
+  at.origin.lo = at.origin.lo * keep;
+  return at;
+}
+
+// Where a ray passes the coordinate planes.
+struct Planes
+{
+  DoubleWord x;
+  DoubleWord y;
+  DoubleWord z;
+};
+
+RTG_FN DoubleWord PassesAt(DoubleWord o, DoubleWord d, bool counts)
+{
+  if (!counts || !(abs(d.hi) > real(RTG_TINY)))
+  {
+    return Word(real(RTG_NEVER));
+  }
+  return Divide(Minus(o), d);
+}
+
+// Next to the glyph's center, or the end of the chord when that is behind: a ray that hits is likely to be inside
+// there.
+RTG_FN DoubleWord NextMiddle(DoubleWord after, real sOut)
+{
+  return Word(after.hi < real(0.0) && sOut > real(0.0) ? real(0.0) : sOut);
+}
+
+// The first plane behind `after` and the axis that it belongs to, or the last point and -1.
+RTG_FN DoubleWord NextPlane(Planes planes, DoubleWord after, DoubleWord last, RTG_OUT(int) axis)
+{
+  DoubleWord next = last;
+  axis = -1;
+  if (IsLess(after, planes.x) && IsLess(planes.x, next))
+  {
+    next = planes.x;
+    axis = 0;
+  }
+  if (IsLess(after, planes.y) && IsLess(planes.y, next))
+  {
+    next = planes.y;
+    axis = 1;
+  }
+  if (IsLess(after, planes.z) && IsLess(planes.z, next))
+  {
+    next = planes.z;
+    axis = 2;
+  }
+  return next;
+}
+
+// What a family knows of f on a window [a, b], at whose start `way` f is positive.
+struct Window
+{
+  bool empty;  // f has no zero if its signs at the ends are the same
+  bool unique; // it has one zero if they differ
+  bool single; // it is too short for more than one extremum
+  bool convex; // way f is convex
+  real slopeA; // of straight lines through way f at a, and at b, that stay below it
+  real slopeB;
+};
+
+#define RTG_EMPTY 0
+#define RTG_UNIQUE 1 // it has one crossing, which plain arithmetic finds
+#define RTG_SETTLE 2 // only double words can tell
+#define RTG_SPLIT 3
+
+// How far f may be from the parabola that its derivatives make: its third derivative, rather too large, and how far
+// that is true.
+struct Straying
+{
+  real third;
+  real reach;
+};
+
+RTG_FN real Remainder(Straying by, real step)
+{
+  return abs(step) <= by.reach ? abs(step * step * step) * by.third * real(1.0 / 6.0) : real(RTG_NEVER);
+}
+
+// f at the origin of a ray in double words, and what else the last steps need in plain numbers.
+struct ImplicitPoint
+{
+  DoubleWord value;
+  real slope;  // along the ray
+  real second; // derivative along the ray
+  Straying strays;
+  real accuracy;  // to which its zero is wanted
+  real3 gradient; // in absolute coordinates
+};
+
+// What is found: the ray with its origin at the crossing, and t.
+struct SurfaceCrossing
+{
+  bool found;
+  real t;
+  LocalRay at;
+  int steps;
+};
+
+RTG_FN SurfaceCrossing NoSurfaceCrossing(LocalRay ray)
+{
+  SurfaceCrossing crossing;
+  crossing.found = false;
+  crossing.t = real(RTG_NEVER);
+  crossing.at = ray;
+  crossing.steps = 0;
+  return crossing;
+}
+
+// The normal in the world from the gradient in absolute coordinates of the frame of the half-lengths.
+RTG_FN real3 SurfaceNormal(Glyph glyph, real3 p, real3 gradient)
+{
+  real3 g = gradient / max(gradient.x, max(gradient.y, max(gradient.z, real(RTG_TINY))));
+  // On the axis of a thorn nothing points anywhere but along it.
+  if (!(g.x + g.y + g.z > real(0.0)))
+  {
+    g = real3(real(0.0), real(0.0), real(1.0));
+  }
+  real3 outward = real3(p.x < real(0.0) ? -g.x : g.x, p.y < real(0.0) ? -g.y : g.y, p.z < real(0.0) ? -g.z : g.z);
+  real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
+  return normalize(RotateToWorld(glyph, outward * (real3(smallest) / glyph.size)));
+}
+
+#endif

@@ -1,0 +1,479 @@
+// The field of a superquadric with two profiles (NestedSuperquadric.glsl) along a ray.
+//
+// A glyph with one profile, beta = c <= 2, and alpha <= 2 is convex: its gauge g = ||(||(x, y)||_p, z)||_q is a norm
+// and so convex along the ray: f = g - 1, and the ray is one piece. Others have f = log2 N, N = ||(x / Rx, y / Ry)||_p.
+// Inside one octant x / Rx along the ray has at most one extremum, at z^(1-q) = (z x' - x z') / x', and so
+// has y / Ry. The ray is cut there and at the three coordinate planes, whose order double words tell: at most twelve
+// pieces, on each of which both quotients are monotone. What a window of a piece holds is known from its ends:
+//   - Both quotients rise or both fall, or one is all there is: N is monotone.
+//   - N lies between the p-norms of the smaller and of the larger quotients at the ends: all outside, or all inside.
+//   - The slope of N^p / p is |x|^(p-1) Rx^-p x' + (x / Rx)^p fall z' and the same of y, whose factors are monotone, so
+//     that the ends bound it: N may be monotone, or lines from the ends tell that it does not come near 1.
+// Every value comes with a bound of its rounding. Windows in which all coordinates and quotients change by less than
+// 0.4 % (for sharp edges: less than the rounding of the edge) count as having one extremum at most.
+#ifndef RTG_NESTED_FIELD
+#define RTG_NESTED_FIELD
+
+#include "ImplicitSurface.glsl"
+#include "WordFunctions.glsl"
+
+#define RTG_NESTED_LEAST 1.0e-6 // exponent
+// Where 1 - z^q is less than what the logarithms know of it, it counts as outside: the end of the axis.
+#define RTG_NESTED_END (16.0 * RTG_ROUNDOFF * RTG_ROUNDOFF + 1.0e-22)
+#define RTG_LN2 0.6931471805599453
+#define RTG_LOG2_E 1.4426950408889634074
+
+struct NestedField
+{
+  real p;
+  real q;
+  real r;
+  real3 exponents; // alpha, beta, c, which p, q and r are rounded from
+  bool convex;
+  bool twoProfiles;
+  real2 steepAt; // of a profile with q < 1: |z| where -d(log R)/d|z| is least, and that; 0 for others
+  real2 leastFall;
+  real accuracy; // of the ray's parameter, after the last steps
+  real bowl;     // windows shorter than this are convex
+  real3 o;       // the ray
+  real3 d;
+  real sOut;
+  Planes planes;
+};
+
+// What plain arithmetic knows of the surface at one point of the ray.
+struct NestedProbe
+{
+  DoubleWord where;
+  int axis; // of the coordinate plane that the point is on, else -1
+  bool outside;
+  real f;
+  real slope;
+  real noise; // rounding of f
+  Straying strays;
+  real height;  // |z|
+  real2 lows;   // log2 |x|, log2 |y|
+  real2 logs;   // log2 |x| / Rx, log2 |y| / Ry
+  real2 falls;  // -d(log R) / d|z|
+  real2 doubts; // rounding of the logs
+};
+
+// Where z^(q - 1) / (1 - z^q) is least: z^q = 1 - q.
+RTG_FN real LeastFallAt(real q)
+{
+  return q < real(1.0) ? exp2(max(log2(max(real(1.0) - q, real(1e-6))) / q, real(-60.0))) : real(0.0);
+}
+
+RTG_FN NestedField MakeNestedField(Chord chord, real3 exponents)
+{
+  real3 e = max(exponents, real3(real(RTG_NESTED_LEAST)));
+  NestedField field;
+  field.exponents = e;
+  field.p = real(2.0) / e.x;
+  field.q = real(2.0) / e.y;
+  field.r = real(2.0) / e.z;
+  field.twoProfiles = e.y != e.z;
+  field.convex = !field.twoProfiles && e.x <= real(2.0) && e.y <= real(2.0);
+  field.steepAt = real2(real(0.0));
+  field.leastFall = real2(real(0.0));
+  LocalRay unit = chord.unit;
+  field.planes.x = Word(real(RTG_NEVER));
+  field.planes.y = field.planes.x;
+  field.planes.z = field.planes.x;
+  if (!field.convex)
+  {
+    field.steepAt = real2(LeastFallAt(field.q), LeastFallAt(field.r));
+    field.leastFall.x = field.q < real(1.0) ? exp2((field.q - real(1.0)) * log2(field.steepAt.x)) / field.q : real(0.0);
+    field.leastFall.y = field.r < real(1.0) ? exp2((field.r - real(1.0)) * log2(field.steepAt.y)) / field.r : real(0.0);
+    field.planes.x = PassesAt(WordX(unit.origin), WordX(unit.direction), true);
+    field.planes.y = PassesAt(WordY(unit.origin), WordY(unit.direction), true);
+    field.planes.z = PassesAt(WordZ(unit.origin), WordZ(unit.direction), true);
+  }
+  field.accuracy = real(RTG_ROUNDOFF / 64.0) / (real(1.0) + field.p);
+  field.bowl = field.convex ? real(RTG_NEVER) : field.p >= real(1.0) ? real(0.05) : real(0.0);
+  field.o = unit.origin.hi;
+  field.d = unit.direction.hi;
+  field.sOut = chord.sOut;
+  return field;
+}
+
+// 2^x without underflow.
+RTG_FN real SafeExp2(real x)
+{
+  return x > real(-100.0) ? exp2(min(x, real(100.0))) : real(0.0);
+}
+
+// log2 of the p-norm of two numbers that are given by their logarithms, and the share of each in the sum of powers.
+RTG_FN real LogNorm(real a, real b, real p, RTG_OUT(real2) share)
+{
+  real high = max(a, b);
+  real power = SafeExp2(p * (min(a, b) - high));
+  real low = power / (real(1.0) + power);
+  share = a >= b ? real2(real(1.0) - low, low) : real2(low, real(1.0) - low);
+  return high + log2(real(1.0) + power) / p;
+}
+
+RTG_FN real LogNorm(real2 l, real p)
+{
+  real2 share;
+  return LogNorm(l.x, l.y, p, share);
+}
+
+// log2 R of a profile at log2 |z| and its fall.
+RTG_FN real PlainProfile(real z, real logZ, real q, RTG_OUT(real) fall)
+{
+  real power = SafeExp2(q * logZ);
+  real rest = max(real(1.0) - power, real(RTG_TINY));
+  fall = power / (rest * z);
+  return log2(rest) / q;
+}
+
+// What rounding does to log2 R: `rounding` is that of |z|, built-in logarithms and powers are good to 2^-20. Where 1 -
+// z^q is next to nothing it may be nothing, but not much more: that is the certain side when the point is outside.
+RTG_FN real ProfileDoubt(real fall, real z, real q, real rounding, bool outside)
+{
+  real share = q * rounding * fall + real(16.0 * RTG_ROUNDOFF) * (real(1.0) + q) * (real(1.0) + fall * z);
+  return share < real(0.5) ? real(2.0) * share / q : outside ? log2(real(1.0) + share) / q : real(1e9);
+}
+
+// Directions in absolute coordinates.
+RTG_FN real3 Towards(real3 v, real3 d)
+{
+  return real3(v.x < real(0.0) ? -d.x : d.x, v.y < real(0.0) ? -d.y : d.y, v.z < real(0.0) ? -d.z : d.z);
+}
+
+// On this side of the coordinate planes, where the surface may be bent all at once, and only as far as powers that are
+// negligible stay so.
+RTG_FN Straying StrayingOf(NestedField field, real3 gradient, real3 v, real3 d, real2 falls)
+{
+  real3 a = max(abs(v), real3(real(RTG_TINY)));
+  real3 rate = abs(d) / a;
+  real3 bends = gradient * abs(d) * rate * rate;
+  real steep = real(1.0) + max(falls.x, falls.y);
+  real sharp = real(1.0) + max(field.p, max(field.q, field.r));
+  real3 growth = sharp * real3(real(1.0), real(1.0), steep) * abs(d) / max(a, real3(real(0.5)));
+  rate = real3(v.x == real(0.0) ? real(0.0) : rate.x, v.y == real(0.0) ? real(0.0) : rate.y,
+    v.z == real(0.0) ? real(0.0) : rate.z);
+  Straying strays;
+  strays.third = sharp * sharp * (bends.x + bends.y + steep * steep * bends.z);
+  strays.reach = real(1.0) / MostOf(max(rate, growth));
+  return strays;
+}
+
+// On the coordinate plane of `axis` that coordinate is zero whatever rounding makes of o + s d: next to the rim of a
+// concave profile the difference matters.
+RTG_FN NestedProbe ProbeAt(NestedField field, DoubleWord where, int axis)
+{
+  real3 way = where.hi * field.d;
+  real3 known = OffPlane(axis);
+  real3 v = field.o + way;
+  real3 a = max(known * abs(v), real3(real(RTG_TINY)));
+  real u = real(RTG_ROUNDOFF);
+  real3 rounding = real(4.0) * u * (known * (abs(field.o) + abs(way)));
+  real3 l = log2(a);
+  NestedProbe probe;
+  probe.where = where;
+  probe.axis = axis;
+  probe.height = a.z;
+  probe.lows = real2(l.x, l.y);
+  real2 profiles = real2(real(0.0));
+  probe.falls = real2(real(0.0));
+  if (!field.convex)
+  {
+    profiles.x = PlainProfile(a.z, l.z, field.q, probe.falls.x);
+    profiles.y = profiles.x;
+    probe.falls.y = probe.falls.x;
+    if (field.twoProfiles)
+    {
+      profiles.y = PlainProfile(a.z, l.z, field.r, probe.falls.y);
+    }
+  }
+  probe.logs = probe.lows - profiles;
+  real2 share;
+  real norm = LogNorm(probe.logs.x, probe.logs.y, field.p, share);
+  real3 gradient =
+    real3(share.x, share.y, share.x * probe.falls.x + share.y * probe.falls.y) / real3(a.x, a.y, real(1.0));
+  probe.doubts = real2(real(0.0));
+  if (field.convex)
+  {
+    real2 outer;
+    real g = exp2(LogNorm(norm, l.z, field.q, outer));
+    gradient = g * real3(outer.x * gradient.x, outer.x * gradient.y, outer.y / a.z);
+    probe.f = g - real(1.0);
+    probe.outside = probe.f > real(0.0);
+    probe.noise = real(32.0) * u + dot(gradient, rounding);
+  }
+  else
+  {
+    probe.f = norm;
+    probe.outside = probe.f > real(0.0);
+    probe.doubts.x = ProfileDoubt(probe.falls.x, a.z, field.q, rounding.z, probe.outside);
+    probe.doubts.y = probe.doubts.x;
+    if (field.twoProfiles)
+    {
+      probe.doubts.y = ProfileDoubt(probe.falls.y, a.z, field.r, rounding.z, probe.outside);
+    }
+    probe.doubts += real2(real(16.0) * u) + real(2.0) * real2(rounding.x / a.x, rounding.y / a.y);
+    // Outside the larger quotient alone keeps N up; inside neither may be large.
+    probe.noise = real(16.0) * u * (real(1.0) + real(1.0) / field.p) +
+      (probe.outside ? dot(share, probe.doubts) : LogNorm(probe.logs + probe.doubts, field.p) - norm);
+    gradient = real(RTG_LOG2_E) * gradient;
+  }
+  probe.slope = dot(gradient, Towards(v, field.d));
+  probe.strays = StrayingOf(field, gradient, v, field.d, probe.falls);
+  return probe;
+}
+
+// The extremum of x / R along the ray, R with exponent q: x' z^(1-q) = x' z - x z'. `none` when there is none.
+RTG_FN real NestedExtremum(real x, real dx, real z, real dz, real q, real none)
+{
+  real base = (z * dx - x * dz) / dx;
+  if (dx == real(0.0) || dz == real(0.0) || !(base > real(RTG_TINY)) || abs(q - real(1.0)) < real(1e-6))
+  {
+    return none;
+  }
+  return (exp2(max(min(log2(base) / (real(1.0) - q), real(100.0)), real(-100.0))) - z) / dz;
+}
+
+RTG_FN DoubleWord NextBreak(NestedField field, DoubleWord after, RTG_OUT(int) axis)
+{
+  DoubleWord last = Word(field.sOut);
+  if (field.convex)
+  {
+    last = NextMiddle(after, field.sOut);
+  }
+  DoubleWord next = NextPlane(field.planes, after, last, axis);
+  if (!field.convex)
+  {
+    real3 middle = field.o + (real(0.5) * (after.hi + next.hi)) * field.d;
+    real3 v = Towards(middle, field.o);
+    real3 d = Towards(middle, field.d);
+    real turnX = NestedExtremum(v.x, d.x, v.z, d.z, field.q, after.hi);
+    real turnY = NestedExtremum(v.y, d.y, v.z, d.z, field.r, after.hi);
+    real low = min(turnX, turnY);
+    real turn = low > after.hi ? low : max(turnX, turnY);
+    if (turn > after.hi && turn < next.hi)
+    {
+      next = Word(turn);
+      axis = -1;
+    }
+  }
+  return next;
+}
+
+// Bounds of the derivative of (x / R)^p / p along the ray between two probes, over 2^(p unit): that is
+//   |x|^(p-1) R^-p x' + (x / R)^p fall z',
+// in which every factor is monotone, but for the fall of a profile with q < 1.
+RTG_FN real2 NestedSlopeOfTerm(real p, real unit, real2 lows, real2 logs, real2 falls, real2 heights, real steepAt,
+  real leastFall, real2 doubts, real dx, real dz)
+{
+  real2 k = (p - real(1.0)) * lows;
+  real2 r = lows - logs;
+  real most = SafeExp2(max(k.x, k.y) - p * (min(r.x, r.y) + unit));
+  real least = SafeExp2(min(k.x, k.y) - p * (max(r.x, r.y) + unit));
+  bool dips = steepAt > min(heights.x, heights.y) && steepAt < max(heights.x, heights.y);
+  real fallMost = SafeExp2(p * (max(logs.x, logs.y) - unit)) * max(falls.x, falls.y);
+  real fallLeast = SafeExp2(p * (min(logs.x, logs.y) - unit)) * (dips ? leastFall : min(falls.x, falls.y));
+  real pad = (real(1.0) + p) * min(doubts.x, doubts.y) * (abs(dx) * most + abs(dz) * fallMost);
+  real low = dx * (dx < real(0.0) ? most : least) + dz * (dz < real(0.0) ? fallMost : fallLeast);
+  real high = dx * (dx < real(0.0) ? least : most) + dz * (dz < real(0.0) ? fallLeast : fallMost);
+  return real2(low - pad, high + pad);
+}
+
+RTG_FN Window WindowOf(NestedField field, NestedProbe a, NestedProbe b, real way, real width)
+{
+  Window window;
+  window.empty = false;
+  window.unique = true;
+  window.single = true;
+  window.convex = field.convex && way > real(0.0);
+  real chord = way * (b.f - a.f) / width;
+  window.slopeA = way > real(0.0) ? a.slope : chord;
+  window.slopeB = way > real(0.0) ? b.slope : chord;
+  if (!field.convex)
+  {
+    real2 rises = b.logs - a.logs;
+    real2 doubts = a.doubts + b.doubts;
+    bool together =
+      abs(rises.x) > doubts.x && abs(rises.y) > doubts.y && (rises.x > real(0.0)) == (rises.y > real(0.0));
+    // One of the quotients is all there is.
+    real apart =
+      max(min(a.logs.x, b.logs.x) - max(a.logs.y, b.logs.y), min(a.logs.y, b.logs.y) - max(a.logs.x, b.logs.x));
+    bool alone = field.p * (apart - max(doubts.x, doubts.y)) > real(60.0);
+    window.unique = together || alone;
+    window.empty = window.unique && width > real(64.0 * RTG_ROUNDOFF);
+  }
+  if (!field.convex && !window.empty)
+  {
+    real2 rises = b.logs - a.logs;
+    real2 largest = max(a.logs, b.logs);
+    real2 smallest = min(a.logs, b.logs);
+    real2 inner = min(a.logs - a.doubts, b.logs - b.doubts);
+    real2 outer = max(a.logs + a.doubts, b.logs + b.doubts);
+    real bound = way > real(0.0) ? LogNorm(inner, field.p) : -LogNorm(outer, field.p);
+
+    // Over the largest term, so that nothing that counts under- or overflows; f' = slope 2^(p (most - f)) with
+    // least <= f
+    real most = max(largest.x, largest.y);
+    real least = LogNorm(smallest, field.p);
+    real2 heights = real2(a.height, b.height);
+    real3 d = Towards(field.o + (real(0.5) * (a.where.hi + b.where.hi)) * field.d, field.d);
+    real2 slopes = NestedSlopeOfTerm(field.p, most, real2(a.lows.x, b.lows.x), real2(a.logs.x, b.logs.x),
+                     real2(a.falls.x, b.falls.x), heights, field.steepAt.x, field.leastFall.x,
+                     real2(a.doubts.x, b.doubts.x), d.x, d.z) +
+      NestedSlopeOfTerm(field.p, most, real2(a.lows.y, b.lows.y), real2(a.logs.y, b.logs.y),
+        real2(a.falls.y, b.falls.y), heights, field.steepAt.y, field.leastFall.y, real2(a.doubts.y, b.doubts.y), d.y,
+        d.z);
+    real stretch = field.p * (most - least);
+    stretch = real(RTG_LOG2_E) * (stretch < real(60.0) ? exp2(stretch) : real(1e18));
+    window.slopeA = stretch * (way > real(0.0) ? slopes.x : -slopes.y);
+    window.slopeB = stretch * (way > real(0.0) ? slopes.y : -slopes.x);
+    window.unique = window.unique || window.slopeA >= real(0.0) || window.slopeB <= real(0.0);
+    window.empty = bound > real(32.0 * RTG_ROUNDOFF);
+    // So short that nothing but one extremum is in it
+    real3 change = real3(abs(rises.x), abs(rises.y), abs(b.height - a.height) / max(a.height, b.height));
+    window.single = max(change.x, max(change.y, change.z)) < real(0.004) + real(0.0004) * field.p;
+  }
+  return window;
+}
+
+RTG_FN DoubleWord Magnitude(DoubleWord a)
+{
+  if (a.hi < real(0.0))
+  {
+    return Minus(a);
+  }
+  return a;
+}
+
+// log2 (2^(a p) + 2^(b p))^(1/p), p = 2 / exponent, and the share of each in the sum of powers. A rounded p would be
+// another surface, as a grazing ray notices.
+RTG_FN DoubleWord LogNorm(
+  DoubleWord a, DoubleWord b, real exponent, RTG_OUT(DoubleWord) shareA, RTG_OUT(DoubleWord) shareB)
+{
+  bool aHigh = !IsLess(a, b);
+  DoubleWord high = a;
+  DoubleWord low = b;
+  if (!aHigh)
+  {
+    high = b;
+    low = a;
+  }
+  DoubleWord power = Exp2(Multiply(Subtract(low, high), Divide(Word(real(2.0)), exponent)));
+  DoubleWord sum = Add(power, real(1.0));
+  DoubleWord shareHigh = Divide(Word(real(1.0)), sum);
+  DoubleWord shareLow = Multiply(power, shareHigh);
+  shareA = shareHigh;
+  shareB = shareLow;
+  if (!aHigh)
+  {
+    shareA = shareLow;
+    shareB = shareHigh;
+  }
+  return Add(high, Multiply(Log2(sum), real(0.5) * exponent));
+}
+
+// log2 R of a profile with q = 2 / exponent at log2 z, and -z d(log R)/dz.
+RTG_FN DoubleWord LogProfile(DoubleWord logZ, real exponent, RTG_OUT(DoubleWord) fall)
+{
+  DoubleWord power = Exp2(Multiply(logZ, Divide(Word(real(2.0)), exponent)));
+  DoubleWord rest = Add(Minus(power), real(1.0));
+  if (!(rest.hi > real(RTG_NESTED_END)))
+  {
+    rest = Word(real(RTG_NESTED_END));
+  }
+  fall = Divide(power, rest);
+  return Multiply(Log2(rest), real(0.5) * exponent);
+}
+
+RTG_FN DoubleWord RateOf(DoubleWord x, DoubleWord dx)
+{
+  if (!(abs(x.hi) > real(1e-30)))
+  {
+    return Word(real(0.0));
+  }
+  return Divide(dx, x);
+}
+
+// The logarithm of g or N.
+RTG_FN ImplicitPoint PointAt(NestedField field, LocalRay at)
+{
+  DoubleWord x = Log2(Magnitude(WordX(at.origin)));
+  DoubleWord y = Log2(Magnitude(WordY(at.origin)));
+  DoubleWord z = Log2(Magnitude(WordZ(at.origin)));
+  DoubleWord fallX = Word(real(0.0));
+  DoubleWord fallY = fallX;
+  if (!field.convex)
+  {
+    DoubleWord profile = LogProfile(z, field.exponents.y, fallX);
+    fallY = fallX;
+    x = Subtract(x, profile);
+    if (field.twoProfiles)
+    {
+      profile = LogProfile(z, field.exponents.z, fallY);
+    }
+    y = Subtract(y, profile);
+  }
+  DoubleWord shareX;
+  DoubleWord shareY;
+  DoubleWord norm = LogNorm(x, y, field.exponents.x, shareX, shareY);
+  DoubleWord rateZ = RateOf(WordZ(at.origin), WordZ(at.direction));
+  DoubleWord rateX = RateOf(WordX(at.origin), WordX(at.direction));
+  DoubleWord rateY = RateOf(WordY(at.origin), WordY(at.direction));
+  real2 falls = real2(fallX.hi, fallY.hi);
+  // Second derivatives of the quotients' logarithms, from there that of N's
+  real2 second =
+    rateZ.hi * rateZ.hi * falls * (real2(field.q, field.r) * (real2(real(1.0)) + falls) - real2(real(1.0))) -
+    real2(rateX.hi * rateX.hi, rateY.hi * rateY.hi);
+  rateX = Add(rateX, Multiply(fallX, rateZ));
+  rateY = Add(rateY, Multiply(fallY, rateZ));
+  DoubleWord slope = Add(Multiply(shareX, rateX), Multiply(shareY, rateY));
+  ImplicitPoint point;
+  point.second = shareX.hi * (second.x + field.p * rateX.hi * rateX.hi) +
+    shareY.hi * (second.y + field.p * rateY.hi * rateY.hi) - field.p * slope.hi * slope.hi;
+  real3 share = real3(shareX.hi, shareY.hi, shareX.hi * falls.x + shareY.hi * falls.y);
+  if (field.convex)
+  {
+    DoubleWord shareRho;
+    DoubleWord shareZ;
+    norm = LogNorm(norm, z, field.exponents.y, shareRho, shareZ);
+    real2 slopes = real2(slope.hi, rateZ.hi);
+    slope = Add(Multiply(shareRho, slope), Multiply(shareZ, rateZ));
+    point.second = shareRho.hi * (point.second + field.q * slopes.x * slopes.x) +
+      (field.q - real(1.0)) * shareZ.hi * slopes.y * slopes.y - field.q * slope.hi * slope.hi;
+    share = real3(shareRho.hi * share.x, shareRho.hi * share.y, shareZ.hi);
+  }
+  else
+  {
+    // On a flat end x and y tell 1 - z^q = rho^q better than z.
+    share.z *= field.twoProfiles ? real(1.0) : exp2(clamp(-field.q * norm.hi, real(-60.0), real(60.0)));
+  }
+
+  point.value = Multiply(norm, real(RTG_LN2));
+  if (max(falls.x, falls.y) * real(RTG_NESTED_END) > real(0.5))
+  {
+    point.value = Word(real(100.0));
+  }
+  point.slope = slope.hi;
+  point.gradient = share / max(abs(at.origin.hi), real3(real(RTG_TINY)));
+  point.strays = StrayingOf(field, point.gradient, at.origin.hi, at.direction.hi, falls);
+  point.accuracy = field.accuracy;
+  return point;
+}
+
+RTG_FN NestedProbe WithSign(NestedField field, LocalRay unit, NestedProbe probe)
+{
+  NestedProbe certain = probe;
+  certain.outside = PointAt(field, RayFrom(unit, probe.where, probe.axis)).value.hi > real(0.0);
+  return certain;
+}
+
+#define RTG_FIELD NestedField
+#define RTG_PROBE NestedProbe
+#define RTG_SEARCH NestedSearch
+#include "ImplicitSearch.glsl"
+#undef RTG_FIELD
+#undef RTG_PROBE
+#undef RTG_SEARCH
+
+#endif

@@ -1,0 +1,31 @@
+# Removes the files that the last `cmake --install` has put down, and the folders that are empty without them.
+# Usage: cmake -DMANIFEST=BUILD/install_manifest_plugin.txt -P Uninstall.cmake, which the target `uninstall` does.
+if (NOT EXISTS "${MANIFEST}")
+  message(FATAL_ERROR "There is no ${MANIFEST}: nothing has been installed from this build folder, or it has been removed already.")
+endif ()
+file(STRINGS "${MANIFEST}" files)
+
+# All files lie below the prefix, in lib and share; the prefix and what is above it stay.
+list(GET files 0 prefix)
+foreach (name IN LISTS files)
+  cmake_path(IS_PREFIX prefix "${name}" below)
+  while (NOT below)
+    cmake_path(GET prefix PARENT_PATH prefix)
+    cmake_path(IS_PREFIX prefix "${name}" below)
+  endwhile ()
+endforeach ()
+
+foreach (name IN LISTS files)
+  message(STATUS "Removing: $ENV{DESTDIR}${name}")
+  file(REMOVE "$ENV{DESTDIR}${name}")
+  cmake_path(GET name PARENT_PATH folder)
+  while (NOT folder STREQUAL prefix)
+    file(GLOB rest LIST_DIRECTORIES ON "$ENV{DESTDIR}${folder}/*" "$ENV{DESTDIR}${folder}/.*")
+    if (rest)
+      break ()
+    endif ()
+    file(REMOVE_RECURSE "$ENV{DESTDIR}${folder}")
+    cmake_path(GET folder PARENT_PATH folder)
+  endwhile ()
+endforeach ()
+file(REMOVE "${MANIFEST}")

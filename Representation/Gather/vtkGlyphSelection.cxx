@@ -1,0 +1,114 @@
+#include "vtkGlyphSelection.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataRepresentation.h"
+#include "vtkDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRayTracedArrays.h"
+#include "vtkRayTracedParallel.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkView.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace
+{
+// The producer of a connection when it is of that class.
+vtkAlgorithm* ProducerOf(vtkAlgorithm* consumer, const char* className)
+{
+  vtkAlgorithmOutput* connection = consumer->GetNumberOfInputPorts() > 0 && consumer->GetNumberOfInputConnections(0) > 0
+    ? consumer->GetInputConnection(0, 0)
+    : nullptr;
+  vtkAlgorithm* producer = connection ? connection->GetProducer() : nullptr;
+  return producer && producer->IsA(className) ? producer : nullptr;
+}
+
+using Id = std::pair<unsigned int, vtkTypeInt64>; // flat index of the block, number in it
+
+// Those of points, and Marked() those of cells, sorted.
+void AddIds(std::vector<Id>& ids, vtkDataSet* extracted, unsigned int block)
+{
+  if (!extracted)
+  {
+    return;
+  }
+  const auto add = [&](vtkDataArray* originals, vtkTypeInt64 mark)
+  {
+    for (vtkIdType i = 0; originals && i < originals->GetNumberOfTuples(); ++i)
+    {
+      ids.emplace_back(block, static_cast<vtkTypeInt64>(originals->GetComponent(i, 0)) + mark);
+    }
+  };
+  add(extracted->GetPointData()->GetArray("vtkOriginalPointIds"), 0);
+  add(extracted->GetCellData()->GetArray("vtkOriginalCellIds"), vtkRayTracedArrays::Mark);
+}
+}
+
+//----------------------------------------------------------------------------
+// ParaView puts a filter that does nothing behind each of a source's outputs.
+vtkAlgorithmOutput* vtkGlyphSelection::Find(vtkView* view, vtkAlgorithmOutput* input)
+{
+  for (int i = 0; view && input && i < view->GetNumberOfRepresentations(); ++i)
+  {
+    vtkAlgorithm* last = ProducerOf(view->GetRepresentation(i), "vtkPVPostFilter");
+    vtkAlgorithm* extract = last ? ProducerOf(last, "vtkPVExtractSelection") : nullptr;
+    if (extract && extract->GetNumberOfInputConnections(0) > 0 && extract->GetInputConnection(0, 0) == input)
+    {
+      return view->GetRepresentation(i)->GetInputConnection(0, 0);
+    }
+  }
+  return nullptr;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> vtkGlyphSelection::Mark(vtkPolyData* points, vtkDataObject* extracted)
+{
+  std::vector<Id> ids;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(extracted))
+  {
+    auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      AddIds(ids, vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()), leaf->GetCurrentFlatIndex());
+    }
+  }
+  else
+  {
+    AddIds(ids, vtkDataSet::SafeDownCast(extracted), 0);
+  }
+  if (ids.empty())
+  {
+    return points;
+  }
+  std::sort(ids.begin(), ids.end());
+
+  vtkPointData* data = points->GetPointData();
+  vtkDataArray* numbers = data->GetArray(vtkRayTracedArrays::PointIds);
+  vtkDataArray* blocks = data->GetArray(vtkRayTracedArrays::CompositeIndex);
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkRayTracedArrays::Selected);
+  marks->SetNumberOfValues(points->GetNumberOfPoints());
+  vtkRayTracedParallel::ForChunks(points->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Id id(blocks ? static_cast<unsigned int>(blocks->GetComponent(i, 0)) : 0,
+          numbers ? static_cast<vtkTypeInt64>(numbers->GetComponent(i, 0)) : i);
+        marks->SetValue(i, std::binary_search(ids.begin(), ids.end(), id) ? 1 : 0);
+      }
+    });
+  auto marked = vtkSmartPointer<vtkPolyData>::New();
+  marked->ShallowCopy(points);
+  marked->GetPointData()->AddArray(marks);
+  return marked;
+}

@@ -1,0 +1,36 @@
+/**
+ * @class   vtkGlyphSelection
+ * @brief   which glyphs ParaView's selection has chosen
+ *
+ * ParaView draws what is selected of a source as points, which lie inside the glyphs. Where the data are, the filter
+ * that extracts them for that purpose tells the ids.
+ */
+#ifndef vtkGlyphSelection_h
+#define vtkGlyphSelection_h
+
+#include "vtkSmartPointer.h"
+
+class vtkAlgorithmOutput;
+class vtkDataObject;
+class vtkPolyData;
+class vtkView;
+
+class vtkGlyphSelection
+{
+public:
+  /**
+   * The output of the filter with which the view's representations show what is selected of `input`; null: nothing was
+   * ever selected of it.
+   */
+  static vtkAlgorithmOutput* Find(vtkView* view, vtkAlgorithmOutput* input);
+
+  /**
+   * The points with an array vtkRayTracedArrays::Selected, 1 where the extracted data have the point or the cell that
+   * the glyph stands for and 0 elsewhere; `points` itself where they have none. Points as vtkGlyphPointGatherer makes
+   * them; `extracted` may be null.
+   */
+  static vtkSmartPointer<vtkPolyData> Mark(vtkPolyData* points, vtkDataObject* extracted);
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkGlyphSelection.h

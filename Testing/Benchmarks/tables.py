@@ -1,0 +1,179 @@
+#!/usr/bin/python3
+"""The tables of the documents that show results of benchmarks, from the CSV files in results/.
+
+Usage: tables.py [--check]
+Between <!-- table NAME --> and <!-- end of table NAME --> a document has the table of that name. Without --check each is written anew; with
+it the program only says which ones differ from their CSV files, and which of those do not say of which commit they are.
+"""
+import csv
+import os
+import re
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+sys.dont_write_bytecode = True
+import light  # noqa: E402
+import motion  # noqa: E402
+
+ROOT = os.path.join(HERE, "..", "..")
+RESULTS = os.path.join(HERE, "results")
+#: written before the program run gave its files a head; each leaves this list when it is measured anew
+WITHOUT_HEAD = {"build", "large-data", "light-spheres", "light-tensors", "light-vessel", "motion", "scenes", "shapes-scene", "speed-dilute",
+                "speed-packed", "sphere-formulas", "tessellations"}
+BENCHMARKS, SHAPES = "Testing/Benchmarks/README.md", "Kernels/Shapes/README.md"
+
+
+def path_of(name):
+    """The CSV file of that name."""
+    return os.path.join(RESULTS, name + ".csv")
+
+
+def head(name):
+    """What the commented lines at the beginning of a CSV file say: {what: text}."""
+    with open(path_of(name), encoding="utf-8") as file:
+        return dict(re.match(r"# ([\w ]+): (.*)", line).groups() for line in file if re.match(r"# [\w ]+: ", line))
+
+
+def rows(name):
+    """The rows of a CSV file as dictionaries, with numbers where the text is one."""
+    def number(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+
+    with open(path_of(name), encoding="utf-8", newline="") as file:
+        return [{key: number(text) for key, text in row.items()} for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+
+
+def markdown(heads, lines):
+    """A table of cells that are text already."""
+    return "\n".join("| " + " | ".join(cells) + " |" for cells in [heads] + list(lines)).replace("|\n", "|\n" + "|---" * len(heads) + "|\n", 1)
+
+
+def digits(value, count):
+    """A number to so many digits; nothing for nothing."""
+    if value == "":
+        return ""
+    return "%.*g" % (count, value) if abs(value) < 1.0 else "%.*f" % (max(count - len("%d" % abs(value)), 0), value)
+
+
+def speed():
+    """Ours and each of ParaView's ways, dilute and packed."""
+    dilute, packed = rows("speed-dilute"), {row["name"]: row for row in rows("speed-packed")}
+
+    def cells(row):
+        return [digits(row["wall"], 3), digits(row["cpu"], 3), digits(row["ratio"], 2), "%.0f" % row["megabytes"]] if row else [""] * 4
+    return markdown(["", "dilute: wall s", "CPU s", "over ours", "peak MB", "packed: wall s", "CPU s", "over ours", "peak MB"],
+                    [[row["name"]] + cells(row) + cells(packed.get(row["name"])) for row in dilute])
+
+
+def shapes():
+    """Every shape over spheres."""
+    packed = {row["shape"]: row for row in rows("shapes-scene") if row["layout"] == "packed"}
+    return markdown(["shape", "dilute: Mray/s", "over spheres", "packed: Mray/s", "over spheres"],
+                    [[row["shape"]] + ["%.2f" % each[key] for each in (row, packed[row["shape"]]) for key in ("Mray/s", "CPU over spheres")]
+                     for row in rows("shapes-scene") if row["layout"] == "dilute"])
+
+
+def tessellations():
+    """Error and time of tessellated superquadrics."""
+    def line(row):
+        facets = re.findall(r"(\d+)x(\d+)", row["what"])
+        if not facets:
+            return [row["what"], "-", "-", "-", digits(row["wall s"], 3), digits(row["CPU s"], 3)]
+        return [row["what"], str(2 * int(facets[-1][0]) * int(facets[-1][1])), digits(row["silhouette %"], 2) + " %",
+                "%s / %.0f" % (digits(row["colour mean"], 2), row["colour 99 %"]), digits(row["wall s"], 3), digits(row["CPU s"], 3)]
+    return markdown(["", "triangles a glyph", "silhouette", "color mean / 99 %", "wall s", "CPU s"], map(line, rows("tessellations")))
+
+
+def scenes():
+    """Kinds of scenes."""
+    return markdown(["scene", "CPU s", "quartiles", "over the first"],
+                    [[row["scene"], "%.2f" % row["CPU s"], "%.2f, %.2f" % (row["lower quartile"], row["upper quartile"]),
+                      "%.2f" % row["cost beside the first"]] for row in rows("scenes")])
+
+
+def build():
+    """Host's stages of new glyphs, on all cores; and their sum on one."""
+    every = {}
+    for row in rows("build"):
+        every.setdefault(row["shape"], []).append([row[key] for key in ("boxes s", "order s", "tree s")])
+    return markdown(["shape", "boxes", "order", "tree", "sum", "one thread"],
+                    [[shape] + ["%.3f" % value for value in cores + [sum(cores), sum(one)]] for shape, (one, cores) in every.items()])
+
+
+def large_data():
+    """Stages of ten million points."""
+    found = {row["what"]: row for row in rows("large-data")}
+    return markdown(["stage", "one thread", "all cores", "ratio"], [
+        [stage] + ["%.2f" % value for value in (row["one thread"], row["all cores"], row["one thread"] / row["all cores"])]
+        for stage, row in (("gathering", found["gatherSeconds"]), ("bounds", found["boundsSeconds"]), ("instances", found["instanceSeconds"]),
+                           ("colors", found["colorSeconds"]))])
+
+
+def sphere_formulas():
+    """Error of t, error of the normal, wrong hits: the cases in which formulas differ."""
+    formulas = {"kept": "kept", "Ray Tracing Gems": "Ray Tracing Gems, chapter 7", "Embree's projection": "Embree's projection",
+                "moved origin": "moved origin", "textbook": "textbook"}
+    found = {(row["case"], row["formula"]): "%.1e, %.1e, %d" % (row["t_max_sizes"], row["normal_max_radians"], row["false_hits"] + row["false_misses"])
+             for row in rows("sphere-formulas")}
+    return markdown(["hard case"] + list(formulas.values()), [[case] + [found[case, formula] for formula in formulas] for case in (
+        "plain", "grazing", "along axes", "from the surface", "1e4 from the origin, size 0.02, camera 1 away",
+        "1e7 from the origin, size 0.02, camera 1 away", "camera 1e4 sizes away", "camera 1e6 sizes away")])
+
+
+#: name -> (document, CSV files, function that gives the table)
+TABLES = {
+    "speed": (BENCHMARKS, ["speed-dilute", "speed-packed"], speed),
+    "shapes": (BENCHMARKS, ["shapes-scene"], shapes),
+    "tessellations": (BENCHMARKS, ["tessellations"], tessellations),
+    "scenes": (BENCHMARKS, ["scenes"], scenes),
+    "build": (BENCHMARKS, ["build"], build),
+    "large-data": (BENCHMARKS, ["large-data"], large_data),
+    "light": (BENCHMARKS, ["light-spheres", "light-vessel", "light-tensors"],
+              lambda: light.table([(name, path_of("light-" + name)) for name in ("spheres", "vessel", "tensors")])),
+    "motion": (BENCHMARKS, ["motion"], lambda: motion.table(path_of("motion"))),
+    "sphere-formulas": (SHAPES, ["sphere-formulas"], sphere_formulas),
+}
+
+
+def between(text, name):
+    """(start, end) of the text between the markers of a table."""
+    begin, end = "<!-- table %s -->\n" % name, "\n<!-- end of table %s -->" % name
+    if text.count(begin) != 1 or text.count(end) != 1:
+        raise SystemExit("tables.py: %s has no markers '%s' and '%s'" % (TABLES[name][0], begin.strip(), end.strip()))
+    return text.index(begin) + len(begin), text.index(end)
+
+
+def main():
+    """Writes or checks."""
+    check, wrong = "--check" in sys.argv[1:], []
+    used = {file for _, files, _ in TABLES.values() for file in files}
+    for file in sorted(used | WITHOUT_HEAD):
+        commit = head(file).get("commit")
+        if file in WITHOUT_HEAD and (commit or file not in used):
+            wrong.append("results/%s.csv is listed in WITHOUT_HEAD of tables.py, but %s" % (file, "has a head" if commit else "no table uses it"))
+        elif file not in WITHOUT_HEAD and not commit:
+            wrong.append("results/%s.csv does not say of which commit it is; write it with Testing/Benchmarks/run" % file)
+    for name, (document, files, make) in TABLES.items():
+        path = os.path.join(ROOT, document)
+        with open(path, encoding="utf-8") as stream:
+            text = stream.read()
+        start, end = between(text, name)
+        new = text[:start] + make() + text[end:]
+        if new == text:
+            continue
+        if check:
+            wrong.append("the table %s of %s differs from %s; run Testing/Benchmarks/tables.py" % (
+                name, document, " and ".join("results/%s.csv" % file for file in files)))
+        else:
+            with open(path, "w", encoding="utf-8") as stream:
+                stream.write(new)
+    if wrong:
+        raise SystemExit("\n".join(wrong))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,383 @@
+"""Every property of ray-traced glyphs and surfaces does what its documentation says, and goes back when it is set back.
+
+The properties are those of the plugin's XML: a new one without a row in ROWS fails, and so does a row whose property is gone.
+
+Usage: pvpython every_property.py [REPRESENTATION] [PROPERTY...]
+"""
+import os
+import sys
+
+import numpy
+import paraview.simple as pv
+
+import comparison
+import glyph_legend
+import session
+from checks import Checks, information
+from property_claims import (GLYPHS, LEFT, LEVEL, SCENES, SIDE, SURFACE, WHITE, Bench, Change, area, as_3d_glyphs, as_before, as_surface, as_with, both,
+                             colors, data_of, developed, filmic, glyphs, light, light_of_ball, moments, moved, needing, noise, pixels_of, reads, scaled,
+                             schlick, spread, to_light)
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Documents"))
+import property_reference  # noqa: E402
+
+DISC = numpy.pi / 4.0
+RED, GREEN, BLUE, BLACK = [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0] * 3
+#: of a dark and of the usual gray
+DARK, GRAY = float(to_light(0.2)), float(to_light(0.8))
+
+
+class Row:
+    """A property, the value that it is set to, what that does, and what else is set meanwhile."""
+
+    def __init__(self, name, value, claim, scene="ball", kinds=None, back=True, **properties):
+        self.name, self.value, self.claim, self.scene, self.kinds, self.back, self.properties = name, value, claim, scene, kinds, back, properties
+        self.text = "" if value is LEFT else getattr(value, "__name__", str(value))
+
+
+def table(name, *colors_at):
+    """A function that makes a lookup table of that name: values and colors."""
+    def make(_):
+        made = pv.GetColorTransferFunction(name)
+        made.ColorSpace, made.RGBPoints = "RGB", [float(number) for value, color in colors_at for number in [value] + color]
+        return made
+    return make
+
+
+RED_TO_BLUE, ALL_GREEN = table("red to blue", (0.5, RED), (1.0, BLUE)), table("all green", (0.0, GREEN), (10.0, GREEN))
+
+
+def forms(_):
+    """A table of glyphs: a box of side 1, and one of half of it."""
+    return pv.GroupDatasets(Input=[pv.Box(), pv.Box(XLength=0.5, YLength=0.5, ZLength=0.5)])
+
+
+# Claims about single properties.
+def picked(change):
+    """What is clicked on."""
+    found = []
+    for pickable in (1, 0):
+        change.look("pick", Pickable=pickable)
+        found.append(len(session.picked(change.bench.view, "POINT" if change.kind == GLYPHS else "CELL", (SIDE // 2, SIDE // 2))))
+    change.checks.equal(change.name + ": number of things under the pixel", found, [1, 0])
+
+
+def others(change):
+    """The colors that are seen are not those of before."""
+    seen = [set(map(tuple, numpy.unique(picture.reshape(-1, 3), axis=0).tolist())) for picture in (change.before, change.after)]
+    change.ratio("share of the glyphs that were seen before", len(seen[0] & seen[1]) / len(seen[0]), 0.0, 0.7)
+    change.checks.equal(change.name + ": glyphs", change.counted_after["glyphs"], change.counted_before["glyphs"])
+
+
+def legend(wanted, right=False, upper=False):
+    """Width of the legend's green glyph in world units, and where it stands."""
+    @needing(GlyphLegend=1, GlyphLegendColor=GREEN, DiffuseColor=RED)
+    def claim(change):
+        mask = (numpy.abs(change.after - GREEN).max(axis=2) < 0.5)[::-1]
+        change.within("width of the legend's glyph", glyph_legend.longest_run(mask) * 2.0 * SCENES[change.row.scene][2] / SIDE, wanted, 0.03)
+        rows, columns = numpy.nonzero(mask)
+        change.checks.equal(change.name + ": (right, upper)", (columns.mean() > SIDE / 2, rows.mean() > SIDE / 2), (right, upper))
+    return claim
+
+
+def rendered(change, times, **properties):
+    """Renders a fresh image so often, and gives the information that a script reads."""
+    change.base = {**change.base, **properties}
+    shown = change.bench.show(change.row.scene, change.kind, change.base)
+    session.look(change.bench.view, (0.0, 0.0, numpy.random.default_rng().uniform(10.0, 20.0)), parallel_scale=1.0)
+    for _ in range(times):
+        pv.Render(change.bench.view)
+    return {name: information(shown, name) for name in ("AccumulatedSamples", "RefinementPending", "RefinementProgress", "RefinementStep")}
+
+
+def refining(first, last):
+    """What the row's property is after one of four renders, and after all."""
+    def claim(change):
+        found = [rendered(change, times, SamplesPerPixel=8, SamplesPerRender=2)[change.row.name] for times in (1, 4)]
+        change.checks.equal(change.name + ": after one render and after four", found, [first, last])
+    return claim
+
+
+def stopped(change):
+    """The image has the samples of the renders before."""
+    rendered(change, 2, SamplesPerPixel=8, SamplesPerRender=2)
+    change.shown.SMProxy.InvokeCommand("StopRefinement")
+    pv.Render(change.bench.view)
+    found = [information(change.shown, name) for name in ("AccumulatedSamples", "RefinementPending")]
+    change.checks.equal(change.name + ": samples, and whether more are to come", found, [4, 0])
+
+
+def stepwise(change):
+    """One render does not add all of very many samples."""
+    for on, pending in ((1, 1), (0, 0)):
+        change.shown.SMProxy.GetProperty("StepwiseRendering").SetElement(0, on)
+        change.shown.SMProxy.UpdateVTKObjects()
+        found = rendered(change, 1, SamplesPerPixel=20000 if on else 2)
+        change.checks.equal("%s: StepwiseRendering %d: pending" % (change.name, on), found["RefinementPending"], pending)
+
+
+def reduced(change):
+    """So many rays are traced while the camera moves."""
+    rendered(change, 1)
+    before = change.counted()["primaryRays"]
+    session.look(change.bench.view, (0.0, 0.0, 21.0), parallel_scale=1.0)
+    change.bench.view.SMProxy.InteractiveRender()
+    change.checks.equal(change.name + ": rays", change.counted()["primaryRays"] - before, (SIDE // change.row.value) ** 2)
+
+
+def written(change):
+    """The file, once."""
+    path = session.output("every-property-%s.vti" % change.kind.split()[-1].lower())
+    for asked in (True, False):
+        if os.path.exists(path):
+            os.remove(path)
+        if asked:
+            change.shown.SMProxy.GetProperty("FeatureImageFile").SetElement(0, path)
+            change.shown.SMProxy.UpdateVTKObjects()
+        change.look("written", Exposure=1.0 if asked else 0.5)
+        change.checks.equal("%s: asked for: %s, there is a file" % (change.name, asked), os.path.exists(path), asked)
+
+
+def statistics_say(change):
+    """The same device as the property, and one glyph."""
+    counted = change.counted()
+    change.checks.true(change.name + ": no device", bool(counted["DeviceName"]))
+    change.checks.equal(change.name + ": DeviceName", information(change.shown, "DeviceName"), counted["DeviceName"])
+    change.checks.equal(change.name + ": glyphs", counted["glyphs"], 1 if change.kind == GLYPHS else change.counted_before["glyphs"])
+
+
+def streaks(change):
+    """The ball has a streak as long as the way since the step before, and had none."""
+    source = change.bench.display(change.row.scene, change.kind).Input
+    found = []
+    for properties in (change.start, change.base):
+        for time in (0.0, 1.0):
+            session.replace_data(source, data_of(change.row.scene, change.kind, time))
+            picture = change.look_at("step", change.kind, properties)
+        found.append(moments(change, picture)[2][0])
+    change.within("variance more than at rest", found[1] - found[0], 0.25 / 12.0, 0.001)
+    session.replace_data(source, data_of(change.row.scene, change.kind))
+
+
+def furnace(change):
+    """White things in white light are white when all of the light comes back."""
+    mask = comparison.covered(255.0 * change.before)
+    change.ratio("mean level before", change.before[mask].mean(), 0.5, 0.95)
+    change.within("mean level", change.after[mask].mean(), 1.0, LEVEL)
+
+
+PATHS = {"ShadingMode": "Path Tracing"}
+OCCLUSION = {"ShadingMode": "Ambient Occlusion"}
+MIRROR = {**PATHS, "PathRoughness": 0.0, "DiffuseColor": [0.2] * 3}
+COATED = {**PATHS, "DiffuseColor": BLACK, "PathCoatStrength": 1.0}
+SHINY = {"Specular": 0.5, "SpecularPower": 20.0}
+ARROW = {"GlyphShape": "Arrow", "ArrowTipRounding": 0.0, "scene": "arrow"}
+TENSOR = {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor"}
+BLUR = {"MotionBlur": 1, "VelocityArray": "velocity", "scene": "small"}
+STEPS = {**WHITE, **BLUR, "VelocityArray": "None", "ShutterOpening": "Backward"}
+TURNED = {"scene": "two", "GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationMode": "Rotation", "GlyphOrientationArray": "angles"}
+MASKED = {"scene": "crowd", "GlyphMask": 1, "MaximumNumberOfGlyphs": 20}
+FIRST, SECOND = "/Root/Block0", "/Root/Block1"
+
+ROWS = [
+    # Shape and size; areas are those of the profiles.
+    Row("GlyphShape", "Box", area(1.0)),
+    Row("GlyphLocation", "Cells", both(glyphs(1), area(DISC / 4.0)), scene="quad"),
+    Row("GlyphMesh", "Box", as_with(GlyphShape="Box"), GlyphShape="Mesh"),
+    Row("GlyphMeshTable", 1, area(1.0, 0.25), scene="two", GlyphShape="Mesh", GlyphMesh=forms, GlyphMeshIndexArray="index"),
+    Row("GlyphMeshIndexArray", "other index", area(0.25, 1.0), scene="two", GlyphShape="Mesh", GlyphMesh=forms, GlyphMeshTable=1,
+        **{"GlyphMeshIndexArray": "index"}),
+    Row("GlyphScaleFactor", 0.5, area(DISC / 4.0)),
+    # A fifth of the longest side, which is 1.2.
+    Row("GlyphScaleFactorFromData", 1, reads("GlyphScaleFactor", 0.24), scene="two", back=False),
+    Row("GlyphScaleGuess", LEFT, reads("GlyphScaleGuess", [0.24, 0.0]), scene="two", GlyphScaleFactorFromData=1),
+    Row("GlyphScaling", 1, area(DISC / 4.0, DISC), scene="two", GlyphScaleArray="size"),
+    Row("GlyphScaleArray", "quarter", area(DISC / 16.0, DISC / 16.0), scene="two", GlyphScaling=1, **{"GlyphScaleArray": "size"}),
+    Row("GlyphScaleMode", "Components", area(DISC / 2.0), GlyphScaling=1, GlyphScaleArray="lengths"),
+    Row("GlyphScaleMode", "Components", as_3d_glyphs(Scaling=1, ScaleMode="Vector Components", SelectScaleArray="lengths"), GlyphScaling=1,
+        GlyphScaleArray="lengths"),
+    Row("GlyphScaleFunction", "Square Root", area(DISC / 4.0), GlyphScaling=1, GlyphScaleArray="quarter"),
+    # log10(1 + 0.25 / (0.25 / 9)) = 1
+    Row("GlyphScaleReference", 0.25 / 9.0, area(DISC), GlyphScaling=1, GlyphScaleArray="quarter", GlyphScaleFunction="Logarithm"),
+    Row("GlyphSizeRange", [0.0, 0.5], area(DISC / 4.0)),
+    Row("GlyphRadiusArray", "quarter", area(0.5), GlyphShape="Box"),
+    Row("GlyphRadiusFactor", 0.5, area(0.25), GlyphShape="Box", GlyphRadiusArray="quarter"),
+    Row("GlyphAnchor", "Tip", moved(-0.25, 0.0), scene="small", GlyphShape="Box"),
+    Row("GlyphOrient", 0, as_3d_glyphs(), **TURNED),
+    Row("GlyphOrientationArray", "lengths", as_3d_glyphs(Orient=1, OrientationMode="Direction", SelectOrientationVectors="lengths"),
+        **{**TURNED, "GlyphOrientationMode": "Direction"}),
+    Row("GlyphOrientationArray", "quaternion", as_3d_glyphs(Orient=1, OrientationMode="Quaternion", SelectOrientationVectors="quaternion"),
+        **{**TURNED, "GlyphOrientationMode": "Quaternion", "GlyphOrientationArray": "axes"}),
+    Row("GlyphOrientationMode", "Rotation", as_3d_glyphs(Orient=1, OrientationMode="Rotation", SelectOrientationVectors="angles"),
+        **{**TURNED, "GlyphOrientationMode": "Direction"}),
+    Row("GlyphExponents", [1.0] * 3, area(0.5), GlyphShape="Superquadric"),
+    Row("GlyphExponentArray", "exponents", area(0.5), GlyphShape="Superquadric"),
+    # Before, |2x|^2 + |2y| = 1 encloses 2/3.
+    Row("GlyphExponentForm", "Nested", area(0.5), GlyphShape="Superquadric", GlyphExponents=[2.0, 1.0, 2.0]),
+    Row("GlyphOpacityArray", "half", as_with(Opacity=0.5, GlyphOpacityArray="None")),
+    Row("ArrowShaftRadius", 0.06, area(0.65 * 0.12 + 0.035), **ARROW),
+    Row("ArrowTipRadius", 0.2, area(0.65 * 0.06 + 0.07), **ARROW),
+    Row("ArrowTipLength", 0.5, area(0.5 * 0.06 + 0.05), **ARROW),
+    Row("ArrowTipRounding", 0.0, area(0.65 * 0.06 + 0.035), **{**ARROW, "ArrowTipRounding": 0.5}),
+    Row("ArrowHeads", "Scaled", area((0.65 * 0.06 + 0.035) / 4.0), GlyphScaling=1, GlyphScaleArray="size", ArrowReferenceMagnitude=1.0, **ARROW),
+    Row("ArrowReferenceMagnitude", 1.0, area(0.15 * 0.06 + 0.035), GlyphScaling=1, GlyphScaleArray="size", **ARROW),
+    Row("GlyphMask", 1, glyphs(20), **{**MASKED, "GlyphMask": 0}),
+    Row("MaximumNumberOfGlyphs", 37, glyphs(37), **MASKED),
+    Row("GlyphSeed", 7, others, ColorArrayName=["POINTS", "own"], MapScalars=0, Ambient=1.0, Diffuse=0.0, **MASKED),
+    Row("GlyphMaskMode", "Every Nth", glyphs(6), **MASKED),
+    Row("GlyphMaskMode", "Even in Space", glyphs(20), **{**MASKED, "GlyphMaskMode": "Every Nth"}),
+    Row("GlyphStride", 4, glyphs(15), **{**MASKED, "GlyphMaskMode": "Every Nth"}),
+    # The legend
+    Row("GlyphLegend", 1, pixels_of(GREEN, 30, 1000), GlyphLegendColor=GREEN, GlyphScaling=1, GlyphScaleArray="size"),
+    Row("GlyphLegendValue", 0.4, legend(0.4), GlyphScaling=1, GlyphScaleArray="size"),
+    Row("GlyphLegendCorner", "Upper Right", legend(0.3, True, True), GlyphScaling=1, GlyphScaleArray="size", GlyphLegendValue=0.3),
+    Row("GlyphLegendColor", GREEN, pixels_of(GREEN, 30, 1000), GlyphLegend=1, GlyphScaling=1, GlyphScaleArray="size"),
+    # Tensors
+    Row("GlyphTensorArray", "disc", area(DISC / 4.0), **TENSOR),
+    Row("GlyphTensorLayout", "Row", as_with(GlyphTensorArray="rows"), **{**TENSOR, "GlyphTensorArray": "six"}),
+    Row("GlyphTensorSharpness", 0.0, as_with(GlyphShape="Tensor Ellipsoid"), **{**TENSOR, "GlyphShape": "Tensor Superquadric"}),
+    Row("GlyphTensorColoring", "Principal Direction", colors(RED), **TENSOR),
+    Row("GlyphTensorLookupTable", ALL_GREEN, colors(GREEN), GlyphTensorColoring="Trace", **TENSOR),
+    Row("GlyphTensorRange", LEFT, reads("GlyphTensorRange", [2.0, 2.0]), GlyphTensorColoring="Trace", **TENSOR),
+    Row("GlyphTensorPositiveColor", GREEN, colors(GREEN), GlyphTensorColoring="Sign", **TENSOR),
+    Row("GlyphTensorNegativeColor", GREEN, colors(GREEN), **{**TENSOR, "GlyphTensorColoring": "Sign", "GlyphTensorArray": "negative"}),
+    Row("GlyphTensorAxis", 1, pixels_of([0.95, 0.8, 0.2], 20, 200), **{**TENSOR, "GlyphTensorArray": "turning"}),
+    Row("GlyphTensorAxisColor", GREEN, pixels_of(GREEN, 20, 200), **{**TENSOR, "GlyphTensorArray": "turning", "GlyphTensorAxis": 1}),
+    # Motion: what moves evenly by d has a variance of d^2 / 12 more.
+    Row("MotionBlur", 1, spread(0.25 / 12.0, 0.0), **{**BLUR, "MotionBlur": 0}),
+    Row("VelocityArray", "upward", spread(-0.25 / 12.0, 0.25 / 12.0), **BLUR),
+    Row("ShutterTime", 0.5, spread(-0.1875 / 12.0, 0.0), **BLUR),
+    Row("ShutterOpening", "Forward", moved(0.25, 0.0), **BLUR),
+    # The mean of a t t / 2 over the shutter's time
+    Row("AccelerationArray", "push", moved(0.8 / 6.0, 0.0), ShutterOpening="Forward", **BLUR),
+    # A box of 1 by 1/2 turns by up to 45 degrees to either side, over which the mean of cos^2 is 1/2 + 1/pi.
+    Row("AngularVelocityArray", "spin", spread((1.0 / numpy.pi - 0.5) / 16.0, (0.5 - 1.0 / numpy.pi) / 16.0), GlyphShape="Box", GlyphScaling=1,
+        GlyphScaleArray="lengths", GlyphScaleMode="Components", MotionBlur=1, VelocityArray="None"),
+    Row("VelocityFromPreviousStep", 1, streaks, PointIdArray="point", **STEPS),
+    Row("PointIdArray", "point", streaks, VelocityFromPreviousStep=1, **{**STEPS, "PointIdArray": "changing"}),
+    # Color and light as on ParaView's own surfaces
+    Row("Visibility", 0, area(0.0)),
+    Row("ColorArrayName", ["POINTS", "size"], colors(RED, BLUE), scene="two", LookupTable=RED_TO_BLUE),
+    Row("LookupTable", ALL_GREEN, colors(GREEN, GREEN), scene="two", ColorArrayName=["POINTS", "size"], **{"LookupTable": RED_TO_BLUE}),
+    Row("MapScalars", 0, colors(GREEN), ColorArrayName=["POINTS", "green"], LookupTable=RED_TO_BLUE),
+    Row("InterpolateScalarsBeforeMapping", 0, as_surface, kinds=[SURFACE], scene="coarse", ColorArrayName=["POINTS", "height"],
+        LookupTable=table("heights", (-0.5, RED), (-0.1, GREEN), (0.1, BLUE), (0.5, RED))),
+    Row("InterpolateScalarsBeforeMapping", 0, as_before, kinds=[GLYPHS]),
+    Row("Opacity", 0.5, colors([1.0, 0.75, 1.0]), AmbientColor=[1.0] * 3, DiffuseColor=[1.0] * 3),
+    Row("AmbientColor", GREEN, colors(GREEN)),
+    Row("DiffuseColor", [0.0, 0.5, 0.9], as_surface),
+    Row("SpecularColor", RED, as_surface, **SHINY),
+    Row("Ambient", 0.5, as_surface, Diffuse=0.4),
+    Row("Diffuse", 0.5, as_surface),
+    Row("Specular", 0.5, as_surface, SpecularPower=20.0),
+    Row("SpecularPower", 20.0, as_surface, **{**SHINY, "SpecularPower": 100.0}),
+    Row("Interpolation", "Flat", as_surface, scene="coarse"),
+    # Place
+    Row("Position", [0.2, 0.1, 0.0], moved(0.2, 0.1)),
+    Row("Translation", [0.2, 0.1, 0.0], moved(0.2, 0.1)),
+    Row("Scale", [1.2, 0.6, 1.0], area(0.72 * DISC)),
+    Row("Orientation", [0.0, 0.0, 90.0], moved(0.4, -0.4), scene="small"),
+    Row("Orientation", [20.0, 50.0, 40.0], as_3d_glyphs(), kinds=[GLYPHS], scene="two"),
+    Row("Origin", [-0.2, 0.1, 0.0], moved(-0.1, 0.3), scene="small", Orientation=[0.0, 0.0, 90.0]),
+    Row("UserTransform", [1.0, 0.0, 0.0, 0.1, 0.0, 1.0, 0.0, 0.2, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0], moved(0.1, 0.2)),
+    Row("Pickable", 0, picked),
+    Row("BlockSelectors", [FIRST], area(DISC, 0.0), scene="blocks"),
+    Row("BlockColors", [SECOND, "0", "1", "0"], colors([0.8] * 3, GREEN), scene="blocks"),
+    Row("BlockOpacities", [SECOND, "0.5"], colors([0.8] * 3, [0.25 + 0.75 * 0.8, 0.75 * 0.8, 0.25 + 0.75 * 0.8]), scene="blocks"),
+    # Light from all around
+    Row("RenderingQuality", "Fast", reads("SamplesPerPixel", 4), back=False),
+    Row("ShadingMode", "Path Tracing", light_of_ball(lambda cosine: [GRAY] * 3), kinds=[GLYPHS, SURFACE], **{"ShadingMode": "Local"}),
+    Row("ShadingMode", "Ambient Occlusion", as_before),
+    Row("ShadingMode", "Ambient Occlusion", light(0.3, 0.9), scene="crowd"),
+    Row("AmbientOcclusionRadius", 1e-3, as_with(ShadingMode="Local"), scene="crowd", **OCCLUSION),
+    Row("AmbientOcclusionRays", 16, noise(0.0, 0.15, AmbientOcclusionRays=64), scene="crowd", **{**OCCLUSION, "AmbientOcclusionRays": 1}),
+    Row("PathsPerSample", 16, noise(0.0, 0.15, PathsPerSample=64), scene="crowd", **{**PATHS, "PathsPerSample": 1}),
+    Row("MaximumBounces", 100, furnace, scene="crowd", DiffuseColor=[1.0] * 3, **{**PATHS, "MaximumBounces": 1}),
+    Row("PathMetallic", 1.0, light_of_ball(lambda cosine: [schlick(DARK, cosine)] * 3), **MIRROR),
+    Row("PathRoughness", 0.9, light(0.3, 0.9), **{**MIRROR, "PathMetallic": 1.0}),
+    Row("PathCoatStrength", 0.5, light_of_ball(lambda cosine: [0.5 * schlick(1.0 / 9.0, cosine)] * 3), **{**COATED, "PathCoatStrength": 0.0}),
+    Row("PathCoatIOR", 3.0, light_of_ball(lambda cosine: [schlick(0.25, cosine)] * 3), **COATED),
+    Row("PathCoatIOR", 1.0, light_of_ball(lambda cosine: [0.0] * 3), **COATED),
+    Row("PathCoatRoughness", 0.9, light(0.3, 0.9), **COATED),
+    Row("PathCoatColor", RED, light_of_ball(lambda cosine: [GRAY, 0.0, 0.0]), **{**COATED, "PathCoatIOR": 1.0, "DiffuseColor": [0.8] * 3}),
+    Row("LightIntensity", 0.5, light_of_ball(lambda cosine: [0.5 * GRAY] * 3)),
+    Row("LightIntensity", 0.5, scaled(0.5, 0.5, 0.5), **OCCLUSION),
+    Row("EnvironmentColor", [1.0, 0.5, 0.0], light_of_ball(lambda cosine: [GRAY, float(to_light(0.5)) * GRAY, 0.0])),
+    Row("EnvironmentColor", [1.0, 0.5, 0.0], scaled(1.0, 0.5, 0.0), **OCCLUSION),
+    Row("ToneMapping", "Filmic", developed(filmic)),
+    Row("ToneMapping", "Filmic", light_of_ball(lambda cosine: [filmic(GRAY)] * 3)),
+    Row("Exposure", -1.0, developed(lambda light: 0.5 * light)),
+    Row("Exposure", -1.0, light_of_ball(lambda cosine: [0.5 * GRAY] * 3)),
+    # The image
+    Row("SamplesPerPixel", 3, reads("AccumulatedSamples", 3)),
+    Row("Denoising", "Always", noise(0.0, 0.6, Denoising="Never", PathsPerSample=64), scene="crowd", **{**PATHS, "PathsPerSample": 1}),
+    Row("FeatureImageFile", LEFT, written),
+    Row("StopRefinement", LEFT, stopped),
+    Row("SamplesPerRender", 2, lambda change: change.checks.equal(change.name, rendered(change, 2, SamplesPerPixel=8)["AccumulatedSamples"], 4)),
+    Row("InteractiveReduction", 4, reduced),
+    Row("StepwiseRendering", LEFT, stepwise),
+    # The rest is for several ranks (parallel.py).
+    Row("ReplicateGlyphs", 1, as_before),
+    # Information
+    Row("DeviceName", LEFT, statistics_say),
+    Row("AccumulatedSamples", LEFT, refining(2, 8)),
+    Row("RefinementPending", LEFT, refining(1, 0)),
+    Row("RefinementProgress", LEFT, refining(0.25, 1.0)),
+    Row("RefinementStep", LEFT, refining("Ray Tracing", "")),
+    Row("RenderStatistics", LEFT, statistics_say),
+]
+#: names of one property: only one of them exists in each ParaView
+EITHER = {"Position": "Translation", "Translation": "Position"}
+
+
+#: which displays have under another name, and what tests it
+ELSEWHERE = {"Color": "SelectionColor in selection_seen.py"}
+
+
+def exposed():
+    """Property -> (representations that have it, its XML element)."""
+    common, of_glyphs, of_surfaces = property_reference.of_representations()
+    return {name: ({kind for kind, own in ((GLYPHS, of_glyphs), (SURFACE, of_surfaces)) if entry.get("name") in {**common, **own}}, entry)
+            for _, entries in property_reference.sections() for name, entry in entries if name not in ELSEWHERE}
+
+
+def completeness(checks):
+    """Each property has a row for each of its representations, each row a property. What holds for a view is the same for all of its displays,
+    which ViewSettings tests: one representation is enough."""
+    known = {name: kinds if entry.find("Hints/OfView") is None else {GLYPHS} for name, (kinds, entry) in exposed().items()}
+    for name, kinds in known.items():
+        for kind in sorted(kinds):
+            checks.true("%s of %s has no row in every_property.py" % (name, kind),
+                        any(row.name == name and kind in (row.kinds or kinds) for row in ROWS))
+    for name in sorted({row.name for row in ROWS}):
+        checks.true("every_property.py has a row of %s, which the XML does not have" % name, name in known)
+    return known
+
+
+def main(names):
+    """All rows, or those of a representation, or of some properties."""
+    kinds = [name for name in names if name in (GLYPHS, SURFACE)] or [GLYPHS, SURFACE]
+    names = [name for name in names if name not in kinds]
+    session.load()
+    checks = Checks()
+    bench = Bench(checks)
+    known = completeness(checks)
+    for row in ROWS:
+        if names and row.name not in names:
+            continue
+        for kind in [kind for kind in kinds if kind in (row.kinds or known.get(row.name, ()))]:
+            if bench.display(row.scene, kind).SMProxy.GetProperty(row.name) is None:
+                checks.true("%s has no property %s" % (kind, row.name), row.name in EITHER)
+                continue
+            failures = len(checks.failures)
+            change = Change(bench, row, kind)
+            row.claim(change)
+            if row.back and row.value is not LEFT:
+                change.goes_back()
+            if len(checks.failures) > failures:
+                change.keep_pictures()
+    checks.report()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,119 @@
+"""GlyphMask: how many glyphs each mode leaves, and which.
+
+Usage: pvpython mask.py
+"""
+import numpy
+import paraview.simple as pv
+
+import comparison
+import session
+from checks import Checks
+
+SIZE = 200
+
+
+def crowded(count=20000):
+    """Points of the unit square, nine tenths of them in its left tenth, in random order."""
+    random = numpy.random.default_rng(2)
+    points = numpy.zeros((count, 3))
+    points[:, :2] = random.uniform(0.0, 1.0, (count, 2))
+    points[:9 * count // 10, 0] *= 0.1
+    return points[random.permutation(count)]
+
+
+class Masked:
+    """Small spheres, and what a mask leaves of them."""
+
+    def __init__(self, view, points):
+        self.view = view
+        self.source = session.source(session.poly_data(points))
+        self.shown = session.glyphs(self.source, view, "Sphere", GlyphScaleFactor=0.02)
+        session.solid(self.shown, (0.9, 0.8, 0.5))
+
+    def __call__(self, name, **properties):
+        """(covered pixels, number of glyphs)."""
+        for key, value in properties.items():
+            setattr(self.shown, key, value)
+        pv.Render(self.view)
+        return comparison.covered(session.capture(self.view, "mask-" + name)), session.statistics(self.shown)["glyphs"]
+
+    def end(self):
+        """Takes them out of the view."""
+        pv.Delete(self.shown)
+        pv.Delete(self.source)
+
+
+def numbers(checks, view, points):
+    """How many are left, and that a smaller number is a part of a larger one."""
+    masked = Masked(view, points)
+    checks.equal("without a mask", masked("all")[1], len(points))
+    checks.equal("every 10th", masked("tenth", GlyphMask=1, GlyphMaskMode="Every Nth")[1], len(points) // 10)
+    nth, number = masked("nth", GlyphStride=37)
+    checks.equal("every 37th", number, -(-len(points) // 37))
+    for mode in ("Random", "Even in Space"):
+        few, number = masked(mode + "-few", GlyphMaskMode=mode, MaximumNumberOfGlyphs=100)
+        checks.equal(mode, number, 100)
+        more, number = masked(mode + "-more", MaximumNumberOfGlyphs=301)
+        checks.equal(mode, number, 301)
+        checks.true(mode + ": 100 glyphs are not among 301", not (few & ~more).any())
+        other, number = masked(mode + "-other", GlyphSeed=2)
+        checks.equal(mode + ", another seed", number, 301)
+        checks.true(mode + ": another seed chooses the same glyphs", (other != more).any())
+        checks.true(mode + ": the same seed chooses other glyphs", (masked(mode + "-again", GlyphSeed=1)[0] == more).all())
+        checks.equal(mode + " of fewer than the maximum", masked(mode + "-maximum", MaximumNumberOfGlyphs=len(points) + 1)[1], len(points))
+    masked.end()
+    some = Masked(view, points[::37])
+    checks.true("every 37th is not every 37th", (some("37")[0] == nth).all())
+    some.end()
+
+
+def evenness(checks, view, points):
+    """Right of the crowd lie nine tenths of the square and a tenth of the points: even glyphs are there by area, random
+    ones by number."""
+    masked = Masked(view, points)
+    right = slice(SIZE // 10 + 3, None)
+    for mode, share in (("Random", 0.1), ("Even in Space", 0.9)):
+        seen, number = masked("share-" + mode, GlyphMask=1, GlyphMaskMode=mode, MaximumNumberOfGlyphs=256)
+        # Spheres of four pixels across cover about twelve; few overlap.
+        found = seen[:, right].sum() / 12.0 / number
+        print("%s: %d glyphs, %.2f of them right of the crowd, %.2f expected" % (mode, number, found, share))
+        checks.within(mode + ": share of the glyphs right of the crowd", found, 0.75 * share, 1.3 * share)
+    # No part of the square is empty: each of its 8 x 8 parts has some.
+    seen = masked("parts", MaximumNumberOfGlyphs=256)[0]
+    parts = seen.reshape(8, SIZE // 8, 8, SIZE // 8).any(axis=(1, 3))
+    checks.equal("parts of the square with glyphs", int(parts.sum()), 64)
+    masked.end()
+
+
+def odd(checks, view):
+    """Points in one place, on a line, and such that are nowhere."""
+    place = numpy.full((50, 3), 0.5)
+    line = numpy.zeros((1000, 3))
+    line[:, 1] = numpy.linspace(0.0, 1.0, 1000)
+    broken = numpy.concatenate([line, numpy.full((5, 3), numpy.nan)])
+    for name, points, maximum, wanted in (("place", place, 7, 7), ("line", line, 8, 8), ("broken", broken, 2000, 1000)):
+        masked = Masked(view, points)
+        found = []
+        session.messages(lambda: found.append(masked(name, GlyphMask=1, GlyphMaskMode="Even in Space", MaximumNumberOfGlyphs=maximum)))
+        checks.equal("glyphs of points that are a " + name, found[0][1], wanted)
+        if name == "line":
+            rows = numpy.flatnonzero(found[0][0].any(axis=1))
+            checks.true("eight glyphs of a line leave a gap of %d of %d rows" % (numpy.diff(rows).max(), SIZE), numpy.diff(rows).max() < SIZE // 4)
+        masked.end()
+
+
+def main():
+    """All parts in one view of the unit square."""
+    session.load()
+    checks = Checks()
+    view = session.view(SIZE, SIZE)
+    session.look(view, (0.5, 0.5, 5.0), (0.5, 0.5, 0.0), parallel_scale=0.5)
+    points = crowded()
+    numbers(checks, view, points)
+    evenness(checks, view, points)
+    odd(checks, view)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()

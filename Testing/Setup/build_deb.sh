@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Makes a Debian package of the clone's last commit for the release that it runs on, Debian 12, 13 or testing, as root or
+# with sudo: installs what is missing, builds, and leaves the package in build-deb/. May be called again at any time.
+# Usage: build_deb.sh     DEBFULLNAME and DEBEMAIL: whom the package names as its maintainer (default: the commit's author)
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+clone=$(cd "$here/../.." && pwd)
+[ $# = 0 ] || { sed -n '2,4s/^# //p' "$0"; exit 2; }
+. /etc/os-release
+
+echo "== packages"
+"$here/install_packages.sh" build gui deb
+
+name=paraview-raytracedglyphs
+commit=$(git -C "$clone" log -1 --format='+git%cd.%h' --date=format:%Y%m%d)
+version=$(sed -nE 's/.*project\(RayTracedGlyphs VERSION ([0-9.]+).*/\1/p' "$clone/CMakeLists.txt")$commit+${VERSION_ID:+deb}${VERSION_ID:-$VERSION_CODENAME}
+maintainer="${DEBFULLNAME:-$(git -C "$clone" log -1 --format=%an)} <${DEBEMAIL:-$(git -C "$clone" log -1 --format=%ae)}>"
+folder=$clone/build-deb
+source=$folder/$name
+log=$folder/build.log
+echo "== build ($source, see $log)"
+rm -rf "$source"
+mkdir -p "$source"
+git -C "$clone" archive HEAD | tar -x -C "$source"
+cp -r "$source/Testing/Setup/debian" "$source/debian"
+cp "$source/LICENSE" "$source/debian/copyright"
+packages=$("$here/install_packages.sh" --names build gui | paste -s -d , | sed 's/,/, /g')
+sed -e "s|@packages@|$packages|" -e "s|@maintainer@|$maintainer|" "$source/debian/control.in" >"$source/debian/control"
+cat >"$source/debian/changelog" <<END
+$name ($version) $VERSION_CODENAME; urgency=medium
+
+  * $(git -C "$clone" log -1 --format='Commit %h: %s' | fold -s -w 74 | sed 's/ *$//; 2,$s/^/    /')
+
+ -- $maintainer  $(git -C "$clone" log -1 --format=%cD)
+END
+# Without a second package of the debugging symbols.
+(cd "$source" && DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-} noautodbgsym" dpkg-buildpackage --build=binary --unsigned-changes --no-pre-clean) \
+  >"$log" 2>&1 || { tail -n 30 "$log" >&2; exit 1; }
+rm -rf "$source"
+
+ls "$folder/${name}_$version"_*.deb
+echo "== lintian"
+lintian --fail-on error,warning "$folder/${name}_$version"_*.changes
