@@ -22,12 +22,13 @@ namespace
 using HostShapes = shapes::Kernel<float>;
 constexpr float roundings = 1e-6f;
 
+// The glyph's size is known already.
 template <class Real>
 void SetArrow(typename shapes::Kernel<Real>::Glyph& glyph, const ArrowForm& arrow)
 {
   glyph.arrow = glm::vec4(arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding);
   glyph.fixedHeads = arrow.fixedHeads;
-  glyph.unitLength = arrow.unitLength;
+  glyph.unitLength = arrow.unitLength > 0.0f ? Real(arrow.unitLength) : glyph.size.y;
 }
 
 // The glyph with its centre at 0.
@@ -42,7 +43,6 @@ HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
   glyph.turned = !instances.rotations.empty();
   glyph.rotation = glyph.turned ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
   SetArrow<float>(glyph, instances.arrow);
-  glyph.unitLength = instances.arrow.unitLength > 0.0f ? instances.arrow.unitLength : glyph.size.y;
   glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i];
   return glyph;
 }

@@ -7,9 +7,12 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <vector>
 
-//----------------------------------------------------------------------------
-std::vector<std::string> vtkGlyphJoinedArrays::Parts(const std::string& name)
+namespace
+{
+// The names between the commas, without blanks around them; fewer than two are none.
+std::vector<std::string> Parts(const std::string& name)
 {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin <= name.size();)
@@ -22,6 +25,7 @@ std::vector<std::string> vtkGlyphJoinedArrays::Parts(const std::string& name)
     begin = end + 1;
   }
   return parts.size() < 2 ? std::vector<std::string>() : parts;
+}
 }
 
 //----------------------------------------------------------------------------

@@ -6,17 +6,11 @@
 #define vtkGlyphJoinedArrays_h
 
 #include <string>
-#include <vector>
 
 class vtkPolyData;
 
 namespace vtkGlyphJoinedArrays
 {
-/**
- * The names between the commas, without blanks around them; fewer than two are none.
- */
-std::vector<std::string> Parts(const std::string& name);
-
 /**
  * Adds a point array of that name where each of its parts is a point array of one component and there is none yet.
  */

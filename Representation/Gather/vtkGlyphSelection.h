@@ -19,8 +19,8 @@ class vtkGlyphSelection
 {
 public:
   /**
-   * The output of the filter with which the view's representations show what is selected of `input`; null: nothing was
-   * ever selected of it.
+   * The output of the filter with which the view's representations show what is selected of `input`; null: none of
+   * them does.
    */
   static vtkAlgorithmOutput* Find(vtkView* view, vtkAlgorithmOutput* input);
 

@@ -3,6 +3,7 @@
 #include "GlyphBoxes.h"
 #include "Stopwatch.h"
 #include "vtkDataArray.h"
+#include "vtkGlyphHighScale.h"
 #include "vtkGlyphMotion.h"
 #include "vtkGlyphTuples.h"
 #include "vtkMath.h"
@@ -48,8 +49,9 @@ public:
       arrow || settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
     if (arrow && settings.Arrow.fixedHeads)
     {
-      this->Arrow.unitLength =
-        static_cast<float>(std::abs(settings.ScaleFactor) * vtkGlyphArrays::ReferenceScale(points, settings, blocks));
+      this->Arrow.unitLength = this->Radii
+        ? 0.0f
+        : static_cast<float>(std::abs(settings.ScaleFactor) * vtkGlyphHighScale::Reference(points, settings, blocks));
     }
     else if (settings.Shape == rtg::Shape::Mesh && settings.Mesh)
     {
@@ -115,15 +117,13 @@ private:
       size *= this->Settings.Sizing.Bound(this->Tensors->Extent(point));
     }
     size = this->Settings.Sizing.Limited(size) * this->LimitSlack;
-    rtg::ArrowForm arrow = this->Arrow;
     if (radii)
     {
-      size.y = size.z = std::abs(*radii.Get(point) * this->Settings.RadiusFactor) * this->Settings.SizeOfRadius();
-      arrow.unitLength = static_cast<float>(size.y);
+      size.y = size.z = this->Settings.Width(*radii.Get(point));
     }
     rtg::DoubleBox box = this->Settings.Shape == rtg::Shape::Mesh
       ? rtg::DoubleBox{ this->Mesh.lower * size, this->Mesh.upper * size }
-      : rtg::GlyphExtent(this->Settings.Shape, arrow, size);
+      : rtg::GlyphExtent(this->Settings.Shape, this->Arrow, size);
     box.lower.x += this->AnchorShift * size.x;
     box.upper.x += this->AnchorShift * size.x;
     glm::dvec3 reach = glm::max(glm::abs(box.lower), glm::abs(box.upper));

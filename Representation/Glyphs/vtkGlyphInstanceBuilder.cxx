@@ -2,6 +2,7 @@
 
 #include "GlyphArrays.h"
 #include "vtkDataArray.h"
+#include "vtkGlyphHighScale.h"
 #include "vtkGlyphPlacement.h"
 #include "vtkGlyphTuples.h"
 #include "vtkMath.h"
@@ -408,8 +409,7 @@ private:
     size = this->How.Sizing.Limited(size);
     if (this->Has(vtkGlyphArrays::RADIUS))
     {
-      const double width =
-        std::abs(*tuples[vtkGlyphArrays::RADIUS].Get(i) * this->How.RadiusFactor) * this->How.SizeOfRadius();
+      const double width = this->How.Width(*tuples[vtkGlyphArrays::RADIUS].Get(i));
       if (!IsPositive(width))
       {
         return width == 0.0 ? ZERO_RADIUS : RADIUS;
@@ -610,7 +610,7 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   const vtkGlyphPlacement& placement = assembly.GetPlacement();
   if (settings.Shape == rtg::Shape::Arrow)
   {
-    const double reference = assembly.IsScaled() ? vtkGlyphArrays::ReferenceScale(points, settings, blocks) : 1.0;
+    const double reference = assembly.IsScaled() ? vtkGlyphHighScale::Reference(points, settings, blocks) : 1.0;
     const auto unit = static_cast<float>(std::abs(settings.ScaleFactor * placement.Scale) * reference);
     instances.arrow.unitLength = assembly.HasRadii() ? 0.0f : IsPositive(unit) ? unit : 1.0f;
   }

@@ -70,10 +70,11 @@ vtkGlyphSettings vtkGlyphSettings::Effective() const
 }
 
 //----------------------------------------------------------------------------
-double vtkGlyphSettings::SizeOfRadius() const
+double vtkGlyphSettings::Width(double radius) const
 {
-  const double radius = this->Arrow.shaftRadius > 0.0f ? this->Arrow.shaftRadius : this->Arrow.tipRadius;
-  return this->Shape == rtg::Shape::Arrow && radius > 0.0 ? 1.0 / radius : 2.0;
+  const double arrow = this->Arrow.shaftRadius > 0.0f ? this->Arrow.shaftRadius : this->Arrow.tipRadius;
+  const double unit = this->Shape == rtg::Shape::Arrow && arrow > 0.0 ? arrow : 0.5;
+  return std::abs(radius * this->RadiusFactor) / unit;
 }
 
 //----------------------------------------------------------------------------

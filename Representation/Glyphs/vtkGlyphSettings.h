@@ -95,10 +95,10 @@ struct vtkGlyphSettings
   bool HasOwnExponents() const { return HasExponents(this->Shape) && !this->Tensors.On; }
 
   /**
-   * The size across the x axis of the unit glyph whose radius is 1: an arrow's is that of its shaft, or of its head
-   * where it has no shaft.
+   * The size across its x axis of a glyph with this value of the radius array. The radius of an arrow is that of its
+   * shaft, or of its head where it has no shaft.
    */
-  double SizeOfRadius() const;
+  double Width(double radius) const;
 
   /**
    * How far Anchor moves the unit glyph along its own x axis.

@@ -18,13 +18,6 @@
 
 namespace
 {
-constexpr double highShare = 0.95; // of the scales that are not above the high one
-
-bool IsPositive(double value)
-{
-  return value > 0.0 && std::isfinite(value);
-}
-
 using Settings = vtkGlyphSettings;
 
 // Of the lengths of orientation tuples, the first that a mode takes.
@@ -154,86 +147,4 @@ std::vector<vtkIdType> vtkGlyphArrays::Candidates(
     return block == blocks.end() || block->second.Visible;
   };
   return settings.Mask.Choose(points, vtkRayTracedParallel::Select(points->GetNumberOfPoints(), isVisible));
-}
-
-//----------------------------------------------------------------------------
-// A positive float's leading bits rise with it; there are some 6 of its fraction among those that tell bins apart.
-void vtkGlyphArrays::ScaleHistogram::Add(double scale)
-{
-  const std::uint32_t bin = std::bit_cast<std::uint32_t>(static_cast<float>(scale)) >> 17;
-  this->Counts[bin] += 1.0;
-  this->Largest[bin] = std::max(this->Largest[bin], scale);
-}
-
-//----------------------------------------------------------------------------
-void vtkGlyphArrays::ScaleHistogram::Add(const ScaleHistogram& other)
-{
-  for (std::size_t bin = 0; bin < this->Counts.size(); ++bin)
-  {
-    this->Counts[bin] += other.Counts[bin];
-    this->Largest[bin] = std::max(this->Largest[bin], other.Largest[bin]);
-  }
-}
-
-//----------------------------------------------------------------------------
-double vtkGlyphArrays::ScaleHistogram::High() const
-{
-  const double all = std::accumulate(this->Counts.begin(), this->Counts.end(), 0.0);
-  double below = 0.0;
-  for (std::size_t bin = 0; bin < this->Counts.size(); ++bin)
-  {
-    below += this->Counts[bin];
-    if (below > 0.0 && below >= highShare * all)
-    {
-      return this->Largest[bin];
-    }
-  }
-  return 1.0;
-}
-
-//----------------------------------------------------------------------------
-vtkGlyphArrays::ScaleHistogram vtkGlyphArrays::CountScales(
-  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
-{
-  ScaleHistogram all;
-  vtkDataArray* array = Find(SCALE, points, settings);
-  const bool byComponents = ScalesByComponents(array, settings);
-  if (!array)
-  {
-    return all;
-  }
-  const std::vector<vtkIdType> candidates = Candidates(points, settings, blocks);
-  const auto count = static_cast<vtkIdType>(candidates.size());
-  std::mutex mutex;
-  vtkRayTracedParallel::ForChunks(count,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      vtkGlyphTuples scales(array);
-      ScaleHistogram own;
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        const double* tuple = scales.Get(candidates[k]);
-        const double scale = byComponents ? settings.Sizing(glm::dvec3(std::abs(tuple[0]), tuple[1], tuple[2])).x
-                                          : settings.Sizing(vtkMath::Norm(tuple, scales.Size()));
-        if (IsPositive(scale)) // else there is no glyph
-        {
-          own.Add(scale);
-        }
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      all.Add(own);
-    });
-  return all;
-}
-
-//----------------------------------------------------------------------------
-double vtkGlyphArrays::ReferenceScale(
-  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
-{
-  if (!settings.NeedsHighScale())
-  {
-    const bool scaled = settings.Scaling && !vtkRayTracedArrays::IsNone(settings.ScaleArray);
-    return scaled && IsPositive(settings.ArrowReference) ? settings.Sizing(settings.ArrowReference) : 1.0;
-  }
-  return IsPositive(settings.HighScale) ? settings.HighScale : CountScales(points, settings, blocks).High();
 }

@@ -105,29 +105,6 @@ std::vector<vtkDataArray*> All(vtkPolyData* points, const vtkGlyphSettings& sett
  */
 std::vector<vtkIdType>
 Candidates(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
-
-/**
- * How many glyphs have about which scale.
- */
-struct ScaleHistogram
-{
-  std::vector<double> Counts = std::vector<double>(1 << 14), Largest = Counts; // of each bin
-  void Add(double scale);
-  void Add(const ScaleHistogram& other);
-
-  /**
-   * The 95 % quantile, but for 2 % of it, and always the scale of some glyph. 1 where there are none.
-   */
-  double High() const;
-};
-ScaleHistogram
-CountScales(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
-
-/**
- * The scale of the arrow whose fixed head has the proportions of the unit arrow.
- */
-double
-ReferenceScale(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
 }
 
 #endif

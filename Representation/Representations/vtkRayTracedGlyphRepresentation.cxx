@@ -71,15 +71,6 @@ struct vtkRayTracedGlyphRepresentation::Layer
 };
 
 //----------------------------------------------------------------------------
-struct vtkRayTracedGlyphRepresentation::ScalesKey
-{
-  vtkGlyphSettings Settings;
-  std::vector<vtkMTimeType> Times;
-  std::vector<unsigned int> HiddenBlocks;
-  vtkGlyphArrays::ScaleHistogram Histogram;
-};
-
-//----------------------------------------------------------------------------
 vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
 {
   this->SetNumberOfInputPorts(3);
@@ -330,55 +321,14 @@ const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points
 }
 
 //----------------------------------------------------------------------------
-// Least and largest number that colors the tensor glyphs, over all ranks that have data.
 void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
 {
   const vtkGlyphTensors::Settings settings = this->MakeSettings().Tensors;
-  if (!settings.On || !settings.ColorsByNumber())
+  if (settings.On && settings.ColorsByNumber())
   {
-    return;
+    const std::array<double, 2> range = this->NumberRange.Get(points, settings);
+    std::copy(range.begin(), range.end(), this->TensorRange);
   }
-  vtkDataArray* array = vtkGlyphTensors::Array(points, settings);
-  const vtkMTimeType time = array ? array->GetMTime() : 0;
-  if (time != this->RangeTime || !(settings == this->RangeSettings))
-  {
-    this->OwnRange = { HUGE_VAL, HUGE_VAL };
-    if (array && vtkGlyphTensors::Problem(array, settings).empty())
-    {
-      const vtkGlyphTensors tensors(array, settings, {});
-      const vtkIdType count = points->GetNumberOfPoints();
-      std::vector<std::array<double, 2>> ranges(vtkRayTracedParallel::NumberOfChunks(count), this->OwnRange);
-      vtkRayTracedParallel::ForChunks(count,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          std::array<double, 2> own = ranges[vtkRayTracedParallel::ChunkOf(begin)];
-          double value = 0.0;
-          for (vtkIdType point = begin; point < end; ++point)
-          {
-            if (tensors.Number(point, value))
-            {
-              own = { std::min(own[0], value), std::min(own[1], -value) };
-            }
-          }
-          ranges[vtkRayTracedParallel::ChunkOf(begin)] = own;
-        });
-      for (const std::array<double, 2>& own : ranges)
-      {
-        this->OwnRange = { std::min(this->OwnRange[0], own[0]), std::min(this->OwnRange[1], own[1]) };
-      }
-    }
-    this->RangeTime = time;
-    this->RangeSettings = settings;
-  }
-  std::array<double, 2> least = this->OwnRange;
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetNumberOfProcesses() > 1)
-  {
-    controller->AllReduce(this->OwnRange.data(), least.data(), 2, vtkCommunicator::MIN_OP);
-  }
-  const bool any = least[0] <= -least[1];
-  this->TensorRange[0] = any ? least[0] : 1.0;
-  this->TensorRange[1] = any ? -least[1] : -1.0;
 }
 
 //----------------------------------------------------------------------------
@@ -440,7 +390,9 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   vtkGlyphSettings settings = this->MakeSettings();
   const bool usesTable = table && table->GetNumberOfBlocks() > 1 && settings.Shape == rtg::Shape::Mesh;
   settings.TableSize = usesTable ? static_cast<int>(table->GetNumberOfBlocks()) : 1;
-  settings.HighScale = this->HighScale(points, settings, collective);
+  const vtkGlyphBlockAttributes::Table noBlocks;
+  const vtkGlyphBlockAttributes::Table& blocks = points ? this->Blocks.Resolve(points) : noBlocks;
+  settings.HighScale = this->HighScale.Get(points, settings, blocks, collective);
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
   main->SetSettings(settings, table && table->GetNumberOfBlocks() == 0 ? nullptr : form(0));
   main->SetTensorTable(this->TensorTable);
@@ -500,46 +452,8 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(vtkPolyData* points, vtkGlyph
   this->GetActor()->GetMatrix(matrix);
   const double scale = std::hypot(matrix->GetElement(0, 0), matrix->GetElement(1, 0), matrix->GetElement(2, 0));
   const double reference =
-    scales.empty() ? 1.0 : vtkGlyphArrays::ReferenceScale(known, settings, this->Blocks.Resolve(known));
+    scales.empty() ? 1.0 : vtkGlyphHighScale::Reference(known, settings, this->Blocks.Resolve(known));
   this->Legend->SetGlyphs(settings, scale, name, reference);
-}
-
-//----------------------------------------------------------------------------
-// Heads of arrows are of one size on all ranks: each asks the others for their scales.
-double
-vtkRayTracedGlyphRepresentation::HighScale(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective)
-{
-  if (!settings.NeedsHighScale())
-  {
-    return 0.0;
-  }
-  vtkGlyphArrays::ScaleHistogram all;
-  if (points && points->GetNumberOfPoints() > 0)
-  {
-    const vtkGlyphBlockAttributes::Table& blocks = this->Blocks.Resolve(points);
-    const std::vector<unsigned int> hidden = vtkGlyphBlockAttributes::Hidden(blocks);
-    std::vector<vtkMTimeType> times;
-    for (vtkDataArray* array : vtkGlyphArrays::All(points, settings))
-    {
-      times.push_back(array ? array->GetMTime() : 0);
-    }
-    if (!this->Scales || !(this->Scales->Settings == settings) || this->Scales->Times != times ||
-      this->Scales->HiddenBlocks != hidden)
-    {
-      this->Scales = std::make_unique<ScalesKey>(
-        ScalesKey{ settings, times, hidden, vtkGlyphArrays::CountScales(points, settings, blocks) });
-    }
-    all = this->Scales->Histogram;
-  }
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (collective && controller && controller->GetNumberOfProcesses() > 1)
-  {
-    const vtkGlyphArrays::ScaleHistogram own = all;
-    const auto bins = static_cast<vtkIdType>(all.Counts.size());
-    controller->AllReduce(own.Counts.data(), all.Counts.data(), bins, vtkCommunicator::SUM_OP);
-    controller->AllReduce(own.Largest.data(), all.Largest.data(), bins, vtkCommunicator::MAX_OP);
-  }
-  return all.High();
 }
 
 //----------------------------------------------------------------------------

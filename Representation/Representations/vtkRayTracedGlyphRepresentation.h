@@ -9,9 +9,11 @@
 
 #include "vtkRayTracedRepresentation.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
+#include "vtkGlyphHighScale.h"
 #include "vtkGlyphLegend.h"
 #include "vtkGlyphScaleGuess.h"
 #include "vtkGlyphSettings.h"
+#include "vtkGlyphTensorRange.h"
 #endif
 
 #include <vector>
@@ -214,7 +216,6 @@ private:
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points);
   void UpdateLegend(vtkPolyData* points, vtkGlyphSettings settings);
-  double HighScale(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective);
 
   vtkGlyphSettings Glyphs; // but for what MakeSettings() adds
   int GlyphShape = 0;
@@ -223,6 +224,7 @@ private:
   vtkGlyphLegend::Style LegendStyle;
   bool ScaleFactorFromData = true;
   vtkGlyphScaleGuess Guess;
+  vtkGlyphHighScale HighScale;
   double ScaleGuess[2] = { 0.0, 0.0 };
   double SizeLimit = 0.0;
   bool NestedExponents = false;
@@ -231,9 +233,7 @@ private:
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   double TensorRange[2] = { 1.0, -1.0 };
-  std::array<double, 2> OwnRange{}; // of this rank: the least number, and the negative of the largest
-  vtkGlyphTensors::Settings RangeSettings;
-  vtkMTimeType RangeTime = 1;
+  vtkGlyphTensorRange NumberRange;
 
   vtkSmartPointer<vtkPolyData> Gathered;  // of an input of these times; null: they must be gathered
   vtkDataObject* GatheredInput = nullptr; // only to be compared
@@ -248,9 +248,6 @@ private:
 
   // One more actor and mapper each: the arrows of tensor axes, further meshes of a table.
   std::vector<std::unique_ptr<Layer>> Layers;
-
-  struct ScalesKey;
-  std::unique_ptr<ScalesKey> Scales; // what this rank's histogram of scales is known for
 };
 
 #endif

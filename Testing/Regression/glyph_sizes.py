@@ -92,27 +92,34 @@ def bounds(checks, view):
 
 def radii(checks, view):
     """Lengths by one array, radii by another; an arrow's is its shaft's, and its head belongs to its shaft."""
-    lengths, widths = numpy.array([0.3, 0.5, 0.6]), numpy.array([-0.04, 0.02, 0.01])
+    lengths, widths = numpy.array([0.3, 0.5, 0.6]), numpy.array([-0.04, 0.02, 0.03])
     thick = 2 * numpy.abs(widths) * 1.5
-    # The head is three times as wide as the shaft and 7/3 of its width long; the last arrow is shorter than that.
+    # The head is three times as wide as the shaft; it is 7/6 of its width long, and the first arrow is shorter than that.
     head = 3 * thick
+    short = 0.3 * lengths
     cases = {
-        "Cylinder": ({"GlyphShape": "Cylinder"}, thick), "Sphere": ({"GlyphShape": "Sphere"}, thick), "Box": ({"GlyphShape": "Box"}, thick),
-        "fixed heads": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.05, "ArrowTipRadius": 0.15, "ArrowTipLength": 0.35}, head),
-        "scaled heads": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.05, "ArrowTipRadius": 0.15, "ArrowHeads": "Scaled"}, head),
-        "short arrows": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.05, "ArrowTipRadius": 0.15, "ArrowTipLength": 1.0,
-                          "GlyphScaleFactor": 0.1}, numpy.minimum(head, 0.3 * 0.1 * lengths)),
-        "heads alone": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.0, "ArrowTipRadius": 0.15}, thick),
+        "Cylinder": ({"GlyphShape": "Cylinder"}, lengths, thick), "Sphere": ({"GlyphShape": "Sphere"}, lengths, thick),
+        "Box": ({"GlyphShape": "Box"}, lengths, thick),
+        "fixed heads": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.05, "ArrowTipRadius": 0.15, "ArrowTipLength": 0.35},
+                        lengths, numpy.minimum(head, 6 / 7 * lengths)),
+        "scaled heads": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.05, "ArrowTipRadius": 0.15, "ArrowHeads": "Scaled"},
+                         lengths, head),
+        # Heads as long as the unit arrow: with these radii arrows are shorter than their heads and shrink as a whole.
+        "short arrows": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.05, "ArrowTipRadius": 0.25, "ArrowTipLength": 1.0,
+                          "GlyphScaleFactor": 0.3}, short, numpy.minimum(5 * thick, 0.5 * short)),
+        # Without a shaft the radius is the head's, and only heads are seen.
+        "heads alone": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.0, "ArrowTipRadius": 0.15, "ArrowTipLength": 0.35},
+                        numpy.minimum(lengths, 7 / 6 * thick), thick),
     }
     source = session.source(session.poly_data(POINTS - [0.2, 0.0, 0.0], s=lengths, w=widths, zero=numpy.array([0.0, 0.02, numpy.nan])))
-    for name, (properties, wide) in cases.items():
+    for name, (properties, long, wide) in cases.items():
         properties = {"GlyphScaleFactor": 1.0, **properties}
         shown = session.glyphs(source, view, properties.pop("GlyphShape"), GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="s",
                                GlyphRadiusArray="w", GlyphRadiusFactor=1.5, **properties)
         session.solid(shown, (0.9, 0.8, 0.3))
         pv.Render(view)
         found = extents(view, "radii " + name)
-        wanted = numpy.stack([properties["GlyphScaleFactor"] * lengths, wide], axis=1)
+        wanted = numpy.stack([long, wide], axis=1)
         checks.true("radii, %s: sizes %s, not %s" % (name, numpy.round(found, 3).tolist(), numpy.round(wanted, 3).tolist()),
                     numpy.abs(found - wanted).max() <= PIXEL)
         box = numpy.array(view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2)

@@ -1,6 +1,6 @@
 # A Spack recipe. As a package of a repository of your own (spack repo create), in packages/paraview_raytracedglyphs/, then
 #   RTGLYPHS_SOURCE=PATH-OR-URL-OF-THE-REPOSITORY spack install paraview-raytracedglyphs
-# Checked: Python compiles it, and its dependencies are packages of Spack. It has not been installed with Spack.
+# Its dependencies are packages of Spack. It has not been installed with Spack.
 import os
 
 from spack_repo.builtin.build_systems.cmake import CMakePackage, generator
