@@ -2,14 +2,21 @@
 // Usage: SceneBenchmark [PIXELS] [REPETITIONS] [CSV]
 //
 // Glyphs lie at random in a cube that fills the image (Crowds.h). Printed: processor seconds of an image with local
-// shading, the median and quartiles of the repetitions, which are taken in turns over the scenes, and the cost beside
-// that of the first scene. To compare two trees, run the program of each in turns.
+// shading, depth and ids, the median and quartiles of the repetitions, which are taken in turns over the scenes, and
+// the cost beside that of the first scene. Where the program is built with Embree, also the processor seconds of its
+// rays alone, one by one and in packets of eight, for the scenes that are opaque, in the same turns; the program fails
+// where their picture is another one. To compare two trees, run the program of each in turns.
 #include "Crowds.h"
+#ifdef RTGLYPHS_EMBREE
+#include "EmbreeScene.h"
+#endif
 #include "Measures.h"
 #include "Scene.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -96,40 +103,104 @@ public:
       material.opacity = part.opacity;
       this->translucent_ |= part.opacity < 1.0f;
       this->opaque_ |= part.opacity == 1.0f;
+#ifdef RTGLYPHS_EMBREE
+      this->embree_.Add(part.instances);
+#endif
       this->scene_.SetInstances(set, std::move(part.instances));
       this->scene_.SetMaterial(set, material);
     }
     this->scene_.Commit();
+#ifdef RTGLYPHS_EMBREE
+    this->embree_.Commit();
+#endif
   }
 
   void Trace(std::uint32_t pixels, bool counts)
   {
     rtg::TraceSettings settings;
     settings.width = settings.height = pixels;
-    const double start = benchmark::CpuSeconds();
+    const rtg::Camera camera = benchmark::CrowdCamera();
+    double start = benchmark::CpuSeconds();
+    std::vector<float> depth;
     if (this->opaque_)
     {
-      this->tracer_.Trace(this->scene_, benchmark::CrowdCamera(), { rtg::Light() }, settings, rtg::Pass::Opaque);
+      const rtg::Image image = this->tracer_.Trace(this->scene_, camera, { rtg::Light() }, settings, rtg::Pass::Opaque);
+      depth.assign(image.depth, image.depth + std::size_t(pixels) * pixels);
     }
     if (this->translucent_)
     {
-      this->tracer_.Trace(this->scene_, benchmark::CrowdCamera(), { rtg::Light() }, settings, rtg::Pass::Translucent);
+      this->tracer_.Trace(this->scene_, camera, { rtg::Light() }, settings, rtg::Pass::Translucent);
     }
     if (counts)
     {
       this->seconds_.push_back(benchmark::CpuSeconds() - start);
     }
+#ifdef RTGLYPHS_EMBREE
+    if (this->translucent_)
+    {
+      return;
+    }
+    for (const bool packets : { false, true })
+    {
+      std::vector<float> theirs;
+      start = benchmark::CpuSeconds();
+      this->embree_.Trace(camera, static_cast<int>(pixels), packets, theirs);
+      if (counts)
+      {
+        (packets ? this->packets_ : this->singles_).push_back(benchmark::CpuSeconds() - start);
+      }
+      this->differs_ = std::max(this->differs_, ShareThatDiffers(camera, depth, theirs));
+    }
+#endif
   }
 
-  const std::string& Name() const { return this->name_; }
-  double Seconds(double share) const { return benchmark::Quantile(this->seconds_, share); }
+  const std::string& Name() const
+  {
+    return this->name_;
+  }
+  double Seconds(double share) const
+  {
+    return benchmark::Quantile(this->seconds_, share);
+  }
+  // Medians of Embree's; not a number where there is none.
+  double Singles() const
+  {
+    return this->singles_.empty() ? NAN : benchmark::Quantile(this->singles_, 0.5);
+  }
+  double Packets() const
+  {
+    return this->packets_.empty() ? NAN : benchmark::Quantile(this->packets_, 0.5);
+  }
+  // Share of the pixels in which Embree has seen something else.
+  double Differs() const
+  {
+    return this->differs_;
+  }
 
 private:
+  // Of window depths and view depths. A window depth as a float resolves view depths here to 1e-4.
+  static double
+  ShareThatDiffers(const rtg::Camera& camera, const std::vector<float>& window, const std::vector<float>& view)
+  {
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < view.size(); ++i)
+    {
+      const bool hit = window[i] < 1.0f;
+      const double depth = camera.depthB / (window[i] - camera.depthA);
+      different += hit != std::isfinite(view[i]) || (hit && std::abs(depth - view[i]) > 5e-3);
+    }
+    return static_cast<double>(different) / static_cast<double>(view.size());
+  }
+
+#ifdef RTGLYPHS_EMBREE
+  benchmark::EmbreeScene embree_;
+#endif
   std::string name_;
   std::shared_ptr<rtg::Device> device_ = rtg::Device::Shared();
   rtg::Scene scene_{ device_ };
   rtg::Tracer tracer_{ device_ };
-  std::vector<double> seconds_;
+  std::vector<double> seconds_, singles_, packets_;
+  double differs_ = 0.0;
   bool translucent_ = false, opaque_ = false;
 };
 
@@ -165,14 +236,27 @@ int main(int argc, char** argv)
       subject->Trace(pixels, i >= 0);
     }
   }
-  csv << "scene,CPU s,lower quartile,upper quartile,cost beside the first\n";
-  std::printf("%-30s %8s %8s %8s %8s\n", "scene", "CPU s", "quartile", "quartile", "cost");
+  csv << "scene,CPU s,lower quartile,upper quartile,cost beside the first,Embree s,Embree packets s,pixels differ\n";
+  std::printf("%-30s %8s %8s %8s %8s %8s %8s %8s\n", "scene", "CPU s", "quartile", "quartile", "cost", "Embree",
+    "packets", "differ");
+  bool same = true;
   for (const auto& subject : subjects)
   {
     const double median = subject->Seconds(0.5), low = subject->Seconds(0.25), high = subject->Seconds(0.75);
     const double cost = median / subjects.front()->Seconds(0.5);
-    std::printf("%-30s %8.3f %8.3f %8.3f %8.2f\n", subject->Name().c_str(), median, low, high, cost);
-    csv << '"' << subject->Name() << "\"," << median << ',' << low << ',' << high << ',' << cost << '\n';
+    const double singles = subject->Singles(), packets = subject->Packets();
+    std::printf("%-30s %8.3f %8.3f %8.3f %8.2f %8.3f %8.3f %8.1e\n", subject->Name().c_str(), median, low, high, cost,
+      singles, packets, subject->Differs());
+    csv << '"' << subject->Name() << "\"," << median << ',' << low << ',' << high << ',' << cost << ',';
+    if (std::isfinite(singles))
+    {
+      csv << singles << ',' << packets << ',' << subject->Differs() << '\n';
+    }
+    else
+    {
+      csv << ",,\n";
+    }
+    same &= subject->Differs() < 1e-3;
   }
-  return 0;
+  return same ? 0 : 1;
 }

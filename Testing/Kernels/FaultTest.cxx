@@ -123,6 +123,7 @@ protected:
   void SetUp() override
   {
     ASSERT_TRUE(std::getenv("RTGLYPHS_FAULT")) << "the environment is that of CTest's entry FaultTest";
+    RTG_NEEDS(GetParam());
     // Each buffer is an allocation that can fail.
     this->device->GetState().memory.blockBytes = 0;
   }

@@ -318,6 +318,7 @@ TEST_F(MeshTest, ConvexBodiesWithSmoothNormalsDoNotShadeThemselves)
 
 TEST_F(MeshTest, TooManyInstancesAreOneError)
 {
+  RTG_NEEDS(rtg::Structure::Boxes);
   this->scene.GetState().structure = rtg::Structure::Boxes;
   this->scene.GetState().mostInstances = 7;
   rtg::GlyphInstances instances;

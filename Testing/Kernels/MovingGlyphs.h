@@ -127,6 +127,7 @@ protected:
 
   void SetUp() override
   {
+    RTG_NEEDS(GetParam());
     this->settings.width = this->settings.height = 40;
     this->settings.keepSums = true;
     this->scene.GetState().structure = GetParam();

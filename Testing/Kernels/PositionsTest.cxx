@@ -27,6 +27,8 @@ protected:
   std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   Tracer& tracer = rtg::testing::SharedTracer();
 
+  void SetUp() override { RTG_NEEDS(std::get<0>(GetParam())); }
+
   // Turned glyphs at these places, which move or not.
   static rtg::GlyphInstances Glyphs(Shape shape, const std::vector<glm::dvec3>& places, const glm::dvec3& origin)
   {

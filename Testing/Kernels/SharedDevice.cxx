@@ -1,8 +1,7 @@
 #include "SharedDevice.h"
 
 #include "Vulkan/Device.h"
-
-#include <gtest/gtest.h>
+#include "Vulkan/DeviceState.h"
 
 namespace rtg::testing
 {
@@ -27,6 +26,13 @@ const ::testing::Environment* const environment = ::testing::AddGlobalTestEnviro
 Tracer& SharedTracer()
 {
   return *tracer;
+}
+
+std::string WhatLacksFor(Structure structure)
+{
+  const auto device = Device::Shared();
+  const bool has = structure == Structure::Boxes ? device->GetState().tracesRays : device->GetState().int64;
+  return has ? "" : structure == Structure::Boxes ? "VK_KHR_ray_tracing_pipeline" : "shaderInt64";
 }
 
 } // namespace rtg::testing

@@ -2,7 +2,12 @@
 // pipelines costs more than most tests.
 #pragma once
 
+#include "SceneState.h"
 #include "Tracer.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
 
 namespace rtg::testing
 {
@@ -10,5 +15,19 @@ namespace rtg::testing
 /// The tracer of all tests, on Device::Shared(). It keeps pipelines and buffers from test to test, as a
 /// view's tracer does from image to image. A test that counts pipelines or bytes makes its own tracer.
 Tracer& SharedTracer();
+
+/// What the device of all tests lacks for scenes with such structures; empty where it lacks nothing.
+std::string WhatLacksFor(Structure structure);
+
+/// Skips a test of such scenes, with a word, where the device lacks something. In SetUp() or in the test itself.
+#define RTG_NEEDS(structure)                                                                                           \
+  do                                                                                                                   \
+  {                                                                                                                    \
+    const std::string lacks = rtg::testing::WhatLacksFor(structure);                                                   \
+    if (!lacks.empty())                                                                                                \
+    {                                                                                                                  \
+      GTEST_SKIP() << "the device lacks " << lacks;                                                                    \
+    }                                                                                                                  \
+  } while (false)
 
 } // namespace rtg::testing

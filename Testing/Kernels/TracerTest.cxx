@@ -87,6 +87,7 @@ class StructureTest
 protected:
   void SetUp() override
   {
+    RTG_NEEDS(GetParam());
     this->TracerTest::SetUp();
     this->scene.GetState().structure = GetParam();
   }
@@ -569,6 +570,7 @@ TEST_P(StructureTest, FindsTheNearestOfManyGlyphsOfAnyCount)
 /// behind it.
 TEST_F(TracerTest, NeedlesInFrontAreNotDropped)
 {
+  RTG_NEEDS(rtg::Structure::Boxes);
   std::mt19937 random(5);
   std::normal_distribution<float> normal;
   rtg::GlyphInstances needles;

@@ -31,6 +31,7 @@ class TranslucencyTest
 protected:
   void SetUp() override
   {
+    RTG_NEEDS(GetParam());
     this->LightTest::SetUp();
     this->scene.GetState().structure = GetParam();
     this->settings.keepSums = false;
