@@ -23,7 +23,7 @@ COLOURS = pyplot.get_cmap("tab20").colors[::2] + pyplot.get_cmap("tab20").colors
 def main(source, target):
     """Draws the figure of source's rows."""
     with open(source, newline="") as file:
-        rows = [row for row in csv.DictReader(file) if row["case"] == "all"]
+        rows = [row for row in csv.DictReader(line for line in file if not line.startswith("#")) if row["case"] == "all"]
     solvers = list(dict.fromkeys(row["solver"] for row in rows))
     figure, axes = pyplot.subplots(1, 2, figsize=(13, 5.5), sharey=True, layout="constrained")
     for axis, family in zip(axes, ("convex", "concave")):

@@ -8,6 +8,7 @@ it the program only says which ones differ from their CSV files, and which of th
 import csv
 import os
 import re
+import statistics
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -90,9 +91,11 @@ def tessellations():
 
 def scenes():
     """Kinds of scenes."""
-    return markdown(["scene", "CPU s", "quartiles", "over the first"],
+    def embree(row, key):
+        return "%.2f (%.2f)" % (row[key], row[key] / row["CPU s"]) if row[key] != "" else ""
+    return markdown(["scene", "CPU s", "quartiles", "over the first", "Embree, single rays (over ours)", "Embree, packets (over ours)"],
                     [[row["scene"], "%.2f" % row["CPU s"], "%.2f, %.2f" % (row["lower quartile"], row["upper quartile"]),
-                      "%.2f" % row["cost beside the first"]] for row in rows("scenes")])
+                      "%.2f" % row["cost beside the first"], embree(row, "Embree s"), embree(row, "Embree packets s")] for row in rows("scenes")])
 
 
 def build():
@@ -124,6 +127,46 @@ def sphere_formulas():
         "1e7 from the origin, size 0.02, camera 1 away", "camera 1e4 sizes away", "camera 1e6 sizes away")])
 
 
+def hard_cases():
+    """All shapes together, case by case, in float."""
+    cases = {}
+    for row in rows("shape-errors"):
+        if row["arithmetic"] == "float":
+            cases.setdefault(row["case"], []).append(row)
+
+    def line(case, found):
+        def largest(key):
+            return max(row[key] for row in found)
+
+        def total(key):
+            return "%d" % sum(row[key] for row in found)
+        return [case, total("rays"), "%.2g" % statistics.median(row["t_median_ulps"] for row in found), "%.2g" % largest("t_max_ulps"),
+                "%.1e" % largest("t_max_sizes"), "%.2g" % largest("t_max_over_bound"), "%.1e" % largest("normal_max_radians"),
+                total("false_hits") + " / " + total("false_misses")]
+    return markdown(["hard case", "rays", "median of dt (ulps of t)", "largest dt (ulps of t)", "largest dt (glyph sizes)",
+                     "largest dt over the bound", "largest normal error (rad)", "false hits / misses"],
+                    [line(case, found) for case, found in cases.items()])
+
+
+def superquadric_errors():
+    """Families of superquadrics and tensor glyphs, in float."""
+    return markdown(["glyphs", "ns a ray, random / all", "error of t, 99.9 %", "max", "normal, max (rad)", "t / normals out of bound",
+                     "false hits / misses"],
+                    [[("*beyond:* " if row["range"] == "beyond" else "") + row["family"],
+                      "%.0f / %.0f" % (row["ns_per_ray_random"], row["ns_per_ray_all"]), "%.1e" % row["t_p999_sizes"], "%.1e" % row["t_max_sizes"],
+                      "%.1e" % row["normal_max_radians"], "%d / %d" % (row["t_out_of_bound"], row["normals_out_of_bound"]),
+                      "%d / %d" % (row["false_hits"], row["false_misses"])]
+                     for row in rows("superquadric-errors") if row["arithmetic"] == "float"])
+
+
+def superquadric_solvers():
+    """Solvers, in float, all rays together."""
+    return markdown(["glyphs", "solver", "ns a ray", "error of t, 99.9 %", "max", "normal, max (rad)", "false hits / misses a million"],
+                    [[row["family"], row["solver"], "%.0f" % row["ns_per_ray"], "%.1e" % row["t_p999_sizes"], "%.1e" % row["t_max_sizes"],
+                      "%.1e" % row["normal_max_radians"], "%.0f / %.0f" % (row["false_hits_per_million"], row["misses_per_million"])]
+                     for row in rows("superquadric-solvers") if row["case"] == "all" and row["arithmetic"] == "float"])
+
+
 #: name -> (document, CSV files, function that gives the table)
 TABLES = {
     "speed": (BENCHMARKS, ["speed-dilute", "speed-packed"], speed),
@@ -136,6 +179,9 @@ TABLES = {
               lambda: light.table([(name, path_of("light-" + name)) for name in ("spheres", "vessel", "tensors")])),
     "motion": (BENCHMARKS, ["motion"], lambda: motion.table(path_of("motion"))),
     "sphere-formulas": (SHAPES, ["sphere-formulas"], sphere_formulas),
+    "hard-cases": (SHAPES, ["shape-errors"], hard_cases),
+    "superquadric-errors": (SHAPES, ["superquadric-errors"], superquadric_errors),
+    "superquadric-solvers": (SHAPES, ["superquadric-solvers"], superquadric_solvers),
 }
 
 
