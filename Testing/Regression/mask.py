@@ -4,6 +4,7 @@ Usage: pvpython mask.py
 """
 import numpy
 import paraview.simple as pv
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet
 
 import comparison
 import session
@@ -24,9 +25,9 @@ def crowded(count=20000):
 class Masked:
     """Small spheres, and what a mask leaves of them."""
 
-    def __init__(self, view, points):
+    def __init__(self, view, points, data=None):
         self.view = view
-        self.source = session.source(session.poly_data(points))
+        self.source = session.source(data or session.poly_data(points))
         self.shown = session.glyphs(self.source, view, "Sphere", GlyphScaleFactor=0.02)
         session.solid(self.shown, (0.9, 0.8, 0.5))
 
@@ -102,6 +103,21 @@ def odd(checks, view):
         masked.end()
 
 
+def blocks(checks, view, points):
+    """Every 10th counts in each block by itself, so that hiding one leaves the others' glyphs in place."""
+    data = vtkMultiBlockDataSet()
+    for i in range(2):
+        data.SetBlock(i, session.poly_data(points[55 * i:55 * (i + 1)]))
+        data.GetMetaData(i).Set(vtkCompositeDataSet.NAME(), "half%d" % i)
+    masked = Masked(view, None, data)
+    both, number = masked("blocks", GlyphMask=1, GlyphMaskMode="Every Nth", GlyphStride=10)
+    checks.equal("every 10th of two blocks of 55", number, 12)
+    one, number = masked("block", BlockSelectors=["/Root/half1"])
+    checks.equal("every 10th of one of them", number, 6)
+    checks.true("hiding a block has moved the other's glyphs", not (one & ~both).any())
+    masked.end()
+
+
 def main():
     """All parts in one view of the unit square."""
     session.load()
@@ -112,6 +128,7 @@ def main():
     numbers(checks, view, points)
     evenness(checks, view, points)
     odd(checks, view)
+    blocks(checks, view, points)
     checks.report()
 
 

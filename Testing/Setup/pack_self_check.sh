@@ -6,8 +6,8 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 clone=$(cd "$here/../.." && pwd)
 build=$clone/build-self-check
+[[ $# -le 1 && "${1:-}" != -* ]] || { sed -n '2,4s/^# //p' "$0" >&2; exit 2; }
 archive=$(realpath -m "${1:-$build/rtglyphs-self-check.tar.xz}")
-[ $# -le 1 ] || { sed -n '2,4s/^# //p' "$0" >&2; exit 2; }
 
 cmake -S "$clone" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRTGLYPHS_KERNELS_ONLY=ON \
   "-DCMAKE_EXE_LINKER_FLAGS=-static-libstdc++ -static-libgcc" '-DCMAKE_BUILD_RPATH=$ORIGIN/../lib' >"$build.log" || {
