@@ -37,10 +37,11 @@ struct Rivals
     Real low, high;
     Real tolerance; ///< of s
     Probe At(Real s) const { return K::ProbeAt(this->field, K::Word(s), -1); }
-    Real NextCusp(Real s) const
+    Probe NextCusp(const Probe& after) const
     {
       int axis;
-      return K::NextBreak(this->field, K::Word(s), axis).hi;
+      const auto s = K::NextBreak(this->field, after.where, axis);
+      return K::ProbeAt(this->field, s, axis);
     }
   };
 
@@ -331,7 +332,7 @@ struct Rivals
     }
     Probe a = frame.At(frame.low);
     const Real outward = a.f < 0 ? Real(-1) : Real(1);
-    Probe b = frame.At(frame.NextCusp(a.where.hi));
+    Probe b = frame.NextCusp(a);
     for (int i = 0; i < 2000; ++i)
     {
       if (outward * a.f <= small)
@@ -352,7 +353,7 @@ struct Rivals
           return {};
         }
         a = b;
-        b = frame.At(frame.NextCusp(a.where.hi));
+        b = frame.NextCusp(a);
         continue;
       }
       a = frame.At(std::max(left, a.where.hi + frame.tolerance));
