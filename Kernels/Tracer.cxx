@@ -371,8 +371,10 @@ Tracer::State::TilesAtOnce(const TracerResources::Program& program, const Job& j
 {
   const Device::State& vulkan = this->device->GetState();
   const std::uint32_t left = job.frame.tileCount - job.frame.firstTile;
-  const std::uint32_t limit =
-    std::max(1u, std::min(mostTiles, vulkan.pipelineLimits.maxRayDispatchInvocationCount / lanesPerTile));
+  // Compute shaders may have 65,535 groups along each axis, which the tiles of a launch stay below.
+  const std::uint32_t limit = job.generation.ownTrees
+    ? mostTiles
+    : std::max(1u, std::min(mostTiles, vulkan.pipelineLimits.maxRayDispatchInvocationCount / lanesPerTile));
   std::uint32_t most = std::min(left, limit > tilesPerRow ? limit - limit % tilesPerRow : limit);
   if (!interruptible && vulkan.cpu)
   {

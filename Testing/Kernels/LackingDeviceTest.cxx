@@ -2,7 +2,7 @@
 #include "Glyphs.h"
 #include "Scene.h"
 #include "Tracer.h"
-#include "Vulkan/Device.h"
+#include "Vulkan/DeviceState.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -76,7 +76,9 @@ TEST(LackingDeviceTest, ADeviceWithoutRayTracingTraces)
   settings.width = settings.height = 33;
   const auto camera = rtg::Camera::FromWorldToClip(
     glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+  const std::uint64_t before = device->GetState().submissions;
   const rtg::Image image = tracer.Trace(scene, camera, { rtg::Light() }, settings);
+  EXPECT_LE(device->GetState().submissions - before, 2u); // not one for each of its 25 tiles
   std::size_t covered = 0;
   for (std::size_t i = 0; i < 33 * 33; ++i)
   {
