@@ -14,12 +14,13 @@ struct GlyphCrossing
   float t;
 };
 
-// The nearest crossings of a ray that gathers its layers, of all glyphs, in their order: t as the upper half, the glyph
-// as the lower. Not a parameter: compilers copy arrays at every call.
+// The nearest crossings of a ray that gathers its layers, of all glyphs, in their order: by t, then by glyph. Not a
+// parameter: compilers copy arrays at every call.
 uint layerCount = 0u;
-uint layerLimit = 0u; // no more are wanted
-uint layerNext = 0u;  // the first that has not been shown
-uint64_t layer[LAYER_CAPACITY];
+uint layerLimit = 0u;           // no more are wanted
+uint layerNext = 0u;            // the first that has not been shown
+uint layerTime[LAYER_CAPACITY]; // bits of t: of floats from 0 on they have their order
+uint layerGlyph[LAYER_CAPACITY];
 uint layerRecord[LAYER_CAPACITY];   // where there are several
 uint layerTriangle[LAYER_CAPACITY]; // where there are meshes
 const bool gathersTriangles = (shapes & (1u << RTG_MESH)) != 0u;
@@ -27,11 +28,13 @@ const bool gathersTriangles = (shapes & (1u << RTG_MESH)) != 0u;
 // Adds a crossing; of more than the limit the farthest is dropped. They come in nearly in their order.
 void AddLayer(GlyphCrossing added)
 {
-  uint64_t key = pack64(uvec2(added.glyph, floatBitsToUint(added.t))); // of floats from 0 on the bits have their order
+  uint time = floatBitsToUint(added.t);
   uint at = min(layerCount, layerLimit - 1u);
-  for (; at > 0u && layer[at - 1u] > key; --at)
+  for (; at > 0u && (layerTime[at - 1u] > time || (layerTime[at - 1u] == time && layerGlyph[at - 1u] > added.glyph));
+       --at)
   {
-    layer[at] = layer[at - 1u];
+    layerTime[at] = layerTime[at - 1u];
+    layerGlyph[at] = layerGlyph[at - 1u];
     if (!alone)
     {
       layerRecord[at] = layerRecord[at - 1u];
@@ -41,7 +44,8 @@ void AddLayer(GlyphCrossing added)
       layerTriangle[at] = layerTriangle[at - 1u];
     }
   }
-  layer[at] = key;
+  layerTime[at] = time;
+  layerGlyph[at] = added.glyph;
   if (!alone)
   {
     layerRecord[at] = added.record;
@@ -55,9 +59,8 @@ void AddLayer(GlyphCrossing added)
 
 GlyphCrossing LayerAt(uint at)
 {
-  uvec2 key = unpack32(layer[at]);
-  return GlyphCrossing(
-    alone ? 0u : layerRecord[at], key.x, gathersTriangles ? layerTriangle[at] : nothing, uintBitsToFloat(key.y));
+  return GlyphCrossing(alone ? 0u : layerRecord[at], layerGlyph[at], gathersTriangles ? layerTriangle[at] : nothing,
+    uintBitsToFloat(layerTime[at]));
 }
 
 // Adds the glyph's crossings in [tMin, tMax]; returns up to where others are still wanted.
