@@ -15,6 +15,7 @@ namespace
 
 constexpr std::uint32_t maxSide = 32768;       ///< of an image, in pixels; more than any OpenGL viewport
 constexpr std::uint32_t maxSamples = 1u << 20; ///< a pixel
+constexpr std::uint32_t maxShares = 1u << 20;  ///< of an image
 
 // Of the whole image, over all calls.
 std::uint32_t PlannedSamples(const TraceSettings& settings)
@@ -114,6 +115,12 @@ void CheckSettings(const TraceSettings& settings)
     check("the environment color", settings.environmentColour[i], 0.0f, 1e30f);
   }
   check("the exposure", settings.exposure, -100.0f, 100.0f);
+  check("the number of shares", settings.shares, 1u, maxShares);
+  check("the share", settings.share, 0u, settings.shares - 1u);
+  if (settings.shares > 1 && settings.features)
+  {
+    throw Error("Ray Traced Glyphs: features are asked of a share of an image; ask for them of the whole.");
+  }
   if (settings.width > maxSide || settings.height > maxSide)
   {
     throw Error("Ray Traced Glyphs: an image of " + std::to_string(settings.width) + " x " +

@@ -70,6 +70,7 @@ struct GlyphSetRecord
   vec3 colour;
   float opacity;
   uint translucent; // belongs to the translucent pass
+  uint mask;        // one bit of instance masks
   vec3 ambientColour;
   uint coloured;       // glyphs have colours of their own, also in ambient light
   vec3 positiveColour; // of glyphs coloured by their forms
@@ -182,9 +183,14 @@ RTG_ARRAY(ProbeResults, ProbeResult, writeonly, 4)
 // Rays next to each other in a launch that a compute shader's workgroup traces; launches are whole multiples as wide.
 const uint LAUNCH_GROUP = 64u;
 
-// Bits of instance masks.
+// Bits of instance masks. Sets that camera rays do not see shade the others all the same.
 const uint OPAQUE_MASK = 1u;
 const uint TRANSLUCENT_MASK = 2u;
+const uint UNSEEN_OPAQUE_MASK = 4u;
+const uint UNSEEN_TRANSLUCENT_MASK = 8u;
+const uint ANY_OPAQUE_MASK = OPAQUE_MASK | UNSEEN_OPAQUE_MASK;
+const uint ANY_TRANSLUCENT_MASK = TRANSLUCENT_MASK | UNSEEN_TRANSLUCENT_MASK;
+const uint ANY_MASK = ANY_OPAQUE_MASK | ANY_TRANSLUCENT_MASK;
 
 // Layers of translucent surfaces that one traversal gathers at most, and the share of light below which what shines
 // through them is left out: half a level of a display's 255.

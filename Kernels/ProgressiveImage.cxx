@@ -27,6 +27,13 @@ bool IsNoisy(const ImageView& view)
 
 } // namespace
 
+bool Denoises(const ImageView& view, const ImageEffort& effort)
+{
+  const bool grows = !effort.exact || effort.seconds > 0.0 || effort.samplesAtOnce > 0;
+  return IsNoisy(view) &&
+    (effort.denoising == Denoising::Always || (effort.denoising == Denoising::WhileGrowing && grows));
+}
+
 struct ProgressiveImage::Request
 {
   ImageSource& source;
@@ -50,13 +57,7 @@ struct ProgressiveImage::Request
         (this->interrupt && this->interrupt(from + share * (to - from)));
     };
   }
-  bool Denoises() const
-  {
-    return IsNoisy(this->view) &&
-      (this->effort.denoising == Denoising::Always ||
-        (this->effort.denoising == Denoising::WhileGrowing &&
-          (!this->effort.exact || this->IsTimed() || this->effort.samplesAtOnce > 0)));
-  }
+  bool Denoises() const { return rtg::Denoises(this->view, this->effort); }
 };
 
 ProgressiveImage::~ProgressiveImage()
@@ -249,6 +250,9 @@ void ProgressiveImage::Preview(const Request& request, std::uint32_t pixelStep)
     {
       // Such an image is not added to, so its samples need not be like others.
       settings.occlusionRays = settings.paths = 1;
+      // It is quick: each process that traces a share of the image traces all of it.
+      settings.share = 0;
+      settings.shares = 1;
     }
     const double before = request.source.Now();
     Image image = request.source.Trace(this->view_, settings, request.MakeInterrupt(0.0, 0.0));

@@ -48,6 +48,9 @@ struct ImageEffort
   bool features = false; ///< the finished image has Image::normals and so on
 };
 
+/// Whether what is shown of such an image has less noise than its samples, which only whole images can be given.
+bool Denoises(const ImageView& view, const ImageEffort& effort);
+
 /// What traces for a ProgressiveImage: a Tracer and its Scene, or a stand-in in tests.
 class ImageSource
 {

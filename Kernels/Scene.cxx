@@ -155,6 +155,16 @@ void Scene::SetVisible(SetId id, bool visible)
   set.visible = visible;
 }
 
+void Scene::SetSeen(SetId id, bool seen)
+{
+  this->state_->Find(id).seen = seen;
+}
+
+const GlyphInstances& Scene::InstancesOf(SetId id) const
+{
+  return this->state_->Find(id).instances;
+}
+
 std::size_t Scene::GlyphCount(SetId id) const
 {
   return this->state_->Find(id).count;
@@ -335,7 +345,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
       this->recordsChanged = true;
     }
     // The top level says which hit group and which pass a set belongs to.
-    this->topLevelChanged |= !(set.placed.group == set.listedGroup && set.Translucent() == set.listedTranslucent);
+    this->topLevelChanged |= !(set.placed.group == set.listedGroup && set.Mask() == set.listedMask);
   }
   if (this->topLevelChanged)
   {

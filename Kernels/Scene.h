@@ -56,8 +56,11 @@ public:
   void SetColours(SetId id, GlyphColours colours);
   void SetMaterial(SetId id, const Material& material);
   void SetVisible(SetId id, bool visible);
+  /// False: camera rays do not see the set, which shades the others all the same: another process shows it.
+  void SetSeen(SetId id, bool seen);
 
   std::size_t GlyphCount(SetId id) const;
+  const GlyphInstances& InstancesOf(SetId id) const;
   /// Index into the set's GlyphInstances of a glyph id as Image::glyphIds has it, of an image of these instances.
   std::uint32_t OriginalGlyph(SetId id, std::uint32_t glyphId) const;
   /// True when some visible set has opacity below one, or colours with alpha below 255.

@@ -83,7 +83,7 @@ void Scene::State::ListSets()
     }
     const PlacedGlyphs& placed = set.placed;
     set.listedGroup = placed.group;
-    set.listedTranslucent = set.Translucent();
+    set.listedMask = set.Mask();
     this->moves |= placed.group.Moves();
     this->placedTimeSliceBits =
       std::max({ this->placedTimeSliceBits, placed.sliceBits, placed.mesh.tree.record.sliceBits });
@@ -119,7 +119,7 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
         { 0, 0, 1, offset.z } } };
       instance.transform.matrix = translation;
       instance.instanceCustomIndex = record++;
-      instance.mask = set.Translucent() ? device::TRANSLUCENT_MASK : device::OPAQUE_MASK;
+      instance.mask = set.Mask();
       instance.instanceShaderBindingTableRecordOffset = static_cast<std::uint32_t>(group - this->groups.begin());
       if (placed.group.DriverTriangles())
       {
@@ -198,6 +198,7 @@ void Scene::State::FillRecords()
       record.colour = material.colour;
       record.opacity = material.opacity;
       record.translucent = set.Translucent();
+      record.mask = set.Mask();
       record.ambientColour = material.ambientColour;
       record.coloured = placed.group.Has(device::COLOURS | device::MESH_COLOURS | device::FORMS);
       record.positiveColour = material.positiveColour;

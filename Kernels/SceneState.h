@@ -92,6 +92,7 @@ struct GlyphSet
   GlyphColours colours;
   Material material;
   bool visible = true;
+  bool seen = true; ///< by camera rays
   bool translucentColours = false;
   bool translucentInstances = false;
   bool instancesChanged = false; ///< since they were placed
@@ -105,13 +106,18 @@ struct GlyphSet
   PlacedGlyphs placed;
 
   HitGroup listedGroup;            ///< as the top level has it
-  bool listedTranslucent = false;  ///< likewise
+  std::uint32_t listedMask = 0;    ///< likewise
   std::uint32_t firstInstance = 0; ///< in the top level; Shape::Mesh only
 
   bool Shown() const { return this->visible && this->count > 0; }
   bool Translucent() const
   {
     return this->material.opacity < 1.0f || this->translucentColours || this->translucentInstances;
+  }
+  std::uint32_t Mask() const
+  {
+    return this->Translucent() ? (this->seen ? device::TRANSLUCENT_MASK : device::UNSEEN_TRANSLUCENT_MASK)
+                               : (this->seen ? device::OPAQUE_MASK : device::UNSEEN_OPAQUE_MASK);
   }
 };
 

@@ -74,16 +74,24 @@ struct Tracer::State
     Image image;
     TraceSettings settings;
     Generation generation;
-    device::FrameRecord frame{}; ///< of the samples in work; firstTile: the first one that lacks them
-    std::uint32_t atOnce = 1;    ///< samples of one dispatch over all tiles
-    std::uint32_t done = 0;      ///< samples that all tiles have
-    std::size_t rays = 0;        ///< camera rays of one sample
+    device::FrameRecord frame{};              ///< of the samples in work; firstTile: the first one that lacks them
+    std::uint32_t beginTile = 0, endTile = 0; ///< of the share of the image
+    std::uint32_t atOnce = 1;                 ///< samples of one dispatch over all tiles
+    std::uint32_t done = 0;                   ///< samples that all tiles have
+    std::size_t rays = 0;                     ///< camera rays of one sample
+
+    /// Of the tiles, those that have the samples in work.
+    double TracedShare() const
+    {
+      return double(this->frame.firstTile - this->beginTile) / std::max(1u, this->endTile - this->beginTile);
+    }
   };
 
   void Prepare(const TraceSettings& settings, bool keepSums);
   void CheckContinues(const TraceSettings& settings, const Scene::State& scene) const;
   void Clear(std::size_t pixels);
   void Show(Image& image);
+  void ShowShare(Image& image);
   void FillFeatures(Image& image) const;
   device::FrameRecord MakeFrame(const Scene::State& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass);
@@ -98,12 +106,13 @@ struct Tracer::State
   std::shared_ptr<TracerResources> shared;
   std::shared_ptr<Device> device;
   Buffer frameBuffer, lightBuffer, rays;
-  Buffer images;                 ///< colors, depths, ids of sets, ids of glyphs, one word a pixel each
-  Buffer shown;                  ///< a copy of them for the host, none on a device that shares its memory
-  Buffer sums, features;         ///< none unless asked for
-  Job job;                       ///< the last one; goes on where image.complete is false
-  TraceSettings last;            ///< of the last image
-  std::uint32_t keptSamples = 0; ///< that `sums` hold
+  Buffer images;                         ///< colors, depths, ids of sets, ids of glyphs, one word a pixel each
+  Buffer shown;                          ///< a copy of them for the host, none on a device that shares its memory
+  std::vector<std::uint32_t> shareShown; ///< likewise, of a share of the image
+  Buffer sums, features;                 ///< none unless asked for
+  Job job;                               ///< the last one; goes on where image.complete is false
+  TraceSettings last;                    ///< of the last image
+  std::uint32_t keptSamples = 0;         ///< that `sums` hold
 };
 
 Tracer::Tracer(std::shared_ptr<Device> device)
@@ -201,8 +210,9 @@ void Tracer::State::CheckContinues(const TraceSettings& settings, const Scene::S
   const TraceSettings& l = this->last;
   const bool same = l.width == settings.width && l.height == settings.height && l.pixelStep == settings.pixelStep &&
     l.shading == settings.shading && l.features == settings.features && l.occlusionRays == settings.occlusionRays &&
-    l.paths == settings.paths && l.environmentImage == settings.environmentImage && this->job.image.complete &&
-    this->job.scene == &scene && this->job.sceneVersion == scene.version;
+    l.paths == settings.paths && l.share == settings.share && l.shares == settings.shares &&
+    l.environmentImage == settings.environmentImage && this->job.image.complete && this->job.scene == &scene &&
+    this->job.sceneVersion == scene.version;
   if (!same || this->keptSamples != settings.firstSample)
   {
     throw Error("Ray Traced Glyphs: samples from number " + std::to_string(settings.firstSample) +
@@ -232,6 +242,43 @@ void Tracer::State::Show(Image& image)
   }
   const void* place = this->images.Mapped() ? this->images.Mapped() : this->shown.Mapped();
   const auto* words = static_cast<const std::uint32_t*>(place);
+  image.colour = image.traced = words;
+  image.depth = reinterpret_cast<const float*>(words + pixels);
+  image.setIds = words + 2 * pixels;
+  image.glyphIds = words + 3 * pixels;
+  if (this->job.settings.shares > 1)
+  {
+    this->ShowShare(image);
+  }
+}
+
+// Only the tiles of the share: the others are nothing to see, whatever the device's image has there.
+void Tracer::State::ShowShare(Image& image)
+{
+  const std::size_t pixels = std::size_t(image.width) * image.height;
+  const std::uint32_t empty[imagesPerPixel] = { 0u, glm::floatBitsToUint(1.0f), Image::noGlyph, Image::noGlyph };
+  this->shareShown.resize(imagesPerPixel * pixels);
+  for (std::size_t i = 0; i < imagesPerPixel; ++i)
+  {
+    std::fill_n(this->shareShown.begin() + i * pixels, pixels, empty[i]);
+  }
+  const device::FrameRecord& frame = this->job.frame;
+  const std::uint32_t side = tileSize * this->job.settings.pixelStep;
+  for (std::uint32_t number = this->job.beginTile; number < this->job.endTile; ++number)
+  {
+    const std::uint32_t tile = number * frame.tileStride % frame.tileCount; // as LaunchPixel() has it
+    const std::uint32_t left = tile % frame.tileColumns * side, bottom = tile / frame.tileColumns * side;
+    const std::uint32_t right = std::min(left + side, image.width), top = std::min(bottom + side, image.height);
+    for (std::uint32_t y = bottom; y < top; ++y)
+    {
+      const std::size_t first = std::size_t(y) * image.width + left;
+      for (std::size_t i = 0; i < imagesPerPixel; ++i)
+      {
+        std::copy_n(image.colour + i * pixels + first, right - left, this->shareShown.begin() + i * pixels + first);
+      }
+    }
+  }
+  const std::uint32_t* words = this->shareShown.data();
   image.colour = image.traced = words;
   image.depth = reinterpret_cast<const float*>(words + pixels);
   image.setIds = words + 2 * pixels;
@@ -353,11 +400,18 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
 
   const std::uint32_t columns = DivideUp(settings.width, settings.pixelStep);
   const std::uint32_t rows = DivideUp(settings.height, settings.pixelStep);
-  begun.rays = std::size_t(columns) * rows;
   begun.frame.tileColumns = DivideUp(columns, tileSize);
   begun.frame.tileCount = begun.frame.tileColumns * DivideUp(rows, tileSize);
   begun.frame.tileStride = TileStride(begun.frame.tileCount);
-  const std::uint32_t largest = std::min(mostTiles, begun.frame.tileCount);
+  // Tiles that follow each other are scattered already.
+  const auto boundary = [&](std::uint32_t share)
+  { return static_cast<std::uint32_t>(std::uint64_t(begun.frame.tileCount) * share / settings.shares); };
+  begun.beginTile = begun.frame.firstTile = boundary(settings.share);
+  begun.endTile = boundary(settings.share + 1);
+  const std::uint32_t tiles = begun.endTile - begun.beginTile;
+  begun.rays = settings.shares > 1 ? std::size_t(tiles) * lanesPerTile : std::size_t(columns) * rows;
+  begun.done = tiles > 0 ? 0 : settings.samples;
+  const std::uint32_t largest = std::min(mostTiles, tiles);
   const std::uint32_t launched = DivideUp(largest, tilesPerRow) * std::min(largest, tilesPerRow);
   this->FitRays(begun.generation, std::size_t(launched) * lanesPerTile);
 }
@@ -370,7 +424,7 @@ std::uint32_t
 Tracer::State::TilesAtOnce(const TracerResources::Program& program, const Job& job, bool interruptible) const
 {
   const Device::State& vulkan = this->device->GetState();
-  const std::uint32_t left = job.frame.tileCount - job.frame.firstTile;
+  const std::uint32_t left = job.endTile - job.frame.firstTile;
   // Compute shaders may have 65,535 groups along each axis, which the tiles of a launch stay below.
   const std::uint32_t limit = job.generation.ownTrees
     ? mostTiles
@@ -413,7 +467,7 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
     while (work.done < settings.samples && !stopped)
     {
       device::FrameRecord& frame = work.frame;
-      if (frame.firstTile == 0)
+      if (frame.firstTile == work.beginTile)
       {
         frame.firstSample = settings.firstSample + work.done;
         frame.samples = std::min(work.atOnce, settings.samples - work.done);
@@ -430,21 +484,20 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
       program.secondsPerRay = program.secondsPerRay > 0.0 ? 0.5 * (program.secondsPerRay + cost) : cost;
       program.lastTiles = std::max(tiles, 8u);
       frame.firstTile = frame.endTile;
-      if (frame.firstTile == frame.tileCount)
+      if (frame.firstTile == work.endTile)
       {
-        frame.firstTile = 0;
+        frame.firstTile = work.beginTile;
         work.done += frame.samples;
         ++this->shared->statistics.dispatches;
         this->shared->statistics.primaryRays += work.rays * frame.samples;
       }
-      const double part = double(frame.samples) * frame.firstTile / frame.tileCount;
+      const double part = double(frame.samples) * work.TracedShare();
       stopped = work.done < settings.samples && interruptible && interrupt((work.done + part) / settings.samples);
     }
   }
   work.image.complete = work.done == settings.samples;
   work.image.samples = settings.firstSample + work.done;
-  const float part =
-    work.image.complete ? 0.0f : float(work.frame.samples) * work.frame.firstTile / work.frame.tileCount;
+  const float part = work.image.complete ? 0.0f : float(work.frame.samples * work.TracedShare());
   work.image.share = (work.done + part) / settings.samples;
   this->Show(work.image);
   this->keptSamples = settings.keepSums && work.image.complete ? work.image.samples : 0;

@@ -100,6 +100,10 @@ struct TraceSettings
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
   bool features = false; ///< gather Image::normals and so on, which need a pixelStep of 1 to be filled
 
+  /// Of so many equal shares of the image, scattered over it in tiles, this one is traced, < shares; the rest stays
+  /// empty. For processes that trace an image together.
+  std::uint32_t share = 0, shares = 1;
+
   bool operator==(const TraceSettings&) const = default;
 };
 

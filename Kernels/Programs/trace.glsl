@@ -151,12 +151,12 @@ SurfaceHit Trace(Query query, bool gathers)
   {
     // The traversal ends at the first hit and runs no closest-hit program.
     TraceDriver(
-      query, gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT, query.mask & OPAQUE_MASK);
+      query, gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT, query.mask & ANY_OPAQUE_MASK);
     if (payload.t >= 0.0 || !translucency)
     {
       return payload;
     }
-    query.mask &= TRANSLUCENT_MASK;
+    query.mask &= ANY_TRANSLUCENT_MASK;
   }
   TraceDriver(query, 0u, query.mask);
   // Among glyphs the traversal has decided; the opacity of one of the driver's triangles is known only now.
@@ -182,6 +182,5 @@ SurfaceHit Trace(Query query, bool gathers)
 // Whether something stops light that arrives along `direction` (unit) from at most `distance` away.
 Query ShadowQuery(DoubleWord3 origin, vec3 direction, float distance, uint seed)
 {
-  return Query(
-    SceneRay(origin, direction, 0.0), 0.0, distance, OPAQUE_MASK | TRANSLUCENT_MASK, translucency ? seed : 0u, true);
+  return Query(SceneRay(origin, direction, 0.0), 0.0, distance, ANY_MASK, translucency ? seed : 0u, true);
 }

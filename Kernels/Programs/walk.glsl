@@ -181,11 +181,6 @@ void Traverse(
   } while (going);
 }
 
-bool IsSeen(GlyphSetRecord set, uint mask)
-{
-  return (mask & (set.translucent != 0u ? TRANSLUCENT_MASK : OPAQUE_MASK)) != 0u;
-}
-
 // The nearest crossing of all sets in `mask`; with `any` whichever comes first. With `gathers` the layers of
 // translucent sets up to what is opaque.
 GlyphCrossing WalkSets(GlyphRay ray, float tMin, float tMax, uint mask, uint seed, bool any, bool gathers)
@@ -199,7 +194,7 @@ GlyphCrossing WalkSets(GlyphRay ray, float tMin, float tMax, uint mask, uint see
     uint record = i < count ? i : i - count;
     bool gathering = gathers && (alone || i >= count);
     GlyphSetRecord set = SetRecord(record);
-    if (IsSeen(set, gathers ? (gathering ? mask & TRANSLUCENT_MASK : OPAQUE_MASK) : mask))
+    if ((set.mask & (gathers ? (gathering ? mask & TRANSLUCENT_MASK : OPAQUE_MASK) : mask)) != 0u)
     {
       Traverse(record, SourceOf(set), ray, tMin, seed, any, gathering, hit);
     }

@@ -39,6 +39,7 @@ public:
 
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
+  const rtg::GlyphInstances* GetInstances() const override { return this->InstancesTaken ? nullptr : &this->Instances; }
   void AddToMaterial(rtg::Material& material) const override;
   Origin OriginOf(vtkIdType glyph, int association, const double position[3]) override;
   int GetNaturalAssociation() const override;

@@ -68,12 +68,13 @@ public:
   /**
    * For the scene. Update() brings instances and colors up to date, whose versions then differ from all earlier ones of
    * any mapper; it may throw std::bad_alloc and is then to be called again. TakeInstances() hands the instances over,
-   * and builds them again for a second taker.
+   * and builds them again for a second taker; GetInstances() is null when somebody has taken them.
    */
   void Update(vtkActor* actor);
   std::uint64_t GetInstanceVersion() const { return this->InstanceVersion; }
   std::uint64_t GetColorVersion() const { return this->ColorVersion; }
   virtual rtg::GlyphInstances TakeInstances(vtkActor* actor) = 0;
+  virtual const rtg::GlyphInstances* GetInstances() const = 0;
   const rtg::GlyphColours& GetColors() const { return this->Colors; }
   virtual void AddToMaterial(rtg::Material&) const {}
   bool IsTranslucent() const { return this->Translucent || this->TranslucentInstances; }

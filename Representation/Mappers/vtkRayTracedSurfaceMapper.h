@@ -35,6 +35,7 @@ public:
 
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
+  const rtg::GlyphInstances* GetInstances() const override { return &this->Instances; }
   Origin OriginOf(vtkIdType triangle, int association, const double position[3]) override;
   int GetNaturalAssociation() const override;
 

@@ -238,10 +238,10 @@ void vtkRayTracedRepresentation::Answer(
     vtkNew<vtkMatrix4x4> matrix;
     this->Actor->GetMatrix(matrix);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
-    vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, this->ReplicateGlyphs);
+    vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, this->IsReplicated());
     vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
-      this->ReplicateGlyphs ? vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION
-                            : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+      this->IsReplicated() ? vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION
+                           : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
     outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->MayBeTranslucent() ? 1 : 0);
   }
   else if (request == vtkPVView::REQUEST_UPDATE_LOD())
@@ -497,11 +497,28 @@ void vtkRayTracedRepresentation::StopRefinement()
 //****************************************************************************
 
 //----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetParallelLight(int light)
+{
+  this->SetParallelLight(
+    std::clamp(light, vtkRayTracedImageSettings::LocalLight, vtkRayTracedImageSettings::ReplicatedLight),
+    this->ReplicateGlyphs);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetReplicateGlyphs(bool on)
 {
-  if (this->ReplicateGlyphs != on)
+  this->SetParallelLight(this->ParallelLight, on);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetParallelLight(int light, bool replicate)
+{
+  const bool wasReplicated = this->IsReplicated();
+  this->ParallelLight = light;
+  this->ReplicateGlyphs = replicate;
+  this->Image.ParallelLight = replicate ? vtkRayTracedImageSettings::ReplicatedLight : light;
+  if (this->IsReplicated() != wasReplicated)
   {
-    this->ReplicateGlyphs = on;
     this->MarkModified(); // the points must be delivered again
   }
 }

@@ -103,10 +103,14 @@ public:
    */
   bool GetRenderedRemotely();
 
+  ///@{
   /**
-   * With several ranks that render: each gets the data of all. Default is off.
+   * With several ranks that render: what each has of the others' glyphs and surfaces (vtkRayTracedImageSettings).
+   * ReplicateGlyphs is the old name of one of the values. Default is LocalLight.
    */
+  void SetParallelLight(int light);
   void SetReplicateGlyphs(bool on);
+  ///@}
 
   ///@{
   /**
@@ -259,6 +263,8 @@ private:
   vtkRayTracedRepresentation(const vtkRayTracedRepresentation&) = delete;
   void operator=(const vtkRayTracedRepresentation&) = delete;
 
+  bool IsReplicated() const { return this->Image.ParallelLight == vtkRayTracedImageSettings::ReplicatedLight; }
+  void SetParallelLight(int light, bool replicate);
   void Answer(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
   void ReportLackOfMemory();
   void AddStepVelocities(vtkDataObject* input);
@@ -282,6 +288,7 @@ private:
   std::unique_ptr<vtkGlyphStepVelocity> StepVelocity;
   std::string PointIdArray;
   vtkWeakPointer<vtkAlgorithm> StepVelocitySource; // whose steps they are
+  int ParallelLight = vtkRayTracedImageSettings::LocalLight;
   bool ReplicateGlyphs = false;
   std::string FeatureFile; // until there is a scene
   std::string DeviceName, Statistics;

@@ -22,7 +22,9 @@ struct vtkRayTracedImageSettings
   int SamplesPerPixel = 16;                                // of a finished image, in [1, 65536]
   int SamplesPerRender = 0;                                // in [0, 65536]; 0: all, or what time allows
   int InteractiveReduction = 2;                            // every n-th pixel while the camera moves, in [1, 16]
-  bool StepwiseRendering = false;                          // somebody renders until the image is finished
+  int ParallelLight = 0;                                   // of several ranks: what each has of the others' glyphs
+  static constexpr int LocalLight = 0, NeighborLight = 1, ReplicatedLight = 2;
+  bool StepwiseRendering = false; // somebody renders until the image is finished
 
   bool operator==(const vtkRayTracedImageSettings&) const = default;
 };

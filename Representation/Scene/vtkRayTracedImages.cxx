@@ -128,8 +128,9 @@ vtkRayTracedImages::Entry* vtkRayTracedImages::FindSame(const rtg::ImageView& vi
   {
     const rtg::ImageView& other = entry->Image.View();
     if (entry->Image.GetState() != rtg::ProgressiveImage::State::Failed && entry->Image.IsComplete() &&
-      other.pass == view.pass && other.content == view.content && other.camera == view.camera &&
-      other.settings.width == view.settings.width && other.settings.height == view.settings.height)
+      other.settings.shares == 1 && other.pass == view.pass && other.content == view.content &&
+      other.camera == view.camera && other.settings.width == view.settings.width &&
+      other.settings.height == view.settings.height)
     {
       return entry.get();
     }

@@ -22,6 +22,7 @@
 #include "vtkRayTracedImageRequest.h"
 #include "vtkRayTracedImages.h"
 #include "vtkRayTracedMapper.h"
+#include "vtkRayTracedNeighbors.h"
 #include "vtkRayTracedOpenGL.h"
 #include "vtkRayTracedProgress.h"
 #include "vtkRayTracedPythonClass.h"
@@ -106,7 +107,13 @@ struct vtkRayTracedScene::Internals
   bool PassReported = false, ExportReported = false, CutReported = false;
   vtkRayTracedProgress Progress;
 
-  void Commit(rtg::Scene& scene);
+  vtkRayTracedNeighbors Neighbors;
+  std::vector<std::array<std::uint64_t, 3>> SentContent; // what could be seen when neighbors were last asked for
+  rtg::Material MaterialOf(const Member& member, vtkRenderer* renderer) const;
+  std::vector<vtkRayTracedNeighbors::Shown> ShownHere(std::vector<rtg::GlyphInstances>& built);
+  vtkMultiProcessController* OtherRanks() const;
+
+  void Commit(rtg::Scene& scene, vtkRenderer* renderer);
   bool HasBothPasses() const { return this->Wants[opaque] && this->Wants[translucent]; }
   bool WantsAnything() const { return this->Wants[opaque] || this->Wants[translucent]; }
 };
@@ -318,8 +325,7 @@ bool vtkRayTracedScene::UpdateMappers()
     {
       continue;
     }
-    rtg::Material material = vtkRayTracedRendererState::MaterialOf(actor->GetProperty(), this->Renderer);
-    mapper->AddToMaterial(material);
+    const rtg::Material material = self.MaterialOf(member, this->Renderer);
     if (member.MaterialVersion == 0 || !(member.Material == material))
     {
       member.Material = material;
@@ -330,6 +336,8 @@ bool vtkRayTracedScene::UpdateMappers()
     self.Wants[member.Translucent ? translucent : opaque] = true;
     content.push_back({ { mapper->GetInstanceVersion(), mapper->GetColorVersion(), member.MaterialVersion } });
   }
+  const std::uint64_t neighbors = this->UpdateNeighbors(content);
+  content.push_back({ { neighbors, 0, 0 } });
   if (content != self.Content)
   {
     self.Content = std::move(content);
@@ -340,8 +348,80 @@ bool vtkRayTracedScene::UpdateMappers()
 }
 
 //----------------------------------------------------------------------------
+// Those that render this frame together with this one; null: there are none.
+vtkMultiProcessController* vtkRayTracedScene::Internals::OtherRanks() const
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return this->Collective && controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
+}
+
+//----------------------------------------------------------------------------
+rtg::Material vtkRayTracedScene::Internals::MaterialOf(const Member& member, vtkRenderer* renderer) const
+{
+  rtg::Material material = vtkRayTracedRendererState::MaterialOf(member.Actor->GetProperty(), renderer);
+  member.Mapper->AddToMaterial(material);
+  return material;
+}
+
+//----------------------------------------------------------------------------
+// Instances that the kernels have been handed are theirs; where they have been given back they are built again.
+std::vector<vtkRayTracedNeighbors::Shown>
+vtkRayTracedScene::Internals::ShownHere(std::vector<rtg::GlyphInstances>& built)
+{
+  std::vector<vtkRayTracedNeighbors::Shown> shown;
+  built.reserve(this->Members.size());
+  for (std::size_t i = 0; i < this->Members.size(); ++i)
+  {
+    const Member& member = this->Members[i];
+    if (!member.Shown)
+    {
+      continue;
+    }
+    const rtg::GlyphInstances* instances = member.Mapper->GetInstances();
+    rtg::Scene* scene = this->Images.GetScene();
+    if (!instances && scene && member.Scene == this->Images.GetSceneNumber() &&
+      member.SentInstances == member.Mapper->GetInstanceVersion())
+    {
+      instances = &scene->InstancesOf(member.Set);
+    }
+    if (!instances)
+    {
+      instances = &built.emplace_back(member.Mapper->TakeInstances(member.Actor));
+    }
+    shown.push_back({ static_cast<int>(i), instances, &member.Mapper->GetColors() });
+  }
+  return shown;
+}
+
+//----------------------------------------------------------------------------
+// What other ranks have near this one's glyphs, where that is wanted. The number differs from that of anything else.
+std::uint64_t vtkRayTracedScene::UpdateNeighbors(const std::vector<std::array<std::uint64_t, 3>>& content)
+{
+  Internals& self = *this->Self;
+  const vtkRayTracedImageSettings& settings = self.Settings;
+  vtkMultiProcessController* ranks = self.OtherRanks();
+  if (!ranks || settings.ParallelLight != vtkRayTracedImageSettings::NeighborLight ||
+    settings.ShadingMode == static_cast<int>(rtg::Shading::Local))
+  {
+    self.Neighbors.Clear();
+    return self.Neighbors.GetVersion();
+  }
+  const bool bounded =
+    settings.ShadingMode == static_cast<int>(rtg::Shading::AmbientOcclusion) && settings.AmbientOcclusionRadius > 0.0;
+  std::vector<rtg::GlyphInstances> built;
+  const std::string problem = self.Neighbors.Exchange(ranks, bounded ? settings.AmbientOcclusionRadius : HUGE_VAL,
+    content != self.SentContent, static_cast<int>(self.Members.size()), [&] { return self.ShownHere(built); });
+  self.SentContent = content;
+  if (!problem.empty())
+  {
+    this->Report(problem);
+  }
+  return self.Neighbors.GetVersion();
+}
+
+//----------------------------------------------------------------------------
 // What has changed since the kernels last had it.
-void vtkRayTracedScene::Internals::Commit(rtg::Scene& scene)
+void vtkRayTracedScene::Internals::Commit(rtg::Scene& scene, vtkRenderer* renderer)
 {
   for (Member& member : this->Members)
   {
@@ -379,6 +459,8 @@ void vtkRayTracedScene::Internals::Commit(rtg::Scene& scene)
       member.SentMaterial = member.MaterialVersion;
     }
   }
+  this->Neighbors.Commit(scene, this->Images.GetSceneNumber(),
+    [&](int display) { return this->MaterialOf(this->Members[display], renderer); });
   scene.Commit([this](double share) { this->Progress.Tell("Sorting Glyphs", share); });
 }
 
@@ -425,6 +507,14 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   frame.Features = !self.FeatureFile.empty() && !self.Interactive;
   frame.Images = (self.HasBothPasses() ? 2 : 1) * (window->GetStereoRender() ? 2 : 1);
   const rtg::ImageEffort effort = vtkRayTracedImageRequest::EffortOf(self.Settings, frame);
+  // Ranks that all have everything trace a share each, and compositing puts these together.
+  vtkMultiProcessController* ranks = self.OtherRanks();
+  if (ranks && self.Settings.ParallelLight == vtkRayTracedImageSettings::ReplicatedLight && !effort.preview &&
+    !effort.features && !rtg::Denoises(view, effort))
+  {
+    view.settings.share = static_cast<std::uint32_t>(ranks->GetLocalProcessId());
+    view.settings.shares = static_cast<std::uint32_t>(ranks->GetNumberOfProcesses());
+  }
 
   vtkRayTracedImages::Place place;
   place.Pass = pass;
@@ -451,7 +541,8 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   window->GetState()->Push();
   const rtg::Image* image = stays && growing
     ? &entry.Image.GetImage()
-    : self.Images.Update(entry, view, effort, interrupt, [&self](rtg::Scene& scene) { self.Commit(scene); });
+    : self.Images.Update(
+        entry, view, effort, interrupt, [this](rtg::Scene& scene) { this->Self->Commit(scene, this->Renderer); });
   window->MakeCurrent();
   window->GetState()->Pop();
   self.Frame.push_back({ &entry, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
@@ -512,8 +603,8 @@ void vtkRayTracedScene::EndFrame()
       std::min(samples, image.GetState() == rtg::ProgressiveImage::State::Failed ? 0.0 : double(image.Samples()));
     finished &= image.GetState() == rtg::ProgressiveImage::State::Finished;
   }
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (self.Collective && !self.Interactive && controller && controller->GetNumberOfProcesses() > 1)
+  vtkMultiProcessController* controller = self.OtherRanks();
+  if (controller && !self.Interactive)
   {
     const double own[2] = { progress, samples };
     double least[2];
@@ -585,8 +676,8 @@ std::vector<const rtg::Image*> vtkRayTracedScene::ImagesWithIds(int width, int h
     }
     vtkRayTracedImages::Entry& own =
       self.Images.Get({ pass, view.settings.width, view.settings.height, 0, {}, /*OnlyIds=*/true });
-    const rtg::Image* image =
-      self.Images.Update(own, view, rtg::ImageEffort(), {}, [&self](rtg::Scene& scene) { self.Commit(scene); });
+    const rtg::Image* image = self.Images.Update(
+      own, view, rtg::ImageEffort(), {}, [this](rtg::Scene& scene) { this->Self->Commit(scene, this->Renderer); });
     if (image)
     {
       images.push_back(image);
@@ -719,6 +810,8 @@ std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper, const D
     { "AccumulatedSamples", this->GetAccumulatedSamples() },
     { "glyphs", mapper ? mapper->GetNumberOfGlyphs() : 0 },
     { "skippedGlyphs", mapper ? mapper->GetSkippedGlyphs() : 0 },
+    { "neighborGlyphs", this->Self->Neighbors.GetNumberOfGlyphs() },
+    { "neighborBytes", this->Self->Neighbors.GetNumberOfBytes() },
     { "gathers", data.Gathers },
     { "boundsBuilds", data.BoundsBuilds },
     { "instanceBuilds", mapper ? mapper->GetInstanceBuilds() : 0 },

@@ -19,6 +19,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -148,6 +149,7 @@ private:
   void StartFrame();
   void EndFrame();
   bool UpdateMappers();
+  std::uint64_t UpdateNeighbors(const std::vector<std::array<std::uint64_t, 3>>& content);
   std::vector<const rtg::Image*> ImagesWithIds(int width, int height);
   void Report(const std::string& message);
 

@@ -317,6 +317,7 @@ ROWS = [
     Row("InteractiveReduction", 4, reduced),
     Row("StepwiseRendering", LEFT, stepwise),
     # The rest is for several ranks (parallel.py).
+    Row("ParallelLight", "Neighbors", as_before),
     Row("ReplicateGlyphs", 1, as_before),
     # Information
     Row("DeviceName", LEFT, statistics_say),

@@ -1,8 +1,10 @@
-"""Glyphs on several ranks: the picture is that of one rank, and no point of a structured data set has two glyphs.
+"""Glyphs on several ranks: the picture is that of one rank, also in the light that glyphs and surfaces of different ranks take from each
+other, and no point of a structured data set has two glyphs.
 
 Usage: mpiexec -n RANKS pvbatch parallel.py DATA-FOLDER
 On one rank the pictures are stored; on several they are compared with the stored ones.
 """
+import json
 import sys
 
 import paraview.simple as pv
@@ -58,6 +60,58 @@ def unstructured(view, folder):
     return shown
 
 
+def cluster(view):
+    """Spheres that touch each other, and a surface through them, in ambient occlusion; ranks have slabs of both."""
+    half = SIDE // 2
+    wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
+    contour = pv.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[150.0])
+    shown = session.glyphs(wavelet, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.8, samples=1)
+    session.solid(shown, (0.9, 0.9, 0.9))
+    surface = pv.Show(contour, view)
+    surface.SetRepresentationType("Ray Traced Surface")
+    session.solid(surface, (0.9, 0.6, 0.3))
+    shown.ShadingMode = "Ambient Occlusion"
+    shown.AmbientOcclusionRays = 16
+    look_at_cube(view)
+    return shown
+
+
+def neighbors(shown):
+    """Glyphs that came from other ranks to the one that has the script."""
+    return json.loads(shown.GetPropertyValue("RenderStatistics"))["neighborGlyphs"]
+
+
+def light(view, ranks, failures):
+    """What ParallelLight promises: bounded and unbounded occlusion, and paths."""
+    shown = cluster(view)
+    # Rays start from places that differ in their last bits, or, with copies of everything, in none.
+    for mode, radius, parallel, allowed in (("Ambient Occlusion", 1.5, "Neighbors", 0.002), ("Ambient Occlusion", 1.5, "Replicated", 0.0),
+                                            ("Ambient Occlusion", 0.0, "Neighbors", 0.002), ("Path Tracing", 0.0, "Neighbors", 0.01),
+                                            ("Path Tracing", 0.0, "Replicated", 0.0), ("Ambient Occlusion", 1.5, "Local", None)):
+        shown.ShadingMode = mode
+        shown.AmbientOcclusionRadius = radius
+        shown.ParallelLight = parallel
+        picture = "parallel-%s-%g" % (mode.lower().replace(" ", "-"), radius)
+        if ranks == 1:
+            pv.Render(view)
+            session.capture(view, picture)
+            continue
+        pixels = session.capture(view, "%s-%d-ranks-%s" % (picture, ranks, parallel.lower()))
+        share, mean, _ = comparison.difference(pixels, session.read_image(session.output(picture + ".png")))
+        near = neighbors(shown)
+        print("%s, radius %g, %s: %.3f%% of the pixels differ, mean %.4f, %d glyphs of other ranks"
+              % (mode, radius, parallel, 100 * share, mean, near))
+        if allowed is None:
+            if share < 0.05:
+                failures.append("without the other ranks' glyphs the light is the same, so nothing was tested")
+        elif share > allowed:
+            failures.append("%s, radius %g, %s: the light differs from that of one rank" % (mode, radius, parallel))
+        if (near > 0) != (parallel == "Neighbors"):
+            failures.append("%s, %s: %d glyphs came from other ranks" % (mode, parallel, near))
+        if parallel == "Neighbors" and radius > 0.0 and near > 0.7 * SIDE**3:
+            failures.append("%d glyphs came from other ranks for a radius of %g" % (near, radius))
+
+
 def number_of_points(shown):
     """Points that carry glyphs, over all ranks."""
     return shown.GetRepresentedDataInformation().GetNumberOfPoints()
@@ -92,6 +146,9 @@ def main(folder):
         if points and number_of_points(shown) != points:
             failures.append("%s: %d glyphs, %d points" % (name, number_of_points(shown), points))
         pv.Delete(view)
+    view = session.view(300, 200)
+    light(view, ranks, failures)
+    pv.Delete(view)
     # The script ends by itself: leaving early, MPI would call it a failure.
     for failure in failures:
         print("FAILED:", failure)

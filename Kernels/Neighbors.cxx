@@ -1,0 +1,273 @@
+#include "Neighbors.h"
+
+#include "GlyphArrays.h"
+#include "GlyphBoxes.h"
+
+#include <cstring>
+#include <numeric>
+#include <type_traits>
+
+namespace rtg
+{
+
+namespace
+{
+
+bool Touch(const DoubleBox& a, const DoubleBox& b)
+{
+  return glm::all(glm::lessThanEqual(a.lower, b.upper)) && glm::all(glm::lessThanEqual(b.lower, a.upper));
+}
+
+DoubleBox Moved(const Box& box, const glm::dvec3& by)
+{
+  return { glm::dvec3(box.lower) + by, glm::dvec3(box.upper) + by };
+}
+
+// Those values of an array with one value for each of what is chosen from, or none.
+template <class Value>
+void Keep(std::vector<Value>& values, const std::vector<std::uint32_t>& kept)
+{
+  if (!values.empty())
+  {
+    for (std::size_t i = 0; i < kept.size(); ++i) // in ascending order
+    {
+      values[i] = values[kept[i]];
+    }
+    values.resize(kept.size());
+    values.shrink_to_fit();
+  }
+}
+
+// The box of a triangle while the shutter is open, in the mesh's frame.
+DoubleBox BoxOfTriangle(const TriangleMesh& mesh, const GlyphMotion& shutter, const glm::uvec3& triangle)
+{
+  DoubleBox box;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const glm::dvec3 position(mesh.positions[triangle[corner]]);
+    DoubleBox range{ glm::dvec3(0.0), glm::dvec3(0.0) };
+    if (mesh.motion.Moves())
+    {
+      range = PaddedRangeOfDisplacements(mesh.motion, triangle[corner], shutter.Time(0.0), shutter.Time(1.0));
+    }
+    box.Include({ position + range.lower, position + range.upper });
+  }
+  return box;
+}
+
+// A surface is a glyph of size 1 at its set's origin.
+std::shared_ptr<const TriangleMesh> Cut(const GlyphInstances& instances, const DoubleBox& region)
+{
+  const glm::dvec3 place = instances.origin + glm::dvec3(instances.centres.front());
+  const DoubleBox near{ region.lower - place, region.upper - place };
+  auto mesh = std::make_shared<TriangleMesh>(*instances.mesh);
+  std::vector<std::uint32_t> triangles, positions;
+  constexpr std::uint32_t unused = 0xffffffffu;
+  std::vector<std::uint32_t> newNumber(mesh->positions.size(), unused);
+  for (std::uint32_t i = 0; i < mesh->triangles.size(); ++i)
+  {
+    if (Touch(BoxOfTriangle(*mesh, instances.motion, mesh->triangles[i]), near))
+    {
+      triangles.push_back(i);
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        newNumber[mesh->triangles[i][corner]] = 0;
+      }
+    }
+  }
+  for (std::uint32_t i = 0; i < newNumber.size(); ++i)
+  {
+    if (newNumber[i] != unused)
+    {
+      newNumber[i] = static_cast<std::uint32_t>(positions.size());
+      positions.push_back(i);
+    }
+  }
+  Keep(mesh->triangles, triangles);
+  Keep(mesh->triangleColours, triangles);
+  Keep(mesh->positions, positions);
+  Keep(mesh->normals, positions);
+  Keep(mesh->positionColours, positions);
+  Keep(mesh->positionValues, positions);
+  Keep(mesh->motion.velocities, positions);
+  Keep(mesh->motion.accelerations, positions);
+  for (glm::uvec3& triangle : mesh->triangles)
+  {
+    triangle = { newNumber[triangle.x], newNumber[triangle.y], newNumber[triangle.z] };
+  }
+  return mesh;
+}
+
+class Writer
+{
+public:
+  /// Of arrays with a value for each glyph those of the kept ones are written.
+  explicit Writer(const std::vector<std::uint32_t>& kept)
+    : kept_(kept)
+  {
+  }
+  template <class Value>
+  void operator()(const Value& value)
+  {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    const auto* first = reinterpret_cast<const char*>(&value);
+    this->bytes.insert(this->bytes.end(), first, first + sizeof(value));
+  }
+  template <class Value>
+  void operator()(const std::vector<Value>& values)
+  {
+    (*this)(static_cast<std::uint64_t>(values.size()));
+    const auto* first = reinterpret_cast<const char*>(values.data());
+    this->bytes.insert(this->bytes.end(), first, first + values.size() * sizeof(Value));
+  }
+  template <class Value>
+  void OfGlyphs(const std::vector<Value>& values)
+  {
+    (*this)(static_cast<std::uint64_t>(values.empty() ? 0 : this->kept_.size()));
+    for (std::size_t i = 0; !values.empty() && i < this->kept_.size(); ++i)
+    {
+      (*this)(values[this->kept_[i]]);
+    }
+  }
+
+  std::vector<char> bytes;
+
+private:
+  const std::vector<std::uint32_t>& kept_;
+};
+
+class Reader
+{
+public:
+  explicit Reader(const std::vector<char>& from)
+    : bytes_(from)
+  {
+  }
+  template <class Value>
+  void operator()(Value& value)
+  {
+    this->Take(&value, sizeof(value));
+  }
+  template <class Value>
+  void operator()(std::vector<Value>& values)
+  {
+    std::uint64_t count = 0;
+    (*this)(count);
+    if (count > (this->bytes_.size() - this->at_) / sizeof(Value))
+    {
+      this->Fail();
+    }
+    values.resize(count);
+    this->Take(values.data(), count * sizeof(Value));
+  }
+  template <class Value>
+  void OfGlyphs(std::vector<Value>& values)
+  {
+    (*this)(values);
+  }
+
+private:
+  void Take(void* target, std::size_t size)
+  {
+    if (size > this->bytes_.size() - this->at_)
+    {
+      this->Fail();
+    }
+    if (size > 0)
+    {
+      std::memcpy(target, this->bytes_.data() + this->at_, size);
+    }
+    this->at_ += size;
+  }
+  [[noreturn]] void Fail() const
+  {
+    throw Error("Ray Traced Glyphs: glyphs of another rank arrived incomplete, in " +
+      std::to_string(this->bytes_.size()) + " bytes; render again.");
+  }
+
+  const std::vector<char>& bytes_;
+  std::size_t at_ = 0;
+};
+
+// All of a set but its mesh, with a Writer or a Reader: one order for both.
+template <class Instances, class Colours, class Transfer>
+void Visit(Instances& instances, Colours& colours, Transfer& transfer)
+{
+  transfer(instances.shape);
+  transfer(instances.arrow);
+  transfer(instances.identifyTriangles);
+  transfer(instances.origin);
+  transfer(instances.uniformSize);
+  transfer(instances.uniformExponents);
+  transfer(instances.motion.shutterOpen);
+  transfer(instances.motion.shutterClose);
+  ForEachArray(
+    instances, colours, [&](std::size_t, std::uint32_t, auto& values, const char*) { transfer.OfGlyphs(values); });
+}
+
+template <class Mesh, class Transfer>
+void VisitMesh(Mesh& mesh, Transfer& transfer)
+{
+  transfer(mesh.positions);
+  transfer(mesh.triangles);
+  transfer(mesh.normals);
+  transfer(mesh.positionColours);
+  transfer(mesh.triangleColours);
+  transfer(mesh.positionValues);
+  transfer(mesh.valueColours);
+  transfer(mesh.motion.velocities);
+  transfer(mesh.motion.accelerations);
+}
+
+} // namespace
+
+std::vector<char> PackNear(
+  const GlyphInstances& instances, const GlyphColours& colours, const std::vector<Box>& boxes, const DoubleBox& region)
+{
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+  {
+    if (Touch(Moved(boxes[i], instances.origin), region))
+    {
+      kept.push_back(i);
+    }
+  }
+  std::shared_ptr<const TriangleMesh> mesh =
+    instances.identifyTriangles && !kept.empty() ? Cut(instances, region) : instances.mesh;
+  if (kept.empty() || (mesh && mesh->triangles.empty()))
+  {
+    return {};
+  }
+  Writer writer(kept);
+  Visit(instances, colours, writer);
+  if (mesh)
+  {
+    VisitMesh(*mesh, writer);
+  }
+  return std::move(writer.bytes);
+}
+
+void Unpack(const std::vector<char>& bytes, GlyphInstances& instances, GlyphColours& colours)
+{
+  Reader reader(bytes);
+  Visit(instances, colours, reader);
+  instances.mesh.reset();
+  if (instances.shape == Shape::Mesh)
+  {
+    auto mesh = std::make_shared<TriangleMesh>();
+    VisitMesh(*mesh, reader);
+    instances.mesh = std::move(mesh);
+  }
+}
+
+DoubleBox BoundsOf(const GlyphInstances& instances, const std::vector<Box>& boxes)
+{
+  DoubleBox bounds;
+  for (const Box& box : boxes)
+  {
+    bounds.Include(Moved(box, instances.origin));
+  }
+  return bounds;
+}
+
+} // namespace rtg
