@@ -169,6 +169,7 @@ vtkGlyphMask vtkGlyphMask::Effective() const
   if (mask.Mode == EVERY_NTH)
   {
     mask.MaximumNumberOfGlyphs = none.MaximumNumberOfGlyphs;
+    mask.PointsOfAllRanks = none.PointsOfAllRanks;
     mask.Seed = none.Seed;
   }
   else
@@ -181,7 +182,9 @@ vtkGlyphMask vtkGlyphMask::Effective() const
 //----------------------------------------------------------------------------
 std::vector<vtkIdType> vtkGlyphMask::Choose(vtkPolyData* points, std::vector<vtkIdType> candidates) const
 {
-  const auto maximum = static_cast<std::size_t>(std::max<vtkIdType>(this->MaximumNumberOfGlyphs, 1));
+  const auto all = static_cast<double>(std::max(this->PointsOfAllRanks, points->GetNumberOfPoints()));
+  const double share = static_cast<double>(points->GetNumberOfPoints()) / std::max(1.0, all);
+  const auto maximum = static_cast<std::size_t>(std::max(1.0, std::floor(share * this->MaximumNumberOfGlyphs)));
   if (!this->On || (this->Mode != EVERY_NTH && candidates.size() <= maximum))
   {
     return candidates;

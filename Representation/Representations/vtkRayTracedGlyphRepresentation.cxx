@@ -290,7 +290,22 @@ void vtkRayTracedGlyphRepresentation::Deliver(vtkInformation* inInfo, bool lod)
     vtkPVView::SetPiece(inInfo, this, this->Mesh, 0, 1);
     this->UpdateTensorRange(this->GetPoints());
     this->UpdateScaleGuess(this->GetPoints());
+    this->CountPointsOfAllRanks(this->GetPoints());
   }
+}
+
+//----------------------------------------------------------------------------
+// On all ranks that have data.
+void vtkRayTracedGlyphRepresentation::CountPointsOfAllRanks(vtkPolyData* points)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  vtkIdType count = points ? points->GetNumberOfPoints() : 0;
+  if (this->Glyphs.Mask.On && controller && controller->GetNumberOfProcesses() > 1)
+  {
+    const vtkIdType own = count;
+    controller->AllReduce(&own, &count, 1, vtkCommunicator::SUM_OP);
+  }
+  this->Glyphs.Mask.PointsOfAllRanks = count;
 }
 
 //----------------------------------------------------------------------------

@@ -215,6 +215,7 @@ private:
   void UpdateMeshExtents(vtkDataObject* forms);
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points);
+  void CountPointsOfAllRanks(vtkPolyData* points);
   void UpdateLegend(vtkPolyData* points, vtkGlyphSettings settings);
 
   vtkGlyphSettings Glyphs; // but for what MakeSettings() adds

@@ -49,6 +49,17 @@ constexpr double interactiveRate = 1.0;
 constexpr const char* compilingText = "Compiling Programs";
 constexpr const char* tracingText = "Ray Tracing";
 
+// In what is summed over all ranks; behind the view's numbers come two of each member.
+enum Numbers
+{
+  DEVICE_BYTES,
+  PRIMARY_RAYS,
+  NEIGHBOR_GLYPHS,
+  NEIGHBOR_BYTES,
+  VIEW_NUMBERS
+};
+constexpr std::size_t memberNumbers = 2;
+
 constexpr int opaque = static_cast<int>(rtg::Pass::Opaque);
 constexpr int translucent = static_cast<int>(rtg::Pass::Translucent);
 }
@@ -112,6 +123,12 @@ struct vtkRayTracedScene::Internals
   rtg::Material MaterialOf(const Member& member, vtkRenderer* renderer) const;
   std::vector<vtkRayTracedNeighbors::Shown> ShownHere(std::vector<rtg::GlyphInstances>& built);
   vtkMultiProcessController* OtherRanks() const;
+
+  // What statistics sum over all ranks: the view's numbers, then glyphs and skipped glyphs of each member. Of the last
+  // frame that ranks rendered together, or none.
+  std::vector<double> OwnNumbers() const;
+  void SumNumbers(vtkMultiProcessController* ranks);
+  std::vector<double> SummedNumbers;
 
   void Commit(rtg::Scene& scene, vtkRenderer* renderer);
   bool HasBothPasses() const { return this->Wants[opaque] && this->Wants[translucent]; }
@@ -612,6 +629,14 @@ void vtkRayTracedScene::EndFrame()
     progress = least[0];
     samples = least[1];
   }
+  if (!controller)
+  {
+    self.SummedNumbers.clear();
+  }
+  else if (!self.Interactive)
+  {
+    self.SumNumbers(controller);
+  }
   self.Stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
   self.Eye = this->Renderer->GetActiveCamera()->GetLeftEye() != 0;
   self.Done[self.Eye] = progress;
@@ -802,16 +827,64 @@ const char* vtkRayTracedScene::GetStep() const
 }
 
 //----------------------------------------------------------------------------
+std::vector<double> vtkRayTracedScene::Internals::OwnNumbers() const
+{
+  const rtg::Statistics s = this->Images.GetStatistics();
+  std::vector<double> numbers(VIEW_NUMBERS);
+  numbers[DEVICE_BYTES] = static_cast<double>(s.deviceBytes);
+  numbers[PRIMARY_RAYS] = static_cast<double>(s.primaryRays);
+  numbers[NEIGHBOR_GLYPHS] = static_cast<double>(this->Neighbors.GetNumberOfGlyphs());
+  numbers[NEIGHBOR_BYTES] = static_cast<double>(this->Neighbors.GetNumberOfBytes());
+  for (const Member& member : this->Members)
+  {
+    numbers.push_back(static_cast<double>(member.Mapper->GetNumberOfGlyphs()));
+    numbers.push_back(static_cast<double>(member.Mapper->GetSkippedGlyphs()));
+  }
+  return numbers;
+}
+
+//----------------------------------------------------------------------------
+// Where ranks have different displays, which should not be, each keeps its own numbers.
+void vtkRayTracedScene::Internals::SumNumbers(vtkMultiProcessController* ranks)
+{
+  const std::vector<double> own = this->OwnNumbers();
+  const int lengths[2] = { static_cast<int>(own.size()), -static_cast<int>(own.size()) };
+  int largest[2];
+  ranks->AllReduce(lengths, largest, 2, vtkCommunicator::MAX_OP);
+  this->SummedNumbers.clear();
+  if (largest[0] == -largest[1])
+  {
+    this->SummedNumbers.resize(own.size());
+    ranks->AllReduce(
+      own.data(), this->SummedNumbers.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::SUM_OP);
+  }
+}
+
+//----------------------------------------------------------------------------
 std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper, const DataStatistics& data) const
 {
-  const rtg::Statistics s = this->Self->Images.GetStatistics();
+  const Internals& self = *this->Self;
+  const rtg::Statistics s = self.Images.GetStatistics();
+  std::vector<double> numbers = self.OwnNumbers();
+  if (self.SummedNumbers.size() == numbers.size())
+  {
+    numbers = self.SummedNumbers;
+  }
+  const auto member = std::find_if(self.Members.begin(), self.Members.end(),
+    [mapper](const Internals::Member& candidate) { return candidate.Mapper == mapper; });
+  const auto count = [&](std::size_t number) { return static_cast<std::uint64_t>(numbers[number]); };
+  const auto ofMember = [&](std::size_t number)
+  {
+    const std::size_t place = member - self.Members.begin();
+    return member == self.Members.end() ? 0 : count(VIEW_NUMBERS + memberNumbers * place + number);
+  };
   const nlohmann::ordered_json json = {
     { "DeviceName", this->GetDeviceName() },
     { "AccumulatedSamples", this->GetAccumulatedSamples() },
-    { "glyphs", mapper ? mapper->GetNumberOfGlyphs() : 0 },
-    { "skippedGlyphs", mapper ? mapper->GetSkippedGlyphs() : 0 },
-    { "neighborGlyphs", this->Self->Neighbors.GetNumberOfGlyphs() },
-    { "neighborBytes", this->Self->Neighbors.GetNumberOfBytes() },
+    { "glyphs", ofMember(0) },
+    { "skippedGlyphs", ofMember(1) },
+    { "neighborGlyphs", count(NEIGHBOR_GLYPHS) },
+    { "neighborBytes", count(NEIGHBOR_BYTES) },
     { "gathers", data.Gathers },
     { "boundsBuilds", data.BoundsBuilds },
     { "instanceBuilds", mapper ? mapper->GetInstanceBuilds() : 0 },
@@ -822,8 +895,8 @@ std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper, const D
     { "colorUploads", s.colourUploads },
     { "pipelineBuilds", s.pipelineBuilds },
     { "dispatches", s.dispatches },
-    { "primaryRays", s.primaryRays },
-    { "deviceBytes", s.deviceBytes },
+    { "primaryRays", count(PRIMARY_RAYS) },
+    { "deviceBytes", count(DEVICE_BYTES) },
     { "sorts", s.sorts },
     { "gatherSeconds", data.GatherSeconds },
     { "boundsSeconds", data.BoundsSeconds },
