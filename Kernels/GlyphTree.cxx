@@ -19,11 +19,16 @@ Box Union(Box a, const Box& b)
   return a;
 }
 
-Box LeafBox(const std::vector<Box>& boxes, std::size_t leaf, std::uint32_t leafBits)
+Box LeafBox(const OrderedBoxes& ordered, std::size_t leaf, std::uint32_t leafBits)
 {
-  const std::size_t first = GlyphTree::Start(leaf, boxes.size(), leafBits);
+  const std::vector<Box>& boxes = ordered.boxes;
   const std::size_t last = GlyphTree::Start(leaf + 1, boxes.size(), leafBits);
-  return std::accumulate(boxes.begin() + first, boxes.begin() + last, Box(), Union);
+  Box box;
+  for (std::size_t i = GlyphTree::Start(leaf, boxes.size(), leafBits); i < last; ++i)
+  {
+    box.Include(boxes[ordered.order ? ordered.order[i] : i]);
+  }
+  return box;
 }
 
 // Splits a node has: three, but for the root what is left.
@@ -326,7 +331,7 @@ std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::u
   return sorted;
 }
 
-double LeafSurface(const std::vector<Box>& boxes, std::uint32_t leafBits)
+double LeafSurface(const OrderedBoxes& boxes, std::uint32_t leafBits)
 {
   const std::size_t leaves = std::size_t(1) << leafBits;
   std::vector<double> surfaces((leaves + parallelChunk - 1) / parallelChunk);
@@ -343,7 +348,7 @@ double LeafSurface(const std::vector<Box>& boxes, std::uint32_t leafBits)
   return std::accumulate(surfaces.begin(), surfaces.end(), 0.0);
 }
 
-GlyphTree BuildGlyphTree(const std::vector<Box>& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes)
+GlyphTree BuildGlyphTree(const OrderedBoxes& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes)
 {
   GlyphTree tree;
   tree.leafBits = leafBits;

@@ -70,15 +70,32 @@ KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits);
 /// The boxes in that order; in their own when it is empty.
 std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& order);
 
+/// Boxes as a tree is built over them: in `order`, which must stay, or as they lie. A sorted copy of the boxes of many
+/// glyphs would take more memory than their tree.
+struct OrderedBoxes
+{
+  OrderedBoxes(const std::vector<Box>& b)
+    : boxes(b)
+  {
+  }
+  OrderedBoxes(const std::vector<Box>& b, const std::vector<std::uint32_t>& o)
+    : boxes(b)
+    , order(o.empty() ? nullptr : o.data())
+  {
+  }
+  const std::vector<Box>& boxes;
+  const std::uint32_t* order = nullptr;
+};
+
 /// The surface of all leaves' boxes, to which the number of rays that meet them is in proportion: tells how good an
 /// order is.
-double LeafSurface(const std::vector<Box>& boxes, std::uint32_t leafBits);
+double LeafSurface(const OrderedBoxes& boxes, std::uint32_t leafBits);
 
 /// An order serves boxes that have moved until they leave the leaves this much more surface than when it was found.
 constexpr double orderDecay = 1.2;
 
-/// Builds the nodes over boxes that are in that order. The boxes must be padded for the arithmetic of the
+/// Builds the nodes over boxes in the order of MakeKdOrder(). The boxes must be padded for the arithmetic of the
 /// traversal (SlabPadding in Box.h).
-GlyphTree BuildGlyphTree(const std::vector<Box>& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes);
+GlyphTree BuildGlyphTree(const OrderedBoxes& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes);
 
 } // namespace rtg

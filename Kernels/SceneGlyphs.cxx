@@ -74,10 +74,8 @@ void Scene::State::Place(GlyphSet& set, float reach)
   mesh = PlacedMesh();
   if (placed.runs.empty())
   {
-    this->SendArrays(set, placed, ~device::APPEARANCE);
-    this->TellStage(set);
+    // First what takes memory besides, then what stays.
     Stopwatch building;
-    boxes = set.sorted.order.empty() ? std::move(boxes) : InOrder(boxes, set.sorted.order);
     if (this->structure == Structure::Tree)
     {
       this->BuildTree(set, placed, std::move(boxes));
@@ -87,6 +85,8 @@ void Scene::State::Place(GlyphSet& set, float reach)
       this->BuildBoxes(set, placed, std::move(boxes));
     }
     this->statistics.buildSeconds += building.Lap();
+    this->TellStage(set);
+    this->SendArrays(set, placed, ~device::APPEARANCE);
   }
   this->SendArrays(set, placed, device::APPEARANCE);
   this->TellStage(set);
@@ -126,8 +126,9 @@ void Scene::State::Sort(GlyphSet& set, const std::vector<Box>& boxes)
   const std::vector<Box> middle = instances.motion.Any() ? GlyphBoxes(instances, 0.5, 0.5) : std::vector<Box>();
   const std::vector<Box>& sortedBoxes = instances.motion.Any() ? middle : boxes;
   const std::uint32_t leafBits = GlyphTree::LeafBits(set.count, glyphsPerLeaf);
-  const auto surface = [&](const std::vector<std::uint32_t>& order)
-  { return LeafSurface(InOrder(sortedBoxes, order), leafBits - std::min(leafBits, 3u)); };
+  const auto surface = [&](const std::vector<std::uint32_t>& order) {
+    return LeafSurface({ sortedBoxes, order }, leafBits - std::min(leafBits, 3u));
+  };
   const GlyphOrder& last = set.sorted;
   const bool fits = !last.kdAxes.empty() && last.order.size() == set.count && last.leafBits == leafBits;
   if (fits && surface(last.order) <= orderDecay * last.sortedSurface)
@@ -154,6 +155,10 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, std::ve
     ++this->statistics.structureBuilds;
   }
   const std::size_t slices = std::size_t(1) << placed.sliceBits;
+  if (!moves)
+  {
+    boxes = InOrder(boxes, set.sorted.order);
+  }
   for (std::size_t slice = 0; slice < slices; ++slice)
   {
     if (moves)
@@ -175,28 +180,31 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, std::ve
 void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes)
 {
   const GlyphOrder& sorted = set.sorted;
-  const bool moves = set.instances.motion.Any();
-  if (!moves)
+  GlyphTree tree;
+  if (!set.instances.motion.Any())
   {
     Pad(boxes, placed.builtReach);
+    const OrderedBoxes ordered(boxes, sorted.order);
     // So many leaves a line through the bounds meets on average, by Cauchy's formula.
     const double leavesMet =
-      LeafSurface(boxes, sorted.leafBits) / HalfSurface(glm::dvec3(set.bounds.upper - set.bounds.lower));
+      LeafSurface(ordered, sorted.leafBits) / HalfSurface(glm::dvec3(set.bounds.upper - set.bounds.lower));
     placed.group.Set(device::DROPS_HIDDEN, leavesMet > leavesWorthDropping);
+    tree = BuildGlyphTree(ordered, sorted.leafBits, sorted.kdAxes);
+    boxes = {};
   }
-  const auto boxesBetween = [&](double first, double last)
+  else
   {
-    if (!moves)
+    boxes = {};
+    const auto boxesBetween = [&](double first, double last)
     {
-      return std::move(boxes);
-    }
-    std::vector<Box> own = InOrder(GlyphBoxes(set.instances, first, last), sorted.order);
-    Pad(own, placed.builtReach);
-    return own;
-  };
-  const std::size_t bytes = sorted.kdAxes.size() * sizeof(GlyphTreeNode);
-  const GlyphTree tree =
-    BuildSlices(moves ? TimeSliceBits(set.instances, bytes) : 0, sorted.leafBits, sorted.kdAxes, moves, boxesBetween);
+      std::vector<Box> own = InOrder(GlyphBoxes(set.instances, first, last), sorted.order);
+      Pad(own, placed.builtReach);
+      return own;
+    };
+    const std::size_t bytes = sorted.kdAxes.size() * sizeof(GlyphTreeNode);
+    tree =
+      BuildSlices(TimeSliceBits(set.instances, bytes), sorted.leafBits, sorted.kdAxes, /*sorts=*/true, boxesBetween);
+  }
   placed.group.Set(device::ORDER_OF_SLICES, !tree.order.empty());
   placed.sliceBits = tree.sliceBits;
   placed.tree = PlacedTree(this->device->GetState(), tree);

@@ -16,7 +16,7 @@ namespace
 // the furthest from the middle.
 double SurfaceToSort(const std::vector<Box>& first, std::uint32_t leafBits)
 {
-  const double own = LeafSurface(InOrder(first, MakeKdOrder(first, leafBits).order), leafBits);
+  const double own = LeafSurface({ first, MakeKdOrder(first, leafBits).order }, leafBits);
   return LeafSurface(first, leafBits) > orderDecay * own ? orderDecay * own : INFINITY;
 }
 
@@ -56,7 +56,8 @@ GlyphTree BuildSlices(std::uint32_t sliceBits, std::uint32_t leafBits, const std
 {
   if (sliceBits == 0)
   {
-    return BuildGlyphTree(boxesBetween(0.0, 1.0), leafBits, axes);
+    const std::vector<Box> boxes = boxesBetween(0.0, 1.0);
+    return BuildGlyphTree(boxes, leafBits, axes);
   }
   const std::size_t count = std::size_t(1) << sliceBits;
   const auto boxesOf = [&](std::size_t slice)

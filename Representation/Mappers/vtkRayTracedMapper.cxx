@@ -192,7 +192,7 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   vtkPolyData* points = this->GetPoints();
   if (!points)
   {
-    this->Sources.clear();
+    this->Sources = vtkRayTracedSources();
     this->Skipped = 0;
     this->Built.reset();
     return;

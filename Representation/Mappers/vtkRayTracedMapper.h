@@ -15,6 +15,7 @@
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkMapper.h"
 #include "vtkRayTracedParallel.h"
+#include "vtkRayTracedSources.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -85,7 +86,7 @@ public:
    * Counters: glyphs or triangles shown, those left out because something of them is not finite, how often instances
    * and colors were built, and the seconds of that.
    */
-  vtkIdType GetNumberOfGlyphs() const { return static_cast<vtkIdType>(this->Sources.size()); }
+  vtkIdType GetNumberOfGlyphs() const { return this->Sources.Size(); }
   vtkIdType GetSkippedGlyphs() const { return this->Skipped; }
   std::uint64_t GetInstanceBuilds() const { return this->InstanceBuilds; }
   std::uint64_t GetColorBuilds() const { return this->ColorBuilds; }
@@ -159,7 +160,7 @@ protected:
 
   vtkGlyphBlockAttributes Blocks;
   vtkGlyphBlockAttributes::Table BlockTable;
-  std::vector<vtkIdType> Sources; // point of each glyph, cell of each triangle
+  vtkRayTracedSources Sources; // point of each glyph, cell of each triangle
   vtkIdType Skipped = 0;
   rtg::GlyphColours Colors;
   bool Translucent = false, TranslucentInstances = false; // by colors, by instances

@@ -51,8 +51,7 @@ void Build(const rtg::GlyphInstances& instances, Seconds& seconds)
   const std::uint32_t leafBits = rtg::GlyphTree::LeafBits(instances.Count(), 2);
   const rtg::KdOrder kd = rtg::MakeKdOrder(boxes, leafBits);
   seconds.order.push_back(watch.Lap());
-  boxes = rtg::InOrder(boxes, kd.order);
-  const rtg::GlyphTree tree = rtg::BuildGlyphTree(boxes, leafBits, kd.axes);
+  const rtg::GlyphTree tree = rtg::BuildGlyphTree({ boxes, kd.order }, leafBits, kd.axes);
   seconds.tree.push_back(watch.Lap());
   seconds.processor.push_back(benchmark::CpuSeconds() - before);
 }

@@ -221,6 +221,8 @@ TEST_F(Parallel, SameTreeForAnyNumberOfThreads)
     ExpectSameBytes(rtg::InOrder(boxes, kd.order), ordered);
     EXPECT_EQ(rtg::LeafSurface(ordered, leafBits), surface);
     ExpectSameBytes(rtg::BuildGlyphTree(ordered, leafBits, kd.axes).nodes, tree.nodes);
+    ExpectSameBytes(rtg::BuildGlyphTree({ boxes, kd.order }, leafBits, kd.axes).nodes, tree.nodes);
+    EXPECT_EQ(rtg::LeafSurface({ boxes, kd.order }, leafBits), surface);
   }
 }
 

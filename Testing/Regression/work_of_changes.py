@@ -90,6 +90,7 @@ FIELDS = {
                                   (NTH, "MaximumNumberOfGlyphs", 90, "nothing")],
         "Stride": [(NTH, "GlyphStride", 7, "glyphs"), (MASK, "GlyphStride", 7, "nothing")],
         "Seed": [(MASK, "GlyphSeed", 7, "glyphs"), ({}, "GlyphSeed", 7, "nothing"), (NTH, "GlyphSeed", 7, "nothing")],
+        "PointsOfAllRanks": "counted from the data; see parallel.py",
     },
     "ArrowForm": {
         "shaftRadius": [(ARROW, "ArrowShaftRadius", 0.06, "glyphs"), ({}, "ArrowShaftRadius", 0.06, "nothing")],
@@ -143,6 +144,7 @@ FIELDS = {
         "SamplesPerPixel": [({}, "SamplesPerPixel", 3, "image"), (PATHS, "SamplesPerPixel", 3, "image")],
         "SamplesPerRender": ({}, "SamplesPerRender", 1, "nothing"),
         "InteractiveReduction": ({}, "InteractiveReduction", 4, "nothing"),
+        "ParallelLight": ({}, "ParallelLight", "Neighbors", "nothing"),
         "StepwiseRendering": "asked for by the window only; see checks.py",
     },
     "Material": {

@@ -1,0 +1,51 @@
+/**
+ * Which point or cell each glyph or triangle stands for. Where each stands for that of its own number, as mostly, the
+ * list is not kept: of many glyphs it would be the longest one.
+ */
+#ifndef vtkRayTracedSources_h
+#define vtkRayTracedSources_h
+
+#include "vtkType.h"
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+class vtkRayTracedSources
+{
+public:
+  vtkRayTracedSources() = default;
+  explicit vtkRayTracedSources(std::vector<vtkIdType> sources)
+    : Count(static_cast<vtkIdType>(sources.size()))
+  {
+    for (vtkIdType i = 0; i < this->Count; ++i)
+    {
+      if (sources[i] != i)
+      {
+        this->List = std::move(sources);
+        break;
+      }
+    }
+  }
+
+  vtkIdType operator[](vtkIdType i) const { return this->List.empty() ? i : this->List[i]; }
+  vtkIdType Size() const { return this->Count; }
+
+  std::vector<vtkIdType> ToVector() const
+  {
+    std::vector<vtkIdType> sources = this->List;
+    if (sources.empty())
+    {
+      sources.resize(this->Count);
+      std::iota(sources.begin(), sources.end(), vtkIdType(0));
+    }
+    return sources;
+  }
+
+private:
+  vtkIdType Count = 0;
+  std::vector<vtkIdType> List; // empty: each its own
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRayTracedSources.h

@@ -1,0 +1,169 @@
+"""Seconds to the first picture, seconds a frame, and the largest memory of a process that shows many spheres or arrows.
+
+Usage: pvpython scale.py FOLDER [--counts N,N...] [--size PIXELS] [--frames N]
+Environment: RTGLYPHS_PLUGIN is the plugin's library.
+
+Random points in a cube, each with a radius and a value that colors it, both float: 20 bytes a point; arrows have a vector besides. Each count and
+representation has a process of its own. First picture: from data in memory until it is rendered, with one ray a pixel, programs compiled
+before in that process by a scene of few points. A frame: the camera turns by a degree; the median. Turning: the same while a window asks for
+speed. Memory: the largest that the process ever held (VmHWM), and that before the data are shown. Written to FOLDER: scale.csv.
+A representation that does not end within --limit seconds, or that dies, has no numbers.
+"""
+import argparse
+import csv
+import json
+import os
+import subprocess
+import sys
+import time
+
+import numpy
+
+KINDS = ("spheres", "arrows", "signed tensors", "Point Gaussian", "3D Glyphs")
+#: those that are measured of each number of points
+PLAN = {"spheres": 10**9, "arrows": 10**7, "signed tensors": 10**6, "Point Gaussian": 10**9, "3D Glyphs": 10**7}
+
+
+def memory(name):
+    """Bytes of this process by its status: VmHWM, VmRSS."""
+    with open("/proc/self/status", encoding="ascii") as status:
+        return next(1024 * int(line.split()[1]) for line in status if line.startswith(name + ":"))
+
+
+def points_of(count, kind):
+    """Random points with what the kind of glyph needs; made in parts, so that they need no memory besides."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+    random = numpy.random.default_rng(1)
+    size = count ** (-1.0 / 3.0)
+    data, points = vtkPolyData(), vtkPoints()
+    points.SetData(numpy_to_vtk(random.random((count, 3), dtype=numpy.float32)))
+    data.SetPoints(points)
+    arrays = {"diameter": (1, 0.2 * size, 0.6 * size), "value": (1, 0.0, 1.0)}
+    if kind == "arrows":
+        arrays["flow"] = (3, -1.5 * size, 3.0 * size)
+    if kind == "signed tensors":
+        arrays["tensor"] = (6, -0.7 * size, 1.4 * size)
+    for name, (components, least, range_) in arrays.items():
+        values = random.random((count, components), dtype=numpy.float32)
+        values *= range_
+        values += least
+        array = numpy_to_vtk(values)
+        array.SetName(name)
+        data.GetPointData().AddArray(array)
+    return data
+
+
+def show(pv, data, view, kind):
+    """A display of this kind, not yet rendered."""
+    producer = pv.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(data)
+    producer.UpdatePipeline()
+    shown = pv.Show(producer, view)
+    shown.SetScalarColoring("value", pv.servermanager.GetAssociationFromString("POINTS"))
+    table = pv.GetColorTransferFunction("value")
+    table.RescaleTransferFunction(0.0, 1.0)
+    if kind == "Point Gaussian":
+        shown.SetRepresentationType("Point Gaussian")
+        shown.ShaderPreset = "Sphere"
+        shown.ScaleByArray, shown.SetScaleArray = 1, ["POINTS", "diameter"]
+        shown.UseScaleFunction = 0
+        shown.GaussianRadius = 0.5
+    elif kind == "3D Glyphs":
+        shown.SetRepresentationType("3D Glyphs")
+        shown.GlyphType = "Sphere"
+        shown.Scaling, shown.ScaleMode, shown.SelectScaleArray, shown.ScaleFactor = 1, "Magnitude", "diameter", 1.0
+    else:
+        shown.SetRepresentationType("Ray Traced Glyphs")
+        shown.SamplesPerPixel = 1
+        shown.GlyphScaleFactor = 1.0
+        if kind == "spheres":
+            shown.GlyphShape, shown.GlyphOrient = "Sphere", 0
+            shown.GlyphScaling, shown.GlyphScaleArray = 1, "diameter"
+        elif kind == "arrows":
+            shown.GlyphShape, shown.GlyphOrient, shown.GlyphOrientationArray = "Arrow", 1, "flow"
+            shown.GlyphScaling, shown.GlyphScaleArray = 1, "flow"
+        else:
+            shown.GlyphShape, shown.GlyphTensorArray = "Signed Tensor Superquadric", "tensor"
+    return shown
+
+
+def measure(count, kind, size, frames):
+    """The figures of this process."""
+    import paraview.simple as pv
+    from frames import turning
+
+    pv._DisableFirstRenderCameraReset()
+    pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
+    view = pv.CreateView("RenderView")
+    view.ViewSize = [size, size]
+    view.CameraPosition, view.CameraFocalPoint = [0.5, 0.5, 3.2], [0.5, 0.5, 0.5]
+    warming = show(pv, points_of(100, kind), view, kind)
+    pv.Render(view)
+    pv.Delete(warming)
+    data = points_of(count, kind)
+    before = memory("VmRSS")
+    start = time.monotonic()
+    shown = show(pv, data, view, kind)
+    pv.Render(view)
+    first = time.monotonic() - start
+    # The window asks so of its renders while a button is down.
+    interactive = view.SMProxy.InteractiveRender
+    interactive()
+    start = time.monotonic()
+    for _ in range(3):
+        pv.GetActiveCamera().Azimuth(1.0)
+        interactive()
+    moving = (time.monotonic() - start) / 3.0
+    wall, cpu = turning(view, frames)
+    figures = {"first": first, "frame": wall, "frame cpu": cpu, "turning": moving, "before bytes": before, "peak bytes": memory("VmHWM"),
+               "end bytes": memory("VmRSS")}
+    if kind not in ("Point Gaussian", "3D Glyphs"):
+        statistics = json.loads(shown.GetPropertyValue("RenderStatistics"))
+        figures.update({"glyphs": statistics["glyphs"], "device bytes": statistics["deviceBytes"]})
+        figures.update({stage: statistics[stage] for stage in statistics if stage.endswith("Seconds")})
+    print(json.dumps(figures), flush=True)
+    os._exit(0)
+
+
+def main():
+    """Either the figures of one process (--measure) or the table of all."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder")
+    parser.add_argument("--counts", default="1000,10000,100000,1000000,10000000,30000000,100000000")
+    parser.add_argument("--kinds", default=",".join(KINDS))
+    parser.add_argument("--size", type=int, default=1200)
+    parser.add_argument("--frames", type=int, default=7)
+    parser.add_argument("--limit", type=float, default=900.0)
+    parser.add_argument("--measure", help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    counts = [int(count) for count in options.counts.split(",")]
+    if options.measure:
+        measure(counts[0], options.measure, options.size, options.frames)
+    os.makedirs(options.folder, exist_ok=True)
+    rows = []
+    for kind in options.kinds.split(","):
+        for count in counts:
+            if count > PLAN[kind]:
+                continue
+            print("measuring %d %s ..." % (count, kind), flush=True)
+            command = ["pvpython", os.path.abspath(__file__), options.folder, "--counts", str(count), "--size", str(options.size), "--frames",
+                       str(options.frames), "--measure", kind]
+            try:
+                run = subprocess.run(command, stdout=subprocess.PIPE, check=True, timeout=options.limit)
+                rows.append({"kind": kind, "count": count, **json.loads(run.stdout.decode().splitlines()[-1])})
+            except (subprocess.CalledProcessError, subprocess.TimeoutExpired) as error:
+                print("no figures: %s" % error, file=sys.stderr)
+                rows.append({"kind": kind, "count": count})
+            print(rows[-1], flush=True)
+    columns = list(dict.fromkeys(column for row in rows for column in row))
+    with open(os.path.join(options.folder, "scale.csv"), "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+if __name__ == "__main__":
+    main()
