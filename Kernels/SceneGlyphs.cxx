@@ -152,7 +152,6 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, std::ve
     run.first = static_cast<std::uint32_t>(at);
     run.count = static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, set.count - at));
     placed.runs.push_back(std::move(run));
-    ++this->statistics.structureBuilds;
   }
   const std::size_t slices = std::size_t(1) << placed.sliceBits;
   if (!moves)
@@ -174,6 +173,7 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, std::ve
       run.structures.push_back(AccelerationStructure::OverBoxes(this->device->GetState(), positions));
     }
   }
+  this->statistics.structureBuilds += placed.runs.size();
 }
 
 // The tree of a set: of glyphs that move, one for each slice of time.

@@ -267,7 +267,7 @@ TEST_P(FaultTest, OneSetThatFailsLeavesTheOthersInPlace)
   const auto other = scene->Add();
   Set(*scene, other, second);
   {
-    const Fault fault("vkCreateBuffer", 2);
+    const Fault fault("vkCreateBuffer", 1); // that of the structure
     EXPECT_THROW(scene->Commit(), rtg::OutOfMemory);
   }
   scene->Commit();
