@@ -21,7 +21,7 @@ import numpy
 
 KINDS = ("spheres", "arrows", "signed tensors", "Point Gaussian", "3D Glyphs")
 #: those that are measured of each number of points
-PLAN = {"spheres": 10**9, "arrows": 10**7, "signed tensors": 10**6, "Point Gaussian": 10**9, "3D Glyphs": 10**7}
+PLAN = {"spheres": 10**9, "arrows": 10**7, "signed tensors": 10**6, "Point Gaussian": 10**9, "3D Glyphs": 10**6}
 
 
 def memory(name):
@@ -132,7 +132,7 @@ def main():
     """Either the figures of one process (--measure) or the table of all."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder")
-    parser.add_argument("--counts", default="1000,10000,100000,1000000,10000000,30000000,100000000")
+    parser.add_argument("--counts", default="1000,10000,100000,1000000,10000000,100000000")
     parser.add_argument("--kinds", default=",".join(KINDS))
     parser.add_argument("--size", type=int, default=1200)
     parser.add_argument("--frames", type=int, default=7)
