@@ -50,8 +50,8 @@ def main():
         pixels = session.capture(view, "gui-" + shape, ImageResolution=[300, 200])
         failures += comparison.against_baseline(pixels, "gui-" + shape)
     window = Window()
-    failures += panel(window, view, reader, shown)
     failures += reset(window, view, reader, shown)
+    failures += panel(window, view, reader, shown)
     return failures
 
 

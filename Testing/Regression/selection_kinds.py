@@ -18,7 +18,7 @@ PLACES = numpy.array([[x, y, -2.0 * z] for z in range(2) for y in range(4) for x
 CORNERS = numpy.array([[0.5, 0.5, 0.0], [2.5, 2.5, 0.0]])
 INSIDE = [6, 7, 11, 12]
 #: a triangle around the places 0, 1, 5 and no others
-TRIANGLE = numpy.array([[-0.6, -0.6, 0.0], [2.0, -0.6, 0.0], [-0.6, 2.0, 0.0]])
+TRIANGLE = numpy.array([[-0.6, -0.6, 0.0], [1.85, -0.6, 0.0], [-0.6, 1.85, 0.0]])
 IN_TRIANGLE = [0, 1, 5]
 
 
@@ -104,6 +104,49 @@ def through(checks, view, source, what):
         source.SMProxy.CleanSelectionInputs(0)
 
 
+def in_blocks(checks, view):
+    """Selecting blocks gives the block of the glyph that is seen, as it does of ParaView's own points."""
+    source = session.source(blocks())
+    shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.7)
+    shown.PointSize = 20.0
+    found = {}
+    for kind in ("Points", session.REPRESENTATION):
+        shown.SetRepresentationType(kind)
+        pv.Render(view)
+        found[kind] = []
+        for place in (3, 8, 17):
+            at = session.pixel_of(view, PLACES[place])
+            found[kind].append(selected(lambda *a: view.SMProxy.SelectSurfaceCells(*a, False, 0, True), [at[0], at[1], at[0], at[1]]))
+    print("blocks: %s" % found)
+    checks.true("ParaView's own points: no blocks are selected: %s" % found["Points"], all(len(one) == 1 for one in found["Points"]))
+    checks.equal("blocks", found[session.REPRESENTATION], found["Points"])
+    pv.Delete(shown)
+    pv.Delete(source)
+
+
+def labels(checks, view):
+    """The label of a selected point is seen before its glyph, whose middle is behind the surface."""
+    source = session.source(points(slice(0, 20)))
+    shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.9)
+    session.solid(shown, (0.9, 0.3, 0.3))
+    shown.SelectionColor = [0.0, 1.0, 0.0]
+    pv.SelectPoints("number == 7", source)
+    counts = []
+    for on in (0, 1):
+        shown.SelectionPointLabelVisibility = on
+        shown.SelectionPointFieldDataArrayName = "number"
+        shown.SelectionPointLabelColor = [0.0, 0.0, 1.0]
+        pv.Render(view)
+        picture = session.capture(view, "selection-kinds-label-%d" % on).astype(int)
+        x, y = session.pixel_of(view, PLACES[7])
+        part = picture[HEIGHT - 1 - y - 15:HEIGHT - 1 - y + 15, x - 15:x + 15]
+        counts.append(int(((part[..., 2] > 120) & (part[..., 2] > 2 * part[..., 1]) & (part[..., 2] > 2 * part[..., 0])).sum()))
+    checks.equal("pixels of a label that is off", counts[0], 0)
+    checks.within("pixels of a label over its glyph", counts[1], 10, 400)
+    pv.ClearSelection(source)
+    pv.Delete(shown)
+
+
 def main():
     """All in one view, seen along z."""
     session.load()
@@ -121,14 +164,8 @@ def main():
             through(checks, view, source, shape)
         pv.Delete(shown)
         pv.Delete(source)
-    source = session.source(blocks())
-    shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.7)
-    pv.Render(view)
-    for number, place in ((1, 3), (2, 17)):
-        at = session.pixel_of(view, PLACES[place])
-        found = selected(lambda *a: view.SMProxy.SelectSurfaceCells(*a, 0, True), [at[0], at[1], at[0], at[1]])
-        print("block under point %d: %s" % (place, found))
-    pv.Delete(shown)
+    in_blocks(checks, view)
+    labels(checks, view)
     checks.report()
 
 

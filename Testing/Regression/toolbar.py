@@ -77,7 +77,8 @@ def quality(checks, window, bar, shown):
         for action, wanted in (("actionEditUndo", was), ("actionEditRedo", name)):
             checks.true("%s: %s cannot be chosen" % (name, action), window.wait(lambda action=action: window.trigger(action), LIMIT))
             window.wait(lambda wanted=wanted: shown.RenderingQuality == wanted, 5.0)
-            found.append((shown.RenderingQuality, shown.SamplesPerPixel, shown.ShadingMode))
+            # As text: what properties give out changes with them.
+            found.append((str(shown.RenderingQuality).strip("'"), shown.SamplesPerPixel, str(shown.ShadingMode).strip("'")))
         say("%s: after undo %s, after redo %s" % (name, *found))
         before = {"Custom": ("Custom", 5, "Local"), "Fast": ("Fast", 4, "Local")}[was]
         checks.equal("%s: after undo" % name, found[0], before)
