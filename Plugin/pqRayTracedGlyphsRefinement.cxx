@@ -333,6 +333,8 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
   {
     return;
   }
+  // What selects and hovers renders too, without a beginning: nobody listens to its user.
+  this->SinceStart.invalidate();
   if (DisplayOf(part))
   {
     this->Attach(part);

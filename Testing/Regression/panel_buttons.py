@@ -4,8 +4,8 @@ defaults, undo and redo of a quality, animation of numbers.
 Usage: pvpython panel_buttons.py
 """
 import paraview.simple as pv
-from paraview.modules.vtkRemotingServerManager import (
-    vtkSMProxyClipboard, vtkSMProxyManager, vtkSMSettings, vtkSMUndoStack, vtkSMUndoStackBuilder)
+from paraview.modules.vtkRemotingMisc import vtkSMProxyClipboard
+from paraview.modules.vtkRemotingServerManager import vtkSMProxyManager, vtkSMSettings, vtkSMUndoStack, vtkSMUndoStackBuilder
 
 import session
 from checks import Checks, cloud
