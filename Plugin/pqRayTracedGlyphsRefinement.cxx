@@ -30,6 +30,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
@@ -72,6 +73,8 @@ bool MayInterfere(QEvent* event)
   }
 }
 
+QPointer<pqRayTracedGlyphsRefinement> onlyOne;
+
 bool IsWithin(QObject* object, const QWidget* widget)
 {
   const auto* asWidget = qobject_cast<QWidget*>(object);
@@ -88,10 +91,17 @@ pqRayTracedGlyphsRefinement::pqRayTracedGlyphsRefinement(QObject* parent)
   QObject::connect(&this->Timer, &QTimer::timeout, this, &pqRayTracedGlyphsRefinement::step);
   this->Rest.setSingleShot(true);
   QObject::connect(&this->Rest, &QTimer::timeout, this, &pqRayTracedGlyphsRefinement::rest);
+  onlyOne = this;
 }
 
 //----------------------------------------------------------------------------
 pqRayTracedGlyphsRefinement::~pqRayTracedGlyphsRefinement() = default;
+
+//----------------------------------------------------------------------------
+pqRayTracedGlyphsRefinement* pqRayTracedGlyphsRefinement::instance()
+{
+  return onlyOne;
+}
 
 //----------------------------------------------------------------------------
 void pqRayTracedGlyphsRefinement::startup()
@@ -221,6 +231,39 @@ void pqRayTracedGlyphsRefinement::AskProgress(Part& part)
 }
 
 //----------------------------------------------------------------------------
+pqRayTracedGlyphsRefinement::Image pqRayTracedGlyphsRefinement::imageOf(pqView* view) const
+{
+  Image image;
+  for (const Part& part : PartsOf(view))
+  {
+    vtkSMProxy* display = part.Proxy ? DisplayOf(part) : nullptr;
+    if (!display)
+    {
+      continue;
+    }
+    vtkSMProperty* information = display->GetProperty("AccumulatedSamples");
+    information->GetParent()->UpdatePropertyInformation(information);
+    const int wanted = vtkSMPropertyHelper(display, "SamplesPerPixel").GetAsInt();
+    const int samples = std::min(vtkSMPropertyHelper(information).GetAsInt(), wanted);
+    if (!image.Display || wanted - samples > image.Wanted - image.Samples)
+    {
+      image.Samples = samples;
+      image.Wanted = wanted;
+    }
+    image.Display = image.Display ? image.Display : display;
+    for (const Part& waiting : this->Waiting)
+    {
+      if (waiting.Proxy == part.Proxy)
+      {
+        image.Refined = true;
+        image.Step = waiting.Step;
+      }
+    }
+  }
+  return image;
+}
+
+//----------------------------------------------------------------------------
 bool pqRayTracedGlyphsRefinement::IsInteracting(const Part& part) const
 {
   vtkObject* interactor = part.Proxy->GetInteractor();
@@ -290,6 +333,8 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
   {
     return;
   }
+  // What selects and hovers renders too, without a beginning: nobody listens to its user.
+  this->SinceStart.invalidate();
   if (DisplayOf(part))
   {
     this->Attach(part);
@@ -307,6 +352,7 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
     {
       this->Waiting.push_back(part);
     }
+    Q_EMIT this->looked(part.View);
   }
   this->ShowProgress();
   if (!this->Waiting.empty())
@@ -430,25 +476,28 @@ void pqRayTracedGlyphsRefinement::abortPressed()
   }
   else
   {
-    this->Stop(nullptr);
+    this->stop(nullptr);
   }
 }
 
 //----------------------------------------------------------------------------
 // Null: all views.
-void pqRayTracedGlyphsRefinement::Stop(const pqView* view)
+void pqRayTracedGlyphsRefinement::stop(const pqView* view)
 {
+  std::vector<Part> stopped, others;
   for (const Part& part : this->Waiting)
   {
-    vtkSMProxy* display = part.Proxy && (!view || part.View == view) ? DisplayOf(part) : nullptr;
-    if (display)
+    (!view || part.View == view ? stopped : others).push_back(part);
+  }
+  this->Waiting = std::move(others);
+  for (const Part& part : stopped)
+  {
+    if (vtkSMProxy* display = part.Proxy ? DisplayOf(part) : nullptr)
     {
       display->InvokeCommand("StopRefinement");
     }
+    Q_EMIT this->looked(part.View);
   }
-  this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
-                        [view](const Part& part) { return !view || part.View == view; }),
-    this->Waiting.end());
   this->ShowProgress();
 }
 
@@ -541,7 +590,7 @@ bool pqRayTracedGlyphsRefinement::eventFilter(QObject* object, QEvent* event)
     {
       if (part.View && IsWithin(object, part.View->widget()))
       {
-        this->Stop(part.View);
+        this->stop(part.View);
         break;
       }
     }

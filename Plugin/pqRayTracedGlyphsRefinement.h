@@ -43,6 +43,34 @@ public:
   void startup();
   void shutdown();
 
+  /**
+   * The plugin's only one; null after it was unloaded.
+   */
+  static pqRayTracedGlyphsRefinement* instance();
+
+  struct Image
+  {
+    vtkSMProxy* Display = nullptr; ///< one of its visible ray-traced displays, all of which have its settings
+    int Samples = 0, Wanted = 0;   ///< a pixel: so far, in the end
+    bool Refined = false;          ///< more are being traced
+    QString Step;                  ///< what is being done
+  };
+  /**
+   * The image of a view; of a comparative view's parts the one that lacks most.
+   */
+  Image imageOf(pqView* view) const;
+
+  /**
+   * Leaves the images of a view, or of all (null), as they are until something else changes them.
+   */
+  void stop(const pqView* view);
+
+Q_SIGNALS:
+  /**
+   * The image of a view may be another one, or further.
+   */
+  void looked(pqView* view);
+
 protected:
   bool eventFilter(QObject* object, QEvent* event) override;
 
@@ -79,7 +107,6 @@ private:
   void Attach(const Part& part);
   void Look(Part part);
   void Render(const Part& part);
-  void Stop(const pqView* view);
   void ShowProgress();
   pqProgressWidget* ProgressBar();
 

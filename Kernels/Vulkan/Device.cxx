@@ -221,53 +221,13 @@ MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, 
   return vk::raii::Device(physical, info);
 }
 
-} // namespace
-
-Device::Device()
+// Runs `work`; turns whatever goes wrong with Vulkan's loader and drivers into an rtg::Error.
+template <class Work>
+void StartingVulkan(Work&& work)
 {
   try
   {
-    this->state_ = std::make_unique<State>();
-    State& state = *this->state_;
-    const vk::ApplicationInfo application("RayTracedGlyphs", 1, "RayTracedGlyphs", 1, VK_API_VERSION_1_2);
-    state.instance = vk::raii::Instance(state.context, vk::InstanceCreateInfo({}, &application));
-
-    std::vector<vk::raii::PhysicalDevice> devices;
-    try
-    {
-      devices = vk::raii::PhysicalDevices(state.instance);
-    }
-    catch (const vk::InitializationFailedError&)
-    {
-      // No driver at all; ChooseDevice says so.
-    }
-    state.physical = devices.empty() ? vk::raii::PhysicalDevice(nullptr) : std::move(devices[ChooseDevice(devices)]);
-    if (devices.empty())
-    {
-      ChooseDevice(devices);
-    }
-    state.name = DeviceName(state.physical);
-    state.cpu = state.sharesMemory = state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
-    state.queueFamily = ChooseQueueFamily(state.physical);
-    state.int64 = state.physical.getFeatures().shaderInt64;
-    state.tracesRays = TracesRays(state.physical);
-    using Stage = vk::PipelineStageFlagBits;
-    state.programStages = Stage::eComputeShader;
-    if (state.tracesRays)
-    {
-      state.programStages |= Stage::eRayTracingShaderKHR | Stage::eAccelerationStructureBuildKHR;
-    }
-    state.device = MakeDevice(state.physical, state.queueFamily, state.int64, state.tracesRays);
-    state.queue = state.device.getQueue(state.queueFamily, 0);
-    state.LoadPrograms();
-    state.memoryTypes = state.physical.getMemoryProperties();
-    if (state.tracesRays)
-    {
-      const auto properties = state.physical.getProperties2<vk::PhysicalDeviceProperties2,
-        vk::PhysicalDeviceRayTracingPipelinePropertiesKHR, vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
-      state.pipelineLimits = properties.get<vk::PhysicalDeviceRayTracingPipelinePropertiesKHR>();
-      state.structureLimits = properties.get<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
-    }
+    work();
   }
   catch (const Error&)
   {
@@ -277,6 +237,58 @@ Device::Device()
   {
     throw Error(std::string("Ray Traced Glyphs: Vulkan cannot be started (") + error.what() +
       "). Install the Vulkan loader (Debian: libvulkan1). " + remedy);
+  }
+}
+
+} // namespace
+
+Device::Device() = default;
+
+void Device::Choose()
+{
+  this->state_ = std::make_unique<State>();
+  State& state = *this->state_;
+  const vk::ApplicationInfo application("RayTracedGlyphs", 1, "RayTracedGlyphs", 1, VK_API_VERSION_1_2);
+  state.instance = vk::raii::Instance(state.context, vk::InstanceCreateInfo({}, &application));
+
+  std::vector<vk::raii::PhysicalDevice> devices;
+  try
+  {
+    devices = vk::raii::PhysicalDevices(state.instance);
+  }
+  catch (const vk::InitializationFailedError&)
+  {
+    // No driver at all; ChooseDevice says so.
+  }
+  const std::size_t chosen = ChooseDevice(devices);
+  state.physical = std::move(devices[chosen]);
+  state.name = DeviceName(state.physical);
+  state.cpu = state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
+}
+
+void Device::Start()
+{
+  State& state = *this->state_;
+  state.sharesMemory = state.cpu;
+  state.queueFamily = ChooseQueueFamily(state.physical);
+  state.int64 = state.physical.getFeatures().shaderInt64;
+  state.tracesRays = TracesRays(state.physical);
+  using Stage = vk::PipelineStageFlagBits;
+  state.programStages = Stage::eComputeShader;
+  if (state.tracesRays)
+  {
+    state.programStages |= Stage::eRayTracingShaderKHR | Stage::eAccelerationStructureBuildKHR;
+  }
+  state.device = MakeDevice(state.physical, state.queueFamily, state.int64, state.tracesRays);
+  state.queue = state.device.getQueue(state.queueFamily, 0);
+  state.LoadPrograms();
+  state.memoryTypes = state.physical.getMemoryProperties();
+  if (state.tracesRays)
+  {
+    const auto properties = state.physical.getProperties2<vk::PhysicalDeviceProperties2,
+      vk::PhysicalDeviceRayTracingPipelinePropertiesKHR, vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
+    state.pipelineLimits = properties.get<vk::PhysicalDeviceRayTracingPipelinePropertiesKHR>();
+    state.structureLimits = properties.get<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
   }
 }
 
@@ -292,9 +304,22 @@ std::shared_ptr<Device> Device::Shared()
   if (!device || device->Lost())
   {
     device = std::shared_ptr<Device>(new Device);
+    StartingVulkan(
+      [&]()
+      {
+        device->Choose();
+        device->Start();
+      });
     shared = device;
   }
   return device;
+}
+
+Device::Choice Device::Chosen()
+{
+  Device looked;
+  StartingVulkan([&]() { looked.Choose(); });
+  return { looked.Name(), looked.IsCpu() };
 }
 
 std::string Device::Name() const

@@ -17,6 +17,14 @@ public:
   /// install it; a later call tries again. After the device was lost, the next call makes a new one.
   static std::shared_ptr<Device> Shared();
 
+  struct Choice
+  {
+    std::string name;
+    bool cpu = false;
+  };
+  /// The device that Shared() would make: drivers are asked what there is, and none is made. Throws as Shared() does.
+  static Choice Chosen();
+
   ~Device();
   std::string Name() const;
   bool IsCpu() const;
@@ -29,6 +37,9 @@ public:
 
 private:
   Device();
+  void Choose();
+  void Start();
+
   std::unique_ptr<State> state_;
 };
 

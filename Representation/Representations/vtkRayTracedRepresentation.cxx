@@ -1,6 +1,8 @@
 #include "vtkRayTracedRepresentation.h"
 
+#include "Glyphs.h"
 #include "Stopwatch.h"
+#include "Vulkan/Device.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkGlyphStepVelocity.h"
@@ -431,6 +433,23 @@ const char* vtkRayTracedRepresentation::GetDeviceName()
   vtkRayTracedScene* scene = this->GetScene();
   this->DeviceName = scene ? scene->GetDeviceName() : std::string();
   return this->DeviceName.c_str();
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedRepresentation::FindDevice(std::string& words)
+{
+  try
+  {
+    const rtg::Device::Choice chosen = rtg::Device::Chosen();
+    words = "Ray Traced Glyphs: this computer traces with '" + chosen.name + "'" +
+      (chosen.cpu ? ", its processor; RTGLYPHS_DEVICE chooses another Vulkan device." : ".");
+    return true;
+  }
+  catch (const rtg::Error& error)
+  {
+    words = error.what();
+    return false;
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -99,6 +99,12 @@ public:
   ///@}
 
   /**
+   * Whether this process has a Vulkan device to trace with; `words` tell which, or what is missing and how to get it.
+   * Drivers are asked, no device is made.
+   */
+  static bool FindDevice(std::string& words);
+
+  /**
    * Whether the last render of the view was a server's, so that this process, the client, has no image of its own.
    */
   bool GetRenderedRemotely();

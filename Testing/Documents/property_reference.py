@@ -35,7 +35,8 @@ def of_representations():
 
 
 def values(entry):
-    """What the property can be, as its domains say."""
+    """What the property can be, as its documentation says, else its domains, which are the sliders' ends."""
+    stated = re.search(r"\bIn (\[[^\]]*\])", re.sub(r"\s+", " ", entry.findtext("Documentation") or ""))
     for domain in entry:
         if domain.tag == "EnumerationDomain":
             return ", ".join(item.get("text") for item in domain.iter("Entry"))
@@ -48,6 +49,8 @@ def values(entry):
         if domain.tag in ("DoubleRangeDomain", "IntRangeDomain"):
             least, most = domain.get("min"), domain.get("max")
             least, most = (least or "").split(" ")[0], (most or "").split(" ")[0]
+            if stated:
+                return stated.group(1)
             if least and most:
                 return "[%s, %s]" % (least, most)
             if least:

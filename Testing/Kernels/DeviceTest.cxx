@@ -12,6 +12,7 @@ TEST(DeviceTest, NumbersAreIndicesOrPartsOfNames)
 {
   ::unsetenv("RTGLYPHS_DEVICE");
   const std::string name = rtg::Device::Shared()->Name();
+  EXPECT_EQ(rtg::Device::Chosen().name, name);
 
   // No machine has so many devices.
   ::setenv("RTGLYPHS_DEVICE", "4090", 1);

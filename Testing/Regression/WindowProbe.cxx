@@ -1,12 +1,21 @@
 // A user of ParaView's window, for scripts that run inside it (window.py): mouse and keys at widgets that are found by
-// their names, what a label says, and time for the window's events. Events are posted, as those of a window system are,
-// and take the way through ParaView's filters.
+// their names, what they say and show, and time for the window's events. Events are posted, as those of a window system
+// are, and take the way through ParaView's filters.
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAction>
 #include <QApplication>
+#include <QCursor>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMap>
+#include <QMessageBox>
 #include <QMouseEvent>
+#include <QProgressBar>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QString>
+#include <QTimer>
 #include <QWidget>
 #include <QWindow>
 
@@ -69,6 +78,19 @@ extern "C"
     return 1;
   }
 
+  // 1: the mouse is on its way to a place in the widget, in pixels from its lower left corner. ParaView asks the
+  // display where it is, so it is moved there.
+  Q_DECL_EXPORT int probe_hover(const char* name, int x, int y)
+  {
+    const QWidget* widget = Find(name);
+    if (!widget)
+    {
+      return 0;
+    }
+    QCursor::setPos(widget->mapToGlobal(QPoint(x, widget->height() - 1 - y)));
+    return 1;
+  }
+
   // 1: Esc is on its way to the widget, as if that had the focus.
   Q_DECL_EXPORT int probe_escape(const char* name)
   {
@@ -88,11 +110,126 @@ extern "C"
     return widget && widget->isEnabled();
   }
 
-  // What a label says; copied, at most `size` characters with the 0 at the end.
+  Q_DECL_EXPORT int probe_visible(const char* name)
+  {
+    return Find(name) != nullptr;
+  }
+
+  Q_DECL_EXPORT int probe_checked(const char* name)
+  {
+    const auto* button = qobject_cast<QAbstractButton*>(Find(name));
+    return button && button->isChecked();
+  }
+
+  // Presses the default button of message boxes that come up from now on.
+  Q_DECL_EXPORT void probe_confirm()
+  {
+    auto* timer = new QTimer(qApp);
+    QObject::connect(timer, &QTimer::timeout, timer,
+      []()
+      {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (box && box->defaultButton())
+        {
+          box->defaultButton()->click();
+        }
+        else if (box)
+        {
+          box->accept();
+        }
+      });
+    timer->start(200);
+  }
+
+  // 1: a menu's action is on its way.
+  Q_DECL_EXPORT int probe_trigger(const char* name)
+  {
+    for (QWidget* window : QApplication::topLevelWidgets())
+    {
+      auto* action = window->findChild<QAction*>(name);
+      if (action && action->isEnabled())
+      {
+        return QMetaObject::invokeMethod(action, "trigger", Qt::QueuedConnection);
+      }
+    }
+    return 0;
+  }
+
+  // What a label, a button or a progress bar says; copied, at most `size` characters with the 0 at the end.
   Q_DECL_EXPORT void probe_text(const char* name, char* text, int size)
   {
-    const auto* label = qobject_cast<QLabel*>(Find(name));
-    std::strncpy(text, label ? label->text().toUtf8().constData() : "", size - 1);
+    const QWidget* widget = Find(name);
+    QString said;
+    if (const auto* label = qobject_cast<const QLabel*>(widget))
+    {
+      said = label->text();
+    }
+    else if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+    {
+      said = button->text();
+    }
+    else if (const auto* bar = qobject_cast<const QProgressBar*>(widget))
+    {
+      said = bar->text();
+    }
+    std::strncpy(text, said.toUtf8().constData(), size - 1);
     text[size - 1] = 0;
+  }
+
+  // The rows of all lists in a widget, which need not be visible, a line each; copied as above.
+  Q_DECL_EXPORT void probe_rows(const char* name, char* text, int size)
+  {
+    QString said;
+    for (QWidget* widget : QApplication::allWidgets())
+    {
+      for (const auto* list :
+        widget->objectName() == name ? widget->findChildren<QAbstractItemView*>() : QList<QAbstractItemView*>())
+      {
+        const QAbstractItemModel* rows = list->model();
+        for (int row = 0; rows && row < rows->rowCount(); ++row)
+        {
+          said += rows->index(row, 0).data().toString() + '\n';
+        }
+      }
+    }
+    std::strncpy(text, said.toUtf8().constData(), size - 1);
+    text[size - 1] = 0;
+  }
+
+  // The labels of the rows that a widget shows, from the upper to the lower, a line each; copied as above.
+  Q_DECL_EXPORT void probe_labels(const char* name, char* text, int size)
+  {
+    QMap<int, QString> labels;
+    const QWidget* outer = Find(name);
+    for (const QLabel* label : outer ? outer->findChildren<QLabel*>() : QList<QLabel*>())
+    {
+      if (label->isVisible() && !label->text().isEmpty())
+      {
+        labels.insert(
+          label->mapTo(outer, QPoint(0, 0)).y() * 4096 + label->mapTo(outer, QPoint(0, 0)).x(), label->text());
+      }
+    }
+    const QString said = labels.values().join('\n');
+    std::strncpy(text, said.toUtf8().constData(), size - 1);
+    text[size - 1] = 0;
+  }
+
+  // 1: the window around a widget has that size.
+  Q_DECL_EXPORT int probe_resize(const char* name, int width, int height)
+  {
+    const QWidget* widget = Find(name);
+    if (!widget)
+    {
+      return 0;
+    }
+    widget->window()->resize(width, height);
+    return 1;
+  }
+
+  // 1: what a widget looks like is in the file.
+  Q_DECL_EXPORT int probe_picture(const char* name, const char* file)
+  {
+    QWidget* widget = Find(name);
+    return widget && widget->grab().save(file);
   }
 }

@@ -15,6 +15,16 @@ import session  # noqa: E402
 from window import Window, run  # noqa: E402
 
 SHAPES = ("Sphere", "Box", "Cylinder", "Capsule", "Cone", "Arrow")
+#: labels of the rows that all shapes have while nothing is ticked, and of those that shapes have after the first two and at the end
+ROWS = ["Glyph Shape", "Glyph Location", "Glyph Scale Factor", "Glyph Scale Function"]
+TENSOR = ["Glyph Tensor Array", "Glyph Tensor Layout", "Glyph Tensor Sharpness", "Glyph Tensor Coloring"]
+OF_SHAPES = {
+    "Arrow": ([], ["Arrow Heads", "Arrow Shaft Radius", "Arrow Tip Radius", "Arrow Tip Length"]),
+    "Superquadric": ([], ["Glyph Exponents", "Glyph Exponent Array", "Glyph Exponent Form"]),
+    "Tensor Ellipsoid": ([], [row for row in TENSOR if row != "Glyph Tensor Sharpness"]),
+    "Tensor Superquadric": ([], TENSOR),
+    "Signed Tensor Superquadric": ([], TENSOR),
+    "Mesh": (["Glyph Mesh"], [])}
 
 
 def main():
@@ -39,13 +49,37 @@ def main():
         pv.Render(view)
         pixels = session.capture(view, "gui-" + shape, ImageResolution=[300, 200])
         failures += comparison.against_baseline(pixels, "gui-" + shape)
-    failures += reset(view, reader, shown)
+    window = Window()
+    failures += reset(window, view, reader, shown)
+    failures += panel(window, view, reader, shown)
     return failures
 
 
-def reset(view, reader, shown):
+def panel(window, view, reader, shown):
+    """For each shape the panel shows the rows that concern it, and no others; sections stand in the order of use."""
+    failures = []
+    window.resize("pqClientMainWindow", 1500, 1100)
+    pv.SetActiveSource(reader)
+    sections = ["Representation", "Coloring", "Ray Traced Glyphs", "Glyph Shape", "Motion", "Ray Traced Image", "Rendering Quality"]
+    found = []
+
+    def rows():
+        found[:] = window.labels("propertiesPanel")
+        return [row for row in found if row.startswith(("Glyph", "Arrow"))]
+    for shape in shown.GetProperty("GlyphShape").Available:
+        shown.GlyphShape = shape
+        pv.Render(view)
+        wanted = ROWS[:2] + OF_SHAPES.get(shape, ([], []))[0] + ROWS[2:] + OF_SHAPES.get(shape, ([], []))[1]
+        if not window.wait(lambda wanted=wanted: rows() == wanted, 10):
+            failures.append("the panel shows for %s %s, not %s" % (shape, rows(), wanted))
+        window.picture("propertiesPanel", session.output("gui-panel-%s.png" % shape.replace(" ", "-")))
+    if [row for row in found if row in sections] != sections:
+        failures.append("the panel's sections are %s" % found)
+    return failures
+
+
+def reset(window, view, reader, shown):
     """The button Reset beside GlyphScaleFactor goes back to what the data suggest, and the picture follows."""
-    window = Window()
     pv.SetActiveSource(reader)
     shown.GlyphShape = "Sphere"
     shown.GlyphScaleFactorFromData = 1

@@ -9,7 +9,7 @@ import session
 from checks import Checks
 
 MATERIAL = ("Metallic", "Roughness", "CoatStrength", "CoatIOR", "CoatRoughness", "CoatColor")
-GROUP = "Ray Tracing"
+GROUP = "Ray Traced Image"
 
 
 def children(element, name):

@@ -4,6 +4,7 @@ Environment: RTGLYPHS_WINDOW_PROBE is the library of WindowProbe.cxx.
 """
 import ctypes
 import os
+import re
 import time
 import traceback
 
@@ -29,7 +30,8 @@ class Window:
     """What a user of the window does and sees; widgets are named as ParaView names them."""
 
     def __init__(self):
-        self.probe = ctypes.CDLL(os.environ["RTGLYPHS_WINDOW_PROBE"])
+        # Events run ParaView's own Python, its trace for one: the interpreter stays locked for this script.
+        self.probe = ctypes.PyDLL(os.environ["RTGLYPHS_WINDOW_PROBE"])
 
     def events(self):
         """Lets the window take its events: scripts run inside one."""
@@ -39,6 +41,10 @@ class Window:
         """Posts a click; False: there is no such widget, or it is disabled."""
         return bool(self.probe.probe_click(name.encode()))
 
+    def hover(self, name, at):
+        """Moves the mouse to a pixel of a widget, from its lower left; False: there is no such widget."""
+        return bool(self.probe.probe_hover(name.encode(), *at))
+
     def escape(self, name):
         """Posts the Esc key; False: there is no such widget."""
         return bool(self.probe.probe_escape(name.encode()))
@@ -47,11 +53,47 @@ class Window:
         """Whether a visible widget takes input."""
         return bool(self.probe.probe_enabled(name.encode()))
 
-    def text(self, name):
-        """What a label says."""
-        text = ctypes.create_string_buffer(200)
-        self.probe.probe_text(name.encode(), text, len(text))
+    def visible(self, name):
+        """Whether there is such a widget in sight."""
+        return bool(self.probe.probe_visible(name.encode()))
+
+    def checked(self, name):
+        """Whether a button is pressed."""
+        return bool(self.probe.probe_checked(name.encode()))
+
+    def trigger(self, name):
+        """Does what a menu's action does; False: there is none, or it is disabled."""
+        return bool(self.probe.probe_trigger(name.encode()))
+
+    def confirm(self):
+        """Presses the default button of message boxes from now on."""
+        self.probe.probe_confirm()
+
+    def _words(self, function, name):
+        """What a function of the probe copies."""
+        text = ctypes.create_string_buffer(20000)
+        function(name.encode(), text, len(text))
         return text.value.decode()
+
+    def text(self, name):
+        """What a label, a button or a progress bar says."""
+        return self._words(self.probe.probe_text, name)
+
+    def rows(self, name):
+        """The rows of the lists in a widget, which need not be visible, each once."""
+        return list(dict.fromkeys(self._words(self.probe.probe_rows, name).splitlines()))
+
+    def labels(self, name):
+        """The labels that a widget shows, from the upper to the lower."""
+        return [re.sub("<[^>]*>", "", line) for line in self._words(self.probe.probe_labels, name).splitlines()]
+
+    def resize(self, name, width, height):
+        """Gives the window around a widget a size; False: there is no such widget."""
+        return bool(self.probe.probe_resize(name.encode(), width, height))
+
+    def picture(self, name, file):
+        """Leaves what a widget looks like in a file; False: there is no such widget."""
+        return bool(self.probe.probe_picture(name.encode(), file.encode()))
 
     def wait(self, until, seconds):
         """Handles events until the condition holds; False after that many seconds."""

@@ -1,0 +1,71 @@
+"""Runs inside ParaView's window: with 'Hover Points On' and 'Hover Cells On' a tooltip tells of the glyph under the mouse.
+
+Usage: paraview --plugin-search-paths=DIR --plugins=RayTracedGlyphs --script=hovering.py
+Prints HOVERING TEST PASSED as its last line.
+"""
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRIPT", "."))))
+
+import numpy  # noqa: E402
+import paraview.simple as pv  # noqa: E402
+from vtkmodules.vtkCommonDataModel import vtkCellArray  # noqa: E402
+
+import session  # noqa: E402
+from checks import Checks  # noqa: E402
+from window import Window, run, say  # noqa: E402
+
+PLACES = numpy.array([[x, y, 0.0] for y in range(2) for x in range(3)], dtype=float)
+#: names of ParaView's widgets
+VIEW, TOOLTIP = "Viewport", "qtooltip_label"
+#: seconds within which a tooltip must be there
+LIMIT = 20.0
+
+
+def points():
+    """Points with a number; cell i is point 5 - i."""
+    data = session.poly_data(PLACES, number=numpy.arange(6.0) + 10.0)
+    cells = vtkCellArray()
+    for point in reversed(range(6)):
+        cells.InsertNextCell(1, [point])
+    data.SetVerts(cells)
+    return data
+
+
+def told(window, view, place):
+    """The tooltip's id while the mouse is on a place, a little beside the point; None: no tooltip."""
+    x, y = session.pixel_of(view, place + [0.2, 0.15, 0.0])
+    before = window.text(TOOLTIP)
+    window.hover(VIEW, (x - 1, y))
+    window.wait(lambda: False, 0.1)
+    window.hover(VIEW, (x, y))
+    window.wait(lambda: window.text(TOOLTIP) not in ("", before), LIMIT)
+    found = re.search(r"\bId: *(?:</[^>]*> *)*(\d+)", window.text(TOOLTIP))
+    say("%s: %s" % (place, window.text(TOOLTIP)))
+    return int(found.group(1)) if found else None
+
+
+def main():
+    """Points, then cells."""
+    checks, window = Checks(), Window()
+    pv._DisableFirstRenderCameraReset()
+    view = pv.GetActiveViewOrCreate("RenderView")
+    pv.GetLayout().PreviewMode = [300, 200]
+    source = session.source(points())
+    session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.8)
+    session.look(view, (1.0, 0.5, 10.0), (1.0, 0.5, 0.0), parallel_scale=1.2)
+    pv.SetActiveSource(source)
+    window.confirm()  # ParaView explains the mode once
+    pv.Render(view)
+    for action, of_point in (("actionHoveringSurfacePoints", lambda i: i), ("actionHoveringSurfaceCells", lambda i: 5 - i)):
+        checks.true("%s cannot be chosen" % action, window.wait(lambda action=action: window.trigger(action), LIMIT))
+        window.wait(lambda: False, 0.3)
+        for i in (0, 4):
+            checks.equal("%s: id that is told of point %d" % (action, i), told(window, view, PLACES[i]), of_point(i))
+        window.trigger(action)
+    return checks.failures
+
+
+run("HOVERING", main)

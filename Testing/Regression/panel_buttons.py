@@ -1,0 +1,115 @@
+"""What the panel's buttons and the menus do with the properties of a display: copy and paste, save as default, restore
+defaults, undo and redo of a quality, animation of numbers.
+
+Usage: pvpython panel_buttons.py
+"""
+import paraview.simple as pv
+from paraview.modules.vtkRemotingMisc import vtkSMProxyClipboard
+from paraview.modules.vtkRemotingServerManager import vtkSMProxyManager, vtkSMSettings, vtkSMUndoStack, vtkSMUndoStackBuilder
+
+import session
+from checks import Checks, cloud
+
+#: what is set, no default among it
+SET = {"GlyphShape": "Capsule", "GlyphScaleFactor": 0.31, "GlyphScaleFunction": "Square Root", "GlyphScaling": 1, "GlyphScaleArray": "scalar",
+       "GlyphLegend": 1, "ShutterTime": 0.5, "ShadingMode": "Ambient Occlusion", "SamplesPerPixel": 3, "Exposure": 0.5}
+#: what the data have a say in, whatever was saved or restored
+FROM_DATA = {"GlyphScaleFactor", "GlyphScaleArray"}
+QUALITY = ("RenderingQuality", "ShadingMode", "SamplesPerPixel", "Denoising")
+
+
+def values(shown, names=tuple(SET)):
+    """The properties as they are."""
+    return {name: str(shown.GetPropertyValue(name)).strip("'") for name in names}
+
+
+def show(view, **properties):
+    """Some points as glyphs with these properties."""
+    shown = pv.Show(cloud(50), view)
+    shown.SetRepresentationType(session.REPRESENTATION)
+    for name, value in properties.items():
+        setattr(shown, name, value)
+    pv.Render(view)
+    return shown
+
+
+def copy_and_paste(checks, view):
+    """All that was set arrives; what shares nothing with it stays."""
+    shown, other = show(view, **SET), show(session.view(60, 40))
+    clipboard = vtkSMProxyClipboard()
+    checks.true("nothing can be copied", clipboard.Copy(shown.SMProxy))
+    checks.true("nothing can be pasted", clipboard.CanPaste(other.SMProxy) and clipboard.Paste(other.SMProxy))
+    checks.equal("pasted", values(other), values(shown))
+    return shown
+
+
+def defaults(checks, view, shown):
+    """Restored, the properties are as at first; saved, the next display has them."""
+    first = show(session.view(60, 40))
+    plain = values(first)
+    wanted = values(shown)
+    names = [name for name in SET if name not in FROM_DATA]
+    checks.true("a display has from the beginning what is set: %s" % plain, all(plain[name] != wanted[name] for name in names))
+    settings = vtkSMSettings.GetInstance()
+    settings.SetProxySettings(shown.SMProxy)
+    later = show(session.view(60, 40))
+    checks.equal("saved as default", values(later, names), {name: wanted[name] for name in names})
+    settings.ClearAllSettings()
+    later.SMProxy.ResetPropertiesToDefault()
+    later.SetRepresentationType(session.REPRESENTATION)
+    pv.Render(pv.GetActiveView())
+    checks.equal("restored", values(later, names), {name: plain[name] for name in names})
+
+
+def undo(checks, view, shown):
+    """One undo takes a quality back with all that it has set, one redo gives it again."""
+    stack, builder = vtkSMUndoStack(), vtkSMUndoStackBuilder()
+    builder.SetUndoStack(stack)
+    vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(builder)
+    shown.SamplesPerPixel = 5  # the first change after a stack is there only tells it what was
+    for name in ("Fast", "Balanced", "Publication"):
+        before = values(shown, QUALITY)
+        builder.Begin(name)
+        shown.RenderingQuality = name
+        builder.End()
+        builder.PushToStack()
+        after = values(shown, QUALITY)
+        checks.equal("quality", after["RenderingQuality"], name)
+        stack.Undo()
+        checks.equal(name + ": after undo", values(shown, QUALITY), before)
+        stack.Redo()
+        checks.equal(name + ": after redo", values(shown, QUALITY), after)
+    vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(None)
+
+
+def animated(checks, view, shown):
+    """Numbers follow an animation track, those that hold for a view, too."""
+    scene = pv.GetAnimationScene()
+    scene.PlayMode, scene.StartTime, scene.EndTime, scene.NumberOfFrames = "Sequence", 0.0, 1.0, 3
+    for name, first, last in (("GlyphScaleFactor", 0.1, 0.5), ("Exposure", -1.0, 1.0), ("ArrowTipLength", 0.2, 0.6)):
+        track = pv.GetAnimationTrack(name, index=0, proxy=shown)
+        frames = [pv.CompositeKeyFrame(KeyTime=time, KeyValues=[value]) for time, value in ((0.0, first), (1.0, last))]
+        track.KeyFrames = frames
+        for time in (0.0, 0.5, 1.0):
+            scene.AnimationTime = time
+            value = first + time * (last - first)
+            checks.within("%s at %g" % (name, time), getattr(shown, name), value - 1e-6, value + 1e-6)
+        track.Enabled = 0
+
+
+def main():
+    """All parts."""
+    session.load()
+    checks = Checks()
+    view = session.view(60, 40)
+    shown = copy_and_paste(checks, view)
+    undo(checks, view, shown)
+    animated(checks, view, shown)
+    for name, value in SET.items():
+        setattr(shown, name, value)
+    defaults(checks, view, shown)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,154 @@
+"""Runs inside ParaView's window: the plugin's toolbar chooses a quality, stops and tells how far the image is; undo, redo
+and the Python trace know what was chosen. ParaView's messages name the device that traces.
+
+Usage: paraview --plugin-search-paths=DIR --plugins=RayTracedGlyphs --script=toolbar.py
+Prints TOOLBAR TEST PASSED as its last line.
+"""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRIPT", "."))))
+
+import paraview.simple as pv  # noqa: E402
+from paraview import smtrace  # noqa: E402
+
+import session  # noqa: E402
+from checks import Checks, cloud, information, pending  # noqa: E402
+from window import Window, run, say  # noqa: E402
+
+QUALITIES = ("Fast", "Balanced", "Publication")
+BAR = "RayTracedGlyphs"
+#: samples that take long, and samples that do not
+MANY, FEW = 4000, 3
+#: seconds within which what is waited for must have happened
+LIMIT = 60.0
+
+
+class Bar:
+    """The toolbar as a user sees it."""
+
+    def __init__(self, window):
+        self.window = window
+
+    def enabled(self):
+        """Names of the buttons that can be pressed."""
+        return [name for name in QUALITIES + ("Stop",) if self.window.enabled(BAR + "/" + name)]
+
+    def pressed(self):
+        """Names of the qualities that are chosen."""
+        return [name for name in QUALITIES if self.window.checked(BAR + "/" + name)]
+
+    def samples(self):
+        """What is said of the samples."""
+        return self.window.text(BAR + "/Samples")
+
+    def waits(self, checks, what, holds):
+        """A state that the toolbar must reach."""
+        checks.true("%s: the toolbar has %s, pressed %s, '%s'" % (what, self.enabled(), self.pressed(), self.samples()),
+                    self.window.wait(holds, LIMIT))
+
+
+def device(checks, window):
+    """One plain message names the device, and no window is opened for it; this before anything is rendered."""
+    checks.true("no message of a device: %s" % window.rows("outputWidget"),
+                window.wait(lambda: any("traces with" in row for row in window.rows("outputWidget")), LIMIT))
+    said = [row for row in window.rows("outputWidget") if "Ray Traced Glyphs" in row]
+    say("said: %s" % said)
+    checks.equal("number of the plugin's messages", len(said), 1)
+    checks.true("the window of messages is open", not window.visible("outputWidgetDock"))
+    return said[0] if said else ""
+
+
+def quality(checks, window, bar, shown):
+    """Each button, with undo and redo, and a change elsewhere."""
+    was = "Custom"
+    shown.SamplesPerPixel = 5
+    pv.Render()
+    bar.waits(checks, "Custom", lambda: bar.pressed() == [] and bar.samples() == "5 of 5 samples")
+    for name, samples in (("Fast", 4), ("Balanced", 32)):
+        smtrace.start_trace()
+        checks.true("%s cannot be pressed" % name, window.click(BAR + "/" + name))
+        chosen = window.wait(lambda name=name: shown.RenderingQuality == name, LIMIT)
+        trace = smtrace.stop_trace()
+        checks.true("%s: RenderingQuality is %s" % (name, shown.RenderingQuality), chosen)
+        checks.true("%s: the trace does not say so: %s" % (name, trace), ".RenderingQuality = '%s'" % name in trace)
+        bar.waits(checks, name, lambda name=name, samples=samples: bar.pressed() == [name] and (" of %d samples" % samples) in bar.samples())
+        found = []
+        for action, wanted in (("actionEditUndo", was), ("actionEditRedo", name)):
+            checks.true("%s: %s cannot be chosen" % (name, action), window.wait(lambda action=action: window.trigger(action), LIMIT))
+            window.wait(lambda wanted=wanted: shown.RenderingQuality == wanted, 5.0)
+            # As text: what properties give out changes with them.
+            found.append((str(shown.RenderingQuality).strip("'"), shown.SamplesPerPixel, str(shown.ShadingMode).strip("'")))
+        say("%s: after undo %s, after redo %s" % (name, *found))
+        before = {"Custom": ("Custom", 5, "Local"), "Fast": ("Fast", 4, "Local")}[was]
+        checks.equal("%s: after undo" % name, found[0], before)
+        checks.equal("%s: after redo" % name, found[1], (name, samples, "Local" if name == "Fast" else "Ambient Occlusion"))
+        was = name
+    shown.SamplesPerPixel = 6
+    pv.Render()
+    bar.waits(checks, "Custom again", lambda: bar.pressed() == [] and " of 6 samples" in bar.samples())
+
+
+def stopping(checks, window, bar, view, shown):
+    """Progress grows until Stop is pressed; then there is nothing to stop."""
+    shown.SamplesPerPixel = MANY
+    session.look(view, (1.0, 0.5, 6.0))
+    pv.Render(view)
+    told = set()
+    bar.waits(checks, "refining", lambda: told.add(bar.samples()) or len(told) >= 4)
+    say("told: %s" % sorted(told))
+    checks.true("nothing tells of %d samples: %s" % (MANY, told), any("of %d samples" % MANY in one for one in told))
+    checks.true("refining: %s" % bar.enabled(), "Stop" in bar.enabled())
+    window.picture(BAR, session.output("toolbar-refining.png"))
+    checks.true("Stop cannot be pressed", window.click(BAR + "/Stop"))
+    bar.waits(checks, "stopped", lambda: "Stop" not in bar.enabled())
+    checks.true("a stopped image is pending", not pending(shown))
+    stopped = information(shown, "AccumulatedSamples")
+    window.wait(lambda: False, 0.5)
+    checks.equal("samples of an image that was stopped", information(shown, "AccumulatedSamples"), stopped)
+    checks.equal("said of an image that was stopped", bar.samples(), "%d of %d samples" % (stopped, MANY))
+    shown.SamplesPerPixel = FEW
+
+
+def views(checks, bar, view, shown):
+    """Enabled only while the active view shows something ray-traced; of each view its own."""
+    other = pv.CreateView("RenderView")
+    pv.SetActiveView(other)
+    bar.waits(checks, "an empty view", lambda: bar.enabled() == [] and bar.pressed() == [] and not bar.samples())
+    pv.SetActiveView(view)
+    bar.waits(checks, "back in the view", lambda: bar.enabled()[:3] == list(QUALITIES))
+    pv.Delete(other)
+    shown.Visibility = 0
+    pv.Render(view)
+    bar.waits(checks, "hidden glyphs", lambda: bar.enabled() == [])
+    shown.Visibility = 1
+    pv.Render(view)
+    bar.waits(checks, "glyphs again", lambda: bar.enabled()[:3] == list(QUALITIES))
+    shown.SetRepresentationType("Surface")
+    pv.Render(view)
+    bar.waits(checks, "an ordinary surface", lambda: bar.enabled() == [])
+    shown.SetRepresentationType("Ray Traced Surface")
+    pv.Render(view)
+    bar.waits(checks, "a ray-traced surface", lambda: bar.enabled()[:3] == list(QUALITIES))
+
+
+def main():
+    """All of it in one window."""
+    checks, window = Checks(), Window()
+    window.resize("pqClientMainWindow", 1600, 900)  # so that all of the toolbar is in sight
+    bar = Bar(window)
+    device(checks, window)
+    checks.equal("enabled before anything is shown", bar.enabled(), [])
+    pv._DisableFirstRenderCameraReset()
+    view = pv.GetActiveViewOrCreate("RenderView")
+    pv.GetLayout().PreviewMode = [300, 200]
+    shown = session.glyphs(cloud(1000), view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.15)
+    session.look(view, (0.0, 0.0, 6.0))
+    pv.Render(view)
+    quality(checks, window, bar, shown)
+    stopping(checks, window, bar, view, shown)
+    views(checks, bar, view, shown)
+    return checks.failures
+
+
+run("TOOLBAR", main)
