@@ -145,11 +145,13 @@ public:
   // A mesh for each triple of exponents. False: they would be too many.
   bool AddSuperquadrics()
   {
+    const bool same = this->All.exponents3.empty();
+    const int facets = same ? 64 : 16;
     const bool nested = this->All.shape == rtg::Shape::NestedSuperquadric;
     std::map<std::array<float, 3>, std::size_t> parts;
     for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
     {
-      const glm::vec3 e = this->All.exponents3.empty() ? this->All.uniformExponents : this->All.exponents3[glyph];
+      const glm::vec3 e = same ? this->All.uniformExponents : this->All.exponents3[glyph];
       const auto [found, added] = parts.try_emplace({ e.x, e.y, e.z }, this->Set.Parts.size());
       if (added)
       {
@@ -159,7 +161,7 @@ public:
           return false;
         }
         this->AddMesh("Superquadric_" + std::to_string(found->second),
-          nested ? vtkGlyphTessellation::NestedSuperquadric(e) : vtkGlyphTessellation::Superquadric(e));
+          nested ? vtkGlyphTessellation::NestedSuperquadric(e, facets) : vtkGlyphTessellation::Superquadric(e, facets));
       }
       this->Add(found->second, glyph, SizeOf(this->All, glyph));
     }

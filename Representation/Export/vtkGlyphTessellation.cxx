@@ -7,9 +7,8 @@
 namespace
 {
 constexpr double pi = 3.14159265358979323846;
-// Of round shapes around their axis, and from pole to pole; of superquadrics, each of which may have a mesh of its own.
+// Facets of round shapes around their axis, and from pole to pole.
 constexpr int around = 48, fromPole = 24;
-constexpr int aroundSuperquadric = 32, fromPoleOfSuperquadric = 16;
 
 struct Corner
 {
@@ -119,14 +118,13 @@ glm::dvec2 Circle(int i, int n)
 
 // A closed surface in the frame of its half-lengths; `corner` of the cosine and sine of the angle around z and of that
 // from the pole, its normal in that frame.
-rtg::TriangleMesh ClosedSurface(const std::function<Corner(const glm::dvec2&, const glm::dvec2&)>& corner)
+rtg::TriangleMesh ClosedSurface(int facets, const std::function<Corner(const glm::dvec2&, const glm::dvec2&)>& corner)
 {
   rtg::TriangleMesh mesh;
-  AddGrid(mesh, aroundSuperquadric, fromPoleOfSuperquadric,
-    [&corner](int i, int j)
+  AddGrid(mesh, 2 * facets, facets,
+    [&](int i, int j)
     {
-      Corner made = corner(Circle(i % aroundSuperquadric, aroundSuperquadric),
-        Circle(fromPoleOfSuperquadric - j, 2 * fromPoleOfSuperquadric));
+      Corner made = corner(Circle(i % (2 * facets), 2 * facets), Circle(facets - j, 2 * facets));
       made.Position *= 0.5;
       return made;
     });
@@ -250,10 +248,10 @@ rtg::TriangleMesh vtkGlyphTessellation::ArrowHead(const rtg::ArrowForm& form)
 
 //----------------------------------------------------------------------------
 // With a unit vector d, x = |dx|^(2/r) and so on lie on the surface: |x|^r + |y|^s + |z|^t = dx^2 + dy^2 + dz^2.
-rtg::TriangleMesh vtkGlyphTessellation::Superquadric(const glm::vec3& exponents)
+rtg::TriangleMesh vtkGlyphTessellation::Superquadric(const glm::vec3& exponents, int facets)
 {
   const glm::dvec3 e(exponents);
-  return ClosedSurface(
+  return ClosedSurface(facets,
     [&e](const glm::dvec2& round, const glm::dvec2& polar)
     {
       const glm::dvec3 d(round.x * polar.y, round.y * polar.y, polar.x);
@@ -277,30 +275,31 @@ rtg::TriangleMesh vtkGlyphTessellation::Superquadric(const glm::vec3& exponents)
 //----------------------------------------------------------------------------
 // x = cos(th)^alpha sin(ph)^beta, y = sin(th)^alpha sin(ph)^c of the height z = cos(ph)^beta: Schultz and Kindlmann
 // 2010. Its normal is across two tangents, which are taken from the neighborhood, towards the middle of each face.
-rtg::TriangleMesh vtkGlyphTessellation::NestedSuperquadric(const glm::vec3& exponents)
+rtg::TriangleMesh vtkGlyphTessellation::NestedSuperquadric(const glm::vec3& exponents, int facets)
 {
   const double alpha = exponents.x, beta = exponents.y, c = exponents.z;
-  const auto place = [=](double theta, double phi)
+  const auto place = [=](const glm::dvec2& round, const glm::dvec2& polar)
   {
-    const double z = Power(std::cos(phi), beta);
-    const double byX = std::pow(std::abs(std::sin(phi)), beta);
+    const double z = Power(polar.x, beta);
+    const double byX = std::pow(std::abs(polar.y), beta);
     const double byY = c == beta ? byX : std::pow(std::max(0.0, 1.0 - std::pow(std::abs(z), 2.0 / c)), 0.5 * c);
-    return glm::dvec3(Power(std::cos(theta), alpha) * byX, Power(std::sin(theta), alpha) * byY, z);
+    return glm::dvec3(Power(round.x, alpha) * byX, Power(round.y, alpha) * byY, z);
   };
-  return ClosedSurface(
+  return ClosedSurface(facets,
     [&](const glm::dvec2& round, const glm::dvec2& polar)
     {
       constexpr double step = 1e-3;
-      const double theta = std::atan2(round.y, round.x), phi = std::atan2(polar.y, polar.x);
-      const double inside = std::clamp(phi, 2.0 * step, pi - 2.0 * step);
-      const auto between = [&](double dTheta, double dPhi)
-      { return place(theta + dTheta, inside + dPhi) - place(theta - dTheta, inside - dPhi); };
-      Corner corner;
-      const double z = Power(polar.x, beta);
-      const double byX = std::pow(std::abs(polar.y), beta);
-      const double byY = c == beta ? byX : std::pow(std::max(0.0, 1.0 - std::pow(std::abs(z), 2.0 / c)), 0.5 * c);
-      corner.Position = { Power(round.x, alpha) * byX, Power(round.y, alpha) * byY, z };
-      corner.Normal = glm::cross(Unit(between(0.0, step)), Unit(between(step, 0.0)));
-      return corner;
+      const double theta = std::atan2(round.y, round.x);
+      const double phi = std::clamp(std::atan2(polar.y, polar.x), 2.0 * step, pi - 2.0 * step);
+      const auto tangent = [&](double dTheta, double dPhi)
+      {
+        const auto at = [&](double side)
+        {
+          const double t = theta + side * dTheta, p = phi + side * dPhi;
+          return place({ std::cos(t), std::sin(t) }, { std::cos(p), std::sin(p) });
+        };
+        return Unit(at(1.0) - at(-1.0));
+      };
+      return Corner{ place(round, polar), glm::cross(tangent(0.0, step), tangent(step, 0.0)) };
     });
 }

@@ -28,11 +28,12 @@ rtg::TriangleMesh Shaft(bool open);
 /// The head of a unit arrow, with its tip at the origin, towards +x.
 rtg::TriangleMesh ArrowHead(const rtg::ArrowForm& form);
 
-/// |x|^r + |y|^s + |z|^t = 1 with half-lengths 0.5.
-rtg::TriangleMesh Superquadric(const glm::vec3& exponents);
-
-/// Kernels/Shapes/NestedSuperquadric.glsl with half-lengths 0.5; exponents alpha, beta, c.
-rtg::TriangleMesh NestedSuperquadric(const glm::vec3& exponents);
+///@{
+/// |x|^r + |y|^s + |z|^t = 1, and Kernels/Shapes/NestedSuperquadric.glsl of exponents alpha, beta, c; with half-lengths
+/// 0.5. `facets`: from pole to pole, an even number; twice as many around.
+rtg::TriangleMesh Superquadric(const glm::vec3& exponents, int facets);
+rtg::TriangleMesh NestedSuperquadric(const glm::vec3& exponents, int facets);
+///@}
 }
 
 #endif

@@ -56,12 +56,12 @@ def rotation(w, x, y, z):
 
 
 def axes(tensors, shown, centers, root=False):
-    """Points of the lines that a tensor's eigenvectors are, half the eigenvalue to either side; with the square root of the
-    largest magnitude as that."""
+    """Points of the lines that a tensor's eigenvectors are, half the eigenvalue to either side, but for their thin ends; with
+    the square root of the largest magnitude as that."""
     values, vectors = numpy.linalg.eigh(tensors)
     if root:
         values = values / numpy.sqrt(numpy.abs(values).max(axis=1, keepdims=True))
-    steps = 0.5 * shown.GlyphScaleFactor * numpy.linspace(-0.98, 0.98, 99)
+    steps = 0.5 * shown.GlyphScaleFactor * numpy.linspace(-0.8, 0.8, 81)
     lines = values[:, None, None, :, None] * steps[None, :, None, None, None] * numpy.swapaxes(vectors, 1, 2)[:, None, None]
     return (centers[:, None, None, None, :] + lines).reshape(-1, 3)
 
@@ -93,7 +93,7 @@ WANTED = {
                                                          *c["blocks"].T), True, 27),
     "liggghts_superquadrics": (lambda c: superellipsoids(c["positions"], c["shapes"], c["matrices"], *c["blocks"].T), True, 27),
     "openfoam_cells": (shafts, False, 128),
-    "lammps_stress": (lambda c: axes(c["stress"], c["shown"], c["positions"], root=True), False, 126),
+    "lammps_stress": (lambda c: axes(c["stress"], c["shown"], c["positions"], root=True), False, 140),
     "diffusion_tensors": (lambda c: stressed(c, c["six"].reshape(-1, 6), 2.0 * numpy.stack(
         [c["i"].ravel(), c["j"].ravel(), numpy.zeros(144)], axis=1)), False, 144),
     "calculix_stress": (lambda c: stressed(c, c["stress"][:, [0, 3, 5, 1, 4, 2]], c["nodes"]), False, 108),
@@ -141,7 +141,8 @@ def recipe(name, page, checks):
     view.OrientationAxesVisibility, view.UseFXAA = 0, 0
     view.UseColorPaletteForBackground, view.BackgroundColorMode = 0, "Single Color"
     view.Background = [channel / 255.0 for channel in session.BACKGROUND]
-    shown.SetScalarBarVisibility(view, False)
+    if shown.LookupTable:
+        shown.SetScalarBarVisibility(view, False)
     seen = comparison.covered(session.capture(view, "recipe-" + name, ImageResolution=[400, 300]))
     columns, rows = pixels_of(points(case), view, 400, 300)
     outside = float((~grown(seen, 1)[rows, columns]).mean())
