@@ -84,13 +84,16 @@ void vtkRayTracedExporter::WriteData()
   }
   for (const std::string& message : messages)
   {
-    vtkWarningMacro(<< message);
+    vtkWarningMacro(<< message << (sets.empty() ? " No file is written, because nothing is left." : ""));
   }
-  if (sets.empty())
+  if (sets.empty() && messages.empty())
   {
     vtkErrorMacro(
       << "There is nothing to export to '" << this->FileName
       << "': the view shows no glyphs as Ray Traced Glyphs. Choose that as the Representation of a display.");
+  }
+  if (sets.empty())
+  {
     return;
   }
 
