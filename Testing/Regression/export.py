@@ -45,7 +45,6 @@ CASES = {
     "sharp arrows": {"GlyphShape": "Arrow", **ALONG, "ArrowHeads": "Scaled", "ArrowTipRounding": 0.0},
     "superquadrics": {"GlyphShape": "Superquadric", **LONG, **TURNED, "GlyphExponents": [4.0, 1.0, 12.0]},
     "forms": {"GlyphShape": "Superquadric", **LONG, **TURNED, "GlyphExponentArray": "exponents"},
-    "nested": {"GlyphShape": "Superquadric", **LONG, **TURNED, "GlyphExponentArray": "exponents", "GlyphExponentForm": "Nested"},
     "tensors": {"GlyphShape": "Signed Tensor Superquadric", "GlyphTensorArray": "tensor", "GlyphScaleFactor": 0.9},
     "meshes": {"GlyphShape": "Mesh", "GlyphMesh": "Cone", **LONG, **TURNED},
 }
@@ -55,10 +54,10 @@ COPIES = {"capsules": 3, "arrows": 2, "sharp arrows": 2}
 SPEEDS = numpy.linalg.norm(DIRECTIONS, axis=1)
 WITHOUT_SHAFT = {"arrows": int((SPEEDS < 0.35 * numpy.quantile(SPEEDS, 0.95)).sum())}
 #: share of the pixels that may differ from the exact shapes, where facets are seen, and the mean of all differences
-PIXELS, MEAN = 0.002, 0.7
+PIXELS, MEAN = 0.002, 0.3
 #: the same where each glyph has a form of its own, with fewer facets
-PIXELS_OF_FORMS, MEAN_OF_FORMS = 0.008, 1.0
-FORMS = ("forms", "nested", "tensors")
+PIXELS_OF_FORMS, MEAN_OF_FORMS = 0.006, 0.7
+FORMS = ("forms", "tensors")
 
 
 class Part:
