@@ -22,6 +22,20 @@ glm::vec4 Linear(const glm::vec3& shown, float opacity)
   return { Linear(shown.x), Linear(shown.y), Linear(shown.z), opacity };
 }
 
+std::string NameOf(rtg::Shape shape)
+{
+  switch (shape)
+  {
+#define RTG_SHAPE_NAME(number, Name)                                                                                   \
+  case rtg::Shape::Name:                                                                                               \
+    return #Name;
+    RTG_SHAPES(RTG_SHAPE_NAME)
+#undef RTG_SHAPE_NAME
+    default:
+      return "Mesh";
+  }
+}
+
 glm::vec3 SizeOf(const rtg::GlyphInstances& all, std::size_t glyph)
 {
   return !all.sizes3.empty() ? all.sizes3[glyph] : glm::vec3(all.sizes1.empty() ? all.uniformSize : all.sizes1[glyph]);
@@ -221,40 +235,34 @@ vtkGlyphExportSet vtkGlyphExportSet::Make(const std::string& number, const rtg::
   }
 
   Assembly assembly(set, instances);
-  const auto all = [&](const char* name, rtg::TriangleMesh mesh)
-  {
-    set.Name = name;
-    assembly.AddAll(assembly.AddMesh(name, std::move(mesh)));
-  };
+  const std::string shape = NameOf(instances.shape);
+  set.Name = shape + "_" + number;
+  const auto all = [&](rtg::TriangleMesh mesh) { assembly.AddAll(assembly.AddMesh(shape, std::move(mesh))); };
   switch (instances.shape)
   {
     case rtg::Shape::Sphere:
-      all("Sphere", vtkGlyphTessellation::Sphere());
+      all(vtkGlyphTessellation::Sphere());
       break;
     case rtg::Shape::Box:
-      all("Box", vtkGlyphTessellation::Box());
+      all(vtkGlyphTessellation::Box());
       break;
     case rtg::Shape::Cylinder:
-      all("Cylinder", vtkGlyphTessellation::Cylinder());
+      all(vtkGlyphTessellation::Cylinder());
       break;
     case rtg::Shape::Cone:
-      all("Cone", vtkGlyphTessellation::Cone());
+      all(vtkGlyphTessellation::Cone());
       break;
     case rtg::Shape::Capsule:
-      set.Name = "Capsule";
       assembly.AddCapsules();
       break;
     case rtg::Shape::Arrow:
-      set.Name = "Arrow";
       assembly.AddArrows();
       break;
     case rtg::Shape::Mesh:
-      set.Name = "Mesh";
-      assembly.AddAll(assembly.AddMesh("Mesh", instances.mesh));
+      assembly.AddAll(assembly.AddMesh(shape, instances.mesh));
       break;
     case rtg::Shape::Superquadric:
     case rtg::Shape::NestedSuperquadric:
-      set.Name = "Superquadric";
       if (!assembly.AddSuperquadrics())
       {
         messages.push_back("Superquadrics of more than " + std::to_string(MostMeshes) +
@@ -262,8 +270,11 @@ vtkGlyphExportSet vtkGlyphExportSet::Make(const std::string& number, const rtg::
           "GlyphMask, or round their exponents or tensors.");
       }
       break;
+    default:
+      messages.push_back("Glyphs of the shape " + shape +
+        " are left out of the exported file, because they have no triangles. Choose another GlyphShape, or save a "
+        "screenshot.");
   }
-  set.Name += "_" + number;
   const auto empty = [](const vtkGlyphExportPart& part) { return part.Glyphs.empty(); };
   set.Parts.erase(std::remove_if(set.Parts.begin(), set.Parts.end(), empty), set.Parts.end());
   return set;

@@ -8,6 +8,7 @@
 
 #include <charconv>
 #include <string>
+#include <type_traits>
 
 class vtkGlyphFileText
 {

@@ -5,8 +5,7 @@
 #include VTK_NLOHMANN_JSON(json.hpp)
 // clang-format on
 
-#include <algorithm>
-#include <cstring>
+#include <type_traits>
 
 namespace
 {

@@ -30,6 +30,7 @@ RGB = RANDOM.integers(60, 256, (27, 3)).astype(numpy.uint8)
 EXPONENTS = RANDOM.uniform(1.0, 6.0, (27, 3))
 TENSORS = numpy.array([(turn * row) @ turn.T for turn, row in zip(
     [numpy.linalg.qr(RANDOM.normal(size=(3, 3)))[0] for _ in range(27)], RANDOM.uniform(-1.0, 1.0, (27, 3)))]).reshape(-1, 9)
+OPACITIES = RANDOM.uniform(0.2, 1.0, 27)
 TURNED = {"GlyphOrientationArray": "turn", "GlyphOrientationMode": "Quaternion"}
 LONG = {"GlyphScaling": 1, "GlyphScaleArray": "lengths", "GlyphScaleMode": "Components", "GlyphScaleFactor": 1.0}
 ALONG = {"GlyphOrientationArray": "direction", "GlyphScaling": 1, "GlyphScaleArray": "direction", "GlyphScaleFactor": 0.8}
@@ -188,7 +189,7 @@ def triangles(parts):
 def source():
     """The 27 points with their arrays."""
     return session.source(session.poly_data(CENTERS, lengths=LENGTHS, turn=QUATERNIONS, direction=DIRECTIONS, rgb=RGB, tensor=TENSORS,
-                                            exponents=EXPONENTS, velocity=2.0 * DIRECTIONS, spin=DIRECTIONS[:, ::-1]))
+                                            exponents=EXPONENTS, opacity=OPACITIES, velocity=2.0 * DIRECTIONS, spin=DIRECTIONS[:, ::-1]))
 
 
 def shown_in(view, points, properties):
@@ -281,7 +282,11 @@ def check_messages(view, checks):
     checks.no_message("two displays", export(path, view))
     displays = from_usda(path)[0]
     checks.equal("two displays", sorted(parts[0].name for parts in displays), ["Box", "Sphere"])
-    checks.equal("opacities", sorted(set(float(parts[0].colors[0, 3]) for parts in displays)), [0.5, 1.0])
+    checks.equal("opacities of displays", sorted(set(float(parts[0].colors[0, 3]) for parts in displays)), [0.5, 1.0])
+    other.GlyphOpacityArray = "opacity"
+    export(path, view)
+    boxes = next(parts[0] for parts in from_usda(path)[0] if parts[0].name == "Box")
+    checks.true("opacities of glyphs", numpy.allclose(boxes.colors[:, 3], OPACITIES, atol=1e-6))
     pv.Delete(other)
     pv.Delete(more)
     checks.one_message("no such folder", export(session.output("no such folder/a.glb"), view), "could not be written")
