@@ -132,15 +132,13 @@ def recipe(name, page, checks):
         checks.true("%s: RECIPES.md does not say what the script does:\n%s" % (name, part),
                     "".join("    " + line if line.strip() else line for line in part.splitlines(True)) in page)
     case = {}
+    session.view(400, 300)  # which the script takes
     said = session.messages(lambda: case.update(runpy.run_path(path)))
     checks.no_message(name, said)
     points, complete, count = WANTED[name]
     shown, view = case["shown"], case["view"]
     statistics = session.statistics(shown)
     checks.equal(name + ": glyphs", statistics["glyphs"], count)
-    view.OrientationAxesVisibility, view.UseFXAA = 0, 0
-    view.UseColorPaletteForBackground, view.BackgroundColorMode = 0, "Single Color"
-    view.Background = [channel / 255.0 for channel in session.BACKGROUND]
     if shown.LookupTable:
         shown.SetScalarBarVisibility(view, False)
     seen = comparison.covered(session.capture(view, "recipe-" + name, ImageResolution=[400, 300]))
