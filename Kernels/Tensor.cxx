@@ -208,6 +208,8 @@ SymmetricTensor MakeTensor(const double* t, TensorLayout layout)
       return { t[0], t[3], t[5], t[1], t[4], t[2] };
     case TensorLayout::Lammps:
       return { t[0], t[1], t[2], t[3], t[5], t[4] };
+    case TensorLayout::Lower:
+      return { t[0], t[2], t[5], t[1], t[4], t[3] };
     case TensorLayout::Matrix:
       // Halved first: the sum of two huge numbers would overflow.
       return { t[0], t[4], t[8], 0.5 * t[1] + 0.5 * t[3], 0.5 * t[5] + 0.5 * t[7], 0.5 * t[2] + 0.5 * t[6] };

@@ -16,7 +16,8 @@ enum class TensorLayout : std::uint32_t
   Vtk = 0,    ///< xx yy zz xy yz xz
   Row = 1,    ///< xx xy xz yy yz zz, the upper triangle row by row
   Lammps = 2, ///< xx yy zz xy xz yz
-  Matrix = 3  ///< nine, row by row; the symmetric part counts
+  Matrix = 3, ///< nine, row by row; the symmetric part counts
+  Lower = 4   ///< xx xy yy xz yz zz, the lower triangle row by row
 };
 
 /// Length of a tuple: 9 for Matrix, else 6.

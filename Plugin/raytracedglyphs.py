@@ -2,6 +2,8 @@
 
 Displays are what paraview.simple.Show() returns, shown as 'Ray Traced Glyphs' or 'Ray Traced Surface'.
 """
+import os
+
 import paraview.simple as pv
 
 TYPES = ("Ray Traced Glyphs", "Ray Traced Surface")
@@ -47,3 +49,25 @@ def SaveFeatureImage(fileName, view=None):
 def StopRefinement(view=None):
     """Leaves the view's image as it is, though it has not all samples, until something else changes it."""
     _AnyDisplay(view).SMProxy.InvokeCommand("StopRefinement")
+
+
+def ExportGlyphs(fileName, view=None):
+    """Writes the glyphs that a view shows as meshes and the places of their copies, for other programs.
+
+    fileName: path of a .usda (Universal Scene Description: a PointInstancer for each display, with velocities where MotionBlur
+    is on), .glb or .gltf (glTF 2.0 with EXT_mesh_gpu_instancing; a .gltf has a .bin beside it), written by the client. Colors
+    are linear. What is shown as 'Ray Traced Surface' is left out, as are superquadrics and tensor glyphs of more than 1000
+    different forms; messages say so.
+    """
+    exporters = {".usda": "RayTracedGlyphsUSDExporter", ".glb": "RayTracedGlyphsGLTFExporter", ".gltf": "RayTracedGlyphsGLTFExporter"}
+    extension = os.path.splitext(fileName)[1].lower()
+    if extension not in exporters:
+        raise ValueError("'%s' ends neither in .usda nor in .glb or .gltf; choose one of these." % fileName)
+    _AnyDisplay(view)
+    view = view or pv.GetActiveView()
+    exporter = view.SMProxy.GetSessionProxyManager().NewProxy("exporters", exporters[extension])
+    exporter.UnRegister(None)
+    exporter.SetView(view.SMProxy)
+    exporter.GetProperty("FileName").SetElement(0, fileName)
+    exporter.UpdateVTKObjects()
+    exporter.Write()

@@ -37,28 +37,34 @@ void vtkGlyphJoinedArrays::Add(vtkPolyData* points, const std::string& name)
   {
     return;
   }
-  std::vector<vtkDataArray*> components;
+  std::vector<vtkDataArray*> arrays;
+  int components = 0;
   for (const std::string& part : parts)
   {
-    vtkDataArray* component = data->GetArray(part.c_str());
-    if (!component || component->GetNumberOfComponents() != 1)
+    vtkDataArray* array = data->GetArray(part.c_str());
+    if (!array)
     {
       return;
     }
-    components.push_back(component);
+    arrays.push_back(array);
+    components += array->GetNumberOfComponents();
   }
-  auto joined = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(components.front()->GetDataType()));
+  auto joined = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(arrays.front()->GetDataType()));
   joined->SetName(name.c_str());
-  joined->SetNumberOfComponents(static_cast<int>(components.size()));
+  joined->SetNumberOfComponents(components);
   joined->SetNumberOfTuples(points->GetNumberOfPoints());
   vtkRayTracedParallel::ForChunks(points->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (std::size_t c = 0; c < components.size(); ++c)
+      int to = 0;
+      for (vtkDataArray* array : arrays)
       {
-        for (vtkIdType i = begin; i < end; ++i)
+        for (int from = 0; from < array->GetNumberOfComponents(); ++from, ++to)
         {
-          joined->SetComponent(i, static_cast<int>(c), components[c]->GetComponent(i, 0));
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            joined->SetComponent(i, to, array->GetComponent(i, from));
+          }
         }
       }
     });

@@ -1,6 +1,6 @@
 /**
- * Vectors, quaternions and tensors whose components are arrays of their own, as particle codes write them: 'vx, vy, vz'
- * names the array of three components that these three make.
+ * Vectors, quaternions and tensors whose components are in several arrays, as particle codes write them: 'vx, vy, vz'
+ * names the array of three components that these three make, 'c_q[1-3], c_q[4]' that of four.
  */
 #ifndef vtkGlyphJoinedArrays_h
 #define vtkGlyphJoinedArrays_h
@@ -12,7 +12,8 @@ class vtkPolyData;
 namespace vtkGlyphJoinedArrays
 {
 /**
- * Adds a point array of that name where each of its parts is a point array of one component and there is none yet.
+ * Adds a point array of that name with all components of its parts, one after another, where each part is a point array
+ * and there is none of that name yet.
  */
 void Add(vtkPolyData* points, const std::string& name);
 }

@@ -709,7 +709,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphExponents(double r, double s, doub
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorLayout(int layout)
 {
-  this->Glyphs.Tensors.Layout = static_cast<rtg::TensorLayout>(std::clamp(layout, 0, 3));
+  this->Glyphs.Tensors.Layout = static_cast<rtg::TensorLayout>(std::clamp(layout, 0, 4));
 }
 
 //----------------------------------------------------------------------------

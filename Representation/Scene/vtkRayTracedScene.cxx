@@ -776,6 +776,20 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
 }
 
 //----------------------------------------------------------------------------
+std::vector<vtkRayTracedScene::Shown> vtkRayTracedScene::TakeShown()
+{
+  std::vector<Shown> all;
+  for (Internals::Member& member : this->Self->Members)
+  {
+    if (member.Shown)
+    {
+      all.push_back({ member.Mapper->TakeInstances(member.Actor), member.Mapper->GetColors(), member.Material });
+    }
+  }
+  return all;
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedScene::ReportExport()
 {
   Internals& self = *this->Self;
@@ -785,8 +799,8 @@ void vtkRayTracedScene::ReportExport()
   if (self.WantsAnything() && !selecting && !self.PassReported && !self.ExportReported)
   {
     vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out of the exported file: they have no polygons. "
-                       "Choose another "
-                       "representation such as 3D Glyphs or Surface to export them, or save a screenshot.");
+                       "Export the glyphs by themselves (Ray-traced glyphs, .usda or .glb), choose another "
+                       "representation such as 3D Glyphs or Surface to export them here, or save a screenshot.");
     self.ExportReported = true;
   }
 }

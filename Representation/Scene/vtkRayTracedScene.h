@@ -14,6 +14,7 @@
 #ifndef vtkRayTracedScene_h
 #define vtkRayTracedScene_h
 
+#include "Glyphs.h"
 #include "vtkObject.h"
 #include "vtkRayTracedImageSettings.h"
 #include "vtkSmartPointer.h"
@@ -104,6 +105,17 @@ public:
    * false: none.
    */
   bool PlaceAt(int x, int y, double place[3]);
+
+  /**
+   * What the last frame showed, for exporters that write it.
+   */
+  struct Shown
+  {
+    rtg::GlyphInstances Instances;
+    rtg::GlyphColours Colors;
+    rtg::Material Material;
+  };
+  std::vector<Shown> TakeShown();
 
   /**
    * Says, once after each frame, that a scene that is being exported goes without what is ray traced.

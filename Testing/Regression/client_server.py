@@ -1,4 +1,5 @@
-"""Glyphs through a server: the pictures of remote and of client rendering are those of a session without a server.
+"""Glyphs through a server: the pictures of remote and of client rendering, and the glyphs that the client exports, are those
+of a session without a server.
 
 Usage: pvpython client_server.py DATA-FOLDER PVSERVER [MPIEXEC ARGUMENT...]
 PVSERVER is run behind MPIEXEC ARGUMENT..., for a server of several ranks.
@@ -11,6 +12,7 @@ import sys
 import paraview.simple as pv
 
 import comparison
+import export
 import session
 
 #: share of the pixels that may differ: those on outlines, where another order of the points rounds another way
@@ -53,6 +55,16 @@ def blocks():
     session.look(view, (0.0, 0.0, 6.0))
     pv.Render(view)
     return view
+
+
+def exported(view, name):
+    """How many copies of each mesh the client exports."""
+    import raytracedglyphs  # comes with the plugin
+    path = session.output(name + ".glb")
+    if os.path.exists(path):
+        os.remove(path)
+    raytracedglyphs.ExportGlyphs(path, view)
+    return sorted((part.name, len(part.positions)) for parts in export.from_gltf(path) for part in parts)
 
 
 def start_server(program, log_name="client-server.log"):
@@ -98,6 +110,7 @@ def main(folder, server):
     test = "client-server" + ("-ranks" if len(server) > 1 else "")
     log_name = test + ".log"
     expected = session.capture(view, test + "-none")
+    expected_copies = exported(view, test + "-none")
     expected_blocks = session.capture(blocks(), test + "-blocks-none")
     pv.Disconnect()
 
@@ -123,6 +136,9 @@ def main(folder, server):
                 if share > OUTLINE:
                     comparison.write_image(session.output(name + "-difference.png"), 4 * apart)
                     failures.append("%s rendering: the picture is not that without a server" % name)
+            copies = exported(view, test + "-" + where)
+            if copies != expected_copies:
+                failures.append("%s rendering: exports %s, not %s" % (where, copies, expected_copies))
             pv.Delete(view)
             pv.Delete(block_view)
     finally:

@@ -62,6 +62,7 @@ def main():
     quaternions = numpy.array([quaternion(matrix) for matrix in matrices])
     components = {"c_q[%d]" % (i + 1): quaternions[:, i] for i in range(4)}
     components.update({"shape" + "xyz"[i]: LENGTHS[:, i] for i in range(3)})
+    components["c_q[1-3]"] = quaternions[:, :3]  # as LAMMPS' dump vtk writes the first three of four
     source = session.source(session.poly_data(
         CENTERS, **components, lengths=LENGTHS, size=numpy.linalg.norm(LENGTHS, axis=1), angles=ANGLES, rows=rows, axes=axes, mirrored=mirrored, flat=flat,
         quaternions=quaternions))
@@ -79,8 +80,13 @@ def main():
     picture, said = drawn(view, source, joined, "Quaternion", GlyphScaleArray="shapex, shapey, shapez")
     checks.no_message("components", said)
     checks.picture("components", picture, expected, pixels=0.002)
-    for missing in ("c_q[1], c_q[2], c_q[3], c_q[5]", "c_q[1], lengths, c_q[3], c_q[4]"):
-        checks.one_message(missing, drawn(view, source, missing, "Quaternion")[1], "no point array", missing)
+    picture, said = drawn(view, source, "c_q[1-3], c_q[4]", "Quaternion")
+    checks.no_message("three components and one", said)
+    checks.picture("three components and one", picture, expected, pixels=0.002)
+    missing = "c_q[1], c_q[2], c_q[3], c_q[5]"
+    checks.one_message(missing, drawn(view, source, missing, "Quaternion")[1], "no point array", missing)
+    for several in ("c_q[1], c_q[2]", "c_q[1], lengths, c_q[3]"):
+        checks.one_message(several, drawn(view, source, several, "Quaternion")[1], several, "are needed")
     for array, mode in (("mirrored", "Matrix"), ("flat", "Matrix")):
         checks.one_message(array, drawn(view, source, array, mode)[1], "1 of 4", "orientation", array)
     for array, mode, needed in (("angles", "Matrix", "9"), ("angles", "Quaternion", "4 or 9"), ("size", "Direction", "3, 4 or 9")):

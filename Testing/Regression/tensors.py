@@ -247,7 +247,7 @@ def main():
     six = lambda *order: numpy.array([[m[i, j] for i, j in order] for m in t])
     xx, yy, zz, xy, yz, xz = (0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)
     layouts = {"VTK": six(xx, yy, zz, xy, yz, xz), "Row": six(xx, xy, xz, yy, yz, zz),
-               "LAMMPS": six(xx, yy, zz, xy, xz, yz), "Matrix": t.reshape(3, 9)}
+               "LAMMPS": six(xx, yy, zz, xy, xz, yz), "Lower": six(xx, xy, yy, xz, yz, zz), "Matrix": t.reshape(3, 9)}
     twisted = t + numpy.array([[0, 3, -2], [-3, 0, 1], [2, -1, 0]])
     layouts["Matrix "] = twisted.reshape(3, 9)
     for layout, values in layouts.items():

@@ -1,0 +1,122 @@
+#include "vtkRayTracedExporter.h"
+
+#include "vtkGlyphExportSet.h"
+#include "vtkGlyphGLTFWriter.h"
+#include "vtkGlyphUSDWriter.h"
+#include "vtkObjectFactory.h"
+#include "vtkRayTracedScene.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <fstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkRayTracedExporter);
+
+namespace
+{
+bool WriteFile(const std::string& name, const std::string& text)
+{
+  std::ofstream file(name, std::ios::binary);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  return !file.fail();
+}
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedExporter::vtkRayTracedExporter() = default;
+
+//----------------------------------------------------------------------------
+vtkRayTracedExporter::~vtkRayTracedExporter() = default;
+
+//----------------------------------------------------------------------------
+void vtkRayTracedExporter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "File name: " << this->FileName << endl;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedExporter::WriteData()
+{
+  const std::string extension =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
+  if (extension != ".usda" && extension != ".gltf" && extension != ".glb")
+  {
+    vtkErrorMacro(<< "The glyphs are not exported: '" << this->FileName << "' ends neither in .usda nor in .gltf or "
+                  << ".glb. Choose one of these.");
+    return;
+  }
+
+  std::vector<vtkGlyphExportSet> sets;
+  std::vector<std::string> messages;
+  bool surfaces = false;
+  vtkRendererCollection* renderers = this->RenderWindow->GetRenderers();
+  vtkCollectionSimpleIterator at;
+  renderers->InitTraversal(at);
+  while (vtkRenderer* renderer = renderers->GetNextRenderer(at))
+  {
+    if (vtkRayTracedScene* scene = vtkRayTracedScene::Find(renderer))
+    {
+      for (const vtkRayTracedScene::Shown& shown : scene->TakeShown())
+      {
+        surfaces |= shown.Instances.identifyTriangles;
+        if (!shown.Instances.identifyTriangles)
+        {
+          vtkGlyphExportSet set = vtkGlyphExportSet::Make(
+            std::to_string(sets.size()), shown.Instances, shown.Colors, shown.Material, messages);
+          if (!set.Parts.empty())
+          {
+            sets.push_back(std::move(set));
+          }
+        }
+      }
+    }
+  }
+  if (surfaces)
+  {
+    messages.push_back("Ray-traced surfaces are left out of the exported file. Show them as Surface, and export them "
+                       "with one of ParaView's exporters.");
+  }
+  for (const std::string& message : messages)
+  {
+    vtkWarningMacro(<< message << (sets.empty() ? " No file is written, because nothing is left." : ""));
+  }
+  if (sets.empty() && messages.empty())
+  {
+    vtkErrorMacro(
+      << "There is nothing to export to '" << this->FileName
+      << "': the view shows no glyphs as Ray Traced Glyphs. Choose that as the Representation of a display.");
+  }
+  if (sets.empty())
+  {
+    return;
+  }
+
+  bool written = true;
+  if (extension == ".usda")
+  {
+    written = WriteFile(this->FileName, vtkGlyphUSDWriter::Text(sets));
+  }
+  else if (extension == ".glb")
+  {
+    written = WriteFile(this->FileName, vtkGlyphGLTFWriter::Together(vtkGlyphGLTFWriter::Make(sets, "")));
+  }
+  else
+  {
+    const std::string binary = vtksys::SystemTools::GetFilenameWithoutLastExtension(this->FileName) + ".bin";
+    const std::string folder = vtksys::SystemTools::GetFilenamePath(this->FileName);
+    const vtkGlyphGLTFWriter::File file = vtkGlyphGLTFWriter::Make(sets, binary);
+    written =
+      WriteFile(this->FileName, file.Text) && WriteFile(folder.empty() ? binary : folder + "/" + binary, file.Binary);
+  }
+  if (!written)
+  {
+    vtkErrorMacro(<< "The glyphs could not be written to '" << this->FileName
+                  << "'. Give the path of a file in a folder that exists and may be written to.");
+  }
+}

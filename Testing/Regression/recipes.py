@@ -1,0 +1,180 @@
+"""The recipes of Data/RECIPES.md, each as its script in Data/recipes runs it: the page says what the scripts do, nothing is
+said by ParaView, every particle is shown, and the picture is that of the code's own formulas: points of the surfaces that
+these describe lie where something is seen, and nothing is seen elsewhere.
+
+Usage: RTGLYPHS_DATA=FOLDER pvpython recipes.py [NAME...]
+"""
+import os
+import re
+import runpy
+import sys
+
+import numpy
+import paraview.simple as pv
+
+import comparison
+import session
+from checks import Checks
+
+#: share of a surface's points that may lie where nothing is seen, and of the seen pixels that may lie off the surface: both
+#: are where a pixel's center, or one point among many, decides
+OUTSIDE, UNEXPLAINED = 0.002, 0.005
+#: directions in which points of a surface are taken
+COUNT = 6000
+RECIPE = re.compile(r"^# --- \w+\n(.*?)^# --- end\n", re.MULTILINE | re.DOTALL)
+
+
+def directions():
+    """Unit vectors, evenly spread."""
+    number = numpy.arange(COUNT) + 0.5
+    z, angle = 1.0 - 2.0 * number / COUNT, numpy.pi * (1.0 + 5.0**0.5) * number
+    return numpy.stack([numpy.sqrt(1.0 - z * z) * numpy.cos(angle), numpy.sqrt(1.0 - z * z) * numpy.sin(angle), z], axis=1)
+
+
+def superellipsoids(centers, halves, matrices, n1, n2):
+    """Points of (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1 = 1, turned and moved: along a direction the left side grows as the
+    distance to the power of n1."""
+    points = []
+    for center, half, matrix, one, two in zip(centers, halves, matrices, n1, n2):
+        x, y, z = numpy.abs(directions() / half).T
+        f = (x**two + y**two)**(one / two) + z**one
+        points.append(center + (directions() * (f**(-1.0 / one))[:, None]) @ numpy.transpose(matrix))
+    return numpy.concatenate(points)
+
+
+def spheres(centers, radii):
+    """Points of spheres."""
+    same = numpy.full(len(centers), 2.0)
+    return superellipsoids(centers, numpy.repeat(numpy.ravel(radii)[:, None], 3, axis=1), [numpy.eye(3)] * len(centers), same, same)
+
+
+def rotation(w, x, y, z):
+    """The matrix of a unit quaternion."""
+    return numpy.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+
+def axes(tensors, shown, centers, root=False):
+    """Points of the lines that a tensor's eigenvectors are, half the eigenvalue to either side, but for their thin ends; with
+    the square root of the largest magnitude as that."""
+    values, vectors = numpy.linalg.eigh(tensors)
+    if root:
+        values = values / numpy.sqrt(numpy.abs(values).max(axis=1, keepdims=True))
+    steps = 0.5 * shown.GlyphScaleFactor * numpy.linspace(-0.8, 0.8, 81)
+    lines = values[:, None, None, :, None] * steps[None, :, None, None, None] * numpy.swapaxes(vectors, 1, 2)[:, None, None]
+    return (centers[:, None, None, None, :] + lines).reshape(-1, 3)
+
+
+def shafts(case):
+    """Points of the arrows' axes from cell centers on."""
+    shown, step = case["shown"], numpy.linspace(0.0, 0.98, 50)[None, :, None]
+    return (case["centers"][:, None] + shown.GlyphScaleFactor * step * case["u"][:, None]).reshape(-1, 3)
+
+
+def halos(case):
+    """Points of balls whose volumes are as the masses."""
+    sizes = case["shown"].GlyphScaleFactor * numpy.cbrt(numpy.genfromtxt("halos.list")[:, 1])
+    return spheres(numpy.genfromtxt("halos.list")[:, 2:5], 0.5 * sizes)
+
+
+def stressed(case, six, centers):
+    """Points of the axes of tensors whose components stand in the order xx, xy, xz, yy, yz, zz."""
+    whole = numpy.asarray(six)[:, [0, 1, 2, 1, 3, 4, 2, 4, 5]].reshape(-1, 3, 3)
+    return axes(whole, case["shown"], centers)
+
+
+#: recipe -> (points of what must be seen, from the script's variables; whether they are all of it; number of glyphs)
+WANTED = {
+    "lammps_spheres": (lambda c: spheres(c["positions"], 0.5 * c["diameters"]), True, 125),
+    "lammps_ellipsoids": (lambda c: superellipsoids(c["positions"], 0.5 * c["shapes"], [rotation(*q) for q in c["quaternions"]],
+                                                    [2.0] * 64, [2.0] * 64), True, 64),
+    "lammps_superellipsoids": (lambda c: superellipsoids(c["positions"], 0.5 * c["shapes"], [rotation(*q) for q in c["quaternions"]],
+                                                         *c["blocks"].T), True, 27),
+    "liggghts_superquadrics": (lambda c: superellipsoids(c["positions"], c["shapes"], c["matrices"], *c["blocks"].T), True, 27),
+    "openfoam_cells": (shafts, False, 128),
+    "lammps_stress": (lambda c: axes(c["stress"], c["shown"], c["positions"], root=True), False, 140),
+    "diffusion_tensors": (lambda c: stressed(c, c["six"].reshape(-1, 6), 2.0 * numpy.stack(
+        [c["i"].ravel(), c["j"].ravel(), numpy.zeros(144)], axis=1)), False, 144),
+    "calculix_stress": (lambda c: stressed(c, c["stress"][:, [0, 3, 5, 1, 4, 2]], c["nodes"]), False, 108),
+    "utm_coordinates": (lambda c: spheres(c["positions"], c["radii"]), True, 108),
+    "halos": (halos, True, 2000),
+}
+
+
+def pixels_of(points, view, width, height):
+    """Columns and rows, from the top, of the pixels that points are in."""
+    camera = view.GetActiveCamera()
+    matrix = camera.GetCompositeProjectionTransformMatrix(width / height, -1.0, 1.0)
+    whole = numpy.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+    clip = numpy.column_stack([points, numpy.ones(len(points))]) @ whole.T
+    x, y = (0.5 + 0.5 * clip[:, :2] / clip[:, 3:]).T
+    return numpy.floor(x * width).astype(int), numpy.floor((1.0 - y) * height).astype(int)
+
+
+def grown(mask, steps):
+    """With all pixels that are at most so many steps away."""
+    for _ in range(steps):
+        wide = mask.copy()
+        for axis in (0, 1):
+            for step in (1, -1):
+                wide |= numpy.roll(mask, step, axis=axis)
+        mask = wide
+    return mask
+
+
+def recipe(name, page, checks):
+    """Runs a script and looks at what it shows."""
+    path = os.path.join(os.environ["RTGLYPHS_DATA"], "recipes", name + ".py")
+    parts = RECIPE.findall(open(path).read())
+    checks.true(name + ": the script has no recipe", parts)
+    for part in parts:
+        checks.true("%s: RECIPES.md does not say what the script does:\n%s" % (name, part),
+                    "".join("    " + line if line.strip() else line for line in part.splitlines(True)) in page)
+    case = {}
+    session.view(400, 300)  # which the script takes
+    said = session.messages(lambda: case.update(runpy.run_path(path)))
+    checks.no_message(name, said)
+    points, complete, count = WANTED[name]
+    shown, view = case["shown"], case["view"]
+    statistics = session.statistics(shown)
+    checks.equal(name + ": glyphs", statistics["glyphs"], count)
+    if shown.LookupTable:
+        shown.SetScalarBarVisibility(view, False)
+    seen = comparison.covered(session.capture(view, "recipe-" + name, ImageResolution=[400, 300]))
+    columns, rows = pixels_of(points(case), view, 400, 300)
+    outside = float((~grown(seen, 1)[rows, columns]).mean())
+    mask = numpy.zeros_like(seen)
+    mask[rows, columns] = True
+    unexplained = float((seen & ~grown(mask, 2)).sum() / max(seen.sum(), 1))
+    print("%-24s %5d glyphs, %4.1f %% covered, %.4f of the surface outside, %.4f of the picture unexplained"
+          % (name, count, 100 * seen.mean(), outside, unexplained), flush=True)
+    checks.within(name + ": share of the surfaces that is not seen", outside, 0.0, OUTSIDE)
+    checks.within(name + ": covered share of the picture", float(seen.mean()), 0.02, 0.8)
+    if complete:
+        checks.within(name + ": share of the picture that is no surface", unexplained, 0.0, UNEXPLAINED)
+    pv.Delete(view)
+    for source in list(pv.GetSources().values()):
+        pv.Delete(source)
+
+
+def main():
+    """All, or those that are named."""
+    session.load()
+    checks = Checks()
+    data = os.environ["RTGLYPHS_DATA"]
+    page = open(os.path.join(data, "RECIPES.md")).read()
+    names = sys.argv[1:] or sorted(WANTED)
+    there = sorted(name[:-3] for name in os.listdir(os.path.join(data, "recipes")) if name.endswith(".py"))
+    checks.equal("scripts in Data/recipes", there, sorted(WANTED))
+    folder = session.output("recipes")
+    os.makedirs(folder, exist_ok=True)
+    os.environ["RTGLYPHS_OUTPUT"] = os.path.abspath(os.path.dirname(folder))
+    os.chdir(folder)
+    for name in names:
+        recipe(name, page, checks)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()
