@@ -10,6 +10,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
+#include "vtkSMRayTracedDoubleVectorProperty.h"
 #include "vtkSMRayTracedStringVectorProperty.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMTransferFunctionManager.h"
@@ -54,7 +55,7 @@ bool vtkSMRayTracedRepresentationProxy::ShowsRayTraced(vtkSMProxy* display)
     return false;
   }
   const std::string type = vtkSMPropertyHelper(display, "Representation").GetAsString();
-  return type == "Ray Traced Glyphs" || type == "Ray Traced Surface";
+  return type == "Ray Traced Glyphs" || type == "Ray Traced Surface" || type == "Ray Traced Tubes";
 }
 
 //----------------------------------------------------------------------------
@@ -156,6 +157,11 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
     // Arrows are as long as vectors, others as large as radii. Not while the array is in use: scripts and states may
     // name the array before the shape.
     this->RenewDefault("GlyphScaleArray", /*lost=*/false);
+  }
+  auto* radius = vtkSMRayTracedDoubleVectorProperty::SafeDownCast(this->GetProperty("TubeRadius"));
+  if (flag && name && radius && strcmp(name, "TubeRadiusArray") == 0)
+  {
+    radius->RenewDefault();
   }
   if (flag && name && !sharing && !this->ApplyingQuality)
   {
