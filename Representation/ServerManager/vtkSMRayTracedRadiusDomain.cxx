@@ -62,6 +62,7 @@ void vtkSMRayTracedRadiusDomain::Update(vtkSMProperty*)
 //----------------------------------------------------------------------------
 int vtkSMRayTracedRadiusDomain::SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues)
 {
+  this->Update(nullptr); // the array may have changed just now
   if (!(this->Suggested > 0.0))
   {
     return 0;

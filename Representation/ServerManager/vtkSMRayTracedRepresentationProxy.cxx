@@ -23,6 +23,17 @@ vtkStandardNewMacro(vtkSMRayTracedRepresentationProxy);
 
 namespace
 {
+// The representation that a display shows, when it is ray traced.
+vtkSMProxy* ShownBy(vtkSMProxy* display)
+{
+  vtkSMProperty* type = display->GetProperty("Representation");
+  const std::string name = type ? vtkSMPropertyHelper(type).GetAsString() : "";
+  return name == "Ray Traced Glyphs" ? display->GetSubProxy("RayTracedGlyphRepresentation")
+    : name == "Ray Traced Surface"   ? display->GetSubProxy("RayTracedSurfaceRepresentation")
+    : name == "Ray Traced Tubes"     ? display->GetSubProxy("RayTracedTubeRepresentation")
+                                     : nullptr;
+}
+
 // While one display's value is copied to the others, their changes are not copied on.
 bool sharing = false;
 
@@ -54,8 +65,7 @@ bool vtkSMRayTracedRepresentationProxy::ShowsRayTraced(vtkSMProxy* display)
   {
     return false;
   }
-  const std::string type = vtkSMPropertyHelper(display, "Representation").GetAsString();
-  return type == "Ray Traced Glyphs" || type == "Ray Traced Surface" || type == "Ray Traced Tubes";
+  return ShownBy(display) != nullptr;
 }
 
 //----------------------------------------------------------------------------
@@ -91,6 +101,16 @@ void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMP
   }
   this->Superclass::UpdatePropertyInformationInternal(property);
   this->Location = everywhere;
+  // What a display shares is that of one of its representations; what it tells is of the one that is shown.
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  vtkSMProxy* shown = display ? ShownBy(display) : nullptr;
+  vtkSMProperty* own = this->GetProperty("RenderStatistics");
+  if (shown && shown != this && own && (!property || property == own) && this->IsExposed("RenderStatistics"))
+  {
+    vtkSMProperty* told = shown->GetProperty("RenderStatistics");
+    shown->UpdatePropertyInformation(told);
+    own->Copy(told);
+  }
 }
 
 //----------------------------------------------------------------------------

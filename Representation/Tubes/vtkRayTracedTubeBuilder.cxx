@@ -146,14 +146,18 @@ private:
         this->Line.push_back(good ? points[i] : freeEnd);
       }
     }
-    const std::size_t count = this->Line.size();
-    if (count < 2)
+    if (this->Line.size() < 2)
     {
       ++this->Out.Bad;
       return;
     }
-    const bool closed = count > 2 && this->Line.front() >= 0 && this->Line.back() >= 0 &&
+    const bool closed = this->Line.size() > 2 && this->Line.front() >= 0 && this->Line.back() >= 0 &&
       this->Places[this->Line.front()] == this->Places[this->Line.back()];
+    if (this->How.FlatEnds)
+    {
+      this->StraightenEnds(cell, closed);
+    }
+    const std::size_t count = this->Line.size();
     for (std::size_t i = 0; i + 1 < count; ++i)
     {
       const std::array<vtkIdType, 2> ends{ this->Line[i], this->Line[i + 1] };
@@ -172,6 +176,51 @@ private:
         this->Pieces.push_back({ cell, ends, { before, after } });
       }
     }
+  }
+
+  // Leaves out the points whose balls would stick out of a flat end.
+  void StraightenEnds(vtkIdType cell, bool closed)
+  {
+    const auto trim = [&](std::vector<vtkIdType>& run)
+    {
+      const auto sticksOut = [&](vtkIdType point, vtkIdType end)
+      { return glm::distance(this->Places[point], this->Places[end]) < this->Radius(point, cell); };
+      std::size_t first = 1, last = run.size() - 1;
+      while (first < last && sticksOut(run[first], run.front()))
+      {
+        ++first;
+      }
+      while (last > first && sticksOut(run[last - 1], run.back()))
+      {
+        --last;
+      }
+      run.erase(run.begin() + last, run.end() - 1);
+      run.erase(run.begin() + 1, run.begin() + first);
+    };
+    std::vector<vtkIdType> trimmed, run;
+    const auto finish = [&]
+    {
+      if (run.size() > 2 && !closed)
+      {
+        trim(run);
+      }
+      trimmed.insert(trimmed.end(), run.begin(), run.end());
+      run.clear();
+    };
+    for (vtkIdType point : this->Line)
+    {
+      if (point < 0)
+      {
+        finish();
+        trimmed.push_back(point);
+      }
+      else
+      {
+        run.push_back(point);
+      }
+    }
+    finish();
+    this->Line = std::move(trimmed);
   }
 
   void Place()

@@ -3,7 +3,8 @@
  * @brief   turns lines and poly-lines into the round cones that the kernels trace
  *
  * Each piece between two points of a line that do not coincide is a round cone (Kernels/Shapes/RoundCone.glsl). A line
- * whose first point is also its last one has no ends.
+ * whose first point is also its last one has no ends. Points nearer to a flat end than their radius are left out, so
+ * that the line is straight there: the balls round them would stick out.
  *
  * Left out and counted are lines without two different points, and pieces with an end whose position, motion or radius
  * is not finite, or whose radius is negative, or with radii of zero at both ends.

@@ -29,7 +29,8 @@ struct Line
   {
     const glm::dvec3 way = this->points[i + 1] - this->points[i],
                      middle = 0.5 * (this->points[i + 1] + this->points[i]);
-    const glm::dquat turn = glm::rotation(glm::dvec3(1, 0, 0), glm::normalize(way));
+    const glm::dvec3 axis = glm::normalize(way);
+    const glm::dquat turn = glm::normalize(glm::dquat(1.0 + axis.x, 0.0, -axis.z, axis.y));
     typename Kernel::Glyph glyph{};
     glyph.centre = Vector(middle);
     glyph.size = Vector(glm::length(way), 2 * this->radii[i], 2 * this->radii[i + 1]);
