@@ -23,14 +23,24 @@ vtkStandardNewMacro(vtkSMRayTracedRepresentationProxy);
 
 namespace
 {
+// ParaView names a display's representations to subclasses of its proxies only.
+struct Display : vtkSMProxy
+{
+  static vtkSMProxy* Representation(vtkSMProxy* display, const char* name)
+  {
+    vtkSMProxy* (vtkSMProxy::*representation)(const char*) = &Display::GetSubProxy;
+    return (display->*representation)(name);
+  }
+};
+
 // The representation that a display shows, when it is ray traced.
 vtkSMProxy* ShownBy(vtkSMProxy* display)
 {
   vtkSMProperty* type = display->GetProperty("Representation");
   const std::string name = type ? vtkSMPropertyHelper(type).GetAsString() : "";
-  return name == "Ray Traced Glyphs" ? display->GetSubProxy("RayTracedGlyphRepresentation")
-    : name == "Ray Traced Surface"   ? display->GetSubProxy("RayTracedSurfaceRepresentation")
-    : name == "Ray Traced Tubes"     ? display->GetSubProxy("RayTracedTubeRepresentation")
+  return name == "Ray Traced Glyphs" ? Display::Representation(display, "RayTracedGlyphRepresentation")
+    : name == "Ray Traced Surface"   ? Display::Representation(display, "RayTracedSurfaceRepresentation")
+    : name == "Ray Traced Tubes"     ? Display::Representation(display, "RayTracedTubeRepresentation")
                                      : nullptr;
 }
 
