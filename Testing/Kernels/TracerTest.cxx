@@ -791,6 +791,7 @@ TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
   names("1 rotations for 4 glyphs", [](auto& i) { i.rotations.resize(1); });
   names("8 exponents for 4 glyphs", [](auto& i) { i.exponents3.resize(8, glm::vec3(2.0f)); });
   names("2 quadratic forms for 4 glyphs", [](auto& i) { i.forms.resize(2); });
+  names("3 ends before pieces of lines for 4 glyphs", [](auto& i) { i.before.resize(3); });
   names("5 velocities for 4 glyphs", [](auto& i) { i.motion.velocities.resize(5); });
   names("one kind", [](auto& i) { i.sizes1.resize(4, 1.0f), i.sizes3.resize(4, glm::vec3(1.0f)); });
   EXPECT_EQ(message([](auto&) {}), "");

@@ -24,7 +24,7 @@ def color(shown, view, association, array, limits, preset, title):
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
     bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, number_format(), number_format()
-    bar.WindowLocation, bar.Orientation, bar.Position, bar.ScalarBarLength = "Any Location", "Horizontal", [0.6, 0.88], 0.34
+    bar.WindowLocation, bar.Orientation, bar.Position, bar.ScalarBarLength = "Any Location", "Horizontal", [0.63, 0.9], 0.34
 
 
 def tubes(source, view, ours, radius, array):
@@ -38,18 +38,16 @@ def tubes(source, view, ours, radius, array):
         shown.ShadingMode, shown.SamplesPerPixel, shown.AmbientOcclusionRadius = "Ambient Occlusion", 16, 4.0
         return shown
     if array:
-        source = pv.CellDatatoPointData(Input=source)
-        return pv.Show(pv.Tube(Input=source, VaryRadius="By Absolute Scalar", Scalars=["POINTS", array], NumberofSides=12), view)
+        thick = pv.Calculator(Input=pv.CellDatatoPointData(Input=source), ResultArrayName="radius", Function="%g*%s" % (radius, array))
+        return pv.Show(pv.Tube(Input=thick, VaryRadius="By Absolute Scalar", Scalars=["POINTS", "radius"], NumberofSides=12), view)
     return pv.Show(pv.Tube(Input=source, VaryRadius="Off", Radius=radius, NumberofSides=12), view)
 
 
 def chains(view, contacts, ours):
     """Contacts between grains that a ball has just hit, as thick as their force."""
-    strong = pv.Calculator(Input=pv.LegacyVTKReader(FileNames=[contacts]), AttributeType="Cell Data", ResultArrayName="thickness",
-                           Function="0.05*(force/60)^0.4")
-    shown = tubes(strong, view, ours, 1.0, "thickness")
-    color(shown, view, "CELLS", "force", (0.0, 800.0), "Inferno", "force between two grains")
-    look(view, (10.0, -24.0, 20.0), (12.0, 12.0, 4.5), (0.0, 0.0, 1.0))
+    shown = tubes(pv.LegacyVTKReader(FileNames=[contacts]), view, ours, 3e-4, "force")
+    color(shown, view, "CELLS", "force", (0.0, 800.0), "Plasma", "force between two grains")
+    look(view, (10.0, -12.0, 17.0), (12.5, 12.0, 4.5), (0.0, 0.0, 1.0))
 
 
 def streamlines(view, ours):
@@ -60,8 +58,8 @@ def streamlines(view, ours):
     lines.SeedType.Center, lines.SeedType.Radius, lines.SeedType.NumberOfPoints = [0.0] * 3, 11.0, 120
     lines.MaximumStreamlineLength = 24.0
     shown = tubes(lines, view, ours, 0.22, None)
-    color(shown, view, "POINTS", "flow", (0.0, 3.2), "Viridis", "speed")
-    look(view, (28.0, -36.0, 24.0), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+    color(shown, view, "POINTS", "flow", (0.0, 2.4), "Viridis", "speed")
+    look(view, (34.0, -42.0, 28.0), (0.0, 0.0, 1.5), (0.0, 0.0, 1.0))
 
 
 def main():

@@ -12,7 +12,7 @@ import session
 from checks import Checks
 
 TUBES = "Ray Traced Tubes"
-#: share of the pixels that may be covered in one of two pictures only; levels of 255 by which the rest may differ in the mean
+#: share of the pixels that may be covered in one of two pictures only, or have other colors; levels of 255 by which the rest may differ in the mean
 SILHOUETTE, INTERIOR = 0.002, 1.0
 UNLIT = {"Ambient": 1.0, "Diffuse": 0.0}
 
@@ -111,6 +111,9 @@ def like_tube_filter(view, checks):
               % (name, 100 * outline, apart[both].mean(), apart[both].max(), both.sum()))
         checks.within(name + ": share of the pixels that one covers alone", outline, 0.0, SILHOUETTE)
         checks.within(name + ": mean difference in levels", float(apart[both].mean()), 0.0, INTERIOR)
+        # Where one turn hides another, outlines are inside, too.
+        checks.within(name + ": share of the pixels inside that are of another color",
+                      float((apart[both].max(axis=1) > comparison.LEVELS).mean()), 0.0, SILHOUETTE)
         checks.within(name + ": covered pixels", int(both.sum()), 3000, 10 ** 6)
 
 
@@ -166,7 +169,7 @@ def translucent(view, checks):
 
 
 def blocks(view, checks):
-    """Blocks keep their ids, colors and opacities; lines among polygons are found."""
+    """Blocks have colors of their own; ghost lines, which another rank shows, and points that no line has are left out."""
     parts = vtkMultiBlockDataSet()
     for number in (0, 1):
         parts.SetBlock(number, line_data([[(-1.5, 0.6 - 1.2 * number, 0), (1.5, 0.6 - 1.2 * number, 0)]]))
@@ -176,6 +179,12 @@ def blocks(view, checks):
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
     pixels = session.capture(view, "tubes-blocks")
     checks.equal("colors of blocks", [pixels[row, 200, :3].tolist() for row in (90, 210)], [[255, 0, 0], [0, 255, 0]])
+    pv.Delete(shown)
+    ways = [[(-1.5, 0.6 - 1.2 * number, 0), (1.5, 0.6 - 1.2 * number, 0)] for number in (0, 1)]
+    ghosts = line_data(ways, {"vtkGhostType": numpy.array([0, 1], dtype=numpy.uint8)})
+    shown = show(session.source(ghosts), view, 0.3)
+    mask = comparison.covered(session.capture(view, "tubes-ghosts"))
+    checks.equal("a line and a ghost line are seen", (bool(mask[90, 200]), bool(mask[210, 200])), (True, False))
     pv.Delete(shown)
 
 
