@@ -364,7 +364,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     const std::uint64_t before = vulkan.submissions;
     scene.Commit();
     seen.commit = vulkan.submissions - before;
-    scene.SetColours(last, rtg::GlyphColours(scene.GlyphCount(last), 0xff4080c0u));
+    scene.SetColours(last, std::vector<std::uint32_t>(scene.GlyphCount(last), 0xff4080c0u));
     const std::uint64_t between = vulkan.submissions;
     scene.Commit();
     seen.recolouring = vulkan.submissions - between;
