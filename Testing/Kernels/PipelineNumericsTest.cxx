@@ -91,11 +91,11 @@ TEST_P(PipelineNumericsTest, KeepsTheBounds)
     EXPECT_EQ(report.outOfBound, 0u) << "worst: " << report.maxExcess << " times the bound";
     // The pipeline moves the origin to the scene's bounds and keeps 48 bits of it: 6e-11 at 1e4 from the origin
     // of the set, a thousandth of this case's shaft radius of 6e-8, and 6e-5 of a superquadric's half thickness, which
-    // exponents of 20 turn into 1e-3 of its normal. Of the other shapes only the capsule's and the round cone's
-    // cases have needles, whose normal turns by those 6e-5.
+    // exponents of 20 turn into 1e-3 of its normal. Of the other shapes only the capsule's case has needles, whose
+    // normal turns by those 6e-5.
     const auto is = [&](const char* subject) { return hard.subject.rfind(subject, 0) == 0; };
     const double tooThin = is("arrow") || is("superquadric") || is("nested") ? 4e-3
-      : is("capsule") || is("round cone")                                    ? 6e-5
+      : is("capsule")                                                        ? 6e-5
                                                                              : boundRadians;
     EXPECT_LE(report.maxRadians, hard.situation == "thin 1:1e4, 1e4 from the origin" ? tooThin : boundRadians);
     all.insert(all.end(), verdicts.begin(), verdicts.end());

@@ -44,9 +44,10 @@ def tubes(source, view, ours, radius, array):
 
 
 def chains(view, contacts, ours):
-    """Contacts between grains that a ball has just hit, as thick as their force."""
-    shown = tubes(pv.LegacyVTKReader(FileNames=[contacts]), view, ours, 3e-4, "force")
-    color(shown, view, "CELLS", "force", (0.0, 800.0), "Plasma", "force between two grains")
+    """Contacts between grains that a ball has just hit, as thick as the root of their force."""
+    thick = pv.Calculator(Input=pv.LegacyVTKReader(FileNames=[contacts]), AttributeType="Cell Data", ResultArrayName="root", Function="sqrt(force)")
+    shown = tubes(thick, view, ours, 0.006, "root")
+    color(shown, view, "CELLS", "force", (0.0, 1500.0), "Plasma", "force between two grains")
     look(view, (10.0, -12.0, 17.0), (12.5, 12.0, 4.5), (0.0, 0.0, 1.0))
 
 
