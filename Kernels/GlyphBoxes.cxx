@@ -44,6 +44,7 @@ HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
   glyph.rotation = glyph.turned ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
   SetArrow<float>(glyph, instances.arrow);
   glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i];
+  glyph.before = glyph.after = glm::vec4(0.0f); // a flat end cuts a little off the box of the round one
   return glyph;
 }
 

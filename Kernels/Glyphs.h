@@ -12,6 +12,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rtg
@@ -84,8 +85,8 @@ struct GlyphInstances
 
   /// World size of a unit glyph: full extents along the unit form's axes. Exactly one of:
   /// sizes3 (one vec3 a glyph), sizes1 (one float a glyph), both empty (uniformSize for all).
-  /// Every size is finite and > 0, or < 0 to mirror a Shape::Mesh; degenerate glyphs are left out by whoever fills
-  /// this.
+  /// Every size is finite and > 0 (of the two diameters of a Shape::RoundCone one may be 0), or < 0 to mirror a
+  /// Shape::Mesh; degenerate glyphs are left out by whoever fills this.
   std::vector<glm::vec3> sizes3;
   std::vector<float> sizes1;
   float uniformSize = 1.0f;
@@ -107,6 +108,10 @@ struct GlyphInstances
   /// In [0, 1], times Material::opacity and the alpha of colours; or empty.
   std::vector<float> opacities;
 
+  /// Shape::RoundCone only: what a piece of a line meets at its end at -x and at +x, in its own frame
+  /// (Shapes/RoundCone.glsl), or empty: both ends are round, and what lies inside other pieces counts as surface, too.
+  std::vector<glm::vec4> before, after;
+
   GlyphMotion motion;
 
   std::size_t Count() const { return centres.size(); }
@@ -120,9 +125,35 @@ inline bool IsTranslucent(const GlyphInstances& instances)
     (instances.shape == Shape::Mesh && instances.mesh && IsTranslucent(*instances.mesh));
 }
 
-/// Colours of one set: one RGBA8 a glyph in the order of GlyphInstances (red in the lowest byte),
-/// or empty for Material::colour. White leaves glyphs with GlyphInstances::forms the two colours of those.
-using GlyphColours = std::vector<std::uint32_t>;
+/// Colours of one set, RGBA8 with red in the lowest byte, or none for Material::colour.
+struct GlyphColours
+{
+  /// One a glyph in the order of GlyphInstances, or empty. White leaves glyphs with GlyphInstances::forms the two
+  /// colours of those.
+  std::vector<std::uint32_t> each;
+  /// Shape::RoundCone only: instead, one at the ball at -x and one at the ball at +x of each glyph, linear between.
+  /// With a table they are the bits of floats v in [0, 1], to which entry v (n - 1) of the table's first n - 1 belongs;
+  /// the last one is that of v < 0.
+  std::vector<glm::uvec2> ends;
+  std::vector<std::uint32_t> table;
+
+  GlyphColours() = default;
+  GlyphColours(std::vector<std::uint32_t> ofGlyphs)
+    : each(std::move(ofGlyphs))
+  {
+  }
+  bool Empty() const { return this->each.empty() && this->ends.empty(); }
+  bool operator==(const GlyphColours&) const = default;
+};
+
+/// Whether some of them are not opaque.
+inline bool AnyTranslucent(const GlyphColours& colours)
+{
+  const bool plainEnds = colours.table.empty();
+  return AnyTranslucent(colours.each) || AnyTranslucent(colours.table) ||
+    std::any_of(colours.ends.begin(), colours.ends.end(),
+      [plainEnds](const glm::uvec2& ends) { return plainEnds && ((ends.x & ends.y) >> 24) != 255u; });
+}
 
 /// ParaView's surface appearance. Colours are as the lookup table gives them (display-referred).
 struct Material

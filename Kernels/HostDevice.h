@@ -72,7 +72,9 @@ struct GlyphSetRecord
   uint translucent; // belongs to the translucent pass
   uint mask;        // one bit of instance masks
   vec3 ambientColour;
-  uint coloured;       // glyphs have colours of their own, also in ambient light
+  uint coloured;                      // glyphs have colours of their own, also in ambient light
+  RTG_ADDRESS(UintArray) colourTable; // of values at ends, when specialised
+  uint colourTableSize;
   vec3 positiveColour; // of glyphs coloured by their forms
   vec3 negativeColour;
   vec3 specularColour;

@@ -50,6 +50,10 @@ void CheckLengths(const GlyphInstances& instances, const GlyphColours& colours)
     throw Error("Ray Traced Glyphs: glyphs have sizes along three axes and single ones; give one "
                 "kind of them.");
   }
+  if (!colours.each.empty() && !colours.ends.empty())
+  {
+    throw Error("Ray Traced Glyphs: glyphs have colors and colors of ends; give one kind of them.");
+  }
 }
 
 } // namespace
@@ -128,7 +132,7 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   set.measured = false;
   set.boxes = {};
   // Colours are by glyph: those of the old glyphs mean nothing now.
-  set.colours.clear();
+  set.colours = {};
   set.coloursChanged = true;
   set.translucentColours = false;
 }
@@ -341,7 +345,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
     else if (set.coloursChanged)
     {
       sent.push_back(&set);
-      this->SendArrays(set, set.placed, device::COLOURS);
+      this->SendArrays(set, set.placed, device::COLOURS | device::END_COLOURS);
       this->recordsChanged = true;
     }
     // The top level says which hit group and which pass a set belongs to.

@@ -106,7 +106,12 @@ void Scene::State::SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::ui
         placed.group.Set(bit, !values.empty());
       }
     });
-  this->statistics.colourUploads += (variants & device::COLOURS) && !set.colours.empty();
+  if (variants & device::END_COLOURS)
+  {
+    placed.colourTable = Send(this->device->GetState(), set.colours.table);
+    placed.group.Set(device::END_VALUES, !set.colours.table.empty());
+  }
+  this->statistics.colourUploads += (variants & device::COLOURS) && !set.colours.Empty();
   this->statistics.uploadSeconds += watch.Lap();
 }
 

@@ -200,7 +200,9 @@ void Scene::State::FillRecords()
       record.translucent = set.Translucent();
       record.mask = set.Mask();
       record.ambientColour = material.ambientColour;
-      record.coloured = placed.group.Has(device::COLOURS | device::MESH_COLOURS | device::FORMS);
+      record.coloured = placed.group.Has(device::COLOURS | device::END_COLOURS | device::MESH_COLOURS | device::FORMS);
+      record.colourTable = at(placed.colourTable, 0);
+      record.colourTableSize = static_cast<std::uint32_t>(colours.table.size());
       record.positiveColour = material.positiveColour;
       record.negativeColour = material.negativeColour;
       record.specularColour = material.specularColour;

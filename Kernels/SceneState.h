@@ -68,6 +68,7 @@ struct PlacedGlyphs
   HitGroup group;
   float builtReach = 0.0f;                ///< distance of ray origins that the boxes' padding allows for
   std::array<Buffer, glyphArrays> arrays; ///< by number; none where the set has no such array
+  Buffer colourTable;                     ///< of values at the ends of round cones
   PlacedTree tree;
   std::vector<GlyphRun> runs;
   std::uint32_t sliceBits = 0; ///< of the tree, or of the runs' structures

@@ -19,7 +19,10 @@
   ARRAY(8, ACCELERATIONS, Vec3Array, accelerations, instances.motion.accelerations, "accelerations")                   \
   ARRAY(9, ANGULAR_VELOCITIES, Vec3Array, angularVelocities, instances.motion.angularVelocities, "angular velocities") \
   ARRAY(10, OPACITIES, FloatArray, opacities, instances.opacities, "opacities")                                        \
-  ARRAY(11, COLOURS, UintArray, colours, colours, "colors")
+  ARRAY(11, COLOURS, UintArray, colours, colours.each, "colors")                                                       \
+  ARRAY(12, END_COLOURS, Uvec2Array, endColours, colours.ends, "colors of ends")                                       \
+  ARRAY(13, BEFORE, Vec4Array, before, instances.before, "ends before pieces of lines")                                \
+  ARRAY(14, AFTER, Vec4Array, after, instances.after, "ends after pieces of lines")
 
 #define RTG_BIT(number, BIT, type, name, values, words) const uint BIT = 1u << number;
 RTG_GLYPH_ARRAYS(RTG_BIT)
@@ -35,8 +38,9 @@ const uint MESH_TRIANGLE_COLOURS = 1u << 21;
 const uint MESH_VALUE_COLOURS = 1u << 22;
 const uint MESH_VELOCITIES = 1u << 23;
 const uint MESH_ACCELERATIONS = 1u << 24;
-const uint MESH_TREE = 1u << 25;             // the mesh has a tree of our own instead of the driver's
-const uint APPEARANCE = COLOURS | OPACITIES; // the arrays that the driver's triangles have, too
+const uint MESH_TREE = 1u << 25;  // the mesh has a tree of our own instead of the driver's
+const uint END_VALUES = 1u << 26; // colours of ends are values between 0 and 1 with a table of colours
+const uint APPEARANCE = COLOURS | OPACITIES | END_COLOURS; // what the driver's triangles have, too, and colours of ends
 const uint MOVING_GLYPHS = VELOCITIES | ACCELERATIONS | ANGULAR_VELOCITIES;
 const uint MESH_COLOURS = MESH_POSITION_COLOURS | MESH_TRIANGLE_COLOURS | MESH_VALUE_COLOURS;
 const uint MOVING_MESH = MESH_VELOCITIES | MESH_ACCELERATIONS;

@@ -1,12 +1,12 @@
 """Python calls of the RayTracedGlyphs plugin. Load the plugin first: paraview.simple.LoadPlugin(...).
 
-Displays are what paraview.simple.Show() returns, shown as 'Ray Traced Glyphs' or 'Ray Traced Surface'.
+Displays are what paraview.simple.Show() returns, shown as 'Ray Traced Glyphs', 'Ray Traced Surface' or 'Ray Traced Tubes'.
 """
 import os
 
 import paraview.simple as pv
 
-TYPES = ("Ray Traced Glyphs", "Ray Traced Surface")
+TYPES = ("Ray Traced Glyphs", "Ray Traced Surface", "Ray Traced Tubes")
 
 
 def Displays(view=None):
@@ -19,8 +19,8 @@ def Displays(view=None):
 def _AnyDisplay(view):
     displays = Displays(view)
     if not displays:
-        raise RuntimeError("The view shows nothing as 'Ray Traced Glyphs' or 'Ray Traced Surface'; choose one of them as the "
-                           "Representation of a display.")
+        raise RuntimeError("The view shows nothing as 'Ray Traced Glyphs', 'Ray Traced Surface' or 'Ray Traced Tubes'; choose one of "
+                           "them as the Representation of a display.")
     return displays[0]
 
 
@@ -31,7 +31,7 @@ def SaveFeatureImage(fileName, view=None):
     -RANK before the extension. The data have one point a pixel, the lower left one first. Point arrays: Color (RGBA),
     WindowDepth, ViewDepth (world units), Normal (unit, world frame), Albedo (color without light), all means over the samples
     that hit and 0 where nothing was hit (WindowDepth: 1); Representation (number of the view's ray-traced display),
-    OriginalId (its input's point, or a surface's cell; -1: nothing was hit) and CompositeIndex (its block), of the pixel's
+    OriginalId (its input's point, or a surface's or tube's cell; -1: nothing was hit) and CompositeIndex (its block), of the pixel's
     center; SampleCount.
     """
     display = _AnyDisplay(view).SMProxy

@@ -70,6 +70,14 @@ float OpacityOfGlyph(GlyphSetRecord set, uint glyph)
   return Has(set.variants, OPACITIES) ? set.opacity * set.opacities.at[InSetIfHit(set, OPACITIES, glyph)] : set.opacity;
 }
 
+// The colour of a value in [0, 1] in a table that begins at that place. Its last entry is that of what is no number.
+vec4 TableColour(UintArray table, uint first, uint size, float value)
+{
+  uint entries = size - 1u;
+  uint entry = value < 0.0 ? entries : min(uint(value * float(entries)), entries - 1u);
+  return unpackUnorm4x8(table.at[first + entry]);
+}
+
 const uint nothing = 0xffffffffu; // no glyph, no triangle
 
 // What the nearest hit tells the ray generation program. Whatever kind of surface it lies on, it fills all of this.

@@ -31,6 +31,8 @@ GlyphSource SourceOf(GlyphSetRecord set)
   source.alike.unitLength = set.unitLength;
   source.alike.fixedHeads = Has(set.variants, FIXED_HEADS);
   source.alike.exponents = set.uniformExponents;
+  source.alike.before = vec4(0.0);
+  source.alike.after = vec4(0.0);
   return source;
 }
 
@@ -62,6 +64,14 @@ Glyph FetchGlyph(GlyphSource source, uint primitive)
   if (Has(set.variants, EXPONENTS))
   {
     glyph.exponents = set.exponents.at[InSet(set, EXPONENTS, primitive)];
+  }
+  if (Has(set.variants, BEFORE))
+  {
+    glyph.before = set.before.at[InSet(set, BEFORE, primitive)];
+  }
+  if (Has(set.variants, AFTER))
+  {
+    glyph.after = set.after.at[InSet(set, AFTER, primitive)];
   }
   Move(glyph, set, primitive, source.time);
   return glyph;
@@ -98,6 +108,24 @@ float OpacityOf(GlyphSetRecord set, uint glyph)
 {
   float opacity = OpacityOfGlyph(set, glyph);
   return Has(set.variants, COLOURS) ? opacity * ColourOf(set, glyph).a : opacity;
+}
+
+// The colour of a round cone where a ray meets it at t: between those of the balls' middles.
+vec4 ColourBetweenEnds(GlyphSetRecord set, GlyphRay ray, Glyph glyph, uint number, float t)
+{
+  float way = clamp(FromCentre(ray, glyph, t).x / max(glyph.size.x, 1e-30) + 0.5, 0.0, 1.0);
+  uvec2 ends = set.endColours.at[InSetIfHit(set, END_COLOURS, number)];
+  vec4 colour;
+  if (Has(set.variants, END_VALUES))
+  {
+    colour =
+      TableColour(set.colourTable, 0u, set.colourTableSize, mix(uintBitsToFloat(ends.x), uintBitsToFloat(ends.y), way));
+  }
+  else
+  {
+    colour = mix(unpackUnorm4x8(ends.x), unpackUnorm4x8(ends.y), way);
+  }
+  return colour * vec4(vec3(1.0), OpacityOfGlyph(set, number));
 }
 
 // Whether the ray passes translucent surfaces of the set by chance. `seed`: of the ray; 0: it passes none.
@@ -146,6 +174,10 @@ bool IntersectStopping(GlyphSetRecord set, GlyphRay ray, uint number, Glyph glyp
         which = triangle;
       }
 #endif
+      if (Has(set.variants, END_COLOURS))
+      {
+        opacity = ColourBetweenEnds(set, ray, glyph, number, t).a;
+      }
       passes = Passes(set, seed, number, which, opacity);
     }
     tMin = t + ErrorOfT(ray, glyph, t);

@@ -25,6 +25,10 @@ SurfaceHit HitOnGlyph(uint record, GlyphSource source, GlyphRay ray, uint glyph,
     hit.glyph = set.firstGlyph + glyph;
     vec3 base = Has(set.variants, COLOURS) ? ColourOf(set, glyph).rgb : set.colour;
     hit.colour = vec4(base, OpacityOf(set, glyph));
+    if (Has(set.variants, END_COLOURS))
+    {
+      hit.colour = ColourBetweenEnds(set, ray, found, glyph, t);
+    }
   }
   if (MayPass(set, seed))
   {

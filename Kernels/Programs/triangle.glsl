@@ -32,10 +32,7 @@ vec4 TriangleColour(GlyphSetRecord set, uvec3 corner, vec3 weight, uint triangle
     float value = weight.x * uintBitsToFloat(set.meshColours.at[corner.x]) +
       weight.y * uintBitsToFloat(set.meshColours.at[corner.y]) +
       weight.z * uintBitsToFloat(set.meshColours.at[corner.z]);
-    // The last entry is that of what is no number.
-    uint entries = set.meshTableSize - 1u;
-    uint entry = value < 0.0 ? entries : min(uint(value * float(entries)), entries - 1u);
-    colour = unpackUnorm4x8(set.meshColours.at[set.meshValueCount + entry]);
+    colour = TableColour(set.meshColours, set.meshValueCount, set.meshTableSize, value);
   }
   else if (Has(set.variants, MESH_TRIANGLE_COLOURS))
   {

@@ -1,11 +1,12 @@
 // Capsule along x, centered: a cylinder of length 1 and radius 0.5 with half balls on its ends: 2 long in all. Its
 // sizes are the length of the cylinder and the diameters along y and z. Where these differ it is the round capsule of
-// the larger diameter, flattened along the other axis: seen along that axis its ends are half discs.
+// the larger diameter, flattened along the other axis: seen along that axis its ends are half discs. The round capsule
+// is the round cone of two balls alike.
 #ifndef RTG_CAPSULE
 #define RTG_CAPSULE
 
 #include "Estimate.glsl"
-#include "Disc.glsl"
+#include "RoundCone.glsl"
 #include "Span.glsl"
 #include "Sphere.glsl"
 
@@ -27,23 +28,6 @@ RTG_FN DoubleWord CapsuleHalfLength(Glyph glyph)
   return Divide(Word(glyph.size.x), Word(max(glyph.size.y, glyph.size.z)));
 }
 
-// The part of the ray in the half ball on the end at +x or, with `side` -1, at -x. It starts at the very plane where
-// the cylinder ends: next to it their surfaces are too close to tell which is outside.
-RTG_FN Span CapsuleEndSpan(LocalRay ray, DoubleWord halfLength, real side)
-{
-  DoubleWord plane = Multiply(halfLength, side);
-  DoubleWord beyond = Add(plane, real(2.0) * side);
-  DoubleWord first = beyond;
-  DoubleWord last = plane;
-  if (side > real(0.0))
-  {
-    first = plane;
-    last = beyond;
-  }
-  Span part = Slab(WordX(ray.origin), WordX(ray.direction), first, last, 0, 0);
-  return Intersection(part, BallSpan(ray, plane, Word(real(1.0)), 0));
-}
-
 // The ray in the frame where the capsule is round and its radius is 1.
 RTG_FN bool
 CapsuleCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
@@ -58,17 +42,8 @@ CapsuleCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRa
   local.origin = Divide(world.origin, end);
   local.direction = Divide(world.direction, end);
 
-  Span side = RoundSpan(WordY(local.origin), WordZ(local.origin), Word(real(1.0)), WordY(local.direction),
-    WordZ(local.direction), Word(real(0.0)), 0);
-  if (IsEmpty(side))
-  {
-    return NoCrossing(local, crossing);
-  }
-  DoubleWord halfLength = CapsuleHalfLength(glyph);
-  Span body =
-    Intersection(Slab(WordX(local.origin), WordX(local.direction), Minus(halfLength), halfLength, 0, 0), side);
-  Span ends = Hull(CapsuleEndSpan(local, halfLength, real(-1.0)), CapsuleEndSpan(local, halfLength, real(1.0)));
-  return FirstCrossing(local, Hull(body, ends), tMin, tMax, crossing);
+  RoundConeForm form = MakeRoundCone(CapsuleHalfLength(glyph), Word(real(1.0)), Word(real(1.0)));
+  return FirstCrossing(local, RoundConeSpan(local, form), tMin, tMax, crossing);
 }
 
 RTG_FN bool IntersectCapsule(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)

@@ -12,7 +12,8 @@
   ENTRY(4, Arrow)                                                                                                      \
   ENTRY(5, Superquadric)                                                                                               \
   ENTRY(6, NestedSuperquadric)                                                                                         \
-  ENTRY(10, Capsule)
+  ENTRY(10, Capsule)                                                                                                   \
+  ENTRY(11, RoundCone)
 
 // The triangles of a mesh, which has no analytic form.
 #define RTG_MESH 7

@@ -24,6 +24,8 @@ struct Glyph
   bool fixedHeads;
   real unitLength;
   real3 exponents; // of a superquadric's axes
+  real4 before;    // of a round cone: RoundCone.glsl
+  real4 after;
 };
 
 // A ray in a glyph's frame, not yet divided by the glyph's size. Its parameter s counts from the

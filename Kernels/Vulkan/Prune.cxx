@@ -71,6 +71,8 @@ std::set<std::string> NeverCalled(const Constants& constants)
   leaveOut(
     (constants.shapes >> RTG_MESH & 1u) != 0, { "IntersectMesh", "EstimateMesh", "HitOnMesh", "TriangleColour" });
   leaveOut(constants.layered != 0, { "AddLayersOf" });
+  leaveOut((constants.someHave & device::END_COLOURS) != 0, { "ColourBetweenEnds" });
+  leaveOut((constants.someHave & (device::BEFORE | device::AFTER)) != 0, { "IsInner" });
   return names;
 }
 

@@ -1,6 +1,8 @@
 #include "vtkRayTracedSurfaceGatherer.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkCompositeDataSetRange.h"
@@ -9,11 +11,13 @@
 #include "vtkGlyphLeaves.h"
 #include "vtkGlyphPointGatherer.h"
 #include "vtkHyperTreeGrid.h"
+#include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPVGeometryFilter.h"
 #include "vtkPVTrivialProducer.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkRayTracedArrayUnion.h"
@@ -154,6 +158,59 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceGatherer::Triangulate(vtkPolyDat
 }
 
 //----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceGatherer::ExtractLines(vtkPolyData* data)
+{
+  auto lines = vtkSmartPointer<vtkPolyData>::New();
+  if (data->GetNumberOfCells() == data->GetNumberOfLines() || data->GetNumberOfLines() == 0)
+  {
+    lines->SetPoints(data->GetPoints());
+    lines->SetLines(data->GetLines());
+    lines->GetPointData()->ShallowCopy(data->GetPointData());
+    if (data->GetNumberOfLines() > 0)
+    {
+      lines->GetCellData()->ShallowCopy(data->GetCellData());
+    }
+    return lines;
+  }
+  // Only the points of lines: others would count for the bounds.
+  std::vector<vtkIdType> place(data->GetNumberOfPoints(), -1);
+  vtkNew<vtkIdList> kept, cells, corners;
+  vtkNew<vtkCellArray> cut;
+  vtkIdType cell = data->GetNumberOfVerts();
+  auto iterator = vtk::TakeSmartPointer(data->GetLines()->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell(), ++cell)
+  {
+    iterator->GetCurrentCell(corners);
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    {
+      vtkIdType& at = place[corners->GetId(i)];
+      at = at < 0 ? kept->InsertNextId(corners->GetId(i)) : at;
+      corners->SetId(i, at);
+    }
+    cut->InsertNextCell(corners);
+    cells->InsertNextId(cell);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataType(data->GetPoints()->GetDataType());
+  data->GetPoints()->GetPoints(kept, points);
+  lines->SetPoints(points);
+  lines->SetLines(cut);
+  lines->GetPointData()->CopyAllOn();
+  lines->GetPointData()->CopyAllocate(data->GetPointData(), kept->GetNumberOfIds());
+  lines->GetCellData()->CopyAllOn();
+  lines->GetCellData()->CopyAllocate(data->GetCellData(), cells->GetNumberOfIds());
+  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
+  {
+    lines->GetPointData()->CopyData(data->GetPointData(), kept->GetId(i), i);
+  }
+  for (vtkIdType i = 0; i < cells->GetNumberOfIds(); ++i)
+  {
+    lines->GetCellData()->CopyData(data->GetCellData(), cells->GetId(i), i);
+  }
+  return lines;
+}
+
+//----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* input, const Settings& settings)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> blocks;
@@ -165,7 +222,7 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* 
     {
       return;
     }
-    vtkSmartPointer<vtkPolyData> surface = Triangulate(faces, settings);
+    vtkSmartPointer<vtkPolyData> surface = settings.Lines ? ExtractLines(faces) : Triangulate(faces, settings);
     RenameIds(surface);
     if (isBlock)
     {

@@ -1,9 +1,10 @@
 /**
  * @class   vtkRayTracedSurfaceGatherer
- * @brief   gathers the outer surface of any data object into one vtkPolyData of triangles
+ * @brief   gathers the outer surface of any data object, or its lines, into one vtkPolyData
  *
  * Input may be any data set, hyper tree grid or composite of them. The surface is that of ParaView's ordinary surface
- * representation (vtkPVGeometryFilter), cut into triangles; lines and vertices are left out.
+ * representation (vtkPVGeometryFilter), cut into triangles; lines and vertices are left out. Or the lines and
+ * poly-lines are left, and the rest is left out.
  *
  * The output has the union of all blocks' arrays (NaN where a block lacks one), and:
  * - what picking asks for (vtkRayTracedArrays.h): ids of points and cells, flat indices of blocks, ranks. No point is
@@ -25,6 +26,8 @@ class vtkRayTracedSurfaceGatherer
 public:
   struct Settings
   {
+    /// Lines instead of triangles; where there are none, points alone.
+    bool Lines = false;
     /// Points without normals get some; edges sharper than this angle, in degrees, stay sharp.
     bool ComputesNormals = true;
     double FeatureAngle = 30.0;
@@ -39,6 +42,11 @@ public:
    * Triangles of one poly data, with normals as the settings say; arrays are kept.
    */
   static vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* polygons, const Settings& settings);
+
+  /**
+   * Lines of one poly data with their points and arrays.
+   */
+  static vtkSmartPointer<vtkPolyData> ExtractLines(vtkPolyData* data);
 };
 
 #endif

@@ -290,7 +290,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
     table = this->TableColors(*tensors);
   }
 
-  rtg::GlyphColours colors;
+  std::vector<std::uint32_t> colors;
   if (mapped || tensors || blockColors || selected)
   {
     colors.resize(this->Sources.Size());
@@ -333,7 +333,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   }
   this->ClearColorArrays(); // vtkMapper keeps them
   this->Translucent = rtg::AnyTranslucent(colors);
-  if (this->ColorVersion == 0 || this->Colors != colors)
+  if (this->ColorVersion == 0 || this->Colors.each != colors)
   {
     this->Colors = std::move(colors);
     this->ColorVersion = NewVersion();

@@ -4,6 +4,8 @@
 #include "vtkActor.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -14,6 +16,7 @@
 #include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
@@ -160,6 +163,93 @@ void vtkRayTracedMapper::BlockColor(
     }
     rgba[3] *= block->second.Opacity;
   }
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedMapper::MappedColors vtkRayTracedMapper::MapColors(
+  vtkPolyData* data, bool interpolateValues, const char* what, std::vector<std::string>& messages)
+{
+  MappedColors mapped;
+  mapped.Blocks = this->HasBlockColors(data);
+  if (!this->ScalarVisibility || this->Sources.empty())
+  {
+    return mapped;
+  }
+  // Colors of blocks are mixed in point by point.
+  this->SetInterpolateScalarsBeforeMapping(interpolateValues && !mapped.Blocks);
+  // vtkMapper asks its input, which it has at no other time, when its texture was made.
+  this->SetInputDataObject(data);
+  int ofCells = 0;
+  mapped.Colors = this->MapScalars(data, 1.0, ofCells);
+  mapped.OfCells = ofCells != 0;
+  const bool values = !mapped.Colors && this->TakeValues(mapped, data->GetNumberOfPoints());
+  this->SetInputDataObject(nullptr);
+  const vtkIdType wanted = mapped.OfCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  if (!values && (!mapped.Colors || mapped.Colors->GetNumberOfTuples() != wanted))
+  {
+    mapped.Colors = nullptr;
+    messages.push_back("There is no array '" + std::string(this->ArrayName) +
+      "' that has a value for each point or cell of the " + what +
+      ", so it has one color. Choose a point or cell array as ColorArrayName.");
+  }
+  return mapped;
+}
+
+//----------------------------------------------------------------------------
+// vtkMapper's texture of colors and the points' places in it; false: it has made none.
+bool vtkRayTracedMapper::TakeValues(MappedColors& mapped, vtkIdType points)
+{
+  vtkFloatArray* places = this->GetColorCoordinates();
+  vtkImageData* texture = this->GetColorTextureMap();
+  auto* texels = texture ? vtkUnsignedCharArray::SafeDownCast(texture->GetPointData()->GetScalars()) : nullptr;
+  if (!places || !texels || places->GetNumberOfTuples() != points)
+  {
+    return false;
+  }
+  const vtkIdType width = texture->GetDimensions()[0];
+  const auto texel = [texels](vtkIdType i)
+  {
+    std::array<double, 4> rgba{ { 0.0, 0.0, 0.0, 1.0 } };
+    for (int c = 0; c < texels->GetNumberOfComponents(); ++c)
+    {
+      rgba[c] = texels->GetValue(i * texels->GetNumberOfComponents() + c) / 255.0;
+    }
+    return Pack(rgba);
+  };
+  mapped.Table.resize(width + 1);
+  for (vtkIdType i = 0; i < width; ++i)
+  {
+    mapped.Table[i] = texel(i);
+  }
+  mapped.Table[width] = texel(width); // of the second row, which is that of NaN
+  mapped.Values.resize(points);
+  vtkRayTracedParallel::ForChunks(points,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const bool isNumber = places->GetTypedComponent(i, 1) < 0.5f;
+        mapped.Values[i] = isNumber ? std::clamp(places->GetTypedComponent(i, 0), 0.0f, 1.0f) : -1e6f;
+      }
+    });
+  return true;
+}
+
+//----------------------------------------------------------------------------
+std::uint32_t
+vtkRayTracedMapper::ColorOf(const MappedColors& mapped, vtkPolyData* data, vtkIdType value, vtkIdType point) const
+{
+  std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
+  const int components = mapped.Colors ? mapped.Colors->GetNumberOfComponents() : 0;
+  for (int c = 0; c < std::min(components, 4); ++c)
+  {
+    rgba[c] = mapped.Colors->GetValue(value * components + c) / 255.0;
+  }
+  if (mapped.Blocks)
+  {
+    this->BlockColor(data, point, rgba);
+  }
+  return Pack(rgba);
 }
 
 //----------------------------------------------------------------------------

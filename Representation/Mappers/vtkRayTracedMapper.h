@@ -28,6 +28,7 @@
 class vtkActor;
 class vtkPolyData;
 class vtkRayTracedScene;
+class vtkUnsignedCharArray;
 
 class vtkRayTracedMapper : public vtkMapper
 {
@@ -151,6 +152,25 @@ protected:
   bool HasBlockColors(vtkPolyData* points) const;
   void BlockColor(vtkPolyData* points, vtkIdType point, std::array<double, 4>& rgba, bool colors = true) const;
 
+  ///@{
+  /**
+   * For what has colors between its points: maps the active array of points or cells. Where values of points are
+   * interpolated before they are mapped, and no block has a color, it gives values in [0, 1], negative for NaN, and a
+   * table (rtg::GlyphColours, rtg::TriangleMesh). `what`: what messages call it. ColorOf() is the color of a point or
+   * cell of the data, `value`, in the block of `point`.
+   */
+  struct MappedColors
+  {
+    vtkUnsignedCharArray* Colors = nullptr;
+    bool OfCells = false, Blocks = false;
+    std::vector<float> Values; // of points
+    std::vector<std::uint32_t> Table;
+  };
+  MappedColors
+  MapColors(vtkPolyData* data, bool interpolateValues, const char* what, std::vector<std::string>& messages);
+  std::uint32_t ColorOf(const MappedColors& mapped, vtkPolyData* data, vtkIdType value, vtkIdType point) const;
+  ///@}
+
   /**
    * Fills in block and rank of a point.
    */
@@ -177,6 +197,8 @@ private:
 
   struct InstanceKey;
   struct ColorKey;
+
+  bool TakeValues(MappedColors& mapped, vtkIdType points);
 
   vtkSmartPointer<vtkPolyData> Points;
   std::unique_ptr<InstanceKey> Built;

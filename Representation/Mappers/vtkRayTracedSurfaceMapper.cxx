@@ -5,9 +5,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
-#include "vtkFloatArray.h"
 #include "vtkGlyphMotion.h"
-#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -15,7 +13,6 @@
 #include "vtkRayTracedArrays.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedTriangleBuilder.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,46 +107,10 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
   colored->triangleColours.clear();
   colored->positionValues.clear();
   colored->valueColours.clear();
-  const bool blockColors = this->HasBlockColors(surface);
-  const bool visible = this->ScalarVisibility && !mesh.triangles.empty();
-  vtkUnsignedCharArray* mapped = nullptr;
-  int ofCells = 0;
-  bool values = false;
-  if (visible)
-  {
-    // Colors of blocks are mixed in corner by corner.
-    this->SetInterpolateScalarsBeforeMapping(this->Settings.InterpolateValues && !blockColors);
-    // vtkMapper asks its input, which it has at no other time, when its texture was made.
-    this->SetInputDataObject(surface);
-    mapped = this->MapScalars(surface, 1.0, ofCells);
-    values = !mapped && this->AddValues(*colored);
-    this->SetInputDataObject(nullptr);
-    const vtkIdType wanted = ofCells ? surface->GetNumberOfCells() : surface->GetNumberOfPoints();
-    if (!values && (!mapped || mapped->GetNumberOfTuples() != wanted))
-    {
-      mapped = nullptr;
-      messages.push_back("There is no array '" + std::string(this->ArrayName) +
-        "' that has a value for each point or cell of the surface, so it has one color. Choose a "
-        "point or cell array as ColorArrayName.");
-    }
-  }
-
-  // Color of a point or cell of the data that lies in the block of `point`.
-  const int components = mapped ? std::min(mapped->GetNumberOfComponents(), 4) : 0;
-  const auto colorOf = [&](vtkIdType value, vtkIdType point)
-  {
-    std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
-    for (int c = 0; c < components; ++c)
-    {
-      rgba[c] = mapped->GetValue(value * mapped->GetNumberOfComponents() + c) / 255.0;
-    }
-    if (blockColors)
-    {
-      this->BlockColor(surface, point, rgba);
-    }
-    return Pack(rgba);
-  };
-  if (mapped && ofCells)
+  const MappedColors mapped = this->MapColors(surface, this->Settings.InterpolateValues, "surface", messages);
+  colored->positionValues = mapped.Values;
+  colored->valueColours = mapped.Table;
+  if (mapped.Colors && mapped.OfCells)
   {
     colored->triangleColours.resize(mesh.triangles.size());
     vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.triangles.size()),
@@ -157,11 +118,11 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          colored->triangleColours[i] = colorOf(this->Sources[i], mesh.triangles[i].x);
+          colored->triangleColours[i] = this->ColorOf(mapped, surface, this->Sources[i], mesh.triangles[i].x);
         }
       });
   }
-  else if (mapped || (blockColors && !values))
+  else if (mapped.Colors || (mapped.Blocks && mapped.Values.empty()))
   {
     colored->positionColours.resize(mesh.positions.size());
     vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.positions.size()),
@@ -169,7 +130,7 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          colored->positionColours[i] = colorOf(i, i);
+          colored->positionColours[i] = this->ColorOf(mapped, surface, i, i);
         }
       });
   }
@@ -187,46 +148,6 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
     this->InstanceVersion = NewVersion();
   }
   this->Report(messages, this->ReportedColors);
-}
-
-//----------------------------------------------------------------------------
-// vtkMapper's texture of colors and the points' places in it; false: it has made none.
-bool vtkRayTracedSurfaceMapper::AddValues(rtg::TriangleMesh& mesh)
-{
-  vtkFloatArray* places = this->GetColorCoordinates();
-  vtkImageData* texture = this->GetColorTextureMap();
-  auto* texels = texture ? vtkUnsignedCharArray::SafeDownCast(texture->GetPointData()->GetScalars()) : nullptr;
-  if (!places || !texels || places->GetNumberOfTuples() != static_cast<vtkIdType>(mesh.positions.size()))
-  {
-    return false;
-  }
-  const vtkIdType width = texture->GetDimensions()[0];
-  const auto texel = [texels](vtkIdType i)
-  {
-    std::array<double, 4> rgba{ { 0.0, 0.0, 0.0, 1.0 } };
-    for (int c = 0; c < texels->GetNumberOfComponents(); ++c)
-    {
-      rgba[c] = texels->GetValue(i * texels->GetNumberOfComponents() + c) / 255.0;
-    }
-    return Pack(rgba);
-  };
-  mesh.valueColours.resize(width + 1);
-  for (vtkIdType i = 0; i < width; ++i)
-  {
-    mesh.valueColours[i] = texel(i);
-  }
-  mesh.valueColours[width] = texel(width); // of the second row, which is that of NaN
-  mesh.positionValues.resize(mesh.positions.size());
-  vtkRayTracedParallel::ForChunks(places->GetNumberOfTuples(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const bool isNumber = places->GetTypedComponent(i, 1) < 0.5f;
-        mesh.positionValues[i] = isNumber ? std::clamp(places->GetTypedComponent(i, 0), 0.0f, 1.0f) : -1e6f;
-      }
-    });
-  return true;
 }
 
 //----------------------------------------------------------------------------

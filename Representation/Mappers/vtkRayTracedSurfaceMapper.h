@@ -57,8 +57,6 @@ private:
   vtkRayTracedSurfaceMapper(const vtkRayTracedSurfaceMapper&) = delete;
   void operator=(const vtkRayTracedSurfaceMapper&) = delete;
 
-  bool AddValues(rtg::TriangleMesh& mesh);
-
   SurfaceSettings Settings, BuiltSettings;
   rtg::GlyphInstances Instances;
   bool ShapeChanged = false; // since the last BuildColors()

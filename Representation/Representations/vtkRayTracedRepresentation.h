@@ -1,7 +1,7 @@
 /**
  * @class   vtkRayTracedRepresentation
- * @brief   what ray-traced glyphs and surfaces have in common: delivery, colors, blocks, placement, and the view's
- * image
+ * @brief   what ray-traced glyphs, surfaces and tubes have in common: delivery, colors, blocks, placement, and the
+ * view's image
  *
  * Points or triangles are gathered where the data are, in RequestData(). REQUEST_UPDATE hands them to the view with
  * their bounds and touches nothing of the render side. Mappers, actors and the renderer's vtkRayTracedScene are made

@@ -61,9 +61,15 @@ void vtkSMRayTracedDefault::Remember(vtkSMProperty* property)
 }
 
 //----------------------------------------------------------------------------
+bool vtkSMRayTracedDefault::IsChosen(vtkSMProperty* property) const
+{
+  return this->Chosen && AreEqual(property, this->Chosen);
+}
+
+//----------------------------------------------------------------------------
 bool vtkSMRayTracedDefault::Has(vtkSMProperty* property) const
 {
-  if (this->Chosen && AreEqual(property, this->Chosen))
+  if (this->IsChosen(property))
   {
     return true;
   }
@@ -88,7 +94,7 @@ bool vtkSMRayTracedDefault::Has(vtkSMProperty* property) const
 //----------------------------------------------------------------------------
 void vtkSMRayTracedDefault::Renew(vtkSMProperty* property, bool lost) const
 {
-  if (!this->Chosen || !AreEqual(property, this->Chosen))
+  if (!this->IsChosen(property))
   {
     return;
   }

@@ -34,6 +34,11 @@ struct vtkSMRayTracedDefault
   bool Has(vtkSMProperty* property) const;
 
   /**
+   * Whether the present value is the one that ParaView has chosen.
+   */
+  bool IsChosen(vtkSMProperty* property) const;
+
+  /**
    * Chooses anew where ParaView has chosen: if `lost`, only a value that is in no list of values any more, or None.
    */
   void Renew(vtkSMProperty* property, bool lost) const;

@@ -3,7 +3,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMRayTracedDefault.h"
 
 #include <string>
 
@@ -12,7 +11,25 @@ vtkStandardNewMacro(vtkSMRayTracedDoubleVectorProperty);
 //----------------------------------------------------------------------------
 bool vtkSMRayTracedDoubleVectorProperty::IsValueDefault()
 {
-  return this->Superclass::IsValueDefault() || vtkSMRayTracedDefault::IsAlias(this) || this->IsFromData();
+  return this->Superclass::IsValueDefault() || vtkSMRayTracedDefault::IsAlias(this) || this->IsFromData() ||
+    this->Default.IsChosen(this);
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedDoubleVectorProperty::ResetToDomainDefaults(bool useUncheckedValues)
+{
+  const bool reset = this->Superclass::ResetToDomainDefaults(useUncheckedValues);
+  if (reset && !useUncheckedValues)
+  {
+    this->Default.Remember(this);
+  }
+  return reset;
+}
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedDoubleVectorProperty::RenewDefault()
+{
+  this->Default.Renew(this, /*lost=*/false);
 }
 
 //----------------------------------------------------------------------------

@@ -3,13 +3,17 @@
  * @brief   numbers of this plugin that somebody else sets
  *
  * Its value counts as the default where the data have chosen it, which a property of the same name with FromData behind
- * it says, and where it is but another name of one of ParaView's own; see vtkSMRayTracedDefault.
+ * it says, or ParaView, by a domain; and where it is but another name of one of ParaView's own. See
+ * vtkSMRayTracedDefault.
  */
 #ifndef vtkSMRayTracedDoubleVectorProperty_h
 #define vtkSMRayTracedDoubleVectorProperty_h
 
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSMDoubleVectorProperty.h"
+#ifndef __VTK_WRAP__ // what the wrapping tools need not know
+#include "vtkSMRayTracedDefault.h"
+#endif
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedDoubleVectorProperty : public vtkSMDoubleVectorProperty
 {
@@ -18,6 +22,12 @@ public:
   vtkTypeMacro(vtkSMRayTracedDoubleVectorProperty, vtkSMDoubleVectorProperty);
 
   bool IsValueDefault() override;
+  bool ResetToDomainDefaults(bool useUncheckedValues = false) override;
+
+  /**
+   * To be called when its domains would choose otherwise: chooses anew where ParaView has chosen.
+   */
+  void RenewDefault();
 
 protected:
   vtkSMRayTracedDoubleVectorProperty() = default;
@@ -28,6 +38,10 @@ private:
   void operator=(const vtkSMRayTracedDoubleVectorProperty&) = delete;
 
   bool IsFromData();
+
+#ifndef __VTK_WRAP__
+  vtkSMRayTracedDefault Default;
+#endif
 };
 
 #endif

@@ -10,6 +10,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
+#include "vtkSMRayTracedDoubleVectorProperty.h"
 #include "vtkSMRayTracedStringVectorProperty.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMTransferFunctionManager.h"
@@ -22,6 +23,27 @@ vtkStandardNewMacro(vtkSMRayTracedRepresentationProxy);
 
 namespace
 {
+// ParaView names a display's representations to subclasses of its proxies only.
+struct Display : vtkSMProxy
+{
+  static vtkSMProxy* Representation(vtkSMProxy* display, const char* name)
+  {
+    vtkSMProxy* (vtkSMProxy::*representation)(const char*) = &Display::GetSubProxy;
+    return (display->*representation)(name);
+  }
+};
+
+// The representation that a display shows, when it is ray traced.
+vtkSMProxy* ShownBy(vtkSMProxy* display)
+{
+  vtkSMProperty* type = display->GetProperty("Representation");
+  const std::string name = type ? vtkSMPropertyHelper(type).GetAsString() : "";
+  return name == "Ray Traced Glyphs" ? Display::Representation(display, "RayTracedGlyphRepresentation")
+    : name == "Ray Traced Surface"   ? Display::Representation(display, "RayTracedSurfaceRepresentation")
+    : name == "Ray Traced Tubes"     ? Display::Representation(display, "RayTracedTubeRepresentation")
+                                     : nullptr;
+}
+
 // While one display's value is copied to the others, their changes are not copied on.
 bool sharing = false;
 
@@ -53,8 +75,7 @@ bool vtkSMRayTracedRepresentationProxy::ShowsRayTraced(vtkSMProxy* display)
   {
     return false;
   }
-  const std::string type = vtkSMPropertyHelper(display, "Representation").GetAsString();
-  return type == "Ray Traced Glyphs" || type == "Ray Traced Surface";
+  return ShownBy(display) != nullptr;
 }
 
 //----------------------------------------------------------------------------
@@ -90,6 +111,16 @@ void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMP
   }
   this->Superclass::UpdatePropertyInformationInternal(property);
   this->Location = everywhere;
+  // What a display shares is that of one of its representations; what it tells is of the one that is shown.
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  vtkSMProxy* shown = display ? ShownBy(display) : nullptr;
+  vtkSMProperty* own = this->GetProperty("RenderStatistics");
+  if (shown && shown != this && own && (!property || property == own) && this->IsExposed("RenderStatistics"))
+  {
+    vtkSMProperty* told = shown->GetProperty("RenderStatistics");
+    shown->UpdatePropertyInformation(told);
+    own->Copy(told);
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -156,6 +187,11 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
     // Arrows are as long as vectors, others as large as radii. Not while the array is in use: scripts and states may
     // name the array before the shape.
     this->RenewDefault("GlyphScaleArray", /*lost=*/false);
+  }
+  auto* radius = vtkSMRayTracedDoubleVectorProperty::SafeDownCast(this->GetProperty("TubeRadius"));
+  if (flag && name && radius && strcmp(name, "TubeRadiusArray") == 0)
+  {
+    radius->RenewDefault();
   }
   if (flag && name && !sharing && !this->ApplyingQuality)
   {

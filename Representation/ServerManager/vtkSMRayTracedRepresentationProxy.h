@@ -1,6 +1,6 @@
 /**
  * @class   vtkSMRayTracedRepresentationProxy
- * @brief   the client's side of ray-traced glyphs and surfaces
+ * @brief   the client's side of ray-traced glyphs, surfaces and tubes
  *
  * - Properties with the hint OfView hold for the whole view: a change on one of its displays is a change on all, and a
  * display that is added takes the values of those that are there.

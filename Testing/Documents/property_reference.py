@@ -30,8 +30,8 @@ def definitions(name):
 
 
 def of_representations():
-    """Properties by name of both representations, of glyphs, and of surfaces."""
-    return [definitions(name)[0] for name in ("RayTracedCommon.xml", "RayTracedGlyphs.xml", "RayTracedSurface.xml")]
+    """Properties by name of all representations, of glyphs, of surfaces, and of tubes."""
+    return [definitions(name)[0] for name in ("RayTracedCommon.xml", "RayTracedGlyphs.xml", "RayTracedSurface.xml", "RayTracedTubes.xml")]
 
 
 def values(entry):
@@ -61,7 +61,8 @@ def values(entry):
 def default(entry):
     """The value without data, or what the data give."""
     for domain in entry:
-        if domain.tag in ("ArrayListDomain", "RayTracedArrayListDomain", "RepresentedArrayListDomain", "RayTracedScaleDomain"):
+        if domain.tag in ("ArrayListDomain", "RayTracedArrayListDomain", "RepresentedArrayListDomain", "RayTracedScaleDomain",
+                          "RayTracedRadiusDomain"):
             return "from the data"
         if domain.tag == "EnumerationDomain":
             return next((item.get("text") for item in domain.iter("Entry") if item.get("value") == entry.get("default_values")), "")
@@ -81,9 +82,10 @@ def row(name, entry):
 
 def sections():
     """(title, [(name that scripts know, XML element)]): the panel's groups in their order, then what is shared with ParaView's surfaces."""
-    common, glyphs, surface = of_representations()
-    known = {**common, **surface, **glyphs}
-    _, groups = definitions("RayTracedGlyphs.xml")
+    common, glyphs, surface, tubes = of_representations()
+    known = {**common, **surface, **tubes, **glyphs}
+    (own, *shared), of_tubes = definitions("RayTracedGlyphs.xml")[1], definitions("RayTracedTubes.xml")[1]
+    groups = [own] + of_tubes + shared
     shown = {name for _, names in groups for name, _ in names}
     information = [name for name, entry in known.items() if entry.get("information_only") == "1" and name not in shown]
     rest = [name for name, entry in known.items()

@@ -50,7 +50,7 @@ enum class Content
 struct Glyphs
 {
   rtg::GlyphInstances instances;
-  rtg::GlyphColours colours;
+  std::vector<std::uint32_t> colours;
 };
 
 std::shared_ptr<const rtg::TriangleMesh> Tetrahedron()

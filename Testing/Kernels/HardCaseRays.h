@@ -242,6 +242,7 @@ inline std::vector<Subject> HardSubjects()
     { "cylinder", Shape::Cylinder, {}, false },
     { "cone", Shape::Cone, {}, false },
     { "capsule", Shape::Capsule, {}, false },
+    { "round cone", Shape::RoundCone, {}, false },
     { "arrow", Shape::Arrow, {}, false },
     { "arrow, sharp", Shape::Arrow, arrow(0.03f, 0.1f, 0.35f, 0, true), false },
     { "arrow, fully rounded", Shape::Arrow, arrow(0.03f, 0.1f, 0.35f, 1, true), false },

@@ -261,7 +261,14 @@ inline glm::dvec3 HardCaseMaker::ToWorld(const HardCase& hard, std::uint32_t ind
   {
     scale.x += std::max(scale.y, scale.z);
   }
-  const Vec shift(this->subject_.shape == Shape::Arrow ? 0.5 : 0.0, 0, 0);
+  Vec shift(this->subject_.shape == Shape::Arrow ? 0.5 : 0.0, 0, 0);
+  if (this->subject_.shape == Shape::RoundCone)
+  {
+    Vec middle;
+    Exact::RoundConeBox(glyph, middle, scale);
+    scale *= 2.0;
+    shift = middle / scale;
+  }
   return glyph.centre + Exact::RotateToWorld(glyph, (box + shift) * scale);
 }
 
@@ -297,6 +304,19 @@ inline glm::dvec3 HardCaseMaker::EdgePoint(const HardCase& hard, std::uint32_t i
       const Exact::Glyph glyph = KernelGlyph<double>(hard.instances, index);
       const double seam = glyph.size.x / (glyph.size.x + std::max(glyph.size.y, glyph.size.z));
       return this->Choice(3) == 0 ? Vec(side, 0, 0) : Vec(side * seam, c, s);
+    }
+    case Shape::RoundCone:
+    {
+      // Where the cone touches a ball, or a pole.
+      const Exact::Glyph glyph = KernelGlyph<double>(hard.instances, index);
+      Vec middle, half;
+      Exact::RoundConeBox(glyph, middle, half);
+      const double radius = side < 0 ? 0.5 * glyph.size.y : 0.5 * glyph.size.z;
+      const double sine = std::clamp(0.5 * (glyph.size.y - glyph.size.z) / glyph.size.x, -1.0, 1.0);
+      const double across = radius * std::sqrt(1.0 - sine * sine) / half.y;
+      return this->Choice(3) == 0
+        ? Vec(side, 0, 0)
+        : Vec((side * glyph.size.x + radius * sine - middle.x) / (2.0 * half.x), across * c, across * s);
     }
     case Shape::Cone:
       return this->Choice(3) == 0 ? Vec(0.5, 0, 0) : Vec(-0.5, c, s);

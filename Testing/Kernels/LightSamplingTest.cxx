@@ -264,7 +264,7 @@ TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
   instances.shape = shape;
   instances.origin = { 0.03, -0.01, 0.02 };
   instances.uniformSize = 0.2f;
-  rtg::GlyphColours colours;
+  std::vector<std::uint32_t> colours;
   for (int i = 0; i < 300; ++i)
   {
     instances.centres.emplace_back(1.8f * uniform(random) - 0.9f, 1.8f * uniform(random) - 0.9f, uniform(random));

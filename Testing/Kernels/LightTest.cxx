@@ -176,8 +176,8 @@ TEST_P(Furnace, WhiteInWhiteLightIsWhite)
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Furnace,
   ::testing::Values(Form{ "Sphere", Shape::Sphere }, Form{ "Box", Shape::Box }, Form{ "Cylinder", Shape::Cylinder },
-    Form{ "Capsule", Shape::Capsule }, Form{ "Cone", Shape::Cone }, Form{ "Arrow", Shape::Arrow },
-    Form{ "Mesh", Shape::Mesh }, Form{ "RoundedBox", Shape::Superquadric, { 6, 4, 10 } },
+    Form{ "Capsule", Shape::Capsule }, Form{ "RoundCone", Shape::RoundCone }, Form{ "Cone", Shape::Cone },
+    Form{ "Arrow", Shape::Arrow }, Form{ "Mesh", Shape::Mesh }, Form{ "RoundedBox", Shape::Superquadric, { 6, 4, 10 } },
     Form{ "Star", Shape::Superquadric, { 0.6f, 0.8f, 0.7f } },
     Form{ "TensorRod", Shape::NestedSuperquadric, { 0.4f, 0.2f, 0.2f } },
     Form{ "TensorDouble", Shape::NestedSuperquadric, { 0.5f, 0.7f, 0.3f } },
@@ -286,7 +286,7 @@ TEST_F(LightTest, NothingShadowsItself)
 {
   this->settings.shading = Shading::AmbientOcclusion;
   this->settings.samples = 64;
-  for (Shape shape : { Shape::Sphere, Shape::Box, Shape::Cylinder, Shape::Capsule, Shape::Cone })
+  for (Shape shape : { Shape::Sphere, Shape::Box, Shape::Cylinder, Shape::Capsule, Shape::RoundCone, Shape::Cone })
   {
     for (const glm::vec3& size :
       { glm::vec3(1.0f), glm::vec3(1e-3f), glm::vec3(1.0f, 0.01f, 0.3f), glm::vec3(0.01f, 1.0f, 1.0f) })

@@ -98,7 +98,7 @@ TEST_F(MemoryTest, ThousandsOfSetsTakeFewAllocations)
       instances.sizes1 = { 1.0f / side };
       const rtg::Scene::SetId set = scene.Add();
       scene.SetInstances(set, instances);
-      scene.SetColours(set, { 0xff000000u | std::uint32_t(i) });
+      scene.SetColours(set, std::vector<std::uint32_t>{ 0xff000000u | std::uint32_t(i) });
     }
     scene.Commit();
     EXPECT_LT(this->vulkan.memory.Blocks(), before + 16);

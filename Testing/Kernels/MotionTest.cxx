@@ -273,7 +273,7 @@ TEST_P(MotionTest, StreaksKeepTheColoursOfTheirGlyphs)
   instances.motion.velocities = { { 1.2f, 0.0f, 0.0f }, { 0.8f, 0.1f, 0.0f } };
   instances.motion.accelerations = { { 3.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 1.0f } };
   const auto id = this->Add(instances);
-  const rtg::GlyphColours colours = { 0xff2040c0u, 0xffa08010u };
+  const std::vector<std::uint32_t> colours = { 0xff2040c0u, 0xffa08010u };
   this->scene.SetColours(id, colours);
   rtg::Material material;
   material.lighting = false;

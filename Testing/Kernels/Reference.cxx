@@ -99,6 +99,9 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
       this->smoothStart_ = this->smoothEnd_ = true;
       break;
     }
+    case Shape::RoundCone:
+      this->MakeRoundCone(size);
+      break;
     case Shape::Cylinder:
       this->profile_ = { { -half, 0 }, { -half, half }, { half, half }, { half, 0 } };
       break;
@@ -113,6 +116,28 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
     default:
       break;
   }
+}
+
+// The outline's straight part is the common tangent of two circles.
+void ReferenceGlyph::MakeRoundCone(const glm::vec3& size)
+{
+  const Quad diameter = std::max(size.y, size.z), half = 0.5;
+  const Quad length = size.x / diameter, end = half * length;
+  const Quad first = half * size.y / diameter, last = half * size.z / diameter;
+  this->scale_ = { diameter, diameter, diameter };
+  this->size_ = double(diameter * (std::max(end + last, first - end) - std::min(-end - first, end - last)));
+  this->size_ = std::max(this->size_, double(diameter));
+  if (length <= fabsq(first - last))
+  {
+    const Quad middle = first > last ? -end : end;
+    this->balls_ = { { middle, half, middle - half, middle + half } };
+    return;
+  }
+  const Quad sine = (first - last) / length, cosine = sqrtq((1 - sine) * (1 + sine));
+  const ProfilePoint start{ -end + first * sine, first * cosine }, finish{ end + last * sine, last * cosine };
+  this->profile_ = { start, finish };
+  this->balls_ = { { -end, first, -end - first, start.h }, { end, last, finish.h, end + last } };
+  this->smoothStart_ = this->smoothEnd_ = true;
 }
 
 void ReferenceGlyph::MakeArrow(Quad factor)

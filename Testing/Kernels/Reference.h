@@ -60,6 +60,7 @@ private:
 
   QuadVector Turned(const QuadVector& v, bool toWorld) const;
   void MakeArrow(Quad factor);
+  void MakeRoundCone(const glm::vec3& size);
   void Add(Quad t, const QuadVector& unitNormal, Quad edgeDistance, std::vector<ReferenceCrossing>& crossings) const;
   /// Superquadrics: SuperquadricReference.cxx.
   void MeetSuperquadric(const UnitRay& ray, std::vector<ReferenceCrossing>& crossings) const;

@@ -248,7 +248,7 @@ TEST_P(StructureTest, EachGlyphShowsItsOwnColourAndId)
   const std::vector<glm::vec3> centres = { { -0.5f, -0.5f, 0 }, { 0.5f, -0.5f, 0 }, { -0.5f, 0.5f, 0 },
     { 0.5f, 0.5f, 0 }, { 0.0f, 0.0f, 0.2f } };
   const auto id = this->AddSpheres(centres, 0.5f);
-  const rtg::GlyphColours colours = { 0xff0000ff, 0xff00ff00, 0xffff0000, 0xff00ffff, 0xffff00ff };
+  const std::vector<std::uint32_t> colours = { 0xff0000ff, 0xff00ff00, 0xffff0000, 0xff00ffff, 0xffff00ff };
   this->scene.SetColours(id, colours);
   rtg::Material material;
   material.lighting = false;
@@ -268,7 +268,7 @@ TEST_P(StructureTest, EveryStepRedoesOnlyWhatItsInputChanged)
 {
   this->UseOwnTracer();
   const auto id = this->AddSpheres(RandomPoints(500), 0.1f);
-  this->scene.SetColours(id, rtg::GlyphColours(500, 0xff808080u));
+  this->scene.SetColours(id, std::vector<std::uint32_t>(500, 0xff808080u));
   this->Trace();
   const rtg::Statistics first = this->scene.GetStatistics();
   EXPECT_EQ(first.structureBuilds, 1u);
@@ -286,7 +286,7 @@ TEST_P(StructureTest, EveryStepRedoesOnlyWhatItsInputChanged)
   EXPECT_EQ(this->tracer->GetStatistics().pipelineBuilds, 1u);
 
   // Colours changed: colours only.
-  this->scene.SetColours(id, rtg::GlyphColours(500, 0xff8080ffu));
+  this->scene.SetColours(id, std::vector<std::uint32_t>(500, 0xff8080ffu));
   this->Trace();
   EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u);
   EXPECT_EQ(this->scene.GetStatistics().topLevelBuilds, first.topLevelBuilds);
@@ -310,7 +310,7 @@ TEST_P(StructureTest, WhatIsHiddenHoldsNoMemory)
   this->Trace();
   const std::uint64_t alone = this->scene.GetStatistics().deviceBytes;
   const auto id = this->AddSpheres(RandomPoints(20000), 0.1f);
-  this->scene.SetColours(id, rtg::GlyphColours(20000, 0xff8080ffu));
+  this->scene.SetColours(id, std::vector<std::uint32_t>(20000, 0xff8080ffu));
   const Image image = this->Trace();
   const std::vector<std::uint32_t> shown(image.colour, image.colour + 10000);
   const std::uint64_t both = this->scene.GetStatistics().deviceBytes;
@@ -364,7 +364,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     const std::uint64_t before = vulkan.submissions;
     scene.Commit();
     seen.commit = vulkan.submissions - before;
-    scene.SetColours(last, rtg::GlyphColours(scene.GlyphCount(last), 0xff4080c0u));
+    scene.SetColours(last, std::vector<std::uint32_t>(scene.GlyphCount(last), 0xff4080c0u));
     const std::uint64_t between = vulkan.submissions;
     scene.Commit();
     seen.recolouring = vulkan.submissions - between;
@@ -492,7 +492,7 @@ TEST_P(StructureTest, TranslucentSetsShowInTheirOwnPass)
 TEST_P(StructureTest, SeveralStructuresOfOneSetGiveTheSameImage)
 {
   const auto points = RandomPoints(1000);
-  rtg::GlyphColours colours;
+  std::vector<std::uint32_t> colours;
   for (std::uint32_t i = 0; i < 1000; ++i)
   {
     colours.push_back(0xff000000u | (i * 2654435761u >> 8));
@@ -760,7 +760,7 @@ TEST_F(TracerTest, BadSettingsAreNamed)
   this->settings.samples = 1;
   this->settings.width = 100000;
   EXPECT_THROW(this->Trace(), rtg::Error);
-  EXPECT_THROW(this->scene.SetColours(0, rtg::GlyphColours(7, 0u)), rtg::Error);
+  EXPECT_THROW(this->scene.SetColours(0, std::vector<std::uint32_t>(7, 0u)), rtg::Error);
 }
 
 TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
@@ -791,6 +791,7 @@ TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
   names("1 rotations for 4 glyphs", [](auto& i) { i.rotations.resize(1); });
   names("8 exponents for 4 glyphs", [](auto& i) { i.exponents3.resize(8, glm::vec3(2.0f)); });
   names("2 quadratic forms for 4 glyphs", [](auto& i) { i.forms.resize(2); });
+  names("3 ends before pieces of lines for 4 glyphs", [](auto& i) { i.before.resize(3); });
   names("5 velocities for 4 glyphs", [](auto& i) { i.motion.velocities.resize(5); });
   names("one kind", [](auto& i) { i.sizes1.resize(4, 1.0f), i.sizes3.resize(4, glm::vec3(1.0f)); });
   EXPECT_EQ(message([](auto&) {}), "");

@@ -109,7 +109,7 @@ TEST_P(TranslucencyTest, BothSidesOfABallShowAtEveryDistance)
 TEST_P(TranslucencyTest, GlyphsHaveTheirOwnOpacities)
 {
   std::vector<float> opacities;
-  rtg::GlyphColours colours;
+  std::vector<std::uint32_t> colours;
   for (std::uint32_t i = 0; i < 60; ++i)
   {
     const std::uint32_t alpha = 255 - 4 * i;
@@ -134,7 +134,7 @@ TEST_P(TranslucencyTest, GlyphsHaveTheirOwnOpacities)
     {
       instances.opacities = own ? opacities : std::vector<float>();
       this->scene.SetInstances(id, instances);
-      this->scene.SetColours(id, own ? rtg::GlyphColours() : colours);
+      this->scene.SetColours(id, own ? std::vector<std::uint32_t>() : colours);
       EXPECT_TRUE(this->scene.HasTranslucent());
       for (const Shading shading : { Shading::Local, Shading::PathTracing })
       {
@@ -227,7 +227,7 @@ TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
   constexpr float radius = 0.02f;
   std::vector<glm::vec3> centres = Clutter(6, 20000);
   this->AddBalls(centres, 2.0f * radius);
-  rtg::GlyphColours colours(centres.size());
+  std::vector<std::uint32_t> colours(centres.size());
   for (std::size_t i = 0; i < colours.size(); ++i)
   {
     colours[i] = 0xffffffu | std::uint32_t(i % 60) << 24;

@@ -1,4 +1,4 @@
-"""Every property of ray-traced glyphs and surfaces does what its documentation says, and goes back when it is set back.
+"""Every property of ray-traced glyphs, surfaces and tubes does what its documentation says, and goes back when it is set back.
 
 The properties are those of the plugin's XML: a new one without a row in ROWS fails, and so does a row whose property is gone.
 
@@ -14,7 +14,7 @@ import comparison
 import glyph_legend
 import session
 from checks import Checks, information
-from property_claims import (GLYPHS, LEFT, LEVEL, SCENES, SIDE, SURFACE, WHITE, Bench, Change, area, as_3d_glyphs, as_before, as_surface, as_with, both,
+from property_claims import (GLYPHS, LEFT, LEVEL, SCENES, SIDE, SURFACE, TUBES, WHITE, Bench, Change, area, as_3d_glyphs, as_before, as_surface, as_with, both,
                              colors, data_of, developed, filmic, glyphs, light, light_of_ball, moments, moved, needing, noise, pixels_of, reads, scaled,
                              schlick, spread, to_light)
 
@@ -243,6 +243,10 @@ ROWS = [
     Row("GlyphTensorNegativeColor", GREEN, colors(GREEN), **{**TENSOR, "GlyphTensorColoring": "Sign", "GlyphTensorArray": "negative"}),
     Row("GlyphTensorAxis", 1, pixels_of([0.95, 0.8, 0.2], 20, 200), **{**TENSOR, "GlyphTensorArray": "turning"}),
     Row("GlyphTensorAxisColor", GREEN, pixels_of(GREEN, 20, 200), **{**TENSOR, "GlyphTensorArray": "turning", "GlyphTensorAxis": 1}),
+    # Tubes
+    Row("TubeRadius", 0.25, area(DISC / 4.0)),
+    Row("TubeRadiusArray", "half", area(DISC / 4.0)),
+    Row("TubeEnds", "Flat", area(0.5), scene="coarse"),
     # Motion: what moves evenly by d has a variance of d^2 / 12 more.
     Row("MotionBlur", 1, spread(0.25 / 12.0, 0.0), **{**BLUR, "MotionBlur": 0}),
     Row("VelocityArray", "upward", spread(-0.25 / 12.0, 0.25 / 12.0), **BLUR),
@@ -262,6 +266,8 @@ ROWS = [
     Row("MapScalars", 0, colors(GREEN), ColorArrayName=["POINTS", "green"], LookupTable=RED_TO_BLUE),
     Row("InterpolateScalarsBeforeMapping", 0, as_surface, kinds=[SURFACE], scene="coarse", ColorArrayName=["POINTS", "height"],
         LookupTable=table("heights", (-0.5, RED), (-0.1, GREEN), (0.1, BLUE), (0.5, RED))),
+    Row("InterpolateScalarsBeforeMapping", 0, colors(RED), kinds=[TUBES], scene="coarse", ColorArrayName=["POINTS", "height"],
+        LookupTable=table("heights", (-0.5, RED), (-0.1, GREEN), (0.1, BLUE), (0.5, RED))),
     Row("InterpolateScalarsBeforeMapping", 0, as_before, kinds=[GLYPHS]),
     Row("Opacity", 0.5, colors([1.0, 0.75, 1.0]), AmbientColor=[1.0] * 3, DiffuseColor=[1.0] * 3),
     Row("AmbientColor", GREEN, colors(GREEN)),
@@ -275,7 +281,8 @@ ROWS = [
     # Place
     Row("Position", [0.2, 0.1, 0.0], moved(0.2, 0.1)),
     Row("Translation", [0.2, 0.1, 0.0], moved(0.2, 0.1)),
-    Row("Scale", [1.2, 0.6, 1.0], area(0.72 * DISC)),
+    Row("Scale", [1.2, 0.6, 1.0], area(0.72 * DISC), kinds=[GLYPHS, SURFACE]),
+    Row("Scale", [0.8] * 3, area(0.64 * DISC), kinds=[TUBES]),
     Row("Orientation", [0.0, 0.0, 90.0], moved(0.4, -0.4), scene="small"),
     Row("Orientation", [20.0, 50.0, 40.0], as_3d_glyphs(), kinds=[GLYPHS], scene="two"),
     Row("Origin", [-0.2, 0.1, 0.0], moved(-0.1, 0.3), scene="small", Orientation=[0.0, 0.0, 90.0]),
@@ -286,7 +293,7 @@ ROWS = [
     Row("BlockOpacities", [SECOND, "0.5"], colors([0.8] * 3, [0.25 + 0.75 * 0.8, 0.75 * 0.8, 0.25 + 0.75 * 0.8]), scene="blocks"),
     # Light from all around
     Row("RenderingQuality", "Fast", reads("SamplesPerPixel", 4), back=False),
-    Row("ShadingMode", "Path Tracing", light_of_ball(lambda cosine: [GRAY] * 3), kinds=[GLYPHS, SURFACE], **{"ShadingMode": "Local"}),
+    Row("ShadingMode", "Path Tracing", light_of_ball(lambda cosine: [GRAY] * 3), kinds=[GLYPHS, SURFACE, TUBES], **{"ShadingMode": "Local"}),
     Row("ShadingMode", "Ambient Occlusion", as_before),
     Row("ShadingMode", "Ambient Occlusion", light(0.3, 0.9), scene="crowd"),
     Row("AmbientOcclusionRadius", 1e-3, as_with(ShadingMode="Local"), scene="crowd", **OCCLUSION),
@@ -337,8 +344,8 @@ ELSEWHERE = {"Color": "SelectionColor in selection_seen.py"}
 
 def exposed():
     """Property -> (representations that have it, its XML element)."""
-    common, of_glyphs, of_surfaces = property_reference.of_representations()
-    return {name: ({kind for kind, own in ((GLYPHS, of_glyphs), (SURFACE, of_surfaces)) if entry.get("name") in {**common, **own}}, entry)
+    common, of_glyphs, of_surfaces, of_tubes = property_reference.of_representations()
+    return {name: ({kind for kind, own in ((GLYPHS, of_glyphs), (SURFACE, of_surfaces), (TUBES, of_tubes)) if entry.get("name") in {**common, **own}}, entry)
             for _, entries in property_reference.sections() for name, entry in entries if name not in ELSEWHERE}
 
 
@@ -357,7 +364,7 @@ def completeness(checks):
 
 def main(names):
     """All rows, or those of a representation, or of some properties."""
-    kinds = [name for name in names if name in (GLYPHS, SURFACE)] or [GLYPHS, SURFACE]
+    kinds = [name for name in names if name in (GLYPHS, SURFACE, TUBES)] or [GLYPHS, SURFACE, TUBES]
     names = [name for name in names if name not in kinds]
     session.load()
     checks = Checks()

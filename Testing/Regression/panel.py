@@ -57,12 +57,12 @@ def panel(shown):
 
 
 def main():
-    """Glyphs and surfaces, in each shading mode, with each interpolation."""
+    """Glyphs, surfaces and tubes, in each shading mode, with each interpolation."""
     session.load()
     checks = Checks()
     view = session.view(80, 60)
     shown = pv.Show(pv.Sphere(), view)
-    for kind in (session.REPRESENTATION, "Ray Traced Surface", "Surface"):
+    for kind in (session.REPRESENTATION, "Ray Traced Surface", "Ray Traced Tubes", "Surface"):
         shown.SetRepresentationType(kind)
         for mode in ("Path Tracing", "Local"):
             shown.ShadingMode = mode

@@ -11,7 +11,7 @@ import session
 from checks import Checks
 
 #: proxies that this plugin adds to all displays
-OURS = ("RayTracedGlyphRepresentation", "RayTracedSurfaceRepresentation")
+OURS = ("RayTracedGlyphRepresentation", "RayTracedSurfaceRepresentation", "RayTracedTubeRepresentation")
 
 
 def names_of(proxy):
@@ -42,7 +42,7 @@ def main():
     checks = Checks()
     ours = set().union(*map(names_of, OURS)) - names_of("SurfaceRepresentation") - names_of("GlyphRepresentation") - {"Input"}
     print("%d properties of this plugin" % len(ours))
-    for name in ("GlyphShape", "GlyphMesh", "GlyphScaleFactor", "ShadingMode", "SamplesPerPixel", "MotionBlur"):
+    for name in ("GlyphShape", "GlyphMesh", "GlyphScaleFactor", "ShadingMode", "SamplesPerPixel", "MotionBlur", "TubeRadius"):
         checks.true("%s is no property of this plugin" % name, name in ours)
     smtrace.start_trace()
     view = pv.CreateView("RenderView")

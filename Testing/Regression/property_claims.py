@@ -13,9 +13,9 @@ import comparison
 import orientations
 import session
 
-GLYPHS, SURFACE = session.REPRESENTATION, "Ray Traced Surface"
-#: kinds of displays of the balls' centers; the others show polygons
-POINTS = (GLYPHS, "3D Glyphs")
+GLYPHS, SURFACE, TUBES = session.REPRESENTATION, "Ray Traced Surface", "Ray Traced Tubes"
+#: what kinds of displays show of the balls: their centers, lines as short as nothing, or, the others, polygons
+FORMS = {GLYPHS: "points", "3D Glyphs": "points", TUBES: "lines"}
 #: pixels of a side of the view
 SIDE = 100
 #: levels in [0, 1] by which pictures and closed forms may differ: rounding, and the noise of paths
@@ -97,9 +97,26 @@ def polygons_of(scene, centers):
     return append.GetOutput()
 
 
+def lines_of(scene, centers):
+    """The same balls as tubes: lines of a thousandth of their diameter. That of "coarse" is half as long as it is thick, and "height" differs from
+    end to end."""
+    half = 0.25 if scene == "coarse" else 0.0005 * SCENES[scene][1]
+    ends = numpy.repeat(centers, 2, axis=0) + numpy.tile([[0.0, -half, 0.0], [0.0, half, 0.0]], (len(centers), 1))
+    data = session.poly_data(ends, height=numpy.tile([-0.5, 0.5], len(centers)),
+                             **{name: numpy.repeat(value, 2, axis=0) for name, value in arrays(len(centers)).items()})
+    cells = vtkCellArray()
+    for number in range(len(centers)):
+        cells.InsertNextCell(2, [2 * number, 2 * number + 1])
+    data.SetLines(cells)
+    return data
+
+
+MAKERS = {"points": points_of, "lines": lines_of, "polygons": polygons_of}
+
+
 def data_of(scene, kind, time=0.0):
     """A scene for that kind of display; with time it moves along x. "point" tells which point is which over time, "changing" does not."""
-    make = points_of if kind in POINTS else polygons_of
+    make = MAKERS[FORMS.get(kind, "polygons")]
     centers = numpy.array(SCENES[scene][0], dtype=float) + [0.5 * time, 0.0, 0.0]
     parts = [make(scene, centers[i:i + 1]) for i in range(len(centers))] if scene == "blocks" else [make(scene, centers)]
     for number, part in enumerate(parts):
@@ -135,13 +152,13 @@ class Bench:
         self.seen = None
 
     def display(self, scene, kind):
-        """The display of a scene's points, or of its polygons."""
-        points = kind in POINTS
-        if (scene, points) not in self.displays:
-            self.displays[scene, points] = pv.Show(session.source(data_of(scene, kind)), self.view)
-            self.displays[scene, points].SetRepresentationType(kind)
-            self.displays[scene, points].Visibility = 0
-        return self.displays[scene, points]
+        """The display of a scene's points, lines or polygons."""
+        form = FORMS.get(kind, "polygons")
+        if (scene, form) not in self.displays:
+            self.displays[scene, form] = pv.Show(session.source(data_of(scene, kind)), self.view)
+            self.displays[scene, form].SetRepresentationType(kind)
+            self.displays[scene, form].Visibility = 0
+        return self.displays[scene, form]
 
     def show(self, scene, kind, properties):
         """Shows that display with these properties, and no other one."""
@@ -152,6 +169,8 @@ class Bench:
         start = {"Representation": kind, "Visibility": 1, **START}
         if kind == GLYPHS:
             start.update(START_OF_GLYPHS, GlyphScaleFactor=SCENES[scene][1])
+        elif kind == TUBES:
+            start.update(TubeRadius=0.5 * SCENES[scene][1])
         self.set({name: value for name, value in {**start, **properties}.items() if value is not LEFT})
         session.look(self.view, (0.0, 0.0, 10.0), parallel_scale=SCENES[scene][2])
         return shown

@@ -16,7 +16,7 @@ import comparison
 import every_property
 import property_reference
 import session
-from property_claims import GLYPHS, LEFT, SURFACE, data_of, value_of
+from property_claims import GLYPHS, LEFT, SURFACE, TUBES, data_of, value_of
 
 STATE, TRACE, VALUES = "state.pvsm", "trace.py", "state-values.json"
 #: what scripts and the window ask for at the moment, which nothing keeps; and what other values of other properties end,
@@ -93,11 +93,11 @@ def file_of(kind):
 
 
 def scene():
-    """Glyphs and a surface with all of their properties set."""
+    """Glyphs, a surface and tubes with all of their properties set."""
     view = session.view(300, 200)
     session.look(view, (0.0, 0.0, 10.0), parallel_scale=1.25)
     displays = {}
-    for kind in (GLYPHS, SURFACE):
+    for kind in (GLYPHS, SURFACE, TUBES):
         shown = pv.Show(pv.OpenDataFile(file_of(kind)), view)
         shown.SetRepresentationType(kind)
         with traced(shown):

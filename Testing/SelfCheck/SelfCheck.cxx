@@ -169,9 +169,9 @@ void WritePicture(const rtg::Image& image, const std::string& path)
 }
 
 /// Red, green and blue by the position in the cube.
-rtg::GlyphColours ColoursOf(const rtg::GlyphInstances& instances)
+std::vector<std::uint32_t> ColoursOf(const rtg::GlyphInstances& instances)
 {
-  rtg::GlyphColours colours;
+  std::vector<std::uint32_t> colours;
   for (const glm::vec3& centre : instances.centres)
   {
     const glm::vec3 share = 80.0f + 170.0f * (centre / benchmark::crowdSide + 0.5f);
@@ -193,7 +193,7 @@ int Demonstrate(const std::string& folder, std::uint32_t side, std::uint32_t sam
     rtg::Scene scene(device);
     const rtg::Scene::SetId set = scene.Add();
     rtg::GlyphInstances instances = benchmark::MakeInstances(crowd, 3000);
-    const rtg::GlyphColours colours = ColoursOf(instances);
+    const std::vector<std::uint32_t> colours = ColoursOf(instances);
     scene.SetInstances(set, std::move(instances));
     scene.SetColours(set, colours);
     scene.Commit();

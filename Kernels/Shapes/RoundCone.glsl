@@ -1,0 +1,284 @@
+// Round cone along x, centered: the convex hull of two balls, which the cone between them touches. Its sizes are the
+// distance between the balls' middles and the diameters of the balls at -x and at +x: of size 1 it is the unit capsule.
+// Where one ball holds the other that is all.
+//
+// It may be a piece of a line. At each end of it (Glyph::before at -x, Glyph::after at +x) the line goes on, or ends
+// round or flat:
+//   w > 0: it goes on to the ball of that radius round xyz, in the glyph's frame. Crossings that lie inside that next
+//          piece are none: a ray enters and leaves the line as a whole. The ball that both share belongs to the piece
+//          before it.
+//   w = 0: the ball.
+//   w < 0: the plane through the ball's middle, across the axis.
+#ifndef RTG_ROUND_CONE
+#define RTG_ROUND_CONE
+
+#include "Estimate.glsl"
+#include "Span.glsl"
+#include "Sphere.glsl"
+
+// Faces of the round cone.
+#define RTG_FIRST_BALL 0
+#define RTG_LAST_BALL 1
+#define RTG_SIDE 2
+#define RTG_FIRST_DISC 3
+#define RTG_LAST_DISC 4
+
+// In the frame where the radius of the larger ball is 1.
+struct RoundConeForm
+{
+  DoubleWord halfLength; // between the middles of the balls
+  DoubleWord first;      // radius of the ball at -x
+  DoubleWord last;       // and at +x
+  DoubleWord sine;       // of the angle between side and axis: the radius falls towards +x
+  DoubleWord cosine;
+  bool ball; // one ball holds the other
+};
+
+RTG_FN RoundConeForm MakeRoundCone(DoubleWord halfLength, DoubleWord first, DoubleWord last)
+{
+  RoundConeForm form;
+  form.halfLength = halfLength;
+  form.first = first;
+  form.last = last;
+  DoubleWord fall = Subtract(first, last);
+  DoubleWord run = Multiply(halfLength, real(2.0));
+  form.ball = !IsLess(fall.hi < real(0.0) ? Minus(fall) : fall, run);
+  form.sine = Word(real(0.0));
+  form.cosine = Word(real(1.0));
+  if (!form.ball && fall.hi != real(0.0))
+  {
+    form.sine = Divide(fall, run);
+    form.cosine = SquareRoot(Multiply(Add(form.sine, real(1.0)), Minus(Add(form.sine, real(-1.0)))));
+  }
+  return form;
+}
+
+RTG_FN real RoundConeUnit(Glyph glyph)
+{
+  return real(0.5) * max(glyph.size.y, glyph.size.z);
+}
+
+RTG_FN RoundConeForm FormOfRoundCone(Glyph glyph)
+{
+  real larger = max(glyph.size.y, glyph.size.z);
+  return MakeRoundCone(
+    Divide(Word(glyph.size.x), larger), Divide(Word(glyph.size.y), larger), Divide(Word(glyph.size.z), larger));
+}
+
+// The box round it in the glyph's frame.
+RTG_FN void RoundConeBox(Glyph glyph, RTG_OUT(real3) middle, RTG_OUT(real3) halfSize)
+{
+  real halfLength = real(0.5) * glyph.size.x;
+  real first = real(0.5) * glyph.size.y;
+  real last = real(0.5) * glyph.size.z;
+  real lower = min(-halfLength - first, halfLength - last);
+  real upper = max(halfLength + last, first - halfLength);
+  real radius = max(first, last);
+  middle = real3(real(0.5) * (lower + upper), real(0.0), real(0.0));
+  halfSize = real3(real(0.5) * (upper - lower), radius, radius);
+}
+
+RTG_FN Span RoundConeSpan(LocalRay ray, RoundConeForm form)
+{
+  DoubleWord x = WordX(ray.origin);
+  DoubleWord dx = WordX(ray.direction);
+  DoubleWord firstMiddle = Minus(form.halfLength);
+  if (form.ball)
+  {
+    bool lastIsLarger = IsLess(form.first, form.last);
+    DoubleWord middle = firstMiddle;
+    if (lastIsLarger)
+    {
+      middle = form.halfLength;
+    }
+    return BallSpan(ray, middle, Word(real(1.0)), lastIsLarger ? RTG_LAST_BALL : RTG_FIRST_BALL);
+  }
+
+  DoubleWord radius = Divide(Subtract(form.first, Multiply(Subtract(x, firstMiddle), form.sine)), form.cosine);
+  DoubleWord rate = Minus(Divide(Multiply(dx, form.sine), form.cosine));
+  Span side =
+    RoundSpan(WordY(ray.origin), WordZ(ray.origin), radius, WordY(ray.direction), WordZ(ray.direction), rate, RTG_SIDE);
+  if (IsEmpty(side))
+  {
+    return side; // the cone holds both balls
+  }
+  // Side and balls share the planes of the circles where they touch; each ends there, since next to them their surfaces
+  // are too close to tell which is outside.
+  DoubleWord start = Add(firstMiddle, Multiply(form.first, form.sine));
+  DoubleWord end = Add(form.halfLength, Multiply(form.last, form.sine));
+  DoubleWord before = Subtract(firstMiddle, Multiply(form.first, real(2.0)));
+  DoubleWord behind = Add(form.halfLength, Multiply(form.last, real(2.0)));
+  Span body = Intersection(Slab(x, dx, start, end, RTG_SIDE, RTG_SIDE), side);
+  Span first = Intersection(
+    Slab(x, dx, before, start, RTG_FIRST_BALL, RTG_SIDE), BallSpan(ray, firstMiddle, form.first, RTG_FIRST_BALL));
+  Span last = Intersection(
+    Slab(x, dx, end, behind, RTG_SIDE, RTG_LAST_BALL), BallSpan(ray, form.halfLength, form.last, RTG_LAST_BALL));
+  return Hull(body, Hull(first, last));
+}
+
+// The part of a span between the planes where flat ends are.
+RTG_FN Span CutFlat(LocalRay ray, RoundConeForm form, Glyph glyph, Span span)
+{
+  DoubleWord lower = Minus(form.halfLength);
+  DoubleWord upper = form.halfLength;
+  if (!(glyph.before.w < real(0.0)))
+  {
+    lower = Add(lower, real(-2.0));
+  }
+  if (!(glyph.after.w < real(0.0)))
+  {
+    upper = Add(upper, real(2.0));
+  }
+  return Intersection(Slab(WordX(ray.origin), WordX(ray.direction), lower, upper, RTG_FIRST_DISC, RTG_LAST_DISC), span);
+}
+
+// Where a point lies to the next piece of a line. That and this piece touch the ball round their joint, each along a
+// circle. With S = |p - joint|^2 - radius^2, and b the distance of p from the plane of such a circle over the cosine of
+// the piece's angle, the quadric of the piece's side is S - b^2 (it vanishes with its gradient where S = b = 0). Two
+// such quadrics meet where the squares of their b are equal, which is in planes: so a comparison that is linear in p
+// tells on which side of the crease it lies, without a gap or an overlap where a line bends next to nothing.
+// `own`: b of this piece, for points of its side; zero for points of the ball at the joint. `ties`: whether the next
+// piece has the points in the plane itself.
+RTG_FN bool InNextPiece(real3 p, real3 joint, real radius, real4 next, bool touches, real own, bool ties)
+{
+  real3 far = real3(next.x, next.y, next.z);
+  real3 axis = far - joint;
+  real run = length(axis);
+  real fall = radius - next.w;
+  bool inFarBall = dot(p - far, p - far) < next.w * next.w;
+  if (!(run > abs(fall)))
+  {
+    // One of its balls holds the other.
+    return fall < real(0.0) && inFarBall;
+  }
+  real sine = fall / run;
+  real cosine = sqrt((real(1.0) - sine) * (real(1.0) + sine));
+  real along = dot(p - joint, axis) / run;
+  real beyond = (along - radius * sine) / cosine;
+  bool inside = beyond + own > real(0.0) || (ties && beyond + own == real(0.0));
+  if (!touches)
+  {
+    inside = beyond > real(0.0) && dot(p - joint, p - joint) - radius * radius < beyond * beyond;
+  }
+  return inside && (along <= run + next.w * sine || inFarBall);
+}
+
+// Whether a crossing at p, in the frame of the form, lies inside the rest of the line.
+RTG_FN bool IsInner(RoundConeForm form, Glyph glyph, real3 p, int face)
+{
+  real unit = RoundConeUnit(glyph);
+  real cosine = form.cosine.hi;
+  bool side = face == RTG_SIDE;
+  bool inner = false;
+  if (glyph.before.w > real(0.0))
+  {
+    real3 joint = real3(-form.halfLength.hi, real(0.0), real(0.0));
+    real own = (form.first.hi * form.sine.hi - (p.x - joint.x)) / cosine;
+    inner = face == RTG_FIRST_BALL ||
+      InNextPiece(p, joint, form.first.hi, glyph.before / unit, side, side ? min(own, real(0.0)) : real(0.0), true);
+  }
+  if (glyph.after.w > real(0.0))
+  {
+    real3 joint = real3(form.halfLength.hi, real(0.0), real(0.0));
+    real own = ((p.x - joint.x) - form.last.hi * form.sine.hi) / cosine;
+    bool touches = side || face == RTG_LAST_BALL;
+    inner = inner ||
+      InNextPiece(p, joint, form.last.hi, glyph.after / unit, touches, side ? min(own, real(0.0)) : real(0.0), false);
+  }
+  return inner;
+}
+
+// The ray in the frame of the form.
+RTG_FN bool RoundConeCrossing(GlyphRay ray, Glyph glyph, RoundConeForm form, real tMin, real tMax,
+  RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
+{
+  real3 middle, halfSize;
+  RoundConeBox(glyph, middle, halfSize);
+  LocalRay world;
+  if (!ToLocal(ray, glyph, middle, halfSize, world))
+  {
+    return NoCrossing(local, crossing);
+  }
+  real3 unit = real3(RoundConeUnit(glyph));
+  local.start = world.start;
+  local.origin = Divide(world.origin, unit);
+  local.direction = Divide(world.direction, unit);
+  Span span = RoundConeSpan(local, form);
+  if (glyph.before.w < real(0.0) || glyph.after.w < real(0.0))
+  {
+    span = CutFlat(local, form, glyph, span);
+  }
+  bool innerIn = false;
+  bool innerOut = false;
+  if ((glyph.before.w > real(0.0) || glyph.after.w > real(0.0)) && !IsEmpty(span))
+  {
+    innerIn = IsInner(form, glyph, PointAt(local, span.sIn), span.faceIn);
+    innerOut = IsInner(form, glyph, PointAt(local, span.sOut), span.faceOut);
+  }
+  // What is left of the two crossings.
+  Span kept = span;
+  if (innerIn)
+  {
+    kept.sIn = span.sOut;
+    kept.faceIn = span.faceOut;
+  }
+  if (innerOut)
+  {
+    kept.sOut = span.sIn;
+    kept.faceOut = span.faceIn;
+  }
+  return FirstCrossing(local, kept, tMin, tMax, crossing) && !(innerIn && innerOut);
+}
+
+RTG_FN bool IntersectRoundCone(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+{
+  LocalRay local;
+  Crossing crossing;
+  bool found = RoundConeCrossing(ray, glyph, FormOfRoundCone(glyph), tMin, tMax, local, crossing);
+  t = crossing.t;
+  return found;
+}
+
+RTG_FN Enclosure RoundConeEnclosure(Glyph glyph)
+{
+  Enclosure outer = BoxedEnclosure(glyph);
+  RoundConeBox(glyph, outer.middle, outer.halfSize);
+  outer.radius = real(1.4142137); // round in y and z: to the rim of the box's end
+  return outer;
+}
+
+RTG_FN real3 RoundConeNormal(GlyphRay ray, Glyph glyph, real t)
+{
+  LocalRay local;
+  Crossing crossing;
+  RoundConeForm form = FormOfRoundCone(glyph);
+  RoundConeCrossing(ray, glyph, form, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
+  local = Advance(Advance(local, crossing.s.hi), crossing.s.lo);
+  DoubleWord x = WordX(local.origin);
+  real3 p = local.origin.hi;
+  real3 normal = real3(crossing.face == RTG_FIRST_DISC ? real(-1.0) : real(1.0), real(0.0), real(0.0));
+  if (crossing.face == RTG_SIDE)
+  {
+    normal = real3(form.sine.hi * sqrt(p.y * p.y + p.z * p.z), form.cosine.hi * p.y, form.cosine.hi * p.z);
+  }
+  if (crossing.face == RTG_FIRST_BALL)
+  {
+    normal = real3(Add(x, form.halfLength).hi, p.y, p.z);
+  }
+  if (crossing.face == RTG_LAST_BALL)
+  {
+    normal = real3(Subtract(x, form.halfLength).hi, p.y, p.z);
+  }
+  return normalize(RotateToWorld(glyph, normal));
+}
+
+RTG_FN void RoundConeBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+{
+  real3 toLast = RotateToWorld(glyph, real3(real(0.5) * glyph.size.x, real(0.0), real(0.0)));
+  real3 first = real3(real(0.5) * glyph.size.y);
+  real3 last = real3(real(0.5) * glyph.size.z);
+  lower = glyph.centre + (glyph.centreLow + min(-toLast - first, toLast - last));
+  upper = glyph.centre + (glyph.centreLow + max(first - toLast, toLast + last));
+}
+
+#endif

@@ -1,0 +1,160 @@
+#include "vtkRayTracedTubeMapper.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRayTracedArrays.h"
+#include "vtkRayTracedParallel.h"
+
+#include <cstring>
+#include <utility>
+
+vtkStandardNewMacro(vtkRayTracedTubeMapper);
+
+//----------------------------------------------------------------------------
+vtkRayTracedTubeMapper::vtkRayTracedTubeMapper() = default;
+
+//----------------------------------------------------------------------------
+vtkRayTracedTubeMapper::~vtkRayTracedTubeMapper() = default;
+
+//----------------------------------------------------------------------------
+void vtkRayTracedTubeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Radius: " << this->Settings.Radius << endl;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedTubeMapper::SetSettings(const vtkRayTracedTubeBuilder::Settings& settings, bool interpolateValues)
+{
+  this->Settings = settings;
+  this->InterpolateValues = interpolateValues;
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkObject*> vtkRayTracedTubeMapper::InstanceInputs(vtkPolyData* lines) const
+{
+  const std::array<vtkDataArray*, 3> motion = vtkGlyphMotion::Arrays(lines, this->Settings.Motion);
+  bool ofCells = false;
+  return { lines->GetPoints() ? lines->GetPoints()->GetData() : nullptr, lines->GetLines(),
+    vtkRayTracedTubeBuilder::RadiusArray(lines, this->Settings, ofCells),
+    lines->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex), motion[0], motion[1] };
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedTubeMapper::BuildInstances(vtkPolyData* lines, vtkActor* actor)
+{
+  vtkRayTracedTubeBuilder::Result result =
+    vtkRayTracedTubeBuilder::Build(lines, this->BlockTable, actor->GetMatrix(), this->Settings);
+  this->BuiltSettings = this->Settings;
+  this->Sources = std::move(result.Cells);
+  this->Ends = std::move(result.Ends);
+  this->Instances = std::move(result.Instances);
+  this->Placement = vtkGlyphPlacement(actor->GetMatrix());
+  this->Taken = false;
+  this->Skipped = result.Bad + result.Empty;
+  ++this->SourcesVersion;
+  this->InstanceVersion = NewVersion();
+  this->Report(result.Messages, this->ReportedInstances);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
+{
+  std::vector<std::string> messages;
+  const MappedColors mapped = this->MapColors(lines, this->InterpolateValues, "lines", messages);
+  rtg::GlyphColours colors;
+  colors.table = mapped.Table;
+  const bool each = mapped.Colors ? mapped.OfCells : mapped.Blocks && mapped.Values.empty();
+  const bool ends = !each && (mapped.Colors || !mapped.Values.empty());
+  colors.each.resize(each ? this->Sources.size() : 0);
+  colors.ends.resize(ends ? this->Sources.size() : 0);
+  const auto atEnd = [&](vtkIdType point)
+  {
+    std::uint32_t bits = 0;
+    if (mapped.Values.empty())
+    {
+      bits = this->ColorOf(mapped, lines, point, point);
+    }
+    else
+    {
+      std::memcpy(&bits, &mapped.Values[point], sizeof(bits));
+    }
+    return bits;
+  };
+  vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(this->Sources.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const auto [first, last] = this->Ends[i];
+        if (each)
+        {
+          colors.each[i] = this->ColorOf(mapped, lines, this->Sources[i], first);
+        }
+        else if (ends)
+        {
+          colors.ends[i] = { atEnd(first), atEnd(last) };
+        }
+      }
+    });
+  this->Translucent = rtg::AnyTranslucent(colors);
+  if (this->ColorVersion == 0 || !(this->Colors == colors))
+  {
+    this->Colors = std::move(colors);
+    this->ColorVersion = NewVersion();
+  }
+  this->Report(messages, this->ReportedColors);
+}
+
+//----------------------------------------------------------------------------
+rtg::GlyphInstances vtkRayTracedTubeMapper::TakeInstances(vtkActor* actor)
+{
+  if (this->Taken)
+  {
+    this->Instances =
+      vtkRayTracedTubeBuilder::Build(this->GetPoints(), this->BlockTable, actor->GetMatrix(), this->BuiltSettings)
+        .Instances;
+  }
+  this->Taken = true;
+  return std::exchange(this->Instances, rtg::GlyphInstances());
+}
+
+//----------------------------------------------------------------------------
+// A point is that end of the piece that lies nearer.
+vtkRayTracedMapper::Origin vtkRayTracedTubeMapper::OriginOf(vtkIdType piece, int association, const double position[3])
+{
+  vtkPolyData* lines = this->GetPoints();
+  if (!lines || piece < 0 || piece >= this->GetNumberOfGlyphs())
+  {
+    return Origin();
+  }
+  const glm::dvec3 place(position[0], position[1], position[2]);
+  const auto distance = [&](vtkIdType point)
+  {
+    glm::dvec3 x;
+    lines->GetPoint(point, &x[0]);
+    return glm::distance(place, this->Placement(x));
+  };
+  const auto [first, last] = this->Ends[piece];
+  const vtkIdType nearest = distance(last) < distance(first) ? last : first;
+  Origin origin = this->OriginOfPoint(lines, nearest);
+  const bool cells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  vtkDataArray* ids = cells ? lines->GetCellData()->GetArray(vtkRayTracedArrays::CellIds)
+                            : lines->GetPointData()->GetArray(vtkRayTracedArrays::PointIds);
+  const vtkIdType own = cells ? this->Sources[piece] : nearest;
+  origin.Id = ids ? static_cast<vtkIdType>(ids->GetComponent(own, 0)) : own;
+  return origin;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedTubeMapper::GetNaturalAssociation() const
+{
+  return vtkDataObject::FIELD_ASSOCIATION_CELLS;
+}

@@ -1,0 +1,56 @@
+/**
+ * @class   vtkRayTracedTubeMapper
+ * @brief   shows lines and poly-lines as tubes among ray-traced glyphs
+ *
+ * Input is the vtkPolyData of lines of vtkRayTracedSurfaceGatherer. To the scene each piece of a line is a glyph
+ * (vtkRayTracedTubeBuilder). Values of points become colors that change linearly from end to end of a piece.
+ *
+ * @sa vtkRayTracedTubeRepresentation
+ */
+#ifndef vtkRayTracedTubeMapper_h
+#define vtkRayTracedTubeMapper_h
+
+#include "vtkGlyphPlacement.h"
+#include "vtkRayTracedMapper.h"
+#include "vtkRayTracedTubeBuilder.h"
+
+class vtkRayTracedTubeMapper : public vtkRayTracedMapper
+{
+public:
+  static vtkRayTracedTubeMapper* New();
+  vtkTypeMacro(vtkRayTracedTubeMapper, vtkRayTracedMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * With `interpolateValues` point data are interpolated and then mapped to colors, else the other way round.
+   */
+  void SetSettings(const vtkRayTracedTubeBuilder::Settings& settings, bool interpolateValues);
+
+  // vtkRayTracedMapper
+  rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
+  Origin OriginOf(vtkIdType piece, int association, const double position[3]) override;
+  int GetNaturalAssociation() const override;
+
+protected:
+  vtkRayTracedTubeMapper();
+  ~vtkRayTracedTubeMapper() override;
+
+  bool HaveSettingsChanged() const override { return !(this->Settings.Effective() == this->BuiltSettings.Effective()); }
+  std::vector<vtkObject*> InstanceInputs(vtkPolyData* lines) const override;
+  void BuildInstances(vtkPolyData* lines, vtkActor* actor) override;
+  void BuildColors(vtkPolyData* lines) override;
+  std::vector<vtkMTimeType> ColorState() const override { return { this->InterpolateValues }; }
+
+private:
+  vtkRayTracedTubeMapper(const vtkRayTracedTubeMapper&) = delete;
+  void operator=(const vtkRayTracedTubeMapper&) = delete;
+
+  vtkRayTracedTubeBuilder::Settings Settings, BuiltSettings;
+  bool InterpolateValues = true;
+  rtg::GlyphInstances Instances; // until they are taken
+  bool Taken = false;
+  std::vector<std::array<vtkIdType, 2>> Ends; // points of each piece
+  vtkGlyphPlacement Placement{ nullptr };     // the actor's
+};
+
+#endif

@@ -1,0 +1,90 @@
+#include "vtkRayTracedTubeRepresentation.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkRayTracedActors.h"
+#include "vtkRayTracedSurfaceGatherer.h"
+#include "vtkRayTracedTubeBuilder.h"
+#include "vtkRayTracedTubeMapper.h"
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkRayTracedTubeRepresentation);
+
+//----------------------------------------------------------------------------
+vtkRayTracedTubeRepresentation::vtkRayTracedTubeRepresentation() = default;
+
+//----------------------------------------------------------------------------
+vtkRayTracedTubeRepresentation::~vtkRayTracedTubeRepresentation() = default;
+
+//----------------------------------------------------------------------------
+void vtkRayTracedTubeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Radius: " << this->Radius << endl;
+  os << indent << "RadiusArray: " << this->RadiusArray << endl;
+  os << indent << "FlatEnds: " << this->FlatEnds << endl;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
+{
+  vtkRayTracedSurfaceGatherer::Settings settings;
+  if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())
+  {
+    settings.Process = controller->GetLocalProcessId();
+    settings.Processes = controller->GetNumberOfProcesses();
+  }
+  settings.WholeExtent = wholeExtent;
+  settings.Lines = true;
+  return vtkRayTracedSurfaceGatherer::Gather(input, settings);
+}
+
+//----------------------------------------------------------------------------
+// Those of balls at the lines' points, whose hulls the tubes are.
+const double* vtkRayTracedTubeRepresentation::GetDataBounds(vtkPolyData* lines)
+{
+  vtkGlyphSettings settings;
+  settings.ScaleFactor = 2.0 * std::abs(this->Radius);
+  settings.Motion = this->Motion;
+  bool ofCells = false;
+  vtkRayTracedTubeBuilder::Settings tubes;
+  tubes.RadiusArray = this->RadiusArray;
+  if (vtkDataArray* radii = vtkRayTracedTubeBuilder::RadiusArray(lines, tubes, ofCells))
+  {
+    if (ofCells)
+    {
+      settings.ScaleFactor *= vtkRayTracedParallel::Largest(radii->GetNumberOfTuples(),
+        [radii](vtkIdType i) { return std::isfinite(radii->GetComponent(i, 0)) ? radii->GetComponent(i, 0) : 0.0; });
+    }
+    else
+    {
+      settings.Scaling = true;
+      settings.ScaleArray = this->RadiusArray;
+    }
+  }
+  return this->GetBoundsOf(lines, { settings });
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkRayTracedMapper> vtkRayTracedTubeRepresentation::MakeMapper()
+{
+  return vtkSmartPointer<vtkRayTracedTubeMapper>::New();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedTubeRepresentation::Configure(vtkInformation*, vtkPolyData*, bool, bool)
+{
+  vtkRayTracedTubeBuilder::Settings settings;
+  settings.Radius = this->Radius;
+  settings.RadiusArray = this->RadiusArray;
+  settings.FlatEnds = this->FlatEnds;
+  settings.Joined = this->MayBeTranslucent();
+  settings.Motion = this->Motion;
+  static_cast<vtkRayTracedTubeMapper*>(this->GetMapper())
+    ->SetSettings(settings, this->GetInterpolateScalarsBeforeMapping());
+}

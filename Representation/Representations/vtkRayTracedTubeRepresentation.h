@@ -1,0 +1,55 @@
+/**
+ * @class   vtkRayTracedTubeRepresentation
+ * @brief   representation that shows the lines and poly-lines of any data set as tubes among the ray-traced glyphs of
+ * the view
+ *
+ * Vertices and polygons are not shown.
+ *
+ * @sa vtkRayTracedSurfaceGatherer vtkRayTracedTubeMapper
+ */
+#ifndef vtkRayTracedTubeRepresentation_h
+#define vtkRayTracedTubeRepresentation_h
+
+#include "vtkRayTracedRepresentation.h"
+
+#include <string>
+
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedTubeRepresentation : public vtkRayTracedRepresentation
+{
+public:
+  static vtkRayTracedTubeRepresentation* New();
+  vtkTypeMacro(vtkRayTracedTubeRepresentation, vtkRayTracedRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Radius in world units, times the values of an array of points or cells; "None" or empty: none. Default is 1, None.
+   */
+  void SetTubeRadius(double radius) { this->Radius = NumberOr(radius, 0.0); }
+  void SetTubeRadiusArray(const char* name) { this->RadiusArray = OrEmpty(name); }
+  ///@}
+
+  /**
+   * 0: lines end in half balls; 1: in discs. Default is 0.
+   */
+  void SetTubeEnds(int ends) { this->FlatEnds = ends == 1; }
+
+protected:
+  vtkRayTracedTubeRepresentation();
+  ~vtkRayTracedTubeRepresentation() override;
+
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) override;
+  const double* GetDataBounds(vtkPolyData* lines) override;
+  vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;
+  void Configure(vtkInformation* inInfo, vtkPolyData* lines, bool lod, bool collective) override;
+
+private:
+  vtkRayTracedTubeRepresentation(const vtkRayTracedTubeRepresentation&) = delete;
+  void operator=(const vtkRayTracedTubeRepresentation&) = delete;
+
+  double Radius = 1.0;
+  std::string RadiusArray;
+  bool FlatEnds = false;
+};
+
+#endif

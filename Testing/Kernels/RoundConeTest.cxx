@@ -1,0 +1,238 @@
+// Round cones as pieces of lines: flat ends, and nothing left inside.
+#include "Shapes/Shapes.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+template <class Real>
+struct Line
+{
+  using Kernel = rtg::shapes::Kernel<Real>;
+  using Vector = glm::vec<3, Real>;
+  using Vector4 = glm::vec<4, Real>;
+
+  std::vector<glm::dvec3> points;
+  std::vector<double> radii;
+
+  std::size_t Pieces() const { return this->points.size() - 1; }
+
+  /// `joined`: it knows the pieces before and after it.
+  typename Kernel::Glyph Piece(std::size_t i, bool joined) const
+  {
+    const glm::dvec3 way = this->points[i + 1] - this->points[i],
+                     middle = 0.5 * (this->points[i + 1] + this->points[i]);
+    const glm::dvec3 axis = glm::normalize(way);
+    const glm::dquat turn = glm::normalize(glm::dquat(1.0 + axis.x, 0.0, -axis.z, axis.y));
+    typename Kernel::Glyph glyph{};
+    glyph.centre = Vector(middle);
+    glyph.size = Vector(glm::length(way), 2 * this->radii[i], 2 * this->radii[i + 1]);
+    glyph.rotation = Vector4(turn.x, turn.y, turn.z, turn.w);
+    glyph.turned = true;
+    const auto end = [&](std::size_t beyond)
+    { return Vector4(Vector(glm::conjugate(turn) * (this->points[beyond] - middle)), Real(this->radii[beyond])); };
+    glyph.before = joined && i > 0 ? end(i - 1) : Vector4(0);
+    glyph.after = joined && i + 2 < this->points.size() ? end(i + 2) : Vector4(0);
+    return glyph;
+  }
+
+  std::vector<double> Crossings(const typename Kernel::GlyphRay& ray, bool joined) const
+  {
+    std::vector<double> found;
+    for (std::size_t i = 0; i < this->Pieces(); ++i)
+    {
+      const auto glyph = this->Piece(i, joined);
+      Real t, tMin = -100;
+      while (Kernel::IntersectGlyph(rtg::Shape::RoundCone, ray, glyph, tMin, 100, t))
+      {
+        found.push_back(double(t));
+        tMin = t + Real(64) * std::numeric_limits<Real>::epsilon();
+      }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  /// Where the ray enters and leaves the union of the pieces, each of which it meets in one interval.
+  std::vector<double> Union(const typename Kernel::GlyphRay& ray) const
+  {
+    std::vector<std::pair<double, double>> intervals;
+    for (std::size_t i = 0; i < this->Pieces(); ++i)
+    {
+      Line one{ { this->points[i], this->points[i + 1] }, { this->radii[i], this->radii[i + 1] } };
+      const std::vector<double> ends = one.Crossings(ray, false);
+      if (ends.size() == 2)
+      {
+        intervals.emplace_back(ends[0], ends[1]);
+      }
+    }
+    std::sort(intervals.begin(), intervals.end());
+    std::vector<double> ends;
+    for (const auto& [first, last] : intervals)
+    {
+      if (!ends.empty() && first <= ends.back())
+      {
+        ends.back() = std::max(ends.back(), last);
+      }
+      else
+      {
+        ends.insert(ends.end(), { first, last });
+      }
+    }
+    return ends;
+  }
+};
+
+/// Whether all ends and gaps are farther apart than that.
+bool AreApart(const std::vector<double>& ends, double least)
+{
+  return std::adjacent_find(ends.begin(), ends.end(), [=](double a, double b) { return b - a < least; }) == ends.end();
+}
+
+template <class Real>
+class RoundConeLineTest : public ::testing::Test
+{
+};
+
+using Reals = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(RoundConeLineTest, Reals);
+
+/// Lines that bend by up to `bend` from piece to piece of the length 1, with radii that fall or rise: a ray crosses
+/// their surface where it enters or leaves all pieces together.
+template <class Real>
+void ExpectNothingInside(double bend, double leastRadius, double mostRadius)
+{
+  std::mt19937_64 engine(11);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const double apart = sizeof(Real) == sizeof(float) ? 1e-4 : 1e-8;
+  int met = 0, judged = 0, wrong = 0, far = 0;
+  for (int k = 0; k < 200; ++k)
+  {
+    Line<Real> line;
+    glm::dvec3 direction(1, 0, 0);
+    line.points = { glm::dvec3(-1.5, 0, 0) };
+    line.radii = { leastRadius + (mostRadius - leastRadius) * std::abs(uniform(engine)) };
+    for (int i = 0; i < 3; ++i)
+    {
+      direction = glm::normalize(direction + bend * glm::dvec3(uniform(engine), uniform(engine), uniform(engine)));
+      line.points.push_back(line.points.back() + direction);
+      line.radii.push_back(leastRadius + (mostRadius - leastRadius) * std::abs(uniform(engine)));
+    }
+    for (int i = 0; i < 200; ++i)
+    {
+      // At the joints above all.
+      const glm::dvec3 target = line.points[1 + i % 2] +
+        mostRadius * (i % 3 ? 1.0 : 4.0) * glm::dvec3(uniform(engine), uniform(engine), uniform(engine));
+      const glm::dvec3 way = glm::normalize(glm::dvec3(uniform(engine), uniform(engine), uniform(engine)));
+      typename Line<Real>::Kernel::GlyphRay ray{};
+      ray.direction = typename Line<Real>::Vector(way);
+      ray.origin = typename Line<Real>::Vector(target - 3.0 * way);
+      const std::vector<double> wanted = line.Union(ray), found = line.Crossings(ray, true);
+      met += !wanted.empty();
+      if (AreApart(wanted, apart))
+      {
+        ++judged;
+        wrong += wanted.size() != found.size();
+        for (std::size_t n = 0; n < wanted.size() && wanted.size() == found.size(); ++n)
+        {
+          far += std::abs(wanted[n] - found[n]) > apart;
+        }
+      }
+    }
+  }
+  EXPECT_GT(met, 10000);
+  EXPECT_GT(judged, 39000);
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(far, 0);
+}
+
+TYPED_TEST(RoundConeLineTest, BentLinesHaveNothingInside)
+{
+  ExpectNothingInside<TypeParam>(0.6, 0.1, 0.2);
+}
+
+/// As streamlines are: next to straight, and of nearly one radius.
+TYPED_TEST(RoundConeLineTest, NearlyStraightLinesHaveNothingInside)
+{
+  for (const double bend : { 1e-1, 1e-3, 1e-5 })
+  {
+    SCOPED_TRACE(bend);
+    ExpectNothingInside<TypeParam>(bend, 0.2, 0.2 + 0.01 * bend);
+  }
+}
+
+/// A straight line of four pieces, met in the very planes of its joints, too.
+TYPED_TEST(RoundConeLineTest, StraightLinesHaveNoSeams)
+{
+  Line<TypeParam> line{ { { -2, 0, 0 }, { -1, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } },
+    { 0.5, 0.5, 0.5, 0.5, 0.5 } };
+  for (int k = -256; k <= 256; ++k)
+  {
+    for (int row = 0; row < (k % 128 == 0 ? 31 : 1); ++row)
+    {
+      const double z = 0.3 - row / 64.0, half = std::sqrt(0.25 - z * z);
+      typename Line<TypeParam>::Kernel::GlyphRay ray{};
+      ray.origin = { TypeParam(k) / 128, 3, TypeParam(z) };
+      ray.direction = { 0, -1, 0 };
+      const std::vector<double> found = line.Crossings(ray, true);
+      ASSERT_EQ(found.size(), 2u) << "x = " << ray.origin.x << ", z = " << z;
+      EXPECT_NEAR(found[0], 3.0 - half, 1e-6);
+      EXPECT_NEAR(found[1], 3.0 + half, 1e-6);
+    }
+  }
+}
+
+/// The first end flat, the last one round.
+TYPED_TEST(RoundConeLineTest, FlatEnds)
+{
+  using Kernel = typename Line<TypeParam>::Kernel;
+  typename Kernel::Glyph glyph{};
+  glyph.size = { 2, 1, 1 };
+  glyph.rotation = { 0, 0, 0, 1 };
+  glyph.before = { 0, 0, 0, -1 };
+  const auto nearest = [&](typename Line<TypeParam>::Vector origin, typename Line<TypeParam>::Vector direction)
+  {
+    TypeParam t = 0;
+    const typename Kernel::GlyphRay ray{ origin, {}, direction };
+    return Kernel::IntersectGlyph(rtg::Shape::RoundCone, ray, glyph, 0, 100, t) ? double(t) : -1.0;
+  };
+  EXPECT_NEAR(nearest({ -4, 0.3, 0 }, { 1, 0, 0 }), 3.0, 1e-6);
+  EXPECT_NEAR(nearest({ 4, 0.3, 0 }, { -1, 0, 0 }), 2.6, 1e-6);
+  EXPECT_EQ(nearest({ -1.01, 3, 0 }, { 0, -1, 0 }), -1.0);
+  EXPECT_NEAR(nearest({ -0.99, 3, 0 }, { 0, -1, 0 }), 2.5, 1e-6);
+  EXPECT_NEAR(nearest({ 1.3, 3, 0 }, { 0, -1, 0 }), 2.6, 1e-6);
+  const typename Kernel::GlyphRay along{ { -4, 0.3, 0 }, {}, { 1, 0, 0 } };
+  const auto normal = Kernel::GlyphNormal(rtg::Shape::RoundCone, along, glyph, 3);
+  EXPECT_EQ(normal.x, -1);
+}
+
+/// A tip of radius zero, and a ball that holds the other one.
+TYPED_TEST(RoundConeLineTest, TipsAndBalls)
+{
+  using Kernel = typename Line<TypeParam>::Kernel;
+  typename Kernel::Glyph glyph{};
+  glyph.size = { 2, 2, 0 };
+  const auto crossing = [&](typename Line<TypeParam>::Vector origin, typename Line<TypeParam>::Vector direction)
+  {
+    TypeParam t = 0;
+    const typename Kernel::GlyphRay ray{ origin, {}, direction };
+    return Kernel::IntersectGlyph(rtg::Shape::RoundCone, ray, glyph, 0, 100, t) ? double(t) : -1.0;
+  };
+  // A ball of radius 1 round (-1, 0, 0), and its tangents from (1, 0, 0): at 30 degrees.
+  EXPECT_NEAR(crossing({ 4, 0, 0 }, { -1, 0, 0 }), 3.0, 1e-6);
+  EXPECT_NEAR(crossing({ -4, 0, 0 }, { 1, 0, 0 }), 2.0, 1e-6);
+  EXPECT_NEAR(crossing({ 0, 3, 0 }, { 0, -1, 0 }), 3.0 - std::tan(M_PI / 6), 1e-6);
+  EXPECT_EQ(crossing({ TypeParam(1.001), 3, 0 }, { 0, -1, 0 }), -1.0);
+  glyph.size = { TypeParam(0.25), 1, 2 };
+  EXPECT_NEAR(crossing({ -4, 0, 0 }, { 1, 0, 0 }), 3.125, 1e-6);
+  EXPECT_NEAR(crossing({ 4, 0, 0 }, { -1, 0, 0 }), 2.875, 1e-6);
+}
+
+} // namespace

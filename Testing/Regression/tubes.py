@@ -1,0 +1,262 @@
+"""Ray-traced tubes: as ParaView's Tube filter shows them, picked by cell and point, translucent without seams, bad input said once.
+
+Usage: pvpython tubes.py
+"""
+import numpy
+import paraview.simple as pv
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
+
+import comparison
+import session
+from checks import Checks
+
+TUBES = "Ray Traced Tubes"
+#: share of the pixels that may be covered in one of two pictures only, or have other colors; levels of 255 by which the rest may differ in the mean
+SILHOUETTE, INTERIOR = 0.002, 1.0
+UNLIT = {"Ambient": 1.0, "Diffuse": 0.0}
+
+
+def line_data(lines, cell_arrays=None, **arrays):
+    """vtkPolyData of poly-lines, each a list of points; arrays of all points one after another, and of cells."""
+    data = session.poly_data(numpy.concatenate([numpy.asarray(line, dtype=float) for line in lines]), **arrays)
+    cells, first = vtkCellArray(), 0
+    for line in lines:
+        cells.InsertNextCell(len(line), range(first, first + len(line)))
+        first += len(line)
+    data.SetLines(cells)
+    for name, values in (cell_arrays or {}).items():
+        array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
+        array.SetName(name)
+        data.GetCellData().AddArray(array)
+    return data
+
+
+def show(source, view, radius=None, samples=1, **properties):
+    """Shows a source as tubes."""
+    shown = pv.Show(source, view)
+    shown.SetRepresentationType(TUBES)
+    shown.SamplesPerPixel = samples
+    if radius is not None:
+        shown.TubeRadius = radius
+    for name, value in properties.items():
+        setattr(shown, name, value)
+    return shown
+
+
+def helix(count=1200):
+    """Points of three turns."""
+    angle = numpy.linspace(0.0, 6.0 * numpy.pi, count)
+    return numpy.stack([numpy.cos(angle), numpy.linspace(-1.1, 1.1, count), numpy.sin(angle)], axis=1)
+
+
+def rods():
+    """Straight lines of three pieces in several directions."""
+    return [numpy.outer([-1.0, -0.2, 0.5, 1.0], way) + middle
+            for way, middle in (((1.2, 0.3, 0.1), (0, 0.9, 0)), ((0.9, -0.2, 0.5), (0, 0.1, 0)), ((0.1, 0.3, 1.3), (0.3, -0.8, 0)))]
+
+
+def inside(mask, pixels=2):
+    """The pixels of a mask that are so far from its edge."""
+    for _ in range(pixels):
+        padded = numpy.pad(mask, 1)
+        mask = mask & padded[2:, 1:-1] & padded[:-2, 1:-1] & padded[1:-1, 2:] & padded[1:-1, :-2]
+    return mask
+
+
+def like_tube_filter(view, checks):
+    """Same camera, lights and colors as the Tube filter with 64 sides and caps."""
+    curve = helix()
+    height = curve[:, 1].copy()
+    wave = 1.0 + 0.5 * numpy.sin(numpy.linspace(0.0, 12.0, len(curve)))
+    bundle = numpy.concatenate(rods())
+    scenes = {
+        "helix": (line_data([curve], height=height), {"radius": 0.15}, {"VaryRadius": "Off", "Radius": 0.15}, ("POINTS", "height")),
+        "rods": (line_data(rods(), {"number": numpy.array([0.0, 1.0, 2.0])}), {"radius": 0.2}, {"VaryRadius": "Off", "Radius": 0.2},
+                 ("CELLS", "number")),
+        "values along rods": (line_data(rods(), value=bundle[:, 0] ** 2), {"radius": 0.2}, {"VaryRadius": "Off", "Radius": 0.2},
+                              ("POINTS", "value")),
+        "radii": (line_data([curve], thickness=0.12 * wave), {"radius": 1.0, "TubeRadiusArray": "thickness"},
+                  {"VaryRadius": "By Absolute Scalar", "Scalars": ["POINTS", "thickness"]}, None),
+    }
+    for name, (data, ours, theirs, colored) in scenes.items():
+        source = session.source(data)
+        tube = pv.Tube(Input=source, NumberofSides=64, Capping=1, **theirs)
+        pictures = {}
+        for who in ("ours", "paraview"):
+            shown = show(source, view, TubeEnds="Flat", **ours) if who == "ours" else pv.Show(tube, view)
+            if colored:
+                pv.ColorBy(shown, colored)
+                session.cool_to_warm(colored[1])
+                pv.GetColorTransferFunction(colored[1]).RescaleTransferFunction(-1.1 if colored[1] == "height" else 0.0,
+                                                                               {"height": 1.1, "number": 2.0, "value": 1.5}[colored[1]])
+                shown.SetScalarBarVisibility(view, False)
+            else:
+                session.solid(shown, (0.8, 0.5, 0.2))
+            session.look(view, (1.5, 1.0, 5.0))
+            pictures[who] = session.capture(view, "tubes-%s-%s" % (name.replace(" ", "-"), who))
+            if who == "ours":
+                counted = session.statistics(shown)
+                checks.true(name + ": no ray has been traced", counted["primaryRays"] > 0)
+                # Of the helix some are left out at its flat ends.
+                pieces = data.GetNumberOfPoints() - data.GetNumberOfLines()
+                checks.within(name + ": pieces", counted["glyphs"], 0.9 * pieces, pieces)
+            pv.Delete(shown)
+        masks = {who: comparison.covered(picture) for who, picture in pictures.items()}
+        outline = float((masks["ours"] != masks["paraview"]).mean())
+        apart = numpy.abs(pictures["ours"].astype(int) - pictures["paraview"].astype(int))
+        comparison.write_image(session.output("tubes-%s-difference.png" % name.replace(" ", "-")), 8 * apart)
+        both = inside(masks["ours"] & masks["paraview"])
+        print("%s: silhouettes differ on %.3f%% of the pixels, colors by %.3f levels in the mean, %d at most, over %d pixels"
+              % (name, 100 * outline, apart[both].mean(), apart[both].max(), both.sum()))
+        checks.within(name + ": share of the pixels that one covers alone", outline, 0.0, SILHOUETTE)
+        checks.within(name + ": mean difference in levels", float(apart[both].mean()), 0.0, INTERIOR)
+        # Where one turn hides another, outlines are inside, too.
+        checks.within(name + ": share of the pixels inside that are of another color",
+                      float((apart[both].max(axis=1) > comparison.LEVELS).mean()), 0.0, SILHOUETTE)
+        checks.within(name + ": covered pixels", int(both.sum()), 3000, 10 ** 6)
+
+
+def picking(view, checks):
+    """A pixel names the line cell and the nearer point of the data, which have other cells, too."""
+    data = line_data([[(-1.5, 0.5, 0), (0, 0.5, 0), (1.5, 0.5, 0)], [(-1.5, -0.5, 0), (1.5, -0.5, 0)]])
+    vertex = vtkCellArray()
+    vertex.InsertNextCell(1, [0])
+    data.SetVerts(vertex)
+    shown = show(session.source(data), view, 0.2)
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
+    pv.Render(view)
+    for place, cell, point in (((-1.0, 0.5, 0.0), 1, 0), ((0.2, 0.6, 0.0), 1, 1), ((1.0, 0.4, 0.0), 1, 2), ((0.5, -0.5, 0.0), 2, 4)):
+        at = session.pixel_of(view, place)
+        for kind, wanted in (("CELL", cell), ("POINT", point)):
+            found = [(what, number) for _, what, number in session.picked(view, kind, at)]
+            checks.equal("picked at %s" % (place,), found, [(kind, wanted)])
+    nothing = session.picked(view, "CELL", session.pixel_of(view, (0.0, 0.0, 0.0)))
+    checks.equal("picked between the lines", nothing, [])
+    pv.Delete(shown)
+
+
+def translucent(view, checks):
+    """A ray enters and leaves a poly-line once: its pieces leave no seams."""
+    ways = {
+        "straight": [(x, 0.0, 0.0) for x in (-1.6, -1.1, -0.3, -0.25, 0.6, 1.6)],
+        "zigzag": [(-1.6, -0.7, 0.0), (-0.8, 0.7, 0.0), (0.0, -0.7, 0.0), (0.8, 0.7, 0.0), (1.6, -0.7, 0.0)],
+        "arc": [(1.3 * numpy.cos(angle), 1.8 * numpy.sin(angle) - 0.8, 0.0) for angle in numpy.linspace(0.1, numpy.pi - 0.1, 60)],
+    }
+    half = numpy.array([0.5, 0.5, 0.5])
+    background = numpy.array(session.BACKGROUND) / 255.0
+    wanted = 255.0 * (0.75 * half + 0.25 * background)
+    for name, way in ways.items():
+        for ends in ("Rounded", "Flat"):
+            # Radii that change along the way
+            source = session.source(line_data([way], thickness=0.25 + 0.03 * numpy.sin(2.0 * numpy.array(way)[:, 0])))
+            shown = show(source, view, 1.0, TubeRadiusArray="thickness", TubeEnds=ends, Opacity=0.5, **UNLIT)
+            session.solid(shown, half)
+            session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
+            pixels = session.capture(view, "tubes-translucent-%s-%s" % (name, ends.lower()))
+            mask = inside(comparison.covered(pixels), 1)
+            wrong = int((numpy.abs(pixels[mask][:, :3].astype(float) - wanted).max(axis=1) > 1.5).sum())
+            print("translucent %s, %s: %d of %d pixels are not of two layers" % (name, ends, wrong, mask.sum()))
+            checks.equal("translucent %s, %s: pixels that are not of two layers" % (name, ends), wrong, 0)
+            checks.within("translucent %s, %s: pixels" % (name, ends), int(mask.sum()), 9000, 10 ** 6)
+            # Rays that pass by chance meet the same layers: in the mean it is the same picture.
+            if ends == "Rounded" and name == "zigzag":
+                shown.ShadingMode, shown.SamplesPerPixel, shown.LightIntensity = "Path Tracing", 64, 0.0
+                level = float(session.capture(view, "tubes-translucent-by-chance")[..., 1][mask].mean())
+                checks.within("translucent zigzag by chance: mean level", level, wanted[1] - 1.0, wanted[1] + 1.0)
+                shown.ShadingMode, shown.SamplesPerPixel, shown.LightIntensity = "Local", 1, 1.0
+            pv.Delete(shown)
+
+
+def blocks(view, checks):
+    """Blocks have colors of their own; ghost lines, which another rank shows, and points that no line has are left out."""
+    parts = vtkMultiBlockDataSet()
+    for number in (0, 1):
+        parts.SetBlock(number, line_data([[(-1.5, 0.6 - 1.2 * number, 0), (1.5, 0.6 - 1.2 * number, 0)]]))
+    shown = show(session.source(parts), view, 0.3, **UNLIT)
+    session.solid(shown, (1.0, 0.0, 0.0))
+    shown.BlockColors = ["/Root/Block1", "0", "1", "0"]
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
+    pixels = session.capture(view, "tubes-blocks")
+    checks.equal("colors of blocks", [pixels[row, 200, :3].tolist() for row in (90, 210)], [[255, 0, 0], [0, 255, 0]])
+    pv.Delete(shown)
+    ways = [[(-1.5, 0.6 - 1.2 * number, 0), (1.5, 0.6 - 1.2 * number, 0)] for number in (0, 1)]
+    ghosts = line_data(ways, {"vtkGhostType": numpy.array([0, 1], dtype=numpy.uint8)})
+    shown = show(session.source(ghosts), view, 0.3)
+    mask = comparison.covered(session.capture(view, "tubes-ghosts"))
+    checks.equal("a line and a ghost line are seen", (bool(mask[90, 200]), bool(mask[210, 200])), (True, False))
+    pv.Delete(shown)
+
+
+def default_radius(view, checks):
+    """A hundredth of the longest side; with an array the thickest tube has it; what is set stays."""
+    data = line_data([[(-2.0, 0, 0), (0, 1, 0), (2.0, 0, 0)]], force=numpy.array([10.0, 500.0, 0.0]))
+    shown = show(session.source(data), view)
+    checks.within("TubeRadius", shown.TubeRadius, 0.04 - 1e-9, 0.04 + 1e-9)
+    shown.TubeRadiusArray = "force"
+    checks.within("TubeRadius with an array", shown.TubeRadius, 0.04 / 500.0 - 1e-9, 0.04 / 500.0 + 1e-9)
+    shown.TubeRadius = 0.001
+    shown.TubeRadiusArray = "None"
+    checks.equal("TubeRadius that was set", shown.TubeRadius, 0.001)
+    pv.Delete(shown)
+
+
+def bad_input(view, checks):
+    """One clear message each, and the rest is shown."""
+    good = [(-1.0, 0.0, 0.0), (0.0, 0.0, 0.0), (1.0, 0.0, 0.0)]
+    broken = [(-1.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.5, numpy.nan, 0.0), (1.0, 0.0, 0.0)]
+    polygons = vtkPolyData()
+    sphere = pv.Sphere()
+    sphere.UpdatePipeline()
+    polygons.ShallowCopy(sphere.GetClientSideObject().GetOutputDataObject(0))
+    radii = {"TubeRadiusArray": "radius"}
+    cases = (
+        ("one point", line_data([good, [(0.0, 1.0, 0.0)]]), {}, ("1 of 3 pieces",), True),
+        ("repeated points", line_data([good[:1] * 2 + good[1:2] * 3 + good[2:]]), {}, (), True),
+        ("nothing but repeated points", line_data([good, good[:1] * 3]), {}, ("1 of 3 pieces",), True),
+        ("NaN position", line_data([broken]), {}, ("2 of 3 pieces", "finite"), True),
+        ("NaN radius", line_data([good], radius=numpy.array([1.0, 1.0, numpy.nan])), radii, ("1 of 2 pieces",), True),
+        ("negative radius", line_data([good], radius=numpy.array([1.0, 1.0, -1.0])), radii, ("1 of 2 pieces", "negative"), True),
+        ("zero radius", line_data([good + [(2.0, 0.0, 0.0)]], radius=numpy.array([1.0, 1.0, 0.0, 0.0])), radii, (), True),
+        ("only zero radii", line_data([good], radius=numpy.zeros(3)), radii, ("radii are zero",), False),
+        ("missing radii", line_data([good]), radii, ("'radius'", "TubeRadiusArray"), True),
+        ("no lines", polygons, {}, ("no lines",), False),
+        ("no points", vtkPolyData(), {}, (), False),
+        ("missing color", line_data([good]), {"ColorArrayName": ["POINTS", "nonesuch"]}, ("nonesuch",), True),
+    )
+    for name, data, properties, words, visible in cases:
+        source = session.source(data)
+
+        def twice():
+            shown = show(source, view, 0.2)
+            session.solid(shown, (0.8, 0.5, 0.2))
+            for key, value in properties.items():
+                setattr(shown, key, value)
+            shown.TubeRadius = 0.2
+            for distance in (5.0, 5.001):
+                session.look(view, (0.0, 0.0, distance), parallel_scale=1.5)
+                pv.Render(view)
+
+        text = session.messages(twice)
+        print("%s: %s" % (name, text.strip() or "no message"))
+        if words:
+            checks.one_message(name, text, *words)
+        else:
+            checks.no_message(name, text)
+        pixels = session.capture(view, "tubes-bad-" + name.replace(" ", "-"))
+        checks.equal(name + ": something is shown", bool(comparison.covered(pixels)[150, 150]), visible)
+        pv.Delete(pv.GetDisplayProperties(source, view))
+
+
+def main():
+    """All parts."""
+    session.load()
+    checks = Checks()
+    view = session.view()
+    for part in (like_tube_filter, picking, translucent, blocks, default_radius, bad_input):
+        part(view, checks)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()
