@@ -6,7 +6,6 @@ Between <!-- table NAME --> and <!-- end of table NAME --> a document has the ta
 it the program only says which ones differ from their CSV files, and which of those do not say of which commit they are.
 """
 import csv
-import math
 import os
 import re
 import statistics
@@ -23,8 +22,6 @@ RESULTS = os.path.join(HERE, "results")
 #: written before the program run gave its files a head; each leaves this list when it is measured anew
 WITHOUT_HEAD = {"large-data", "light-spheres", "light-tensors", "light-vessel", "motion", "shapes-scene", "speed-dilute",
                 "speed-packed", "tessellations"}
-#: stages of new glyphs that scale.py writes
-BUILDING = ("sortSeconds", "buildSeconds", "uploadSeconds")
 BENCHMARKS, SHAPES = "Testing/Benchmarks/README.md", "Kernels/Shapes/README.md"
 
 
@@ -119,34 +116,6 @@ def large_data():
                            ("colors", found["colorSeconds"]))])
 
 
-def slope(points):
-    """Exponent of growth by least squares over (count, seconds) in logarithms; none for fewer than two."""
-    logs = [(math.log(count), math.log(seconds)) for count, seconds in points if seconds > 0.0]
-    if len(logs) < 2:
-        return None
-    x, y = (statistics.fmean(values) for values in zip(*logs))
-    return sum((a - x) * (b - y) for a, b in logs) / sum((a - x) ** 2 for a, _ in logs)
-
-
-def scale():
-    """Seconds and memory for each number of glyphs; below each kind how they grow from a million on."""
-    lines, found = [], {}
-    for row in rows("scale"):
-        found.setdefault(row["kind"], []).append(row)
-    for kind, every in found.items():
-        for row in every:
-            count, measured = int(row["count"]), row["first"] != ""
-            device = "%.0f" % (row["device bytes"] / count) if row["device bytes"] != "" and count >= 10**5 else ""
-            lines.append([kind, format(count, ","), *([digits(row[key], 3) for key in ("first", "frame", "turning")] if measured else ["-"] * 3),
-                          digits(row["peak bytes"] / 1e9, 2) if measured else "-", device])
-        large = [row for row in every if row["first"] != "" and row["count"] >= 10**6]
-        grown = slope([(row["count"], row["frame cpu"]) for row in large])
-        built = slope([(row["count"], sum(row[key] for key in BUILDING)) for row in large if row["glyphs"] != ""])
-        if grown is not None:
-            lines.append(["*%s: exponents of growth from a million on*" % kind, "", "%.2f" % built if built is not None else "", "%.2f" % grown, "", "", ""])
-    return markdown(["glyphs", "number", "first picture, s", "frame, s", "turning, s", "peak GB", "bytes a glyph on the device"], lines)
-
-
 def sphere_formulas():
     """Error of t, error of the normal, wrong hits: the cases in which formulas differ."""
     formulas = {"kept": "kept", "Ray Tracing Gems": "Ray Tracing Gems, chapter 7", "Embree's projection": "Embree's projection",
@@ -206,7 +175,6 @@ TABLES = {
     "scenes": (BENCHMARKS, ["scenes"], scenes),
     "build": (BENCHMARKS, ["build"], build),
     "large-data": (BENCHMARKS, ["large-data"], large_data),
-    "scale": (BENCHMARKS, ["scale"], scale),
     "light": (BENCHMARKS, ["light-spheres", "light-vessel", "light-tensors"],
               lambda: light.table([(name, path_of("light-" + name)) for name in ("spheres", "vessel", "tensors")])),
     "motion": (BENCHMARKS, ["motion"], lambda: motion.table(path_of("motion"))),
