@@ -201,6 +201,7 @@ void Visit(Instances& instances, Colours& colours, Transfer& transfer)
   transfer(instances.uniformExponents);
   transfer(instances.motion.shutterOpen);
   transfer(instances.motion.shutterClose);
+  transfer(colours.table);
   ForEachArray(
     instances, colours, [&](std::size_t, std::uint32_t, auto& values, const char*) { transfer.OfGlyphs(values); });
 }

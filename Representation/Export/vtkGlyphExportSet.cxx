@@ -217,15 +217,15 @@ vtkGlyphExportSet vtkGlyphExportSet::Make(const std::string& number, const rtg::
                        "have the first one. Choose another GlyphTensorColoring to export colors.");
     set.Color = Linear(material.positiveColour, material.opacity);
   }
-  if (!instances.opacities.empty() || (!bySign && !colors.empty()))
+  if (!instances.opacities.empty() || (!bySign && !colors.each.empty()))
   {
     set.Colors.resize(instances.Count(), set.Color);
     for (std::size_t glyph = 0; glyph < instances.Count(); ++glyph)
     {
       glm::vec4& color = set.Colors[glyph];
-      if (!colors.empty())
+      if (!colors.each.empty())
       {
-        const std::uint32_t packed = colors[glyph];
+        const std::uint32_t packed = colors.each[glyph];
         const glm::vec4 shown =
           glm::vec4(packed & 255u, (packed >> 8) & 255u, (packed >> 16) & 255u, packed >> 24) / 255.0f;
         color = Linear(bySign ? material.positiveColour : glm::vec3(shown), material.opacity * shown.a);

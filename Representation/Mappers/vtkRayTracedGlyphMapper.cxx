@@ -153,7 +153,7 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   this->Instances = std::move(result.Instances);
   this->InstancesTaken = false;
   this->TranslucentInstances = rtg::IsTranslucent(this->Instances);
-  this->Sources = vtkRayTracedSources(std::move(result.Points));
+  this->Sources = std::move(result.Points);
   ++this->SourcesVersion;
   this->Skipped = result.Skipped;
   const Hash digest = DigestOf(this->Instances);
@@ -237,7 +237,7 @@ void vtkRayTracedGlyphMapper::TensorColor(const vtkGlyphTensors& tensors, vtkIdT
 // The numbers of the tensors through the table, which serves one thread at a time; RGB of each glyph.
 std::vector<unsigned char> vtkRayTracedGlyphMapper::TableColors(const vtkGlyphTensors& tensors)
 {
-  const vtkIdType count = this->Sources.Size();
+  const vtkIdType count = this->Sources.size();
   std::vector<double> numbers(count, vtkMath::Nan());
   vtkRayTracedParallel::ForChunks(count,
     [&](vtkIdType begin, vtkIdType end)
@@ -263,7 +263,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   std::unique_ptr<vtkGlyphTensors> tensors;
   const vtkGlyphTensors::Settings& shown = this->Settings.Tensors;
   const bool bySign = shown.ColorsBySign();
-  if (shown.On && !shown.Axes && !bySign && shown.Coloring != vtkGlyphTensors::NONE && this->Sources.Size() > 0)
+  if (shown.On && !shown.Axes && !bySign && shown.Coloring != vtkGlyphTensors::NONE && !this->Sources.empty())
   {
     tensors = std::make_unique<vtkGlyphTensors>(vtkGlyphTensors::Array(points, shown), shown, this->Sources.ToVector());
     if (this->TensorTable)
@@ -271,7 +271,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
       this->TensorTable->Build();
     }
   }
-  else if (this->ScalarVisibility && !bySign && this->Sources.Size() > 0)
+  else if (this->ScalarVisibility && !bySign && !this->Sources.empty())
   {
     mapped = this->MapScalars(points, 1.0);
     if (!mapped)
@@ -293,7 +293,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   std::vector<std::uint32_t> colors;
   if (mapped || tensors || blockColors || selected)
   {
-    colors.resize(this->Sources.Size());
+    colors.resize(this->Sources.size());
     const int components = mapped ? mapped->GetNumberOfComponents() : 0;
     vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.size()),
       [&](vtkIdType begin, vtkIdType end)

@@ -87,7 +87,7 @@ public:
    * Counters: glyphs or triangles shown, those left out because something of them is not finite, how often instances
    * and colors were built, and the seconds of that.
    */
-  vtkIdType GetNumberOfGlyphs() const { return this->Sources.Size(); }
+  vtkIdType GetNumberOfGlyphs() const { return this->Sources.size(); }
   vtkIdType GetSkippedGlyphs() const { return this->Skipped; }
   std::uint64_t GetInstanceBuilds() const { return this->InstanceBuilds; }
   std::uint64_t GetColorBuilds() const { return this->ColorBuilds; }

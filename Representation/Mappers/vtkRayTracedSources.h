@@ -15,7 +15,7 @@ class vtkRayTracedSources
 {
 public:
   vtkRayTracedSources() = default;
-  explicit vtkRayTracedSources(std::vector<vtkIdType> sources)
+  vtkRayTracedSources(std::vector<vtkIdType> sources)
     : Count(static_cast<vtkIdType>(sources.size()))
   {
     for (vtkIdType i = 0; i < this->Count; ++i)
@@ -29,7 +29,8 @@ public:
   }
 
   vtkIdType operator[](vtkIdType i) const { return this->List.empty() ? i : this->List[i]; }
-  vtkIdType Size() const { return this->Count; }
+  vtkIdType size() const { return this->Count; }
+  bool empty() const { return this->Count == 0; }
 
   std::vector<vtkIdType> ToVector() const
   {

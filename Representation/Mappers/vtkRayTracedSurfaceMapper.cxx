@@ -60,7 +60,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   this->BuiltSettings = this->Settings;
   rtg::GlyphMotion shutter;
   motion.Finish(shutter);
-  this->Sources = vtkRayTracedSources(std::move(result.Cells));
+  this->Sources = std::move(result.Cells);
   this->Skipped = result.Skipped;
   ++this->SourcesVersion;
   const bool same = this->Instances.mesh && this->InstanceVersion > 0 && result.Origin == this->Instances.origin &&

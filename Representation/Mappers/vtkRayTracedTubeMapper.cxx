@@ -88,7 +88,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
     }
     return bits;
   };
-  vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(this->Sources.size()),
+  vtkRayTracedParallel::ForChunks(this->Sources.size(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)

@@ -28,6 +28,7 @@ public:
 
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
+  const rtg::GlyphInstances* GetInstances() const override { return this->Taken ? nullptr : &this->Instances; }
   Origin OriginOf(vtkIdType piece, int association, const double position[3]) override;
   int GetNaturalAssociation() const override;
 
