@@ -44,6 +44,9 @@ HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
   glyph.rotation = glyph.turned ? instances.rotations[i] : glm::vec4(0, 0, 0, 1);
   SetArrow<float>(glyph, instances.arrow);
   glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i];
+  glyph.values = instances.polynomials.empty() ? nullptr : instances.polynomials[i];
+  glyph.firstValue = 0;
+  glyph.degree = instances.polynomialDegree;
   return glyph;
 }
 
@@ -204,6 +207,8 @@ DoubleBox GlyphExtent(Shape shape, const ArrowForm& arrow, const glm::dvec3& siz
 {
   shapes::Kernel<double>::Glyph glyph{};
   glyph.size = size;
+  constexpr float unitForm[] = { 1.0f, 1.0f, 1.0f }; // a polynomial's that reaches as far as any may
+  glyph.values = unitForm;
   SetArrow<double>(glyph, arrow);
   DoubleBox box;
   shapes::Kernel<double>::GlyphBounds(shape, glyph, box.lower, box.upper);

@@ -19,7 +19,8 @@
   ARRAY(8, ACCELERATIONS, Vec3Array, accelerations, instances.motion.accelerations, "accelerations")                   \
   ARRAY(9, ANGULAR_VELOCITIES, Vec3Array, angularVelocities, instances.motion.angularVelocities, "angular velocities") \
   ARRAY(10, OPACITIES, FloatArray, opacities, instances.opacities, "opacities")                                        \
-  ARRAY(11, COLOURS, UintArray, colours, colours, "colors")
+  ARRAY(11, COLOURS, UintArray, colours, colours, "colors")                                                            \
+  ARRAY(12, POLYNOMIALS, FloatArray, polynomials, instances.polynomials, "polynomials")
 
 #define RTG_BIT(number, BIT, type, name, values, words) const uint BIT = 1u << number;
 RTG_GLYPH_ARRAYS(RTG_BIT)
@@ -36,6 +37,8 @@ const uint MESH_VALUE_COLOURS = 1u << 22;
 const uint MESH_VELOCITIES = 1u << 23;
 const uint MESH_ACCELERATIONS = 1u << 24;
 const uint MESH_TREE = 1u << 25;             // the mesh has a tree of our own instead of the driver's
+const uint SIGN_COLOURS = 1u << 26;          // of polynomials
+const uint DIRECTION_COLOURS = 1u << 27;     // of the way from the centre to the surface
 const uint APPEARANCE = COLOURS | OPACITIES; // the arrays that the driver's triangles have, too
 const uint MOVING_GLYPHS = VELOCITIES | ACCELERATIONS | ANGULAR_VELOCITIES;
 const uint MESH_COLOURS = MESH_POSITION_COLOURS | MESH_TRIANGLE_COLOURS | MESH_VALUE_COLOURS;
@@ -56,4 +59,5 @@ const uint MOVING_MESH = MESH_VELOCITIES | MESH_ACCELERATIONS;
   ENTRY(10, bool, moves)             /* something in the scene does */                                                 \
   ENTRY(11, bool, environmentImage)  /* light from all around is an image */                                           \
   ENTRY(12, bool, layered)           /* the image is that of translucent sets: opaque ones only hide */                \
-  ENTRY(13, bool, manyLights)        /* more than FEW_LIGHTS */
+  ENTRY(13, bool, manyLights)        /* more than FEW_LIGHTS */                                                        \
+  ENTRY(14, uint, degree)            /* the largest of polynomials */

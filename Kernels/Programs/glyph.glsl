@@ -31,6 +31,9 @@ GlyphSource SourceOf(GlyphSetRecord set)
   source.alike.unitLength = set.unitLength;
   source.alike.fixedHeads = Has(set.variants, FIXED_HEADS);
   source.alike.exponents = set.uniformExponents;
+  source.alike.values = set.polynomials;
+  source.alike.firstValue = 0;
+  source.alike.degree = int(set.polynomialDegree);
   return source;
 }
 
@@ -62,6 +65,10 @@ Glyph FetchGlyph(GlyphSource source, uint primitive)
   if (Has(set.variants, EXPONENTS))
   {
     glyph.exponents = set.exponents.at[InSet(set, EXPONENTS, primitive)];
+  }
+  if (Has(set.variants, POLYNOMIALS))
+  {
+    glyph.firstValue = int(InSet(set, POLYNOMIALS, primitive) * set.polynomialWidth);
   }
   Move(glyph, set, primitive, source.time);
   return glyph;

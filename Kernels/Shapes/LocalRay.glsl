@@ -23,7 +23,10 @@ struct Glyph
   real4 arrow;   // shaft radius, tip radius, tip length, tip rounding
   bool fixedHeads;
   real unitLength;
-  real3 exponents; // of a superquadric's axes
+  real3 exponents;   // of a superquadric's axes
+  RTG_VALUES values; // of polynomials: PolynomialForm.glsl
+  int firstValue;
+  int degree; // of this glyph's polynomial
 };
 
 // A ray in a glyph's frame, not yet divided by the glyph's size. Its parameter s counts from the

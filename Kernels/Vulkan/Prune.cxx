@@ -71,6 +71,7 @@ std::set<std::string> NeverCalled(const Constants& constants)
   leaveOut(
     (constants.shapes >> RTG_MESH & 1u) != 0, { "IntersectMesh", "EstimateMesh", "HitOnMesh", "TriangleColour" });
   leaveOut(constants.layered != 0, { "AddLayersOf" });
+  leaveOut((constants.someHave & device::SIGN_COLOURS) != 0, { "PolynomialIsNegative" });
   return names;
 }
 
