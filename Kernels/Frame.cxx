@@ -180,6 +180,7 @@ void FillScene(device::FrameRecord& frame, Generation& generation, const Scene::
       constants.shapes |= 1u << static_cast<std::uint32_t>(group.shape);
       constants.allHave &= group.variants;
       constants.someHave |= group.variants;
+      constants.degree = std::max(constants.degree, group.degree);
     }
   }
 }

@@ -45,6 +45,9 @@ HostShapes::Glyph GlyphAtZero(const GlyphInstances& instances, std::size_t i)
   SetArrow<float>(glyph, instances.arrow);
   glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[i];
   glyph.before = glyph.after = glm::vec4(0.0f); // a flat end cuts a little off the box of the round one
+  glyph.values = instances.polynomials.empty() ? nullptr : instances.polynomials[i];
+  glyph.firstValue = 0;
+  glyph.degree = instances.polynomialDegree;
   return glyph;
 }
 
@@ -205,6 +208,8 @@ DoubleBox GlyphExtent(Shape shape, const ArrowForm& arrow, const glm::dvec3& siz
 {
   shapes::Kernel<double>::Glyph glyph{};
   glyph.size = size;
+  constexpr float unitForm[] = { 1.0f, 1.0f, 1.0f }; // a polynomial's that reaches as far as any may
+  glyph.values = unitForm;
   SetArrow<double>(glyph, arrow);
   DoubleBox box;
   shapes::Kernel<double>::GlyphBounds(shape, glyph, box.lower, box.upper);

@@ -15,7 +15,8 @@ namespace rtg
 /// <= 1.
 std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first = 0.0, double last = 1.0);
 
-/// The box of a glyph of these sizes, not turned, relative to its centre. None of Shape::Mesh.
+/// The box of a glyph of these sizes, not turned, relative to its centre; of polynomials the largest. None of
+/// Shape::Mesh.
 DoubleBox GlyphExtent(Shape shape, const ArrowForm& arrow, const glm::dvec3& size);
 
 /// ChooseSliceBits() of glyphs (TimeSlices.h).

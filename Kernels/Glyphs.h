@@ -42,6 +42,29 @@ enum class Shape : std::uint32_t
     Mesh = RTG_MESH
 };
 
+/// Several numbers a glyph, as many of each.
+struct GlyphTuples
+{
+  std::vector<float> values;
+  std::size_t width = 0; ///< numbers of a glyph
+
+  std::size_t size() const { return this->width == 0 ? 0 : this->values.size() / this->width; }
+  bool empty() const { return this->values.empty(); }
+  const float* operator[](std::size_t glyph) const { return &this->values[glyph * this->width]; }
+  float* operator[](std::size_t glyph) { return &this->values[glyph * this->width]; }
+};
+
+/// All numbers of an array one after the other.
+template <class T>
+const std::vector<T>& Flat(const std::vector<T>& values)
+{
+  return values;
+}
+inline const std::vector<float>& Flat(const GlyphTuples& tuples)
+{
+  return tuples.values;
+}
+
 /// Whether a shape has GlyphInstances' exponents.
 inline bool HasExponents(Shape shape)
 {
@@ -105,6 +128,20 @@ struct GlyphInstances
   /// p.x^2 + f.y p.y^2 + f.z p.z^2, whatever the colours of the glyphs; their opacity stays. None of Shape::Mesh.
   std::vector<glm::vec3> forms;
 
+  /// Of Shape::Polynomial: the values of each glyph's polynomial as FormMeter::Store() makes them, of that degree (2,
+  /// 4,
+  /// ..., 12). In units of a glyph's size its surface is at the distance |f| / 2 from the center.
+  GlyphTuples polynomials;
+  int polynomialDegree = 0;
+  /// What a point of a glyph's surface is coloured by, whatever the colours of the glyphs; their opacity stays.
+  enum class SurfaceColours : std::uint32_t
+  {
+    None,
+    Sign,     ///< of the polynomial, in Material::positiveColour or negativeColour. Shape::Polynomial only
+    Direction ///< red, green and blue: |x|, |y|, |z| of the unit vector from the glyph's center. None of Shape::Mesh
+  };
+  SurfaceColours surfaceColours = SurfaceColours::None;
+
   /// In [0, 1], times Material::opacity and the alpha of colours; or empty.
   std::vector<float> opacities;
 
@@ -129,7 +166,7 @@ inline bool IsTranslucent(const GlyphInstances& instances)
 struct GlyphColours
 {
   /// One a glyph in the order of GlyphInstances, or empty. White leaves glyphs with GlyphInstances::forms the two
-  /// colours of those.
+  /// colours of those, and others those of GlyphInstances::surfaceColours.
   std::vector<std::uint32_t> each;
   /// Shape::RoundCone only: instead, one at the ball at -x and one at the ball at +x of each glyph, linear between.
   /// With a table they are the bits of floats v in [0, 1], to which entry v (n - 1) of the table's first n - 1 belongs;
@@ -161,7 +198,7 @@ struct Material
   glm::vec3 colour{ 1.0f };        ///< diffuse colour of glyphs without their own
   glm::vec3 ambientColour{ 1.0f }; ///< ambient colour of glyphs without their own
   glm::vec3 specularColour{ 1.0f };
-  glm::vec3 positiveColour{ 1.0f }; ///< where GlyphInstances::forms are zero or more
+  glm::vec3 positiveColour{ 1.0f }; ///< where GlyphInstances::forms, or polynomials, are zero or more
   glm::vec3 negativeColour{ 1.0f }; ///< where they are less
   float ambient = 0.0f;             ///< [0, 1]
   float diffuse = 1.0f;             ///< [0, 1]

@@ -61,6 +61,8 @@ struct GlyphSetRecord
   float unitLength;
   float uniformSize;
   vec3 uniformExponents;
+  uint polynomialWidth; // values of a glyph
+  uint polynomialDegree;
   uint shape;    // number of rtg::Shape
   uint variants; // Variants.h
   uint setId;

@@ -129,6 +129,16 @@ public:
       (*this)(values[this->kept_[i]]);
     }
   }
+  void OfGlyphs(const GlyphTuples& tuples)
+  {
+    (*this)(static_cast<std::uint64_t>(tuples.width));
+    (*this)(static_cast<std::uint64_t>(tuples.empty() ? 0 : this->kept_.size() * tuples.width));
+    for (std::size_t i = 0; !tuples.empty() && i < this->kept_.size(); ++i)
+    {
+      const auto* first = reinterpret_cast<const char*>(tuples[this->kept_[i]]);
+      this->bytes.insert(this->bytes.end(), first, first + tuples.width * sizeof(float));
+    }
+  }
 
   std::vector<char> bytes;
 
@@ -164,6 +174,13 @@ public:
   void OfGlyphs(std::vector<Value>& values)
   {
     (*this)(values);
+  }
+  void OfGlyphs(GlyphTuples& tuples)
+  {
+    std::uint64_t width = 0;
+    (*this)(width);
+    (*this)(tuples.values);
+    tuples.width = width;
   }
 
 private:
@@ -201,6 +218,8 @@ void Visit(Instances& instances, Colours& colours, Transfer& transfer)
   transfer(instances.uniformExponents);
   transfer(instances.motion.shutterOpen);
   transfer(instances.motion.shutterClose);
+  transfer(instances.polynomialDegree);
+  transfer(instances.surfaceColours);
   transfer(colours.table);
   ForEachArray(
     instances, colours, [&](std::size_t, std::uint32_t, auto& values, const char*) { transfer.OfGlyphs(values); });

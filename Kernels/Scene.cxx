@@ -1,6 +1,7 @@
 #include "SceneState.h"
 
 #include "GlyphBoxes.h"
+#include "HarmonicForms.h"
 #include "Vulkan/Batch.h"
 
 #include <algorithm>
@@ -45,6 +46,17 @@ void CheckLengths(const GlyphInstances& instances, const GlyphColours& colours)
           std::to_string(instances.Count()) + " glyphs; give one a glyph or none.");
       }
     });
+  const bool polynomials = instances.shape == Shape::Polynomial && instances.Count() > 0;
+  const int degree = instances.polynomialDegree;
+  const bool even = degree >= 2 && degree <= mostDegree && degree % 2 == 0;
+  if (polynomials &&
+    (!even || instances.polynomials.empty() ||
+      instances.polynomials.width != static_cast<std::size_t>(3 + FormTerms(degree))))
+  {
+    throw Error("Ray Traced Glyphs: polynomials of degree " + std::to_string(degree) + " with " +
+      std::to_string(instances.polynomials.width) +
+      " values a glyph; give an even degree from 2 to 12 and the values of FormMeter.");
+  }
   if (!instances.sizes3.empty() && !instances.sizes1.empty())
   {
     throw Error("Ray Traced Glyphs: glyphs have sizes along three axes and single ones; give one "
@@ -124,6 +136,11 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   if (!HasExponents(instances.shape))
   {
     instances.exponents3.clear();
+  }
+  if (instances.shape != Shape::Polynomial)
+  {
+    instances.polynomials = {};
+    instances.polynomialDegree = 0;
   }
   set.count = instances.Count();
   set.translucentInstances = IsTranslucent(instances);

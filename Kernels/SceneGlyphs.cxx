@@ -63,6 +63,10 @@ void Scene::State::Place(GlyphSet& set, float reach)
   // Some head-room, so that a scene that grows little by little is not rebuilt at every step.
   placed.builtReach = 4.0f * reach;
   placed.group.shape = set.instances.shape;
+  placed.group.degree = static_cast<std::uint32_t>(set.instances.polynomialDegree);
+  using SurfaceColours = GlyphInstances::SurfaceColours;
+  placed.group.Set(device::SIGN_COLOURS, set.instances.surfaceColours == SurfaceColours::Sign);
+  placed.group.Set(device::DIRECTION_COLOURS, set.instances.surfaceColours == SurfaceColours::Direction);
   placed.group.Set(device::FIXED_HEADS, set.instances.shape == Shape::Arrow && set.instances.arrow.fixedHeads);
   bool isNew = true;
   if (set.instances.shape == Shape::Mesh)

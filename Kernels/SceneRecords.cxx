@@ -156,7 +156,7 @@ void Scene::State::FillRecords()
       };
       const GlyphInstances& instances = set.instances;
       const GlyphColours& colours = set.colours;
-#define RTG_FILL(number, BIT, type, name, values, words) record.name = at(placed.arrays[number], sizeof((values)[0]));
+#define RTG_FILL(number, BIT, type, name, values, words) record.name = at(placed.arrays[number], Stride(values));
       RTG_GLYPH_ARRAYS(RTG_FILL)
 #undef RTG_FILL
       const glm::dvec3 offset = set.instances.origin - this->origin;
@@ -167,6 +167,8 @@ void Scene::State::FillRecords()
       record.unitLength = arrow.unitLength;
       record.uniformSize = set.instances.uniformSize;
       record.uniformExponents = set.instances.uniformExponents;
+      record.polynomialWidth = static_cast<std::uint32_t>(set.instances.polynomials.width);
+      record.polynomialDegree = static_cast<std::uint32_t>(set.instances.polynomialDegree);
       record.tree = placed.tree.record;
       record.tree.order = at(placed.tree.order, sizeof(std::uint32_t));
       record.shutterOpen = set.instances.motion.shutterOpen;
@@ -200,7 +202,8 @@ void Scene::State::FillRecords()
       record.translucent = set.Translucent();
       record.mask = set.Mask();
       record.ambientColour = material.ambientColour;
-      record.coloured = placed.group.Has(device::COLOURS | device::END_COLOURS | device::MESH_COLOURS | device::FORMS);
+      record.coloured = placed.group.Has(device::COLOURS | device::END_COLOURS | device::MESH_COLOURS | device::FORMS |
+        device::SIGN_COLOURS | device::DIRECTION_COLOURS);
       record.colourTable = at(placed.colourTable, 0);
       record.colourTableSize = static_cast<std::uint32_t>(colours.table.size());
       record.positiveColour = material.positiveColour;

@@ -10,6 +10,7 @@
 #include "Vulkan/Buffer.h"
 #include "Vulkan/Pipeline.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -223,6 +224,38 @@ Buffer SendInOrder(Device::State& device, const std::vector<T>& values, const st
       }
     });
   return buffer;
+}
+
+inline Buffer SendInOrder(Device::State& device, const GlyphTuples& tuples, const std::vector<std::uint32_t>& order)
+{
+  if (order.empty() || tuples.empty())
+  {
+    return Send(device, tuples.values);
+  }
+  Buffer buffer(
+    device, tuples.values.size() * sizeof(float), vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Place::Device);
+  buffer.Write(buffer.Size(),
+    [&](void* target)
+    {
+      auto* place = static_cast<float*>(target);
+      for (const std::uint32_t i : order)
+      {
+        place = std::copy_n(tuples[i], tuples.width, place);
+      }
+    });
+  return buffer;
+}
+
+/// Bytes of a glyph in an array.
+template <class T>
+std::size_t Stride(const std::vector<T>&)
+{
+  return sizeof(T);
+}
+
+inline std::size_t Stride(const GlyphTuples& tuples)
+{
+  return tuples.width * sizeof(float);
 }
 
 } // namespace rtg

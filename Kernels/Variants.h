@@ -22,7 +22,8 @@
   ARRAY(11, COLOURS, UintArray, colours, colours.each, "colors")                                                       \
   ARRAY(12, END_COLOURS, Uvec2Array, endColours, colours.ends, "colors of ends")                                       \
   ARRAY(13, BEFORE, Vec4Array, before, instances.before, "ends before pieces of lines")                                \
-  ARRAY(14, AFTER, Vec4Array, after, instances.after, "ends after pieces of lines")
+  ARRAY(14, AFTER, Vec4Array, after, instances.after, "ends after pieces of lines")                                    \
+  ARRAY(15, POLYNOMIALS, FloatArray, polynomials, instances.polynomials, "polynomials")
 
 #define RTG_BIT(number, BIT, type, name, values, words) const uint BIT = 1u << number;
 RTG_GLYPH_ARRAYS(RTG_BIT)
@@ -38,8 +39,10 @@ const uint MESH_TRIANGLE_COLOURS = 1u << 21;
 const uint MESH_VALUE_COLOURS = 1u << 22;
 const uint MESH_VELOCITIES = 1u << 23;
 const uint MESH_ACCELERATIONS = 1u << 24;
-const uint MESH_TREE = 1u << 25;  // the mesh has a tree of our own instead of the driver's
-const uint END_VALUES = 1u << 26; // colours of ends are values between 0 and 1 with a table of colours
+const uint MESH_TREE = 1u << 25;         // the mesh has a tree of our own instead of the driver's
+const uint END_VALUES = 1u << 26;        // colours of ends are values between 0 and 1 with a table of colours
+const uint SIGN_COLOURS = 1u << 27;      // of polynomials
+const uint DIRECTION_COLOURS = 1u << 28; // of the way from the centre to the surface
 const uint APPEARANCE = COLOURS | OPACITIES | END_COLOURS; // what the driver's triangles have, too, and colours of ends
 const uint MOVING_GLYPHS = VELOCITIES | ACCELERATIONS | ANGULAR_VELOCITIES;
 const uint MESH_COLOURS = MESH_POSITION_COLOURS | MESH_TRIANGLE_COLOURS | MESH_VALUE_COLOURS;
@@ -60,4 +63,5 @@ const uint MOVING_MESH = MESH_VELOCITIES | MESH_ACCELERATIONS;
   ENTRY(10, bool, moves)             /* something in the scene does */                                                 \
   ENTRY(11, bool, environmentImage)  /* light from all around is an image */                                           \
   ENTRY(12, bool, layered)           /* the image is that of translucent sets: opaque ones only hide */                \
-  ENTRY(13, bool, manyLights)        /* more than FEW_LIGHTS */
+  ENTRY(13, bool, manyLights)        /* more than FEW_LIGHTS */                                                        \
+  ENTRY(14, uint, degree)            /* the largest of polynomials */

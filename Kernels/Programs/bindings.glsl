@@ -5,6 +5,7 @@
 #endif
 #extension GL_EXT_spirv_intrinsics : require
 #extension GL_KHR_memory_scope_semantics : require
+#extension GL_EXT_control_flow_attributes : require
 #pragma use_vulkan_memory_model
 // Double words rest on sums and products rounded to nearest even, bracketing solvers on comparisons with NaN and on
 // 1/0. What Device.cxx requires of a device is declared here, or its compiler need not keep to it: RoundingModeRTE and

@@ -33,6 +33,9 @@ GlyphSource SourceOf(GlyphSetRecord set)
   source.alike.exponents = set.uniformExponents;
   source.alike.before = vec4(0.0);
   source.alike.after = vec4(0.0);
+  source.alike.values = set.polynomials;
+  source.alike.firstValue = 0;
+  source.alike.degree = int(set.polynomialDegree);
   return source;
 }
 
@@ -72,6 +75,10 @@ Glyph FetchGlyph(GlyphSource source, uint primitive)
   if (Has(set.variants, AFTER))
   {
     glyph.after = set.after.at[InSet(set, AFTER, primitive)];
+  }
+  if (Has(set.variants, POLYNOMIALS))
+  {
+    glyph.firstValue = int(InSet(set, POLYNOMIALS, primitive) * set.polynomialWidth);
   }
   Move(glyph, set, primitive, source.time);
   return glyph;

@@ -42,5 +42,15 @@ SurfaceHit HitOnGlyph(uint record, GlyphSource source, GlyphRay ray, uint glyph,
     hit.colour.rgb =
       dot(set.forms.at[InSetIfHit(set, FORMS, glyph)], p * p) < 0.0 ? set.negativeColour : set.positiveColour;
   }
+  if (Has(set.variants, SIGN_COLOURS) && (!Has(set.variants, COLOURS) || hit.colour.rgb == vec3(1.0)))
+  {
+    hit.colour.rgb = PolynomialIsNegative(found, FromCentre(ray, found, t)) ? set.negativeColour : set.positiveColour;
+  }
+  if (Has(set.variants, DIRECTION_COLOURS) && (!Has(set.variants, COLOURS) || hit.colour.rgb == vec3(1.0)))
+  {
+    // In the world: a glyph that is turned has other colours.
+    vec3 way = abs(RotateToWorld(found, FromCentre(ray, found, t)));
+    hit.colour.rgb = way / max(length(way), 1e-30);
+  }
   return hit;
 }

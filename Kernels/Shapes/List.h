@@ -1,6 +1,6 @@
 // The analytic shapes by number, below 32: one text for C++ (rtg::Shape) and GLSL. Each is described in
 // Shapes/<Name>.glsl. A number that the property GlyphShape has, too, means the same there (state files keep it) or,
-// from 6 to 9, a tensor glyph or a mesh.
+// from 6 to 9, a tensor glyph or a mesh; 13 and 14 are polynomials, too.
 #ifndef RTG_SHAPE_LIST
 #define RTG_SHAPE_LIST
 
@@ -13,7 +13,8 @@
   ENTRY(5, Superquadric)                                                                                               \
   ENTRY(6, NestedSuperquadric)                                                                                         \
   ENTRY(10, Capsule)                                                                                                   \
-  ENTRY(11, RoundCone)
+  ENTRY(11, RoundCone)                                                                                                 \
+  ENTRY(12, Polynomial)
 
 // The triangles of a mesh, which has no analytic form.
 #define RTG_MESH 7

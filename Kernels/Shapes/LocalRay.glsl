@@ -26,6 +26,9 @@ struct Glyph
   real3 exponents; // of a superquadric's axes
   real4 before;    // of a round cone: RoundCone.glsl
   real4 after;
+  RTG_VALUES values; // of polynomials: PolynomialForm.glsl
+  int firstValue;
+  int degree; // of this glyph's polynomial
 };
 
 // A ray in a glyph's frame, not yet divided by the glyph's size. Its parameter s counts from the

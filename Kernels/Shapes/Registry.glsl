@@ -16,6 +16,7 @@
 #include "Cone.glsl"
 #include "Cylinder.glsl"
 #include "NestedSuperquadric.glsl"
+#include "Polynomial.glsl"
 #include "RoundCone.glsl"
 #include "Sphere.glsl"
 #include "Superquadric.glsl"

@@ -39,6 +39,10 @@ constexpr Real splitter = Real((1LL << ((std::numeric_limits<Real>::digits + 1) 
 #define RTG_IS(shape, number) (shape == Shape(number))
 #define RTG_OUT(type) type&
 #define RTG_PRECISE
+#define RTG_UNROLL
+#define RTG_VALUES const float*
+#define RTG_VALUE(glyph, index) Real((glyph).values[index])
+#define RTG_DEGREE(glyph) (glyph).degree
 #define RTG_ROUNDOFF (std::numeric_limits<Real>::epsilon() / 2)
 #define RTG_SPLITTER splitter<Real>
 #define RTG_NEVER 1.0e30
@@ -64,6 +68,10 @@ struct Kernel
 #undef RTG_IS
 #undef RTG_OUT
 #undef RTG_PRECISE
+#undef RTG_UNROLL
+#undef RTG_VALUES
+#undef RTG_VALUE
+#undef RTG_DEGREE
 #undef RTG_ROUNDOFF
 #undef RTG_SPLITTER
 #undef RTG_NEVER

@@ -31,6 +31,7 @@ Constants ConstantsOf(const HitGroup& group, const Generation& generation)
   Constants constants = generation.constants;
   constants.shapes = 1u << static_cast<std::uint32_t>(group.shape);
   constants.allHave = constants.someHave = group.variants;
+  constants.degree = group.degree;
   return constants;
 }
 

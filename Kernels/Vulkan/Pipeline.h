@@ -26,6 +26,7 @@ struct HitGroup
 {
   Shape shape = Shape::Sphere;
   std::uint32_t variants = 0; ///< bits of Variants.h
+  std::uint32_t degree = 0;   ///< of polynomials
 
   bool operator==(const HitGroup&) const = default;
   bool Has(std::uint32_t variant) const { return (this->variants & variant) != 0; }

@@ -73,6 +73,7 @@ std::set<std::string> NeverCalled(const Constants& constants)
   leaveOut(constants.layered != 0, { "AddLayersOf" });
   leaveOut((constants.someHave & device::END_COLOURS) != 0, { "ColourBetweenEnds" });
   leaveOut((constants.someHave & (device::BEFORE | device::AFTER)) != 0, { "IsInner" });
+  leaveOut((constants.someHave & device::SIGN_COLOURS) != 0, { "PolynomialIsNegative" });
   return names;
 }
 

@@ -42,6 +42,11 @@ public:
     {
       this->Tensors = std::make_unique<vtkGlyphTensors>(this->TensorArray, settings.Tensors, std::vector<vtkIdType>());
     }
+    this->FormArray = vtkGlyphForms::Array(points, settings.Forms);
+    if (this->FormArray && vtkGlyphForms::Problem(this->FormArray, settings.Forms).empty())
+    {
+      this->Forms = std::make_unique<vtkGlyphForms>(this->FormArray, settings.Forms);
+    }
     const vtkGlyphSizing& sizing = settings.Sizing;
     this->LimitSlack = this->Tensors && (sizing.Least > 0.0 || sizing.Most > 0.0) ? std::sqrt(3.0) : 1.0;
     const bool arrow = settings.Shape == rtg::Shape::Arrow;
@@ -71,7 +76,7 @@ public:
 private:
   void AddRange(vtkIdType begin, vtkIdType end, vtkRayTracedParallel::Box& box) const
   {
-    vtkGlyphTuples positions(this->Positions), scales(this->Scales), radii(this->Radii);
+    vtkGlyphTuples positions(this->Positions), scales(this->Scales), radii(this->Radii), forms(this->FormArray);
     for (vtkIdType i = begin; i < end; ++i)
     {
       const double* x = positions.Get(i);
@@ -87,7 +92,7 @@ private:
         lower = glm::min(lower, position + range.lower);
         upper = glm::max(upper, position + range.upper);
       }
-      const glm::dvec3 reach = this->Reach(i, scales, radii);
+      const glm::dvec3 reach = this->Reach(i, scales, radii, forms);
       box.Add(lower - reach, upper + reach);
     }
   }
@@ -103,7 +108,7 @@ private:
   }
 
   // How far the glyph reaches from its point along each axis; zero where it has no finite size.
-  glm::dvec3 Reach(vtkIdType point, vtkGlyphTuples& scales, vtkGlyphTuples& radii) const
+  glm::dvec3 Reach(vtkIdType point, vtkGlyphTuples& scales, vtkGlyphTuples& radii, vtkGlyphTuples& forms) const
   {
     glm::dvec3 size(std::abs(this->Settings.ScaleFactor));
     if (this->Scales)
@@ -116,6 +121,17 @@ private:
     {
       size *= this->Settings.Sizing.Bound(this->Tensors->Extent(point));
     }
+    glm::dvec3 share(1.0); // of the unit glyph's box
+    if (this->Forms)
+    {
+      const rtg::FormExtent extent = this->Forms->MeasureRoughly(forms, point);
+      if (!(extent.radius > 0.0))
+      {
+        return glm::dvec3(0.0);
+      }
+      size *= this->Settings.Sizing(this->Forms->Magnitude(extent)) * (extent.bound / extent.radius);
+      share = extent.reach / extent.bound;
+    }
     size = this->Settings.Sizing.Limited(size) * this->LimitSlack;
     if (radii)
     {
@@ -124,13 +140,16 @@ private:
     rtg::DoubleBox box = this->Settings.Shape == rtg::Shape::Mesh
       ? rtg::DoubleBox{ this->Mesh.lower * size, this->Mesh.upper * size }
       : rtg::GlyphExtent(this->Settings.Shape, this->Arrow, size);
+    box.lower *= share;
+    box.upper *= share;
     box.lower.x += this->AnchorShift * size.x;
     box.upper.x += this->AnchorShift * size.x;
     glm::dvec3 reach = glm::max(glm::abs(box.lower), glm::abs(box.upper));
     if (this->Turned)
     {
-      reach = glm::dvec3(
-        this->Settings.Shape == rtg::Shape::Sphere ? std::max({ reach.x, reach.y, reach.z }) : glm::length(reach));
+      reach =
+        glm::dvec3(this->Settings.Shape == rtg::Shape::Sphere || this->Forms ? std::max({ reach.x, reach.y, reach.z })
+                                                                             : glm::length(reach));
     }
     return std::isfinite(reach.x + reach.y + reach.z) ? reach : glm::dvec3(0.0);
   }
@@ -139,7 +158,9 @@ private:
   const vtkGlyphBlockAttributes::Table& Blocks;
   vtkDataArray *Positions, *Scales, *Radii, *TensorArray;
   vtkUnsignedIntArray* BlockIds;
+  vtkDataArray* FormArray = nullptr;
   std::unique_ptr<vtkGlyphTensors> Tensors;
+  std::unique_ptr<vtkGlyphForms> Forms;
   const vtkGlyphMotion Motion;
   bool ByComponents = false, Turned = false;
   rtg::ArrowForm Arrow;

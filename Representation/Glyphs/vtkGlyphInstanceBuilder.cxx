@@ -39,10 +39,12 @@ enum Outcome : unsigned char
   EXPONENT,
   MOTION,
   FORM,
+  POLYNOMIAL,
   ZERO_SCALE,
   ZERO_RADIUS,
   ZERO_ORIENTATION,
   ZERO_TENSOR,
+  ZERO_POLYNOMIAL,
   REASONS,
   NOT_SHOWN = REASONS, // none of this set's, or nothing to show
   SHOWN
@@ -99,6 +101,10 @@ void Describe(vtkGlyphInstanceBuilder::Result& result, const Settings& settings,
   const std::string tensor = "their tensor, from the point array '" + settings.Tensors.Array + "', is ";
   say(skipped[TENSOR], tensor + "not finite", "To silence this warning remove the points with Threshold.");
   sayOfZeros(skipped[ZERO_TENSOR], tensor + "zero", "Choose another GlyphTensorArray, or another time step.");
+  const std::string components = "the components of their tuple in the point array '" + settings.Forms.Array + "' are ";
+  say(skipped[POLYNOMIAL], components + "not all finite, or too large or small for floats",
+    "To silence this warning remove the points with Threshold.");
+  sayOfZeros(skipped[ZERO_POLYNOMIAL], components + "all zero", "Choose another array, or another time step.");
   say(skipped[MOTION],
     "their velocity, acceleration or angular velocity, or the way they go while the shutter is "
     "open, is not finite",
@@ -158,11 +164,13 @@ bool IsFinite(const double* x)
 class Assembly
 {
 public:
-  // Takes the arrays that are there and fit. `tensors` may be null; all stay the caller's.
+  // Takes the arrays that are there and fit. `tensors` and `forms` may be null; all stay the caller's.
   Assembly(vtkPolyData* points, const Settings& settings, vtkMatrix4x4* modelToWorld, const vtkGlyphTensors* tensors,
-    vtkGlyphInstanceBuilder::Result& result)
+    const vtkGlyphForms* forms, vtkGlyphInstanceBuilder::Result& result)
     : How(settings)
     , Tensors(tensors)
+    , Forms(forms)
+    , FormArray(vtkGlyphForms::Array(points, settings.Forms))
     , Placement(modelToWorld)
     , Motion(points, settings.Motion)
     , Out(result)
@@ -185,7 +193,7 @@ public:
       this->OwnExponents && MakeExponents(settings, settings.Exponents, 3, this->Instances.uniformExponents);
 
     // What an instance stores: nothing that is the same for all, and no turn of what looks the same from all sides
-    const bool sizedByData = this->Has(vtkGlyphArrays::SCALE) || this->Has(vtkGlyphArrays::RADIUS) || tensors;
+    const bool sizedByData = this->Has(vtkGlyphArrays::SCALE) || this->Has(vtkGlyphArrays::RADIUS) || tensors || forms;
     this->SameSizes = !sizedByData && this->Placement.Uniform;
     this->OneSize = !(this->Has(vtkGlyphArrays::SCALE) && this->ByComponents) && !this->Has(vtkGlyphArrays::RADIUS) &&
       !tensors && this->Placement.Uniform;
@@ -243,11 +251,12 @@ private:
   {
     explicit Tuples(const Assembly& all)
       : Positions(all.Positions)
+      , Forms(all.FormArray)
       , Named(all.Arrays.begin(), all.Arrays.end())
     {
     }
     vtkGlyphTuples& operator[](vtkGlyphArrays::Id id) { return this->Named[id]; }
-    vtkGlyphTuples Positions;
+    vtkGlyphTuples Positions, Forms;
 
   private:
     std::vector<vtkGlyphTuples> Named; // by vtkGlyphArrays::Id
@@ -379,7 +388,17 @@ private:
       size *= this->How.Sizing(tensorGlyph.halfLengths);
       rotation = tensorGlyph.rotation;
     }
-    else if (this->Has(vtkGlyphArrays::ORIENTATION) && this->Turned)
+    if (this->Forms)
+    {
+      const rtg::FormExtent extent = this->Forms->Measure(tuples.Forms, i, this->Instances.polynomials[glyph]);
+      if (!(extent.radius > 0.0))
+      {
+        return this->IsZero(i, tuples) ? ZERO_POLYNOMIAL : POLYNOMIAL;
+      }
+      // Of the unit glyph, which is a little less than the largest that is possible
+      size *= this->How.Sizing(this->Forms->Magnitude(extent)) * (extent.bound / extent.radius);
+    }
+    if (this->Has(vtkGlyphArrays::ORIENTATION) && this->Turned && !this->Tensors)
     {
       vtkGlyphTuples& orientations = tuples[vtkGlyphArrays::ORIENTATION];
       const double* tuple = orientations.Get(i);
@@ -457,6 +476,12 @@ private:
     return SHOWN;
   }
 
+  static bool IsZero(vtkIdType i, Tuples& tuples)
+  {
+    const double* tuple = tuples.Forms.Get(i);
+    return std::all_of(tuple, tuple + tuples.Forms.Size(), [](double component) { return component == 0.0; });
+  }
+
   void Allocate(std::size_t count)
   {
     const auto allocate = [count](auto& values, bool wanted) { values.resize(wanted ? count : 0); };
@@ -464,6 +489,12 @@ private:
     allocate(this->Instances.forms, this->How.Tensors.ColorsBySign());
     allocate(this->Instances.exponents3,
       (this->Tensors && HasExponents(this->How.Shape)) || this->Has(vtkGlyphArrays::EXPONENTS));
+    if (this->Forms)
+    {
+      this->Instances.polynomialDegree = this->Forms->Degree();
+      this->Instances.polynomials.width = this->Forms->Width();
+      this->Instances.polynomials.values.resize(count * this->Forms->Width());
+    }
     allocate(this->Instances.opacities, this->Has(vtkGlyphArrays::OPACITY));
     allocate(this->Instances.sizes3, !this->OneSize);
     allocate(this->Instances.sizes1, this->OneSize && !this->SameSizes);
@@ -503,18 +534,29 @@ private:
     }
   }
 
+  template <typename Value>
+  static void KeepOnly(std::vector<Value>& values, const std::vector<vtkIdType>& glyphs)
+  {
+    if (!values.empty())
+    {
+      std::transform(
+        glyphs.begin(), glyphs.end(), values.begin(), [&values](vtkIdType glyph) { return values[glyph]; });
+      values.resize(glyphs.size());
+    }
+  }
+  static void KeepOnly(rtg::GlyphTuples& tuples, const std::vector<vtkIdType>& glyphs)
+  {
+    for (std::size_t i = 0; i < glyphs.size() && !tuples.empty(); ++i)
+    {
+      std::copy_n(tuples[glyphs[i]], tuples.width, tuples[i]);
+    }
+    tuples.values.resize(tuples.empty() ? 0 : glyphs.size() * tuples.width);
+  }
+
   // Only these glyphs, by rising number.
   void Keep(const std::vector<vtkIdType>& glyphs)
   {
-    const auto keep = [&glyphs](auto& values)
-    {
-      if (!values.empty())
-      {
-        std::transform(
-          glyphs.begin(), glyphs.end(), values.begin(), [&values](vtkIdType glyph) { return values[glyph]; });
-        values.resize(glyphs.size());
-      }
-    };
+    const auto keep = [&glyphs](auto& values) { KeepOnly(values, glyphs); };
     keep(this->Out.Points);
     rtg::GlyphColours colours; // are not made here
     rtg::ForEachArray(
@@ -538,6 +580,8 @@ private:
 
   const Settings& How;
   const vtkGlyphTensors* Tensors;
+  const vtkGlyphForms* Forms;
+  vtkDataArray* const FormArray; // null: none
   const vtkGlyphPlacement Placement;
   const vtkGlyphMotion Motion;
   vtkGlyphInstanceBuilder::Result& Out;
@@ -566,6 +610,10 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   rtg::GlyphInstances& instances = result.Instances;
   instances.shape = settings.Shape;
   instances.arrow = settings.Arrow;
+  // Of tensors, quadratic forms tell the sign.
+  const auto surface = settings.SurfaceColors();
+  using SurfaceColours = rtg::GlyphInstances::SurfaceColours;
+  instances.surfaceColours = surface == SurfaceColours::Sign && !settings.Forms.On ? SurfaceColours::None : surface;
   const bool isMesh = settings.Shape == rtg::Shape::Mesh;
   if (isMesh && (!settings.Mesh || settings.Mesh->triangles.empty()))
   {
@@ -594,7 +642,18 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     }
   }
 
-  Assembly assembly(points, settings, modelToWorld, tensors.get(), result);
+  std::unique_ptr<vtkGlyphForms> forms;
+  if (settings.Forms.On)
+  {
+    vtkDataArray* array = vtkGlyphForms::Array(points, settings.Forms);
+    problem = vtkGlyphForms::Problem(array, settings.Forms);
+    if (problem.empty())
+    {
+      forms = std::make_unique<vtkGlyphForms>(array, settings.Forms);
+    }
+  }
+
+  Assembly assembly(points, settings, modelToWorld, tensors.get(), forms.get(), result);
   if (!problem.empty())
   {
     result.Messages.push_back(problem);

@@ -260,7 +260,7 @@ Extents Measure(const Points& points)
 std::vector<double> Magnitudes(vtkPolyData* data, const vtkGlyphSettings& settings)
 {
   vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, data, settings);
-  if (!scales && !settings.Tensors.On)
+  if (!scales && !settings.Tensors.On && !settings.Forms.On)
   {
     return {};
   }
@@ -273,14 +273,25 @@ std::vector<double> Magnitudes(vtkPolyData* data, const vtkGlyphSettings& settin
     how.Kind = rtg::TensorGlyphKind::Ellipsoid; // whose extent is the largest eigenvalue
     tensors = std::make_unique<vtkGlyphTensors>(array, how, std::vector<vtkIdType>());
   }
+  vtkDataArray* formArray = vtkGlyphForms::Array(data, settings.Forms);
+  std::unique_ptr<vtkGlyphForms> forms;
+  if (formArray && vtkGlyphForms::Problem(formArray, settings.Forms).empty())
+  {
+    forms = std::make_unique<vtkGlyphForms>(formArray, settings.Forms);
+  }
   std::vector<double> magnitudes(data->GetNumberOfPoints());
   vtkRayTracedParallel::ForChunks(data->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
     {
-      vtkGlyphTuples tuples(scales);
+      vtkGlyphTuples tuples(scales), formTuples(formArray);
       for (vtkIdType i = begin; i < end; ++i)
       {
         double magnitude = settings.Tensors.On ? (tensors ? settings.Sizing(tensors->Extent(i)) : 0.0) : 1.0;
+        if (settings.Forms.On)
+        {
+          const rtg::FormExtent extent = forms ? forms->MeasureRoughly(formTuples, i) : rtg::FormExtent();
+          magnitude = extent.radius > 0.0 ? settings.Sizing(forms->Magnitude(extent)) : 0.0;
+        }
         if (scales)
         {
           const double* tuple = tuples.Get(i);
@@ -345,7 +356,7 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
   Points points(data, settings);
   std::vector<double> sample{ 1.0 };
   double largest = 1.0;
-  if (settings.Scaling || settings.Tensors.On)
+  if (settings.Scaling || settings.Tensors.On || settings.Forms.On)
   {
     const std::vector<double> magnitudes = Magnitudes(data, settings);
     const auto of = [&](vtkIdType point) { return magnitudes.empty() ? 1.0 : magnitudes[point]; };
@@ -417,11 +428,14 @@ vtkGlyphScaleGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, d
   matter.Tensors.On = settings.Tensors.On;
   matter.Tensors.Array = settings.Tensors.On ? settings.Tensors.Array : std::string();
   matter.Tensors.Layout = settings.Tensors.Layout;
+  matter.Forms = settings.Forms.Effective();
+  matter.Forms.Coloring = vtkGlyphTensors::NONE;
   matter.Mask = settings.Mask.Effective();
 
   std::vector<vtkMTimeType> times;
   for (vtkDataArray* array : { points->GetPoints() ? points->GetPoints()->GetData() : nullptr,
-         vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, matter), vtkGlyphTensors::Array(points, matter.Tensors) })
+         vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, matter), vtkGlyphTensors::Array(points, matter.Tensors),
+         vtkGlyphForms::Array(points, matter.Forms) })
   {
     times.push_back(array ? array->GetMTime() : 0);
   }

@@ -55,6 +55,7 @@ vtkGlyphSettings vtkGlyphSettings::Effective() const
     settings.ExponentArray.clear();
   }
   settings.Tensors = settings.Tensors.Effective();
+  settings.Forms = settings.Forms.Effective();
   settings.Motion = settings.Motion.Effective();
   settings.Mask = settings.Mask.Effective();
   if (settings.Tensors.On)
@@ -67,6 +68,19 @@ vtkGlyphSettings vtkGlyphSettings::Effective() const
   }
   settings.Anchor = settings.Tensors.On ? none.Anchor : settings.Anchor;
   return settings;
+}
+
+//----------------------------------------------------------------------------
+rtg::GlyphInstances::SurfaceColours vtkGlyphSettings::SurfaceColors() const
+{
+  using SurfaceColours = rtg::GlyphInstances::SurfaceColours;
+  const int forms = this->Forms.On ? this->Forms.Coloring : vtkGlyphTensors::NONE;
+  if (this->Tensors.ColorsBySign() || forms == vtkGlyphTensors::SIGN)
+  {
+    return SurfaceColours::Sign;
+  }
+  const bool direction = this->Tensors.ColorsByDirection() || forms == vtkGlyphTensors::SURFACE_DIRECTION;
+  return direction ? SurfaceColours::Direction : SurfaceColours::None;
 }
 
 //----------------------------------------------------------------------------

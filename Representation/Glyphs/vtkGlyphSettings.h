@@ -6,6 +6,7 @@
 #define vtkGlyphSettings_h
 
 #include "Glyphs.h"
+#include "vtkGlyphForms.h"
 #include "vtkGlyphMask.h"
 #include "vtkGlyphMotion.h"
 #include "vtkGlyphSizing.h"
@@ -60,6 +61,7 @@ struct vtkGlyphSettings
   int TableEntry = 0;                            // that number: only points that choose it show it
   std::string TableIndexArray;                   // empty or "None": all points choose entry 0
   vtkGlyphTensors::Settings Tensors;             // on: they give size, rotation and exponents
+  vtkGlyphForms::Settings Forms;                 // on: polynomials are the glyphs' form and size
   double Exponents[3] = { 2.0, 2.0, 2.0 };       // of superquadrics; each counts as one in [0.1, 100]
   std::string ExponentArray;                     // overrides them; empty or "None": none
   std::string OpacityArray;                      // empty or "None": none
@@ -93,6 +95,12 @@ struct vtkGlyphSettings
    * Whether the shape is a superquadric with exponents of these settings; those of tensors come from elsewhere.
    */
   bool HasOwnExponents() const { return HasExponents(this->Shape) && !this->Tensors.On; }
+
+  /**
+   * What colors the points of each glyph's surface: nothing, the sign of the tensor or polynomial in their direction,
+   * or that direction.
+   */
+  rtg::GlyphInstances::SurfaceColours SurfaceColors() const;
 
   /**
    * The size across its x axis of a glyph with this value of the radius array. The radius of an arrow is that of its

@@ -26,7 +26,7 @@ vtkGlyphTensors::Settings vtkGlyphTensors::Settings::Effective() const
     return none;
   }
   Settings settings = *this;
-  settings.Coloring = this->ColorsBySign() ? SIGN : NONE;
+  settings.Coloring = this->ColorsBySign() ? SIGN : this->ColorsByDirection() ? SURFACE_DIRECTION : NONE;
   settings.PositiveColor = none.PositiveColor;
   settings.NegativeColor = none.NegativeColor;
   if (settings.Axes)

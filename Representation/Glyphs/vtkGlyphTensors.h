@@ -27,7 +27,8 @@ public:
     PRINCIPAL_DIRECTION = 1,
     FRACTIONAL_ANISOTROPY = 2,
     TRACE = 3,
-    SIGN = 4 // of x^T D x at each point x of a glyph's surface, seen from its center
+    SIGN = 4,             // of x^T D x at each point x of a glyph's surface, seen from its center
+    SURFACE_DIRECTION = 5 // magnitudes of the components of the direction from the center to each point of the surface
   };
 
   struct Settings
@@ -48,6 +49,7 @@ public:
     bool operator==(const Settings&) const = default;
     bool ColorsByNumber() const { return this->Coloring == FRACTIONAL_ANISOTROPY || this->Coloring == TRACE; }
     bool ColorsBySign() const { return this->On && !this->Axes && this->Coloring == SIGN; }
+    bool ColorsByDirection() const { return this->On && !this->Axes && this->Coloring == SURFACE_DIRECTION; }
 
     /// With all that has no effect on instances at its default: colors, but for whether the glyphs need forms of signs.
     Settings Effective() const;

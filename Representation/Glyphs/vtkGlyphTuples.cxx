@@ -123,7 +123,8 @@ std::vector<vtkDataArray*> vtkGlyphArrays::All(vtkPolyData* points, const vtkGly
   const std::array<vtkDataArray*, 3> motion = vtkGlyphMotion::Arrays(points, settings.Motion);
   std::vector<vtkDataArray*> all = { points->GetPoints() ? points->GetPoints()->GetData() : nullptr,
     points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex),
-    vtkGlyphTensors::Array(points, settings.Tensors), motion[0], motion[1], motion[2] };
+    vtkGlyphTensors::Array(points, settings.Tensors), vtkGlyphForms::Array(points, settings.Forms), motion[0],
+    motion[1], motion[2] };
   for (int id = 0; id < NUMBER_OF_IDS; ++id)
   {
     all.push_back(Find(static_cast<Id>(id), points, settings));

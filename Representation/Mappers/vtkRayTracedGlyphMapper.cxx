@@ -69,7 +69,8 @@ Hash DigestOf(const rtg::GlyphInstances& instances)
   Hash sum{ { 1, 2 } };
   const rtg::ArrowForm& arrow = instances.arrow;
   const float numbers[] = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding,
-    arrow.fixedHeads ? 1.0f : 0.0f, arrow.unitLength, instances.uniformSize, static_cast<float>(instances.shape) };
+    arrow.fixedHeads ? 1.0f : 0.0f, arrow.unitLength, instances.uniformSize, static_cast<float>(instances.shape),
+    static_cast<float>(instances.polynomialDegree), static_cast<float>(instances.surfaceColours) };
   Mix(sum, numbers, sizeof(numbers) / sizeof(numbers[0]));
   Mix(sum, &instances.origin, 1);
   Mix(sum, &instances.uniformExponents, 1);
@@ -81,7 +82,8 @@ Hash DigestOf(const rtg::GlyphInstances& instances)
   }
   const rtg::GlyphColours colours; // are compared by themselves
   rtg::ForEachArray(instances, colours,
-    [&](std::size_t, std::uint32_t, const auto& values, const char*) { Mix(sum, values.data(), values.size()); });
+    [&](std::size_t, std::uint32_t, const auto& values, const char*)
+    { Mix(sum, rtg::Flat(values).data(), rtg::Flat(values).size()); });
   const float shutter[] = { instances.motion.shutterOpen, instances.motion.shutterClose };
   Mix(sum, shutter, 2);
   return sum;
@@ -187,7 +189,8 @@ rtg::GlyphInstances vtkRayTracedGlyphMapper::TakeInstances(vtkActor* actor)
 void vtkRayTracedGlyphMapper::AddToMaterial(rtg::Material& material) const
 {
   const vtkGlyphTensors::Settings& tensors = this->Settings.Tensors;
-  for (int c = 0; c < 3 && tensors.ColorsBySign(); ++c)
+  const bool bySign = this->Settings.SurfaceColors() == rtg::GlyphInstances::SurfaceColours::Sign;
+  for (int c = 0; c < 3 && bySign; ++c)
   {
     material.positiveColour[c] = static_cast<float>(tensors.PositiveColor[c]);
     material.negativeColour[c] = static_cast<float>(tensors.NegativeColor[c]);
@@ -198,7 +201,7 @@ void vtkRayTracedGlyphMapper::AddToMaterial(rtg::Material& material) const
 std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 {
   const vtkGlyphTensors::Settings& tensors = this->Settings.Tensors;
-  const int coloring = tensors.On ? tensors.Coloring : 0;
+  const int coloring = tensors.On || this->Settings.Forms.On ? tensors.Coloring : 0;
   vtkPolyData* points = this->GetPoints();
   vtkDataArray* selected = points ? points->GetPointData()->GetArray(vtkRayTracedArrays::Selected) : nullptr;
   std::vector<vtkMTimeType> state{ static_cast<vtkMTimeType>(coloring),
@@ -262,8 +265,8 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   vtkUnsignedCharArray* mapped = nullptr;
   std::unique_ptr<vtkGlyphTensors> tensors;
   const vtkGlyphTensors::Settings& shown = this->Settings.Tensors;
-  const bool bySign = shown.ColorsBySign();
-  if (shown.On && !shown.Axes && !bySign && shown.Coloring != vtkGlyphTensors::NONE && !this->Sources.empty())
+  const bool bySurface = this->Settings.SurfaceColors() != rtg::GlyphInstances::SurfaceColours::None;
+  if (shown.On && !shown.Axes && !bySurface && shown.Coloring != vtkGlyphTensors::NONE && !this->Sources.empty())
   {
     tensors = std::make_unique<vtkGlyphTensors>(vtkGlyphTensors::Array(points, shown), shown, this->Sources.ToVector());
     if (this->TensorTable)
@@ -271,7 +274,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
       this->TensorTable->Build();
     }
   }
-  else if (this->ScalarVisibility && !bySign && !this->Sources.empty())
+  else if (this->ScalarVisibility && !bySurface && !this->Sources.empty())
   {
     mapped = this->MapScalars(points, 1.0);
     if (!mapped)
@@ -319,9 +322,9 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
           {
             this->BlockColor(points, point, rgba, !shown.Axes);
           }
-          if (bySign)
+          if (bySurface)
           {
-            rgba = { { 1.0, 1.0, 1.0, rgba[3] } }; // white leaves glyphs their two colors
+            rgba = { { 1.0, 1.0, 1.0, rgba[3] } }; // white leaves glyphs the colors of their surfaces
           }
           if (selected && selected->GetValue(point))
           {

@@ -271,7 +271,7 @@ void vtkRayTracedGlyphRepresentation::AddArrays(vtkPolyData* points)
   const vtkGlyphSettings settings = this->MakeSettings();
   for (const std::string& name :
     { settings.ScaleArray, settings.OrientationArray, settings.ExponentArray, settings.Tensors.Array,
-      settings.Motion.Velocity, settings.Motion.Acceleration, settings.Motion.AngularVelocity })
+      settings.Forms.Array, settings.Motion.Velocity, settings.Motion.Acceleration, settings.Motion.AngularVelocity })
   {
     vtkGlyphJoinedArrays::Add(points, name);
   }
@@ -456,7 +456,9 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(vtkPolyData* points, vtkGlyph
   }
   const std::string scales =
     settings.Scaling && !vtkRayTracedArrays::IsNone(settings.ScaleArray) ? settings.ScaleArray : std::string();
-  const std::string name = settings.Tensors.On ? settings.Tensors.Array : scales;
+  const std::string name = settings.Tensors.On  ? settings.Tensors.Array
+    : settings.Forms.On && !settings.Forms.Each ? settings.Forms.Array
+                                                : scales;
   if (settings.Shape == rtg::Shape::Mesh && !this->MeshExtents.empty())
   {
     settings.Mesh = this->MeshExtents.front();
@@ -546,6 +548,15 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     settings.Tensors.Kind = static_cast<rtg::TensorGlyphKind>(this->GlyphShape - TENSOR_ELLIPSOID);
     settings.Shape = this->GlyphShape == TENSOR_ELLIPSOID ? rtg::Shape::Sphere : rtg::Shape::NestedSuperquadric;
   }
+  else if (this->GlyphShape >= SPHERICAL_HARMONICS && this->GlyphShape <= FOURTH_ORDER_TENSOR)
+  {
+    settings.Shape = rtg::Shape::Polynomial;
+    settings.Forms.On = true;
+    settings.Forms.Kind = this->GlyphShape - SPHERICAL_HARMONICS;
+    settings.Forms.Array = this->GlyphShape == SPHERICAL_HARMONICS ? this->HarmonicsArray : settings.Tensors.Array;
+    settings.Forms.Layout = settings.Tensors.Layout;
+    settings.Forms.Coloring = settings.Tensors.Coloring;
+  }
   else
   {
     settings.Shape = this->GlyphShape == MESH ? rtg::Shape::Mesh : static_cast<rtg::Shape>(this->GlyphShape);
@@ -594,7 +605,8 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 #define RTG_SHAPE_NAME(number, Name) { number, #Name },
   static const std::map<int, std::string> names = { { TENSOR_ELLIPSOID, "Tensor Ellipsoid" },
     { TENSOR_SUPERQUADRIC, "Tensor Superquadric" }, { SIGNED_TENSOR_SUPERQUADRIC, "Signed Tensor Superquadric" },
-    { MESH, "Mesh" }, RTG_SHAPES(RTG_SHAPE_NAME) };
+    { MESH, "Mesh" }, { SPHERICAL_HARMONICS, "Spherical Harmonics" }, { REYNOLDS, "Reynolds" },
+    { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" }, RTG_SHAPES(RTG_SHAPE_NAME) };
 #undef RTG_SHAPE_NAME
   if (!names.count(shape))
   {
@@ -713,6 +725,12 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorLayout(int layout)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphHarmonicsBasis(int basis)
+{
+  this->Glyphs.Forms.Basis = static_cast<rtg::HarmonicsBasis>(std::clamp(basis, 0, 3));
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorSharpness(double sharpness)
 {
   this->Glyphs.Tensors.Sharpness = InRange(sharpness, 0.0, 10.0, 3.0);
@@ -721,7 +739,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorSharpness(double sharpness)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorColoring(int coloring)
 {
-  this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::SIGN);
+  this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::SURFACE_DIRECTION);
 }
 
 //----------------------------------------------------------------------------

@@ -36,7 +36,10 @@ public:
     TENSOR_ELLIPSOID = 6,
     TENSOR_SUPERQUADRIC = 7,
     SIGNED_TENSOR_SUPERQUADRIC = 8,
-    MESH = 9
+    MESH = 9,
+    SPHERICAL_HARMONICS = 12,
+    REYNOLDS = 13,
+    FOURTH_ORDER_TENSOR = 14
   };
   void SetGlyphShape(int shape);
 
@@ -141,6 +144,16 @@ public:
   void SetGlyphTensorNegativeColor(double red, double green, double blue);
   ///@}
 
+  ///@{
+  /**
+   * The coefficients of spherical harmonics, their basis (rtg::HarmonicsBasis, default 0, MRtrix3's), and whether each
+   * glyph of a polynomial has the same size (1) or all have one scale (0, default).
+   */
+  void SetGlyphHarmonicsArray(const char* name) { this->HarmonicsArray = OrEmpty(name); }
+  void SetGlyphHarmonicsBasis(int basis);
+  void SetGlyphHarmonicsScaling(int scaling) { this->Glyphs.Forms.Each = scaling == 1; }
+  ///@}
+
   /**
    * Information: least and largest number that GlyphTensorColoring gives; an empty interval (1, -1) where it gives
    * none.
@@ -229,6 +242,7 @@ private:
   double ScaleGuess[2] = { 0.0, 0.0 };
   double SizeLimit = 0.0;
   bool NestedExponents = false;
+  std::string HarmonicsArray;
   bool GlyphMeshTable = false;
   bool TensorAxis = false;
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };

@@ -1,6 +1,7 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 
 #include "Glyphs.h"
+#include "HarmonicForms.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGlyphArrayNames.h"
 #include "vtkObjectFactory.h"
@@ -119,6 +120,23 @@ std::string AnyTensor(const Arrays& arrays)
     });
 }
 
+std::string FourthOrder(const Arrays& arrays)
+{
+  return Best(arrays,
+    [](const Array& array)
+    {
+      const int n = array.Components;
+      return n == 36 || n == 21 || n == 81 || n == 15 ? vtkGlyphArrayNames::TensorRank(array.Name) : -1;
+    });
+}
+
+// Those of one and six components are seldom harmonics.
+std::string Harmonics(const Arrays& arrays)
+{
+  return First(arrays,
+    [](const Array& array) { return array.Components > 9 && rtg::FormMap::IsHarmonicsLength(array.Components); });
+}
+
 std::string Size(const Arrays& arrays)
 {
   return First(arrays,
@@ -191,7 +209,11 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
   }
   if (this->Choice == "tensor")
   {
-    return FirstOf(arrays, { ActiveTensors, AnyTensor });
+    return FirstOf(arrays, { ActiveTensors, AnyTensor, FourthOrder });
+  }
+  if (this->Choice == "harmonics")
+  {
+    return Harmonics(arrays);
   }
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
   if (glyphs &&

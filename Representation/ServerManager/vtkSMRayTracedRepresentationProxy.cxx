@@ -177,7 +177,8 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     // The lists of arrays are those of the input that the glyphs stand on.
     this->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
-    for (const char* array : { "GlyphScaleArray", "GlyphOrientationArray", "GlyphTensorArray", "VelocityArray" })
+    for (const char* array :
+      { "GlyphScaleArray", "GlyphOrientationArray", "GlyphTensorArray", "GlyphHarmonicsArray", "VelocityArray" })
     {
       this->RenewDefault(array, /*lost=*/true);
     }

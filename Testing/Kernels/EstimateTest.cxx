@@ -85,9 +85,9 @@ TEST_P(EstimateTest, Double)
 std::vector<Subject> AllSubjects()
 {
   std::vector<Subject> subjects = HardSubjects();
-  for (const Subject& subject : NestedSubjects())
+  for (const auto& more : { NestedSubjects(), PolynomialSubjects() })
   {
-    subjects.push_back(subject);
+    subjects.insert(subjects.end(), more.begin(), more.end());
   }
   return subjects;
 }

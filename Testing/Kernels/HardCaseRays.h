@@ -291,13 +291,31 @@ inline std::vector<Subject> NestedSubjects()
   };
 }
 
+/// Random harmonics of both signs, or bundles of narrow lobes.
+inline Subject PolynomialSubject(int degree, bool bundles)
+{
+  Subject subject{ "polynomial, " + std::string(bundles ? "bundles" : "harmonics") + ", degree " +
+      std::to_string(degree),
+    Shape::Polynomial, {}, false };
+  subject.degree = degree;
+  subject.bundles = bundles;
+  return subject;
+}
+
+/// Polynomials of the degrees of tensors and of spherical harmonics.
+inline std::vector<Subject> PolynomialSubjects()
+{
+  return { PolynomialSubject(2, false), PolynomialSubject(4, false), PolynomialSubject(6, true),
+    PolynomialSubject(8, false), PolynomialSubject(8, true) };
+}
+
 inline std::vector<HardCase> MakeHardCases(int glyphs, int raysPerGlyph)
 {
   std::vector<HardCase> cases;
   std::vector<Subject> subjects = HardSubjects();
-  for (const Subject& nested : NestedSubjects())
+  for (const auto& more : { NestedSubjects(), PolynomialSubjects() })
   {
-    subjects.push_back(nested);
+    subjects.insert(subjects.end(), more.begin(), more.end());
   }
   for (const Subject& subject : subjects)
   {

@@ -2,7 +2,9 @@
 // kernels in C++ and through the ray-tracing pipeline. Deterministic.
 #pragma once
 
+#include "FormExtents.h"
 #include "Glyphs.h"
+#include "HarmonicForms.h"
 #include "Shapes/Shapes.h"
 #include "Tensor.h"
 
@@ -50,6 +52,8 @@ typename shapes::Kernel<Real>::Glyph KernelGlyph(const GlyphInstances& instances
   glyph.fixedHeads = form.fixedHeads;
   glyph.unitLength = form.unitLength;
   glyph.exponents = instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index];
+  glyph.values = instances.polynomials.empty() ? nullptr : instances.polynomials[index];
+  glyph.degree = instances.polynomialDegree;
   return glyph;
 }
 
@@ -84,6 +88,10 @@ struct Subject
   /// Instead those of random tensors whose eigenvalues have ratios to 1e6, now and then equal ones or zeros.
   bool fromTensors = false;
   TensorGlyphKind tensors = TensorGlyphKind::Superquadric;
+  /// Of polynomials; else 0. Each glyph has another one: with `bundles`, up to three powers (n a)^degree of its
+  /// directions a, which makes narrow lobes; else random harmonics, of both signs.
+  int degree = 0;
+  bool bundles = false;
 };
 
 /// For GoogleTest's lists of parameters.
@@ -164,6 +172,41 @@ private:
     }
     return exponents;
   }
+  std::vector<double> Form()
+  {
+    const int degree = this->subject_.degree;
+    std::vector<double> form(FormTerms(degree), 0.0);
+    if (!this->subject_.bundles)
+    {
+      std::vector<double> harmonics;
+      for (int l = 0; l <= degree; l += 2)
+      {
+        for (int m = -l; m <= l; ++m)
+        {
+          harmonics.push_back(this->Uniform(-1, 1));
+        }
+      }
+      FormMap::Harmonics(int(harmonics.size()), HarmonicsBasis::Orthonormal).Apply(harmonics.data(), form.data());
+      return form;
+    }
+    for (int bundle = this->Choice(3); bundle >= 0; --bundle)
+    {
+      const Vec a = this->UnitVector();
+      const double weight = this->Uniform(0.3, 1);
+      for (int b = 0; b <= degree; ++b)
+      {
+        for (int c = 0; b + c <= degree; ++c)
+        {
+          const int rest = degree - b - c;
+          form[FormTerm(b, c)] += weight *
+            std::exp(std::lgamma(degree + 1) - std::lgamma(rest + 1) - std::lgamma(b + 1) - std::lgamma(c + 1)) *
+            std::pow(a.x, rest) * std::pow(a.y, b) * std::pow(a.z, c);
+        }
+      }
+    }
+    return form;
+  }
+
   bool IsFixedArrow() const { return this->subject_.shape == Shape::Arrow && this->subject_.arrow.fixedHeads; }
 
   /// The unit form's box: (0 .. 1) along x for arrows, else centred.
@@ -214,6 +257,16 @@ HardCaseMaker::Start(const std::string& situation, double size, double ratio, do
     if (this->subject_.fromTensors || this->subject_.leastExponents != this->subject_.mostExponents)
     {
       instances.exponents3.push_back(this->Exponents());
+    }
+    if (this->subject_.degree > 0)
+    {
+      const FormMeter meter(this->subject_.degree);
+      const std::vector<double> form = this->Form();
+      std::vector<float> values(3 + form.size());
+      meter.Store(form.data(), meter.Measure(form.data()), values.data());
+      instances.polynomialDegree = this->subject_.degree;
+      instances.polynomials.width = values.size();
+      instances.polynomials.values.insert(instances.polynomials.values.end(), values.begin(), values.end());
     }
     if (this->subject_.sameSize)
     {
@@ -362,6 +415,9 @@ inline glm::dvec3 HardCaseMaker::EdgePoint(const HardCase& hard, std::uint32_t i
       p[v] = (this->Choice(2) - 0.5) * std::pow(1.0 - share, 1.0 / e[v]);
       return p;
     }
+    case Shape::Polynomial:
+      // The lobes meet at the center.
+      return std::pow(10.0, this->Uniform(-6, -0.5)) * this->UnitVector();
     default:
       return 2.0 * Vec(c, 0.5 * s, s) / std::sqrt(1.0 + s * s);
   }

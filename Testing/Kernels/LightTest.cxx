@@ -1,4 +1,6 @@
 // Ambient occlusion and path tracing through the pipeline, against closed forms.
+#include "FormExtents.h"
+#include "HarmonicForms.h"
 #include "LightFixture.h"
 #include "Shading/Shading.h"
 
@@ -118,6 +120,19 @@ protected:
     {
       instances.mesh = Mesh();
     }
+    if (form.shape == Shape::Polynomial)
+    {
+      // Lobes of both signs
+      const double harmonics[15] = { 0.3, 0.2, -0.5, 0.4, 0.1, 0.3, 0.5, -0.2, 0.3, 0.1, 0.6, -0.3, 0.2, 0.4, -0.1 };
+      const rtg::FormMap map = rtg::FormMap::Harmonics(15, rtg::HarmonicsBasis::MRtrix3);
+      const rtg::FormMeter meter(map.Degree());
+      std::vector<double> coefficients(rtg::FormTerms(map.Degree()));
+      map.Apply(harmonics, coefficients.data());
+      instances.polynomialDegree = map.Degree();
+      instances.polynomials.width = 3 + coefficients.size();
+      instances.polynomials.values.resize(instances.polynomials.width);
+      meter.Store(coefficients.data(), meter.Measure(coefficients.data()), instances.polynomials.values.data());
+    }
     const auto id = this->scene.Add();
     this->scene.SetInstances(id, std::move(instances));
     return id;
@@ -131,7 +146,8 @@ TEST_P(Furnace, WhiteInWhiteLightIsWhite)
   this->settings.shading = Shading::PathTracing;
   this->settings.maximumBounces = 100;
   // The forms whose rays cost most get fewer; each has its own interval.
-  const bool costly = form.shape == Shape::Superquadric || form.shape == Shape::NestedSuperquadric;
+  const bool costly =
+    form.shape == Shape::Superquadric || form.shape == Shape::NestedSuperquadric || form.shape == Shape::Polynomial;
   this->settings.samples = costly ? 256 : 1024;
   this->settings.width = this->settings.height = costly ? 8 : 16;
   const auto id = this->AddForm(form);
@@ -177,8 +193,8 @@ TEST_P(Furnace, WhiteInWhiteLightIsWhite)
 INSTANTIATE_TEST_SUITE_P(Shapes, Furnace,
   ::testing::Values(Form{ "Sphere", Shape::Sphere }, Form{ "Box", Shape::Box }, Form{ "Cylinder", Shape::Cylinder },
     Form{ "Capsule", Shape::Capsule }, Form{ "RoundCone", Shape::RoundCone }, Form{ "Cone", Shape::Cone },
-    Form{ "Arrow", Shape::Arrow }, Form{ "Mesh", Shape::Mesh }, Form{ "RoundedBox", Shape::Superquadric, { 6, 4, 10 } },
-    Form{ "Star", Shape::Superquadric, { 0.6f, 0.8f, 0.7f } },
+    Form{ "Arrow", Shape::Arrow }, Form{ "Mesh", Shape::Mesh }, Form{ "Harmonics", Shape::Polynomial },
+    Form{ "RoundedBox", Shape::Superquadric, { 6, 4, 10 } }, Form{ "Star", Shape::Superquadric, { 0.6f, 0.8f, 0.7f } },
     Form{ "TensorRod", Shape::NestedSuperquadric, { 0.4f, 0.2f, 0.2f } },
     Form{ "TensorDouble", Shape::NestedSuperquadric, { 0.5f, 0.7f, 0.3f } },
     Form{ "TensorThorn", Shape::NestedSuperquadric, { 1.0f, 2.6f, 2.6f } }),

@@ -18,9 +18,10 @@ double UlpOf(double t)
 
 /// |dt| may be this much; `sizeInT` is the glyph's size in units of t.
 template <class Real>
-double BoundOfT(double t, double sizeInT)
+double BoundOfT(const ReferenceGlyph& glyph, double t, double sizeInT)
 {
-  return boundUlps * UlpOf<Real>(t) + boundSizes * relativeRoundoff<Real> * sizeInT;
+  const double sizes = glyph.IsPolynomial() ? boundSizesOfPolynomials : boundSizes;
+  return boundUlps * UlpOf<Real>(t) + sizes * relativeRoundoff<Real> * sizeInT;
 }
 
 /// How far the silhouette is, as the share by which the glyph must grow or shrink for the line to cross its
@@ -59,7 +60,7 @@ void CompareHit(const ReferenceGlyph& glyph, const HardRay& ray, const Answer& a
   verdict.bothHit = true;
   verdict.ulps = error / UlpOf<Real>(t);
   verdict.sizes = error / sizeInT;
-  verdict.excess = error / BoundOfT<Real>(t, sizeInT);
+  verdict.excess = error / BoundOfT<Real>(glyph, t, sizeInT);
 
   verdict.hasNormal = crossing.edgeDistance > edgeBand && crossing.edgeSizes > edgeBandSizes;
   const glm::dvec3 normal = ToDouble(crossing.normal);
@@ -86,7 +87,7 @@ Verdict Judge(ReferenceGlyph& glyph, const std::vector<ReferenceCrossing>& exact
   for (const ReferenceCrossing& crossing : exact)
   {
     const double t = double(crossing.t);
-    const double bound = BoundOfT<Real>(t, sizeInT);
+    const double bound = BoundOfT<Real>(glyph, t, sizeInT);
     grazes = grazes || std::abs(glm::dot(direction, ToDouble(crossing.normal))) < grazingAngle * relativeRoundoff<Real>;
     if (mayMiss && t >= tMin - bound)
     {

@@ -40,6 +40,8 @@ constexpr double edgeBandSizes = 2e-6;
 /// The bound on t: ulps of t, and glyph sizes in float arithmetic; for double it shrinks with the roundoff.
 constexpr double boundUlps = 8.0;
 constexpr double boundSizes = 1e-6;
+/// Of polynomials: a thin one has lobes before lobes, whose silhouettes double words tell to 1e-8 of its thickness.
+constexpr double boundSizesOfPolynomials = 1e-5;
 
 /// The bound on the normal's angle in float arithmetic; for double it shrinks with the roundoff.
 constexpr double boundRadians = 4e-6;

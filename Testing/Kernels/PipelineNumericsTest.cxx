@@ -33,6 +33,10 @@ GlyphInstances Single(const GlyphInstances& all, std::uint32_t index)
   keep(one.sizes3);
   keep(one.rotations);
   keep(one.exponents3);
+  if (!all.polynomials.empty())
+  {
+    one.polynomials.values.assign(all.polynomials[index], all.polynomials[index] + all.polynomials.width);
+  }
   return one;
 }
 
@@ -94,9 +98,9 @@ TEST_P(PipelineNumericsTest, KeepsTheBounds)
     // exponents of 20 turn into 1e-3 of its normal. Of the other shapes only the capsule's case has needles, whose
     // normal turns by those 6e-5.
     const auto is = [&](const char* subject) { return hard.subject.rfind(subject, 0) == 0; };
-    const double tooThin = is("arrow") || is("superquadric") || is("nested") ? 4e-3
-      : is("capsule")                                                        ? 6e-5
-                                                                             : boundRadians;
+    const double tooThin = is("arrow") || is("superquadric") || is("nested") || is("polynomial") ? 4e-3
+      : is("capsule")                                                                            ? 6e-5
+                                                                                                 : boundRadians;
     EXPECT_LE(report.maxRadians, hard.situation == "thin 1:1e4, 1e4 from the origin" ? tooThin : boundRadians);
     all.insert(all.end(), verdicts.begin(), verdicts.end());
   }
@@ -109,6 +113,8 @@ TEST_P(PipelineNumericsTest, KeepsTheBounds)
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, PipelineNumericsTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
+
+INSTANTIATE_TEST_SUITE_P(Polynomials, PipelineNumericsTest, ::testing::ValuesIn(PolynomialSubjects()), SubjectName);
 
 INSTANTIATE_TEST_SUITE_P(Nested, PipelineNumericsTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);
 

@@ -1,6 +1,7 @@
 #include "Reference.h"
 
 #include "NestedReference.h"
+#include "PolynomialReference.h"
 
 #include <quadmath.h>
 
@@ -82,6 +83,12 @@ ReferenceGlyph::ReferenceGlyph(const GlyphInstances& instances, std::uint32_t in
   this->size_ = std::max({ size.x, size.y, size.z });
   this->exponents_ =
     ToQuad(glm::dvec3(instances.exponents3.empty() ? instances.uniformExponents : instances.exponents3[index]));
+  if (!instances.polynomials.empty())
+  {
+    const float* values = instances.polynomials[index];
+    this->polynomial_.assign(values + 3, values + instances.polynomials.width);
+    this->degree_ = instances.polynomialDegree;
+  }
   const Quad half = 0.5;
   switch (this->shape_)
   {
@@ -250,6 +257,17 @@ ReferenceGlyph::Crossings(const glm::dvec3& origin, const glm::vec3& direction, 
     {
       this->Add(crossing.s, { crossing.gradient[0], crossing.gradient[1], crossing.gradient[2] },
         crossing.edgeDistance / 2, found);
+    }
+  }
+  else if (this->shape_ == Shape::Polynomial)
+  {
+    const PolynomialReference polynomial(this->polynomial_, this->degree_);
+    const Quad o2[3] = { 2 * ray.origin.x, 2 * ray.origin.y, 2 * ray.origin.z };
+    const Quad d2[3] = { 2 * ray.direction.x, 2 * ray.direction.y, 2 * ray.direction.z };
+    for (const PolynomialReference::Crossing& crossing : polynomial.Crossings(o2, d2))
+    {
+      this->Add(crossing.s, { crossing.gradient[0], crossing.gradient[1], crossing.gradient[2] },
+        crossing.fromCentre / 2, found);
     }
   }
   else

@@ -35,6 +35,7 @@ public:
 
   /// The largest full extent of the glyph along its own axes, in world units; an arrow's length counts whole.
   double Size() const { return this->size_; }
+  bool IsPolynomial() const { return this->shape_ == Shape::Polynomial; }
 
   /// All crossings of the whole line, in order; those that coincide are one.
   /// `origin` counts from GlyphInstances::origin. `factor` makes the glyph a little larger or smaller: affine
@@ -75,6 +76,8 @@ private:
   QuadVector scale_; ///< world size of the unit frame's unit
   ArrowForm arrow_;
   QuadVector exponents_; ///< of superquadrics
+  std::vector<Quad> polynomial_;
+  int degree_ = 0;       ///< of the polynomial
   Quad arrowLength_ = 0; ///< in world units
   Quad rotation_[3][3];
   /// Round shapes: the outline in the half plane of the axis (x here) and the distance from it.

@@ -142,6 +142,7 @@ std::vector<Subject> SubjectsWithoutWings()
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ShapeBoundsTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(Polynomials, ShapeBoundsTest, ::testing::ValuesIn(PolynomialSubjects()), SubjectName);
 INSTANTIATE_TEST_SUITE_P(Shapes, TightBoundsTest, ::testing::ValuesIn(SubjectsWithoutWings()), SubjectName);
 
 } // namespace

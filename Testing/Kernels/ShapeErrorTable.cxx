@@ -1,6 +1,7 @@
 // Prints the error of every shape's kernel on the hard cases, and how fast it is; the tables of README.md.
 // Usage: ShapeErrorTable [file.csv]            (the CSV holds every case, float and double)
 //        ShapeErrorTable --speed [file.csv]    families of superquadrics, also out of range: speed against error
+//        ShapeErrorTable --polynomials [file.csv]  polynomials of every degree: a million rays
 //        ShapeErrorTable --spheres [file.csv]  spheres beside the formulas that other renderers use
 
 #include "Measure.h"
@@ -89,11 +90,12 @@ struct Tally
 
 /// The hard cases of one family together.
 template <class Real>
-void TableOfFamily(const Subject& subject, const char* range, const char* arithmetic, std::ostream& csv)
+void TableOfFamily(const Subject& subject, const char* range, const char* arithmetic, std::ostream& csv,
+  int glyphs = 12, int raysPerGlyph = 50)
 {
   Tally tally;
   double nanoseconds = 0, plain = 0;
-  for (const HardCase& hard : HardCaseMaker(subject, 12, 50, 21).All())
+  for (const HardCase& hard : HardCaseMaker(subject, glyphs, raysPerGlyph, 21).All())
   {
     ReferenceCase reference(hard);
     for (const Verdict& verdict : JudgeKernel<Real>(reference))
@@ -115,6 +117,32 @@ void TableOfFamily(const Subject& subject, const char* range, const char* arithm
     Quantile(tally.sizes, 1), Quantile(tally.radians, 1), tally.outOfBound, tally.wrongNormals, tally.falseHits,
     tally.falseMisses);
   std::fflush(stdout);
+}
+
+void HeadOfFamilies(std::ostream& csv)
+{
+  csv << "family,range,arithmetic,rays,ns_per_ray_random,ns_per_ray_all,t_median_sizes,t_p999_"
+         "sizes,t_max_sizes,"
+         "normal_median_radians,normal_p999_radians,normal_max_radians,t_out_of_bound,normals_out_"
+         "of_bound,"
+         "false_hits,false_misses\n";
+  std::printf("| glyphs | range | arithmetic | ns a ray, random | all | dt median | 99.9 %% | max "
+              "(sizes) | normal max (rad) "
+              "| t / normals out of bound | false hits / misses "
+              "|\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+}
+
+void TableOfPolynomials(std::ostream& csv)
+{
+  HeadOfFamilies(csv);
+  for (int degree = 2; degree <= mostDegree; degree += 2)
+  {
+    for (const bool bundles : { false, true })
+    {
+      TableOfFamily<float>(
+        PolynomialSubject(degree, bundles), degree <= 8 ? "within" : "beyond", "float", csv, 42, 100);
+    }
+  }
 }
 
 /// Superquadrics and tensor glyphs within the range in which the bounds are promised, and beyond it.
@@ -139,15 +167,7 @@ void TableOfSpeed(std::ostream& csv)
   beyond.push_back(family("nested, 0.1 to 0.3", Shape::NestedSuperquadric, { 20.0f / 3, 20.0f / 3, 1 }, { 20, 20, 0 }));
   beyond.push_back(family("nested, 20 to 100", Shape::NestedSuperquadric, { 0.02f, 0.02f, 0.02f }, { 0.1f, 0.1f, 0 }));
   beyond.push_back(family("nested, sharpness 10", Shape::NestedSuperquadric, { 0.01f, 5, 5 }, { 1, 12, 0 }));
-  csv << "family,range,arithmetic,rays,ns_per_ray_random,ns_per_ray_all,t_median_sizes,t_p999_"
-         "sizes,t_max_sizes,"
-         "normal_median_radians,normal_p999_radians,normal_max_radians,t_out_of_bound,normals_out_"
-         "of_bound,"
-         "false_hits,false_misses\n";
-  std::printf("| glyphs | range | arithmetic | ns a ray, random | all | dt median | 99.9 %% | max "
-              "(sizes) | normal max (rad) "
-              "| t / normals out of bound | false hits / misses "
-              "|\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  HeadOfFamilies(csv);
   for (const Subject& subject : within)
   {
     TableOfFamily<float>(subject, "within", "float", csv);
@@ -311,6 +331,12 @@ int main(int argc, char** argv)
     TableOfSpeed(csv);
     return 0;
   }
+  if (argc > 1 && std::string(argv[1]) == "--polynomials")
+  {
+    std::ofstream csv(argc > 2 ? argv[2] : "polynomial-errors.csv");
+    TableOfPolynomials(csv);
+    return 0;
+  }
   if (argc > 1 && std::string(argv[1]) == "--spheres")
   {
     std::ofstream csv(argc > 2 ? argv[2] : "sphere-formulas.csv");
@@ -319,7 +345,7 @@ int main(int argc, char** argv)
   }
   if (argc > 1 && argv[1][0] == '-')
   {
-    std::fprintf(stderr, "Usage: ShapeErrorTable [--speed | --spheres] [file.csv], not %s\n", argv[1]);
+    std::fprintf(stderr, "Usage: ShapeErrorTable [--speed | --polynomials | --spheres] [file.csv], not %s\n", argv[1]);
     return 2;
   }
   std::ofstream file;

@@ -65,6 +65,9 @@ TEST_P(NestedNumericsTest, Float)
 
 INSTANTIATE_TEST_SUITE_P(Shapes, NestedNumericsTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);
 
+/// Polynomials: in float, which is what their windows' width and noise are made for.
+INSTANTIATE_TEST_SUITE_P(Polynomials, NestedNumericsTest, ::testing::ValuesIn(PolynomialSubjects()), SubjectName);
+
 /// Along the rims of flat ellipsoids and of flat capsules' ends the surface turns round within a ten-thousandth of the
 /// size: there the normal shows the last digits of the ray's parameter.
 TEST(FlatRimsTest, NormalsKeepTheBound)

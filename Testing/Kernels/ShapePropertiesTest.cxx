@@ -169,6 +169,7 @@ std::vector<Subject> ConvexSubjects()
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ShapePropertiesTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(Polynomials, ShapePropertiesTest, ::testing::ValuesIn(PolynomialSubjects()), SubjectName);
 INSTANTIATE_TEST_SUITE_P(Shapes, ConvexShapePropertiesTest, ::testing::ValuesIn(ConvexSubjects()), SubjectName);
 
 } // namespace

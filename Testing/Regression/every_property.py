@@ -173,6 +173,7 @@ COATED = {**PATHS, "DiffuseColor": BLACK, "PathCoatStrength": 1.0}
 SHINY = {"Specular": 0.5, "SpecularPower": 20.0}
 ARROW = {"GlyphShape": "Arrow", "ArrowTipRounding": 0.0, "scene": "arrow"}
 TENSOR = {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor"}
+HARMONICS = {"GlyphShape": "Spherical Harmonics", "GlyphHarmonicsArray": "round"}
 BLUR = {"MotionBlur": 1, "VelocityArray": "velocity", "scene": "small"}
 STEPS = {**WHITE, **BLUR, "VelocityArray": "None", "ShutterOpening": "Backward"}
 TURNED = {"scene": "two", "GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationMode": "Rotation", "GlyphOrientationArray": "angles"}
@@ -241,6 +242,9 @@ ROWS = [
     Row("GlyphTensorRange", LEFT, reads("GlyphTensorRange", [2.0, 2.0]), GlyphTensorColoring="Trace", **TENSOR),
     Row("GlyphTensorPositiveColor", GREEN, colors(GREEN), GlyphTensorColoring="Sign", **TENSOR),
     Row("GlyphTensorNegativeColor", GREEN, colors(GREEN), **{**TENSOR, "GlyphTensorColoring": "Sign", "GlyphTensorArray": "negative"}),
+    Row("GlyphHarmonicsArray", "flat", area(DISC / 4.0), **HARMONICS),
+    Row("GlyphHarmonicsBasis", "DIPY Legacy", as_with(GlyphHarmonicsArray="lying", GlyphHarmonicsBasis="MRtrix3"), **{**HARMONICS, "GlyphHarmonicsArray": "standing"}),
+    Row("GlyphHarmonicsScaling", "Each", area(DISC), **{**HARMONICS, "GlyphHarmonicsArray": "flat"}),
     Row("GlyphTensorAxis", 1, pixels_of([0.95, 0.8, 0.2], 20, 200), **{**TENSOR, "GlyphTensorArray": "turning"}),
     Row("GlyphTensorAxisColor", GREEN, pixels_of(GREEN, 20, 200), **{**TENSOR, "GlyphTensorArray": "turning", "GlyphTensorAxis": 1}),
     # Tubes

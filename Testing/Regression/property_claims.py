@@ -57,6 +57,9 @@ def arrays(count):
         "tensor": (1.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.5), "disc": (0.5, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0),
         "negative": (-1.0, 0.0, 0.0, 0.0, -0.5, 0.0, 0.0, 0.0, -0.5), "turning": (0.5, 0.0, 0.6, 0.0, 0.5, 0.0, -0.6, 0.0, 0.5),
         "six": (1.0, 0.5, 0.6, 0.1, 0.2, 0.3), "rows": (1.0, 0.5, 0.6, 0.5, 0.1, 0.2, 0.6, 0.2, 0.3),
+        # Harmonics of a ball of radius 0.5, of one of 0.25, and of one form in the bases DIPY Legacy and MRtrix3
+        "round": (numpy.sqrt(4.0 * numpy.pi), 0.0, 0.0, 0.0, 0.0, 0.0), "flat": (numpy.sqrt(numpy.pi), 0.0, 0.0, 0.0, 0.0, 0.0),
+        "standing": (3.0, 0.5, 0.2, 0.3, 0.1, -0.4), "lying": (3.0, -0.4, 0.1, 0.3, 0.2, 0.5),
     }
     made = {name: numpy.tile(numpy.array(value, dtype=float), (count, 1)) for name, value in same.items()}
     made.update({

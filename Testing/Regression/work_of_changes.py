@@ -38,6 +38,8 @@ ARROW = {"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "length"}
 TENSOR = {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor"}
 #: whose programs take long to compile
 SUPERQUADRIC = {"GlyphShape": "Tensor Superquadric", "GlyphTensorArray": "tensor"}
+FORMS = {"GlyphShape": "Reynolds", "GlyphTensorArray": "tensor"}
+BALLS = {"GlyphShape": "Spherical Harmonics", "GlyphHarmonicsArray": "six"}
 SIGNS = {**TENSOR, "GlyphTensorColoring": "Sign"}
 MOTION = {"MotionBlur": 1, "VelocityArray": "velocity", "AngularVelocityArray": "spin", "GlyphShape": "Box"}
 EXPONENTS = {"GlyphShape": "Superquadric"}
@@ -74,6 +76,7 @@ FIELDS = {
         "TableIndexArray": [(TABLE, "GlyphMeshIndexArray", "other index", "glyphs"),
                             ({}, "GlyphMeshIndexArray", "index", "nothing")],
         "Tensors": "vtkGlyphTensors::Settings",
+        "Forms": "vtkGlyphForms::Settings",
         "Exponents": [(EXPONENTS, "GlyphExponents", [1.0, 2.0, 2.0], "glyphs"), ({}, "GlyphExponents", [1.0, 2.0, 2.0], "nothing")],
         "ExponentArray": [(EXPONENTS, "GlyphExponentArray", "length", "glyphs"), ({}, "GlyphExponentArray", "length", "nothing")],
         "OpacityArray": ({"GlyphOpacityArray": "length"}, "GlyphOpacityArray", "other", "glyphs"),
@@ -120,6 +123,15 @@ FIELDS = {
         "NegativeColor": [(SIGNS, "GlyphTensorNegativeColor", [0.0, 1.0, 0.0], "image"),
                           (TENSOR, "GlyphTensorNegativeColor", [0.0, 1.0, 0.0], "nothing")],
         "Axes": "of arrows beside the glyphs, whose settings are the glyphs' own",
+    },
+    "vtkGlyphForms::Settings": {
+        "On": (FORMS, "GlyphShape", "Sphere", "glyphs"),
+        "Kind": ({**FORMS, "GlyphTensorArray": "six", "GlyphHarmonicsArray": "six"}, "GlyphShape", "Spherical Harmonics", "glyphs"),
+        "Array": [(FORMS, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphHarmonicsArray", "six", "nothing")],
+        "Layout": [({**FORMS, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "Row", "glyphs"), (BALLS, "GlyphTensorLayout", "Row", "nothing")],
+        "Basis": [(BALLS, "GlyphHarmonicsBasis", "DIPY", "glyphs"), (FORMS, "GlyphHarmonicsBasis", "DIPY", "nothing")],
+        "Each": [(BALLS, "GlyphHarmonicsScaling", "Each", "glyphs"), ({}, "GlyphHarmonicsScaling", "Each", "nothing")],
+        "Coloring": [(FORMS, "GlyphTensorColoring", "Sign", "glyphs"), (FORMS, "GlyphTensorColoring", "Trace", "nothing")],
     },
     "vtkGlyphMotion::Settings": {
         "On": ({**MOTION, "MotionBlur": 0}, "MotionBlur", 1, "glyphs"),
@@ -178,6 +190,7 @@ ARRAYS = {
     "Radius": ({"GlyphRadiusArray": "length"}, "length"),
     "TableIndex": (TABLE, "index"),
     "Tensors": (TENSOR, "tensor"),
+    "Forms": (BALLS, "six"),
     "motion[0]": (MOTION, "velocity"),
     "motion[1]": ({**MOTION, "AccelerationArray": "spin", "AngularVelocityArray": "None"}, "spin"),
     "motion[2]": (MOTION, "spin"),
@@ -188,6 +201,7 @@ HEADERS = {
     "vtkGlyphMask": "Representation/Glyphs/vtkGlyphMask.h",
     "vtkGlyphSizing": "Representation/Glyphs/vtkGlyphSizing.h", "ArrowForm": "Kernels/Glyphs.h", "Material": "Kernels/Glyphs.h",
     "vtkGlyphTensors::Settings": "Representation/Glyphs/vtkGlyphTensors.h",
+    "vtkGlyphForms::Settings": "Representation/Glyphs/vtkGlyphForms.h",
     "vtkGlyphMotion::Settings": "Representation/Glyphs/vtkGlyphMotion.h",
     "vtkRayTracedImageSettings": "Representation/Scene/vtkRayTracedImageSettings.h",
 }

@@ -1,0 +1,526 @@
+// The points p with |p| <= |f(p / |p|)|, f a homogeneous polynomial of even degree k (PolynomialForm.glsl), of which
+// |f| <= 1 on the unit sphere, in the frame where the half-lengths are 1; and its affine images.
+//
+// The plane of a ray and the center cuts the glyph in the curve r = |f(phi)|, and f is a trigonometric polynomial of
+// phi with k + 1 coefficients. A ray at the distance q has r = q / cos phi, so it crosses the surface where
+//   |h(phi)| = q,  h(phi) = cos(phi) f(phi),
+// and inside the glyph |h| > q. That is the polynomial |p|^(2k+2) = F(p)^2 of C. Peters, T. Patel, W. Usher and C. R.
+// Johnson, "Ray Tracing Spherical Harmonics Glyphs", Vision, Modeling, and Visualization 2023, without powers of small
+// distances, which would leave nothing of the middle of a glyph in plain arithmetic.
+//
+// Isolation. The angle is searched in windows from where the ray enters the ball |p| <= max |f| of its plane. In each h
+// is compared with Hermite's cubic through both ends. h has degree k + 1; by Bernstein's inequality its fourth
+// derivative is at most (k + 1)^4 max |h|, so it differs from the cubic by less than width^4 / 384 of that, and its
+// slope by less than sqrt(3) width^3 / 216. The cubic lies between its four Bezier coefficients. So a window is known
+// to be empty, or to be left on one side at most once, or it is halved, until the cubic is h to plain arithmetic's
+// rounding. Where |h| turns round within rounding of q, double words decide.
+//
+// Solution. Newton's method in a bracket, at last in double words.
+#ifndef RTG_POLYNOMIAL
+#define RTG_POLYNOMIAL
+
+#include "Estimate.glsl"
+#include "ImplicitSurface.glsl"
+#include "PolynomialForm.glsl"
+#include "Sphere.glsl"
+
+// Evaluations that a ray may take; some tens are usual.
+#define RTG_WINDOWS 600
+#define RTG_LEAST_DISTANCE 1.0e-9
+
+// Where the search along a ray stands.
+struct PolynomialSearch
+{
+  PlanePoint a; // no crossing is left before it
+  bool inside;  // whether the ray is inside behind it
+  real2 step;   // cosine and sine of the next window's width
+  real width;
+  real sign; // of f at the crossing
+  real low;  // the crossing is between these, which count along the ray from the point next to the center
+  real high;
+  real near;
+  bool turned; // whether h has its extreme at `a`
+  // Whether there is one only double words tell: `near` is where the surface comes closest and, where it turns back
+  // there, else where it goes farthest.
+  bool touches;
+  bool turnsBack;
+  real pad;   // how far outside its bracket rounding may have put it
+  bool knows; // `inside` is known at `near`, where the search goes on
+  int steps;
+};
+
+// A ray in its plane through the center: at `distance` from the center, and where it may be inside.
+struct PlaneRay
+{
+  real distance;
+  real start;
+  real end;
+};
+
+RTG_FN real2 DirectionAt(PlaneRay ray, real t)
+{
+  real2 n = real2(ray.distance, t);
+  return n / max(length(n), real(1e-30));
+}
+
+// The angle whose sine is given, up to 0.6.
+RTG_FN real SmallAngle(real sine)
+{
+  real s = sine * sine;
+  return sine *
+    (real(1.0) + s * (real(1.0 / 6.0) + s * (real(3.0 / 40.0) + s * (real(5.0 / 112.0) + s * real(35.0 / 1152.0)))));
+}
+
+// h and its slope at both ends of a window, and Bezier coefficients of the cubic through them.
+struct HermiteWindow
+{
+  real4 value;
+  real3 slope;
+};
+
+RTG_FN HermiteWindow WindowOf(PlanePoint a, PlanePoint b, real width)
+{
+  real ha = a.n.x * a.f;
+  real hb = b.n.x * b.f;
+  real sa = a.n.x * a.slope - a.n.y * a.f;
+  real sb = b.n.x * b.slope - b.n.y * b.f;
+  real third = width * real(1.0 / 3.0);
+  HermiteWindow window;
+  window.value = real4(ha, ha + third * sa, hb - third * sb, hb);
+  window.slope = real3(sa, real(3.0) * (hb - ha) / width - sa - sb, sb);
+  return window;
+}
+
+// Where the cubic's slope changes its sign, as a share of the window.
+RTG_FN real ExtremeOf(HermiteWindow window)
+{
+  real3 d = window.slope;
+  real a = d.x - real(2.0) * d.y + d.z;
+  real b = real(2.0) * (d.y - d.x);
+  real root = sqrt(max(b * b - real(4.0) * a * d.x, real(0.0)));
+  real divisor = d.x > real(0.0) ? root - b : -root - b;
+  return divisor != real(0.0) ? clamp(real(2.0) * d.x / divisor, real(0.0), real(1.0)) : real(0.5);
+}
+
+#define RTG_PASS 0  // no crossing in the window
+#define RTG_CROSS 1 // one
+#define RTG_HALVE 2
+#define RTG_TURN 3 // the cubic is h, and it turns round in the window
+
+// `doubt`, `slopeDoubt`: how far h may be from the cubic. `halves`: too far; `wide`: it may be halved all the same.
+RTG_FN int LookAt(HermiteWindow window, PolynomialSearch search, PlanePoint b, bool endInside, real distance,
+  real doubt, real slopeDoubt, bool halves, bool wide)
+{
+  real4 h = window.value;
+  real3 d = window.slope;
+  // Out of where f has the sign of `a`, or into where it has that of b
+  real side = (search.inside ? search.a.f : b.f) < real(0.0) ? real(-1.0) : real(1.0);
+  bool crosses = search.inside ? side * h.w < distance : endInside;
+  // Where h has turned round at a, its slope there says nothing.
+  bool level = search.turned && abs(d.x) <= slopeDoubt;
+  d.x = level ? d.y : d.x;
+  bool monotone = min(d.x, min(d.y, d.z)) > slopeDoubt || max(d.x, max(d.y, d.z)) < -slopeDoubt;
+  real least = min(min(h.x, h.y), min(h.z, h.w)) - doubt;
+  real most = max(max(h.x, h.y), max(h.z, h.w)) + doubt;
+  bool empty = (most < distance && least > -distance) || least > distance || most < -distance;
+  if (monotone || empty)
+  {
+    return crosses ? RTG_CROSS : RTG_PASS;
+  }
+  bool turns = d.x * d.z < real(0.0) || (abs(d.x) <= slopeDoubt && !level) || abs(d.z) <= slopeDoubt;
+  if (halves || (!turns && wide))
+  {
+    return RTG_HALVE;
+  }
+  return turns ? RTG_TURN : crosses ? RTG_CROSS : RTG_PASS;
+}
+
+// Rounding of f in plain arithmetic: its terms cancel up to 3^(k / 2) times, usually much less.
+RTG_FN real PlaneNoise(int degree)
+{
+  real noise = real(8.0 / 3.0 * RTG_ROUNDOFF);
+  for (int i = 0; i < degree; i += 2)
+  {
+    noise *= real(3.0);
+  }
+  return noise;
+}
+
+// Parameter of the point of the ray in that direction
+RTG_FN real ParameterOf(PlaneRay ray, real2 n, real otherwise)
+{
+  return n.x > real(0.0) ? ray.distance * n.y / n.x : otherwise;
+}
+
+// The next crossing behind search.near: between search.low and search.high, close to the new search.near.
+RTG_FN bool
+NextCrossing(PlaneForm form, int degree, PlaneRay ray, PolynomialSearch search, RTG_OUT(PolynomialSearch) after)
+{
+  real noise = PlaneNoise(degree);
+  real2 end = DirectionAt(ray, ray.end);
+  real order = real(degree + 1);
+  real fourth = order * order * order * order * form.most;
+  real widest = real(1.5707963) / order;
+  bool found = false;
+  bool resumes = true;
+  bool solving = false;
+  bool turning = false;
+  bool peak = false; // whether |h| is largest there, not least
+  real t = search.near;
+  bool more = true;
+  while (more && search.steps < RTG_WINDOWS)
+  {
+    ++search.steps;
+    // The next point: the crossing from which to go on, a point of the bracket, or the end of the next window
+    real2 n = Turned(search.a.n, search.step);
+    real width = search.width;
+    bool last = false;
+    if (resumes || solving || turning)
+    {
+      n = DirectionAt(ray, t);
+    }
+    else if (n.x <= real(0.0) || n.x * end.y - n.y * end.x <= real(0.0))
+    {
+      n = end;
+      last = true;
+    }
+    if (last || turning)
+    {
+      width = max(SmallAngle(search.a.n.x * n.y - search.a.n.y * n.x), real(RTG_TINY));
+    }
+    PlanePoint b = PlaneAt(form, degree, n);
+    bool inside = !last && abs(b.n.x * b.f) > ray.distance;
+    if (resumes)
+    {
+      search.a = b;
+      search.inside = search.knows ? search.inside : inside;
+      search.turned = search.touches && (search.turnsBack ? search.near != search.high : true);
+      search.touches = false;
+      resumes = false;
+    }
+    else if (solving)
+    {
+      real radius = length(real2(ray.distance, t));
+      real g = radius - search.sign * b.f;
+      real slope = n.y - search.sign * b.slope * ray.distance / max(radius * radius, real(RTG_TINY));
+      bool before = (g > real(0.0)) != search.inside;
+      search.low = before ? t : search.low;
+      search.high = before ? search.high : t;
+      real step = -g / slope;
+      bool inBracket = t + step > search.low && t + step < search.high && (slope < real(0.0)) != search.inside;
+      real next = inBracket ? t + step : real(0.5) * (search.low + search.high);
+      found = (inBracket && abs(step) * order <= real(1.0e-4) * radius) ||
+        !(search.high - search.low > real(4.0 * RTG_ROUNDOFF) * (abs(search.low) + abs(search.high)));
+      more = !found;
+      search.near = found && !inBracket ? t : next;
+      // Next to where the slope vanishes a root moves by the square root of what the value does.
+      search.pad = real(8.0) * noise / max(abs(slope), order * sqrt(noise) / max(radius, noise));
+      t = next;
+    }
+    else
+    {
+      HermiteWindow window = WindowOf(search.a, b, width);
+      real cube = width * width * width * fourth;
+      real doubt = cube * width * real(1.0 / 384.0);
+      real rounding = noise * max(search.a.n.x, b.n.x);
+      bool halves = doubt > rounding;
+      // Up to where it turns round h is monotone.
+      real slopeDoubt =
+        turning ? -real(RTG_NEVER) : real(0.0080188) * cube + noise + rounding * (order + real(6.0) / width);
+      int verdict = LookAt(
+        window, search, b, inside, ray.distance, doubt + rounding, slopeDoubt, halves, order * width > real(0.02));
+      bool doubtful = turning && abs(abs(b.n.x * b.f) - ray.distance) <= real(8.0) * noise * b.n.x;
+      if (doubtful)
+      {
+        search.touches = true;
+        search.sign = b.f < real(0.0) ? real(-1.0) : real(1.0);
+        search.near = t;
+        search.turnsBack = peak != search.inside;
+        search.high = search.turnsBack ? search.high : t;
+        search.pad = search.turnsBack ? real(0.5) * (search.high - search.low) : real(0.0);
+        found = true;
+        more = false;
+      }
+      else if (verdict == RTG_HALVE)
+      {
+        real2 whole = search.step;
+        if (last)
+        {
+          whole = Turned(n, real2(search.a.n.x, -search.a.n.y));
+        }
+        real cosine = sqrt(real(0.5) + real(0.5) * whole.x);
+        search.step = real2(cosine, real(0.5) * whole.y / cosine);
+        search.width = real(0.5) * width;
+      }
+      else if (verdict == RTG_TURN)
+      {
+        real share = search.turned ? max(ExtremeOf(window), real(0.5)) : ExtremeOf(window);
+        real2 between = (real(1.0) - share) * search.a.n + share * b.n;
+        peak = (window.slope.x > window.slope.z) == (window.value.y + window.value.z > real(0.0));
+        search.low = ParameterOf(ray, search.a.n, ray.start);
+        search.high = ParameterOf(ray, b.n, ray.end);
+        t = ParameterOf(ray, between, real(0.5) * (search.low + search.high));
+      }
+      else if (verdict == RTG_CROSS)
+      {
+        solving = true;
+        search.sign = (search.inside ? search.a.f : b.f) < real(0.0) ? real(-1.0) : real(1.0);
+        search.low = ParameterOf(ray, search.a.n, ray.start);
+        search.high = ParameterOf(ray, b.n, ray.end);
+        real share =
+          clamp((search.sign * window.value.x - ray.distance) / (search.sign * (window.value.x - window.value.w)),
+            real(0.0625), real(0.9375));
+        real2 between = (real(1.0) - share) * search.a.n + share * b.n;
+        t = ParameterOf(ray, between, search.low);
+        t = t > search.low && t < search.high ? t : real(0.5) * (search.low + search.high);
+      }
+      else
+      {
+        search.a = b;
+        search.inside = inside;
+        search.turned = turning;
+        more = !last;
+        if (search.width < real(0.75) * widest)
+        {
+          search.width = real(2.0) * search.width;
+          search.step = Turned(search.step, search.step);
+        }
+      }
+      turning = verdict == RTG_TURN;
+    }
+  }
+  after = search;
+  return found;
+}
+
+// The zero of |p| - sign f along a ray, in double words, close to its parameter `near` and between `low` and `high`.
+// Where the surface only comes close there, what is looked for first is where it comes closest, by the slope, which
+// changes its sign once. False: there is no zero.
+RTG_FN bool
+SettleCrossing(Glyph glyph, LocalRay ray, PolynomialSearch search, real near, real low, real high, RTG_OUT(LocalRay) at)
+{
+  // Positive before the crossing
+  real way = search.inside ? real(-1.0) : real(1.0);
+  real order = real(glyph.degree + 1);
+  real bend = order * order * dot(ray.direction.hi, ray.direction.hi);
+  real slopeLow = real(0.0);
+  real slopeHigh = real(0.0);
+  bool wasBefore = search.touches;
+  bool wasBehind = false;
+  bool found = false;
+  bool more = true;
+  at = Advance(ray, near);
+  low -= near;
+  high -= near;
+  for (int i = 0; i < 64 && more; ++i)
+  {
+    FormPoint point = FormAt(glyph, at.origin, false);
+    real g = way * Add(point.distance, Multiply(point.f, -search.sign)).hi;
+    real distance = max(point.distance.hi, real(1e-20));
+    real slope = way * dot(at.origin.hi / distance - search.sign * point.gradient.hi, at.direction.hi);
+    bool before = g > real(0.0);
+    wasBefore = wasBefore || before;
+    wasBehind = wasBehind || !before;
+    real step = real(0.0);
+    if (search.touches && !search.turnsBack && !wasBehind)
+    {
+      more = false;
+    }
+    else if (search.touches && !wasBehind)
+    {
+      bool falls = slope < real(0.0);
+      low = falls ? real(0.0) : low;
+      slopeLow = falls ? slope : slopeLow;
+      high = falls ? high : real(0.0);
+      slopeHigh = falls ? slopeHigh : slope;
+      real share = slopeLow < real(0.0) && slopeHigh > real(0.0) && (i & 3) != 3
+        ? clamp(slopeLow / (slopeLow - slopeHigh), real(0.02), real(0.98))
+        : real(0.5);
+      step = low + share * (high - low);
+      // The least is not less than at the nearer end what the slope there takes away.
+      real rest = falls ? high : low;
+      real sag = real(0.5) * bend * rest * rest / (distance * distance);
+      more = high - low > real(1e-7) * distance && !(g - abs(slope * rest) > sag);
+    }
+    else
+    {
+      low = before ? real(0.0) : low;
+      high = before ? high : real(0.0);
+      step = -g / slope;
+      bool newton = slope < real(0.0) && step >= low && step <= high && (i < 24 || (i & 1) == 0);
+      // What Newton's step leaves is half the second derivative times its square, over the slope.
+      found = newton && step * step * bend <= real(1e-11) * distance * distance * -slope;
+      bool narrow = !(high - low > real(1e-11) * distance);
+      found = found || (narrow && wasBefore && wasBehind);
+      more = !found && !narrow;
+      step = newton ? step : real(0.5) * (low + high);
+      step = narrow ? real(0.0) : step;
+    }
+    at = Advance(at, step);
+    low -= step;
+    high -= step;
+  }
+  return found;
+}
+
+// Some unit vector at right angles to a unit vector.
+RTG_FN real3 Across(real3 d)
+{
+  real3 size = abs(d);
+  real3 axis = size.x <= size.y && size.x <= size.z ? real3(real(1.0), real(0.0), real(0.0))
+    : size.y <= size.z                              ? real3(real(0.0), real(1.0), real(0.0))
+                                                    : real3(real(0.0), real(0.0), real(1.0));
+  return normalize(cross(d, axis));
+}
+
+// The nearest crossing in [tMin, tMax] and the sign of f there. All crossings before it are found anew, so that the
+// answer does not depend on the range.
+RTG_FN SurfaceCrossing PolynomialCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) sign)
+{
+  sign = real(1.0);
+  Chord chord;
+  bool near = ToChord(ray, glyph, tMin, tMax, chord);
+  SurfaceCrossing crossing = NoSurfaceCrossing(chord.ray);
+  if (!near)
+  {
+    return crossing;
+  }
+  real3 d = chord.unit.direction.hi;
+  real perLength = real(1.0) / length(d);
+  d = d * perLength;
+  real offset = dot(chord.unit.origin.hi, d);
+  real3 foot = chord.unit.origin.hi - offset * d;
+  PlaneRay plane;
+  plane.distance = length(foot);
+  real3 extents = FormExtents(glyph) * real(1.0001) + real3(real(1.0e-5));
+  if (plane.distance > real(1.00001) || !BoxChord(foot, d, extents, plane.start, plane.end))
+  {
+    return crossing;
+  }
+  int degree = RTG_DEGREE(glyph);
+  PlaneForm form = MakePlaneForm(glyph, plane.distance > real(1.0e-20) ? foot / plane.distance : Across(d), d);
+  // In plain arithmetic a ray through the center passes it, so that its angles are parameters.
+  plane.distance = max(plane.distance, real(RTG_LEAST_DISTANCE));
+  form.most = min(form.most, real(1.0)) + real(4.0) * PlaneNoise(degree);
+  if (plane.distance >= form.most)
+  {
+    return crossing;
+  }
+  real reach = sqrt((form.most - plane.distance) * (form.most + plane.distance));
+  plane.start = max(plane.start, -reach);
+  plane.end = min(plane.end, reach);
+
+  PolynomialSearch search;
+  search.step = QuarterStep(degree);
+  search.width = real(1.5707963) / real(degree + 1);
+  search.near = plane.start;
+  search.inside = false;
+  search.steps = 0;
+  search.sign = real(1.0);
+  search.low = plane.start;
+  search.high = plane.start;
+  search.touches = false;
+  search.turnsBack = false;
+  search.turned = false;
+  search.pad = real(0.0);
+  search.knows = true;
+  search.a.n = DirectionAt(plane, plane.start);
+  search.a.f = real(0.0);
+  search.a.slope = real(0.0);
+  real passed = -real(RTG_NEVER); // where the last crossing was
+  bool more = plane.start < plane.end;
+  while (more)
+  {
+    more = NextCrossing(form, degree, plane, search, search);
+    real low = max(passed, perLength * (search.low - search.pad - offset));
+    real high = perLength * (search.high + search.pad - offset);
+    more = more && RayParameter(chord.ray, Word(chord.scale * low)).hi <= tMax;
+    if (more)
+    {
+      // What ends before tMin counts as a crossing where plain arithmetic is certain.
+      bool crosses = !search.touches;
+      if (RayParameter(chord.ray, Word(chord.scale * high)).hi >= tMin)
+      {
+        LocalRay at;
+        crosses = SettleCrossing(glyph, chord.unit, search, perLength * (search.near - offset), low, high, at);
+        DoubleWord s;
+        s.hi = chord.scale * at.start.hi;
+        s.lo = chord.scale * at.start.lo;
+        real t = RayParameter(chord.ray, s).hi;
+        passed = crosses ? at.start.hi : passed;
+        if (crosses && t >= tMin)
+        {
+          more = false;
+          crossing.found = t <= tMax;
+          crossing.t = t;
+          crossing.at = at;
+          sign = search.sign;
+        }
+      }
+      search.near = crosses ? search.near : search.high;
+      search.knows = crosses || search.touches;
+      search.inside = search.inside != crosses;
+    }
+  }
+  crossing.steps = search.steps;
+  return crossing;
+}
+
+RTG_FN bool IntersectPolynomial(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+{
+  real sign;
+  SurfaceCrossing crossing = PolynomialCrossing(ray, glyph, tMin, tMax, sign);
+  t = crossing.t;
+  return crossing.found;
+}
+
+// Its box is that of its own extents.
+RTG_FN Enclosure PolynomialEnclosure(Glyph glyph)
+{
+  Enclosure outer = BoxedEnclosure(glyph);
+  real3 extents = FormExtents(glyph);
+  outer.halfSize = outer.halfSize * extents;
+  outer.radius = min(outer.radius, real(1.000001) / LeastOf(extents));
+  return outer;
+}
+
+RTG_FN real3 PolynomialNormal(GlyphRay ray, Glyph glyph, real t)
+{
+  real sign;
+  SurfaceCrossing crossing = PolynomialCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), sign);
+  if (!crossing.found)
+  {
+    return -normalize(ray.direction);
+  }
+  FormPoint point = FormAt(glyph, crossing.at.origin, true);
+  DoubleWord3 distance;
+  distance.hi = real3(point.distance.hi);
+  distance.lo = real3(point.distance.lo);
+  real3 outward = Subtract(Divide(crossing.at.origin, distance), Multiply(point.gradient, real3(sign))).hi;
+  real smallest = LeastOf(glyph.size);
+  return normalize(RotateToWorld(glyph, outward * (real3(smallest) / glyph.size)));
+}
+
+// The sign of f in the direction of a point that is given from the center, in the glyph's frame.
+RTG_FN bool PolynomialIsNegative(Glyph glyph, real3 p)
+{
+  return FormAt(glyph, Word3(p / glyph.size), false).f.hi < real(0.0);
+}
+
+// Not turned, the box of its extents; else also no more than the box of the ellipsoid round it.
+RTG_FN void PolynomialBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+{
+  real3 halfSize = real(0.5) * glyph.size;
+  real3 reach = halfSize * FormExtents(glyph);
+  if (glyph.turned)
+  {
+    real3 x = abs(RotateToWorld(glyph, real3(reach.x, real(0.0), real(0.0))));
+    real3 y = abs(RotateToWorld(glyph, real3(real(0.0), reach.y, real(0.0))));
+    real3 z = abs(RotateToWorld(glyph, real3(real(0.0), real(0.0), reach.z)));
+    reach = min(x + y + z, EllipsoidReach(glyph, halfSize));
+  }
+  lower = glyph.centre + (glyph.centreLow - reach);
+  upper = glyph.centre + (glyph.centreLow + reach);
+}
+
+#endif

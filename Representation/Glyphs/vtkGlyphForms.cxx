@@ -1,0 +1,153 @@
+#include "vtkGlyphForms.h"
+
+#include "vtkDataArray.h"
+#include "vtkGlyphTuples.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRayTracedArrays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+rtg::FormMap MapOf(int components, const vtkGlyphForms::Settings& settings)
+{
+  switch (settings.Kind)
+  {
+    case vtkGlyphForms::REYNOLDS:
+      return rtg::FormMap::NormalStress();
+    case vtkGlyphForms::FOURTH_ORDER:
+      return rtg::FormMap::FourthOrder(components);
+    default:
+      return rtg::FormMap::Harmonics(components, settings.Basis);
+  }
+}
+
+struct Words
+{
+  const char* Property;
+  const char* Counts;
+};
+
+Words WordsOf(const vtkGlyphForms::Settings& settings)
+{
+  switch (settings.Kind)
+  {
+    case vtkGlyphForms::REYNOLDS:
+      return { "GlyphTensorArray", settings.Layout == rtg::TensorLayout::Matrix ? "9" : "6 or 9" };
+    case vtkGlyphForms::FOURTH_ORDER:
+      return { "GlyphTensorArray", "15, 21, 36 or 81" };
+    default:
+      return { "GlyphHarmonicsArray", "1, 6, 15, 28, 45, 66 or 91" };
+  }
+}
+
+bool Fits(int components, const vtkGlyphForms::Settings& settings)
+{
+  switch (settings.Kind)
+  {
+    case vtkGlyphForms::REYNOLDS:
+      return components == 9 || components == rtg::TensorComponents(settings.Layout);
+    case vtkGlyphForms::FOURTH_ORDER:
+      return rtg::FormMap::IsFourthOrderLength(components);
+    default:
+      return rtg::FormMap::IsHarmonicsLength(components);
+  }
+}
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphForms::Settings vtkGlyphForms::Settings::Effective() const
+{
+  const Settings none;
+  if (!this->On)
+  {
+    return none;
+  }
+  Settings settings = *this;
+  settings.Layout = this->Kind == REYNOLDS ? this->Layout : none.Layout;
+  settings.Basis = this->Kind == HARMONICS ? this->Basis : none.Basis;
+  const bool surface = this->Coloring == vtkGlyphTensors::SIGN || this->Coloring == vtkGlyphTensors::SURFACE_DIRECTION;
+  settings.Coloring = surface ? this->Coloring : none.Coloring;
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+vtkDataArray* vtkGlyphForms::Array(vtkPolyData* points, const Settings& settings)
+{
+  const bool wanted = settings.On && !vtkRayTracedArrays::IsNone(settings.Array);
+  return wanted ? points->GetPointData()->GetArray(settings.Array.c_str()) : nullptr;
+}
+
+//----------------------------------------------------------------------------
+std::string vtkGlyphForms::Problem(vtkDataArray* array, const Settings& settings)
+{
+  std::ostringstream text;
+  const Words words = WordsOf(settings);
+  if (vtkRayTracedArrays::IsNone(settings.Array))
+  {
+    text << (settings.Kind == HARMONICS ? "Spherical harmonics need coefficients." : "Tensor glyphs need tensors.")
+         << " Choose a point array of " << words.Counts << " components as " << words.Property << ".";
+  }
+  else if (!array)
+  {
+    text << "There is no point array '" << settings.Array << "', which " << words.Property
+         << " names, so there are no glyphs. Choose one of " << words.Counts << " components.";
+  }
+  else if (!Fits(array->GetNumberOfComponents(), settings))
+  {
+    text << "The point array '" << settings.Array << "', which " << words.Property << " names, has "
+         << array->GetNumberOfComponents() << " components where " << words.Counts
+         << " are needed, so there are no glyphs. Choose another array.";
+  }
+  return text.str();
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphForms::vtkGlyphForms(vtkDataArray* array, const Settings& settings)
+  : How(settings)
+  , Map(MapOf(array->GetNumberOfComponents(), settings))
+  , Meter(this->Map.Degree())
+{
+  if (array->GetNumberOfComponents() == 9)
+  {
+    this->How.Layout = rtg::TensorLayout::Matrix;
+  }
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphForms::Coefficients vtkGlyphForms::CoefficientsOf(vtkGlyphTuples& tuples, vtkIdType point) const
+{
+  const double* components = tuples.Get(point);
+  double stress[6];
+  if (this->How.Kind == REYNOLDS)
+  {
+    const rtg::SymmetricTensor t = rtg::MakeTensor(components, this->How.Layout);
+    const double ordered[6] = { t.xx, t.yy, t.zz, t.xy, t.yz, t.xz };
+    std::copy(ordered, ordered + 6, stress);
+    components = stress;
+  }
+  Coefficients coefficients{};
+  this->Map.Apply(components, coefficients.data());
+  return coefficients;
+}
+
+//----------------------------------------------------------------------------
+rtg::FormExtent vtkGlyphForms::Measure(vtkGlyphTuples& tuples, vtkIdType point, float* values) const
+{
+  const Coefficients coefficients = this->CoefficientsOf(tuples, point);
+  const rtg::FormExtent extent = this->Meter.Measure(coefficients.data());
+  if (extent.radius > 0.0)
+  {
+    this->Meter.Store(coefficients.data(), extent, values);
+  }
+  return extent;
+}
+
+//----------------------------------------------------------------------------
+rtg::FormExtent vtkGlyphForms::MeasureRoughly(vtkGlyphTuples& tuples, vtkIdType point) const
+{
+  return this->Meter.MeasureRoughly(this->CoefficientsOf(tuples, point).data());
+}

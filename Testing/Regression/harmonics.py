@@ -1,0 +1,283 @@
+"""Glyphs of direction: spherical harmonics of every basis, normal stress and fourth-order tensors have the radius |f(n)|, by pictures
+against points of the rays; sizes, rotations, colors, light, motion, selecting, and bad input.
+
+Usage: pvpython harmonics.py
+"""
+import math
+
+import numpy
+import paraview.simple as pv
+
+import comparison
+import session
+from checks import Checks
+
+SIDE = 72
+#: half the height of the pictures in world units
+SCALE = 1.1
+WARM, COOL = (0.9, 0.5, 0.1), (0.1, 0.2, 0.8)
+BASES = ("MRtrix3", "DIPY", "DIPY Legacy", "Orthonormal")
+
+
+def harmonics(basis, count, n):
+    """f of each coefficient in the directions n (..., 3), by the formulas of GlyphHarmonicsBasis: (..., count)."""
+    phi, z = numpy.arctan2(n[..., 1], n[..., 0]), n[..., 2]
+    rho = numpy.sqrt(numpy.maximum(1.0 - z * z, 0.0))
+    columns, l = [], 0
+    while len(columns) < count:
+        for m in range(-l, l + 1):
+            order = abs(m)
+            below, value = numpy.zeros_like(z), (1.0 if order == 0 else float(numpy.prod([-(2.0 * i - 1.0) for i in range(1, order + 1)]))) * rho ** order
+            for k in range(order + 1, l + 1):
+                below, value = value, ((2 * k - 1) * z * value - (k + order - 1) * below) / (k - order)
+            value = value * math.sqrt((2 * l + 1) / (4.0 * math.pi) * math.factorial(l - order) / math.factorial(l + order))
+            value = value * (math.sqrt(2.0) if m else 1.0)
+            sine = m > 0 if basis.startswith("DIPY") else m < 0
+            odd = basis == "Orthonormal" or (basis == "DIPY" and m < 0)
+            sign = -1.0 if odd and order % 2 else 1.0
+            columns.append(sign * value * (numpy.sin(order * phi) if sine else numpy.cos(order * phi)))
+        l += 2
+    return numpy.stack(columns, axis=-1)
+
+
+def normal_stress(six, n):
+    """n^T s n of xx yy zz xy yz xz."""
+    x, y, z = n[..., 0], n[..., 1], n[..., 2]
+    return numpy.stack([x * x, y * y, z * z, 2 * x * y, 2 * y * z, 2 * x * z], axis=-1) @ six
+
+
+def fourth_order(voigt, n):
+    """C_ijkl n_i n_j n_k n_l of the upper triangle of Voigt's matrix."""
+    x, y, z = n[..., 0], n[..., 1], n[..., 2]
+    pairs = numpy.stack([x * x, y * y, z * z, 2 * y * z, 2 * x * z, 2 * x * y], axis=-1)
+    matrix = numpy.zeros((6, 6))
+    matrix[numpy.triu_indices(6)] = voigt
+    matrix = matrix + matrix.T - numpy.diag(numpy.diag(matrix))
+    return numpy.einsum("...i,ij,...j", pairs, matrix, pairs)
+
+
+def look(view, direction):
+    """Looks at the origin against `direction`: the world positions of all pixels in the plane through it, and the way to the viewer."""
+    direction = numpy.array(direction, dtype=float) / numpy.linalg.norm(direction)
+    right = numpy.cross((0.1, 1.0, 0.0), direction)
+    right /= numpy.linalg.norm(right)
+    up = numpy.cross(direction, right)
+    session.look(view, 5.0 * direction, up=up, parallel_scale=SCALE)
+    steps = (numpy.arange(SIDE) + 0.5 - SIDE / 2.0) * 2.0 * SCALE / SIDE
+    return steps[None, :, None] * right - steps[:, None, None] * up, direction
+
+
+def seen(function, factor, at, direction):
+    """Whether each pixel's ray meets the glyph |p| <= factor / 2 |f(p / |p|)|, the first point of it, and f there: by points of the ray."""
+    steps = numpy.linspace(SCALE, -SCALE, 241)
+    points = at[:, :, None, :] + steps[:, None] * direction
+    distance = numpy.maximum(numpy.linalg.norm(points, axis=-1), 1e-9)
+    values = function(points / distance[..., None])
+    inside = distance < 0.5 * factor * numpy.abs(values)
+    first = inside.argmax(axis=2)
+    take = lambda a: numpy.take_along_axis(a, first.reshape(first.shape + (1,) * (a.ndim - 2)), axis=2)[:, :, 0]
+    return inside.any(axis=2), take(points), take(values)
+
+
+def inner(mask):
+    """Pixels of a mask whose eight neighbours belong to it, too."""
+    padded = numpy.pad(mask, 1)
+    return numpy.all([padded[i:i + mask.shape[0], j:j + mask.shape[1]] for i in range(3) for j in range(3)], axis=0)
+
+
+def form(checks, view, what, array, function, factor, both=False, **properties):
+    """The glyph of one tuple, in both colorings from two sides or in one from one: each program takes its time to be compiled."""
+    points = session.source(session.poly_data(numpy.zeros((1, 3)), values=array[None]))
+    shown = session.glyphs(points, view, GlyphScaleFactor=factor, GlyphTensorPositiveColor=WARM, GlyphTensorNegativeColor=COOL, **properties)
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    for coloring, direction in (("Sign", (0.3, -0.5, 0.8)), ("Surface Direction", (-0.9, 0.2, 0.3)))[:2 if both else 1]:
+        shown.GlyphTensorColoring = coloring
+        at, towards = look(view, direction)
+        image = session.capture(view, "harmonics-%s-%s" % (what.replace(" ", "-").replace(",", ""), coloring.split()[0]))[:, :, :3].astype(int)
+        there, first, value = seen(function, factor, at, towards)
+        hit = comparison.covered(image)
+        sure = inner(there) | inner(~there)
+        # Lobes thinner than a pixel, and points of rays that pass them by, leave some pixels in doubt.
+        wrong = int((hit != there)[sure].sum())
+        if coloring == "Sign":
+            wanted = numpy.where(value[..., None] < 0, COOL, WARM)
+            alike = inner(there & (value < 0)) | inner(there & (value > 0))
+            levels = 2
+        else:
+            wanted = numpy.abs(first) / numpy.maximum(numpy.linalg.norm(first, axis=-1), 1e-9)[..., None]
+            # Where the surface has no step, one step of the ray is seen.
+            deep = numpy.pad(first @ towards, 1, mode="edge")
+            spread = numpy.ptp([deep[i:i + SIDE, j:j + SIDE] for i in range(3) for j in range(3)], axis=0)
+            alike = inner(there) & (spread < 0.15) & (numpy.linalg.norm(first, axis=-1) > 0.15)
+            levels = 20
+        apart = numpy.abs(image - numpy.round(255 * wanted)).max(axis=2)
+        off = int((apart[alike & hit] > levels).sum())
+        words = "%s, %s: %d pixels covered, %d of %d wrong; colors of %d judged, %d wrong" % (
+            what, coloring, hit.sum(), wrong, sure.sum(), alike.sum(), off)
+        print(words)
+        checks.true(words, hit.sum() > 150 and wrong <= 0.002 * sure.size and off <= 0.01 * alike.sum() and alike.sum() > 0.2 * hit.sum())
+    pv.Delete(shown)
+    pv.Delete(points)
+
+
+def forms(checks, view, random):
+    """Bands and bases, and both kinds of tensors."""
+    for basis, count in zip(BASES, (45, 15, 15, 6)):
+        array = random.normal(size=count)
+        form(checks, view, "%s, %d" % (basis, count), array, lambda n: harmonics(basis, count, n) @ array,
+             1.9 / numpy.abs(array).sum() * count ** 0.5, both=count == 15, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values", GlyphHarmonicsBasis=basis)
+    array = random.normal(size=91) * numpy.repeat(1.0 / (1.0 + numpy.arange(7)), 4 * numpy.arange(7) + 1)
+    form(checks, view, "band 12", array, lambda n: harmonics("MRtrix3", 91, n) @ array, 0.7, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values")
+    array = random.normal(size=6)
+    form(checks, view, "normal stress", array, lambda n: normal_stress(array, n), 1.0, GlyphShape="Reynolds", GlyphTensorArray="values")
+    array = random.normal(size=21)
+    form(checks, view, "fourth order", array, lambda n: fourth_order(array, n), 0.7, both=True, GlyphShape="Fourth-Order Tensor", GlyphTensorArray="values")
+
+
+def sizes(checks, view, random):
+    """Each: all have one size. Scale arrays multiply, orientation arrays turn: the same pictures as with what they stand for."""
+    array = numpy.outer([1.0, 0.2], random.normal(size=15))
+    places = numpy.array([[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0]])
+    turn = numpy.array([0.8, 0.36, 0.48, 0.0])  # w, x, y, z
+    w, x, y, z = turn
+    matrix = numpy.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                          [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                          [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+    stress = random.normal(size=(3, 3))
+    stress = stress + stress.T
+    points = session.source(session.poly_data(
+        places, values=array, alike=numpy.repeat(array[:1], 2, axis=0), fifth=numpy.array([1.0, 0.2]), turn=numpy.repeat(turn[None], 2, axis=0),
+        stress=numpy.repeat(stress.reshape(1, 9), 2, axis=0), turned=numpy.repeat((matrix @ stress @ matrix.T).reshape(1, 9), 2, axis=0)))
+    look(view, (0.2, 0.3, 1.0))
+    pictures = {}
+    for name, properties in {
+            "each": dict(GlyphHarmonicsArray="values", GlyphHarmonicsScaling="Each"),
+            "alike": dict(GlyphHarmonicsArray="alike", GlyphHarmonicsScaling="Each"),
+            "common": dict(GlyphHarmonicsArray="values"),
+            "scaled": dict(GlyphHarmonicsArray="alike", GlyphScaling=1, GlyphScaleArray="fifth"),
+            "turned": dict(GlyphShape="Reynolds", GlyphTensorArray="stress", GlyphOrient=1, GlyphOrientationArray="turn",
+                           GlyphOrientationMode="Quaternion"),
+            "of turned": dict(GlyphShape="Reynolds", GlyphTensorArray="turned")}.items():
+        factor = 0.8 if properties.get("GlyphHarmonicsScaling") else 0.3
+        shown = session.glyphs(points, view, **{"GlyphShape": "Spherical Harmonics", "GlyphScaleFactor": factor, **properties})
+        session.solid(shown, (0.8, 0.8, 0.8))
+        pictures[name] = session.capture(view, "harmonics-" + name.replace(" ", "-"))
+        pv.Delete(shown)
+    checks.picture("harmonics, each of one size", pictures["each"], pictures["alike"])
+    checks.picture("harmonics scaled by an array", pictures["scaled"], pictures["common"])
+    checks.picture("harmonics turned by an array", pictures["turned"], pictures["of turned"])
+    checks.true("each and common look the same", (pictures["each"] != pictures["common"]).any())
+    widths = [comparison.covered(pictures["each"])[:, half].any(axis=0).sum() for half in (slice(0, SIDE // 2), slice(SIDE // 2, SIDE))]
+    checks.within("width of one glyph of two that have one size", widths[0] / widths[1], 0.9, 1.1)
+    pv.Delete(points)
+
+
+def gallery(checks, random):
+    """Bands and shapes beside each other, in color, light and motion."""
+    view = session.view(300, 100)
+    session.look(view, (0.0, 1.5, 6.0), parallel_scale=0.7)
+    peaks = numpy.array([[0.3, 0.9, 0.3], [0.9, -0.2, 0.4], [-0.4, 0.2, 0.9]])
+    shown, sources = [], []
+    for number, count in enumerate((6, 15, 45, 91)):
+        # Three narrow lobes, as sharp as the bands allow
+        array = harmonics("MRtrix3", count, peaks / numpy.linalg.norm(peaks, axis=1)[:, None]).sum(axis=0)
+        sources.append(session.source(session.poly_data(numpy.array([[-1.75 + 0.7 * number, 0.0, 0.0]]), values=array[None],
+                                                        velocity=numpy.array([[0.0, 1.0, 0.0]]))))
+        shown.append(session.glyphs(sources[-1], view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values", GlyphScaleFactor=0.62,
+                                    GlyphHarmonicsScaling="Each", GlyphTensorColoring="Surface Direction"))
+    tensors = {"Reynolds": numpy.array([1.0, -0.7, 0.3, 0.2, 0.5, -0.1]),
+               "Fourth-Order Tensor": numpy.array([3.0, 1.2, 1.2, 0, 0, 0, 3.0, 1.2, 0, 0, 0, 3.0, 0, 0, 0, 2.4, 0, 0, 2.4, 0, 2.4])}
+    for number, (shape, array) in enumerate(tensors.items()):
+        sources.append(session.source(session.poly_data(numpy.array([[1.05 + 0.7 * number, 0.0, 0.0]]), values=array[None],
+                                                        velocity=numpy.array([[0.0, 1.0, 0.0]]))))
+        shown.append(session.glyphs(sources[-1], view, GlyphShape=shape, GlyphTensorArray="values", GlyphScaleFactor=0.62,
+                                    GlyphHarmonicsScaling="Each", GlyphTensorColoring="Sign"))
+    shown[0].SamplesPerPixel = 8
+    image = session.capture(view, "harmonics-gallery")
+    for failure in comparison.against_baseline(image, "harmonics-gallery"):
+        checks.true(failure, False)
+    covered = comparison.covered(image)
+    # Selecting: the point under each glyph's middle.
+    for number, source in enumerate(sources):
+        found = session.picked(view, "POINT", session.pixel_of(view, (-1.75 + 0.7 * number + 0.02, 0.03, 0.0)))
+        checks.equal("what lies under glyph %d" % number, [(thing[0] == source.SMProxy, thing[2]) for thing in found], [(True, 0)])
+    # Light is the view's; noise of its samples moves edges.
+    for name, changed, properties, back, low, high in (
+            ("translucent", shown, {"Opacity": 0.5}, {"Opacity": 1.0}, 0.98, 1.03),
+            ("moving", shown, {"MotionBlur": 1, "VelocityArray": "velocity", "ShutterTime": 0.3}, {"MotionBlur": 0}, 1.1, 2.0),
+            ("occlusion", shown[:1], {"ShadingMode": "Ambient Occlusion"}, {"ShadingMode": "Local"}, 0.98, 1.03),
+            ("paths", shown[:1], {"ShadingMode": "Path Tracing"}, {"ShadingMode": "Local"}, 0.98, 1.03)):
+        for glyph in changed:
+            for key, value in properties.items():
+                setattr(glyph, key, value)
+        other = session.capture(view, "harmonics-" + name)
+        checks.within(name + ": pixels covered beside those at rest", comparison.covered(other).sum() / covered.sum(), low, high)
+        checks.true(name + ": nothing has changed", (other != image).any())
+        for glyph in changed:
+            for key, value in back.items():
+                setattr(glyph, key, value)
+    checks.picture("harmonics, back again", session.capture(view, "harmonics-again"), image)
+    pv.Delete(view)
+
+
+def bounds(checks, random):
+    """ParaView's camera shows all of the glyphs, and not much more."""
+    view = session.view(100, 100)
+    array = harmonics("MRtrix3", 45, numpy.array([1.0, 0.0, 0.0]))
+    points = session.source(session.poly_data(numpy.array([[1.0, 2.0, 3.0], [1.1, 2.0, 3.0]]), values=numpy.repeat(array[None], 2, axis=0)))
+    shown = session.glyphs(points, view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values", GlyphScaleFactor=1.0)
+    pv.Render(view)
+    found = numpy.array(shown.SMProxy.GetClientSideObject().GetActiveRepresentation().GetActor().GetBounds()
+                        if hasattr(shown.SMProxy.GetClientSideObject(), "GetActiveRepresentation") else [0.0] * 6)
+    radius = 0.5 * float(harmonics("MRtrix3", 45, numpy.array([1.0, 0.0, 0.0])) @ array)
+    checks.within("lower bound along the lobe", found[0], 1.0 - 1.2 * radius, 1.0 - radius)
+    checks.within("upper bound along the lobe", found[1], 1.1 + radius, 1.1 + 1.2 * radius)
+    checks.within("upper bound across", found[3], 2.0, 2.0 + 0.6 * radius)
+    pv.Delete(view)
+
+
+def bad_input(checks, view):
+    """One message for a wrong number of components; tuples of zeros or without a number are counted, and the rest shows."""
+    good = numpy.zeros((4, 6))
+    good[:, 0] = 1.0
+    good[1], good[2, 3] = 0.0, numpy.nan
+    places = numpy.array([[-0.9, 0.0, 0.0], [-0.3, 0.0, 0.0], [0.3, 0.0, 0.0], [0.9, 0.0, 0.0]])
+    points = session.source(session.poly_data(places, seven=numpy.ones((4, 7)), good=good, zeros=numpy.zeros((4, 6)), one=numpy.ones(4)))
+    shown = session.glyphs(points, view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="seven", GlyphScaleFactor=0.8)
+    look(view, (0.0, 0.0, 1.0))
+    text = session.messages(lambda: pv.Render(view))
+    checks.one_message("seven components", text, "'seven'", "GlyphHarmonicsArray", "7 components", "1, 6, 15, 28, 45, 66 or 91")
+    shown.GlyphHarmonicsArray = "good"
+    text = session.messages(lambda: pv.Render(view))
+    checks.one_message("a tuple without a number", text, "1 of 4 points", "'good'", "not all finite")
+    counted = session.statistics(shown)
+    checks.equal("glyphs and skipped points", (counted["glyphs"], counted["skippedGlyphs"]), (2, 2))
+    checks.covered("two balls", session.capture(view, "harmonics-two"), 0.01, 0.2)
+    shown.GlyphHarmonicsArray = "zeros"
+    checks.one_message("all zero", session.messages(lambda: pv.Render(view)), "'zeros'", "all zero")
+    shown.GlyphHarmonicsArray = "one"
+    checks.no_message("one component", session.messages(lambda: pv.Render(view)))
+    checks.equal("glyphs of one component", session.statistics(shown)["glyphs"], 4)
+    for shape, name, counts in (("Reynolds", "seven", "6 or 9"), ("Fourth-Order Tensor", "good", "15, 21, 36 or 81")):
+        shown.GlyphTensorArray, shown.GlyphShape = name, shape
+        text = session.messages(lambda: pv.Render(view))
+        checks.one_message(shape, text, "'%s'" % name, "GlyphTensorArray", counts)
+    pv.Delete(shown)
+    pv.Delete(points)
+
+
+def main():
+    session.load()
+    checks = Checks()
+    random = numpy.random.default_rng(4)
+    view = session.view(SIDE, SIDE)
+    forms(checks, view, random)
+    sizes(checks, view, random)
+    bad_input(checks, view)
+    gallery(checks, random)
+    bounds(checks, random)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()
