@@ -201,11 +201,11 @@ void vtkRayTracedGlyphMapper::AddToMaterial(rtg::Material& material) const
 std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 {
   const vtkGlyphTensors::Settings& tensors = this->Settings.Tensors;
-  const int coloring = tensors.On || this->Settings.Forms.On ? tensors.Coloring : 0;
+  const int coloring = tensors.On ? tensors.Coloring : static_cast<int>(this->Settings.SurfaceColors());
   vtkPolyData* points = this->GetPoints();
   vtkDataArray* selected = points ? points->GetPointData()->GetArray(vtkRayTracedArrays::Selected) : nullptr;
   std::vector<vtkMTimeType> state{ static_cast<vtkMTimeType>(coloring),
-    coloring != vtkGlyphTensors::NONE && this->TensorTable ? this->TensorTable->GetMTime() : 0 };
+    tensors.On && coloring != vtkGlyphTensors::NONE && this->TensorTable ? this->TensorTable->GetMTime() : 0 };
   if (selected)
   {
     state.push_back(selected->GetMTime());

@@ -24,6 +24,9 @@ OF_SHAPES = {
     "Tensor Ellipsoid": ([], [row for row in TENSOR if row != "Glyph Tensor Sharpness"]),
     "Tensor Superquadric": ([], TENSOR),
     "Signed Tensor Superquadric": ([], TENSOR),
+    "Spherical Harmonics": ([], ["Glyph Tensor Coloring", "Glyph Harmonics Array", "Glyph Harmonics Basis", "Glyph Harmonics Scaling"]),
+    "Reynolds": ([], ["Glyph Tensor Array", "Glyph Tensor Layout", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"]),
+    "Fourth-Order Tensor": ([], ["Glyph Tensor Array", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"]),
     "Mesh": (["Glyph Mesh"], [])}
 
 
