@@ -62,7 +62,7 @@ void vtkRayTracedExporter::WriteData()
   {
     if (vtkRayTracedScene* scene = vtkRayTracedScene::Find(renderer))
     {
-      for (const vtkRayTracedScene::Shown& shown : scene->TakeShown())
+      for (const vtkRayTracedScene::Shown& shown : scene->CopyShown())
       {
         surfaces |= shown.Instances.identifyTriangles;
         if (!shown.Instances.identifyTriangles)

@@ -33,8 +33,8 @@ public:
 
   /**
    * To be called by all ranks at once. `changed`: what this rank shows is not what it was at the last call; only then,
-   * on some rank, `shown` is asked for. `displays` is the number of displays. Returns what went wrong, on this rank or
-   * on another; nobody has neighbors then.
+   * on some rank, `shown` is asked for. `displays` is the number of displays. Returns what went wrong on this rank;
+   * nobody is sent anything when something has gone wrong on any.
    */
   std::string Exchange(vtkMultiProcessController* controller, double reach, bool changed, int displays,
     const std::function<std::vector<Shown>()>& shown);

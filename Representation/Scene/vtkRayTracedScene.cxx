@@ -776,15 +776,13 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
 }
 
 //----------------------------------------------------------------------------
-std::vector<vtkRayTracedScene::Shown> vtkRayTracedScene::TakeShown()
+std::vector<vtkRayTracedScene::Shown> vtkRayTracedScene::CopyShown()
 {
   std::vector<Shown> all;
-  for (Internals::Member& member : this->Self->Members)
+  std::vector<rtg::GlyphInstances> built;
+  for (const vtkRayTracedNeighbors::Shown& shown : this->Self->ShownHere(built))
   {
-    if (member.Shown)
-    {
-      all.push_back({ member.Mapper->TakeInstances(member.Actor), member.Mapper->GetColors(), member.Material });
-    }
+    all.push_back({ *shown.Instances, *shown.Colors, this->Self->Members[shown.Display].Material });
   }
   return all;
 }

@@ -115,7 +115,7 @@ public:
     rtg::GlyphColours Colors;
     rtg::Material Material;
   };
-  std::vector<Shown> TakeShown();
+  std::vector<Shown> CopyShown();
 
   /**
    * Says, once after each frame, that a scene that is being exported goes without what is ray traced.

@@ -50,7 +50,11 @@ def number_format():
 def colour(shown, view, array, component, limits, preset, title, place=(0.6, 0.84)):
     """Colours by an array's component, with a scalar bar whose lower left corner is at place (fractions of the view)."""
     pv.ColorBy(shown, ("POINTS", array, component), True)
-    table = pv.GetColorTransferFunction(array, shown, separate=True)
+    scalar_bar(pv.GetColorTransferFunction(array, shown, separate=True), shown, view, limits, preset, title, place)
+
+
+def scalar_bar(table, shown, view, limits, preset, title, place):
+    """Gives a color table its range and preset, and the view a bar of it whose lower left corner is at place (fractions of the view)."""
     table.ApplyPreset(preset_name(preset), True)
     table.RescaleTransferFunction(*limits)
     shown.SetScalarBarVisibility(view, True)

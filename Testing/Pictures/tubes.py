@@ -7,7 +7,7 @@ import sys
 
 import paraview.simple as pv
 
-from simulation import begin, look, new_view, number_format, preset_name, save
+from simulation import begin, look, new_view, save, scalar_bar
 
 #: Arnold, Beltrami and Childress: a flow along which the vorticity is the velocity
 FLOW = "iHat*(sin(0.4*coordsZ)+0.7*cos(0.4*coordsY))+jHat*(0.8*sin(0.4*coordsX)+cos(0.4*coordsZ))+kHat*(0.7*sin(0.4*coordsY)+0.8*cos(0.4*coordsX))"
@@ -16,15 +16,7 @@ FLOW = "iHat*(sin(0.4*coordsZ)+0.7*cos(0.4*coordsY))+jHat*(0.8*sin(0.4*coordsX)+
 def color(shown, view, association, array, limits, preset, title):
     """Colors by an array, with a scalar bar."""
     pv.ColorBy(shown, (association, array))
-    table = pv.GetColorTransferFunction(array)
-    table.ApplyPreset(preset_name(preset), True)
-    table.RescaleTransferFunction(*limits)
-    shown.SetScalarBarVisibility(view, True)
-    bar = pv.GetScalarBar(table, view)
-    bar.Title, bar.ComponentTitle = title, ""
-    bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
-    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, number_format(), number_format()
-    bar.WindowLocation, bar.Orientation, bar.Position, bar.ScalarBarLength = "Any Location", "Horizontal", [0.63, 0.9], 0.34
+    scalar_bar(pv.GetColorTransferFunction(array), shown, view, limits, preset, title, (0.63, 0.9))
 
 
 def tubes(source, view, ours, radius, array):

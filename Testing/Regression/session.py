@@ -163,9 +163,13 @@ def glyphs(of_source, in_view, shape="Sphere", samples=None, **properties):
     """
     if samples is None and len(in_view.Representations) == 0:
         samples = 1
+    return show(of_source, in_view, REPRESENTATION, samples, **{"GlyphShape": shape, **properties})
+
+
+def show(of_source, in_view, representation, samples=None, **properties):
+    """Shows a source as a representation; samples: SamplesPerPixel, or None to leave them."""
     shown = pv.Show(of_source, in_view)
-    shown.SetRepresentationType(REPRESENTATION)
-    shown.GlyphShape = shape
+    shown.SetRepresentationType(representation)
     if samples is not None:
         shown.SamplesPerPixel = samples
     for name, value in properties.items():

@@ -34,14 +34,9 @@ def line_data(lines, cell_arrays=None, **arrays):
 
 def show(source, view, radius=None, samples=1, **properties):
     """Shows a source as tubes."""
-    shown = pv.Show(source, view)
-    shown.SetRepresentationType(TUBES)
-    shown.SamplesPerPixel = samples
     if radius is not None:
-        shown.TubeRadius = radius
-    for name, value in properties.items():
-        setattr(shown, name, value)
-    return shown
+        properties = {"TubeRadius": radius, **properties}
+    return session.show(source, view, TUBES, samples, **properties)
 
 
 def helix(count=1200):
