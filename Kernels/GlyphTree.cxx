@@ -4,7 +4,9 @@
 #include "Partition.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 namespace rtg
@@ -44,6 +46,7 @@ class LeafSplitter
 {
 public:
   static constexpr std::size_t mostGlyphs = 64;
+  static constexpr std::size_t fewGlyphs = 16;
 
   LeafSplitter(PartitionEntry* entries, std::size_t count, const Box* boxes)
     : entries_(entries)
@@ -51,7 +54,8 @@ public:
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      this->boxes_[i] = boxes[entries[i].index];
+      const Box& box = boxes[entries[i].index];
+      this->boxes_[i] = { box.lower.x, box.lower.y, box.lower.z, 0.0f, -box.upper.x, -box.upper.y, -box.upper.z, 0.0f };
     }
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -60,6 +64,25 @@ public:
       {
         // The low bits, of the index, only tell equal coordinates apart: so do places in the node.
         keys[i] = (entries[i].Key(axis) & ~std::uint64_t(0xff)) | i;
+      }
+      if (count <= fewGlyphs)
+      {
+        // A glyph's place is the number of those before it, counted without branches that nobody can predict.
+        std::uint8_t places[fewGlyphs] = {};
+        for (std::size_t i = 1; i < count; ++i)
+        {
+          for (std::size_t j = 0; j < i; ++j)
+          {
+            const bool before = keys[i] < keys[j];
+            places[j] += before;
+            places[i] += !before;
+          }
+        }
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          this->sorted_[axis][places[i]] = static_cast<std::uint8_t>(i);
+        }
+        continue;
       }
       std::sort(keys, keys + count);
       std::transform(
@@ -104,14 +127,25 @@ public:
   }
 
 private:
+  // Of a box: its lower corner, and its upper one with the sign turned, so that all eight take the same instruction.
+  using Planes = std::array<float, 8>;
+
   float Area(int axis, std::size_t first, std::size_t last) const
   {
-    Box box;
-    for (std::size_t i = first; i < last; ++i)
+    if (first == last)
     {
-      box.Include(this->boxes_[this->sorted_[axis][i]]);
+      return 0.0f;
     }
-    return first < last ? HalfSurface(box.upper - box.lower) : 0.0f;
+    Planes planes = this->boxes_[this->sorted_[axis][first]];
+    for (std::size_t i = first + 1; i < last; ++i)
+    {
+      const Planes& other = this->boxes_[this->sorted_[axis][i]];
+      for (std::size_t plane = 0; plane < planes.size(); ++plane)
+      {
+        planes[plane] = std::min(planes[plane], other[plane]);
+      }
+    }
+    return HalfSurface(-glm::vec3(planes[4] + planes[0], planes[5] + planes[1], planes[6] + planes[2]));
   }
 
   void Divide(int along, std::size_t first, std::size_t middle, std::size_t last)
@@ -141,7 +175,7 @@ private:
 
   PartitionEntry* entries_;
   std::size_t count_;
-  Box boxes_[mostGlyphs];
+  Planes boxes_[mostGlyphs];
   std::uint8_t sorted_[3][mostGlyphs]; // glyphs along each axis, part by part
 };
 
@@ -297,7 +331,8 @@ std::uint32_t GlyphTree::LeafBits(std::size_t count, std::size_t glyphsPerLeaf)
 KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits)
 {
   KdOrder result;
-  std::vector<PartitionEntry> entries(boxes.size());
+  // Not made by a vector, which would write zeros into all of them first, on one core.
+  const std::unique_ptr<PartitionEntry[]> entries(new PartitionEntry[boxes.size()]);
   ParallelChunks(boxes.size(),
     [&](std::size_t first, std::size_t last)
     {
@@ -309,9 +344,9 @@ KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits)
   const std::uint32_t last = GlyphTree::Levels(leafBits) - 1;
   const std::size_t lastCount = std::size_t(1) << (last > 0 ? leafBits - 3 : 0);
   result.axes.resize(GlyphTree::LevelOffset(last) + lastCount);
-  const KdSplitter splitter{ entries.data(), boxes.data(), entries.size(), leafBits, result.axes.data() };
-  splitter.SplitNode(0, 0, 0, leafBits, ForksFor(entries.size()));
-  result.order = OrderOf(entries);
+  const KdSplitter splitter{ entries.get(), boxes.data(), boxes.size(), leafBits, result.axes.data() };
+  splitter.SplitNode(0, 0, 0, leafBits, ForksFor(boxes.size()));
+  result.order = OrderOf(entries.get(), boxes.size());
   return result;
 }
 
@@ -333,19 +368,24 @@ std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::u
 
 double LeafSurface(const OrderedBoxes& boxes, std::uint32_t leafBits)
 {
+  constexpr std::size_t mostVisited = std::size_t(1) << 16;
   const std::size_t leaves = std::size_t(1) << leafBits;
-  std::vector<double> surfaces((leaves + parallelChunk - 1) / parallelChunk);
-  ParallelChunks(leaves,
+  // An odd step visits children of every place in their node.
+  const std::size_t step = leaves / mostVisited | 1;
+  const std::size_t visited = (leaves + step - 1) / step;
+  std::vector<double> surfaces((visited + parallelChunk - 1) / parallelChunk);
+  ParallelChunks(visited,
     [&](std::size_t begin, std::size_t end)
     {
       double& surface = surfaces[begin / parallelChunk];
-      for (std::size_t leaf = begin; leaf < end; ++leaf)
+      for (std::size_t i = begin; i < end; ++i)
       {
-        const Box box = LeafBox(boxes, leaf, leafBits);
+        const Box box = LeafBox(boxes, i * step, leafBits);
         surface += box.Empty() ? 0.0 : HalfSurface(glm::dvec3(box.upper - box.lower));
       }
     });
-  return std::accumulate(surfaces.begin(), surfaces.end(), 0.0);
+  const double sum = std::accumulate(surfaces.begin(), surfaces.end(), 0.0);
+  return sum * (double(leaves) / double(visited));
 }
 
 GlyphTree BuildGlyphTree(const OrderedBoxes& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes)

@@ -88,7 +88,7 @@ struct OrderedBoxes
 };
 
 /// The surface of all leaves' boxes, to which the number of rays that meet them is in proportion: tells how good an
-/// order is.
+/// order is. Of very many leaves some ten thousand stand for all.
 double LeafSurface(const OrderedBoxes& boxes, std::uint32_t leafBits);
 
 /// An order serves boxes that have moved until they leave the leaves this much more surface than when it was found.

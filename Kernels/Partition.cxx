@@ -93,10 +93,10 @@ PartitionEntry::PartitionEntry(const glm::vec3& point, std::uint32_t i)
 {
 }
 
-std::vector<std::uint32_t> OrderOf(const std::vector<PartitionEntry>& entries)
+std::vector<std::uint32_t> OrderOf(const PartitionEntry* entries, std::size_t count)
 {
-  std::vector<std::uint32_t> order(entries.size());
-  ParallelChunks(entries.size(),
+  std::vector<std::uint32_t> order(count);
+  ParallelChunks(count,
     [&](std::size_t first, std::size_t last)
     {
       for (std::size_t i = first; i < last; ++i)

@@ -24,7 +24,7 @@ struct PartitionEntry
   std::uint64_t Key(int axis) const { return std::uint64_t(this->coordinates[axis]) << 32 | this->index; }
 };
 
-std::vector<std::uint32_t> OrderOf(const std::vector<PartitionEntry>& entries);
+std::vector<std::uint32_t> OrderOf(const PartitionEntry* entries, std::size_t count);
 
 /// Size of the smallest box around the points of [first, last); 0 for none.
 glm::vec3 Extent(const PartitionEntry* entries, std::size_t first, std::size_t last);

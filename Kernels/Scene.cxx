@@ -15,8 +15,7 @@ namespace rtg
 namespace
 {
 
-// A device whose traversal runs on the CPU does better with our own, and some drivers have none; RTGLYPHS_STRUCTURE
-// (boxes or tree) overrides, for measurements.
+// Some drivers have no traversal; RTGLYPHS_STRUCTURE (boxes or tree) overrides, for measurements.
 Structure ChooseStructure(const Device& device, bool hasBoxes, bool canTree)
 {
   const char* variable = std::getenv("RTGLYPHS_STRUCTURE");
@@ -30,7 +29,7 @@ Structure ChooseStructure(const Device& device, bool hasBoxes, bool canTree)
     throw Error("Ray Traced Glyphs: RTGLYPHS_STRUCTURE is '" + wanted + "', for which '" + device.Name() + "' lacks " +
       (canTree ? "VK_KHR_ray_tracing_pipeline" : "shaderInt64") + "; unset it.");
   }
-  const bool trees = wanted.empty() ? device.IsCpu() || !hasBoxes : wanted == "tree";
+  const bool trees = wanted.empty() ? device.PrefersTrees() || !hasBoxes : wanted == "tree";
   return trees && canTree ? Structure::Tree : Structure::Boxes;
 }
 

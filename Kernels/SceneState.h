@@ -4,6 +4,7 @@
 #include "GlyphArrays.h"
 #include "GlyphTree.h"
 #include "MeshTree.h"
+#include "Parallel.h"
 #include "Scene.h"
 #include "TimeSlices.h"
 #include "Vulkan/AccelerationStructure.h"
@@ -217,11 +218,13 @@ Buffer SendInOrder(Device::State& device, const std::vector<T>& values, const st
   buffer.Write(buffer.Size(),
     [&](void* target)
     {
-      auto* place = static_cast<T*>(target);
-      for (const std::uint32_t i : order)
-      {
-        *place++ = values[i];
-      }
+      auto* const places = static_cast<T*>(target);
+      ParallelChunks(order.size(),
+        [&](std::size_t first, std::size_t last)
+        {
+          std::transform(
+            order.begin() + first, order.begin() + last, places + first, [&](std::uint32_t i) { return values[i]; });
+        });
     });
   return buffer;
 }
@@ -237,11 +240,15 @@ inline Buffer SendInOrder(Device::State& device, const GlyphTuples& tuples, cons
   buffer.Write(buffer.Size(),
     [&](void* target)
     {
-      auto* place = static_cast<float*>(target);
-      for (const std::uint32_t i : order)
-      {
-        place = std::copy_n(tuples[i], tuples.width, place);
-      }
+      auto* const places = static_cast<float*>(target);
+      ParallelChunks(order.size(),
+        [&](std::size_t first, std::size_t last)
+        {
+          for (std::size_t i = first; i < last; ++i)
+          {
+            std::copy_n(tuples[order[i]], tuples.width, places + i * tuples.width);
+          }
+        });
     });
   return buffer;
 }

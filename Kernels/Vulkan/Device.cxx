@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <iomanip>
 #include <iterator>
 #include <limits>
@@ -221,6 +223,18 @@ MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, 
   return vk::raii::Device(physical, info);
 }
 
+// What the driver says of itself names the compiler: "Mesa 26.1.6 (LLVM 21.1.8)".
+bool MiscompilesTrees(const vk::raii::PhysicalDevice& physical)
+{
+  constexpr int firstVersion = 21;
+  const auto properties = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
+  const auto& driver = properties.get<vk::PhysicalDeviceDriverProperties>();
+  int version = 0;
+  const char* compiler = std::strstr(driver.driverInfo, "LLVM ");
+  return driver.driverID == vk::DriverId::eMesaLlvmpipe && compiler &&
+    std::sscanf(compiler, "LLVM %d", &version) == 1 && version >= firstVersion;
+}
+
 // Runs `work`; turns whatever goes wrong with Vulkan's loader and drivers into an rtg::Error.
 template <class Work>
 void StartingVulkan(Work&& work)
@@ -273,6 +287,7 @@ void Device::Start()
   state.queueFamily = ChooseQueueFamily(state.physical);
   state.int64 = state.physical.getFeatures().shaderInt64;
   state.tracesRays = TracesRays(state.physical);
+  state.miscompilesTrees = MiscompilesTrees(state.physical);
   using Stage = vk::PipelineStageFlagBits;
   state.programStages = Stage::eComputeShader;
   if (state.tracesRays)
@@ -330,6 +345,11 @@ std::string Device::Name() const
 bool Device::IsCpu() const
 {
   return this->state_->cpu;
+}
+
+bool Device::PrefersTrees() const
+{
+  return this->state_->cpu && !this->state_->miscompilesTrees;
 }
 
 bool Device::Lost() const

@@ -28,6 +28,9 @@ public:
   ~Device();
   std::string Name() const;
   bool IsCpu() const;
+  /// Whether scenes are better walked by programs of ours than by the driver: on a CPU, unless its driver compiles them
+  /// wrongly.
+  bool PrefersTrees() const;
   bool Lost() const;
   /// Device memory that all buffers of the process hold.
   std::uint64_t HeldBytes() const;

@@ -18,6 +18,7 @@
 #include "vtkRayTracedArrays.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkRayTracedPythonClass.h"
+#include "vtkRayTracedFrameStatus.h"
 #include "vtkRayTracedScene.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -483,7 +484,7 @@ const char* vtkRayTracedRepresentation::GetRefinementStep()
 const char* vtkRayTracedRepresentation::GetRenderStatistics()
 {
   vtkRayTracedScene* scene = this->GetScene();
-  const vtkRayTracedScene::DataStatistics data{ this->Gathers, this->Bounds.GetBuilds(), this->GatherSeconds,
+  const vtkRayTracedDataStatistics data{ this->Gathers, this->Bounds.GetBuilds(), this->GatherSeconds,
     this->Bounds.GetSeconds() };
   this->Statistics = scene ? scene->GetStatistics(this->Mapper, data) : std::string("{}");
   return this->Statistics.c_str();

@@ -2,7 +2,6 @@
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
-#include "vtkCommunicator.h"
 #include "vtkDataObject.h"
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
@@ -16,8 +15,10 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
+#include "vtkRayTracedDisplays.h"
 #include "vtkRayTracedFXAA.h"
 #include "vtkRayTracedFeatureImage.h"
+#include "vtkRayTracedFrameStatus.h"
 #include "vtkRayTracedIdBuffer.h"
 #include "vtkRayTracedImageRequest.h"
 #include "vtkRayTracedImages.h"
@@ -30,12 +31,9 @@
 #include "vtkRayTracedSignal.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
-#include "vtk_nlohmannjson.h"
-#include VTK_NLOHMANN_JSON(json.hpp)
 
 #include <algorithm>
 #include <map>
-#include <new>
 #include <vector>
 
 vtkInformationKeyMacro(vtkRayTracedScene, SCENE, ObjectBase);
@@ -49,17 +47,6 @@ constexpr double interactiveRate = 1.0;
 constexpr const char* compilingText = "Compiling Programs";
 constexpr const char* tracingText = "Ray Tracing";
 
-// In what is summed over all ranks; behind the view's numbers come two of each member.
-enum Numbers
-{
-  DEVICE_BYTES,
-  PRIMARY_RAYS,
-  NEIGHBOR_GLYPHS,
-  NEIGHBOR_BYTES,
-  VIEW_NUMBERS
-};
-constexpr std::size_t memberNumbers = 2;
-
 constexpr int opaque = static_cast<int>(rtg::Pass::Opaque);
 constexpr int translucent = static_cast<int>(rtg::Pass::Translucent);
 }
@@ -67,23 +54,8 @@ constexpr int translucent = static_cast<int>(rtg::Pass::Translucent);
 //----------------------------------------------------------------------------
 struct vtkRayTracedScene::Internals
 {
-  // A mapper's glyph set, and what of it the kernels have.
-  struct Member
-  {
-    vtkRayTracedMapper* Mapper = nullptr; // takes itself out before it goes
-    vtkWeakPointer<vtkActor> Actor;
-    std::uint64_t Scene = 0; // number of the kernels' scene that has the set; 0: none
-    rtg::Scene::SetId Set = 0;
-    std::uint64_t SentInstances = 0, SentColors = 0, SentMaterial = 0;
-    rtg::Material Material;
-    std::uint64_t MaterialVersion = 0;
-    bool Shown = false;       // in this frame
-    bool Translucent = false; // and then in the translucent pass
-  };
-
   vtkNew<vtkRayTracedImageActor> Actor;
-  std::vector<Member> Members; // in the order in which they were added
-  Member* Find(const vtkRayTracedMapper* mapper);
+  vtkRayTracedDisplays Displays;
   vtkRayTracedImageSettings Settings;
   bool Capture = false, Collective = false, Stopped = false;
   std::string FeatureFile;
@@ -92,10 +64,9 @@ struct vtkRayTracedScene::Internals
   vtkRayTracedFXAA FXAA;
   vtkRayTracedRendererState::Environment Environment;
 
-  // What can be seen: of each shown member the versions of instances, colors and material. Two frames with the same
-  // list look the same; each new list has a number.
-  std::vector<std::array<std::uint64_t, 3>> Content;
-  std::uint64_t ContentNumber = 0, MaterialVersions = 0;
+  // What can be seen; each new content has a number.
+  vtkRayTracedDisplays::Content Content;
+  std::uint64_t ContentNumber = 0;
 
   // The images of this frame
   struct Drawn
@@ -104,44 +75,19 @@ struct vtkRayTracedScene::Internals
     double EyeDepth;
   };
   std::vector<Drawn> Frame;
-  bool Wants[vtkRayTracedImages::Passes] = { false, false };
   bool Interactive = false;
-
-  // Of the last frame, on all ranks that rendered it together; of each eye its own.
-  bool Compiling = false; // some image of the last frame
-  double Done[2] = { 1.0, 1.0 };
-  double Samples[2] = { 0.0, 0.0 };
-  bool Stereo = false;
-  int Eye = 0; // of the last frame
+  vtkRayTracedFrameStatus Status; // of the last frame
 
   std::string Reported, CameraReported; // the last failures, until there is an image again
   bool PassReported = false, ExportReported = false, CutReported = false;
   vtkRayTracedProgress Progress;
 
   vtkRayTracedNeighbors Neighbors;
-  std::vector<std::array<std::uint64_t, 3>> SentContent; // what could be seen when neighbors were last asked for
-  rtg::Material MaterialOf(const Member& member, vtkRenderer* renderer) const;
-  std::vector<vtkRayTracedNeighbors::Shown> ShownHere(std::vector<rtg::GlyphInstances>& built);
+  vtkRayTracedDisplays::Content SentContent; // what could be seen when neighbors were last asked for
   vtkMultiProcessController* OtherRanks() const;
 
-  // What statistics sum over all ranks: the view's numbers, then glyphs and skipped glyphs of each member. Of the last
-  // frame that ranks rendered together, or none.
-  std::vector<double> OwnNumbers() const;
-  void SumNumbers(vtkMultiProcessController* ranks);
-  std::vector<double> SummedNumbers;
-
-  void Commit(rtg::Scene& scene, vtkRenderer* renderer);
-  bool HasBothPasses() const { return this->Wants[opaque] && this->Wants[translucent]; }
-  bool WantsAnything() const { return this->Wants[opaque] || this->Wants[translucent]; }
+  bool HasBothPasses() const { return this->Displays.Shows(opaque) && this->Displays.Shows(translucent); }
 };
-
-//----------------------------------------------------------------------------
-vtkRayTracedScene::Internals::Member* vtkRayTracedScene::Internals::Find(const vtkRayTracedMapper* mapper)
-{
-  const auto found = std::find_if(
-    this->Members.begin(), this->Members.end(), [mapper](const Member& member) { return member.Mapper == mapper; });
-  return found == this->Members.end() ? nullptr : &*found;
-}
 
 //----------------------------------------------------------------------------
 vtkRayTracedScene::vtkRayTracedScene()
@@ -153,9 +99,9 @@ vtkRayTracedScene::vtkRayTracedScene()
 //----------------------------------------------------------------------------
 vtkRayTracedScene::~vtkRayTracedScene()
 {
-  for (const Internals::Member& member : this->Self->Members)
+  for (const vtkRayTracedDisplays::Display& display : this->Self->Displays.GetAll())
   {
-    member.Mapper->SetScene(nullptr);
+    display.Mapper->SetScene(nullptr);
   }
 }
 
@@ -164,7 +110,7 @@ void vtkRayTracedScene::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Renderer.Get() << endl;
-  os << indent << "Number of mappers: " << this->Self->Members.size() << endl;
+  os << indent << "Number of displays: " << this->Self->Displays.GetAll().size() << endl;
 }
 
 //----------------------------------------------------------------------------
@@ -192,13 +138,7 @@ vtkRayTracedScene* vtkRayTracedScene::Find(vtkRenderer* renderer)
 //----------------------------------------------------------------------------
 void vtkRayTracedScene::Add(vtkActor* actor, vtkRayTracedMapper* mapper)
 {
-  Internals::Member* member = this->Self->Find(mapper);
-  if (!member)
-  {
-    member = &this->Self->Members.emplace_back();
-    member->Mapper = mapper;
-  }
-  member->Actor = actor;
+  this->Self->Displays.Add(actor, mapper);
   mapper->SetScene(this);
   if (this->Renderer && !this->Renderer->HasViewProp(this->Self->Actor))
   {
@@ -210,21 +150,10 @@ void vtkRayTracedScene::Add(vtkActor* actor, vtkRayTracedMapper* mapper)
 void vtkRayTracedScene::Remove(vtkRayTracedMapper* mapper)
 {
   Internals& self = *this->Self;
-  Internals::Member* found = self.Find(mapper);
-  if (!found)
-  {
-    return;
-  }
-  rtg::Scene* scene = self.Images.GetScene();
-  if (scene && found->Scene == self.Images.GetSceneNumber())
-  {
-    scene->Remove(found->Set);
-  }
-  self.Members.erase(self.Members.begin() + (found - self.Members.data()));
-  if (self.Members.empty())
+  self.Displays.Remove(mapper, self.Images);
+  if (self.Displays.GetAll().empty())
   {
     self.Images.DropImages();
-    self.Wants[opaque] = self.Wants[translucent] = false;
     if (this->Renderer)
     {
       this->Renderer->RemoveActor(self.Actor);
@@ -259,7 +188,7 @@ void vtkRayTracedScene::SaveFeatureImage(const std::string& fileName)
 void vtkRayTracedScene::Stop()
 {
   this->Self->Stopped = true;
-  std::fill_n(this->Self->Done, 2, 1.0);
+  this->Self->Status.Finish();
 }
 
 //----------------------------------------------------------------------------
@@ -277,12 +206,11 @@ void vtkRayTracedScene::StartFrame()
 {
   Internals& self = *this->Self;
   self.Frame.clear();
-  self.Wants[opaque] = self.Wants[translucent] = false;
   self.ExportReported = false;
   self.CutReported &= self.Capture; // a picture may be captured in parts
   // On all ranks alike, whether or not they have something to draw.
   self.Interactive = this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() >= interactiveRate && !self.Capture;
-  if (self.Members.empty())
+  if (self.Displays.GetAll().empty())
   {
     return;
   }
@@ -292,67 +220,34 @@ void vtkRayTracedScene::StartFrame()
     props->RemoveItem(self.Actor);
     props->AddItem(self.Actor);
   }
-  if (!this->UpdateMappers())
+  this->UpdateContent();
+  if (!self.Displays.ShowsAnything())
   {
     // Nothing is shown: device memory goes back, but for compiled programs.
     self.Images.DropImages();
   }
   vtkRenderPass* pass = this->Renderer->GetPass();
   const bool other = pass && pass->IsA("vtkOSPRayPass");
-  if (other && self.WantsAnything() && !self.PassReported)
+  if (other && self.Displays.ShowsAnything() && !self.PassReported)
   {
     vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out while the view's "
                        "EnableRayTracing is on. Switch it "
                        "off, or choose another representation such as 3D Glyphs.");
   }
   self.PassReported = other;
-  if (self.WantsAnything() && !other)
+  if (self.Displays.ShowsAnything() && !other)
   {
     self.FXAA.Take(this->Renderer);
   }
 }
 
 //----------------------------------------------------------------------------
-// Instances and colors of all visible members; false: nothing is to be seen.
-bool vtkRayTracedScene::UpdateMappers()
+// What the frame shows.
+void vtkRayTracedScene::UpdateContent()
 {
   Internals& self = *this->Self;
-  std::vector<std::array<std::uint64_t, 3>> content;
-  for (Internals::Member& member : self.Members)
-  {
-    vtkRayTracedMapper* mapper = member.Mapper;
-    member.Shown = false;
-    vtkActor* actor = member.Actor;
-    if (!actor || !actor->GetVisibility())
-    {
-      continue;
-    }
-    try
-    {
-      mapper->Update(actor);
-    }
-    catch (const std::bad_alloc&)
-    {
-      this->Report("Ray Traced Glyphs: the computer's memory does not suffice to make the glyphs "
-                   "of these data. Show fewer "
-                   "(GlyphMask, MaximumNumberOfGlyphs) or hide other data.");
-      continue;
-    }
-    if (mapper->GetNumberOfGlyphs() == 0)
-    {
-      continue;
-    }
-    const rtg::Material material = self.MaterialOf(member, this->Renderer);
-    if (member.MaterialVersion == 0 || !(member.Material == material))
-    {
-      member.Material = material;
-      member.MaterialVersion = ++self.MaterialVersions;
-    }
-    member.Shown = true;
-    member.Translucent = material.opacity < 1.0f || mapper->IsTranslucent();
-    self.Wants[member.Translucent ? translucent : opaque] = true;
-    content.push_back({ { mapper->GetInstanceVersion(), mapper->GetColorVersion(), member.MaterialVersion } });
-  }
+  vtkRayTracedDisplays::Content content =
+    self.Displays.Update(this->Renderer, [this](const std::string& message) { this->Report(message); });
   const std::uint64_t neighbors = this->UpdateNeighbors(content);
   content.push_back({ { neighbors, 0, 0 } });
   if (content != self.Content)
@@ -361,7 +256,6 @@ bool vtkRayTracedScene::UpdateMappers()
     ++self.ContentNumber;
     self.Stopped = false;
   }
-  return self.WantsAnything();
 }
 
 //----------------------------------------------------------------------------
@@ -370,44 +264,6 @@ vtkMultiProcessController* vtkRayTracedScene::Internals::OtherRanks() const
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   return this->Collective && controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
-}
-
-//----------------------------------------------------------------------------
-rtg::Material vtkRayTracedScene::Internals::MaterialOf(const Member& member, vtkRenderer* renderer) const
-{
-  rtg::Material material = vtkRayTracedRendererState::MaterialOf(member.Actor->GetProperty(), renderer);
-  member.Mapper->AddToMaterial(material);
-  return material;
-}
-
-//----------------------------------------------------------------------------
-// Instances that the kernels have been handed are theirs; where they have been given back they are built again.
-std::vector<vtkRayTracedNeighbors::Shown>
-vtkRayTracedScene::Internals::ShownHere(std::vector<rtg::GlyphInstances>& built)
-{
-  std::vector<vtkRayTracedNeighbors::Shown> shown;
-  built.reserve(this->Members.size());
-  for (std::size_t i = 0; i < this->Members.size(); ++i)
-  {
-    const Member& member = this->Members[i];
-    if (!member.Shown)
-    {
-      continue;
-    }
-    const rtg::GlyphInstances* instances = member.Mapper->GetInstances();
-    rtg::Scene* scene = this->Images.GetScene();
-    if (!instances && scene && member.Scene == this->Images.GetSceneNumber() &&
-      member.SentInstances == member.Mapper->GetInstanceVersion())
-    {
-      instances = &scene->InstancesOf(member.Set);
-    }
-    if (!instances)
-    {
-      instances = &built.emplace_back(member.Mapper->TakeInstances(member.Actor));
-    }
-    shown.push_back({ static_cast<int>(i), instances, &member.Mapper->GetColors() });
-  }
-  return shown;
 }
 
 //----------------------------------------------------------------------------
@@ -426,8 +282,9 @@ std::uint64_t vtkRayTracedScene::UpdateNeighbors(const std::vector<std::array<st
   const bool bounded =
     settings.ShadingMode == static_cast<int>(rtg::Shading::AmbientOcclusion) && settings.AmbientOcclusionRadius > 0.0;
   std::vector<rtg::GlyphInstances> built;
-  const std::string problem = self.Neighbors.Exchange(ranks, bounded ? settings.AmbientOcclusionRadius : HUGE_VAL,
-    content != self.SentContent, static_cast<int>(self.Members.size()), [&] { return self.ShownHere(built); });
+  const std::string problem =
+    self.Neighbors.Exchange(ranks, bounded ? settings.AmbientOcclusionRadius : HUGE_VAL, content != self.SentContent,
+      static_cast<int>(self.Displays.GetAll().size()), [&] { return self.Displays.GetShown(self.Images, built); });
   self.SentContent = content;
   if (!problem.empty())
   {
@@ -438,53 +295,19 @@ std::uint64_t vtkRayTracedScene::UpdateNeighbors(const std::vector<std::array<st
 
 //----------------------------------------------------------------------------
 // What has changed since the kernels last had it.
-void vtkRayTracedScene::Internals::Commit(rtg::Scene& scene, vtkRenderer* renderer)
+void vtkRayTracedScene::Commit(rtg::Scene& scene)
 {
-  for (Member& member : this->Members)
-  {
-    vtkRayTracedMapper* mapper = member.Mapper;
-    const bool known = member.Scene == this->Images.GetSceneNumber();
-    if (!member.Shown)
-    {
-      if (known)
-      {
-        scene.Remove(member.Set);
-        member.Scene = 0;
-      }
-      continue;
-    }
-    if (!known)
-    {
-      member.Set = scene.Add();
-      member.Scene = this->Images.GetSceneNumber();
-      member.SentInstances = member.SentColors = member.SentMaterial = 0;
-    }
-    if (member.SentInstances != mapper->GetInstanceVersion())
-    {
-      scene.SetInstances(member.Set, mapper->TakeInstances(member.Actor));
-      member.SentInstances = mapper->GetInstanceVersion();
-      member.SentColors = 0; // the kernels forget a set's colors with its glyphs
-    }
-    if (member.SentColors != mapper->GetColorVersion())
-    {
-      scene.SetColours(member.Set, mapper->GetColors());
-      member.SentColors = mapper->GetColorVersion();
-    }
-    if (member.SentMaterial != member.MaterialVersion)
-    {
-      scene.SetMaterial(member.Set, member.Material);
-      member.SentMaterial = member.MaterialVersion;
-    }
-  }
-  this->Neighbors.Commit(scene, this->Images.GetSceneNumber(),
-    [&](int display) { return this->MaterialOf(this->Members[display], renderer); });
-  scene.Commit([this](double share) { this->Progress.Tell("Sorting Glyphs", share); });
+  Internals& self = *this->Self;
+  self.Displays.Commit(scene, self.Images.GetSceneNumber());
+  self.Neighbors.Commit(scene, self.Images.GetSceneNumber(),
+    [&](int display) { return self.Displays.GetMaterial(display, this->Renderer); });
+  scene.Commit([&](double share) { self.Progress.Tell("Sorting Glyphs", share); });
 }
 
 //----------------------------------------------------------------------------
 bool vtkRayTracedScene::HasPass(int pass) const
 {
-  return this->Self->Wants[pass];
+  return this->Self->Displays.Shows(pass);
 }
 
 //----------------------------------------------------------------------------
@@ -558,8 +381,7 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   window->GetState()->Push();
   const rtg::Image* image = stays && growing
     ? &entry.Image.GetImage()
-    : self.Images.Update(
-        entry, view, effort, interrupt, [this](rtg::Scene& scene) { this->Self->Commit(scene, this->Renderer); });
+    : self.Images.Update(entry, view, effort, interrupt, [this](rtg::Scene& scene) { this->Commit(scene); });
   window->MakeCurrent();
   window->GetState()->Pop();
   self.Frame.push_back({ &entry, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
@@ -603,44 +425,35 @@ void vtkRayTracedScene::EndFrame()
 {
   Internals& self = *this->Self;
   self.FXAA.GiveBack(this->Renderer);
-  if (self.Members.empty() || this->Renderer->GetSelector())
+  if (self.Displays.GetAll().empty() || this->Renderer->GetSelector())
   {
     return;
   }
-  double progress = 1.0;
-  double samples = self.Settings.SamplesPerPixel;
+  vtkRayTracedFrameStatus::Frame frame;
+  frame.Samples = self.Settings.SamplesPerPixel;
+  frame.Stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
+  frame.Eye = this->Renderer->GetActiveCamera()->GetLeftEye() != 0;
   bool finished = true;
-  self.Compiling = false;
   for (const Internals::Drawn& drawn : self.Frame)
   {
+    using State = rtg::ProgressiveImage::State;
     const rtg::ProgressiveImage& image = drawn.Entry->Image;
-    self.Compiling |= image.GetState() == rtg::ProgressiveImage::State::Growing && image.IsCompiling();
-    progress = self.Stopped && !self.Capture ? 1.0 : std::min(progress, image.Progress());
-    samples =
-      std::min(samples, image.GetState() == rtg::ProgressiveImage::State::Failed ? 0.0 : double(image.Samples()));
-    finished &= image.GetState() == rtg::ProgressiveImage::State::Finished;
+    const State state = image.GetState();
+    frame.Compiling |= state == State::Growing && image.IsCompiling();
+    frame.Progress = self.Stopped && !self.Capture ? 1.0 : std::min(frame.Progress, image.Progress());
+    frame.Samples = std::min(frame.Samples, state == State::Failed ? 0.0 : double(image.Samples()));
+    finished &= state == State::Finished;
   }
-  vtkMultiProcessController* controller = self.OtherRanks();
-  if (controller && !self.Interactive)
+  vtkMultiProcessController* ranks = self.OtherRanks();
+  self.Status.SetFrame(frame, self.Interactive ? nullptr : ranks);
+  if (!ranks)
   {
-    const double own[2] = { progress, samples };
-    double least[2];
-    controller->AllReduce(own, least, 2, vtkCommunicator::MIN_OP);
-    progress = least[0];
-    samples = least[1];
-  }
-  if (!controller)
-  {
-    self.SummedNumbers.clear();
+    self.Status.ForgetSums();
   }
   else if (!self.Interactive)
   {
-    self.SumNumbers(controller);
+    self.Status.SumNumbers(ranks, self.Images.GetStatistics(), self.Displays, self.Neighbors);
   }
-  self.Stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
-  self.Eye = this->Renderer->GetActiveCamera()->GetLeftEye() != 0;
-  self.Done[self.Eye] = progress;
-  self.Samples[self.Eye] = samples;
 
   if (!self.FeatureFile.empty() && finished && !self.Frame.empty() && self.Images.GetScene())
   {
@@ -650,11 +463,11 @@ void vtkRayTracedScene::EndFrame()
       images.push_back(&drawn.Entry->Image.GetImage());
     }
     std::map<rtg::Scene::SetId, vtkRayTracedMapper*> mappers;
-    for (const Internals::Member& member : self.Members)
+    for (const vtkRayTracedDisplays::Display& display : self.Displays.GetAll())
     {
-      if (member.Shown)
+      if (display.Shown)
       {
-        mappers[member.Set] = member.Mapper;
+        mappers[display.Set] = display.Mapper;
       }
     }
     const std::string problem = vtkRayTracedFeatureImage::Write(
@@ -688,7 +501,7 @@ std::vector<const rtg::Image*> vtkRayTracedScene::ImagesWithIds(int width, int h
   view.settings.height = static_cast<std::uint32_t>(height);
   for (int pass : { opaque, translucent })
   {
-    if (!self.Wants[pass])
+    if (!self.Displays.Shows(pass))
     {
       continue;
     }
@@ -701,8 +514,8 @@ std::vector<const rtg::Image*> vtkRayTracedScene::ImagesWithIds(int width, int h
     }
     vtkRayTracedImages::Entry& own =
       self.Images.Get({ pass, view.settings.width, view.settings.height, 0, {}, /*OnlyIds=*/true });
-    const rtg::Image* image = self.Images.Update(
-      own, view, rtg::ImageEffort(), {}, [this](rtg::Scene& scene) { this->Self->Commit(scene, this->Renderer); });
+    const rtg::Image* image =
+      self.Images.Update(own, view, rtg::ImageEffort(), {}, [this](rtg::Scene& scene) { this->Commit(scene); });
     if (image)
     {
       images.push_back(image);
@@ -746,10 +559,10 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
   Internals& self = *this->Self;
   vtkHardwareSelector* selector = this->Renderer->GetSelector();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
-  const Internals::Member* member = self.Find(mapper);
+  const vtkRayTracedDisplays::Display* display = self.Displays.Find(mapper);
   int viewport[4] = { 0, 0, 0, 0 };
   glGetIntegerv(GL_VIEWPORT, viewport);
-  if (!window || !member || !member->Shown || viewport[2] < 1 || viewport[3] < 1)
+  if (!window || !display || !display->Shown || viewport[2] < 1 || viewport[3] < 1)
   {
     return;
   }
@@ -758,7 +571,7 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
   if (!images.empty() && self.Images.GetScene())
   {
     vtkRayTracedIdBuffer buffer;
-    buffer.Fill(images, *self.Images.GetScene(), member->Set, vtkRayTracedRendererState::WorldToClip(this->Renderer),
+    buffer.Fill(images, *self.Images.GetScene(), display->Set, vtkRayTracedRendererState::WorldToClip(this->Renderer),
       mapper, selector);
     if (selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_CELLS)
     {
@@ -780,9 +593,10 @@ std::vector<vtkRayTracedScene::Shown> vtkRayTracedScene::CopyShown()
 {
   std::vector<Shown> all;
   std::vector<rtg::GlyphInstances> built;
-  for (const vtkRayTracedNeighbors::Shown& shown : this->Self->ShownHere(built))
+  const vtkRayTracedDisplays& displays = this->Self->Displays;
+  for (const vtkRayTracedNeighbors::Shown& shown : displays.GetShown(this->Self->Images, built))
   {
-    all.push_back({ *shown.Instances, *shown.Colors, this->Self->Members[shown.Display].Material });
+    all.push_back({ *shown.Instances, *shown.Colors, displays.GetAll()[shown.Display].Material });
   }
   return all;
 }
@@ -794,7 +608,7 @@ void vtkRayTracedScene::ReportExport()
   vtkRayTracedPythonClass::Register();
   const bool selecting =
     this->Renderer->GetSelector() != nullptr; // VTK 9.6's selector asks actors for their mappers, too
-  if (self.WantsAnything() && !selecting && !self.PassReported && !self.ExportReported)
+  if (self.Displays.ShowsAnything() && !selecting && !self.PassReported && !self.ExportReported)
   {
     vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out of the exported file: they have no polygons. "
                        "Export the glyphs by themselves (Ray-traced glyphs, .usda or .glb), choose another "
@@ -820,105 +634,25 @@ std::string vtkRayTracedScene::GetDeviceName() const
 //----------------------------------------------------------------------------
 int vtkRayTracedScene::GetAccumulatedSamples() const
 {
-  const Internals& self = *this->Self;
-  return static_cast<int>(self.Stereo ? std::min(self.Samples[0], self.Samples[1]) : self.Samples[self.Eye]);
+  return this->Self->Status.GetSamples();
 }
 
 //----------------------------------------------------------------------------
 double vtkRayTracedScene::GetProgress() const
 {
-  const Internals& self = *this->Self;
-  return self.Stereo ? std::min(self.Done[0], self.Done[1]) : self.Done[self.Eye];
+  return this->Self->Status.GetProgress();
 }
 
 //----------------------------------------------------------------------------
 const char* vtkRayTracedScene::GetStep() const
 {
-  const Internals& self = *this->Self;
-  return self.Compiling ? compilingText : this->GetProgress() < 1.0 ? tracingText : "";
+  return this->Self->Status.IsCompiling() ? compilingText : this->GetProgress() < 1.0 ? tracingText : "";
 }
 
 //----------------------------------------------------------------------------
-std::vector<double> vtkRayTracedScene::Internals::OwnNumbers() const
-{
-  const rtg::Statistics s = this->Images.GetStatistics();
-  std::vector<double> numbers(VIEW_NUMBERS);
-  numbers[DEVICE_BYTES] = static_cast<double>(s.deviceBytes);
-  numbers[PRIMARY_RAYS] = static_cast<double>(s.primaryRays);
-  numbers[NEIGHBOR_GLYPHS] = static_cast<double>(this->Neighbors.GetNumberOfGlyphs());
-  numbers[NEIGHBOR_BYTES] = static_cast<double>(this->Neighbors.GetNumberOfBytes());
-  for (const Member& member : this->Members)
-  {
-    numbers.push_back(static_cast<double>(member.Mapper->GetNumberOfGlyphs()));
-    numbers.push_back(static_cast<double>(member.Mapper->GetSkippedGlyphs()));
-  }
-  return numbers;
-}
-
-//----------------------------------------------------------------------------
-// Where ranks have different displays, which should not be, each keeps its own numbers.
-void vtkRayTracedScene::Internals::SumNumbers(vtkMultiProcessController* ranks)
-{
-  const std::vector<double> own = this->OwnNumbers();
-  const int lengths[2] = { static_cast<int>(own.size()), -static_cast<int>(own.size()) };
-  int largest[2];
-  ranks->AllReduce(lengths, largest, 2, vtkCommunicator::MAX_OP);
-  this->SummedNumbers.clear();
-  if (largest[0] == -largest[1])
-  {
-    this->SummedNumbers.resize(own.size());
-    ranks->AllReduce(
-      own.data(), this->SummedNumbers.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::SUM_OP);
-  }
-}
-
-//----------------------------------------------------------------------------
-std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper, const DataStatistics& data) const
+std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& data) const
 {
   const Internals& self = *this->Self;
-  const rtg::Statistics s = self.Images.GetStatistics();
-  std::vector<double> numbers = self.OwnNumbers();
-  if (self.SummedNumbers.size() == numbers.size())
-  {
-    numbers = self.SummedNumbers;
-  }
-  const auto member = std::find_if(self.Members.begin(), self.Members.end(),
-    [mapper](const Internals::Member& candidate) { return candidate.Mapper == mapper; });
-  const auto count = [&](std::size_t number) { return static_cast<std::uint64_t>(numbers[number]); };
-  const auto ofMember = [&](std::size_t number)
-  {
-    const std::size_t place = member - self.Members.begin();
-    return member == self.Members.end() ? 0 : count(VIEW_NUMBERS + memberNumbers * place + number);
-  };
-  const nlohmann::ordered_json json = {
-    { "DeviceName", this->GetDeviceName() },
-    { "AccumulatedSamples", this->GetAccumulatedSamples() },
-    { "glyphs", ofMember(0) },
-    { "skippedGlyphs", ofMember(1) },
-    { "neighborGlyphs", count(NEIGHBOR_GLYPHS) },
-    { "neighborBytes", count(NEIGHBOR_BYTES) },
-    { "gathers", data.Gathers },
-    { "boundsBuilds", data.BoundsBuilds },
-    { "instanceBuilds", mapper ? mapper->GetInstanceBuilds() : 0 },
-    { "colorBuilds", mapper ? mapper->GetColorBuilds() : 0 },
-    { "structureBuilds", s.structureBuilds },
-    { "topLevelBuilds", s.topLevelBuilds },
-    { "instanceUploads", s.instanceUploads },
-    { "colorUploads", s.colourUploads },
-    { "pipelineBuilds", s.pipelineBuilds },
-    { "dispatches", s.dispatches },
-    { "primaryRays", count(PRIMARY_RAYS) },
-    { "deviceBytes", count(DEVICE_BYTES) },
-    { "sorts", s.sorts },
-    { "gatherSeconds", data.GatherSeconds },
-    { "boundsSeconds", data.BoundsSeconds },
-    { "instanceSeconds", mapper ? mapper->GetInstanceSeconds() : 0.0 },
-    { "colorSeconds", mapper ? mapper->GetColorSeconds() : 0.0 },
-    { "sortSeconds", s.sortSeconds },
-    { "buildSeconds", s.buildSeconds },
-    { "uploadSeconds", s.uploadSeconds },
-    { "traceSeconds", s.traceSeconds },
-    { "denoiseSeconds", s.denoiseSeconds },
-  };
-  return json.dump();
+  return self.Status.GetStatistics(
+    this->GetDeviceName(), self.Images.GetStatistics(), self.Displays, self.Neighbors, mapper, data);
 }

@@ -28,6 +28,7 @@
 
 namespace rtg
 {
+class Scene;
 struct Image;
 }
 class vtkActor;
@@ -36,6 +37,7 @@ class vtkInformationObjectBaseKey;
 class vtkRayTracedMapper;
 class vtkRenderer;
 class vtkWindow;
+struct vtkRayTracedDataStatistics;
 
 class vtkRayTracedScene : public vtkObject
 {
@@ -124,22 +126,13 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  /**
-   * What a representation does with its data before they are rendered: how often, and the seconds of that.
-   */
-  struct DataStatistics
-  {
-    std::uint64_t Gathers = 0, BoundsBuilds = 0;
-    double GatherSeconds = 0.0, BoundsSeconds = 0.0;
-  };
-
   ///@{
   /**
    * Information: counters as JSON with those of one mapper (may be null), the device, samples a pixel that all images
    * of the last frame have, how far that frame is in [0, 1] (1: another one would change nothing), and what it waits
    * for. Samples and progress are the least of all ranks that rendered the frame together.
    */
-  std::string GetStatistics(vtkRayTracedMapper* mapper, const DataStatistics& data) const;
+  std::string GetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& data) const;
   std::string GetDeviceName() const;
   int GetAccumulatedSamples() const;
   double GetProgress() const;
@@ -160,8 +153,9 @@ private:
 
   void StartFrame();
   void EndFrame();
-  bool UpdateMappers();
+  void UpdateContent();
   std::uint64_t UpdateNeighbors(const std::vector<std::array<std::uint64_t, 3>>& content);
+  void Commit(rtg::Scene& scene);
   std::vector<const rtg::Image*> ImagesWithIds(int width, int height);
   void Report(const std::string& message);
 

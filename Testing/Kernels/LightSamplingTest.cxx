@@ -251,6 +251,7 @@ class WholeScene
 // inside one of the glyphs, they ask the records of both, and the picture is the same.
 TEST_P(WholeScene, LooksLikeOneOfSeveralSets)
 {
+  RTG_NEEDS(rtg::Structure::Tree);
   const auto [name, shape, plain, shading] = GetParam();
   this->scene.GetState().structure = rtg::Structure::Tree;
   this->settings.width = this->settings.height = 80;

@@ -31,6 +31,10 @@ Tracer& SharedTracer()
 std::string WhatLacksFor(Structure structure)
 {
   const auto device = Device::Shared();
+  if (structure == Structure::Tree && device->GetState().miscompilesTrees)
+  {
+    return "a compiler that gets programs of own trees right: it is LLVM 21 or later";
+  }
   const bool has = structure == Structure::Boxes ? device->GetState().tracesRays : device->GetState().int64;
   return has ? "" : structure == Structure::Boxes ? "VK_KHR_ray_tracing_pipeline" : "shaderInt64";
 }

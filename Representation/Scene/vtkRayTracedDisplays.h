@@ -1,0 +1,95 @@
+/**
+ * The ray-traced displays of a view: what each shows in a frame, and what of it the kernels have.
+ */
+#ifndef vtkRayTracedDisplays_h
+#define vtkRayTracedDisplays_h
+
+#include "Scene.h"
+#include "vtkRayTracedNeighbors.h"
+#include "vtkWeakPointer.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkRayTracedImages;
+class vtkRayTracedMapper;
+class vtkRenderer;
+
+class vtkRayTracedDisplays
+{
+public:
+  struct Display
+  {
+    vtkRayTracedMapper* Mapper = nullptr; // takes itself out before it goes
+    vtkWeakPointer<vtkActor> Actor;
+    rtg::Scene::SetId Set = 0;
+    rtg::Material Material;
+    bool Shown = false;       // in this frame
+    bool Translucent = false; // and then in the translucent pass
+
+    // What the kernels have.
+    std::uint64_t Scene = 0; // number of the kernels' scene that has the set; 0: none
+    std::uint64_t SentInstances = 0, SentColors = 0, SentMaterial = 0;
+    std::uint64_t MaterialVersion = 0;
+  };
+
+  /**
+   * Of each shown display the versions of its instances, colors and material: two frames with the same list look the
+   * same.
+   */
+  using Content = std::vector<std::array<std::uint64_t, 3>>;
+
+  /**
+   * In the order in which they were added.
+   */
+  const std::vector<Display>& GetAll() const { return this->All; }
+  const Display* Find(const vtkRayTracedMapper* mapper) const;
+
+  ///@{
+  /**
+   * Both may be called again. Remove() takes the glyphs out of the kernels' scene, too.
+   */
+  void Add(vtkActor* actor, vtkRayTracedMapper* mapper);
+  void Remove(vtkRayTracedMapper* mapper, vtkRayTracedImages& images);
+  ///@}
+
+  /**
+   * Brings instances and colors of all visible displays up to date, and finds what the frame shows. `report` gets what
+   * a display could not make.
+   */
+  Content Update(vtkRenderer* renderer, const std::function<void(const std::string&)>& report);
+
+  /**
+   * Whether a pass (of rtg::Pass), or any, has something to draw.
+   */
+  bool Shows(int pass) const;
+  bool ShowsAnything() const;
+
+  /**
+   * Hands the kernels' scene of that number what has changed since it had it.
+   */
+  void Commit(rtg::Scene& scene, std::uint64_t sceneNumber);
+
+  /**
+   * What is shown. Instances that the kernels have been handed are theirs; where they have been given back they are
+   * built again, into `built`.
+   */
+  std::vector<vtkRayTracedNeighbors::Shown>
+  GetShown(vtkRayTracedImages& images, std::vector<rtg::GlyphInstances>& built) const;
+
+  /**
+   * The material of a display, by its number.
+   */
+  rtg::Material GetMaterial(int display, vtkRenderer* renderer) const;
+
+private:
+  std::vector<Display> All;
+  std::uint64_t MaterialVersions = 0;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRayTracedDisplays.h

@@ -1,0 +1,148 @@
+#include "vtkRayTracedFrameStatus.h"
+
+#include "Scene.h"
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
+#include "vtkRayTracedDisplays.h"
+#include "vtkRayTracedMapper.h"
+#include "vtkRayTracedNeighbors.h"
+#include "vtk_nlohmannjson.h"
+#include VTK_NLOHMANN_JSON(json.hpp)
+
+#include <algorithm>
+
+namespace
+{
+// In what is summed over all ranks; behind the view's numbers come those of each display.
+enum ViewNumbers
+{
+  DEVICE_BYTES,
+  PRIMARY_RAYS,
+  NEIGHBOR_GLYPHS,
+  NEIGHBOR_BYTES,
+  VIEW_NUMBERS
+};
+enum DisplayNumbers
+{
+  GLYPHS,
+  SKIPPED_GLYPHS,
+  DISPLAY_NUMBERS
+};
+
+std::vector<double> OwnNumbers(
+  const rtg::Statistics& statistics, const vtkRayTracedDisplays& displays, const vtkRayTracedNeighbors& neighbors)
+{
+  std::vector<double> numbers(VIEW_NUMBERS);
+  numbers[DEVICE_BYTES] = static_cast<double>(statistics.deviceBytes);
+  numbers[PRIMARY_RAYS] = static_cast<double>(statistics.primaryRays);
+  numbers[NEIGHBOR_GLYPHS] = static_cast<double>(neighbors.GetNumberOfGlyphs());
+  numbers[NEIGHBOR_BYTES] = static_cast<double>(neighbors.GetNumberOfBytes());
+  for (const vtkRayTracedDisplays::Display& display : displays.GetAll())
+  {
+    numbers.push_back(static_cast<double>(display.Mapper->GetNumberOfGlyphs()));
+    numbers.push_back(static_cast<double>(display.Mapper->GetSkippedGlyphs()));
+  }
+  return numbers;
+}
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedFrameStatus::SetFrame(Frame frame, vtkMultiProcessController* ranks)
+{
+  if (ranks)
+  {
+    const double own[2] = { frame.Progress, frame.Samples };
+    double least[2];
+    ranks->AllReduce(own, least, 2, vtkCommunicator::MIN_OP);
+    frame.Progress = least[0];
+    frame.Samples = least[1];
+  }
+  this->Compiling = frame.Compiling;
+  this->Stereo = frame.Stereo;
+  this->Eye = frame.Eye;
+  this->Progress[frame.Eye] = frame.Progress;
+  this->Samples[frame.Eye] = frame.Samples;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedFrameStatus::Finish()
+{
+  std::fill_n(this->Progress, 2, 1.0);
+}
+
+//----------------------------------------------------------------------------
+double vtkRayTracedFrameStatus::GetProgress() const
+{
+  return this->Stereo ? std::min(this->Progress[0], this->Progress[1]) : this->Progress[this->Eye];
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedFrameStatus::GetSamples() const
+{
+  return static_cast<int>(this->Stereo ? std::min(this->Samples[0], this->Samples[1]) : this->Samples[this->Eye]);
+}
+
+//----------------------------------------------------------------------------
+// Where ranks have different displays, which should not be, each keeps its own numbers.
+void vtkRayTracedFrameStatus::SumNumbers(vtkMultiProcessController* ranks, const rtg::Statistics& statistics,
+  const vtkRayTracedDisplays& displays, const vtkRayTracedNeighbors& neighbors)
+{
+  const std::vector<double> own = OwnNumbers(statistics, displays, neighbors);
+  const int lengths[2] = { static_cast<int>(own.size()), -static_cast<int>(own.size()) };
+  int largest[2];
+  ranks->AllReduce(lengths, largest, 2, vtkCommunicator::MAX_OP);
+  this->SummedNumbers.clear();
+  if (largest[0] == -largest[1])
+  {
+    this->SummedNumbers.resize(own.size());
+    ranks->AllReduce(
+      own.data(), this->SummedNumbers.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::SUM_OP);
+  }
+}
+
+//----------------------------------------------------------------------------
+std::string vtkRayTracedFrameStatus::GetStatistics(const std::string& deviceName, const rtg::Statistics& s,
+  const vtkRayTracedDisplays& displays, const vtkRayTracedNeighbors& neighbors, vtkRayTracedMapper* mapper,
+  const vtkRayTracedDataStatistics& data) const
+{
+  std::vector<double> numbers = OwnNumbers(s, displays, neighbors);
+  if (this->SummedNumbers.size() == numbers.size())
+  {
+    numbers = this->SummedNumbers;
+  }
+  const auto count = [&](std::size_t number) { return static_cast<std::uint64_t>(numbers[number]); };
+  const vtkRayTracedDisplays::Display* display = displays.Find(mapper);
+  const auto ofDisplay = [&](DisplayNumbers number)
+  { return display ? count(VIEW_NUMBERS + DISPLAY_NUMBERS * (display - displays.GetAll().data()) + number) : 0; };
+  const nlohmann::ordered_json json = {
+    { "DeviceName", deviceName },
+    { "AccumulatedSamples", this->GetSamples() },
+    { "glyphs", ofDisplay(GLYPHS) },
+    { "skippedGlyphs", ofDisplay(SKIPPED_GLYPHS) },
+    { "neighborGlyphs", count(NEIGHBOR_GLYPHS) },
+    { "neighborBytes", count(NEIGHBOR_BYTES) },
+    { "gathers", data.Gathers },
+    { "boundsBuilds", data.BoundsBuilds },
+    { "instanceBuilds", mapper ? mapper->GetInstanceBuilds() : 0 },
+    { "colorBuilds", mapper ? mapper->GetColorBuilds() : 0 },
+    { "structureBuilds", s.structureBuilds },
+    { "topLevelBuilds", s.topLevelBuilds },
+    { "instanceUploads", s.instanceUploads },
+    { "colorUploads", s.colourUploads },
+    { "pipelineBuilds", s.pipelineBuilds },
+    { "dispatches", s.dispatches },
+    { "primaryRays", count(PRIMARY_RAYS) },
+    { "deviceBytes", count(DEVICE_BYTES) },
+    { "sorts", s.sorts },
+    { "gatherSeconds", data.GatherSeconds },
+    { "boundsSeconds", data.BoundsSeconds },
+    { "instanceSeconds", mapper ? mapper->GetInstanceSeconds() : 0.0 },
+    { "colorSeconds", mapper ? mapper->GetColorSeconds() : 0.0 },
+    { "sortSeconds", s.sortSeconds },
+    { "buildSeconds", s.buildSeconds },
+    { "uploadSeconds", s.uploadSeconds },
+    { "traceSeconds", s.traceSeconds },
+    { "denoiseSeconds", s.denoiseSeconds },
+  };
+  return json.dump();
+}

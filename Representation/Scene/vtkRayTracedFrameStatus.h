@@ -1,0 +1,95 @@
+/**
+ * What a view says of its last frame: how far it is, its samples, and its statistics, of all ranks that rendered it
+ * together.
+ */
+#ifndef vtkRayTracedFrameStatus_h
+#define vtkRayTracedFrameStatus_h
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rtg
+{
+struct Statistics;
+}
+class vtkMultiProcessController;
+class vtkRayTracedDisplays;
+class vtkRayTracedMapper;
+class vtkRayTracedNeighbors;
+
+/**
+ * What a representation does with its data before they are rendered: how often, and the seconds of that.
+ */
+struct vtkRayTracedDataStatistics
+{
+  std::uint64_t Gathers = 0, BoundsBuilds = 0;
+  double GatherSeconds = 0.0, BoundsSeconds = 0.0;
+};
+
+class vtkRayTracedFrameStatus
+{
+public:
+  /**
+   * Of one frame, on one rank.
+   */
+  struct Frame
+  {
+    double Progress = 1.0; // the least of its images, in [0, 1]
+    double Samples = 0.0;  // a pixel, the least of its images
+    bool Compiling = false;
+    bool Stereo = false;
+    int Eye = 0; // 0 or 1
+  };
+
+  /**
+   * What all ranks must know of a frame that they rendered together is put together here: to be called by all of them
+   * at once. `ranks` may be null.
+   */
+  void SetFrame(Frame frame, vtkMultiProcessController* ranks);
+
+  /**
+   * Nothing is waited for any more.
+   */
+  void Finish();
+
+  ///@{
+  /**
+   * In stereo, the least of both eyes.
+   */
+  double GetProgress() const;
+  int GetSamples() const;
+  bool IsCompiling() const { return this->Compiling; }
+  ///@}
+
+  ///@{
+  /**
+   * Counts of glyphs, bytes and rays: of this rank, until they are summed over all. SumNumbers() is to be called by all
+   * ranks at once.
+   */
+  void SumNumbers(vtkMultiProcessController* ranks, const rtg::Statistics& statistics,
+    const vtkRayTracedDisplays& displays, const vtkRayTracedNeighbors& neighbors);
+  void ForgetSums() { this->SummedNumbers.clear(); }
+  ///@}
+
+  /**
+   * All counters as JSON, with those of one mapper, which may be null.
+   */
+  std::string GetStatistics(const std::string& deviceName, const rtg::Statistics& statistics,
+    const vtkRayTracedDisplays& displays, const vtkRayTracedNeighbors& neighbors, vtkRayTracedMapper* mapper,
+    const vtkRayTracedDataStatistics& data) const;
+
+private:
+  // Of each eye.
+  double Progress[2] = { 1.0, 1.0 };
+  double Samples[2] = { 0.0, 0.0 };
+  bool Compiling = false;
+  bool Stereo = false;
+  int Eye = 0; // of the last frame
+  // The view's numbers, then those of each display, of the last frame that ranks rendered together; or none.
+  std::vector<double> SummedNumbers;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRayTracedFrameStatus.h
