@@ -339,9 +339,9 @@ const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points
 void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
 {
   const vtkGlyphTensors::Settings settings = this->MakeSettings().Tensors;
-  if (settings.On && settings.ColorsByNumber())
+  if (settings.HasRange())
   {
-    const std::array<double, 2> range = this->NumberRange.Get(points, settings);
+    const std::array<double, 2> range = this->NumberRange.Get(points, settings, true);
     std::copy(range.begin(), range.end(), this->TensorRange);
   }
 }
@@ -411,6 +411,10 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
   main->SetSettings(settings, table && table->GetNumberOfBlocks() == 0 ? nullptr : form(0));
   main->SetTensorTable(this->TensorTable);
+  if (settings.Tensors.HasRange() && (!this->TensorTable || settings.Tensors.Coloring == vtkGlyphTensors::EIGENVALUES))
+  {
+    main->SetTensorRange(this->ShownRange.Get(points, settings.Tensors, collective));
+  }
   main->SetSelectionColor(this->SelectionColor);
   this->UpdateLegend(points, settings);
 
@@ -739,7 +743,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorSharpness(double sharpness)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorColoring(int coloring)
 {
-  this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::SURFACE_DIRECTION);
+  this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::MINOR_EIGENVALUE);
 }
 
 //----------------------------------------------------------------------------

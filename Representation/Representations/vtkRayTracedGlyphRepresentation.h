@@ -248,7 +248,8 @@ private:
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   double TensorRange[2] = { 1.0, -1.0 };
-  vtkGlyphTensorRange NumberRange;
+  vtkGlyphTensorRange NumberRange; // of the data
+  vtkGlyphTensorRange ShownRange;  // of what is delivered to be rendered
 
   vtkSmartPointer<vtkPolyData> Gathered;  // of an input of these times; null: they must be gathered
   vtkDataObject* GatheredInput = nullptr; // only to be compared

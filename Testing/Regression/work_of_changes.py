@@ -117,6 +117,7 @@ FIELDS = {
         "Layout": [({**TENSOR, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "Row", "glyphs"), ({}, "GlyphTensorLayout", "Row", "nothing")],
         "Sharpness": [(SUPERQUADRIC, "GlyphTensorSharpness", 1.0, "glyphs"), (TENSOR, "GlyphTensorSharpness", 1.0, "nothing")],
         "Coloring": [({**TENSOR, "GlyphTensorColoring": "Trace"}, "GlyphTensorColoring", "Principal Direction", "colors"), ({}, "GlyphTensorColoring", "Trace", "nothing"),
+                     ({**TENSOR, "GlyphTensorColoring": "Trace"}, "GlyphTensorColoring", "Eigenvalues", "colors"),
                      (TENSOR, "GlyphTensorColoring", "Sign", "glyphs")],
         "PositiveColor": [(SIGNS, "GlyphTensorPositiveColor", [0.0, 1.0, 0.0], "image"),
                           (TENSOR, "GlyphTensorPositiveColor", [0.0, 1.0, 0.0], "nothing")],
