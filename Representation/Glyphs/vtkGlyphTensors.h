@@ -57,12 +57,16 @@ public:
     std::array<double, 3> PositiveColor{ { 0.839, 0.376, 0.302 } };
     std::array<double, 3> NegativeColor{ { 0.263, 0.576, 0.765 } };
     ///@}
-    bool Axes = false; // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
+    bool Axes = false;  // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
+    bool Cross = false; // arrows along the eigenvectors, from the center or to it; Kind does not count
 
     bool operator==(const Settings&) const = default;
     bool HasRange() const { return this->On && (IsNumber(this->Coloring) || this->Coloring == EIGENVALUES); }
     bool ColorsBySign() const { return this->On && !this->Axes && this->Coloring == SIGN; }
     bool ColorsByDirection() const { return this->On && !this->Axes && this->Coloring == SURFACE_DIRECTION; }
+
+    /// How many glyphs a tensor makes: with Cross one to each side of its center along each eigenvector.
+    int Parts() const { return this->On && this->Cross ? 6 : 1; }
 
     /// With all that has no effect on instances at its default: colors, but for whether the glyphs need forms of signs.
     Settings Effective() const;

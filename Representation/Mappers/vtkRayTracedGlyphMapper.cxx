@@ -159,6 +159,11 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   this->Sources = std::move(result.Points);
   ++this->SourcesVersion;
   this->Skipped = result.Skipped;
+  this->Unfinished = std::move(result.Unfinished);
+  if (!this->Unfinished.empty() && !this->InWindow)
+  {
+    result.Messages.push_back(this->Unfinished);
+  }
   const Hash digest = DigestOf(this->Instances);
   if (this->InstanceVersion == 0 || this->Digest != digest)
   {

@@ -356,6 +356,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   const vtkGlyphBlockAttributes::Table& blocks = points ? this->Blocks.Resolve(points) : noBlocks;
   settings.HighScale = this->HighScale.Get(points, settings, blocks, collective);
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
+  main->SetInWindow(this->IsInWindow());
   main->SetSettings(settings, table && table->GetNumberOfBlocks() == 0 ? nullptr : form(0));
   main->SetTensorTable(this->TensorTable);
   if (settings.Tensors.HasRange() && (!this->TensorTable || settings.Tensors.Coloring == vtkGlyphTensors::EIGENVALUES))
@@ -493,6 +494,10 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     most = limit > 0.0 && (most == 0.0 || most > limit) ? limit : most;
   }
   settings.Tensors.On = this->GlyphShape >= TENSOR_ELLIPSOID && this->GlyphShape <= SIGNED_TENSOR_SUPERQUADRIC;
+  if (this->GlyphShape == PRINCIPAL_AXES)
+  {
+    return settings.PrincipalAxes();
+  }
   if (settings.Tensors.On)
   {
     settings.Tensors.Kind = static_cast<rtg::TensorGlyphKind>(this->GlyphShape - TENSOR_ELLIPSOID);
@@ -550,7 +555,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
   static const std::map<int, std::string> names = { { TENSOR_ELLIPSOID, "Tensor Ellipsoid" },
     { TENSOR_SUPERQUADRIC, "Tensor Superquadric" }, { SIGNED_TENSOR_SUPERQUADRIC, "Signed Tensor Superquadric" },
     { MESH, "Mesh" }, { SPHERICAL_HARMONICS, "Spherical Harmonics" }, { REYNOLDS, "Reynolds" },
-    { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" }, RTG_SHAPES(RTG_SHAPE_NAME) };
+    { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" }, { PRINCIPAL_AXES, "Principal Axes" }, RTG_SHAPES(RTG_SHAPE_NAME) };
 #undef RTG_SHAPE_NAME
   if (!names.count(shape))
   {

@@ -39,7 +39,8 @@ public:
     MESH = 9,
     SPHERICAL_HARMONICS = 12,
     REYNOLDS = 13,
-    FOURTH_ORDER_TENSOR = 14
+    FOURTH_ORDER_TENSOR = 14,
+    PRINCIPAL_AXES = 15 // of tensors
   };
   void SetGlyphShape(int shape);
 

@@ -895,6 +895,7 @@ std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper, const D
     { "AccumulatedSamples", this->GetAccumulatedSamples() },
     { "glyphs", ofMember(0) },
     { "skippedGlyphs", ofMember(1) },
+    { "unfinished", mapper ? mapper->GetUnfinished() : std::string() },
     { "neighborGlyphs", count(NEIGHBOR_GLYPHS) },
     { "neighborBytes", count(NEIGHBOR_BYTES) },
     { "gathers", data.Gathers },

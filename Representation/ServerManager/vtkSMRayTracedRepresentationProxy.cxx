@@ -390,8 +390,8 @@ void vtkSMRayTracedRepresentationProxy::UpdateTensorTable(vtkSMProxy* view)
   const int shape = vtkSMPropertyHelper(this, "GlyphShape").GetAsInt();
   const char* array = vtkSMPropertyHelper(this, "GlyphTensorArray").GetAsString();
   std::string name;
-  if (local && local->GetVisibility() && shape >= 6 && shape <= 8 && array && array[0] && strcmp(array, "None") != 0 &&
-    vtkGlyphTensors::IsNumber(coloring.GetAsInt()))
+  if (local && local->GetVisibility() && ((shape >= 6 && shape <= 8) || shape == 15) && array && array[0] &&
+    strcmp(array, "None") != 0 && vtkGlyphTensors::IsNumber(coloring.GetAsInt()))
   {
     name = std::string(array) + " " + coloring.GetAsString();
   }

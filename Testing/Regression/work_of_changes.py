@@ -124,6 +124,7 @@ FIELDS = {
         "NegativeColor": [(SIGNS, "GlyphTensorNegativeColor", [0.0, 1.0, 0.0], "image"),
                           (TENSOR, "GlyphTensorNegativeColor", [0.0, 1.0, 0.0], "nothing")],
         "Axes": "of arrows beside the glyphs, whose settings are the glyphs' own",
+        "Cross": (TENSOR, "GlyphShape", "Principal Axes", "glyphs"),
     },
     "vtkGlyphForms::Settings": {
         "On": (FORMS, "GlyphShape", "Sphere", "glyphs"),
