@@ -238,7 +238,7 @@ def arrows_of(points, whole, factor, function=lambda value: value):
 
 def crosses(failures, view, same):
     """Principal axes are the arrows that they stand for, in every light and in motion; picking finds the tensor's point."""
-    session.look(view, (0.5, 1.0, 6.0))
+    session.look(view, (0.3, 0.6, 3.4))
     whole = tensors((1, -1, 1))
     turn = matrix(QUATERNIONS[2])
     whole[1] = turn @ numpy.diag([-0.9, 0.0, 0.0]) @ turn.T  # only one pair
@@ -292,7 +292,7 @@ def crosses(failures, view, same):
     signs_of = numpy.array([numpy.diag([0.9, -0.9, 0.0])])
     points = session.source(session.poly_data(numpy.zeros((1, 3)), t=signs_of.reshape(1, 9)))
     shown = session.glyphs(points, view, GlyphShape="Principal Axes", GlyphTensorArray="t", GlyphScaleFactor=1.0, GlyphTensorColoring="Sign",
-                           GlyphTensorPositiveColor=(1.0, 0.0, 0.0), GlyphTensorNegativeColor=(0.0, 0.0, 1.0), ArrowShaftRadius=0.1)
+                           GlyphTensorPositiveColor=(1.0, 0.0, 0.0), GlyphTensorNegativeColor=(0.0, 0.0, 1.0), ArrowShaftRadius=0.06, ArrowTipRadius=0.15)
     shown.Ambient, shown.Diffuse = 1.0, 0.0
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=0.6)
     image = session.capture(view, "tensors-cross-sign")
@@ -302,9 +302,12 @@ def crosses(failures, view, same):
         if seen != wanted:
             failures.append("sign of the cross at %s: %s, not %s" % (place, seen, wanted))
     # The head of what is pressed is wide near the center, of what is pulled near its end.
-    wide = [int((image[:, session.pixel_of(view, (x, 0.0, 0.0))[0], 0] == 255).sum()) for x in (0.1, 0.35)]
-    high = [int((image[image.shape[0] - 1 - session.pixel_of(view, (0.0, y, 0.0))[1], :, 2] == 255).sum()) for y in (0.1, 0.44)]
-    print("widths of heads: tension %s, compression %s" % (wide, high))
+    red, blue = (image[..., :3] == (255, 0, 0)).all(axis=2), (image[..., :3] == (0, 0, 255)).all(axis=2)
+    wide = [int(red[:, session.pixel_of(view, (x, 0.0, 0.0))[0]].sum()) for x in (0.15, 0.33)]
+    high = [int(blue[image.shape[0] - 1 - session.pixel_of(view, (0.0, y, 0.0))[1]].sum()) for y in (0.13, 0.35)]
+    print("widths near the center and far from it: tension %s, compression %s" % (wide, high))
+    if not (0 < wide[0] < wide[1] and high[0] > high[1] > 0):
+        failures.append("heads of tension %s, of compression %s wide, near the center and far from it" % (wide, high))
     pv.Delete(shown)
     pv.Delete(points)
 
