@@ -273,7 +273,8 @@ def unfinished(checks, view):
         for shape, name, array in (("Spherical Harmonics", "GlyphHarmonicsArray", "some"), ("Reynolds", "GlyphTensorArray", "six"),
                                    ("Tensor Ellipsoid", "GlyphTensorArray", "six")):
             shown = session.glyphs(points, view, GlyphScaleFactor=0.8)
-            shown.StepwiseRendering = in_window
+            shown.SMProxy.GetProperty("StepwiseRendering").SetElement(0, in_window)
+            shown.SMProxy.UpdateVTKObjects()
             setattr(shown, name, "None")
             shown.GlyphShape = shape
             text = session.messages(lambda: (pv.Render(view), pv.Render(view)))
@@ -286,7 +287,6 @@ def unfinished(checks, view):
             setattr(shown, name, array)
             pv.Render(view)
             checks.equal(what + ": what is left to choose with one", session.statistics(shown)["unfinished"], "")
-            shown.StepwiseRendering = 0
             pv.Delete(shown)
     pv.Delete(points)
 
