@@ -46,12 +46,12 @@ def crystals(view):
 
 
 def crossing(view, path):
-    """Two layers of the voxels that have fibers."""
+    """Three layers of the voxels that have fibers."""
     reader = pv.OpenDataFile(path)
     reader.UpdatePipeline()
     adapter = dataset_adapter.WrapDataObject(pv.servermanager.Fetch(reader))
     points, shares = numpy.array(adapter.Points), numpy.array(adapter.PointData["shares"])
-    kept = (points[:, 2] < 2) & (shares.sum(axis=1) > 0.3)
+    kept = (points[:, 2] < 3) & (shares.sum(axis=1) > 0.3)
     shown = simulation.show(source(points[kept], odf=numpy.array(adapter.PointData["odf"])[kept]), view, "Spherical Harmonics",
                             GlyphHarmonicsArray="odf", GlyphHarmonicsScaling="Each", GlyphScaleFactor=1.1, GlyphOrient=0,
                             GlyphTensorColoring="Surface Direction", Ambient=0.2)
@@ -63,8 +63,8 @@ def crossing(view, path):
 def main():
     """Makes the pictures: two modes beside each other, and one."""
     path, folder = simulation.begin()
-    samples = int(sys.argv[3]) if len(sys.argv) > 3 else 64
-    size = [int(value) for value in sys.argv[4:6]] or [520, 400]
+    samples = int(sys.argv[3]) if len(sys.argv) > 3 else 32
+    size = [int(value) for value in sys.argv[4:6]] or [440, 340]
     view = simulation.new_view(size)
     shown = crossing(view, path)
     shown.SamplesPerPixel = samples
@@ -72,16 +72,16 @@ def main():
     for mode in ("Local", "Ambient Occlusion"):
         shown.ShadingMode = mode
         if mode == "Ambient Occlusion":
-            shown.LightIntensity, shown.AmbientOcclusionRadius = 1.3, 3.0
+            shown.LightIntensity, shown.AmbientOcclusionRadius = 1.0, 2.0
         picture = simulation.write(view, folder, "odf-" + mode.split()[0].lower(), size)
         row.append(pixels_of(picture))
         os.remove(picture)
     write(os.path.join(folder, "odf.png"), numpy.concatenate(row, axis=1))
     pv.Delete(view)
 
-    view = simulation.new_view([1040, 280])
+    view = simulation.new_view([880, 236])
     crystals(view).SamplesPerPixel = samples
-    simulation.save(view, folder, "crystals", [1040, 280])
+    simulation.save(view, folder, "crystals", [880, 236])
     pv.Disconnect()
 
 

@@ -27,7 +27,7 @@ def tubes(source, view, ours, radius, array):
         if array:
             shown.TubeRadiusArray = array
         shown.TubeRadius = radius
-        shown.ShadingMode, shown.SamplesPerPixel, shown.AmbientOcclusionRadius = "Ambient Occlusion", 16, 4.0
+        shown.ShadingMode, shown.SamplesPerPixel, shown.AmbientOcclusionRadius = "Ambient Occlusion", 32, 4.0
         return shown
     if array:
         thick = pv.Calculator(Input=pv.CellDatatoPointData(Input=source), ResultArrayName="radius", Function="%g*%s" % (radius, array))
