@@ -50,7 +50,7 @@ def tensors(view):
     """Tensors on the same image, of which one rank has those with the largest eigenvalues, which color all."""
     half = SIDE // 2
     wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
-    stress = pv.Calculator(Input=wavelet, ResultArrayName="stress", Function="(12+coordsX)*iHat+(8+coordsY)*jHat-(5+coordsX)*kHat")
+    stress = pv.Calculator(Input=wavelet, ResultArrayName="stress", Function="(16+coordsX+coordsY+coordsZ)*iHat+(8+coordsY)*jHat-(5+coordsX)*kHat")
     shear = pv.Calculator(Input=stress, ResultArrayName="shear", Function="coordsZ*iHat-coordsY*jHat+coordsX*kHat")
     shown = session.glyphs(shear, view, "Tensor Ellipsoid", GlyphTensorArray="stress, shear", GlyphScaleFactor=0.05,
                            GlyphTensorColoring="Eigenvalues")
