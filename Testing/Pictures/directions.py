@@ -46,17 +46,17 @@ def crystals(view):
 
 
 def crossing(view, path):
-    """Three layers of the voxels that have fibers."""
+    """Two layers of the voxels that have fibers."""
     reader = pv.OpenDataFile(path)
     reader.UpdatePipeline()
     adapter = dataset_adapter.WrapDataObject(pv.servermanager.Fetch(reader))
     points, shares = numpy.array(adapter.Points), numpy.array(adapter.PointData["shares"])
-    kept = (points[:, 2] < 3) & (shares.sum(axis=1) > 0.3)
+    kept = (points[:, 2] < 2) & (shares.sum(axis=1) > 0.3)
     shown = simulation.show(source(points[kept], odf=numpy.array(adapter.PointData["odf"])[kept]), view, "Spherical Harmonics",
                             GlyphHarmonicsArray="odf", GlyphHarmonicsScaling="Each", GlyphScaleFactor=1.1, GlyphOrient=0,
                             GlyphTensorColoring="Surface Direction", Ambient=0.2)
-    simulation.look(view, (6.0, -7.0, 16.0), (9.7, 9.3, 0.5), (0.0, 1.0, 0.0))
-    view.CameraViewAngle = 28.0
+    simulation.look(view, (7.5, -5.0, 16.0), (10.2, 10.2, 0.5), (0.0, 1.0, 0.0))
+    view.CameraViewAngle = 18.0
     return shown
 
 
@@ -64,7 +64,7 @@ def main():
     """Makes the pictures: two modes beside each other, and one."""
     path, folder = simulation.begin()
     samples = int(sys.argv[3]) if len(sys.argv) > 3 else 32
-    size = [int(value) for value in sys.argv[4:6]] or [440, 340]
+    size = [int(value) for value in sys.argv[4:6]] or [400, 300]
     view = simulation.new_view(size)
     shown = crossing(view, path)
     shown.SamplesPerPixel = samples
@@ -79,9 +79,9 @@ def main():
     write(os.path.join(folder, "odf.png"), numpy.concatenate(row, axis=1))
     pv.Delete(view)
 
-    view = simulation.new_view([880, 236])
+    view = simulation.new_view([720, 194])
     crystals(view).SamplesPerPixel = samples
-    simulation.save(view, folder, "crystals", [880, 236])
+    simulation.save(view, folder, "crystals", [720, 194])
     pv.Disconnect()
 
 
