@@ -44,7 +44,7 @@ struct PolynomialSearch
   // there, else where it goes farthest.
   bool touches;
   bool turnsBack;
-  real pad;   // how far outside its bracket rounding may have put it
+  real2 pad;  // how far before and behind its bracket rounding may have put it
   bool knows; // `inside` is known at `near`, where the search goes on
   int steps;
 };
@@ -213,8 +213,9 @@ NextCrossing(PlaneForm form, int degree, PlaneRay ray, PolynomialSearch search, 
         !(search.high - search.low > real(4.0 * RTG_ROUNDOFF) * (abs(search.low) + abs(search.high)));
       more = !found;
       search.near = found && !inBracket ? t : next;
-      // Next to where the slope vanishes a root moves by the square root of what the value does.
-      search.pad = real(8.0) * noise / max(abs(slope), order * sqrt(noise) / max(radius, noise));
+      // Next to where the slope vanishes a root moves by the square root of what the value does; the angle changes by
+      // n.x / radius.
+      search.pad = real2(real(8.0) * noise / max(abs(slope), order * sqrt(noise) * n.x / max(radius, noise)));
       t = next;
     }
     else
@@ -237,7 +238,7 @@ NextCrossing(PlaneForm form, int degree, PlaneRay ray, PolynomialSearch search, 
         search.near = t;
         search.turnsBack = peak != search.inside;
         search.high = search.turnsBack ? search.high : t;
-        search.pad = search.turnsBack ? real(0.5) * (search.high - search.low) : real(0.0);
+        search.pad = search.turnsBack ? search.pad : real2(real(0.0));
         found = true;
         more = false;
       }
@@ -259,6 +260,10 @@ NextCrossing(PlaneForm form, int degree, PlaneRay ray, PolynomialSearch search, 
         peak = (window.slope.x > window.slope.z) == (window.value.y + window.value.z > real(0.0));
         search.low = ParameterOf(ray, search.a.n, ray.start);
         search.high = ParameterOf(ray, b.n, ray.end);
+        // Half a window, by the angle
+        real2 beyond = real(0.5) * (b.n - search.a.n);
+        search.pad = real2(search.low - ParameterOf(ray, search.a.n - beyond, ray.start),
+          ParameterOf(ray, b.n + beyond, ray.end) - search.high);
         t = ParameterOf(ray, between, real(0.5) * (search.low + search.high));
       }
       else if (verdict == RTG_CROSS)
@@ -293,12 +298,19 @@ NextCrossing(PlaneForm form, int degree, PlaneRay ray, PolynomialSearch search, 
   return found;
 }
 
+#define RTG_NONE 0       // no zero, though some point is behind one
+#define RTG_ALL_BEFORE 1 // nor that
+#define RTG_ZERO 2       // a zero; where the surface comes close, before it does
+#define RTG_LATE_ZERO 3  // a zero behind that
+
 // The zero of |p| - sign f along a ray, in double words, close to its parameter `near` and between `low` and `high`.
-// Where the surface only comes close there, what is looked for first is where it comes closest, by the slope, which
-// changes its sign once. False: there is no zero.
-RTG_FN bool
-SettleCrossing(Glyph glyph, LocalRay ray, PolynomialSearch search, real near, real low, real high, RTG_OUT(LocalRay) at)
+// Where the surface only comes close there, what is looked for first is where it comes closest, by the slope of
+// |f| / |p|, which changes its sign once but for rounding: at last `high` is tried, too, where f may have the other
+// sign. `sign` is that of f at the zero.
+RTG_FN int SettleCrossing(Glyph glyph, LocalRay ray, PolynomialSearch search, real near, real low, real high,
+  RTG_OUT(LocalRay) at, RTG_OUT(real) sign)
 {
+  sign = search.sign;
   // Positive before the crossing
   real way = search.inside ? real(-1.0) : real(1.0);
   real order = real(glyph.degree + 1);
@@ -309,30 +321,35 @@ SettleCrossing(Glyph glyph, LocalRay ray, PolynomialSearch search, real near, re
   bool wasBehind = false;
   bool found = false;
   bool more = true;
+  bool atEnd = false;
   at = Advance(ray, near);
   low -= near;
   high -= near;
+  real end = high;
   for (int i = 0; i < 64 && more; ++i)
   {
     FormPoint point = FormAt(glyph, at.origin, false);
-    real g = way * Add(point.distance, Multiply(point.f, -search.sign)).hi;
+    sign = atEnd && !wasBehind && !search.inside ? (point.f.hi < real(0.0) ? real(-1.0) : real(1.0)) : sign;
+    real g = way * Add(point.distance, Multiply(point.f, -sign)).hi;
     real distance = max(point.distance.hi, real(1e-20));
-    real slope = way * dot(at.origin.hi / distance - search.sign * point.gradient.hi, at.direction.hi);
+    real slope = way * dot(at.origin.hi / distance - sign * point.gradient.hi, at.direction.hi);
     bool before = g > real(0.0);
     wasBefore = wasBefore || before;
     wasBehind = wasBehind || !before;
     real step = real(0.0);
-    if (search.touches && !search.turnsBack && !wasBehind)
+    if (search.touches && !wasBehind && (atEnd || !search.turnsBack))
     {
       more = false;
     }
     else if (search.touches && !wasBehind)
     {
-      bool falls = slope < real(0.0);
+      real ratio =
+        way * sign * dot(at.origin.hi * (point.f.hi / (distance * distance)) - point.gradient.hi, at.direction.hi);
+      bool falls = ratio < real(0.0);
       low = falls ? real(0.0) : low;
-      slopeLow = falls ? slope : slopeLow;
+      slopeLow = falls ? ratio : slopeLow;
       high = falls ? high : real(0.0);
-      slopeHigh = falls ? slopeHigh : slope;
+      slopeHigh = falls ? slopeHigh : ratio;
       real share = slopeLow < real(0.0) && slopeHigh > real(0.0) && (i & 3) != 3
         ? clamp(slopeLow / (slopeLow - slopeHigh), real(0.02), real(0.98))
         : real(0.5);
@@ -340,7 +357,11 @@ SettleCrossing(Glyph glyph, LocalRay ray, PolynomialSearch search, real near, re
       // The least is not less than at the nearer end what the slope there takes away.
       real rest = falls ? high : low;
       real sag = real(0.5) * bend * rest * rest / (distance * distance);
-      more = high - low > real(1e-7) * distance && !(g - abs(slope * rest) > sag);
+      atEnd = !(high - low > real(1e-7) * distance) || g - abs(slope * rest) > sag;
+      low = atEnd ? real(0.0) : low;
+      high = atEnd ? end : high;
+      step = atEnd ? end : step;
+      more = !atEnd || end > real(0.0);
     }
     else
     {
@@ -359,8 +380,9 @@ SettleCrossing(Glyph glyph, LocalRay ray, PolynomialSearch search, real near, re
     at = Advance(at, step);
     low -= step;
     high -= step;
+    end -= step;
   }
-  return found;
+  return found ? (atEnd ? RTG_LATE_ZERO : RTG_ZERO) : wasBehind ? RTG_NONE : RTG_ALL_BEFORE;
 }
 
 // Some unit vector at right angles to a unit vector.
@@ -422,7 +444,7 @@ RTG_FN SurfaceCrossing PolynomialCrossing(GlyphRay ray, Glyph glyph, real tMin, 
   search.touches = false;
   search.turnsBack = false;
   search.turned = false;
-  search.pad = real(0.0);
+  search.pad = real2(real(0.0));
   search.knows = true;
   search.a.n = DirectionAt(plane, plane.start);
   search.a.f = real(0.0);
@@ -432,32 +454,41 @@ RTG_FN SurfaceCrossing PolynomialCrossing(GlyphRay ray, Glyph glyph, real tMin, 
   while (more)
   {
     more = NextCrossing(form, degree, plane, search, search);
-    real low = max(passed, perLength * (search.low - search.pad - offset));
-    real high = perLength * (search.high + search.pad - offset);
+    real low = max(passed, perLength * (search.low - search.pad.x - offset));
+    real high = perLength * (search.high + search.pad.y - offset);
     more = more && RayParameter(chord.ray, Word(chord.scale * low)).hi <= tMax;
     if (more)
     {
       // What ends before tMin counts as a crossing where plain arithmetic is certain.
-      bool crosses = !search.touches;
+      int settled = search.touches ? RTG_NONE : RTG_ZERO;
       if (RayParameter(chord.ray, Word(chord.scale * high)).hi >= tMin)
       {
         LocalRay at;
-        crosses = SettleCrossing(glyph, chord.unit, search, perLength * (search.near - offset), low, high, at);
+        bool again = true;
+        while (again)
+        {
+          settled = SettleCrossing(glyph, chord.unit, search, perLength * (search.near - offset), low, high, at, sign);
+          // Rounding has been taken for a crossing: the surface may still come close, or be crossed later.
+          again = settled == RTG_ALL_BEFORE && !search.touches;
+          search.high = again ? search.high + search.pad.y : search.high;
+          search.turnsBack = again || search.turnsBack;
+          search.touches = again || search.touches;
+        }
         DoubleWord s;
         s.hi = chord.scale * at.start.hi;
         s.lo = chord.scale * at.start.lo;
         real t = RayParameter(chord.ray, s).hi;
-        passed = crosses ? at.start.hi : passed;
-        if (crosses && t >= tMin)
+        passed = settled >= RTG_ZERO ? at.start.hi : passed;
+        if (settled >= RTG_ZERO && t >= tMin)
         {
           more = false;
           crossing.found = t <= tMax;
           crossing.t = t;
           crossing.at = at;
-          sign = search.sign;
         }
       }
-      search.near = crosses ? search.near : search.high;
+      bool crosses = settled >= RTG_ZERO;
+      search.near = settled == RTG_ZERO ? search.near : search.high;
       search.knows = crosses || search.touches;
       search.inside = search.inside != crosses;
     }

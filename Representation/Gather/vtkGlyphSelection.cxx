@@ -2,13 +2,14 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataRepresentation.h"
 #include "vtkDataSet.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedArrays.h"
@@ -51,6 +52,22 @@ void AddIds(std::vector<Id>& ids, vtkDataSet* extracted, unsigned int block)
   add(extracted->GetPointData()->GetArray("vtkOriginalPointIds"), 0);
   add(extracted->GetCellData()->GetArray("vtkOriginalCellIds"), vtkRayTracedArrays::Mark);
 }
+
+// Of each cell of data that have lines and maybe vertices; 0 of those without points.
+std::vector<vtkIdType> FirstPoints(vtkPolyData* data)
+{
+  std::vector<vtkIdType> first(data->GetNumberOfCells(), 0);
+  vtkIdType cell = data->GetNumberOfVerts();
+  auto line = vtk::TakeSmartPointer(data->GetLines()->NewIterator());
+  for (line->GoToFirstCell(); !line->IsDoneWithTraversal(); line->GoToNextCell(), ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    line->GetCurrentCell(size, points);
+    first[cell] = size > 0 ? points[0] : 0;
+  }
+  return first;
+}
 }
 
 //----------------------------------------------------------------------------
@@ -91,24 +108,35 @@ vtkSmartPointer<vtkPolyData> vtkGlyphSelection::Mark(vtkPolyData* points, vtkDat
   }
   std::sort(ids.begin(), ids.end());
 
-  vtkPointData* data = points->GetPointData();
-  vtkDataArray* numbers = data->GetArray(vtkRayTracedArrays::PointIds);
-  vtkDataArray* blocks = data->GetArray(vtkRayTracedArrays::CompositeIndex);
-  vtkNew<vtkUnsignedCharArray> marks;
-  marks->SetName(vtkRayTracedArrays::Selected);
-  marks->SetNumberOfValues(points->GetNumberOfPoints());
-  vtkRayTracedParallel::ForChunks(points->GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
+  vtkDataArray* blocks = points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex);
+  const auto marks = [&](vtkIdType count, vtkDataArray* numbers, vtkTypeInt64 mark, const auto& pointOf)
+  {
+    auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    array->SetName(vtkRayTracedArrays::Selected);
+    array->SetNumberOfValues(count);
+    vtkRayTracedParallel::ForChunks(count,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const Id id(blocks ? static_cast<unsigned int>(blocks->GetComponent(i, 0)) : 0,
-          numbers ? static_cast<vtkTypeInt64>(numbers->GetComponent(i, 0)) : i);
-        marks->SetValue(i, std::binary_search(ids.begin(), ids.end(), id) ? 1 : 0);
-      }
-    });
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const Id id(blocks ? static_cast<unsigned int>(blocks->GetComponent(pointOf(i), 0)) : 0,
+            mark + (numbers ? static_cast<vtkTypeInt64>(numbers->GetComponent(i, 0)) : i));
+          array->SetValue(i, std::binary_search(ids.begin(), ids.end(), id) ? 1 : 0);
+        }
+      });
+    return array;
+  };
   auto marked = vtkSmartPointer<vtkPolyData>::New();
   marked->ShallowCopy(points);
-  marked->GetPointData()->AddArray(marks);
+  vtkPointData* data = points->GetPointData();
+  marked->GetPointData()->AddArray(
+    marks(points->GetNumberOfPoints(), data->GetArray(vtkRayTracedArrays::PointIds), 0, [](vtkIdType i) { return i; }));
+  if (points->GetNumberOfLines() > 0)
+  {
+    const std::vector<vtkIdType> first = FirstPoints(points);
+    marked->GetCellData()->AddArray(
+      marks(static_cast<vtkIdType>(first.size()), points->GetCellData()->GetArray(vtkRayTracedArrays::CellIds),
+        vtkRayTracedArrays::Mark, [&first](vtkIdType i) { return first[i]; }));
+  }
   return marked;
 }

@@ -26,8 +26,8 @@ public:
 
   /**
    * The points with an array vtkRayTracedArrays::Selected, 1 where the extracted data have the point or the cell that
-   * the glyph stands for and 0 elsewhere; `points` itself where they have none. Points as vtkGlyphPointGatherer makes
-   * them; `extracted` may be null.
+   * the glyph stands for and 0 elsewhere; lines have one of their cells, too. `points` itself where they have none.
+   * Points as vtkGlyphPointGatherer makes them, or lines as vtkRayTracedSurfaceGatherer does; `extracted` may be null.
    */
   static vtkSmartPointer<vtkPolyData> Mark(vtkPolyData* points, vtkDataObject* extracted);
 };

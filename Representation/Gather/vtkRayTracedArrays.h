@@ -23,7 +23,7 @@ constexpr const char* CompositeIndex = "vtkRayTraced_CompositeIndex";
 constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
 /// Of each point: its velocity since the step shown before. Missing unless asked for.
 constexpr const char* StepVelocity = "vtkRayTraced_StepVelocity";
-/// Of each point: 1 where the selection has its glyph, else 0. Missing where it has none.
+/// Of each point, and of each cell of lines: 1 where the selection has its glyph, else 0. Missing where it has none.
 constexpr const char* Selected = "vtkRayTraced_Selected";
 /// Of each point of composite input: what ParaView calls vtkBlockColors, its field data of each block.
 constexpr const char* BlockColors = "vtkBlockColors";

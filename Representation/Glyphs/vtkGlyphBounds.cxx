@@ -121,7 +121,7 @@ private:
     {
       size *= this->Settings.Sizing.Bound(this->Tensors->Extent(point));
     }
-    glm::dvec3 share(1.0); // of the unit glyph's box
+    glm::dvec3 share(this->Settings.Tensors.Parts() > 1 ? 0.5 : 1.0); // of the unit glyph's box
     if (this->Forms)
     {
       const rtg::FormExtent extent = this->Forms->MeasureRoughly(forms, point);

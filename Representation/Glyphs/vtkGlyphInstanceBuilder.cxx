@@ -180,6 +180,7 @@ public:
     , Sphere(settings.Shape == rtg::Shape::Sphere)
     , Pointed(settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow)
     , AnchorShift(settings.AnchorShift())
+    , Parts(settings.Tensors.Parts())
     , Positions(points->GetPoints()->GetData())
     , Rotation(glm::mat3_cast(this->Placement.Rotation))
   {
@@ -195,8 +196,10 @@ public:
     // What an instance stores: nothing that is the same for all, and no turn of what looks the same from all sides
     const bool sizedByData = this->Has(vtkGlyphArrays::SCALE) || this->Has(vtkGlyphArrays::RADIUS) || tensors || forms;
     this->SameSizes = !sizedByData && this->Placement.Uniform;
-    this->OneSize = !(this->Has(vtkGlyphArrays::SCALE) && this->ByComponents) && !this->Has(vtkGlyphArrays::RADIUS) &&
-      !tensors && this->Placement.Uniform;
+    this->OneSize = (this->Parts > 1 ||
+                      (!(this->Has(vtkGlyphArrays::SCALE) && this->ByComponents) &&
+                        !this->Has(vtkGlyphArrays::RADIUS) && !tensors)) &&
+      this->Placement.Uniform;
     this->Turned = (this->Has(vtkGlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
       !(this->Sphere && this->OneSize && this->AnchorShift == 0.0);
     this->Flips = this->Pointed &&
@@ -214,6 +217,15 @@ public:
   AddAll(std::vector<vtkIdType> candidates, const vtkRayTracedParallel::Progress& progress)
   {
     this->ChooseOrigin(candidates);
+    if (this->Parts > 1)
+    {
+      std::vector<vtkIdType> each(this->Parts * candidates.size());
+      for (std::size_t i = 0; i < each.size(); ++i)
+      {
+        each[i] = candidates[i / this->Parts];
+      }
+      candidates = std::move(each);
+    }
     const auto count = static_cast<vtkIdType>(candidates.size());
     this->Allocate(candidates.size());
     std::vector<Outcome> outcomes(candidates.size());
@@ -228,13 +240,14 @@ public:
         }
       },
       progress);
+    // Of a point's glyphs the first tells what is wrong with it.
     std::array<vtkIdType, SHOWN + 1> numbers{};
-    for (Outcome outcome : outcomes)
+    for (vtkIdType k = 0; k < count; k += this->Parts)
     {
-      ++numbers[outcome];
+      ++numbers[outcomes[k]];
     }
     this->Out.Points = std::move(candidates);
-    if (numbers[SHOWN] < count)
+    if (this->Parts > 1 || numbers[SHOWN] < count)
     {
       this->Keep(vtkRayTracedParallel::Select(count, [&](vtkIdType k) { return outcomes[k] == SHOWN; }));
     }
@@ -298,10 +311,10 @@ private:
   }
 
   // From a glyph's point to its center, computed from what the instance stores of size and rotation.
-  glm::dvec3 FromPoint(float length, const glm::vec4& rotation) const
+  static glm::dvec3 FromPoint(double shift, float length, const glm::vec4& rotation)
   {
     const glm::dquat turn(rotation.w, rotation.x, rotation.y, rotation.z);
-    return glm::normalize(turn) * glm::dvec3(this->AnchorShift * length, 0.0, 0.0);
+    return glm::normalize(turn) * glm::dvec3(shift * length, 0.0, 0.0);
   }
 
   // What rounding has left of the centers, when for some glyph it is more than 1e-6 of its size.
@@ -320,11 +333,13 @@ private:
         for (vtkIdType k = begin; k < end; ++k)
         {
           glm::dvec3 place = this->FromOrigin(positions.Get(this->Out.Points[k]));
-          if (this->AnchorShift != 0.0)
+          const double shift = this->Shifts.empty() ? this->AnchorShift : this->Shifts[k];
+          if (shift != 0.0)
           {
-            place += this->FromPoint(!all.sizes3.empty() ? all.sizes3[k].x
-                : !all.sizes1.empty()                    ? all.sizes1[k]
-                                                         : all.uniformSize,
+            place += FromPoint(shift,
+              !all.sizes3.empty()     ? all.sizes3[k].x
+                : !all.sizes1.empty() ? all.sizes1[k]
+                                      : all.uniformSize,
               all.rotations.empty() ? NoTurn : all.rotations[k]);
           }
           this->Instances.centresLow[k] = glm::vec3(place - glm::dvec3(all.centres[k]));
@@ -388,6 +403,7 @@ private:
       size *= this->How.Sizing(tensorGlyph.halfLengths);
       rotation = tensorGlyph.rotation;
     }
+    double shift = this->AnchorShift;
     if (this->Forms)
     {
       const rtg::FormExtent extent = this->Forms->Measure(tuples.Forms, i, this->Instances.polynomials[glyph]);
@@ -435,6 +451,14 @@ private:
       }
       size.y = size.z = width;
     }
+    if (this->Parts > 1)
+    {
+      const Outcome outcome = this->TakePart(static_cast<int>(glyph % this->Parts), tensorGlyph, size, rotation, shift);
+      if (outcome != SHOWN)
+      {
+        return outcome;
+      }
+    }
     this->Placement.Apply(this->Sphere, size, rotation);
     if (this->Flips && size.x < 0.0)
     {
@@ -454,10 +478,14 @@ private:
     {
       return MOTION;
     }
-    if (this->AnchorShift != 0.0)
+    if (shift != 0.0)
     {
-      place += this->FromPoint(stored.x, turn);
+      place += FromPoint(shift, stored.x, turn);
       center = place;
+    }
+    if (!this->Shifts.empty())
+    {
+      this->Shifts[glyph] = static_cast<float>(shift);
     }
 
     this->Motion.Store(this->Instances.motion, glyph, i, this->Placement.Linear, this->Rotation);
@@ -473,6 +501,33 @@ private:
       this->NeedsLowParts = true;
     }
     this->Store(glyph, stored, turn, tensorGlyph, exponents);
+    return SHOWN;
+  }
+
+  // One of the arrows of a tensor: along the eigenvector of the largest magnitude first, to both sides of the center.
+  // From it where the eigenvalue is positive, else to it.
+  static Outcome TakePart(int part, rtg::TensorGlyph& tensor, glm::dvec3& size, glm::dquat& rotation, double& shift)
+  {
+    const glm::dvec3 magnitudes(glm::abs(tensor.values));
+    const int first = magnitudes.x >= std::max(magnitudes.y, magnitudes.z) ? 0 : magnitudes.y >= magnitudes.z ? 1 : 2;
+    const int axis = (first + part / 2) % 3;
+    const double value = tensor.values[axis], length = 0.5 * std::abs(size[axis]);
+    // Of half-lengths none is less than a thousandth of the longest; an eigenvalue may be.
+    size = glm::dvec3(length * std::min(1.0, magnitudes[axis] / tensor.halfLengths[axis]));
+    if (axis != first && !(static_cast<float>(size.x) > 0.0f))
+    {
+      return NOT_SHOWN; // nothing to show is no fault
+    }
+    const double half = std::sqrt(0.5);
+    const glm::dquat toAxis[] = { { 1.0, 0.0, 0.0, 0.0 }, { half, 0.0, 0.0, half }, { half, 0.0, -half, 0.0 } };
+    rotation = rotation * toAxis[axis];
+    const bool inward = value < 0.0;
+    if ((part % 2 == 1) != inward)
+    {
+      rotation = rotation * glm::dquat(0.0, 0.0, 0.0, 1.0);
+    }
+    shift = inward ? -1.0 : 0.0; // its tip at the center
+    tensor.values = glm::dvec3(value);
     return SHOWN;
   }
 
@@ -495,6 +550,7 @@ private:
       this->Instances.polynomials.width = this->Forms->Width();
       this->Instances.polynomials.values.resize(count * this->Forms->Width());
     }
+    allocate(this->Shifts, this->Parts > 1);
     allocate(this->Instances.opacities, this->Has(vtkGlyphArrays::OPACITY));
     allocate(this->Instances.sizes3, !this->OneSize);
     allocate(this->Instances.sizes1, this->OneSize && !this->SameSizes);
@@ -558,6 +614,7 @@ private:
   {
     const auto keep = [&glyphs](auto& values) { KeepOnly(values, glyphs); };
     keep(this->Out.Points);
+    keep(this->Shifts);
     rtg::GlyphColours colours; // are not made here
     rtg::ForEachArray(
       this->Instances, colours, [&keep](std::size_t, std::uint32_t, auto& values, const char*) { keep(values); });
@@ -590,10 +647,12 @@ private:
   int OrientationMode = Settings::DIRECTION; // of the array that was found
   const bool ChoosesForm, OwnExponents, Sphere, Pointed;
   const double AnchorShift; // of the unit glyph
+  const int Parts;          // glyphs of each point
   vtkDataArray* const Positions;
   std::array<vtkDataArray*, vtkGlyphArrays::NUMBER_OF_IDS> Arrays{}; // null: none, or it does not fit
   const glm::dmat3 Rotation;                                         // of the placement
   std::vector<float> FirstSizes; // of each chunk's first glyph, which is never 0; 0: it has none
+  std::vector<float> Shifts;     // of each unit glyph, where these differ
   bool GoodExponents = false;    // of the settings
   std::atomic<bool> NeedsLowParts{ false };
   bool SameSizes = false, OneSize = false; // for all glyphs; for all axes of one
@@ -656,7 +715,15 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   Assembly assembly(points, settings, modelToWorld, tensors.get(), forms.get(), result);
   if (!problem.empty())
   {
-    result.Messages.push_back(problem);
+    const std::string& array = settings.Forms.On ? settings.Forms.Array : settings.Tensors.Array;
+    if (vtkRayTracedArrays::IsNone(array))
+    {
+      result.Unfinished = problem;
+    }
+    else
+    {
+      result.Messages.push_back(problem);
+    }
     result.Skipped = static_cast<vtkIdType>(candidates.size());
     return result;
   }

@@ -45,6 +45,7 @@ public:
     std::vector<vtkIdType> Points; // point of each glyph
     vtkIdType Skipped = 0;         // points that could not be shown
     std::vector<std::string> Messages;
+    std::string Unfinished; // what must be chosen before there are glyphs; empty: nothing
   };
 
   /**

@@ -389,7 +389,7 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
   }
 
   double size = std::max(0.9 * extents.Neighbors, std::min(seen, 0.5 * extents.Spacing));
-  size *= settings.Shape == rtg::Shape::Arrow ? arrowLength : 1.0;
+  size *= settings.Shape == rtg::Shape::Arrow && !settings.Tensors.On ? arrowLength : 1.0;
   double factor = FactorFor(sample, std::min(size, largestGlyph));
   const double excess = factor * largest / largestGlyph;
   double limit = 0.0;

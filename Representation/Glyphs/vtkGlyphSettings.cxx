@@ -131,6 +131,7 @@ vtkGlyphSettings vtkGlyphSettings::AxesOfTensors() const
   vtkGlyphSettings settings = *this;
   settings.Shape = rtg::Shape::Arrow;
   settings.Tensors.Axes = true;
+  settings.Tensors.Cross = false;
   settings.Anchor = ORIGIN;
   settings.RadiusArray.clear();
   settings.Scaling &= settings.ScaleMode != COMPONENTS;
@@ -141,5 +142,22 @@ vtkGlyphSettings vtkGlyphSettings::AxesOfTensors() const
   settings.Arrow.tipLength = 0.15f;
   settings.Arrow.tipRounding = 0.0f;
   settings.Arrow.fixedHeads = false;
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphSettings vtkGlyphSettings::PrincipalAxes() const
+{
+  vtkGlyphSettings settings = *this;
+  settings.Shape = rtg::Shape::Arrow;
+  settings.Tensors.On = true;
+  settings.Tensors.Cross = true;
+  settings.Tensors.Kind = rtg::TensorGlyphKind::Ellipsoid;
+  // Directions from the center are told by the arrows themselves.
+  const bool direction = settings.Tensors.Coloring == vtkGlyphTensors::SURFACE_DIRECTION;
+  settings.Tensors.Coloring = direction ? vtkGlyphTensors::NONE : settings.Tensors.Coloring;
+  settings.ScaleFactor = std::abs(settings.ScaleFactor);
+  settings.Arrow.fixedHeads = false;
+  settings.Motion.AngularVelocity.clear();
   return settings;
 }

@@ -120,6 +120,12 @@ struct vtkGlyphSettings
    * count.
    */
   vtkGlyphSettings AxesOfTensors() const;
+
+  /**
+   * The crosses of arrows that show tensors of these settings by their principal axes. The arrows are copies of one,
+   * and do not turn while the shutter is open.
+   */
+  vtkGlyphSettings PrincipalAxes() const;
 };
 
 #endif

@@ -49,9 +49,10 @@ Range RangeOf(vtkDataArray* array, vtkIdType count, const vtkGlyphTensors::Setti
 }
 
 //----------------------------------------------------------------------------
-std::array<double, 2> vtkGlyphTensorRange::Get(vtkPolyData* points, const vtkGlyphTensors::Settings& settings)
+std::array<double, 2>
+vtkGlyphTensorRange::Get(vtkPolyData* points, const vtkGlyphTensors::Settings& settings, bool collective)
 {
-  vtkDataArray* array = vtkGlyphTensors::Array(points, settings);
+  vtkDataArray* array = points ? vtkGlyphTensors::Array(points, settings) : nullptr;
   const vtkMTimeType time = array ? array->GetMTime() : 0;
   if (time != this->Time || !(settings == this->Settings))
   {
@@ -62,7 +63,7 @@ std::array<double, 2> vtkGlyphTensorRange::Get(vtkPolyData* points, const vtkGly
   }
   Range all = this->Own;
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetNumberOfProcesses() > 1)
+  if (collective && controller && controller->GetNumberOfProcesses() > 1)
   {
     controller->AllReduce(this->Own.data(), all.data(), 2, vtkCommunicator::MIN_OP);
   }

@@ -1,6 +1,6 @@
 /**
  * @class   vtkGlyphTensorRange
- * @brief   least and largest number that colors tensor glyphs, over all ranks that have data
+ * @brief   least and largest number that colors tensor glyphs, over all ranks
  */
 #ifndef vtkGlyphTensorRange_h
 #define vtkGlyphTensorRange_h
@@ -16,10 +16,10 @@ class vtkGlyphTensorRange
 {
 public:
   /**
-   * An empty interval (1, -1) where there is no number. All ranks call it at once. What this rank's tensors give is
-   * kept while they and the settings are the same.
+   * An empty interval (1, -1) where there is no number. Collective: all ranks call it at once; else it is that of this
+   * rank. What this rank's tensors give is kept while they and the settings are the same. `points` may be null.
    */
-  std::array<double, 2> Get(vtkPolyData* points, const vtkGlyphTensors::Settings& settings);
+  std::array<double, 2> Get(vtkPolyData* points, const vtkGlyphTensors::Settings& settings, bool collective);
 
 private:
   std::array<double, 2> Own{}; // of this rank: the least number, and the negative of the largest

@@ -85,15 +85,6 @@ vtkGlyphTensors::vtkGlyphTensors(vtkDataArray* array, const Settings& settings, 
         const rtg::SymmetricTensor tensor = this->Tensor(points[i]);
         return tensor.IsFinite() ? tensor.Largest() : 0.0;
       });
-  if (settings.Coloring == TRACE)
-  {
-    this->Range = vtkRayTracedParallel::Largest(count,
-      [&](vtkIdType i)
-      {
-        double value = 0.0;
-        return this->Number(points[i], value) ? std::abs(value) : 0.0;
-      });
-  }
 }
 
 namespace
@@ -200,16 +191,45 @@ bool vtkGlyphTensors::IsZero(vtkIdType point) const
 }
 
 //----------------------------------------------------------------------------
-bool vtkGlyphTensors::Number(vtkIdType point, double& value) const
+bool vtkGlyphTensors::Eigenvalues(vtkIdType point, glm::dvec3& values) const
 {
   const rtg::SymmetricTensor tensor = this->Tensor(point);
   if (!tensor.IsFinite() || tensor.IsZero())
   {
     return false;
   }
-  value = this->How.Coloring == TRACE ? tensor.xx + tensor.yy + tensor.zz
-                                      : rtg::FractionalAnisotropy(rtg::Decompose(tensor).values);
+  values = rtg::Decompose(tensor).values;
   return true;
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphTensors::Number(vtkIdType point, double& value) const
+{
+  if (this->How.Coloring == TRACE)
+  {
+    const rtg::SymmetricTensor tensor = this->Tensor(point);
+    value = tensor.xx + tensor.yy + tensor.zz;
+    return tensor.IsFinite() && !tensor.IsZero();
+  }
+  glm::dvec3 values;
+  if (!this->Eigenvalues(point, values))
+  {
+    return false;
+  }
+  switch (this->How.Coloring)
+  {
+    case MAJOR_EIGENVALUE:
+    case MIDDLE_EIGENVALUE:
+    case MINOR_EIGENVALUE:
+      value = values[this->How.Coloring - MAJOR_EIGENVALUE];
+      return true;
+    case EIGENVALUES:
+      value = std::max(std::abs(values.x), std::abs(values.z)); // largest first
+      return true;
+    default:
+      value = rtg::FractionalAnisotropy(values);
+      return true;
+  }
 }
 
 //----------------------------------------------------------------------------

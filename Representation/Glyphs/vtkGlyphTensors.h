@@ -27,9 +27,22 @@ public:
     PRINCIPAL_DIRECTION = 1,
     FRACTIONAL_ANISOTROPY = 2,
     TRACE = 3,
-    SIGN = 4,             // of x^T D x at each point x of a glyph's surface, seen from its center
-    SURFACE_DIRECTION = 5 // magnitudes of the components of the direction from the center to each point of the surface
+    SIGN = 4,              // of x^T D x at each point x of a glyph's surface, seen from its center
+    SURFACE_DIRECTION = 5, // magnitudes of the components of the direction from the center to each point of the surface
+    EIGENVALUES = 6,       // their magnitudes as red, green and blue
+    MAJOR_EIGENVALUE = 7,
+    MIDDLE_EIGENVALUE = 8,
+    MINOR_EIGENVALUE = 9
   };
+
+  /**
+   * Whether a coloring is one number for each tensor.
+   */
+  static bool IsNumber(int coloring)
+  {
+    return coloring == FRACTIONAL_ANISOTROPY || coloring == TRACE ||
+      (coloring >= MAJOR_EIGENVALUE && coloring <= MINOR_EIGENVALUE);
+  }
 
   struct Settings
   {
@@ -44,12 +57,16 @@ public:
     std::array<double, 3> PositiveColor{ { 0.839, 0.376, 0.302 } };
     std::array<double, 3> NegativeColor{ { 0.263, 0.576, 0.765 } };
     ///@}
-    bool Axes = false; // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
+    bool Axes = false;  // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
+    bool Cross = false; // arrows along the eigenvectors, from the center or to it; Kind does not count
 
     bool operator==(const Settings&) const = default;
-    bool ColorsByNumber() const { return this->Coloring == FRACTIONAL_ANISOTROPY || this->Coloring == TRACE; }
+    bool HasRange() const { return this->On && (IsNumber(this->Coloring) || this->Coloring == EIGENVALUES); }
     bool ColorsBySign() const { return this->On && !this->Axes && this->Coloring == SIGN; }
     bool ColorsByDirection() const { return this->On && !this->Axes && this->Coloring == SURFACE_DIRECTION; }
+
+    /// How many glyphs a tensor makes: with Cross one to each side of its center along each eigenvector.
+    int Parts() const { return this->On && this->Cross ? 6 : 1; }
 
     /// With all that has no effect on instances at its default: colors, but for whether the glyphs need forms of signs.
     Settings Effective() const;
@@ -97,15 +114,16 @@ public:
    */
   bool DirectionColor(vtkIdType point, double rgb[3]) const;
 
-  ///@{
   /**
-   * The number of the coloring: the fractional anisotropy of the eigenvalues, or the trace, in units of the tensor.
-   * False: there is none, as above. NumberRange is its largest magnitude: 1, or that of the trace over the points
-   * given.
+   * The eigenvalues, largest first, in units of the tensor; false as above.
+   */
+  bool Eigenvalues(vtkIdType point, glm::dvec3& values) const;
+
+  /**
+   * The number of the coloring: the fractional anisotropy of the eigenvalues; or, in units of the tensor, the trace or
+   * one eigenvalue, of EIGENVALUES the largest magnitude of one. False as above.
    */
   bool Number(vtkIdType point, double& value) const;
-  double NumberRange() const { return this->Range; }
-  ///@}
 
 private:
   rtg::SymmetricTensor Tensor(vtkIdType point) const;
@@ -113,7 +131,6 @@ private:
   vtkDataArray* Tensors;
   Settings How;
   double Noise = 0.0;
-  double Range = 1.0;
 };
 
 #endif

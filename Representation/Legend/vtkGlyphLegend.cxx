@@ -76,6 +76,23 @@ std::vector<Outline> ArrowProfile(const rtg::ArrowForm& form, double length, dou
   return outlines;
 }
 
+// Four arrows from the middle.
+std::vector<Outline> CrossProfile(const rtg::ArrowForm& form, double length)
+{
+  std::vector<Outline> outlines = ArrowProfile(form, length, length);
+  const std::size_t count = outlines.size();
+  for (std::size_t i = 0; i < 3 * count; ++i)
+  {
+    Outline turned = outlines[outlines.size() - count];
+    for (glm::dvec2& corner : turned)
+    {
+      corner = { -corner.y, corner.x };
+    }
+    outlines.push_back(std::move(turned));
+  }
+  return outlines;
+}
+
 // |x|^r + |y|^s = 1, on rays from the middle, right to a ten-millionth of `half`.
 Outline SuperquadricProfile(double r, double s, double half)
 {
@@ -109,7 +126,7 @@ std::vector<Outline> ProfileOf(const vtkGlyphSettings& settings, double size, do
   switch (settings.Shape)
   {
     case rtg::Shape::Arrow:
-      return ArrowProfile(settings.Arrow, size, unit);
+      return settings.Tensors.On ? CrossProfile(settings.Arrow, half) : ArrowProfile(settings.Arrow, size, unit);
     case rtg::Shape::Box:
     case rtg::Shape::Cylinder:
       return { Rectangle(glm::dvec2(-half), glm::dvec2(half)) };

@@ -17,6 +17,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -158,6 +159,11 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   this->Sources = std::move(result.Points);
   ++this->SourcesVersion;
   this->Skipped = result.Skipped;
+  this->Unfinished = std::move(result.Unfinished);
+  if (!this->Unfinished.empty() && !this->InWindow)
+  {
+    result.Messages.push_back(this->Unfinished);
+  }
   const Hash digest = DigestOf(this->Instances);
   if (this->InstanceVersion == 0 || this->Digest != digest)
   {
@@ -206,6 +212,13 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
   vtkDataArray* selected = points ? points->GetPointData()->GetArray(vtkRayTracedArrays::Selected) : nullptr;
   std::vector<vtkMTimeType> state{ static_cast<vtkMTimeType>(coloring),
     tensors.On && coloring != vtkGlyphTensors::NONE && this->TensorTable ? this->TensorTable->GetMTime() : 0 };
+  if (tensors.HasRange())
+  {
+    for (double end : this->TensorRange)
+    {
+      state.push_back(std::bit_cast<std::uint64_t>(end));
+    }
+  }
   if (selected)
   {
     state.push_back(selected->GetMTime());
@@ -215,7 +228,7 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 }
 
 //----------------------------------------------------------------------------
-// Without a table, from blue over white to red.
+// What goes through no table.
 void vtkRayTracedGlyphMapper::TensorColor(const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]) const
 {
   if (this->Settings.Tensors.Coloring == vtkGlyphTensors::PRINCIPAL_DIRECTION)
@@ -223,13 +236,25 @@ void vtkRayTracedGlyphMapper::TensorColor(const vtkGlyphTensors& tensors, vtkIdT
     tensors.DirectionColor(point, rgb);
     return;
   }
+  const bool anisotropy = this->Settings.Tensors.Coloring == vtkGlyphTensors::FRACTIONAL_ANISOTROPY;
+  const double range = anisotropy ? 1.0 : std::max(std::abs(this->TensorRange[0]), std::abs(this->TensorRange[1]));
+  const auto shareOf = [range](double value)
+  { return range > 0.0 ? vtkMath::ClampValue(value / range, -1.0, 1.0) : 0.0; };
+  if (this->Settings.Tensors.Coloring == vtkGlyphTensors::EIGENVALUES)
+  {
+    glm::dvec3 values;
+    for (int i = 0; i < 3 && tensors.Eigenvalues(point, values); ++i)
+    {
+      rgb[i] = std::abs(shareOf(values[i]));
+    }
+    return;
+  }
   double value = 0.0;
   if (!tensors.Number(point, value))
   {
     return;
   }
-  const double range = tensors.NumberRange();
-  const double share = range > 0.0 ? vtkMath::ClampValue(value / range, -1.0, 1.0) : 0.0;
+  const double share = shareOf(value);
   const double pale = 1.0 - std::abs(share);
   rgb[0] = share > 0.0 ? 0.7 + 0.25 * pale : 0.23 + 0.72 * pale;
   rgb[1] = share > 0.0 ? 0.02 + 0.93 * pale : 0.3 + 0.65 * pale;
@@ -288,7 +313,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   const bool blockColors = this->HasBlockColors(points);
   auto* selected = vtkUnsignedCharArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::Selected));
   std::vector<unsigned char> table;
-  if (tensors && this->TensorTable && shown.ColorsByNumber())
+  if (tensors && this->TensorTable && vtkGlyphTensors::IsNumber(shown.Coloring))
   {
     table = this->TableColors(*tensors);
   }

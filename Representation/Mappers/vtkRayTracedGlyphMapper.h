@@ -26,11 +26,15 @@ public:
    */
   void SetSettings(const vtkGlyphSettings& settings, vtkPolyData* mesh);
 
+  ///@{
   /**
-   * The table that numbers of tensors (vtkGlyphTensors::FRACTIONAL_ANISOTROPY, TRACE) are colored by; null: from blue
-   * over white to red.
+   * The table that numbers of tensors (vtkGlyphTensors::IsNumber) are colored by; null: from blue over white to red, by
+   * their share of the largest magnitude in the range, as with vtkGlyphTensors::EIGENVALUES; of fractional anisotropies
+   * by themselves.
    */
   void SetTensorTable(vtkScalarsToColors* table);
+  void SetTensorRange(const std::array<double, 2>& range) { this->TensorRange = range; }
+  ///@}
 
   /**
    * Of the glyphs of points whose vtkRayTracedArrays::Selected is 1.
@@ -66,6 +70,7 @@ private:
   vtkWeakPointer<vtkPolyData> Mesh; // that Settings.Mesh was made of
   vtkMTimeType MeshTime = 0;
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
+  std::array<double, 2> TensorRange{ { 1.0, -1.0 } };
   std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };
   rtg::GlyphInstances Instances;
   bool InstancesTaken = false;

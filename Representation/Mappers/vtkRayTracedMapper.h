@@ -95,6 +95,15 @@ public:
   double GetColorSeconds() const { return this->ColorSeconds; }
   ///@}
 
+  ///@{
+  /**
+   * What users must choose before there is something to show; empty: nothing. Who makes the choices in a window, one
+   * after the other, is not warned of it.
+   */
+  const std::string& GetUnfinished() const { return this->Unfinished; }
+  void SetInWindow(bool inWindow) { this->InWindow = inWindow; }
+  ///@}
+
   /**
    * What picking says of a place on a glyph or triangle.
    */
@@ -182,6 +191,8 @@ protected:
   vtkGlyphBlockAttributes::Table BlockTable;
   vtkRayTracedSources Sources; // point of each glyph, cell of each triangle
   vtkIdType Skipped = 0;
+  std::string Unfinished;
+  bool InWindow = false;
   rtg::GlyphColours Colors;
   bool Translucent = false, TranslucentInstances = false; // by colors, by instances
   std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of glyphs without a color, where some have one

@@ -11,7 +11,10 @@
 #include "vtkPolyData.h"
 #include "vtkRayTracedArrays.h"
 #include "vtkRayTracedParallel.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstring>
 #include <utility>
 
@@ -65,13 +68,54 @@ void vtkRayTracedTubeMapper::BuildInstances(vtkPolyData* lines, vtkActor* actor)
 }
 
 //----------------------------------------------------------------------------
+std::vector<vtkMTimeType> vtkRayTracedTubeMapper::ColorState() const
+{
+  std::vector<vtkMTimeType> state{ this->InterpolateValues };
+  vtkPolyData* lines = this->GetPoints();
+  vtkDataArray* selected = lines ? lines->GetPointData()->GetArray(vtkRayTracedArrays::Selected) : nullptr;
+  if (selected)
+  {
+    state.push_back(selected->GetMTime());
+    state.push_back(Pack({ this->SelectionColor[0], this->SelectionColor[1], this->SelectionColor[2], 1.0 }));
+  }
+  return state;
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
 {
   std::vector<std::string> messages;
-  const MappedColors mapped = this->MapColors(lines, this->InterpolateValues, "lines", messages);
+  MappedColors mapped = this->MapColors(lines, this->InterpolateValues, "lines", messages);
+  const auto marks = [](vtkDataSetAttributes* data)
+  { return vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkRayTracedArrays::Selected)); };
+  vtkUnsignedCharArray* points = marks(lines->GetPointData());
+  vtkUnsignedCharArray* cells = marks(lines->GetCellData());
+  const auto isSelected = [&](vtkIdType piece)
+  {
+    const auto [first, last] = this->Ends[piece];
+    return (cells && cells->GetValue(this->Sources[piece])) ||
+      (points && (points->GetValue(first) || points->GetValue(last)));
+  };
+  // With the opacity of a color
+  const auto selected = [&](std::uint32_t color)
+  {
+    const std::uint32_t opaque =
+      Pack({ this->SelectionColor[0], this->SelectionColor[1], this->SelectionColor[2], 0.0 });
+    return opaque | (color & 0xff000000u);
+  };
+  // In a table the color is one more entry, which values in [0, 1] do not reach.
+  const auto entries = static_cast<float>(mapped.Table.size()) - 1.0f;
+  if (points && !mapped.Table.empty())
+  {
+    mapped.Table.insert(mapped.Table.end() - 1, selected(0xff000000u));
+    for (float& value : mapped.Values)
+    {
+      value = value < 0.0f ? value : std::min(value * entries, entries - 0.5f) / (entries + 1.0f);
+    }
+  }
   rtg::GlyphColours colors;
   colors.table = mapped.Table;
-  const bool each = mapped.Colors ? mapped.OfCells : mapped.Blocks && mapped.Values.empty();
+  const bool each = mapped.Colors ? mapped.OfCells : (mapped.Blocks || points) && mapped.Values.empty();
   const bool ends = !each && (mapped.Colors || !mapped.Values.empty());
   colors.each.resize(each ? this->Sources.size() : 0);
   colors.ends.resize(ends ? this->Sources.size() : 0);
@@ -94,13 +138,20 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
       for (vtkIdType i = begin; i < end; ++i)
       {
         const auto [first, last] = this->Ends[i];
+        const bool tinted = points && isSelected(i);
         if (each)
         {
-          colors.each[i] = this->ColorOf(mapped, lines, this->Sources[i], first);
+          const std::uint32_t color = this->ColorOf(mapped, lines, this->Sources[i], first);
+          colors.each[i] = tinted ? selected(color) : color;
+        }
+        else if (ends && tinted && !mapped.Values.empty())
+        {
+          colors.ends[i] = glm::uvec2(std::bit_cast<std::uint32_t>(1.0f));
         }
         else if (ends)
         {
-          colors.ends[i] = { atEnd(first), atEnd(last) };
+          const glm::uvec2 own{ atEnd(first), atEnd(last) };
+          colors.ends[i] = tinted ? glm::uvec2{ selected(own.x), selected(own.y) } : own;
         }
       }
     });

@@ -1,14 +1,11 @@
 #include "vtkRayTracedGlyphRepresentation.h"
 
-#include "vtkAlgorithmOutput.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkGlyphJoinedArrays.h"
 #include "vtkGlyphPointGatherer.h"
-#include "vtkGlyphSelection.h"
 #include "vtkGlyphTuples.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -72,8 +69,8 @@ struct vtkRayTracedGlyphRepresentation::Layer
 
 //----------------------------------------------------------------------------
 vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
+  : vtkRayTracedSelectableRepresentation(3)
 {
-  this->SetNumberOfInputPorts(3);
 }
 
 //----------------------------------------------------------------------------
@@ -105,48 +102,9 @@ int vtkRayTracedGlyphRepresentation::FillInputPortInformation(int port, vtkInfor
 }
 
 //----------------------------------------------------------------------------
-int vtkRayTracedGlyphRepresentation::ProcessViewRequest(
-  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
-{
-  if (request == vtkPVView::REQUEST_UPDATE() && this->GetVisibility())
-  {
-    this->FollowSelection();
-  }
-  return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
-}
-
-//----------------------------------------------------------------------------
-// As an input of this representation what is selected is brought up to date when the points are. ParaView does not tell
-// representations of data that a selection has changed.
-void vtkRayTracedGlyphRepresentation::FollowSelection()
-{
-  vtkAlgorithmOutput* input = this->GetNumberOfInputConnections(0) > 0 ? this->GetInputConnection(0, 0) : nullptr;
-  vtkAlgorithmOutput* selection = vtkGlyphSelection::Find(this->GetView(), input);
-  vtkAlgorithmOutput* known = this->GetNumberOfInputConnections(2) > 0 ? this->GetInputConnection(2, 0) : nullptr;
-  if (selection != known)
-  {
-    this->SetInputConnection(2, selection);
-  }
-  auto* pipeline =
-    selection ? vtkDemandDrivenPipeline::SafeDownCast(selection->GetProducer()->GetExecutive()) : nullptr;
-  if (pipeline)
-  {
-    pipeline->UpdatePipelineMTime();
-    const vtkMTimeType time = pipeline->GetPipelineMTime();
-    if (time != this->SelectionTime)
-    {
-      this->SelectionTime = time;
-      this->MarkModified();
-    }
-  }
-}
-
-//----------------------------------------------------------------------------
 int vtkRayTracedGlyphRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Extracted =
-    inputVector[2]->GetNumberOfInformationObjects() == 1 ? vtkDataObject::GetData(inputVector[2], 0) : nullptr;
   this->GatherMesh(
     inputVector[1]->GetNumberOfInformationObjects() == 1 ? vtkDataObject::GetData(inputVector[1], 0) : nullptr);
   return this->Superclass::RequestData(request, inputVector, outputVector);
@@ -239,16 +197,8 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::GatherAnew(vtkDataObject* input, const int* wholeExtent)
 {
-  // Another selection is no reason to gather the same points again. Sources that fill the same data object anew differ
-  // by the time of its update.
-  const std::array<vtkMTimeType, 2> times =
-    input ? std::array<vtkMTimeType, 2>{ input->GetUpdateTime(), input->GetMTime() } : std::array<vtkMTimeType, 2>{};
-  if (this->Gathered && input && input == this->GatheredInput && times == this->GatheredTimes)
-  {
-    return vtkGlyphSelection::Mark(this->Gathered, this->Extracted);
-  }
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   vtkGlyphPointGatherer::Options options;
   options.CellCenters = this->GlyphLocation == CELLS;
@@ -259,10 +209,7 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(vtkDataObje
   }
   options.WholeExtent = wholeExtent;
   options.Progress = this->ProgressOf("Gathering points");
-  this->Gathered = vtkGlyphPointGatherer::Gather(input, options);
-  this->GatheredInput = input;
-  this->GatheredTimes = times;
-  return vtkGlyphSelection::Mark(this->Gathered, this->Extracted);
+  return vtkGlyphPointGatherer::Gather(input, options);
 }
 
 //----------------------------------------------------------------------------
@@ -339,9 +286,9 @@ const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points
 void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
 {
   const vtkGlyphTensors::Settings settings = this->MakeSettings().Tensors;
-  if (settings.On && settings.ColorsByNumber())
+  if (settings.HasRange())
   {
-    const std::array<double, 2> range = this->NumberRange.Get(points, settings);
+    const std::array<double, 2> range = this->NumberRange.Get(points, settings, true);
     std::copy(range.begin(), range.end(), this->TensorRange);
   }
 }
@@ -409,9 +356,14 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   const vtkGlyphBlockAttributes::Table& blocks = points ? this->Blocks.Resolve(points) : noBlocks;
   settings.HighScale = this->HighScale.Get(points, settings, blocks, collective);
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
+  main->SetInWindow(this->IsInWindow());
   main->SetSettings(settings, table && table->GetNumberOfBlocks() == 0 ? nullptr : form(0));
   main->SetTensorTable(this->TensorTable);
-  main->SetSelectionColor(this->SelectionColor);
+  if (settings.Tensors.HasRange() && (!this->TensorTable || settings.Tensors.Coloring == vtkGlyphTensors::EIGENVALUES))
+  {
+    main->SetTensorRange(this->ShownRange.Get(points, settings.Tensors, collective));
+  }
+  main->SetSelectionColor(this->GetSelectionColor());
   this->UpdateLegend(points, settings);
 
   const bool axes = this->ShowsAxes(points, settings);
@@ -431,7 +383,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
     Layer& layer = *this->Layers[entry - 1];
     layer.Follow(points, this->GetActor(), this->Blocks);
     layer.FollowColors(main);
-    layer.Mapper->SetSelectionColor(this->SelectionColor);
+    layer.Mapper->SetSelectionColor(this->GetSelectionColor());
     settings.TableEntry = entry;
     layer.Mapper->SetSettings(settings, form(entry));
   }
@@ -510,7 +462,6 @@ bool vtkRayTracedGlyphRepresentation::RemoveFromView(vtkView* view)
   {
     this->Legend->RemoveFrom(renderView);
   }
-  this->SetInputConnection(2, nullptr);
   return this->Superclass::RemoveFromView(view);
 }
 
@@ -543,6 +494,10 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     most = limit > 0.0 && (most == 0.0 || most > limit) ? limit : most;
   }
   settings.Tensors.On = this->GlyphShape >= TENSOR_ELLIPSOID && this->GlyphShape <= SIGNED_TENSOR_SUPERQUADRIC;
+  if (this->GlyphShape == PRINCIPAL_AXES)
+  {
+    return settings.PrincipalAxes();
+  }
   if (settings.Tensors.On)
   {
     settings.Tensors.Kind = static_cast<rtg::TensorGlyphKind>(this->GlyphShape - TENSOR_ELLIPSOID);
@@ -581,19 +536,13 @@ void vtkRayTracedGlyphRepresentation::SetGlyphLegendColor(double red, double gre
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetSelectionColor(double red, double green, double blue)
-{
-  this->SelectionColor = ColorInRange(red, green, blue);
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphLocation(int location)
 {
   location = std::clamp<int>(location, POINTS, CELLS);
   if (this->GlyphLocation != location)
   {
     this->GlyphLocation = location;
-    this->Gathered = nullptr;
+    this->ForgetGathered();
     this->MarkModified(); // other points must be gathered
   }
 }
@@ -606,7 +555,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
   static const std::map<int, std::string> names = { { TENSOR_ELLIPSOID, "Tensor Ellipsoid" },
     { TENSOR_SUPERQUADRIC, "Tensor Superquadric" }, { SIGNED_TENSOR_SUPERQUADRIC, "Signed Tensor Superquadric" },
     { MESH, "Mesh" }, { SPHERICAL_HARMONICS, "Spherical Harmonics" }, { REYNOLDS, "Reynolds" },
-    { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" }, RTG_SHAPES(RTG_SHAPE_NAME) };
+    { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" }, { PRINCIPAL_AXES, "Principal Axes" }, RTG_SHAPES(RTG_SHAPE_NAME) };
 #undef RTG_SHAPE_NAME
   if (!names.count(shape))
   {
@@ -739,7 +688,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorSharpness(double sharpness)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorColoring(int coloring)
 {
-  this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::SURFACE_DIRECTION);
+  this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::MINOR_EIGENVALUE);
 }
 
 //----------------------------------------------------------------------------

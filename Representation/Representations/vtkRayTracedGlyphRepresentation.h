@@ -7,7 +7,7 @@
 #ifndef vtkRayTracedGlyphRepresentation_h
 #define vtkRayTracedGlyphRepresentation_h
 
-#include "vtkRayTracedRepresentation.h"
+#include "vtkRayTracedSelectableRepresentation.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "vtkGlyphHighScale.h"
 #include "vtkGlyphLegend.h"
@@ -20,11 +20,11 @@
 
 class vtkMultiBlockDataSet;
 
-class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedGlyphRepresentation : public vtkRayTracedRepresentation
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedGlyphRepresentation : public vtkRayTracedSelectableRepresentation
 {
 public:
   static vtkRayTracedGlyphRepresentation* New();
-  vtkTypeMacro(vtkRayTracedGlyphRepresentation, vtkRayTracedRepresentation);
+  vtkTypeMacro(vtkRayTracedGlyphRepresentation, vtkRayTracedSelectableRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -39,7 +39,8 @@ public:
     MESH = 9,
     SPHERICAL_HARMONICS = 12,
     REYNOLDS = 13,
-    FOURTH_ORDER_TENSOR = 14
+    FOURTH_ORDER_TENSOR = 14,
+    PRINCIPAL_AXES = 15 // of tensors
   };
   void SetGlyphShape(int shape);
 
@@ -119,11 +120,6 @@ public:
   ///@}
 
   /**
-   * The color of selected glyphs; default is ParaView's, magenta.
-   */
-  void SetSelectionColor(double red, double green, double blue);
-
-  /**
    * Opacities of the glyphs, in [0, 1], times that of the representation and of colors; default none.
    */
   void SetGlyphOpacityArray(const char* name) { this->Glyphs.OpacityArray = OrEmpty(name); }
@@ -189,8 +185,6 @@ public:
   void SetGlyphSeed(int seed) { this->Glyphs.Mask.Seed = seed; }
   ///@}
 
-  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
-
 protected:
   vtkRayTracedGlyphRepresentation();
   ~vtkRayTracedGlyphRepresentation() override;
@@ -201,7 +195,7 @@ protected:
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
-  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) override;
+  vtkSmartPointer<vtkPolyData> GatherAnew(vtkDataObject* input, const int* wholeExtent) override;
   void AddArrays(vtkPolyData* points) override;
   const double* GetDataBounds(vtkPolyData* points) override;
   void Deliver(vtkInformation* inInfo, bool lod) override;
@@ -223,7 +217,6 @@ private:
 
   vtkGlyphSettings MakeSettings() const;
   bool ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const;
-  void FollowSelection();
   void GatherMesh(vtkDataObject* mesh);
   void UpdateMeshExtents(vtkDataObject* forms);
   void UpdateTensorRange(vtkPolyData* points);
@@ -248,14 +241,8 @@ private:
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   double TensorRange[2] = { 1.0, -1.0 };
-  vtkGlyphTensorRange NumberRange;
-
-  vtkSmartPointer<vtkPolyData> Gathered;  // of an input of these times; null: they must be gathered
-  vtkDataObject* GatheredInput = nullptr; // only to be compared
-  std::array<vtkMTimeType, 2> GatheredTimes{};
-  vtkMTimeType SelectionTime = 0;           // of the pipeline to what is selected
-  vtkSmartPointer<vtkDataObject> Extracted; // what is selected of the input; null: nothing
-  std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };
+  vtkGlyphTensorRange NumberRange; // of the data
+  vtkGlyphTensorRange ShownRange;  // of what is delivered to be rendered
 
   vtkNew<vtkMultiBlockDataSet> Mesh; // gathered; its only block is the mesh of mesh glyphs, or those of a table
   std::vector<std::shared_ptr<const rtg::TriangleMesh>> MeshExtents; // corners of the meshes' boxes, for Bounds

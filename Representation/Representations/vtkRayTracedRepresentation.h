@@ -245,6 +245,7 @@ protected:
    */
   vtkRayTracedParallel::Progress ProgressOf(const char* what);
 
+  bool IsInWindow() const { return this->Image.StepwiseRendering; }
   bool GetInterpolateScalarsBeforeMapping() const { return this->InterpolateScalarsBeforeMapping; }
   vtkRayTracedMapper* GetMapper();
   vtkPolyData* GetPoints();

@@ -1,7 +1,6 @@
 #include "vtkRayTracedTubeRepresentation.h"
 
 #include "vtkCellArray.h"
-#include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
@@ -16,7 +15,10 @@
 vtkStandardNewMacro(vtkRayTracedTubeRepresentation);
 
 //----------------------------------------------------------------------------
-vtkRayTracedTubeRepresentation::vtkRayTracedTubeRepresentation() = default;
+vtkRayTracedTubeRepresentation::vtkRayTracedTubeRepresentation()
+  : vtkRayTracedSelectableRepresentation(2)
+{
+}
 
 //----------------------------------------------------------------------------
 vtkRayTracedTubeRepresentation::~vtkRayTracedTubeRepresentation() = default;
@@ -31,7 +33,7 @@ void vtkRayTracedTubeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::GatherAnew(vtkDataObject* input, const int* wholeExtent)
 {
   vtkRayTracedSurfaceGatherer::Settings settings;
   if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())
@@ -58,8 +60,7 @@ const double* vtkRayTracedTubeRepresentation::GetDataBounds(vtkPolyData* lines)
   {
     if (ofCells)
     {
-      settings.ScaleFactor *= vtkRayTracedParallel::Largest(radii->GetNumberOfTuples(),
-        [radii](vtkIdType i) { return std::isfinite(radii->GetComponent(i, 0)) ? radii->GetComponent(i, 0) : 0.0; });
+      settings.ScaleFactor *= this->LargestOf(radii);
     }
     else
     {
@@ -68,6 +69,20 @@ const double* vtkRayTracedTubeRepresentation::GetDataBounds(vtkPolyData* lines)
     }
   }
   return this->GetBoundsOf(lines, { settings });
+}
+
+//----------------------------------------------------------------------------
+// Asked for at each render.
+double vtkRayTracedTubeRepresentation::LargestOf(vtkDataArray* radii)
+{
+  if (this->Radii != radii || this->RadiiTime != radii->GetMTime())
+  {
+    this->Radii = radii;
+    this->RadiiTime = radii->GetMTime();
+    this->LargestRadius = vtkRayTracedParallel::Largest(radii->GetNumberOfTuples(),
+      [radii](vtkIdType i) { return std::isfinite(radii->GetComponent(i, 0)) ? radii->GetComponent(i, 0) : 0.0; });
+  }
+  return this->LargestRadius;
 }
 
 //----------------------------------------------------------------------------
@@ -85,6 +100,7 @@ void vtkRayTracedTubeRepresentation::Configure(vtkInformation*, vtkPolyData*, bo
   settings.FlatEnds = this->FlatEnds;
   settings.Joined = this->MayBeTranslucent();
   settings.Motion = this->Motion;
-  static_cast<vtkRayTracedTubeMapper*>(this->GetMapper())
-    ->SetSettings(settings, this->GetInterpolateScalarsBeforeMapping());
+  auto* tubes = static_cast<vtkRayTracedTubeMapper*>(this->GetMapper());
+  tubes->SetSettings(settings, this->GetInterpolateScalarsBeforeMapping());
+  tubes->SetSelectionColor(this->GetSelectionColor());
 }

@@ -10,15 +10,17 @@
 #ifndef vtkRayTracedTubeRepresentation_h
 #define vtkRayTracedTubeRepresentation_h
 
-#include "vtkRayTracedRepresentation.h"
+#include "vtkDataArray.h"
+#include "vtkRayTracedSelectableRepresentation.h"
+#include "vtkWeakPointer.h"
 
 #include <string>
 
-class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedTubeRepresentation : public vtkRayTracedRepresentation
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedTubeRepresentation : public vtkRayTracedSelectableRepresentation
 {
 public:
   static vtkRayTracedTubeRepresentation* New();
-  vtkTypeMacro(vtkRayTracedTubeRepresentation, vtkRayTracedRepresentation);
+  vtkTypeMacro(vtkRayTracedTubeRepresentation, vtkRayTracedSelectableRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -38,7 +40,7 @@ protected:
   vtkRayTracedTubeRepresentation();
   ~vtkRayTracedTubeRepresentation() override;
 
-  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) override;
+  vtkSmartPointer<vtkPolyData> GatherAnew(vtkDataObject* input, const int* wholeExtent) override;
   const double* GetDataBounds(vtkPolyData* lines) override;
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;
   void Configure(vtkInformation* inInfo, vtkPolyData* lines, bool lod, bool collective) override;
@@ -47,9 +49,14 @@ private:
   vtkRayTracedTubeRepresentation(const vtkRayTracedTubeRepresentation&) = delete;
   void operator=(const vtkRayTracedTubeRepresentation&) = delete;
 
+  double LargestOf(vtkDataArray* radii);
+
   double Radius = 1.0;
   std::string RadiusArray;
   bool FlatEnds = false;
+  vtkWeakPointer<vtkDataArray> Radii; // of cells, as they were at that time; their largest one
+  vtkMTimeType RadiiTime = 0;
+  double LargestRadius = 0.0;
 };
 
 #endif

@@ -119,6 +119,7 @@ std::string vtkRayTracedFrameStatus::GetStatistics(const std::string& deviceName
     { "AccumulatedSamples", this->GetSamples() },
     { "glyphs", ofDisplay(GLYPHS) },
     { "skippedGlyphs", ofDisplay(SKIPPED_GLYPHS) },
+    { "unfinished", mapper ? mapper->GetUnfinished() : std::string() },
     { "neighborGlyphs", count(NEIGHBOR_GLYPHS) },
     { "neighborBytes", count(NEIGHBOR_BYTES) },
     { "gathers", data.Gathers },

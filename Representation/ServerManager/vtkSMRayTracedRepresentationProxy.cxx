@@ -1,6 +1,7 @@
 #include "vtkSMRayTracedRepresentationProxy.h"
 
 #include "vtkCommand.h"
+#include "vtkGlyphTensors.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
@@ -46,10 +47,6 @@ vtkSMProxy* ShownBy(vtkSMProxy* display)
 
 // While one display's value is copied to the others, their changes are not copied on.
 bool sharing = false;
-
-// Values of GlyphTensorColoring that are numbers.
-constexpr int fractionalAnisotropy = 2;
-constexpr int trace = 3;
 }
 
 //----------------------------------------------------------------------------
@@ -389,15 +386,14 @@ void vtkSMRayTracedRepresentationProxy::TakeScaleGuess()
 void vtkSMRayTracedRepresentationProxy::UpdateTensorTable(vtkSMProxy* view)
 {
   auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
-  const int coloring = vtkSMPropertyHelper(this, "GlyphTensorColoring").GetAsInt();
+  const vtkSMPropertyHelper coloring(this, "GlyphTensorColoring");
   const int shape = vtkSMPropertyHelper(this, "GlyphShape").GetAsInt();
   const char* array = vtkSMPropertyHelper(this, "GlyphTensorArray").GetAsString();
   std::string name;
-  if (local && local->GetVisibility() && shape >= 6 && shape <= 8 && array && array[0] && strcmp(array, "None") != 0)
+  if (local && local->GetVisibility() && ((shape >= 6 && shape <= 8) || shape == 15) && array && array[0] &&
+    strcmp(array, "None") != 0 && vtkGlyphTensors::IsNumber(coloring.GetAsInt()))
   {
-    name = coloring == trace             ? std::string(array) + " Trace"
-      : coloring == fractionalAnisotropy ? std::string(array) + " Fractional Anisotropy"
-                                         : std::string();
+    name = std::string(array) + " " + coloring.GetAsString();
   }
   vtkNew<vtkSMTransferFunctionManager> tables;
   vtkSMSessionProxyManager* proxies = this->GetSessionProxyManager();

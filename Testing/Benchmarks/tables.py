@@ -159,6 +159,16 @@ def superquadric_errors():
                      for row in rows("superquadric-errors") if row["arithmetic"] == "float"])
 
 
+def million_errors():
+    """A million rays of each family, in float."""
+    return markdown(["glyphs", "rays", "error of t, 99.9 %", "max", "largest dt over the bound", "normal, max (rad)", "t / normals out of bound",
+                     "false hits / misses", "at a silhouette", "at that of a lobe"],
+                    [[row["family"], "%d" % row["rays"], "%.1e" % row["t_p999_sizes"], "%.1e" % row["t_max_sizes"], "%.2g" % row["t_max_over_bound"],
+                      "%.1e" % row["normal_max_radians"], "%d / %d" % (row["t_out_of_bound"], row["normals_out_of_bound"]),
+                      "%d / %d" % (row["false_hits"], row["false_misses"]), "%d" % row["silhouettes"], "%d" % row["lobes"]]
+                     for row in rows("million-errors")])
+
+
 def superquadric_solvers():
     """Solvers, in float, all rays together."""
     return markdown(["glyphs", "solver", "ns a ray", "error of t, 99.9 %", "max", "normal, max (rad)", "false hits / misses a million"],
@@ -181,6 +191,7 @@ TABLES = {
     "sphere-formulas": (SHAPES, ["sphere-formulas"], sphere_formulas),
     "hard-cases": (SHAPES, ["shape-errors"], hard_cases),
     "superquadric-errors": (SHAPES, ["superquadric-errors"], superquadric_errors),
+    "million-errors": (SHAPES, ["million-errors"], million_errors),
     "superquadric-solvers": (SHAPES, ["superquadric-solvers"], superquadric_solvers),
 }
 

@@ -291,22 +291,22 @@ inline std::vector<Subject> NestedSubjects()
   };
 }
 
-/// Random harmonics of both signs, or bundles of narrow lobes.
-inline Subject PolynomialSubject(int degree, bool bundles)
+inline Subject PolynomialSubject(int degree, Forms forms)
 {
-  Subject subject{ "polynomial, " + std::string(bundles ? "bundles" : "harmonics") + ", degree " +
-      std::to_string(degree),
+  const char* const names[] = { "harmonics", "bundles", "stress", "stiffness" };
+  Subject subject{ "polynomial, " + std::string(names[static_cast<int>(forms)]) + ", degree " + std::to_string(degree),
     Shape::Polynomial, {}, false };
   subject.degree = degree;
-  subject.bundles = bundles;
+  subject.forms = forms;
   return subject;
 }
 
 /// Polynomials of the degrees of tensors and of spherical harmonics.
 inline std::vector<Subject> PolynomialSubjects()
 {
-  return { PolynomialSubject(2, false), PolynomialSubject(4, false), PolynomialSubject(6, true),
-    PolynomialSubject(8, false), PolynomialSubject(8, true) };
+  return { PolynomialSubject(2, Forms::Harmonics), PolynomialSubject(4, Forms::Harmonics),
+    PolynomialSubject(6, Forms::Bundles), PolynomialSubject(8, Forms::Harmonics),
+    PolynomialSubject(8, Forms::Bundles) };
 }
 
 inline std::vector<HardCase> MakeHardCases(int glyphs, int raysPerGlyph)

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <glm/gtc/quaternion.hpp>
+#include <numeric>
 #include <random>
 #include <ostream>
 #include <stdexcept>
@@ -74,6 +76,15 @@ typename shapes::Kernel<Real>::GlyphRay KernelRay(const HardRay& ray)
   return { Vector(high), Vector(ray.origin - high), Vector(ray.direction) };
 }
 
+/// What polynomials are made of.
+enum class Forms
+{
+  Harmonics, ///< random ones of both signs, of all even bands up to the degree
+  Bundles,   ///< up to three powers (n a)^degree of directions a, which makes narrow lobes
+  Stress,    ///< degree 2: n^T S n, the eigenvalues of S having ratios to 1e6, now and then equal ones or zeros
+  Stiffness  ///< degree 4: C_ijkl n_i n_j n_k n_l, a positive definite matrix in Voigt's notation
+};
+
 /// One shape with its parameters, and how to make it flat or thin.
 struct Subject
 {
@@ -88,10 +99,9 @@ struct Subject
   /// Instead those of random tensors whose eigenvalues have ratios to 1e6, now and then equal ones or zeros.
   bool fromTensors = false;
   TensorGlyphKind tensors = TensorGlyphKind::Superquadric;
-  /// Of polynomials; else 0. Each glyph has another one: with `bundles`, up to three powers (n a)^degree of its
-  /// directions a, which makes narrow lobes; else random harmonics, of both signs.
+  /// Of polynomials; else 0. Each glyph has another one.
   int degree = 0;
-  bool bundles = false;
+  Forms forms = Forms::Harmonics;
 };
 
 /// For GoogleTest's lists of parameters.
@@ -140,12 +150,13 @@ private:
     return glm::vec4(glm::dvec4(std::sin(angle / 2) * axis, std::cos(angle / 2)));
   }
 
-  glm::vec3 TensorExponents()
+  /// With ratios to 1e6, now and then equal ones or zeros; largest first.
+  glm::dvec3 Eigenvalues(bool ofBothSigns)
   {
     Eigensystem eigen;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const bool negative = this->subject_.tensors == TensorGlyphKind::SignedSuperquadric && this->Choice(2) == 0;
+      const bool negative = ofBothSigns && this->Choice(2) == 0;
       const double magnitude = std::pow(10.0, this->Choice(2) == 0 ? this->Uniform(-6, 0) : this->Uniform(-1, 0));
       eigen.values[axis] = negative ? -magnitude : magnitude;
     }
@@ -155,7 +166,47 @@ private:
     }
     double* values = &eigen.values.x;
     std::sort(values, values + 3, std::greater<double>());
+    return eigen.values;
+  }
+
+  glm::vec3 TensorExponents()
+  {
+    Eigensystem eigen;
+    eigen.values = this->Eigenvalues(this->subject_.tensors == TensorGlyphKind::SignedSuperquadric);
     return glm::vec3(MakeTensorGlyph(eigen, this->subject_.tensors, 3.0).exponents);
+  }
+
+  /// xx yy zz xy yz xz
+  std::vector<double> Stress()
+  {
+    const glm::dvec3 values = this->Eigenvalues(true);
+    const glm::vec4 turn = this->Rotation();
+    const glm::dmat3 axes = glm::mat3_cast(glm::dquat(turn.w, turn.x, turn.y, turn.z));
+    const glm::dmat3 s = axes * glm::dmat3(values.x, 0, 0, 0, values.y, 0, 0, 0, values.z) * glm::transpose(axes);
+    return { s[0][0], s[1][1], s[2][2], s[0][1], s[1][2], s[0][2] };
+  }
+
+  /// The 36 components of A A^T, A a matrix of 6 x 6 random numbers with a diagonal that is now and then large.
+  std::vector<double> Stiffness()
+  {
+    double a[6][6];
+    const double stiff = this->Choice(2) == 0 ? 3.0 : 0.0;
+    for (int i = 0; i < 6; ++i)
+    {
+      for (int j = 0; j < 6; ++j)
+      {
+        a[i][j] = this->Uniform(-1, 1) + (i == j ? stiff : 0.0);
+      }
+    }
+    std::vector<double> components;
+    for (int i = 0; i < 6; ++i)
+    {
+      for (int j = 0; j < 6; ++j)
+      {
+        components.push_back(std::inner_product(a[i], a[i] + 6, a[j], 0.0));
+      }
+    }
+    return components;
   }
 
   glm::vec3 Exponents()
@@ -176,7 +227,17 @@ private:
   {
     const int degree = this->subject_.degree;
     std::vector<double> form(FormTerms(degree), 0.0);
-    if (!this->subject_.bundles)
+    if (this->subject_.forms == Forms::Stress)
+    {
+      FormMap::NormalStress().Apply(this->Stress().data(), form.data());
+      return form;
+    }
+    if (this->subject_.forms == Forms::Stiffness)
+    {
+      FormMap::FourthOrder(36).Apply(this->Stiffness().data(), form.data());
+      return form;
+    }
+    if (this->subject_.forms == Forms::Harmonics)
     {
       std::vector<double> harmonics;
       for (int l = 0; l <= degree; l += 2)

@@ -102,7 +102,8 @@ Verdict Judge(ReferenceGlyph& glyph, const std::vector<ReferenceCrossing>& exact
   if (!answer.hit || candidates.empty())
   {
     const bool wrong = answer.hit || !mayMiss;
-    verdict.excused = wrong && SilhouetteWidth(glyph, ray, exact.size()) <= band;
+    verdict.nearSilhouette = wrong && SilhouetteWidth(glyph, ray, exact.size()) <= band;
+    verdict.excused = verdict.nearSilhouette;
     verdict.falseHit = answer.hit && !verdict.excused;
     verdict.falseMiss = !answer.hit && wrong && !verdict.excused;
     return verdict;
@@ -115,6 +116,7 @@ Verdict Judge(ReferenceGlyph& glyph, const std::vector<ReferenceCrossing>& exact
   if (wrongT || wrongNormal)
   {
     const double width = SilhouetteWidth(glyph, ray, exact.size());
+    verdict.nearSilhouette = width <= band;
     const bool nothing = grazes || width <= bandOfT;
     const bool noNormal = nothing || (wrongNormal && width <= band);
     verdict.excused = nothing || noNormal;

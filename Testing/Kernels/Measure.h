@@ -56,6 +56,7 @@ struct Verdict
   bool hit = false;     ///< of the reference
   bool excused = false; ///< something is beyond its bound, but so near a silhouette that it does not count
   bool falseHit = false, falseMiss = false; ///< outside the band only
+  bool nearSilhouette = false;              ///< something is beyond its bound, and the ray is in the band
   bool bothHit = false;                     ///< and t is compared
   double ulps = 0.0;                        ///< |dt| in ulps of t
   double sizes = 0.0;                       ///< |dt| in glyph sizes

@@ -168,23 +168,31 @@ TYPED_TEST(RoundConeLineTest, NearlyStraightLinesHaveNothingInside)
   }
 }
 
-/// A straight line of four pieces, met in the very planes of its joints, too.
+/// A straight line of four pieces, met across and in the very planes of its joints, where the surface belongs to one of
+/// two pieces: from all around, since rounding decides on which face of a piece a ray finds it.
 TYPED_TEST(RoundConeLineTest, StraightLinesHaveNoSeams)
 {
+  constexpr int rows = 31, turns = 61;
   Line<TypeParam> line{ { { -2, 0, 0 }, { -1, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } },
     { 0.5, 0.5, 0.5, 0.5, 0.5 } };
   for (int k = -256; k <= 256; ++k)
   {
-    for (int row = 0; row < (k % 128 == 0 ? 31 : 1); ++row)
+    const bool inJoint = k % 128 == 0;
+    for (int row = 0; row < (inJoint ? rows : 1); ++row)
     {
-      const double z = 0.3 - row / 64.0, half = std::sqrt(0.25 - z * z);
-      typename Line<TypeParam>::Kernel::GlyphRay ray{};
-      ray.origin = { TypeParam(k) / 128, 3, TypeParam(z) };
-      ray.direction = { 0, -1, 0 };
-      const std::vector<double> found = line.Crossings(ray, true);
-      ASSERT_EQ(found.size(), 2u) << "x = " << ray.origin.x << ", z = " << z;
-      EXPECT_NEAR(found[0], 3.0 - half, 1e-6);
-      EXPECT_NEAR(found[1], 3.0 + half, 1e-6);
+      int wrong = 0;
+      const double offset = 0.3 - row / 64.0, half = std::sqrt(0.25 - offset * offset);
+      for (int turn = 0; turn < (inJoint ? turns : 1); ++turn)
+      {
+        const double angle = 2.0 * M_PI * turn / turns, c = std::cos(angle), s = std::sin(angle);
+        typename Line<TypeParam>::Kernel::GlyphRay ray{};
+        ray.origin = { TypeParam(k) / 128, TypeParam(3 * c - offset * s), TypeParam(3 * s + offset * c) };
+        ray.direction = { 0, TypeParam(-c), TypeParam(-s) };
+        const std::vector<double> found = line.Crossings(ray, true);
+        wrong +=
+          found.size() != 2 || std::abs(found[0] - (3.0 - half)) > 1e-6 || std::abs(found[1] - (3.0 + half)) > 1e-6;
+      }
+      EXPECT_EQ(wrong, 0) << "x = " << k / 128.0 << ", " << offset << " beside the axis";
     }
   }
 }

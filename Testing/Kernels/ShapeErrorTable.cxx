@@ -1,16 +1,19 @@
 // Prints the error of every shape's kernel on the hard cases, and how fast it is; the tables of README.md.
 // Usage: ShapeErrorTable [file.csv]            (the CSV holds every case, float and double)
 //        ShapeErrorTable --speed [file.csv]    families of superquadrics, also out of range: speed against error
-//        ShapeErrorTable --polynomials [file.csv]  polynomials of every degree: a million rays
+//        ShapeErrorTable --million [file.csv]  glyphs of direction, capsules and round cones: a million rays of each
 //        ShapeErrorTable --spheres [file.csv]  spheres beside the formulas that other renderers use
 
 #include "Measure.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <mutex>
+#include <thread>
 
 using namespace rtg;
 using namespace rtg::testing;
@@ -90,12 +93,11 @@ struct Tally
 
 /// The hard cases of one family together.
 template <class Real>
-void TableOfFamily(const Subject& subject, const char* range, const char* arithmetic, std::ostream& csv,
-  int glyphs = 12, int raysPerGlyph = 50)
+void TableOfFamily(const Subject& subject, const char* range, const char* arithmetic, std::ostream& csv)
 {
   Tally tally;
   double nanoseconds = 0, plain = 0;
-  for (const HardCase& hard : HardCaseMaker(subject, glyphs, raysPerGlyph, 21).All())
+  for (const HardCase& hard : HardCaseMaker(subject, 12, 50, 21).All())
   {
     ReferenceCase reference(hard);
     for (const Verdict& verdict : JudgeKernel<Real>(reference))
@@ -132,16 +134,88 @@ void HeadOfFamilies(std::ostream& csv)
               "|\n|---|---|---|---|---|---|---|---|---|---|---|\n");
 }
 
-void TableOfPolynomials(std::ostream& csv)
+/// What a million rays say of one family.
+struct ManyVerdicts
 {
-  HeadOfFamilies(csv);
-  for (int degree = 2; degree <= mostDegree; degree += 2)
+  std::vector<double> sizes; ///< of t, beyond what t itself can hold
+  std::size_t rays = 0, hits = 0, falseHits = 0, falseMisses = 0, excused = 0, lobes = 0, outOfBound = 0,
+              wrongNormals = 0;
+  double worst = 0.0, radians = 0.0;
+
+  void Add(const Verdict& verdict)
   {
-    for (const bool bundles : { false, true })
+    ++this->rays;
+    this->hits += verdict.hit;
+    this->falseHits += verdict.falseHit;
+    this->falseMisses += verdict.falseMiss;
+    const bool beyond = verdict.bothHit && !(verdict.excess <= 1.0);
+    this->lobes += beyond && verdict.nearSilhouette;
+    this->outOfBound += beyond && !verdict.nearSilhouette;
+    this->excused += !verdict.bothHit && verdict.nearSilhouette;
+    if (verdict.bothHit && !(beyond && verdict.nearSilhouette))
     {
-      TableOfFamily<float>(
-        PolynomialSubject(degree, bundles), degree <= 8 ? "within" : "beyond", "float", csv, 42, 100);
+      this->sizes.push_back(verdict.ulps > 1.0 ? verdict.sizes * (1.0 - 1.0 / verdict.ulps) : 0.0);
+      this->worst = std::max(this->worst, verdict.excess);
+      if (verdict.hasNormal && !verdict.nearSilhouette)
+      {
+        this->radians = std::max(this->radians, verdict.radians);
+        this->wrongNormals += !(verdict.normalExcess <= 1.0);
+      }
     }
+  }
+};
+
+/// A million rays of each family, on all cores: one hard case after the other.
+void TableOfMillions(std::ostream& csv)
+{
+  std::vector<Subject> subjects{ PolynomialSubject(2, Forms::Harmonics), PolynomialSubject(4, Forms::Harmonics),
+    PolynomialSubject(8, Forms::Harmonics), PolynomialSubject(8, Forms::Bundles), PolynomialSubject(2, Forms::Stress),
+    PolynomialSubject(4, Forms::Stiffness) };
+  for (const Subject& subject : HardSubjects())
+  {
+    if (subject.shape == Shape::RoundCone || subject.shape == Shape::Capsule)
+    {
+      subjects.push_back(subject);
+    }
+  }
+  csv << "family,rays,hits,t_median_sizes,t_p999_sizes,t_max_sizes,t_max_over_bound,t_out_of_bound,normal_max_radians,"
+         "normals_out_of_bound,false_hits,false_misses,silhouettes,lobes\n";
+  std::printf(
+    "| glyphs | rays | dt median | 99.9 %% | max (sizes) | over bound | t / normals out of bound | normal max "
+    "(rad) | false hits / misses | at silhouettes | at lobes |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const Subject& subject : subjects)
+  {
+    const std::vector<HardCase> cases = HardCaseMaker(subject, 210, 200, 21).All();
+    ManyVerdicts all;
+    std::atomic<std::size_t> next{ 0 };
+    std::mutex mutex;
+    const auto work = [&]
+    {
+      for (std::size_t i = next++; i < cases.size(); i = next++)
+      {
+        ReferenceCase reference(cases[i]);
+        const std::vector<Verdict> verdicts = JudgeKernel<float>(reference);
+        const std::lock_guard<std::mutex> lock(mutex);
+        std::for_each(verdicts.begin(), verdicts.end(), [&all](const Verdict& verdict) { all.Add(verdict); });
+      }
+    };
+    std::vector<std::thread> threads(std::max(1u, std::thread::hardware_concurrency()));
+    for (std::thread& thread : threads)
+    {
+      thread = std::thread(work);
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+    csv << '"' << subject.name << "\"," << all.rays << ',' << all.hits << ',' << Quantile(all.sizes, 0.5) << ','
+        << Quantile(all.sizes, 0.999) << ',' << Quantile(all.sizes, 1) << ',' << all.worst << ',' << all.outOfBound
+        << ',' << all.radians << ',' << all.wrongNormals << ',' << all.falseHits << ',' << all.falseMisses << ','
+        << all.excused << ',' << all.lobes << std::endl;
+    std::printf("| %s | %zu | %.1e | %.1e | %.1e | %.2f | %zu / %zu | %.1e | %zu / %zu | %zu | %zu |\n",
+      subject.name.c_str(), all.rays, Quantile(all.sizes, 0.5), Quantile(all.sizes, 0.999), Quantile(all.sizes, 1),
+      all.worst, all.outOfBound, all.wrongNormals, all.radians, all.falseHits, all.falseMisses, all.excused, all.lobes);
+    std::fflush(stdout);
   }
 }
 
@@ -331,10 +405,10 @@ int main(int argc, char** argv)
     TableOfSpeed(csv);
     return 0;
   }
-  if (argc > 1 && std::string(argv[1]) == "--polynomials")
+  if (argc > 1 && std::string(argv[1]) == "--million")
   {
-    std::ofstream csv(argc > 2 ? argv[2] : "polynomial-errors.csv");
-    TableOfPolynomials(csv);
+    std::ofstream csv(argc > 2 ? argv[2] : "million-errors.csv");
+    TableOfMillions(csv);
     return 0;
   }
   if (argc > 1 && std::string(argv[1]) == "--spheres")
@@ -345,7 +419,7 @@ int main(int argc, char** argv)
   }
   if (argc > 1 && argv[1][0] == '-')
   {
-    std::fprintf(stderr, "Usage: ShapeErrorTable [--speed | --polynomials | --spheres] [file.csv], not %s\n", argv[1]);
+    std::fprintf(stderr, "Usage: ShapeErrorTable [--speed | --million | --spheres] [file.csv], not %s\n", argv[1]);
     return 2;
   }
   std::ofstream file;

@@ -16,7 +16,7 @@ FLOW = "iHat*(sin(0.4*coordsZ)+0.7*cos(0.4*coordsY))+jHat*(0.8*sin(0.4*coordsX)+
 def color(shown, view, association, array, limits, preset, title):
     """Colors by an array, with a scalar bar."""
     pv.ColorBy(shown, (association, array))
-    scalar_bar(pv.GetColorTransferFunction(array), shown, view, limits, preset, title, (0.63, 0.9))
+    scalar_bar(pv.GetColorTransferFunction(array), shown, view, limits, preset, title, (0.58, 0.82))
 
 
 def tubes(source, view, ours, radius, array):
@@ -27,7 +27,7 @@ def tubes(source, view, ours, radius, array):
         if array:
             shown.TubeRadiusArray = array
         shown.TubeRadius = radius
-        shown.ShadingMode, shown.SamplesPerPixel, shown.AmbientOcclusionRadius = "Ambient Occlusion", 16, 4.0
+        shown.ShadingMode, shown.SamplesPerPixel, shown.AmbientOcclusionRadius = "Ambient Occlusion", 32, 4.0
         return shown
     if array:
         thick = pv.Calculator(Input=pv.CellDatatoPointData(Input=source), ResultArrayName="radius", Function="%g*%s" % (radius, array))
@@ -39,8 +39,9 @@ def chains(view, contacts, ours):
     """Contacts between grains that a ball has just hit, as thick as the root of their force."""
     thick = pv.Calculator(Input=pv.LegacyVTKReader(FileNames=[contacts]), AttributeType="Cell Data", ResultArrayName="root", Function="sqrt(force)")
     shown = tubes(thick, view, ours, 0.006, "root")
-    color(shown, view, "CELLS", "force", (0.0, 1500.0), "Plasma", "force between two grains")
-    look(view, (10.0, -12.0, 17.0), (12.5, 12.0, 4.5), (0.0, 0.0, 1.0))
+    color(shown, view, "CELLS", "force", (0.0, 990.0), "Plasma", "force between two grains")
+    look(view, (10.0, -12.0, 17.0), (12.9, 12.0, 5.5), (0.0, 0.0, 1.0))
+    view.CameraViewAngle = 21.0
 
 
 def streamlines(view, ours):

@@ -238,6 +238,8 @@ ROWS = [
     Row("GlyphTensorLayout", "Row", as_with(GlyphTensorArray="rows"), **{**TENSOR, "GlyphTensorArray": "six"}),
     Row("GlyphTensorSharpness", 0.0, as_with(GlyphShape="Tensor Ellipsoid"), **{**TENSOR, "GlyphShape": "Tensor Superquadric"}),
     Row("GlyphTensorColoring", "Principal Direction", colors(RED), **TENSOR),
+    Row("GlyphTensorColoring", "Eigenvalues", colors([1.0, 0.5, 0.5]), **TENSOR),
+    Row("GlyphTensorColoring", "Middle Eigenvalue", reads("GlyphTensorRange", [0.5, 0.5]), **TENSOR),
     Row("GlyphTensorLookupTable", ALL_GREEN, colors(GREEN), GlyphTensorColoring="Trace", **TENSOR),
     Row("GlyphTensorRange", LEFT, reads("GlyphTensorRange", [2.0, 2.0]), GlyphTensorColoring="Trace", **TENSOR),
     Row("GlyphTensorPositiveColor", GREEN, colors(GREEN), GlyphTensorColoring="Sign", **TENSOR),

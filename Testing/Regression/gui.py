@@ -24,6 +24,7 @@ OF_SHAPES = {
     "Tensor Ellipsoid": ([], [row for row in TENSOR if row != "Glyph Tensor Sharpness"]),
     "Tensor Superquadric": ([], TENSOR),
     "Signed Tensor Superquadric": ([], TENSOR),
+    "Principal Axes": ([], [row for row in TENSOR if row != "Glyph Tensor Sharpness"] + ["Arrow Shaft Radius", "Arrow Tip Radius", "Arrow Tip Length"]),
     "Spherical Harmonics": ([], ["Glyph Tensor Coloring", "Glyph Harmonics Array", "Glyph Harmonics Basis", "Glyph Harmonics Scaling"]),
     "Reynolds": ([], ["Glyph Tensor Array", "Glyph Tensor Layout", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"]),
     "Fourth-Order Tensor": ([], ["Glyph Tensor Array", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"]),

@@ -266,6 +266,31 @@ def bad_input(checks, view):
     pv.Delete(points)
 
 
+def unfinished(checks, view):
+    """In a window nobody is warned of an array that has not been chosen yet; RenderStatistics tells. A script is told."""
+    points = session.source(session.poly_data(numpy.zeros((1, 3)), some=numpy.ones((1, 15)), six=numpy.ones((1, 6))))
+    for in_window in (1, 0):
+        for shape, name, array in (("Spherical Harmonics", "GlyphHarmonicsArray", "some"), ("Reynolds", "GlyphTensorArray", "six"),
+                                   ("Tensor Ellipsoid", "GlyphTensorArray", "six")):
+            shown = session.glyphs(points, view, GlyphScaleFactor=0.8)
+            shown.SMProxy.GetProperty("StepwiseRendering").SetElement(0, in_window)
+            shown.SMProxy.UpdateVTKObjects()
+            setattr(shown, name, "None")
+            shown.GlyphShape = shape
+            text = session.messages(lambda: (pv.Render(view), pv.Render(view)))
+            what = "%s without an array, %s a window" % (shape, "in" if in_window else "not in")
+            if in_window:
+                checks.no_message(what, text)
+            else:
+                checks.one_message(what, text, name)
+            checks.true(what + ": what RenderStatistics tells", name in session.statistics(shown)["unfinished"])
+            setattr(shown, name, array)
+            pv.Render(view)
+            checks.equal(what + ": what is left to choose with one", session.statistics(shown)["unfinished"], "")
+            pv.Delete(shown)
+    pv.Delete(points)
+
+
 def main():
     session.load()
     checks = Checks()
@@ -274,6 +299,7 @@ def main():
     forms(checks, view, random)
     sizes(checks, view, random)
     bad_input(checks, view)
+    unfinished(checks, view)
     gallery(checks, random)
     bounds(checks, random)
     checks.report()

@@ -46,6 +46,18 @@ def vectors(view):
     return shown
 
 
+def tensors(view):
+    """Tensors on the same image, of which one rank has those with the largest eigenvalues, which color all."""
+    half = SIDE // 2
+    wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
+    stress = pv.Calculator(Input=wavelet, ResultArrayName="stress", Function="(16+coordsX+coordsY+coordsZ)*iHat+(8+coordsY)*jHat-(5+coordsX)*kHat")
+    shear = pv.Calculator(Input=stress, ResultArrayName="shear", Function="coordsZ*iHat-coordsY*jHat+coordsX*kHat")
+    shown = session.glyphs(shear, view, "Tensor Ellipsoid", GlyphTensorArray="stress, shear", GlyphScaleFactor=0.05,
+                           GlyphTensorColoring="Eigenvalues")
+    look_at_cube(view)
+    return shown
+
+
 def unstructured(view, folder):
     """The particles of the simulation, spread over the ranks, and an opaque surface of their own in between."""
     spread = session.spread(folder + "/impact/impact_04.vtk")
@@ -140,7 +152,7 @@ def main(folder):
     session.load()
     ranks = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
     failures = []
-    scenes = (("structured", structured, SIDE**3), ("vectors", vectors, SIDE**3),
+    scenes = (("structured", structured, SIDE**3), ("vectors", vectors, SIDE**3), ("tensors", tensors, SIDE**3),
               ("unstructured", lambda view: unstructured(view, folder), None))
     for name, scene, points in scenes:
         view = session.view(300, 200)

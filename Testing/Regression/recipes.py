@@ -99,7 +99,17 @@ WANTED = {
     "calculix_stress": (lambda c: stressed(c, c["stress"][:, [0, 3, 5, 1, 4, 2]], c["nodes"]), False, 108),
     "utm_coordinates": (lambda c: spheres(c["positions"], c["radii"]), True, 108),
     "halos": (halos, True, 2000),
+    "uncertain_radii": (lambda c: spheres(c["positions"], c["means"] + 2.0 * c["deviations"]), True, 48),
 }
+
+
+def see_through(case, picture, checks):
+    """Glyphs of the lower bounds are seen in those of the upper ones: without them all their pixels are others."""
+    case["lower"].Visibility = 0
+    without = session.capture(case["view"], "recipe-without-lower", ImageResolution=[400, 300]).astype(int)
+    columns, rows = pixels_of(spheres(case["positions"], case["means"] - 2.0 * case["deviations"]), case["view"], 400, 300)
+    changed = grown(numpy.abs(picture.astype(int) - without).max(axis=2) > 8, 1)
+    checks.within("share of the lower bounds that is seen", float(changed[rows, columns].mean()), 1.0 - OUTSIDE, 1.0)
 
 
 def pixels_of(points, view, width, height):
@@ -141,7 +151,8 @@ def recipe(name, page, checks):
     checks.equal(name + ": glyphs", statistics["glyphs"], count)
     if shown.LookupTable:
         shown.SetScalarBarVisibility(view, False)
-    seen = comparison.covered(session.capture(view, "recipe-" + name, ImageResolution=[400, 300]))
+    picture = session.capture(view, "recipe-" + name, ImageResolution=[400, 300])
+    seen = comparison.covered(picture)
     columns, rows = pixels_of(points(case), view, 400, 300)
     outside = float((~grown(seen, 1)[rows, columns]).mean())
     mask = numpy.zeros_like(seen)
@@ -153,6 +164,8 @@ def recipe(name, page, checks):
     checks.within(name + ": covered share of the picture", float(seen.mean()), 0.02, 0.8)
     if complete:
         checks.within(name + ": share of the picture that is no surface", unexplained, 0.0, UNEXPLAINED)
+    if "lower" in case:
+        see_through(case, picture, checks)
     pv.Delete(view)
     for source in list(pv.GetSources().values()):
         pv.Delete(source)

@@ -1,4 +1,4 @@
-"""Selected glyphs have the selection's color, the others keep theirs, and nothing but colors is built anew.
+"""Selected glyphs and tubes have the selection's color, the others keep theirs, and nothing but colors is built anew.
 
 Usage: pvpython selection_seen.py
 """
@@ -8,6 +8,7 @@ from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 import session
 from checks import Checks
+from tubes import line_data
 
 GREEN = (0.0, 1.0, 0.0)
 #: 5 x 4 places in the picture's plane
@@ -109,6 +110,59 @@ def cells(checks, view):
     pv.Delete(shown)
 
 
+def bars(blocks):
+    """Four lines of two pieces each beside each other, of which every other one is of another block, with arrays of points and of cells."""
+    made = vtkMultiBlockDataSet()
+    for part in range(2 if blocks else 1):
+        lines = [y for y in range(4) if not blocks or y % 2 == part]
+        data = line_data([[(0.0, y, 0.0), (2.0, y, 0.0), (4.0, y, 0.0)] for y in lines], {"line": numpy.array(lines, dtype=float)},
+                         number=numpy.array([3.0 * y + i for y in lines for i in range(3)]))
+        made.SetBlock(part, data)
+    return made if blocks else made.GetBlock(0)
+
+
+def tubes(checks, view):
+    """Selected lines, and the pieces next to selected points; the others keep their colors, however these are made: to a level of 255, to which one color for all is rounded."""
+    middles = [[1.0 + 2.0 * piece, y, 0.0] for y in range(4) for piece in range(2)]
+    for name, colored, before in (("solid", None, 1), ("cells", ("CELLS", "line"), 1), ("points", ("POINTS", "number"), 1),
+                                  ("colors of points", ("POINTS", "number"), 0)):
+        source = session.source(bars(name == "cells"))
+        shown = session.show(source, view, "Ray Traced Tubes", 1, TubeRadius=0.3, InterpolateScalarsBeforeMapping=before)
+        if colored:
+            pv.ColorBy(shown, colored)
+            pv.GetColorTransferFunction(colored[1]).ApplyPreset("Cool to Warm", True)
+            shown.SetScalarBarVisibility(view, False)
+        else:
+            session.solid(shown, (0.9, 0.3, 0.3))
+        shown.SelectionColor = list(GREEN)
+        pv.Render(view)
+        plain = session.capture(view, "selection-seen-tubes")
+        built = session.statistics(shown)
+        for what, select, query_text, wanted in (("lines", pv.SelectCells, "(line == 1) | (line == 2)", [2, 3, 4, 5]),
+                                                 ("a point", pv.SelectPoints, "number == 10", [6, 7]),
+                                                 ("an end", pv.SelectPoints, "number == 0", [0])):
+            select(query_text, source)
+            pv.Render(view)
+            picture = session.capture(view, "selection-seen-tubes-%s-%s" % (name.replace(" ", "-"), what.replace(" ", "-")))
+            found = [i for i, (x, y) in enumerate(session.pixel_of(view, at) for at in middles) if is_green(picture[picture.shape[0] - 1 - y, x])]
+            checks.equal("tubes, %s, %s: pieces in the color of the selection" % (name, what), found, wanted)
+            others = numpy.zeros(picture.shape[:2], dtype=bool)
+            for i, at in enumerate(middles):
+                if i not in wanted:
+                    x, y = session.pixel_of(view, at)
+                    others[picture.shape[0] - 1 - y - 5:picture.shape[0] + 4 - y, x - 10:x + 11] = True
+            checks.equal("tubes, %s, %s: pixels of others that have changed" % (name, what), int((numpy.abs(picture.astype(int) - plain).max(axis=2) > 1)[others].sum()), 0)
+        pv.ClearSelection(source)
+        pv.Render(view)
+        checks.true("tubes, %s: the picture is another one after the selection" % name,
+                    (session.capture(view, "selection-seen-tubes-after") == plain).all())
+        now = session.statistics(shown)
+        for count in BUILDS:
+            checks.equal("tubes, %s: %s of a selection" % (name, count), now[count] - built[count], 0)
+        pv.Delete(shown)
+        pv.Delete(source)
+
+
 def color(checks, view):
     """The color of ParaView's palette, and another one while something is selected."""
     source = session.source(points())
@@ -135,6 +189,7 @@ def main():
     for shape in CASES:
         shape_case(checks, view, shape)
     cells(checks, view)
+    tubes(checks, view)
     color(checks, view)
     checks.report()
 

@@ -1,4 +1,4 @@
-"""Trace and Fractional Anisotropy have a color table and a scalar bar of their own, whatever ColorArrayName has left.
+"""Numbers of tensors have a color table and a scalar bar of their own, whatever ColorArrayName has left; eigenvalues as red, green and blue.
 
 Usage: pvpython tensor_colors.py
 """
@@ -17,23 +17,31 @@ SCALE = 0.75
 LEVELS = 3
 
 
+#: number -> which of the eigenvalues it is, largest first
+SINGLE = {"Major Eigenvalue": 0, "Middle Eigenvalue": 1, "Minor Eigenvalue": 2}
+
+
 def value_of(coloring, eigenvalues):
     """The number that a color stands for."""
     if coloring == "Trace":
         return eigenvalues.sum()
+    if coloring in SINGLE:
+        return numpy.sort(eigenvalues)[2 - SINGLE[coloring]]
     deviation = eigenvalues - eigenvalues.mean()
     return numpy.sqrt(1.5 * (deviation @ deviation) / (eigenvalues @ eigenvalues))
 
 
-VALUES = {coloring: numpy.array([value_of(coloring, row) for row in EIGENVALUES]) for coloring in ("Trace", "Fractional Anisotropy")}
+VALUES = {coloring: numpy.array([value_of(coloring, row) for row in EIGENVALUES]) for coloring in ("Trace", "Fractional Anisotropy", *SINGLE)}
 
 
-def scene():
-    """(view, representation): four unlit tensor glyphs beside each other."""
+def scene(others=numpy.zeros((0, 3))):
+    """(view, representation): four unlit tensor glyphs beside each other, and one more for each of some eigenvalues out of sight."""
     view = session.view(*SIZE)
+    values = numpy.concatenate([EIGENVALUES, others])
+    points = numpy.concatenate([POINTS, [[0.0, 100.0 + i, 0.0] for i in range(len(others))]]) if len(others) else POINTS
     source = session.source(session.poly_data(
-        POINTS, stress=numpy.array([numpy.diag(row) for row in EIGENVALUES]).reshape(4, 9),
-        tiny=1e-6 * numpy.arange(4.0), large=1e3 * numpy.arange(4.0)))
+        points, stress=numpy.array([numpy.diag(row) for row in values]).reshape(len(values), 9),
+        tiny=1e-6 * numpy.arange(float(len(values))), large=1e3 * numpy.arange(float(len(values)))))
     shown = session.glyphs(source, view, "Tensor Ellipsoid", GlyphTensorArray="stress", GlyphScaleFactor=0.8)
     shown.Ambient, shown.Diffuse = 1.0, 0.0
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=SCALE)
@@ -103,13 +111,47 @@ def check(checks, coloring, left):
     return pixels
 
 
+def check_eigenvalues(checks, others):
+    """Magnitudes, the largest eigenvalue first, over the largest of the data, of which `others` may have some more: tables have no say."""
+    view, shown = scene(others)
+    pv.ColorBy(shown, ("POINTS", "large"))
+    shown.GlyphTensorColoring = "Trace"
+    pv.Render(view)
+    shown.GlyphTensorColoring = "Eigenvalues"
+    pv.Render(view)
+    what = "eigenvalues with %d others" % len(others)
+    seen = [bar for bar in view.Representations if hasattr(bar, "ComponentTitle") and bar.Visibility and "Trace" in bar.Title]
+    checks.equal(what + ": scalar bars of the trace", len(seen), 0)
+    for bar in view.Representations:
+        if hasattr(bar, "ComponentTitle"):
+            bar.Visibility = 0
+    largest = numpy.abs(numpy.concatenate([EIGENVALUES, others])).max(axis=1)
+    shown.UpdatePropertyInformation()
+    found = numpy.array(shown.GetPropertyValue("GlyphTensorRange"))
+    checks.true("%s: GlyphTensorRange is %s" % (what, found), numpy.allclose(found, (largest.min(), largest.max()), rtol=1e-9))
+    pixels = session.capture(view, "tensor-colors-eigenvalues-%d" % len(others))
+    for row, color in zip(EIGENVALUES, centers(pixels)):
+        wanted = numpy.round(255 * numpy.abs(numpy.sort(row)[::-1]) / largest.max())
+        checks.true("%s: %s have color %s, not %s" % (what, row, color, wanted), numpy.abs(color - wanted).max() <= 1)
+    # Shapes that show no tensors keep the array's colors.
+    shown.GlyphShape = "Sphere"
+    plain = session.capture(view, "tensor-colors-sphere")
+    shown.GlyphTensorColoring = "None"
+    checks.picture(what + ": spheres", session.capture(view, "tensor-colors-sphere-none"), plain, pixels=0.0, mean=0.0)
+    shown.GlyphShape, shown.GlyphTensorColoring, shown.GlyphTensorArray = "Tensor Ellipsoid", "Eigenvalues", "None"
+    checks.one_message(what + ", no array", session.messages(lambda: pv.Render(view)), "GlyphTensorArray")
+    pv.Delete(view)
+
+
 def main():
-    """Both numbers, after arrays of a tiny and of a large range have colored the glyphs."""
+    """All numbers, after arrays of a tiny and of a large range have colored the glyphs."""
     session.load()
     checks = Checks()
+    for others in (numpy.zeros((0, 3)), numpy.array([[0.1, 0.0, -2.0]])):
+        check_eigenvalues(checks, others)
     for coloring in VALUES:
         plain = check(checks, coloring, None)
-        for left in ("tiny", "large"):
+        for left in ("tiny", "large") if coloring not in SINGLE else ("large",):
             checks.picture("%s, colors after %s" % (coloring, left), check(checks, coloring, left), plain, pixels=0.0, mean=0.0)
     checks.report()
 

@@ -1,7 +1,7 @@
 """Tensor glyphs: the same picture as the sizes and rotations they stand for, in every layout; bad tensors;
-colours. With the argument: colours by the sign of x^T D x, and axes of antisymmetric parts.
+colours. With the argument parts: colours by the sign of x^T D x, and axes of antisymmetric parts; with crosses: principal axes.
 
-Usage: pvpython tensors.py [parts]
+Usage: pvpython tensors.py [parts|crosses]
 """
 import sys
 
@@ -222,6 +222,96 @@ def axes(failures, view, same):
 
 
 
+def arrows_of(points, whole, factor, function=lambda value: value):
+    """(points, vectors) of the arrows that a cross is: of each eigenvalue two, from the center or to it."""
+    where, along = [], []
+    for center, tensor in zip(points, whole):
+        values, vectors = numpy.linalg.eigh(tensor)
+        values = values * function(numpy.abs(values).max()) / numpy.abs(values).max()
+        for value, vector in zip(values, vectors.T):
+            for side in (-1.0, 1.0):
+                if abs(value) > 1e-9:
+                    where.append(center + (side * 0.5 * factor * abs(value) * vector if value < 0.0 else 0.0))
+                    along.append(0.5 * side * value * vector)
+    return numpy.array(where), numpy.array(along)
+
+
+def crosses(failures, view, same):
+    """Principal axes are the arrows that they stand for, in every light and in motion; picking finds the tensor's point."""
+    session.look(view, (0.3, 0.6, 3.4))
+    whole = tensors((1, -1, 1))
+    turn = matrix(QUATERNIONS[2])
+    whole[1] = turn @ numpy.diag([-0.9, 0.0, 0.0]) @ turn.T  # only one pair
+    colour = [0.9, 0.6, 0.2]
+    velocity = numpy.array([[0.3, 0.0, 0.1], [0.0, 0.4, 0.0], [-0.2, 0.2, 0.0]])
+    light = {"local": {}, "occlusion": dict(ShadingMode="Ambient Occlusion", SamplesPerPixel=32),
+             "paths": dict(ShadingMode="Path Tracing", SamplesPerPixel=64),
+             "moving": dict(MotionBlur=1, VelocityArray="velocity", ShutterTime=1.0, SamplesPerPixel=64)}
+    for name, function, scripted in (("Linear", lambda value: value, {}), ("Square Root", numpy.sqrt, dict(ArrowShaftRadius=0.08, ArrowTipRounding=0.0))):
+        where, along = arrows_of(POINTS, whole, 1.1, function)
+        points = session.source(session.poly_data(POINTS, t=whole.reshape(3, 9), velocity=velocity))
+        shown = session.glyphs(points, view, GlyphShape="Principal Axes", GlyphTensorArray="t", GlyphScaleFactor=1.1, GlyphScaleFunction=name, **scripted)
+        other = session.source(session.poly_data(where, along=along, velocity=velocity[numpy.argmin(numpy.linalg.norm(
+            where[:, None] - POINTS[None], axis=2), axis=1)]))
+        arrows = session.glyphs(other, view, "Arrow", GlyphScaleFactor=1.1, GlyphScaling=1, GlyphScaleArray="along", GlyphOrient=1,
+                                GlyphOrientationArray="along", ArrowHeads="Scaled", **scripted)
+        for each in (shown, arrows):
+            session.solid(each, colour)
+        for lit, properties in (light if name == "Linear" else {"local": {}}).items():
+            pictures = []
+            for each, hidden in ((shown, arrows), (arrows, shown)):
+                each.Visibility, hidden.Visibility = 1, 0
+                for key, value in properties.items():
+                    setattr(each, key, value)
+                pictures.append(session.capture(view, "tensors-cross-%s-%s-%d" % (name.lower().replace(" ", "-"), lit, len(pictures))))
+            # Light and motion by chance: of glyphs in another order other samples.
+            same("crosses, %s, %s" % (name, lit), *pictures, 0.002 if lit == "local" else 0.02)
+            apart = numpy.abs(pictures[0].astype(int) - pictures[1].astype(int)).mean()
+            if apart > 0.3:
+                failures.append("crosses, %s, %s: pictures are %.3f levels apart" % (name, lit, apart))
+            shown.ShadingMode, shown.SamplesPerPixel, shown.MotionBlur, arrows.MotionBlur = "Local", 1, 0, 0
+        shown.Visibility, arrows.Visibility = 1, 0
+        pv.Render(view)
+        box = numpy.array(view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2)
+        ends = numpy.concatenate([where, where + 1.1 * along])
+        if not ((box[:, 0] <= ends.min(axis=0)).all() and (box[:, 1] >= ends.max(axis=0)).all() and (box[:, 1] - box[:, 0] <= numpy.ptp(ends, axis=0) + 1.2).all()):
+            failures.append("bounds of crosses: %s round %s to %s" % (box.tolist(), ends.min(axis=0), ends.max(axis=0)))
+        counted = session.statistics(shown)
+        if (counted["glyphs"], counted["skippedGlyphs"]) != (14, 0):
+            failures.append("crosses: %s" % counted)
+        for center, tip in zip(POINTS, range(3)):
+            values, vectors = numpy.linalg.eigh(whole[tip])
+            largest = numpy.argmax(numpy.abs(values))
+            at = session.pixel_of(view, center + 0.25 * 1.1 * function(abs(values[largest])) * vectors[:, largest])
+            found = [number for _, kind, number in session.picked(view, "POINT", at)]
+            if found != [tip]:
+                failures.append("picked of cross %d: %s" % (tip, found))
+        for proxy in (shown, arrows, points, other):
+            pv.Delete(proxy)
+    # Red is tension, blue is compression, all over an arrow.
+    signs_of = numpy.array([numpy.diag([0.9, -0.9, 0.0])])
+    points = session.source(session.poly_data(numpy.zeros((1, 3)), t=signs_of.reshape(1, 9)))
+    shown = session.glyphs(points, view, GlyphShape="Principal Axes", GlyphTensorArray="t", GlyphScaleFactor=1.0, GlyphTensorColoring="Sign",
+                           GlyphTensorPositiveColor=(1.0, 0.0, 0.0), GlyphTensorNegativeColor=(0.0, 0.0, 1.0), ArrowShaftRadius=0.06, ArrowTipRadius=0.15)
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=0.6)
+    image = session.capture(view, "tensors-cross-sign")
+    for place, wanted in (((0.2, 0.0), (255, 0, 0)), ((-0.4, 0.0), (255, 0, 0)), ((0.0, 0.4), (0, 0, 255)), ((0.0, -0.2), (0, 0, 255))):
+        x, y = session.pixel_of(view, (*place, 0.0))
+        seen = tuple(image[image.shape[0] - 1 - y, x, :3])
+        if seen != wanted:
+            failures.append("sign of the cross at %s: %s, not %s" % (place, seen, wanted))
+    # The head of what is pressed is wide near the center, of what is pulled near its end.
+    red, blue = (image[..., :3] == (255, 0, 0)).all(axis=2), (image[..., :3] == (0, 0, 255)).all(axis=2)
+    wide = [int(red[:, session.pixel_of(view, (x, 0.0, 0.0))[0]].sum()) for x in (0.15, 0.33)]
+    high = [int(blue[image.shape[0] - 1 - session.pixel_of(view, (0.0, y, 0.0))[1]].sum()) for y in (0.13, 0.35)]
+    print("widths near the center and far from it: tension %s, compression %s" % (wide, high))
+    if not (0 < wide[0] < wide[1] and high[0] > high[1] > 0):
+        failures.append("heads of tension %s, of compression %s wide, near the center and far from it" % (wide, high))
+    pv.Delete(shown)
+    pv.Delete(points)
+
+
 def main():
     failures = []
     view = session.view(300, 150)
@@ -234,6 +324,9 @@ def main():
         if wrong > share or not comparison.covered(left).any():
             failures.append("%s: %.3f %% of the pixels differ" % (name, 100 * wrong))
 
+    if sys.argv[1:] == ["crosses"]:
+        crosses(failures, view, same)
+        session.finish(failures)
     if sys.argv[1:] == ["parts"]:
         axes(failures, view, same)
         signs(failures, view, (300, 150))

@@ -31,6 +31,7 @@ CASES = {
     "cloud tensors": {"GlyphShape": "Tensor Superquadric", "GlyphTensorArray": "tensor", "GlyphTensorColoring": "Trace"},
     "cloud numbers": {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor",
                       "GlyphTensorColoring": "Fractional Anisotropy"},
+    "cloud eigenvalues": {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor", "GlyphTensorColoring": "Eigenvalues"},
     "cloud motion": {"MotionBlur": 1, "VelocityArray": "vector", "ShutterTime": 0.02},
     "blocks lengths": LENGTHS,
     "ghosts lengths": LENGTHS,

@@ -196,6 +196,24 @@ def default_radius(view, checks):
     pv.Delete(shown)
 
 
+def bounds(view, checks):
+    """Follow the radii of cells, also when only these change; what is infinite does not count."""
+    data = line_data([[(-1.0, 0.0, 0.0), (1.0, 0.0, 0.0)], [(-1.0, 1.0, 0.0), (1.0, 1.0, 0.0)]], {"thick": numpy.array([0.1, numpy.inf])})
+    source = session.source(data)
+    shown = show(source, view, 1.0, TubeRadiusArray="thick")
+    thick = data.GetCellData().GetArray("thick")
+    for radius in (0.1, 0.4, 0.2):
+        thick.SetValue(0, radius)
+        thick.Modified()
+        data.Modified()
+        source.GetClientSideObject().Modified()
+        source.MarkModified(source)
+        session.messages(lambda: pv.Render(view))
+        found = view.GetRenderer().ComputeVisiblePropBounds()
+        checks.within("bounds of a radius of %g" % radius, found[5], radius - 1e-6, 1.01 * radius)
+    pv.Delete(shown)
+
+
 def bad_input(view, checks):
     """One clear message each, and the rest is shown."""
     good = [(-1.0, 0.0, 0.0), (0.0, 0.0, 0.0), (1.0, 0.0, 0.0)]
@@ -248,7 +266,7 @@ def main():
     session.load()
     checks = Checks()
     view = session.view()
-    for part in (like_tube_filter, picking, translucent, blocks, default_radius, bad_input):
+    for part in (like_tube_filter, picking, translucent, blocks, default_radius, bounds, bad_input):
         part(view, checks)
     checks.report()
 

@@ -1,0 +1,68 @@
+/**
+ * @class   vtkRayTracedSelectableRepresentation
+ * @brief   ray-traced representation that shows in another color what ParaView's selection has of its data
+ *
+ * The filter that extracts the selection of the input is one more input. Another selection gathers nothing anew.
+ *
+ * @sa vtkGlyphSelection
+ */
+#ifndef vtkRayTracedSelectableRepresentation_h
+#define vtkRayTracedSelectableRepresentation_h
+
+#include "vtkDataObject.h"
+#include "vtkPolyData.h"
+#include "vtkRayTracedRepresentation.h"
+
+#include <array>
+
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedSelectableRepresentation : public vtkRayTracedRepresentation
+{
+public:
+  vtkTypeMacro(vtkRayTracedSelectableRepresentation, vtkRayTracedRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The color of what is selected; default is ParaView's, magenta.
+   */
+  void SetSelectionColor(double red, double green, double blue);
+
+  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
+protected:
+  /**
+   * The last of the ports is that of what is selected.
+   */
+  explicit vtkRayTracedSelectableRepresentation(int ports);
+  ~vtkRayTracedSelectableRepresentation() override;
+
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  bool RemoveFromView(vtkView* view) override;
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) final;
+
+  ///@{
+  /**
+   * What Gather() is in other representations, called for new input, and after ForgetGathered().
+   */
+  virtual vtkSmartPointer<vtkPolyData> GatherAnew(vtkDataObject* input, const int* wholeExtent) = 0;
+  void ForgetGathered() { this->Gathered = nullptr; }
+  ///@}
+
+  const std::array<double, 3>& GetSelectionColor() const { return this->SelectionColor; }
+
+private:
+  vtkRayTracedSelectableRepresentation(const vtkRayTracedSelectableRepresentation&) = delete;
+  void operator=(const vtkRayTracedSelectableRepresentation&) = delete;
+
+  void FollowSelection();
+
+  const int SelectionPort;
+  vtkSmartPointer<vtkPolyData> Gathered;  // of an input of these times; null: they must be gathered
+  vtkDataObject* GatheredInput = nullptr; // only to be compared
+  std::array<vtkMTimeType, 2> GatheredTimes{};
+  vtkMTimeType SelectionTime = 0;           // of the pipeline to what is selected
+  vtkSmartPointer<vtkDataObject> Extracted; // what is selected of the input; null: nothing
+  std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };
+};
+
+#endif
