@@ -237,6 +237,7 @@ ROWS = [
     Row("GlyphTensorArray", "disc", area(DISC / 4.0), **TENSOR),
     Row("GlyphTensorLayout", "Row", as_with(GlyphTensorArray="rows"), **{**TENSOR, "GlyphTensorArray": "six"}),
     Row("GlyphTensorSharpness", 0.0, as_with(GlyphShape="Tensor Ellipsoid"), **{**TENSOR, "GlyphShape": "Tensor Superquadric"}),
+    Row("GlyphTensorThickness", 1.0, area(DISC), **TENSOR),
     Row("GlyphTensorColoring", "Principal Direction", colors(RED), **TENSOR),
     Row("GlyphTensorLookupTable", ALL_GREEN, colors(GREEN), GlyphTensorColoring="Trace", **TENSOR),
     Row("GlyphTensorRange", LEFT, reads("GlyphTensorRange", [2.0, 2.0]), GlyphTensorColoring="Trace", **TENSOR),
