@@ -133,8 +133,6 @@ double vtkGlyphTensors::Extent(vtkIdType point) const
     const rtg::SymmetricTensor t = this->Tensor(point);
     // Relative to the largest component: squares of huge and tiny ones leave the range of numbers.
     const double largest = t.Largest();
-    // Two of the three lengths may be made longer, to Thickness times the longest, which is no longer than the norm.
-    const double thickening = std::sqrt(1.0 + 2.0 * this->How.Thickness * this->How.Thickness);
     if (largest > 0.0 && std::isfinite(largest))
     {
       const rtg::SymmetricTensor u{ t.xx / largest, t.yy / largest, t.zz / largest, t.xy / largest, t.yz / largest,
@@ -142,8 +140,7 @@ double vtkGlyphTensors::Extent(vtkIdType point) const
       extent = largest *
         (this->How.Kind == rtg::TensorGlyphKind::Ellipsoid
             ? LargestEigenvalue(u)
-            : thickening *
-              std::sqrt(u.xx * u.xx + u.yy * u.yy + u.zz * u.zz + 2.0 * (u.xy * u.xy + u.yz * u.yz + u.xz * u.xz)));
+            : std::sqrt(u.xx * u.xx + u.yy * u.yy + u.zz * u.zz + 2.0 * (u.xy * u.xy + u.yz * u.yz + u.xz * u.xz)));
     }
   }
   return std::isfinite(extent) ? extent : 0.0;
@@ -192,7 +189,8 @@ bool vtkGlyphTensors::Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const
   {
     return false;
   }
-  glyph = rtg::MakeTensorGlyph(rtg::Decompose(tensor), this->How.Kind, this->How.Sharpness, this->Noise, this->How.Thickness);
+  glyph =
+    rtg::MakeTensorGlyph(rtg::Decompose(tensor), this->How.Kind, this->How.Sharpness, this->Noise, this->How.Thickness);
   return true;
 }
 

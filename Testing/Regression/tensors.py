@@ -189,19 +189,22 @@ def thin(failures, view, same):
                     failures.append(words)
             for proxy in (shown, points):
                 pv.Delete(proxy)
-        turn = matrix(QUATERNIONS[0])
+        turn = matrix(QUATERNIONS[1])
         regular = session.source(session.poly_data(numpy.zeros((1, 3)), t=(turn @ numpy.diag((1.0, 0.11, -0.3)) @ turn.T).reshape(1, 9)))
         shown = session.glyphs(regular, view, GlyphShape=shape, GlyphTensorArray="t", GlyphScaleFactor=1.0)
         frame_of(view, numpy.array([0.3, 0.4, 1.0]), up, 0.7, (300, 150))
         expected = session.capture(view, "tensors-not-thin")
         shown.GlyphTensorThickness = 0.1
         same(shape + " that is not thin", expected, session.capture(view, "tensors-not-thin"), 0.0)
-        shown.GlyphTensorThickness = 1.0
-        view.ResetCamera()
-        picture = comparison.covered(session.capture(view, "tensors-thick"))
-        if picture[[0, -1]].any() or picture[:, [0, -1]].any() or not picture.any():
-            failures.append(shape + ": the bounds of a thick glyph do not hold it")
-        for proxy in (shown, regular):
+        # As thick as long: a ball, or a cylinder, which reaches farther.
+        rod = session.source(session.poly_data(numpy.zeros((1, 3)), t=numpy.outer(turn[:, 0], turn[:, 0]).reshape(1, 9)))
+        thick = session.glyphs(rod, view, GlyphShape=shape, GlyphTensorArray="t", GlyphScaleFactor=1.0, GlyphTensorThickness=1.0)
+        pv.Render(view)
+        found = numpy.array(thick.SMProxy.GetClientSideObject().GetActiveRepresentation().GetActor().GetBounds()).reshape(3, 2)
+        reach = 0.5 if shape == "Tensor Ellipsoid" else 0.5 * (numpy.abs(turn[:, 0]) + numpy.sqrt(1.0 - turn[:, 0]**2))
+        if (numpy.abs(found).T < 0.999 * reach).any() or (numpy.abs(found) > 1.6).any():
+            failures.append("%s: a thick glyph that reaches %s has the bounds %s" % (shape, reach, found))
+        for proxy in (shown, thick, regular, rod):
             pv.Delete(proxy)
 
 
