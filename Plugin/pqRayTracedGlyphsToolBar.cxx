@@ -53,9 +53,9 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
   }
   this->addSeparator();
   this->Stop = this->AddButton("Stop",
-    tr(
-      "Leaves the picture of the active view with the samples that it has, until something changes. So does Esc in the "
-      "view."));
+    tr("Stop: leaves the picture of the active view with the samples that it has, until something changes. So does Esc "
+       "in the "
+       "view."));
   this->Stop->setIcon(this->style()->standardIcon(QStyle::SP_MediaStop));
   QObject::connect(this->Stop, &QAction::triggered, this, &pqRayTracedGlyphsToolBar::stop);
 

@@ -74,7 +74,12 @@ extern "C"
     {
       return 0;
     }
-    const QPoint at = widget->mapTo(widget->window(), widget->rect().center());
+    QRect rect = widget->rect();
+    if (qobject_cast<const QAbstractButton*>(widget))
+    {
+      rect.setWidth(std::min(rect.width(), widget->sizeHint().width())); // beside a check box's words is nothing
+    }
+    const QPoint at = widget->mapTo(widget->window(), rect.center());
     PostMouse(window, QEvent::MouseButtonPress, at, Qt::LeftButton);
     PostMouse(window, QEvent::MouseButtonRelease, at, Qt::NoButton);
     return 1;
