@@ -119,6 +119,9 @@ def buttons(window, view, reader, shown):
     for name in SET:
         setattr(shown, name, pasted.GetProperty(name).GetData())
     pv.Render(view)
+    # Rows that leave move the others.
+    if not window.wait(lambda: [row for row in window.labels("propertiesPanel") if row.startswith(("Glyph", "Arrow"))] == ROWS, 20):
+        failures.append("the panel shows %s" % window.labels("propertiesPanel"))
     ticked = {**first, "GlyphScaling": "1"}
     done("ticked", lambda: window.click("GlyphScaling/CheckBox"), shown, ticked)
     done("undone", lambda: window.trigger("actionEditUndo"), shown, first)
