@@ -344,7 +344,8 @@ TensorExponents SchultzKindlmannExponents(const glm::dvec3& values, double sharp
   return exponents;
 }
 
-TensorGlyph MakeTensorGlyph(const Eigensystem& eigen, TensorGlyphKind kind, double sharpness, double noise)
+TensorGlyph
+MakeTensorGlyph(const Eigensystem& eigen, TensorGlyphKind kind, double sharpness, double noise, double thinnest)
 {
   const glm::dvec3 magnitude = glm::abs(eigen.values);
   const double largest = std::max({ magnitude.x, magnitude.y, magnitude.z });
@@ -374,8 +375,7 @@ TensorGlyph MakeTensorGlyph(const Eigensystem& eigen, TensorGlyphKind kind, doub
   TensorGlyph glyph;
   glyph.values = { eigen.values[x], eigen.values[y], eigen.values[z] };
   glyph.rotation = glm::normalize(glm::quat_cast(frame));
-  glyph.halfLengths =
-    glm::max(glm::dvec3(magnitude[x], magnitude[y], magnitude[z]), glm::dvec3(thinnestTensorGlyph * largest));
+  glyph.halfLengths = glm::max(glm::dvec3(magnitude[x], magnitude[y], magnitude[z]), glm::dvec3(thinnest * largest));
   glyph.exponents = glm::max(glm::dvec3(exponents.alpha, exponents.beta, exponents.c), glm::dvec3(leastTensorExponent));
   if (largest < noise)
   {

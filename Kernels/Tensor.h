@@ -102,15 +102,16 @@ struct TensorGlyph
   glm::dvec3 exponents{ 1.0 };               ///< alpha, beta, c
 };
 
-/// No half-length is less than this share of the glyph's largest: where an eigenvalue is zero the glyph is
-/// thin but there.
+/// Of a glyph's half-lengths none may be a lesser share of its largest: below it the shapes are not tested.
 constexpr double thinnestTensorGlyph = 1e-3;
 
 /// No exponent is less than this: a superquadric's edges have at least about this radius.
 constexpr double leastTensorExponent = 0.01;
 
 /// The glyph of a finite tensor that is not zero. Below `noise`, in units of the eigenvalues, exponents go
-/// smoothly to those of a ball: there the ratios of eigenvalues mean nothing any more.
-TensorGlyph MakeTensorGlyph(const Eigensystem& eigen, TensorGlyphKind kind, double sharpness, double noise = 0.0);
+/// smoothly to those of a ball: there the ratios of eigenvalues mean nothing any more. No half-length is less than
+/// the share `thinnest` of the largest: where an eigenvalue is zero the glyph is thin but there.
+TensorGlyph MakeTensorGlyph(const Eigensystem& eigen, TensorGlyphKind kind, double sharpness, double noise = 0.0,
+  double thinnest = thinnestTensorGlyph);
 
 } // namespace rtg

@@ -12,7 +12,9 @@
 #include "vtkSMTrace.h"
 
 #include <QAction>
+#include <QFontMetrics>
 #include <QProgressBar>
+#include <QStyle>
 
 #include <algorithm>
 
@@ -39,7 +41,6 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
   : QToolBar(tr("Ray Traced Glyphs"), parent)
 {
   this->setObjectName("RayTracedGlyphs");
-  this->setToolButtonStyle(Qt::ToolButtonTextOnly);
   const QString view = tr(" Holds for all ray-traced displays of the active view.");
   this->Qualities = { this->AddButton("Fast", tr("Quick pictures: plain light, few samples a pixel.") + view),
     this->AddButton("Balanced", tr("Glyphs shade each other; enough samples a pixel for daily work.") + view),
@@ -52,16 +53,19 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
   }
   this->addSeparator();
   this->Stop = this->AddButton("Stop",
-    tr(
-      "Leaves the picture of the active view with the samples that it has, until something changes. So does Esc in the "
-      "view."));
+    tr("Stop: leaves the picture of the active view with the samples that it has, until something changes. So does Esc "
+       "in the "
+       "view."));
+  this->Stop->setIcon(this->style()->standardIcon(QStyle::SP_MediaStop));
   QObject::connect(this->Stop, &QAction::triggered, this, &pqRayTracedGlyphsToolBar::stop);
 
   this->Samples = new QProgressBar(this);
   this->Samples->setObjectName("Samples");
   this->Samples->setToolTip(
     tr("Samples a pixel that the picture of the active view has, of those that it will have (SamplesPerPixel)."));
-  this->Samples->setFixedWidth(this->fontMetrics().averageCharWidth() * 22);
+  // No wider than it must be: what does not fit into a narrow window is hidden.
+  const QFontMetrics font = this->Samples->fontMetrics();
+  this->Samples->setFixedWidth(font.horizontalAdvance(tr("%1 of %1").arg(65536)) + 2 * font.averageCharWidth());
   this->Samples->setAlignment(Qt::AlignCenter);
   this->addWidget(this->Samples);
 
@@ -111,9 +115,8 @@ void pqRayTracedGlyphsToolBar::follow(const pqView* view)
   this->Samples->setEnabled(image.Display != nullptr);
   this->Samples->setRange(0, std::max(image.Wanted, 1));
   this->Samples->setValue(std::min(image.Samples, image.Wanted));
-  this->Samples->setFormat(!image.Display   ? QString()
-      : image.Samples > 0 || !image.Refined ? tr("%v of %m samples")
-                                            : image.Step);
+  const QString step = this->Samples->fontMetrics().elidedText(image.Step, Qt::ElideRight, this->Samples->width());
+  this->Samples->setFormat(!image.Display ? QString() : image.Samples > 0 || !image.Refined ? tr("%v of %m") : step);
 }
 
 //----------------------------------------------------------------------------

@@ -211,13 +211,12 @@ vtkGlyphExportSet vtkGlyphExportSet::Make(const std::string& number, const rtg::
   set.Roughness = material.roughness;
   set.Color = Linear(material.colour, material.opacity);
   const bool bySign = !instances.forms.empty();
+  const bool bySurface = bySign || instances.surfaceColours == rtg::GlyphInstances::SurfaceColours::Direction;
   if (bySign)
   {
-    messages.push_back("GlyphTensorColoring Sign gives a glyph two colors, which exported instances cannot have: they "
-                       "have the first one. Choose another GlyphTensorColoring to export colors.");
     set.Color = Linear(material.positiveColour, material.opacity);
   }
-  if (!instances.opacities.empty() || (!bySign && !colors.each.empty()))
+  if (!instances.opacities.empty() || !colors.each.empty())
   {
     set.Colors.resize(instances.Count(), set.Color);
     for (std::size_t glyph = 0; glyph < instances.Count(); ++glyph)
@@ -228,7 +227,10 @@ vtkGlyphExportSet vtkGlyphExportSet::Make(const std::string& number, const rtg::
         const std::uint32_t packed = colors.each[glyph];
         const glm::vec4 shown =
           glm::vec4(packed & 255u, (packed >> 8) & 255u, (packed >> 16) & 255u, packed >> 24) / 255.0f;
-        color = Linear(bySign ? material.positiveColour : glm::vec3(shown), material.opacity * shown.a);
+        // White stands for the colors of the surface (rtg::GlyphColours).
+        color =
+          bySurface && glm::vec3(shown) == glm::vec3(1.0f) ? set.Color : Linear(glm::vec3(shown), material.opacity);
+        color.a *= shown.a;
       }
       color.a *= instances.opacities.empty() ? 1.0f : instances.opacities[glyph];
     }
@@ -277,5 +279,14 @@ vtkGlyphExportSet vtkGlyphExportSet::Make(const std::string& number, const rtg::
   }
   const auto empty = [](const vtkGlyphExportPart& part) { return part.Glyphs.empty(); };
   set.Parts.erase(std::remove_if(set.Parts.begin(), set.Parts.end(), empty), set.Parts.end());
+  if (!set.Parts.empty() && bySurface)
+  {
+    messages.push_back(bySign ? "GlyphTensorColoring Sign gives a glyph two colors, which exported instances cannot "
+                                "have: they have the first "
+                                "one. Choose another GlyphTensorColoring to export colors."
+                              : "GlyphTensorColoring Surface Direction colors each point of a glyph by itself, which "
+                                "exported instances cannot "
+                                "have: they have DiffuseColor. Choose another GlyphTensorColoring to export colors.");
+  }
   return set;
 }

@@ -32,6 +32,7 @@ vtkGlyphTensors::Settings vtkGlyphTensors::Settings::Effective() const
   if (settings.Axes)
   {
     settings.Kind = none.Kind;
+    settings.Thickness = none.Thickness;
   }
   if (settings.Kind == rtg::TensorGlyphKind::Ellipsoid)
   {
@@ -179,7 +180,8 @@ bool vtkGlyphTensors::Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const
   {
     return false;
   }
-  glyph = rtg::MakeTensorGlyph(rtg::Decompose(tensor), this->How.Kind, this->How.Sharpness, this->Noise);
+  glyph =
+    rtg::MakeTensorGlyph(rtg::Decompose(tensor), this->How.Kind, this->How.Sharpness, this->Noise, this->How.Thickness);
   return true;
 }
 

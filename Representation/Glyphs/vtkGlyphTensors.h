@@ -51,6 +51,7 @@ public:
     std::string Array; // empty or "None": none
     rtg::TensorLayout Layout = rtg::TensorLayout::Vtk;
     double Sharpness = 3.0;
+    double Thickness = 0.02; // least, as a share of the longest axis
     int Coloring = NONE;
     ///@{
     // Where x^T D x is zero or more, and where it is less; with SIGN.

@@ -686,6 +686,12 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorSharpness(double sharpness)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphTensorThickness(double share)
+{
+  this->Glyphs.Tensors.Thickness = InRange(share, rtg::thinnestTensorGlyph, 1.0, 0.02);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorColoring(int coloring)
 {
   this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::MINOR_EIGENVALUE);

@@ -127,13 +127,15 @@ public:
   ///@{
   /**
    * The tensors of tensor glyphs, the order of their components (rtg::TensorLayout; default is 0, VTK's), the sharpness
-   * of superquadrics (in [0, 10], default 3), what colors the glyphs (vtkGlyphTensors::Colorings, default 0, an array),
-   * the table that numbers of tensors are colored by, and the colors of vtkGlyphTensors::SIGN: where x^T D x is zero or
-   * more, and where it is less.
+   * of superquadrics (in [0, 10], default 3), the least thickness as a share of the longest axis (in [0.001, 1],
+   * default 0.02), what colors the glyphs (vtkGlyphTensors::Colorings, default 0, an array), the table that numbers of
+   * tensors are colored by, and the colors of vtkGlyphTensors::SIGN: where x^T D x is zero or more, and where it is
+   * less.
    */
   void SetGlyphTensorArray(const char* name) { this->Glyphs.Tensors.Array = OrEmpty(name); }
   void SetGlyphTensorLayout(int layout);
   void SetGlyphTensorSharpness(double sharpness);
+  void SetGlyphTensorThickness(double share);
   void SetGlyphTensorColoring(int coloring);
   void SetGlyphTensorLookupTable(vtkScalarsToColors* table);
   void SetGlyphTensorPositiveColor(double red, double green, double blue);

@@ -180,7 +180,7 @@ int vtkSMRayTracedArrayListDomain::ReadXMLAttributes(vtkSMProperty* property, vt
 }
 
 //----------------------------------------------------------------------------
-// Empty: none, or the data are not known.
+// Empty: none.
 std::string vtkSMRayTracedArrayListDomain::Choose()
 {
   vtkSMProperty* input = this->GetRequiredProperty("Input");
@@ -227,6 +227,10 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
 //----------------------------------------------------------------------------
 int vtkSMRayTracedArrayListDomain::SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues)
 {
+  if (!this->GetRequiredProperty("Input") || !this->GetInputDataInformation("Input"))
+  {
+    return 0; // nothing can be chosen
+  }
   const std::string chosen = this->Choose();
   vtkSMPropertyHelper helper(property);
   helper.SetUseUnchecked(useUncheckedValues);

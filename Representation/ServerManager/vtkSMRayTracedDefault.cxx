@@ -54,10 +54,18 @@ bool vtkSMRayTracedDefault::IsAlias(vtkSMProperty* property)
 }
 
 //----------------------------------------------------------------------------
-void vtkSMRayTracedDefault::Remember(vtkSMProperty* property)
+bool vtkSMRayTracedDefault::Take(vtkSMProperty* property, bool chosen)
 {
-  this->Chosen.TakeReference(property->NewInstance());
-  this->Chosen->Copy(property);
+  if (chosen)
+  {
+    this->Chosen.TakeReference(property->NewInstance());
+    this->Chosen->Copy(property);
+  }
+  else if (this->Chosen)
+  {
+    property->Copy(this->Chosen);
+  }
+  return chosen || this->Chosen;
 }
 
 //----------------------------------------------------------------------------

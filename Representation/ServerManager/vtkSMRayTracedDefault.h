@@ -24,9 +24,11 @@ struct vtkSMRayTracedDefault
   static bool IsAlias(vtkSMProperty* property);
 
   /**
-   * To be called when ParaView has given the property a value that fits the data.
+   * To be called when the domains have been asked for a value that fits the data, with their answer, which is returned.
+   * Where there are no data, as when ParaView resets all properties of a display, the input first, the property gets
+   * the value that was chosen before.
    */
-  void Remember(vtkSMProperty* property);
+  bool Take(vtkSMProperty* property, bool chosen);
 
   /**
    * Whether ParaView has chosen the present value, or would choose it now.

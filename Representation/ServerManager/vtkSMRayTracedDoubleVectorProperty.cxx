@@ -19,11 +19,7 @@ bool vtkSMRayTracedDoubleVectorProperty::IsValueDefault()
 bool vtkSMRayTracedDoubleVectorProperty::ResetToDomainDefaults(bool useUncheckedValues)
 {
   const bool reset = this->Superclass::ResetToDomainDefaults(useUncheckedValues);
-  if (reset && !useUncheckedValues)
-  {
-    this->Default.Remember(this);
-  }
-  return reset;
+  return useUncheckedValues ? reset : this->Default.Take(this, reset);
 }
 
 //----------------------------------------------------------------------------

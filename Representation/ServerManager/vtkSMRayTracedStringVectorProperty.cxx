@@ -14,11 +14,7 @@ bool vtkSMRayTracedStringVectorProperty::IsValueDefault()
 bool vtkSMRayTracedStringVectorProperty::ResetToDomainDefaults(bool useUncheckedValues)
 {
   const bool reset = this->Superclass::ResetToDomainDefaults(useUncheckedValues);
-  if (reset && !useUncheckedValues)
-  {
-    this->Default.Remember(this);
-  }
-  return reset;
+  return useUncheckedValues ? reset : this->Default.Take(this, reset);
 }
 
 //----------------------------------------------------------------------------

@@ -1,7 +1,8 @@
 """Local shading beside ambient occlusion beside path tracing: the simulation's grains and molecules, arrows in a vessel.
 
 As in Figures 1 to 3 and 6 of Zellmann, Aumueller, Marshak and Wald, EGPGV 2020, with data of our own.
-Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython shading_modes.py DATA-FOLDER OUTPUT-FOLDER [SAMPLES [WIDTH HEIGHT]]
+Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython shading_modes.py DATA-FOLDER OUTPUT-FOLDER [SAMPLES [WIDTH HEIGHT [NAME...]]]
+NAME: spheres, ellipsoids, vessel; all
 """
 import os
 import sys
@@ -15,7 +16,9 @@ from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 import simulation
 
-MODES = ("Local", "Ambient Occlusion", "Path Tracing")
+#: light from all around, so that all pictures are about as bright; of itself light that is scattered from wall to wall adds up
+INTENSITIES = {"Local": 1.0, "Ambient Occlusion": 1.3, "Path Tracing": 0.7}
+MODES = tuple(INTENSITIES)
 
 
 def vessel(impact, view):
@@ -67,6 +70,8 @@ def main():
     for name, source, draw, time, reach in (("spheres", impact, simulation.spheres, 0.8, 6.0),
                                             ("ellipsoids", nematic, simulation.ellipsoids, nematic.TimestepValues[-1], 0.0),
                                             ("vessel", impact, vessel, 0.8, 8.0)):
+        if name not in (sys.argv[6:] or name):
+            continue
         view = simulation.new_view(size)
         view.ViewTime = time
         pv.UpdatePipeline(time, source)
@@ -78,10 +83,8 @@ def main():
             for shown in view.Representations:
                 if hasattr(shown, "ShadingMode"):
                     shown.ShadingMode, shown.SamplesPerPixel = mode, samples
-                    if mode == "Ambient Occlusion":
-                        shown.LightIntensity, shown.AmbientOcclusionRadius = 1.3, reach
-                    else:
-                        shown.LightIntensity = 1.0
+                    shown.LightIntensity, shown.AmbientOcclusionRadius = INTENSITIES[mode], reach
+                    shown.Denoising = "Always"
             path = os.path.join(folder, "%s-%s.png" % (name, mode.split()[0].lower()))
             pv.SaveScreenshot(path, view, ImageResolution=size)
             row.append(pixels_of(path))

@@ -78,8 +78,8 @@ def arrows(impact, view):
     """The grains' velocities as arrows, coloured by their upward part."""
     shown = show(impact, view, "Arrow", GlyphOrient=1, GlyphOrientationArray="velocity",
                  GlyphOrientationMode="Direction", GlyphScaling=1, GlyphScaleArray="velocity",
-                 GlyphScaleMode="Magnitude", GlyphScaleFactor=0.3, ArrowShaftRadius=0.12, ArrowTipRadius=0.3,
-                 ArrowTipLength=0.8)
+                 GlyphScaleMode="Magnitude", GlyphScaleFactor=0.3, ArrowReferenceMagnitude=2.0, ArrowShaftRadius=0.12,
+                 ArrowTipRadius=0.3, ArrowTipLength=0.8)
     colour(shown, view, "velocity", "Z", (-5.0, 5.0), "Cool to Warm", "upward velocity", (0.6, 0.02))
     look(view, (9.0, -34.0, 22.0), (14.3, 14.0, 5.5), (0.0, 0.0, 1.0))
 

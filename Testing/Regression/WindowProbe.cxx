@@ -14,11 +14,13 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QString>
 #include <QTimer>
 #include <QWidget>
 #include <QWindow>
 
+#include <algorithm>
 #include <cstring>
 
 namespace
@@ -72,7 +74,12 @@ extern "C"
     {
       return 0;
     }
-    const QPoint at = widget->mapTo(widget->window(), widget->rect().center());
+    QRect rect = widget->rect();
+    if (qobject_cast<const QAbstractButton*>(widget))
+    {
+      rect.setWidth(std::min(rect.width(), widget->sizeHint().width())); // beside a check box's words is nothing
+    }
+    const QPoint at = widget->mapTo(widget->window(), rect.center());
     PostMouse(window, QEvent::MouseButtonPress, at, Qt::LeftButton);
     PostMouse(window, QEvent::MouseButtonRelease, at, Qt::NoButton);
     return 1;
@@ -194,6 +201,18 @@ extern "C"
     }
     std::strncpy(text, said.toUtf8().constData(), size - 1);
     text[size - 1] = 0;
+  }
+
+  // How many pixels a widget is wider than what is seen of it: the longest way that it can be scrolled sideways.
+  Q_DECL_EXPORT int probe_sideways(const char* name)
+  {
+    const QWidget* widget = Find(name);
+    int pixels = 0;
+    for (const auto* area : widget ? widget->findChildren<QAbstractScrollArea*>() : QList<QAbstractScrollArea*>())
+    {
+      pixels = area->isVisible() ? std::max(pixels, area->horizontalScrollBar()->maximum()) : pixels;
+    }
+    return pixels;
   }
 
   // The labels of the rows that a widget shows, from the upper to the lower, a line each; copied as above.

@@ -237,6 +237,7 @@ ROWS = [
     Row("GlyphTensorArray", "disc", area(DISC / 4.0), **TENSOR),
     Row("GlyphTensorLayout", "Row", as_with(GlyphTensorArray="rows"), **{**TENSOR, "GlyphTensorArray": "six"}),
     Row("GlyphTensorSharpness", 0.0, as_with(GlyphShape="Tensor Ellipsoid"), **{**TENSOR, "GlyphShape": "Tensor Superquadric"}),
+    Row("GlyphTensorThickness", 1.0, area(DISC), **TENSOR),
     Row("GlyphTensorColoring", "Principal Direction", colors(RED), **TENSOR),
     Row("GlyphTensorColoring", "Eigenvalues", colors([1.0, 0.5, 0.5]), **TENSOR),
     Row("GlyphTensorColoring", "Middle Eigenvalue", reads("GlyphTensorRange", [0.5, 0.5]), **TENSOR),

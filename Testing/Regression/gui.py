@@ -30,6 +30,9 @@ OF_SHAPES = {
     "Fourth-Order Tensor": ([], ["Glyph Tensor Array", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"]),
     "Mesh": (["Glyph Mesh"], [])}
 
+#: what is set by a script to be copied, saved and restored by the panel's buttons; no default among it
+SET = {"GlyphShape": "Capsule", "GlyphScaling": 1, "GlyphScaleFunction": "Square Root", "GlyphTensorThickness": 0.125, "ShutterTime": 0.5}
+
 
 def main():
     """Opens the simulation and goes through the shapes."""
@@ -56,6 +59,7 @@ def main():
     window = Window()
     failures += reset(window, view, reader, shown)
     failures += panel(window, view, reader, shown)
+    failures += buttons(window, view, reader, shown)
     return failures
 
 
@@ -79,6 +83,66 @@ def panel(window, view, reader, shown):
         window.picture("propertiesPanel", session.output("gui-panel-%s.png" % shape.replace(" ", "-")))
     if [row for row in found if row in sections] != sections:
         failures.append("the panel's sections are %s" % found)
+    return failures
+
+
+def buttons(window, view, reader, shown):
+    """A tick in the panel can be undone and redone; what is set is copied, pasted, and saved as default by the panel's buttons, and
+    restored to what a first display has."""
+    failures = []
+
+    def values(display):
+        return {name: str(display.GetPropertyValue(name)).strip("'") for name in SET}
+
+    def show(source):
+        display = pv.Show(source, view)
+        display.SetRepresentationType(session.REPRESENTATION)
+        pv.Render(view)
+        return display
+
+    def activate(source, name):
+        """The panel shows this one, and no other one any more."""
+        pv.RenameSource(name, source)
+        pv.SetActiveSource(source)
+        if not window.wait(lambda: "Properties (%s)" % name in window.labels("propertiesPanel"), 20):
+            failures.append("the panel does not show %s" % name)
+
+    def done(what, action, display, wanted):
+        """The action is possible, and the display soon has the values."""
+        possible = window.wait(action, 20)
+        if not possible or not window.wait(lambda: values(display) == wanted, 20):
+            failures.append("%s: %s, not %s" % (what, values(display) if possible else "cannot be pressed", wanted))
+
+    other, later = [pv.OpenDataFile(os.environ["RTGLYPHS_DATA"] + "/impact/impact_04.vtk") for _ in range(2)]
+    pasted = show(other)
+    first = values(pasted)
+    activate(reader, "series")
+    for name in SET:
+        setattr(shown, name, pasted.GetProperty(name).GetData())
+    pv.Render(view)
+    # Rows that leave move the others.
+    if not window.wait(lambda: [row for row in window.labels("propertiesPanel") if row.startswith(("Glyph", "Arrow"))] == ROWS, 20):
+        failures.append("the panel shows %s" % window.labels("propertiesPanel"))
+    ticked = {**first, "GlyphScaling": "1"}
+    done("ticked", lambda: window.click("GlyphScaling/CheckBox"), shown, ticked)
+    done("undone", lambda: window.trigger("actionEditUndo"), shown, first)
+    done("redone", lambda: window.trigger("actionEditRedo"), shown, ticked)
+    for name, value in SET.items():
+        setattr(shown, name, value)
+    pv.Render(view)
+    wanted = values(shown)
+    if any(wanted[name] == first[name] for name in SET):
+        failures.append("a display has from the beginning what is set: %s" % first)
+    done("copied", lambda: window.click("DisplayButtons/DisplayCopy"), shown, wanted)
+    activate(other, "other")
+    done("pasted", lambda: window.click("DisplayButtons/DisplayPaste"), pasted, wanted)
+    done("saved", lambda: window.click("DisplayButtons/DisplaySaveAsDefaults"), pasted, wanted)
+    # Posted clicks come when the window has time.
+    fresh = {}
+    if not window.wait(lambda: fresh.update(values(show(later))) or fresh == wanted or pv.Delete(pv.GetRepresentation(later, view)), 10):
+        failures.append("saved as default: a new display has %s, not %s" % (fresh, wanted))
+    activate(later, "later")
+    done("restored", lambda: window.click("DisplayButtons/DisplayRestoreDefaults"), pv.Show(later, view), first)
     return failures
 
 

@@ -3,6 +3,7 @@ defaults, undo and redo of a quality, animation of numbers.
 
 Usage: pvpython panel_buttons.py
 """
+import numpy
 import paraview.simple as pv
 from paraview.modules.vtkRemotingMisc import vtkSMProxyClipboard
 from paraview.modules.vtkRemotingServerManager import vtkSMProxyManager, vtkSMSettings, vtkSMUndoStack, vtkSMUndoStackBuilder
@@ -15,6 +16,10 @@ SET = {"GlyphShape": "Capsule", "GlyphScaleFactor": 0.31, "GlyphScaleFunction": 
        "GlyphLegend": 1, "ShutterTime": 0.5, "ShadingMode": "Ambient Occlusion", "SamplesPerPixel": 3, "Exposure": 0.5}
 #: what the data have a say in, whatever was saved or restored
 FROM_DATA = {"GlyphScaleFactor", "GlyphScaleArray"}
+#: what is chosen by the data, and other values
+OTHERS = {"GlyphScaleArray": "other", "GlyphOrientationArray": "force", "GlyphTensorArray": "None", "VelocityArray": "force", "TubeRadius": 7.0,
+          "GlyphScaleFactor": 0.11}
+CHOSEN = tuple(OTHERS)
 QUALITY = ("RenderingQuality", "ShadingMode", "SamplesPerPixel", "Denoising")
 
 
@@ -59,6 +64,57 @@ def defaults(checks, view, shown):
     later.SetRepresentationType(session.REPRESENTATION)
     pv.Render(pv.GetActiveView())
     checks.equal("restored", values(later, names), {name: plain[name] for name in names})
+
+
+def panel_button(shown):
+    """What the panel's button Restore Application Default Setting Values resets: every value, in the order of the names."""
+    properties = shown.SMProxy.NewPropertyIterator()
+    properties.UnRegister(None)
+    properties.Begin()
+    while not properties.IsAtEnd():
+        found = properties.GetProperty()
+        if found.IsA("vtkSMVectorProperty") and not found.GetInformationOnly() and not found.GetNoCustomDefault():
+            found.ResetToDefault()
+        properties.Next()
+    shown.SMProxy.UpdateVTKObjects()
+
+
+def one_by_one(shown):
+    """What scripts do."""
+    for name in CHOSEN:
+        pv.ResetProperty(name, shown)
+
+
+def all_at_once(shown):
+    """The input, too, which ParaView resets first, so that no data are known when the arrays' turn comes."""
+    shown.SMProxy.ResetPropertiesToDefault()
+    shown.SMProxy.UpdateVTKObjects()
+
+
+def reset(checks):
+    """Reset, a display looks as when it was first shown: what the data have chosen is chosen again."""
+    random = numpy.random.default_rng(5)
+    source = session.source(session.poly_data(random.uniform(-1.0, 1.0, (40, 3)), other=random.uniform(size=40), radius=random.uniform(0.1, 0.3, 40),
+                                              force=random.normal(size=(40, 3)), velocity=random.normal(size=(40, 3)),
+                                              stress=random.normal(size=(40, 6))))
+    view = session.view(120, 90)
+    session.look(view, (0.0, 0.0, 6.0))
+    for way in (panel_button, one_by_one, all_at_once):
+        shown = session.glyphs(source, view, GlyphScaling=1)
+        expected, first = session.capture(view, "panel-buttons-first"), values(shown, CHOSEN)
+        checks.equal("chosen", [first[name] for name in CHOSEN[:4]], ["radius", "velocity", "stress", "velocity"])
+        for name, value in OTHERS.items():
+            setattr(shown, name, value)
+        pv.Render(view)
+        checks.true("everything is as at first: %s" % first, all(value != first[name] for name, value in values(shown, CHOSEN).items()))
+        way(shown)
+        shown.SetRepresentationType(session.REPRESENTATION)
+        shown.GlyphShape, shown.GlyphScaling, shown.SamplesPerPixel = "Sphere", 1, 1
+        picture = session.capture(view, "panel-buttons-reset")
+        checks.equal("reset, " + way.__name__, values(shown, CHOSEN), first)
+        checks.picture("reset, " + way.__name__, picture, expected, pixels=0.0, mean=0.0)
+        pv.Delete(shown)
+    pv.Delete(view)
 
 
 def undo(checks, view, shown):
@@ -108,6 +164,7 @@ def main():
     for name, value in SET.items():
         setattr(shown, name, value)
     defaults(checks, view, shown)
+    reset(checks)
     checks.report()
 
 

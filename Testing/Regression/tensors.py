@@ -15,6 +15,8 @@ import session
 #: Three ellipsoids: lengths along their axes and quaternions (w, x, y, z).
 LENGTHS = numpy.array([[1.0, 0.6, 0.3], [0.8, 0.8, 0.2], [0.9, 0.1, 0.4]])
 QUATERNIONS = numpy.array([[1.0, 0, 0, 0], [0.8, 0.36, 0.48, 0.0], [0.5, -0.5, 0.5, 0.5]])
+#: of the thinnest axis, of the longest
+DEFAULT_THICKNESS = 0.02
 POINTS = numpy.array([[-1.0, 0, 0], [0, 0, 0], [1.0, 0, 0]])
 
 
@@ -113,7 +115,7 @@ def signs(failures, view, size):
     for number, (shape, values, direction) in enumerate(cases):
         values = numpy.array(values)
         d = turn @ numpy.diag(values) @ turn.T
-        half = 0.5 * numpy.maximum(numpy.abs(values), 1e-3)
+        half = 0.5 * numpy.maximum(numpy.abs(values), DEFAULT_THICKNESS)
         points = session.source(session.poly_data(numpy.zeros((1, 3)), t=(d + axial).reshape(1, 9), along=2.0 * direction[None]))
         shown = session.glyphs(points, view, GlyphShape=shape, GlyphScaleFactor=1.0, GlyphTensorArray="t",
                                GlyphTensorColoring="Sign", GlyphTensorPositiveColor=warm, GlyphTensorNegativeColor=cool)
@@ -162,6 +164,48 @@ def signs_in_motion_and_light(failures, view, shown, masks, sign_colours):
     print("signs moving: %d wrong, path-traced: %d wrong" % (wrong, lost))
     if wrong or lost:
         failures.append("signs of the moving glyph are wrong on %d pixels, of the path-traced one on %d" % (wrong, lost))
+
+
+def thin(failures, view, same):
+    """Stress in one direction is a rod, of two equal ones and zero a plate, as thick as GlyphTensorThickness says; other glyphs have
+    the lengths of their eigenvalues; what is drawn lies in the display's bounds."""
+    up = numpy.array([0.0, 1.0, 0.0])
+    for shape in ("Tensor Ellipsoid", "Tensor Superquadric", "Signed Tensor Superquadric"):
+        for values in ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.7, 0.0, 0.7), (1.0, -1e-5, -1e-5)):
+            points = session.source(session.poly_data(numpy.zeros((1, 3)), t=numpy.diag(values).reshape(1, 9)))
+            shown = session.glyphs(points, view, GlyphShape=shape, GlyphTensorArray="t", GlyphScaleFactor=1.0)
+            length = max(numpy.abs(values))
+            for thickness in (None, 0.1):
+                if thickness is None:
+                    thickness = DEFAULT_THICKNESS
+                else:
+                    shown.GlyphTensorThickness = thickness
+                frame_of(view, numpy.array([0.0, 0.0, 1.0]), up, 1.5 * length * thickness, (300, 150))
+                pixel = 2.0 * 1.5 * length * thickness / 150
+                rows = comparison.covered(session.capture(view, "tensors-thin"))[:, 150].sum()
+                words = "%s of %s: %.4f thick, wanted %.4f" % (shape, values, rows * pixel, length * thickness)
+                print(words)
+                if abs(rows * pixel - length * thickness) > 2 * pixel:
+                    failures.append(words)
+            for proxy in (shown, points):
+                pv.Delete(proxy)
+        turn = matrix(QUATERNIONS[1])
+        regular = session.source(session.poly_data(numpy.zeros((1, 3)), t=(turn @ numpy.diag((1.0, 0.11, -0.3)) @ turn.T).reshape(1, 9)))
+        shown = session.glyphs(regular, view, GlyphShape=shape, GlyphTensorArray="t", GlyphScaleFactor=1.0)
+        frame_of(view, numpy.array([0.3, 0.4, 1.0]), up, 0.7, (300, 150))
+        expected = session.capture(view, "tensors-not-thin")
+        shown.GlyphTensorThickness = 0.1
+        same(shape + " that is not thin", expected, session.capture(view, "tensors-not-thin"), 0.0)
+        # As thick as long: a ball, or a cylinder, which reaches farther.
+        rod = session.source(session.poly_data(numpy.zeros((1, 3)), t=numpy.outer(turn[:, 0], turn[:, 0]).reshape(1, 9)))
+        thick = session.glyphs(rod, view, GlyphShape=shape, GlyphTensorArray="t", GlyphScaleFactor=1.0, GlyphTensorThickness=1.0)
+        pv.Render(view)
+        found = numpy.array(thick.SMProxy.GetClientSideObject().GetActiveRepresentation().GetActor().GetBounds()).reshape(3, 2)
+        reach = 0.5 if shape == "Tensor Ellipsoid" else 0.5 * (numpy.abs(turn[:, 0]) + numpy.sqrt(1.0 - turn[:, 0]**2))
+        if (numpy.abs(found).T < 0.999 * reach).any() or (numpy.abs(found) > 1.6).any():
+            failures.append("%s: a thick glyph that reaches %s has the bounds %s" % (shape, reach, found))
+        for proxy in (shown, thick, regular, rod):
+            pv.Delete(proxy)
 
 
 def axes(failures, view, same):
@@ -328,6 +372,7 @@ def main():
         crosses(failures, view, same)
         session.finish(failures)
     if sys.argv[1:] == ["parts"]:
+        thin(failures, view, same)
         axes(failures, view, same)
         signs(failures, view, (300, 150))
         session.finish(failures)

@@ -64,7 +64,7 @@ def quality(checks, window, bar, shown):
     was = "Custom"
     shown.SamplesPerPixel = 5
     pv.Render()
-    bar.waits(checks, "Custom", lambda: bar.pressed() == [] and bar.samples() == "5 of 5 samples")
+    bar.waits(checks, "Custom", lambda: bar.pressed() == [] and bar.samples() == "5 of 5")
     for name, samples in (("Fast", 4), ("Balanced", 32)):
         smtrace.start_trace()
         checks.true("%s cannot be pressed" % name, window.click(BAR + "/" + name))
@@ -72,7 +72,7 @@ def quality(checks, window, bar, shown):
         trace = smtrace.stop_trace()
         checks.true("%s: RenderingQuality is %s" % (name, shown.RenderingQuality), chosen)
         checks.true("%s: the trace does not say so: %s" % (name, trace), ".RenderingQuality = '%s'" % name in trace)
-        bar.waits(checks, name, lambda name=name, samples=samples: bar.pressed() == [name] and (" of %d samples" % samples) in bar.samples())
+        bar.waits(checks, name, lambda name=name, samples=samples: bar.pressed() == [name] and (" of %d" % samples) in bar.samples())
         found = []
         for action, wanted in (("actionEditUndo", was), ("actionEditRedo", name)):
             checks.true("%s: %s cannot be chosen" % (name, action), window.wait(lambda action=action: window.trigger(action), LIMIT))
@@ -86,7 +86,7 @@ def quality(checks, window, bar, shown):
         was = name
     shown.SamplesPerPixel = 6
     pv.Render()
-    bar.waits(checks, "Custom again", lambda: bar.pressed() == [] and " of 6 samples" in bar.samples())
+    bar.waits(checks, "Custom again", lambda: bar.pressed() == [] and " of 6" in bar.samples())
 
 
 def stopping(checks, window, bar, view, shown):
@@ -97,7 +97,7 @@ def stopping(checks, window, bar, view, shown):
     told = set()
     bar.waits(checks, "refining", lambda: told.add(bar.samples()) or len(told) >= 4)
     say("told: %s" % sorted(told))
-    checks.true("nothing tells of %d samples: %s" % (MANY, told), any("of %d samples" % MANY in one for one in told))
+    checks.true("nothing tells of %d: %s" % (MANY, told), any("of %d" % MANY in one for one in told))
     checks.true("refining: %s" % bar.enabled(), "Stop" in bar.enabled())
     window.picture(BAR, session.output("toolbar-refining.png"))
     checks.true("Stop cannot be pressed", window.click(BAR + "/Stop"))
@@ -106,7 +106,7 @@ def stopping(checks, window, bar, view, shown):
     stopped = information(shown, "AccumulatedSamples")
     window.wait(lambda: False, 0.5)
     checks.equal("samples of an image that was stopped", information(shown, "AccumulatedSamples"), stopped)
-    checks.equal("said of an image that was stopped", bar.samples(), "%d of %d samples" % (stopped, MANY))
+    checks.equal("said of an image that was stopped", bar.samples(), "%d of %d" % (stopped, MANY))
     shown.SamplesPerPixel = FEW
 
 

@@ -94,6 +94,30 @@ def picture_follows(checks):
     checks.picture("exposure set on either display last", pictures[0], pictures[1])
 
 
+def there_and_back(checks):
+    """Path tracing set on one display, and the old shading on each in turn, also on one that is hidden and one that was made
+    meanwhile: the picture is the one of before."""
+    view = session.view(80, 60)
+    session.look(view, (0.0, 0.0, 5.0))
+    shown = [show(cloud(40), view, session.REPRESENTATION), show(pv.Sphere(Radius=0.5), view, SURFACE), show(cloud(20, 5), view, session.REPRESENTATION)]
+    shown[0].SamplesPerPixel = 1
+    shown[2].Visibility = 0
+    before = session.capture(view, "view-settings-before")
+    for rendered in (False, True):
+        shown[rendered].ShadingMode = "Path Tracing"
+        path_traced = session.capture(view, "view-settings-paths")
+        checks.true("path tracing changes nothing", (path_traced != before).mean() > 0.05)
+        shown.append(show(cloud(10, 6), view, session.REPRESENTATION))
+        shown[-1].Visibility = 0
+        for display in shown[::1 if rendered else -1]:
+            display.ShadingMode = "Local"
+            if rendered:
+                pv.Render(view)
+        check_all(checks, "back again", shown, {"ShadingMode": "Local"})
+        checks.picture("back again, rendered %d" % rendered, session.capture(view, "view-settings-after"), before, pixels=0.0, mean=0.0)
+    pv.Delete(view)
+
+
 def quality(checks):
     """A quality is the values that it stands for, on all displays, until one of them is changed; a state keeps it."""
     view = session.view(80, 60)
@@ -133,6 +157,7 @@ def main():
     checks = Checks()
     pv.Delete(one_for_all(checks))
     picture_follows(checks)
+    there_and_back(checks)
     quality(checks)
     checks.report()
 

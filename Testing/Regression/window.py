@@ -87,6 +87,10 @@ class Window:
         """The labels that a widget shows, from the upper to the lower."""
         return [re.sub("<[^>]*>", "", line) for line in self._words(self.probe.probe_labels, name).splitlines()]
 
+    def sideways(self, name):
+        """How far a widget, or one in it, can be scrolled sideways, in pixels."""
+        return self.probe.probe_sideways(name.encode())
+
     def resize(self, name, width, height):
         """Gives the window around a widget a size; False: there is no such widget."""
         return bool(self.probe.probe_resize(name.encode(), width, height))

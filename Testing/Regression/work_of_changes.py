@@ -116,6 +116,7 @@ FIELDS = {
         "Array": [(TENSOR, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphTensorArray", "tensor", "nothing")],
         "Layout": [({**TENSOR, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "Row", "glyphs"), ({}, "GlyphTensorLayout", "Row", "nothing")],
         "Sharpness": [(SUPERQUADRIC, "GlyphTensorSharpness", 1.0, "glyphs"), (TENSOR, "GlyphTensorSharpness", 1.0, "nothing")],
+        "Thickness": [(TENSOR, "GlyphTensorThickness", 0.5, "glyphs"), ({}, "GlyphTensorThickness", 0.5, "nothing")],
         "Coloring": [({**TENSOR, "GlyphTensorColoring": "Trace"}, "GlyphTensorColoring", "Principal Direction", "colors"), ({}, "GlyphTensorColoring", "Trace", "nothing"),
                      ({**TENSOR, "GlyphTensorColoring": "Trace"}, "GlyphTensorColoring", "Eigenvalues", "colors"),
                      (TENSOR, "GlyphTensorColoring", "Sign", "glyphs")],
