@@ -5,7 +5,8 @@ Environment: RTGLYPHS_PLUGIN is the plugin's library.
 
 Random points in a cube, each with a radius and a value that colors it, both float: 20 bytes a point; arrows have a vector besides. Each count and
 representation has a process of its own. First picture: from data in memory until it is rendered, with one ray a pixel, programs compiled
-before in that process by a scene of few points. A frame: the camera turns by a degree; the median. Turning: the same while a window asks for
+before in that process by a scene of few points. Of that, information: ParaView's search for the ranges of all arrays, which it does for data of
+any representation before that has them. A frame: the camera turns by a degree; the median. Turning: the same while a window asks for
 speed. Memory: the largest that the process ever held (VmHWM), and that before the data are shown. Written to FOLDER: scale.csv.
 A representation that does not end within --limit seconds, or that dies, has no numbers.
 """
@@ -56,11 +57,17 @@ def points_of(count, kind):
     return data
 
 
-def show(pv, data, view, kind):
-    """A display of this kind, not yet rendered."""
+def source(pv, data):
+    """A source of these data, of which ParaView knows the arrays and their ranges."""
     producer = pv.TrivialProducer()
     producer.GetClientSideObject().SetOutput(data)
     producer.UpdatePipeline()
+    producer.GetDataInformation().GetNumberOfPoints()
+    return producer
+
+
+def show(pv, producer, view, kind):
+    """A display of this kind, not yet rendered."""
     shown = pv.Show(producer, view)
     shown.SetScalarColoring("value", pv.servermanager.GetAssociationFromString("POINTS"))
     table = pv.GetColorTransferFunction("value")
@@ -100,13 +107,15 @@ def measure(count, kind, size, frames):
     view = pv.CreateView("RenderView")
     view.ViewSize = [size, size]
     view.CameraPosition, view.CameraFocalPoint = [0.5, 0.5, 3.2], [0.5, 0.5, 0.5]
-    warming = show(pv, points_of(100, kind), view, kind)
+    warming = show(pv, source(pv, points_of(100, kind)), view, kind)
     pv.Render(view)
     pv.Delete(warming)
     data = points_of(count, kind)
     before = memory("VmRSS")
     start = time.monotonic()
-    shown = show(pv, data, view, kind)
+    producer = source(pv, data)
+    information = time.monotonic() - start
+    shown = show(pv, producer, view, kind)
     pv.Render(view)
     first = time.monotonic() - start
     # The window asks so of its renders while a button is down.
@@ -118,7 +127,7 @@ def measure(count, kind, size, frames):
         interactive()
     moving = (time.monotonic() - start) / 3.0
     wall, cpu = turning(view, frames)
-    figures = {"first": first, "frame": wall, "frame cpu": cpu, "turning": moving, "before bytes": before, "peak bytes": memory("VmHWM"),
+    figures = {"first": first, "information": information, "frame": wall, "frame cpu": cpu, "turning": moving, "before bytes": before, "peak bytes": memory("VmHWM"),
                "end bytes": memory("VmRSS")}
     if kind not in ("Point Gaussian", "3D Glyphs"):
         statistics = json.loads(shown.GetPropertyValue("RenderStatistics"))

@@ -52,7 +52,7 @@ def tensors(view):
     wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
     stress = pv.Calculator(Input=wavelet, ResultArrayName="stress", Function="(16+coordsX+coordsY+coordsZ)*iHat+(8+coordsY)*jHat-(5+coordsX)*kHat")
     shear = pv.Calculator(Input=stress, ResultArrayName="shear", Function="coordsZ*iHat-coordsY*jHat+coordsX*kHat")
-    shown = session.glyphs(shear, view, "Tensor Ellipsoid", GlyphTensorArray="stress, shear", GlyphScaleFactor=0.05,
+    shown = session.glyphs(shear, view, "Tensor Ellipsoid", GlyphTensorArray="stress, shear", GlyphScaleFactor=0.025,
                            GlyphTensorColoring="Eigenvalues")
     look_at_cube(view)
     return shown
