@@ -1,21 +1,17 @@
 #include "vtkGlyphSelection.h"
 
-#include "vtkAlgorithm.h"
-#include "vtkAlgorithmOutput.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkDataRepresentation.h"
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedArrays.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkView.h"
 
 #include <algorithm>
 #include <utility>
@@ -23,16 +19,6 @@
 
 namespace
 {
-// The producer of a connection when it is of that class.
-vtkAlgorithm* ProducerOf(vtkAlgorithm* consumer, const char* className)
-{
-  vtkAlgorithmOutput* connection = consumer->GetNumberOfInputPorts() > 0 && consumer->GetNumberOfInputConnections(0) > 0
-    ? consumer->GetInputConnection(0, 0)
-    : nullptr;
-  vtkAlgorithm* producer = connection ? connection->GetProducer() : nullptr;
-  return producer && producer->IsA(className) ? producer : nullptr;
-}
-
 using Id = std::pair<unsigned int, vtkTypeInt64>; // flat index of the block, number in it
 
 // Those of points, and Marked() those of cells, sorted.
@@ -68,22 +54,6 @@ std::vector<vtkIdType> FirstPoints(vtkPolyData* data)
   }
   return first;
 }
-}
-
-//----------------------------------------------------------------------------
-// ParaView puts a filter that does nothing behind each of a source's outputs.
-vtkAlgorithmOutput* vtkGlyphSelection::Find(vtkView* view, vtkAlgorithmOutput* input)
-{
-  for (int i = 0; view && input && i < view->GetNumberOfRepresentations(); ++i)
-  {
-    vtkAlgorithm* last = ProducerOf(view->GetRepresentation(i), "vtkPVPostFilter");
-    vtkAlgorithm* extract = last ? ProducerOf(last, "vtkPVExtractSelection") : nullptr;
-    if (extract && extract->GetNumberOfInputConnections(0) > 0 && extract->GetInputConnection(0, 0) == input)
-    {
-      return view->GetRepresentation(i)->GetInputConnection(0, 0);
-    }
-  }
-  return nullptr;
 }
 
 //----------------------------------------------------------------------------

@@ -10,20 +10,12 @@
 
 #include "vtkSmartPointer.h"
 
-class vtkAlgorithmOutput;
 class vtkDataObject;
 class vtkPolyData;
-class vtkView;
 
 class vtkGlyphSelection
 {
 public:
-  /**
-   * The output of the filter with which the view's representations show what is selected of `input`; null: none of
-   * them does.
-   */
-  static vtkAlgorithmOutput* Find(vtkView* view, vtkAlgorithmOutput* input);
-
   /**
    * The points with an array vtkRayTracedArrays::Selected, 1 where the extracted data have the point or the cell that
    * the glyph stands for and 0 elsewhere; lines have one of their cells, too. `points` itself where they have none.

@@ -303,17 +303,7 @@ void vtkRayTracedRepresentation::AddPart(vtkPVRenderView* view, vtkRayTracedActo
   actor->SetMapper(mapper);
   view->GetRenderer()->AddActor(actor);
   view->RegisterPropForHardwareSelection(this, actor);
-  // While the progress bar is painted Qt makes its own OpenGL context current.
-  mapper->SetBuildProgress(
-    [tell = this->ProgressOf("Building glyphs"), window = vtkWeakPointer<vtkRenderWindow>(view->GetRenderWindow())](
-      double share)
-    {
-      tell(share);
-      if (window)
-      {
-        window->MakeCurrent();
-      }
-    });
+  mapper->SetBuildProgress(this->ProgressOf("Building glyphs"));
   vtkRayTracedScene::Of(view->GetRenderer())->Add(actor, mapper);
 }
 

@@ -1,12 +1,8 @@
 #include "vtkRayTracedSelectableRepresentation.h"
 
-#include "vtkAlgorithmOutput.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkGlyphSelection.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkPVRenderView.h"
-#include "vtkPVView.h"
 
 //----------------------------------------------------------------------------
 vtkRayTracedSelectableRepresentation::vtkRayTracedSelectableRepresentation(int ports)
@@ -23,44 +19,6 @@ void vtkRayTracedSelectableRepresentation::PrintSelf(ostream& os, vtkIndent inde
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SelectionPort: " << this->SelectionPort << endl;
-}
-
-//----------------------------------------------------------------------------
-int vtkRayTracedSelectableRepresentation::ProcessViewRequest(
-  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
-{
-  if (request == vtkPVView::REQUEST_UPDATE() && this->GetVisibility())
-  {
-    this->FollowSelection();
-  }
-  return this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
-}
-
-//----------------------------------------------------------------------------
-// As an input of this representation what is selected is brought up to date when the points are. ParaView does not tell
-// representations of data that a selection has changed.
-void vtkRayTracedSelectableRepresentation::FollowSelection()
-{
-  const int port = this->SelectionPort;
-  vtkAlgorithmOutput* input = this->GetNumberOfInputConnections(0) > 0 ? this->GetInputConnection(0, 0) : nullptr;
-  vtkAlgorithmOutput* selection = vtkGlyphSelection::Find(this->GetView(), input);
-  vtkAlgorithmOutput* known = this->GetNumberOfInputConnections(port) > 0 ? this->GetInputConnection(port, 0) : nullptr;
-  if (selection != known)
-  {
-    this->SetInputConnection(port, selection);
-  }
-  auto* pipeline =
-    selection ? vtkDemandDrivenPipeline::SafeDownCast(selection->GetProducer()->GetExecutive()) : nullptr;
-  if (pipeline)
-  {
-    pipeline->UpdatePipelineMTime();
-    const vtkMTimeType time = pipeline->GetPipelineMTime();
-    if (time != this->SelectionTime)
-    {
-      this->SelectionTime = time;
-      this->MarkModified();
-    }
-  }
 }
 
 //----------------------------------------------------------------------------
@@ -86,13 +44,6 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedSelectableRepresentation::Gather(vtkDat
     this->GatheredTimes = times;
   }
   return vtkGlyphSelection::Mark(this->Gathered, this->Extracted);
-}
-
-//----------------------------------------------------------------------------
-bool vtkRayTracedSelectableRepresentation::RemoveFromView(vtkView* view)
-{
-  this->SetInputConnection(this->SelectionPort, nullptr);
-  return this->Superclass::RemoveFromView(view);
 }
 
 //----------------------------------------------------------------------------

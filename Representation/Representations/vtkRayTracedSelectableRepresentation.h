@@ -26,8 +26,6 @@ public:
    */
   void SetSelectionColor(double red, double green, double blue);
 
-  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
-
 protected:
   /**
    * The last of the ports is that of what is selected.
@@ -37,7 +35,6 @@ protected:
 
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  bool RemoveFromView(vtkView* view) override;
   vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) final;
 
   ///@{
@@ -54,13 +51,10 @@ private:
   vtkRayTracedSelectableRepresentation(const vtkRayTracedSelectableRepresentation&) = delete;
   void operator=(const vtkRayTracedSelectableRepresentation&) = delete;
 
-  void FollowSelection();
-
   const int SelectionPort;
   vtkSmartPointer<vtkPolyData> Gathered;  // of an input of these times; null: they must be gathered
   vtkDataObject* GatheredInput = nullptr; // only to be compared
   std::array<vtkMTimeType, 2> GatheredTimes{};
-  vtkMTimeType SelectionTime = 0;           // of the pipeline to what is selected
   vtkSmartPointer<vtkDataObject> Extracted; // what is selected of the input; null: nothing
   std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };
 };

@@ -214,6 +214,7 @@ void vtkRayTracedScene::StartFrame()
   {
     return;
   }
+  self.Progress.StartFrame(this->Renderer->GetRenderWindow());
   vtkPropCollection* props = this->Renderer->GetViewProps();
   if (props->GetLastProp() != self.Actor)
   {
@@ -424,6 +425,7 @@ void vtkRayTracedScene::SmoothFrame()
 void vtkRayTracedScene::EndFrame()
 {
   Internals& self = *this->Self;
+  self.Progress.EndFrame();
   self.FXAA.GiveBack(this->Renderer);
   if (self.Displays.GetAll().empty() || this->Renderer->GetSelector())
   {

@@ -14,6 +14,7 @@
 #include "vtkSMRayTracedDoubleVectorProperty.h"
 #include "vtkSMRayTracedStringVectorProperty.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 #include "vtkSmartPointer.h"
@@ -163,6 +164,10 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
     vtkSMPropertyHelper(fromData).Set(0);
   }
   this->Superclass::SetPropertyModifiedFlag(name, flag);
+  if (flag && name && strcmp(name, "Input") == 0)
+  {
+    this->TakeSelection();
+  }
   if (flag && name && strncmp(name, "GlyphTensor", 11) == 0)
   {
     // The last word counts: another number asks for its own table, until somebody chooses one.
@@ -202,6 +207,21 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   if (flag && name)
   {
     this->ShareMaterial(name);
+  }
+}
+
+//----------------------------------------------------------------------------
+// ParaView's filter that extracts what is selected of the input; with it as an input a display is brought up to date,
+// on all processes, when the selection changes.
+void vtkSMRayTracedRepresentationProxy::TakeSelection()
+{
+  vtkSMProperty* selected = this->GetProperty("SelectedData");
+  const vtkSMPropertyHelper input(this, "Input");
+  auto* source = selected ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
+  if (source)
+  {
+    source->CreateSelectionProxies();
+    vtkSMPropertyHelper(selected).Set(source->GetSelectionOutput(input.GetOutputPort()));
   }
 }
 

@@ -56,6 +56,7 @@ private:
   bool IsExposed(const char* name);
   bool HoldsForView(const char* name);
   void RenewDefault(const char* array, bool lost);
+  void TakeSelection();
   void FollowQuality(const std::string& name);
   void ShareWithView(const char* name);
   void ShareMaterial(const std::string& name);

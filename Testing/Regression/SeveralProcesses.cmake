@@ -37,6 +37,9 @@ if (RTGLYPHS_PVSERVER)
     rtglyphs_regression_test(ClientServer2 ENVIRONMENT ${mpi_environment}
       COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/client_server.py" "${data}" "${RTGLYPHS_PVSERVER}"
         "${RTGLYPHS_MPIEXEC}" -n 2)
+    rtglyphs_regression_test(KilledRank ENVIRONMENT ${mpi_environment}
+      COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/killed_rank.py" "${RTGLYPHS_PVPYTHON}" "${RTGLYPHS_PVBATCH}" "${RTGLYPHS_PVSERVER}"
+        "${RTGLYPHS_MPIEXEC}" -n 2)
   endif ()
 else ()
   message(STATUS "No tests of a server: pvserver was not found")

@@ -65,7 +65,7 @@ extern "C"
     QCoreApplication::processEvents();
   }
 
-  // 1: a click is on its way to the middle of the widget.
+  // 1: a click is on its way to the middle of what is seen of the widget.
   Q_DECL_EXPORT int probe_click(const char* name)
   {
     const QWidget* widget = Find(name);
@@ -79,7 +79,8 @@ extern "C"
     {
       rect.setWidth(std::min(rect.width(), widget->sizeHint().width())); // beside a check box's words is nothing
     }
-    const QPoint at = widget->mapTo(widget->window(), rect.center());
+    const QRect seen = rect & widget->visibleRegion().boundingRect(); // wide panels are scrolled sideways
+    const QPoint at = widget->mapTo(widget->window(), (seen.isEmpty() ? rect : seen).center());
     PostMouse(window, QEvent::MouseButtonPress, at, Qt::LeftButton);
     PostMouse(window, QEvent::MouseButtonRelease, at, Qt::NoButton);
     return 1;

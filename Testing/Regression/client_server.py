@@ -67,16 +67,21 @@ def exported(view, name):
     return sorted((part.name, len(part.positions)) for parts in export.from_gltf(path) for part in parts)
 
 
+def start(command, log_name):
+    """A process of its own that writes to a log of that name."""
+    # This process is an MPI rank, too; an mpiexec that is told so starts nothing.
+    environment = {name: value for name, value in os.environ.items()
+                   if not name.startswith(("PMIX_", "ORTE_", "OMPI_")) or name.startswith(("OMPI_ALLOW", "OMPI_MCA_rmaps"))}
+    with open(session.output(log_name), "w") as log:
+        return subprocess.Popen(command, env=environment, stdout=log, stderr=subprocess.STDOUT)
+
+
 def start_server(program, log_name="client-server.log"):
     """A server that waits for this process and writes to a log of that name; (process, port)."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
-    log = open(session.output(log_name), "w")
-    # This process is an MPI rank, too; an mpiexec that is told so starts nothing.
-    environment = {name: value for name, value in os.environ.items()
-                   if not name.startswith(("PMIX_", "ORTE_", "OMPI_")) or name.startswith(("OMPI_ALLOW", "OMPI_MCA_rmaps"))}
-    return subprocess.Popen(program + ["--server-port=%d" % port], env=environment, stdout=log, stderr=subprocess.STDOUT), port
+    return start(program + ["--server-port=%d" % port], log_name), port
 
 
 def stop(process):

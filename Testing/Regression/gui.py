@@ -103,8 +103,10 @@ def buttons(window, view, reader, shown):
     def activate(source, name):
         """The panel shows this one, and no other one any more."""
         pv.RenameSource(name, source)
+        pv.SetActiveSource(None) # ParaView 6 shows the new name of what is active once it is chosen anew
         pv.SetActiveSource(source)
-        if not window.wait(lambda: "Properties (%s)" % name in window.labels("propertiesPanel"), 20):
+        titles = ("Properties (%s)" % name, "Properties ('%s' / " % name) # of ParaView 5 and 6
+        if not window.wait(lambda: any(label.startswith(titles) for label in window.labels("propertiesPanel")), 20):
             failures.append("the panel does not show %s" % name)
 
     def done(what, action, display, wanted):

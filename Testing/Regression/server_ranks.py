@@ -1,0 +1,124 @@
+"""Runs inside ParaView's window: with a server of two ranks an image is refined, moving glyphs of two time steps are drawn, also
+larger than the window, and glyphs are selected, all as without a server.
+
+Usage: RTGLYPHS_SERVER="MPIEXEC -n 2 PVSERVER" paraview --plugin-search-paths=DIR --plugins=RayTracedGlyphs --script=server_ranks.py
+Prints SERVER RANKS TEST PASSED as its last line.
+"""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRIPT", "."))))
+
+import paraview.simple as pv  # noqa: E402
+
+import client_server  # noqa: E402
+import session  # noqa: E402
+from checks import Checks  # noqa: E402
+from window import Window, run, say  # noqa: E402
+
+SAMPLES = 6
+#: seconds within which an image must be finished; it takes a few
+LIMIT = 120.0
+STEPS = """
+executive = self.GetExecutive()
+information = executive.GetOutputInformation(0)
+information.Set(executive.TIME_STEPS(), [0.0, 1.0], 2)
+information.Set(executive.TIME_RANGE(), [0.0, 1.0], 2)
+"""
+#: Script of a source of which each rank has a slab of points; they move from step to step.
+POINTS = """
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+controller = vtkMultiProcessController.GetGlobalController()
+rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
+executive = self.GetExecutive()
+information = executive.GetOutputInformation(0)
+time = information.Get(executive.UPDATE_TIME_STEP()) if information.Has(executive.UPDATE_TIME_STEP()) else 0.0
+random = numpy.random.default_rng(3)
+points = random.uniform(-1.0, 1.0, (400, 3))
+points = points[numpy.argsort(points[:, 0])]
+flow = random.normal(size=points.shape) * 0.3
+mine = slice(400 * rank // ranks, 400 * (rank + 1) // ranks)
+coordinates, cells = vtkPoints(), vtkCellArray()
+for i, point in enumerate((points + time * flow)[mine]):
+    coordinates.InsertNextPoint(point)
+    cells.InsertNextCell(1, [i])
+self.GetOutput().SetPoints(coordinates)
+self.GetOutput().SetVerts(cells)
+for name, values in (("flow", flow), ("number", numpy.arange(400.0))):
+    array = numpy_to_vtk(numpy.ascontiguousarray(values[mine]), deep=True)
+    array.SetName(name)
+    self.GetOutput().GetPointData().AddArray(array)
+"""
+
+
+def select_left_half(view, source):
+    """Selects points as a rectangle over the picture's left half does; how many."""
+    pv.SelectSurfacePoints(Rectangle=[0, 0, view.ViewSize[0] // 2, view.ViewSize[1] - 1], View=view)
+    selection = pv.servermanager._getPyProxy(source.SMProxy.GetSelectionInput(0))
+    ids = []
+    for part in selection.Input if selection else []:
+        ids += list(part.IDs)
+    return len(ids) // 2  # pairs of a rank and an id
+
+
+def pictures(checks, window, where):
+    """Everything once: (pictures by their names, number of selected points)."""
+    view = pv.GetActiveViewOrCreate("RenderView")
+    view.RemoteRenderThreshold = 0.0
+    view.OrientationAxesVisibility = 0
+    view.UseFXAA = 0  # a client smooths what a server sends, whatever it shows
+    view.UseColorPaletteForBackground = 0
+    view.Background = [channel / 255.0 for channel in session.BACKGROUND]
+    source = pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=POINTS, ScriptRequestInformation=STEPS)
+    shown = session.glyphs(source, view, "Sphere", samples=SAMPLES, GlyphOrient=0, GlyphScaleFactor=0.12, ShadingMode="Ambient Occlusion",
+                           Denoising=0, ParallelLight="Replicated", VelocityArray="flow")
+    pv.ColorBy(shown, ("POINTS", "number"))
+    session.cool_to_warm("number")
+    shown.SetScalarBarVisibility(view, False)
+    session.look(view, (0.0, 0.0, 6.0))
+    pv.Render(view)
+    before = session.statistics(shown)["AccumulatedSamples"]
+    done = window.wait(lambda: session.statistics(shown)["AccumulatedSamples"] >= SAMPLES, LIMIT)
+    say("%s: refined from %d samples to %d" % (where, before, session.statistics(shown)["AccumulatedSamples"]))
+    checks.true("%s: the image is not finished after %g s" % (where, LIMIT), done)
+    made = {"larger": session.capture(view, "server-ranks-larger-" + where, ImageResolution=[1400, 1000])}
+    shown.MotionBlur = 1
+    pv.GetAnimationScene().AnimationTime = 1.0
+    pv.Render(view)
+    made["moving"] = session.capture(view, "server-ranks-moving-" + where, ImageResolution=[400, 300])
+    shown.MotionBlur = 0
+    pv.Render(view)
+    count = select_left_half(view, source)
+    pv.Render(view)
+    made["selected"] = session.capture(view, "server-ranks-selected-" + where, ImageResolution=[400, 300])
+    pv.ClearSelection(source)
+    return made, count
+
+
+def main():
+    """Without a server, then with one."""
+    checks, window = Checks(), Window()
+    window.resize("pqClientMainWindow", 1000, 800)
+    wanted, count = pictures(checks, window, "alone")
+    process, port = client_server.start_server(os.environ["RTGLYPHS_SERVER"].split(), "server-ranks.log")
+    try:
+        pv.Connect("127.0.0.1", port)
+        pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))
+        found, found_count = pictures(checks, window, "server")
+    finally:
+        client_server.stop(process)
+        with open(session.output("server-ranks.log")) as log:
+            say(log.read())
+    for name, picture in found.items():
+        checks.picture("server ranks " + name, picture, wanted[name])
+    say("selected points: %d, with a server %d" % (count, found_count))
+    checks.true("hardly any points were selected: %d" % count, count > 50)
+    checks.equal("selected points", found_count, count)
+    return checks.failures
+
+
+pv._DisableFirstRenderCameraReset()
+run("SERVER RANKS", main)
