@@ -100,6 +100,13 @@ bool vtkRayTracedDisplays::ShowsAnything() const
 }
 
 //----------------------------------------------------------------------------
+bool vtkRayTracedDisplays::AnyVisible() const
+{
+  return std::any_of(this->All.begin(), this->All.end(),
+    [](const Display& display) { return display.Actor && display.Actor->GetVisibility(); });
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedDisplays::Commit(rtg::Scene& scene, std::uint64_t sceneNumber)
 {
   for (Display& display : this->All)

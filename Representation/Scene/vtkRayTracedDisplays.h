@@ -70,6 +70,11 @@ public:
   bool ShowsAnything() const;
 
   /**
+   * Whether any display is visible, with or without data in this process.
+   */
+  bool AnyVisible() const;
+
+  /**
    * Hands the kernels' scene of that number what has changed since it had it.
    */
   void Commit(rtg::Scene& scene, std::uint64_t sceneNumber);

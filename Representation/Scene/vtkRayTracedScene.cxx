@@ -49,6 +49,13 @@ constexpr const char* tracingText = "Ray Tracing";
 
 constexpr int opaque = static_cast<int>(rtg::Pass::Opaque);
 constexpr int translucent = static_cast<int>(rtg::Pass::Translucent);
+
+// Another ray tracer draws all of the view.
+bool HasForeignPass(vtkRenderer* renderer)
+{
+  vtkRenderPass* pass = renderer->GetPass();
+  return pass && pass->IsA("vtkOSPRayPass");
+}
 }
 
 //----------------------------------------------------------------------------
@@ -123,6 +130,8 @@ vtkRayTracedScene* vtkRayTracedScene::Of(vtkRenderer* renderer)
     scene = made;
     renderer->GetInformation()->Set(SCENE(), scene);
     scene->Renderer = renderer;
+    // Before ParaView's own observers: those put pictures of several processes together, and smooth the whole.
+    renderer->AddObserver(vtkCommand::StartEvent, scene, &vtkRayTracedScene::TakeSmoothing, 1.0f);
     renderer->AddObserver(vtkCommand::StartEvent, scene, &vtkRayTracedScene::StartFrame);
     renderer->AddObserver(vtkCommand::EndEvent, scene, &vtkRayTracedScene::EndFrame);
   }
@@ -202,6 +211,16 @@ void vtkRayTracedScene::Report(const std::string& message)
 }
 
 //----------------------------------------------------------------------------
+// A client whose server renders has displays without data.
+void vtkRayTracedScene::TakeSmoothing()
+{
+  if (this->Self->Displays.AnyVisible() && !HasForeignPass(this->Renderer))
+  {
+    this->Self->FXAA.Take(this->Renderer);
+  }
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedScene::StartFrame()
 {
   Internals& self = *this->Self;
@@ -227,8 +246,7 @@ void vtkRayTracedScene::StartFrame()
     // Nothing is shown: device memory goes back, but for compiled programs.
     self.Images.DropImages();
   }
-  vtkRenderPass* pass = this->Renderer->GetPass();
-  const bool other = pass && pass->IsA("vtkOSPRayPass");
+  const bool other = HasForeignPass(this->Renderer);
   if (other && self.Displays.ShowsAnything() && !self.PassReported)
   {
     vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out while the view's "
@@ -236,10 +254,6 @@ void vtkRayTracedScene::StartFrame()
                        "off, or choose another representation such as 3D Glyphs.");
   }
   self.PassReported = other;
-  if (self.Displays.ShowsAnything() && !other)
-  {
-    self.FXAA.Take(this->Renderer);
-  }
 }
 
 //----------------------------------------------------------------------------
@@ -407,9 +421,14 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
 }
 
 //----------------------------------------------------------------------------
+// A rank's own part of the picture has edges that the whole has not.
 void vtkRayTracedScene::SmoothFrame()
 {
   Internals& self = *this->Self;
+  if (self.OtherRanks())
+  {
+    return;
+  }
   self.FXAA.Apply(this->Renderer,
     [this, &self](vtkTextureObject* pixels)
     {

@@ -151,6 +151,7 @@ private:
   void operator=(const vtkRayTracedScene&) = delete;
   static vtkRayTracedScene* New();
 
+  void TakeSmoothing();
   void StartFrame();
   void EndFrame();
   void UpdateContent();

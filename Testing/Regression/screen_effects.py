@@ -1,4 +1,4 @@
-"""What ParaView does to finished pictures leaves glyphs whole: FXAA no holes, its ambient occlusion no stripes.
+"""What ParaView does to finished pictures leaves glyphs whole: FXAA every pixel, its ambient occlusion no stripes.
 
 Usage: pvpython screen_effects.py
 """
@@ -48,6 +48,24 @@ def holes(checks):
             print("%s edges, UseFXAA %d: %d holes in %d pixels" % (name, effect, count, (alphas[0] > 0).sum()))
             checks.equal("%s edges, UseFXAA %d: wholly transparent pixels among glyphs" % (name, effect), count, 0)
         pv.Delete(view)
+
+
+def kept(checks):
+    """FXAA smooths ParaView's own geometry and changes no pixel of glyphs, nor of the background beside them."""
+    view, _ = scene(count=100)
+    tilted = pv.Box(XLength=1.2, YLength=1.2, ZLength=0.1, Center=[2.4, 0.0, 0.0])
+    pv.Show(tilted, view).Orientation = [0.0, 0.0, 8.0]
+    session.look(view, (1.0, 0.0, 7.0))
+    pictures = []
+    for effect in (0, 1):
+        view.UseFXAA = effect
+        pictures.append(session.capture(view, "screen-effects-kept-%d" % effect)[..., :3].astype(int))
+    changed = (pictures[0] != pictures[1]).any(axis=2)
+    ordinary = pictures[0].shape[1] * 5 // 8  # left of it are glyphs, right of it the box
+    print("pixels that FXAA changes: %d of glyphs, %d of a box" % (changed[:, :ordinary].sum(), changed[:, ordinary:].sum()))
+    checks.equal("pixels of glyphs that FXAA changes", int(changed[:, :ordinary].sum()), 0)
+    checks.true("FXAA smooths no edge of a box", changed[:, ordinary:].sum() > 20)
+    pv.Delete(view)
 
 
 def wall(kind):
@@ -105,10 +123,11 @@ def stripes(checks):
 
 
 def main():
-    """Both parts."""
+    """All parts."""
     session.load()
     checks = Checks()
     holes(checks)
+    kept(checks)
     stripes(checks)
     checks.report()
 

@@ -69,7 +69,7 @@ def pictures(checks, window, where):
     view = pv.GetActiveViewOrCreate("RenderView")
     view.RemoteRenderThreshold = 0.0
     view.OrientationAxesVisibility = 0
-    view.UseFXAA = 0  # a client smooths what a server sends, whatever it shows
+    view.UseFXAA = 1  # the window's default; in that picture glyphs must stay as they are
     view.UseColorPaletteForBackground = 0
     view.Background = [channel / 255.0 for channel in session.BACKGROUND]
     source = pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=POINTS, ScriptRequestInformation=STEPS)
