@@ -208,8 +208,6 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 {
   const vtkGlyphTensors::Settings& tensors = this->Settings.Tensors;
   const int coloring = tensors.On ? tensors.Coloring : static_cast<int>(this->Settings.SurfaceColors());
-  vtkPolyData* points = this->GetPoints();
-  vtkDataArray* selected = points ? points->GetPointData()->GetArray(vtkRayTracedArrays::Selected) : nullptr;
   std::vector<vtkMTimeType> state{ static_cast<vtkMTimeType>(coloring),
     tensors.On && coloring != vtkGlyphTensors::NONE && this->TensorTable ? this->TensorTable->GetMTime() : 0 };
   if (tensors.HasRange())
@@ -218,11 +216,6 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
     {
       state.push_back(std::bit_cast<std::uint64_t>(end));
     }
-  }
-  if (selected)
-  {
-    state.push_back(selected->GetMTime());
-    state.push_back(Pack({ this->SelectionColor[0], this->SelectionColor[1], this->SelectionColor[2], 1.0 }));
   }
   return state;
 }
@@ -311,7 +304,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
     }
   }
   const bool blockColors = this->HasBlockColors(points);
-  auto* selected = vtkUnsignedCharArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::Selected));
+  vtkUnsignedCharArray* selected = Selected(points->GetPointData());
   std::vector<unsigned char> table;
   if (tensors && this->TensorTable && vtkGlyphTensors::IsNumber(shown.Coloring))
   {
@@ -351,11 +344,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
           {
             rgba = { { 1.0, 1.0, 1.0, rgba[3] } }; // white leaves glyphs the colors of their surfaces
           }
-          if (selected && selected->GetValue(point))
-          {
-            std::copy_n(this->SelectionColor.begin(), 3, rgba.begin());
-          }
-          colors[glyph] = Pack(rgba);
+          colors[glyph] = selected && selected->GetValue(point) ? this->Tinted(Pack(rgba)) : Pack(rgba);
         }
       });
   }

@@ -36,11 +36,6 @@ public:
   void SetTensorRange(const std::array<double, 2>& range) { this->TensorRange = range; }
   ///@}
 
-  /**
-   * Of the glyphs of points whose vtkRayTracedArrays::Selected is 1.
-   */
-  void SetSelectionColor(const std::array<double, 3>& color) { this->SelectionColor = color; }
-
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
   const rtg::GlyphInstances* GetInstances() const override { return this->InstancesTaken ? nullptr : &this->Instances; }
@@ -71,7 +66,6 @@ private:
   vtkMTimeType MeshTime = 0;
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   std::array<double, 2> TensorRange{ { 1.0, -1.0 } };
-  std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };
   rtg::GlyphInstances Instances;
   bool InstancesTaken = false;
   std::array<std::uint64_t, 2> Digest{}; // of the instances of InstanceVersion

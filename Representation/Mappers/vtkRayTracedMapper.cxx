@@ -57,6 +57,8 @@ struct vtkRayTracedMapper::ColorKey
   std::uint64_t Sources = 0;
   vtkGlyphBlockAttributes::Table Blocks;
   std::array<double, 3> SolidColor{};
+  vtkMTimeType Selected = 0;
+  std::uint32_t SelectionColor = 0;
   bool operator==(const ColorKey&) const = default;
 };
 
@@ -129,6 +131,18 @@ std::uint64_t vtkRayTracedMapper::NewVersion()
 {
   static std::uint64_t last = 0;
   return ++last;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedMapper::SetSelectionColor(const std::array<double, 3>& color)
+{
+  this->SelectionColor = Pack({ color[0], color[1], color[2], 0.0 });
+}
+
+//----------------------------------------------------------------------------
+vtkUnsignedCharArray* vtkRayTracedMapper::Selected(vtkDataSetAttributes* data)
+{
+  return vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkRayTracedArrays::Selected));
 }
 
 //----------------------------------------------------------------------------
@@ -311,7 +325,13 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   color.Blocks = this->BlockTable;
   color.Visible = this->ScalarVisibility != 0;
   color.State = this->ColorState();
-  if (!color.Blocks.empty() || points->GetPointData()->HasArray(vtkRayTracedArrays::Selected))
+  vtkUnsignedCharArray* selected = Selected(points->GetPointData());
+  if (selected)
+  {
+    color.Selected = selected->GetMTime();
+    color.SelectionColor = this->SelectionColor;
+  }
+  if (!color.Blocks.empty() || selected)
   {
     actor->GetProperty()->GetDiffuseColor(color.SolidColor.data());
   }

@@ -26,6 +26,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkDataSetAttributes;
 class vtkPolyData;
 class vtkRayTracedScene;
 class vtkUnsignedCharArray;
@@ -55,6 +56,12 @@ public:
    * Compositing between ranks and selecting leave out what lies outside.
    */
   void SetKnownBounds(const double bounds[6]);
+
+  /**
+   * Of what vtkRayTracedArrays::Selected has a 1 for: glyphs of such points, lines that are such cells, and pieces of
+   * tubes on both sides of such points. Default is magenta.
+   */
+  void SetSelectionColor(const std::array<double, 3>& color);
 
   /**
    * Who is told how far the building of instances is.
@@ -155,6 +162,15 @@ protected:
 
   static std::uint32_t Pack(const std::array<double, 4>& rgba);
 
+  ///@{
+  /**
+   * Which points or cells are selected, null where none is; and the color of what is, with the opacity that a packed
+   * color has.
+   */
+  static vtkUnsignedCharArray* Selected(vtkDataSetAttributes* data);
+  std::uint32_t Tinted(std::uint32_t color) const { return this->SelectionColor | (color & 0xff000000u); }
+  ///@}
+
   /**
    * Whether blocks have colors or opacities of their own; then BlockColor() overrides those of a point's block.
    */
@@ -214,6 +230,7 @@ private:
   vtkSmartPointer<vtkPolyData> Points;
   std::unique_ptr<InstanceKey> Built;
   std::unique_ptr<ColorKey> Colored;
+  std::uint32_t SelectionColor = 0x00ff00ffu; // packed, without an opacity
   vtkWeakPointer<vtkRayTracedScene> Scene;
 };
 

@@ -68,46 +68,23 @@ void vtkRayTracedTubeMapper::BuildInstances(vtkPolyData* lines, vtkActor* actor)
 }
 
 //----------------------------------------------------------------------------
-std::vector<vtkMTimeType> vtkRayTracedTubeMapper::ColorState() const
-{
-  std::vector<vtkMTimeType> state{ this->InterpolateValues };
-  vtkPolyData* lines = this->GetPoints();
-  vtkDataArray* selected = lines ? lines->GetPointData()->GetArray(vtkRayTracedArrays::Selected) : nullptr;
-  if (selected)
-  {
-    state.push_back(selected->GetMTime());
-    state.push_back(Pack({ this->SelectionColor[0], this->SelectionColor[1], this->SelectionColor[2], 1.0 }));
-  }
-  return state;
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
 {
   std::vector<std::string> messages;
   MappedColors mapped = this->MapColors(lines, this->InterpolateValues, "lines", messages);
-  const auto marks = [](vtkDataSetAttributes* data)
-  { return vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkRayTracedArrays::Selected)); };
-  vtkUnsignedCharArray* points = marks(lines->GetPointData());
-  vtkUnsignedCharArray* cells = marks(lines->GetCellData());
+  vtkUnsignedCharArray* points = Selected(lines->GetPointData());
+  vtkUnsignedCharArray* cells = Selected(lines->GetCellData());
   const auto isSelected = [&](vtkIdType piece)
   {
     const auto [first, last] = this->Ends[piece];
     return (cells && cells->GetValue(this->Sources[piece])) ||
       (points && (points->GetValue(first) || points->GetValue(last)));
   };
-  // With the opacity of a color
-  const auto selected = [&](std::uint32_t color)
-  {
-    const std::uint32_t opaque =
-      Pack({ this->SelectionColor[0], this->SelectionColor[1], this->SelectionColor[2], 0.0 });
-    return opaque | (color & 0xff000000u);
-  };
   // In a table the color is one more entry, which values in [0, 1] do not reach.
   const auto entries = static_cast<float>(mapped.Table.size()) - 1.0f;
   if (points && !mapped.Table.empty())
   {
-    mapped.Table.insert(mapped.Table.end() - 1, selected(0xff000000u));
+    mapped.Table.insert(mapped.Table.end() - 1, this->Tinted(0xff000000u));
     for (float& value : mapped.Values)
     {
       value = value < 0.0f ? value : std::min(value * entries, entries - 0.5f) / (entries + 1.0f);
@@ -142,7 +119,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
         if (each)
         {
           const std::uint32_t color = this->ColorOf(mapped, lines, this->Sources[i], first);
-          colors.each[i] = tinted ? selected(color) : color;
+          colors.each[i] = tinted ? this->Tinted(color) : color;
         }
         else if (ends && tinted && !mapped.Values.empty())
         {
@@ -151,7 +128,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
         else if (ends)
         {
           const glm::uvec2 own{ atEnd(first), atEnd(last) };
-          colors.ends[i] = tinted ? glm::uvec2{ selected(own.x), selected(own.y) } : own;
+          colors.ends[i] = tinted ? glm::uvec2{ this->Tinted(own.x), this->Tinted(own.y) } : own;
         }
       }
     });

@@ -26,11 +26,6 @@ public:
    */
   void SetSettings(const vtkRayTracedTubeBuilder::Settings& settings, bool interpolateValues);
 
-  /**
-   * Of the lines whose vtkRayTracedArrays::Selected is 1, and of the pieces on both sides of such points.
-   */
-  void SetSelectionColor(const std::array<double, 3>& color) { this->SelectionColor = color; }
-
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
   const rtg::GlyphInstances* GetInstances() const override { return this->Taken ? nullptr : &this->Instances; }
@@ -45,7 +40,7 @@ protected:
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* lines) const override;
   void BuildInstances(vtkPolyData* lines, vtkActor* actor) override;
   void BuildColors(vtkPolyData* lines) override;
-  std::vector<vtkMTimeType> ColorState() const override;
+  std::vector<vtkMTimeType> ColorState() const override { return { this->InterpolateValues }; }
 
 private:
   vtkRayTracedTubeMapper(const vtkRayTracedTubeMapper&) = delete;
@@ -53,7 +48,6 @@ private:
 
   vtkRayTracedTubeBuilder::Settings Settings, BuiltSettings;
   bool InterpolateValues = true;
-  std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };
   rtg::GlyphInstances Instances; // until they are taken
   bool Taken = false;
   std::vector<std::array<vtkIdType, 2>> Ends; // points of each piece

@@ -40,8 +40,10 @@ struct vtkRayTracedGlyphRepresentation::Layer
   vtkNew<vtkRayTracedGlyphMapper> Mapper;
 
   // Input, blocks and appearance of the main actor and mapper.
-  void Follow(vtkPolyData* points, vtkRayTracedActor* actor, const vtkGlyphBlockAttributes& blocks)
+  void Follow(vtkPolyData* points, vtkRayTracedActor* actor, const vtkGlyphBlockAttributes& blocks,
+    const std::array<double, 3>& selectionColor)
   {
+    this->Mapper->SetSelectionColor(selectionColor);
     this->Mapper->SetPoints(points);
     this->Mapper->SetBlocks(blocks);
     this->Actor->GetProperty()->DeepCopy(actor->GetProperty());
@@ -381,16 +383,15 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   for (int entry = 1; entry < settings.TableSize; ++entry)
   {
     Layer& layer = *this->Layers[entry - 1];
-    layer.Follow(points, this->GetActor(), this->Blocks);
+    layer.Follow(points, this->GetActor(), this->Blocks, this->GetSelectionColor());
     layer.FollowColors(main);
-    layer.Mapper->SetSelectionColor(this->GetSelectionColor());
     settings.TableEntry = entry;
     layer.Mapper->SetSettings(settings, form(entry));
   }
   if (axes)
   {
     Layer& layer = *this->Layers.back();
-    layer.Follow(points, this->GetActor(), this->Blocks);
+    layer.Follow(points, this->GetActor(), this->Blocks, this->GetSelectionColor());
     layer.Mapper->ScalarVisibilityOff();
     layer.Mapper->SetSettings(settings.AxesOfTensors(), nullptr);
     layer.Actor->GetProperty()->SetAmbientColor(this->TensorAxisColor.data());

@@ -203,11 +203,26 @@ void vtkRayTracedScene::Stop()
 //----------------------------------------------------------------------------
 void vtkRayTracedScene::Report(const std::string& message)
 {
-  if (this->Self->Reported != message)
+  this->Report(message, message);
+}
+
+//----------------------------------------------------------------------------
+// `what` says whether it is the same as before.
+void vtkRayTracedScene::Report(const std::string& message, const std::string& what)
+{
+  if (this->Self->Reported != what)
   {
-    this->Self->Reported = message;
+    this->Self->Reported = what;
     vtkErrorMacro(<< message);
   }
+}
+
+//----------------------------------------------------------------------------
+// A device that is lost twice in a row may be lost at another place.
+void vtkRayTracedScene::ReportFailure(const rtg::ProgressiveImage& image)
+{
+  const rtg::ProgressiveImage::Failure& failure = image.GetFailure();
+  this->Report(failure.message, failure.cause == rtg::ProgressiveImage::Cause::Device ? "device" : failure.message);
 }
 
 //----------------------------------------------------------------------------
@@ -402,7 +417,7 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   self.Frame.push_back({ &entry, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
   if (!image)
   {
-    this->Report(entry.Image.GetFailure().message);
+    this->ReportFailure(entry.Image);
     return;
   }
   self.Reported.clear();
@@ -543,7 +558,7 @@ std::vector<const rtg::Image*> vtkRayTracedScene::ImagesWithIds(int width, int h
     }
     else
     {
-      this->Report(own.Image.GetFailure().message);
+      this->ReportFailure(own.Image);
     }
   }
   return images;

@@ -28,6 +28,7 @@
 
 namespace rtg
 {
+class ProgressiveImage;
 class Scene;
 struct Image;
 }
@@ -159,6 +160,8 @@ private:
   void Commit(rtg::Scene& scene);
   std::vector<const rtg::Image*> ImagesWithIds(int width, int height);
   void Report(const std::string& message);
+  void Report(const std::string& message, const std::string& what);
+  void ReportFailure(const rtg::ProgressiveImage& image);
 
   vtkWeakPointer<vtkRenderer> Renderer;
 
