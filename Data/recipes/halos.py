@@ -19,6 +19,8 @@ numpy.savetxt("halos.list", numpy.column_stack([numpy.arange(2000), mass, positi
 
 # --- recipe
 table = CSVReader(FileName=["halos.list"], FieldDelimiterCharacters=" ")
+if table.GetProperty("CommentCharacters"):  # ParaView 6 leaves out lines that begin with #
+    table.CommentCharacters = ""
 halos = TableToPoints(Input=table, XColumn="x", YColumn="y", ZColumn="z")
 view = GetActiveViewOrCreate("RenderView")
 shown = Show(halos, view)

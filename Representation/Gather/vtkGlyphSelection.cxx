@@ -59,6 +59,10 @@ std::vector<vtkIdType> FirstPoints(vtkPolyData* data)
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> vtkGlyphSelection::Mark(vtkPolyData* points, vtkDataObject* extracted)
 {
+  if (!extracted)
+  {
+    return points;
+  }
   std::vector<Id> ids;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(extracted))
   {
@@ -71,10 +75,6 @@ vtkSmartPointer<vtkPolyData> vtkGlyphSelection::Mark(vtkPolyData* points, vtkDat
   else
   {
     AddIds(ids, vtkDataSet::SafeDownCast(extracted), 0);
-  }
-  if (ids.empty())
-  {
-    return points;
   }
   std::sort(ids.begin(), ids.end());
 

@@ -18,8 +18,9 @@ class vtkGlyphSelection
 public:
   /**
    * The points with an array vtkRayTracedArrays::Selected, 1 where the extracted data have the point or the cell that
-   * the glyph stands for and 0 elsewhere; lines have one of their cells, too. `points` itself where they have none.
-   * Points as vtkGlyphPointGatherer makes them, or lines as vtkRayTracedSurfaceGatherer does; `extracted` may be null.
+   * the glyph stands for and 0 elsewhere; lines have one of their cells, too. Data of several ranks, some without a
+   * selected point, are put together, so all have the array; `points` itself where `extracted` is null. Points as
+   * vtkGlyphPointGatherer makes them, or lines as vtkRayTracedSurfaceGatherer does.
    */
   static vtkSmartPointer<vtkPolyData> Mark(vtkPolyData* points, vtkDataObject* extracted);
 };

@@ -22,11 +22,25 @@ void vtkRayTracedSelectableRepresentation::PrintSelf(ostream& os, vtkIndent inde
 }
 
 //----------------------------------------------------------------------------
+// On all ranks alike, whether or not any of it is on this one. ParaView puts a filter that does nothing behind the one
+// that extracts what is selected, whose second input is the selection.
+bool vtkRayTracedSelectableRepresentation::HasSelection()
+{
+  const int port = this->SelectionPort;
+  vtkAlgorithm* producer = this->GetNumberOfInputConnections(port) > 0 ? this->GetInputAlgorithm(port, 0) : nullptr;
+  while (producer && producer->GetNumberOfInputPorts() == 1 && producer->GetNumberOfInputConnections(0) > 0)
+  {
+    producer = producer->GetInputAlgorithm(0, 0);
+  }
+  return producer && producer->GetNumberOfInputPorts() > 1 && producer->GetNumberOfInputConnections(1) > 0;
+}
+
+//----------------------------------------------------------------------------
 int vtkRayTracedSelectableRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformationVector* selection = inputVector[this->SelectionPort];
-  this->Extracted = selection->GetNumberOfInformationObjects() == 1 ? vtkDataObject::GetData(selection, 0) : nullptr;
+  this->Extracted = this->HasSelection() ? vtkDataObject::GetData(selection, 0) : nullptr;
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 

@@ -51,11 +51,13 @@ private:
   vtkRayTracedSelectableRepresentation(const vtkRayTracedSelectableRepresentation&) = delete;
   void operator=(const vtkRayTracedSelectableRepresentation&) = delete;
 
+  bool HasSelection();
+
   const int SelectionPort;
   vtkSmartPointer<vtkPolyData> Gathered;  // of an input of these times; null: they must be gathered
   vtkDataObject* GatheredInput = nullptr; // only to be compared
   std::array<vtkMTimeType, 2> GatheredTimes{};
-  vtkSmartPointer<vtkDataObject> Extracted; // what is selected of the input; null: nothing
+  vtkSmartPointer<vtkDataObject> Extracted; // what is selected of the input; null: no selection
   std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };
 };
 

@@ -25,7 +25,7 @@ build=(cmake ninja-build g++ ccache pkg-config
   libopenmpi-dev libglew-dev libgl-dev python3-dev libfreetype-dev
   libvulkan1 mesa-vulkan-drivers libgl1-mesa-dri xvfb python3-numpy)
 qt=(qtbase5-dev libqt5svg5-dev libqt5opengl5-dev qttools5-dev)
-[ "$codename" = bookworm ] || qt=(qt6-base-dev qt6-svg-dev qt6-5compat-dev qt6-tools-dev qt6-tools-dev-tools)
+[ "$codename" = bookworm ] || qt=(qt6-base-dev qt6-svg-dev qt6-svg-plugins qt6-5compat-dev qt6-tools-dev qt6-tools-dev-tools)
 case "$codename" in
   bookworm | trixie) ;; # ParaView contains its own VTK.
   *)
