@@ -185,8 +185,8 @@ def load_state():
 def run_trace():
     """The trace in this process."""
     with open(session.output(TRACE)) as file:
-        # ParaView 6.1 writes this property of color maps, which its own Python classes do not have.
-        source = re.sub(r"\n *Using2DTransferFunction=\d,", "", file.read())
+        # ParaView 6.1 writes such properties of color maps, which its own Python classes do not have.
+        source = re.sub(r"\n *Using(2DTransferFunction|SeparateOpacityArray)=\d,", "", file.read())
     exec(compile(source, TRACE, "exec"), {"__name__": "__main__"})
     return compare("trace")
 
