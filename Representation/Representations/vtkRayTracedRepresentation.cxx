@@ -20,7 +20,6 @@
 #include "vtkRayTracedPythonClass.h"
 #include "vtkRayTracedFrameStatus.h"
 #include "vtkRayTracedScene.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"

@@ -22,16 +22,7 @@ LIMIT, SAMPLES = 30.0, 100000
 #: Script of a source with points on each rank. The last rank says which process it is.
 POINTS = """
 import os
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray
-controller = vtkMultiProcessController.GetGlobalController()
-rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
-coordinates, cells = vtkPoints(), vtkCellArray()
-for point in numpy.random.default_rng(rank).uniform(-1.0, 1.0, (200, 3)):
-    cells.InsertNextCell(1, [coordinates.InsertNextPoint(point)])
-self.GetOutput().SetPoints(coordinates)
-self.GetOutput().SetVerts(cells)
+points, arrays, mine = numpy.random.default_rng(rank).uniform(-1.0, 1.0, (200, 3)), {}, slice(None)
 if rank == ranks - 1:
     os.write(1, b"last rank: process %d\\n" % os.getpid())
 """
@@ -42,7 +33,7 @@ def trace():
     session.load()
     view = session.view(300, 200)
     view.RemoteRenderThreshold = 0.0  # on the server, if there is one
-    source = pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=POINTS)
+    source = session.points_of_ranks(POINTS)
     session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.2, ShadingMode="Path Tracing", samples=SAMPLES)
     session.look(view, (0.0, 0.0, 5.0))
     pv.Render(view)

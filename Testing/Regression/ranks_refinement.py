@@ -14,31 +14,16 @@ RANKS = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
 #: Script of a source whose points, random ones with vectors of very different lengths, all lie on the last rank; or half of
 #: them on each of two.
 POINTS = """
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
-controller = vtkMultiProcessController.GetGlobalController()
-rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
 points = numpy.random.default_rng(11).uniform(-1.0, 1.0, (40, 3))
 points = points[numpy.argsort(points[:, 0])]
-flow = numpy.random.default_rng(12).normal(size=(40, 3)) * numpy.geomspace(0.2, 3.0, 40)[:, None]
+arrays = {"flow": numpy.random.default_rng(12).normal(size=(40, 3)) * numpy.geomspace(0.2, 3.0, 40)[:, None]}
 mine = slice(40 * rank // ranks, 40 * (rank + 1) // ranks) if %d else slice(0, 40 if rank == ranks - 1 else 0)
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray
-coordinates, cells = vtkPoints(), vtkCellArray()
-for i, point in enumerate(points[mine]):
-    coordinates.InsertNextPoint(point)
-    cells.InsertNextCell(1, [i])
-array = numpy_to_vtk(numpy.ascontiguousarray(flow[mine]), deep=True)
-array.SetName("flow")
-self.GetOutput().SetPoints(coordinates)
-self.GetOutput().SetVerts(cells)
-self.GetOutput().GetPointData().AddArray(array)
 """
 
 
 def points_of(spread):
     """The source; spread: over all ranks, else all points on the last one."""
-    return pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=POINTS % int(spread))
+    return session.points_of_ranks(POINTS % int(spread))
 
 
 def against_one_rank(checks, name, pixels):

@@ -27,12 +27,6 @@ information.Set(executive.TIME_RANGE(), [0.0, 1.0], 2)
 """
 #: Script of a source of which each rank has half of a grid of points; they move from step to step.
 POINTS = """
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
-controller = vtkMultiProcessController.GetGlobalController()
-rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
 executive = self.GetExecutive()
 information = executive.GetOutputInformation(0)
 time = information.Get(executive.UPDATE_TIME_STEP()) if information.Has(executive.UPDATE_TIME_STEP()) else 0.0
@@ -40,18 +34,9 @@ random = numpy.random.default_rng(3)
 places = (numpy.arange(20) - 9.5) / 10.0
 points = numpy.stack(numpy.meshgrid(places, places, [0.0], indexing="ij"), axis=-1).reshape(-1, 3)
 points[:, 2] = random.uniform(-0.04, 0.04, 400)
-flow = random.normal(size=points.shape) * 0.3
+arrays = {"flow": random.normal(size=points.shape) * 0.3, "number": numpy.arange(400.0)}
+points += time * arrays["flow"]
 mine = slice(400 * rank // ranks, 400 * (rank + 1) // ranks)
-coordinates, cells = vtkPoints(), vtkCellArray()
-for i, point in enumerate((points + time * flow)[mine]):
-    coordinates.InsertNextPoint(point)
-    cells.InsertNextCell(1, [i])
-self.GetOutput().SetPoints(coordinates)
-self.GetOutput().SetVerts(cells)
-for name, values in (("flow", flow), ("number", numpy.arange(400.0))):
-    array = numpy_to_vtk(numpy.ascontiguousarray(values[mine]), deep=True)
-    array.SetName(name)
-    self.GetOutput().GetPointData().AddArray(array)
 """
 
 
@@ -73,7 +58,7 @@ def pictures(checks, window, where):
     view.UseFXAA = 1  # the window's default; in that picture glyphs must stay as they are
     view.UseColorPaletteForBackground = 0
     view.Background = [channel / 255.0 for channel in session.BACKGROUND]
-    source = pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=POINTS, ScriptRequestInformation=STEPS)
+    source = session.points_of_ranks(POINTS, STEPS)
     shown = session.glyphs(source, view, "Sphere", samples=SAMPLES, GlyphOrient=0, GlyphScaleFactor=0.09, ShadingMode="Ambient Occlusion",
                            Denoising=0, ParallelLight="Replicated", VelocityArray="flow")
     pv.ColorBy(shown, ("POINTS", "number"))

@@ -105,6 +105,37 @@ def source(data):
     return producer
 
 
+#: What stands before and behind the script of a source of which each rank has a part of the points.
+BEFORE_POINTS = """
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+controller = vtkMultiProcessController.GetGlobalController()
+rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
+"""
+BEHIND_POINTS = """
+coordinates, cells = vtkPoints(), vtkCellArray()
+for i, point in enumerate(points[mine]):
+    coordinates.InsertNextPoint(point)
+    cells.InsertNextCell(1, [i])
+self.GetOutput().SetPoints(coordinates)
+self.GetOutput().SetVerts(cells)
+for name, values in arrays.items():
+    array = numpy_to_vtk(numpy.ascontiguousarray(values[mine]), deep=True)
+    array.SetName(name)
+    self.GetOutput().GetPointData().AddArray(array)
+"""
+
+
+def points_of_ranks(script, information=""):
+    """A source, run on each rank of a server, too. Of `rank` and `ranks` the script makes `points` and `arrays` (values by names)
+    of all ranks, and `mine`, the slice of this one; information: the script for ParaView's request for information.
+    """
+    return pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=BEFORE_POINTS + script + BEHIND_POINTS,
+                                 ScriptRequestInformation=information)
+
+
 def replace_data(producer, data):
     """Gives a source new data, as a new time step would."""
     producer.GetClientSideObject().SetOutput(data)
