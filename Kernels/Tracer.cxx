@@ -97,7 +97,7 @@ struct Tracer::State
     const TraceSettings& settings, Pass pass);
   void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame, std::uint32_t width,
     std::uint32_t height);
-  std::uint32_t TilesAtOnce(const TracerResources::Program& program, const Job& job, bool interruptible) const;
+  std::uint32_t TilesAtOnce(const TracerResources::UsedProgram& program, const Job& job, bool interruptible) const;
   void FitRays(const Generation& generation, std::size_t count);
   void Begin(const Scene::State& scene, bool translucentScene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass, bool interruptible);
@@ -105,7 +105,8 @@ struct Tracer::State
 
   std::shared_ptr<TracerResources> shared;
   std::shared_ptr<Device> device;
-  Buffer frameBuffer, lightBuffer, rays;
+  FrameBlock frameBlock;
+  Buffer lightBuffer, rays;
   Buffer images;                         ///< colors, depths, ids of sets, ids of glyphs, one word a pixel each
   Buffer shown;                          ///< a copy of them for the host, none on a device that shares its memory
   std::vector<std::uint32_t> shareShown; ///< likewise, of a share of the image
@@ -144,25 +145,17 @@ void Tracer::State::Launch(const Pipeline& pipeline, const Scene::State& scene, 
   frame.topLevels = scene.topLevelAddresses.Address();
   frame.topLevelCount = static_cast<std::uint32_t>(scene.topLevels.size());
   frame.onlySet = scene.records.front();
-  if (this->frameBuffer.Size() == 0)
+  if (!this->frameBlock.Exists())
   {
-    this->frameBuffer = Buffer(vulkan, sizeof(frame), Usage::eUniformBuffer, Buffer::Place::Device);
+    this->frameBlock = FrameBlock(vulkan);
   }
   using Stage = vk::PipelineStageFlagBits;
   using Access = vk::AccessFlagBits;
   vulkan.Submit(
     [&](vk::raii::CommandBuffer& command)
     {
-      if (this->frameBuffer.Mapped())
-      {
-        this->frameBuffer.Upload(&frame, sizeof(frame));
-      }
-      else
-      {
-        command.updateBuffer<device::FrameRecord>(this->frameBuffer.Handle(), 0, frame);
-        Barrier(command, Stage::eTransfer, Access::eTransferWrite, vulkan.programStages, Access::eUniformRead);
-      }
-      pipeline.Trace(command, this->frameBuffer, width, height);
+      this->frameBlock.Send(command, frame);
+      pipeline.Trace(command, this->frameBlock, width, height);
       // The host or a copy reads the results, the next launch adds to them.
       Barrier(command, vulkan.programStages, Access::eShaderWrite,
         vulkan.programStages | Stage::eTransfer | Stage::eHost,
@@ -421,7 +414,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
 // program's launches so far tell; a part is at most eight times the last one, because costs differ, and the first is
 // one tile.
 std::uint32_t
-Tracer::State::TilesAtOnce(const TracerResources::Program& program, const Job& job, bool interruptible) const
+Tracer::State::TilesAtOnce(const TracerResources::UsedProgram& program, const Job& job, bool interruptible) const
 {
   const Device::State& vulkan = this->device->GetState();
   const std::uint32_t left = job.endTile - job.frame.firstTile;
@@ -453,7 +446,7 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
   bool stopped = false;
   if (work.done < settings.samples)
   {
-    TracerResources::Program& program = this->shared->ProgramFor(work.generation, scene.groups);
+    TracerResources::UsedProgram& program = this->shared->ProgramFor(work.generation, scene.groups);
     // Compiling may take many seconds.
     if (!interruptible)
     {
@@ -475,7 +468,7 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
       const std::uint32_t tiles = this->TilesAtOnce(program, work, interruptible);
       frame.endTile = frame.firstTile + tiles;
       const std::uint32_t columns = std::min(tiles, tilesPerRow);
-      this->Launch(*program.pipeline, scene, frame, columns * lanesPerTile, DivideUp(tiles, columns));
+      this->Launch(*program.program->pipeline, scene, frame, columns * lanesPerTile, DivideUp(tiles, columns));
       const double seconds = watch.Lap();
       this->shared->statistics.traceSeconds += secondsBefore + seconds;
       secondsBefore = 0.0;
@@ -652,9 +645,9 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       FillScene(frame, probing, glyphs);
       constexpr std::uint32_t rowLength = 1024;
       state.FitRays(probing, records.size() + rowLength);
-      TracerResources::Program& program = state.shared->ProgramFor(probing, glyphs.groups);
+      TracerResources::UsedProgram& program = state.shared->ProgramFor(probing, glyphs.groups);
       state.shared->WaitFor(program);
-      state.Launch(*program.pipeline, glyphs, frame, rowLength, DivideUp(frame.probeCount, rowLength));
+      state.Launch(*program.program->pipeline, glyphs, frame, rowLength, DivideUp(frame.probeCount, rowLength));
 
       output.Read(output.Size(),
         [&](const void* read)

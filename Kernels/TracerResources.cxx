@@ -1,6 +1,5 @@
 #include "TracerResources.h"
 
-#include "Parallel.h"
 #include "SceneState.h"
 
 #include <algorithm>
@@ -11,30 +10,9 @@ namespace rtg
 namespace
 {
 
-constexpr std::size_t keptPrograms = 16;
-
-// Some drivers compile when a pipeline is made, others at its first launch: that is one of no pixel.
-void Compile(Device::State& vulkan, TracerResources::Program& program)
-{
-  program.pipeline = std::make_unique<Pipeline>(vulkan, program.generation, program.groups);
-  device::FrameRecord frame{};
-  frame.tileStride = frame.tileCount = frame.tileColumns = 1;
-  frame.launchWidth = 1;
-  Buffer buffer(vulkan, sizeof(frame), vk::BufferUsageFlagBits::eUniformBuffer, Buffer::Place::Host);
-  buffer.Upload(&frame, sizeof(frame));
-  vulkan.Submit([&](vk::raii::CommandBuffer& command) { program.pipeline->Trace(command, buffer, 1, 1); });
-  vulkan.SavePrograms();
-}
+constexpr std::size_t remembered = 16; // programs whose costs are known
 
 } // namespace
-
-TracerResources::Program::~Program()
-{
-  if (this->compiling.valid())
-  {
-    this->compiling.wait();
-  }
-}
 
 std::shared_ptr<TracerResources> MakeTracerResources(std::shared_ptr<Device> device)
 {
@@ -51,59 +29,51 @@ TracerResources::TracerResources(std::shared_ptr<Device> d)
 {
 }
 
-TracerResources::Program&
-TracerResources::ProgramFor(const Generation& generation, const std::vector<HitGroup>& ofScene)
+TracerResources::UsedProgram&
+TracerResources::ProgramFor(const Generation& generation, const std::vector<HitGroup>& groups)
 {
-  const std::vector<HitGroup> groups = generation.ownTrees ? std::vector<HitGroup>() : ofScene;
-  const auto found = std::find_if(this->programs_.begin(), this->programs_.end(),
-    [&](const auto& p) { return p->generation == generation && p->groups == groups; });
-  if (found != this->programs_.end())
+  const auto [program, began] = this->device->GetState().programs->Get(generation, groups);
+  const auto found = std::find_if(
+    this->used_.begin(), this->used_.end(), [&, &p = program](const auto& used) { return used->program == p; });
+  if (found != this->used_.end())
   {
-    std::rotate(found, found + 1, this->programs_.end());
-    return *this->programs_.back();
+    std::rotate(found, found + 1, this->used_.end());
+    return *this->used_.back();
   }
-  if (this->programs_.size() >= keptPrograms)
+  if (this->used_.size() >= remembered)
   {
-    this->programs_.erase(this->programs_.begin());
+    this->used_.erase(this->used_.begin());
   }
-  this->programs_.push_back(std::make_unique<Program>());
-  Program& program = *this->programs_.back();
-  program.generation = generation;
-  program.groups = groups;
-  std::packaged_task<void()> compiling([this, &program] { Compile(this->device->GetState(), program); });
-  program.compiling = compiling.get_future();
-  RunInBackground(std::move(compiling));
-  return program;
+  this->used_.push_back(std::make_unique<UsedProgram>());
+  UsedProgram& used = *this->used_.back();
+  used.program = program;
+  used.counts = began;
+  return used;
 }
 
-bool TracerResources::IsCompiled(Program& program, std::chrono::milliseconds patience)
+bool TracerResources::IsCompiled(UsedProgram& used, std::chrono::milliseconds patience)
 {
-  if (program.compiling.valid())
+  if (used.program->compiled.wait_for(patience) != std::future_status::ready)
   {
-    if (program.compiling.wait_for(patience) != std::future_status::ready)
-    {
-      return false;
-    }
-    this->WaitFor(program);
+    return false;
   }
+  this->WaitFor(used);
   return true;
 }
 
-void TracerResources::WaitFor(Program& program)
+void TracerResources::WaitFor(UsedProgram& used)
 {
-  if (!program.compiling.valid())
-  {
-    return;
-  }
   try
   {
-    program.compiling.get();
-    ++this->statistics.pipelineBuilds;
+    used.program->compiled.get();
+    this->statistics.pipelineBuilds += used.counts;
+    used.counts = false;
   }
   catch (...)
   {
-    this->programs_.erase(std::find_if(
-      this->programs_.begin(), this->programs_.end(), [&program](const auto& p) { return p.get() == &program; }));
+    this->device->GetState().programs->Forget(used.program);
+    this->used_.erase(
+      std::find_if(this->used_.begin(), this->used_.end(), [&used](const auto& u) { return u.get() == &used; }));
     throw;
   }
 }

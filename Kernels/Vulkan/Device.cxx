@@ -1,4 +1,5 @@
 #include "DeviceState.h"
+#include "ProgramLibrary.h"
 
 #include <algorithm>
 #include <cctype>
@@ -297,6 +298,11 @@ void Device::Start()
   state.device = MakeDevice(state.physical, state.queueFamily, state.int64, state.tracesRays);
   state.queue = state.device.getQueue(state.queueFamily, 0);
   state.LoadPrograms();
+  // The programs of a ray-tracing pipeline see the block, too.
+  const vk::DescriptorSetLayoutBinding block(0, vk::DescriptorType::eUniformBuffer, 1, vk::ShaderStageFlagBits::eAll);
+  state.frameLayout = vk::raii::DescriptorSetLayout(state.device, vk::DescriptorSetLayoutCreateInfo({}, block));
+  state.programLayout = vk::raii::PipelineLayout(state.device, vk::PipelineLayoutCreateInfo({}, *state.frameLayout));
+  state.programs = std::make_unique<ProgramLibrary>(state);
   state.memoryTypes = state.physical.getMemoryProperties();
   if (state.tracesRays)
   {

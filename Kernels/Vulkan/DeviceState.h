@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <string>
@@ -19,6 +20,7 @@ namespace rtg
 {
 
 class Batch;
+class ProgramLibrary;
 
 /// Makes what was written in the first stages visible to accesses in the second ones.
 inline void Barrier(vk::raii::CommandBuffer& command, vk::PipelineStageFlags from, vk::AccessFlags written,
@@ -54,8 +56,10 @@ struct Device::State
   std::atomic<bool> lost{ false };
   std::atomic<std::uint64_t> bytes{ 0 }; ///< device memory held by all buffers
 
-  vk::raii::PipelineCache programCache{ nullptr }; ///< for all pipelines
-  std::atomic<std::uint64_t> submissions{ 0 };     ///< so far
+  vk::raii::PipelineCache programCache{ nullptr };      ///< for all pipelines
+  vk::raii::DescriptorSetLayout frameLayout{ nullptr }; ///< of all programs: the uniform block of a launch
+  vk::raii::PipelineLayout programLayout{ nullptr };
+  std::atomic<std::uint64_t> submissions{ 0 }; ///< so far
   static thread_local Batch* batch; ///< that copies and builds of this thread go into; null: each is done at once
 
   /// Records commands, submits them and waits until they are done. In any thread.
@@ -92,6 +96,9 @@ private:
 
   [[noreturn]] void Rethrow(const char* doing, const vk::SystemError& error);
   [[noreturn]] void ThrowOutOfMemory(const char* doing, const std::string& what);
+
+public:
+  std::unique_ptr<ProgramLibrary> programs; ///< goes first: its threads use all of the above
 };
 
 } // namespace rtg

@@ -49,49 +49,61 @@ std::size_t AlignUp(std::size_t value, std::size_t alignment)
 
 } // namespace
 
-Pipeline::Pipeline(Device::State& device, const Generation& generation, const std::vector<HitGroup>& groups)
+FrameBlock::FrameBlock(Device::State& device)
   : device_(&device)
-  , generation_(generation)
-  , groups_(groups)
+  , buffer_(device, sizeof(device::FrameRecord), vk::BufferUsageFlagBits::eUniformBuffer, Buffer::Place::Device)
 {
-  using Stage = vk::ShaderStageFlagBits;
-  const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eUniformBuffer, 1,
-    generation.ownTrees ? Stage::eCompute
-                        : Stage::eRaygenKHR | Stage::eIntersectionKHR | Stage::eClosestHitKHR | Stage::eMissKHR);
-  this->setLayout_ = vk::raii::DescriptorSetLayout(device.device, vk::DescriptorSetLayoutCreateInfo({}, binding));
   const vk::DescriptorPoolSize poolSize(vk::DescriptorType::eUniformBuffer, 1);
   this->pool_ = vk::raii::DescriptorPool(
     device.device, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, poolSize));
-  this->set_ = std::move(device.device.allocateDescriptorSets({ *this->pool_, *this->setLayout_ }).front());
-  this->layout_ = vk::raii::PipelineLayout(device.device, vk::PipelineLayoutCreateInfo({}, *this->setLayout_));
+  this->set_ = std::move(device.device.allocateDescriptorSets({ *this->pool_, *device.frameLayout }).front());
+  const vk::DescriptorBufferInfo block(this->buffer_.Handle(), 0, this->buffer_.Size());
+  device.device.updateDescriptorSets(
+    vk::WriteDescriptorSet(*this->set_, 0, 0, vk::DescriptorType::eUniformBuffer, {}, block), {});
+}
+
+void FrameBlock::Send(vk::raii::CommandBuffer& command, const device::FrameRecord& frame)
+{
+  if (this->buffer_.Mapped())
+  {
+    this->buffer_.Upload(&frame, sizeof(frame));
+    return;
+  }
+  command.updateBuffer<device::FrameRecord>(this->buffer_.Handle(), 0, frame);
+  Barrier(command, vk::PipelineStageFlagBits::eTransfer, vk::AccessFlagBits::eTransferWrite,
+    this->device_->programStages, vk::AccessFlagBits::eUniformRead);
+}
+
+Pipeline::Pipeline(Device::State& device, const Generation& generation, const std::vector<HitGroup>& groups)
+  : device_(&device)
+  , ownTrees_(generation.ownTrees)
+{
   if (generation.ownTrees)
   {
-    this->MakeComputePipeline();
+    this->MakeComputePipeline(generation);
   }
   else
   {
-    this->MakeRayTracingPipeline();
+    this->MakeRayTracingPipeline(generation, groups);
   }
 }
 
-void Pipeline::MakeComputePipeline()
+void Pipeline::MakeComputePipeline(const Generation& generation)
 {
-  const Constants& constants = this->generation_.constants;
+  const Constants& constants = generation.constants;
   const vk::raii::ShaderModule module =
-    MakeModule(*this->device_, programs::ownTreesGeneration[this->generation_.program], constants);
+    MakeModule(*this->device_, programs::ownTreesGeneration[generation.program], constants);
   const vk::SpecializationInfo specialisation = Specialise(constants);
   const vk::PipelineShaderStageCreateInfo stage(
     {}, vk::ShaderStageFlagBits::eCompute, *module, "main", &specialisation);
-  this->pipeline_ = vk::raii::Pipeline(
-    this->device_->device, this->device_->programCache, vk::ComputePipelineCreateInfo({}, stage, *this->layout_));
+  this->pipeline_ = vk::raii::Pipeline(this->device_->device, this->device_->programCache,
+    vk::ComputePipelineCreateInfo({}, stage, *this->device_->programLayout));
 }
 
-void Pipeline::MakeRayTracingPipeline()
+void Pipeline::MakeRayTracingPipeline(const Generation& generation, const std::vector<HitGroup>& groups)
 {
   using Stage = vk::ShaderStageFlagBits;
   Device::State& device = *this->device_;
-  const Generation& generation = this->generation_;
-  const std::vector<HitGroup>& groups = this->groups_;
   // Ray generation and miss, then two stages a hit group. Every group has stage entries of its own:
   // lavapipe mixes up groups that share one.
   std::vector<vk::raii::ShaderModule> modules;
@@ -137,7 +149,7 @@ void Pipeline::MakeRayTracingPipeline()
   }
 
   const vk::RayTracingPipelineCreateInfoKHR info(
-    {}, stages, shaderGroups, 1, nullptr, nullptr, nullptr, *this->layout_);
+    {}, stages, shaderGroups, 1, nullptr, nullptr, nullptr, *device.programLayout);
   this->pipeline_ = vk::raii::Pipeline(device.device, nullptr, device.programCache, info);
 
   // Shader binding table: three regions of equally spaced handles.
@@ -170,16 +182,12 @@ void Pipeline::MakeRayTracingPipeline()
 }
 
 void Pipeline::Trace(
-  vk::raii::CommandBuffer& command, const Buffer& frame, std::uint32_t width, std::uint32_t height) const
+  vk::raii::CommandBuffer& command, const FrameBlock& frame, std::uint32_t width, std::uint32_t height) const
 {
-  const vk::DescriptorBufferInfo block(frame.Handle(), 0, frame.Size());
-  this->device_->device.updateDescriptorSets(
-    vk::WriteDescriptorSet(*this->set_, 0, 0, vk::DescriptorType::eUniformBuffer, {}, block), {});
-  const auto point =
-    this->generation_.ownTrees ? vk::PipelineBindPoint::eCompute : vk::PipelineBindPoint::eRayTracingKHR;
+  const auto point = this->ownTrees_ ? vk::PipelineBindPoint::eCompute : vk::PipelineBindPoint::eRayTracingKHR;
   command.bindPipeline(point, *this->pipeline_);
-  command.bindDescriptorSets(point, *this->layout_, 0, *this->set_, {});
-  if (this->generation_.ownTrees)
+  command.bindDescriptorSets(point, *this->device_->programLayout, 0, frame.Descriptor(), {});
+  if (this->ownTrees_)
   {
     command.dispatch(width / device::LAUNCH_GROUP, height, 1);
     return;

@@ -54,6 +54,25 @@ struct Generation
   bool operator==(const Generation&) const = default;
 };
 
+/// The uniform block of a launch, and the descriptor by which programs see it.
+class FrameBlock
+{
+public:
+  FrameBlock() = default; ///< none
+  explicit FrameBlock(Device::State& device);
+
+  bool Exists() const { return this->buffer_.Size() > 0; }
+  /// For the launches that are recorded after it. Not while one before is still running.
+  void Send(vk::raii::CommandBuffer& command, const device::FrameRecord& frame);
+  vk::DescriptorSet Descriptor() const { return *this->set_; }
+
+private:
+  Device::State* device_ = nullptr;
+  Buffer buffer_;
+  vk::raii::DescriptorPool pool_{ nullptr };
+  vk::raii::DescriptorSet set_{ nullptr };
+};
+
 /// A program that starts rays: a compute shader, which walks the sets' trees itself, or a ray generation shader with
 /// the hit groups of a scene and its shader binding table.
 class Pipeline
@@ -62,24 +81,16 @@ public:
   /// Hit group i is the one at shader binding table offset i. Throws vk::SystemError.
   Pipeline(Device::State& device, const Generation& generation, const std::vector<HitGroup>& groups);
 
-  const Generation& GetGeneration() const { return this->generation_; }
-  const std::vector<HitGroup>& Groups() const { return this->groups_; }
-
-  /// Binds and launches; `frame` is the uniform block that all programs see. Not while a launch before is still
-  /// running.
-  void Trace(vk::raii::CommandBuffer& command, const Buffer& frame, std::uint32_t width, std::uint32_t height) const;
+  /// Binds and launches; `frame` is the uniform block that all programs see. In any thread.
+  void
+  Trace(vk::raii::CommandBuffer& command, const FrameBlock& frame, std::uint32_t width, std::uint32_t height) const;
 
 private:
-  void MakeComputePipeline();
-  void MakeRayTracingPipeline();
+  void MakeComputePipeline(const Generation& generation);
+  void MakeRayTracingPipeline(const Generation& generation, const std::vector<HitGroup>& groups);
 
   Device::State* device_;
-  Generation generation_;
-  std::vector<HitGroup> groups_;
-  vk::raii::DescriptorSetLayout setLayout_{ nullptr };
-  vk::raii::DescriptorPool pool_{ nullptr };
-  vk::raii::DescriptorSet set_{ nullptr };
-  vk::raii::PipelineLayout layout_{ nullptr };
+  bool ownTrees_;
   vk::raii::Pipeline pipeline_{ nullptr };
   Buffer table_;
   vk::StridedDeviceAddressRegionKHR generationTable_, missTable_, hitTable_, callableTable_;

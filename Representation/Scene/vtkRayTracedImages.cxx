@@ -9,6 +9,15 @@ namespace
 constexpr std::size_t mostEntries = 4 * vtkRayTracedImages::Passes;
 // Calls of Get() after which an image that nobody asks for is given up.
 constexpr std::uint64_t patience = 12;
+
+// The device lives as long as the process, and with it its compiled programs: whoever closes the last view with glyphs
+// and opens another waits for none of them. At exit it is not destroyed, because its driver may be unloaded by then.
+std::shared_ptr<rtg::Device> DeviceOfProcess()
+{
+  static auto* const kept = new std::shared_ptr<rtg::Device>;
+  *kept = rtg::Device::Shared();
+  return *kept;
+}
 }
 
 // What traces an entry's image.
@@ -37,7 +46,7 @@ public:
         entry->Tracer.reset();
       }
       this->Images.Device.reset();
-      this->Images.Device = rtg::Device::Shared();
+      this->Images.Device = DeviceOfProcess();
     }
     if (!this->Images.Resources)
     {

@@ -271,6 +271,7 @@ TEST_P(StructureTest, EveryStepRedoesOnlyWhatItsInputChanged)
   this->scene.SetColours(id, std::vector<std::uint32_t>(500, 0xff808080u));
   this->Trace();
   const rtg::Statistics first = this->scene.GetStatistics();
+  const std::uint64_t pipelineBuilds = this->tracer->GetStatistics().pipelineBuilds;
   EXPECT_EQ(first.structureBuilds, 1u);
   EXPECT_EQ(first.instanceUploads, 1u);
   EXPECT_EQ(first.colourUploads, 1u);
@@ -283,7 +284,7 @@ TEST_P(StructureTest, EveryStepRedoesOnlyWhatItsInputChanged)
   EXPECT_EQ(this->scene.GetStatistics().topLevelBuilds, first.topLevelBuilds);
   EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 1u);
   EXPECT_EQ(this->scene.GetStatistics().colourUploads, 1u);
-  EXPECT_EQ(this->tracer->GetStatistics().pipelineBuilds, 1u);
+  EXPECT_EQ(this->tracer->GetStatistics().pipelineBuilds, pipelineBuilds);
 
   // Colours changed: colours only.
   this->scene.SetColours(id, std::vector<std::uint32_t>(500, 0xff8080ffu));
@@ -301,6 +302,16 @@ TEST_P(StructureTest, EveryStepRedoesOnlyWhatItsInputChanged)
   EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 2u);
   EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 2u);
   EXPECT_EQ(this->scene.GetStatistics().sorts, first.sorts);
+}
+
+// As a further view does, or one that is made anew.
+TEST_P(StructureTest, FurtherTracersCompileNothing)
+{
+  this->AddSpheres(RandomPoints(50), 0.1f);
+  this->Trace();
+  this->UseOwnTracer();
+  EXPECT_GT(Coverage(this->Trace()), 0.0);
+  EXPECT_EQ(this->tracer->GetStatistics().pipelineBuilds, 0u);
 }
 
 TEST_P(StructureTest, WhatIsHiddenHoldsNoMemory)

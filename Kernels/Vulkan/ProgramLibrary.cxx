@@ -1,0 +1,91 @@
+#include "ProgramLibrary.h"
+
+#include "../Parallel.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace rtg
+{
+
+namespace
+{
+
+constexpr std::size_t keptPrograms = 64;
+
+// Some drivers compile when a pipeline is made, others at its first launch: that is one of no pixel.
+void Compile(Device::State& vulkan, Program& program)
+{
+  program.pipeline = std::make_unique<Pipeline>(vulkan, program.generation, program.groups);
+  device::FrameRecord frame{};
+  frame.tileStride = frame.tileCount = frame.tileColumns = 1;
+  frame.launchWidth = 1;
+  FrameBlock block(vulkan);
+  vulkan.Submit(
+    [&](vk::raii::CommandBuffer& command)
+    {
+      block.Send(command, frame);
+      program.pipeline->Trace(command, block, 1, 1);
+    });
+  vulkan.SavePrograms();
+}
+
+bool IsCompiling(const Program& program)
+{
+  return program.compiled.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+}
+
+} // namespace
+
+ProgramLibrary::ProgramLibrary(Device::State& device)
+  : device_(&device)
+{
+}
+
+ProgramLibrary::~ProgramLibrary()
+{
+  for (const std::shared_ptr<Program>& program : this->programs_)
+  {
+    program->compiled.wait();
+  }
+}
+
+std::pair<std::shared_ptr<Program>, bool>
+ProgramLibrary::Get(const Generation& generation, const std::vector<HitGroup>& ofScene)
+{
+  const std::vector<HitGroup> groups = generation.ownTrees ? std::vector<HitGroup>() : ofScene;
+  const std::lock_guard<std::mutex> lock(this->mutex_);
+  const auto found = std::find_if(this->programs_.begin(), this->programs_.end(),
+    [&](const auto& p) { return p->generation == generation && p->groups == groups; });
+  if (found != this->programs_.end())
+  {
+    std::rotate(found, found + 1, this->programs_.end());
+    return { this->programs_.back(), false };
+  }
+  if (this->programs_.size() >= keptPrograms)
+  {
+    // One that is being compiled must stay: its thread uses it.
+    const auto oldest = std::find_if_not(
+      this->programs_.begin(), this->programs_.end(), [](const auto& program) { return IsCompiling(*program); });
+    if (oldest != this->programs_.end())
+    {
+      this->programs_.erase(oldest);
+    }
+  }
+  const auto program = std::make_shared<Program>();
+  program->generation = generation;
+  program->groups = groups;
+  std::packaged_task<void()> compiling([device = this->device_, p = program.get()] { Compile(*device, *p); });
+  program->compiled = compiling.get_future();
+  this->programs_.push_back(program);
+  RunInBackground(std::move(compiling));
+  return { program, true };
+}
+
+void ProgramLibrary::Forget(const std::shared_ptr<Program>& program)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex_);
+  std::erase(this->programs_, program);
+}
+
+} // namespace rtg

@@ -1,0 +1,46 @@
+// The compiled programs of a device, each made once for all tracers.
+#pragma once
+
+#include "Pipeline.h"
+
+#include <future>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace rtg
+{
+
+/// A pipeline, and the thread that compiles it.
+struct Program
+{
+  Generation generation;
+  std::vector<HitGroup> groups;
+  std::unique_ptr<Pipeline> pipeline; ///< null until `compiled` is ready
+  std::shared_future<void> compiled;  ///< throws what compiling failed of
+};
+
+/// Programs stay compiled while the device lives, so that a further view, or one that is made anew, has them at once.
+class ProgramLibrary
+{
+public:
+  explicit ProgramLibrary(Device::State& device);
+  ~ProgramLibrary(); ///< waits for what is being compiled
+  ProgramLibrary(const ProgramLibrary&) = delete;
+  ProgramLibrary& operator=(const ProgramLibrary&) = delete;
+
+  /// The program of these keys (of those that walk own trees, the first alone). True: compiling has begun with this
+  /// call. In any thread.
+  std::pair<std::shared_ptr<Program>, bool> Get(const Generation& generation, const std::vector<HitGroup>& groups);
+
+  /// A program that could not be compiled: whoever asks for it next tries again.
+  void Forget(const std::shared_ptr<Program>& program);
+
+private:
+  Device::State* device_;
+  std::mutex mutex_;
+  std::vector<std::shared_ptr<Program>> programs_; ///< last used last
+};
+
+} // namespace rtg
