@@ -240,6 +240,11 @@ void vtkRayTracedRepresentation::Answer(
     vtkNew<vtkMatrix4x4> matrix;
     this->Actor->GetMatrix(matrix);
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
+    if (this->Mapper && this->Points)
+    {
+      // The clipping range takes those of actors, too: old ones that were larger would hold until the next update.
+      this->SetPartBounds(bounds);
+    }
     vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, this->IsReplicated());
     vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
       this->IsReplicated() ? vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION

@@ -218,7 +218,8 @@ protected:
   ///@{
   /**
    * The render side. MakeMapper() is called once; Configure() at each render, with the delivered points (may be null).
-   * `collective`: all ranks render together. Hide() is called when the representation is hidden.
+   * `collective`: all ranks render together. Hide() is called when the representation is hidden. SetPartBounds(), once
+   * there is a mapper: of its actors and layers.
    */
   virtual vtkSmartPointer<vtkRayTracedMapper> MakeMapper() = 0;
   virtual void Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective) = 0;

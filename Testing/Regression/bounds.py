@@ -56,6 +56,23 @@ def check(checks, name, array, **properties):
     pv.Delete(view)
 
 
+def check_shrinking(checks):
+    """Glyphs that have become smaller: the clipping range is theirs at once, so that an edit without effect traces nothing."""
+    view = session.view(160, 120)
+    shown = session.glyphs(session.source(session.poly_data(POINTS)), view, "Box", GlyphOrient=0, GlyphScaleFactor=2.0)
+    session.look(view, (0.0, 0.0, 5.0))
+    pv.Render(view)
+    ranges, traced = [], []
+    for factor, heads in ((0.2, "Fixed"), (0.2, "Scaled")):
+        shown.GlyphScaleFactor, shown.ArrowHeads = factor, heads
+        pv.Render(view)
+        ranges.append(view.SMProxy.GetRenderer().GetActiveCamera().GetClippingRange())
+        traced.append(session.statistics(shown)["dispatches"])
+    checks.equal("clipping range after an edit without effect", ranges[1], ranges[0])
+    checks.equal("images traced after an edit without effect", traced[1], traced[0])
+    pv.Delete(view)
+
+
 def main():
     """Eigenvalues, and the axes of antisymmetric parts, which have a reach of their own."""
     session.load()
@@ -64,6 +81,7 @@ def main():
     # An axis as long as the balls are wide, along x, where the symmetric part is the ball.
     turning = [[1.0, 0.0, 0.0], [0.0, 1.0, -0.5], [0.0, 0.5, 1.0]]
     check(checks, "axes", tensors(turning), GlyphTensorAxis=1)
+    check_shrinking(checks)
     checks.report()
 
 

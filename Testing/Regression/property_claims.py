@@ -134,15 +134,6 @@ def data_of(scene, kind, time=0.0):
     return made
 
 
-def value_of(shown, name):
-    """A property's value, as a script would set it."""
-    value = shown.GetPropertyValue(name)
-    if name == "ColorArrayName":
-        return [value.GetAssociation(), value.GetArrayName()] if value.GetArrayName() else [None, ""]
-    value = list(value) if isinstance(value, pv.servermanager.VectorProperty) else value
-    return value[0] if isinstance(value, list) and len(value) == 1 else value
-
-
 class Bench:
     """One view, in which one display is seen at a time, with stated properties and otherwise those of a fresh one."""
 
@@ -151,8 +142,7 @@ class Bench:
         self.view = session.view(SIDE, SIDE)
         self.view.DepthPeeling = 1
         self.displays = {}
-        self.first, self.now = {}, {}  # of the display that is seen
-        self.seen = None
+        self.seen, self.settings = None, None  # the display that is seen
 
     def display(self, scene, kind):
         """The display of a scene's points, lines or polygons."""
@@ -167,27 +157,17 @@ class Bench:
         """Shows that display with these properties, and no other one."""
         shown = self.display(scene, kind)
         if shown is not self.seen:
-            self.set({})
-            self.seen, self.first, self.now = shown, {}, {}
+            if self.seen:
+                self.settings.set({})
+            self.seen, self.settings = shown, session.Settings(shown)
         start = {"Representation": kind, "Visibility": 1, **START}
         if kind == GLYPHS:
             start.update(START_OF_GLYPHS, GlyphScaleFactor=SCENES[scene][1])
         elif kind == TUBES:
             start.update(TubeRadius=0.5 * SCENES[scene][1])
-        self.set({name: value for name, value in {**start, **properties}.items() if value is not LEFT})
+        self.settings.set({name: value(self) if callable(value) else value for name, value in {**start, **properties}.items() if value is not LEFT})
         session.look(self.view, (0.0, 0.0, 10.0), parallel_scale=SCENES[scene][2])
         return shown
-
-    def set(self, properties):
-        """Sets properties of the display that is seen, and those that were set before back to what they were at first."""
-        for name in [name for name in self.now if name not in properties]:
-            setattr(self.seen, name, self.first[name])
-            del self.now[name]
-        for name, value in properties.items():
-            if name not in self.first:
-                self.first[name] = value_of(self.seen, name)
-            setattr(self.seen, name, value(self) if callable(value) else value)
-            self.now[name] = value
 
 
 #: a start that is not set, for the value that a display begins with

@@ -17,7 +17,8 @@ import comparison
 import every_property
 import property_reference
 import session
-from property_claims import GLYPHS, LEFT, SURFACE, TUBES, data_of, value_of
+from property_claims import GLYPHS, LEFT, SURFACE, TUBES, data_of
+from session import value_of
 
 STATE, TRACE, VALUES = "state.pvsm", "trace.py", "state-values.json"
 #: what scripts and the window ask for at the moment, which nothing keeps; and what other values of other properties end,

@@ -255,31 +255,30 @@ class Bench:
         self.checks = checks
         self.source = session.source(data())
         self.table = pv.GroupDatasets(Input=[pv.Cone(Resolution=5), pv.Box()])
-        # One for all, for programs to be compiled once. Its settings begin with those of the first display.
         self.view = session.view(32, 24)
-        self.view_settings = {}
+        self.shown = session.glyphs(self.source, self.view)
+        self.shown.ColorArrayName = [None, ""]
+        self.settings = session.Settings(self.shown)
+        session.look(self.view, (0.0, 0.0, 5.0))
 
     def show(self, properties):
-        """A display of the glyphs, the view's only one."""
-        start = {**self.view_settings, "GlyphOrient": 0, "GlyphScaleFactor": 0.1, "GlyphShape": "Sphere", "SamplesPerPixel": 2,
-                 "Denoising": "Never", "ShadingMode": "Local", **properties}
-        shown = session.glyphs(self.source, self.view, start.pop("GlyphShape"), **start)
-        if not self.view_settings:
-            self.view_settings = {name: shown.GetPropertyValue(name) for name, entry in FIELDS["vtkRayTracedImageSettings"].items()
-                                  if not isinstance(entry, str)}
+        """The display of the glyphs with these properties, and otherwise those of a fresh one; rendered."""
         if properties.get("GlyphMeshIndexArray"):
-            shown.GlyphMesh = self.table
-        shown.ColorArrayName = [None, ""]
-        session.look(self.view, (0.0, 0.0, 5.0))
+            properties = {**properties, "GlyphMesh": self.table}
+        self.settings.set({"GlyphOrient": 0, "GlyphScaleFactor": 0.1, "GlyphShape": "Sphere", "SamplesPerPixel": 2, "Denoising": "Never",
+                           "ShadingMode": "Local", **properties})
         pv.Render(self.view)
         pv.Render(self.view)
-        return shown
+        return self.shown
 
     def expect(self, what, properties, change, kind):
-        """Makes the change, and compares what has moved with what the kind says."""
+        """Makes the change, of properties or by a function, and compares what has moved with what the kind says."""
         shown = self.show(properties)
         before = session.statistics(shown)
-        change(shown)
+        if callable(change):
+            change()
+        else:
+            self.settings.add(change)
         pv.Render(self.view)
         after = session.statistics(shown)
         moved = {name for name in after if not UNCOUNTED.search(name) and after[name] != before[name]}
@@ -288,7 +287,6 @@ class Bench:
         print("%s (%s): %s" % (what, kind, ", ".join(sorted(moved)) or "nothing"))
         self.checks.true("%s: also %s" % (what, ", ".join(sorted(surplus))), not surplus)
         self.checks.true("%s: not %s" % (what, ", ".join(sorted(missing))), not missing)
-        pv.Delete(shown)
 
 
 def main():
@@ -313,13 +311,13 @@ def main():
                 continue
             for properties, name, value, kind in entries if isinstance(entries, list) else [entries]:
                 what = "%s::%s, %s = %s of %s" % (struct, field, name, value, properties.get("GlyphShape", properties.get("ShadingMode", "Sphere")))
-                bench.expect(what, properties, lambda shown, n=name, v=value: setattr(shown, n, v), kind)
+                bench.expect(what, properties, {name: value}, kind)
     for name, entry in ARRAYS.items():
         if isinstance(entry, str):
             continue
         properties, changed = entry
 
-        def give(_, changed=changed):
+        def give(changed=changed):
             # Only the one array is new: the others are those of the data at hand.
             old = bench.source.GetClientSideObject().GetOutputDataObject(0)
             new = old.NewInstance()
@@ -335,7 +333,7 @@ def main():
         # An array that nobody asks for is no reason to build anything.
         session.replace_data(bench.source, data())
 
-    def give_unused(_):
+    def give_unused():
         old = bench.source.GetClientSideObject().GetOutputDataObject(0)
         new = old.NewInstance()
         new.ShallowCopy(old)
@@ -344,7 +342,7 @@ def main():
 
     KINDS["gather"] = {"gathers"}
     bench.expect("array that is not shown", {}, give_unused, "gather")
-    bench.expect("the same data again", {}, lambda _: session.replace_data(bench.source, data()),
+    bench.expect("the same data again", {}, lambda: session.replace_data(bench.source, data()),
                  "again")
     checks.report()
 
