@@ -212,16 +212,22 @@ vtkGlyphExportSet vtkGlyphExportSet::Make(const std::string& number, const rtg::
   set.Color = Linear(material.colour, material.opacity);
   const bool bySign = !instances.forms.empty();
   const bool bySurface = bySign || instances.surfaceColours == rtg::GlyphInstances::SurfaceColours::Direction;
-  if (bySign)
-  {
-    set.Color = Linear(material.positiveColour, material.opacity);
-  }
-  if (!instances.opacities.empty() || !colors.each.empty())
+  bool bothSigns = false;
+  if (bySign || !instances.opacities.empty() || !colors.each.empty())
   {
     set.Colors.resize(instances.Count(), set.Color);
     for (std::size_t glyph = 0; glyph < instances.Count(); ++glyph)
     {
       glm::vec4& color = set.Colors[glyph];
+      if (bySign)
+      {
+        const glm::vec3& form = instances.forms[glyph];
+        const auto [least, most] = std::minmax({ form.x, form.y, form.z });
+        const bool negative = least < 0.0f && most <= 0.0f;
+        bothSigns = bothSigns || (least < 0.0f && most > 0.0f);
+        color = Linear(negative ? material.negativeColour : material.positiveColour, material.opacity);
+      }
+      const glm::vec4 ofSurface = color;
       if (!colors.each.empty())
       {
         const std::uint32_t packed = colors.each[glyph];
@@ -229,7 +235,7 @@ vtkGlyphExportSet vtkGlyphExportSet::Make(const std::string& number, const rtg::
           glm::vec4(packed & 255u, (packed >> 8) & 255u, (packed >> 16) & 255u, packed >> 24) / 255.0f;
         // White stands for the colors of the surface (rtg::GlyphColours).
         color =
-          bySurface && glm::vec3(shown) == glm::vec3(1.0f) ? set.Color : Linear(glm::vec3(shown), material.opacity);
+          bySurface && glm::vec3(shown) == glm::vec3(1.0f) ? ofSurface : Linear(glm::vec3(shown), material.opacity);
         color.a *= shown.a;
       }
       color.a *= instances.opacities.empty() ? 1.0f : instances.opacities[glyph];
@@ -279,14 +285,15 @@ vtkGlyphExportSet vtkGlyphExportSet::Make(const std::string& number, const rtg::
   }
   const auto empty = [](const vtkGlyphExportPart& part) { return part.Glyphs.empty(); };
   set.Parts.erase(std::remove_if(set.Parts.begin(), set.Parts.end(), empty), set.Parts.end());
-  if (!set.Parts.empty() && bySurface)
+  if (!set.Parts.empty() && (bySign ? bothSigns : bySurface))
   {
-    messages.push_back(bySign ? "GlyphTensorColoring Sign gives a glyph two colors, which exported instances cannot "
-                                "have: they have the first "
-                                "one. Choose another GlyphTensorColoring to export colors."
-                              : "GlyphTensorColoring Surface Direction colors each point of a glyph by itself, which "
-                                "exported instances cannot "
-                                "have: they have DiffuseColor. Choose another GlyphTensorColoring to export colors.");
+    messages.push_back(bySign
+        ? "GlyphTensorColoring Sign gives some of the glyphs two colors, which exported instances "
+          "cannot have: these have the first "
+          "one. Choose another GlyphTensorColoring to export colors."
+        : "GlyphTensorColoring Surface Direction colors each point of a glyph by itself, which "
+          "exported instances cannot "
+          "have: they have DiffuseColor. Choose another GlyphTensorColoring to export colors.");
   }
   return set;
 }

@@ -1,9 +1,11 @@
-"""What a frame costs while the camera turns."""
+"""What a frame costs while the camera turns, memory, and rows of tables that have processes of their own."""
+import csv
+import json
 import resource
 import statistics
+import subprocess
+import sys
 import time
-
-import paraview.simple as pv
 
 
 def cpu_seconds():
@@ -14,6 +16,8 @@ def cpu_seconds():
 
 def turning(view, frames):
     """Medians of wall and processor seconds a frame, the camera turning by a degree before each."""
+    import paraview.simple as pv
+
     camera, wall, cpu = pv.GetActiveCamera(), [], []
     for _ in range(frames):
         camera.Azimuth(1.0)
@@ -22,3 +26,31 @@ def turning(view, frames):
         wall.append(time.monotonic() - start)
         cpu.append(cpu_seconds() - start_cpu)
     return statistics.median(wall), statistics.median(cpu)
+
+
+def memory(name):
+    """Bytes of this process by its status: VmHWM, VmRSS."""
+    with open("/proc/self/status", encoding="ascii") as status:
+        return next(1024 * int(line.split()[1]) for line in status if line.startswith(name + ":"))
+
+
+def figures_of(what, arguments, limit):
+    """The last line, JSON, that a script prints in a pvpython of its own; nothing where it dies or does not end within `limit` seconds."""
+    print("measuring %s ..." % what, flush=True)
+    try:
+        run = subprocess.run(["pvpython"] + arguments, stdout=subprocess.PIPE, check=True, timeout=limit)
+    except (subprocess.CalledProcessError, subprocess.TimeoutExpired) as error:
+        print("no figures: %s" % error, file=sys.stderr)
+        return {}
+    figures = json.loads(run.stdout.decode().splitlines()[-1])
+    print(figures, flush=True)
+    return figures
+
+
+def write_table(path, rows):
+    """Rows as CSV, with a column for each figure that some row has."""
+    columns = list(dict.fromkeys(column for row in rows for column in row))
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)

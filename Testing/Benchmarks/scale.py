@@ -11,24 +11,17 @@ speed. Memory: the largest that the process ever held (VmHWM), and that before t
 A representation that does not end within --limit seconds, or that dies, has no numbers.
 """
 import argparse
-import csv
 import json
 import os
-import subprocess
-import sys
 import time
 
 import numpy
 
+from frames import figures_of, memory, turning, write_table
+
 KINDS = ("spheres", "arrows", "signed tensors", "Point Gaussian", "3D Glyphs")
 #: those that are measured of each number of points
 PLAN = {"spheres": 10**9, "arrows": 10**7, "signed tensors": 10**6, "Point Gaussian": 10**9, "3D Glyphs": 10**6}
-
-
-def memory(name):
-    """Bytes of this process by its status: VmHWM, VmRSS."""
-    with open("/proc/self/status", encoding="ascii") as status:
-        return next(1024 * int(line.split()[1]) for line in status if line.startswith(name + ":"))
 
 
 def points_of(count, kind):
@@ -100,7 +93,6 @@ def show(pv, producer, view, kind):
 def measure(count, kind, size, frames):
     """The figures of this process."""
     import paraview.simple as pv
-    from frames import turning
 
     pv._DisableFirstRenderCameraReset()
     pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=False, ns=vars(pv))
@@ -157,21 +149,10 @@ def main():
         for count in counts:
             if count > PLAN[kind]:
                 continue
-            print("measuring %d %s ..." % (count, kind), flush=True)
-            command = ["pvpython", os.path.abspath(__file__), options.folder, "--counts", str(count), "--size", str(options.size), "--frames",
-                       str(options.frames), "--measure", kind]
-            try:
-                run = subprocess.run(command, stdout=subprocess.PIPE, check=True, timeout=options.limit)
-                rows.append({"kind": kind, "count": count, **json.loads(run.stdout.decode().splitlines()[-1])})
-            except (subprocess.CalledProcessError, subprocess.TimeoutExpired) as error:
-                print("no figures: %s" % error, file=sys.stderr)
-                rows.append({"kind": kind, "count": count})
-            print(rows[-1], flush=True)
-    columns = list(dict.fromkeys(column for row in rows for column in row))
-    with open(os.path.join(options.folder, "scale.csv"), "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, columns, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+            rows.append({"kind": kind, "count": count, **figures_of(
+                "%d %s" % (count, kind), [os.path.abspath(__file__), options.folder, "--counts", str(count), "--size", str(options.size), "--frames",
+                                          str(options.frames), "--measure", kind], options.limit)})
+    write_table(os.path.join(options.folder, "scale.csv"), rows)
 
 
 if __name__ == "__main__":

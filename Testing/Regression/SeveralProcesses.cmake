@@ -8,6 +8,7 @@ find_program(RTGLYPHS_MPIEXEC mpiexec)
 # Open MPI refuses by default to start more ranks than cores, and to run as root, which it is in a container.
 set(mpi_environment
   "OMPI_MCA_rmaps_base_oversubscribe=1"
+  "OMPI_MCA_mpi_yield_when_idle=1" # other tests run beside them
   "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe" # Open MPI 5
   "OMPI_ALLOW_RUN_AS_ROOT=1"
   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")

@@ -23,19 +23,14 @@ def vectors():
     return made * (numpy.linspace(0.5, 1.2, 24) / numpy.linalg.norm(made, axis=1))[:, None]
 
 
-def drawn(view, shape, points, name, **properties):
+def drawn(stage, shape, points, name, **properties):
     """(picture, bounds) of glyphs along vectors."""
-    along = vectors()
-    source = session.source(session.poly_data(points, along=along))
-    shown = session.glyphs(source, view, shape, GlyphOrient=1, GlyphOrientationArray="along", GlyphScaling=1, GlyphScaleArray="along",
-                           GlyphScaleFactor=FACTOR, ArrowTipRadius=0.2, **properties)
+    shown = stage.show(session.poly_data(points, along=vectors()), shape, GlyphOrient=1, GlyphOrientationArray="along", GlyphScaling=1,
+                       GlyphScaleArray="along", GlyphScaleFactor=FACTOR, ArrowTipRadius=0.2, **properties)
     session.solid(shown, (0.9, 0.8, 0.5))
-    pv.Render(view)
-    picture = session.capture(view, "anchors-%s-%s" % (shape.lower(), name.lower()))
-    box = numpy.array(view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2).T
-    pv.Delete(shown)
-    pv.Delete(source)
-    return picture, box
+    pv.Render(stage.view)
+    picture = session.capture(stage.view, "anchors-%s-%s" % (shape.lower(), name.lower()))
+    return picture, numpy.array(stage.view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2).T
 
 
 def main():
@@ -44,6 +39,7 @@ def main():
     checks = Checks()
     view = session.view(240, 200)
     session.look(view, MIDDLE + [0.0, 0.0, 12.0], MIDDLE)
+    stage = session.Stage(view)
     points = MIDDLE + numpy.random.default_rng(6).uniform(-2.0, 2.0, (24, 3))
     lengths = FACTOR * numpy.linalg.norm(vectors(), axis=1)
     directions = vectors() / numpy.linalg.norm(vectors(), axis=1)[:, None]
@@ -51,9 +47,9 @@ def main():
         plain = None
         for anchor, shift in SHIFTS.items():
             by = shift(lower, upper)
-            found, box = drawn(view, shape, points, anchor, GlyphAnchor=anchor)
+            found, box = drawn(stage, shape, points, anchor, GlyphAnchor=anchor)
             moved = points + by * lengths[:, None] * directions
-            wanted, _ = drawn(view, shape, moved, anchor + "-moved")
+            wanted, _ = drawn(stage, shape, moved, anchor + "-moved")
             checks.picture("%s, %s" % (shape, anchor), found, wanted, pixels=0.0005, mean=0.05)
             checks.covered("%s, %s" % (shape, anchor), found, 0.01)
             ends = numpy.concatenate([moved + end * lengths[:, None] * directions for end in (lower, upper)])

@@ -271,6 +271,23 @@ def check_motion(view, checks):
     pv.Delete(points)
 
 
+def check_signs(view, checks):
+    """Tensors of one sign, and arrows along principal axes, have one color each, which exports have; nothing is said."""
+    tensors = numpy.array([numpy.diag(values) for values in ((1.0, 2.0, 3.0), (-1.0, -2.0, -3.0), (2.0, -1.0, 1.5))]).reshape(-1, 9)
+    places = numpy.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [4.0, 0.0, 0.0]])
+    path = session.output("export-signs.usda")
+    for shape, used, wanted in (("Tensor Ellipsoid", 2, (1, 1)), ("Principal Axes", 3, (10, 8))):
+        points = session.source(session.poly_data(places[:used], t=tensors[:used]))
+        shown = session.glyphs(points, view, shape, GlyphTensorArray="t", GlyphScaleFactor=0.3, GlyphTensorColoring="Sign",
+                               GlyphTensorPositiveColor=[1.0, 0.0, 0.0], GlyphTensorNegativeColor=[0.0, 0.0, 1.0])
+        checks.no_message("signs of " + shape, export(path, view))
+        # Each arrow has a head; shafts are other copies.
+        heads = max((part.colors for part in from_usda(path)[0][0]), key=len)[:, :3]
+        checks.equal("positive and negative of " + shape, tuple(int((heads == color).all(axis=1).sum()) for color in ((1, 0, 0), (0, 0, 1))), wanted)
+        pv.Delete(shown)
+        pv.Delete(points)
+
+
 def check_messages(view, checks):
     """What is left out, and what is wrong."""
     points = source()
@@ -291,7 +308,7 @@ def check_messages(view, checks):
     pv.Delete(more)
     checks.one_message("no such folder", export(session.output("no such folder/a.glb"), view), "could not be written")
     shown.GlyphShape, shown.GlyphTensorArray, shown.GlyphTensorColoring = "Tensor Ellipsoid", "tensor", "Sign"
-    checks.one_message("signs", export(path, view), "GlyphTensorColoring", "Sign")
+    checks.one_message("signs", export(path, view), "GlyphTensorColoring", "Sign", "some of the glyphs")
     shown.GlyphTensorColoring = "Surface Direction"
     checks.one_message("directions", export(path, view), "GlyphTensorColoring", "Surface Direction")
     session.solid(shown, (1.0, 0.5, 0.0))
@@ -333,11 +350,11 @@ def main():
     session.load()
     checks = Checks()
     view = session.view(300, 300)
-    wanted = sys.argv[1:] or [*CASES, "motion", "messages"]
+    wanted = sys.argv[1:] or [*CASES, "motion", "signs", "messages"]
     for name in wanted:
         if name in CASES:
             check_case(name, CASES[name], view, checks)
-    for name, check in (("motion", check_motion), ("messages", check_messages)):
+    for name, check in (("motion", check_motion), ("signs", check_signs), ("messages", check_messages)):
         if name in wanted:
             check(view, checks)
     checks.report()

@@ -35,18 +35,17 @@ def extents(view, name):
     return numpy.array(found)
 
 
-def glyphs(view, shape, **properties):
-    """(source, representation) of the three points."""
+def glyphs(stage, shape, **properties):
+    """The representation of the three points."""
     vectors = MAGNITUDES[:, None] * numpy.array([1.0, 0.5, 0.25])
     tensors = numpy.array([numpy.diag(-0.5 * vector) for vector in vectors]).reshape(-1, 9)
-    source = session.source(session.poly_data(POINTS, s=-MAGNITUDES, v=vectors, t=tensors))
-    shown = session.glyphs(source, view, shape, GlyphOrient=0, **properties)
+    shown = stage.show(session.poly_data(POINTS, s=-MAGNITUDES, v=vectors, t=tensors), shape, GlyphOrient=0, **properties)
     session.solid(shown, (0.9, 0.8, 0.3))
-    pv.Render(view)
-    return source, shown
+    pv.Render(stage.view)
+    return shown
 
 
-def functions(checks, view):
+def functions(checks, stage):
     """Scalars, components and tensors; the largest glyph is 0.6 wide."""
     for name, function in FUNCTIONS.items():
         for kind, properties, factor in (
@@ -56,41 +55,38 @@ def functions(checks, view):
             lengths = function(factor * MAGNITUDES)
             largest = 0.6 / lengths.max()
             shape = "Tensor Ellipsoid" if kind == "tensors" else "Sphere"
-            shown = glyphs(view, shape, GlyphScaleFactor=largest, GlyphScaleFunction=name, GlyphScaleReference=2.0, **properties)[1]
-            found = extents(view, kind + "-" + name)
+            glyphs(stage, shape, GlyphScaleFactor=largest, GlyphScaleFunction=name, GlyphScaleReference=2.0, **properties)
+            found = extents(stage.view, kind + "-" + name)
             ratio = 1.0 if kind == "magnitudes" else 0.5
             wanted = largest * lengths[:, None] * numpy.array([1.0, ratio])
             print(kind, name, numpy.round(found, 3).tolist(), numpy.round(wanted, 3).tolist())
             checks.true("%s, %s: sizes %s, not %s" % (kind, name, numpy.round(found, 3).tolist(), numpy.round(wanted, 3).tolist()),
                         numpy.abs(found - wanted).max() <= PIXEL)
-            pv.Delete(shown)
 
 
-def limits(checks, view):
+def limits(checks, stage):
     """Nothing smaller or larger than the limits, with the ratios of its axes."""
     for limit, wanted in (((0.2, 0.0), [0.2, 0.2, 0.6]), ((0.0, 0.4), [0.0003, 0.0024, 0.4]), ((0.2, 0.4), [0.2, 0.2, 0.4])):
-        shown = glyphs(view, "Sphere", GlyphScaling=1, GlyphScaleArray="v", GlyphScaleMode="Components", GlyphScaleFactor=0.0006,
-                       GlyphSizeRange=limit)[1]
-        found = extents(view, "limits %g %g" % limit)
+        glyphs(stage, "Sphere", GlyphScaling=1, GlyphScaleArray="v", GlyphScaleMode="Components", GlyphScaleFactor=0.0006,
+               GlyphSizeRange=limit)
+        found = extents(stage.view, "limits %g %g" % limit)
         wanted = numpy.array(wanted)[:, None] * numpy.array([1.0, 0.5])
         checks.true("limits %s: sizes %s, not %s" % (limit, numpy.round(found, 3).tolist(), numpy.round(wanted, 3).tolist()),
                     numpy.abs(found - wanted).max() <= PIXEL)
-        pv.Delete(shown)
 
 
-def bounds(checks, view):
+def bounds(checks, stage):
     """What the camera is reset to holds the glyphs, and not much more."""
     for name, properties in (("scalars", {"GlyphShape": "Sphere", "GlyphScaling": 1, "GlyphScaleArray": "s"}),
                              ("tensors", {"GlyphShape": "Tensor Superquadric", "GlyphTensorArray": "t"})):
         for how in ({"GlyphScaleFunction": "Unit"}, {"GlyphSizeRange": [0.6, 0.6]}):
             shape = properties["GlyphShape"]
-            shown = glyphs(view, shape, GlyphScaleFactor=0.6, **{**properties, **how, "GlyphShape": shape})[1]
-            box = numpy.array(view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2)
+            glyphs(stage, GlyphScaleFactor=0.6, shape=shape, **{name: value for name, value in {**properties, **how}.items() if name != "GlyphShape"})
+            box = numpy.array(stage.view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2)
             checks.within("bounds of %s with %s" % (name, how), round(float(box[0, 1]), 3), 1.299, 1.3 + 0.3 * (3.0 ** 0.5 - 1) * 3)
-            pv.Delete(shown)
 
 
-def radii(checks, view):
+def radii(checks, stage):
     """Lengths by one array, radii by another; an arrow's is its shaft's, and its head belongs to its shaft."""
     lengths, widths = numpy.array([0.3, 0.5, 0.6]), numpy.array([-0.04, 0.02, 0.03])
     thick = 2 * numpy.abs(widths) * 1.5
@@ -111,11 +107,12 @@ def radii(checks, view):
         "heads alone": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.0, "ArrowTipRadius": 0.15, "ArrowTipLength": 0.35},
                         numpy.minimum(lengths, 7 / 6 * thick), thick),
     }
-    source = session.source(session.poly_data(POINTS - [0.2, 0.0, 0.0], s=lengths, w=widths, zero=numpy.array([0.0, 0.02, numpy.nan])))
+    data = session.poly_data(POINTS - [0.2, 0.0, 0.0], s=lengths, w=widths, zero=numpy.array([0.0, 0.02, numpy.nan]))
+    view = stage.view
     for name, (properties, long, wide) in cases.items():
         properties = {"GlyphScaleFactor": 1.0, **properties}
-        shown = session.glyphs(source, view, properties.pop("GlyphShape"), GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="s",
-                               GlyphRadiusArray="w", GlyphRadiusFactor=1.5, **properties)
+        shown = stage.show(data, properties.pop("GlyphShape"), GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="s",
+                           GlyphRadiusArray="w", GlyphRadiusFactor=1.5, **properties)
         session.solid(shown, (0.9, 0.8, 0.3))
         pv.Render(view)
         found = extents(view, "radii " + name)
@@ -124,33 +121,30 @@ def radii(checks, view):
                     numpy.abs(found - wanted).max() <= PIXEL)
         box = numpy.array(view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2)
         checks.within("radii, %s: bounds along y" % name, float(box[1, 1]), 0.5 * wide.max(), 0.66)
-        pv.Delete(shown)
-    shown = session.glyphs(source, view, "Cylinder", GlyphOrient=0, GlyphScaleFactor=0.5)
+    stage.close()
+    shown = stage.show(data, "Cylinder", GlyphOrient=0, GlyphScaleFactor=0.5)
     shown.GlyphRadiusArray = "zero"
     checks.one_message("radii that are not finite", session.messages(lambda: pv.Render(view)), "radius", "zero", "not finite", "1 of 3")
     checks.equal("glyphs without a radius", session.statistics(shown)["skippedGlyphs"], 2)
     shown.GlyphRadiusArray = "nowhere"
     checks.one_message("radii that are missing", session.messages(lambda: pv.Render(view)), "GlyphRadiusArray", "nowhere")
-    pv.Delete(shown)
+    stage.close()
 
 
-def heads(checks, view):
+def heads(checks, stage):
     """Fixed heads have their size on an arrow of the high quantile of lengths, which are those of the function."""
-    shown = glyphs(view, "Arrow", GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFunction="Unit", GlyphScaleFactor=0.4,
-                   ArrowTipRadius=0.25)[1]
-    found = extents(view, "heads")
+    glyphs(stage, "Arrow", GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFunction="Unit", GlyphScaleFactor=0.4, ArrowTipRadius=0.25)
+    found = extents(stage.view, "heads")
     checks.true("arrows of unit length are %s long and thick" % numpy.round(found, 3).tolist(),
                 numpy.abs(found - [0.4, 0.2]).max() <= PIXEL)
-    pv.Delete(shown)
 
 
-def wrong(checks, view):
+def wrong(checks, stage):
     """One message each."""
-    shown = glyphs(view, "Sphere", GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFunction="Logarithm", GlyphScaleFactor=0.1)[1]
+    shown = glyphs(stage, "Sphere", GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFunction="Logarithm", GlyphScaleFactor=0.1)
     for name, value, word in (("GlyphScaleReference", -2.0, "-2"), ("GlyphSizeRange", [0.4, 0.2], "0.4, 0.2")):
-        said = session.messages(lambda: (setattr(shown, name, value), pv.Render(view)))
+        said = session.messages(lambda: (setattr(shown, name, value), pv.Render(stage.view)))
         checks.one_message("%s %s" % (name, value), said, name, word)
-    pv.Delete(shown)
 
 
 def main():
@@ -159,12 +153,9 @@ def main():
     checks = Checks()
     view = session.view(WIDTH, HEIGHT)
     session.look(view, (0.0, 0.0, 10.0), parallel_scale=SCALE)
-    functions(checks, view)
-    limits(checks, view)
-    bounds(checks, view)
-    radii(checks, view)
-    heads(checks, view)
-    wrong(checks, view)
+    stage = session.Stage(view)
+    for part in (functions, limits, bounds, radii, heads, wrong):
+        part(checks, stage)
     checks.report()
 
 

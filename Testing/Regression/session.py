@@ -239,6 +239,31 @@ class Settings:
             self.now.add(name)
 
 
+class Stage:
+    """A view with one display of glyphs, whose data and properties change from case to case. Cases state GlyphScaleFactor, which the first
+    one's data would otherwise choose for all.
+    """
+
+    def __init__(self, in_view):
+        self.view, self.source, self.settings = in_view, None, None
+
+    def show(self, data, shape, **properties):
+        """The display, of these data and with these properties; all others are those of a fresh one."""
+        if self.source is None:
+            self.source = source(data)
+            self.settings = Settings(glyphs(self.source, self.view))
+        else:
+            replace_data(self.source, data)
+        self.settings.set({"GlyphShape": shape, **properties})
+        return self.settings.shown
+
+    def close(self):
+        """Deletes display and data."""
+        pv.Delete(self.settings.shown)
+        pv.Delete(self.source)
+        self.source = self.settings = None
+
+
 def solid(shown, colour):
     """One colour for all."""
     shown.ColorArrayName = [None, ""]

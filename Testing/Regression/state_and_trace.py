@@ -186,8 +186,8 @@ def load_state():
 def run_trace():
     """The trace in this process."""
     with open(session.output(TRACE)) as file:
-        # ParaView 6.1 writes such properties of color maps, which its own Python classes do not have.
-        source = re.sub(r"\n *Using(2DTransferFunction|SeparateOpacityArray)=\d,", "", file.read())
+        # ParaView 5.13 and 6.1 write such properties of color maps, which their own Python classes do not have.
+        source = re.sub(r"\n *(\w+\.)?Using(2DTransferFunction|SeparateOpacityArray) ?= ?\d,?", "", file.read())
     exec(compile(source, TRACE, "exec"), {"__name__": "__main__"})
     return compare("trace")
 
