@@ -98,6 +98,13 @@ def scenes():
                       "%.2f" % row["cost beside the first"], embree(row, "Embree s"), embree(row, "Embree packets s")] for row in rows("scenes")])
 
 
+def directions():
+    """Glyphs of direction and tubes in large numbers."""
+    return markdown(["", "first picture: s", "made before: s", "frame: wall s", "CPU s", "memory: MB"],
+                    [[row["kind"], digits(row["first"], 3), digits(row["making"], 2) if row["making"] else "", digits(row["frame"], 3),
+                      digits(row["frame cpu"], 3), "%.0f" % (row["bytes"] / 1e6)] for row in rows("directions")])
+
+
 def build():
     """Host's stages of new glyphs, on all cores; and their sum on one."""
     every = {}
@@ -183,6 +190,7 @@ TABLES = {
     "shapes": (BENCHMARKS, ["shapes-scene"], shapes),
     "tessellations": (BENCHMARKS, ["tessellations"], tessellations),
     "scenes": (BENCHMARKS, ["scenes"], scenes),
+    "directions": (BENCHMARKS, ["directions"], directions),
     "build": (BENCHMARKS, ["build"], build),
     "large-data": (BENCHMARKS, ["large-data"], large_data),
     "light": (BENCHMARKS, ["light-spheres", "light-vessel", "light-tensors"],
