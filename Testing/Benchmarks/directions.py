@@ -85,10 +85,10 @@ def scale_of(coefficients):
     return 0.5 / float(numpy.abs(coefficients @ odf.harmonics(directions).T).max())
 
 
-def meshes(points, coefficients):
-    """One mesh a voxel, with smooth normals."""
-    directions, triangles = geodesic()
-    radius = numpy.abs(coefficients.astype(numpy.float32) @ odf.harmonics(directions).T.astype(numpy.float32)) * numpy.float32(scale_of(coefficients))
+def meshes(points, coefficients, scale, frequency=6):
+    """One mesh a voxel, with smooth normals; scale: the world's length of a radius of 1."""
+    directions, triangles = geodesic(frequency)
+    radius = numpy.abs(coefficients.astype(numpy.float32) @ odf.harmonics(directions).T.astype(numpy.float32)) * numpy.float32(scale)
     at = radius[:, :, None] * directions[None].astype(numpy.float32)
     normals = numpy.zeros_like(at)
     corners = [at[:, triangles[:, i]] for i in range(3)]
@@ -161,7 +161,7 @@ def measure(kind, size, frames, folder):
     before = memory("VmRSS")
     if kind.startswith("meshes"):
         start = time.monotonic()
-        data = meshes(points, coefficients)
+        data = meshes(points, coefficients, scale_of(coefficients))
         making = time.monotonic() - start
     elif kind.startswith("spherical"):
         data = poly_data(points, odf=coefficients)

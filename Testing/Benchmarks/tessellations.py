@@ -1,6 +1,6 @@
 """Error and time of ParaView's 3D Glyphs with tessellated superquadrics beside ray-traced ones, on one scene.
 
-Usage: pvpython tessellations.py FOLDER [--count N] [--size PIXELS] [--frames N] [--exponent E]
+Usage: pvpython tessellations.py FOLDER [--harmonics] [--count N] [--size PIXELS] [--frames N] [--exponent E]
 Environment: RTGLYPHS_PLUGIN is the plugin's library.
 
 2,000 turned superquadrics of exponent 5 on every axis, sides 0.5 to 1, in a cube. ParaView's Superquadric source with analytic normals
@@ -8,6 +8,9 @@ in 6x12, 12x24, 24x48 and 96x192 facets (phi x theta) is what its 3D Glyphs copy
 same camera and lights, one ray a pixel: the share of pixels that only one of both covers, of those that the exact one covers; and
 where both cover, the mean and the 99th percentile of the largest channel's difference in levels of 255. Times are medians of frames
 with the camera turning by a degree. Written to FOLDER: tessellations.csv and one picture for each.
+
+--harmonics: instead of superquadrics as many distribution functions of order 8, each of two fibers that cross, as spherical harmonics; beside
+them surfaces of one mesh each, the vertices of a geodesic sphere of 42, 162, 362 and 2,562 vertices moved along their directions.
 """
 import argparse
 import csv
@@ -21,10 +24,14 @@ import numpy
 import paraview.simple as pv
 
 import comparison
+import directions
+import odf
 import session
 from frames import turning
 
 FACETS = ((6, 12), (12, 24), (24, 48), (96, 192))
+#: pieces that an icosahedron's edges are cut into
+FREQUENCIES = (2, 4, 6, 16)
 
 
 def scene(count):
@@ -59,6 +66,22 @@ def theirs(points, view, factor, exponent, facets):
     return shown, source
 
 
+def crossings(count):
+    """(places, coefficients of order 8) of distribution functions of two fibers each."""
+    generator = numpy.random.default_rng(5)
+    axes = generator.normal(size=(2, count, 3))
+    axes /= numpy.linalg.norm(axes, axis=2, keepdims=True)
+    ways, weights = odf.quadrature()
+    project = odf.harmonics(ways) * weights[:, None]
+    return generator.uniform(-1.0, 1.0, (count, 3)), sum(odf.bundle_distribution(fibers, ways) @ project for fibers in axes)
+
+
+def surface(view, data):
+    """A mesh as surface, smooth and of one color."""
+    source = session.source(data)
+    return session.show(source, view, "Surface"), source
+
+
 def measure(view, name, frames):
     """The picture, and the medians of wall and processor seconds a frame; the camera comes back."""
     image = session.capture(view, name)[:, :, :3].astype(int)
@@ -71,6 +94,7 @@ def main():
     """Ours first, then the tessellations from coarse to fine."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder")
+    parser.add_argument("--harmonics", action="store_true")
     parser.add_argument("--count", type=int, default=2000)
     parser.add_argument("--size", type=int, default=800)
     parser.add_argument("--frames", type=int, default=3)
@@ -81,7 +105,6 @@ def main():
     session.load()
     view = session.view(options.size, options.size)
     session.look(view, (0.6, 0.9, 4.6))
-    points = scene(options.count)
     factor = 1.1 / options.count ** (1.0 / 3.0)
     rows = []
 
@@ -95,13 +118,28 @@ def main():
         rows.append(row)
         print(row, flush=True)
 
-    shown = ours(points, view, factor, options.exponent)
+    if options.harmonics:
+        places, coefficients = crossings(options.count)
+        points = session.source(session.poly_data(places, odf=coefficients))
+        scale = 0.5 * factor / float(numpy.abs(coefficients @ odf.harmonics(directions.geodesic()[0]).T).max())
+        shown = session.glyphs(points, view, "Spherical Harmonics", GlyphHarmonicsArray="odf", GlyphOrient=0, GlyphScaleFactor=2.0 * scale)
+    else:
+        points = scene(options.count)
+        shown = ours(points, view, factor, options.exponent)
     session.solid(shown, (0.85, 0.6, 0.3))
     exact, wall, cpu = measure(view, "ray-traced", options.frames)
     add("ray-traced", exact, wall, cpu)
     pv.Hide(points, view)
     pv.Delete(shown)
-    for facets in FACETS:
+    for frequency in FREQUENCIES if options.harmonics else ():
+        shown, source = surface(view, directions.meshes(places, coefficients, scale, frequency))
+        session.solid(shown, (0.85, 0.6, 0.3))
+        name = "meshes of %d vertices" % (10 * frequency ** 2 + 2)
+        image, wall, cpu = measure(view, name.replace(" ", "-"), options.frames)
+        add(name, image, wall, cpu, exact)
+        pv.Delete(shown)
+        pv.Delete(source)
+    for facets in FACETS if not options.harmonics else ():
         shown, source = theirs(points, view, factor, options.exponent, facets)
         session.solid(shown, (0.85, 0.6, 0.3))
         name = "%dx%d" % facets
