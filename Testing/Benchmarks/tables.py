@@ -78,15 +78,16 @@ def shapes():
                      for row in rows("shapes-scene") if row["layout"] == "dilute"])
 
 
-def tessellations():
-    """Error and time of tessellated superquadrics."""
+def tessellations(name):
+    """Error and time of tessellated glyphs."""
     def line(row):
-        facets = re.findall(r"(\d+)x(\d+)", row["what"])
-        if not facets:
+        facets, vertices = re.findall(r"(\d+)x(\d+)", row["what"]), re.search(r"of (\d+) vertices", row["what"])
+        if not facets and not vertices:
             return [row["what"], "-", "-", "-", digits(row["wall s"], 3), digits(row["CPU s"], 3)]
-        return [row["what"], str(2 * int(facets[-1][0]) * int(facets[-1][1])), digits(row["silhouette %"], 2) + " %",
+        triangles = 2 * int(facets[-1][0]) * int(facets[-1][1]) if facets else 2 * (int(vertices.group(1)) - 2)
+        return [row["what"], str(triangles), digits(row["silhouette %"], 2) + " %",
                 "%s / %.0f" % (digits(row["colour mean"], 2), row["colour 99 %"]), digits(row["wall s"], 3), digits(row["CPU s"], 3)]
-    return markdown(["", "triangles a glyph", "silhouette", "color mean / 99 %", "wall s", "CPU s"], map(line, rows("tessellations")))
+    return markdown(["", "triangles a glyph", "silhouette", "color mean / 99 %", "wall s", "CPU s"], map(line, rows(name)))
 
 
 def scenes():
@@ -188,7 +189,8 @@ def superquadric_solvers():
 TABLES = {
     "speed": (BENCHMARKS, ["speed-dilute", "speed-packed"], speed),
     "shapes": (BENCHMARKS, ["shapes-scene"], shapes),
-    "tessellations": (BENCHMARKS, ["tessellations"], tessellations),
+    "tessellations": (BENCHMARKS, ["tessellations"], lambda: tessellations("tessellations")),
+    "tessellations-harmonics": (BENCHMARKS, ["tessellations-harmonics"], lambda: tessellations("tessellations-harmonics")),
     "scenes": (BENCHMARKS, ["scenes"], scenes),
     "directions": (BENCHMARKS, ["directions"], directions),
     "build": (BENCHMARKS, ["build"], build),
