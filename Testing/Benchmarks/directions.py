@@ -30,7 +30,7 @@ CURVES, PIECES = 1000, 1000
 KINDS = ("spherical harmonics", "spherical harmonics, occlusion", "meshes of 362 vertices", "tubes", "tubes, occlusion", "Tube filter, 12 sides")
 
 
-def poly_data(points, cells=None, verts=False, **arrays):
+def poly_data(points, cells=None, lines=False, **arrays):
     """vtkPolyData of these points; cells: lines or polygons of one length, as rows."""
     from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
     from vtkmodules.vtkCommonCore import vtkPoints
@@ -43,7 +43,7 @@ def poly_data(points, cells=None, verts=False, **arrays):
         array = vtkCellArray()
         offsets = numpy.arange(len(cells) + 1, dtype=numpy.int64) * cells.shape[1]
         array.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(cells.reshape(-1).astype(numpy.int64), deep=True))
-        (made.SetLines if verts else made.SetPolys)(array)
+        (made.SetLines if lines else made.SetPolys)(array)
     for name, values in arrays.items():
         array = numpy_to_vtk(numpy.ascontiguousarray(values, dtype=numpy.float32), deep=True)
         array.SetName(name)
@@ -111,7 +111,7 @@ def curves():
     phases, rates = random.uniform(0.0, 2.0 * numpy.pi, (CURVES, 1, 3)), random.uniform(2.0, 9.0, (CURVES, 1, 3))
     middle = random.uniform(0.15, 0.85, (CURVES, 1, 3))
     points = middle + 0.15 * numpy.sin(phases + rates * t)
-    return poly_data(points.reshape(-1, 3), numpy.arange(CURVES * (PIECES + 1)).reshape(CURVES, -1), verts=True,
+    return poly_data(points.reshape(-1, 3), numpy.arange(CURVES * (PIECES + 1)).reshape(CURVES, -1), lines=True,
                      value=numpy.tile(t[0, :, 0], CURVES))
 
 
@@ -161,7 +161,7 @@ def measure(kind, size, frames, folder):
     before = memory("VmRSS")
     if kind.startswith("meshes"):
         start = time.monotonic()
-        data = meshes(points, coefficients, scale_of(coefficients))
+        data = meshes(points, coefficients, 0.5 * factor)
         making = time.monotonic() - start
     elif kind.startswith("spherical"):
         data = poly_data(points, odf=coefficients)
