@@ -71,7 +71,6 @@ void TracerResources::WaitFor(UsedProgram& used)
   }
   catch (...)
   {
-    this->device->GetState().programs->Forget(used.program);
     this->used_.erase(
       std::find_if(this->used_.begin(), this->used_.end(), [&used](const auto& u) { return u.get() == &used; }));
     throw;

@@ -16,7 +16,7 @@ constexpr std::size_t keptPrograms = 64;
 // Some drivers compile when a pipeline is made, others at its first launch: that is one of no pixel.
 void Compile(Device::State& vulkan, Program& program)
 {
-  program.pipeline = std::make_unique<Pipeline>(vulkan, program.generation, program.groups);
+  auto pipeline = std::make_unique<Pipeline>(vulkan, program.generation, program.groups);
   device::FrameRecord frame{};
   frame.tileStride = frame.tileCount = frame.tileColumns = 1;
   frame.launchWidth = 1;
@@ -25,14 +25,20 @@ void Compile(Device::State& vulkan, Program& program)
     [&](vk::raii::CommandBuffer& command)
     {
       block.Send(command, frame);
-      program.pipeline->Trace(command, block, 1, 1);
+      pipeline->Trace(command, block, 1, 1);
     });
   vulkan.SavePrograms();
+  program.pipeline = std::move(pipeline);
 }
 
 bool IsCompiling(const Program& program)
 {
   return program.compiled.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+}
+
+bool HasFailed(const std::shared_ptr<Program>& program)
+{
+  return !IsCompiling(*program) && !program->pipeline;
 }
 
 } // namespace
@@ -55,6 +61,7 @@ ProgramLibrary::Get(const Generation& generation, const std::vector<HitGroup>& o
 {
   const std::vector<HitGroup> groups = generation.ownTrees ? std::vector<HitGroup>() : ofScene;
   const std::lock_guard<std::mutex> lock(this->mutex_);
+  std::erase_if(this->programs_, HasFailed);
   const auto found = std::find_if(this->programs_.begin(), this->programs_.end(),
     [&](const auto& p) { return p->generation == generation && p->groups == groups; });
   if (found != this->programs_.end())
@@ -80,12 +87,6 @@ ProgramLibrary::Get(const Generation& generation, const std::vector<HitGroup>& o
   this->programs_.push_back(program);
   RunInBackground(std::move(compiling));
   return { program, true };
-}
-
-void ProgramLibrary::Forget(const std::shared_ptr<Program>& program)
-{
-  const std::lock_guard<std::mutex> lock(this->mutex_);
-  std::erase(this->programs_, program);
 }
 
 } // namespace rtg

@@ -17,7 +17,7 @@ struct Program
 {
   Generation generation;
   std::vector<HitGroup> groups;
-  std::unique_ptr<Pipeline> pipeline; ///< null until `compiled` is ready
+  std::unique_ptr<Pipeline> pipeline; ///< null until `compiled` is ready, and after a failure
   std::shared_future<void> compiled;  ///< throws what compiling failed of
 };
 
@@ -31,11 +31,8 @@ public:
   ProgramLibrary& operator=(const ProgramLibrary&) = delete;
 
   /// The program of these keys (of those that walk own trees, the first alone). True: compiling has begun with this
-  /// call. In any thread.
+  /// call; again, if it failed before. In any thread.
   std::pair<std::shared_ptr<Program>, bool> Get(const Generation& generation, const std::vector<HitGroup>& groups);
-
-  /// A program that could not be compiled: whoever asks for it next tries again.
-  void Forget(const std::shared_ptr<Program>& program);
 
 private:
   Device::State* device_;

@@ -4,6 +4,7 @@
 #include "SharedDevice.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
+#include "Vulkan/ProgramLibrary.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -275,6 +276,32 @@ TEST_P(FaultTest, OneSetThatFailsLeavesTheOthersInPlace)
   scene->Remove(other);
   scene->Commit();
   EXPECT_TRUE(Trace(*scene) == this->Expected(first));
+}
+
+// Nobody has waited for it: the view that wanted it is gone.
+TEST_P(FaultTest, AProgramThatFailedIsCompiledAgainForTheNext)
+{
+  rtg::ProgramLibrary& programs = *this->device->GetState().programs;
+  rtg::Generation generation;
+  generation.ownTrees = GetParam() == rtg::Structure::Tree;
+  generation.constants.shapes = 1u;
+  generation.constants.degree = 4321u; // of no other test
+  const auto failing = [&]
+  {
+    const Fault fault("vkCreateBuffer", 1);
+    const auto [program, began] = programs.Get(generation, {});
+    EXPECT_TRUE(began);
+    EXPECT_THROW(program->compiled.get(), vk::SystemError);
+  };
+  failing();
+  failing();
+  for (const bool begins : { true, false })
+  {
+    const auto [program, began] = programs.Get(generation, {});
+    EXPECT_EQ(began, begins);
+    EXPECT_NO_THROW(program->compiled.get());
+    EXPECT_TRUE(program->pipeline);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(, FaultTest, ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
