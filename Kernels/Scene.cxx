@@ -61,10 +61,6 @@ void CheckLengths(const GlyphInstances& instances, const GlyphColours& colours)
     throw Error("Ray Traced Glyphs: glyphs have sizes along three axes and single ones; give one "
                 "kind of them.");
   }
-  if (!colours.each.empty() && !colours.ends.empty())
-  {
-    throw Error("Ray Traced Glyphs: glyphs have colors and colors of ends; give one kind of them.");
-  }
 }
 
 } // namespace

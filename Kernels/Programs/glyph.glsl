@@ -117,10 +117,12 @@ float OpacityOf(GlyphSetRecord set, uint glyph)
   return Has(set.variants, COLOURS) ? opacity * ColourOf(set, glyph).a : opacity;
 }
 
-// The colour of a round cone where a ray meets it at t: between those of the balls' middles.
+// The colour of a round cone where a ray meets it at t, between those of the balls' middles, or of a polynomial,
+// between those at its centre and farthest from it.
 vec4 ColourBetweenEnds(GlyphSetRecord set, GlyphRay ray, Glyph glyph, uint number, float t)
 {
-  float way = clamp(FromCentre(ray, glyph, t).x / max(glyph.size.x, 1e-30) + 0.5, 0.0, 1.0);
+  vec3 position = FromCentre(ray, glyph, t) / max(glyph.size.x, 1e-30);
+  float way = clamp(Has(set.variants, POLYNOMIALS) ? 2.0 * length(position) : position.x + 0.5, 0.0, 1.0);
   uvec2 ends = set.endColours.at[InSetIfHit(set, END_COLOURS, number)];
   vec4 colour;
   if (Has(set.variants, END_VALUES))
@@ -132,7 +134,7 @@ vec4 ColourBetweenEnds(GlyphSetRecord set, GlyphRay ray, Glyph glyph, uint numbe
   {
     colour = mix(unpackUnorm4x8(ends.x), unpackUnorm4x8(ends.y), way);
   }
-  return colour * vec4(vec3(1.0), OpacityOfGlyph(set, number));
+  return colour * vec4(vec3(1.0), OpacityOf(set, number));
 }
 
 // Whether the ray passes translucent surfaces of the set by chance. `seed`: of the ray; 0: it passes none.

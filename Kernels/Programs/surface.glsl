@@ -1,5 +1,11 @@
 // What a surface is like where a ray meets it; after bindings.glsl and glyph.glsl.
 
+// Whether the colour of a glyph leaves that of its surface to other rules: none and white do.
+bool LeavesColours(GlyphSetRecord set, vec4 colour)
+{
+  return !Has(set.variants, COLOURS) || colour.rgb == vec3(1.0);
+}
+
 // `glyph`: its number in the set. `triangle`: of a mesh. `seed`: of the ray, see MayPass().
 SurfaceHit HitOnGlyph(uint record, GlyphSource source, GlyphRay ray, uint glyph, float t, uint triangle, uint seed)
 {
@@ -27,7 +33,8 @@ SurfaceHit HitOnGlyph(uint record, GlyphSource source, GlyphRay ray, uint glyph,
     hit.colour = vec4(base, OpacityOf(set, glyph));
     if (Has(set.variants, END_COLOURS))
     {
-      hit.colour = ColourBetweenEnds(set, ray, found, glyph, t);
+      vec4 between = ColourBetweenEnds(set, ray, found, glyph, t);
+      hit.colour = vec4(LeavesColours(set, hit.colour) ? between.rgb : hit.colour.rgb, between.a);
     }
   }
   if (MayPass(set, seed))
@@ -35,18 +42,18 @@ SurfaceHit HitOnGlyph(uint record, GlyphSource source, GlyphRay ray, uint glyph,
     // Chance has decided that it stops the ray.
     hit.colour.a = 1.0;
   }
-  if (Has(set.variants, FORMS) && (!Has(set.variants, COLOURS) || hit.colour.rgb == vec3(1.0)))
+  if (Has(set.variants, FORMS) && LeavesColours(set, hit.colour))
   {
     // In glyph sizes: squares of tiny lengths vanish.
     vec3 p = FromCentre(ray, found, t) / max(found.size.x, max(found.size.y, found.size.z));
     hit.colour.rgb =
       dot(set.forms.at[InSetIfHit(set, FORMS, glyph)], p * p) < 0.0 ? set.negativeColour : set.positiveColour;
   }
-  if (Has(set.variants, SIGN_COLOURS) && (!Has(set.variants, COLOURS) || hit.colour.rgb == vec3(1.0)))
+  if (Has(set.variants, SIGN_COLOURS) && LeavesColours(set, hit.colour))
   {
     hit.colour.rgb = PolynomialIsNegative(found, FromCentre(ray, found, t)) ? set.negativeColour : set.positiveColour;
   }
-  if (Has(set.variants, DIRECTION_COLOURS) && (!Has(set.variants, COLOURS) || hit.colour.rgb == vec3(1.0)))
+  if (Has(set.variants, DIRECTION_COLOURS) && LeavesColours(set, hit.colour))
   {
     // In the world: a glyph that is turned has other colours.
     vec3 way = abs(RotateToWorld(found, FromCentre(ray, found, t)));

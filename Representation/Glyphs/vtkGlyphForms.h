@@ -37,12 +37,13 @@ public:
     rtg::TensorLayout Layout = rtg::TensorLayout::Vtk; // of tensors of second order
     rtg::HarmonicsBasis Basis = rtg::HarmonicsBasis::MRtrix3;
     bool Each = false; // all glyphs have one size
-    int Coloring = 0;  // vtkGlyphTensors::SIGN or SURFACE_DIRECTION count
+    int Coloring = 0;  // vtkGlyphTensors::SIGN, SURFACE_DIRECTION or RADIUS count
 
     bool operator==(const Settings&) const = default;
 
     /// With all that has no effect on instances at its default.
     Settings Effective() const;
+    bool ColorsByRadius() const;
   };
 
   /**
@@ -70,6 +71,11 @@ public:
    */
   rtg::FormExtent Measure(vtkGlyphTuples& tuples, vtkIdType point, float* values) const;
   rtg::FormExtent MeasureRoughly(vtkGlyphTuples& tuples, vtkIdType point) const;
+
+  /**
+   * The largest |f| of all tuples in units of the array; 0: there is none.
+   */
+  static double LargestRadius(vtkDataArray* array, const Settings& settings);
 
   /**
    * What the size of a glyph is multiplied with besides that of its unit glyph: the largest |f|, or 1 with Each.

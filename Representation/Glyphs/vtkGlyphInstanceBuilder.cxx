@@ -411,6 +411,7 @@ private:
       {
         return this->IsZero(i, tuples) ? ZERO_POLYNOMIAL : POLYNOMIAL;
       }
+      this->Out.Radii[glyph] = static_cast<float>(extent.bound);
       // Of the unit glyph, which is a little less than the largest that is possible
       size *= this->How.Sizing(this->Forms->Magnitude(extent)) * (extent.bound / extent.radius);
     }
@@ -549,6 +550,7 @@ private:
       this->Instances.polynomialDegree = this->Forms->Degree();
       this->Instances.polynomials.width = this->Forms->Width();
       this->Instances.polynomials.values.resize(count * this->Forms->Width());
+      this->Out.Radii.resize(count);
     }
     allocate(this->Shifts, this->Parts > 1);
     allocate(this->Instances.opacities, this->Has(vtkGlyphArrays::OPACITY));
@@ -614,6 +616,7 @@ private:
   {
     const auto keep = [&glyphs](auto& values) { KeepOnly(values, glyphs); };
     keep(this->Out.Points);
+    keep(this->Out.Radii);
     keep(this->Shifts);
     rtg::GlyphColours colours; // are not made here
     rtg::ForEachArray(

@@ -43,6 +43,7 @@ public:
   {
     rtg::GlyphInstances Instances;
     std::vector<vtkIdType> Points; // point of each glyph
+    std::vector<float> Radii;      // of each polynomial: the |f| that half its size stands for, in units of the array
     vtkIdType Skipped = 0;         // points that could not be shown
     std::vector<std::string> Messages;
     std::string Unfinished; // what must be chosen before there are glyphs; empty: nothing

@@ -103,6 +103,11 @@ struct vtkGlyphSettings
   rtg::GlyphInstances::SurfaceColours SurfaceColors() const;
 
   /**
+   * Whether one number of each glyph, or of each point of its surface, colors it: one of vtkGlyphTensorRange.
+   */
+  bool HasNumberRange() const { return this->Tensors.HasRange() || this->Forms.ColorsByRadius(); }
+
+  /**
    * The size across its x axis of a glyph with this value of the radius array. The radius of an arrow is that of its
    * shaft, or of its head where it has no shaft.
    */

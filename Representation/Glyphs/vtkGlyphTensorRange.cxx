@@ -21,7 +21,7 @@ Range Both(const Range& a, const Range& b)
   return { std::min(a[0], b[0]), std::min(a[1], b[1]) };
 }
 
-Range RangeOf(vtkDataArray* array, vtkIdType count, const vtkGlyphTensors::Settings& settings)
+Range RangeOfTensors(vtkDataArray* array, vtkIdType count, const vtkGlyphTensors::Settings& settings)
 {
   const vtkGlyphTensors tensors(array, settings, {});
   std::vector<Range> ranges(vtkRayTracedParallel::NumberOfChunks(count), nothing);
@@ -46,20 +46,33 @@ Range RangeOf(vtkDataArray* array, vtkIdType count, const vtkGlyphTensors::Setti
   }
   return all;
 }
+
+Range RangeOfPolynomials(vtkDataArray* array, const vtkGlyphForms::Settings& settings)
+{
+  const double largest = vtkGlyphForms::LargestRadius(array, settings);
+  return largest > 0.0 ? Range{ 0.0, -largest } : nothing;
+}
 }
 
 //----------------------------------------------------------------------------
-std::array<double, 2>
-vtkGlyphTensorRange::Get(vtkPolyData* points, const vtkGlyphTensors::Settings& settings, bool collective)
+std::array<double, 2> vtkGlyphTensorRange::Get(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective)
 {
-  vtkDataArray* array = points ? vtkGlyphTensors::Array(points, settings) : nullptr;
+  const vtkGlyphTensors::Settings& tensors = settings.Tensors;
+  const vtkGlyphForms::Settings& forms = settings.Forms;
+  vtkDataArray* array = !points ? nullptr
+    : forms.On                  ? vtkGlyphForms::Array(points, forms)
+                                : vtkGlyphTensors::Array(points, tensors);
   const vtkMTimeType time = array ? array->GetMTime() : 0;
-  if (time != this->Time || !(settings == this->Settings))
+  if (time != this->Time || !(tensors == this->Tensors) || !(forms == this->Forms))
   {
-    const bool good = array && vtkGlyphTensors::Problem(array, settings).empty();
-    this->Own = good ? RangeOf(array, points->GetNumberOfPoints(), settings) : nothing;
+    const bool good =
+      array && (forms.On ? vtkGlyphForms::Problem(array, forms) : vtkGlyphTensors::Problem(array, tensors)).empty();
+    this->Own = !good ? nothing
+      : forms.On      ? RangeOfPolynomials(array, forms)
+                      : RangeOfTensors(array, points->GetNumberOfPoints(), tensors);
     this->Time = time;
-    this->Settings = settings;
+    this->Tensors = tensors;
+    this->Forms = forms;
   }
   Range all = this->Own;
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();

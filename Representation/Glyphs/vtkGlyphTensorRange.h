@@ -1,11 +1,11 @@
 /**
  * @class   vtkGlyphTensorRange
- * @brief   least and largest number that colors tensor glyphs, over all ranks
+ * @brief   least and largest number that colors tensor glyphs or polynomials, over all ranks
  */
 #ifndef vtkGlyphTensorRange_h
 #define vtkGlyphTensorRange_h
 
-#include "vtkGlyphTensors.h"
+#include "vtkGlyphSettings.h"
 #include "vtkType.h"
 
 #include <array>
@@ -16,14 +16,16 @@ class vtkGlyphTensorRange
 {
 public:
   /**
-   * An empty interval (1, -1) where there is no number. Collective: all ranks call it at once; else it is that of this
-   * rank. What this rank's tensors give is kept while they and the settings are the same. `points` may be null.
+   * An empty interval (1, -1) where there is no number. Radii of polynomials begin at 0. Collective: all ranks call it
+   * at once; else it is that of this rank. What this rank's array gives is kept while it and the settings are the same.
+   * `points` may be null.
    */
-  std::array<double, 2> Get(vtkPolyData* points, const vtkGlyphTensors::Settings& settings, bool collective);
+  std::array<double, 2> Get(vtkPolyData* points, const vtkGlyphSettings& settings, bool collective);
 
 private:
   std::array<double, 2> Own{}; // of this rank: the least number, and the negative of the largest
-  vtkGlyphTensors::Settings Settings;
+  vtkGlyphTensors::Settings Tensors;
+  vtkGlyphForms::Settings Forms;
   vtkMTimeType Time = 1;
 };
 

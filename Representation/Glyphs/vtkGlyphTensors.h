@@ -32,7 +32,8 @@ public:
     EIGENVALUES = 6,       // their magnitudes as red, green and blue
     MAJOR_EIGENVALUE = 7,
     MIDDLE_EIGENVALUE = 8,
-    MINOR_EIGENVALUE = 9
+    MINOR_EIGENVALUE = 9,
+    RADIUS = 10 // |f| at each point of a polynomial's surface
   };
 
   /**

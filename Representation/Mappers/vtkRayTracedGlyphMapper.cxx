@@ -89,6 +89,15 @@ Hash DigestOf(const rtg::GlyphInstances& instances)
   Mix(sum, shutter, 2);
   return sum;
 }
+
+// From blue at -1 over white to red at 1.
+void ColorOfShare(double share, double rgb[3])
+{
+  const double pale = 1.0 - std::abs(share);
+  rgb[0] = share > 0.0 ? 0.7 + 0.25 * pale : 0.23 + 0.72 * pale;
+  rgb[1] = share > 0.0 ? 0.02 + 0.93 * pale : 0.3 + 0.65 * pale;
+  rgb[2] = share > 0.0 ? 0.15 + 0.8 * pale : 0.75 + 0.2 * pale;
+}
 }
 
 //----------------------------------------------------------------------------
@@ -157,6 +166,7 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   this->InstancesTaken = false;
   this->TranslucentInstances = rtg::IsTranslucent(this->Instances);
   this->Sources = std::move(result.Points);
+  this->Radii = std::move(result.Radii);
   ++this->SourcesVersion;
   this->Skipped = result.Skipped;
   this->Unfinished = std::move(result.Unfinished);
@@ -207,10 +217,12 @@ void vtkRayTracedGlyphMapper::AddToMaterial(rtg::Material& material) const
 std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 {
   const vtkGlyphTensors::Settings& tensors = this->Settings.Tensors;
-  const int coloring = tensors.On ? tensors.Coloring : static_cast<int>(this->Settings.SurfaceColors());
+  const bool byRadius = this->Settings.Forms.ColorsByRadius();
+  const int coloring = tensors.On || byRadius ? tensors.Coloring : static_cast<int>(this->Settings.SurfaceColors());
+  const bool usesTable = byRadius || (tensors.On && coloring != vtkGlyphTensors::NONE);
   std::vector<vtkMTimeType> state{ static_cast<vtkMTimeType>(coloring),
-    tensors.On && coloring != vtkGlyphTensors::NONE && this->TensorTable ? this->TensorTable->GetMTime() : 0 };
-  if (tensors.HasRange())
+    usesTable && this->TensorTable ? this->TensorTable->GetMTime() : 0 };
+  if (this->Settings.HasNumberRange())
   {
     for (double end : this->TensorRange)
     {
@@ -218,6 +230,40 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
     }
   }
   return state;
+}
+
+//----------------------------------------------------------------------------
+// The table of |f| on a surface has enough entries for a part of it to be spread over all colors. Its last one belongs
+// to what is no number, which does not come.
+void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
+{
+  constexpr int entries = 4096;
+  double top = *std::max_element(this->Radii.begin(), this->Radii.end());
+  if (this->TensorTable)
+  {
+    this->TensorTable->Build();
+    const double high = this->TensorTable->GetRange()[1] * (1.0 + 2.0 / entries); // the last ones lie above the range
+    top = high > 0.0 ? std::min(top, high) : top;
+  }
+  colors.table.resize(entries + 1);
+  for (int i = 0; i <= entries; ++i)
+  {
+    const double value = top * (std::min(i, entries - 1) + 0.5) / entries;
+    std::array<double, 4> rgba{ { 1.0, 1.0, 1.0, 1.0 } };
+    if (this->TensorTable)
+    {
+      const unsigned char* mapped = this->TensorTable->MapValue(value);
+      std::transform(mapped, mapped + 3, rgba.begin(), [](unsigned char c) { return c / 255.0; });
+    }
+    else
+    {
+      ColorOfShare(this->TensorRange[1] > 0.0 ? std::min(value / this->TensorRange[1], 1.0) : 0.0, rgba.data());
+    }
+    colors.table[i] = Pack(rgba);
+  }
+  colors.ends.resize(this->Radii.size());
+  std::transform(this->Radii.begin(), this->Radii.end(), colors.ends.begin(),
+    [top](float radius) { return glm::uvec2(0u, std::bit_cast<std::uint32_t>(static_cast<float>(radius / top))); });
 }
 
 //----------------------------------------------------------------------------
@@ -247,11 +293,7 @@ void vtkRayTracedGlyphMapper::TensorColor(const vtkGlyphTensors& tensors, vtkIdT
   {
     return;
   }
-  const double share = shareOf(value);
-  const double pale = 1.0 - std::abs(share);
-  rgb[0] = share > 0.0 ? 0.7 + 0.25 * pale : 0.23 + 0.72 * pale;
-  rgb[1] = share > 0.0 ? 0.02 + 0.93 * pale : 0.3 + 0.65 * pale;
-  rgb[2] = share > 0.0 ? 0.15 + 0.8 * pale : 0.75 + 0.2 * pale;
+  ColorOfShare(shareOf(value), rgb);
 }
 
 //----------------------------------------------------------------------------
@@ -283,7 +325,8 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   vtkUnsignedCharArray* mapped = nullptr;
   std::unique_ptr<vtkGlyphTensors> tensors;
   const vtkGlyphTensors::Settings& shown = this->Settings.Tensors;
-  const bool bySurface = this->Settings.SurfaceColors() != rtg::GlyphInstances::SurfaceColours::None;
+  const bool byRadius = this->Settings.Forms.ColorsByRadius();
+  const bool bySurface = byRadius || this->Settings.SurfaceColors() != rtg::GlyphInstances::SurfaceColours::None;
   if (shown.On && !shown.Axes && !bySurface && shown.Coloring != vtkGlyphTensors::NONE && !this->Sources.empty())
   {
     tensors = std::make_unique<vtkGlyphTensors>(vtkGlyphTensors::Array(points, shown), shown, this->Sources.ToVector());
@@ -311,12 +354,16 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
     table = this->TableColors(*tensors);
   }
 
-  std::vector<std::uint32_t> colors;
+  rtg::GlyphColours colors;
+  if (byRadius && !this->Radii.empty())
+  {
+    this->AddRadiusColors(colors);
+  }
   if (mapped || tensors || blockColors || selected)
   {
-    colors.resize(this->Sources.size());
+    colors.each.resize(this->Sources.size());
     const int components = mapped ? mapped->GetNumberOfComponents() : 0;
-    vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.size()),
+    vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.each.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType glyph = begin; glyph < end; ++glyph)
@@ -344,13 +391,13 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
           {
             rgba = { { 1.0, 1.0, 1.0, rgba[3] } }; // white leaves glyphs the colors of their surfaces
           }
-          colors[glyph] = selected && selected->GetValue(point) ? this->Tinted(Pack(rgba)) : Pack(rgba);
+          colors.each[glyph] = selected && selected->GetValue(point) ? this->Tinted(Pack(rgba)) : Pack(rgba);
         }
       });
   }
   this->ClearColorArrays(); // vtkMapper keeps them
   this->Translucent = rtg::AnyTranslucent(colors);
-  if (this->ColorVersion == 0 || this->Colors.each != colors)
+  if (this->ColorVersion == 0 || !(this->Colors == colors))
   {
     this->Colors = std::move(colors);
     this->ColorVersion = NewVersion();

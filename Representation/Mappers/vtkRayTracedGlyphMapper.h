@@ -28,9 +28,9 @@ public:
 
   ///@{
   /**
-   * The table that numbers of tensors (vtkGlyphTensors::IsNumber) are colored by; null: from blue over white to red, by
-   * their share of the largest magnitude in the range, as with vtkGlyphTensors::EIGENVALUES; of fractional anisotropies
-   * by themselves.
+   * The table that numbers of tensors (vtkGlyphTensors::IsNumber) and radii of polynomials are colored by; null: from
+   * blue over white to red, by their share of the largest magnitude in the range, as with
+   * vtkGlyphTensors::EIGENVALUES; of fractional anisotropies by themselves.
    */
   void SetTensorTable(vtkScalarsToColors* table);
   void SetTensorRange(const std::array<double, 2>& range) { this->TensorRange = range; }
@@ -59,6 +59,7 @@ private:
 
   void TensorColor(const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]) const;
   std::vector<unsigned char> TableColors(const vtkGlyphTensors& tensors);
+  void AddRadiusColors(rtg::GlyphColours& colors);
 
   vtkGlyphSettings Settings;
   vtkGlyphSettings BuiltSettings;   // the effective ones
@@ -67,6 +68,7 @@ private:
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   std::array<double, 2> TensorRange{ { 1.0, -1.0 } };
   rtg::GlyphInstances Instances;
+  std::vector<float> Radii; // as vtkGlyphInstanceBuilder has them
   bool InstancesTaken = false;
   std::array<std::uint64_t, 2> Digest{}; // of the instances of InstanceVersion
 };

@@ -80,20 +80,10 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
     return (cells && cells->GetValue(this->Sources[piece])) ||
       (points && (points->GetValue(first) || points->GetValue(last)));
   };
-  // In a table the color is one more entry, which values in [0, 1] do not reach.
-  const auto entries = static_cast<float>(mapped.Table.size()) - 1.0f;
-  if (points && !mapped.Table.empty())
-  {
-    mapped.Table.insert(mapped.Table.end() - 1, this->Tinted(0xff000000u));
-    for (float& value : mapped.Values)
-    {
-      value = value < 0.0f ? value : std::min(value * entries, entries - 0.5f) / (entries + 1.0f);
-    }
-  }
   rtg::GlyphColours colors;
   colors.table = mapped.Table;
-  const bool each = mapped.Colors ? mapped.OfCells : (mapped.Blocks || points) && mapped.Values.empty();
-  const bool ends = !each && (mapped.Colors || !mapped.Values.empty());
+  const bool ends = !mapped.Values.empty() || (mapped.Colors && !mapped.OfCells);
+  const bool each = points || (!ends && (mapped.Colors || mapped.Blocks));
   colors.each.resize(each ? this->Sources.size() : 0);
   colors.ends.resize(ends ? this->Sources.size() : 0);
   const auto atEnd = [&](vtkIdType point)
@@ -115,20 +105,15 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
       for (vtkIdType i = begin; i < end; ++i)
       {
         const auto [first, last] = this->Ends[i];
-        const bool tinted = points && isSelected(i);
         if (each)
         {
-          const std::uint32_t color = this->ColorOf(mapped, lines, this->Sources[i], first);
-          colors.each[i] = tinted ? this->Tinted(color) : color;
+          const std::uint32_t color =
+            ends ? 0xffffffffu : this->ColorOf(mapped, lines, this->Sources[i], first); // white leaves the ends theirs
+          colors.each[i] = points && isSelected(i) ? this->Tinted(color) : color;
         }
-        else if (ends && tinted && !mapped.Values.empty())
+        if (ends)
         {
-          colors.ends[i] = glm::uvec2(std::bit_cast<std::uint32_t>(1.0f));
-        }
-        else if (ends)
-        {
-          const glm::uvec2 own{ atEnd(first), atEnd(last) };
-          colors.ends[i] = tinted ? glm::uvec2{ this->Tinted(own.x), this->Tinted(own.y) } : own;
+          colors.ends[i] = { atEnd(first), atEnd(last) };
         }
       }
     });

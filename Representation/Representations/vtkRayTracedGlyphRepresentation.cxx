@@ -287,8 +287,8 @@ const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
 {
-  const vtkGlyphTensors::Settings settings = this->MakeSettings().Tensors;
-  if (settings.HasRange())
+  const vtkGlyphSettings settings = this->MakeSettings();
+  if (settings.HasNumberRange())
   {
     const std::array<double, 2> range = this->NumberRange.Get(points, settings, true);
     std::copy(range.begin(), range.end(), this->TensorRange);
@@ -361,9 +361,9 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   main->SetInWindow(this->IsInWindow());
   main->SetSettings(settings, table && table->GetNumberOfBlocks() == 0 ? nullptr : form(0));
   main->SetTensorTable(this->TensorTable);
-  if (settings.Tensors.HasRange() && (!this->TensorTable || settings.Tensors.Coloring == vtkGlyphTensors::EIGENVALUES))
+  if (settings.HasNumberRange() && (!this->TensorTable || settings.Tensors.Coloring == vtkGlyphTensors::EIGENVALUES))
   {
-    main->SetTensorRange(this->ShownRange.Get(points, settings.Tensors, collective));
+    main->SetTensorRange(this->ShownRange.Get(points, settings, collective));
   }
   main->SetSelectionColor(this->GetSelectionColor());
   this->UpdateLegend(points, settings);
@@ -495,6 +495,11 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     most = limit > 0.0 && (most == 0.0 || most > limit) ? limit : most;
   }
   settings.Tensors.On = this->GlyphShape >= TENSOR_ELLIPSOID && this->GlyphShape <= SIGNED_TENSOR_SUPERQUADRIC;
+  const bool polynomial = this->GlyphShape >= SPHERICAL_HARMONICS && this->GlyphShape <= FOURTH_ORDER_TENSOR;
+  if (!polynomial && settings.Tensors.Coloring == vtkGlyphTensors::RADIUS)
+  {
+    settings.Tensors.Coloring = vtkGlyphTensors::NONE;
+  }
   if (this->GlyphShape == PRINCIPAL_AXES)
   {
     return settings.PrincipalAxes();
@@ -504,7 +509,7 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     settings.Tensors.Kind = static_cast<rtg::TensorGlyphKind>(this->GlyphShape - TENSOR_ELLIPSOID);
     settings.Shape = this->GlyphShape == TENSOR_ELLIPSOID ? rtg::Shape::Sphere : rtg::Shape::NestedSuperquadric;
   }
-  else if (this->GlyphShape >= SPHERICAL_HARMONICS && this->GlyphShape <= FOURTH_ORDER_TENSOR)
+  else if (polynomial)
   {
     settings.Shape = rtg::Shape::Polynomial;
     settings.Forms.On = true;
@@ -695,7 +700,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorThickness(double share)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorColoring(int coloring)
 {
-  this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::MINOR_EIGENVALUE);
+  this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::RADIUS);
 }
 
 //----------------------------------------------------------------------------

@@ -168,11 +168,12 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     this->TakeSelection();
   }
-  if (flag && name && strncmp(name, "GlyphTensor", 11) == 0)
+  if (flag && name)
   {
     // The last word counts: another number asks for its own table, until somebody chooses one.
     const bool table = strcmp(name, "GlyphTensorLookupTable") == 0;
-    const bool number = strcmp(name, "GlyphTensorColoring") == 0 || strcmp(name, "GlyphTensorArray") == 0;
+    const bool number = strcmp(name, "GlyphTensorColoring") == 0 || strcmp(name, "GlyphTensorArray") == 0 ||
+      strcmp(name, "GlyphHarmonicsArray") == 0;
     this->TensorTableChosen = table || (this->TensorTableChosen && !number);
   }
   if (flag && name && strcmp(name, "GlyphLocation") == 0)
@@ -408,10 +409,13 @@ void vtkSMRayTracedRepresentationProxy::UpdateTensorTable(vtkSMProxy* view)
   auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
   const vtkSMPropertyHelper coloring(this, "GlyphTensorColoring");
   const int shape = vtkSMPropertyHelper(this, "GlyphShape").GetAsInt();
-  const char* array = vtkSMPropertyHelper(this, "GlyphTensorArray").GetAsString();
+  const bool tensor = (shape >= 6 && shape <= 8) || shape == 15;
+  const bool polynomial = shape >= 12 && shape <= 14;
+  const bool number = polynomial ? coloring.GetAsInt() == vtkGlyphTensors::RADIUS
+                                 : tensor && vtkGlyphTensors::IsNumber(coloring.GetAsInt());
+  const char* array = vtkSMPropertyHelper(this, shape == 12 ? "GlyphHarmonicsArray" : "GlyphTensorArray").GetAsString();
   std::string name;
-  if (local && local->GetVisibility() && ((shape >= 6 && shape <= 8) || shape == 15) && array && array[0] &&
-    strcmp(array, "None") != 0 && vtkGlyphTensors::IsNumber(coloring.GetAsInt()))
+  if (local && local->GetVisibility() && number && array && array[0] && strcmp(array, "None") != 0)
   {
     name = std::string(array) + " " + coloring.GetAsString();
   }

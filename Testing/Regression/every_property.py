@@ -241,6 +241,7 @@ ROWS = [
     Row("GlyphTensorColoring", "Principal Direction", colors(RED), **TENSOR),
     Row("GlyphTensorColoring", "Eigenvalues", colors([1.0, 0.5, 0.5]), **TENSOR),
     Row("GlyphTensorColoring", "Middle Eigenvalue", reads("GlyphTensorRange", [0.5, 0.5]), **TENSOR),
+    Row("GlyphTensorColoring", "Radius", reads("GlyphTensorRange", [0.0, 1.0]), **HARMONICS),
     Row("GlyphTensorLookupTable", ALL_GREEN, colors(GREEN), GlyphTensorColoring="Trace", **TENSOR),
     Row("GlyphTensorRange", LEFT, reads("GlyphTensorRange", [2.0, 2.0]), GlyphTensorColoring="Trace", **TENSOR),
     Row("GlyphTensorPositiveColor", GREEN, colors(GREEN), GlyphTensorColoring="Sign", **TENSOR),

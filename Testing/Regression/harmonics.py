@@ -16,6 +16,8 @@ SIDE = 72
 #: half the height of the pictures in world units
 SCALE = 1.1
 WARM, COOL = (0.9, 0.5, 0.1), (0.1, 0.2, 0.8)
+#: colors of |f| at both ends of the table
+LOW, HIGH = numpy.array([0.1, 0.2, 0.9]), numpy.array([0.9, 0.6, 0.1])
 BASES = ("MRtrix3", "DIPY", "DIPY Legacy", "Orthonormal")
 
 
@@ -86,12 +88,17 @@ def inner(mask):
 
 
 def form(checks, view, what, array, function, factor, both=False, **properties):
-    """The glyph of one tuple, in both colorings from two sides or in one from one: each program takes its time to be compiled."""
+    """The glyph of one tuple, in all colorings from several sides or in one from one: each program takes its time to be compiled."""
     points = session.source(session.poly_data(numpy.zeros((1, 3)), values=array[None]))
     shown = session.glyphs(points, view, GlyphScaleFactor=factor, GlyphTensorPositiveColor=WARM, GlyphTensorNegativeColor=COOL, **properties)
     shown.Ambient, shown.Diffuse = 1.0, 0.0
-    for coloring, direction in (("Sign", (0.3, -0.5, 0.8)), ("Surface Direction", (-0.9, 0.2, 0.3)))[:2 if both else 1]:
+    views = (("Sign", (0.3, -0.5, 0.8)), ("Surface Direction", (-0.9, 0.2, 0.3)), ("Radius", (0.5, 0.4, -0.6)))
+    for coloring, direction in views[:3 if both else 1]:
         shown.GlyphTensorColoring = coloring
+        pv.Render(view)
+        if coloring == "Radius":
+            radius = scalar_bar(checks, view, shown, what, [name for name in (properties.get("GlyphHarmonicsArray"), properties.get("GlyphTensorArray")) if name][0],
+                                function)
         at, towards = look(view, direction)
         image = session.capture(view, "harmonics-%s-%s" % (what.replace(" ", "-").replace(",", ""), coloring.split()[0]))[:, :, :3].astype(int)
         there, first, value = seen(function, factor, at, towards)
@@ -103,6 +110,13 @@ def form(checks, view, what, array, function, factor, both=False, **properties):
             wanted = numpy.where(value[..., None] < 0, COOL, WARM)
             alike = inner(there & (value < 0)) | inner(there & (value > 0))
             levels = 2
+        elif coloring == "Radius":
+            share = numpy.clip(numpy.abs(value) / radius, 0.0, 1.0)[..., None]
+            wanted = (1.0 - share) * LOW + share * HIGH
+            around = numpy.pad(share[..., 0], 1, mode="edge")
+            spread = numpy.ptp([around[i:i + SIDE, j:j + SIDE] for i in range(3) for j in range(3)], axis=0)
+            alike = inner(there) & (spread < 0.1)
+            levels = 10
         else:
             wanted = numpy.abs(first) / numpy.maximum(numpy.linalg.norm(first, axis=-1), 1e-9)[..., None]
             # Where the surface has no step, one step of the ray is seen.
@@ -118,6 +132,23 @@ def form(checks, view, what, array, function, factor, both=False, **properties):
         checks.true(words, hit.sum() > 150 and wrong <= 0.002 * sure.size and off <= 0.01 * alike.sum() and alike.sum() > 0.2 * hit.sum())
     pv.Delete(shown)
     pv.Delete(points)
+
+
+def scalar_bar(checks, view, shown, what, array, function):
+    """Colors by radius go through the table of that name, from 0 to the largest |f|, and have a scalar bar; the largest |f|."""
+    directions = numpy.random.default_rng(1).normal(size=(20000, 3))
+    largest = float(numpy.abs(function(directions / numpy.linalg.norm(directions, axis=1)[:, None])).max())
+    table = shown.GlyphTensorLookupTable
+    checks.true(what + ": the table is not that of the array's radius", table == pv.GetColorTransferFunction(array + " Radius"))
+    checks.within(what + ": least number of the table", table.RGBPoints[0], 0.0, 0.0)
+    checks.within(what + ": largest number of the table", table.RGBPoints[-4], 0.995 * largest, 1.005 * largest)
+    bars = [bar for bar in view.Representations if hasattr(bar, "ComponentTitle") and bar.Visibility]
+    checks.equal(what + ": scalar bars", [bar.LookupTable == table for bar in bars], [True])
+    for bar in bars:
+        bar.Visibility = 0
+    table.ColorSpace = "RGB"
+    table.RGBPoints = [0.0, *LOW, largest, *HIGH]
+    return largest
 
 
 def forms(checks, view, random):

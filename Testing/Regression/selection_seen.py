@@ -48,6 +48,7 @@ CASES = {
     "Mesh": (points, {"GlyphOrient": 0}, "number", [3]),
     "Signed Tensor Superquadric": (points, {"GlyphTensorArray": "tensor", "GlyphTensorColoring": "Sign", "GlyphScaleFactor": 0.35}, None, [0, 19]),
     "Tensor Ellipsoid": (points, {"GlyphTensorArray": "tensor", "GlyphTensorColoring": "Trace", "GlyphScaleFactor": 0.35}, "number", [4, 5]),
+    "Spherical Harmonics": (points, {"GlyphHarmonicsArray": "number", "GlyphTensorColoring": "Radius", "GlyphScaleFactor": 0.06}, None, [5, 6, 11]),
     "Capsule": (blocks, {"GlyphOrient": 0, "GlyphScaleFactor": 0.4}, "number", [2, 8, 9, 10, 17]),
 }
 

@@ -25,12 +25,15 @@ KINDS = {
     # the image at hand, displayed otherwise
     "display": set(),
     "colors": {"colorBuilds", "colorUploads", "dispatches", "primaryRays"},
+    # glyphs that have no colors of their own until then: other programs show them
+    "first colors": {"colorBuilds", "colorUploads", "dispatches", "primaryRays", "topLevelBuilds"},
     # glyphs that may lie elsewhere or be of another size
     "glyphs": {"boundsBuilds", "instanceBuilds", "colorBuilds", "instanceUploads", "colorUploads", "structureBuilds", "topLevelBuilds",
                "sorts", "dispatches", "primaryRays"},
 }
 #: of these at least one moves, where the kind has them
-MUST = {"image": {"dispatches"}, "pass": {"dispatches"}, "colors": {"colorBuilds", "colorUploads"}, "glyphs": {"instanceBuilds", "instanceUploads"}}
+MUST = {"image": {"dispatches"}, "pass": {"dispatches"}, "colors": {"colorBuilds", "colorUploads"},
+        "first colors": {"colorBuilds", "colorUploads"}, "glyphs": {"instanceBuilds", "instanceUploads"}}
 #: bytes and seconds are no counts; programs are compiled when they are first needed
 UNCOUNTED = re.compile("Seconds$|^deviceBytes$|^pipelineBuilds$|^DeviceName$|^AccumulatedSamples$|lyphs$")
 
@@ -134,7 +137,7 @@ FIELDS = {
         "Layout": [({**FORMS, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "Row", "glyphs"), (BALLS, "GlyphTensorLayout", "Row", "nothing")],
         "Basis": [(BALLS, "GlyphHarmonicsBasis", "DIPY", "glyphs"), (FORMS, "GlyphHarmonicsBasis", "DIPY", "nothing")],
         "Each": [(BALLS, "GlyphHarmonicsScaling", "Each", "glyphs"), ({}, "GlyphHarmonicsScaling", "Each", "nothing")],
-        "Coloring": [(FORMS, "GlyphTensorColoring", "Sign", "glyphs"), (FORMS, "GlyphTensorColoring", "Trace", "nothing")],
+        "Coloring": [(FORMS, "GlyphTensorColoring", "Sign", "glyphs"), (FORMS, "GlyphTensorColoring", "Radius", "first colors"), (FORMS, "GlyphTensorColoring", "Trace", "nothing")],
     },
     "vtkGlyphMotion::Settings": {
         "On": ({**MOTION, "MotionBlur": 0}, "MotionBlur", 1, "glyphs"),
