@@ -24,19 +24,19 @@ RTG_CONSTANTS(RTG_DECLARE)
 #undef RTG_DECLARE
 
 // Whether a set has a variant (Variants.h); `variants`: those of its record.
-bool Has(uint variants, uint variant)
+bool Has(const uint variants, const uint variant)
 {
   return (allHave & variant) != 0u || ((someHave & variant) != 0u && (variants & variant) != 0u);
 }
 
 // Whether a set is of a shape; `shape`: that of its record.
-bool IsOfShape(uint shape, uint number)
+bool IsOfShape(const uint shape, const uint number)
 {
   uint bit = 1u << number;
   return shapes == bit || ((shapes & bit) != 0u && shape == number);
 }
 
-GlyphSetRecord SetRecord(uint index)
+GlyphSetRecord SetRecord(const uint index)
 {
   if (alone)
   {
@@ -47,32 +47,32 @@ GlyphSetRecord SetRecord(uint index)
 
 // Index of a value in an array of a set, of a glyph or a corner. Compilers may load a value where the condition round
 // the load does not hold; sets that lack the array have one value there (SceneRecords.cxx).
-uint InSet(GlyphSetRecord set, uint array, uint index)
+uint InSet(const GlyphSetRecord set, const uint array, const uint index)
 {
   return Has(set.variants, array) ? index : 0u;
 }
 
 // Index of the value of a glyph that a ray may have hit. Compilers may load it where the condition round it does not
 // hold, for rays that hit nothing, too: the index is one of the set's whatever the glyph was.
-uint InSetIfHit(GlyphSetRecord set, uint array, uint glyph)
+uint InSetIfHit(const GlyphSetRecord set, const uint array, const uint glyph)
 {
   return InSet(set, array, min(glyph, set.glyphCount - 1u));
 }
 
 // A glyph's own colour.
-vec4 ColourOf(GlyphSetRecord set, uint glyph)
+vec4 ColourOf(const GlyphSetRecord set, const uint glyph)
 {
   return unpackUnorm4x8(set.colours.at[InSetIfHit(set, COLOURS, glyph)]);
 }
 
 // What all of a glyph's surface has; its colours may lessen it.
-float OpacityOfGlyph(GlyphSetRecord set, uint glyph)
+float OpacityOfGlyph(const GlyphSetRecord set, const uint glyph)
 {
   return Has(set.variants, OPACITIES) ? set.opacity * set.opacities.at[InSetIfHit(set, OPACITIES, glyph)] : set.opacity;
 }
 
 // The colour of a value in [0, 1] in a table that begins at that place. Its last entry is that of what is no number.
-vec4 TableColour(UintArray table, uint first, uint size, float value)
+vec4 TableColour(const UintArray table, const uint first, const uint size, const float value)
 {
   uint entries = size - 1u;
   uint entry = value < 0.0 ? entries : min(uint(value * float(entries)), entries - 1u);
@@ -99,7 +99,7 @@ SurfaceHit NoHit()
 }
 
 // Turns both normals to the side that a ray along `direction` came from: both sides of a surface are the same.
-void FaceForward(inout SurfaceHit hit, vec3 direction)
+void FaceForward(inout SurfaceHit hit, const vec3 direction)
 {
   if (dot(hit.normal, direction) > 0.0)
   {
@@ -111,7 +111,7 @@ void FaceForward(inout SurfaceHit hit, vec3 direction)
 // A direction that was chosen about the shading normal of a hit that faces forward. Where that leans away from the
 // surface, some such directions point into it: they are mirrored at it, so that a body does not shade itself where it
 // is convex.
-vec3 OutOfSurface(SurfaceHit hit, vec3 direction)
+vec3 OutOfSurface(const SurfaceHit hit, const vec3 direction)
 {
   return direction - 2.0 * min(dot(direction, hit.normal), 0.0) * hit.normal;
 }

@@ -18,7 +18,7 @@ struct GlyphSource
   Glyph alike; // what all glyphs of the set share
 };
 
-GlyphSource SourceOf(GlyphSetRecord set)
+GlyphSource SourceOf(const GlyphSetRecord set)
 {
   GlyphSource source;
   source.set = set;
@@ -39,7 +39,7 @@ GlyphSource SourceOf(GlyphSetRecord set)
   return source;
 }
 
-Glyph FetchGlyph(GlyphSource source, uint primitive)
+Glyph FetchGlyph(const GlyphSource source, const uint primitive)
 {
   GlyphSetRecord set = source.set;
   Glyph glyph = source.alike;
@@ -85,7 +85,8 @@ Glyph FetchGlyph(GlyphSource source, uint primitive)
 }
 
 // What Estimate.glsl says for certain.
-int Estimate(GlyphSetRecord set, GlyphRay ray, Glyph glyph, float tMin, float tMax, out float low, out float high)
+int Estimate(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
+  out float low, out float high)
 {
 #ifdef RTG_MESHES
   if (IsOfShape(set.shape, RTG_MESH))
@@ -97,8 +98,8 @@ int Estimate(GlyphSetRecord set, GlyphRay ray, Glyph glyph, float tMin, float tM
 }
 
 // The nearest crossing in [tMin, tMax], and which triangle of a mesh is crossed there. With `any` another one will do.
-bool Intersect(
-  GlyphSetRecord set, GlyphRay ray, Glyph glyph, float tMin, float tMax, bool any, out float t, out uint triangle)
+bool Intersect(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
+  const bool any, out float t, out uint triangle)
 {
 #ifdef RTG_MESHES
   if (IsOfShape(set.shape, RTG_MESH))
@@ -111,7 +112,7 @@ bool Intersect(
 }
 
 // Translucent surfaces that rays pass by chance: Enderton et al., "Stochastic Transparency", IEEE TVCG 17(8), 2011.
-float OpacityOf(GlyphSetRecord set, uint glyph)
+float OpacityOf(const GlyphSetRecord set, const uint glyph)
 {
   float opacity = OpacityOfGlyph(set, glyph);
   return Has(set.variants, COLOURS) ? opacity * ColourOf(set, glyph).a : opacity;
@@ -119,7 +120,8 @@ float OpacityOf(GlyphSetRecord set, uint glyph)
 
 // The colour of a round cone where a ray meets it at t, between those of the balls' middles, or of a polynomial,
 // between those at its centre and farthest from it.
-vec4 ColourBetweenEnds(GlyphSetRecord set, GlyphRay ray, Glyph glyph, uint number, float t)
+vec4 ColourBetweenEnds(
+  const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const uint number, const float t)
 {
   vec3 position = FromCentre(ray, glyph, t) / max(glyph.size.x, 1e-30);
   float way = clamp(Has(set.variants, POLYNOMIALS) ? 2.0 * length(position) : position.x + 0.5, 0.0, 1.0);
@@ -138,20 +140,20 @@ vec4 ColourBetweenEnds(GlyphSetRecord set, GlyphRay ray, Glyph glyph, uint numbe
 }
 
 // Whether the ray passes translucent surfaces of the set by chance. `seed`: of the ray; 0: it passes none.
-bool MayPass(GlyphSetRecord set, uint seed)
+bool MayPass(const GlyphSetRecord set, const uint seed)
 {
   return translucency && seed != 0u && set.translucent != 0u;
 }
 
 // Whether it passes the crossing of that number, or triangle, of a glyph: by chance, so that in the mean the share
 // 1 - opacity passes. The same answer however often it is asked.
-bool Passes(GlyphSetRecord set, uint seed, uint glyph, uint crossing, float opacity)
+bool Passes(const GlyphSetRecord set, const uint seed, const uint glyph, const uint crossing, const float opacity)
 {
   return UnitInterval(Hash(Hash(seed, set.setId), Hash(set.firstGlyph + glyph, crossing))) >= opacity;
 }
 
 // How far from t the exact crossing may lie at most: Shapes/README.md's bound, doubled.
-float ErrorOfT(GlyphRay ray, Glyph glyph, float t)
+float ErrorOfT(const GlyphRay ray, const Glyph glyph, const float t)
 {
   vec3 size = abs(glyph.size);
   return 2e-6 * (max(size.x, max(size.y, size.z)) / length(ray.direction) + t);
@@ -161,8 +163,8 @@ float ErrorOfT(GlyphRay ray, Glyph glyph, float t)
 const uint maximumCrossings = 64u;
 
 // The first crossing in [tMin, tMax] that the ray does not pass.
-bool IntersectStopping(GlyphSetRecord set, GlyphRay ray, uint number, Glyph glyph, uint seed, float tMin, float tMax,
-  bool any, out float t, out uint triangle)
+bool IntersectStopping(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
+  const uint seed, float tMin, const float tMax, const bool any, out float t, out uint triangle)
 {
   bool chance = MayPass(set, seed);
   bool met;

@@ -12,7 +12,7 @@ struct Layers
   uint count;    // that have been found
 };
 
-Layers BeginLayers(DoubleWord3 origin, vec3 direction)
+Layers BeginLayers(const DoubleWord3 origin, const vec3 direction)
 {
   Layers layers;
   layers.ray = EnterScene(origin, direction);
@@ -26,14 +26,14 @@ Layers BeginLayers(DoubleWord3 origin, vec3 direction)
 }
 
 // Asks for the next layer. What is opaque ends them.
-Query LayerQuery(Layers layers)
+Query LayerQuery(const Layers layers)
 {
   return Query(layers.ray, layers.tMin, frame.farDepth - layers.ray.start,
     layered ? frame.cullMask | OPAQUE_MASK : frame.cullMask, 0u, false);
 }
 
 // Whether the answer is a layer that is shown.
-bool TakeLayer(inout Layers layers, SurfaceHit hit)
+bool TakeLayer(inout Layers layers, const SurfaceHit hit)
 {
   if (hit.t < 0.0 || (layered && SetRecord(hit.record).translucent == 0u))
   {
@@ -48,13 +48,13 @@ bool TakeLayer(inout Layers layers, SurfaceHit hit)
 }
 
 // Whether more of them would show.
-bool MoreLayers(Layers layers)
+bool MoreLayers(const Layers layers)
 {
   return layered && layers.count < maximumLayers && layers.passing >= LEAST_PASSING;
 }
 
 // How much the layer weighs in the pixel.
-float WeightOfLayer(inout Layers layers, SurfaceHit hit)
+float WeightOfLayer(inout Layers layers, const SurfaceHit hit)
 {
   float weight = layers.passing * hit.colour.a;
   layers.passing -= weight;

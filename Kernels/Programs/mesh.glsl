@@ -4,8 +4,9 @@
 #include "triangle.glsl"
 
 // The glyph as if its centre were the middle of its mesh, which the positions on the device are relative to.
-Glyph AboutMiddle(Glyph glyph, GlyphSetRecord set)
+Glyph AboutMiddle(const Glyph ofMesh, const GlyphSetRecord set)
 {
+  Glyph glyph = ofMesh;
   DoubleWord3 middle = TwoSum(glyph.centre, RotateToWorld(glyph, glyph.size * set.meshMiddle));
   glyph.centre = middle.hi;
   glyph.centreLow += middle.lo;
@@ -20,7 +21,7 @@ struct MeshRay
   DoubleWord start;
 };
 
-MeshRay ToMesh(GlyphRay ray, Glyph glyph, GlyphSetRecord set)
+MeshRay ToMesh(const GlyphRay ray, const Glyph glyph, const GlyphSetRecord set)
 {
   Glyph centred = AboutMiddle(glyph, set);
   LocalRay local = TurnToLocal(NearRay(ray, centred), centred);
@@ -35,13 +36,13 @@ MeshRay ToMesh(GlyphRay ray, Glyph glyph, GlyphSetRecord set)
 }
 
 // Time of the ray in flight for positions of meshes.
-float MeshTime(GlyphSetRecord set)
+float MeshTime(const GlyphSetRecord set)
 {
   return Has(set.variants, MOVING_MESH) ? TimeOf(set) : 0.0;
 }
 
 // The same numbers whatever triangle asks.
-vec3 CornerAt(GlyphSetRecord set, uint corner, float time)
+vec3 CornerAt(const GlyphSetRecord set, const uint corner, const float time)
 {
   precise vec3 position = set.meshPositions.at[corner];
   if (Has(set.variants, MOVING_MESH))
@@ -61,7 +62,7 @@ vec3 CornerAt(GlyphSetRecord set, uint corner, float time)
 }
 
 // Makes the axis the last.
-vec3 Cycled(vec3 v, uint axis)
+vec3 Cycled(const vec3 v, const uint axis)
 {
   return axis == 0u ? v.yzx : axis == 1u ? v.zxy : v;
 }
@@ -76,7 +77,7 @@ struct ShearedRay
   uint axis;
 };
 
-ShearedRay Shear(MeshRay ray)
+ShearedRay Shear(const MeshRay ray)
 {
   vec3 size = abs(ray.direction);
   ShearedRay sheared;
@@ -87,7 +88,7 @@ ShearedRay Shear(MeshRay ray)
   return sheared;
 }
 
-vec3 Sheared(vec3 position, ShearedRay ray)
+vec3 Sheared(const vec3 position, const ShearedRay ray)
 {
   precise vec3 p = Cycled(position - ray.origin, ray.axis);
   precise vec3 sheared = vec3(p.x - ray.shear.x * p.z, p.y - ray.shear.y * p.z, ray.shear.z * p.z);
@@ -95,7 +96,7 @@ vec3 Sheared(vec3 position, ShearedRay ray)
 }
 
 // Whether the line meets the triangle, where, and the weights of the corners there.
-bool MeetsTriangle(ShearedRay ray, vec3 a, vec3 b, vec3 c, out float s, out vec3 weight)
+bool MeetsTriangle(const ShearedRay ray, vec3 a, vec3 b, vec3 c, out float s, out vec3 weight)
 {
   a = Sheared(a, ray);
   b = Sheared(b, ray);
@@ -110,8 +111,8 @@ bool MeetsTriangle(ShearedRay ray, vec3 a, vec3 b, vec3 c, out float s, out vec3
 }
 
 // Nearest t in [tMin, tMax] where the ray meets a triangle, either side of it.
-bool IntersectMesh(
-  GlyphSetRecord set, GlyphRay worldRay, Glyph glyph, float tMin, float tMax, bool any, out float t, out uint triangle)
+bool IntersectMesh(const GlyphSetRecord set, const GlyphRay worldRay, const Glyph glyph, const float tMin,
+  const float tMax, const bool any, out float t, out uint triangle)
 {
   MeshRay ray = ToMesh(worldRay, glyph, set);
   BoxRay boxRay = MakeBoxRay(ray.origin, ray.direction);
@@ -169,7 +170,8 @@ bool IntersectMesh(
 }
 
 // Says no more than that the ray passes the ball round the mesh.
-int EstimateMesh(GlyphSetRecord set, GlyphRay ray, Glyph glyph, float tMin, float tMax, out float low, out float high)
+int EstimateMesh(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
+  out float low, out float high)
 {
   low = tMin;
   high = tMax;
@@ -188,7 +190,7 @@ struct TriangleCrossing
   vec3 weight;  // of the corners
 };
 
-TriangleCrossing CrossTriangle(GlyphSetRecord set, GlyphRay ray, Glyph glyph, uint triangle)
+TriangleCrossing CrossTriangle(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const uint triangle)
 {
   TriangleCrossing crossing;
   crossing.corner = CornersOf(set, triangle);
@@ -201,21 +203,23 @@ TriangleCrossing CrossTriangle(GlyphSetRecord set, GlyphRay ray, Glyph glyph, ui
   return crossing;
 }
 
-vec4 TriangleColour(GlyphSetRecord set, GlyphRay ray, Glyph glyph, uint number, uint triangle)
+vec4 TriangleColour(
+  const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const uint number, const uint triangle)
 {
   TriangleCrossing crossing = CrossTriangle(set, ray, glyph, triangle);
   return TriangleColour(set, crossing.corner, crossing.weight, triangle, number);
 }
 
 // The shortest rotation that takes the direction `from` to the direction `to`, both unit, of v.
-vec3 RotateByShortestArc(vec3 from, vec3 to, vec3 v)
+vec3 RotateByShortestArc(const vec3 from, const vec3 to, const vec3 v)
 {
   float c = 1.0 + dot(from, to);
   vec3 sum = from + to;
   return c > 1e-6 ? v + 2.0 * dot(from, v) * to - (dot(sum, v) / c) * sum : -v;
 }
 
-SurfaceHit HitOnMesh(uint record, GlyphSetRecord set, Glyph glyph, GlyphRay ray, uint number, float t, uint triangle)
+SurfaceHit HitOnMesh(const uint record, const GlyphSetRecord set, const Glyph glyph, const GlyphRay ray,
+  const uint number, const float t, const uint triangle)
 {
   TriangleCrossing crossing = CrossTriangle(set, ray, glyph, triangle);
   uvec3 corner = crossing.corner;

@@ -16,13 +16,13 @@ float ShutterFraction()
 #endif
 
 // The same as a time of the set's own.
-float TimeOf(GlyphSetRecord set)
+float TimeOf(const GlyphSetRecord set)
 {
   return set.shutterOpen + ShutterFraction() * set.shutterLength;
 }
 
 // Which of the versions of a set's tree the ray in flight needs.
-uint SliceOf(uint sliceBits)
+uint SliceOf(const uint sliceBits)
 {
   return uint(ShutterFraction() * float(1u << sliceBits));
 }
@@ -30,7 +30,7 @@ uint SliceOf(uint sliceBits)
 // Sine and cosine of an angle >= 0, right to 2^-22 below 1000. Vulkan asks 2^-11 of its own, and that between -pi and
 // pi only. Taylor polynomials within an eighth of a turn; pi/2 is subtracted in three parts whose products are exact
 // (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980).
-vec2 SineCosine(float angle)
+vec2 SineCosine(const float angle)
 {
   float quarters = floor(0.63661977 * angle + 0.5);
   precise float x =
@@ -44,7 +44,7 @@ vec2 SineCosine(float angle)
 }
 
 // Unit quaternion (x, y, z, w) of a turn by the vector's length round its direction.
-vec4 TurnBy(vec3 rotation)
+vec4 TurnBy(const vec3 rotation)
 {
   vec3 halfway = 0.5 * rotation;
   float angle = length(halfway);
@@ -53,7 +53,7 @@ vec4 TurnBy(vec3 rotation)
 }
 
 // Moves a glyph to where it is at that time.
-void Move(inout Glyph glyph, GlyphSetRecord set, uint primitive, float time)
+void Move(inout Glyph glyph, const GlyphSetRecord set, const uint primitive, const float time)
 {
   if (Has(set.variants, VELOCITIES | ACCELERATIONS))
   {

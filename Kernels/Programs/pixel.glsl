@@ -9,7 +9,7 @@ const uint tileSize = 8u;
 // Launch index to pixel: tiles of 8 by 8 pixels, inside them blocks of 4 by 2, so that the eight lanes
 // that lavapipe runs together see neighbouring pixels. The tiles of a launch lie scattered over the image: each launch
 // costs about as much as any other of its size, and so does each thread's share of it. False: no pixel is left.
-bool LaunchPixel(uvec2 launch, out uvec2 position)
+bool LaunchPixel(const uvec2 launch, out uvec2 position)
 {
   uint lane = launch.x & 63u;
   uint number = frame.firstTile + launch.y * (frame.launchWidth >> 6u) + (launch.x >> 6u);
@@ -23,7 +23,7 @@ bool LaunchPixel(uvec2 launch, out uvec2 position)
 
 // The ray through a position in the pixel, or in the block of pixels that it stands for, in [0,1)^2. Its parameter is
 // the view depth.
-void CameraRay(uvec2 pixel, vec2 position, out DoubleWord3 origin, out vec3 direction)
+void CameraRay(const uvec2 pixel, const vec2 position, out DoubleWord3 origin, out vec3 direction)
 {
   vec2 ndc = 2.0 * (vec2(pixel) + position * float(frame.pixelStep)) / vec2(frame.width, frame.height) - 1.0;
   direction = frame.forward + ndc.x * frame.right + ndc.y * frame.up;
@@ -37,7 +37,7 @@ void CameraRay(uvec2 pixel, vec2 position, out DoubleWord3 origin, out vec3 dire
 }
 
 // Chooses the time of a sample's whole path: of its camera ray, its occlusion rays and its bounces.
-void OpenShutter(SampleNumber number)
+void OpenShutter(const SampleNumber number)
 {
   if (moves)
   {
@@ -56,7 +56,7 @@ struct Pixel
   uint glyph;
 };
 
-Pixel BeginPixel(uvec2 position)
+Pixel BeginPixel(const uvec2 position)
 {
   Pixel pixel;
   pixel.colour = vec4(0.0);
@@ -78,7 +78,7 @@ Pixel BeginPixel(uvec2 position)
 }
 
 // Depth and identity of a sample whose camera ray has just hit.
-void Identify(inout Pixel pixel, uint index, float viewDepth, uint record, uint glyph)
+void Identify(inout Pixel pixel, const uint index, const float viewDepth, const uint record, const uint glyph)
 {
   if (index == 0u || (!pixel.centreHit && viewDepth < pixel.depth))
   {
@@ -91,7 +91,7 @@ void Identify(inout Pixel pixel, uint index, float viewDepth, uint record, uint 
 }
 
 // Adds what the sample's camera ray hit to the sums for denoising and scripts.
-void AddFeatures(uvec2 position, uint index, vec3 normal, vec3 albedo, float viewDepth)
+void AddFeatures(const uvec2 position, const uint index, const vec3 normal, const vec3 albedo, const float viewDepth)
 {
   if (!gathersFeatures)
   {
@@ -105,7 +105,7 @@ void AddFeatures(uvec2 position, uint index, vec3 normal, vec3 albedo, float vie
 }
 
 // Keeps and shows the pixel. `linear`: its colour is light, not a display colour.
-void EndPixel(uvec2 position, Pixel pixel, bool linear)
+void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
 {
   if (accumulates)
   {

@@ -1,13 +1,14 @@
 // What a surface is like where a ray meets it; after bindings.glsl and glyph.glsl.
 
 // Whether the colour of a glyph leaves that of its surface to other rules: none and white do.
-bool LeavesColours(GlyphSetRecord set, vec4 colour)
+bool LeavesColours(const GlyphSetRecord set, const vec4 colour)
 {
   return !Has(set.variants, COLOURS) || colour.rgb == vec3(1.0);
 }
 
 // `glyph`: its number in the set. `triangle`: of a mesh. `seed`: of the ray, see MayPass().
-SurfaceHit HitOnGlyph(uint record, GlyphSource source, GlyphRay ray, uint glyph, float t, uint triangle, uint seed)
+SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRay ray, const uint glyph, const float t,
+  const uint triangle, const uint seed)
 {
   GlyphSetRecord set = source.set;
   // The normal is computed anew: hit attributes are not safe on every driver (lavapipe overwrites them

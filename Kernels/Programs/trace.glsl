@@ -26,7 +26,7 @@ struct SceneRay
 };
 
 // Says when in the shutter's opening the rays that follow run.
-void SetShutterTime(float time)
+void SetShutterTime(const float time)
 {
   if (moves)
   {
@@ -51,7 +51,7 @@ struct Query
 };
 
 // Where the ray enters the scene's bounds, or 0 when it starts inside them.
-float SceneEntry(vec3 origin, vec3 direction)
+float SceneEntry(const vec3 origin, const vec3 direction)
 {
   vec3 inverse = 1.0 / direction;
   vec3 t0 = (frame.sceneLower - origin) * inverse;
@@ -62,7 +62,7 @@ float SceneEntry(vec3 origin, vec3 direction)
   return max(max(entry.x, entry.y), max(entry.z, 0.0));
 }
 
-SceneRay EnterScene(DoubleWord3 origin, vec3 direction)
+SceneRay EnterScene(const DoubleWord3 origin, const vec3 direction)
 {
   float start = SceneEntry(origin.hi, direction);
   // One step back in case rounding put the entry beyond the bounds.
@@ -71,14 +71,14 @@ SceneRay EnterScene(DoubleWord3 origin, vec3 direction)
 }
 
 // How far the hit's t may be from the exact surface: Shapes/README.md's 8 ulp, doubled, and the hit's own error.
-float ErrorOfT(SceneRay ray, SurfaceHit hit)
+float ErrorOfT(const SceneRay ray, const SurfaceHit hit)
 {
   return hit.error / length(ray.direction) + 2e-6 * hit.t;
 }
 
 // Where rays from a hit that faces forward start: off the surface, so far that rounding cannot put the start behind it.
 // A start clear of the surface needs no minimum t.
-DoubleWord3 LeaveSurface(SceneRay ray, SurfaceHit hit)
+DoubleWord3 LeaveSurface(const SceneRay ray, const SurfaceHit hit)
 {
   DoubleWord3 position = Add(ray.origin, TwoProduct(ray.direction, vec3(hit.t)));
   return Add(position, TwoProduct(hit.normal, vec3(ErrorOfT(ray, hit) * length(ray.direction))));
@@ -87,7 +87,7 @@ DoubleWord3 LeaveSurface(SceneRay ray, SurfaceHit hit)
 #ifdef RTG_OWN_TREES
 // The nearest hit with tMin <= t <= tMax, or one with t < 0; of a query of any, only the sign of t means something.
 // With `gathers` the next of the layers, which are gathered in one traversal, as many as the list holds.
-SurfaceHit Trace(Query query, bool gathers)
+SurfaceHit Trace(const Query query, const bool gathers)
 {
   GlyphRay ray = GlyphRay(query.ray.origin.hi, query.ray.origin.lo, query.ray.direction);
   GlyphCrossing found = GlyphCrossing(0u, nothing, nothing, query.tMax);
@@ -124,7 +124,7 @@ SurfaceHit Trace(Query query, bool gathers)
 }
 #else
 // Lets the driver trace the ray; `flags`: besides that everything is opaque to it.
-void TraceDriver(Query query, uint flags, uint mask)
+void TraceDriver(const Query query, const uint flags, const uint mask)
 {
   frame.rays.at[LaunchIndex()].originLow = query.ray.origin.lo;
   if (translucency)
@@ -141,7 +141,7 @@ void TraceDriver(Query query, uint flags, uint mask)
 // More translucent triangles than this on one ray count as a wall.
 const uint maximumPasses = 256u;
 
-SurfaceHit Trace(Query query, bool gathers)
+SurfaceHit Trace(Query query, const bool gathers)
 {
   if (!(query.tMin <= query.tMax))
   {
@@ -180,7 +180,7 @@ SurfaceHit Trace(Query query, bool gathers)
 #endif
 
 // Whether something stops light that arrives along `direction` (unit) from at most `distance` away.
-Query ShadowQuery(DoubleWord3 origin, vec3 direction, float distance, uint seed)
+Query ShadowQuery(const DoubleWord3 origin, const vec3 direction, const float distance, const uint seed)
 {
   return Query(SceneRay(origin, direction, 0.0), 0.0, distance, ANY_MASK, translucency ? seed : 0u, true);
 }

@@ -30,13 +30,13 @@ TreePosition RootOfTree()
 }
 
 // The current node's number: 1 + 8 + 64 + ... are on the levels above it.
-uint NodeNumber(TreePosition position)
+uint NodeNumber(const TreePosition position)
 {
   return (0x09249249u & ((1u << (3u * position.level)) - 1u)) + position.node;
 }
 
 // Which of the `count` things are in the current node, when it is a leaf: from x up to y; otherwise none.
-uvec2 LeafRange(TreePosition position, uint levels, uint64_t count, uint leafBits)
+uvec2 LeafRange(const TreePosition position, const uint levels, uint64_t count, const uint leafBits)
 {
   bool leaf = position.level == levels;
   return leaf ? uvec2((uint64_t(position.node) * count) >> leafBits, (uint64_t(position.node + 1u) * count) >> leafBits)
@@ -53,7 +53,7 @@ struct BoxRay
   uint signs; // bit i: component i of the direction is negative
 };
 
-BoxRay MakeBoxRay(vec3 origin, vec3 direction)
+BoxRay MakeBoxRay(const vec3 origin, const vec3 direction)
 {
   float longest = max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
   vec3 least = vec3(longest * 5.9604644775390625e-8);
@@ -66,19 +66,19 @@ BoxRay MakeBoxRay(vec3 origin, vec3 direction)
 }
 
 // Parameters at which the ray meets four planes along one axis.
-vec4 PlaneParameters(uint quantised, float step, float offset)
+vec4 PlaneParameters(const uint quantised, const float step, const float offset)
 {
   vec4 q = vec4(quantised & 255u, (quantised >> 8) & 255u, (quantised >> 16) & 255u, quantised >> 24);
   return q * step + offset;
 }
 
 // min and max as one machine instruction: nothing here is NaN, which GLSL's own must care for.
-vec4 Lesser(vec4 a, vec4 b)
+vec4 Lesser(const vec4 a, const vec4 b)
 {
   return vec4(a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.z < b.z ? a.z : b.z, a.w < b.w ? a.w : b.w);
 }
 
-vec4 Greater(vec4 a, vec4 b)
+vec4 Greater(const vec4 a, const vec4 b)
 {
   return vec4(a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z, a.w > b.w ? a.w : b.w);
 }
@@ -89,7 +89,7 @@ uint Bits(bvec4 set)
 }
 
 // Where the ray enters the boxes that it meets, but those left out.
-vec4 Unless(vec4 near, bvec4 leftOut, vec4 far)
+vec4 Unless(const vec4 near, bvec4 leftOut, const vec4 far)
 {
   return vec4(leftOut.x || near.x > far.x ? 1e38 : near.x, leftOut.y || near.y > far.y ? 1e38 : near.y,
     leftOut.z || near.z > far.z ? 1e38 : near.z, leftOut.w || near.w > far.w ? 1e38 : near.w);
@@ -98,8 +98,8 @@ vec4 Unless(vec4 near, bvec4 leftOut, vec4 far)
 // Which of a node's eight children the ray meets between tMin and tMax, bit 7 - rank for the child visited as number
 // `rank`, and the order: child = rank ^ order. With dropsHidden, also where it enters the first of them but the one
 // visited first.
-void IntersectNode(
-  TreeNodes nodes, uint index, BoxRay ray, float tMin, float tMax, out uint mask, out uint order, out float behind)
+void IntersectNode(TreeNodes nodes, const uint index, const BoxRay ray, const float tMin, const float tMax,
+  out uint mask, out uint order, out float behind)
 {
   uint at = 8u * index;
   uvec2 originXY = unpack32(nodes.word[at]);
@@ -152,7 +152,7 @@ void IntersectNode(
 }
 
 // Takes note of the children of the current node that are to be visited.
-void PushChildren(inout TreePosition position, uint mask, uint order, float behind)
+void PushChildren(inout TreePosition position, const uint mask, const uint order, const float behind)
 {
   uint bits = mask << (8u * (position.level & 3u));
   position.pending |= position.level < 4u ? uvec2(bits, 0u) : uvec2(0u, bits);
@@ -167,14 +167,14 @@ void PushChildren(inout TreePosition position, uint mask, uint order, float behi
 }
 
 // Levels whose pending children all lie behind `nearest`, 8 bits each.
-uint HiddenLevels(vec4 behind, float nearest)
+uint HiddenLevels(const vec4 behind, const float nearest)
 {
   return (behind.x > nearest ? 0xffu : 0u) | (behind.y > nearest ? 0xff00u : 0u) |
     (behind.z > nearest ? 0xff0000u : 0u) | (behind.w > nearest ? 0xff000000u : 0u);
 }
 
 // Forgets pending children behind a new nearest hit, which would be found to be so one by one.
-void DropHidden(inout TreePosition position, float nearest)
+void DropHidden(inout TreePosition position, const float nearest)
 {
   if (dropsHidden)
   {

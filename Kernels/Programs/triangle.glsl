@@ -1,12 +1,12 @@
 // What triangles of our own trees and of the driver's structure share: normals and colours by their corners.
-uvec3 CornersOf(GlyphSetRecord set, uint triangle)
+uvec3 CornersOf(const GlyphSetRecord set, const uint triangle)
 {
   return uvec3(set.meshTriangles.at[3u * triangle], set.meshTriangles.at[3u * triangle + 1u],
     set.meshTriangles.at[3u * triangle + 2u]);
 }
 
 // Mean of the corners' normals, of any length; `flat_` where they cancel out.
-vec3 SmoothNormal(GlyphSetRecord set, uvec3 corner, vec3 weight, vec3 flat_)
+vec3 SmoothNormal(const GlyphSetRecord set, const uvec3 corner, const vec3 weight, const vec3 flat_)
 {
   vec3 smoothed = weight.x * set.meshNormals.at[corner.x] + weight.y * set.meshNormals.at[corner.y] +
     weight.z * set.meshNormals.at[corner.z];
@@ -14,12 +14,13 @@ vec3 SmoothNormal(GlyphSetRecord set, uvec3 corner, vec3 weight, vec3 flat_)
 }
 
 // A triangle's own normal, in whichever order its corners are given.
-vec3 OnSideOf(vec3 smoothed, vec3 normal)
+vec3 OnSideOf(const vec3 smoothed, const vec3 normal)
 {
   return dot(smoothed, normal) < 0.0 ? -normal : normal;
 }
 
-vec4 TriangleColour(GlyphSetRecord set, uvec3 corner, vec3 weight, uint triangle, uint glyph)
+vec4 TriangleColour(
+  const GlyphSetRecord set, const uvec3 corner, const vec3 weight, const uint triangle, const uint glyph)
 {
   vec4 colour = vec4(set.colour, 1.0);
   if (Has(set.variants, MESH_POSITION_COLOURS))

@@ -26,7 +26,7 @@ uint layerTriangle[LAYER_CAPACITY]; // where there are meshes
 const bool gathersTriangles = (shapes & (1u << RTG_MESH)) != 0u;
 
 // Adds a crossing; of more than the limit the farthest is dropped. They come in nearly in their order.
-void AddLayer(GlyphCrossing added)
+void AddLayer(const GlyphCrossing added)
 {
   uint time = floatBitsToUint(added.t);
   uint at = min(layerCount, layerLimit - 1u);
@@ -57,14 +57,15 @@ void AddLayer(GlyphCrossing added)
   layerCount = min(layerCount + 1u, layerLimit);
 }
 
-GlyphCrossing LayerAt(uint at)
+GlyphCrossing LayerAt(const uint at)
 {
   return GlyphCrossing(alone ? 0u : layerRecord[at], layerGlyph[at], gathersTriangles ? layerTriangle[at] : nothing,
     uintBitsToFloat(layerTime[at]));
 }
 
 // Adds the glyph's crossings in [tMin, tMax]; returns up to where others are still wanted.
-float AddLayersOf(uint record, GlyphSetRecord set, GlyphRay ray, uint number, Glyph glyph, float tMin, float tMax)
+float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
+  float tMin, float tMax)
 {
   float t;
   uint triangle;
@@ -80,8 +81,8 @@ float AddLayersOf(uint record, GlyphSetRecord set, GlyphRay ray, uint number, Gl
 
 // Brings a crossing of a glyph of the set that is nearer than `hit`; with `any` whichever comes first. With `gathers`
 // all crossings nearer than it are added to the layers instead, as many as are wanted.
-void Traverse(
-  uint record, GlyphSource source, GlyphRay ray, float tMin, uint seed, bool any, bool gathers, inout GlyphCrossing hit)
+void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, const float tMin, const uint seed,
+  const bool any, const bool gathers, inout GlyphCrossing hit)
 {
   GlyphSetRecord set = source.set;
   TreeNodes nodes = TreeNodes(set.tree.nodes);
@@ -183,7 +184,8 @@ void Traverse(
 
 // The nearest crossing of all sets in `mask`; with `any` whichever comes first. With `gathers` the layers of
 // translucent sets up to what is opaque.
-GlyphCrossing WalkSets(GlyphRay ray, float tMin, float tMax, uint mask, uint seed, bool any, bool gathers)
+GlyphCrossing WalkSets(const GlyphRay ray, const float tMin, const float tMax, const uint mask, const uint seed,
+  const bool any, const bool gathers)
 {
   GlyphCrossing hit = GlyphCrossing(0u, nothing, nothing, tMax);
   uint count = alone ? 1u : frame.setCount;

@@ -11,7 +11,7 @@ vec3 EnvironmentTexel(uvec2 at)
   return frame.environmentTexels.at[at.y * frame.environmentSize.x + at.x];
 }
 
-vec3 EnvironmentSeen(vec3 direction)
+vec3 EnvironmentSeen(const vec3 direction)
 {
   vec3 d = normalize(direction);
   vec3 front = cross(frame.environmentRight, frame.environmentUp);
@@ -22,13 +22,13 @@ vec3 EnvironmentSeen(vec3 direction)
 }
 
 // What a scattered ray finds, times the environment's colour and strength.
-vec3 EnvironmentBelow(vec3 direction)
+vec3 EnvironmentBelow(const vec3 direction)
 {
   return frame.environment * min(EnvironmentSeen(direction), vec3(frame.environmentThreshold));
 }
 
 // A direction towards what exceeds the threshold, and that radiance over the density of the direction.
-vec3 AimAtEnvironment(vec2 pick, vec2 place, out vec3 direction)
+vec3 AimAtEnvironment(const vec2 pick, const vec2 place, out vec3 direction)
 {
   uint count = frame.environmentCellColumns * frame.environmentCellRows;
   uint cell = min(uint(pick.x * float(count)), count - 1u);

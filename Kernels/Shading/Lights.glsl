@@ -12,7 +12,7 @@ struct Incidence
 };
 
 // Light i in a loop over all of them.
-LightRecord LightAt(uint i)
+LightRecord LightAt(const uint i)
 {
   if (manyLights)
   {
@@ -21,7 +21,7 @@ LightRecord LightAt(uint i)
   return frame.fewLights[i];
 }
 
-Incidence ArriveAt(LightRecord light, vec3 position)
+Incidence ArriveAt(const LightRecord light, const vec3 position)
 {
   Incidence at;
   at.distance = 1e38;

@@ -3,7 +3,7 @@
 #include "Lights.glsl"
 
 // Colour of a hit. `position` is relative to the scene's origin, `direction` the ray's.
-vec3 ShadeLocal(SurfaceHit hit, vec3 position, vec3 direction)
+vec3 ShadeLocal(const SurfaceHit hit, const vec3 position, const vec3 direction)
 {
   GlyphSetRecord set = SetRecord(hit.record);
   vec3 base = hit.colour.rgb;

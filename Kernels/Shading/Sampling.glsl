@@ -6,7 +6,7 @@
 
 // Sample s >= 1 in [0,1)^2: the R2 sequence (Roberts 2018, the plastic number's additive recurrence) started at the
 // pixel's centre, so that with sample 0 there the first samples spread evenly round it.
-vec2 PixelSample(uint s)
+vec2 PixelSample(const uint s)
 {
   return fract(vec2(0.5) + float(s) * vec2(0.7548776662466927, 0.5698402909980532));
 }
@@ -23,7 +23,7 @@ const uint pairChance = 4u; // escape from between facets
 const uint pairLight = 5u;  // which one; whether the path goes on at the next hit
 const uint pairAim = 6u;    // at the environment image: the cell, and the next pair: where in it
 
-uint PairOf(uint bounce, uint purpose)
+uint PairOf(const uint bounce, const uint purpose)
 {
   // The first sequence: place and first direction; next two directions; facet and chance; lobe and fourth direction.
   if (purpose == pairDirection)
@@ -45,7 +45,7 @@ struct SampleNumber
 };
 
 // The pair number `pair` in [0,1)^2. Different pairs and different pixels are independent of each other.
-vec2 SamplePair(SampleNumber number, uint pair)
+vec2 SamplePair(const SampleNumber number, const uint pair)
 {
   uvec2 bits;
   if (independentSamples)
@@ -68,13 +68,13 @@ vec2 SamplePair(SampleNumber number, uint pair)
 }
 
 // A seed of independent numbers, for what has no bounded dimension; never 0.
-uint SeedOf(SampleNumber number, uint event)
+uint SeedOf(const SampleNumber number, const uint event)
 {
   return Hash(Hash(number.pixel.x, number.pixel.y), Hash(number.index, event)) | 1u;
 }
 
 // Where in the pixel the sample's camera ray goes through; sample 0 is the middle.
-vec2 PixelPosition(SampleNumber number)
+vec2 PixelPosition(const SampleNumber number)
 {
   return number.index == 0u ? vec2(0.5) : SamplePair(number, pairPixel);
 }

@@ -10,7 +10,7 @@ const uint timeSeed = 0x7f4a7c15u;
 // Local shading: the parts of the opening that the planned samples have one each of, and of them the one of a sample,
 // in van der Corput's order, so that an image that grows has early and late times from the start. All pixels go through
 // the parts in the same order: their rays meet the same version of the glyphs' trees.
-uint TimeStratum(uint index)
+uint TimeStratum(const uint index)
 {
   uint mask = (1u << frame.timeStrataBits) - 1u;
   return bitfieldReverse(index & mask) >> (32u - frame.timeStrataBits);
@@ -18,7 +18,7 @@ uint TimeStratum(uint index)
 
 // The place in the pixel of a sample with that number. Places follow a sequence in the order of time: then place and
 // time together are spread evenly, as Hammersley's points are, and not only each by itself.
-uint PlaceAmongTimes(uint index)
+uint PlaceAmongTimes(const uint index)
 {
   return frame.timeStrataBits > 0u ? TimeStratum(index) + ((index >> frame.timeStrataBits) << frame.timeStrataBits)
                                    : index;
@@ -30,7 +30,7 @@ uint PlaceAmongTimes(uint index)
 // in each of 2^k equal parts. Their first frame.sharedTimeBits binary digits are scrambled alike for all pixels, so
 // that in one sample all rays fall into one part, where they meet one version of the glyphs' trees and, on CPU devices,
 // neighbouring lanes go the same way through it; the digits after them belong to each pixel.
-float ShutterTime(SampleNumber number)
+float ShutterTime(const SampleNumber number)
 {
   uint pixelSeed = Hash(timeSeed ^ Hash(number.pixel.x, number.pixel.y));
   if (frame.timeStrataBits > 0u)

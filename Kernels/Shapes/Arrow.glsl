@@ -18,7 +18,7 @@
 #define RTG_HEAD_APEX 6
 
 // The box round the arrow in the glyph's frame.
-RTG_FN void ArrowBox(Glyph glyph, ArrowScale scale, RTG_OUT(real3) middle, RTG_OUT(real3) halfSize)
+RTG_FN void ArrowBox(const Glyph glyph, const ArrowScale scale, RTG_OUT(real3) middle, RTG_OUT(real3) halfSize)
 {
   real radius = max(glyph.arrow.x, glyph.arrow.y);
   real3 worldSize = scale.over / scale.times;
@@ -29,7 +29,7 @@ RTG_FN void ArrowBox(Glyph glyph, ArrowScale scale, RTG_OUT(real3) middle, RTG_O
 
 // The ray in the arrow's unit frame, x turned round to count from the tip to the tail. False: it certainly
 // misses.
-RTG_FN bool ToArrowFrame(GlyphRay ray, Glyph glyph, ArrowScale scale, RTG_OUT(LocalRay) unit)
+RTG_FN bool ToArrowFrame(const GlyphRay ray, const Glyph glyph, const ArrowScale scale, RTG_OUT(LocalRay) unit)
 {
   real3 middle, halfSize;
   ArrowBox(glyph, scale, middle, halfSize);
@@ -49,7 +49,7 @@ RTG_FN bool ToArrowFrame(GlyphRay ray, Glyph glyph, ArrowScale scale, RTG_OUT(Lo
   return true;
 }
 
-RTG_FN Span ShaftSpan(LocalRay ray, Glyph glyph, ArrowScale scale)
+RTG_FN Span ShaftSpan(const LocalRay ray, const Glyph glyph, const ArrowScale scale)
 {
   Span height =
     Slab(WordX(ray.origin), WordX(ray.direction), Word(glyph.arrow.z), scale.extent, RTG_SHAFT_END, RTG_TAIL);
@@ -58,7 +58,7 @@ RTG_FN Span ShaftSpan(LocalRay ray, Glyph glyph, ArrowScale scale)
   return Intersection(height, side);
 }
 
-RTG_FN Span HeadSpan(LocalRay ray, Glyph glyph, ArrowHead head)
+RTG_FN Span HeadSpan(const LocalRay ray, const Glyph glyph, const ArrowHead head)
 {
   DoubleWord x = WordX(ray.origin);
   DoubleWord dx = WordX(ray.direction);
@@ -83,8 +83,8 @@ RTG_FN Span HeadSpan(LocalRay ray, Glyph glyph, ArrowHead head)
   return Hull(cone, Intersection(cap, BallSpan(ray, head.ball, head.ball, RTG_HEAD_BALL)));
 }
 
-RTG_FN bool ArrowCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local,
-  RTG_OUT(ArrowHead) head, RTG_OUT(Crossing) crossing)
+RTG_FN bool ArrowCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  RTG_OUT(LocalRay) local, RTG_OUT(ArrowHead) head, RTG_OUT(Crossing) crossing)
 {
   ArrowScale scale = ScaleOfArrow(glyph);
   head = NoHead();
@@ -131,7 +131,7 @@ RTG_FN bool ArrowCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_O
   return found || foundOther;
 }
 
-RTG_FN bool IntersectArrow(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+RTG_FN bool IntersectArrow(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
   LocalRay local;
   ArrowHead head;
@@ -141,14 +141,14 @@ RTG_FN bool IntersectArrow(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_
   return found;
 }
 
-RTG_FN Enclosure ArrowEnclosure(Glyph glyph)
+RTG_FN Enclosure ArrowEnclosure(const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
   ArrowBox(glyph, ScaleOfArrow(glyph), outer.middle, outer.halfSize);
   return outer;
 }
 
-RTG_FN real3 ArrowNormal(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 ArrowNormal(const GlyphRay ray, const Glyph glyph, const real t)
 {
   LocalRay local;
   ArrowHead head;
@@ -177,7 +177,7 @@ RTG_FN real3 ArrowNormal(GlyphRay ray, Glyph glyph, real t)
   return normalize(RotateToWorld(glyph, normal));
 }
 
-RTG_FN void ArrowBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN void ArrowBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 below;
   real3 above;

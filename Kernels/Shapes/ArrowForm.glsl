@@ -23,7 +23,7 @@ struct ArrowScale
   DoubleWord extent;
 };
 
-RTG_FN ArrowScale ScaleOfArrow(Glyph glyph)
+RTG_FN ArrowScale ScaleOfArrow(const Glyph glyph)
 {
   ArrowScale scale;
   scale.times = real(1.0);
@@ -48,13 +48,13 @@ RTG_FN ArrowScale ScaleOfArrow(Glyph glyph)
   return scale;
 }
 
-RTG_FN bool HasShaft(Glyph glyph, ArrowScale scale)
+RTG_FN bool HasShaft(const Glyph glyph, const ArrowScale scale)
 {
   DoubleWord shaft = Add(scale.extent, -glyph.arrow.z);
   return glyph.arrow.x > real(0.0) && shaft.hi > real(0.0);
 }
 
-RTG_FN bool HasHead(Glyph glyph)
+RTG_FN bool HasHead(const Glyph glyph)
 {
   return glyph.arrow.y > real(0.0);
 }
@@ -76,7 +76,7 @@ RTG_FN ArrowHead NoHead()
   return head;
 }
 
-RTG_FN ArrowHead HeadOfArrow(Glyph glyph)
+RTG_FN ArrowHead HeadOfArrow(const Glyph glyph)
 {
   real radius = glyph.arrow.y;
   real height = glyph.arrow.z;
@@ -108,7 +108,7 @@ RTG_FN ArrowHead HeadOfArrow(Glyph glyph)
 }
 
 // The arrow's bounds in its own frame, in world units: two discs and the ball at the tip.
-RTG_FN void ArrowReach(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN void ArrowReach(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   ArrowScale scale = ScaleOfArrow(glyph);
   real3 worldSize = scale.over / scale.times;

@@ -5,7 +5,8 @@
 #include "Estimate.glsl"
 #include "Span.glsl"
 
-RTG_FN bool BoxCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(Crossing) crossing)
+RTG_FN bool
+BoxCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(Crossing) crossing)
 {
   real3 halfSize = real(0.5) * glyph.size;
   LocalRay local;
@@ -16,7 +17,7 @@ RTG_FN bool BoxCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT
   return FirstCrossing(local, BoxSpan(local, halfSize), tMin, tMax, crossing);
 }
 
-RTG_FN bool IntersectBox(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+RTG_FN bool IntersectBox(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
   Crossing crossing;
   bool found = BoxCrossing(ray, glyph, tMin, tMax, crossing);
@@ -24,12 +25,12 @@ RTG_FN bool IntersectBox(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OU
   return found;
 }
 
-RTG_FN Enclosure BoxEnclosure(Glyph glyph)
+RTG_FN Enclosure BoxEnclosure(const Glyph glyph)
 {
   return BoxedEnclosure(glyph);
 }
 
-RTG_FN real3 BoxNormal(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 BoxNormal(const GlyphRay ray, const Glyph glyph, const real t)
 {
   Crossing crossing;
   BoxCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), crossing);
@@ -40,7 +41,7 @@ RTG_FN real3 BoxNormal(GlyphRay ray, Glyph glyph, real t)
   return normalize(RotateToWorld(glyph, normal));
 }
 
-RTG_FN void BoxBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN void BoxBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 reach = real(0.5) * glyph.size;
   if (glyph.turned)

@@ -11,26 +11,26 @@
 #include "Sphere.glsl"
 
 // The half-axes of the ends.
-RTG_FN real3 CapsuleEnd(Glyph glyph)
+RTG_FN real3 CapsuleEnd(const Glyph glyph)
 {
   return real(0.5) * real3(max(glyph.size.y, glyph.size.z), glyph.size.y, glyph.size.z);
 }
 
 // Half the extents of the whole.
-RTG_FN real3 CapsuleHalfSize(Glyph glyph)
+RTG_FN real3 CapsuleHalfSize(const Glyph glyph)
 {
   return CapsuleEnd(glyph) + real3(real(0.5) * glyph.size.x, real(0.0), real(0.0));
 }
 
 // Half the length of the cylinder where its radius is 1.
-RTG_FN DoubleWord CapsuleHalfLength(Glyph glyph)
+RTG_FN DoubleWord CapsuleHalfLength(const Glyph glyph)
 {
   return Divide(Word(glyph.size.x), Word(max(glyph.size.y, glyph.size.z)));
 }
 
 // The ray in the frame where the capsule is round and its radius is 1.
-RTG_FN bool
-CapsuleCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
+RTG_FN bool CapsuleCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
   LocalRay world;
   if (!ToLocal(ray, glyph, real3(real(0.0)), CapsuleHalfSize(glyph), world))
@@ -46,7 +46,7 @@ CapsuleCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRa
   return FirstCrossing(local, RoundConeSpan(local, form), tMin, tMax, crossing);
 }
 
-RTG_FN bool IntersectCapsule(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+RTG_FN bool IntersectCapsule(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
   LocalRay local;
   Crossing crossing;
@@ -55,7 +55,7 @@ RTG_FN bool IntersectCapsule(GlyphRay ray, Glyph glyph, real tMin, real tMax, RT
   return found;
 }
 
-RTG_FN Enclosure CapsuleEnclosure(Glyph glyph)
+RTG_FN Enclosure CapsuleEnclosure(const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
   outer.halfSize = CapsuleHalfSize(glyph);
@@ -66,7 +66,7 @@ RTG_FN Enclosure CapsuleEnclosure(Glyph glyph)
   return outer;
 }
 
-RTG_FN real3 CapsuleNormal(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 CapsuleNormal(const GlyphRay ray, const Glyph glyph, const real t)
 {
   LocalRay local;
   Crossing crossing;
@@ -88,7 +88,7 @@ RTG_FN real3 CapsuleNormal(GlyphRay ray, Glyph glyph, real t)
   return normalize(RotateToWorld(glyph, p * (real(0.5) * real3(smallest) / CapsuleEnd(glyph))));
 }
 
-RTG_FN void CapsuleBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN void CapsuleBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 axis = RotateToWorld(glyph, real3(real(0.5) * glyph.size.x, real(0.0), real(0.0)));
   real3 reach = abs(axis) + EllipsoidReach(glyph, CapsuleEnd(glyph));

@@ -7,8 +7,8 @@
 #include "Span.glsl"
 
 // Faces: 0 the side, 1 the base, 2 the apex.
-RTG_FN bool
-ConeCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
+RTG_FN bool ConeCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
   real3 halfSize = real(0.5) * glyph.size;
   if (!ToBoxFrame(ray, glyph, halfSize, local))
@@ -29,7 +29,7 @@ ConeCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) 
   return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing);
 }
 
-RTG_FN bool IntersectCone(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+RTG_FN bool IntersectCone(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
   LocalRay local;
   Crossing crossing;
@@ -38,12 +38,12 @@ RTG_FN bool IntersectCone(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_O
   return found;
 }
 
-RTG_FN Enclosure ConeEnclosure(Glyph glyph)
+RTG_FN Enclosure ConeEnclosure(const Glyph glyph)
 {
   return BoxedEnclosure(glyph);
 }
 
-RTG_FN real3 ConeNormal(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 ConeNormal(const GlyphRay ray, const Glyph glyph, const real t)
 {
   LocalRay local;
   Crossing crossing;
@@ -60,7 +60,7 @@ RTG_FN real3 ConeNormal(GlyphRay ray, Glyph glyph, real t)
   return normalize(RotateToWorld(glyph, normal));
 }
 
-RTG_FN void ConeBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN void ConeBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 halfSize = real(0.5) * glyph.size;
   real3 apex = RotateToWorld(glyph, real3(halfSize.x, real(0.0), real(0.0)));

@@ -7,8 +7,8 @@
 #include "Span.glsl"
 
 // Faces: 0 the side, 1 the cap at -y, 2 the cap at +y.
-RTG_FN bool
-CylinderCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
+RTG_FN bool CylinderCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
   real3 halfSize = real(0.5) * glyph.size;
   if (!ToBoxFrame(ray, glyph, halfSize, local))
@@ -22,7 +22,7 @@ CylinderCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalR
   return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing);
 }
 
-RTG_FN bool IntersectCylinder(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+RTG_FN bool IntersectCylinder(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
   LocalRay local;
   Crossing crossing;
@@ -31,12 +31,12 @@ RTG_FN bool IntersectCylinder(GlyphRay ray, Glyph glyph, real tMin, real tMax, R
   return found;
 }
 
-RTG_FN Enclosure CylinderEnclosure(Glyph glyph)
+RTG_FN Enclosure CylinderEnclosure(const Glyph glyph)
 {
   return BoxedEnclosure(glyph);
 }
 
-RTG_FN real3 CylinderNormal(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 CylinderNormal(const GlyphRay ray, const Glyph glyph, const real t)
 {
   LocalRay local;
   Crossing crossing;
@@ -51,7 +51,7 @@ RTG_FN real3 CylinderNormal(GlyphRay ray, Glyph glyph, real t)
   return normalize(RotateToWorld(glyph, normal));
 }
 
-RTG_FN void CylinderBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN void CylinderBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 halfSize = real(0.5) * glyph.size;
   real3 axis = RotateToWorld(glyph, real3(real(0.0), halfSize.y, real(0.0)));

@@ -5,7 +5,7 @@
 #include "Span.glsl"
 
 // Half the extents of the ellipse with the given half-axes (unit form's frame) along the world's axes.
-RTG_FN real3 DiscReach(Glyph glyph, real3 u, real3 v)
+RTG_FN real3 DiscReach(const Glyph glyph, const real3 u, const real3 v)
 {
   real3 a = RotateToWorld(glyph, u);
   real3 b = RotateToWorld(glyph, v);
@@ -14,7 +14,7 @@ RTG_FN real3 DiscReach(Glyph glyph, real3 u, real3 v)
 
 // The ray in the frame where the glyph's box is [-1, 1]^3: all that follows is of the order of one, whatever
 // the sizes' ratios. False: it certainly misses.
-RTG_FN bool ToBoxFrame(GlyphRay ray, Glyph glyph, real3 halfSize, RTG_OUT(LocalRay) unit)
+RTG_FN bool ToBoxFrame(const GlyphRay ray, const Glyph glyph, const real3 halfSize, RTG_OUT(LocalRay) unit)
 {
   LocalRay local;
   bool near = ToLocal(ray, glyph, real3(real(0.0)), halfSize, local);

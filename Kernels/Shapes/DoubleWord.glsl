@@ -29,7 +29,7 @@ struct DoubleWord3
 #undef RTG_WORD
 #undef RTG_WORDS
 
-RTG_FN DoubleWord Word(real hi)
+RTG_FN DoubleWord Word(const real hi)
 {
   DoubleWord word;
   word.hi = hi;
@@ -37,7 +37,7 @@ RTG_FN DoubleWord Word(real hi)
   return word;
 }
 
-RTG_FN DoubleWord3 Word3(real3 hi)
+RTG_FN DoubleWord3 Word3(const real3 hi)
 {
   DoubleWord3 word;
   word.hi = hi;
@@ -45,7 +45,7 @@ RTG_FN DoubleWord3 Word3(real3 hi)
   return word;
 }
 
-RTG_FN DoubleWord WordX(DoubleWord3 a)
+RTG_FN DoubleWord WordX(const DoubleWord3 a)
 {
   DoubleWord word;
   word.hi = a.hi.x;
@@ -53,7 +53,7 @@ RTG_FN DoubleWord WordX(DoubleWord3 a)
   return word;
 }
 
-RTG_FN DoubleWord WordY(DoubleWord3 a)
+RTG_FN DoubleWord WordY(const DoubleWord3 a)
 {
   DoubleWord word;
   word.hi = a.hi.y;
@@ -61,7 +61,7 @@ RTG_FN DoubleWord WordY(DoubleWord3 a)
   return word;
 }
 
-RTG_FN DoubleWord WordZ(DoubleWord3 a)
+RTG_FN DoubleWord WordZ(const DoubleWord3 a)
 {
   DoubleWord word;
   word.hi = a.hi.z;
@@ -70,7 +70,7 @@ RTG_FN DoubleWord WordZ(DoubleWord3 a)
 }
 
 // Square root with one Heron step on the exact residual; 0 for negative numbers. Error of a few u^2.
-RTG_FN DoubleWord SquareRoot(DoubleWord a)
+RTG_FN DoubleWord SquareRoot(const DoubleWord a)
 {
   if (!(a.hi > real(0.0)))
   {

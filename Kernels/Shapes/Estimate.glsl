@@ -22,7 +22,7 @@ struct Enclosure
 };
 
 // That of a shape that reaches from -size / 2 to size / 2 along each of its axes and fills neither cube nor ball.
-RTG_FN Enclosure BoxedEnclosure(Glyph glyph)
+RTG_FN Enclosure BoxedEnclosure(const Glyph glyph)
 {
   Enclosure outer;
   outer.middle = real3(real(0.0));
@@ -43,7 +43,7 @@ struct EnclosureRay
 };
 
 // The rounding of the differences and of the line's nearest point is less than 12 u (|v| + radius): see MissesBall.
-RTG_FN EnclosureRay ToSphere(GlyphRay ray, Glyph glyph, real radius)
+RTG_FN EnclosureRay ToSphere(const GlyphRay ray, const Glyph glyph, const real radius)
 {
   EnclosureRay local;
   local.o = (ray.origin - glyph.centre) + (ray.originLow - glyph.centreLow);
@@ -55,7 +55,7 @@ RTG_FN EnclosureRay ToSphere(GlyphRay ray, Glyph glyph, real radius)
 
 // Turning adds less than 25 u |v| to the origin and 25 u |d| to the direction, which at the glyph's distance is the
 // same again; the shortest half-length magnifies all of it.
-RTG_FN EnclosureRay ToEnclosure(GlyphRay ray, Glyph glyph, Enclosure outer)
+RTG_FN EnclosureRay ToEnclosure(const GlyphRay ray, const Glyph glyph, const Enclosure outer)
 {
   real3 v = (ray.origin - glyph.centre) + (ray.originLow - glyph.centreLow);
   EnclosureRay local;
@@ -67,7 +67,8 @@ RTG_FN EnclosureRay ToEnclosure(GlyphRay ray, Glyph glyph, Enclosure outer)
   return local;
 }
 
-RTG_FN int Estimate(EnclosureRay ray, Enclosure outer, real tMin, real tMax, RTG_OUT(real) low, RTG_OUT(real) high)
+RTG_FN int Estimate(const EnclosureRay ray, const Enclosure outer, const real tMin, const real tMax, RTG_OUT(real) low,
+  RTG_OUT(real) high)
 {
   low = tMin;
   high = tMax;

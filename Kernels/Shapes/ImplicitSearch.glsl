@@ -31,7 +31,7 @@ struct RTG_SEARCH
   int steps;
 };
 
-RTG_FN RTG_SEARCH StartSearch(RTG_FIELD field, Chord chord)
+RTG_FN RTG_SEARCH StartSearch(RTG_FIELD field, const Chord chord)
 {
   RTG_SEARCH search;
   search.a = ProbeAt(field, Word(chord.sIn), -1);
@@ -49,7 +49,7 @@ RTG_FN RTG_SEARCH StartSearch(RTG_FIELD field, Chord chord)
 }
 
 // On to the window behind this one.
-RTG_FN RTG_SEARCH NextWindow(RTG_SEARCH search)
+RTG_FN RTG_SEARCH NextWindow(const RTG_SEARCH search)
 {
   RTG_SEARCH next = search;
   next.a = search.b;
@@ -95,7 +95,7 @@ RTG_FN int Look(RTG_FIELD field, RTG_PROBE a, RTG_PROBE b, RTG_OUT(real) next)
 
 // Walks to the next window that has a crossing, or may have one that only double words tell. Each turn evaluates f
 // once or takes a window away.
-RTG_FN bool NextRoot(RTG_FIELD field, Chord chord, RTG_SEARCH search, RTG_OUT(RTG_SEARCH) after)
+RTG_FN bool NextRoot(RTG_FIELD field, const Chord chord, RTG_SEARCH search, RTG_OUT(RTG_SEARCH) after)
 {
   bool solving = false;
   bool found = false;
@@ -191,7 +191,8 @@ RTG_FN bool NextRoot(RTG_FIELD field, Chord chord, RTG_SEARCH search, RTG_OUT(RT
 // `changes`: at high it is not, and the zero is Newton's, by a parabola where the second derivative is known, or, where
 // that leaves the bracket or dawdles, bisection's. Else the least of f is looked for by its slopes, which change their
 // sign once. False: there is none.
-RTG_FN bool Settle(RTG_FIELD field, LocalRay ray, real low, real high, real way, bool changes, RTG_OUT(LocalRay) at)
+RTG_FN bool Settle(
+  RTG_FIELD field, const LocalRay ray, real low, real high, const real way, const bool changes, RTG_OUT(LocalRay) at)
 {
   bool root = changes;
   bool more = true;
@@ -251,7 +252,7 @@ RTG_FN bool Settle(RTG_FIELD field, LocalRay ray, real low, real high, real way,
 }
 
 // The nearest crossing in [tMin, tMax].
-RTG_FN SurfaceCrossing NearestCrossing(RTG_FIELD field, Chord chord, real tMin, real tMax)
+RTG_FN SurfaceCrossing NearestCrossing(RTG_FIELD field, const Chord chord, const real tMin, const real tMax)
 {
   SurfaceCrossing crossing = NoSurfaceCrossing(chord.ray);
   RTG_SEARCH search = StartSearch(field, chord);

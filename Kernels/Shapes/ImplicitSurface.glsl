@@ -20,17 +20,17 @@
 #define RTG_STEPS 1024
 #define RTG_TINY (RTG_ROUNDOFF * RTG_ROUNDOFF * RTG_ROUNDOFF * RTG_ROUNDOFF)
 
-RTG_FN real SumOf(real3 v)
+RTG_FN real SumOf(const real3 v)
 {
   return v.x + v.y + v.z;
 }
 
-RTG_FN real LeastOf(real3 v)
+RTG_FN real LeastOf(const real3 v)
 {
   return min(v.x, min(v.y, v.z));
 }
 
-RTG_FN real MostOf(real3 v)
+RTG_FN real MostOf(const real3 v)
 {
   return max(v.x, max(v.y, v.z));
 }
@@ -60,7 +60,7 @@ RTG_FN Chord NoChord()
 }
 
 // False: the ray certainly has no crossing in [tMin, tMax], and `chord` means nothing.
-RTG_FN bool ToChord(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(Chord) chord)
+RTG_FN bool ToChord(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(Chord) chord)
 {
   chord = NoChord();
   LocalRay local;
@@ -88,14 +88,14 @@ RTG_FN bool ToChord(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(Cho
 }
 
 // Zero for the axis, one for the others.
-RTG_FN real3 OffPlane(int axis)
+RTG_FN real3 OffPlane(const int axis)
 {
   return real3(axis == 0 ? real(0.0) : real(1.0), axis == 1 ? real(0.0) : real(1.0), axis == 2 ? real(0.0) : real(1.0));
 }
 
 // The ray with its origin at a point of it; on the coordinate plane of `axis` that coordinate is zero to the last
 // digit.
-RTG_FN LocalRay RayFrom(LocalRay ray, DoubleWord where, int axis)
+RTG_FN LocalRay RayFrom(const LocalRay ray, const DoubleWord where, const int axis)
 {
   DoubleWord3 along;
   along.hi = real3(where.hi);
@@ -118,7 +118,7 @@ struct Planes
   DoubleWord z;
 };
 
-RTG_FN DoubleWord PassesAt(DoubleWord o, DoubleWord d, bool counts)
+RTG_FN DoubleWord PassesAt(const DoubleWord o, const DoubleWord d, const bool counts)
 {
   if (!counts || !(abs(d.hi) > real(RTG_TINY)))
   {
@@ -129,13 +129,13 @@ RTG_FN DoubleWord PassesAt(DoubleWord o, DoubleWord d, bool counts)
 
 // Next to the glyph's center, or the end of the chord when that is behind: a ray that hits is likely to be inside
 // there.
-RTG_FN DoubleWord NextMiddle(DoubleWord after, real sOut)
+RTG_FN DoubleWord NextMiddle(const DoubleWord after, const real sOut)
 {
   return Word(after.hi < real(0.0) && sOut > real(0.0) ? real(0.0) : sOut);
 }
 
 // The first plane behind `after` and the axis that it belongs to, or the last point and -1.
-RTG_FN DoubleWord NextPlane(Planes planes, DoubleWord after, DoubleWord last, RTG_OUT(int) axis)
+RTG_FN DoubleWord NextPlane(const Planes planes, const DoubleWord after, const DoubleWord last, RTG_OUT(int) axis)
 {
   DoubleWord next = last;
   axis = -1;
@@ -181,7 +181,7 @@ struct Straying
   real reach;
 };
 
-RTG_FN real Remainder(Straying by, real step)
+RTG_FN real Remainder(const Straying by, const real step)
 {
   return abs(step) <= by.reach ? abs(step * step * step) * by.third * real(1.0 / 6.0) : real(RTG_NEVER);
 }
@@ -206,7 +206,7 @@ struct SurfaceCrossing
   int steps;
 };
 
-RTG_FN SurfaceCrossing NoSurfaceCrossing(LocalRay ray)
+RTG_FN SurfaceCrossing NoSurfaceCrossing(const LocalRay ray)
 {
   SurfaceCrossing crossing;
   crossing.found = false;
@@ -217,7 +217,7 @@ RTG_FN SurfaceCrossing NoSurfaceCrossing(LocalRay ray)
 }
 
 // The normal in the world from the gradient in absolute coordinates of the frame of the half-lengths.
-RTG_FN real3 SurfaceNormal(Glyph glyph, real3 p, real3 gradient)
+RTG_FN real3 SurfaceNormal(const Glyph glyph, const real3 p, const real3 gradient)
 {
   real3 g = gradient / max(gradient.x, max(gradient.y, max(gradient.z, real(RTG_TINY))));
   // On the axis of a thorn nothing points anywhere but along it.

@@ -40,13 +40,13 @@ struct LocalRay
   DoubleWord3 direction;
 };
 
-RTG_FN DoubleWord RayParameter(LocalRay ray, DoubleWord s)
+RTG_FN DoubleWord RayParameter(const LocalRay ray, const DoubleWord s)
 {
   return Add(ray.start, s);
 }
 
 // Move the origin along the ray by s, which thereby needs not be accurate.
-RTG_FN LocalRay Advance(LocalRay ray, real s)
+RTG_FN LocalRay Advance(const LocalRay ray, const real s)
 {
   LocalRay moved;
   moved.start = Add(ray.start, s);
@@ -56,7 +56,7 @@ RTG_FN LocalRay Advance(LocalRay ray, real s)
 }
 
 // u x (a, lower and upper word).
-RTG_FN DoubleWord3 CrossProduct(real3 u, DoubleWord3 a)
+RTG_FN DoubleWord3 CrossProduct(const real3 u, const DoubleWord3 a)
 {
   DoubleWord3 yzx;
   yzx.hi = real3(a.hi.y, a.hi.z, a.hi.x);
@@ -70,7 +70,7 @@ RTG_FN DoubleWord3 CrossProduct(real3 u, DoubleWord3 a)
 }
 
 // |q|^2, which is one only up to the rounding of q.
-RTG_FN DoubleWord SquaredNorm(real4 q)
+RTG_FN DoubleWord SquaredNorm(const real4 q)
 {
   DoubleWord xy = AddSloppy(TwoProduct(q.x, q.x), TwoProduct(q.y, q.y));
   DoubleWord zw = AddSloppy(TwoProduct(q.z, q.z), TwoProduct(q.w, q.w));
@@ -79,7 +79,7 @@ RTG_FN DoubleWord SquaredNorm(real4 q)
 
 // The inverse rotation of the normalised quaternion, a + 2 (u x (u x a) - w (u x a)) / |q|^2, in
 // double words: a needle of 1 : 1e-6 notices an angle of 1e-13.
-RTG_FN DoubleWord3 RotateToLocal(real4 q, DoubleWord twoOverNorm, DoubleWord3 a)
+RTG_FN DoubleWord3 RotateToLocal(const real4 q, const DoubleWord twoOverNorm, const DoubleWord3 a)
 {
   real3 u = real3(q.x, q.y, q.z);
   DoubleWord3 c = CrossProduct(u, a);
@@ -91,13 +91,13 @@ RTG_FN DoubleWord3 RotateToLocal(real4 q, DoubleWord twoOverNorm, DoubleWord3 a)
 }
 
 // The rotation of the same quaternion in plain arithmetic, for normals, bounds and early rejection.
-RTG_FN real3 Rotate(real3 u, real w, real3 a)
+RTG_FN real3 Rotate(const real3 u, const real w, const real3 a)
 {
   real3 c = cross(u, a);
   return a + (real(2.0) / (dot(u, u) + w * w)) * (cross(u, c) + w * c);
 }
 
-RTG_FN real3 RotateToWorld(Glyph glyph, real3 a)
+RTG_FN real3 RotateToWorld(const Glyph glyph, const real3 a)
 {
   if (!glyph.turned)
   {
@@ -106,7 +106,7 @@ RTG_FN real3 RotateToWorld(Glyph glyph, real3 a)
   return Rotate(real3(glyph.rotation.x, glyph.rotation.y, glyph.rotation.z), glyph.rotation.w, a);
 }
 
-RTG_FN real3 RotateToLocal(Glyph glyph, real3 a)
+RTG_FN real3 RotateToLocal(const Glyph glyph, const real3 a)
 {
   if (!glyph.turned)
   {
@@ -117,7 +117,7 @@ RTG_FN real3 RotateToLocal(Glyph glyph, real3 a)
 
 // True only if the line passes the ball around centre + middle: most candidates of a ray end here, in
 // plain arithmetic. The rounding of v, of s d and of their sum moves p by less than 12 u (|v| + radius).
-RTG_FN bool MissesBall(GlyphRay ray, Glyph glyph, real3 middle, real radius)
+RTG_FN bool MissesBall(const GlyphRay ray, const Glyph glyph, const real3 middle, const real radius)
 {
   real3 d = ray.direction;
   real3 v = (ray.origin - glyph.centre) + (ray.originLow - glyph.centreLow) - middle;
@@ -129,7 +129,7 @@ RTG_FN bool MissesBall(GlyphRay ray, Glyph glyph, real3 middle, real radius)
 
 // Subtract the centre exactly and go along the ray to where it passes the centre, still in the world's
 // frame: from here on errors are relative to the distance between ray and centre.
-RTG_FN LocalRay NearRay(GlyphRay ray, Glyph glyph)
+RTG_FN LocalRay NearRay(const GlyphRay ray, const Glyph glyph)
 {
   DoubleWord3 origin;
   origin.hi = ray.origin;
@@ -147,7 +147,7 @@ RTG_FN LocalRay NearRay(GlyphRay ray, Glyph glyph)
   return near;
 }
 
-RTG_FN LocalRay TurnToLocal(LocalRay ray, Glyph glyph)
+RTG_FN LocalRay TurnToLocal(const LocalRay ray, const Glyph glyph)
 {
   if (!glyph.turned)
   {
@@ -162,7 +162,7 @@ RTG_FN LocalRay TurnToLocal(LocalRay ray, Glyph glyph)
 }
 
 // Where a ray passes the box -halfSize .. halfSize, in plain arithmetic. False: it misses that.
-RTG_FN bool BoxChord(real3 o, real3 d, real3 halfSize, RTG_OUT(real) sIn, RTG_OUT(real) sOut)
+RTG_FN bool BoxChord(const real3 o, const real3 d, const real3 halfSize, RTG_OUT(real) sIn, RTG_OUT(real) sOut)
 {
   real least = real(RTG_ROUNDOFF * RTG_ROUNDOFF) * (abs(d.x) + abs(d.y) + abs(d.z));
   real3 e = real3(abs(d.x) > least ? d.x : least, abs(d.y) > least ? d.y : least, abs(d.z) > least ? d.z : least);
@@ -178,7 +178,8 @@ RTG_FN bool BoxChord(real3 o, real3 d, real3 halfSize, RTG_OUT(real) sIn, RTG_OU
 // The ray's chord through the box middle - halfSize .. middle + halfSize in the glyph's frame, in plain
 // arithmetic: the box is padded by more than its rounding, so that an empty chord is certain. `radius`
 // is at least half the box's diagonal.
-RTG_FN bool PaddedChord(LocalRay ray, Glyph glyph, real3 middle, real3 halfSize, real radius, RTG_OUT(real) sMiddle)
+RTG_FN bool PaddedChord(const LocalRay ray, const Glyph glyph, const real3 middle, const real3 halfSize,
+  const real radius, RTG_OUT(real) sMiddle)
 {
   real3 o = RotateToLocal(glyph, ray.origin.hi) - middle;
   real3 d = RotateToLocal(glyph, ray.direction.hi);
@@ -192,7 +193,8 @@ RTG_FN bool PaddedChord(LocalRay ray, Glyph glyph, real3 middle, real3 halfSize,
 
 // The ray in the glyph's frame, its origin moved to the middle of its chord through the glyph's box.
 // False: the ray certainly misses that box, and `local` means nothing.
-RTG_FN bool ToLocal(GlyphRay ray, Glyph glyph, real3 middle, real3 halfSize, RTG_OUT(LocalRay) local)
+RTG_FN bool
+ToLocal(const GlyphRay ray, const Glyph glyph, const real3 middle, const real3 halfSize, RTG_OUT(LocalRay) local)
 {
   real radius = length(halfSize);
   local.start = Word(real(0.0));

@@ -59,12 +59,12 @@ struct NestedProbe
 };
 
 // Where z^(q - 1) / (1 - z^q) is least: z^q = 1 - q.
-RTG_FN real LeastFallAt(real q)
+RTG_FN real LeastFallAt(const real q)
 {
   return q < real(1.0) ? exp2(max(log2(max(real(1.0) - q, real(1e-6))) / q, real(-60.0))) : real(0.0);
 }
 
-RTG_FN NestedField MakeNestedField(Chord chord, real3 exponents)
+RTG_FN NestedField MakeNestedField(const Chord chord, const real3 exponents)
 {
   real3 e = max(exponents, real3(real(RTG_NESTED_LEAST)));
   NestedField field;
@@ -98,13 +98,13 @@ RTG_FN NestedField MakeNestedField(Chord chord, real3 exponents)
 }
 
 // 2^x without underflow.
-RTG_FN real SafeExp2(real x)
+RTG_FN real SafeExp2(const real x)
 {
   return x > real(-100.0) ? exp2(min(x, real(100.0))) : real(0.0);
 }
 
 // log2 of the p-norm of two numbers that are given by their logarithms, and the share of each in the sum of powers.
-RTG_FN real LogNorm(real a, real b, real p, RTG_OUT(real2) share)
+RTG_FN real LogNorm(const real a, const real b, const real p, RTG_OUT(real2) share)
 {
   real high = max(a, b);
   real power = SafeExp2(p * (min(a, b) - high));
@@ -113,14 +113,14 @@ RTG_FN real LogNorm(real a, real b, real p, RTG_OUT(real2) share)
   return high + log2(real(1.0) + power) / p;
 }
 
-RTG_FN real LogNorm(real2 l, real p)
+RTG_FN real LogNorm(const real2 l, const real p)
 {
   real2 share;
   return LogNorm(l.x, l.y, p, share);
 }
 
 // log2 R of a profile at log2 |z| and its fall.
-RTG_FN real PlainProfile(real z, real logZ, real q, RTG_OUT(real) fall)
+RTG_FN real PlainProfile(const real z, const real logZ, const real q, RTG_OUT(real) fall)
 {
   real power = SafeExp2(q * logZ);
   real rest = max(real(1.0) - power, real(RTG_TINY));
@@ -130,21 +130,22 @@ RTG_FN real PlainProfile(real z, real logZ, real q, RTG_OUT(real) fall)
 
 // What rounding does to log2 R: `rounding` is that of |z|, built-in logarithms and powers are good to 2^-20. Where 1 -
 // z^q is next to nothing it may be nothing, but not much more: that is the certain side when the point is outside.
-RTG_FN real ProfileDoubt(real fall, real z, real q, real rounding, bool outside)
+RTG_FN real ProfileDoubt(const real fall, const real z, const real q, const real rounding, const bool outside)
 {
   real share = q * rounding * fall + real(16.0 * RTG_ROUNDOFF) * (real(1.0) + q) * (real(1.0) + fall * z);
   return share < real(0.5) ? real(2.0) * share / q : outside ? log2(real(1.0) + share) / q : real(1e9);
 }
 
 // Directions in absolute coordinates.
-RTG_FN real3 Towards(real3 v, real3 d)
+RTG_FN real3 Towards(const real3 v, const real3 d)
 {
   return real3(v.x < real(0.0) ? -d.x : d.x, v.y < real(0.0) ? -d.y : d.y, v.z < real(0.0) ? -d.z : d.z);
 }
 
 // On this side of the coordinate planes, where the surface may be bent all at once, and only as far as powers that are
 // negligible stay so.
-RTG_FN Straying StrayingOf(NestedField field, real3 gradient, real3 v, real3 d, real2 falls)
+RTG_FN Straying StrayingOf(
+  const NestedField field, const real3 gradient, const real3 v, const real3 d, const real2 falls)
 {
   real3 a = max(abs(v), real3(real(RTG_TINY)));
   real3 rate = abs(d) / a;
@@ -162,7 +163,7 @@ RTG_FN Straying StrayingOf(NestedField field, real3 gradient, real3 v, real3 d, 
 
 // On the coordinate plane of `axis` that coordinate is zero whatever rounding makes of o + s d: next to the rim of a
 // concave profile the difference matters.
-RTG_FN NestedProbe ProbeAt(NestedField field, DoubleWord where, int axis)
+RTG_FN NestedProbe ProbeAt(const NestedField field, const DoubleWord where, const int axis)
 {
   real3 way = where.hi * field.d;
   real3 known = OffPlane(axis);
@@ -225,7 +226,7 @@ RTG_FN NestedProbe ProbeAt(NestedField field, DoubleWord where, int axis)
 }
 
 // The extremum of x / R along the ray, R with exponent q: x' z^(1-q) = x' z - x z'. `none` when there is none.
-RTG_FN real NestedExtremum(real x, real dx, real z, real dz, real q, real none)
+RTG_FN real NestedExtremum(const real x, const real dx, const real z, const real dz, const real q, const real none)
 {
   real base = (z * dx - x * dz) / dx;
   if (dx == real(0.0) || dz == real(0.0) || !(base > real(RTG_TINY)) || abs(q - real(1.0)) < real(1e-6))
@@ -235,7 +236,7 @@ RTG_FN real NestedExtremum(real x, real dx, real z, real dz, real q, real none)
   return (exp2(max(min(log2(base) / (real(1.0) - q), real(100.0)), real(-100.0))) - z) / dz;
 }
 
-RTG_FN DoubleWord NextBreak(NestedField field, DoubleWord after, RTG_OUT(int) axis)
+RTG_FN DoubleWord NextBreak(const NestedField field, const DoubleWord after, RTG_OUT(int) axis)
 {
   DoubleWord last = Word(field.sOut);
   if (field.convex)
@@ -264,8 +265,8 @@ RTG_FN DoubleWord NextBreak(NestedField field, DoubleWord after, RTG_OUT(int) ax
 // Bounds of the derivative of (x / R)^p / p along the ray between two probes, over 2^(p unit): that is
 //   |x|^(p-1) R^-p x' + (x / R)^p fall z',
 // in which every factor is monotone, but for the fall of a profile with q < 1.
-RTG_FN real2 NestedSlopeOfTerm(real p, real unit, real2 lows, real2 logs, real2 falls, real2 heights, real steepAt,
-  real leastFall, real2 doubts, real dx, real dz)
+RTG_FN real2 NestedSlopeOfTerm(const real p, const real unit, const real2 lows, const real2 logs, const real2 falls,
+  const real2 heights, const real steepAt, const real leastFall, const real2 doubts, const real dx, const real dz)
 {
   real2 k = (p - real(1.0)) * lows;
   real2 r = lows - logs;
@@ -280,7 +281,8 @@ RTG_FN real2 NestedSlopeOfTerm(real p, real unit, real2 lows, real2 logs, real2 
   return real2(low - pad, high + pad);
 }
 
-RTG_FN Window WindowOf(NestedField field, NestedProbe a, NestedProbe b, real way, real width)
+RTG_FN Window WindowOf(
+  const NestedField field, const NestedProbe a, const NestedProbe b, const real way, const real width)
 {
   Window window;
   window.empty = false;
@@ -337,7 +339,7 @@ RTG_FN Window WindowOf(NestedField field, NestedProbe a, NestedProbe b, real way
   return window;
 }
 
-RTG_FN DoubleWord Magnitude(DoubleWord a)
+RTG_FN DoubleWord Magnitude(const DoubleWord a)
 {
   if (a.hi < real(0.0))
   {
@@ -349,7 +351,7 @@ RTG_FN DoubleWord Magnitude(DoubleWord a)
 // log2 (2^(a p) + 2^(b p))^(1/p), p = 2 / exponent, and the share of each in the sum of powers. A rounded p would be
 // another surface, as a grazing ray notices.
 RTG_FN DoubleWord LogNorm(
-  DoubleWord a, DoubleWord b, real exponent, RTG_OUT(DoubleWord) shareA, RTG_OUT(DoubleWord) shareB)
+  const DoubleWord a, const DoubleWord b, const real exponent, RTG_OUT(DoubleWord) shareA, RTG_OUT(DoubleWord) shareB)
 {
   bool aHigh = !IsLess(a, b);
   DoubleWord high = a;
@@ -374,7 +376,7 @@ RTG_FN DoubleWord LogNorm(
 }
 
 // log2 R of a profile with q = 2 / exponent at log2 z, and -z d(log R)/dz.
-RTG_FN DoubleWord LogProfile(DoubleWord logZ, real exponent, RTG_OUT(DoubleWord) fall)
+RTG_FN DoubleWord LogProfile(const DoubleWord logZ, const real exponent, RTG_OUT(DoubleWord) fall)
 {
   DoubleWord power = Exp2(Multiply(logZ, Divide(Word(real(2.0)), exponent)));
   DoubleWord rest = Add(Minus(power), real(1.0));
@@ -386,7 +388,7 @@ RTG_FN DoubleWord LogProfile(DoubleWord logZ, real exponent, RTG_OUT(DoubleWord)
   return Multiply(Log2(rest), real(0.5) * exponent);
 }
 
-RTG_FN DoubleWord RateOf(DoubleWord x, DoubleWord dx)
+RTG_FN DoubleWord RateOf(const DoubleWord x, const DoubleWord dx)
 {
   if (!(abs(x.hi) > real(1e-30)))
   {
@@ -396,7 +398,7 @@ RTG_FN DoubleWord RateOf(DoubleWord x, DoubleWord dx)
 }
 
 // The logarithm of g or N.
-RTG_FN ImplicitPoint PointAt(NestedField field, LocalRay at)
+RTG_FN ImplicitPoint PointAt(const NestedField field, const LocalRay at)
 {
   DoubleWord x = Log2(Magnitude(WordX(at.origin)));
   DoubleWord y = Log2(Magnitude(WordY(at.origin)));
@@ -461,7 +463,7 @@ RTG_FN ImplicitPoint PointAt(NestedField field, LocalRay at)
   return point;
 }
 
-RTG_FN NestedProbe WithSign(NestedField field, LocalRay unit, NestedProbe probe)
+RTG_FN NestedProbe WithSign(const NestedField field, const LocalRay unit, const NestedProbe probe)
 {
   NestedProbe certain = probe;
   certain.outside = PointAt(field, RayFrom(unit, probe.where, probe.axis)).value.hi > real(0.0);

@@ -15,7 +15,8 @@
 #include "Estimate.glsl"
 #include "NestedField.glsl"
 
-RTG_FN SurfaceCrossing NestedSuperquadricCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax)
+RTG_FN SurfaceCrossing NestedSuperquadricCrossing(
+  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax)
 {
   Chord chord;
   if (!ToChord(ray, glyph, tMin, tMax, chord))
@@ -25,19 +26,20 @@ RTG_FN SurfaceCrossing NestedSuperquadricCrossing(GlyphRay ray, Glyph glyph, rea
   return NearestCrossing(MakeNestedField(chord, glyph.exponents), chord, tMin, tMax);
 }
 
-RTG_FN bool IntersectNestedSuperquadric(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+RTG_FN bool
+IntersectNestedSuperquadric(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
   SurfaceCrossing crossing = NestedSuperquadricCrossing(ray, glyph, tMin, tMax);
   t = crossing.t;
   return crossing.found;
 }
 
-RTG_FN Enclosure NestedSuperquadricEnclosure(Glyph glyph)
+RTG_FN Enclosure NestedSuperquadricEnclosure(const Glyph glyph)
 {
   return BoxedEnclosure(glyph);
 }
 
-RTG_FN real3 NestedSuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 NestedSuperquadricNormal(const GlyphRay ray, const Glyph glyph, const real t)
 {
   LocalRay at = NestedSuperquadricCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER)).at;
   return SurfaceNormal(glyph, at.origin.hi, PointAt(MakeNestedField(NoChord(), glyph.exponents), at).gradient);
@@ -45,7 +47,7 @@ RTG_FN real3 NestedSuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
 
 // The norm dual to the p-norm, p = 2 / exponent, of non-negative a, b: the reach of the p-norm's unit ball. Not
 // convex (exponent > 2) it reaches as far as its convex hull, the octahedron's.
-RTG_FN real DualNorm(real a, real b, real exponent)
+RTG_FN real DualNorm(const real a, const real b, const real exponent)
 {
   real high = max(a, b);
   if (exponent >= real(2.0) || high == real(0.0))
@@ -59,7 +61,7 @@ RTG_FN real DualNorm(real a, real b, real exponent)
 // Half the extent along each world axis is the glyph's support function there: of the dual norms, one in the other. A
 // profile that is convex towards the axis (beta > 2) reaches as far as its hull. Of two profiles the fuller one counts,
 // which is exact when both are straight or convex towards the axis.
-RTG_FN void NestedSuperquadricBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN void NestedSuperquadricBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 reach = real(0.5) * glyph.size;
   if (glyph.turned)

@@ -57,14 +57,14 @@ struct PlaneRay
   real end;
 };
 
-RTG_FN real2 DirectionAt(PlaneRay ray, real t)
+RTG_FN real2 DirectionAt(const PlaneRay ray, const real t)
 {
   real2 n = real2(ray.distance, t);
   return n / max(length(n), real(1e-30));
 }
 
 // The angle whose sine is given, up to 0.6.
-RTG_FN real SmallAngle(real sine)
+RTG_FN real SmallAngle(const real sine)
 {
   real s = sine * sine;
   return sine *
@@ -78,7 +78,7 @@ struct HermiteWindow
   real3 slope;
 };
 
-RTG_FN HermiteWindow WindowOf(PlanePoint a, PlanePoint b, real width)
+RTG_FN HermiteWindow WindowOf(const PlanePoint a, const PlanePoint b, const real width)
 {
   real ha = a.n.x * a.f;
   real hb = b.n.x * b.f;
@@ -92,7 +92,7 @@ RTG_FN HermiteWindow WindowOf(PlanePoint a, PlanePoint b, real width)
 }
 
 // Where the cubic's slope changes its sign, as a share of the window.
-RTG_FN real ExtremeOf(HermiteWindow window)
+RTG_FN real ExtremeOf(const HermiteWindow window)
 {
   real3 d = window.slope;
   real a = d.x - real(2.0) * d.y + d.z;
@@ -108,8 +108,8 @@ RTG_FN real ExtremeOf(HermiteWindow window)
 #define RTG_TURN 3 // the cubic is h, and it turns round in the window
 
 // `doubt`, `slopeDoubt`: how far h may be from the cubic. `halves`: too far; `wide`: it may be halved all the same.
-RTG_FN int LookAt(HermiteWindow window, PolynomialSearch search, PlanePoint b, bool endInside, real distance,
-  real doubt, real slopeDoubt, bool halves, bool wide)
+RTG_FN int LookAt(const HermiteWindow window, const PolynomialSearch search, const PlanePoint b, const bool endInside,
+  const real distance, const real doubt, const real slopeDoubt, const bool halves, const bool wide)
 {
   real4 h = window.value;
   real3 d = window.slope;
@@ -136,7 +136,7 @@ RTG_FN int LookAt(HermiteWindow window, PolynomialSearch search, PlanePoint b, b
 }
 
 // Rounding of f in plain arithmetic: its terms cancel up to 3^(k / 2) times, usually much less.
-RTG_FN real PlaneNoise(int degree)
+RTG_FN real PlaneNoise(const int degree)
 {
   real noise = real(8.0 / 3.0 * RTG_ROUNDOFF);
   for (int i = 0; i < degree; i += 2)
@@ -147,14 +147,14 @@ RTG_FN real PlaneNoise(int degree)
 }
 
 // Parameter of the point of the ray in that direction
-RTG_FN real ParameterOf(PlaneRay ray, real2 n, real otherwise)
+RTG_FN real ParameterOf(const PlaneRay ray, const real2 n, const real otherwise)
 {
   return n.x > real(0.0) ? ray.distance * n.y / n.x : otherwise;
 }
 
 // The next crossing behind search.near: between search.low and search.high, close to the new search.near.
-RTG_FN bool
-NextCrossing(PlaneForm form, int degree, PlaneRay ray, PolynomialSearch search, RTG_OUT(PolynomialSearch) after)
+RTG_FN bool NextCrossing(
+  const PlaneForm form, const int degree, const PlaneRay ray, PolynomialSearch search, RTG_OUT(PolynomialSearch) after)
 {
   real noise = PlaneNoise(degree);
   real2 end = DirectionAt(ray, ray.end);
@@ -307,8 +307,8 @@ NextCrossing(PlaneForm form, int degree, PlaneRay ray, PolynomialSearch search, 
 // Where the surface only comes close there, what is looked for first is where it comes closest, by the slope of
 // |f| / |p|, which changes its sign once but for rounding: at last `high` is tried, too, where f may have the other
 // sign. `sign` is that of f at the zero.
-RTG_FN int SettleCrossing(Glyph glyph, LocalRay ray, PolynomialSearch search, real near, real low, real high,
-  RTG_OUT(LocalRay) at, RTG_OUT(real) sign)
+RTG_FN int SettleCrossing(const Glyph glyph, const LocalRay ray, const PolynomialSearch search, const real near,
+  real low, real high, RTG_OUT(LocalRay) at, RTG_OUT(real) sign)
 {
   sign = search.sign;
   // Positive before the crossing
@@ -386,7 +386,7 @@ RTG_FN int SettleCrossing(Glyph glyph, LocalRay ray, PolynomialSearch search, re
 }
 
 // Some unit vector at right angles to a unit vector.
-RTG_FN real3 Across(real3 d)
+RTG_FN real3 Across(const real3 d)
 {
   real3 size = abs(d);
   real3 axis = size.x <= size.y && size.x <= size.z ? real3(real(1.0), real(0.0), real(0.0))
@@ -397,7 +397,8 @@ RTG_FN real3 Across(real3 d)
 
 // The nearest crossing in [tMin, tMax] and the sign of f there. All crossings before it are found anew, so that the
 // answer does not depend on the range.
-RTG_FN SurfaceCrossing PolynomialCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) sign)
+RTG_FN SurfaceCrossing PolynomialCrossing(
+  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) sign)
 {
   sign = real(1.0);
   Chord chord;
@@ -497,7 +498,8 @@ RTG_FN SurfaceCrossing PolynomialCrossing(GlyphRay ray, Glyph glyph, real tMin, 
   return crossing;
 }
 
-RTG_FN bool IntersectPolynomial(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+RTG_FN bool
+IntersectPolynomial(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
   real sign;
   SurfaceCrossing crossing = PolynomialCrossing(ray, glyph, tMin, tMax, sign);
@@ -506,7 +508,7 @@ RTG_FN bool IntersectPolynomial(GlyphRay ray, Glyph glyph, real tMin, real tMax,
 }
 
 // Its box is that of its own extents.
-RTG_FN Enclosure PolynomialEnclosure(Glyph glyph)
+RTG_FN Enclosure PolynomialEnclosure(const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
   real3 extents = FormExtents(glyph);
@@ -515,7 +517,7 @@ RTG_FN Enclosure PolynomialEnclosure(Glyph glyph)
   return outer;
 }
 
-RTG_FN real3 PolynomialNormal(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 PolynomialNormal(const GlyphRay ray, const Glyph glyph, const real t)
 {
   real sign;
   SurfaceCrossing crossing = PolynomialCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), sign);
@@ -533,13 +535,13 @@ RTG_FN real3 PolynomialNormal(GlyphRay ray, Glyph glyph, real t)
 }
 
 // The sign of f in the direction of a point that is given from the center, in the glyph's frame.
-RTG_FN bool PolynomialIsNegative(Glyph glyph, real3 p)
+RTG_FN bool PolynomialIsNegative(const Glyph glyph, const real3 p)
 {
   return FormAt(glyph, Word3(p / glyph.size), false).f.hi < real(0.0);
 }
 
 // Not turned, the box of its extents; else also no more than the box of the ellipsoid round it.
-RTG_FN void PolynomialBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN void PolynomialBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 halfSize = real(0.5) * glyph.size;
   real3 reach = halfSize * FormExtents(glyph);

@@ -14,7 +14,7 @@
 #define RTG_MOST_SAMPLES 13 // the largest degree + 1
 #define RTG_MOST_WAVES 7    // half of it + 1
 
-RTG_FN real3 FormExtents(Glyph glyph)
+RTG_FN real3 FormExtents(const Glyph glyph)
 {
   return real3(RTG_VALUE(glyph, 0), RTG_VALUE(glyph, 1), RTG_VALUE(glyph, 2));
 }
@@ -29,7 +29,7 @@ struct PlaneForm
 };
 
 // Cosine and sine of pi / (2 k + 2).
-RTG_FN real2 QuarterStep(int degree)
+RTG_FN real2 QuarterStep(const int degree)
 {
   real2 step = real2(real(0.8660254037844386), real(0.5));
   step = degree == 4 ? real2(real(0.9510565162951535), real(0.3090169943749474)) : step;
@@ -41,13 +41,13 @@ RTG_FN real2 QuarterStep(int degree)
 }
 
 // The product of complex numbers: the direction a turned by b.
-RTG_FN real2 Turned(real2 a, real2 b)
+RTG_FN real2 Turned(const real2 a, const real2 b)
 {
   return real2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
 
 // f at the angles i pi / (k + 1) from the unit vector e to the unit vector d, which determine it on the whole circle.
-RTG_FN PlaneForm MakePlaneForm(Glyph glyph, real3 e, real3 d)
+RTG_FN PlaneForm MakePlaneForm(const Glyph glyph, const real3 e, const real3 d)
 {
   int degree = RTG_DEGREE(glyph);
   real2 halfStep = QuarterStep(degree);
@@ -123,7 +123,7 @@ struct PlanePoint
 };
 
 // By Horner's rule in exp(2 i phi).
-RTG_FN PlanePoint PlaneAt(PlaneForm form, int degree, real2 n)
+RTG_FN PlanePoint PlaneAt(const PlaneForm form, const int degree, const real2 n)
 {
   real2 z = real2(n.x * n.x - n.y * n.y, real(2.0) * n.x * n.y);
   real2 f = real2(real(0.0));
@@ -149,7 +149,7 @@ struct FormPoint
   DoubleWord distance;  // |p|
 };
 
-RTG_FN DoubleWord Component(DoubleWord3 a, int axis)
+RTG_FN DoubleWord Component(const DoubleWord3 a, const int axis)
 {
   DoubleWord word;
   word.hi = axis == 0 ? a.hi.x : axis == 1 ? a.hi.y : a.hi.z;
@@ -158,7 +158,7 @@ RTG_FN DoubleWord Component(DoubleWord3 a, int axis)
 }
 
 // By Horner's rule in the ratios to the largest coordinate. With `exact` the gradient is right to the last digits.
-RTG_FN FormPoint FormAt(Glyph glyph, DoubleWord3 p, bool exact)
+RTG_FN FormPoint FormAt(const Glyph glyph, const DoubleWord3 p, const bool exact)
 {
   real3 size = abs(p.hi);
   int w = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;

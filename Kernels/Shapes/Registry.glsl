@@ -22,7 +22,8 @@
 #include "Superquadric.glsl"
 
 // Nearest t in [tMin, tMax] where the ray crosses the glyph's surface; from inside, where it leaves.
-RTG_FN bool IntersectGlyph(RTG_SHAPE shape, GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+RTG_FN bool IntersectGlyph(
+  const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
   bool found = false;
   t = tMin;
@@ -37,7 +38,7 @@ RTG_FN bool IntersectGlyph(RTG_SHAPE shape, GlyphRay ray, Glyph glyph, real tMin
 }
 
 // What the glyph lies in.
-RTG_FN Enclosure GlyphEnclosure(RTG_SHAPE shape, Glyph glyph)
+RTG_FN Enclosure GlyphEnclosure(const RTG_SHAPE shape, const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
 #define RTG_ENCLOSE(number, Name)                                                                                      \
@@ -51,8 +52,8 @@ RTG_FN Enclosure GlyphEnclosure(RTG_SHAPE shape, Glyph glyph)
 }
 
 // Says in plain arithmetic what is certain of IntersectGlyph's answer: one of Estimate.glsl's three.
-RTG_FN int
-EstimateGlyph(RTG_SHAPE shape, GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) low, RTG_OUT(real) high)
+RTG_FN int EstimateGlyph(const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  RTG_OUT(real) low, RTG_OUT(real) high)
 {
   Enclosure outer = GlyphEnclosure(shape, glyph);
   EnclosureRay local = outer.inWorld ? ToSphere(ray, glyph, outer.radius) : ToEnclosure(ray, glyph, outer);
@@ -60,7 +61,7 @@ EstimateGlyph(RTG_SHAPE shape, GlyphRay ray, Glyph glyph, real tMin, real tMax, 
 }
 
 // Outward unit normal in the world frame at a t that IntersectGlyph returned for this ray.
-RTG_FN real3 GlyphNormal(RTG_SHAPE shape, GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 GlyphNormal(const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real t)
 {
   real3 normal = -ray.direction;
 #define RTG_NORMAL(number, Name)                                                                                       \
@@ -74,7 +75,7 @@ RTG_FN real3 GlyphNormal(RTG_SHAPE shape, GlyphRay ray, Glyph glyph, real t)
 }
 
 // Axis-aligned bounds in the frame of the centres, tight but for rounding: pad them before use.
-RTG_FN void GlyphBounds(RTG_SHAPE shape, Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN void GlyphBounds(const RTG_SHAPE shape, const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   lower = glyph.centre;
   upper = glyph.centre;

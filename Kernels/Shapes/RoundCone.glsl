@@ -34,7 +34,7 @@ struct RoundConeForm
   bool ball; // one ball holds the other
 };
 
-RTG_FN RoundConeForm MakeRoundCone(DoubleWord halfLength, DoubleWord first, DoubleWord last)
+RTG_FN RoundConeForm MakeRoundCone(const DoubleWord halfLength, const DoubleWord first, const DoubleWord last)
 {
   RoundConeForm form;
   form.halfLength = halfLength;
@@ -53,12 +53,12 @@ RTG_FN RoundConeForm MakeRoundCone(DoubleWord halfLength, DoubleWord first, Doub
   return form;
 }
 
-RTG_FN real RoundConeUnit(Glyph glyph)
+RTG_FN real RoundConeUnit(const Glyph glyph)
 {
   return real(0.5) * max(glyph.size.y, glyph.size.z);
 }
 
-RTG_FN RoundConeForm FormOfRoundCone(Glyph glyph)
+RTG_FN RoundConeForm FormOfRoundCone(const Glyph glyph)
 {
   real larger = max(glyph.size.y, glyph.size.z);
   return MakeRoundCone(
@@ -66,7 +66,7 @@ RTG_FN RoundConeForm FormOfRoundCone(Glyph glyph)
 }
 
 // The box round it in the glyph's frame.
-RTG_FN void RoundConeBox(Glyph glyph, RTG_OUT(real3) middle, RTG_OUT(real3) halfSize)
+RTG_FN void RoundConeBox(const Glyph glyph, RTG_OUT(real3) middle, RTG_OUT(real3) halfSize)
 {
   real halfLength = real(0.5) * glyph.size.x;
   real first = real(0.5) * glyph.size.y;
@@ -78,7 +78,7 @@ RTG_FN void RoundConeBox(Glyph glyph, RTG_OUT(real3) middle, RTG_OUT(real3) half
   halfSize = real3(real(0.5) * (upper - lower), radius, radius);
 }
 
-RTG_FN Span RoundConeSpan(LocalRay ray, RoundConeForm form)
+RTG_FN Span RoundConeSpan(const LocalRay ray, const RoundConeForm form)
 {
   DoubleWord x = WordX(ray.origin);
   DoubleWord dx = WordX(ray.direction);
@@ -117,7 +117,7 @@ RTG_FN Span RoundConeSpan(LocalRay ray, RoundConeForm form)
 }
 
 // The part of a span between the planes where flat ends are.
-RTG_FN Span CutFlat(LocalRay ray, RoundConeForm form, Glyph glyph, Span span)
+RTG_FN Span CutFlat(const LocalRay ray, const RoundConeForm form, const Glyph glyph, const Span span)
 {
   DoubleWord lower = Minus(form.halfLength);
   DoubleWord upper = form.halfLength;
@@ -139,7 +139,8 @@ RTG_FN Span CutFlat(LocalRay ray, RoundConeForm form, Glyph glyph, Span span)
 // tells on which side of the crease it lies, without a gap or an overlap where a line bends next to nothing.
 // `own`: b of this piece, for points of its side; zero for points of the ball at the joint. `ties`: whether the next
 // piece has the points in the plane itself.
-RTG_FN bool InNextPiece(real3 p, real3 joint, real radius, real4 next, bool touches, real own, bool ties)
+RTG_FN bool InNextPiece(const real3 p, const real3 joint, const real radius, const real4 next, const bool touches,
+  const real own, const bool ties)
 {
   real3 far = real3(next.x, next.y, next.z);
   real3 axis = far - joint;
@@ -164,7 +165,7 @@ RTG_FN bool InNextPiece(real3 p, real3 joint, real radius, real4 next, bool touc
 }
 
 // Whether a crossing at p, in the frame of the form, lies inside the rest of the line.
-RTG_FN bool IsInner(RoundConeForm form, Glyph glyph, real3 p, int face)
+RTG_FN bool IsInner(const RoundConeForm form, const Glyph glyph, const real3 p, const int face)
 {
   real unit = RoundConeUnit(glyph);
   real cosine = form.cosine.hi;
@@ -189,8 +190,8 @@ RTG_FN bool IsInner(RoundConeForm form, Glyph glyph, real3 p, int face)
 }
 
 // The ray in the frame of the form.
-RTG_FN bool RoundConeCrossing(GlyphRay ray, Glyph glyph, RoundConeForm form, real tMin, real tMax,
-  RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
+RTG_FN bool RoundConeCrossing(const GlyphRay ray, const Glyph glyph, const RoundConeForm form, const real tMin,
+  const real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
   real3 middle, halfSize;
   RoundConeBox(glyph, middle, halfSize);
@@ -230,7 +231,7 @@ RTG_FN bool RoundConeCrossing(GlyphRay ray, Glyph glyph, RoundConeForm form, rea
   return FirstCrossing(local, kept, tMin, tMax, crossing) && !(innerIn && innerOut);
 }
 
-RTG_FN bool IntersectRoundCone(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+RTG_FN bool IntersectRoundCone(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
   LocalRay local;
   Crossing crossing;
@@ -239,7 +240,7 @@ RTG_FN bool IntersectRoundCone(GlyphRay ray, Glyph glyph, real tMin, real tMax, 
   return found;
 }
 
-RTG_FN Enclosure RoundConeEnclosure(Glyph glyph)
+RTG_FN Enclosure RoundConeEnclosure(const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
   RoundConeBox(glyph, outer.middle, outer.halfSize);
@@ -247,7 +248,7 @@ RTG_FN Enclosure RoundConeEnclosure(Glyph glyph)
   return outer;
 }
 
-RTG_FN real3 RoundConeNormal(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 RoundConeNormal(const GlyphRay ray, const Glyph glyph, const real t)
 {
   LocalRay local;
   Crossing crossing;
@@ -272,7 +273,7 @@ RTG_FN real3 RoundConeNormal(GlyphRay ray, Glyph glyph, real t)
   return normalize(RotateToWorld(glyph, normal));
 }
 
-RTG_FN void RoundConeBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN void RoundConeBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 toLast = RotateToWorld(glyph, real3(real(0.5) * glyph.size.x, real(0.0), real(0.0)));
   real3 first = real3(real(0.5) * glyph.size.y);

@@ -39,17 +39,17 @@ RTG_FN Span EmptySpan()
   return span;
 }
 
-RTG_FN bool IsLess(DoubleWord a, DoubleWord b)
+RTG_FN bool IsLess(const DoubleWord a, const DoubleWord b)
 {
   return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo);
 }
 
-RTG_FN bool IsEmpty(Span span)
+RTG_FN bool IsEmpty(const Span span)
 {
   return IsLess(span.sOut, span.sIn) || !(span.sIn.hi <= span.sOut.hi);
 }
 
-RTG_FN Span Intersection(Span a, Span b)
+RTG_FN Span Intersection(const Span a, const Span b)
 {
   Span both = a;
   if (IsLess(a.sIn, b.sIn))
@@ -66,7 +66,7 @@ RTG_FN Span Intersection(Span a, Span b)
 }
 
 // The smallest span that holds both; the union when they touch.
-RTG_FN Span Hull(Span a, Span b)
+RTG_FN Span Hull(const Span a, const Span b)
 {
   bool hasA = !IsEmpty(a);
   bool hasB = !IsEmpty(b);
@@ -86,7 +86,8 @@ RTG_FN Span Hull(Span a, Span b)
 
 // Between the planes lower <= o + s d <= upper; faceLower, faceUpper name the planes.
 // A ray inside a plane counts as inside the slab.
-RTG_FN Span Slab(DoubleWord o, DoubleWord d, DoubleWord lower, DoubleWord upper, int faceLower, int faceUpper)
+RTG_FN Span Slab(const DoubleWord o, const DoubleWord d, const DoubleWord lower, const DoubleWord upper,
+  const int faceLower, const int faceUpper)
 {
   DoubleWord toLower = Subtract(lower, o);
   DoubleWord toUpper = Subtract(upper, o);
@@ -120,7 +121,7 @@ RTG_FN Span Slab(DoubleWord o, DoubleWord d, DoubleWord lower, DoubleWord upper,
 }
 
 // The box -halfSize <= x, y, z <= halfSize. Faces 0 .. 5 are -x, +x, -y, +y, -z, +z.
-RTG_FN Span BoxSpan(LocalRay ray, real3 halfSize)
+RTG_FN Span BoxSpan(const LocalRay ray, const real3 halfSize)
 {
   Span x = Slab(WordX(ray.origin), WordX(ray.direction), Word(-halfSize.x), Word(halfSize.x), 0, 1);
   Span y = Slab(WordY(ray.origin), WordY(ray.direction), Word(-halfSize.y), Word(halfSize.y), 2, 3);
@@ -131,8 +132,8 @@ RTG_FN Span BoxSpan(LocalRay ray, real3 halfSize)
 // The body of revolution y^2 + z^2 <= rho^2 where y, z and the radius rho change linearly along the ray:
 // a cylinder, or the nappe rho >= 0 of a cone, of which the caller keeps the part between two planes with
 // rho >= 0. `oRho`, `dRho`: the radius at s = 0 and its rate.
-RTG_FN Span RoundSpan(
-  DoubleWord oy, DoubleWord oz, DoubleWord oRho, DoubleWord dy, DoubleWord dz, DoubleWord dRho, int face)
+RTG_FN Span RoundSpan(const DoubleWord oy, const DoubleWord oz, const DoubleWord oRho, const DoubleWord dy,
+  const DoubleWord dz, const DoubleWord dRho, const int face)
 {
   // a s^2 + 2 b s + c <= 0
   DoubleWord a = Add(Add(Multiply(dy, dy), Multiply(dz, dz)), Minus(Multiply(dRho, dRho)));
@@ -197,7 +198,8 @@ RTG_FN Span RoundSpan(
 
 // The first end of the span with tMin <= t <= tMax. Both are computed, and one is chosen at the end: LLVM 21 loses half
 // of a crossing that one branch fills and another one overwrites.
-RTG_FN bool FirstCrossing(LocalRay ray, Span span, real tMin, real tMax, RTG_OUT(Crossing) crossing)
+RTG_FN bool
+FirstCrossing(const LocalRay ray, const Span span, const real tMin, const real tMax, RTG_OUT(Crossing) crossing)
 {
   real tIn = RayParameter(ray, span.sIn).hi;
   real tOut = RayParameter(ray, span.sOut).hi;
@@ -228,7 +230,7 @@ RTG_FN bool NoCrossing(RTG_OUT(LocalRay) ray, RTG_OUT(Crossing) crossing)
 
 // Where a normal starts to look for the crossing that was found at t: another compilation of the same
 // formula may have rounded t differently.
-RTG_FN real Before(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real Before(const GlyphRay ray, const Glyph glyph, const real t)
 {
   real largest = max(glyph.size.x, max(glyph.size.y, glyph.size.z));
   real glyphLength = largest / length(ray.direction);
@@ -236,7 +238,7 @@ RTG_FN real Before(GlyphRay ray, Glyph glyph, real t)
 }
 
 // The local point at s in plain numbers.
-RTG_FN real3 PointAt(LocalRay ray, DoubleWord s)
+RTG_FN real3 PointAt(const LocalRay ray, const DoubleWord s)
 {
   DoubleWord3 along;
   along.hi = real3(s.hi);
@@ -246,7 +248,7 @@ RTG_FN real3 PointAt(LocalRay ray, DoubleWord s)
 
 // The way from the glyph's centre to the ray's point at t, in the glyph's frame: right to a few ulps of the glyph's
 // size beside what the rounding of t does.
-RTG_FN real3 FromCentre(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 FromCentre(const GlyphRay ray, const Glyph glyph, const real t)
 {
   LocalRay near = NearRay(ray, glyph);
   return RotateToLocal(glyph, PointAt(near, Add(Word(t), Minus(near.start))));

@@ -8,7 +8,7 @@
 // radius^2 - |o|^2. The squares are exact and their sum is compensated (Ogita, Rump, Oishi: Accurate sum
 // and dot product, SIAM J. Sci. Comput. 26(6), 2005, algorithm 5.3): near the silhouette all digits of
 // a plain difference cancel.
-RTG_FN real SquaredDepth(DoubleWord radiusSquared, DoubleWord3 o)
+RTG_FN real SquaredDepth(const DoubleWord radiusSquared, const DoubleWord3 o)
 {
   DoubleWord3 p = TwoProduct(o.hi, o.hi);
   DoubleWord x = TwoSum(radiusSquared.hi, -p.hi.x);
@@ -25,7 +25,7 @@ RTG_FN real SquaredDepth(DoubleWord radiusSquared, DoubleWord3 o)
 // The span inside |o + s d| <= radius when o is close to the point of the line nearest to the origin: then
 // b is next to nothing and b^2 + a c cancels only inside c, which is compensated.
 // Haines et al.: Precision improvements for ray/sphere intersection, Ray Tracing Gems, chapter 7, 2019.
-RTG_FN Span CentredSphereSpan(DoubleWord3 o, real3 d, DoubleWord radiusSquared)
+RTG_FN Span CentredSphereSpan(const DoubleWord3 o, const real3 d, const DoubleWord radiusSquared)
 {
   real a = dot(d, d);
   real b = dot(o.hi, d);
@@ -45,7 +45,7 @@ RTG_FN Span CentredSphereSpan(DoubleWord3 o, real3 d, DoubleWord radiusSquared)
 }
 
 // The span inside the ball of that radius round a point of the x axis, from an origin moved next to it.
-RTG_FN Span BallSpan(LocalRay ray, DoubleWord centreX, DoubleWord radius, int face)
+RTG_FN Span BallSpan(const LocalRay ray, const DoubleWord centreX, const DoubleWord radius, const int face)
 {
   DoubleWord x = Subtract(WordX(ray.origin), centreX);
   LocalRay ball = ray;
@@ -63,7 +63,7 @@ RTG_FN Span BallSpan(LocalRay ray, DoubleWord centreX, DoubleWord radius, int fa
 
 // The ray in the frame where the ellipsoid is the unit sphere, its origin moved once more: what is
 // nearest to the centre in the world is far from it here when the sizes differ much.
-RTG_FN LocalRay ToUnitSphere(LocalRay ray, real3 halfSize)
+RTG_FN LocalRay ToUnitSphere(const LocalRay ray, const real3 halfSize)
 {
   LocalRay unit;
   unit.start = ray.start;
@@ -73,8 +73,8 @@ RTG_FN LocalRay ToUnitSphere(LocalRay ray, real3 halfSize)
   return Advance(unit, s);
 }
 
-RTG_FN bool
-SphereCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
+RTG_FN bool SphereCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)
 {
   real3 halfSize = real(0.5) * glyph.size;
   Span span = EmptySpan();
@@ -100,7 +100,7 @@ SphereCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(LocalRay
 }
 
 // Superquadrics with exponents of 2 are this, too.
-RTG_FN bool IntersectEllipsoid(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+RTG_FN bool IntersectEllipsoid(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
   LocalRay local;
   Crossing crossing;
@@ -109,12 +109,12 @@ RTG_FN bool IntersectEllipsoid(GlyphRay ray, Glyph glyph, real tMin, real tMax, 
   return found;
 }
 
-RTG_FN bool IntersectSphere(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+RTG_FN bool IntersectSphere(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
   return IntersectEllipsoid(ray, glyph, tMin, tMax, t);
 }
 
-RTG_FN Enclosure SphereEnclosure(Glyph glyph)
+RTG_FN Enclosure SphereEnclosure(const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
   outer.boxed = false;
@@ -126,7 +126,7 @@ RTG_FN Enclosure SphereEnclosure(Glyph glyph)
 
 // The point of the unit sphere next to the ray's origin, which lies on it but for the rounding of s: one Newton step,
 // away from the silhouette. A needle's tip shows every digit.
-RTG_FN real3 OnUnitSphere(LocalRay ray)
+RTG_FN real3 OnUnitSphere(const LocalRay ray)
 {
   real a = dot(ray.direction.hi, ray.direction.hi);
   real b = dot(ray.origin.hi, ray.direction.hi);
@@ -135,7 +135,7 @@ RTG_FN real3 OnUnitSphere(LocalRay ray)
   return PointAt(ray, Word(step));
 }
 
-RTG_FN real3 EllipsoidNormal(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 EllipsoidNormal(const GlyphRay ray, const Glyph glyph, const real t)
 {
   LocalRay local;
   Crossing crossing;
@@ -150,13 +150,13 @@ RTG_FN real3 EllipsoidNormal(GlyphRay ray, Glyph glyph, real t)
   return normalize(RotateToWorld(glyph, p * (real3(smallest) / glyph.size)));
 }
 
-RTG_FN real3 SphereNormal(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 SphereNormal(const GlyphRay ray, const Glyph glyph, const real t)
 {
   return EllipsoidNormal(ray, glyph, t);
 }
 
 // Half the extents of the ellipsoid with the given half-axes along the world's axes.
-RTG_FN real3 EllipsoidReach(Glyph glyph, real3 halfAxes)
+RTG_FN real3 EllipsoidReach(const Glyph glyph, const real3 halfAxes)
 {
   if (!glyph.turned)
   {
@@ -168,7 +168,7 @@ RTG_FN real3 EllipsoidReach(Glyph glyph, real3 halfAxes)
   return sqrt(x * x + y * y + z * z);
 }
 
-RTG_FN void SphereBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN void SphereBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 reach = real(0.5) * glyph.size;
   if (!glyph.sameSize)

@@ -49,7 +49,8 @@ struct SuperquadricProbe
 
 // How well a parabola follows the term (p + s d)^e: its third derivative, and how far that tells the truth. For
 // e >= 3 it stays below its value at 0.1 up to there.
-RTG_FN void ParabolaAxis(real a, real d, real e, real slope, real rate, RTG_OUT(real) third, RTG_OUT(real) reach)
+RTG_FN void ParabolaAxis(
+  const real a, const real d, const real e, const real slope, const real rate, RTG_OUT(real) third, RTG_OUT(real) reach)
 {
   bool tame = e == real(2.0) || e >= real(3.0);
   reach = tame || d == real(0.0) ? real(RTG_NEVER) : real(0.5) * a / abs(d);
@@ -60,8 +61,8 @@ RTG_FN void ParabolaAxis(real a, real d, real e, real slope, real rate, RTG_OUT(
   }
 }
 
-RTG_FN void
-ProbeAxis(real p, real d, real e, RTG_OUT(real) term, RTG_OUT(real) slope, RTG_OUT(real) third, RTG_OUT(real) reach)
+RTG_FN void ProbeAxis(const real p, const real d, const real e, RTG_OUT(real) term, RTG_OUT(real) slope,
+  RTG_OUT(real) third, RTG_OUT(real) reach)
 {
   real a = abs(p);
   term = a > real(0.0) ? pow(a, e) : real(0.0);
@@ -74,7 +75,7 @@ ProbeAxis(real p, real d, real e, RTG_OUT(real) term, RTG_OUT(real) slope, RTG_O
   }
 }
 
-RTG_FN SuperquadricProbe ProbeAt(SuperquadricField field, DoubleWord where, int axis)
+RTG_FN SuperquadricProbe ProbeAt(const SuperquadricField field, const DoubleWord where, const int axis)
 {
   SuperquadricProbe probe;
   probe.where = where;
@@ -98,7 +99,7 @@ RTG_FN SuperquadricProbe ProbeAt(SuperquadricField field, DoubleWord where, int 
   return probe;
 }
 
-RTG_FN void ZeroOfAxis(real o, real d, real reach, RTG_OUT(real) zero, RTG_OUT(real) base)
+RTG_FN void ZeroOfAxis(const real o, const real d, const real reach, RTG_OUT(real) zero, RTG_OUT(real) base)
 {
   // Near its plane a coordinate is known to full relative precision as a multiple of the way from there.
   bool crosses = abs(o) <= reach * abs(d);
@@ -106,7 +107,7 @@ RTG_FN void ZeroOfAxis(real o, real d, real reach, RTG_OUT(real) zero, RTG_OUT(r
   base = crosses && d != real(0.0) ? real(0.0) : o;
 }
 
-RTG_FN SuperquadricField MakeSuperquadricField(Chord chord, real3 exponents)
+RTG_FN SuperquadricField MakeSuperquadricField(const Chord chord, const real3 exponents)
 {
   SuperquadricField field;
   LocalRay unit = chord.unit;
@@ -129,14 +130,14 @@ RTG_FN SuperquadricField MakeSuperquadricField(Chord chord, real3 exponents)
   return field;
 }
 
-RTG_FN DoubleWord NextBreak(SuperquadricField field, DoubleWord after, RTG_OUT(int) axis)
+RTG_FN DoubleWord NextBreak(const SuperquadricField field, const DoubleWord after, RTG_OUT(int) axis)
 {
   return NextPlane(field.cusps, after, NextMiddle(after, field.sOut), axis);
 }
 
 // One term's slopes for the lines below `outward` f at both ends of a window, and the largest slope in it.
-RTG_FN void WindowAxis(real e, real outward, real termA, real termB, real slopeA, real slopeB, real width,
-  RTG_OUT(real) lineA, RTG_OUT(real) lineB, RTG_OUT(real) steepest)
+RTG_FN void WindowAxis(const real e, const real outward, const real termA, const real termB, const real slopeA,
+  const real slopeB, const real width, RTG_OUT(real) lineA, RTG_OUT(real) lineB, RTG_OUT(real) steepest)
 {
   // A cusp at the window's end falls towards it.
   real atA = outward * slopeA;
@@ -148,7 +149,8 @@ RTG_FN void WindowAxis(real e, real outward, real termA, real termB, real slopeA
   steepest = max(atA, atB);
 }
 
-RTG_FN Window WindowOf(SuperquadricField field, SuperquadricProbe a, SuperquadricProbe b, real way, real width)
+RTG_FN Window WindowOf(
+  const SuperquadricField field, const SuperquadricProbe a, const SuperquadricProbe b, const real way, const real width)
 {
   real3 lineA;
   real3 lineB;
@@ -176,7 +178,7 @@ RTG_FN Window WindowOf(SuperquadricField field, SuperquadricProbe a, Superquadri
   return window;
 }
 
-RTG_FN DoubleWord WordOf(DoubleWord3 a, int axis)
+RTG_FN DoubleWord WordOf(const DoubleWord3 a, const int axis)
 {
   DoubleWord word;
   word.hi = axis == 0 ? a.hi.x : axis == 1 ? a.hi.y : a.hi.z;
@@ -185,7 +187,7 @@ RTG_FN DoubleWord WordOf(DoubleWord3 a, int axis)
 }
 
 // The second derivative of a term, unless its plane is too near for it to mean anything.
-RTG_FN real UsefulSecond(real f, real slope, real second, real rate, real e)
+RTG_FN real UsefulSecond(const real f, const real slope, const real second, const real rate, const real e)
 {
   real step = real(2.0) * abs(f) / (abs(slope) + sqrt(slope * slope + real(2.0) * abs(second * f)));
   return e >= real(2.0) || step * abs(rate) <= real(0.5) ? second : real(0.0);
@@ -193,7 +195,7 @@ RTG_FN real UsefulSecond(real f, real slope, real second, real rate, real e)
 
 // f in double words. The axes are a loop so that the programs hold the long arithmetic once. Coordinates other than
 // that of `plane` count as at least `least`.
-RTG_FN ImplicitPoint PointAt(SuperquadricField field, LocalRay at, int plane, real least)
+RTG_FN ImplicitPoint PointAt(const SuperquadricField field, const LocalRay at, const int plane, const real least)
 {
   ImplicitPoint point;
   point.value = Word(real(-1.0));
@@ -258,13 +260,13 @@ RTG_FN ImplicitPoint PointAt(SuperquadricField field, LocalRay at, int plane, re
   return point;
 }
 
-RTG_FN ImplicitPoint PointAt(SuperquadricField field, LocalRay at)
+RTG_FN ImplicitPoint PointAt(const SuperquadricField field, const LocalRay at)
 {
   return PointAt(field, at, -1, real(0.0));
 }
 
 // At a cusp another plane may be closer than double words can tell: then the glyph may be less than it seems.
-RTG_FN SuperquadricProbe WithSign(SuperquadricField field, LocalRay unit, SuperquadricProbe probe)
+RTG_FN SuperquadricProbe WithSign(const SuperquadricField field, const LocalRay unit, const SuperquadricProbe probe)
 {
   SuperquadricProbe certain = probe;
   real least = probe.axis < 0 ? real(0.0) : real(8.0 * RTG_ROUNDOFF * RTG_ROUNDOFF);
@@ -282,12 +284,12 @@ RTG_FN SuperquadricProbe WithSign(SuperquadricField field, LocalRay unit, Superq
 #undef RTG_PROBE
 #undef RTG_SEARCH
 
-RTG_FN bool IsEllipsoid(Glyph glyph)
+RTG_FN bool IsEllipsoid(const Glyph glyph)
 {
   return glyph.exponents.x == real(2.0) && glyph.exponents.y == real(2.0) && glyph.exponents.z == real(2.0);
 }
 
-RTG_FN SurfaceCrossing SuperquadricCrossing(GlyphRay ray, Glyph glyph, real tMin, real tMax)
+RTG_FN SurfaceCrossing SuperquadricCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax)
 {
   Chord chord;
   if (!ToChord(ray, glyph, tMin, tMax, chord))
@@ -297,7 +299,8 @@ RTG_FN SurfaceCrossing SuperquadricCrossing(GlyphRay ray, Glyph glyph, real tMin
   return NearestCrossing(MakeSuperquadricField(chord, glyph.exponents), chord, tMin, tMax);
 }
 
-RTG_FN bool IntersectSuperquadric(GlyphRay ray, Glyph glyph, real tMin, real tMax, RTG_OUT(real) t)
+RTG_FN bool
+IntersectSuperquadric(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
 {
   if (IsEllipsoid(glyph))
   {
@@ -311,7 +314,8 @@ RTG_FN bool IntersectSuperquadric(GlyphRay ray, Glyph glyph, real tMin, real tMa
 // The gradient where the crossing was found whose parameter was rounded to t, by a few of Newton's steps in double
 // words, and the ray from there. False: the surface may have other crossings within t's rounding, or an edge, and only
 // the search tells which one it was.
-RTG_FN bool GradientNear(GlyphRay ray, Glyph glyph, real t, RTG_OUT(real3) gradient, RTG_OUT(LocalRay) at)
+RTG_FN bool
+GradientNear(const GlyphRay ray, const Glyph glyph, const real t, RTG_OUT(real3) gradient, RTG_OUT(LocalRay) at)
 {
   gradient = real3(real(0.0));
   Chord chord;
@@ -350,7 +354,7 @@ RTG_FN bool GradientNear(GlyphRay ray, Glyph glyph, real t, RTG_OUT(real3) gradi
   return near;
 }
 
-RTG_FN Enclosure SuperquadricEnclosure(Glyph glyph)
+RTG_FN Enclosure SuperquadricEnclosure(const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
   // Where the largest exponent m is at least 2, |x|_2 <= 3^(1/2 - 1/m) |x|_m.
@@ -360,7 +364,7 @@ RTG_FN Enclosure SuperquadricEnclosure(Glyph glyph)
   return outer;
 }
 
-RTG_FN real3 SuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
+RTG_FN real3 SuperquadricNormal(const GlyphRay ray, const Glyph glyph, const real t)
 {
   if (IsEllipsoid(glyph))
   {
@@ -385,7 +389,7 @@ RTG_FN real3 SuperquadricNormal(GlyphRay ray, Glyph glyph, real t)
 // log2(a_i / e_i), q_i = e_i / (e_i - 1); the logarithm of that sum is convex in log2 k, and Newton's method goes up
 // from the largest l_i without passing the root, which is at most log2(sum) / min q_i away: what the bound has too much
 // is less than k (sum - 1) times that. While powers with q_i < 1e6 alone make more than 1, no step is below 1.44e-6.
-RTG_FN real SuperquadricReach(real3 a, real3 exponents)
+RTG_FN real SuperquadricReach(const real3 a, const real3 exponents)
 {
   real3 e = max(exponents, real3(real(1.0)));
   real3 rest = max(e - real(1.0), real3(real(1e-6)));
@@ -413,7 +417,7 @@ RTG_FN real SuperquadricReach(real3 a, real3 exponents)
   return k + SumOf(a * u - k * min(power, real3(real(1.0))));
 }
 
-RTG_FN void SuperquadricBounds(Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
+RTG_FN void SuperquadricBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)
 {
   real3 reach = real(0.5) * glyph.size;
   if (glyph.turned)

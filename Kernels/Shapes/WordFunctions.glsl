@@ -21,7 +21,7 @@
 #define RTG_EXP_WORDS (real(RTG_ROUNDOFF) > real(1e-12) ? 2 : 8)
 
 // A constant from four numbers of 24 bits that follow each other: float keeps the first two, double all.
-RTG_FN DoubleWord FromParts(real c0, real c1, real c2, real c3)
+RTG_FN DoubleWord FromParts(const real c0, const real c1, const real c2, const real c3)
 {
   RTG_PRECISE real hi = c0 + c1;
   RTG_PRECISE real rest = (c0 - hi) + c1;
@@ -33,7 +33,7 @@ RTG_FN DoubleWord FromParts(real c0, real c1, real c2, real c3)
 }
 
 // 2^(i/8 - 1/2), i = 0 .. 8.
-RTG_FN DoubleWord EighthPower(int i)
+RTG_FN DoubleWord EighthPower(const int i)
 {
   const real c0[9] = { real(0.70710676908493042), real(0.77110540866851807), real(0.84089642763137817),
     real(0.9170040488243103), real(1.0), real(1.0905077457427979), real(1.1892070770263672), real(1.2968395948410034),
@@ -55,7 +55,7 @@ RTG_FN DoubleWord EighthPower(int i)
 }
 
 // 2^y for y.hi <= 126; what is below 2^-120 counts as zero.
-RTG_FN DoubleWord Exp2(DoubleWord y)
+RTG_FN DoubleWord Exp2(const DoubleWord y)
 {
   if (!(y.hi > real(-120.0)))
   {
@@ -90,7 +90,7 @@ RTG_FN DoubleWord Exp2(DoubleWord y)
 }
 
 // log2 of x >= 0; RTG_LOG_ZERO for x <= 1e-36.
-RTG_FN DoubleWord Log2(DoubleWord x)
+RTG_FN DoubleWord Log2(const DoubleWord x)
 {
   if (!(x.hi > real(1e-36)))
   {
@@ -102,7 +102,7 @@ RTG_FN DoubleWord Log2(DoubleWord x)
 }
 
 // x^e for x >= 0, e > 0.
-RTG_FN DoubleWord Power(DoubleWord x, real e)
+RTG_FN DoubleWord Power(const DoubleWord x, const real e)
 {
   if (e == real(1.0))
   {
