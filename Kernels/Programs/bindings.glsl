@@ -23,7 +23,8 @@ layout(set = 0, binding = 0, scalar) uniform Frame
 RTG_CONSTANTS(RTG_DECLARE)
 #undef RTG_DECLARE
 
-// Whether a set has a variant (Variants.h); `variants`: those of its record.
+// Whether a set has a variant (Variants.h); `variants`: those of its record. Vulkan/Prune knows the answer where the
+// constants give it, as long as there is nothing but arithmetic in such functions.
 bool Has(const uint variants, const uint variant)
 {
   return (allHave & variant) != 0u || ((someHave & variant) != 0u && (variants & variant) != 0u);
@@ -32,8 +33,7 @@ bool Has(const uint variants, const uint variant)
 // Whether a set is of a shape; `shape`: that of its record.
 bool IsOfShape(const uint shape, const uint number)
 {
-  uint bit = 1u << number;
-  return shapes == bit || ((shapes & bit) != 0u && shape == number);
+  return shapes == 1u << number || ((shapes & 1u << number) != 0u && shape == number);
 }
 
 GlyphSetRecord SetRecord(const uint index)

@@ -9,10 +9,10 @@
 namespace rtg
 {
 
-/// A program without the functions that its constants say are never called: of shapes that no set has, of meshes and of
-/// layers. Drivers inline every function before they look at constants, which takes seconds for shapes that are not
-/// there. A shape's Intersect<Name>, <Name>Normal and <Name>Enclosure must be called by Shapes/Registry.glsl alone:
-/// with the shape they are cut out of programs of other shapes, too.
+/// A program without the branches that its constants say are never taken, and without the functions that are called in
+/// these alone. Drivers inline every function before they look at constants, which takes seconds for shapes that are
+/// not there. Conditions are followed through arithmetic on booleans and integers and through functions that have
+/// nothing else, as in Wegman and Zadeck, "Constant Propagation with Conditional Branches", ACM TOPLAS 13(2), 1991.
 std::vector<std::uint32_t> Prune(const programs::Code& code, const Constants& constants);
 
 } // namespace rtg

@@ -1,5 +1,5 @@
-// Programs keep what their constants ask for, and lose the functions of shapes that no set has.
-#include "Shapes/List.h"
+// Programs keep what their constants ask for, and lose the rest.
+#include "HostDevice.h"
 #include "Vulkan/Programs.h"
 #include "Vulkan/Prune.h"
 
@@ -49,79 +49,66 @@ Contents Read(const std::uint32_t* words, std::size_t count)
   return contents;
 }
 
-// The functions that call each function.
-std::map<std::string, std::set<std::string>> Callers(const rtg::programs::Code& code)
+// All programs that shapes are cut out of.
+std::vector<rtg::programs::Code> AllPrograms()
 {
-  const std::size_t count = code.bytes / sizeof(std::uint32_t);
-  std::map<std::uint32_t, std::string> names;
-  std::map<std::string, std::set<std::string>> callers;
-  std::uint32_t caller = 0;
-  for (std::size_t at = 5; at < count; at += code.words[at] >> 16)
+  std::vector<rtg::programs::Code> all{ rtg::programs::glyphIntersection, rtg::programs::glyphClosestHit,
+    rtg::programs::meshIntersection, rtg::programs::meshClosestHit };
+  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
   {
-    const std::uint32_t* words = code.words + at;
-    switch (words[0] & 0xffffu)
-    {
-      case opName:
-      {
-        const std::string name(reinterpret_cast<const char*>(words + 2));
-        names[words[1]] = name.substr(0, name.find('('));
-        break;
-      }
-      case opFunction:
-        caller = words[2];
-        break;
-      case opFunctionCall:
-        callers[names[words[3]]].insert(names[caller]);
-        break;
-      default:
-        break;
-    }
+    all.push_back(rtg::programs::ownTreesGeneration[program]);
   }
-  return callers;
+  return all;
 }
 
 } // namespace
 
-// What is cut out with a shape must not be called for another one.
-TEST(Prune, EntriesOfShapesAreCalledByTheRegistryAlone)
-{
-  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
-  {
-    const auto callers = Callers(rtg::programs::ownTreesGeneration[program]);
-    const auto of = [&](const std::string& function)
-    {
-      const auto found = callers.find(function);
-      return found == callers.end() ? std::set<std::string>() : found->second;
-    };
-    ASSERT_FALSE(of("IntersectBox").empty());
-#define RTG_ENTRIES(number, Name)                                                                                      \
-  EXPECT_EQ(of("Intersect" #Name), of("IntersectBox")) << #Name;                                                       \
-  EXPECT_EQ(of(#Name "Normal"), of("BoxNormal")) << #Name;                                                             \
-  EXPECT_EQ(of(#Name "Enclosure"), of("BoxEnclosure")) << #Name;
-    RTG_SHAPES(RTG_ENTRIES)
-#undef RTG_ENTRIES
-  }
-}
-
 TEST(Prune, LeavesConstantsAndWhatIsCalled)
 {
-  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
+  for (const rtg::programs::Code& code : AllPrograms())
   {
-    const rtg::programs::Code& code = rtg::programs::ownTreesGeneration[program];
     const Contents before = Read(code.words, code.bytes / sizeof(std::uint32_t));
-    EXPECT_TRUE(before.functionNames.count("NestedSuperquadricCrossing"));
+    for (const char* name : { "NestedSuperquadricNormal", "SuperquadricNormal", "CylinderNormal" })
+    {
+      // Programs of intersection have no normals.
+      EXPECT_EQ(before.functionNames.count(name), before.functionNames.count("SphereNormal")) << name;
+    }
     rtg::Constants constants;
     constants.shapes = 1u << static_cast<std::uint32_t>(rtg::Shape::Sphere);
     const std::vector<std::uint32_t> pruned = rtg::Prune(code, constants);
     const Contents after = Read(pruned.data(), pruned.size());
     EXPECT_EQ(after.constants, before.constants);
-    EXPECT_TRUE(after.functionNames.count("SphereCrossing"));
-    EXPECT_TRUE(after.functionNames.count("Traverse"));
+    for (const char* name : { "IntersectSphere", "SphereNormal", "Traverse" })
+    {
+      EXPECT_EQ(after.functionNames.count(name), before.functionNames.count(name)) << name;
+    }
+    // One set: what it has is known, so nobody asks.
     for (const char* name :
-      { "NestedSuperquadricCrossing", "SuperquadricCrossing", "CylinderCrossing", "CrossTriangle" })
+      { "IntersectNestedSuperquadric", "IntersectSuperquadric", "IntersectCylinder", "CylinderNormal",
+        "PolynomialNormal", "IntersectMesh", "CrossTriangle", "AddLayersOf", "ColourBetweenEnds", "Has", "IsOfShape" })
     {
       EXPECT_FALSE(after.functionNames.count(name)) << name;
     }
-    EXPECT_LT(pruned.size() * sizeof(std::uint32_t), code.bytes);
+    EXPECT_LT(2 * pruned.size() * sizeof(std::uint32_t), code.bytes);
+  }
+}
+
+// Sets that differ are asked for what some of them have, and for no more.
+TEST(Prune, AsksWhatSetsDifferIn)
+{
+  const rtg::programs::Code& code = rtg::programs::ownTreesGeneration[0];
+  rtg::Constants constants;
+  constants.shapes =
+    1u << static_cast<std::uint32_t>(rtg::Shape::Sphere) | 1u << static_cast<std::uint32_t>(rtg::Shape::Cylinder);
+  constants.someHave = rtg::device::VELOCITIES;
+  const std::vector<std::uint32_t> pruned = rtg::Prune(code, constants);
+  const Contents after = Read(pruned.data(), pruned.size());
+  for (const char* name : { "IntersectSphere", "IntersectCylinder", "Has", "IsOfShape" })
+  {
+    EXPECT_TRUE(after.functionNames.count(name)) << name;
+  }
+  for (const char* name : { "IntersectBox", "ColourBetweenEnds" })
+  {
+    EXPECT_FALSE(after.functionNames.count(name)) << name;
   }
 }
