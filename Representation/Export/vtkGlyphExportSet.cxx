@@ -278,9 +278,14 @@ vtkGlyphExportSet vtkGlyphExportSet::Make(const std::string& number, const rtg::
           "GlyphMask, or round their exponents or tensors.");
       }
       break;
+    case rtg::Shape::RoundCone:
+      messages.push_back("Tubes are left out of the exported file, because they have no triangles. Export those of "
+                         "ParaView's Tube filter, or save a screenshot.");
+      break;
     default:
-      messages.push_back("Glyphs of the shape " + shape +
-        " are left out of the exported file, because they have no triangles. Choose another GlyphShape, or save a "
+      messages.push_back(
+        "Glyphs of the shapes Spherical Harmonics, Reynolds and Fourth-Order Tensor are left out of the "
+        "exported file, because they have no triangles. Choose another GlyphShape, or save a "
         "screenshot.");
   }
   const auto empty = [](const vtkGlyphExportPart& part) { return part.Glyphs.empty(); };

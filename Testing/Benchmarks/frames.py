@@ -34,11 +34,11 @@ def memory(name):
         return next(1024 * int(line.split()[1]) for line in status if line.startswith(name + ":"))
 
 
-def figures_of(what, arguments, limit):
-    """The last line, JSON, that a script prints in a pvpython of its own; nothing where it dies or does not end within `limit` seconds."""
+def figures_of(what, arguments, limit, command=("pvpython",)):
+    """The last line, JSON, that a script prints in processes of its own; nothing where it dies or does not end within `limit` seconds."""
     print("measuring %s ..." % what, flush=True)
     try:
-        run = subprocess.run(["pvpython"] + arguments, stdout=subprocess.PIPE, check=True, timeout=limit)
+        run = subprocess.run(list(command) + arguments, stdout=subprocess.PIPE, check=True, timeout=limit)
     except (subprocess.CalledProcessError, subprocess.TimeoutExpired) as error:
         print("no figures: %s" % error, file=sys.stderr)
         return {}
