@@ -78,6 +78,8 @@ def main():
         return
     os.makedirs(arguments.folder, exist_ok=True)
     os.environ["LP_NUM_THREADS"] = "1"
+    for name in [name for name in os.environ if name.startswith(("OMPI_", "PMIX_", "ORTE_"))]:
+        del os.environ[name]  # a pvpython is a rank of its own, which would not start others
     rows = []
     for ranks, mode, light, radius in PLAN:
         command = arguments.mpiexec.split() + ["-n", str(ranks), "pvbatch", os.path.abspath(__file__)]
