@@ -1,6 +1,6 @@
 """Seconds to the first picture, seconds a frame, and the largest memory of a process that shows many spheres or arrows.
 
-Usage: pvpython scale.py FOLDER [--counts N,N...] [--size PIXELS] [--frames N]
+Usage: pvpython scale.py FOLDER [--counts N,N...] [--size PIXELS] [--frames N], or scale.py FOLDER --plot CSV
 Environment: RTGLYPHS_PLUGIN is the plugin's library.
 
 Random points in a cube, each with a radius and a value that colors it, both float: 20 bytes a point; arrows have a vector besides. Each count and
@@ -11,6 +11,7 @@ speed. Memory: the largest that the process ever held (VmHWM), and that before t
 A representation that does not end within --limit seconds, or that dies, has no numbers.
 """
 import argparse
+import csv
 import json
 import os
 import time
@@ -129,6 +130,28 @@ def measure(count, kind, size, frames):
     os._exit(0)
 
 
+def plot(path, path_of_plot):
+    """Time over count, each kind a line."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    with open(path, encoding="utf-8", newline="") as file:
+        table = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    figure, axes = plt.subplots(1, 2, figsize=(9.2, 4.2), sharex=True)
+    for axis, what, title in ((axes[0], "first", "first picture"), (axes[1], "frame", "a frame while the camera turns")):
+        for kind in KINDS:
+            found = [(int(row["count"]), float(row[what])) for row in table if row["kind"] == kind and row[what]]
+            axis.loglog(*zip(*found), marker="o", markersize=3, label=kind)
+        axis.set_title(title, fontsize=10)
+        axis.set_xlabel("glyphs")
+        axis.set_ylabel("seconds")
+        axis.grid(alpha=0.3)
+    axes[0].legend(fontsize=8)
+    figure.tight_layout()
+    figure.savefig(path_of_plot, dpi=90)
+
+
 def main():
     """Either the figures of one process (--measure) or the table of all."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -138,8 +161,12 @@ def main():
     parser.add_argument("--size", type=int, default=1200)
     parser.add_argument("--frames", type=int, default=7)
     parser.add_argument("--limit", type=float, default=900.0)
+    parser.add_argument("--plot", help="only draws this CSV file, as FOLDER/scale.png")
     parser.add_argument("--measure", help=argparse.SUPPRESS)
     options = parser.parse_args()
+    if options.plot:
+        plot(options.plot, os.path.join(options.folder, "scale.png"))
+        return
     counts = [int(count) for count in options.counts.split(",")]
     if options.measure:
         measure(counts[0], options.measure, options.size, options.frames)

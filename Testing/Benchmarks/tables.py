@@ -6,6 +6,7 @@ Between <!-- table NAME --> and <!-- end of table NAME --> a document has the ta
 it the program only says which ones differ from their CSV files, and which of those do not say of which commit they are.
 """
 import csv
+import math
 import os
 import re
 import statistics
@@ -124,6 +125,49 @@ def large_data():
                            ("colors", found["colorSeconds"]))])
 
 
+def scale():
+    """A million glyphs and more, and ParaView's ways."""
+    return markdown(["", "glyphs", "first picture: s", "of it ParaView's ranges", "frame: s", "while turning", "process at most: GB", "data: GB", "device: bytes a glyph"],
+                    [[row["kind"], "%d million" % (row["count"] / 1e6)] +
+                     ([digits(row[key], 3) for key in ("first", "information", "frame", "turning")] +
+                      [digits(row["peak bytes"] / 1e9, 3), digits(row["count"] * POINT_BYTES[row["kind"]] / 1e9, 2),
+                       "%.1f" % ((row["device bytes"] - DEVICE_BYTES) / row["count"]) if row["device bytes"] else ""] if row["first"] else ["none"] + [""] * 6)
+                     for row in rows("scale") if row["count"] >= 1e6])
+
+
+#: of a point's data in scale.py
+POINT_BYTES = {"spheres": 20, "arrows": 32, "signed tensors": 44, "Point Gaussian": 20, "3D Glyphs": 20}
+#: what the device holds besides glyphs: pictures of 1200 x 1200 pixels
+DEVICE_BYTES = 23e6
+
+
+def slopes():
+    """Exponents of time against count: of a frame where scenes have left the caches."""
+    def slope(kind, least, seconds):
+        found = [(row["count"], seconds(row)) for row in rows("scale") if row["kind"] == kind and row["count"] >= least and row["first"]]
+        xs, ys = [math.log(count) for count, _ in found], [math.log(value) for _, value in found]
+        x, y = statistics.fmean(xs), statistics.fmean(ys)
+        return "%.2f" % (sum((a - x) * (b - y) for a, b in zip(xs, ys)) / sum((a - x) ** 2 for a in xs))
+
+    def building(row):
+        return sum(row[stage + "Seconds"] for stage in ("instance", "sort", "build", "upload"))
+    return markdown(["", "a frame, from 10^5 glyphs", "building, from 10^3", "building, from 10^5"],
+                    [[kind, slope(kind, 1e5, lambda row: row["frame"]), slope(kind, 1e3, building), slope(kind, 1e5, building)]
+                     for kind in ("spheres", "arrows", "signed tensors")])
+
+
+def ranks():
+    """What ranks send each other, hold and take."""
+    def name(row):
+        return row["mode"] + (", " + row["light"] if row["light"] != "Local" else "") + (", radius %d" % row["radius"] if row["radius"] else "")
+    found = rows("ranks")
+    alone = {name(row): row["frame"] for row in found if row["ranks"] == 1}
+    return markdown(["", "ranks", "glyphs from others", "MB", "bytes each", "device, all ranks: MB", "first picture: s", "frame: s", "over one rank"],
+                    [[name(row), "%d" % row["ranks"], "%d" % row["from others"], "%.2f" % (row["bytes from others"] / 1e6),
+                      "%.1f" % (row["bytes from others"] / row["from others"]) if row["from others"] else "", "%.0f" % (row["device bytes"] / 1e6),
+                      digits(row["first picture"], 3), digits(row["frame"], 3), "%.2f" % (alone[name(row)] / row["frame"])] for row in found])
+
+
 def sphere_formulas():
     """Error of t, error of the normal, wrong hits: the cases in which formulas differ."""
     formulas = {"kept": "kept", "Ray Tracing Gems": "Ray Tracing Gems, chapter 7", "Embree's projection": "Embree's projection",
@@ -194,6 +238,9 @@ TABLES = {
     "scenes": (BENCHMARKS, ["scenes"], scenes),
     "directions": (BENCHMARKS, ["directions"], directions),
     "build": (BENCHMARKS, ["build"], build),
+    "scale": (BENCHMARKS, ["scale"], scale),
+    "slopes": (BENCHMARKS, ["scale"], slopes),
+    "ranks": (BENCHMARKS, ["ranks"], ranks),
     "large-data": (BENCHMARKS, ["large-data"], large_data),
     "light": (BENCHMARKS, ["light-spheres", "light-vessel", "light-tensors"],
               lambda: light.table([(name, path_of("light-" + name)) for name in ("spheres", "vessel", "tensors")])),
