@@ -159,9 +159,12 @@ SurfaceHit Trace(Query query, const bool gathers)
     query.mask &= ANY_TRANSLUCENT_MASK;
   }
   TraceDriver(query, 0u, query.mask);
+  if (!translucency || query.seed == 0u)
+  {
+    return payload;
+  }
   // Among glyphs the traversal has decided; the opacity of one of the driver's triangles is known only now.
-  for (uint pass = 0u;
-       translucency && query.seed != 0u && pass < maximumPasses && payload.t >= 0.0 && payload.colour.a < 1.0; ++pass)
+  for (uint pass = 0u; pass < maximumPasses && payload.t >= 0.0 && payload.colour.a < 1.0; ++pass)
   {
     query.seed = Hash(query.seed) | 1u;
     if (UnitInterval(Hash(query.seed)) < payload.colour.a)
