@@ -13,7 +13,7 @@ import json
 import os
 import time
 
-from frames import figures_of, turning, write_table
+from frames import figures_of, memory, turning, write_table
 
 #: ranks, shading mode, ParallelLight, radius in distances of the points
 PLAN = [(ranks, mode, light, radius) for ranks in (1, 2, 4) for mode, light, radius in (
@@ -24,12 +24,7 @@ def largest_process():
     """The most memory that a rank has ever held: ranks are the children of whoever started this one."""
     parent = os.getppid()
     with open("/proc/%d/task/%d/children" % (parent, parent), encoding="ascii") as file:
-        children = file.read().split()
-    most = 0
-    for child in children:
-        with open("/proc/%s/status" % child, encoding="ascii") as status:
-            most = max(most, next(1024 * int(line.split()[1]) for line in status if line.startswith("VmHWM:")))
-    return most
+        return max(memory("VmHWM", child) for child in file.read().split())
 
 
 def measure(arguments):

@@ -13,13 +13,9 @@ import time
 
 import paraview.simple as pv
 
+from frames import memory
+
 STAGES = ("sortSeconds", "buildSeconds", "uploadSeconds", "traceSeconds")
-
-
-def resident():
-    """Memory of this process in MB."""
-    with open("/proc/self/status", encoding="ascii") as status:
-        return [int(line.split()[1]) for line in status if line.startswith("VmRSS")][0] / 1024.0
 
 
 def statistics(shown):
@@ -74,7 +70,7 @@ def main():
         row["total"] = end - start
         row["instance_uploads"] = after["instanceUploads"] - before["instanceUploads"]
         row["structure_builds"] = after["structureBuilds"] - before["structureBuilds"]
-        row["resident_mb"], row["device_mb"] = resident(), after["deviceBytes"] / 2.0 ** 20
+        row["resident_mb"], row["device_mb"] = memory("VmRSS") / 2.0 ** 20, after["deviceBytes"] / 2.0 ** 20
         rows.append(row)
         with open(output, "w" if step == 0 else "a", encoding="ascii", newline="") as out:
             writer = csv.DictWriter(out, list(row))

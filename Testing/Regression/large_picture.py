@@ -16,12 +16,6 @@ BLOCKS = 64
 LIMIT = 2 * 10**9
 
 
-def memory(name):
-    """Bytes of this process by its status."""
-    with open("/proc/self/status", encoding="ascii") as status:
-        return next(1024 * int(line.split()[1]) for line in status if line.startswith(name + ":"))
-
-
 def coverage(picture):
     """Share of covered pixels of each block."""
     side = picture.shape[0] // BLOCKS
@@ -40,10 +34,10 @@ def main(side):
     small = coverage(session.capture(view, "large-picture-small"))
     shown.SamplesPerPixel = 1
     pv.Render(view)
-    before = memory("VmRSS")
+    before = session.memory("VmRSS")
     path = session.output("large-picture.png")
     pv.SaveScreenshot(path, view, ImageResolution=[side, side], CompressionLevel="1")
-    more = memory("VmHWM") - before
+    more = session.memory("VmHWM") - before
     print("%d x %d: %.2f GB besides what the process held, %.2f of it the picture" % (side, side, more / 1e9, 3e-9 * side * side))
     checks.true("memory beyond the picture", more - 3 * side * side < LIMIT)
     picture = session.read_image(path)

@@ -4,7 +4,6 @@ Usage: pvpython light.py [cycles COUNT]
 cycles: instead of looking at pictures, shows and deletes everything COUNT times; no memory must stay behind.
 """
 import ctypes
-import resource
 import sys
 
 import numpy
@@ -170,8 +169,7 @@ def surrounded():
 def resident():
     """Bytes of this process in memory, without what the C library's heaps, one or more a thread, keep for later."""
     ctypes.CDLL(None).malloc_trim(0)
-    with open("/proc/self/statm") as file:
-        return int(file.read().split()[1]) * resource.getpagesize()
+    return session.memory("VmRSS")
 
 
 def cycle(kind):

@@ -44,12 +44,6 @@ def allocated():
     return information.uordblks + information.hblkhd
 
 
-def resident():
-    """Memory of this process in bytes."""
-    with open("/proc/self/statm", encoding="ascii") as numbers:
-        return int(numbers.read().split()[1]) * 4096
-
-
 def main():
     """Plays, and looks at the memory now and then."""
     steps = int(sys.argv[1]) if len(sys.argv) > 1 else 2000
@@ -73,7 +67,7 @@ def main():
     settled, memory, heap, device = steps // 4, [], [], []
     for step in range(steps + 1):
         if step % settled == 0:
-            memory.append(resident())
+            memory.append(session.memory("VmRSS"))
             heap.append(allocated())
             device.append(session.statistics(shown).get("deviceBytes", 0))
         # Their number is another one each time, now and then it is none.

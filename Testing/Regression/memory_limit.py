@@ -19,12 +19,6 @@ POINTS = 3000000
 LIMITS = (10, 40, 80)
 
 
-def address_space():
-    """Bytes that this process has taken."""
-    with open("/proc/self/statm", encoding="utf-8") as file:
-        return int(file.read().split()[0]) * resource.getpagesize()
-
-
 def show(source, view):
     """Small spheres."""
     shown = session.glyphs(source, view, GlyphOrient=0, GlyphScaleFactor=0.02)
@@ -45,7 +39,7 @@ def limited(megabytes):
     many = session.source(session.poly_data(generator.uniform(-1.0, 1.0, (POINTS, 3)).astype(numpy.float32)))
     show(many, view)
     view.SMProxy.Update()  # the points are gathered, no glyphs made
-    resource.setrlimit(resource.RLIMIT_AS, (address_space() + megabytes * 2**20, resource.RLIM_INFINITY))
+    resource.setrlimit(resource.RLIMIT_AS, (session.memory("VmSize") + megabytes * 2**20, resource.RLIM_INFINITY))
     said = session.messages(lambda: pv.Render(view))
     resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
     print("%d MB: %s" % (megabytes, said.strip()))

@@ -95,7 +95,7 @@ def statistic(shown, name):
     return json.loads(shown.GetPropertyValue("RenderStatistics"))[name]
 
 
-def together(view, ranks, failures, _part):
+def together(view, ranks, failures):
     """Counts and limits hold for all ranks together."""
     half = SIDE // 2
     shown = session.glyphs(pv.Wavelet(WholeExtent=[-half, half] * 3), view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.4, samples=1)
@@ -181,9 +181,9 @@ def main(folder, part):
         if points and number_of_points(shown) != points:
             failures.append("%s: %d glyphs, %d points" % (name, number_of_points(shown), points))
         pv.Delete(view)
-    for check in (light, together):
+    for check in (lambda *of: light(*of, part), together):
         view = session.view(300, 200)
-        check(view, ranks, failures, part)
+        check(view, ranks, failures)
         pv.Delete(view)
     # The script ends by itself: leaving early, MPI would call it a failure.
     for failure in failures:

@@ -72,6 +72,12 @@ def finish(failures=()):
     sys.exit(1 if failures else 0)
 
 
+def memory(name):
+    """Bytes of this process by its status: VmRSS, VmHWM, VmSize."""
+    with open("/proc/self/status", encoding="ascii", errors="replace") as status:
+        return next(1024 * int(line.split()[1]) for line in status if line.startswith(name + ":"))
+
+
 def output(name):
     """Path of a result file."""
     folder = os.environ.get("RTGLYPHS_OUTPUT", ".")
