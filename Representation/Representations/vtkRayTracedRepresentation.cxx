@@ -366,7 +366,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   this->SetPartBounds(this->GetDataBounds(points ? points : nothing.Get()));
   vtkRayTracedScene* scene = this->GetScene();
   scene->SetSettings(this->Image);
-  scene->SetFrameKind(ScreenshotState::Of(view), collective);
+  scene->SetFrameKind(ScreenshotState::Of(view), collective, view->GetUseOrderedCompositing());
   if (!this->FeatureFile.empty())
   {
     scene->SaveFeatureImage(this->FeatureFile);

@@ -5,11 +5,11 @@
 
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
+#include "vtkRayTracedExchange.h"
 #include "vtkType.h"
 
 #include <array>
 #include <cstring>
-#include <exception>
 
 namespace
 {
@@ -41,18 +41,6 @@ rtg::DoubleBox BoxOf(const double* numbers)
 {
   return { { numbers[0], numbers[1], numbers[2] }, { numbers[3], numbers[4], numbers[5] } };
 }
-
-// Whether all ranks say so.
-bool OnAll(vtkMultiProcessController* controller, bool own)
-{
-  const int said = own ? 1 : 0;
-  int least = 0;
-  controller->AllReduce(&said, &least, 1, vtkCommunicator::MIN_OP);
-  return least == 1;
-}
-
-// MPI counts in int.
-constexpr std::size_t mostBytes = 0x7fffffff;
 }
 
 //----------------------------------------------------------------------------
@@ -94,20 +82,8 @@ std::string vtkRayTracedNeighbors::Exchange(vtkMultiProcessController* controlle
   std::vector<Shown> sets;
   std::vector<std::vector<rtg::Box>> boxes;
   rtg::DoubleBox bounds;
-  std::string problem;
-  const auto guard = [&problem](const std::function<void()>& work)
-  {
-    try
-    {
-      work();
-    }
-    catch (const std::exception& error)
-    {
-      problem = std::string("Ray Traced Glyphs: glyphs of other ranks cannot shade those of this one (") +
-        error.what() + "). Make AmbientOcclusionRadius smaller, or set ParallelLight to Local.";
-    }
-  };
-  guard(
+  vtkRayTracedExchange exchange;
+  exchange.Try(
     [&]
     {
       sets = shown();
@@ -123,7 +99,7 @@ std::string vtkRayTracedNeighbors::Exchange(vtkMultiProcessController* controlle
 
   // What each of them gets from here
   std::vector<std::vector<char>> messages(ranks);
-  guard(
+  exchange.Try(
     [&]
     {
       for (int to = 0; to < ranks; ++to)
@@ -134,51 +110,19 @@ std::string vtkRayTracedNeighbors::Exchange(vtkMultiProcessController* controlle
           Append(messages[to], sets[i].Display,
             rtg::PackNear(*sets[i].Instances, *sets[i].Colors, boxes[i], region.Widened(reach)));
         }
-        if (messages[to].size() > mostBytes)
-        {
-          throw rtg::Error(std::to_string(messages[to].size()) + " bytes for rank " + std::to_string(to));
-        }
       }
     });
-  std::vector<vtkIdType> lengths(ranks), matrix(static_cast<std::size_t>(ranks) * ranks);
-  for (int to = 0; to < ranks; ++to)
+  if (exchange.Send(controller, std::move(messages)))
   {
-    lengths[to] = static_cast<vtkIdType>(messages[to].size());
+    exchange.Try([&] { this->Receive(exchange.Bytes); });
   }
-  controller->AllGather(lengths.data(), matrix.data(), ranks);
-  std::vector<vtkIdType> arriving(ranks), offsets(ranks);
-  vtkIdType total = 0;
-  for (int from = 0; from < ranks; ++from)
+  if (exchange.Problem.empty())
   {
-    offsets[from] = total;
-    arriving[from] = matrix[static_cast<std::size_t>(from) * ranks + own];
-    total += arriving[from];
+    return std::string();
   }
-  std::vector<char> received;
-  guard(
-    [&]
-    {
-      if (static_cast<std::size_t>(total) > mostBytes)
-      {
-        throw rtg::Error(std::to_string(total) + " bytes from other ranks");
-      }
-      received.resize(total);
-    });
-  if (!OnAll(controller, problem.empty()))
-  {
-    return problem;
-  }
-  for (int to = 0; to < ranks; ++to)
-  {
-    controller->GatherV(messages[to].data(), received.data(), lengths[to], arriving.data(), offsets.data(), to);
-    messages[to] = {};
-  }
-  guard([&] { this->Receive(received); });
-  if (!problem.empty())
-  {
-    this->Sets.clear();
-  }
-  return problem;
+  this->Sets.clear();
+  return "Ray Traced Glyphs: glyphs of other ranks cannot shade those of this one (" + exchange.Problem +
+    "). Make AmbientOcclusionRadius smaller, or set ParallelLight to Local.";
 }
 
 //----------------------------------------------------------------------------

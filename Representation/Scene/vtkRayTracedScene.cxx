@@ -16,6 +16,7 @@
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
 #include "vtkRayTracedDisplays.h"
+#include "vtkRayTracedEdges.h"
 #include "vtkRayTracedFXAA.h"
 #include "vtkRayTracedFeatureImage.h"
 #include "vtkRayTracedFrameStatus.h"
@@ -59,12 +60,21 @@ bool HasForeignPass(vtkRenderer* renderer)
 }
 
 //----------------------------------------------------------------------------
+struct vtkRayTracedScene::Drawn
+{
+  vtkRayTracedImages::Place Place;
+  vtkRayTracedImages::Entry* Entry;
+  const rtg::Image* Image; // null: it failed
+  double EyeDepth;
+};
+
+//----------------------------------------------------------------------------
 struct vtkRayTracedScene::Internals
 {
   vtkNew<vtkRayTracedImageActor> Actor;
   vtkRayTracedDisplays Displays;
   vtkRayTracedImageSettings Settings;
-  bool Capture = false, Collective = false, Stopped = false;
+  bool Capture = false, Collective = false, Ordered = false, Stopped = false;
   std::string FeatureFile;
   vtkRayTracedImages Images;
   vtkRayTracedImageQuad IdQuad;
@@ -75,13 +85,7 @@ struct vtkRayTracedScene::Internals
   vtkRayTracedDisplays::Content Content;
   std::uint64_t ContentNumber = 0;
 
-  // The images of this frame
-  struct Drawn
-  {
-    vtkRayTracedImages::Entry* Entry;
-    double EyeDepth;
-  };
-  std::vector<Drawn> Frame;
+  std::vector<Drawn> Frame; // its images
   bool Interactive = false;
   vtkRayTracedFrameStatus Status; // of the last frame
 
@@ -92,6 +96,17 @@ struct vtkRayTracedScene::Internals
   vtkRayTracedNeighbors Neighbors;
   vtkRayTracedDisplays::Content SentContent; // what could be seen when neighbors were last asked for
   vtkMultiProcessController* OtherRanks() const;
+
+  vtkRayTracedEdges Edges;
+  vtkRayTracedImageQuad EdgeQuad;
+  std::uint64_t EdgesUploaded = 0; // version that EdgeQuad has
+  struct EdgeImage                 // in front of Edges
+  {
+    const vtkRayTracedImages::Entry* Entry = nullptr;
+    std::uint64_t Version = 0;
+    bool operator==(const EdgeImage&) const = default;
+  };
+  EdgeImage Front;
 
   bool HasBothPasses() const { return this->Displays.Shows(opaque) && this->Displays.Shows(translucent); }
 };
@@ -181,10 +196,11 @@ void vtkRayTracedScene::SetSettings(const vtkRayTracedImageSettings& settings)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedScene::SetFrameKind(bool capture, bool collective)
+void vtkRayTracedScene::SetFrameKind(bool capture, bool collective, bool ordered)
 {
   this->Self->Capture = capture;
   this->Self->Collective = collective;
+  this->Self->Ordered = ordered;
 }
 
 //----------------------------------------------------------------------------
@@ -269,6 +285,7 @@ void vtkRayTracedScene::StartFrame()
                        "off, or choose another representation such as 3D Glyphs.");
   }
   self.PassReported = other;
+  this->ExchangeEdges();
 }
 
 //----------------------------------------------------------------------------
@@ -341,23 +358,17 @@ bool vtkRayTracedScene::HasPass(int pass) const
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* mapper)
+// The image of a pass for a viewport of that size, which is traced once in a frame. Null: the camera sees nothing.
+const vtkRayTracedScene::Drawn*
+vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint32_t width, std::uint32_t height)
 {
   Internals& self = *this->Self;
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
-  int viewport[4] = { 0, 0, 0, 0 };
-  glGetIntegerv(GL_VIEWPORT, viewport);
-  if (!window || viewport[2] < 1 || viewport[3] < 1)
-  {
-    return;
-  }
-
   // A camera that sees nothing is no failure of the glyphs: the next one may be good.
   rtg::ImageView view;
   try
   {
-    view = vtkRayTracedImageRequest::ViewOf(self.Settings, this->Renderer, static_cast<rtg::Pass>(pass),
-      static_cast<std::uint32_t>(viewport[2]), static_cast<std::uint32_t>(viewport[3]), self.Environment);
+    view = vtkRayTracedImageRequest::ViewOf(
+      self.Settings, this->Renderer, static_cast<rtg::Pass>(pass), width, height, self.Environment);
     self.CameraReported.clear();
   }
   catch (const rtg::Error& error)
@@ -367,7 +378,7 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
       self.CameraReported = error.what();
       vtkWarningMacro(<< error.what());
     }
-    return;
+    return nullptr;
   }
   view.content = self.ContentNumber;
   const bool capture = self.Capture;
@@ -393,6 +404,12 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   place.Eye = this->Renderer->GetActiveCamera()->GetLeftEye();
   window->GetTileViewport(place.Tile.data());
   vtkRayTracedImages::Entry& entry = self.Images.Get(place);
+  const auto drawn =
+    std::find_if(self.Frame.begin(), self.Frame.end(), [&](const auto& d) { return d.Place == place; });
+  if (drawn != self.Frame.end() && entry.Image.View() == view)
+  {
+    return &*drawn;
+  }
 
   // Another camera, for example, is asked for because somebody wants to see more.
   const bool stays = self.Stopped && !capture && entry.Image.View() == view;
@@ -414,11 +431,12 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
     : self.Images.Update(entry, view, effort, interrupt, [this](rtg::Scene& scene) { this->Commit(scene); });
   window->MakeCurrent();
   window->GetState()->Pop();
-  self.Frame.push_back({ &entry, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
+  self.Frame.push_back(
+    { place, &entry, image, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
   if (!image)
   {
     this->ReportFailure(entry.Image);
-    return;
+    return &self.Frame.back();
   }
   self.Reported.clear();
   if (capture && entry.Image.GetState() == rtg::ProgressiveImage::State::Growing && !self.CutReported)
@@ -427,10 +445,84 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
     vtkWarningMacro(<< "Tracing was stopped: the picture that is saved has " << entry.Image.Samples() << " of "
                     << effort.samples << " samples a pixel. Save it again to have them all.");
   }
+  return &self.Frame.back();
+}
+
+//----------------------------------------------------------------------------
+// What other ranks show behind the smooth edges of this one. Before anything is drawn, because compositing makes only
+// those ranks draw that have something within the view.
+void vtkRayTracedScene::ExchangeEdges()
+{
+  Internals& self = *this->Self;
+  vtkMultiProcessController* ranks = self.OtherRanks();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  // Ordered compositing blends what ranks draw, in the order in which they lie.
+  if (!ranks || !window || self.Ordered || self.PassReported || this->Renderer->GetSelector() ||
+    self.Settings.ParallelLight == vtkRayTracedImageSettings::ReplicatedLight || self.Settings.SamplesPerPixel < 2)
+  {
+    self.Edges.Clear();
+    self.Front = {};
+    return;
+  }
+  const rtg::Image* image = nullptr;
+  Internals::EdgeImage front;
+  if (self.Displays.Shows(opaque))
+  {
+    window->MakeCurrent();
+    this->Renderer->UpdateLightsGeometryToFollowCamera();
+    int size[2], corner[2];
+    this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
+    const Drawn* drawn =
+      this->TraceImage(opaque, window, static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]));
+    if (drawn && drawn->Image)
+    {
+      image = drawn->Image;
+      front = { drawn->Entry, drawn->Entry->Image.Version() };
+    }
+  }
+  const std::string problem = self.Edges.Exchange(ranks, image, front != self.Front);
+  self.Front = front;
+  if (!problem.empty())
+  {
+    this->Report("Ray Traced Glyphs: smooth edges in front of other ranks' glyphs are mixed with the background (" +
+      problem + "). Make the picture smaller, or set ParallelLight to Replicated.");
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* mapper)
+{
+  Internals& self = *this->Self;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
+  int viewport[4] = { 0, 0, 0, 0 };
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  if (!window || viewport[2] < 1 || viewport[3] < 1)
+  {
+    return;
+  }
+
+  const Drawn* drawn =
+    this->TraceImage(pass, window, static_cast<std::uint32_t>(viewport[2]), static_cast<std::uint32_t>(viewport[3]));
+  const rtg::Image* image = drawn ? drawn->Image : nullptr;
+  if (!image)
+  {
+    return;
+  }
+  vtkRayTracedImages::Entry& entry = *drawn->Entry;
   if (entry.Uploaded != entry.Image.Version() || !entry.Quad.HasImage())
   {
     entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth);
     entry.Uploaded = entry.Image.Version();
+  }
+  if (self.Front.Entry == &entry && !self.Edges.GetColors().empty())
+  {
+    if (self.EdgesUploaded != self.Edges.GetVersion() || !self.EdgeQuad.HasImage())
+    {
+      self.EdgeQuad.SetImage(
+        window, image->width, image->height, self.Edges.GetColors().data(), self.Edges.GetDepths().data());
+      self.EdgesUploaded = self.Edges.GetVersion();
+    }
+    self.EdgeQuad.Draw(this->Renderer, imageActor, mapper, vtkRayTracedImageQuad::BLEND);
   }
   entry.Quad.Draw(this->Renderer, imageActor, mapper, vtkRayTracedImageQuad::BLEND);
 }
@@ -447,7 +539,7 @@ void vtkRayTracedScene::SmoothFrame()
   self.FXAA.Apply(this->Renderer,
     [this, &self](vtkTextureObject* pixels)
     {
-      for (const Internals::Drawn& drawn : self.Frame)
+      for (const Drawn& drawn : self.Frame)
       {
         drawn.Entry->Quad.DrawKept(this->Renderer, pixels);
       }
@@ -470,7 +562,7 @@ void vtkRayTracedScene::EndFrame()
   frame.Stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
   frame.Eye = this->Renderer->GetActiveCamera()->GetLeftEye() != 0;
   bool finished = true;
-  for (const Internals::Drawn& drawn : self.Frame)
+  for (const Drawn& drawn : self.Frame)
   {
     using State = rtg::ProgressiveImage::State;
     const rtg::ProgressiveImage& image = drawn.Entry->Image;
@@ -494,7 +586,7 @@ void vtkRayTracedScene::EndFrame()
   if (!self.FeatureFile.empty() && finished && !self.Frame.empty() && self.Images.GetScene())
   {
     std::vector<const rtg::Image*> images;
-    for (const Internals::Drawn& drawn : self.Frame)
+    for (const Drawn& drawn : self.Frame)
     {
       images.push_back(&drawn.Entry->Image.GetImage());
     }
@@ -658,6 +750,7 @@ void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Self->Images.ReleaseGraphicsResources(window);
   this->Self->IdQuad.ReleaseGraphicsResources(window);
+  this->Self->EdgeQuad.ReleaseGraphicsResources(window);
   this->Self->FXAA.ReleaseGraphicsResources();
 }
 

@@ -34,6 +34,7 @@ struct Image;
 }
 class vtkActor;
 class vtkMapper;
+class vtkOpenGLRenderWindow;
 class vtkInformationObjectBaseKey;
 class vtkRayTracedMapper;
 class vtkRenderer;
@@ -71,9 +72,10 @@ public:
 
   /**
    * What the next frames are for. `capture`: pictures that ParaView takes without showing them, and only once: each has
-   * all samples. `collective`: all ranks render them together.
+   * all samples. `collective`: all ranks render them together. `ordered`: what they draw is blended in the order in
+   * which their data lie, and not put together by depth.
    */
-  void SetFrameKind(bool capture, bool collective);
+  void SetFrameKind(bool capture, bool collective, bool ordered);
 
   /**
    * The next finished image also leaves a file; see WriteFeatureImage.
@@ -151,6 +153,7 @@ private:
   vtkRayTracedScene(const vtkRayTracedScene&) = delete;
   void operator=(const vtkRayTracedScene&) = delete;
   static vtkRayTracedScene* New();
+  struct Drawn;
 
   void TakeSmoothing();
   void StartFrame();
@@ -162,6 +165,8 @@ private:
   void Report(const std::string& message);
   void Report(const std::string& message, const std::string& what);
   void ReportFailure(const rtg::ProgressiveImage& image);
+  const Drawn* TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint32_t width, std::uint32_t height);
+  void ExchangeEdges();
 
   vtkWeakPointer<vtkRenderer> Renderer;
 
