@@ -204,6 +204,55 @@ std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first, doubl
   return boxes;
 }
 
+bool AreBalls(const GlyphInstances& instances)
+{
+  return instances.shape == Shape::Sphere && instances.sizes3.empty() && instances.rotations.empty() &&
+    !instances.motion.Any();
+}
+
+// As of any other glyph.
+Box BallBox(const glm::vec3& centre, const glm::vec3& centreLow, float size)
+{
+  const float reach = 0.5f * size;
+  const double half = reach + roundings * std::abs(reach);
+  const glm::dvec3 middle = glm::dvec3(centre) + glm::dvec3(centreLow);
+  return { RoundDown(middle - half), RoundUp(middle + half) };
+}
+
+Box UnionOf(const BoxReader& boxes)
+{
+  std::vector<Box> parts((boxes.Count() + parallelChunk - 1) / parallelChunk);
+  ParallelChunks(boxes.Count(),
+    [&](std::size_t first, std::size_t last)
+    {
+      Box& part = parts[first / parallelChunk];
+      for (std::size_t i = first; i < last; ++i)
+      {
+        part.Include(boxes[i]);
+      }
+    });
+  Box all;
+  for (const Box& part : parts)
+  {
+    all.Include(part);
+  }
+  return all;
+}
+
+std::vector<Box> InOrder(const BoxReader& boxes, const std::vector<std::uint32_t>& order)
+{
+  std::vector<Box> sorted(boxes.Count());
+  ParallelChunks(sorted.size(),
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        sorted[i] = boxes[order.empty() ? i : order[i]];
+      }
+    });
+  return sorted;
+}
+
 DoubleBox GlyphExtent(Shape shape, const ArrowForm& arrow, const glm::dvec3& size)
 {
   shapes::Kernel<double>::Glyph glyph{};

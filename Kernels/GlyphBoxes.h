@@ -4,6 +4,7 @@
 #include "Box.h"
 #include "Glyphs.h"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,65 @@ namespace rtg
 /// float: of glyphs that move, of all they touch between two fractions of the shutter's opening, 0 <= first <= last
 /// <= 1.
 std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first = 0.0, double last = 1.0);
+
+/// Whether the glyphs are balls at rest, whose boxes are found as fast as read.
+bool AreBalls(const GlyphInstances& instances);
+
+/// The box of a ball about `centre`, which is the sum of two.
+Box BallBox(const glm::vec3& centre, const glm::vec3& centreLow, float size);
+
+/// Boxes that are read one by one: of a list, or of the balls of instances, which are computed when they are read. A
+/// list of the boxes of many balls would take more memory than the balls. Lists and instances must stay.
+class BoxReader
+{
+public:
+  BoxReader(const std::vector<Box>& boxes, float padding = 0.0f)
+    : boxes_(&boxes)
+    , padding_(padding)
+  {
+  }
+  explicit BoxReader(const GlyphInstances& balls, float padding = 0.0f)
+    : balls_(&balls)
+    , padding_(padding)
+  {
+  }
+
+  std::size_t Count() const { return this->boxes_ ? this->boxes_->size() : this->balls_->Count(); }
+
+  /// Widened by the padding.
+  Box operator[](std::size_t i) const
+  {
+    return (this->boxes_ ? (*this->boxes_)[i] : this->BallBoxAt(i)).Widened(this->padding_);
+  }
+
+  /// Half the extent, about.
+  glm::vec3 HalfExtent(std::size_t i) const
+  {
+    return this->boxes_ ? 0.5f * ((*this->boxes_)[i].upper - (*this->boxes_)[i].lower)
+                        : glm::vec3(0.5f * std::abs(this->BallSize(i)));
+  }
+
+private:
+  float BallSize(std::size_t i) const
+  {
+    return this->balls_->sizes1.empty() ? this->balls_->uniformSize : this->balls_->sizes1[i];
+  }
+  Box BallBoxAt(std::size_t i) const
+  {
+    const glm::vec3 low = this->balls_->centresLow.empty() ? glm::vec3(0.0f) : this->balls_->centresLow[i];
+    return BallBox(this->balls_->centres[i], low, this->BallSize(i));
+  }
+
+  const std::vector<Box>* boxes_ = nullptr;
+  const GlyphInstances* balls_ = nullptr;
+  float padding_;
+};
+
+/// The box of all.
+Box UnionOf(const BoxReader& boxes);
+
+/// The boxes in that order; in their own when it is empty.
+std::vector<Box> InOrder(const BoxReader& boxes, const std::vector<std::uint32_t>& order);
 
 /// The box of a glyph of these sizes, not turned, relative to its centre; of polynomials the largest. None of
 /// Shape::Mesh.

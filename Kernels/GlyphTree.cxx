@@ -23,12 +23,12 @@ Box Union(Box a, const Box& b)
 
 Box LeafBox(const OrderedBoxes& ordered, std::size_t leaf, std::uint32_t leafBits)
 {
-  const std::vector<Box>& boxes = ordered.boxes;
-  const std::size_t last = GlyphTree::Start(leaf + 1, boxes.size(), leafBits);
+  const std::size_t count = ordered.boxes.Count();
+  const std::size_t last = GlyphTree::Start(leaf + 1, count, leafBits);
   Box box;
-  for (std::size_t i = GlyphTree::Start(leaf, boxes.size(), leafBits); i < last; ++i)
+  for (std::size_t i = GlyphTree::Start(leaf, count, leafBits); i < last; ++i)
   {
-    box.Include(boxes[ordered.order ? ordered.order[i] : i]);
+    box.Include(ordered.boxes[ordered.order ? ordered.order[i] : i]);
   }
   return box;
 }
@@ -48,14 +48,15 @@ public:
   static constexpr std::size_t mostGlyphs = 64;
   static constexpr std::size_t fewGlyphs = 16;
 
-  LeafSplitter(PartitionEntry* entries, std::size_t count, const Box* boxes)
+  LeafSplitter(PartitionEntry* entries, std::size_t count, const BoxReader& boxes)
     : entries_(entries)
     , count_(count)
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Box& box = boxes[entries[i].index];
-      this->boxes_[i] = { box.lower.x, box.lower.y, box.lower.z, 0.0f, -box.upper.x, -box.upper.y, -box.upper.z, 0.0f };
+      const glm::vec3 middle = entries[i].Point(), half = boxes.HalfExtent(entries[i].index);
+      const glm::vec3 lower = middle - half, upper = middle + half;
+      this->boxes_[i] = { lower.x, lower.y, lower.z, 0.0f, -upper.x, -upper.y, -upper.z, 0.0f };
     }
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -184,7 +185,7 @@ private:
 struct KdSplitter
 {
   PartitionEntry* entries;
-  const Box* boxes;
+  const BoxReader& boxes;
   std::size_t count;
   std::uint32_t leafBits;
   std::uint8_t* axes;
@@ -328,42 +329,28 @@ std::uint32_t GlyphTree::LeafBits(std::size_t count, std::size_t glyphsPerLeaf)
   return std::min(bits, 3 * maxLevels);
 }
 
-KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits)
+KdOrder MakeKdOrder(const BoxReader& boxes, std::uint32_t leafBits)
 {
   KdOrder result;
+  const std::size_t count = boxes.Count();
   // Not made by a vector, which would write zeros into all of them first, on one core.
-  const std::unique_ptr<PartitionEntry[]> entries(new PartitionEntry[boxes.size()]);
-  ParallelChunks(boxes.size(),
+  const std::unique_ptr<PartitionEntry[]> entries(new PartitionEntry[count]);
+  ParallelChunks(count,
     [&](std::size_t first, std::size_t last)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        entries[i] = PartitionEntry(0.5f * boxes[i].lower + 0.5f * boxes[i].upper, static_cast<std::uint32_t>(i));
+        const Box box = boxes[i];
+        entries[i] = PartitionEntry(0.5f * box.lower + 0.5f * box.upper, static_cast<std::uint32_t>(i));
       }
     });
   const std::uint32_t last = GlyphTree::Levels(leafBits) - 1;
   const std::size_t lastCount = std::size_t(1) << (last > 0 ? leafBits - 3 : 0);
   result.axes.resize(GlyphTree::LevelOffset(last) + lastCount);
-  const KdSplitter splitter{ entries.get(), boxes.data(), boxes.size(), leafBits, result.axes.data() };
-  splitter.SplitNode(0, 0, 0, leafBits, ForksFor(boxes.size()));
-  result.order = OrderOf(entries.get(), boxes.size());
+  const KdSplitter splitter{ entries.get(), boxes, count, leafBits, result.axes.data() };
+  splitter.SplitNode(0, 0, 0, leafBits, ForksFor(count));
+  result.order = OrderOf(entries.get(), count);
   return result;
-}
-
-std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& order)
-{
-  if (order.empty())
-  {
-    return boxes;
-  }
-  std::vector<Box> sorted(boxes.size());
-  ParallelChunks(order.size(),
-    [&](std::size_t first, std::size_t last)
-    {
-      std::transform(
-        order.begin() + first, order.begin() + last, sorted.begin() + first, [&](std::uint32_t i) { return boxes[i]; });
-    });
-  return sorted;
 }
 
 double LeafSurface(const OrderedBoxes& boxes, std::uint32_t leafBits)
@@ -396,28 +383,27 @@ GlyphTree BuildGlyphTree(const OrderedBoxes& boxes, std::uint32_t leafBits, cons
   tree.nodesPerSlice = static_cast<std::uint32_t>(axes.size());
   tree.nodes.resize(axes.size());
 
-  // Boxes of the leaves, then of every level's nodes upwards.
-  std::vector<Box> below(std::size_t(1) << leafBits);
-  ParallelChunks(below.size(),
-    [&](std::size_t first, std::size_t last)
-    {
-      for (std::size_t leaf = first; leaf < last; ++leaf)
-      {
-        below[leaf] = LeafBox(boxes, leaf, leafBits);
-      }
-    });
+  // Boxes of every level's nodes, from the lowest upwards; those of leaves are not kept.
+  std::vector<Box> below;
   for (std::uint32_t level = tree.levels; level-- > 0;)
   {
     const std::size_t children = std::size_t(1) << SplitsOf(level, leafBits);
-    std::vector<Box> current(below.size() / children);
+    const bool lowest = level + 1 == tree.levels;
+    std::vector<Box> current(lowest ? (std::size_t(1) << leafBits) / children : below.size() / children);
     ParallelChunks(current.size(),
       [&](std::size_t first, std::size_t last)
       {
         for (std::size_t i = first; i < last; ++i)
         {
-          current[i] = std::accumulate(&below[children * i], &below[children * i] + children, Box(), Union);
+          Box leaves[8];
+          for (std::size_t child = 0; lowest && child < children; ++child)
+          {
+            leaves[child] = LeafBox(boxes, children * i + child, leafBits);
+          }
+          const Box* const parts = lowest ? leaves : &below[children * i];
+          current[i] = std::accumulate(parts, parts + children, Box(), Union);
           const std::size_t node = GlyphTree::LevelOffset(level) + i;
-          tree.nodes[node] = Quantise(current[i], &below[children * i], children, axes[node]);
+          tree.nodes[node] = Quantise(current[i], parts, children, axes[node]);
         }
       });
     below = std::move(current);

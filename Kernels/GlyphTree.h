@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Box.h"
+#include "GlyphBoxes.h"
 
 #include <cstdint>
 #include <vector>
@@ -65,10 +65,7 @@ struct KdOrder
   std::vector<std::uint32_t> order;
   std::vector<std::uint8_t> axes;
 };
-KdOrder MakeKdOrder(const std::vector<Box>& boxes, std::uint32_t leafBits);
-
-/// The boxes in that order; in their own when it is empty.
-std::vector<Box> InOrder(const std::vector<Box>& boxes, const std::vector<std::uint32_t>& order);
+KdOrder MakeKdOrder(const BoxReader& boxes, std::uint32_t leafBits);
 
 /// Boxes as a tree is built over them: in `order`, which must stay, or as they lie. A sorted copy of the boxes of many
 /// glyphs would take more memory than their tree.
@@ -78,12 +75,12 @@ struct OrderedBoxes
     : boxes(b)
   {
   }
-  OrderedBoxes(const std::vector<Box>& b, const std::vector<std::uint32_t>& o)
+  OrderedBoxes(const BoxReader& b, const std::vector<std::uint32_t>& o)
     : boxes(b)
     , order(o.empty() ? nullptr : o.data())
   {
   }
-  const std::vector<Box>& boxes;
+  BoxReader boxes;
   const std::uint32_t* order = nullptr;
 };
 

@@ -93,6 +93,11 @@ PartitionEntry::PartitionEntry(const glm::vec3& point, std::uint32_t i)
 {
 }
 
+glm::vec3 PartitionEntry::Point() const
+{
+  return { ToFloat(this->coordinates[0]), ToFloat(this->coordinates[1]), ToFloat(this->coordinates[2]) };
+}
+
 std::vector<std::uint32_t> OrderOf(const PartitionEntry* entries, std::size_t count)
 {
   std::vector<std::uint32_t> order(count);

@@ -20,6 +20,7 @@ struct PartitionEntry
 
   PartitionEntry() = default;
   PartitionEntry(const glm::vec3& point, std::uint32_t i);
+  glm::vec3 Point() const;
   /// Its place along an axis: unlike that of every other point.
   std::uint64_t Key(int axis) const { return std::uint64_t(this->coordinates[axis]) << 32 | this->index; }
 };

@@ -234,12 +234,9 @@ float Scene::State::Measure()
   {
     if (set.Shown() && !set.measured)
     {
-      set.bounds = Box();
-      set.boxes = GlyphBoxes(set.instances);
-      for (const Box& box : set.boxes)
-      {
-        set.bounds.Include(box);
-      }
+      const bool balls = AreBalls(set.instances);
+      set.boxes = balls ? std::vector<Box>() : GlyphBoxes(set.instances);
+      set.bounds = UnionOf(balls ? BoxReader(set.instances) : BoxReader(set.boxes));
       set.measured = true;
       this->TellStage(set);
     }

@@ -14,15 +14,6 @@ namespace rtg
 namespace
 {
 
-void Pad(std::vector<Box>& boxes, float reach)
-{
-  const float padding = SlabPadding(reach);
-  for (Box& box : boxes)
-  {
-    box = box.Widened(padding);
-  }
-}
-
 vk::AabbPositionsKHR ToVulkan(const Box& box)
 {
   return vk::AabbPositionsKHR(box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z);
@@ -51,11 +42,16 @@ void Scene::State::Place(GlyphSet& set, float reach)
   PlacedMesh mesh = this->Withdraw(set).mesh;
   Stopwatch watch;
   // Those of Measure(), unless old instances are placed anew.
-  std::vector<Box> boxes = set.boxes.empty() ? GlyphBoxes(set.instances) : std::move(set.boxes);
+  std::vector<Box> list = std::move(set.boxes);
   set.boxes = {};
+  const bool balls = AreBalls(set.instances);
+  if (list.empty() && !balls)
+  {
+    list = GlyphBoxes(set.instances);
+  }
   if (set.instancesChanged || set.sorted.order.size() != set.count)
   {
-    this->Sort(set, boxes);
+    this->Sort(set, balls ? BoxReader(set.instances) : BoxReader(list));
     this->statistics.sortSeconds += watch.Lap();
   }
   this->TellStage(set);
@@ -80,15 +76,22 @@ void Scene::State::Place(GlyphSet& set, float reach)
   {
     // First what takes memory besides, then what stays.
     Stopwatch building;
+    if (set.instances.motion.Any())
+    {
+      list = {}; // each slice of time has its own
+    }
+    const float padding = SlabPadding(placed.builtReach);
+    const BoxReader boxes = balls ? BoxReader(set.instances, padding) : BoxReader(list, padding);
     if (this->structure == Structure::Tree)
     {
-      this->BuildTree(set, placed, std::move(boxes));
+      this->BuildTree(set, placed, boxes);
     }
     else
     {
-      this->BuildBoxes(set, placed, std::move(boxes));
+      this->BuildBoxes(set, placed, boxes);
     }
     this->statistics.buildSeconds += building.Lap();
+    list = {};
     this->TellStage(set);
     this->SendArrays(set, placed, ~device::APPEARANCE);
   }
@@ -122,7 +125,7 @@ void Scene::State::SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::ui
 // Into the order of a tree's leaves, which also serves lavapipe's own structure: that splits its input where it finds
 // it. A GPU's driver sorts for itself. Glyphs of a time series mostly stay near those beside which they were: as long
 // as the nodes above the leaves have not grown by much, the last order does.
-void Scene::State::Sort(GlyphSet& set, const std::vector<Box>& boxes)
+void Scene::State::Sort(GlyphSet& set, const BoxReader& boxes)
 {
   if (this->structure == Structure::Boxes && !this->device->IsCpu())
   {
@@ -133,7 +136,7 @@ void Scene::State::Sort(GlyphSet& set, const std::vector<Box>& boxes)
   // Glyphs that move are sorted as they lie in the middle of the shutter's opening: boxes round whole paths would
   // say little about what each slice of time needs.
   const std::vector<Box> middle = instances.motion.Any() ? GlyphBoxes(instances, 0.5, 0.5) : std::vector<Box>();
-  const std::vector<Box>& sortedBoxes = instances.motion.Any() ? middle : boxes;
+  const BoxReader sortedBoxes = instances.motion.Any() ? BoxReader(middle) : boxes;
   const std::uint32_t leafBits = GlyphTree::LeafBits(set.count, glyphsPerLeaf);
   const auto surface = [&](const std::vector<std::uint32_t>& order) {
     return LeafSurface({ sortedBoxes, order }, leafBits - std::min(leafBits, 3u));
@@ -151,7 +154,7 @@ void Scene::State::Sort(GlyphSet& set, const std::vector<Box>& boxes)
 }
 
 // The driver's structures of a set, one primitive a glyph: of glyphs that move, one for each slice of time.
-void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes)
+void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const BoxReader& boxes)
 {
   const bool moves = set.instances.motion.Any();
   placed.sliceBits = moves ? TimeSliceBits(set.instances, set.count * bytesPerBox) : 0;
@@ -162,23 +165,23 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, std::ve
     run.count = static_cast<std::uint32_t>(std::min<std::size_t>(this->glyphsPerRun, set.count - at));
     placed.runs.push_back(std::move(run));
   }
+  const std::vector<std::uint32_t>& order = set.sorted.order;
   const std::size_t slices = std::size_t(1) << placed.sliceBits;
-  if (!moves)
-  {
-    boxes = InOrder(boxes, set.sorted.order);
-  }
   for (std::size_t slice = 0; slice < slices; ++slice)
   {
+    std::vector<Box> own;
     if (moves)
     {
-      boxes = InOrder(GlyphBoxes(set.instances, double(slice) / double(slices), double(slice + 1) / double(slices)),
-        set.sorted.order);
+      own = GlyphBoxes(set.instances, double(slice) / double(slices), double(slice + 1) / double(slices));
     }
-    Pad(boxes, placed.builtReach);
+    const BoxReader read = moves ? BoxReader(own, SlabPadding(placed.builtReach)) : boxes;
     for (GlyphRun& run : placed.runs)
     {
       std::vector<vk::AabbPositionsKHR> positions(run.count);
-      std::transform(boxes.begin() + run.first, boxes.begin() + run.first + run.count, positions.begin(), ToVulkan);
+      for (std::uint32_t i = 0; i < run.count; ++i)
+      {
+        positions[i] = ToVulkan(read[order.empty() ? run.first + i : order[run.first + i]]);
+      }
       run.structures.push_back(AccelerationStructure::OverBoxes(this->device->GetState(), positions));
     }
   }
@@ -186,29 +189,25 @@ void Scene::State::BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, std::ve
 }
 
 // The tree of a set: of glyphs that move, one for each slice of time.
-void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes)
+void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const BoxReader& boxes)
 {
   const GlyphOrder& sorted = set.sorted;
   GlyphTree tree;
   if (!set.instances.motion.Any())
   {
-    Pad(boxes, placed.builtReach);
     const OrderedBoxes ordered(boxes, sorted.order);
     // So many leaves a line through the bounds meets on average, by Cauchy's formula.
     const double leavesMet =
       LeafSurface(ordered, sorted.leafBits) / HalfSurface(glm::dvec3(set.bounds.upper - set.bounds.lower));
     placed.group.Set(device::DROPS_HIDDEN, leavesMet > leavesWorthDropping);
     tree = BuildGlyphTree(ordered, sorted.leafBits, sorted.kdAxes);
-    boxes = {};
   }
   else
   {
-    boxes = {};
     const auto boxesBetween = [&](double first, double last)
     {
-      std::vector<Box> own = InOrder(GlyphBoxes(set.instances, first, last), sorted.order);
-      Pad(own, placed.builtReach);
-      return own;
+      const std::vector<Box> own = GlyphBoxes(set.instances, first, last);
+      return InOrder(BoxReader(own, SlabPadding(placed.builtReach)), sorted.order);
     };
     const std::size_t bytes = sorted.kdAxes.size() * sizeof(GlyphTreeNode);
     tree =

@@ -104,7 +104,7 @@ struct GlyphSet
   std::size_t count = 0;
   bool measured = false;  ///< `bounds` are those of the instances
   Box bounds;             ///< relative to instances.origin
-  std::vector<Box> boxes; ///< of the glyphs, from their bounds to their build
+  std::vector<Box> boxes; ///< of the glyphs, from their bounds to their build; none of balls
   GlyphOrder sorted;
   PlacedGlyphs placed;
 
@@ -181,9 +181,9 @@ struct Scene::State
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.
   void AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
     std::vector<vk::AccelerationStructureInstanceKHR>& instances) const;
-  void Sort(GlyphSet& set, const std::vector<Box>& boxes);
-  void BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes);
-  void BuildTree(const GlyphSet& set, PlacedGlyphs& placed, std::vector<Box> boxes);
+  void Sort(GlyphSet& set, const BoxReader& boxes);
+  void BuildBoxes(const GlyphSet& set, PlacedGlyphs& placed, const BoxReader& boxes);
+  void BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const BoxReader& boxes);
   void CheckInstanceCount() const;
   void BuildTopLevels();
   void ListSets();

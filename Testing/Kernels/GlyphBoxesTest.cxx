@@ -96,4 +96,43 @@ TEST(GlyphBoxesOfSuperquadrics, HoldTheBounds)
   ExpectTight(instances);
 }
 
+/// Balls' boxes are found one by one as they stand in a list, to the bit.
+TEST(GlyphBoxesOfBalls, AreFoundAsListed)
+{
+  std::mt19937 random(12);
+  std::uniform_real_distribution<float> unit;
+  GlyphInstances instances;
+  instances.shape = Shape::Sphere;
+  for (int i = 0; i < 10000; ++i)
+  {
+    const auto any = [&] { return (2.0f * unit(random) - 1.0f) * std::pow(10.0f, 16.0f * unit(random) - 8.0f); };
+    const float x = any(), y = any();
+    instances.centres.emplace_back(x, y, any());
+    instances.sizes1.push_back(i % 100 == 0 ? 0.0f : std::abs(any()));
+  }
+  const auto expectAsListed = [&]
+  {
+    ASSERT_TRUE(AreBalls(instances));
+    const std::vector<Box> list = GlyphBoxes(instances);
+    const BoxReader read(instances);
+    ASSERT_EQ(read.Count(), list.size());
+    for (std::size_t i = 0; i < list.size(); ++i)
+    {
+      ASSERT_EQ(read[i].lower, list[i].lower) << i;
+      ASSERT_EQ(read[i].upper, list[i].upper) << i;
+    }
+  };
+  expectAsListed();
+  for (const glm::vec3& centre : instances.centres)
+  {
+    instances.centresLow.push_back(3e-8f * unit(random) * centre);
+  }
+  expectAsListed();
+  instances.sizes1.clear();
+  instances.uniformSize = 0.3f;
+  expectAsListed();
+  instances.rotations.resize(instances.Count(), glm::vec4(0, 0, 0, 1));
+  EXPECT_FALSE(AreBalls(instances));
+}
+
 } // namespace
