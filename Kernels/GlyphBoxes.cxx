@@ -57,11 +57,16 @@ glm::dvec3 Centre(const GlyphInstances& instances, std::size_t i)
   return instances.centresLow.empty() ? centre : centre + glm::dvec3(instances.centresLow[i]);
 }
 
-// Floats that are not above the values, at most two ulps below.
-glm::vec3 RoundDown(const glm::dvec3& values)
+// A float that is not above the value, at most two ulps below. Without glm::abs, which branches on the sign.
+float RoundDown(double value)
 {
   constexpr double ulp = std::numeric_limits<float>::epsilon(), least = std::numeric_limits<float>::denorm_min();
-  return glm::vec3(values - (ulp * glm::abs(values) + least));
+  return static_cast<float>(value - (ulp * std::abs(value) + least));
+}
+
+glm::vec3 RoundDown(const glm::dvec3& values)
+{
+  return { RoundDown(values.x), RoundDown(values.y), RoundDown(values.z) };
 }
 
 glm::vec3 RoundUp(const glm::dvec3& values)
