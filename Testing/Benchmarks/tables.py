@@ -116,6 +116,14 @@ def build():
                     [[shape] + ["%.3f" % value for value in cores + [sum(cores), sum(one)]] for shape, (one, cores) in every.items()])
 
 
+def build_picture():
+    """The first picture of ten million spheres, without ParaView."""
+    row, = rows("build-picture")
+    stages = ("commit s", "sort s", "build s", "upload s", "picture s", "all s")
+    return markdown(["new glyphs", "of that sorting", "building", "sending", "programs and picture", "all", "process at most: MB", "of that data: MB"],
+                    [["%.2f" % row[stage] for stage in stages] + ["%.0f" % row["peak MB"], "%.0f" % row["MB before"]]])
+
+
 def large_data():
     """Stages of ten million points."""
     found = {row["what"]: row for row in rows("large-data")}
@@ -238,6 +246,7 @@ TABLES = {
     "scenes": (BENCHMARKS, ["scenes"], scenes),
     "directions": (BENCHMARKS, ["directions"], directions),
     "build": (BENCHMARKS, ["build"], build),
+    "build-picture": (BENCHMARKS, ["build-picture"], build_picture),
     "scale": (BENCHMARKS, ["scale"], scale),
     "slopes": (BENCHMARKS, ["scale"], slopes),
     "ranks": (BENCHMARKS, ["ranks"], ranks),
