@@ -215,6 +215,11 @@ bool AreBalls(const GlyphInstances& instances)
     !instances.motion.Any();
 }
 
+std::vector<Box> ListedBoxes(const GlyphInstances& instances)
+{
+  return AreBalls(instances) ? std::vector<Box>() : GlyphBoxes(instances);
+}
+
 // As of any other glyph.
 Box BallBox(const glm::vec3& centre, const glm::vec3& centreLow, float size)
 {

@@ -19,6 +19,9 @@ std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first = 0.0,
 /// Whether the glyphs are balls at rest, whose boxes are found as fast as read.
 bool AreBalls(const GlyphInstances& instances);
 
+/// GlyphBoxes() for a BoxReader: none of balls.
+std::vector<Box> ListedBoxes(const GlyphInstances& instances);
+
 /// The box of a ball about `centre`, which is the sum of two.
 Box BallBox(const glm::vec3& centre, const glm::vec3& centreLow, float size);
 
@@ -32,8 +35,10 @@ public:
     , padding_(padding)
   {
   }
-  explicit BoxReader(const GlyphInstances& balls, float padding = 0.0f)
-    : balls_(&balls)
+  /// `boxes`: ListedBoxes() of the instances.
+  BoxReader(const GlyphInstances& instances, const std::vector<Box>& boxes, float padding = 0.0f)
+    : boxes_(AreBalls(instances) ? nullptr : &boxes)
+    , balls_(&instances)
     , padding_(padding)
   {
   }

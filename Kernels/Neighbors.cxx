@@ -282,12 +282,7 @@ void Unpack(const std::vector<char>& bytes, GlyphInstances& instances, GlyphColo
 
 DoubleBox BoundsOf(const GlyphInstances& instances, const std::vector<Box>& boxes)
 {
-  DoubleBox bounds;
-  for (const Box& box : boxes)
-  {
-    bounds.Include(Moved(box, instances.origin));
-  }
-  return bounds;
+  return Moved(UnionOf(boxes), instances.origin);
 }
 
 } // namespace rtg

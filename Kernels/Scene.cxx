@@ -234,9 +234,8 @@ float Scene::State::Measure()
   {
     if (set.Shown() && !set.measured)
     {
-      const bool balls = AreBalls(set.instances);
-      set.boxes = balls ? std::vector<Box>() : GlyphBoxes(set.instances);
-      set.bounds = UnionOf(balls ? BoxReader(set.instances) : BoxReader(set.boxes));
+      set.boxes = ListedBoxes(set.instances);
+      set.bounds = UnionOf({ set.instances, set.boxes });
       set.measured = true;
       this->TellStage(set);
     }

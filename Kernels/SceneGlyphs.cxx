@@ -44,14 +44,13 @@ void Scene::State::Place(GlyphSet& set, float reach)
   // Those of Measure(), unless old instances are placed anew.
   std::vector<Box> list = std::move(set.boxes);
   set.boxes = {};
-  const bool balls = AreBalls(set.instances);
-  if (list.empty() && !balls)
+  if (list.empty())
   {
-    list = GlyphBoxes(set.instances);
+    list = ListedBoxes(set.instances);
   }
   if (set.instancesChanged || set.sorted.order.size() != set.count)
   {
-    this->Sort(set, balls ? BoxReader(set.instances) : BoxReader(list));
+    this->Sort(set, { set.instances, list });
     this->statistics.sortSeconds += watch.Lap();
   }
   this->TellStage(set);
@@ -80,8 +79,7 @@ void Scene::State::Place(GlyphSet& set, float reach)
     {
       list = {}; // each slice of time has its own
     }
-    const float padding = SlabPadding(placed.builtReach);
-    const BoxReader boxes = balls ? BoxReader(set.instances, padding) : BoxReader(list, padding);
+    const BoxReader boxes(set.instances, list, SlabPadding(placed.builtReach));
     if (this->structure == Structure::Tree)
     {
       this->BuildTree(set, placed, boxes);

@@ -85,20 +85,44 @@ std::size_t BeginOf(int rank, int ranks, std::size_t pixels)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedEdges::Forget()
+{
+  this->Colors = {};
+  this->Depths = {};
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedEdges::Clear()
 {
-  if (!this->Colors.empty())
+  this->Forget();
+  this->Front = nullptr;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedEdges::Draw(
+  const rtg::Image* image, vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
+{
+  if (image == this->Front && !this->Colors.empty())
   {
-    this->Colors = {};
-    this->Depths = {};
-    ++this->Version;
+    this->Quad.SetImage(window, image->width, image->height, this->Colors.data(), this->Depths.data(), this->Version);
+    this->Quad.Draw(renderer, actor, mapper, vtkRayTracedImageQuad::BLEND);
   }
 }
 
 //----------------------------------------------------------------------------
-// Every rank takes part in every collective call, whatever has gone wrong on it.
-std::string vtkRayTracedEdges::Exchange(vtkMultiProcessController* controller, const rtg::Image* image, bool changed)
+void vtkRayTracedEdges::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Quad.ReleaseGraphicsResources(window);
+}
+
+//----------------------------------------------------------------------------
+// Every rank takes part in every collective call, whatever has gone wrong on it.
+std::string
+vtkRayTracedEdges::Exchange(vtkMultiProcessController* controller, const rtg::Image* image, std::uint64_t version)
+{
+  const bool changed = image != this->Front || (image && version != this->FrontVersion);
+  this->Front = image;
+  this->FrontVersion = version;
   const int ranks = controller->GetNumberOfProcesses();
   const int own = controller->GetLocalProcessId();
   const std::size_t ownPixels = image ? std::size_t(image->width) * image->height : 0;
@@ -113,7 +137,7 @@ std::string vtkRayTracedEdges::Exchange(vtkMultiProcessController* controller, c
   {
     return std::string();
   }
-  this->Clear();
+  this->Forget();
   if (largest[1] == 0 || largest[1] != -largest[2] || largest[3] != -largest[4])
   {
     return std::string();

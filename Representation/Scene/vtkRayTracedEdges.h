@@ -10,11 +10,18 @@
 #ifndef vtkRayTracedEdges_h
 #define vtkRayTracedEdges_h
 
+#include "vtkRayTracedImageQuad.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
 
+class vtkActor;
+class vtkMapper;
 class vtkMultiProcessController;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkWindow;
 namespace rtg
 {
 struct Image;
@@ -24,32 +31,32 @@ class vtkRayTracedEdges
 {
 public:
   /**
-   * To be called by all ranks at once, with what this rank shows; null: nothing. `changed`: it is not what it was at
-   * the last call; when that is so on no rank, nothing is done. Returns what went wrong on this rank, which then has
+   * To be called by all ranks at once, with what this rank shows, and its version; null: nothing. When these are what
+   * they were at the last call on all ranks, nothing is done. Returns what went wrong on this rank, which then has
    * nothing behind its edges.
    */
-  std::string Exchange(vtkMultiProcessController* controller, const rtg::Image* image, bool changed);
+  std::string Exchange(vtkMultiProcessController* controller, const rtg::Image* image, std::uint64_t version);
 
   void Clear();
 
-  ///@{
   /**
-   * What lies behind this rank's edges: RGBA8, straight, and window depth of all pixels of its image; alpha is 0 where
-   * nothing does. Empty: that is so everywhere.
+   * Draws what lies behind the edges of that image, if it is that of the last exchange.
    */
-  const std::vector<std::uint32_t>& GetColors() const { return this->Colors; }
-  const std::vector<float>& GetDepths() const { return this->Depths; }
-  ///@}
+  void Draw(
+    const rtg::Image* image, vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
 
-  /**
-   * Grows with each change.
-   */
-  std::uint64_t GetVersion() const { return this->Version; }
+  void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  void Forget();
+
+  const rtg::Image* Front = nullptr; // of the last exchange; only compared
+  std::uint64_t FrontVersion = 0;
+  // RGBA8, straight, and window depth of all its pixels; alpha is 0 where nothing lies behind. Empty: nowhere does any.
   std::vector<std::uint32_t> Colors;
   std::vector<float> Depths;
-  std::uint64_t Version = 0;
+  std::uint64_t Version = 0; // grows with each change of these
+  vtkRayTracedImageQuad Quad;
 };
 
 #endif

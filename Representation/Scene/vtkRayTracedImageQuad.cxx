@@ -73,11 +73,16 @@ vtkRayTracedImageQuad::~vtkRayTracedImageQuad() = default;
 
 //----------------------------------------------------------------------------
 void vtkRayTracedImageQuad::SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,
-  const std::uint32_t* color, const float* depth)
+  const std::uint32_t* color, const float* depth, std::uint64_t version)
 {
+  if (this->Sent && version != 0 && version == this->Version)
+  {
+    return;
+  }
   Send(this->Color, window, width, height, 4, VTK_UNSIGNED_CHAR, color);
   Send(this->Depth, window, width, height, 1, VTK_FLOAT, depth);
   this->Sent = true;
+  this->Version = version;
 }
 
 //----------------------------------------------------------------------------

@@ -36,11 +36,11 @@ public:
   };
 
   /**
-   * Sends an image: RGBA8 and window depths, bottom row first.
+   * Sends an image: RGBA8 and window depths, bottom row first. One of the version that was sent last is not sent again,
+   * unless it is 0.
    */
   void SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, const std::uint32_t* color,
-    const float* depth);
-  bool HasImage() const { return this->Sent; }
+    const float* depth, std::uint64_t version);
 
   /**
    * Draws it. `actor`, with `mapper`, carries the render passes that have a say in the shader: depth peeling, and the
@@ -59,6 +59,7 @@ private:
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
   bool Sent = false;
+  std::uint64_t Version = 0; // of what was sent
   // By fragment shader: each stage of depth peeling has its own.
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
 

@@ -194,6 +194,5 @@ void vtkRayTracedImages::ReleaseGraphicsResources(vtkWindow* window)
   for (auto& [place, entry] : this->Entries)
   {
     entry->Quad.ReleaseGraphicsResources(window);
-    entry->Uploaded = 0;
   }
 }

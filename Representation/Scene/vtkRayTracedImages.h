@@ -42,7 +42,6 @@ public:
     std::unique_ptr<rtg::Tracer> Tracer;
     std::uint64_t SceneNumber = 0; // of the scene that the tracer traces
     vtkRayTracedImageQuad Quad;
-    std::uint64_t Uploaded = 0; // version of the pixels that Quad has
     std::uint64_t LastUsed = 0;
   };
 

@@ -98,15 +98,6 @@ struct vtkRayTracedScene::Internals
   vtkMultiProcessController* OtherRanks() const;
 
   vtkRayTracedEdges Edges;
-  vtkRayTracedImageQuad EdgeQuad;
-  std::uint64_t EdgesUploaded = 0; // version that EdgeQuad has
-  struct EdgeImage                 // in front of Edges
-  {
-    const vtkRayTracedImages::Entry* Entry = nullptr;
-    std::uint64_t Version = 0;
-    bool operator==(const EdgeImage&) const = default;
-  };
-  EdgeImage Front;
 
   bool HasBothPasses() const { return this->Displays.Shows(opaque) && this->Displays.Shows(translucent); }
 };
@@ -461,27 +452,19 @@ void vtkRayTracedScene::ExchangeEdges()
     self.Settings.ParallelLight == vtkRayTracedImageSettings::ReplicatedLight || self.Settings.SamplesPerPixel < 2)
   {
     self.Edges.Clear();
-    self.Front = {};
     return;
   }
-  const rtg::Image* image = nullptr;
-  Internals::EdgeImage front;
+  const Drawn* drawn = nullptr;
   if (self.Displays.Shows(opaque))
   {
     window->MakeCurrent();
     this->Renderer->UpdateLightsGeometryToFollowCamera();
     int size[2], corner[2];
     this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
-    const Drawn* drawn =
-      this->TraceImage(opaque, window, static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]));
-    if (drawn && drawn->Image)
-    {
-      image = drawn->Image;
-      front = { drawn->Entry, drawn->Entry->Image.Version() };
-    }
+    drawn = this->TraceImage(opaque, window, static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]));
   }
-  const std::string problem = self.Edges.Exchange(ranks, image, front != self.Front);
-  self.Front = front;
+  const std::string problem =
+    self.Edges.Exchange(ranks, drawn ? drawn->Image : nullptr, drawn ? drawn->Entry->Image.Version() : 0);
   if (!problem.empty())
   {
     this->Report("Ray Traced Glyphs: smooth edges in front of other ranks' glyphs are mixed with the background (" +
@@ -509,21 +492,8 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
     return;
   }
   vtkRayTracedImages::Entry& entry = *drawn->Entry;
-  if (entry.Uploaded != entry.Image.Version() || !entry.Quad.HasImage())
-  {
-    entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth);
-    entry.Uploaded = entry.Image.Version();
-  }
-  if (self.Front.Entry == &entry && !self.Edges.GetColors().empty())
-  {
-    if (self.EdgesUploaded != self.Edges.GetVersion() || !self.EdgeQuad.HasImage())
-    {
-      self.EdgeQuad.SetImage(
-        window, image->width, image->height, self.Edges.GetColors().data(), self.Edges.GetDepths().data());
-      self.EdgesUploaded = self.Edges.GetVersion();
-    }
-    self.EdgeQuad.Draw(this->Renderer, imageActor, mapper, vtkRayTracedImageQuad::BLEND);
-  }
+  self.Edges.Draw(image, window, this->Renderer, imageActor, mapper);
+  entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth, entry.Image.Version());
   entry.Quad.Draw(this->Renderer, imageActor, mapper, vtkRayTracedImageQuad::BLEND);
 }
 
@@ -710,7 +680,7 @@ void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
       selector->UpdateMaximumPointId(buffer.LargestId);
     }
     self.IdQuad.SetImage(
-      window, images.front()->width, images.front()->height, buffer.Values.data(), buffer.Depths.data());
+      window, images.front()->width, images.front()->height, buffer.Values.data(), buffer.Depths.data(), 0);
     self.IdQuad.Draw(this->Renderer, actor, mapper, vtkRayTracedImageQuad::IDS);
   }
   selector->EndRenderProp();
@@ -750,7 +720,7 @@ void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Self->Images.ReleaseGraphicsResources(window);
   this->Self->IdQuad.ReleaseGraphicsResources(window);
-  this->Self->EdgeQuad.ReleaseGraphicsResources(window);
+  this->Self->Edges.ReleaseGraphicsResources(window);
   this->Self->FXAA.ReleaseGraphicsResources();
 }
 

@@ -114,7 +114,8 @@ TEST(GlyphBoxesOfBalls, AreFoundAsListed)
   {
     ASSERT_TRUE(AreBalls(instances));
     const std::vector<Box> list = GlyphBoxes(instances);
-    const BoxReader read(instances);
+    const std::vector<Box> none;
+    const BoxReader read(instances, none);
     ASSERT_EQ(read.Count(), list.size());
     for (std::size_t i = 0; i < list.size(); ++i)
     {
