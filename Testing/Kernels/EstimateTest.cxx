@@ -1,5 +1,5 @@
 // What EstimateGlyph says is never contradicted by IntersectGlyph, on every hard case, and it is worth asking.
-#include "HardCases.h"
+#include "CaseRays.h"
 #include "Measure.h"
 #include "SubjectName.h"
 
@@ -34,7 +34,7 @@ protected:
   {
     using Kernel = rtg::shapes::Kernel<Real>;
     std::size_t asked = 0, decided = 0;
-    for (const HardCase& hard : HardCaseMaker(this->GetParam(), 8, 60).All())
+    for (const HardCase& hard : Cases(this->GetParam(), 8, 20).All())
     {
       SCOPED_TRACE(hard.subject + ": " + hard.situation);
       std::size_t wrong = 0;

@@ -1,5 +1,5 @@
 // GlyphBounds holds the glyph and touches it on all six sides.
-#include "HardCases.h"
+#include "CaseRays.h"
 #include "Reference.h"
 #include "SubjectName.h"
 
@@ -60,7 +60,8 @@ class ShapeBoundsTest : public ::testing::TestWithParam<Subject>
 TEST_P(ShapeBoundsTest, HoldTheSurface)
 {
   using Kernel = shapes::Kernel<float>;
-  for (const HardCase& hard : HardCaseMaker(this->GetParam(), 4, 60).All())
+  const std::size_t rays = Rays(20);
+  for (const HardCase& hard : Cases(this->GetParam(), 4, 20).All())
   {
     SCOPED_TRACE(hard.subject + ": " + hard.situation);
     for (std::uint32_t i = 0; i < hard.instances.Count(); ++i)
@@ -71,7 +72,7 @@ TEST_P(ShapeBoundsTest, HoldTheSurface)
       // Tight but for rounding: what the scene pads by.
       const glm::vec3 size(float(reference.Size()));
       const glm::vec3 pad = 4.0f * std::numeric_limits<float>::epsilon() * (glm::abs(hard.instances.centres[i]) + size);
-      for (std::size_t k = i * 60; k < (i + 1) * 60 && k < hard.rays.size(); ++k)
+      for (std::size_t k = i * rays; k < (i + 1) * rays && k < hard.rays.size(); ++k)
       {
         for (const auto& crossing : reference.Crossings(hard.rays[k].origin, hard.rays[k].direction))
         {

@@ -21,25 +21,38 @@ LOW, HIGH = numpy.array([0.1, 0.2, 0.9]), numpy.array([0.9, 0.6, 0.1])
 BASES = ("MRtrix3", "DIPY", "DIPY Legacy", "Orthonormal")
 
 
+def terms(basis, count, n):
+    """Each coefficient's number and function in the directions n (..., 3), by the formulas of GlyphHarmonicsBasis."""
+    z = n[..., 2]
+    most = int(round((math.sqrt(8.0 * count + 1.0) - 3.0) / 2.0))
+    power = numpy.ones_like(z, dtype=complex)  # rho^order exp(i order phi)
+    for order in range(most + 1):
+        # Legendre's function over rho^order
+        below, value = numpy.zeros_like(z), numpy.full_like(z, float(numpy.prod([-(2.0 * i - 1.0) for i in range(1, order + 1)])))
+        for l in range(order, most + 1):
+            if l > order:
+                below, value = value, ((2 * l - 1) * z * value - (l + order - 1) * below) / (l - order)
+            if l % 2 == 0:
+                scale = math.sqrt((2 * l + 1) / (4.0 * math.pi) * math.factorial(l - order) / math.factorial(l + order))
+                for m in {order, -order}:
+                    sine = m > 0 if basis.startswith("DIPY") else m < 0
+                    odd = basis == "Orthonormal" or (basis == "DIPY" and m < 0)
+                    sign = (-1.0 if odd and order % 2 else 1.0) * (math.sqrt(2.0) if m else 1.0)
+                    yield l * (l + 1) // 2 + m, sign * scale * value * (power.imag if sine else power.real)
+        power = power * (n[..., 0] + 1j * n[..., 1])
+
+
 def harmonics(basis, count, n):
-    """f of each coefficient in the directions n (..., 3), by the formulas of GlyphHarmonicsBasis: (..., count)."""
-    phi, z = numpy.arctan2(n[..., 1], n[..., 0]), n[..., 2]
-    rho = numpy.sqrt(numpy.maximum(1.0 - z * z, 0.0))
-    columns, l = [], 0
-    while len(columns) < count:
-        for m in range(-l, l + 1):
-            order = abs(m)
-            below, value = numpy.zeros_like(z), (1.0 if order == 0 else float(numpy.prod([-(2.0 * i - 1.0) for i in range(1, order + 1)]))) * rho ** order
-            for k in range(order + 1, l + 1):
-                below, value = value, ((2 * k - 1) * z * value - (k + order - 1) * below) / (k - order)
-            value = value * math.sqrt((2 * l + 1) / (4.0 * math.pi) * math.factorial(l - order) / math.factorial(l + order))
-            value = value * (math.sqrt(2.0) if m else 1.0)
-            sine = m > 0 if basis.startswith("DIPY") else m < 0
-            odd = basis == "Orthonormal" or (basis == "DIPY" and m < 0)
-            sign = -1.0 if odd and order % 2 else 1.0
-            columns.append(sign * value * (numpy.sin(order * phi) if sine else numpy.cos(order * phi)))
-        l += 2
-    return numpy.stack(columns, axis=-1)
+    """All of them: (..., count)."""
+    columns = numpy.empty(n.shape[:-1] + (count,))
+    for number, column in terms(basis, count, n):
+        columns[..., number] = column
+    return columns
+
+
+def expansion(basis, coefficients, n):
+    """f with these coefficients in the directions n (..., 3)."""
+    return sum(coefficients[number] * column for number, column in terms(basis, len(coefficients), n))
 
 
 def normal_stress(six, n):
@@ -155,10 +168,10 @@ def forms(checks, view, random):
     """Bands and bases, and both kinds of tensors."""
     for basis, count in zip(BASES, (45, 15, 15, 6)):
         array = random.normal(size=count)
-        form(checks, view, "%s, %d" % (basis, count), array, lambda n: harmonics(basis, count, n) @ array,
+        form(checks, view, "%s, %d" % (basis, count), array, lambda n: expansion(basis, array, n),
              1.9 / numpy.abs(array).sum() * count ** 0.5, both=count == 15, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values", GlyphHarmonicsBasis=basis)
     array = random.normal(size=91) * numpy.repeat(1.0 / (1.0 + numpy.arange(7)), 4 * numpy.arange(7) + 1)
-    form(checks, view, "band 12", array, lambda n: harmonics("MRtrix3", 91, n) @ array, 0.7, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values")
+    form(checks, view, "band 12", array, lambda n: expansion("MRtrix3", array, n), 0.7, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values")
     array = random.normal(size=6)
     form(checks, view, "normal stress", array, lambda n: normal_stress(array, n), 1.0, GlyphShape="Reynolds", GlyphTensorArray="values")
     array = random.normal(size=21)

@@ -27,8 +27,8 @@ LEAK = 8 << 20
 class Scene:
     """A ball and arrows on a floor, lit from all around: two glyph representations and a surface in one view."""
 
-    def __init__(self, mode):
-        self.view = session.view(300, 225, background=(255, 255, 255))
+    def __init__(self, mode, width=300):
+        self.view = session.view(width, width * 3 // 4, background=(255, 255, 255))
         self.floor_source = pv.Plane(Origin=[-2, -2, 0], Point1=[2, -2, 0], Point2=[-2, 2, 0])
         self.floor = pv.Show(self.floor_source, self.view)
         self.floor.SetRepresentationType(SURFACE)
@@ -70,6 +70,7 @@ def shadows(mode, name):
     for state in ("all", "no-ball", "no-arrows"):
         scene.ball.Visibility = state != "no-ball"
         scene.arrows.Visibility = state != "no-arrows"
+        scene.floor.SamplesPerPixel = SAMPLES if state == "all" else SAMPLES // 2
         pixels = session.capture(scene.view, "light-" + name + ("" if state == "all" else "-" + state))
         seen[state] = [brightness(pixels, *place) for place in (NEAR_BALL, NEAR_ARROW, FAR)]
         print("%s, %s: near the ball %.1f, near the arrow %.1f, far %.1f" % ((name, state) + tuple(seen[state])))
@@ -89,7 +90,7 @@ def shadows(mode, name):
 
 def denoised():
     """Four samples come closer to sixty-four when their noise is smoothed, and finished images are left alone."""
-    scene = Scene("Ambient Occlusion")
+    scene = Scene("Ambient Occlusion", 160)
     pictures = {}
     for name, samples, when in (("truth", SAMPLES, "Never"), ("noisy", 4, "Never"), ("refining", 4, "While Refining"),
                                 ("denoised", 4, "Always")):

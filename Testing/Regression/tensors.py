@@ -31,13 +31,9 @@ def tensors(signs=(1, 1, 1)):
     return numpy.array([matrix(q) @ numpy.diag(l * signs) @ matrix(q).T for q, l in zip(QUATERNIONS, LENGTHS)])
 
 
-def picture(view, name, data, **properties):
-    points = session.source(data)
-    shown = session.glyphs(points, view, **{"GlyphScaleFactor": 0.9, **properties})
-    image = session.capture(view, "tensors-" + name.replace(" ", "-"))
-    pv.Delete(shown)
-    pv.Delete(points)
-    return image
+def picture(stage, name, data, shape, **properties):
+    stage.show(data, shape, GlyphScaleFactor=0.9, **properties)
+    return session.capture(stage.view, "tensors-" + name.replace(" ", "-"))
 
 
 def colours(failures, view):
@@ -112,14 +108,14 @@ def signs(failures, view, size):
              ("Tensor Ellipsoid", (0.9, -0.4, -0.7), aslant), ("Tensor Ellipsoid", (-0.3, -0.6, -0.8), aslant),
              ("Tensor Superquadric", (1.0, -1.0, 0.5), turn[:, 2]), ("Signed Tensor Superquadric", (1.0, -0.8, 0.0), turn[:, 2]),
              ("Signed Tensor Superquadric", (1.0, -1.0, 0.5), turn[:, 2]))
+    stage = session.Stage(view)
     for number, (shape, values, direction) in enumerate(cases):
         values = numpy.array(values)
         d = turn @ numpy.diag(values) @ turn.T
         half = 0.5 * numpy.maximum(numpy.abs(values), DEFAULT_THICKNESS)
-        points = session.source(session.poly_data(numpy.zeros((1, 3)), t=(d + axial).reshape(1, 9), along=2.0 * direction[None]))
-        shown = session.glyphs(points, view, GlyphShape=shape, GlyphScaleFactor=1.0, GlyphTensorArray="t",
-                               GlyphTensorColoring="Sign", GlyphTensorPositiveColor=warm, GlyphTensorNegativeColor=cool)
-        shown.Ambient, shown.Diffuse = 1.0, 0.0
+        stage.show(session.poly_data(numpy.zeros((1, 3)), t=(d + axial).reshape(1, 9), along=2.0 * direction[None]), shape,
+                   GlyphScaleFactor=1.0, GlyphTensorArray="t", GlyphTensorColoring="Sign", GlyphTensorPositiveColor=warm,
+                   GlyphTensorNegativeColor=cool, Ambient=1.0, Diffuse=0.0)
         at, along = frame_of(view, direction, numpy.array([0.1, 1.0, 0.0]), 0.6, size)
         image = session.capture(view, "tensors-sign-%d" % number)[:, :, :3].astype(int)
         hit = comparison.covered(image)
@@ -145,20 +141,18 @@ def signs(failures, view, size):
         if wrong or judged < least * hit.sum() or hit.sum() < 1000 or not negative.any():
             failures.append(words)
         if number == 0:
-            signs_in_motion_and_light(failures, view, shown, (positive, negative), (warm, cool))
-        pv.Delete(shown)
-        pv.Delete(points)
+            signs_in_motion_and_light(failures, stage, (positive, negative), (warm, cool))
+    stage.close()
 
 
-def signs_in_motion_and_light(failures, view, shown, masks, sign_colours):
+def signs_in_motion_and_light(failures, stage, masks, sign_colours):
     """Going along the line of sight, a glyph in parallel projection looks as it does at rest; path-traced, both colours lie where they lay."""
-    shown.MotionBlur, shown.VelocityArray, shown.ShutterTime, shown.SamplesPerPixel = 1, "along", 1.0, 8
-    image = session.capture(view, "tensors-sign-moving")[:, :, :3].astype(int)
+    stage.settings.add(dict(MotionBlur=1, VelocityArray="along", ShutterTime=1.0, SamplesPerPixel=8))
+    image = session.capture(stage.view, "tensors-sign-moving")[:, :, :3].astype(int)
     wrong = sum(int((numpy.abs(image[mask] - numpy.round(255 * numpy.array(colour))).max(axis=1, initial=0) > 1).sum())
                 for mask, colour in zip(masks, sign_colours))
-    shown.MotionBlur = 0
-    shown.ShadingMode, shown.MaximumBounces, shown.SamplesPerPixel = "Path Tracing", 2, 16
-    light = session.capture(view, "tensors-sign-path")[:, :, :3].astype(int)
+    stage.settings.add(dict(MotionBlur=0, ShadingMode="Path Tracing", MaximumBounces=2, SamplesPerPixel=16))
+    light = session.capture(stage.view, "tensors-sign-path")[:, :, :3].astype(int)
     reddish = light[:, :, 0] > light[:, :, 2]
     lost = int((~reddish[masks[0]]).sum() + reddish[masks[1]].sum())
     print("signs moving: %d wrong, path-traced: %d wrong" % (wrong, lost))
@@ -170,16 +164,15 @@ def thin(failures, view, same):
     """Stress in one direction is a rod, of two equal ones and zero a plate, as thick as GlyphTensorThickness says; other glyphs have
     the lengths of their eigenvalues; what is drawn lies in the display's bounds."""
     up = numpy.array([0.0, 1.0, 0.0])
+    stage = session.Stage(view)
+    tensor = lambda values: session.poly_data(numpy.zeros((1, 3)), t=values.reshape(1, 9))
+    common = dict(GlyphTensorArray="t", GlyphScaleFactor=1.0)
     for shape in ("Tensor Ellipsoid", "Tensor Superquadric", "Signed Tensor Superquadric"):
         for values in ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.7, 0.0, 0.7), (1.0, -1e-5, -1e-5)):
-            points = session.source(session.poly_data(numpy.zeros((1, 3)), t=numpy.diag(values).reshape(1, 9)))
-            shown = session.glyphs(points, view, GlyphShape=shape, GlyphTensorArray="t", GlyphScaleFactor=1.0)
             length = max(numpy.abs(values))
-            for thickness in (None, 0.1):
-                if thickness is None:
-                    thickness = DEFAULT_THICKNESS
-                else:
-                    shown.GlyphTensorThickness = thickness
+            for thickness in (DEFAULT_THICKNESS, 0.1):
+                changed = {} if thickness == DEFAULT_THICKNESS else {"GlyphTensorThickness": thickness}
+                stage.show(tensor(numpy.diag(values)), shape, **common, **changed)
                 frame_of(view, numpy.array([0.0, 0.0, 1.0]), up, 1.5 * length * thickness, (300, 150))
                 pixel = 2.0 * 1.5 * length * thickness / 150
                 rows = comparison.covered(session.capture(view, "tensors-thin"))[:, 150].sum()
@@ -187,25 +180,21 @@ def thin(failures, view, same):
                 print(words)
                 if abs(rows * pixel - length * thickness) > 2 * pixel:
                     failures.append(words)
-            for proxy in (shown, points):
-                pv.Delete(proxy)
         turn = matrix(QUATERNIONS[1])
-        regular = session.source(session.poly_data(numpy.zeros((1, 3)), t=(turn @ numpy.diag((1.0, 0.11, -0.3)) @ turn.T).reshape(1, 9)))
-        shown = session.glyphs(regular, view, GlyphShape=shape, GlyphTensorArray="t", GlyphScaleFactor=1.0)
+        regular = tensor(turn @ numpy.diag((1.0, 0.11, -0.3)) @ turn.T)
+        stage.show(regular, shape, **common)
         frame_of(view, numpy.array([0.3, 0.4, 1.0]), up, 0.7, (300, 150))
         expected = session.capture(view, "tensors-not-thin")
-        shown.GlyphTensorThickness = 0.1
+        stage.show(regular, shape, GlyphTensorThickness=0.1, **common)
         same(shape + " that is not thin", expected, session.capture(view, "tensors-not-thin"), 0.0)
         # As thick as long: a ball, or a cylinder, which reaches farther.
-        rod = session.source(session.poly_data(numpy.zeros((1, 3)), t=numpy.outer(turn[:, 0], turn[:, 0]).reshape(1, 9)))
-        thick = session.glyphs(rod, view, GlyphShape=shape, GlyphTensorArray="t", GlyphScaleFactor=1.0, GlyphTensorThickness=1.0)
+        thick = stage.show(tensor(numpy.outer(turn[:, 0], turn[:, 0])), shape, GlyphTensorThickness=1.0, **common)
         pv.Render(view)
         found = numpy.array(thick.SMProxy.GetClientSideObject().GetActiveRepresentation().GetActor().GetBounds()).reshape(3, 2)
         reach = 0.5 if shape == "Tensor Ellipsoid" else 0.5 * (numpy.abs(turn[:, 0]) + numpy.sqrt(1.0 - turn[:, 0]**2))
         if (numpy.abs(found).T < 0.999 * reach).any() or (numpy.abs(found) > 1.6).any():
             failures.append("%s: a thick glyph that reaches %s has the bounds %s" % (shape, reach, found))
-        for proxy in (shown, thick, regular, rod):
-            pv.Delete(proxy)
+    stage.close()
 
 
 def axes(failures, view, same):
@@ -378,8 +367,9 @@ def main():
         session.finish(failures)
 
     # Ellipsoids from lengths and quaternions are the reference.
-    ellipsoids = picture(view, "reference", session.poly_data(POINTS, size=LENGTHS, turn=QUATERNIONS),
-                         GlyphShape="Sphere", GlyphScaling=1, GlyphScaleArray="size", GlyphScaleMode="Components",
+    stage = session.Stage(view)
+    ellipsoids = picture(stage, "reference", session.poly_data(POINTS, size=LENGTHS, turn=QUATERNIONS),
+                         "Sphere", GlyphScaling=1, GlyphScaleArray="size", GlyphScaleMode="Components",
                          GlyphOrient=1, GlyphOrientationArray="turn", GlyphOrientationMode="Quaternion")
     t = tensors()
     six = lambda *order: numpy.array([[m[i, j] for i, j in order] for m in t])
@@ -389,26 +379,21 @@ def main():
     twisted = t + numpy.array([[0, 3, -2], [-3, 0, 1], [2, -1, 0]])
     layouts["Matrix "] = twisted.reshape(3, 9)
     for layout, values in layouts.items():
-        image = picture(view, "layout " + layout, session.poly_data(POINTS, t=values), GlyphShape="Tensor Ellipsoid",
+        image = picture(stage, "layout " + layout, session.poly_data(POINTS, t=values), "Tensor Ellipsoid",
                         GlyphTensorArray="t", GlyphTensorLayout=layout.strip())
         same("layout " + layout, ellipsoids, image)
 
     # Signs change no ellipsoid; with sharpness 0 positive superquadrics are ellipsoids, of either kind.
     negative = session.poly_data(POINTS, t=tensors((1, -1, -1)).reshape(3, 9))
     same("negative eigenvalues", ellipsoids,
-         picture(view, "negative", negative, GlyphShape="Tensor Ellipsoid", GlyphTensorArray="t"))
+         picture(stage, "negative", negative, "Tensor Ellipsoid", GlyphTensorArray="t"))
     positive = session.poly_data(POINTS, t=t.reshape(3, 9))
     for shape in ("Tensor Superquadric", "Signed Tensor Superquadric"):
-        points = session.source(positive)
-        shown = session.glyphs(points, view, GlyphScaleFactor=0.9, GlyphShape=shape, GlyphTensorArray="t",
-                               GlyphTensorSharpness=0.0)
-        same(shape + " of sharpness 0", ellipsoids, session.capture(view, "tensors-" + shape.replace(" ", "-")))
-        shown.GlyphTensorSharpness = 3.0
-        sharp = session.capture(view, "tensors-" + shape.replace(" ", "-") + "-sharp")
-        pv.Delete(shown)
-        pv.Delete(points)
+        same(shape + " of sharpness 0", ellipsoids, picture(stage, shape, positive, shape, GlyphTensorArray="t", GlyphTensorSharpness=0.0))
+        sharp = picture(stage, shape + " sharp", positive, shape, GlyphTensorArray="t", GlyphTensorSharpness=3.0)
         if numpy.mean(numpy.any(sharp != ellipsoids, axis=2)) < 0.01:
             failures.append(shape + ": sharpness makes no difference")
+    stage.close()
 
     # Numbers as colours: through a map of the user's, and the one of our own; of the principal direction.
     colours(failures, view)
