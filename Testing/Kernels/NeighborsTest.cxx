@@ -232,10 +232,10 @@ TEST_P(NeighborsTest, UnseenGlyphsShadeOnly)
   const Kept alone = this->Trace(this->scene);
   EXPECT_TRUE(std::all_of(alone.colours.begin(), alone.colours.end(), [](std::uint32_t c) { return c == 0u; }));
 
+  // A ball, too: one program for both scenes.
   rtg::GlyphInstances floor;
-  floor.shape = rtg::Shape::Box;
-  floor.centres = { glm::vec3(0.0f, -1.2f, 0.0f) };
-  floor.sizes3 = { glm::vec3(4.0f, 0.2f, 4.0f) };
+  floor.centres = { glm::vec3(0.0f, -11.1f, 0.0f) };
+  floor.sizes1 = { 20.0f };
   const rtg::Scene::SetId seen = Add(this->scene, floor);
   for (const rtg::Shading shading : { rtg::Shading::AmbientOcclusion, rtg::Shading::PathTracing })
   {

@@ -15,7 +15,7 @@ from checks import Checks
 #: many samples are slow, and images that grow step by step move their counters
 LEFT_OUT = {"SamplesPerPixel", "StepwiseRendering"}
 STATES = ({"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "length"},
-          {"GlyphShape": "Signed Tensor Superquadric", "GlyphTensorArray": "tensor", "MotionBlur": 1, "VelocityArray": "vector"})
+          {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor", "MotionBlur": 1, "VelocityArray": "vector"})
 
 
 def counts(shown):
