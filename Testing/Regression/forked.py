@@ -3,6 +3,8 @@
 Usage: python3 forked.py start FOLDER PVPYTHON | stop FOLDER | run FOLDER SCRIPT ARGUMENT...
 start: pvpython in the background, which listens to a socket in FOLDER. run: the script with this process's environment, folder,
 streams and exit status, as pvpython would run it; it ends with this process.
+
+A fork has one thread. The pvpython of ParaView 6 starts with two, so there each script has a pvpython of its own.
 """
 import json
 import os
@@ -16,6 +18,10 @@ import time
 
 #: Each process goes to FOLDER before it names the socket: a socket's path has at most 107 characters.
 SOCKET = "pvpython.socket"
+#: says which pvpython runs each script by itself, where none can fork
+ALONE = "pvpython.alone"
+#: exit status of a pvpython that cannot fork
+CANNOT_FORK = 3
 #: seconds that pvpython may take to start
 START = 120.0
 #: what a connection begins with
@@ -50,11 +56,18 @@ def start(folder, pvpython):
             connection.close()
             return 0
         time.sleep(0.1)
+    if server.returncode == CANNOT_FORK:
+        with open(os.path.join(folder, ALONE), "w", encoding="utf-8") as alone:
+            alone.write(pvpython)
+        print("each script has a pvpython of its own")
+        return 0
     print("forked.py: pvpython did not start; see %s" % log.name, file=sys.stderr)
     return 1
 
 
 def stop(folder):
+    if os.path.exists(os.path.join(folder, ALONE)):
+        os.remove(os.path.join(folder, ALONE))
     connection = connect(folder)
     if connection:
         with connection:
@@ -64,6 +77,10 @@ def stop(folder):
 
 
 def run(folder, argv):
+    if os.path.exists(os.path.join(folder, ALONE)):
+        with open(os.path.join(folder, ALONE), encoding="utf-8") as alone:
+            pvpython = alone.read()
+        os.execvp(pvpython, [pvpython] + argv)
     connection = connect(folder)
     if not connection:
         print("forked.py: no pvpython; run 'forked.py start %s PVPYTHON' first" % folder, file=sys.stderr)
@@ -99,7 +116,8 @@ def serve():
     from vtkmodules.util import numpy_support  # noqa: F401
     threads = os.listdir("/proc/self/task")
     if len(threads) != 1:
-        sys.exit("pvpython has %d threads; a fork would have one of them" % len(threads))
+        print("pvpython has %d threads" % len(threads))
+        sys.exit(CANNOT_FORK)
     if os.path.exists(SOCKET):
         os.remove(SOCKET)
     listener = socket.socket(socket.AF_UNIX)
