@@ -6,8 +6,9 @@
 // FUNCTION is vkQueueSubmit, which loses the device, or vkAllocateMemory, vkBindBufferMemory, vkMapMemory,
 // vkCreateBuffer or vkCreateAccelerationStructureKHR, which answer VK_ERROR_OUT_OF_DEVICE_MEMORY.
 //
-// It makes devices lack what RTGLYPHS_LACKS names: see Properties2() and Features2(). And where RTGLYPHS_KEEPS is set,
-// pipeline caches have data of the driver, which lavapipe's have not: see GetPipelineCacheData().
+// It makes devices lack what RTGLYPHS_LACKS names, one thing or several: see Properties2() and Features2(). And where
+// RTGLYPHS_KEEPS is set, pipeline caches have data of the driver, which lavapipe's have not: see
+// GetPipelineCacheData().
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -128,7 +129,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateInstance(
 bool Lacks(const char* name)
 {
   const char* lacks = std::getenv("RTGLYPHS_LACKS");
-  return lacks && std::strcmp(lacks, name) == 0;
+  return lacks && std::strstr(lacks, name) != nullptr;
 }
 
 VKAPI_ATTR void VKAPI_CALL Properties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties)
@@ -148,6 +149,7 @@ VKAPI_ATTR void VKAPI_CALL Properties2(VkPhysicalDevice physical, VkPhysicalDevi
 VKAPI_ATTR void VKAPI_CALL Features2(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2* features)
 {
   nextFeatures2(physical, features);
+  features->features.shaderInt64 &= !Lacks("shaderInt64");
   for (auto* next = static_cast<VkBaseOutStructure*>(features->pNext); next; next = next->pNext)
   {
     if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES)

@@ -68,6 +68,15 @@ TEST(LackingDeviceTest, WhatADeviceLacksIsNamedOnce)
   EXPECT_EQ(Message(false), "");
 }
 
+// There are two ways from a ray to what it meets, and each needs something.
+TEST(LackingDeviceTest, ADeviceWithoutAnyWayToTraceIsRefused)
+{
+  const Variable lacks("RTGLYPHS_LACKS", "shaderInt64,rayTracingPipeline");
+  const std::string message = Message(false);
+  EXPECT_NE(message.find("no Vulkan device can trace rays"), std::string::npos) << message;
+  EXPECT_NE(message.find("both shaderInt64 and rayTracingPipeline"), std::string::npos) << message;
+}
+
 // Without pipelines for rays the trees are walked by compute shaders.
 TEST(LackingDeviceTest, ADeviceWithoutRayTracingTraces)
 {

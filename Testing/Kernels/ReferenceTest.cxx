@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <quadmath.h>
 
 namespace
 {
@@ -52,6 +53,35 @@ TEST(ReferenceTest, Centred)
   ExpectCrossings(Unit(Shape::Capsule, { 6, 1, 2 }), { 3.6, -3, 0 }, { 0, 1, 0 }, { 2.6, 3.4 });
   ExpectCrossings(Unit(Shape::Capsule, { 6, 1, 2 }), { 3.6, 0, -3 }, { 0, 0, 1 }, { 2.2, 3.8 });
   ExpectCrossings(Unit(Shape::Sphere, { 2, 4, 6 }), { 0, -5, 0 }, { 0, 1, 0 }, { 3, 7 });
+}
+
+/// Roots that no double has.
+TEST(ReferenceTest, KeepsAllDigits)
+{
+  const Quad root3 = sqrtq(3), root15 = sqrtq(15);
+  const auto expect = [](ReferenceGlyph glyph, glm::dvec3 origin, glm::vec3 direction, Quad from, Quad to)
+  {
+    const auto crossings = glyph.Crossings(origin, direction);
+    ASSERT_EQ(crossings.size(), 2u);
+    EXPECT_LT(double(fabsq(crossings[0].t - from)), 1e-30) << double(from);
+    EXPECT_LT(double(fabsq(crossings[1].t - to)), 1e-30) << double(to);
+  };
+  const glm::vec3 x(1, 0, 0), y(0, 1, 0);
+  expect(Unit(Shape::Sphere), { -3, 0.25, 0 }, x, 3 - root3 / 4, 3 + root3 / 4);
+  expect(Unit(Shape::Cylinder), { -3, 0.25, 0.25 }, x, 3 - root3 / 4, 3 + root3 / 4);
+  expect(Unit(Shape::Cone), { 0, -3, 0.125 }, y, 3 - root3 / 8, 3 + root3 / 8);
+  expect(Unit(Shape::Capsule), { 0.25, -3, 0.25 }, y, 3 - root3 / 4, 3 + root3 / 4);
+  // Balls of radius 1 and 1/2 whose middles are 2 apart: a cone whose sides have the sine 1/4.
+  expect(Unit(Shape::RoundCone, { 2, 2, 1 }), { 0, -3, 0 }, y, 3 - root15 / 5, 3 + root15 / 5);
+  GlyphInstances ball;
+  ball.shape = Shape::Superquadric;
+  ball.centres = { glm::vec3(0.0f) };
+  ball.sizes3 = { glm::vec3(1.0f) };
+  ball.uniformExponents = glm::vec3(2.0f);
+  expect(ReferenceGlyph(ball, 0), { -3, 0.25, 0 }, x, 3 - root3 / 4, 3 + root3 / 4);
+  const QuadVector normal = Unit(Shape::Sphere).Crossings({ -3, 0.25, 0 }, x)[0].normal;
+  EXPECT_LT(double(fabsq(normal.x + root3 / 2)), 1e-30);
+  EXPECT_LT(double(fabsq(normal.y - Quad(0.5))), 1e-30);
 }
 
 TEST(ReferenceTest, ArrowsAreThoseOfVtk)

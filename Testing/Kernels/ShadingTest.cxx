@@ -251,6 +251,51 @@ TEST(Principled, ScattersAsItEvaluates)
   }
 }
 
+// Values of the model as the papers write them, in double: Burley 2012 (widths, diffuse lobe, Schlick's F), Walter et
+// al., "Microfacet Models for Refraction", EGSR 2007 (D), Heitz, "Understanding the Masking-Shadowing Function", JCGT
+// 3(2), 2014 (G of both directions, equation 99).
+TEST(Principled, HasThePapersValues)
+{
+  const double pi = 3.14159265358979324;
+  const double angles[][3] = { // of `from`, of `to`, between them around the normal
+    { 0.1, 0.2, 0.0 }, { 0.1, 0.2, 3.1 }, { 0.7, 0.7, 3.14 }, { 0.7, 0.9, 1.0 }, { 1.2, 0.3, 2.0 }, { 1.2, 1.3, 3.0 },
+    { 1.4, 1.4, 3.14 }, { 1.4, 0.05, 0.5 }, { 0.0, 0.8, 0.0 }, { 0.3, 1.45, 2.5 }, { 1.5, 1.5, 3.1 }, { 1.0, 1.0, 0.0 }
+  };
+  for (const auto& [a, b, turn] : angles)
+  {
+    const glm::dvec3 v(std::sin(a), 0.0, std::cos(a));
+    const glm::dvec3 l(std::sin(b) * std::cos(turn), std::sin(b) * std::sin(turn), std::cos(b));
+    const glm::dvec3 h = glm::normalize(v + l);
+    const double fifth = std::pow(1.0 - glm::dot(l, h), 5);
+    for (const double roughness : { 0.2, 0.5, 1.0 })
+    {
+      const double alpha = roughness * roughness, square = alpha * alpha;
+      const double d = square / (pi * std::pow(h.z * h.z * (square - 1.0) + 1.0, 2));
+      const auto lambda = [square](const glm::dvec3& w)
+      { return 0.5 * (std::sqrt(1.0 + square * (1.0 - w.z * w.z) / (w.z * w.z)) - 1.0); };
+      const double g = 1.0 / (1.0 + lambda(v) + lambda(l));
+      // Black below its reflection. Of an index near that of air less is reflected at grazing angles: 50 times that at
+      // normal incidence at most.
+      for (const double f0 : { 0.04, 0.08, 0.03, 0.004 })
+      {
+        const double f = f0 + (std::min(50.0 * f0, 1.0) - f0) * fifth;
+        const Surface surface{ vec3(0), 0, float(roughness), float(f0), vec3(1), 0, 0, 0, vec3(1) };
+        const double expected = d * g * f / (4.0 * v.z);
+        EXPECT_NEAR(Evaluate(surface, vec3(v), vec3(l), {}).g, expected, 2e-5 * expected + 1e-7)
+          << a << ' ' << b << ' ' << turn << ", roughness " << roughness << ", reflectance " << f0;
+      }
+      const double fd90 = 0.5 + 2.0 * glm::dot(l, h) * glm::dot(l, h) * roughness;
+      const double diffuse =
+        (1.0 + (fd90 - 1.0) * std::pow(1.0 - l.z, 5)) * (1.0 + (fd90 - 1.0) * std::pow(1.0 - v.z, 5));
+      EXPECT_NEAR(DiffuseShape(vec3(v), vec3(l), float(roughness)), diffuse, 1e-5 * diffuse);
+      // Metal's colour at a facet.
+      const vec3 gold(1.0f, 0.7f, 0.3f);
+      const vec3 seen = rtg::shading::MetalFresnel(gold, float(glm::dot(l, h)));
+      EXPECT_NEAR(seen.b, 0.3 + 0.7 * fifth, 1e-5);
+    }
+  }
+}
+
 // DiffuseAlbedo against the sum over a fine grid of directions.
 TEST(Principled, DiffuseAlbedoIsTheIntegral)
 {
