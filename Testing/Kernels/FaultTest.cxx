@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <memory>
+#include <new>
 #include <random>
 #include <string>
 #include <vector>
@@ -256,6 +257,30 @@ TEST_P(FaultTest, WhatFailedIsNotCounted)
     EXPECT_EQ(failures > 0, called) << function;
     EXPECT_EQ(this->device->HeldBytes(), before) << function;
   }
+}
+
+/// The computer's memory, not the device's.
+TEST_P(FaultTest, MemoryOfTheComputerIsNamed)
+{
+  const auto scene = this->MakeScene();
+  const Glyphs glyphs = RandomGlyphs(Content::Spheres, 6);
+  Set(*scene, scene->Add(), glyphs);
+  const auto fails = [](double) -> bool { throw std::bad_alloc(); };
+  const auto message = [](const auto& work) -> std::string
+  {
+    try
+    {
+      work();
+    }
+    catch (const rtg::OutOfMemory& error)
+    {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_NE(message([&] { scene->Commit(fails); }).find("the computer's memory does not suffice"), std::string::npos);
+  scene->Commit();
+  EXPECT_TRUE(Trace(*scene) == this->Expected(glyphs));
 }
 
 TEST_P(FaultTest, OneSetThatFailsLeavesTheOthersInPlace)

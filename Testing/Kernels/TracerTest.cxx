@@ -416,11 +416,15 @@ TEST_F(TracerTest, ImagesAreLaunchedInPartsOnAGpuAlone)
   const bool cpu = vulkan.cpu;
   this->AddSpheres(RandomPoints(500), 0.2f);
   this->scene.Commit();
+  rtg::Scene nothing(this->device);
+  nothing.Commit();
   std::vector<std::uint32_t> images[2];
   for (const bool gpu : { false, true })
   {
     vulkan.cpu = !gpu;
     rtg::Tracer tracer(this->device);
+    // What a launch leaves out shows what was there before.
+    tracer.Trace(nothing, this->camera, this->lights, this->settings);
     const std::uint64_t before = vulkan.submissions;
     const Image image = tracer.Trace(this->scene, this->camera, this->lights, this->settings);
     // Of 169 tiles the first launch is one, the second eight.

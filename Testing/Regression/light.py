@@ -19,9 +19,9 @@ SURFACE = "Ray Traced Surface"
 SAMPLES = 64
 #: cycles of showing and deleting before those that are measured
 WARM = 4
-#: bytes a cycle may leave behind in the process, beyond what ParaView's Points and Surface leave: the heap still grows by one
-#: or two million in the first cycles; a scene that is kept, with its device and programs, holds sixty
-LEAK = 8 << 20
+#: bytes a cycle may leave behind in the process, beyond what ParaView's Points and Surface leave, which is one million in the
+#: first cycles
+LEAK = 3 << 20
 
 
 class Scene:
