@@ -13,15 +13,6 @@ set(mpi_environment
   "OMPI_ALLOW_RUN_AS_ROOT=1"
   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
 
-# What ranks wait for they ask for all the time.
-function (rtglyphs_tests_of_ranks)
-  foreach (test IN LISTS ARGN)
-    if (TEST "${test}")
-      set_tests_properties("${test}" PROPERTIES PROCESSORS 2)
-    endif ()
-  endforeach ()
-endfunction ()
-
 if (PARAVIEW_USE_MPI AND RTGLYPHS_PVBATCH AND RTGLYPHS_MPIEXEC)
   # One rank makes the pictures that the others are compared with. Four take long on few cores.
   foreach (ranks IN ITEMS 1 2 4 4Long)
@@ -60,8 +51,6 @@ if (RTGLYPHS_PVSERVER)
 else ()
   message(STATUS "No tests of a server: pvserver was not found")
 endif ()
-
-rtglyphs_tests_of_ranks(Parallel2 Parallel4 Parallel4Long ScaleGuessOnRanks ScaleGuessOnServer ClientServer2 KilledRank)
 
 # A session that saves, and a fresh one for each of the two ways back.
 foreach (step IN ITEMS save state trace)

@@ -26,5 +26,4 @@ echo "== packages"
 build_plugin "$paraview" "${build_options[@]}"
 echo "== tests"
 cd "$build"
-# Some tests wait for others' time limits: one more than there are cores.
-ctest --output-on-failure -j "$(($(nproc) + 1))" "${selection[@]}" "${ctest_options[@]}"
+ctest --output-on-failure -j "$(nproc)" "${selection[@]}" "${ctest_options[@]}"
