@@ -12,20 +12,13 @@
 namespace rtg::testing
 {
 
-/// The usual number times RTGLYPHS_RAYS.
-inline int Rays(int usual)
-{
-  const char* times = std::getenv("RTGLYPHS_RAYS");
-  return usual * (times ? std::atoi(times) : 1);
-}
-
 /// RTGLYPHS_SEED: a number, or `day` for the number of today's day, which is printed.
 inline std::uint64_t Seed()
 {
   const char* text = std::getenv("RTGLYPHS_SEED");
   if (!text)
   {
-    return 20;
+    return HardCaseMaker::usualSeed;
   }
   if (std::string(text) != "day")
   {
@@ -36,10 +29,11 @@ inline std::uint64_t Seed()
   return std::uint64_t(days);
 }
 
-/// The cases of a subject by that seed.
+/// The cases of a subject by that seed, with the usual number of rays times RTGLYPHS_RAYS.
 inline HardCaseMaker Cases(const Subject& subject, int glyphs, int usualRays)
 {
-  return HardCaseMaker(subject, glyphs, Rays(usualRays), Seed());
+  const char* times = std::getenv("RTGLYPHS_RAYS");
+  return HardCaseMaker(subject, glyphs, usualRays * (times ? std::atoi(times) : 1), Seed());
 }
 
 } // namespace rtg::testing

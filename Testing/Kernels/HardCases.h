@@ -113,7 +113,9 @@ inline void PrintTo(const Subject& subject, std::ostream* out)
 class HardCaseMaker
 {
 public:
-  HardCaseMaker(const Subject& subject, int glyphs, int raysPerGlyph, std::uint64_t seed = 20)
+  static constexpr std::uint64_t usualSeed = 20;
+
+  HardCaseMaker(const Subject& subject, int glyphs, int raysPerGlyph, std::uint64_t seed = usualSeed)
     : subject_(subject)
     , glyphs_(glyphs)
     , raysPerGlyph_(raysPerGlyph)

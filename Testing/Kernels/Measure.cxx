@@ -45,11 +45,6 @@ double Largest(double a, double b)
   return a >= b || std::isnan(a) ? a : b;
 }
 
-glm::dvec3 ToDouble(const QuadVector& v)
-{
-  return { double(v.x), double(v.y), double(v.z) };
-}
-
 template <class Real>
 void CompareHit(const ReferenceGlyph& glyph, const HardRay& ray, const Answer& answer,
   const ReferenceCrossing& crossing, Verdict& verdict)

@@ -50,9 +50,7 @@ double TurnOfNormal(ReferenceGlyph& glyph, const HardRay& ray, const glm::vec3& 
     const std::vector<ReferenceCrossing> crossings = glyph.Crossings(origin, ray.direction);
     const auto nearest = std::min_element(crossings.begin(), crossings.end(),
       [&](const auto& a, const auto& b) { return std::abs(double(a.t) - t) < std::abs(double(b.t) - t); });
-    return nearest == crossings.end()
-      ? glm::dvec3(0.0)
-      : glm::dvec3(double(nearest->normal.x), double(nearest->normal.y), double(nearest->normal.z));
+    return nearest == crossings.end() ? glm::dvec3(0.0) : ToDouble(nearest->normal);
   };
   const double moved = 0x1p-47 * glm::max(std::abs(centre.x), glm::max(std::abs(centre.y), std::abs(centre.z)));
   const glm::dvec3 normal = normalAt(ray.origin);

@@ -18,6 +18,11 @@ struct QuadVector
   Quad x = 0, y = 0, z = 0;
 };
 
+inline glm::dvec3 ToDouble(const QuadVector& v)
+{
+  return { double(v.x), double(v.y), double(v.z) };
+}
+
 /// A point where the line of a ray crosses a glyph's surface.
 struct ReferenceCrossing
 {

@@ -10,6 +10,7 @@ import json
 import os
 import runpy
 import select
+import shutil
 import signal
 import socket
 import subprocess
@@ -18,7 +19,7 @@ import time
 
 #: Each process goes to FOLDER before it names the socket: a socket's path has at most 107 characters.
 SOCKET = "pvpython.socket"
-#: says which pvpython runs each script by itself, where none can fork
+#: a link to the pvpython that runs each script by itself, where none can fork
 ALONE = "pvpython.alone"
 #: exit status of a pvpython that cannot fork
 CANNOT_FORK = 3
@@ -57,8 +58,7 @@ def start(folder, pvpython):
             return 0
         time.sleep(0.1)
     if server.returncode == CANNOT_FORK:
-        with open(os.path.join(folder, ALONE), "w", encoding="utf-8") as alone:
-            alone.write(pvpython)
+        os.symlink(shutil.which(pvpython), os.path.join(folder, ALONE))
         print("each script has a pvpython of its own")
         return 0
     print("forked.py: pvpython did not start; see %s" % log.name, file=sys.stderr)
@@ -66,7 +66,7 @@ def start(folder, pvpython):
 
 
 def stop(folder):
-    if os.path.exists(os.path.join(folder, ALONE)):
+    if os.path.lexists(os.path.join(folder, ALONE)):
         os.remove(os.path.join(folder, ALONE))
     connection = connect(folder)
     if connection:
@@ -77,9 +77,9 @@ def stop(folder):
 
 
 def run(folder, argv):
-    if os.path.exists(os.path.join(folder, ALONE)):
-        with open(os.path.join(folder, ALONE), encoding="utf-8") as alone:
-            pvpython = alone.read()
+    alone = os.path.join(folder, ALONE)
+    if os.path.exists(alone):
+        pvpython = os.readlink(alone)
         os.execvp(pvpython, [pvpython] + argv)
     connection = connect(folder)
     if not connection:

@@ -1,0 +1,307 @@
+// What work is done for an image, and what memory is held.
+#include "TracerFixture.h"
+#include "Vulkan/DeviceState.h"
+
+#include <algorithm>
+#include <cmath>
+
+using rtg::Image;
+using namespace rtg::testing;
+
+TEST_F(TracerTest, ExponentsOfOtherShapesAreNotKept)
+{
+  rtg::GlyphInstances instances;
+  instances.centres = RandomPoints(1000);
+  instances.uniformSize = 0.1f;
+  const auto id = this->scene.Add();
+  this->scene.SetInstances(id, instances);
+  this->scene.Commit();
+  const std::uint64_t without = this->scene.GetStatistics().deviceBytes;
+  instances.exponents3.assign(1000, glm::vec3(2.0f));
+  this->scene.SetInstances(id, instances);
+  this->scene.Commit();
+  EXPECT_EQ(this->scene.GetStatistics().deviceBytes, without);
+  instances.shape = rtg::Shape::Superquadric;
+  this->scene.SetInstances(id, instances);
+  this->scene.Commit();
+  EXPECT_GE(this->scene.GetStatistics().deviceBytes, without + 12000u);
+}
+
+TEST_P(StructureTest, EveryStepRedoesOnlyWhatItsInputChanged)
+{
+  this->UseOwnTracer();
+  const auto id = this->AddSpheres(RandomPoints(500), 0.1f);
+  this->scene.SetColours(id, std::vector<std::uint32_t>(500, 0xff808080u));
+  this->Trace();
+  const rtg::Statistics first = this->scene.GetStatistics();
+  const std::uint64_t pipelineBuilds = this->tracer->GetStatistics().pipelineBuilds;
+  EXPECT_EQ(first.structureBuilds, 1u);
+  EXPECT_EQ(first.instanceUploads, 1u);
+  EXPECT_EQ(first.colourUploads, 1u);
+  EXPECT_EQ(this->tracer->GetStatistics().primaryRays, 10000u);
+
+  // Camera moved: trace only.
+  this->camera = rtg::Camera::FromWorldToClip(glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * this->LookFrom(5.5));
+  this->Trace();
+  EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u);
+  EXPECT_EQ(this->scene.GetStatistics().topLevelBuilds, first.topLevelBuilds);
+  EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 1u);
+  EXPECT_EQ(this->scene.GetStatistics().colourUploads, 1u);
+  EXPECT_EQ(this->tracer->GetStatistics().pipelineBuilds, pipelineBuilds);
+
+  // Colours changed: colours only.
+  this->scene.SetColours(id, std::vector<std::uint32_t>(500, 0xff8080ffu));
+  this->Trace();
+  EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u);
+  EXPECT_EQ(this->scene.GetStatistics().topLevelBuilds, first.topLevelBuilds);
+  EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 1u);
+  EXPECT_EQ(this->scene.GetStatistics().colourUploads, 2u);
+
+  // Hidden and shown: sent again in the order that is known.
+  this->scene.SetVisible(id, false);
+  EXPECT_EQ(Coverage(this->Trace()), 0.0);
+  this->scene.SetVisible(id, true);
+  EXPECT_GT(Coverage(this->Trace()), 0.0);
+  EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 2u);
+  EXPECT_EQ(this->scene.GetStatistics().instanceUploads, 2u);
+  EXPECT_EQ(this->scene.GetStatistics().sorts, first.sorts);
+}
+
+// As a further view does, or one that is made anew.
+TEST_P(StructureTest, FurtherTracersCompileNothing)
+{
+  this->AddSpheres(RandomPoints(50), 0.1f);
+  this->Trace();
+  this->UseOwnTracer();
+  EXPECT_GT(Coverage(this->Trace()), 0.0);
+  EXPECT_EQ(this->tracer->GetStatistics().pipelineBuilds, 0u);
+}
+
+TEST_P(StructureTest, WhatIsHiddenHoldsNoMemory)
+{
+  this->UseOwnTracer();
+  this->AddSpheres(RandomPoints(100), 0.1f);
+  this->Trace();
+  const std::uint64_t alone = this->scene.GetStatistics().deviceBytes;
+  const auto id = this->AddSpheres(RandomPoints(20000), 0.1f);
+  this->scene.SetColours(id, std::vector<std::uint32_t>(20000, 0xff8080ffu));
+  const Image image = this->Trace();
+  const std::vector<std::uint32_t> shown(image.colour, image.colour + 10000);
+  const std::uint64_t both = this->scene.GetStatistics().deviceBytes;
+  EXPECT_GT(both, alone + 20000u * 16u);
+  for (int i = 0; i < 3; ++i)
+  {
+    this->scene.SetVisible(id, false);
+    this->Trace();
+    EXPECT_LT(this->scene.GetStatistics().deviceBytes, alone + 10000u);
+    this->scene.SetVisible(id, true);
+    const Image again = this->Trace();
+    EXPECT_EQ(this->scene.GetStatistics().deviceBytes, both);
+    EXPECT_EQ(shown, std::vector<std::uint32_t>(again.colour, again.colour + 10000));
+  }
+}
+
+TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
+{
+  auto& vulkan = this->device->GetState();
+  const bool shares = vulkan.sharesMemory;
+  struct Seen
+  {
+    std::vector<std::uint32_t> colours, glyphs;
+    std::vector<float> depths;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec4> means;
+    std::vector<float> probes;
+    std::uint64_t commit = 0, recolouring = 0;
+    bool operator==(const Seen& other) const
+    {
+      return this->colours == other.colours && this->glyphs == other.glyphs && this->depths == other.depths &&
+        this->normals == other.normals && this->means == other.means && this->probes == other.probes;
+    }
+  };
+  const auto look = [&](bool own, bool empty)
+  {
+    vulkan.sharesMemory = !own;
+    Seen seen;
+    rtg::Scene scene(this->device);
+    scene.GetState().structure = GetParam();
+    rtg::Tracer tracer(this->device);
+    rtg::Scene::SetId last = 0;
+    for (unsigned set = 0; set < 3; ++set)
+    {
+      rtg::GlyphInstances instances;
+      instances.centres = empty ? std::vector<glm::vec3>() : RandomPoints(200 + 50 * set);
+      instances.uniformSize = 0.1f + 0.05f * set;
+      last = scene.Add();
+      scene.SetInstances(last, instances);
+    }
+    const std::uint64_t before = vulkan.submissions;
+    scene.Commit();
+    seen.commit = vulkan.submissions - before;
+    scene.SetColours(last, std::vector<std::uint32_t>(scene.GlyphCount(last), 0xff4080c0u));
+    const std::uint64_t between = vulkan.submissions;
+    scene.Commit();
+    seen.recolouring = vulkan.submissions - between;
+    rtg::TraceSettings wanted = this->settings;
+    wanted.width = 101; // images whose bytes are no round number
+    wanted.features = wanted.keepSums = true;
+    wanted.samples = 2;
+    tracer.Trace(scene, this->camera, this->lights, wanted);
+    wanted.firstSample = 2;
+    const Image image = tracer.Trace(scene, this->camera, this->lights, wanted);
+    const std::size_t pixels = 101 * 100;
+    seen.colours.assign(image.colour, image.colour + pixels);
+    seen.glyphs.assign(image.glyphIds, image.glyphIds + pixels);
+    seen.depths.assign(image.depth, image.depth + pixels);
+    seen.normals = image.normals;
+    seen.means = tracer.Means();
+    for (const auto& hit :
+      tracer.TraceProbes(scene, { { { 0.1, 0.1, 5 }, { 0, 0, -1 } }, { { 9, 9, 9 }, { 0, 0, 1 } } }))
+    {
+      seen.probes.push_back(hit.t);
+    }
+    return seen;
+  };
+  for (const bool empty : { false, true })
+  {
+    const Seen shared = look(false, empty), own = look(true, empty);
+    EXPECT_TRUE(shared == own) << empty;
+    // All copies and builds of a commit are one submission.
+    EXPECT_EQ(own.commit, empty ? 0u : 1u);
+    EXPECT_EQ(own.recolouring, empty ? 0u : 1u);
+  }
+  vulkan.sharesMemory = shares;
+}
+
+TEST_F(TracerTest, ImagesAreLaunchedInPartsOnAGpuAlone)
+{
+  auto& vulkan = this->device->GetState();
+  const bool cpu = vulkan.cpu;
+  this->AddSpheres(RandomPoints(500), 0.2f);
+  this->scene.Commit();
+  rtg::Scene nothing(this->device);
+  nothing.Commit();
+  std::vector<std::uint32_t> images[2];
+  for (const bool gpu : { false, true })
+  {
+    vulkan.cpu = !gpu;
+    rtg::Tracer tracer(this->device);
+    // What a launch leaves out shows what was there before.
+    tracer.Trace(nothing, this->camera, this->lights, this->settings);
+    const std::uint64_t before = vulkan.submissions;
+    const Image image = tracer.Trace(this->scene, this->camera, this->lights, this->settings);
+    // Of 169 tiles the first launch is one, the second eight.
+    if (gpu)
+    {
+      EXPECT_GE(vulkan.submissions - before, 3u);
+    }
+    else
+    {
+      EXPECT_LE(vulkan.submissions - before, 2u);
+    }
+    images[gpu].assign(image.colour, image.colour + 10000);
+  }
+  vulkan.cpu = cpu;
+  EXPECT_EQ(images[0], images[1]);
+}
+
+TEST_P(StructureTest, SeveralStructuresOfOneSetGiveTheSameImage)
+{
+  const auto points = RandomPoints(1000);
+  std::vector<std::uint32_t> colours;
+  for (std::uint32_t i = 0; i < 1000; ++i)
+  {
+    colours.push_back(0xff000000u | (i * 2654435761u >> 8));
+  }
+  const auto whole = this->AddSpheres(points, 0.2f);
+  this->scene.SetColours(whole, colours);
+  Image image = this->Trace();
+  const std::vector<std::uint32_t> expected(image.colour, image.colour + 10000);
+  const std::vector<std::uint32_t> ids(image.glyphIds, image.glyphIds + 10000);
+
+  this->scene.Remove(whole);
+  this->scene.GetState().glyphsPerRun = 150;
+  const auto pieces = this->AddSpheres(points, 0.2f);
+  this->scene.SetColours(pieces, colours);
+  image = this->Trace();
+  if (GetParam() == rtg::Structure::Boxes)
+  {
+    EXPECT_EQ(this->scene.GetStatistics().structureBuilds, 1u + 7u);
+  }
+  EXPECT_EQ(expected, std::vector<std::uint32_t>(image.colour, image.colour + 10000));
+  EXPECT_EQ(ids, std::vector<std::uint32_t>(image.glyphIds, image.glyphIds + 10000));
+}
+
+/// New instances near where the last ones were keep the order; others do not. The image is right all the same.
+TEST_P(StructureTest, SortsOnlyWhenTheOrderHasDecayed)
+{
+  auto points = RandomPoints(4096); // one glyph a leaf: leaves alone would notice nothing
+  const auto id = this->AddSpheres(points, 0.05f);
+  const auto move = [&](float way, bool mixed)
+  {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> uniform(-way, way);
+    for (glm::vec3& point : points)
+    {
+      point += glm::vec3(uniform(random), uniform(random), uniform(random));
+    }
+    if (mixed)
+    {
+      std::shuffle(points.begin(), points.end(), random);
+    }
+    rtg::GlyphInstances instances;
+    instances.centres = points;
+    instances.uniformSize = 0.05f;
+    const auto sorts = this->scene.GetStatistics().sorts;
+    this->scene.SetInstances(id, instances);
+    const Image image = this->Trace();
+    std::vector<std::uint32_t> found(image.glyphIds, image.glyphIds + 10000);
+    for (std::uint32_t& glyph : found)
+    {
+      glyph = glyph == Image::noGlyph ? glyph : this->scene.OriginalGlyph(id, glyph);
+    }
+    const auto again = this->scene.GetStatistics().sorts - sorts;
+
+    rtg::Scene fresh(this->device);
+    fresh.GetState().structure = GetParam();
+    const auto other = fresh.Add();
+    fresh.SetInstances(other, instances);
+    fresh.Commit();
+    const Image expected = this->tracer->Trace(fresh, this->camera, this->lights, this->settings, rtg::Pass::Opaque);
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      const std::uint32_t glyph = expected.glyphIds[i];
+      EXPECT_EQ(found[i], glyph == Image::noGlyph ? glyph : fresh.OriginalGlyph(other, glyph)) << i;
+    }
+    return again;
+  };
+  this->Trace();
+  // Boxes on a GPU are sorted by its driver.
+  const unsigned sorted = GetParam() == rtg::Structure::Tree || this->device->IsCpu() ? 1u : 0u;
+  EXPECT_EQ(move(0.002f, false), 0u);
+  EXPECT_EQ(move(0.002f, false), 0u);
+  EXPECT_EQ(move(0.0f, true), sorted);
+  EXPECT_EQ(move(0.3f, false), sorted);
+  EXPECT_EQ(move(0.002f, false), 0u);
+}
+
+TEST_P(StructureTest, NothingStaysBehind)
+{
+  this->UseOwnTracer();
+  const std::uint64_t before = this->scene.GetStatistics().deviceBytes;
+  for (int i = 0; i < 20; ++i)
+  {
+    const auto id = this->AddSpheres(RandomPoints(1000), 0.1f);
+    this->Trace();
+    this->scene.Remove(id);
+  }
+  this->Trace();
+  // What the tracer keeps for its next image is all that may remain.
+  const std::uint64_t kept = this->scene.GetStatistics().deviceBytes - before;
+  EXPECT_LT(kept, 1000000u);
+  const auto id = this->AddSpheres(RandomPoints(1000), 0.1f);
+  this->Trace();
+  this->scene.Remove(id);
+  this->Trace();
+  EXPECT_EQ(this->scene.GetStatistics().deviceBytes - before, kept);
+}
