@@ -14,6 +14,7 @@
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -143,39 +144,57 @@ struct Measured
   std::vector<glm::vec4> means;
 };
 
+// Where the camera looks so that the pixels' centers are places in them that are spread evenly over samples: the
+// additive recurrence of the plastic number (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
+rtg::Camera Shifted(rtg::Camera camera, std::uint32_t sample, std::uint32_t pixels)
+{
+  const double plastic = 1.32471795724474602596;
+  const auto place = [&](double step) { return 2.0 / pixels * (std::fmod(0.5 + step * sample, 1.0) - 0.5); };
+  camera.forward += place(1.0 / plastic) * camera.right + place(1.0 / (plastic * plastic)) * camera.up;
+  return camera;
+}
+
 Measured Trace(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const Scheme& scheme, double path,
   rtg::TraceSettings settings)
 {
   const std::vector<rtg::Light> lights(1);
-  const auto trace = [&]
+  const auto trace = [&](const rtg::Camera& camera)
   {
     const double start = benchmark::CpuSeconds();
-    tracer.Trace(scene.scene, subject.camera, lights, settings);
+    tracer.Trace(scene.scene, camera, lights, settings);
     return benchmark::CpuSeconds() - start;
+  };
+  // The first image compiles the programs.
+  const auto compile = [&]
+  {
+    rtg::TraceSettings first = settings;
+    first.samples = 1;
+    tracer.Trace(scene.scene, subject.camera, lights, first);
   };
   Measured measured;
   settings.independentSamples = scheme.independentSamples;
   if (!scheme.frames)
   {
     measured.build = scene.Show(Instances(subject, path, true));
-    // The first image compiles the programs.
-    rtg::TraceSettings first = settings;
-    first.samples = 1;
-    tracer.Trace(scene.scene, subject.camera, lights, first);
-    measured.trace = trace();
+    compile();
+    measured.trace = trace(subject.camera);
+    measured.means = tracer.Means();
+    return measured;
   }
-  else
+  // An image of one scene takes no samples of another: each time has an image of its own, of one sample.
+  const std::uint32_t samples = settings.samples;
+  settings.samples = 1;
+  scene.Show(Instances(subject, path, false));
+  compile();
+  measured.means.resize(std::size_t(settings.width) * settings.height);
+  for (std::uint32_t s = 0; s < samples; ++s)
   {
-    const std::uint32_t samples = settings.samples;
-    settings.samples = 1;
-    for (std::uint32_t s = 0; s < samples; ++s)
-    {
-      settings.firstSample = s;
-      measured.build += scene.Show(Instances(subject, path, false, (s + 0.5) / samples));
-      measured.trace += trace();
-    }
+    measured.build += scene.Show(Instances(subject, path, false, (s + 0.5) / samples));
+    measured.trace += trace(Shifted(subject.camera, s, settings.width));
+    const std::vector<glm::vec4> one = tracer.Means();
+    std::transform(one.begin(), one.end(), measured.means.begin(), measured.means.begin(),
+      [samples](const glm::vec4& pixel, const glm::vec4& sum) { return sum + pixel / static_cast<float>(samples); });
   }
-  measured.means = tracer.Means();
   return measured;
 }
 
