@@ -104,6 +104,15 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept
   return *this;
 }
 
+void Buffer::Fit(Device::State& device, std::size_t size, Place place)
+{
+  if (this->size_ < size || this->size_ > 4 * size)
+  {
+    *this = Buffer(); // before there is another
+    *this = Buffer(device, size, vk::BufferUsageFlagBits::eStorageBuffer, place);
+  }
+}
+
 void Buffer::Upload(const void* data, std::size_t size)
 {
   this->Write(size, [&](void* target) { std::memcpy(target, data, size); });

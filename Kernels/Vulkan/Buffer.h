@@ -28,6 +28,10 @@ public:
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
 
+  /// Makes it a buffer of programs of at least that size, of any content. A larger one stays, unless it is far too
+  /// large.
+  void Fit(Device::State& device, std::size_t size, Place place = Place::Device);
+
   std::size_t Size() const { return this->size_; }
   vk::Buffer Handle() const { return *this->buffer_; }
   vk::DeviceAddress Address() const { return this->address_; }

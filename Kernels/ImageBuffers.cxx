@@ -1,0 +1,155 @@
+#include "ImageBuffers.h"
+
+#include <algorithm>
+
+namespace rtg
+{
+
+namespace
+{
+
+constexpr std::size_t wordsPerPixel = 4; ///< color, depth, id of the set, id of the glyph
+
+// A pixel of nothing.
+std::uint32_t EmptyWord(std::size_t i)
+{
+  return i == 0 ? 0u : i == 1 ? glm::floatBitsToUint(1.0f) : Image::noGlyph;
+}
+
+} // namespace
+
+void ImageBuffers::Prepare(Device::State& device, const TraceSettings& settings, bool keepSums)
+{
+  this->width_ = settings.width;
+  this->pixels_ = this->width_ * settings.height;
+  const std::size_t bytes = wordsPerPixel * this->pixels_ * sizeof(std::uint32_t);
+  this->words_.Fit(device, bytes);
+  if (!this->words_.Mapped())
+  {
+    this->shown_.Fit(device, bytes, Buffer::Place::Host);
+  }
+  if (keepSums)
+  {
+    this->sums_.Fit(device, this->pixels_ * sizeof(device::PixelSums));
+  }
+  else
+  {
+    this->sums_ = Buffer();
+  }
+  if (!settings.features)
+  {
+    this->features_ = Buffer();
+  }
+  else if (settings.firstSample == 0)
+  {
+    this->features_.Fit(device, this->pixels_ * sizeof(device::PixelFeatures));
+    this->features_.Fill(0, this->pixels_ * sizeof(device::PixelFeatures), 0);
+  }
+}
+
+void ImageBuffers::Clear()
+{
+  const std::size_t bytes = this->pixels_ * sizeof(std::uint32_t);
+  for (std::size_t i = 0; i < wordsPerPixel; ++i)
+  {
+    this->words_.Fill(i * bytes, bytes, EmptyWord(i));
+  }
+}
+
+void ImageBuffers::ClearSums()
+{
+  if (this->sums_.Size())
+  {
+    const device::PixelSums none{ glm::vec4(0.0f), 1e38f };
+    this->sums_.Write(this->pixels_ * sizeof(none),
+      [&](void* target) { std::fill_n(static_cast<device::PixelSums*>(target), this->pixels_, none); });
+  }
+}
+
+void ImageBuffers::Fill(device::FrameRecord& frame) const
+{
+  const std::size_t bytes = this->pixels_ * sizeof(std::uint32_t);
+  frame.colour = this->words_.Address();
+  frame.depth = frame.colour + bytes;
+  frame.setIds = frame.depth + bytes;
+  frame.glyphIds = frame.setIds + bytes;
+  frame.sums = this->sums_.Address();
+  frame.features = this->features_.Address();
+}
+
+void ImageBuffers::Show(Image& image, const Tiling& tiling)
+{
+  if (!this->words_.Mapped())
+  {
+    this->words_.CopyTo(this->shown_, wordsPerPixel * this->pixels_ * sizeof(std::uint32_t));
+  }
+  const void* place = this->words_.Mapped() ? this->words_.Mapped() : this->shown_.Mapped();
+  const auto* words = static_cast<const std::uint32_t*>(place);
+  if (!tiling.IsWhole())
+  {
+    this->ShowShare(words, tiling);
+    words = this->shareShown_.data();
+  }
+  image.colour = image.traced = words;
+  image.depth = reinterpret_cast<const float*>(words + this->pixels_);
+  image.setIds = words + 2 * this->pixels_;
+  image.glyphIds = words + 3 * this->pixels_;
+}
+
+void ImageBuffers::ShowShare(const std::uint32_t* words, const Tiling& tiling)
+{
+  this->shareShown_.resize(wordsPerPixel * this->pixels_);
+  for (std::size_t i = 0; i < wordsPerPixel; ++i)
+  {
+    std::fill_n(this->shareShown_.begin() + i * this->pixels_, this->pixels_, EmptyWord(i));
+  }
+  for (std::uint32_t number = tiling.Begin(); number < tiling.End(); ++number)
+  {
+    const Tiling::Rectangle tile = tiling.PixelsOf(number);
+    for (std::uint32_t y = tile.bottom; y < tile.top; ++y)
+    {
+      for (std::size_t i = 0; i < wordsPerPixel; ++i)
+      {
+        const std::size_t first = i * this->pixels_ + y * this->width_ + tile.left;
+        std::copy_n(words + first, tile.right - tile.left, this->shareShown_.begin() + first);
+      }
+    }
+  }
+}
+
+void ImageBuffers::FillFeatures(Image& image) const
+{
+  image.normals.assign(this->pixels_, glm::vec3(0.0f));
+  image.albedos.assign(this->pixels_, glm::vec3(0.0f));
+  image.viewDepths.assign(this->pixels_, 0.0f);
+  this->features_.Read(this->pixels_ * sizeof(device::PixelFeatures),
+    [&](const void* read)
+    {
+      const auto* sums = static_cast<const device::PixelFeatures*>(read);
+      for (std::size_t i = 0; i < this->pixels_; ++i)
+      {
+        if (sums[i].hits > 0.0f)
+        {
+          const float length = glm::length(sums[i].normal);
+          image.normals[i] = length > 0.0f ? sums[i].normal / length : glm::vec3(0.0f);
+          image.albedos[i] = sums[i].albedo / sums[i].hits;
+          image.viewDepths[i] = sums[i].depth / sums[i].hits;
+        }
+      }
+    });
+}
+
+std::vector<glm::vec4> ImageBuffers::Means(std::uint32_t samples) const
+{
+  std::vector<glm::vec4> means(this->pixels_);
+  this->sums_.Read(this->pixels_ * sizeof(device::PixelSums),
+    [&](const void* read)
+    {
+      const auto* sums = static_cast<const device::PixelSums*>(read);
+      std::transform(sums, sums + this->pixels_, means.begin(),
+        [samples](const device::PixelSums& sum) { return sum.colour / static_cast<float>(samples); });
+    });
+  return means;
+}
+
+} // namespace rtg

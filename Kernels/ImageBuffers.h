@@ -1,0 +1,49 @@
+// An image on the device, and what the host sees of it.
+#pragma once
+
+#include "HostDevice.h"
+#include "Tiles.h"
+#include "Tracer.h"
+#include "Vulkan/Buffer.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rtg
+{
+
+class ImageBuffers
+{
+public:
+  /// Makes those that an image needs; the others are given back.
+  void Prepare(Device::State& device, const TraceSettings& settings, bool keepSums);
+
+  /// An image of nothing.
+  void Clear();
+  /// Sums, where there are any, of samples that all hit nothing.
+  void ClearSums();
+
+  /// Tells programs where they are.
+  void Fill(device::FrameRecord& frame) const;
+
+  /// Lets the image point at its pixels, where the host can read them. Those of other shares are nothing to see,
+  /// whatever the device's image has there.
+  void Show(Image& image, const Tiling& tiling);
+
+  void FillFeatures(Image& image) const;
+
+  /// Tracer::Means() of sums of so many samples.
+  std::vector<glm::vec4> Means(std::uint32_t samples) const;
+
+private:
+  void ShowShare(const std::uint32_t* words, const Tiling& tiling);
+
+  std::size_t pixels_ = 0, width_ = 0;
+  Buffer words_;                          ///< colors, depths, ids of sets, ids of glyphs, one word a pixel each
+  Buffer shown_;                          ///< a copy of them for the host, none on a device that shares its memory
+  std::vector<std::uint32_t> shareShown_; ///< likewise, of a share of the image
+  Buffer sums_, features_;                ///< none unless asked for
+};
+
+} // namespace rtg

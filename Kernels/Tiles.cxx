@@ -1,0 +1,60 @@
+#include "Tiles.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace rtg
+{
+
+namespace
+{
+
+// A number of tiles that has no common divisor with their count and whose multiples, of all tiles, fit into 32 bits.
+std::uint32_t StrideOf(std::uint32_t count)
+{
+  auto stride =
+    static_cast<std::uint32_t>(std::min<std::uint64_t>(count * 5ull / 13, 0xffffffffull / std::max(count, 1u)));
+  while (stride > 1 && std::gcd(stride, count) != 1)
+  {
+    --stride;
+  }
+  return std::max(stride, 1u);
+}
+
+} // namespace
+
+Tiling::Tiling(const TraceSettings& settings)
+  : width_(settings.width)
+  , height_(settings.height)
+  , side_(tileSize * settings.pixelStep)
+  , columns_(DivideUp(this->width_, this->side_))
+  , count_(this->columns_ * DivideUp(this->height_, this->side_))
+  , stride_(StrideOf(this->count_))
+{
+  // Tiles that follow each other are scattered already.
+  const auto boundary = [&](std::uint32_t share)
+  { return static_cast<std::uint32_t>(std::uint64_t(this->count_) * share / settings.shares); };
+  this->begin_ = boundary(settings.share);
+  this->end_ = boundary(settings.share + 1);
+  this->rays_ = settings.shares > 1
+    ? std::size_t(this->Size()) * raysPerTile
+    : std::size_t(DivideUp(this->width_, settings.pixelStep)) * DivideUp(this->height_, settings.pixelStep);
+}
+
+// As LaunchPixel() of Programs/pixel.glsl has it.
+Tiling::Rectangle Tiling::PixelsOf(std::uint32_t number) const
+{
+  const std::uint32_t tile = number * this->stride_ % this->count_;
+  const std::uint32_t left = tile % this->columns_ * this->side_, bottom = tile / this->columns_ * this->side_;
+  return { left, bottom, std::min(left + this->side_, this->width_), std::min(bottom + this->side_, this->height_) };
+}
+
+void Tiling::Fill(device::FrameRecord& frame) const
+{
+  frame.tileColumns = this->columns_;
+  frame.tileCount = this->count_;
+  frame.tileStride = this->stride_;
+  frame.firstTile = this->begin_;
+}
+
+} // namespace rtg

@@ -1,0 +1,53 @@
+// How images are cut into tiles, and the order of these.
+#pragma once
+
+#include "HostDevice.h"
+#include "Tracer.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rtg
+{
+
+constexpr std::uint32_t tileSize = 8; ///< rays a side; Programs/pixel.glsl has it, too
+constexpr std::uint32_t raysPerTile = tileSize * tileSize;
+
+constexpr std::uint32_t DivideUp(std::uint32_t value, std::uint32_t by)
+{
+  return (value + by - 1) / by;
+}
+
+/// The tiles of an image in the order in which they are traced, neighbors in it being far apart in the image, and those
+/// of the share that is traced.
+class Tiling
+{
+public:
+  Tiling() = default; ///< none
+  /// For an image of at least one pixel.
+  explicit Tiling(const TraceSettings& settings);
+
+  std::uint32_t Begin() const { return this->begin_; } ///< number of the share's first tile
+  std::uint32_t End() const { return this->end_; }     ///< one more than that of its last
+  std::uint32_t Size() const { return this->end_ - this->begin_; }
+  bool IsWhole() const { return this->Size() == this->count_; } ///< the share is all of the image
+  std::size_t Rays() const { return this->rays_; }              ///< camera rays of one sample
+
+  struct Rectangle
+  {
+    std::uint32_t left, bottom, right, top; ///< in pixels, without `right` and `top`
+  };
+  Rectangle PixelsOf(std::uint32_t number) const;
+
+  /// Tells programs, and makes the first tile of the share the next.
+  void Fill(device::FrameRecord& frame) const;
+
+private:
+  std::uint32_t width_ = 0, height_ = 0, side_ = tileSize; ///< pixels
+  std::uint32_t columns_ = 0, count_ = 0;                  ///< tiles of a row, of the image
+  std::uint32_t stride_ = 1;                               ///< from a tile to the next that is traced
+  std::uint32_t begin_ = 0, end_ = 0;
+  std::size_t rays_ = 0;
+};
+
+} // namespace rtg
