@@ -39,8 +39,9 @@ struct BoxOf
 using Box = BoxOf<glm::vec3>;
 using DoubleBox = BoxOf<glm::dvec3>;
 
-/// A slab test in float errs by a few ulps of the distances that it subtracts: at most 16 half-ulps of `reach`, which
-/// bounds coordinates of boxes and of ray origins. Boxes that are widened by that much stay conservative.
+/// A driver's slab test in float errs by a few ulps of the distances that it subtracts: at most 16 half-ulps of
+/// `reach`, which bounds coordinates of boxes and of ray origins. Boxes that are widened by that much stay
+/// conservative.
 inline float SlabPadding(float reach)
 {
   return std::ldexp(reach, -20);

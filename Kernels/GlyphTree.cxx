@@ -293,23 +293,26 @@ std::uint8_t RoundUp(double value)
   return static_cast<std::uint8_t>(down + (down < 255 && down < value));
 }
 
+// The traversal rounds the parameter at which a ray meets a plane by a few ulps of what the plane lies from the node's
+// origin, which the boxes are wider by; BoxRay in Programs/tree.glsl has the rest.
 GlyphTreeNode Quantise(const Box& whole, const Box* children, std::size_t count, std::uint8_t axes)
 {
   GlyphTreeNode node{};
-  node.origin = whole.lower;
   node.axes = axes;
   for (int axis = 0; axis < 3; ++axis)
   {
+    const double padding = std::ldexp(double(whole.upper[axis]) - whole.lower[axis], -20);
+    node.origin[axis] = std::nextafterf(static_cast<float>(whole.lower[axis] - padding), -INFINITY);
     // The extent is rounded up, so that the last step reaches the upper plane.
-    const float extent = std::nextafterf(whole.upper[axis] - whole.lower[axis], INFINITY);
+    const float extent = std::nextafterf(static_cast<float>(whole.upper[axis] + padding - node.origin[axis]), INFINITY);
     node.exponent[axis] = StepExponent(extent);
     const double perStep = std::ldexp(1.0, 127 - node.exponent[axis]);
-    const double origin = whole.lower[axis];
+    const double origin = node.origin[axis];
     for (std::size_t child = 0; child < 8; ++child)
     {
       const bool none = child >= count || children[child].Empty();
-      const double lower = none ? 255.0 : (children[child].lower[axis] - origin) * perStep;
-      const double upper = none ? 0.0 : (children[child].upper[axis] - origin) * perStep;
+      const double lower = none ? 255.0 : (children[child].lower[axis] - padding - origin) * perStep;
+      const double upper = none ? 0.0 : (children[child].upper[axis] + padding - origin) * perStep;
       node.planes[axis][0][child] = RoundDown(lower);
       node.planes[axis][1][child] = RoundUp(upper);
     }

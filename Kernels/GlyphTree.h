@@ -91,8 +91,8 @@ double LeafSurface(const OrderedBoxes& boxes, std::uint32_t leafBits);
 /// An order serves boxes that have moved until they leave the leaves this much more surface than when it was found.
 constexpr double orderDecay = 1.2;
 
-/// Builds the nodes over boxes in the order of MakeKdOrder(). The boxes must be padded for the arithmetic of the
-/// traversal (SlabPadding in Box.h).
+/// Builds the nodes over boxes in the order of MakeKdOrder(), so much wider than these as the arithmetic of the
+/// traversal needs (BoxRay in Programs/tree.glsl).
 GlyphTree BuildGlyphTree(const OrderedBoxes& boxes, std::uint32_t leafBits, const std::vector<std::uint8_t>& axes);
 
 } // namespace rtg

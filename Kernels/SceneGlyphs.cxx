@@ -55,8 +55,6 @@ void Scene::State::Place(GlyphSet& set, float reach)
   }
   this->TellStage(set);
   PlacedGlyphs placed;
-  // Some head-room, so that a scene that grows little by little is not rebuilt at every step.
-  placed.builtReach = 4.0f * reach;
   placed.group.shape = set.instances.shape;
   placed.group.degree = static_cast<std::uint32_t>(set.instances.polynomialDegree);
   using SurfaceColours = GlyphInstances::SurfaceColours;
@@ -79,14 +77,15 @@ void Scene::State::Place(GlyphSet& set, float reach)
     {
       list = {}; // each slice of time has its own
     }
-    const BoxReader boxes(set.instances, list, SlabPadding(placed.builtReach));
     if (this->structure == Structure::Tree)
     {
-      this->BuildTree(set, placed, boxes);
+      this->BuildTree(set, placed, { set.instances, list });
     }
     else
     {
-      this->BuildBoxes(set, placed, boxes);
+      // Some head-room, so that a scene that grows little by little is not rebuilt at every step.
+      placed.builtReach = 4.0f * reach;
+      this->BuildBoxes(set, placed, { set.instances, list, SlabPadding(placed.builtReach) });
     }
     this->statistics.buildSeconds += building.Lap();
     list = {};
@@ -205,7 +204,7 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const Bo
     const auto boxesBetween = [&](double first, double last)
     {
       const std::vector<Box> own = GlyphBoxes(set.instances, first, last);
-      return InOrder(BoxReader(own, SlabPadding(placed.builtReach)), sorted.order);
+      return InOrder(own, sorted.order);
     };
     const std::size_t bytes = sorted.kdAxes.size() * sizeof(GlyphTreeNode);
     tree =

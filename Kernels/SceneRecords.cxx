@@ -92,8 +92,8 @@ void Scene::State::ListSets()
       this->groups.push_back(placed.group);
     }
     const glm::vec3 offset(set.instances.origin - this->origin);
-    this->bounds.Include(
-      Box{ set.bounds.lower + offset, set.bounds.upper + offset }.Widened(SlabPadding(placed.builtReach)));
+    const Box moved{ set.bounds.lower + offset, set.bounds.upper + offset };
+    this->bounds.Include(moved.Widened(SlabPadding(moved.Reach())));
   }
 }
 

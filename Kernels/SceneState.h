@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace rtg
@@ -68,7 +69,7 @@ bool IsMovingMesh(const GlyphInstances& instances);
 struct PlacedGlyphs
 {
   HitGroup group;
-  float builtReach = 0.0f;                ///< distance of ray origins that the boxes' padding allows for
+  float builtReach = INFINITY;            ///< distance of ray origins that the padding of the driver's boxes allows for
   std::array<Buffer, glyphArrays> arrays; ///< by number; none where the set has no such array
   Buffer colourTable;                     ///< of values at the ends of round cones
   PlacedTree tree;

@@ -115,7 +115,8 @@ bool IntersectMesh(const GlyphSetRecord set, const GlyphRay worldRay, const Glyp
   const float tMax, const bool any, out float t, out uint triangle)
 {
   MeshRay ray = ToMesh(worldRay, glyph, set);
-  BoxRay boxRay = MakeBoxRay(ray.origin, ray.direction);
+  // Triangles are met by the same rounded ray; their boxes allow for the rest.
+  BoxRay boxRay = MakeBoxRay(ray.origin, vec3(0.0), ray.direction);
   ShearedRay sheared = Shear(ray);
   TreeNodes nodes = TreeNodes(set.meshTree.nodes);
   float time = MeshTime(set);

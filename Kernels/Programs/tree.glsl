@@ -43,24 +43,32 @@ uvec2 LeafRange(const TreePosition position, const uint levels, uint64_t count, 
               : uvec2(0u);
 }
 
-// The ray prepared for boxes.
+// The ray prepared for boxes. Rounding moves the parameters t at which it meets their planes: by 2^-20 of the way to
+// the node, and by what it has left of the ray's origin (`slack`). A ray keeps that clear of planes itself, so that no
+// glyph far away makes the boxes of others wider (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013); what the planes
+// lie apart within a node adds to it, its boxes allow for (GlyphTree.cxx).
 struct BoxRay
 {
   vec3 origin;
-  // Of the direction; components below 2^-24 of the longest count as that, which the boxes' padding allows for: smaller
-  // ones would overflow where boxes extend to 1e30.
-  vec3 inverse;
-  uint signs; // bit i: component i of the direction is negative
+  vec3 inverse; // of the direction
+  vec3 slack;   // of t, >= 0
+  uint signs;   // bit i: component i of the direction is negative
 };
 
-BoxRay MakeBoxRay(const vec3 origin, const vec3 direction)
+// `rounded`: as large as the numbers whose rounding the origin has.
+BoxRay MakeBoxRay(const vec3 origin, const vec3 rounded, const vec3 direction)
 {
   float longest = max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
-  vec3 least = vec3(longest * 5.9604644775390625e-8);
-  vec3 safe = mix(direction, least, lessThan(abs(direction), least));
+  float farthest = max(max(rounded.x, rounded.y), rounded.z);
+  // Components next to zero count as 2^-64 of the longest, along which no ray gets far; as more, up to 2^-24, where
+  // that would be no normal number, or overflow at boxes a million times as far away as the origin.
+  float enough = max(max(longest * 5.4210108624275222e-20, farthest * 6.1629758220391547e-33), 1e-37);
+  float least = min(longest * 5.9604644775390625e-8, enough);
+  vec3 safe = mix(direction, vec3(least), lessThan(abs(direction), vec3(least)));
   BoxRay ray;
   ray.origin = origin;
   ray.inverse = 1.0 / safe;
+  ray.slack = 2.384185791015625e-7 * rounded * abs(ray.inverse);
   ray.signs = (safe.x < 0.0 ? 1u : 0u) | (safe.y < 0.0 ? 2u : 0u) | (safe.z < 0.0 ? 4u : 0u);
   return ray;
 }
@@ -72,7 +80,8 @@ vec4 PlaneParameters(const uint quantised, const float step, const float offset)
   return q * step + offset;
 }
 
-// min and max as one machine instruction: nothing here is NaN, which GLSL's own must care for.
+// min and max as one machine instruction, which gives the second where the first is NaN: planes whose parameters
+// overflow leave nothing out.
 vec4 Lesser(const vec4 a, const vec4 b)
 {
   return vec4(a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.z < b.z ? a.z : b.z, a.w < b.w ? a.w : b.w);
@@ -118,16 +127,19 @@ void IntersectNode(TreeNodes nodes, const uint index, const BoxRay ray, const fl
                 uintBitsToFloat((exponents & 0xff0000u) << 7)) *
     ray.inverse;
   vec3 offset = (origin - ray.origin) * ray.inverse;
+  vec3 slack = abs(offset) * 9.5367431640625e-7 + ray.slack;
+  vec3 toNear = offset - slack, toFar = offset + slack;
 
-  vec4 near0 = Greater(Greater(PlaneParameters(nearX.x, step.x, offset.x), PlaneParameters(nearY.x, step.y, offset.y)),
-    Greater(PlaneParameters(nearZ.x, step.z, offset.z), vec4(tMin)));
-  vec4 far0 = Lesser(Lesser(PlaneParameters(farX.x, step.x, offset.x), PlaneParameters(farY.x, step.y, offset.y)),
-    Lesser(PlaneParameters(farZ.x, step.z, offset.z), vec4(tMax)));
-  vec4 near1 = Greater(Greater(PlaneParameters(nearX.y, step.x, offset.x), PlaneParameters(nearY.y, step.y, offset.y)),
-    Greater(PlaneParameters(nearZ.y, step.z, offset.z), vec4(tMin)));
-  vec4 far1 = Lesser(Lesser(PlaneParameters(farX.y, step.x, offset.x), PlaneParameters(farY.y, step.y, offset.y)),
-    Lesser(PlaneParameters(farZ.y, step.z, offset.z), vec4(tMax)));
-  // The padding of the boxes allows for the rounding of t (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+  vec4 near0 = Greater(PlaneParameters(nearX.x, step.x, toNear.x),
+    Greater(
+      PlaneParameters(nearY.x, step.y, toNear.y), Greater(PlaneParameters(nearZ.x, step.z, toNear.z), vec4(tMin))));
+  vec4 far0 = Lesser(PlaneParameters(farX.x, step.x, toFar.x),
+    Lesser(PlaneParameters(farY.x, step.y, toFar.y), Lesser(PlaneParameters(farZ.x, step.z, toFar.z), vec4(tMax))));
+  vec4 near1 = Greater(PlaneParameters(nearX.y, step.x, toNear.x),
+    Greater(
+      PlaneParameters(nearY.y, step.y, toNear.y), Greater(PlaneParameters(nearZ.y, step.z, toNear.z), vec4(tMin))));
+  vec4 far1 = Lesser(PlaneParameters(farX.y, step.x, toFar.x),
+    Lesser(PlaneParameters(farY.y, step.y, toFar.y), Lesser(PlaneParameters(farZ.y, step.z, toFar.z), vec4(tMax))));
   uint met = Bits(lessThanEqual(near0, far0)) | (Bits(lessThanEqual(near1, far1)) << 4);
 
   // Rank r visits child r ^ order: along each split's axis the ray's near side comes first.

@@ -92,7 +92,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
   uint slice = Has(set.variants, MOVING_GLYPHS | MOVING_MESH) ? SliceOf(set.tree.sliceBits) : 0u;
   uint firstNode = slice * set.tree.nodesPerSlice;
   uint firstPlace = slice * set.glyphCount;
-  BoxRay boxRay = MakeBoxRay(ray.origin - set.offset, ray.direction);
+  BoxRay boxRay = MakeBoxRay(ray.origin - set.offset, abs(ray.origin) + abs(set.offset), ray.direction);
   bool chance = MayPass(set, seed);
   // While the hit is estimated, its t lies between `surely` and hit.t.
   float surely = hit.t;

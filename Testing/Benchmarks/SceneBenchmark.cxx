@@ -83,6 +83,13 @@ rtg::GlyphInstances Spheres(std::size_t count, float size)
   return instances;
 }
 
+/// The same with one more a million sizes away, which no picture shows.
+rtg::GlyphInstances WithOutlier(rtg::GlyphInstances instances)
+{
+  instances.centres.emplace_back(1e6f * instances.uniformSize, 0.0f, 0.0f);
+  return instances;
+}
+
 struct Part
 {
   rtg::GlyphInstances instances;
@@ -158,9 +165,9 @@ public:
   {
     return this->name_;
   }
-  double Seconds(double share) const
+  benchmark::Spread Seconds() const
   {
-    return benchmark::Quantile(this->seconds_, share);
+    return benchmark::Spread(this->seconds_);
   }
   // Medians of Embree's; not a number where there is none.
   double Singles() const
@@ -219,6 +226,7 @@ int main(int argc, char** argv)
   const auto add = [&](const char* name, std::vector<Part> parts)
   { subjects.push_back(std::make_unique<Subject>(name, std::move(parts))); };
   add("spheres, packed", { packed });
+  add("spheres, packed, one far away", { { WithOutlier(packed.instances) } });
   add("spheres, dilute", { { Spheres(glyphs, 0.3f) } });
   add("spheres, surface", { packed, { Sheet() } });
   add("spheres, arrows, surface", { packed, crowd(arrows), { Sheet() } });
@@ -236,18 +244,19 @@ int main(int argc, char** argv)
       subject->Trace(pixels, i >= 0);
     }
   }
-  csv << "scene,CPU s,lower quartile,upper quartile,cost beside the first,Embree s,Embree packets s,pixels differ\n";
+  csv << "scene," << benchmark::Spread::Columns("CPU s")
+      << ",cost beside the first,Embree s,Embree packets s,pixels differ\n";
   std::printf("%-30s %8s %8s %8s %8s %8s %8s %8s\n", "scene", "CPU s", "quartile", "quartile", "cost", "Embree",
     "packets", "differ");
   bool same = true;
   for (const auto& subject : subjects)
   {
-    const double median = subject->Seconds(0.5), low = subject->Seconds(0.25), high = subject->Seconds(0.75);
-    const double cost = median / subjects.front()->Seconds(0.5);
+    const benchmark::Spread seconds = subject->Seconds();
+    const double cost = seconds.median / subjects.front()->Seconds().median;
     const double singles = subject->Singles(), packets = subject->Packets();
-    std::printf("%-30s %8.3f %8.3f %8.3f %8.2f %8.3f %8.3f %8.1e\n", subject->Name().c_str(), median, low, high, cost,
-      singles, packets, subject->Differs());
-    csv << '"' << subject->Name() << "\"," << median << ',' << low << ',' << high << ',' << cost << ',';
+    std::printf("%-30s %8.3f %8.3f %8.3f %8.2f %8.3f %8.3f %8.1e\n", subject->Name().c_str(), seconds.median,
+      seconds.lower, seconds.upper, cost, singles, packets, subject->Differs());
+    csv << '"' << subject->Name() << "\"," << seconds << ',' << cost << ',';
     if (std::isfinite(singles))
     {
       csv << singles << ',' << packets << ',' << subject->Differs() << '\n';

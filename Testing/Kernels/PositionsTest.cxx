@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <tuple>
@@ -119,6 +120,56 @@ TEST_P(PositionsTest, SurviveOutliers)
   }
 }
 
+// A box is thinner here than what rounding moves the places by at which a ray meets its planes, because the ray comes
+// from afar, or the set's origin lies far from the scene's. Some rays hardly leave a plane at all.
+TEST_P(PositionsTest, NeedlesAreMet)
+{
+  constexpr int count = 64;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (const auto& [origin, distance] : { std::pair(0.0, 1000.0), std::pair(123456.789, 1.0) })
+  {
+    rtg::GlyphInstances needles;
+    needles.shape = Shape::Cylinder;
+    needles.origin = glm::dvec3(origin);
+    for (int i = 0; i < count + 2; ++i)
+    {
+      // The last two only make the scene so large that rays start within it.
+      const float aside = i < count ? 0.0f : i == count ? 1500.0f : -1500.0f;
+      needles.centres.emplace_back(2.0f * i + aside, aside, aside);
+      needles.sizes3.emplace_back(1.0f, 1e-5f, 1e-5f);
+      if (std::get<1>(GetParam()))
+      {
+        needles.motion.velocities.emplace_back(0.25f, 0.0f, 0.0f);
+      }
+    }
+    std::vector<Tracer::Probe> probes;
+    for (int i = 0; i < 10 * count; ++i)
+    {
+      glm::vec3 direction = glm::normalize(glm::vec3(uniform(random), uniform(random), uniform(random)));
+      if (i % 4 == 0)
+      {
+        direction.y = std::copysign(1e-9f, direction.y);
+      }
+      const glm::dvec3 onAxis = origin + glm::dvec3(2.0 * (i % count) + 0.4 * uniform(random), 0.0, 0.0);
+      probes.push_back({ onAxis - distance * glm::dvec3(direction), direction, 0.5f });
+    }
+    rtg::Scene scene(this->device);
+    scene.GetState().structure = std::get<0>(GetParam());
+    scene.SetInstances(scene.Add(), Glyphs(Shape::Sphere, { glm::dvec3(-1.0) }, glm::dvec3(0.0)));
+    const auto set = scene.Add();
+    scene.SetInstances(set, needles);
+    scene.Commit();
+    const auto hits = this->tracer.TraceProbes(scene, probes);
+    int missed = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+      missed += hits[i].setId != set || hits[i].glyphId != i % count;
+    }
+    EXPECT_EQ(missed, 0) << "of " << hits.size() << " from " << distance << " away, at " << origin;
+  }
+}
+
 // Sets have origins of their own; the scene's is the first one's, from which the others' need more digits than a float
 // has.
 TEST_P(PositionsTest, SurviveAnotherOrigin)
@@ -189,6 +240,56 @@ TEST_P(PositionsTest, SurviveHiddenSetsFarAway)
     }
   }
   EXPECT_GT(met, 5);
+}
+
+// Rays meet no more boxes in a crowd when one glyph lies far away: the median surface of those of leaves is the same.
+TEST(Boxes, AreAsTightBesideAnOutlier)
+{
+  RTG_NEEDS(Structure::Tree);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+  rtg::GlyphInstances crowd;
+  crowd.uniformSize = size;
+  for (int i = 0; i < 4000; ++i)
+  {
+    crowd.centres.emplace_back(uniform(random), uniform(random), uniform(random));
+  }
+  const auto medianSurface = [&]
+  {
+    rtg::Scene scene(rtg::Device::Shared());
+    scene.GetState().structure = Structure::Tree;
+    const auto id = scene.Add();
+    scene.SetInstances(id, crowd);
+    scene.Commit();
+    const rtg::PlacedTree& tree = scene.GetState().sets.at(id).placed.tree;
+    const std::size_t first = rtg::GlyphTree::LevelOffset(tree.record.levels - 1), end = tree.record.nodesPerSlice;
+    std::vector<double> surfaces;
+    tree.nodes.Read(end * sizeof(rtg::GlyphTreeNode),
+      [&](const void* read)
+      {
+        const auto* nodes = static_cast<const rtg::GlyphTreeNode*>(read);
+        for (std::size_t at = 8 * first; at < 8 * end; ++at)
+        {
+          const rtg::GlyphTreeNode& node = nodes[at / 8];
+          glm::dvec3 extent;
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            extent[axis] =
+              std::ldexp(node.planes[axis][1][at % 8] - node.planes[axis][0][at % 8], node.exponent[axis] - 127);
+          }
+          surfaces.push_back(rtg::HalfSurface(extent));
+        }
+      });
+    std::nth_element(surfaces.begin(), surfaces.begin() + surfaces.size() / 2, surfaces.end());
+    return surfaces[surfaces.size() / 2];
+  };
+  const double alone = medianSurface();
+  for (const float outlier : { 1e4f, 1e7f, 1e30f })
+  {
+    crowd.centres.emplace_back(outlier, -0.5f * outlier, 0.7f * outlier);
+    EXPECT_LT(medianSurface(), 1.1 * alone) << outlier;
+    crowd.centres.pop_back();
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Structures, PositionsTest,
