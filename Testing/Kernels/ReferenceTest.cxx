@@ -32,6 +32,15 @@ void ExpectCrossings(ReferenceGlyph glyph, glm::dvec3 origin, glm::vec3 directio
   }
 }
 
+// Both crossings to 30 digits.
+void ExpectAllDigits(ReferenceGlyph glyph, glm::dvec3 origin, glm::vec3 direction, Quad from, Quad to)
+{
+  const auto crossings = glyph.Crossings(origin, direction);
+  ASSERT_EQ(crossings.size(), 2u);
+  EXPECT_LT(double(fabsq(crossings[0].t - from)), 1e-30) << double(from);
+  EXPECT_LT(double(fabsq(crossings[1].t - to)), 1e-30) << double(to);
+}
+
 TEST(ReferenceTest, Centred)
 {
   ExpectCrossings(Unit(Shape::Sphere), { -3, 0.3, 0 }, { 1, 0, 0 }, { 2.6, 3.4 });
@@ -59,26 +68,19 @@ TEST(ReferenceTest, Centred)
 TEST(ReferenceTest, KeepsAllDigits)
 {
   const Quad root3 = sqrtq(3), root15 = sqrtq(15);
-  const auto expect = [](ReferenceGlyph glyph, glm::dvec3 origin, glm::vec3 direction, Quad from, Quad to)
-  {
-    const auto crossings = glyph.Crossings(origin, direction);
-    ASSERT_EQ(crossings.size(), 2u);
-    EXPECT_LT(double(fabsq(crossings[0].t - from)), 1e-30) << double(from);
-    EXPECT_LT(double(fabsq(crossings[1].t - to)), 1e-30) << double(to);
-  };
   const glm::vec3 x(1, 0, 0), y(0, 1, 0);
-  expect(Unit(Shape::Sphere), { -3, 0.25, 0 }, x, 3 - root3 / 4, 3 + root3 / 4);
-  expect(Unit(Shape::Cylinder), { -3, 0.25, 0.25 }, x, 3 - root3 / 4, 3 + root3 / 4);
-  expect(Unit(Shape::Cone), { 0, -3, 0.125 }, y, 3 - root3 / 8, 3 + root3 / 8);
-  expect(Unit(Shape::Capsule), { 0.25, -3, 0.25 }, y, 3 - root3 / 4, 3 + root3 / 4);
+  ExpectAllDigits(Unit(Shape::Sphere), { -3, 0.25, 0 }, x, 3 - root3 / 4, 3 + root3 / 4);
+  ExpectAllDigits(Unit(Shape::Cylinder), { -3, 0.25, 0.25 }, x, 3 - root3 / 4, 3 + root3 / 4);
+  ExpectAllDigits(Unit(Shape::Cone), { 0, -3, 0.125 }, y, 3 - root3 / 8, 3 + root3 / 8);
+  ExpectAllDigits(Unit(Shape::Capsule), { 0.25, -3, 0.25 }, y, 3 - root3 / 4, 3 + root3 / 4);
   // Balls of radius 1 and 1/2 whose middles are 2 apart: a cone whose sides have the sine 1/4.
-  expect(Unit(Shape::RoundCone, { 2, 2, 1 }), { 0, -3, 0 }, y, 3 - root15 / 5, 3 + root15 / 5);
+  ExpectAllDigits(Unit(Shape::RoundCone, { 2, 2, 1 }), { 0, -3, 0 }, y, 3 - root15 / 5, 3 + root15 / 5);
   GlyphInstances ball;
   ball.shape = Shape::Superquadric;
   ball.centres = { glm::vec3(0.0f) };
   ball.sizes3 = { glm::vec3(1.0f) };
   ball.uniformExponents = glm::vec3(2.0f);
-  expect(ReferenceGlyph(ball, 0), { -3, 0.25, 0 }, x, 3 - root3 / 4, 3 + root3 / 4);
+  ExpectAllDigits(ReferenceGlyph(ball, 0), { -3, 0.25, 0 }, x, 3 - root3 / 4, 3 + root3 / 4);
   const QuadVector normal = Unit(Shape::Sphere).Crossings({ -3, 0.25, 0 }, x)[0].normal;
   EXPECT_LT(double(fabsq(normal.x + root3 / 2)), 1e-30);
   EXPECT_LT(double(fabsq(normal.y - Quad(0.5))), 1e-30);
@@ -140,6 +142,28 @@ TEST(ReferenceTest, Superquadrics)
   ExpectCrossings(unit(glm::vec3(0.5f)), { -3, 0.03125, 0 }, { 1, 0, 0 }, { 3 - 0.28125, 3 + 0.28125 });
   // Exponents of their own: x^2 + |y| + z^4 = 1 in the frame of the half-lengths.
   ExpectCrossings(unit({ 2, 1, 4 }), { 0.25, -3, 0.25 }, { 0, 1, 0 }, { 3 - 0.34375, 3 + 0.34375 });
+}
+
+/// Those that have a closed form: a ball, an octahedron, a double cone, and one of two profiles, R(z) = 1 - z along x
+/// and (1 - z^2)^(1/2) along y.
+TEST(ReferenceTest, NestedSuperquadrics)
+{
+  const auto unit = [](glm::vec3 exponents)
+  {
+    GlyphInstances instances;
+    instances.shape = Shape::NestedSuperquadric;
+    instances.centres = { glm::vec3(0.0f) };
+    instances.sizes3 = { glm::vec3(1.0f) };
+    instances.uniformExponents = exponents;
+    return ReferenceGlyph(instances, 0);
+  };
+  const Quad root3 = sqrtq(3), root11 = sqrtq(11);
+  const glm::vec3 x(1, 0, 0);
+  ExpectAllDigits(unit({ 1, 1, 1 }), { -3, 0.25, 0 }, x, 3 - root3 / 4, 3 + root3 / 4);
+  ExpectAllDigits(unit({ 2, 2, 2 }), { -3, 0.125, 0.125 }, x, 2.75, 3.25);
+  ExpectAllDigits(unit({ 1, 2, 2 }), { -3, 0.125, 0.25 }, x, 3 - root3 / 8, 3 + root3 / 8);
+  const Quad width = root11 / (8 * root3);
+  ExpectAllDigits(unit({ 1, 2, 1 }), { -3, 0.125, 0.25 }, x, 3 - width, 3 + width);
 }
 
 /// The normal is smooth where the head's cone runs into its ball.
