@@ -71,6 +71,11 @@ struct vtkGlyphSettings
   bool operator==(const vtkGlyphSettings&) const = default;
 
   /**
+   * The same with values out of range replaced by the nearest in it, NaN by the default.
+   */
+  vtkGlyphSettings InRange() const;
+
+  /**
    * These settings with all that has no effect on instances set to its default. Two that are equal then make the same
    * instances of the same arrays; colors are none of them.
    */

@@ -484,7 +484,7 @@ void vtkRayTracedGlyphRepresentation::RemoveLayers(vtkPVRenderView* view)
 // Properties that determine each other are put together here, whatever the order in which they were set.
 vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
 {
-  vtkGlyphSettings settings = this->Glyphs;
+  vtkGlyphSettings settings = this->Glyphs.InRange();
   settings.Motion = this->Motion;
   if (this->ScaleFactorFromData)
   {
@@ -530,18 +530,6 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphLegendCorner(int corner)
-{
-  this->LegendStyle.Corner = std::clamp<int>(corner, vtkGlyphLegend::LOWER_LEFT, vtkGlyphLegend::UPPER_RIGHT);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphLegendColor(double red, double green, double blue)
-{
-  this->LegendStyle.Color = ColorInRange(red, green, blue);
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphLocation(int location)
 {
   location = std::clamp<int>(location, POINTS, CELLS);
@@ -577,23 +565,11 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphScaleMode(int mode)
-{
-  this->Glyphs.ScaleMode = std::clamp<int>(mode, vtkGlyphSettings::MAGNITUDE, vtkGlyphSettings::COMPONENTS);
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphScaleFactorFromData(bool on)
 {
   this->ScaleFactorFromData = on;
   this->Guess.Forget();
   this->ScaleGuess[0] = this->ScaleGuess[1] = 0.0;
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphScaleFunction(int function)
-{
-  this->Glyphs.Sizing.Function = std::clamp<int>(function, vtkGlyphSizing::LINEAR, vtkGlyphSizing::UNIT);
 }
 
 //----------------------------------------------------------------------------
@@ -612,8 +588,8 @@ void vtkRayTracedGlyphRepresentation::SetGlyphScaleReference(double reference)
 void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double most)
 {
   vtkGlyphSizing& sizing = this->Glyphs.Sizing;
-  sizing.Least = std::max(NumberOr(least, 0.0), 0.0);
-  sizing.Most = std::max(NumberOr(most, 0.0), 0.0);
+  sizing.Least = std::max(vtkRayTracedNumbers::NumberOr(least, 0.0), 0.0);
+  sizing.Most = std::max(vtkRayTracedNumbers::NumberOr(most, 0.0), 0.0);
   if (sizing.Most > 0.0 && sizing.Most < sizing.Least)
   {
     vtkErrorMacro("GlyphSizeRange is " << least << ", " << most
@@ -623,102 +599,18 @@ void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double mos
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphOrientationMode(int mode)
-{
-  this->Glyphs.OrientationMode = std::clamp<int>(mode, vtkGlyphSettings::DIRECTION, vtkGlyphSettings::AXES);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphAnchor(int anchor)
-{
-  this->Glyphs.Anchor = std::clamp<int>(anchor, vtkGlyphSettings::ORIGIN, vtkGlyphSettings::TIP);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphMaskMode(int mode)
-{
-  this->Glyphs.Mask.Mode = std::clamp<int>(mode, vtkGlyphMask::RANDOM, vtkGlyphMask::EVEN_IN_SPACE);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetArrowShaftRadius(double radius)
-{
-  this->Glyphs.Arrow.shaftRadius = static_cast<float>(InRange(radius, 0.0, 0.5, 0.03));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetArrowTipRadius(double radius)
-{
-  this->Glyphs.Arrow.tipRadius = static_cast<float>(InRange(radius, 0.0, 0.5, 0.1));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetArrowTipLength(double length)
-{
-  this->Glyphs.Arrow.tipLength = static_cast<float>(InRange(length, 0.001, 1.0, 0.35));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetArrowTipRounding(double rounding)
-{
-  this->Glyphs.Arrow.tipRounding = static_cast<float>(InRange(rounding, 0.0, 1.0, 0.5));
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphExponents(double r, double s, double t)
 {
   // What is no number makes no glyph, as zero does.
-  this->Glyphs.Exponents[0] = NumberOr(r, 0.0);
-  this->Glyphs.Exponents[1] = NumberOr(s, 0.0);
-  this->Glyphs.Exponents[2] = NumberOr(t, 0.0);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphTensorLayout(int layout)
-{
-  this->Glyphs.Tensors.Layout = static_cast<rtg::TensorLayout>(std::clamp(layout, 0, 4));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphHarmonicsBasis(int basis)
-{
-  this->Glyphs.Forms.Basis = static_cast<rtg::HarmonicsBasis>(std::clamp(basis, 0, 3));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphTensorSharpness(double sharpness)
-{
-  this->Glyphs.Tensors.Sharpness = InRange(sharpness, 0.0, 10.0, 3.0);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphTensorThickness(double share)
-{
-  this->Glyphs.Tensors.Thickness = InRange(share, rtg::thinnestTensorGlyph, 1.0, 0.02);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphTensorColoring(int coloring)
-{
-  this->Glyphs.Tensors.Coloring = std::clamp<int>(coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::RADIUS);
+  this->Glyphs.Exponents[0] = vtkRayTracedNumbers::NumberOr(r, 0.0);
+  this->Glyphs.Exponents[1] = vtkRayTracedNumbers::NumberOr(s, 0.0);
+  this->Glyphs.Exponents[2] = vtkRayTracedNumbers::NumberOr(t, 0.0);
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphTensorLookupTable(vtkScalarsToColors* table)
 {
   this->TensorTable = table;
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphTensorPositiveColor(double red, double green, double blue)
-{
-  this->Glyphs.Tensors.PositiveColor = ColorInRange(red, green, blue);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphTensorNegativeColor(double red, double green, double blue)
-{
-  this->Glyphs.Tensors.NegativeColor = ColorInRange(red, green, blue);
 }
 
 //----------------------------------------------------------------------------
@@ -729,10 +621,4 @@ void vtkRayTracedGlyphRepresentation::SetGlyphMeshTable(bool use)
     this->GlyphMeshTable = use;
     this->MarkModified(); // the meshes must be gathered again
   }
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphTensorAxisColor(double red, double green, double blue)
-{
-  this->TensorAxisColor = ColorInRange(red, green, blue);
 }

@@ -16,6 +16,10 @@
 #include "vtkGlyphTensorRange.h"
 #endif
 
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
 #include <vector>
 
 class vtkMultiBlockDataSet;
@@ -60,18 +64,18 @@ public:
    */
   void SetGlyphScaling(bool on) { this->Glyphs.Scaling = on; }
   void SetGlyphScaleArray(const char* name) { this->Glyphs.ScaleArray = OrEmpty(name); }
-  void SetGlyphScaleMode(int mode);
-  void SetGlyphScaleFactor(double factor) { this->Glyphs.ScaleFactor = NumberOr(factor, 0.0); }
+  void SetGlyphScaleMode(int mode) { this->Glyphs.ScaleMode = mode; }
+  void SetGlyphScaleFactor(double factor) { this->Glyphs.ScaleFactor = vtkRayTracedNumbers::NumberOr(factor, 0.0); }
   void SetGlyphScaleFactorFromData(bool on);
-  void SetGlyphScaleFunction(int function);
+  void SetGlyphScaleFunction(int function) { this->Glyphs.Sizing.Function = function; }
   void SetGlyphScaleReference(double reference);
   void SetGlyphSizeRange(double least, double most);
   void SetGlyphRadiusArray(const char* name) { this->Glyphs.RadiusArray = OrEmpty(name); }
-  void SetGlyphRadiusFactor(double factor) { this->Glyphs.RadiusFactor = NumberOr(factor, 0.0); }
+  void SetGlyphRadiusFactor(double factor) { this->Glyphs.RadiusFactor = vtkRayTracedNumbers::NumberOr(factor, 0.0); }
   void SetGlyphOrient(bool on) { this->Glyphs.Orient = on; }
   void SetGlyphOrientationArray(const char* name) { this->Glyphs.OrientationArray = OrEmpty(name); }
-  void SetGlyphOrientationMode(int mode);
-  void SetGlyphAnchor(int anchor);
+  void SetGlyphOrientationMode(int mode) { this->Glyphs.OrientationMode = mode; }
+  void SetGlyphAnchor(int anchor) { this->Glyphs.Anchor = anchor; }
   ///@}
 
   ///@{
@@ -81,7 +85,7 @@ public:
    * the client being between them.
    */
   double* GetGlyphScaleGuess() VTK_SIZEHINT(2) { return this->ScaleGuess; }
-  void SetGlyphSizeLimit(double limit) { this->SizeLimit = NumberOr(limit, 0.0); }
+  void SetGlyphSizeLimit(double limit) { this->SizeLimit = vtkRayTracedNumbers::NumberOr(limit, 0.0); }
   ///@}
 
   ///@{
@@ -90,9 +94,15 @@ public:
    * a number that fits, the lower left corner, white.
    */
   void SetGlyphLegend(bool on) { this->LegendStyle.On = on; }
-  void SetGlyphLegendValue(double value) { this->LegendStyle.Value = NumberOr(value, 0.0); }
-  void SetGlyphLegendCorner(int corner);
-  void SetGlyphLegendColor(double red, double green, double blue);
+  void SetGlyphLegendValue(double value) { this->LegendStyle.Value = vtkRayTracedNumbers::NumberOr(value, 0.0); }
+  void SetGlyphLegendCorner(int corner)
+  {
+    this->LegendStyle.Corner = std::clamp<int>(corner, vtkGlyphLegend::LOWER_LEFT, vtkGlyphLegend::UPPER_RIGHT);
+  }
+  void SetGlyphLegendColor(double red, double green, double blue)
+  {
+    this->LegendStyle.Color = vtkRayTracedNumbers::ColorInRange(red, green, blue);
+  }
   ///@}
 
   ///@{
@@ -102,11 +112,14 @@ public:
    * of the scale array when not positive, the default.
    */
   void SetArrowHeads(int heads) { this->Glyphs.Arrow.fixedHeads = heads == 0; }
-  void SetArrowReferenceMagnitude(double magnitude) { this->Glyphs.ArrowReference = NumberOr(magnitude, 0.0); }
-  void SetArrowShaftRadius(double radius);
-  void SetArrowTipRadius(double radius);
-  void SetArrowTipLength(double length);
-  void SetArrowTipRounding(double rounding);
+  void SetArrowReferenceMagnitude(double magnitude)
+  {
+    this->Glyphs.ArrowReference = vtkRayTracedNumbers::NumberOr(magnitude, 0.0);
+  }
+  void SetArrowShaftRadius(double radius) { this->Glyphs.Arrow.shaftRadius = static_cast<float>(radius); }
+  void SetArrowTipRadius(double radius) { this->Glyphs.Arrow.tipRadius = static_cast<float>(radius); }
+  void SetArrowTipLength(double length) { this->Glyphs.Arrow.tipLength = static_cast<float>(length); }
+  void SetArrowTipRounding(double rounding) { this->Glyphs.Arrow.tipRounding = static_cast<float>(rounding); }
   ///@}
 
   ///@{
@@ -133,13 +146,19 @@ public:
    * less.
    */
   void SetGlyphTensorArray(const char* name) { this->Glyphs.Tensors.Array = OrEmpty(name); }
-  void SetGlyphTensorLayout(int layout);
-  void SetGlyphTensorSharpness(double sharpness);
-  void SetGlyphTensorThickness(double share);
-  void SetGlyphTensorColoring(int coloring);
+  void SetGlyphTensorLayout(int layout) { this->Glyphs.Tensors.Layout = static_cast<rtg::TensorLayout>(layout); }
+  void SetGlyphTensorSharpness(double sharpness) { this->Glyphs.Tensors.Sharpness = sharpness; }
+  void SetGlyphTensorThickness(double share) { this->Glyphs.Tensors.Thickness = share; }
+  void SetGlyphTensorColoring(int coloring) { this->Glyphs.Tensors.Coloring = coloring; }
   void SetGlyphTensorLookupTable(vtkScalarsToColors* table);
-  void SetGlyphTensorPositiveColor(double red, double green, double blue);
-  void SetGlyphTensorNegativeColor(double red, double green, double blue);
+  void SetGlyphTensorPositiveColor(double red, double green, double blue)
+  {
+    this->Glyphs.Tensors.PositiveColor = vtkRayTracedNumbers::ColorInRange(red, green, blue);
+  }
+  void SetGlyphTensorNegativeColor(double red, double green, double blue)
+  {
+    this->Glyphs.Tensors.NegativeColor = vtkRayTracedNumbers::ColorInRange(red, green, blue);
+  }
   ///@}
 
   ///@{
@@ -148,7 +167,7 @@ public:
    * glyph of a polynomial has the same size (1) or all have one scale (0, default).
    */
   void SetGlyphHarmonicsArray(const char* name) { this->HarmonicsArray = OrEmpty(name); }
-  void SetGlyphHarmonicsBasis(int basis);
+  void SetGlyphHarmonicsBasis(int basis) { this->Glyphs.Forms.Basis = static_cast<rtg::HarmonicsBasis>(basis); }
   void SetGlyphHarmonicsScaling(int scaling) { this->Glyphs.Forms.Each = scaling == 1; }
   ///@}
 
@@ -173,7 +192,10 @@ public:
    * their color. Default is off, yellow.
    */
   void SetGlyphTensorAxis(bool on) { this->TensorAxis = on; }
-  void SetGlyphTensorAxisColor(double red, double green, double blue);
+  void SetGlyphTensorAxisColor(double red, double green, double blue)
+  {
+    this->TensorAxisColor = vtkRayTracedNumbers::ColorInRange(red, green, blue);
+  }
   ///@}
 
   ///@{
@@ -181,7 +203,7 @@ public:
    * Shows only some of the glyphs; see vtkGlyphMask for modes and defaults.
    */
   void SetGlyphMask(bool on) { this->Glyphs.Mask.On = on; }
-  void SetGlyphMaskMode(int mode);
+  void SetGlyphMaskMode(int mode) { this->Glyphs.Mask.Mode = mode; }
   void SetMaximumNumberOfGlyphs(int number) { this->Glyphs.Mask.MaximumNumberOfGlyphs = number; }
   void SetGlyphStride(int stride) { this->Glyphs.Mask.Stride = stride; }
   void SetGlyphSeed(int seed) { this->Glyphs.Mask.Seed = seed; }

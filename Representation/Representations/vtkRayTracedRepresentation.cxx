@@ -13,10 +13,10 @@
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
 #include "vtkRayTracedArrays.h"
 #include "vtkRayTracedMapper.h"
+#include "vtkRayTracedNumbers.h"
 #include "vtkRayTracedPythonClass.h"
 #include "vtkRayTracedFrameStatus.h"
 #include "vtkRayTracedScene.h"
@@ -28,6 +28,8 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+
+using namespace vtkRayTracedNumbers;
 
 namespace
 {
@@ -73,30 +75,6 @@ vtkRayTracedActor* vtkRayTracedRepresentation::GetActor()
 vtkPolyData* vtkRayTracedRepresentation::GetPoints()
 {
   return this->Points;
-}
-
-//----------------------------------------------------------------------------
-double vtkRayTracedRepresentation::NumberOr(double value, double otherwise)
-{
-  return std::isnan(value) ? otherwise : value;
-}
-
-//----------------------------------------------------------------------------
-double vtkRayTracedRepresentation::FiniteOr(double value, double otherwise)
-{
-  return std::isfinite(value) ? value : otherwise;
-}
-
-//----------------------------------------------------------------------------
-double vtkRayTracedRepresentation::InRange(double value, double lowest, double highest, double otherwise)
-{
-  return std::isnan(value) ? otherwise : std::clamp(value, lowest, highest);
-}
-
-//----------------------------------------------------------------------------
-std::array<double, 3> vtkRayTracedRepresentation::ColorInRange(double red, double green, double blue)
-{
-  return { InRange(red, 0.0, 1.0, 1.0), InRange(green, 0.0, 1.0, 1.0), InRange(blue, 0.0, 1.0, 1.0) };
 }
 
 //****************************************************************************
@@ -365,7 +343,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   vtkNew<vtkPolyData> nothing;
   this->SetPartBounds(this->GetDataBounds(points ? points : nothing.Get()));
   vtkRayTracedScene* scene = this->GetScene();
-  scene->SetSettings(this->Image);
+  scene->SetSettings(this->Image.InRange());
   scene->SetFrameKind(ScreenshotState::Of(view), collective, view->GetUseOrderedCompositing());
   if (!this->FeatureFile.empty())
   {
@@ -513,9 +491,7 @@ void vtkRayTracedRepresentation::StopRefinement()
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetParallelLight(int light)
 {
-  this->SetParallelLight(
-    std::clamp(light, vtkRayTracedImageSettings::LocalLight, vtkRayTracedImageSettings::ReplicatedLight),
-    this->ReplicateGlyphs);
+  this->SetParallelLight(light, this->ReplicateGlyphs);
 }
 
 //----------------------------------------------------------------------------
@@ -570,177 +546,9 @@ void vtkRayTracedRepresentation::SetShutterOpening(int opening)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetShadingMode(int mode)
-{
-  this->Image.ShadingMode = std::clamp(mode, 0, 2);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetAmbientOcclusionRadius(double radius)
-{
-  this->Image.AmbientOcclusionRadius = InRange(radius, 0.0, 1e30, 0.0);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetAmbientOcclusionRays(int rays)
-{
-  this->Image.AmbientOcclusionRays = std::clamp(rays, 1, 64);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetPathsPerSample(int paths)
-{
-  this->Image.PathsPerSample = std::clamp(paths, 1, 64);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetMaximumBounces(int bounces)
-{
-  this->Image.MaximumBounces = std::clamp(bounces, 1, 1000);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetLightIntensity(double intensity)
-{
-  this->Image.LightIntensity = InRange(intensity, 0.0, 1e6, 1.0);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetEnvironmentColor(double red, double green, double blue)
-{
-  this->Image.EnvironmentColor = ColorInRange(red, green, blue);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetToneMapping(int kind)
-{
-  this->Image.ToneMapping = std::clamp(kind, 0, 1);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetExposure(double stops)
-{
-  this->Image.Exposure = InRange(stops, -100.0, 100.0, 0.0);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetDenoising(int when)
-{
-  this->Image.Denoising = std::clamp(when, 0, 2);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetSamplesPerPixel(int samples)
-{
-  this->Image.SamplesPerPixel = std::clamp(samples, 1, 65536);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetSamplesPerRender(int samples)
-{
-  this->Image.SamplesPerRender = std::clamp(samples, 0, 65536);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetInteractiveReduction(int step)
-{
-  this->Image.InteractiveReduction = std::clamp(step, 1, 16);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetStepwiseRendering(bool stepwise)
-{
-  this->Image.StepwiseRendering = stepwise;
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetLookupTable(vtkScalarsToColors* table)
 {
   this->LookupTable = table;
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetOpacity(double opacity)
-{
-  this->Property->SetOpacity(NumberOr(opacity, 1.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetAmbientColor(double r, double g, double b)
-{
-  this->Property->SetAmbientColor(ColorInRange(r, g, b).data());
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetDiffuseColor(double r, double g, double b)
-{
-  this->Property->SetDiffuseColor(ColorInRange(r, g, b).data());
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetSpecularColor(double r, double g, double b)
-{
-  this->Property->SetSpecularColor(ColorInRange(r, g, b).data());
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetAmbient(double ambient)
-{
-  this->Property->SetAmbient(NumberOr(ambient, 0.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetDiffuse(double diffuse)
-{
-  this->Property->SetDiffuse(NumberOr(diffuse, 1.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetSpecular(double specular)
-{
-  this->Property->SetSpecular(NumberOr(specular, 0.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetSpecularPower(double power)
-{
-  this->Property->SetSpecularPower(NumberOr(power, 100.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetMetallic(double metallic)
-{
-  this->Property->SetMetallic(NumberOr(metallic, 0.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetRoughness(double roughness)
-{
-  this->Property->SetRoughness(NumberOr(roughness, 0.5));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetCoatStrength(double strength)
-{
-  this->Property->SetCoatStrength(NumberOr(strength, 0.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetCoatIOR(double ior)
-{
-  this->Property->SetCoatIOR(NumberOr(ior, 2.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetCoatRoughness(double roughness)
-{
-  this->Property->SetCoatRoughness(NumberOr(roughness, 0.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetCoatColor(double red, double green, double blue)
-{
-  this->Property->SetCoatColor(ColorInRange(red, green, blue).data());
 }
 
 //----------------------------------------------------------------------------

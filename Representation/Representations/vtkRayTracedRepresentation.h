@@ -15,6 +15,7 @@
 
 #include "vtkNew.h"
 #include "vtkPVDataRepresentation.h"
+#include "vtkProperty.h"
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
@@ -24,6 +25,7 @@
 #include "vtkGlyphMotion.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedImageSettings.h"
+#include "vtkRayTracedNumbers.h"
 #endif
 
 #include <array>
@@ -37,7 +39,6 @@ class vtkDataArray;
 class vtkGlyphStepVelocity;
 class vtkPVRenderView;
 class vtkPolyData;
-class vtkProperty;
 class vtkRayTracedActor;
 class vtkRayTracedMapper;
 class vtkRayTracedScene;
@@ -56,23 +57,26 @@ public:
 
   ///@{
   /**
-   * Settings of the view's image; see vtkRayTracedImageSettings for units and ranges. Values out of range become the
-   * nearest in it, NaN the default.
+   * Settings of the view's image; see vtkRayTracedImageSettings for units and ranges. Values out of range count as the
+   * nearest in it, NaN as the default.
    */
-  void SetShadingMode(int mode);
-  void SetAmbientOcclusionRadius(double radius);
-  void SetAmbientOcclusionRays(int rays);
-  void SetPathsPerSample(int paths);
-  void SetMaximumBounces(int bounces);
-  void SetLightIntensity(double intensity);
-  void SetEnvironmentColor(double red, double green, double blue);
-  void SetToneMapping(int kind);
-  void SetExposure(double stops);
-  void SetDenoising(int when);
-  void SetSamplesPerPixel(int samples);
-  void SetSamplesPerRender(int samples);
-  void SetInteractiveReduction(int step);
-  void SetStepwiseRendering(bool stepwise);
+  void SetShadingMode(int mode) { this->Image.ShadingMode = mode; }
+  void SetAmbientOcclusionRadius(double radius) { this->Image.AmbientOcclusionRadius = radius; }
+  void SetAmbientOcclusionRays(int rays) { this->Image.AmbientOcclusionRays = rays; }
+  void SetPathsPerSample(int paths) { this->Image.PathsPerSample = paths; }
+  void SetMaximumBounces(int bounces) { this->Image.MaximumBounces = bounces; }
+  void SetLightIntensity(double intensity) { this->Image.LightIntensity = intensity; }
+  void SetEnvironmentColor(double red, double green, double blue)
+  {
+    this->Image.EnvironmentColor = { red, green, blue };
+  }
+  void SetToneMapping(int kind) { this->Image.ToneMapping = kind; }
+  void SetExposure(double stops) { this->Image.Exposure = stops; }
+  void SetDenoising(int when) { this->Image.Denoising = when; }
+  void SetSamplesPerPixel(int samples) { this->Image.SamplesPerPixel = samples; }
+  void SetSamplesPerRender(int samples) { this->Image.SamplesPerRender = samples; }
+  void SetInteractiveReduction(int step) { this->Image.InteractiveReduction = step; }
+  void SetStepwiseRendering(bool stepwise) { this->Image.StepwiseRendering = stepwise; }
   ///@}
 
   /**
@@ -131,7 +135,7 @@ public:
   void SetPointIdArray(const char* name);
   void SetAccelerationArray(const char* name) { this->Motion.Acceleration = OrEmpty(name); }
   void SetAngularVelocityArray(const char* name) { this->Motion.AngularVelocity = OrEmpty(name); }
-  void SetShutterTime(double time) { this->Motion.ShutterTime = NumberOr(time, 0.0); }
+  void SetShutterTime(double time) { this->Motion.ShutterTime = vtkRayTracedNumbers::NumberOr(time, 0.0); }
   void SetShutterOpening(int opening);
   ///@}
 
@@ -142,20 +146,38 @@ public:
   void SetLookupTable(vtkScalarsToColors* table);
   void SetMapScalars(int map) { this->MapScalars = map != 0; }
   void SetInterpolateScalarsBeforeMapping(int interpolate) { this->InterpolateScalarsBeforeMapping = interpolate != 0; }
-  void SetOpacity(double opacity);
-  void SetAmbientColor(double r, double g, double b);
-  void SetDiffuseColor(double r, double g, double b);
-  void SetSpecularColor(double r, double g, double b);
-  void SetAmbient(double ambient);
-  void SetDiffuse(double diffuse);
-  void SetSpecular(double specular);
-  void SetSpecularPower(double power);
-  void SetMetallic(double metallic);
-  void SetRoughness(double roughness);
-  void SetCoatStrength(double strength);
-  void SetCoatIOR(double ior);
-  void SetCoatRoughness(double roughness);
-  void SetCoatColor(double red, double green, double blue);
+  void SetOpacity(double opacity) { this->Property->SetOpacity(vtkRayTracedNumbers::NumberOr(opacity, 1.0)); }
+  void SetAmbientColor(double r, double g, double b)
+  {
+    this->Property->SetAmbientColor(vtkRayTracedNumbers::ColorInRange(r, g, b).data());
+  }
+  void SetDiffuseColor(double r, double g, double b)
+  {
+    this->Property->SetDiffuseColor(vtkRayTracedNumbers::ColorInRange(r, g, b).data());
+  }
+  void SetSpecularColor(double r, double g, double b)
+  {
+    this->Property->SetSpecularColor(vtkRayTracedNumbers::ColorInRange(r, g, b).data());
+  }
+  void SetAmbient(double ambient) { this->Property->SetAmbient(vtkRayTracedNumbers::NumberOr(ambient, 0.0)); }
+  void SetDiffuse(double diffuse) { this->Property->SetDiffuse(vtkRayTracedNumbers::NumberOr(diffuse, 1.0)); }
+  void SetSpecular(double specular) { this->Property->SetSpecular(vtkRayTracedNumbers::NumberOr(specular, 0.0)); }
+  void SetSpecularPower(double power) { this->Property->SetSpecularPower(vtkRayTracedNumbers::NumberOr(power, 100.0)); }
+  void SetMetallic(double metallic) { this->Property->SetMetallic(vtkRayTracedNumbers::NumberOr(metallic, 0.0)); }
+  void SetRoughness(double roughness) { this->Property->SetRoughness(vtkRayTracedNumbers::NumberOr(roughness, 0.5)); }
+  void SetCoatStrength(double strength)
+  {
+    this->Property->SetCoatStrength(vtkRayTracedNumbers::NumberOr(strength, 0.0));
+  }
+  void SetCoatIOR(double ior) { this->Property->SetCoatIOR(vtkRayTracedNumbers::NumberOr(ior, 2.0)); }
+  void SetCoatRoughness(double roughness)
+  {
+    this->Property->SetCoatRoughness(vtkRayTracedNumbers::NumberOr(roughness, 0.0));
+  }
+  void SetCoatColor(double r, double g, double b)
+  {
+    this->Property->SetCoatColor(vtkRayTracedNumbers::ColorInRange(r, g, b).data());
+  }
   ///@}
 
   ///@{
@@ -252,17 +274,10 @@ protected:
   vtkPolyData* GetPoints();
   vtkPVRenderView* GetRenderView();
 
-  ///@{
   /**
-   * For setters. Strings of the server manager may be null, which means no array. Numbers that are NaN would differ
-   * from themselves; so would a matrix that is made of infinite ones.
+   * Strings of the server manager may be null, which means no array.
    */
   static std::string OrEmpty(const char* name) { return name ? name : ""; }
-  static double NumberOr(double value, double otherwise);
-  static double FiniteOr(double value, double otherwise);
-  static double InRange(double value, double lowest, double highest, double otherwise);
-  static std::array<double, 3> ColorInRange(double red, double green, double blue);
-  ///@}
 
   vtkGlyphMotion::Settings Motion;
   vtkGlyphBlockAttributes Blocks;
@@ -271,7 +286,7 @@ private:
   vtkRayTracedRepresentation(const vtkRayTracedRepresentation&) = delete;
   void operator=(const vtkRayTracedRepresentation&) = delete;
 
-  bool IsReplicated() const { return this->Image.ParallelLight == vtkRayTracedImageSettings::ReplicatedLight; }
+  bool IsReplicated() const { return this->Image.ParallelLight >= vtkRayTracedImageSettings::ReplicatedLight; }
   void SetParallelLight(int light, bool replicate);
   void Answer(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
   void ReportLackOfMemory();

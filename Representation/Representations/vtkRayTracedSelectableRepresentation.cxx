@@ -63,5 +63,5 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedSelectableRepresentation::Gather(vtkDat
 //----------------------------------------------------------------------------
 void vtkRayTracedSelectableRepresentation::SetSelectionColor(double red, double green, double blue)
 {
-  this->SelectionColor = ColorInRange(red, green, blue);
+  this->SelectionColor = vtkRayTracedNumbers::ColorInRange(red, green, blue);
 }

@@ -27,7 +27,7 @@ public:
   /**
    * Radius in world units, times the values of an array of points or cells; "None" or empty: none. Default is 1, None.
    */
-  void SetTubeRadius(double radius) { this->Radius = NumberOr(radius, 0.0); }
+  void SetTubeRadius(double radius) { this->Radius = vtkRayTracedNumbers::NumberOr(radius, 0.0); }
   void SetTubeRadiusArray(const char* name) { this->RadiusArray = OrEmpty(name); }
   ///@}
 

@@ -1,11 +1,9 @@
 #include "vtkRayTracedFrameStatus.h"
 
-#include "Scene.h"
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
-#include "vtkRayTracedDisplays.h"
+#include "vtkRayTracedContent.h"
 #include "vtkRayTracedMapper.h"
-#include "vtkRayTracedNeighbors.h"
 #include "vtk_nlohmannjson.h"
 #include VTK_NLOHMANN_JSON(json.hpp)
 
@@ -29,15 +27,14 @@ enum DisplayNumbers
   DISPLAY_NUMBERS
 };
 
-std::vector<double> OwnNumbers(
-  const rtg::Statistics& statistics, const vtkRayTracedDisplays& displays, const vtkRayTracedNeighbors& neighbors)
+std::vector<double> OwnNumbers(const rtg::Statistics& statistics, const vtkRayTracedContent& content)
 {
   std::vector<double> numbers(VIEW_NUMBERS);
   numbers[DEVICE_BYTES] = static_cast<double>(statistics.deviceBytes);
   numbers[PRIMARY_RAYS] = static_cast<double>(statistics.primaryRays);
-  numbers[NEIGHBOR_GLYPHS] = static_cast<double>(neighbors.GetNumberOfGlyphs());
-  numbers[NEIGHBOR_BYTES] = static_cast<double>(neighbors.GetNumberOfBytes());
-  for (const vtkRayTracedDisplays::Display& display : displays.GetAll())
+  numbers[NEIGHBOR_GLYPHS] = static_cast<double>(content.Neighbors.GetNumberOfGlyphs());
+  numbers[NEIGHBOR_BYTES] = static_cast<double>(content.Neighbors.GetNumberOfBytes());
+  for (const vtkRayTracedDisplays::Display& display : content.Displays.GetAll())
   {
     numbers.push_back(static_cast<double>(display.Mapper->GetNumberOfGlyphs()));
     numbers.push_back(static_cast<double>(display.Mapper->GetSkippedGlyphs()));
@@ -84,10 +81,9 @@ int vtkRayTracedFrameStatus::GetSamples() const
 
 //----------------------------------------------------------------------------
 // Where ranks have different displays, which should not be, each keeps its own numbers.
-void vtkRayTracedFrameStatus::SumNumbers(vtkMultiProcessController* ranks, const rtg::Statistics& statistics,
-  const vtkRayTracedDisplays& displays, const vtkRayTracedNeighbors& neighbors)
+void vtkRayTracedFrameStatus::SumNumbers(vtkMultiProcessController* ranks, const vtkRayTracedContent& content)
 {
-  const std::vector<double> own = OwnNumbers(statistics, displays, neighbors);
+  const std::vector<double> own = OwnNumbers(content.Images.GetStatistics(), content);
   const int lengths[2] = { static_cast<int>(own.size()), -static_cast<int>(own.size()) };
   int largest[2];
   ranks->AllReduce(lengths, largest, 2, vtkCommunicator::MAX_OP);
@@ -101,11 +97,12 @@ void vtkRayTracedFrameStatus::SumNumbers(vtkMultiProcessController* ranks, const
 }
 
 //----------------------------------------------------------------------------
-std::string vtkRayTracedFrameStatus::GetStatistics(const std::string& deviceName, const rtg::Statistics& s,
-  const vtkRayTracedDisplays& displays, const vtkRayTracedNeighbors& neighbors, vtkRayTracedMapper* mapper,
-  const vtkRayTracedDataStatistics& data) const
+std::string vtkRayTracedFrameStatus::GetStatistics(
+  const vtkRayTracedContent& content, vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& data) const
 {
-  std::vector<double> numbers = OwnNumbers(s, displays, neighbors);
+  const rtg::Statistics s = content.Images.GetStatistics();
+  const vtkRayTracedDisplays& displays = content.Displays;
+  std::vector<double> numbers = OwnNumbers(s, content);
   if (this->SummedNumbers.size() == numbers.size())
   {
     numbers = this->SummedNumbers;
@@ -115,7 +112,7 @@ std::string vtkRayTracedFrameStatus::GetStatistics(const std::string& deviceName
   const auto ofDisplay = [&](DisplayNumbers number)
   { return display ? count(VIEW_NUMBERS + DISPLAY_NUMBERS * (display - displays.GetAll().data()) + number) : 0; };
   const nlohmann::ordered_json json = {
-    { "DeviceName", deviceName },
+    { "DeviceName", content.Images.GetDeviceName() },
     { "AccumulatedSamples", this->GetSamples() },
     { "glyphs", ofDisplay(GLYPHS) },
     { "skippedGlyphs", ofDisplay(SKIPPED_GLYPHS) },

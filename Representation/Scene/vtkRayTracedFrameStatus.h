@@ -10,14 +10,9 @@
 #include <string>
 #include <vector>
 
-namespace rtg
-{
-struct Statistics;
-}
 class vtkMultiProcessController;
-class vtkRayTracedDisplays;
+class vtkRayTracedContent;
 class vtkRayTracedMapper;
-class vtkRayTracedNeighbors;
 
 /**
  * What a representation does with its data before they are rendered: how often, and the seconds of that.
@@ -68,17 +63,15 @@ public:
    * Counts of glyphs, bytes and rays: of this rank, until they are summed over all. SumNumbers() is to be called by all
    * ranks at once.
    */
-  void SumNumbers(vtkMultiProcessController* ranks, const rtg::Statistics& statistics,
-    const vtkRayTracedDisplays& displays, const vtkRayTracedNeighbors& neighbors);
+  void SumNumbers(vtkMultiProcessController* ranks, const vtkRayTracedContent& content);
   void ForgetSums() { this->SummedNumbers.clear(); }
   ///@}
 
   /**
    * All counters as JSON, with those of one mapper, which may be null.
    */
-  std::string GetStatistics(const std::string& deviceName, const rtg::Statistics& statistics,
-    const vtkRayTracedDisplays& displays, const vtkRayTracedNeighbors& neighbors, vtkRayTracedMapper* mapper,
-    const vtkRayTracedDataStatistics& data) const;
+  std::string GetStatistics(
+    const vtkRayTracedContent& content, vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& data) const;
 
 private:
   // Of each eye.

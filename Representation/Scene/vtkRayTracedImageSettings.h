@@ -27,6 +27,11 @@ struct vtkRayTracedImageSettings
   bool StepwiseRendering = false; // somebody renders until the image is finished
 
   bool operator==(const vtkRayTracedImageSettings&) const = default;
+
+  /**
+   * The same with values out of range replaced by the nearest in it, NaN by the default.
+   */
+  vtkRayTracedImageSettings InRange() const;
 };
 
 #endif

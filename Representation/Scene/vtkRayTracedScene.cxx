@@ -2,8 +2,6 @@
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
-#include "vtkDataObject.h"
-#include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkMultiProcessController.h"
@@ -15,17 +13,15 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
-#include "vtkRayTracedDisplays.h"
+#include "vtkRayTracedContent.h"
 #include "vtkRayTracedEdges.h"
 #include "vtkRayTracedFXAA.h"
 #include "vtkRayTracedFeatureImage.h"
 #include "vtkRayTracedFrameStatus.h"
-#include "vtkRayTracedIdBuffer.h"
 #include "vtkRayTracedImageRequest.h"
-#include "vtkRayTracedImages.h"
 #include "vtkRayTracedMapper.h"
-#include "vtkRayTracedNeighbors.h"
 #include "vtkRayTracedOpenGL.h"
+#include "vtkRayTracedPicker.h"
 #include "vtkRayTracedProgress.h"
 #include "vtkRayTracedPythonClass.h"
 #include "vtkRayTracedRendererState.h"
@@ -72,18 +68,13 @@ struct vtkRayTracedScene::Drawn
 struct vtkRayTracedScene::Internals
 {
   vtkNew<vtkRayTracedImageActor> Actor;
-  vtkRayTracedDisplays Displays;
+  vtkRayTracedContent Content;
   vtkRayTracedImageSettings Settings;
   bool Capture = false, Collective = false, Ordered = false, Stopped = false;
   std::string FeatureFile;
-  vtkRayTracedImages Images;
-  vtkRayTracedImageQuad IdQuad;
+  vtkRayTracedPicker Picker;
   vtkRayTracedFXAA FXAA;
   vtkRayTracedRendererState::Environment Environment;
-
-  // What can be seen; each new content has a number.
-  vtkRayTracedDisplays::Content Content;
-  std::uint64_t ContentNumber = 0;
 
   std::vector<Drawn> Frame; // its images
   bool Interactive = false;
@@ -93,13 +84,13 @@ struct vtkRayTracedScene::Internals
   bool PassReported = false, ExportReported = false, CutReported = false;
   vtkRayTracedProgress Progress;
 
-  vtkRayTracedNeighbors Neighbors;
-  vtkRayTracedDisplays::Content SentContent; // what could be seen when neighbors were last asked for
-  vtkMultiProcessController* OtherRanks() const;
-
   vtkRayTracedEdges Edges;
 
-  bool HasBothPasses() const { return this->Displays.Shows(opaque) && this->Displays.Shows(translucent); }
+  vtkMultiProcessController* OtherRanks() const;
+  bool HasBothPasses() const
+  {
+    return this->Content.Displays.Shows(opaque) && this->Content.Displays.Shows(translucent);
+  }
 };
 
 //----------------------------------------------------------------------------
@@ -112,7 +103,7 @@ vtkRayTracedScene::vtkRayTracedScene()
 //----------------------------------------------------------------------------
 vtkRayTracedScene::~vtkRayTracedScene()
 {
-  for (const vtkRayTracedDisplays::Display& display : this->Self->Displays.GetAll())
+  for (const vtkRayTracedDisplays::Display& display : this->Self->Content.Displays.GetAll())
   {
     display.Mapper->SetScene(nullptr);
   }
@@ -123,7 +114,7 @@ void vtkRayTracedScene::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Renderer.Get() << endl;
-  os << indent << "Number of displays: " << this->Self->Displays.GetAll().size() << endl;
+  os << indent << "Number of displays: " << this->Self->Content.Displays.GetAll().size() << endl;
 }
 
 //----------------------------------------------------------------------------
@@ -153,7 +144,7 @@ vtkRayTracedScene* vtkRayTracedScene::Find(vtkRenderer* renderer)
 //----------------------------------------------------------------------------
 void vtkRayTracedScene::Add(vtkActor* actor, vtkRayTracedMapper* mapper)
 {
-  this->Self->Displays.Add(actor, mapper);
+  this->Self->Content.Displays.Add(actor, mapper);
   mapper->SetScene(this);
   if (this->Renderer && !this->Renderer->HasViewProp(this->Self->Actor))
   {
@@ -165,10 +156,10 @@ void vtkRayTracedScene::Add(vtkActor* actor, vtkRayTracedMapper* mapper)
 void vtkRayTracedScene::Remove(vtkRayTracedMapper* mapper)
 {
   Internals& self = *this->Self;
-  self.Displays.Remove(mapper, self.Images);
-  if (self.Displays.GetAll().empty())
+  self.Content.Displays.Remove(mapper, self.Content.Images);
+  if (self.Content.Displays.GetAll().empty())
   {
-    self.Images.DropImages();
+    self.Content.Images.DropImages();
     if (this->Renderer)
     {
       this->Renderer->RemoveActor(self.Actor);
@@ -236,7 +227,7 @@ void vtkRayTracedScene::ReportFailure(const rtg::ProgressiveImage& image)
 // A client whose server renders has displays without data.
 void vtkRayTracedScene::TakeSmoothing()
 {
-  if (this->Self->Displays.AnyVisible() && !HasForeignPass(this->Renderer))
+  if (this->Self->Content.Displays.AnyVisible() && !HasForeignPass(this->Renderer))
   {
     this->Self->FXAA.Take(this->Renderer);
   }
@@ -251,7 +242,7 @@ void vtkRayTracedScene::StartFrame()
   self.CutReported &= self.Capture; // a picture may be captured in parts
   // On all ranks alike, whether or not they have something to draw.
   self.Interactive = this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() >= interactiveRate && !self.Capture;
-  if (self.Displays.GetAll().empty())
+  if (self.Content.Displays.GetAll().empty())
   {
     return;
   }
@@ -262,14 +253,18 @@ void vtkRayTracedScene::StartFrame()
     props->RemoveItem(self.Actor);
     props->AddItem(self.Actor);
   }
-  this->UpdateContent();
-  if (!self.Displays.ShowsAnything())
+  if (self.Content.Update(this->Renderer, self.Settings, self.OtherRanks(),
+        [this](const std::string& message) { this->Report(message); }))
+  {
+    self.Stopped = false;
+  }
+  if (!self.Content.Displays.ShowsAnything())
   {
     // Nothing is shown: device memory goes back, but for compiled programs.
-    self.Images.DropImages();
+    self.Content.Images.DropImages();
   }
   const bool other = HasForeignPass(this->Renderer);
-  if (other && self.Displays.ShowsAnything() && !self.PassReported)
+  if (other && self.Content.Displays.ShowsAnything() && !self.PassReported)
   {
     vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out while the view's "
                        "EnableRayTracing is on. Switch it "
@@ -277,23 +272,6 @@ void vtkRayTracedScene::StartFrame()
   }
   self.PassReported = other;
   this->ExchangeEdges();
-}
-
-//----------------------------------------------------------------------------
-// What the frame shows.
-void vtkRayTracedScene::UpdateContent()
-{
-  Internals& self = *this->Self;
-  vtkRayTracedDisplays::Content content =
-    self.Displays.Update(this->Renderer, [this](const std::string& message) { this->Report(message); });
-  const std::uint64_t neighbors = this->UpdateNeighbors(content);
-  content.push_back({ { neighbors, 0, 0 } });
-  if (content != self.Content)
-  {
-    self.Content = std::move(content);
-    ++self.ContentNumber;
-    self.Stopped = false;
-  }
 }
 
 //----------------------------------------------------------------------------
@@ -305,47 +283,9 @@ vtkMultiProcessController* vtkRayTracedScene::Internals::OtherRanks() const
 }
 
 //----------------------------------------------------------------------------
-// What other ranks have near this one's glyphs, where that is wanted. The number differs from that of anything else.
-std::uint64_t vtkRayTracedScene::UpdateNeighbors(const std::vector<std::array<std::uint64_t, 3>>& content)
-{
-  Internals& self = *this->Self;
-  const vtkRayTracedImageSettings& settings = self.Settings;
-  vtkMultiProcessController* ranks = self.OtherRanks();
-  if (!ranks || settings.ParallelLight != vtkRayTracedImageSettings::NeighborLight ||
-    settings.ShadingMode == static_cast<int>(rtg::Shading::Local))
-  {
-    self.Neighbors.Clear();
-    return self.Neighbors.GetVersion();
-  }
-  const bool bounded =
-    settings.ShadingMode == static_cast<int>(rtg::Shading::AmbientOcclusion) && settings.AmbientOcclusionRadius > 0.0;
-  std::vector<rtg::GlyphInstances> built;
-  const std::string problem =
-    self.Neighbors.Exchange(ranks, bounded ? settings.AmbientOcclusionRadius : HUGE_VAL, content != self.SentContent,
-      static_cast<int>(self.Displays.GetAll().size()), [&] { return self.Displays.GetShown(self.Images, built); });
-  self.SentContent = content;
-  if (!problem.empty())
-  {
-    this->Report(problem);
-  }
-  return self.Neighbors.GetVersion();
-}
-
-//----------------------------------------------------------------------------
-// What has changed since the kernels last had it.
-void vtkRayTracedScene::Commit(rtg::Scene& scene)
-{
-  Internals& self = *this->Self;
-  self.Displays.Commit(scene, self.Images.GetSceneNumber());
-  self.Neighbors.Commit(scene, self.Images.GetSceneNumber(),
-    [&](int display) { return self.Displays.GetMaterial(display, this->Renderer); });
-  scene.Commit([&](double share) { self.Progress.Tell("Sorting Glyphs", share); });
-}
-
-//----------------------------------------------------------------------------
 bool vtkRayTracedScene::HasPass(int pass) const
 {
-  return this->Self->Displays.Shows(pass);
+  return this->Self->Content.Displays.Shows(pass);
 }
 
 //----------------------------------------------------------------------------
@@ -371,7 +311,7 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
     }
     return nullptr;
   }
-  view.content = self.ContentNumber;
+  view.content = self.Content.GetNumber();
   const bool capture = self.Capture;
   vtkRayTracedImageRequest::Frame frame;
   frame.Capture = capture;
@@ -394,7 +334,7 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   place.Height = view.settings.height;
   place.Eye = this->Renderer->GetActiveCamera()->GetLeftEye();
   window->GetTileViewport(place.Tile.data());
-  vtkRayTracedImages::Entry& entry = self.Images.Get(place);
+  vtkRayTracedImages::Entry& entry = self.Content.Images.Get(place);
   const auto drawn =
     std::find_if(self.Frame.begin(), self.Frame.end(), [&](const auto& d) { return d.Place == place; });
   if (drawn != self.Frame.end() && entry.Image.View() == view)
@@ -419,7 +359,8 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   window->GetState()->Push();
   const rtg::Image* image = stays && growing
     ? &entry.Image.GetImage()
-    : self.Images.Update(entry, view, effort, interrupt, [this](rtg::Scene& scene) { this->Commit(scene); });
+    : self.Content.Trace(entry, view, effort, interrupt, this->Renderer,
+        [&self](double share) { self.Progress.Tell("Sorting Glyphs", share); });
   window->MakeCurrent();
   window->GetState()->Pop();
   self.Frame.push_back(
@@ -455,7 +396,7 @@ void vtkRayTracedScene::ExchangeEdges()
     return;
   }
   const Drawn* drawn = nullptr;
-  if (self.Displays.Shows(opaque))
+  if (self.Content.Displays.Shows(opaque))
   {
     window->MakeCurrent();
     this->Renderer->UpdateLightsGeometryToFollowCamera();
@@ -523,7 +464,7 @@ void vtkRayTracedScene::EndFrame()
   Internals& self = *this->Self;
   self.Progress.EndFrame();
   self.FXAA.GiveBack(this->Renderer);
-  if (self.Displays.GetAll().empty() || this->Renderer->GetSelector())
+  if (self.Content.Displays.GetAll().empty() || this->Renderer->GetSelector())
   {
     return;
   }
@@ -550,10 +491,10 @@ void vtkRayTracedScene::EndFrame()
   }
   else if (!self.Interactive)
   {
-    self.Status.SumNumbers(ranks, self.Images.GetStatistics(), self.Displays, self.Neighbors);
+    self.Status.SumNumbers(ranks, self.Content);
   }
 
-  if (!self.FeatureFile.empty() && finished && !self.Frame.empty() && self.Images.GetScene())
+  if (!self.FeatureFile.empty() && finished && !self.Frame.empty() && self.Content.Images.GetScene())
   {
     std::vector<const rtg::Image*> images;
     for (const Drawn& drawn : self.Frame)
@@ -561,7 +502,7 @@ void vtkRayTracedScene::EndFrame()
       images.push_back(&drawn.Entry->Image.GetImage());
     }
     std::map<rtg::Scene::SetId, vtkRayTracedMapper*> mappers;
-    for (const vtkRayTracedDisplays::Display& display : self.Displays.GetAll())
+    for (const vtkRayTracedDisplays::Display& display : self.Content.Displays.GetAll())
     {
       if (display.Shown)
       {
@@ -569,7 +510,7 @@ void vtkRayTracedScene::EndFrame()
       }
     }
     const std::string problem = vtkRayTracedFeatureImage::Write(
-      self.FeatureFile, images, *self.Images.GetScene(), mappers, self.Frame.front().EyeDepth);
+      self.FeatureFile, images, *self.Content.Images.GetScene(), mappers, self.Frame.front().EyeDepth);
     self.FeatureFile.clear();
     if (!problem.empty())
     {
@@ -579,111 +520,17 @@ void vtkRayTracedScene::EndFrame()
 }
 
 //----------------------------------------------------------------------------
-// Images of both passes that know what the camera sees in each pixel; none where it sees nothing.
-std::vector<const rtg::Image*> vtkRayTracedScene::ImagesWithIds(int width, int height)
-{
-  Internals& self = *this->Self;
-  std::vector<const rtg::Image*> images;
-  rtg::ImageView view;
-  try
-  {
-    view.camera =
-      vtkRayTracedRendererState::CameraOf(this->Renderer, vtkRayTracedRendererState::WorldToClip(this->Renderer));
-  }
-  catch (const rtg::Error&)
-  {
-    return images;
-  }
-  view.content = self.ContentNumber;
-  view.settings.width = static_cast<std::uint32_t>(width);
-  view.settings.height = static_cast<std::uint32_t>(height);
-  for (int pass : { opaque, translucent })
-  {
-    if (!self.Displays.Shows(pass))
-    {
-      continue;
-    }
-    // The image that is shown knows the ids; without it one ray a pixel finds them.
-    view.pass = static_cast<rtg::Pass>(pass);
-    if (vtkRayTracedImages::Entry* shown = self.Images.FindSame(view))
-    {
-      images.push_back(&shown->Image.GetImage());
-      continue;
-    }
-    vtkRayTracedImages::Entry& own =
-      self.Images.Get({ pass, view.settings.width, view.settings.height, 0, {}, /*OnlyIds=*/true });
-    const rtg::Image* image =
-      self.Images.Update(own, view, rtg::ImageEffort(), {}, [this](rtg::Scene& scene) { this->Commit(scene); });
-    if (image)
-    {
-      images.push_back(image);
-    }
-    else
-    {
-      this->ReportFailure(own.Image);
-    }
-  }
-  return images;
-}
-
-//----------------------------------------------------------------------------
 bool vtkRayTracedScene::PlaceAt(int x, int y, double place[3])
 {
-  const int* size = this->Renderer ? this->Renderer->GetSize() : nullptr;
-  if (!size || x < 0 || y < 0 || x >= size[0] || y >= size[1])
-  {
-    return false;
-  }
-  const auto width = static_cast<std::uint32_t>(size[0]), height = static_cast<std::uint32_t>(size[1]);
-  const std::size_t pixel = std::size_t(y) * width + x;
-  float depth = 1.0f;
-  for (const rtg::Image* image : this->ImagesWithIds(size[0], size[1]))
-  {
-    depth = std::min(depth, image->depth[pixel]);
-  }
-  if (!(depth < 1.0f))
-  {
-    return false;
-  }
-  const glm::dmat4 clipToWorld = glm::inverse(vtkRayTracedRendererState::WorldToClip(this->Renderer));
-  const glm::dvec3 at = vtkRayTracedRendererState::PlaceOf(pixel, width, height, depth, clipToWorld);
-  std::copy_n(&at[0], 3, place);
-  return true;
+  return vtkRayTracedPicker::PlaceAt(this->Self->Content, this->Renderer, x, y, place,
+    [this](const rtg::ProgressiveImage& image) { this->ReportFailure(image); });
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
 {
-  Internals& self = *this->Self;
-  vtkHardwareSelector* selector = this->Renderer->GetSelector();
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
-  const vtkRayTracedDisplays::Display* display = self.Displays.Find(mapper);
-  int viewport[4] = { 0, 0, 0, 0 };
-  glGetIntegerv(GL_VIEWPORT, viewport);
-  if (!window || !display || !display->Shown || viewport[2] < 1 || viewport[3] < 1)
-  {
-    return;
-  }
-  selector->BeginRenderProp();
-  const std::vector<const rtg::Image*> images = this->ImagesWithIds(viewport[2], viewport[3]);
-  if (!images.empty() && self.Images.GetScene())
-  {
-    vtkRayTracedIdBuffer buffer;
-    buffer.Fill(images, *self.Images.GetScene(), display->Set, vtkRayTracedRendererState::WorldToClip(this->Renderer),
-      mapper, selector);
-    if (selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_CELLS)
-    {
-      selector->UpdateMaximumCellId(buffer.LargestId);
-    }
-    else
-    {
-      selector->UpdateMaximumPointId(buffer.LargestId);
-    }
-    self.IdQuad.SetImage(
-      window, images.front()->width, images.front()->height, buffer.Values.data(), buffer.Depths.data(), 0);
-    self.IdQuad.Draw(this->Renderer, actor, mapper, vtkRayTracedImageQuad::IDS);
-  }
-  selector->EndRenderProp();
+  this->Self->Picker.DrawIds(this->Self->Content, this->Renderer, actor, mapper,
+    [this](const rtg::ProgressiveImage& image) { this->ReportFailure(image); });
 }
 
 //----------------------------------------------------------------------------
@@ -691,8 +538,8 @@ std::vector<vtkRayTracedScene::Shown> vtkRayTracedScene::CopyShown()
 {
   std::vector<Shown> all;
   std::vector<rtg::GlyphInstances> built;
-  const vtkRayTracedDisplays& displays = this->Self->Displays;
-  for (const vtkRayTracedNeighbors::Shown& shown : displays.GetShown(this->Self->Images, built))
+  const vtkRayTracedDisplays& displays = this->Self->Content.Displays;
+  for (const vtkRayTracedNeighbors::Shown& shown : displays.GetShown(this->Self->Content.Images, built))
   {
     all.push_back({ *shown.Instances, *shown.Colors, displays.GetAll()[shown.Display].Material });
   }
@@ -706,7 +553,7 @@ void vtkRayTracedScene::ReportExport()
   vtkRayTracedPythonClass::Register();
   const bool selecting =
     this->Renderer->GetSelector() != nullptr; // VTK 9.6's selector asks actors for their mappers, too
-  if (self.Displays.ShowsAnything() && !selecting && !self.PassReported && !self.ExportReported)
+  if (self.Content.Displays.ShowsAnything() && !selecting && !self.PassReported && !self.ExportReported)
   {
     vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out of the exported file: they have no polygons. "
                        "Export the glyphs by themselves (Ray-traced glyphs, .usda or .glb), choose another "
@@ -718,8 +565,8 @@ void vtkRayTracedScene::ReportExport()
 //----------------------------------------------------------------------------
 void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Self->Images.ReleaseGraphicsResources(window);
-  this->Self->IdQuad.ReleaseGraphicsResources(window);
+  this->Self->Content.Images.ReleaseGraphicsResources(window);
+  this->Self->Picker.ReleaseGraphicsResources(window);
   this->Self->Edges.ReleaseGraphicsResources(window);
   this->Self->FXAA.ReleaseGraphicsResources();
 }
@@ -727,7 +574,7 @@ void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
 //----------------------------------------------------------------------------
 std::string vtkRayTracedScene::GetDeviceName() const
 {
-  return this->Self->Images.GetDeviceName();
+  return this->Self->Content.Images.GetDeviceName();
 }
 
 //----------------------------------------------------------------------------
@@ -751,7 +598,5 @@ const char* vtkRayTracedScene::GetStep() const
 //----------------------------------------------------------------------------
 std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& data) const
 {
-  const Internals& self = *this->Self;
-  return self.Status.GetStatistics(
-    this->GetDeviceName(), self.Images.GetStatistics(), self.Displays, self.Neighbors, mapper, data);
+  return this->Self->Status.GetStatistics(this->Self->Content, mapper, data);
 }

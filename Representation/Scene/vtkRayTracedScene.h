@@ -20,7 +20,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -29,8 +28,6 @@
 namespace rtg
 {
 class ProgressiveImage;
-class Scene;
-struct Image;
 }
 class vtkActor;
 class vtkMapper;
@@ -158,10 +155,6 @@ private:
   void TakeSmoothing();
   void StartFrame();
   void EndFrame();
-  void UpdateContent();
-  std::uint64_t UpdateNeighbors(const std::vector<std::array<std::uint64_t, 3>>& content);
-  void Commit(rtg::Scene& scene);
-  std::vector<const rtg::Image*> ImagesWithIds(int width, int height);
   void Report(const std::string& message);
   void Report(const std::string& message, const std::string& what);
   void ReportFailure(const rtg::ProgressiveImage& image);

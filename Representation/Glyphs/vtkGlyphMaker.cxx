@@ -1,0 +1,350 @@
+#include "vtkGlyphMaker.h"
+
+#include "vtkDataArray.h"
+#include "vtkGlyphForms.h"
+#include "vtkGlyphTensors.h"
+#include "vtkMath.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vtkGlyphOutcomes;
+
+namespace
+{
+bool IsPositive(double value)
+{
+  return value > 0.0 && std::isfinite(value);
+}
+
+bool IsFinite(const glm::dvec3& x)
+{
+  return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
+}
+
+glm::dvec3 ToVector(const double* x)
+{
+  return { x[0], x[1], x[2] };
+}
+
+// From a glyph's point to its center, computed from what is kept of its size and rotation.
+glm::dvec3 Shifted(const glm::dvec3& place, double shift, float length, const glm::vec4& turn)
+{
+  if (shift == 0.0)
+  {
+    return place;
+  }
+  const glm::dquat rotation(turn.w, turn.x, turn.y, turn.z);
+  return place + glm::normalize(rotation) * glm::dvec3(shift * length, 0.0, 0.0);
+}
+
+// One of the arrows of a tensor: along the eigenvector of the largest magnitude first, to both sides of the center.
+// From it where the eigenvalue is positive, else to it.
+Outcome TakePart(int part, rtg::TensorGlyph& tensor, glm::dvec3& size, glm::dquat& rotation, double& shift)
+{
+  const glm::dvec3 magnitudes(glm::abs(tensor.values));
+  const int first = magnitudes.x >= std::max(magnitudes.y, magnitudes.z) ? 0 : magnitudes.y >= magnitudes.z ? 1 : 2;
+  const int axis = (first + part / 2) % 3;
+  const double value = tensor.values[axis], length = 0.5 * std::abs(size[axis]);
+  // Of half-lengths none is less than a thousandth of the longest; an eigenvalue may be.
+  size = glm::dvec3(length * std::min(1.0, magnitudes[axis] / tensor.halfLengths[axis]));
+  if (axis != first && !(static_cast<float>(size.x) > 0.0f))
+  {
+    return NOT_SHOWN; // nothing to show is no fault
+  }
+  const double half = std::sqrt(0.5);
+  const glm::dquat toAxis[] = { { 1.0, 0.0, 0.0, 0.0 }, { half, 0.0, 0.0, half }, { half, 0.0, -half, 0.0 } };
+  rotation = rotation * toAxis[axis];
+  const bool inward = value < 0.0;
+  if ((part % 2 == 1) != inward)
+  {
+    rotation = rotation * glm::dquat(0.0, 0.0, 0.0, 1.0);
+  }
+  shift = inward ? -1.0 : 0.0; // its tip at the center
+  tensor.values = glm::dvec3(value);
+  return SHOWN;
+}
+}
+
+//----------------------------------------------------------------------------
+float vtkGlyphMaker::Glyph::Smallest() const
+{
+  const glm::vec3 extent(glm::abs(this->Size));
+  return std::min({ extent.x, extent.y, extent.z });
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphMaker::vtkGlyphMaker(vtkPolyData* points, const vtkGlyphSettings& settings, vtkMatrix4x4* modelToWorld,
+  const vtkGlyphTensors* tensors, const vtkGlyphForms* forms, std::vector<std::string>& messages)
+  : How(settings)
+  , Tensors(tensors)
+  , Forms(forms)
+  , FormArray(vtkGlyphForms::Array(points, settings.Forms))
+  , Placement(modelToWorld)
+  , ChoosesForm(settings.HasTable())
+  , OwnExponents(settings.HasOwnExponents())
+  , Sphere(settings.Shape == rtg::Shape::Sphere)
+  , Pointed(settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow)
+  , AnchorShift(settings.AnchorShift())
+  , NumberOfParts(settings.Tensors.Parts())
+  , Positions(points->GetPoints()->GetData())
+{
+  for (int id = 0; id < vtkGlyphArrays::NUMBER_OF_IDS; ++id)
+  {
+    this->Arrays[id] = vtkGlyphArrays::Find(static_cast<vtkGlyphArrays::Id>(id), points, settings, &messages);
+  }
+  this->ByComponents = vtkGlyphArrays::ScalesByComponents(this->Arrays[vtkGlyphArrays::SCALE], settings);
+  this->OrientationMode = vtkGlyphArrays::OrientationMode(this->Arrays[vtkGlyphArrays::ORIENTATION], settings);
+  this->GoodExponents = this->OwnExponents && this->MakeExponents(settings.Exponents, 3, this->SameExponents);
+
+  const bool scaledByComponents = this->Has(vtkGlyphArrays::SCALE) && this->ByComponents;
+  const bool sizedByData = this->Has(vtkGlyphArrays::SCALE) || this->Has(vtkGlyphArrays::RADIUS) || tensors || forms;
+  this->SameSizes = !sizedByData && this->Placement.Uniform;
+  this->OneSize =
+    (this->NumberOfParts > 1 || (!scaledByComponents && !this->Has(vtkGlyphArrays::RADIUS) && !tensors)) &&
+    this->Placement.Uniform;
+  this->Turned = (this->Has(vtkGlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
+    !(this->IsRound() && this->AnchorShift == 0.0);
+  this->Flips = this->Pointed && (scaledByComponents || settings.ScaleFactor < 0.0 || this->Placement.Scale < 0.0);
+}
+
+//----------------------------------------------------------------------------
+// A tuple's exponents as the kernels want them; false: there are none.
+bool vtkGlyphMaker::MakeExponents(const double* tuple, int components, glm::vec3& exponents) const
+{
+  glm::dvec3 e(tuple[0]);
+  if (components == 2)
+  {
+    e = glm::dvec3(tuple[0], tuple[0], tuple[1]);
+  }
+  else if (components == 3)
+  {
+    e = ToVector(tuple);
+  }
+  const bool nested = this->How.Shape == rtg::Shape::NestedSuperquadric;
+  if (nested)
+  {
+    // Along z, across; the third is not used.
+    e = components > 1 ? glm::dvec3(tuple[0], tuple[1], tuple[1]) : glm::dvec3(tuple[0]);
+  }
+  if (!IsPositive(e.x) || !IsPositive(e.y) || !IsPositive(e.z))
+  {
+    return false;
+  }
+  e = glm::clamp(e, glm::dvec3(0.1), glm::dvec3(100.0));
+  exponents = nested ? glm::vec3(2.0 / e.y, 2.0 / e.x, 2.0 / e.x) : glm::vec3(e);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+glm::dvec3 vtkGlyphMaker::MiddleOf(const std::vector<vtkIdType>& points) const
+{
+  constexpr std::size_t enough = 1000;
+  const std::size_t step = std::max<std::size_t>(1, points.size() / enough);
+  vtkGlyphTuples positions(this->Positions);
+  std::array<std::vector<double>, 3> coordinates;
+  for (std::size_t k = 0; k < points.size(); k += step)
+  {
+    const glm::dvec3 x = ToVector(positions.Get(points[k]));
+    for (int axis = 0; axis < 3 && IsFinite(x); ++axis)
+    {
+      coordinates[axis].push_back(x[axis]);
+    }
+  }
+  if (coordinates[0].empty())
+  {
+    return glm::dvec3(0.0);
+  }
+  glm::dvec3 median;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    auto& values = coordinates[axis];
+    const auto middle = values.begin() + values.size() / 2;
+    std::nth_element(values.begin(), middle, values.end());
+    median[axis] = *middle;
+  }
+  return this->Placement(median);
+}
+
+//----------------------------------------------------------------------------
+glm::dvec3 vtkGlyphMaker::CenterOf(
+  vtkIdType point, const glm::dvec3& origin, Tuples& tuples, double shift, float length, const glm::vec4& turn) const
+{
+  return Shifted(this->PlaceOf(point, tuples) - origin, shift, length, turn);
+}
+
+//----------------------------------------------------------------------------
+glm::dvec3 vtkGlyphMaker::PlaceOf(vtkIdType point, Tuples& tuples) const
+{
+  return this->Placement(ToVector(tuples.Positions.Get(point)));
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphMaker::IsOfThisForm(vtkIdType point, Tuples& tuples, Outcome& otherwise) const
+{
+  if (!this->ChoosesForm)
+  {
+    return true;
+  }
+  vtkGlyphTuples& indices = tuples[vtkGlyphArrays::TABLE_INDEX];
+  const double number = indices ? vtkMath::Norm(indices.Get(point), indices.Size()) : 0.0;
+  const int last = this->How.TableSize - 1;
+  const bool counts = !std::isnan(number);
+  if ((counts ? static_cast<int>(std::min<double>(number, last)) : 0) != this->How.TableEntry)
+  {
+    otherwise = NOT_SHOWN;
+    return false;
+  }
+  otherwise = FORM;
+  return counts;
+}
+
+//----------------------------------------------------------------------------
+// By scale array, tensor and polynomial; tensors turn, too.
+Outcome vtkGlyphMaker::MakeSize(
+  vtkIdType point, Tuples& tuples, glm::dvec3& size, glm::dquat& rotation, Glyph& glyph, float* polynomial) const
+{
+  size = glm::dvec3(this->How.ScaleFactor);
+  if (vtkGlyphTuples& scales = tuples[vtkGlyphArrays::SCALE])
+  {
+    const double* tuple = scales.Get(point);
+    size *= this->ByComponents ? this->How.Sizing(ToVector(tuple))
+                               : glm::dvec3(this->How.Sizing(vtkMath::Norm(tuple, scales.Size())));
+  }
+  if (this->Tensors && this->How.Tensors.Axes)
+  {
+    double axis[3];
+    if (!this->Tensors->Axis(point, axis))
+    {
+      return NOT_SHOWN; // nothing to show is no fault
+    }
+    size *= this->How.Sizing(std::hypot(axis[0], axis[1], axis[2]));
+    vtkGlyphPlacement::RotationFromTuple(axis, vtkGlyphSettings::DIRECTION, rotation);
+  }
+  else if (this->Tensors)
+  {
+    if (!this->Tensors->Glyph(point, glyph.Tensor))
+    {
+      return this->Tensors->IsZero(point) ? ZERO_TENSOR : TENSOR;
+    }
+    size *= this->How.Sizing(glyph.Tensor.halfLengths);
+    rotation = glyph.Tensor.rotation;
+  }
+  if (this->Forms)
+  {
+    const rtg::FormExtent extent = this->Forms->Measure(tuples.Forms, point, polynomial);
+    if (!(extent.radius > 0.0))
+    {
+      const double* tuple = tuples.Forms.Get(point);
+      const bool zero =
+        std::all_of(tuple, tuple + tuples.Forms.Size(), [](double component) { return component == 0.0; });
+      return zero ? ZERO_POLYNOMIAL : POLYNOMIAL;
+    }
+    glyph.Radius = static_cast<float>(extent.bound);
+    // Of the unit glyph, which is a little less than the largest that is possible
+    size *= this->How.Sizing(this->Forms->Magnitude(extent)) * (extent.bound / extent.radius);
+  }
+  return SHOWN;
+}
+
+//----------------------------------------------------------------------------
+// By the orientation array.
+Outcome vtkGlyphMaker::Turn(vtkIdType point, Tuples& tuples, glm::dquat& rotation) const
+{
+  vtkGlyphTuples& orientations = tuples[vtkGlyphArrays::ORIENTATION];
+  if (!orientations || !this->Turned || this->Tensors)
+  {
+    return SHOWN;
+  }
+  const double* tuple = orientations.Get(point);
+  if (!vtkGlyphPlacement::RotationFromTuple(tuple, this->OrientationMode, rotation))
+  {
+    if (vtkMath::Norm(tuple, orientations.Size()) != 0.0)
+    {
+      return ORIENTATION;
+    }
+    if (this->Pointed || this->OrientationMode != vtkGlyphSettings::DIRECTION)
+    {
+      return ZERO_ORIENTATION;
+    }
+    rotation = glm::dquat(1.0, 0.0, 0.0, 0.0); // a box at rest is a box
+  }
+  return SHOWN;
+}
+
+//----------------------------------------------------------------------------
+Outcome vtkGlyphMaker::Make(
+  vtkIdType point, int part, const glm::dvec3& origin, Tuples& tuples, Glyph& glyph, float* polynomial) const
+{
+  Outcome outcome = SHOWN;
+  if (!this->IsOfThisForm(point, tuples, outcome))
+  {
+    return outcome;
+  }
+  const glm::dvec3 place = this->PlaceOf(point, tuples) - origin;
+  if (!IsFinite(glm::vec3(place)))
+  {
+    return POSITION;
+  }
+  glm::dvec3 size;
+  glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
+  outcome = this->MakeSize(point, tuples, size, rotation, glyph, polynomial);
+  if (outcome == SHOWN)
+  {
+    outcome = this->Turn(point, tuples, rotation);
+  }
+  if (outcome != SHOWN)
+  {
+    return outcome;
+  }
+
+  if (this->OwnExponents)
+  {
+    vtkGlyphTuples& exponents = tuples[vtkGlyphArrays::EXPONENTS];
+    if (!(exponents ? this->MakeExponents(exponents.Get(point), exponents.Size(), glyph.Exponents)
+                    : this->GoodExponents))
+    {
+      return EXPONENT;
+    }
+  }
+
+  size = this->How.Sizing.Limited(size);
+  if (vtkGlyphTuples& radii = tuples[vtkGlyphArrays::RADIUS])
+  {
+    const double width = this->How.Width(*radii.Get(point));
+    if (!IsPositive(width))
+    {
+      return width == 0.0 ? ZERO_RADIUS : RADIUS;
+    }
+    size.y = size.z = width;
+  }
+  glyph.Shift = this->AnchorShift;
+  if (this->NumberOfParts > 1)
+  {
+    outcome = TakePart(part, glyph.Tensor, size, rotation, glyph.Shift);
+    if (outcome != SHOWN)
+    {
+      return outcome;
+    }
+  }
+  this->Placement.Apply(this->Sphere, size, rotation);
+  if (this->Flips && size.x < 0.0)
+  {
+    rotation = rotation * glm::dquat(0.0, 0.0, 0.0, 1.0);
+  }
+  const glm::vec3 extent(glm::abs(size));
+  glyph.Size = this->How.Shape == rtg::Shape::Mesh ? glm::vec3(size) : extent;
+  glyph.Turn = this->IsTurned() ? glm::vec4(rotation.x, rotation.y, rotation.z, rotation.w) : NoTurn;
+  if (!IsFinite(extent))
+  {
+    return SCALE;
+  }
+  if (!(glyph.Smallest() > 0.0f))
+  {
+    return ZERO_SCALE;
+  }
+  glyph.Center = Shifted(place, glyph.Shift, glyph.Size.x, glyph.Turn);
+  return SHOWN;
+}

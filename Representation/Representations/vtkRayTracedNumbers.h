@@ -1,0 +1,39 @@
+/**
+ * Numbers that the server manager or a script may set to anything, as what can be worked with. NaN would differ from
+ * itself, so that it would seem to change at every render; so would a matrix that is made of infinite numbers.
+ */
+#ifndef vtkRayTracedNumbers_h
+#define vtkRayTracedNumbers_h
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vtkRayTracedNumbers
+{
+inline double NumberOr(double value, double otherwise)
+{
+  return std::isnan(value) ? otherwise : value;
+}
+
+inline double FiniteOr(double value, double otherwise)
+{
+  return std::isfinite(value) ? value : otherwise;
+}
+
+/**
+ * The nearest number in the range; of NaN `otherwise`.
+ */
+inline double InRange(double value, double lowest, double highest, double otherwise)
+{
+  return std::isnan(value) ? otherwise : std::clamp(value, lowest, highest);
+}
+
+inline std::array<double, 3> ColorInRange(double red, double green, double blue)
+{
+  return { InRange(red, 0.0, 1.0, 1.0), InRange(green, 0.0, 1.0, 1.0), InRange(blue, 0.0, 1.0, 1.0) };
+}
+}
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRayTracedNumbers.h
