@@ -59,7 +59,12 @@ void Build(const rtg::GlyphInstances& instances, Seconds& seconds)
 int MeasureShapes(std::size_t count, int repetitions, const char* path)
 {
   std::ofstream csv(path);
-  csv << "shape,glyphs,threads,boxes s,order s,tree s,processor s\n";
+  csv << "shape,glyphs,threads";
+  for (const char* column : { "boxes s", "order s", "tree s", "processor s" })
+  {
+    csv << ',' << benchmark::Spread::Columns(column);
+  }
+  csv << '\n';
   std::printf(
     "%-34s %9s %8s %8s %8s %8s %8s %8s\n", "shape", "glyphs", "threads", "boxes", "order", "tree", "sum", "CPU");
   const std::size_t cores = rtg::ThreadCount();
@@ -77,11 +82,10 @@ int MeasureShapes(std::size_t count, int repetitions, const char* path)
     for (const Seconds* seconds : { &one, &all })
     {
       const std::size_t threads = seconds == &one ? 1 : cores;
-      const double boxes = benchmark::Quantile(seconds->boxes, 0.5), order = benchmark::Quantile(seconds->order, 0.5),
-                   tree = benchmark::Quantile(seconds->tree, 0.5),
-                   processor = benchmark::Quantile(seconds->processor, 0.5);
-      std::printf("%-34s %9zu %8zu %8.4f %8.4f %8.4f %8.4f %8.4f\n", crowd.name, count, threads, boxes, order, tree,
-        boxes + order + tree, processor);
+      const benchmark::Spread boxes(seconds->boxes), order(seconds->order), tree(seconds->tree),
+        processor(seconds->processor);
+      std::printf("%-34s %9zu %8zu %8.4f %8.4f %8.4f %8.4f %8.4f\n", crowd.name, count, threads, boxes.median,
+        order.median, tree.median, boxes.median + order.median + tree.median, processor.median);
       csv << '"' << crowd.name << "\"," << count << ',' << threads << ',' << boxes << ',' << order << ',' << tree << ','
           << processor << '\n';
     }

@@ -249,9 +249,10 @@ Reference(Squares& squares, rtg::TraceSettings settings, std::uint32_t samples, 
   return means;
 }
 
-// Processor seconds of a sample by each method. They are taken in turns, and of several turns the median of a method's
-// share counts: the machine's speed changes.
-std::vector<double> SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettings settings)
+// Processor seconds of a sample by each method. They are taken in turns, and of several turns the method's shares of
+// all count, times the median of the whole: the machine's speed changes.
+std::vector<benchmark::Spread>
+SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettings settings)
 {
   constexpr int turns = 9;
   std::vector<std::vector<double>> shares(methods.size());
@@ -279,14 +280,19 @@ std::vector<double> SecondsOf(Squares& squares, const std::vector<Method>& metho
       shares[i].push_back(seconds[i] / totals.back());
     }
   }
-  std::vector<double> result;
-  std::transform(shares.begin(), shares.end(), std::back_inserter(result),
-    [total = benchmark::Quantile(totals, 0.5)](const std::vector<double>& share)
-    { return benchmark::Quantile(share, 0.5) * total; });
+  std::vector<benchmark::Spread> result;
+  for (std::vector<double>& share : shares)
+  {
+    for (double& seconds : share)
+    {
+      seconds *= benchmark::Quantile(totals, 0.5);
+    }
+    result.emplace_back(share);
+  }
   return result;
 }
 
-void MeasureShading(LightScene& subject, const char* name, const std::string& output, std::FILE* csv, int pixels,
+void MeasureShading(LightScene& subject, const char* name, const std::string& output, std::ofstream& csv, int pixels,
   std::uint32_t referenceSamples, std::uint32_t mostSamples, Shading shading)
 {
   Squares squares{ rtg::Tracer(subject.device), subject, SquaresOf(subject, pixels), LightsOf(shading), {} };
@@ -294,7 +300,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
   const std::vector<Pixels> truth = Reference(squares, settings, referenceSamples, output + "." + name + ".reference");
   const std::vector<Pixels> blurredTruth = Blurred(truth, pixels);
   const std::vector<Method> methods = Methods(shading);
-  const std::vector<double> seconds = SecondsOf(squares, methods, settings);
+  const std::vector<benchmark::Spread> seconds = SecondsOf(squares, methods, settings);
 
   settings.features = true;
   double ownError = 0.0; // of the reference: the variance of a sample over its number of samples
@@ -324,10 +330,14 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
       {
         error = std::max(error - ownError, 0.0);
       }
-      std::fprintf(csv, "%s,%s,%u,%.5f,%.6g,%.6g,%.6g,%.5f,%.6g\n", name, method.Name().c_str(), settings.samples,
-        seconds[i] * settings.samples, error, ownError, std::max(SquaredError(squares.denoised, truth) - ownError, 0.0),
-        squares.denoising, SquaredError(Blurred(means, pixels), blurredTruth));
-      std::fflush(csv);
+      benchmark::Spread all = seconds[i];
+      for (double* value : { &all.median, &all.lower, &all.upper })
+      {
+        *value *= settings.samples;
+      }
+      csv << name << ',' << method.Name() << ',' << settings.samples << ',' << all << ',' << error << ',' << ownError
+          << ',' << std::max(SquaredError(squares.denoised, truth) - ownError, 0.0) << ',' << squares.denoising << ','
+          << SquaredError(Blurred(means, pixels), blurredTruth) << std::endl;
     }
   }
 }
@@ -335,20 +345,18 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
 void MeasureError(
   LightScene& subject, const std::string& output, int pixels, std::uint32_t referenceSamples, std::uint32_t mostSamples)
 {
-  std::FILE* csv = std::fopen(output.c_str(), "w");
+  std::ofstream csv(output);
   if (!csv)
   {
     throw std::runtime_error("cannot write " + output);
   }
-  std::fprintf(csv,
-    "shading,sampler,samples,cpu_seconds,mse,reference_mse,denoised_mse,denoise_seconds,blurred_"
-    "mse\n");
+  csv << "shading,sampler,samples," << benchmark::Spread::Columns("cpu_seconds")
+      << ",mse,reference_mse,denoised_mse,denoise_seconds,blurred_mse\n";
   for (const auto& [name, shading] : shadings)
   {
     MeasureShading(subject, name, output, csv, pixels, referenceSamples,
       shading == Shading::AmbientOcclusion ? std::min(256u, mostSamples) : mostSamples, shading);
   }
-  std::fclose(csv);
 }
 
 // The variance of one sample, averaged over pixels: analysis of variance of `places` by `directions` samples a pixel,

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstddef>
 #include <ctime>
+#include <ostream>
+#include <string>
 #include <vector>
 
 namespace benchmark
@@ -25,6 +27,28 @@ inline double Quantile(std::vector<double> values, double share)
 {
   std::sort(values.begin(), values.end());
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+/// A median and its quartiles, as columns of a CSV file.
+struct Spread
+{
+  explicit Spread(const std::vector<double>& values)
+    : median(Quantile(values, 0.5))
+    , lower(Quantile(values, 0.25))
+    , upper(Quantile(values, 0.75))
+  {
+  }
+  double median, lower, upper;
+
+  static std::string Columns(const std::string& name)
+  {
+    return name + "," + name + " lower quartile," + name + " upper quartile";
+  }
+};
+
+inline std::ostream& operator<<(std::ostream& stream, const Spread& spread)
+{
+  return stream << spread.median << ',' << spread.lower << ',' << spread.upper;
 }
 
 /// Mean over pixels and channels of the squared difference.

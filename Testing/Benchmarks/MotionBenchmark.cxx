@@ -3,9 +3,10 @@
 // MotionBenchmark cost SPHERES [PIXELS] [SAMPLES]
 //   Processor seconds of one sample a pixel, over those of the same spheres at rest, and seconds to build, by path
 //   length.
-// MotionBenchmark error SPHERES OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]
+// MotionBenchmark error SPHERES OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES] [TURNS]
 //   Of the middle PIXELS x PIXELS of an image of 1200 x 1200: mean squared error against a reference of independent
-//   samples, by scheme, path length, samples and seconds.
+//   samples, by scheme, path length, samples and seconds. These are medians and quartiles of so many turns over the
+//   schemes.
 // SPHERES: a file by Data/spheres_280k.py. Paths are in radii, along the file's velocities, and straight.
 #include "Files.h"
 #include "Measures.h"
@@ -18,6 +19,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <utility>
 
 namespace
 {
@@ -198,10 +201,19 @@ Measured Trace(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const 
   return measured;
 }
 
-void MeasureError(Subject& subject, const std::string& output, std::uint32_t pixels, std::uint32_t referenceSamples,
-  std::uint32_t mostSamples)
+// What a scheme's images of so many samples took in each turn.
+struct Turns
 {
-  std::FILE* csv = std::fopen(output.c_str(), "w");
+  const Scheme* scheme;
+  std::uint32_t samples;
+  std::vector<double> build, trace;
+  std::vector<glm::vec4> means;
+};
+
+void MeasureError(Subject& subject, const std::string& output, std::uint32_t pixels, std::uint32_t referenceSamples,
+  std::uint32_t mostSamples, std::uint32_t turns)
+{
+  std::ofstream csv(output);
   if (!csv)
   {
     throw std::runtime_error("cannot write " + output);
@@ -210,7 +222,8 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
   const double whole = 1200.0 * 1200.0 / (double(pixels) * pixels);
   subject.camera.right *= pixels / 1200.0;
   subject.camera.up *= pixels / 1200.0;
-  std::fprintf(csv, "radii,scheme,samples,build_cpu_seconds,trace_cpu_seconds,mse,reference_mse,blurred_mse\n");
+  csv << "radii,scheme,samples," << benchmark::Spread::Columns("build_cpu_seconds") << ','
+      << benchmark::Spread::Columns("trace_cpu_seconds") << ",mse,reference_mse,blurred_mse\n";
   rtg::TraceSettings settings;
   settings.width = settings.height = pixels;
   settings.keepSums = true;
@@ -222,26 +235,40 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
     std::fprintf(stderr, "%g radii: reference of %u samples\n", path, referenceSamples);
     const Measured truth = Trace(scene, tracer, subject, schemes[0], path, settings);
     const std::vector<glm::vec4> blurredTruth = benchmark::Blurred(truth.means, static_cast<int>(pixels));
-    // Random times' error falls as 1 / samples, so what they measure tells the reference's own part.
-    double referenceError = 0.0;
+    std::vector<Turns> all;
     for (const Scheme& scheme : schemes)
     {
-      for (settings.samples = 1; settings.samples <= mostSamples; settings.samples *= 4)
+      for (std::uint32_t samples = 1; samples <= mostSamples; samples *= 4)
       {
-        const Measured found = Trace(scene, tracer, subject, scheme, path, settings);
-        const double error = benchmark::SquaredError(found.means, truth.means);
-        if (scheme.independentSamples && settings.samples == 4)
-        {
-          referenceError = error / (1.0 + double(referenceSamples) / settings.samples);
-        }
-        std::fprintf(csv, "%g,%s,%u,%.4f,%.4f,%.6g,%.6g,%.6g\n", path, scheme.name, settings.samples, found.build,
-          found.trace * whole, error, referenceError,
-          benchmark::SquaredError(benchmark::Blurred(found.means, static_cast<int>(pixels)), blurredTruth));
-        std::fflush(csv);
+        all.push_back({ &scheme, samples, {}, {}, {} });
       }
     }
+    for (std::uint32_t turn = 0; turn < turns; ++turn)
+    {
+      for (Turns& one : all)
+      {
+        settings.samples = one.samples;
+        Measured found = Trace(scene, tracer, subject, *one.scheme, path, settings);
+        one.build.push_back(found.build);
+        one.trace.push_back(found.trace * whole);
+        one.means = std::move(found.means); // the same in every turn
+      }
+    }
+    // Random times' error falls as 1 / samples, so what they measure tells the reference's own part.
+    double referenceError = 0.0;
+    for (const Turns& one : all)
+    {
+      const double error = benchmark::SquaredError(one.means, truth.means);
+      if (one.scheme->independentSamples && one.samples == 4)
+      {
+        referenceError = error / (1.0 + double(referenceSamples) / one.samples);
+      }
+      csv << path << ',' << one.scheme->name << ',' << one.samples << ',' << benchmark::Spread(one.build) << ','
+          << benchmark::Spread(one.trace) << ',' << error << ',' << referenceError << ','
+          << benchmark::SquaredError(benchmark::Blurred(one.means, static_cast<int>(pixels)), blurredTruth)
+          << std::endl;
+    }
   }
-  std::fclose(csv);
 }
 
 } // namespace
@@ -257,7 +284,7 @@ try
     std::fprintf(stderr,
       "Usage: MotionBenchmark cost SPHERES.vtk [PIXELS] [SAMPLES]\n"
       "       MotionBenchmark error SPHERES.vtk OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] "
-      "[MOST-SAMPLES]\n");
+      "[MOST-SAMPLES] [TURNS]\n");
     return 2;
   }
   Subject subject = Load(argv[2]);
@@ -267,7 +294,7 @@ try
   }
   else
   {
-    MeasureError(subject, argv[3], number(4, 160), number(5, 1024), number(6, 64));
+    MeasureError(subject, argv[3], number(4, 160), number(5, 1024), number(6, 64), number(7, 7));
   }
   return 0;
 }

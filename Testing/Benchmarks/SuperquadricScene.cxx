@@ -1,6 +1,7 @@
 // Time of an image of 280,000 glyphs of each shape beside one of as many spheres, through the pipeline.
 // Usage: SuperquadricScene [PIXELS] [REPETITIONS] [COUNT] [dilute|packed|both] [CSV]
 //
+// Medians and quartiles of images that are taken in turns over the shapes, after a first one that compiles.
 // Layout, camera and coverage are those of Data/spheres_280k.py; exponents lie between 0.3 and 20 at random on a
 // logarithmic scale. The superquadrics' sizes are such that their boxes' sides are the spheres' diameters. Those that
 // are turned have sides from half of it to all of it. Arrows are as long as that, of vtkArrowSource's proportions.
@@ -19,8 +20,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -123,42 +126,51 @@ rtg::GlyphInstances MakeInstances(const Kind& kind, bool packed, int count)
   return instances;
 }
 
-struct Times
-{
-  double first = 0.0, wall = 1e30, cpu = 1e30, hits = 0.0; ///< seconds; share of the rays
-};
-
 double WallNow()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Times Measure(
-  const std::shared_ptr<rtg::Device>& device, rtg::GlyphInstances instances, std::uint32_t pixels, int repetitions)
+/// One scene on the device, and what its images took.
+class Subject
 {
-  rtg::Scene scene(device);
-  rtg::Tracer tracer(device);
-  scene.SetInstances(scene.Add(), std::move(instances));
-  scene.Commit();
-  rtg::TraceSettings settings;
-  settings.width = settings.height = pixels;
-  const std::vector<rtg::Light> lights(1);
-  Times times;
-  times.first = WallNow();
-  tracer.Trace(scene, SceneCamera(), lights, settings);
-  times.first = WallNow() - times.first;
-  const std::size_t rays = std::size_t(pixels) * pixels;
-  for (int i = 0; i < repetitions; ++i)
+public:
+  Subject(const std::shared_ptr<rtg::Device>& device, rtg::GlyphInstances instances)
+    : scene_(device)
+    , tracer_(device)
   {
-    const double wall = WallNow(), cpu = benchmark::CpuSeconds();
-    const rtg::Image image = tracer.Trace(scene, SceneCamera(), lights, settings);
-    times.wall = std::min(times.wall, WallNow() - wall);
-    times.cpu = std::min(times.cpu, benchmark::CpuSeconds() - cpu);
-    times.hits =
-      double(std::count_if(image.depth, image.depth + rays, [](float depth) { return depth < 1.0f; })) / double(rays);
+    this->scene_.SetInstances(this->scene_.Add(), std::move(instances));
+    this->scene_.Commit();
   }
-  return times;
-}
+
+  /// The first one compiles.
+  void Trace(std::uint32_t pixels)
+  {
+    rtg::TraceSettings settings;
+    settings.width = settings.height = pixels;
+    const double start = WallNow(), startCpu = benchmark::CpuSeconds();
+    const rtg::Image image = this->tracer_.Trace(this->scene_, SceneCamera(), { rtg::Light() }, settings);
+    const double seconds = WallNow() - start;
+    if (this->first < 0.0)
+    {
+      this->first = seconds;
+      const std::size_t rays = std::size_t(pixels) * pixels;
+      this->hits =
+        double(std::count_if(image.depth, image.depth + rays, [](float depth) { return depth < 1.0f; })) / double(rays);
+      return;
+    }
+    this->wall.push_back(seconds);
+    this->cpu.push_back(benchmark::CpuSeconds() - startCpu);
+  }
+
+  double first = -1.0;           ///< seconds
+  double hits = 0.0;             ///< share of the rays
+  std::vector<double> wall, cpu; ///< seconds of the others
+
+private:
+  rtg::Scene scene_;
+  rtg::Tracer tracer_;
+};
 
 } // namespace
 
@@ -189,7 +201,8 @@ try
   if (argc > 5)
   {
     csv.open(argv[5]);
-    csv << "layout,shape,glyphs,pixels,first s,wall s,CPU s,Mray/s,hit share,CPU over spheres\n";
+    csv << "layout,shape,glyphs,pixels,first s," << benchmark::Spread::Columns("wall s") << ','
+        << benchmark::Spread::Columns("CPU s") << ",Mray/s,hit share,CPU over spheres\n";
   }
   std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   std::printf("device: %s, %d glyphs, %u x %u\n", device->Name().c_str(), count, pixels, pixels);
@@ -201,17 +214,29 @@ try
     {
       continue;
     }
-    double spheres = 0.0;
+    // In turns, because the machine's speed changes.
+    std::vector<std::unique_ptr<Subject>> subjects;
     for (const Kind& kind : kinds)
     {
-      const Times times = Measure(device, MakeInstances(kind, packed, count), pixels, repetitions);
-      spheres = spheres > 0.0 ? spheres : times.cpu;
-      const double rate = 1e-6 * double(pixels) * pixels / times.wall;
-      std::printf("%-34s %8.2f %8.3f %8.3f %10.2f %8.1f %8.2f  %s\n", kind.name, times.first, times.wall, times.cpu,
-        rate, 100.0 * times.hits, times.cpu / spheres, name);
-      std::fflush(stdout);
-      csv << name << ",\"" << kind.name << "\"," << count << ',' << pixels << ',' << times.first << ',' << times.wall
-          << ',' << times.cpu << ',' << rate << ',' << times.hits << ',' << times.cpu / spheres << std::endl;
+      subjects.push_back(std::make_unique<Subject>(device, MakeInstances(kind, packed, count)));
+    }
+    for (int turn = 0; turn <= repetitions; ++turn)
+    {
+      for (const auto& subject : subjects)
+      {
+        subject->Trace(pixels);
+      }
+    }
+    const double spheres = benchmark::Spread(subjects.front()->cpu).median;
+    for (std::size_t i = 0; i < subjects.size(); ++i)
+    {
+      const Subject& subject = *subjects[i];
+      const benchmark::Spread wall(subject.wall), cpu(subject.cpu);
+      const double rate = 1e-6 * double(pixels) * pixels / wall.median;
+      std::printf("%-34s %8.2f %8.3f %8.3f %10.2f %8.1f %8.2f  %s\n", kinds[i].name, subject.first, wall.median,
+        cpu.median, rate, 100.0 * subject.hits, cpu.median / spheres, name);
+      csv << name << ",\"" << kinds[i].name << "\"," << count << ',' << pixels << ',' << subject.first << ',' << wall
+          << ',' << cpu << ',' << rate << ',' << subject.hits << ',' << cpu.median / spheres << std::endl;
     }
   }
   return 0;

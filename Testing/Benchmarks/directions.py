@@ -178,8 +178,7 @@ def measure(kind, size, frames, folder):
     shown = show(pv, producer, view, kind, factor)
     pv.Render(view)
     first = time.monotonic() - start
-    wall, cpu = turning(view, frames)
-    figures = {"first": first, "making": making, "frame": wall, "frame cpu": cpu, "bytes": memory("VmHWM") - before}
+    figures = {"first": first, "making": making, **turning(view, frames), "bytes": memory("VmHWM") - before}
     if not kind.startswith(("meshes", "Tube")):
         statistics = json.loads(shown.GetPropertyValue("RenderStatistics"))
         figures.update({"glyphs": statistics["glyphs"], "device bytes": statistics["deviceBytes"]})

@@ -14,8 +14,14 @@ def cpu_seconds():
     return usage.ru_utime + usage.ru_stime
 
 
-def turning(view, frames):
-    """Medians of wall and processor seconds a frame, the camera turning by a degree before each."""
+def quartiles(name, values):
+    """Median and quartiles as the columns of a row."""
+    lower, median, upper = statistics.quantiles(values, n=4, method="inclusive")
+    return {name: median, name + " lower quartile": lower, name + " upper quartile": upper}
+
+
+def turning(view, frames, of_wall="frame", of_cpu="frame cpu"):
+    """Columns of wall and processor seconds a frame, the camera turning by a degree before each."""
     import paraview.simple as pv
 
     camera, wall, cpu = pv.GetActiveCamera(), [], []
@@ -25,7 +31,7 @@ def turning(view, frames):
         pv.Render(view)
         wall.append(time.monotonic() - start)
         cpu.append(cpu_seconds() - start_cpu)
-    return statistics.median(wall), statistics.median(cpu)
+    return {**quartiles(of_wall, wall), **quartiles(of_cpu, cpu)}
 
 
 def memory(name, process="self"):

@@ -119,8 +119,7 @@ def measure(count, kind, size, frames):
         pv.GetActiveCamera().Azimuth(1.0)
         interactive()
     moving = (time.monotonic() - start) / 3.0
-    wall, cpu = turning(view, frames)
-    figures = {"first": first, "information": information, "frame": wall, "frame cpu": cpu, "turning": moving, "before bytes": before, "peak bytes": memory("VmHWM"),
+    figures = {"first": first, "information": information, **turning(view, frames), "turning": moving, "before bytes": before, "peak bytes": memory("VmHWM"),
                "end bytes": memory("VmRSS")}
     if kind not in ("Point Gaussian", "3D Glyphs"):
         statistics = json.loads(shown.GetPropertyValue("RenderStatistics"))

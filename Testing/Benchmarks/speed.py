@@ -5,11 +5,10 @@ Environment: RTGLYPHS_PLUGIN is the plugin's library.
 
 Each competitor runs in a process of its own: it shows the scene of Data/spheres_280k.py (73% of the pixels covered) in a
 view of PIXELS x PIXELS (or, --packed, the same centres with spheres so large that they nearly touch), then turns the camera by one degree a frame and takes the time of each frame on the wall and on all
-cores. Written to FOLDER: speed.csv, speed.png, and one picture per competitor. The table gives medians; "first image" is
+cores. Written to FOLDER: speed.csv, speed.png, and one picture per competitor. The table gives medians, the CSV file quartiles, too; "first image" is
 from new data to finished picture.
 """
 import argparse
-import csv
 import json
 import os
 import resource
@@ -21,6 +20,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "Data"))
 sys.dont_write_bytecode = True
 import spheres_280k  # noqa: E402
+from frames import write_table  # noqa: E402
 
 OURS = "ray-traced glyphs"
 #: competitor -> (theta and phi resolution of its sphere, or None; the least ratio of times that is asked of us, or None)
@@ -95,9 +95,8 @@ def measure(name, scene, count, size, frames, folder):
         counters = json.loads(shown.GetProperty("RenderStatistics").GetElement(0))
         figures.update({stage: counters.get(stage, "") for stage in STAGES})
 
-    wall, cpu = turning(view, frames)
-    figures.update(wall=wall, cpu=cpu, megabytes=resident_megabytes(),
-                   scene_megabytes=resident_megabytes() - before_megabytes)
+    figures.update(turning(view, frames, "wall", "cpu"))
+    figures.update(megabytes=resident_megabytes(), scene_megabytes=resident_megabytes() - before_megabytes)
     pv.SaveScreenshot(os.path.join(folder, name.replace(" ", "-") + ".png"), view)
     pv.Disconnect()
     return figures
@@ -136,11 +135,7 @@ def report(rows, options):
             row["name"], row["wall"], row["cpu"], "%.1f" % row["ratio"] if ours else "", asked or "", row["first"], row["megabytes"]))
     if ours:
         print("first image of ours: " + ", ".join("%s %.3f" % (stage, ours[stage]) for stage in STAGES if ours.get(stage, "") != ""))
-    with open(os.path.join(options.folder, "speed.csv"), "w", newline="") as table:
-        fields = ["name", "wall", "cpu", "ratio", "first", "megabytes", "scene_megabytes", *STAGES]
-        writer = csv.DictWriter(table, fields)
-        writer.writeheader()
-        writer.writerows(rows)
+    write_table(os.path.join(options.folder, "speed.csv"), rows)
     try:
         import matplotlib
     except ImportError:

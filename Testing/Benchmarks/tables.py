@@ -61,12 +61,18 @@ def digits(value, count):
     return "%.*g" % (count, value) if abs(value) < 1.0 else "%.*f" % (max(count - len("%d" % abs(value)), 0), value)
 
 
+def timing(row, key, count):
+    """Seconds to so many digits, with quartiles where the file has them."""
+    quartiles = [row.get("%s %s quartile" % (key, which), "") for which in ("lower", "upper")]
+    return digits(row[key], count) + (" (%s, %s)" % tuple(digits(value, count) for value in quartiles) if quartiles[0] != "" else "")
+
+
 def speed():
     """Ours and each of ParaView's ways, dilute and packed."""
     dilute, packed = rows("speed-dilute"), {row["name"]: row for row in rows("speed-packed")}
 
     def cells(row):
-        return [digits(row["wall"], 3), digits(row["cpu"], 3), digits(row["ratio"], 2), "%.0f" % row["megabytes"]] if row else [""] * 4
+        return [timing(row, "wall", 3), timing(row, "cpu", 3), digits(row["ratio"], 2), "%.0f" % row["megabytes"]] if row else [""] * 4
     return markdown(["", "dilute: wall s", "CPU s", "over ours", "peak MB", "packed: wall s", "CPU s", "over ours", "peak MB"],
                     [[row["name"]] + cells(row) + cells(packed.get(row["name"])) for row in dilute])
 
@@ -74,9 +80,11 @@ def speed():
 def shapes():
     """Every shape over spheres."""
     packed = {row["shape"]: row for row in rows("shapes-scene") if row["layout"] == "packed"}
-    return markdown(["shape", "dilute: Mray/s", "over spheres", "packed: Mray/s", "over spheres"],
-                    [[row["shape"]] + ["%.2f" % each[key] for each in (row, packed[row["shape"]]) for key in ("Mray/s", "CPU over spheres")]
-                     for row in rows("shapes-scene") if row["layout"] == "dilute"])
+
+    def cells(row):
+        return [timing(row, "wall s", 3), "%.2f" % row["Mray/s"], "%.2f" % row["CPU over spheres"]]
+    return markdown(["shape", "dilute: wall s", "Mray/s", "CPU over spheres", "packed: wall s", "Mray/s", "CPU over spheres"],
+                    [[row["shape"]] + cells(row) + cells(packed[row["shape"]]) for row in rows("shapes-scene") if row["layout"] == "dilute"])
 
 
 def tessellations(name):
@@ -84,10 +92,10 @@ def tessellations(name):
     def line(row):
         facets, vertices = re.findall(r"(\d+)x(\d+)", row["what"]), re.search(r"of (\d+) vertices", row["what"])
         if not facets and not vertices:
-            return [row["what"], "-", "-", "-", digits(row["wall s"], 3), digits(row["CPU s"], 3)]
+            return [row["what"], "-", "-", "-", timing(row, "wall s", 3), timing(row, "CPU s", 3)]
         triangles = 2 * int(facets[-1][0]) * int(facets[-1][1]) if facets else 2 * (int(vertices.group(1)) - 2)
         return [row["what"], str(triangles), digits(row["silhouette %"], 2) + " %",
-                "%s / %.0f" % (digits(row["colour mean"], 2), row["colour 99 %"]), digits(row["wall s"], 3), digits(row["CPU s"], 3)]
+                "%s / %.0f" % (digits(row["colour mean"], 2), row["colour 99 %"]), timing(row, "wall s", 3), timing(row, "CPU s", 3)]
     return markdown(["", "triangles a glyph", "silhouette", "color mean / 99 %", "wall s", "CPU s"], map(line, rows(name)))
 
 
@@ -95,25 +103,26 @@ def scenes():
     """Kinds of scenes."""
     def embree(row, key):
         return "%.2f (%.2f)" % (row[key], row[key] / row["CPU s"]) if row[key] != "" else ""
-    return markdown(["scene", "CPU s", "quartiles", "over the first", "Embree, single rays (over ours)", "Embree, packets (over ours)"],
-                    [[row["scene"], "%.2f" % row["CPU s"], "%.2f, %.2f" % (row["lower quartile"], row["upper quartile"]),
+    return markdown(["scene", "CPU s", "over the first", "Embree, single rays (over ours)", "Embree, packets (over ours)"],
+                    [[row["scene"], timing(row, "CPU s", 3),
                       "%.2f" % row["cost beside the first"], embree(row, "Embree s"), embree(row, "Embree packets s")] for row in rows("scenes")])
 
 
 def directions():
     """Glyphs of direction and tubes in large numbers."""
     return markdown(["", "first picture: s", "made before: s", "frame: wall s", "CPU s", "memory: MB"],
-                    [[row["kind"], digits(row["first"], 3), digits(row["making"], 2) if row["making"] else "", digits(row["frame"], 3),
-                      digits(row["frame cpu"], 3), "%.0f" % (row["bytes"] / 1e6)] for row in rows("directions")])
+                    [[row["kind"], digits(row["first"], 3), digits(row["making"], 2) if row["making"] else "", timing(row, "frame", 3),
+                      timing(row, "frame cpu", 3), "%.0f" % (row["bytes"] / 1e6)] for row in rows("directions")])
 
 
 def build():
     """Host's stages of new glyphs, on all cores; and their sum on one."""
-    every = {}
+    every, stages = {}, ("boxes s", "order s", "tree s")
     for row in rows("build"):
-        every.setdefault(row["shape"], []).append([row[key] for key in ("boxes s", "order s", "tree s")])
+        every.setdefault(row["shape"], []).append(row)
     return markdown(["shape", "boxes", "order", "tree", "sum", "one thread"],
-                    [[shape] + ["%.3f" % value for value in cores + [sum(cores), sum(one)]] for shape, (one, cores) in every.items()])
+                    [[shape] + [timing(cores, stage, 3) for stage in stages] + ["%.3f" % sum(row[stage] for stage in stages) for row in (cores, one)]
+                     for shape, (one, cores) in every.items()])
 
 
 def build_picture():
@@ -137,7 +146,7 @@ def scale():
     """A million glyphs and more, and ParaView's ways."""
     return markdown(["", "glyphs", "first picture: s", "of it ParaView's ranges", "frame: s", "while turning", "process at most: GB", "data: GB", "device: bytes a glyph"],
                     [[row["kind"], "%d million" % (row["count"] / 1e6)] +
-                     ([digits(row[key], 3) for key in ("first", "information", "frame", "turning")] +
+                     ([timing(row, key, 3) for key in ("first", "information", "frame", "turning")] +
                       [digits(row["peak bytes"] / 1e9, 3), digits(row["count"] * POINT_BYTES[row["kind"]] / 1e9, 2),
                        "%.1f" % ((row["device bytes"] - DEVICE_BYTES) / row["count"]) if row["device bytes"] else ""] if row["first"] else ["none"] + [""] * 6)
                      for row in rows("scale") if row["count"] >= 1e6])
@@ -173,7 +182,7 @@ def ranks():
     return markdown(["", "ranks", "glyphs from others", "MB", "bytes each", "device, all ranks: MB", "first picture: s", "frame: s", "over one rank"],
                     [[name(row), "%d" % row["ranks"], "%d" % row["from others"], "%.2f" % (row["bytes from others"] / 1e6),
                       "%.1f" % (row["bytes from others"] / row["from others"]) if row["from others"] else "", "%.0f" % (row["device bytes"] / 1e6),
-                      digits(row["first picture"], 3), digits(row["frame"], 3), "%.2f" % (alone[name(row)] / row["frame"])] for row in found])
+                      digits(row["first picture"], 3), timing(row, "frame", 3), "%.2f" % (alone[name(row)] / row["frame"])] for row in found])
 
 
 def sphere_formulas():

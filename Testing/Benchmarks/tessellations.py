@@ -6,14 +6,13 @@ Environment: RTGLYPHS_PLUGIN is the plugin's library.
 2,000 turned superquadrics of exponent 5 on every axis, sides 0.5 to 1, in a cube. ParaView's Superquadric source with analytic normals
 in 6x12, 12x24, 24x48 and 96x192 facets (phi x theta) is what its 3D Glyphs copy; the source itself makes 8x16 of 6x12. Errors are against the ray-traced picture with the
 same camera and lights, one ray a pixel: the share of pixels that only one of both covers, of those that the exact one covers; and
-where both cover, the mean and the 99th percentile of the largest channel's difference in levels of 255. Times are medians of frames
+where both cover, the mean and the 99th percentile of the largest channel's difference in levels of 255. Times are medians and quartiles of frames
 with the camera turning by a degree. Written to FOLDER: tessellations.csv and one picture for each.
 
 --harmonics: instead of superquadrics as many distribution functions of order 8, each of two fibers that cross, as spherical harmonics; beside
 them surfaces of one mesh each, the vertices of a geodesic sphere of 42, 162, 362 and 2,562 vertices moved along their directions.
 """
 import argparse
-import csv
 import os
 import sys
 
@@ -27,7 +26,7 @@ import comparison
 import directions
 import odf
 import session
-from frames import turning
+from frames import turning, write_table
 
 FACETS = ((6, 12), (12, 24), (24, 48), (96, 192))
 #: pieces that an icosahedron's edges are cut into
@@ -83,11 +82,11 @@ def surface(view, data):
 
 
 def measure(view, name, frames):
-    """The picture, and the medians of wall and processor seconds a frame; the camera comes back."""
+    """The picture, and columns of wall and processor seconds a frame; the camera comes back."""
     image = session.capture(view, name)[:, :, :3].astype(int)
-    wall, cpu = turning(view, frames)
+    times = turning(view, frames, "wall s", "CPU s")
     pv.GetActiveCamera().Azimuth(-float(frames))
-    return image, wall, cpu
+    return image, {column: round(seconds, 4) for column, seconds in times.items()}
 
 
 def main():
@@ -108,8 +107,8 @@ def main():
     factor = 1.1 / options.count ** (1.0 / 3.0)
     rows = []
 
-    def add(name, image, wall, cpu, exact=None):
-        row = {"what": name, "wall s": round(wall, 4), "CPU s": round(cpu, 4)}
+    def add(name, image, times, exact=None):
+        row = {"what": name, **times}
         if exact is not None:
             mask, theirs_mask = comparison.covered(exact), comparison.covered(image)
             apart = numpy.abs(image - exact).max(axis=2)[mask & theirs_mask]
@@ -127,16 +126,16 @@ def main():
         points = scene(options.count)
         shown = ours(points, view, factor, options.exponent)
     session.solid(shown, (0.85, 0.6, 0.3))
-    exact, wall, cpu = measure(view, "ray-traced", options.frames)
-    add("ray-traced", exact, wall, cpu)
+    exact, times = measure(view, "ray-traced", options.frames)
+    add("ray-traced", exact, times)
     pv.Hide(points, view)
     pv.Delete(shown)
     for frequency in FREQUENCIES if options.harmonics else ():
         shown, source = surface(view, directions.meshes(places, coefficients, scale, frequency))
         session.solid(shown, (0.85, 0.6, 0.3))
         name = "meshes of %d vertices" % (10 * frequency ** 2 + 2)
-        image, wall, cpu = measure(view, name.replace(" ", "-"), options.frames)
-        add(name, image, wall, cpu, exact)
+        image, times = measure(view, name.replace(" ", "-"), options.frames)
+        add(name, image, times, exact)
         pv.Delete(shown)
         pv.Delete(source)
     for facets in FACETS if not options.harmonics else ():
@@ -145,15 +144,12 @@ def main():
         name = "%dx%d" % facets
         inside = source.GetClientSideObject()
         made = (inside.GetPhiResolution(), inside.GetThetaResolution())
-        image, wall, cpu = measure(view, name, options.frames)
-        add("3D Glyphs " + name + ("" if made == facets else " (made %dx%d)" % made), image, wall, cpu, exact)
+        image, times = measure(view, name, options.frames)
+        add("3D Glyphs " + name + ("" if made == facets else " (made %dx%d)" % made), image, times, exact)
         pv.Hide(points, view)
         pv.Delete(shown)
         pv.Delete(source)
-    with open(os.path.join(options.folder, "tessellations.csv"), "w", newline="") as table:
-        writer = csv.DictWriter(table, ["what", "silhouette %", "colour mean", "colour 99 %", "wall s", "CPU s"])
-        writer.writeheader()
-        writer.writerows(rows)
+    write_table(os.path.join(options.folder, "tessellations.csv"), rows)
     session.finish()
 
 
