@@ -21,8 +21,7 @@ import motion  # noqa: E402
 ROOT = os.path.join(HERE, "..", "..")
 RESULTS = os.path.join(HERE, "results")
 #: written before the program run gave its files a head; each leaves this list when it is measured anew
-WITHOUT_HEAD = {"light-spheres", "light-tensors", "light-vessel", "motion", "shapes-scene", "speed-dilute",
-                "speed-packed", "tessellations"}
+WITHOUT_HEAD = {"light-spheres", "light-tensors", "light-vessel"}
 BENCHMARKS, SHAPES = "Testing/Benchmarks/README.md", "Kernels/Shapes/README.md"
 
 
