@@ -5,33 +5,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+
+using namespace vtkRayTracedNumbers;
 
 //----------------------------------------------------------------------------
 vtkGlyphSettings vtkGlyphSettings::InRange() const
 {
   const vtkGlyphSettings standard;
   vtkGlyphSettings s = *this;
-  const auto number = [](auto& value, double lowest, double highest, double otherwise)
-  {
-    value = static_cast<std::decay_t<decltype(value)>>(vtkRayTracedNumbers::InRange(value, lowest, highest, otherwise));
-  };
-  const auto integer = [](auto& value, int lowest, int highest)
-  { value = static_cast<std::decay_t<decltype(value)>>(std::clamp(static_cast<int>(value), lowest, highest)); };
-  integer(s.ScaleMode, MAGNITUDE, COMPONENTS);
-  integer(s.Sizing.Function, vtkGlyphSizing::LINEAR, vtkGlyphSizing::UNIT);
-  integer(s.OrientationMode, DIRECTION, AXES);
-  integer(s.Anchor, ORIGIN, TIP);
-  integer(s.Mask.Mode, vtkGlyphMask::RANDOM, vtkGlyphMask::EVEN_IN_SPACE);
-  number(s.Arrow.shaftRadius, 0.0, 0.5, standard.Arrow.shaftRadius);
-  number(s.Arrow.tipRadius, 0.0, 0.5, standard.Arrow.tipRadius);
-  number(s.Arrow.tipLength, 0.001, 1.0, standard.Arrow.tipLength);
-  number(s.Arrow.tipRounding, 0.0, 1.0, standard.Arrow.tipRounding);
-  integer(s.Tensors.Layout, 0, 4);
-  number(s.Tensors.Sharpness, 0.0, 10.0, standard.Tensors.Sharpness);
-  number(s.Tensors.Thickness, rtg::thinnestTensorGlyph, 1.0, standard.Tensors.Thickness);
-  integer(s.Tensors.Coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::RADIUS);
-  integer(s.Forms.Basis, 0, 3);
+  PutInRange(s.ScaleMode, MAGNITUDE, COMPONENTS);
+  PutInRange(s.Sizing.Function, vtkGlyphSizing::LINEAR, vtkGlyphSizing::UNIT);
+  PutInRange(s.OrientationMode, DIRECTION, AXES);
+  PutInRange(s.Anchor, ORIGIN, TIP);
+  PutInRange(s.Mask.Mode, vtkGlyphMask::RANDOM, vtkGlyphMask::EVEN_IN_SPACE);
+  PutInRange(s.Arrow.shaftRadius, 0.0, 0.5, standard.Arrow.shaftRadius);
+  PutInRange(s.Arrow.tipRadius, 0.0, 0.5, standard.Arrow.tipRadius);
+  PutInRange(s.Arrow.tipLength, 0.001, 1.0, standard.Arrow.tipLength);
+  PutInRange(s.Arrow.tipRounding, 0.0, 1.0, standard.Arrow.tipRounding);
+  PutInRange(s.Tensors.Layout, 0, 4);
+  PutInRange(s.Tensors.Sharpness, 0.0, 10.0, standard.Tensors.Sharpness);
+  PutInRange(s.Tensors.Thickness, rtg::thinnestTensorGlyph, 1.0, standard.Tensors.Thickness);
+  PutInRange(s.Tensors.Coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::RADIUS);
+  PutInRange(s.Forms.Basis, 0, 3);
   return s;
 }
 

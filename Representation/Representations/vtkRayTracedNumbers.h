@@ -29,6 +29,22 @@ inline double InRange(double value, double lowest, double highest, double otherw
   return std::isnan(value) ? otherwise : std::clamp(value, lowest, highest);
 }
 
+///@{
+/**
+ * The same in place, of numbers of any type and of integers or enumerations.
+ */
+template <class Number>
+void PutInRange(Number& value, double lowest, double highest, double otherwise)
+{
+  value = static_cast<Number>(InRange(value, lowest, highest, otherwise));
+}
+template <class Integer>
+void PutInRange(Integer& value, int lowest, int highest)
+{
+  value = static_cast<Integer>(std::clamp(static_cast<int>(value), lowest, highest));
+}
+///@}
+
 inline std::array<double, 3> ColorInRange(double red, double green, double blue)
 {
   return { InRange(red, 0.0, 1.0, 1.0), InRange(green, 0.0, 1.0, 1.0), InRange(blue, 0.0, 1.0, 1.0) };

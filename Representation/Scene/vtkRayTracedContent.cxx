@@ -49,8 +49,7 @@ std::uint64_t vtkRayTracedContent::UpdateNeighbors(const vtkRayTracedDisplays::C
 
 //----------------------------------------------------------------------------
 const rtg::Image* vtkRayTracedContent::Trace(vtkRayTracedImages::Entry& entry, const rtg::ImageView& view,
-  const rtg::ImageEffort& effort, const rtg::Interrupt& interrupt, vtkRenderer* renderer,
-  const std::function<void(double share)>& sorting)
+  const rtg::ImageEffort& effort, const rtg::Interrupt& interrupt, vtkRenderer* renderer)
 {
   return this->Images.Update(entry, view, effort, interrupt,
     [&](rtg::Scene& scene)
@@ -58,6 +57,6 @@ const rtg::Image* vtkRayTracedContent::Trace(vtkRayTracedImages::Entry& entry, c
       this->Displays.Commit(scene, this->Images.GetSceneNumber());
       this->Neighbors.Commit(scene, this->Images.GetSceneNumber(),
         [&](int display) { return this->Displays.GetMaterial(display, renderer); });
-      scene.Commit(sorting);
+      scene.Commit(this->Sorting);
     });
 }

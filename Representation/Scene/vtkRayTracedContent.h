@@ -23,6 +23,7 @@ public:
   vtkRayTracedDisplays Displays;
   vtkRayTracedNeighbors Neighbors;
   vtkRayTracedImages Images;
+  std::function<void(double share)> Sorting; // is told how far the kernels are with new glyphs
 
   /**
    * Brings displays up to date and, where the settings want it, asks the ranks that render together (null: none) what
@@ -38,10 +39,9 @@ public:
 
   /**
    * Makes or improves an image, after handing the kernels what has changed since they last had it; null: it failed.
-   * `sorting` is told how far the kernels are with new glyphs.
    */
   const rtg::Image* Trace(vtkRayTracedImages::Entry& entry, const rtg::ImageView& view, const rtg::ImageEffort& effort,
-    const rtg::Interrupt& interrupt, vtkRenderer* renderer, const std::function<void(double share)>& sorting);
+    const rtg::Interrupt& interrupt, vtkRenderer* renderer);
 
 private:
   std::uint64_t UpdateNeighbors(const vtkRayTracedDisplays::Content& shown, const vtkRayTracedImageSettings& settings,

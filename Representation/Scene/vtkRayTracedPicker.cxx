@@ -44,7 +44,7 @@ std::vector<const rtg::Image*> vtkRayTracedPicker::ImagesWithIds(
     }
     vtkRayTracedImages::Entry& own =
       content.Images.Get({ pass, view.settings.width, view.settings.height, 0, {}, /*OnlyIds=*/true });
-    if (const rtg::Image* image = content.Trace(own, view, rtg::ImageEffort(), {}, renderer, {}))
+    if (const rtg::Image* image = content.Trace(own, view, rtg::ImageEffort(), {}, renderer))
     {
       images.push_back(image);
     }

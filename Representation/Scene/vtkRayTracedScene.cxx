@@ -98,6 +98,7 @@ vtkRayTracedScene::vtkRayTracedScene()
   : Self(std::make_unique<Internals>())
 {
   this->Self->Actor->SetScene(this);
+  this->Self->Content.Sorting = [this](double share) { this->Self->Progress.Tell("Sorting Glyphs", share); };
 }
 
 //----------------------------------------------------------------------------
@@ -357,10 +358,8 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   // Whoever is told or asked may paint meanwhile: Qt makes its own OpenGL context current, and binds framebuffers of
   // widgets in ours.
   window->GetState()->Push();
-  const rtg::Image* image = stays && growing
-    ? &entry.Image.GetImage()
-    : self.Content.Trace(entry, view, effort, interrupt, this->Renderer,
-        [&self](double share) { self.Progress.Tell("Sorting Glyphs", share); });
+  const rtg::Image* image =
+    stays && growing ? &entry.Image.GetImage() : self.Content.Trace(entry, view, effort, interrupt, this->Renderer);
   window->MakeCurrent();
   window->GetState()->Pop();
   self.Frame.push_back(

@@ -281,13 +281,9 @@ SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettin
     }
   }
   std::vector<benchmark::Spread> result;
-  for (std::vector<double>& share : shares)
+  for (const std::vector<double>& share : shares)
   {
-    for (double& seconds : share)
-    {
-      seconds *= benchmark::Quantile(totals, 0.5);
-    }
-    result.emplace_back(share);
+    result.emplace_back(share) *= benchmark::Quantile(totals, 0.5);
   }
   return result;
 }
@@ -331,10 +327,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
         error = std::max(error - ownError, 0.0);
       }
       benchmark::Spread all = seconds[i];
-      for (double* value : { &all.median, &all.lower, &all.upper })
-      {
-        *value *= settings.samples;
-      }
+      all *= settings.samples;
       csv << name << ',' << method.Name() << ',' << settings.samples << ',' << all << ',' << error << ',' << ownError
           << ',' << std::max(SquaredError(squares.denoised, truth) - ownError, 0.0) << ',' << squares.denoising << ','
           << SquaredError(Blurred(means, pixels), blurredTruth) << std::endl;

@@ -40,6 +40,14 @@ struct Spread
   }
   double median, lower, upper;
 
+  Spread& operator*=(double factor)
+  {
+    this->median *= factor;
+    this->lower *= factor;
+    this->upper *= factor;
+    return *this;
+  }
+
   static std::string Columns(const std::string& name)
   {
     return name + "," + name + " lower quartile," + name + " upper quartile";

@@ -10,12 +10,12 @@
 #include "Measures.h"
 #include "Camera.h"
 #include "Scene.h"
+#include "Stopwatch.h"
 #include "Tensor.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -126,11 +126,6 @@ rtg::GlyphInstances MakeInstances(const Kind& kind, bool packed, int count)
   return instances;
 }
 
-double WallNow()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /// One scene on the device, and what its images took.
 class Subject
 {
@@ -148,9 +143,10 @@ public:
   {
     rtg::TraceSettings settings;
     settings.width = settings.height = pixels;
-    const double start = WallNow(), startCpu = benchmark::CpuSeconds();
+    const double startCpu = benchmark::CpuSeconds();
+    rtg::Stopwatch watch;
     const rtg::Image image = this->tracer_.Trace(this->scene_, SceneCamera(), { rtg::Light() }, settings);
-    const double seconds = WallNow() - start;
+    const double seconds = watch.Lap();
     if (this->first < 0.0)
     {
       this->first = seconds;
