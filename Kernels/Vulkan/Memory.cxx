@@ -1,6 +1,7 @@
 #include "Memory.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <new>
 #include <optional>
@@ -156,6 +157,11 @@ Memory::Allocate(const vk::raii::Device& device, const vk::MemoryRequirements& n
   info.pNext = &addressable;
   block.memory = vk::raii::DeviceMemory(device, info);
   block.mapped = mapped ? block.memory.mapMemory(0, VK_WHOLE_SIZE) : nullptr;
+  // lavapipe calls it a success where the computer has no memory left, and gives what malloc() or mmap() gave.
+  if (mapped && (!block.mapped || reinterpret_cast<std::intptr_t>(block.mapped) == -1))
+  {
+    throw vk::OutOfHostMemoryError("vkMapMemory");
+  }
   block.free[0] = size;
   this->blocks_.push_front(std::move(block));
   take(this->blocks_.front());

@@ -14,9 +14,9 @@ import paraview.simple as pv
 import session
 from checks import Checks
 
-POINTS = 3000000
-#: megabytes that a process may take beyond what it has before the glyphs are made, which take some 300
-LIMITS = (10, 40, 80)
+POINTS = 1000000
+#: megabytes that a process may take beyond what it has before the glyphs are made, which take some 100
+LIMITS = (4, 14, 28)
 
 
 def show(source, view):
