@@ -1,9 +1,13 @@
 #include "vtkGlyphStepVelocity.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDataObject.h"
 #include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -37,7 +41,43 @@ bool IsFinite(const double x[3])
 //----------------------------------------------------------------------------
 void vtkGlyphStepVelocity::Reset()
 {
-  *this = vtkGlyphStepVelocity();
+  this->Now = this->Before = Step();
+  this->Outcome = FOUND;
+  this->Said = {};
+}
+
+//----------------------------------------------------------------------------
+bool vtkGlyphStepVelocity::SetPointIdArray(const std::string& name)
+{
+  if (this->PointIdArray == name)
+  {
+    return false;
+  }
+  this->PointIdArray = name;
+  this->Reset();
+  return true;
+}
+
+//----------------------------------------------------------------------------
+vtkDataArray* vtkGlyphStepVelocity::IdsOf(vtkPolyData* points) const
+{
+  vtkPointData* data = points->GetPointData();
+  const bool named = !vtkRayTracedArrays::IsNone(this->PointIdArray);
+  vtkDataArray* ids = named ? data->GetArray(this->PointIdArray.c_str()) : data->GetGlobalIds();
+  return ids && ids->GetNumberOfComponents() == 1 ? ids : nullptr;
+}
+
+//----------------------------------------------------------------------------
+void vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataObject* input, vtkAlgorithm* source)
+{
+  if (this->Source != source)
+  {
+    this->Reset();
+    this->Source = source;
+  }
+  vtkInformation* info = input->GetInformation();
+  this->Follow(
+    points, info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : vtkMath::Nan());
 }
 
 //----------------------------------------------------------------------------
@@ -85,8 +125,9 @@ std::vector<vtkGlyphStepVelocity::Entry> vtkGlyphStepVelocity::EntriesOf(vtkPoly
 }
 
 //----------------------------------------------------------------------------
-void vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataArray* ids, double time)
+void vtkGlyphStepVelocity::Follow(vtkPolyData* points, double time)
 {
+  vtkDataArray* ids = this->IdsOf(points);
   this->Points = points->GetNumberOfPoints();
   this->WithoutPartner = 0;
   vtkNew<vtkFloatArray> velocities;

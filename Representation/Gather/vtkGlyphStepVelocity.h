@@ -15,23 +15,32 @@
 
 #include "vtkRayTracedArrays.h"
 #include "vtkType.h"
+#include "vtkWeakPointer.h"
 
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkDataArray;
+class vtkDataObject;
 class vtkPolyData;
 
 class vtkGlyphStepVelocity
 {
 public:
   /**
-   * Adds the point array Name() to `points`, which are those of `time`. `ids` tell which point is which; without any
-   * (null) and with a time that is not finite (the data say none) all stand still.
+   * The point array of one component that tells which point is which; "None" or empty: the global ids. Whether it is
+   * another than before, which forgets all steps.
    */
-  void AddTo(vtkPolyData* points, vtkDataArray* ids, double time);
+  bool SetPointIdArray(const std::string& name);
+
+  /**
+   * Adds the point array Name() to `points`, which were gathered of `input`. Without ids, or where the data say no
+   * time, all stand still. Steps of another source than the last are forgotten.
+   */
+  void AddTo(vtkPolyData* points, vtkDataObject* input, vtkAlgorithm* source);
 
   /**
    * What is to be said of the last step, with a remedy; empty the second time that the same comes since Reset().
@@ -68,8 +77,13 @@ private:
   };
   static std::vector<Entry> EntriesOf(vtkPolyData* points, vtkDataArray* ids);
 
+  /// Null: there are none.
+  vtkDataArray* IdsOf(vtkPolyData* points) const;
+  void Follow(vtkPolyData* points, double time);
   std::string Describe() const;
 
+  std::string PointIdArray;
+  vtkWeakPointer<vtkAlgorithm> Source; // whose steps they are
   Step Now, Before;
   Outcomes Outcome = FOUND;
   std::array<bool, WITHOUT_PARTNER + 1> Said{};

@@ -2,27 +2,23 @@
 
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
-#include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkGlyphJoinedArrays.h"
+#include "vtkGlyphLayers.h"
 #include "vtkGlyphPointGatherer.h"
 #include "vtkGlyphTuples.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVView.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
 #include "vtkRayTracedGlyphMapper.h"
 #include "vtkRayTracedParallel.h"
-#include "vtkRayTracedSurfaceGatherer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -34,44 +30,9 @@
 vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
 
 //----------------------------------------------------------------------------
-struct vtkRayTracedGlyphRepresentation::Layer
-{
-  vtkNew<vtkRayTracedActor> Actor;
-  vtkNew<vtkRayTracedGlyphMapper> Mapper;
-
-  // Input, blocks and appearance of the main actor and mapper.
-  void Follow(vtkPolyData* points, vtkRayTracedActor* actor, const vtkGlyphBlockAttributes& blocks,
-    const std::array<double, 3>& selectionColor)
-  {
-    this->Mapper->SetSelectionColor(selectionColor);
-    this->Mapper->SetPoints(points);
-    this->Mapper->SetBlocks(blocks);
-    this->Actor->GetProperty()->DeepCopy(actor->GetProperty());
-    vtkNew<vtkMatrix4x4> matrix;
-    actor->GetMatrix(matrix);
-    this->Actor->SetUserMatrix(matrix);
-    this->Actor->SetPickable(actor->GetPickable());
-    this->Actor->SetVisibility(actor->GetVisibility());
-  }
-
-  void FollowColors(vtkRayTracedMapper* main)
-  {
-    this->Mapper->SetScalarVisibility(main->GetScalarVisibility());
-    this->Mapper->SelectColorArray(main->GetArrayName());
-    this->Mapper->SetUseLookupTableScalarRange(main->GetUseLookupTableScalarRange());
-    this->Mapper->SetScalarMode(main->GetScalarMode());
-    this->Mapper->SetColorMode(main->GetColorMode());
-    // Asked for its table, a mapper without one makes one.
-    if (main->GetScalarVisibility())
-    {
-      this->Mapper->SetLookupTable(main->GetLookupTable());
-    }
-  }
-};
-
-//----------------------------------------------------------------------------
 vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
   : vtkRayTracedSelectableRepresentation(3)
+  , Layers(std::make_unique<vtkGlyphLayers>())
 {
 }
 
@@ -107,78 +68,9 @@ int vtkRayTracedGlyphRepresentation::FillInputPortInformation(int port, vtkInfor
 int vtkRayTracedGlyphRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->GatherMesh(
-    inputVector[1]->GetNumberOfInformationObjects() == 1 ? vtkDataObject::GetData(inputVector[1], 0) : nullptr);
+  const bool hasMesh = inputVector[1]->GetNumberOfInformationObjects() == 1;
+  this->Meshes.Gather(hasMesh ? vtkDataObject::GetData(inputVector[1], 0) : nullptr, this->GlyphMeshTable);
   return this->Superclass::RequestData(request, inputVector, outputVector);
-}
-
-//----------------------------------------------------------------------------
-// The mesh of mesh glyphs, or those of a table.
-void vtkRayTracedGlyphRepresentation::GatherMesh(vtkDataObject* mesh)
-{
-  // 3D Glyphs shade meshes by the normals they have, and compute none.
-  vtkRayTracedSurfaceGatherer::Settings settings;
-  settings.ComputesNormals = false;
-  const auto gather = [&](vtkDataObject* data) { return vtkRayTracedSurfaceGatherer::Gather(data, settings); };
-  auto* blocks = vtkDataObjectTree::SafeDownCast(mesh);
-  if (this->GlyphMeshTable && blocks)
-  {
-    vtkNew<vtkMultiBlockDataSet> table;
-    auto block = vtk::TakeSmartPointer(blocks->NewTreeIterator());
-    block->SetSkipEmptyNodes(false);
-    block->SetVisitOnlyLeaves(false);
-    block->SetTraverseSubTree(false);
-    for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
-    {
-      table->SetBlock(table->GetNumberOfBlocks(), gather(block->GetCurrentDataObject()));
-    }
-    this->Mesh->SetBlock(0, table);
-  }
-  else
-  {
-    this->Mesh->SetBlock(0, gather(mesh));
-  }
-  this->Mesh->Modified();
-  this->UpdateMeshExtents(this->Mesh->GetBlock(0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::UpdateMeshExtents(vtkDataObject* forms)
-{
-  std::vector<vtkPolyData*> meshes;
-  if (auto* table = vtkMultiBlockDataSet::SafeDownCast(forms))
-  {
-    for (unsigned int i = 0; i < table->GetNumberOfBlocks(); ++i)
-    {
-      meshes.push_back(vtkPolyData::SafeDownCast(table->GetBlock(i)));
-    }
-  }
-  else
-  {
-    meshes.push_back(vtkPolyData::SafeDownCast(forms));
-  }
-  std::vector<vtkMTimeType> times;
-  for (vtkPolyData* mesh : meshes)
-  {
-    times.push_back(mesh && mesh->GetPoints() ? mesh->GetPoints()->GetMTime() : 0);
-  }
-  if (times == this->MeshExtentsTimes)
-  {
-    return;
-  }
-  this->MeshExtentsTimes = times;
-  this->MeshExtents.clear();
-  for (vtkPolyData* mesh : meshes)
-  {
-    auto corners = std::make_shared<rtg::TriangleMesh>();
-    if (mesh && mesh->GetNumberOfPoints() > 0)
-    {
-      double b[6];
-      mesh->GetBounds(b);
-      corners->positions = { glm::vec3(b[0], b[2], b[4]), glm::vec3(b[1], b[3], b[5]) };
-    }
-    this->MeshExtents.push_back(std::move(corners));
-  }
 }
 
 //----------------------------------------------------------------------------
@@ -229,14 +121,13 @@ void vtkRayTracedGlyphRepresentation::AddArrays(vtkPolyData* points)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::Deliver(vtkInformation* inInfo, bool lod)
 {
-  // In a composite, because data of several ranks that are put together do not stay apart otherwise.
   if (lod)
   {
-    vtkPVRenderView::SetPieceLOD(inInfo, this, this->Mesh, 0, 1);
+    vtkPVRenderView::SetPieceLOD(inInfo, this, this->Meshes.GetPiece(), 0, 1);
   }
   else
   {
-    vtkPVView::SetPiece(inInfo, this, this->Mesh, 0, 1);
+    vtkPVView::SetPiece(inInfo, this, this->Meshes.GetPiece(), 0, 1);
     this->UpdateTensorRange(this->GetPoints());
     this->UpdateScaleGuess(this->GetPoints());
     this->CountPointsOfAllRanks(this->GetPoints());
@@ -271,7 +162,7 @@ const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points
   if (settings.Shape == rtg::Shape::Mesh)
   {
     all.clear();
-    for (const auto& corners : this->MeshExtents)
+    for (const auto& corners : this->Meshes.GetExtents())
     {
       all.push_back(settings);
       all.back().Mesh = corners;
@@ -307,13 +198,7 @@ void vtkRayTracedGlyphRepresentation::UpdateScaleGuess(vtkPolyData* points)
   double unitSize = settings.Shape == rtg::Shape::Capsule ? 2.0 : 1.0;
   if (settings.Shape == rtg::Shape::Mesh)
   {
-    unitSize = 0.0;
-    for (const auto& corners : this->MeshExtents)
-    {
-      const glm::vec3 sides =
-        corners->positions.empty() ? glm::vec3(0.0f) : corners->positions.back() - corners->positions.front();
-      unitSize = std::max<double>(unitSize, std::max({ sides.x, sides.y, sides.z }));
-    }
+    unitSize = this->Meshes.GetLargestSide();
   }
   const vtkGlyphScaleGuess::Result& found = this->Guess.Get(points, settings, unitSize, this->GetUpdateTime());
   this->ScaleGuess[0] = found.Factor;
@@ -342,24 +227,17 @@ bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const vtkGl
 // a layer, too.
 void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
 {
-  auto* mesh = vtkMultiBlockDataSet::SafeDownCast(
+  this->Meshes.Take(
     lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1) : vtkPVView::GetDeliveredPiece(inInfo, this, 1));
-  vtkDataObject* forms = mesh && mesh->GetNumberOfBlocks() > 0 ? mesh->GetBlock(0) : nullptr;
-  this->UpdateMeshExtents(forms);
-  auto* table = vtkMultiBlockDataSet::SafeDownCast(forms);
-  const auto form = [&](int entry) {
-    return vtkPolyData::SafeDownCast(table ? table->GetBlock(entry) : entry == 0 ? forms : nullptr);
-  };
-
   vtkGlyphSettings settings = this->MakeSettings();
-  const bool usesTable = table && table->GetNumberOfBlocks() > 1 && settings.Shape == rtg::Shape::Mesh;
-  settings.TableSize = usesTable ? static_cast<int>(table->GetNumberOfBlocks()) : 1;
+  const bool usesTable = this->Meshes.GetNumberOfForms() > 1 && settings.Shape == rtg::Shape::Mesh;
+  settings.TableSize = usesTable ? static_cast<int>(this->Meshes.GetNumberOfForms()) : 1;
   const vtkGlyphBlockAttributes::Table noBlocks;
   const vtkGlyphBlockAttributes::Table& blocks = points ? this->Blocks.Resolve(points) : noBlocks;
   settings.HighScale = this->HighScale.Get(points, settings, blocks, collective);
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
   main->SetInWindow(this->IsInWindow());
-  main->SetSettings(settings, table && table->GetNumberOfBlocks() == 0 ? nullptr : form(0));
+  main->SetSettings(settings, this->Meshes.GetForm(0));
   main->SetTensorTable(this->TensorTable);
   if (settings.HasNumberRange() && (!this->TensorTable || settings.Tensors.Coloring == vtkGlyphTensors::EIGENVALUES))
   {
@@ -369,28 +247,18 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   this->UpdateLegend(points, settings);
 
   const bool axes = this->ShowsAxes(points, settings);
-  const std::size_t wanted = settings.TableSize - 1 + (axes ? 1 : 0);
-  while (this->Layers.size() > wanted)
-  {
-    this->RemovePart(this->GetRenderView(), this->Layers.back()->Actor, this->Layers.back()->Mapper);
-    this->Layers.pop_back();
-  }
-  while (this->Layers.size() < wanted)
-  {
-    this->Layers.push_back(std::make_unique<Layer>());
-    this->AddPart(this->GetRenderView(), this->Layers.back()->Actor, this->Layers.back()->Mapper);
-  }
+  this->ResizeLayers(this->GetRenderView(), settings.TableSize - 1 + (axes ? 1 : 0));
   for (int entry = 1; entry < settings.TableSize; ++entry)
   {
-    Layer& layer = *this->Layers[entry - 1];
+    vtkGlyphLayers::Layer& layer = (*this->Layers)[entry - 1];
     layer.Follow(points, this->GetActor(), this->Blocks, this->GetSelectionColor());
     layer.FollowColors(main);
     settings.TableEntry = entry;
-    layer.Mapper->SetSettings(settings, form(entry));
+    layer.Mapper->SetSettings(settings, this->Meshes.GetForm(entry));
   }
   if (axes)
   {
-    Layer& layer = *this->Layers.back();
+    vtkGlyphLayers::Layer& layer = (*this->Layers)[settings.TableSize - 1];
     layer.Follow(points, this->GetActor(), this->Blocks, this->GetSelectionColor());
     layer.Mapper->ScalarVisibilityOff();
     layer.Mapper->SetSettings(settings.AxesOfTensors(), nullptr);
@@ -412,9 +280,9 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(vtkPolyData* points, vtkGlyph
   const std::string name = settings.Tensors.On  ? settings.Tensors.Array
     : settings.Forms.On && !settings.Forms.Each ? settings.Forms.Array
                                                 : scales;
-  if (settings.Shape == rtg::Shape::Mesh && !this->MeshExtents.empty())
+  if (settings.Shape == rtg::Shape::Mesh && !this->Meshes.GetExtents().empty())
   {
-    settings.Mesh = this->MeshExtents.front();
+    settings.Mesh = this->Meshes.GetExtents().front();
   }
   vtkNew<vtkPolyData> nothing;
   vtkPolyData* known = points ? points : nothing.Get();
@@ -430,20 +298,14 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(vtkPolyData* points, vtkGlyph
 void vtkRayTracedGlyphRepresentation::SetPartBounds(const double bounds[6])
 {
   this->Superclass::SetPartBounds(bounds);
-  for (const auto& layer : this->Layers)
-  {
-    layer->Mapper->SetKnownBounds(bounds);
-  }
+  this->Layers->SetKnownBounds(bounds);
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::ShowLayers(bool visible)
 {
   this->Legend->SetVisibility(visible);
-  for (const auto& layer : this->Layers)
-  {
-    layer->Actor->SetVisibility(visible);
-  }
+  this->Layers->SetVisibility(visible);
 }
 
 //----------------------------------------------------------------------------
@@ -467,13 +329,17 @@ bool vtkRayTracedGlyphRepresentation::RemoveFromView(vtkView* view)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::ResizeLayers(vtkPVRenderView* view, std::size_t size)
+{
+  this->Layers->Resize(
+    size, [=, this](vtkRayTracedActor* actor, vtkRayTracedMapper* mapper) { this->AddPart(view, actor, mapper); },
+    [=, this](vtkRayTracedActor* actor, vtkRayTracedMapper* mapper) { this->RemovePart(view, actor, mapper); });
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::RemoveLayers(vtkPVRenderView* view)
 {
-  for (const auto& layer : this->Layers)
-  {
-    this->RemovePart(view, layer->Actor, layer->Mapper);
-  }
-  this->Layers.clear();
+  this->ResizeLayers(view, 0);
 }
 
 //****************************************************************************

@@ -11,6 +11,7 @@
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "vtkGlyphHighScale.h"
 #include "vtkGlyphLegend.h"
+#include "vtkGlyphMeshes.h"
 #include "vtkGlyphScaleGuess.h"
 #include "vtkGlyphSettings.h"
 #include "vtkGlyphTensorRange.h"
@@ -18,11 +19,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
-class vtkMultiBlockDataSet;
+class vtkGlyphLayers;
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedGlyphRepresentation : public vtkRayTracedSelectableRepresentation
 {
@@ -237,16 +239,13 @@ private:
   vtkRayTracedGlyphRepresentation(const vtkRayTracedGlyphRepresentation&) = delete;
   void operator=(const vtkRayTracedGlyphRepresentation&) = delete;
 
-  struct Layer;
-
   vtkGlyphSettings MakeSettings() const;
   bool ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const;
-  void GatherMesh(vtkDataObject* mesh);
-  void UpdateMeshExtents(vtkDataObject* forms);
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points);
   void CountPointsOfAllRanks(vtkPolyData* points);
   void UpdateLegend(vtkPolyData* points, vtkGlyphSettings settings);
+  void ResizeLayers(vtkPVRenderView* view, std::size_t size);
 
   vtkGlyphSettings Glyphs; // but for what MakeSettings() adds
   int GlyphShape = 0;
@@ -268,12 +267,8 @@ private:
   vtkGlyphTensorRange NumberRange; // of the data
   vtkGlyphTensorRange ShownRange;  // of what is delivered to be rendered
 
-  vtkNew<vtkMultiBlockDataSet> Mesh; // gathered; its only block is the mesh of mesh glyphs, or those of a table
-  std::vector<std::shared_ptr<const rtg::TriangleMesh>> MeshExtents; // corners of the meshes' boxes, for Bounds
-  std::vector<vtkMTimeType> MeshExtentsTimes;
-
-  // One more actor and mapper each: the arrows of tensor axes, further meshes of a table.
-  std::vector<std::unique_ptr<Layer>> Layers;
+  vtkGlyphMeshes Meshes;
+  std::unique_ptr<vtkGlyphLayers> Layers; // arrows of tensor axes, further forms of a table of meshes
 };
 
 #endif

@@ -8,13 +8,11 @@
 #include "vtkGlyphStepVelocity.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedActors.h"
-#include "vtkRayTracedArrays.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkRayTracedNumbers.h"
 #include "vtkRayTracedPythonClass.h"
@@ -143,31 +141,12 @@ void vtkRayTracedRepresentation::AddStepVelocities(vtkDataObject* input)
   {
     return;
   }
-  vtkAlgorithm* source = this->GetInputAlgorithm();
-  if (this->StepVelocitySource != source)
-  {
-    this->StepVelocity->Reset();
-    this->StepVelocitySource = source;
-  }
-  vtkInformation* info = input->GetInformation();
-  const double time =
-    info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : vtkMath::Nan();
-  this->StepVelocity->AddTo(this->Points, this->PointIds(), time);
+  this->StepVelocity->AddTo(this->Points, input, this->GetInputAlgorithm());
   const std::string message = this->StepVelocity->TakeMessage();
   if (!message.empty())
   {
     vtkWarningMacro(<< message);
   }
-}
-
-//----------------------------------------------------------------------------
-// Of the gathered points; null: there are none.
-vtkDataArray* vtkRayTracedRepresentation::PointIds()
-{
-  vtkPointData* data = this->Points->GetPointData();
-  const bool named = !vtkRayTracedArrays::IsNone(this->PointIdArray);
-  vtkDataArray* ids = named ? data->GetArray(this->PointIdArray.c_str()) : data->GetGlobalIds();
-  return ids && ids->GetNumberOfComponents() == 1 ? ids : nullptr;
 }
 
 //----------------------------------------------------------------------------
@@ -527,15 +506,9 @@ void vtkRayTracedRepresentation::SetVelocityFromPreviousStep(bool on)
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetPointIdArray(const char* name)
 {
-  const std::string wanted = OrEmpty(name);
-  if (this->PointIdArray != wanted)
+  if (this->StepVelocity->SetPointIdArray(OrEmpty(name)) && this->Motion.FromPreviousStep)
   {
-    this->PointIdArray = wanted;
-    this->StepVelocity->Reset();
-    if (this->Motion.FromPreviousStep)
-    {
-      this->MarkModified();
-    }
+    this->MarkModified();
   }
 }
 

@@ -18,7 +18,6 @@
 #include "vtkProperty.h"
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSmartPointer.h"
-#include "vtkWeakPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkGlyphBounds.h"
@@ -34,8 +33,6 @@
 #include <string>
 #include <vector>
 
-class vtkAlgorithm;
-class vtkDataArray;
 class vtkGlyphStepVelocity;
 class vtkPVRenderView;
 class vtkPolyData;
@@ -291,7 +288,6 @@ private:
   void Answer(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
   void ReportLackOfMemory();
   void AddStepVelocities(vtkDataObject* input);
-  vtkDataArray* PointIds();
   void UpdateActorPosition();
   void Render(vtkPVRenderView* view, vtkInformation* inInfo);
   void ConfigureColors(vtkPolyData* points);
@@ -309,8 +305,6 @@ private:
   bool MapScalars = true, InterpolateScalarsBeforeMapping = true;
   std::array<double, 3> Position{}, Translation{};
   std::unique_ptr<vtkGlyphStepVelocity> StepVelocity;
-  std::string PointIdArray;
-  vtkWeakPointer<vtkAlgorithm> StepVelocitySource; // whose steps they are
   int ParallelLight = vtkRayTracedImageSettings::LocalLight;
   bool ReplicateGlyphs = false;
   std::string FeatureFile; // until there is a scene

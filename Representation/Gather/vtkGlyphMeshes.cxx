@@ -1,0 +1,114 @@
+#include "vtkGlyphMeshes.h"
+
+#include "Glyphs.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRayTracedSurfaceGatherer.h"
+
+#include <algorithm>
+
+//----------------------------------------------------------------------------
+vtkGlyphMeshes::vtkGlyphMeshes() = default;
+
+//----------------------------------------------------------------------------
+vtkGlyphMeshes::~vtkGlyphMeshes() = default;
+
+//----------------------------------------------------------------------------
+void vtkGlyphMeshes::Gather(vtkDataObject* data, bool blocksAreForms)
+{
+  // 3D Glyphs shade meshes by the normals they have, and compute none.
+  vtkRayTracedSurfaceGatherer::Settings settings;
+  settings.ComputesNormals = false;
+  auto* blocks = vtkDataObjectTree::SafeDownCast(data);
+  if (blocksAreForms && blocks)
+  {
+    vtkNew<vtkMultiBlockDataSet> table;
+    auto block = vtk::TakeSmartPointer(blocks->NewTreeIterator());
+    block->SetSkipEmptyNodes(false);
+    block->SetVisitOnlyLeaves(false);
+    block->SetTraverseSubTree(false);
+    for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
+    {
+      table->SetBlock(
+        table->GetNumberOfBlocks(), vtkRayTracedSurfaceGatherer::Gather(block->GetCurrentDataObject(), settings));
+    }
+    this->Piece->SetBlock(0, table);
+  }
+  else
+  {
+    this->Piece->SetBlock(0, vtkRayTracedSurfaceGatherer::Gather(data, settings));
+  }
+  this->Piece->Modified();
+  this->Take(this->Piece);
+}
+
+//----------------------------------------------------------------------------
+vtkDataObject* vtkGlyphMeshes::GetPiece() const
+{
+  return this->Piece;
+}
+
+//----------------------------------------------------------------------------
+void vtkGlyphMeshes::Take(vtkDataObject* piece)
+{
+  auto* outer = vtkMultiBlockDataSet::SafeDownCast(piece);
+  vtkDataObject* inner = outer && outer->GetNumberOfBlocks() > 0 ? outer->GetBlock(0) : nullptr;
+  this->Forms.clear();
+  if (auto* table = vtkMultiBlockDataSet::SafeDownCast(inner))
+  {
+    for (unsigned int i = 0; i < table->GetNumberOfBlocks(); ++i)
+    {
+      this->Forms.emplace_back(vtkPolyData::SafeDownCast(table->GetBlock(i)));
+    }
+  }
+  else
+  {
+    this->Forms.emplace_back(vtkPolyData::SafeDownCast(inner));
+  }
+  this->UpdateExtents();
+}
+
+//----------------------------------------------------------------------------
+void vtkGlyphMeshes::UpdateExtents()
+{
+  std::vector<vtkMTimeType> times;
+  for (vtkPolyData* form : this->Forms)
+  {
+    times.push_back(form && form->GetPoints() ? form->GetPoints()->GetMTime() : 0);
+  }
+  if (times == this->ExtentsTimes)
+  {
+    return;
+  }
+  this->ExtentsTimes = times;
+  this->Extents.clear();
+  for (vtkPolyData* form : this->Forms)
+  {
+    auto corners = std::make_shared<rtg::TriangleMesh>();
+    if (form && form->GetNumberOfPoints() > 0)
+    {
+      double b[6];
+      form->GetBounds(b);
+      corners->positions = { glm::vec3(b[0], b[2], b[4]), glm::vec3(b[1], b[3], b[5]) };
+    }
+    this->Extents.push_back(std::move(corners));
+  }
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphMeshes::GetLargestSide() const
+{
+  double largest = 0.0;
+  for (const auto& corners : this->Extents)
+  {
+    if (!corners->positions.empty())
+    {
+      const glm::vec3 sides = corners->positions.back() - corners->positions.front();
+      largest = std::max<double>(largest, std::max({ sides.x, sides.y, sides.z }));
+    }
+  }
+  return largest;
+}
