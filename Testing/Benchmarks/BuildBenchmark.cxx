@@ -1,12 +1,12 @@
 // Wall-clock seconds of what the host does with new glyphs: their boxes, their order, their tree; and, of spheres, from
 // data in memory to the first picture, with the memory that takes.
 // Usage: BuildBenchmark shapes [COUNT] [REPETITIONS] [CSV]
-//        BuildBenchmark picture [COUNT] [PIXELS] [CSV]
+//        BuildBenchmark picture [COUNT] [PIXELS] [CSV] [TURNS]
 //
 // Glyphs lie in a cube at random, turned at random where it says so. Shapes are measured in turns, and of each stage
 // the median is printed, on one thread and on all cores, beside the processor seconds of all together, which other work
-// on the machine disturbs less. The picture is measured once, in a process that has done nothing else, so programs are
-// compiled in it.
+// on the machine disturbs less. The picture is measured in each turn by a process that has done nothing else, so
+// programs are compiled in it.
 #include "Crowds.h"
 #include "GlyphBoxes.h"
 #include "GlyphTree.h"
@@ -17,11 +17,16 @@
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
 
 namespace
 {
@@ -58,7 +63,7 @@ void Build(const rtg::GlyphInstances& instances, Seconds& seconds)
 
 int MeasureShapes(std::size_t count, int repetitions, const char* path)
 {
-  std::ofstream csv(path);
+  std::ofstream csv = benchmark::Written(path);
   csv << "shape,glyphs,threads";
   for (const char* column : { "boxes s", "order s", "tree s", "processor s" })
   {
@@ -100,7 +105,11 @@ double PeakMegabytes()
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-int MeasurePicture(std::size_t count, std::uint32_t pixels, const char* path)
+constexpr const char* pictureColumns[] = { "commit s", "sort s", "build s", "upload s", "picture s", "all s", "peak MB",
+  "MB before" };
+using PictureFigures = std::array<double, std::size(pictureColumns)>;
+
+PictureFigures MeasurePicture(std::size_t count, std::uint32_t pixels)
 {
   rtg::GlyphInstances instances = benchmark::MakeInstances(crowds[0], count);
   const double before = PeakMegabytes();
@@ -118,23 +127,65 @@ int MeasurePicture(std::size_t count, std::uint32_t pixels, const char* path)
   const double first = watch.Lap();
   const double sum = total.Lap();
   const rtg::Statistics& statistics = scene.GetStatistics();
-  std::printf("%zu spheres, %u x %u pixels, %zu threads\n", count, pixels, pixels, rtg::ThreadCount());
-  std::printf("commit %.2f s: sorting %.2f, building %.2f, sending %.2f\n", commit, statistics.sortSeconds,
-    statistics.buildSeconds, statistics.uploadSeconds);
-  std::printf("programs and picture %.2f s; all %.2f s\n", first, sum);
-  std::printf("peak memory %.0f MB, of which %.0f before; on the device %.0f MB\n", PeakMegabytes(), before,
-    static_cast<double>(statistics.deviceBytes) / 1048576.0);
-  std::ofstream csv(path);
-  csv << "glyphs,pixels,threads,commit s,sort s,build s,upload s,picture s,all s,peak MB,MB before\n"
-      << count << ',' << pixels << ',' << rtg::ThreadCount() << ',' << commit << ',' << statistics.sortSeconds << ','
-      << statistics.buildSeconds << ',' << statistics.uploadSeconds << ',' << first << ',' << sum << ','
-      << PeakMegabytes() << ',' << before << '\n';
+  return { commit, statistics.sortSeconds, statistics.buildSeconds, statistics.uploadSeconds, first, sum,
+    PeakMegabytes(), before };
+}
+
+// What a process of its own finds.
+PictureFigures MeasureApart(std::size_t count, std::uint32_t pixels)
+{
+  int ends[2];
+  const pid_t child = pipe(ends) == 0 ? fork() : -1;
+  PictureFigures figures;
+  if (child == 0)
+  {
+    figures = MeasurePicture(count, pixels);
+    const bool written = write(ends[1], figures.data(), sizeof figures) == sizeof figures;
+    _exit(written ? 0 : 1);
+  }
+  close(ends[1]);
+  const bool found = child > 0 && read(ends[0], figures.data(), sizeof figures) == sizeof figures;
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  if (!found)
+  {
+    throw std::runtime_error("a turn has ended without its figures");
+  }
+  return figures;
+}
+
+int MeasurePictures(std::size_t count, std::uint32_t pixels, const char* path, int turns)
+{
+  std::vector<std::vector<double>> found(std::size(pictureColumns));
+  for (int turn = 0; turn < turns; ++turn)
+  {
+    const PictureFigures figures = MeasureApart(count, pixels);
+    for (std::size_t i = 0; i < figures.size(); ++i)
+    {
+      found[i].push_back(figures[i]);
+    }
+  }
+  std::ofstream csv = benchmark::Written(path);
+  csv << "glyphs,pixels,threads";
+  for (const char* column : pictureColumns)
+  {
+    csv << ',' << benchmark::Spread::Columns(column);
+  }
+  csv << '\n' << count << ',' << pixels << ',' << rtg::ThreadCount();
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    const benchmark::Spread spread(found[i]);
+    std::printf("%-12s %8.2f (%.2f, %.2f)\n", pictureColumns[i], spread.median, spread.lower, spread.upper);
+    csv << ',' << spread;
+  }
+  csv << '\n';
   return 0;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
+try
 {
   const std::string what = argc > 1 ? argv[1] : "";
   const char* csv = argc > 4 ? argv[4] : "/dev/null";
@@ -145,9 +196,14 @@ int main(int argc, char** argv)
   }
   if (what == "picture")
   {
-    return MeasurePicture(argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 10000000,
-      argc > 3 ? std::uint32_t(std::atoi(argv[3])) : 1200, csv);
+    return MeasurePictures(argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 10000000,
+      argc > 3 ? std::uint32_t(std::atoi(argv[3])) : 1200, csv, argc > 5 ? std::atoi(argv[5]) : 7);
   }
-  std::fprintf(stderr, "usage: BuildBenchmark shapes|picture [COUNT] [REPETITIONS|PIXELS] [CSV]\n");
+  std::fprintf(stderr, "usage: BuildBenchmark shapes|picture [COUNT] [REPETITIONS|PIXELS] [CSV] [TURNS]\n");
   return 2;
+}
+catch (const std::exception& error)
+{
+  std::fprintf(stderr, "BuildBenchmark: %s\n", error.what());
+  return 1;
 }

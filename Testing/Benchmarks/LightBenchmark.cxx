@@ -1,16 +1,16 @@
 // What light costs and how far from the truth it is.
 //
-// LightBenchmark cost SCENE [PIXELS] [REPETITIONS]
-//   Seconds of an image with local shading, with one ray of ambient occlusion, and path-traced with 1, 2, ... bounces;
-//   ratios to local shading, medians of so many turns.
+// LightBenchmark cost OUTPUT.csv NAME=SCENE...
+//   Processor seconds of an image of 600 x 600 with local shading, with one ray of ambient occlusion, and path-traced
+//   with 1, 2, ... bounces, and ratios to local shading: medians and quartiles of eleven turns.
 // LightBenchmark error SCENE OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]
 //   Of 3 x 3 squares of PIXELS x PIXELS, evenly spread over the scene's view: mean squared error against a reference of
 //   independent samples, by shading, sampler, samples and seconds, as traced, denoised and blurred. References are kept
 //   beside OUTPUT and used again.
-// LightBenchmark variance SCENE [PIXELS] [SIDE]
-//   Of the middle PIXELS x PIXELS of the view: the variance of one sample, split into what the place in the pixel alone
+// LightBenchmark variance OUTPUT.csv NAME=SCENE...
+//   Of the middle 32 x 32 pixels of the view: the variance of one sample, split into what the place in the pixel alone
 //   decides, what the directions after it alone decide, and what only both together do, which is what samples spread
-//   well in each of them cannot take away. SIDE^2 places by SIDE^2 choices of directions a pixel.
+//   well in each of them cannot take away. 64 places by 64 choices of directions a pixel.
 // LightBenchmark picture SCENE OUTPUT.ppm [PIXELS] [SAMPLES]
 //   That part of the view, ambient occlusion beside path tracing, to be looked at.
 // SCENE: a file by Data/spheres_280k.py or Data/helix.py, or one of Data/impact, whose velocities become arrows in a
@@ -48,18 +48,19 @@ struct Costly
 
 // All are taken in turns, and of several turns the median of the ratio to local shading's time counts: the machine's
 // speed changes.
-void MeasureCost(LightScene& subject, int pixels, int repetitions)
+void MeasureCost(LightScene& subject, const std::string& scene, std::ofstream& csv)
 {
+  constexpr int turns = 11;
   std::vector<Costly> all{ { "local" }, { "occlusion", Shading::AmbientOcclusion } };
   for (std::uint32_t bounces : { 1, 2, 3, 4, 6, 8, 10 })
   {
-    all.push_back({ "path, " + std::to_string(bounces) + " bounces", Shading::PathTracing, bounces });
+    all.push_back({ "path " + std::to_string(bounces), Shading::PathTracing, bounces });
   }
   rtg::Tracer tracer(subject.device);
   rtg::TraceSettings settings;
-  settings.width = settings.height = static_cast<std::uint32_t>(pixels);
+  settings.width = settings.height = 600;
   std::vector<std::vector<double>> seconds(all.size()), ratios(all.size());
-  for (int turn = 0; turn <= repetitions; ++turn)
+  for (int turn = 0; turn <= turns; ++turn)
   {
     double local = 0.0;
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -78,13 +79,10 @@ void MeasureCost(LightScene& subject, int pixels, int repetitions)
       }
     }
   }
-  std::printf("%s, %d x %d, one sample a pixel, medians of %d\n%-24s %10s %14s %20s\n", subject.device->Name().c_str(),
-    pixels, pixels, repetitions, "", "CPU s", "local = 1", "(quartiles)");
   for (std::size_t i = 0; i < all.size(); ++i)
   {
-    const auto quantile = [&](double share) { return benchmark::Quantile(ratios[i], share); };
-    std::printf("%-24s %10.3f %14.2f %10.2f %9.2f\n", all[i].name.c_str(), benchmark::Quantile(seconds[i], 0.5),
-      quantile(0.5), quantile(0.25), quantile(0.75));
+    csv << scene << ',' << all[i].name << ',' << benchmark::Spread(seconds[i]) << ',' << benchmark::Spread(ratios[i])
+        << std::endl;
   }
 }
 
@@ -338,11 +336,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
 void MeasureError(
   LightScene& subject, const std::string& output, int pixels, std::uint32_t referenceSamples, std::uint32_t mostSamples)
 {
-  std::ofstream csv(output);
-  if (!csv)
-  {
-    throw std::runtime_error("cannot write " + output);
-  }
+  std::ofstream csv = benchmark::Written(output);
   csv << "shading,sampler,samples," << benchmark::Spread::Columns("cpu_seconds")
       << ",mse,reference_mse,denoised_mse,denoise_seconds,blurred_mse\n";
   for (const auto& [name, shading] : shadings)
@@ -431,16 +425,14 @@ VarianceParts SplitVariance(LightScene& subject, int pixels, int side, Shading s
   return parts;
 }
 
-void MeasureVariance(LightScene& subject, int pixels, int side)
+void MeasureVariance(LightScene& subject, const std::string& scene, std::ofstream& csv)
 {
-  std::printf(
-    "%-12s %12s %8s %11s %8s %10s %9s\n", "", "variance", "place", "directions", "both", "adaptive", "covered");
   for (const auto& [name, shading] : shadings)
   {
-    const VarianceParts parts = SplitVariance(subject, pixels, side, shading);
-    std::printf("%-12s %12.4g %8.3f %11.3f %8.3f %10.2f %9.3f\n", name, parts.Total(), parts.place / parts.Total(),
-      parts.direction / parts.Total(), parts.both / parts.Total(), parts.adaptive, parts.covered);
-    std::fflush(stdout);
+    const VarianceParts parts = SplitVariance(subject, 32, 8, shading);
+    csv << scene << ',' << name << ',' << parts.Total() << ',' << parts.place / parts.Total() << ','
+        << parts.direction / parts.Total() << ',' << parts.both / parts.Total() << ',' << parts.adaptive << ','
+        << parts.covered << std::endl;
   }
 }
 
@@ -480,37 +472,46 @@ void WritePicture(LightScene& subject, const std::string& output, int pixels, st
 int main(int argc, char** argv)
 try
 {
-  const std::string what = argc > 2 ? argv[1] : "";
+  const std::string what = argc > 3 ? argv[1] : "";
   const auto number = [&](int at, int otherwise) { return argc > at ? std::atoi(argv[at]) : otherwise; };
-  if (what != "cost" && what != "variance" && !((what == "error" || what == "picture") && argc > 3))
+  if (what == "cost" || what == "variance")
+  {
+    std::ofstream csv = benchmark::Written(argv[2]);
+    csv << (what == "cost" ? "scene,light," + benchmark::Spread::Columns("cpu_seconds") + ',' +
+                 benchmark::Spread::Columns("over_local")
+                           : "scene,light,variance,place,directions,both,adaptive,covered")
+        << std::endl;
+    for (int i = 3; i < argc; ++i)
+    {
+      const std::string named = argv[i];
+      const std::size_t sign = named.find('=');
+      if (sign == std::string::npos)
+      {
+        throw std::runtime_error("'" + named + "' is not NAME=SCENE");
+      }
+      LightScene subject;
+      benchmark::Load(subject, named.substr(sign + 1));
+      (what == "cost" ? MeasureCost : MeasureVariance)(subject, named.substr(0, sign), csv);
+    }
+    return 0;
+  }
+  if (what != "error" && what != "picture")
   {
     std::fprintf(stderr,
-      "Usage: LightBenchmark cost SCENE.vtk [PIXELS] [REPETITIONS]\n"
+      "Usage: LightBenchmark cost|variance OUTPUT.csv NAME=SCENE.vtk...\n"
       "       LightBenchmark error SCENE.vtk OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] "
       "[MOST-SAMPLES]\n"
-      "       LightBenchmark variance SCENE.vtk [PIXELS] [SIDE]\n"
       "       LightBenchmark picture SCENE.vtk OUTPUT.ppm [PIXELS] [SAMPLES]\n");
     return 2;
   }
   LightScene subject;
   benchmark::Load(subject, argv[2]);
-  if (what == "cost")
-  {
-    MeasureCost(subject, number(3, 1200), number(4, 9));
-    return 0;
-  }
-  const int pixels = number(what == "variance" ? 3 : 4, what == "picture" ? 64 : what == "error" ? 24 : 32);
-  if (what == "variance")
-  {
-    MeasureVariance(subject, pixels, number(4, 8));
-    return 0;
-  }
   if (what == "picture")
   {
-    WritePicture(subject, argv[3], pixels, static_cast<std::uint32_t>(number(5, 16)));
+    WritePicture(subject, argv[3], number(4, 64), static_cast<std::uint32_t>(number(5, 16)));
     return 0;
   }
-  MeasureError(subject, argv[3], pixels, static_cast<std::uint32_t>(number(5, 16384)),
+  MeasureError(subject, argv[3], number(4, 24), static_cast<std::uint32_t>(number(5, 16384)),
     static_cast<std::uint32_t>(number(6, 1024)));
   return 0;
 }

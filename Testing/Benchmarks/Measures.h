@@ -7,7 +7,10 @@
 #include <cmath>
 #include <cstddef>
 #include <ctime>
+#include <fstream>
+#include <functional>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -57,6 +60,45 @@ struct Spread
 inline std::ostream& operator<<(std::ostream& stream, const Spread& spread)
 {
   return stream << spread.median << ',' << spread.lower << ',' << spread.upper;
+}
+
+/// Nanoseconds of processor time that a call takes: of each of seven turns, which are of 5 ms at least.
+template <class Function>
+std::vector<double> Nanoseconds(const Function& call)
+{
+  std::vector<double> turns;
+  while (turns.size() < 7)
+  {
+    const double start = CpuSeconds();
+    double spent = 0.0;
+    int calls = 0;
+    do
+    {
+      call();
+      ++calls;
+      spent = CpuSeconds() - start;
+    } while (spent < 0.005);
+    turns.push_back(1e9 * spent / calls);
+  }
+  return turns;
+}
+
+/// Turn by turn.
+inline void AddTo(std::vector<double>& sums, const std::vector<double>& turns)
+{
+  sums.resize(turns.size());
+  std::transform(sums.begin(), sums.end(), turns.begin(), sums.begin(), std::plus<double>());
+}
+
+/// A file that is to be written; throws what cannot be.
+inline std::ofstream Written(const std::string& path)
+{
+  std::ofstream file(path);
+  if (!file)
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+  return file;
 }
 
 /// Mean over pixels and channels of the squared difference.

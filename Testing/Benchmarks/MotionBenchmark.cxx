@@ -1,8 +1,8 @@
 // What motion blur costs and how far from the truth it is.
 //
-// MotionBenchmark cost SPHERES [PIXELS] [SAMPLES]
+// MotionBenchmark cost SPHERES OUTPUT.csv [PIXELS] [SAMPLES] [TURNS]
 //   Processor seconds of one sample a pixel, over those of the same spheres at rest, and seconds to build, by path
-//   length.
+//   length: medians and quartiles of so many turns.
 // MotionBenchmark error SPHERES OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES] [TURNS]
 //   Of the middle PIXELS x PIXELS of an image of 1200 x 1200: mean squared error against a reference of independent
 //   samples, by scheme, path length, samples and seconds. These are medians and quartiles of so many turns over the
@@ -104,25 +104,33 @@ double Cost(Scene& scene, rtg::Tracer& tracer, const Subject& subject, const rtg
   return benchmark::CpuSeconds() - start;
 }
 
-void MeasureCost(const Subject& subject, std::uint32_t pixels, std::uint32_t samples)
+void MeasureCost(
+  const Subject& subject, const std::string& output, std::uint32_t pixels, std::uint32_t samples, std::uint32_t turns)
 {
+  std::ofstream csv = benchmark::Written(output);
+  csv << "radii,slices," << benchmark::Spread::Columns("build_cpu_seconds") << ','
+      << benchmark::Spread::Columns("sample_cpu_seconds") << ',' << benchmark::Spread::Columns("over_rest")
+      << std::endl;
   rtg::TraceSettings settings;
   settings.width = settings.height = pixels;
   settings.samples = samples;
   settings.keepSums = true;
   rtg::Tracer tracer(subject.device);
-  Scene scene(subject);
-  std::printf("%u x %u, %u samples\n%8s %7s %10s %12s %10s\n", pixels, pixels, samples, "radii", "slices", "build s",
-    "s a sample", "at rest=1");
+  Scene still(subject), moving(subject);
   for (const double path : paths)
   {
-    scene.Show(Instances(subject, path, false));
-    const double still = Cost(scene, tracer, subject, settings) / samples;
-    const double build = scene.Show(Instances(subject, path, true));
-    const double seconds = Cost(scene, tracer, subject, settings) / samples;
-    std::printf("%8.1f %7u %10.2f %12.3f %10.2f\n", path, 1u << scene.scene.GetState().placedTimeSliceBits, build,
-      seconds, seconds / still);
-    std::fflush(stdout);
+    still.Show(Instances(subject, path, false));
+    std::vector<double> build, sample, overRest;
+    for (std::uint32_t turn = 0; turn < turns; ++turn)
+    {
+      build.push_back(moving.Show(Instances(subject, path, true)));
+      const double rest = Cost(still, tracer, subject, settings);
+      const double cost = Cost(moving, tracer, subject, settings);
+      sample.push_back(cost / samples);
+      overRest.push_back(cost / rest);
+    }
+    csv << path << ',' << (1u << moving.scene.GetState().placedTimeSliceBits) << ',' << benchmark::Spread(build) << ','
+        << benchmark::Spread(sample) << ',' << benchmark::Spread(overRest) << std::endl;
   }
 }
 
@@ -213,11 +221,7 @@ struct Turns
 void MeasureError(Subject& subject, const std::string& output, std::uint32_t pixels, std::uint32_t referenceSamples,
   std::uint32_t mostSamples, std::uint32_t turns)
 {
-  std::ofstream csv(output);
-  if (!csv)
-  {
-    throw std::runtime_error("cannot write " + output);
-  }
+  std::ofstream csv = benchmark::Written(output);
   // The middle of an image of 1200 x 1200; seconds of tracing are of all of it.
   const double whole = 1200.0 * 1200.0 / (double(pixels) * pixels);
   subject.camera.right *= pixels / 1200.0;
@@ -276,13 +280,13 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
 int main(int argc, char** argv)
 try
 {
-  const std::string what = argc > 2 ? argv[1] : "";
+  const std::string what = argc > 3 ? argv[1] : "";
   const auto number = [&](int at, int otherwise)
   { return static_cast<std::uint32_t>(argc > at ? std::atoi(argv[at]) : otherwise); };
-  if (what != "cost" && !(what == "error" && argc > 3))
+  if (what != "cost" && what != "error")
   {
     std::fprintf(stderr,
-      "Usage: MotionBenchmark cost SPHERES.vtk [PIXELS] [SAMPLES]\n"
+      "Usage: MotionBenchmark cost SPHERES.vtk OUTPUT.csv [PIXELS] [SAMPLES] [TURNS]\n"
       "       MotionBenchmark error SPHERES.vtk OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] "
       "[MOST-SAMPLES] [TURNS]\n");
     return 2;
@@ -290,7 +294,7 @@ try
   Subject subject = Load(argv[2]);
   if (what == "cost")
   {
-    MeasureCost(subject, number(3, 600), number(4, 8));
+    MeasureCost(subject, argv[3], number(4, 300), number(5, 8), number(6, 7));
   }
   else
   {

@@ -9,13 +9,13 @@
 #include <limits>
 #include <vector>
 
-namespace rtg::benchmark
+namespace benchmark
 {
 
 template <class Real>
 struct Rivals
 {
-  using K = shapes::Kernel<Real>;
+  using K = rtg::shapes::Kernel<Real>;
   using Vector = glm::vec<3, Real>;
   using GlyphRay = typename K::GlyphRay;
   using Glyph = typename K::Glyph;
@@ -451,4 +451,4 @@ struct Rivals
   }
 };
 
-} // namespace rtg::benchmark
+} // namespace benchmark

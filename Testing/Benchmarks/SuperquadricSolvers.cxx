@@ -5,12 +5,12 @@
 // in every case. The reference has 113 bits. Hits and misses are judged except within 1e-5 of the scale round the
 // silhouette; errors of t are in glyph sizes, beyond what t itself can hold (an ulp).
 #include "Measure.h"
+#include "Measures.h"
 #include "SuperquadricRivals.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <map>
 
@@ -97,13 +97,18 @@ std::vector<Scene> MakeScenes(int glyphs, int rays)
 
 struct Report
 {
-  double nanoseconds = 0; ///< summed over the rays
+  benchmark::Spread ARay() const
+  {
+    return benchmark::Spread(this->nanoseconds) *= 1.0 / double(std::max<std::size_t>(1, this->rays));
+  }
+
+  std::vector<double> nanoseconds; ///< summed over the rays, by turns
   std::size_t rays = 0, falseHits = 0, misses = 0;
   std::vector<double> sizes, radians;
 
   void Add(const Report& other)
   {
-    this->nanoseconds += other.nanoseconds;
+    benchmark::AddTo(this->nanoseconds, other.nanoseconds);
     this->rays += other.rays;
     this->falseHits += other.falseHits;
     this->misses += other.misses;
@@ -152,26 +157,18 @@ Report Run(Solver<Real> solver, const Scene& scene)
       }
     }
   }
-  // Time without normals and judging; best of some.
-  double best = 1e30;
+  // Time without normals and judging.
   volatile Real sink = 0;
-  for (int repetition = 0; repetition < 3; ++repetition)
-  {
-    const std::clock_t start = std::clock();
-    Real sum = 0;
-    int rounds = 0;
-    do
+  report.nanoseconds = benchmark::Nanoseconds(
+    [&]
     {
+      Real sum = 0;
       for (std::size_t i = 0; i < rays.size(); ++i)
       {
         sum += solver(rays[i], glyphs[i], Real(0), false).t;
       }
-      ++rounds;
-    } while (std::clock() - start < CLOCKS_PER_SEC / 200);
-    sink = sink + sum;
-    best = std::min(best, double(std::clock() - start) / CLOCKS_PER_SEC / rounds);
-  }
-  report.nanoseconds = 1e9 * best;
+      sink = sink + sum;
+    });
   return report;
 }
 
@@ -179,11 +176,10 @@ void Write(std::ostream& csv, const char* family, const std::string& situation, 
   const char* arithmetic, const Report& r)
 {
   const double rays = double(std::max<std::size_t>(1, r.rays));
-  csv << family << ",\"" << situation << "\",\"" << solver << "\"," << arithmetic << ',' << r.rays << ','
-      << r.nanoseconds / rays << ',' << Quantile(r.sizes, 0.5) << ',' << Quantile(r.sizes, 0.999) << ','
-      << Quantile(r.sizes, 1) << ',' << Quantile(r.radians, 0.5) << ',' << Quantile(r.radians, 0.999) << ','
-      << Quantile(r.radians, 1) << ',' << 1e6 * double(r.falseHits) / rays << ',' << 1e6 * double(r.misses) / rays
-      << '\n';
+  csv << family << ",\"" << situation << "\",\"" << solver << "\"," << arithmetic << ',' << r.rays << ',' << r.ARay()
+      << ',' << Quantile(r.sizes, 0.5) << ',' << Quantile(r.sizes, 0.999) << ',' << Quantile(r.sizes, 1) << ','
+      << Quantile(r.radians, 0.5) << ',' << Quantile(r.radians, 0.999) << ',' << Quantile(r.radians, 1) << ','
+      << 1e6 * double(r.falseHits) / rays << ',' << 1e6 * double(r.misses) / rays << '\n';
 }
 
 template <class Real>
@@ -240,7 +236,7 @@ void RunAll(const std::vector<Scene>& scenes, const char* arithmetic, std::ostre
         const Report& r = reports[situation];
         const double rays = double(r.rays);
         std::printf("| %s | %s | %s | %s | %.0f | %.1e | %.1e | %.1e | %.1e | %.1e | %.0f / %.0f |\n", family,
-          situation, entry.name, arithmetic, r.nanoseconds / rays, Quantile(r.sizes, 0.5), Quantile(r.sizes, 0.999),
+          situation, entry.name, arithmetic, r.ARay().median, Quantile(r.sizes, 0.5), Quantile(r.sizes, 0.999),
           Quantile(r.sizes, 1), Quantile(r.radians, 0.5), Quantile(r.radians, 1), 1e6 * double(r.falseHits) / rays,
           1e6 * double(r.misses) / rays);
       }
@@ -255,9 +251,9 @@ int main(int argc, char** argv)
 {
   std::ofstream csv(argc > 1 ? argv[1] : "superquadric-solvers.csv");
   const int glyphs = argc > 2 ? std::atoi(argv[2]) : 12, rays = argc > 3 ? std::atoi(argv[3]) : 50;
-  csv << "family,case,solver,arithmetic,rays,ns_per_ray,t_median_sizes,t_p999_sizes,t_max_sizes,"
-         "normal_median_radians,normal_p999_radians,normal_max_radians,false_hits_per_million,"
-         "misses_per_million\n";
+  csv << "family,case,solver,arithmetic,rays," << benchmark::Spread::Columns("ns_per_ray")
+      << ",t_median_sizes,t_p999_sizes,t_max_sizes,normal_median_radians,normal_p999_radians,normal_max_radians,"
+         "false_hits_per_million,misses_per_million\n";
   const std::vector<Scene> scenes = MakeScenes(glyphs, rays);
   std::printf("| glyphs | rays | solver | arithmetic | ns a ray | dt median | 99.9 %% | max (sizes) | normal "
               "median | max "

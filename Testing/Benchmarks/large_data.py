@@ -3,10 +3,10 @@
 Usage: pvpython large_data.py FOLDER [--count N] [--repeat N]
 Environment: RTGLYPHS_PLUGIN is the plugin's library.
 
-Each number of threads has a process of its own: one thread, and what is taken without asking. The stages are those of RenderStatistics. An edit is set
-and the view, of few pixels, rendered; "host" is the time of both without what the kernels say that sending, sorting,
-building, tracing and denoising took, so ParaView's own share is in it. Each edit is made to and fro REPEAT times; the least
-time counts, because the first one compiles programs. Written to FOLDER: large_data.csv.
+In each turn each number of threads has a process of its own: one thread, and what is taken without asking; medians and quartiles of the turns count.
+The stages are those of RenderStatistics. An edit is set and the view, of few pixels, rendered; "host" is the time of both without what the kernels say
+that sending, sorting, building, tracing and denoising took, so ParaView's own share is in it. Each edit is made to and fro twice; the lesser time
+counts, because the first one compiles programs. Written to FOLDER: large_data.csv.
 
 Ten million points need some 8 GB of memory.
 """
@@ -19,6 +19,8 @@ import sys
 import time
 
 import numpy
+
+import frames
 
 #: name -> environment of VTK's threads
 THREADS = {"one thread": {"VTK_SMP_BACKEND_IN_USE": "Sequential"}, "all cores": {}}
@@ -61,7 +63,7 @@ def counters(shown):
     return json.loads(shown.GetProperty("RenderStatistics").GetElement(0))
 
 
-def measure(count, repeat):
+def measure(count):
     """The figures of this process."""
     import paraview.simple as pv
 
@@ -83,7 +85,7 @@ def measure(count, repeat):
     figures = {stage: first[stage] for stage in STAGES + KERNELS}
     for name, values in EDITS.items():
         least = {}
-        for _ in range(repeat):
+        for _ in range(2):
             for value in values:
                 before = counters(shown)
                 start = time.monotonic()
@@ -106,33 +108,33 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder")
     parser.add_argument("--count", type=int, default=10000000)
-    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--repeat", type=int, default=7)
     parser.add_argument("--measure", action="store_true", help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.measure:
-        print(json.dumps(measure(options.count, options.repeat)), flush=True)
+        print(json.dumps(measure(options.count)), flush=True)
         return
     os.makedirs(options.folder, exist_ok=True)
-    rows = {}
-    for name, environment in THREADS.items():
-        print("measuring %s ..." % name, flush=True)
-        command = ["pvpython", os.path.abspath(__file__), options.folder, "--count", str(options.count), "--repeat",
-                   str(options.repeat), "--measure"]
-        run = subprocess.run(command, env={**os.environ, **environment}, stdout=subprocess.PIPE, text=True, check=False)
-        line = next((line for line in run.stdout.splitlines() if line.startswith("{")), None)
-        if line is None:
-            sys.exit("large_data.py: '%s' gave no figures:\n%s" % (name, run.stdout))
-        rows[name] = json.loads(line)
+    turns = {name: [] for name in THREADS}
+    for turn in range(options.repeat):
+        for name, environment in THREADS.items():
+            print("measuring %s, turn %d of %d ..." % (name, turn + 1, options.repeat), flush=True)
+            command = ["pvpython", os.path.abspath(__file__), options.folder, "--count", str(options.count), "--measure"]
+            run = subprocess.run(command, env={**os.environ, **environment}, stdout=subprocess.PIPE, text=True, check=False)
+            line = next((line for line in run.stdout.splitlines() if line.startswith("{")), None)
+            if line is None:
+                sys.exit("large_data.py: '%s' gave no figures:\n%s" % (name, run.stdout))
+            turns[name].append(json.loads(line))
+    rows = [{"what": what, **frames.quartiles("one thread", [turn[what] for turn in turns["one thread"]]),
+             **frames.quartiles("all cores", [turn[what] for turn in turns["all cores"]])} for what in turns["one thread"][0]]
     print("\n%d points, seconds\n%-24s %12s %12s %7s" % (options.count, "", *THREADS, "ratio"))
-    one, every = (rows[name] for name in THREADS)
-    for stage in STAGES:
-        print("%-24s %12.3f %12.3f %7.2f" % (stage[:-len("Seconds")], one[stage], every[stage], one[stage] / max(every[stage], 1e-9)))
-    for name in EDITS:
-        print("%-24s %12.3f %12.3f %s" % (name, one[name], every[name], "" if every[name] < WANTED else "above %g" % WANTED))
+    for row in rows:
+        note = "above %g" % WANTED if row["what"] in EDITS and row["all cores"] >= WANTED else ""
+        print("%-24s %12.3f %12.3f %7.2f %s" % (row["what"], row["one thread"], row["all cores"], row["one thread"] / max(row["all cores"], 1e-9), note))
     with open(os.path.join(options.folder, "large_data.csv"), "w", newline="") as table:
-        writer = csv.writer(table)
-        writer.writerow(["what", *THREADS])
-        writer.writerows([name, one[name], every[name]] for name in one)
+        writer = csv.DictWriter(table, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
 
 
 if __name__ == "__main__":

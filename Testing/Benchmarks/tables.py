@@ -20,8 +20,6 @@ import motion  # noqa: E402
 
 ROOT = os.path.join(HERE, "..", "..")
 RESULTS = os.path.join(HERE, "results")
-#: written before the program run gave its files a head; each leaves this list when it is measured anew
-WITHOUT_HEAD = {"light-spheres", "light-tensors", "light-vessel"}
 BENCHMARKS, SHAPES = "Testing/Benchmarks/README.md", "Kernels/Shapes/README.md"
 
 
@@ -129,14 +127,14 @@ def build_picture():
     row, = rows("build-picture")
     stages = ("commit s", "sort s", "build s", "upload s", "picture s", "all s")
     return markdown(["new glyphs", "of that sorting", "building", "sending", "programs and picture", "all", "process at most: MB", "of that data: MB"],
-                    [["%.2f" % row[stage] for stage in stages] + ["%.0f" % row["peak MB"], "%.0f" % row["MB before"]]])
+                    [[timing(row, stage, 3) for stage in stages] + ["%.0f" % row["peak MB"], "%.0f" % row["MB before"]]])
 
 
 def large_data():
     """Stages of ten million points."""
     found = {row["what"]: row for row in rows("large-data")}
     return markdown(["stage", "one thread", "all cores", "ratio"], [
-        [stage] + ["%.2f" % value for value in (row["one thread"], row["all cores"], row["one thread"] / row["all cores"])]
+        [stage, timing(row, "one thread", 3), timing(row, "all cores", 3), "%.2f" % (row["one thread"] / row["all cores"])]
         for stage, row in (("gathering", found["gatherSeconds"]), ("bounds", found["boundsSeconds"]), ("instances", found["instanceSeconds"]),
                            ("colors", found["colorSeconds"]))])
 
@@ -184,6 +182,28 @@ def ranks():
                       digits(row["first picture"], 3), timing(row, "frame", 3), "%.2f" % (alone[name(row)] / row["frame"])] for row in found])
 
 
+def light_cost():
+    """A sample of each kind of light over one of local shading."""
+    lights = ["occlusion"] + ["path %d" % bounces for bounces in (1, 2, 3, 4, 10)]
+    found = {(row["scene"], row["light"]): row for row in rows("light-cost")}
+    return markdown(["scene", "local: s", "occlusion, one direction", "path, 1 bounce"] + ["%d bounces" % bounces for bounces in (2, 3, 4, 10)],
+                    [[scene, timing(row, "cpu_seconds", 3)] + [timing(found[scene, other], "over_local", 3) for other in lights]
+                     for (scene, one), row in found.items() if one == "local"])
+
+
+def light_variance():
+    """What of a sample's variance which choice decides."""
+    return markdown(["scene", "light", "place in the pixel alone", "directions alone", "only both together"],
+                    [[row["scene"], row["light"]] + ["%.2f" % row[part] for part in ("place", "directions", "both")] for row in rows("light-variance")])
+
+
+def motion_cost():
+    """A sample of moving glyphs over one of the same at rest."""
+    return markdown(["path (radii)", "over rest", "slices", "build s"],
+                    [["%g" % row["radii"], timing(row, "over_rest", 3), "%d" % row["slices"], timing(row, "build_cpu_seconds", 2)]
+                     for row in rows("motion-cost")])
+
+
 def sphere_formulas():
     """Error of t, error of the normal, wrong hits: the cases in which formulas differ."""
     formulas = {"kept": "kept", "Ray Tracing Gems": "Ray Tracing Gems, chapter 7", "Embree's projection": "Embree's projection",
@@ -221,7 +241,7 @@ def superquadric_errors():
     return markdown(["glyphs", "ns a ray, random / all", "error of t, 99.9 %", "max", "normal, max (rad)", "t / normals out of bound",
                      "false hits / misses"],
                     [[("*beyond:* " if row["range"] == "beyond" else "") + row["family"],
-                      "%.0f / %.0f" % (row["ns_per_ray_random"], row["ns_per_ray_all"]), "%.1e" % row["t_p999_sizes"], "%.1e" % row["t_max_sizes"],
+                      timing(row, "ns_per_ray_random", 3) + " / " + timing(row, "ns_per_ray_all", 3), "%.1e" % row["t_p999_sizes"], "%.1e" % row["t_max_sizes"],
                       "%.1e" % row["normal_max_radians"], "%d / %d" % (row["t_out_of_bound"], row["normals_out_of_bound"]),
                       "%d / %d" % (row["false_hits"], row["false_misses"])]
                      for row in rows("superquadric-errors") if row["arithmetic"] == "float"])
@@ -240,7 +260,7 @@ def million_errors():
 def superquadric_solvers():
     """Solvers, in float, all rays together."""
     return markdown(["glyphs", "solver", "ns a ray", "error of t, 99.9 %", "max", "normal, max (rad)", "false hits / misses a million"],
-                    [[row["family"], row["solver"], "%.0f" % row["ns_per_ray"], "%.1e" % row["t_p999_sizes"], "%.1e" % row["t_max_sizes"],
+                    [[row["family"], row["solver"], timing(row, "ns_per_ray", 3), "%.1e" % row["t_p999_sizes"], "%.1e" % row["t_max_sizes"],
                       "%.1e" % row["normal_max_radians"], "%.0f / %.0f" % (row["false_hits_per_million"], row["misses_per_million"])]
                      for row in rows("superquadric-solvers") if row["case"] == "all" and row["arithmetic"] == "float"])
 
@@ -261,6 +281,9 @@ TABLES = {
     "large-data": (BENCHMARKS, ["large-data"], large_data),
     "light": (BENCHMARKS, ["light-spheres", "light-vessel", "light-tensors"],
               lambda: light.table([(name, path_of("light-" + name)) for name in ("spheres", "vessel", "tensors")])),
+    "light-cost": (BENCHMARKS, ["light-cost"], light_cost),
+    "light-variance": (BENCHMARKS, ["light-variance"], light_variance),
+    "motion-cost": (BENCHMARKS, ["motion-cost"], motion_cost),
     "motion": (BENCHMARKS, ["motion"], lambda: motion.table(path_of("motion"))),
     "sphere-formulas": (SHAPES, ["sphere-formulas"], sphere_formulas),
     "hard-cases": (SHAPES, ["shape-errors"], hard_cases),
@@ -281,12 +304,8 @@ def between(text, name):
 def main():
     """Writes or checks."""
     check, wrong = "--check" in sys.argv[1:], []
-    used = {file for _, files, _ in TABLES.values() for file in files}
-    for file in sorted(used | WITHOUT_HEAD):
-        commit = head(file).get("commit")
-        if file in WITHOUT_HEAD and (commit or file not in used):
-            wrong.append("results/%s.csv is listed in WITHOUT_HEAD of tables.py, but %s" % (file, "has a head" if commit else "no table uses it"))
-        elif file not in WITHOUT_HEAD and not commit:
+    for file in sorted({file for _, files, _ in TABLES.values() for file in files}):
+        if not head(file).get("commit"):
             wrong.append("results/%s.csv does not say of which commit it is; write it with Testing/Benchmarks/run" % file)
     for name, (document, files, make) in TABLES.items():
         path = os.path.join(ROOT, document)

@@ -20,6 +20,10 @@
 #include <string>
 #include <vector>
 
+// All shapes are much to compile: once, in Measure.cxx.
+extern template struct rtg::shapes::Kernel<float>;
+extern template struct rtg::shapes::Kernel<double>;
+
 namespace rtg::testing
 {
 

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+template struct rtg::shapes::Kernel<float>;
+template struct rtg::shapes::Kernel<double>;
+
 namespace rtg::testing
 {
 namespace

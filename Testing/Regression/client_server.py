@@ -71,7 +71,8 @@ def start(command, log_name):
     """A process of its own that writes to a log of that name."""
     # This process is an MPI rank, too; an mpiexec that is told so starts nothing.
     environment = {name: value for name, value in os.environ.items()
-                   if not name.startswith(("PMIX_", "ORTE_", "OMPI_")) or name.startswith(("OMPI_ALLOW", "OMPI_MCA_rmaps"))}
+                   if not name.startswith(("PMIX_", "ORTE_", "OMPI_"))
+                   or name.startswith(("OMPI_ALLOW", "OMPI_MCA_rmaps", "OMPI_MCA_mpi_yield"))}
     with open(session.output(log_name), "w") as log:
         return subprocess.Popen(command, env=environment, stdout=log, stderr=subprocess.STDOUT)
 

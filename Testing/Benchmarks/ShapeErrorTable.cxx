@@ -5,12 +5,12 @@
 //        ShapeErrorTable --spheres [file.csv]  spheres beside the formulas that other renderers use
 
 #include "Measure.h"
+#include "Measures.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <mutex>
 #include <thread>
@@ -21,9 +21,9 @@ using namespace rtg::testing;
 namespace
 {
 
-/// Nanoseconds of processor time for one ray against one glyph, the best of some repetitions of some rounds.
+/// Nanoseconds of processor time for all of the case's rays, each against its glyph, by turns.
 template <class Real>
-double NanosecondsPerRay(const HardCase& hard, int repetitions, int rounds)
+std::vector<double> NanosecondsOf(const HardCase& hard)
 {
   using Kernel = shapes::Kernel<Real>;
   std::vector<typename Kernel::GlyphRay> rays;
@@ -33,29 +33,24 @@ double NanosecondsPerRay(const HardCase& hard, int repetitions, int rounds)
     rays.push_back(KernelRay<Real>(ray));
     glyphs.push_back(KernelGlyph<Real>(hard.instances, ray.glyph));
   }
-  if (rays.empty())
-  {
-    return 0.0;
-  }
-  double best = 1e30;
   volatile Real sink = 0;
-  for (int repetition = 0; repetition < repetitions; ++repetition)
-  {
-    const std::clock_t start = std::clock();
-    Real sum = 0;
-    for (int round = 0; round < rounds; ++round)
+  return benchmark::Nanoseconds(
+    [&]
     {
+      Real sum = 0;
       for (std::size_t i = 0; i < rays.size(); ++i)
       {
         Real t = 0;
         sum += Kernel::IntersectGlyph(hard.instances.shape, rays[i], glyphs[i], Real(0), Real(1e30), t) ? t : Real(0);
       }
-    }
-    sink = sink + sum;
-    const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
-    best = std::min(best, seconds / rounds / double(rays.size()));
-  }
-  return 1e9 * best;
+      sink = sink + sum;
+    });
+}
+
+/// The same of one ray in the mean.
+benchmark::Spread ARay(const std::vector<double>& turns, std::size_t rays)
+{
+  return benchmark::Spread(turns) *= 1.0 / double(rays);
 }
 
 void WriteRow(std::ostream& csv, const HardCase& hard, const char* arithmetic, const CaseReport& r)
@@ -96,7 +91,8 @@ template <class Real>
 void TableOfFamily(const Subject& subject, const char* range, const char* arithmetic, std::ostream& csv)
 {
   Tally tally;
-  double nanoseconds = 0, plain = 0;
+  std::vector<double> all, turned;
+  std::size_t turnedRays = 1;
   for (const HardCase& hard : HardCaseMaker(subject, 12, 50, 21).All())
   {
     ReferenceCase reference(hard);
@@ -104,30 +100,33 @@ void TableOfFamily(const Subject& subject, const char* range, const char* arithm
     {
       tally.Add(verdict);
     }
-    const double ns = NanosecondsPerRay<Real>(hard, 3, 3);
-    nanoseconds += ns * double(hard.rays.size());
-    plain = hard.situation == "turned" ? ns : plain;
+    const std::vector<double> turns = NanosecondsOf<Real>(hard);
+    benchmark::AddTo(all, turns);
+    if (hard.situation == "turned")
+    {
+      turned = turns;
+      turnedRays = hard.rays.size();
+    }
   }
-  const double ns = nanoseconds / double(tally.rays);
+  const benchmark::Spread ns = ARay(all, tally.rays), plain = ARay(turned, turnedRays);
   csv << '"' << subject.name << "\"," << range << ',' << arithmetic << ',' << tally.rays << ',' << plain << ',' << ns
       << ',' << Quantile(tally.sizes, 0.5) << ',' << Quantile(tally.sizes, 0.999) << ',' << Quantile(tally.sizes, 1)
       << ',' << Quantile(tally.radians, 0.5) << ',' << Quantile(tally.radians, 0.999) << ','
       << Quantile(tally.radians, 1) << ',' << tally.outOfBound << ',' << tally.wrongNormals << ',' << tally.falseHits
       << ',' << tally.falseMisses << '\n';
   std::printf("| %s | %s | %s | %.0f | %.0f | %.1e | %.1e | %.1e | %.1e | %zu / %zu | %zu / %zu |\n",
-    subject.name.c_str(), range, arithmetic, plain, ns, Quantile(tally.sizes, 0.5), Quantile(tally.sizes, 0.999),
-    Quantile(tally.sizes, 1), Quantile(tally.radians, 1), tally.outOfBound, tally.wrongNormals, tally.falseHits,
-    tally.falseMisses);
+    subject.name.c_str(), range, arithmetic, plain.median, ns.median, Quantile(tally.sizes, 0.5),
+    Quantile(tally.sizes, 0.999), Quantile(tally.sizes, 1), Quantile(tally.radians, 1), tally.outOfBound,
+    tally.wrongNormals, tally.falseHits, tally.falseMisses);
   std::fflush(stdout);
 }
 
 void HeadOfFamilies(std::ostream& csv)
 {
-  csv << "family,range,arithmetic,rays,ns_per_ray_random,ns_per_ray_all,t_median_sizes,t_p999_"
-         "sizes,t_max_sizes,"
-         "normal_median_radians,normal_p999_radians,normal_max_radians,t_out_of_bound,normals_out_"
-         "of_bound,"
-         "false_hits,false_misses\n";
+  csv << "family,range,arithmetic,rays," << benchmark::Spread::Columns("ns_per_ray_random") << ','
+      << benchmark::Spread::Columns("ns_per_ray_all")
+      << ",t_median_sizes,t_p999_sizes,t_max_sizes,normal_median_radians,normal_p999_radians,normal_max_radians,"
+         "t_out_of_bound,normals_out_of_bound,false_hits,false_misses\n";
   std::printf("| glyphs | range | arithmetic | ns a ray, random | all | dt median | 99.9 %% | max "
               "(sizes) | normal max (rad) "
               "| t / normals out of bound | false hits / misses "
@@ -334,41 +333,36 @@ std::vector<Verdict> JudgeFormula(ReferenceCase& reference, SphereFormula formul
   return verdicts;
 }
 
-double NanosecondsOf(const HardCase& hard, SphereFormula formula)
+std::vector<double> NanosecondsOf(const HardCase& hard, SphereFormula formula)
 {
-  constexpr int rounds = 20;
-  double best = 1e30;
   volatile float sink = 0.0f;
-  for (int repetition = 0; repetition < 5; ++repetition)
-  {
-    const std::clock_t start = std::clock();
-    float sum = 0.0f;
-    for (int round = 0; round < rounds; ++round)
+  return benchmark::Nanoseconds(
+    [&]
     {
+      float sum = 0.0f;
       for (const HardRay& ray : hard.rays)
       {
         float t = 0.0f;
         const glm::vec3 o(ray.origin - glm::dvec3(hard.instances.centres[ray.glyph]));
         sum += formula(o, ray.direction, 0.5f * hard.instances.sizes1[ray.glyph], t) ? t : 0.0f;
       }
-    }
-    sink = sink + sum;
-    best = std::min(best, double(std::clock() - start) / CLOCKS_PER_SEC / rounds / double(hard.rays.size()));
-  }
-  return 1e9 * best;
+      sink = sink + sum;
+    });
 }
 
 void TableOfSpheres(std::ostream& csv)
 {
   const std::pair<const char*, SphereFormula> formulas[] = { { "textbook", Textbook }, { "moved origin", MovedOrigin },
     { "Ray Tracing Gems", RayTracingGems }, { "Embree's projection", EmbreesProjection } };
-  csv << "case,formula,rays,ns_per_ray,t_median_sizes,t_max_sizes,t_out_of_bound,normal_max_radians,false_hits,"
-         "false_misses\n";
+  csv << "case,formula,rays," << benchmark::Spread::Columns("ns_per_ray")
+      << ",t_median_sizes,t_max_sizes,t_out_of_bound,normal_max_radians,false_hits,false_misses\n";
   std::printf(
     "| hard case | formula | ns a ray | dt median | max (sizes) | out of bound | normal max (rad) | false hits "
     "/ misses |\n|---|---|---|---|---|---|---|---|\n");
-  const auto row = [&csv](const HardCase& hard, const char* name, double ns, const std::vector<Verdict>& verdicts)
+  const auto row = [&csv](const HardCase& hard, const char* name, const std::vector<double>& turns,
+                     const std::vector<Verdict>& verdicts)
   {
+    const benchmark::Spread ns = ARay(turns, verdicts.size());
     Tally tally;
     for (const Verdict& verdict : verdicts)
     {
@@ -377,8 +371,8 @@ void TableOfSpheres(std::ostream& csv)
     csv << '"' << hard.situation << "\"," << name << ',' << verdicts.size() << ',' << ns << ','
         << Quantile(tally.sizes, 0.5) << ',' << Quantile(tally.sizes, 1) << ',' << tally.outOfBound << ','
         << Quantile(tally.radians, 1) << ',' << tally.falseHits << ',' << tally.falseMisses << '\n';
-    std::printf("| %s | %s | %.0f | %.1e | %.1e | %zu of %zu | %.1e | %zu / %zu |\n", hard.situation.c_str(), name, ns,
-      Quantile(tally.sizes, 0.5), Quantile(tally.sizes, 1), tally.outOfBound, tally.sizes.size(),
+    std::printf("| %s | %s | %.0f | %.1e | %.1e | %zu of %zu | %.1e | %zu / %zu |\n", hard.situation.c_str(), name,
+      ns.median, Quantile(tally.sizes, 0.5), Quantile(tally.sizes, 1), tally.outOfBound, tally.sizes.size(),
       Quantile(tally.radians, 1), tally.falseHits, tally.falseMisses);
   };
   const std::vector<Subject> subjects = HardSubjects();
@@ -387,7 +381,7 @@ void TableOfSpheres(std::ostream& csv)
   for (const HardCase& hard : HardCaseMaker(*sphere, 40, 100).All())
   {
     ReferenceCase reference(hard);
-    row(hard, "kept", NanosecondsPerRay<float>(hard, 5, 20), JudgeKernel<float>(reference));
+    row(hard, "kept", NanosecondsOf<float>(hard), JudgeKernel<float>(reference));
     for (const auto& [name, formula] : formulas)
     {
       row(hard, name, NanosecondsOf(hard, formula), JudgeFormula(reference, formula));
@@ -438,7 +432,8 @@ int main(int argc, char** argv)
     const CaseReport r = Summarise(JudgeKernel<float>(reference));
     std::printf("| %s | %s | %zu / %zu | %.2g, %.2g | %.1e, %.1e | %.2f | %.1e (%.1f) | %zu, %zu | %.0f |\n",
       hard.subject.c_str(), hard.situation.c_str(), r.hits, r.rays, r.medianUlps, r.maxUlps, r.medianSizes, r.maxSizes,
-      r.maxExcess, r.maxRadians, r.maxNormalExcess, r.falseHits, r.falseMisses, NanosecondsPerRay<float>(hard, 7, 20));
+      r.maxExcess, r.maxRadians, r.maxNormalExcess, r.falseHits, r.falseMisses,
+      ARay(NanosecondsOf<float>(hard), hard.rays.size()).median);
     if (file)
     {
       WriteRow(file, hard, "float", r);
