@@ -34,7 +34,7 @@ $name ($version) $VERSION_CODENAME; urgency=medium
  -- $maintainer  $(git -C "$clone" log -1 --format=%cD)
 END
 # Without a second package of the debugging symbols.
-(cd "$source" && DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:-} noautodbgsym" dpkg-buildpackage --build=binary --unsigned-changes --no-pre-clean) \
+(cd "$source" && DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:+$DEB_BUILD_OPTIONS }noautodbgsym" dpkg-buildpackage --build=binary --unsigned-changes --no-pre-clean) \
   >"$log" 2>&1 || { tail -n 30 "$log" >&2; exit 1; }
 rm -rf "$source"
 

@@ -38,7 +38,7 @@ gui=("${qt[@]}" python3-mpi4py libgdal-dev libboost-dev
 test=(libgtest-dev libquadmath0 vulkan-validationlayers openmpi-bin)
 # The version that formats this project; later releases have later ones only.
 [ "$codename" != bookworm ] || test+=(clang-format-14)
-deb=(dpkg-dev debhelper lintian git)
+deb=(build-essential dpkg-dev debhelper lintian git)
 benchmark=(libembree-dev python3-matplotlib)
 simulate=(lammps)
 # What Testing/Setup/build_paraview.sh compiles ParaView with.
