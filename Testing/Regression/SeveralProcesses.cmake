@@ -8,13 +8,16 @@ find_program(RTGLYPHS_MPIEXEC mpiexec)
 # Open MPI refuses by default to start more ranks than cores, and to run as root, which it is in a container.
 set(mpi_environment
   "OMPI_MCA_rmaps_base_oversubscribe=1"
-  "OMPI_MCA_mpi_yield_when_idle=1" # other tests run beside them
+  "OMPI_MCA_mpi_yield_when_idle=1"
   "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe" # Open MPI 5
   "OMPI_ALLOW_RUN_AS_ROOT=1"
   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
 
-# A rank that waits for others keeps asking, and would take a core from the tests beside it.
-set(mpiexec nice -n 19 "${RTGLYPHS_MPIEXEC}")
+if (PARAVIEW_USE_MPI AND RTGLYPHS_MPIEXEC)
+  add_library(SleepingRanks MODULE SleepingRanks.cxx)
+  rtglyphs_warnings(SleepingRanks)
+  set(mpiexec env "LD_PRELOAD=$<TARGET_FILE:SleepingRanks>" "${RTGLYPHS_MPIEXEC}")
+endif ()
 
 if (PARAVIEW_USE_MPI AND RTGLYPHS_PVBATCH AND RTGLYPHS_MPIEXEC)
   # One rank makes the pictures that the others are compared with. Four take long on few cores.
@@ -49,7 +52,7 @@ if (RTGLYPHS_PVSERVER)
         ${mpiexec} -n 2)
     rtglyphs_regression_test(KilledRank ENVIRONMENT ${mpi_environment}
       COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/killed_rank.py" "${RTGLYPHS_PVPYTHON}" "${RTGLYPHS_PVBATCH}" "${RTGLYPHS_PVSERVER}"
-        "${RTGLYPHS_MPIEXEC}" -n 2)
+        ${mpiexec} -n 2)
   endif ()
 else ()
   message(STATUS "No tests of a server: pvserver was not found")
