@@ -12,7 +12,8 @@ echo "== packages"
 "$here/install_packages.sh" build gui deb
 
 name=paraview-raytracedglyphs
-commit=$(git -C "$clone" log -1 --format='+git%cd.%h' --date=format:%Y%m%d)
+# By the commit's time, by which apt finds the later package; with its name, files have longer names than lintian allows.
+commit=$(TZ=UTC git -C "$clone" log -1 --format='+git%cd' --date=format-local:%Y%m%d.%H%M)
 version=$(sed -nE 's/.*project\(RayTracedGlyphs VERSION ([0-9.]+).*/\1/p' "$clone/CMakeLists.txt")$commit+${VERSION_ID:+deb}${VERSION_ID:-$VERSION_CODENAME}
 maintainer="${DEBFULLNAME:-$(git -C "$clone" log -1 --format=%an)} <${DEBEMAIL:-$(git -C "$clone" log -1 --format=%ae)}>"
 folder=$clone/build-deb
