@@ -4,13 +4,16 @@
 //   FUNCTION N                the Nth call of FUNCTION from now on fails, and the file is removed
 //   FUNCTION N always         that call and all further ones fail, while the file is there
 // FUNCTION is vkQueueSubmit, which loses the device, or vkAllocateMemory, vkBindBufferMemory, vkMapMemory,
-// vkCreateBuffer or vkCreateAccelerationStructureKHR, which answer VK_ERROR_OUT_OF_DEVICE_MEMORY.
+// vkCreateBuffer or vkCreateAccelerationStructureKHR, which answer VK_ERROR_OUT_OF_DEVICE_MEMORY, or mmap: vkMapMemory
+// then answers VK_SUCCESS and maps nothing, as lavapipe's does where the computer has no memory left.
 //
 // It makes devices lack what RTGLYPHS_LACKS names, one thing or several: see Properties2() and Features2(). And where
 // RTGLYPHS_KEEPS is set, pipeline caches have data of the driver, which lavapipe's have not: see
 // GetPipelineCacheData().
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
+
+#include <sys/mman.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -220,6 +223,11 @@ VKAPI_ATTR VkResult VKAPI_CALL BindBufferMemory(
 VKAPI_ATTR VkResult VKAPI_CALL MapMemory(
   VkDevice device, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size, VkMemoryMapFlags flags, void** data)
 {
+  if (Due("mmap"))
+  {
+    *data = MAP_FAILED;
+    return VK_SUCCESS;
+  }
   return Due("vkMapMemory") ? VK_ERROR_OUT_OF_DEVICE_MEMORY
                             : NextOf(device).mapMemory(device, memory, offset, size, flags, data);
 }

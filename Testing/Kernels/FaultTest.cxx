@@ -26,6 +26,10 @@ using rtg::Image;
 
 constexpr std::uint32_t side = 64;
 
+// What runs out of memory, as Testing/FaultLayer names it.
+constexpr const char* functions[] = { "vkAllocateMemory", "vkCreateBuffer", "vkBindBufferMemory", "vkMapMemory", "mmap",
+  "vkCreateAccelerationStructureKHR" };
+
 // While it lives, that call of a function fails.
 class Fault
 {
@@ -165,8 +169,7 @@ TEST_P(FaultTest, ACommitAfterOneThatFailedShowsEveryGlyphAsItIs)
                   recolouredPicture = this->Expected(recoloured);
     EXPECT_FALSE(firstPicture == secondPicture);
     int failures = 0;
-    for (const char* function :
-      { "vkAllocateMemory", "vkCreateBuffer", "vkBindBufferMemory", "vkMapMemory", "vkCreateAccelerationStructureKHR" })
+    for (const char* function : functions)
     {
       const auto scene = this->MakeScene();
       const auto id = scene->Add();
@@ -233,8 +236,7 @@ TEST_P(FaultTest, ACommitAfterOneThatFailedShowsEveryGlyphAsItIs)
 TEST_P(FaultTest, WhatFailedIsNotCounted)
 {
   const std::uint64_t before = this->device->HeldBytes();
-  for (const char* function :
-    { "vkAllocateMemory", "vkCreateBuffer", "vkBindBufferMemory", "vkMapMemory", "vkCreateAccelerationStructureKHR" })
+  for (const char* function : functions)
   {
     int failures = 0;
     for (int call = 1; call < 8; ++call)
