@@ -62,8 +62,9 @@ RTG_FN Span HeadSpan(const LocalRay ray, const Glyph glyph, const ArrowHead head
 {
   DoubleWord x = WordX(ray.origin);
   DoubleWord dx = WordX(ray.direction);
-  DoubleWord toBase = Add(x, -glyph.arrow.z);
-  DoubleWord radius = Add(Multiply(toBase, head.slope), glyph.arrow.y);
+  // The cone from next to its base: a fixed head may be a millionth of the arrow.
+  LocalRay base = NextTo(ray, Add(x, -glyph.arrow.z));
+  DoubleWord radius = Add(Multiply(WordX(base.origin), head.slope), glyph.arrow.y);
   DoubleWord rate = Multiply(dx, head.slope);
 
   bool rounded = head.ball.hi > real(0.0);
@@ -71,8 +72,8 @@ RTG_FN Span HeadSpan(const LocalRay ray, const Glyph glyph, const ArrowHead head
   int startFace = rounded ? RTG_HEAD_CONE : RTG_HEAD_APEX;
   Span height = Slab(x, dx, start, Word(glyph.arrow.z), startFace, RTG_HEAD_BASE);
   Span side = RoundSpan(
-    WordY(ray.origin), WordZ(ray.origin), radius, WordY(ray.direction), WordZ(ray.direction), rate, RTG_HEAD_CONE);
-  Span cone = Intersection(height, side);
+    WordY(base.origin), WordZ(base.origin), radius, WordY(ray.direction), WordZ(ray.direction), rate, RTG_HEAD_CONE);
+  Span cone = Intersection(height, Later(side, base.start));
   if (!rounded)
   {
     return cone;

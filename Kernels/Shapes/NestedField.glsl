@@ -10,7 +10,7 @@
 //   - The slope of N^p / p is |x|^(p-1) Rx^-p x' + (x / Rx)^p fall z' and the same of y, whose factors are monotone, so
 //     that the ends bound it: N may be monotone, or lines from the ends tell that it does not come near 1.
 // Every value comes with a bound of its rounding. Windows in which all coordinates and quotients change by less than
-// 0.4 % (for sharp edges: less than the rounding of the edge) count as having one extremum at most.
+// 0.4 % count as having one extremum at most.
 #ifndef RTG_NESTED_FIELD
 #define RTG_NESTED_FIELD
 
@@ -334,7 +334,7 @@ RTG_FN Window WindowOf(
     window.empty = bound > real(32.0 * RTG_ROUNDOFF);
     // So short that nothing but one extremum is in it
     real3 change = real3(abs(rises.x), abs(rises.y), abs(b.height - a.height) / max(a.height, b.height));
-    window.single = max(change.x, max(change.y, change.z)) < real(0.004) + real(0.0004) * field.p;
+    window.single = max(change.x, max(change.y, change.z)) < real(0.004);
   }
   return window;
 }

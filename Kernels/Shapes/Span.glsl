@@ -84,6 +84,26 @@ RTG_FN Span Hull(const Span a, const Span b)
   return hull;
 }
 
+// The ray from where it is nearest to a point of the x axis, which becomes the frame's origin; `x` is that of the ray's
+// origin from there. `start` is how much later it begins.
+RTG_FN LocalRay NextTo(const LocalRay ray, const DoubleWord x)
+{
+  LocalRay next = ray;
+  next.start = Word(real(0.0));
+  next.origin.hi.x = x.hi;
+  next.origin.lo.x = x.lo;
+  return Advance(next, -dot(next.origin.hi, ray.direction.hi) / dot(ray.direction.hi, ray.direction.hi));
+}
+
+// The span of a ray that begins later by `start`, as one of the ray itself.
+RTG_FN Span Later(const Span span, const DoubleWord start)
+{
+  Span later = span;
+  later.sIn = Add(start, span.sIn);
+  later.sOut = Add(start, span.sOut);
+  return later;
+}
+
 // Between the planes lower <= o + s d <= upper; faceLower, faceUpper name the planes.
 // A ray inside a plane counts as inside the slab.
 RTG_FN Span Slab(const DoubleWord o, const DoubleWord d, const DoubleWord lower, const DoubleWord upper,

@@ -47,15 +47,8 @@ RTG_FN Span CentredSphereSpan(const DoubleWord3 o, const real3 d, const DoubleWo
 // The span inside the ball of that radius round a point of the x axis, from an origin moved next to it.
 RTG_FN Span BallSpan(const LocalRay ray, const DoubleWord centreX, const DoubleWord radius, const int face)
 {
-  DoubleWord x = Subtract(WordX(ray.origin), centreX);
-  LocalRay ball = ray;
-  ball.start = Word(real(0.0));
-  ball.origin.hi.x = x.hi;
-  ball.origin.lo.x = x.lo;
-  ball = Advance(ball, -dot(ball.origin.hi, ray.direction.hi) / dot(ray.direction.hi, ray.direction.hi));
-  Span span = CentredSphereSpan(ball.origin, ray.direction.hi, Multiply(radius, radius));
-  span.sIn = Add(ball.start, span.sIn);
-  span.sOut = Add(ball.start, span.sOut);
+  LocalRay ball = NextTo(ray, Subtract(WordX(ray.origin), centreX));
+  Span span = Later(CentredSphereSpan(ball.origin, ray.direction.hi, Multiply(radius, radius)), ball.start);
   span.faceIn = face;
   span.faceOut = face;
   return span;

@@ -56,6 +56,7 @@ void CompareHit(const ReferenceGlyph& glyph, const HardRay& ray, const Answer& a
   const double t = double(crossing.t);
   const double error = std::abs(double(crossing.t - Quad(answer.t)));
   verdict.bothHit = true;
+  verdict.t = t;
   verdict.ulps = error / UlpOf<Real>(t);
   verdict.sizes = error / sizeInT;
   verdict.excess = error / BoundOfT<Real>(glyph, t, sizeInT);

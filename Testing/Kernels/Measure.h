@@ -58,6 +58,7 @@ struct Verdict
   bool falseHit = false, falseMiss = false; ///< outside the band only
   bool nearSilhouette = false;              ///< something is beyond its bound, and the ray is in the band
   bool bothHit = false;                     ///< and t is compared
+  double t = 0.0;                           ///< of the reference's crossing
   double ulps = 0.0;                        ///< |dt| in ulps of t
   double sizes = 0.0;                       ///< |dt| in glyph sizes
   double excess = 0.0;                      ///< |dt| over the bound: at most 1

@@ -42,7 +42,8 @@ GlyphInstances Single(const GlyphInstances& all, std::uint32_t index)
   return one;
 }
 
-/// How far the normal turns where the ray moves by what the pipeline's 48 bits of a place leave of it.
+/// How far the normal at the crossing at t turns where the ray moves by what the pipeline's 48 bits of a place leave of
+/// it.
 double TurnOfNormal(ReferenceGlyph& glyph, const HardRay& ray, const glm::vec3& centre, double t)
 {
   const auto normalAt = [&](const glm::dvec3& origin)
@@ -102,7 +103,7 @@ protected:
         if (verdict.hasNormal && !(verdict.normalExcess <= 1.0))
         {
           verdict.normalExcess = verdict.radians /
-            (boundRadians + 2.0 * TurnOfNormal(reference, rays[k], hard.instances.centres[i], answer.t));
+            (boundRadians + 2.0 * TurnOfNormal(reference, rays[k], hard.instances.centres[i], verdict.t));
         }
       }
     }

@@ -66,8 +66,63 @@ TEST_P(NestedNumericsTest, Float)
 
 INSTANTIATE_TEST_SUITE_P(Shapes, NestedNumericsTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);
 
+/// A ray that enters a concave glyph twice, the first time for a ten-thousandth of its size and less deep than plain
+/// arithmetic knows: there it must not be taken for one that enters once.
+TEST(ShallowEntryTest, CountsBeforeADeepOne)
+{
+  HardCase hard;
+  hard.instances.shape = rtg::Shape::NestedSuperquadric;
+  hard.instances.centres = { { 0.209176525f, -0.428002477f, -0.151852101f } };
+  hard.instances.sizes3 = { { 0.50910902f, 0.348379582f, 0.947074056f } };
+  hard.instances.rotations = { { 0.0258827414f, -0.146365359f, 0.163249388f, 0.975323975f } };
+  hard.instances.exponents3 = { { 0.01f, 5.0f, 2.0f } };
+  hard.rays = { { { -0.23615198141739802, -1.7379998871681792, -1.5885088271656151 },
+    { 0.220271528f, 0.599205673f, 0.769696712f }, 0 } };
+  ReferenceCase reference(std::move(hard));
+  const CaseReport report = Summarise(JudgeKernel<float>(reference));
+  EXPECT_EQ(report.compared, 1u);
+  EXPECT_EQ(report.outOfBound, 0u) << "worst: " << report.maxExcess << " times the bound";
+}
+
 /// Polynomials: in float, which is what their windows' width and noise are made for.
 INSTANTIATE_TEST_SUITE_P(Polynomials, NestedNumericsTest, ::testing::ValuesIn(PolynomialSubjects()), SubjectName);
+
+/// Heads of a millionth of the arrow, met along it: a ray's place beside the rim must count from there, not from the
+/// arrow's middle.
+TEST(TinyHeadsTest, RimsAreKeptToTheirSize)
+{
+  std::mt19937_64 engine(6);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  HardCase hard;
+  hard.instances.shape = rtg::Shape::Arrow;
+  hard.instances.centres = { glm::vec3(0.0f) };
+  hard.instances.sizes3 = { { 1.0f, 1.0f, 1.0f } };
+  hard.instances.rotations = { glm::normalize(glm::vec4(0.3f, 0.5f, -0.2f, 0.8f)) };
+  hard.instances.arrow.shaftRadius = 0.0f;
+  hard.instances.arrow.fixedHeads = true;
+  hard.instances.arrow.unitLength = 1e-6f;
+  const auto glyph = KernelGlyph<double>(hard.instances, 0);
+  for (int i = 0; i < 5000; ++i)
+  {
+    // Past the base, within a hundredth to a ten-thousandth of the rim, and hardly inclined.
+    const double angle = M_PI * uniform(engine), beside = std::pow(10.0, uniform(engine) - 3.0);
+    const double radius = 1e-6 * double(glyph.arrow.y) * (1.0 + std::copysign(beside, uniform(engine)));
+    const glm::dvec3 point(1.0 - 1e-6 * double(glyph.arrow.z), radius * std::cos(angle), radius * std::sin(angle));
+    HardRay ray;
+    ray.direction = glm::vec3(rtg::shapes::Kernel<double>::RotateToWorld(glyph, glm::dvec3(-1.0, 0.0, 0.0)));
+    const glm::dvec3 origin =
+      rtg::shapes::Kernel<double>::RotateToWorld(glyph, point) - 3.0 * glm::dvec3(ray.direction);
+    const glm::dvec3 high = Rounded<float>(origin);
+    ray.origin = high + Rounded<float>(origin - high);
+    ray.glyph = 0;
+    hard.rays.push_back(ray);
+  }
+  ReferenceCase reference(std::move(hard));
+  const CaseReport report = Summarise(JudgeKernel<float>(reference));
+  EXPECT_EQ(report.falseHits, 0u);
+  EXPECT_EQ(report.falseMisses, 0u);
+  EXPECT_GT(report.compared, 2000u);
+}
 
 /// Along the rims of flat ellipsoids and of flat capsules' ends the surface turns round within a ten-thousandth of the
 /// size: there the normal shows the last digits of the ray's parameter.
