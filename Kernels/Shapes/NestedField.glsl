@@ -9,8 +9,8 @@
 //   - N lies between the p-norms of the smaller and of the larger quotients at the ends: all outside, or all inside.
 //   - The slope of N^p / p is |x|^(p-1) Rx^-p x' + (x / Rx)^p fall z' and the same of y, whose factors are monotone, so
 //     that the ends bound it: N may be monotone, or lines from the ends tell that it does not come near 1.
-// Every value comes with a bound of its rounding. Windows in which all coordinates and quotients change by less than
-// 0.4 % count as having one extremum at most.
+// Every value comes with a bound of its rounding. Windows in which the quotients and the falls of their profiles change
+// by less than 0.4 % count as having one extremum at most.
 #ifndef RTG_NESTED_FIELD
 #define RTG_NESTED_FIELD
 
@@ -287,7 +287,14 @@ RTG_FN Window WindowOf(
   Window window;
   window.empty = false;
   window.unique = true;
-  window.single = true;
+  // So short that nothing but one extremum is in it. A quotient counts by the root of its share in the sum of powers:
+  // where that is small, so is what bends f.
+  real2 change = abs(b.logs - a.logs);
+  real2 bend = abs(b.falls - a.falls) / max(max(a.falls, b.falls), real2(real(1.0)));
+  real2 smaller = max(a.logs, b.logs) - min(max(a.logs.x, a.logs.y), max(b.logs.x, b.logs.y));
+  real2 halfPower = real(0.5) * field.p * min(smaller, real2(real(0.0)));
+  real2 counts = real2(SafeExp2(halfPower.x), SafeExp2(halfPower.y)) * max(change, bend);
+  window.single = field.convex || max(counts.x, counts.y) < real(0.004);
   window.convex = field.convex && way > real(0.0);
   real chord = way * (b.f - a.f) / width;
   window.slopeA = way > real(0.0) ? a.slope : chord;
@@ -307,7 +314,6 @@ RTG_FN Window WindowOf(
   }
   if (!field.convex && !window.empty)
   {
-    real2 rises = b.logs - a.logs;
     real2 largest = max(a.logs, b.logs);
     real2 smallest = min(a.logs, b.logs);
     real2 inner = min(a.logs - a.doubts, b.logs - b.doubts);
@@ -332,9 +338,6 @@ RTG_FN Window WindowOf(
     window.slopeB = stretch * (way > real(0.0) ? slopes.y : -slopes.x);
     window.unique = window.unique || window.slopeA >= real(0.0) || window.slopeB <= real(0.0);
     window.empty = bound > real(32.0 * RTG_ROUNDOFF);
-    // So short that nothing but one extremum is in it
-    real3 change = real3(abs(rises.x), abs(rises.y), abs(b.height - a.height) / max(a.height, b.height));
-    window.single = max(change.x, max(change.y, change.z)) < real(0.004);
   }
   return window;
 }

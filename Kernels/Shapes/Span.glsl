@@ -160,23 +160,13 @@ RTG_FN Span RoundSpan(const DoubleWord oy, const DoubleWord oz, const DoubleWord
   DoubleWord b = Add(Add(Multiply(oy, dy), Multiply(oz, dz)), Minus(Multiply(oRho, dRho)));
   DoubleWord c = Add(Add(Multiply(oy, oy), Multiply(oz, oz)), Minus(Multiply(oRho, oRho)));
   DoubleWord discriminant = Subtract(Multiply(b, b), Multiply(a, c));
-  if (discriminant.hi < real(0.0) && a.hi > real(0.0))
-  {
-    return EmptySpan();
-  }
+  bool misses = discriminant.hi < real(0.0) && a.hi > real(0.0);
 
   // The two roots without cancellation: q / a and c / q.
   DoubleWord root = SquareRoot(discriminant);
   DoubleWord q = Minus(b.hi < real(0.0) ? Subtract(b, root) : Add(b, root));
-  if (q.hi == real(0.0) && a.hi == real(0.0))
-  {
-    // Neither term in s: the ray runs along the body.
-    if (c.hi > real(0.0))
-    {
-      return EmptySpan();
-    }
-    return WholeRay();
-  }
+  // Neither term in s: the ray runs along the body.
+  bool along = q.hi == real(0.0) && a.hi == real(0.0);
   DoubleWord first = q.hi == real(0.0) ? Word(real(0.0)) : Divide(c, q);
   DoubleWord second;
   if (abs(q.hi) >= real(RTG_NEVER) * abs(a.hi))
@@ -198,21 +188,21 @@ RTG_FN Span RoundSpan(const DoubleWord oy, const DoubleWord oz, const DoubleWord
   Span span = WholeRay();
   span.faceIn = face;
   span.faceOut = face;
-  if (a.hi < real(0.0))
+  // Steeper along the axis than the cone's side: one half line lies in each nappe.
+  bool steep = a.hi < real(0.0);
+  bool widens = dRho.hi > real(0.0);
+  if (!along && !(steep && widens))
   {
-    // Steeper along the axis than the cone's side: one half line lies in each nappe.
-    if (dRho.hi > real(0.0))
-    {
-      span.sIn = s2;
-    }
-    else
-    {
-      span.sOut = s1;
-    }
-    return span;
+    span.sOut = steep ? s1 : s2;
   }
-  span.sIn = s1;
-  span.sOut = s2;
+  if (!along && !(steep && !widens))
+  {
+    span.sIn = steep ? s2 : s1;
+  }
+  if (misses || (along && c.hi > real(0.0)))
+  {
+    span = EmptySpan();
+  }
   return span;
 }
 

@@ -66,22 +66,51 @@ TEST_P(NestedNumericsTest, Float)
 
 INSTANTIATE_TEST_SUITE_P(Shapes, NestedNumericsTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);
 
-/// A ray that enters a concave glyph twice, the first time for a ten-thousandth of its size and less deep than plain
-/// arithmetic knows: there it must not be taken for one that enters once.
-TEST(ShallowEntryTest, CountsBeforeADeepOne)
+/// One ray at one nested superquadric; size and rotation as the glyph's arrays have them.
+CaseReport ReportOfNested(
+  glm::vec3 centre, glm::vec3 size, glm::vec4 rotation, glm::vec3 exponents, glm::dvec3 origin, glm::vec3 direction)
 {
   HardCase hard;
   hard.instances.shape = rtg::Shape::NestedSuperquadric;
-  hard.instances.centres = { { 0.209176525f, -0.428002477f, -0.151852101f } };
-  hard.instances.sizes3 = { { 0.50910902f, 0.348379582f, 0.947074056f } };
-  hard.instances.rotations = { { 0.0258827414f, -0.146365359f, 0.163249388f, 0.975323975f } };
-  hard.instances.exponents3 = { { 0.01f, 5.0f, 2.0f } };
-  hard.rays = { { { -0.23615198141739802, -1.7379998871681792, -1.5885088271656151 },
-    { 0.220271528f, 0.599205673f, 0.769696712f }, 0 } };
+  hard.instances.centres = { centre };
+  hard.instances.sizes3 = { size };
+  hard.instances.rotations = { rotation };
+  hard.instances.exponents3 = { exponents };
+  hard.rays = { { origin, direction, 0 } };
   ReferenceCase reference(std::move(hard));
-  const CaseReport report = Summarise(JudgeKernel<float>(reference));
+  return Summarise(JudgeKernel<float>(reference));
+}
+
+/// A ray that enters a concave glyph twice, the first time for a ten-thousandth of its size and less deep than plain
+/// arithmetic knows: there it must not be taken for one that enters once.
+TEST(NestedRaysTest, AShallowEntryBeforeADeepOneCounts)
+{
+  const CaseReport report =
+    ReportOfNested({ 0.209176525f, -0.428002477f, -0.151852101f }, { 0.50910902f, 0.348379582f, 0.947074056f },
+      { 0.0258827414f, -0.146365359f, 0.163249388f, 0.975323975f }, { 0.01f, 5.0f, 2.0f },
+      { -0.23615198141739802, -1.7379998871681792, -1.5885088271656151 }, { 0.220271528f, 0.599205673f, 0.769696712f });
   EXPECT_EQ(report.compared, 1u);
   EXPECT_EQ(report.outOfBound, 0u) << "worst: " << report.maxExcess << " times the bound";
+}
+
+/// Rays along the flat face of a glyph that is hardly concave: the search must not end before it comes to where they
+/// are inside.
+TEST(NestedRaysTest, RaysAlongAFaceAreFollowedToTheEnd)
+{
+  const auto report = [](glm::dvec3 origin, glm::vec3 direction)
+  {
+    return ReportOfNested({ 0.17151016f, 0.469451904f, 0.0141131971f }, { 1e-4f, 1.0f, 1.0f },
+      { -0.0164998341f, -0.00438104756f, 0.0069904332f, 0.999829829f }, { 0.0615272522f, 2.00014448f, 2.00014448f },
+      origin, direction);
+  };
+  EXPECT_EQ(report({ 0.20749434126901267, -1.1791949346171275, -1.4865784962511412 },
+              { -0.0163604319f, 0.802222908f, 0.596800387f })
+              .falseMisses,
+    0u);
+  EXPECT_EQ(report({ 0.19777435135345767, -1.7480755882940624, 0.61913749015713648 },
+              { -0.0108048953f, 0.950510204f, -0.31050539f })
+              .falseMisses,
+    0u);
 }
 
 /// Polynomials: in float, which is what their windows' width and noise are made for.
