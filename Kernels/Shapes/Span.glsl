@@ -151,7 +151,8 @@ RTG_FN Span BoxSpan(const LocalRay ray, const real3 halfSize)
 
 // The body of revolution y^2 + z^2 <= rho^2 where y, z and the radius rho change linearly along the ray:
 // a cylinder, or the nappe rho >= 0 of a cone, of which the caller keeps the part between two planes with
-// rho >= 0. `oRho`, `dRho`: the radius at s = 0 and its rate.
+// rho >= 0. `oRho`, `dRho`: the radius at s = 0 and its rate. All is computed, and one is chosen at the end: with exits
+// before, LLVM 21 compiles what is done with the span wrongly.
 RTG_FN Span RoundSpan(const DoubleWord oy, const DoubleWord oz, const DoubleWord oRho, const DoubleWord dy,
   const DoubleWord dz, const DoubleWord dRho, const int face)
 {

@@ -12,14 +12,9 @@ inline void HardCaseMaker::Shoot(HardCase& hard, std::uint32_t index, const Vec&
 {
   // Lengths other than one happen: instance transforms, unnormalised cameras.
   const double lengths[] = { 1.0, 1.0, 1.0 / 64, 40.0 };
-  HardRay ray;
-  ray.direction = glm::vec3(direction * lengths[this->Choice(4)]);
-  const Vec exact = glm::normalize(Rounded<float>(Vec(ray.direction)));
-  const Vec origin = target - exact * distance;
-  const Vec high = Rounded<float>(origin);
-  ray.origin = high + Rounded<float>(origin - high);
-  ray.glyph = index;
-  hard.rays.push_back(ray);
+  const glm::vec3 along(direction * lengths[this->Choice(4)]);
+  const Vec exact = glm::normalize(Rounded<float>(Vec(along)));
+  hard.rays.push_back(RayFrom(target - exact * distance, along, index));
 }
 
 inline void HardCaseMaker::Fill(HardCase& hard, const RayMaker& maker)

@@ -80,6 +80,13 @@ typename shapes::Kernel<Real>::GlyphRay KernelRay(const HardRay& ray)
   return { Vector(high), Vector(ray.origin - high), Vector(ray.direction) };
 }
 
+/// The ray from the place next to `origin` that is a float plus a float.
+inline HardRay RayFrom(const glm::dvec3& origin, const glm::vec3& direction, std::uint32_t glyph)
+{
+  const glm::dvec3 high = Rounded<float>(origin);
+  return { high + Rounded<float>(origin - high), direction, glyph };
+}
+
 /// What polynomials are made of.
 enum class Forms
 {

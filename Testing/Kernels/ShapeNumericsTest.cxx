@@ -116,6 +116,13 @@ TEST(NestedRaysTest, RaysAlongAFaceAreFollowedToTheEnd)
 /// Polynomials: in float, which is what their windows' width and noise are made for.
 INSTANTIATE_TEST_SUITE_P(Polynomials, NestedNumericsTest, ::testing::ValuesIn(PolynomialSubjects()), SubjectName);
 
+/// A ray at the first glyph through a point in its frame, from three lengths of the direction before it.
+HardRay RayThrough(const rtg::shapes::Kernel<double>::Glyph& glyph, const glm::dvec3& point, const glm::vec3& direction)
+{
+  const glm::dvec3 exact = Rounded<float>(glm::dvec3(direction));
+  return RayFrom(rtg::shapes::Kernel<double>::RotateToWorld(glyph, point) - 3.0 * exact, direction, 0);
+}
+
 /// Heads of a millionth of the arrow, met along it: a ray's place beside the rim must count from there, not from the
 /// arrow's middle.
 TEST(TinyHeadsTest, RimsAreKeptToTheirSize)
@@ -137,14 +144,8 @@ TEST(TinyHeadsTest, RimsAreKeptToTheirSize)
     const double angle = M_PI * uniform(engine), beside = std::pow(10.0, uniform(engine) - 3.0);
     const double radius = 1e-6 * double(glyph.arrow.y) * (1.0 + std::copysign(beside, uniform(engine)));
     const glm::dvec3 point(1.0 - 1e-6 * double(glyph.arrow.z), radius * std::cos(angle), radius * std::sin(angle));
-    HardRay ray;
-    ray.direction = glm::vec3(rtg::shapes::Kernel<double>::RotateToWorld(glyph, glm::dvec3(-1.0, 0.0, 0.0)));
-    const glm::dvec3 origin =
-      rtg::shapes::Kernel<double>::RotateToWorld(glyph, point) - 3.0 * glm::dvec3(ray.direction);
-    const glm::dvec3 high = Rounded<float>(origin);
-    ray.origin = high + Rounded<float>(origin - high);
-    ray.glyph = 0;
-    hard.rays.push_back(ray);
+    const glm::dvec3 along = rtg::shapes::Kernel<double>::RotateToWorld(glyph, glm::dvec3(-1.0, 0.0, 0.0));
+    hard.rays.push_back(RayThrough(glyph, point, glm::vec3(along)));
   }
   ReferenceCase reference(std::move(hard));
   const CaseReport report = Summarise(JudgeKernel<float>(reference));
@@ -174,14 +175,7 @@ TEST(FlatRimsTest, NormalsKeepTheBound)
       const glm::dvec3 unit(std::cos(angle) * std::sqrt(1 - z * z), std::sin(angle) * std::sqrt(1 - z * z), z);
       glm::dvec3 point = 0.5 * unit * glm::dvec3(glyph.size);
       point.x += shape == rtg::Shape::Capsule ? std::copysign(0.5 * glyph.size.x, unit.x) : 0.0;
-      HardRay ray;
-      ray.direction = glm::vec3(uniform(engine), uniform(engine), uniform(engine));
-      const glm::dvec3 exact = Rounded<float>(glm::dvec3(ray.direction));
-      const glm::dvec3 origin = rtg::shapes::Kernel<double>::RotateToWorld(glyph, point) - 3.0 * exact;
-      const glm::dvec3 high = Rounded<float>(origin);
-      ray.origin = high + Rounded<float>(origin - high);
-      ray.glyph = 0;
-      hard.rays.push_back(ray);
+      hard.rays.push_back(RayThrough(glyph, point, glm::vec3(uniform(engine), uniform(engine), uniform(engine))));
     }
     ReferenceCase reference(std::move(hard));
     const CaseReport report = Summarise(JudgeKernel<float>(reference));
