@@ -178,7 +178,7 @@ def measure(kind, size, frames, folder):
     shown = show(pv, producer, view, kind, factor)
     pv.Render(view)
     first = time.monotonic() - start
-    figures = {"first": first, "making": making, **turning(view, frames), "bytes": memory("VmHWM") - before}
+    figures = {"first": first, "making": making, **turning(lambda: pv.Render(view), frames), "bytes": memory("VmHWM") - before}
     if not kind.startswith(("meshes", "Tube")):
         statistics = json.loads(shown.GetPropertyValue("RenderStatistics"))
         figures.update({"glyphs": statistics["glyphs"], "device bytes": statistics["deviceBytes"]})

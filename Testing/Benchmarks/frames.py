@@ -20,15 +20,15 @@ def quartiles(name, values):
     return {name: median, name + " lower quartile": lower, name + " upper quartile": upper}
 
 
-def turning(view, frames, of_wall="frame", of_cpu="frame cpu"):
-    """Columns of wall and processor seconds a frame, the camera turning by a degree before each."""
+def turning(render, frames, of_wall="frame", of_cpu="frame cpu"):
+    """Columns of wall and processor seconds that render() takes, the camera turning by a degree before each."""
     import paraview.simple as pv
 
     camera, wall, cpu = pv.GetActiveCamera(), [], []
     for _ in range(frames):
         camera.Azimuth(1.0)
         start, start_cpu = time.monotonic(), cpu_seconds()
-        pv.Render(view)
+        render()
         wall.append(time.monotonic() - start)
         cpu.append(cpu_seconds() - start_cpu)
     return {**quartiles(of_wall, wall), **quartiles(of_cpu, cpu)}

@@ -6,7 +6,7 @@ Environment: RTGLYPHS_PLUGIN is the plugin's library.
 Random points in a cube, each with a radius and a value that colors it, both float: 20 bytes a point; arrows have a vector besides. Each count and
 representation has a process of its own. First picture: from data in memory until it is rendered, with one ray a pixel, programs compiled
 before in that process by a scene of few points. Of that, information: ParaView's search for the ranges of all arrays, which it does for data of
-any representation before that has them. A frame: the camera turns by a degree; the median. Turning: the same while a window asks for
+any representation before that has them. A frame: the camera turns by a degree; median and quartiles. Turning: the same while a window asks for
 speed. Memory: the largest that the process ever held (VmHWM), and that before the data are shown. Written to FOLDER: scale.csv.
 A representation that does not end within --limit seconds, or that dies, has no numbers.
 """
@@ -112,15 +112,9 @@ def measure(count, kind, size, frames):
     pv.Render(view)
     first = time.monotonic() - start
     # The window asks so of its renders while a button is down.
-    interactive = view.SMProxy.InteractiveRender
-    interactive()
-    start = time.monotonic()
-    for _ in range(3):
-        pv.GetActiveCamera().Azimuth(1.0)
-        interactive()
-    moving = (time.monotonic() - start) / 3.0
-    figures = {"first": first, "information": information, **turning(view, frames), "turning": moving, "before bytes": before, "peak bytes": memory("VmHWM"),
-               "end bytes": memory("VmRSS")}
+    view.SMProxy.InteractiveRender()
+    figures = {"first": first, "information": information, **turning(view.SMProxy.InteractiveRender, frames, "turning", "turning cpu"),
+               **turning(lambda: pv.Render(view), frames), "before bytes": before, "peak bytes": memory("VmHWM"), "end bytes": memory("VmRSS")}
     if kind not in ("Point Gaussian", "3D Glyphs"):
         statistics = json.loads(shown.GetPropertyValue("RenderStatistics"))
         figures.update({"glyphs": statistics["glyphs"], "device bytes": statistics["deviceBytes"]})

@@ -77,11 +77,6 @@ def main():
             if step == 0:
                 writer.writeheader()
             writer.writerow({key: "%.5g" % value for key, value in row.items()})
-    # On a machine that does other things too the lower decile says what a step costs by itself.
-    print("| | lower decile ms | median ms | largest ms |\n|---|---|---|---|")
-    for key in ("pipeline", "sort", "build", "upload", "trace", "other", "total"):
-        values = sorted(1000.0 * row[key] for row in rows)
-        print("| %s | %.1f | %.1f | %.1f |" % (key, values[len(values) // 10], values[len(values) // 2], values[-1]))
     for key in ("resident_mb", "device_mb"):
         print(key + ": " + ", ".join("%.1f after step %d" % (rows[at - 1][key], at) for at in (1, 50, 100, 200, steps) if at <= steps))
     print("uploads a step: %s" % sorted({row["instance_uploads"] for row in rows}))

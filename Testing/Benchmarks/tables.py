@@ -182,6 +182,17 @@ def ranks():
                       digits(row["first picture"], 3), timing(row, "frame", 3), "%.2f" % (alone[name(row)] / row["frame"])] for row in found])
 
 
+def steps():
+    """Where the time of a step of a time series goes; the first one compiles."""
+    found = rows("steps")[1:]
+
+    def cell(stage):
+        lower, median, upper = statistics.quantiles([1000.0 * row[stage] for row in found], n=4, method="inclusive")
+        return "%s (%s, %s)" % (digits(median, 3), digits(lower, 3), digits(upper, 3))
+    stages = ("pipeline", "sort", "build", "upload", "trace", "other", "total")
+    return markdown(["ParaView's pipeline: ms", "order", "tree", "sending", "tracing", "rest", "all"], [[cell(stage) for stage in stages]])
+
+
 def light_cost():
     """A sample of each kind of light over one of local shading."""
     lights = ["occlusion"] + ["path %d" % bounces for bounces in (1, 2, 3, 4, 10)]
@@ -284,6 +295,7 @@ TABLES = {
     "light-cost": (BENCHMARKS, ["light-cost"], light_cost),
     "light-variance": (BENCHMARKS, ["light-variance"], light_variance),
     "motion-cost": (BENCHMARKS, ["motion-cost"], motion_cost),
+    "steps": (BENCHMARKS, ["steps"], steps),
     "motion": (BENCHMARKS, ["motion"], lambda: motion.table(path_of("motion"))),
     "sphere-formulas": (SHAPES, ["sphere-formulas"], sphere_formulas),
     "hard-cases": (SHAPES, ["shape-errors"], hard_cases),
