@@ -11,8 +11,7 @@ namespace rtg
 namespace
 {
 
-constexpr std::uint32_t tilesPerRow = 1024;           ///< of a launch
-constexpr std::uint32_t mostTiles = 16 * tilesPerRow; ///< of a launch: 29 MB of ray records
+constexpr std::uint32_t mostTiles = 16 * LaunchGrid::mostColumns; ///< of a launch: 29 MB of ray records
 constexpr std::uint32_t probesPerRow = 1024;
 /// Seconds that a launch is to take where TilesAtOnce() cuts: whoever waits for it to stop, or for the display, waits
 /// so long.
@@ -39,9 +38,9 @@ void Launcher::FitRays(const Generation& generation, std::size_t count)
 
 void Launcher::FitTiles(const Generation& generation, std::uint32_t tiles)
 {
+  // A smaller launch may have more places without a tile.
   const std::uint32_t largest = std::min(mostTiles, tiles);
-  const std::uint32_t launched = DivideUp(largest, tilesPerRow) * std::min(largest, tilesPerRow);
-  this->FitRays(generation, std::size_t(launched) * raysPerTile);
+  this->FitRays(generation, std::size_t(largest + LaunchGrid(largest).rows) * raysPerTile);
 }
 
 // Launches width x height rays.
@@ -83,7 +82,8 @@ std::uint32_t Launcher::TilesAtOnce(const TracerResources::UsedProgram& program,
   const std::uint32_t limit = generation.ownTrees
     ? mostTiles
     : std::max(1u, std::min(mostTiles, vulkan.pipelineLimits.maxRayDispatchInvocationCount / raysPerTile));
-  const std::uint32_t most = std::min(left, limit > tilesPerRow ? limit - limit % tilesPerRow : limit);
+  const std::uint32_t most =
+    std::min(left, limit > LaunchGrid::mostColumns ? limit - limit % LaunchGrid::mostColumns : limit);
   if (!interruptible && vulkan.cpu)
   {
     return most;
@@ -104,8 +104,8 @@ void Launcher::LaunchTiles(TracerResources::UsedProgram& program, const Generati
   const std::uint32_t tiles =
     this->TilesAtOnce(program, generation, end - frame.firstTile, frame.samples, interruptible);
   frame.endTile = frame.firstTile + tiles;
-  const std::uint32_t columns = std::min(tiles, tilesPerRow);
-  this->Launch(*program.program->pipeline, scene, frame, columns * raysPerTile, DivideUp(tiles, columns));
+  const LaunchGrid grid(tiles);
+  this->Launch(*program.program->pipeline, scene, frame, grid.columns * raysPerTile, grid.rows);
   frame.firstTile = frame.endTile;
   // Of old and new costs the mean: launches differ.
   const double cost = watch.Lap() / (double(tiles) * raysPerTile * frame.samples);

@@ -18,6 +18,20 @@ constexpr std::uint32_t DivideUp(std::uint32_t value, std::uint32_t by)
   return (value + by - 1) / by;
 }
 
+/// How a launch of at least one tile is laid out: rows are full, but for less than a tile each. lavapipe gives every
+/// core as many places in a row as any other, with tiles or without.
+struct LaunchGrid
+{
+  static constexpr std::uint32_t mostColumns = 1024;
+
+  explicit constexpr LaunchGrid(std::uint32_t tiles)
+    : rows(DivideUp(tiles, mostColumns))
+    , columns(DivideUp(tiles, rows))
+  {
+  }
+  std::uint32_t rows, columns; ///< tiles
+};
+
 /// The tiles of an image in the order in which they are traced, neighbors in it being far apart in the image, and those
 /// of the share that is traced.
 class Tiling

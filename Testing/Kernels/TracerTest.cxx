@@ -1,4 +1,5 @@
 // Scene and Tracer on the machine's Vulkan device: what an image holds.
+#include "Tiles.h"
 #include "TracerFixture.h"
 
 #include <glm/gtc/constants.hpp>
@@ -8,6 +9,18 @@
 
 using rtg::Image;
 using namespace rtg::testing;
+
+// What lies idle of a launch keeps one core waiting for the other.
+TEST(LaunchGrid, HasRoomForAllTilesAndNearlyNoMore)
+{
+  for (std::uint32_t tiles = 1; tiles <= 16 * rtg::LaunchGrid::mostColumns; ++tiles)
+  {
+    const rtg::LaunchGrid grid(tiles);
+    ASSERT_LE(grid.columns, rtg::LaunchGrid::mostColumns);
+    ASSERT_GE(grid.rows * grid.columns, tiles);
+    ASSERT_LT(grid.rows * grid.columns, tiles + grid.rows);
+  }
+}
 
 TEST_P(StructureTest, SphereCoversExactlyThePixelsWhoseCentresItCovers)
 {
