@@ -214,10 +214,11 @@ private:
 } // namespace
 
 int main(int argc, char** argv)
+try
 {
   const auto pixels = static_cast<std::uint32_t>(argc > 1 ? std::atoi(argv[1]) : 800);
   const int repetitions = argc > 2 ? std::atoi(argv[2]) : 7;
-  std::ofstream csv(argc > 3 ? argv[3] : "/dev/null");
+  std::ofstream csv = benchmark::Written(argc > 3 ? argv[3] : "/dev/null");
   const Crowd arrows{ "", rtg::Shape::Arrow, true }, random{ "", rtg::Shape::Superquadric, true, 0.5f, 8.0f };
   const auto crowd = [](const Crowd& of) { return Part{ benchmark::MakeInstances(of, glyphs) }; };
   const Part packed{ Spheres(glyphs, 1.2f) };
@@ -268,4 +269,9 @@ int main(int argc, char** argv)
     same &= subject->Differs() < 1e-3;
   }
   return same ? 0 : 1;
+}
+catch (const std::exception& error)
+{
+  std::fprintf(stderr, "SceneBenchmark: %s\n", error.what());
+  return 1;
 }

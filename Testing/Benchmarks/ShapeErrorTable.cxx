@@ -392,22 +392,23 @@ void TableOfSpheres(std::ostream& csv)
 } // namespace
 
 int main(int argc, char** argv)
+try
 {
   if (argc > 1 && std::string(argv[1]) == "--speed")
   {
-    std::ofstream csv(argc > 2 ? argv[2] : "superquadric-errors.csv");
+    std::ofstream csv = benchmark::Written(argc > 2 ? argv[2] : "superquadric-errors.csv");
     TableOfSpeed(csv);
     return 0;
   }
   if (argc > 1 && std::string(argv[1]) == "--million")
   {
-    std::ofstream csv(argc > 2 ? argv[2] : "million-errors.csv");
+    std::ofstream csv = benchmark::Written(argc > 2 ? argv[2] : "million-errors.csv");
     TableOfMillions(csv);
     return 0;
   }
   if (argc > 1 && std::string(argv[1]) == "--spheres")
   {
-    std::ofstream csv(argc > 2 ? argv[2] : "sphere-formulas.csv");
+    std::ofstream csv = benchmark::Written(argc > 2 ? argv[2] : "sphere-formulas.csv");
     TableOfSpheres(csv);
     return 0;
   }
@@ -419,7 +420,7 @@ int main(int argc, char** argv)
   std::ofstream file;
   if (argc > 1)
   {
-    file.open(argv[1]);
+    file = benchmark::Written(argv[1]);
     file << "shape,case,arithmetic,rays,hits,excused,false_hits,false_misses,out_of_bound,"
             "t_median_ulps,t_max_ulps,t_median_sizes,t_max_sizes,t_max_over_bound,"
             "normal_median_radians,normal_max_radians,normal_max_over_bound\n";
@@ -434,11 +435,16 @@ int main(int argc, char** argv)
       hard.subject.c_str(), hard.situation.c_str(), r.hits, r.rays, r.medianUlps, r.maxUlps, r.medianSizes, r.maxSizes,
       r.maxExcess, r.maxRadians, r.maxNormalExcess, r.falseHits, r.falseMisses,
       ARay(NanosecondsOf<float>(hard), hard.rays.size()).median);
-    if (file)
+    if (file.is_open())
     {
       WriteRow(file, hard, "float", r);
       WriteRow(file, hard, "double", Summarise(JudgeKernel<double>(reference)));
     }
   }
   return 0;
+}
+catch (const std::exception& error)
+{
+  std::fprintf(stderr, "ShapeErrorTable: %s\n", error.what());
+  return 1;
 }

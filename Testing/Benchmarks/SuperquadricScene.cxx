@@ -196,7 +196,7 @@ try
   std::ofstream csv;
   if (argc > 5)
   {
-    csv.open(argv[5]);
+    csv = benchmark::Written(argv[5]);
     csv << "layout,shape,glyphs,pixels,first s," << benchmark::Spread::Columns("wall s") << ','
         << benchmark::Spread::Columns("CPU s") << ",Mray/s,hit share,CPU over spheres\n";
   }

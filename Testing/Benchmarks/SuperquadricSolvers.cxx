@@ -248,8 +248,9 @@ void RunAll(const std::vector<Scene>& scenes, const char* arithmetic, std::ostre
 } // namespace
 
 int main(int argc, char** argv)
+try
 {
-  std::ofstream csv(argc > 1 ? argv[1] : "superquadric-solvers.csv");
+  std::ofstream csv = benchmark::Written(argc > 1 ? argv[1] : "superquadric-solvers.csv");
   const int glyphs = argc > 2 ? std::atoi(argv[2]) : 12, rays = argc > 3 ? std::atoi(argv[3]) : 50;
   csv << "family,case,solver,arithmetic,rays," << benchmark::Spread::Columns("ns_per_ray")
       << ",t_median_sizes,t_p999_sizes,t_max_sizes,normal_median_radians,normal_p999_radians,normal_max_radians,"
@@ -261,4 +262,9 @@ int main(int argc, char** argv)
   RunAll<float>(scenes, "float", csv);
   RunAll<double>(scenes, "double", csv);
   return 0;
+}
+catch (const std::exception& error)
+{
+  std::fprintf(stderr, "SuperquadricSolvers: %s\n", error.what());
+  return 1;
 }

@@ -16,7 +16,7 @@ from checks import cloud, information, pending  # noqa: E402
 from window import Window, run, say  # noqa: E402
 
 #: of each part: the image of one must not end the refinement of the other
-SAMPLES = [12, 36]
+SAMPLES = [8, 20]
 #: seconds within which the images must be finished; they take a few
 LIMIT = 240.0
 

@@ -47,9 +47,11 @@ def connect(folder):
 def start(folder, pvpython):
     os.makedirs(folder, exist_ok=True)
     stop(folder)
+    # Symbols are bound once here instead of when each test first needs them.
+    environment = {**os.environ, "LD_BIND_NOW": "1"}
     with open(os.path.join(folder, "pvpython.log"), "w", encoding="utf-8") as log:
-        server = subprocess.Popen([pvpython, "--no-mpi", os.path.abspath(__file__), "serve"], cwd=folder, stdin=subprocess.DEVNULL,
-                                  stdout=log, stderr=log, start_new_session=True)
+        server = subprocess.Popen([pvpython, "--no-mpi", os.path.abspath(__file__), "serve"], cwd=folder, env=environment,
+                                  stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True)
     end = time.monotonic() + START
     while server.poll() is None and time.monotonic() < end:
         connection = connect(folder)

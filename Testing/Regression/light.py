@@ -27,7 +27,7 @@ LEAK = 3 << 20
 class Scene:
     """A ball and arrows on a floor, lit from all around: two glyph representations and a surface in one view."""
 
-    def __init__(self, mode, width=300):
+    def __init__(self, mode, width=200):
         self.view = session.view(width, width * 3 // 4, background=(255, 255, 255))
         self.floor_source = pv.Plane(Origin=[-2, -2, 0], Point1=[2, -2, 0], Point2=[-2, 2, 0])
         self.floor = pv.Show(self.floor_source, self.view)

@@ -1,11 +1,10 @@
 """Host memory that runs out while glyphs are made: the process lives, one message names memory and a remedy, and the
 next render without the limit is right.
 
-Usage: pvpython memory_limit.py PVPYTHON
-The limits are tried in processes of their own (pvpython memory_limit.py PVPYTHON MEGABYTES), which may die of them.
+Usage: pvpython memory_limit.py MEGABYTES
+MEGABYTES: that the process may take beyond what it has before the glyphs are made, which take some 100.
 """
 import resource
-import subprocess
 import sys
 
 import numpy
@@ -15,8 +14,6 @@ import session
 from checks import Checks
 
 POINTS = 1000000
-#: megabytes that a process may take beyond what it has before the glyphs are made, which take some 100
-LIMITS = (4, 14, 28)
 
 
 def show(source, view):
@@ -58,23 +55,5 @@ def limited(megabytes):
     checks.report()
 
 
-def main(pvpython):
-    """Each limit in a process of its own."""
-    failures = []
-    for megabytes in LIMITS:
-        result = subprocess.run([pvpython, __file__, pvpython, str(megabytes)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                universal_newlines=True)
-        lines = result.stdout.strip().splitlines()
-        print("\n".join(lines[-12:]))
-        found = [line[len("FAILED: "):] for line in lines if line.startswith("FAILED: ")]
-        if result.returncode and not found:
-            found = ["%d MB: the process ends with %d: %s" % (megabytes, result.returncode,
-                                                             [line for line in lines if "what()" in line or "terminate" in line])]
-        failures += found
-    session.finish(failures)
-
-
 if __name__ == "__main__":
-    if len(sys.argv) > 2:
-        limited(int(sys.argv[2]))
-    main(sys.argv[1])
+    limited(int(sys.argv[1]))

@@ -156,7 +156,7 @@ def translucent(view, checks):
             checks.within("translucent %s, %s: pixels" % (name, ends), int(mask.sum()), 9000, 10 ** 6)
             # Rays that pass by chance meet the same layers: in the mean it is the same picture.
             if ends == "Rounded" and name == "zigzag":
-                shown.ShadingMode, shown.SamplesPerPixel, shown.LightIntensity = "Path Tracing", 64, 0.0
+                shown.ShadingMode, shown.SamplesPerPixel, shown.LightIntensity = "Path Tracing", 16, 0.0
                 level = float(session.capture(view, "tubes-translucent-by-chance")[..., 1][mask].mean())
                 checks.within("translucent zigzag by chance: mean level", level, wanted[1] - 1.0, wanted[1] + 1.0)
                 shown.ShadingMode, shown.SamplesPerPixel, shown.LightIntensity = "Local", 1, 1.0
