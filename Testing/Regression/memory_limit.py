@@ -49,7 +49,7 @@ def limited(megabytes):
     session.look(fresh, (0.0, 0.0, 6.0))
     show(few, fresh)
     show(many, fresh)
-    expected = session.capture(fresh, "memory-limit-fresh")
+    expected = session.capture(fresh, "memory-limit-%d-fresh" % megabytes)
     checks.covered(what + ", fresh view", expected, 0.1)
     checks.picture(what + ", limit lifted", pixels, expected, pixels=0.002, mean=0.1)
     checks.report()
