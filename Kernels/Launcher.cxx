@@ -12,7 +12,6 @@ namespace
 {
 
 constexpr std::uint32_t mostTiles = 16 * LaunchGrid::mostColumns; ///< of a launch: 29 MB of ray records
-constexpr std::uint32_t probesPerRow = 1024;
 /// Seconds that a launch is to take where TilesAtOnce() cuts: whoever waits for it to stop, or for the display, waits
 /// so long.
 constexpr double launchSeconds = 0.04;
@@ -116,9 +115,9 @@ void Launcher::LaunchTiles(TracerResources::UsedProgram& program, const Generati
 void Launcher::LaunchProbes(TracerResources::UsedProgram& program, const Generation& generation,
   const Scene::State& scene, device::FrameRecord& frame)
 {
-  const std::uint32_t rows = DivideUp(frame.probeCount, probesPerRow);
-  this->FitRays(generation, std::size_t(rows) * probesPerRow);
-  this->Launch(*program.program->pipeline, scene, frame, probesPerRow, rows);
+  const LaunchGrid grid(DivideUp(frame.probeCount, raysPerTile));
+  this->FitRays(generation, std::size_t(grid.columns) * grid.rows * raysPerTile);
+  this->Launch(*program.program->pipeline, scene, frame, grid.columns * raysPerTile, grid.rows);
 }
 
 } // namespace rtg
