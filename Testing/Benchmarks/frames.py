@@ -53,6 +53,12 @@ def figures_of(what, arguments, limit, command=("pvpython",)):
     return figures
 
 
+def read_table(path):
+    """Rows of a CSV file as dictionaries of text; what the commented lines at its beginning say is left out."""
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
 def write_table(path, rows):
     """Rows as CSV, with a column for each figure that some row has."""
     columns = list(dict.fromkeys(column for row in rows for column in row))

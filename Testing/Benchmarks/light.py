@@ -4,9 +4,10 @@
 Usage: light.py PLOT.png NAME=RESULTS.csv ...
 Gain: mean squared error of independent samples over that of the sampler at the same time, that of independent samples being interpolated on logarithms and extrapolated as 1 / time; above 1 the sampler is better.
 """
-import csv
 import math
 import sys
+
+from frames import read_table
 
 TABLED = (1, 4, 16, 64, 256, 1024)
 KEPT = {"occlusion": "sobol x8", "path": "sobol x4"}  # what the plugin does by default
@@ -15,12 +16,11 @@ KEPT = {"occlusion": "sobol x8", "path": "sobol x4"}  # what the plugin does by 
 def read(path):
     """{shading: {sampler: [row]}} with numbers; the denoised error's time has the denoiser's in it."""
     results = {}
-    with open(path, encoding="ascii") as file:
-        for row in csv.DictReader(line for line in file if not line.startswith("#")):
-            results.setdefault(row["shading"], {}).setdefault(row["sampler"], []).append({
-                "samples": int(row["samples"]), "seconds": float(row["cpu_seconds"]), "error": max(float(row["mse"]), 1e-12),
-                "denoised": max(float(row["denoised_mse"]), 1e-12),
-                "denoised_seconds": float(row["cpu_seconds"]) + float(row["denoise_seconds"])})
+    for row in read_table(path):
+        results.setdefault(row["shading"], {}).setdefault(row["sampler"], []).append({
+            "samples": int(row["samples"]), "seconds": float(row["cpu_seconds"]), "error": max(float(row["mse"]), 1e-12),
+            "denoised": max(float(row["denoised_mse"]), 1e-12),
+            "denoised_seconds": float(row["cpu_seconds"]) + float(row["denoise_seconds"])})
     return results
 
 

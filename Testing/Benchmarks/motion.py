@@ -4,8 +4,9 @@
 Usage: motion.py RESULTS.csv PLOT.png
 The reference's own error is taken off; times are processor seconds of an image of 1200 x 1200, with the building of structures.
 """
-import csv
 import sys
+
+from frames import read_table
 
 KEPT = "strata of times with places: slices"  # what the plugin does
 
@@ -13,8 +14,7 @@ KEPT = "strata of times with places: slices"  # what the plugin does
 def read(path):
     """{radii: {scheme: [(samples, build seconds, trace seconds, mse, blurred mse, quartiles of trace seconds)]}}"""
     results = {}
-    with open(path, encoding="ascii") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    rows = read_table(path)
     own = {row["radii"]: float(row["reference_mse"]) for row in rows}  # the last row of a path knows it
     for row in rows:
         error = max(float(row["mse"]) - own[row["radii"]], 1e-12)

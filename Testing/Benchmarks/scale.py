@@ -11,14 +11,13 @@ speed. Memory: the largest that the process ever held (VmHWM), and that before t
 A representation that does not end within --limit seconds, or that dies, has no numbers.
 """
 import argparse
-import csv
 import json
 import os
 import time
 
 import numpy
 
-from frames import figures_of, memory, turning, write_table
+from frames import figures_of, memory, read_table, turning, write_table
 
 KINDS = ("spheres", "arrows", "signed tensors", "Point Gaussian", "3D Glyphs")
 #: those that are measured of each number of points
@@ -129,8 +128,7 @@ def plot(path, path_of_plot):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    with open(path, encoding="utf-8", newline="") as file:
-        table = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    table = read_table(path)
     figure, axes = plt.subplots(1, 2, figsize=(9.2, 4.2), sharex=True)
     for axis, what, title in ((axes[0], "first", "first picture"), (axes[1], "frame", "a frame while the camera turns")):
         for kind in KINDS:

@@ -7,10 +7,11 @@ FILE.csv is written by SuperquadricSolvers. One panel for convex and one for mix
 one arithmetic on all rays, random and hard: nanoseconds a ray against the 99.9th percentile of the error of t. Solvers with
 false hits or misses are drawn hollow, with their number per million rays.
 """
-import csv
 import sys
 
 import matplotlib
+
+from frames import read_table
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
@@ -22,8 +23,7 @@ COLOURS = pyplot.get_cmap("tab20").colors[::2] + pyplot.get_cmap("tab20").colors
 
 def main(source, target):
     """Draws the figure of source's rows."""
-    with open(source, newline="") as file:
-        rows = [row for row in csv.DictReader(line for line in file if not line.startswith("#")) if row["case"] == "all"]
+    rows = [row for row in read_table(source) if row["case"] == "all"]
     solvers = list(dict.fromkeys(row["solver"] for row in rows))
     figure, axes = pyplot.subplots(1, 2, figsize=(13, 5.5), sharey=True, layout="constrained")
     for axis, family in zip(axes, ("convex", "concave")):

@@ -5,7 +5,6 @@ Usage: tables.py [--check]
 Between <!-- table NAME --> and <!-- end of table NAME --> a document has the table of that name. Without --check each is written anew; with
 it the program only says which ones differ from their CSV files, and which of those do not say of which commit they are.
 """
-import csv
 import math
 import os
 import re
@@ -17,6 +16,7 @@ sys.path.insert(0, HERE)
 sys.dont_write_bytecode = True
 import light  # noqa: E402
 import motion  # noqa: E402
+from frames import quartiles, read_table  # noqa: E402
 
 ROOT = os.path.join(HERE, "..", "..")
 RESULTS = os.path.join(HERE, "results")
@@ -42,8 +42,7 @@ def rows(name):
         except ValueError:
             return text
 
-    with open(path_of(name), encoding="utf-8", newline="") as file:
-        return [{key: number(text) for key, text in row.items()} for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+    return [{key: number(text) for key, text in row.items()} for row in read_table(path_of(name))]
 
 
 def markdown(heads, lines):
@@ -60,8 +59,8 @@ def digits(value, count):
 
 def timing(row, key, count):
     """Seconds to so many digits, with quartiles where the file has them."""
-    quartiles = [row.get("%s %s quartile" % (key, which), "") for which in ("lower", "upper")]
-    return digits(row[key], count) + (" (%s, %s)" % tuple(digits(value, count) for value in quartiles) if quartiles[0] != "" else "")
+    both = [row.get("%s %s quartile" % (key, which), "") for which in ("lower", "upper")]
+    return digits(row[key], count) + (" (%s, %s)" % tuple(digits(value, count) for value in both) if both[0] != "" else "")
 
 
 def speed():
@@ -186,11 +185,9 @@ def steps():
     """Where the time of a step of a time series goes; the first one compiles."""
     found = rows("steps")[1:]
 
-    def cell(stage):
-        lower, median, upper = statistics.quantiles([1000.0 * row[stage] for row in found], n=4, method="inclusive")
-        return "%s (%s, %s)" % (digits(median, 3), digits(lower, 3), digits(upper, 3))
-    stages = ("pipeline", "sort", "build", "upload", "trace", "other", "total")
-    return markdown(["ParaView's pipeline: ms", "order", "tree", "sending", "tracing", "rest", "all"], [[cell(stage) for stage in stages]])
+    cells = [timing(quartiles(stage, [1000.0 * row[stage] for row in found]), stage, 3)
+             for stage in ("pipeline", "sort", "build", "upload", "trace", "other", "total")]
+    return markdown(["ParaView's pipeline: ms", "order", "tree", "sending", "tracing", "rest", "all"], [cells])
 
 
 def light_cost():
