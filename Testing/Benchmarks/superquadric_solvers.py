@@ -44,8 +44,8 @@ def main(source, target):
         axis.grid(alpha=0.3)
     axes[0].set_ylabel("error of t beyond an ulp, 99.9th percentile, glyph sizes\n(circle: float, square: double, hollow: wrong hits)")
     for index, solver in enumerate(solvers):
-        axes[0].plot([], [], "o", color=COLOURS[index], label=solver)
-    axes[0].legend(loc="lower right", fontsize=7)
+        axes[1].plot([], [], "o", color=COLOURS[index], label=solver)
+    axes[1].legend(loc="lower left", fontsize=7)
     figure.savefig(target, dpi=110)
 
 
