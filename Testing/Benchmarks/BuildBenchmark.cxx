@@ -3,10 +3,10 @@
 // Usage: BuildBenchmark shapes [COUNT] [REPETITIONS] [CSV]
 //        BuildBenchmark picture [COUNT] [PIXELS] [CSV] [TURNS]
 //
-// Glyphs lie in a cube at random, turned at random where it says so. Shapes are measured in turns, and of each stage
-// the median is printed, on one thread and on all cores, beside the processor seconds of all together, which other work
-// on the machine disturbs less. The picture is measured in each turn by a process that has done nothing else, so
-// programs are compiled in it.
+// Glyphs lie in a cube at random, turned at random where it says so. Shapes are measured in turns over all, and of each
+// stage the median is printed, on one thread and on all cores, beside the processor seconds of all together, which
+// other work on the machine disturbs less. The picture is measured in each turn by a process that has done nothing
+// else, so programs are compiled in it.
 #include "Crowds.h"
 #include "GlyphBoxes.h"
 #include "GlyphTree.h"
@@ -73,26 +73,38 @@ int MeasureShapes(std::size_t count, int repetitions, const char* path)
   std::printf(
     "%-34s %9s %8s %8s %8s %8s %8s %8s\n", "shape", "glyphs", "threads", "boxes", "order", "tree", "sum", "CPU");
   const std::size_t cores = rtg::ThreadCount();
+  struct Subject
+  {
+    const char* name;
+    rtg::GlyphInstances instances;
+    Seconds one, all;
+  };
+  std::vector<Subject> subjects;
   for (const benchmark::Crowd& crowd : crowds)
   {
-    const rtg::GlyphInstances instances = benchmark::MakeInstances(crowd, count);
-    Seconds one, all;
-    for (int i = 0; i < repetitions; ++i)
+    subjects.push_back({ crowd.name, benchmark::MakeInstances(crowd, count), {}, {} });
+  }
+  for (int i = 0; i < repetitions; ++i)
+  {
+    for (Subject& subject : subjects)
     {
       rtg::SetThreadCount(1);
-      Build(instances, one);
+      Build(subject.instances, subject.one);
       rtg::SetThreadCount(cores);
-      Build(instances, all);
+      Build(subject.instances, subject.all);
     }
-    for (const Seconds* seconds : { &one, &all })
+  }
+  for (const Subject& subject : subjects)
+  {
+    for (const Seconds* seconds : { &subject.one, &subject.all })
     {
-      const std::size_t threads = seconds == &one ? 1 : cores;
+      const std::size_t threads = seconds == &subject.one ? 1 : cores;
       const benchmark::Spread boxes(seconds->boxes), order(seconds->order), tree(seconds->tree),
         processor(seconds->processor);
-      std::printf("%-34s %9zu %8zu %8.4f %8.4f %8.4f %8.4f %8.4f\n", crowd.name, count, threads, boxes.median,
+      std::printf("%-34s %9zu %8zu %8.4f %8.4f %8.4f %8.4f %8.4f\n", subject.name, count, threads, boxes.median,
         order.median, tree.median, boxes.median + order.median + tree.median, processor.median);
-      csv << '"' << crowd.name << "\"," << count << ',' << threads << ',' << boxes << ',' << order << ',' << tree << ','
-          << processor << '\n';
+      csv << '"' << subject.name << "\"," << count << ',' << threads << ',' << boxes << ',' << order << ',' << tree
+          << ',' << processor << '\n';
     }
   }
   return 0;

@@ -12,6 +12,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace benchmark
@@ -62,33 +63,54 @@ inline std::ostream& operator<<(std::ostream& stream, const Spread& spread)
   return stream << spread.median << ',' << spread.lower << ',' << spread.upper;
 }
 
-/// Nanoseconds of processor time that a call takes: of each of seven turns, which are of 5 ms at least.
-template <class Function>
-std::vector<double> Nanoseconds(const Function& call)
+/// Processor time of calls. They are taken in seven turns, each call for 5 ms at least in each, so that the turns of
+/// one lie apart and its quartiles tell how the machine's speed changes while all are measured.
+class Turns
 {
-  std::vector<double> turns;
-  while (turns.size() < 7)
+public:
+  /// The number of a call that is to be measured.
+  std::size_t Add(std::function<void()> call)
   {
-    const double start = CpuSeconds();
-    double spent = 0.0;
-    int calls = 0;
-    do
-    {
-      call();
-      ++calls;
-      spent = CpuSeconds() - start;
-    } while (spent < 0.005);
-    turns.push_back(1e9 * spent / calls);
+    this->calls_.push_back(std::move(call));
+    return this->calls_.size() - 1;
   }
-  return turns;
-}
 
-/// Turn by turn.
-inline void AddTo(std::vector<double>& sums, const std::vector<double>& turns)
-{
-  sums.resize(turns.size());
-  std::transform(sums.begin(), sums.end(), turns.begin(), sums.begin(), std::plus<double>());
-}
+  void Take()
+  {
+    this->nanoseconds_.assign(this->calls_.size(), {});
+    for (int turn = 0; turn < 7; ++turn)
+    {
+      for (std::size_t i = 0; i < this->calls_.size(); ++i)
+      {
+        const double start = CpuSeconds();
+        double spent = 0.0;
+        int calls = 0;
+        do
+        {
+          this->calls_[i]();
+          ++calls;
+          spent = CpuSeconds() - start;
+        } while (spent < 0.005);
+        this->nanoseconds_[i].push_back(1e9 * spent / calls);
+      }
+    }
+  }
+
+  /// Nanoseconds of a ray, where these calls trace so many together.
+  Spread ARay(const std::vector<std::size_t>& calls, std::size_t rays) const
+  {
+    std::vector<double> sums(7);
+    for (const std::size_t call : calls)
+    {
+      std::transform(sums.begin(), sums.end(), this->nanoseconds_[call].begin(), sums.begin(), std::plus<double>());
+    }
+    return Spread(sums) *= 1.0 / static_cast<double>(std::max<std::size_t>(1, rays));
+  }
+
+private:
+  std::vector<std::function<void()>> calls_;
+  std::vector<std::vector<double>> nanoseconds_;
+};
 
 /// A file that is to be written; throws what cannot be.
 inline std::ofstream Written(const std::string& path)

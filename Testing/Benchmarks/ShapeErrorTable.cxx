@@ -1,4 +1,4 @@
-// Prints the error of every shape's kernel on the hard cases, and how fast it is; the tables of README.md.
+// Prints the error of every shape's kernel on the hard cases, and how fast superquadrics are and formulas for spheres.
 // Usage: ShapeErrorTable [file.csv]            (the CSV holds every case, float and double)
 //        ShapeErrorTable --speed [file.csv]    families of superquadrics, also out of range: speed against error
 //        ShapeErrorTable --million [file.csv]  glyphs of direction, capsules and round cones: a million rays of each
@@ -21,9 +21,9 @@ using namespace rtg::testing;
 namespace
 {
 
-/// Nanoseconds of processor time for all of the case's rays, each against its glyph, by turns.
+/// The call that traces all of the case's rays, each against its glyph.
 template <class Real>
-std::vector<double> NanosecondsOf(const HardCase& hard)
+std::size_t AddCall(benchmark::Turns& turns, const HardCase& hard)
 {
   using Kernel = shapes::Kernel<Real>;
   std::vector<typename Kernel::GlyphRay> rays;
@@ -33,24 +33,18 @@ std::vector<double> NanosecondsOf(const HardCase& hard)
     rays.push_back(KernelRay<Real>(ray));
     glyphs.push_back(KernelGlyph<Real>(hard.instances, ray.glyph));
   }
-  volatile Real sink = 0;
-  return benchmark::Nanoseconds(
-    [&]
+  return turns.Add(
+    [rays, glyphs, shape = hard.instances.shape]
     {
       Real sum = 0;
       for (std::size_t i = 0; i < rays.size(); ++i)
       {
         Real t = 0;
-        sum += Kernel::IntersectGlyph(hard.instances.shape, rays[i], glyphs[i], Real(0), Real(1e30), t) ? t : Real(0);
+        sum += Kernel::IntersectGlyph(shape, rays[i], glyphs[i], Real(0), Real(1e30), t) ? t : Real(0);
       }
-      sink = sink + sum;
+      const volatile Real sink = sum;
+      (void)sink;
     });
-}
-
-/// The same of one ray in the mean.
-benchmark::Spread ARay(const std::vector<double>& turns, std::size_t rays)
-{
-  return benchmark::Spread(turns) *= 1.0 / double(rays);
 }
 
 void WriteRow(std::ostream& csv, const HardCase& hard, const char* arithmetic, const CaseReport& r)
@@ -87,39 +81,48 @@ struct Tally
 };
 
 /// The hard cases of one family together.
-template <class Real>
-void TableOfFamily(const Subject& subject, const char* range, const char* arithmetic, std::ostream& csv)
+struct Family
 {
+  std::string name;
+  const char *range, *arithmetic;
   Tally tally;
-  std::vector<double> all, turned;
-  std::size_t turnedRays = 1;
-  for (const HardCase& hard : HardCaseMaker(subject, 12, 50, 21).All())
+  std::vector<std::size_t> calls, random; ///< of all cases, and of random rays alone
+  std::size_t randomRays = 0;
+
+  template <class Real>
+  void Judge(const Subject& subject, benchmark::Turns& turns)
   {
-    ReferenceCase reference(hard);
-    for (const Verdict& verdict : JudgeKernel<Real>(reference))
+    for (const HardCase& hard : HardCaseMaker(subject, 12, 50, 21).All())
     {
-      tally.Add(verdict);
-    }
-    const std::vector<double> turns = NanosecondsOf<Real>(hard);
-    benchmark::AddTo(all, turns);
-    if (hard.situation == "turned")
-    {
-      turned = turns;
-      turnedRays = hard.rays.size();
+      ReferenceCase reference(hard);
+      for (const Verdict& verdict : JudgeKernel<Real>(reference))
+      {
+        this->tally.Add(verdict);
+      }
+      this->calls.push_back(AddCall<Real>(turns, hard));
+      if (hard.situation == "turned")
+      {
+        this->random = { this->calls.back() };
+        this->randomRays = hard.rays.size();
+      }
     }
   }
-  const benchmark::Spread ns = ARay(all, tally.rays), plain = ARay(turned, turnedRays);
-  csv << '"' << subject.name << "\"," << range << ',' << arithmetic << ',' << tally.rays << ',' << plain << ',' << ns
-      << ',' << Quantile(tally.sizes, 0.5) << ',' << Quantile(tally.sizes, 0.999) << ',' << Quantile(tally.sizes, 1)
-      << ',' << Quantile(tally.radians, 0.5) << ',' << Quantile(tally.radians, 0.999) << ','
-      << Quantile(tally.radians, 1) << ',' << tally.outOfBound << ',' << tally.wrongNormals << ',' << tally.falseHits
-      << ',' << tally.falseMisses << '\n';
-  std::printf("| %s | %s | %s | %.0f | %.0f | %.1e | %.1e | %.1e | %.1e | %zu / %zu | %zu / %zu |\n",
-    subject.name.c_str(), range, arithmetic, plain.median, ns.median, Quantile(tally.sizes, 0.5),
-    Quantile(tally.sizes, 0.999), Quantile(tally.sizes, 1), Quantile(tally.radians, 1), tally.outOfBound,
-    tally.wrongNormals, tally.falseHits, tally.falseMisses);
-  std::fflush(stdout);
-}
+
+  void Write(std::ostream& csv, const benchmark::Turns& turns) const
+  {
+    const Tally& all = this->tally;
+    const benchmark::Spread ns = turns.ARay(this->calls, all.rays), plain = turns.ARay(this->random, this->randomRays);
+    csv << '"' << this->name << "\"," << this->range << ',' << this->arithmetic << ',' << all.rays << ',' << plain
+        << ',' << ns << ',' << Quantile(all.sizes, 0.5) << ',' << Quantile(all.sizes, 0.999) << ','
+        << Quantile(all.sizes, 1) << ',' << Quantile(all.radians, 0.5) << ',' << Quantile(all.radians, 0.999) << ','
+        << Quantile(all.radians, 1) << ',' << all.outOfBound << ',' << all.wrongNormals << ',' << all.falseHits << ','
+        << all.falseMisses << '\n';
+    std::printf("| %s | %s | %s | %.0f | %.0f | %.1e | %.1e | %.1e | %.1e | %zu / %zu | %zu / %zu |\n",
+      this->name.c_str(), this->range, this->arithmetic, plain.median, ns.median, Quantile(all.sizes, 0.5),
+      Quantile(all.sizes, 0.999), Quantile(all.sizes, 1), Quantile(all.radians, 1), all.outOfBound, all.wrongNormals,
+      all.falseHits, all.falseMisses);
+  }
+};
 
 void HeadOfFamilies(std::ostream& csv)
 {
@@ -240,16 +243,24 @@ void TableOfSpeed(std::ostream& csv)
   beyond.push_back(family("nested, 0.1 to 0.3", Shape::NestedSuperquadric, { 20.0f / 3, 20.0f / 3, 1 }, { 20, 20, 0 }));
   beyond.push_back(family("nested, 20 to 100", Shape::NestedSuperquadric, { 0.02f, 0.02f, 0.02f }, { 0.1f, 0.1f, 0 }));
   beyond.push_back(family("nested, sharpness 10", Shape::NestedSuperquadric, { 0.01f, 5, 5 }, { 1, 12, 0 }));
-  HeadOfFamilies(csv);
-  for (const Subject& subject : within)
+  benchmark::Turns turns;
+  std::vector<Family> families;
+  for (const bool is : { true, false })
   {
-    TableOfFamily<float>(subject, "within", "float", csv);
-    TableOfFamily<double>(subject, "within", "double", csv);
+    for (const Subject& subject : is ? within : beyond)
+    {
+      const char* range = is ? "within" : "beyond";
+      families.push_back({ subject.name, range, "float", {}, {}, {} });
+      families.back().Judge<float>(subject, turns);
+      families.push_back({ subject.name, range, "double", {}, {}, {} });
+      families.back().Judge<double>(subject, turns);
+    }
   }
-  for (const Subject& subject : beyond)
+  turns.Take();
+  HeadOfFamilies(csv);
+  for (const Family& family : families)
   {
-    TableOfFamily<float>(subject, "beyond", "float", csv);
-    TableOfFamily<double>(subject, "beyond", "double", csv);
+    family.Write(csv, turns);
   }
 }
 
@@ -333,11 +344,10 @@ std::vector<Verdict> JudgeFormula(ReferenceCase& reference, SphereFormula formul
   return verdicts;
 }
 
-std::vector<double> NanosecondsOf(const HardCase& hard, SphereFormula formula)
+std::size_t AddCall(benchmark::Turns& turns, const HardCase& hard, SphereFormula formula)
 {
-  volatile float sink = 0.0f;
-  return benchmark::Nanoseconds(
-    [&]
+  return turns.Add(
+    [&hard, formula]
     {
       float sum = 0.0f;
       for (const HardRay& ray : hard.rays)
@@ -346,7 +356,8 @@ std::vector<double> NanosecondsOf(const HardCase& hard, SphereFormula formula)
         const glm::vec3 o(ray.origin - glm::dvec3(hard.instances.centres[ray.glyph]));
         sum += formula(o, ray.direction, 0.5f * hard.instances.sizes1[ray.glyph], t) ? t : 0.0f;
       }
-      sink = sink + sum;
+      const volatile float sink = sum;
+      (void)sink;
     });
 }
 
@@ -359,33 +370,43 @@ void TableOfSpheres(std::ostream& csv)
   std::printf(
     "| hard case | formula | ns a ray | dt median | max (sizes) | out of bound | normal max (rad) | false hits "
     "/ misses |\n|---|---|---|---|---|---|---|---|\n");
-  const auto row = [&csv](const HardCase& hard, const char* name, const std::vector<double>& turns,
-                     const std::vector<Verdict>& verdicts)
+  struct Row
   {
-    const benchmark::Spread ns = ARay(turns, verdicts.size());
+    std::string situation;
+    const char* formula;
+    std::size_t call;
     Tally tally;
-    for (const Verdict& verdict : verdicts)
-    {
-      tally.Add(verdict);
-    }
-    csv << '"' << hard.situation << "\"," << name << ',' << verdicts.size() << ',' << ns << ','
-        << Quantile(tally.sizes, 0.5) << ',' << Quantile(tally.sizes, 1) << ',' << tally.outOfBound << ','
-        << Quantile(tally.radians, 1) << ',' << tally.falseHits << ',' << tally.falseMisses << '\n';
-    std::printf("| %s | %s | %.0f | %.1e | %.1e | %zu of %zu | %.1e | %zu / %zu |\n", hard.situation.c_str(), name,
-      ns.median, Quantile(tally.sizes, 0.5), Quantile(tally.sizes, 1), tally.outOfBound, tally.sizes.size(),
-      Quantile(tally.radians, 1), tally.falseHits, tally.falseMisses);
+  };
+  benchmark::Turns turns;
+  std::vector<Row> rows;
+  const auto add = [&rows](const HardCase& hard, const char* formula, std::size_t call, const std::vector<Verdict>& all)
+  {
+    rows.push_back({ hard.situation, formula, call, {} });
+    std::for_each(all.begin(), all.end(), [&](const Verdict& verdict) { rows.back().tally.Add(verdict); });
   };
   const std::vector<Subject> subjects = HardSubjects();
   const auto sphere =
     std::find_if(subjects.begin(), subjects.end(), [](const Subject& s) { return s.name == "sphere"; });
-  for (const HardCase& hard : HardCaseMaker(*sphere, 40, 100).All())
+  const std::vector<HardCase> cases = HardCaseMaker(*sphere, 40, 100).All();
+  for (const HardCase& hard : cases)
   {
     ReferenceCase reference(hard);
-    row(hard, "kept", NanosecondsOf<float>(hard), JudgeKernel<float>(reference));
+    add(hard, "kept", AddCall<float>(turns, hard), JudgeKernel<float>(reference));
     for (const auto& [name, formula] : formulas)
     {
-      row(hard, name, NanosecondsOf(hard, formula), JudgeFormula(reference, formula));
+      add(hard, name, AddCall(turns, hard, formula), JudgeFormula(reference, formula));
     }
+  }
+  turns.Take();
+  for (const auto& [situation, formula, call, tally] : rows)
+  {
+    const benchmark::Spread ns = turns.ARay({ call }, tally.rays);
+    csv << '"' << situation << "\"," << formula << ',' << tally.rays << ',' << ns << ',' << Quantile(tally.sizes, 0.5)
+        << ',' << Quantile(tally.sizes, 1) << ',' << tally.outOfBound << ',' << Quantile(tally.radians, 1) << ','
+        << tally.falseHits << ',' << tally.falseMisses << '\n';
+    std::printf("| %s | %s | %.0f | %.1e | %.1e | %zu of %zu | %.1e | %zu / %zu |\n", situation.c_str(), formula,
+      ns.median, Quantile(tally.sizes, 0.5), Quantile(tally.sizes, 1), tally.outOfBound, tally.sizes.size(),
+      Quantile(tally.radians, 1), tally.falseHits, tally.falseMisses);
   }
 }
 
@@ -426,15 +447,14 @@ try
             "normal_median_radians,normal_max_radians,normal_max_over_bound\n";
   }
   std::printf("| shape | case | hits / rays | dt median, max (ulps) | dt median, max (sizes) | of bound | "
-              "normal max (rad) | false hits, misses | ns |\n|---|---|---|---|---|---|---|---|---|\n");
+              "normal max (rad) | false hits, misses |\n|---|---|---|---|---|---|---|---|\n");
   for (const HardCase& hard : MakeHardCases())
   {
     ReferenceCase reference(hard);
     const CaseReport r = Summarise(JudgeKernel<float>(reference));
-    std::printf("| %s | %s | %zu / %zu | %.2g, %.2g | %.1e, %.1e | %.2f | %.1e (%.1f) | %zu, %zu | %.0f |\n",
+    std::printf("| %s | %s | %zu / %zu | %.2g, %.2g | %.1e, %.1e | %.2f | %.1e (%.1f) | %zu, %zu |\n",
       hard.subject.c_str(), hard.situation.c_str(), r.hits, r.rays, r.medianUlps, r.maxUlps, r.medianSizes, r.maxSizes,
-      r.maxExcess, r.maxRadians, r.maxNormalExcess, r.falseHits, r.falseMisses,
-      ARay(NanosecondsOf<float>(hard), hard.rays.size()).median);
+      r.maxExcess, r.maxRadians, r.maxNormalExcess, r.falseHits, r.falseMisses);
     if (file.is_open())
     {
       WriteRow(file, hard, "float", r);

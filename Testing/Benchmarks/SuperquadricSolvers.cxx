@@ -97,18 +97,13 @@ std::vector<Scene> MakeScenes(int glyphs, int rays)
 
 struct Report
 {
-  benchmark::Spread ARay() const
-  {
-    return benchmark::Spread(this->nanoseconds) *= 1.0 / double(std::max<std::size_t>(1, this->rays));
-  }
-
-  std::vector<double> nanoseconds; ///< summed over the rays, by turns
+  std::vector<std::size_t> calls; ///< that trace the rays
   std::size_t rays = 0, falseHits = 0, misses = 0;
   std::vector<double> sizes, radians;
 
   void Add(const Report& other)
   {
-    benchmark::AddTo(this->nanoseconds, other.nanoseconds);
+    this->calls.insert(this->calls.end(), other.calls.begin(), other.calls.end());
     this->rays += other.rays;
     this->falseHits += other.falseHits;
     this->misses += other.misses;
@@ -122,7 +117,7 @@ using Solver = typename benchmark::Rivals<Real>::Hit (*)(
   const typename benchmark::Rivals<Real>::GlyphRay&, const typename benchmark::Rivals<Real>::Glyph&, Real, bool);
 
 template <class Real>
-Report Run(Solver<Real> solver, const Scene& scene)
+Report Run(Solver<Real> solver, const Scene& scene, benchmark::Turns& turns)
 {
   using Rivals = benchmark::Rivals<Real>;
   std::vector<typename Rivals::GlyphRay> rays;
@@ -158,32 +153,49 @@ Report Run(Solver<Real> solver, const Scene& scene)
     }
   }
   // Time without normals and judging.
-  volatile Real sink = 0;
-  report.nanoseconds = benchmark::Nanoseconds(
-    [&]
+  report.calls.push_back(turns.Add(
+    [solver, rays, glyphs]
     {
       Real sum = 0;
       for (std::size_t i = 0; i < rays.size(); ++i)
       {
         sum += solver(rays[i], glyphs[i], Real(0), false).t;
       }
-      sink = sink + sum;
-    });
+      const volatile Real sink = sum;
+      (void)sink;
+    }));
   return report;
 }
 
-void Write(std::ostream& csv, const char* family, const std::string& situation, const char* solver,
-  const char* arithmetic, const Report& r)
+/// A row of the file.
+struct Row
 {
+  const char* family;
+  std::string situation;
+  const char *solver, *arithmetic;
+  Report report;
+};
+
+void Write(std::ostream& csv, const Row& row, const benchmark::Turns& turns)
+{
+  const Report& r = row.report;
   const double rays = double(std::max<std::size_t>(1, r.rays));
-  csv << family << ",\"" << situation << "\",\"" << solver << "\"," << arithmetic << ',' << r.rays << ',' << r.ARay()
-      << ',' << Quantile(r.sizes, 0.5) << ',' << Quantile(r.sizes, 0.999) << ',' << Quantile(r.sizes, 1) << ','
-      << Quantile(r.radians, 0.5) << ',' << Quantile(r.radians, 0.999) << ',' << Quantile(r.radians, 1) << ','
+  const benchmark::Spread ns = turns.ARay(r.calls, r.rays);
+  csv << row.family << ",\"" << row.situation << "\",\"" << row.solver << "\"," << row.arithmetic << ',' << r.rays
+      << ',' << ns << ',' << Quantile(r.sizes, 0.5) << ',' << Quantile(r.sizes, 0.999) << ',' << Quantile(r.sizes, 1)
+      << ',' << Quantile(r.radians, 0.5) << ',' << Quantile(r.radians, 0.999) << ',' << Quantile(r.radians, 1) << ','
       << 1e6 * double(r.falseHits) / rays << ',' << 1e6 * double(r.misses) / rays << '\n';
+  if (row.situation == "random" || row.situation == "all")
+  {
+    std::printf("| %s | %s | %s | %s | %.0f | %.1e | %.1e | %.1e | %.1e | %.1e | %.0f / %.0f |\n", row.family,
+      row.situation.c_str(), row.solver, row.arithmetic, ns.median, Quantile(r.sizes, 0.5), Quantile(r.sizes, 0.999),
+      Quantile(r.sizes, 1), Quantile(r.radians, 0.5), Quantile(r.radians, 1), 1e6 * double(r.falseHits) / rays,
+      1e6 * double(r.misses) / rays);
+  }
 }
 
 template <class Real>
-void RunAll(const std::vector<Scene>& scenes, const char* arithmetic, std::ostream& csv)
+void RunAll(const std::vector<Scene>& scenes, const char* arithmetic, benchmark::Turns& turns, std::vector<Row>& rows)
 {
   using Rivals = benchmark::Rivals<Real>;
   struct Entry
@@ -218,7 +230,7 @@ void RunAll(const std::vector<Scene>& scenes, const char* arithmetic, std::ostre
       {
         if (scene.family == family)
         {
-          const Report report = Run<Real>(entry.solver, scene);
+          const Report report = Run<Real>(entry.solver, scene, turns);
           reports[scene.hard.situation].Add(report);
           reports["all"].Add(report);
           if (scene.hard.situation == "plain" || scene.hard.situation == "turned")
@@ -227,20 +239,10 @@ void RunAll(const std::vector<Scene>& scenes, const char* arithmetic, std::ostre
           }
         }
       }
-      for (const auto& [situation, report] : reports)
+      for (auto& [situation, report] : reports)
       {
-        Write(csv, family, situation, entry.name, arithmetic, report);
+        rows.push_back({ family, situation, entry.name, arithmetic, std::move(report) });
       }
-      for (const char* situation : { "random", "all" })
-      {
-        const Report& r = reports[situation];
-        const double rays = double(r.rays);
-        std::printf("| %s | %s | %s | %s | %.0f | %.1e | %.1e | %.1e | %.1e | %.1e | %.0f / %.0f |\n", family,
-          situation, entry.name, arithmetic, r.ARay().median, Quantile(r.sizes, 0.5), Quantile(r.sizes, 0.999),
-          Quantile(r.sizes, 1), Quantile(r.radians, 0.5), Quantile(r.radians, 1), 1e6 * double(r.falseHits) / rays,
-          1e6 * double(r.misses) / rays);
-      }
-      std::fflush(stdout);
     }
   }
 }
@@ -259,8 +261,15 @@ try
   std::printf("| glyphs | rays | solver | arithmetic | ns a ray | dt median | 99.9 %% | max (sizes) | normal "
               "median | max "
               "(rad) | false hits / misses a million |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
-  RunAll<float>(scenes, "float", csv);
-  RunAll<double>(scenes, "double", csv);
+  benchmark::Turns turns;
+  std::vector<Row> rows;
+  RunAll<float>(scenes, "float", turns, rows);
+  RunAll<double>(scenes, "double", turns, rows);
+  turns.Take();
+  for (const Row& row : rows)
+  {
+    Write(csv, row, turns);
+  }
   return 0;
 }
 catch (const std::exception& error)

@@ -20,17 +20,22 @@ def quartiles(name, values):
     return {name: median, name + " lower quartile": lower, name + " upper quartile": upper}
 
 
+def seconds_of(render):
+    """Wall and processor seconds that render() takes."""
+    start, start_cpu = time.monotonic(), cpu_seconds()
+    render()
+    return time.monotonic() - start, cpu_seconds() - start_cpu
+
+
 def turning(render, frames, of_wall="frame", of_cpu="frame cpu"):
     """Columns of wall and processor seconds that render() takes, the camera turning by a degree before each."""
     import paraview.simple as pv
 
-    camera, wall, cpu = pv.GetActiveCamera(), [], []
+    camera, found = pv.GetActiveCamera(), []
     for _ in range(frames):
         camera.Azimuth(1.0)
-        start, start_cpu = time.monotonic(), cpu_seconds()
-        render()
-        wall.append(time.monotonic() - start)
-        cpu.append(cpu_seconds() - start_cpu)
+        found.append(seconds_of(render))
+    wall, cpu = zip(*found)
     return {**quartiles(of_wall, wall), **quartiles(of_cpu, cpu)}
 
 

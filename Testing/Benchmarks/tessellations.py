@@ -7,7 +7,7 @@ Environment: RTGLYPHS_PLUGIN is the plugin's library.
 in 6x12, 12x24, 24x48 and 96x192 facets (phi x theta) is what its 3D Glyphs copy; the source itself makes 8x16 of 6x12. Errors are against the ray-traced picture with the
 same camera and lights, one ray a pixel: the share of pixels that only one of both covers, of those that the exact one covers; and
 where both cover, the mean and the 99th percentile of the largest channel's difference in levels of 255. Times are medians and quartiles of frames
-with the camera turning by a degree. Written to FOLDER: tessellations.csv and one picture for each.
+that are taken in turns over all, with the camera turning by a degree. Written to FOLDER: tessellations.csv and one picture for each.
 
 --harmonics: instead of superquadrics as many distribution functions of order 8, each of two fibers that cross, as spherical harmonics; beside
 them surfaces of one mesh each, the vertices of a geodesic sphere of 42, 162, 362 and 2,562 vertices moved along their directions.
@@ -26,7 +26,7 @@ import comparison
 import directions
 import odf
 import session
-from frames import turning, write_table
+from frames import quartiles, seconds_of, write_table
 
 FACETS = ((6, 12), (12, 24), (24, 48), (96, 192))
 #: pieces that an icosahedron's edges are cut into
@@ -75,18 +75,33 @@ def crossings(count):
     return generator.uniform(-1.0, 1.0, (count, 3)), sum(odf.bundle_distribution(fibers, ways) @ project for fibers in axes)
 
 
-def surface(view, data):
-    """A mesh as surface, smooth and of one color."""
-    source = session.source(data)
-    return session.show(source, view, "Surface"), source
+def alone(drawn, which):
+    """Hides all but one."""
+    for name, shown in drawn.items():
+        shown.Visibility = int(name == which)
 
 
-def measure(view, name, frames):
-    """The picture, and columns of wall and processor seconds a frame; the camera comes back."""
-    image = session.capture(view, name)[:, :, :3].astype(int)
-    times = turning(lambda: pv.Render(view), frames, "wall s", "CPU s")
-    pv.GetActiveCamera().Azimuth(-float(frames))
-    return image, {column: round(seconds, 4) for column, seconds in times.items()}
+def measure(view, drawn, frames):
+    """{name: columns of wall and processor seconds a frame}, taken in turns over all: the machine's speed changes."""
+    camera, found = pv.GetActiveCamera(), {name: [] for name in drawn}
+    for _ in range(frames):
+        for name, seconds in found.items():
+            alone(drawn, name)
+            pv.Render(view)  # what was hidden is made ready
+            camera.Azimuth(1.0)
+            seconds.append(seconds_of(lambda: pv.Render(view)))
+            camera.Azimuth(-1.0)
+        camera.Azimuth(1.0)
+    return {name: {column: round(value, 4) for what, values in zip(("wall s", "CPU s"), zip(*seconds)) for column, value in quartiles(what, values).items()}
+            for name, seconds in found.items()}
+
+
+def errors(image, exact):
+    """Columns of what a picture has other than the exact one."""
+    mask, exact_mask = comparison.covered(image), comparison.covered(exact)
+    apart = numpy.abs(image - exact).max(axis=2)[mask & exact_mask]
+    return {"silhouette %": round(100.0 * (mask != exact_mask).sum() / exact_mask.sum(), 4),
+            "colour mean": round(float(apart.mean()), 3), "colour 99 %": float(numpy.percentile(apart, 99))}
 
 
 def main():
@@ -105,51 +120,31 @@ def main():
     view = session.view(options.size, options.size)
     session.look(view, (0.6, 0.9, 4.6))
     factor = 1.1 / options.count ** (1.0 / 3.0)
-    rows = []
-
-    def add(name, image, times, exact=None):
-        row = {"what": name, **times}
-        if exact is not None:
-            mask, theirs_mask = comparison.covered(exact), comparison.covered(image)
-            apart = numpy.abs(image - exact).max(axis=2)[mask & theirs_mask]
-            row.update({"silhouette %": round(100.0 * (mask != theirs_mask).sum() / mask.sum(), 4),
-                        "colour mean": round(float(apart.mean()), 3), "colour 99 %": float(numpy.percentile(apart, 99))})
-        rows.append(row)
-        print(row, flush=True)
-
+    drawn = {}
     if options.harmonics:
         places, coefficients = crossings(options.count)
-        points = session.source(session.poly_data(places, odf=coefficients))
         scale = 0.5 * factor / float(numpy.abs(coefficients @ odf.harmonics(directions.geodesic()[0]).T).max())
-        shown = session.glyphs(points, view, "Spherical Harmonics", GlyphHarmonicsArray="odf", GlyphOrient=0, GlyphScaleFactor=2.0 * scale)
+        drawn["ray-traced"] = session.glyphs(session.source(session.poly_data(places, odf=coefficients)), view, "Spherical Harmonics",
+                                             GlyphHarmonicsArray="odf", GlyphOrient=0, GlyphScaleFactor=2.0 * scale)
+        for frequency in FREQUENCIES:
+            data = directions.meshes(places, coefficients, scale, frequency)
+            drawn["meshes of %d vertices" % (10 * frequency ** 2 + 2)] = session.show(session.source(data), view, "Surface")
     else:
-        points = scene(options.count)
-        shown = ours(points, view, factor, options.exponent)
-    session.solid(shown, (0.85, 0.6, 0.3))
-    exact, times = measure(view, "ray-traced", options.frames)
-    add("ray-traced", exact, times)
-    pv.Hide(points, view)
-    pv.Delete(shown)
-    for frequency in FREQUENCIES if options.harmonics else ():
-        shown, source = surface(view, directions.meshes(places, coefficients, scale, frequency))
+        drawn["ray-traced"] = ours(scene(options.count), view, factor, options.exponent)
+        for facets in FACETS:
+            shown, source = theirs(scene(options.count), view, factor, options.exponent, facets)
+            inside = source.GetClientSideObject()
+            made = (inside.GetPhiResolution(), inside.GetThetaResolution())
+            drawn["3D Glyphs %dx%d" % facets + ("" if made == facets else " (made %dx%d)" % made)] = shown
+    images = {}
+    for name, shown in drawn.items():
         session.solid(shown, (0.85, 0.6, 0.3))
-        name = "meshes of %d vertices" % (10 * frequency ** 2 + 2)
-        image, times = measure(view, name.replace(" ", "-"), options.frames)
-        add(name, image, times, exact)
-        pv.Delete(shown)
-        pv.Delete(source)
-    for facets in FACETS if not options.harmonics else ():
-        shown, source = theirs(points, view, factor, options.exponent, facets)
-        session.solid(shown, (0.85, 0.6, 0.3))
-        name = "%dx%d" % facets
-        inside = source.GetClientSideObject()
-        made = (inside.GetPhiResolution(), inside.GetThetaResolution())
-        image, times = measure(view, name, options.frames)
-        add("3D Glyphs " + name + ("" if made == facets else " (made %dx%d)" % made), image, times, exact)
-        pv.Hide(points, view)
-        pv.Delete(shown)
-        pv.Delete(source)
+        alone(drawn, name)
+        images[name] = session.capture(view, name.replace(" ", "-"))[:, :, :3].astype(int)
+    times = measure(view, drawn, options.frames)
+    rows = [{"what": name, **times[name], **(errors(image, images["ray-traced"]) if name != "ray-traced" else {})} for name, image in images.items()]
     write_table(os.path.join(options.folder, "tessellations.csv"), rows)
+    print(*rows, sep="\n")
     session.finish()
 
 
