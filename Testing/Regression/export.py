@@ -205,11 +205,41 @@ def export(path, view):
     return session.messages(lambda: raytracedglyphs.ExportGlyphs(path, view))
 
 
-def check_case(name, properties, view, checks):
+class Shown:
+    """The displays of all kinds of glyphs one after another, and of the triangles that are read back."""
+
+    def __init__(self, view):
+        self.view, self.points = view, source()
+        self.glyphs = shown_in(view, self.points, {})
+        self.settings = session.Settings(self.glyphs)
+        self.made = self.surface = None
+        session.look(view, CENTERS.mean(axis=0) + (5.0, 4.0, 9.0), CENTERS.mean(axis=0))
+
+    def see_glyphs(self, properties):
+        """Of these properties."""
+        self.settings.set({"GlyphShape": "Sphere", "GlyphOrientationArray": "None", "GlyphScaling": 0, "GlyphScaleFactor": 1.0, **properties})
+        self.glyphs.Visibility = 1
+        if self.surface:
+            self.surface.Visibility = 0
+
+    def see_triangles(self, data):
+        """Instead of the glyphs."""
+        if self.surface:
+            session.replace_data(self.made, data)
+        else:
+            self.made = session.source(data)
+            self.surface = session.show(self.made, self.view, "Surface", ColorArrayName=["POINTS", "rgb"], MapScalars=0, Interpolation="Gouraud")
+        self.glyphs.Visibility, self.surface.Visibility = 0, 1
+
+    def delete(self):
+        """All that was made."""
+        for proxy in filter(None, (self.glyphs, self.surface, self.made, self.points)):
+            pv.Delete(proxy)
+
+
+def check_case(name, properties, view, shown, checks):
     """Files, numbers and picture of one kind of glyphs."""
-    points = source()
-    shown = shown_in(view, points, properties)
-    session.look(view, CENTERS.mean(axis=0) + (5.0, 4.0, 9.0), CENTERS.mean(axis=0))
+    shown.see_glyphs(properties)
     expected = session.capture(view, "export-%s" % name)
     paths = {suffix: session.output("export-%s.%s" % (name.replace(" ", "-"), suffix)) for suffix in ("usda", "glb", "gltf")}
     for suffix, path in paths.items():
@@ -236,16 +266,9 @@ def check_case(name, properties, view, checks):
         signs = numpy.sign((part.quaternions * QUATERNIONS).sum(axis=1))[:, None]
         checks.true(name + ": turns", name == "spheres" or numpy.allclose(signs * part.quaternions, QUATERNIONS, atol=1e-6))
         checks.true(name + ": colors", numpy.allclose(shown_color(part.colors[:, :3]), RGB, atol=0.01))
-    shown.Visibility = 0
-    made = session.source(triangles(usda[0]))
-    surface = pv.Show(made, view)
-    surface.SetRepresentationType("Surface")
-    surface.ColorArrayName, surface.MapScalars = ["POINTS", "rgb"], 0
-    surface.Interpolation = "Gouraud"
+    shown.see_triangles(triangles(usda[0]))
     checks.picture("export, " + name, session.capture(view, "export-%s-read" % name.replace(" ", "-")), expected,
                    pixels=PIXELS_OF_FORMS if name in FORMS else PIXELS, mean=MEAN_OF_FORMS if name in FORMS else MEAN)
-    for proxy in (shown, surface, made, points):
-        pv.Delete(proxy)
 
 
 def check_motion(view, checks):
@@ -351,9 +374,11 @@ def main():
     checks = Checks()
     view = session.view(300, 300)
     wanted = sys.argv[1:] or [*CASES, "motion", "signs", "messages"]
+    shown = Shown(view)
     for name in wanted:
         if name in CASES:
-            check_case(name, CASES[name], view, checks)
+            check_case(name, CASES[name], view, shown, checks)
+    shown.delete()
     for name, check in (("motion", check_motion), ("signs", check_signs), ("messages", check_messages)):
         if name in wanted:
             check(view, checks)

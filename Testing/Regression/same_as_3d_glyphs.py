@@ -125,10 +125,10 @@ def combinations(shape):
 def pictures(view, points, shape, show, who):
     """The shape's pictures by one of the two representations, by combination."""
     taken = {}
-    for coloring in COLORINGS:
-        shown = show(points, view, shape)
-        shown.Specular = 0.4
-        shown.SpecularPower = 20.0
+    shown = show(points, view, shape)
+    shown.Specular = 0.4
+    shown.SpecularPower = 20.0
+    for coloring in reversed(COLORINGS):  # 3D Glyphs remember a solid color's specular one
         if coloring == "solid":
             session.solid(shown, (0.8, 0.5, 0.2))
             # 3D Glyphs mix the specular colour into the solid one (vtkProperty::GetColor), surfaces do not.
@@ -145,8 +145,8 @@ def pictures(view, points, shape, show, who):
                 taken[combination] = session.capture(view, "-".join((shape,) + combination + (who,)))
                 if lamp:
                     pv.RemoveLight(lamp)
-        pv.Hide(points, view)
-        pv.Delete(shown)
+    pv.Hide(points, view)
+    pv.Delete(shown)
     return taken
 
 

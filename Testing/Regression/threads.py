@@ -80,30 +80,46 @@ def set_threads(backend, environment):
         os.environ.pop(CHOICE, None)
 
 
-def shown_by(checks, view, source, name, properties):
-    """(checksum of the picture, numbers, bounds) of glyphs that are made for it."""
-    shown = session.glyphs(source, view, samples=1, **{"GlyphOrient": 0, "GlyphScaleFactor": 0.02, **properties})
-    pv.ColorBy(shown, ("POINTS", "length"))
-    session.look(view, (0.0, 0.0, 5.0))
-    picture = session.capture(view, "threads-" + name.replace(" ", "-"))
-    checks.covered(name, picture, 0.01)
-    counters = session.statistics(shown)
-    bounds = view.SMProxy.GetRenderer().ComputeVisiblePropBounds()
-    pv.Delete(shown)
-    return hashlib.sha1(picture.tobytes()).hexdigest(), counters["glyphs"], counters["skippedGlyphs"], bounds
+class Subject:
+    """Data and their display, in a view with others."""
+
+    def __init__(self, view, data):
+        self.view, self.data, self.source = view, data, session.source(data)
+        self.shown = session.glyphs(self.source, view, GlyphOrient=0, GlyphScaleFactor=0.02)
+        self.settings = session.Settings(self.shown)
+        pv.ColorBy(self.shown, ("POINTS", "length"))
+
+    def made(self, checks, name, properties):
+        """(checksum of the picture, numbers, bounds) of glyphs that are made for it."""
+        built = session.statistics(self.shown).get("instanceBuilds", 0)  # none before the first picture
+        copy = self.data.NewInstance()
+        copy.DeepCopy(self.data)
+        session.replace_data(self.source, copy)
+        self.settings.set(properties)
+        self.shown.Visibility = 1
+        picture = session.capture(self.view, "threads-" + name.replace(" ", "-"))
+        checks.covered(name, picture, 0.01)
+        counters = session.statistics(self.shown)
+        checks.true(name + ": no glyphs were made", counters["instanceBuilds"] > built)
+        bounds = self.view.SMProxy.GetRenderer().ComputeVisiblePropBounds()
+        self.shown.Visibility = 0
+        return hashlib.sha1(picture.tobytes()).hexdigest(), counters["glyphs"], counters["skippedGlyphs"], bounds
 
 
 def main():
     """Each case once for each kind of threads, in one view, so that programs are compiled once."""
     session.load()
     checks = Checks()
-    sources = {"cloud": session.source(cloud()), "blocks": session.source(blocks()), "ghosts": session.source(grid())}
     view = session.view(160, 120)
+    session.look(view, (0.0, 0.0, 5.0))
+    subjects = {"cloud": Subject(view, cloud()), "blocks": Subject(view, blocks()), "ghosts": Subject(view, grid())}
+    for subject in subjects.values():
+        subject.shown.Visibility = 0
     for name, properties in CASES.items():
         found = {}
         for kind, threads in KINDS.items():
             set_threads(*threads)
-            found[kind] = shown_by(checks, view, sources[name.split()[0]], name, properties)
+            found[kind] = subjects[name.split()[0]].made(checks, name, properties)
             checks.equal("%s with threads: %s" % (name, kind), found[kind], found["one"])
         print(name, found["one"], flush=True)
         checks.within(name + ": glyphs", found["one"][1], 10001, 3 * POINTS)
