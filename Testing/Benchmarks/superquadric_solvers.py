@@ -5,7 +5,7 @@ Usage: superquadric_solvers.py FILE.csv FILE.png
 
 FILE.csv is written by SuperquadricSolvers. One panel for convex and one for mixed and concave glyphs; every point is a solver in
 one arithmetic on all rays, random and hard: nanoseconds a ray against the 99.9th percentile of the error of t. Solvers with
-false hits or misses are drawn hollow, with their number per million rays.
+false hits or misses are drawn hollow, with their share of the rays.
 """
 import sys
 
@@ -38,11 +38,12 @@ def main(source, target):
             axis.plot(x, y, marker="o" if row["arithmetic"] == "float" else "s", markersize=9, color=colour,
                       fillstyle="none" if wrong else "full")
             if wrong:
-                axis.annotate("%d wrong\na million" % wrong, (x, y), xytext=(0, -18), textcoords="offset points", fontsize=6,
-                              ha="center")
+                # Points of both arithmetics lie near each other: one has its label above, one below.
+                axis.annotate("%.2g %%" % (1e-4 * wrong), (x, y), xytext=(0, 8 if row["arithmetic"] == "float" else -15),
+                              textcoords="offset points", fontsize=7, ha="center")
         axis.set(xscale="log", yscale="log", xlabel="nanoseconds a ray", title=family)
         axis.grid(alpha=0.3)
-    axes[0].set_ylabel("error of t beyond an ulp, 99.9th percentile, glyph sizes\n(circle: float, square: double, hollow: wrong hits)")
+    axes[0].set_ylabel("error of t beyond an ulp, 99.9th percentile, glyph sizes\n(circle: float, square: double, hollow: share of wrong hits)")
     for index, solver in enumerate(solvers):
         axes[1].plot([], [], "o", color=COLOURS[index], label=solver)
     axes[1].legend(loc="lower left", fontsize=7)
