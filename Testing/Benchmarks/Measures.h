@@ -63,7 +63,7 @@ inline std::ostream& operator<<(std::ostream& stream, const Spread& spread)
   return stream << spread.median << ',' << spread.lower << ',' << spread.upper;
 }
 
-/// Processor time of calls. They are taken in seven turns, each call for 5 ms at least in each, so that the turns of
+/// Processor time of calls. They are taken in turns, each call for 5 ms at least in each, so that the turns of
 /// one lie apart and its quartiles tell how the machine's speed changes while all are measured.
 class Turns
 {
@@ -78,7 +78,7 @@ public:
   void Take()
   {
     this->nanoseconds_.assign(this->calls_.size(), {});
-    for (int turn = 0; turn < 7; ++turn)
+    for (std::size_t turn = 0; turn < count; ++turn)
     {
       for (std::size_t i = 0; i < this->calls_.size(); ++i)
       {
@@ -99,7 +99,7 @@ public:
   /// Nanoseconds of a ray, where these calls trace so many together.
   Spread ARay(const std::vector<std::size_t>& calls, std::size_t rays) const
   {
-    std::vector<double> sums(7);
+    std::vector<double> sums(count);
     for (const std::size_t call : calls)
     {
       std::transform(sums.begin(), sums.end(), this->nanoseconds_[call].begin(), sums.begin(), std::plus<double>());
@@ -108,6 +108,7 @@ public:
   }
 
 private:
+  static constexpr std::size_t count = 7;
   std::vector<std::function<void()>> calls_;
   std::vector<std::vector<double>> nanoseconds_;
 };

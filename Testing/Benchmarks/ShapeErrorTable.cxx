@@ -14,6 +14,7 @@
 #include <fstream>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 using namespace rtg;
 using namespace rtg::testing;
@@ -34,7 +35,7 @@ std::size_t AddCall(benchmark::Turns& turns, const HardCase& hard)
     glyphs.push_back(KernelGlyph<Real>(hard.instances, ray.glyph));
   }
   return turns.Add(
-    [rays, glyphs, shape = hard.instances.shape]
+    [rays = std::move(rays), glyphs = std::move(glyphs), shape = hard.instances.shape]
     {
       Real sum = 0;
       for (std::size_t i = 0; i < rays.size(); ++i)
@@ -62,20 +63,23 @@ struct Tally
   std::vector<double> radians;
   std::size_t rays = 0, falseHits = 0, falseMisses = 0, outOfBound = 0, wrongNormals = 0;
 
-  void Add(const Verdict& verdict)
+  void Add(const std::vector<Verdict>& verdicts)
   {
-    ++this->rays;
-    this->falseHits += verdict.falseHit;
-    this->falseMisses += verdict.falseMiss;
-    if (verdict.bothHit)
+    this->rays += verdicts.size();
+    for (const Verdict& verdict : verdicts)
     {
-      this->sizes.push_back(verdict.ulps > 1.0 ? verdict.sizes * (1.0 - 1.0 / verdict.ulps) : 0.0);
-      this->outOfBound += !(verdict.excess <= 1.0);
-    }
-    if (verdict.bothHit && verdict.hasNormal)
-    {
-      this->radians.push_back(verdict.radians);
-      this->wrongNormals += !(verdict.normalExcess <= 1.0);
+      this->falseHits += verdict.falseHit;
+      this->falseMisses += verdict.falseMiss;
+      if (verdict.bothHit)
+      {
+        this->sizes.push_back(verdict.ulps > 1.0 ? verdict.sizes * (1.0 - 1.0 / verdict.ulps) : 0.0);
+        this->outOfBound += !(verdict.excess <= 1.0);
+      }
+      if (verdict.bothHit && verdict.hasNormal)
+      {
+        this->radians.push_back(verdict.radians);
+        this->wrongNormals += !(verdict.normalExcess <= 1.0);
+      }
     }
   }
 };
@@ -95,10 +99,7 @@ struct Family
     for (const HardCase& hard : HardCaseMaker(subject, 12, 50, 21).All())
     {
       ReferenceCase reference(hard);
-      for (const Verdict& verdict : JudgeKernel<Real>(reference))
-      {
-        this->tally.Add(verdict);
-      }
+      this->tally.Add(JudgeKernel<Real>(reference));
       this->calls.push_back(AddCall<Real>(turns, hard));
       if (hard.situation == "turned")
       {
@@ -245,17 +246,18 @@ void TableOfSpeed(std::ostream& csv)
   beyond.push_back(family("nested, sharpness 10", Shape::NestedSuperquadric, { 0.01f, 5, 5 }, { 1, 12, 0 }));
   benchmark::Turns turns;
   std::vector<Family> families;
-  for (const bool is : { true, false })
+  const auto add = [&](const std::vector<Subject>& subjects, const char* range)
   {
-    for (const Subject& subject : is ? within : beyond)
+    for (const Subject& subject : subjects)
     {
-      const char* range = is ? "within" : "beyond";
       families.push_back({ subject.name, range, "float", {}, {}, {} });
       families.back().Judge<float>(subject, turns);
       families.push_back({ subject.name, range, "double", {}, {}, {} });
       families.back().Judge<double>(subject, turns);
     }
-  }
+  };
+  add(within, "within");
+  add(beyond, "beyond");
   turns.Take();
   HeadOfFamilies(csv);
   for (const Family& family : families)
@@ -382,7 +384,7 @@ void TableOfSpheres(std::ostream& csv)
   const auto add = [&rows](const HardCase& hard, const char* formula, std::size_t call, const std::vector<Verdict>& all)
   {
     rows.push_back({ hard.situation, formula, call, {} });
-    std::for_each(all.begin(), all.end(), [&](const Verdict& verdict) { rows.back().tally.Add(verdict); });
+    rows.back().tally.Add(all);
   };
   const std::vector<Subject> subjects = HardSubjects();
   const auto sphere =

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <utility>
 
 using namespace rtg;
 using namespace rtg::testing;
@@ -154,7 +155,7 @@ Report Run(Solver<Real> solver, const Scene& scene, benchmark::Turns& turns)
   }
   // Time without normals and judging.
   report.calls.push_back(turns.Add(
-    [solver, rays, glyphs]
+    [solver, rays = std::move(rays), glyphs = std::move(glyphs)]
     {
       Real sum = 0;
       for (std::size_t i = 0; i < rays.size(); ++i)

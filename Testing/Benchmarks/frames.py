@@ -27,6 +27,12 @@ def seconds_of(render):
     return time.monotonic() - start, cpu_seconds() - start_cpu
 
 
+def columns(found, of_wall, of_cpu):
+    """Columns of what seconds_of() has found, of each of several frames."""
+    wall, cpu = zip(*found)
+    return {**quartiles(of_wall, wall), **quartiles(of_cpu, cpu)}
+
+
 def turning(render, frames, of_wall="frame", of_cpu="frame cpu"):
     """Columns of wall and processor seconds that render() takes, the camera turning by a degree before each."""
     import paraview.simple as pv
@@ -35,8 +41,7 @@ def turning(render, frames, of_wall="frame", of_cpu="frame cpu"):
     for _ in range(frames):
         camera.Azimuth(1.0)
         found.append(seconds_of(render))
-    wall, cpu = zip(*found)
-    return {**quartiles(of_wall, wall), **quartiles(of_cpu, cpu)}
+    return columns(found, of_wall, of_cpu)
 
 
 def memory(name, process="self"):

@@ -26,7 +26,7 @@ import comparison
 import directions
 import odf
 import session
-from frames import quartiles, seconds_of, write_table
+from frames import columns, seconds_of, write_table
 
 FACETS = ((6, 12), (12, 24), (24, 48), (96, 192))
 #: pieces that an icosahedron's edges are cut into
@@ -92,8 +92,7 @@ def measure(view, drawn, frames):
             seconds.append(seconds_of(lambda: pv.Render(view)))
             camera.Azimuth(-1.0)
         camera.Azimuth(1.0)
-    return {name: {column: round(value, 4) for what, values in zip(("wall s", "CPU s"), zip(*seconds)) for column, value in quartiles(what, values).items()}
-            for name, seconds in found.items()}
+    return {name: {column: round(value, 4) for column, value in columns(seconds, "wall s", "CPU s").items()} for name, seconds in found.items()}
 
 
 def errors(image, exact):

@@ -33,6 +33,7 @@ TENSORS = numpy.array([(turn * row) @ turn.T for turn, row in zip(
 OPACITIES = RANDOM.uniform(0.2, 1.0, 27)
 TURNED = {"GlyphOrientationArray": "turn", "GlyphOrientationMode": "Quaternion"}
 LONG = {"GlyphScaling": 1, "GlyphScaleArray": "lengths", "GlyphScaleMode": "Components", "GlyphScaleFactor": 1.0}
+COLORED = {"GlyphOrient": 1, "GlyphOrientationArray": "None", "ColorArrayName": ["POINTS", "rgb"], "MapScalars": 0}
 ALONG = {"GlyphOrientationArray": "direction", "GlyphScaling": 1, "GlyphScaleArray": "direction", "GlyphScaleFactor": 0.8}
 #: case -> properties of the display
 CASES = {
@@ -186,17 +187,20 @@ def triangles(parts):
     return data
 
 
-def source():
+def point_data():
     """The 27 points with their arrays."""
-    return session.source(session.poly_data(CENTERS, lengths=LENGTHS, turn=QUATERNIONS, direction=DIRECTIONS, rgb=RGB, tensor=TENSORS,
-                                            exponents=EXPONENTS, opacity=OPACITIES, velocity=2.0 * DIRECTIONS, spin=DIRECTIONS[:, ::-1]))
+    return session.poly_data(CENTERS, lengths=LENGTHS, turn=QUATERNIONS, direction=DIRECTIONS, rgb=RGB, tensor=TENSORS,
+                             exponents=EXPONENTS, opacity=OPACITIES, velocity=2.0 * DIRECTIONS, spin=DIRECTIONS[:, ::-1])
 
 
-def shown_in(view, points, properties):
+def source():
+    """What gives them out."""
+    return session.source(point_data())
+
+
+def shown_in(view, of_source, properties):
     """A display with direct colors, flat light."""
-    shown = session.glyphs(points, view, samples=1, GlyphOrient=1, **{"shape": "Sphere", "GlyphOrientationArray": "None", **properties})
-    shown.ColorArrayName, shown.MapScalars = ["POINTS", "rgb"], 0
-    return shown
+    return session.glyphs(of_source, view, samples=1, **{"shape": "Sphere", **COLORED, **properties})
 
 
 def export(path, view):
@@ -206,35 +210,34 @@ def export(path, view):
 
 
 class Shown:
-    """The displays of all kinds of glyphs one after another, and of the triangles that are read back."""
+    """One display for all kinds of glyphs, and one for the triangles that are read back."""
 
     def __init__(self, view):
-        self.view, self.points = view, source()
-        self.glyphs = shown_in(view, self.points, {})
-        self.settings = session.Settings(self.glyphs)
-        self.made = self.surface = None
+        self.stage, self.surface = session.Stage(view), None
         session.look(view, CENTERS.mean(axis=0) + (5.0, 4.0, 9.0), CENTERS.mean(axis=0))
 
     def see_glyphs(self, properties):
         """Of these properties."""
-        self.settings.set({"GlyphShape": "Sphere", "GlyphOrientationArray": "None", "GlyphScaling": 0, "GlyphScaleFactor": 1.0, **properties})
-        self.glyphs.Visibility = 1
+        self.stage.show(point_data(), "Sphere", **{**COLORED, **properties})
         if self.surface:
             self.surface.Visibility = 0
 
     def see_triangles(self, data):
         """Instead of the glyphs."""
         if self.surface:
-            session.replace_data(self.made, data)
+            session.replace_data(self.surface.Input, data)
         else:
-            self.made = session.source(data)
-            self.surface = session.show(self.made, self.view, "Surface", ColorArrayName=["POINTS", "rgb"], MapScalars=0, Interpolation="Gouraud")
-        self.glyphs.Visibility, self.surface.Visibility = 0, 1
+            self.surface = session.show(session.source(data), self.stage.view, "Surface", ColorArrayName=["POINTS", "rgb"], MapScalars=0,
+                                        Interpolation="Gouraud")
+        self.surface.Visibility = 1
+        self.stage.settings.add({"Visibility": 0})
 
     def delete(self):
         """All that was made."""
-        for proxy in filter(None, (self.glyphs, self.surface, self.made, self.points)):
-            pv.Delete(proxy)
+        made = self.surface.Input
+        pv.Delete(self.surface)
+        pv.Delete(made)
+        self.stage.close()
 
 
 def check_case(name, properties, view, shown, checks):
@@ -374,11 +377,12 @@ def main():
     checks = Checks()
     view = session.view(300, 300)
     wanted = sys.argv[1:] or [*CASES, "motion", "signs", "messages"]
-    shown = Shown(view)
-    for name in wanted:
-        if name in CASES:
+    cases = [name for name in wanted if name in CASES]
+    if cases:
+        shown = Shown(view)
+        for name in cases:
             check_case(name, CASES[name], view, shown, checks)
-    shown.delete()
+        shown.delete()
     for name, check in (("motion", check_motion), ("signs", check_signs), ("messages", check_messages)):
         if name in wanted:
             check(view, checks)

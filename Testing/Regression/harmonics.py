@@ -88,13 +88,14 @@ def largest(function):
     return float(numpy.abs(function(directions / numpy.linalg.norm(directions, axis=1)[:, None])).max())
 
 
-def seen(function, factor, at, direction):
-    """Whether each pixel's ray meets the glyph |p| <= factor / 2 |f(p / |p|)|, the first point of it, and f there: by points of the ray."""
+def seen(function, most, factor, at, direction):
+    """Whether each pixel's ray meets the glyph |p| <= factor / 2 |f(p / |p|)|, the first point of it, and f there: by points of the ray.
+    most: the largest |f|, to a tenth.
+    """
     steps = numpy.linspace(SCALE, -SCALE, 241)
     points = at[:, :, None, :] + steps[:, None] * direction
     distance = numpy.maximum(numpy.linalg.norm(points, axis=-1), 1e-9)
-    # Beyond the largest radius, of which these directions miss less than a tenth, nothing is inside.
-    near = distance < 0.55 * factor * largest(function)
+    near = distance < 0.55 * factor * most  # beyond it nothing is inside
     values = numpy.zeros(distance.shape)
     values[near] = function(points[near] / distance[near][:, None])
     inside = distance < 0.5 * factor * numpy.abs(values)
@@ -114,16 +115,17 @@ def form(checks, view, what, array, function, factor, both=False, **properties):
     points = session.source(session.poly_data(numpy.zeros((1, 3)), values=array[None]))
     shown = session.glyphs(points, view, GlyphScaleFactor=factor, GlyphTensorPositiveColor=WARM, GlyphTensorNegativeColor=COOL, **properties)
     shown.Ambient, shown.Diffuse = 1.0, 0.0
+    most = largest(function)
     views = (("Sign", (0.3, -0.5, 0.8)), ("Surface Direction", (-0.9, 0.2, 0.3)), ("Radius", (0.5, 0.4, -0.6)))
     for coloring, direction in views[:3 if both else 1]:
         shown.GlyphTensorColoring = coloring
         pv.Render(view)
         if coloring == "Radius":
-            radius = scalar_bar(checks, view, shown, what, [name for name in (properties.get("GlyphHarmonicsArray"), properties.get("GlyphTensorArray")) if name][0],
-                                function)
+            scalar_bar(checks, view, shown, what, [name for name in (properties.get("GlyphHarmonicsArray"), properties.get("GlyphTensorArray")) if name][0],
+                       most)
         at, towards = look(view, direction)
         image = session.capture(view, "harmonics-%s-%s" % (what.replace(" ", "-").replace(",", ""), coloring.split()[0]))[:, :, :3].astype(int)
-        there, first, value = seen(function, factor, at, towards)
+        there, first, value = seen(function, most, factor, at, towards)
         hit = comparison.covered(image)
         sure = inner(there) | inner(~there)
         # Lobes thinner than a pixel, and points of rays that pass them by, leave some pixels in doubt.
@@ -133,7 +135,7 @@ def form(checks, view, what, array, function, factor, both=False, **properties):
             alike = inner(there & (value < 0)) | inner(there & (value > 0))
             levels = 2
         elif coloring == "Radius":
-            share = numpy.clip(numpy.abs(value) / radius, 0.0, 1.0)[..., None]
+            share = numpy.clip(numpy.abs(value) / most, 0.0, 1.0)[..., None]
             wanted = (1.0 - share) * LOW + share * HIGH
             around = numpy.pad(share[..., 0], 1, mode="edge")
             spread = numpy.ptp([around[i:i + SIDE, j:j + SIDE] for i in range(3) for j in range(3)], axis=0)
@@ -156,9 +158,8 @@ def form(checks, view, what, array, function, factor, both=False, **properties):
     pv.Delete(points)
 
 
-def scalar_bar(checks, view, shown, what, array, function):
-    """Colors by radius go through the table of that name, from 0 to the largest |f|, and have a scalar bar; the largest |f|."""
-    most = largest(function)
+def scalar_bar(checks, view, shown, what, array, most):
+    """Colors by radius go through the table of that name, from 0 to the largest |f|, and have a scalar bar."""
     table = shown.GlyphTensorLookupTable
     checks.true(what + ": the table is not that of the array's radius", table == pv.GetColorTransferFunction(array + " Radius"))
     checks.within(what + ": least number of the table", table.RGBPoints[0], 0.0, 0.0)
@@ -169,7 +170,6 @@ def scalar_bar(checks, view, shown, what, array, function):
         bar.Visibility = 0
     table.ColorSpace = "RGB"
     table.RGBPoints = [0.0, *LOW, most, *HIGH]
-    return most
 
 
 def forms(checks, view, random):

@@ -80,30 +80,20 @@ def set_threads(backend, environment):
         os.environ.pop(CHOICE, None)
 
 
-class Subject:
-    """Data and their display, in a view with others."""
-
-    def __init__(self, view, data):
-        self.view, self.data, self.source = view, data, session.source(data)
-        self.shown = session.glyphs(self.source, view, GlyphOrient=0, GlyphScaleFactor=0.02)
-        self.settings = session.Settings(self.shown)
-        pv.ColorBy(self.shown, ("POINTS", "length"))
-
-    def made(self, checks, name, properties):
-        """(checksum of the picture, numbers, bounds) of glyphs that are made for it."""
-        built = session.statistics(self.shown).get("instanceBuilds", 0)  # none before the first picture
-        copy = self.data.NewInstance()
-        copy.DeepCopy(self.data)
-        session.replace_data(self.source, copy)
-        self.settings.set(properties)
-        self.shown.Visibility = 1
-        picture = session.capture(self.view, "threads-" + name.replace(" ", "-"))
-        checks.covered(name, picture, 0.01)
-        counters = session.statistics(self.shown)
-        checks.true(name + ": no glyphs were made", counters["instanceBuilds"] > built)
-        bounds = self.view.SMProxy.GetRenderer().ComputeVisiblePropBounds()
-        self.shown.Visibility = 0
-        return hashlib.sha1(picture.tobytes()).hexdigest(), counters["glyphs"], counters["skippedGlyphs"], bounds
+def shown_by(checks, stage, data, name, properties):
+    """(checksum of the picture, numbers, bounds) of glyphs that are made for it."""
+    built = session.statistics(stage.settings.shown).get("instanceBuilds", 0) if stage.settings else 0  # none before the first picture
+    copy = data.NewInstance()
+    copy.DeepCopy(data)
+    shown = stage.show(copy, "Sphere", **{"GlyphOrient": 0, "GlyphScaleFactor": 0.02, **properties})
+    pv.ColorBy(shown, ("POINTS", "length"))
+    picture = session.capture(stage.view, "threads-" + name.replace(" ", "-"))
+    checks.covered(name, picture, 0.01)
+    counters = session.statistics(shown)
+    checks.true(name + ": no glyphs were made", counters["instanceBuilds"] > built)
+    bounds = stage.view.SMProxy.GetRenderer().ComputeVisiblePropBounds()
+    stage.settings.add({"Visibility": 0})
+    return hashlib.sha1(picture.tobytes()).hexdigest(), counters["glyphs"], counters["skippedGlyphs"], bounds
 
 
 def main():
@@ -112,14 +102,14 @@ def main():
     checks = Checks()
     view = session.view(160, 120)
     session.look(view, (0.0, 0.0, 5.0))
-    subjects = {"cloud": Subject(view, cloud()), "blocks": Subject(view, blocks()), "ghosts": Subject(view, grid())}
-    for subject in subjects.values():
-        subject.shown.Visibility = 0
+    subjects = {"cloud": cloud(), "blocks": blocks(), "ghosts": grid()}
+    stages = {name: session.Stage(view) for name in subjects}
     for name, properties in CASES.items():
         found = {}
         for kind, threads in KINDS.items():
             set_threads(*threads)
-            found[kind] = subjects[name.split()[0]].made(checks, name, properties)
+            subject = name.split()[0]
+            found[kind] = shown_by(checks, stages[subject], subjects[subject], name, properties)
             checks.equal("%s with threads: %s" % (name, kind), found[kind], found["one"])
         print(name, found["one"], flush=True)
         checks.within(name + ": glyphs", found["one"][1], 10001, 3 * POINTS)
