@@ -4,9 +4,9 @@
 //        BuildBenchmark picture [COUNT] [PIXELS] [CSV] [TURNS]
 //
 // Glyphs lie in a cube at random, turned at random where it says so. Shapes are measured in turns over all, and of each
-// stage the median is printed, on one thread and on all cores, beside the processor seconds of all together, which
-// other work on the machine disturbs less. The picture is measured in each turn by a process that has done nothing
-// else, so programs are compiled in it.
+// stage the median is printed (the file has all turns), on one thread and on all cores, beside the processor seconds of
+// all together, which other work on the machine disturbs less. The picture is measured in each turn by a process that
+// has done nothing else, so programs are compiled in it.
 #include "Crowds.h"
 #include "GlyphBoxes.h"
 #include "GlyphTree.h"
@@ -67,7 +67,7 @@ int MeasureShapes(std::size_t count, int repetitions, const char* path)
   csv << "shape,glyphs,threads";
   for (const char* column : { "boxes s", "order s", "tree s", "processor s" })
   {
-    csv << ',' << benchmark::Spread::Columns(column);
+    csv << ',' << column;
   }
   csv << '\n';
   std::printf(
@@ -99,10 +99,10 @@ int MeasureShapes(std::size_t count, int repetitions, const char* path)
     for (const Seconds* seconds : { &subject.one, &subject.all })
     {
       const std::size_t threads = seconds == &subject.one ? 1 : cores;
-      const benchmark::Spread boxes(seconds->boxes), order(seconds->order), tree(seconds->tree),
+      const benchmark::Measured boxes(seconds->boxes), order(seconds->order), tree(seconds->tree),
         processor(seconds->processor);
-      std::printf("%-34s %9zu %8zu %8.4f %8.4f %8.4f %8.4f %8.4f\n", subject.name, count, threads, boxes.median,
-        order.median, tree.median, boxes.median + order.median + tree.median, processor.median);
+      std::printf("%-34s %9zu %8zu %8.4f %8.4f %8.4f %8.4f %8.4f\n", subject.name, count, threads, boxes.Median(),
+        order.Median(), tree.Median(), boxes.Median() + order.Median() + tree.Median(), processor.Median());
       csv << '"' << subject.name << "\"," << count << ',' << threads << ',' << boxes << ',' << order << ',' << tree
           << ',' << processor << '\n';
     }
@@ -181,14 +181,14 @@ int MeasurePictures(std::size_t count, std::uint32_t pixels, const char* path, i
   csv << "glyphs,pixels,threads";
   for (const char* column : pictureColumns)
   {
-    csv << ',' << benchmark::Spread::Columns(column);
+    csv << ',' << column;
   }
   csv << '\n' << count << ',' << pixels << ',' << rtg::ThreadCount();
   for (std::size_t i = 0; i < found.size(); ++i)
   {
-    const benchmark::Spread spread(found[i]);
-    std::printf("%-12s %8.2f (%.2f, %.2f)\n", pictureColumns[i], spread.median, spread.lower, spread.upper);
-    csv << ',' << spread;
+    const benchmark::Measured turned(found[i]);
+    std::printf("%-12s %8.2f\n", pictureColumns[i], turned.Median());
+    csv << ',' << turned;
   }
   csv << '\n';
   return 0;

@@ -2,7 +2,7 @@
 //
 // LightBenchmark cost OUTPUT.csv NAME=SCENE...
 //   Processor seconds of an image of 600 x 600 with local shading, with one ray of ambient occlusion, and path-traced
-//   with 1, 2, ... bounces, and ratios to local shading: medians and quartiles of eleven turns.
+//   with 1, 2, ... bounces, and ratios to local shading, in each of five turns.
 // LightBenchmark error SCENE OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES]
 //   Of 3 x 3 squares of PIXELS x PIXELS, evenly spread over the scene's view: mean squared error against a reference of
 //   independent samples, by shading, sampler, samples and seconds, as traced, denoised and blurred. References are kept
@@ -46,11 +46,10 @@ struct Costly
   std::uint32_t bounces = 1;
 };
 
-// All are taken in turns, and of several turns the median of the ratio to local shading's time counts: the machine's
-// speed changes.
+// All are taken in turns, and the ratio to local shading's time in the same turn counts: the machine's speed changes.
 void MeasureCost(LightScene& subject, const std::string& scene, std::ofstream& csv)
 {
-  constexpr int turns = 11;
+  constexpr int turns = 5;
   std::vector<Costly> all{ { "local" }, { "occlusion", Shading::AmbientOcclusion } };
   for (std::uint32_t bounces : { 1, 2, 3, 4, 6, 8, 10 })
   {
@@ -81,8 +80,8 @@ void MeasureCost(LightScene& subject, const std::string& scene, std::ofstream& c
   }
   for (std::size_t i = 0; i < all.size(); ++i)
   {
-    csv << scene << ',' << all[i].name << ',' << benchmark::Spread(seconds[i]) << ',' << benchmark::Spread(ratios[i])
-        << std::endl;
+    csv << scene << ',' << all[i].name << ',' << benchmark::Measured(seconds[i]) << ','
+        << benchmark::Measured(ratios[i]) << std::endl;
   }
 }
 
@@ -249,10 +248,10 @@ Reference(Squares& squares, rtg::TraceSettings settings, std::uint32_t samples, 
 
 // Processor seconds of a sample by each method. They are taken in turns, and of several turns the method's shares of
 // all count, times the median of the whole: the machine's speed changes.
-std::vector<benchmark::Spread>
+std::vector<benchmark::Measured>
 SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettings settings)
 {
-  constexpr int turns = 9;
+  constexpr int turns = 3;
   std::vector<std::vector<double>> shares(methods.size());
   std::vector<double> totals;
   settings.samples = settings.plannedSamples = 16;
@@ -278,7 +277,7 @@ SecondsOf(Squares& squares, const std::vector<Method>& methods, rtg::TraceSettin
       shares[i].push_back(seconds[i] / totals.back());
     }
   }
-  std::vector<benchmark::Spread> result;
+  std::vector<benchmark::Measured> result;
   for (const std::vector<double>& share : shares)
   {
     result.emplace_back(share) *= benchmark::Quantile(totals, 0.5);
@@ -294,7 +293,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
   const std::vector<Pixels> truth = Reference(squares, settings, referenceSamples, output + "." + name + ".reference");
   const std::vector<Pixels> blurredTruth = Blurred(truth, pixels);
   const std::vector<Method> methods = Methods(shading);
-  const std::vector<benchmark::Spread> seconds = SecondsOf(squares, methods, settings);
+  const std::vector<benchmark::Measured> seconds = SecondsOf(squares, methods, settings);
 
   settings.features = true;
   double ownError = 0.0; // of the reference: the variance of a sample over its number of samples
@@ -324,7 +323,7 @@ void MeasureShading(LightScene& subject, const char* name, const std::string& ou
       {
         error = std::max(error - ownError, 0.0);
       }
-      benchmark::Spread all = seconds[i];
+      benchmark::Measured all = seconds[i];
       all *= settings.samples;
       csv << name << ',' << method.Name() << ',' << settings.samples << ',' << all << ',' << error << ',' << ownError
           << ',' << std::max(SquaredError(squares.denoised, truth) - ownError, 0.0) << ',' << squares.denoising << ','
@@ -337,8 +336,7 @@ void MeasureError(
   LightScene& subject, const std::string& output, int pixels, std::uint32_t referenceSamples, std::uint32_t mostSamples)
 {
   std::ofstream csv = benchmark::Written(output);
-  csv << "shading,sampler,samples," << benchmark::Spread::Columns("cpu_seconds")
-      << ",mse,reference_mse,denoised_mse,denoise_seconds,blurred_mse\n";
+  csv << "shading,sampler,samples,cpu_seconds,mse,reference_mse,denoised_mse,denoise_seconds,blurred_mse\n";
   for (const auto& [name, shading] : shadings)
   {
     MeasureShading(subject, name, output, csv, pixels, referenceSamples,
@@ -477,8 +475,7 @@ try
   if (what == "cost" || what == "variance")
   {
     std::ofstream csv = benchmark::Written(argv[2]);
-    csv << (what == "cost" ? "scene,light," + benchmark::Spread::Columns("cpu_seconds") + ',' +
-                 benchmark::Spread::Columns("over_local")
+    csv << (what == "cost" ? "scene,light,cpu_seconds,over_local"
                            : "scene,light,variance,place,directions,both,adaptive,covered")
         << std::endl;
     for (int i = 3; i < argc; ++i)

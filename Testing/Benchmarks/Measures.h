@@ -33,38 +33,51 @@ inline double Quantile(std::vector<double> values, double share)
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
-/// A median and its quartiles, as columns of a CSV file.
-struct Spread
+/// What has been measured in each turn: one cell of a CSV file. Of all turns of several processes the script `run`
+/// takes median and quartiles.
+class Measured
 {
-  explicit Spread(const std::vector<double>& values)
-    : median(Quantile(values, 0.5))
-    , lower(Quantile(values, 0.25))
-    , upper(Quantile(values, 0.75))
+public:
+  explicit Measured(std::vector<double> turns)
+    : turns_(std::move(turns))
   {
   }
-  double median, lower, upper;
 
-  Spread& operator*=(double factor)
+  /// Not a number where there was no turn.
+  double Median() const { return this->turns_.empty() ? NAN : Quantile(this->turns_, 0.5); }
+
+  Measured& operator*=(double factor)
   {
-    this->median *= factor;
-    this->lower *= factor;
-    this->upper *= factor;
+    std::transform(
+      this->turns_.begin(), this->turns_.end(), this->turns_.begin(), [factor](double turn) { return turn * factor; });
     return *this;
   }
 
-  static std::string Columns(const std::string& name)
+  friend std::ostream& operator<<(std::ostream& stream, const Measured& measured)
   {
-    return name + "," + name + " lower quartile," + name + " upper quartile";
+    const char* before = "";
+    for (const double turn : measured.turns_)
+    {
+      stream << before << turn;
+      before = ";";
+    }
+    return stream;
   }
+
+private:
+  std::vector<double> turns_;
 };
 
-inline std::ostream& operator<<(std::ostream& stream, const Spread& spread)
+/// What one took over what another took in the same turn.
+inline std::vector<double> Ratios(const std::vector<double>& of, const std::vector<double>& over)
 {
-  return stream << spread.median << ',' << spread.lower << ',' << spread.upper;
+  std::vector<double> ratios(of.size());
+  std::transform(of.begin(), of.end(), over.begin(), ratios.begin(), std::divides<double>());
+  return ratios;
 }
 
 /// Processor time of calls. They are taken in turns, each call for 5 ms at least in each, so that the turns of
-/// one lie apart and its quartiles tell how the machine's speed changes while all are measured.
+/// one lie apart and tell how the machine's speed changes while all are measured.
 class Turns
 {
 public:
@@ -97,18 +110,18 @@ public:
   }
 
   /// Nanoseconds of a ray, where these calls trace so many together.
-  Spread ARay(const std::vector<std::size_t>& calls, std::size_t rays) const
+  Measured ARay(const std::vector<std::size_t>& calls, std::size_t rays) const
   {
     std::vector<double> sums(count);
     for (const std::size_t call : calls)
     {
       std::transform(sums.begin(), sums.end(), this->nanoseconds_[call].begin(), sums.begin(), std::plus<double>());
     }
-    return Spread(sums) *= 1.0 / static_cast<double>(std::max<std::size_t>(1, rays));
+    return Measured(std::move(sums)) *= 1.0 / static_cast<double>(std::max<std::size_t>(1, rays));
   }
 
 private:
-  static constexpr std::size_t count = 7;
+  static constexpr std::size_t count = 3;
   std::vector<std::function<void()>> calls_;
   std::vector<std::vector<double>> nanoseconds_;
 };

@@ -2,11 +2,10 @@
 //
 // MotionBenchmark cost SPHERES OUTPUT.csv [PIXELS] [SAMPLES] [TURNS]
 //   Processor seconds of one sample a pixel, over those of the same spheres at rest, and seconds to build, by path
-//   length: medians and quartiles of so many turns.
+//   length, in each of so many turns.
 // MotionBenchmark error SPHERES OUTPUT.csv [PIXELS] [REFERENCE-SAMPLES] [MOST-SAMPLES] [TURNS]
 //   Of the middle PIXELS x PIXELS of an image of 1200 x 1200: mean squared error against a reference of independent
-//   samples, by scheme, path length, samples and seconds. These are medians and quartiles of so many turns over the
-//   schemes.
+//   samples, by scheme, path length, samples and seconds in each of so many turns over the schemes.
 // SPHERES: a file by Data/spheres_280k.py. Paths are in radii, along the file's velocities, and straight.
 #include "Files.h"
 #include "Measures.h"
@@ -108,9 +107,7 @@ void MeasureCost(
   const Subject& subject, const std::string& output, std::uint32_t pixels, std::uint32_t samples, std::uint32_t turns)
 {
   std::ofstream csv = benchmark::Written(output);
-  csv << "radii,slices," << benchmark::Spread::Columns("build_cpu_seconds") << ','
-      << benchmark::Spread::Columns("sample_cpu_seconds") << ',' << benchmark::Spread::Columns("over_rest")
-      << std::endl;
+  csv << "radii,slices,build_cpu_seconds,sample_cpu_seconds,over_rest" << std::endl;
   rtg::TraceSettings settings;
   settings.width = settings.height = pixels;
   settings.samples = samples;
@@ -129,8 +126,8 @@ void MeasureCost(
       sample.push_back(cost / samples);
       overRest.push_back(cost / rest);
     }
-    csv << path << ',' << (1u << moving.scene.GetState().placedTimeSliceBits) << ',' << benchmark::Spread(build) << ','
-        << benchmark::Spread(sample) << ',' << benchmark::Spread(overRest) << std::endl;
+    csv << path << ',' << (1u << moving.scene.GetState().placedTimeSliceBits) << ',' << benchmark::Measured(build)
+        << ',' << benchmark::Measured(sample) << ',' << benchmark::Measured(overRest) << std::endl;
   }
 }
 
@@ -226,8 +223,7 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
   const double whole = 1200.0 * 1200.0 / (double(pixels) * pixels);
   subject.camera.right *= pixels / 1200.0;
   subject.camera.up *= pixels / 1200.0;
-  csv << "radii,scheme,samples," << benchmark::Spread::Columns("build_cpu_seconds") << ','
-      << benchmark::Spread::Columns("trace_cpu_seconds") << ",mse,reference_mse,blurred_mse\n";
+  csv << "radii,scheme,samples,build_cpu_seconds,trace_cpu_seconds,mse,reference_mse,blurred_mse\n";
   rtg::TraceSettings settings;
   settings.width = settings.height = pixels;
   settings.keepSums = true;
@@ -267,8 +263,8 @@ void MeasureError(Subject& subject, const std::string& output, std::uint32_t pix
       {
         referenceError = error / (1.0 + double(referenceSamples) / one.samples);
       }
-      csv << path << ',' << one.scheme->name << ',' << one.samples << ',' << benchmark::Spread(one.build) << ','
-          << benchmark::Spread(one.trace) << ',' << error << ',' << referenceError << ','
+      csv << path << ',' << one.scheme->name << ',' << one.samples << ',' << benchmark::Measured(one.build) << ','
+          << benchmark::Measured(one.trace) << ',' << error << ',' << referenceError << ','
           << benchmark::SquaredError(benchmark::Blurred(one.means, static_cast<int>(pixels)), blurredTruth)
           << std::endl;
     }

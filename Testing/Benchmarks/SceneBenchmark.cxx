@@ -2,10 +2,10 @@
 // Usage: SceneBenchmark [PIXELS] [REPETITIONS] [CSV]
 //
 // Glyphs lie at random in a cube that fills the image (Crowds.h). Printed: processor seconds of an image with local
-// shading, depth and ids, the median and quartiles of the repetitions, which are taken in turns over the scenes, and
-// the cost beside that of the first scene. Where the program is built with Embree, also the processor seconds of its
-// rays alone, one by one and in packets of eight, for the scenes that are opaque, in the same turns; the program fails
-// where their picture is another one. To compare two trees, run the program of each in turns.
+// shading, depth and ids, the median of the repetitions, which are taken in turns over the scenes, and the cost beside
+// that of the first scene. The file has all turns. Where the program is built with Embree, also the processor seconds
+// of its rays alone, one by one and in packets of eight, for the scenes that are opaque, in the same turns; the program
+// fails where their picture is another one. To compare two trees, run the program of each in turns.
 #include "Crowds.h"
 #ifdef RTGLYPHS_EMBREE
 #include "EmbreeScene.h"
@@ -165,18 +165,18 @@ public:
   {
     return this->name_;
   }
-  benchmark::Spread Seconds() const
+  const std::vector<double>& Seconds() const
   {
-    return benchmark::Spread(this->seconds_);
+    return this->seconds_;
   }
-  // Medians of Embree's; not a number where there is none.
-  double Singles() const
+  // Embree's; none where it draws nothing.
+  const std::vector<double>& Singles() const
   {
-    return this->singles_.empty() ? NAN : benchmark::Quantile(this->singles_, 0.5);
+    return this->singles_;
   }
-  double Packets() const
+  const std::vector<double>& Packets() const
   {
-    return this->packets_.empty() ? NAN : benchmark::Quantile(this->packets_, 0.5);
+    return this->packets_;
   }
   // Share of the pixels in which Embree has seen something else.
   double Differs() const
@@ -245,27 +245,21 @@ try
       subject->Trace(pixels, i >= 0);
     }
   }
-  csv << "scene," << benchmark::Spread::Columns("CPU s")
-      << ",cost beside the first,Embree s,Embree packets s,pixels differ\n";
-  std::printf("%-30s %8s %8s %8s %8s %8s %8s %8s\n", "scene", "CPU s", "quartile", "quartile", "cost", "Embree",
-    "packets", "differ");
+  csv << "scene,CPU s,cost beside the first,Embree s,Embree packets s,pixels differ\n";
+  std::printf("%-30s %8s %8s %8s %8s %8s\n", "scene", "CPU s", "cost", "Embree", "packets", "differ");
   bool same = true;
   for (const auto& subject : subjects)
   {
-    const benchmark::Spread seconds = subject->Seconds();
-    const double cost = seconds.median / subjects.front()->Seconds().median;
-    const double singles = subject->Singles(), packets = subject->Packets();
-    std::printf("%-30s %8.3f %8.3f %8.3f %8.2f %8.3f %8.3f %8.1e\n", subject->Name().c_str(), seconds.median,
-      seconds.lower, seconds.upper, cost, singles, packets, subject->Differs());
-    csv << '"' << subject->Name() << "\"," << seconds << ',' << cost << ',';
-    if (std::isfinite(singles))
+    const benchmark::Measured seconds(subject->Seconds()), singles(subject->Singles()), packets(subject->Packets());
+    const benchmark::Measured cost(benchmark::Ratios(subject->Seconds(), subjects.front()->Seconds()));
+    std::printf("%-30s %8.3f %8.2f %8.3f %8.3f %8.1e\n", subject->Name().c_str(), seconds.Median(), cost.Median(),
+      singles.Median(), packets.Median(), subject->Differs());
+    csv << '"' << subject->Name() << "\"," << seconds << ',' << cost << ',' << singles << ',' << packets << ',';
+    if (!subject->Singles().empty())
     {
-      csv << singles << ',' << packets << ',' << subject->Differs() << '\n';
+      csv << subject->Differs();
     }
-    else
-    {
-      csv << ",,\n";
-    }
+    csv << '\n';
     same &= subject->Differs() < 1e-3;
   }
   return same ? 0 : 1;

@@ -112,14 +112,15 @@ struct Family
   void Write(std::ostream& csv, const benchmark::Turns& turns) const
   {
     const Tally& all = this->tally;
-    const benchmark::Spread ns = turns.ARay(this->calls, all.rays), plain = turns.ARay(this->random, this->randomRays);
+    const benchmark::Measured ns = turns.ARay(this->calls, all.rays),
+                              plain = turns.ARay(this->random, this->randomRays);
     csv << '"' << this->name << "\"," << this->range << ',' << this->arithmetic << ',' << all.rays << ',' << plain
         << ',' << ns << ',' << Quantile(all.sizes, 0.5) << ',' << Quantile(all.sizes, 0.999) << ','
         << Quantile(all.sizes, 1) << ',' << Quantile(all.radians, 0.5) << ',' << Quantile(all.radians, 0.999) << ','
         << Quantile(all.radians, 1) << ',' << all.outOfBound << ',' << all.wrongNormals << ',' << all.falseHits << ','
         << all.falseMisses << '\n';
     std::printf("| %s | %s | %s | %.0f | %.0f | %.1e | %.1e | %.1e | %.1e | %zu / %zu | %zu / %zu |\n",
-      this->name.c_str(), this->range, this->arithmetic, plain.median, ns.median, Quantile(all.sizes, 0.5),
+      this->name.c_str(), this->range, this->arithmetic, plain.Median(), ns.Median(), Quantile(all.sizes, 0.5),
       Quantile(all.sizes, 0.999), Quantile(all.sizes, 1), Quantile(all.radians, 1), all.outOfBound, all.wrongNormals,
       all.falseHits, all.falseMisses);
   }
@@ -127,9 +128,8 @@ struct Family
 
 void HeadOfFamilies(std::ostream& csv)
 {
-  csv << "family,range,arithmetic,rays," << benchmark::Spread::Columns("ns_per_ray_random") << ','
-      << benchmark::Spread::Columns("ns_per_ray_all")
-      << ",t_median_sizes,t_p999_sizes,t_max_sizes,normal_median_radians,normal_p999_radians,normal_max_radians,"
+  csv << "family,range,arithmetic,rays,ns_per_ray_random,ns_per_ray_all,"
+         "t_median_sizes,t_p999_sizes,t_max_sizes,normal_median_radians,normal_p999_radians,normal_max_radians,"
          "t_out_of_bound,normals_out_of_bound,false_hits,false_misses\n";
   std::printf("| glyphs | range | arithmetic | ns a ray, random | all | dt median | 99.9 %% | max "
               "(sizes) | normal max (rad) "
@@ -367,8 +367,8 @@ void TableOfSpheres(std::ostream& csv)
 {
   const std::pair<const char*, SphereFormula> formulas[] = { { "textbook", Textbook }, { "moved origin", MovedOrigin },
     { "Ray Tracing Gems", RayTracingGems }, { "Embree's projection", EmbreesProjection } };
-  csv << "case,formula,rays," << benchmark::Spread::Columns("ns_per_ray")
-      << ",t_median_sizes,t_max_sizes,t_out_of_bound,normal_max_radians,false_hits,false_misses\n";
+  csv << "case,formula,rays,ns_per_ray,t_median_sizes,t_max_sizes,t_out_of_bound,normal_max_radians,false_hits,false_"
+         "misses\n";
   std::printf(
     "| hard case | formula | ns a ray | dt median | max (sizes) | out of bound | normal max (rad) | false hits "
     "/ misses |\n|---|---|---|---|---|---|---|---|\n");
@@ -402,12 +402,12 @@ void TableOfSpheres(std::ostream& csv)
   turns.Take();
   for (const auto& [situation, formula, call, tally] : rows)
   {
-    const benchmark::Spread ns = turns.ARay({ call }, tally.rays);
+    const benchmark::Measured ns = turns.ARay({ call }, tally.rays);
     csv << '"' << situation << "\"," << formula << ',' << tally.rays << ',' << ns << ',' << Quantile(tally.sizes, 0.5)
         << ',' << Quantile(tally.sizes, 1) << ',' << tally.outOfBound << ',' << Quantile(tally.radians, 1) << ','
         << tally.falseHits << ',' << tally.falseMisses << '\n';
     std::printf("| %s | %s | %.0f | %.1e | %.1e | %zu of %zu | %.1e | %zu / %zu |\n", situation.c_str(), formula,
-      ns.median, Quantile(tally.sizes, 0.5), Quantile(tally.sizes, 1), tally.outOfBound, tally.sizes.size(),
+      ns.Median(), Quantile(tally.sizes, 0.5), Quantile(tally.sizes, 1), tally.outOfBound, tally.sizes.size(),
       Quantile(tally.radians, 1), tally.falseHits, tally.falseMisses);
   }
 }

@@ -1,7 +1,7 @@
 // Time of an image of 280,000 glyphs of each shape beside one of as many spheres, through the pipeline.
 // Usage: SuperquadricScene [PIXELS] [REPETITIONS] [COUNT] [dilute|packed|both] [CSV]
 //
-// Medians and quartiles of images that are taken in turns over the shapes, after a first one that compiles.
+// Images are taken in turns over the shapes, after a first one that compiles; printed are medians, the file has all.
 // Layout, camera and coverage are those of Data/spheres_280k.py; exponents lie between 0.3 and 20 at random on a
 // logarithmic scale. The superquadrics' sizes are such that their boxes' sides are the spheres' diameters. Those that
 // are turned have sides from half of it to all of it. Arrows are as long as that, of vtkArrowSource's proportions.
@@ -197,8 +197,7 @@ try
   if (argc > 5)
   {
     csv = benchmark::Written(argv[5]);
-    csv << "layout,shape,glyphs,pixels,first s," << benchmark::Spread::Columns("wall s") << ','
-        << benchmark::Spread::Columns("CPU s") << ",Mray/s,hit share,CPU over spheres\n";
+    csv << "layout,shape,glyphs,pixels,first s,wall s,CPU s,hit share,CPU over spheres\n";
   }
   std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   std::printf("device: %s, %d glyphs, %u x %u\n", device->Name().c_str(), count, pixels, pixels);
@@ -223,16 +222,16 @@ try
         subject->Trace(pixels);
       }
     }
-    const double spheres = benchmark::Spread(subjects.front()->cpu).median;
     for (std::size_t i = 0; i < subjects.size(); ++i)
     {
       const Subject& subject = *subjects[i];
-      const benchmark::Spread wall(subject.wall), cpu(subject.cpu);
-      const double rate = 1e-6 * double(pixels) * pixels / wall.median;
-      std::printf("%-34s %8.2f %8.3f %8.3f %10.2f %8.1f %8.2f  %s\n", kinds[i].name, subject.first, wall.median,
-        cpu.median, rate, 100.0 * subject.hits, cpu.median / spheres, name);
+      const benchmark::Measured wall(subject.wall), cpu(subject.cpu);
+      const benchmark::Measured overSpheres(benchmark::Ratios(subject.cpu, subjects.front()->cpu));
+      const double rate = 1e-6 * double(pixels) * pixels / wall.Median();
+      std::printf("%-34s %8.2f %8.3f %8.3f %10.2f %8.1f %8.2f  %s\n", kinds[i].name, subject.first, wall.Median(),
+        cpu.Median(), rate, 100.0 * subject.hits, overSpheres.Median(), name);
       csv << name << ",\"" << kinds[i].name << "\"," << count << ',' << pixels << ',' << subject.first << ',' << wall
-          << ',' << cpu << ',' << rate << ',' << subject.hits << ',' << cpu.median / spheres << std::endl;
+          << ',' << cpu << ',' << subject.hits << ',' << overSpheres << std::endl;
     }
   }
   return 0;

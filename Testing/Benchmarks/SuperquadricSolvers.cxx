@@ -1,5 +1,5 @@
 // Speed against error of ways to intersect a superquadric with a ray, in C++, one thread.
-// Usage: SuperquadricSolvers [FILE.csv] [GLYPHS] [RAYS]      (plotted by superquadric_solvers.py)
+// Usage: SuperquadricSolvers [FILE.csv] [GLYPHS] [RAYS]      (plotted by plots.py)
 //
 // The rays are those of Testing/Kernels/HardCases.h: random ones and every hard case, GLYPHS glyphs with RAYS rays each
 // in every case. The reference has 113 bits. Hits and misses are judged except within 1e-5 of the scale round the
@@ -181,7 +181,7 @@ void Write(std::ostream& csv, const Row& row, const benchmark::Turns& turns)
 {
   const Report& r = row.report;
   const double rays = double(std::max<std::size_t>(1, r.rays));
-  const benchmark::Spread ns = turns.ARay(r.calls, r.rays);
+  const benchmark::Measured ns = turns.ARay(r.calls, r.rays);
   csv << row.family << ",\"" << row.situation << "\",\"" << row.solver << "\"," << row.arithmetic << ',' << r.rays
       << ',' << ns << ',' << Quantile(r.sizes, 0.5) << ',' << Quantile(r.sizes, 0.999) << ',' << Quantile(r.sizes, 1)
       << ',' << Quantile(r.radians, 0.5) << ',' << Quantile(r.radians, 0.999) << ',' << Quantile(r.radians, 1) << ','
@@ -189,7 +189,7 @@ void Write(std::ostream& csv, const Row& row, const benchmark::Turns& turns)
   if (row.situation == "random" || row.situation == "all")
   {
     std::printf("| %s | %s | %s | %s | %.0f | %.1e | %.1e | %.1e | %.1e | %.1e | %.0f / %.0f |\n", row.family,
-      row.situation.c_str(), row.solver, row.arithmetic, ns.median, Quantile(r.sizes, 0.5), Quantile(r.sizes, 0.999),
+      row.situation.c_str(), row.solver, row.arithmetic, ns.Median(), Quantile(r.sizes, 0.5), Quantile(r.sizes, 0.999),
       Quantile(r.sizes, 1), Quantile(r.radians, 0.5), Quantile(r.radians, 1), 1e6 * double(r.falseHits) / rays,
       1e6 * double(r.misses) / rays);
   }
@@ -255,8 +255,8 @@ try
 {
   std::ofstream csv = benchmark::Written(argc > 1 ? argv[1] : "superquadric-solvers.csv");
   const int glyphs = argc > 2 ? std::atoi(argv[2]) : 12, rays = argc > 3 ? std::atoi(argv[3]) : 50;
-  csv << "family,case,solver,arithmetic,rays," << benchmark::Spread::Columns("ns_per_ray")
-      << ",t_median_sizes,t_p999_sizes,t_max_sizes,normal_median_radians,normal_p999_radians,normal_max_radians,"
+  csv << "family,case,solver,arithmetic,rays,ns_per_ray,"
+         "t_median_sizes,t_p999_sizes,t_max_sizes,normal_median_radians,normal_p999_radians,normal_max_radians,"
          "false_hits_per_million,misses_per_million\n";
   const std::vector<Scene> scenes = MakeScenes(glyphs, rays);
   std::printf("| glyphs | rays | solver | arithmetic | ns a ray | dt median | 99.9 %% | max (sizes) | normal "

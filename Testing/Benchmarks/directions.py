@@ -7,7 +7,7 @@ Environment: RTGLYPHS_PLUGIN is the plugin's library.
 triangles for each, the vertices moved along their directions: what programs for diffusion data draw. A million pieces of tubes on 1,000
 curves, drawn as tubes and by ParaView's Tube filter with 12 sides. Each kind has a process of its own. First picture: from data in memory
 until it is rendered with one ray a pixel, programs compiled in it; for meshes, the data are the meshes, and making them is told apart.
-A frame: the camera turns by a degree; the median. Occlusion: one sample a pixel, as many directions as by default. Memory: the largest
+A frame: the camera turns by a degree. Occlusion: one sample a pixel, as many directions as by default. Memory: the largest
 that the process held since the data were made, without what it held before that. Written to FOLDER: directions.csv, a picture of each.
 """
 import argparse
@@ -194,7 +194,7 @@ def main():
     parser.add_argument("folder")
     parser.add_argument("--kinds", help="separated by ;", default=";".join(KINDS))
     parser.add_argument("--size", type=int, default=1200)
-    parser.add_argument("--frames", type=int, default=7)
+    parser.add_argument("--frames", type=int, default=3)
     parser.add_argument("--limit", type=float, default=900.0)
     parser.add_argument("--measure", help=argparse.SUPPRESS)
     options = parser.parse_args()
@@ -203,9 +203,7 @@ def main():
     os.makedirs(options.folder, exist_ok=True)
     rows = []
     for kind in options.kinds.split(";"):
-        # What takes many seconds a frame needs fewer of them.
-        frames = max(3, options.frames // 2) if kind.startswith(("meshes", "Tube")) else options.frames
-        rows.append({"kind": kind, **figures_of(kind, [os.path.abspath(__file__), options.folder, "--size", str(options.size), "--frames", str(frames),
+        rows.append({"kind": kind, **figures_of(kind, [os.path.abspath(__file__), options.folder, "--size", str(options.size), "--frames", str(options.frames),
                                                        "--measure", kind], options.limit)})
     write_table(os.path.join(options.folder, "directions.csv"), rows)
 

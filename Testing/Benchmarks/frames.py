@@ -7,6 +7,9 @@ import subprocess
 import sys
 import time
 
+#: stands between a figure's turns in a cell
+TURN = ";"
+
 
 def cpu_seconds():
     """User and system time of this process on all cores."""
@@ -15,8 +18,8 @@ def cpu_seconds():
 
 
 def quartiles(name, values):
-    """Median and quartiles as the columns of a row."""
-    lower, median, upper = statistics.quantiles(values, n=4, method="inclusive")
+    """Median and quartiles as the columns of a row. Of one value, that."""
+    lower, median, upper = statistics.quantiles(values, n=4, method="inclusive") if len(values) > 1 else 3 * values
     return {name: median, name + " lower quartile": lower, name + " upper quartile": upper}
 
 
@@ -28,9 +31,9 @@ def seconds_of(render):
 
 
 def columns(found, of_wall, of_cpu):
-    """Columns of what seconds_of() has found, of each of several frames."""
+    """Columns of what seconds_of() has found, of each of several frames: lists."""
     wall, cpu = zip(*found)
-    return {**quartiles(of_wall, wall), **quartiles(of_cpu, cpu)}
+    return {of_wall: wall, of_cpu: cpu}
 
 
 def turning(render, frames, of_wall="frame", of_cpu="frame cpu"):
@@ -70,7 +73,8 @@ def read_table(path):
 
 
 def write_table(path, rows):
-    """Rows as CSV, with a column for each figure that some row has."""
+    """Rows as CSV, with a column for each figure that some row has; of a figure that is a list, one for each turn, the cell has all."""
+    rows = [{key: TURN.join(map(str, cell)) if isinstance(cell, (list, tuple)) else cell for key, cell in row.items()} for row in rows]
     columns = list(dict.fromkeys(column for row in rows for column in row))
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, columns, lineterminator="\n")

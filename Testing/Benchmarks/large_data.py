@@ -3,7 +3,7 @@
 Usage: pvpython large_data.py FOLDER [--count N] [--repeat N]
 Environment: RTGLYPHS_PLUGIN is the plugin's library.
 
-In each turn each number of threads has a process of its own: one thread, and what is taken without asking; medians and quartiles of the turns count.
+In each turn each number of threads has a process of its own: one thread, and what is taken without asking; the table has all turns.
 The stages are those of RenderStatistics. An edit is set and the view, of few pixels, rendered; "host" is the time of both without what the kernels say
 that sending, sorting, building, tracing and denoising took, so ParaView's own share is in it. Each edit is made to and fro twice; the lesser time
 counts, because the first one compiles programs. Written to FOLDER: large_data.csv.
@@ -11,9 +11,9 @@ counts, because the first one compiles programs. Written to FOLDER: large_data.c
 Ten million points need some 8 GB of memory.
 """
 import argparse
-import csv
 import json
 import os
+import statistics
 import subprocess
 import sys
 import time
@@ -125,16 +125,13 @@ def main():
             if line is None:
                 sys.exit("large_data.py: '%s' gave no figures:\n%s" % (name, run.stdout))
             turns[name].append(json.loads(line))
-    rows = [{"what": what, **frames.quartiles("one thread", [turn[what] for turn in turns["one thread"]]),
-             **frames.quartiles("all cores", [turn[what] for turn in turns["all cores"]])} for what in turns["one thread"][0]]
+    rows = [{"what": what, **{name: [turn[what] for turn in turns[name]] for name in THREADS}} for what in turns["one thread"][0]]
     print("\n%d points, seconds\n%-24s %12s %12s %7s" % (options.count, "", *THREADS, "ratio"))
     for row in rows:
-        note = "above %g" % WANTED if row["what"] in EDITS and row["all cores"] >= WANTED else ""
-        print("%-24s %12.3f %12.3f %7.2f %s" % (row["what"], row["one thread"], row["all cores"], row["one thread"] / max(row["all cores"], 1e-9), note))
-    with open(os.path.join(options.folder, "large_data.csv"), "w", newline="") as table:
-        writer = csv.DictWriter(table, list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
+        one, every = (statistics.median(row[name]) for name in THREADS)
+        note = "above %g" % WANTED if row["what"] in EDITS and every >= WANTED else ""
+        print("%-24s %12.3f %12.3f %7.2f %s" % (row["what"], one, every, one / max(every, 1e-9), note))
+    frames.write_table(os.path.join(options.folder, "large_data.csv"), rows)
 
 
 if __name__ == "__main__":

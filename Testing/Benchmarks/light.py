@@ -1,11 +1,8 @@
-#!/usr/bin/python3
-"""What LightBenchmark error wrote for several scenes, plotted and as the table of tables.py: error over time, per sampler.
+"""What LightBenchmark error wrote for several scenes: error over time, per sampler.
 
-Usage: light.py PLOT.png NAME=RESULTS.csv ...
 Gain: mean squared error of independent samples over that of the sampler at the same time, that of independent samples being interpolated on logarithms and extrapolated as 1 / time; above 1 the sampler is better.
 """
 import math
-import sys
 
 from frames import read_table
 
@@ -50,32 +47,3 @@ def table(scenes):
                     cells = ["%.2g" % found[n]["denoised"] if n in found else "" for n in TABLED]
                     lines.append("| %s | %s | %s | %s |" % (name, shading, sampler + ", denoised: error", " | ".join(cells)))
     return "\n".join(lines)
-
-
-def plot(scenes, path_of_plot):
-    """Error over time."""
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
-    figure, axes = plt.subplots(2, len(scenes), figsize=(4.6 * len(scenes), 7.6), squeeze=False)
-    for column, (name, path) in enumerate(scenes):
-        for axis, (shading, samplers) in zip(axes[:, column], read(path).items()):
-            axis.set_prop_cycle(color=plt.get_cmap("tab20").colors)
-            for sampler, rows in samplers.items():
-                axis.loglog([r["seconds"] for r in rows], [r["error"] for r in rows], "o-", label=sampler, markersize=3,
-                            linewidth=2.5 if sampler == KEPT[shading] else 1.2)
-                if sampler == KEPT[shading]:
-                    axis.loglog([r["denoised_seconds"] for r in rows], [r["denoised"] for r in rows], "s--", color="0.5",
-                                label=sampler + ", denoised", markersize=3)
-            axis.set_xlabel("processor seconds")
-            axis.set_ylabel("mean squared error")
-            axis.set_title("%s, %s" % (name, shading))
-            axis.grid(True, which="both", alpha=0.3)
-            axis.legend(fontsize=6.5, loc="lower left", framealpha=0.5)
-    figure.tight_layout()
-    figure.savefig(path_of_plot, dpi=90)
-
-
-if __name__ == "__main__":
-    plot([argument.split("=", 1) for argument in sys.argv[2:]], sys.argv[1])

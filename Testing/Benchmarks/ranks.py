@@ -6,7 +6,7 @@ Environment: RTGLYPHS_PLUGIN is the plugin's library.
 A cube of spheres at the points of a grid, of which each rank has a block, with a hole through it, so that light passes from block to block. Each row is
 of a group of ranks of its own, whose ranks trace with one thread each: on N cores at most N of them work at a time. Glyphs and bytes from others: what all
 ranks together got once, before the first picture (RenderStatistics). Device: what all ranks hold there. Memory: the largest of a rank's process
-(VmHWM). A frame: the camera turns by a degree, all samples anew; median and quartiles. Written to FOLDER: ranks.csv.
+(VmHWM). A frame: the camera turns by a degree, all samples anew. Written to FOLDER: ranks.csv.
 """
 import argparse
 import json

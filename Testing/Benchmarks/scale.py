@@ -1,12 +1,12 @@
 """Seconds to the first picture, seconds a frame, and the largest memory of a process that shows many spheres or arrows.
 
-Usage: pvpython scale.py FOLDER [--counts N,N...] [--size PIXELS] [--frames N], or scale.py FOLDER --plot CSV
+Usage: pvpython scale.py FOLDER [--counts N,N...] [--size PIXELS] [--frames N]
 Environment: RTGLYPHS_PLUGIN is the plugin's library.
 
 Random points in a cube, each with a radius and a value that colors it, both float: 20 bytes a point; arrows have a vector besides. Each count and
 representation has a process of its own. First picture: from data in memory until it is rendered, with one ray a pixel, programs compiled
 before in that process by a scene of few points. Of that, information: ParaView's search for the ranges of all arrays, which it does for data of
-any representation before that has them. A frame: the camera turns by a degree; median and quartiles. Turning: the same while a window asks for
+any representation before that has them. A frame: the camera turns by a degree. Turning: the same while a window asks for
 speed. Memory: the largest that the process ever held (VmHWM), and that before the data are shown. Written to FOLDER: scale.csv.
 A representation that does not end within --limit seconds, or that dies, has no numbers.
 """
@@ -17,7 +17,7 @@ import time
 
 import numpy
 
-from frames import figures_of, memory, read_table, turning, write_table
+from frames import figures_of, memory, turning, write_table
 
 KINDS = ("spheres", "arrows", "signed tensors", "Point Gaussian", "3D Glyphs")
 #: those that are measured of each number of points
@@ -122,27 +122,6 @@ def measure(count, kind, size, frames):
     os._exit(0)
 
 
-def plot(path, path_of_plot):
-    """Time over count, each kind a line."""
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
-    table = read_table(path)
-    figure, axes = plt.subplots(1, 2, figsize=(9.2, 4.2), sharex=True)
-    for axis, what, title in ((axes[0], "first", "first picture"), (axes[1], "frame", "a frame while the camera turns")):
-        for kind in KINDS:
-            found = [(int(row["count"]), float(row[what])) for row in table if row["kind"] == kind and row[what]]
-            axis.loglog(*zip(*found), marker="o", markersize=3, label=kind)
-        axis.set_title(title, fontsize=10)
-        axis.set_xlabel("glyphs")
-        axis.set_ylabel("seconds")
-        axis.grid(alpha=0.3)
-    axes[0].legend(fontsize=8)
-    figure.tight_layout()
-    figure.savefig(path_of_plot, dpi=90)
-
-
 def main():
     """Either the figures of one process (--measure) or the table of all."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -150,14 +129,10 @@ def main():
     parser.add_argument("--counts", default="1000,10000,100000,1000000,10000000,100000000")
     parser.add_argument("--kinds", default=",".join(KINDS))
     parser.add_argument("--size", type=int, default=1200)
-    parser.add_argument("--frames", type=int, default=7)
+    parser.add_argument("--frames", type=int, default=3)
     parser.add_argument("--limit", type=float, default=900.0)
-    parser.add_argument("--plot", help="only draws this CSV file, as FOLDER/scale.png")
     parser.add_argument("--measure", help=argparse.SUPPRESS)
     options = parser.parse_args()
-    if options.plot:
-        plot(options.plot, os.path.join(options.folder, "scale.png"))
-        return
     counts = [int(count) for count in options.counts.split(",")]
     if options.measure:
         measure(counts[0], options.measure, options.size, options.frames)
