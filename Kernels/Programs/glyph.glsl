@@ -98,17 +98,19 @@ int Estimate(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, co
 }
 
 // The nearest crossing in [tMin, tMax], and which triangle of a mesh is crossed there. With `any` another one will do.
+// The normal is that of an analytic shape, where it is wanted.
 bool Intersect(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
-  const bool any, out float t, out uint triangle)
+  const bool any, const bool wantsNormal, out float t, out vec3 normal, out uint triangle)
 {
 #ifdef RTG_MESHES
   if (IsOfShape(set.shape, RTG_MESH))
   {
+    normal = vec3(0.0);
     return IntersectMesh(set, ray, glyph, tMin, tMax, any, t, triangle);
   }
 #endif
   triangle = nothing;
-  return IntersectGlyph(set.shape, ray, glyph, tMin, tMax, t);
+  return IntersectGlyph(set.shape, ray, glyph, tMin, tMax, wantsNormal, t, normal);
 }
 
 // Translucent surfaces that rays pass by chance: Enderton et al., "Stochastic Transparency", IEEE TVCG 17(8), 2011.
@@ -164,7 +166,8 @@ const uint maximumCrossings = 64u;
 
 // The first crossing in [tMin, tMax] that the ray does not pass.
 bool IntersectStopping(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
-  const uint seed, float tMin, const float tMax, const bool any, out float t, out uint triangle)
+  const uint seed, float tMin, const float tMax, const bool any, const bool wantsNormal, out float t, out vec3 normal,
+  out uint triangle)
 {
   bool chance = MayPass(set, seed);
   bool met;
@@ -172,7 +175,7 @@ bool IntersectStopping(const GlyphSetRecord set, const GlyphRay ray, const uint 
   uint crossing = 0u;
   do
   {
-    met = Intersect(set, ray, glyph, tMin, tMax, any && !chance, t, triangle);
+    met = Intersect(set, ray, glyph, tMin, tMax, any && !chance, wantsNormal, t, normal, triangle);
     passes = false;
     if (met && chance && crossing < maximumCrossings)
     {

@@ -14,6 +14,9 @@ void main()
   triangle = frame.rays.at[LaunchIndex()].triangle;
 #endif
   uint record = gl_InstanceCustomIndexEXT;
-  hit =
-    HitOnGlyph(record, SourceOf(SetRecord(record)), CurrentRay(), gl_PrimitiveID, gl_HitTEXT, triangle, CurrentSeed());
+  GlyphSource source = SourceOf(SetRecord(record));
+  // The normal is computed anew: hit attributes are not safe on every driver (lavapipe overwrites them with those of
+  // rejected candidates).
+  vec3 normal = NormalOnGlyph(source, CurrentRay(), gl_PrimitiveID, gl_HitTEXT);
+  hit = HitOnGlyph(record, source, CurrentRay(), gl_PrimitiveID, gl_HitTEXT, normal, triangle, CurrentSeed());
 }

@@ -6,13 +6,24 @@ bool LeavesColours(const GlyphSetRecord set, const vec4 colour)
   return !Has(set.variants, COLOURS) || colour.rgb == vec3(1.0);
 }
 
-// `glyph`: its number in the set. `triangle`: of a mesh. `seed`: of the ray, see MayPass().
+// The normal of an analytic shape where only t is known.
+vec3 NormalOnGlyph(const GlyphSource source, const GlyphRay ray, const uint glyph, const float t)
+{
+#ifdef RTG_MESHES
+  if (IsOfShape(source.set.shape, RTG_MESH))
+  {
+    return vec3(0.0);
+  }
+#endif
+  return GlyphNormal(source.set.shape, ray, FetchGlyph(source, glyph), t);
+}
+
+// `glyph`: its number in the set. `normal`: of an analytic shape. `triangle`: of a mesh. `seed`: of the ray, see
+// MayPass().
 SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRay ray, const uint glyph, const float t,
-  const uint triangle, const uint seed)
+  const vec3 normal, const uint triangle, const uint seed)
 {
   GlyphSetRecord set = source.set;
-  // The normal is computed anew: hit attributes are not safe on every driver (lavapipe overwrites them
-  // with those of rejected candidates).
   Glyph found = FetchGlyph(source, glyph);
   SurfaceHit hit;
 #ifdef RTG_MESHES
@@ -24,8 +35,8 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
 #endif
   {
     hit.t = t;
-    hit.normal = GlyphNormal(set.shape, ray, found, t);
-    hit.shadingNormal = hit.normal;
+    hit.normal = normal;
+    hit.shadingNormal = normal;
     // The shapes promise 1e-6 sizes (Shapes/README.md).
     hit.error = leavesSurface ? 2e-6 * max(found.size.x, max(found.size.y, found.size.z)) : 0.0;
     hit.record = record;

@@ -90,7 +90,7 @@ DoubleWord3 LeaveSurface(const SceneRay ray, const SurfaceHit hit)
 SurfaceHit Trace(const Query query, const bool gathers)
 {
   GlyphRay ray = GlyphRay(query.ray.origin.hi, query.ray.origin.lo, query.ray.direction);
-  GlyphCrossing found = GlyphCrossing(0u, nothing, nothing, query.tMax);
+  GlyphCrossing found = GlyphCrossing(0u, nothing, nothing, query.tMax, vec3(0.0));
   // A list of layers that was not full was the last.
   bool walks = !gathers || (layerNext == layerCount && layerCount == layerLimit);
   if (walks && query.tMin <= query.tMax)
@@ -116,8 +116,13 @@ SurfaceHit Trace(const Query query, const bool gathers)
     hit.t = found.t;
     if (!query.any)
     {
-      hit = HitOnGlyph(
-        found.record, SourceOf(SetRecord(found.record)), ray, found.glyph, found.t, found.triangle, query.seed);
+      GlyphSource source = SourceOf(SetRecord(found.record));
+      vec3 normal = found.normal;
+      if (gathers)
+      {
+        normal = NormalOnGlyph(source, ray, found.glyph, found.t);
+      }
+      hit = HitOnGlyph(found.record, source, ray, found.glyph, found.t, normal, found.triangle, query.seed);
     }
   }
   return hit;

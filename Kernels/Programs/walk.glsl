@@ -12,6 +12,7 @@ struct GlyphCrossing
   uint glyph;  // or `nothing`
   uint triangle;
   float t;
+  vec3 normal; // of an analytic shape; a layer has none
 };
 
 // The nearest crossings of a ray that gathers its layers, of all glyphs, in their order: by t, then by glyph. Not a
@@ -60,7 +61,7 @@ void AddLayer(const GlyphCrossing added)
 GlyphCrossing LayerAt(const uint at)
 {
   return GlyphCrossing(alone ? 0u : layerRecord[at], layerGlyph[at], gathersTriangles ? layerTriangle[at] : nothing,
-    uintBitsToFloat(layerTime[at]));
+    uintBitsToFloat(layerTime[at]), vec3(0.0));
 }
 
 // Adds the glyph's crossings in [tMin, tMax]; returns up to where others are still wanted.
@@ -68,11 +69,13 @@ float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ra
   float tMin, float tMax)
 {
   float t;
+  vec3 normal;
   uint triangle;
-  for (uint crossing = 0u; crossing < maximumCrossings && Intersect(set, ray, glyph, tMin, tMax, false, t, triangle);
+  for (uint crossing = 0u;
+       crossing < maximumCrossings && Intersect(set, ray, glyph, tMin, tMax, false, false, t, normal, triangle);
        ++crossing)
   {
-    AddLayer(GlyphCrossing(record, number, triangle, t));
+    AddLayer(GlyphCrossing(record, number, triangle, t, normal));
     tMax = layerCount == layerLimit ? LayerAt(layerLimit - 1u).t : tMax;
     tMin = t + ErrorOfT(ray, glyph, t);
   }
@@ -161,18 +164,20 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
     {
       Glyph glyph = FetchGlyph(source, candidate);
       float t;
+      vec3 normal;
       uint triangle;
       if (gathers)
       {
         hit.t = AddLayersOf(record, set, ray, candidate, glyph, tMin, hit.t);
         DropHidden(position, hit.t);
       }
-      else if (IntersectStopping(set, ray, candidate, glyph, seed, tMin, hit.t, any, t, triangle))
+      else if (IntersectStopping(set, ray, candidate, glyph, seed, tMin, hit.t, any, !any, t, normal, triangle))
       {
         hit.record = record;
         hit.glyph = candidate;
         hit.triangle = triangle;
         hit.t = t;
+        hit.normal = normal;
         going = going && !any;
         DropHidden(position, hit.t);
       }
@@ -187,7 +192,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
 GlyphCrossing WalkSets(const GlyphRay ray, const float tMin, const float tMax, const uint mask, const uint seed,
   const bool any, const bool gathers)
 {
-  GlyphCrossing hit = GlyphCrossing(0u, nothing, nothing, tMax);
+  GlyphCrossing hit = GlyphCrossing(0u, nothing, nothing, tMax, vec3(0.0));
   uint count = alone ? 1u : frame.setCount;
   // Two rounds where layers are gathered: opaque sets end them.
   uint end = gathers && !alone ? 2u * count : count;

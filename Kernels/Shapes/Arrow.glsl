@@ -132,16 +132,6 @@ RTG_FN bool ArrowCrossing(const GlyphRay ray, const Glyph glyph, const real tMin
   return found || foundOther;
 }
 
-RTG_FN bool IntersectArrow(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
-{
-  LocalRay local;
-  ArrowHead head;
-  Crossing crossing;
-  bool found = ArrowCrossing(ray, glyph, tMin, tMax, local, head, crossing);
-  t = crossing.t;
-  return found;
-}
-
 RTG_FN Enclosure ArrowEnclosure(const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
@@ -149,12 +139,8 @@ RTG_FN Enclosure ArrowEnclosure(const Glyph glyph)
   return outer;
 }
 
-RTG_FN real3 ArrowNormal(const GlyphRay ray, const Glyph glyph, const real t)
+RTG_FN real3 ArrowNormal(const Glyph glyph, const LocalRay local, const ArrowHead head, const Crossing crossing)
 {
-  LocalRay local;
-  ArrowHead head;
-  Crossing crossing;
-  ArrowCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, head, crossing);
   real3 p = PointAt(local, crossing.s);
   bool backwards = crossing.face == RTG_TAIL || crossing.face == RTG_HEAD_BASE;
   real3 normal = real3(backwards ? real(-1.0) : real(1.0), real(0.0), real(0.0));
@@ -176,6 +162,22 @@ RTG_FN real3 ArrowNormal(const GlyphRay ray, const Glyph glyph, const real t)
     normal = normal * (real3(smallest) / glyph.size);
   }
   return normalize(RotateToWorld(glyph, normal));
+}
+
+RTG_FN bool IntersectArrow(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
+{
+  LocalRay local;
+  ArrowHead head;
+  Crossing crossing;
+  bool found = ArrowCrossing(ray, glyph, tMin, tMax, local, head, crossing);
+  t = crossing.t;
+  normal = -ray.direction;
+  if (found && wantsNormal)
+  {
+    normal = ArrowNormal(glyph, local, head, crossing);
+  }
+  return found;
 }
 
 RTG_FN void ArrowBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)

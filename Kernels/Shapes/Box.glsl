@@ -17,28 +17,32 @@ BoxCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real t
   return FirstCrossing(local, BoxSpan(local, halfSize), tMin, tMax, crossing);
 }
 
-RTG_FN bool IntersectBox(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
-{
-  Crossing crossing;
-  bool found = BoxCrossing(ray, glyph, tMin, tMax, crossing);
-  t = crossing.t;
-  return found;
-}
-
 RTG_FN Enclosure BoxEnclosure(const Glyph glyph)
 {
   return BoxedEnclosure(glyph);
 }
 
-RTG_FN real3 BoxNormal(const GlyphRay ray, const Glyph glyph, const real t)
+RTG_FN real3 BoxNormal(const Glyph glyph, const Crossing crossing)
 {
-  Crossing crossing;
-  BoxCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), crossing);
   int axis = crossing.face / 2;
   real outward = crossing.face == 2 * axis ? real(-1.0) : real(1.0);
   real3 normal =
     real3(axis == 0 ? outward : real(0.0), axis == 1 ? outward : real(0.0), axis == 2 ? outward : real(0.0));
   return normalize(RotateToWorld(glyph, normal));
+}
+
+RTG_FN bool IntersectBox(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
+{
+  Crossing crossing;
+  bool found = BoxCrossing(ray, glyph, tMin, tMax, crossing);
+  t = crossing.t;
+  normal = -ray.direction;
+  if (found && wantsNormal)
+  {
+    normal = BoxNormal(glyph, crossing);
+  }
+  return found;
 }
 
 RTG_FN void BoxBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)

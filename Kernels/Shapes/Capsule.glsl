@@ -46,15 +46,6 @@ RTG_FN bool CapsuleCrossing(const GlyphRay ray, const Glyph glyph, const real tM
   return FirstCrossing(local, RoundConeSpan(local, form), tMin, tMax, crossing);
 }
 
-RTG_FN bool IntersectCapsule(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
-{
-  LocalRay local;
-  Crossing crossing;
-  bool found = CapsuleCrossing(ray, glyph, tMin, tMax, local, crossing);
-  t = crossing.t;
-  return found;
-}
-
 RTG_FN Enclosure CapsuleEnclosure(const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
@@ -66,26 +57,38 @@ RTG_FN Enclosure CapsuleEnclosure(const Glyph glyph)
   return outer;
 }
 
-RTG_FN real3 CapsuleNormal(const GlyphRay ray, const Glyph glyph, const real t)
+RTG_FN real3 CapsuleNormal(const Glyph glyph, const LocalRay local, const Crossing crossing)
 {
-  LocalRay local;
-  Crossing crossing;
-  CapsuleCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
   // The ray from the crossing, and from the middle of the half ball when the crossing lies on one.
-  local = Advance(Advance(local, crossing.s.hi), crossing.s.lo);
-  DoubleWord x = WordX(local.origin);
+  LocalRay at = Advance(Advance(local, crossing.s.hi), crossing.s.lo);
+  DoubleWord x = WordX(at.origin);
   DoubleWord halfLength = CapsuleHalfLength(glyph);
   DoubleWord middle = x.hi < real(0.0) ? Minus(halfLength) : halfLength;
   DoubleWord fromMiddle = Subtract(x, middle);
-  real3 p = real3(real(0.0), local.origin.hi.y, local.origin.hi.z);
+  real3 p = real3(real(0.0), at.origin.hi.y, at.origin.hi.z);
   if (fromMiddle.hi * x.hi > real(0.0))
   {
-    local.origin.hi.x = fromMiddle.hi;
-    local.origin.lo.x = fromMiddle.lo;
-    p = OnUnitSphere(local);
+    at.origin.hi.x = fromMiddle.hi;
+    at.origin.lo.x = fromMiddle.lo;
+    p = OnUnitSphere(at);
   }
   real smallest = min(glyph.size.y, glyph.size.z);
   return normalize(RotateToWorld(glyph, p * (real(0.5) * real3(smallest) / CapsuleEnd(glyph))));
+}
+
+RTG_FN bool IntersectCapsule(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
+{
+  LocalRay local;
+  Crossing crossing;
+  bool found = CapsuleCrossing(ray, glyph, tMin, tMax, local, crossing);
+  t = crossing.t;
+  normal = -ray.direction;
+  if (found && wantsNormal)
+  {
+    normal = CapsuleNormal(glyph, local, crossing);
+  }
+  return found;
 }
 
 RTG_FN void CapsuleBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)

@@ -29,25 +29,13 @@ RTG_FN bool ConeCrossing(const GlyphRay ray, const Glyph glyph, const real tMin,
   return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing);
 }
 
-RTG_FN bool IntersectCone(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
-{
-  LocalRay local;
-  Crossing crossing;
-  bool found = ConeCrossing(ray, glyph, tMin, tMax, local, crossing);
-  t = crossing.t;
-  return found;
-}
-
 RTG_FN Enclosure ConeEnclosure(const Glyph glyph)
 {
   return BoxedEnclosure(glyph);
 }
 
-RTG_FN real3 ConeNormal(const GlyphRay ray, const Glyph glyph, const real t)
+RTG_FN real3 ConeNormal(const Glyph glyph, const LocalRay local, const Crossing crossing)
 {
-  LocalRay local;
-  Crossing crossing;
-  ConeCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
   real3 normal = real3(crossing.face == 1 ? real(-1.0) : real(1.0), real(0.0), real(0.0));
   if (crossing.face == 0)
   {
@@ -58,6 +46,21 @@ RTG_FN real3 ConeNormal(const GlyphRay ray, const Glyph glyph, const real t)
     normal = real3(real(0.5) * radius, p.y, p.z) * (real3(smallest) / glyph.size);
   }
   return normalize(RotateToWorld(glyph, normal));
+}
+
+RTG_FN bool IntersectCone(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
+{
+  LocalRay local;
+  Crossing crossing;
+  bool found = ConeCrossing(ray, glyph, tMin, tMax, local, crossing);
+  t = crossing.t;
+  normal = -ray.direction;
+  if (found && wantsNormal)
+  {
+    normal = ConeNormal(glyph, local, crossing);
+  }
+  return found;
 }
 
 RTG_FN void ConeBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)

@@ -22,25 +22,13 @@ RTG_FN bool CylinderCrossing(const GlyphRay ray, const Glyph glyph, const real t
   return FirstCrossing(local, Intersection(height, side), tMin, tMax, crossing);
 }
 
-RTG_FN bool IntersectCylinder(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
-{
-  LocalRay local;
-  Crossing crossing;
-  bool found = CylinderCrossing(ray, glyph, tMin, tMax, local, crossing);
-  t = crossing.t;
-  return found;
-}
-
 RTG_FN Enclosure CylinderEnclosure(const Glyph glyph)
 {
   return BoxedEnclosure(glyph);
 }
 
-RTG_FN real3 CylinderNormal(const GlyphRay ray, const Glyph glyph, const real t)
+RTG_FN real3 CylinderNormal(const Glyph glyph, const LocalRay local, const Crossing crossing)
 {
-  LocalRay local;
-  Crossing crossing;
-  CylinderCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
   real3 normal = real3(real(0.0), crossing.face == 1 ? real(-1.0) : real(1.0), real(0.0));
   if (crossing.face == 0)
   {
@@ -49,6 +37,21 @@ RTG_FN real3 CylinderNormal(const GlyphRay ray, const Glyph glyph, const real t)
     normal = real3(p.x * (smallest / glyph.size.x), real(0.0), p.z * (smallest / glyph.size.z));
   }
   return normalize(RotateToWorld(glyph, normal));
+}
+
+RTG_FN bool IntersectCylinder(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
+{
+  LocalRay local;
+  Crossing crossing;
+  bool found = CylinderCrossing(ray, glyph, tMin, tMax, local, crossing);
+  t = crossing.t;
+  normal = -ray.direction;
+  if (found && wantsNormal)
+  {
+    normal = CylinderNormal(glyph, local, crossing);
+  }
+  return found;
 }
 
 RTG_FN void CylinderBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)

@@ -190,24 +190,31 @@ RTG_FN bool NextRoot(RTG_FIELD field, const Chord chord, RTG_SEARCH search, RTG_
 // The zero of f on a part of the ray, `low` to `high` from its origin, in double words. At low way f is positive.
 // `changes`: at high it is not, and the zero is Newton's, by a parabola where the second derivative is known, or, where
 // that leaves the bracket or dawdles, bisection's. Else the least of f is looked for by its slopes, which change their
-// sign once. False: there is none.
-RTG_FN bool Settle(
-  RTG_FIELD field, const LocalRay ray, real low, real high, const real way, const bool changes, RTG_OUT(LocalRay) at)
+// sign once. False: there is none. Where it is wanted, the gradient is that at the zero: one more evaluation.
+RTG_FN bool Settle(RTG_FIELD field, const LocalRay ray, real low, real high, const real way, const bool changes,
+  const bool wantsGradient, RTG_OUT(LocalRay) at, RTG_OUT(real3) gradient)
 {
   bool root = changes;
   bool more = true;
+  bool settled = false;
   real slopeLow = real(0.0);
   real slopeHigh = real(0.0);
   at = ray;
+  gradient = real3(real(0.0));
   for (int i = 0; i < 48 && more; ++i)
   {
     ImplicitPoint point = PointAt(field, at);
+    gradient = point.gradient;
     real f = way * (point.value.hi + point.value.lo);
     real slope = way * point.slope;
     real second = way * point.second;
     root = root || f <= real(0.0);
     real step = real(0.0);
-    if (root)
+    if (settled)
+    {
+      more = false;
+    }
+    else if (root)
     {
       low = f > real(0.0) ? real(0.0) : low;
       high = f > real(0.0) ? high : real(0.0);
@@ -216,10 +223,10 @@ RTG_FN bool Settle(
       real fall = sqrt(max(discriminant, real(0.0)));
       step = slope < real(0.0) ? real(2.0) * f / (fall - slope) : -(slope + fall) / second;
       bool newton = discriminant >= real(0.0) && (slope < real(0.0) || second > real(0.0)) && abs(f) < real(0.5);
-      bool settled =
+      settled =
         newton && (abs(step) <= real(1e-3) * point.accuracy || Remainder(point.strays, step) <= point.accuracy * fall);
       bool inside = newton && step >= low && step <= high && (i < 12 || (i & 1) == 0);
-      more = !settled;
+      more = !settled || wantsGradient;
       if (!settled && !inside)
       {
         step = real(0.5) * (low + high);
@@ -252,7 +259,8 @@ RTG_FN bool Settle(
 }
 
 // The nearest crossing in [tMin, tMax].
-RTG_FN SurfaceCrossing NearestCrossing(RTG_FIELD field, const Chord chord, const real tMin, const real tMax)
+RTG_FN SurfaceCrossing NearestCrossing(
+  RTG_FIELD field, const Chord chord, const real tMin, const real tMax, const bool wantsGradient)
 {
   SurfaceCrossing crossing = NoSurfaceCrossing(chord.ray);
   RTG_SEARCH search = StartSearch(field, chord);
@@ -269,7 +277,9 @@ RTG_FN SurfaceCrossing NearestCrossing(RTG_FIELD field, const Chord chord, const
       real way = search.a.outside ? real(1.0) : real(-1.0);
       LocalRay base = Advance(RayFrom(chord.unit, search.a.where, search.a.axis), search.near);
       LocalRay at;
-      bool crosses = Settle(field, base, search.low - search.near, search.high - search.near, way, changes, at);
+      real3 gradient;
+      bool crosses = Settle(
+        field, base, search.low - search.near, search.high - search.near, way, changes, wantsGradient, at, gradient);
       DoubleWord s;
       s.hi = chord.scale * at.start.hi;
       s.lo = chord.scale * at.start.lo;
@@ -280,6 +290,7 @@ RTG_FN SurfaceCrossing NearestCrossing(RTG_FIELD field, const Chord chord, const
         crossing.found = t <= tMax;
         crossing.t = t;
         crossing.at = at;
+        crossing.gradient = gradient;
       }
       else if (crosses && !changes)
       {

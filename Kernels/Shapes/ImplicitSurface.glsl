@@ -197,12 +197,14 @@ struct ImplicitPoint
   real3 gradient; // in absolute coordinates
 };
 
-// What is found: the ray with its origin at the crossing, and t.
+// What is found: the ray with its origin at the crossing, t, and where it is wanted the gradient, in absolute
+// coordinates.
 struct SurfaceCrossing
 {
   bool found;
   real t;
   LocalRay at;
+  real3 gradient;
   int steps;
 };
 
@@ -212,6 +214,7 @@ RTG_FN SurfaceCrossing NoSurfaceCrossing(const LocalRay ray)
   crossing.found = false;
   crossing.t = real(RTG_NEVER);
   crossing.at = ray;
+  crossing.gradient = real3(real(0.0));
   crossing.steps = 0;
   return crossing;
 }

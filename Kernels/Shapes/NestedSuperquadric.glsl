@@ -16,33 +16,32 @@
 #include "NestedField.glsl"
 
 RTG_FN SurfaceCrossing NestedSuperquadricCrossing(
-  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax)
+  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsGradient)
 {
   Chord chord;
   if (!ToChord(ray, glyph, tMin, tMax, chord))
   {
     return NoSurfaceCrossing(chord.ray);
   }
-  return NearestCrossing(MakeNestedField(chord, glyph.exponents), chord, tMin, tMax);
+  return NearestCrossing(MakeNestedField(chord, glyph.exponents), chord, tMin, tMax, wantsGradient);
 }
 
-RTG_FN bool
-IntersectNestedSuperquadric(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
+RTG_FN bool IntersectNestedSuperquadric(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
 {
-  SurfaceCrossing crossing = NestedSuperquadricCrossing(ray, glyph, tMin, tMax);
+  SurfaceCrossing crossing = NestedSuperquadricCrossing(ray, glyph, tMin, tMax, wantsNormal);
   t = crossing.t;
+  normal = -ray.direction;
+  if (crossing.found && wantsNormal)
+  {
+    normal = SurfaceNormal(glyph, crossing.at.origin.hi, crossing.gradient);
+  }
   return crossing.found;
 }
 
 RTG_FN Enclosure NestedSuperquadricEnclosure(const Glyph glyph)
 {
   return BoxedEnclosure(glyph);
-}
-
-RTG_FN real3 NestedSuperquadricNormal(const GlyphRay ray, const Glyph glyph, const real t)
-{
-  LocalRay at = NestedSuperquadricCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER)).at;
-  return SurfaceNormal(glyph, at.origin.hi, PointAt(MakeNestedField(NoChord(), glyph.exponents), at).gradient);
 }
 
 // The norm dual to the p-norm, p = 2 / exponent, of non-negative a, b: the reach of the p-norm's unit ball. Not

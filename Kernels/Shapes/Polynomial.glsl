@@ -498,15 +498,6 @@ RTG_FN SurfaceCrossing PolynomialCrossing(
   return crossing;
 }
 
-RTG_FN bool
-IntersectPolynomial(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
-{
-  real sign;
-  SurfaceCrossing crossing = PolynomialCrossing(ray, glyph, tMin, tMax, sign);
-  t = crossing.t;
-  return crossing.found;
-}
-
 // Its box is that of its own extents.
 RTG_FN Enclosure PolynomialEnclosure(const Glyph glyph)
 {
@@ -517,21 +508,30 @@ RTG_FN Enclosure PolynomialEnclosure(const Glyph glyph)
   return outer;
 }
 
-RTG_FN real3 PolynomialNormal(const GlyphRay ray, const Glyph glyph, const real t)
+// `sign`: of f there.
+RTG_FN real3 PolynomialNormal(const Glyph glyph, const DoubleWord3 at, const real sign)
 {
-  real sign;
-  SurfaceCrossing crossing = PolynomialCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), sign);
-  if (!crossing.found)
-  {
-    return -normalize(ray.direction);
-  }
-  FormPoint point = FormAt(glyph, crossing.at.origin, true);
+  FormPoint point = FormAt(glyph, at, true);
   DoubleWord3 distance;
   distance.hi = real3(point.distance.hi);
   distance.lo = real3(point.distance.lo);
-  real3 outward = Subtract(Divide(crossing.at.origin, distance), Multiply(point.gradient, real3(sign))).hi;
+  real3 outward = Subtract(Divide(at, distance), Multiply(point.gradient, real3(sign))).hi;
   real smallest = LeastOf(glyph.size);
   return normalize(RotateToWorld(glyph, outward * (real3(smallest) / glyph.size)));
+}
+
+RTG_FN bool IntersectPolynomial(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
+{
+  real sign;
+  SurfaceCrossing crossing = PolynomialCrossing(ray, glyph, tMin, tMax, sign);
+  t = crossing.t;
+  normal = -ray.direction;
+  if (crossing.found && wantsNormal)
+  {
+    normal = PolynomialNormal(glyph, crossing.at.origin, sign);
+  }
+  return crossing.found;
 }
 
 // The sign of f in the direction of a point that is given from the center, in the glyph's frame.

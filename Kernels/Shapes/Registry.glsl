@@ -8,8 +8,7 @@
 
 #include "List.h"
 
-// A new shape: its file, which defines Intersect<Name>, <Name>Enclosure, <Name>Normal and <Name>Bounds, and its entry
-// in List.h.
+// A new shape: its file, which defines Intersect<Name>, <Name>Enclosure and <Name>Bounds, and its entry in List.h.
 #include "Arrow.glsl"
 #include "Box.glsl"
 #include "Capsule.glsl"
@@ -21,20 +20,29 @@
 #include "Sphere.glsl"
 #include "Superquadric.glsl"
 
-// Nearest t in [tMin, tMax] where the ray crosses the glyph's surface; from inside, where it leaves.
-RTG_FN bool IntersectGlyph(
-  const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
+// Nearest t in [tMin, tMax] where the ray crosses the glyph's surface; from inside, where it leaves. Where it is wanted
+// and there is a crossing, also the outward unit normal there, in the world.
+RTG_FN bool IntersectGlyph(const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real tMin,
+  const real tMax, const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
 {
   bool found = false;
   t = tMin;
+  normal = -ray.direction;
 #define RTG_INTERSECT(number, Name)                                                                                    \
   if (RTG_IS(shape, number))                                                                                           \
   {                                                                                                                    \
-    found = Intersect##Name(ray, glyph, tMin, tMax, t);                                                                \
+    found = Intersect##Name(ray, glyph, tMin, tMax, wantsNormal, t, normal);                                           \
   }
   RTG_SHAPES(RTG_INTERSECT)
 #undef RTG_INTERSECT
   return found;
+}
+
+RTG_FN bool IntersectGlyph(
+  const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
+{
+  real3 normal;
+  return IntersectGlyph(shape, ray, glyph, tMin, tMax, false, t, normal);
 }
 
 // What the glyph lies in.
@@ -60,17 +68,15 @@ RTG_FN int EstimateGlyph(const RTG_SHAPE shape, const GlyphRay ray, const Glyph 
   return Estimate(local, outer, tMin, tMax, low, high);
 }
 
-// Outward unit normal in the world frame at a t that IntersectGlyph returned for this ray.
+// Outward unit normal in the world frame at a t that IntersectGlyph returned for this ray: the crossing is found anew,
+// from a little before, because another compilation of the same formula may have rounded t differently.
 RTG_FN real3 GlyphNormal(const RTG_SHAPE shape, const GlyphRay ray, const Glyph glyph, const real t)
 {
-  real3 normal = -ray.direction;
-#define RTG_NORMAL(number, Name)                                                                                       \
-  if (RTG_IS(shape, number))                                                                                           \
-  {                                                                                                                    \
-    normal = Name##Normal(ray, glyph, t);                                                                              \
-  }
-  RTG_SHAPES(RTG_NORMAL)
-#undef RTG_NORMAL
+  real largest = max(glyph.size.x, max(glyph.size.y, glyph.size.z));
+  real before = t - real(8.0) * real(RTG_ROUNDOFF) * (abs(t) + largest / length(ray.direction));
+  real again;
+  real3 normal;
+  IntersectGlyph(shape, ray, glyph, before, real(RTG_NEVER), true, again, normal);
   return normal;
 }
 

@@ -231,15 +231,6 @@ RTG_FN bool RoundConeCrossing(const GlyphRay ray, const Glyph glyph, const Round
   return FirstCrossing(local, kept, tMin, tMax, crossing) && !(innerIn && innerOut);
 }
 
-RTG_FN bool IntersectRoundCone(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
-{
-  LocalRay local;
-  Crossing crossing;
-  bool found = RoundConeCrossing(ray, glyph, FormOfRoundCone(glyph), tMin, tMax, local, crossing);
-  t = crossing.t;
-  return found;
-}
-
 RTG_FN Enclosure RoundConeEnclosure(const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
@@ -248,15 +239,11 @@ RTG_FN Enclosure RoundConeEnclosure(const Glyph glyph)
   return outer;
 }
 
-RTG_FN real3 RoundConeNormal(const GlyphRay ray, const Glyph glyph, const real t)
+RTG_FN real3 RoundConeNormal(const Glyph glyph, const RoundConeForm form, const LocalRay local, const Crossing crossing)
 {
-  LocalRay local;
-  Crossing crossing;
-  RoundConeForm form = FormOfRoundCone(glyph);
-  RoundConeCrossing(ray, glyph, form, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
-  local = Advance(Advance(local, crossing.s.hi), crossing.s.lo);
-  DoubleWord x = WordX(local.origin);
-  real3 p = local.origin.hi;
+  LocalRay at = Advance(Advance(local, crossing.s.hi), crossing.s.lo);
+  DoubleWord x = WordX(at.origin);
+  real3 p = at.origin.hi;
   real3 normal = real3(crossing.face == RTG_FIRST_DISC ? real(-1.0) : real(1.0), real(0.0), real(0.0));
   if (crossing.face == RTG_SIDE)
   {
@@ -271,6 +258,22 @@ RTG_FN real3 RoundConeNormal(const GlyphRay ray, const Glyph glyph, const real t
     normal = real3(Subtract(x, form.halfLength).hi, p.y, p.z);
   }
   return normalize(RotateToWorld(glyph, normal));
+}
+
+RTG_FN bool IntersectRoundCone(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
+{
+  RoundConeForm form = FormOfRoundCone(glyph);
+  LocalRay local;
+  Crossing crossing;
+  bool found = RoundConeCrossing(ray, glyph, form, tMin, tMax, local, crossing);
+  t = crossing.t;
+  normal = -ray.direction;
+  if (found && wantsNormal)
+  {
+    normal = RoundConeNormal(glyph, form, local, crossing);
+  }
+  return found;
 }
 
 RTG_FN void RoundConeBounds(const Glyph glyph, RTG_OUT(real3) lower, RTG_OUT(real3) upper)

@@ -239,15 +239,6 @@ RTG_FN bool NoCrossing(RTG_OUT(LocalRay) ray, RTG_OUT(Crossing) crossing)
   return false;
 }
 
-// Where a normal starts to look for the crossing that was found at t: another compilation of the same
-// formula may have rounded t differently.
-RTG_FN real Before(const GlyphRay ray, const Glyph glyph, const real t)
-{
-  real largest = max(glyph.size.x, max(glyph.size.y, glyph.size.z));
-  real glyphLength = largest / length(ray.direction);
-  return t - real(8.0) * real(RTG_ROUNDOFF) * (abs(t) + glyphLength);
-}
-
 // The local point at s in plain numbers.
 RTG_FN real3 PointAt(const LocalRay ray, const DoubleWord s)
 {

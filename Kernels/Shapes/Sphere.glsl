@@ -92,21 +92,6 @@ RTG_FN bool SphereCrossing(const GlyphRay ray, const Glyph glyph, const real tMi
   return FirstCrossing(local, span, tMin, tMax, crossing);
 }
 
-// Superquadrics with exponents of 2 are this, too.
-RTG_FN bool IntersectEllipsoid(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
-{
-  LocalRay local;
-  Crossing crossing;
-  bool found = SphereCrossing(ray, glyph, tMin, tMax, local, crossing);
-  t = crossing.t;
-  return found;
-}
-
-RTG_FN bool IntersectSphere(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
-{
-  return IntersectEllipsoid(ray, glyph, tMin, tMax, t);
-}
-
 RTG_FN Enclosure SphereEnclosure(const Glyph glyph)
 {
   Enclosure outer = BoxedEnclosure(glyph);
@@ -128,11 +113,8 @@ RTG_FN real3 OnUnitSphere(const LocalRay ray)
   return PointAt(ray, Word(step));
 }
 
-RTG_FN real3 EllipsoidNormal(const GlyphRay ray, const Glyph glyph, const real t)
+RTG_FN real3 EllipsoidNormal(const Glyph glyph, const LocalRay local, const Crossing crossing)
 {
-  LocalRay local;
-  Crossing crossing;
-  SphereCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER), local, crossing);
   if (glyph.sameSize)
   {
     return normalize(PointAt(local, crossing.s));
@@ -143,9 +125,26 @@ RTG_FN real3 EllipsoidNormal(const GlyphRay ray, const Glyph glyph, const real t
   return normalize(RotateToWorld(glyph, p * (real3(smallest) / glyph.size)));
 }
 
-RTG_FN real3 SphereNormal(const GlyphRay ray, const Glyph glyph, const real t)
+// Superquadrics with exponents of 2 are this, too.
+RTG_FN bool IntersectEllipsoid(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
 {
-  return EllipsoidNormal(ray, glyph, t);
+  LocalRay local;
+  Crossing crossing;
+  bool found = SphereCrossing(ray, glyph, tMin, tMax, local, crossing);
+  t = crossing.t;
+  normal = -ray.direction;
+  if (found && wantsNormal)
+  {
+    normal = EllipsoidNormal(glyph, local, crossing);
+  }
+  return found;
+}
+
+RTG_FN bool IntersectSphere(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
+{
+  return IntersectEllipsoid(ray, glyph, tMin, tMax, wantsNormal, t, normal);
 }
 
 // Half the extents of the ellipsoid with the given half-axes along the world's axes.

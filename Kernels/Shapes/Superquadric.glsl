@@ -289,69 +289,32 @@ RTG_FN bool IsEllipsoid(const Glyph glyph)
   return glyph.exponents.x == real(2.0) && glyph.exponents.y == real(2.0) && glyph.exponents.z == real(2.0);
 }
 
-RTG_FN SurfaceCrossing SuperquadricCrossing(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax)
+RTG_FN SurfaceCrossing SuperquadricCrossing(
+  const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, const bool wantsGradient)
 {
   Chord chord;
   if (!ToChord(ray, glyph, tMin, tMax, chord))
   {
     return NoSurfaceCrossing(chord.ray);
   }
-  return NearestCrossing(MakeSuperquadricField(chord, glyph.exponents), chord, tMin, tMax);
+  return NearestCrossing(MakeSuperquadricField(chord, glyph.exponents), chord, tMin, tMax, wantsGradient);
 }
 
-RTG_FN bool
-IntersectSuperquadric(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax, RTG_OUT(real) t)
+RTG_FN bool IntersectSuperquadric(const GlyphRay ray, const Glyph glyph, const real tMin, const real tMax,
+  const bool wantsNormal, RTG_OUT(real) t, RTG_OUT(real3) normal)
 {
   if (IsEllipsoid(glyph))
   {
-    return IntersectEllipsoid(ray, glyph, tMin, tMax, t);
+    return IntersectEllipsoid(ray, glyph, tMin, tMax, wantsNormal, t, normal);
   }
-  SurfaceCrossing crossing = SuperquadricCrossing(ray, glyph, tMin, tMax);
+  SurfaceCrossing crossing = SuperquadricCrossing(ray, glyph, tMin, tMax, wantsNormal);
   t = crossing.t;
-  return crossing.found;
-}
-
-// The gradient where the crossing was found whose parameter was rounded to t, by a few of Newton's steps in double
-// words, and the ray from there. False: the surface may have other crossings within t's rounding, or an edge, and only
-// the search tells which one it was.
-RTG_FN bool
-GradientNear(const GlyphRay ray, const Glyph glyph, const real t, RTG_OUT(real3) gradient, RTG_OUT(LocalRay) at)
-{
-  gradient = real3(real(0.0));
-  Chord chord;
-  bool near = ToChord(ray, glyph, -real(RTG_NEVER), real(RTG_NEVER), chord);
-  at = chord.unit;
-  if (near)
+  normal = -ray.direction;
+  if (crossing.found && wantsNormal)
   {
-    SuperquadricField field = MakeSuperquadricField(chord, glyph.exponents);
-    real doubt = (t - Before(ray, glyph, t)) / chord.scale;
-    DoubleWord s = Add(Word(t), Minus(chord.ray.start));
-    s.hi = s.hi / chord.scale;
-    s.lo = s.lo / chord.scale;
-    at = RayFrom(chord.unit, s, -1);
-    bool more = true;
-    for (int i = 0; i < 4 && more; ++i)
-    {
-      ImplicitPoint point = PointAt(field, at);
-      // How fast the slope changes, at most, in twice the doubt: the third derivative holds within `reach`.
-      real bend = abs(point.second) + real(2.0) * doubt * point.strays.third;
-      real step = -point.value.hi / point.slope;
-      near = real(4.0) * doubt <= point.strays.reach && real(4.0) * doubt * bend <= abs(point.slope) &&
-        abs(step) <= real(2.0) * doubt;
-      // As it is one step on; what that leaves out is less than the square of the change.
-      real3 x = at.origin.hi;
-      real3 rate = at.direction.hi /
-        real3(x.x == real(0.0) ? real(RTG_NEVER) : x.x, x.y == real(0.0) ? real(RTG_NEVER) : x.y,
-          x.z == real(0.0) ? real(RTG_NEVER) : x.z);
-      gradient = point.gradient * (real3(real(1.0)) + step * (glyph.exponents - real3(real(1.0))) * rate);
-      more = near && !(abs(step) * SumOf(abs(rate) * glyph.exponents) <= real(1.0e-4));
-      if (more)
-      {
-        at = Advance(at, step);
-      }
-    }
+    normal = SurfaceNormal(glyph, crossing.at.origin.hi, crossing.gradient);
   }
-  return near;
+  return crossing.found;
 }
 
 RTG_FN Enclosure SuperquadricEnclosure(const Glyph glyph)
@@ -362,25 +325,6 @@ RTG_FN Enclosure SuperquadricEnclosure(const Glyph glyph)
   outer.radius = m <= real(2.0) ? real(1.0) : m <= real(4.0) ? real(1.3160741) : outer.radius;
   outer.fills = IsEllipsoid(glyph);
   return outer;
-}
-
-RTG_FN real3 SuperquadricNormal(const GlyphRay ray, const Glyph glyph, const real t)
-{
-  if (IsEllipsoid(glyph))
-  {
-    return EllipsoidNormal(ray, glyph, t);
-  }
-  real3 gradient;
-  LocalRay at;
-  if (!GradientNear(ray, glyph, t, gradient, at))
-  {
-    at = SuperquadricCrossing(ray, glyph, Before(ray, glyph, t), real(RTG_NEVER)).at;
-    SuperquadricField field;
-    field.exponents = glyph.exponents;
-    field.accuracy = real(0.0);
-    gradient = PointAt(field, at).gradient;
-  }
-  return SurfaceNormal(glyph, at.origin.hi, gradient);
 }
 
 // The largest a.x u + a.y v + a.z w on |u|^e.x + |v|^e.y + |w|^e.z <= 1, a >= 0; with exponents below 1 on the larger

@@ -388,11 +388,7 @@ struct Rivals
   static Hit Kept(const GlyphRay& ray, const Glyph& glyph, Real tMin, bool normal)
   {
     Hit hit;
-    hit.found = K::IntersectSuperquadric(ray, glyph, tMin, Real(1e30), hit.t);
-    if (hit.found && normal)
-    {
-      hit.normal = K::SuperquadricNormal(ray, glyph, hit.t);
-    }
+    hit.found = K::IntersectSuperquadric(ray, glyph, tMin, Real(1e30), normal, hit.t, hit.normal);
     return hit;
   }
 

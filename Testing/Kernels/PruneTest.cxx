@@ -68,17 +68,17 @@ TEST(Prune, LeavesConstantsAndWhatIsCalled)
   for (const rtg::programs::Code& code : AllPrograms())
   {
     const Contents before = Read(code.words, code.bytes / sizeof(std::uint32_t));
-    for (const char* name : { "NestedSuperquadricNormal", "SuperquadricNormal", "CylinderNormal" })
+    for (const char* name : { "NestedSuperquadricCrossing", "SuperquadricCrossing", "CylinderNormal" })
     {
-      // Programs of intersection have no normals.
-      EXPECT_EQ(before.functionNames.count(name), before.functionNames.count("SphereNormal")) << name;
+      // A shape that is there is there with its normal.
+      EXPECT_EQ(before.functionNames.count(name), before.functionNames.count("EllipsoidNormal")) << name;
     }
     rtg::Constants constants;
     constants.shapes = 1u << static_cast<std::uint32_t>(rtg::Shape::Sphere);
     const std::vector<std::uint32_t> pruned = rtg::Prune(code, constants);
     const Contents after = Read(pruned.data(), pruned.size());
     EXPECT_EQ(after.constants, before.constants);
-    for (const char* name : { "IntersectSphere", "SphereNormal", "Traverse" })
+    for (const char* name : { "IntersectSphere", "SphereCrossing", "Traverse" })
     {
       EXPECT_EQ(after.functionNames.count(name), before.functionNames.count(name)) << name;
     }

@@ -98,10 +98,11 @@ TEST(SuperquadricTest, StepsAreExhaustedOnlyAtSilhouettes)
   std::erase_if(subjects, [](const Subject& subject) { return subject.shape != Shape::Superquadric; });
   StepCount axes, nested;
   axes.Add(subjects,
-    [](const auto& ray, const auto& glyph) { return Kernel::SuperquadricCrossing(ray, glyph, -1e30f, 1e30f); });
+    [](const auto& ray, const auto& glyph) { return Kernel::SuperquadricCrossing(ray, glyph, -1e30f, 1e30f, false); });
   axes.Expect("superquadrics");
   nested.Add(NestedSubjects(),
-    [](const auto& ray, const auto& glyph) { return Kernel::NestedSuperquadricCrossing(ray, glyph, -1e30f, 1e30f); });
+    [](const auto& ray, const auto& glyph)
+    { return Kernel::NestedSuperquadricCrossing(ray, glyph, -1e30f, 1e30f, false); });
   nested.Expect("nested");
 }
 
