@@ -172,11 +172,7 @@ RTG_FN bool IntersectArrow(const GlyphRay ray, const Glyph glyph, const real tMi
   Crossing crossing;
   bool found = ArrowCrossing(ray, glyph, tMin, tMax, local, head, crossing);
   t = crossing.t;
-  normal = -ray.direction;
-  if (found && wantsNormal)
-  {
-    normal = ArrowNormal(glyph, local, head, crossing);
-  }
+  normal = found && wantsNormal ? ArrowNormal(glyph, local, head, crossing) : -ray.direction;
   return found;
 }
 

@@ -37,11 +37,7 @@ RTG_FN bool IntersectBox(const GlyphRay ray, const Glyph glyph, const real tMin,
   Crossing crossing;
   bool found = BoxCrossing(ray, glyph, tMin, tMax, crossing);
   t = crossing.t;
-  normal = -ray.direction;
-  if (found && wantsNormal)
-  {
-    normal = BoxNormal(glyph, crossing);
-  }
+  normal = found && wantsNormal ? BoxNormal(glyph, crossing) : -ray.direction;
   return found;
 }
 

@@ -83,11 +83,7 @@ RTG_FN bool IntersectCapsule(const GlyphRay ray, const Glyph glyph, const real t
   Crossing crossing;
   bool found = CapsuleCrossing(ray, glyph, tMin, tMax, local, crossing);
   t = crossing.t;
-  normal = -ray.direction;
-  if (found && wantsNormal)
-  {
-    normal = CapsuleNormal(glyph, local, crossing);
-  }
+  normal = found && wantsNormal ? CapsuleNormal(glyph, local, crossing) : -ray.direction;
   return found;
 }
 

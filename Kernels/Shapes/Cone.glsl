@@ -55,11 +55,7 @@ RTG_FN bool IntersectCone(const GlyphRay ray, const Glyph glyph, const real tMin
   Crossing crossing;
   bool found = ConeCrossing(ray, glyph, tMin, tMax, local, crossing);
   t = crossing.t;
-  normal = -ray.direction;
-  if (found && wantsNormal)
-  {
-    normal = ConeNormal(glyph, local, crossing);
-  }
+  normal = found && wantsNormal ? ConeNormal(glyph, local, crossing) : -ray.direction;
   return found;
 }
 

@@ -46,11 +46,7 @@ RTG_FN bool IntersectCylinder(const GlyphRay ray, const Glyph glyph, const real 
   Crossing crossing;
   bool found = CylinderCrossing(ray, glyph, tMin, tMax, local, crossing);
   t = crossing.t;
-  normal = -ray.direction;
-  if (found && wantsNormal)
-  {
-    normal = CylinderNormal(glyph, local, crossing);
-  }
+  normal = found && wantsNormal ? CylinderNormal(glyph, local, crossing) : -ray.direction;
   return found;
 }
 

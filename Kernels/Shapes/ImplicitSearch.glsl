@@ -226,12 +226,12 @@ RTG_FN bool Settle(RTG_FIELD field, const LocalRay ray, real low, real high, con
       settled =
         newton && (abs(step) <= real(1e-3) * point.accuracy || Remainder(point.strays, step) <= point.accuracy * fall);
       bool inside = newton && step >= low && step <= high && (i < 12 || (i & 1) == 0);
-      more = !settled || wantsGradient;
       if (!settled && !inside)
       {
         step = real(0.5) * (low + high);
-        more = high - low > field.accuracy;
+        settled = !(high - low > field.accuracy);
       }
+      more = !settled || wantsGradient;
     }
     else
     {

@@ -31,11 +31,8 @@ RTG_FN bool IntersectNestedSuperquadric(const GlyphRay ray, const Glyph glyph, c
 {
   SurfaceCrossing crossing = NestedSuperquadricCrossing(ray, glyph, tMin, tMax, wantsNormal);
   t = crossing.t;
-  normal = -ray.direction;
-  if (crossing.found && wantsNormal)
-  {
-    normal = SurfaceNormal(glyph, crossing.at.origin.hi, crossing.gradient);
-  }
+  normal =
+    crossing.found && wantsNormal ? SurfaceNormal(glyph, crossing.at.origin.hi, crossing.gradient) : -ray.direction;
   return crossing.found;
 }
 

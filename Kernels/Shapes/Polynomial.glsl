@@ -526,11 +526,7 @@ RTG_FN bool IntersectPolynomial(const GlyphRay ray, const Glyph glyph, const rea
   real sign;
   SurfaceCrossing crossing = PolynomialCrossing(ray, glyph, tMin, tMax, sign);
   t = crossing.t;
-  normal = -ray.direction;
-  if (crossing.found && wantsNormal)
-  {
-    normal = PolynomialNormal(glyph, crossing.at.origin, sign);
-  }
+  normal = crossing.found && wantsNormal ? PolynomialNormal(glyph, crossing.at.origin, sign) : -ray.direction;
   return crossing.found;
 }
 

@@ -27,7 +27,7 @@ RTG_FN bool IntersectGlyph(const RTG_SHAPE shape, const GlyphRay ray, const Glyp
 {
   bool found = false;
   t = tMin;
-  normal = -ray.direction;
+  normal = -ray.direction; // where there is none
 #define RTG_INTERSECT(number, Name)                                                                                    \
   if (RTG_IS(shape, number))                                                                                           \
   {                                                                                                                    \
@@ -76,8 +76,8 @@ RTG_FN real3 GlyphNormal(const RTG_SHAPE shape, const GlyphRay ray, const Glyph 
   real before = t - real(8.0) * real(RTG_ROUNDOFF) * (abs(t) + largest / length(ray.direction));
   real again;
   real3 normal;
-  IntersectGlyph(shape, ray, glyph, before, real(RTG_NEVER), true, again, normal);
-  return normal;
+  bool found = IntersectGlyph(shape, ray, glyph, before, real(RTG_NEVER), true, again, normal);
+  return found ? normal : -normalize(ray.direction);
 }
 
 // Axis-aligned bounds in the frame of the centres, tight but for rounding: pad them before use.

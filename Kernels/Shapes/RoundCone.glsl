@@ -268,11 +268,7 @@ RTG_FN bool IntersectRoundCone(const GlyphRay ray, const Glyph glyph, const real
   Crossing crossing;
   bool found = RoundConeCrossing(ray, glyph, form, tMin, tMax, local, crossing);
   t = crossing.t;
-  normal = -ray.direction;
-  if (found && wantsNormal)
-  {
-    normal = RoundConeNormal(glyph, form, local, crossing);
-  }
+  normal = found && wantsNormal ? RoundConeNormal(glyph, form, local, crossing) : -ray.direction;
   return found;
 }
 

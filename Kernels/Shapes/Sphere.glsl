@@ -133,11 +133,7 @@ RTG_FN bool IntersectEllipsoid(const GlyphRay ray, const Glyph glyph, const real
   Crossing crossing;
   bool found = SphereCrossing(ray, glyph, tMin, tMax, local, crossing);
   t = crossing.t;
-  normal = -ray.direction;
-  if (found && wantsNormal)
-  {
-    normal = EllipsoidNormal(glyph, local, crossing);
-  }
+  normal = found && wantsNormal ? EllipsoidNormal(glyph, local, crossing) : -ray.direction;
   return found;
 }
 

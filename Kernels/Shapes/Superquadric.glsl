@@ -309,11 +309,8 @@ RTG_FN bool IntersectSuperquadric(const GlyphRay ray, const Glyph glyph, const r
   }
   SurfaceCrossing crossing = SuperquadricCrossing(ray, glyph, tMin, tMax, wantsNormal);
   t = crossing.t;
-  normal = -ray.direction;
-  if (crossing.found && wantsNormal)
-  {
-    normal = SurfaceNormal(glyph, crossing.at.origin.hi, crossing.gradient);
-  }
+  normal =
+    crossing.found && wantsNormal ? SurfaceNormal(glyph, crossing.at.origin.hi, crossing.gradient) : -ray.direction;
   return crossing.found;
 }
 

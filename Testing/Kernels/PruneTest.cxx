@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -82,6 +83,9 @@ TEST(Prune, LeavesConstantsAndWhatIsCalled)
     {
       EXPECT_EQ(after.functionNames.count(name), before.functionNames.count(name)) << name;
     }
+    // Programs of intersection want no normal; those that walk trees or shade do.
+    EXPECT_EQ(after.functionNames.count("EllipsoidNormal"),
+      std::max(before.functionNames.count("Traverse"), before.functionNames.count("GlyphNormal")));
     // One set: what it has is known, so nobody asks.
     for (const char* name :
       { "IntersectNestedSuperquadric", "IntersectSuperquadric", "IntersectCylinder", "CylinderNormal",
