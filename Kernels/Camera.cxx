@@ -1,5 +1,6 @@
 #include "Camera.h"
 
+#include "Finite.h"
 #include "Glyphs.h"
 
 #include <cmath>
@@ -14,11 +15,6 @@ glm::dvec3 Unproject(const glm::dmat4& clipToWorld, double x, double y, double z
 {
   const glm::dvec4 p = clipToWorld * glm::dvec4(x, y, z, 1.0);
   return glm::dvec3(p) / p.w;
-}
-
-bool IsFinite(const glm::dvec3& v)
-{
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 } // namespace

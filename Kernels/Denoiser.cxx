@@ -20,7 +20,7 @@ constexpr float distances[3][3] = { { 0.0f, 1.0f, 2.0f }, { 1.0f, 1.414f, 2.236f
 constexpr float kernel[2] = { 0.5f, 0.25f }; // binomial; wider ones take thrice the time and gain little
 
 // Light of a pixel and the variance of its luminance.
-using Light = glm::vec4;
+using Estimate = glm::vec4;
 
 float Luminance(const glm::vec3& light)
 {
@@ -94,7 +94,7 @@ public:
   }
 
   // The variance of the luminance around each pixel, over pixels alike.
-  void EstimateVariance(std::vector<Light>& lights) const
+  void EstimateVariance(std::vector<Estimate>& lights) const
   {
     std::vector<float> variances(lights.size(), 0.0f);
     this->ForRows(
@@ -133,9 +133,9 @@ public:
   }
 
   // One level of the transform: a smoother image from one of taps `step` apart.
-  std::vector<Light> Smooth(const std::vector<Light>& lights, int step) const
+  std::vector<Estimate> Smooth(const std::vector<Estimate>& lights, int step) const
   {
-    std::vector<Light> smooth(lights);
+    std::vector<Estimate> smooth(lights);
     this->ForRows(
       [&](int y)
       {
@@ -181,7 +181,7 @@ private:
   }
 
   // Noise around a pixel, itself less noisy than one pixel's estimate.
-  float Deviation(const std::vector<Light>& lights, int x, int y) const
+  float Deviation(const std::vector<Estimate>& lights, int x, int y) const
   {
     float sum = 0.0f, weights = 0.0f;
     for (int dy = -1; dy <= 1; ++dy)
@@ -199,7 +199,7 @@ private:
     return std::sqrt(sum / weights);
   }
 
-  Light SmoothPixel(const std::vector<Light>& lights, int x, int y, int step) const
+  Estimate SmoothPixel(const std::vector<Estimate>& lights, int x, int y, int step) const
   {
     const std::size_t at = this->At(x, y);
     const float luminance = Luminance(glm::vec3(lights[at]));
@@ -232,7 +232,7 @@ private:
         weights += weight;
       }
     }
-    return Light(light / weights, variance / (weights * weights));
+    return Estimate(light / weights, variance / (weights * weights));
   }
 
   int width_, height_;
@@ -246,12 +246,12 @@ void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides)
 {
   const Filter filter(guides);
   const auto colourOf = [&](std::size_t i) { return glm::max(guides.albedos[i], glm::vec3(darkest)); };
-  std::vector<Light> lights(means.size(), Light(0.0f));
+  std::vector<Estimate> lights(means.size(), Estimate(0.0f));
   for (std::size_t i = 0; i < means.size(); ++i)
   {
     if (means[i].a > 0.0f)
     {
-      lights[i] = Light(glm::vec3(means[i]) / means[i].a / colourOf(i), 0.0f);
+      lights[i] = Estimate(glm::vec3(means[i]) / means[i].a / colourOf(i), 0.0f);
     }
   }
   filter.EstimateVariance(lights);

@@ -282,14 +282,14 @@ std::uint8_t StepExponent(float extent)
 }
 
 // Whole numbers beside one that is not negative, 255 at most.
-std::uint8_t RoundDown(double value)
+std::uint8_t StepBelow(double value)
 {
   return static_cast<std::uint8_t>(std::min(value, 255.0));
 }
 
-std::uint8_t RoundUp(double value)
+std::uint8_t StepAbove(double value)
 {
-  const std::uint8_t down = RoundDown(value);
+  const std::uint8_t down = StepBelow(value);
   return static_cast<std::uint8_t>(down + (down < 255 && down < value));
 }
 
@@ -313,8 +313,8 @@ GlyphTreeNode Quantise(const Box& whole, const Box* children, std::size_t count,
       const bool none = child >= count || children[child].Empty();
       const double lower = none ? 255.0 : (children[child].lower[axis] - padding - origin) * perStep;
       const double upper = none ? 0.0 : (children[child].upper[axis] + padding - origin) * perStep;
-      node.planes[axis][0][child] = RoundDown(lower);
-      node.planes[axis][1][child] = RoundUp(upper);
+      node.planes[axis][0][child] = StepBelow(lower);
+      node.planes[axis][1][child] = StepAbove(upper);
     }
   }
   return node;

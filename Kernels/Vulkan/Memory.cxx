@@ -16,11 +16,6 @@ namespace
 /// Everything that structures, tables and programs ask of an address, whatever drivers say of their buffers.
 constexpr vk::DeviceSize leastAlignment = 256;
 
-vk::DeviceSize AlignUp(vk::DeviceSize value, vk::DeviceSize alignment)
-{
-  return (value + alignment - 1) / alignment * alignment;
-}
-
 } // namespace
 
 struct MemoryPiece::Block

@@ -15,6 +15,12 @@ namespace rtg
 
 class Memory;
 
+/// The least multiple of an alignment that is not below the value.
+inline vk::DeviceSize AlignUp(vk::DeviceSize value, vk::DeviceSize alignment)
+{
+  return (value + alignment - 1) / alignment * alignment;
+}
+
 /// A part of a block that belongs to its holder.
 class MemoryPiece
 {

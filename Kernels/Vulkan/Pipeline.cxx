@@ -42,11 +42,6 @@ vk::raii::ShaderModule MakeModule(Device::State& device, const programs::Code& c
     device.device, vk::ShaderModuleCreateInfo({}, words.size() * sizeof(std::uint32_t), words.data()));
 }
 
-std::size_t AlignUp(std::size_t value, std::size_t alignment)
-{
-  return (value + alignment - 1) / alignment * alignment;
-}
-
 } // namespace
 
 FrameBlock::FrameBlock(Device::State& device)

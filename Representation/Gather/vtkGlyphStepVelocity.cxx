@@ -1,5 +1,6 @@
 #include "vtkGlyphStepVelocity.h"
 
+#include "Finite.h"
 #include "vtkAlgorithm.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
@@ -31,11 +32,6 @@ struct ReadIds
       values.begin(), values.end(), ids.begin(), [](auto value) { return static_cast<std::int64_t>(value); });
   }
 };
-
-bool IsFinite(const double x[3])
-{
-  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-}
 }
 
 //----------------------------------------------------------------------------
@@ -115,7 +111,7 @@ std::vector<vtkGlyphStepVelocity::Entry> vtkGlyphStepVelocity::EntriesOf(vtkPoly
     {
       ++last;
     }
-    if (last == first + 1 && IsFinite(entries[first].X))
+    if (last == first + 1 && rtg::IsFinite(entries[first].X))
     {
       entries[kept++] = entries[first];
     }

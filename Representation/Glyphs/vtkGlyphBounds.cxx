@@ -1,5 +1,6 @@
 #include "vtkGlyphBounds.h"
 
+#include "Finite.h"
 #include "GlyphBoxes.h"
 #include "Stopwatch.h"
 #include "vtkDataArray.h"
@@ -80,7 +81,7 @@ private:
     for (vtkIdType i = begin; i < end; ++i)
     {
       const double* x = positions.Get(i);
-      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]) || !this->IsVisible(i))
+      if (!rtg::IsFinite(x) || !this->IsVisible(i))
       {
         continue;
       }

@@ -27,13 +27,13 @@ rtg::FormMap MapOf(int components, const vtkGlyphForms::Settings& settings)
   }
 }
 
-struct Words
+struct Demand
 {
   const char* Property;
   const char* Counts;
 };
 
-Words WordsOf(const vtkGlyphForms::Settings& settings)
+Demand DemandOf(const vtkGlyphForms::Settings& settings)
 {
   switch (settings.Kind)
   {
@@ -93,21 +93,21 @@ vtkDataArray* vtkGlyphForms::Array(vtkPolyData* points, const Settings& settings
 std::string vtkGlyphForms::Problem(vtkDataArray* array, const Settings& settings)
 {
   std::ostringstream text;
-  const Words words = WordsOf(settings);
+  const Demand demand = DemandOf(settings);
   if (vtkRayTracedArrays::IsNone(settings.Array))
   {
     text << (settings.Kind == HARMONICS ? "Spherical harmonics need coefficients." : "Tensor glyphs need tensors.")
-         << " Choose a point array of " << words.Counts << " components as " << words.Property << ".";
+         << " Choose a point array of " << demand.Counts << " components as " << demand.Property << ".";
   }
   else if (!array)
   {
-    text << "There is no point array '" << settings.Array << "', which " << words.Property
-         << " names, so there are no glyphs. Choose one of " << words.Counts << " components.";
+    text << "There is no point array '" << settings.Array << "', which " << demand.Property
+         << " names, so there are no glyphs. Choose one of " << demand.Counts << " components.";
   }
   else if (!Fits(array->GetNumberOfComponents(), settings))
   {
-    text << "The point array '" << settings.Array << "', which " << words.Property << " names, has "
-         << array->GetNumberOfComponents() << " components where " << words.Counts
+    text << "The point array '" << settings.Array << "', which " << demand.Property << " names, has "
+         << array->GetNumberOfComponents() << " components where " << demand.Counts
          << " are needed, so there are no glyphs. Choose another array.";
   }
   return text.str();

@@ -1,5 +1,6 @@
 #include "vtkGlyphHighScale.h"
 
+#include "Finite.h"
 #include "vtkCommunicator.h"
 #include "vtkGlyphTuples.h"
 #include "vtkMath.h"
@@ -18,11 +19,6 @@
 namespace
 {
 constexpr double highShare = 0.95; // of the scales that are not above the high one
-
-bool IsPositive(double value)
-{
-  return value > 0.0 && std::isfinite(value);
-}
 }
 
 //----------------------------------------------------------------------------
@@ -123,9 +119,9 @@ double vtkGlyphHighScale::Reference(
   if (!settings.NeedsHighScale())
   {
     const bool scaled = settings.Scaling && !vtkRayTracedArrays::IsNone(settings.ScaleArray);
-    return scaled && IsPositive(settings.ArrowReference) ? settings.Sizing(settings.ArrowReference) : 1.0;
+    return scaled && rtg::IsPositive(settings.ArrowReference) ? settings.Sizing(settings.ArrowReference) : 1.0;
   }
-  return IsPositive(settings.HighScale) ? settings.HighScale : Count(points, settings, blocks).High();
+  return rtg::IsPositive(settings.HighScale) ? settings.HighScale : Count(points, settings, blocks).High();
 }
 
 //----------------------------------------------------------------------------
@@ -151,7 +147,7 @@ vtkGlyphHighScale::Histogram vtkGlyphHighScale::Count(
         const double* tuple = scales.Get(candidates[k]);
         const double scale = byComponents ? settings.Sizing(glm::dvec3(std::abs(tuple[0]), tuple[1], tuple[2])).x
                                           : settings.Sizing(vtkMath::Norm(tuple, scales.Size()));
-        if (IsPositive(scale)) // else there is no glyph
+        if (rtg::IsPositive(scale)) // else there is no glyph
         {
           own.Add(scale);
         }

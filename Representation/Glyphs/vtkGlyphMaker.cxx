@@ -1,5 +1,6 @@
 #include "vtkGlyphMaker.h"
 
+#include "Finite.h"
 #include "vtkDataArray.h"
 #include "vtkGlyphForms.h"
 #include "vtkGlyphTensors.h"
@@ -14,16 +15,6 @@ using namespace vtkGlyphOutcomes;
 
 namespace
 {
-bool IsPositive(double value)
-{
-  return value > 0.0 && std::isfinite(value);
-}
-
-bool IsFinite(const glm::dvec3& x)
-{
-  return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
-}
-
 glm::dvec3 ToVector(const double* x)
 {
   return { x[0], x[1], x[2] };
@@ -129,7 +120,7 @@ bool vtkGlyphMaker::MakeExponents(const double* tuple, int components, glm::vec3
     // Along z, across; the third is not used.
     e = components > 1 ? glm::dvec3(tuple[0], tuple[1], tuple[1]) : glm::dvec3(tuple[0]);
   }
-  if (!IsPositive(e.x) || !IsPositive(e.y) || !IsPositive(e.z))
+  if (!rtg::IsPositive(e.x) || !rtg::IsPositive(e.y) || !rtg::IsPositive(e.z))
   {
     return false;
   }
@@ -148,7 +139,7 @@ glm::dvec3 vtkGlyphMaker::MiddleOf(const std::vector<vtkIdType>& points) const
   for (std::size_t k = 0; k < points.size(); k += step)
   {
     const glm::dvec3 x = ToVector(positions.Get(points[k]));
-    for (int axis = 0; axis < 3 && IsFinite(x); ++axis)
+    for (int axis = 0; axis < 3 && rtg::IsFinite(x); ++axis)
     {
       coordinates[axis].push_back(x[axis]);
     }
@@ -284,7 +275,7 @@ Outcome vtkGlyphMaker::Make(
     return outcome;
   }
   const glm::dvec3 place = this->PlaceOf(point, tuples) - origin;
-  if (!IsFinite(glm::vec3(place)))
+  if (!rtg::IsFinite(glm::vec3(place)))
   {
     return POSITION;
   }
@@ -314,7 +305,7 @@ Outcome vtkGlyphMaker::Make(
   if (vtkGlyphTuples& radii = tuples[vtkGlyphArrays::RADIUS])
   {
     const double width = this->How.Width(*radii.Get(point));
-    if (!IsPositive(width))
+    if (!rtg::IsPositive(width))
     {
       return width == 0.0 ? ZERO_RADIUS : RADIUS;
     }
@@ -337,7 +328,7 @@ Outcome vtkGlyphMaker::Make(
   const glm::vec3 extent(glm::abs(size));
   glyph.Size = this->How.Shape == rtg::Shape::Mesh ? glm::vec3(size) : extent;
   glyph.Turn = this->IsTurned() ? glm::vec4(rotation.x, rotation.y, rotation.z, rotation.w) : NoTurn;
-  if (!IsFinite(extent))
+  if (!rtg::IsFinite(extent))
   {
     return SCALE;
   }

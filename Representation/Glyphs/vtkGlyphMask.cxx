@@ -1,5 +1,6 @@
 #include "vtkGlyphMask.h"
 
+#include "Finite.h"
 #include "vtkDataArray.h"
 #include "vtkGlyphTuples.h"
 #include "vtkPointData.h"
@@ -68,7 +69,7 @@ void FindBoxes(std::vector<Sample>& samples, vtkDataArray* positions)
       for (vtkIdType k = begin; k < end; ++k)
       {
         const double* x = tuples.Get(samples[k].Point);
-        if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
+        if (rtg::IsFinite(x))
         {
           box.Add(glm::dvec3(x[0], x[1], x[2]), glm::dvec3(x[0], x[1], x[2]));
         }

@@ -1,5 +1,6 @@
 #include "vtkGlyphMotion.h"
 
+#include "Finite.h"
 #include "vtkDataArray.h"
 #include "vtkGlyphStepVelocity.h"
 #include "vtkPointData.h"
@@ -38,13 +39,6 @@ std::string NameOf(const vtkGlyphMotion::Settings& settings, int kind)
 bool IsNamed(const vtkGlyphMotion::Settings& settings, int kind)
 {
   return !vtkRayTracedArrays::IsNone(NameOf(settings, kind));
-}
-
-bool IsFinite3(const glm::dvec3& v)
-{
-  // As the kernels will have it: a double may be beyond the range of float.
-  const glm::vec3 stored(v);
-  return std::isfinite(stored.x) && std::isfinite(stored.y) && std::isfinite(stored.z);
 }
 
 void ClearZeros(std::vector<glm::vec3>& values)
@@ -152,7 +146,7 @@ bool vtkGlyphMotion::IsFinite(vtkIdType point) const
 {
   for (int kind = 0; kind < KINDS; ++kind)
   {
-    if (this->Found[kind] && !IsFinite3(this->Tuple(kind, point)))
+    if (this->Found[kind] && !rtg::IsFiniteInFloat(this->Tuple(kind, point)))
     {
       return false;
     }
@@ -161,7 +155,7 @@ bool vtkGlyphMotion::IsFinite(vtkIdType point) const
   {
     // Nor may the way be beyond the range.
     const rtg::DoubleBox range = this->Range(point);
-    return IsFinite3(range.lower) && IsFinite3(range.upper);
+    return rtg::IsFiniteInFloat(range.lower) && rtg::IsFiniteInFloat(range.upper);
   }
   return true;
 }

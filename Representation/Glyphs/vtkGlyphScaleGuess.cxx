@@ -1,5 +1,6 @@
 #include "vtkGlyphScaleGuess.h"
 
+#include "Finite.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkGlyphArrayNames.h"
@@ -29,11 +30,6 @@ constexpr double leastArea = 0.25;  // of all glyphs, as a share of that of as m
 constexpr double mostExcess = 2.0;  // so much smaller all glyphs become for the largest to fit
 constexpr double manyLimited = 8.0; // so many of the largest glyphs cover a quarter of the longest side's square
 constexpr double arrowLength = 2.5; // of typical glyphs' size: arrows are thin
-
-bool IsPositive(double value)
-{
-  return value > 0.0 && std::isfinite(value);
-}
 
 vtkMultiProcessController* Others()
 {
@@ -88,7 +84,7 @@ double TwoDigits(double value)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
   const double digits = std::floor(value / unit * (1.0 + 1e-12));
-  return IsPositive(unit) && digits > 0.0 ? (unit < 1.0 ? digits / std::round(1.0 / unit) : digits * unit) : value;
+  return rtg::IsPositive(unit) && digits > 0.0 ? (unit < 1.0 ? digits / std::round(1.0 / unit) : digits * unit) : value;
 }
 
 // The points that carry glyphs.
@@ -209,7 +205,7 @@ Extents Measure(const Points& points)
   for (vtkIdType i : points.Sample(wanted))
   {
     const double* p = positions.Get(i);
-    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
+    if (rtg::IsFinite(p))
     {
       own.insert(own.end(), p, p + 3);
     }
@@ -235,7 +231,7 @@ Extents Measure(const Points& points)
     extents.Longest = std::max(extents.Longest, sides[axis]);
   }
   extents.Longest = extents.Longest > 0.0 ? extents.Longest : whole;
-  if (!IsPositive(extents.Longest))
+  if (!rtg::IsPositive(extents.Longest))
   {
     extents.Longest = 0.0;
     return extents;
@@ -299,7 +295,7 @@ std::vector<double> Magnitudes(vtkPolyData* data, const vtkGlyphSettings& settin
             settings.Sizing(byComponents ? std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) })
                                          : vtkMath::Norm(tuple, tuples.Size()));
         }
-        magnitudes[i] = IsPositive(magnitude) ? magnitude : 0.0;
+        magnitudes[i] = rtg::IsPositive(magnitude) ? magnitude : 0.0;
       }
     });
   return magnitudes;
@@ -405,7 +401,7 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
     factor /= excess;
   }
   factor *= extents.Longest / unitSize;
-  if (IsPositive(factor))
+  if (rtg::IsPositive(factor))
   {
     result.Factor = TwoDigits(factor);
     result.Limit = limit * extents.Longest / unitSize;
@@ -448,7 +444,7 @@ vtkGlyphScaleGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, d
   // One rank's reason is all ranks'.
   if (Reduce(wanted ? 1.0 : 0.0, vtkCommunicator::MAX_OP) > 0.0)
   {
-    this->Found = Find(points, matter, IsPositive(unitSize) ? unitSize : 1.0);
+    this->Found = Find(points, matter, rtg::IsPositive(unitSize) ? unitSize : 1.0);
     this->IsKnown = this->Found.Factor > 0.0;
   }
   return this->Found;

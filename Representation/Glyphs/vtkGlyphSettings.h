@@ -5,6 +5,7 @@
 #ifndef vtkGlyphSettings_h
 #define vtkGlyphSettings_h
 
+#include "Finite.h"
 #include "Glyphs.h"
 #include "vtkGlyphForms.h"
 #include "vtkGlyphMask.h"
@@ -14,7 +15,6 @@
 #include "vtkRayTracedArrays.h"
 #include "vtkType.h"
 
-#include <cmath>
 #include <memory>
 #include <string>
 
@@ -87,8 +87,7 @@ struct vtkGlyphSettings
   bool NeedsHighScale() const
   {
     return this->Shape == rtg::Shape::Arrow && this->Arrow.fixedHeads && this->Scaling &&
-      !vtkRayTracedArrays::IsNone(this->ScaleArray) &&
-      !(this->ArrowReference > 0.0 && std::isfinite(this->ArrowReference));
+      !vtkRayTracedArrays::IsNone(this->ScaleArray) && !rtg::IsPositive(this->ArrowReference);
   }
 
   /**

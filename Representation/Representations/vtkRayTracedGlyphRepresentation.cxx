@@ -1,5 +1,6 @@
 #include "vtkRayTracedGlyphRepresentation.h"
 
+#include "Finite.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkGlyphJoinedArrays.h"
@@ -441,7 +442,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphScaleFactorFromData(bool on)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphScaleReference(double reference)
 {
-  if (!(reference > 0.0 && std::isfinite(reference)))
+  if (!rtg::IsPositive(reference))
   {
     vtkErrorMacro(
       "GlyphScaleReference is " << reference << "; it must be positive, in units of the scale array. 1 is taken.");

@@ -1,5 +1,6 @@
 #include "vtkSMRayTracedRadiusDomain.h"
 
+#include "Finite.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
@@ -41,7 +42,7 @@ double vtkSMRayTracedRadiusDomain::LargestValue()
   }
   const double* range = array ? array->GetComponentRange(0) : nullptr;
   const double largest = range ? std::max(std::abs(range[0]), std::abs(range[1])) : 1.0;
-  return largest > 0.0 && std::isfinite(largest) ? largest : 1.0;
+  return rtg::IsPositive(largest) ? largest : 1.0;
 }
 
 //----------------------------------------------------------------------------
@@ -54,8 +55,7 @@ void vtkSMRayTracedRadiusDomain::Update(vtkSMProperty*)
     const double* bounds = data->GetBounds();
     longest = std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
   }
-  this->Suggested =
-    longest > 0.0 && std::isfinite(longest) ? this->GetScaleFactor() * longest / this->LargestValue() : 0.0;
+  this->Suggested = rtg::IsPositive(longest) ? this->GetScaleFactor() * longest / this->LargestValue() : 0.0;
   this->SetEntries(std::vector<vtkEntry>{ vtkEntry(0.0, this->Suggested > 0.0 ? 4.0 * this->Suggested : 1.0) });
 }
 

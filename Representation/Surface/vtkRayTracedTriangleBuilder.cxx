@@ -1,5 +1,6 @@
 #include "vtkRayTracedTriangleBuilder.h"
 
+#include "Finite.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
@@ -18,11 +19,6 @@
 
 namespace
 {
-bool IsFinite(const glm::dvec3& x)
-{
-  return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
-}
-
 glm::dvec3 PointOf(vtkDataArray* array, vtkIdType i)
 {
   return { array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2) };
@@ -37,7 +33,7 @@ glm::dvec3 Middle(vtkDataArray* points, const vtkGlyphPlacement& placement)
       for (vtkIdType i = begin; i < end; ++i)
       {
         const glm::dvec3 x = placement(PointOf(points, i));
-        if (IsFinite(x))
+        if (rtg::IsFinite(x))
         {
           own.Add(x, x);
         }
@@ -91,7 +87,8 @@ void AddTriangles(vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& t
     for (vtkIdType i = 2; i < size; ++i)
     {
       glm::uvec3 triangle(corners[0], corners[i - 1], corners[i]);
-      if (!IsFinite(positions[triangle.x]) || !IsFinite(positions[triangle.y]) || !IsFinite(positions[triangle.z]))
+      if (!rtg::IsFinite(positions[triangle.x]) || !rtg::IsFinite(positions[triangle.y]) ||
+        !rtg::IsFinite(positions[triangle.z]))
       {
         ++result.Skipped;
         continue;
@@ -158,7 +155,7 @@ vtkRayTracedTriangleBuilder::Result Build(vtkPolyData* polygons, const vtkGlyphB
   AddTriangles(polygons, blocks, glm::determinant(placement.Linear) < 0.0, result);
   for (glm::vec3& position : mesh.positions)
   {
-    position = IsFinite(position) ? position : glm::vec3(0.0f); // of no triangle
+    position = rtg::IsFinite(position) ? position : glm::vec3(0.0f); // of no triangle
   }
   vtkDataArray* normals = smooth ? polygons->GetPointData()->GetNormals() : nullptr;
   if (normals && normals->GetNumberOfComponents() == 3)

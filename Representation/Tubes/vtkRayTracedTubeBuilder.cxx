@@ -1,5 +1,6 @@
 #include "vtkRayTracedTubeBuilder.h"
 
+#include "Finite.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -31,13 +32,6 @@ struct Piece
   std::array<vtkIdType, 2> Ends;
   std::array<vtkIdType, 2> Beyond; // or freeEnd
 };
-
-bool IsFinite(const glm::dvec3& x)
-{
-  // As the kernels will have it: a double may be beyond the range of float.
-  const glm::vec3 stored(x);
-  return std::isfinite(stored.x + stored.y + stored.z);
-}
 
 class Builder
 {
@@ -83,7 +77,7 @@ private:
         {
           this->Places[i] = this->Placement({ this->Positions->GetComponent(i, 0), this->Positions->GetComponent(i, 1),
             this->Positions->GetComponent(i, 2) });
-          if (IsFinite(this->Places[i]))
+          if (rtg::IsFiniteInFloat(this->Places[i]))
           {
             own.Add(this->Places[i], this->Places[i]);
           }
@@ -110,7 +104,7 @@ private:
   bool IsGood(vtkIdType point, vtkIdType cell) const
   {
     const double radius = this->Radius(point, cell);
-    return IsFinite(this->Places[point]) && std::isfinite(static_cast<float>(radius)) && radius >= 0.0 &&
+    return rtg::IsFiniteInFloat(this->Places[point]) && std::isfinite(static_cast<float>(radius)) && radius >= 0.0 &&
       this->Motion.IsFinite(point);
   }
 
