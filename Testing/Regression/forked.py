@@ -1,6 +1,6 @@
-"""Runs tests in processes that fork from one pvpython: it has loaded what all of them load, which takes 1.5 s of CPU time each.
+"""Runs tests in processes that fork from one pvpython: it has loaded what all of them load, which takes 2 s of CPU time each.
 
-Usage: python3 forked.py start FOLDER PVPYTHON | stop FOLDER | run FOLDER SCRIPT ARGUMENT...
+Usage: python3 forked.py start FOLDER PVPYTHON PLUGIN | stop FOLDER | run FOLDER SCRIPT ARGUMENT...
 start: pvpython in the background, which listens to a socket in FOLDER. run: the script with this process's environment, folder,
 streams and exit status, as pvpython would run it; it ends with this process.
 
@@ -44,13 +44,13 @@ def connect(folder):
         os.chdir(before)
 
 
-def start(folder, pvpython):
+def start(folder, pvpython, plugin):
     os.makedirs(folder, exist_ok=True)
     stop(folder)
     # Symbols are bound once here instead of when each test first needs them.
     environment = {**os.environ, "LD_BIND_NOW": "1"}
     with open(os.path.join(folder, "pvpython.log"), "w", encoding="utf-8") as log:
-        server = subprocess.Popen([pvpython, "--no-mpi", os.path.abspath(__file__), "serve"], cwd=folder, env=environment,
+        server = subprocess.Popen([pvpython, "--no-mpi", os.path.abspath(__file__), "serve", plugin], cwd=folder, env=environment,
                                   stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True)
     end = time.monotonic() + START
     while server.poll() is None and time.monotonic() < end:
@@ -110,12 +110,22 @@ def line(connection):
     return json.loads(text)
 
 
-def serve():
-    """Forks a process for each connection until one asks it to stop. Returns in the process of a test: what it is to do."""
+def prepare(plugin):
+    """What every script does first: loads the plugin, makes a view and a display. What ParaView knows by then of proxies stays."""
     import numpy  # noqa: F401
-    import paraview.simple  # noqa: F401
+    import paraview.simple as pv
     from vtkmodules.numpy_interface import dataset_adapter  # noqa: F401
     from vtkmodules.util import numpy_support  # noqa: F401
+
+    os.environ.pop("DISPLAY", None)  # each script has one of its own
+    pv.LoadPlugin(plugin, remote=False, ns={})
+    view, sphere = pv.CreateView("RenderView"), pv.Sphere()
+    for made in (pv.Show(sphere, view), sphere, view):
+        pv.Delete(made)
+
+
+def serve():
+    """Forks a process for each connection until one asks it to stop. Returns in the process of a test: what it is to do."""
     threads = os.listdir("/proc/self/task")
     if len(threads) != 1:
         print("pvpython has %d threads" % len(threads))
@@ -168,6 +178,7 @@ if __name__ == "__main__":
     action, rest = sys.argv[1], sys.argv[2:]
     if action != "serve":
         sys.exit(run(rest[0], rest[1:]) if action == "run" else {"start": start, "stop": stop}[action](*rest))
+    prepare(*rest)
     task = serve()
     os.environ.clear()
     os.environ.update(task["environment"])
