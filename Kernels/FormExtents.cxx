@@ -1,5 +1,6 @@
 #include "FormExtents.h"
 
+#include "Finite.h"
 #include "HarmonicForms.h"
 
 #include <algorithm>
@@ -149,7 +150,7 @@ FormMeter::Samples FormMeter::Sample(const double* coefficients) const
   {
     scale = std::isfinite(coefficients[term]) ? std::max(scale, std::abs(coefficients[term])) : INFINITY;
   }
-  if (!(scale > 0.0 && std::isfinite(scale)))
+  if (!IsPositive(scale))
   {
     return samples;
   }

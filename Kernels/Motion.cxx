@@ -1,5 +1,6 @@
 #include "Motion.h"
 
+#include "Finite.h"
 #include "Glyphs.h"
 
 #include <algorithm>
@@ -108,7 +109,7 @@ void CheckMotion(const GlyphMotion& motion, std::size_t count)
 void CheckShutter(const GlyphMotion& motion)
 {
   const float length = motion.shutterClose - motion.shutterOpen;
-  if (!(length > 0.0f && std::isfinite(length)))
+  if (!IsPositive(length))
   {
     std::ostringstream message;
     message << "Ray Traced Glyphs: the shutter opens at " << motion.shutterOpen << " and closes at "

@@ -1,5 +1,7 @@
 #include "vtkGlyphTessellation.h"
 
+#include "Finite.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,7 +20,7 @@ struct Corner
 glm::dvec3 Unit(const glm::dvec3& v)
 {
   const double length = glm::length(v);
-  return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0, 0.0, 1.0);
+  return rtg::IsPositive(length) ? v / length : glm::dvec3(0.0, 0.0, 1.0);
 }
 
 // A grid of corners of a function of two whole numbers, as triangles that are counter-clockwise seen from outside where

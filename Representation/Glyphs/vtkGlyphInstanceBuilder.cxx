@@ -1,5 +1,6 @@
 #include "vtkGlyphInstanceBuilder.h"
 
+#include "Finite.h"
 #include "GlyphArrays.h"
 #include "vtkDataArray.h"
 #include "vtkGlyphForms.h"
@@ -332,7 +333,7 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     const double reference =
       maker.Has(vtkGlyphArrays::SCALE) ? vtkGlyphHighScale::Reference(points, settings, blocks) : 1.0;
     const auto unit = static_cast<float>(std::abs(settings.ScaleFactor * placement.Scale) * reference);
-    const bool isGood = unit > 0.0f && std::isfinite(unit);
+    const bool isGood = rtg::IsPositive(unit);
     instances.arrow.unitLength = maker.Has(vtkGlyphArrays::RADIUS) ? 0.0f : isGood ? unit : 1.0f;
   }
   if (!placement.Uniform && settings.Shape != rtg::Shape::Sphere)

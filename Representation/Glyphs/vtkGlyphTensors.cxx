@@ -1,5 +1,6 @@
 #include "vtkGlyphTensors.h"
 
+#include "Finite.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -124,7 +125,7 @@ double vtkGlyphTensors::Extent(vtkIdType point) const
     const rtg::SymmetricTensor t = this->Tensor(point);
     // Relative to the largest component: squares of huge and tiny ones leave the range of numbers.
     const double largest = t.Largest();
-    if (largest > 0.0 && std::isfinite(largest))
+    if (rtg::IsPositive(largest))
     {
       const rtg::SymmetricTensor u{ t.xx / largest, t.yy / largest, t.zz / largest, t.xy / largest, t.yz / largest,
         t.xz / largest };

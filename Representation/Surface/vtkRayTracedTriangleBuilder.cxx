@@ -56,7 +56,7 @@ std::vector<glm::vec3> Turn(vtkDataArray* array, const vtkGlyphPlacement& placem
       {
         const glm::dvec3 normal = cofactors * PointOf(array, i);
         const double length = glm::length(normal);
-        if (length > 0.0 && std::isfinite(length))
+        if (rtg::IsPositive(length))
         {
           normals[i] = normal / length;
         }
