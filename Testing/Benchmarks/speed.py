@@ -26,8 +26,6 @@ from frames import write_table  # noqa: E402
 OURS = "ray-traced glyphs"
 #: competitor -> theta and phi resolution of its sphere, or None
 COMPETITORS = {OURS: None, "3D Glyphs 6x6": 6, "3D Glyphs 12x12": 12, "3D Glyphs 24x24": 24, "Point Gaussian": None}
-#: those that need ten seconds a frame and more: their medians are of a quarter of the frames
-SLOW = ("3D Glyphs 12x12", "3D Glyphs 24x24")
 STAGES = ("sortSeconds", "buildSeconds", "uploadSeconds", "traceSeconds")
 
 
@@ -105,9 +103,8 @@ def run_all(options):
     spheres_280k.write(scene, options.count)
     rows = []
     for name in options.only.split(",") if options.only else COMPETITORS:
-        frames = max(2, options.frames // 4) if name in SLOW else options.frames
         command = [sys.executable if "pvpython" in sys.executable else "pvpython", os.path.abspath(__file__), options.folder,
-                   "--count", str(options.count), "--size", str(options.size), "--frames", str(frames), "--measure", name]
+                   "--count", str(options.count), "--size", str(options.size), "--frames", str(options.frames), "--measure", name]
         command += ["--packed"] if options.packed else []
         print("measuring %s ..." % name, flush=True)
         run = subprocess.run(command, stdout=subprocess.PIPE, text=True)

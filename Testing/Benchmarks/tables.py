@@ -60,7 +60,9 @@ def digits(value, count):
 def timing(row, key, count):
     """Seconds to so many digits, with quartiles where the file has them."""
     both = [row.get("%s %s quartile" % (key, which), "") for which in ("lower", "upper")]
-    return digits(row[key], count) + (" (%s, %s)" % tuple(digits(value, count) for value in both) if both[0] != "" else "")
+    if both[0] == "" or both == [row[key], row[key]]:  # what others are compared with is always 1
+        return digits(row[key], count)
+    return digits(row[key], count) + " (%s, %s)" % tuple(digits(value, count) for value in both)
 
 
 def speed():
