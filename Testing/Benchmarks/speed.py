@@ -11,9 +11,7 @@ from new data to finished picture.
 import argparse
 import json
 import os
-import resource
 import statistics
-import subprocess
 import sys
 import time
 
@@ -21,7 +19,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "Data"))
 sys.dont_write_bytecode = True
 import spheres_280k  # noqa: E402
-from frames import write_table  # noqa: E402
+from frames import figures_of, memory, turning, write_table  # noqa: E402
 
 OURS = "ray-traced glyphs"
 #: competitor -> theta and phi resolution of its sphere, or None
@@ -57,13 +55,12 @@ def show(pv, points, view, name, count):
 
 def resident_megabytes():
     """Peak resident memory of this process."""
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+    return memory("VmHWM") / 2.0 ** 20
 
 
 def measure(name, scene, count, size, frames, folder):
     """Runs one competitor in this process and returns its figures."""
     import paraview.simple as pv
-    from frames import turning
 
     pv._DisableFirstRenderCameraReset()
     if name == OURS:
@@ -103,15 +100,12 @@ def run_all(options):
     spheres_280k.write(scene, options.count)
     rows = []
     for name in options.only.split(",") if options.only else COMPETITORS:
-        command = [sys.executable if "pvpython" in sys.executable else "pvpython", os.path.abspath(__file__), options.folder,
-                   "--count", str(options.count), "--size", str(options.size), "--frames", str(options.frames), "--measure", name]
-        command += ["--packed"] if options.packed else []
-        print("measuring %s ..." % name, flush=True)
-        run = subprocess.run(command, stdout=subprocess.PIPE, text=True)
-        line = next((line for line in run.stdout.splitlines() if line.startswith("{")), None)
-        if line is None:
-            sys.exit("speed.py: %s gave no figures:\n%s" % (name, run.stdout))
-        rows.append(json.loads(line))
+        arguments = [os.path.abspath(__file__), options.folder, "--count", str(options.count), "--size", str(options.size), "--frames", str(options.frames),
+                     "--measure", name] + (["--packed"] if options.packed else [])
+        figures = figures_of(name, arguments, options.limit)
+        if not figures:
+            sys.exit("speed.py: %s gave no figures" % name)
+        rows.append(figures)
     os.remove(scene)
     return rows
 
@@ -138,6 +132,7 @@ def main():
     parser.add_argument("--count", type=int, default=spheres_280k.COUNT)
     parser.add_argument("--size", type=int, default=1200)
     parser.add_argument("--frames", type=int, default=12)
+    parser.add_argument("--limit", type=float, default=900.0)
     parser.add_argument("--packed", action="store_true", help="spheres that nearly touch: every pixel is covered")
     parser.add_argument("--only")
     parser.add_argument("--measure", help=argparse.SUPPRESS)
