@@ -16,7 +16,7 @@ from checks import cloud, information, pending  # noqa: E402
 from window import Window, run, say  # noqa: E402
 
 #: of each part: the image of one must not end the refinement of the other
-SAMPLES = [8, 20]
+SAMPLES = [20, 40]
 #: seconds within which the images must be finished; they take a few
 LIMIT = 240.0
 
@@ -38,6 +38,7 @@ def main():
     window = Window()
     pv._DisableFirstRenderCameraReset()
     layout = pv.GetLayout()
+    layout.PreviewMode = [400, 200]
     view = pv.CreateView("ComparativeRenderView")
     pv.AssignViewToLayout(view, layout, hint=0)
     view.Dimensions = [2, 1]

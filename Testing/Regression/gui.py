@@ -39,6 +39,7 @@ def main():
     failures = []
     pv._DisableFirstRenderCameraReset()
     view = pv.GetActiveViewOrCreate("RenderView")
+    pv.GetLayout().PreviewMode = [300, 200]
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.Background = [channel / 255.0 for channel in session.BACKGROUND]
@@ -57,7 +58,9 @@ def main():
         pixels = session.capture(view, "gui-" + shape, ImageResolution=[300, 200])
         failures += comparison.against_baseline(pixels, "gui-" + shape)
     window = Window()
+    pv.GetLayout().PreviewMode = [0, 0]  # the picture fills the window
     failures += reset(window, view, reader, shown)
+    pv.GetLayout().PreviewMode = [300, 200]
     failures += panel(window, view, reader, shown)
     failures += buttons(window, view, reader, shown)
     return failures

@@ -32,6 +32,7 @@ def state(shown):
 def scene():
     """(view, representation): a cloud of spheres with ambient occlusion."""
     view = pv.GetActiveViewOrCreate("RenderView")
+    pv.GetLayout().PreviewMode = [300, 200]
     if SERVER:
         source = pv.PointSource(NumberOfPoints=10000, Radius=1.5)
         view.RemoteRenderThreshold = 0.0

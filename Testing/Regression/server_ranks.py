@@ -53,6 +53,7 @@ def select_left_half(view, source):
 def pictures(checks, window, where):
     """Everything once: (pictures by their names, number of selected points)."""
     view = pv.GetActiveViewOrCreate("RenderView")
+    pv.GetLayout().PreviewMode = [400, 300]
     view.RemoteRenderThreshold = 0.0
     view.OrientationAxesVisibility = 0
     view.UseFXAA = 1  # the window's default; in that picture glyphs must stay as they are
@@ -70,7 +71,7 @@ def pictures(checks, window, where):
     done = window.wait(lambda: session.statistics(shown)["AccumulatedSamples"] >= SAMPLES, LIMIT)
     say("%s: refined from %d samples to %d" % (where, before, session.statistics(shown)["AccumulatedSamples"]))
     checks.true("%s: the image is not finished after %g s" % (where, LIMIT), done)
-    made = {"larger": session.capture(view, "server-ranks-larger-" + where, ImageResolution=[1400, 1000])}
+    made = {"larger": session.capture(view, "server-ranks-larger-" + where, ImageResolution=[700, 525])}
     count = select_left_half(view, source)
     pv.Render(view)
     made["selected"] = session.capture(view, "server-ranks-selected-" + where, ImageResolution=[400, 300])
@@ -85,7 +86,6 @@ def pictures(checks, window, where):
 def main():
     """Without a server, then with one."""
     checks, window = Checks(), Window()
-    window.resize("pqClientMainWindow", 1000, 800)
     wanted, count = pictures(checks, window, "alone")
     process, port = client_server.start_server(os.environ["RTGLYPHS_SERVER"].split(), "server-ranks.log")
     try:
