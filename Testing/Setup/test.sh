@@ -26,7 +26,4 @@ echo "== packages"
 build_plugin "$paraview" "${build_options[@]}"
 echo "== tests"
 cd "$build"
-# Lavapipe compiles hundreds of programs here for the first time and runs each for a moment. Without LLVM's optimizer it is done
-# in two thirds of the time.
-export GALLIVM_PERF="${GALLIVM_PERF-nopt}"
 ctest --output-on-failure -j "$(nproc)" "${selection[@]}" "${ctest_options[@]}"
