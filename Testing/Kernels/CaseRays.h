@@ -1,5 +1,5 @@
 // How many rays the tests of numerics send at each glyph of a case, and the seed of these: few and always the same in
-// the default suite, others every day and eight times as many under the label `long`.
+// the default suite, others every day and sixteen times as many under the label `long`.
 #pragma once
 
 #include "HardCases.h"
@@ -29,11 +29,17 @@ inline std::uint64_t Seed()
   return std::uint64_t(days);
 }
 
-/// The cases of a subject by that seed, with the usual number of rays times RTGLYPHS_RAYS.
-inline HardCaseMaker Cases(const Subject& subject, int glyphs, int usualRays)
+/// RTGLYPHS_RAYS: so many times the usual number of rays.
+inline int TimesRays()
 {
   const char* times = std::getenv("RTGLYPHS_RAYS");
-  return HardCaseMaker(subject, glyphs, usualRays * (times ? std::atoi(times) : 1), Seed());
+  return times ? std::atoi(times) : 1;
+}
+
+/// The cases of a subject by that seed.
+inline HardCaseMaker Cases(const Subject& subject, int glyphs, int usualRays)
+{
+  return HardCaseMaker(subject, glyphs, usualRays * TimesRays(), Seed());
 }
 
 } // namespace rtg::testing

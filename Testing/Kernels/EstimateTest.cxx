@@ -34,7 +34,7 @@ protected:
   {
     using Kernel = rtg::shapes::Kernel<Real>;
     std::size_t asked = 0, decided = 0;
-    for (const HardCase& hard : Cases(this->GetParam(), 8, 20).All())
+    for (const HardCase& hard : Cases(this->GetParam(), 8, 10).All())
     {
       SCOPED_TRACE(hard.subject + ": " + hard.situation);
       std::size_t wrong = 0;

@@ -119,7 +119,7 @@ protected:
 TEST_P(PipelineNumericsTest, KeepsTheBounds)
 {
   std::vector<Verdict> all;
-  for (const HardCase& hard : Cases(this->GetParam(), 3, 40).All())
+  for (const HardCase& hard : Cases(this->GetParam(), 3, 20).All())
   {
     SCOPED_TRACE(hard.subject + ": " + hard.situation);
     const std::vector<Verdict> verdicts = this->JudgePipeline(hard);

@@ -60,7 +60,7 @@ class ShapeBoundsTest : public ::testing::TestWithParam<Subject>
 TEST_P(ShapeBoundsTest, HoldTheSurface)
 {
   using Kernel = shapes::Kernel<float>;
-  for (const HardCase& hard : Cases(this->GetParam(), 4, 20).All())
+  for (const HardCase& hard : Cases(this->GetParam(), 4, 10).All())
   {
     SCOPED_TRACE(hard.subject + ": " + hard.situation);
     for (std::uint32_t i = 0; i < hard.instances.Count(); ++i)

@@ -22,7 +22,7 @@ protected:
   void Run()
   {
     std::size_t rays = 0, hits = 0;
-    for (HardCase& hard : Cases(this->GetParam(), 8, 15).All())
+    for (HardCase& hard : Cases(this->GetParam(), 8, 8).All())
     {
       SCOPED_TRACE(hard.subject + ": " + hard.situation);
       rays += hard.rays.size();

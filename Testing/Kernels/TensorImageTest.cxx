@@ -1,5 +1,6 @@
 // Rays at tensor glyphs, by the kernel in double: what TensorTest.cxx finds about sizes and exponents holds for what
 // one sees.
+#include "CaseRays.h"
 #include "Shapes/Shapes.h"
 #include "RandomTensors.h"
 
@@ -16,6 +17,7 @@ namespace
 using namespace rtg;
 using rtg::testing::Random;
 using rtg::testing::TensorOf;
+using rtg::testing::TimesRays;
 using Kernel = shapes::Kernel<double>;
 
 constexpr TensorGlyphKind kinds[] = { TensorGlyphKind::Ellipsoid, TensorGlyphKind::Superquadric,
@@ -145,9 +147,9 @@ double ImageChange(const Subject& a, const Subject& b)
   return change;
 }
 
-/// 10,000 steps through equal, zero and sign-changing eigenvalues, the frame turning as well. All that the image of a
-/// step shows lies near the surface of the step before; and where it lies farthest, a step ten times smaller takes it
-/// about a tenth as far: there is no jump.
+/// 2,000 steps, or RTGLYPHS_RAYS times as many, through equal, zero and sign-changing eigenvalues, the frame turning as
+/// well. All that the image of a step shows lies near the surface of the step before; and where it lies farthest, a
+/// step ten times smaller takes it about a tenth as far: there is no jump.
 TEST(TensorImageTest, ImagesChangeContinuously)
 {
   // Two equal, all equal, one zero, signs that change one after the other, two of opposite sign and one magnitude, all
@@ -155,7 +157,7 @@ TEST(TensorImageTest, ImagesChangeContinuously)
   const std::vector<glm::dvec3> stations = { { 1, 0.6, 0.2 }, { 1, 1, 0.2 }, { 1, 1, 1 }, { 1, 0.5, 0.5 },
     { 1, 0.4, 0 }, { 1, 0.3, -0.5 }, { 0.6, 0.4, -1 }, { 1, 0, -1 }, { 1, -0.4, -0.6 }, { 0.7, -0.3, -1 },
     { 0, -0.6, -1 }, { -0.4, -1, -1 }, { -0.3, -0.3, -1 }, { -0.8, -0.8, -0.8 } };
-  constexpr int steps = 10000;
+  const int steps = 2000 * TimesRays();
   const auto at = [&](double s, TensorGlyphKind kind)
   {
     const double along = s * static_cast<double>(stations.size() - 1);

@@ -10,7 +10,7 @@ from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 import comparison
 import session
 
-STEP, FINISHED = 4, 64
+STEP, FINISHED = 2, 32
 
 
 def shown_by(view):
@@ -44,7 +44,7 @@ def grow(mode):
     comparison.write_image(session.output("accumulation-%s-last.png" % mode.split()[0].lower()), pictures[-1])
     if counts != [min(STEP * (i + 1), FINISHED) for i in range(len(counts))]:
         failures.append("%s: samples after each render: %s" % (mode, counts))
-    # Render number k has 4 k samples of the 64 that the last one has: of independent ones the squared difference is (64 - 4 k) / 4 k over 64.
+    # Render number k has 2 k samples of the 32 that the last one has: of independent ones the squared difference is (32 - 2 k) / 2 k over 32.
     errors = [float(numpy.square(picture - pictures[-1]).mean()) for picture in pictures]
     print(mode, "squared differences from the finished picture:", [round(error, 2) for error in errors])
     for earlier, later in ((0, 3), (3, 7), (7, 11), (11, 15)):

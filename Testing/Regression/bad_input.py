@@ -21,15 +21,16 @@ class Case:
     def __init__(self):
         self.failures = []
         self.view = session.view(200, 100)
+        self.stage = session.Stage(self.view)
         session.look(self.view, (0.0, 0.0, 6.0))
 
     def render(self, name, data, visible, message=None, skipped=None, **properties):
         """Draws data; visible: x positions (of -1, 0, 1) where a glyph must be seen; message: words of the only message;
         skipped: how many points RenderStatistics must count as left out."""
-        points = session.source(data)
-        shown = session.glyphs(points, self.view, **{"GlyphOrient": 0, "GlyphScaleFactor": 0.5, **properties})
+        shape = properties.pop("shape", "Sphere")
 
         def twice():
+            self.stage.show(data, shape, **{"GlyphOrient": 0, "GlyphScaleFactor": 0.5, **properties})
             pv.Render(self.view)
             session.look(self.view, (0.0, 0.0, 6.001))
             pv.Render(self.view)
@@ -53,23 +54,26 @@ class Case:
                     self.failures.append("%s: the message does not speak of '%s': %s" % (name, word, text.strip()))
             if count > 1:
                 self.failures.append("%s: %d messages instead of one" % (name, count))
-        if skipped is not None and session.statistics(shown)["skippedGlyphs"] != skipped:
-            self.failures.append("%s: %s points are counted as left out, not %d"
-                                 % (name, session.statistics(shown)["skippedGlyphs"], skipped))
-        pv.Delete(shown)
-        pv.Delete(points)
+        counted = session.statistics(self.stage.settings.shown).get("skippedGlyphs")
+        if skipped is not None and counted != skipped:
+            self.failures.append("%s: %s points are counted as left out, not %d" % (name, counted, skipped))
+        self.stage.settings.add({"Visibility": 0})
 
 
 def degenerate(case):
     """Points and scales that make no glyph: the others show, and the missing are reported once."""
     infinity, nothing = numpy.inf, numpy.nan
-    for name, scale in (("NaN scale", nothing), ("infinite scale", infinity)):
-        case.render(name, session.poly_data(LINE, size=numpy.array([1.0, scale, 1.0])), (-1, 1),
-                    ("1 of 3", "'size'", "not finite"),
-                    GlyphScaling=1, GlyphScaleArray="size", GlyphScaleMode="Magnitude")
     broken = LINE.copy()
     broken[1, 1] = nothing
+
+    def scaled(name, scale):
+        case.render(name, session.poly_data(LINE, size=numpy.array([1.0, scale, 1.0])), (-1, 1), ("1 of 3", "'size'", "not finite"),
+                    GlyphScaling=1, GlyphScaleArray="size", GlyphScaleMode="Magnitude")
+
+    # Not both scales one after another: what is wrong in the same words is said once.
+    scaled("NaN scale", nothing)
     case.render("NaN position", session.poly_data(broken), (-1, 1), ("1 of 3",))
+    scaled("infinite scale", infinity)
     case.render("negative scale", session.poly_data(LINE, size=numpy.array([1.0, -1.0, 1.0])), (-1, 0, 1), None,
                 GlyphScaling=1, GlyphScaleArray="size", GlyphScaleMode="Magnitude")
     # A box, because spheres of one size are not turned and need no vector.
@@ -126,7 +130,7 @@ def sizes(case):
 def settings(case):
     """Numbers out of range count as the nearest that makes sense, NaN as the default: the picture is that of those."""
     points = session.source(session.poly_data(LINE))
-    # One representation for all: with the last one of a view go the programs that were compiled for it.
+    # One representation for all, which is what a fresh one takes longest for.
     shown = session.glyphs(points, case.view, GlyphOrient=0, GlyphScaleFactor=0.9, samples=2)
     nothing = numpy.nan
     # The number before is another one, which a bad value that is not heeded would leave.

@@ -87,14 +87,18 @@ def pictures(checks, view, what, source, points):
     """Of cells, beside those of points at their centers."""
     cases = (("size", "Sphere", {"GlyphScaling": 1, "GlyphScaleArray": "size", "GlyphOrient": 0}), ("direction", "Arrow", {"GlyphOrientationArray": "flow"}),
              ("tensor", "Tensor Ellipsoid", {"GlyphTensorArray": "stress"}))
+    displays = {location: session.Settings(session.glyphs(one, view, GlyphLocation=location))
+                for one, location in ((points, "Points"), (source, "Cells"))}
+    for settings in displays.values():
+        settings.shown.Visibility = 0
     for name, shape, properties in cases:
         seen = []
-        for one, location, association in ((points, "Points", "POINTS"), (source, "Cells", "CELLS")):
-            shown = session.glyphs(one, view, shape, GlyphScaleFactor=0.5, GlyphLocation=location)
+        for location, association in (("Points", "POINTS"), ("Cells", "CELLS")):
+            settings = displays[location]
+            shown = settings.shown
 
             def draw():
-                for key, value in properties.items():
-                    setattr(shown, key, value)
+                settings.set({"Visibility": 1, "GlyphShape": shape, "GlyphScaleFactor": 0.5, **properties})
                 pv.ColorBy(shown, (association, "size"))
                 shown.LookupTable.RescaleTransferFunction(0.0, 1.0)
                 shown.SetScalarBarVisibility(view, False)
@@ -104,9 +108,11 @@ def pictures(checks, view, what, source, points):
             checks.no_message("%s, %s of %s" % (what, name, location), said)
             checks.equal("%s, %s: glyphs" % (what, name), session.statistics(shown)["glyphs"], 5 if what == "image" else 3)
             seen.append(session.capture(view, "cell-glyphs-%s-%s-%s" % (what, name, location)))
-            pv.Delete(shown)
+            settings.set({})
         checks.covered("%s, %s" % (what, name), seen[0], 0.005)
         checks.picture("%s, %s" % (what, name), seen[1], seen[0], pixels=0.001, mean=0.1)
+    for settings in displays.values():
+        pv.Delete(settings.shown)
 
 
 def selecting(checks, view, what, source, centers, numbers):

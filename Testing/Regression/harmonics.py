@@ -197,11 +197,11 @@ def sizes(checks, view, random):
                           [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
     stress = random.normal(size=(3, 3))
     stress = stress + stress.T
-    points = session.source(session.poly_data(
+    data = session.poly_data(
         places, values=array, alike=numpy.repeat(array[:1], 2, axis=0), fifth=numpy.array([1.0, 0.2]), turn=numpy.repeat(turn[None], 2, axis=0),
-        stress=numpy.repeat(stress.reshape(1, 9), 2, axis=0), turned=numpy.repeat((matrix @ stress @ matrix.T).reshape(1, 9), 2, axis=0)))
+        stress=numpy.repeat(stress.reshape(1, 9), 2, axis=0), turned=numpy.repeat((matrix @ stress @ matrix.T).reshape(1, 9), 2, axis=0))
     look(view, (0.2, 0.3, 1.0))
-    pictures = {}
+    pictures, stage = {}, session.Stage(view)
     for name, properties in {
             "each": dict(GlyphHarmonicsArray="values", GlyphHarmonicsScaling="Each"),
             "alike": dict(GlyphHarmonicsArray="alike", GlyphHarmonicsScaling="Each"),
@@ -211,17 +211,16 @@ def sizes(checks, view, random):
                            GlyphOrientationMode="Quaternion"),
             "of turned": dict(GlyphShape="Reynolds", GlyphTensorArray="turned")}.items():
         factor = 0.8 if properties.get("GlyphHarmonicsScaling") else 0.3
-        shown = session.glyphs(points, view, **{"GlyphShape": "Spherical Harmonics", "GlyphScaleFactor": factor, **properties})
+        shown = stage.show(data, **{"GlyphShape": "Spherical Harmonics", "GlyphScaleFactor": factor, **properties})
         session.solid(shown, (0.8, 0.8, 0.8))
         pictures[name] = session.capture(view, "harmonics-" + name.replace(" ", "-"))
-        pv.Delete(shown)
     checks.picture("harmonics, each of one size", pictures["each"], pictures["alike"])
     checks.picture("harmonics scaled by an array", pictures["scaled"], pictures["common"])
     checks.picture("harmonics turned by an array", pictures["turned"], pictures["of turned"])
     checks.true("each and common look the same", (pictures["each"] != pictures["common"]).any())
     widths = [comparison.covered(pictures["each"])[:, half].any(axis=0).sum() for half in (slice(0, SIDE // 2), slice(SIDE // 2, SIDE))]
     checks.within("width of one glyph of two that have one size", widths[0] / widths[1], 0.9, 1.1)
-    pv.Delete(points)
+    stage.close()
 
 
 def gallery(checks, random):

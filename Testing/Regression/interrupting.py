@@ -75,7 +75,7 @@ def progress_told(checks, view, shown):
     handler, told = pv.servermanager.ActiveConnection.Session.GetProgressHandler(), []
     window = view.SMProxy.GetRenderWindow()
     # The window is asked after each launch whether to go on, and takes its time to answer.
-    asked = window.AddObserver("AbortCheckEvent", lambda *_: time.sleep(0.4))
+    asked = window.AddObserver("AbortCheckEvent", lambda *_: time.sleep(0.2))
     progress = handler.AddObserver("ProgressEvent", lambda *_: told.append(handler.GetLastProgressText()))
     slow = capture(view, "slow")
     window.RemoveObserver(asked)

@@ -18,7 +18,7 @@ import session
 from checks import Checks
 
 #: seconds within which all must have ended, and a number of samples that takes very much longer
-LIMIT, SAMPLES = 30.0, 100000
+LIMIT, SAMPLES = 30.0, 10000000
 #: Script of a source with points on each rank. The last rank says which process it is.
 POINTS = """
 import os
@@ -34,7 +34,7 @@ def trace():
     view = session.view(300, 200)
     view.RemoteRenderThreshold = 0.0  # on the server, if there is one
     source = session.points_of_ranks(POINTS)
-    session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.2, ShadingMode="Path Tracing", samples=SAMPLES)
+    session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.2, samples=SAMPLES)
     session.look(view, (0.0, 0.0, 5.0))
     pv.Render(view)
 
@@ -58,7 +58,7 @@ def ends(checks, name, process, logs):
     checks.true("%s: no rank traced: %s" % (name, said()), victim)
     if not victim:
         return ""
-    time.sleep(5.0)  # until all trace
+    time.sleep(2.0)  # until all trace
     os.kill(int(victim.group(1)), signal.SIGKILL)
     began = time.monotonic()
     try:

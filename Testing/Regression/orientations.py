@@ -35,17 +35,16 @@ def quaternion(matrix):
     return numpy.linalg.eigh(form)[1][:, 3]
 
 
-def drawn(view, source, array, mode, **properties):
+def drawn(stage, data, array, mode, **properties):
     """(picture, messages) of boxes."""
-    shown = session.glyphs(source, view, "Box", GlyphScaleFactor=0.9, GlyphScaling=1, GlyphScaleArray="lengths", GlyphScaleMode="Components",
-                           GlyphOrient=1, GlyphOrientationArray=array, GlyphOrientationMode=mode)
-    session.solid(shown, (0.9, 0.8, 0.5))
-    for name, value in properties.items():
-        setattr(shown, name, value)
-    said = session.messages(lambda: pv.Render(view))
-    picture = session.capture(view, "orientations-%s-%s" % (array, mode))
-    pv.Delete(shown)
-    return picture, said
+    def show():
+        shown = stage.show(data, "Box", **{**dict(GlyphScaleFactor=0.9, GlyphScaling=1, GlyphScaleArray="lengths", GlyphScaleMode="Components",
+                                                  GlyphOrient=1, GlyphOrientationArray=array, GlyphOrientationMode=mode), **properties})
+        session.solid(shown, (0.9, 0.8, 0.5))
+        pv.Render(stage.view)
+
+    said = session.messages(show)
+    return session.capture(stage.view, "orientations-%s-%s" % (array, mode)), said
 
 
 def main():
@@ -63,36 +62,37 @@ def main():
     components = {"c_q[%d]" % (i + 1): quaternions[:, i] for i in range(4)}
     components.update({"shape" + "xyz"[i]: LENGTHS[:, i] for i in range(3)})
     components["c_q[1-3]"] = quaternions[:, :3]  # as LAMMPS' dump vtk writes the first three of four
-    source = session.source(session.poly_data(
+    data = session.poly_data(
         CENTERS, **components, lengths=LENGTHS, size=numpy.linalg.norm(LENGTHS, axis=1), angles=ANGLES, rows=rows, axes=axes, mirrored=mirrored, flat=flat,
-        quaternions=quaternions))
+        quaternions=quaternions)
     view = session.view(240, 100)
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.0)
-    expected, _ = drawn(view, source, "angles", "Rotation")
+    stage = session.Stage(view)
+    expected, _ = drawn(stage, data, "angles", "Rotation")
     checks.covered("angles", expected, 0.1)
     for array, mode in (("quaternions", "Quaternion"), ("quaternions", "Direction"), ("quaternions", "Rotation"), ("rows", "Matrix"), ("rows", "Direction"),
                         ("rows", "Quaternion"), ("axes", "Axes")):
-        picture, said = drawn(view, source, array, mode)
+        picture, said = drawn(stage, data, array, mode)
         checks.no_message("%s, %s" % (array, mode), said)
         checks.picture("%s, %s" % (array, mode), picture, expected, pixels=0.002)
     # The components as arrays of their own
     joined = "c_q[1], c_q[2],c_q[3] ,c_q[4]"
-    picture, said = drawn(view, source, joined, "Quaternion", GlyphScaleArray="shapex, shapey, shapez")
+    picture, said = drawn(stage, data, joined, "Quaternion", GlyphScaleArray="shapex, shapey, shapez")
     checks.no_message("components", said)
     checks.picture("components", picture, expected, pixels=0.002)
-    picture, said = drawn(view, source, "c_q[1-3], c_q[4]", "Quaternion")
+    picture, said = drawn(stage, data, "c_q[1-3], c_q[4]", "Quaternion")
     checks.no_message("three components and one", said)
     checks.picture("three components and one", picture, expected, pixels=0.002)
     missing = "c_q[1], c_q[2], c_q[3], c_q[5]"
-    checks.one_message(missing, drawn(view, source, missing, "Quaternion")[1], "no point array", missing)
+    checks.one_message(missing, drawn(stage, data, missing, "Quaternion")[1], "no point array", missing)
     for several in ("c_q[1], c_q[2]", "c_q[1], lengths, c_q[3]"):
-        checks.one_message(several, drawn(view, source, several, "Quaternion")[1], several, "are needed")
+        checks.one_message(several, drawn(stage, data, several, "Quaternion")[1], several, "are needed")
     for array, mode in (("mirrored", "Matrix"), ("flat", "Matrix")):
-        checks.one_message(array, drawn(view, source, array, mode)[1], "1 of 4", "orientation", array)
+        checks.one_message(array, drawn(stage, data, array, mode)[1], "1 of 4", "orientation", array)
     for array, mode, needed in (("angles", "Matrix", "9"), ("angles", "Quaternion", "4 or 9"), ("size", "Direction", "3, 4 or 9")):
-        checks.one_message("%s, %s" % (array, mode), drawn(view, source, array, mode)[1], array, needed + " are needed")
+        checks.one_message("%s, %s" % (array, mode), drawn(stage, data, array, mode)[1], array, needed + " are needed")
     # A size of one component has no components to scale by.
-    pictures = [drawn(view, source, "rows", "Matrix", GlyphScaleArray="size", GlyphScaleMode=mode)[0] for mode in ("Magnitude", "Components")]
+    pictures = [drawn(stage, data, "rows", "Matrix", GlyphScaleArray="size", GlyphScaleMode=mode)[0] for mode in ("Magnitude", "Components")]
     checks.covered("size", pictures[0], 0.1)
     checks.picture("size of one component, Components", pictures[1], pictures[0])
     checks.report()

@@ -19,26 +19,26 @@ from checks import Checks
 #: share of a surface's points that may lie where nothing is seen, and of the seen pixels that may lie off the surface: both
 #: are where a pixel's center, or one point among many, decides
 OUTSIDE, UNEXPLAINED = 0.002, 0.005
-#: directions in which points of a surface are taken
-COUNT = 6000
+#: directions in which points of a surface are taken, and of a surface among very many
+COUNT, FEW = 6000, 600
 RECIPE = re.compile(r"^# --- \w+\n(.*?)^# --- end\n", re.MULTILINE | re.DOTALL)
 
 
-def directions():
+def directions(count):
     """Unit vectors, evenly spread."""
-    number = numpy.arange(COUNT) + 0.5
-    z, angle = 1.0 - 2.0 * number / COUNT, numpy.pi * (1.0 + 5.0**0.5) * number
+    number = numpy.arange(count) + 0.5
+    z, angle = 1.0 - 2.0 * number / count, numpy.pi * (1.0 + 5.0**0.5) * number
     return numpy.stack([numpy.sqrt(1.0 - z * z) * numpy.cos(angle), numpy.sqrt(1.0 - z * z) * numpy.sin(angle), z], axis=1)
 
 
 def superellipsoids(centers, halves, matrices, n1, n2):
     """Points of (|x/a|^n2 + |y/b|^n2)^(n1/n2) + |z/c|^n1 = 1, turned and moved: along a direction the left side grows as the
     distance to the power of n1."""
-    points = []
+    points, along = [], directions(COUNT if len(centers) < 1000 else FEW)
     for center, half, matrix, one, two in zip(centers, halves, matrices, n1, n2):
-        x, y, z = numpy.abs(directions() / half).T
+        x, y, z = numpy.abs(along / half).T
         f = (x**two + y**two)**(one / two) + z**one
-        points.append(center + (directions() * (f**(-1.0 / one))[:, None]) @ numpy.transpose(matrix))
+        points.append(center + (along * (f**(-1.0 / one))[:, None]) @ numpy.transpose(matrix))
     return numpy.concatenate(points)
 
 

@@ -123,9 +123,8 @@ def largest_glyph(source, shown, shape, view):
     return size / (2.0 * camera.GetDistance() * math.tan(math.radians(0.5 * camera.GetViewAngle())))
 
 
-def picture(what, source, properties, checks):
+def picture(what, source, properties, view, checks):
     """The picture of a source, checked."""
-    view = session.view(WIDTH, HEIGHT)
     shape = properties.get("GlyphShape", "Sphere")
     shown = session.glyphs(source, view, samples=4, **{"shape": shape, **properties})
     shown.ColorArrayName = [None, ""]
@@ -141,7 +140,7 @@ def picture(what, source, properties, checks):
     checks.within(what + ": covered share of the view", round(covered, 4), SPARSE.get(what, LEAST), MOST)
     checks.true("%s: the largest glyph is %.0f %% of the view" % (what, 100 * largest), largest <= LARGEST or what in SINGLE)
     checks.no_message(what, said)
-    pv.Delete(view)
+    pv.Delete(shown)
     return pixels[..., :3]
 
 
@@ -153,7 +152,8 @@ def main():
                for name, (points, arrays, properties) in generated().items()]
     sources += [("empty first step", scale_guess.series((0.0, 0, 0.0), (1.0, 6, 2.0)), {})]
     sources += [(name, pv.OpenDataFile(path), properties) for name, (path, properties) in files().items()]
-    pictures = [picture(*entry, checks) for entry in sources]
+    view = session.view(WIDTH, HEIGHT)
+    pictures = [picture(*entry, view, checks) for entry in sources]
     rows = -(-len(pictures) // COLUMNS)
     sheet = numpy.full((rows * HEIGHT, COLUMNS * WIDTH, 3), 128, numpy.uint8)
     for i, pixels in enumerate(pictures):

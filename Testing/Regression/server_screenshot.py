@@ -11,7 +11,7 @@ import client_server
 import session
 from checks import Checks, pending, refine, stepwise
 
-SAMPLES = 64
+SAMPLES = 32
 #: mean difference of two pictures of so many samples: a screenshot of another size is made of tiles, whose noise is their own
 NOISE = 1.0
 WINDOW, PICTURE = (120, 90), (160, 120)

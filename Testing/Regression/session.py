@@ -246,21 +246,22 @@ class Settings:
 
 
 class Stage:
-    """A view with one display of glyphs, whose data and properties change from case to case. Cases state GlyphScaleFactor, which the first
-    one's data would otherwise choose for all.
+    """A view with one display, whose data and properties change from case to case. Cases state what the first one's data would otherwise choose
+    for all: GlyphScaleFactor, TubeRadius.
     """
 
-    def __init__(self, in_view):
-        self.view, self.source, self.settings = in_view, None, None
+    def __init__(self, in_view, representation=REPRESENTATION):
+        self.view, self.representation, self.source, self.settings = in_view, representation, None, None
 
-    def show(self, data, shape, **properties):
-        """The display, of these data and with these properties; all others are those of a fresh one."""
+    def show(self, data, shape=None, **properties):
+        """The display, of these data and with these properties; all others are those of a fresh one. shape: GlyphShape."""
         if self.source is None:
             self.source = source(data)
-            self.settings = Settings(glyphs(self.source, self.view))
+            samples = None if len(self.view.Representations) else 1
+            self.settings = Settings(show(self.source, self.view, self.representation, samples))
         else:
             replace_data(self.source, data)
-        self.settings.set({"GlyphShape": shape, **properties})
+        self.settings.set({"GlyphShape": shape, **properties} if shape else properties)
         return self.settings.shown
 
     def close(self):

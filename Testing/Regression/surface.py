@@ -87,22 +87,19 @@ def like_paraview(view):
     )
     for name, source, properties, colouring in cases:
         pictures = {}
+        shown = show(source, view, SURFACE, **properties)
+        colouring(shown, view)
+        shown.Specular = 0.4
+        shown.SpecularPower = 20.0
+        # ParaView computes no normals of an image; of the faces of a box the two must agree all the same.
+        session.look(view, (2.0, 1.5, 5.0) if name == "image" else (1.5, 1.2, 4.0))
         for kind in (SURFACE, "Surface"):
-            shown = show(source, view, kind, **properties)
-            colouring(shown, view)
-            shown.Specular = 0.4
-            shown.SpecularPower = 20.0
-            if name == "image":
-                # ParaView computes no normals; of the faces of a box the two must agree all the same.
-                session.look(view, (2.0, 1.5, 5.0))
-            else:
-                session.look(view, (1.5, 1.2, 4.0))
+            shown.SetRepresentationType(kind)
             pictures[kind] = session.capture(view, "surface-%s-%s" % (name, "ours" if kind == SURFACE else "paraview"))
             if kind == SURFACE:
                 statistics = session.statistics(shown)
                 check(statistics["primaryRays"] > 0, "%s: no ray has been traced" % name)
-            pv.Hide(source, view)
-            pv.Delete(shown)
+        pv.Delete(shown)
         FAILURES.extend(comparison.against_paraview(pictures[SURFACE], pictures["Surface"], "surface-" + name))
 
 

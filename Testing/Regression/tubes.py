@@ -141,13 +141,14 @@ def translucent(view, checks):
     half = numpy.array([0.5, 0.5, 0.5])
     background = numpy.array(session.BACKGROUND) / 255.0
     wanted = 255.0 * (0.75 * half + 0.25 * background)
+    stage = session.Stage(view, TUBES)
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
     for name, way in ways.items():
         for ends in ("Rounded", "Flat"):
             # Radii that change along the way
-            source = session.source(line_data([way], thickness=0.25 + 0.03 * numpy.sin(2.0 * numpy.array(way)[:, 0])))
-            shown = show(source, view, 1.0, TubeRadiusArray="thickness", TubeEnds=ends, Opacity=0.5, **UNLIT)
+            data = line_data([way], thickness=0.25 + 0.03 * numpy.sin(2.0 * numpy.array(way)[:, 0]))
+            shown = stage.show(data, TubeRadius=1.0, TubeRadiusArray="thickness", TubeEnds=ends, Opacity=0.5, SamplesPerPixel=1, **UNLIT)
             session.solid(shown, half)
-            session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
             pixels = session.capture(view, "tubes-translucent-%s-%s" % (name, ends.lower()))
             mask = inside(comparison.covered(pixels), 1)
             wrong = int((numpy.abs(pixels[mask][:, :3].astype(float) - wanted).max(axis=1) > 1.5).sum())
@@ -156,11 +157,10 @@ def translucent(view, checks):
             checks.within("translucent %s, %s: pixels" % (name, ends), int(mask.sum()), 9000, 10 ** 6)
             # Rays that pass by chance meet the same layers: in the mean it is the same picture.
             if ends == "Rounded" and name == "zigzag":
-                shown.ShadingMode, shown.SamplesPerPixel, shown.LightIntensity = "Path Tracing", 16, 0.0
+                stage.settings.add({"ShadingMode": "Path Tracing", "SamplesPerPixel": 16, "LightIntensity": 0.0})
                 level = float(session.capture(view, "tubes-translucent-by-chance")[..., 1][mask].mean())
                 checks.within("translucent zigzag by chance: mean level", level, wanted[1] - 1.0, wanted[1] + 1.0)
-                shown.ShadingMode, shown.SamplesPerPixel, shown.LightIntensity = "Local", 1, 1.0
-            pv.Delete(shown)
+    stage.close()
 
 
 def blocks(view, checks):
@@ -229,23 +229,20 @@ def bad_input(view, checks):
         ("nothing but repeated points", line_data([good, good[:1] * 3]), {}, ("1 of 3 pieces",), True),
         ("NaN position", line_data([broken]), {}, ("2 of 3 pieces", "finite"), True),
         ("NaN radius", line_data([good], radius=numpy.array([1.0, 1.0, numpy.nan])), radii, ("1 of 2 pieces",), True),
-        ("negative radius", line_data([good], radius=numpy.array([1.0, 1.0, -1.0])), radii, ("1 of 2 pieces", "negative"), True),
         ("zero radius", line_data([good + [(2.0, 0.0, 0.0)]], radius=numpy.array([1.0, 1.0, 0.0, 0.0])), radii, (), True),
+        ("negative radius", line_data([good], radius=numpy.array([1.0, 1.0, -1.0])), radii, ("1 of 2 pieces", "negative"), True),
         ("only zero radii", line_data([good], radius=numpy.zeros(3)), radii, ("radii are zero",), False),
         ("missing radii", line_data([good]), radii, ("'radius'", "TubeRadiusArray"), True),
         ("no lines", polygons, {}, ("no lines",), False),
         ("no points", vtkPolyData(), {}, (), False),
         ("missing color", line_data([good]), {"ColorArrayName": ["POINTS", "nonesuch"]}, ("nonesuch",), True),
     )
+    stage = session.Stage(view, TUBES)
     for name, data, properties, words, visible in cases:
-        source = session.source(data)
-
         def twice():
-            shown = show(source, view, 0.2)
-            session.solid(shown, (0.8, 0.5, 0.2))
-            for key, value in properties.items():
-                setattr(shown, key, value)
-            shown.TubeRadius = 0.2
+            session.solid(stage.show(data, TubeRadius=0.2, SamplesPerPixel=1), (0.8, 0.5, 0.2))
+            stage.settings.add(properties)
+            stage.settings.add({"TubeRadius": 0.2})
             for distance in (5.0, 5.001):
                 session.look(view, (0.0, 0.0, distance), parallel_scale=1.5)
                 pv.Render(view)
@@ -258,7 +255,8 @@ def bad_input(view, checks):
             checks.no_message(name, text)
         pixels = session.capture(view, "tubes-bad-" + name.replace(" ", "-"))
         checks.equal(name + ": something is shown", bool(comparison.covered(pixels)[150, 150]), visible)
-        pv.Delete(pv.GetDisplayProperties(source, view))
+        stage.settings.add({"Visibility": 0})
+    stage.close()
 
 
 def main():
