@@ -18,7 +18,7 @@ import session
 SURFACE = "Ray Traced Surface"
 SAMPLES = 64
 #: cycles of showing and deleting before those that are measured
-WARM = 4
+WARM = 3
 #: bytes a cycle may leave behind in the process, beyond what ParaView's Points and Surface leave, which is one million in the
 #: first cycles
 LEAK = 3 << 20

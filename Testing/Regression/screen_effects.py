@@ -85,9 +85,8 @@ def wall(kind):
     return view, points
 
 
-def darkened(kind, position):
+def darkened(view, points, kind, position):
     """Patches of pixels in the middle of the balls: brightness with the view's ambient occlusion over that without."""
-    view, points = wall(kind)
     session.look(view, position)
     pictures = []
     for effect in (0, 1):
@@ -102,7 +101,6 @@ def darkened(kind, position):
         column, row = session.pixel_of(view, point + towards)
         if 4 < column < 235 and 4 < row < 175:
             patches.append(ratio[177 - row:182 - row, column - 2:column + 3])
-    pv.Delete(view)
     return numpy.array(patches).reshape(len(patches), -1)
 
 
@@ -110,8 +108,9 @@ def stripes(checks):
     """The view's own ambient occlusion draws no stripes or dots on glyphs: it leaves all as they are, or darkens them as
     it does 3D Glyphs.
     """
+    walls = {kind: wall(kind) for kind in (session.REPRESENTATION, "3D Glyphs")}
     for position in ((0.0, 0.0, 6.0), (2.0, 1.0, 6.0)):
-        ours, theirs = darkened(session.REPRESENTATION, position), darkened("3D Glyphs", position)
+        ours, theirs = (darkened(view, points, kind, position) for kind, (view, points) in walls.items())
         # Darkest ball, brightest ball, darkest pixel.
         ours, theirs = ((patches.mean(axis=1).min(), patches.mean(axis=1).max(), patches.min()) for patches in (ours, theirs))
         what = "SSAO from %s: balls have %.2f to %.2f of their brightness, single pixels at least %.2f" % (position, *ours)

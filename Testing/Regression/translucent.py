@@ -12,6 +12,8 @@ import comparison
 import session
 from same_as_3d_glyphs import RESOLUTION, ours, scene
 
+#: tessellations for depth peeling, which takes all of them again for every layer
+COARSER = {**RESOLUTION, "Sphere": {"ThetaResolution": 64, "PhiResolution": 64}}
 #: mean differences in levels of 255. ParaView blends each layer into 8 bits, twice for every layer: half a level each.
 COLOUR = 2.0
 
@@ -31,7 +33,7 @@ def theirs(points, view, shape):
     kind = shape.replace("Mesh", "")
     glyph = pv.Glyph(Input=points, GlyphType=kind, OrientationArray=["POINTS", "vector"], ScaleArray=["POINTS", "vector"],
                      VectorScaleMode="Scale by Magnitude", ScaleFactor=0.3, GlyphMode="All Points")
-    for name, value in RESOLUTION.get(shape, {}).items():
+    for name, value in COARSER.get(shape, {}).items():
         setattr(glyph.GlyphType, name, value)
     shown = pv.Show(glyph, view)
     shown.SetRepresentationType("Surface")
@@ -83,20 +85,17 @@ def own_opacities(failures):
     places = generator.uniform(-1.0, 1.0, (24, 3))
     half = numpy.arange(24) % 2 == 0
     values = {"half": numpy.full(24, 0.5), "some": numpy.where(half, 0.0, 7.0), "odd": numpy.where(half, numpy.nan, 1.0)}
-    every = session.source(session.poly_data(places, **values))
-    rest = session.source(session.poly_data(places[~half]))
+    every, rest = session.poly_data(places, **values), session.poly_data(places[~half])
+    stage = session.Stage(peeling_view())
 
-    def picture(name, source, opacity=1.0, **properties):
-        view = peeling_view()
-        shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.6, **properties)
+    def picture(name, data, opacity=1.0, **properties):
+        shown = stage.show(data, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.6, Opacity=opacity, **properties)
         session.solid(shown, (0.8, 0.5, 0.2))
-        shown.Opacity = opacity
-        said = session.messages(lambda: pv.Render(view))
+        said = session.messages(lambda: pv.Render(stage.view))
         if said:
             failures.append("opacities, %s: %s" % (name, said))
-        result = session.capture(view, "opacities-" + name)
-        pv.Delete(view)
-        return result
+        return session.capture(stage.view, "opacities-" + name)
+
     # An opacity of 0 makes the whole set translucent, whose edges are blended into eight bits once more.
     for name, mine, other, allowed in (
             ("half of half", picture("half of half", every, 0.5, GlyphOpacityArray="half"), picture("quarter", every, 0.25), 0),
