@@ -77,9 +77,9 @@ def out_of_sight(checks):
 def two_passes(checks):
     """Opaque and translucent glyphs have an image each; the refinement ends with the slower one."""
     samples = 12
-    view, shown = balls("Path Tracing", samples, PathsPerSample=64)
+    view, shown = balls("Path Tracing", samples, PathsPerSample=24)
     other = session.glyphs(cloud(20, 5), view, GlyphOrient=0, GlyphScaleFactor=0.1, samples=samples,
-                           ShadingMode="Path Tracing", Opacity=0.5, PathsPerSample=64)
+                           ShadingMode="Path Tracing", Opacity=0.5, PathsPerSample=24)
     stepwise(other)
     session.solid(other, (0.2, 0.5, 0.9))
     pv.Render(view)

@@ -70,7 +70,7 @@ def shadows(mode, name):
     for state in ("all", "no-ball", "no-arrows"):
         scene.ball.Visibility = state != "no-ball"
         scene.arrows.Visibility = state != "no-arrows"
-        scene.floor.SamplesPerPixel = SAMPLES if state == "all" else SAMPLES // 2
+        scene.floor.SamplesPerPixel = SAMPLES if state == "all" else SAMPLES // 4
         pixels = session.capture(scene.view, "light-" + name + ("" if state == "all" else "-" + state))
         seen[state] = [brightness(pixels, *place) for place in (NEAR_BALL, NEAR_ARROW, FAR)]
         print("%s, %s: near the ball %.1f, near the arrow %.1f, far %.1f" % ((name, state) + tuple(seen[state])))
