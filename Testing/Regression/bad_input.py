@@ -24,11 +24,9 @@ class Case:
         self.stage = session.Stage(self.view)
         session.look(self.view, (0.0, 0.0, 6.0))
 
-    def render(self, name, data, visible, message=None, skipped=None, **properties):
+    def render(self, name, data, visible, message=None, skipped=None, shape="Sphere", **properties):
         """Draws data; visible: x positions (of -1, 0, 1) where a glyph must be seen; message: words of the only message;
         skipped: how many points RenderStatistics must count as left out."""
-        shape = properties.pop("shape", "Sphere")
-
         def twice():
             self.stage.show(data, shape, **{"GlyphOrient": 0, "GlyphScaleFactor": 0.5, **properties})
             pv.Render(self.view)
@@ -57,7 +55,7 @@ class Case:
         counted = session.statistics(self.stage.settings.shown).get("skippedGlyphs")
         if skipped is not None and counted != skipped:
             self.failures.append("%s: %s points are counted as left out, not %d" % (name, counted, skipped))
-        self.stage.settings.add({"Visibility": 0})
+        self.stage.hide()
 
 
 def degenerate(case):

@@ -230,7 +230,7 @@ class Shown:
             self.surface = session.show(session.source(data), self.stage.view, "Surface", ColorArrayName=["POINTS", "rgb"], MapScalars=0,
                                         Interpolation="Gouraud")
         self.surface.Visibility = 1
-        self.stage.settings.add({"Visibility": 0})
+        self.stage.hide()
 
     def delete(self):
         """All that was made."""

@@ -128,6 +128,7 @@ def picture(what, source, properties, view, checks):
     shape = properties.get("GlyphShape", "Sphere")
     shown = session.glyphs(source, view, samples=4, **{"shape": shape, **properties})
     shown.ColorArrayName = [None, ""]
+    view.ViewTime = 0.0  # one case changes it
     if what == "empty first step":
         pv.Render(view)
         view.ViewTime = 1.0

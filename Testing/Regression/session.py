@@ -194,17 +194,17 @@ def picked(view, kind, at):
 
 
 def glyphs(of_source, in_view, shape="Sphere", samples=None, **properties):
-    """Shows a source as ray-traced glyphs; properties as in the property reference.
+    """Shows a source as ray-traced glyphs; properties as in the property reference, samples as show() has them."""
+    return show(of_source, in_view, REPRESENTATION, samples, **{"GlyphShape": shape, **properties})
+
+
+def show(of_source, in_view, representation, samples=None, **properties):
+    """Shows a source as a representation.
 
     samples: SamplesPerPixel of the view; None: 1 for the first display of a view, and what holds there for others.
     """
     if samples is None and len(in_view.Representations) == 0:
         samples = 1
-    return show(of_source, in_view, REPRESENTATION, samples, **{"GlyphShape": shape, **properties})
-
-
-def show(of_source, in_view, representation, samples=None, **properties):
-    """Shows a source as a representation; samples: SamplesPerPixel, or None to leave them."""
     shown = pv.Show(of_source, in_view)
     shown.SetRepresentationType(representation)
     if samples is not None:
@@ -257,12 +257,15 @@ class Stage:
         """The display, of these data and with these properties; all others are those of a fresh one. shape: GlyphShape."""
         if self.source is None:
             self.source = source(data)
-            samples = None if len(self.view.Representations) else 1
-            self.settings = Settings(show(self.source, self.view, self.representation, samples))
+            self.settings = Settings(show(self.source, self.view, self.representation))
         else:
             replace_data(self.source, data)
         self.settings.set({"GlyphShape": shape, **properties} if shape else properties)
         return self.settings.shown
+
+    def hide(self):
+        """Until the next case."""
+        self.settings.add({"Visibility": 0})
 
     def close(self):
         """Deletes display and data."""

@@ -92,7 +92,7 @@ def shown_by(checks, stage, data, name, properties):
     counters = session.statistics(shown)
     checks.true(name + ": no glyphs were made", counters["instanceBuilds"] > built)
     bounds = stage.view.SMProxy.GetRenderer().ComputeVisiblePropBounds()
-    stage.settings.add({"Visibility": 0})
+    stage.hide()
     return hashlib.sha1(picture.tobytes()).hexdigest(), counters["glyphs"], counters["skippedGlyphs"], bounds
 
 

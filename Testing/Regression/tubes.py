@@ -255,7 +255,7 @@ def bad_input(view, checks):
             checks.no_message(name, text)
         pixels = session.capture(view, "tubes-bad-" + name.replace(" ", "-"))
         checks.equal(name + ": something is shown", bool(comparison.covered(pixels)[150, 150]), visible)
-        stage.settings.add({"Visibility": 0})
+        stage.hide()
     stage.close()
 
 
