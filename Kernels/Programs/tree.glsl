@@ -92,13 +92,13 @@ vec4 Greater(const vec4 a, const vec4 b)
   return vec4(a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z, a.w > b.w ? a.w : b.w);
 }
 
-uint Bits(bvec4 set)
+uint Bits(const bvec4 set)
 {
   return (set.x ? 1u : 0u) | (set.y ? 2u : 0u) | (set.z ? 4u : 0u) | (set.w ? 8u : 0u);
 }
 
 // Where the ray enters the boxes that it meets, but those left out.
-vec4 Unless(const vec4 near, bvec4 leftOut, const vec4 far)
+vec4 Unless(const vec4 near, const bvec4 leftOut, const vec4 far)
 {
   return vec4(leftOut.x || near.x > far.x ? 1e38 : near.x, leftOut.y || near.y > far.y ? 1e38 : near.y,
     leftOut.z || near.z > far.z ? 1e38 : near.z, leftOut.w || near.w > far.w ? 1e38 : near.w);
@@ -107,7 +107,7 @@ vec4 Unless(const vec4 near, bvec4 leftOut, const vec4 far)
 // Which of a node's eight children the ray meets between tMin and tMax, bit 7 - rank for the child visited as number
 // `rank`, and the order: child = rank ^ order. With dropsHidden, also where it enters the first of them but the one
 // visited first.
-void IntersectNode(TreeNodes nodes, const uint index, const BoxRay ray, const float tMin, const float tMax,
+void IntersectNode(const TreeNodes nodes, const uint index, const BoxRay ray, const float tMin, const float tMax,
   out uint mask, out uint order, out float behind)
 {
   uint at = 8u * index;

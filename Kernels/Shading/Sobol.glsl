@@ -9,20 +9,20 @@
 
 // PCG's output function on a linear congruential step: the hash of best quality for its cost in Jarzynski and Olano,
 // "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
-RTG_SHADING_FN uint Hash(uint value)
+RTG_SHADING_FN uint Hash(const uint value)
 {
   uint state = value * 747796405u + 2891336453u;
   uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
   return (word >> 22u) ^ word;
 }
 
-RTG_SHADING_FN uint Hash(uint a, uint b)
+RTG_SHADING_FN uint Hash(const uint a, const uint b)
 {
   return Hash(a ^ Hash(b));
 }
 
 // [0, 1) from the upper 24 bits: every one is a float.
-RTG_SHADING_FN float UnitInterval(uint bits)
+RTG_SHADING_FN float UnitInterval(const uint bits)
 {
   return float(bits >> 8u) * 5.9604644775390625e-8;
 }

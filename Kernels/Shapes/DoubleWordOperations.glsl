@@ -2,7 +2,7 @@
 // RTG_WORD is the type of a word, RTG_WORDS that of an unevaluated sum of two.
 
 // hi + lo = a + b exactly. JMP algorithm 2 (Knuth).
-RTG_FN RTG_WORDS TwoSum(RTG_WORD a, RTG_WORD b)
+RTG_FN RTG_WORDS TwoSum(const RTG_WORD a, const RTG_WORD b)
 {
   RTG_PRECISE RTG_WORD s = a + b;
   RTG_PRECISE RTG_WORD aRounded = s - b;
@@ -17,7 +17,7 @@ RTG_FN RTG_WORDS TwoSum(RTG_WORD a, RTG_WORD b)
 }
 
 // The same when |a| >= |b| or a = 0. JMP algorithm 1 (Dekker).
-RTG_FN RTG_WORDS FastTwoSum(RTG_WORD a, RTG_WORD b)
+RTG_FN RTG_WORDS FastTwoSum(const RTG_WORD a, const RTG_WORD b)
 {
   RTG_PRECISE RTG_WORD s = a + b;
   RTG_PRECISE RTG_WORD bRounded = s - a;
@@ -29,7 +29,7 @@ RTG_FN RTG_WORDS FastTwoSum(RTG_WORD a, RTG_WORD b)
 }
 
 // a = hi + lo with at most half the bits in each. Veltkamp; Dekker 1971, section 5.
-RTG_FN RTG_WORDS Split(RTG_WORD a)
+RTG_FN RTG_WORDS Split(const RTG_WORD a)
 {
   RTG_PRECISE RTG_WORD c = real(RTG_SPLITTER) * a;
   RTG_PRECISE RTG_WORD rest = c - a;
@@ -42,7 +42,7 @@ RTG_FN RTG_WORDS Split(RTG_WORD a)
 }
 
 // hi + lo = a b exactly, short of under- and overflow. Dekker 1971, equation 5.10.
-RTG_FN RTG_WORDS TwoProduct(RTG_WORD a, RTG_WORD b)
+RTG_FN RTG_WORDS TwoProduct(const RTG_WORD a, const RTG_WORD b)
 {
   RTG_WORDS x = Split(a);
   RTG_WORDS y = Split(b);
@@ -58,7 +58,7 @@ RTG_FN RTG_WORDS TwoProduct(RTG_WORD a, RTG_WORD b)
   return product;
 }
 
-RTG_FN RTG_WORDS Minus(RTG_WORDS a)
+RTG_FN RTG_WORDS Minus(const RTG_WORDS a)
 {
   RTG_WORDS minus;
   minus.hi = -a.hi;
@@ -67,7 +67,7 @@ RTG_FN RTG_WORDS Minus(RTG_WORDS a)
 }
 
 // a + b with relative error below 2 u^2, whatever cancels. JMP algorithm 4 (DWPlusFP).
-RTG_FN RTG_WORDS Add(RTG_WORDS a, RTG_WORD b)
+RTG_FN RTG_WORDS Add(const RTG_WORDS a, const RTG_WORD b)
 {
   RTG_WORDS s = TwoSum(a.hi, b);
   RTG_PRECISE RTG_WORD v = a.lo + s.lo;
@@ -75,7 +75,7 @@ RTG_FN RTG_WORDS Add(RTG_WORDS a, RTG_WORD b)
 }
 
 // a + b with relative error below 3 u^2, whatever cancels. JMP algorithm 6 (AccurateDWPlusDW).
-RTG_FN RTG_WORDS Add(RTG_WORDS a, RTG_WORDS b)
+RTG_FN RTG_WORDS Add(const RTG_WORDS a, const RTG_WORDS b)
 {
   RTG_WORDS s = TwoSum(a.hi, b.hi);
   RTG_WORDS t = TwoSum(a.lo, b.lo);
@@ -85,14 +85,14 @@ RTG_FN RTG_WORDS Add(RTG_WORDS a, RTG_WORDS b)
   return FastTwoSum(v.hi, w);
 }
 
-RTG_FN RTG_WORDS Subtract(RTG_WORDS a, RTG_WORDS b)
+RTG_FN RTG_WORDS Subtract(const RTG_WORDS a, const RTG_WORDS b)
 {
   return Add(a, Minus(b));
 }
 
 // a + b with an error below 3 u^2 (|a| + |b|): cheaper, for sums whose terms are themselves rounded.
 // JMP algorithm 5 (SloppyDWPlusDW).
-RTG_FN RTG_WORDS AddSloppy(RTG_WORDS a, RTG_WORDS b)
+RTG_FN RTG_WORDS AddSloppy(const RTG_WORDS a, const RTG_WORDS b)
 {
   RTG_WORDS s = TwoSum(a.hi, b.hi);
   RTG_PRECISE RTG_WORD v = a.lo + b.lo;
@@ -101,7 +101,7 @@ RTG_FN RTG_WORDS AddSloppy(RTG_WORDS a, RTG_WORDS b)
 }
 
 // a b with relative error below 3 u^2. JMP algorithm 8 (DWTimesFP2).
-RTG_FN RTG_WORDS Multiply(RTG_WORDS a, RTG_WORD b)
+RTG_FN RTG_WORDS Multiply(const RTG_WORDS a, const RTG_WORD b)
 {
   RTG_WORDS p = TwoProduct(a.hi, b);
   RTG_PRECISE RTG_WORD c = a.lo * b;
@@ -110,7 +110,7 @@ RTG_FN RTG_WORDS Multiply(RTG_WORDS a, RTG_WORD b)
 }
 
 // a b with relative error below 7 u^2. JMP algorithm 10 (DWTimesDW1).
-RTG_FN RTG_WORDS Multiply(RTG_WORDS a, RTG_WORDS b)
+RTG_FN RTG_WORDS Multiply(const RTG_WORDS a, const RTG_WORDS b)
 {
   RTG_WORDS p = TwoProduct(a.hi, b.hi);
   RTG_PRECISE RTG_WORD c = a.hi * b.lo;
@@ -121,7 +121,7 @@ RTG_FN RTG_WORDS Multiply(RTG_WORDS a, RTG_WORDS b)
 
 // a / b with relative error of a few u^2: one step on the exact residual, so that a division that is
 // only good to some ulps (Vulkan allows 2.5) still serves. JMP algorithm 15 (DWDivFP3).
-RTG_FN RTG_WORDS Divide(RTG_WORDS a, RTG_WORD b)
+RTG_FN RTG_WORDS Divide(const RTG_WORDS a, const RTG_WORD b)
 {
   RTG_PRECISE RTG_WORD q = a.hi / b;
   RTG_WORDS p = TwoProduct(q, b);
@@ -131,7 +131,7 @@ RTG_FN RTG_WORDS Divide(RTG_WORDS a, RTG_WORD b)
 }
 
 // As above. JMP algorithm 17 (DWDivDW2), the products as in DWTimesFP2.
-RTG_FN RTG_WORDS Divide(RTG_WORDS a, RTG_WORDS b)
+RTG_FN RTG_WORDS Divide(const RTG_WORDS a, const RTG_WORDS b)
 {
   RTG_PRECISE RTG_WORD q = a.hi / b.hi;
   RTG_WORDS p = Multiply(b, q);

@@ -31,7 +31,7 @@ struct RTG_SEARCH
   int steps;
 };
 
-RTG_FN RTG_SEARCH StartSearch(RTG_FIELD field, const Chord chord)
+RTG_FN RTG_SEARCH StartSearch(const RTG_FIELD field, const Chord chord)
 {
   RTG_SEARCH search;
   search.a = ProbeAt(field, Word(chord.sIn), -1);
@@ -59,7 +59,7 @@ RTG_FN RTG_SEARCH NextWindow(const RTG_SEARCH search)
 }
 
 // What is in a window. next: where to look, from a on.
-RTG_FN int Look(RTG_FIELD field, RTG_PROBE a, RTG_PROBE b, RTG_OUT(real) next)
+RTG_FN int Look(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, RTG_OUT(real) next)
 {
   real way = a.outside ? real(1.0) : real(-1.0);
   bool changes = a.outside != b.outside;
@@ -95,7 +95,7 @@ RTG_FN int Look(RTG_FIELD field, RTG_PROBE a, RTG_PROBE b, RTG_OUT(real) next)
 
 // Walks to the next window that has a crossing, or may have one that only double words tell. Each turn evaluates f
 // once or takes a window away.
-RTG_FN bool NextRoot(RTG_FIELD field, const Chord chord, RTG_SEARCH search, RTG_OUT(RTG_SEARCH) after)
+RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search, RTG_OUT(RTG_SEARCH) after)
 {
   bool solving = false;
   bool found = false;
@@ -191,7 +191,7 @@ RTG_FN bool NextRoot(RTG_FIELD field, const Chord chord, RTG_SEARCH search, RTG_
 // `changes`: at high it is not, and the zero is Newton's, by a parabola where the second derivative is known, or, where
 // that leaves the bracket or dawdles, bisection's. Else the least of f is looked for by its slopes, which change their
 // sign once. False: there is none. Where it is wanted, the gradient is that at the zero: one more evaluation.
-RTG_FN bool Settle(RTG_FIELD field, const LocalRay ray, real low, real high, const real way, const bool changes,
+RTG_FN bool Settle(const RTG_FIELD field, const LocalRay ray, real low, real high, const real way, const bool changes,
   const bool wantsGradient, RTG_OUT(LocalRay) at, RTG_OUT(real3) gradient)
 {
   bool root = changes;
@@ -260,7 +260,7 @@ RTG_FN bool Settle(RTG_FIELD field, const LocalRay ray, real low, real high, con
 
 // The nearest crossing in [tMin, tMax].
 RTG_FN SurfaceCrossing NearestCrossing(
-  RTG_FIELD field, const Chord chord, const real tMin, const real tMax, const bool wantsGradient)
+  const RTG_FIELD field, const Chord chord, const real tMin, const real tMax, const bool wantsGradient)
 {
   SurfaceCrossing crossing = NoSurfaceCrossing(chord.ray);
   RTG_SEARCH search = StartSearch(field, chord);
