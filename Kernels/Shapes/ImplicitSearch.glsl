@@ -13,8 +13,9 @@
 // Solution. Newton's method inside a bracket of certain signs, with bisection where it leaves the bracket or dawdles.
 // The last steps are done in double words: f is then known to about 1e-13, which a grazing ray wants.
 //
-// Why it cannot loop: each turn evaluates f or takes a window away, and evaluations are counted. Why it cannot invent
-// hits: a crossing needs a certain change of sign, or the last steps must find its root in double words.
+// Why it cannot loop: each turn evaluates f or takes a window away, and evaluations are counted. Behind the last one
+// the signs at the ends of what is left of a piece decide. Why it cannot invent hits: a crossing needs a certain change
+// of sign, or the last steps must find its root in double words.
 
 // Where the search along a ray stands.
 struct RTG_SEARCH
@@ -89,7 +90,10 @@ RTG_FN int Look(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, RTG
   real depth = changes ? max(abs(a.f), abs(b.f)) : -(fa + window.slopeA * meet);
   real middle = real(0.5) * (left + right);
   bool settles = (window.single && depth <= real(4.0) * (a.noise + b.noise)) || !(middle > real(0.0) && middle < width);
-  next = settles ? next : middle;
+  // What is left at one end the slopes of the whole window leave there: cut there, it would shrink to where no number
+  // lies between the ends.
+  bool inside = min(middle, width - middle) > real(0.0625) * width;
+  next = settles ? next : inside ? middle : real(0.5) * width;
   return settles ? RTG_SETTLE : RTG_SPLIT;
 }
 
@@ -101,13 +105,32 @@ RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search
   bool found = false;
   bool more = true;
   int dawdling = 0;
-  while (more && search.steps < RTG_STEPS)
+  while (more && search.steps < RTG_STEPS + RTG_PIECES)
   {
     bool newPiece = !search.resumes && !solving && !IsLess(search.a.where, search.end.where);
     bool probes = true;
     DoubleWord next = search.from;
     int axis = -1;
-    if (newPiece)
+    if (!newPiece && search.steps >= RTG_STEPS)
+    {
+      probes = false;
+      found = solving || search.a.outside != search.end.outside;
+      more = !found;
+      if (!solving)
+      {
+        search.b = search.end;
+        search.beyond = search.end;
+        search.low = real(0.0);
+        search.high = Subtract(search.b.where, search.a.where).hi;
+        search.near = real(0.5) * search.high;
+      }
+      search.resumes = false;
+      if (more)
+      {
+        search = NextWindow(search);
+      }
+    }
+    else if (newPiece)
     {
       more = search.a.where.hi < chord.sOut;
       next = NextBreak(field, search.a.where, axis);

@@ -15,9 +15,10 @@
 
 #include "Disc.glsl"
 
-// Evaluations of f that a ray may take. SuperquadricTest counts them: 4 to 5 on average, and only rays that lie within
-// rounding of the surface come near this number.
+// Evaluations of f that a ray may take. SuperquadricTest counts them: 4 to 5 on average, and hardly any ray comes near
+// this number. Further pieces of such a ray are looked at with one each.
 #define RTG_STEPS 1024
+#define RTG_PIECES 64
 #define RTG_TINY (RTG_ROUNDOFF * RTG_ROUNDOFF * RTG_ROUNDOFF * RTG_ROUNDOFF)
 
 RTG_FN real SumOf(const real3 v)

@@ -113,6 +113,30 @@ TEST(NestedRaysTest, RaysAlongAFaceAreFollowedToTheEnd)
     0u);
 }
 
+/// Behind a coordinate plane that is a cusp of f: a window that is empty but for its end must not be cut at that end
+/// alone, where no number is left between the two.
+TEST(NestedRaysTest, AWindowIsNotCutAtItsEndForEver)
+{
+  const CaseReport report = ReportOfNested({ -0.0813211575f, 0.380455166f, 0.314071238f },
+    { 0.63004452f, 0.787221134f, 0.964844286f }, { -0.136537984f, 0.225010738f, -0.148304939f, 0.953274965f },
+    { 2.51176715f, 0.198100254f, 0.198100254f }, { -1.95115984732813, 0.92127812391314956, 2.5981760470947393 },
+    { 0.0105826221f, -0.00221383059f, -0.0112804119f });
+  EXPECT_EQ(report.compared, 1u);
+  EXPECT_EQ(report.outOfBound, 0u) << "worst: " << report.maxExcess << " times the bound";
+}
+
+/// Nearly in the plane of an end, where plain arithmetic knows nothing of the profile: the steps of that piece run out,
+/// and the signs at its ends tell that the ray enters in it.
+TEST(NestedRaysTest, APieceThatTakesTooManyStepsIsAnswered)
+{
+  const CaseReport report =
+    ReportOfNested({ 0.456414253f, -0.195864558f, -0.057646431f }, { 0.659690499f, 0.719446659f, 0.696018875f },
+      { 0.273797244f, -0.457849085f, 0.59493655f, 0.601215303f }, { 3.23458982f, 0.372498721f, 0.372498721f },
+      { 1.3233048958666016, 0.30149680156260894, 0.59259699102675611 }, { -0.691816151f, -0.16946879f, -0.701905072f });
+  EXPECT_EQ(report.compared, 1u);
+  EXPECT_EQ(report.outOfBound, 0u) << "worst: " << report.maxExcess << " times the bound";
+}
+
 /// Polynomials: in float, which is what their windows' width and noise are made for.
 INSTANTIATE_TEST_SUITE_P(Polynomials, NestedNumericsTest, ::testing::ValuesIn(PolynomialSubjects()), SubjectName);
 
