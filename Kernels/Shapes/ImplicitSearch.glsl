@@ -59,14 +59,18 @@ RTG_FN RTG_SEARCH NextWindow(const RTG_SEARCH search)
   return next;
 }
 
-// What is in a window. next: where to look, from a on.
-RTG_FN int Look(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, RTG_OUT(real) next)
+// What is in a window. next: where to look, from a on. spent: by the signs at its ends alone.
+RTG_FN int Look(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, const bool spent, RTG_OUT(real) next)
 {
   real way = a.outside ? real(1.0) : real(-1.0);
   bool changes = a.outside != b.outside;
   real width = Subtract(b.where, a.where).hi;
   bool narrow = !(width > real(64.0 * RTG_ROUNDOFF));
   next = real(0.5) * width;
+  if (spent)
+  {
+    return changes ? RTG_SETTLE : RTG_EMPTY;
+  }
   Window window = WindowOf(field, a, b, way, max(width, real(RTG_TINY)));
 
   // Lowered by the rounding of f: what is empty is certain to be.
@@ -111,26 +115,8 @@ RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search
     bool probes = true;
     DoubleWord next = search.from;
     int axis = -1;
-    if (!newPiece && search.steps >= RTG_STEPS)
-    {
-      probes = false;
-      found = solving || search.a.outside != search.end.outside;
-      more = !found;
-      if (!solving)
-      {
-        search.b = search.end;
-        search.beyond = search.end;
-        search.low = real(0.0);
-        search.high = Subtract(search.b.where, search.a.where).hi;
-        search.near = real(0.5) * search.high;
-      }
-      search.resumes = false;
-      if (more)
-      {
-        search = NextWindow(search);
-      }
-    }
-    else if (newPiece)
+    bool spent = search.steps >= RTG_STEPS;
+    if (newPiece)
     {
       more = search.a.where.hi < chord.sOut;
       next = NextBreak(field, search.a.where, axis);
@@ -139,8 +125,13 @@ RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search
     {
       if (!solving)
       {
+        if (spent)
+        {
+          search.b = search.end;
+          search.beyond = search.end;
+        }
         real where;
-        int verdict = Look(field, search.a, search.b, where);
+        int verdict = Look(field, search.a, search.b, spent, where);
         probes = verdict == RTG_UNIQUE || verdict == RTG_SPLIT;
         solving = verdict == RTG_UNIQUE;
         found = verdict == RTG_SETTLE;
@@ -172,7 +163,7 @@ RTG_FN bool NextRoot(const RTG_FIELD field, const Chord chord, RTG_SEARCH search
         search.high = side < real(0.0) ? search.near : search.high;
         real step = -probe.f / probe.slope;
         bool falls = way * probe.slope < real(0.0);
-        found = doubtful || !(search.high - search.low > real(64.0 * RTG_ROUNDOFF)) ||
+        found = doubtful || spent || !(search.high - search.low > real(64.0 * RTG_ROUNDOFF)) ||
           (falls && Remainder(probe.strays, step) <= field.accuracy * abs(probe.slope));
         more = !found;
         ++dawdling;
