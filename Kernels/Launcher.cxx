@@ -56,6 +56,10 @@ void Launcher::Launch(const Pipeline& pipeline, const Scene::State& scene, devic
   {
     this->frameBlock_ = FrameBlock(vulkan);
   }
+  if (frame.lightCount <= device::FEW_LIGHTS)
+  {
+    frame.lights = this->frameBlock_.Lights();
+  }
   using Stage = vk::PipelineStageFlagBits;
   using Access = vk::AccessFlagBits;
   vulkan.Submit(

@@ -117,12 +117,18 @@ device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Ca
   FillCamera(frame, camera, scene.origin);
   FillSettings(frame, settings);
   const std::vector<device::LightRecord> records = MakeLights(lights, scene.origin);
-  const std::size_t lightBytes = records.size() * sizeof(device::LightRecord);
-  this->lightBuffer.Fit(this->Vulkan(), std::max(lightBytes, sizeof(device::LightRecord)));
-  this->lightBuffer.Upload(records.data(), lightBytes);
-  frame.lights = this->lightBuffer.Address();
   frame.lightCount = static_cast<std::uint32_t>(records.size());
-  std::copy_n(records.begin(), std::min<std::size_t>(records.size(), device::FEW_LIGHTS), frame.fewLights);
+  if (records.size() <= device::FEW_LIGHTS)
+  {
+    std::copy(records.begin(), records.end(), frame.fewLights);
+  }
+  else
+  {
+    const std::size_t bytes = records.size() * sizeof(device::LightRecord);
+    this->lightBuffer.Fit(this->Vulkan(), bytes);
+    this->lightBuffer.Upload(records.data(), bytes);
+    frame.lights = this->lightBuffer.Address();
+  }
   this->buffers.Fill(frame);
   frame.cullMask = pass == Pass::All ? device::OPAQUE_MASK | device::TRANSLUCENT_MASK
     : pass == Pass::Opaque           ? device::OPAQUE_MASK

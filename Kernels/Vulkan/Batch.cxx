@@ -9,7 +9,7 @@ namespace rtg
 namespace
 {
 
-constexpr std::size_t stagingBlock = std::size_t(1) << 24;
+constexpr std::size_t stagingBlock = std::size_t(1) << 22; ///< small enough to lie in a shared block of memory
 /// More than this is not held twice: it is copied before the batch goes on.
 constexpr std::size_t mostStaged = std::size_t(1) << 28;
 

@@ -29,15 +29,17 @@ constexpr const char* remedy =
 using Features = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
   vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>;
 
+bool HasExtension(const vk::raii::PhysicalDevice& physical, const char* name)
+{
+  const auto extensions = physical.enumerateDeviceExtensionProperties();
+  return std::any_of(extensions.begin(), extensions.end(),
+    [&](const vk::ExtensionProperties& extension) { return std::string(extension.extensionName.data()) == name; });
+}
+
 // Whether the driver traverses structures of its own.
 bool TracesRays(const vk::raii::PhysicalDevice& physical)
 {
-  const auto extensions = physical.enumerateDeviceExtensionProperties();
-  const auto has = [&](const char* name)
-  {
-    return std::any_of(extensions.begin(), extensions.end(),
-      [&](const vk::ExtensionProperties& extension) { return std::string(extension.extensionName.data()) == name; });
-  };
+  const auto has = [&](const char* name) { return HasExtension(physical, name); };
   if (!std::all_of(std::begin(rayExtensions), std::end(rayExtensions), has))
   {
     return false;
@@ -288,6 +290,8 @@ void Device::Start()
   state.queueFamily = ChooseQueueFamily(state.physical);
   state.int64 = state.physical.getFeatures().shaderInt64;
   state.tracesRays = TracesRays(state.physical);
+  state.hasRayHardware =
+    !state.cpu && state.tracesRays && HasExtension(state.physical, VK_KHR_RAY_QUERY_EXTENSION_NAME);
   state.miscompilesTrees = MiscompilesTrees(state.physical);
   using Stage = vk::PipelineStageFlagBits;
   state.programStages = Stage::eComputeShader;
@@ -355,7 +359,7 @@ bool Device::IsCpu() const
 
 bool Device::PrefersTrees() const
 {
-  return this->state_->cpu && !this->state_->miscompilesTrees;
+  return this->state_->cpu ? !this->state_->miscompilesTrees : !this->state_->hasRayHardware;
 }
 
 bool Device::Lost() const
@@ -370,21 +374,18 @@ std::uint64_t Device::HeldBytes() const
 
 void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& record)
 {
-  const vk::raii::CommandPool pool(
-    this->device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, this->queueFamily));
-  vk::raii::CommandBuffers commands(this->device, { *pool, vk::CommandBufferLevel::ePrimary, 1 });
-  vk::raii::CommandBuffer& command = commands.front();
+  Submission submission = this->TakeSubmission();
+  vk::raii::CommandBuffer& command = submission.command;
   command.begin({ vk::CommandBufferUsageFlagBits::eOneTimeSubmit });
   record(command);
   command.end();
   ++this->submissions;
 
-  const vk::raii::Fence done(this->device, vk::FenceCreateInfo());
   const vk::CommandBuffer handle = *command;
   try
   {
     const std::lock_guard<std::mutex> lock(this->queueMutex);
-    this->queue.submit(vk::SubmitInfo({}, {}, handle), *done);
+    this->queue.submit(vk::SubmitInfo({}, {}, handle), *submission.done);
   }
   catch (const vk::DeviceLostError&)
   {
@@ -400,11 +401,36 @@ void Device::State::Submit(const std::function<void(vk::raii::CommandBuffer&)>& 
     }
     throw;
   }
-  const vk::Result result = this->device.waitForFences(*done, true, std::numeric_limits<std::uint64_t>::max());
+  const vk::Result result =
+    this->device.waitForFences(*submission.done, true, std::numeric_limits<std::uint64_t>::max());
   if (result == vk::Result::eErrorDeviceLost)
   {
     throw vk::DeviceLostError("waiting for the device");
   }
+  this->device.resetFences(*submission.done);
+  submission.pool.reset();
+  const std::lock_guard<std::mutex> lock(this->submissionMutex_);
+  this->idleSubmissions_.push_back(std::move(submission));
+}
+
+Device::State::Submission Device::State::TakeSubmission()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->submissionMutex_);
+    if (!this->idleSubmissions_.empty())
+    {
+      Submission idle = std::move(this->idleSubmissions_.back());
+      this->idleSubmissions_.pop_back();
+      return idle;
+    }
+  }
+  Submission made;
+  made.pool = vk::raii::CommandPool(
+    this->device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, this->queueFamily));
+  vk::raii::CommandBuffers commands(this->device, { *made.pool, vk::CommandBufferLevel::ePrimary, 1 });
+  made.command = std::move(commands.front());
+  made.done = vk::raii::Fence(this->device, vk::FenceCreateInfo());
+  return made;
 }
 
 void Device::State::LoadPrograms()

@@ -29,7 +29,7 @@ public:
   std::string Name() const;
   bool IsCpu() const;
   /// Whether scenes are better walked by programs of ours than by the driver: on a CPU, unless its driver compiles them
-  /// wrongly.
+  /// wrongly, and on a GPU without hardware for it.
   bool PrefersTrees() const;
   bool Lost() const;
   /// Device memory that all buffers of the process hold.

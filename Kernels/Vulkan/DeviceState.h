@@ -15,6 +15,7 @@
 #include <mutex>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace rtg
 {
@@ -49,6 +50,9 @@ struct Device::State
   bool sharesMemory = false;
   bool int64 = false;      ///< 64-bit integers in programs
   bool tracesRays = false; ///< the driver has structures and pipelines for rays
+  /// The GPU finds what rays meet in hardware. A driver that emulates pipelines for rays on GPUs without it, as
+  /// NVIDIA's does, has no ray queries there (github.com/KhronosGroup/Vulkan-Docs/issues/1241).
+  bool hasRayHardware = false;
   /// Mesa's lavapipe with LLVM 21 and later: of the programs that walk own trees, which are the longest ones, it
   /// compiles some wrongly. Which ones changes with every line of them; NormalsTest and the tests of pictures see it.
   bool miscompilesTrees = false;
@@ -90,6 +94,17 @@ struct Device::State
   }
 
 private:
+  // What the commands of one submission need; drivers take a millisecond to make it anew.
+  struct Submission
+  {
+    vk::raii::CommandPool pool{ nullptr };
+    vk::raii::CommandBuffer command{ nullptr };
+    vk::raii::Fence done{ nullptr };
+  };
+  Submission TakeSubmission();
+
+  std::mutex submissionMutex_;
+  std::vector<Submission> idleSubmissions_; ///< as many as threads have submitted at once
   CacheFile cacheFile_;
   std::mutex cacheMutex_;
   std::size_t cachedBytes_ = 0; ///< on disk

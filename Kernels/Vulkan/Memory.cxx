@@ -174,9 +174,19 @@ void Memory::Free(MemoryPiece& piece)
   {
     // The gap is lost until the whole block is empty.
   }
-  if (piece.block_->pieces == 0)
+  if (piece.block_->pieces > 0)
   {
-    this->blocks_.remove_if([&](const MemoryPiece::Block& block) { return &block == piece.block_; });
+    return;
+  }
+  const MemoryPiece::Block& empty = *piece.block_;
+  const auto another = [&](const MemoryPiece::Block& block)
+  {
+    return &block != &empty && block.shared && block.pieces == 0 && block.type == empty.type &&
+      (block.mapped != nullptr) == (empty.mapped != nullptr);
+  };
+  if (!empty.shared || std::any_of(this->blocks_.begin(), this->blocks_.end(), another))
+  {
+    this->blocks_.remove_if([&](const MemoryPiece::Block& block) { return &block == &empty; });
   }
 }
 

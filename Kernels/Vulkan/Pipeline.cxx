@@ -66,7 +66,7 @@ void FrameBlock::Send(vk::raii::CommandBuffer& command, const device::FrameRecor
   }
   command.updateBuffer<device::FrameRecord>(this->buffer_.Handle(), 0, frame);
   Barrier(command, vk::PipelineStageFlagBits::eTransfer, vk::AccessFlagBits::eTransferWrite,
-    this->device_->programStages, vk::AccessFlagBits::eUniformRead);
+    this->device_->programStages, vk::AccessFlagBits::eUniformRead | vk::AccessFlagBits::eShaderRead);
 }
 
 Pipeline::Pipeline(Device::State& device, const Generation& generation, const std::vector<HitGroup>& groups)

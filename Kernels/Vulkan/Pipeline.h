@@ -6,6 +6,7 @@
 #include "../HostDevice.h"
 #include "../Shading/List.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace rtg
@@ -65,6 +66,8 @@ public:
   /// For the launches that are recorded after it. Not while one before is still running.
   void Send(vk::raii::CommandBuffer& command, const device::FrameRecord& frame);
   vk::DescriptorSet Descriptor() const { return *this->set_; }
+  /// Of the block's own few lights.
+  vk::DeviceAddress Lights() const { return this->buffer_.Address() + offsetof(device::FrameRecord, fewLights); }
 
 private:
   Device::State* device_ = nullptr;

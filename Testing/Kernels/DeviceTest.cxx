@@ -1,6 +1,7 @@
 // Which device the environment variable RTGLYPHS_DEVICE chooses.
 #include "Glyphs.h"
 #include "Vulkan/Device.h"
+#include "Vulkan/DeviceState.h"
 
 #include <gtest/gtest.h>
 
@@ -48,4 +49,22 @@ TEST(DeviceTest, NumbersAreIndicesOrPartsOfNames)
   ::setenv("RTGLYPHS_DEVICE", number.c_str(), 1);
   EXPECT_EQ(rtg::Device::Shared()->Name(), name);
   ::unsetenv("RTGLYPHS_DEVICE");
+}
+
+TEST(DeviceTest, OwnTreesOnlyWhereNoHardwareFindsWhatRaysMeet)
+{
+  const std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
+  rtg::Device::State& state = device->GetState();
+  state.cpu = true;
+  for (const bool miscompiles : { false, true })
+  {
+    state.miscompilesTrees = miscompiles;
+    EXPECT_EQ(device->PrefersTrees(), !miscompiles);
+  }
+  state.cpu = false;
+  for (const bool hardware : { false, true })
+  {
+    state.hasRayHardware = hardware;
+    EXPECT_EQ(device->PrefersTrees(), !hardware);
+  }
 }

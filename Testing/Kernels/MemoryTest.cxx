@@ -30,7 +30,7 @@ protected:
 };
 
 /// Buffers of all sizes that come and go keep what was written to them, lie where everything may lie, and leave
-/// nothing.
+/// nothing but an empty block of each kind.
 TEST_F(MemoryTest, BuffersKeepWhatIsWritten)
 {
   struct Written
@@ -38,6 +38,8 @@ TEST_F(MemoryTest, BuffersKeepWhatIsWritten)
     rtg::Buffer buffer;
     std::uint32_t word = 0;
   };
+  this->Make(4, rtg::Buffer::Place::Host);
+  this->Make(4, rtg::Buffer::Place::Device);
   const std::size_t before = this->vulkan.memory.Blocks();
   const std::uint64_t bytes = this->device->HeldBytes();
   std::mt19937 random(5);

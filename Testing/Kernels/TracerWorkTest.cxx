@@ -112,7 +112,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     std::vector<glm::vec3> normals;
     std::vector<glm::vec4> means;
     std::vector<float> probes;
-    std::uint64_t commit = 0, recolouring = 0;
+    std::uint64_t commit = 0, recolouring = 0, tracing = 0;
     bool operator==(const Seen& other) const
     {
       return this->colours == other.colours && this->glyphs == other.glyphs && this->depths == other.depths &&
@@ -142,6 +142,9 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     const std::uint64_t between = vulkan.submissions;
     scene.Commit();
     seen.recolouring = vulkan.submissions - between;
+    const std::uint64_t idle = vulkan.submissions;
+    tracer.Trace(scene, this->camera, this->lights, this->settings);
+    seen.tracing = vulkan.submissions - idle;
     rtg::TraceSettings wanted = this->settings;
     wanted.width = 101; // images whose bytes are no round number
     wanted.features = wanted.keepSums = true;
@@ -169,6 +172,10 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     // All copies and builds of a commit are one submission.
     EXPECT_EQ(own.commit, empty ? 0u : 1u);
     EXPECT_EQ(own.recolouring, empty ? 0u : 1u);
+    if (!empty)
+    {
+      EXPECT_EQ(own.tracing, 2u); // a launch, and a copy of the image
+    }
   }
   vulkan.sharesMemory = shares;
 }
