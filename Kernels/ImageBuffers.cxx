@@ -61,8 +61,9 @@ void ImageBuffers::ClearSums()
   if (this->sums_.Size())
   {
     const device::PixelSums none{ glm::vec4(0.0f), 1e38f };
-    this->sums_.Write(this->pixels_ * sizeof(none),
-      [&](void* target) { std::fill_n(static_cast<device::PixelSums*>(target), this->pixels_, none); });
+    this->sums_.Write(this->pixels_, sizeof(none),
+      [&](void* target, std::size_t first, std::size_t last)
+      { std::fill_n(static_cast<device::PixelSums*>(target), last - first, none); });
   }
 }
 

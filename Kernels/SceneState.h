@@ -216,15 +216,14 @@ Buffer SendInOrder(Device::State& device, const std::vector<T>& values, const st
   }
   Buffer buffer(
     device, order.size() * sizeof(T), vk::BufferUsageFlagBits::eStorageBuffer | more, Buffer::Place::Device);
-  buffer.Write(buffer.Size(),
-    [&](void* target)
+  buffer.Write(order.size(), sizeof(T),
+    [&](void* target, std::size_t begin, std::size_t end)
     {
       auto* const places = static_cast<T*>(target);
-      ParallelChunks(order.size(),
-        [&](std::size_t first, std::size_t last)
-        {
-          std::transform(
-            order.begin() + first, order.begin() + last, places + first, [&](std::uint32_t i) { return values[i]; });
+      const auto* const numbers = order.data() + begin;
+      ParallelChunks(end - begin,
+        [&](std::size_t first, std::size_t last) {
+          std::transform(numbers + first, numbers + last, places + first, [&](std::uint32_t i) { return values[i]; });
         });
     });
   return buffer;
@@ -238,16 +237,16 @@ inline Buffer SendInOrder(Device::State& device, const GlyphTuples& tuples, cons
   }
   Buffer buffer(
     device, tuples.values.size() * sizeof(float), vk::BufferUsageFlagBits::eStorageBuffer, Buffer::Place::Device);
-  buffer.Write(buffer.Size(),
-    [&](void* target)
+  buffer.Write(order.size(), tuples.width * sizeof(float),
+    [&](void* target, std::size_t begin, std::size_t end)
     {
       auto* const places = static_cast<float*>(target);
-      ParallelChunks(order.size(),
+      ParallelChunks(end - begin,
         [&](std::size_t first, std::size_t last)
         {
           for (std::size_t i = first; i < last; ++i)
           {
-            std::copy_n(tuples[order[i]], tuples.width, places + i * tuples.width);
+            std::copy_n(tuples[order[begin + i]], tuples.width, places + i * tuples.width);
           }
         });
     });

@@ -9,9 +9,9 @@ namespace rtg
 namespace
 {
 
-constexpr std::size_t stagingBlock = std::size_t(1) << 22; ///< small enough to lie in a shared block of memory
-/// More than this is not held twice: it is copied before the batch goes on.
-constexpr std::size_t mostStaged = std::size_t(1) << 28;
+/// More than this is copied before the batch goes on. It fits into one shared block of memory, which is kept: drivers
+/// take a third of a millisecond for each megabyte of the host's memory that they are to see.
+constexpr std::size_t mostStaged = 3 * Batch::mostAtOnce;
 
 } // namespace
 
@@ -28,7 +28,7 @@ Batch::~Batch()
   this->device_.batch = this->outer_;
 }
 
-void* Batch::Stage(const Buffer& target, std::size_t size)
+void* Batch::Stage(const Buffer& target, std::size_t offset, std::size_t size)
 {
   if (this->staged_ > 0 && this->staged_ + size > mostStaged)
   {
@@ -37,11 +37,11 @@ void* Batch::Stage(const Buffer& target, std::size_t size)
   if (this->staging_.empty() || this->stagingUsed_ + size > this->staging_.back().Size())
   {
     this->staging_.emplace_back(
-      this->device_, std::max(size, stagingBlock), vk::BufferUsageFlagBits::eTransferSrc, Buffer::Place::Host);
+      this->device_, std::max(size, mostAtOnce), vk::BufferUsageFlagBits::eTransferSrc, Buffer::Place::Host);
     this->stagingUsed_ = 0;
   }
   Buffer& block = this->staging_.back();
-  this->copies_.push_back({ block.Handle(), target.Handle(), vk::BufferCopy(this->stagingUsed_, 0, size) });
+  this->copies_.push_back({ block.Handle(), target.Handle(), vk::BufferCopy(this->stagingUsed_, offset, size) });
   void* place = static_cast<char*>(block.Mapped()) + this->stagingUsed_;
   this->stagingUsed_ += (size + 15) / 16 * 16;
   this->staged_ += size;

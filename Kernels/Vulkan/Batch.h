@@ -19,8 +19,11 @@ public:
   Batch(const Batch&) = delete;
   Batch& operator=(const Batch&) = delete;
 
-  /// Host memory, to be filled before the next call, whose content will be copied to the start of `target`.
-  void* Stage(const Buffer& target, std::size_t size);
+  /// Bytes that Stage() is asked for at once.
+  static constexpr std::size_t mostAtOnce = std::size_t(4) << 20;
+
+  /// Host memory, to be filled before the next call, whose content will be copied into `target` from `offset` on.
+  void* Stage(const Buffer& target, std::size_t offset, std::size_t size);
   /// `input`: what the geometry is read from, kept until the build is done; the info's scratch address is filled in.
   void Build(const vk::AccelerationStructureBuildGeometryInfoKHR& info,
     const vk::AccelerationStructureGeometryKHR& geometry, std::uint32_t count, std::size_t scratchSize, Buffer&& input);

@@ -115,28 +115,38 @@ void Buffer::Fit(Device::State& device, std::size_t size, Place place)
 
 void Buffer::Upload(const void* data, std::size_t size)
 {
-  this->Write(size, [&](void* target) { std::memcpy(target, data, size); });
+  const auto* bytes = static_cast<const char*>(data);
+  this->Write(size, 1,
+    [&](void* target, std::size_t first, std::size_t last) { std::memcpy(target, bytes + first, last - first); });
 }
 
-void Buffer::Write(std::size_t size, const std::function<void(void*)>& fill)
+void Buffer::Write(
+  std::size_t count, std::size_t stride, const std::function<void(void*, std::size_t, std::size_t)>& fill)
 {
-  if (size == 0)
+  if (count == 0)
   {
     return;
   }
   if (this->mapped_)
   {
-    fill(this->mapped_);
+    fill(this->mapped_, 0, count);
     return;
   }
-  if (this->device_->batch)
+  std::optional<Batch> own;
+  if (!this->device_->batch)
   {
-    fill(this->device_->batch->Stage(*this, size));
-    return;
+    own.emplace(*this->device_);
   }
-  Batch batch(*this->device_);
-  fill(batch.Stage(*this, size));
-  batch.Run();
+  const std::size_t atOnce = std::max<std::size_t>(1, Batch::mostAtOnce / stride);
+  for (std::size_t first = 0; first < count; first += atOnce)
+  {
+    const std::size_t last = std::min(count, first + atOnce);
+    fill(this->device_->batch->Stage(*this, first * stride, (last - first) * stride), first, last);
+  }
+  if (own)
+  {
+    own->Run();
+  }
 }
 
 void Buffer::Fill(std::size_t offset, std::size_t size, std::uint32_t word)

@@ -41,8 +41,9 @@ public:
   /// Copies host data to the start of the buffer: at once, or with the device's batch where there is one and the buffer
   /// is not mapped.
   void Upload(const void* data, std::size_t size);
-  /// The same of what `fill` writes.
-  void Write(std::size_t size, const std::function<void(void*)>& fill);
+  /// The same of `count` elements of `stride` bytes, in pieces: `fill` writes elements [first, last) from `target` on.
+  void Write(std::size_t count, std::size_t stride,
+    const std::function<void(void* target, std::size_t first, std::size_t last)>& fill);
   /// Repeats a word over some of its bytes, multiples of four.
   void Fill(std::size_t offset, std::size_t size, std::uint32_t word);
   /// Shows `read` so many bytes from the start, what programs have written included.

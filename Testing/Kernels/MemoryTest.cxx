@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <random>
 #include <set>
 #include <vector>
@@ -84,6 +85,25 @@ TEST_F(MemoryTest, BuffersKeepWhatIsWritten)
   }
   EXPECT_EQ(this->vulkan.memory.Blocks(), before);
   EXPECT_EQ(this->device->HeldBytes(), bytes);
+}
+
+/// What is larger than a batch holds arrives whole, whatever the size of its elements.
+TEST_F(MemoryTest, LargeUploadsArriveWhole)
+{
+  const bool shares = this->vulkan.sharesMemory;
+  this->vulkan.sharesMemory = false;
+  for (const std::size_t stride : { 1, 12, 28 })
+  {
+    std::vector<char> sent(stride * (40000000 / stride));
+    std::mt19937 random(11);
+    std::generate(sent.begin(), sent.end(), [&] { return char(random() >> 24); });
+    rtg::Buffer buffer = this->Make(sent.size(), rtg::Buffer::Place::Device);
+    buffer.Write(sent.size() / stride, stride,
+      [&](void* target, std::size_t first, std::size_t last)
+      { std::memcpy(target, sent.data() + first * stride, (last - first) * stride); });
+    buffer.Read(sent.size(), [&](const void* data) { EXPECT_EQ(std::memcmp(data, sent.data(), sent.size()), 0); });
+  }
+  this->vulkan.sharesMemory = shares;
 }
 
 /// Some devices allow 4096 allocations; a set takes several buffers.

@@ -142,6 +142,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     const std::uint64_t between = vulkan.submissions;
     scene.Commit();
     seen.recolouring = vulkan.submissions - between;
+    tracer.Trace(scene, this->camera, this->lights, this->settings); // a GPU's first one is cut: nobody knows its cost
     const std::uint64_t idle = vulkan.submissions;
     tracer.Trace(scene, this->camera, this->lights, this->settings);
     seen.tracing = vulkan.submissions - idle;
