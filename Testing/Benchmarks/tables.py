@@ -106,6 +106,23 @@ def scenes():
                       "%.2f" % row["cost beside the first"], embree(row, "Embree s"), embree(row, "Embree packets s")] for row in rows("scenes")])
 
 
+def gpu():
+    """Frames a second on a GPU, by how rays find glyphs."""
+    rates = {(name, row["shape"], row["glyphs"], row["light"]): row for name in ("trees", "boxes") for row in rows("gpu-" + name)}
+
+    def cell(name, shape, glyphs, light, key, count):
+        row = rates.get((name, shape, glyphs, light))
+        return digits(row[key], count) if row else ""
+
+    kinds = sorted({(shape, glyphs) for _, shape, glyphs, _ in rates}, key=lambda kind: (["spheres", "ellipsoids", "arrows", "superquadrics"].index(kind[0]), kind[1]))
+    lights = ("local", "occlusion", "paths")
+    return markdown(
+        ["shape", "glyphs"] + ["%s: %s" % (name, light) for name in ("own trees", "driver's structures") for light in lights] + ["rebuild s", "driver's", "bytes a glyph", "driver's"],
+        [[shape, "%d" % glyphs] + [cell(name, shape, glyphs, light, "frames per second", 2) for name in ("trees", "boxes") for light in lights]
+         + [cell(name, shape, glyphs, "local", "rebuild s", 2) for name in ("trees", "boxes")]
+         + [cell(name, shape, glyphs, "local", "bytes per glyph", 2) for name in ("trees", "boxes")] for shape, glyphs in kinds])
+
+
 def directions():
     """Glyphs of direction and tubes in large numbers."""
     return markdown(["", "first picture: s", "made before: s", "frame: wall s", "CPU s", "memory: MB"],
@@ -282,6 +299,7 @@ TABLES = {
     "tessellations": (BENCHMARKS, ["tessellations"], lambda: tessellations("tessellations")),
     "tessellations-harmonics": (BENCHMARKS, ["tessellations-harmonics"], lambda: tessellations("tessellations-harmonics")),
     "scenes": (BENCHMARKS, ["scenes"], scenes),
+    "gpu": (BENCHMARKS, ["gpu-trees", "gpu-boxes"], gpu),
     "directions": (BENCHMARKS, ["directions"], directions),
     "build": (BENCHMARKS, ["build"], build),
     "build-picture": (BENCHMARKS, ["build-picture"], build_picture),

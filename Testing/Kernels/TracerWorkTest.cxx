@@ -104,7 +104,8 @@ TEST_P(StructureTest, WhatIsHiddenHoldsNoMemory)
 TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
 {
   auto& vulkan = this->device->GetState();
-  const bool shares = vulkan.sharesMemory;
+  const bool shares = vulkan.sharesMemory, cpu = vulkan.cpu;
+  vulkan.cpu = true; // for an image is one launch then
   struct Seen
   {
     std::vector<std::uint32_t> colours, glyphs;
@@ -142,7 +143,6 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     const std::uint64_t between = vulkan.submissions;
     scene.Commit();
     seen.recolouring = vulkan.submissions - between;
-    tracer.Trace(scene, this->camera, this->lights, this->settings); // a GPU's first one is cut: nobody knows its cost
     const std::uint64_t idle = vulkan.submissions;
     tracer.Trace(scene, this->camera, this->lights, this->settings);
     seen.tracing = vulkan.submissions - idle;
@@ -179,6 +179,7 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
     }
   }
   vulkan.sharesMemory = shares;
+  vulkan.cpu = cpu;
 }
 
 TEST_F(TracerTest, ImagesAreLaunchedInPartsOnAGpuAlone)

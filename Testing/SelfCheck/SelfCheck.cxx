@@ -138,7 +138,7 @@ private:
         good ? "" : "   FAILED: glyphs are missing");
       std::fflush(stdout);
       this->csv_ << crowd.name << ',' << count << ',' << mode.name << ',' << rate << ',' << rebuild << ',' << bytes
-                 << '\n';
+                 << std::endl; // whatever ends the program later
     }
     return failures;
   }
