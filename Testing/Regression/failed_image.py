@@ -84,7 +84,7 @@ def remedies(checks):
 
 
 def freed_memory(checks):
-    """Data that did not fit are shown when others are hidden, with their own colors and ids."""
+    """Data that did not fit, new or shown again, are shown when others are hidden, with their own colors and ids."""
     view = session.view(*SMALL)
     session.look(view, (0.0, 0.0, 5.0))
     source, shown, points = balls(view, 3)
@@ -96,28 +96,32 @@ def freed_memory(checks):
 
     expected_ids = ids()
     checks.true("no ids are selected in the first place", sum(len(found) for found in expected_ids) >= 6)
-    reached = 0
+    pv.Delete(shown)
+    _, other, _ = balls(view, 9)
+    shown, reached = None, 0
     for order in [MAKE + " 1 always"] + ["%s %d" % (MAKE, n) for n in range(1, CALLS)]:
-        pv.Delete(shown)
-        other_source, other, _ = balls(view, 9)
+        other.Visibility = 1
         pv.Render(view)
         fail(order)
-        shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.25)
-        pv.ColorBy(shown, ("POINTS", "scalar"))
-        shown.SetScalarBarVisibility(view, False)
+        if shown:
+            shown.Visibility = 1
+        else:
+            shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.25)
+            pv.ColorBy(shown, ("POINTS", "scalar"))
+            shown.SetScalarBarVisibility(view, False)
         said = session.messages(lambda: pv.Render(view))
         if not said:
             break
         reached += 1
         fail()
         checks.one_message(order, said, "memory")
-        pv.Hide(other_source, view)
+        other.Visibility = 0
         found = []
         checks.no_message(order + ", other data hidden", session.messages(lambda: found.append(picture(view))))
         checks.picture(order + ", other data hidden", found[0], expected, pixels=0.0, mean=0.0)
         checks.equal(order + ", other data hidden: glyphs with another id",
                      sum(a != b for a, b in zip(ids(), expected_ids)), 0)
-        pv.Delete(other)
+        shown.Visibility = 0
     fail()
     checks.true("only %d calls have failed" % reached, reached >= 3)
     pv.Delete(view)

@@ -110,15 +110,15 @@ def inner(mask):
     return numpy.all([padded[i:i + mask.shape[0], j:j + mask.shape[1]] for i in range(3) for j in range(3)], axis=0)
 
 
-def form(checks, view, what, array, function, factor, both=False, **properties):
+def form(checks, stage, what, array, function, factor, both=False, **properties):
     """The glyph of one tuple, in all colorings from several sides or in one from one: each program takes its time to be compiled."""
-    points = session.source(session.poly_data(numpy.zeros((1, 3)), values=array[None]))
-    shown = session.glyphs(points, view, GlyphScaleFactor=factor, GlyphTensorPositiveColor=WARM, GlyphTensorNegativeColor=COOL, **properties)
-    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    view = stage.view
+    shown = stage.show(session.poly_data(numpy.zeros((1, 3)), values=array[None]), Ambient=1.0, Diffuse=0.0, GlyphScaleFactor=factor,
+                       GlyphTensorPositiveColor=WARM, GlyphTensorNegativeColor=COOL, **properties)
     most = largest(function)
     views = (("Sign", (0.3, -0.5, 0.8)), ("Surface Direction", (-0.9, 0.2, 0.3)), ("Radius", (0.5, 0.4, -0.6)))
     for coloring, direction in views[:3 if both else 1]:
-        shown.GlyphTensorColoring = coloring
+        stage.settings.add({"GlyphTensorColoring": coloring})
         pv.Render(view)
         if coloring == "Radius":
             scalar_bar(checks, view, shown, what, [name for name in (properties.get("GlyphHarmonicsArray"), properties.get("GlyphTensorArray")) if name][0],
@@ -154,8 +154,6 @@ def form(checks, view, what, array, function, factor, both=False, **properties):
             what, coloring, hit.sum(), wrong, sure.sum(), alike.sum(), off)
         print(words)
         checks.true(words, hit.sum() > 150 and wrong <= 0.002 * sure.size and off <= 0.01 * alike.sum() and alike.sum() > 0.2 * hit.sum())
-    pv.Delete(shown)
-    pv.Delete(points)
 
 
 def scalar_bar(checks, view, shown, what, array, most):
@@ -174,16 +172,18 @@ def scalar_bar(checks, view, shown, what, array, most):
 
 def forms(checks, view, random):
     """Bands and bases, and both kinds of tensors."""
+    stage = session.Stage(view)
     for basis, count in zip(BASES, (45, 15, 15, 6)):
         array = random.normal(size=count)
-        form(checks, view, "%s, %d" % (basis, count), array, lambda n: expansion(basis, array, n),
+        form(checks, stage, "%s, %d" % (basis, count), array, lambda n: expansion(basis, array, n),
              1.9 / numpy.abs(array).sum() * count ** 0.5, both=count == 15, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values", GlyphHarmonicsBasis=basis)
     array = random.normal(size=91) * numpy.repeat(1.0 / (1.0 + numpy.arange(7)), 4 * numpy.arange(7) + 1)
-    form(checks, view, "band 12", array, lambda n: expansion("MRtrix3", array, n), 0.7, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values")
+    form(checks, stage, "band 12", array, lambda n: expansion("MRtrix3", array, n), 0.7, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values")
     array = random.normal(size=6)
-    form(checks, view, "normal stress", array, lambda n: normal_stress(array, n), 1.0, GlyphShape="Reynolds", GlyphTensorArray="values")
+    form(checks, stage, "normal stress", array, lambda n: normal_stress(array, n), 1.0, GlyphShape="Reynolds", GlyphTensorArray="values")
     array = random.normal(size=21)
-    form(checks, view, "fourth order", array, lambda n: fourth_order(array, n), 0.7, both=True, GlyphShape="Fourth-Order Tensor", GlyphTensorArray="values")
+    form(checks, stage, "fourth order", array, lambda n: fourth_order(array, n), 0.7, both=True, GlyphShape="Fourth-Order Tensor", GlyphTensorArray="values")
+    stage.close()
 
 
 def sizes(checks, view, random):
@@ -319,15 +319,14 @@ def bad_input(checks, view):
 
 def unfinished(checks, view):
     """In a window nobody is warned of an array that has not been chosen yet; RenderStatistics tells. A script is told."""
-    points = session.source(session.poly_data(numpy.zeros((1, 3)), some=numpy.ones((1, 15)), six=numpy.ones((1, 6))))
+    data, stage = session.poly_data(numpy.zeros((1, 3)), some=numpy.ones((1, 15)), six=numpy.ones((1, 6))), session.Stage(view)
     for in_window in (1, 0):
         for shape, name, array in (("Spherical Harmonics", "GlyphHarmonicsArray", "some"), ("Reynolds", "GlyphTensorArray", "six"),
                                    ("Tensor Ellipsoid", "GlyphTensorArray", "six")):
-            shown = session.glyphs(points, view, GlyphScaleFactor=0.8)
+            shown = stage.show(data, GlyphScaleFactor=0.8)
             shown.SMProxy.GetProperty("StepwiseRendering").SetElement(0, in_window)
             shown.SMProxy.UpdateVTKObjects()
-            setattr(shown, name, "None")
-            shown.GlyphShape = shape
+            stage.settings.add({name: "None", "GlyphShape": shape})
             text = session.messages(lambda: (pv.Render(view), pv.Render(view)))
             what = "%s without an array, %s a window" % (shape, "in" if in_window else "not in")
             if in_window:
@@ -335,11 +334,10 @@ def unfinished(checks, view):
             else:
                 checks.one_message(what, text, name)
             checks.true(what + ": what RenderStatistics tells", name in session.statistics(shown)["unfinished"])
-            setattr(shown, name, array)
+            stage.settings.add({name: array})
             pv.Render(view)
             checks.equal(what + ": what is left to choose with one", session.statistics(shown)["unfinished"], "")
-            pv.Delete(shown)
-    pv.Delete(points)
+    stage.close()
 
 
 def main():

@@ -33,11 +33,15 @@ def show(source, view, kind, **properties):
     shown = pv.Show(source, view)
     shown.SetRepresentationType(kind)
     shown.SamplesPerPixel = 1
-    for name, value in properties.items():
-        if name == "Position" and shown.SMProxy.GetProperty(name) is None:
-            name = "Translation"  # since ParaView 5.12
+    for name, value in named(shown, properties).items():
         setattr(shown, name, value)
     return shown
+
+
+def named(shown, properties):
+    """The same properties, with the names that this ParaView has for them."""
+    moved = "Position" if shown.SMProxy.GetProperty("Position") else "Translation"  # since ParaView 5.12
+    return {moved if name == "Position" else name: value for name, value in properties.items()}
 
 
 def sphere_data(radius=1.0, resolution=32, centre=(0.0, 0.0, 0.0)):
@@ -85,12 +89,15 @@ def like_paraview(view):
         ("sphere-moved", sphere, {"Position": [0.3, 0.1, 0.0], "Scale": [1.2, 0.6, 1.0], "Orientation": [20.0, 0.0, 40.0]}, colour_nothing),
         ("image", wavelet, {"Scale": [0.3, 0.3, 0.3]}, colour_by("POINTS", "RTData")),
     )
+    displays = {}
     for name, source, properties, colouring in cases:
         pictures = {}
-        shown = show(source, view, SURFACE, **properties)
+        if source not in displays:
+            displays[source] = session.Settings(show(source, view, SURFACE, Specular=0.4, SpecularPower=20.0))
+        shown = displays[source].shown
+        displays[source].set(named(shown, properties))
+        shown.Visibility = 1
         colouring(shown, view)
-        shown.Specular = 0.4
-        shown.SpecularPower = 20.0
         # ParaView computes no normals of an image; of the faces of a box the two must agree all the same.
         session.look(view, (2.0, 1.5, 5.0) if name == "image" else (1.5, 1.2, 4.0))
         for kind in (SURFACE, "Surface"):
@@ -99,8 +106,11 @@ def like_paraview(view):
             if kind == SURFACE:
                 statistics = session.statistics(shown)
                 check(statistics["primaryRays"] > 0, "%s: no ray has been traced" % name)
-        pv.Delete(shown)
+        shown.SetRepresentationType(SURFACE)
+        shown.Visibility = 0
         FAILURES.extend(comparison.against_paraview(pictures[SURFACE], pictures["Surface"], "surface-" + name))
+    for settings in displays.values():
+        pv.Delete(settings.shown)
 
 
 def with_glyphs(view):
@@ -222,15 +232,13 @@ def bad_input(view):
         ("NaN normals", crooked, None, None, True),
         ("missing array", sphere_data(), ("nonesuch",), ["POINTS", "nonesuch"], True),
     )
+    stage = session.Stage(view, SURFACE)
     for name, data, words, array, visible in cases:
-        source = session.source(data)
         session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.5)
 
         def twice():
-            shown = show(source, view, SURFACE)
-            session.solid(shown, COLOUR)
-            if array:
-                shown.ColorArrayName = array
+            session.solid(stage.show(data, SamplesPerPixel=1), COLOUR)
+            stage.settings.add({"ColorArrayName": array or [None, ""]})
             pv.Render(view)
             session.look(view, (0.0, 0.0, 5.001), parallel_scale=1.5)
             pv.Render(view)
@@ -243,7 +251,8 @@ def bad_input(view):
             check(word in text, "%s: the message does not speak of '%s'" % (name, word))
         pixels = session.capture(view, "surface-bad-" + name.replace(" ", "-"))
         check(comparison.covered(pixels)[150, 200] == visible, "%s: the surface is %s" % (name, "missing" if visible else "there"))
-        pv.Delete(pv.GetDisplayProperties(source, view))
+        stage.hide()
+    stage.close()
 
 
 def main():
