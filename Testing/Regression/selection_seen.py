@@ -58,11 +58,11 @@ def query(numbers):
     return " | ".join("(number == %d)" % number for number in numbers)
 
 
-def shape_case(checks, view, shape):
+def shape_case(checks, stage, shape):
     """One shape: select, look, clear."""
     make, properties, array, wanted = CASES[shape]
-    source = session.source(make())
-    shown = session.glyphs(source, view, shape, **{"GlyphScaleFactor": 0.7, **properties})
+    shown = stage.show(make(), shape, **{"GlyphScaleFactor": 0.7, **properties})
+    view, source = stage.view, stage.source
     if shape == "Mesh":
         shown.GlyphMesh = "Sphere"
     if array:
@@ -88,8 +88,6 @@ def shape_case(checks, view, shape):
     now = session.statistics(shown)
     for name in BUILDS:
         checks.equal("%s: %s of a selection" % (shape, name), now[name] - built[name], 0)
-    pv.Delete(shown)
-    pv.Delete(source)
 
 
 def cells(checks, view):
@@ -187,8 +185,10 @@ def main():
     checks = Checks()
     view = session.view(250, 200, background=(0, 0, 0))
     session.look(view, (2.0, 1.5, 10.0), (2.0, 1.5, 0.0), parallel_scale=2.2)
+    stage = session.Stage(view)
     for shape in CASES:
-        shape_case(checks, view, shape)
+        shape_case(checks, stage, shape)
+    stage.close()
     cells(checks, view)
     tubes(checks, view)
     color(checks, view)

@@ -53,11 +53,12 @@ def glyphs(checks):
     cells = vtkCellArray()
     cells.InsertNextCell(3, [0, 1, 2])
     triangle.SetPolys(cells)
+    displays = session.Stage(view)
     for name, data, cell_ids in (("points without cells", bare, (None,) * 3), ("vertices", vertices, (1, 2, 0)),
                                  ("corners of a triangle", triangle, (None,) * 3)):
         for shape in ("Sphere", "Mesh"):
-            source = session.source(data)
-            shown = session.glyphs(source, view, shape, GlyphOrient=0, GlyphScaleFactor=0.6)
+            shown = displays.show(data, shape, GlyphOrient=0, GlyphScaleFactor=0.6)
+            source = displays.source
             if shape == "Mesh":
                 shown.GlyphMesh = "Sphere"
             pv.Render(view)
@@ -67,7 +68,7 @@ def glyphs(checks):
                 cell = cell_ids[i]
                 expect(checks, "%s as %s, cell of point %d" % (name, shape, i), view, "CELL", at, source,
                        i if cell is None else cell, of="POINT" if cell is None else None)
-            pv.Delete(shown)
+    displays.close()
     found = session.picked(view, "CELL", pixel(0.05, 0.05))
     checks.equal("where no glyph is, the plane", [entry[0] for entry in found], [plane.SMProxy])
     pv.Delete(view)
