@@ -43,8 +43,9 @@ def theirs(points, view):
 def opaque(view):
     """A slanted opaque plane that cuts through the middle of all spheres."""
     plane = pv.Plane(Origin=[-1.6, -1.6, -0.5], Point1=[1.6, -1.6, 0.5], Point2=[-1.6, 1.6, -0.5])
-    session.solid(pv.Show(plane, view), (0.2, 0.7, 0.3))
-    return plane
+    shown = pv.Show(plane, view)
+    session.solid(shown, (0.2, 0.7, 0.3))
+    return shown
 
 
 def wireframe(view):
@@ -53,7 +54,7 @@ def wireframe(view):
     shown = pv.Show(box, view)
     shown.SetRepresentationType("Wireframe")
     session.solid(shown, (0.0, 0.0, 0.0))
-    return box
+    return shown
 
 
 def translucent(view):
@@ -62,51 +63,69 @@ def translucent(view):
     shown = pv.Show(plane, view)
     session.solid(shown, (0.1, 0.2, 0.9))
     shown.Opacity = 0.5
-    return plane
+    return shown
 
 
 def axes(view):
     """The axes grid; bounds given, because those of 3D Glyphs are the points' and ours the glyphs'."""
-    view.AxesGrid.Visibility = 1
     view.AxesGrid.UseCustomBounds = 1
     view.AxesGrid.CustomBounds = [-1.5, 1.5, -1.5, 1.5, -0.5, 0.5]
+    return view.AxesGrid
 
 
 def scalar_bar(view):
-    """A scalar bar over the spheres; picture() shows it."""
+    """A scalar bar over the spheres; pictures() shows it."""
+    bar = pv.GetScalarBar(pv.GetColorTransferFunction("column"), view)
+    bar.WindowLocation = "Any Location"
+    bar.Position = [0.45, 0.2]
+    return bar
 
 
+#: what each scene adds to the view and returns, to be shown in this scene only
 SCENES = {"opaque": opaque, "wireframe": wireframe, "translucent": translucent, "axes": axes, "scalarbar": scalar_bar}
 
 
-def picture(scene, points, show, who):
-    """One scene with one kind of glyph."""
-    view = session.view(*SIZE)
+def hidden(points, view, show):
+    """The display of one kind of glyph, not to be seen before its pictures."""
     shown = show(points, view)
     pv.ColorBy(shown, ("POINTS", "column"))
     session.cool_to_warm("column")
-    shown.SetScalarBarVisibility(view, scene == "scalarbar")
-    if scene == "scalarbar":
-        bar = pv.GetScalarBar(pv.GetColorTransferFunction("column"), view)
-        bar.WindowLocation = "Any Location"
-        bar.Position = [0.45, 0.2]
-    SCENES[scene](view)
-    session.look(view, (1.0, 2.0, 7.0))
-    pv.Render(view)
-    captured = session.capture(view, "compositing-%s%s" % (scene, who))
-    pv.Delete(view)
+    shown.SetScalarBarVisibility(view, False)
+    shown.Visibility = 0
+    return shown
+
+
+def pictures(shown, view, added, who):
+    """All scenes with one kind of glyph; added: by the scenes' names, what they have added to the view so far."""
+    captured = {}
+    shown.Visibility = 1
+    for scene, add in SCENES.items():
+        shown.SetScalarBarVisibility(view, scene == "scalarbar")
+        if scene not in added:
+            added[scene] = add(view)
+        added[scene].Visibility = 1
+        # From another place first, so that no scene has the glyphs' image of the one before.
+        for distance in (7.1, 7.0):
+            session.look(view, (1.0, 2.0, distance))
+            pv.Render(view)
+        captured[scene] = session.capture(view, "compositing-%s%s" % (scene, who))
+        added[scene].Visibility = 0
+    shown.Visibility = 0
     return captured
 
 
 def main():
     """All scenes."""
     session.load()
-    points = grid()
-    failures = []
+    view = session.view(*SIZE)
+    shown, reference = hidden(grid(), view, ours), hidden(grid(), view, theirs)
+    added, failures = {}, []
+    # 3D Glyphs first: no picture of theirs is of a view in which ours have been drawn.
+    of_paraview = pictures(reference, view, added, "-paraview")
+    of_ours = pictures(shown, view, added, "")
     for scene in SCENES:
         name = "compositing-" + scene
-        mine = picture(scene, points, ours, "")
-        paraviews = picture(scene, points, theirs, "-paraview")
+        mine, paraviews = of_ours[scene], of_paraview[scene]
         failures += comparison.against_baseline(mine, name)
         # Translucent surfaces, lines and text are ParaView's in both pictures: only depth errors of ours can differ.
         share, mean, apart = comparison.difference(mine[..., :3], paraviews[..., :3])

@@ -12,13 +12,11 @@ from checks import Checks, cloud
 RADIUS = 0.165
 
 
-def scene(count=400, size=0.25, samples=8):
-    """(view, representation): a packing of spheres."""
-    view = session.view(240, 180)
-    shown = session.glyphs(cloud(count), view, GlyphOrient=0, GlyphScaleFactor=size, samples=samples)
-    session.solid(shown, (0.9, 0.6, 0.3))
-    session.look(view, (0.0, 0.0, 4.5))
-    return view, shown
+def scene(stage, count=400, size=0.25, samples=8):
+    """Puts a packing of spheres on the stage."""
+    data = cloud(count).GetClientSideObject().GetOutputDataObject(0)
+    session.solid(stage.show(data, "Sphere", GlyphOrient=0, GlyphScaleFactor=size, SamplesPerPixel=samples), (0.9, 0.6, 0.3))
+    session.look(stage.view, (0.0, 0.0, 4.5))
 
 
 def inner(mask, width=3):
@@ -33,26 +31,29 @@ def inner(mask, width=3):
     return mask
 
 
-def holes(checks):
+def holes(checks, stage):
     """Transparent pictures have no wholly transparent pixels among glyphs."""
+    view = stage.view
     for name, samples in (("smooth", 8), ("hard", 1)):
-        view, _ = scene(samples=samples)
+        scene(stage, samples=samples)
         pv.Render(view)
         alphas = {}
         for effect in (0, 1):
             view.UseFXAA = effect
             alphas[effect] = session.capture(view, "screen-effects-alpha-%s-%d" % (name, effect), TransparentBackground=1)[..., 3]
+        # The display is that of the case before, with other samples.
+        checks.equal("%s edges: pixels are covered in part" % name, bool(((alphas[0] > 0) & (alphas[0] < 255)).any()), name == "smooth")
         # Where all around is covered there must be something.
         for effect, alpha in alphas.items():
             count = int((inner(alphas[0] > 0, 1) & (alpha == 0)).sum())
             print("%s edges, UseFXAA %d: %d holes in %d pixels" % (name, effect, count, (alphas[0] > 0).sum()))
             checks.equal("%s edges, UseFXAA %d: wholly transparent pixels among glyphs" % (name, effect), count, 0)
-        pv.Delete(view)
 
 
-def kept(checks):
+def kept(checks, stage):
     """FXAA smooths ParaView's own geometry and changes no pixel of glyphs, nor of the background beside them."""
-    view, _ = scene(count=100)
+    view = stage.view
+    scene(stage, count=100)
     tilted = pv.Box(XLength=1.2, YLength=1.2, ZLength=0.1, Center=[2.4, 0.0, 0.0])
     pv.Show(tilted, view).Orientation = [0.0, 0.0, 8.0]
     session.look(view, (1.0, 0.0, 7.0))
@@ -65,24 +66,28 @@ def kept(checks):
     print("pixels that FXAA changes: %d of glyphs, %d of a box" % (changed[:, :ordinary].sum(), changed[:, ordinary:].sum()))
     checks.equal("pixels of glyphs that FXAA changes", int(changed[:, :ordinary].sum()), 0)
     checks.true("FXAA smooths no edge of a box", changed[:, ordinary:].sum() > 20)
-    pv.Delete(view)
+    pv.Hide(tilted, view)
 
 
-def wall(kind):
-    """(view, points): a wall of balls before an ordinary ball, in a wire box: what those leave in the buffers matters."""
+def walls():
+    """(view, points, hidden displays by kinds): a wall of balls before an ordinary ball, in a wire box: what those leave in the buffers matters."""
     columns, rows = numpy.meshgrid(numpy.linspace(-2.0, 2.0, 14), numpy.linspace(-1.5, 1.5, 14))
     points = numpy.stack([columns.ravel(), rows.ravel(), numpy.zeros(columns.size)], axis=1)
     view = session.view(240, 180)
-    shown = session.glyphs(session.source(session.poly_data(points)), view, GlyphOrient=0, GlyphScaleFactor=2 * RADIUS, samples=1)
-    shown.SetRepresentationType(kind)
-    if kind == "3D Glyphs":
-        shown.GlyphType = "Sphere"
-        shown.GlyphType.ThetaResolution = shown.GlyphType.PhiResolution = 24
-        shown.GlyphType.Radius, shown.Scaling = RADIUS, 0
-    session.solid(shown, (0.9, 0.6, 0.3))
+    displays = {}
+    for kind in (session.REPRESENTATION, "3D Glyphs"):
+        shown = session.glyphs(session.source(session.poly_data(points)), view, GlyphOrient=0, GlyphScaleFactor=2 * RADIUS, samples=1)
+        shown.SetRepresentationType(kind)
+        if kind == "3D Glyphs":
+            shown.GlyphType = "Sphere"
+            shown.GlyphType.ThetaResolution = shown.GlyphType.PhiResolution = 24
+            shown.GlyphType.Radius, shown.Scaling = RADIUS, 0
+        session.solid(shown, (0.9, 0.6, 0.3))
+        shown.Visibility = 0
+        displays[kind] = shown
     pv.Show(pv.Box(XLength=4.5, YLength=3.5, ZLength=1.0), view).SetRepresentationType("Wireframe")
     pv.Show(pv.Sphere(Center=[0.0, 0.0, -0.3], Radius=0.6), view)
-    return view, points
+    return view, points, displays
 
 
 def darkened(view, points, kind, position):
@@ -108,9 +113,17 @@ def stripes(checks):
     """The view's own ambient occlusion draws no stripes or dots on glyphs: it leaves all as they are, or darkens them as
     it does 3D Glyphs.
     """
-    walls = {kind: wall(kind) for kind in (session.REPRESENTATION, "3D Glyphs")}
-    for position in ((0.0, 0.0, 6.0), (2.0, 1.0, 6.0)):
-        ours, theirs = (darkened(view, points, kind, position) for kind, (view, points) in walls.items())
+    view, points, displays = walls()
+    positions = ((0.0, 0.0, 6.0), (2.0, 1.0, 6.0))
+    patches_of = {}
+    # 3D Glyphs first: no picture of theirs is of a view in which ours have been drawn.
+    for kind in ("3D Glyphs", session.REPRESENTATION):
+        displays[kind].Visibility = 1
+        # On ours both effects work at once.
+        view.UseFXAA = int(kind == session.REPRESENTATION)
+        patches_of[kind] = [darkened(view, points, kind, position) for position in positions]
+        displays[kind].Visibility = 0
+    for position, ours, theirs in zip(positions, patches_of[session.REPRESENTATION], patches_of["3D Glyphs"]):
         # Darkest ball, brightest ball, darkest pixel.
         ours, theirs = ((patches.mean(axis=1).min(), patches.mean(axis=1).max(), patches.min()) for patches in (ours, theirs))
         what = "SSAO from %s: balls have %.2f to %.2f of their brightness, single pixels at least %.2f" % (position, *ours)
@@ -125,8 +138,10 @@ def main():
     """All parts."""
     session.load()
     checks = Checks()
-    holes(checks)
-    kept(checks)
+    stage = session.Stage(session.view(240, 180))
+    holes(checks, stage)
+    kept(checks, stage)
+    stage.hide()
     stripes(checks)
     checks.report()
 
