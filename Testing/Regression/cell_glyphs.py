@@ -73,32 +73,27 @@ def offered(shown, name):
     return [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
 
 
-def lists(checks, source, view):
+def lists(checks, stage, data):
     """They follow GlyphLocation both ways."""
-    shown = session.glyphs(source, view, GlyphOrient=0)
+    shown = stage.show(data, "Sphere", GlyphOrient=0)
     for location, wanted, other in (("Points", "of points", "size"), ("Cells", "size", "of points"), ("Points", "of points", "size")):
-        shown.GlyphLocation = location
+        stage.settings.add({"GlyphLocation": location})
         found = offered(shown, "GlyphScaleArray")
         checks.true("%s: GlyphScaleArray offers %s" % (location, found), wanted in found and other not in found)
-    pv.Delete(shown)
 
 
-def pictures(checks, view, what, source, points):
-    """Of cells, beside those of points at their centers."""
+def pictures(checks, what, stages):
+    """Of cells, beside those of points at their centers; stages: by GlyphLocation, with their data and hidden."""
     cases = (("size", "Sphere", {"GlyphScaling": 1, "GlyphScaleArray": "size", "GlyphOrient": 0}), ("direction", "Arrow", {"GlyphOrientationArray": "flow"}),
              ("tensor", "Tensor Ellipsoid", {"GlyphTensorArray": "stress"}))
-    displays = {location: session.Settings(session.glyphs(one, view, GlyphLocation=location))
-                for one, location in ((points, "Points"), (source, "Cells"))}
-    for settings in displays.values():
-        settings.shown.Visibility = 0
     for name, shape, properties in cases:
         seen = []
         for location, association in (("Points", "POINTS"), ("Cells", "CELLS")):
-            settings = displays[location]
+            settings, view = stages[location].settings, stages[location].view
             shown = settings.shown
 
             def draw():
-                settings.set({"Visibility": 1, "GlyphShape": shape, "GlyphScaleFactor": 0.5, **properties})
+                settings.set({"Visibility": 1, "GlyphLocation": location, "GlyphShape": shape, "GlyphScaleFactor": 0.5, **properties})
                 pv.ColorBy(shown, (association, "size"))
                 shown.LookupTable.RescaleTransferFunction(0.0, 1.0)
                 shown.SetScalarBarVisibility(view, False)
@@ -108,23 +103,22 @@ def pictures(checks, view, what, source, points):
             checks.no_message("%s, %s of %s" % (what, name, location), said)
             checks.equal("%s, %s: glyphs" % (what, name), session.statistics(shown)["glyphs"], 5 if what == "image" else 3)
             seen.append(session.capture(view, "cell-glyphs-%s-%s-%s" % (what, name, location)))
-            settings.set({})
+            stages[location].hide()
         checks.covered("%s, %s" % (what, name), seen[0], 0.005)
         checks.picture("%s, %s" % (what, name), seen[1], seen[0], pixels=0.001, mean=0.1)
-    for settings in displays.values():
-        pv.Delete(settings.shown)
 
 
-def selecting(checks, view, what, source, centers, numbers):
+def selecting(checks, stage, what, data, centers, numbers):
     """Cells are selected, also where points are asked for."""
-    shown = session.glyphs(source, view, "Sphere", GlyphScaleFactor=0.5, GlyphLocation="Cells", GlyphOrient=0)
+    stage.show(data, "Sphere", GlyphScaleFactor=0.5, GlyphLocation="Cells", GlyphOrient=0)
+    view = stage.view
     pv.Render(view)
     for number in numbers:
         x, y = session.pixel_of(view, centers[number])
         for kind in ("CELL", "POINT"):
             found = session.picked(view, kind, (x, y))
-            checks.equal("%s: selecting a %s at the center of cell %d" % (what, kind, number), found, [(source.SMProxy, "CELL", number)])
-    pv.Delete(shown)
+            checks.equal("%s: selecting a %s at the center of cell %d" % (what, kind, number), found, [(stage.source.SMProxy, "CELL", number)])
+    stage.hide()
 
 
 def blocks(checks, view):
@@ -146,12 +140,18 @@ def main():
     checks = Checks()
     view = session.view(200, 150)
     session.look(view, (0.0, 0.0, 5.0))
+    points = session.Stage(view)
     for what, (data, centers, numbers, values) in (("image", image()), ("grid", grid())):
-        source = session.source(data)
-        points = session.source(session.poly_data(centers[numbers], **{name: array[numbers] for name, array in values.items()}))
-        lists(checks, source, view)
-        pictures(checks, view, what, source, points)
-        selecting(checks, view, what, source, centers, numbers)
+        # ParaView has a kind of display for each kind of data.
+        cells = session.Stage(view)
+        lists(checks, cells, data)
+        # Before the pictures, which leave a coloring.
+        selecting(checks, cells, what, data, centers, numbers)
+        points.show(session.poly_data(centers[numbers], **{name: array[numbers] for name, array in values.items()}))
+        points.hide()
+        pictures(checks, what, {"Points": points, "Cells": cells})
+        cells.close()
+    points.close()
     blocks(checks, view)
     checks.report()
 

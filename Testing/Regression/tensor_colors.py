@@ -34,17 +34,24 @@ def value_of(coloring, eigenvalues):
 VALUES = {coloring: numpy.array([value_of(coloring, row) for row in EIGENVALUES]) for coloring in ("Trace", "Fractional Anisotropy", *SINGLE)}
 
 
-def scene(others=numpy.zeros((0, 3))):
-    """(view, representation): four unlit tensor glyphs beside each other, and one more for each of some eigenvalues out of sight."""
-    view = session.view(*SIZE)
+#: what a case changes, as a new display has it
+UNCHANGED = {"ColorArrayName": [None, ""], "LookupTable": None, "DiffuseColor": [1.0] * 3, "AmbientColor": [1.0] * 3, "GlyphTensorColoring": "None",
+             "GlyphTensorLookupTable": None}
+
+
+def scene(stage, others=numpy.zeros((0, 3))):
+    """(view, representation): four unlit tensor glyphs beside each other, and one more for each of some eigenvalues out of sight; no scalar bars."""
+    view = stage.view
+    for bar in list(view.Representations):
+        if hasattr(bar, "ComponentTitle"):
+            pv.Delete(bar)
     values = numpy.concatenate([EIGENVALUES, others])
     points = numpy.concatenate([POINTS, [[0.0, 100.0 + i, 0.0] for i in range(len(others))]]) if len(others) else POINTS
-    source = session.source(session.poly_data(
+    data = session.poly_data(
         points, stress=numpy.array([numpy.diag(row) for row in values]).reshape(len(values), 9),
-        tiny=1e-6 * numpy.arange(float(len(values))), large=1e3 * numpy.arange(float(len(values)))))
-    shown = session.glyphs(source, view, "Tensor Ellipsoid", GlyphTensorArray="stress", GlyphScaleFactor=0.8)
-    shown.Ambient, shown.Diffuse = 1.0, 0.0
-    session.look(view, (0.0, 0.0, 5.0), parallel_scale=SCALE)
+        tiny=1e-6 * numpy.arange(float(len(values))), large=1e3 * numpy.arange(float(len(values))))
+    shown = stage.show(data, "Tensor Ellipsoid", GlyphTensorArray="stress", GlyphScaleFactor=0.8, Ambient=1.0, Diffuse=0.0,
+                       **(UNCHANGED if stage.source else {}))
     pv.Render(view)
     return view, shown
 
@@ -66,9 +73,9 @@ def centers(pixels):
     return [pixels[SIZE[1] // 2, round(SIZE[0] / 2 + x * SIZE[1] / 2 / SCALE), :3].astype(int) for x in POINTS[:, 0]]
 
 
-def check(checks, coloring, left):
+def check(checks, stage, coloring, left):
     """The picture with a coloring after an array, or none, has colored the glyphs."""
-    view, shown = scene()
+    view, shown = scene(stage)
     what = "%s after %s" % (coloring, left or "nothing")
     if left:
         pv.ColorBy(shown, ("POINTS", left))
@@ -107,13 +114,12 @@ def check(checks, coloring, left):
     session.solid(shown, (0.2, 0.4, 0.6))
     off = centers(session.capture(view, "tensor-colors-off"))
     checks.true("%s, then off: colors %s" % (what, off), all(numpy.abs(color - (51, 102, 153)).max() <= LEVELS for color in off))
-    pv.Delete(view)
     return pixels
 
 
-def check_eigenvalues(checks, others):
+def check_eigenvalues(checks, stage, others):
     """Magnitudes, the largest eigenvalue first, over the largest of the data, of which `others` may have some more: tables have no say."""
-    view, shown = scene(others)
+    view, shown = scene(stage, others)
     pv.ColorBy(shown, ("POINTS", "large"))
     shown.GlyphTensorColoring = "Trace"
     pv.Render(view)
@@ -140,19 +146,22 @@ def check_eigenvalues(checks, others):
     checks.picture(what + ": spheres", session.capture(view, "tensor-colors-sphere-none"), plain, pixels=0.0, mean=0.0)
     shown.GlyphShape, shown.GlyphTensorColoring, shown.GlyphTensorArray = "Tensor Ellipsoid", "Eigenvalues", "None"
     checks.one_message(what + ", no array", session.messages(lambda: pv.Render(view)), "GlyphTensorArray")
-    pv.Delete(view)
 
 
 def main():
     """All numbers, after arrays of a tiny and of a large range have colored the glyphs."""
     session.load()
     checks = Checks()
+    stage = session.Stage(session.view(*SIZE))
+    session.look(stage.view, (0.0, 0.0, 5.0), parallel_scale=SCALE)
     for others in (numpy.zeros((0, 3)), numpy.array([[0.1, 0.0, -2.0]])):
-        check_eigenvalues(checks, others)
+        check_eigenvalues(checks, stage, others)
+    # The first number colors a new display.
+    stage.close()
     for coloring in VALUES:
-        plain = check(checks, coloring, None)
+        plain = check(checks, stage, coloring, None)
         for left in ("tiny", "large") if coloring not in SINGLE else ("large",):
-            checks.picture("%s, colors after %s" % (coloring, left), check(checks, coloring, left), plain, pixels=0.0, mean=0.0)
+            checks.picture("%s, colors after %s" % (coloring, left), check(checks, stage, coloring, left), plain, pixels=0.0, mean=0.0)
     checks.report()
 
 

@@ -75,28 +75,26 @@ def one_for_all(checks):
     return view
 
 
-def picture_follows(checks):
+def picture_follows(checks, view, shown):
     """The setting that was made last counts, whichever of the displays it was made on."""
     pictures = []
+    session.replace_data(shown[0].Input, cloud(60).GetClientSideObject().GetOutputDataObject(0))
+    shown[0].GlyphScaleFactor = 0.3
+    shown[0].ShadingMode, shown[0].SamplesPerPixel = "Ambient Occlusion", 2
     for order in (1, -1):
-        view = session.view(80, 60)
-        shown = [show(cloud(60), view, session.REPRESENTATION), show(pv.Sphere(Radius=0.5), view, SURFACE)]
-        shown[0].GlyphScaleFactor = 0.3
-        shown[0].ShadingMode, shown[0].SamplesPerPixel = "Ambient Occlusion", 2
         pv.Render(view)
         first, second = shown[::order]
         first.Exposure = 1.0
         second.Exposure = -2.0
-        session.look(view, (0.0, 0.0, 5.0))
         pictures.append(session.capture(view, "view-settings-order-%d" % order))
-        pv.Delete(view)
+        first.Exposure = 0.0
     checks.covered("exposure", pictures[0], 0.1)
     checks.picture("exposure set on either display last", pictures[0], pictures[1])
 
 
 def there_and_back(checks):
     """Path tracing set on one display, and the old shading on each in turn, also on one that is hidden and one that was made
-    meanwhile: the picture is the one of before."""
+    meanwhile: the picture is the one of before. Returns the view and two of its displays, which are all that it has then."""
     view = session.view(80, 60)
     session.look(view, (0.0, 0.0, 5.0))
     shown = [show(cloud(40), view, session.REPRESENTATION), show(pv.Sphere(Radius=0.5), view, SURFACE), show(cloud(20, 5), view, session.REPRESENTATION)]
@@ -115,13 +113,13 @@ def there_and_back(checks):
                 pv.Render(view)
         check_all(checks, "back again", shown, {"ShadingMode": "Local"})
         checks.picture("back again, rendered %d" % rendered, session.capture(view, "view-settings-after"), before, pixels=0.0, mean=0.0)
-    pv.Delete(view)
+    for display in shown[2:]:
+        pv.Delete(display)
+    return view, shown[:2]
 
 
-def quality(checks):
+def quality(checks, view, shown):
     """A quality is the values that it stands for, on all displays, until one of them is changed; a state keeps it."""
-    view = session.view(80, 60)
-    shown = [show(cloud(60), view, session.REPRESENTATION), show(pv.Sphere(Radius=0.5), view, SURFACE)]
 
     def found():
         return [[str(display.GetPropertyValue(name)).strip("'") for name in
@@ -156,9 +154,9 @@ def main():
     session.load()
     checks = Checks()
     pv.Delete(one_for_all(checks))
-    picture_follows(checks)
-    there_and_back(checks)
-    quality(checks)
+    view, shown = there_and_back(checks)
+    picture_follows(checks, view, shown)
+    quality(checks, view, shown)
     checks.report()
 
 
