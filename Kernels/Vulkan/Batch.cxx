@@ -9,8 +9,8 @@ namespace rtg
 namespace
 {
 
-/// More than this is copied before the batch goes on. It fits into one shared block of memory, which is kept: drivers
-/// take a third of a millisecond for each megabyte of the host's memory that they are to see.
+/// More than this is copied before the batch goes on. It fits into one shared block of memory, which is kept: NVIDIA's
+/// driver takes a third of a millisecond for each megabyte of the host's memory that it is to see.
 constexpr std::size_t mostStaged = 3 * Batch::mostAtOnce;
 
 } // namespace

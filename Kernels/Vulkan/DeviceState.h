@@ -94,7 +94,7 @@ struct Device::State
   }
 
 private:
-  // What the commands of one submission need; drivers take a millisecond to make it anew.
+  // What the commands of one submission need, made once: drivers ask the system for memory to make it.
   struct Submission
   {
     vk::raii::CommandPool pool{ nullptr };
