@@ -11,6 +11,7 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <sstream>
 
 namespace rtg
@@ -29,18 +30,21 @@ constexpr const char* remedy =
 using Features = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
   vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>;
 
-bool HasExtension(const vk::raii::PhysicalDevice& physical, const char* name)
+bool HasExtensions(const vk::raii::PhysicalDevice& physical, std::span<const char* const> names)
 {
   const auto extensions = physical.enumerateDeviceExtensionProperties();
-  return std::any_of(extensions.begin(), extensions.end(),
-    [&](const vk::ExtensionProperties& extension) { return std::string(extension.extensionName.data()) == name; });
+  const auto has = [&](const char* name)
+  {
+    return std::any_of(extensions.begin(), extensions.end(),
+      [&](const vk::ExtensionProperties& extension) { return std::string(extension.extensionName.data()) == name; });
+  };
+  return std::all_of(names.begin(), names.end(), has);
 }
 
 // Whether the driver traverses structures of its own.
 bool TracesRays(const vk::raii::PhysicalDevice& physical)
 {
-  const auto has = [&](const char* name) { return HasExtension(physical, name); };
-  if (!std::all_of(std::begin(rayExtensions), std::end(rayExtensions), has))
+  if (!HasExtensions(physical, rayExtensions))
   {
     return false;
   }
@@ -290,8 +294,8 @@ void Device::Start()
   state.queueFamily = ChooseQueueFamily(state.physical);
   state.int64 = state.physical.getFeatures().shaderInt64;
   state.tracesRays = TracesRays(state.physical);
-  state.hasRayHardware =
-    !state.cpu && state.tracesRays && HasExtension(state.physical, VK_KHR_RAY_QUERY_EXTENSION_NAME);
+  constexpr const char* rayQueries[] = { VK_KHR_RAY_QUERY_EXTENSION_NAME };
+  state.hasRayQueries = HasExtensions(state.physical, rayQueries);
   state.miscompilesTrees = MiscompilesTrees(state.physical);
   using Stage = vk::PipelineStageFlagBits;
   state.programStages = Stage::eComputeShader;
@@ -359,7 +363,7 @@ bool Device::IsCpu() const
 
 bool Device::PrefersTrees() const
 {
-  return this->state_->cpu ? !this->state_->miscompilesTrees : !this->state_->hasRayHardware;
+  return this->state_->cpu ? !this->state_->miscompilesTrees : !this->state_->hasRayQueries;
 }
 
 bool Device::Lost() const

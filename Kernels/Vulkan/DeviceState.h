@@ -50,9 +50,9 @@ struct Device::State
   bool sharesMemory = false;
   bool int64 = false;      ///< 64-bit integers in programs
   bool tracesRays = false; ///< the driver has structures and pipelines for rays
-  /// The GPU finds what rays meet in hardware. A driver that emulates pipelines for rays on GPUs without it, as
-  /// NVIDIA's does, has no ray queries there (github.com/KhronosGroup/Vulkan-Docs/issues/1241).
-  bool hasRayHardware = false;
+  /// Of a GPU it tells whether hardware finds what rays meet: a driver that emulates pipelines for rays where there is
+  /// none, as NVIDIA's does, has no ray queries there (github.com/KhronosGroup/Vulkan-Docs/issues/1241).
+  bool hasRayQueries = false;
   /// Mesa's lavapipe with LLVM 21 and later: of the programs that walk own trees, which are the longest ones, it
   /// compiles some wrongly. Which ones changes with every line of them; NormalsTest and the tests of pictures see it.
   bool miscompilesTrees = false;

@@ -62,9 +62,9 @@ TEST(DeviceTest, OwnTreesOnlyWhereNoHardwareFindsWhatRaysMeet)
     EXPECT_EQ(device->PrefersTrees(), !miscompiles);
   }
   state.cpu = false;
-  for (const bool hardware : { false, true })
+  for (const bool queries : { false, true })
   {
-    state.hasRayHardware = hardware;
-    EXPECT_EQ(device->PrefersTrees(), !hardware);
+    state.hasRayQueries = queries;
+    EXPECT_EQ(device->PrefersTrees(), !queries);
   }
 }

@@ -87,6 +87,23 @@ TEST_F(MemoryTest, BuffersKeepWhatIsWritten)
   EXPECT_EQ(this->device->HeldBytes(), bytes);
 }
 
+/// What fills a shared block and goes is followed by others in the same one: images and uploads do that all the time.
+TEST_F(MemoryTest, AnEmptyBlockIsKept)
+{
+  const auto fill = [&](const auto& look)
+  {
+    std::vector<rtg::Buffer> held;
+    for (int i = 0; i < 4; ++i)
+    {
+      held.push_back(this->Make(this->vulkan.memory.blockBytes / 4, rtg::Buffer::Place::Host));
+    }
+    look();
+  };
+  fill([] {});
+  const std::size_t before = this->vulkan.memory.Blocks();
+  fill([&] { EXPECT_EQ(this->vulkan.memory.Blocks(), before); });
+}
+
 /// What is larger than a batch holds arrives whole, whatever the size of its elements.
 TEST_F(MemoryTest, LargeUploadsArriveWhole)
 {

@@ -9,6 +9,7 @@
 // that can be traced, and the bytes that the device holds for a glyph. Whatever fails, or covers few pixels, makes the
 // exit status 1.
 #include "../Benchmarks/Crowds.h"
+#include "../Benchmarks/Measures.h"
 #include "Parallel.h"
 #include "Scene.h"
 #include "Stopwatch.h"
@@ -129,9 +130,7 @@ private:
         trace();
         laps.push_back(watch.Lap());
       }
-      const auto middle = laps.begin() + laps.size() / 2;
-      std::nth_element(laps.begin(), middle, laps.end());
-      const double rate = 1.0 / *middle;
+      const double rate = 1.0 / benchmark::Quantile(laps, 0.5);
       const bool good = covered > leastCovered;
       failures += !good;
       std::printf("%-14s %10zu %-10s %12.3f %10.4f %12.1f%s\n", crowd.name, count, mode.name, rate, rebuild, bytes,
