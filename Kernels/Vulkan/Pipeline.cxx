@@ -5,25 +5,12 @@
 
 #include <cstddef>
 #include <cstring>
-#include <iterator>
 
 namespace rtg
 {
 
 namespace
 {
-
-const vk::SpecializationMapEntry constantMap[] = {
-#define RTG_ENTRY(id, type, name) { id, offsetof(Constants, name), sizeof(std::uint32_t) },
-  RTG_CONSTANTS(RTG_ENTRY)
-#undef RTG_ENTRY
-};
-
-vk::SpecializationInfo Specialise(const Constants& constants)
-{
-  return vk::SpecializationInfo(
-    static_cast<std::uint32_t>(std::size(constantMap)), constantMap, sizeof(constants), &constants);
-}
 
 // Those of a hit group's programs: every set of theirs is alike.
 Constants ConstantsOf(const HitGroup& group, const Generation& generation)
@@ -85,12 +72,9 @@ Pipeline::Pipeline(Device::State& device, const Generation& generation, const st
 
 void Pipeline::MakeComputePipeline(const Generation& generation)
 {
-  const Constants& constants = generation.constants;
   const vk::raii::ShaderModule module =
-    MakeModule(*this->device_, programs::ownTreesGeneration[generation.program], constants);
-  const vk::SpecializationInfo specialisation = Specialise(constants);
-  const vk::PipelineShaderStageCreateInfo stage(
-    {}, vk::ShaderStageFlagBits::eCompute, *module, "main", &specialisation);
+    MakeModule(*this->device_, programs::ownTreesGeneration[generation.program], generation.constants);
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
   this->pipeline_ = vk::raii::Pipeline(this->device_->device, this->device_->programCache,
     vk::ComputePipelineCreateInfo({}, stage, *this->device_->programLayout));
 }
@@ -104,14 +88,11 @@ void Pipeline::MakeRayTracingPipeline(const Generation& generation, const std::v
   std::vector<vk::raii::ShaderModule> modules;
   std::vector<vk::PipelineShaderStageCreateInfo> stages;
   std::vector<Constants> constants(groups.size());
-  std::vector<vk::SpecializationInfo> specialisations;
-  specialisations.reserve(2 + 2 * groups.size());
   modules.reserve(2 + 2 * groups.size());
   const auto addStage = [&](Stage stage, const programs::Code& code, const Constants& values)
   {
     modules.push_back(MakeModule(device, code, values));
-    specialisations.push_back(Specialise(values));
-    stages.emplace_back(vk::PipelineShaderStageCreateFlags(), stage, *modules.back(), "main", &specialisations.back());
+    stages.emplace_back(vk::PipelineShaderStageCreateFlags(), stage, *modules.back(), "main");
     return static_cast<std::uint32_t>(stages.size() - 1);
   };
   std::vector<vk::RayTracingShaderGroupCreateInfoKHR> shaderGroups;

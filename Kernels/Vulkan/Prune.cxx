@@ -29,6 +29,9 @@ public:
       if (isTrue || instruction.Code() == OpConstantFalse)
       {
         this->boolean_[isTrue] = instruction.Operand(2);
+      }
+      else if (instruction.Code() == OpTypeBool)
+      {
         this->booleanType_ = instruction.Operand(1);
       }
     }
@@ -37,6 +40,7 @@ public:
 
 private:
   std::uint32_t Answer(const Instruction& call, const Facts& facts) const;
+  void WriteGlobal(const Instruction& instruction, std::vector<std::uint32_t>& words) const;
   void Write(const Function& function, const Facts& facts, std::vector<std::uint32_t>& words) const;
 
   Module module_;
@@ -137,11 +141,34 @@ std::vector<std::uint32_t> Pruning::Write()
     const bool about = instruction.Code() == OpName || instruction.Code() == OpDecorate;
     if (!about || !gone.count(instruction.Operand(1)))
     {
-      pruned.insert(pruned.end(), instruction.words, instruction.words + instruction.Count());
+      this->WriteGlobal(instruction, pruned);
     }
   }
   pruned.insert(pruned.end(), ofFunctions.begin(), ofFunctions.end());
   return pruned;
+}
+
+// Constants that a driver would be asked to specialise become plain ones: validation layers optimise and check a
+// program anew for each pipeline that specialises it.
+void Pruning::WriteGlobal(const Instruction& instruction, std::vector<std::uint32_t>& words) const
+{
+  const std::uint32_t code = instruction.Code();
+  const bool specialised =
+    code == OpSpecConstantTrue || code == OpSpecConstantFalse || code == OpSpecConstant || code == OpSpecConstantOp;
+  const Value value = specialised ? this->values_.ValueOf(instruction.Operand(2), Facts()) : Value();
+  if (value && instruction.Operand(1) == this->booleanType_)
+  {
+    words.insert(words.end(),
+      { 3u << 16 | (*value ? OpConstantTrue : OpConstantFalse), instruction.Operand(1), instruction.Operand(2) });
+  }
+  else if (value)
+  {
+    words.insert(words.end(), { 4u << 16 | OpConstant, instruction.Operand(1), instruction.Operand(2), *value });
+  }
+  else if (code != OpDecorate || instruction.Operand(2) != DecorationSpecId)
+  {
+    words.insert(words.end(), instruction.words, instruction.words + instruction.Count());
+  }
 }
 
 // The id of a constant that a call may be replaced by; 0: there is none.

@@ -64,6 +64,8 @@ enum Opcode : std::uint32_t
   OpUnreachable = 255
 };
 
+constexpr std::uint32_t DecorationSpecId = 1; ///< section 3.20: the number of a specialisation constant
+
 /// One in its module, which must stay.
 struct Instruction
 {

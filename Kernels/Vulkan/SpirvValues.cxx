@@ -9,8 +9,6 @@ namespace rtg::spirv
 namespace
 {
 
-constexpr std::uint32_t specId = 1; // a decoration
-
 // The value of an operation by the specification, section 3.42, when what is known of its operands decides it.
 Value Evaluate(std::uint32_t code, const std::array<Value, 3>& operands)
 {
@@ -96,7 +94,7 @@ Values::Values(const Module& module, const Constants& constants)
   std::map<std::uint32_t, std::uint32_t> specialised; // by id
   for (const Instruction& instruction : module.global)
   {
-    if (instruction.Code() == OpDecorate && instruction.Operand(2) == specId)
+    if (instruction.Code() == OpDecorate && instruction.Operand(2) == DecorationSpecId)
     {
       specialised[instruction.Operand(1)] = byNumber.at(instruction.Operand(3));
     }
