@@ -30,12 +30,12 @@ def widths(view, name):
     return longest_run(legend), longest_run(glyph), legend
 
 
-def scene(shape, **properties):
+def scene():
     """(view, representation) of one glyph of magnitude 2, away from the origin."""
     view = session.view(SIDE, SIDE)
     data = session.poly_data(numpy.array([[5.0, 1.0, 0.0]]), s=numpy.array([2.0]), v=numpy.array([[2.0, 0.0, 0.0]]))
-    shown = session.glyphs(session.source(data), view, shape, GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFactor=0.25,
-                           GlyphOrientationArray="v", ArrowReferenceMagnitude=1.0, GlyphLegend=1, GlyphLegendColor=GREEN, **properties)
+    shown = session.glyphs(session.source(data), view, "Sphere", GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFactor=0.25,
+                           GlyphOrientationArray="v", ArrowReferenceMagnitude=1.0, GlyphLegend=1, GlyphLegendColor=GREEN)
     session.solid(shown, (1.0, 0.0, 0.0))
     shown.Ambient, shown.Diffuse = 1.0, 0.0
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (5.2, 1.1, 6.0), (5.2, 1.1, -3.0), (0.0, 1.0, 0.0)
@@ -43,10 +43,11 @@ def scene(shape, **properties):
     return view, shown
 
 
-def size(checks):
+def size(checks, view, shown):
     """The legend's glyph and that of its number at the center of rotation."""
+    settings = session.Settings(shown)
     for shape in ("Sphere", "Arrow", "Box", "Cylinder", "Cone", "Capsule", "Superquadric"):
-        view, shown = scene(shape, GlyphLegendValue=2.0, GlyphExponents=(4.0, 3.0, 2.0))
+        settings.set({"GlyphShape": shape, "GlyphLegendValue": 2.0, "GlyphExponents": (4.0, 3.0, 2.0)})
         for parallel in (0, 1):
             view.CameraParallelProjection, view.CameraParallelScale = parallel, 1.1
             legend, glyph, _ = widths(view, "%s-%d" % (shape.lower(), parallel))
@@ -54,8 +55,7 @@ def size(checks):
             front = 0 if parallel else 6
             checks.within("%s, %s: width of the glyph" % (shape, "parallel" if parallel else "perspective"), glyph,
                           max(40, legend - 1), legend + 1 + front)
-        pv.Delete(shown)
-        pv.Delete(view)
+    settings.set({})
 
 
 def choice(checks, view, shown):
@@ -92,8 +92,8 @@ def main():
     """All parts."""
     session.load()
     checks = Checks()
-    size(checks)
-    view, shown = scene("Sphere")
+    view, shown = scene()
+    size(checks, view, shown)
     choice(checks, view, shown)
     corners(checks, view, shown)
     absence(checks, view, shown)

@@ -80,25 +80,23 @@ def main():
         ("tensor", "Tensor Ellipsoid", {"GlyphTensorArray": "stress"}),
         ("velocity", "Sphere", {"MotionBlur": 1, "VelocityArray": "flow", "GlyphOrient": 0, "SamplesPerPixel": 8}),
     )
-    shown = session.glyphs(trees, view, GlyphOrient=0)
+    displays = [session.Settings(session.glyphs(source, view)) for source in (points, trees)]
     for name, wanted in OFFERED.items():
-        found = offered(shown, name)
+        found = offered(displays[1].shown, name)
         checks.true("%s offers %s, not %s" % (name, found, list(wanted)), set(wanted) <= set(found))
-    pv.Delete(shown)
+    for settings in displays:
+        session.solid(settings.shown, (0.9, 0.8, 0.5))
+        settings.add({"Visibility": 0})
     for name, shape, properties in cases:
         pictures, said = [], []
-        for source in (points, trees):
-            shown = session.glyphs(source, view, shape, GlyphScaleFactor=0.5)
-
+        for settings, of in zip(displays, ("points", "cells")):
             def draw():
-                for key, value in properties.items():
-                    setattr(shown, key, value)
-                session.solid(shown, (0.9, 0.8, 0.5))
+                settings.set({"Visibility": 1, "GlyphShape": shape, "GlyphScaleFactor": 0.5, **properties})
                 pv.Render(view)
 
             said.append(session.messages(draw))
-            pictures.append(session.capture(view, "hyper-tree-grid-%s-%s" % (name, "points" if source == points else "cells")))
-            pv.Delete(shown)
+            pictures.append(session.capture(view, "hyper-tree-grid-%s-%s" % (name, of)))
+            settings.set({"Visibility": 0})
         checks.covered(name + " of points", pictures[0], 0.005)
         checks.no_message(name + " of cells", said[1])
         checks.picture(name + " of cells", pictures[1], pictures[0], pixels=0.001, mean=0.1)

@@ -23,30 +23,22 @@ def crowded(count=20000):
 
 
 class Masked:
-    """Small spheres, and what a mask leaves of them."""
+    """Small spheres, and what a mask leaves of them. stage: whose display they take; nothing is masked at first."""
 
-    def __init__(self, view, points, data=None):
-        self.view = view
-        self.source = session.source(data or session.poly_data(points))
-        self.shown = session.glyphs(self.source, view, "Sphere", GlyphScaleFactor=0.02)
-        session.solid(self.shown, (0.9, 0.8, 0.5))
+    def __init__(self, stage, data):
+        self.stage = stage
+        session.solid(stage.show(data, "Sphere", GlyphScaleFactor=0.02), (0.9, 0.8, 0.5))
 
     def __call__(self, name, **properties):
         """(covered pixels, number of glyphs)."""
-        for key, value in properties.items():
-            setattr(self.shown, key, value)
-        pv.Render(self.view)
-        return comparison.covered(session.capture(self.view, "mask-" + name)), session.statistics(self.shown)["glyphs"]
-
-    def end(self):
-        """Takes them out of the view."""
-        pv.Delete(self.shown)
-        pv.Delete(self.source)
+        self.stage.settings.add(properties)
+        pv.Render(self.stage.view)
+        return (comparison.covered(session.capture(self.stage.view, "mask-" + name)), session.statistics(self.stage.settings.shown)["glyphs"])
 
 
-def numbers(checks, view, points):
+def numbers(checks, stage, points):
     """How many are left, and that a smaller number is a part of a larger one."""
-    masked = Masked(view, points)
+    masked = Masked(stage, session.poly_data(points))
     checks.equal("without a mask", masked("all")[1], len(points))
     checks.equal("every 10th", masked("tenth", GlyphMask=1, GlyphMaskMode="Every Nth")[1], len(points) // 10)
     nth, number = masked("nth", GlyphStride=37)
@@ -62,16 +54,14 @@ def numbers(checks, view, points):
         checks.true(mode + ": another seed chooses the same glyphs", (other != more).any())
         checks.true(mode + ": the same seed chooses other glyphs", (masked(mode + "-again", GlyphSeed=1)[0] == more).all())
         checks.equal(mode + " of fewer than the maximum", masked(mode + "-maximum", MaximumNumberOfGlyphs=len(points) + 1)[1], len(points))
-    masked.end()
-    some = Masked(view, points[::37])
+    some = Masked(stage, session.poly_data(points[::37]))
     checks.true("every 37th is not every 37th", (some("37")[0] == nth).all())
-    some.end()
 
 
-def evenness(checks, view, points):
+def evenness(checks, stage, points):
     """Right of the crowd lie nine tenths of the square and a tenth of the points: even glyphs are there by area, random
     ones by number."""
-    masked = Masked(view, points)
+    masked = Masked(stage, session.poly_data(points))
     right = slice(SIZE // 10 + 3, None)
     for mode, share in (("Random", 0.1), ("Even in Space", 0.9)):
         seen, number = masked("share-" + mode, GlyphMask=1, GlyphMaskMode=mode, MaximumNumberOfGlyphs=256)
@@ -83,24 +73,22 @@ def evenness(checks, view, points):
     seen = masked("parts", MaximumNumberOfGlyphs=256)[0]
     parts = seen.reshape(8, SIZE // 8, 8, SIZE // 8).any(axis=(1, 3))
     checks.equal("parts of the square with glyphs", int(parts.sum()), 64)
-    masked.end()
 
 
-def odd(checks, view):
+def odd(checks, stage):
     """Points in one place, on a line, and such that are nowhere."""
     place = numpy.full((50, 3), 0.5)
     line = numpy.zeros((1000, 3))
     line[:, 1] = numpy.linspace(0.0, 1.0, 1000)
     broken = numpy.concatenate([line, numpy.full((5, 3), numpy.nan)])
     for name, points, maximum, wanted in (("place", place, 7, 7), ("line", line, 8, 8), ("broken", broken, 2000, 1000)):
-        masked = Masked(view, points)
+        masked = Masked(stage, session.poly_data(points))
         found = []
         session.messages(lambda: found.append(masked(name, GlyphMask=1, GlyphMaskMode="Even in Space", MaximumNumberOfGlyphs=maximum)))
         checks.equal("glyphs of points that are a " + name, found[0][1], wanted)
         if name == "line":
             rows = numpy.flatnonzero(found[0][0].any(axis=1))
             checks.true("eight glyphs of a line leave a gap of %d of %d rows" % (numpy.diff(rows).max(), SIZE), numpy.diff(rows).max() < SIZE // 4)
-        masked.end()
 
 
 def blocks(checks, view, points):
@@ -109,13 +97,12 @@ def blocks(checks, view, points):
     for i in range(2):
         data.SetBlock(i, session.poly_data(points[55 * i:55 * (i + 1)]))
         data.GetMetaData(i).Set(vtkCompositeDataSet.NAME(), "half%d" % i)
-    masked = Masked(view, None, data)
+    masked = Masked(session.Stage(view), data)
     both, number = masked("blocks", GlyphMask=1, GlyphMaskMode="Every Nth", GlyphStride=10)
     checks.equal("every 10th of two blocks of 55", number, 12)
     one, number = masked("block", BlockSelectors=["/Root/half1"])
     checks.equal("every 10th of one of them", number, 6)
     checks.true("hiding a block has moved the other's glyphs", not (one & ~both).any())
-    masked.end()
 
 
 def main():
@@ -125,9 +112,11 @@ def main():
     view = session.view(SIZE, SIZE)
     session.look(view, (0.5, 0.5, 5.0), (0.5, 0.5, 0.0), parallel_scale=0.5)
     points = crowded()
-    numbers(checks, view, points)
-    evenness(checks, view, points)
-    odd(checks, view)
+    stage = session.Stage(view)
+    numbers(checks, stage, points)
+    evenness(checks, stage, points)
+    odd(checks, stage)
+    stage.close()
     blocks(checks, view, points)
     checks.report()
 

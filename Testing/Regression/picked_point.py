@@ -35,14 +35,14 @@ def main():
     """Spheres and boxes, before a plane that must not be taken, with both projections."""
     session.load()
     checks = Checks()
-    for scale in (None, 1.5):
-        view = session.view(240, 180)
-        plane = pv.Plane(Origin=[-2, -1.5, -1], Point1=[2, -1.5, -1], Point2=[-2, 1.5, -1])
-        pv.Show(plane, view)
-        session.look(view, (0.0, 0.0, 6.0), parallel_scale=scale)
-        for name, data in sources():
+    view = session.view(240, 180)
+    pv.Show(pv.Plane(Origin=[-2, -1.5, -1], Point1=[2, -1.5, -1], Point2=[-2, 1.5, -1]), view)
+    for name, data in sources():
+        shown = session.glyphs(session.source(data), view, GlyphOrient=0, GlyphScaleFactor=SIZE)
+        for scale in (None, 1.5):
+            session.look(view, (0.0, 0.0, 6.0), parallel_scale=scale)
             for shape in ("Sphere", "Box"):
-                shown = session.glyphs(session.source(data), view, shape, GlyphOrient=0, GlyphScaleFactor=SIZE)
+                shown.GlyphShape = shape
                 pv.Render(view)
                 for center in CENTERS:
                     what = "%s as %s, %s projection" % (name, shape, "perspective" if scale is None else "parallel")
@@ -55,8 +55,7 @@ def main():
                     checks.true("%s: %s is %.3f from the glyph's surface" % (what, numpy.round(place, 3), off), off <= 0.01 * SIZE)
                     checks.true("%s: %s is not under the pixel" % (what, numpy.round(place, 3)),
                                 numpy.abs(numpy.array(place) - seen)[:2].max() <= 0.05)
-                pv.Delete(shown)
-        pv.Delete(view)
+        pv.Delete(shown)
     checks.report()
 
 

@@ -14,13 +14,15 @@ from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 import comparison
 import session
 
-#: the tessellation of ParaView's source of the same name
+#: the tessellation of ParaView's source of the same name; that of meshes is ours, too
 RESOLUTION = {
     "Sphere": {"ThetaResolution": 128, "PhiResolution": 128},
     "Box": {},
     "Cylinder": {"Resolution": 128},
     "Cone": {"Resolution": 128},
     "Arrow": {"TipResolution": 128, "ShaftResolution": 128},
+    "MeshArrow": {"TipResolution": 6, "ShaftResolution": 7},
+    "MeshCylinder": {"Resolution": 6},
 }
 
 
@@ -62,13 +64,23 @@ def capsule():
     return session.source(turned.GetOutput())
 
 
+def tessellate(source, shape):
+    """Gives ParaView's source of a shape its tessellation."""
+    for name, value in RESOLUTION.get(shape, {}).items():
+        setattr(source, name, value)
+
+
+def shape_theirs(shown, shape):
+    """Gives ParaView's 3D Glyphs a shape."""
+    shown.GlyphType = capsule() if shape == "Capsule" else shape.replace("Mesh", "")
+    tessellate(shown.GlyphType, shape)
+
+
 def theirs(points, in_view, shape):
     """The scene as ParaView's 3D Glyphs."""
     shown = pv.Show(points, in_view)
     shown.SetRepresentationType("3D Glyphs")
-    shown.GlyphType = capsule() if shape == "Capsule" else shape.replace("Mesh", "")
-    for name, value in RESOLUTION.get(shape, {}).items():
-        setattr(shown.GlyphType, name, value)
+    shape_theirs(shown, shape)
     shown.Orient = 1
     shown.OrientationMode = "Direction"
     shown.SelectOrientationVectors = "vector"
@@ -79,18 +91,20 @@ def theirs(points, in_view, shape):
     return shown
 
 
+def shape_ours(shown, shape):
+    """Gives ray-traced glyphs a shape."""
+    shown.GlyphShape = "Mesh" if shape.startswith("Mesh") else shape
+    if shape.startswith("Mesh"):
+        shown.GlyphMesh = shape.replace("Mesh", "")
+        tessellate(shown.GlyphMesh, shape)
+
+
 def ours(points, in_view, shape):
     """The scene as ray-traced glyphs, arrows with the outline of ParaView's arrow source."""
-    is_mesh = shape.startswith("Mesh")
-    shown = session.glyphs(points, in_view, "Mesh" if is_mesh else shape,
-                           GlyphOrient=1, GlyphOrientationArray="vector", GlyphOrientationMode="Direction",
-                           GlyphScaling=1, GlyphScaleArray="vector", GlyphScaleMode="Magnitude",
-                           GlyphScaleFactor=0.3)
-    if is_mesh:
-        shown.GlyphMesh = shape.replace("Mesh", "")
-    if shape == "Arrow":
-        shown.ArrowHeads = "Scaled"
-        shown.ArrowTipRounding = 0.0
+    shown = session.glyphs(points, in_view, GlyphOrient=1, GlyphOrientationArray="vector", GlyphOrientationMode="Direction",
+                           GlyphScaling=1, GlyphScaleArray="vector", GlyphScaleMode="Magnitude", GlyphScaleFactor=0.3,
+                           ArrowHeads="Scaled", ArrowTipRounding=0.0)
+    shape_ours(shown, shape)
     return shown
 
 
@@ -122,10 +136,10 @@ def combinations(shape):
             for row, coloring in enumerate(COLORINGS) for column, light in enumerate(LIGHTS)]
 
 
-def pictures(view, points, shape, show, who):
-    """The shape's pictures by one of the two representations, by combination."""
+def pictures(view, points, shapes, show, give_shape, who):
+    """The pictures of all shapes by one of the two representations, by shape and combination."""
     taken = {}
-    shown = show(points, view, shape)
+    shown = show(points, view, shapes[0])
     shown.Specular = 0.4
     shown.SpecularPower = 20.0
     for coloring in reversed(COLORINGS):  # 3D Glyphs remember a solid color's specular one
@@ -136,15 +150,17 @@ def pictures(view, points, shape, show, who):
         else:
             pv.ColorBy(shown, ("POINTS", "scalar"))
             shown.SetScalarBarVisibility(view, False)
-        for combination in combinations(shape):
-            if combination[0] == coloring:
-                _, projection, light = combination
-                session.look(view, (2.0, 1.5, 5.0), parallel_scale=PROJECTIONS[projection])
-                lamp = illuminate(view, light)
-                pv.Render(view)
-                taken[combination] = session.capture(view, "-".join((shape,) + combination + (who,)))
-                if lamp:
-                    pv.RemoveLight(lamp)
+        for shape in shapes:
+            give_shape(shown, shape)
+            for combination in combinations(shape):
+                if combination[0] == coloring:
+                    _, projection, light = combination
+                    session.look(view, (2.0, 1.5, 5.0), parallel_scale=PROJECTIONS[projection])
+                    lamp = illuminate(view, light)
+                    pv.Render(view)
+                    taken[shape, combination] = session.capture(view, "-".join((shape,) + combination + (who,)))
+                    if lamp:
+                        pv.RemoveLight(lamp)
     pv.Hide(points, view)
     pv.Delete(shown)
     return taken
@@ -156,10 +172,9 @@ def main(shapes):
     view = session.view()
     points = scene()
     failures = []
-    for shape in shapes:
-        expected = pictures(view, points, shape, theirs, "paraview")
-        for combination, picture in pictures(view, points, shape, ours, "ours").items():
-            failures += comparison.against_paraview(picture, expected[combination], "-".join((shape,) + combination), SILHOUETTE, COLOUR)
+    expected = pictures(view, points, shapes, theirs, shape_theirs, "paraview")
+    for (shape, combination), picture in pictures(view, points, shapes, ours, shape_ours, "ours").items():
+        failures += comparison.against_paraview(picture, expected[shape, combination], "-".join((shape,) + combination), SILHOUETTE, COLOUR)
     session.finish(failures)
 
 

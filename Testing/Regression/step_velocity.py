@@ -93,11 +93,10 @@ def expected(step, before):
 
 
 class Series:
-    """One representation of a series, step by step."""
+    """One representation of a series, step by step, alone in a view."""
 
-    def __init__(self, failures, name, source, ids="who"):
-        self.failures, self.name = failures, name
-        self.view = session.view(400, 100)
+    def __init__(self, failures, name, view, source, ids="who"):
+        self.failures, self.name, self.view = failures, name, view
         session.look(self.view, (0.0, 0.0, 5.0), parallel_scale=0.5)
         self.view.ViewTime = STEPS[0][0]
         self.shown = session.glyphs(source, self.view, samples=16, GlyphOrient=0, GlyphScaleFactor=0.2)
@@ -135,10 +134,16 @@ class Series:
         if glyphs != len(STEPS[step][1]):
             self.failures.append("%s: %d glyphs" % (where, glyphs))
 
+    def end(self):
+        """Takes it out of the view."""
+        source = self.shown.Input
+        pv.Delete(self.shown)
+        pv.Delete(source)
 
-def steps(failures):
+
+def steps(failures, view):
     """Forwards, in jumps, and backwards; an empty step; the same step again."""
-    shown = Series(failures, "steps", series())
+    shown = Series(failures, "steps", view, series())
     shown.go(0, None)  # all stand still
     shown.go(1, 0)
     shown.go(1, 0)
@@ -158,11 +163,12 @@ def steps(failures):
         failures.append("switched off, and without a VelocityArray: " + said)
     shown.shown.VelocityFromPreviousStep = 1
     shown.go(2, None)
+    shown.end()
 
 
-def blur(failures):
+def blur(failures, view):
     """The streak reaches from the last step's place to this one's: Backward, open for the time between the two."""
-    shown = Series(failures, "blur", series())
+    shown = Series(failures, "blur", view, series())
     shown.shown.ShutterOpening, shown.shown.ShutterTime, shown.shown.SamplesPerPixel = "Backward", 1.0, 64
     session.messages(lambda: pv.Render(shown.view))
     still = comparison.covered(session.capture(shown.view, "step-velocity-first"))
@@ -176,23 +182,26 @@ def blur(failures):
             if len(columns) == 0 or numpy.abs(columns[[0, -1]] - [first, last]).max() > 2:
                 failures.append("row %d is covered from %s to %s instead of %d to %d" % (
                     row, columns[:1], columns[-1:], first, last))
+    shown.end()
 
 
-def kinds(failures):
+def kinds(failures, view):
     """Global ids, ids of 64 bits, data in blocks; no ids, no time."""
     for name, source, ids in (("global ids", series(global_ids=True), "None"), ("64 bits", series(integer="int64"), "who"),
                               ("ids in float", series(integer="float32"), "who"),
                               ("blocks", series(kind="vtkMultiblockDataSet"), "who"),
                               ("blocks with global ids", series(kind="vtkMultiblockDataSet", global_ids=True), "None")):
-        shown = Series(failures, name, source, ids)
+        shown = Series(failures, name, view, source, ids)
         shown.go(0, None)  # all stand still
         shown.go(1, 0)
+        shown.end()
     for ids in ("None", "nonesuch"):
-        shown = Series(failures, "without ids", series(), ids)
+        shown = Series(failures, "without ids", view, series(), ids)
         shown.go(0, None, ("PointIdArray",))
         shown.go(1, None)
+        shown.end()
     still = session.source(session.poly_data(numpy.zeros((2, 3)), who=numpy.arange(2)))
-    shown = Series([], "without time", still)
+    shown = Series([], "without time", view, still)
     text = session.messages(lambda: pv.Render(shown.view))
     if text.count("Warning:") != 1 or "time of the data" not in text or shown.delivered()[:, 2:].any():
         failures.append("without time: %s" % text.strip())
@@ -202,9 +211,10 @@ def main():
     """Runs all."""
     session.load()
     failures = []
-    steps(failures)
-    blur(failures)
-    kinds(failures)
+    view = session.view(400, 100)
+    steps(failures, view)
+    blur(failures, view)
+    kinds(failures, view)
     session.finish(failures)
 
 

@@ -11,6 +11,7 @@ from checks import Checks, information, pending, refine, stepwise
 from same_as_3d_glyphs import ours, scene, theirs
 
 SAMPLES = 8
+EYE = (2.0, 1.5, 5.0)
 
 
 def stereo_view(mode):
@@ -20,23 +21,37 @@ def stereo_view(mode):
         view.Background = [0.0, 0.0, 0.0]  # the eyes' pictures go to different channels: gray on black is seen by both
     view.StereoRender = 1
     view.StereoType = mode
-    session.look(view, (2.0, 1.5, 5.0))
+    session.look(view, EYE)
     return view
 
 
-def picture(mode, who, points, show, samples=None):
+def picture(view, mode, who):
     """What the window shows when each render traces all samples. ParaView moves the eyes a little after its first render."""
-    view = stereo_view(mode)
-    shown = show(points, view, "Sphere")
-    session.solid(shown, (0.9, 0.9, 0.9))
-    if samples:
-        shown.SamplesPerPixel = samples
     pv.Render(view)
     pv.Render(view)
     pixels = accumulation.shown_by(view)
     comparison.write_image(session.output("stereo-%s-%s.png" % (mode.lower(), who)), pixels)
-    pv.Delete(view)
     return pixels
+
+
+def pictures(mode, points):
+    """What the window shows of 3D Glyphs, and of ours with one sample and with all at once."""
+    view = stereo_view(mode)
+    shown = theirs(points, view, "Sphere")
+    session.solid(shown, (0.9, 0.9, 0.9))
+    expected = picture(view, mode, "paraview")
+    pv.Delete(shown)
+    shown = ours(points, view, "Sphere")
+    session.solid(shown, (0.9, 0.9, 0.9))
+    shown.SamplesPerPixel = SAMPLES
+    whole = picture(view, mode, "at-once")
+    shown.SamplesPerPixel = 1
+    view.CameraPosition = [2.0, 1.5, 6.0]  # an image that has more samples is kept until the camera moves
+    pv.Render(view)
+    view.CameraPosition = list(EYE)
+    one = picture(view, mode, "ours")
+    pv.Delete(view)
+    return expected, one, whole
 
 
 def grown(checks, mode, points):
@@ -65,15 +80,14 @@ def main():
     checks = Checks()
     points = scene()
     for mode in ("SplitViewportHorizontal", "Red-Blue"):
-        expected = picture(mode, "paraview", points, theirs)
-        one = picture(mode, "ours", points, ours, 1)
+        expected, one, whole = pictures(mode, points)
         halves = (one[:, :120], one[:, 120:]) if mode != "Red-Blue" else (one[..., :1], one[..., 2:])
         checks.true(mode + ": both eyes see the same", comparison.difference(*halves)[0] > 0.005)
         if mode == "Red-Blue":
             checks.picture(mode + ", one sample, against ParaView", one, expected)
         else:
             checks.failures += comparison.against_paraview(one, expected, "stereo-" + mode.lower())
-        checks.picture(mode + ", grown", grown(checks, mode, points), picture(mode, "at-once", points, ours, SAMPLES))
+        checks.picture(mode + ", grown", grown(checks, mode, points), whole)
     checks.report()
 
 

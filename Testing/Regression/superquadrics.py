@@ -14,29 +14,31 @@ SCALE, TURN = [1.0, 0.7, 0.5], 25.0
 LINE = numpy.array([[-1.0, 0, 0], [0, 0, 0], [1.0, 0, 0]])
 
 
-def theirs(view, along, across, scale, turn):
-    """ParaView's superquadric of side 1 with exponents `along` its axis z and `across` it, as a surface."""
-    source = pv.Superquadric(ThetaRoundness=2.0 / across, PhiRoundness=2.0 / along, Size=0.5, Scale=scale,
-                             ThetaResolution=256, PhiResolution=256, Toroidal=0)
+def theirs(view):
+    """ParaView's superquadric of side 1, as a surface: (source, display)."""
+    source = pv.Superquadric(Size=0.5, Scale=SCALE, ThetaResolution=256, PhiResolution=256, Toroidal=0)
     shown = pv.Show(source, view)
     shown.SetRepresentationType("Surface")
     if shown.ColorArrayName[1]:
         pv.ColorBy(shown, None)
     # The source's axis is y, with the third scale.
-    shown.Orientation = [90.0, 0.0, turn]
+    shown.Orientation = [90.0, 0.0, TURN]
+    shown.Visibility = 0
     return source, shown
 
 
-def same_as_source(failures, view, shown, cases):
+def same_as_source(failures, view, shown, their, cases):
+    """Exponents of ours, and those of theirs `along` the axis z and `across` it."""
+    source, surface = their
     for name, exponents, along, across in cases:
         shown.GlyphExponents = exponents
         shown.Visibility = 1
         ours = session.capture(view, "superquadric-" + name)
         shown.Visibility = 0
-        source, surface = theirs(view, along, across, SCALE, TURN)
+        source.ThetaRoundness, source.PhiRoundness = 2.0 / across, 2.0 / along
+        surface.Visibility = 1
         reference = session.capture(view, "superquadric-" + name + "-source")
-        pv.Delete(surface)
-        pv.Delete(source)
+        surface.Visibility = 0
         failures += comparison.against_paraview(ours, reference, "superquadric-" + name, **BOUNDS)
     shown.Visibility = 1
 
@@ -53,8 +55,9 @@ def one_glyph(failures, view):
                            GlyphOrientationMode="Rotation")
     if shown.GlyphExponentArray not in ("None", ""):
         failures.append("GlyphExponentArray is %s by default" % shown.GlyphExponentArray)
-    same_as_source(failures, view, shown, [("ball", (2, 2, 2), 2.0, 2.0), ("octahedron", (1, 1, 1), 1.0, 1.0),
-                                           ("box", (8, 8, 8), 8.0, 8.0), ("star", (0.7, 0.7, 0.7), 0.7, 0.7)])
+    their = theirs(view)
+    same_as_source(failures, view, shown, their, [("ball", (2, 2, 2), 2.0, 2.0), ("octahedron", (1, 1, 1), 1.0, 1.0),
+                                                  ("box", (8, 8, 8), 8.0, 8.0), ("star", (0.7, 0.7, 0.7), 0.7, 0.7)])
 
     def picture(array, exponents=(3, 3, 3)):
         shown.GlyphExponentArray, shown.GlyphExponents = array, exponents
@@ -69,7 +72,7 @@ def one_glyph(failures, view):
 
     # Of two components the first is across; in the nested form, along.
     shown.GlyphExponentForm, shown.GlyphExponentArray = "Nested", "blockiness"
-    same_as_source(failures, view, shown, [("nested", (2, 2, 2), 6.0, 1.5)])
+    same_as_source(failures, view, shown, their, [("nested", (2, 2, 2), 6.0, 1.5)])
     pv.Delete(shown)
     pv.Delete(points)
 

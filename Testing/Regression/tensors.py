@@ -209,11 +209,10 @@ def axes(failures, view, same):
     factors = numpy.array([0.8, 1.0, 1.3])
     data = dict(t=a.reshape(3, 9), axis=axis, factor=factors, both=axis * factors[:, None])
     colour = [0.2, 0.9, 0.3]
+    stage, arrows = session.Stage(view), session.Stage(view)
     for scaled in (0, 1):
-        points = session.source(session.poly_data(POINTS, **data))
-        scaling = dict(GlyphScaling=scaled, GlyphScaleArray="factor", GlyphScaleFactor=1.1)
-        shown = session.glyphs(points, view, GlyphShape="Tensor Ellipsoid", GlyphTensorArray="t",
-                               GlyphTensorAxisColor=colour, **scaling)
+        shown = stage.show(session.poly_data(POINTS, **data), "Tensor Ellipsoid", GlyphTensorArray="t", GlyphTensorAxisColor=colour,
+                           GlyphScaling=scaled, GlyphScaleArray="factor", GlyphScaleFactor=1.1)
         session.solid(shown, (0.7, 0.7, 0.7))
         without = session.capture(view, "tensors-axis-off-%d" % scaled)
         shown.GlyphTensorAxis = 1
@@ -222,37 +221,33 @@ def axes(failures, view, same):
         same("axis switched off again", without, session.capture(view, "tensors-axis-off-again"), 0.0)
         # The second tensor is symmetric.
         array = "both" if scaled else "axis"
-        other = session.source(session.poly_data(POINTS[[0, 2]], axis=axis[[0, 2]], both=data["both"][[0, 2]]))
-        arrows = session.glyphs(other, view, "Arrow", GlyphScaleFactor=1.1, GlyphScaling=1, GlyphScaleArray=array,
-                                GlyphScaleMode="Magnitude", GlyphOrient=1, GlyphOrientationArray=array, ArrowHeads="Scaled",
-                                ArrowShaftRadius=0.015, ArrowTipRadius=0.05, ArrowTipLength=0.15, ArrowTipRounding=0.0)
-        session.solid(arrows, colour)
+        other = arrows.show(session.poly_data(POINTS[[0, 2]], axis=axis[[0, 2]], both=data["both"][[0, 2]]), "Arrow",
+                            GlyphScaleFactor=1.1, GlyphScaling=1, GlyphScaleArray=array, GlyphScaleMode="Magnitude", GlyphOrient=1,
+                            GlyphOrientationArray=array, ArrowHeads="Scaled", ArrowShaftRadius=0.015, ArrowTipRadius=0.05,
+                            ArrowTipLength=0.15, ArrowTipRounding=0.0)
+        session.solid(other, colour)
         same("axes as arrows, scaled %d" % scaled, with_axes, session.capture(view, "tensors-axis-arrows-%d" % scaled))
         changed = numpy.mean(numpy.any(without != with_axes, axis=2))
         if changed < 0.003:
             failures.append("the axes change %.3f %% of the pixels only" % (100 * changed))
-        for proxy in (shown, arrows, points, other):
-            pv.Delete(proxy)
+        arrows.hide()
+    arrows.close()
 
     bad = a.reshape(3, 9).copy()
     bad[0, 0], bad[2, 3] = numpy.nan, numpy.inf
     six = symmetric[:, [0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]]
     for name, values, words in (("symmetric", symmetric.reshape(3, 9), ""), ("six components", six, ""),
                                 ("not finite", bad, "2 of 3 points")):
-        points = session.source(session.poly_data(POINTS, t=values))
-        shown = session.glyphs(points, view, GlyphShape="Tensor Ellipsoid", GlyphTensorArray="t", GlyphScaleFactor=1.0)
         pictures = []
         def both():
             for on in (0, 1):
-                shown.GlyphTensorAxis = on
+                stage.show(session.poly_data(POINTS, t=values), "Tensor Ellipsoid", GlyphTensorArray="t", GlyphScaleFactor=1.0, GlyphTensorAxis=on)
                 pictures.append(session.capture(view, "tensors-axis-none"))
         text = session.messages(both)
         same("no axes: " + name, pictures[0], pictures[1], 0.0)
         if text.count("have no glyph") != (1 if words else 0) or words not in text:
             failures.append("axes, %s: %s" % (name, text))
-        pv.Delete(shown)
-        pv.Delete(points)
-
+    stage.close()
 
 
 def arrows_of(points, whole, factor, function=lambda value: value):
@@ -280,14 +275,14 @@ def crosses(failures, view, same):
     light = {"local": {}, "occlusion": dict(ShadingMode="Ambient Occlusion", SamplesPerPixel=32),
              "paths": dict(ShadingMode="Path Tracing", SamplesPerPixel=64),
              "moving": dict(MotionBlur=1, VelocityArray="velocity", ShutterTime=1.0, SamplesPerPixel=64)}
+    stages = session.Stage(view), session.Stage(view)
     for name, function, scripted in (("Linear", lambda value: value, {}), ("Square Root", numpy.sqrt, dict(ArrowShaftRadius=0.08, ArrowTipRounding=0.0))):
         where, along = arrows_of(POINTS, whole, 1.1, function)
-        points = session.source(session.poly_data(POINTS, t=whole.reshape(3, 9), velocity=velocity))
-        shown = session.glyphs(points, view, GlyphShape="Principal Axes", GlyphTensorArray="t", GlyphScaleFactor=1.1, GlyphScaleFunction=name, **scripted)
-        other = session.source(session.poly_data(where, along=along, velocity=velocity[numpy.argmin(numpy.linalg.norm(
-            where[:, None] - POINTS[None], axis=2), axis=1)]))
-        arrows = session.glyphs(other, view, "Arrow", GlyphScaleFactor=1.1, GlyphScaling=1, GlyphScaleArray="along", GlyphOrient=1,
-                                GlyphOrientationArray="along", ArrowHeads="Scaled", **scripted)
+        nearest = numpy.argmin(numpy.linalg.norm(where[:, None] - POINTS[None], axis=2), axis=1)
+        shown = stages[0].show(session.poly_data(POINTS, t=whole.reshape(3, 9), velocity=velocity), "Principal Axes", GlyphTensorArray="t",
+                               GlyphScaleFactor=1.1, GlyphScaleFunction=name, **scripted)
+        arrows = stages[1].show(session.poly_data(where, along=along, velocity=velocity[nearest]), "Arrow", GlyphScaleFactor=1.1, GlyphScaling=1,
+                                GlyphScaleArray="along", GlyphOrient=1, GlyphOrientationArray="along", ArrowHeads="Scaled", **scripted)
         for each in (shown, arrows):
             session.solid(each, colour)
         for lit, properties in (light if name == "Linear" else {"local": {}}).items():
@@ -319,14 +314,12 @@ def crosses(failures, view, same):
             found = [number for _, kind, number in session.picked(view, "POINT", at)]
             if found != [tip]:
                 failures.append("picked of cross %d: %s" % (tip, found))
-        for proxy in (shown, arrows, points, other):
-            pv.Delete(proxy)
+    stages[1].close()
     # Red is tension, blue is compression, all over an arrow.
     signs_of = numpy.array([numpy.diag([0.9, -0.9, 0.0])])
-    points = session.source(session.poly_data(numpy.zeros((1, 3)), t=signs_of.reshape(1, 9)))
-    shown = session.glyphs(points, view, GlyphShape="Principal Axes", GlyphTensorArray="t", GlyphScaleFactor=1.0, GlyphTensorColoring="Sign",
-                           GlyphTensorPositiveColor=(1.0, 0.0, 0.0), GlyphTensorNegativeColor=(0.0, 0.0, 1.0), ArrowShaftRadius=0.06, ArrowTipRadius=0.15)
-    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    stages[0].show(session.poly_data(numpy.zeros((1, 3)), t=signs_of.reshape(1, 9)), "Principal Axes", GlyphTensorArray="t", GlyphScaleFactor=1.0,
+                   GlyphTensorColoring="Sign", GlyphTensorPositiveColor=(1.0, 0.0, 0.0), GlyphTensorNegativeColor=(0.0, 0.0, 1.0),
+                   ArrowShaftRadius=0.06, ArrowTipRadius=0.15, Ambient=1.0, Diffuse=0.0)
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=0.6)
     image = session.capture(view, "tensors-cross-sign")
     for place, wanted in (((0.2, 0.0), (255, 0, 0)), ((-0.4, 0.0), (255, 0, 0)), ((0.0, 0.4), (0, 0, 255)), ((0.0, -0.2), (0, 0, 255))):
@@ -341,8 +334,7 @@ def crosses(failures, view, same):
     print("widths near the center and far from it: tension %s, compression %s" % (wide, high))
     if not (0 < wide[0] < wide[1] and high[0] > high[1] > 0):
         failures.append("heads of tension %s, of compression %s wide, near the center and far from it" % (wide, high))
-    pv.Delete(shown)
-    pv.Delete(points)
+    stages[0].close()
 
 
 def main():
@@ -393,7 +385,7 @@ def main():
         sharp = picture(stage, shape + " sharp", positive, shape, GlyphTensorArray="t", GlyphTensorSharpness=3.0)
         if numpy.mean(numpy.any(sharp != ellipsoids, axis=2)) < 0.01:
             failures.append(shape + ": sharpness makes no difference")
-    stage.close()
+    stage.hide()
 
     # Numbers as colours: through a map of the user's, and the one of our own; of the principal direction.
     colours(failures, view)
@@ -407,14 +399,14 @@ def main():
                 ("six as matrix", layouts["VTK"], "t", "Matrix", "6 components where 9 are needed"),
                 ("no array", bad, "None", "VTK", "Choose a point array")]
     for name, values, array, layout, words in expected:
-        points = session.source(session.poly_data(POINTS, t=values))
-        shown = session.glyphs(points, view, GlyphShape="Tensor Ellipsoid", GlyphTensorArray=array,
-                               GlyphTensorLayout=layout)
-        text = session.messages(lambda: (pv.Render(view), pv.Render(view)))
+        def twice():
+            stage.show(session.poly_data(POINTS, t=values), "Tensor Ellipsoid", GlyphScaleFactor=0.9, GlyphTensorArray=array, GlyphTensorLayout=layout)
+            pv.Render(view)
+            pv.Render(view)
+        text = session.messages(twice)
         if text.count(words) != 1:
             failures.append("%s: '%s' is said %d times: %s" % (name, words, text.count(words), text))
-        pv.Delete(shown)
-        pv.Delete(points)
+    stage.close()
     session.finish(failures)
 
 

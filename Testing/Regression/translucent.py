@@ -10,7 +10,7 @@ import paraview.simple as pv
 
 import comparison
 import session
-from same_as_3d_glyphs import RESOLUTION, ours, scene
+from same_as_3d_glyphs import RESOLUTION, ours, scene, shape_ours
 
 #: tessellations for depth peeling, which takes all of them again for every layer
 COARSER = {**RESOLUTION, "Sphere": {"ThetaResolution": 64, "PhiResolution": 64}}
@@ -46,37 +46,52 @@ def wall(view, kind):
     shown = pv.Show(plane, view)
     shown.SetRepresentationType(kind)
     session.solid(shown, (0.2, 0.7, 0.3))
+    return shown
 
 
-def pictures(points, shape, opacity, with_wall):
-    """Our picture and ParaView's."""
-    result = []
-    for who, show in (("ours", ours), ("paraview", theirs)):
-        view = peeling_view()
-        shown = show(points, view, shape)
-        session.solid(shown, (0.8, 0.5, 0.2))
-        shown.Opacity = opacity
-        if with_wall:
-            wall(view, "Ray Traced Surface" if who == "ours" else "Surface")
-        pv.Render(view)
-        name = "translucent-%s-%g%s-%s" % (shape, opacity, "-wall" if with_wall else "", who)
-        result.append(session.capture(view, name))
-        pv.Delete(view)
-    return result
+class Scene:
+    """The scene in a view of its own, by one of the two."""
+
+    def __init__(self, points, who):
+        self.points, self.view, self.who = points, peeling_view(), who
+        self.shown, self.wall = None, None
+
+    def display(self, shape):
+        """Of ParaView's a new one for each shape: its surfaces stay without normals once their data have had none."""
+        if self.shown and self.who == "ours":
+            shape_ours(self.shown, shape)
+            return self.shown
+        if self.shown:
+            pv.Delete(self.shown)
+        self.shown = (ours if self.who == "ours" else theirs)(self.points, self.view, shape)
+        session.solid(self.shown, (0.8, 0.5, 0.2))
+        return self.shown
+
+    def picture(self, shape, opacity, with_wall):
+        """What the view shows."""
+        self.display(shape).Opacity = opacity
+        if with_wall and not self.wall:
+            self.wall = wall(self.view, "Ray Traced Surface" if self.who == "ours" else "Surface")
+        if self.wall:
+            self.wall.Visibility = int(with_wall)
+        pv.Render(self.view)
+        return session.capture(self.view, "translucent-%s-%g%s-%s" % (shape, opacity, "-wall" if with_wall else "", self.who))
 
 
-def unlit(points, mode, samples):
-    """Glyphs that show their colour whatever shines on them, by a shading mode, as floats."""
+def unlit(points):
+    """Glyphs that show their colour whatever shines on them, by two shading modes, as floats."""
     view = peeling_view()
-    shown = session.glyphs(points, view, "Sphere", samples=samples, GlyphOrient=0, GlyphScaleFactor=0.7, ShadingMode=mode)
+    shown = session.glyphs(points, view, "Sphere", samples=16, GlyphOrient=0, GlyphScaleFactor=0.7, LightIntensity=0.0, Ambient=1.0,
+                           Diffuse=0.0, Opacity=0.3)
     session.solid(shown, (0.8, 0.5, 0.2))
-    shown.Ambient, shown.Diffuse, shown.Opacity = 1.0, 0.0, 0.3
-    shown.LightIntensity = 0.0
     view.Background = [0.0, 0.0, 0.0]
-    pv.Render(view)
-    captured = session.capture(view, "translucent-unlit-" + mode.split()[0].lower()).astype(float)
+    captured = []
+    for mode in ("Local", "Path Tracing"):
+        shown.ShadingMode = mode
+        pv.Render(view)
+        captured.append(session.capture(view, "translucent-unlit-" + mode.split()[0].lower()).astype(float)[..., :3])
     pv.Delete(view)
-    return captured[..., :3]
+    return captured
 
 
 def own_opacities(failures):
@@ -112,15 +127,16 @@ def main():
     session.load()
     points = scene()
     failures = []
+    scenes = Scene(points, "ours"), Scene(points, "paraview")
     for shape, opacity, with_wall in (("Sphere", 0.5, False), ("Arrow", 0.5, False), ("Box", 0.2, False),
                                       ("Sphere", 0.5, True), ("MeshSphere", 0.5, False)):
-        mine, paraviews = pictures(points, shape, opacity, with_wall)
+        mine, paraviews = (each.picture(shape, opacity, with_wall) for each in scenes)
         failures += comparison.against_paraview(
             mine, paraviews, "translucent-%s-%g%s" % (shape, opacity, "-wall" if with_wall else ""), colour=COLOUR)
 
     # Path tracing stops at each layer by chance: the same in the mean. A pixel's mean of 16 samples of at most 255 levels is off by
     # 32, that of 20000 pixels by a quarter of a level.
-    local, path = (unlit(points, mode, samples) for mode, samples in (("Local", 16), ("Path Tracing", 16)))
+    local, path = unlit(points)
     both = (local.max(axis=2) > 0) & (path.max(axis=2) > 0)
     apart = (local - path)[both].mean(axis=0)
     print("path tracing differs from local shading by %s levels over %d pixels" % (numpy.round(apart, 2), both.sum()))

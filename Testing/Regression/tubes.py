@@ -66,20 +66,26 @@ def like_tube_filter(view, checks):
     wave = 1.0 + 0.5 * numpy.sin(numpy.linspace(0.0, 12.0, len(curve)))
     bundle = numpy.concatenate(rods())
     scenes = {
-        "helix": (line_data([curve], height=height), {"radius": 0.15}, {"VaryRadius": "Off", "Radius": 0.15}, ("POINTS", "height")),
-        "rods": (line_data(rods(), {"number": numpy.array([0.0, 1.0, 2.0])}), {"radius": 0.2}, {"VaryRadius": "Off", "Radius": 0.2},
+        "helix": (line_data([curve], height=height), {"TubeRadius": 0.15}, {"VaryRadius": "Off", "Radius": 0.15}, ("POINTS", "height")),
+        "rods": (line_data(rods(), {"number": numpy.array([0.0, 1.0, 2.0])}), {"TubeRadius": 0.2}, {"VaryRadius": "Off", "Radius": 0.2},
                  ("CELLS", "number")),
-        "values along rods": (line_data(rods(), value=bundle[:, 0] ** 2), {"radius": 0.2}, {"VaryRadius": "Off", "Radius": 0.2},
+        "values along rods": (line_data(rods(), value=bundle[:, 0] ** 2), {"TubeRadius": 0.2}, {"VaryRadius": "Off", "Radius": 0.2},
                               ("POINTS", "value")),
-        "radii": (line_data([curve], thickness=0.12 * wave), {"radius": 1.0, "TubeRadiusArray": "thickness"},
+        "radii": (line_data([curve], thickness=0.12 * wave), {"TubeRadius": 1.0, "TubeRadiusArray": "thickness"},
                   {"VaryRadius": "By Absolute Scalar", "Scalars": ["POINTS", "thickness"]}, None),
     }
+    stage = session.Stage(view, TUBES)
     for name, (data, ours, theirs, colored) in scenes.items():
-        source = session.source(data)
-        tube = pv.Tube(Input=source, NumberofSides=64, Capping=1, **theirs)
+        shown = stage.show(data, TubeEnds="Flat", SamplesPerPixel=1, **ours)
+        if name == "helix":
+            tube = pv.Tube(Input=stage.source, NumberofSides=64, Capping=1)
+            displays = {"ours": shown, "paraview": pv.Show(tube, view)}
+        for key, value in theirs.items():
+            setattr(tube, key, value)
         pictures = {}
-        for who in ("ours", "paraview"):
-            shown = show(source, view, TubeEnds="Flat", **ours) if who == "ours" else pv.Show(tube, view)
+        for who, shown in displays.items():
+            for each in displays.values():
+                each.Visibility = int(each is shown)
             if colored:
                 pv.ColorBy(shown, colored)
                 session.cool_to_warm(colored[1])
@@ -96,7 +102,6 @@ def like_tube_filter(view, checks):
                 # Of the helix some are left out at its flat ends.
                 pieces = data.GetNumberOfPoints() - data.GetNumberOfLines()
                 checks.within(name + ": pieces", counted["glyphs"], 0.9 * pieces, pieces)
-            pv.Delete(shown)
         masks = {who: comparison.covered(picture) for who, picture in pictures.items()}
         outline = float((masks["ours"] != masks["paraview"]).mean())
         apart = numpy.abs(pictures["ours"].astype(int) - pictures["paraview"].astype(int))
@@ -110,6 +115,9 @@ def like_tube_filter(view, checks):
         checks.within(name + ": share of the pixels inside that are of another color",
                       float((apart[both].max(axis=1) > comparison.LEVELS).mean()), 0.0, SILHOUETTE)
         checks.within(name + ": covered pixels", int(both.sum()), 3000, 10 ** 6)
+    pv.Delete(displays["paraview"])
+    pv.Delete(tube)
+    stage.close()
 
 
 def picking(view, checks):
