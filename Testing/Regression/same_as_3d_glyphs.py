@@ -152,12 +152,12 @@ def pictures(view, points, shapes, show, give_shape, who):
             shown.SetScalarBarVisibility(view, False)
         for shape in shapes:
             give_shape(shown, shape)
+            pv.Render(view)  # the camera's near plane cuts 3D Glyphs off until they are drawn again
             for combination in combinations(shape):
                 if combination[0] == coloring:
                     _, projection, light = combination
                     session.look(view, (2.0, 1.5, 5.0), parallel_scale=PROJECTIONS[projection])
                     lamp = illuminate(view, light)
-                    pv.Render(view)
                     taken[shape, combination] = session.capture(view, "-".join((shape,) + combination + (who,)))
                     if lamp:
                         pv.RemoveLight(lamp)

@@ -74,7 +74,6 @@ class Scene:
             self.wall = wall(self.view, "Ray Traced Surface" if self.who == "ours" else "Surface")
         if self.wall:
             self.wall.Visibility = int(with_wall)
-        pv.Render(self.view)
         return session.capture(self.view, "translucent-%s-%g%s-%s" % (shape, opacity, "-wall" if with_wall else "", self.who))
 
 
