@@ -4,7 +4,6 @@ Usage: pvpython accumulation.py
 """
 import numpy
 import paraview.simple as pv
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 import comparison
@@ -20,9 +19,7 @@ def shown_by(view):
     grab.ReadFrontBufferOff()
     grab.ShouldRerenderOff()
     grab.Update()
-    image = grab.GetOutput()
-    width, height, _ = image.GetDimensions()
-    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3].astype(int)
+    return session.pixels_of(grab.GetOutput())[..., :3].astype(int)
 
 
 def grow(mode):

@@ -10,7 +10,6 @@ import numpy
 import paraview.simple as pv
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
 
 import comparison
 import session
@@ -115,10 +114,7 @@ def write_texture(path, pixels):
     image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
     array = numpy_to_vtk(numpy.ascontiguousarray(pixels).reshape(-1, 3), deep=True)
     image.GetPointData().SetScalars(array)
-    writer = vtkPNGWriter()
-    writer.SetFileName(path)
-    writer.SetInputData(image)
-    writer.Write()
+    session.write_png(path, image)
 
 
 def surrounded():

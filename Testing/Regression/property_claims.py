@@ -201,7 +201,7 @@ class Change:
             self.shown = self.bench.show(self.row.scene, kind, properties)
             # A screenshot without a file
             image = self.bench.view.SMProxy.CaptureWindow(1)
-        pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(SIDE, SIDE, -1)[::-1, :, :3]
+        pixels = session.pixels_of(image)[..., :3]
         self.pictures[what] = pixels.copy()
         return pixels.astype(float) / 255.0
 

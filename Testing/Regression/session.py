@@ -295,12 +295,17 @@ def capture(of_view, name, **options):
         pv.SaveScreenshot(path, of_view, **options)
         return read_image(path)
     image = of_view.SMProxy.CaptureWindow(1)
+    write_png(path, image)
+    return pixels_of(image)
+
+
+def write_png(path, image):
+    """Writes a vtkImageData of two dimensions."""
     writer = vtkPNGWriter()
     writer.SetFileName(path)
     writer.SetInputData(image)
     writer.SetCompressionLevel(1)
     writer.Write()
-    return pixels_of(image)
 
 
 def read_image(path):

@@ -74,10 +74,10 @@ def like_tube_filter(view, checks):
         "radii": (line_data([curve], thickness=0.12 * wave), {"TubeRadius": 1.0, "TubeRadiusArray": "thickness"},
                   {"VaryRadius": "By Absolute Scalar", "Scalars": ["POINTS", "thickness"]}, None),
     }
-    stage = session.Stage(view, TUBES)
+    stage, displays = session.Stage(view, TUBES), {}
     for name, (data, ours, theirs, colored) in scenes.items():
         shown = stage.show(data, TubeEnds="Flat", SamplesPerPixel=1, **ours)
-        if name == "helix":
+        if not displays:
             tube = pv.Tube(Input=stage.source, NumberofSides=64, Capping=1)
             displays = {"ours": shown, "paraview": pv.Show(tube, view)}
         for key, value in theirs.items():
