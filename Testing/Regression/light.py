@@ -8,8 +8,6 @@ import sys
 
 import numpy
 import paraview.simple as pv
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import comparison
 import session
@@ -108,15 +106,6 @@ def denoised():
     return failures
 
 
-def write_texture(path, pixels):
-    """Writes rows of RGB from the bottom as PNG."""
-    image = vtkImageData()
-    image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
-    array = numpy_to_vtk(numpy.ascontiguousarray(pixels).reshape(-1, 3), deep=True)
-    image.GetPointData().SetScalars(array)
-    session.write_png(path, image)
-
-
 def surrounded():
     """The view's environment image lights path-traced glyphs, from the side on which VTK shows it."""
     columns, rows = 64, 32
@@ -124,10 +113,10 @@ def surrounded():
     pixels[:, :, 2] = 60                                    # dim blue all around,
     pixels[:, columns * 3 // 8:columns * 5 // 8, 0] = 255   # red along the view's environment right, which is +x
     path = session.output("light-environment-input.png")
-    write_texture(path, pixels)
+    comparison.write_image(path, pixels)
     # The same with more columns than are kept. Few rows: ParaView itself takes minutes to prepare a large one.
     huge = session.output("light-environment-huge.png")
-    write_texture(huge, numpy.repeat(numpy.repeat(pixels, 2, axis=0), 80, axis=1))
+    comparison.write_image(huge, numpy.repeat(numpy.repeat(pixels, 2, axis=0), 80, axis=1))
 
     view = session.view(160, 120, background=(255, 255, 255))
     points = session.source(session.poly_data(numpy.array([[0.0, 0.0, 0.0]])))
