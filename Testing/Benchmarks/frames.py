@@ -7,8 +7,10 @@ import subprocess
 import sys
 import time
 
-#: stands between a figure's turns in a cell
-TURN = ";"
+#: what stands between a figure's turns in a cell, and between those of one process and of the next
+TURN, PROCESS = ";", "|"
+#: what names of columns end with that have the spread of a figure
+LOWER, UPPER = " lower quartile", " upper quartile"
 #: seconds of frames in a process after which no further one is taken: the slowest have one in each
 LONGEST = 20.0
 
@@ -19,10 +21,17 @@ def cpu_seconds():
     return usage.ru_utime + usage.ru_stime
 
 
-def quartiles(name, values):
-    """Median and quartiles as the columns of a row. Of one value, that."""
-    lower, median, upper = statistics.quantiles(values, n=4, method="inclusive") if len(values) > 1 else 3 * values
-    return {name: median, name + " lower quartile": lower, name + " upper quartile": upper}
+def quartiles(values):
+    """(lower quartile, median, upper quartile). Of one value, that."""
+    return tuple(statistics.quantiles(values, n=4, method="inclusive")) if len(values) > 1 else 3 * tuple(values)
+
+
+def spread(processes):
+    """(lower, median, upper) of the turns of several processes: the median of all turns, the lowest of the processes' lower quartiles and the
+    highest of their upper ones. Turns of one process are alike, so quartiles of all turns together would tell too little of what another process finds.
+    """
+    each = [quartiles(turns) for turns in processes]
+    return min(lower for lower, _, _ in each), statistics.median(sum(processes, [])), max(upper for _, _, upper in each)
 
 
 def seconds_of(render):
@@ -69,10 +78,24 @@ def figures_of(what, arguments, limit, command=("pvpython",)):
     return figures
 
 
-def read_table(path):
+def read_cells(path):
     """Rows of a CSV file as dictionaries of text; what the commented lines at its beginning say is left out."""
     with open(path, encoding="utf-8", newline="") as file:
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def read_table(path):
+    """Rows of a CSV file as dictionaries of text. A figure of several turns is their median, and the columns LOWER and UPPER of its name have its spread()."""
+    rows = []
+    for cells in read_cells(path):
+        row = {}
+        for name, cell in cells.items():
+            row[name] = cell
+            if TURN in cell or PROCESS in cell:
+                row.update(zip((name + LOWER, name, name + UPPER),
+                               ("%.6g" % value for value in spread([list(map(float, turns.split(TURN))) for turns in cell.split(PROCESS)]))))
+        rows.append(row)
+    return rows
 
 
 def write_table(path, rows):

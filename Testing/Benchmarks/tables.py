@@ -16,7 +16,7 @@ sys.path.insert(0, HERE)
 sys.dont_write_bytecode = True
 import light  # noqa: E402
 import motion  # noqa: E402
-from frames import quartiles, read_table  # noqa: E402
+from frames import LOWER, UPPER, quartiles, read_table  # noqa: E402
 
 ROOT = os.path.join(HERE, "..", "..")
 RESULTS = os.path.join(HERE, "results")
@@ -28,9 +28,9 @@ def path_of(name):
     return os.path.join(RESULTS, name + ".csv")
 
 
-def head(name):
+def head(path):
     """What the commented lines at the beginning of a CSV file say: {what: text}."""
-    with open(path_of(name), encoding="utf-8") as file:
+    with open(path, encoding="utf-8") as file:
         return dict(re.match(r"# ([\w ]+): (.*)", line).groups() for line in file if re.match(r"# [\w ]+: ", line))
 
 
@@ -58,8 +58,8 @@ def digits(value, count):
 
 
 def timing(row, key, count):
-    """Seconds to so many digits, with quartiles where the file has them."""
-    both = [row.get("%s %s quartile" % (key, which), "") for which in ("lower", "upper")]
+    """Seconds to so many digits, with their spread (frames.py) where they are of several turns."""
+    both = [row.get(key + which, "") for which in (LOWER, UPPER)]
     if both[0] == "" or both == [row[key], row[key]]:  # what others are compared with is always 1
         return digits(row[key], count)
     return digits(row[key], count) + " (%s, %s)" % tuple(digits(value, count) for value in both)
@@ -70,7 +70,7 @@ def speed():
     dilute, packed = rows("speed-dilute"), {row["name"]: row for row in rows("speed-packed")}
 
     def cells(row):
-        return [timing(row, "wall", 3), timing(row, "cpu", 3), digits(row["ratio"], 2), "%.0f" % row["megabytes"]] if row else [""] * 4
+        return [timing(row, "wall", 3), timing(row, "cpu", 3), timing(row, "ratio", 3), "%.0f" % row["megabytes"]] if row else [""] * 4
     return markdown(["", "dilute: wall s", "CPU s", "over ours", "peak MB", "packed: wall s", "CPU s", "over ours", "peak MB"],
                     [[row["name"]] + cells(row) + cells(packed.get(row["name"])) for row in dilute])
 
@@ -100,10 +100,10 @@ def tessellations(name):
 def scenes():
     """Kinds of scenes."""
     def embree(row, key):
-        return "%.2f (%.2f)" % (row[key], row[key] / row["CPU s"]) if row[key] != "" else ""
-    return markdown(["scene", "CPU s", "over the first", "Embree, single rays (over ours)", "Embree, packets (over ours)"],
-                    [[row["scene"], timing(row, "CPU s", 3),
-                      "%.2f" % row["cost beside the first"], embree(row, "Embree s"), embree(row, "Embree packets s")] for row in rows("scenes")])
+        return [timing(row, key, 3), "%.2f" % (row[key] / row["CPU s"])] if row[key] != "" else ["", ""]
+    return markdown(["scene", "CPU s", "over the first", "Embree, single rays: s", "over ours", "Embree, packets: s", "over ours"],
+                    [[row["scene"], timing(row, "CPU s", 3), timing(row, "cost beside the first", 3)] + embree(row, "Embree s") + embree(row, "Embree packets s")
+                     for row in rows("scenes")])
 
 
 def gpu():
@@ -126,7 +126,7 @@ def gpu():
 def directions():
     """Glyphs of direction and tubes in large numbers."""
     return markdown(["", "first picture: s", "made before: s", "frame: wall s", "CPU s", "memory: MB"],
-                    [[row["kind"], digits(row["first"], 3), digits(row["making"], 2) if row["making"] else "", timing(row, "frame", 3),
+                    [[row["kind"], timing(row, "first", 3), timing(row, "making", 2) if row["making"] else "", timing(row, "frame", 3),
                       timing(row, "frame cpu", 3), "%.0f" % (row["bytes"] / 1e6)] for row in rows("directions")])
 
 
@@ -197,14 +197,14 @@ def ranks():
     return markdown(["", "ranks", "glyphs from others", "MB", "bytes each", "device, all ranks: MB", "first picture: s", "frame: s", "over one rank"],
                     [[name(row), "%d" % row["ranks"], "%d" % row["from others"], "%.2f" % (row["bytes from others"] / 1e6),
                       "%.1f" % (row["bytes from others"] / row["from others"]) if row["from others"] else "", "%.0f" % (row["device bytes"] / 1e6),
-                      digits(row["first picture"], 3), timing(row, "frame", 3), "%.2f" % (alone[name(row)] / row["frame"])] for row in found])
+                      timing(row, "first picture", 3), timing(row, "frame", 3), "%.2f" % (alone[name(row)] / row["frame"])] for row in found])
 
 
 def steps():
     """Where the time of a step of a time series goes; the first one compiles."""
     found = rows("steps")[1:]
 
-    cells = [timing(quartiles(stage, [1000.0 * row[stage] for row in found]), stage, 3)
+    cells = [timing(dict(zip((stage + LOWER, stage, stage + UPPER), quartiles([1000.0 * row[stage] for row in found]))), stage, 3)
              for stage in ("pipeline", "sort", "build", "upload", "trace", "other", "total")]
     return markdown(["ParaView's pipeline: ms", "order", "tree", "sending", "tracing", "rest", "all"], [cells])
 
@@ -322,6 +322,16 @@ TABLES = {
 }
 
 
+def made(results):
+    """{name: table} of those tables whose CSV files all lie in that folder."""
+    global RESULTS
+    before, RESULTS = RESULTS, results
+    try:
+        return {name: make() for name, (_, files, make) in TABLES.items() if all(os.path.exists(path_of(file)) for file in files)}
+    finally:
+        RESULTS = before
+
+
 def between(text, name):
     """(start, end) of the text between the markers of a table."""
     begin, end = "<!-- table %s -->\n" % name, "\n<!-- end of table %s -->" % name
@@ -334,7 +344,7 @@ def main():
     """Writes or checks."""
     check, wrong = "--check" in sys.argv[1:], []
     for file in sorted({file for _, files, _ in TABLES.values() for file in files}):
-        if not head(file).get("commit"):
+        if not head(path_of(file)).get("commit"):
             wrong.append("results/%s.csv does not say of which commit it is; write it with Testing/Benchmarks/run" % file)
     for name, (document, files, make) in TABLES.items():
         path = os.path.join(ROOT, document)
