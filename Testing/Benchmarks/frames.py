@@ -34,6 +34,11 @@ def spread(processes):
     return min(lower for lower, _, _ in each), statistics.median(sum(processes, [])), max(upper for _, _, upper in each)
 
 
+def spread_columns(name, figures):
+    """(lower, median, upper) as the columns of a row."""
+    return dict(zip((name + LOWER, name, name + UPPER), figures))
+
+
 def seconds_of(render):
     """Wall and processor seconds that render() takes."""
     start, start_cpu = time.monotonic(), cpu_seconds()
@@ -92,15 +97,18 @@ def read_table(path):
         for name, cell in cells.items():
             row[name] = cell
             if TURN in cell or PROCESS in cell:
-                row.update(zip((name + LOWER, name, name + UPPER),
-                               ("%.6g" % value for value in spread([list(map(float, turns.split(TURN))) for turns in cell.split(PROCESS)]))))
+                figures = spread([list(map(float, turns.split(TURN))) for turns in cell.split(PROCESS)])
+                row.update(spread_columns(name, ("%.6g" % value for value in figures)))
         rows.append(row)
     return rows
 
 
 def write_table(path, rows):
-    """Rows as CSV, with a column for each figure that some row has; of a figure that is a list, one for each turn, the cell has all."""
-    rows = [{key: TURN.join(map(str, cell)) if isinstance(cell, (list, tuple)) else cell for key, cell in row.items()} for row in rows]
+    """Rows as CSV, with a column for each figure that some row has; of a figure that is a list, one for each turn, the cell has all. Six digits of floats."""
+    def text(value):
+        return "%.6g" % value if isinstance(value, float) else str(value)
+
+    rows = [{key: TURN.join(map(text, cell)) if isinstance(cell, (list, tuple)) else text(cell) for key, cell in row.items()} for row in rows]
     columns = list(dict.fromkeys(column for row in rows for column in row))
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, columns, lineterminator="\n")

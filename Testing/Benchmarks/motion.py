@@ -8,15 +8,14 @@ KEPT = "strata of times with places: slices"  # what the plugin does
 
 
 def read(path):
-    """{radii: {scheme: [(samples, build seconds, trace seconds, mse, blurred mse, spreads of both seconds)]}}"""
+    """{radii: {scheme: [(samples, build seconds, trace seconds, mse, blurred mse)]}}; seconds are (median, lower, upper)."""
     results = {}
     rows = read_table(path)
     own = {row["radii"]: float(row["reference_mse"]) for row in rows}  # the last row of a path knows it
     for row in rows:
         error = max(float(row["mse"]) - own[row["radii"]], 1e-12)
-        seconds = [float(row.get(column + of) or row[column]) for of in ("", LOWER, UPPER) for column in ("build_cpu_seconds", "trace_cpu_seconds")]
-        results.setdefault(row["radii"], {}).setdefault(row["scheme"], []).append(
-            (int(row["samples"]), seconds[0], seconds[1], error, float(row["blurred_mse"]), seconds[2:]))
+        build, trace = (tuple(float(row.get(column + of) or row[column]) for of in ("", LOWER, UPPER)) for column in ("build_cpu_seconds", "trace_cpu_seconds"))
+        results.setdefault(row["radii"], {}).setdefault(row["scheme"], []).append((int(row["samples"]), build, trace, error, float(row["blurred_mse"])))
     return results
 
 
@@ -24,6 +23,6 @@ def table(path):
     """Markdown, at 16 samples a pixel."""
     lines = ["| path (radii) | scheme | build s | trace s | error (1e-4) | after a blur (1e-4) |", "|---|---|---|---|---|---|"]
     lines += ["| %s | %s | %.2f (%.2f, %.2f) | %.1f (%.1f, %.1f) | %.2f | %.3f |" % (
-        radii, name + (" (kept)" if name == KEPT else ""), row[1], *row[5][::2], row[2], *row[5][1::2], 1e4 * row[3], 1e4 * row[4])
+        radii, name + (" (kept)" if name == KEPT else ""), *row[1], *row[2], 1e4 * row[3], 1e4 * row[4])
               for radii, schemes in read(path).items() for name, rows in schemes.items() for row in rows if row[0] == 16]
     return "\n".join(lines)

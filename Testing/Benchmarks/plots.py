@@ -78,7 +78,7 @@ def motions():
     figure, axes = pyplot.subplots(1, len(results), figsize=(4.6 * len(results), 4.4), squeeze=False, sharey=True)
     for axis, (radii, schemes) in zip(axes[0], results.items()):
         for name, rows in schemes.items():
-            axis.loglog([r[1] + r[2] for r in rows], [r[3] for r in rows], "o-", label=name, markersize=3)
+            axis.loglog([r[1][0] + r[2][0] for r in rows], [r[3] for r in rows], "o-", label=name, markersize=3)
         axis.set_xlabel("processor seconds")
         axis.set_title("path of %s radii" % radii)
         axis.grid(True, which="both", alpha=0.3)

@@ -16,7 +16,7 @@ sys.path.insert(0, HERE)
 sys.dont_write_bytecode = True
 import light  # noqa: E402
 import motion  # noqa: E402
-from frames import LOWER, UPPER, quartiles, read_table  # noqa: E402
+from frames import LOWER, UPPER, quartiles, read_table, spread_columns  # noqa: E402
 
 ROOT = os.path.join(HERE, "..", "..")
 RESULTS = os.path.join(HERE, "results")
@@ -204,7 +204,7 @@ def steps():
     """Where the time of a step of a time series goes; the first one compiles."""
     found = rows("steps")[1:]
 
-    cells = [timing(dict(zip((stage + LOWER, stage, stage + UPPER), quartiles([1000.0 * row[stage] for row in found]))), stage, 3)
+    cells = [timing(spread_columns(stage, quartiles([1000.0 * row[stage] for row in found])), stage, 3)
              for stage in ("pipeline", "sort", "build", "upload", "trace", "other", "total")]
     return markdown(["ParaView's pipeline: ms", "order", "tree", "sending", "tracing", "rest", "all"], [cells])
 
