@@ -91,7 +91,9 @@ RTG_FN int Look(const RTG_FIELD field, const RTG_PROBE a, const RTG_PROBE b, con
     return RTG_SETTLE;
   }
   real meet = (fa + window.slopeB * width - fb) / (window.slopeB - window.slopeA);
-  real depth = changes ? max(abs(a.f), abs(b.f)) : -(fa + window.slopeA * meet);
+  // Where both ends are within rounding, cutting tells nothing new, however deep the lines let f go in between.
+  real depth = max(abs(a.f), abs(b.f));
+  depth = changes ? depth : min(depth, -(fa + window.slopeA * meet));
   real middle = real(0.5) * (left + right);
   bool settles = (window.single && depth <= real(4.0) * (a.noise + b.noise)) || !(middle > real(0.0) && middle < width);
   // What is left at one end the slopes of the whole window leave there: cut there, it would shrink to where no number

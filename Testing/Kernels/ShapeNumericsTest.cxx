@@ -137,6 +137,15 @@ TEST(NestedRaysTest, APieceThatTakesTooManyStepsIsAnswered)
     { 1.3233048958666016, 0.30149680156260894, 0.59259699102675611 }, { -0.691816151f, -0.16946879f, -0.701905072f });
 }
 
+/// Along a face of a sharp cross-section, never deeper inside than a millionth of the size and less than plain
+/// arithmetic knows for a third of the way, the ray crosses the surface four times: the first crossing counts.
+TEST(NestedRaysTest, AShallowEntryAlongAFaceCounts)
+{
+  ExpectHitOfNested({ -0.062800236f, 0.434366435f, 0.239545241f }, { 0.840200126f, 0.687748015f, 0.89151001f },
+    { -0.12970756f, -0.530111909f, -0.597240746f, 0.587759137f }, { 0.00999999978f, 2.04811978f, 2.00003624f },
+    { -1.4274462407395099, 0.88639314695761229, 1.0070471923273718 }, { 0.887465835f, -0.0745470226f, -0.45480451f });
+}
+
 /// Polynomials: in float, which is what their windows' width and noise are made for.
 INSTANTIATE_TEST_SUITE_P(Polynomials, NestedNumericsTest, ::testing::ValuesIn(PolynomialSubjects()), SubjectName);
 
