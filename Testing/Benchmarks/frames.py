@@ -89,6 +89,11 @@ def read_cells(path):
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
+def turns_of(cell):
+    """The turns that a cell has, as a list for each process."""
+    return [list(map(float, turns.split(TURN))) for turns in cell.split(PROCESS)]
+
+
 def read_table(path):
     """Rows of a CSV file as dictionaries of text. A figure of several turns is their median, and the columns LOWER and UPPER of its name have its spread()."""
     rows = []
@@ -97,8 +102,7 @@ def read_table(path):
         for name, cell in cells.items():
             row[name] = cell
             if TURN in cell or PROCESS in cell:
-                figures = spread([list(map(float, turns.split(TURN))) for turns in cell.split(PROCESS)])
-                row.update(spread_columns(name, ("%.6g" % value for value in figures)))
+                row.update(spread_columns(name, ("%.6g" % value for value in spread(turns_of(cell)))))
         rows.append(row)
     return rows
 

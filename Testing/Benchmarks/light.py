@@ -4,7 +4,7 @@ Gain: mean squared error of independent samples over that of the sampler at the 
 """
 import math
 
-from frames import read_table
+from frames import read_cells, read_table, spread, turns_of
 
 TABLED = (1, 4, 16, 64, 256, 1024)
 KEPT = {"occlusion": "sobol x8", "path": "sobol x4"}  # what the plugin does by default
@@ -32,18 +32,28 @@ def at_time(rows, seconds):
     return math.exp(y0 - (x - x0))
 
 
+def over_random(path):
+    """{(shading, sampler): (lower, median, upper)} of a sample's time over that of an independent one of the same turn."""
+    cells = {(row["shading"], row["sampler"]): turns_of(row["cpu_seconds"]) for row in read_cells(path) if row["samples"] == "1"}
+    return {(shading, sampler): spread([[own / other for own, other in zip(*turns)] for turns in zip(processes, cells[shading, "random"])])
+            for (shading, sampler), processes in cells.items()}
+
+
 def table(scenes):
     """Markdown of (name, path) of scenes."""
-    lines = ["| scene | light | sampler | " + " | ".join("%d" % n for n in TABLED) + " |", "|---|---|---|" + "---|" * len(TABLED)]
+    lines = ["| scene | light | sampler | a sample's time over random's | " + " | ".join("%d" % n for n in TABLED) + " |", "|---|---|---|---|" + "---|" * len(TABLED)]
     for name, path in scenes:
+        times = over_random(path)
         for shading, samplers in read(path).items():
             random = samplers["random"]
             for sampler, rows in samplers.items():
                 found = {r["samples"]: r for r in rows}
                 cells = ["" if n not in found else "%.2g" % found[n]["error"] if sampler == "random" else
                          "%.2f" % (at_time(random, found[n]["seconds"]) / found[n]["error"]) for n in TABLED]
-                lines.append("| %s | %s | %s | %s |" % (name, shading, sampler + (": error" if sampler == "random" else ": gain"), " | ".join(cells)))
+                lower, median, upper = times[shading, sampler]
+                time = "1.00" if sampler == "random" else "%.2f (%.2f, %.2f)" % (median, lower, upper)
+                lines.append("| %s | %s | %s | %s | %s |" % (name, shading, sampler + (": error" if sampler == "random" else ": gain"), time, " | ".join(cells)))
                 if sampler == KEPT[shading]:
                     cells = ["%.2g" % found[n]["denoised"] if n in found else "" for n in TABLED]
-                    lines.append("| %s | %s | %s | %s |" % (name, shading, sampler + ", denoised: error", " | ".join(cells)))
+                    lines.append("| %s | %s | %s |  | %s |" % (name, shading, sampler + ", denoised: error", " | ".join(cells)))
     return "\n".join(lines)
