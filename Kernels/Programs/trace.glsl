@@ -148,41 +148,35 @@ const uint maximumPasses = 256u;
 
 SurfaceHit Trace(Query query, const bool gathers)
 {
-  if (!(query.tMin <= query.tMax))
+  // Whether a ray of any still asks what is opaque, of which the first hit ends the traversal.
+  bool any = query.any;
+  uint pass = 0u;
+  bool further;
+  // The traversal is in the program once: some drivers copy it to every call.
+  do
   {
-    return NoHit();
-  }
-  if (query.any)
-  {
-    // The traversal ends at the first hit and runs no closest-hit program.
-    TraceDriver(
-      query, gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT, query.mask & ANY_OPAQUE_MASK);
-    if (payload.t >= 0.0 || !translucency)
-    {
-      return payload;
-    }
-    query.mask &= ANY_TRANSLUCENT_MASK;
-  }
-  TraceDriver(query, 0u, query.mask);
-  if (!translucency || query.seed == 0u)
-  {
-    return payload;
-  }
-  // Among glyphs the traversal has decided; the opacity of one of the driver's triangles is known only now.
-  for (uint pass = 0u; pass < maximumPasses && payload.t >= 0.0 && payload.colour.a < 1.0; ++pass)
-  {
-    query.seed = Hash(query.seed) | 1u;
-    if (UnitInterval(Hash(query.seed)) < payload.colour.a)
-    {
-      break;
-    }
-    query.tMin = payload.t + ErrorOfT(query.ray, payload);
-    if (query.tMin > query.tMax)
+    if (!(query.tMin <= query.tMax))
     {
       return NoHit();
     }
-    TraceDriver(query, 0u, query.mask);
-  }
+    TraceDriver(query, any ? gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT : 0u,
+      any ? query.mask & ANY_OPAQUE_MASK : query.mask);
+    further = false;
+    if (translucency && any)
+    {
+      any = false;
+      query.mask &= ANY_TRANSLUCENT_MASK;
+      further = payload.t < 0.0;
+    }
+    else if (translucency && query.seed != 0u && payload.t >= 0.0 && payload.colour.a < 1.0 && pass < maximumPasses)
+    {
+      // Among glyphs the traversal has decided; the opacity of one of the driver's triangles is known only now.
+      ++pass;
+      query.seed = Hash(query.seed) | 1u;
+      further = UnitInterval(Hash(query.seed)) >= payload.colour.a;
+      query.tMin = payload.t + ErrorOfT(query.ray, payload);
+    }
+  } while (further);
   return payload;
 }
 #endif

@@ -105,6 +105,50 @@ TEST_P(TranslucencyTest, BothSidesOfABallShowAtEveryDistance)
   }
 }
 
+// Of two faces of opacity a half, three quarters of a path tracer's camera rays stop at one, and a quarter of the light
+// from behind them arrives.
+TEST_P(TranslucencyTest, BoxesAreMetByChance)
+{
+  rtg::Material half;
+  half.opacity = 0.5f;
+  this->settings.keepSums = true;
+  this->settings.samples = 16;
+  const double rays = 24.0 * 24.0 * 16.0;
+  const auto mean = [this](int channel)
+  {
+    double sum = 0.0;
+    for (const glm::vec4& pixel : this->tracer.Means())
+    {
+      sum += pixel[channel] / (24.0 * 24.0);
+    }
+    return sum;
+  };
+  const auto floor = this->Add(Shape::Box, { { 0, -1.0f, 0 } }, { { 1000.0f, 0.1f, 1000.0f } }, Flat());
+  for (const Shape shape : { Shape::Box, Shape::Mesh })
+  {
+    rtg::GlyphInstances instances;
+    instances.shape = shape;
+    instances.mesh = std::make_shared<rtg::TriangleMesh>(rtg::testing::BoxMesh());
+    instances.centres = { glm::vec3(0.0f) };
+    instances.sizes3 = { { 1000.0f, 0.1f, 1000.0f } };
+    const auto roof = this->scene.Add();
+    this->scene.SetInstances(roof, instances);
+    this->scene.SetMaterial(roof, half);
+    this->camera = this->LookFrom({ 0, 5, 0.5 }, { 0, 0, 0 });
+
+    this->settings.shading = Shading::AmbientOcclusion;
+    this->Trace(rtg::Pass::Opaque);
+    EXPECT_NEAR(mean(0), 0.25, certain * std::sqrt(0.25 * 0.75 / rays)) << "shape " << static_cast<int>(shape);
+
+    this->scene.SetVisible(floor, false);
+    this->settings.shading = Shading::PathTracing;
+    this->Trace(rtg::Pass::All);
+    EXPECT_NEAR(mean(3), 0.75, certain * std::sqrt(0.25 * 0.75 / rays)) << "shape " << static_cast<int>(shape);
+    this->scene.SetVisible(floor, true);
+    this->scene.Remove(roof);
+  }
+}
+
 // Opacities of glyphs are as the alphas of their colors would be, of balls and of copies of a mesh.
 TEST_P(TranslucencyTest, GlyphsHaveTheirOwnOpacities)
 {
