@@ -58,6 +58,18 @@ protected:
       glm::lookAt(glm::dvec3(0, 0, distance), glm::dvec3(0), glm::dvec3(0, 1, 0)));
   }
 
+  // Of a channel, over the last image's pixels.
+  double Mean(int channel) const
+  {
+    double sum = 0.0;
+    const std::vector<glm::vec4> means = this->tracer.Means();
+    for (const glm::vec4& pixel : means)
+    {
+      sum += pixel[channel];
+    }
+    return sum / static_cast<double>(means.size());
+  }
+
   glm::dvec2 PixelCentre(std::size_t at) const
   {
     return { (at % this->settings.width + 0.5) / this->settings.width * 2.0 - 1.0,
@@ -95,12 +107,7 @@ TEST_P(TranslucencyTest, BothSidesOfABallShowAtEveryDistance)
     this->settings.samples = 64;
     this->LookFromFar(distance, 0.2);
     this->Trace(rtg::Pass::Translucent);
-    double mean = 0.0;
-    for (const glm::vec4& pixel : this->tracer.Means())
-    {
-      mean += pixel.a / (40.0 * 40.0);
-    }
-    EXPECT_NEAR(mean, both, certain * std::sqrt(both * (1.0 - both) / (40.0 * 40.0 * 64.0)))
+    EXPECT_NEAR(this->Mean(3), both, certain * std::sqrt(both * (1.0 - both) / (40.0 * 40.0 * 64.0)))
       << "camera " << distance << " glyph sizes away";
   }
 }
@@ -114,15 +121,6 @@ TEST_P(TranslucencyTest, BoxesAreMetByChance)
   this->settings.keepSums = true;
   this->settings.samples = 16;
   const double rays = 24.0 * 24.0 * 16.0;
-  const auto mean = [this](int channel)
-  {
-    double sum = 0.0;
-    for (const glm::vec4& pixel : this->tracer.Means())
-    {
-      sum += pixel[channel] / (24.0 * 24.0);
-    }
-    return sum;
-  };
   const auto floor = this->Add(Shape::Box, { { 0, -1.0f, 0 } }, { { 1000.0f, 0.1f, 1000.0f } }, Flat());
   for (const Shape shape : { Shape::Box, Shape::Mesh })
   {
@@ -138,12 +136,12 @@ TEST_P(TranslucencyTest, BoxesAreMetByChance)
 
     this->settings.shading = Shading::AmbientOcclusion;
     this->Trace(rtg::Pass::Opaque);
-    EXPECT_NEAR(mean(0), 0.25, certain * std::sqrt(0.25 * 0.75 / rays)) << "shape " << static_cast<int>(shape);
+    EXPECT_NEAR(this->Mean(0), 0.25, certain * std::sqrt(0.25 * 0.75 / rays)) << "shape " << static_cast<int>(shape);
 
     this->scene.SetVisible(floor, false);
     this->settings.shading = Shading::PathTracing;
     this->Trace(rtg::Pass::All);
-    EXPECT_NEAR(mean(3), 0.75, certain * std::sqrt(0.25 * 0.75 / rays)) << "shape " << static_cast<int>(shape);
+    EXPECT_NEAR(this->Mean(3), 0.75, certain * std::sqrt(0.25 * 0.75 / rays)) << "shape " << static_cast<int>(shape);
     this->scene.SetVisible(floor, true);
     this->scene.Remove(roof);
   }
@@ -256,13 +254,8 @@ TEST_P(TranslucencyTest, EveryLayerOfACrowdCountsOnce)
   this->settings.shading = Shading::PathTracing;
   this->settings.samples = 16;
   this->Trace(rtg::Pass::Translucent);
-  double mean = 0.0;
-  for (const glm::vec4& pixel : this->tracer.Means())
-  {
-    mean += pixel.a / (60.0 * 60.0);
-  }
   const double expected = 1.0 - std::pow(1.0 - opacity, 6);
-  EXPECT_NEAR(mean, expected, certain * std::sqrt(expected * (1.0 - expected) / (60.0 * 60.0 * 16.0)));
+  EXPECT_NEAR(this->Mean(3), expected, certain * std::sqrt(expected * (1.0 - expected) / (60.0 * 60.0 * 16.0)));
 }
 
 // Many more layers show than one traversal gathers, each glyph has an opacity of its own, and what is opaque ends them.
