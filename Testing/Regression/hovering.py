@@ -20,8 +20,9 @@ from window import Window, run, say  # noqa: E402
 PLACES = numpy.array([[x, y, 0.0] for y in range(2) for x in range(3)], dtype=float)
 #: names of ParaView's widgets
 VIEW, TOOLTIP = "Viewport", "qtooltip_label"
-#: seconds within which a tooltip must be there
+#: seconds within which a tooltip must be there, and how long the mouse rests before it stirs again
 LIMIT = 20.0
+REST = 4.0
 
 
 def points():
@@ -35,13 +36,24 @@ def points():
 
 
 def told(window, view, place):
-    """The tooltip's id while the mouse is on a place, a little beside the point; None: no tooltip."""
+    """The tooltip's id while the mouse is on a place, a little beside the point; None: no tooltip.
+
+    ParaView asks once when the mouse comes to rest. It may take the two moves for one, or come to ask between them, so the mouse
+    stirs until there is an answer.
+    """
     x, y = session.pixel_of(view, place + [0.2, 0.15, 0.0])
     before = window.text(TOOLTIP)
-    window.hover(VIEW, (x - 1, y))
-    window.wait(lambda: False, 0.1)
-    window.hover(VIEW, (x, y))
-    window.wait(lambda: window.text(TOOLTIP) not in ("", before), LIMIT)
+
+    def answered():
+        return window.text(TOOLTIP) not in ("", before)
+
+    for stirring in range(int(LIMIT / REST)):
+        window.hover(VIEW, (x - 1, y))
+        window.wait(answered, 0.1)
+        window.hover(VIEW, (x, y))
+        if window.wait(answered, REST):
+            break
+        say("%s: no tooltip after %d s" % (place, (stirring + 1) * REST))
     found = re.search(r"\bId: *(?:</[^>]*> *)*(\d+)", window.text(TOOLTIP))
     say("%s: %s" % (place, window.text(TOOLTIP)))
     return int(found.group(1)) if found else None
