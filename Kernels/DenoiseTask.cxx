@@ -25,7 +25,7 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
   rtg::Denoise(this->means_,
     { this->image_.width, this->image_.height, this->image_.normals, this->image_.albedos, this->image_.viewDepths });
 
-  const bool develops = GenerationFor(this->settings_).constants.develops != 0;
+  const bool develops = Develops(this->settings_);
   const float exposureFactor = std::exp2(this->settings_.exposure);
   const bool filmic = this->settings_.toneMapping == ToneMapping::Filmic;
   std::vector<std::uint32_t> smooth(this->means_.size(), 0);

@@ -128,6 +128,12 @@ void CheckSettings(const TraceSettings& settings)
   }
 }
 
+bool Develops(const TraceSettings& settings)
+{
+  return settings.shading == Shading::PathTracing || settings.exposure != 0.0f ||
+    settings.toneMapping != ToneMapping::None;
+}
+
 void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
 {
   frame.width = settings.width;
@@ -139,6 +145,7 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
   frame.occlusionRadius = settings.occlusionRadius > 0.0f ? settings.occlusionRadius : 1e38f;
   frame.branches = Branches(settings);
   frame.maximumBounces = settings.maximumBounces;
+  frame.develops = Develops(settings);
   frame.exposureFactor = std::exp2(settings.exposure);
   frame.filmic = settings.toneMapping == ToneMapping::Filmic;
 }
@@ -151,8 +158,6 @@ Generation GenerationFor(const TraceSettings& settings)
   Constants& constants = generation.constants;
   constants.independentSamples = settings.independentSamples && settings.shading != Shading::Local;
   constants.gathersFeatures = settings.features;
-  constants.develops =
-    settings.shading == Shading::PathTracing || settings.exposure != 0.0f || settings.toneMapping != ToneMapping::None;
   constants.environmentImage = settings.environmentImage && settings.shading == Shading::PathTracing;
   return generation;
 }
@@ -179,7 +184,7 @@ void FillScene(device::FrameRecord& frame, Generation& generation, const Scene::
     {
       constants.shapes |= 1u << static_cast<std::uint32_t>(group.shape);
       constants.allHave &= group.variants;
-      constants.someHave |= group.variants;
+      constants.someHave |= group.variants | device::ASKED_OF_SETS;
       constants.degree = std::max(constants.degree, group.degree);
     }
   }

@@ -14,6 +14,9 @@ namespace rtg
 /// Throws rtg::Error, which names the first setting that is out of its range.
 void CheckSettings(const TraceSettings& settings);
 
+/// Whether colours change on their way to the display.
+bool Develops(const TraceSettings& settings);
+
 /// A position as a sum of two floats.
 void Split(const glm::dvec3& exact, glm::vec3& high, glm::vec3& low);
 

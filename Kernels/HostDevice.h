@@ -218,7 +218,7 @@ struct FrameRecord
   RTG_ADDRESS(FloatImage) depth;
   RTG_ADDRESS(UintImage) setIds;
   RTG_ADDRESS(UintImage) glyphIds;
-  RTG_ADDRESS(PixelSumsImage) sums;         // when the program accumulates
+  RTG_ADDRESS(PixelSumsImage) sums;         // of one pixel at least
   RTG_ADDRESS(PixelFeaturesImage) features; // when it gathers features
   RTG_ADDRESS(RayRecords) rays;             // by launch index
   RTG_ADDRESS(ProbeRecords) probes;
@@ -244,6 +244,7 @@ struct FrameRecord
   uint height;
   uint firstSample;    // number of the first sample of this dispatch
   uint samples;        // that this dispatch adds
+  uint accumulates;    // samples are added to earlier ones, or will be
   uint sharedTimeBits; // Shading/ShutterTime.glsl
   uint timeStrataBits; // the same
   uint pixelStep;
@@ -274,6 +275,7 @@ struct FrameRecord
   vec3 environmentRight;
   vec3 environmentUp;
   // Resolving
+  uint develops; // colours change on their way to the display
   float exposureFactor;
   uint filmic;
   // What all lanes of a CPU device load at once: sets.at[0] again when there is no other set, and few lights.

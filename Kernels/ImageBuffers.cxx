@@ -28,14 +28,7 @@ void ImageBuffers::Prepare(Device::State& device, const TraceSettings& settings,
   {
     this->shown_.Fit(device, bytes, Buffer::Place::Host);
   }
-  if (keepSums)
-  {
-    this->sums_.Fit(device, this->pixels_ * sizeof(device::PixelSums));
-  }
-  else
-  {
-    this->sums_ = Buffer();
-  }
+  this->sums_.Fit(device, (keepSums ? this->pixels_ : 1) * sizeof(device::PixelSums));
   if (!settings.features)
   {
     this->features_ = Buffer();
@@ -58,7 +51,7 @@ void ImageBuffers::Clear()
 
 void ImageBuffers::ClearSums()
 {
-  if (this->sums_.Size())
+  if (this->sums_.Size() >= this->pixels_ * sizeof(device::PixelSums))
   {
     const device::PixelSums none{ glm::vec4(0.0f), 1e38f };
     this->sums_.Write(this->pixels_, sizeof(none),

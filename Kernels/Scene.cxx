@@ -357,7 +357,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
       this->recordsChanged = true;
     }
     // The top level says which hit group and which pass a set belongs to.
-    this->topLevelChanged |= !(set.placed.group == set.listedGroup && set.Mask() == set.listedMask);
+    this->topLevelChanged |= !(set.placed.group.OfPrograms() == set.listedGroup && set.Mask() == set.listedMask);
   }
   if (this->topLevelChanged)
   {

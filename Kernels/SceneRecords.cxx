@@ -82,14 +82,14 @@ void Scene::State::ListSets()
       continue;
     }
     const PlacedGlyphs& placed = set.placed;
-    set.listedGroup = placed.group;
+    set.listedGroup = placed.group.OfPrograms();
     set.listedMask = set.Mask();
     this->moves |= placed.group.Moves();
     this->placedTimeSliceBits =
       std::max({ this->placedTimeSliceBits, placed.sliceBits, placed.mesh.tree.record.sliceBits });
-    if (std::find(this->groups.begin(), this->groups.end(), placed.group) == this->groups.end())
+    if (std::find(this->groups.begin(), this->groups.end(), set.listedGroup) == this->groups.end())
     {
-      this->groups.push_back(placed.group);
+      this->groups.push_back(set.listedGroup);
     }
     const glm::vec3 offset(set.instances.origin - this->origin);
     const Box moved{ set.bounds.lower + offset, set.bounds.upper + offset };
@@ -110,7 +110,7 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
       continue;
     }
     const PlacedGlyphs& placed = set.placed;
-    const auto group = std::find(this->groups.begin(), this->groups.end(), placed.group);
+    const auto group = std::find(this->groups.begin(), this->groups.end(), set.listedGroup);
     const glm::vec3 offset(set.instances.origin - this->origin);
     for (const GlyphRun& run : placed.runs)
     {

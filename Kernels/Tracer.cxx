@@ -167,7 +167,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.generation = GenerationFor(settings);
   FillScene(begun.frame, begun.generation, scene);
   Constants& constants = begun.generation.constants;
-  constants.accumulates = keeps;
+  begun.frame.accumulates = keeps;
   constants.manyLights = lights.size() > device::FEW_LIGHTS;
   if (scene.moves)
   {

@@ -65,9 +65,10 @@ Pixel BeginPixel(const uvec2 position)
   pixel.depth = 1e38;
   pixel.record = 0xffffffffu;
   pixel.glyph = 0xffffffffu;
-  if (accumulates && frame.firstSample > 0u)
+  if (frame.firstSample > 0u)
   {
-    uint at = position.y * frame.width + position.x;
+    // Compilers may load it where there is one pixel only.
+    uint at = frame.accumulates != 0u ? position.y * frame.width + position.x : 0u;
     pixel.colour = frame.sums.at[at].colour;
     float depth = frame.sums.at[at].depth;
     pixel.found = depth < 1e38;
@@ -107,7 +108,7 @@ void AddFeatures(const uvec2 position, const uint index, const vec3 normal, cons
 // Keeps and shows the pixel. `linear`: its colour is light, not a display colour.
 void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
 {
-  if (accumulates)
+  if (frame.accumulates != 0u)
   {
     uint at = position.y * frame.width + position.x;
     frame.sums.at[at].colour = pixel.colour;
@@ -119,7 +120,8 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   {
     float samples = float(frame.firstSample + frame.samples);
     vec3 mean = pixel.colour.rgb / pixel.colour.a;
-    vec3 shown = develops ? Develop(mean, linear, frame.exposureFactor, frame.filmic != 0u) : mean;
+    vec3 shown =
+      linear || frame.develops != 0u ? Develop(mean, linear, frame.exposureFactor, frame.filmic != 0u) : mean;
     packedColour = packUnorm4x8(vec4(shown, pixel.colour.a / samples));
   }
   float windowDepth = 1.0;
@@ -133,7 +135,7 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
     setId = SetRecord(pixel.record).setId;
   }
   // Earlier samples may have said already what is there.
-  bool fresh = !accumulates || frame.firstSample == 0u || pixel.record != 0xffffffffu;
+  bool fresh = frame.firstSample == 0u || pixel.record != 0xffffffffu;
   uvec2 end = min(position + uvec2(frame.pixelStep), uvec2(frame.width, frame.height));
   for (uint y = position.y; y < end.y; ++y)
   {

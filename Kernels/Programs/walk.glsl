@@ -119,8 +119,9 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
       }
       else if (i < end)
       {
-        uint glyph =
-          Has(set.variants, ORDER_OF_SLICES) ? set.tree.order.at[InSet(set, ORDER_OF_SLICES, firstPlace + i)] : i;
+        uint glyph = moves && Has(set.variants, ORDER_OF_SLICES)
+          ? set.tree.order.at[InSet(set, ORDER_OF_SLICES, firstPlace + i)]
+          : i;
         float low, high;
         int verdict = Estimate(set, ray, FetchGlyph(source, glyph), tMin, hit.t, low, high);
         // An estimated glyph is met twice; a ray that passes by both misses it.

@@ -17,7 +17,8 @@ Constants ConstantsOf(const HitGroup& group, const Generation& generation)
 {
   Constants constants = generation.constants;
   constants.shapes = 1u << static_cast<std::uint32_t>(group.shape);
-  constants.allHave = constants.someHave = group.variants;
+  constants.allHave = group.variants;
+  constants.someHave = group.variants | device::ASKED_OF_SETS;
   constants.degree = group.degree;
   return constants;
 }

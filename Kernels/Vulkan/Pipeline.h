@@ -30,6 +30,8 @@ struct HitGroup
   std::uint32_t degree = 0;   ///< of polynomials
 
   bool operator==(const HitGroup&) const = default;
+  /// What their programs are made for.
+  HitGroup OfPrograms() const { return { this->shape, this->variants & ~device::ASKED_OF_SETS, this->degree }; }
   bool Has(std::uint32_t variant) const { return (this->variants & variant) != 0; }
   void Set(std::uint32_t variant, bool has)
   {

@@ -77,6 +77,39 @@ TEST_P(StructureTest, FurtherTracersCompileNothing)
   EXPECT_EQ(this->tracer->GetStatistics().pipelineBuilds, 0u);
 }
 
+// What users turn on and off, and what steps of time bring. Of the program's tests this one alone has boxes, so that
+// none has compiled its programs before.
+TEST_P(StructureTest, ColoursAndExposureCompileNothing)
+{
+  this->UseOwnTracer();
+  rtg::GlyphInstances instances;
+  instances.shape = rtg::Shape::Box;
+  instances.centres = RandomPoints(50);
+  instances.uniformSize = 0.2f;
+  const auto id = this->scene.Add();
+  this->scene.SetInstances(id, instances);
+  const auto pixels = [this]
+  {
+    const Image image = this->Trace();
+    return std::vector<std::uint32_t>(image.colour, image.colour + 10000);
+  };
+  const auto plain = pixels();
+  const std::uint64_t builds = this->tracer->GetStatistics().pipelineBuilds;
+  EXPECT_GT(builds, 0u);
+
+  this->scene.SetColours(id, std::vector<std::uint32_t>(50, 0xff2040ffu));
+  const auto coloured = pixels();
+  EXPECT_NE(coloured, plain);
+  this->settings.exposure = 1.0f;
+  EXPECT_NE(pixels(), coloured);
+  this->settings.exposure = 0.0f;
+  this->settings.keepSums = true;
+  EXPECT_EQ(pixels(), coloured);
+  this->scene.SetInstances(id, instances);
+  EXPECT_EQ(pixels(), plain);
+  EXPECT_EQ(this->tracer->GetStatistics().pipelineBuilds, builds);
+}
+
 TEST_P(StructureTest, WhatIsHiddenHoldsNoMemory)
 {
   this->UseOwnTracer();
