@@ -218,7 +218,7 @@ struct FrameRecord
   RTG_ADDRESS(FloatImage) depth;
   RTG_ADDRESS(UintImage) setIds;
   RTG_ADDRESS(UintImage) glyphIds;
-  RTG_ADDRESS(PixelSumsImage) sums;         // of one pixel at least
+  RTG_ADDRESS(PixelSumsImage) sums;         // of all pixels when the image accumulates, else of one
   RTG_ADDRESS(PixelFeaturesImage) features; // when it gathers features
   RTG_ADDRESS(RayRecords) rays;             // by launch index
   RTG_ADDRESS(ProbeRecords) probes;

@@ -166,8 +166,8 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.frame = this->MakeFrame(scene, camera, lights, settings, pass);
   begun.generation = GenerationFor(settings);
   FillScene(begun.frame, begun.generation, scene);
-  Constants& constants = begun.generation.constants;
   begun.frame.accumulates = keeps;
+  Constants& constants = begun.generation.constants;
   constants.manyLights = lights.size() > device::FEW_LIGHTS;
   if (scene.moves)
   {
