@@ -170,9 +170,8 @@ struct GlyphColours
   std::vector<std::uint32_t> each;
   /// Shape::RoundCone: one at the ball at -x and one at the ball at +x of each glyph, linear between.
   /// Shape::Polynomial: one at its center and one at the distance of half its size from it, linear between. No others.
-  /// With a table they are the bits of floats v, to which entry v (n - 1) of the table's first n - 1 belongs, the last
-  /// of these where v > 1; the last one of all is that of v < 0. Where `each` is there, too, only white leaves the
-  /// color to them, and both opacities count.
+  /// With a table they are the bits of floats, whose colors the table has as TriangleMesh::valueColours has those of
+  /// positions. Where `each` is there, too, only white leaves the color to them, and both opacities count.
   std::vector<glm::uvec2> ends;
   std::vector<std::uint32_t> table;
 

@@ -204,6 +204,10 @@ const float LEAST_PASSING = 1.0f / 512.0f;
 // So many lights are uniforms; a light kit has five.
 const uint FEW_LIGHTS = 8u;
 
+// Interpolated values below the one have a part of notANumber, below the other of noValue (TriangleMesh.h); numbers lie
+// above -1000.
+const float LEAST_NUMBER = -2e3f, LEAST_VALUE = -1e10f;
+
 // What one dispatch reads. A uniform block rather than a buffer's address: CPU devices load uniforms once for all
 // lanes, but gather lane by lane behind an address.
 struct FrameRecord

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 
 namespace rtg
@@ -55,6 +56,11 @@ void CheckLengths(const GlyphInstances& instances, const GlyphColours& colours)
     throw Error("Ray Traced Glyphs: polynomials of degree " + std::to_string(degree) + " with " +
       std::to_string(instances.polynomials.width) +
       " values a glyph; give an even degree from 2 to 12 and the values of FormMeter.");
+  }
+  if (polynomials && instances.polynomials.values.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
+  {
+    throw Error("Ray Traced Glyphs: " + std::to_string(instances.Count()) + " polynomials of degree " +
+      std::to_string(degree) + " have more values than a set can hold; show fewer of them.");
   }
   if (!instances.sizes3.empty() && !instances.sizes1.empty())
   {

@@ -100,7 +100,7 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter)
   fits("colors of positions", mesh->positionColours.size(), mesh->positions.size());
   fits("colors of triangles", mesh->triangleColours.size(), mesh->triangles.size());
   fits("values of positions", mesh->positionValues.size(), mesh->positions.size());
-  if (!mesh->positionValues.empty() && mesh->valueColours.size() < 2)
+  if (!mesh->positionValues.empty() && mesh->valueColours.size() < 3)
   {
     fail("the mesh has values of positions, but no table of colors for them.");
   }

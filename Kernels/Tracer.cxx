@@ -247,16 +247,17 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
   CheckSettings(settings);
   State& state = *this->state_;
   const Scene::State& glyphs = scene.GetState();
-  state.CheckContinues(settings, glyphs);
-  state.keptSamples = 0;
   if (settings.width == 0 || settings.height == 0)
   {
     Image image;
     image.width = settings.width;
     image.height = settings.height;
     image.samples = settings.firstSample + settings.samples;
+    state.keptSamples = 0;
     return image;
   }
+  state.CheckContinues(settings, glyphs);
+  state.keptSamples = 0;
   state.Vulkan().Guard("tracing an image",
     [&]
     {
@@ -276,7 +277,13 @@ Image Tracer::Resume(Scene& scene, const Interrupt& interrupt)
     throw Error("Ray Traced Glyphs: an image of another scene is to be gone on with; trace it from "
                 "its first sample.");
   }
-  state.Vulkan().Guard("tracing an image", [&] { state.Run(glyphs, interrupt); });
+  state.Vulkan().Guard("tracing an image",
+    [&]
+    {
+      // Another tracer of the view may have brought its own meanwhile.
+      state.shared->PrepareEnvironment(state.job.settings, state.job.frame);
+      state.Run(glyphs, interrupt);
+    });
   return state.job.image;
 }
 

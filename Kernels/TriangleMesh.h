@@ -12,6 +12,11 @@
 namespace rtg
 {
 
+///@{
+/// Among values that become colors: what is no number, and what has no value at all.
+constexpr float notANumber = -1e9f, noValue = -1e12f;
+///@}
+
 /// An indexed triangle mesh in its own frame. Arrays that are not needed stay empty.
 struct TriangleMesh
 {
@@ -23,8 +28,9 @@ struct TriangleMesh
   /// material's colour.
   std::vector<std::uint32_t> positionColours;
   std::vector<std::uint32_t> triangleColours;
-  /// Instead of both: one value a position, interpolated, in [0, 1] over the width of a table of RGBA8 colors whose
-  /// last entry is that of values below zero, which stand for what is no number.
+  /// Instead of both: one value a position, interpolated. From 0 to 1 they go over a table of RGBA8 colors but its last
+  /// two; values below and above, -1000 and 1000 at most, have the first and the last of these. The last entry is that
+  /// of noValue, the one before that of notANumber; each reaches as far as the triangles of its corner.
   std::vector<float> positionValues;
   std::vector<std::uint32_t> valueColours;
   /// How its positions move in its own frame, one velocity and acceleration a position; no angular velocities. The

@@ -71,15 +71,29 @@ float OpacityOfGlyph(const GlyphSetRecord set, const uint glyph)
   return Has(set.variants, OPACITIES) ? set.opacity * set.opacities.at[InSetIfHit(set, OPACITIES, glyph)] : set.opacity;
 }
 
-// The colour of a value in [0, 1] in a table that begins at that place. Its last entry is that of what is no number.
+// The colour of an interpolated value in a table that begins at that place: from 0 to 1 over all entries but two, that
+// of what is no number and that of what has no value.
 vec4 TableColour(const UintArray table, const uint first, const uint size, const float value)
 {
-  uint entries = size - 1u;
-  uint entry = value < 0.0 ? entries : min(uint(value * float(entries)), entries - 1u);
+  uint entries = size - 2u;
+  uint entry = min(uint(clamp(value, 0.0, 1.0) * float(entries)), entries - 1u);
+  if (value < LEAST_NUMBER)
+  {
+    entry = value < LEAST_VALUE ? size - 1u : entries;
+  }
   return unpackUnorm4x8(table.at[first + entry]);
 }
 
 const uint nothing = 0xffffffffu; // no glyph, no triangle
+
+// More translucent surfaces on a ray than it passes by chance count as a wall.
+const uint maximumPasses = 4096u;
+
+// The magnitude of the largest component.
+float LargestOf(const vec3 v)
+{
+  return max(abs(v.x), max(abs(v.y), abs(v.z)));
+}
 
 // What the nearest hit tells the ray generation program. Whatever kind of surface it lies on, it fills all of this.
 struct SurfaceHit

@@ -28,7 +28,7 @@ GlyphSource SourceOf(const GlyphSetRecord set)
   source.alike.turned = Has(set.variants, ROTATIONS | ANGULAR_VELOCITIES);
   source.alike.sameSize = !Has(set.variants, SIZES_EACH);
   source.alike.arrow = set.arrow;
-  source.alike.unitLength = set.unitLength;
+  source.alike.unitLength = set.unitLength > 0.0 ? set.unitLength : set.uniformSize;
   source.alike.fixedHeads = Has(set.variants, FIXED_HEADS);
   source.alike.exponents = set.uniformExponents;
   source.alike.before = vec4(0.0);
@@ -54,11 +54,14 @@ Glyph FetchGlyph(const GlyphSource source, const uint primitive)
   if (Has(set.variants, SIZES_EACH))
   {
     glyph.size = set.sizes3.at[InSet(set, SIZES_EACH, primitive)];
-    glyph.unitLength = set.unitLength > 0.0 ? set.unitLength : glyph.size.y;
   }
   if (Has(set.variants, SIZE_EACH))
   {
     glyph.size = vec3(set.sizes1.at[InSet(set, SIZE_EACH, primitive)]);
+  }
+  if (Has(set.variants, SIZE_EACH | SIZES_EACH))
+  {
+    glyph.unitLength = set.unitLength > 0.0 ? set.unitLength : glyph.size.y;
   }
   if (Has(set.variants, ROTATIONS))
   {
@@ -154,15 +157,19 @@ bool Passes(const GlyphSetRecord set, const uint seed, const uint glyph, const u
   return UnitInterval(Hash(Hash(seed, set.setId), Hash(set.firstGlyph + glyph, crossing))) >= opacity;
 }
 
-// How far from t the exact crossing may lie at most: Shapes/README.md's bound, doubled.
-float ErrorOfT(const GlyphRay ray, const Glyph glyph, const float t)
+// How far from t the exact crossing may lie at most: Shapes/README.md's bound, doubled. A mesh is as large as its
+// triangles are spread.
+float ErrorOfT(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float t)
 {
-  vec3 size = abs(glyph.size);
-  return 2e-6 * (max(size.x, max(size.y, size.z)) / length(ray.direction) + t);
+  float extent = LargestOf(glyph.size);
+#ifdef RTG_MESHES
+  if (IsOfShape(set.shape, RTG_MESH))
+  {
+    extent *= set.meshRadius;
+  }
+#endif
+  return 2e-6 * (extent / length(ray.direction) + t);
 }
-
-// More crossings of one glyph than this count as a wall.
-const uint maximumCrossings = 64u;
 
 // The first crossing in [tMin, tMax] that the ray does not pass.
 bool IntersectStopping(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
@@ -177,7 +184,7 @@ bool IntersectStopping(const GlyphSetRecord set, const GlyphRay ray, const uint 
   {
     met = Intersect(set, ray, glyph, tMin, tMax, any && !chance, wantsNormal, t, normal, triangle);
     passes = false;
-    if (met && chance && crossing < maximumCrossings)
+    if (met && chance && crossing < maximumPasses)
     {
       float opacity = OpacityOf(set, number);
       uint which = crossing;
@@ -194,7 +201,7 @@ bool IntersectStopping(const GlyphSetRecord set, const GlyphRay ray, const uint 
       }
       passes = Passes(set, seed, number, which, opacity);
     }
-    tMin = t + ErrorOfT(ray, glyph, t);
+    tMin = t + ErrorOfT(set, ray, glyph, t);
     ++crossing;
   } while (passes);
   return met;

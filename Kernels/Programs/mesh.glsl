@@ -138,7 +138,8 @@ bool IntersectMesh(const GlyphSetRecord set, const GlyphRay worldRay, const Glyp
     {
       uint mask, order;
       float behind;
-      IntersectNode(nodes, firstNode + NodeNumber(position), boxRay, least, nearest, mask, order, behind);
+      uint children = ChildrenOf(position, levels, set.meshTree.leafBits);
+      IntersectNode(nodes, firstNode + NodeNumber(position), children, boxRay, least, nearest, mask, order, behind);
       PushChildren(position, mask, order, behind);
     }
     else if (i < end)
@@ -176,10 +177,8 @@ int EstimateMesh(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph
 {
   low = tMin;
   high = tMax;
-  vec3 size = abs(glyph.size);
   vec3 middle = RotateToWorld(glyph, glyph.size * set.meshMiddle);
-  float radius =
-    set.meshRadius * max(size.x, max(size.y, size.z)) + 1e-6 * (abs(middle.x) + abs(middle.y) + abs(middle.z));
+  float radius = set.meshRadius * LargestOf(glyph.size) + 1e-6 * (abs(middle.x) + abs(middle.y) + abs(middle.z));
   return MissesBall(ray, glyph, middle, radius) ? RTG_MISSED : RTG_UNKNOWN;
 }
 
@@ -224,7 +223,7 @@ SurfaceHit HitOnMesh(const uint record, const GlyphSetRecord set, const Glyph gl
 {
   TriangleCrossing crossing = CrossTriangle(set, ray, glyph, triangle);
   uvec3 corner = crossing.corner;
-  vec3 normal = cross(crossing.b - crossing.a, crossing.c - crossing.a);
+  vec3 normal = NormalOf(crossing.b - crossing.a, crossing.c - crossing.a);
   vec3 smoothed = normal;
   if (Has(set.variants, MESH_NORMALS))
   {
@@ -233,7 +232,7 @@ SurfaceHit HitOnMesh(const uint record, const GlyphSetRecord set, const Glyph gl
     {
       // The corners' normals are those of the mesh at rest: they turn as the triangle does.
       vec3 rest = set.meshPositions.at[corner.x];
-      vec3 before = cross(set.meshPositions.at[corner.y] - rest, set.meshPositions.at[corner.z] - rest);
+      vec3 before = NormalOf(set.meshPositions.at[corner.y] - rest, set.meshPositions.at[corner.z] - rest);
       bool flat_ = min(dot(before, before), dot(normal, normal)) <= 0.0;
       smoothed = !flat_ ? RotateByShortestArc(normalize(before), normalize(normal), smoothed) : smoothed;
     }
@@ -241,12 +240,12 @@ SurfaceHit HitOnMesh(const uint record, const GlyphSetRecord set, const Glyph gl
   SurfaceHit hit;
   hit.t = t;
   // Normals turn with the inverse transpose.
-  hit.shadingNormal = normalize(RotateToWorld(glyph, smoothed / glyph.size));
-  hit.normal = OnSideOf(hit.shadingNormal, normalize(RotateToWorld(glyph, normal / glyph.size)));
+  vec3 size = glyph.size / LargestOf(glyph.size);
+  hit.shadingNormal = Unit(RotateToWorld(glyph, smoothed / size));
+  hit.normal = OnSideOf(hit.shadingNormal, Unit(RotateToWorld(glyph, normal / size)));
   hit.record = record;
   hit.glyph = set.identifiesTriangles != 0u ? triangle : set.firstGlyph + number;
-  vec3 size = abs(glyph.size);
-  hit.error = leavesSurface ? 2e-6 * set.meshRadius * max(size.x, max(size.y, size.z)) : 0.0;
+  hit.error = leavesSurface ? 2e-6 * set.meshRadius * LargestOf(glyph.size) : 0.0;
   hit.colour = TriangleColour(set, corner, crossing.weight, triangle, number);
   return hit;
 }

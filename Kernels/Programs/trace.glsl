@@ -143,9 +143,6 @@ void TraceDriver(const Query query, const uint flags, const uint mask)
     query.ray.origin.hi, query.tMin, query.ray.direction, query.tMax, 0);
 }
 
-// More translucent triangles than this on one ray count as a wall.
-const uint maximumPasses = 256u;
-
 SurfaceHit Trace(Query query, const bool gathers)
 {
   // Whether a ray of any still asks what is opaque, of which the first hit ends the traversal.

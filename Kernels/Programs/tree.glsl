@@ -35,6 +35,13 @@ uint NodeNumber(const TreePosition position)
   return (0x09249249u & ((1u << (3u * position.level)) - 1u)) + position.node;
 }
 
+// Bit by bit the children that the current node has. The root may have but 1, 2 or 4: where rounding is larger than all
+// of the tree, rays would meet others, too.
+uint ChildrenOf(const TreePosition position, const uint levels, const uint leafBits)
+{
+  return position.level > 0u ? 0xffu : (1u << (1u << (leafBits - 3u * (levels - 1u)))) - 1u;
+}
+
 // Which of the `count` things are in the current node, when it is a leaf: from x up to y; otherwise none.
 uvec2 LeafRange(const TreePosition position, const uint levels, uint64_t count, const uint leafBits)
 {
@@ -104,11 +111,11 @@ vec4 Unless(const vec4 near, const bvec4 leftOut, const vec4 far)
     leftOut.z || near.z > far.z ? 1e38 : near.z, leftOut.w || near.w > far.w ? 1e38 : near.w);
 }
 
-// Which of a node's eight children the ray meets between tMin and tMax, bit 7 - rank for the child visited as number
-// `rank`, and the order: child = rank ^ order. With dropsHidden, also where it enters the first of them but the one
-// visited first.
-void IntersectNode(const TreeNodes nodes, const uint index, const BoxRay ray, const float tMin, const float tMax,
-  out uint mask, out uint order, out float behind)
+// Which of a node's children, eight bits, the ray meets between tMin and tMax, bit 7 - rank for the child visited as
+// number `rank`, and the order: child = rank ^ order. With dropsHidden, also where it enters the first of them but the
+// one visited first.
+void IntersectNode(const TreeNodes nodes, const uint index, const uint children, const BoxRay ray, const float tMin,
+  const float tMax, out uint mask, out uint order, out float behind)
 {
   uint at = 8u * index;
   uvec2 originXY = unpack32(nodes.word[at]);
@@ -140,7 +147,7 @@ void IntersectNode(const TreeNodes nodes, const uint index, const BoxRay ray, co
       PlaneParameters(nearY.y, step.y, toNear.y), Greater(PlaneParameters(nearZ.y, step.z, toNear.z), vec4(tMin))));
   vec4 far1 = Lesser(PlaneParameters(farX.y, step.x, toFar.x),
     Lesser(PlaneParameters(farY.y, step.y, toFar.y), Lesser(PlaneParameters(farZ.y, step.z, toFar.z), vec4(tMax))));
-  uint met = Bits(lessThanEqual(near0, far0)) | (Bits(lessThanEqual(near1, far1)) << 4);
+  uint met = (Bits(lessThanEqual(near0, far0)) | (Bits(lessThanEqual(near1, far1)) << 4)) & children;
 
   // Rank r visits child r ^ order: along each split's axis the ray's near side comes first.
   uint axes = exponents >> 24;

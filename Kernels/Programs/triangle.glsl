@@ -5,6 +5,18 @@ uvec3 CornersOf(const GlyphSetRecord set, const uint triangle)
     set.meshTriangles.at[3u * triangle + 2u]);
 }
 
+// Its normal, of some length. Products of edges themselves would overflow, or vanish, long before the edges do.
+vec3 NormalOf(const vec3 toB, const vec3 toC)
+{
+  return cross(toB / max(LargestOf(toB), 1e-37), toC / max(LargestOf(toC), 1e-37));
+}
+
+// Of unit length, whatever its length.
+vec3 Unit(const vec3 v)
+{
+  return normalize(v / LargestOf(v));
+}
+
 // Mean of the corners' normals, of any length; `flat_` where they cancel out.
 vec3 SmoothNormal(const GlyphSetRecord set, const uvec3 corner, const vec3 weight, const vec3 flat_)
 {

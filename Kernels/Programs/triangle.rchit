@@ -7,12 +7,6 @@
 layout(location = 0) rayPayloadInEXT SurfaceHit hit;
 hitAttributeEXT vec2 barycentrics;
 
-float LargestComponent(vec3 v)
-{
-  v = abs(v);
-  return max(v.x, max(v.y, v.z));
-}
-
 void main()
 {
   GlyphSetRecord set = SetRecord(gl_InstanceCustomIndexEXT);
@@ -22,12 +16,12 @@ void main()
   vec3 toB = set.meshPositions.at[corner.y] - a;
   vec3 toC = set.meshPositions.at[corner.z] - a;
 
-  vec3 normal = cross(toB, toC);
+  vec3 normal = NormalOf(toB, toC);
   vec3 smoothed = Has(set.variants, MESH_NORMALS) ? SmoothNormal(set, corner, weight, normal) : normal;
   hit.t = gl_HitTEXT;
   // Normals turn with the inverse transpose.
-  hit.shadingNormal = normalize(smoothed * mat3(gl_WorldToObjectEXT));
-  hit.normal = OnSideOf(hit.shadingNormal, normalize(normal * mat3(gl_WorldToObjectEXT)));
+  hit.shadingNormal = Unit(smoothed * mat3(gl_WorldToObjectEXT));
+  hit.normal = OnSideOf(hit.shadingNormal, Unit(normal * mat3(gl_WorldToObjectEXT)));
   hit.record = gl_InstanceCustomIndexEXT;
   uint glyph = gl_InstanceID - set.firstInstance;
   hit.glyph = set.identifiesTriangles != 0u ? gl_PrimitiveID : glyph;
@@ -37,7 +31,7 @@ void main()
     // The driver's intersection works in the mesh's frame, where the ray's origin is rounded once more.
     vec3 reach = abs(gl_WorldRayOriginEXT) + abs(gl_WorldRayDirectionEXT) * gl_HitTEXT;
     vec3 size = abs(mat3(gl_ObjectToWorldEXT) * toB) + abs(mat3(gl_ObjectToWorldEXT) * toC);
-    hit.error = 1e-6 * (LargestComponent(reach) + LargestComponent(size));
+    hit.error = 1e-6 * (LargestOf(reach) + LargestOf(size));
   }
   hit.colour = TriangleColour(set, corner, weight, gl_PrimitiveID, glyph);
 }

@@ -72,12 +72,12 @@ float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ra
   vec3 normal;
   uint triangle;
   for (uint crossing = 0u;
-       crossing < maximumCrossings && Intersect(set, ray, glyph, tMin, tMax, false, false, t, normal, triangle);
+       crossing < maximumPasses && Intersect(set, ray, glyph, tMin, tMax, false, false, t, normal, triangle);
        ++crossing)
   {
     AddLayer(GlyphCrossing(record, number, triangle, t, normal));
     tMax = layerCount == layerLimit ? LayerAt(layerLimit - 1u).t : tMax;
-    tMin = t + ErrorOfT(ray, glyph, t);
+    tMin = t + ErrorOfT(set, ray, glyph, t);
   }
   return tMax;
 }
@@ -114,7 +114,8 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
       {
         uint mask, order;
         float behind;
-        IntersectNode(nodes, firstNode + NodeNumber(position), boxRay, tMin, hit.t, mask, order, behind);
+        uint children = ChildrenOf(position, levels, leafBits);
+        IntersectNode(nodes, firstNode + NodeNumber(position), children, boxRay, tMin, hit.t, mask, order, behind);
         PushChildren(position, mask, order, behind);
       }
       else if (i < end)

@@ -39,7 +39,15 @@ std::uint64_t Checksum(const std::vector<std::uint8_t>& data)
   return sum;
 }
 
-// Removes the oldest files until all have at most so many bytes.
+// Whether a file is one of ours, all of which begin alike: users may have named a folder that holds others.
+bool IsCache(const fs::path& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  char magic[sizeof(Header::magic)] = {};
+  return in.read(magic, sizeof(magic)) && std::memcmp(magic, Header().magic, sizeof(magic)) == 0;
+}
+
+// Removes the oldest files of ours until all of them have at most so many bytes.
 void Shrink(const fs::path& folder, std::uintmax_t mostBytes, const fs::path& keep)
 {
   std::vector<std::pair<fs::file_time_type, fs::path>> files;
@@ -49,7 +57,7 @@ void Shrink(const fs::path& folder, std::uintmax_t mostBytes, const fs::path& ke
   {
     std::error_code none;
     const std::uintmax_t size = entry.is_regular_file(none) ? entry.file_size(none) : 0;
-    if (!none && size > 0)
+    if (!none && size > 0 && IsCache(entry.path()))
     {
       bytes += size;
       files.emplace_back(entry.last_write_time(none), entry.path());

@@ -9,12 +9,10 @@
 #include "vtkDataAssembly.h"
 #include "vtkDataAssemblyUtilities.h"
 #include "vtkDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkGlyphLeaves.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
@@ -113,12 +111,7 @@ void AppendArrays(const std::vector<Leaf>& leaves, vtkIdType count, bool cells, 
   double done = 0.0;
   for (const auto& [name, item] : all.Items())
   {
-    const bool exact = all.IsExact(item);
-    if (!exact && !vtkDataArray::SafeDownCast(item.First))
-    {
-      continue; // there is no text that stands for a hole
-    }
-    vtkSmartPointer<vtkAbstractArray> array = item.Make(count, exact);
+    vtkSmartPointer<vtkAbstractArray> array = item.Make(count, all.IsExact(item));
     vtkIdType next = 0;
     for (const Leaf& leaf : leaves)
     {
@@ -128,9 +121,7 @@ void AppendArrays(const std::vector<Leaf>& leaves, vtkIdType count, bool cells, 
       }
       else
       {
-        auto* numbers = vtkDoubleArray::SafeDownCast(array);
-        const int components = numbers->GetNumberOfComponents();
-        std::fill_n(numbers->GetPointer(next * components), leaf.Count() * components, vtkMath::Nan());
+        vtkRayTracedArrayUnion::Holes::Fill(array, next, leaf.Count());
       }
       next += leaf.Count();
     }

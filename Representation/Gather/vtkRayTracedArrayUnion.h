@@ -19,6 +19,8 @@
 
 class vtkAbstractArray;
 class vtkDataSetAttributes;
+class vtkDoubleArray;
+class vtkStringArray;
 
 class vtkRayTracedArrayUnion
 {
@@ -32,8 +34,24 @@ public:
     /// That of a data set, or null where it lacks this one.
     vtkAbstractArray* Of(vtkDataSetAttributes* set) const;
 
-    /// An array for the values of all data sets.
+    /// An array for the values of all data sets; numbers that are not exact are doubles.
     vtkSmartPointer<vtkAbstractArray> Make(vtkIdType tuples, bool exact) const;
+  };
+
+  /**
+   * Tuples of data sets that lack the array, in one that Make() has made: numbers that are none, told apart from those
+   * of the data, or empty texts. operator(): whether a tuple is such a hole, in any thread.
+   */
+  class Holes
+  {
+  public:
+    explicit Holes(vtkAbstractArray* array = nullptr);
+    bool operator()(vtkIdType tuple) const;
+    static void Fill(vtkAbstractArray* array, vtkIdType first, vtkIdType count);
+
+  private:
+    vtkDoubleArray* Numbers;
+    vtkStringArray* Texts;
   };
 
   /**

@@ -7,12 +7,10 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkCompositeDataSetRange.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkGlyphLeaves.h"
 #include "vtkGlyphPointGatherer.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPVGeometryFilter.h"
 #include "vtkPVTrivialProducer.h"
@@ -55,7 +53,7 @@ vtkSmartPointer<vtkPolyData> FacesOf(vtkDataObject* data, const Settings& settin
   faces->SetController(nullptr);
   faces->SetGenerateProcessIds(false);
   faces->SetUseOutline(0);
-  faces->SetNonlinearSubdivisionLevel(1);
+  faces->SetNonlinearSubdivisionLevel(settings.NonlinearSubdivisionLevel);
   faces->SetPassThroughCellIds(1);
   faces->SetPassThroughPointIds(1);
   faces->SetInputConnection(producer->GetOutputPort());
@@ -93,8 +91,8 @@ void RenameIds(vtkPolyData* surface)
   }
 }
 
-// Only arrays that all blocks have, of one type, survive appending: makes the numeric ones so. Normals are an attribute
-// and told apart by that, not by their name.
+// Only arrays that all blocks have, of one type, survive appending: makes them so. Normals are an attribute and told
+// apart by that, not by their name.
 void CompleteArrays(const std::vector<vtkSmartPointer<vtkPolyData>>& blocks, bool cells)
 {
   std::vector<vtkDataSetAttributes*> sets;
@@ -102,9 +100,8 @@ void CompleteArrays(const std::vector<vtkSmartPointer<vtkPolyData>>& blocks, boo
   {
     sets.push_back(cells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData());
   }
-  const vtkRayTracedArrayUnion all(sets,
-    [](vtkDataSetAttributes* set, vtkAbstractArray* array)
-    { return vtkDataArray::SafeDownCast(array) && array != set->GetNormals(); });
+  const vtkRayTracedArrayUnion all(
+    sets, [](vtkDataSetAttributes* set, vtkAbstractArray* array) { return array != set->GetNormals(); });
   // Added at the end: until then the union speaks of the blocks' own arrays.
   std::vector<std::pair<vtkDataSetAttributes*, vtkSmartPointer<vtkAbstractArray>>> completed;
   for (const auto& [name, item] : all.Items())
@@ -117,15 +114,14 @@ void CompleteArrays(const std::vector<vtkSmartPointer<vtkPolyData>>& blocks, boo
     {
       const vtkIdType tuples = cells ? blocks[i]->GetNumberOfCells() : blocks[i]->GetNumberOfPoints();
       const vtkSmartPointer<vtkAbstractArray> array = item.Make(tuples, /*exact=*/false);
-      auto* numbers = vtkDoubleArray::SafeDownCast(array);
       if (vtkAbstractArray* old = item.Of(sets[i]))
       {
-        numbers->DeepCopy(old);
-        numbers->SetName(name.c_str());
+        array->DeepCopy(old);
+        array->SetName(name.c_str());
       }
       else
       {
-        numbers->Fill(vtkMath::Nan());
+        vtkRayTracedArrayUnion::Holes::Fill(array, 0, tuples);
       }
       completed.emplace_back(sets[i], array);
     }

@@ -19,6 +19,7 @@
 #include "vtkWindow.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -240,7 +241,11 @@ double vtkGlyphLegend::PixelsPerLength(vtkViewport* viewport) const
   {
     return 0.0;
   }
-  const int* size = viewport->GetSize();
+  // Of a picture larger than the window each tile has the window's size and a camera for it alone
+  // (vtkWindowToImageFilter).
+  const int* whole = viewport->GetSize();
+  const int* tiles = viewport->GetVTKWindow()->GetTileScale();
+  const std::array<double, 2> size{ { double(whole[0]) / tiles[0], double(whole[1]) / tiles[1] } };
   if (camera->GetParallelProjection())
   {
     return 0.5 * size[1] / camera->GetParallelScale();
@@ -255,7 +260,7 @@ double vtkGlyphLegend::PixelsPerLength(vtkViewport* viewport) const
   }
   const double depth = glm::dot(center - eye, axis);
   const double halfAngle = 0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle());
-  const int side = camera->GetUseHorizontalViewAngle() ? size[0] : size[1];
+  const double side = camera->GetUseHorizontalViewAngle() ? size[0] : size[1];
   return depth > 0.0 ? 0.5 * side / (depth * std::tan(halfAngle)) : 0.0;
 }
 

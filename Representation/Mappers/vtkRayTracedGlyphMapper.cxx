@@ -4,9 +4,11 @@
 #include "vtkActor.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
 #include "vtkGlyphInstanceBuilder.h"
 #include "vtkGlyphTuples.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -233,8 +235,8 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 }
 
 //----------------------------------------------------------------------------
-// The table of |f| on a surface has enough entries for a part of it to be spread over all colors. Its last one belongs
-// to what is no number, which does not come.
+// The table of |f| on a surface has enough entries for a part of it to be spread over all colors. Its last two belong
+// to what is no number and what has none, which do not come.
 void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
 {
   constexpr int entries = 4096;
@@ -245,22 +247,29 @@ void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
     const double high = this->TensorTable->GetRange()[1] * (1.0 + 2.0 / entries); // the last ones lie above the range
     top = high > 0.0 ? std::min(top, high) : top;
   }
-  colors.table.resize(entries + 1);
-  for (int i = 0; i <= entries; ++i)
+  vtkNew<vtkDoubleArray> values;
+  for (int i = 0; i < entries; ++i)
   {
-    const double value = top * (std::min(i, entries - 1) + 0.5) / entries;
+    values->InsertNextValue(top * (i + 0.5) / entries);
+  }
+  const vtkSmartPointer<vtkUnsignedCharArray> mapped = this->TensorTable ? this->TableColors(values) : nullptr;
+  colors.table.resize(entries + 2);
+  for (int i = 0; i < entries; ++i)
+  {
     std::array<double, 4> rgba{ { 1.0, 1.0, 1.0, 1.0 } };
-    if (this->TensorTable)
+    if (mapped)
     {
-      const unsigned char* mapped = this->TensorTable->MapValue(value);
-      std::transform(mapped, mapped + 3, rgba.begin(), [](unsigned char c) { return c / 255.0; });
+      std::transform(mapped->GetPointer(4 * i), mapped->GetPointer(4 * i) + 4, rgba.begin(),
+        [](unsigned char c) { return c / 255.0; });
     }
     else
     {
-      ColorOfShare(this->TensorRange[1] > 0.0 ? std::min(value / this->TensorRange[1], 1.0) : 0.0, rgba.data());
+      ColorOfShare(
+        this->TensorRange[1] > 0.0 ? std::min(values->GetValue(i) / this->TensorRange[1], 1.0) : 0.0, rgba.data());
     }
     colors.table[i] = Pack(rgba);
   }
+  std::fill_n(colors.table.end() - 2, 2, colors.table.front());
   colors.ends.resize(this->Radii.size());
   std::transform(this->Radii.begin(), this->Radii.end(), colors.ends.begin(),
     [top](float radius) { return glm::uvec2(0u, std::bit_cast<std::uint32_t>(static_cast<float>(radius / top))); });
@@ -297,25 +306,27 @@ void vtkRayTracedGlyphMapper::TensorColor(const vtkGlyphTensors& tensors, vtkIdT
 }
 
 //----------------------------------------------------------------------------
-// The numbers of the tensors through the table, which serves one thread at a time; RGB of each glyph.
-std::vector<unsigned char> vtkRayTracedGlyphMapper::TableColors(const vtkGlyphTensors& tensors)
+// RGBA of each number, as the table gives it to arrays.
+vtkSmartPointer<vtkUnsignedCharArray> vtkRayTracedGlyphMapper::TableColors(vtkDoubleArray* numbers)
 {
-  const vtkIdType count = this->Sources.size();
-  std::vector<double> numbers(count, vtkMath::Nan());
-  vtkRayTracedParallel::ForChunks(count,
+  return vtk::TakeSmartPointer(this->TensorTable->MapScalars(numbers, VTK_COLOR_MODE_MAP_SCALARS, 0, VTK_RGBA));
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkDoubleArray> vtkRayTracedGlyphMapper::NumbersOf(const vtkGlyphTensors& tensors)
+{
+  auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
+  numbers->SetNumberOfTuples(this->Sources.size());
+  numbers->Fill(vtkMath::Nan());
+  vtkRayTracedParallel::ForChunks(numbers->GetNumberOfTuples(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType glyph = begin; glyph < end; ++glyph)
       {
-        tensors.Number(this->Sources[glyph], numbers[glyph]);
+        tensors.Number(this->Sources[glyph], *numbers->GetPointer(glyph));
       }
     });
-  std::vector<unsigned char> colors(3 * count);
-  for (vtkIdType glyph = 0; glyph < count; ++glyph)
-  {
-    std::copy_n(this->TensorTable->MapValue(numbers[glyph]), 3, &colors[3 * glyph]);
-  }
-  return colors;
+  return numbers;
 }
 
 //----------------------------------------------------------------------------
@@ -348,10 +359,10 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   }
   const bool blockColors = this->HasBlockColors(points);
   vtkUnsignedCharArray* selected = Selected(points->GetPointData());
-  std::vector<unsigned char> table;
+  vtkSmartPointer<vtkUnsignedCharArray> table;
   if (tensors && this->TensorTable && vtkGlyphTensors::IsNumber(shown.Coloring))
   {
-    table = this->TableColors(*tensors);
+    table = this->TableColors(this->NumbersOf(*tensors));
   }
 
   rtg::GlyphColours colors;
@@ -363,6 +374,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   {
     colors.each.resize(this->Sources.size());
     const int components = mapped ? mapped->GetNumberOfComponents() : 0;
+    const vtkRayTracedArrayUnion::Holes holes = this->HolesOf(points);
     vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.each.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -370,14 +382,14 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
         {
           const vtkIdType point = this->Sources[glyph];
           std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
-          for (int c = 0; c < std::min(components, 4); ++c)
+          for (int c = 0; c < std::min(components, 4) && !holes(point); ++c)
           {
             rgba[c] = mapped->GetValue(point * components + c) / 255.0;
           }
-          if (!table.empty())
+          if (table)
           {
-            std::transform(
-              &table[3 * glyph], &table[3 * glyph] + 3, rgba.begin(), [](unsigned char c) { return c / 255.0; });
+            std::transform(table->GetPointer(4 * glyph), table->GetPointer(4 * glyph) + 4, rgba.begin(),
+              [](unsigned char c) { return c / 255.0; });
           }
           else if (tensors)
           {

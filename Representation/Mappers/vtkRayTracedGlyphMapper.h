@@ -13,6 +13,8 @@
 #include "vtkRayTracedMapper.h"
 #include "vtkSmartPointer.h"
 
+class vtkDoubleArray;
+
 class vtkRayTracedGlyphMapper : public vtkRayTracedMapper
 {
 public:
@@ -58,7 +60,8 @@ private:
   void operator=(const vtkRayTracedGlyphMapper&) = delete;
 
   void TensorColor(const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]) const;
-  std::vector<unsigned char> TableColors(const vtkGlyphTensors& tensors);
+  vtkSmartPointer<vtkDoubleArray> NumbersOf(const vtkGlyphTensors& tensors);
+  vtkSmartPointer<vtkUnsignedCharArray> TableColors(vtkDoubleArray* numbers);
   void AddRadiusColors(rtg::GlyphColours& colors);
 
   vtkGlyphSettings Settings;

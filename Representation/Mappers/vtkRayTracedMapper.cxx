@@ -1,6 +1,7 @@
 #include "vtkRayTracedMapper.h"
 
 #include "Stopwatch.h"
+#include "TriangleMesh.h"
 #include "vtkActor.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
@@ -180,6 +181,14 @@ void vtkRayTracedMapper::BlockColor(
 }
 
 //----------------------------------------------------------------------------
+vtkRayTracedArrayUnion::Holes vtkRayTracedMapper::HolesOf(vtkPolyData* data)
+{
+  int ofCells = 0;
+  return vtkRayTracedArrayUnion::Holes(
+    GetAbstractScalars(data, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, ofCells));
+}
+
+//----------------------------------------------------------------------------
 vtkRayTracedMapper::MappedColors vtkRayTracedMapper::MapColors(
   vtkPolyData* data, bool interpolateValues, const char* what, std::vector<std::string>& messages)
 {
@@ -196,6 +205,7 @@ vtkRayTracedMapper::MappedColors vtkRayTracedMapper::MapColors(
   int ofCells = 0;
   mapped.Colors = this->MapScalars(data, 1.0, ofCells);
   mapped.OfCells = ofCells != 0;
+  mapped.Holes = this->HolesOf(data);
   const bool values = !mapped.Colors && this->TakeValues(mapped, data->GetNumberOfPoints());
   this->SetInputDataObject(nullptr);
   const vtkIdType wanted = mapped.OfCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
@@ -230,12 +240,12 @@ bool vtkRayTracedMapper::TakeValues(MappedColors& mapped, vtkIdType points)
     }
     return Pack(rgba);
   };
-  mapped.Table.resize(width + 1);
-  for (vtkIdType i = 0; i < width; ++i)
+  mapped.Table.resize(width + 2);
+  for (vtkIdType i = 0; i <= width; ++i)
   {
-    mapped.Table[i] = texel(i);
+    mapped.Table[i] = texel(i); // the last of the second row, which is that of NaN
   }
-  mapped.Table[width] = texel(width); // of the second row, which is that of NaN
+  mapped.Table[width + 1] = Pack({ this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 });
   mapped.Values.resize(points);
   vtkRayTracedParallel::ForChunks(points,
     [&](vtkIdType begin, vtkIdType end)
@@ -243,7 +253,9 @@ bool vtkRayTracedMapper::TakeValues(MappedColors& mapped, vtkIdType points)
       for (vtkIdType i = begin; i < end; ++i)
       {
         const bool isNumber = places->GetTypedComponent(i, 1) < 0.5f;
-        mapped.Values[i] = isNumber ? std::clamp(places->GetTypedComponent(i, 0), 0.0f, 1.0f) : -1e6f;
+        mapped.Values[i] = isNumber ? std::clamp(places->GetTypedComponent(i, 0), -1000.0f, 1000.0f)
+          : mapped.Holes(i)         ? rtg::noValue
+                                    : rtg::notANumber;
       }
     });
   return true;
@@ -254,7 +266,7 @@ std::uint32_t
 vtkRayTracedMapper::ColorOf(const MappedColors& mapped, vtkPolyData* data, vtkIdType value, vtkIdType point) const
 {
   std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
-  const int components = mapped.Colors ? mapped.Colors->GetNumberOfComponents() : 0;
+  const int components = mapped.Colors && !mapped.Holes(value) ? mapped.Colors->GetNumberOfComponents() : 0;
   for (int c = 0; c < std::min(components, 4); ++c)
   {
     rgba[c] = mapped.Colors->GetValue(value * components + c) / 255.0;

@@ -14,6 +14,7 @@
 #include "Glyphs.h"
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkMapper.h"
+#include "vtkRayTracedArrayUnion.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedSources.h"
 #include "vtkSmartPointer.h"
@@ -188,13 +189,20 @@ protected:
   {
     vtkUnsignedCharArray* Colors = nullptr;
     bool OfCells = false, Blocks = false;
-    std::vector<float> Values; // of points
+    vtkRayTracedArrayUnion::Holes Holes; // which have the solid color
+    std::vector<float> Values;           // of points
     std::vector<std::uint32_t> Table;
   };
   MappedColors
   MapColors(vtkPolyData* data, bool interpolateValues, const char* what, std::vector<std::string>& messages);
   std::uint32_t ColorOf(const MappedColors& mapped, vtkPolyData* data, vtkIdType value, vtkIdType point) const;
   ///@}
+
+  /**
+   * Which points or cells have no value in the array that colors them, since their block lacks it: they have the solid
+   * color, as ParaView's own have.
+   */
+  vtkRayTracedArrayUnion::Holes HolesOf(vtkPolyData* data);
 
   /**
    * Fills in block and rank of a point.

@@ -152,7 +152,8 @@ void vtkRayTracedGlyphRepresentation::CountPointsOfAllRanks(vtkPolyData* points)
 //----------------------------------------------------------------------------
 bool vtkRayTracedGlyphRepresentation::MayBeTranslucent()
 {
-  return !vtkRayTracedArrays::IsNone(this->Glyphs.OpacityArray) || this->Superclass::MayBeTranslucent();
+  const bool table = this->TensorTable && this->Glyphs.HasNumberRange() && !this->TensorTable->IsOpaque();
+  return table || !vtkRayTracedArrays::IsNone(this->Glyphs.OpacityArray) || this->Superclass::MayBeTranslucent();
 }
 
 //----------------------------------------------------------------------------

@@ -65,7 +65,7 @@ public:
    * Size and orientation; see vtkGlyphSettings for modes and defaults.
    */
   void SetGlyphScaling(bool on) { this->Glyphs.Scaling = on; }
-  void SetGlyphScaleArray(const char* name) { this->Glyphs.ScaleArray = OrEmpty(name); }
+  void SetGlyphScaleArray(const char* name) { this->SetArray(this->Glyphs.ScaleArray, name); }
   void SetGlyphScaleMode(int mode) { this->Glyphs.ScaleMode = mode; }
   void SetGlyphScaleFactor(double factor) { this->Glyphs.ScaleFactor = vtkRayTracedNumbers::NumberOr(factor, 0.0); }
   void SetGlyphScaleFactorFromData(bool on);
@@ -75,7 +75,7 @@ public:
   void SetGlyphRadiusArray(const char* name) { this->Glyphs.RadiusArray = OrEmpty(name); }
   void SetGlyphRadiusFactor(double factor) { this->Glyphs.RadiusFactor = vtkRayTracedNumbers::NumberOr(factor, 0.0); }
   void SetGlyphOrient(bool on) { this->Glyphs.Orient = on; }
-  void SetGlyphOrientationArray(const char* name) { this->Glyphs.OrientationArray = OrEmpty(name); }
+  void SetGlyphOrientationArray(const char* name) { this->SetArray(this->Glyphs.OrientationArray, name); }
   void SetGlyphOrientationMode(int mode) { this->Glyphs.OrientationMode = mode; }
   void SetGlyphAnchor(int anchor) { this->Glyphs.Anchor = anchor; }
   ///@}
@@ -130,7 +130,7 @@ public:
    * form: 0 (default) an exponent for each axis, 1 nested. See vtkGlyphInstanceBuilder.
    */
   void SetGlyphExponents(double r, double s, double t);
-  void SetGlyphExponentArray(const char* name) { this->Glyphs.ExponentArray = OrEmpty(name); }
+  void SetGlyphExponentArray(const char* name) { this->SetArray(this->Glyphs.ExponentArray, name); }
   void SetGlyphExponentForm(int form) { this->NestedExponents = form == 1; }
   ///@}
 
@@ -147,7 +147,7 @@ public:
    * tensors are colored by, and the colors of vtkGlyphTensors::SIGN: where x^T D x is zero or more, and where it is
    * less.
    */
-  void SetGlyphTensorArray(const char* name) { this->Glyphs.Tensors.Array = OrEmpty(name); }
+  void SetGlyphTensorArray(const char* name) { this->SetArray(this->Glyphs.Tensors.Array, name); }
   void SetGlyphTensorLayout(int layout) { this->Glyphs.Tensors.Layout = static_cast<rtg::TensorLayout>(layout); }
   void SetGlyphTensorSharpness(double sharpness) { this->Glyphs.Tensors.Sharpness = sharpness; }
   void SetGlyphTensorThickness(double share) { this->Glyphs.Tensors.Thickness = share; }
@@ -168,7 +168,7 @@ public:
    * The coefficients of spherical harmonics, their basis (rtg::HarmonicsBasis, default 0, MRtrix3's), and whether each
    * glyph of a polynomial has the same size (1) or all have one scale (0, default).
    */
-  void SetGlyphHarmonicsArray(const char* name) { this->HarmonicsArray = OrEmpty(name); }
+  void SetGlyphHarmonicsArray(const char* name) { this->SetArray(this->HarmonicsArray, name); }
   void SetGlyphHarmonicsBasis(int basis) { this->Glyphs.Forms.Basis = static_cast<rtg::HarmonicsBasis>(basis); }
   void SetGlyphHarmonicsScaling(int scaling) { this->Glyphs.Forms.Each = scaling == 1; }
   ///@}

@@ -224,6 +224,19 @@ void vtkRayTracedRepresentation::Answer(
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetArray(std::string& held, const char* name)
+{
+  if (held != OrEmpty(name))
+  {
+    held = OrEmpty(name);
+    if (held.find(',') != std::string::npos)
+    {
+      this->MarkModified(); // steps that the view has kept lack it
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::ReportLackOfMemory()
 {
   vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these "

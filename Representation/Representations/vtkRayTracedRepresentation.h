@@ -127,11 +127,11 @@ public:
    * defaults.
    */
   void SetMotionBlur(bool on) { this->Motion.On = on; }
-  void SetVelocityArray(const char* name) { this->Motion.Velocity = OrEmpty(name); }
+  void SetVelocityArray(const char* name) { this->SetArray(this->Motion.Velocity, name); }
   void SetVelocityFromPreviousStep(bool on);
   void SetPointIdArray(const char* name);
-  void SetAccelerationArray(const char* name) { this->Motion.Acceleration = OrEmpty(name); }
-  void SetAngularVelocityArray(const char* name) { this->Motion.AngularVelocity = OrEmpty(name); }
+  void SetAccelerationArray(const char* name) { this->SetArray(this->Motion.Acceleration, name); }
+  void SetAngularVelocityArray(const char* name) { this->SetArray(this->Motion.AngularVelocity, name); }
   void SetShutterTime(double time) { this->Motion.ShutterTime = vtkRayTracedNumbers::NumberOr(time, 0.0); }
   void SetShutterOpening(int opening);
   ///@}
@@ -275,6 +275,11 @@ protected:
    * Strings of the server manager may be null, which means no array.
    */
   static std::string OrEmpty(const char* name) { return name ? name : ""; }
+
+  /**
+   * For properties that name an array which AddArrays() may have to make of several.
+   */
+  void SetArray(std::string& held, const char* name);
 
   vtkGlyphMotion::Settings Motion;
   vtkGlyphBlockAttributes Blocks;

@@ -25,6 +25,7 @@ void vtkRayTracedSurfaceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Smooth: " << this->Smooth << endl;
+  os << indent << "NonlinearSubdivisionLevel: " << this->NonlinearSubdivisionLevel << endl;
 }
 
 //----------------------------------------------------------------------------
@@ -36,6 +37,16 @@ void vtkRayTracedSurfaceRepresentation::SetInterpolation(int interpolation)
   {
     this->Smooth = smooth;
     this->MarkModified(); // normals may be missing
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedSurfaceRepresentation::SetNonlinearSubdivisionLevel(int level)
+{
+  if (this->NonlinearSubdivisionLevel != level)
+  {
+    this->NonlinearSubdivisionLevel = level;
+    this->MarkModified();
   }
 }
 
@@ -65,6 +76,7 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceRepresentation::Gather(vtkDataOb
   }
   settings.WholeExtent = wholeExtent;
   settings.ComputesNormals = this->Smooth;
+  settings.NonlinearSubdivisionLevel = this->NonlinearSubdivisionLevel;
   return vtkRayTracedSurfaceGatherer::Gather(input, settings);
 }
 

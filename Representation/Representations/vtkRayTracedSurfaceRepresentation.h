@@ -25,6 +25,11 @@ public:
    */
   void SetInterpolation(int interpolation);
 
+  /**
+   * How often the faces of nonlinear cells are divided into four. Default is 1.
+   */
+  void SetNonlinearSubdivisionLevel(int level);
+
 protected:
   vtkRayTracedSurfaceRepresentation();
   ~vtkRayTracedSurfaceRepresentation() override;
@@ -41,6 +46,7 @@ private:
   void operator=(const vtkRayTracedSurfaceRepresentation&) = delete;
 
   bool Smooth = true;
+  int NonlinearSubdivisionLevel = 1;
 };
 
 #endif

@@ -120,7 +120,20 @@ TEST_F(CacheFileTest, Bounded)
     rtg::CacheFile(this->folder, name).Save(Bytes(third));
   }
   fs::last_write_time(this->folder / "old", fs::last_write_time(this->folder / "middle") - std::chrono::hours(1));
+  // The folder may be one of the user's.
+  const fs::path others[] = { this->folder / "thesis.tex", this->folder / "simulation.vtk" };
+  std::ofstream(others[0]) << "by hand";
+  std::ofstream(others[1]) << "large";
+  fs::resize_file(others[1], rtg::CacheFile::mostBytes);
+  for (const fs::path& other : others)
+  {
+    fs::last_write_time(other, fs::last_write_time(this->folder / "old") - std::chrono::hours(1));
+  }
   file.Save(Bytes(third));
+  for (const fs::path& other : others)
+  {
+    EXPECT_TRUE(fs::exists(other)) << other;
+  }
   EXPECT_FALSE(fs::exists(this->folder / "old"));
   EXPECT_TRUE(fs::exists(this->folder / "middle"));
   EXPECT_EQ(file.Load(), Bytes(third));

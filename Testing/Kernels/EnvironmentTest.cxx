@@ -121,6 +121,29 @@ TEST_F(EnvironmentTest, FacesShowTheIrradianceThatReachesThem)
   }
 }
 
+// Views have one image on the device: what another tracer of the view has used meanwhile does not light the rest.
+TEST_F(EnvironmentTest, AnImageThatGoesOnKeepsItsOwn)
+{
+  this->Add(Shape::Box, { glm::vec3(0) }, { glm::vec3(4) }, White());
+  this->scene.Commit();
+  const auto resources = rtg::MakeTracerResources(this->device);
+  rtg::Tracer first(resources), second(resources);
+  this->settings.environmentColour = glm::vec3(1.0f);
+  this->settings.environmentImage = Make(7, 5, [](auto, auto) { return glm::vec3(0.5f); });
+  this->settings.width = this->settings.height = 256; // long enough to be interrupted
+  this->settings.samples = 64;
+  const auto trace = [&](rtg::Tracer& tracer, const rtg::Interrupt& interrupt)
+  { return tracer.Trace(this->scene, this->camera, {}, this->settings, rtg::Pass::All, interrupt); };
+  trace(first, {});
+  const std::vector<glm::vec4> whole = first.Means();
+  const Image part = trace(first, [](double share) { return share > 0.0; });
+  ASSERT_FALSE(part.complete);
+  this->settings.environmentImage = Make(7, 5, [](auto, auto) { return glm::vec3(4.0f); });
+  trace(second, {});
+  ASSERT_TRUE(first.Resume(this->scene, {}).complete);
+  EXPECT_EQ(first.Means(), whole);
+}
+
 // What is aimed at and what is found by scattering add up, on surfaces that shine: quarters of the sky are brighter
 // than their threshold, the whole is not.
 TEST_F(EnvironmentTest, AimingAndScatteringAddUp)

@@ -201,6 +201,44 @@ TEST_F(MeshTest, SmoothNormalsAreInterpolatedAndTurnWithTheInverseTranspose)
   EXPECT_NEAR(glm::distance(hits[0].normal, wanted), 0.0f, 1e-6f);
 }
 
+// Of triangles of any size, of glyphs of any size.
+TEST_F(MeshTest, NormalsHaveUnitLengthAtEveryScale)
+{
+  for (const rtg::Structure structure : { rtg::Structure::Tree, rtg::Structure::Boxes })
+  {
+    if (!rtg::testing::WhatLacksFor(structure).empty())
+    {
+      continue;
+    }
+    for (const int exponent : { -40, -20, 0, 20, 40 })
+    {
+      for (const float size : { 1.0f, std::ldexp(1.0f, -exponent) })
+      {
+        const float scale = std::ldexp(1.0f, exponent);
+        rtg::TriangleMesh mesh;
+        mesh.positions = { scale * glm::vec3(-1, -1, -0.5f), scale * glm::vec3(1, -1, 0), scale * glm::vec3(0, 1, 0) };
+        mesh.triangles = { { 0, 1, 2 } };
+        const glm::vec3 a = mesh.positions[1] / scale - mesh.positions[0] / scale;
+        const glm::vec3 b = mesh.positions[2] / scale - mesh.positions[0] / scale;
+        rtg::GlyphInstances instances;
+        instances.shape = rtg::Shape::Mesh;
+        instances.mesh = Share(std::move(mesh));
+        instances.centres = { glm::vec3(0.0f) };
+        instances.uniformSize = size;
+        rtg::Scene own(this->device);
+        own.GetState().structure = structure;
+        own.SetInstances(own.Add(), instances);
+        own.Commit();
+        const double world = double(scale) * size;
+        const auto hits = this->tracer.TraceProbes(own, { { glm::dvec3(0, 0, 2.0 * world), glm::vec3(0, 0, -1) } });
+        ASSERT_TRUE(std::isfinite(hits[0].t)) << "scale 2^" << exponent;
+        EXPECT_LE(glm::distance(hits[0].normal, glm::normalize(glm::cross(a, b))), 1e-5f)
+          << "scale 2^" << exponent << ", size " << size;
+      }
+    }
+  }
+}
+
 TEST_F(MeshTest, ColoursOfPositionsAreInterpolated)
 {
   rtg::TriangleMesh mesh;

@@ -213,6 +213,39 @@ TEST_P(PositionsTest, SurviveAnotherOrigin)
   EXPECT_GT(met, 5);
 }
 
+// A set so small, and so far from the scene's origin, that rounding is larger than all of it: rays meet its glyphs and
+// nothing else, whatever number of children the root of its tree has.
+TEST_P(PositionsTest, SetsSmallerThanRoundingHaveTheirGlyphsOnly)
+{
+  const glm::dvec3 far(1e7);
+  std::vector<Tracer::Probe> probes;
+  for (int i = -20; i <= 20; ++i)
+  {
+    for (int k = -20; k <= 20; ++k)
+    {
+      probes.push_back({ far + glm::dvec3(0.1 * i * size, 0.1 * k * size, 1.0), glm::vec3(0, 0, -1) });
+    }
+  }
+  for (const std::size_t count : { 1, 2, 3, 5, 9, 20, 40 })
+  {
+    rtg::Scene scene(this->device);
+    scene.GetState().structure = std::get<0>(GetParam());
+    scene.SetInstances(scene.Add(), Glyphs(Shape::Sphere, { glm::dvec3(0.0) }, glm::dvec3(0.0)));
+    const auto second = scene.Add();
+    scene.SetInstances(second, Glyphs(Shape::Sphere, std::vector<glm::dvec3>(count, far), far));
+    scene.Commit();
+    const auto hits = this->tracer.TraceProbes(scene, probes);
+    std::size_t met = 0, others = 0;
+    for (const Tracer::ProbeHit& hit : hits)
+    {
+      met += std::isfinite(hit.t);
+      others += std::isfinite(hit.t) && (hit.setId != second || hit.glyphId >= count);
+    }
+    EXPECT_GT(met, 10u) << count << " glyphs";
+    EXPECT_EQ(others, 0u) << "of " << met << " hits, " << count << " glyphs";
+  }
+}
+
 // Whatever the scene has shown before: its origin follows what is visible.
 TEST_P(PositionsTest, SurviveHiddenSetsFarAway)
 {

@@ -336,6 +336,31 @@ TEST_F(TracerTest, CoarseImageRepeatsEveryNthPixel)
   EXPECT_EQ(this->tracer->GetStatistics().primaryRays - before, 34u * 34u);
 }
 
+// Heads that keep their size take it from each arrow where there is no length of a unit arrow, in whichever array it
+// is.
+TEST_P(StructureTest, ArrowsOfOneSizeAreThoseOfThreeEqualOnes)
+{
+  std::vector<double> covered;
+  for (int kind = 0; kind < 3; ++kind)
+  {
+    rtg::GlyphInstances instances;
+    instances.shape = rtg::Shape::Arrow;
+    instances.centres = { glm::vec3(-0.5f, 0.0f, 0.0f) };
+    instances.arrow.unitLength = 0.0f;
+    instances.arrow.fixedHeads = true;
+    instances.uniformSize = kind == 0 ? 0.8f : 0.1f;
+    instances.sizes1.assign(kind == 1 ? 1 : 0, 0.8f);
+    instances.sizes3.assign(kind == 2 ? 1 : 0, glm::vec3(0.8f));
+    const auto id = this->scene.Add();
+    this->scene.SetInstances(id, instances);
+    covered.push_back(Coverage(this->Trace()));
+    this->scene.Remove(id);
+  }
+  EXPECT_GT(covered[2], 0.005);
+  EXPECT_EQ(covered[0], covered[2]);
+  EXPECT_EQ(covered[1], covered[2]);
+}
+
 TEST_P(StructureTest, EmptyThingsAreFine)
 {
   EXPECT_EQ(Coverage(this->Trace()), 0.0);
@@ -344,6 +369,9 @@ TEST_P(StructureTest, EmptyThingsAreFine)
   EXPECT_EQ(this->scene.GlyphCount(id), 0u);
   this->settings.width = 0;
   EXPECT_EQ(this->Trace().colour, nullptr);
+  this->settings.firstSample = 1;
+  EXPECT_EQ(this->Trace().samples, 2u) << "of no pixels more samples are as few";
+  this->settings.firstSample = 0;
   this->settings.width = this->settings.height = 1;
   this->AddSpheres({ { 0, 0, 0 } }, 1.0f);
   EXPECT_EQ(Coverage(this->Trace()), 1.0);

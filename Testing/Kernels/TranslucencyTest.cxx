@@ -147,6 +147,97 @@ TEST_P(TranslucencyTest, BoxesAreMetByChance)
   }
 }
 
+// A triangle is met once by each ray, however large the surface is and however near to its edge the ray enters.
+TEST_P(TranslucencyTest, ASurfaceOfAnyExtentCountsOnce)
+{
+  this->settings.width = this->settings.height = 40;
+  this->settings.keepSums = true;
+  for (const float extent : { 1.0f, 1e3f, 1e6f })
+  {
+    constexpr glm::uint side = 24;
+    rtg::TriangleMesh sheet;
+    for (glm::uint i = 0; i <= side; ++i)
+    {
+      for (glm::uint k = 0; k <= side; ++k)
+      {
+        const glm::vec2 at = glm::vec2(i, k) / float(side) - 0.5f;
+        sheet.positions.push_back(extent * glm::vec3(at, 0.2f * std::sin(5.0f * at.x) * std::cos(4.0f * at.y)));
+      }
+    }
+    for (glm::uint i = 0; i < side * side; ++i)
+    {
+      const glm::uint a = i / side * (side + 1) + i % side;
+      sheet.triangles.push_back({ a, a + side + 1, a + 1 });
+      sheet.triangles.push_back({ a + 1, a + side + 1, a + side + 2 });
+    }
+    rtg::GlyphInstances instances;
+    instances.shape = Shape::Mesh;
+    instances.mesh = rtg::testing::Share(std::move(sheet));
+    instances.centres = { glm::vec3(0.0f) };
+    const auto id = this->scene.Add();
+    this->scene.SetInstances(id, instances);
+    rtg::Material material;
+    material.opacity = opacity;
+    this->scene.SetMaterial(id, material);
+    const double half = 0.4 * extent;
+    this->camera = rtg::Camera::FromWorldToClip(glm::ortho(-half, half, -half, half, 0.1 * extent, 9.0 * extent) *
+      glm::lookAt(glm::dvec3(1e-3, 2e-3, 5.0) * double(extent), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+    this->settings.shading = Shading::Local;
+    this->settings.samples = 1;
+    this->Trace(rtg::Pass::Translucent);
+    float least = 1.0f, most = 0.0f;
+    for (const glm::vec4& mean : this->tracer.Means())
+    {
+      least = std::min(least, mean.a);
+      most = std::max(most, mean.a);
+    }
+    EXPECT_NEAR(least, opacity, 1e-5f) << "extent " << extent;
+    EXPECT_NEAR(most, opacity, 1e-5f) << "extent " << extent;
+    this->settings.shading = Shading::PathTracing;
+    this->settings.samples = 16;
+    this->Trace(rtg::Pass::Translucent);
+    EXPECT_NEAR(this->Mean(3), opacity, certain * std::sqrt(opacity * (1.0 - opacity) / (40.0 * 40.0 * 16.0)))
+      << "extent " << extent;
+    this->scene.Remove(id);
+  }
+}
+
+// Triangles of one surface behind each other stop what their opacities say, and none of opacity zero stops anything.
+TEST_P(TranslucencyTest, ManyTrianglesOfASurfaceAreNoWall)
+{
+  constexpr glm::uint layers = 300;
+  rtg::TriangleMesh stack;
+  for (glm::uint i = 0; i < layers; ++i)
+  {
+    const float z = -1.0f + 2.0f * float(i) / layers;
+    stack.positions.insert(stack.positions.end(), { { -1, -1, z }, { 3, -1, z }, { -1, 3, z } });
+    stack.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  rtg::GlyphInstances instances;
+  instances.shape = Shape::Mesh;
+  instances.mesh = rtg::testing::Share(std::move(stack));
+  instances.centres = { glm::vec3(0.0f) };
+  const auto id = this->scene.Add();
+  this->scene.SetInstances(id, instances);
+  this->camera = rtg::Camera::FromWorldToClip(
+    glm::ortho(-0.9, 0.9, -0.9, 0.9, 1.0, 9.0) * glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+  this->settings.width = this->settings.height = 12;
+  this->settings.keepSums = true;
+  this->settings.shading = Shading::PathTracing;
+  this->settings.maximumBounces = 1;
+  this->settings.samples = 16;
+  for (const float each : { 0.0f, 0.002f })
+  {
+    rtg::Material material;
+    material.opacity = each;
+    this->scene.SetMaterial(id, material);
+    this->Trace(rtg::Pass::All);
+    const double exact = 1.0 - std::pow(1.0 - each, layers);
+    EXPECT_NEAR(this->Mean(3), exact, certain * std::sqrt(exact * (1.0 - exact) / (12.0 * 12.0 * 16.0)))
+      << "opacity " << each;
+  }
+}
+
 // Opacities of glyphs are as the alphas of their colors would be, of balls and of copies of a mesh.
 TEST_P(TranslucencyTest, GlyphsHaveTheirOwnOpacities)
 {

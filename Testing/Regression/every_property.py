@@ -286,6 +286,7 @@ ROWS = [
     Row("Specular", 0.5, as_surface, SpecularPower=20.0),
     Row("SpecularPower", 20.0, as_surface, **{**SHINY, "SpecularPower": 100.0}),
     Row("Interpolation", "Flat", as_surface, scene="coarse"),
+    Row("NonlinearSubdivisionLevel", 3, as_surface, scene="curved"),
     # Place
     Row("Position", [0.2, 0.1, 0.0], moved(0.2, 0.1)),
     Row("Translation", [0.2, 0.1, 0.0], moved(0.2, 0.1)),

@@ -21,9 +21,9 @@ def longest_run(mask):
     return int((ends[1] - starts[1]).max()) if len(starts[1]) else 0
 
 
-def widths(view, name):
+def widths(view, name, **options):
     """Of the legend's glyph, which is green, and of the red one in the scene, in pixels."""
-    image = session.capture(view, "glyph-legend-" + name).astype(int)
+    image = session.capture(view, "glyph-legend-" + name, **options).astype(int)
     red, green, blue = image[..., 0], image[..., 1], image[..., 2]
     legend = (green > 128) & (red < 128) & (blue < 128)
     glyph = (red > 200) & (green < 100) & (blue < 100)
@@ -56,6 +56,22 @@ def size(checks, view, shown):
             checks.within("%s, %s: width of the glyph" % (shape, "parallel" if parallel else "perspective"), glyph,
                           max(40, legend - 1), legend + 1 + front)
     settings.set({})
+
+
+def larger_pictures(checks, view, shown):
+    """It grows as the scene's glyphs do, where the picture is put together from tiles, too, and stays in its corner."""
+    view.CameraParallelScale, shown.GlyphLegendValue = 1.1, 2.0
+    for corner, factor, parallel in (("Lower Left", 1.5, 1), ("Upper Right", 2, 0), ("Upper Right", 3, 1)):
+        shown.GlyphLegendCorner, view.CameraParallelProjection = corner, parallel
+        side = int(factor * SIDE)
+        legend, glyph, mask = widths(view, "large", ImageResolution=[side, side])
+        what = "picture %g times the window, %s: " % (factor, corner)
+        front = 0 if parallel else 6 * factor
+        checks.within(what + "width of the glyph", glyph, max(40 * factor, legend - 2), legend + 2 + front)
+        rows, columns = numpy.nonzero(mask)
+        for name, places in (("rows", rows), ("columns", columns)):
+            checks.within(what + "distance of its %s from the edge" % name, side / 2 - abs(places - side / 2).max(), 5, 30 * factor)
+    shown.GlyphLegendCorner, shown.GlyphLegendValue = "Lower Left", 0.0
 
 
 def choice(checks, view, shown):
@@ -94,6 +110,7 @@ def main():
     checks = Checks()
     view, shown = scene()
     size(checks, view, shown)
+    larger_pictures(checks, view, shown)
     choice(checks, view, shown)
     corners(checks, view, shown)
     absence(checks, view, shown)

@@ -4,8 +4,9 @@ A claim is a function of a Change: it looks at what is shown before and after, a
 """
 import numpy
 import paraview.simple as pv
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_QUAD, vtkCellArray, vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -35,6 +36,7 @@ SCENES = {
     "quad": ([[-0.6, -0.6, 0.0], [0.6, -0.6, 0.0], [0.6, 0.6, 0.0], [-0.6, 0.6, 0.0]], 0.5, 1.25),
     "crowd": (numpy.random.default_rng(4).uniform(-0.7, 0.7, (60, 3)), 0.5, 1.0),
     "coarse": ([[0.0, 0.0, 0.0]], 1.0, 0.75),
+    "curved": ([[0.0, 0.0, 0.0]], 1.0, 0.75),
 }
 #: what all rows begin with
 START = {"ColorArrayName": [None, ""], "AmbientColor": [0.8] * 3, "DiffuseColor": [0.8] * 3, "SamplesPerPixel": 1, "Denoising": "Never"}
@@ -80,8 +82,21 @@ def points_of(scene, centers):
     return data
 
 
+def quadratic_disc(diameter):
+    """One quadratic cell, whose corners and middles of edges lie on a circle."""
+    angles = numpy.pi / 4.0 * numpy.array([0, 2, 4, 6, 1, 3, 5, 7])
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(0.5 * diameter * numpy.stack([numpy.cos(angles), numpy.sin(angles), 0.0 * angles], axis=1), deep=True))
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(points)
+    grid.InsertNextCell(VTK_QUADRATIC_QUAD, 8, range(8))
+    return grid
+
+
 def polygons_of(scene, centers):
     """The same balls as polygons; the points of each have its values, and "height" differs from point to point."""
+    if scene == "curved":
+        return quadratic_disc(SCENES[scene][1])
     append, values = vtkAppendPolyData(), arrays(len(centers))
     for number, center in enumerate(centers):
         ball = vtkSphereSource()

@@ -153,7 +153,7 @@ def with_glyphs(view):
 
 
 def blocks(view):
-    """A block that lacks the array does no harm."""
+    """A block that lacks the array has the color of what no array colors, as on ParaView's own surface; not that of what is no number."""
     data = vtkMultiBlockDataSet()
     for i, x in enumerate((-1.0, 0.0, 1.0)):
         part = sphere_data(0.4, 32, (x, 0.0, 0.0))
@@ -166,8 +166,11 @@ def blocks(view):
     pv.ColorBy(shown, ("POINTS", "height"))
     shown.SetScalarBarVisibility(view, False)
     pv.GetColorTransferFunction("height").NanColor = [1.0, 1.0, 0.0]
-    found = colour_at(session.capture(view, "surface-blocks"), 200, 150)
-    check(found == (255, 255, 0), "a block without the array has %s" % (found,))
+    shown.AmbientColor = shown.DiffuseColor = [0.0, 1.0, 1.0]
+    for interpolated in (1, 0):
+        shown.InterpolateScalarsBeforeMapping = interpolated
+        found = colour_at(session.capture(view, "surface-blocks"), 200, 150)
+        check(found == (0, 255, 255), "a block without the array has %s" % (found,))
     pv.Delete(shown)
 
 

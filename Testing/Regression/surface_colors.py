@@ -4,6 +4,7 @@ Usage: pvpython surface_colors.py
 """
 import numpy
 import paraview.simple as pv
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -59,6 +60,44 @@ def interpolation(checks):
     pv.Delete(view)
 
 
+def ends_of_the_range(checks):
+    """Where values leave the table's range within a cell, and where they are no numbers, linear and with logarithms."""
+    view = session.view(240, 180)
+    sphere = coarse_sphere()
+    line = pv.Calculator(Input=pv.Line(Point1=(-1.5, 0, 0), Point2=(1.5, 0, 0), Resolution=1), Function="coordsX", ResultArrayName="height")
+    tube = pv.Tube(Input=line, Radius=0.5, NumberofSides=64, Capping=1)
+    tube.Scalars = ["POINTS", ""]  # else it turns off what was chosen
+    table = pv.GetColorTransferFunction("height")
+    table.ApplyPreset("Rainbow Uniform", True)
+    table.UseBelowRangeColor, table.BelowRangeColor, table.UseAboveRangeColor, table.AboveRangeColor = 1, (1, 1, 1), 1, (0, 0, 0)
+    session.look(view, (2.0, 1.5, 4.0))
+    for what, pair in (("surface", ((sphere, "Surface"), (sphere, SURFACE))), ("tube", ((tube, "Surface"), (line, "Ray Traced Tubes")))):
+        for case, ends, logarithm in (("narrow", (-0.3, 0.4), 0), ("logarithm", (0.1, 0.6), 1)):
+            pictures = []
+            for source, kind in pair:
+                table.UseLogScale = 0  # ColorBy would take a range that has logarithms
+                shown = pv.Show(source, view)
+                shown.SetRepresentationType(kind)
+                shown.SamplesPerPixel, shown.Ambient, shown.Diffuse = 1, 1.0, 0.0
+                shown.TubeRadius, shown.TubeEnds = 0.5, "Flat"
+                pv.ColorBy(shown, ("POINTS", "height"))
+                shown.SetScalarBarVisibility(view, False)
+                table.RescaleTransferFunction(*ends)
+                table.UseLogScale = logarithm
+                pv.Render(view)
+                pictures.append(session.capture(view, "surface-colors-%s-%s-%s" % (what, case, kind.split()[0].lower())))
+                pv.Hide(source, view)
+            theirs, ours = pictures
+            both = comparison.covered(ours) & comparison.covered(theirs)
+            apart = numpy.abs(ours.astype(int) - theirs.astype(int)).max(axis=2)[both]
+            share = float((apart > comparison.LEVELS).mean())
+            text = "%s, %s range: %.2f%% of the covered pixels differ" % (what, case, 100 * share)
+            print(text)
+            checks.true(text, share <= 0.01)
+    table.UseLogScale = table.UseBelowRangeColor = table.UseAboveRangeColor = 0
+    pv.Delete(view)
+
+
 def block_colors(checks):
     """vtkBlockColors gives each block the color that ParaView's own surface gives it, on surfaces and on glyphs."""
     blocks, points = vtkMultiBlockDataSet(), numpy.array([[-1.2, 0.0, 0.0], [-0.4, 0.0, 0.0], [0.4, 0.0, 0.0], [1.2, 0.0, 0.0]])
@@ -92,12 +131,65 @@ def block_colors(checks):
     pv.Delete(view)
 
 
+def partial_arrays(checks):
+    """A block that lacks an array of numbers, categories or texts has the solid color; numbers that are none have that of the table."""
+    blocks = vtkMultiBlockDataSet()
+    for number in range(3):
+        block = session.poly_data(numpy.array([[number - 1.2, -0.3, 0.0], [number - 0.8, -0.3, 0.0], [number - 1.0, 0.4, 0.0]]))
+        cells = vtkCellArray()
+        cells.InsertNextCell(3, [0, 1, 2])
+        block.SetPolys(cells)
+        if number != 1:
+            texts = vtkStringArray()
+            texts.SetName("text")
+            for text in "abc" if number == 0 else "bca":
+                texts.InsertNextValue(text)
+            block.GetPointData().AddArray(texts)
+            session.add_arrays(block, number=numpy.array([0.0, 1.0, 2.0 if number else numpy.nan]), kind=numpy.arange(3) + number)
+        blocks.SetBlock(number, block)
+    source = session.source(blocks)
+    view = session.view(240, 120)
+    shown = pv.Show(source, view)
+    shown.SamplesPerPixel, shown.Ambient, shown.Diffuse = 1, 1.0, 0.0
+    shown.AmbientColor = shown.DiffuseColor = [0.0, 1.0, 0.0]
+    shown.GlyphShape, shown.GlyphScaleFactor, shown.GlyphOrient = "Box", 0.2, 0
+    shown.GlyphType, shown.ScaleFactor, shown.Scaling, shown.SelectScaleArray, shown.Orient = "Box", 0.2, 1, "None", 0
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=0.8)
+    for array in ("number", "kind", "text"):
+        pv.ColorBy(shown, ("POINTS", array))
+        shown.SetScalarBarVisibility(view, False)
+        table = pv.GetColorTransferFunction(array)
+        table.NanColor = [1.0, 1.0, 0.0]
+        if array == "kind":
+            table.InterpretValuesAsCategories = table.AnnotationsInitialized = 1
+            table.Annotations = [text for value in "01234" for text in (value, value)]
+            table.IndexedColors = [1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0.5, 0.5, 0.5]
+        elif array == "text":
+            table.Annotations, table.IndexedColors = ["a", "a", "b", "b"], [1, 0, 0, 0, 0, 1]
+        for pair in (("Surface", SURFACE), ("3D Glyphs", session.REPRESENTATION)):
+            pictures = []
+            for kind in pair:
+                shown.SetRepresentationType(kind)
+                checks.no_message("%s of some blocks, %s" % (array, kind), session.messages(lambda: pv.Render(view)))
+                pv.Render(view)  # what 3D Glyphs show is cut off before
+                pictures.append(session.capture(view, "surface-colors-partial-%s-%s" % (array, kind.lower().replace(" ", "-"))))
+            # A triangle with a corner that is no number has its color whole, and ParaView's in part.
+            share = comparison.difference(*pictures)[0]
+            checks.true("%s of some blocks, %s: %.2f%% of the pixels differ" % (array, pair[1], 100 * share),
+                        share <= (0.05 if (array, pair[0]) == ("number", "Surface") else 0.01))
+            green = [(picture[..., :3] == (0, 255, 0)).all(axis=2).sum() for picture in pictures]
+            checks.true("%s of some blocks, %s: pixels of the solid color: %s" % (array, pair[1], green), abs(green[1] - green[0]) <= 0.1 * green[0] > 0)
+    pv.Delete(view)
+
+
 def main():
-    """Both parts."""
+    """All parts."""
     session.load()
     checks = Checks()
     interpolation(checks)
+    ends_of_the_range(checks)
     block_colors(checks)
+    partial_arrays(checks)
     checks.report()
 
 

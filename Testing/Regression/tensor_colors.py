@@ -35,8 +35,8 @@ VALUES = {coloring: numpy.array([value_of(coloring, row) for row in EIGENVALUES]
 
 
 #: what a case changes, as a new display has it
-UNCHANGED = {"ColorArrayName": [None, ""], "LookupTable": None, "DiffuseColor": [1.0] * 3, "AmbientColor": [1.0] * 3, "GlyphTensorColoring": "None",
-             "GlyphTensorLookupTable": None}
+UNCHANGED = {"ColorArrayName": [None, ""], "DiffuseColor": [1.0] * 3, "AmbientColor": [1.0] * 3, "GlyphTensorColoring": "None",
+             "GlyphTensorLookupTable": None, "GlyphShape": "Tensor Ellipsoid", "LookupTable": None}
 
 
 def scene(stage, others=numpy.zeros((0, 3))):
@@ -49,6 +49,7 @@ def scene(stage, others=numpy.zeros((0, 3))):
     points = numpy.concatenate([POINTS, [[0.0, 100.0 + i, 0.0] for i in range(len(others))]]) if len(others) else POINTS
     data = session.poly_data(
         points, stress=numpy.array([numpy.diag(row) for row in values]).reshape(len(values), 9),
+        major=values.max(axis=1), ball=numpy.tile([0.8 * numpy.sqrt(4.0 * numpy.pi), 0, 0, 0, 0, 0], (len(values), 1)),
         tiny=1e-6 * numpy.arange(float(len(values))), large=1e3 * numpy.arange(float(len(values))))
     shown = stage.show(data, "Tensor Ellipsoid", GlyphTensorArray="stress", GlyphScaleFactor=0.8, Ambient=1.0, Diffuse=0.0,
                        **(UNCHANGED if stage.source else {}))
@@ -148,6 +149,42 @@ def check_eigenvalues(checks, stage, others):
     checks.one_message(what + ", no array", session.messages(lambda: pv.Render(view)), "GlyphTensorArray")
 
 
+def check_opacities(checks, stage):
+    """A table's opacities are those that it gives the same numbers of an array, on tensors and on surfaces of polynomials."""
+    view, shown = scene(stage)
+    table = pv.GetColorTransferFunction("see through")
+    table.ColorSpace, table.RGBPoints = "RGB", [0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0]
+    opacity = pv.GetOpacityTransferFunction("see through")
+    opacity.Points = [0.0, 0.1, 0.5, 0.0, 1.0, 0.9, 0.5, 0.0]
+    table.ScalarOpacityFunction = opacity
+    pictures = {}
+    for mapping in (0, 1):
+        table.EnableOpacityMapping = mapping
+        for what in ("numbers", "array"):
+            shown.GlyphTensorColoring = "Major Eigenvalue" if what == "numbers" else "None"
+            shown.GlyphTensorLookupTable = table
+            shown.ColorArrayName, shown.LookupTable = (["POINTS", "major"], table) if what == "array" else ([None, ""], None)
+            pv.Render(view)
+            for bar in view.Representations:
+                if hasattr(bar, "ComponentTitle"):
+                    bar.Visibility = 0
+            pictures[what, mapping] = session.capture(view, "tensor-colors-opacity-%s-%d" % (what, mapping))
+        checks.picture("opacities %d of an array and of eigenvalues" % mapping, pictures["numbers", mapping], pictures["array", mapping], pixels=0.0, mean=0.5)
+    checks.true("opacity mapping shows nothing", numpy.abs(pictures["numbers", 1].astype(int) - pictures["numbers", 0]).max() > 50)
+    # |f| of a ball is the same everywhere: 0.8 of the table, at its surface.
+    shown.GlyphShape, shown.GlyphHarmonicsArray, shown.GlyphTensorColoring = "Spherical Harmonics", "ball", "Radius"
+    pv.Render(view)
+    shown.GlyphTensorLookupTable = table
+    balls = []
+    for mapping in (0, 1):
+        table.EnableOpacityMapping = mapping
+        pv.Render(view)
+        balls.append(numpy.array(centers(session.capture(view, "tensor-colors-opacity-radius-%d" % mapping))))
+    expected = balls[0] + 0.26 ** 2 * (numpy.array(session.BACKGROUND) - balls[0])
+    checks.true("opacities of radii: %s, not %s" % (balls[1].tolist(), expected.tolist()), numpy.abs(balls[1] - expected).max() <= LEVELS + 2)
+    table.EnableOpacityMapping = 0
+
+
 def main():
     """All numbers, after arrays of a tiny and of a large range have colored the glyphs."""
     session.load()
@@ -156,6 +193,7 @@ def main():
     session.look(stage.view, (0.0, 0.0, 5.0), parallel_scale=SCALE)
     for others in (numpy.zeros((0, 3)), numpy.array([[0.1, 0.0, -2.0]])):
         check_eigenvalues(checks, stage, others)
+    check_opacities(checks, stage)
     # The first number colors a new display.
     stage.close()
     for coloring in VALUES:
