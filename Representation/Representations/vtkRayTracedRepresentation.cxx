@@ -326,6 +326,11 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   vtkDataObject* delivered =
     lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this) : vtkPVView::GetDeliveredPiece(inInfo, this);
   auto* points = vtkPolyData::SafeDownCast(delivered);
+  if (!points && this->Points)
+  {
+    // A selection may come before new points have been delivered: it finds what is shown.
+    points = this->Mapper->GetPoints();
+  }
   this->Mapper->SetPoints(points);
   this->Mapper->SetBlocks(this->Blocks);
   this->ConfigureColors(points);

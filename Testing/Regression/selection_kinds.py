@@ -104,6 +104,16 @@ def through(checks, view, source, what):
         source.SMProxy.CleanSelectionInputs(0)
 
 
+def before_a_render(checks, view, source):
+    """A selection that comes before the picture of the last one finds the glyphs that are seen."""
+    pv.SelectPoints("number == 7", source)
+    checks.equal("points after a new selection", selected(lambda *a: view.SMProxy.SelectSurfacePoints(*a, 0), region(view)), {"POINT": INSIDE})
+    pv.Render(view)
+    pv.ClearSelection(source)
+    checks.equal("points after none", selected(lambda *a: view.SMProxy.SelectSurfacePoints(*a, 0), region(view)), {"POINT": INSIDE})
+    pv.Render(view)
+
+
 def in_blocks(checks, view):
     """Selecting blocks gives the block of the glyph that is seen, as it does of ParaView's own points."""
     source = session.source(blocks())
@@ -162,6 +172,7 @@ def main():
         on_surface(checks, view, source, shape)
         if shape == "Sphere":
             through(checks, view, source, shape)
+            before_a_render(checks, view, source)
         pv.Delete(shown)
         pv.Delete(source)
     in_blocks(checks, view)
