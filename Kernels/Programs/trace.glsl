@@ -148,14 +148,12 @@ SurfaceHit Trace(Query query, const bool gathers)
   // Whether a ray of any still asks what is opaque, of which the first hit ends the traversal.
   bool any = query.any;
   uint pass = 0u;
-  bool further;
-  // The traversal is in the program once: some drivers copy it to every call.
-  do
+  payload = NoHit();
+  bool further = true;
+  // The traversal is in the program once: some drivers copy it to every call. The loop has one exit: lavapipe with LLVM
+  // 21 loses hits of one that returns.
+  while (further && query.tMin <= query.tMax)
   {
-    if (!(query.tMin <= query.tMax))
-    {
-      return NoHit();
-    }
     TraceDriver(query, any ? gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT : 0u,
       any ? query.mask & ANY_OPAQUE_MASK : query.mask);
     further = false;
@@ -172,8 +170,9 @@ SurfaceHit Trace(Query query, const bool gathers)
       query.seed = Hash(query.seed) | 1u;
       further = UnitInterval(Hash(query.seed)) >= payload.colour.a;
       query.tMin = payload.t + ErrorOfT(query.ray, payload);
+      payload.t = further ? -1.0 : payload.t; // nothing more may be hit
     }
-  } while (further);
+  }
   return payload;
 }
 #endif
