@@ -48,10 +48,16 @@ struct Guide
   float depth;
 };
 
+bool IsFinite(const glm::vec4& mean)
+{
+  return std::isfinite(mean.r) && std::isfinite(mean.g) && std::isfinite(mean.b);
+}
+
 class Filter
 {
 public:
-  explicit Filter(const DenoiserGuides& guides)
+  // Of a pixel whose mean is no number nothing is known.
+  Filter(const DenoiserGuides& guides, const std::vector<glm::vec4>& means)
     : width_(static_cast<int>(guides.width))
     , height_(static_cast<int>(guides.height))
   {
@@ -59,7 +65,7 @@ public:
     this->guides_.resize(guides.normals.size());
     for (std::size_t i = 0; i < this->guides_.size(); ++i)
     {
-      this->guides_[i] = { guides.normals[i], guides.viewDepths[i] };
+      this->guides_[i] = { IsFinite(means[i]) ? guides.normals[i] : glm::vec3(0.0f), guides.viewDepths[i] };
     }
     this->ForRows([this](int y) { this->FindSlopes(y); });
   }
@@ -244,12 +250,12 @@ private:
 
 void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides)
 {
-  const Filter filter(guides);
+  const Filter filter(guides, means);
   const auto colourOf = [&](std::size_t i) { return glm::max(guides.albedos[i], glm::vec3(darkest)); };
   std::vector<Estimate> lights(means.size(), Estimate(0.0f));
   for (std::size_t i = 0; i < means.size(); ++i)
   {
-    if (means[i].a > 0.0f)
+    if (means[i].a > 0.0f && IsFinite(means[i]))
     {
       lights[i] = Estimate(glm::vec3(means[i]) / means[i].a / colourOf(i), 0.0f);
     }

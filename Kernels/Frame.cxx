@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace rtg
@@ -203,22 +204,26 @@ std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceB
 {
   const std::uint32_t planned = PlannedSamples(settings);
   std::uint32_t bits = 0;
-  while (bits < sliceBits && (planned >> (bits + 1)) != 0)
+  // Parts of different numbers of samples would be seen longer or shorter, by all pixels alike.
+  while (bits < sliceBits && planned % (2u << bits) == 0)
   {
     ++bits;
   }
   return bits;
 }
 
-std::uint32_t TimeStrataBits(const TraceSettings& settings)
+void FillTimeStrata(device::FrameRecord& frame, const TraceSettings& settings)
 {
+  constexpr std::uint32_t most = 65536;
+  constexpr double goldenSection = 0.6180339887498949;
   const bool asked = settings.shading == Shading::Local && !settings.independentSamples;
-  std::uint32_t bits = 0;
-  while (asked && (1u << bits) < PlannedSamples(settings))
+  const std::uint32_t planned = std::min(PlannedSamples(settings), most);
+  frame.timeStrata = asked && planned > 1 ? planned : 0;
+  frame.timeStep = static_cast<std::uint32_t>(std::lround(goldenSection * planned));
+  while (frame.timeStep > 1 && std::gcd(frame.timeStep, planned) != 1)
   {
-    ++bits;
+    --frame.timeStep;
   }
-  return bits;
 }
 
 } // namespace rtg

@@ -35,11 +35,11 @@ void FillScene(device::FrameRecord& frame, Generation& generation, const Scene::
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels);
 
 /// How many binary digits of the time in the shutter's opening all pixels share in one sample, so that neighboring rays
-/// see the same slice of time: as many as there are slices and planned samples fill.
+/// see the same slice of time: as many as there are slices and planned samples fill alike.
 std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceBits);
 
-/// Logarithm to base 2 of the number of parts of the shutter's opening that local shading gives one sample each
-/// (Shading/ShutterTime.glsl); 0: other times.
-std::uint32_t TimeStrataBits(const TraceSettings& settings);
+/// The parts of the shutter's opening that local shading gives one sample each, and the step from one sample's part to
+/// the next one's (Shading/ShutterTime.glsl); no parts: other times.
+void FillTimeStrata(device::FrameRecord& frame, const TraceSettings& settings);
 
 } // namespace rtg

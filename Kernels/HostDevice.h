@@ -250,7 +250,8 @@ struct FrameRecord
   uint samples;        // that this dispatch adds
   uint accumulates;    // samples are added to earlier ones, or will be
   uint sharedTimeBits; // Shading/ShutterTime.glsl
-  uint timeStrataBits; // the same
+  uint timeStrata;     // the same; 65536 at most
+  uint timeStep;       // has no common divisor with it
   uint pixelStep;
   // The tiles of this launch, out of all tiles of the image: numbers firstTile to endTile - 1, scattered over the image
   // by tileStride, which has no common divisor with tileCount.

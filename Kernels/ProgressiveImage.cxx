@@ -131,7 +131,8 @@ const Image* ProgressiveImage::Update(
     prepared = true;
     this->wanted_ = effort.samples;
     const bool lacksFeatures = (effort.features || request.Denoises()) && !this->features_;
-    const bool cannotGrow = 0 < this->samples_ && this->samples_ < effort.samples && !this->canContinue_;
+    const std::uint32_t begun = this->samples_ + (this->pending_ ? this->pendingSamples_ : 0);
+    const bool cannotGrow = 0 < begun && begun < effort.samples && !this->canContinue_;
     const bool otherNumber = effort.exact && this->planned_ != effort.samples && this->samples_ != effort.samples;
     if (this->state_ == State::Empty || this->state_ == State::Failed || !(view == this->view_))
     {

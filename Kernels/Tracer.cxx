@@ -173,7 +173,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   {
     constants.independentSamples = settings.independentSamples;
     begun.frame.sharedTimeBits = SharedTimeBits(settings, scene.placedTimeSliceBits);
-    begun.frame.timeStrataBits = TimeStrataBits(settings);
+    FillTimeStrata(begun.frame, settings);
   }
   // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
   constants.layered = pass == Pass::Translucent && settings.shading != Shading::PathTracing;

@@ -241,8 +241,8 @@ SurfaceHit HitOnMesh(const uint record, const GlyphSetRecord set, const Glyph gl
   hit.t = t;
   // Normals turn with the inverse transpose.
   vec3 size = glyph.size / LargestOf(glyph.size);
-  hit.shadingNormal = Unit(RotateToWorld(glyph, smoothed / size));
-  hit.normal = OnSideOf(hit.shadingNormal, Unit(RotateToWorld(glyph, normal / size)));
+  hit.shadingNormal = UnitNormal(RotateToWorld(glyph, smoothed / size), ray.direction);
+  hit.normal = OnSideOf(hit.shadingNormal, UnitNormal(RotateToWorld(glyph, normal / size), ray.direction));
   hit.record = record;
   hit.glyph = set.identifiesTriangles != 0u ? triangle : set.firstGlyph + number;
   hit.error = leavesSurface ? 2e-6 * set.meshRadius * LargestOf(glyph.size) : 0.0;

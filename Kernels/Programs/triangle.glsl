@@ -11,10 +11,12 @@ vec3 NormalOf(const vec3 toB, const vec3 toC)
   return cross(toB / max(LargestOf(toB), 1e-37), toC / max(LargestOf(toC), 1e-37));
 }
 
-// Of unit length, whatever its length.
-vec3 Unit(const vec3 v)
+// Of unit length, whatever its length; against the ray where it is zero: rounding may let rays meet triangles without
+// area.
+vec3 UnitNormal(const vec3 normal, const vec3 direction)
 {
-  return normalize(v / LargestOf(v));
+  float largest = LargestOf(normal);
+  return normalize(largest > 0.0 ? normal / largest : -direction);
 }
 
 // Mean of the corners' normals, of any length; `flat_` where they cancel out.

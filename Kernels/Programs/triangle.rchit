@@ -20,8 +20,8 @@ void main()
   vec3 smoothed = Has(set.variants, MESH_NORMALS) ? SmoothNormal(set, corner, weight, normal) : normal;
   hit.t = gl_HitTEXT;
   // Normals turn with the inverse transpose.
-  hit.shadingNormal = Unit(smoothed * mat3(gl_WorldToObjectEXT));
-  hit.normal = OnSideOf(hit.shadingNormal, Unit(normal * mat3(gl_WorldToObjectEXT)));
+  hit.shadingNormal = UnitNormal(smoothed * mat3(gl_WorldToObjectEXT), gl_WorldRayDirectionEXT);
+  hit.normal = OnSideOf(hit.shadingNormal, UnitNormal(normal * mat3(gl_WorldToObjectEXT), gl_WorldRayDirectionEXT));
   hit.record = gl_InstanceCustomIndexEXT;
   uint glyph = gl_InstanceID - set.firstInstance;
   hit.glyph = set.identifiesTriangles != 0u ? gl_PrimitiveID : glyph;

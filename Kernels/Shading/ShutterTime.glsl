@@ -8,20 +8,18 @@
 const uint timeSeed = 0x7f4a7c15u;
 
 // Local shading: the parts of the opening that the planned samples have one each of, and of them the one of a sample,
-// in van der Corput's order, so that an image that grows has early and late times from the start. All pixels go through
-// the parts in the same order: their rays meet the same version of the glyphs' trees.
+// by steps of about the golden section, so that an image that grows has early and late times from the start. All pixels
+// go through the parts in the same order: their rays meet the same version of the glyphs' trees.
 uint TimeStratum(const uint index)
 {
-  uint mask = (1u << frame.timeStrataBits) - 1u;
-  return bitfieldReverse(index & mask) >> (32u - frame.timeStrataBits);
+  return index % frame.timeStrata * frame.timeStep % frame.timeStrata;
 }
 
 // The place in the pixel of a sample with that number. Places follow a sequence in the order of time: then place and
 // time together are spread evenly, as Hammersley's points are, and not only each by itself.
 uint PlaceAmongTimes(const uint index)
 {
-  return frame.timeStrataBits > 0u ? TimeStratum(index) + ((index >> frame.timeStrataBits) << frame.timeStrataBits)
-                                   : index;
+  return frame.timeStrata > 0u ? TimeStratum(index) + index / frame.timeStrata * frame.timeStrata : index;
 }
 
 // Fraction of the shutter's opening, in [0, 1).
@@ -33,10 +31,10 @@ uint PlaceAmongTimes(const uint index)
 float ShutterTime(const SampleNumber number)
 {
   uint pixelSeed = Hash(timeSeed ^ Hash(number.pixel.x, number.pixel.y));
-  if (frame.timeStrataBits > 0u)
+  if (frame.timeStrata > 0u)
   {
     float at = float(TimeStratum(number.index)) + UnitInterval(Hash(pixelSeed, number.index));
-    return min(at / float(1u << frame.timeStrataBits), 0.99999994);
+    return min(at / float(frame.timeStrata), 0.99999994);
   }
   if (independentSamples)
   {

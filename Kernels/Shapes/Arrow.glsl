@@ -150,7 +150,9 @@ RTG_FN real3 ArrowNormal(const Glyph glyph, const LocalRay local, const ArrowHea
   }
   if (crossing.face == RTG_HEAD_CONE)
   {
-    normal = real3(head.slope.hi * sqrt(p.y * p.y + p.z * p.z), p.y, p.z);
+    // At the apex there is none.
+    real radius = sqrt(p.y * p.y + p.z * p.z);
+    normal = radius > real(0.0) ? real3(head.slope.hi * radius, p.y, p.z) : normal;
   }
   if (crossing.face == RTG_HEAD_BALL)
   {

@@ -43,7 +43,8 @@ RTG_FN real3 ConeNormal(const Glyph glyph, const LocalRay local, const Crossing 
     real3 p = PointAt(local, crossing.s);
     real radius = sqrt(p.y * p.y + p.z * p.z);
     real smallest = min(glyph.size.x, min(glyph.size.y, glyph.size.z));
-    normal = real3(real(0.5) * radius, p.y, p.z) * (real3(smallest) / glyph.size);
+    // At the apex there is none.
+    normal = radius > real(0.0) ? real3(real(0.5) * radius, p.y, p.z) * (real3(smallest) / glyph.size) : normal;
   }
   return normalize(RotateToWorld(glyph, normal));
 }

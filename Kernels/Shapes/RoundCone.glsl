@@ -257,6 +257,9 @@ RTG_FN real3 RoundConeNormal(const Glyph glyph, const RoundConeForm form, const 
   {
     normal = real3(Subtract(x, form.halfLength).hi, p.y, p.z);
   }
+  // A ball without radius is an apex, which has none.
+  normal =
+    dot(normal, normal) > real(0.0) ? normal : real3(p.x < real(0.0) ? real(-1.0) : real(1.0), real(0.0), real(0.0));
   return normalize(RotateToWorld(glyph, normal));
 }
 

@@ -1,4 +1,5 @@
 // What becomes of light: exposure, features, denoising; and settings that it cannot be traced with.
+#include "Denoiser.h"
 #include "LightFixture.h"
 #include "Shading/Shading.h"
 
@@ -132,6 +133,58 @@ TEST_F(LightTest, DenoisingBringsAnImageCloserToTheTruth)
       ASSERT_EQ(image.colour[i] >> 24, alphas[i] >> 24);
     }
   }
+}
+
+// One pixel that is no number leaves the others theirs.
+TEST(Denoising, SpreadsNoNaN)
+{
+  constexpr std::size_t pixels = 40 * 40;
+  std::vector<glm::vec4> means(pixels, glm::vec4(0.5f, 0.5f, 0.5f, 1.0f));
+  means[20 * 40 + 20] = glm::vec4(NAN, NAN, NAN, 1.0f);
+  const std::vector<glm::vec3> normals(pixels, glm::vec3(0, 0, 1)), albedos(pixels, glm::vec3(0.8f));
+  const std::vector<float> depths(pixels, 1.0f);
+  rtg::Denoise(means, { 40, 40, normals, albedos, depths });
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    EXPECT_TRUE(i == 20 * 40 + 20 || std::abs(means[i].r - 0.5f) < 1e-4f) << i;
+  }
+}
+
+// Pixels' middles, which the first samples go through, see the points of cones and sharp arrows, and the ends of round
+// ones.
+TEST_F(LightTest, ApexesHaveNormals)
+{
+  this->settings.width = this->settings.height = 64;
+  this->settings.shading = Shading::PathTracing;
+  this->settings.samples = 1;
+  const auto floor = this->Add(Shape::Box, { { 0, 0, -1 } }, { { 4.0f, 4.0f, 0.1f } }, White());
+  for (const Shape shape : { Shape::Cone, Shape::Arrow, Shape::RoundCone })
+  {
+    for (const float side : { 1.0f, -1.0f })
+    {
+      rtg::GlyphInstances instances;
+      instances.shape = shape;
+      instances.arrow.tipRounding = 0.0f;
+      instances.arrow.unitLength = 0.5f;
+      for (int i = 0; i < 49; ++i)
+      {
+        instances.centres.push_back(0.25f * glm::vec3(i / 7 - 3, i % 7 - 3, 0) + glm::vec3(0.015625f, 0.015625f, 0.0f));
+        instances.sizes3.emplace_back(shape == Shape::RoundCone ? glm::vec3(0.125f, 0.1875f, 0.0f) : glm::vec3(0.125f));
+        instances.rotations.emplace_back(side > 0.0f ? glm::vec4(0, 0, 0, 1) : glm::vec4(0, 0, 1, 0));
+      }
+      const auto id = this->scene.Add();
+      this->scene.SetInstances(id, instances);
+      this->camera = rtg::Camera::FromWorldToClip(glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) *
+        glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+      this->Trace(rtg::Pass::All);
+      for (const glm::vec4& mean : this->tracer.Means())
+      {
+        ASSERT_TRUE(std::isfinite(mean.r)) << "shape " << static_cast<int>(shape) << ", side " << side;
+      }
+      this->scene.Remove(id);
+    }
+  }
+  this->scene.Remove(floor);
 }
 
 TEST_F(LightTest, DenoisingNeedsWhatItIsGuidedBy)

@@ -239,6 +239,37 @@ TEST_F(MeshTest, NormalsHaveUnitLengthAtEveryScale)
   }
 }
 
+// Rounding may let rays meet triangles whose corners lie on a line.
+TEST_F(MeshTest, TrianglesWithoutAreaHaveNormals)
+{
+  const auto whole = [this](int most) { return float(int(this->random() % (2 * most + 1)) - most); };
+  rtg::TriangleMesh mesh;
+  for (glm::uint i = 0; i < 20000; ++i)
+  {
+    const glm::vec3 a = glm::vec3(whole(1024), whole(1024), whole(512)) / 1024.0f;
+    const glm::vec3 along = glm::vec3(whole(256), whole(256), whole(256)) / 2048.0f;
+    mesh.positions.insert(mesh.positions.end(), { a, a + along, a + 2.0f * along });
+    mesh.triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  rtg::GlyphInstances instances;
+  instances.shape = rtg::Shape::Mesh;
+  instances.mesh = Share(std::move(mesh));
+  instances.centres = { glm::vec3(0.0f) };
+  this->scene.SetInstances(this->scene.Add(), instances);
+  std::vector<rtg::Tracer::Probe> probes;
+  for (int i = 0; i < 150000; ++i)
+  {
+    probes.push_back({ glm::dvec3(this->Uniform(-0.9f, 0.9f), this->Uniform(-0.9f, 0.9f), 5.0), { 0.06f, 0.04f, -1 } });
+  }
+  int met = 0;
+  for (const rtg::Tracer::ProbeHit& hit : this->Probe(probes))
+  {
+    met += std::isfinite(hit.t);
+    EXPECT_TRUE(!std::isfinite(hit.t) || std::abs(glm::length(hit.normal) - 1.0f) < 1e-5f);
+  }
+  EXPECT_GT(met, 0);
+}
+
 TEST_F(MeshTest, ColoursOfPositionsAreInterpolated)
 {
   rtg::TriangleMesh mesh;

@@ -264,6 +264,39 @@ TEST_P(MotionTest, TimesAreStratified)
   EXPECT_LT(squares, 0.25 * variances);
 }
 
+// A streak is even, whatever the number of samples: its middle is that of the way.
+TEST_P(MotionTest, StreaksAreEvenForAnyNumberOfSamples)
+{
+  rtg::GlyphInstances instances;
+  instances.shape = rtg::Shape::Box;
+  instances.centres = { glm::vec3(-0.75f, 0.0f, 0.0f) };
+  instances.sizes3 = { glm::vec3(0.1f, 4.0f, 0.1f) };
+  instances.motion.velocities = { { 1.5f, 0.0f, 0.0f } };
+  instances.motion.shutterOpen = 0.0f;
+  instances.motion.shutterClose = 1.0f;
+  this->Add(instances);
+  for (const rtg::Shading shading : { rtg::Shading::Local, rtg::Shading::AmbientOcclusion })
+  {
+    this->settings.shading = shading;
+    for (const std::uint32_t samples : { 3u, 4u, 5u, 7u, 9u, 16u, 20u, 100u })
+    {
+      this->settings.samples = samples;
+      double sum = 0.0, weights = 0.0;
+      const std::vector<glm::vec4> means = this->Means();
+      for (std::uint32_t pixel = 0; pixel < means.size(); ++pixel)
+      {
+        const std::uint32_t width = this->settings.width;
+        sum += means[pixel].a * ((pixel % width + 0.5) / width * 2.0 - 1.0);
+        weights += means[pixel].a;
+      }
+      // Each row's pixels have times of their own: the mean of `samples` of them in a part each, or of independent
+      // ones.
+      const double deviation = 1.5 / std::sqrt(12.0 * samples * this->settings.height);
+      EXPECT_NEAR(sum / weights, 0.0, 5.0 * deviation) << samples << " samples, shading " << static_cast<int>(shading);
+    }
+  }
+}
+
 TEST_P(MotionTest, StreaksKeepTheColoursOfTheirGlyphs)
 {
   // Whatever else colours mean: thin parts of a streak are more transparent, not darker nor mixed with anything.

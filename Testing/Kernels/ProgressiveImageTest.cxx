@@ -473,6 +473,21 @@ TEST_F(ProgressiveImageTest, SomebodyStopsATraceAndItGoesOn)
   EXPECT_EQ(this->source.rays, 1.0);
 }
 
+// A capture keeps no sums: what it has begun is no beginning of an image of more samples.
+TEST_F(ProgressiveImageTest, AStoppedCaptureIsNotGoneOnWithForMoreSamples)
+{
+  this->source.secondsPerSample = 20.0;
+  ImageEffort capture = Script(4);
+  capture.exact = true;
+  ASSERT_NE(this->image.Update(this->source, this->view, capture, [](double) { return true; }), nullptr);
+  EXPECT_EQ(this->image.GetState(), State::Growing);
+  ImageEffort more = Script(8);
+  more.exact = false;
+  ASSERT_NE(this->Update(more), nullptr) << this->image.GetFailure().message;
+  EXPECT_EQ(this->image.GetState(), State::Finished);
+  EXPECT_EQ(this->image.GetImage().samples, 8u);
+}
+
 TEST_F(ProgressiveImageTest, GrowingImagesAreDenoisedAndFinishedOnesNotUnlessAlways)
 {
   ImageEffort effort = Script(8);
