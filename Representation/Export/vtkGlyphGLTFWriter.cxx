@@ -136,6 +136,20 @@ void AppendChunk(std::string& to, std::string chunk, std::uint32_t kind, char pa
   Append(to, kind);
   to += chunk;
 }
+
+// A file's name as a relative reference: all but what RFC 3986 calls unreserved is percent-encoded.
+std::string AsUri(const std::string& name)
+{
+  constexpr const char* digits = "0123456789ABCDEF";
+  std::string uri;
+  for (const unsigned char c : name)
+  {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' ||
+      c == '.' || c == '_' || c == '~';
+    uri += plain ? std::string(1, static_cast<char>(c)) : std::string{ '%', digits[c >> 4], digits[c & 15] };
+  }
+  return uri;
+}
 }
 
 //----------------------------------------------------------------------------
@@ -161,7 +175,7 @@ vtkGlyphGLTFWriter::Make(const std::vector<vtkGlyphExportSet>& sets, const std::
   Json buffer = { { "byteLength", document.Binary.size() } };
   if (!binaryName.empty())
   {
-    buffer["uri"] = binaryName;
+    buffer["uri"] = AsUri(binaryName);
   }
   document.All["buffers"] = Json::array({ std::move(buffer) });
   return { document.All.dump(), std::move(document.Binary) };

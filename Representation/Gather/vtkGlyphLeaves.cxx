@@ -121,6 +121,34 @@ bool ExtentOf(vtkDataSet* data, int extent[6])
   return false;
 }
 
+// The lowest indices of points of structured data with that extent whose cells are no ghosts.
+void FindOwn(vtkDataSet* data, const int extent[6], int lowest[3])
+{
+  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  int cells[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cells[axis] = std::max(1, extent[2 * axis + 1] - extent[2 * axis]);
+    lowest[axis] = ghosts ? extent[2 * axis + 1] : extent[2 * axis];
+  }
+  vtkIdType cell = 0;
+  for (int k = 0; ghosts && k < cells[2]; ++k)
+  {
+    for (int j = 0; j < cells[1]; ++j)
+    {
+      for (int i = 0; i < cells[0]; ++i, ++cell)
+      {
+        if ((ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) == 0)
+        {
+          lowest[0] = std::min(lowest[0], extent[0] + i);
+          lowest[1] = std::min(lowest[1], extent[2] + j);
+          lowest[2] = std::min(lowest[2], extent[4] + k);
+        }
+      }
+    }
+  }
+}
+
 // Whether cell i of vertices of one point each is that of point i.
 struct AreInOrder
 {
@@ -287,19 +315,21 @@ std::vector<vtkGlyphLeaves::Leaf> vtkGlyphLeaves::Find(vtkDataObject* input, boo
 
 //----------------------------------------------------------------------------
 // Neighboring pieces of a structured data set both have the points between them: they belong to the lower piece.
+// Ghosts, which filters that ask for them leave, mark those beyond, and not always these.
 void vtkGlyphLeaves::DropSharedFaces(Leaf& leaf, const int wholeExtent[6])
 {
   int extent[6];
-  if (leaf.CellIds || !ExtentOf(leaf.Data, extent) || leaf.Data->GetPointGhostArray())
+  if (leaf.CellIds || !ExtentOf(leaf.Data, extent))
   {
-    return; // no two pieces have the same cell, and ghosts already say whose points are
+    return; // no two pieces have the same cell
   }
   int first[3];
+  FindOwn(leaf.Data, extent, first);
   bool shared = false;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const bool inside = extent[2 * axis] > wholeExtent[2 * axis] && extent[2 * axis + 1] <= wholeExtent[2 * axis + 1];
-    first[axis] = extent[2 * axis] + (inside ? 1 : 0);
+    const bool inside = first[axis] > wholeExtent[2 * axis] && extent[2 * axis + 1] <= wholeExtent[2 * axis + 1];
+    first[axis] += inside ? 1 : 0;
     shared |= inside;
   }
   if (!shared)

@@ -13,7 +13,9 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRayTracedArrays.h"
 #include "vtkRayTracedParallel.h"
+#include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,33 +89,49 @@ std::vector<vtkGlyphStepVelocity::Entry> vtkGlyphStepVelocity::EntriesOf(vtkPoly
     read(ids, numbers);
   }
   std::vector<Entry> entries(count);
+  auto* blocks =
+    vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));
   vtkRayTracedParallel::ForChunks(count,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
         entries[i].Id = numbers[i];
+        entries[i].Block = blocks ? blocks->GetValue(i) : 0;
         entries[i].Point = i;
         points->GetPoint(i, entries[i].X);
       }
     });
-  const auto before = [](const Entry& a, const Entry& b) { return a.Id < b.Id; };
+  const auto before = [](const Entry& a, const Entry& b) { return a.Key() < b.Key(); };
   if (!std::is_sorted(entries.begin(), entries.end(), before))
   {
     std::sort(entries.begin(), entries.end(), before);
   }
-  // Who is who cannot be told of ids that occur more than once.
+  // Who is who cannot be told of ids that occur more than once in a block.
   std::size_t kept = 0;
-  for (std::size_t first = 0, last; first < entries.size(); first = last)
+  const auto endOf = [&](std::size_t first, const auto& key)
   {
-    last = first + 1;
-    while (last < entries.size() && entries[last].Id == entries[first].Id)
+    std::size_t last = first + 1;
+    while (last < entries.size() && key(entries[last]) == key(entries[first]))
     {
       ++last;
     }
-    if (last == first + 1 && rtg::IsFinite(entries[first].X))
+    return last;
+  };
+  for (std::size_t first = 0; first < entries.size();)
+  {
+    const std::size_t last = endOf(first, [](const Entry& entry) { return entry.Id; });
+    const bool unique = last == first + 1;
+    while (first < last)
     {
-      entries[kept++] = entries[first];
+      const std::size_t next = endOf(first, [](const Entry& entry) { return entry.Key(); });
+      if (next == first + 1 && rtg::IsFinite(entries[first].X))
+      {
+        entries[kept] = entries[first];
+        entries[kept].Block = unique ? 0 : entries[first].Block;
+        ++kept;
+      }
+      first = next;
     }
   }
   entries.resize(kept);
@@ -163,13 +181,13 @@ void vtkGlyphStepVelocity::Follow(vtkPolyData* points, double time)
   auto partner = this->Before.Entries.begin();
   for (const Entry& now : this->Now.Entries)
   {
-    partner =
-      std::find_if(partner, this->Before.Entries.end(), [&now](const Entry& before) { return before.Id >= now.Id; });
+    partner = std::find_if(
+      partner, this->Before.Entries.end(), [&now](const Entry& before) { return before.Key() >= now.Key(); });
     if (partner == this->Before.Entries.end())
     {
       break;
     }
-    if (partner->Id == now.Id)
+    if (partner->Key() == now.Key())
     {
       for (int c = 0; c < 3; ++c)
       {

@@ -20,6 +20,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkAlgorithm;
@@ -66,8 +67,11 @@ private:
   struct Entry
   {
     std::int64_t Id;
+    unsigned int Block; // of an id that several blocks have; else 0: points may go from block to block
     vtkIdType Point;
     double X[3];
+
+    std::pair<std::int64_t, unsigned int> Key() const { return { this->Id, this->Block }; }
   };
   struct Step
   {

@@ -129,6 +129,8 @@ void vtkRayTracedGlyphRepresentation::Deliver(vtkInformation* inInfo, bool lod)
   else
   {
     vtkPVView::SetPiece(inInfo, this, this->Meshes.GetPiece(), 0, 1);
+    // Cut by the plane between two ranks, points that lie in it would go to neither.
+    vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
     this->UpdateTensorRange(this->GetPoints());
     this->UpdateScaleGuess(this->GetPoints());
     this->CountPointsOfAllRanks(this->GetPoints());

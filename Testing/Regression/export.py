@@ -8,6 +8,7 @@ import os
 import re
 import struct
 import sys
+import urllib.parse
 
 import numpy
 import paraview.simple as pv
@@ -83,7 +84,7 @@ def from_gltf(path):
         assert struct.unpack("<I4s", data[20 + size:28 + size]) == (len(binary), b"BIN\0")
     else:
         text = data
-        binary = open(os.path.join(os.path.dirname(path), json.loads(text)["buffers"][0]["uri"]), "rb").read()
+        binary = open(os.path.join(os.path.dirname(path), urllib.parse.unquote(json.loads(text)["buffers"][0]["uri"])), "rb").read()
     root = json.loads(text)
     assert root["extensionsUsed"] == root["extensionsRequired"] == ["EXT_mesh_gpu_instancing"]
 
@@ -244,7 +245,7 @@ def check_case(name, properties, view, shown, checks):
     """Files, numbers and picture of one kind of glyphs."""
     shown.see_glyphs(properties)
     expected = session.capture(view, "export-%s" % name)
-    paths = {suffix: session.output("export-%s.%s" % (name.replace(" ", "-"), suffix)) for suffix in ("usda", "glb", "gltf")}
+    paths = {suffix: session.output("export %s #%%41.%s" % (name, suffix)) for suffix in ("usda", "glb", "gltf")}
     for suffix, path in paths.items():
         checks.no_message("%s, %s" % (name, suffix), export(path, view))
     usda, gltf, glb = from_usda(paths["usda"])[0], from_gltf(paths["gltf"]), from_gltf(paths["glb"])

@@ -5,6 +5,7 @@ Usage: pvpython step_velocity.py
 import numpy
 import paraview.simple as pv
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet
 
 import comparison
 import session
@@ -207,6 +208,26 @@ def kinds(failures, view):
         failures.append("without time: %s" % text.strip())
 
 
+def repeated(failures, view):
+    """Ids that begin anew in each block, as those of Point And Cell Ids do."""
+    def data(time):
+        blocks = vtkMultiBlockDataSet()
+        for block in range(2):
+            part = session.poly_data(numpy.array([[0.5 * time * (block + 1), 0.2 * i, block] for i in range(3)]), who=numpy.arange(3))
+            blocks.SetBlock(block, part)
+        blocks.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
+        return blocks
+
+    shown = Series(failures, "repeated ids", view, session.source(data(0.0)))
+    pv.Render(view)
+    session.replace_data(shown.shown.Input, data(1.0))
+    text = session.messages(lambda: pv.Render(view)).strip()
+    found = sorted(shown.delivered()[:, 2].tolist())
+    if not numpy.allclose(found, [0.5] * 3 + [1.0] * 3) or text:
+        failures.append("repeated ids: velocities %s; %s" % (found, text or "no message"))
+    shown.end()
+
+
 def main():
     """Runs all."""
     session.load()
@@ -215,6 +236,7 @@ def main():
     steps(failures, view)
     blur(failures, view)
     kinds(failures, view)
+    repeated(failures, view)
     session.finish(failures)
 
 
