@@ -22,9 +22,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace
 {
+// The largest length of the glyphs, or of the mesh that they are copies of.
+double LargestSize(const rtg::GlyphInstances& glyphs)
+{
+  const auto lengthOf = [](const auto& size)
+  {
+    const glm::dvec3 lengths(glm::abs(glm::dvec3(size)));
+    return std::max({ lengths.x, lengths.y, lengths.z });
+  };
+  const auto largestOf = [&](const auto& sizes)
+  {
+    return vtkRayTracedParallel::Largest(
+      static_cast<vtkIdType>(sizes.size()), [&](vtkIdType i) { return lengthOf(sizes[i]); });
+  };
+  double largest = std::max(largestOf(glyphs.sizes1), largestOf(glyphs.sizes3));
+  if (glyphs.sizes1.empty() && glyphs.sizes3.empty() && glyphs.Count() > 0)
+  {
+    largest = std::abs(glyphs.uniformSize);
+  }
+  return glyphs.mesh ? largest * largestOf(glyphs.mesh->positions) : largest;
+}
+
 vtkMTimeType TimeOf(vtkObject* object)
 {
   return object ? object->GetMTime() : 0;
@@ -303,6 +325,25 @@ void vtkRayTracedMapper::Report(const std::vector<std::string>& messages, std::v
 }
 
 //----------------------------------------------------------------------------
+// The kernels' numbers have single precision, and squares of lengths must be among them.
+void vtkRayTracedMapper::ReportSizes()
+{
+  constexpr double least = 1e-16, most = 1e18;
+  const rtg::GlyphInstances* built = this->GetInstances();
+  const double size = built ? LargestSize(*built) : 0.0;
+  std::vector<std::string> messages;
+  if (size > most || (size > 0.0 && size < least))
+  {
+    std::ostringstream message;
+    message << "The largest size is " << size << ", of which little or nothing can be shown: sizes may be from "
+            << least << " to " << most
+            << ". Change the unit of the data, for example with the scale of a Transform filter.";
+    messages.push_back(message.str());
+  }
+  this->Report(messages, this->ReportedSizes);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedMapper::Update(vtkActor* actor)
 {
   vtkPolyData* points = this->GetPoints();
@@ -329,6 +370,7 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
     this->BuildInstances(points, actor);
     ++this->InstanceBuilds;
     this->InstanceSeconds += watch.Lap();
+    this->ReportSizes();
     this->Built = std::make_unique<InstanceKey>(std::move(key));
   }
 

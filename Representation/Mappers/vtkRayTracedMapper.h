@@ -224,7 +224,7 @@ protected:
   std::uint64_t ColorBuilds = 0;
   double InstanceSeconds = 0.0, ColorSeconds = 0.0;
   vtkRayTracedParallel::Progress BuildProgress;
-  std::vector<std::string> ReportedInstances, ReportedColors;
+  std::vector<std::string> ReportedInstances, ReportedColors, ReportedSizes;
 
 private:
   vtkRayTracedMapper(const vtkRayTracedMapper&) = delete;
@@ -234,6 +234,7 @@ private:
   struct ColorKey;
 
   bool TakeValues(MappedColors& mapped, vtkIdType points);
+  void ReportSizes();
 
   vtkSmartPointer<vtkPolyData> Points;
   std::unique_ptr<InstanceKey> Built;

@@ -8,6 +8,7 @@ import math
 
 import numpy
 import paraview.simple as pv
+from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 import session
 from checks import Checks
@@ -21,6 +22,36 @@ STATES = ({"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "length"
 def counts(shown):
     """RenderStatistics without seconds."""
     return {name: value for name, value in session.statistics(shown).items() if "Seconds" not in name}
+
+
+def scales(checks):
+    """Lengths whose squares are no floats are told of, and no others, however far away something lies."""
+    random = numpy.random.default_rng(2)
+    places = random.uniform(-1.0, 1.0, (20, 3))
+    for scale, outlier in ((1e-20, 0.0), (1e-12, 0.0), (1.0, 1e30), (1e15, 0.0), (1e21, 0.0)):
+        points = scale * places
+        points[0] += outlier
+        data = session.poly_data(points)
+        cells = vtkCellArray()
+        cells.InsertNextCell(20, range(20))
+        data.SetLines(cells)
+        source = session.source(data)
+        for kind in ("Sphere", "Mesh", "Ray Traced Tubes", "Ray Traced Surface"):
+            if outlier and "Ray" in kind:
+                continue  # it is part of a line, or of a surface
+            view = session.view(64, 48)
+            shown = pv.Show(pv.Sphere(Radius=scale) if "Surface" in kind else source, view)
+            shown.SetRepresentationType(kind if "Ray" in kind else session.REPRESENTATION)
+            shown.SamplesPerPixel, shown.TubeRadius = 1, 0.05 * scale
+            if "Ray" not in kind:
+                shown.GlyphShape, shown.GlyphScaleFactor, shown.GlyphOrient = kind, 0.3 * scale, 0
+            session.look(view, (0.0, 0.0, 5.0 * scale))
+            text = session.messages(lambda: pv.Render(view))
+            if 1e-16 < scale < 1e18:
+                checks.no_message("%s, scale %g" % (kind, scale), text)
+            else:
+                checks.one_message("%s, scale %g" % (kind, scale), text, "largest size", "Transform")
+            pv.Delete(view)
 
 
 def main():
@@ -70,6 +101,7 @@ def main():
         pixels = session.capture(view, "extreme-values")
         checks.covered(state["GlyphShape"] + ", all properties as they were", pixels, 0.02)
         pv.Delete(view)
+    scales(checks)
     print(tried, "values")
     checks.true("only %d values were tried" % tried, tried > 150)
     checks.report()
