@@ -1,5 +1,6 @@
 #include "Denoiser.h"
 
+#include "Finite.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -48,11 +49,6 @@ struct Guide
   float depth;
 };
 
-bool IsFinite(const glm::vec4& mean)
-{
-  return std::isfinite(mean.r) && std::isfinite(mean.g) && std::isfinite(mean.b);
-}
-
 class Filter
 {
 public:
@@ -65,7 +61,7 @@ public:
     this->guides_.resize(guides.normals.size());
     for (std::size_t i = 0; i < this->guides_.size(); ++i)
     {
-      this->guides_[i] = { IsFinite(means[i]) ? guides.normals[i] : glm::vec3(0.0f), guides.viewDepths[i] };
+      this->guides_[i] = { IsFinite(glm::vec3(means[i])) ? guides.normals[i] : glm::vec3(0.0f), guides.viewDepths[i] };
     }
     this->ForRows([this](int y) { this->FindSlopes(y); });
   }
@@ -255,7 +251,7 @@ void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides)
   std::vector<Estimate> lights(means.size(), Estimate(0.0f));
   for (std::size_t i = 0; i < means.size(); ++i)
   {
-    if (means[i].a > 0.0f && IsFinite(means[i]))
+    if (means[i].a > 0.0f && IsFinite(glm::vec3(means[i])))
     {
       lights[i] = Estimate(glm::vec3(means[i]) / means[i].a / colourOf(i), 0.0f);
     }

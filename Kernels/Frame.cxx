@@ -1,11 +1,11 @@
 #include "Frame.h"
 
 #include "Shading/Shading.h"
+#include "Tiles.h"
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace rtg
@@ -219,11 +219,7 @@ void FillTimeStrata(device::FrameRecord& frame, const TraceSettings& settings)
   const bool asked = settings.shading == Shading::Local && !settings.independentSamples;
   const std::uint32_t planned = std::min(PlannedSamples(settings), most);
   frame.timeStrata = asked && planned > 1 ? planned : 0;
-  frame.timeStep = static_cast<std::uint32_t>(std::lround(goldenSection * planned));
-  while (frame.timeStep > 1 && std::gcd(frame.timeStep, planned) != 1)
-  {
-    --frame.timeStep;
-  }
+  frame.timeStep = CoprimeUpTo(static_cast<std::uint32_t>(std::lround(goldenSection * planned)), planned);
 }
 
 } // namespace rtg

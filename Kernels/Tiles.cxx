@@ -1,7 +1,6 @@
 #include "Tiles.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace rtg
 {
@@ -12,13 +11,8 @@ namespace
 // A number of tiles that has no common divisor with their count and whose multiples, of all tiles, fit into 32 bits.
 std::uint32_t StrideOf(std::uint32_t count)
 {
-  auto stride =
-    static_cast<std::uint32_t>(std::min<std::uint64_t>(count * 5ull / 13, 0xffffffffull / std::max(count, 1u)));
-  while (stride > 1 && std::gcd(stride, count) != 1)
-  {
-    --stride;
-  }
-  return std::max(stride, 1u);
+  const std::uint64_t most = std::min<std::uint64_t>(count * 5ull / 13, 0xffffffffull / std::max(count, 1u));
+  return CoprimeUpTo(static_cast<std::uint32_t>(most), count);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 namespace rtg
 {
@@ -16,6 +17,16 @@ constexpr std::uint32_t raysPerTile = tileSize * tileSize;
 constexpr std::uint32_t DivideUp(std::uint32_t value, std::uint32_t by)
 {
   return (value + by - 1) / by;
+}
+
+/// The largest number up to `most`, or else 1, that has no common divisor with `count`.
+constexpr std::uint32_t CoprimeUpTo(std::uint32_t most, std::uint32_t count)
+{
+  while (most > 1 && std::gcd(most, count) != 1)
+  {
+    --most;
+  }
+  return most > 1 ? most : 1;
 }
 
 /// How a launch of at least one tile is laid out: rows are full, but for less than a tile each. lavapipe gives every

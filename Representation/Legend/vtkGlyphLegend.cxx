@@ -19,7 +19,6 @@
 #include "vtkWindow.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -245,10 +244,10 @@ double vtkGlyphLegend::PixelsPerLength(vtkViewport* viewport) const
   // (vtkWindowToImageFilter).
   const int* whole = viewport->GetSize();
   const int* tiles = viewport->GetVTKWindow()->GetTileScale();
-  const std::array<double, 2> size{ { double(whole[0]) / tiles[0], double(whole[1]) / tiles[1] } };
+  const glm::dvec2 size = glm::dvec2(whole[0], whole[1]) / glm::dvec2(tiles[0], tiles[1]);
   if (camera->GetParallelProjection())
   {
-    return 0.5 * size[1] / camera->GetParallelScale();
+    return 0.5 * size.y / camera->GetParallelScale();
   }
   glm::dvec3 eye, axis, center;
   camera->GetPosition(&eye.x);
@@ -260,7 +259,7 @@ double vtkGlyphLegend::PixelsPerLength(vtkViewport* viewport) const
   }
   const double depth = glm::dot(center - eye, axis);
   const double halfAngle = 0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle());
-  const double side = camera->GetUseHorizontalViewAngle() ? size[0] : size[1];
+  const double side = camera->GetUseHorizontalViewAngle() ? size.x : size.y;
   return depth > 0.0 ? 0.5 * side / (depth * std::tan(halfAngle)) : 0.0;
 }
 

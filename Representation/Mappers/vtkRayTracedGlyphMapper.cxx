@@ -259,8 +259,7 @@ void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
     std::array<double, 4> rgba{ { 1.0, 1.0, 1.0, 1.0 } };
     if (mapped)
     {
-      std::transform(mapped->GetPointer(4 * i), mapped->GetPointer(4 * i) + 4, rgba.begin(),
-        [](unsigned char c) { return c / 255.0; });
+      ReadColor(mapped, i, rgba);
     }
     else
     {
@@ -373,7 +372,6 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   if (mapped || tensors || blockColors || selected)
   {
     colors.each.resize(this->Sources.size());
-    const int components = mapped ? mapped->GetNumberOfComponents() : 0;
     const vtkRayTracedArrayUnion::Holes holes = this->HolesOf(points);
     vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.each.size()),
       [&](vtkIdType begin, vtkIdType end)
@@ -382,14 +380,13 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
         {
           const vtkIdType point = this->Sources[glyph];
           std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
-          for (int c = 0; c < std::min(components, 4) && !holes(point); ++c)
+          if (mapped && !holes(point))
           {
-            rgba[c] = mapped->GetValue(point * components + c) / 255.0;
+            ReadColor(mapped, point, rgba);
           }
           if (table)
           {
-            std::transform(table->GetPointer(4 * glyph), table->GetPointer(4 * glyph) + 4, rgba.begin(),
-              [](unsigned char c) { return c / 255.0; });
+            ReadColor(table, glyph, rgba);
           }
           else if (tensors)
           {

@@ -180,6 +180,16 @@ std::uint32_t vtkRayTracedMapper::Pack(const std::array<double, 4>& rgba)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedMapper::ReadColor(vtkUnsignedCharArray* colors, vtkIdType tuple, std::array<double, 4>& rgba)
+{
+  const int components = colors->GetNumberOfComponents();
+  for (int c = 0; c < std::min(components, 4); ++c)
+  {
+    rgba[c] = colors->GetValue(tuple * components + c) / 255.0;
+  }
+}
+
+//----------------------------------------------------------------------------
 bool vtkRayTracedMapper::HasBlockColors(vtkPolyData* points) const
 {
   return BlocksOf(points) &&
@@ -256,10 +266,7 @@ bool vtkRayTracedMapper::TakeValues(MappedColors& mapped, vtkIdType points)
   const auto texel = [texels](vtkIdType i)
   {
     std::array<double, 4> rgba{ { 0.0, 0.0, 0.0, 1.0 } };
-    for (int c = 0; c < texels->GetNumberOfComponents(); ++c)
-    {
-      rgba[c] = texels->GetValue(i * texels->GetNumberOfComponents() + c) / 255.0;
-    }
+    ReadColor(texels, i, rgba);
     return Pack(rgba);
   };
   mapped.Table.resize(width + 2);
@@ -288,10 +295,9 @@ std::uint32_t
 vtkRayTracedMapper::ColorOf(const MappedColors& mapped, vtkPolyData* data, vtkIdType value, vtkIdType point) const
 {
   std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
-  const int components = mapped.Colors && !mapped.Holes(value) ? mapped.Colors->GetNumberOfComponents() : 0;
-  for (int c = 0; c < std::min(components, 4); ++c)
+  if (mapped.Colors && !mapped.Holes(value))
   {
-    rgba[c] = mapped.Colors->GetValue(value * components + c) / 255.0;
+    ReadColor(mapped.Colors, value, rgba);
   }
   if (mapped.Blocks)
   {

@@ -163,6 +163,11 @@ protected:
 
   static std::uint32_t Pack(const std::array<double, 4>& rgba);
 
+  /**
+   * A tuple of RGB or RGBA bytes; without an alpha that of `rgba` stays.
+   */
+  static void ReadColor(vtkUnsignedCharArray* colors, vtkIdType tuple, std::array<double, 4>& rgba);
+
   ///@{
   /**
    * Which points or cells are selected, null where none is; and the color of what is, with the opacity that a packed

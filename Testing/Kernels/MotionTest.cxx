@@ -6,6 +6,24 @@
 
 using namespace moving;
 
+namespace
+{
+
+// A box that is higher than the picture and moves along x from -0.75 on, in one unit of time.
+rtg::GlyphInstances MovingWall(float thickness, float way)
+{
+  rtg::GlyphInstances instances;
+  instances.shape = rtg::Shape::Box;
+  instances.centres = { glm::vec3(-0.75f, 0.0f, 0.0f) };
+  instances.sizes3 = { glm::vec3(thickness, 4.0f, thickness) };
+  instances.motion.velocities = { { way, 0.0f, 0.0f } };
+  instances.motion.shutterOpen = 0.0f;
+  instances.motion.shutterClose = 1.0f;
+  return instances;
+}
+
+} // namespace
+
 // Few programs a test: compiling one takes the device seconds.
 TEST_P(MotionTest, SpheresCoverAsTheirPathsSay)
 {
@@ -236,14 +254,7 @@ TEST_P(OneTimeAPath, LightGoesStraightFromTheSphereToTheSky)
 // An edge that moves: its error is much less than the variance of independent times.
 TEST_P(MotionTest, TimesAreStratified)
 {
-  rtg::GlyphInstances instances;
-  instances.shape = rtg::Shape::Box;
-  instances.centres = { glm::vec3(-0.75f, 0.0f, 0.0f) };
-  instances.sizes3 = { glm::vec3(0.5f, 4.0f, 0.5f) };
-  instances.motion.velocities = { { 1.0f, 0.0f, 0.0f } };
-  instances.motion.shutterOpen = 0.0f;
-  instances.motion.shutterClose = 1.0f;
-  this->Add(instances);
+  this->Add(MovingWall(0.5f, 1.0f));
   this->settings.samples = 16;
   const std::vector<glm::vec4> means = this->Means();
   double squares = 0.0, variances = 0.0;
@@ -267,14 +278,7 @@ TEST_P(MotionTest, TimesAreStratified)
 // A streak is even, whatever the number of samples: its middle is that of the way.
 TEST_P(MotionTest, StreaksAreEvenForAnyNumberOfSamples)
 {
-  rtg::GlyphInstances instances;
-  instances.shape = rtg::Shape::Box;
-  instances.centres = { glm::vec3(-0.75f, 0.0f, 0.0f) };
-  instances.sizes3 = { glm::vec3(0.1f, 4.0f, 0.1f) };
-  instances.motion.velocities = { { 1.5f, 0.0f, 0.0f } };
-  instances.motion.shutterOpen = 0.0f;
-  instances.motion.shutterClose = 1.0f;
-  this->Add(instances);
+  this->Add(MovingWall(0.1f, 1.5f));
   for (const rtg::Shading shading : { rtg::Shading::Local, rtg::Shading::AmbientOcclusion })
   {
     this->settings.shading = shading;

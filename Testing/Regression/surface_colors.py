@@ -28,6 +28,13 @@ def coarse_sphere():
     return session.source(data)
 
 
+def color_difference(ours, theirs):
+    """(share of the pixels that differ, levels by which each does) of those that both pictures cover."""
+    both = comparison.covered(ours) & comparison.covered(theirs)
+    apart = numpy.abs(ours.astype(int) - theirs.astype(int)).max(axis=2)[both]
+    return float((apart > comparison.LEVELS).mean()), apart
+
+
 def interpolation(checks):
     """Scalars are interpolated before they are mapped, or their colors are, as the property says; by default the scalars."""
     view = session.view(240, 180)
@@ -49,9 +56,7 @@ def interpolation(checks):
             name = "surface-colors-%s-%s" % (kind.split()[0].lower(), str(case).replace(", ", "-").replace(" ", "-"))
             pictures[kind, case] = session.capture(view, name)
         ours, theirs = pictures[SURFACE, case], pictures["Surface", case]
-        both = comparison.covered(ours) & comparison.covered(theirs)
-        apart = numpy.abs(ours.astype(int) - theirs.astype(int)).max(axis=2)[both]
-        share = float((apart > comparison.LEVELS).mean())
+        share, apart = color_difference(ours, theirs)
         what = "InterpolateScalarsBeforeMapping %s: %.2f%% of the covered pixels differ, at most by %d" % (case, 100 * share, apart.max())
         print(what)
         checks.true(what, share <= 0.01)
@@ -88,9 +93,7 @@ def ends_of_the_range(checks):
                 pictures.append(session.capture(view, "surface-colors-%s-%s-%s" % (what, case, kind.split()[0].lower())))
                 pv.Hide(source, view)
             theirs, ours = pictures
-            both = comparison.covered(ours) & comparison.covered(theirs)
-            apart = numpy.abs(ours.astype(int) - theirs.astype(int)).max(axis=2)[both]
-            share = float((apart > comparison.LEVELS).mean())
+            share, _ = color_difference(ours, theirs)
             text = "%s, %s range: %.2f%% of the covered pixels differ" % (what, case, 100 * share)
             print(text)
             checks.true(text, share <= 0.01)

@@ -69,6 +69,13 @@ def bars(view, table):
             and bar.Visibility]
 
 
+def hide_bars(view):
+    """No scalar bar of the view stays visible."""
+    for bar in view.Representations:
+        if hasattr(bar, "ComponentTitle"):
+            bar.Visibility = 0
+
+
 def centers(pixels):
     """Colors in the middle of the glyphs."""
     return [pixels[SIZE[1] // 2, round(SIZE[0] / 2 + x * SIZE[1] / 2 / SCALE), :3].astype(int) for x in POINTS[:, 0]]
@@ -96,9 +103,7 @@ def check(checks, stage, coloring, left):
         for bar in found:
             checks.equal(what + ": title of the scalar bar", (bar.Title + " " + bar.ComponentTitle).strip(), title)
             bar.Visibility = 0
-    for other in view.Representations:
-        if hasattr(other, "ComponentTitle"):
-            other.Visibility = 0
+    hide_bars(view)
     pixels = session.capture(view, "tensor-colors-" + what.replace(" ", "-").lower())
     if table is not None:
         mapping = table.GetClientSideObject()
@@ -129,9 +134,7 @@ def check_eigenvalues(checks, stage, others):
     what = "eigenvalues with %d others" % len(others)
     seen = [bar for bar in view.Representations if hasattr(bar, "ComponentTitle") and bar.Visibility and "Trace" in bar.Title]
     checks.equal(what + ": scalar bars of the trace", len(seen), 0)
-    for bar in view.Representations:
-        if hasattr(bar, "ComponentTitle"):
-            bar.Visibility = 0
+    hide_bars(view)
     largest = numpy.abs(numpy.concatenate([EIGENVALUES, others])).max(axis=1)
     shown.UpdatePropertyInformation()
     found = numpy.array(shown.GetPropertyValue("GlyphTensorRange"))
@@ -165,9 +168,7 @@ def check_opacities(checks, stage):
             shown.GlyphTensorLookupTable = table
             shown.ColorArrayName, shown.LookupTable = (["POINTS", "major"], table) if what == "array" else ([None, ""], None)
             pv.Render(view)
-            for bar in view.Representations:
-                if hasattr(bar, "ComponentTitle"):
-                    bar.Visibility = 0
+            hide_bars(view)
             pictures[what, mapping] = session.capture(view, "tensor-colors-opacity-%s-%d" % (what, mapping))
         checks.picture("opacities %d of an array and of eigenvalues" % mapping, pictures["numbers", mapping], pictures["array", mapping], pixels=0.0, mean=0.5)
     checks.true("opacity mapping shows nothing", numpy.abs(pictures["numbers", 1].astype(int) - pictures["numbers", 0]).max() > 50)
