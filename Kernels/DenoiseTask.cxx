@@ -16,7 +16,7 @@ namespace rtg
 std::vector<std::uint32_t> DenoiseTask::operator()()
 {
   Stopwatch watch;
-  const bool linear = this->settings_.shading == Shading::PathTracing;
+  const bool linear = IsLinear(this->settings_.shading);
   if (linear)
   {
     std::transform(
@@ -27,7 +27,7 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
 
   const bool develops = Develops(this->settings_);
   const float exposureFactor = std::exp2(this->settings_.exposure);
-  const bool filmic = this->settings_.toneMapping == ToneMapping::Filmic;
+  const auto toneMapping = static_cast<std::uint32_t>(this->settings_.toneMapping);
   std::vector<std::uint32_t> smooth(this->means_.size(), 0);
   for (std::size_t i = 0; i < smooth.size(); ++i)
   {
@@ -36,7 +36,7 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
     {
       const glm::vec3 colour = glm::vec3(mean) / mean.a;
       smooth[i] = glm::packUnorm4x8(
-        glm::vec4(develops ? shading::Develop(colour, linear, exposureFactor, filmic) : colour, mean.a));
+        glm::vec4(develops ? shading::Develop(colour, linear, exposureFactor, toneMapping) : colour, mean.a));
     }
   }
   this->shared_->denoiseSeconds += watch.Lap();

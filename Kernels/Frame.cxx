@@ -86,6 +86,7 @@ std::vector<device::LightRecord> MakeLights(const std::vector<Light>& lights, co
     record.attenuation = light.attenuation;
     record.cosCone = light.coneAngle < 90.0f ? std::cos(glm::radians(light.coneAngle)) : -2.0f;
     record.exponent = light.exponent;
+    record.spread = light.kind == Light::Kind::Directional ? 1.0f - std::cos(glm::radians(light.angularRadius)) : 0.0f;
     records.push_back(record);
   }
   return records;
@@ -115,6 +116,9 @@ void CheckSettings(const TraceSettings& settings)
   {
     check("the environment color", settings.environmentColour[i], 0.0f, 1e30f);
   }
+  check("the slope of the sky's light", glm::length(settings.skySlope), 0.0f, 1.0001f);
+  check("the lights' fraction", settings.lightFraction, 0.0f, 1.0f);
+  check("the albedo limit", settings.albedoLimit, 1e-3f, 1.0f);
   check("the exposure", settings.exposure, -100.0f, 100.0f);
   check("the number of shares", settings.shares, 1u, maxShares);
   check("the share", settings.share, 0u, settings.shares - 1u);
@@ -131,8 +135,7 @@ void CheckSettings(const TraceSettings& settings)
 
 bool Develops(const TraceSettings& settings)
 {
-  return settings.shading == Shading::PathTracing || settings.exposure != 0.0f ||
-    settings.toneMapping != ToneMapping::None;
+  return IsLinear(settings.shading) || settings.exposure != 0.0f || settings.toneMapping != ToneMapping::None;
 }
 
 void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
@@ -140,15 +143,16 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
   frame.width = settings.width;
   frame.height = settings.height;
   frame.pixelStep = settings.pixelStep;
-  frame.environment = settings.lightIntensity *
-    (settings.shading == Shading::PathTracing ? shading::DisplayToLinear(settings.environmentColour)
-                                              : settings.environmentColour);
+  frame.environment = settings.lightIntensity * shading::DisplayToLinear(settings.environmentColour);
+  frame.skySlope = settings.skySlope;
+  frame.lightFraction = settings.lightFraction;
+  frame.albedoLimit = settings.albedoLimit;
   frame.occlusionRadius = settings.occlusionRadius > 0.0f ? settings.occlusionRadius : 1e38f;
   frame.branches = Branches(settings);
   frame.maximumBounces = settings.maximumBounces;
   frame.develops = Develops(settings);
   frame.exposureFactor = std::exp2(settings.exposure);
-  frame.filmic = settings.toneMapping == ToneMapping::Filmic;
+  frame.toneMapping = static_cast<std::uint32_t>(settings.toneMapping);
 }
 
 // What local shading does not use does not tell its programs apart.

@@ -236,6 +236,7 @@ struct Light
   glm::vec3 attenuation{ 1, 0, 0 }; ///< constant, linear, quadratic
   float coneAngle = 180.0f;         ///< half angle in degrees; 90 or more: no spot
   float exponent = 1.0f;            ///< spot fall-off
+  float angularRadius = 0.0f;       ///< of Directional, in degrees, [0, 90]: path tracing gives its shadows soft edges
 
   bool operator==(const Light&) const = default;
 };

@@ -130,6 +130,7 @@ struct LightRecord
   vec3 attenuation;
   float cosCone; // cosine of the half angle; -2: no spot
   float exponent;
+  float spread; // 1 - cosine of the angular radius
 };
 
 struct ProbeRecord
@@ -265,7 +266,10 @@ struct FrameRecord
   uint probeCount;
   uint launchWidth;
   // Light
-  vec3 environment; // occlusion: factor of display colours; path tracing: linear radiance
+  vec3 environment;    // mean linear radiance
+  vec3 skySlope;       // in a direction d it is 1 + dot(d, skySlope) times that
+  float lightFraction; // occlusion: of the light on a surface, that of the view's lights
+  float albedoLimit;
   float occlusionRadius;
   uint branches; // of a sample at its first hit: occlusion rays or paths
   uint maximumBounces;
@@ -282,7 +286,7 @@ struct FrameRecord
   // Resolving
   uint develops; // colours change on their way to the display
   float exposureFactor;
-  uint filmic;
+  uint toneMapping; // rtg::ToneMapping
   // What all lanes of a CPU device load at once: sets.at[0] again when there is no other set, and few lights.
   LightRecord fewLights[FEW_LIGHTS];
   GlyphSetRecord onlySet; // last: behind it C++ has padding that the device has not

@@ -56,8 +56,9 @@ enum class Shading : std::uint32_t
 
 enum class ToneMapping : std::uint32_t
 {
-  None = 0,  ///< light beyond 1 is cut off
-  Filmic = 1 ///< a fit of the ACES curve
+  None = 0,   ///< light beyond 1 is cut off
+  Filmic = 1, ///< a fit of the ACES curve
+  Neutral = 2 ///< light beyond 0.9 is compressed, hues stay
 };
 
 struct TraceSettings
@@ -74,9 +75,18 @@ struct TraceSettings
   bool overPreview = false;
 
   Shading shading = Shading::Local;
-  /// Light from all around, of ambient occlusion and path tracing: a display colour and its strength, >= 0.
+  /// Light from all around (the sky), of ambient occlusion and path tracing: a display colour and its strength, >= 0.
   glm::vec3 environmentColour{ 1.0f };
   float lightIntensity = 1.0f;
+  /// The sky's radiance in a unit direction d is 1 + skySlope . d times that: its mean stays. Length in [0, 1]; zero:
+  /// the same from everywhere.
+  glm::vec3 skySlope{ 0.0f };
+  /// Ambient occlusion: the fraction of the light on a surface that is the view's lights, which nothing occludes; the
+  /// rest is the sky's. In [0, 1].
+  float lightFraction = 0.0f;
+  /// Surfaces whose color is their material's reflect at most this fraction of the light, in (0, 1]; 1: no limit.
+  /// Colors of glyphs and triangles stay.
+  float albedoLimit = 1.0f;
   /// Path tracing: the light from all around is this image's, times environmentColour and lightIntensity; null: it is
   /// the same from everywhere. Not to be changed afterwards: another image is another object.
   std::shared_ptr<const EnvironmentImage> environmentImage;
@@ -152,7 +162,7 @@ public:
   /// Goes on with the last image, which was interrupted, of the same scene.
   Image Resume(Scene& scene, const Interrupt& interrupt = {});
 
-  /// Mean linear radiance (or display colour, unless path-traced) times opacity, and opacity, of each pixel of the last
+  /// Mean linear radiance (of local shading: display color) times opacity, and opacity, of each pixel of the last
   /// image as sums left them, before any clipping: for error measurements. Needs keepSums.
   std::vector<glm::vec4> Means() const;
 

@@ -121,8 +121,7 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   {
     float samples = float(frame.firstSample + frame.samples);
     vec3 mean = pixel.colour.rgb / pixel.colour.a;
-    vec3 shown =
-      linear || frame.develops != 0u ? Develop(mean, linear, frame.exposureFactor, frame.filmic != 0u) : mean;
+    vec3 shown = linear || frame.develops != 0u ? Develop(mean, linear, frame.exposureFactor, frame.toneMapping) : mean;
     packedColour = packUnorm4x8(vec4(shown, pixel.colour.a / samples));
   }
   float windowDepth = 1.0;

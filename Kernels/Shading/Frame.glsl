@@ -23,18 +23,35 @@ RTG_SHADING_FN vec3 FromFrame(vec3 to, vec3 x, vec3 y, vec3 z)
   return normalize(to.x * x + to.y * y + to.z * z);
 }
 
-// The unit vector, z > 0, that uniform numbers in [0,1)^2 choose with density z / pi: a point of the disc, lifted to
-// the hemisphere (Malley's method). Squares about the middle become circles, so that cells of the square stay compact:
-// Shirley and Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics Tools 2(3), 1997.
-RTG_SHADING_FN vec3 CosineDirection(vec2 u)
+// Radius and angle of the point of the unit disc that uniform numbers in [0,1)^2 choose evenly. Squares about the
+// middle become circles, so that cells of the square stay compact: Shirley and Chiu, "A Low Distortion Map Between Disk
+// and Square", Journal of Graphics Tools 2(3), 1997.
+RTG_SHADING_FN vec2 DiscPoint(vec2 u)
 {
   const float eighth = 0.78539816339744831f; // of a turn
   float a = 2.0f * u.x - 1.0f;
   float b = 2.0f * u.y - 1.0f;
   bool beside = abs(a) > abs(b);
-  float radius = beside ? a : b;
-  float angle = beside ? eighth * (b / a) : b == 0.0f ? 0.0f : 2.0f * eighth - eighth * (a / b);
-  return vec3(radius * cos(angle), radius * sin(angle), max(sqrt(max(1.0f - radius * radius, 0.0f)), 1e-6f));
+  return vec2(beside ? a : b, beside ? eighth * (b / a) : b == 0.0f ? 0.0f : 2.0f * eighth - eighth * (a / b));
+}
+
+// The unit vector, z > 0, that uniform numbers in [0,1)^2 choose with density z / pi: a point of the disc, lifted to
+// the hemisphere (Malley's method).
+RTG_SHADING_FN vec3 CosineDirection(vec2 u)
+{
+  vec2 at = DiscPoint(u);
+  return vec3(at.x * cos(at.y), at.x * sin(at.y), max(sqrt(max(1.0f - at.x * at.x, 0.0f)), 1e-6f));
+}
+
+// The unit vector that they choose evenly about the unit vector `axis`, at cosines to it from 1 - spread to 1.
+RTG_SHADING_FN vec3 ConeDirection(vec2 u, vec3 axis, float spread)
+{
+  vec2 at = DiscPoint(u);
+  float height = spread * at.x * at.x; // 1 - cosine
+  float sine = at.x * sqrt(spread * (2.0f - height));
+  vec3 x, y;
+  Tangents(axis, x, y);
+  return FromFrame(vec3(sine * cos(at.y), sine * sin(at.y), 1.0f - height), x, y, axis);
 }
 
 #endif

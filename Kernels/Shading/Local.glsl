@@ -2,12 +2,18 @@
 // vtkOpenGLPolyDataMapper::ReplaceShaderLight), so that glyphs look like the surfaces beside them.
 #include "Lights.glsl"
 
-// Colour of a hit. `position` is relative to the scene's origin, `direction` the ray's.
-vec3 ShadeLocal(const SurfaceHit hit, const vec3 position, const vec3 direction)
+// The material's ambient term.
+vec3 AmbientOf(const SurfaceHit hit)
+{
+  GlyphSetRecord set = SetRecord(hit.record);
+  return set.ambient * (set.coloured != 0u ? hit.colour.rgb : set.ambientColour);
+}
+
+// Colour of a hit, added to its ambient term. `position` is relative to the scene's origin, `direction` the ray's.
+vec3 ShadeLocal(const SurfaceHit hit, const vec3 position, const vec3 direction, const vec3 ambient)
 {
   GlyphSetRecord set = SetRecord(hit.record);
   vec3 base = hit.colour.rgb;
-  vec3 ambient = set.ambient * (set.coloured != 0u ? base : set.ambientColour);
   if (set.lighting == 0u)
   {
     return clamp(ambient + set.diffuse * base, 0.0, 1.0);

@@ -23,13 +23,29 @@ RTG_SHADING_FN vec3 Filmic(vec3 light)
   return clamp(light * (2.51f * light + 0.03f) / (light * (2.43f * light + 0.59f) + 0.14f), vec3(0.0f), vec3(1.0f));
 }
 
-// Display colour of a pixel's mean colour, which is light (`linear`) or a display colour already.
-RTG_SHADING_FN vec3 Develop(vec3 mean, bool linear, float exposureFactor, bool filmic)
+// Keeps light up to 0.9 and hues: all channels are scaled by what brings the largest below 1. The curve is that of
+// "Khronos PBR Neutral Tone Mapper" (Khronos Group, 2024), without its offset for a dielectric's reflection and its
+// turn towards white, which both change the colors of color tables (Testing/Benchmarks/tone_mapping.py).
+RTG_SHADING_FN vec3 Neutral(vec3 light)
+{
+  const float start = 0.9f;
+  float peak = max(light.x, max(light.y, light.z));
+  float shown = 1.0f - (1.0f - start) * (1.0f - start) / (peak + 1.0f - 2.0f * start);
+  return peak > start ? light * (shown / peak) : light;
+}
+
+// Display color of a pixel's mean color, which is light (`linear`) or a display color already. `toneMapping`:
+// rtg::ToneMapping.
+RTG_SHADING_FN vec3 Develop(vec3 mean, bool linear, float exposureFactor, uint toneMapping)
 {
   vec3 light = (linear ? mean : DisplayToLinear(mean)) * exposureFactor;
-  if (filmic)
+  if (toneMapping == 1u)
   {
     light = Filmic(light);
+  }
+  else if (toneMapping == 2u)
+  {
+    light = Neutral(light);
   }
   return LinearToDisplay(clamp(light, vec3(0.0f), vec3(1.0f)));
 }

@@ -62,6 +62,7 @@ public:
   void SetAmbientOcclusionRays(int rays) { this->Image.AmbientOcclusionRays = rays; }
   void SetPathsPerSample(int paths) { this->Image.PathsPerSample = paths; }
   void SetMaximumBounces(int bounces) { this->Image.MaximumBounces = bounces; }
+  void SetIllumination(int kind) { this->Image.Illumination = kind; }
   void SetLightIntensity(double intensity) { this->Image.LightIntensity = intensity; }
   void SetEnvironmentColor(double red, double green, double blue)
   {

@@ -1,5 +1,7 @@
 #include "vtkRayTracedImageRequest.h"
 
+#include "vtkRayTracedStudioLight.h"
+
 #include <algorithm>
 
 namespace
@@ -28,7 +30,14 @@ rtg::TraceSettings ToTraceSettings(const vtkRayTracedImageSettings& from)
     settings.environmentColour =
       glm::vec3(from.EnvironmentColor[0], from.EnvironmentColor[1], from.EnvironmentColor[2]);
   }
-  settings.toneMapping = static_cast<rtg::ToneMapping>(from.ToneMapping);
+  if (from.ToneMapping != vtkRayTracedImageSettings::AutomaticToneMapping)
+  {
+    settings.toneMapping = static_cast<rtg::ToneMapping>(from.ToneMapping);
+  }
+  else if (settings.shading != rtg::Shading::Local)
+  {
+    settings.toneMapping = rtg::ToneMapping::Neutral;
+  }
   settings.exposure = static_cast<float>(from.Exposure);
   return settings;
 }
@@ -51,6 +60,11 @@ rtg::ImageView vtkRayTracedImageRequest::ViewOf(const vtkRayTracedImageSettings&
   {
     environment = vtkRayTracedRendererState::EnvironmentOf(renderer, environment);
     view.settings.environmentImage = environment.Image;
+  }
+  const bool lit = view.settings.shading == rtg::Shading::AmbientOcclusion || surrounded;
+  if (lit && settings.Illumination == vtkRayTracedImageSettings::StudioLight && !view.settings.environmentImage)
+  {
+    vtkRayTracedStudioLight::Apply(view, renderer);
   }
   return view;
 }

@@ -14,9 +14,10 @@ vtkRayTracedImageSettings vtkRayTracedImageSettings::InRange() const
   PutInRange(s.AmbientOcclusionRays, 1, 64);
   PutInRange(s.PathsPerSample, 1, 64);
   PutInRange(s.MaximumBounces, 1, 1000);
+  PutInRange(s.Illumination, StudioLight, UniformLight);
   PutInRange(s.LightIntensity, 0.0, 1e6, standard.LightIntensity);
   s.EnvironmentColor = ColorInRange(s.EnvironmentColor[0], s.EnvironmentColor[1], s.EnvironmentColor[2]);
-  PutInRange(s.ToneMapping, 0, 1);
+  PutInRange(s.ToneMapping, 0, AutomaticToneMapping);
   PutInRange(s.Exposure, -100.0, 100.0, standard.Exposure);
   PutInRange(s.Denoising, 0, 2);
   PutInRange(s.SamplesPerPixel, 1, 65536);

@@ -9,14 +9,17 @@
 
 struct vtkRayTracedImageSettings
 {
-  int ShadingMode = 0;                                     // as rtg::Shading, in [0, 2]
-  double AmbientOcclusionRadius = 0.0;                     // world units, >= 0; 0: unbounded
-  int AmbientOcclusionRays = 8;                            // a sample, in [1, 64]
-  int PathsPerSample = 4;                                  // in [1, 64]
-  int MaximumBounces = 10;                                 // of path tracing, in [1, 1000]
+  int ShadingMode = 0;                 // as rtg::Shading, in [0, 2]
+  double AmbientOcclusionRadius = 0.0; // world units, >= 0; 0: unbounded
+  int AmbientOcclusionRays = 8;        // a sample, in [1, 64]
+  int PathsPerSample = 4;              // in [1, 64]
+  int MaximumBounces = 10;             // of path tracing, in [1, 1000]
+  int Illumination = 0;                // where the light from all around comes from
+  static constexpr int StudioLight = 0, UniformLight = 1;
   double LightIntensity = 1.0;                             // in [0, 1e6]
   std::array<double, 3> EnvironmentColor{ 1.0, 1.0, 1.0 }; // in [0, 1]
-  int ToneMapping = 0;                                     // as rtg::ToneMapping, in [0, 1]
+  int ToneMapping = 3;                                     // as rtg::ToneMapping, or
+  static constexpr int AutomaticToneMapping = 3;           // Neutral where the image is light
   double Exposure = 0.0;                                   // stops, in [-100, 100]
   int Denoising = 1;                                       // as rtg::Denoising, in [0, 2]
   int SamplesPerPixel = 16;                                // of a finished image, in [1, 65536]

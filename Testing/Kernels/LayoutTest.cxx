@@ -114,7 +114,7 @@ TEST(LayoutTest, HostAndDeviceAgree)
   RTG_EXPECT(FrameRecord, width);
   RTG_EXPECT(FrameRecord, environment);
   RTG_EXPECT(FrameRecord, environmentTexels);
-  RTG_EXPECT(FrameRecord, filmic);
+  RTG_EXPECT(FrameRecord, toneMapping);
   RTG_EXPECT(FrameRecord, fewLights);
   RTG_EXPECT(FrameRecord, onlySet);
 #undef RTG_EXPECT

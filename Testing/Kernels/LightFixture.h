@@ -31,15 +31,6 @@ inline rtg::Material White()
   return rtg::Material();
 }
 
-// What is unlit local shading: white, so that occlusion alone is seen.
-inline rtg::Material Flat()
-{
-  rtg::Material material;
-  material.ambient = 1.0f;
-  material.diffuse = 0.0f;
-  return material;
-}
-
 // Random places in a cube of half-width 0.8.
 inline std::vector<glm::vec3> Clutter(unsigned seed, std::size_t count)
 {

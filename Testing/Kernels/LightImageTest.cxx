@@ -34,6 +34,9 @@ TEST_F(LightTest, BadSettingsAreNamed)
   fails("paths", [](auto& s) { s.paths = 0; });
   fails("paths", [](auto& s) { s.paths = 65; });
   fails("bounces", [](auto& s) { s.maximumBounces = 0; });
+  fails("slope of the sky", [](auto& s) { s.skySlope = glm::vec3(1.0f); });
+  fails("fraction", [](auto& s) { s.lightFraction = 1.5f; });
+  fails("albedo", [](auto& s) { s.albedoLimit = 0.0f; });
   fails("intensity", [](auto& s) { s.lightIntensity = -0.5f; });
   fails("environment color", [](auto& s) { s.environmentColour.g = NAN; });
   fails("exposure", [](auto& s) { s.exposure = INFINITY; });
@@ -62,6 +65,11 @@ TEST_F(LightTest, ExposureAndToneMappingDevelopTheImage)
     const double x = 0.21404;
     const double filmic = x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
     EXPECT_NEAR(shown(), 255.0 * (1.055 * std::pow(filmic, 1.0 / 2.4) - 0.055), 1.0);
+    // Neutral leaves it, and brings what is twice as bright as white to 1 - 0.01 / 1.2.
+    this->settings.toneMapping = rtg::ToneMapping::Neutral;
+    EXPECT_NEAR(shown(), 128, 1);
+    this->settings.exposure = static_cast<float>(std::log2(2.0 / x));
+    EXPECT_NEAR(shown(), 255.0 * (1.055 * std::pow(1.0 - 0.01 / 1.2, 1.0 / 2.4) - 0.055), 1.0);
   }
 }
 
@@ -83,8 +91,8 @@ TEST_F(LightTest, DenoisingBringsAnImageCloserToTheTruth)
 {
   // A sphere on a floor, darkened where they meet.
   this->camera = LookFrom({ 0, -5, 4 }, { 0, 0, 0.3 }, 1.5);
-  const auto ball = this->Add(Shape::Sphere, { { 0, 0, 0.5 } }, { glm::vec3(1.0f) }, Flat());
-  const auto floor = this->Add(Shape::Box, { { 0, 0, -0.5 } }, { { 20, 20, 1 } }, Flat());
+  const auto ball = this->Add(Shape::Sphere, { { 0, 0, 0.5 } }, { glm::vec3(1.0f) }, White());
+  const auto floor = this->Add(Shape::Box, { { 0, 0, -0.5 } }, { { 20, 20, 1 } }, White());
   rtg::Material grey;
   grey.colour = glm::vec3(0.7f);
   this->settings.width = this->settings.height = 48;
@@ -108,10 +116,7 @@ TEST_F(LightTest, DenoisingBringsAnImageCloserToTheTruth)
       for (std::size_t i = 0; i < truth.size(); ++i)
       {
         glm::vec3 wanted = glm::vec3(truth[i]) / std::max(truth[i].a, 1e-6f);
-        if (shading == Shading::PathTracing)
-        {
-          wanted = rtg::shading::LinearToDisplay(glm::clamp(wanted, 0.0f, 1.0f));
-        }
+        wanted = rtg::shading::LinearToDisplay(glm::clamp(wanted, 0.0f, 1.0f));
         const glm::vec3 apart = glm::vec3(glm::unpackUnorm4x8(image.colour[i])) - wanted;
         sum += glm::dot(apart, apart);
       }

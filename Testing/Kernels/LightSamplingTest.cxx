@@ -10,7 +10,7 @@ using namespace light;
 // Where occluders are large in view, scrambled nets err less than independent samples, each pixel on its own.
 TEST_F(LightTest, NetsErrLessThanIndependentSamples)
 {
-  this->LookUnderALid(Flat());
+  this->LookUnderALid(White());
   this->settings.shading = Shading::AmbientOcclusion;
   this->settings.samples = 256;
   this->Trace();
@@ -26,7 +26,7 @@ TEST_F(LightTest, NetsErrLessThanIndependentSamples)
 // together are nets.
 TEST_F(LightTest, SeveralOcclusionRaysASample)
 {
-  this->LookUnderALid(Flat());
+  this->LookUnderALid(White());
   this->settings.shading = Shading::AmbientOcclusion;
   this->settings.occlusionRays = 64;
   const auto errors = [this](bool independent, std::uint32_t samples)
@@ -83,7 +83,7 @@ TEST_F(LightTest, PlacesInAPixelAreANet)
   {
     centres.emplace_back(-1.0f + (column + 0.125f) / 12.0f, 0.0f, 0.0f);
   }
-  this->Add(Shape::Box, centres, std::vector<glm::vec3>(24, glm::vec3(0.25f / 12.0f, 10.0f, 0.1f)), Flat());
+  this->Add(Shape::Box, centres, std::vector<glm::vec3>(24, glm::vec3(0.25f / 12.0f, 10.0f, 0.1f)), White());
   this->settings.independentSamples = false;
   this->settings.shading = Shading::AmbientOcclusion;
   this->settings.occlusionRadius = 1e-6f;

@@ -334,10 +334,6 @@ TEST_F(MeshTest, ConvexBodiesWithSmoothNormalsDoNotShadeThemselves)
 {
   const rtg::Camera camera = rtg::Camera::FromWorldToClip(
     glm::ortho(-0.6, 0.6, -0.6, 0.6, 1.0, 9.0) * glm::lookAt(glm::dvec3(3, 1, 4), glm::dvec3(0), glm::dvec3(0, 1, 0)));
-  rtg::Material material;
-  material.lighting = true;
-  material.ambient = 1.0f;
-  material.diffuse = 0.0f;
   for (const bool moves : { false, true })
   {
     for (const int segments : { 8, 16, 32 })
@@ -352,7 +348,6 @@ TEST_F(MeshTest, ConvexBodiesWithSmoothNormalsDoNotShadeThemselves)
       }
       const auto id = this->scene.Add();
       this->scene.SetInstances(id, instances);
-      this->scene.SetMaterial(id, material);
       this->scene.Commit();
       rtg::TraceSettings settings;
       settings.width = settings.height = 60;
@@ -360,11 +355,6 @@ TEST_F(MeshTest, ConvexBodiesWithSmoothNormalsDoNotShadeThemselves)
       settings.keepSums = true;
       for (const rtg::Shading shading : { rtg::Shading::AmbientOcclusion, rtg::Shading::PathTracing })
       {
-        // All of the light is reflected, or the body shines by itself as far as light reaches it.
-        material.ambient = shading == rtg::Shading::PathTracing ? 0.0f : 1.0f;
-        material.diffuse = 1.0f - material.ambient;
-        this->scene.SetMaterial(id, material);
-        this->scene.Commit();
         settings.shading = shading;
         this->tracer.Trace(this->scene, camera, {}, settings);
         double light = 0.0, covered = 0.0, least = 1.0;

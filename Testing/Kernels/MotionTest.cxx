@@ -224,11 +224,8 @@ protected:
 
 TEST_P(OneTimeAPath, NothingHidesTheSphereFromTheSky)
 {
-  // It gives off its colour, so that every sample that hits is white or, if occluded, black.
-  rtg::Material material;
-  material.diffuse = 0.0f;
-  material.ambient = 1.0f;
-  this->Add(material);
+  // It is white, so that every sample that hits is as bright as the sky or, if occluded, darker.
+  this->Add(rtg::Material());
   this->settings.shading = rtg::Shading::AmbientOcclusion;
   int covered = 0;
   for (const glm::vec4& mean : this->Means())

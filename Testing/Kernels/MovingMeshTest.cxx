@@ -289,12 +289,7 @@ TEST_P(MovingMesh, NothingHidesItFromTheSky)
 {
   // Convex, so that only rays of another time would meet it.
   const GrowingBox box;
-  const auto id = this->Add(box.Instances());
-  rtg::Material material;
-  material.diffuse = 0.0f;
-  material.ambient = 1.0f;
-  this->scene.SetMaterial(id, material);
-  this->scene.Commit();
+  this->Add(box.Instances());
   this->settings.samples = 16;
   this->settings.shading = rtg::Shading::AmbientOcclusion;
   int covered = 0;

@@ -114,12 +114,13 @@ protected:
     return colours;
   }
 
-  // Largest difference of a channel, of pixels wholly inside in both, and the number of those.
+  // Largest difference of a channel, of pixels wholly inside in both, its mean, and the numbers of those that differ
+  // and of all.
   struct Difference
   {
     int largest = 0;
     double mean = 0.0;
-    std::size_t pixels = 0;
+    std::size_t differing = 0, pixels = 0;
   };
   static Difference Between(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b)
   {
@@ -131,6 +132,7 @@ protected:
         ++difference.pixels;
         const int apart = std::abs(int(a[i] & 255) - int(b[i] & 255));
         difference.largest = std::max(difference.largest, apart);
+        difference.differing += apart > 0;
         difference.mean += apart;
       }
     }
@@ -352,7 +354,8 @@ TEST_P(NeighborsTest, OcclusionOfSurfacesIsThatOfOneProcess)
     EXPECT_GT(difference.pixels, side * side / 5);
     if (reach > 0.0)
     {
-      EXPECT_LT(difference.mean, 0.02);
+      // Where an edge of one process lies before something of the other the nearer one's samples are the whole pixel.
+      EXPECT_LE(difference.differing, 5u);
     }
     else
     {

@@ -121,7 +121,7 @@ TEST_P(TranslucencyTest, BoxesAreMetByChance)
   this->settings.keepSums = true;
   this->settings.samples = 16;
   const double rays = 24.0 * 24.0 * 16.0;
-  const auto floor = this->Add(Shape::Box, { { 0, -1.0f, 0 } }, { { 1000.0f, 0.1f, 1000.0f } }, Flat());
+  const auto floor = this->Add(Shape::Box, { { 0, -1.0f, 0 } }, { { 1000.0f, 0.1f, 1000.0f } }, White());
   for (const Shape shape : { Shape::Box, Shape::Mesh })
   {
     rtg::GlyphInstances instances;

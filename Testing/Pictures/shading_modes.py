@@ -1,6 +1,6 @@
 """Local shading beside ambient occlusion beside path tracing: the simulation's grains and molecules, arrows in a vessel.
 
-As in Figures 1 to 3 and 6 of Zellmann, Aumueller, Marshak and Wald, EGPGV 2020, with data of our own.
+As in Figures 1 to 3 and 6 of Zellmann, Aumueller, Marshak and Wald, EGPGV 2020, with data of our own and nothing but ShadingMode set.
 Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython shading_modes.py DATA-FOLDER OUTPUT-FOLDER [SAMPLES [WIDTH HEIGHT [NAME...]]]
 NAME: spheres, ellipsoids, vessel; all
 """
@@ -16,9 +16,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 import simulation
 
-#: light from all around, so that all pictures are about as bright; of itself light that is scattered from wall to wall adds up
-INTENSITIES = {"Local": 1.0, "Ambient Occlusion": 1.3, "Path Tracing": 0.7}
-MODES = tuple(INTENSITIES)
+MODES = ("Local", "Ambient Occlusion", "Path Tracing")
 
 
 def vessel(impact, view):
@@ -67,9 +65,9 @@ def main():
     impact, nematic = simulation.simulations(data)
     samples = int(sys.argv[3]) if len(sys.argv) > 3 else 64
     size = [int(value) for value in sys.argv[4:6]] or [460, 400]
-    for name, source, draw, time, reach in (("spheres", impact, simulation.spheres, 0.8, 6.0),
-                                            ("ellipsoids", nematic, simulation.ellipsoids, nematic.TimestepValues[-1], 0.0),
-                                            ("vessel", impact, vessel, 0.8, 8.0)):
+    for name, source, draw, time in (("spheres", impact, simulation.spheres, 0.8),
+                                     ("ellipsoids", nematic, simulation.ellipsoids, nematic.TimestepValues[-1]),
+                                     ("vessel", impact, vessel, 0.8)):
         if name not in (sys.argv[6:] or name):
             continue
         view = simulation.new_view(size)
@@ -83,8 +81,6 @@ def main():
             for shown in view.Representations:
                 if hasattr(shown, "ShadingMode"):
                     shown.ShadingMode, shown.SamplesPerPixel = mode, samples
-                    shown.LightIntensity, shown.AmbientOcclusionRadius = INTENSITIES[mode], reach
-                    shown.Denoising = "Always"
             path = os.path.join(folder, "%s-%s.png" % (name, mode.split()[0].lower()))
             pv.SaveScreenshot(path, view, ImageResolution=size)
             row.append(pixels_of(path))

@@ -15,7 +15,7 @@ import glyph_legend
 import session
 from checks import Checks, information
 from property_claims import (GLYPHS, LEFT, LEVEL, SCENES, SIDE, SURFACE, TUBES, WHITE, Bench, Change, area, as_3d_glyphs, as_before, as_surface, as_with, both,
-                             colors, data_of, developed, filmic, glyphs, light, light_of_ball, moments, moved, needing, noise, pixels_of, reads, scaled,
+                             colors, data_of, developed, filmic, glyphs, light, light_of_ball, moments, moved, needing, noise, pixels_of, reads,
                              schlick, spread, to_light)
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Documents"))
@@ -166,8 +166,12 @@ def furnace(change):
     change.within("mean level", change.after[mask].mean(), 1.0, LEVEL)
 
 
-PATHS = {"ShadingMode": "Path Tracing"}
-OCCLUSION = {"ShadingMode": "Ambient Occlusion"}
+#: the same light from everywhere, of which closed forms speak
+UNIFORM = {"Illumination": "Uniform", "ToneMapping": "None"}
+PATHS = {"ShadingMode": "Path Tracing", **UNIFORM}
+OCCLUSION = {"ShadingMode": "Ambient Occlusion", **UNIFORM}
+#: local shading of a material that shines by itself: the color and nothing else
+FLAT = {"ShadingMode": "Local", "Ambient": 1.0, "Diffuse": 0.0, "AmbientColor": [0.8] * 3}
 MIRROR = {**PATHS, "PathRoughness": 0.0, "DiffuseColor": [0.2] * 3}
 COATED = {**PATHS, "DiffuseColor": BLACK, "PathCoatStrength": 1.0}
 SHINY = {"Specular": 0.5, "SpecularPower": 20.0}
@@ -303,9 +307,8 @@ ROWS = [
     # Light from all around
     Row("RenderingQuality", "Fast", reads("SamplesPerPixel", 4), back=False),
     Row("ShadingMode", "Path Tracing", light_of_ball(lambda cosine: [GRAY] * 3), kinds=[GLYPHS, SURFACE, TUBES], **{"ShadingMode": "Local"}),
-    Row("ShadingMode", "Ambient Occlusion", as_before),
-    Row("ShadingMode", "Ambient Occlusion", light(0.3, 0.9), scene="crowd"),
-    Row("AmbientOcclusionRadius", 1e-3, as_with(ShadingMode="Local"), scene="crowd", **OCCLUSION),
+    Row("ShadingMode", "Ambient Occlusion", as_with(**FLAT), **UNIFORM),
+    Row("AmbientOcclusionRadius", 1e-3, as_with(**FLAT), scene="crowd", **OCCLUSION),
     Row("AmbientOcclusionRays", 16, noise(0.0, 0.15, AmbientOcclusionRays=64), scene="crowd", **{**OCCLUSION, "AmbientOcclusionRays": 1}),
     Row("PathsPerSample", 16, noise(0.0, 0.15, PathsPerSample=64), scene="crowd", **{**PATHS, "PathsPerSample": 1}),
     Row("MaximumBounces", 100, furnace, scene="crowd", DiffuseColor=[1.0] * 3, **{**PATHS, "MaximumBounces": 1}),
@@ -316,10 +319,11 @@ ROWS = [
     Row("PathCoatIOR", 1.0, light_of_ball(lambda cosine: [0.0] * 3), **COATED),
     Row("PathCoatRoughness", 0.9, light(0.3, 0.9), **COATED),
     Row("PathCoatColor", RED, light_of_ball(lambda cosine: [GRAY, 0.0, 0.0]), **{**COATED, "PathCoatIOR": 1.0, "DiffuseColor": [0.8] * 3}),
+    Row("Illumination", "Uniform", light_of_ball(lambda cosine: [GRAY] * 3), **{"Illumination": "Studio"}),
     Row("LightIntensity", 0.5, light_of_ball(lambda cosine: [0.5 * GRAY] * 3)),
-    Row("LightIntensity", 0.5, scaled(0.5, 0.5, 0.5), **OCCLUSION),
+    Row("LightIntensity", 0.5, developed(lambda light: 0.5 * light), **OCCLUSION),
     Row("EnvironmentColor", [1.0, 0.5, 0.0], light_of_ball(lambda cosine: [GRAY, float(to_light(0.5)) * GRAY, 0.0])),
-    Row("EnvironmentColor", [1.0, 0.5, 0.0], scaled(1.0, 0.5, 0.0), **OCCLUSION),
+    Row("EnvironmentColor", [1.0, 0.5, 0.0], developed(lambda light: light * [1.0, float(to_light(0.5)), 0.0]), **OCCLUSION),
     Row("ToneMapping", "Filmic", developed(filmic)),
     Row("ToneMapping", "Filmic", light_of_ball(lambda cosine: [filmic(GRAY)] * 3)),
     Row("Exposure", -1.0, developed(lambda light: 0.5 * light)),

@@ -11,6 +11,8 @@ import paraview.simple as pv
 
 import comparison
 import session
+from checks import Checks
+from property_claims import to_light
 
 SURFACE = "Ray Traced Surface"
 SAMPLES = 64
@@ -93,6 +95,7 @@ def denoised():
                                 ("denoised", 4, "Always")):
         for shown in (scene.floor, scene.ball, scene.arrows):
             shown.SamplesPerPixel = samples
+            shown.AmbientOcclusionRays = 1
             shown.Denoising = when
         pictures[name] = session.capture(scene.view, "light-noise-" + name).astype(float)
     scene.close()
@@ -104,6 +107,80 @@ def denoised():
     if (pictures["refining"] != pictures["noisy"]).any():
         failures.append("a finished picture was denoised without being asked to")
     return failures
+
+
+def lit_ball(view, ball, name):
+    """Levels in [0, 1] of the ball's inner pixels, and the place of the brightest of them (columns, rows from the ball's middle)."""
+    pixels = session.capture(view, "light-studio-" + name)[..., :3] / 255.0
+    rows, columns = numpy.mgrid[:pixels.shape[0], :pixels.shape[1]] - numpy.array(pixels.shape[:2]).reshape(2, 1, 1) / 2.0 + 0.5
+    inside = numpy.hypot(rows, columns) < 0.95 * 0.5 * pixels.shape[0] / 1.2
+    levels = pixels[inside]
+    brightest = levels.sum(axis=-1) >= numpy.quantile(levels.sum(axis=-1), 0.98)
+    return levels, (columns[inside][brightest].mean(), -rows[inside][brightest].mean())
+
+
+def luminance(levels):
+    """Linear luminance of display levels."""
+    return to_light(levels) @ numpy.array([0.2126, 0.7152, 0.0722])
+
+
+def studio():
+    """Without any setting light shows form, keeps colors, burns nothing out and is not black among glyphs."""
+    checks = Checks()
+    view = session.view(120, 120, background=(255, 255, 255))
+    points = session.source(session.poly_data(numpy.array([[0.0, 0.0, 0.0]]), value=numpy.array([1.0])))
+    ball = session.glyphs(points, view, "Sphere", samples=32, GlyphOrient=0, GlyphScaleFactor=1.0)
+    table = pv.GetColorTransferFunction("value")
+    red = (0.706, 0.016, 0.150)  # the upper end of ParaView's Cool to Warm
+    table.RGBPoints = [0.0, *red, 1.0, *red]
+    session.look(view, (0.0, 0.0, 4.0), parallel_scale=0.6)
+    for mode in ("Ambient Occlusion", "Path Tracing"):
+        ball.ShadingMode = mode
+        session.solid(ball, (0.75, 0.75, 0.75))
+        levels, place = lit_ball(view, ball, mode)
+        dark, bright = numpy.quantile(luminance(levels), [0.02, 0.98])
+        print("%s: a gray ball's luminance is %.3f to %.3f, brightest at %s" % (mode, dark, bright, place))
+        checks.true("%s: lit and shaded side of a gray ball are %.3f and %.3f" % (mode, bright, dark), bright >= 3.0 * dark)
+        checks.true("%s: the light comes from above" % mode, place[1] > 10.0)
+        if mode == "Path Tracing":
+            checks.true("the key light comes from the left", place[0] < -5.0)
+            before = session.capture(view, "light-studio-front").astype(float)
+            session.look(view, (4.0, 0.0, 0.0), up=(0.0, 0.0, 1.0), parallel_scale=0.6)
+            checks.true("the light follows the camera", numpy.abs(session.capture(view, "light-studio-side") - before).max() < 24.0)
+            session.look(view, (0.0, 0.0, 4.0), parallel_scale=0.6)
+        session.solid(ball, (1.0, 1.0, 1.0))
+        levels, _ = lit_ball(view, ball, mode + "-white")
+        checks.true("%s: white is burnt out" % mode, levels.max() < 1.0)
+        ball.ColorArrayName, ball.LookupTable = ["POINTS", "value"], table
+        levels, _ = lit_ball(view, ball, mode + "-red")
+        fully = levels[levels.sum(axis=-1).argsort()[-20:]].mean(axis=0)
+        checks.true("%s: a fully lit color is %s instead of %s" % (mode, fully, red), numpy.abs(fully - red).max() * 255.0 <= 12.0)
+    # A light that is placed in the scene takes the key light's place.
+    session.solid(ball, (0.75, 0.75, 0.75))
+    lamp = pv.AddLight(view=view)
+    lamp.Coords, lamp.Type, lamp.Position, lamp.FocalPoint = "Scene", "Directional", [10.0, -10.0, 2.0], [0.0, 0.0, 0.0]
+    _, place = lit_ball(view, ball, "lamp")
+    checks.true("a light from the lower right takes the key light's place: brightest at %s" % (place,), place[0] > 5.0)
+    pv.Delete(points)
+    pv.Delete(view)
+
+    # A crowd of which the glyphs nearly touch
+    view = session.view(160, 160, background=(255, 255, 255))
+    grid = numpy.stack(numpy.meshgrid(*[numpy.arange(12.0)] * 3), axis=-1).reshape(-1, 3)
+    points = session.source(session.poly_data(grid + numpy.random.default_rng(3).uniform(-0.2, 0.2, grid.shape)))
+    crowd = session.glyphs(points, view, "Sphere", samples=8, GlyphOrient=0, GlyphScaleFactor=0.9)
+    session.look(view, (24.0, 20.0, 30.0), (5.5, 5.5, 5.5), parallel_scale=5.0)
+    means = {}
+    for mode in ("Local", "Ambient Occlusion", "Path Tracing"):
+        crowd.ShadingMode = mode
+        pixels = session.capture(view, "light-studio-crowd-" + mode)[..., :3] / 255.0
+        means[mode] = pixels.mean()
+        print("%s: a crowd's mean level is %.3f, %.2f %% are darker than a tenth" % (mode, means[mode], 100.0 * (pixels.max(axis=-1) < 0.1).mean()))
+        checks.true("%s: a crowd has black pixels" % mode, mode == "Local" or (pixels.max(axis=-1) < 0.1).mean() < 0.05)
+    checks.true("ambient occlusion is dark: %s" % means, means["Ambient Occlusion"] >= 0.75 * means["Local"])
+    pv.Delete(points)
+    pv.Delete(view)
+    return checks.failures
 
 
 def surrounded():
@@ -121,7 +198,7 @@ def surrounded():
     view = session.view(160, 120, background=(255, 255, 255))
     points = session.source(session.poly_data(numpy.array([[0.0, 0.0, 0.0]])))
     ball = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=1.0, ShadingMode="Path Tracing",
-                          SamplesPerPixel=32)
+                          Illumination="Uniform", SamplesPerPixel=32)
     session.solid(ball, (0.9, 0.9, 0.9))
     session.look(view, (0.0, 0.0, 4.0), parallel_scale=0.6)
     seen, on_device = {}, {}
@@ -208,5 +285,5 @@ session.load()
 if sys.argv[1:2] == ["cycles"]:
     FAILURES = cycles(int(sys.argv[2]))
 else:
-    FAILURES = shadows("Ambient Occlusion", "occlusion") + shadows("Path Tracing", "paths") + denoised() + surrounded()
+    FAILURES = shadows("Ambient Occlusion", "occlusion") + shadows("Path Tracing", "paths") + denoised() + surrounded() + studio()
 session.finish(FAILURES)

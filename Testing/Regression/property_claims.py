@@ -390,7 +390,7 @@ def schlick(reflectance, cosine):
 
 def light_of_ball(light):
     """The ball shows this light, a function of the cosine between its normal and the direction of view."""
-    @needing(ShadingMode="Path Tracing", SamplesPerPixel=4, PathsPerSample=8)
+    @needing(ShadingMode="Path Tracing", Illumination="Uniform", ToneMapping="None", SamplesPerPixel=4, PathsPerSample=8)
     def claim(change):
         change.changed()
         axis = axes_of(change)
@@ -413,15 +413,6 @@ def developed(curve):
         mask = comparison.covered(255.0 * change.before)
         wanted = to_level(curve(to_light(change.before[mask])))
         change.within("largest difference from the curve", numpy.abs(change.after[mask] - wanted).max(), 0.0, LEVEL)
-    return claim
-
-
-def scaled(*factors):
-    """Each channel's level becomes so many times as high."""
-    def claim(change):
-        mask = comparison.covered(255.0 * change.before)
-        change.within("largest difference", numpy.abs(change.after[mask] - numpy.array(factors) * change.before[mask]).max(), 0.0, LEVEL)
-        change.changed()
     return claim
 
 

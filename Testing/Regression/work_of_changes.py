@@ -154,6 +154,8 @@ FIELDS = {
         "AmbientOcclusionRays": [(OCCLUSION, "AmbientOcclusionRays", 3, "image"), ({}, "AmbientOcclusionRays", 3, "nothing")],
         "PathsPerSample": [(PATHS, "PathsPerSample", 2, "image"), ({}, "PathsPerSample", 2, "nothing")],
         "MaximumBounces": [(PATHS, "MaximumBounces", 2, "image"), ({}, "MaximumBounces", 2, "nothing")],
+        "Illumination": [(PATHS, "Illumination", "Uniform", "image"), (OCCLUSION, "Illumination", "Uniform", "image"),
+                         ({}, "Illumination", "Uniform", "nothing")],
         "LightIntensity": [(PATHS, "LightIntensity", 2.0, "image"), ({}, "LightIntensity", 2.0, "nothing")],
         "EnvironmentColor": [(PATHS, "EnvironmentColor", [1.0, 0.5, 0.5], "image"), ({}, "EnvironmentColor", [1.0, 0.5, 0.5], "nothing")],
         "ToneMapping": (PATHS, "ToneMapping", "Filmic", "image"),

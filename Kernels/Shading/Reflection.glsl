@@ -1,0 +1,33 @@
+// What surfaces of ambient occlusion and path tracing give off and reflect, and the sky that lights them, as light.
+#ifndef RTG_REFLECTION
+#define RTG_REFLECTION
+
+// Radiance that comes from a unit direction where nothing is in the way and there is no environment image.
+vec3 SkyRadiance(const vec3 direction)
+{
+  return frame.environment * (1.0 + dot(direction, frame.skySlope));
+}
+
+// ParaView's ambient term is light that a surface gives off whatever shines on it; so is all that is shown without
+// lighting.
+vec3 EmissionOfHit(const SurfaceHit hit)
+{
+  GlyphSetRecord set = SetRecord(hit.record);
+  vec3 colour = set.coloured != 0u ? hit.colour.rgb : set.ambientColour;
+  vec3 emission = set.ambient * DisplayToLinear(colour);
+  if (set.lighting == 0u)
+  {
+    emission += set.diffuse * DisplayToLinear(hit.colour.rgb);
+  }
+  return emission;
+}
+
+// What remains, as a fraction, of the reflection of a surface of that albedo: no material is as white as paper on a
+// screen, and light between surfaces that were would never end. Colors that stand for values stay.
+float AlbedoScale(const SurfaceHit hit, const vec3 albedo)
+{
+  float largest = max(albedo.x, max(albedo.y, albedo.z));
+  return SetRecord(hit.record).coloured == 0u && largest > frame.albedoLimit ? frame.albedoLimit / largest : 1.0;
+}
+
+#endif
