@@ -79,6 +79,12 @@ PlacedMesh SendStillMesh(Device::State& device, std::shared_ptr<const TriangleMe
   return mesh;
 }
 
+// Whether a mesh on the device is the wanted one, but for colors.
+bool HasShapeOf(const PlacedMesh& placed, const std::shared_ptr<const TriangleMesh>& wanted)
+{
+  return placed.source && (placed.source == wanted || SameShape(*placed.source, *wanted));
+}
+
 } // namespace
 
 void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter)
@@ -131,17 +137,15 @@ bool IsMovingMesh(const GlyphInstances& instances)
     (instances.motion.Any() || Deforms(*instances.mesh) || !instances.centresLow.empty());
 }
 
-bool Scene::State::KeepsMesh(const GlyphSet& set, PlacedMesh& mesh)
+void Scene::State::UpdateMeshColours(const GlyphSet& set, PlacedMesh& mesh)
 {
-  const GlyphInstances& instances = set.instances;
-  if (mesh.source != instances.mesh && mesh.source && SameShape(*mesh.source, *instances.mesh))
+  const std::shared_ptr<const TriangleMesh>& wanted = set.instances.mesh;
+  if (mesh.source != wanted)
   {
-    mesh.colours = SendMeshColours(this->device->GetState(), mesh, *instances.mesh);
-    mesh.source = instances.mesh;
+    mesh.colours = SendMeshColours(this->device->GetState(), mesh, *wanted);
+    mesh.source = wanted;
     ++this->statistics.colourUploads;
-    return true;
   }
-  return mesh.source == instances.mesh;
 }
 
 bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
@@ -180,8 +184,12 @@ bool Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
   // A tree of positions at rest is the same whatever the shutter does.
   const bool sameShutter =
     !Deforms(mesh) || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
-  const bool keeps = this->KeepsMesh(set, sent) && sent.tree.nodes.Size() && sameShutter;
-  if (!keeps)
+  const bool keeps = sent.tree.nodes.Size() && sameShutter && HasShapeOf(sent, instances.mesh);
+  if (keeps)
+  {
+    this->UpdateMeshColours(set, sent);
+  }
+  else
   {
     sent = PlacedMesh();
     MeshTree tree = BuildMeshTree(mesh, shutter);
@@ -210,12 +218,12 @@ bool Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
 bool Scene::State::SendMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
   const GlyphInstances& instances = set.instances;
-  if (placed.mesh.tree.nodes.Size())
+  const bool keeps = !placed.mesh.tree.nodes.Size() && HasShapeOf(placed.mesh, instances.mesh);
+  if (keeps)
   {
-    placed.mesh = PlacedMesh();
+    this->UpdateMeshColours(set, placed.mesh);
   }
-  const bool keeps = this->KeepsMesh(set, placed.mesh);
-  if (!keeps)
+  else
   {
     placed.mesh = PlacedMesh();
     placed.mesh = SendStillMesh(this->device->GetState(), instances.mesh, this->device->IsCpu());

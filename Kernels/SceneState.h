@@ -177,8 +177,8 @@ struct Scene::State
   /// Both: whether the mesh on the device stays.
   bool SendMesh(const GlyphSet& set, PlacedGlyphs& placed);
   bool SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed);
-  /// Whether the mesh that is on the device has the shape that is wanted; its colors are then brought up to date.
-  bool KeepsMesh(const GlyphSet& set, PlacedMesh& mesh);
+  /// Of a mesh that stays. One that goes must not be sent to: the batch would copy to a buffer that is no more.
+  void UpdateMeshColours(const GlyphSet& set, PlacedMesh& mesh);
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.
   void AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
     std::vector<vk::AccelerationStructureInstanceKHR>& instances) const;
