@@ -285,8 +285,9 @@ void ProgressiveImage::Preview(const Request& request, std::uint32_t pixelStep)
     }
     if (!request.IsTimed())
     {
-      // Somebody does not want it any more.
+      // The caller has stopped it. The tracer holds this preview now, not a sample that was stopped before.
       this->previewStep_ = step;
+      this->pending_ = this->canContinue_ = false;
       this->Show(image);
       return;
     }

@@ -46,7 +46,7 @@ public:
     ++this->traces;
     if (settings.firstSample > 0 &&
       (!this->keeps || this->done != settings.firstSample || this->launchesLeft > 0 ||
-        this->last.features != settings.features))
+        this->last.features != settings.features || this->last.pixelStep != settings.pixelStep))
     {
       throw rtg::Error("cannot continue");
     }
@@ -471,6 +471,27 @@ TEST_F(ProgressiveImageTest, SomebodyStopsATraceAndItGoesOn)
   this->image.Update(this->source, this->view, Script(1), interrupt);
   EXPECT_EQ(this->image.GetState(), State::Finished);
   EXPECT_EQ(this->source.rays, 1.0);
+}
+
+// After a stopped sample and a stopped preview of the same view, the tracer's job is the preview's.
+TEST_F(ProgressiveImageTest, AStoppedPreviewIsNotGoneOnWithAsTheImage)
+{
+  const auto stop = [](double) { return true; };
+  for (const std::uint32_t samples : { 1u, 4u })
+  {
+    this->view.camera.eye.x += 1.0;
+    ImageEffort turning = Script(samples);
+    turning.preview = true;
+    turning.pixelStep = 8;
+    ASSERT_NE(this->image.Update(this->source, this->view, Script(samples), stop), nullptr);
+    ASSERT_NE(this->image.Update(this->source, this->view, turning, stop), nullptr);
+    ASSERT_EQ(this->source.last.pixelStep, 8u);
+    const double rays = this->source.rays;
+    ASSERT_NE(this->Update(Script(samples)), nullptr) << this->image.GetFailure().message;
+    EXPECT_EQ(this->image.GetState(), State::Finished);
+    EXPECT_EQ(this->source.last.pixelStep, 1u);
+    EXPECT_EQ(this->source.rays - rays, double(samples));
+  }
 }
 
 // A capture keeps no sums: what it has begun is no beginning of an image of more samples.
