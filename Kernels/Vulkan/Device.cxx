@@ -457,15 +457,22 @@ void Device::State::LoadPrograms()
   this->programCache = vk::raii::PipelineCache(this->device, vk::PipelineCacheCreateInfo({}, data.size(), data.data()));
 }
 
-void Device::State::SavePrograms()
+void Device::State::SavePrograms() noexcept
 {
   const std::lock_guard<std::mutex> lock(this->cacheMutex_);
-  const std::vector<std::uint8_t> data = this->programCache.getData();
-  // Some drivers keep nothing behind the header, lavapipe among them.
-  if (data.size() > sizeof(VkPipelineCacheHeaderVersionOne) && data.size() != this->cachedBytes_)
+  try
   {
-    this->cacheFile_.Save(data);
-    this->cachedBytes_ = data.size();
+    const std::vector<std::uint8_t> data = this->programCache.getData();
+    // Some drivers keep nothing behind the header, lavapipe among them.
+    if (data.size() > sizeof(VkPipelineCacheHeaderVersionOne) && data.size() != this->cachedBytes_)
+    {
+      this->cacheFile_.Save(data);
+      this->cachedBytes_ = data.size();
+    }
+  }
+  catch (const std::exception&)
+  {
+    // Later processes compile again what could not be kept; nothing else is lost.
   }
 }
 

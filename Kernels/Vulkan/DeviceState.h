@@ -71,8 +71,8 @@ struct Device::State
 
   /// Starts `programCache` with what processes before have left on disk.
   void LoadPrograms();
-  /// Leaves on disk what the driver has compiled since. In any thread.
-  void SavePrograms();
+  /// Leaves on disk what the driver has compiled since, where that can be done. In any thread.
+  void SavePrograms() noexcept;
 
   /// Runs `work`; turns every failure of Vulkan, and memory of the computer that does not suffice, into one rtg::Error
   /// that says what was being done.

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -17,6 +18,7 @@
 #include <new>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace
@@ -303,6 +305,24 @@ TEST_P(FaultTest, OneSetThatFailsLeavesTheOthersInPlace)
   scene->Remove(other);
   scene->Commit();
   EXPECT_TRUE(Trace(*scene) == this->Expected(first));
+}
+
+/// What the driver has compiled is kept on disk where that can be done; a program is none the worse where it cannot.
+TEST_P(FaultTest, AProgramThatCannotBeKeptIsCompiledAllTheSame)
+{
+  rtg::Generation generation;
+  generation.ownTrees = GetParam() == rtg::Structure::Tree;
+  generation.constants.shapes = 1u;
+  generation.constants.degree = 5432u; // of no other test
+  const Fault fault("vkGetPipelineCacheData", 1);
+  const auto [program, began] = this->device->GetState().programs->Get(generation, {});
+  EXPECT_TRUE(began);
+  EXPECT_NO_THROW(program->compiled.get());
+  EXPECT_TRUE(program->pipeline);
+  while (fault.Pending())
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 // Nobody has waited for it: the view that wanted it is gone.
