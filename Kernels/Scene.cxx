@@ -5,6 +5,7 @@
 #include "Vulkan/Batch.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -224,6 +225,12 @@ const Statistics& Scene::GetStatistics() const
   return this->state_->statistics;
 }
 
+std::uint64_t Scene::State::NextVersion()
+{
+  static std::atomic<std::uint64_t> last{ 0 };
+  return ++last;
+}
+
 GlyphSet& Scene::State::Find(SetId id)
 {
   const auto found = this->sets.find(id);
@@ -278,7 +285,7 @@ void Scene::State::DropTopLevels()
   this->topLevels.clear();
   this->records.clear();
   this->topLevelChanged = true;
-  ++this->version;
+  this->version = NextVersion();
 }
 
 void Scene::State::CountStages()
@@ -373,7 +380,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
   if (this->recordsChanged)
   {
     this->FillRecords();
-    ++this->version;
+    this->version = NextVersion();
   }
 }
 

@@ -150,7 +150,9 @@ struct Scene::State
   std::uint32_t placedTimeSliceBits = 0; ///< the most of any visible set
   bool topLevelChanged = true;
   bool recordsChanged = true;
-  std::uint64_t version = 0; ///< grows with every change that changes the image
+  /// Another one with every change that changes the image, and in every scene.
+  std::uint64_t version = NextVersion();
+  static std::uint64_t NextVersion();
 
   // Of the Commit() that is going on, in stages of glyphs: measuring, sorting, sending, and building of each.
   static constexpr std::uint64_t stagesPerGlyph = 4;

@@ -31,8 +31,7 @@ struct Tracer::State
   // An image, or further samples of one, in the making.
   struct Job
   {
-    const Scene::State* scene = nullptr;
-    std::uint64_t sceneVersion = 0;
+    std::uint64_t sceneVersion = 0; ///< 0: there is nothing to go on with
     Image image;
     TraceSettings settings;
     Generation generation;
@@ -99,7 +98,7 @@ void Tracer::State::CheckContinues(const TraceSettings& settings, const Scene::S
   const bool same = l.width == settings.width && l.height == settings.height && l.pixelStep == settings.pixelStep &&
     l.shading == settings.shading && l.features == settings.features && l.occlusionRays == settings.occlusionRays &&
     l.paths == settings.paths && l.share == settings.share && l.shares == settings.shares &&
-    l.environmentImage == settings.environmentImage && this->job.image.complete && this->job.scene == &scene &&
+    l.environmentImage == settings.environmentImage && this->job.image.complete &&
     this->job.sceneVersion == scene.version;
   if (!same || this->keptSamples != settings.firstSample)
   {
@@ -143,8 +142,6 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
 {
   Job& begun = this->job;
   begun = Job();
-  begun.scene = &scene;
-  begun.sceneVersion = scene.version;
   begun.settings = settings;
   begun.image.width = settings.width;
   begun.image.height = settings.height;
@@ -254,6 +251,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
     image.height = settings.height;
     image.samples = settings.firstSample + settings.samples;
     state.keptSamples = 0;
+    state.job = State::Job();
     return image;
   }
   state.CheckContinues(settings, glyphs);
@@ -263,6 +261,8 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
     {
       const bool translucent = scene.HasTranslucent();
       state.Begin(glyphs, translucent, camera, lights, settings, pass, static_cast<bool>(interrupt));
+      // Only what was begun as a whole can be gone on with.
+      state.job.sceneVersion = glyphs.version;
       state.Run(glyphs, interrupt);
     });
   return state.job.image;
@@ -272,10 +272,10 @@ Image Tracer::Resume(Scene& scene, const Interrupt& interrupt)
 {
   State& state = *this->state_;
   const Scene::State& glyphs = scene.GetState();
-  if (state.job.scene != &glyphs || state.job.sceneVersion != glyphs.version)
+  if (state.job.sceneVersion != glyphs.version)
   {
-    throw Error("Ray Traced Glyphs: an image of another scene is to be gone on with; trace it from "
-                "its first sample.");
+    throw Error("Ray Traced Glyphs: there is no image of this scene, as it is now, to go on with; trace one from its "
+                "first sample.");
   }
   state.Vulkan().Guard("tracing an image",
     [&]

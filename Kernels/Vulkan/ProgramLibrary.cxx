@@ -79,8 +79,8 @@ ProgramLibrary::Get(const Generation& generation, const std::vector<HitGroup>& o
   const auto program = std::make_shared<Program>();
   program->generation = generation;
   program->groups = groups;
-  const auto compiling = std::make_shared<std::packaged_task<void()>>(
-    [device = this->device_, p = program.get()] { Compile(*device, *p); });
+  const auto compiling =
+    std::make_shared<std::packaged_task<void()>>([device = this->device_, p = program.get()] { Compile(*device, *p); });
   program->compiled = compiling->get_future();
   this->programs_.push_back(program);
   RunInBackground(

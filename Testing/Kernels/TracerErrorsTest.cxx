@@ -87,3 +87,44 @@ TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
   // The scene still shows what is right.
   EXPECT_GT(Coverage(this->Trace()), 0.0);
 }
+
+/// A scene made where another was destroyed is not the one whose image was begun, though its address and the number of
+/// its changes are the same.
+TEST_F(TracerTest, AnotherScenesImageIsNotGoneOnWith)
+{
+  const auto makeScene = [this]
+  {
+    auto made = std::make_unique<rtg::Scene>(this->device);
+    rtg::GlyphInstances spheres;
+    spheres.centres = { glm::vec3(0.0f) };
+    made->SetInstances(made->Add(), std::move(spheres));
+    made->Commit();
+    return made;
+  };
+  for (int attempt = 0; attempt < 10; ++attempt)
+  {
+    this->UseOwnTracer(); // which does not know yet that one launch would do
+    auto first = makeScene();
+    const Image image = this->tracer->Trace(
+      *first, this->camera, this->lights, this->settings, rtg::Pass::Opaque, [](double) { return true; });
+    ASSERT_FALSE(image.complete);
+    first.reset();
+    const auto second = makeScene();
+    EXPECT_THROW(this->tracer->Resume(*second), rtg::Error);
+  }
+}
+
+/// An image without pixels is complete.
+TEST_F(TracerTest, NothingIsGoneOnWithAfterAnImageWithoutPixels)
+{
+  this->UseOwnTracer();
+  EXPECT_THROW(this->tracer->Resume(this->scene), rtg::Error);
+  this->AddSpheres({ { 0, 0, 0 } }, 1.0f);
+  this->scene.Commit();
+  const Image image = this->tracer->Trace(
+    this->scene, this->camera, this->lights, this->settings, rtg::Pass::Opaque, [](double) { return true; });
+  ASSERT_FALSE(image.complete);
+  this->settings.width = 0;
+  this->Trace();
+  EXPECT_THROW(this->tracer->Resume(this->scene), rtg::Error);
+}
