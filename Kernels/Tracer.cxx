@@ -36,9 +36,11 @@ struct Tracer::State
     TraceSettings settings;
     Generation generation;
     Tiling tiling;
-    device::FrameRecord frame{}; ///< of the samples in work; firstTile: the first one that lacks them
-    std::uint32_t atOnce = 1;    ///< samples of one dispatch over all tiles
-    std::uint32_t done = 0;      ///< samples that all tiles have
+    device::FrameRecord frame{};           ///< of the samples in work; firstTile: the first one that lacks them
+    std::uint32_t atFirst = 1, atMost = 1; ///< samples of one dispatch over all tiles: of the first, of any
+    std::uint32_t atOnce = 1;              ///< likewise, of the next
+    double longest = 0.0;                  ///< seconds of a launch of the one in work
+    std::uint32_t done = 0;                ///< samples that all tiles have
 
     /// Of the tiles, those that have the samples in work.
     double TracedShare() const
@@ -146,7 +148,9 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   begun.image.width = settings.width;
   begun.image.height = settings.height;
   begun.image.complete = false;
-  begun.atOnce = SamplesAtOnce(settings, std::size_t(settings.width) * settings.height);
+  begun.atMost = SamplesAtOnce(settings, std::size_t(settings.width) * settings.height);
+  begun.atFirst = this->launcher.Cuts(interruptible) ? std::min(SamplesAtFirst(settings), begun.atMost) : begun.atMost;
+  begun.atOnce = begun.atFirst;
   const bool keeps = settings.keepSums || settings.firstSample > 0 || begun.atOnce < settings.samples;
   this->buffers.Prepare(this->Vulkan(), settings, keeps);
   const bool empty = scene.records.empty();
@@ -210,13 +214,17 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
       {
         frame.firstSample = settings.firstSample + work.done;
         frame.samples = std::min(work.atOnce, settings.samples - work.done);
+        work.longest = 0.0;
       }
-      this->launcher.LaunchTiles(program, work.generation, scene, frame, work.tiling.End(), interruptible);
+      work.longest = std::max(work.longest,
+        this->launcher.LaunchTiles(program, work.generation, scene, frame, work.tiling.End(), interruptible));
       this->shared->statistics.traceSeconds += watch.Lap();
       if (frame.firstTile == work.tiling.End())
       {
         frame.firstTile = work.tiling.Begin();
         work.done += frame.samples;
+        work.atOnce = static_cast<std::uint32_t>(
+          std::clamp<double>(Launcher::NextSamples(frame.samples, work.longest), work.atFirst, work.atMost));
         ++this->shared->statistics.dispatches;
         this->shared->statistics.primaryRays += work.tiling.Rays() * frame.samples;
       }
