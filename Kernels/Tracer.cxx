@@ -305,7 +305,7 @@ std::vector<glm::vec4> Tracer::Means() const
   return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Means(state.keptSamples); });
 }
 
-DenoiseTask Tracer::Denoise(const Image& image) const
+DenoiseTask Tracer::Denoise(const Image& image, std::stop_token stop) const
 {
   DenoiseTask task;
   task.means_ = this->Means();
@@ -316,6 +316,7 @@ DenoiseTask Tracer::Denoise(const Image& image) const
   task.image_ = image;
   task.settings_ = this->state_->last;
   task.shared_ = this->state_->shared;
+  task.stop_ = std::move(stop);
   return task;
 }
 
