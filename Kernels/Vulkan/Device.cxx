@@ -312,6 +312,18 @@ void Device::Start()
   state.programLayout = vk::raii::PipelineLayout(state.device, vk::PipelineLayoutCreateInfo({}, *state.frameLayout));
   state.programs = std::make_unique<ProgramLibrary>(state);
   state.memoryTypes = state.physical.getMemoryProperties();
+  state.mostOfAllocation =
+    state.physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan11Properties>()
+      .get<vk::PhysicalDeviceVulkan11Properties>()
+      .maxMemoryAllocationSize;
+  constexpr const char* bufferSizes[] = { VK_KHR_MAINTENANCE_4_EXTENSION_NAME };
+  if (HasExtensions(state.physical, bufferSizes))
+  {
+    state.mostOfBuffer =
+      state.physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance4Properties>()
+        .get<vk::PhysicalDeviceMaintenance4Properties>()
+        .maxBufferSize;
+  }
   if (state.tracesRays)
   {
     const auto properties = state.physical.getProperties2<vk::PhysicalDeviceProperties2,
