@@ -245,11 +245,11 @@ std::vector<char> PackNear(
   const GlyphInstances& instances, const GlyphColours& colours, const std::vector<Box>& boxes, const DoubleBox& region)
 {
   std::vector<std::uint32_t> kept;
-  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+  for (std::size_t i = 0; i < boxes.size(); ++i)
   {
     if (Touch(Moved(boxes[i], instances.origin), region))
     {
-      kept.push_back(i);
+      kept.push_back(static_cast<std::uint32_t>(i));
     }
   }
   std::shared_ptr<const TriangleMesh> mesh =

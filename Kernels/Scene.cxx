@@ -1,7 +1,7 @@
 #include "SceneState.h"
 
 #include "GlyphBoxes.h"
-#include "HarmonicForms.h"
+#include "GlyphChecks.h"
 #include "Vulkan/Batch.h"
 
 #include <algorithm>
@@ -33,41 +33,6 @@ Structure ChooseStructure(const Device& device, bool hasBoxes, bool canTree)
   }
   const bool trees = wanted.empty() ? device.PrefersTrees() || !hasBoxes : wanted == "tree";
   return trees && canTree ? Structure::Tree : Structure::Boxes;
-}
-
-// Throws unless every array has an entry a glyph or none.
-void CheckLengths(const GlyphInstances& instances, const GlyphColours& colours)
-{
-  ForEachArray(instances, colours,
-    [&](std::size_t, std::uint32_t, const auto& values, const char* words)
-    {
-      if (!values.empty() && values.size() != instances.Count())
-      {
-        throw Error("Ray Traced Glyphs: " + std::to_string(values.size()) + " " + words + " for " +
-          std::to_string(instances.Count()) + " glyphs; give one a glyph or none.");
-      }
-    });
-  const bool polynomials = instances.shape == Shape::Polynomial && instances.Count() > 0;
-  const int degree = instances.polynomialDegree;
-  const bool even = degree >= 2 && degree <= mostDegree && degree % 2 == 0;
-  if (polynomials &&
-    (!even || instances.polynomials.empty() ||
-      instances.polynomials.width != static_cast<std::size_t>(3 + FormTerms(degree))))
-  {
-    throw Error("Ray Traced Glyphs: polynomials of degree " + std::to_string(degree) + " with " +
-      std::to_string(instances.polynomials.width) +
-      " values a glyph; give an even degree from 2 to 12 and the values of FormMeter.");
-  }
-  if (polynomials && instances.polynomials.values.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
-  {
-    throw Error("Ray Traced Glyphs: " + std::to_string(instances.Count()) + " polynomials of degree " +
-      std::to_string(degree) + " have more values than a set can hold; show fewer of them.");
-  }
-  if (!instances.sizes3.empty() && !instances.sizes1.empty())
-  {
-    throw Error("Ray Traced Glyphs: glyphs have sizes along three axes and single ones; give one "
-                "kind of them.");
-  }
 }
 
 } // namespace
@@ -131,10 +96,9 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   GlyphSet& set = this->state_->Find(id);
   if (instances.shape == Shape::Mesh)
   {
-    CheckMesh(instances.mesh.get(), instances.motion);
+    CheckMesh(instances.mesh.get(), instances.motion, this->state_->mostElements);
   }
-  CheckLengths(instances, {});
-  CheckMotion(instances.motion, instances.Count());
+  CheckInstances(instances, this->state_->mostElements);
   if (!HasExponents(instances.shape))
   {
     instances.exponents3.clear();
@@ -159,7 +123,7 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
 void Scene::SetColours(SetId id, GlyphColours colours)
 {
   GlyphSet& set = this->state_->Find(id);
-  CheckLengths(set.instances, colours);
+  CheckColours(set.instances, colours);
   set.translucentColours = AnyTranslucent(colours);
   set.colours = std::move(colours);
   set.coloursChanged = true;

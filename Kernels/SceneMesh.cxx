@@ -87,50 +87,6 @@ bool HasShapeOf(const PlacedMesh& placed, const std::shared_ptr<const TriangleMe
 
 } // namespace
 
-void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter)
-{
-  const auto fail = [](const std::string& what) { throw Error("Ray Traced Glyphs: " + what); };
-  if (!mesh || mesh->triangles.empty())
-  {
-    fail("the mesh has no triangle; choose a source with polygons.");
-  }
-  const auto fits = [&](const char* name, std::size_t found, std::size_t wanted)
-  {
-    if (found != 0 && found != wanted)
-    {
-      fail("the mesh has " + std::to_string(found) + " " + name + "; it must have " + std::to_string(wanted) +
-        " or none.");
-    }
-  };
-  fits("normals", mesh->normals.size(), mesh->positions.size());
-  fits("colors of positions", mesh->positionColours.size(), mesh->positions.size());
-  fits("colors of triangles", mesh->triangleColours.size(), mesh->triangles.size());
-  fits("values of positions", mesh->positionValues.size(), mesh->positions.size());
-  if (!mesh->positionValues.empty() && mesh->valueColours.size() < 3)
-  {
-    fail("the mesh has values of positions, but no table of colors for them.");
-  }
-  for (const glm::uvec3& corner : mesh->triangles)
-  {
-    const std::uint32_t largest = std::max({ corner.x, corner.y, corner.z });
-    if (largest >= mesh->positions.size())
-    {
-      fail("a triangle of the mesh has corner " + std::to_string(largest) + " of " +
-        std::to_string(mesh->positions.size()) + " positions.");
-    }
-  }
-  CheckMotion(mesh->motion, mesh->positions.size());
-  if (mesh->motion.Spins())
-  {
-    fail("the positions of a mesh have angular velocities; they can have velocities and "
-         "accelerations.");
-  }
-  if (Deforms(*mesh))
-  {
-    CheckShutter(shutter);
-  }
-}
-
 bool IsMovingMesh(const GlyphInstances& instances)
 {
   return instances.shape == Shape::Mesh &&

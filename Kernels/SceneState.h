@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace rtg
@@ -135,6 +137,8 @@ struct Scene::State
   /// What one bottom-level structure may hold at most; every device allows 2^24 - 1. Tests lower it.
   std::uint32_t glyphsPerRun = (1u << 24) - 1;
   std::uint64_t mostInstances; ///< of a top-level structure. Tests lower it.
+  /// Of an array on the device: SPIR-V takes indices for signed numbers. Tests lower it.
+  std::size_t mostElements = std::numeric_limits<std::int32_t>::max();
   Structure structure;
   Statistics statistics;
 
@@ -193,9 +197,6 @@ struct Scene::State
   std::vector<vk::AccelerationStructureInstanceKHR> InstancesIn(std::uint32_t slice, std::uint32_t sliceBits);
   void FillRecords();
 };
-
-/// Throws rtg::Error when it is missing, has no triangle, or arrays that do not fit together.
-void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter);
 
 /// A buffer on the device with these values; `more` is usage besides that of a storage buffer.
 template <class T>

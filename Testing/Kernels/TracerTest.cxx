@@ -117,11 +117,11 @@ TEST_F(TracerTest, AnEdgeCoversThePixelAlsoOfManySamples)
 {
   // Just beyond a 64th of the pixel's width, to which places would be rounded here if they were computed in floats.
   const float edge = (33.0f + 0.01f) / 64.0f;
-  rtg::GlyphInstances box;
-  box.shape = rtg::Shape::Box;
-  box.centres = { glm::vec3(2.0f * edge - 1.0f - 2.0f, 0.0f, 0.0f) };
-  box.uniformSize = 4.0f;
-  this->scene.SetInstances(this->scene.Add(), std::move(box));
+  rtg::GlyphInstances upright;
+  upright.shape = rtg::Shape::Cylinder;
+  upright.centres = { glm::vec3(2.0f * edge - 1.0f - 2.0f, 0.0f, 0.0f) };
+  upright.uniformSize = 4.0f;
+  this->scene.SetInstances(this->scene.Add(), std::move(upright));
   this->settings.width = this->settings.height = 1;
   this->settings.keepSums = true;
   constexpr std::uint32_t half = 1u << 17;
