@@ -48,7 +48,8 @@ DoubleBox BoxOfTriangle(const TriangleMesh& mesh, const GlyphMotion& shutter, co
     DoubleBox range{ glm::dvec3(0.0), glm::dvec3(0.0) };
     if (mesh.motion.Moves())
     {
-      range = PaddedRangeOfDisplacements(mesh.motion, triangle[corner], shutter.Time(0.0), shutter.Time(1.0));
+      range =
+        PaddedRangeOfDisplacements(mesh.motion, triangle[corner], shutter.EarliestTime(0.0), shutter.LatestTime(1.0));
     }
     box.Include({ position + range.lower, position + range.upper });
   }
