@@ -479,6 +479,25 @@ TEST_F(MeshTest, TooManyInstancesAreOneError)
   EXPECT_EQ(this->Probe({ { { 0.2, 0.1, 5 }, { 0, 0, -1 } } })[0].setId, first);
 }
 
+/// A compiler may load what a set lacks, and drop it: there is something at every address.
+TEST_F(MeshTest, ThereIsSomethingAtEveryAddress)
+{
+  RTG_NEEDS(rtg::Structure::Boxes);
+  this->scene.GetState().structure = rtg::Structure::Boxes;
+  rtg::GlyphInstances instances;
+  instances.shape = rtg::Shape::Mesh;
+  instances.mesh = Share(BoxMesh());
+  instances.centres = { glm::vec3(0.0f) };
+  this->scene.SetInstances(this->scene.Add(), instances);
+  this->scene.Commit();
+  const rtg::device::GlyphSetRecord& record = this->scene.GetState().records.front();
+#define RTG_EXPECT_ADDRESS(number, BIT, type, name, values, words) EXPECT_NE(record.name, 0u) << words;
+  RTG_GLYPH_ARRAYS(RTG_EXPECT_ADDRESS)
+#undef RTG_EXPECT_ADDRESS
+  EXPECT_NE(record.colourTable, 0u);
+  EXPECT_NE(record.tree.order, 0u);
+}
+
 TEST_F(MeshTest, SaysWhatIsWrongWithAMesh)
 {
   const auto id = this->scene.Add();
