@@ -269,6 +269,8 @@ void Scene::State::TellStage(const GlyphSet& set)
   this->stagesDone += set.count;
   if (this->progress && this->stages > 0)
   {
+    // The callback may use the device itself, for instance draw another view.
+    const Batch::Pause pause;
     this->progress(std::min(1.0, static_cast<double>(this->stagesDone) / static_cast<double>(this->stages)));
   }
 }

@@ -215,6 +215,44 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
   vulkan.cpu = cpu;
 }
 
+/// What a progress callback does with the device does not wait for the uploads that it tells of.
+TEST_F(TracerTest, AnImageTracedWhileGlyphsAreSentIsTheSame)
+{
+  auto& vulkan = this->device->GetState();
+  const bool shares = vulkan.sharesMemory;
+  vulkan.sharesMemory = false;
+  this->AddSpheres(RandomPoints(50), 0.3f);
+  this->scene.Commit();
+  this->lights.assign(rtg::device::FEW_LIGHTS + 1, rtg::Light());
+  for (rtg::Light& light : this->lights)
+  {
+    light.colour = glm::vec3(0.1f);
+  }
+  const auto trace = [this]
+  {
+    this->UseOwnTracer();
+    const Image image = this->tracer->Trace(this->scene, this->camera, this->lights, this->settings);
+    return std::vector<std::uint32_t>(image.colour, image.colour + 10000);
+  };
+  const auto expected = trace();
+  EXPECT_TRUE(std::any_of(expected.begin(), expected.end(), [](std::uint32_t colour) { return (colour & 255) > 100; }));
+  {
+    rtg::Scene other(this->device);
+    rtg::GlyphInstances spheres;
+    spheres.centres = RandomPoints(100);
+    other.SetInstances(other.Add(), std::move(spheres));
+    int traced = 0;
+    other.Commit(
+      [&](double)
+      {
+        ++traced;
+        EXPECT_EQ(trace(), expected);
+      });
+    EXPECT_GT(traced, 1);
+  }
+  vulkan.sharesMemory = shares;
+}
+
 TEST_F(TracerTest, ImagesAreLaunchedInPartsOnAGpuAlone)
 {
   auto& vulkan = this->device->GetState();
