@@ -35,6 +35,18 @@ Structure ChooseStructure(const Device& device, bool hasBoxes, bool canTree)
   return trees && canTree ? Structure::Tree : Structure::Boxes;
 }
 
+// The least of the boxes' largest sides.
+float SmallestExtent(const std::vector<Box>& boxes)
+{
+  float smallest = INFINITY;
+  for (const Box& box : boxes)
+  {
+    const glm::vec3 extent = box.upper - box.lower;
+    smallest = std::min(smallest, std::max({ extent.x, extent.y, extent.z }));
+  }
+  return smallest;
+}
+
 } // namespace
 
 Statistics& Statistics::operator+=(const Statistics& other)
@@ -213,6 +225,7 @@ float Scene::State::Measure()
     {
       set.boxes = ListedBoxes(set.instances);
       set.bounds = UnionOf({ set.instances, set.boxes });
+      set.smallest = set.instances.shape == Shape::Mesh ? SmallestExtent(set.boxes) : 0.0f;
       set.measured = true;
       this->TellStage(set);
     }
@@ -324,7 +337,10 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
     {
       continue;
     }
-    if (set.instancesChanged || !set.placed.Any() || 2.0f * reach > set.placed.builtReach)
+    // The scene's origin may have moved.
+    const bool otherMesh =
+      set.instances.shape == Shape::Mesh && this->NeedsMeshTree(set) != set.placed.group.Has(device::MESH_TREE);
+    if (set.instancesChanged || !set.placed.Any() || 2.0f * reach > set.placed.builtReach || otherMesh)
     {
       sent.push_back(&set);
       this->Place(set, reach);

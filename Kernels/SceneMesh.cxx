@@ -115,11 +115,22 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
   group.Set(device::MESH_TRIANGLE_COLOURS,
     mesh.positionValues.empty() && mesh.positionColours.empty() && !mesh.triangleColours.empty());
   const std::shared_ptr<const TriangleMesh> before = placed.mesh.source;
-  const bool keeps = this->structure == Structure::Tree || IsMovingMesh(set.instances)
-    ? this->SendMeshWithTree(set, placed)
-    : this->SendMesh(set, placed);
+  const bool keeps = this->NeedsMeshTree(set) ? this->SendMeshWithTree(set, placed) : this->SendMesh(set, placed);
   this->statistics.buildSeconds += watch.Lap();
   return !keeps || before == set.instances.mesh;
+}
+
+bool Scene::State::NeedsMeshTree(const GlyphSet& set) const
+{
+  if (this->structure == Structure::Tree || IsMovingMesh(set.instances))
+  {
+    return true;
+  }
+  // Beside a set far away, of which the scene's origin is, float places glyphs only to more than 1e-6 of their sizes.
+  const glm::dvec3 offset = glm::abs(set.instances.origin - this->origin);
+  const double farthest = std::max({ offset.x, offset.y, offset.z });
+  const double error = std::ldexp(farthest + set.bounds.Reach(), -24);
+  return farthest > 0.0 && error > 1e-6 * set.smallest && this->device->GetState().int64;
 }
 
 // The mesh itself; its glyphs are sent like those of other shapes.

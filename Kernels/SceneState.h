@@ -107,6 +107,7 @@ struct GlyphSet
   std::size_t count = 0;
   bool measured = false;  ///< `bounds` are those of the instances
   Box bounds;             ///< relative to instances.origin
+  float smallest = 0.0f;  ///< of the extents of its glyphs; Shape::Mesh only
   std::vector<Box> boxes; ///< of the glyphs, from their bounds to their build; none of balls
   GlyphOrder sorted;
   PlacedGlyphs placed;
@@ -182,6 +183,9 @@ struct Scene::State
   bool PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed);
   /// Both: whether the mesh on the device stays.
   bool SendMesh(const GlyphSet& set, PlacedGlyphs& placed);
+  /// Whether mesh glyphs need a tree of their own: where there are no triangles of the driver, and where these, which
+  /// are placed in float, would not do.
+  bool NeedsMeshTree(const GlyphSet& set) const;
   bool SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed);
   /// Of a mesh that stays. One that goes must not be sent to: the batch would copy to a buffer that is no more.
   void UpdateMeshColours(const GlyphSet& set, PlacedMesh& mesh);
