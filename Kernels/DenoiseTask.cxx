@@ -23,7 +23,8 @@ std::vector<std::uint32_t> DenoiseTask::operator()()
       this->image_.albedos.begin(), this->image_.albedos.end(), this->image_.albedos.begin(), shading::DisplayToLinear);
   }
   rtg::Denoise(this->means_,
-    { this->image_.width, this->image_.height, this->image_.normals, this->image_.albedos, this->image_.viewDepths });
+    { this->image_.width, this->image_.height, this->image_.normals, this->image_.albedos, this->image_.viewDepths },
+    this->stop_);
 
   const bool develops = Develops(this->settings_);
   const float exposureFactor = std::exp2(this->settings_.exposure);

@@ -1,6 +1,7 @@
 #include "Denoiser.h"
 
 #include "Finite.h"
+#include "Glyphs.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -53,9 +54,10 @@ class Filter
 {
 public:
   // Of a pixel whose mean is no number nothing is known.
-  Filter(const DenoiserGuides& guides, const std::vector<glm::vec4>& means)
+  Filter(const DenoiserGuides& guides, const std::vector<glm::vec4>& means, const std::stop_token& stop)
     : width_(static_cast<int>(guides.width))
     , height_(static_cast<int>(guides.height))
+    , stop_(stop)
   {
     this->slopes_.resize(guides.normals.size());
     this->guides_.resize(guides.normals.size());
@@ -70,7 +72,15 @@ public:
   template <class Row>
   void ForRows(Row&& row) const
   {
-    ParallelFor(static_cast<std::size_t>(this->height_), [&row](std::size_t y) { row(static_cast<int>(y)); });
+    ParallelFor(static_cast<std::size_t>(this->height_),
+      [this, &row](std::size_t y)
+      {
+        if (this->stop_.stop_requested())
+        {
+          throw Error("Ray Traced Glyphs: denoising was stopped.");
+        }
+        row(static_cast<int>(y));
+      });
   }
 
   std::size_t At(int x, int y) const { return static_cast<std::size_t>(y) * this->width_ + x; }
@@ -238,15 +248,16 @@ private:
   }
 
   int width_, height_;
+  const std::stop_token& stop_;
   std::vector<Guide> guides_;
   std::vector<float> slopes_; ///< of the view depth, per pixel
 };
 
 } // namespace
 
-void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides)
+void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides, const std::stop_token& stop)
 {
-  const Filter filter(guides, means);
+  const Filter filter(guides, means, stop);
   const auto colourOf = [&](std::size_t i) { return glm::max(guides.albedos[i], glm::vec3(darkest)); };
   std::vector<Estimate> lights(means.size(), Estimate(0.0f));
   for (std::size_t i = 0; i < means.size(); ++i)

@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace rtg
@@ -22,7 +23,7 @@ struct DenoiserGuides
 /// Filtering", HPG 2010) of the light divided by the surfaces' colours, whose steps follow the noise's own variance as
 /// Schied et al. do ("Spatiotemporal Variance-Guided Filtering", HPG 2017), estimated in the image itself.
 /// `means`: colour times opacity, and opacity; opacities are not changed, nor pixels of which nothing is known.
-/// Deterministic, on any number of threads.
-void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides);
+/// Deterministic, on any number of threads. Throws rtg::Error soon after a stop is requested.
+void Denoise(std::vector<glm::vec4>& means, const DenoiserGuides& guides, const std::stop_token& stop = {});
 
 } // namespace rtg

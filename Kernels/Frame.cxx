@@ -204,6 +204,12 @@ std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
   return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
 }
 
+std::uint32_t SamplesAtFirst(const TraceSettings& settings)
+{
+  constexpr std::uint32_t cameraRays = 32; // of one thread
+  return std::max(1u, cameraRays / Branches(settings));
+}
+
 std::uint32_t SharedTimeBits(const TraceSettings& settings, std::uint32_t sliceBits)
 {
   const std::uint32_t planned = PlannedSamples(settings);

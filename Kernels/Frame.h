@@ -37,8 +37,11 @@ Generation GenerationFor(const TraceSettings& settings);
 /// What the scene says.
 void FillScene(device::FrameRecord& frame, Generation& generation, const Scene::State& scene);
 
-/// Samples a pixel in one dispatch: a GPU that works on one for seconds is taken for hung by its driver.
+/// Samples a pixel in one dispatch at most: a GPU that works on one for seconds is taken for hung by its driver.
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels);
+/// The same of the first dispatch, as long as nothing is known of what a sample costs: few pixels are few threads, each
+/// of which traces all of its samples one after the other.
+std::uint32_t SamplesAtFirst(const TraceSettings& settings);
 
 /// How many binary digits of the time in the shutter's opening all pixels share in one sample, so that neighboring rays
 /// see the same slice of time: as many as there are slices and planned samples fill alike.

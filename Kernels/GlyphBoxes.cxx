@@ -192,8 +192,8 @@ DoubleBox MovingBox(const Subject& subject, std::size_t i, double first, double 
 std::vector<Box> GlyphBoxes(const GlyphInstances& instances, double first, double last)
 {
   const bool moves = instances.motion.Any();
-  const double opening = instances.motion.Time(first);
-  const double closing = instances.motion.Time(last);
+  const double opening = instances.motion.EarliestTime(first);
+  const double closing = instances.motion.LatestTime(last);
   const Subject subject(instances, opening, closing);
   std::vector<Box> boxes(instances.Count());
   ParallelChunks(boxes.size(),

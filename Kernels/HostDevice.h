@@ -152,7 +152,10 @@ struct ProbeResult
 // What a pixel has gathered, when samples will be added later.
 struct PixelSums
 {
-  vec4 colour; // of the samples that hit: colour times opacity, opacity
+  vec3 colour;    // of the samples that hit: colour times opacity, as a sum of two floats
+  vec3 colourLow; // what rounding has left of it
+  float opacity;  // likewise
+  float opacityLow;
   float depth; // view depth of the nearest sample that hit; of the centre's, negated, if that hit
 };
 
@@ -205,8 +208,8 @@ const float LEAST_PASSING = 1.0f / 512.0f;
 // So many lights are uniforms; a light kit has five.
 const uint FEW_LIGHTS = 8u;
 
-// Interpolated values below the one have a part of notANumber, below the other of noValue (TriangleMesh.h); numbers lie
-// above -1000.
+// Of values of corners, what lies below the one is notANumber or, below the other, noValue (TriangleMesh.h); numbers
+// lie above -1000.
 const float LEAST_NUMBER = -2e3f, LEAST_VALUE = -1e10f;
 
 // What one dispatch reads. A uniform block rather than a buffer's address: CPU devices load uniforms once for all

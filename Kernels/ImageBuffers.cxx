@@ -53,7 +53,8 @@ void ImageBuffers::ClearSums()
 {
   if (this->sums_.Size() >= this->pixels_ * sizeof(device::PixelSums))
   {
-    const device::PixelSums none{ glm::vec4(0.0f), 1e38f };
+    device::PixelSums none{};
+    none.depth = 1e38f;
     this->sums_.Write(this->pixels_, sizeof(none),
       [&](void* target, std::size_t first, std::size_t last)
       { std::fill_n(static_cast<device::PixelSums*>(target), last - first, none); });
@@ -141,7 +142,8 @@ std::vector<glm::vec4> ImageBuffers::Means(std::uint32_t samples) const
     {
       const auto* sums = static_cast<const device::PixelSums*>(read);
       std::transform(sums, sums + this->pixels_, means.begin(),
-        [samples](const device::PixelSums& sum) { return sum.colour / static_cast<float>(samples); });
+        [samples](const device::PixelSums& sum)
+        { return glm::vec4(sum.colour, sum.opacity) / static_cast<float>(samples); });
     });
   return means;
 }

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr std::uint32_t mostTiles = 16 * LaunchGrid::mostColumns; ///< of a launch: 29 MB of ray records
-/// Seconds that a launch is to take where TilesAtOnce() cuts: whoever waits for it to stop, or for the display, waits
+/// Seconds that a launch is to take where launches are cut: a user who stops it, or whose display stands still, waits
 /// so long.
 constexpr double launchSeconds = 0.04;
 
@@ -75,6 +75,16 @@ void Launcher::Launch(const Pipeline& pipeline, const Scene::State& scene, devic
     });
 }
 
+bool Launcher::Cuts(bool interruptible) const
+{
+  return interruptible || !this->device_->IsCpu();
+}
+
+double Launcher::NextSamples(std::uint32_t samples, double longest)
+{
+  return samples * std::min(8.0, launchSeconds / std::max(longest, 1e-9));
+}
+
 // Of the `left` tiles those of the next launch, as far as the program's launches so far tell: at most eight times as
 // many as in the last one, because costs differ, and eight in the first.
 std::uint32_t Launcher::TilesAtOnce(const TracerResources::UsedProgram& program, const Generation& generation,
@@ -87,7 +97,7 @@ std::uint32_t Launcher::TilesAtOnce(const TracerResources::UsedProgram& program,
     : std::max(1u, std::min(mostTiles, vulkan.pipelineLimits.maxRayDispatchInvocationCount / raysPerTile));
   const std::uint32_t most =
     std::min(left, limit > LaunchGrid::mostColumns ? limit - limit % LaunchGrid::mostColumns : limit);
-  if (!interruptible && vulkan.cpu)
+  if (!this->Cuts(interruptible))
   {
     return most;
   }
@@ -100,7 +110,7 @@ std::uint32_t Launcher::TilesAtOnce(const TracerResources::UsedProgram& program,
   return std::min(most, static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 1e9)));
 }
 
-void Launcher::LaunchTiles(TracerResources::UsedProgram& program, const Generation& generation,
+double Launcher::LaunchTiles(TracerResources::UsedProgram& program, const Generation& generation,
   const Scene::State& scene, device::FrameRecord& frame, std::uint32_t end, bool interruptible)
 {
   Stopwatch watch;
@@ -111,9 +121,11 @@ void Launcher::LaunchTiles(TracerResources::UsedProgram& program, const Generati
   this->Launch(*program.program->pipeline, scene, frame, grid.columns * raysPerTile, grid.rows);
   frame.firstTile = frame.endTile;
   // Of old and new costs the mean: launches differ.
-  const double cost = watch.Lap() / (double(tiles) * raysPerTile * frame.samples);
+  const double seconds = watch.Lap();
+  const double cost = seconds / (double(tiles) * raysPerTile * frame.samples);
   program.secondsPerRay = program.secondsPerRay > 0.0 ? 0.5 * (program.secondsPerRay + cost) : cost;
   program.lastTiles = std::max(tiles, 8u);
+  return seconds;
 }
 
 void Launcher::LaunchProbes(TracerResources::UsedProgram& program, const Generation& generation,

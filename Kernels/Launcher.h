@@ -21,11 +21,18 @@ public:
   /// Memory for launches of as many tiles at most.
   void FitTiles(const Generation& generation, std::uint32_t tiles);
 
-  /// Traces some of the tiles from frame.firstTile on, `end` not included, and makes the next one that. What can be
-  /// interrupted, and all on a GPU, whose display stands still meanwhile and whose driver takes a launch of seconds for
-  /// hung, is launched in parts of some hundredths of a second.
-  void LaunchTiles(TracerResources::UsedProgram& program, const Generation& generation, const Scene::State& scene,
+  /// Whether launches are to take some hundredths of a second: those that can be interrupted, and all on a GPU, whose
+  /// display stands still meanwhile and whose driver takes a launch of seconds for hung.
+  bool Cuts(bool interruptible) const;
+
+  /// Traces some of the tiles from frame.firstTile on, `end` not included, and makes the next one that. Returns the
+  /// seconds that it took.
+  double LaunchTiles(TracerResources::UsedProgram& program, const Generation& generation, const Scene::State& scene,
     device::FrameRecord& frame, std::uint32_t end, bool interruptible);
+
+  /// Samples a pixel of the next dispatch where launches are cut, after one of so many whose longest launch took so
+  /// many seconds: at most eight times as many.
+  static double NextSamples(std::uint32_t samples, double longest);
 
   /// Traces frame.probeCount rays.
   void LaunchProbes(TracerResources::UsedProgram& program, const Generation& generation, const Scene::State& scene,

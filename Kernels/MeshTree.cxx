@@ -60,7 +60,7 @@ MeshTree BuildMeshTree(const TriangleMesh& mesh, const GlyphMotion& shutter)
 {
   constexpr std::size_t trianglesPerLeaf = 2;
   MeshTree tree;
-  const DoubleBox bounds = BoundsOf(mesh, shutter.Time(0.0), shutter.Time(1.0));
+  const DoubleBox bounds = BoundsOf(mesh, shutter.EarliestTime(0.0), shutter.LatestTime(1.0));
   tree.middle = glm::vec3(0.5 * (bounds.lower + bounds.upper));
   tree.positions = mesh.positions;
   for (glm::vec3& position : tree.positions)
@@ -80,7 +80,8 @@ MeshTree BuildMeshTree(const TriangleMesh& mesh, const GlyphMotion& shutter)
     for (std::size_t i = 0; i < boxes.size(); ++i)
     {
       const std::size_t triangle = tree.order.empty() ? i : tree.order[i];
-      const DoubleBox own = paths.Triangle(triangle, shutter.Time(first), shutter.Time(last)).Widened(padding);
+      const DoubleBox own =
+        paths.Triangle(triangle, shutter.EarliestTime(first), shutter.LatestTime(last)).Widened(padding);
       boxes[i] = { glm::vec3(own.lower), glm::vec3(own.upper) };
     }
     return boxes;

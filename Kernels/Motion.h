@@ -29,6 +29,16 @@ struct GlyphMotion
   {
     return this->shutterOpen + fraction * (double(this->shutterClose) - this->shutterOpen);
   }
+  ///@{
+  /// The same, as early and as late as programs may take it for, which compute it in float: next to time zero that is
+  /// off by many of its own ulps.
+  double EarliestTime(double fraction) const { return this->Time(fraction) - this->ErrorOfTime(); }
+  double LatestTime(double fraction) const { return this->Time(fraction) + this->ErrorOfTime(); }
+  double ErrorOfTime() const
+  {
+    return std::ldexp(std::max(std::abs(double(this->shutterOpen)), std::abs(double(this->shutterClose))), -21);
+  }
+  ///@}
 
   /// x(t) - x(0).
   glm::dvec3 Displacement(std::size_t glyph, double time) const;

@@ -48,7 +48,8 @@ DoubleBox BoxOfTriangle(const TriangleMesh& mesh, const GlyphMotion& shutter, co
     DoubleBox range{ glm::dvec3(0.0), glm::dvec3(0.0) };
     if (mesh.motion.Moves())
     {
-      range = PaddedRangeOfDisplacements(mesh.motion, triangle[corner], shutter.Time(0.0), shutter.Time(1.0));
+      range =
+        PaddedRangeOfDisplacements(mesh.motion, triangle[corner], shutter.EarliestTime(0.0), shutter.LatestTime(1.0));
     }
     box.Include({ position + range.lower, position + range.upper });
   }
@@ -245,11 +246,11 @@ std::vector<char> PackNear(
   const GlyphInstances& instances, const GlyphColours& colours, const std::vector<Box>& boxes, const DoubleBox& region)
 {
   std::vector<std::uint32_t> kept;
-  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+  for (std::size_t i = 0; i < boxes.size(); ++i)
   {
     if (Touch(Moved(boxes[i], instances.origin), region))
     {
-      kept.push_back(i);
+      kept.push_back(static_cast<std::uint32_t>(i));
     }
   }
   std::shared_ptr<const TriangleMesh> mesh =

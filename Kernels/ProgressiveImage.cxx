@@ -62,9 +62,17 @@ struct ProgressiveImage::Request
 
 ProgressiveImage::~ProgressiveImage()
 {
+  this->StopSmoothing();
+}
+
+// What it was for is not shown any more.
+void ProgressiveImage::StopSmoothing()
+{
   if (this->smoothing_.valid())
   {
+    this->stopOfSmoothing_.request_stop();
     this->smoothing_.wait();
+    this->smoothing_ = {};
   }
 }
 
@@ -76,11 +84,7 @@ void ProgressiveImage::Forget()
   this->pending_ = this->canContinue_ = this->features_ = false;
   this->smooth_.clear();
   this->smoothSamples_ = 0;
-  if (this->smoothing_.valid())
-  {
-    this->smoothing_.wait();
-    this->smoothing_ = {};
-  }
+  this->StopSmoothing();
 }
 
 double ProgressiveImage::Progress() const
@@ -285,8 +289,9 @@ void ProgressiveImage::Preview(const Request& request, std::uint32_t pixelStep)
     }
     if (!request.IsTimed())
     {
-      // Somebody does not want it any more.
+      // The caller has stopped it. The tracer holds this preview now, not a sample that was stopped before.
       this->previewStep_ = step;
+      this->pending_ = this->canContinue_ = false;
       this->Show(image);
       return;
     }
@@ -402,7 +407,9 @@ void ProgressiveImage::Smooth(const Request& request)
   if (!this->smoothing_.valid() && !this->pending_ && worthIt && this->image_.complete)
   {
     this->smoothingSamples_ = this->samples_;
-    std::packaged_task<std::vector<std::uint32_t>()> denoising(request.source.Denoise(this->image_));
+    this->stopOfSmoothing_ = std::stop_source();
+    std::packaged_task<std::vector<std::uint32_t>()> denoising(
+      request.source.Denoise(this->image_, this->stopOfSmoothing_.get_token()));
     this->smoothing_ = denoising.get_future();
     if (request.IsTimed())
     {

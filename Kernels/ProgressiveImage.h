@@ -8,6 +8,7 @@
 #include <functional>
 #include <future>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -61,8 +62,8 @@ public:
   virtual bool Prepare() = 0;
   virtual Image Trace(const ImageView& view, const TraceSettings& settings, const Interrupt& interrupt) = 0;
   virtual Image Resume(const Interrupt& interrupt) = 0;
-  /// The denoising of the last image, to be run in any thread.
-  virtual std::function<std::vector<std::uint32_t>()> Denoise(const Image& image) = 0;
+  /// The denoising of the last image, to be run in any thread. It returns or throws soon after a stop is requested.
+  virtual std::function<std::vector<std::uint32_t>()> Denoise(const Image& image, std::stop_token stop) = 0;
 
   /// False: there is no device, or it was lost.
   virtual bool HasDevice() const = 0;
@@ -138,6 +139,7 @@ private:
   void Grow(const Request& request);
   void Smooth(const Request& request);
   void Show(const Image& image);
+  void StopSmoothing();
   void Fail(const Request& request, bool prepared, bool memory, const char* message);
 
   State state_ = State::Empty;
@@ -160,6 +162,7 @@ private:
   std::vector<std::uint32_t> smooth_;
   std::uint32_t smoothSamples_ = 0;
   std::future<std::vector<std::uint32_t>> smoothing_;
+  std::stop_source stopOfSmoothing_;
   std::uint32_t smoothingSamples_ = 0;
 
   // What failed, for MayTryAgain().

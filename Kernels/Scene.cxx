@@ -1,10 +1,11 @@
 #include "SceneState.h"
 
 #include "GlyphBoxes.h"
-#include "HarmonicForms.h"
+#include "GlyphChecks.h"
 #include "Vulkan/Batch.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -34,39 +35,16 @@ Structure ChooseStructure(const Device& device, bool hasBoxes, bool canTree)
   return trees && canTree ? Structure::Tree : Structure::Boxes;
 }
 
-// Throws unless every array has an entry a glyph or none.
-void CheckLengths(const GlyphInstances& instances, const GlyphColours& colours)
+// The least of the boxes' largest sides.
+float SmallestExtent(const std::vector<Box>& boxes)
 {
-  ForEachArray(instances, colours,
-    [&](std::size_t, std::uint32_t, const auto& values, const char* words)
-    {
-      if (!values.empty() && values.size() != instances.Count())
-      {
-        throw Error("Ray Traced Glyphs: " + std::to_string(values.size()) + " " + words + " for " +
-          std::to_string(instances.Count()) + " glyphs; give one a glyph or none.");
-      }
-    });
-  const bool polynomials = instances.shape == Shape::Polynomial && instances.Count() > 0;
-  const int degree = instances.polynomialDegree;
-  const bool even = degree >= 2 && degree <= mostDegree && degree % 2 == 0;
-  if (polynomials &&
-    (!even || instances.polynomials.empty() ||
-      instances.polynomials.width != static_cast<std::size_t>(3 + FormTerms(degree))))
+  float smallest = INFINITY;
+  for (const Box& box : boxes)
   {
-    throw Error("Ray Traced Glyphs: polynomials of degree " + std::to_string(degree) + " with " +
-      std::to_string(instances.polynomials.width) +
-      " values a glyph; give an even degree from 2 to 12 and the values of FormMeter.");
+    const glm::vec3 extent = box.upper - box.lower;
+    smallest = std::min(smallest, std::max({ extent.x, extent.y, extent.z }));
   }
-  if (polynomials && instances.polynomials.values.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
-  {
-    throw Error("Ray Traced Glyphs: " + std::to_string(instances.Count()) + " polynomials of degree " +
-      std::to_string(degree) + " have more values than a set can hold; show fewer of them.");
-  }
-  if (!instances.sizes3.empty() && !instances.sizes1.empty())
-  {
-    throw Error("Ray Traced Glyphs: glyphs have sizes along three axes and single ones; give one "
-                "kind of them.");
-  }
+  return smallest;
 }
 
 } // namespace
@@ -130,10 +108,9 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
   GlyphSet& set = this->state_->Find(id);
   if (instances.shape == Shape::Mesh)
   {
-    CheckMesh(instances.mesh.get(), instances.motion);
+    CheckMesh(instances.mesh.get(), instances.motion, this->state_->mostElements);
   }
-  CheckLengths(instances, {});
-  CheckMotion(instances.motion, instances.Count());
+  CheckInstances(instances, this->state_->mostElements);
   if (!HasExponents(instances.shape))
   {
     instances.exponents3.clear();
@@ -158,7 +135,7 @@ void Scene::SetInstances(SetId id, GlyphInstances instances)
 void Scene::SetColours(SetId id, GlyphColours colours)
 {
   GlyphSet& set = this->state_->Find(id);
-  CheckLengths(set.instances, colours);
+  CheckColours(set.instances, colours);
   set.translucentColours = AnyTranslucent(colours);
   set.colours = std::move(colours);
   set.coloursChanged = true;
@@ -224,6 +201,12 @@ const Statistics& Scene::GetStatistics() const
   return this->state_->statistics;
 }
 
+std::uint64_t Scene::State::NextVersion()
+{
+  static std::atomic<std::uint64_t> last{ 0 };
+  return ++last;
+}
+
 GlyphSet& Scene::State::Find(SetId id)
 {
   const auto found = this->sets.find(id);
@@ -242,6 +225,7 @@ float Scene::State::Measure()
     {
       set.boxes = ListedBoxes(set.instances);
       set.bounds = UnionOf({ set.instances, set.boxes });
+      set.smallest = set.instances.shape == Shape::Mesh ? SmallestExtent(set.boxes) : 0.0f;
       set.measured = true;
       this->TellStage(set);
     }
@@ -278,7 +262,7 @@ void Scene::State::DropTopLevels()
   this->topLevels.clear();
   this->records.clear();
   this->topLevelChanged = true;
-  ++this->version;
+  this->version = NextVersion();
 }
 
 void Scene::State::CountStages()
@@ -298,6 +282,8 @@ void Scene::State::TellStage(const GlyphSet& set)
   this->stagesDone += set.count;
   if (this->progress && this->stages > 0)
   {
+    // The callback may use the device itself, for instance draw another view.
+    const Batch::Pause pause;
     this->progress(std::min(1.0, static_cast<double>(this->stagesDone) / static_cast<double>(this->stages)));
   }
 }
@@ -351,7 +337,10 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
     {
       continue;
     }
-    if (set.instancesChanged || !set.placed.Any() || 2.0f * reach > set.placed.builtReach)
+    // The scene's origin may have moved.
+    const bool otherMesh =
+      set.instances.shape == Shape::Mesh && this->NeedsMeshTree(set) != set.placed.group.Has(device::MESH_TREE);
+    if (set.instancesChanged || !set.placed.Any() || 2.0f * reach > set.placed.builtReach || otherMesh)
     {
       sent.push_back(&set);
       this->Place(set, reach);
@@ -373,7 +362,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
   if (this->recordsChanged)
   {
     this->FillRecords();
-    ++this->version;
+    this->version = NextVersion();
   }
 }
 

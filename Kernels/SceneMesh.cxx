@@ -79,51 +79,13 @@ PlacedMesh SendStillMesh(Device::State& device, std::shared_ptr<const TriangleMe
   return mesh;
 }
 
-} // namespace
-
-void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter)
+// Whether a mesh on the device is the wanted one, but for colors.
+bool HasShapeOf(const PlacedMesh& placed, const std::shared_ptr<const TriangleMesh>& wanted)
 {
-  const auto fail = [](const std::string& what) { throw Error("Ray Traced Glyphs: " + what); };
-  if (!mesh || mesh->triangles.empty())
-  {
-    fail("the mesh has no triangle; choose a source with polygons.");
-  }
-  const auto fits = [&](const char* name, std::size_t found, std::size_t wanted)
-  {
-    if (found != 0 && found != wanted)
-    {
-      fail("the mesh has " + std::to_string(found) + " " + name + "; it must have " + std::to_string(wanted) +
-        " or none.");
-    }
-  };
-  fits("normals", mesh->normals.size(), mesh->positions.size());
-  fits("colors of positions", mesh->positionColours.size(), mesh->positions.size());
-  fits("colors of triangles", mesh->triangleColours.size(), mesh->triangles.size());
-  fits("values of positions", mesh->positionValues.size(), mesh->positions.size());
-  if (!mesh->positionValues.empty() && mesh->valueColours.size() < 3)
-  {
-    fail("the mesh has values of positions, but no table of colors for them.");
-  }
-  for (const glm::uvec3& corner : mesh->triangles)
-  {
-    const std::uint32_t largest = std::max({ corner.x, corner.y, corner.z });
-    if (largest >= mesh->positions.size())
-    {
-      fail("a triangle of the mesh has corner " + std::to_string(largest) + " of " +
-        std::to_string(mesh->positions.size()) + " positions.");
-    }
-  }
-  CheckMotion(mesh->motion, mesh->positions.size());
-  if (mesh->motion.Spins())
-  {
-    fail("the positions of a mesh have angular velocities; they can have velocities and "
-         "accelerations.");
-  }
-  if (Deforms(*mesh))
-  {
-    CheckShutter(shutter);
-  }
+  return placed.source && (placed.source == wanted || SameShape(*placed.source, *wanted));
 }
+
+} // namespace
 
 bool IsMovingMesh(const GlyphInstances& instances)
 {
@@ -131,17 +93,15 @@ bool IsMovingMesh(const GlyphInstances& instances)
     (instances.motion.Any() || Deforms(*instances.mesh) || !instances.centresLow.empty());
 }
 
-bool Scene::State::KeepsMesh(const GlyphSet& set, PlacedMesh& mesh)
+void Scene::State::UpdateMeshColours(const GlyphSet& set, PlacedMesh& mesh)
 {
-  const GlyphInstances& instances = set.instances;
-  if (mesh.source != instances.mesh && mesh.source && SameShape(*mesh.source, *instances.mesh))
+  const std::shared_ptr<const TriangleMesh>& wanted = set.instances.mesh;
+  if (mesh.source != wanted)
   {
-    mesh.colours = SendMeshColours(this->device->GetState(), mesh, *instances.mesh);
-    mesh.source = instances.mesh;
+    mesh.colours = SendMeshColours(this->device->GetState(), mesh, *wanted);
+    mesh.source = wanted;
     ++this->statistics.colourUploads;
-    return true;
   }
-  return mesh.source == instances.mesh;
 }
 
 bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
@@ -155,11 +115,22 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
   group.Set(device::MESH_TRIANGLE_COLOURS,
     mesh.positionValues.empty() && mesh.positionColours.empty() && !mesh.triangleColours.empty());
   const std::shared_ptr<const TriangleMesh> before = placed.mesh.source;
-  const bool keeps = this->structure == Structure::Tree || IsMovingMesh(set.instances)
-    ? this->SendMeshWithTree(set, placed)
-    : this->SendMesh(set, placed);
+  const bool keeps = this->NeedsMeshTree(set) ? this->SendMeshWithTree(set, placed) : this->SendMesh(set, placed);
   this->statistics.buildSeconds += watch.Lap();
   return !keeps || before == set.instances.mesh;
+}
+
+bool Scene::State::NeedsMeshTree(const GlyphSet& set) const
+{
+  if (this->structure == Structure::Tree || IsMovingMesh(set.instances))
+  {
+    return true;
+  }
+  // Beside a set far away, of which the scene's origin is, float places glyphs only to more than 1e-6 of their sizes.
+  const glm::dvec3 offset = glm::abs(set.instances.origin - this->origin);
+  const double farthest = std::max({ offset.x, offset.y, offset.z });
+  const double error = std::ldexp(farthest + set.bounds.Reach(), -24);
+  return farthest > 0.0 && error > 1e-6 * set.smallest && this->device->GetState().int64;
 }
 
 // The mesh itself; its glyphs are sent like those of other shapes.
@@ -180,8 +151,12 @@ bool Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
   // A tree of positions at rest is the same whatever the shutter does.
   const bool sameShutter =
     !Deforms(mesh) || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
-  const bool keeps = this->KeepsMesh(set, sent) && sent.tree.nodes.Size() && sameShutter;
-  if (!keeps)
+  const bool keeps = sent.tree.nodes.Size() && sameShutter && HasShapeOf(sent, instances.mesh);
+  if (keeps)
+  {
+    this->UpdateMeshColours(set, sent);
+  }
+  else
   {
     sent = PlacedMesh();
     MeshTree tree = BuildMeshTree(mesh, shutter);
@@ -210,12 +185,12 @@ bool Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
 bool Scene::State::SendMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
   const GlyphInstances& instances = set.instances;
-  if (placed.mesh.tree.nodes.Size())
+  const bool keeps = !placed.mesh.tree.nodes.Size() && HasShapeOf(placed.mesh, instances.mesh);
+  if (keeps)
   {
-    placed.mesh = PlacedMesh();
+    this->UpdateMeshColours(set, placed.mesh);
   }
-  const bool keeps = this->KeepsMesh(set, placed.mesh);
-  if (!keeps)
+  else
   {
     placed.mesh = PlacedMesh();
     placed.mesh = SendStillMesh(this->device->GetState(), instances.mesh, this->device->IsCpu());

@@ -147,13 +147,14 @@ void Scene::State::FillRecords()
     for (const GlyphRun& run : placed.runs)
     {
       device::GlyphSetRecord record{};
-      // The values of the run's first glyph. What a set lacks and another set of the scene has points at the centres:
-      // a compiler may load it, for the first glyph (InSet in bindings.glsl), and drop it.
+      // The values of the run's first glyph. What a set lacks and another set of the scene has points at the centres,
+      // or where the driver's instances have these, at the mesh's positions: a compiler may load it, for the first
+      // glyph (InSet in bindings.glsl), and drop it.
+      const vk::DeviceAddress anything = placed.arrays[0].Size()
+        ? placed.arrays[0].Address() + run.first * sizeof(glm::vec3)
+        : placed.mesh.positions.Address();
       const auto at = [&](const Buffer& buffer, std::size_t stride)
-      {
-        return buffer.Size() ? buffer.Address() + run.first * stride
-                             : placed.arrays[0].Address() + run.first * sizeof(glm::vec3);
-      };
+      { return buffer.Size() ? buffer.Address() + run.first * stride : anything; };
       const GlyphInstances& instances = set.instances;
       const GlyphColours& colours = set.colours;
 #define RTG_FILL(number, BIT, type, name, values, words) record.name = at(placed.arrays[number], Stride(values));

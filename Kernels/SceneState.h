@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace rtg
@@ -105,6 +107,7 @@ struct GlyphSet
   std::size_t count = 0;
   bool measured = false;  ///< `bounds` are those of the instances
   Box bounds;             ///< relative to instances.origin
+  float smallest = 0.0f;  ///< of the extents of its glyphs; Shape::Mesh only
   std::vector<Box> boxes; ///< of the glyphs, from their bounds to their build; none of balls
   GlyphOrder sorted;
   PlacedGlyphs placed;
@@ -135,6 +138,8 @@ struct Scene::State
   /// What one bottom-level structure may hold at most; every device allows 2^24 - 1. Tests lower it.
   std::uint32_t glyphsPerRun = (1u << 24) - 1;
   std::uint64_t mostInstances; ///< of a top-level structure. Tests lower it.
+  /// Of an array on the device: SPIR-V takes indices for signed numbers. Tests lower it.
+  std::size_t mostElements = std::numeric_limits<std::int32_t>::max();
   Structure structure;
   Statistics statistics;
 
@@ -150,7 +155,9 @@ struct Scene::State
   std::uint32_t placedTimeSliceBits = 0; ///< the most of any visible set
   bool topLevelChanged = true;
   bool recordsChanged = true;
-  std::uint64_t version = 0; ///< grows with every change that changes the image
+  /// Another one with every change that changes the image, and in every scene.
+  std::uint64_t version = NextVersion();
+  static std::uint64_t NextVersion();
 
   // Of the Commit() that is going on, in stages of glyphs: measuring, sorting, sending, and building of each.
   static constexpr std::uint64_t stagesPerGlyph = 4;
@@ -176,9 +183,12 @@ struct Scene::State
   bool PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed);
   /// Both: whether the mesh on the device stays.
   bool SendMesh(const GlyphSet& set, PlacedGlyphs& placed);
+  /// Whether mesh glyphs need a tree of their own: where there are no triangles of the driver, and where these, which
+  /// are placed in float, would not do.
+  bool NeedsMeshTree(const GlyphSet& set) const;
   bool SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed);
-  /// Whether the mesh that is on the device has the shape that is wanted; its colors are then brought up to date.
-  bool KeepsMesh(const GlyphSet& set, PlacedMesh& mesh);
+  /// Of a mesh that stays. One that goes must not be sent to: the batch would copy to a buffer that is no more.
+  void UpdateMeshColours(const GlyphSet& set, PlacedMesh& mesh);
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.
   void AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
     std::vector<vk::AccelerationStructureInstanceKHR>& instances) const;
@@ -191,9 +201,6 @@ struct Scene::State
   std::vector<vk::AccelerationStructureInstanceKHR> InstancesIn(std::uint32_t slice, std::uint32_t sliceBits);
   void FillRecords();
 };
-
-/// Throws rtg::Error when it is missing, has no triangle, or arrays that do not fit together.
-void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter);
 
 /// A buffer on the device with these values; `more` is usage besides that of a storage buffer.
 template <class T>

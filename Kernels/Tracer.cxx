@@ -31,15 +31,16 @@ struct Tracer::State
   // An image, or further samples of one, in the making.
   struct Job
   {
-    const Scene::State* scene = nullptr;
-    std::uint64_t sceneVersion = 0;
+    std::uint64_t sceneVersion = 0; ///< 0: there is nothing to go on with
     Image image;
     TraceSettings settings;
     Generation generation;
     Tiling tiling;
-    device::FrameRecord frame{}; ///< of the samples in work; firstTile: the first one that lacks them
-    std::uint32_t atOnce = 1;    ///< samples of one dispatch over all tiles
-    std::uint32_t done = 0;      ///< samples that all tiles have
+    device::FrameRecord frame{};           ///< of the samples in work; firstTile: the first one that lacks them
+    std::uint32_t atFirst = 1, atMost = 1; ///< samples of one dispatch over all tiles: of the first, of any
+    std::uint32_t atOnce = 1;              ///< likewise, of the next
+    double longest = 0.0;                  ///< seconds of a launch of the one in work
+    std::uint32_t done = 0;                ///< samples that all tiles have
 
     /// Of the tiles, those that have the samples in work.
     double TracedShare() const
@@ -99,7 +100,7 @@ void Tracer::State::CheckContinues(const TraceSettings& settings, const Scene::S
   const bool same = l.width == settings.width && l.height == settings.height && l.pixelStep == settings.pixelStep &&
     l.shading == settings.shading && l.features == settings.features && l.occlusionRays == settings.occlusionRays &&
     l.paths == settings.paths && l.share == settings.share && l.shares == settings.shares &&
-    l.environmentImage == settings.environmentImage && this->job.image.complete && this->job.scene == &scene &&
+    l.environmentImage == settings.environmentImage && this->job.image.complete &&
     this->job.sceneVersion == scene.version;
   if (!same || this->keptSamples != settings.firstSample)
   {
@@ -143,13 +144,13 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
 {
   Job& begun = this->job;
   begun = Job();
-  begun.scene = &scene;
-  begun.sceneVersion = scene.version;
   begun.settings = settings;
   begun.image.width = settings.width;
   begun.image.height = settings.height;
   begun.image.complete = false;
-  begun.atOnce = SamplesAtOnce(settings, std::size_t(settings.width) * settings.height);
+  begun.atMost = SamplesAtOnce(settings, std::size_t(settings.width) * settings.height);
+  begun.atFirst = this->launcher.Cuts(interruptible) ? std::min(SamplesAtFirst(settings), begun.atMost) : begun.atMost;
+  begun.atOnce = begun.atFirst;
   const bool keeps = settings.keepSums || settings.firstSample > 0 || begun.atOnce < settings.samples;
   this->buffers.Prepare(this->Vulkan(), settings, keeps);
   const bool empty = scene.records.empty();
@@ -213,13 +214,17 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
       {
         frame.firstSample = settings.firstSample + work.done;
         frame.samples = std::min(work.atOnce, settings.samples - work.done);
+        work.longest = 0.0;
       }
-      this->launcher.LaunchTiles(program, work.generation, scene, frame, work.tiling.End(), interruptible);
+      work.longest = std::max(work.longest,
+        this->launcher.LaunchTiles(program, work.generation, scene, frame, work.tiling.End(), interruptible));
       this->shared->statistics.traceSeconds += watch.Lap();
       if (frame.firstTile == work.tiling.End())
       {
         frame.firstTile = work.tiling.Begin();
         work.done += frame.samples;
+        work.atOnce = static_cast<std::uint32_t>(
+          std::clamp<double>(Launcher::NextSamples(frame.samples, work.longest), work.atFirst, work.atMost));
         ++this->shared->statistics.dispatches;
         this->shared->statistics.primaryRays += work.tiling.Rays() * frame.samples;
       }
@@ -254,6 +259,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
     image.height = settings.height;
     image.samples = settings.firstSample + settings.samples;
     state.keptSamples = 0;
+    state.job = State::Job();
     return image;
   }
   state.CheckContinues(settings, glyphs);
@@ -263,6 +269,8 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
     {
       const bool translucent = scene.HasTranslucent();
       state.Begin(glyphs, translucent, camera, lights, settings, pass, static_cast<bool>(interrupt));
+      // Only what was begun as a whole can be gone on with.
+      state.job.sceneVersion = glyphs.version;
       state.Run(glyphs, interrupt);
     });
   return state.job.image;
@@ -272,10 +280,10 @@ Image Tracer::Resume(Scene& scene, const Interrupt& interrupt)
 {
   State& state = *this->state_;
   const Scene::State& glyphs = scene.GetState();
-  if (state.job.scene != &glyphs || state.job.sceneVersion != glyphs.version)
+  if (state.job.sceneVersion != glyphs.version)
   {
-    throw Error("Ray Traced Glyphs: an image of another scene is to be gone on with; trace it from "
-                "its first sample.");
+    throw Error("Ray Traced Glyphs: there is no image of this scene, as it is now, to go on with; trace one from its "
+                "first sample.");
   }
   state.Vulkan().Guard("tracing an image",
     [&]
@@ -297,7 +305,7 @@ std::vector<glm::vec4> Tracer::Means() const
   return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Means(state.keptSamples); });
 }
 
-DenoiseTask Tracer::Denoise(const Image& image) const
+DenoiseTask Tracer::Denoise(const Image& image, std::stop_token stop) const
 {
   DenoiseTask task;
   task.means_ = this->Means();
@@ -308,6 +316,7 @@ DenoiseTask Tracer::Denoise(const Image& image) const
   task.image_ = image;
   task.settings_ = this->state_->last;
   task.shared_ = this->state_->shared;
+  task.stop_ = std::move(stop);
   return task;
 }
 

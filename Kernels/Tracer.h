@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 namespace rtg
@@ -139,6 +140,7 @@ private:
   Image image_;
   TraceSettings settings_;
   std::shared_ptr<TracerResources> shared_;
+  std::stop_token stop_;
 };
 
 /// Traces a committed scene. The same scene, settings and device give the same image, however its samples are
@@ -167,8 +169,8 @@ public:
   std::vector<glm::vec4> Means() const;
 
   /// The denoising of the last Trace()'s image, which must be complete and traced with keepSums and features. It has
-  /// copies of what it needs: more samples can be added meanwhile.
-  DenoiseTask Denoise(const Image& image) const;
+  /// copies of what it needs: more samples can be added meanwhile. It throws rtg::Error soon after a stop is requested.
+  DenoiseTask Denoise(const Image& image, std::stop_token stop = {}) const;
 
   const Statistics& GetStatistics() const;
 

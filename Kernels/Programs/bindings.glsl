@@ -84,6 +84,13 @@ vec4 TableColour(const UintArray table, const uint first, const uint size, const
   return unpackUnorm4x8(table.at[first + entry]);
 }
 
+// The value between corners for that: the least of the corners, and the interpolated one if all have numbers. A corner
+// without one decides for the whole surface between them: its value says what it is, a part of it would not.
+float ValueBetween(const float least, const float interpolated)
+{
+  return least < LEAST_NUMBER ? least : interpolated;
+}
+
 const uint nothing = 0xffffffffu; // no glyph, no triangle
 
 // More translucent surfaces on a ray than it passes by chance count as a wall.

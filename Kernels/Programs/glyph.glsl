@@ -134,8 +134,9 @@ vec4 ColourBetweenEnds(
   vec4 colour;
   if (Has(set.variants, END_VALUES))
   {
-    colour =
-      TableColour(set.colourTable, 0u, set.colourTableSize, mix(uintBitsToFloat(ends.x), uintBitsToFloat(ends.y), way));
+    vec2 values = uintBitsToFloat(ends);
+    float value = ValueBetween(min(values.x, values.y), mix(values.x, values.y, way));
+    colour = TableColour(set.colourTable, 0u, set.colourTableSize, value);
   }
   else
   {

@@ -49,8 +49,11 @@ void OpenShutter(const SampleNumber number)
 // What a pixel has gathered.
 struct Pixel
 {
-  vec4 colour; // sum of colour times opacity, and of opacity
-  bool found;  // some sample hit
+  // Sums over samples of colour times opacity, and of opacity. Single floats would be off by a hundredth after a
+  // million samples, all to the same side.
+  DoubleWord3 colour;
+  DoubleWord opacity;
+  bool found; // some sample hit
   bool centreHit;
   float depth; // view depth of the centre's sample, or else of the nearest
   uint record; // its glyph set's, when a sample of this dispatch identified it; else 0xffffffff
@@ -60,7 +63,8 @@ struct Pixel
 Pixel BeginPixel(const uvec2 position)
 {
   Pixel pixel;
-  pixel.colour = vec4(0.0);
+  pixel.colour = Word3(vec3(0.0));
+  pixel.opacity = Word(0.0);
   pixel.found = false;
   pixel.centreHit = false;
   pixel.depth = 1e38;
@@ -70,13 +74,25 @@ Pixel BeginPixel(const uvec2 position)
   {
     // Compilers may load it where there is one pixel only.
     uint at = frame.accumulates != 0u ? position.y * frame.width + position.x : 0u;
-    pixel.colour = frame.sums.at[at].colour;
+    pixel.colour = DoubleWord3(frame.sums.at[at].colour, frame.sums.at[at].colourLow);
+    pixel.opacity = DoubleWord(frame.sums.at[at].opacity, frame.sums.at[at].opacityLow);
     float depth = frame.sums.at[at].depth;
     pixel.found = depth < 1e38;
     pixel.centreHit = floatBitsToUint(depth) >> 31u != 0u;
     pixel.depth = abs(depth);
   }
   return pixel;
+}
+
+// Adds a layer of a sample, or all that a sample has seen.
+void AddToPixel(inout Pixel pixel, const vec3 colour, const float opacity)
+{
+  pixel.opacity = Add(pixel.opacity, opacity);
+  // Beyond the range of floats there are no low parts.
+  vec3 plain = pixel.colour.hi + colour;
+  DoubleWord3 sum = Add(pixel.colour, colour);
+  pixel.colour.hi = mix(sum.hi, plain, isinf(plain));
+  pixel.colour.lo = mix(sum.lo, vec3(0.0), isinf(plain));
 }
 
 // Depth and identity of a sample whose camera ray has just hit.
@@ -112,17 +128,20 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   if (frame.accumulates != 0u)
   {
     uint at = position.y * frame.width + position.x;
-    frame.sums.at[at].colour = pixel.colour;
+    frame.sums.at[at].colour = pixel.colour.hi;
+    frame.sums.at[at].colourLow = pixel.colour.lo;
+    frame.sums.at[at].opacity = pixel.opacity.hi;
+    frame.sums.at[at].opacityLow = pixel.opacity.lo;
     frame.sums.at[at].depth = pixel.centreHit ? -pixel.depth : pixel.depth;
   }
 
   uint packedColour = 0u;
-  if (pixel.colour.a > 0.0)
+  if (pixel.opacity.hi > 0.0)
   {
     float samples = float(frame.firstSample + frame.samples);
-    vec3 mean = pixel.colour.rgb / pixel.colour.a;
+    vec3 mean = pixel.colour.hi / pixel.opacity.hi;
     vec3 shown = linear || frame.develops != 0u ? Develop(mean, linear, frame.exposureFactor, frame.toneMapping) : mean;
-    packedColour = packUnorm4x8(vec4(shown, pixel.colour.a / samples));
+    packedColour = packUnorm4x8(vec4(shown, pixel.opacity.hi / samples));
   }
   float windowDepth = 1.0;
   uint setId = 0xffffffffu;

@@ -44,9 +44,10 @@ vec4 TriangleColour(
   }
   else if (Has(set.variants, MESH_VALUE_COLOURS))
   {
-    float value = weight.x * uintBitsToFloat(set.meshColours.at[corner.x]) +
-      weight.y * uintBitsToFloat(set.meshColours.at[corner.y]) +
-      weight.z * uintBitsToFloat(set.meshColours.at[corner.z]);
+    vec3 values =
+      uintBitsToFloat(uvec3(set.meshColours.at[corner.x], set.meshColours.at[corner.y], set.meshColours.at[corner.z]));
+    float value = ValueBetween(
+      min(values.x, min(values.y, values.z)), weight.x * values.x + weight.y * values.y + weight.z * values.z);
     colour = TableColour(set.meshColours, set.meshValueCount, set.meshTableSize, value);
   }
   else if (Has(set.variants, MESH_TRIANGLE_COLOURS))

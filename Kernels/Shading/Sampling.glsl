@@ -5,10 +5,12 @@
 #include "Sobol.glsl"
 
 // Sample s >= 1 in [0,1)^2: the R2 sequence (Roberts 2018, the plastic number's additive recurrence) started at the
-// pixel's centre, so that with sample 0 there the first samples spread evenly round it.
+// pixel's centre, so that with sample 0 there the first samples spread evenly round it. In integers, of which the
+// overflow is the recurrence's own: floats would round the places of late samples to a coarse grid.
 vec2 PixelSample(const uint s)
 {
-  return fract(vec2(0.5) + float(s) * vec2(0.7548776662466927, 0.5698402909980532));
+  uvec2 bits = 0x80000000u + s * uvec2(3242174889u, 2447445414u); // 0.7548776662466927, 0.5698402909980532
+  return vec2(UnitInterval(bits.x), UnitInterval(bits.y));
 }
 
 // The pairs in use. Those that matter together share a sequence, and the place in the pixel and the first direction its

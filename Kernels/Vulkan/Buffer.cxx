@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace rtg
@@ -45,6 +46,13 @@ std::uint32_t ChooseMemoryType(const Device::State& device, std::uint32_t allowe
   throw vk::OutOfDeviceMemoryError("no suitable memory type");
 }
 
+[[noreturn]] void ThrowTooLarge(const Device::State& device, std::size_t size, vk::DeviceSize most)
+{
+  throw Error("Ray Traced Glyphs: " + std::to_string(size >> 20) + " MiB are to lie in one piece, of which '" +
+    device.name + "' allows " + std::to_string(most >> 20) +
+    " MiB. Show fewer glyphs in one display (GlyphMask, MaximumNumberOfGlyphs), or make the picture smaller.");
+}
+
 } // namespace
 
 Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usage, Place place)
@@ -61,6 +69,10 @@ Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usa
   {
     usage |= Usage::eTransferDst | Usage::eTransferSrc;
   }
+  if (size > device.mostOfBuffer)
+  {
+    ThrowTooLarge(device, size, device.mostOfBuffer);
+  }
   this->buffer_ = vk::raii::Buffer(device.device, vk::BufferCreateInfo({}, size, usage));
   const vk::MemoryRequirements needs = this->buffer_.getMemoryRequirements();
 
@@ -69,7 +81,19 @@ Buffer::Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usa
   const vk::MemoryPropertyFlags flags = device.memoryTypes.memoryTypes[type].propertyFlags;
   const bool mapped =
     (place == Place::Host || device.sharesMemory) && flags & Flag::eHostVisible && flags & Flag::eHostCoherent;
-  this->memory_ = device.memory.Allocate(device.device, needs, type, mapped);
+  try
+  {
+    this->memory_ = device.memory.Allocate(device.device, needs, type, mapped);
+  }
+  catch (const vk::OutOfDeviceMemoryError&)
+  {
+    // Other data need not be hidden for what no driver promises.
+    if (needs.size > device.mostOfAllocation)
+    {
+      ThrowTooLarge(device, size, device.mostOfAllocation);
+    }
+    throw;
+  }
 
   this->buffer_.bindMemory(this->memory_.Handle(), this->memory_.Offset());
   this->address_ = device.device.getBufferAddress(vk::BufferDeviceAddressInfo(*this->buffer_));

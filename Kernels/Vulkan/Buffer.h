@@ -20,7 +20,8 @@ public:
   };
 
   Buffer() = default;
-  /// Throws vk::SystemError. A size of zero makes an empty buffer with address 0.
+  /// Throws vk::SystemError, or rtg::Error where the device allows no such size. A size of zero makes an empty buffer
+  /// with address 0.
   Buffer(Device::State& device, std::size_t size, vk::BufferUsageFlags usage, Place place);
   ~Buffer();
   Buffer(Buffer&& other) noexcept;

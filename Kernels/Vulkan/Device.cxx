@@ -312,6 +312,18 @@ void Device::Start()
   state.programLayout = vk::raii::PipelineLayout(state.device, vk::PipelineLayoutCreateInfo({}, *state.frameLayout));
   state.programs = std::make_unique<ProgramLibrary>(state);
   state.memoryTypes = state.physical.getMemoryProperties();
+  state.mostOfAllocation =
+    state.physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan11Properties>()
+      .get<vk::PhysicalDeviceVulkan11Properties>()
+      .maxMemoryAllocationSize;
+  constexpr const char* bufferSizes[] = { VK_KHR_MAINTENANCE_4_EXTENSION_NAME };
+  if (HasExtensions(state.physical, bufferSizes))
+  {
+    state.mostOfBuffer =
+      state.physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance4Properties>()
+        .get<vk::PhysicalDeviceMaintenance4Properties>()
+        .maxBufferSize;
+  }
   if (state.tracesRays)
   {
     const auto properties = state.physical.getProperties2<vk::PhysicalDeviceProperties2,
@@ -457,15 +469,22 @@ void Device::State::LoadPrograms()
   this->programCache = vk::raii::PipelineCache(this->device, vk::PipelineCacheCreateInfo({}, data.size(), data.data()));
 }
 
-void Device::State::SavePrograms()
+void Device::State::SavePrograms() noexcept
 {
   const std::lock_guard<std::mutex> lock(this->cacheMutex_);
-  const std::vector<std::uint8_t> data = this->programCache.getData();
-  // Some drivers keep nothing behind the header, lavapipe among them.
-  if (data.size() > sizeof(VkPipelineCacheHeaderVersionOne) && data.size() != this->cachedBytes_)
+  try
   {
-    this->cacheFile_.Save(data);
-    this->cachedBytes_ = data.size();
+    const std::vector<std::uint8_t> data = this->programCache.getData();
+    // Some drivers keep nothing behind the header, lavapipe among them.
+    if (data.size() > sizeof(VkPipelineCacheHeaderVersionOne) && data.size() != this->cachedBytes_)
+    {
+      this->cacheFile_.Save(data);
+      this->cachedBytes_ = data.size();
+    }
+  }
+  catch (const std::exception&)
+  {
+    // Later processes compile again what could not be kept; nothing else is lost.
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -42,6 +43,8 @@ struct Device::State
   vk::PhysicalDeviceMemoryProperties memoryTypes;
   vk::PhysicalDeviceRayTracingPipelinePropertiesKHR pipelineLimits;
   vk::PhysicalDeviceAccelerationStructurePropertiesKHR structureLimits;
+  /// Bytes of a buffer, and of an allocation: drivers may give more than they say of the latter. Tests lower them.
+  vk::DeviceSize mostOfBuffer = std::numeric_limits<vk::DeviceSize>::max(), mostOfAllocation = mostOfBuffer;
   std::uint32_t queueFamily = 0;
   std::string name;
   bool cpu = false;
@@ -71,8 +74,8 @@ struct Device::State
 
   /// Starts `programCache` with what processes before have left on disk.
   void LoadPrograms();
-  /// Leaves on disk what the driver has compiled since. In any thread.
-  void SavePrograms();
+  /// Leaves on disk what the driver has compiled since, where that can be done. In any thread.
+  void SavePrograms() noexcept;
 
   /// Runs `work`; turns every failure of Vulkan, and memory of the computer that does not suffice, into one rtg::Error
   /// that says what was being done.

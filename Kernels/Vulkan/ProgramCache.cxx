@@ -53,14 +53,15 @@ void Shrink(const fs::path& folder, std::uintmax_t mostBytes, const fs::path& ke
   std::vector<std::pair<fs::file_time_type, fs::path>> files;
   std::uintmax_t bytes = 0;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+  // Not a range-based loop: its ++ throws where a file server fails.
+  for (fs::directory_iterator entry(folder, error), end; entry != end; entry.increment(error))
   {
     std::error_code none;
-    const std::uintmax_t size = entry.is_regular_file(none) ? entry.file_size(none) : 0;
-    if (!none && size > 0 && IsCache(entry.path()))
+    const std::uintmax_t size = entry->is_regular_file(none) ? entry->file_size(none) : 0;
+    if (!none && size > 0 && IsCache(entry->path()))
     {
       bytes += size;
-      files.emplace_back(entry.last_write_time(none), entry.path());
+      files.emplace_back(entry->last_write_time(none), entry->path());
     }
   }
   std::sort(files.begin(), files.end());

@@ -27,7 +27,6 @@ void Compile(Device::State& vulkan, Program& program)
       block.Send(command, frame);
       pipeline->Trace(command, block, 1, 1);
     });
-  vulkan.SavePrograms();
   program.pipeline = std::move(pipeline);
 }
 
@@ -50,10 +49,8 @@ ProgramLibrary::ProgramLibrary(Device::State& device)
 
 ProgramLibrary::~ProgramLibrary()
 {
-  for (const std::shared_ptr<Program>& program : this->programs_)
-  {
-    program->compiled.wait();
-  }
+  std::unique_lock<std::mutex> lock(this->mutex_);
+  this->idle_.wait(lock, [this] { return this->atWork_ == 0; });
 }
 
 std::pair<std::shared_ptr<Program>, bool>
@@ -82,10 +79,21 @@ ProgramLibrary::Get(const Generation& generation, const std::vector<HitGroup>& o
   const auto program = std::make_shared<Program>();
   program->generation = generation;
   program->groups = groups;
-  std::packaged_task<void()> compiling([device = this->device_, p = program.get()] { Compile(*device, *p); });
-  program->compiled = compiling.get_future();
+  const auto compiling =
+    std::make_shared<std::packaged_task<void()>>([device = this->device_, p = program.get()] { Compile(*device, *p); });
+  program->compiled = compiling->get_future();
   this->programs_.push_back(program);
-  RunInBackground(std::move(compiling));
+  RunInBackground(
+    [this, compiling]
+    {
+      (*compiling)();
+      // The program is used meanwhile.
+      this->device_->SavePrograms();
+      const std::lock_guard<std::mutex> done(this->mutex_);
+      --this->atWork_;
+      this->idle_.notify_all();
+    });
+  ++this->atWork_;
   return { program, true };
 }
 

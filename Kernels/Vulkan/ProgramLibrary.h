@@ -3,6 +3,8 @@
 
 #include "Pipeline.h"
 
+#include <condition_variable>
+#include <cstddef>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -26,7 +28,7 @@ class ProgramLibrary
 {
 public:
   explicit ProgramLibrary(Device::State& device);
-  ~ProgramLibrary(); ///< waits for what is being compiled
+  ~ProgramLibrary(); ///< waits for what is being compiled or saved
   ProgramLibrary(const ProgramLibrary&) = delete;
   ProgramLibrary& operator=(const ProgramLibrary&) = delete;
 
@@ -37,6 +39,8 @@ public:
 private:
   Device::State* device_;
   std::mutex mutex_;
+  std::size_t atWork_ = 0; ///< threads that compile or save
+  std::condition_variable idle_;
   std::vector<std::shared_ptr<Program>> programs_; ///< last used last
 };
 

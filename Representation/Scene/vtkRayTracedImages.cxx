@@ -87,9 +87,9 @@ public:
     return this->Own.Tracer->Resume(*this->Images.Scene, interrupt);
   }
 
-  std::function<std::vector<std::uint32_t>()> Denoise(const rtg::Image& image) override
+  std::function<std::vector<std::uint32_t>()> Denoise(const rtg::Image& image, std::stop_token stop) override
   {
-    return this->Own.Tracer->Denoise(image);
+    return this->Own.Tracer->Denoise(image, std::move(stop));
   }
 
   bool HasDevice() const override { return this->Images.Device && !this->Images.Device->Lost(); }

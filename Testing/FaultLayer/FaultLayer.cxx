@@ -4,8 +4,9 @@
 //   FUNCTION N                the Nth call of FUNCTION from now on fails, and the file is removed
 //   FUNCTION N always         that call and all further ones fail, while the file is there
 // FUNCTION is vkQueueSubmit, which loses the device, or vkAllocateMemory, vkBindBufferMemory, vkMapMemory,
-// vkCreateBuffer or vkCreateAccelerationStructureKHR, which answer VK_ERROR_OUT_OF_DEVICE_MEMORY, or mmap: vkMapMemory
-// then answers VK_SUCCESS and maps nothing, as lavapipe's does where the computer has no memory left.
+// vkCreateBuffer or vkCreateAccelerationStructureKHR, which answer VK_ERROR_OUT_OF_DEVICE_MEMORY,
+// vkGetPipelineCacheData, which answers VK_ERROR_OUT_OF_HOST_MEMORY, or mmap: vkMapMemory then answers VK_SUCCESS and
+// maps nothing, as lavapipe's does where the computer has no memory left.
 //
 // It makes devices lack what RTGLYPHS_LACKS names, one thing or several: see Properties2() and Features2(). And where
 // RTGLYPHS_KEEPS is set, pipeline caches have data of the driver, which lavapipe's have not: see
@@ -254,6 +255,10 @@ constexpr char compiled[] = "compiled programs";
 VKAPI_ATTR VkResult VKAPI_CALL GetPipelineCacheData(
   VkDevice device, VkPipelineCache cache, std::size_t* size, void* data)
 {
+  if (Due("vkGetPipelineCacheData"))
+  {
+    return VK_ERROR_OUT_OF_HOST_MEMORY;
+  }
   const std::size_t own = std::getenv("RTGLYPHS_KEEPS") ? sizeof(compiled) : 0;
   *size -= data ? own : 0;
   const VkResult result = NextOf(device).getPipelineCacheData(device, cache, size, data);

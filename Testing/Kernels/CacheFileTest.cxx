@@ -3,10 +3,30 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <dirent.h>
+#include <dlfcn.h>
 #include <fstream>
 #include <numeric>
 #include <unistd.h>
+
+namespace
+{
+bool foldersFail = false;
+}
+
+// In place of the C library's, as <filesystem> calls it: the file server goes away before a folder's last entry.
+extern "C" __attribute__((visibility("default"))) dirent* readdir(DIR* folder)
+{
+  static const auto next = reinterpret_cast<dirent* (*)(DIR*)>(::dlsym(RTLD_NEXT, "readdir"));
+  dirent* const entry = next(folder);
+  if (!entry && foldersFail)
+  {
+    errno = ESTALE;
+  }
+  return entry;
+}
 
 namespace
 {
@@ -107,6 +127,18 @@ TEST_F(CacheFileTest, WhereNothingCanBeWrittenNothingIs)
   taken.Save(Data(10));
   EXPECT_TRUE(taken.Load().empty());
   EXPECT_EQ(this->Files(), 2u);
+}
+
+TEST_F(CacheFileTest, AFolderThatCannotBeReadIsNoFailure)
+{
+  const rtg::CacheFile file(this->folder, "driver");
+  file.Save(Data(10));
+  foldersFail = true;
+  EXPECT_THROW(this->Files(), fs::filesystem_error) << "the test's readdir is not called";
+  EXPECT_NO_THROW(file.Save(Data(20)));
+  foldersFail = false;
+  EXPECT_EQ(file.Load(), Data(20));
+  EXPECT_EQ(this->Files(), 1u);
 }
 
 TEST_F(CacheFileTest, Bounded)

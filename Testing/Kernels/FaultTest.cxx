@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -17,6 +18,7 @@
 #include <new>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace
@@ -104,13 +106,13 @@ struct Picture
   bool operator==(const Picture&) const = default;
 };
 
-Picture Trace(rtg::Scene& scene)
+Picture Trace(rtg::Scene& scene, rtg::Tracer& tracer = rtg::testing::SharedTracer())
 {
   rtg::TraceSettings settings;
   settings.width = settings.height = side;
   const auto camera = rtg::Camera::FromWorldToClip(
     glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 9.0) * glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
-  const Image image = rtg::testing::SharedTracer().Trace(scene, camera, { rtg::Light() }, settings);
+  const Image image = tracer.Trace(scene, camera, { rtg::Light() }, settings);
   Picture picture;
   picture.colours.assign(image.colour, image.colour + side * side);
   for (std::uint32_t i = 0; i < side * side; ++i)
@@ -303,6 +305,39 @@ TEST_P(FaultTest, OneSetThatFailsLeavesTheOthersInPlace)
   scene->Remove(other);
   scene->Commit();
   EXPECT_TRUE(Trace(*scene) == this->Expected(first));
+}
+
+/// An image that failed before anything was launched is nothing to go on with.
+TEST_P(FaultTest, AnImageThatFailedIsNotGoneOnWith)
+{
+  const auto scene = this->MakeScene();
+  Set(*scene, scene->Add(), RandomGlyphs(Content::Spheres, 8));
+  scene->Commit();
+  rtg::Tracer tracer(this->device);
+  {
+    const Fault fault("vkCreateBuffer", 1);
+    EXPECT_THROW(Trace(*scene, tracer), rtg::OutOfMemory);
+  }
+  EXPECT_THROW(tracer.Resume(*scene), rtg::Error);
+  EXPECT_TRUE(Trace(*scene, tracer) == Trace(*scene));
+}
+
+/// What the driver has compiled is kept on disk where that can be done; a program is none the worse where it cannot.
+TEST_P(FaultTest, AProgramThatCannotBeKeptIsCompiledAllTheSame)
+{
+  rtg::Generation generation;
+  generation.ownTrees = GetParam() == rtg::Structure::Tree;
+  generation.constants.shapes = 1u;
+  generation.constants.degree = 5432u; // of no other test
+  const Fault fault("vkGetPipelineCacheData", 1);
+  const auto [program, began] = this->device->GetState().programs->Get(generation, {});
+  EXPECT_TRUE(began);
+  EXPECT_NO_THROW(program->compiled.get());
+  EXPECT_TRUE(program->pipeline);
+  while (fault.Pending())
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 // Nobody has waited for it: the view that wanted it is gone.

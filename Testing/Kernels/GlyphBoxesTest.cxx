@@ -56,6 +56,39 @@ TEST_P(GlyphBoxesTest, HoldTheBounds)
   }
 }
 
+/// Programs compute times in floats: next to time zero these are off by many of their own ulps.
+TEST(GlyphBoxesOfMoving, HoldGlyphsAtTheTimesOfPrograms)
+{
+  std::mt19937 random(13);
+  std::uniform_real_distribution<float> unit;
+  constexpr int slices = 64;
+  for (int i = 0; i < 2000; ++i)
+  {
+    GlyphInstances instances;
+    instances.centres = { glm::vec3(0.0f) };
+    instances.uniformSize = 0.01f;
+    instances.motion.velocities = { glm::vec3(100.0f, -70.0f, 30.0f) };
+    instances.motion.accelerations = { glm::vec3(10.0f, 20.0f, -50.0f) };
+    instances.motion.shutterOpen = -unit(random);
+    instances.motion.shutterClose = unit(random);
+    const float length = instances.motion.shutterClose - instances.motion.shutterOpen;
+    const auto slice = static_cast<int>(-instances.motion.shutterOpen / length * slices);
+    const Box box = GlyphBoxes(instances, double(slice) / slices, double(slice + 1) / slices).front();
+    // The first and the last fraction of the slice.
+    for (const float fraction : { float(slice) / slices, std::nextafter(float(slice + 1) / slices, 0.0f) })
+    {
+      const float product = fraction * length;
+      const float time = instances.motion.shutterOpen + product;
+      const glm::dvec3 centre = instances.motion.Displacement(0, time);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        ASSERT_LE(box.lower[axis], centre[axis] - 0.5 * double(instances.uniformSize)) << time;
+        ASSERT_GE(box.upper[axis], centre[axis] + 0.5 * double(instances.uniformSize)) << time;
+      }
+    }
+  }
+}
+
 TEST_P(GlyphBoxesTest, WithLowParts)
 {
   HardCase hard = HardCaseMaker(this->GetParam(), 200, 0).Case("turned");

@@ -199,3 +199,15 @@ TEST_F(LightTest, DenoisingNeedsWhatItIsGuidedBy)
   Image image = this->Trace();
   EXPECT_THROW(this->tracer.Denoise(image), rtg::Error);
 }
+
+TEST_F(LightTest, DenoisingCanBeStopped)
+{
+  this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(1.0f) }, White());
+  this->settings.shading = Shading::AmbientOcclusion;
+  this->settings.features = this->settings.keepSums = true;
+  const Image image = this->Trace();
+  std::stop_source stop;
+  EXPECT_NO_THROW(this->tracer.Denoise(image, stop.get_token())());
+  stop.request_stop();
+  EXPECT_THROW(this->tracer.Denoise(image, stop.get_token())(), rtg::Error);
+}

@@ -288,6 +288,70 @@ TEST_F(MeshTest, ColoursOfPositionsAreInterpolated)
   EXPECT_EQ(image.glyphIds[63 * 64 + 63], Image::noGlyph);
 }
 
+/// A corner without a number or a value takes its whole triangle, and the color of the one is not that of the other.
+TEST_F(MeshTest, WhatHasNoValueReachesAsFarAsItsTriangles)
+{
+  const std::uint32_t number = 0xff00ff00u, noNumber = 0xff0000ffu, none = 0xffff0000u;
+  for (const auto structure : { rtg::Structure::Boxes, rtg::Structure::Tree })
+  {
+    if (!rtg::testing::WhatLacksFor(structure).empty())
+    {
+      continue;
+    }
+    this->scene.GetState().structure = structure;
+    for (const auto& [values, expected] : { std::pair(std::vector<float>{ 0.2f, 0.9f, rtg::noValue }, none),
+           std::pair(std::vector<float>{ 0.2f, rtg::noValue, rtg::notANumber }, none),
+           std::pair(std::vector<float>{ 1000.0f, 0.9f, rtg::notANumber }, noNumber),
+           std::pair(std::vector<float>{ 0.2f, -1000.0f, 1000.0f }, number) })
+    {
+      rtg::TriangleMesh mesh;
+      mesh.positions = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+      mesh.triangles = { { 0, 1, 2 } };
+      mesh.positionValues = values;
+      mesh.valueColours = { number, number, noNumber, none };
+      // Its first rows of pixels lie near the edge between the first two corners.
+      mesh.positions[2].y = 50.0f;
+      const Image image = this->TracePlain(mesh);
+      for (std::size_t at = 0; at < 64 * 64; ++at)
+      {
+        if (image.setIds[at] != Image::noGlyph)
+        {
+          ASSERT_EQ(image.colour[at], expected) << at % 64 << ' ' << at / 64 << ' ' << int(structure);
+        }
+      }
+      this->scene.Remove(image.setIds[0]);
+    }
+  }
+}
+
+/// Likewise a piece of a tube.
+TEST_F(MeshTest, WhatHasNoValueReachesAsFarAsItsPieceOfATube)
+{
+  rtg::GlyphInstances tube;
+  tube.shape = rtg::Shape::RoundCone;
+  tube.centres = { { 0.5f, 0.5f, 0.0f } };
+  tube.sizes3 = { { 1.0f, 0.8f, 0.8f } };
+  rtg::GlyphColours colours;
+  colours.ends = { { glm::floatBitsToUint(0.5f), glm::floatBitsToUint(rtg::noValue) } };
+  colours.table = { 0xff00ff00u, 0xff0000ffu, 0xffff0000u };
+  const auto id = this->scene.Add();
+  this->scene.SetInstances(id, tube);
+  this->scene.SetColours(id, colours);
+  rtg::Material material;
+  material.lighting = false;
+  this->scene.SetMaterial(id, material);
+  this->scene.Commit();
+  const rtg::Camera camera = rtg::Camera::FromWorldToClip(
+    glm::ortho(0.0, 0.02, 0.49, 0.51, 1.0, 9.0) * glm::lookAt(glm::dvec3(0, 0, 5), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+  rtg::TraceSettings settings;
+  settings.width = settings.height = 16;
+  const Image image = this->tracer.Trace(this->scene, camera, {}, settings);
+  for (std::size_t at = 0; at < 16 * 16; ++at)
+  {
+    ASSERT_EQ(image.colour[at], colours.table[2]) << at % 16;
+  }
+}
+
 TEST_F(MeshTest, ColoursAndNamesOfTrianglesFollowThem)
 {
   // Stripes in an order that sorting changes.
@@ -403,6 +467,25 @@ TEST_F(MeshTest, TooManyInstancesAreOneError)
   this->scene.SetVisible(second, false);
   this->scene.Commit();
   EXPECT_EQ(this->Probe({ { { 0.2, 0.1, 5 }, { 0, 0, -1 } } })[0].setId, first);
+}
+
+/// A compiler may load what a set lacks, and drop it: there is something at every address.
+TEST_F(MeshTest, ThereIsSomethingAtEveryAddress)
+{
+  RTG_NEEDS(rtg::Structure::Boxes);
+  this->scene.GetState().structure = rtg::Structure::Boxes;
+  rtg::GlyphInstances instances;
+  instances.shape = rtg::Shape::Mesh;
+  instances.mesh = Share(BoxMesh());
+  instances.centres = { glm::vec3(0.0f) };
+  this->scene.SetInstances(this->scene.Add(), instances);
+  this->scene.Commit();
+  const rtg::device::GlyphSetRecord& record = this->scene.GetState().records.front();
+#define RTG_EXPECT_ADDRESS(number, BIT, type, name, values, words) EXPECT_NE(record.name, 0u) << words;
+  RTG_GLYPH_ARRAYS(RTG_EXPECT_ADDRESS)
+#undef RTG_EXPECT_ADDRESS
+  EXPECT_NE(record.colourTable, 0u);
+  EXPECT_NE(record.tree.order, 0u);
 }
 
 TEST_F(MeshTest, SaysWhatIsWrongWithAMesh)

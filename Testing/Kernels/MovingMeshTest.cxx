@@ -352,6 +352,37 @@ TEST_P(MovingMesh, IsBuiltOnceForGlyphsElsewhere)
   EXPECT_EQ(this->scene.GetStatistics().structureBuilds, before + 1);
 }
 
+/// Both in one Commit(), on a device with memory of its own: the new colors must not go to a buffer that another tree
+/// replaces.
+TEST_P(MovingMesh, ChangesColorsAndShutterAtOnce)
+{
+  auto& vulkan = this->device->GetState();
+  const bool shares = vulkan.sharesMemory;
+  vulkan.sharesMemory = false;
+  {
+    rtg::GlyphInstances instances = GrowingBox().Instances();
+    const auto colored = [](std::uint32_t color)
+    {
+      rtg::TriangleMesh mesh = GrowingBox().Mesh();
+      mesh.triangleColours.assign(mesh.triangles.size(), color);
+      return Share(std::move(mesh));
+    };
+    instances.mesh = colored(0xff2040f0u);
+    const auto id = this->Add(instances);
+    instances.mesh = colored(0xfff08020u);
+    instances.motion.shutterClose = 0.3f;
+    this->scene.SetInstances(id, instances);
+    this->scene.Commit();
+    const std::vector<glm::vec4> changed = this->Means();
+    this->scene.Remove(id);
+    this->Add(instances);
+    const std::vector<glm::vec4> expected = this->Means();
+    EXPECT_TRUE(std::any_of(expected.begin(), expected.end(), [](const glm::vec4& mean) { return mean.b > mean.r; }));
+    EXPECT_EQ(changed, expected);
+  }
+  vulkan.sharesMemory = shares;
+}
+
 TEST_P(MovingMesh, RefusesWhatMakesNoSense)
 {
   const auto id = this->scene.Add();

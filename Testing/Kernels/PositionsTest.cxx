@@ -213,6 +213,53 @@ TEST_P(PositionsTest, SurviveAnotherOrigin)
   EXPECT_GT(met, 5);
 }
 
+// The driver's triangles are floats, as the transforms of their instances and the origins of rays are to it.
+TEST_P(PositionsTest, MeshesSurviveAnotherOrigin)
+{
+  const glm::dvec3 marked(1e6 + 0.123456789, -3e5 - 0.3141592653, 2e5 + 0.2718281828);
+  const auto mesh = [](const glm::dvec3& origin)
+  {
+    rtg::GlyphInstances glyphs = Glyphs(Shape::Mesh, { origin }, origin);
+    glyphs.centresLow.clear();
+    return glyphs;
+  };
+  std::vector<Tracer::Probe> probes, aloneProbes;
+  for (int i = 0; i < 20; ++i)
+  {
+    const glm::dvec3 from(0.1, 0.0005 * i - 0.005, 0.0003 * i);
+    const glm::vec3 direction(-from + glm::dvec3(0.0, 1e-4 * i, 0.0));
+    probes.push_back({ marked + from, direction, 0.75f });
+    aloneProbes.push_back({ from, direction, 0.75f });
+  }
+  const auto alone = this->Probe(mesh(glm::dvec3(0.0)), aloneProbes);
+  rtg::Scene scene(this->device);
+  scene.GetState().structure = std::get<0>(GetParam());
+  const auto first = scene.Add();
+  scene.SetInstances(first, Glyphs(Shape::Sphere, { glm::dvec3(0.0) }, glm::dvec3(0.0)));
+  const auto second = scene.Add();
+  scene.SetInstances(second, mesh(marked));
+  // Also where the first set comes and goes, and with it the scene's origin.
+  for (const bool both : { true, false, true })
+  {
+    scene.SetVisible(first, both);
+    scene.Commit();
+    const auto hits = this->tracer.TraceProbes(scene, probes);
+    int met = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+      ASSERT_EQ(std::isfinite(hits[i].t), std::isfinite(alone[i].t)) << i << ' ' << both;
+      if (std::isfinite(alone[i].t))
+      {
+        ++met;
+        EXPECT_EQ(hits[i].setId, second);
+        const float length = glm::length(probes[i].direction);
+        EXPECT_NEAR(hits[i].t * length, alone[i].t * length, 2e-6 * size + 1e-7);
+      }
+    }
+    EXPECT_GT(met, 5);
+  }
+}
+
 // A set so small, and so far from the scene's origin, that rounding is larger than all of it: rays meet its glyphs and
 // nothing else, whatever number of children the root of its tree has.
 TEST_P(PositionsTest, SetsSmallerThanRoundingHaveTheirGlyphsOnly)

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <new>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace
@@ -46,7 +49,7 @@ public:
     ++this->traces;
     if (settings.firstSample > 0 &&
       (!this->keeps || this->done != settings.firstSample || this->launchesLeft > 0 ||
-        this->last.features != settings.features))
+        this->last.features != settings.features || this->last.pixelStep != settings.pixelStep))
     {
       throw rtg::Error("cannot continue");
     }
@@ -62,10 +65,19 @@ public:
     return this->Run(interrupt);
   }
 
-  std::function<std::vector<std::uint32_t>()> Denoise(const Image&) override
+  std::function<std::vector<std::uint32_t>()> Denoise(const Image&, std::stop_token stop) override
   {
     ++this->denoisings;
-    return [n = this->done] { return std::vector<std::uint32_t>(width * height, n); };
+    return [this, stop, n = this->done]
+    {
+      const auto begin = std::chrono::steady_clock::now();
+      while (this->denoisingSeconds > std::chrono::steady_clock::now() - begin && !stop.stop_requested())
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+      this->denoisingsStopped += stop.stop_requested();
+      return std::vector<std::uint32_t>(width * height, n);
+    };
   }
 
   bool HasDevice() const override { return this->hasDevice; }
@@ -124,6 +136,8 @@ public:
   double compilingSeconds = 0.0, secondsPerSample = 0.01, now = 0.0, rays = 0.0;
   std::uint64_t bytes = 100;
   int traces = 0, resumes = 0, denoisings = 0;
+  std::chrono::duration<double> denoisingSeconds{ 0.0 };
+  std::atomic<int> denoisingsStopped{ 0 };
   rtg::TraceSettings last;
 
 private:
@@ -473,6 +487,27 @@ TEST_F(ProgressiveImageTest, SomebodyStopsATraceAndItGoesOn)
   EXPECT_EQ(this->source.rays, 1.0);
 }
 
+// After a stopped sample and a stopped preview of the same view, the tracer's job is the preview's.
+TEST_F(ProgressiveImageTest, AStoppedPreviewIsNotGoneOnWithAsTheImage)
+{
+  const auto stop = [](double) { return true; };
+  for (const std::uint32_t samples : { 1u, 4u })
+  {
+    this->view.camera.eye.x += 1.0;
+    ImageEffort turning = Script(samples);
+    turning.preview = true;
+    turning.pixelStep = 8;
+    ASSERT_NE(this->image.Update(this->source, this->view, Script(samples), stop), nullptr);
+    ASSERT_NE(this->image.Update(this->source, this->view, turning, stop), nullptr);
+    ASSERT_EQ(this->source.last.pixelStep, 8u);
+    const double rays = this->source.rays;
+    ASSERT_NE(this->Update(Script(samples)), nullptr) << this->image.GetFailure().message;
+    EXPECT_EQ(this->image.GetState(), State::Finished);
+    EXPECT_EQ(this->source.last.pixelStep, 1u);
+    EXPECT_EQ(this->source.rays - rays, double(samples));
+  }
+}
+
 // A capture keeps no sums: what it has begun is no beginning of an image of more samples.
 TEST_F(ProgressiveImageTest, AStoppedCaptureIsNotGoneOnWithForMoreSamples)
 {
@@ -502,6 +537,19 @@ TEST_F(ProgressiveImageTest, GrowingImagesAreDenoisedAndFinishedOnesNotUnlessAlw
   this->Update(effort);
   EXPECT_EQ(this->image.GetImage().colour[0], 8u);
   EXPECT_EQ(this->image.GetState(), State::Finished);
+}
+
+TEST_F(ProgressiveImageTest, AMoveOfTheCameraStopsTheDenoisingOfWhatItLeaves)
+{
+  this->source.denoisingSeconds = std::chrono::seconds(20);
+  this->Update(Window(64));
+  ASSERT_EQ(this->source.denoisings, 1);
+  EXPECT_EQ(this->source.denoisingsStopped, 0);
+  this->view.camera.eye.x += 1.0;
+  ImageEffort turning = Window(64);
+  turning.preview = true;
+  ASSERT_NE(this->Update(turning), nullptr) << this->image.GetFailure().message;
+  EXPECT_EQ(this->source.denoisingsStopped, 1);
 }
 
 TEST_F(ProgressiveImageTest, AFinishedImageIsTracedAnewForTheDenoiser)

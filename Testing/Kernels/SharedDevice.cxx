@@ -3,6 +3,8 @@
 #include "Vulkan/Device.h"
 #include "Vulkan/DeviceState.h"
 
+#include <cstdlib>
+
 namespace rtg::testing
 {
 namespace
@@ -15,7 +17,15 @@ std::unique_ptr<Tracer> tracer;
 class SharedDevice : public ::testing::Environment
 {
 public:
-  void SetUp() override { ASSERT_NO_THROW(tracer = std::make_unique<Tracer>(Device::Shared())); }
+  void SetUp() override
+  {
+    ASSERT_NO_THROW(tracer = std::make_unique<Tracer>(Device::Shared()));
+    // As with a GPU that has memory of its own: what the host sends is staged and copied, and images are copied back.
+    if (std::getenv("RTGLYPHS_STAGED"))
+    {
+      Device::Shared()->GetState().sharesMemory = false;
+    }
+  }
   void TearDown() override { tracer.reset(); }
 };
 

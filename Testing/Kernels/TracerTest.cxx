@@ -112,6 +112,79 @@ TEST_P(StructureTest, MoreSamplesApproachTheExactArea)
   EXPECT_NEAR(Coverage(this->Trace()), area, 2e-3);
 }
 
+/// The places of samples in a pixel are as fine after many of them as at first.
+TEST_F(TracerTest, AnEdgeCoversThePixelAlsoOfManySamples)
+{
+  // Just beyond a 64th of the pixel's width, to which places would be rounded here if they were computed in floats.
+  const float edge = (33.0f + 0.01f) / 64.0f;
+  rtg::GlyphInstances upright;
+  upright.shape = rtg::Shape::Cylinder;
+  upright.centres = { glm::vec3(2.0f * edge - 1.0f - 2.0f, 0.0f, 0.0f) };
+  upright.uniformSize = 4.0f;
+  this->scene.SetInstances(this->scene.Add(), std::move(upright));
+  this->settings.width = this->settings.height = 1;
+  this->settings.keepSums = true;
+  constexpr std::uint32_t half = 1u << 17;
+  this->settings.samples = half;
+  this->Trace();
+  const double first = this->tracer->Means()[0].a;
+  EXPECT_NEAR(first, edge, 1e-4);
+  this->settings.firstSample = half;
+  this->Trace();
+  EXPECT_NEAR(2.0 * this->tracer->Means()[0].a - first, edge, 1e-4);
+}
+
+/// What all samples of a pixel agree on is their mean, however many they are.
+TEST_F(TracerTest, AMeanOfManySamplesIsTheMean)
+{
+  const auto id = this->AddSpheres({ { 0.0f, 0.0f, 0.0f } }, 4.0f);
+  rtg::Material material;
+  material.colour = { 0.51f, 0.7f, 0.3f };
+  material.lighting = false;
+  this->scene.SetMaterial(id, material);
+  this->settings.width = this->settings.height = 1;
+  this->settings.keepSums = true;
+  for (const rtg::Shading shading : { rtg::Shading::Local, rtg::Shading::AmbientOcclusion, rtg::Shading::PathTracing })
+  {
+    for (const float opacity : { 1.0f, 0.3f })
+    {
+      // Path tracing passes translucent surfaces by chance.
+      if (opacity < 1.0f && shading == rtg::Shading::PathTracing)
+      {
+        continue;
+      }
+      material.opacity = opacity;
+      this->scene.SetMaterial(id, material);
+      this->settings.shading = shading;
+      const rtg::Pass pass = opacity < 1.0f ? rtg::Pass::Translucent : rtg::Pass::Opaque;
+      this->settings.samples = 1;
+      this->Trace(pass);
+      const glm::vec4 one = this->tracer->Means()[0];
+      this->settings.samples = 1u << 17;
+      this->Trace(pass);
+      const glm::vec4 many = this->tracer->Means()[0];
+      for (int i = 0; i < 4; ++i)
+      {
+        EXPECT_NEAR(many[i], one[i], 2e-7f * one[i]) << int(shading) << ' ' << opacity << ' ' << i;
+      }
+    }
+  }
+}
+
+/// More light than floats can hold is white, not black.
+TEST_F(TracerTest, EndlessLightIsWhite)
+{
+  const auto id = this->AddSpheres({ { 0.0f, 0.0f, 0.0f } }, 4.0f);
+  rtg::Material material;
+  material.ambient = 1.0f;
+  material.ambientColour = glm::vec3(1e16f); // which is above 1e38 in linear light
+  this->scene.SetMaterial(id, material);
+  this->settings.width = this->settings.height = 1;
+  this->settings.shading = rtg::Shading::PathTracing;
+  this->settings.samples = 64;
+  EXPECT_EQ(this->Trace().colour[0], 0xffffffffu);
+}
+
 TEST_P(StructureTest, HeadlightShadesAsVtkDoes)
 {
   const auto id = this->AddSpheres({ { 0.0f, 0.0f, 0.0f } }, 1.8f);

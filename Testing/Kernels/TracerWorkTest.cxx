@@ -215,6 +215,44 @@ TEST_P(StructureTest, DevicesWithMemoryOfTheirOwnShowTheSame)
   vulkan.cpu = cpu;
 }
 
+/// What a progress callback does with the device does not wait for the uploads that it tells of.
+TEST_F(TracerTest, AnImageTracedWhileGlyphsAreSentIsTheSame)
+{
+  auto& vulkan = this->device->GetState();
+  const bool shares = vulkan.sharesMemory;
+  vulkan.sharesMemory = false;
+  this->AddSpheres(RandomPoints(50), 0.3f);
+  this->scene.Commit();
+  this->lights.assign(rtg::device::FEW_LIGHTS + 1, rtg::Light());
+  for (rtg::Light& light : this->lights)
+  {
+    light.colour = glm::vec3(0.1f);
+  }
+  const auto trace = [this]
+  {
+    this->UseOwnTracer();
+    const Image image = this->tracer->Trace(this->scene, this->camera, this->lights, this->settings);
+    return std::vector<std::uint32_t>(image.colour, image.colour + 10000);
+  };
+  const auto expected = trace();
+  EXPECT_TRUE(std::any_of(expected.begin(), expected.end(), [](std::uint32_t colour) { return (colour & 255) > 100; }));
+  {
+    rtg::Scene other(this->device);
+    rtg::GlyphInstances spheres;
+    spheres.centres = RandomPoints(100);
+    other.SetInstances(other.Add(), std::move(spheres));
+    int traced = 0;
+    other.Commit(
+      [&](double)
+      {
+        ++traced;
+        EXPECT_EQ(trace(), expected);
+      });
+    EXPECT_GT(traced, 1);
+  }
+  vulkan.sharesMemory = shares;
+}
+
 TEST_F(TracerTest, ImagesAreLaunchedInPartsOnAGpuAlone)
 {
   auto& vulkan = this->device->GetState();
@@ -245,6 +283,65 @@ TEST_F(TracerTest, ImagesAreLaunchedInPartsOnAGpuAlone)
   }
   vulkan.cpu = cpu;
   EXPECT_EQ(images[0], images[1]);
+}
+
+/// Few pixels with many samples are few threads with much work each: launches are cut by samples, too.
+TEST_F(TracerTest, ALaunchOfFewPixelsHasFewSamples)
+{
+  this->AddSpheres(RandomPoints(5), 0.5f);
+  this->scene.Commit();
+  this->settings.width = this->settings.height = 8;
+  this->settings.shading = rtg::Shading::PathTracing;
+  this->settings.samples = 1u << 20;
+  this->UseOwnTracer();
+  const auto trace = [this](const rtg::Interrupt& interrupt)
+  { return this->tracer->Trace(this->scene, this->camera, this->lights, this->settings, rtg::Pass::All, interrupt); };
+  const auto stop = [](double) { return true; };
+  Image image = trace(stop);
+  // At first the interrupt ends the wait for the program.
+  while (image.samples == 0)
+  {
+    image = this->tracer->Resume(this->scene, stop);
+  }
+  EXPECT_LE(image.samples, 32u);
+  this->settings.paths = 64;
+  EXPECT_EQ(trace(stop).samples, 1u);
+
+  // Of launches that turn out to be quick the next ones have more, step by step.
+  this->settings.paths = 1;
+  this->settings.samples = 5000;
+  std::vector<double> steps;
+  double before = 0.0;
+  image = trace(
+    [&](double share)
+    {
+      steps.push_back(share - before);
+      before = share;
+      return false;
+    });
+  EXPECT_TRUE(image.complete);
+  ASSERT_GT(steps.size(), 2u);
+  for (std::size_t i = 1; i < steps.size(); ++i)
+  {
+    EXPECT_LE(steps[i], 8.001 * steps[i - 1]);
+  }
+  const std::vector<std::uint32_t> inParts(image.colour, image.colour + 64);
+
+  // A GPU's display stands still during a launch, whether or not the image can be interrupted.
+  auto& vulkan = this->device->GetState();
+  const bool cpu = vulkan.cpu;
+  for (const bool gpu : { false, true })
+  {
+    vulkan.cpu = !gpu;
+    const std::uint64_t submissions = vulkan.submissions;
+    image = trace({});
+    if (gpu)
+    {
+      EXPECT_GE(vulkan.submissions - submissions, 3u);
+    }
+    EXPECT_EQ(inParts, std::vector<std::uint32_t>(image.colour, image.colour + 64));
+  }
+  vulkan.cpu = cpu;
 }
 
 TEST_P(StructureTest, SeveralStructuresOfOneSetGiveTheSameImage)

@@ -1,0 +1,246 @@
+#include "GlyphChecks.h"
+
+#include "GlyphArrays.h"
+#include "HarmonicForms.h"
+#include "MeshTree.h"
+#include "Parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace rtg
+{
+
+namespace
+{
+
+[[noreturn]] void Fail(const std::string& what)
+{
+  throw Error("Ray Traced Glyphs: " + what);
+}
+
+std::string Text(float value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+template <int n>
+std::string Text(const glm::vec<n, float>& value)
+{
+  std::string text;
+  for (int i = 0; i < n; ++i)
+  {
+    text += (i == 0 ? "(" : ", ") + Text(value[i]);
+  }
+  return text + ")";
+}
+
+bool IsFinite(float value)
+{
+  return std::isfinite(value);
+}
+
+template <int n>
+bool IsFinite(const glm::vec<n, float>& value)
+{
+  // Differences of what is finite are zero.
+  return value - value == glm::vec<n, float>(0.0f);
+}
+
+// Names the first value that is not good.
+template <class T, class Good>
+void CheckEach(const char* words, const std::vector<T>& values, const Good& good)
+{
+  std::atomic<std::size_t> first(values.size());
+  ParallelChunks(values.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      const auto bad = std::find_if_not(values.begin() + begin, values.begin() + end, good);
+      const auto at = static_cast<std::size_t>(bad - values.begin());
+      std::size_t known = first;
+      while (at < end && at < known && !first.compare_exchange_weak(known, at))
+      {
+      }
+    });
+  if (first < values.size())
+  {
+    Fail("one of the " + std::string(words) + " is " + Text(values[first]) + "; leave that glyph out.");
+  }
+}
+
+template <class T>
+void CheckFinite(const char* words, const std::vector<T>& values)
+{
+  CheckEach(words, values, [](const T& value) { return IsFinite(value); });
+}
+
+// Throws unless every array has an entry a glyph or none.
+void CheckLengths(const GlyphInstances& instances, const GlyphColours& colours)
+{
+  ForEachArray(instances, colours,
+    [&](std::size_t, std::uint32_t, const auto& values, const char* words)
+    {
+      if (!values.empty() && values.size() != instances.Count())
+      {
+        Fail(std::to_string(values.size()) + " " + words + " for " + std::to_string(instances.Count()) +
+          " glyphs; give one a glyph or none.");
+      }
+    });
+}
+
+void CheckPolynomials(const GlyphInstances& instances, std::size_t most)
+{
+  const int degree = instances.polynomialDegree;
+  const bool even = degree >= 2 && degree <= mostDegree && degree % 2 == 0;
+  if (!even || instances.polynomials.empty() ||
+    instances.polynomials.width != static_cast<std::size_t>(3 + FormTerms(degree)))
+  {
+    Fail("polynomials of degree " + std::to_string(degree) + " with " + std::to_string(instances.polynomials.width) +
+      " values a glyph; give an even degree from 2 to 12 and the values of FormMeter.");
+  }
+  if (instances.polynomials.values.size() > most)
+  {
+    Fail(std::to_string(instances.Count()) + " polynomials of degree " + std::to_string(degree) +
+      " have more values than a set can hold; show fewer of them.");
+  }
+}
+
+void CheckSizes(const GlyphInstances& instances)
+{
+  const Shape shape = instances.shape;
+  const auto good = [shape](float size)
+  {
+    // A negative one mirrors; one of two diameters may be zero.
+    return IsFinite(size) &&
+      (shape == Shape::Mesh           ? size != 0.0f
+          : shape == Shape::RoundCone ? size >= 0.0f
+                                      : size > 0.0f);
+  };
+  if (instances.sizes1.empty() && instances.sizes3.empty() && !good(instances.uniformSize))
+  {
+    Fail("the size of glyphs is " + Text(instances.uniformSize) + "; it must be finite and above zero.");
+  }
+  CheckEach("sizes", instances.sizes1, good);
+  CheckEach("sizes along three axes", instances.sizes3,
+    [&](const glm::vec3& size) { return good(size.x) && good(size.y) && good(size.z); });
+}
+
+void CheckExponents(const GlyphInstances& instances)
+{
+  const auto good = [](const glm::vec3& e) { return IsFinite(e) && e.x > 0.0f && e.y > 0.0f && e.z > 0.0f; };
+  if (instances.exponents3.empty() && !good(instances.uniformExponents))
+  {
+    Fail("the exponents of glyphs are " + Text(instances.uniformExponents) + "; they must be finite and above zero.");
+  }
+  CheckEach("exponents", instances.exponents3, good);
+}
+
+} // namespace
+
+void CheckInstances(const GlyphInstances& instances, std::size_t most)
+{
+  CheckLengths(instances, {});
+  if (instances.Count() > most)
+  {
+    Fail("a set of " + std::to_string(instances.Count()) + " glyphs; the most that one can hold is " +
+      std::to_string(most) + ". Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs).");
+  }
+  if (!instances.sizes3.empty() && !instances.sizes1.empty())
+  {
+    Fail("glyphs have sizes along three axes and single ones; give one kind of them.");
+  }
+  if (instances.surfaceColours == GlyphInstances::SurfaceColours::Sign && instances.shape != Shape::Polynomial)
+  {
+    Fail("glyphs are to be colored by the sign of a polynomial, which their shape does not have; choose other colors.");
+  }
+  CheckMotion(instances.motion, instances.Count());
+  if (instances.Count() == 0)
+  {
+    return;
+  }
+  if (instances.shape == Shape::Polynomial)
+  {
+    CheckPolynomials(instances, most);
+  }
+  CheckSizes(instances);
+  if (HasExponents(instances.shape))
+  {
+    CheckExponents(instances);
+  }
+  CheckFinite("centers", instances.centres);
+  CheckFinite("low parts of centers", instances.centresLow);
+  CheckFinite("rotations", instances.rotations);
+}
+
+void CheckColours(const GlyphInstances& instances, const GlyphColours& colours)
+{
+  CheckLengths(instances, colours);
+  if (!colours.table.empty() && colours.table.size() < 3)
+  {
+    Fail("the values at the ends of glyphs have a table of " + std::to_string(colours.table.size()) +
+      " colors; it must have 3 or more, the last two of which are those of what is no number and of what has no "
+      "value.");
+  }
+}
+
+void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t most)
+{
+  if (!mesh || mesh->triangles.empty())
+  {
+    Fail("the mesh has no triangle; choose a source with polygons.");
+  }
+  const auto fits = [&](const char* name, std::size_t found, std::size_t wanted)
+  {
+    if (found != 0 && found != wanted)
+    {
+      Fail("the mesh has " + std::to_string(found) + " " + name + "; it must have " + std::to_string(wanted) +
+        " or none.");
+    }
+  };
+  fits("normals", mesh->normals.size(), mesh->positions.size());
+  fits("colors of positions", mesh->positionColours.size(), mesh->positions.size());
+  fits("colors of triangles", mesh->triangleColours.size(), mesh->triangles.size());
+  fits("values of positions", mesh->positionValues.size(), mesh->positions.size());
+  const auto holds = [most](const char* name, std::size_t found, std::size_t mostOfThese)
+  {
+    if (found > mostOfThese)
+    {
+      Fail("a mesh of " + std::to_string(found) + " " + name + "; the most that one can have is " +
+        std::to_string(mostOfThese) + ". Show a part of it, or decimate it.");
+    }
+  };
+  // Three corners each; and the table of colors lies behind the values.
+  holds("triangles", mesh->triangles.size(), most / 3);
+  holds("positions", mesh->positions.size(), most - std::min(most, mesh->valueColours.size()));
+  if (!mesh->positionValues.empty() && mesh->valueColours.size() < 3)
+  {
+    Fail("the mesh has values of positions, but no table of colors for them.");
+  }
+  for (const glm::uvec3& corner : mesh->triangles)
+  {
+    const std::uint32_t largest = std::max({ corner.x, corner.y, corner.z });
+    if (largest >= mesh->positions.size())
+    {
+      Fail("a triangle of the mesh has corner " + std::to_string(largest) + " of " +
+        std::to_string(mesh->positions.size()) + " positions.");
+    }
+  }
+  CheckFinite("positions of the mesh", mesh->positions);
+  CheckMotion(mesh->motion, mesh->positions.size());
+  if (mesh->motion.Spins())
+  {
+    Fail("the positions of a mesh have angular velocities; they can have velocities and accelerations.");
+  }
+  if (Deforms(*mesh))
+  {
+    CheckShutter(shutter);
+  }
+}
+
+} // namespace rtg

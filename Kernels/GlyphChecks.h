@@ -1,0 +1,21 @@
+// What a scene refuses: device programs would read past arrays, and boxes of what is no number hold nothing.
+#pragma once
+
+#include "Glyphs.h"
+
+#include <cstddef>
+
+namespace rtg
+{
+
+/// Throws rtg::Error unless arrays fit together, sizes, centers, rotations and exponents are what Glyphs.h says, and
+/// no array has more than `most` elements.
+void CheckInstances(const GlyphInstances& instances, std::size_t most);
+
+/// Likewise of the colors of these glyphs.
+void CheckColours(const GlyphInstances& instances, const GlyphColours& colours);
+
+/// The same of a mesh, which may also be missing or have no triangle.
+void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t most);
+
+} // namespace rtg
