@@ -17,6 +17,7 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
+#include "vtkSMViewProxy.h"
 #include "vtkSmartPointer.h"
 
 #include <cstring>
@@ -45,6 +46,10 @@ vtkSMProxy* ShownBy(vtkSMProxy* display)
     : name == "Ray Traced Tubes"     ? Display::Representation(display, "RayTracedTubeRepresentation")
                                      : nullptr;
 }
+
+// Properties whose default the data choose (vtkSMRayTracedArrayListDomain).
+const char* const arrays[] = { "GlyphScaleArray", "GlyphOrientationArray", "GlyphTensorArray", "GlyphHarmonicsArray",
+  "VelocityArray" };
 
 // While one display's value is copied to the others, their changes are not copied on.
 bool sharing = false;
@@ -180,22 +185,20 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     // The lists of arrays are those of the input that the glyphs stand on.
     this->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
-    for (const char* array :
-      { "GlyphScaleArray", "GlyphOrientationArray", "GlyphTensorArray", "GlyphHarmonicsArray", "VelocityArray" })
+    for (const char* array : arrays)
     {
-      this->RenewDefault(array, /*lost=*/true);
+      this->RenewDefault(array, vtkSMRayTracedDefault::Where::Lost);
     }
   }
   if (flag && name && strcmp(name, "GlyphShape") == 0 && !vtkSMPropertyHelper(this, "GlyphScaling", true).GetAsInt())
   {
     // Arrows are as long as vectors, others as large as radii. Not while the array is in use: scripts and states may
     // name the array before the shape.
-    this->RenewDefault("GlyphScaleArray", /*lost=*/false);
+    this->RenewDefault("GlyphScaleArray", vtkSMRayTracedDefault::Where::Everywhere);
   }
-  auto* radius = vtkSMRayTracedDoubleVectorProperty::SafeDownCast(this->GetProperty("TubeRadius"));
-  if (flag && name && radius && strcmp(name, "TubeRadiusArray") == 0)
+  if (flag && name && strcmp(name, "TubeRadiusArray") == 0)
   {
-    radius->RenewDefault();
+    this->RenewDefault("TubeRadius", vtkSMRayTracedDefault::Where::Everywhere);
   }
   if (flag && name && !sharing && !this->ApplyingQuality)
   {
@@ -264,11 +267,33 @@ void vtkSMRayTracedRepresentationProxy::FollowQuality(const std::string& name)
 }
 
 //----------------------------------------------------------------------------
-void vtkSMRayTracedRepresentationProxy::RenewDefault(const char* array, bool lost)
+bool vtkSMRayTracedRepresentationProxy::RenewDefault(const char* name, vtkSMRayTracedDefault::Where where)
 {
-  if (auto* property = vtkSMRayTracedStringVectorProperty::SafeDownCast(this->GetProperty(array)))
+  vtkSMProperty* property = this->GetProperty(name);
+  auto* strings = vtkSMRayTracedStringVectorProperty::SafeDownCast(property);
+  auto* numbers = vtkSMRayTracedDoubleVectorProperty::SafeDownCast(property);
+  return strings ? strings->RenewDefault(where) : numbers && numbers->RenewDefault(where);
+}
+
+//----------------------------------------------------------------------------
+// What the data shown before had nothing for, these may have, as the first time step with particles has arrays. While
+// time goes on a default that was found stays; other data may have others.
+void vtkSMRayTracedRepresentationProxy::RenewDefaults(vtkSMProxy* view)
+{
+  using Where = vtkSMRayTracedDefault::Where;
+  const double time = vtkSMPropertyHelper(view, "ViewTime", /*quiet=*/true).GetAsDouble();
+  const Where where = time == this->Time ? Where::Lost : Where::Missing;
+  this->Time = time;
+  bool renewed = false;
+  for (const char* name : arrays)
   {
-    property->RenewDefault(lost);
+    renewed |= this->IsExposed(name) && this->RenewDefault(name, where);
+  }
+  renewed |= this->IsExposed("TubeRadius") && this->RenewDefault("TubeRadius", Where::Missing);
+  if (renewed)
+  {
+    this->UpdateVTKObjects();
+    vtkSMViewProxy::SafeDownCast(view)->Update();
   }
 }
 
@@ -368,6 +393,11 @@ void vtkSMRayTracedRepresentationProxy::Rendered(vtkObject*, unsigned long, void
 void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  if (display && ShowsRayTraced(display))
+  {
+    this->RenewDefaults(view);
+  }
   if (this->GetProperty("GlyphScaleFactorFromData") && this->IsExposed("GlyphScaleFactorFromData"))
   {
     this->TakeScaleGuess();

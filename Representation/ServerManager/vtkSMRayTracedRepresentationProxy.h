@@ -18,6 +18,9 @@
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSMRepresentationProxy.h"
 #include "vtkWeakPointer.h"
+#ifndef __VTK_WRAP__ // what the wrapping tools need not know
+#include "vtkSMRayTracedDefault.h"
+#endif
 
 #include <functional>
 #include <string>
@@ -55,7 +58,10 @@ private:
   vtkSMProxy* FindView();
   bool IsExposed(const char* name);
   bool HoldsForView(const char* name);
-  void RenewDefault(const char* array, bool lost);
+#ifndef __VTK_WRAP__
+  bool RenewDefault(const char* name, vtkSMRayTracedDefault::Where where);
+#endif
+  void RenewDefaults(vtkSMProxy* view);
   void TakeSelection();
   void FollowQuality(const std::string& name);
   void ShareWithView(const char* name);
@@ -66,6 +72,7 @@ private:
   void TakeScaleGuess();
 
   vtkWeakPointer<vtkSMProxy> ObservedView;
+  double Time = 0.0; // of the last update
   std::string TensorTableName; // of the table and scalar bar that are in use; empty: none
   double TensorRange[2] = { 1.0, -1.0 };
   bool TensorTableChosen = false; // by somebody else than this class
