@@ -205,7 +205,7 @@ void vtkRayTracedGlyphRepresentation::UpdateScaleGuess(vtkPolyData* points)
     unitSize = this->Meshes.GetLargestSide();
   }
   const vtkGlyphScaleGuess::Result& found = this->Guess.Get(points, settings, unitSize, this->GetUpdateTime());
-  this->ScaleGuess[0] = found.Factor;
+  this->ScaleGuess[0] = found.Value;
   this->ScaleGuess[1] = found.Limit;
 }
 

@@ -72,7 +72,7 @@ private:
   void TakeScaleGuess();
 
   vtkWeakPointer<vtkSMProxy> ObservedView;
-  double Time = 0.0; // of the last update
+  double Time = 0.0;           // of the last update
   std::string TensorTableName; // of the table and scalar bar that are in use; empty: none
   double TensorRange[2] = { 1.0, -1.0 };
   bool TensorTableChosen = false; // by somebody else than this class
