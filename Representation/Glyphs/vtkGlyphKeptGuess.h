@@ -59,6 +59,8 @@ public:
     return this->Found;
   }
 
+  const Result& Last() const { return this->Found; }
+
   /**
    * Makes Get() find it anew.
    */

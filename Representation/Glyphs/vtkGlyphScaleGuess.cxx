@@ -227,10 +227,22 @@ vtkGlyphScaleGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, d
   matter.Forms.Coloring = vtkGlyphTensors::NONE;
   matter.Mask = settings.Mask.Effective();
 
+  vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, matter);
+  std::vector<double> has{ points->GetNumberOfPoints() > 0 ? 1.0 : 0.0, scales ? 1.0 : 0.0 };
+  Reduce(has, vtkCommunicator::MAX_OP);
+  if (has[0] == 0.0)
+  {
+    return this->Found.Last(); // a step without points changes nothing
+  }
+  if (has[1] == 0.0)
+  {
+    // A step that lacks the array says nothing of those that have it.
+    matter.Scaling = false;
+    matter.ScaleArray.clear();
+  }
   std::vector<vtkMTimeType> times;
-  for (vtkDataArray* array : { points->GetPoints() ? points->GetPoints()->GetData() : nullptr,
-         vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, matter), vtkGlyphTensors::Array(points, matter.Tensors),
-         vtkGlyphForms::Array(points, matter.Forms) })
+  for (vtkDataArray* array : { points->GetPoints() ? points->GetPoints()->GetData() : nullptr, scales,
+         vtkGlyphTensors::Array(points, matter.Tensors), vtkGlyphForms::Array(points, matter.Forms) })
   {
     times.push_back(array ? array->GetMTime() : 0);
   }

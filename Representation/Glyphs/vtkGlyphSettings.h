@@ -91,6 +91,15 @@ struct vtkGlyphSettings
   }
 
   /**
+   * Whether the glyphs point somewhere, and no array says where.
+   */
+  bool LacksDirection() const
+  {
+    const bool points = this->Shape == rtg::Shape::Arrow || this->Shape == rtg::Shape::Cone;
+    return points && !this->Tensors.On && this->Orient && vtkRayTracedArrays::IsNone(this->OrientationArray);
+  }
+
+  /**
    * Whether the points choose among several meshes.
    */
   bool HasTable() const { return this->Shape == rtg::Shape::Mesh && this->TableSize > 1; }

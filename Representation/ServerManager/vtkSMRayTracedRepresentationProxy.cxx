@@ -12,6 +12,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
 #include "vtkSMRayTracedDoubleVectorProperty.h"
+#include "vtkSMRayTracedLocationProperty.h"
 #include "vtkSMRayTracedStringVectorProperty.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
@@ -272,7 +273,10 @@ bool vtkSMRayTracedRepresentationProxy::RenewDefault(const char* name, vtkSMRayT
   vtkSMProperty* property = this->GetProperty(name);
   auto* strings = vtkSMRayTracedStringVectorProperty::SafeDownCast(property);
   auto* numbers = vtkSMRayTracedDoubleVectorProperty::SafeDownCast(property);
-  return strings ? strings->RenewDefault(where) : numbers && numbers->RenewDefault(where);
+  auto* location = vtkSMRayTracedLocationProperty::SafeDownCast(property);
+  return location ? location->RenewDefault(where)
+    : strings     ? strings->RenewDefault(where)
+                  : numbers && numbers->RenewDefault(where);
 }
 
 //----------------------------------------------------------------------------
@@ -284,7 +288,7 @@ void vtkSMRayTracedRepresentationProxy::RenewDefaults(vtkSMProxy* view)
   const double time = vtkSMPropertyHelper(view, "ViewTime", /*quiet=*/true).GetAsDouble();
   const Where where = time == this->Time ? Where::Lost : Where::Missing;
   this->Time = time;
-  bool renewed = false;
+  bool renewed = this->IsExposed("GlyphLocation") && this->RenewDefault("GlyphLocation", Where::Missing);
   for (const char* name : arrays)
   {
     renewed |= this->IsExposed(name) && this->RenewDefault(name, where);

@@ -81,7 +81,7 @@ def cells(checks):
     source = pv.Calculator(Input=pv.PointDatatoCellData(Input=pv.Wavelet(WholeExtent=[0, 3] * 3), PassPointData=1),
                            AttributeType="Cell Data", Function="RTData*iHat", ResultArrayName="force")
     for name, explicit, wanted in (("chosen by nobody", None, "force"), ("chosen", "None", "None"), ("chosen, wrong", "nonesuch", "nonesuch")):
-        shown = session.glyphs(source, view)
+        shown = session.glyphs(source, view, GlyphLocation="Points")
         checks.equal("GlyphOrientationArray of points, " + name, shown.SMProxy.GetProperty("GlyphOrientationArray").GetElement(0), "None")
         shown.GlyphLocation = "Cells"
         if explicit:
@@ -95,6 +95,44 @@ def cells(checks):
         checks.equal("GlyphOrientationArray of points again, " + name,
                      shown.SMProxy.GetProperty("GlyphOrientationArray").GetElement(0), explicit or "None")
         pv.Delete(shown)
+    pv.Delete(view)
+
+
+def location(checks):
+    """Glyphs stand at cells where only cells have directions or tensors, also when a later time step has them first."""
+    view = session.view(40, 30)
+    wavelet = pv.Wavelet(WholeExtent=[0, 3] * 3)
+    vector = dict(Function="RTData*iHat", ResultArrayName="force")
+    script = "import numpy\noutput.CellData.append(numpy.tile([1.0, 2.0, 3.0, 0.0, 0.0, 0.0], (27, 1)), 'stress')"
+    moved = pv.PointDatatoCellData(Input=wavelet)
+    cases = {"no vectors": (wavelet, 0, "None"), "points": (pv.Calculator(Input=wavelet, **vector), 0, "force"),
+             "cells": (pv.Calculator(Input=moved, AttributeType="Cell Data", **vector), 1, "force"),
+             "both": (pv.PointDatatoCellData(Input=pv.Calculator(Input=wavelet, **vector), PassPointData=1), 0, "force"),
+             "tensors of cells": (pv.ProgrammableFilter(Input=wavelet, CopyArrays=1, Script=script), 1, "None")}
+    for name, (source, wanted, direction) in cases.items():
+        shown = session.glyphs(source, view, "Arrow" if direction == "force" else "Sphere")
+        where = shown.SMProxy.GetProperty("GlyphLocation")
+        checks.no_message(name, session.messages(lambda: pv.Render(view)))
+        checks.equal("GlyphLocation of " + name, where.GetElement(0), wanted)
+        checks.equal("GlyphOrientationArray of " + name, arrays(shown)[1], direction)
+        checks.equal("glyphs of " + name, session.statistics(shown)["glyphs"], 27 if wanted else 64)
+        pv.Delete(shown)
+    shown = session.glyphs(cases["cells"][0], view, GlyphLocation="Points")
+    pv.Render(view)
+    checks.equal("GlyphLocation that a script has chosen", shown.SMProxy.GetProperty("GlyphLocation").GetElement(0), 0)
+    pv.Delete(view)
+
+    view = session.view(40, 30)
+    source = pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=STEPS % ((0, 20), (0, 1)) + CELLS,
+                                   ScriptRequestInformation=scale_guess.TIMES % ([0.0, 1.0], 0.0, 1.0))
+    shown = session.glyphs(source, view, "Arrow")
+    session.messages(lambda: pv.Render(view))
+    for time in (1.0, 0.0, 1.0):
+        view.ViewTime = time
+        checks.no_message("cells at time %g" % time, session.messages(lambda: pv.Render(view)))
+        checks.equal("GlyphLocation at time %g" % time, shown.SMProxy.GetProperty("GlyphLocation").GetElement(0), 1)
+        checks.equal("arrays of cells at time %g" % time, arrays(shown)[:3], ["velocity", "velocity", "stress"])
+    checks.equal("glyphs of the second step", session.statistics(shown)["glyphs"], 20)
     pv.Delete(view)
 
 
@@ -112,6 +150,18 @@ output.Points = random.uniform(size=(count, 3))
 if step in having:
     for name, components in (("radius", 1), ("velocity", 3), ("stress", 6)):
         output.PointData.append(random.uniform(size=(count, components) if components > 1 else count), name)
+"""
+
+
+#: To be put behind STEPS: vertices have the arrays, and points have none.
+CELLS = """
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+vertices = vtkCellArray()
+for point in range(count):
+    vertices.InsertNextCell(1, [point])
+output.VTKObject.SetVerts(vertices)
+output.VTKObject.GetCellData().ShallowCopy(output.VTKObject.GetPointData())
+output.VTKObject.GetPointData().Initialize()
 """
 
 
@@ -206,6 +256,7 @@ def main():
     choices(checks)
     files(checks)
     cells(checks)
+    location(checks)
     steps(checks)
     other_data(checks)
     exact_sizes(checks)
