@@ -332,6 +332,7 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     return result;
   }
   const vtkGlyphMotion motion(points, settings.Motion);
+  result.Unfinished = vtkGlyphMotion::Unfinished(settings.Motion);
   const std::vector<std::string>& aboutMotion = motion.Messages();
   result.Messages.insert(result.Messages.end(), aboutMotion.begin(), aboutMotion.end());
   const std::size_t candidatesCount = candidates.size();

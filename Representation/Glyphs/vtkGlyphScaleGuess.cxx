@@ -213,20 +213,7 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
 const vtkGlyphScaleGuess::Result&
 vtkGlyphScaleGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time)
 {
-  vtkGlyphSettings matter;
-  matter.Shape = settings.Shape;
-  matter.Scaling = settings.Scaling;
-  matter.ScaleArray = settings.Scaling ? settings.ScaleArray : std::string();
-  matter.ScaleMode = settings.ScaleMode;
-  matter.Sizing.Function = settings.Sizing.Function;
-  matter.Sizing.Reference = settings.Sizing.Reference;
-  matter.Tensors.On = settings.Tensors.On;
-  matter.Tensors.Array = settings.Tensors.On ? settings.Tensors.Array : std::string();
-  matter.Tensors.Layout = settings.Tensors.Layout;
-  matter.Forms = settings.Forms.Effective();
-  matter.Forms.Coloring = vtkGlyphTensors::NONE;
-  matter.Mask = settings.Mask.Effective();
-
+  vtkGlyphSettings matter = settings.OfSizes();
   vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, matter);
   std::vector<double> has{ points->GetNumberOfPoints() > 0 ? 1.0 : 0.0, scales ? 1.0 : 0.0 };
   Reduce(has, vtkCommunicator::MAX_OP);

@@ -82,6 +82,11 @@ struct vtkGlyphSettings
   vtkGlyphSettings Effective() const;
 
   /**
+   * Those that sizes and the choice of points depend on, but for ScaleFactor and limits of sizes.
+   */
+  vtkGlyphSettings OfSizes() const;
+
+  /**
    * Whether fixed arrow heads have the proportions of the unit arrow on an arrow of high scale.
    */
   bool NeedsHighScale() const

@@ -21,6 +21,7 @@
 #include "vtkSMViewProxy.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <cstring>
 
 vtkStandardNewMacro(vtkSMRayTracedRepresentationProxy);
@@ -54,6 +55,21 @@ const char* const arrays[] = { "GlyphScaleArray", "GlyphOrientationArray", "Glyp
 
 // While one display's value is copied to the others, their changes are not copied on.
 bool sharing = false;
+}
+
+// A number that the data suggest while FromData is on, and Switch where there is one; a second element of Guess is
+// Limit's.
+struct vtkSMRayTracedRepresentationProxy::Suggested
+{
+  const char *Number, *FromData, *Guess, *Limit, *Switch;
+};
+
+namespace
+{
+const std::array<vtkSMRayTracedRepresentationProxy::Suggested, 2> suggestions = { {
+  { "GlyphScaleFactor", "GlyphScaleFactorFromData", "GlyphScaleGuess", "GlyphSizeLimit", nullptr },
+  { "ShutterTime", "ShutterTimeFromData", "ShutterTimeGuess", nullptr, "MotionBlur" },
+} };
 }
 
 //----------------------------------------------------------------------------
@@ -118,12 +134,15 @@ void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMP
   // What a display shares is that of one of its representations; what it tells is of the one that is shown.
   vtkSMProxy* display = this->GetTrueParentProxy();
   vtkSMProxy* shown = display ? ShownBy(display) : nullptr;
-  vtkSMProperty* own = this->GetProperty("RenderStatistics");
-  if (shown && shown != this && own && (!property || property == own) && this->IsExposed("RenderStatistics"))
+  for (const char* name : { "RenderStatistics", "ShutterTimeGuess" })
   {
-    vtkSMProperty* told = shown->GetProperty("RenderStatistics");
-    shown->UpdatePropertyInformation(told);
-    own->Copy(told);
+    vtkSMProperty* own = this->GetProperty(name);
+    if (shown && shown != this && own && (!property || property == own) && this->IsExposed(name))
+    {
+      vtkSMProperty* told = shown->GetProperty(name);
+      shown->UpdatePropertyInformation(told);
+      own->Copy(told);
+    }
   }
 }
 
@@ -152,6 +171,14 @@ bool vtkSMRayTracedRepresentationProxy::IsExposed(const char* name)
 }
 
 //----------------------------------------------------------------------------
+// Of a display's representations one has the property that users see, and the others get its value.
+bool vtkSMRayTracedRepresentationProxy::IsFollower(const char* name)
+{
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  return display && display->GetProperty(name) && display->GetProperty(name) != this->GetProperty(name);
+}
+
+//----------------------------------------------------------------------------
 bool vtkSMRayTracedRepresentationProxy::HoldsForView(const char* name)
 {
   vtkSMProperty* property = this->GetProperty(name);
@@ -162,12 +189,15 @@ bool vtkSMRayTracedRepresentationProxy::HoldsForView(const char* name)
 //----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name, int flag)
 {
-  vtkSMProperty* fromData = this->GetProperty("GlyphScaleFactorFromData"); // none yet while the proxy is made
-  if (fromData && flag && name && strcmp(name, "GlyphScaleFactor") == 0 && !this->TakingGuess)
+  for (const Suggested& suggested : suggestions)
   {
-    // Whoever sets it wants that one. Before the change itself is told, so that undoing both ends with the data's
-    // choice.
-    vtkSMPropertyHelper(fromData).Set(0);
+    vtkSMProperty* fromData = this->GetProperty(suggested.FromData); // none yet while the proxy is made
+    if (fromData && flag && name && strcmp(name, suggested.Number) == 0 && !this->TakingGuess &&
+      !this->IsFollower(name))
+    {
+      // Who sets it wants that one. Before the change itself is told, so that undoing both ends with the data's choice.
+      vtkSMPropertyHelper(fromData).Set(0);
+    }
   }
   this->Superclass::SetPropertyModifiedFlag(name, flag);
   if (flag && name && strcmp(name, "Input") == 0)
@@ -402,9 +432,13 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
   {
     this->RenewDefaults(view);
   }
-  if (this->GetProperty("GlyphScaleFactorFromData") && this->IsExposed("GlyphScaleFactorFromData"))
+  vtkSMProxy* shown = display ? ShownBy(display) : nullptr;
+  for (const Suggested& suggested : suggestions)
   {
-    this->TakeScaleGuess();
+    if (shown && shown->GetProperty(suggested.Guess) && this->IsExposed(suggested.FromData))
+    {
+      this->TakeGuess(suggested);
+    }
   }
   if (this->GetProperty("GlyphTensorLookupTable") && this->IsExposed("GlyphTensorLookupTable"))
   {
@@ -413,24 +447,26 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 }
 
 //----------------------------------------------------------------------------
-// Between the update and the render of a view: processes that have the data have found the factor, and those that
-// render are told.
-void vtkSMRayTracedRepresentationProxy::TakeScaleGuess()
+// Between the update and the render of a view: processes that have the data have found the number, and those that
+// render get it.
+void vtkSMRayTracedRepresentationProxy::TakeGuess(const Suggested& suggested)
 {
-  auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
-  if (!local || !local->GetVisibility() || !vtkSMPropertyHelper(this, "GlyphScaleFactorFromData").GetAsInt())
+  const bool used = !suggested.Switch || vtkSMPropertyHelper(this, suggested.Switch).GetAsInt();
+  if (!used || !vtkSMPropertyHelper(this, suggested.FromData).GetAsInt())
   {
     return;
   }
-  vtkSMProperty* guess = this->GetProperty("GlyphScaleGuess");
+  vtkSMProperty* guess = this->GetProperty(suggested.Guess);
   this->UpdatePropertyInformation(guess);
-  double found[2];
-  vtkSMPropertyHelper(guess).Get(found, 2);
-  if (found[0] > 0.0)
+  const vtkSMPropertyHelper found(guess);
+  if (found.GetAsDouble() > 0.0)
   {
     this->TakingGuess = true;
-    vtkSMPropertyHelper(this, "GlyphScaleFactor").Set(found[0]);
-    vtkSMPropertyHelper(this, "GlyphSizeLimit").Set(found[1]);
+    vtkSMPropertyHelper(this, suggested.Number).Set(found.GetAsDouble());
+    if (suggested.Limit)
+    {
+      vtkSMPropertyHelper(this, suggested.Limit).Set(found.GetAsDouble(1));
+    }
     this->UpdateVTKObjects();
     this->TakingGuess = false;
   }
