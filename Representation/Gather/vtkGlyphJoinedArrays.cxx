@@ -5,6 +5,7 @@
 #include "vtkPolyData.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <algorithm>
 #include <vector>
@@ -49,7 +50,11 @@ void vtkGlyphJoinedArrays::Add(vtkPolyData* points, const std::string& name)
     arrays.push_back(array);
     components += array->GetNumberOfComponents();
   }
-  auto joined = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(arrays.front()->GetDataType()));
+  // A reader of tables makes columns of whole numbers and of fractions; doubles hold what glyphs read of any type.
+  const int type = arrays.front()->GetDataType();
+  const bool alike =
+    std::all_of(arrays.begin(), arrays.end(), [type](vtkDataArray* array) { return array->GetDataType() == type; });
+  auto joined = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(alike ? type : VTK_DOUBLE));
   joined->SetName(name.c_str());
   joined->SetNumberOfComponents(components);
   joined->SetNumberOfTuples(points->GetNumberOfPoints());

@@ -13,7 +13,7 @@ namespace vtkGlyphJoinedArrays
 {
 /**
  * Adds a point array of that name with all components of its parts, one after another, where each part is a point array
- * and there is none of that name yet.
+ * and there is none of that name yet. Parts of different types make an array of doubles.
  */
 void Add(vtkPolyData* points, const std::string& name);
 }

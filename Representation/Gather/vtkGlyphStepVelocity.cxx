@@ -201,6 +201,12 @@ void vtkGlyphStepVelocity::Follow(vtkPolyData* points, double time)
 }
 
 //----------------------------------------------------------------------------
+double vtkGlyphStepVelocity::GetStepLength() const
+{
+  return this->Before.Seen ? std::abs(this->Now.Time - this->Before.Time) : 0.0;
+}
+
+//----------------------------------------------------------------------------
 std::string vtkGlyphStepVelocity::TakeMessage()
 {
   bool& said = this->Said[this->Outcome];

@@ -49,6 +49,11 @@ public:
   std::string TakeMessage();
 
   /**
+   * The time between the last two steps; 0: there was one at most.
+   */
+  double GetStepLength() const;
+
+  /**
    * Forgets all steps.
    */
   void Reset();

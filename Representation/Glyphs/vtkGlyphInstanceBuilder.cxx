@@ -250,6 +250,12 @@ private:
   std::vector<float> Shifts;     // of each glyph, where these differ
   std::atomic<bool> NeedsLowParts{ false };
 };
+
+std::string NoDirection()
+{
+  return "Arrows and cones need directions. Choose a point array of 3 components, or quaternions, as "
+         "GlyphOrientationArray, or switch GlyphOrient off: they then lie along x.";
+}
 }
 
 //----------------------------------------------------------------------------
@@ -304,6 +310,12 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     }
   }
 
+  if (settings.LacksDirection())
+  {
+    result.Unfinished = NoDirection();
+    result.Skipped = static_cast<vtkIdType>(candidates.size());
+    return result;
+  }
   const vtkGlyphMaker maker(points, settings, modelToWorld, tensors.get(), forms.get(), result.Messages);
   if (!problem.empty())
   {
@@ -320,6 +332,7 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     return result;
   }
   const vtkGlyphMotion motion(points, settings.Motion);
+  result.Unfinished = vtkGlyphMotion::Unfinished(settings.Motion);
   const std::vector<std::string>& aboutMotion = motion.Messages();
   result.Messages.insert(result.Messages.end(), aboutMotion.begin(), aboutMotion.end());
   const std::size_t candidatesCount = candidates.size();

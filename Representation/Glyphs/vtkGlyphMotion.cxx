@@ -128,6 +128,16 @@ vtkGlyphMotion::vtkGlyphMotion(vtkPolyData* points, const Settings& settings)
 }
 
 //----------------------------------------------------------------------------
+std::string vtkGlyphMotion::Unfinished(const Settings& settings)
+{
+  const bool any =
+    IsNamed(settings, VELOCITY) || IsNamed(settings, ACCELERATION) || IsNamed(settings, ANGULAR_VELOCITY);
+  return !settings.On || any ? std::string()
+                             : "MotionBlur needs velocities. Choose a point array of 3 components as VelocityArray, "
+                               "switch VelocityFromPreviousStep on, or switch MotionBlur off.";
+}
+
+//----------------------------------------------------------------------------
 bool vtkGlyphMotion::On() const
 {
   return this->Found[VELOCITY] || this->Found[ACCELERATION] || this->Found[ANGULAR_VELOCITY];

@@ -57,6 +57,12 @@ public:
   vtkGlyphMotion(vtkPolyData* points, const Settings& settings);
 
   const std::vector<std::string>& Messages() const { return this->Messages_; }
+
+  /**
+   * What must be chosen before anything moves; empty: nothing.
+   */
+  static std::string Unfinished(const Settings& settings);
+
   bool On() const;
   bool Spins() const { return this->Found[2] != nullptr; }
 

@@ -5,18 +5,17 @@
 #include "vtkDataArray.h"
 #include "vtkGlyphArrayNames.h"
 #include "vtkGlyphTuples.h"
-#include "vtkMath.h"
-#include "vtkMultiProcessController.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedParallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace
 {
+using namespace vtkGlyphSample;
+
 ///@{
 // Lengths, as shares of the data's longest side.
 constexpr double largestGlyph = 0.2;
@@ -30,122 +29,6 @@ constexpr double leastArea = 0.25;  // of all glyphs, as a share of that of as m
 constexpr double mostExcess = 2.0;  // so much smaller all glyphs become for the largest to fit
 constexpr double manyLimited = 8.0; // so many of the largest glyphs cover a quarter of the longest side's square
 constexpr double arrowLength = 2.5; // of typical glyphs' size: arrows are thin
-
-vtkMultiProcessController* Others()
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
-}
-
-void Reduce(std::vector<double>& values, int operation)
-{
-  if (vtkMultiProcessController* controller = Others())
-  {
-    const std::vector<double> own = values;
-    controller->AllReduce(own.data(), values.data(), static_cast<vtkIdType>(own.size()), operation);
-  }
-}
-
-double Reduce(double value, int operation)
-{
-  std::vector<double> values{ value };
-  Reduce(values, operation);
-  return values[0];
-}
-
-// Those of all ranks, one rank after another.
-std::vector<double> Gather(const std::vector<double>& own)
-{
-  vtkMultiProcessController* controller = Others();
-  if (!controller)
-  {
-    return own;
-  }
-  const int ranks = controller->GetNumberOfProcesses();
-  const auto length = static_cast<vtkIdType>(own.size());
-  std::vector<vtkIdType> lengths(ranks), offsets(ranks, 0);
-  controller->AllGather(&length, lengths.data(), 1);
-  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
-  std::vector<double> all(offsets.back() + lengths.back());
-  controller->AllGatherV(own.data(), all.data(), length, lengths.data(), offsets.data());
-  return all;
-}
-
-// Of at least one value.
-double Quantile(std::vector<double> values, double share)
-{
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
-// Down to two significant digits.
-double TwoDigits(double value)
-{
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  const double digits = std::floor(value / unit * (1.0 + 1e-12));
-  return rtg::IsPositive(unit) && digits > 0.0 ? (unit < 1.0 ? digits / std::round(1.0 / unit) : digits * unit) : value;
-}
-
-// The points that carry glyphs.
-class Points
-{
-public:
-  Points(vtkPolyData* points, const vtkGlyphSettings& settings)
-    : Positions(points->GetPoints() ? points->GetPoints()->GetData() : nullptr)
-    , Thinned(settings.Mask.On)
-    , Count(Positions ? points->GetNumberOfPoints() : 0)
-  {
-    if (this->Thinned)
-    {
-      this->Chosen = vtkGlyphArrays::Candidates(points, settings, {});
-      this->Count = static_cast<vtkIdType>(this->Chosen.size());
-    }
-    this->CountOfAll = Reduce(static_cast<double>(this->Count), vtkCommunicator::SUM_OP);
-  }
-
-  // Leaves those of which isWanted(point) is true; all ranks at once.
-  template <class IsWanted>
-  void Keep(const IsWanted& isWanted)
-  {
-    std::vector<vtkIdType> kept =
-      vtkRayTracedParallel::Select(this->Count, [&](vtkIdType i) { return isWanted((*this)[i]); });
-    for (vtkIdType& point : kept)
-    {
-      point = (*this)[point];
-    }
-    this->Chosen = std::move(kept);
-    this->Thinned = true;
-    this->Count = static_cast<vtkIdType>(this->Chosen.size());
-    this->CountOfAll = Reduce(static_cast<double>(this->Count), vtkCommunicator::SUM_OP);
-  }
-
-  vtkIdType Number() const { return this->Count; }
-  double NumberOfAll() const { return this->CountOfAll; }
-  vtkDataArray* GetPositions() const { return this->Positions; }
-  vtkIdType operator[](vtkIdType i) const { return this->Thinned ? this->Chosen[i] : i; }
-
-  // Evenly spread over the points of all ranks, at least one of each rank that has some; about `wanted` in all.
-  std::vector<vtkIdType> Sample(double wanted) const
-  {
-    const double share = std::min(1.0, wanted / std::max(this->CountOfAll, 1.0));
-    const auto number = static_cast<vtkIdType>(std::ceil(share * static_cast<double>(this->Count)));
-    std::vector<vtkIdType> sample(number);
-    for (vtkIdType k = 0; k < number; ++k)
-    {
-      const double middle = (static_cast<double>(k) + 0.5) / static_cast<double>(number);
-      sample[k] = (*this)[std::min(static_cast<vtkIdType>(middle * static_cast<double>(this->Count)), this->Count - 1)];
-    }
-    return sample;
-  }
-
-private:
-  vtkDataArray* Positions;
-  bool Thinned;
-  vtkIdType Count;
-  std::vector<vtkIdType> Chosen;
-  double CountOfAll = 0.0;
-};
 
 // Where the points are.
 struct Extents
@@ -199,46 +82,17 @@ std::vector<double> NearestSquared(const Points& points, const std::vector<doubl
 Extents Measure(const Points& points)
 {
   // Few for many points, so that all of them can be compared with each in no time; 64 tell a median to some percent.
-  const double wanted = std::clamp(1e8 / std::max(points.NumberOfAll(), 1.0), 64.0, 512.0);
-  std::vector<double> own;
-  vtkGlyphTuples positions(points.GetPositions());
-  for (vtkIdType i : points.Sample(wanted))
-  {
-    const double* p = positions.Get(i);
-    if (rtg::IsFinite(p))
-    {
-      own.insert(own.end(), p, p + 3);
-    }
-  }
-  const std::vector<double> pivots = Gather(own);
+  const std::vector<double> pivots =
+    points.SampledPositions(std::clamp(1e8 / std::max(points.NumberOfAll(), 1.0), 64.0, 512.0));
   Extents extents;
-  if (pivots.empty())
+  extents.Longest = LongestSide(pivots);
+  if (!(extents.Longest > 0.0))
   {
-    return extents;
-  }
-  double sides[3], whole = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    std::vector<double> values;
-    for (std::size_t j = axis; j < pivots.size(); j += 3)
-    {
-      values.push_back(pivots[j]);
-    }
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    whole = std::max(whole, *most - *least);
-    sides[axis] = Quantile(values, 0.99);
-    sides[axis] -= Quantile(values, 0.01);
-    extents.Longest = std::max(extents.Longest, sides[axis]);
-  }
-  extents.Longest = extents.Longest > 0.0 ? extents.Longest : whole;
-  if (!rtg::IsPositive(extents.Longest))
-  {
-    extents.Longest = 0.0;
     return extents;
   }
 
   double volume = 1.0, axes = 0.0;
-  for (double side : sides)
+  for (double side : Sides(pivots))
   {
     volume *= side > flat * extents.Longest ? side / extents.Longest : 1.0;
     axes += side > flat * extents.Longest ? 1.0 : 0.0;
@@ -250,55 +104,6 @@ Extents Measure(const Points& points)
   nearest.erase(std::remove(nearest.begin(), nearest.end(), HUGE_VAL), nearest.end());
   extents.Neighbors = nearest.empty() ? 0.0 : std::sqrt(Quantile(nearest, 0.5));
   return extents;
-}
-
-// What scales each of this rank's points besides the factor: of its longest axis; 0: it has no glyph. Empty: 1 for all.
-std::vector<double> Magnitudes(vtkPolyData* data, const vtkGlyphSettings& settings)
-{
-  vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, data, settings);
-  if (!scales && !settings.Tensors.On && !settings.Forms.On)
-  {
-    return {};
-  }
-  const bool byComponents = vtkGlyphArrays::ScalesByComponents(scales, settings);
-  vtkDataArray* array = vtkGlyphTensors::Array(data, settings.Tensors);
-  std::unique_ptr<vtkGlyphTensors> tensors;
-  if (array && vtkGlyphTensors::Problem(array, settings.Tensors).empty())
-  {
-    vtkGlyphTensors::Settings how = settings.Tensors;
-    how.Kind = rtg::TensorGlyphKind::Ellipsoid; // whose extent is the largest eigenvalue
-    tensors = std::make_unique<vtkGlyphTensors>(array, how, std::vector<vtkIdType>());
-  }
-  vtkDataArray* formArray = vtkGlyphForms::Array(data, settings.Forms);
-  std::unique_ptr<vtkGlyphForms> forms;
-  if (formArray && vtkGlyphForms::Problem(formArray, settings.Forms).empty())
-  {
-    forms = std::make_unique<vtkGlyphForms>(formArray, settings.Forms);
-  }
-  std::vector<double> magnitudes(data->GetNumberOfPoints());
-  vtkRayTracedParallel::ForChunks(data->GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      vtkGlyphTuples tuples(scales), formTuples(formArray);
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        double magnitude = settings.Tensors.On ? (tensors ? settings.Sizing(tensors->Extent(i)) : 0.0) : 1.0;
-        if (settings.Forms.On)
-        {
-          const rtg::FormExtent extent = forms ? forms->MeasureRoughly(formTuples, i) : rtg::FormExtent();
-          magnitude = extent.radius > 0.0 ? settings.Sizing(forms->Magnitude(extent)) : 0.0;
-        }
-        if (scales)
-        {
-          const double* tuple = tuples.Get(i);
-          magnitude *=
-            settings.Sizing(byComponents ? std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) })
-                                         : vtkMath::Norm(tuple, tuples.Size()));
-        }
-        magnitudes[i] = rtg::IsPositive(magnitude) ? magnitude : 0.0;
-      }
-    });
-  return magnitudes;
 }
 
 // The factor that makes glyphs of typical magnitude so large; lengths are shares of the longest side.
@@ -357,14 +162,8 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
     const std::vector<double> magnitudes = Magnitudes(data, settings);
     const auto of = [&](vtkIdType point) { return magnitudes.empty() ? 1.0 : magnitudes[point]; };
     points.Keep([&](vtkIdType point) { return of(point) > 0.0; });
-    largest = Reduce(vtkRayTracedParallel::Largest(points.Number(), [&](vtkIdType i) { return of(points[i]); }),
-      vtkCommunicator::MAX_OP);
-    std::vector<double> own;
-    for (vtkIdType point : points.Sample(2e4))
-    {
-      own.push_back(of(point));
-    }
-    sample = Gather(own);
+    largest = Largest(vtkRayTracedParallel::Largest(points.Number(), [&](vtkIdType i) { return of(points[i]); }));
+    sample = points.Values(of);
   }
   if (points.NumberOfAll() == 0.0)
   {
@@ -372,15 +171,15 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
   }
   const Extents extents = Measure(points);
   const double typical = Quantile(sample, typicalQuantile);
-  const double exact = Reduce(ExactFactor(data, settings), vtkCommunicator::MAX_OP);
+  const double exact = Largest(ExactFactor(data, settings));
   if (exact * typical >= extents.Longest * std::min(seen, specks * extents.Neighbors) && exact > 0.0)
   {
-    result.Factor = exact;
+    result.Value = exact;
     return result;
   }
   if (!(extents.Longest > 0.0))
   {
-    result.Factor = TwoDigits(1.0 / typical / unitSize); // any size will do
+    result.Value = TwoDigits(1.0 / typical / unitSize); // any size will do
     return result;
   }
 
@@ -403,7 +202,7 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
   factor *= extents.Longest / unitSize;
   if (rtg::IsPositive(factor))
   {
-    result.Factor = TwoDigits(factor);
+    result.Value = TwoDigits(factor);
     result.Limit = limit * extents.Longest / unitSize;
   }
   return result;
@@ -414,38 +213,26 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
 const vtkGlyphScaleGuess::Result&
 vtkGlyphScaleGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time)
 {
-  vtkGlyphSettings matter;
-  matter.Shape = settings.Shape;
-  matter.Scaling = settings.Scaling;
-  matter.ScaleArray = settings.Scaling ? settings.ScaleArray : std::string();
-  matter.ScaleMode = settings.ScaleMode;
-  matter.Sizing.Function = settings.Sizing.Function;
-  matter.Sizing.Reference = settings.Sizing.Reference;
-  matter.Tensors.On = settings.Tensors.On;
-  matter.Tensors.Array = settings.Tensors.On ? settings.Tensors.Array : std::string();
-  matter.Tensors.Layout = settings.Tensors.Layout;
-  matter.Forms = settings.Forms.Effective();
-  matter.Forms.Coloring = vtkGlyphTensors::NONE;
-  matter.Mask = settings.Mask.Effective();
-
+  vtkGlyphSettings matter = settings.OfSizes();
+  vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, matter);
+  std::vector<double> has{ points->GetNumberOfPoints() > 0 ? 1.0 : 0.0, scales ? 1.0 : 0.0 };
+  Reduce(has, vtkCommunicator::MAX_OP);
+  if (has[0] == 0.0)
+  {
+    return this->Found.Last(); // a step without points changes nothing
+  }
+  if (has[1] == 0.0)
+  {
+    // A step that lacks the array says nothing of those that have it.
+    matter.Scaling = false;
+    matter.ScaleArray.clear();
+  }
   std::vector<vtkMTimeType> times;
-  for (vtkDataArray* array : { points->GetPoints() ? points->GetPoints()->GetData() : nullptr,
-         vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, matter), vtkGlyphTensors::Array(points, matter.Tensors),
-         vtkGlyphForms::Array(points, matter.Forms) })
+  for (vtkDataArray* array : { points->GetPoints() ? points->GetPoints()->GetData() : nullptr, scales,
+         vtkGlyphTensors::Array(points, matter.Tensors), vtkGlyphForms::Array(points, matter.Forms) })
   {
     times.push_back(array ? array->GetMTime() : 0);
   }
-  const bool otherData = times != this->Times && time == this->Time;
-  const bool wanted = !this->IsKnown || otherData || unitSize != this->UnitSize || !(matter == this->Settings);
-  this->Settings = matter;
-  this->UnitSize = unitSize;
-  this->Times = times;
-  this->Time = time;
-  // One rank's reason is all ranks'.
-  if (Reduce(wanted ? 1.0 : 0.0, vtkCommunicator::MAX_OP) > 0.0)
-  {
-    this->Found = Find(points, matter, rtg::IsPositive(unitSize) ? unitSize : 1.0);
-    this->IsKnown = this->Found.Factor > 0.0;
-  }
-  return this->Found;
+  return this->Found.Get({ matter, unitSize }, times, time,
+    [&] { return Find(points, matter, rtg::IsPositive(unitSize) ? unitSize : 1.0); });
 }

@@ -24,9 +24,10 @@
 #ifndef vtkGlyphScaleGuess_h
 #define vtkGlyphScaleGuess_h
 
+#include "vtkGlyphKeptGuess.h"
 #include "vtkGlyphSettings.h"
 
-#include <vector>
+#include <utility>
 
 class vtkPolyData;
 
@@ -34,34 +35,23 @@ class vtkGlyphScaleGuess
 {
 public:
   /**
-   * Limit as vtkGlyphSizing::Most. A factor of 0: there are no glyphs yet.
+   * Value is the factor, Limit as vtkGlyphSizing::Most.
    */
-  struct Result
-  {
-    double Factor = 0.0, Limit = 0.0;
-  };
+  using Kept = vtkGlyphKeptGuess<std::pair<vtkGlyphSettings, double>>;
+  using Result = Kept::Result;
 
   /**
    * What suits the points; all ranks call it at once, and all get the same. `unitSize` is the length of the unit glyph.
-   *
-   * It is found anew when settings that sizes or the choice of glyphs depend on have changed, or the data, unless
-   * `time` has changed with them: over the steps of an animation glyphs keep their size. A factor of 0 is not kept.
    */
   const Result& Get(vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time);
 
   /**
    * Makes Get() find it anew.
    */
-  void Forget() { this->IsKnown = false; }
-
-  const Result& Last() const { return this->Found; }
+  void Forget() { this->Found.Forget(); }
 
 private:
-  Result Found;
-  bool IsKnown = false;
-  vtkGlyphSettings Settings; // those that matter
-  double UnitSize = 0.0, Time = 0.0;
-  std::vector<vtkMTimeType> Times; // of positions, scales and tensors
+  Kept Found; // for the settings that matter, and the unit size
 };
 
 #endif

@@ -96,6 +96,25 @@ vtkGlyphSettings vtkGlyphSettings::Effective() const
 }
 
 //----------------------------------------------------------------------------
+vtkGlyphSettings vtkGlyphSettings::OfSizes() const
+{
+  vtkGlyphSettings matter;
+  matter.Shape = this->Shape;
+  matter.Scaling = this->Scaling;
+  matter.ScaleArray = this->Scaling ? this->ScaleArray : std::string();
+  matter.ScaleMode = this->ScaleMode;
+  matter.Sizing.Function = this->Sizing.Function;
+  matter.Sizing.Reference = this->Sizing.Reference;
+  matter.Tensors.On = this->Tensors.On;
+  matter.Tensors.Array = this->Tensors.On ? this->Tensors.Array : std::string();
+  matter.Tensors.Layout = this->Tensors.Layout;
+  matter.Forms = this->Forms.Effective();
+  matter.Forms.Coloring = vtkGlyphTensors::NONE;
+  matter.Mask = this->Mask.Effective();
+  return matter;
+}
+
+//----------------------------------------------------------------------------
 rtg::GlyphInstances::SurfaceColours vtkGlyphSettings::SurfaceColors() const
 {
   using SurfaceColours = rtg::GlyphInstances::SurfaceColours;

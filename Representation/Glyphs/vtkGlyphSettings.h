@@ -82,12 +82,26 @@ struct vtkGlyphSettings
   vtkGlyphSettings Effective() const;
 
   /**
+   * Those that sizes and the choice of points depend on, but for ScaleFactor and limits of sizes.
+   */
+  vtkGlyphSettings OfSizes() const;
+
+  /**
    * Whether fixed arrow heads have the proportions of the unit arrow on an arrow of high scale.
    */
   bool NeedsHighScale() const
   {
     return this->Shape == rtg::Shape::Arrow && this->Arrow.fixedHeads && this->Scaling &&
       !vtkRayTracedArrays::IsNone(this->ScaleArray) && !rtg::IsPositive(this->ArrowReference);
+  }
+
+  /**
+   * Whether the glyphs point somewhere, and no array says where.
+   */
+  bool LacksDirection() const
+  {
+    const bool points = this->Shape == rtg::Shape::Arrow || this->Shape == rtg::Shape::Cone;
+    return points && !this->Tensors.On && this->Orient && vtkRayTracedArrays::IsNone(this->OrientationArray);
   }
 
   /**

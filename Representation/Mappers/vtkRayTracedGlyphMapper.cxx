@@ -171,11 +171,6 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   this->Radii = std::move(result.Radii);
   ++this->SourcesVersion;
   this->Skipped = result.Skipped;
-  this->Unfinished = std::move(result.Unfinished);
-  if (!this->Unfinished.empty() && !this->InWindow)
-  {
-    result.Messages.push_back(this->Unfinished);
-  }
   const Hash digest = DigestOf(this->Instances);
   if (this->InstanceVersion == 0 || this->Digest != digest)
   {
@@ -185,7 +180,7 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   // Axes go with tensor glyphs, which have told what is wrong with the points.
   if (!this->Settings.Tensors.Axes)
   {
-    this->Report(result.Messages, this->ReportedInstances);
+    this->ReportInstances(std::move(result.Messages), result.Unfinished);
   }
 }
 

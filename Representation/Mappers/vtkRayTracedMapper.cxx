@@ -318,6 +318,17 @@ vtkRayTracedMapper::Origin vtkRayTracedMapper::OriginOfPoint(vtkPolyData* points
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedMapper::ReportInstances(std::vector<std::string> messages, const std::string& unfinished)
+{
+  this->Unfinished = unfinished;
+  if (!unfinished.empty() && !this->InWindow)
+  {
+    messages.push_back(unfinished);
+  }
+  this->Report(messages, this->ReportedInstances);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedMapper::Report(const std::vector<std::string>& messages, std::vector<std::string>& reported)
 {
   for (const std::string& message : messages)

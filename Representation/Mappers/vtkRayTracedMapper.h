@@ -105,8 +105,8 @@ public:
 
   ///@{
   /**
-   * What users must choose before there is something to show; empty: nothing. Who makes the choices in a window, one
-   * after the other, is not warned of it.
+   * What users must choose before there is something to show, or it moves; empty: nothing. Who makes the choices in a
+   * window, one after the other, is not warned of it.
    */
   const std::string& GetUnfinished() const { return this->Unfinished; }
   void SetInWindow(bool inWindow) { this->InWindow = inWindow; }
@@ -214,6 +214,11 @@ protected:
    */
   Origin OriginOfPoint(vtkPolyData* points, vtkIdType point) const;
 
+  /**
+   * What instances are built of is unfinished in that, and `messages` are to be reported of it; with the latter, but
+   * not in a window.
+   */
+  void ReportInstances(std::vector<std::string> messages, const std::string& unfinished);
   void Report(const std::vector<std::string>& messages, std::vector<std::string>& reported);
 
   vtkGlyphBlockAttributes Blocks;

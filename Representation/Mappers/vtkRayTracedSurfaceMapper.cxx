@@ -93,7 +93,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
                           "are left out. Choose another representation, or make polygons with a "
                           "filter such as Extract Surface, Tube or Contour.");
   }
-  this->Report(messages, this->ReportedInstances);
+  this->ReportInstances(std::move(messages), vtkGlyphMotion::Unfinished(this->Settings.Motion));
 }
 
 //----------------------------------------------------------------------------

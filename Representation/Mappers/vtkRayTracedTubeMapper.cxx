@@ -64,7 +64,7 @@ void vtkRayTracedTubeMapper::BuildInstances(vtkPolyData* lines, vtkActor* actor)
   this->Skipped = result.Bad + result.Empty;
   ++this->SourcesVersion;
   this->InstanceVersion = NewVersion();
-  this->Report(result.Messages, this->ReportedInstances);
+  this->ReportInstances(std::move(result.Messages), vtkGlyphMotion::Unfinished(this->Settings.Motion));
 }
 
 //----------------------------------------------------------------------------

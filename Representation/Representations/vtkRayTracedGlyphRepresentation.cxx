@@ -198,15 +198,21 @@ void vtkRayTracedGlyphRepresentation::UpdateScaleGuess(vtkPolyData* points)
   {
     return;
   }
-  const vtkGlyphSettings settings = this->MakeSettings();
-  double unitSize = settings.Shape == rtg::Shape::Capsule ? 2.0 : 1.0;
-  if (settings.Shape == rtg::Shape::Mesh)
-  {
-    unitSize = this->Meshes.GetLargestSide();
-  }
+  double unitSize = 1.0;
+  const vtkGlyphSettings settings = this->GetSizes(points, unitSize);
   const vtkGlyphScaleGuess::Result& found = this->Guess.Get(points, settings, unitSize, this->GetUpdateTime());
-  this->ScaleGuess[0] = found.Factor;
+  this->ScaleGuess[0] = found.Value;
   this->ScaleGuess[1] = found.Limit;
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphSettings vtkRayTracedGlyphRepresentation::GetSizes(vtkPolyData*, double& unitSize)
+{
+  const vtkGlyphSettings settings = this->MakeSettings();
+  unitSize = settings.Shape == rtg::Shape::Mesh ? this->Meshes.GetLargestSide()
+    : settings.Shape == rtg::Shape::Capsule     ? 2.0
+                                                : 1.0;
+  return settings;
 }
 
 //****************************************************************************
@@ -240,7 +246,6 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   const vtkGlyphBlockAttributes::Table& blocks = points ? this->Blocks.Resolve(points) : noBlocks;
   settings.HighScale = this->HighScale.Get(points, settings, blocks, collective);
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
-  main->SetInWindow(this->IsInWindow());
   main->SetSettings(settings, this->Meshes.GetForm(0));
   main->SetTensorTable(this->TensorTable);
   if (settings.HasNumberRange() && (!this->TensorTable || settings.Tensors.Coloring == vtkGlyphTensors::EIGENVALUES))
@@ -355,7 +360,7 @@ void vtkRayTracedGlyphRepresentation::RemoveLayers(vtkPVRenderView* view)
 vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
 {
   vtkGlyphSettings settings = this->Glyphs.InRange();
-  settings.Motion = this->Motion;
+  settings.Motion = this->GetMotion();
   if (this->ScaleFactorFromData)
   {
     const bool own = this->ScaleGuess[0] > 0.0; // else this process only renders, or there are no glyphs

@@ -224,6 +224,7 @@ protected:
   vtkSmartPointer<vtkPolyData> GatherAnew(vtkDataObject* input, const int* wholeExtent) override;
   void AddArrays(vtkPolyData* points) override;
   const double* GetDataBounds(vtkPolyData* points) override;
+  vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
   void Deliver(vtkInformation* inInfo, bool lod) override;
   bool MayBeTranslucent() override;
 

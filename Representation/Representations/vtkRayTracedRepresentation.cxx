@@ -5,6 +5,7 @@
 #include "Vulkan/Device.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
+#include "vtkGlyphSample.h"
 #include "vtkGlyphStepVelocity.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -150,6 +151,45 @@ void vtkRayTracedRepresentation::AddStepVelocities(vtkDataObject* input)
 }
 
 //----------------------------------------------------------------------------
+// On all ranks that have data; after their sizes are known, and before their bounds.
+void vtkRayTracedRepresentation::UpdateShutterTime(vtkPolyData* points)
+{
+  if (!this->ShutterTimeFromData || !this->Motion.On || this->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  if (this->Motion.FromPreviousStep)
+  {
+    this->ShutterTime = vtkGlyphSample::Largest(this->StepVelocity->GetStepLength());
+    return;
+  }
+  double unitSize = 1.0;
+  const vtkGlyphSettings sizes = this->GetSizes(points, unitSize);
+  this->ShutterTime = this->ShutterGuess.Get(points, sizes, unitSize, this->GetUpdateTime());
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphMotion::Settings vtkRayTracedRepresentation::GetMotion() const
+{
+  vtkGlyphMotion::Settings motion = this->Motion;
+  if (this->ShutterTimeFromData)
+  {
+    // While nothing moves any will do.
+    const double known = this->ShutterTime > 0.0 ? this->ShutterTime : motion.ShutterTime;
+    motion.ShutterTime = known > 0.0 ? known : 1.0;
+  }
+  return motion;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetShutterTimeFromData(bool on)
+{
+  this->ShutterTimeFromData = on;
+  this->ShutterGuess.Forget();
+  this->ShutterTime = 0.0;
+}
+
+//----------------------------------------------------------------------------
 vtkDataObject* vtkRayTracedRepresentation::GetRenderedDataObject(int)
 {
   return this->Points;
@@ -192,6 +232,7 @@ void vtkRayTracedRepresentation::Answer(
       this->Points = shown;
     }
     this->Deliver(inInfo, /*lod=*/false);
+    this->UpdateShutterTime(this->Points);
     double bounds[6];
     std::copy_n(this->GetDataBounds(this->Points), 6, bounds);
     vtkNew<vtkMatrix4x4> matrix;
@@ -333,6 +374,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   }
   this->Mapper->SetPoints(points);
   this->Mapper->SetBlocks(this->Blocks);
+  this->Mapper->SetInWindow(this->Image.StepwiseRendering);
   this->ConfigureColors(points);
   const bool collective =
     lod ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender();

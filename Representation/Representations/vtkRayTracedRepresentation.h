@@ -22,6 +22,7 @@
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkGlyphBounds.h"
 #include "vtkGlyphMotion.h"
+#include "vtkGlyphShutterGuess.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedImageSettings.h"
 #include "vtkRayTracedNumbers.h"
@@ -133,9 +134,17 @@ public:
   void SetPointIdArray(const char* name);
   void SetAccelerationArray(const char* name) { this->SetArray(this->Motion.Acceleration, name); }
   void SetAngularVelocityArray(const char* name) { this->SetArray(this->Motion.AngularVelocity, name); }
+  void SetShutterTimeFromData(bool on);
   void SetShutterTime(double time) { this->Motion.ShutterTime = vtkRayTracedNumbers::NumberOr(time, 0.0); }
   void SetShutterOpening(int opening);
   ///@}
+
+  /**
+   * The shutter time that the data suggest while ShutterTimeFromData is on (default): vtkGlyphShutterGuess's, or with
+   * velocities from the previous step the time between the two. 0: none yet. Processes that have data use it by
+   * themselves; those that only render get it by SetShutterTime().
+   */
+  double GetShutterTimeGuess() { return this->ShutterTime; }
 
   ///@{
   /**
@@ -231,6 +240,16 @@ protected:
   ///@}
 
   /**
+   * Glyphs at the points that are as large as what is shown, of a unit glyph of that length.
+   */
+  virtual vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) = 0;
+
+  /**
+   * How it moves: the properties, with the shutter time that the data suggest.
+   */
+  vtkGlyphMotion::Settings GetMotion() const;
+
+  /**
    * Whether something of it may turn out translucent; asked on all ranks before the data are delivered.
    */
   virtual bool MayBeTranslucent();
@@ -266,7 +285,6 @@ protected:
    */
   vtkRayTracedParallel::Progress ProgressOf(const char* what);
 
-  bool IsInWindow() const { return this->Image.StepwiseRendering; }
   bool GetInterpolateScalarsBeforeMapping() const { return this->InterpolateScalarsBeforeMapping; }
   vtkRayTracedMapper* GetMapper();
   vtkPolyData* GetPoints();
@@ -282,7 +300,7 @@ protected:
    */
   void SetArray(std::string& held, const char* name);
 
-  vtkGlyphMotion::Settings Motion;
+  vtkGlyphMotion::Settings Motion; // as the properties say
   vtkGlyphBlockAttributes Blocks;
 
 private:
@@ -294,6 +312,7 @@ private:
   void Answer(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
   void ReportLackOfMemory();
   void AddStepVelocities(vtkDataObject* input);
+  void UpdateShutterTime(vtkPolyData* points);
   void UpdateActorPosition();
   void Render(vtkPVRenderView* view, vtkInformation* inInfo);
   void ConfigureColors(vtkPolyData* points);
@@ -311,6 +330,9 @@ private:
   bool MapScalars = true, InterpolateScalarsBeforeMapping = true;
   std::array<double, 3> Position{}, Translation{};
   std::unique_ptr<vtkGlyphStepVelocity> StepVelocity;
+  bool ShutterTimeFromData = true;
+  double ShutterTime = 0.0; // that the data suggest; 0: none
+  vtkGlyphShutterGuess ShutterGuess;
   int ParallelLight = vtkRayTracedImageSettings::LocalLight;
   bool ReplicateGlyphs = false;
   std::string FeatureFile; // until there is a scene

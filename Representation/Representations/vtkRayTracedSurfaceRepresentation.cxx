@@ -84,10 +84,17 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceRepresentation::Gather(vtkDataOb
 // Those of glyphs without size at the surface's points.
 const double* vtkRayTracedSurfaceRepresentation::GetDataBounds(vtkPolyData* surface)
 {
+  double unitSize = 1.0;
+  return this->GetBoundsOf(surface, { this->GetSizes(surface, unitSize) });
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphSettings vtkRayTracedSurfaceRepresentation::GetSizes(vtkPolyData*, double&)
+{
   vtkGlyphSettings settings;
   settings.ScaleFactor = 0.0;
-  settings.Motion = this->Motion;
-  return this->GetBoundsOf(surface, { settings });
+  settings.Motion = this->GetMotion();
+  return settings;
 }
 
 //----------------------------------------------------------------------------
@@ -102,6 +109,6 @@ void vtkRayTracedSurfaceRepresentation::Configure(vtkInformation*, vtkPolyData*,
   vtkRayTracedSurfaceMapper::SurfaceSettings settings;
   settings.Smooth = this->Smooth;
   settings.InterpolateValues = this->GetInterpolateScalarsBeforeMapping();
-  settings.Motion = this->Motion;
+  settings.Motion = this->GetMotion();
   static_cast<vtkRayTracedSurfaceMapper*>(this->GetMapper())->SetSettings(settings);
 }

@@ -50,9 +50,16 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::GatherAnew(vtkDataO
 // Those of balls at the lines' points, whose hulls the tubes are.
 const double* vtkRayTracedTubeRepresentation::GetDataBounds(vtkPolyData* lines)
 {
+  double unitSize = 1.0;
+  return this->GetBoundsOf(lines, { this->GetSizes(lines, unitSize) });
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphSettings vtkRayTracedTubeRepresentation::GetSizes(vtkPolyData* lines, double&)
+{
   vtkGlyphSettings settings;
   settings.ScaleFactor = 2.0 * std::abs(this->Radius);
-  settings.Motion = this->Motion;
+  settings.Motion = this->GetMotion();
   bool ofCells = false;
   vtkRayTracedTubeBuilder::Settings tubes;
   tubes.RadiusArray = this->RadiusArray;
@@ -68,7 +75,7 @@ const double* vtkRayTracedTubeRepresentation::GetDataBounds(vtkPolyData* lines)
       settings.ScaleArray = this->RadiusArray;
     }
   }
-  return this->GetBoundsOf(lines, { settings });
+  return settings;
 }
 
 //----------------------------------------------------------------------------
@@ -99,7 +106,7 @@ void vtkRayTracedTubeRepresentation::Configure(vtkInformation*, vtkPolyData*, bo
   settings.RadiusArray = this->RadiusArray;
   settings.FlatEnds = this->FlatEnds;
   settings.Joined = this->MayBeTranslucent();
-  settings.Motion = this->Motion;
+  settings.Motion = this->GetMotion();
   auto* tubes = static_cast<vtkRayTracedTubeMapper*>(this->GetMapper());
   tubes->SetSettings(settings, this->GetInterpolateScalarsBeforeMapping());
   tubes->SetSelectionColor(this->GetSelectionColor());

@@ -42,6 +42,7 @@ protected:
 
   vtkSmartPointer<vtkPolyData> GatherAnew(vtkDataObject* input, const int* wholeExtent) override;
   const double* GetDataBounds(vtkPolyData* lines) override;
+  vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;
   void Configure(vtkInformation* inInfo, vtkPolyData* lines, bool lod, bool collective) override;
 

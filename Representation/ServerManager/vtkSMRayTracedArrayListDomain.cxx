@@ -30,6 +30,22 @@ struct Array
 };
 using Arrays = std::vector<Array>;
 
+// Null attributes have none.
+Arrays ArraysOf(vtkPVDataSetAttributesInformation* attributes, const std::function<bool(const char*)>& isWanted)
+{
+  Arrays arrays;
+  for (int i = 0; attributes && i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkPVArrayInformation* array = attributes->GetArrayInformation(i);
+    if (array && array->GetName() && isWanted(array->GetName()))
+    {
+      arrays.push_back({ array->GetName(), array->GetNumberOfComponents(), attributes->IsArrayAnAttribute(i),
+        array->GetDataType() == VTK_UNSIGNED_CHAR });
+    }
+  }
+  return arrays;
+}
+
 // The name of the array of the lowest rank, the first of several; those with a negative one do not count. Empty: none.
 std::string Best(const Arrays& arrays, const std::function<int(const Array&)>& rank)
 {
@@ -130,6 +146,16 @@ std::string FourthOrder(const Arrays& arrays)
     });
 }
 
+std::string Direction(const Arrays& arrays)
+{
+  return FirstOf(arrays, { ActiveVectors, NamedDirection, Quaternion, AnyDirection });
+}
+
+std::string Tensor(const Arrays& arrays)
+{
+  return FirstOf(arrays, { ActiveTensors, AnyTensor, FourthOrder });
+}
+
 // Those of one and six components are seldom harmonics.
 std::string Harmonics(const Arrays& arrays)
 {
@@ -188,20 +214,15 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
   auto* domain = input ? vtkSMInputArrayDomain::SafeDownCast(input->GetDomain(this->InputDomainName)) : nullptr;
   vtkPVDataSetAttributesInformation* attributes =
     data && domain ? data->GetAttributeInformation(domain->GetAttributeType()) : nullptr;
-  Arrays arrays;
-  for (int i = 0; attributes && i < attributes->GetNumberOfArrays(); ++i)
-  {
-    vtkPVArrayInformation* array = attributes->GetArrayInformation(i);
-    unsigned int listed = 0;
-    if (array && array->GetName() && this->IsInDomain(array->GetName(), listed))
+  const Arrays arrays = ArraysOf(attributes,
+    [this](const char* name)
     {
-      arrays.push_back({ array->GetName(), array->GetNumberOfComponents(), attributes->IsArrayAnAttribute(i),
-        array->GetDataType() == VTK_UNSIGNED_CHAR });
-    }
-  }
+      unsigned int listed = 0;
+      return this->IsInDomain(name, listed) != 0;
+    });
   if (this->Choice == "direction")
   {
-    return FirstOf(arrays, { ActiveVectors, NamedDirection, Quaternion, AnyDirection });
+    return Direction(arrays);
   }
   if (this->Choice == "velocity")
   {
@@ -209,7 +230,7 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
   }
   if (this->Choice == "tensor")
   {
-    return FirstOf(arrays, { ActiveTensors, AnyTensor, FourthOrder });
+    return Tensor(arrays);
   }
   if (this->Choice == "harmonics")
   {
@@ -236,4 +257,11 @@ int vtkSMRayTracedArrayListDomain::SetDefaultValues(vtkSMProperty* property, boo
   helper.SetUseUnchecked(useUncheckedValues);
   helper.Set(chosen.empty() ? "None" : chosen.c_str());
   return 1;
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedArrayListDomain::HasDirectionsOrTensors(vtkPVDataSetAttributesInformation* attributes)
+{
+  const Arrays arrays = ArraysOf(attributes, [](const char*) { return true; });
+  return !Direction(arrays).empty() || !Tensor(arrays).empty();
 }

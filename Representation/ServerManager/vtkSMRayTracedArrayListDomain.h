@@ -21,6 +21,8 @@
 
 #include <string>
 
+class vtkPVDataSetAttributesInformation;
+
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedArrayListDomain : public vtkSMArrayListDomain
 {
 public:
@@ -29,6 +31,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override;
+
+#ifndef __VTK_WRAP__
+  /**
+   * Whether there is what `direction` or `tensor` would choose, whatever the list.
+   */
+  static bool HasDirectionsOrTensors(vtkPVDataSetAttributesInformation* attributes);
+#endif
 
 protected:
   vtkSMRayTracedArrayListDomain();

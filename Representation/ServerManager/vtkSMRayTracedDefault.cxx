@@ -56,22 +56,25 @@ bool vtkSMRayTracedDefault::IsAlias(vtkSMProperty* property)
 //----------------------------------------------------------------------------
 bool vtkSMRayTracedDefault::Take(vtkSMProperty* property, bool chosen)
 {
-  if (chosen)
+  if (chosen || (!this->Chosen && property->IsValueDefault()))
   {
     this->Chosen.TakeReference(property->NewInstance());
     this->Chosen->Copy(property);
+    this->Found = chosen;
+    this->ByUser = false;
   }
   else if (this->Chosen)
   {
     property->Copy(this->Chosen);
+    this->ByUser = false;
   }
-  return chosen || this->Chosen;
+  return this->Found;
 }
 
 //----------------------------------------------------------------------------
 bool vtkSMRayTracedDefault::IsChosen(vtkSMProperty* property) const
 {
-  return this->Chosen && AreEqual(property, this->Chosen);
+  return this->Chosen && !this->ByUser && AreEqual(property, this->Chosen);
 }
 
 //----------------------------------------------------------------------------
@@ -100,15 +103,21 @@ bool vtkSMRayTracedDefault::Has(vtkSMProperty* property) const
 }
 
 //----------------------------------------------------------------------------
-void vtkSMRayTracedDefault::Renew(vtkSMProperty* property, bool lost) const
+bool vtkSMRayTracedDefault::IsMissing(vtkSMProperty* property) const
 {
-  if (!this->IsChosen(property))
-  {
-    return;
-  }
   const char* value = vtkSMPropertyHelper(property).GetAsString();
-  if (!lost || !value || strcmp(value, "None") == 0 || property->IsInDomains() == vtkSMDomain::NOT_IN_DOMAIN)
+  return !this->Found || (property->IsA("vtkSMStringVectorProperty") && (!value || strcmp(value, "None") == 0));
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedDefault::Renew(vtkSMProperty* property, Where where)
+{
+  const bool lost = where == Where::Lost && property->IsInDomains() == vtkSMDomain::NOT_IN_DOMAIN;
+  if (!this->IsChosen(property) || !(where == Where::Everywhere || lost || this->IsMissing(property)))
   {
-    property->ResetToDomainDefaults();
+    return false;
   }
+  const vtkSmartPointer<vtkSMProperty> before = this->Chosen;
+  property->ResetToDomainDefaults();
+  return !AreEqual(property, before);
 }

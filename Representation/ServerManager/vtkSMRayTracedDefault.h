@@ -26,9 +26,14 @@ struct vtkSMRayTracedDefault
   /**
    * To be called when the domains have been asked for a value that fits the data, with their answer, which is returned.
    * Where there are no data, as when ParaView resets all properties of a display, the input first, the property gets
-   * the value that was chosen before.
+   * the value that was chosen before; the default of the XML, while there is none, counts as chosen by ParaView.
    */
   bool Take(vtkSMProperty* property, bool chosen);
+
+  /**
+   * To be called when the property is modified. What is not followed by Take() is a choice of the user or of a script.
+   */
+  void Modify() { this->ByUser = true; }
 
   /**
    * Whether ParaView has chosen the present value, or would choose it now.
@@ -40,13 +45,24 @@ struct vtkSMRayTracedDefault
    */
   bool IsChosen(vtkSMProperty* property) const;
 
+  enum class Where
+  {
+    Everywhere,
+    Lost,   // values that are in no list of values any more, and what Missing names
+    Missing // None, and what stands in the XML, where the data had nothing to choose
+  };
+
   /**
-   * Chooses anew where ParaView has chosen: if `lost`, only a value that is in no list of values any more, or None.
+   * Chooses anew where ParaView has chosen. Returns whether that is another value.
    */
-  void Renew(vtkSMProperty* property, bool lost) const;
+  bool Renew(vtkSMProperty* property, Where where);
 
 private:
+  bool IsMissing(vtkSMProperty* property) const;
+
   vtkSmartPointer<vtkSMProperty> Chosen; // null: none yet, as in a display of a state file
+  bool Found = false;                    // by the data
+  bool ByUser = false;                   // the present value
 };
 
 #endif

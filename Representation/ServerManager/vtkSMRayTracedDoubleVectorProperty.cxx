@@ -23,9 +23,16 @@ bool vtkSMRayTracedDoubleVectorProperty::ResetToDomainDefaults(bool useUnchecked
 }
 
 //----------------------------------------------------------------------------
-void vtkSMRayTracedDoubleVectorProperty::RenewDefault()
+void vtkSMRayTracedDoubleVectorProperty::Modified()
 {
-  this->Default.Renew(this, /*lost=*/false);
+  this->Default.Modify();
+  this->Superclass::Modified();
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedDoubleVectorProperty::RenewDefault(vtkSMRayTracedDefault::Where where)
+{
+  return this->Default.Renew(this, where);
 }
 
 //----------------------------------------------------------------------------

@@ -23,11 +23,14 @@ public:
 
   bool IsValueDefault() override;
   bool ResetToDomainDefaults(bool useUncheckedValues = false) override;
+  void Modified() override;
 
+#ifndef __VTK_WRAP__
   /**
-   * To be called when its domains would choose otherwise: chooses anew where ParaView has chosen.
+   * To be called when its domains would choose otherwise; see vtkSMRayTracedDefault::Renew().
    */
-  void RenewDefault();
+  bool RenewDefault(vtkSMRayTracedDefault::Where where);
+#endif
 
 protected:
   vtkSMRayTracedDoubleVectorProperty() = default;

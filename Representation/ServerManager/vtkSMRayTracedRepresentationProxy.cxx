@@ -12,13 +12,16 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
 #include "vtkSMRayTracedDoubleVectorProperty.h"
+#include "vtkSMRayTracedLocationProperty.h"
 #include "vtkSMRayTracedStringVectorProperty.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
+#include "vtkSMViewProxy.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <cstring>
 
 vtkStandardNewMacro(vtkSMRayTracedRepresentationProxy);
@@ -46,8 +49,27 @@ vtkSMProxy* ShownBy(vtkSMProxy* display)
                                      : nullptr;
 }
 
+// Properties whose default the data choose (vtkSMRayTracedArrayListDomain).
+const char* const arrays[] = { "GlyphScaleArray", "GlyphOrientationArray", "GlyphTensorArray", "GlyphHarmonicsArray",
+  "VelocityArray" };
+
 // While one display's value is copied to the others, their changes are not copied on.
 bool sharing = false;
+}
+
+// A number that the data suggest while FromData is on, and Switch where there is one; a second element of Guess is
+// Limit's.
+struct vtkSMRayTracedRepresentationProxy::Suggested
+{
+  const char *Number, *FromData, *Guess, *Limit, *Switch;
+};
+
+namespace
+{
+const std::array<vtkSMRayTracedRepresentationProxy::Suggested, 2> suggestions = { {
+  { "GlyphScaleFactor", "GlyphScaleFactorFromData", "GlyphScaleGuess", "GlyphSizeLimit", nullptr },
+  { "ShutterTime", "ShutterTimeFromData", "ShutterTimeGuess", nullptr, "MotionBlur" },
+} };
 }
 
 //----------------------------------------------------------------------------
@@ -112,12 +134,15 @@ void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMP
   // What a display shares is that of one of its representations; what it tells is of the one that is shown.
   vtkSMProxy* display = this->GetTrueParentProxy();
   vtkSMProxy* shown = display ? ShownBy(display) : nullptr;
-  vtkSMProperty* own = this->GetProperty("RenderStatistics");
-  if (shown && shown != this && own && (!property || property == own) && this->IsExposed("RenderStatistics"))
+  for (const char* name : { "RenderStatistics", "ShutterTimeGuess" })
   {
-    vtkSMProperty* told = shown->GetProperty("RenderStatistics");
-    shown->UpdatePropertyInformation(told);
-    own->Copy(told);
+    vtkSMProperty* own = this->GetProperty(name);
+    if (shown && shown != this && own && (!property || property == own) && this->IsExposed(name))
+    {
+      vtkSMProperty* told = shown->GetProperty(name);
+      shown->UpdatePropertyInformation(told);
+      own->Copy(told);
+    }
   }
 }
 
@@ -146,6 +171,14 @@ bool vtkSMRayTracedRepresentationProxy::IsExposed(const char* name)
 }
 
 //----------------------------------------------------------------------------
+// Of a display's representations one has the property that users see, and the others get its value.
+bool vtkSMRayTracedRepresentationProxy::IsFollower(const char* name)
+{
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  return display && display->GetProperty(name) && display->GetProperty(name) != this->GetProperty(name);
+}
+
+//----------------------------------------------------------------------------
 bool vtkSMRayTracedRepresentationProxy::HoldsForView(const char* name)
 {
   vtkSMProperty* property = this->GetProperty(name);
@@ -156,12 +189,15 @@ bool vtkSMRayTracedRepresentationProxy::HoldsForView(const char* name)
 //----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name, int flag)
 {
-  vtkSMProperty* fromData = this->GetProperty("GlyphScaleFactorFromData"); // none yet while the proxy is made
-  if (fromData && flag && name && strcmp(name, "GlyphScaleFactor") == 0 && !this->TakingGuess)
+  for (const Suggested& suggested : suggestions)
   {
-    // Whoever sets it wants that one. Before the change itself is told, so that undoing both ends with the data's
-    // choice.
-    vtkSMPropertyHelper(fromData).Set(0);
+    vtkSMProperty* fromData = this->GetProperty(suggested.FromData); // none yet while the proxy is made
+    if (fromData && flag && name && strcmp(name, suggested.Number) == 0 && !this->TakingGuess &&
+      !this->IsFollower(name))
+    {
+      // Who sets it wants that one. Before the change itself is told, so that undoing both ends with the data's choice.
+      vtkSMPropertyHelper(fromData).Set(0);
+    }
   }
   this->Superclass::SetPropertyModifiedFlag(name, flag);
   if (flag && name && strcmp(name, "Input") == 0)
@@ -180,22 +216,20 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     // The lists of arrays are those of the input that the glyphs stand on.
     this->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
-    for (const char* array :
-      { "GlyphScaleArray", "GlyphOrientationArray", "GlyphTensorArray", "GlyphHarmonicsArray", "VelocityArray" })
+    for (const char* array : arrays)
     {
-      this->RenewDefault(array, /*lost=*/true);
+      this->RenewDefault(array, vtkSMRayTracedDefault::Where::Lost);
     }
   }
   if (flag && name && strcmp(name, "GlyphShape") == 0 && !vtkSMPropertyHelper(this, "GlyphScaling", true).GetAsInt())
   {
     // Arrows are as long as vectors, others as large as radii. Not while the array is in use: scripts and states may
     // name the array before the shape.
-    this->RenewDefault("GlyphScaleArray", /*lost=*/false);
+    this->RenewDefault("GlyphScaleArray", vtkSMRayTracedDefault::Where::Everywhere);
   }
-  auto* radius = vtkSMRayTracedDoubleVectorProperty::SafeDownCast(this->GetProperty("TubeRadius"));
-  if (flag && name && radius && strcmp(name, "TubeRadiusArray") == 0)
+  if (flag && name && strcmp(name, "TubeRadiusArray") == 0)
   {
-    radius->RenewDefault();
+    this->RenewDefault("TubeRadius", vtkSMRayTracedDefault::Where::Everywhere);
   }
   if (flag && name && !sharing && !this->ApplyingQuality)
   {
@@ -264,11 +298,36 @@ void vtkSMRayTracedRepresentationProxy::FollowQuality(const std::string& name)
 }
 
 //----------------------------------------------------------------------------
-void vtkSMRayTracedRepresentationProxy::RenewDefault(const char* array, bool lost)
+bool vtkSMRayTracedRepresentationProxy::RenewDefault(const char* name, vtkSMRayTracedDefault::Where where)
 {
-  if (auto* property = vtkSMRayTracedStringVectorProperty::SafeDownCast(this->GetProperty(array)))
+  vtkSMProperty* property = this->GetProperty(name);
+  auto* strings = vtkSMRayTracedStringVectorProperty::SafeDownCast(property);
+  auto* numbers = vtkSMRayTracedDoubleVectorProperty::SafeDownCast(property);
+  auto* location = vtkSMRayTracedLocationProperty::SafeDownCast(property);
+  return location ? location->RenewDefault(where)
+    : strings     ? strings->RenewDefault(where)
+                  : numbers && numbers->RenewDefault(where);
+}
+
+//----------------------------------------------------------------------------
+// What the data shown before had nothing for, these may have, as the first time step with particles has arrays. While
+// time goes on a default that was found stays; other data may have others.
+void vtkSMRayTracedRepresentationProxy::RenewDefaults(vtkSMProxy* view)
+{
+  using Where = vtkSMRayTracedDefault::Where;
+  const double time = vtkSMPropertyHelper(view, "ViewTime", /*quiet=*/true).GetAsDouble();
+  const Where where = time == this->Time ? Where::Lost : Where::Missing;
+  this->Time = time;
+  bool renewed = this->IsExposed("GlyphLocation") && this->RenewDefault("GlyphLocation", Where::Missing);
+  for (const char* name : arrays)
   {
-    property->RenewDefault(lost);
+    renewed |= this->IsExposed(name) && this->RenewDefault(name, where);
+  }
+  renewed |= this->IsExposed("TubeRadius") && this->RenewDefault("TubeRadius", Where::Missing);
+  if (renewed)
+  {
+    this->UpdateVTKObjects();
+    vtkSMViewProxy::SafeDownCast(view)->Update();
   }
 }
 
@@ -368,9 +427,18 @@ void vtkSMRayTracedRepresentationProxy::Rendered(vtkObject*, unsigned long, void
 void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
-  if (this->GetProperty("GlyphScaleFactorFromData") && this->IsExposed("GlyphScaleFactorFromData"))
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  if (display && ShowsRayTraced(display))
   {
-    this->TakeScaleGuess();
+    this->RenewDefaults(view);
+  }
+  vtkSMProxy* shown = display ? ShownBy(display) : nullptr;
+  for (const Suggested& suggested : suggestions)
+  {
+    if (shown && shown->GetProperty(suggested.Guess) && this->IsExposed(suggested.FromData))
+    {
+      this->TakeGuess(suggested);
+    }
   }
   if (this->GetProperty("GlyphTensorLookupTable") && this->IsExposed("GlyphTensorLookupTable"))
   {
@@ -379,24 +447,26 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 }
 
 //----------------------------------------------------------------------------
-// Between the update and the render of a view: processes that have the data have found the factor, and those that
-// render are told.
-void vtkSMRayTracedRepresentationProxy::TakeScaleGuess()
+// Between the update and the render of a view: processes that have the data have found the number, and those that
+// render get it.
+void vtkSMRayTracedRepresentationProxy::TakeGuess(const Suggested& suggested)
 {
-  auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
-  if (!local || !local->GetVisibility() || !vtkSMPropertyHelper(this, "GlyphScaleFactorFromData").GetAsInt())
+  const bool used = !suggested.Switch || vtkSMPropertyHelper(this, suggested.Switch).GetAsInt();
+  if (!used || !vtkSMPropertyHelper(this, suggested.FromData).GetAsInt())
   {
     return;
   }
-  vtkSMProperty* guess = this->GetProperty("GlyphScaleGuess");
+  vtkSMProperty* guess = this->GetProperty(suggested.Guess);
   this->UpdatePropertyInformation(guess);
-  double found[2];
-  vtkSMPropertyHelper(guess).Get(found, 2);
-  if (found[0] > 0.0)
+  const vtkSMPropertyHelper found(guess);
+  if (found.GetAsDouble() > 0.0)
   {
     this->TakingGuess = true;
-    vtkSMPropertyHelper(this, "GlyphScaleFactor").Set(found[0]);
-    vtkSMPropertyHelper(this, "GlyphSizeLimit").Set(found[1]);
+    vtkSMPropertyHelper(this, suggested.Number).Set(found.GetAsDouble());
+    if (suggested.Limit)
+    {
+      vtkSMPropertyHelper(this, suggested.Limit).Set(found.GetAsDouble(1));
+    }
     this->UpdateVTKObjects();
     this->TakingGuess = false;
   }

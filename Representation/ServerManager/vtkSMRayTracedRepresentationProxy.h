@@ -9,7 +9,7 @@
  *   client for information about whatever is there too; with remote rendering nothing happens there, and the server's
  * first rank is asked.
  * - Those with the hint OfData speak of the processes that have the data.
- * - GlyphScaleFactor is what the data suggest until somebody sets it.
+ * - GlyphScaleFactor and ShutterTime are what the data suggest until they are set.
  * - Numbers of tensors (GlyphTensorColoring) have a lookup table and a scalar bar of their own.
  */
 #ifndef vtkSMRayTracedRepresentationProxy_h
@@ -18,6 +18,9 @@
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSMRepresentationProxy.h"
 #include "vtkWeakPointer.h"
+#ifndef __VTK_WRAP__ // what the wrapping tools need not know
+#include "vtkSMRayTracedDefault.h"
+#endif
 
 #include <functional>
 #include <string>
@@ -40,6 +43,8 @@ public:
   static bool ShowsRayTraced(vtkSMProxy* display);
   ///@}
 
+  struct Suggested;
+
 protected:
   vtkSMRayTracedRepresentationProxy();
   ~vtkSMRayTracedRepresentationProxy() override;
@@ -54,8 +59,12 @@ private:
 
   vtkSMProxy* FindView();
   bool IsExposed(const char* name);
+  bool IsFollower(const char* name);
   bool HoldsForView(const char* name);
-  void RenewDefault(const char* array, bool lost);
+#ifndef __VTK_WRAP__
+  bool RenewDefault(const char* name, vtkSMRayTracedDefault::Where where);
+#endif
+  void RenewDefaults(vtkSMProxy* view);
   void TakeSelection();
   void FollowQuality(const std::string& name);
   void ShareWithView(const char* name);
@@ -63,14 +72,15 @@ private:
   void TakeFromView(vtkSMProxy* view);
   void Rendered(vtkObject* view, unsigned long event, void* interactive);
   void UpdateTensorTable(vtkSMProxy* view);
-  void TakeScaleGuess();
+  void TakeGuess(const Suggested& suggested);
 
   vtkWeakPointer<vtkSMProxy> ObservedView;
+  double Time = 0.0;           // of the last update
   std::string TensorTableName; // of the table and scalar bar that are in use; empty: none
   double TensorRange[2] = { 1.0, -1.0 };
   bool TensorTableChosen = false; // by somebody else than this class
   bool ApplyingQuality = false;
-  bool TakingGuess = false; // GlyphScaleFactor is set to what the data suggest, not by somebody else
+  bool TakingGuess = false; // a number is set to what the data suggest, not by the user
 };
 
 #endif

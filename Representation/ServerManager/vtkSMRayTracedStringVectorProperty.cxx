@@ -18,7 +18,14 @@ bool vtkSMRayTracedStringVectorProperty::ResetToDomainDefaults(bool useUnchecked
 }
 
 //----------------------------------------------------------------------------
-void vtkSMRayTracedStringVectorProperty::RenewDefault(bool lost)
+void vtkSMRayTracedStringVectorProperty::Modified()
 {
-  this->Default.Renew(this, lost);
+  this->Default.Modify();
+  this->Superclass::Modified();
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedStringVectorProperty::RenewDefault(vtkSMRayTracedDefault::Where where)
+{
+  return this->Default.Renew(this, where);
 }

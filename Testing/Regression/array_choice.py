@@ -9,6 +9,7 @@ import numpy
 import paraview.simple as pv
 
 import comparison
+import scale_guess
 import session
 from checks import Checks
 
@@ -55,14 +56,18 @@ def data(arrays):
     return made
 
 
+def arrays(shown):
+    """The present values of PROPERTIES."""
+    return [shown.SMProxy.GetProperty(name).GetElement(0) for name in PROPERTIES]
+
+
 def choices(checks):
     """Each of the cases."""
     view = session.view(40, 30)
-    for arrays, wanted in CASES:
-        source = session.source(data(arrays))
+    for names, wanted in CASES:
+        source = session.source(data(names))
         shown = session.glyphs(source, view)
-        found = " ".join(str(shown.GetPropertyValue(name)).strip("'") or "None" for name in PROPERTIES)
-        checks.equal("%s of [%s]" % (", ".join(PROPERTIES), arrays), found, wanted)
+        checks.equal("%s of [%s]" % (", ".join(PROPERTIES), names), " ".join(arrays(shown)), wanted)
         pv.Delete(shown)
     colors = session.poly_data(numpy.zeros((3, 3)), light=numpy.zeros((3, 3), numpy.uint8))
     shown = session.glyphs(session.source(colors), view)
@@ -76,7 +81,7 @@ def cells(checks):
     source = pv.Calculator(Input=pv.PointDatatoCellData(Input=pv.Wavelet(WholeExtent=[0, 3] * 3), PassPointData=1),
                            AttributeType="Cell Data", Function="RTData*iHat", ResultArrayName="force")
     for name, explicit, wanted in (("chosen by nobody", None, "force"), ("chosen", "None", "None"), ("chosen, wrong", "nonesuch", "nonesuch")):
-        shown = session.glyphs(source, view)
+        shown = session.glyphs(source, view, GlyphLocation="Points")
         checks.equal("GlyphOrientationArray of points, " + name, shown.SMProxy.GetProperty("GlyphOrientationArray").GetElement(0), "None")
         shown.GlyphLocation = "Cells"
         if explicit:
@@ -93,12 +98,127 @@ def cells(checks):
     pv.Delete(view)
 
 
+def location(checks):
+    """Glyphs stand at cells where only cells have directions or tensors, also when a later time step has them first."""
+    view = session.view(40, 30)
+    wavelet = pv.Wavelet(WholeExtent=[0, 3] * 3)
+    vector = dict(Function="RTData*iHat", ResultArrayName="force")
+    script = "import numpy\noutput.CellData.append(numpy.tile([1.0, 2.0, 3.0, 0.0, 0.0, 0.0], (27, 1)), 'stress')"
+    moved = pv.PointDatatoCellData(Input=wavelet)
+    cases = {"no vectors": (wavelet, 0, "None"), "points": (pv.Calculator(Input=wavelet, **vector), 0, "force"),
+             "cells": (pv.Calculator(Input=moved, AttributeType="Cell Data", **vector), 1, "force"),
+             "both": (pv.PointDatatoCellData(Input=pv.Calculator(Input=wavelet, **vector), PassPointData=1), 0, "force"),
+             "tensors of cells": (pv.ProgrammableFilter(Input=wavelet, CopyArrays=1, Script=script), 1, "None")}
+    for name, (source, wanted, direction) in cases.items():
+        shown = session.glyphs(source, view, "Arrow" if direction == "force" else "Sphere")
+        where = shown.SMProxy.GetProperty("GlyphLocation")
+        checks.no_message(name, session.messages(lambda: pv.Render(view)))
+        checks.equal("GlyphLocation of " + name, where.GetElement(0), wanted)
+        checks.equal("GlyphOrientationArray of " + name, arrays(shown)[1], direction)
+        checks.equal("glyphs of " + name, session.statistics(shown)["glyphs"], 27 if wanted else 64)
+        pv.Delete(shown)
+    shown = session.glyphs(cases["cells"][0], view, GlyphLocation="Points")
+    pv.Render(view)
+    checks.equal("GlyphLocation that a script has chosen", shown.SMProxy.GetProperty("GlyphLocation").GetElement(0), 0)
+    pv.Delete(view)
+
+    view = session.view(40, 30)
+    source = pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=STEPS % ((0, 20), (0, 1)) + CELLS,
+                                   ScriptRequestInformation=scale_guess.TIMES % ([0.0, 1.0], 0.0, 1.0))
+    shown = session.glyphs(source, view, "Arrow")
+    session.messages(lambda: pv.Render(view))
+    for time in (1.0, 0.0, 1.0):
+        view.ViewTime = time
+        checks.no_message("cells at time %g" % time, session.messages(lambda: pv.Render(view)))
+        checks.equal("GlyphLocation at time %g" % time, shown.SMProxy.GetProperty("GlyphLocation").GetElement(0), 1)
+        checks.equal("arrays of cells at time %g" % time, arrays(shown)[:3], ["velocity", "velocity", "stress"])
+    checks.equal("glyphs of the second step", session.statistics(shown)["glyphs"], 20)
+    pv.Delete(view)
+
+
+#: Steps 0, 1, ... of a series, of `counts` points each; only those of steps whose number is in `having` have arrays.
+STEPS = """
+import numpy
+from vtkmodules.numpy_interface import dataset_adapter
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+counts, having = %r, %r
+info, key = self.GetOutputInformation(0), vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()
+step = int(info.Get(key)) if info.Has(key) else 0
+random, count = numpy.random.default_rng(2), counts[step]
+output = dataset_adapter.WrapDataObject(self.GetOutputDataObject(0))
+output.Points = random.uniform(size=(count, 3))
+if step in having:
+    for name, components in (("radius", 1), ("velocity", 3), ("stress", 6)):
+        output.PointData.append(random.uniform(size=(count, components) if components > 1 else count), name)
+"""
+
+
+#: To be put behind STEPS: vertices have the arrays, and points have none.
+CELLS = """
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+vertices = vtkCellArray()
+for point in range(count):
+    vertices.InsertNextCell(1, [point])
+output.VTKObject.SetVerts(vertices)
+output.VTKObject.GetCellData().ShallowCopy(output.VTKObject.GetPointData())
+output.VTKObject.GetPointData().Initialize()
+"""
+
+
+def steps(checks):
+    """Steps without points, or whose points have no arrays, do not decide for those that follow; who has chosen has chosen for good."""
+    wanted = ["radius", "velocity", "stress", "velocity"]
+    for what, counts, having in (("no points", (0, 20, 20), (0, 1)), ("no points and no arrays", (0, 20, 20), (1, )),
+                                 ("no arrays", (20, 20, 20), (1, ))):
+        view = session.view(60, 40)
+        times = [float(step) for step in range(len(counts))]
+        sources = [pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=STEPS % (counts, having),
+                                         ScriptRequestInformation=scale_guess.TIMES % (times, times[0], times[-1])) for _ in range(3)]
+        view.ViewTime = 0.0
+        shown = session.glyphs(sources[0], view, GlyphScaling=1)
+        chosen = session.glyphs(sources[1], view, GlyphScaling=1, GlyphScaleArray="velocity", GlyphOrientationArray="radius")
+        tubes = session.show(sources[2], view, "Ray Traced Tubes")
+        session.messages(lambda: pv.Render(view))
+        found = [arrays(shown)]
+        for time in times[1:] + [0.0, 1.0]:
+            view.ViewTime = time
+            said = session.messages(lambda: pv.Render(view))
+            found.append(arrays(shown))
+            if time == 1.0:
+                checks.equal("%s first: factor at time 1" % what, shown.GlyphScaleFactor, 2.0)
+                checks.equal("%s first: array that a script has chosen" % what, arrays(chosen)[0], "velocity")
+                checks.equal("%s first: direction that a script has chosen" % what, arrays(chosen)[1], "radius")
+        if 0 not in having:
+            checks.equal("%s first: arrays of the first step" % what, found[0], ["None"] * 4)
+        for step, arrays_found in enumerate(found[1:]):
+            checks.equal("%s first: arrays of change %d" % (what, step), arrays_found, wanted)
+        bounds = numpy.reshape(sources[2].GetDataInformation().GetBounds(), (3, 2))
+        checks.within("%s first: TubeRadius" % what, tubes.TubeRadius / numpy.ptp(bounds, axis=1).max(), 0.0099, 0.0101)
+        checks.equal("%s first: VelocityArray of tubes" % what, arrays(tubes)[3], "velocity")
+        pv.Delete(view)
+
+
+def other_data(checks):
+    """Other data at the same time may have others."""
+    view = session.view(40, 30)
+    source = session.source(data("radius:1 velocity:3 mass:1"))
+    shown = session.glyphs(source, view, GlyphScaling=1)
+    pv.Render(view)
+    session.replace_data(source, data("mass:1 force:3 stress:6"))
+    checks.no_message("other arrays", session.messages(lambda: pv.Render(view)))
+    checks.equal("arrays of other data", arrays(shown), ["force", "force", "stress", "None"])
+    shown.GlyphScaleArray = "mass"
+    session.replace_data(source, data("radius:1 mass:1 velocity:3"))
+    pv.Render(view)
+    checks.equal("arrays of other data, one being chosen", arrays(shown), ["mass", "velocity", "None", "velocity"])
+    pv.Delete(view)
+
+
 def files(checks):
     """A legacy file without active vectors: arrows follow its velocity."""
     view = session.view(40, 30)
     shown = session.glyphs(pv.OpenDataFile(os.environ["RTGLYPHS_DATA"] + "/impact/impact_04.vtk"), view)
-    found = [str(shown.GetPropertyValue(name)).strip("'") for name in PROPERTIES]
-    checks.equal("arrays of impact_04.vtk", found, ["diameter", "velocity", "stress", "velocity"])
+    checks.equal("arrays of impact_04.vtk", arrays(shown), ["diameter", "velocity", "stress", "velocity"])
     scale = shown.SMProxy.GetProperty("GlyphScaleArray")
     for name, value, wanted in (("GlyphShape", "Arrow", "velocity"), ("GlyphShape", "Box", "diameter"), ("GlyphScaling", 1, "diameter"),
                                 ("GlyphShape", "Arrow", "diameter"), ("GlyphScaling", 0, "diameter"), ("GlyphShape", "Cone", "diameter"),
@@ -136,6 +256,9 @@ def main():
     choices(checks)
     files(checks)
     cells(checks)
+    location(checks)
+    steps(checks)
+    other_data(checks)
     exact_sizes(checks)
     checks.report()
 

@@ -178,7 +178,7 @@ SHINY = {"Specular": 0.5, "SpecularPower": 20.0}
 ARROW = {"GlyphShape": "Arrow", "ArrowTipRounding": 0.0, "scene": "arrow"}
 TENSOR = {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor"}
 HARMONICS = {"GlyphShape": "Spherical Harmonics", "GlyphHarmonicsArray": "round"}
-BLUR = {"MotionBlur": 1, "VelocityArray": "velocity", "scene": "small"}
+BLUR = {"MotionBlur": 1, "VelocityArray": "velocity", "ShutterTime": 1.0, "scene": "small"}
 STEPS = {**WHITE, **BLUR, "VelocityArray": "None", "ShutterOpening": "Backward"}
 TURNED = {"scene": "two", "GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationMode": "Rotation", "GlyphOrientationArray": "angles"}
 MASKED = {"scene": "crowd", "GlyphMask": 1, "MaximumNumberOfGlyphs": 20}
@@ -263,12 +263,17 @@ ROWS = [
     Row("MotionBlur", 1, spread(0.25 / 12.0, 0.0), **{**BLUR, "MotionBlur": 0}),
     Row("VelocityArray", "upward", spread(-0.25 / 12.0, 0.25 / 12.0), **BLUR),
     Row("ShutterTime", 0.5, spread(-0.1875 / 12.0, 0.0), **BLUR),
+    # Three widths of 0.5 at a speed of 0.5; of a surface a twentieth of its side, between the outer percentiles of its points
+    Row("ShutterTimeFromData", 1, reads("ShutterTime", 3.0), kinds=[GLYPHS, TUBES], back=False, **BLUR),
+    Row("ShutterTimeFromData", 1, reads("ShutterTime", 0.048), kinds=[SURFACE], back=False, **BLUR),
+    Row("ShutterTimeGuess", LEFT, reads("ShutterTimeGuess", 3.0), kinds=[GLYPHS, TUBES], **{**BLUR, "ShutterTimeFromData": 1}),
+    Row("ShutterTimeGuess", LEFT, reads("ShutterTimeGuess", 0.048), kinds=[SURFACE], **{**BLUR, "ShutterTimeFromData": 1}),
     Row("ShutterOpening", "Forward", moved(0.25, 0.0), **BLUR),
     # The mean of a t t / 2 over the shutter's time
     Row("AccelerationArray", "push", moved(0.8 / 6.0, 0.0), ShutterOpening="Forward", **BLUR),
     # A box of 1 by 1/2 turns by up to 45 degrees to either side, over which the mean of cos^2 is 1/2 + 1/pi.
     Row("AngularVelocityArray", "spin", spread((1.0 / numpy.pi - 0.5) / 16.0, (0.5 - 1.0 / numpy.pi) / 16.0), GlyphShape="Box", GlyphScaling=1,
-        GlyphScaleArray="lengths", GlyphScaleMode="Components", MotionBlur=1, VelocityArray="None"),
+        GlyphScaleArray="lengths", GlyphScaleMode="Components", MotionBlur=1, ShutterTime=1.0, VelocityArray="None"),
     Row("VelocityFromPreviousStep", 1, streaks, PointIdArray="point", **STEPS),
     Row("PointIdArray", "point", streaks, VelocityFromPreviousStep=1, **{**STEPS, "PointIdArray": "changing"}),
     # Color and light as on ParaView's own surfaces

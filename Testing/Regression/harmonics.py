@@ -319,10 +319,12 @@ def bad_input(checks, view):
 
 def unfinished(checks, view):
     """In a window nobody is warned of an array that has not been chosen yet; RenderStatistics tells. A script is told."""
-    data, stage = session.poly_data(numpy.zeros((1, 3)), some=numpy.ones((1, 15)), six=numpy.ones((1, 6))), session.Stage(view)
+    data = session.poly_data(numpy.zeros((1, 3)), some=numpy.ones((1, 15)), six=numpy.ones((1, 6)), vector=numpy.ones((1, 3)))
+    stage = session.Stage(view)
     for in_window in (1, 0):
         for shape, name, array in (("Spherical Harmonics", "GlyphHarmonicsArray", "some"), ("Reynolds", "GlyphTensorArray", "six"),
-                                   ("Tensor Ellipsoid", "GlyphTensorArray", "six")):
+                                   ("Tensor Ellipsoid", "GlyphTensorArray", "six"), ("Arrow", "GlyphOrientationArray", "vector"),
+                                   ("Cone", "GlyphOrientationArray", "vector")):
             shown = stage.show(data, GlyphScaleFactor=0.8)
             shown.SMProxy.GetProperty("StepwiseRendering").SetElement(0, in_window)
             shown.SMProxy.UpdateVTKObjects()
@@ -334,9 +336,16 @@ def unfinished(checks, view):
             else:
                 checks.one_message(what, text, name)
             checks.true(what + ": what RenderStatistics tells", name in session.statistics(shown)["unfinished"])
+            checks.equal(what + ": glyphs", session.statistics(shown)["glyphs"], 0)
             stage.settings.add({name: array})
             pv.Render(view)
             checks.equal(what + ": what is left to choose with one", session.statistics(shown)["unfinished"], "")
+            checks.equal(what + ": glyphs with one", session.statistics(shown)["glyphs"], 1)
+    # To lie along x may be a choice, and what has no tip has no direction.
+    for shape, orient in (("Arrow", 0), ("Cone", 0), ("Sphere", 1), ("Box", 1), ("Capsule", 1)):
+        shown = stage.show(data, shape, GlyphScaleFactor=0.8, GlyphOrient=orient, GlyphOrientationArray="None")
+        checks.no_message(shape + " without a direction", session.messages(lambda: pv.Render(view)))
+        checks.equal(shape + " without a direction: glyphs", session.statistics(shown)["glyphs"], 1)
     stage.close()
 
 

@@ -7,8 +7,15 @@ import paraview.simple as pv
 
 import bad_input
 import comparison
+import scale_guess
 import session
+from checks import Checks
 
+#: Script of a filter.
+IDS = """
+import numpy
+output.PointData.append(numpy.arange(output.GetNumberOfPoints()), "id")
+"""
 VELOCITY = numpy.array([[0.6, 0.0, 0.0]] * 3)
 
 
@@ -106,7 +113,7 @@ def bad(blur):
     case("good", good, 3, ())
     case("missing array", good, 3, ("'nonesuch'", "VelocityArray", "or None"), VelocityArray="nonesuch")
     case("scalar velocity", good, 3, ("'scalar'", "1 components"), VelocityArray="scalar")
-    case("nothing moves yet", good, 3, (), VelocityArray="None")
+    case("no velocity", good, 3, ("MotionBlur", "VelocityArray", "switch MotionBlur off"), VelocityArray="None")
     case("zero shutter", good, 3, ("ShutterTime is 0", "positive"), ShutterTime=0.0)
     case("negative shutter", good, 3, ("ShutterTime is -1", "positive"), ShutterTime=-1.0)
     case("NaN velocity", session.poly_data(bad_input.LINE, v=broken), 2, ("1 of 3", "velocity"))
@@ -152,6 +159,96 @@ def series(failures):
             failures.append("another ShutterTime: %s went from %s to %s" % (key, before[key], after[key]))
 
 
+def shutter(shown, view):
+    """ShutterTime after a render without a word, and whether it is the data's."""
+    said = session.messages(lambda: pv.Render(view))
+    return (shown.ShutterTime, int(shown.ShutterTimeFromData)) if not said.strip() else said
+
+
+def from_data(checks):
+    """Ticking MotionBlur is enough in any unit of time: the 95 % quantile of the speeds makes a streak of three glyph sizes."""
+    view = session.view(160, 120)
+    grid = scale_guess.grid()
+    speeds = numpy.linspace(0.0, 1.0, len(grid))
+    for unit in (1e-7, 1.0, 4e4):
+        data = session.poly_data(grid, velocity=unit * speeds[:, None] * [1.0, 0.0, 0.0], spin=numpy.tile([0.0, 0.0, unit], (len(grid), 1)))
+        source = session.source(data)
+        shown = session.glyphs(source, view, samples=8, GlyphOrient=0)
+        pv.ResetCamera(view)
+        still = comparison.covered(session.capture(view, "motion-data-still")).mean()
+        shown.MotionBlur = 1
+        time, of_data = shutter(shown, view)
+        checks.equal("speeds of %g: whether the data have chosen ShutterTime" % unit, of_data, 1)
+        checks.within("speeds of %g: streaks, in glyph sizes" % unit, time * 0.95 * unit / shown.GlyphScaleFactor, 2.7, 3.1)
+        blurred = session.capture(view, "motion-data-%g" % unit)
+        checks.within("speeds of %g: covered, of what is covered at rest" % unit, comparison.covered(blurred).mean() / still, 1.02, 2.0)
+        shown.ShutterTime = 2.0 * time
+        shown.ShutterTime = time
+        checks.equal("speeds of %g: ShutterTime of a script" % unit, shutter(shown, view), (time, 0))
+        checks.true("speeds of %g: the same ShutterTime gives another picture" % unit, (session.capture(view, "motion-data-set") == blurred).all())
+        shown.GlyphScaleFactor = shown.GlyphScaleFactor / 3.0
+        checks.equal("speeds of %g: ShutterTime of a script, and other sizes" % unit, shutter(shown, view), (time, 0))
+        shown.SMProxy.GetProperty("ShutterTime").ResetToDomainDefaults()
+        shown.SMProxy.UpdateVTKObjects()
+        found, of_data = shutter(shown, view)
+        checks.equal("speeds of %g: whether the data have chosen ShutterTime after a reset" % unit, of_data, 1)
+        checks.within("speeds of %g: ShutterTime of smaller glyphs, of that of the others" % unit, found / time, 0.31, 0.35)
+        shown.VelocityArray, shown.AngularVelocityArray = "None", "spin"
+        checks.within("speeds of %g: turn in radians" % unit, shutter(shown, view)[0] * unit, 0.9, 1.1)
+        pv.Delete(shown)
+    shown = session.glyphs(source, view, samples=1, MotionBlur=1, GlyphOrient=0, ShutterTime=1.0)
+    checks.equal("ShutterTime that was set before the first render", shutter(shown, view), (1.0, 0))
+    pv.Delete(shown)
+
+    # One that is far faster than all others leaves the picture where it is.
+    fast = speeds[:, None] * [1.0, 0.0, 0.0]
+    fast[5] = [0.0, 1e6, 0.0]
+    shown = session.glyphs(session.source(session.poly_data(grid, velocity=fast)), view, MotionBlur=1, GlyphOrient=0)
+    checks.within("way of a fast one, of the longest side", shutter(shown, view)[0] * 1e6 / 3.5, 0.4, 0.51)
+    pv.Delete(view)
+
+
+def of_others(checks):
+    """The same of surfaces, in shares of their size, and of tubes, in shares of theirs; over time, and between two steps."""
+    view = session.view(160, 120)
+    moved = pv.Calculator(Input=pv.Plane(XResolution=9, YResolution=9), Function="500*iHat", ResultArrayName="velocity")
+    lines = pv.Calculator(Input=pv.Line(Resolution=9), Function="500*iHat", ResultArrayName="velocity")
+    surface = session.show(moved, view, "Ray Traced Surface", samples=1, MotionBlur=1)
+    tubes = session.show(lines, view, "Ray Traced Tubes", MotionBlur=1, TubeRadius=0.02)
+    checks.within("streaks of a surface, of its side", shutter(surface, view)[0] * 500.0, 0.045, 0.0501)
+    checks.within("streaks of tubes, of their width", shutter(tubes, view)[0] * 500.0 / 0.04, 2.7, 3.01)
+    tubes.TubeRadius = 0.01
+    checks.within("streaks of thinner tubes", shutter(tubes, view)[0] * 500.0 / 0.02, 2.7, 3.01)
+    tubes.Representation = "Surface"
+    tubes.Representation = "Ray Traced Surface"
+    tubes.Representation = "Ray Traced Tubes"
+    checks.within("streaks of tubes that were something else", shutter(tubes, view)[0] * 500.0 / 0.02, 2.7, 3.01)
+    surface.VelocityArray = "None"
+    checks.one_message("a surface without velocity", session.messages(lambda: pv.Render(view)), "MotionBlur", "VelocityArray")
+    pv.Delete(view)
+
+    view = session.view(80, 60)
+    times = [0.0, 1.0, 2.0, 3.0, 5.0]
+    source = scale_guess.series(*((time, 4, 0.2 * time) for time in times))
+    ids = pv.ProgrammableFilter(Input=source, CopyArrays=1, Script=IDS)
+    moving = pv.Calculator(Input=ids, Function="s*iHat", ResultArrayName="velocity")
+    shown = session.glyphs(moving, view, MotionBlur=1, GlyphOrient=0, VelocityArray="velocity")
+    found = []
+    for time in times:
+        view.ViewTime = time
+        session.messages(lambda: pv.Render(view))
+        found.append(shown.ShutterTime)
+    checks.equal("ShutterTime of growing speeds", found[1:3] + found[3:], [found[1], found[1], found[3], found[3]])
+    checks.within("streaks of the last step, in glyph sizes", found[-1] / shown.GlyphScaleFactor, 2.7, 3.0 * 2.5)
+    shown.VelocityFromPreviousStep, shown.PointIdArray = 1, "id"
+    for time, wanted in ((0.0, None), (1.0, 1.0), (3.0, 2.0)):
+        view.ViewTime = time
+        session.messages(lambda: pv.Render(view))
+        if wanted:
+            checks.equal("ShutterTime between two steps", shown.ShutterTime, wanted)
+    pv.Delete(view)
+
+
 def main():
     """Runs all."""
     session.load()
@@ -159,6 +256,10 @@ def main():
     looks(blur)
     bad(blur)
     series(blur.failures)
+    checks = Checks()
+    from_data(checks)
+    of_others(checks)
+    blur.failures.extend(checks.failures)
     session.finish(blur.failures)
 
 

@@ -1,6 +1,6 @@
 """Orientations as codes write them give one picture: quaternions, matrices row by row, axes one after another, angles; also
-where the array says by its length what it is, and where each component is an array of its own. What is no rotation makes no
-glyph.
+where the array says by its length what it is, and where each component is an array of its own, whatever the types of these.
+What is no rotation makes no glyph.
 
 Usage: pvpython orientations.py
 """
@@ -45,6 +45,32 @@ def drawn(stage, data, array, mode, **properties):
 
     said = session.messages(show)
     return session.capture(stage.view, "orientations-%s-%s" % (array, mode)), said
+
+
+def columns(checks, stage):
+    """Arrays of different types, as CSV readers make columns of whole numbers and of fractions, are joined without loss."""
+    whole = numpy.ones(4, dtype=numpy.int32)
+    parts = {"a": whole, "b": numpy.full(4, 0.5, numpy.float32), "c": numpy.full(4, 0.25), "zero": 0 * whole}
+
+    def picture(name, shape, **properties):
+        made = {joined: numpy.column_stack([parts[part] for part in joined.split(", ")]).astype(float) for joined in properties.values()
+                if isinstance(joined, str) and ", " in joined}
+        pictures = []
+        for data in (session.poly_data(CENTERS, **made), session.poly_data(CENTERS, **parts)):
+            shown = stage.show(data, shape, **{"GlyphScaleFactor": 0.9, "GlyphOrient": 0, **properties})
+            session.solid(shown, (0.9, 0.8, 0.5))
+            checks.no_message(name, session.messages(lambda: pv.Render(stage.view)))
+            pictures.append(session.capture(stage.view, "orientations-columns-%s-%d" % (name, len(pictures))))
+        checks.covered(name, pictures[0], 0.02)
+        checks.picture(name + " of columns of different types", pictures[1], pictures[0], pixels=0.0)
+
+    picture("sizes", "Box", GlyphScaling=1, GlyphScaleMode="Components", GlyphScaleArray="a, b, c")
+    picture("exponents", "Superquadric", GlyphExponentArray="a, b, c")
+    picture("tensors", "Tensor Ellipsoid", GlyphTensorArray="a, b, c, zero, zero, zero")
+    picture("directions", "Arrow", GlyphOrient=1, GlyphOrientationArray="zero, b, c")
+    picture("quaternions", "Box", GlyphOrient=1, GlyphOrientationArray="a, b, c, zero",
+            GlyphOrientationMode="Quaternion")
+    picture("velocities", "Sphere", MotionBlur=1, ShutterTime=1.0, SamplesPerPixel=4, VelocityArray="zero, b, c", AccelerationArray="None")
 
 
 def main():
@@ -95,6 +121,7 @@ def main():
     pictures = [drawn(stage, data, "rows", "Matrix", GlyphScaleArray="size", GlyphScaleMode=mode)[0] for mode in ("Magnitude", "Components")]
     checks.covered("size", pictures[0], 0.1)
     checks.picture("size of one component, Components", pictures[1], pictures[0])
+    columns(checks, stage)
     checks.report()
 
 

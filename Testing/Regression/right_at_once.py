@@ -57,7 +57,7 @@ def generated():
         "random points": (cube, {}, {}),
         "boxes": (cube, {}, {"GlyphShape": "Box"}),
         "capsules": (cube, {}, {"GlyphShape": "Capsule"}),
-        "cones": (grid(5, 5, 5), {}, {"GlyphShape": "Cone"}),
+        "cones": (grid(5, 5, 5), {}, {"GlyphShape": "Cone", "GlyphOrient": 0}),
         "meshes": (grid(5, 5, 5), {}, {"GlyphShape": "Mesh", "GlyphMesh": "Sphere"}),
         "clusters": (clusters, {}, {}),
         "100,000 points": (RANDOM.uniform(-1.0, 1.0, (100000, 3)), {}, {}),

@@ -1,7 +1,7 @@
 """GlyphScaleFactorFromData: what the data suggest is GlyphScaleFactor from the first render on, is chosen anew when it
 should be, and gives way to whoever sets GlyphScaleFactor.
 
-Usage: pvpython scale_guess.py
+Usage: RTGLYPHS_DATA=FOLDER pvpython scale_guess.py
        mpiexec -n RANKS pvbatch scale_guess.py ranks
        pvpython scale_guess.py server PVSERVER [MPIEXEC ARGUMENT...]
 The last two compare with what one rank without a server finds, which is written below.
@@ -154,7 +154,7 @@ def changes(checks):
 
 
 def steps(checks):
-    """Glyphs do not pulse over the steps of an animation; the first step with glyphs counts."""
+    """Glyphs do not pulse over the steps of an animation; the first step with glyphs counts, while they do not grow too far."""
     view = session.view(80, 60)
     shown = session.glyphs(series((0.0, 0, 0.0), (1.0, SIDE, 0.0), (2.0, SIDE, 2.0), (3.0, SIDE, 4.0), (4.0, SIDE // 2, 1.0)), view,
                            GlyphScaling=1, GlyphScaleArray="s", GlyphOrient=0)
@@ -166,6 +166,41 @@ def steps(checks):
     shown.SMProxy.GetProperty("GlyphScaleFactor").ResetToDomainDefaults()
     shown.SMProxy.UpdateVTKObjects()
     checks.equal("factor after a reset at time 3", factor(shown, view), SCALED / 2)
+    pv.Delete(view)
+
+
+def growing(checks):
+    """Glyphs that time lets grow too far become smaller: seldom, and never larger again, so that an animation does not pulse."""
+    view = session.view(80, 60)
+    times = [float(time) for time in range(12)]
+    shown = session.glyphs(series(*((time, SIDE, 0.01 * time) for time in times)), view, GlyphScaling=1, GlyphScaleArray="s", GlyphOrient=0)
+    factors = []
+    for time in times[1:]:
+        view.ViewTime = time
+        factors.append(factor(shown, view))
+        checks.within("size of the ramp's glyphs at time %g" % time, factors[-1] * 0.01 * time, 0.9 * PLAIN, 2.5 * PLAIN)
+    print("factors of the ramp:", factors)
+    checks.true("the ramp's factors grow: %s" % factors, factors == sorted(factors, reverse=True))
+    checks.within("number of the ramp's factors", len(numpy.unique(factors)), 2, 3)
+    for time in times:
+        view.ViewTime = time
+        checks.equal("factor of the ramp at time %g, seen again" % time, factor(shown, view), factors[-1])
+    pv.Delete(view)
+
+    # The first steps of an impact, in which grains creep.
+    view = session.view(80, 60)
+    source = pv.OpenDataFile(os.environ["RTGLYPHS_DATA"] + "/impact/impact.vtk.series")
+    shown = session.glyphs(source, view, "Arrow", GlyphScaling=1)
+    for time, low, high in ((0.3, 200.0, 400.0), (0.4, 0.15, 0.3), (0.6, 0.15, 0.3)):
+        view.ViewTime = time
+        checks.within("factor of the impact at time %g" % time, factor(shown, view), low, high)
+    hit = factor(shown)
+    for time in source.TimestepValues:
+        view.ViewTime = time
+        checks.equal("factor of the impact at time %g, after the hit" % time, factor(shown, view), hit)
+    longest = hit * numpy.linalg.norm(session.array_of(source, "velocity"), axis=1).max()
+    side = numpy.ptp(numpy.reshape(source.GetDataInformation().GetBounds(), (3, 2)), axis=1).max()
+    checks.within("the longest arrow of the impact, of the longest side", longest / side, 0.0, 0.4)
     pv.Delete(view)
 
 
@@ -281,6 +316,7 @@ def main(arguments):
         first_picture(checks)
         changes(checks)
         steps(checks)
+        growing(checks)
         odd_data(checks)
         compare(checks, "one rank")
     if not arguments:

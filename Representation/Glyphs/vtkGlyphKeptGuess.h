@@ -1,0 +1,79 @@
+/**
+ * @class   vtkGlyphKeptGuess
+ * @brief   a number that the data suggest, kept while time goes on
+ *
+ * It is found anew when the settings that it depends on have changed, or the data, unless the time has changed with
+ * them: over the steps of an animation a picture must not pulse. What a step suggests is taken only where the number of
+ * the steps before is more than 2.5 times as large: of a motion that sets in, or of loads that grow from zero, too much
+ * would be shown. So the number changes seldom, and never grows; of steps that are shown again it is the same.
+ */
+#ifndef vtkGlyphKeptGuess_h
+#define vtkGlyphKeptGuess_h
+
+#include "vtkGlyphSample.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+template <class Settings>
+class vtkGlyphKeptGuess
+{
+public:
+  /**
+   * Value of 0: the data suggest nothing yet, which is not kept. Limit of the sizes that it leads to, which outliers
+   * have; 0: none.
+   */
+  struct Result
+  {
+    double Value = 0.0, Limit = 0.0;
+  };
+
+  /**
+   * `times`: of the arrays that matter. All ranks call it at once; find() gives all of them the same.
+   */
+  template <class Find>
+  const Result& Get(const Settings& settings, const std::vector<vtkMTimeType>& times, double time, const Find& find)
+  {
+    const bool otherData = times != this->Times;
+    const bool otherStep = otherData && time != this->Time;
+    const bool anew = this->Found.Value <= 0.0 || !(settings == this->Known) || (otherData && !otherStep);
+    this->Known = settings;
+    this->Times = times;
+    this->Time = time;
+    // The reason of one rank is that of all.
+    const double reason = vtkGlyphSample::Largest(anew ? 2.0 : otherStep ? 1.0 : 0.0);
+    if (reason > 0.0)
+    {
+      const Result found = find();
+      if (reason > 1.0 || (found.Value > 0.0 && mostExcess * found.Value < this->Found.Value))
+      {
+        this->Found = found;
+      }
+      else if (found.Limit > 0.0)
+      {
+        this->Found.Limit = this->Found.Limit > 0.0 ? std::min(this->Found.Limit, found.Limit) : found.Limit;
+      }
+    }
+    return this->Found;
+  }
+
+  const Result& Last() const { return this->Found; }
+
+  /**
+   * Makes Get() find it anew.
+   */
+  void Forget() { this->Found = Result(); }
+
+private:
+  static constexpr double mostExcess = 2.5;
+
+  Result Found;
+  Settings Known;
+  std::vector<vtkMTimeType> Times;
+  double Time = 0.0;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkGlyphKeptGuess.h

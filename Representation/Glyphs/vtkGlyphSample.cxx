@@ -1,0 +1,221 @@
+#include "vtkGlyphSample.h"
+
+#include "Finite.h"
+#include "vtkCommunicator.h"
+#include "vtkDataArray.h"
+#include "vtkGlyphTuples.h"
+#include "vtkMath.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+namespace
+{
+vtkMultiProcessController* Others()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
+}
+
+// Those of one axis of positions.
+std::vector<double> Along(int axis, const std::vector<double>& positions)
+{
+  std::vector<double> values;
+  for (std::size_t j = axis; j < positions.size(); j += 3)
+  {
+    values.push_back(positions[j]);
+  }
+  return values;
+}
+}
+
+//----------------------------------------------------------------------------
+void vtkGlyphSample::Reduce(std::vector<double>& values, int operation)
+{
+  if (vtkMultiProcessController* controller = Others())
+  {
+    const std::vector<double> own = values;
+    controller->AllReduce(own.data(), values.data(), static_cast<vtkIdType>(own.size()), operation);
+  }
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphSample::Largest(double value)
+{
+  std::vector<double> values{ value };
+  Reduce(values, vtkCommunicator::MAX_OP);
+  return values[0];
+}
+
+//----------------------------------------------------------------------------
+std::vector<double> vtkGlyphSample::Gather(const std::vector<double>& own)
+{
+  vtkMultiProcessController* controller = Others();
+  if (!controller)
+  {
+    return own;
+  }
+  const int ranks = controller->GetNumberOfProcesses();
+  const auto length = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> lengths(ranks), offsets(ranks, 0);
+  controller->AllGather(&length, lengths.data(), 1);
+  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
+  std::vector<double> all(offsets.back() + lengths.back());
+  controller->AllGatherV(own.data(), all.data(), length, lengths.data(), offsets.data());
+  return all;
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphSample::Quantile(std::vector<double> values, double fraction)
+{
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphSample::TwoDigits(double value)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  const double digits = std::floor(value / unit * (1.0 + 1e-12));
+  return rtg::IsPositive(unit) && digits > 0.0 ? (unit < 1.0 ? digits / std::round(1.0 / unit) : digits * unit) : value;
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphSample::Points::Points(vtkPolyData* points, const vtkGlyphSettings& settings)
+  : Positions(points->GetPoints() ? points->GetPoints()->GetData() : nullptr)
+  , Thinned(false)
+  , Count(Positions ? points->GetNumberOfPoints() : 0)
+  , CountOfAll(static_cast<double>(Count))
+{
+  if (settings.Mask.On)
+  {
+    this->Take(vtkGlyphArrays::Candidates(points, settings, {}));
+    return;
+  }
+  std::vector<double> count{ this->CountOfAll };
+  Reduce(count, vtkCommunicator::SUM_OP);
+  this->CountOfAll = count[0];
+}
+
+//----------------------------------------------------------------------------
+void vtkGlyphSample::Points::Take(std::vector<vtkIdType> chosen)
+{
+  this->Chosen = std::move(chosen);
+  this->Thinned = true;
+  this->Count = static_cast<vtkIdType>(this->Chosen.size());
+  std::vector<double> count{ static_cast<double>(this->Count) };
+  Reduce(count, vtkCommunicator::SUM_OP);
+  this->CountOfAll = count[0];
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkIdType> vtkGlyphSample::Points::Sample(double wanted) const
+{
+  const double fraction = std::min(1.0, wanted / std::max(this->CountOfAll, 1.0));
+  const auto number = static_cast<vtkIdType>(std::ceil(fraction * static_cast<double>(this->Count)));
+  std::vector<vtkIdType> sample(number);
+  for (vtkIdType k = 0; k < number; ++k)
+  {
+    const double middle = (static_cast<double>(k) + 0.5) / static_cast<double>(number);
+    sample[k] = (*this)[std::min(static_cast<vtkIdType>(middle * static_cast<double>(this->Count)), this->Count - 1)];
+  }
+  return sample;
+}
+
+//----------------------------------------------------------------------------
+std::vector<double> vtkGlyphSample::Points::SampledPositions(double wanted) const
+{
+  std::vector<double> own;
+  vtkGlyphTuples positions(this->Positions);
+  for (vtkIdType i : this->Sample(wanted))
+  {
+    const double* p = positions.Get(i);
+    if (rtg::IsFinite(p))
+    {
+      own.insert(own.end(), p, p + 3);
+    }
+  }
+  return Gather(own);
+}
+
+//----------------------------------------------------------------------------
+std::array<double, 3> vtkGlyphSample::Sides(const std::vector<double>& positions)
+{
+  std::array<double, 3> sides{};
+  for (int axis = 0; axis < 3 && !positions.empty(); ++axis)
+  {
+    const std::vector<double> values = Along(axis, positions);
+    sides[axis] = Quantile(values, 0.99) - Quantile(values, 0.01);
+  }
+  return sides;
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphSample::LongestSide(const std::vector<double>& positions)
+{
+  const std::array<double, 3> sides = Sides(positions);
+  double longest = *std::max_element(sides.begin(), sides.end()), whole = 0.0;
+  for (int axis = 0; axis < 3 && !positions.empty(); ++axis)
+  {
+    const std::vector<double> values = Along(axis, positions);
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    whole = std::max(whole, *most - *least);
+  }
+  longest = longest > 0.0 ? longest : whole;
+  return rtg::IsPositive(longest) ? longest : 0.0;
+}
+
+//----------------------------------------------------------------------------
+std::vector<double> vtkGlyphSample::Magnitudes(vtkPolyData* data, const vtkGlyphSettings& settings)
+{
+  vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, data, settings);
+  if (!scales && !settings.Tensors.On && !settings.Forms.On)
+  {
+    return {};
+  }
+  const bool byComponents = vtkGlyphArrays::ScalesByComponents(scales, settings);
+  vtkDataArray* array = vtkGlyphTensors::Array(data, settings.Tensors);
+  std::unique_ptr<vtkGlyphTensors> tensors;
+  if (array && vtkGlyphTensors::Problem(array, settings.Tensors).empty())
+  {
+    vtkGlyphTensors::Settings how = settings.Tensors;
+    how.Kind = rtg::TensorGlyphKind::Ellipsoid; // whose extent is the largest eigenvalue
+    tensors = std::make_unique<vtkGlyphTensors>(array, how, std::vector<vtkIdType>());
+  }
+  vtkDataArray* formArray = vtkGlyphForms::Array(data, settings.Forms);
+  std::unique_ptr<vtkGlyphForms> forms;
+  if (formArray && vtkGlyphForms::Problem(formArray, settings.Forms).empty())
+  {
+    forms = std::make_unique<vtkGlyphForms>(formArray, settings.Forms);
+  }
+  std::vector<double> magnitudes(data->GetNumberOfPoints());
+  vtkRayTracedParallel::ForChunks(data->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkGlyphTuples tuples(scales), formTuples(formArray);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        double magnitude = settings.Tensors.On ? (tensors ? settings.Sizing(tensors->Extent(i)) : 0.0) : 1.0;
+        if (settings.Forms.On)
+        {
+          const rtg::FormExtent extent = forms ? forms->MeasureRoughly(formTuples, i) : rtg::FormExtent();
+          magnitude = extent.radius > 0.0 ? settings.Sizing(forms->Magnitude(extent)) : 0.0;
+        }
+        if (scales)
+        {
+          const double* tuple = tuples.Get(i);
+          magnitude *=
+            settings.Sizing(byComponents ? std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) })
+                                         : vtkMath::Norm(tuple, tuples.Size()));
+        }
+        magnitudes[i] = rtg::IsPositive(magnitude) ? magnitude : 0.0;
+      }
+    });
+  return magnitudes;
+}

@@ -1,0 +1,99 @@
+#include "vtkGlyphShutterGuess.h"
+
+#include "Finite.h"
+#include "vtkDataArray.h"
+#include "vtkGlyphTuples.h"
+#include "vtkMath.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+using namespace vtkGlyphSample;
+
+constexpr double typicalQuantile = 0.95;
+constexpr double streak = 3.0;              // in sizes of typical glyphs
+constexpr double streakOfNoSize = 1.0 / 20; // as a fraction of the data's longest side
+constexpr double longestStreak = 0.5;       // the same
+
+// Of a glyph; 0: it has none, or there are no glyphs. Settings of ranks may differ.
+double TypicalSize(vtkPolyData* data, const vtkGlyphSettings& settings, Points points)
+{
+  double typical = 1.0;
+  if (Largest(settings.Scaling || settings.Tensors.On || settings.Forms.On ? 1.0 : 0.0) > 0.0)
+  {
+    const std::vector<double> magnitudes = Magnitudes(data, settings);
+    const auto of = [&](vtkIdType point) { return magnitudes.empty() ? 1.0 : magnitudes[point]; };
+    points.Keep([&](vtkIdType point) { return of(point) > 0.0; });
+    const std::vector<double> sample = points.Values(of);
+    typical = sample.empty() ? 0.0 : Quantile(sample, typicalQuantile);
+  }
+  return Largest(settings.Sizing.Limited(glm::dvec3(std::abs(settings.ScaleFactor) * typical, 0.0, 0.0)).x);
+}
+
+vtkGlyphShutterGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& settings, double unitSize)
+{
+  const std::array<vtkDataArray*, 3> arrays = vtkGlyphMotion::Arrays(data, settings.Motion);
+  const bool turns = Largest(arrays[0] ? 1.0 : 0.0) == 0.0;
+  vtkDataArray* array = arrays[turns ? 2 : 0];
+  array = array && array->GetNumberOfComponents() == 3 ? array : nullptr;
+  const auto speed = [array](vtkIdType point)
+  {
+    double tuple[3] = { 0.0, 0.0, 0.0 };
+    if (array)
+    {
+      array->GetTuple(point, tuple);
+    }
+    return vtkMath::Norm(tuple);
+  };
+  const Points all(data, settings);
+  Points moving = all;
+  moving.Keep([&](vtkIdType point) { return rtg::IsPositive(speed(point)); });
+  if (moving.NumberOfAll() == 0.0)
+  {
+    return {};
+  }
+  const double typical = Quantile(moving.Values(speed), typicalQuantile);
+  if (turns)
+  {
+    return { TwoDigits(1.0 / typical) };
+  }
+  const double longest = LongestSide(all.SampledPositions(512));
+  const double fastest =
+    Largest(vtkRayTracedParallel::Largest(moving.Number(), [&](vtkIdType i) { return speed(moving[i]); }));
+  const double size = TypicalSize(data, settings, all) * unitSize;
+  const double length = size > 0.0 ? streak * size : streakOfNoSize * longest;
+  const double time = std::min(length / typical, std::max(length, longestStreak * longest) / fastest);
+  return { rtg::IsPositive(time) ? TwoDigits(time) : 0.0 };
+}
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphShutterGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time)
+{
+  if (Largest(points->GetNumberOfPoints() > 0 ? 1.0 : 0.0) == 0.0)
+  {
+    return this->Found.Last().Value; // a step without points changes nothing
+  }
+  vtkGlyphSettings matter = settings.OfSizes();
+  matter.ScaleFactor = settings.ScaleFactor;
+  matter.Sizing = settings.Sizing;
+  matter.Motion.On = settings.Motion.On;
+  matter.Motion.Velocity = settings.Motion.Velocity;
+  matter.Motion.AngularVelocity = settings.Motion.AngularVelocity;
+  const std::array<vtkDataArray*, 3> motion = vtkGlyphMotion::Arrays(points, matter.Motion);
+  std::vector<vtkMTimeType> times;
+  for (vtkDataArray* array : { points->GetPoints() ? points->GetPoints()->GetData() : nullptr, motion[0], motion[2] })
+  {
+    times.push_back(array ? array->GetMTime() : 0);
+  }
+  return this->Found
+    .Get({ matter, unitSize }, times, time,
+      [&] { return Find(points, matter, rtg::IsPositive(unitSize) ? unitSize : 1.0); })
+    .Value;
+}
