@@ -12,7 +12,8 @@
 #include "vtkCollection.h"
 #include "vtkCommand.h"
 #include "vtkEventQtSlotConnect.h"
-#include "vtkRenderWindow.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkSMComparativeViewProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -477,10 +478,11 @@ void pqRayTracedGlyphsRefinement::stop(const pqView* view)
 }
 
 //----------------------------------------------------------------------------
-// Within a render that takes long. Those in the window do not: pictures that are captured have all their samples.
+// Within a render that takes long. Those in the window do not: pictures that are captured have all their samples. VTK's
+// mappers check, too, each before it draws.
 void pqRayTracedGlyphsRefinement::abortChecked(vtkObject* caller)
 {
-  auto* window = vtkRenderWindow::SafeDownCast(caller);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(caller);
   if (!window || window->GetSwapBuffers() || this->Listening)
   {
     return;
@@ -497,7 +499,11 @@ void pqRayTracedGlyphsRefinement::abortChecked(vtkObject* caller)
     qApp->installEventFilter(this);
     pqProgressManager* manager = pqApplicationCore::instance()->getProgressManager();
     const bool before = manager->unblockEvents(true);
+    // Widgets that paint make OpenGL contexts of their own current, and bind their framebuffers in the window's.
+    window->GetState()->Push();
     QApplication::processEvents();
+    window->MakeCurrent();
+    window->GetState()->Pop();
     manager->unblockEvents(before);
     if (!this->Showing)
     {

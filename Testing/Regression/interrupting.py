@@ -87,6 +87,18 @@ def progress_told(checks, view, shown):
     checks.picture("next picture", capture(view, "after"), expected)
 
 
+def larger_than_window(checks, view, shown):
+    """What ParaView draws in a picture after a trace that takes long: the window has listened to its user meanwhile."""
+    shown.SamplesPerPixel = 16
+    view.OrientationAxesVisibility = 1
+    window = view.SMProxy.GetRenderWindow()
+    asked = window.AddObserver("AbortCheckEvent", lambda *_: time.sleep(0.05))
+    said = session.messages(lambda: session.capture(view, "interrupting-large", ImageResolution=[700, 400]))
+    window.RemoveObserver(asked)
+    view.OrientationAxesVisibility = 0
+    checks.no_message("a picture larger than the window", said)
+
+
 def stopping(checks, window, view, shown, name, stop):
     """Refinement shows its progress, ends when somebody stops it, and begins again with another camera."""
     shown.SamplesPerPixel = MANY
@@ -191,6 +203,7 @@ def main():
     pv.Render(view)  # programs are compiled
     window.wait(lambda: not pending(shown), LIMIT)
     progress_told(checks, view, shown)
+    larger_than_window(checks, view, shown)
     renders = Renders(view)
     compiling(checks, window, view, shown)
     stopping(checks, window, view, shown, "Abort button", lambda: window.click(ABORT))
