@@ -181,14 +181,16 @@ def aborted_capture(checks, window, view, shown, name, stop):
 
 def compiling(checks, window, view, shown):
     """While programs are compiled the window answers, and its progress bar says what it waits for."""
-    told, shape, mode = [], shown.GlyphShape, shown.ShadingMode
+    told, toolbar, shape, mode = [], set(), shown.GlyphShape, shown.ShadingMode
     shown.GlyphShape, shown.ShadingMode, shown.SamplesPerPixel = "Superquadric", "Path Tracing", 16
     pv.Render(view)
-    checks.true("compiling: no end of it", window.wait(lambda: told.append(window.text(BAR)) or not pending(shown), LIMIT))
+    checks.true("compiling: no end of it", window.wait(
+        lambda: told.append(window.text(BAR)) or toolbar.add(window.text("Samples")) or not pending(shown), LIMIT))
     said = sorted(set(told))
     say("while programs were compiled and the image was refined the bar said %s" % said)
     for text in ("Compiling Programs", "Ray Tracing"):
         checks.true("compiling: the progress bar did not say '%s' but %s" % (text, said), any(text in one for one in said))
+    checks.true("compiling: the toolbar said %s, not 'Compiling'" % sorted(toolbar), "Compiling" in toolbar)
     shown.GlyphShape, shown.ShadingMode = shape, mode
     pv.Render(view)
     window.wait(lambda: not pending(shown), LIMIT)
