@@ -127,6 +127,8 @@ public:
   bool IsComplete() const { return this->samples_ > 0; }
   /// The last Update() found that the program it needs is still being compiled.
   bool IsCompiling() const { return this->compiling_; }
+  /// False: nothing of the view was traced yet, because of that.
+  bool HasPicture() const { return !this->compiling_ || this->samples_ > 0 || this->previewStep_ > 0; }
   const Image& GetImage() const { return this->image_; }
 
 private:

@@ -12,8 +12,8 @@
 #include "vtkCollection.h"
 #include "vtkCommand.h"
 #include "vtkEventQtSlotConnect.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderWindowInteractor.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkSMComparativeViewProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -38,6 +38,8 @@ namespace
 constexpr int pauseBetween = 5;
 // Milliseconds of a render after which its user is listened to.
 constexpr int quietTime = 300;
+// Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
+constexpr double interactiveRate = 1.0;
 
 bool IsEscape(QEvent* event)
 {
@@ -134,7 +136,6 @@ void pqRayTracedGlyphsRefinement::shutdown()
   this->Waiting.clear();
   this->Observers->Disconnect();
   this->Observed.clear();
-  this->Interacting.clear();
   this->ShowProgress();
   if (pqApplicationCore* core = pqApplicationCore::instance())
   {
@@ -264,43 +265,17 @@ pqRayTracedGlyphsRefinement::Image pqRayTracedGlyphsRefinement::imageOf(pqView* 
 }
 
 //----------------------------------------------------------------------------
-bool pqRayTracedGlyphsRefinement::IsInteracting(const Part& part) const
-{
-  vtkObject* interactor = part.Proxy->GetInteractor();
-  return std::find(this->Interacting.begin(), this->Interacting.end(), interactor) != this->Interacting.end();
-}
-
-//----------------------------------------------------------------------------
-void pqRayTracedGlyphsRefinement::interactionStarted(vtkObject* interactor)
-{
-  this->Interacting.emplace_back(interactor);
-}
-
-//----------------------------------------------------------------------------
-// ParaView renders at rest by itself now, and with that the image begins to be refined.
-void pqRayTracedGlyphsRefinement::interactionEnded(vtkObject* interactor)
-{
-  const auto gone = [interactor](vtkObject* other) { return !other || other == interactor; };
-  this->Interacting.erase(
-    std::remove_if(this->Interacting.begin(), this->Interacting.end(), gone), this->Interacting.end());
-}
-
-//----------------------------------------------------------------------------
 // Parts of a comparative view come and go, and other views may have no window at first.
 void pqRayTracedGlyphsRefinement::Attach(const Part& part)
 {
-  vtkObject* interactor = part.Proxy->GetInteractor();
   vtkObject* window = part.Proxy->GetRenderWindow();
-  if (!interactor || !window ||
-    std::find(this->Observed.begin(), this->Observed.end(), interactor) != this->Observed.end())
+  if (std::find(this->Observed.begin(), this->Observed.end(), window) != this->Observed.end())
   {
     return;
   }
-  this->Observers->Connect(interactor, vtkCommand::StartInteractionEvent, this, SLOT(interactionStarted(vtkObject*)));
-  this->Observers->Connect(interactor, vtkCommand::EndInteractionEvent, this, SLOT(interactionEnded(vtkObject*)));
   this->Observers->Connect(window, vtkCommand::AbortCheckEvent, this, SLOT(abortChecked(vtkObject*)));
   this->Observed.erase(std::remove(this->Observed.begin(), this->Observed.end(), nullptr), this->Observed.end());
-  this->Observed.emplace_back(interactor);
+  this->Observed.emplace_back(window);
 }
 
 //****************************************************************************
@@ -327,9 +302,9 @@ void pqRayTracedGlyphsRefinement::rendered()
 // How far an image is, after a render.
 void pqRayTracedGlyphsRefinement::Look(Part part)
 {
+  vtkRenderWindow* window = part.Proxy ? part.Proxy->GetRenderWindow() : nullptr;
   // A picture that is captured says nothing of the image in the window.
-  const bool captured = part.Proxy && part.Proxy->GetRenderWindow() && !part.Proxy->GetRenderWindow()->GetSwapBuffers();
-  if (!part.Proxy || captured)
+  if (!window || !window->GetSwapBuffers())
   {
     return;
   }
@@ -339,15 +314,18 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
   {
     this->Attach(part);
   }
-  if (!this->IsInteracting(part))
+  const auto found = std::find_if(
+    this->Waiting.begin(), this->Waiting.end(), [&part](const Part& other) { return other.Proxy == part.Proxy; });
+  if (found != this->Waiting.end())
+  {
+    this->Waiting.erase(found);
+  }
+  // While the camera is turned ParaView renders for speed, and once more when it comes to rest. Only that render is
+  // evidence: an interactor does not say EndInteractionEvent where its style is exchanged meanwhile, as after a
+  // selection.
+  if (window->GetDesiredUpdateRate() < interactiveRate)
   {
     AskProgress(part);
-    const auto found = std::find_if(
-      this->Waiting.begin(), this->Waiting.end(), [&part](const Part& other) { return other.Proxy == part.Proxy; });
-    if (found != this->Waiting.end())
-    {
-      this->Waiting.erase(found);
-    }
     if (part.Done < 1.0)
     {
       this->Waiting.push_back(part);
@@ -368,11 +346,9 @@ void pqRayTracedGlyphsRefinement::step()
   this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
                         [](const Part& part) { return !part.View || !part.Proxy || !DisplayOf(part); }),
     this->Waiting.end());
-  const auto next = std::find_if(
-    this->Waiting.begin(), this->Waiting.end(), [this](const Part& part) { return !this->IsInteracting(part); });
-  if (next != this->Waiting.end() && !this->Playing)
+  if (!this->Waiting.empty() && !this->Playing)
   {
-    const Part part = *next;
+    const Part part = this->Waiting.front();
     if (part.Proxy->GetSession()->GetPendingProgress() || part.View->getServer()->isProcessingPending())
     {
       this->Timer.start();
@@ -502,10 +478,11 @@ void pqRayTracedGlyphsRefinement::stop(const pqView* view)
 }
 
 //----------------------------------------------------------------------------
-// Within a render that takes long. Those in the window do not: pictures that are captured have all their samples.
+// Within a render that takes long. Those in the window do not: pictures that are captured have all their samples. VTK's
+// mappers check, too, each before it draws.
 void pqRayTracedGlyphsRefinement::abortChecked(vtkObject* caller)
 {
-  auto* window = vtkRenderWindow::SafeDownCast(caller);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(caller);
   if (!window || window->GetSwapBuffers() || this->Listening)
   {
     return;
@@ -522,7 +499,11 @@ void pqRayTracedGlyphsRefinement::abortChecked(vtkObject* caller)
     qApp->installEventFilter(this);
     pqProgressManager* manager = pqApplicationCore::instance()->getProgressManager();
     const bool before = manager->unblockEvents(true);
+    // Widgets that paint make OpenGL contexts of their own current, and bind their framebuffers in the window's.
+    window->GetState()->Push();
     QApplication::processEvents();
+    window->MakeCurrent();
+    window->GetState()->Pop();
     manager->unblockEvents(before);
     if (!this->Showing)
     {

@@ -80,8 +80,6 @@ private Q_SLOTS:
   void proxyAdded(pqProxy* proxy);
   void renderStarted();
   void rendered();
-  void interactionStarted(vtkObject* interactor);
-  void interactionEnded(vtkObject* interactor);
   void playStarted();
   void playEnded();
   void abortChecked(vtkObject* window);
@@ -103,7 +101,6 @@ private:
   static std::vector<Part> PartsOf(pqView* view);
   static vtkSMProxy* DisplayOf(const Part& part);
   static void AskProgress(Part& part);
-  bool IsInteracting(const Part& part) const;
   void Attach(const Part& part);
   void Look(Part part);
   void Render(const Part& part);
@@ -111,9 +108,8 @@ private:
   pqProgressWidget* ProgressBar();
 
   vtkNew<vtkEventQtSlotConnect> Observers;
-  std::vector<vtkWeakPointer<vtkObject>> Observed,
-    Interacting;             ///< interactors; those whose camera is being turned
-  std::vector<Part> Waiting; ///< to be rendered again, the next one first
+  std::vector<vtkWeakPointer<vtkObject>> Observed; ///< windows
+  std::vector<Part> Waiting;                       ///< to be rendered again, the next one first
   QPointer<pqProgressWidget> Bar;
   QTimer Timer;             ///< of the next step
   QTimer Rest;              ///< runs out when the window is at rest again

@@ -115,7 +115,8 @@ void pqRayTracedGlyphsToolBar::follow(const pqView* view)
   this->Samples->setEnabled(image.Display != nullptr);
   this->Samples->setRange(0, std::max(image.Wanted, 1));
   this->Samples->setValue(std::min(image.Samples, image.Wanted));
-  const QString step = this->Samples->fontMetrics().elidedText(image.Step, Qt::ElideRight, this->Samples->width());
+  const bool fits = this->Samples->fontMetrics().horizontalAdvance(image.Step) < this->Samples->width();
+  const QString step = fits ? image.Step : image.Step.section(' ', 0, 0);
   this->Samples->setFormat(!image.Display ? QString() : image.Samples > 0 || !image.Refined ? tr("%v of %m") : step);
 }
 

@@ -7,7 +7,8 @@
 //VTK::DepthPeeling::Dec
 
 uniform sampler2D imageColour; // straight, not premultiplied
-uniform sampler2D imageDepth;  // window depth in [0, 1]
+uniform sampler2D imageDepth;  // window depth in [0, 1], of the camera that it was traced with
+uniform vec2 depthMap;         // scale and offset, to window depth of the present camera
 
 in vec2 texCoord;
 
@@ -18,7 +19,7 @@ uniform mat4 clipToView; // inverse of the camera's projection
 vec3 PlaceOf(ivec2 pixel)
 {
   vec2 position = (vec2(pixel) + 0.5) / vec2(textureSize(imageDepth, 0));
-  float depth = texelFetch(imageDepth, pixel, 0).r;
+  float depth = depthMap.x * texelFetch(imageDepth, pixel, 0).r + depthMap.y;
   vec4 place = clipToView * vec4(2.0 * vec3(position, depth) - 1.0, 1.0);
   return place.xyz / place.w;
 }
@@ -43,7 +44,7 @@ void main()
   {
     discard;
   }
-  gl_FragDepth = texture(imageDepth, texCoord).r;
+  gl_FragDepth = depthMap.x * texture(imageDepth, texCoord).r + depthMap.y;
 #ifdef RAYTRACED_SURFACE
   // These names are those of VTK's own shaders, which vtkSSAOPass looks for.
   ivec2 pixel = ivec2(texCoord * vec2(textureSize(imageDepth, 0)));

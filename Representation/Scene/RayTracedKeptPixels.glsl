@@ -4,7 +4,8 @@
 //VTK::Output::Dec
 
 uniform sampler2D imageColour;
-uniform sampler2D imageDepth; // window depth in [0, 1]
+uniform sampler2D imageDepth;
+uniform vec2 depthMap; // as of RayTracedImageQuad
 uniform sampler2D pixels;
 
 in vec2 texCoord;
@@ -26,6 +27,6 @@ void main()
   {
     discard;
   }
-  gl_FragDepth = texture(imageDepth, texCoord).r;
+  gl_FragDepth = depthMap.x * texture(imageDepth, texCoord).r + depthMap.y;
   gl_FragData[0] = texture(pixels, texCoord);
 }

@@ -20,10 +20,14 @@
 #include "vtkRayTracedOpenGL.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace
 {
+// Of views that are the same: what coordinates in [-1, 1] differ by, much less than a pixel.
+constexpr double sameView = 1e-5;
+
 std::vector<vtkOpenGLRenderPass*> Passes(vtkActor* actor)
 {
   std::vector<vtkOpenGLRenderPass*> passes;
@@ -86,6 +90,38 @@ void vtkRayTracedImageQuad::SetImage(vtkOpenGLRenderWindow* window, unsigned int
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedImageQuad::SetCamera(const glm::dmat4& worldToClip)
+{
+  this->WorldToClip = worldToClip;
+  this->DepthMap[0] = 1.0f;
+  this->DepthMap[1] = 0.0f;
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedImageQuad::MoveTo(const glm::dmat4& worldToClip)
+{
+  // From the clip coordinates of one camera to those of the other. The clipping range is in z alone.
+  glm::dmat4 change = worldToClip * glm::inverse(this->WorldToClip);
+  const double scale = change[2].z, offset = change[3].z;
+  change[2].z = 1.0;
+  change[3].z = 0.0;
+  for (int column = 0; column < 4; ++column)
+  {
+    for (int row = 0; row < 4; ++row)
+    {
+      if (!(std::abs(change[column][row] - (column == row ? 1.0 : 0.0)) < sameView))
+      {
+        return false;
+      }
+    }
+  }
+  // Window depths are in [0, 1], those of clip coordinates in [-1, 1].
+  this->DepthMap[0] = static_cast<float>(scale);
+  this->DepthMap[1] = static_cast<float>(0.5 * (1.0 - scale + offset));
+  return true;
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedImageQuad::Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper, Uses use)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -122,6 +158,7 @@ void vtkRayTracedImageQuad::Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapp
   this->Depth->Activate();
   quad->Program->SetUniformi("imageColour", this->Color->GetTextureUnit());
   quad->Program->SetUniformi("imageDepth", this->Depth->GetTextureUnit());
+  quad->Program->SetUniform2f("depthMap", this->DepthMap);
   if (surface)
   {
     SetClipToView(quad->Program, renderer);
@@ -197,6 +234,7 @@ void vtkRayTracedImageQuad::DrawKept(vtkRenderer* renderer, vtkTextureObject* pi
   pixels->Activate();
   quad->Program->SetUniformi("imageColour", this->Color->GetTextureUnit());
   quad->Program->SetUniformi("imageDepth", this->Depth->GetTextureUnit());
+  quad->Program->SetUniform2f("depthMap", this->DepthMap);
   quad->Program->SetUniformi("pixels", pixels->GetTextureUnit());
   vtkOpenGLState* state = window->GetState();
   {

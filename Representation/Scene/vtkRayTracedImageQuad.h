@@ -10,6 +10,8 @@
 
 #include "vtkNew.h"
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -42,6 +44,15 @@ public:
   void SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, const std::uint32_t* color,
     const float* depth, std::uint64_t version);
 
+  ///@{
+  /**
+   * The camera of the image, and of the frame in which it is to be drawn again. False: that one sees something else.
+   * Another clipping range is no other view: depths are drawn for it.
+   */
+  void SetCamera(const glm::dmat4& worldToClip);
+  bool MoveTo(const glm::dmat4& worldToClip);
+  ///@}
+
   /**
    * Draws it. `actor`, with `mapper`, carries the render passes that have a say in the shader: depth peeling, and the
    * view's ambient occlusion in screen space, which wants the place and the normal of what each pixel shows.
@@ -60,6 +71,8 @@ private:
   vtkNew<vtkTextureObject> Depth;
   bool Sent = false;
   std::uint64_t Version = 0; // of what was sent
+  glm::dmat4 WorldToClip{ 1.0 };
+  float DepthMap[2] = { 1.0f, 0.0f }; // scale and offset of its depths
   // By fragment shader: each stage of depth peeling has its own.
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
 

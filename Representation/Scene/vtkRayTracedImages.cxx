@@ -131,6 +131,28 @@ vtkRayTracedImages::Entry& vtkRayTracedImages::Get(const Place& place)
 }
 
 //----------------------------------------------------------------------------
+std::array<vtkRayTracedImages::Entry*, vtkRayTracedImages::Passes> vtkRayTracedImages::GetLast(Place place)
+{
+  std::array<Entry*, Passes> last{};
+  std::uint64_t frame = 1;
+  for (place.Pass = 0; place.Pass < Passes; ++place.Pass)
+  {
+    const auto found = this->Entries.find(place);
+    if (found != this->Entries.end() && found->second->Frame >= frame)
+    {
+      found->second->LastUsed = ++this->Uses;
+      last[place.Pass] = found->second.get();
+      frame = found->second->Frame;
+    }
+  }
+  for (Entry*& entry : last)
+  {
+    entry = entry && entry->Frame == frame ? entry : nullptr;
+  }
+  return last;
+}
+
+//----------------------------------------------------------------------------
 vtkRayTracedImages::Entry* vtkRayTracedImages::FindSame(const rtg::ImageView& view)
 {
   for (const auto& [place, entry] : this->Entries)

@@ -43,6 +43,7 @@ public:
     std::uint64_t SceneNumber = 0; // of the scene that the tracer traces
     vtkRayTracedImageQuad Quad;
     std::uint64_t LastUsed = 0;
+    std::uint64_t Frame = 0; // in which the quad's picture was drawn; 0: none
   };
 
   /**
@@ -54,6 +55,11 @@ public:
    * The image of a pass that shows this view in full resolution, whatever its light; null: there is none.
    */
   Entry* FindSame(const rtg::ImageView& view);
+
+  /**
+   * What the last frame at this place, of any pass, has drawn, by pass; null: nothing.
+   */
+  std::array<Entry*, Passes> GetLast(Place place);
 
   /**
    * Makes or improves an entry's image. `commit` brings the kernels' scene up to date; it may throw.

@@ -31,6 +31,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <vector>
 
 vtkInformationKeyMacro(vtkRayTracedScene, SCENE, ObjectBase);
@@ -77,6 +78,8 @@ struct vtkRayTracedScene::Internals
   vtkRayTracedRendererState::Environment Environment;
 
   std::vector<Drawn> Frame; // its images
+  std::uint64_t FrameNumber = 0;
+  std::set<vtkRayTracedImageQuad*> Quads; // that the frame has drawn
   bool Interactive = false;
   vtkRayTracedFrameStatus Status; // of the last frame
 
@@ -239,6 +242,8 @@ void vtkRayTracedScene::StartFrame()
 {
   Internals& self = *this->Self;
   self.Frame.clear();
+  ++self.FrameNumber;
+  self.Quads.clear();
   self.ExportReported = false;
   self.CutReported &= self.Capture; // a picture may be captured in parts
   // On all ranks alike, whether or not they have something to draw.
@@ -424,17 +429,49 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
     return;
   }
 
-  const Drawn* drawn =
-    this->TraceImage(pass, window, static_cast<std::uint32_t>(viewport[2]), static_cast<std::uint32_t>(viewport[3]));
+  const auto trace = [&](int of)
+  {
+    return this->TraceImage(
+      of, window, static_cast<std::uint32_t>(viewport[2]), static_cast<std::uint32_t>(viewport[3]));
+  };
+  const auto waits = [&](int of)
+  {
+    const Drawn* traced = this->HasPass(of) ? trace(of) : nullptr;
+    return traced && traced->Image && !traced->Entry->Image.HasPicture();
+  };
+  const bool waiting = waits(opaque) || waits(translucent);
+  const Drawn* drawn = trace(pass);
   const rtg::Image* image = drawn ? drawn->Image : nullptr;
   if (!image)
   {
     return;
   }
-  vtkRayTracedImages::Entry& entry = *drawn->Entry;
-  self.Edges.Draw(image, window, this->Renderer, imageActor, mapper);
-  entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth, entry.Image.Version());
-  entry.Quad.Draw(this->Renderer, imageActor, mapper, vtkRayTracedImageQuad::BLEND);
+  const glm::dmat4 worldToClip = vtkRayTracedRendererState::WorldToClip(this->Renderer);
+  const auto draw = [&](vtkRayTracedImageQuad& quad)
+  {
+    quad.Draw(this->Renderer, imageActor, mapper, vtkRayTracedImageQuad::BLEND);
+    self.Quads.insert(&quad);
+  };
+  if (!waiting)
+  {
+    vtkRayTracedImages::Entry& entry = *drawn->Entry;
+    self.Edges.Draw(image, window, this->Renderer, imageActor, mapper);
+    entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth, entry.Image.Version());
+    entry.Quad.SetCamera(worldToClip);
+    entry.Frame = self.FrameNumber;
+    draw(entry.Quad);
+    return;
+  }
+  // While a program is compiled there is nothing to see of the image that needs it. The last frame stays, which may
+  // show what is no longer so; but not from another camera, beside what ParaView draws.
+  const auto last = self.Content.Images.GetLast(drawn->Place);
+  for (int of : { opaque, translucent })
+  {
+    if (last[of] && (of == pass || !this->HasPass(of)) && last[of]->Quad.MoveTo(worldToClip))
+    {
+      draw(last[of]->Quad);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -449,9 +486,9 @@ void vtkRayTracedScene::SmoothFrame()
   self.FXAA.Apply(this->Renderer,
     [this, &self](vtkTextureObject* pixels)
     {
-      for (const Drawn& drawn : self.Frame)
+      for (vtkRayTracedImageQuad* quad : self.Quads)
       {
-        drawn.Entry->Quad.DrawKept(this->Renderer, pixels);
+        quad->DrawKept(this->Renderer, pixels);
       }
     });
 }

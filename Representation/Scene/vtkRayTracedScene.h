@@ -9,7 +9,8 @@
  *
  * At the start of every frame the mappers of visible actors bring instances and colors up to date; what changed is
  * handed to the kernels when an image needs it. A mapper that is hidden gives its device memory back. Images are kept
- * (vtkRayTracedImages), and each decides by itself what is to be traced (rtg::ProgressiveImage).
+ * (vtkRayTracedImages), and each decides by itself what is to be traced (rtg::ProgressiveImage). While a program is
+ * compiled that one of them needs, the last frame is drawn again if the camera sees the same.
  */
 #ifndef vtkRayTracedScene_h
 #define vtkRayTracedScene_h

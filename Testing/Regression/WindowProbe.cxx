@@ -53,8 +53,9 @@ QWidget* Find(const char* path)
 
 void PostMouse(QWindow* window, QEvent::Type type, QPoint at, Qt::MouseButtons buttons)
 {
-  QCoreApplication::postEvent(
-    window, new QMouseEvent(type, at, window->mapToGlobal(at), Qt::LeftButton, buttons, Qt::NoModifier));
+  QCoreApplication::postEvent(window,
+    new QMouseEvent(type, at, window->mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+      buttons, Qt::NoModifier));
 }
 }
 
@@ -96,6 +97,27 @@ extern "C"
       return 0;
     }
     QCursor::setPos(widget->mapToGlobal(QPoint(x, widget->height() - 1 - y)));
+    return 1;
+  }
+
+  // 1: the mouse is on its way from one place in the widget to another, with its left button down, first sideways and
+  // then up or down; in pixels from the widget's lower left corner.
+  Q_DECL_EXPORT int probe_drag(const char* name, int fromX, int fromY, int toX, int toY)
+  {
+    const QWidget* widget = Find(name);
+    QWindow* window = widget ? widget->window()->windowHandle() : nullptr;
+    if (!window)
+    {
+      return 0;
+    }
+    const auto place = [&](int x, int y)
+    { return widget->mapTo(widget->window(), QPoint(x, widget->height() - 1 - y)); };
+    PostMouse(window, QEvent::MouseButtonPress, place(fromX, fromY), Qt::LeftButton);
+    for (const QPoint at : { QPoint((fromX + toX) / 2, fromY), QPoint(toX, fromY), QPoint(toX, toY) })
+    {
+      PostMouse(window, QEvent::MouseMove, place(at.x(), at.y()), Qt::LeftButton);
+    }
+    PostMouse(window, QEvent::MouseButtonRelease, place(toX, toY), Qt::NoButton);
     return 1;
   }
 

@@ -87,6 +87,18 @@ def progress_told(checks, view, shown):
     checks.picture("next picture", capture(view, "after"), expected)
 
 
+def larger_than_window(checks, view, shown):
+    """What ParaView draws in a picture after a trace that takes long: the window has listened to its user meanwhile."""
+    shown.SamplesPerPixel = 16
+    view.OrientationAxesVisibility = 1
+    window = view.SMProxy.GetRenderWindow()
+    asked = window.AddObserver("AbortCheckEvent", lambda *_: time.sleep(0.05))
+    said = session.messages(lambda: session.capture(view, "interrupting-large", ImageResolution=[700, 400]))
+    window.RemoveObserver(asked)
+    view.OrientationAxesVisibility = 0
+    checks.no_message("a picture larger than the window", said)
+
+
 def stopping(checks, window, view, shown, name, stop):
     """Refinement shows its progress, ends when somebody stops it, and begins again with another camera."""
     shown.SamplesPerPixel = MANY
@@ -169,14 +181,16 @@ def aborted_capture(checks, window, view, shown, name, stop):
 
 def compiling(checks, window, view, shown):
     """While programs are compiled the window answers, and its progress bar says what it waits for."""
-    told, shape, mode = [], shown.GlyphShape, shown.ShadingMode
+    told, toolbar, shape, mode = [], set(), shown.GlyphShape, shown.ShadingMode
     shown.GlyphShape, shown.ShadingMode, shown.SamplesPerPixel = "Superquadric", "Path Tracing", 16
     pv.Render(view)
-    checks.true("compiling: no end of it", window.wait(lambda: told.append(window.text(BAR)) or not pending(shown), LIMIT))
+    checks.true("compiling: no end of it", window.wait(
+        lambda: told.append(window.text(BAR)) or toolbar.add(window.text("Samples")) or not pending(shown), LIMIT))
     said = sorted(set(told))
     say("while programs were compiled and the image was refined the bar said %s" % said)
     for text in ("Compiling Programs", "Ray Tracing"):
         checks.true("compiling: the progress bar did not say '%s' but %s" % (text, said), any(text in one for one in said))
+    checks.true("compiling: the toolbar said %s, not 'Compiling'" % sorted(toolbar), "Compiling" in toolbar)
     shown.GlyphShape, shown.ShadingMode = shape, mode
     pv.Render(view)
     window.wait(lambda: not pending(shown), LIMIT)
@@ -191,6 +205,7 @@ def main():
     pv.Render(view)  # programs are compiled
     window.wait(lambda: not pending(shown), LIMIT)
     progress_told(checks, view, shown)
+    larger_than_window(checks, view, shown)
     renders = Renders(view)
     compiling(checks, window, view, shown)
     stopping(checks, window, view, shown, "Abort button", lambda: window.click(ABORT))

@@ -45,6 +45,10 @@ class Window:
         """Moves the mouse to a pixel of a widget, from its lower left; False: there is no such widget."""
         return bool(self.probe.probe_hover(name.encode(), *at))
 
+    def drag(self, name, start, end):
+        """Posts a drag with the left button between two pixels of a widget, from its lower left; False: there is no such widget."""
+        return bool(self.probe.probe_drag(name.encode(), *start, *end))
+
     def escape(self, name):
         """Posts the Esc key; False: there is no such widget."""
         return bool(self.probe.probe_escape(name.encode()))

@@ -1,0 +1,95 @@
+"""While programs are compiled the last picture stays, in front of and behind what ParaView draws; but not from another camera.
+
+Usage: MESA_SHADER_CACHE_DISABLE=true pvpython compiling.py
+"""
+import time
+
+import numpy
+import paraview.simple as pv
+
+import accumulation
+import session
+from checks import Checks, cloud, information, refine, stepwise
+
+#: seconds within which programs must be there
+LIMIT = 150.0
+
+
+def while_compiling(view, shown):
+    """Pictures of the renders that had nothing to show but 'Compiling Programs'; the next one has something."""
+    pictures, end = [], time.monotonic() + LIMIT
+    while time.monotonic() < end:
+        pv.Render(view)
+        if information(shown, "RefinementStep") != "Compiling Programs":
+            break
+        pictures.append(accumulation.shown_by(view))
+        time.sleep(0.02)
+    return pictures
+
+
+def finished(checks, view, shown, what):
+    """The finished picture."""
+    checks.true("%s: the image is not finished" % what, refine(view, shown))
+    return accumulation.shown_by(view)
+
+
+def stays(checks, view, shown, what, before):
+    """The picture from before is there until there is another one, which differs; returns that when it is finished."""
+    pictures = while_compiling(view, shown)
+    print("%s: %d renders while programs were compiled" % (what, len(pictures)))
+    checks.true("%s: no program was compiled" % what, bool(pictures))
+    for picture in pictures[:1] + pictures[-1:]:
+        checks.picture("%s: while programs are compiled" % what, picture, before)
+    after = finished(checks, view, shown, what)
+    checks.true("%s: the picture stays for good" % what, bool((after != before).any()))
+    return after
+
+
+def main():
+    """Other light, opacity, a second display that widens the clipping range, and another camera."""
+    session.load()
+    checks = Checks()
+    view = session.view(200, 150)
+    wall = pv.Show(pv.Plane(Origin=[-1.0, -1.0, 0.0], Point1=[0.0, -1.0, 0.0], Point2=[-1.0, 1.0, 0.0]), view)
+    wall.Representation = "Surface"
+    session.solid(wall, (0.2, 0.3, 0.9))
+    shown = stepwise(session.glyphs(cloud(), view, "Superquadric", samples=2, GlyphOrient=0, GlyphScaleFactor=0.3))
+    session.solid(shown, (0.9, 0.6, 0.3))
+    session.look(view, (0.0, 0.0, 6.0))
+    pv.Render(view)
+    picture = finished(checks, view, shown, "first picture")
+    checks.covered("first picture", picture, 0.2)
+
+    shown.ShadingMode = "Ambient Occlusion"
+    picture = stays(checks, view, shown, "other light", picture)
+    shown.Opacity = 0.5
+    picture = stays(checks, view, shown, "opacity", picture)
+    shown.Opacity = 1.0
+    pv.Render(view)
+    picture = finished(checks, view, shown, "opaque again")
+
+    # It lies beside what the camera sees, far behind the wall.
+    far = session.source(session.poly_data(numpy.array([[500.0, 0.0, -200.0]])))
+    other = session.glyphs(far, view, "Cone", GlyphOrient=0, GlyphScaleFactor=1.0)
+    stepwise(other)
+    session.look(view, (0.0, 0.0, 6.0))
+    pictures = while_compiling(view, shown)
+    checks.true("a second display: no program was compiled", bool(pictures))
+    for seen in pictures[:1] + pictures[-1:]:
+        checks.picture("a second display: while programs are compiled", seen, picture, pixels=0.001)
+    pv.Hide(far, view)
+    finished(checks, view, shown, "a second display")
+
+    wall.Visibility = 0
+    shown.ShadingMode = "Path Tracing"
+    session.look(view, (2.0, 0.0, 6.0))
+    pictures = while_compiling(view, shown)
+    checks.true("another camera: no program was compiled", bool(pictures))
+    for seen in pictures[:1] + pictures[-1:]:
+        checks.covered("another camera: while programs are compiled", seen, 0.0, 0.0)
+    checks.covered("another camera", finished(checks, view, shown, "another camera"), 0.2)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main()
