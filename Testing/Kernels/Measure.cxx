@@ -61,9 +61,10 @@ void CompareHit(const ReferenceGlyph& glyph, const HardRay& ray, const Answer& a
   verdict.sizes = error / sizeInT;
   verdict.excess = error / BoundOfT<Real>(glyph, t, sizeInT);
 
-  const double cosine = glm::dot(glm::normalize(glm::dvec3(ray.direction)), ToDouble(crossing.normal));
-  verdict.distanceExcess =
-    std::abs(cosine) * error / (boundUlps * UlpOf<Real>(t) + boundSizes * relativeRoundoff<Real> * sizeInT);
+  // At an apex there is no normal.
+  const double cosine = std::abs(glm::dot(glm::normalize(glm::dvec3(ray.direction)), ToDouble(crossing.normal)));
+  verdict.distanceExcess = (std::isnan(cosine) ? 1.0 : cosine) * error /
+    (boundUlps * UlpOf<Real>(t) + boundSizes * relativeRoundoff<Real> * sizeInT);
 
   verdict.hasNormal = crossing.edgeDistance > edgeBand && crossing.edgeSizes > edgeBandSizes;
   const glm::dvec3 normal = ToDouble(crossing.normal);
