@@ -61,6 +61,11 @@ void CompareHit(const ReferenceGlyph& glyph, const HardRay& ray, const Answer& a
   verdict.sizes = error / sizeInT;
   verdict.excess = error / BoundOfT<Real>(glyph, t, sizeInT);
 
+  // At an apex there is no normal.
+  const double cosine = std::abs(glm::dot(glm::normalize(glm::dvec3(ray.direction)), ToDouble(crossing.normal)));
+  verdict.distanceExcess = (std::isnan(cosine) ? 1.0 : cosine) * error /
+    (boundUlps * UlpOf<Real>(t) + boundSizes * relativeRoundoff<Real> * sizeInT);
+
   verdict.hasNormal = crossing.edgeDistance > edgeBand && crossing.edgeSizes > edgeBandSizes;
   const glm::dvec3 normal = ToDouble(crossing.normal);
   verdict.radians = glm::length(glm::cross(normal, answer.normal));
@@ -155,6 +160,7 @@ CaseReport Summarise(const std::vector<Verdict>& verdicts)
       sizes.push_back(verdict.sizes);
       report.outOfBound += !(verdict.excess <= 1.0);
       report.maxExcess = Largest(report.maxExcess, verdict.excess);
+      report.maxDistanceExcess = Largest(report.maxDistanceExcess, verdict.distanceExcess);
     }
     if (verdict.bothHit && verdict.hasNormal)
     {

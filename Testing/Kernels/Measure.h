@@ -41,6 +41,8 @@ constexpr double edgeBandSizes = 2e-6;
 constexpr double boundUlps = 8.0;
 constexpr double boundSizes = 1e-6;
 /// Of polynomials: a thin one has lobes before lobes, whose silhouettes double words tell to 1e-8 of its thickness.
+/// That is along the ray: from its surface, too, the point found lies no farther than with other shapes, which is what
+/// rays that leave it rely on (Programs/surface.glsl).
 constexpr double boundSizesOfPolynomials = 1e-5;
 
 /// The bound on the normal's angle in float arithmetic; for double it shrinks with the roundoff.
@@ -62,6 +64,7 @@ struct Verdict
   double ulps = 0.0;                        ///< |dt| in ulps of t
   double sizes = 0.0;                       ///< |dt| in glyph sizes
   double excess = 0.0;                      ///< |dt| over the bound: at most 1
+  double distanceExcess = 0.0;              ///< of the point found from the surface, likewise
   bool hasNormal = false;                   ///< the normal is compared: not near an edge, nor excused
   double radians = 0.0;                     ///< error of the normal
   double normalExcess = 0.0;                ///< the same over its bound
@@ -105,7 +108,7 @@ struct CaseReport
 {
   std::size_t rays = 0, hits = 0, excused = 0, compared = 0, falseHits = 0, falseMisses = 0, outOfBound = 0,
               normalsOutOfBound = 0;
-  double medianUlps = 0, maxUlps = 0, medianSizes = 0, maxSizes = 0, maxExcess = 0;
+  double medianUlps = 0, maxUlps = 0, medianSizes = 0, maxSizes = 0, maxExcess = 0, maxDistanceExcess = 0;
   double medianRadians = 0, maxRadians = 0, maxNormalExcess = 0;
 };
 
