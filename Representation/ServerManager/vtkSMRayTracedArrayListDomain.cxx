@@ -83,11 +83,6 @@ std::string FirstOf(const Arrays& arrays, const std::vector<Choice>& choices)
   return {};
 }
 
-std::string ActiveVectors(const Arrays& arrays)
-{
-  return Active(arrays, vtkDataSetAttributes::VECTORS);
-}
-
 int DirectionRank(const Array& array)
 {
   return array.Components == 3 && !array.IsColor ? vtkGlyphArrayNames::DirectionRank(array.Name) : -1;
@@ -101,6 +96,13 @@ std::string NamedDirection(const Arrays& arrays)
       const int rank = DirectionRank(array);
       return rank == vtkGlyphArrayNames::unknown ? -1 : rank;
     });
+}
+
+// Filters such as Stream Tracer make normals active; a vector that a solver has written is preferred.
+std::string ActiveVectors(const Arrays& arrays)
+{
+  const std::string active = Active(arrays, vtkDataSetAttributes::VECTORS);
+  return vtkGlyphArrayNames::IsNormal(active) ? NamedDirection(arrays) : active;
 }
 
 std::string Quaternion(const Arrays& arrays)
@@ -226,7 +228,8 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
   }
   if (this->Choice == "velocity")
   {
-    return FirstOf(arrays, { Velocity, ActiveVectors });
+    const std::string velocity = FirstOf(arrays, { Velocity, ActiveVectors });
+    return vtkGlyphArrayNames::IsNormal(velocity) ? std::string() : velocity;
   }
   if (this->Choice == "tensor")
   {
