@@ -86,8 +86,7 @@ int vtkGlyphArrayNames::DirectionRank(const std::string& name)
   static const Words nowhere = { "position*", "pos", "coord*", "location*", "point*", "xyz", "angle*", "euler*", "rot",
     "rotation*", "colo*", "rgb", "length*", "size*", "shape*", "dimension*", "extent*", "radius*", "radii", "diameter*",
     "diam", "scale*", "id", "ids", "index", "texture*", "tcoord*", "image*", "period*" };
-  static const std::vector<Words> directions = { velocity, { "displac*", "disp" }, { "force*", "f" },
-    normal,
+  static const std::vector<Words> directions = { velocity, { "displac*", "disp" }, { "force*", "f" }, normal,
     { "acceler*", "moment*", "mom", "flux*", "flow*", "wind*", "current*", "field*", "magnet*", "dipole*", "spin*",
       "grad*", "direct*", "dir", "vector*", "vec", "tangent*", "axis", "orient*", "vorticity", "torque*" } };
   if (Say(words, nowhere))

@@ -83,9 +83,12 @@ std::string FirstOf(const Arrays& arrays, const std::vector<Choice>& choices)
   return {};
 }
 
+// Two components are a vector of the plane where the name says so.
 int DirectionRank(const Array& array)
 {
-  return array.Components == 3 && !array.IsColor ? vtkGlyphArrayNames::DirectionRank(array.Name) : -1;
+  const int rank = vtkGlyphArrayNames::DirectionRank(array.Name);
+  const bool fits = array.Components == 3 || (array.Components == 2 && rank != vtkGlyphArrayNames::unknown);
+  return fits && !array.IsColor && array.Attribute != vtkDataSetAttributes::TCOORDS ? rank : -1;
 }
 
 std::string NamedDirection(const Arrays& arrays)
@@ -118,9 +121,8 @@ std::string AnyDirection(const Arrays& arrays)
 
 std::string Velocity(const Arrays& arrays)
 {
-  return First(arrays,
-    [](const Array& array)
-    { return array.Components == 3 && !array.IsColor && vtkGlyphArrayNames::IsVelocity(array.Name); });
+  return First(
+    arrays, [](const Array& array) { return DirectionRank(array) >= 0 && vtkGlyphArrayNames::IsVelocity(array.Name); });
 }
 
 std::string ActiveTensors(const Arrays& arrays)
