@@ -44,6 +44,7 @@ bool Say(const Words& words, const Words& known)
 
 const Words angular = { "angular*", "ang", "angvel", "rotation*", "omega" };
 const Words velocity = { "veloc*", "vel", "speed*", "v", "u" };
+const Words normal = { "normal*", "normals" };
 const Words rotation = { "rot", "rotation*", "matrix", "orient*", "axes", "frame", "basis", "quat*", "transform*" };
 }
 
@@ -67,6 +68,12 @@ bool vtkGlyphArrayNames::IsVelocity(const std::string& name)
 }
 
 //----------------------------------------------------------------------------
+bool vtkGlyphArrayNames::IsNormal(const std::string& name)
+{
+  return Say(WordsOf(name), normal);
+}
+
+//----------------------------------------------------------------------------
 bool vtkGlyphArrayNames::IsQuaternion(const std::string& name)
 {
   return Say(WordsOf(name), { "quat*", "q", "orient*" });
@@ -79,8 +86,7 @@ int vtkGlyphArrayNames::DirectionRank(const std::string& name)
   static const Words nowhere = { "position*", "pos", "coord*", "location*", "point*", "xyz", "angle*", "euler*", "rot",
     "rotation*", "colo*", "rgb", "length*", "size*", "shape*", "dimension*", "extent*", "radius*", "radii", "diameter*",
     "diam", "scale*", "id", "ids", "index", "texture*", "tcoord*", "image*", "period*" };
-  static const std::vector<Words> directions = { velocity, { "displac*", "disp" }, { "force*", "f" },
-    { "normal*", "normals" },
+  static const std::vector<Words> directions = { velocity, { "displac*", "disp" }, { "force*", "f" }, normal,
     { "acceler*", "moment*", "mom", "flux*", "flow*", "wind*", "current*", "field*", "magnet*", "dipole*", "spin*",
       "grad*", "direct*", "dir", "vector*", "vec", "tangent*", "axis", "orient*", "vorticity", "torque*" } };
   if (Say(words, nowhere))

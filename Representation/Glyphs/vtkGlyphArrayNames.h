@@ -12,6 +12,7 @@ namespace vtkGlyphArrayNames
 bool IsRadius(const std::string& name);
 bool IsDiameter(const std::string& name);
 bool IsVelocity(const std::string& name);
+bool IsNormal(const std::string& name);
 bool IsQuaternion(const std::string& name);
 
 /**

@@ -41,6 +41,13 @@ bool IsNamed(const vtkGlyphMotion::Settings& settings, int kind)
   return !vtkRayTracedArrays::IsNone(NameOf(settings, kind));
 }
 
+// Vectors of two components lie in a plane.
+bool HasLength(vtkDataArray* array, int kind)
+{
+  const int components = array->GetNumberOfComponents();
+  return components == 3 || (components == 2 && kind != ANGULAR_VELOCITY);
+}
+
 void ClearZeros(std::vector<glm::vec3>& values)
 {
   if (std::all_of(values.begin(), values.end(), [](const glm::vec3& v) { return v == glm::vec3(0.0f); }))
@@ -112,11 +119,12 @@ vtkGlyphMotion::vtkGlyphMotion(vtkPolyData* points, const Settings& settings)
       text << "There is no point array '" << NameOf(settings, kind) << "', which " << properties[kind]
            << " names; motion blur goes without. Choose one that exists, or None.";
     }
-    else if (this->Found[kind]->GetNumberOfComponents() != 3)
+    else if (!HasLength(this->Found[kind], kind))
     {
       text << "The point array '" << NameOf(settings, kind) << "', which " << properties[kind] << " names, has "
-           << this->Found[kind]->GetNumberOfComponents()
-           << " components where 3 are needed; motion blur goes without. Choose another array, or "
+           << this->Found[kind]->GetNumberOfComponents() << " components where "
+           << (kind == ANGULAR_VELOCITY ? "3" : "2 or 3")
+           << " are needed; motion blur goes without. Choose another array, or "
               "None.";
       this->Found[kind] = nullptr;
     }
@@ -146,7 +154,7 @@ bool vtkGlyphMotion::On() const
 //----------------------------------------------------------------------------
 glm::dvec3 vtkGlyphMotion::Tuple(int kind, vtkIdType point) const
 {
-  double tuple[3];
+  double tuple[3] = { 0.0, 0.0, 0.0 };
   this->Found[kind]->GetTuple(point, tuple);
   return { tuple[0], tuple[1], tuple[2] };
 }

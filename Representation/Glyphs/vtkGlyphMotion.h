@@ -31,7 +31,7 @@ public:
   struct Settings
   {
     bool On = false;
-    // Names of point arrays of three components; empty or "None": none
+    // Names of point arrays of two components, in a plane, or three; empty or "None": none
     std::string Velocity;
     bool FromPreviousStep = false; // the velocities are those of vtkGlyphStepVelocity instead
     std::string Acceleration;

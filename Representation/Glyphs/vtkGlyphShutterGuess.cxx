@@ -41,7 +41,7 @@ vtkGlyphShutterGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& set
   const std::array<vtkDataArray*, 3> arrays = vtkGlyphMotion::Arrays(data, settings.Motion);
   const bool turns = Largest(arrays[0] ? 1.0 : 0.0) == 0.0;
   vtkDataArray* array = arrays[turns ? 2 : 0];
-  array = array && array->GetNumberOfComponents() == 3 ? array : nullptr;
+  array = array && array->GetNumberOfComponents() <= 3 ? array : nullptr;
   const auto speed = [array](vtkIdType point)
   {
     double tuple[3] = { 0.0, 0.0, 0.0 };

@@ -23,7 +23,7 @@ using Settings = vtkGlyphSettings;
 // Of the lengths of orientation tuples, the first that a mode takes.
 int ModeFrom(int mode)
 {
-  return mode == Settings::QUATERNION ? 1 : mode == Settings::MATRIX || mode == Settings::AXES ? 2 : 0;
+  return mode == Settings::DIRECTION ? 0 : mode == Settings::ROTATION ? 1 : mode == Settings::QUATERNION ? 2 : 3;
 }
 
 // A row of the table of arrays.
@@ -46,7 +46,7 @@ const std::array<Description, vtkGlyphArrays::NUMBER_OF_IDS> table = { {
   { &Settings::OrientationArray, [](const Settings& settings) { return settings.Orient; },
     [](const Settings& settings)
     {
-      const std::vector<int> all = { 3, 4, 9 }; // longer tuples say by themselves what they are
+      const std::vector<int> all = { 2, 3, 4, 9 }; // longer tuples say by themselves what they are
       return std::vector<int>(all.begin() + ModeFrom(settings.OrientationMode), all.end());
     },
     "GlyphOrientationArray", "the glyphs are not turned" },

@@ -17,7 +17,8 @@
 class vtkPolyData;
 
 /**
- * Tuples of a float or double array without a virtual call each; of any other array through its interface.
+ * Tuples of a float or double array without a virtual call each; of any other array through its interface. Two
+ * components, of data in a plane, are followed by a zero.
  * vtkArrayDispatch would compile the loop over glyphs for every combination of the types of six arrays. Each thread
  * needs one of its own.
  */
@@ -36,11 +37,11 @@ public:
 
   const double* Get(vtkIdType i)
   {
-    if (this->Double)
+    if (this->Double && this->Components != 2)
     {
       return this->Double->GetPointer(i * this->Components);
     }
-    this->Buffer.resize(this->Components);
+    this->Buffer.resize(std::max(this->Components, 3));
     if (this->Float)
     {
       const float* tuple = this->Float->GetPointer(i * this->Components);

@@ -123,9 +123,9 @@ public:
 
   ///@{
   /**
-   * Motion blur: names of point arrays of three components ("None" or empty: none), the time that the shutter is open,
-   * and when that is, of vtkGlyphMotion::Openings. Velocities may instead be those of vtkGlyphStepVelocity, where an
-   * array of one component, by default the global ids, tells which point is which. See vtkGlyphMotion::Settings for
+   * Motion blur: names of point arrays of two or three components ("None" or empty: none), the time that the shutter is
+   * open, and when that is, of vtkGlyphMotion::Openings. Velocities may instead be those of vtkGlyphStepVelocity, where
+   * an array of one component, by default the global ids, tells which point is which. See vtkGlyphMotion::Settings for
    * defaults.
    */
   void SetMotionBlur(bool on) { this->Motion.On = on; }

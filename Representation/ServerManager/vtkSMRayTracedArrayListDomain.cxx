@@ -83,14 +83,12 @@ std::string FirstOf(const Arrays& arrays, const std::vector<Choice>& choices)
   return {};
 }
 
-std::string ActiveVectors(const Arrays& arrays)
-{
-  return Active(arrays, vtkDataSetAttributes::VECTORS);
-}
-
+// Two components are a vector of the plane where the name says so.
 int DirectionRank(const Array& array)
 {
-  return array.Components == 3 && !array.IsColor ? vtkGlyphArrayNames::DirectionRank(array.Name) : -1;
+  const int rank = vtkGlyphArrayNames::DirectionRank(array.Name);
+  const bool fits = array.Components == 3 || (array.Components == 2 && rank != vtkGlyphArrayNames::unknown);
+  return fits && !array.IsColor && array.Attribute != vtkDataSetAttributes::TCOORDS ? rank : -1;
 }
 
 std::string NamedDirection(const Arrays& arrays)
@@ -101,6 +99,13 @@ std::string NamedDirection(const Arrays& arrays)
       const int rank = DirectionRank(array);
       return rank == vtkGlyphArrayNames::unknown ? -1 : rank;
     });
+}
+
+// Filters such as Stream Tracer make normals active; a vector that a solver has written is preferred.
+std::string ActiveVectors(const Arrays& arrays)
+{
+  const std::string active = Active(arrays, vtkDataSetAttributes::VECTORS);
+  return vtkGlyphArrayNames::IsNormal(active) ? NamedDirection(arrays) : active;
 }
 
 std::string Quaternion(const Arrays& arrays)
@@ -116,9 +121,8 @@ std::string AnyDirection(const Arrays& arrays)
 
 std::string Velocity(const Arrays& arrays)
 {
-  return First(arrays,
-    [](const Array& array)
-    { return array.Components == 3 && !array.IsColor && vtkGlyphArrayNames::IsVelocity(array.Name); });
+  return First(
+    arrays, [](const Array& array) { return DirectionRank(array) >= 0 && vtkGlyphArrayNames::IsVelocity(array.Name); });
 }
 
 std::string ActiveTensors(const Arrays& arrays)
@@ -226,7 +230,8 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
   }
   if (this->Choice == "velocity")
   {
-    return FirstOf(arrays, { Velocity, ActiveVectors });
+    const std::string velocity = FirstOf(arrays, { Velocity, ActiveVectors });
+    return vtkGlyphArrayNames::IsNormal(velocity) ? std::string() : velocity;
   }
   if (this->Choice == "tensor")
   {

@@ -4,10 +4,10 @@
  *
  * ParaView's own list takes the active attribute, and without one whatever comes first. The attribute `choice` in the
  * XML says what is looked for:
- * - direction: the active vectors, else of three components one that is named as a direction (velocity before
- * displacement, force, normal, others), else a quaternion, else any that is not named as a position, angle, color or
- * length.
- * - velocity: one named velocity, else the active vectors.
+ * - direction: the active vectors, unless they are normals and there is better, else of three components one that is
+ * named as a direction (velocity before displacement, force, normal, others), else a quaternion, else any that is not
+ * named as a position, angle, color or length.
+ * - velocity: one named velocity, else the active vectors, unless they are normals.
  * - tensor: the active tensors, else of nine or six components one that is named as a tensor, else any that is not
  * named as a rotation.
  * - scale: one named radius or diameter, else the active scalars, else a direction, else any of one component but

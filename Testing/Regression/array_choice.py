@@ -35,6 +35,12 @@ CASES = (
     ("positions:3 thing:3", "thing thing None None"),
     ("a:3 b:3 c:3 d:3 e:3 f:3 g:3 h:3 Normals:3 j:3", "f f None None"),
     ("V:3 Pres:1", "V V None V"),
+    # As codes for two dimensions write them
+    ("p:1 range:2 uv:2=TCoords vel:2", "vel vel None vel"),
+    ("range:2 uv:2=TCoords", "None None None None"),
+    # As Stream Tracer makes them
+    ("p:1 U:3 Vorticity:3 Normals:3=Vectors", "U U None U"),
+    ("Vorticity:3 Normals:3=Vectors", "Normals Normals None None"),
     ("orientations:9 stress:6", "None None stress None"),
     ("rotation:9", "None None None None"),
     ("a:9 strain:9 b:9", "None None strain None"),

@@ -31,7 +31,7 @@ OF_SHAPES = {
     "Mesh": (["Glyph Mesh"], [])}
 
 #: what is set by a script to be copied, saved and restored by the panel's buttons; no default among it
-SET = {"GlyphShape": "Capsule", "GlyphScaling": 1, "GlyphScaleFunction": "Square Root", "GlyphTensorThickness": 0.125, "ShutterTime": 0.5}
+SET = {"GlyphShape": "Capsule", "GlyphScaling": 1, "GlyphScaleFunction": "Square Root", "GlyphTensorThickness": 0.125, "ShutterOpening": "Forward"}
 
 
 def main():

@@ -73,6 +73,25 @@ def columns(checks, stage):
     picture("velocities", "Sphere", MotionBlur=1, ShutterTime=1.0, SamplesPerPixel=4, VelocityArray="zero, b, c", AccelerationArray="None")
 
 
+def plane(checks, stage):
+    """Vectors of two components lie in the plane z = 0."""
+    flat = numpy.array([[0.5, 0.2], [-0.3, 0.6], [0.1, -0.5], [-0.4, -0.4]])
+    filled = numpy.column_stack([flat, numpy.zeros(4)])
+    for name, shape, properties in (("direction", "Arrow", {"GlyphOrient": 1, "GlyphOrientationArray": "v", "GlyphScaling": 1, "GlyphScaleArray": "v"}),
+                                    ("velocity", "Sphere", {"MotionBlur": 1, "ShutterTime": 1.0, "SamplesPerPixel": 4, "VelocityArray": "v"}),
+                                    ("acceleration", "Sphere", {"MotionBlur": 1, "ShutterTime": 1.0, "SamplesPerPixel": 4, "ShutterOpening": "Forward",
+                                                                "VelocityArray": "None", "AccelerationArray": "v"})):
+        for kind in (numpy.float32, numpy.float64, numpy.int32):
+            pictures = []
+            for values in (filled, flat):
+                data = session.poly_data(CENTERS, v=(10.0 * values).astype(kind))
+                shown = stage.show(data, shape, **{"GlyphScaleFactor": 0.1, "GlyphOrient": 0, **properties})
+                checks.no_message("%s of %d components" % (name, values.shape[1]), session.messages(lambda: pv.Render(stage.view)))
+                pictures.append(session.capture(stage.view, "orientations-plane-%s-%d" % (name, len(pictures))))
+            checks.covered(name + " of three components", pictures[0], 0.005)
+            checks.picture("%s of two components, %s" % (name, kind.__name__), pictures[1], pictures[0], pixels=0.0)
+
+
 def main():
     """All against angles."""
     session.load()
@@ -122,6 +141,7 @@ def main():
     checks.covered("size", pictures[0], 0.1)
     checks.picture("size of one component, Components", pictures[1], pictures[0])
     columns(checks, stage)
+    plane(checks, stage)
     checks.report()
 
 

@@ -13,9 +13,9 @@ from checks import Checks, cloud
 
 #: what is set, no default among it
 SET = {"GlyphShape": "Capsule", "GlyphScaleFactor": 0.31, "GlyphScaleFunction": "Square Root", "GlyphScaling": 1, "GlyphScaleArray": "scalar",
-       "GlyphLegend": 1, "ShutterTime": 0.5, "ShadingMode": "Ambient Occlusion", "SamplesPerPixel": 3, "Exposure": 0.5}
+       "GlyphLegend": 1, "ShutterTime": 0.5, "ShutterOpening": "Forward", "ShadingMode": "Ambient Occlusion", "SamplesPerPixel": 3, "Exposure": 0.5}
 #: what the data have a say in, whatever was saved or restored
-FROM_DATA = {"GlyphScaleFactor", "GlyphScaleArray"}
+FROM_DATA = {"GlyphScaleFactor", "GlyphScaleArray", "ShutterTime"}
 #: what is chosen by the data, and other values
 OTHERS = {"GlyphScaleArray": "other", "GlyphOrientationArray": "force", "GlyphTensorArray": "None", "VelocityArray": "force", "TubeRadius": 7.0,
           "GlyphScaleFactor": 0.11}

@@ -260,8 +260,13 @@ def states(checks):
 def compare(checks, what):
     """What the test's data suggest, wherever they are."""
     view = session.view(80, 60)
-    shown = session.glyphs(series((0.0, SIDE, 2.0)), view, GlyphOrient=0)
+    moving = pv.Calculator(Input=series((0.0, SIDE, 2.0)), Function="s*iHat", ResultArrayName="velocity")
+    shown = session.glyphs(moving, view, GlyphOrient=0)
     checks.equal(what + ": factor", factor(shown, view), PLAIN)
+    shown.MotionBlur = 1
+    pv.Render(view)
+    checks.within(what + ": streaks, in glyph sizes", shown.ShutterTime * 2.0 / PLAIN, 2.9, 3.0)
+    shown.MotionBlur = 0
     shown.GlyphScaling, shown.GlyphScaleArray = 1, "s"
     checks.equal(what + ": factor with scaling", factor(shown, view), SCALED)
     session.look(view, (1.75, 1.75, 12.0), (1.75, 1.75, 1.75))
