@@ -345,6 +345,12 @@ void vtkGlyphPointGatherer::AddHierarchy(vtkCompositeDataSet* composite, vtkPoly
   vtkNew<vtkStringArray> xml;
   xml->SetName(vtkRayTracedArrays::Hierarchy);
   xml->InsertNextValue(collection->GetDataAssembly()->SerializeToXML(vtkIndent()));
+  // Both trees of a collection have its data sets by the same numbers.
+  auto* own = vtkPartitionedDataSetCollection::SafeDownCast(composite);
+  if (own && own->GetDataAssembly())
+  {
+    xml->InsertNextValue(own->GetDataAssembly()->SerializeToXML(vtkIndent()));
+  }
   out->GetFieldData()->AddArray(xml);
   out->GetFieldData()->AddArray(leaves);
 }

@@ -38,8 +38,8 @@ public:
   static vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const Options& options);
 
   /**
-   * Adds to the field data of `out` the tree that block selectors are paths in, with the flat index of each of its data
-   * sets.
+   * Adds to the field data of `out` the trees that block selectors are paths in, with the flat index of each of their
+   * data sets.
    */
   static void AddHierarchy(vtkCompositeDataSet* composite, vtkPolyData* out);
 };

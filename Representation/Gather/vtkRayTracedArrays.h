@@ -30,8 +30,8 @@ constexpr const char* BlockColors = "vtkBlockColors";
 /// vtkPVGeometryFilter's default number of them, after which they repeat.
 constexpr unsigned int DistinctBlockColors = 7;
 ///@{
-/// Field data of composite input: the tree that block selectors are paths in, as XML, and pairs (flat index, index of
-/// the data set in the tree).
+/// Field data of composite input: the trees that block selectors are paths in, as XML (the hierarchy of blocks and,
+/// where the data have one, their assembly), and pairs (flat index, index of the data set in the trees).
 constexpr const char* Hierarchy = "vtkRayTraced_Hierarchy";
 constexpr const char* Leaves = "vtkRayTraced_Leaves";
 ///@}

@@ -12,6 +12,15 @@
 #include <vector>
 
 //----------------------------------------------------------------------------
+bool vtkGlyphBlockAttributes::SetAssembly(const char* name)
+{
+  const std::string assembly = name ? name : "";
+  const bool changed = assembly != this->Assembly;
+  this->Assembly = assembly;
+  return this->Note(changed);
+}
+
+//----------------------------------------------------------------------------
 bool vtkGlyphBlockAttributes::AddSelector(const char* selector)
 {
   return this->Note(selector && this->Selectors.insert(selector).second);
@@ -132,8 +141,10 @@ vtkGlyphBlockAttributes::Table vtkGlyphBlockAttributes::Resolved(vtkPolyData* po
   auto* xml = vtkStringArray::SafeDownCast(points->GetFieldData()->GetAbstractArray(vtkRayTracedArrays::Hierarchy));
   auto* leaves =
     vtkUnsignedIntArray::SafeDownCast(points->GetFieldData()->GetAbstractArray(vtkRayTracedArrays::Leaves));
+  // The second tree is the data's own assembly, where they have one.
+  const vtkIdType tree = xml && xml->GetNumberOfValues() > 1 && this->Assembly == "Assembly" ? 1 : 0;
   vtkNew<vtkDataAssembly> hierarchy;
-  if (!xml || !leaves || xml->GetNumberOfValues() < 1 || !hierarchy->InitializeFromXML(xml->GetValue(0).c_str()))
+  if (!xml || !leaves || xml->GetNumberOfValues() < 1 || !hierarchy->InitializeFromXML(xml->GetValue(tree).c_str()))
   {
     return table;
   }

@@ -2,7 +2,8 @@
  * @class   vtkGlyphBlockAttributes
  * @brief   visibility, color and opacity of a composite data set's blocks, as selectors say
  *
- * Selectors are paths in the data set's hierarchy, as the Multiblock Inspector writes them. A deeper selector wins
+ * Selectors are paths in the data set's hierarchy, as the Multiblock Inspector writes them, or in the assembly that the
+ * data have. A deeper selector wins
  * over the one of a node above it. Without a hierarchy (not a composite) everything is visible.
  */
 #ifndef vtkGlyphBlockAttributes_h
@@ -25,8 +26,10 @@ class vtkGlyphBlockAttributes
 public:
   ///@{
   /**
-   * Each returns whether it changed something. Default is the selector "/" (all blocks), no colors, no opacities.
+   * Each returns whether it changed something. Default is the selector "/" (all blocks), no colors, no opacities, the
+   * hierarchy.
    */
+  bool SetAssembly(const char* name);
   bool AddSelector(const char* selector);
   bool RemoveAllSelectors();
   bool SetColor(const char* selector, double r, double g, double b);
@@ -76,6 +79,7 @@ private:
   std::uint64_t Version = 0;
   Table Known;
   std::array<vtkMTimeType, 3> KnownFor{}; // hierarchy, leaves, version + 1
+  std::string Assembly;
   std::set<std::string> Selectors{ "/" };
   std::map<std::string, std::array<double, 3>> Colors;
   std::map<std::string, double> Opacities;

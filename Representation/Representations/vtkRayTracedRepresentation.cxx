@@ -641,6 +641,12 @@ void vtkRayTracedRepresentation::SetPickable(int pickable)
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetActiveAssembly(const char* name)
+{
+  this->Blocks.SetAssembly(name);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::AddBlockSelector(const char* selector)
 {
   this->Blocks.AddSelector(selector);

@@ -203,8 +203,10 @@ public:
 
   ///@{
   /**
-   * Blocks of a composite data set, by selectors in its hierarchy. Default is the selector "/".
+   * Blocks of a composite data set, by selectors in its hierarchy or, with "Assembly", in its own assembly if it has
+   * one. Default is the selector "/".
    */
+  void SetActiveAssembly(const char* name);
   void AddBlockSelector(const char* selector);
   void RemoveAllBlockSelectors();
   void SetBlockColor(const char* selector, double r, double g, double b);

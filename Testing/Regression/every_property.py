@@ -356,8 +356,8 @@ ROWS = [
 EITHER = {"Position": "Translation", "Translation": "Position"}
 
 
-#: which displays have under another name, and what tests it
-ELSEWHERE = {"Color": "SelectionColor in selection_seen.py"}
+#: which displays have under another name or not before ParaView 5.12, and what tests it
+ELSEWHERE = {"Color": "SelectionColor in selection_seen.py", "Assembly": "assemblies.py"}
 
 
 def exposed():

@@ -18,6 +18,8 @@ from window import Window, run, say  # noqa: E402
 
 #: names of ParaView's widgets
 ABORT, BAR, VIEW = "AbortButton", "ProgressBar", "Viewport"
+#: and of one in the plugin's toolbar
+SAMPLES = "RayTracedGlyphs/Samples"
 #: samples that take long, and samples that do not
 MANY, FEW = 4000, 3
 #: seconds within which what is waited for must have happened
@@ -185,7 +187,7 @@ def compiling(checks, window, view, shown):
     shown.GlyphShape, shown.ShadingMode, shown.SamplesPerPixel = "Superquadric", "Path Tracing", 16
     pv.Render(view)
     checks.true("compiling: no end of it", window.wait(
-        lambda: told.append(window.text(BAR)) or toolbar.add(window.text("Samples")) or not pending(shown), LIMIT))
+        lambda: told.append(window.text(BAR)) or toolbar.add(window.text(SAMPLES)) or not pending(shown), LIMIT))
     said = sorted(set(told))
     say("while programs were compiled and the image was refined the bar said %s" % said)
     for text in ("Compiling Programs", "Ray Tracing"):
@@ -201,6 +203,7 @@ def main():
     faulthandler.dump_traceback_later(session.HANGS, file=sys.__stderr__)
     checks, window = Checks(), Window()
     pv._DisableFirstRenderCameraReset()
+    window.resize("pqClientMainWindow", 2600, 900)  # so that all of the toolbar is in sight, beside ParaView 6's own
     view, shown = scene()
     pv.Render(view)  # programs are compiled
     window.wait(lambda: not pending(shown), LIMIT)
