@@ -287,6 +287,36 @@ TEST_P(FaultTest, MemoryOfTheComputerIsNamed)
   EXPECT_TRUE(Trace(*scene) == this->Expected(glyphs));
 }
 
+/// Drivers may give more in one piece than they promise: only where they do not is that the reason.
+TEST_P(FaultTest, WhatIsTooLargeForOneAllocationIsSaidSo)
+{
+  auto& vulkan = this->device->GetState();
+  const auto message = [this]
+  {
+    const auto scene = this->MakeScene();
+    Set(*scene, scene->Add(), RandomGlyphs(Content::Spheres, 9));
+    const Fault fault("vkAllocateMemory", 1);
+    try
+    {
+      scene->Commit();
+    }
+    catch (const rtg::OutOfMemory&)
+    {
+      return std::string("out of memory");
+    }
+    catch (const rtg::Error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message(), "out of memory");
+  const vk::DeviceSize most = vulkan.mostOfAllocation;
+  vulkan.mostOfAllocation = 100;
+  EXPECT_NE(message().find("in one piece, of which '" + this->device->Name() + "' allows 0 MiB"), std::string::npos);
+  vulkan.mostOfAllocation = most;
+}
+
 TEST_P(FaultTest, OneSetThatFailsLeavesTheOthersInPlace)
 {
   const auto scene = this->MakeScene();
