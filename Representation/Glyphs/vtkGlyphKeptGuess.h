@@ -31,7 +31,8 @@ public:
   };
 
   /**
-   * `times`: of the arrays that matter. All ranks call it at once; find() gives all of them the same.
+   * `times`: of the arrays that matter. All ranks call it at once; find(rough) gives all of them the same, and may do
+   * with less work when `rough` is true.
    */
   template <class Find>
   const Result& Get(const Settings& settings, const std::vector<vtkMTimeType>& times, double time, const Find& find)
@@ -46,10 +47,12 @@ public:
     const double reason = vtkGlyphSample::Largest(anew ? 2.0 : otherStep ? 1.0 : 0.0);
     if (reason > 0.0)
     {
-      const Result found = find();
-      if (reason > 1.0 || (found.Value > 0.0 && mostExcess * found.Value < this->Found.Value))
+      const bool onlyTime = reason == 1.0;
+      const Result found = find(onlyTime);
+      const bool isExceeded = found.Value > 0.0 && mostExcess * found.Value < this->Found.Value;
+      if (!onlyTime || isExceeded)
       {
-        this->Found = found;
+        this->Found = onlyTime ? find(false) : found;
       }
       else if (found.Limit > 0.0)
       {

@@ -79,11 +79,11 @@ std::vector<double> NearestSquared(const Points& points, const std::vector<doubl
   return nearest;
 }
 
-Extents Measure(const Points& points)
+Extents Measure(const Points& points, bool rough)
 {
   // Few for many points, so that all of them can be compared with each in no time; 64 tell a median to some percent.
-  const std::vector<double> pivots =
-    points.SampledPositions(std::clamp(1e8 / std::max(points.NumberOfAll(), 1.0), 64.0, 512.0));
+  const double wanted = rough ? 64.0 : std::clamp(1e8 / std::max(points.NumberOfAll(), 1.0), 64.0, 512.0);
+  const std::vector<double> pivots = points.SampledPositions(wanted);
   Extents extents;
   extents.Longest = LongestSide(pivots);
   if (!(extents.Longest > 0.0))
@@ -151,7 +151,7 @@ double ExactFactor(vtkPolyData* data, const vtkGlyphSettings& settings)
                                                           : 0.0;
 }
 
-vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& settings, double unitSize)
+vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& settings, double unitSize, bool rough)
 {
   vtkGlyphScaleGuess::Result result;
   Points points(data, settings);
@@ -169,7 +169,7 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
   {
     return result;
   }
-  const Extents extents = Measure(points);
+  const Extents extents = Measure(points, rough);
   const double typical = Quantile(sample, typicalQuantile);
   const double exact = Largest(ExactFactor(data, settings));
   if (exact * typical >= extents.Longest * std::min(seen, specks * extents.Neighbors) && exact > 0.0)
@@ -234,5 +234,5 @@ vtkGlyphScaleGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, d
     times.push_back(array ? array->GetMTime() : 0);
   }
   return this->Found.Get({ matter, unitSize }, times, time,
-    [&] { return Find(points, matter, rtg::IsPositive(unitSize) ? unitSize : 1.0); });
+    [&](bool rough) { return Find(points, matter, rtg::IsPositive(unitSize) ? unitSize : 1.0, rough); });
 }

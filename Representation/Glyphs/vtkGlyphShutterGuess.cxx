@@ -94,6 +94,6 @@ double vtkGlyphShutterGuess::Get(vtkPolyData* points, const vtkGlyphSettings& se
   }
   return this->Found
     .Get({ matter, unitSize }, times, time,
-      [&] { return Find(points, matter, rtg::IsPositive(unitSize) ? unitSize : 1.0); })
+      [&](bool) { return Find(points, matter, rtg::IsPositive(unitSize) ? unitSize : 1.0); })
     .Value;
 }

@@ -428,11 +428,11 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
   vtkSMProxy* display = this->GetTrueParentProxy();
-  if (display && ShowsRayTraced(display))
+  vtkSMProxy* shown = display && ShowsRayTraced(display) ? ShownBy(display) : nullptr;
+  if (shown)
   {
     this->RenewDefaults(view);
   }
-  vtkSMProxy* shown = display ? ShownBy(display) : nullptr;
   for (const Suggested& suggested : suggestions)
   {
     if (shown && shown->GetProperty(suggested.Guess) && this->IsExposed(suggested.FromData))
