@@ -463,11 +463,11 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
     return;
   }
   // While a program is compiled there is nothing to see of the image that needs it. The last frame stays, which may
-  // show what is no longer so; but not from another camera, beside what ParaView draws.
+  // show what is no longer so; but not from another camera, beside what ParaView draws, nor in files.
   const auto last = self.Content.Images.GetLast(drawn->Place);
   for (int of : { opaque, translucent })
   {
-    if (last[of] && (of == pass || !this->HasPass(of)) && last[of]->Quad.MoveTo(worldToClip))
+    if (last[of] && !self.Capture && (of == pass || !this->HasPass(of)) && last[of]->Quad.MoveTo(worldToClip))
     {
       draw(last[of]->Quad);
     }

@@ -1,4 +1,4 @@
-"""While programs are compiled the last picture stays, in front of and behind what ParaView draws; but not from another camera.
+"""While programs are compiled the last picture stays, in front of and behind what ParaView draws; but not from another camera, nor in files.
 
 Usage: MESA_SHADER_CACHE_DISABLE=true pvpython compiling.py
 """
@@ -46,7 +46,7 @@ def stays(checks, view, shown, what, before):
 
 
 def main():
-    """Other light, opacity, a second display that widens the clipping range, and another camera."""
+    """Other light, opacity, a second display that widens the clipping range, another camera, and a file."""
     session.load()
     checks = Checks()
     view = session.view(200, 150)
@@ -88,6 +88,16 @@ def main():
     for seen in pictures[:1] + pictures[-1:]:
         checks.covered("another camera: while programs are compiled", seen, 0.0, 0.0)
     checks.covered("another camera", finished(checks, view, shown, "another camera"), 0.2)
+
+    shown.GlyphShape = "Box"
+    window, said, saved = view.SMProxy.GetRenderWindow(), [], []
+    observer = window.AddObserver("AbortCheckEvent", lambda *_: window.SetAbortRender(1))
+    said.append(session.messages(lambda: saved.append(session.capture(view, "compiling-aborted"))))
+    window.RemoveObserver(observer)
+    checks.one_message("a screenshot that is stopped", said[0], "stopped", "0 of 2")
+    checks.covered("a screenshot that is stopped while programs are compiled", saved[0], 0.0, 0.0)
+    pv.Render(view)
+    checks.covered("after the screenshot", finished(checks, view, shown, "after the screenshot"), 0.2)
     checks.report()
 
 
