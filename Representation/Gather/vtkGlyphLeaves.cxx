@@ -243,12 +243,15 @@ Leaf CentersOf(vtkDataObject* numbered)
   return leaf;
 }
 
-Leaf CentersOf(vtkDataSet* data)
+// The same of a data set or a hyper tree grid, without the cells that other ranks have or that are hidden.
+template <class Centers, class Data>
+Leaf OwnCentersOf(Data* data)
 {
-  const vtkSmartPointer<vtkDataSet> numbered = Numbered(data);
-  numbered->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  Leaf leaf = CentersOf<vtkCellCenters>(numbered);
-  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  const vtkSmartPointer<Data> numbered = Numbered(data);
+  const char* ghostName = vtkDataSetAttributes::GhostArrayName();
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(ghostName));
+  numbered->GetCellData()->RemoveArray(ghostName);
+  Leaf leaf = CentersOf<Centers>(numbered);
   vtkIdTypeArray* ids = leaf.CellIds;
   if (ids && HasAny(ghosts, ghostCell))
   {
@@ -263,12 +266,12 @@ Leaf LeafOf(vtkDataObject* object, bool cells)
 {
   if (auto* grid = vtkHyperTreeGrid::SafeDownCast(object))
   {
-    return CentersOf<vtkHyperTreeGridCellCenters>(Numbered(grid));
+    return OwnCentersOf<vtkHyperTreeGridCellCenters>(grid);
   }
   auto* data = vtkDataSet::SafeDownCast(object);
   if (data && cells)
   {
-    return CentersOf(data);
+    return OwnCentersOf<vtkCellCenters>(data);
   }
   Leaf leaf;
   leaf.Data = data;

@@ -111,9 +111,9 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::GatherAnew(vtkData
 void vtkRayTracedGlyphRepresentation::AddArrays(vtkPolyData* points)
 {
   const vtkGlyphSettings settings = this->MakeSettings();
-  for (const std::string& name :
-    { settings.ScaleArray, settings.OrientationArray, settings.ExponentArray, settings.Tensors.Array,
-      settings.Forms.Array, settings.Motion.Velocity, settings.Motion.Acceleration, settings.Motion.AngularVelocity })
+  this->Superclass::AddArrays(points);
+  for (const std::string& name : { settings.ScaleArray, settings.OrientationArray, settings.ExponentArray,
+         settings.Tensors.Array, settings.Forms.Array })
   {
     vtkGlyphJoinedArrays::Add(points, name);
   }

@@ -7,6 +7,7 @@
 #include "vtkDataObject.h"
 #include "vtkGlyphSample.h"
 #include "vtkGlyphStepVelocity.h"
+#include "vtkGlyphJoinedArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix4x4.h"
@@ -274,6 +275,16 @@ void vtkRayTracedRepresentation::SetArray(std::string& held, const char* name)
     {
       this->MarkModified(); // steps that the view has kept lack it
     }
+  }
+}
+
+//----------------------------------------------------------------------------
+// Arrays that are named as parts of one.
+void vtkRayTracedRepresentation::AddArrays(vtkPolyData* points)
+{
+  for (const std::string& name : { this->Motion.Velocity, this->Motion.Acceleration, this->Motion.AngularVelocity })
+  {
+    vtkGlyphJoinedArrays::Add(points, name);
   }
 }
 

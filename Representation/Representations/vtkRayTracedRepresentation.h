@@ -236,7 +236,7 @@ protected:
    * of gathered or delivered points, before the actor's transform. Deliver() may hand further pieces to the view.
    */
   virtual vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) = 0;
-  virtual void AddArrays(vtkPolyData*) {}
+  virtual void AddArrays(vtkPolyData* points);
   virtual const double* GetDataBounds(vtkPolyData* points) = 0;
   virtual void Deliver(vtkInformation*, bool /*lod*/) {}
   ///@}

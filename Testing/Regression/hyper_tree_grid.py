@@ -100,6 +100,22 @@ def main():
         checks.covered(name + " of points", pictures[0], 0.005)
         checks.no_message(name + " of cells", said[1])
         checks.picture(name + " of cells", pictures[1], pictures[0], pixels=0.001, mean=0.1)
+
+    # Cells that another rank shows, too
+    shown = displays[1]
+    shown.set({"Visibility": 1, "GlyphShape": "Sphere", "GlyphScaleFactor": 0.5, "GlyphOrient": 0})
+    pv.Render(view)
+    checks.equal("glyphs of all cells", session.statistics(shown.shown)["glyphs"], len(numbers))
+    ghosts = numpy.zeros(data.GetNumberOfCells(), numpy.uint8)
+    ghosts[numbers[:2]] = 1
+    marks = numpy_to_vtk(ghosts, deep=True)
+    marks.SetName("vtkGhostType")
+    marked = data.NewInstance()
+    marked.ShallowCopy(data)
+    marked.GetCellData().AddArray(marks)
+    session.replace_data(trees, marked)
+    pv.Render(view)
+    checks.equal("glyphs of cells of which two are ghosts", session.statistics(shown.shown)["glyphs"], len(numbers) - 2)
     checks.report()
 
 

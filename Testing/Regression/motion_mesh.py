@@ -75,12 +75,14 @@ class Streaks:
 def surface(streaks):
     """A plate that goes, slows, grows and turns back; every shading mode; another step; bad input."""
     slowing = numpy.array([[-2.0, 0.0, 0.0]] * 4)
-    data = plate(velocity=ALONG, slowing=slowing, growing=numpy.array([[1.0, 0.0, 0.0]]) * CORNERS, nothing=0.0 * ALONG)
+    data = plate(velocity=ALONG, slowing=slowing, growing=numpy.array([[1.0, 0.0, 0.0]]) * CORNERS, nothing=0.0 * ALONG,
+                 vx=ALONG[:, 0], vy=ALONG[:, 1], vz=ALONG[:, 2])
     source = session.source(data)
     streaks.show(source, "Ray Traced Surface", VelocityArray="velocity", ShutterTime=1.0)
     rest = numpy.zeros(1)
     still = streaks.streak("surface off", [rest - HALF], [rest + HALF])
     streaks.streak("surface centred", [0.6 * TIMES - HALF], [0.6 * TIMES + HALF], MotionBlur=1)
+    streaks.streak("surface of three arrays", [0.6 * TIMES - HALF], [0.6 * TIMES + HALF], VelocityArray="vx, vy, vz")
     streaks.streak("surface half the time", [0.3 * TIMES - HALF], [0.3 * TIMES + HALF], ShutterTime=0.5)
     streaks.set(ShutterTime=1.0)
     later = TIMES + 0.5
