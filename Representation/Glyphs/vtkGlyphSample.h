@@ -30,6 +30,7 @@ std::vector<double> Gather(const std::vector<double>& own);
 /**
  * Of at least one value.
  */
+constexpr double typicalQuantile = 0.95;
 double Quantile(std::vector<double> values, double fraction);
 
 /**

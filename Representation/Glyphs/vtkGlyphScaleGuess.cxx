@@ -23,8 +23,7 @@ constexpr double seen = 1.0 / 200.0; // in a picture of all data
 constexpr double coincident = 1e-6;  // at the same place, but for rounding
 constexpr double flat = 1e-3;        // along an axis that the data do not fill
 ///@}
-constexpr double specks = 0.1; // size of spheres that are far apart, as a share of the distance between neighbors
-constexpr double typicalQuantile = 0.95;
+constexpr double specks = 0.1;      // size of spheres that are far apart, as a share of the distance between neighbors
 constexpr double leastArea = 0.25;  // of all glyphs, as a share of that of as many of the typical size
 constexpr double mostExcess = 2.0;  // so much smaller all glyphs become for the largest to fit
 constexpr double manyLimited = 8.0; // so many of the largest glyphs cover a quarter of the longest side's square

@@ -16,7 +16,6 @@ namespace
 {
 using namespace vtkGlyphSample;
 
-constexpr double typicalQuantile = 0.95;
 constexpr double streak = 3.0;              // in sizes of typical glyphs
 constexpr double streakOfNoSize = 1.0 / 20; // as a fraction of the data's longest side
 constexpr double longestStreak = 0.5;       // the same
