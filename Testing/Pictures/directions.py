@@ -71,8 +71,6 @@ def main():
     row = []
     for mode in ("Local", "Ambient Occlusion"):
         shown.ShadingMode = mode
-        if mode == "Ambient Occlusion":
-            shown.LightIntensity, shown.AmbientOcclusionRadius = 1.0, 2.0
         picture = simulation.write(view, folder, "odf-" + mode.split()[0].lower(), size)
         row.append(pixels_of(picture))
         os.remove(picture)
