@@ -3,7 +3,6 @@
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
 
-#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace

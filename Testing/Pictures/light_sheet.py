@@ -20,7 +20,6 @@ MODES = ("Local", "Ambient Occlusion", "Path Tracing")
 
 def ball(data, folder, view):
     """A grey ball."""
-    pv.ResetCamera(view)
     shown = pv.Show(pv.PointSource(NumberOfPoints=1), view)
     shown.SetRepresentationType(simulation.REPRESENTATION)
     shown.GlyphScaleFactor = 1.0

@@ -109,7 +109,7 @@ def denoised():
     return failures
 
 
-def lit_ball(view, ball, name):
+def lit_ball(view, name):
     """Levels in [0, 1] of the ball's inner pixels, and the place of the brightest of them (columns, rows from the ball's middle)."""
     pixels = session.capture(view, "light-studio-" + name)[..., :3] / 255.0
     rows, columns = numpy.mgrid[:pixels.shape[0], :pixels.shape[1]] - numpy.array(pixels.shape[:2]).reshape(2, 1, 1) / 2.0 + 0.5
@@ -137,7 +137,7 @@ def studio():
     for mode in ("Ambient Occlusion", "Path Tracing"):
         ball.ShadingMode = mode
         session.solid(ball, (0.75, 0.75, 0.75))
-        levels, place = lit_ball(view, ball, mode)
+        levels, place = lit_ball(view, mode)
         dark, bright = numpy.quantile(luminance(levels), [0.02, 0.98])
         print("%s: a gray ball's luminance is %.3f to %.3f, brightest at %s" % (mode, dark, bright, place))
         checks.true("%s: lit and shaded side of a gray ball are %.3f and %.3f" % (mode, bright, dark), bright >= 3.0 * dark)
@@ -149,17 +149,17 @@ def studio():
             checks.true("the light follows the camera", numpy.abs(session.capture(view, "light-studio-side") - before).max() < 24.0)
             session.look(view, (0.0, 0.0, 4.0), parallel_scale=0.6)
         session.solid(ball, (1.0, 1.0, 1.0))
-        levels, _ = lit_ball(view, ball, mode + "-white")
+        levels, _ = lit_ball(view, mode + "-white")
         checks.true("%s: white is burnt out" % mode, levels.max() < 1.0)
         ball.ColorArrayName, ball.LookupTable = ["POINTS", "value"], table
-        levels, _ = lit_ball(view, ball, mode + "-red")
+        levels, _ = lit_ball(view, mode + "-red")
         fully = levels[levels.sum(axis=-1).argsort()[-20:]].mean(axis=0)
         checks.true("%s: a fully lit color is %s instead of %s" % (mode, fully, red), numpy.abs(fully - red).max() * 255.0 <= 12.0)
     # A light that is placed in the scene takes the key light's place.
     session.solid(ball, (0.75, 0.75, 0.75))
     lamp = pv.AddLight(view=view)
     lamp.Coords, lamp.Type, lamp.Position, lamp.FocalPoint = "Scene", "Directional", [10.0, -10.0, 2.0], [0.0, 0.0, 0.0]
-    _, place = lit_ball(view, ball, "lamp")
+    _, place = lit_ball(view, "lamp")
     checks.true("a light from the lower right takes the key light's place: brightest at %s" % (place,), place[0] > 5.0)
     pv.Delete(points)
     pv.Delete(view)
