@@ -156,42 +156,36 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
 }
 
 // What local shading does not use does not tell its programs apart.
-Generation GenerationFor(const TraceSettings& settings)
+Specialization SpecializationFor(const TraceSettings& settings)
 {
-  Generation generation;
-  generation.program = static_cast<std::uint32_t>(settings.shading);
-  Constants& constants = generation.constants;
+  Specialization specialization;
+  specialization.program = static_cast<std::uint32_t>(settings.shading);
+  Constants& constants = specialization.constants;
   constants.independentSamples = settings.independentSamples && settings.shading != Shading::Local;
   constants.gathersFeatures = settings.features;
   constants.environmentImage = settings.environmentImage && settings.shading == Shading::PathTracing;
-  return generation;
+  return specialization;
 }
 
-void FillScene(device::FrameRecord& frame, Generation& generation, const Scene::State& scene)
+void FillScene(device::FrameRecord& frame, Constants& constants, const Scene::State& scene)
 {
   frame.sets = scene.recordBuffer.Address();
   frame.setCount = static_cast<std::uint32_t>(scene.records.size());
   frame.sceneLower = scene.bounds.lower;
   frame.sceneUpper = scene.bounds.upper;
   frame.layerLimit = 1;
+  constants.alone = scene.records.size() == 1;
+  constants.moves = scene.moves;
+  constants.rayQueries = scene.structure == Structure::Boxes;
+  constants.allHave = ~device::ASKED_OF_SETS;
+  constants.someHave = device::ASKED_OF_SETS;
   for (const device::GlyphSetRecord& record : scene.records)
   {
     frame.layerLimit = std::max(frame.layerLimit, record.translucent ? LayersThatShow(record) : 1);
-  }
-  generation.ownTrees = scene.structure == Structure::Tree;
-  Constants& constants = generation.constants;
-  constants.alone = scene.records.size() == 1;
-  constants.moves = scene.moves;
-  constants.allHave = generation.ownTrees ? ~0u : 0u;
-  for (const HitGroup& group : scene.groups)
-  {
-    if (generation.ownTrees)
-    {
-      constants.shapes |= 1u << static_cast<std::uint32_t>(group.shape);
-      constants.allHave &= group.variants;
-      constants.someHave |= group.variants | device::ASKED_OF_SETS;
-      constants.degree = std::max(constants.degree, group.degree);
-    }
+    constants.shapes |= 1u << record.shape;
+    constants.allHave &= record.variants;
+    constants.someHave |= record.variants;
+    constants.degree = std::max(constants.degree, record.polynomialDegree);
   }
 }
 

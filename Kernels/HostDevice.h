@@ -111,16 +111,6 @@ struct GlyphSetRecord
   vec3 coatColour;
 };
 
-// What is known of the ray in flight beside its payload, which intersection programs cannot read.
-struct RayRecord
-{
-  vec3 originLow; // the low part of its origin
-  uint triangle;  // of the nearest glyph so far, when it is a mesh with a tree
-  uint seed;      // of the chance by which it passes translucent glyphs; 0: it passes none
-  // When in the shutter's opening its path runs, in [0, 1). Written when something in the scene moves.
-  float time;
-};
-
 struct LightRecord
 {
   uint kind; // 0 headlight, 1 directional, 2 positional
@@ -171,24 +161,13 @@ struct PixelFeatures
 #ifndef __cplusplus
 RTG_ARRAY(PixelSumsImage, PixelSums, , 4)
 RTG_ARRAY(PixelFeaturesImage, PixelFeatures, , 4)
-// What one program of a ray writes another one reads, which may run as another invocation (Vulkan specification, "Ray
-// Tracing Repack"). The qualifier must stand at the member: glslang 12 ignores it at the block.
-#ifdef RTG_OWN_TREES
-#define RTG_COHERENT
-#else
-#define RTG_COHERENT shadercallcoherent
-#endif
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer RayRecords
-{
-  RTG_COHERENT RayRecord at[];
-};
 RTG_ARRAY(GlyphSetRecords, GlyphSetRecord, readonly, 8)
 RTG_ARRAY(LightRecords, LightRecord, readonly, 4)
 RTG_ARRAY(ProbeRecords, ProbeRecord, readonly, 4)
 RTG_ARRAY(ProbeResults, ProbeResult, writeonly, 4)
 #endif
 
-// Rays next to each other in a launch that a compute shader's workgroup traces; launches are whole multiples as wide.
+// Rays next to each other in a launch that a workgroup traces; launches are whole multiples as wide.
 const uint LAUNCH_GROUP = 64u;
 
 // Bits of instance masks. Sets that camera rays do not see shade the others all the same.
@@ -228,7 +207,6 @@ struct FrameRecord
   RTG_ADDRESS(UintImage) glyphIds;
   RTG_ADDRESS(PixelSumsImage) sums;         // of all pixels when the image accumulates, else of one
   RTG_ADDRESS(PixelFeaturesImage) features; // when it gathers features
-  RTG_ADDRESS(RayRecords) rays;             // by launch index
   RTG_ADDRESS(ProbeRecords) probes;
   RTG_ADDRESS(ProbeResults) probeResults;
   // Camera.h, relative to the scene's origin; eye + eyeLow is exact to double-float precision.

@@ -28,8 +28,7 @@ void Scene::State::CheckInstanceCount() const
   std::size_t count = 0;
   for (const auto& [id, set] : this->sets)
   {
-    const HitGroup& group = set.placed.group;
-    count += !set.Shown() ? 0 : group.DriverTriangles() ? set.count : set.placed.runs.size();
+    count += !set.Shown() ? 0 : set.DriverTriangles() ? set.count : set.placed.runs.size();
   }
   if (count > this->mostInstances)
   {
@@ -48,7 +47,9 @@ void Scene::State::BuildTopLevels()
   }
   this->DropTopLevels();
   this->ListSets();
-  if (this->structure == Structure::Boxes && !this->groups.empty())
+  const bool any =
+    std::any_of(this->sets.begin(), this->sets.end(), [](const auto& entry) { return entry.second.Shown(); });
+  if (this->structure == Structure::Boxes && any)
   {
     std::uint32_t sliceBits = 0;
     for (const auto& [id, set] : this->sets)
@@ -64,14 +65,13 @@ void Scene::State::BuildTopLevels()
     }
     this->topLevelAddresses = Send(this->device->GetState(), addresses);
   }
-  this->statistics.topLevelBuilds += !this->groups.empty();
+  this->statistics.topLevelBuilds += any;
   this->statistics.buildSeconds += watch.Lap();
 }
 
 // What the visible sets have in common and what tells them apart.
 void Scene::State::ListSets()
 {
-  this->groups.clear();
   this->bounds = Box();
   this->moves = false;
   this->placedTimeSliceBits = 0;
@@ -82,15 +82,10 @@ void Scene::State::ListSets()
       continue;
     }
     const PlacedGlyphs& placed = set.placed;
-    set.listedGroup = placed.group.OfPrograms();
     set.listedMask = set.Mask();
-    this->moves |= placed.group.Moves();
+    this->moves |= placed.variants.Moves();
     this->placedTimeSliceBits =
       std::max({ this->placedTimeSliceBits, placed.sliceBits, placed.mesh.tree.record.sliceBits });
-    if (std::find(this->groups.begin(), this->groups.end(), set.listedGroup) == this->groups.end())
-    {
-      this->groups.push_back(set.listedGroup);
-    }
     const glm::vec3 offset(set.instances.origin - this->origin);
     const Box moved{ set.bounds.lower + offset, set.bounds.upper + offset };
     this->bounds.Include(moved.Widened(SlabPadding(moved.Reach())));
@@ -110,7 +105,6 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
       continue;
     }
     const PlacedGlyphs& placed = set.placed;
-    const auto group = std::find(this->groups.begin(), this->groups.end(), set.listedGroup);
     const glm::vec3 offset(set.instances.origin - this->origin);
     for (const GlyphRun& run : placed.runs)
     {
@@ -120,8 +114,11 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
       instance.transform.matrix = translation;
       instance.instanceCustomIndex = record++;
       instance.mask = set.Mask();
-      instance.instanceShaderBindingTableRecordOffset = static_cast<std::uint32_t>(group - this->groups.begin());
-      if (placed.group.DriverTriangles())
+      // Of translucent triangles a ray is to be brought all.
+      instance.flags = static_cast<VkGeometryInstanceFlagsKHR>(set.Translucent()
+          ? vk::GeometryInstanceFlagBitsKHR::eForceNoOpaque
+          : vk::GeometryInstanceFlagBitsKHR::eForceOpaque);
+      if (set.DriverTriangles())
       {
         this->AddMeshInstances(set, instance, instances);
         continue;
@@ -147,12 +144,9 @@ void Scene::State::FillRecords()
     for (const GlyphRun& run : placed.runs)
     {
       device::GlyphSetRecord record{};
-      // The values of the run's first glyph. What a set lacks and another set of the scene has points at the centres,
-      // or where the driver's instances have these, at the mesh's positions: a compiler may load it, for the first
-      // glyph (InSet in bindings.glsl), and drop it.
-      const vk::DeviceAddress anything = placed.arrays[0].Size()
-        ? placed.arrays[0].Address() + run.first * sizeof(glm::vec3)
-        : placed.mesh.positions.Address();
+      // The values of the run's first glyph. What a set lacks and another set of the scene has points at the centres: a
+      // compiler may load it, for the first glyph (InSet in bindings.glsl), and drop it.
+      const vk::DeviceAddress anything = placed.arrays[0].Address() + run.first * sizeof(glm::vec3);
       const auto at = [&](const Buffer& buffer, std::size_t stride)
       { return buffer.Size() ? buffer.Address() + run.first * stride : anything; };
       const GlyphInstances& instances = set.instances;
@@ -193,8 +187,8 @@ void Scene::State::FillRecords()
         placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->triangles.size()) : 0;
       record.firstInstance = set.firstInstance;
       record.identifiesTriangles = set.instances.identifyTriangles;
-      record.shape = static_cast<std::uint32_t>(placed.group.shape);
-      record.variants = placed.group.variants;
+      record.shape = static_cast<std::uint32_t>(instances.shape);
+      record.variants = placed.variants.bits;
       record.setId = id;
       record.firstGlyph = run.first;
       const Material& material = set.material;
@@ -203,7 +197,7 @@ void Scene::State::FillRecords()
       record.translucent = set.Translucent();
       record.mask = set.Mask();
       record.ambientColour = material.ambientColour;
-      record.coloured = placed.group.Has(device::COLOURS | device::END_COLOURS | device::MESH_COLOURS | device::FORMS |
+      record.coloured = placed.variants.Has(device::COLOURS | device::END_COLOURS | device::MESH_COLOURS | device::FORMS |
         device::SIGN_COLOURS | device::DIRECTION_COLOURS);
       record.colourTable = at(placed.colourTable, 0);
       record.colourTableSize = static_cast<std::uint32_t>(colours.table.size());

@@ -29,10 +29,9 @@ TracerResources::TracerResources(std::shared_ptr<Device> d)
 {
 }
 
-TracerResources::UsedProgram&
-TracerResources::ProgramFor(const Generation& generation, const std::vector<HitGroup>& groups)
+TracerResources::UsedProgram& TracerResources::ProgramFor(const Specialization& specialization)
 {
-  const auto [program, began] = this->device->GetState().programs->Get(generation, groups);
+  const auto [program, began] = this->device->GetState().programs->Get(specialization);
   const auto found = std::find_if(
     this->used_.begin(), this->used_.end(), [&, &p = program](const auto& used) { return used->program == p; });
   if (found != this->used_.end())

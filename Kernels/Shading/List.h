@@ -1,4 +1,4 @@
-// Where the light comes from that is seen on a surface: number, name (rtg::Shading), program (Programs/<program>.rgen).
+// Where the light comes from that is seen on a surface: number, name (rtg::Shading), program (Programs/<program>.comp).
 // CMakeLists.txt reads these lines, too.
 #pragma once
 

@@ -53,13 +53,7 @@ Contents Read(const std::uint32_t* words, std::size_t count)
 // All programs that shapes are cut out of.
 std::vector<rtg::programs::Code> AllPrograms()
 {
-  std::vector<rtg::programs::Code> all{ rtg::programs::glyphIntersection, rtg::programs::glyphClosestHit,
-    rtg::programs::meshIntersection, rtg::programs::meshClosestHit };
-  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
-  {
-    all.push_back(rtg::programs::ownTreesGeneration[program]);
-  }
-  return all;
+  return { rtg::programs::modules, rtg::programs::modules + rtg::probeProgram + 1 };
 }
 
 } // namespace
@@ -101,7 +95,7 @@ TEST(Prune, FixesConstantsAndLeavesWhatIsCalled)
 // Sets that differ are asked for what some of them have, and for no more.
 TEST(Prune, AsksWhatSetsDifferIn)
 {
-  const rtg::programs::Code& code = rtg::programs::ownTreesGeneration[0];
+  const rtg::programs::Code& code = rtg::programs::modules[0];
   rtg::Constants constants;
   constants.shapes =
     1u << static_cast<std::uint32_t>(rtg::Shape::Sphere) | 1u << static_cast<std::uint32_t>(rtg::Shape::Cylinder);
