@@ -13,8 +13,8 @@ struct GlyphCrossing
   vec3 normal; // of an analytic shape; a layer has none
 };
 
-// The nearest crossings of a ray that gathers its layers, of all glyphs, in their order: by t, then by glyph, set and
-// triangle. Not a parameter: compilers copy arrays at every call.
+// The nearest crossings of a ray that gathers its layers, of all glyphs, in their order: by t, then by glyph and set. Not
+// a parameter: compilers copy arrays at every call.
 uint layerCount = 0u;
 uint layerLimit = 0u;           // no more are wanted
 uint layerNext = 0u;            // the first that has not been shown
@@ -35,32 +35,32 @@ bool IsBehind(const uint at, const GlyphCrossing crossing)
 {
   uint time = floatBitsToUint(crossing.t);
   bool behind = layerTime[at] > time || (layerTime[at] == time && layerGlyph[at] > crossing.glyph);
-  if (rayQueries && layerTime[at] == time && layerGlyph[at] == crossing.glyph)
+  if (rayQueries && !alone && layerTime[at] == time && layerGlyph[at] == crossing.glyph)
   {
-    // Own trees bring sets and triangles in their order.
-    GlyphCrossing layer = LayerAt(at);
-    behind = layer.record > crossing.record || (layer.record == crossing.record && layer.triangle > crossing.triangle);
+    // Own trees bring one set after the other.
+    behind = layerRecord[at] > crossing.record;
   }
   return behind;
 }
 
-// Whether a crossing is among the layers: drivers may bring a candidate twice.
-bool IsListed(const GlyphCrossing crossing)
+// Whether the layers have a crossing already: drivers may bring a candidate twice, and bring both triangles at an edge.
+// `error`: how far from t the exact crossing may lie.
+bool IsListed(const GlyphCrossing crossing, const float error)
 {
   bool listed = false;
   for (uint at = 0u; at < layerCount; ++at)
   {
     GlyphCrossing layer = LayerAt(at);
-    listed = listed || (layer.t == crossing.t && layer.glyph == crossing.glyph && layer.record == crossing.record &&
-      layer.triangle == crossing.triangle);
+    listed = listed ||
+      (layer.glyph == crossing.glyph && layer.record == crossing.record && abs(layer.t - crossing.t) <= error);
   }
   return listed;
 }
 
 // Adds a crossing; of more than the limit the farthest is dropped. They come in nearly in their order.
-void AddLayer(const GlyphCrossing added)
+void AddLayer(const GlyphCrossing added, const float error)
 {
-  if (rayQueries && IsListed(added))
+  if (rayQueries && IsListed(added, error))
   {
     return;
   }
@@ -102,10 +102,11 @@ float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ra
        crossing < maximumPasses && Intersect(set, ray, glyph, tMin, tMax, false, false, t, normal, triangle);
        ++crossing)
   {
-    AddLayer(GlyphCrossing(record, number, triangle, t, normal));
+    float error = ErrorOfT(set, ray, glyph, t);
+    AddLayer(GlyphCrossing(record, number, triangle, t, normal), error);
     // The driver's structure brings what is opaque among the rest, so that layers may lie behind it.
     tMax = layerCount == layerLimit ? min(tMax, LayerAt(layerLimit - 1u).t) : tMax;
-    tMin = t + ErrorOfT(set, ray, glyph, t);
+    tMin = t + error;
   }
   return tMax;
 }

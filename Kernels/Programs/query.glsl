@@ -50,7 +50,7 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
       {
         if (met.t <= hit.t)
         {
-          AddLayer(met);
+          AddLayer(met, ErrorOfT(set, ray, FetchGlyph(source, met.glyph), met.t));
         }
       }
       else if (!MayPass(set, seed) ||

@@ -295,6 +295,8 @@ TEST_P(TranslucencyTest, EveryLayerOfACrowdCountsOnce)
 {
   constexpr float radius = 0.02f;
   std::vector<glm::vec3> centres = Clutter(5, 20000);
+  // Many balls lie twice at one place.
+  centres.insert(centres.end(), centres.begin(), centres.begin() + 5000);
   this->AddBalls(centres, 2.0f * radius);
   this->settings.width = this->settings.height = 60;
   this->camera = rtg::Camera::FromWorldToClip(glm::ortho(-0.7, 0.7, -0.7, 0.7, 1.0, 100.0) *
@@ -382,7 +384,7 @@ TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
     {
       const glm::dvec2 place = 0.7 * this->PixelCentre(at);
       double passing = 1.0;
-      std::vector<double> layers;
+      unsigned layers = 0;
       bool unclear = false;
       for (std::size_t i = 0; i < centres.size(); ++i)
       {
@@ -394,17 +396,12 @@ TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
           if (half >= 0.0 && (!wall || z > wallZ))
           {
             passing *= 1.0 - (colours[i] >> 24) / 255.0;
-            layers.push_back(z);
+            ++layers;
           }
         }
       }
-      // Where rays are traced layer by layer, those nearer to each other than their places are known may count as one.
-      std::sort(layers.begin(), layers.end());
-      unclear |= GetParam() == rtg::Structure::Boxes &&
-        std::adjacent_find(layers.begin(), layers.end(), [](double a, double b) { return b - a < 1e-5; }) !=
-          layers.end();
       judged += !unclear;
-      deep += layers.size() > 24;
+      deep += layers > 24;
       wrong += !unclear && std::abs(means[at].a - (1.0 - passing)) > 1.0 / 512.0;
     }
     EXPECT_GT(judged, 3000u);
