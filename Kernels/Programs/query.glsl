@@ -86,10 +86,13 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
       rayQueryGetIntersectionInstanceIdEXT(query, true), rayQueryGetIntersectionPrimitiveIndexEXT(query, true), tMin,
       tMax);
   }
-  // Layers that were found before what is opaque in front of them.
-  while (gathers && layerCount > 0u && LayerAt(layerCount - 1u).t > hit.t)
+  if (gathers)
   {
-    --layerCount;
+    // Layers that were found before what is opaque in front of them.
+    while (layerCount > 0u && LayerAt(layerCount - 1u).t > hit.t)
+    {
+      --layerCount;
+    }
   }
   return hit;
 }
