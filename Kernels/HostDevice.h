@@ -45,7 +45,7 @@ struct TreeRecord
   uint nodesPerSlice;
 };
 
-// What programs are told of a set, or of one of the driver's structures of it (instanceCustomIndex is its number). Only
+// What programs are told of a set, or of one of the driver's structures of it (the custom index of its instance). Only
 // what the set's variants ask for means something.
 struct GlyphSetRecord
 {
