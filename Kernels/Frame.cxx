@@ -27,9 +27,8 @@ std::uint32_t PlannedSamples(const TraceSettings& settings)
 // In how many ways a sample looks for light.
 std::uint32_t Branches(const TraceSettings& settings)
 {
-  return settings.shading == Shading::AmbientOcclusion ? settings.occlusionRays
-    : settings.shading == Shading::PathTracing         ? settings.paths
-                                                       : 1;
+  const auto rays = TraitsOf(settings).rays;
+  return rays ? settings.*rays : 1;
 }
 
 // How many layers of a translucent set show on a ray.
@@ -45,6 +44,14 @@ std::uint32_t LayersThatShow(const device::GlyphSetRecord& record)
 }
 
 } // namespace
+
+const ShadingTraits& TraitsOf(const TraceSettings& settings)
+{
+#define RTG_TRAITS(number, Name, program, ...) { __VA_ARGS__ },
+  static constexpr ShadingTraits traits[] = { RTG_SHADINGS(RTG_TRAITS) };
+#undef RTG_TRAITS
+  return traits[static_cast<std::size_t>(settings.shading)];
+}
 
 void Split(const glm::dvec3& exact, glm::vec3& high, glm::vec3& low)
 {
@@ -135,7 +142,7 @@ void CheckSettings(const TraceSettings& settings)
 
 bool Develops(const TraceSettings& settings)
 {
-  return IsLinear(settings.shading) || settings.exposure != 0.0f || settings.toneMapping != ToneMapping::None;
+  return TraitsOf(settings).scatters || settings.exposure != 0.0f || settings.toneMapping != ToneMapping::None;
 }
 
 void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
@@ -160,10 +167,11 @@ Specialization SpecializationFor(const TraceSettings& settings)
 {
   Specialization specialization;
   specialization.program = static_cast<std::uint32_t>(settings.shading);
+  const ShadingTraits& traits = TraitsOf(settings);
   Constants& constants = specialization.constants;
-  constants.independentSamples = settings.independentSamples && settings.shading != Shading::Local;
+  constants.independentSamples = settings.independentSamples && traits.scatters;
   constants.gathersFeatures = settings.features;
-  constants.environmentImage = settings.environmentImage && settings.shading == Shading::PathTracing;
+  constants.environmentImage = settings.environmentImage && traits.environmentImage;
   return specialization;
 }
 
@@ -191,9 +199,7 @@ void FillScene(device::FrameRecord& frame, Constants& constants, const Scene::St
 
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
 {
-  const std::size_t cameraRays = std::size_t(1) << (settings.shading == Shading::Local ? 28
-                                     : settings.shading == Shading::PathTracing        ? 23
-                                                                                       : 26);
+  const std::size_t cameraRays = std::size_t(1) << TraitsOf(settings).atOnce;
   const std::size_t samples = std::max<std::size_t>(1, cameraRays / (pixels * Branches(settings)));
   return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
 }
@@ -220,7 +226,7 @@ void FillTimeStrata(device::FrameRecord& frame, const TraceSettings& settings)
 {
   constexpr std::uint32_t most = 65536;
   constexpr double goldenSection = 0.6180339887498949;
-  const bool asked = settings.shading == Shading::Local && !settings.independentSamples;
+  const bool asked = !TraitsOf(settings).scatters && !settings.independentSamples;
   const std::uint32_t planned = std::min(PlannedSamples(settings), most);
   frame.timeStrata = asked && planned > 1 ? planned : 0;
   frame.timeStep = CoprimeUpTo(static_cast<std::uint32_t>(std::lround(goldenSection * planned)), planned);

@@ -14,12 +14,6 @@ namespace rtg
 /// Throws rtg::Error, which names the first setting that is out of its range.
 void CheckSettings(const TraceSettings& settings);
 
-/// Whether such images are light; the others are display colors.
-constexpr bool IsLinear(Shading shading)
-{
-  return shading != Shading::Local;
-}
-
 /// Whether colours change on their way to the display.
 bool Develops(const TraceSettings& settings);
 

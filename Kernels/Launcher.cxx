@@ -67,8 +67,8 @@ double Launcher::NextSamples(std::uint32_t samples, double longest)
 
 // Of the `left` tiles those of the next launch, as far as the program's launches so far tell: at most eight times as
 // many as in the last one, because costs differ, and eight in the first.
-std::uint32_t Launcher::TilesAtOnce(const TracerResources::UsedProgram& program, std::uint32_t left,
-  std::uint32_t samples, bool interruptible) const
+std::uint32_t Launcher::TilesAtOnce(
+  const TracerResources::UsedProgram& program, std::uint32_t left, std::uint32_t samples, bool interruptible) const
 {
   // Compute shaders may have 65,535 groups along each axis, which the tiles of a launch stay below.
   const std::uint32_t most = std::min(left, mostTiles);

@@ -36,8 +36,8 @@ public:
 private:
   void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame, std::uint32_t width,
     std::uint32_t height);
-  std::uint32_t TilesAtOnce(const TracerResources::UsedProgram& program, std::uint32_t left, std::uint32_t samples,
-    bool interruptible) const;
+  std::uint32_t TilesAtOnce(
+    const TracerResources::UsedProgram& program, std::uint32_t left, std::uint32_t samples, bool interruptible) const;
 
   std::shared_ptr<Device> device_;
   FrameBlock frameBlock_;

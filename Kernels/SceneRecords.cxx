@@ -115,9 +115,9 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
       instance.instanceCustomIndex = record++;
       instance.mask = set.Mask();
       // Of translucent triangles a ray is to be brought all.
-      instance.flags = static_cast<VkGeometryInstanceFlagsKHR>(set.Translucent()
-          ? vk::GeometryInstanceFlagBitsKHR::eForceNoOpaque
-          : vk::GeometryInstanceFlagBitsKHR::eForceOpaque);
+      instance.flags =
+        static_cast<VkGeometryInstanceFlagsKHR>(set.Translucent() ? vk::GeometryInstanceFlagBitsKHR::eForceNoOpaque
+                                                                  : vk::GeometryInstanceFlagBitsKHR::eForceOpaque);
       if (set.DriverTriangles())
       {
         this->AddMeshInstances(set, instance, instances);
@@ -197,8 +197,8 @@ void Scene::State::FillRecords()
       record.translucent = set.Translucent();
       record.mask = set.Mask();
       record.ambientColour = material.ambientColour;
-      record.coloured = placed.variants.Has(device::COLOURS | device::END_COLOURS | device::MESH_COLOURS | device::FORMS |
-        device::SIGN_COLOURS | device::DIRECTION_COLOURS);
+      record.coloured = placed.variants.Has(device::COLOURS | device::END_COLOURS | device::MESH_COLOURS |
+        device::FORMS | device::SIGN_COLOURS | device::DIRECTION_COLOURS);
       record.colourTable = at(placed.colourTable, 0);
       record.colourTableSize = static_cast<std::uint32_t>(colours.table.size());
       record.positiveColour = material.positiveColour;

@@ -176,10 +176,11 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
     begun.frame.sharedTimeBits = SharedTimeBits(settings, scene.placedTimeSliceBits);
     FillTimeStrata(begun.frame, settings);
   }
+  const ShadingTraits& traits = TraitsOf(settings);
   // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
-  constants.layered = pass == Pass::Translucent && settings.shading != Shading::PathTracing;
-  constants.translucency = settings.shading != Shading::Local && translucentScene;
-  constants.leavesSurface = settings.shading != Shading::Local || constants.layered;
+  constants.layered = pass == Pass::Translucent && traits.layers;
+  constants.translucency = traits.scatters && translucentScene;
+  constants.leavesSurface = traits.scatters || constants.layered;
 
   begun.tiling = Tiling(settings);
   begun.tiling.Fill(begun.frame);
@@ -215,8 +216,8 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
         frame.samples = std::min(work.atOnce, settings.samples - work.done);
         work.longest = 0.0;
       }
-      work.longest = std::max(work.longest,
-        this->launcher.LaunchTiles(program, scene, frame, work.tiling.End(), interruptible));
+      work.longest =
+        std::max(work.longest, this->launcher.LaunchTiles(program, scene, frame, work.tiling.End(), interruptible));
       this->shared->statistics.traceSeconds += watch.Lap();
       if (frame.firstTile == work.tiling.End())
       {

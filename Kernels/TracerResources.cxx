@@ -78,7 +78,7 @@ void TracerResources::WaitFor(UsedProgram& used)
 
 void TracerResources::PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame)
 {
-  if (!settings.environmentImage || settings.shading != Shading::PathTracing)
+  if (!settings.environmentImage || !TraitsOf(settings).environmentImage)
   {
     return;
   }

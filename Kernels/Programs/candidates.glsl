@@ -1,5 +1,5 @@
-// What becomes of a glyph that a ray may meet, whether own trees (walk.glsl) or the driver's structure (query.glsl) have
-// found it; after bindings.glsl and glyph.glsl.
+// What becomes of a glyph that a ray may meet, whether own trees (walk.glsl) or the driver's structure (query.glsl)
+// have found it; after bindings.glsl and glyph.glsl.
 #ifndef RTG_CANDIDATES
 #define RTG_CANDIDATES
 
@@ -13,8 +13,8 @@ struct GlyphCrossing
   vec3 normal; // of an analytic shape; a layer has none
 };
 
-// The nearest crossings of a ray that gathers its layers, of all glyphs, in their order: by t, then by glyph and set. Not
-// a parameter: compilers copy arrays at every call.
+// The nearest crossings of a ray that gathers its layers, of all glyphs, in their order: by t, then by glyph and set.
+// Not a parameter: compilers copy arrays at every call.
 uint layerCount = 0u;
 uint layerLimit = 0u;           // no more are wanted
 uint layerNext = 0u;            // the first that has not been shown
@@ -111,9 +111,9 @@ float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ra
   return tMax;
 }
 
-// Intersects a candidate exactly. A crossing nearer than `hit` becomes the hit; with `any` whichever is found first. With
-// `gathers` all crossings nearer than it are added to the layers instead, as many as are wanted, and hit.t is up to
-// where others still are. False: the hit stays.
+// Intersects a candidate exactly. A crossing nearer than `hit` becomes the hit; with `any` whichever is found first.
+// With `gathers` all crossings nearer than it are added to the layers instead, as many as are wanted, and hit.t is up
+// to where others still are. False: the hit stays.
 bool MeetGlyph(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
   const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
 {

@@ -185,7 +185,8 @@ bool IntersectStopping(const GlyphSetRecord set, const GlyphRay ray, const uint 
     passes = false;
     if (met && chance && crossing < maximumPasses)
     {
-      float opacity = Has(set.variants, END_COLOURS) ? ColourBetweenEnds(set, ray, glyph, number, t).a : OpacityOf(set, number);
+      float opacity =
+        Has(set.variants, END_COLOURS) ? ColourBetweenEnds(set, ray, glyph, number, t).a : OpacityOf(set, number);
       passes = Passes(set, seed, number, crossing, opacity);
       if (Has(set.variants, MESH_TREE))
       {

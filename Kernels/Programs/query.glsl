@@ -32,8 +32,8 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
   uint flags = (any ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT) |
     (translucency || gathers ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT);
   rayQueryEXT query;
-  rayQueryInitializeEXT(query, accelerationStructureEXT(frame.topLevels.at[slice]), flags, mask, ray.origin, tMin,
-    ray.direction, tMax);
+  rayQueryInitializeEXT(
+    query, accelerationStructureEXT(frame.topLevels.at[slice]), flags, mask, ray.origin, tMin, ray.direction, tMax);
   bool going = true;
   while (going && rayQueryProceedEXT(query))
   {
@@ -42,7 +42,8 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
     GlyphSource source = SourceOf(SetRecord(record));
     GlyphSetRecord set = source.set;
     bool adds = gathers && set.translucent != 0u;
-    if (QueriesTriangles() && rayQueryGetIntersectionTypeEXT(query, false) == gl_RayQueryCandidateIntersectionTriangleEXT)
+    if (QueriesTriangles() &&
+      rayQueryGetIntersectionTypeEXT(query, false) == gl_RayQueryCandidateIntersectionTriangleEXT)
     {
       GlyphCrossing met =
         MeetTriangle(record, ray, rayQueryGetIntersectionInstanceIdEXT(query, false), primitive, tMin, tMax);

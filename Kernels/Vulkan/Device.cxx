@@ -20,8 +20,8 @@ namespace rtg
 namespace
 {
 
-constexpr const char* rayExtensions[] = { VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
-  VK_KHR_RAY_QUERY_EXTENSION_NAME, VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME };
+constexpr const char* rayExtensions[] = { VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_RAY_QUERY_EXTENSION_NAME,
+  VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME };
 
 constexpr const char* remedy =
   "Install a driver for Vulkan 1.2 with shaderInt64: a GPU vendor's, or Mesa 22.3 or newer with lavapipe "

@@ -81,9 +81,9 @@ TEST(Prune, FixesConstantsAndLeavesWhatIsCalled)
         EXPECT_TRUE(after.functionNames.count(name)) << name;
       }
       // One set: what it has is known, so nobody asks.
-      for (const char* name :
-        { "IntersectNestedSuperquadric", "IntersectSuperquadric", "IntersectCylinder", "CylinderNormal",
-          "PolynomialNormal", "IntersectMesh", "CrossTriangle", "AddLayersOf", "ColourBetweenEnds", "Has", "IsOfShape" })
+      for (const char* name : { "IntersectNestedSuperquadric", "IntersectSuperquadric", "IntersectCylinder",
+             "CylinderNormal", "PolynomialNormal", "IntersectMesh", "CrossTriangle", "AddLayersOf", "ColourBetweenEnds",
+             "Has", "IsOfShape" })
       {
         EXPECT_TRUE(before.functionNames.count(name)) << name;
         EXPECT_FALSE(after.functionNames.count(name)) << name;
