@@ -52,63 +52,40 @@ struct GlyphSetRecord
 #define RTG_FIELD(number, BIT, type, name, values, words) RTG_ADDRESS(type) name;
   RTG_GLYPH_ARRAYS(RTG_FIELD)
 #undef RTG_FIELD
-  TreeRecord tree;   // when the set is traced by it
-  float shutterOpen; // as GlyphMotion has it
-  float shutterLength;
-  vec3 offset;    // of the set's origin from the scene's: high part, as in the transform
-  vec3 offsetLow; // what the high part's rounding left
-  vec4 arrow;     // shaft radius, tip radius, tip length, tip rounding
-  float unitLength;
-  float uniformSize;
-  vec3 uniformExponents;
+#define RTG_FIELD(type, name, value) type name;
+  RTG_GLYPH_NUMBERS(RTG_FIELD)
+#undef RTG_FIELD
+#define RTG_FIELD(type, name) type name;
+  RTG_MATERIAL(RTG_FIELD)
+#undef RTG_FIELD
+  TreeRecord tree;      // when the set is traced by it
+  vec3 offset;          // of the set's origin from the scene's: high part, as in the transform
+  vec3 offsetLow;       // what the high part's rounding left
   uint polynomialWidth; // values of a glyph
-  uint polynomialDegree;
-  uint shape;    // number of rtg::Shape
-  uint variants; // Variants.h
+  uint variants;        // Variants.h
   uint setId;
   uint firstGlyph; // index of this structure's first glyph in the set's sorted order
   uint glyphCount;
-  // Material
-  vec3 colour;
-  float opacity;
-  uint translucent; // belongs to the translucent pass
-  uint mask;        // one bit of instance masks
-  vec3 ambientColour;
+  uint translucent;                   // belongs to the translucent pass
+  uint mask;                          // one bit of instance masks
   uint coloured;                      // glyphs have colours of their own, also in ambient light
   RTG_ADDRESS(UintArray) colourTable; // of values at ends, when specialised
   uint colourTableSize;
-  vec3 positiveColour; // of glyphs coloured by their forms
-  vec3 negativeColour;
-  vec3 specularColour;
-  float specular;
-  float ambient;
-  float diffuse;
-  float specularPower;
-  uint lighting;
-  // Of mesh glyphs
+  float coatReflectance; // of the coat at normal incidence
+  // Of mesh glyphs, with positions relative to the middle of the mesh
   RTG_ADDRESS(Vec3Array) meshPositions;
-  RTG_ADDRESS(UintArray) meshTriangles; // three a triangle
-  RTG_ADDRESS(Vec3Array) meshNormals;   // none unless specialised
-  RTG_ADDRESS(UintArray)
-  meshColours;         // by position or by triangle, or values and their table, or none (specialised)
+  RTG_ADDRESS(UintArray) meshTriangles;  // three a triangle
+  RTG_ADDRESS(Vec3Array) meshNormals;    // none unless specialised, as velocities and accelerations
+  RTG_ADDRESS(UintArray) meshColours;    // by position or by triangle, or values and their table, or none (specialised)
+  RTG_ADDRESS(Vec3Array) meshVelocities; // MeshTree.h
+  RTG_ADDRESS(Vec3Array) meshAccelerations;
   uint meshValueCount; // values of positions, behind which the table lies
   uint meshTableSize;
-  uint firstInstance; // gl_InstanceID of the set's first glyph
-  uint identifiesTriangles;
-  // Of mesh glyphs that move: MeshTree.h. Positions are then relative to the middle of the mesh.
-  TreeRecord meshTree;
-  RTG_ADDRESS(Vec3Array) meshVelocities; // each of these two: none unless specialised
-  RTG_ADDRESS(Vec3Array) meshAccelerations;
+  uint meshTriangleCount;
   vec3 meshMiddle;
   float meshRadius; // of the ball round its middle that holds it all the time
-  uint meshTriangleCount;
-  // Material, path tracing only
-  float metallic;
-  float roughness;
-  float coatStrength;
-  float coatRoughness;
-  float coatReflectance; // of the coat at normal incidence
-  vec3 coatColour;
+  TreeRecord meshTree;
+  uint firstInstance; // of the driver's triangles: the instance of the set's first glyph
 };
 
 struct LightRecord

@@ -154,67 +154,47 @@ void Scene::State::FillRecords()
 #define RTG_FILL(number, BIT, type, name, values, words) record.name = at(placed.arrays[number], Stride(values));
       RTG_GLYPH_ARRAYS(RTG_FILL)
 #undef RTG_FILL
-      const glm::dvec3 offset = set.instances.origin - this->origin;
-      record.offset = glm::vec3(offset);
-      record.offsetLow = glm::vec3(offset - glm::dvec3(record.offset));
-      const ArrowForm& arrow = set.instances.arrow;
-      record.arrow = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding };
-      record.unitLength = arrow.unitLength;
-      record.uniformSize = set.instances.uniformSize;
-      record.uniformExponents = set.instances.uniformExponents;
-      record.polynomialWidth = static_cast<std::uint32_t>(set.instances.polynomials.width);
-      record.polynomialDegree = static_cast<std::uint32_t>(set.instances.polynomialDegree);
+#define RTG_FILL(type, name, value) record.name = static_cast<decltype(record.name)>(value);
+      RTG_GLYPH_NUMBERS(RTG_FILL)
+#undef RTG_FILL
+#define RTG_FILL(type, name) record.name = set.material.name;
+      RTG_MATERIAL(RTG_FILL)
+#undef RTG_FILL
       record.tree = placed.tree.record;
       record.tree.order = at(placed.tree.order, sizeof(std::uint32_t));
-      record.shutterOpen = set.instances.motion.shutterOpen;
-      record.shutterLength = set.instances.motion.shutterClose - set.instances.motion.shutterOpen;
-      record.glyphCount = run.count;
-      record.meshPositions = placed.mesh.positions.Address();
-      record.meshTriangles = placed.mesh.triangles.Address();
-      const auto ofMesh = [&](const Buffer& buffer) { return buffer.Size() ? buffer.Address() : record.meshPositions; };
-      record.meshNormals = ofMesh(placed.mesh.normals);
-      record.meshColours = ofMesh(placed.mesh.colours);
-      record.meshValueCount =
-        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->positionValues.size()) : 0;
-      record.meshTableSize =
-        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->valueColours.size()) : 0;
-      record.meshTree = placed.mesh.tree.record;
-      record.meshVelocities = ofMesh(placed.mesh.velocities);
-      record.meshAccelerations = ofMesh(placed.mesh.accelerations);
-      record.meshMiddle = placed.mesh.middle;
-      record.meshRadius = placed.mesh.radius;
-      record.meshTriangleCount =
-        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->triangles.size()) : 0;
-      record.firstInstance = set.firstInstance;
-      record.identifiesTriangles = set.instances.identifyTriangles;
-      record.shape = static_cast<std::uint32_t>(instances.shape);
+      const glm::dvec3 offset = instances.origin - this->origin;
+      record.offset = glm::vec3(offset);
+      record.offsetLow = glm::vec3(offset - glm::dvec3(record.offset));
+      record.polynomialWidth = static_cast<std::uint32_t>(instances.polynomials.width);
       record.variants = placed.variants.bits;
       record.setId = id;
       record.firstGlyph = run.first;
-      const Material& material = set.material;
-      record.colour = material.colour;
-      record.opacity = material.opacity;
+      record.glyphCount = run.count;
       record.translucent = set.Translucent();
       record.mask = set.Mask();
-      record.ambientColour = material.ambientColour;
       record.coloured = placed.variants.Has(device::COLOURS | device::END_COLOURS | device::MESH_COLOURS |
         device::FORMS | device::SIGN_COLOURS | device::DIRECTION_COLOURS);
       record.colourTable = at(placed.colourTable, 0);
       record.colourTableSize = static_cast<std::uint32_t>(colours.table.size());
-      record.positiveColour = material.positiveColour;
-      record.negativeColour = material.negativeColour;
-      record.specularColour = material.specularColour;
-      record.specular = material.specular;
-      record.ambient = material.ambient;
-      record.diffuse = material.diffuse;
-      record.specularPower = material.specularPower;
-      record.lighting = material.lighting;
-      record.metallic = material.metallic;
-      record.roughness = material.roughness;
-      record.coatStrength = material.coatStrength;
-      record.coatRoughness = material.coatRoughness;
-      record.coatReflectance = NormalReflectance(material.coatIor);
-      record.coatColour = material.coatColour;
+      record.coatReflectance = NormalReflectance(set.material.coatIor);
+      if (const TriangleMesh* source = placed.mesh.source.get())
+      {
+        const PlacedMesh& mesh = placed.mesh;
+        const auto ofMesh = [&](const Buffer& buffer) { return (buffer.Size() ? buffer : mesh.positions).Address(); };
+        record.meshPositions = mesh.positions.Address();
+        record.meshTriangles = mesh.triangles.Address();
+        record.meshNormals = ofMesh(mesh.normals);
+        record.meshColours = ofMesh(mesh.colours);
+        record.meshVelocities = ofMesh(mesh.velocities);
+        record.meshAccelerations = ofMesh(mesh.accelerations);
+        record.meshValueCount = static_cast<std::uint32_t>(source->positionValues.size());
+        record.meshTableSize = static_cast<std::uint32_t>(source->valueColours.size());
+        record.meshTriangleCount = static_cast<std::uint32_t>(source->triangles.size());
+        record.meshMiddle = mesh.middle;
+        record.meshRadius = mesh.radius;
+        record.meshTree = mesh.tree.record;
+        record.firstInstance = set.firstInstance;
+      }
       filled.push_back(record);
     }
   }

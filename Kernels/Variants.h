@@ -25,6 +25,43 @@
   ARRAY(14, AFTER, Vec4Array, after, instances.after, "ends after pieces of lines")                                    \
   ARRAY(15, POLYNOMIALS, FloatArray, polynomials, instances.polynomials, "polynomials")
 
+// The numbers of a set: type and name in GlyphSetRecord, and where they come from. Records are filled, and sets sent to
+// other processes, by this table.
+#define RTG_GLYPH_NUMBERS(NUMBER)                                                                                      \
+  NUMBER(uint, shape, instances.shape)                                                                                 \
+  NUMBER(float, uniformSize, instances.uniformSize)                                                                    \
+  NUMBER(vec3, uniformExponents, instances.uniformExponents)                                                           \
+  NUMBER(uint, polynomialDegree, instances.polynomialDegree)                                                           \
+  NUMBER(uint, surfaceColours, instances.surfaceColours)                                                               \
+  NUMBER(uint, identifiesTriangles, instances.identifyTriangles)                                                       \
+  NUMBER(float, shutterOpen, instances.motion.shutterOpen)                                                             \
+  NUMBER(float, shutterClose, instances.motion.shutterClose)                                                           \
+  NUMBER(float, shaftRadius, instances.arrow.shaftRadius)                                                              \
+  NUMBER(float, tipRadius, instances.arrow.tipRadius)                                                                  \
+  NUMBER(float, tipLength, instances.arrow.tipLength)                                                                  \
+  NUMBER(float, tipRounding, instances.arrow.tipRounding)                                                              \
+  NUMBER(float, unitLength, instances.arrow.unitLength)                                                                \
+  NUMBER(uint, fixedHeads, instances.arrow.fixedHeads)
+
+// The members of Material that programs have under the same names.
+#define RTG_MATERIAL(MEMBER)                                                                                           \
+  MEMBER(vec3, colour)                                                                                                 \
+  MEMBER(vec3, ambientColour)                                                                                          \
+  MEMBER(vec3, specularColour)                                                                                         \
+  MEMBER(vec3, positiveColour)                                                                                         \
+  MEMBER(vec3, negativeColour)                                                                                         \
+  MEMBER(float, ambient)                                                                                               \
+  MEMBER(float, diffuse)                                                                                               \
+  MEMBER(float, specular)                                                                                              \
+  MEMBER(float, specularPower)                                                                                         \
+  MEMBER(float, opacity)                                                                                               \
+  MEMBER(uint, lighting)                                                                                               \
+  MEMBER(float, metallic)                                                                                              \
+  MEMBER(float, roughness)                                                                                             \
+  MEMBER(float, coatStrength)                                                                                          \
+  MEMBER(float, coatRoughness)                                                                                         \
+  MEMBER(vec3, coatColour)
+
 #define RTG_BIT(number, BIT, type, name, values, words) const uint BIT = 1u << number;
 RTG_GLYPH_ARRAYS(RTG_BIT)
 #undef RTG_BIT

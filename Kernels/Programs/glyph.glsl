@@ -25,7 +25,7 @@ GlyphSource SourceOf(const GlyphSetRecord set)
   source.alike.rotation = vec4(0.0, 0.0, 0.0, 1.0);
   source.alike.turned = Has(set.variants, ROTATIONS | ANGULAR_VELOCITIES);
   source.alike.sameSize = !Has(set.variants, SIZES_EACH);
-  source.alike.arrow = set.arrow;
+  source.alike.arrow = vec4(set.shaftRadius, set.tipRadius, set.tipLength, set.tipRounding);
   source.alike.unitLength = set.unitLength > 0.0 ? set.unitLength : set.uniformSize;
   source.alike.fixedHeads = Has(set.variants, FIXED_HEADS);
   source.alike.exponents = set.uniformExponents;

@@ -6,7 +6,7 @@ float shutterTime = 0.0;
 // The same as a time of the set's own.
 float TimeOf(const GlyphSetRecord set)
 {
-  return set.shutterOpen + shutterTime * set.shutterLength;
+  return set.shutterOpen + shutterTime * (set.shutterClose - set.shutterOpen);
 }
 
 // Which of the versions of a set's tree the ray in flight needs.
