@@ -152,9 +152,7 @@ const uint OPAQUE_MASK = 1u;
 const uint TRANSLUCENT_MASK = 2u;
 const uint UNSEEN_OPAQUE_MASK = 4u;
 const uint UNSEEN_TRANSLUCENT_MASK = 8u;
-const uint ANY_OPAQUE_MASK = OPAQUE_MASK | UNSEEN_OPAQUE_MASK;
-const uint ANY_TRANSLUCENT_MASK = TRANSLUCENT_MASK | UNSEEN_TRANSLUCENT_MASK;
-const uint ANY_MASK = ANY_OPAQUE_MASK | ANY_TRANSLUCENT_MASK;
+const uint ANY_MASK = OPAQUE_MASK | TRANSLUCENT_MASK | UNSEEN_OPAQUE_MASK | UNSEEN_TRANSLUCENT_MASK;
 
 // Layers of translucent surfaces that one traversal gathers at most, and the share of light below which what shines
 // through them is left out: half a level of a display's 255.

@@ -410,5 +410,59 @@ TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
   }
 }
 
+// What rays meet does not depend on what finds it: layers, coincident ones among them, triangles, light.
+TEST_F(LightTest, BothStructuresGiveTheSameImages)
+{
+  RTG_NEEDS(rtg::Structure::Boxes);
+  RTG_NEEDS(rtg::Structure::Tree);
+  this->settings.width = this->settings.height = 60;
+  this->settings.samples = 4;
+  this->camera = LookFrom({ 1.0, 2.0, 4.0 });
+  this->lights.resize(1);
+  rtg::Material thin;
+  thin.opacity = opacity;
+  std::vector<glm::vec3> places = Clutter(8, 400);
+  places.insert(places.end(), places.begin(), places.begin() + 100);
+  std::vector<glm::vec4> images[2][3];
+  for (const rtg::Structure structure : { rtg::Structure::Boxes, rtg::Structure::Tree })
+  {
+    this->scene.GetState().structure = structure;
+    const auto balls = this->Add(Shape::Sphere, places, std::vector<glm::vec3>(500, glm::vec3(0.2f)), thin);
+    const auto solid = this->Add(Shape::Superquadric, Clutter(9, 100), std::vector<glm::vec3>(100, glm::vec3(0.3f)),
+      White(), std::vector<glm::vec4>(100, glm::normalize(glm::vec4(1, 2, 3, 4))));
+    rtg::GlyphInstances copies;
+    copies.shape = Shape::Mesh;
+    copies.mesh = rtg::testing::Share(rtg::testing::BoxMesh());
+    copies.centres = Clutter(10, 50);
+    copies.uniformSize = 0.3f;
+    copies.rotations.assign(50, glm::normalize(glm::vec4(4, 1, 2, 3)));
+    const auto meshes = this->scene.Add();
+    this->scene.SetInstances(meshes, copies);
+    this->scene.SetMaterial(meshes, thin);
+    auto* image = images[structure == rtg::Structure::Tree];
+    for (const rtg::Pass pass : { rtg::Pass::Opaque, rtg::Pass::Translucent })
+    {
+      this->settings.shading = Shading::Local;
+      this->Trace(pass);
+      *image++ = this->tracer.Means();
+    }
+    this->scene.SetVisible(balls, false);
+    this->scene.SetVisible(meshes, false);
+    this->settings.shading = Shading::PathTracing;
+    this->Trace();
+    *image = this->tracer.Means();
+    for (const auto id : { balls, solid, meshes })
+    {
+      this->scene.Remove(id);
+    }
+  }
+  for (std::size_t i = 0; i < std::size(images[0]); ++i)
+  {
+    EXPECT_GT(std::count_if(images[0][i].begin(), images[0][i].end(), [](const glm::vec4& m) { return m.a > 0.0f; }), 500);
+    EXPECT_EQ(std::mismatch(images[0][i].begin(), images[0][i].end(), images[1][i].begin()).first, images[0][i].end())
+      << "image " << i;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Structures, TranslucencyTest, ::testing::Values(rtg::Structure::Boxes, rtg::Structure::Tree),
   [](const auto& info) { return ::testing::PrintToString(info.param); });
