@@ -91,6 +91,13 @@ void AddLayer(const GlyphCrossing added, const float error)
   layerCount = min(layerCount + 1u, layerLimit);
 }
 
+// Up to where further layers are wanted, of those up to tMax. The driver's structure brings what is opaque among the
+// rest, so that the last of the layers may lie behind that.
+float LayersEnd(const float tMax)
+{
+  return layerCount == layerLimit ? min(tMax, LayerAt(layerLimit - 1u).t) : tMax;
+}
+
 // Adds the glyph's crossings in [tMin, tMax]; returns up to where others are still wanted.
 float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
   float tMin, float tMax)
@@ -104,8 +111,7 @@ float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ra
   {
     float error = ErrorOfT(set, ray, glyph, t);
     AddLayer(GlyphCrossing(record, number, triangle, t, normal), error);
-    // The driver's structure brings what is opaque among the rest, so that layers may lie behind it.
-    tMax = layerCount == layerLimit ? min(tMax, LayerAt(layerLimit - 1u).t) : tMax;
+    tMax = LayersEnd(tMax);
     tMin = t + error;
   }
   return tMax;

@@ -52,6 +52,7 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
         if (met.t <= hit.t)
         {
           AddLayer(met, ErrorOfT(set, ray, FetchGlyph(source, met.glyph), met.t));
+          hit.t = LayersEnd(hit.t);
         }
       }
       else if (!MayPass(set, seed) ||

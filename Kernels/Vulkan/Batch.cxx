@@ -97,8 +97,7 @@ void Batch::Run()
         command.buildAccelerationStructuresKHR(build.info, &range);
         // The next one uses the same scratch memory, and may be built over this one.
         Barrier(command, Stage::eAccelerationStructureBuildKHR, Access::eAccelerationStructureWriteKHR,
-          this->device_.programStages,
-          Access::eAccelerationStructureReadKHR | Access::eAccelerationStructureWriteKHR);
+          this->device_.programStages, Access::eAccelerationStructureReadKHR | Access::eAccelerationStructureWriteKHR);
       }
     });
   this->copies_.clear();

@@ -458,7 +458,8 @@ TEST_F(LightTest, BothStructuresGiveTheSameImages)
   }
   for (std::size_t i = 0; i < std::size(images[0]); ++i)
   {
-    EXPECT_GT(std::count_if(images[0][i].begin(), images[0][i].end(), [](const glm::vec4& m) { return m.a > 0.0f; }), 500);
+    EXPECT_GT(
+      std::count_if(images[0][i].begin(), images[0][i].end(), [](const glm::vec4& m) { return m.a > 0.0f; }), 500);
     EXPECT_EQ(std::mismatch(images[0][i].begin(), images[0][i].end(), images[1][i].begin()).first, images[0][i].end())
       << "image " << i;
   }
