@@ -3,15 +3,13 @@
 #include "Finite.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
-#include "vtkGlyphTuples.h"
-#include "vtkMath.h"
+#include "vtkGlyphSizes.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numeric>
 
 namespace
@@ -87,15 +85,15 @@ double vtkGlyphSample::TwoDigits(double value)
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphSample::Points::Points(vtkPolyData* points, const vtkGlyphSettings& settings)
+vtkGlyphSample::Points::Points(vtkPolyData* points, const vtkGlyphScaling& scaling)
   : Positions(points->GetPoints() ? points->GetPoints()->GetData() : nullptr)
   , Thinned(false)
   , Count(Positions ? points->GetNumberOfPoints() : 0)
   , CountOfAll(static_cast<double>(Count))
 {
-  if (settings.Mask.On)
+  if (scaling.Mask.On)
   {
-    this->Take(vtkGlyphArrays::Candidates(points, settings, {}));
+    this->Take(vtkGlyphArrays::Candidates(points, scaling, {}));
     return;
   }
   std::vector<double> count{ this->CountOfAll };
@@ -172,49 +170,21 @@ double vtkGlyphSample::LongestSide(const std::vector<double>& positions)
 }
 
 //----------------------------------------------------------------------------
-std::vector<double> vtkGlyphSample::Magnitudes(vtkPolyData* data, const vtkGlyphSettings& settings)
+std::vector<double> vtkGlyphSample::Magnitudes(vtkPolyData* data, const vtkGlyphScaling& scaling)
 {
-  vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, data, settings);
-  if (!scales && !settings.Tensors.On && !settings.Forms.On)
+  const vtkGlyphMagnitudes all(data, scaling);
+  if (!all.HasScales() && !scaling.Tensors.On && !scaling.Forms.On)
   {
     return {};
-  }
-  const bool byComponents = vtkGlyphArrays::ScalesByComponents(scales, settings);
-  vtkDataArray* array = vtkGlyphTensors::Array(data, settings.Tensors);
-  std::unique_ptr<vtkGlyphTensors> tensors;
-  if (array && vtkGlyphTensors::Problem(array, settings.Tensors).empty())
-  {
-    vtkGlyphTensors::Settings how = settings.Tensors;
-    how.Kind = rtg::TensorGlyphKind::Ellipsoid; // whose extent is the largest eigenvalue
-    tensors = std::make_unique<vtkGlyphTensors>(array, how, std::vector<vtkIdType>());
-  }
-  vtkDataArray* formArray = vtkGlyphForms::Array(data, settings.Forms);
-  std::unique_ptr<vtkGlyphForms> forms;
-  if (formArray && vtkGlyphForms::Problem(formArray, settings.Forms).empty())
-  {
-    forms = std::make_unique<vtkGlyphForms>(formArray, settings.Forms);
   }
   std::vector<double> magnitudes(data->GetNumberOfPoints());
   vtkRayTracedParallel::ForChunks(data->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
     {
-      vtkGlyphTuples tuples(scales), formTuples(formArray);
+      vtkGlyphMagnitudes::Tuples tuples(all);
       for (vtkIdType i = begin; i < end; ++i)
       {
-        double magnitude = settings.Tensors.On ? (tensors ? settings.Sizing(tensors->Extent(i)) : 0.0) : 1.0;
-        if (settings.Forms.On)
-        {
-          const rtg::FormExtent extent = forms ? forms->MeasureRoughly(formTuples, i) : rtg::FormExtent();
-          magnitude = extent.radius > 0.0 ? settings.Sizing(forms->Magnitude(extent)) : 0.0;
-        }
-        if (scales)
-        {
-          const double* tuple = tuples.Get(i);
-          magnitude *=
-            settings.Sizing(byComponents ? std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) })
-                                         : vtkMath::Norm(tuple, tuples.Size()));
-        }
-        magnitudes[i] = rtg::IsPositive(magnitude) ? magnitude : 0.0;
+        magnitudes[i] = all.Magnitude(i, tuples);
       }
     });
   return magnitudes;

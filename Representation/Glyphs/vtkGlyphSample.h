@@ -44,7 +44,7 @@ double TwoDigits(double value);
 class Points
 {
 public:
-  Points(vtkPolyData* points, const vtkGlyphSettings& settings);
+  Points(vtkPolyData* points, const vtkGlyphScaling& scaling);
 
   /**
    * Leaves those of which isWanted(point) is true; all ranks at once.
@@ -107,9 +107,9 @@ std::array<double, 3> Sides(const std::vector<double>& positions);
 double LongestSide(const std::vector<double>& positions);
 
 /**
- * What scales each of this rank's points besides the factor: of its longest axis; 0: it has no glyph. Empty: 1 for all.
+ * vtkGlyphMagnitudes of each of this rank's points. Empty: 1 for all.
  */
-std::vector<double> Magnitudes(vtkPolyData* data, const vtkGlyphSettings& settings);
+std::vector<double> Magnitudes(vtkPolyData* data, const vtkGlyphScaling& scaling);
 }
 
 #endif

@@ -32,7 +32,7 @@ double TypicalSize(vtkPolyData* data, const vtkGlyphSettings& settings, Points p
     const std::vector<double> sample = points.Values(of);
     typical = sample.empty() ? 0.0 : Quantile(sample, typicalQuantile);
   }
-  return Largest(settings.Sizing.Limited(glm::dvec3(std::abs(settings.ScaleFactor) * typical, 0.0, 0.0)).x);
+  return Largest(settings.Length(typical));
 }
 
 vtkGlyphShutterGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& settings, double unitSize)
@@ -79,7 +79,7 @@ double vtkGlyphShutterGuess::Get(vtkPolyData* points, const vtkGlyphSettings& se
   {
     return this->Found.Last().Value; // a step without points changes nothing
   }
-  vtkGlyphSettings matter = settings.OfSizes();
+  vtkGlyphSettings matter = settings.OfMagnitudes();
   matter.ScaleFactor = settings.ScaleFactor;
   matter.Sizing = settings.Sizing;
   matter.Motion.On = settings.Motion.On;

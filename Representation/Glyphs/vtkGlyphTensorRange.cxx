@@ -62,18 +62,15 @@ std::array<double, 2> vtkGlyphTensorRange::Get(vtkPolyData* points, const vtkGly
   vtkDataArray* array = !points ? nullptr
     : forms.On                  ? vtkGlyphForms::Array(points, forms)
                                 : vtkGlyphTensors::Array(points, tensors);
-  const vtkMTimeType time = array ? array->GetMTime() : 0;
-  if (time != this->Time || !(tensors == this->Tensors) || !(forms == this->Forms))
-  {
-    const bool good =
-      array && (forms.On ? vtkGlyphForms::Problem(array, forms) : vtkGlyphTensors::Problem(array, tensors)).empty();
-    this->Own = !good ? nothing
-      : forms.On      ? RangeOfPolynomials(array, forms)
-                      : RangeOfTensors(array, points->GetNumberOfPoints(), tensors);
-    this->Time = time;
-    this->Tensors = tensors;
-    this->Forms = forms;
-  }
+  this->Known.Update({ tensors, forms, array ? array->GetMTime() : 0 },
+    [&]
+    {
+      const bool good =
+        array && (forms.On ? vtkGlyphForms::Problem(array, forms) : vtkGlyphTensors::Problem(array, tensors)).empty();
+      this->Own = !good ? nothing
+        : forms.On      ? RangeOfPolynomials(array, forms)
+                        : RangeOfTensors(array, points->GetNumberOfPoints(), tensors);
+    });
   Range all = this->Own;
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   if (collective && controller && controller->GetNumberOfProcesses() > 1)
