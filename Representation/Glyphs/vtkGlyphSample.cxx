@@ -30,6 +30,23 @@ std::vector<double> Along(int axis, const std::vector<double>& positions)
   }
   return values;
 }
+
+// value(point, tuples) of each point.
+template <class Value>
+std::vector<double> Each(vtkPolyData* data, const vtkGlyphMagnitudes& all, const Value& value)
+{
+  std::vector<double> values(data->GetNumberOfPoints());
+  vtkRayTracedParallel::ForChunks(data->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkGlyphMagnitudes::Tuples tuples(all);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        values[i] = value(i, tuples);
+      }
+    });
+  return values;
+}
 }
 
 //----------------------------------------------------------------------------
@@ -85,15 +102,16 @@ double vtkGlyphSample::TwoDigits(double value)
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphSample::Points::Points(vtkPolyData* points, const vtkGlyphScaling& scaling)
+vtkGlyphSample::Points::Points(
+  vtkPolyData* points, const vtkGlyphScaling& scaling, const vtkGlyphBlockAttributes::Table& blocks)
   : Positions(points->GetPoints() ? points->GetPoints()->GetData() : nullptr)
   , Thinned(false)
   , Count(Positions ? points->GetNumberOfPoints() : 0)
   , CountOfAll(static_cast<double>(Count))
 {
-  if (scaling.Mask.On)
+  if (scaling.Mask.On || !blocks.empty())
   {
-    this->Take(vtkGlyphArrays::Candidates(points, scaling, {}));
+    this->Take(vtkGlyphArrays::Candidates(points, scaling, blocks));
     return;
   }
   std::vector<double> count{ this->CountOfAll };
@@ -170,22 +188,30 @@ double vtkGlyphSample::LongestSide(const std::vector<double>& positions)
 }
 
 //----------------------------------------------------------------------------
+std::vector<double> vtkGlyphSample::Points::KeepPositive(const std::vector<double>& values)
+{
+  const auto of = [&values](vtkIdType point) { return values.empty() ? 1.0 : values[point]; };
+  this->Keep([&of](vtkIdType point) { return of(point) > 0.0; });
+  return this->Values(of);
+}
+
+//----------------------------------------------------------------------------
 std::vector<double> vtkGlyphSample::Magnitudes(vtkPolyData* data, const vtkGlyphScaling& scaling)
 {
   const vtkGlyphMagnitudes all(data, scaling);
-  if (!all.HasScales() && !scaling.Tensors.On && !scaling.Forms.On)
-  {
-    return {};
-  }
-  std::vector<double> magnitudes(data->GetNumberOfPoints());
-  vtkRayTracedParallel::ForChunks(data->GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
+  const bool same = !all.HasScales() && !scaling.Tensors.On && !scaling.Forms.On;
+  return same ? std::vector<double>()
+              : Each(data, all, [&](vtkIdType i, auto& tuples) { return all.Magnitude(i, tuples); });
+}
+
+//----------------------------------------------------------------------------
+std::vector<double> vtkGlyphSample::ArrowScales(vtkPolyData* data, const vtkGlyphScaling& scaling)
+{
+  const vtkGlyphMagnitudes all(data, scaling);
+  return Each(data, all,
+    [&](vtkIdType i, auto& tuples)
     {
-      vtkGlyphMagnitudes::Tuples tuples(all);
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        magnitudes[i] = all.Magnitude(i, tuples);
-      }
+      const double length = all.HasScales() ? std::abs(all.Scale(i, tuples).x) : 0.0;
+      return rtg::IsPositive(length) ? length : 0.0;
     });
-  return magnitudes;
 }

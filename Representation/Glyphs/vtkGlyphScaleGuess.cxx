@@ -159,10 +159,9 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphScaling& settin
   if (settings.Scaling || settings.Tensors.On || settings.Forms.On)
   {
     const std::vector<double> magnitudes = Magnitudes(data, settings);
-    const auto of = [&](vtkIdType point) { return magnitudes.empty() ? 1.0 : magnitudes[point]; };
-    points.Keep([&](vtkIdType point) { return of(point) > 0.0; });
-    largest = Largest(vtkRayTracedParallel::Largest(points.Number(), [&](vtkIdType i) { return of(points[i]); }));
-    sample = points.Values(of);
+    sample = points.KeepPositive(magnitudes);
+    largest = Largest(vtkRayTracedParallel::Largest(
+      points.Number(), [&](vtkIdType i) { return magnitudes.empty() ? 1.0 : magnitudes[points[i]]; }));
   }
   if (points.NumberOfAll() == 0.0)
   {

@@ -26,10 +26,7 @@ double TypicalSize(vtkPolyData* data, const vtkGlyphSettings& settings, Points p
   double typical = 1.0;
   if (Largest(settings.Scaling || settings.Tensors.On || settings.Forms.On ? 1.0 : 0.0) > 0.0)
   {
-    const std::vector<double> magnitudes = Magnitudes(data, settings);
-    const auto of = [&](vtkIdType point) { return magnitudes.empty() ? 1.0 : magnitudes[point]; };
-    points.Keep([&](vtkIdType point) { return of(point) > 0.0; });
-    const std::vector<double> sample = points.Values(of);
+    const std::vector<double> sample = points.KeepPositive(Magnitudes(data, settings));
     typical = sample.empty() ? 0.0 : Quantile(sample, typicalQuantile);
   }
   return Largest(settings.Length(typical));

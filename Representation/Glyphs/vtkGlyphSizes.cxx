@@ -15,7 +15,8 @@ vtkGlyphMagnitudes::vtkGlyphMagnitudes(
   : Scaling(scaling)
   , ScaleArray(vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, scaling))
   , FormArray(vtkGlyphForms::Array(points, scaling.Forms))
-  , ByComponents(vtkGlyphArrays::ScalesByComponents(this->ScaleArray, scaling))
+  , ByComponents(scaling.ScaleMode == vtkGlyphScaling::COMPONENTS && this->ScaleArray &&
+      this->ScaleArray->GetNumberOfComponents() > 1) // one is a magnitude
 {
   if (scaling.Tensors.On)
   {

@@ -1,9 +1,8 @@
 /**
- * How large the glyphs of points are, before the actor's matrix. Objects read arrays of one vtkPolyData; the members
- * serve several threads at the same time, each with Tuples of its own.
+ * How large the glyphs of points are, before the actor's matrix. vtkGlyphMagnitudes is what the data make of the unit
+ * glyph, and sees no settings but those of vtkGlyphScaling; vtkGlyphSizes adds the factor, limits and radii.
  *
- * vtkGlyphMagnitudes is what the data make of the unit glyph, and sees no settings but those of vtkGlyphScaling;
- * vtkGlyphSizes adds the factor, limits and radii.
+ * Threads may share an object, each with Tuples of its own.
  */
 #ifndef vtkGlyphSizes_h
 #define vtkGlyphSizes_h
@@ -39,7 +38,7 @@ public:
   };
 
   bool HasScales() const { return this->ScaleArray != nullptr; }
-  bool ScalesByComponents() const { return this->ScaleArray && this->ByComponents; }
+  bool ScalesByComponents() const { return this->ByComponents; }
 
   ///@{
   /**

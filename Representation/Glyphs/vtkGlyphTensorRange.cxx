@@ -2,7 +2,7 @@
 
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
-#include "vtkMultiProcessController.h"
+#include "vtkGlyphSample.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedParallel.h"
 
@@ -71,11 +71,10 @@ std::array<double, 2> vtkGlyphTensorRange::Get(vtkPolyData* points, const vtkGly
         : forms.On      ? RangeOfPolynomials(array, forms)
                         : RangeOfTensors(array, points->GetNumberOfPoints(), tensors);
     });
-  Range all = this->Own;
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (collective && controller && controller->GetNumberOfProcesses() > 1)
+  std::vector<double> all(this->Own.begin(), this->Own.end());
+  if (collective)
   {
-    controller->AllReduce(this->Own.data(), all.data(), 2, vtkCommunicator::MIN_OP);
+    vtkGlyphSample::Reduce(all, vtkCommunicator::MIN_OP);
   }
   return all[0] <= -all[1] ? std::array<double, 2>{ all[0], -all[1] } : std::array<double, 2>{ 1.0, -1.0 };
 }

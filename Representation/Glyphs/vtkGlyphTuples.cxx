@@ -9,11 +9,6 @@
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <mutex>
-#include <numeric>
 #include <sstream>
 
 namespace
@@ -98,12 +93,6 @@ vtkGlyphArrays::Find(Id id, vtkPolyData* points, const vtkGlyphSettings& setting
     messages->push_back(text.str());
   }
   return fits ? array : nullptr;
-}
-
-//----------------------------------------------------------------------------
-bool vtkGlyphArrays::ScalesByComponents(vtkDataArray* scales, const vtkGlyphScaling& settings)
-{
-  return settings.ScaleMode == Settings::COMPONENTS && !(scales && scales->GetNumberOfComponents() == 1);
 }
 
 //----------------------------------------------------------------------------

@@ -86,14 +86,11 @@ enum Id
 vtkDataArray*
 Find(Id id, vtkPolyData* points, const vtkGlyphSettings& settings, std::vector<std::string>* messages = nullptr);
 
-///@{
 /**
- * What the arrays that were found say of themselves, whatever the settings' modes: one component is a magnitude, four
- * are a quaternion, nine a matrix.
+ * What the array that was found says of itself, whatever the settings' mode: four components are a quaternion, nine a
+ * matrix.
  */
-bool ScalesByComponents(vtkDataArray* scales, const vtkGlyphScaling& settings);
 int OrientationMode(vtkDataArray* orientations, const vtkGlyphSettings& settings);
-///@}
 
 /**
  * All arrays that instances of these settings are built from, positions and blocks among them, in a fixed order; null
