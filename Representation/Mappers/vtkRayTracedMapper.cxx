@@ -3,6 +3,7 @@
 #include "Stopwatch.h"
 #include "TriangleMesh.h"
 #include "vtkActor.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkFloatArray.h"
@@ -14,7 +15,6 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedArrays.h"
-#include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
@@ -59,46 +59,13 @@ vtkUnsignedIntArray* BlocksOf(vtkPolyData* points)
 }
 
 //----------------------------------------------------------------------------
-// What instances depend on besides the settings. Arrays are known by their time stamps, of which no two are alike: data
-// that come again in a new vtkPolyData are seen to be the same.
-struct vtkRayTracedMapper::InstanceKey
-{
-  std::vector<vtkMTimeType> Times;
-  std::vector<unsigned int> HiddenBlocks;
-  std::array<double, 16> Matrix{};
-  bool operator==(const InstanceKey&) const = default;
-};
-
-//----------------------------------------------------------------------------
-struct vtkRayTracedMapper::ColorKey
-{
-  bool Visible = false;
-  std::string Array;
-  int ScalarMode = 0, ColorMode = 0;
-  std::array<vtkMTimeType, 2> Times{};
-  std::vector<vtkMTimeType> State;
-  std::uint64_t Sources = 0;
-  vtkGlyphBlockAttributes::Table Blocks;
-  std::array<double, 3> SolidColor{};
-  vtkMTimeType Selected = 0;
-  std::uint32_t SelectionColor = 0;
-  bool operator==(const ColorKey&) const = default;
-};
-
-//----------------------------------------------------------------------------
 vtkRayTracedMapper::vtkRayTracedMapper()
 {
   vtkMath::UninitializeBounds(this->Bounds);
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedMapper::~vtkRayTracedMapper()
-{
-  if (this->Scene)
-  {
-    this->Scene->Remove(this);
-  }
-}
+vtkRayTracedMapper::~vtkRayTracedMapper() = default;
 
 //----------------------------------------------------------------------------
 void vtkRayTracedMapper::PrintSelf(ostream& os, vtkIndent indent)
@@ -141,12 +108,6 @@ void vtkRayTracedMapper::SetBlocks(const vtkGlyphBlockAttributes& blocks)
 void vtkRayTracedMapper::SetKnownBounds(const double bounds[6])
 {
   std::copy_n(bounds, 6, this->Bounds);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedMapper::SetScene(vtkRayTracedScene* scene)
-{
-  this->Scene = scene;
 }
 
 //----------------------------------------------------------------------------
@@ -368,7 +329,7 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   {
     this->Sources = vtkRayTracedSources();
     this->Skipped = 0;
-    this->Built.reset();
+    this->Built.Forget();
     return;
   }
 
@@ -380,16 +341,19 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   }
   key.HiddenBlocks = vtkGlyphBlockAttributes::Hidden(this->BlockTable);
   std::copy_n(&actor->GetMatrix()->Element[0][0], 16, key.Matrix.begin());
-  if (!this->Built || !(*this->Built == key) || this->HaveSettingsChanged())
+  if (this->HaveSettingsChanged())
   {
-    this->Built.reset();
-    rtg::Stopwatch watch;
-    this->BuildInstances(points, actor);
-    ++this->InstanceBuilds;
-    this->InstanceSeconds += watch.Lap();
-    this->ReportSizes();
-    this->Built = std::make_unique<InstanceKey>(std::move(key));
+    this->Built.Forget();
   }
+  this->Built.Update(std::move(key),
+    [&]
+    {
+      rtg::Stopwatch watch;
+      this->BuildInstances(points, actor);
+      ++this->InstanceBuilds;
+      this->InstanceSeconds += watch.Lap();
+      this->ReportSizes();
+    });
 
   ColorKey color;
   color.Sources = this->SourcesVersion;
@@ -416,23 +380,22 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
     color.ColorMode = this->ColorMode;
     color.Times = { TimeOf(scalars), TimeOf(this->LookupTable) };
   }
-  if (!this->Colored || !(*this->Colored == color))
-  {
-    this->Colored.reset();
-    this->SolidColor = color.SolidColor;
-    rtg::Stopwatch watch;
-    this->BuildColors(points);
-    ++this->ColorBuilds;
-    this->ColorSeconds += watch.Lap();
-    this->Colored = std::make_unique<ColorKey>(std::move(color));
-  }
+  this->Colored.Update(std::move(color),
+    [&, solid = color.SolidColor]
+    {
+      this->SolidColor = solid;
+      rtg::Stopwatch watch;
+      this->BuildColors(points);
+      ++this->ColorBuilds;
+      this->ColorSeconds += watch.Lap();
+    });
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
-  if (this->Scene && renderer->GetSelector())
+  if (renderer->GetSelector())
   {
-    this->Scene->DrawIds(actor, this);
+    this->InvokeEvent(vtkCommand::RenderEvent, actor);
   }
 }

@@ -1,12 +1,10 @@
 /**
  * @class   vtkRayTracedMapper
- * @brief   what a vtkRayTracedScene traces of one actor: instances and colors, each built when what they depend on
- * changes
+ * @brief   what is traced of one actor: instances and colors, each built when what they depend on changes
  *
- * Subclasses make glyphs or surfaces of the points. The scene draws the image of all its mappers; a mapper itself draws
- * only the ids of its pixels, for a selector.
- *
- * @sa vtkRayTracedScene
+ * Subclasses make glyphs or surfaces of the points. Rendering draws nothing: vtkRayTracedScene draws the image of all
+ * mappers of a renderer. For a selector, rendering invokes vtkCommand::RenderEvent with the actor, and the scene draws
+ * the ids.
  */
 #ifndef vtkRayTracedMapper_h
 #define vtkRayTracedMapper_h
@@ -15,21 +13,19 @@
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkMapper.h"
 #include "vtkRayTracedArrayUnion.h"
+#include "vtkRayTracedCache.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedSources.h"
 #include "vtkSmartPointer.h"
-#include "vtkWeakPointer.h"
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 class vtkActor;
 class vtkDataSetAttributes;
 class vtkPolyData;
-class vtkRayTracedScene;
 class vtkUnsignedCharArray;
 
 class vtkRayTracedMapper : public vtkMapper
@@ -68,11 +64,6 @@ public:
    * Who is told how far the building of instances is.
    */
   void SetBuildProgress(const vtkRayTracedParallel::Progress& progress) { this->BuildProgress = progress; }
-
-  /**
-   * The scene that draws this mapper's ids; null: none.
-   */
-  void SetScene(vtkRayTracedScene* scene);
 
   ///@{
   /**
@@ -240,17 +231,37 @@ private:
   vtkRayTracedMapper(const vtkRayTracedMapper&) = delete;
   void operator=(const vtkRayTracedMapper&) = delete;
 
-  struct InstanceKey;
-  struct ColorKey;
+  // What instances depend on besides the settings. Arrays are known by their time stamps, of which no two are alike:
+  // data that come again in a new vtkPolyData are seen to be the same.
+  struct InstanceKey
+  {
+    std::vector<vtkMTimeType> Times;
+    std::vector<unsigned int> HiddenBlocks;
+    std::array<double, 16> Matrix{};
+    bool operator==(const InstanceKey&) const = default;
+  };
+  struct ColorKey
+  {
+    bool Visible = false;
+    std::string Array;
+    int ScalarMode = 0, ColorMode = 0;
+    std::array<vtkMTimeType, 2> Times{};
+    std::vector<vtkMTimeType> State;
+    std::uint64_t Sources = 0;
+    vtkGlyphBlockAttributes::Table Blocks;
+    std::array<double, 3> SolidColor{};
+    vtkMTimeType Selected = 0;
+    std::uint32_t SelectionColor = 0;
+    bool operator==(const ColorKey&) const = default;
+  };
 
   bool TakeValues(MappedColors& mapped, vtkIdType points);
   void ReportSizes();
 
   vtkSmartPointer<vtkPolyData> Points;
-  std::unique_ptr<InstanceKey> Built;
-  std::unique_ptr<ColorKey> Colored;
+  vtkRayTracedCache<InstanceKey> Built;
+  vtkRayTracedCache<ColorKey> Colored;
   std::uint32_t SelectionColor = 0x00ff00ffu; // packed, without an opacity
-  vtkWeakPointer<vtkRayTracedScene> Scene;
 };
 
 #endif

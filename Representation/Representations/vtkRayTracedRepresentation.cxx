@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkGlyphSample.h"
+#include "vtkGlyphShutterGuess.h"
 #include "vtkGlyphStepVelocity.h"
 #include "vtkGlyphJoinedArrays.h"
 #include "vtkInformation.h"
@@ -46,6 +47,11 @@ vtkRayTracedRepresentation::vtkRayTracedRepresentation()
   , StepVelocity(std::make_unique<vtkGlyphStepVelocity>())
 {
   this->Actor->SetProperty(this->Property);
+  vtkRayTracedPythonClass::GetActor = [](vtkObjectBase* object) -> vtkObjectBase*
+  {
+    auto* representation = vtkRayTracedRepresentation::SafeDownCast(object);
+    return representation ? representation->GetActor() : nullptr;
+  };
   vtkRayTracedPythonClass::RegisterIfPythonRuns();
 }
 
@@ -166,7 +172,7 @@ void vtkRayTracedRepresentation::UpdateShutterTime(vtkPolyData* points)
   }
   double unitSize = 1.0;
   const vtkGlyphSettings sizes = this->GetSizes(points, unitSize);
-  this->ShutterTime = this->ShutterGuess.Get(points, sizes, unitSize, this->GetUpdateTime());
+  this->ShutterTime = vtkGlyphShutterGuess::Update(this->ShutterGuess, points, sizes, unitSize, this->GetUpdateTime());
 }
 
 //----------------------------------------------------------------------------
