@@ -15,8 +15,6 @@ namespace rtg
 namespace
 {
 
-using Usage = vk::BufferUsageFlags;
-
 // Rotation times scale of one glyph.
 glm::mat3 LinearPart(const GlyphInstances& instances, std::size_t i)
 {
@@ -121,7 +119,8 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
     {
       sent.order = OrderTriangles(mesh);
     }
-    const auto input = hasTree ? Usage() : Usage(vk::BufferUsageFlagBits::eAccelerationStructureBuildInputReadOnlyKHR);
+    const vk::BufferUsageFlags input =
+      hasTree ? vk::BufferUsageFlags() : vk::BufferUsageFlagBits::eAccelerationStructureBuildInputReadOnlyKHR;
     sent.positions = Send(vulkan, centred.positions, input);
     sent.triangles = SendInOrder(vulkan, mesh.triangles, sent.order, input);
     sent.normals = Send(vulkan, mesh.normals);
