@@ -1,0 +1,307 @@
+#include "vtkRayTracedBlocks.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataArray.h"
+#include "vtkDataObjectTreeRange.h"
+#include "vtkFieldData.h"
+#include "vtkMapper.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRayTracedArrayUnion.h"
+#include "vtkRayTracedArrays.h"
+#include "vtkRayTracedNumbers.h"
+#include "vtkRayTracedTree.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnsignedIntArray.h"
+
+#include <algorithm>
+
+namespace
+{
+using Attributes = vtkRayTracedBlocks::Attributes;
+using Block = vtkRayTracedBlocks::Block;
+
+// A template, because VTK has these since ParaView 5.13.
+template <class Display>
+void ReadScalars(Display* from, vtkDataObject* node, vtkRayTracedBlocks::Coloring& scalars)
+{
+  if constexpr (requires { from->HasBlockArrayName(node); })
+  {
+    scalars.On = from->HasBlockScalarVisibility(node) ? from->GetBlockScalarVisibility(node) : scalars.On;
+    scalars.Array = from->HasBlockArrayName(node) ? from->GetBlockArrayName(node) : scalars.Array;
+    scalars.ScalarMode = from->HasBlockScalarMode(node) ? from->GetBlockScalarMode(node) : scalars.ScalarMode;
+    scalars.ColorMode = from->HasBlockColorMode(node) ? from->GetBlockColorMode(node) : scalars.ColorMode;
+    scalars.FieldDataTuple =
+      from->HasBlockFieldDataTupleId(node) ? from->GetBlockFieldDataTupleId(node) : scalars.FieldDataTuple;
+    scalars.InterpolatesScalars = from->HasBlockInterpolateScalarsBeforeMapping(node)
+      ? from->GetBlockInterpolateScalarsBeforeMapping(node)
+      : scalars.InterpolatesScalars;
+    scalars.Table = from->HasBlockLookupTable(node) ? from->GetBlockLookupTable(node) : scalars.Table;
+  }
+}
+
+void Visit(vtkDataObject* node, vtkCompositeDataDisplayAttributes* from, Attributes attributes, std::vector<Block>& out)
+{
+  attributes.Visible = from->HasBlockVisibility(node) ? from->GetBlockVisibility(node) : attributes.Visible;
+  if (from->HasBlockOpacity(node))
+  {
+    attributes.Opacity = vtkRayTracedNumbers::InRange(from->GetBlockOpacity(node), 0.0, 1.0, 1.0);
+  }
+  if (from->HasBlockColor(node))
+  {
+    double color[3];
+    from->GetBlockColor(node, color);
+    attributes.Color = vtkRayTracedNumbers::ColorInRange(color[0], color[1], color[2]);
+    attributes.Scalars.On = false;
+  }
+  ReadScalars(from, node, attributes.Scalars);
+  if (auto* data = vtkPolyData::SafeDownCast(node))
+  {
+    out.push_back({ attributes, data, vtkRayTracedTree::FlatIndex(data) });
+  }
+  else if (auto* tree = vtkDataObjectTree::SafeDownCast(node))
+  {
+    for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+    {
+      Visit(child, from, attributes, out);
+    }
+  }
+}
+
+vtkDataSetAttributes* AttributesOf(vtkPolyData* data, bool cells)
+{
+  if (cells)
+  {
+    return data->GetCellData();
+  }
+  return data->GetPointData();
+}
+
+// One number for each point of a block.
+vtkSmartPointer<vtkAbstractArray> Numbers(const std::vector<Block>& blocks, vtkIdType count)
+{
+  auto numbers = vtkSmartPointer<vtkUnsignedIntArray>::New();
+  numbers->SetNumberOfValues(count);
+  for (const Block& block : blocks)
+  {
+    std::fill_n(numbers->GetPointer(block.FirstPoint), block.Data->GetNumberOfPoints(), block.FlatIndex);
+  }
+  numbers->SetName(vtkRayTracedArrays::CompositeIndex);
+  return numbers;
+}
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedBlocks::vtkRayTracedBlocks()
+  : Points(vtkSmartPointer<vtkPolyData>::New())
+{
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedBlocks::~vtkRayTracedBlocks() = default;
+
+//----------------------------------------------------------------------------
+void vtkRayTracedBlocks::Update(
+  vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, const Attributes& common)
+{
+  this->Blocks.clear();
+  if (data)
+  {
+    Visit(data, attributes, common, this->Blocks);
+  }
+  Block* last = nullptr;
+  for (Block& block : this->Blocks)
+  {
+    if (last)
+    {
+      block.FirstPoint = last->FirstPoint + last->Data->GetNumberOfPoints();
+      block.FirstCell = last->FirstCell + last->Data->GetNumberOfCells();
+    }
+    last = &block;
+  }
+  this->Join();
+}
+
+//----------------------------------------------------------------------------
+vtkGlyphBlockAttributes::Table vtkRayTracedBlocks::GetTable() const
+{
+  vtkGlyphBlockAttributes::Table table;
+  for (const Block& block : this->Blocks)
+  {
+    table[block.FlatIndex].Visible = block.Visible;
+  }
+  return table;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedBlocks::Join()
+{
+  this->Points = vtkSmartPointer<vtkPolyData>::New();
+  if (this->Blocks.size() == 1 && this->Blocks.front().FlatIndex == 0)
+  {
+    this->Points->ShallowCopy(this->Blocks.front().Data);
+    return;
+  }
+  this->JoinPoints();
+  this->JoinCells(
+    "lines", [](vtkPolyData* data) { return data->GetLines(); },
+    [](vtkPolyData* data, vtkCellArray* cells) { data->SetLines(cells); });
+  this->JoinCells(
+    "polygons", [](vtkPolyData* data) { return data->GetPolys(); },
+    [](vtkPolyData* data, vtkCellArray* cells) { data->SetPolys(cells); });
+  this->UsedArrays.clear();
+  this->JoinArrays(false);
+  if (this->Points->GetNumberOfCells() > 0)
+  {
+    this->JoinArrays(true);
+  }
+  this->Arrays = std::move(this->UsedArrays);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedBlocks::JoinPoints()
+{
+  Times times;
+  vtkIdType count = 0;
+  bool anyDouble = false;
+  for (const Block& block : this->Blocks)
+  {
+    vtkPoints* points = block.Data->GetPoints();
+    const bool some = points && points->GetNumberOfPoints() > 0;
+    times.push_back(some ? points->GetData()->GetMTime() : 0);
+    count += some ? points->GetNumberOfPoints() : 0;
+    anyDouble |= some && points->GetDataType() != VTK_FLOAT;
+  }
+  if (!this->Places.second || this->Places.first != times)
+  {
+    auto joined = vtkSmartPointer<vtkPoints>::New();
+    joined->SetDataType(anyDouble ? VTK_DOUBLE : VTK_FLOAT);
+    joined->SetNumberOfPoints(count);
+    for (const Block& block : this->Blocks)
+    {
+      if (block.Data->GetNumberOfPoints() > 0)
+      {
+        joined->InsertPoints(block.FirstPoint, block.Data->GetNumberOfPoints(), 0, block.Data->GetPoints());
+      }
+    }
+    this->Places = { std::move(times), joined };
+  }
+  this->Points->SetPoints(this->Places.second);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedBlocks::JoinCells(
+  const char* what, vtkCellArray* (*cellsOf)(vtkPolyData*), void (*set)(vtkPolyData*, vtkCellArray*))
+{
+  Times times = this->Places.first;
+  vtkIdType count = 0;
+  for (const Block& block : this->Blocks)
+  {
+    times.push_back(cellsOf(block.Data)->GetMTime());
+    count += cellsOf(block.Data)->GetNumberOfCells();
+  }
+  auto& [known, joined] = this->Cells[what];
+  if (!joined || known != times)
+  {
+    known = std::move(times);
+    joined = vtkSmartPointer<vtkCellArray>::New();
+    for (const Block& block : this->Blocks)
+    {
+      joined->Append(cellsOf(block.Data), block.FirstPoint);
+    }
+  }
+  if (count > 0)
+  {
+    set(this->Points, joined);
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedBlocks::JoinArrays(bool cells)
+{
+  const auto countOf = [cells](vtkPolyData* data)
+  { return cells ? data->GetNumberOfCells() : data->GetNumberOfPoints(); };
+  std::vector<const Block*> blocks; // an empty one lacks nothing
+  std::vector<vtkDataSetAttributes*> sets;
+  for (const Block& block : this->Blocks)
+  {
+    if (countOf(block.Data) > 0)
+    {
+      blocks.push_back(&block);
+      sets.push_back(AttributesOf(block.Data, cells));
+    }
+  }
+  if (blocks.empty())
+  {
+    return;
+  }
+  vtkDataSetAttributes* out = AttributesOf(this->Points, cells);
+  const auto keep = [&](const std::string& name, Times times, const auto& make)
+  {
+    const std::pair<bool, std::string> key(cells, name);
+    const auto known = this->Arrays.find(key);
+    const bool same = known != this->Arrays.end() && known->second.first == times;
+    auto& used = this->UsedArrays[key];
+    used = { std::move(times), same ? known->second.second : make() };
+    out->AddArray(used.second);
+  };
+  const vtkIdType count = countOf(this->Points);
+  const vtkRayTracedArrayUnion all(sets,
+    [](vtkDataSetAttributes*, vtkAbstractArray* array)
+    {
+      const std::string name = array->GetName();
+      return name != vtkDataSetAttributes::GhostArrayName() && name != vtkRayTracedArrays::CellIds;
+    });
+  for (const auto& [name, item] : all.Items())
+  {
+    Times times;
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+    {
+      vtkAbstractArray* from = item.Of(sets[i]);
+      times.push_back(from ? from->GetMTime() : 0);
+      times.push_back(static_cast<vtkMTimeType>(countOf(blocks[i]->Data)));
+    }
+    keep(name, std::move(times),
+      [&, &item = item]
+      {
+        vtkSmartPointer<vtkAbstractArray> joined = item.Make(count, all.IsExact(item));
+        for (std::size_t i = 0; i < blocks.size(); ++i)
+        {
+          const vtkIdType first = cells ? blocks[i]->FirstCell : blocks[i]->FirstPoint;
+          if (vtkAbstractArray* from = item.Of(sets[i]))
+          {
+            joined->InsertTuples(first, countOf(blocks[i]->Data), 0, from);
+          }
+          else
+          {
+            vtkRayTracedArrayUnion::Holes::Fill(joined, first, countOf(blocks[i]->Data));
+          }
+        }
+        return joined;
+      });
+  }
+  if (!cells)
+  {
+    Times times;
+    for (const Block& block : this->Blocks)
+    {
+      times.push_back(block.FlatIndex);
+      times.push_back(static_cast<vtkMTimeType>(block.FirstPoint));
+    }
+    times.push_back(static_cast<vtkMTimeType>(count));
+    keep(vtkRayTracedArrays::CompositeIndex, std::move(times), [&] { return Numbers(this->Blocks, count); });
+    // Which array the global ids and the normals are.
+    if (vtkDataArray* ids = sets.front()->GetGlobalIds())
+    {
+      out->SetActiveGlobalIds(ids->GetName());
+    }
+    if (vtkDataArray* normals = sets.front()->GetNormals())
+    {
+      out->SetActiveNormals(normals->GetName());
+    }
+  }
+}
