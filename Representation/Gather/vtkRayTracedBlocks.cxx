@@ -96,10 +96,7 @@ vtkSmartPointer<vtkAbstractArray> Numbers(const std::vector<Block>& blocks, vtkI
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedBlocks::vtkRayTracedBlocks()
-  : Points(vtkSmartPointer<vtkPolyData>::New())
-{
-}
+vtkRayTracedBlocks::vtkRayTracedBlocks() = default;
 
 //----------------------------------------------------------------------------
 vtkRayTracedBlocks::~vtkRayTracedBlocks() = default;
@@ -123,7 +120,16 @@ void vtkRayTracedBlocks::Update(
     }
     last = &block;
   }
-  this->Join();
+  if (data != this->Joined || !data || data->GetMTime() != this->JoinedTime)
+  {
+    this->Points = nullptr;
+    this->Joined = data;
+    this->JoinedTime = data ? data->GetMTime() : 0;
+    if (data)
+    {
+      this->Join();
+    }
+  }
 }
 
 //----------------------------------------------------------------------------

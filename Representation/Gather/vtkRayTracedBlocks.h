@@ -75,7 +75,7 @@ public:
   void Update(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, const Attributes& common);
 
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
-  vtkPolyData* GetPoints() const { return this->Points; }
+  vtkPolyData* GetPoints() const { return this->Points; } // null: without data
   vtkGlyphBlockAttributes::Table GetTable() const;
 
 private:
@@ -89,6 +89,8 @@ private:
   void JoinCells(const char* what, vtkCellArray* (*cellsOf)(vtkPolyData*), void (*set)(vtkPolyData*, vtkCellArray*));
 
   std::vector<Block> Blocks;
+  vtkDataObject* Joined = nullptr; // only to be compared
+  vtkMTimeType JoinedTime = 0;
   vtkSmartPointer<vtkPolyData> Points;
   Memo<vtkAbstractArray> Arrays, UsedArrays;
   std::map<std::string, std::pair<Times, vtkSmartPointer<vtkCellArray>>> Cells;

@@ -19,7 +19,7 @@
 namespace
 {
 // Those of vtkPVGeometryFilter: multi-block data sets, and since ParaView 5.12 collections of what was none before.
-vtkSmartPointer<vtkDataObjectTree> NewTree(vtkCompositeDataSet* input)
+vtkSmartPointer<vtkDataObjectTree> NewTree([[maybe_unused]] vtkCompositeDataSet* input)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
   if (!vtkMultiBlockDataSet::SafeDownCast(input))

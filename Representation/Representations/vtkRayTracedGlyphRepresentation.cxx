@@ -92,11 +92,13 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::GatherAnew(vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(
+  vtkDataObject* data, const int* wholeExtent, bool isBlock)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   vtkGlyphPointGatherer::Options options;
   options.CellCenters = this->GlyphLocation == CELLS;
+  options.IsBlock = isBlock;
   if (controller)
   {
     options.ProcessId = controller->GetLocalProcessId();
@@ -104,19 +106,20 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::GatherAnew(vtkData
   }
   options.WholeExtent = wholeExtent;
   options.Progress = this->ProgressOf("Gathering points");
-  return vtkGlyphPointGatherer::Gather(input, options);
+  return vtkGlyphPointGatherer::Gather(data, options);
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::AddArrays(vtkPolyData* points)
+std::vector<std::string> vtkRayTracedGlyphRepresentation::Arrays() const
 {
   const vtkGlyphSettings settings = this->MakeSettings();
-  this->Superclass::AddArrays(points);
-  for (const std::string& name : { settings.ScaleArray, settings.OrientationArray, settings.ExponentArray,
-         settings.Tensors.Array, settings.Forms.Array })
+  std::vector<std::string> names = this->Superclass::Arrays();
+  for (const std::string* name : { &settings.ScaleArray, &settings.OrientationArray, &settings.ExponentArray,
+         &settings.Tensors.Array, &settings.Forms.Array })
   {
-    vtkGlyphJoinedArrays::Add(points, name);
+    names.push_back(*name);
   }
+  return names;
 }
 
 //----------------------------------------------------------------------------
@@ -152,10 +155,10 @@ void vtkRayTracedGlyphRepresentation::CountPointsOfAllRanks(vtkPolyData* points)
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedGlyphRepresentation::MayBeTranslucent()
+bool vtkRayTracedGlyphRepresentation::NeedsOrderedCompositing()
 {
   const bool table = this->TensorTable && this->Glyphs.HasNumberRange() && !this->TensorTable->IsOpaque();
-  return table || !vtkRayTracedArrays::IsNone(this->Glyphs.OpacityArray) || this->Superclass::MayBeTranslucent();
+  return table || !vtkRayTracedArrays::IsNone(this->Glyphs.OpacityArray) || this->Superclass::NeedsOrderedCompositing();
 }
 
 //----------------------------------------------------------------------------
@@ -242,9 +245,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   vtkGlyphSettings settings = this->MakeSettings();
   const bool usesTable = this->Meshes.GetNumberOfForms() > 1 && settings.Shape == rtg::Shape::Mesh;
   settings.TableSize = usesTable ? static_cast<int>(this->Meshes.GetNumberOfForms()) : 1;
-  const vtkGlyphBlockAttributes::Table noBlocks;
-  const vtkGlyphBlockAttributes::Table& blocks = points ? this->Blocks.Resolve(points) : noBlocks;
-  settings.HighScale = this->HighScale.Get(points, settings, blocks, collective);
+  settings.HighScale = this->HighScale.Get(points, settings, this->Blocks.GetTable(), collective);
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
   main->SetSettings(settings, this->Meshes.GetForm(0));
   main->SetTensorTable(this->TensorTable);
@@ -260,16 +261,14 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   for (int entry = 1; entry < settings.TableSize; ++entry)
   {
     vtkGlyphLayers::Layer& layer = (*this->Layers)[entry - 1];
-    layer.Follow(points, this->GetActor(), this->Blocks, this->GetSelectionColor());
-    layer.FollowColors(main);
+    layer.Follow(this->Blocks, this->GetActor(), this->GetSelectionColor());
     settings.TableEntry = entry;
     layer.Mapper->SetSettings(settings, this->Meshes.GetForm(entry));
   }
   if (axes)
   {
     vtkGlyphLayers::Layer& layer = (*this->Layers)[settings.TableSize - 1];
-    layer.Follow(points, this->GetActor(), this->Blocks, this->GetSelectionColor());
-    layer.Mapper->ScalarVisibilityOff();
+    layer.Follow(this->Blocks, this->GetActor(), this->GetSelectionColor());
     layer.Mapper->SetSettings(settings.AxesOfTensors(), nullptr);
     layer.Actor->GetProperty()->SetAmbientColor(this->TensorAxisColor.data());
     layer.Actor->GetProperty()->SetDiffuseColor(this->TensorAxisColor.data());
@@ -299,7 +298,7 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(vtkPolyData* points, vtkGlyph
   this->GetActor()->GetMatrix(matrix);
   const double scale = std::hypot(matrix->GetElement(0, 0), matrix->GetElement(1, 0), matrix->GetElement(2, 0));
   const double reference =
-    scales.empty() ? 1.0 : vtkGlyphHighScale::Reference(known, settings, this->Blocks.Resolve(known));
+    scales.empty() ? 1.0 : vtkGlyphHighScale::Reference(known, settings, this->Blocks.GetTable());
   this->Legend->SetGlyphs(settings, scale, name, reference);
 }
 
