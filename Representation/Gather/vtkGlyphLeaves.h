@@ -43,8 +43,8 @@ struct Leaf
 };
 
 /**
- * A data set, or hyper tree grid, and the points of it that carry glyphs. `cells`: glyphs stand at the centers of cells;
- * those of hyper tree grids always do. Without Data where it is neither.
+ * A data set, or hyper tree grid, and the points of it that carry glyphs. `cells`: glyphs stand at the centers of
+ * cells; those of hyper tree grids always do. Without Data where it is neither.
  */
 Leaf Find(vtkDataObject* object, bool cells);
 

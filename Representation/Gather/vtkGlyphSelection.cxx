@@ -39,8 +39,8 @@ void AddIds(std::vector<Id>& ids, vtkDataSet* extracted, unsigned int block)
 }
 
 // For each of so many points or cells, whether it is among the ids, which are sorted.
-vtkSmartPointer<vtkUnsignedCharArray> Marks(
-  const std::vector<Id>& ids, unsigned int block, vtkIdType count, vtkDataArray* numbers, vtkTypeInt64 mark)
+vtkSmartPointer<vtkUnsignedCharArray>
+Marks(const std::vector<Id>& ids, unsigned int block, vtkIdType count, vtkDataArray* numbers, vtkTypeInt64 mark)
 {
   auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
   array->SetName(vtkRayTracedArrays::Selected);

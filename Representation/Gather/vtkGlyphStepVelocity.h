@@ -38,8 +38,8 @@ public:
   bool SetPointIdArray(const std::string& name);
 
   /**
-   * Adds the point array Name() to the leaves of the vtkRayTracedTree `gathered`, made of `input`. Without ids, or where the data say no
-   * time, all stand still. Steps of another source than the last are forgotten.
+   * Adds the point array Name() to the leaves of the vtkRayTracedTree `gathered`, made of `input`. Without ids, or
+   * where the data say no time, all stand still. Steps of another source than the last are forgotten.
    */
   void AddTo(vtkDataObject* gathered, vtkDataObject* input, vtkAlgorithm* source);
 
@@ -72,7 +72,7 @@ private:
   struct Entry
   {
     std::int64_t Id;
-    unsigned int Block; // of an id that several blocks have; else 0: points may go from block to block
+    unsigned int Block;       // of an id that several blocks have; else 0: points may go from block to block
     vtkDataArray* Velocities; // of its block, and its place among them
     vtkIdType Point;
     double X[3];

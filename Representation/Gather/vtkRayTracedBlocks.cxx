@@ -144,6 +144,14 @@ vtkGlyphBlockAttributes::Table vtkRayTracedBlocks::GetTable() const
 }
 
 //----------------------------------------------------------------------------
+bool vtkRayTracedBlocks::IsOfRanks(vtkPolyData* points)
+{
+  return points->GetPointData()->HasArray(vtkRayTracedArrays::ProcessId) &&
+    (points->GetFieldData()->HasArray(vtkRayTracedArrays::CompositeIndex) ||
+      points->GetPointData()->HasArray(vtkRayTracedArrays::CompositeIndex));
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedBlocks::Join()
 {
   this->Points = vtkSmartPointer<vtkPolyData>::New();

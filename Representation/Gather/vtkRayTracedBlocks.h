@@ -78,6 +78,11 @@ public:
   vtkPolyData* GetPoints() const { return this->Points; } // null: without data
   vtkGlyphBlockAttributes::Table GetTable() const;
 
+  /**
+   * Whether points come from a block of which other ranks have other parts, and maybe other arrays.
+   */
+  static bool IsOfRanks(vtkPolyData* points);
+
 private:
   using Times = std::vector<vtkMTimeType>;
   template <class Kept>

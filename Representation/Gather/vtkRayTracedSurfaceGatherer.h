@@ -2,9 +2,9 @@
  * @class   vtkRayTracedSurfaceGatherer
  * @brief   the outer surface of a data set, or its lines, as poly data
  *
- * Input may be any data set or hyper tree grid, one leaf of vtkRayTracedTree. The surface is that of ParaView's ordinary
- * surface representation (vtkPVGeometryFilter), cut into triangles; lines and vertices are left out. Or the lines and
- * poly-lines are left, and the rest is left out.
+ * Input may be any data set or hyper tree grid, one leaf of vtkRayTracedTree. The surface is that of ParaView's
+ * ordinary surface representation (vtkPVGeometryFilter), cut into triangles; lines and vertices are left out. Or the
+ * lines and poly-lines are left, and the rest is left out.
  *
  * The output has the input's arrays, and what picking asks for (vtkRayTracedArrays.h): ids of points and cells, ranks.
  */

@@ -124,8 +124,8 @@ vtkSmartPointer<vtkDataObject> vtkRayTracedTree::Make(vtkDataObject* input, int 
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> vtkRayTracedTree::Change(
-  vtkDataObject* data, const std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData*)>& change)
+vtkSmartPointer<vtkDataObject>
+vtkRayTracedTree::Change(vtkDataObject* data, const std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData*)>& change)
 {
   auto* tree = vtkDataObjectTree::SafeDownCast(data);
   if (!tree)

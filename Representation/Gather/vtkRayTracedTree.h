@@ -25,8 +25,8 @@ vtkSmartPointer<vtkDataObject> Make(vtkDataObject* input, int distinctColors, in
 /**
  * The same structure with change(leaf) in place of each leaf.
  */
-vtkSmartPointer<vtkDataObject> Change(
-  vtkDataObject* tree, const std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData*)>& change);
+vtkSmartPointer<vtkDataObject>
+Change(vtkDataObject* tree, const std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData*)>& change);
 
 void ForEach(vtkDataObject* tree, const std::function<void(vtkPolyData*)>& work);
 

@@ -174,12 +174,12 @@ std::size_t vtkRayTracedMapper::BlockOf(vtkIdType point) const
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedMapper::MappedColors vtkRayTracedMapper::MapColors(
-  bool interpolateValues, const char* what, std::vector<std::string>& messages)
+vtkRayTracedMapper::MappedColors
+vtkRayTracedMapper::MapColors(bool interpolateValues, const char* what, std::vector<std::string>& messages)
 {
   MappedColors mapped;
   mapped.Blocks.resize(this->Blocks.size());
-  const std::string* missing = nullptr;
+  const vtkRayTracedBlocks::Block* missing = nullptr;
   for (std::size_t i = 0; i < this->Blocks.size(); ++i)
   {
     const vtkRayTracedBlocks::Block& block = this->Blocks[i];
@@ -195,16 +195,15 @@ vtkRayTracedMapper::MappedColors vtkRayTracedMapper::MapColors(
       continue;
     }
     this->MapBlock(i, interpolateValues, mapped);
-    missing = &block.Scalars.Array;
+    missing = &block;
   }
   if (!mapped.Values.empty() && (mapped.Any || !mapped.OneTable))
   {
     return this->MapColors(false, what, messages);
   }
-  // Of several blocks those with the array may be on other ranks.
-  if (missing && !mapped.Any && mapped.Values.empty() && (this->Blocks.size() == 1 || !this->OneOfSeveral))
+  if (missing && !mapped.Any && mapped.Values.empty() && !vtkRayTracedBlocks::IsOfRanks(missing->Data))
   {
-    messages.push_back("There is no array '" + *missing + "' that has a value for each " + what +
+    messages.push_back("There is no array '" + missing->Scalars.Array + "' that has a value for each " + what +
       ", so all have one color. Choose another one as ColorArrayName.");
   }
   return mapped;
@@ -416,8 +415,8 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
     if (block.Scalars.On)
     {
       int association = 0;
-      color.Times.push_back(TimeOf(GetAbstractScalars(block.Data, block.Scalars.ScalarMode,
-        VTK_GET_ARRAY_BY_NAME, 0, block.Scalars.Array.c_str(), association)));
+      color.Times.push_back(TimeOf(GetAbstractScalars(
+        block.Data, block.Scalars.ScalarMode, VTK_GET_ARRAY_BY_NAME, 0, block.Scalars.Array.c_str(), association)));
       color.Times.push_back(TimeOf(block.Scalars.Table));
     }
   }

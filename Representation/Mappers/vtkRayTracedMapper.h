@@ -35,8 +35,8 @@ public:
 
   ///@{
   /**
-   * What glyphs or surfaces are made of: blocks, and their points one after the other. It is no input of the mapper: the
-   * inputs of a mapper are what VTK's exporters write, and the points are not what is shown.
+   * What glyphs or surfaces are made of: blocks, and their points one after the other. It is no input of the mapper:
+   * the inputs of a mapper are what VTK's exporters write, and the points are not what is shown.
    */
   void SetBlocks(const vtkRayTracedBlocks& blocks);
   vtkPolyData* GetPoints() const;
@@ -96,11 +96,6 @@ public:
   const std::string& GetUnfinished() const { return this->Unfinished; }
   void SetInWindow(bool inWindow) { this->InWindow = inWindow; }
   ///@}
-
-  /**
-   * Whether other ranks show other parts of the same data.
-   */
-  void SetOneOfSeveral(bool oneOfSeveral) { this->OneOfSeveral = oneOfSeveral; }
 
   /**
    * What picking says of a place on a glyph or triangle.
@@ -179,7 +174,7 @@ protected:
     struct OfBlock
     {
       vtkSmartPointer<vtkUnsignedCharArray> Colors; // null: it has none
-      int Association = 0; // 0 of points, 1 of cells, 2 one for the block
+      int Association = 0;                          // 0 of points, 1 of cells, 2 one for the block
     };
     std::vector<OfBlock> Blocks;
     bool Any = false, OfCells = false; // some block has colors; some of those are of cells
@@ -214,7 +209,7 @@ protected:
   vtkRayTracedSources Sources; // point of each glyph, cell of each triangle
   vtkIdType Skipped = 0;
   std::string Unfinished;
-  bool InWindow = false, OneOfSeveral = false;
+  bool InWindow = false;
   rtg::GlyphColours Colors;
   bool Translucent = false, TranslucentInstances = false; // by colors, by instances
   std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of glyphs without a color, where some have one

@@ -26,8 +26,7 @@ public:
     vtkNew<vtkRayTracedGlyphMapper> Mapper;
 
     /// Blocks and appearance of the main actor.
-    void Follow(
-      const vtkRayTracedBlocks& blocks, vtkRayTracedActor* main, const std::array<double, 3>& selectionColor);
+    void Follow(const vtkRayTracedBlocks& blocks, vtkRayTracedActor* main, const std::array<double, 3>& selectionColor);
   };
 
   /**

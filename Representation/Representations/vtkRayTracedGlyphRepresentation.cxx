@@ -92,8 +92,8 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(
-  vtkDataObject* data, const int* wholeExtent, bool isBlock)
+vtkSmartPointer<vtkPolyData>
+vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   vtkGlyphPointGatherer::Options options;

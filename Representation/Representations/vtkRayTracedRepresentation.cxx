@@ -294,8 +294,7 @@ void vtkRayTracedRepresentation::Answer(vtkInformationRequestKey* request, vtkIn
     vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, this->IsReplicated());
     if (this->IsReplicated())
     {
-      vtkPVRenderView::SetOrderedCompositingConfiguration(
-        inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
+      vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
     }
   }
   else if (request == vtkPVView::REQUEST_UPDATE_LOD())
@@ -483,8 +482,6 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   vtkPolyData* points = this->MainMapper->GetPoints();
   const bool collective =
     lod ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender();
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  this->MainMapper->SetOneOfSeveral(collective && controller && controller->GetNumberOfProcesses() > 1);
   this->MainMapper->SetInWindow(this->Image.StepwiseRendering);
   this->Configure(inInfo, points, lod, collective);
   vtkNew<vtkPolyData> nothing;

@@ -3,8 +3,8 @@
  * @brief   what ray-traced glyphs, surfaces and tubes have in common: delivery, motion, and the view's image
  *
  * Appearance, placement, colors and blocks are those of ParaView's ordinary surface. Of the superclass neither the
- * geometry filter is run nor the actor rendered: its MultiBlockMaker delivers what is gathered, and actors of ours follow
- * its actor.
+ * geometry filter is run nor the actor rendered: its MultiBlockMaker delivers what is gathered, and actors of ours
+ * follow its actor.
  *
  * Points or triangles are gathered where the data are, in RequestData(). REQUEST_UPDATE hands them to the view with
  * their bounds and touches nothing of the render side. Mappers, actors and the renderer's vtkRayTracedScene are made
@@ -165,8 +165,8 @@ protected:
   ///@{
   /**
    * The data side. Gather() makes what is delivered to the mapper of one data set, a block of composite data or all;
-   * `wholeExtent` is null unless it is a piece of a structured data set; Arrays() are names of those that are to be made
-   * of several. GetDataBounds() are those of everything shown of gathered or delivered points, before the actor's
+   * `wholeExtent` is null unless it is a piece of a structured data set; Arrays() are names of those that are to be
+   * made of several. GetDataBounds() are those of everything shown of gathered or delivered points, before the actor's
    * transform. Deliver() may hand further pieces to the view.
    */
   virtual vtkSmartPointer<vtkDataObject> GatherTree(vtkDataObject* input, const int* wholeExtent);
@@ -232,7 +232,7 @@ protected:
   void SetArray(std::string& held, const char* name);
 
   vtkGlyphMotion::Settings Motion; // as the properties say
-  vtkRayTracedBlocks Blocks; // of what was last delivered or rendered
+  vtkRayTracedBlocks Blocks;       // of what was last delivered or rendered
 
 private:
   vtkRayTracedRepresentation(const vtkRayTracedRepresentation&) = delete;
@@ -255,9 +255,9 @@ private:
   vtkGlyphBounds Bounds;
   std::uint64_t Gathers = 0;
   double GatherSeconds = 0.0;
-  vtkNew<vtkRayTracedActor> MainActor; // in no renderer until it is shown
-  vtkSmartPointer<vtkRayTracedMapper> MainMapper; // null until something is rendered
-  vtkSmartPointer<vtkDataObject> Piece;           // gathered, not yet delivered
+  vtkNew<vtkRayTracedActor> MainActor;                       // in no renderer until it is shown
+  vtkSmartPointer<vtkRayTracedMapper> MainMapper;            // null until something is rendered
+  vtkSmartPointer<vtkDataObject> Piece;                      // gathered, not yet delivered
   vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes; // of the data, as they were at that time
   vtkDataObject* AttributedData = nullptr;                   // only to be compared
   vtkMTimeType AttributedTime = 0;

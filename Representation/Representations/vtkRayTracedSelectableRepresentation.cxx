@@ -45,8 +45,8 @@ int vtkRayTracedSelectableRepresentation::RequestData(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> vtkRayTracedSelectableRepresentation::GatherTree(
-  vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkDataObject>
+vtkRayTracedSelectableRepresentation::GatherTree(vtkDataObject* input, const int* wholeExtent)
 {
   // Another selection is no reason to gather the same points again. Sources that fill the same data object anew differ
   // by the time of its update.

@@ -52,7 +52,7 @@ private:
 
   const int SelectionPort;
   vtkSmartPointer<vtkDataObject> Gathered; // of an input of these times; null: they must be gathered
-  vtkDataObject* GatheredInput = nullptr; // only to be compared
+  vtkDataObject* GatheredInput = nullptr;  // only to be compared
   std::array<vtkMTimeType, 2> GatheredTimes{};
   vtkSmartPointer<vtkDataObject> Extracted; // what is selected of the input; null: no selection
   std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };

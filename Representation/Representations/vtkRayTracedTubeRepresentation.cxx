@@ -33,8 +33,7 @@ void vtkRayTracedTubeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::Gather(
-  vtkDataObject* data, const int* wholeExtent, bool)
+vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::Gather(vtkDataObject* data, const int* wholeExtent, bool)
 {
   vtkRayTracedSurfaceGatherer::Settings settings;
   if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())

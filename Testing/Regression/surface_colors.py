@@ -123,6 +123,9 @@ def block_colors(checks):
         pv.ColorBy(shown, ("FIELD", "vtkBlockColors"))  # ParaView itself says here that it knows no range
         shown.SetScalarBarVisibility(view, False)
         checks.no_message("vtkBlockColors, " + kind, session.messages(lambda: pv.Render(view)))
+        offered = shown.SMProxy.GetProperty("ColorArrayName").GetDomain("array_list")
+        own = [name for name in map(offered.GetString, range(offered.GetNumberOfStrings())) if name.startswith("vtkRayTraced_")]
+        checks.equal("arrays of the plugin among those to color by, " + kind, own, [])
         pixels = session.capture(view, "surface-colors-blocks-" + kind.lower().replace(" ", "-"))
         # Just inside of each square's lower left corner, where the first point's glyph is, too.
         colors[kind] = [tuple(int(c) for c in pixels[45 - 2, round(120 + x * 60) + 2, :3]) for x in points[:, 0]]
