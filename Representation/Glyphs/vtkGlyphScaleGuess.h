@@ -37,7 +37,7 @@ public:
   /**
    * Value is the factor, Limit as vtkGlyphSizing::Most.
    */
-  using Kept = vtkGlyphKeptGuess<std::pair<vtkGlyphSettings, double>>;
+  using Kept = vtkGlyphKeptGuess<std::pair<vtkGlyphScaling, double>>;
   using Result = Kept::Result;
 
   /**

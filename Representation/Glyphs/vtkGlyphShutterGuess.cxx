@@ -26,13 +26,10 @@ double TypicalSize(vtkPolyData* data, const vtkGlyphSettings& settings, Points p
   double typical = 1.0;
   if (Largest(settings.Scaling || settings.Tensors.On || settings.Forms.On ? 1.0 : 0.0) > 0.0)
   {
-    const std::vector<double> magnitudes = Magnitudes(data, settings);
-    const auto of = [&](vtkIdType point) { return magnitudes.empty() ? 1.0 : magnitudes[point]; };
-    points.Keep([&](vtkIdType point) { return of(point) > 0.0; });
-    const std::vector<double> sample = points.Values(of);
+    const std::vector<double> sample = points.KeepPositive(Magnitudes(data, settings));
     typical = sample.empty() ? 0.0 : Quantile(sample, typicalQuantile);
   }
-  return Largest(settings.Sizing.Limited(glm::dvec3(std::abs(settings.ScaleFactor) * typical, 0.0, 0.0)).x);
+  return Largest(settings.Length(typical));
 }
 
 vtkGlyphShutterGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& settings, double unitSize)
@@ -79,7 +76,7 @@ double vtkGlyphShutterGuess::Get(vtkPolyData* points, const vtkGlyphSettings& se
   {
     return this->Found.Last().Value; // a step without points changes nothing
   }
-  vtkGlyphSettings matter = settings.OfSizes();
+  vtkGlyphSettings matter = settings.OfMagnitudes();
   matter.ScaleFactor = settings.ScaleFactor;
   matter.Sizing = settings.Sizing;
   matter.Motion.On = settings.Motion.On;

@@ -12,13 +12,13 @@
 #include "Glyphs.h"
 #include "vtkMapper.h"
 #include "vtkRayTracedBlocks.h"
+#include "vtkRayTracedCache.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedSources.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -223,16 +223,33 @@ private:
   vtkRayTracedMapper(const vtkRayTracedMapper&) = delete;
   void operator=(const vtkRayTracedMapper&) = delete;
 
-  struct InstanceKey;
-  struct ColorKey;
+  // What instances depend on besides the settings. Arrays are known by their time stamps, of which no two are alike:
+  // data that come again in a new vtkPolyData are seen to be the same.
+  struct InstanceKey
+  {
+    std::vector<vtkMTimeType> Times;
+    std::vector<unsigned int> HiddenBlocks;
+    std::array<double, 16> Matrix{};
+    bool operator==(const InstanceKey&) const = default;
+  };
+  struct ColorKey
+  {
+    std::vector<vtkMTimeType> Times, State;
+    std::uint64_t Sources = 0;
+    std::vector<vtkRayTracedBlocks::Attributes> Blocks;
+    std::array<double, 3> SolidColor{};
+    vtkMTimeType Selected = 0;
+    std::uint32_t SelectionColor = 0;
+    bool operator==(const ColorKey&) const = default;
+  };
 
   void MapBlock(std::size_t number, bool interpolateValues, MappedColors& mapped);
   bool TakeValues(const vtkRayTracedBlocks::Block& block, MappedColors& mapped);
   void ReportSizes();
 
   vtkSmartPointer<vtkPolyData> Points;
-  std::unique_ptr<InstanceKey> Built;
-  std::unique_ptr<ColorKey> Colored;
+  vtkRayTracedCache<InstanceKey> Built;
+  vtkRayTracedCache<ColorKey> Colored;
   std::uint32_t SelectionColor = 0x00ff00ffu; // packed, without an opacity
 };
 

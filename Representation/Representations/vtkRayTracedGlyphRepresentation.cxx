@@ -137,6 +137,7 @@ void vtkRayTracedGlyphRepresentation::Deliver(vtkInformation* inInfo, bool lod)
     this->UpdateTensorRange(this->GetPoints());
     this->UpdateScaleGuess(this->GetPoints());
     this->CountPointsOfAllRanks(this->GetPoints());
+    this->UpdateDataSizes(this->GetPoints());
   }
 }
 
@@ -209,6 +210,33 @@ void vtkRayTracedGlyphRepresentation::UpdateScaleGuess(vtkPolyData* points)
 }
 
 //----------------------------------------------------------------------------
+// On all ranks that have data; when their glyphs have been chosen.
+void vtkRayTracedGlyphRepresentation::UpdateDataSizes(vtkPolyData* points)
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  const auto& extents = this->Meshes.GetExtents();
+  glm::dvec3 sides(0.0);
+  if (!extents.empty() && !extents.front()->positions.empty())
+  {
+    sides = extents.front()->positions.back() - extents.front()->positions.front();
+  }
+  const double highScale = this->HighScale.Get(points, this->MakeSettings(), this->Blocks.GetTable());
+  this->DataSizes = { highScale, sides.x, sides.y };
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphDataSizes(double highScale, double meshWidth, double meshHeight)
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    this->DataSizes = { highScale, meshWidth, meshHeight };
+  }
+}
+
+//----------------------------------------------------------------------------
 vtkGlyphSettings vtkRayTracedGlyphRepresentation::GetSizes(vtkPolyData*, double& unitSize)
 {
   const vtkGlyphSettings settings = this->MakeSettings();
@@ -245,7 +273,6 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   vtkGlyphSettings settings = this->MakeSettings();
   const bool usesTable = this->Meshes.GetNumberOfForms() > 1 && settings.Shape == rtg::Shape::Mesh;
   settings.TableSize = usesTable ? static_cast<int>(this->Meshes.GetNumberOfForms()) : 1;
-  settings.HighScale = this->HighScale.Get(points, settings, this->Blocks.GetTable(), collective);
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
   main->SetSettings(settings, this->Meshes.GetForm(0));
   main->SetTensorTable(this->TensorTable);
@@ -254,7 +281,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
     main->SetTensorRange(this->ShownRange.Get(points, settings, collective));
   }
   main->SetSelectionColor(this->GetSelectionColor());
-  this->UpdateLegend(points, settings);
+  this->UpdateLegend(settings);
 
   const bool axes = this->ShowsAxes(points, settings);
   this->ResizeLayers(this->GetRenderView(), settings.TableSize - 1 + (axes ? 1 : 0));
@@ -276,7 +303,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::UpdateLegend(vtkPolyData* points, vtkGlyphSettings settings)
+void vtkRayTracedGlyphRepresentation::UpdateLegend(const vtkGlyphSettings& settings)
 {
   this->Legend->SetStyle(this->LegendStyle);
   if (!this->LegendStyle.On)
@@ -288,18 +315,10 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(vtkPolyData* points, vtkGlyph
   const std::string name = settings.Tensors.On  ? settings.Tensors.Array
     : settings.Forms.On && !settings.Forms.Each ? settings.Forms.Array
                                                 : scales;
-  if (settings.Shape == rtg::Shape::Mesh && !this->Meshes.GetExtents().empty())
-  {
-    settings.Mesh = this->Meshes.GetExtents().front();
-  }
-  vtkNew<vtkPolyData> nothing;
-  vtkPolyData* known = points ? points : nothing.Get();
   vtkNew<vtkMatrix4x4> matrix;
   this->GetActor()->GetMatrix(matrix);
   const double scale = std::hypot(matrix->GetElement(0, 0), matrix->GetElement(1, 0), matrix->GetElement(2, 0));
-  const double reference =
-    scales.empty() ? 1.0 : vtkGlyphHighScale::Reference(known, settings, this->Blocks.GetTable());
-  this->Legend->SetGlyphs(settings, scale, name, reference);
+  this->Legend->SetGlyphs(settings, scale, name, { this->DataSizes[1], this->DataSizes[2] });
 }
 
 //----------------------------------------------------------------------------
@@ -360,6 +379,7 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
 {
   vtkGlyphSettings settings = this->Glyphs.InRange();
   settings.Motion = this->GetMotion();
+  settings.HighScale = this->DataSizes[0];
   if (this->ScaleFactorFromData)
   {
     const bool own = this->ScaleGuess[0] > 0.0; // else this process only renders, or there are no glyphs

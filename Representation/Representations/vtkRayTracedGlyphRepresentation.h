@@ -92,6 +92,15 @@ public:
 
   ///@{
   /**
+   * What processes that only render must know of the data: vtkGlyphHighScale, and width and height of the mesh of mesh
+   * glyphs; numbers are 0 where there is none. The client carries them there.
+   */
+  double* GetGlyphDataSizesInfo() VTK_SIZEHINT(3) { return this->DataSizes.data(); }
+  void SetGlyphDataSizes(double highScale, double meshWidth, double meshHeight);
+  ///@}
+
+  ///@{
+  /**
    * A glyph of a stated number in a corner of the view, from which sizes can be read; see vtkGlyphLegend. Default off,
    * a number that fits, the lower left corner, white.
    */
@@ -244,8 +253,9 @@ private:
   bool ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const;
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points);
+  void UpdateDataSizes(vtkPolyData* points);
   void CountPointsOfAllRanks(vtkPolyData* points);
-  void UpdateLegend(vtkPolyData* points, vtkGlyphSettings settings);
+  void UpdateLegend(const vtkGlyphSettings& settings);
   void ResizeLayers(vtkPVRenderView* view, std::size_t size);
 
   vtkGlyphSettings Glyphs; // but for what MakeSettings() adds
@@ -258,6 +268,7 @@ private:
   vtkGlyphHighScale HighScale;
   double ScaleGuess[2] = { 0.0, 0.0 };
   double SizeLimit = 0.0;
+  std::array<double, 3> DataSizes{};
   bool NestedExponents = false;
   std::string HarmonicsArray;
   bool GlyphMeshTable = false;

@@ -448,6 +448,10 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
       this->TakeGuess(suggested);
     }
   }
+  if (shown && shown->GetProperty("GlyphDataSizesInfo") && this->IsExposed("GlyphDataSizesInfo"))
+  {
+    this->TakeDataSizes();
+  }
   if (this->GetProperty("GlyphTensorLookupTable") && this->IsExposed("GlyphTensorLookupTable"))
   {
     this->UpdateTensorTable(view);
@@ -478,6 +482,17 @@ void vtkSMRayTracedRepresentationProxy::TakeGuess(const Suggested& suggested)
     this->UpdateVTKObjects();
     this->TakingGuess = false;
   }
+}
+
+//----------------------------------------------------------------------------
+// Then, too.
+void vtkSMRayTracedRepresentationProxy::TakeDataSizes()
+{
+  vtkSMProperty* found = this->GetProperty("GlyphDataSizesInfo");
+  this->UpdatePropertyInformation(found);
+  const std::vector<double> sizes = vtkSMPropertyHelper(found).GetDoubleArray();
+  vtkSMPropertyHelper(this, "GlyphDataSizes").Set(sizes.data(), static_cast<unsigned int>(sizes.size()));
+  this->UpdateVTKObjects();
 }
 
 //----------------------------------------------------------------------------

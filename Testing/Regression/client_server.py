@@ -42,6 +42,19 @@ def scene(folder):
     return view, spheres, arrows
 
 
+def legends():
+    """Legends of arrows, whose heads depend on the scales of all of them, and of a mesh: the client that draws them may have no points."""
+    view = session.view(200, 150)
+    sizes = pv.Calculator(Input=pv.Sphere(ThetaResolution=6, PhiResolution=5), Function="0.001*(coordsX+2)", ResultArrayName="size")
+    for shape, corner, further in (("Arrow", "Lower Left", {}), ("Mesh", "Upper Right", {"GlyphMesh": pv.Box(XLength=3.0, YLength=0.5)})):
+        shown = session.glyphs(sizes, view, shape, GlyphOrientationArray="Normals", GlyphScaling=1, GlyphScaleArray="size", GlyphScaleFactor=100.0,
+                               GlyphLegend=1, GlyphLegendValue=0.004, GlyphLegendCorner=corner, GlyphLegendColor=[0.0, 1.0, 0.0], **further)
+        session.solid(shown, (1.0, 0.0, 0.0))
+    session.look(view, (0.0, 0.0, 6.0))
+    pv.Render(view)
+    return view
+
+
 def exported(view, name):
     """How many copies of each mesh the client exports."""
     import raytracedglyphs  # comes with the plugin
@@ -103,6 +116,7 @@ def main(folder, server):
     expected = session.capture(view, test + "-none")
     expected_copies = exported(view, test + "-none")
     expected_blocks = [session.capture(block_view, picture) for picture, block_view in parallel.block_pictures(test + "-none")]
+    expected_legends = session.capture(legends(), test + "-legends-none")
     pv.Disconnect()
 
     process, port = start_server(server, log_name)
@@ -116,7 +130,11 @@ def main(folder, server):
             view.RemoteRenderThreshold = threshold
             pv.Render(view)
             failures += check_statistics(spheres, where) + check_statistics(arrows, where)
-            found = [(test + "-" + where, session.capture(view, test + "-" + where), expected)]
+            legend_view = legends()
+            legend_view.RemoteRenderThreshold = threshold
+            pv.Render(legend_view)
+            found = [(name, session.capture(of_view, name), wanted)
+                     for name, of_view, wanted in ((test + "-" + where, view, expected), (test + "-legends-" + where, legend_view, expected_legends))]
             for wanted, (picture, block_view) in zip(expected_blocks, parallel.block_pictures(test + "-" + where)):
                 block_view.RemoteRenderThreshold = threshold
                 pv.Render(block_view)
@@ -131,6 +149,7 @@ def main(folder, server):
             if copies != expected_copies:
                 failures.append("%s rendering: exports %s, not %s" % (where, copies, expected_copies))
             pv.Delete(view)
+            pv.Delete(legend_view)
     finally:
         stop(process)
     with open(session.output(log_name)) as log:
