@@ -8,6 +8,7 @@
 #include "vtkDataArray.h"
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkGlyphSettings.h"
+#include "vtkRayTracedArrayUnion.h"
 
 #include <algorithm>
 #include <array>
@@ -29,10 +30,13 @@ public:
     : Array(array)
     , Float(vtkAOSDataArrayTemplate<float>::FastDownCast(array))
     , Double(vtkAOSDataArrayTemplate<double>::FastDownCast(array))
+    , Holes(array)
     , Components(array ? array->GetNumberOfComponents() : 0)
   {
   }
   explicit operator bool() const { return this->Array != nullptr; }
+  /// Without the array, and in blocks that lack it, a point has no tuple.
+  bool Has(vtkIdType i) const { return this->Array && !this->Holes(i); }
   int Size() const { return this->Components; }
 
   const double* Get(vtkIdType i)
@@ -58,6 +62,7 @@ private:
   vtkDataArray* Array;
   vtkAOSDataArrayTemplate<float>* Float;
   vtkAOSDataArrayTemplate<double>* Double;
+  vtkRayTracedArrayUnion::Holes Holes;
   int Components;
   std::vector<double> Buffer;
 };
