@@ -158,6 +158,7 @@ BLOCK_STATES = {
     "height": ({}, ("POINTS", "height")),
     "bytes": ({"MapScalars": 0}, ("POINTS", "rgb")),
     "field data": ({}, ("FIELD", "material")),
+    "sizes": ({"GlyphScaling": 1, "GlyphScaleArray": "height"}, None),
 }
 
 
@@ -171,7 +172,7 @@ def block_pictures(name):
     session.look(view, (2.0, 0.0, 5.0), (2.0, 0.0, 0.0), parallel_scale=1.1)
     for state, (properties, array) in BLOCK_STATES.items():
         for shown in kinds:
-            shown.BlockSelectors, shown.BlockColors, shown.BlockOpacities, shown.MapScalars = ["/"], [], [], 1
+            shown.BlockSelectors, shown.BlockColors, shown.BlockOpacities, shown.MapScalars, shown.GlyphScaling = ["/"], [], [], 1, 0
             session.solid(shown, (0.8, 0.8, 0.8))
             shown.Ambient, shown.Diffuse = 1.0, 0.0
             for key, value in properties.items():
