@@ -1,17 +1,16 @@
 #include "vtkRayTracedBlocks.h"
 
-#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTreeRange.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkMapper.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRayTracedArrayUnion.h"
 #include "vtkRayTracedArrays.h"
 #include "vtkRayTracedNumbers.h"
 #include "vtkRayTracedTree.h"
@@ -19,11 +18,16 @@
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 namespace
 {
 using Attributes = vtkRayTracedBlocks::Attributes;
 using Block = vtkRayTracedBlocks::Block;
+
+// A quiet NaN that no computation makes.
+constexpr std::uint64_t missing = 0x7ff8'0000'5261'5947;
 
 // A template, because VTK has these since ParaView 5.13.
 template <class Display>
@@ -81,8 +85,46 @@ vtkDataSetAttributes* AttributesOf(vtkPolyData* data, bool cells)
   return data->GetPointData();
 }
 
+// The arrays of one name, of each block; null where it has none, or one of another length of tuple than the first.
+using Alike = std::vector<vtkDataArray*>;
+
+std::map<std::string, Alike> FindArrays(const std::vector<vtkDataSetAttributes*>& sets)
+{
+  std::map<std::string, Alike> all;
+  for (std::size_t i = 0; i < sets.size(); ++i)
+  {
+    for (int k = 0; k < sets[i]->GetNumberOfArrays(); ++k)
+    {
+      vtkDataArray* array = sets[i]->GetArray(k); // texts make no glyphs
+      const std::string name = array && array->GetName() ? array->GetName() : "";
+      if (!name.empty() && name != vtkDataSetAttributes::GhostArrayName() && name != vtkRayTracedArrays::CellIds)
+      {
+        Alike& alike = all.try_emplace(name, sets.size()).first->second;
+        const auto first =
+          std::find_if(alike.begin(), alike.end(), [](vtkDataArray* other) { return other != nullptr; });
+        const bool fits = first == alike.end() || (*first)->GetNumberOfComponents() == array->GetNumberOfComponents();
+        alike[i] = fits ? array : nullptr;
+      }
+    }
+  }
+  return all;
+}
+
+// For their values; not an instance of the first one's class, which may be an array that cannot be written to.
+vtkSmartPointer<vtkDataArray> NewArray(const Alike& alike, vtkIdType tuples)
+{
+  vtkDataArray* first = *std::find_if(alike.begin(), alike.end(), [](vtkDataArray* array) { return array != nullptr; });
+  const bool exact = std::all_of(alike.begin(), alike.end(),
+    [first](vtkDataArray* array) { return array && array->GetDataType() == first->GetDataType(); });
+  auto joined = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(exact ? first->GetDataType() : VTK_DOUBLE));
+  joined->SetName(first->GetName());
+  joined->SetNumberOfComponents(first->GetNumberOfComponents());
+  joined->SetNumberOfTuples(tuples);
+  return joined;
+}
+
 // One number for each point of a block.
-vtkSmartPointer<vtkAbstractArray> Numbers(const std::vector<Block>& blocks, vtkIdType count)
+vtkSmartPointer<vtkDataArray> Numbers(const std::vector<Block>& blocks, vtkIdType count)
 {
   auto numbers = vtkSmartPointer<vtkUnsignedIntArray>::New();
   numbers->SetNumberOfValues(count);
@@ -141,6 +183,19 @@ vtkGlyphBlockAttributes::Table vtkRayTracedBlocks::GetTable() const
     table[block.FlatIndex].Visible = block.Visible;
   }
   return table;
+}
+
+//----------------------------------------------------------------------------
+vtkRayTracedBlocks::Missing::Missing(vtkDataArray* joined)
+  : Joined(vtkDoubleArray::SafeDownCast(joined))
+{
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedBlocks::Missing::operator()(vtkIdType tuple) const
+{
+  return this->Joined &&
+    std::bit_cast<std::uint64_t>(this->Joined->GetValue(tuple * this->Joined->GetNumberOfComponents())) == missing;
 }
 
 //----------------------------------------------------------------------------
@@ -264,35 +319,31 @@ void vtkRayTracedBlocks::JoinArrays(bool cells)
     out->AddArray(used.second);
   };
   const vtkIdType count = countOf(this->Points);
-  const vtkRayTracedArrayUnion all(sets,
-    [](vtkDataSetAttributes*, vtkAbstractArray* array)
-    {
-      const std::string name = array->GetName();
-      return name != vtkDataSetAttributes::GhostArrayName() && name != vtkRayTracedArrays::CellIds;
-    });
-  for (const auto& [name, item] : all.Items())
+  for (const auto& [name, alike] : FindArrays(sets))
   {
     Times times;
     for (std::size_t i = 0; i < blocks.size(); ++i)
     {
-      vtkAbstractArray* from = item.Of(sets[i]);
-      times.push_back(from ? from->GetMTime() : 0);
+      times.push_back(alike[i] ? alike[i]->GetMTime() : 0);
       times.push_back(static_cast<vtkMTimeType>(countOf(blocks[i]->Data)));
     }
     keep(name, std::move(times),
-      [&, &item = item]
+      [&, &alike = alike]
       {
-        vtkSmartPointer<vtkAbstractArray> joined = item.Make(count, all.IsExact(item));
+        vtkSmartPointer<vtkDataArray> joined = NewArray(alike, count);
         for (std::size_t i = 0; i < blocks.size(); ++i)
         {
           const vtkIdType first = cells ? blocks[i]->FirstCell : blocks[i]->FirstPoint;
-          if (vtkAbstractArray* from = item.Of(sets[i]))
+          const vtkIdType tuples = countOf(blocks[i]->Data);
+          if (alike[i])
           {
-            joined->InsertTuples(first, countOf(blocks[i]->Data), 0, from);
+            joined->InsertTuples(first, tuples, 0, alike[i]);
           }
           else
           {
-            vtkRayTracedArrayUnion::Holes::Fill(joined, first, countOf(blocks[i]->Data));
+            const int components = joined->GetNumberOfComponents();
+            std::fill_n(vtkDoubleArray::SafeDownCast(joined)->GetPointer(first * components), tuples * components,
+              std::bit_cast<double>(missing));
           }
         }
         return joined;

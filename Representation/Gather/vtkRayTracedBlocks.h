@@ -22,10 +22,11 @@
 #include <utility>
 #include <vector>
 
-class vtkAbstractArray;
 class vtkCellArray;
 class vtkCompositeDataDisplayAttributes;
+class vtkDataArray;
 class vtkDataObject;
+class vtkDoubleArray;
 class vtkPoints;
 class vtkPolyData;
 class vtkScalarsToColors;
@@ -79,14 +80,26 @@ public:
   vtkGlyphBlockAttributes::Table GetTable() const;
 
   /**
+   * Whether a tuple of one of GetPoints()' arrays belongs to a block that lacks it; in any thread.
+   */
+  class Missing
+  {
+  public:
+    explicit Missing(vtkDataArray* joined);
+    bool operator()(vtkIdType tuple) const;
+
+  private:
+    vtkDoubleArray* Joined;
+  };
+
+  /**
    * Whether points come from a block of which other ranks have other parts, and maybe other arrays.
    */
   static bool IsOfRanks(vtkPolyData* points);
 
 private:
   using Times = std::vector<vtkMTimeType>;
-  template <class Kept>
-  using Memo = std::map<std::pair<bool, std::string>, std::pair<Times, vtkSmartPointer<Kept>>>;
+  using Memo = std::map<std::pair<bool, std::string>, std::pair<Times, vtkSmartPointer<vtkDataArray>>>;
 
   void Join();
   void JoinPoints();
@@ -97,7 +110,7 @@ private:
   vtkDataObject* Joined = nullptr; // only to be compared
   vtkMTimeType JoinedTime = 0;
   vtkSmartPointer<vtkPolyData> Points;
-  Memo<vtkAbstractArray> Arrays, UsedArrays;
+  Memo Arrays, UsedArrays;
   std::map<std::string, std::pair<Times, vtkSmartPointer<vtkCellArray>>> Cells;
   std::pair<Times, vtkSmartPointer<vtkPoints>> Places;
 };

@@ -5,7 +5,6 @@
 #include "vtkGlyphStepVelocity.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRayTracedArrayUnion.h"
 #include "vtkRayTracedBlocks.h"
 #include "vtkRayTracedArrays.h"
 
@@ -161,7 +160,7 @@ bool vtkGlyphMotion::On() const
 glm::dvec3 vtkGlyphMotion::Tuple(int kind, vtkIdType point) const
 {
   double tuple[3] = { 0.0, 0.0, 0.0 };
-  if (!vtkRayTracedArrayUnion::Holes(this->Found[kind])(point)) // a block without the array stands still
+  if (!vtkRayTracedBlocks::Missing(this->Found[kind])(point)) // a block without the array stands still
   {
     this->Found[kind]->GetTuple(point, tuple);
   }
