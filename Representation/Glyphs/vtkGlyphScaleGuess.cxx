@@ -150,9 +150,9 @@ double ExactFactor(vtkPolyData* data, const vtkGlyphScaling& settings)
                                                           : 0.0;
 }
 
-vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphScaling& settings, double unitSize, bool rough)
+vtkGlyphKeptGuess::Result Find(vtkPolyData* data, const vtkGlyphScaling& settings, double unitSize, bool rough)
 {
-  vtkGlyphScaleGuess::Result result;
+  vtkGlyphKeptGuess::Result result;
   Points points(data, settings);
   std::vector<double> sample{ 1.0 };
   double largest = 1.0;
@@ -208,8 +208,8 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphScaling& settin
 }
 
 //----------------------------------------------------------------------------
-const vtkGlyphScaleGuess::Result&
-vtkGlyphScaleGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time)
+const vtkGlyphKeptGuess::Result& vtkGlyphScaleGuess::Update(
+  vtkGlyphKeptGuess& kept, vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time)
 {
   vtkGlyphScaling scaling = settings.OfMagnitudes();
   vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, scaling);
@@ -217,7 +217,7 @@ vtkGlyphScaleGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, d
   Reduce(has, vtkCommunicator::MAX_OP);
   if (has[0] == 0.0)
   {
-    return this->Found.Last(); // a step without points changes nothing
+    return kept.Last(); // a step without points changes nothing
   }
   if (has[1] == 0.0)
   {
@@ -225,12 +225,6 @@ vtkGlyphScaleGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, d
     scaling.Scaling = false;
     scaling.ScaleArray.clear();
   }
-  std::vector<vtkMTimeType> times;
-  for (vtkDataArray* array : { points->GetPoints() ? points->GetPoints()->GetData() : nullptr, scales,
-         vtkGlyphTensors::Array(points, scaling.Tensors), vtkGlyphForms::Array(points, scaling.Forms) })
-  {
-    times.push_back(array ? array->GetMTime() : 0);
-  }
-  return this->Found.Get({ scaling, unitSize }, times, time,
-    [&](bool rough) { return Find(points, scaling, rtg::IsPositive(unitSize) ? unitSize : 1.0, rough); });
+  unitSize = rtg::IsPositive(unitSize) ? unitSize : 1.0;
+  return kept.Get(points, scaling, unitSize, time, [&](bool rough) { return Find(points, scaling, unitSize, rough); });
 }

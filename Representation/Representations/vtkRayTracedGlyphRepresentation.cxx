@@ -6,6 +6,7 @@
 #include "vtkGlyphJoinedArrays.h"
 #include "vtkGlyphLayers.h"
 #include "vtkGlyphPointGatherer.h"
+#include "vtkGlyphScaleGuess.h"
 #include "vtkGlyphTuples.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -204,7 +205,8 @@ void vtkRayTracedGlyphRepresentation::UpdateScaleGuess(vtkPolyData* points)
   }
   double unitSize = 1.0;
   const vtkGlyphSettings settings = this->GetSizes(points, unitSize);
-  const vtkGlyphScaleGuess::Result& found = this->Guess.Get(points, settings, unitSize, this->GetUpdateTime());
+  const vtkGlyphKeptGuess::Result& found =
+    vtkGlyphScaleGuess::Update(this->Guess, points, settings, unitSize, this->GetUpdateTime());
   this->ScaleGuess[0] = found.Value;
   this->ScaleGuess[1] = found.Limit;
 }

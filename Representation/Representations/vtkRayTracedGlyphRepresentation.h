@@ -12,7 +12,6 @@
 #include "vtkGlyphHighScale.h"
 #include "vtkGlyphLegend.h"
 #include "vtkGlyphMeshes.h"
-#include "vtkGlyphScaleGuess.h"
 #include "vtkGlyphSettings.h"
 #include "vtkGlyphTensorRange.h"
 #endif
@@ -264,7 +263,7 @@ private:
   vtkNew<vtkGlyphLegend> Legend;
   vtkGlyphLegend::Style LegendStyle;
   bool ScaleFactorFromData = true;
-  vtkGlyphScaleGuess Guess;
+  vtkGlyphKeptGuess Guess;
   vtkGlyphHighScale HighScale;
   double ScaleGuess[2] = { 0.0, 0.0 };
   double SizeLimit = 0.0;

@@ -8,6 +8,7 @@
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkGlyphSample.h"
+#include "vtkGlyphShutterGuess.h"
 #include "vtkGlyphStepVelocity.h"
 #include "vtkGlyphJoinedArrays.h"
 #include "vtkInformation.h"
@@ -214,7 +215,7 @@ void vtkRayTracedRepresentation::UpdateShutterTime(vtkPolyData* points)
   }
   double unitSize = 1.0;
   const vtkGlyphSettings sizes = this->GetSizes(points, unitSize);
-  this->ShutterTime = this->ShutterGuess.Get(points, sizes, unitSize, this->GetUpdateTime());
+  this->ShutterTime = vtkGlyphShutterGuess::Update(this->ShutterGuess, points, sizes, unitSize, this->GetUpdateTime());
 }
 
 //----------------------------------------------------------------------------

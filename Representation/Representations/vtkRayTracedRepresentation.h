@@ -23,8 +23,8 @@
 #include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "vtkGlyphBounds.h"
+#include "vtkGlyphKeptGuess.h"
 #include "vtkGlyphMotion.h"
-#include "vtkGlyphShutterGuess.h"
 #include "vtkRayTracedBlocks.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedImageSettings.h"
@@ -264,7 +264,7 @@ private:
   std::unique_ptr<vtkGlyphStepVelocity> StepVelocity;
   bool ShutterTimeFromData = true;
   double ShutterTime = 0.0; // that the data suggest; 0: none
-  vtkGlyphShutterGuess ShutterGuess;
+  vtkGlyphKeptGuess ShutterGuess;
   int ParallelLight = vtkRayTracedImageSettings::LocalLight;
   bool ReplicateGlyphs = false;
   std::string FeatureFile; // until there is a scene
