@@ -45,10 +45,10 @@ def scene(folder):
 def legends():
     """Legends of arrows, whose heads depend on the scales of all of them, and of a mesh: the client that draws them may have no points."""
     view = session.view(200, 150)
-    sizes = pv.Calculator(Input=pv.Sphere(ThetaResolution=6, PhiResolution=5), Function="0.001*(coordsX+2)", ResultArrayName="size")
     for shape, corner, further in (("Arrow", "Lower Left", {}), ("Mesh", "Upper Right", {"GlyphMesh": pv.Box(XLength=3.0, YLength=0.5)})):
-        shown = session.glyphs(sizes, view, shape, GlyphOrientationArray="Normals", GlyphScaling=1, GlyphScaleArray="size", GlyphScaleFactor=100.0,
-                               GlyphLegend=1, GlyphLegendValue=0.004, GlyphLegendCorner=corner, GlyphLegendColor=[0.0, 1.0, 0.0], **further)
+        sizes = pv.Calculator(Input=pv.Sphere(ThetaResolution=6, PhiResolution=5), Function="0.001*(coordsX+2)", ResultArrayName="size")
+        shown = session.glyphs(sizes, view, shape, GlyphOrientationArray="Normals", GlyphScaling=1, GlyphScaleArray="size", GlyphScaleFactor=300.0,
+                               GlyphLegend=1, GlyphLegendValue=0.002, GlyphLegendCorner=corner, GlyphLegendColor=[0.0, 1.0, 0.0], **further)
         session.solid(shown, (1.0, 0.0, 0.0))
     session.look(view, (0.0, 0.0, 6.0))
     pv.Render(view)
