@@ -147,22 +147,30 @@ vtkRayTracedBlocks::~vtkRayTracedBlocks() = default;
 void vtkRayTracedBlocks::Update(
   vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, const Attributes& common)
 {
+  const bool joined = data && data == this->Joined && data->GetMTime() == this->JoinedTime;
+  if (joined && attributes->GetMTime() == this->AttributesTime && common == this->Common)
+  {
+    return;
+  }
+  ++this->Version;
+  this->AttributesTime = attributes->GetMTime();
+  this->Common = common;
   this->Blocks.clear();
   if (data)
   {
     Visit(data, attributes, common, this->Blocks);
   }
-  Block* last = nullptr;
+  this->Table.clear();
+  vtkIdType points = 0, cells = 0;
   for (Block& block : this->Blocks)
   {
-    if (last)
-    {
-      block.FirstPoint = last->FirstPoint + last->Data->GetNumberOfPoints();
-      block.FirstCell = last->FirstCell + last->Data->GetNumberOfCells();
-    }
-    last = &block;
+    block.FirstPoint = points;
+    block.FirstCell = cells;
+    points += block.Data->GetNumberOfPoints();
+    cells += block.Data->GetNumberOfCells();
+    this->Table[block.FlatIndex].Visible = block.Visible;
   }
-  if (data != this->Joined || !data || data->GetMTime() != this->JoinedTime)
+  if (!joined)
   {
     this->Points = nullptr;
     this->Joined = data;
@@ -172,17 +180,6 @@ void vtkRayTracedBlocks::Update(
       this->Join();
     }
   }
-}
-
-//----------------------------------------------------------------------------
-vtkGlyphBlockAttributes::Table vtkRayTracedBlocks::GetTable() const
-{
-  vtkGlyphBlockAttributes::Table table;
-  for (const Block& block : this->Blocks)
-  {
-    table[block.FlatIndex].Visible = block.Visible;
-  }
-  return table;
 }
 
 //----------------------------------------------------------------------------

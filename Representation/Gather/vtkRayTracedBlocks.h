@@ -16,6 +16,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -72,12 +73,14 @@ public:
 
   /**
    * `data` is a vtkRayTracedTree; `attributes` speak about its nodes, `common` about nodes of which they say nothing.
+   * As long as these stay the same, so does the version.
    */
   void Update(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, const Attributes& common);
+  std::uint64_t GetVersion() const { return this->Version; }
 
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
   vtkPolyData* GetPoints() const { return this->Points; } // null: without data
-  vtkGlyphBlockAttributes::Table GetTable() const;
+  const vtkGlyphBlockAttributes::Table& GetTable() const { return this->Table; }
 
   /**
    * Whether a tuple of one of GetPoints()' arrays belongs to a block that lacks it; in any thread.
@@ -106,7 +109,11 @@ private:
   void JoinArrays(bool cells);
   void JoinCells(const char* what, vtkCellArray* (*cellsOf)(vtkPolyData*), void (*set)(vtkPolyData*, vtkCellArray*));
 
+  std::uint64_t Version = 0;
   std::vector<Block> Blocks;
+  vtkGlyphBlockAttributes::Table Table;
+  Attributes Common;
+  vtkMTimeType AttributesTime = 0;
   vtkDataObject* Joined = nullptr; // only to be compared
   vtkMTimeType JoinedTime = 0;
   vtkSmartPointer<vtkPolyData> Points;

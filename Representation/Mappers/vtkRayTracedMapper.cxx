@@ -81,9 +81,13 @@ int vtkRayTracedMapper::FillInputPortInformation(int, vtkInformation* info)
 //----------------------------------------------------------------------------
 void vtkRayTracedMapper::SetBlocks(const vtkRayTracedBlocks& blocks)
 {
-  this->Points = blocks.GetPoints();
-  this->Blocks = blocks.GetBlocks();
-  this->BlockTable = blocks.GetTable();
+  if (this->BlocksVersion != blocks.GetVersion())
+  {
+    this->BlocksVersion = blocks.GetVersion();
+    this->Points = blocks.GetPoints();
+    this->Blocks = blocks.GetBlocks();
+    this->BlockTable = blocks.GetTable();
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -206,6 +206,7 @@ protected:
 
   std::vector<vtkRayTracedBlocks::Block> Blocks;
   vtkGlyphBlockAttributes::Table BlockTable;
+  std::uint64_t BlocksVersion = 0;
   vtkRayTracedSources Sources; // point of each glyph, cell of each triangle
   vtkIdType Skipped = 0;
   std::string Unfinished;

@@ -320,6 +320,7 @@ void vtkRayTracedRepresentation::UseBlocks(vtkDataObject* data)
   if (!this->AttributedData || data != this->AttributedData || time != this->AttributedTime)
   {
     this->PopulateBlockAttributes(this->BlockAttributes, data);
+    this->BlockAttributes->Modified();
     this->AttributedData = data;
     this->AttributedTime = time;
   }
