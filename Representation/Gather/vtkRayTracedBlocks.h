@@ -1,6 +1,6 @@
 /**
  * @class   vtkRayTracedBlocks
- * @brief   the blocks of gathered or delivered data, each with what ParaView says of its visibility and colors
+ * @brief   the blocks of gathered or delivered data, each with the visibility and colors that ParaView gives it
  *
  * vtkGeometryRepresentation fills the attributes of a tree's nodes; a block has those of the nearest node above it that
  * has some, as with vtkCompositePolyDataMapper.
@@ -72,7 +72,7 @@ public:
   ~vtkRayTracedBlocks();
 
   /**
-   * `data` is a vtkRayTracedTree; `attributes` speak about its nodes, `common` about nodes of which they say nothing.
+   * `data` is a vtkRayTracedTree; `attributes` are those of its nodes, `common` those of nodes without.
    * As long as these stay the same, so does the version.
    */
   void Update(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, const Attributes& common);

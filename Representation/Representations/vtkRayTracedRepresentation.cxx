@@ -343,7 +343,7 @@ void vtkRayTracedRepresentation::UseBlocks(vtkDataObject* data)
 }
 
 //----------------------------------------------------------------------------
-// The superclass's actor is not rendered, and its numbers may be none.
+// The superclass's actor is not rendered, and its numbers may be NaN or infinite.
 void vtkRayTracedRepresentation::UpdateActor()
 {
   vtkProperty* property = this->MainActor->GetProperty();

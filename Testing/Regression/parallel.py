@@ -191,7 +191,7 @@ def block_pictures(name):
 
 
 def blocks(_, ranks, failures):
-    """Blocks keep what is said of them, and their arrays, whichever rank has them."""
+    """Blocks keep their visibility, colors and arrays, whichever rank has them."""
     for picture, view in block_pictures("parallel"):
         pixels = session.capture(view, picture + ("" if ranks == 1 else "-%d-ranks" % ranks))
         if ranks == 1:

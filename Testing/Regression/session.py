@@ -142,8 +142,8 @@ def points_of_ranks(script, information=""):
                                  ScriptRequestInformation=information)
 
 
-#: Script of a source of four blocks in a row, squares of which each rank has every so-manieth. Each has a number of its own as field
-#: data; the second alone has heights, and the third alone colors of bytes.
+#: Script of a source of four blocks in a row, squares that are dealt out to the ranks. Each has a number of its own as field data; the
+#: second alone has heights, and the third alone colors of bytes.
 BLOCKS = """
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData
 blocks = self.GetOutput()
