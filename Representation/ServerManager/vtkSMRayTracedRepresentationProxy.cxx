@@ -332,14 +332,22 @@ void vtkSMRayTracedRepresentationProxy::RenewDefaults(vtkSMProxy* view)
 }
 
 //----------------------------------------------------------------------------
-// ParaView copies its own surface's material to this proxy. What is changed here, as PathMetallic, goes the other way.
+// ParaView copies its own surface's material to this proxy. PathMetallic is the same as Metallic, and so on.
 void vtkSMRayTracedRepresentationProxy::ShareMaterial(const std::string& name)
 {
   vtkSMProxy* display = this->GetTrueParentProxy();
   vtkSMProperty* own = this->GetProperty(name.c_str());
-  if (display && own && display->GetProperty(("Path" + name).c_str()) == own)
+  if (vtkSMProperty* path = this->GetProperty(("Path" + name).c_str()))
   {
-    display->GetProperty(name.c_str())->Copy(own);
+    path->Copy(own);
+  }
+  else if (display && own && display->GetProperty(name.c_str()) == own && name.rfind("Path", 0) == 0)
+  {
+    vtkSMProperty* material = display->GetProperty(name.c_str() + strlen("Path"));
+    if (material)
+    {
+      material->Copy(own);
+    }
   }
 }
 
