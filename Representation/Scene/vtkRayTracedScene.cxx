@@ -42,9 +42,6 @@ namespace
 // Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
 constexpr double interactiveRate = 1.0;
 
-constexpr const char* compilingText = "Compiling Programs";
-constexpr const char* tracingText = "Ray Tracing";
-
 constexpr int opaque = static_cast<int>(rtg::Pass::Opaque);
 constexpr int translucent = static_cast<int>(rtg::Pass::Translucent);
 
@@ -179,6 +176,18 @@ void vtkRayTracedScene::SetSettings(const vtkRayTracedImageSettings& settings)
     this->Self->Settings = settings;
     this->Self->Stopped = false;
   }
+}
+
+//----------------------------------------------------------------------------
+const vtkRayTracedImageSettings& vtkRayTracedScene::GetSettings() const
+{
+  return this->Self->Settings;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::SetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& statistics)
+{
+  this->Self->Content.Displays.SetStatistics(mapper, statistics);
 }
 
 //----------------------------------------------------------------------------
@@ -327,7 +336,7 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   const rtg::ImageEffort effort = vtkRayTracedImageRequest::EffortOf(self.Settings, frame);
   // Ranks that all have everything trace a share each, and compositing puts these together.
   vtkMultiProcessController* ranks = self.OtherRanks();
-  if (ranks && self.Settings.ParallelLight == vtkRayTracedImageSettings::ReplicatedLight && !effort.preview &&
+  if (ranks && self.Settings.IsReplicated() && !effort.preview &&
     !effort.features && !rtg::Denoises(view, effort))
   {
     view.settings.share = static_cast<std::uint32_t>(ranks->GetLocalProcessId());
@@ -357,7 +366,7 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   self.Progress.Start();
   const rtg::Interrupt interrupt = [&](double share)
   {
-    self.Progress.Tell(entry.Image.IsCompiling() ? compilingText : tracingText, share);
+    self.Progress.Tell(vtkRayTracedFrameStatus::NameOfStep(entry.Image.IsCompiling()), share);
     return window->CheckAbortStatus() != 0 || signal.Arrived();
   };
   // Whoever is told or asked may paint meanwhile: Qt makes its own OpenGL context current, and binds framebuffers of
@@ -394,7 +403,7 @@ void vtkRayTracedScene::ExchangeEdges()
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
   // Ordered compositing blends what ranks draw, in the order in which they lie.
   if (!ranks || !window || self.Ordered || self.PassReported || this->Renderer->GetSelector() ||
-    self.Settings.ParallelLight == vtkRayTracedImageSettings::ReplicatedLight || self.Settings.SamplesPerPixel < 2)
+    self.Settings.IsReplicated() || self.Settings.SamplesPerPixel < 2)
   {
     self.Edges.Clear();
     return;
@@ -608,31 +617,7 @@ void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //----------------------------------------------------------------------------
-std::string vtkRayTracedScene::GetDeviceName() const
+std::string vtkRayTracedScene::GetStatistics() const
 {
-  return this->Self->Content.Images.GetDeviceName();
-}
-
-//----------------------------------------------------------------------------
-int vtkRayTracedScene::GetAccumulatedSamples() const
-{
-  return this->Self->Status.GetSamples();
-}
-
-//----------------------------------------------------------------------------
-double vtkRayTracedScene::GetProgress() const
-{
-  return this->Self->Status.GetProgress();
-}
-
-//----------------------------------------------------------------------------
-const char* vtkRayTracedScene::GetStep() const
-{
-  return this->Self->Status.IsCompiling() ? compilingText : this->GetProgress() < 1.0 ? tracingText : "";
-}
-
-//----------------------------------------------------------------------------
-std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& data) const
-{
-  return this->Self->Status.GetStatistics(this->Self->Content, mapper, data);
+  return this->Self->Status.GetStatistics(this->Self->Content);
 }

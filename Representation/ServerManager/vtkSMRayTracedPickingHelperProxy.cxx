@@ -6,7 +6,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
-#include "vtkSMRayTracedRepresentationProxy.h"
+#include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
 
 #include <array>
@@ -20,12 +20,8 @@ namespace
 {
 bool ShowsRayTraced(vtkSMProxy* view, vtkSMProxy* input)
 {
-  return vtkSMRayTracedRepresentationProxy::FindDisplay(view,
-           [input](vtkSMProxy* display)
-           {
-             return vtkSMRayTracedRepresentationProxy::ShowsRayTraced(display) &&
-               vtkSMPropertyHelper(display, "Input", true).GetAsProxy() == input;
-           }) != nullptr;
+  vtkSMRayTracedViewProxy* rayTraced = vtkSMRayTracedViewProxy::Of(view);
+  return rayTraced && rayTraced->GetShownDisplay(input);
 }
 
 std::array<double, 3> ToDisplay(vtkRenderer* renderer, const std::array<double, 3>& world)

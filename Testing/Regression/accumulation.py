@@ -8,6 +8,7 @@ from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 import comparison
 import session
+from checks import stepwise
 
 STEP, FINISHED = 2, 32
 
@@ -28,7 +29,7 @@ def grow(mode):
     view = session.view(160, 120, background=(255, 255, 255))
     points = session.source(session.poly_data(numpy.random.default_rng(3).uniform(-1.0, 1.0, (300, 3))))
     shown = session.glyphs(points, view, GlyphOrient=0, GlyphScaleFactor=0.35, ShadingMode=mode, samples=FINISHED)
-    shown.SamplesPerRender, shown.Denoising = STEP, "Never"
+    stepwise(shown, STEP).Denoising = "Never"
     session.solid(shown, (0.9, 0.9, 0.9))
     session.look(view, (0.0, 0.0, 6.0))
     pictures, counts, traced = [], [], []
@@ -52,7 +53,7 @@ def grow(mode):
     # Then nothing is traced any more, and the picture stays; it is the one that a screenshot makes at once.
     if errors[-3:] != [0.0, 0.0, 0.0] or len(set(traced[-3:])) != 1:
         failures.append("%s: the finished picture changes: %s, rays %s" % (mode, errors[-3:], traced[-3:]))
-    shown.SamplesPerRender = 0
+    stepwise(shown, 0)
     session.look(view, (0.0, 0.0, 6.5))
     pv.Render(view)
     session.look(view, (0.0, 0.0, 6.0))

@@ -14,7 +14,7 @@ import session
 from checks import Checks
 
 #: many samples are slow, and images that grow step by step move their counters
-LEFT_OUT = {"SamplesPerPixel", "StepwiseRendering"}
+LEFT_OUT = {"SamplesPerPixel", "SamplesPerRender"}
 STATES = ({"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "length"},
           {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor", "MotionBlur": 1, "VelocityArray": "vector"})
 

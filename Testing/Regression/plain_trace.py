@@ -11,12 +11,13 @@ import session
 from checks import Checks
 
 #: proxies that this plugin adds to all displays
-OURS = ("RayTracedGlyphRepresentation", "RayTracedSurfaceRepresentation", "RayTracedTubeRepresentation")
+OURS = (("representations", "RayTracedGlyphRepresentation"), ("representations", "RayTracedSurfaceRepresentation"),
+        ("representations", "RayTracedTubeRepresentation"), ("internal_representations", "RayTracedImage"))
 
 
-def names_of(proxy):
+def names_of(group, proxy):
     """Names of a prototype's properties."""
-    prototype = pv.servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy("representations", proxy)
+    prototype = pv.servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy(group, proxy)
     if not prototype:
         return set()
     iterator = prototype.NewPropertyIterator()
@@ -40,7 +41,7 @@ def main():
     """Displays of several types of data."""
     session.load()
     checks = Checks()
-    ours = set().union(*map(names_of, OURS)) - names_of("SurfaceRepresentation") - names_of("GlyphRepresentation") - {"Input"}
+    ours = set().union(*(names_of(*own) for own in OURS)) - names_of("representations", "SurfaceRepresentation") - names_of("representations", "GlyphRepresentation") - {"Input"}
     print("%d properties of this plugin" % len(ours))
     for name in ("GlyphShape", "GlyphMesh", "GlyphScaleFactor", "ShadingMode", "SamplesPerPixel", "MotionBlur", "TubeRadius"):
         checks.true("%s is no property of this plugin" % name, name in ours)

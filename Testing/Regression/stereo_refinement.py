@@ -59,8 +59,7 @@ def grown(checks, mode, points):
     view = stereo_view(mode)
     shown = ours(points, view, "Sphere")
     session.solid(shown, (0.9, 0.9, 0.9))
-    shown.SamplesPerPixel, shown.SamplesPerRender = SAMPLES, 2
-    stepwise(shown)
+    stepwise(shown, 2).SamplesPerPixel = SAMPLES
     pv.Render(view)
     checks.true(mode + ": nothing is pending after the first render", pending(shown))
     checks.true(mode + ": the image stays unfinished", refine(view, shown))
