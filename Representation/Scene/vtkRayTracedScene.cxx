@@ -31,7 +31,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <vector>
 
 vtkInformationKeyMacro(vtkRayTracedScene, SCENE, ObjectBase);
@@ -75,8 +74,6 @@ struct vtkRayTracedScene::Internals
   vtkRayTracedRendererState::Environment Environment;
 
   std::vector<Drawn> Frame; // its images
-  std::uint64_t FrameNumber = 0;
-  std::set<vtkRayTracedImageQuad*> Quads; // that the frame has drawn
   bool Interactive = false;
   vtkRayTracedFrameStatus Status; // of the last frame
 
@@ -251,8 +248,7 @@ void vtkRayTracedScene::StartFrame()
 {
   Internals& self = *this->Self;
   self.Frame.clear();
-  ++self.FrameNumber;
-  self.Quads.clear();
+  self.Content.Images.StartFrame();
   self.ExportReported = false;
   self.CutReported &= self.Capture; // a picture may be captured in parts
   // On all ranks alike, whether or not they have something to draw.
@@ -456,19 +452,13 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
     return;
   }
   const glm::dmat4 worldToClip = vtkRayTracedRendererState::WorldToClip(this->Renderer);
-  const auto draw = [&](vtkRayTracedImageQuad& quad)
-  {
-    quad.Draw(this->Renderer, imageActor, mapper, vtkRayTracedImageQuad::BLEND);
-    self.Quads.insert(&quad);
-  };
   if (!waiting)
   {
     vtkRayTracedImages::Entry& entry = *drawn->Entry;
     self.Edges.Draw(image, window, this->Renderer, imageActor, mapper);
     entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth, entry.Image.Version());
     entry.Quad.SetCamera(worldToClip);
-    entry.Frame = self.FrameNumber;
-    draw(entry.Quad);
+    self.Content.Images.Draw(entry, /*again=*/false, this->Renderer, imageActor, mapper);
     return;
   }
   // While a program is compiled there is nothing to see of the image that needs it. The last frame stays, which may
@@ -478,7 +468,7 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   {
     if (last[of] && !self.Capture && (of == pass || !this->HasPass(of)) && last[of]->Quad.MoveTo(worldToClip))
     {
-      draw(last[of]->Quad);
+      self.Content.Images.Draw(*last[of], /*again=*/true, this->Renderer, imageActor, mapper);
     }
   }
 }
@@ -493,13 +483,7 @@ void vtkRayTracedScene::SmoothFrame()
     return;
   }
   self.FXAA.Apply(this->Renderer,
-    [this, &self](vtkTextureObject* pixels)
-    {
-      for (vtkRayTracedImageQuad* quad : self.Quads)
-      {
-        quad->DrawKept(this->Renderer, pixels);
-      }
-    });
+    [this, &self](vtkTextureObject* pixels) { self.Content.Images.DrawKept(this->Renderer, pixels); });
 }
 
 //----------------------------------------------------------------------------
