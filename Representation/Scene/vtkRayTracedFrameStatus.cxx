@@ -85,7 +85,7 @@ void vtkRayTracedFrameStatus::SumNumbers(vtkMultiProcessController* ranks, const
 }
 
 //----------------------------------------------------------------------------
-std::string vtkRayTracedFrameStatus::GetStatistics(const vtkRayTracedContent& content) const
+std::string vtkRayTracedFrameStatus::GetStatistics(const vtkRayTracedContent& content)
 {
   const rtg::Statistics s = content.Images.GetStatistics();
   std::vector<double> numbers = OwnNumbers(s, content);
@@ -102,6 +102,7 @@ std::string vtkRayTracedFrameStatus::GetStatistics(const vtkRayTracedContent& co
     { "AccumulatedSamples", static_cast<int>(least(this->Samples)) },
     { "RefinementProgress", progress },
     { "RefinementStep", this->Compiling || progress < 1.0 ? NameOfStep(this->Compiling) : "" },
+    { "pulls", ++this->Pulls },
     { "neighborGlyphs", count(NEIGHBOR_GLYPHS) },
     { "neighborBytes", count(NEIGHBOR_BYTES) },
     { "structureBuilds", s.structureBuilds },

@@ -59,7 +59,7 @@ public:
    * its vtkPVDataRepresentation::GetUniqueIdentifier(). Samples and progress are the least of both eyes and of all
    * ranks that rendered the frame together.
    */
-  std::string GetStatistics(const vtkRayTracedContent& content) const;
+  std::string GetStatistics(const vtkRayTracedContent& content);
 
 private:
   // Of each eye.
@@ -70,6 +70,7 @@ private:
   int Eye = 0; // of the last frame
   // The view's numbers, then those of each display, of the last frame that ranks rendered together; or none.
   std::vector<double> SummedNumbers;
+  std::uint64_t Pulls = 0; // of the statistics
 };
 
 #endif

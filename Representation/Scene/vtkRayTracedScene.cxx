@@ -601,7 +601,7 @@ void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //----------------------------------------------------------------------------
-std::string vtkRayTracedScene::GetStatistics() const
+std::string vtkRayTracedScene::GetStatistics()
 {
   return this->Self->Status.GetStatistics(this->Self->Content);
 }

@@ -132,7 +132,7 @@ public:
   /**
    * Information as JSON; see vtkRayTracedFrameStatus.
    */
-  std::string GetStatistics() const;
+  std::string GetStatistics();
 
   /// Of a renderer's information: its scene.
   static vtkInformationObjectBaseKey* SCENE();

@@ -443,10 +443,10 @@ def glyphs(number):
 
 
 def reads(name, wanted, tolerance=1e-6):
-    """A property, perhaps another one, has this value after the next picture."""
+    """A property, perhaps another one, or a number of RenderStatistics, has this value after the next picture."""
     def claim(change):
-        change.shown.UpdatePropertyInformation()
-        found = change.shown.GetPropertyValue(name)
+        counted = change.counted()
+        found = counted[name] if name in counted else change.shown.GetPropertyValue(name)
         change.within(name, list(found) if hasattr(found, "__len__") else found, wanted, tolerance)
     return claim
 
