@@ -98,13 +98,15 @@ vtkSMProxy* vtkSMRayTracedViewProxy::GetShownDisplay(vtkSMProxy* input)
 void vtkSMRayTracedViewProxy::SetPropertyModifiedFlag(const char* name, int flag)
 {
   this->Superclass::SetPropertyModifiedFlag(name, flag);
-  if (flag && this->View)
+  if (flag && this->View && !this->Sharing)
   {
     this->FollowQuality(name);
+    this->Sharing = true;
     for (vtkSMRayTracedImageProxy* image : this->Images)
     {
       image->GetProperty(name)->Copy(this->GetProperty(name));
     }
+    this->Sharing = false;
   }
 }
 

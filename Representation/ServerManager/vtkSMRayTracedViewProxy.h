@@ -82,6 +82,7 @@ private:
 
   vtkWeakPointer<vtkSMProxy> View;
   std::vector<vtkSMRayTracedImageProxy*> Images; // take themselves out before they go
+  bool Sharing = false; // what displays get they give back
   bool Interactive = false;
   double Progress = 1.0;
   std::string Step;
