@@ -3,6 +3,7 @@
 #include "Stopwatch.h"
 #include "TriangleMesh.h"
 #include "vtkActor.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkFloatArray.h"
@@ -14,7 +15,6 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedArrays.h"
-#include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
@@ -92,13 +92,7 @@ vtkRayTracedMapper::vtkRayTracedMapper()
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedMapper::~vtkRayTracedMapper()
-{
-  if (this->Scene)
-  {
-    this->Scene->Remove(this);
-  }
-}
+vtkRayTracedMapper::~vtkRayTracedMapper() = default;
 
 //----------------------------------------------------------------------------
 void vtkRayTracedMapper::PrintSelf(ostream& os, vtkIndent indent)
@@ -141,12 +135,6 @@ void vtkRayTracedMapper::SetBlocks(const vtkGlyphBlockAttributes& blocks)
 void vtkRayTracedMapper::SetKnownBounds(const double bounds[6])
 {
   std::copy_n(bounds, 6, this->Bounds);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedMapper::SetScene(vtkRayTracedScene* scene)
-{
-  this->Scene = scene;
 }
 
 //----------------------------------------------------------------------------
@@ -431,8 +419,8 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
 //----------------------------------------------------------------------------
 void vtkRayTracedMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
-  if (this->Scene && renderer->GetSelector())
+  if (renderer->GetSelector())
   {
-    this->Scene->DrawIds(actor, this);
+    this->InvokeEvent(vtkCommand::RenderEvent, actor);
   }
 }

@@ -1,12 +1,10 @@
 /**
  * @class   vtkRayTracedMapper
- * @brief   what a vtkRayTracedScene traces of one actor: instances and colors, each built when what they depend on
- * changes
+ * @brief   what is traced of one actor: instances and colors, each built when what they depend on changes
  *
- * Subclasses make glyphs or surfaces of the points. The scene draws the image of all its mappers; a mapper itself draws
- * only the ids of its pixels, for a selector.
- *
- * @sa vtkRayTracedScene
+ * Subclasses make glyphs or surfaces of the points. Rendering draws nothing: vtkRayTracedScene draws the image of all
+ * mappers of a renderer. For a selector, rendering invokes vtkCommand::RenderEvent with the actor, and the scene draws
+ * the ids.
  */
 #ifndef vtkRayTracedMapper_h
 #define vtkRayTracedMapper_h
@@ -18,7 +16,6 @@
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedSources.h"
 #include "vtkSmartPointer.h"
-#include "vtkWeakPointer.h"
 
 #include <array>
 #include <cstdint>
@@ -29,7 +26,6 @@
 class vtkActor;
 class vtkDataSetAttributes;
 class vtkPolyData;
-class vtkRayTracedScene;
 class vtkUnsignedCharArray;
 
 class vtkRayTracedMapper : public vtkMapper
@@ -68,11 +64,6 @@ public:
    * Who is told how far the building of instances is.
    */
   void SetBuildProgress(const vtkRayTracedParallel::Progress& progress) { this->BuildProgress = progress; }
-
-  /**
-   * The scene that draws this mapper's ids; null: none.
-   */
-  void SetScene(vtkRayTracedScene* scene);
 
   ///@{
   /**
@@ -250,7 +241,6 @@ private:
   std::unique_ptr<InstanceKey> Built;
   std::unique_ptr<ColorKey> Colored;
   std::uint32_t SelectionColor = 0x00ff00ffu; // packed, without an opacity
-  vtkWeakPointer<vtkRayTracedScene> Scene;
 };
 
 #endif

@@ -45,6 +45,11 @@ vtkRayTracedRepresentation::vtkRayTracedRepresentation()
   , StepVelocity(std::make_unique<vtkGlyphStepVelocity>())
 {
   this->Actor->SetProperty(this->Property);
+  vtkRayTracedPythonClass::GetActor = [](vtkObjectBase* object) -> vtkObjectBase*
+  {
+    auto* representation = vtkRayTracedRepresentation::SafeDownCast(object);
+    return representation ? representation->GetActor() : nullptr;
+  };
   vtkRayTracedPythonClass::RegisterIfPythonRuns();
 }
 

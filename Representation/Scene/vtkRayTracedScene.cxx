@@ -1,7 +1,7 @@
 #include "vtkRayTracedScene.h"
 
 #include "vtkActor.h"
-#include "vtkCommand.h"
+#include "vtkCallbackCommand.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkMultiProcessController.h"
@@ -65,6 +65,7 @@ struct vtkRayTracedScene::Drawn
 struct vtkRayTracedScene::Internals
 {
   vtkNew<vtkRayTracedImageActor> Actor;
+  vtkNew<vtkCallbackCommand> MapperEvents;
   vtkRayTracedContent Content;
   vtkRayTracedImageSettings Settings;
   bool Capture = false, Collective = false, Ordered = false, Stopped = false;
@@ -95,6 +96,14 @@ vtkRayTracedScene::vtkRayTracedScene()
   : Self(std::make_unique<Internals>())
 {
   this->Self->Actor->SetScene(this);
+  this->Self->MapperEvents->SetClientData(this);
+  this->Self->MapperEvents->SetCallback(
+    [](vtkObject* caller, unsigned long event, void* self, void* actor)
+    {
+      auto* scene = static_cast<vtkRayTracedScene*>(self);
+      auto* mapper = static_cast<vtkRayTracedMapper*>(caller);
+      event == vtkCommand::DeleteEvent ? scene->Remove(mapper) : scene->DrawIds(static_cast<vtkActor*>(actor), mapper);
+    });
   this->Self->Content.Sorting = [this](double share) { this->Self->Progress.Tell("Sorting Glyphs", share); };
 }
 
@@ -103,7 +112,7 @@ vtkRayTracedScene::~vtkRayTracedScene()
 {
   for (const vtkRayTracedDisplays::Display& display : this->Self->Content.Displays.GetAll())
   {
-    display.Mapper->SetScene(nullptr);
+    display.Mapper->RemoveObserver(this->Self->MapperEvents);
   }
 }
 
@@ -143,7 +152,9 @@ vtkRayTracedScene* vtkRayTracedScene::Find(vtkRenderer* renderer)
 void vtkRayTracedScene::Add(vtkActor* actor, vtkRayTracedMapper* mapper)
 {
   this->Self->Content.Displays.Add(actor, mapper);
-  mapper->SetScene(this);
+  mapper->RemoveObserver(this->Self->MapperEvents); // added again
+  mapper->AddObserver(vtkCommand::RenderEvent, this->Self->MapperEvents);
+  mapper->AddObserver(vtkCommand::DeleteEvent, this->Self->MapperEvents);
   if (this->Renderer && !this->Renderer->HasViewProp(this->Self->Actor))
   {
     this->Renderer->AddActor(this->Self->Actor);
@@ -154,6 +165,7 @@ void vtkRayTracedScene::Add(vtkActor* actor, vtkRayTracedMapper* mapper)
 void vtkRayTracedScene::Remove(vtkRayTracedMapper* mapper)
 {
   Internals& self = *this->Self;
+  mapper->RemoveObserver(self.MapperEvents);
   self.Content.Displays.Remove(mapper, self.Content.Images);
   if (self.Content.Displays.GetAll().empty())
   {

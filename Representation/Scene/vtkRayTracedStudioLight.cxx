@@ -1,5 +1,6 @@
 #include "vtkRayTracedStudioLight.h"
 
+#include "Shading/Shading.h"
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
 
@@ -53,7 +54,8 @@ void vtkRayTracedStudioLight::Apply(rtg::ImageView& view, vtkRenderer* renderer)
     rtg::Light key;
     key.kind = rtg::Light::Kind::Directional;
     key.direction = -toKey;
-    key.colour = settings.environmentColour * (settings.lightIntensity * keyFraction / largest);
+    key.colour =
+      rtg::shading::DisplayToLinear(settings.environmentColour) * (settings.lightIntensity * keyFraction / largest);
     key.angularRadius = keyRadius;
     view.lights.push_back(key);
   }

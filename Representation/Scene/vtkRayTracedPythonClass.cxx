@@ -4,8 +4,6 @@
 #include "PyVTKObject.h"
 #include "vtkPythonInterpreter.h"
 #include "vtkPythonUtil.h"
-#include "vtkRayTracedActors.h"
-#include "vtkRayTracedRepresentation.h"
 #include "vtkSmartPyObject.h"
 #endif
 
@@ -16,8 +14,7 @@ namespace
 {
 PyObject* GetActor(PyObject* self, PyObject*)
 {
-  auto* representation = vtkRayTracedRepresentation::SafeDownCast(PyVTKObject_GetObject(self));
-  return vtkPythonUtil::GetObjectFromPointer(representation ? representation->GetActor() : nullptr);
+  return vtkPythonUtil::GetObjectFromPointer(vtkRayTracedPythonClass::GetActor(PyVTKObject_GetObject(self)));
 }
 
 PyMethodDef methods[] = { { "GetActor", GetActor, METH_NOARGS, "The actor of the glyphs or the surface." },

@@ -6,6 +6,8 @@
 #ifndef vtkRayTracedPythonClass_h
 #define vtkRayTracedPythonClass_h
 
+class vtkObjectBase;
+
 struct vtkRayTracedPythonClass
 {
   ///@{
@@ -15,6 +17,11 @@ struct vtkRayTracedPythonClass
   static void Register();
   static void RegisterIfPythonRuns();
   ///@}
+
+  /**
+   * The actor of a vtkRayTracedRepresentation, which sets this function.
+   */
+  static inline vtkObjectBase* (*GetActor)(vtkObjectBase* representation) = nullptr;
 };
 
 #endif
