@@ -253,7 +253,7 @@ void vtkRayTracedRepresentation::Answer(
     vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, replicated);
     vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
       replicated ? vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION
-                           : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+                 : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
     outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->MayBeTranslucent() ? 1 : 0);
   }
   else if (request == vtkPVView::REQUEST_UPDATE_LOD())

@@ -87,7 +87,8 @@ private:
   void operator=(const vtkRayTracedView&) = delete;
 
 #ifndef __VTK_WRAP__
-  template <class T> void Set(T& held, const T& value)
+  template <class T>
+  void Set(T& held, const T& value)
   {
     held = value;
     this->Apply();

@@ -344,8 +344,7 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   const rtg::ImageEffort effort = vtkRayTracedImageRequest::EffortOf(self.Settings, frame);
   // Ranks that all have everything trace a share each, and compositing puts these together.
   vtkMultiProcessController* ranks = self.OtherRanks();
-  if (ranks && self.Settings.IsReplicated() && !effort.preview &&
-    !effort.features && !rtg::Denoises(view, effort))
+  if (ranks && self.Settings.IsReplicated() && !effort.preview && !effort.features && !rtg::Denoises(view, effort))
   {
     view.settings.share = static_cast<std::uint32_t>(ranks->GetLocalProcessId());
     view.settings.shares = static_cast<std::uint32_t>(ranks->GetNumberOfProcesses());
@@ -494,8 +493,8 @@ void vtkRayTracedScene::SmoothFrame()
   {
     return;
   }
-  self.FXAA.Apply(this->Renderer,
-    [this, &self](vtkTextureObject* pixels) { self.Content.Images.DrawKept(this->Renderer, pixels); });
+  self.FXAA.Apply(
+    this->Renderer, [this, &self](vtkTextureObject* pixels) { self.Content.Images.DrawKept(this->Renderer, pixels); });
 }
 
 //----------------------------------------------------------------------------

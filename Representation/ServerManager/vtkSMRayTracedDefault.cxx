@@ -104,17 +104,34 @@ struct Default
   virtual bool Renew(Where where) = 0;
 };
 
-// Base: vtkSMStringVectorProperty, ...
-template <class Base> class Property final : public Base, public Default
+template <class T>
+vtkObjectBase* New(void*)
+{
+  auto* made = new T;
+  made->InitializeObjectBase();
+  return made;
+}
+
+// Base: vtkSMStringVectorProperty, ... State files do not have defaults of displays that show nothing ray traced.
+template <class Base>
+class Plain : public Base
 {
 public:
-  static vtkObjectBase* New(void*)
+  void SaveState(vtkPVXMLElement* parent, const char* name, const char* uid, int saveDomains) override
   {
-    auto* made = new Property;
-    made->InitializeObjectBase();
-    return made;
+    if (IsRayTraced(this) || !(this->GetInformationOnly() || this->IsValueDefault()))
+    {
+      Base::SaveState(parent, name, uid, saveDomains);
+    }
   }
+};
 
+template <class Base>
+class Property final
+  : public Plain<Base>
+  , public Default
+{
+public:
   bool IsValueDefault() override
   {
     if (Base::IsValueDefault())
@@ -170,14 +187,15 @@ public:
     {
       return false;
     }
-    const vtkSmartPointer<vtkSMProperty> before = this->Chosen;
+    auto before = vtk::TakeSmartPointer(this->NewInstance());
+    before->Copy(this);
     this->ResetToDomainDefaults(/*useUncheckedValues=*/false);
     return !AreEqual(this, before);
   }
 
 private:
-  // Whether ParaView has chosen the present value.
-  bool IsChosen() { return this->Chosen && !this->ByUser && AreEqual(this, this->Chosen); }
+  // Whether ParaView has chosen the present value, or nothing has.
+  bool IsChosen() { return !this->ByUser && (!this->Chosen || AreEqual(this, this->Chosen)); }
 
   vtkSmartPointer<vtkSMProperty> Chosen; // null: none yet, as in a display of a state file
   bool Found = false;                    // by the data
@@ -188,13 +206,6 @@ private:
 class InputProperty final : public vtkSMInputProperty
 {
 public:
-  static vtkObjectBase* New(void*)
-  {
-    auto* made = new InputProperty;
-    made->InitializeObjectBase();
-    return made;
-  }
-
   bool IsValueDefault() override
   {
     auto* list = this->FindDomain<vtkSMProxyListDomain>();
@@ -208,13 +219,6 @@ public:
 class LocationDomain final : public vtkSMEnumerationDomain
 {
 public:
-  static vtkObjectBase* New(void*)
-  {
-    auto* made = new LocationDomain;
-    made->InitializeObjectBase();
-    return made;
-  }
-
   int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override
   {
     const vtkSMPropertyHelper input(this->GetProperty()->GetParent(), "Input");
@@ -257,11 +261,16 @@ void vtkSMRayTracedDefault::Register()
   static const bool known = []
   {
     vtkClientServerInterpreter* interpreter = vtkClientServerInterpreterInitializer::GetGlobalInterpreter();
-    interpreter->AddNewInstanceFunction("vtkSMRayTracedStringVectorProperty", &Property<vtkSMStringVectorProperty>::New);
-    interpreter->AddNewInstanceFunction("vtkSMRayTracedDoubleVectorProperty", &Property<vtkSMDoubleVectorProperty>::New);
-    interpreter->AddNewInstanceFunction("vtkSMRayTracedIntVectorProperty", &Property<vtkSMIntVectorProperty>::New);
-    interpreter->AddNewInstanceFunction("vtkSMRayTracedInputProperty", &InputProperty::New);
-    interpreter->AddNewInstanceFunction("vtkSMRayTracedLocationDomain", &LocationDomain::New);
+    const auto add = [interpreter](const char* name, vtkClientServerNewInstanceFunction make)
+    { interpreter->AddNewInstanceFunction(name, make); };
+    add("vtkSMRayTracedStringVectorProperty", &New<Property<vtkSMStringVectorProperty>>);
+    add("vtkSMRayTracedDoubleVectorProperty", &New<Property<vtkSMDoubleVectorProperty>>);
+    add("vtkSMRayTracedIntVectorProperty", &New<Property<vtkSMIntVectorProperty>>);
+    add("vtkSMRayTracedPlainStringVectorProperty", &New<Plain<vtkSMStringVectorProperty>>);
+    add("vtkSMRayTracedPlainDoubleVectorProperty", &New<Plain<vtkSMDoubleVectorProperty>>);
+    add("vtkSMRayTracedPlainIntVectorProperty", &New<Plain<vtkSMIntVectorProperty>>);
+    add("vtkSMRayTracedInputProperty", &New<InputProperty>);
+    add("vtkSMRayTracedLocationDomain", &New<LocationDomain>);
     return true;
   }();
   static_cast<void>(known);

@@ -6,10 +6,13 @@
 #include "vtkRayTracedRepresentation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMRayTracedDefault.h"
 #include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMSession.h"
 #include "vtk_nlohmannjson.h"
 #include VTK_NLOHMANN_JSON(json.hpp)
+
+#include <cstring>
 
 vtkStandardNewMacro(vtkSMRayTracedImageProxy);
 
@@ -26,6 +29,7 @@ vtkRayTracedRepresentation* ShownBy(vtkSMProxy* display)
 //----------------------------------------------------------------------------
 vtkSMRayTracedImageProxy::vtkSMRayTracedImageProxy()
 {
+  vtkSMRayTracedDefault::Register();
   this->AddObserver(vtkCommand::UpdatePropertyEvent, this, &vtkSMRayTracedImageProxy::Pushed);
 }
 
@@ -115,8 +119,8 @@ void vtkSMRayTracedImageProxy::SetStatistics(const std::string& statistics)
 {
   auto all = nlohmann::ordered_json::parse(statistics);
   vtkRayTracedRepresentation* shown = ShownBy(this->GetTrueParentProxy());
-  const auto own =
-    all.value("representations", all.object()).value(std::to_string(shown ? shown->GetUniqueIdentifier() : 0), all.object());
+  const auto own = all.value("representations", all.object())
+                     .value(std::to_string(shown ? shown->GetUniqueIdentifier() : 0), all.object());
   all.erase("representations");
   all.update(own);
   vtkSMPropertyHelper(this, "RenderStatistics").Set(all.dump().c_str());

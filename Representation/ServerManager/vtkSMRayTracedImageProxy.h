@@ -2,8 +2,8 @@
  * @class   vtkSMRayTracedImageProxy
  * @brief   the settings of a view's ray-traced image, as one of the view's displays has them
  *
- * On the client only. Once the display is in a view they are those of the view's vtkSMRayTracedViewProxy. RenderStatistics
- * are the view's and the display's own.
+ * On the client only. Once the display is in a view they are those of the view's vtkSMRayTracedViewProxy.
+ * RenderStatistics are the view's and the display's own.
  */
 #ifndef vtkSMRayTracedImageProxy_h
 #define vtkSMRayTracedImageProxy_h

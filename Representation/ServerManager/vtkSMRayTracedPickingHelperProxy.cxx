@@ -6,6 +6,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
+#include "vtkSMRayTracedDefault.h"
 #include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
 
@@ -50,7 +51,10 @@ bool FindPixel(vtkRenderer* renderer, const std::array<double, 3>& a, const std:
 }
 
 //----------------------------------------------------------------------------
-vtkSMRayTracedPickingHelperProxy::vtkSMRayTracedPickingHelperProxy() = default;
+vtkSMRayTracedPickingHelperProxy::vtkSMRayTracedPickingHelperProxy()
+{
+  vtkSMRayTracedDefault::Register(); // of the kinds of its properties
+}
 
 //----------------------------------------------------------------------------
 vtkSMRayTracedPickingHelperProxy::~vtkSMRayTracedPickingHelperProxy() = default;

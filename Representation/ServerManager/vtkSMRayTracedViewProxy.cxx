@@ -8,6 +8,7 @@
 #include "vtkRayTracedView.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMRayTracedDefault.h"
 #include "vtkSMRayTracedImageProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtk_nlohmannjson.h"
@@ -19,7 +20,10 @@
 vtkStandardNewMacro(vtkSMRayTracedViewProxy);
 
 //----------------------------------------------------------------------------
-vtkSMRayTracedViewProxy::vtkSMRayTracedViewProxy() = default;
+vtkSMRayTracedViewProxy::vtkSMRayTracedViewProxy()
+{
+  vtkSMRayTracedDefault::Register();
+}
 
 //----------------------------------------------------------------------------
 vtkSMRayTracedViewProxy::~vtkSMRayTracedViewProxy() = default;
@@ -40,8 +44,7 @@ vtkSMRayTracedViewProxy* vtkSMRayTracedViewProxy::Of(vtkSMProxy* view)
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkSMRayTracedViewProxy>
-vtkSMRayTracedViewProxy::Add(vtkSMRayTracedImageProxy* image, vtkSMProxy* view)
+vtkSmartPointer<vtkSMRayTracedViewProxy> vtkSMRayTracedViewProxy::Add(vtkSMRayTracedImageProxy* image, vtkSMProxy* view)
 {
   vtkSmartPointer<vtkSMRayTracedViewProxy> owner = Of(view);
   if (owner)

@@ -3,8 +3,9 @@
  * @brief   the one owner of the settings and the information of a view's ray-traced image, on the client
  *
  * There is one for each view with displays, made when the first of them enters it and gone with the last; views need
- * not know this plugin. The displays' vtkSMRayTracedImageProxy have the same settings: a change of one is copied to all,
- * and a display that is added takes those of the view, the first one gives them. States keep them with the displays.
+ * not know this plugin. The displays' vtkSMRayTracedImageProxy have the same settings: a change of one is copied to
+ * all, and a display that is added takes those of the view, the first one gives them. States keep them with the
+ * displays.
  *
  * RenderingQuality sets the properties that its hints name.
  *
@@ -82,7 +83,7 @@ private:
 
   vtkWeakPointer<vtkSMProxy> View;
   std::vector<vtkSMRayTracedImageProxy*> Images; // take themselves out before they go
-  bool Sharing = false; // what displays get they give back
+  bool Sharing = false;                          // what displays get they give back
   bool Interactive = false;
   double Progress = 1.0;
   std::string Step;

@@ -1,8 +1,10 @@
-"""A trace and a Python state of an ordinary surface name none of this plugin's properties, so that they run without it.
+"""A trace, a Python state and a state file of ordinary surfaces name none of this plugin's properties: they run without it, and are as
+large as without it.
 
 Usage: pvpython plain_trace.py
 """
 import re
+import xml.etree.ElementTree
 
 import paraview.simple as pv
 from paraview import smstate, smtrace
@@ -13,6 +15,10 @@ from checks import Checks
 #: proxies that this plugin adds to all displays
 OURS = (("representations", "RayTracedGlyphRepresentation"), ("representations", "RayTracedSurfaceRepresentation"),
         ("representations", "RayTracedTubeRepresentation"), ("internal_representations", "RayTracedImage"))
+
+
+#: proxies, whose sources belong to the display, and a command
+WITHOUT_VALUE = {"GlyphMesh", "GlyphTensorLookupTable", "StopRefinement"}
 
 
 def names_of(group, proxy):
@@ -60,6 +66,10 @@ def main():
     checks.true("the trace names %s" % sorted(found), not found)
     found = assigned(smstate.get_state()) & ours
     checks.true("the Python state names %s" % sorted(found), not found)
+    pv.SaveState(session.output("plain-state.pvsm"))
+    found = {entry.get("name") for proxy in xml.etree.ElementTree.parse(session.output("plain-state.pvsm")).getroot().iter("Proxy")
+             if proxy.get("group") == "representations" for entry in proxy.iter("Property")} & ours - WITHOUT_VALUE
+    checks.true("the state file names %s" % sorted(found), not found)
     # What is shown by the plugin must be named all the same.
     shown.SetRepresentationType(session.REPRESENTATION)
     shown.GlyphShape, shown.GlyphScaleFactor = "Cone", 0.3
