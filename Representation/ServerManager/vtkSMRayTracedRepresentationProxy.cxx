@@ -7,8 +7,8 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRayTracedDefault.h"
-#include "vtkSMRayTracedImageProxy.h"
 #include "vtkSMRayTracedSuggestion.h"
+#include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
 
@@ -36,9 +36,21 @@ bool vtkSMRayTracedRepresentationProxy::IsShown()
 }
 
 //----------------------------------------------------------------------------
+vtkSMRayTracedViewProxy* vtkSMRayTracedRepresentationProxy::GetView()
+{
+  return this->View;
+}
+
+//----------------------------------------------------------------------------
+// Numbers that the data suggest are asked for one by one.
 void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMProperty* property)
 {
-  if (this->IsShown())
+  const bool statistics = !property || property == this->GetProperty("RenderStatistics");
+  if (statistics && this->View)
+  {
+    this->View->UpdateStatistics();
+  }
+  else if (!statistics && this->IsShown())
   {
     const vtkTypeUInt32 everywhere = this->Location;
     this->Location = vtkPVSession::DATA_SERVER_ROOT;
@@ -100,11 +112,17 @@ void vtkSMRayTracedRepresentationProxy::ShareMaterial(const char* name)
 void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtkSMProxy* consumer)
 {
   this->Superclass::AddConsumer(property, consumer);
-  vtkSMRayTracedImageProxy* image = vtkSMRayTracedImageProxy::Of(this->GetTrueParentProxy());
-  if (image && vtkSMRenderViewProxy::SafeDownCast(consumer))
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  const bool first = display->GetProperty("RenderStatistics") == this->GetProperty("RenderStatistics");
+  if (!first || !vtkSMRenderViewProxy::SafeDownCast(consumer) || (this->View && this->View->GetView() == consumer))
   {
-    image->EnterView(consumer);
+    return;
   }
+  if (this->View)
+  {
+    this->View->Remove(display);
+  }
+  this->View = vtkSMRayTracedViewProxy::Add(display, consumer);
 }
 
 //----------------------------------------------------------------------------

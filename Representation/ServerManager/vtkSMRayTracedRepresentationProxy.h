@@ -11,9 +11,12 @@
 
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSMRepresentationProxy.h"
+#include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "vtkSMRayTracedTensorTable.h"
 #endif
+
+class vtkSMRayTracedViewProxy;
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedRepresentationProxy : public vtkSMRepresentationProxy
 {
@@ -22,6 +25,11 @@ public:
   vtkTypeMacro(vtkSMRayTracedRepresentationProxy, vtkSMRepresentationProxy);
 
   void ViewUpdated(vtkSMProxy* view) override;
+
+  /**
+   * The owner of the view's settings, kept by the first of a display's representations; null: the display is in none.
+   */
+  vtkSMRayTracedViewProxy* GetView();
 
 protected:
   vtkSMRayTracedRepresentationProxy();
@@ -39,6 +47,7 @@ private:
   void TakeSelection();
   void ShareMaterial(const char* name);
 
+  vtkSmartPointer<vtkSMRayTracedViewProxy> View;
   double Time = 0.0; // of the last update
 #ifndef __VTK_WRAP__
   vtkSMRayTracedTensorTable TensorTable;

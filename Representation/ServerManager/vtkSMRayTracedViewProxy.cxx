@@ -3,13 +3,16 @@
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
+#include "vtkCompositeRepresentation.h"
 #include "vtkPVSession.h"
 #include "vtkPVXMLElement.h"
+#include "vtkRayTracedRepresentation.h"
 #include "vtkRayTracedView.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRayTracedDefault.h"
-#include "vtkSMRayTracedImageProxy.h"
+#include "vtkSMRayTracedRepresentationProxy.h"
+#include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtk_nlohmannjson.h"
 #include VTK_NLOHMANN_JSON(json.hpp)
@@ -18,6 +21,21 @@
 #include <cstring>
 
 vtkStandardNewMacro(vtkSMRayTracedViewProxy);
+
+namespace
+{
+vtkSMProxy* SettingsOf(vtkSMProxy* display)
+{
+  return display->GetProperty("ShadingMode")->GetParent();
+}
+
+// What a display shows, when it is ray traced.
+vtkRayTracedRepresentation* ShownBy(vtkSMProxy* display)
+{
+  auto* all = vtkCompositeRepresentation::SafeDownCast(display->GetClientSideObject());
+  return all ? vtkRayTracedRepresentation::SafeDownCast(all->GetActiveRepresentation()) : nullptr;
+}
+}
 
 //----------------------------------------------------------------------------
 vtkSMRayTracedViewProxy::vtkSMRayTracedViewProxy()
@@ -34,28 +52,30 @@ vtkSMRayTracedViewProxy* vtkSMRayTracedViewProxy::Of(vtkSMProxy* view)
   const vtkSMPropertyHelper displays(view, "Representations", /*quiet=*/true);
   for (unsigned int i = 0; i < displays.GetNumberOfElements(); ++i)
   {
-    vtkSMRayTracedImageProxy* image = vtkSMRayTracedImageProxy::Of(displays.GetAsProxy(i));
-    if (image && image->GetView() && image->GetView()->View == view)
+    vtkSMProperty* one = displays.GetAsProxy(i) ? displays.GetAsProxy(i)->GetProperty("RenderStatistics") : nullptr;
+    auto* glyphs = one ? vtkSMRayTracedRepresentationProxy::SafeDownCast(one->GetParent()) : nullptr;
+    if (glyphs && glyphs->GetView() && glyphs->GetView()->View == view)
     {
-      return image->GetView();
+      return glyphs->GetView();
     }
   }
   return nullptr;
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkSMRayTracedViewProxy> vtkSMRayTracedViewProxy::Add(vtkSMRayTracedImageProxy* image, vtkSMProxy* view)
+vtkSmartPointer<vtkSMRayTracedViewProxy> vtkSMRayTracedViewProxy::Add(vtkSMProxy* display, vtkSMProxy* view)
 {
+  vtkSMProxy* settings = SettingsOf(display);
   vtkSmartPointer<vtkSMRayTracedViewProxy> owner = Of(view);
   if (owner)
   {
-    image->Copy(owner);
+    settings->Copy(owner);
   }
   else
   {
     owner.TakeReference(vtkSMRayTracedViewProxy::SafeDownCast(
-      image->GetSessionProxyManager()->NewProxy("internal_representations", "RayTracedView")));
-    owner->Copy(image);
+      display->GetSessionProxyManager()->NewProxy("internal_representations", "RayTracedView")));
+    owner->Copy(settings);
     owner->CreateVTKObjects();
     owner->UpdateVTKObjects();
     owner->View = view;
@@ -67,14 +87,54 @@ vtkSmartPointer<vtkSMRayTracedViewProxy> vtkSMRayTracedViewProxy::Add(vtkSMRayTr
     // Before observers that want to know how far the frame is.
     view->AddObserver(vtkCommand::EndEvent, owner.Get(), &vtkSMRayTracedViewProxy::Rendered, 1.0f);
   }
-  owner->Images.push_back(image);
+  owner->Displays.emplace_back(display);
+  settings->AddObserver(vtkCommand::PropertyModifiedEvent, owner.Get(), &vtkSMRayTracedViewProxy::Take);
+  settings->AddObserver(vtkCommand::UpdatePropertyEvent, owner.Get(), &vtkSMRayTracedViewProxy::Push);
   return owner;
 }
 
 //----------------------------------------------------------------------------
-void vtkSMRayTracedViewProxy::Remove(vtkSMRayTracedImageProxy* image)
+void vtkSMRayTracedViewProxy::Remove(vtkSMProxy* display)
 {
-  this->Images.erase(std::remove(this->Images.begin(), this->Images.end(), image), this->Images.end());
+  std::erase(this->Displays, display);
+}
+
+//----------------------------------------------------------------------------
+// A display has another value.
+void vtkSMRayTracedViewProxy::Take(vtkObject* settings, unsigned long, void* name)
+{
+  vtkSMProperty* property = vtkSMProxy::SafeDownCast(settings)->GetProperty(static_cast<const char*>(name));
+  if (!this->Sharing && this->Has(property))
+  {
+    this->GetProperty(static_cast<const char*>(name))->Copy(property);
+    if (this->GetSession()->IsProcessingRemoteNotification())
+    {
+      this->UpdateVTKObjects(); // another client has set it, and what it pushed was for its own view
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+// It is to be used.
+void vtkSMRayTracedViewProxy::Push(vtkObject* settings, unsigned long, void* name)
+{
+  vtkSMProperty* property = vtkSMProxy::SafeDownCast(settings)->GetProperty(static_cast<const char*>(name));
+  if (this->Has(property))
+  {
+    this->UpdateVTKObjects();
+    if (strcmp(property->GetClassName(), "vtkSMProperty") == 0)
+    {
+      this->InvokeCommand(static_cast<const char*>(name));
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+// Whether it is of a display that has not gone to another view.
+bool vtkSMRayTracedViewProxy::Has(vtkSMProperty* property)
+{
+  vtkSMProxy* display = property->GetParent()->GetTrueParentProxy();
+  return std::find(this->Displays.begin(), this->Displays.end(), display) != this->Displays.end();
 }
 
 //----------------------------------------------------------------------------
@@ -86,10 +146,10 @@ vtkSMProxy* vtkSMRayTracedViewProxy::GetView()
 //----------------------------------------------------------------------------
 vtkSMProxy* vtkSMRayTracedViewProxy::GetShownDisplay(vtkSMProxy* input)
 {
-  for (vtkSMRayTracedImageProxy* image : this->Images)
+  for (vtkSMProxy* display : this->Displays)
   {
-    vtkSMProxy* display = image->GetTrueParentProxy();
-    if (image->IsShown() && (!input || vtkSMPropertyHelper(display, "Input").GetAsProxy() == input))
+    vtkRayTracedRepresentation* shown = display ? ShownBy(display) : nullptr;
+    if (shown && shown->GetVisibility() && (!input || vtkSMPropertyHelper(display, "Input").GetAsProxy() == input))
     {
       return display;
     }
@@ -105,9 +165,12 @@ void vtkSMRayTracedViewProxy::SetPropertyModifiedFlag(const char* name, int flag
   {
     this->FollowQuality(name);
     this->Sharing = true;
-    for (vtkSMRayTracedImageProxy* image : this->Images)
+    for (vtkSMProxy* display : this->Displays)
     {
-      image->GetProperty(name)->Copy(this->GetProperty(name));
+      if (display)
+      {
+        SettingsOf(display)->GetProperty(name)->Copy(this->GetProperty(name));
+      }
     }
     this->Sharing = false;
   }
@@ -148,9 +211,12 @@ void vtkSMRayTracedViewProxy::UpdateVTKObjects()
   if (this->ArePropertiesModified())
   {
     this->Superclass::UpdateVTKObjects();
-    for (vtkSMRayTracedImageProxy* image : this->Images)
+    for (vtkSMProxy* display : this->Displays)
     {
-      image->GetTrueParentProxy()->UpdateVTKObjects();
+      if (display)
+      {
+        display->UpdateVTKObjects();
+      }
     }
   }
 }
@@ -180,12 +246,20 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
   {
     return;
   }
-  const auto all = nlohmann::json::parse(statistics);
+  auto all = nlohmann::ordered_json::parse(statistics);
   this->Progress = all.value("RefinementProgress", 1.0);
   this->Step = all.value("RefinementStep", "");
   this->Samples = all.value("AccumulatedSamples", 0);
-  for (vtkSMRayTracedImageProxy* image : this->Images)
+  const auto ofRepresentations = all.value("representations", all.object());
+  all.erase("representations");
+  for (vtkSMProxy* display : this->Displays)
   {
-    image->SetStatistics(statistics);
+    if (display)
+    {
+      vtkRayTracedRepresentation* shown = ShownBy(display);
+      auto own = all;
+      own.update(ofRepresentations.value(std::to_string(shown ? shown->GetUniqueIdentifier() : 0), all.object()));
+      vtkSMPropertyHelper(display, "RenderStatistics").Set(own.dump().c_str());
+    }
   }
 }

@@ -3,7 +3,7 @@
  * @brief   the one owner of the settings and the information of a view's ray-traced image, on the client
  *
  * There is one for each view with displays, made when the first of them enters it and gone with the last; views need
- * not know this plugin. The displays' vtkSMRayTracedImageProxy have the same settings: a change of one is copied to
+ *  have the same settings: a change of one is copied to
  * all, and a display that is added takes those of the view, the first one gives them. States keep them with the
  * displays.
  *
@@ -22,8 +22,6 @@
 #include <string>
 #include <vector>
 
-class vtkSMRayTracedImageProxy;
-
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedViewProxy : public vtkSMProxy
 {
 public:
@@ -37,10 +35,10 @@ public:
 
   ///@{
   /**
-   * A display's settings become those of a view, whose owner is returned; or leave it.
+   * A display's settings become those of a view, whose owner is returned and kept by the display; or leave it.
    */
-  static vtkSmartPointer<vtkSMRayTracedViewProxy> Add(vtkSMRayTracedImageProxy* image, vtkSMProxy* view);
-  void Remove(vtkSMRayTracedImageProxy* image);
+  static vtkSmartPointer<vtkSMRayTracedViewProxy> Add(vtkSMProxy* display, vtkSMProxy* view);
+  void Remove(vtkSMProxy* display);
   ///@}
 
   vtkSMProxy* GetView();
@@ -79,10 +77,13 @@ private:
   void operator=(const vtkSMRayTracedViewProxy&) = delete;
 
   void FollowQuality(const std::string& name);
+  void Take(vtkObject* settings, unsigned long, void* name);
+  void Push(vtkObject* settings, unsigned long, void* name);
+  bool Has(vtkSMProperty* property);
   void Rendered(vtkObject*, unsigned long, void* interactive);
 
   vtkWeakPointer<vtkSMProxy> View;
-  std::vector<vtkSMRayTracedImageProxy*> Images; // take themselves out before they go
+  std::vector<vtkWeakPointer<vtkSMProxy>> Displays;
   bool Sharing = false;                          // what displays get they give back
   bool Interactive = false;
   double Progress = 1.0;

@@ -20,7 +20,7 @@ def definitions(name):
     root = xml.etree.ElementTree.parse(os.path.join(FOLDER, name)).getroot()
     properties = {}
     for proxy in root.iter():
-        if proxy.tag.endswith(("RepresentationProxy", "ImageProxy")):
+        if proxy.tag.endswith("RepresentationProxy") or proxy.get("name") == "RayTracedImage":
             for entry in proxy:
                 if entry.tag.endswith("Property") and entry.get("name"):
                     properties.setdefault(entry.get("name"), entry)
