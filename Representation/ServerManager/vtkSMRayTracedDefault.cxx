@@ -3,19 +3,16 @@
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkCommand.h"
-#include "vtkPVDataInformation.h"
 #include "vtkSMDomain.h"
 #include "vtkSMDomainIterator.h"
 #include "vtkSMDoubleVectorProperty.h"
-#include "vtkSMEnumerationDomain.h"
 #include "vtkSMInputProperty.h"
 #include "vtkSMIntVectorProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxyListDomain.h"
-#include "vtkSMRayTracedArrayListDomain.h"
-#include "vtkSMSourceProxy.h"
+#include "vtkSMRayTracedDomains.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSMViewProxy.h"
@@ -215,28 +212,6 @@ public:
   }
 };
 
-// Where glyphs stand: on cells (1) where only these have directions or tensors.
-class LocationDomain final : public vtkSMEnumerationDomain
-{
-public:
-  int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override
-  {
-    const vtkSMPropertyHelper input(this->GetProperty()->GetParent(), "Input");
-    auto* source = input.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
-    vtkPVDataInformation* data =
-      source && source->GetOutputPortsCreated() ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
-    if (!data || vtkSMRayTracedArrayListDomain::HasDirectionsOrTensors(data->GetPointDataInformation()) ||
-      !vtkSMRayTracedArrayListDomain::HasDirectionsOrTensors(data->GetCellDataInformation()))
-    {
-      return 0;
-    }
-    vtkSMPropertyHelper helper(property);
-    helper.SetUseUnchecked(useUncheckedValues);
-    helper.Set(1);
-    return 1;
-  }
-};
-
 bool RenewOne(vtkSMProperty* property, Where where)
 {
   auto* ours = dynamic_cast<Default*>(property);
@@ -270,7 +245,7 @@ void vtkSMRayTracedDefault::Register()
     add("vtkSMRayTracedPlainDoubleVectorProperty", &New<Plain<vtkSMDoubleVectorProperty>>);
     add("vtkSMRayTracedPlainIntVectorProperty", &New<Plain<vtkSMIntVectorProperty>>);
     add("vtkSMRayTracedInputProperty", &New<InputProperty>);
-    add("vtkSMRayTracedLocationDomain", &New<LocationDomain>);
+    vtkSMRayTracedDomains::Register();
     return true;
   }();
   static_cast<void>(known);

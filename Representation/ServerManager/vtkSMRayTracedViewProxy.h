@@ -3,9 +3,8 @@
  * @brief   the one owner of the settings and the information of a view's ray-traced image, on the client
  *
  * There is one for each view with displays, made when the first of them enters it and gone with the last; views need
- *  have the same settings: a change of one is copied to
- * all, and a display that is added takes those of the view, the first one gives them. States keep them with the
- * displays.
+ * not know this plugin. Displays have the same settings, on the client only (RayTracedImage): a change of one is copied
+ * to all. A display that is added takes those of the view, the first one gives them. States keep them with the displays.
  *
  * RenderingQuality sets the properties that its hints name.
  *
