@@ -20,8 +20,8 @@
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkGlyphBounds.h"
+#include "vtkGlyphKeptGuess.h"
 #include "vtkGlyphMotion.h"
-#include "vtkGlyphShutterGuess.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedNumbers.h"
 #endif
@@ -261,7 +261,7 @@ private:
   std::unique_ptr<vtkGlyphStepVelocity> StepVelocity;
   bool ShutterTimeFromData = true;
   double ShutterTime = 0.0; // that the data suggest; 0: none
-  vtkGlyphShutterGuess ShutterGuess;
+  vtkGlyphKeptGuess ShutterGuess;
 };
 
 #endif

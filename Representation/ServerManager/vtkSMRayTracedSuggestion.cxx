@@ -66,4 +66,10 @@ void vtkSMRayTracedSuggestion::Take(vtkSMProxy* shown)
       taking = false;
     }
   }
+  if (vtkSMProperty* found = shown->GetProperty("GlyphDataSizesInfo"))
+  {
+    shown->UpdatePropertyInformation(found);
+    shown->GetProperty("GlyphDataSizes")->Copy(found);
+    shown->UpdateVTKObjects();
+  }
 }

@@ -193,6 +193,7 @@ ROWS = [
     # A fifth of the longest side, which is 1.2.
     Row("GlyphScaleFactorFromData", 1, reads("GlyphScaleFactor", 0.24), scene="two", back=False),
     Row("GlyphScaleGuess", LEFT, reads("GlyphScaleGuess", [0.24, 0.0]), scene="two", GlyphScaleFactorFromData=1),
+    Row("GlyphDataSizesInfo", LEFT, reads("GlyphDataSizesInfo", [0.5, 1.0, 1.0]), GlyphShape="Arrow", GlyphScaling=1, GlyphScaleArray="half", GlyphMesh=forms),
     Row("GlyphScaling", 1, area(DISC / 4.0, DISC), scene="two", GlyphScaleArray="size"),
     Row("GlyphScaleArray", "quarter", area(DISC / 16.0, DISC / 16.0), scene="two", GlyphScaling=1, **{"GlyphScaleArray": "size"}),
     Row("GlyphScaleMode", "Components", area(DISC / 2.0), GlyphScaling=1, GlyphScaleArray="lengths"),
