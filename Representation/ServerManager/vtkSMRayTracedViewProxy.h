@@ -4,7 +4,8 @@
  *
  * There is one for each view with displays, made when the first of them enters it and gone with the last; views need
  * not know this plugin. Displays have the same settings, on the client only (RayTracedImage): a change of one is copied
- * to all. A display that is added takes those of the view, the first one gives them. States keep them with the displays.
+ * to all. A display that is added takes those of the view, the first one gives them. States keep them with the
+ * displays.
  *
  * RenderingQuality sets the properties that its hints name.
  *
@@ -83,7 +84,7 @@ private:
 
   vtkWeakPointer<vtkSMProxy> View;
   std::vector<vtkWeakPointer<vtkSMProxy>> Displays;
-  bool Sharing = false;                          // what displays get they give back
+  bool Sharing = false; // what displays get they give back
   bool Interactive = false;
   double Progress = 1.0;
   std::string Step;
