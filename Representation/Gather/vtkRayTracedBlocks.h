@@ -12,6 +12,8 @@
 #define vtkRayTracedBlocks_h
 
 #include "vtkGlyphBlockAttributes.h"
+#include "vtkPolyData.h"
+#include "vtkScalarsToColors.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -29,8 +31,6 @@ class vtkDataArray;
 class vtkDataObject;
 class vtkDoubleArray;
 class vtkPoints;
-class vtkPolyData;
-class vtkScalarsToColors;
 
 class vtkRayTracedBlocks
 {

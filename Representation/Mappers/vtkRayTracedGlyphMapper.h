@@ -12,6 +12,7 @@
 #include "vtkGlyphSettings.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 class vtkDoubleArray;
 
