@@ -88,6 +88,13 @@ check demonstration bin/SelfCheck demonstration "$results/pictures" $size
 cat "$results/demonstration.log"
 
 echo
+echo "== SHA-256 of images, the same wherever rounding is"
+mkdir -p "$results/images"
+check images bin/SelfCheckImages "$results/images"
+(cd "$results/images" && sha256sum ./*.raw) >"$results/images.sha256"
+sha256sum "$results/images.sha256"
+
+echo
 for log in $failed; do
   [ ! -f "$results/$log.log" ] || { echo "== $results/$log.log"; tail -n 20 "$results/$log.log"; }
 done

@@ -23,7 +23,7 @@ mkdir -p "$folder/bin" "$folder/lib/loader"
 cp "$clone/Testing/SelfCheck/run.sh" "$folder"
 git -C "$clone" describe --always --dirty >"$folder/version" 2>/dev/null || echo unknown >"$folder/version"
 # FaultTest and LackingDeviceTest need a Vulkan layer of their own.
-for program in "$build"/bin/*Test "$build/bin/SelfCheck"; do
+for program in "$build"/bin/*Test "$build"/bin/SelfCheck*; do
   case "$(basename "$program")" in
     FaultTest | LackingDeviceTest) ;;
     *) strip -o "$folder/bin/$(basename "$program")" "$program" ;;
