@@ -111,7 +111,7 @@ private:
   // How far the glyph reaches from its point along each axis; zero where it has no finite size.
   glm::dvec3 Reach(vtkIdType point, vtkGlyphTuples& scales, vtkGlyphTuples& radii, vtkGlyphTuples& forms) const
   {
-    glm::dvec3 size(std::abs(this->Settings.ScaleFactor));
+    glm::dvec3 size(std::abs(this->Settings.ScaleFactor) * this->Settings.UnitSize);
     if (this->Scales)
     {
       const double* tuple = scales.Get(point);

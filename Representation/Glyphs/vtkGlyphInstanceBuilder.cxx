@@ -250,12 +250,6 @@ private:
   std::vector<float> Shifts;     // of each glyph, where these differ
   std::atomic<bool> NeedsLowParts{ false };
 };
-
-std::string NoDirection()
-{
-  return "Arrows and cones need directions. Choose a point array of 3 components, or quaternions, as "
-         "GlyphOrientationArray, or switch GlyphOrient off: they then lie along x.";
-}
 }
 
 //----------------------------------------------------------------------------
@@ -276,8 +270,8 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   {
     const std::string number = std::to_string(settings.TableEntry);
     result.Messages.push_back((settings.HasTable() ? "Entry " + number +
-                                    " of GlyphMesh has no polygons, so points that choose it have no glyph."
-                                                   : "GlyphMesh has no polygons, so there are no glyphs.") +
+                                    " of GlyphType has no polygons, so points that choose it have no glyph."
+                                                   : "GlyphType has no polygons, so there are no glyphs.") +
       " Choose a source that has some, such as Arrow, Cone or Sphere.");
     return result;
   }
@@ -310,12 +304,6 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     }
   }
 
-  if (settings.LacksDirection())
-  {
-    result.Unfinished = NoDirection();
-    result.Skipped = static_cast<vtkIdType>(candidates.size());
-    return result;
-  }
   const vtkGlyphMaker maker(points, settings, modelToWorld, tensors.get(), forms.get(), result.Messages);
   if (!problem.empty())
   {

@@ -92,10 +92,12 @@ vtkGlyphMaker::vtkGlyphMaker(vtkPolyData* points, const vtkGlyphSettings& settin
 
   const bool scaledByComponents = this->Has(vtkGlyphArrays::SCALE) && this->ByComponents;
   const bool sizedByData = this->Has(vtkGlyphArrays::SCALE) || this->Has(vtkGlyphArrays::RADIUS) || tensors || forms;
-  this->SameSizes = !sizedByData && this->Placement.Uniform;
+  const glm::dvec3& unit = settings.UnitSize;
+  const bool sameSides = unit.x == unit.y && unit.y == unit.z && this->Placement.Uniform;
+  this->SameSizes = !sizedByData && sameSides;
   this->OneSize =
     (this->NumberOfParts > 1 || (!scaledByComponents && !this->Has(vtkGlyphArrays::RADIUS) && !tensors)) &&
-    this->Placement.Uniform;
+    sameSides;
   this->Turned = (this->Has(vtkGlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
     !(this->IsRound() && this->AnchorShift == 0.0);
   this->Flips = this->Pointed && (scaledByComponents || settings.ScaleFactor < 0.0 || this->Placement.Scale < 0.0);
@@ -197,7 +199,7 @@ bool vtkGlyphMaker::IsOfThisForm(vtkIdType point, Tuples& tuples, Outcome& other
 Outcome vtkGlyphMaker::MakeSize(
   vtkIdType point, Tuples& tuples, glm::dvec3& size, glm::dquat& rotation, Glyph& glyph, float* polynomial) const
 {
-  size = glm::dvec3(this->How.ScaleFactor);
+  size = this->How.ScaleFactor * this->How.UnitSize;
   if (vtkGlyphTuples& scales = tuples[vtkGlyphArrays::SCALE])
   {
     const double* tuple = scales.Get(point);

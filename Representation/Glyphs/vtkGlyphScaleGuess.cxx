@@ -145,8 +145,8 @@ double ExactFactor(vtkPolyData* data, const vtkGlyphSettings& settings)
   const bool sizes = scales && scales->GetNumberOfComponents() == 1 && settings.Shape == rtg::Shape::Sphere &&
     !settings.Tensors.On && settings.Sizing.Function == vtkGlyphSizing::LINEAR;
   return !sizes                                           ? 0.0
-    : vtkGlyphArrayNames::IsRadius(settings.ScaleArray)   ? 2.0
-    : vtkGlyphArrayNames::IsDiameter(settings.ScaleArray) ? 1.0
+    : vtkGlyphArrayNames::IsRadius(settings.ScaleArray)   ? 2.0 / settings.UnitSize.x
+    : vtkGlyphArrayNames::IsDiameter(settings.ScaleArray) ? 1.0 / settings.UnitSize.x
                                                           : 0.0;
 }
 

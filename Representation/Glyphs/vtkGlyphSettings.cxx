@@ -21,7 +21,6 @@ vtkGlyphSettings vtkGlyphSettings::InRange() const
   PutInRange(s.Arrow.shaftRadius, 0.0, 0.5, standard.Arrow.shaftRadius);
   PutInRange(s.Arrow.tipRadius, 0.0, 0.5, standard.Arrow.tipRadius);
   PutInRange(s.Arrow.tipLength, 0.001, 1.0, standard.Arrow.tipLength);
-  PutInRange(s.Arrow.tipRounding, 0.0, 1.0, standard.Arrow.tipRounding);
   PutInRange(s.Tensors.Layout, 0, 4);
   PutInRange(s.Tensors.Sharpness, 0.0, 10.0, standard.Tensors.Sharpness);
   PutInRange(s.Tensors.Thickness, rtg::thinnestTensorGlyph, 1.0, standard.Tensors.Thickness);
@@ -51,10 +50,6 @@ vtkGlyphSettings vtkGlyphSettings::Effective() const
   {
     settings.ScaleArray.clear();
     settings.ScaleMode = none.ScaleMode;
-  }
-  if (settings.Sizing.Function != vtkGlyphSizing::LOGARITHM)
-  {
-    settings.Sizing.Reference = none.Sizing.Reference;
   }
   if (!settings.Orient || settings.Tensors.On)
   {
@@ -100,11 +95,11 @@ vtkGlyphSettings vtkGlyphSettings::OfSizes() const
 {
   vtkGlyphSettings matter;
   matter.Shape = this->Shape;
+  matter.UnitSize = this->UnitSize;
   matter.Scaling = this->Scaling;
   matter.ScaleArray = this->Scaling ? this->ScaleArray : std::string();
   matter.ScaleMode = this->ScaleMode;
   matter.Sizing.Function = this->Sizing.Function;
-  matter.Sizing.Reference = this->Sizing.Reference;
   matter.Tensors.On = this->Tensors.On;
   matter.Tensors.Array = this->Tensors.On ? this->Tensors.Array : std::string();
   matter.Tensors.Layout = this->Tensors.Layout;

@@ -46,6 +46,7 @@ struct vtkGlyphSettings
   std::string ScaleArray; // empty or "None": none
   int ScaleMode = MAGNITUDE;
   double ScaleFactor = 1.0;  // world units
+  glm::dvec3 UnitSize{ 1.0 }; // of the shape as its source makes it, in unit glyphs
   vtkGlyphSizing Sizing;     // of magnitudes of the scale array, and of eigenvalues
   std::string RadiusArray;   // across the glyph's x axis, instead of the scale; empty or "None": none
   double RadiusFactor = 1.0; // what it is multiplied by
@@ -93,15 +94,6 @@ struct vtkGlyphSettings
   {
     return this->Shape == rtg::Shape::Arrow && this->Arrow.fixedHeads && this->Scaling &&
       !vtkRayTracedArrays::IsNone(this->ScaleArray) && !rtg::IsPositive(this->ArrowReference);
-  }
-
-  /**
-   * Whether the glyphs point somewhere, and no array says where.
-   */
-  bool LacksDirection() const
-  {
-    const bool points = this->Shape == rtg::Shape::Arrow || this->Shape == rtg::Shape::Cone;
-    return points && !this->Tensors.On && this->Orient && vtkRayTracedArrays::IsNone(this->OrientationArray);
   }
 
   /**

@@ -45,15 +45,6 @@ bool vtkSMRayTracedDefault::IsShown(vtkSMProperty* property)
 }
 
 //----------------------------------------------------------------------------
-bool vtkSMRayTracedDefault::IsAlias(vtkSMProperty* property)
-{
-  vtkSMProxy* owner = property->GetParent();
-  vtkSMProxy* display = owner ? owner->GetTrueParentProxy() : nullptr;
-  vtkSMProperty* other = display ? display->GetProperty(property->GetXMLName()) : nullptr;
-  return other && other != property && AreEqual(property, other);
-}
-
-//----------------------------------------------------------------------------
 bool vtkSMRayTracedDefault::Take(vtkSMProperty* property, bool chosen)
 {
   if (chosen || (!this->Chosen && property->IsValueDefault()))

@@ -19,11 +19,6 @@ struct vtkSMRayTracedDefault
   static bool IsShown(vtkSMProperty* property);
 
   /**
-   * Whether a property is but another name of one of ParaView's own, as PathMetallic is of Metallic. That one is named.
-   */
-  static bool IsAlias(vtkSMProperty* property);
-
-  /**
    * To be called when the domains have been asked for a value that fits the data, with their answer, which is returned.
    * Where there are no data, as when ParaView resets all properties of a display, the input first, the property gets
    * the value that was chosen before; the default of the XML, while there is none, counts as chosen by ParaView.

@@ -11,8 +11,7 @@ vtkStandardNewMacro(vtkSMRayTracedDoubleVectorProperty);
 //----------------------------------------------------------------------------
 bool vtkSMRayTracedDoubleVectorProperty::IsValueDefault()
 {
-  return this->Superclass::IsValueDefault() || vtkSMRayTracedDefault::IsAlias(this) || this->IsFromData() ||
-    this->Default.IsChosen(this);
+  return this->Superclass::IsValueDefault() || this->IsFromData() || this->Default.IsChosen(this);
 }
 
 //----------------------------------------------------------------------------

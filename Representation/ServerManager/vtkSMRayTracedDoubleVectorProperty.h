@@ -3,8 +3,7 @@
  * @brief   numbers of this plugin that somebody else sets
  *
  * Its value counts as the default where the data have chosen it, which a property of the same name with FromData behind
- * it says, or ParaView, by a domain; and where it is but another name of one of ParaView's own. See
- * vtkSMRayTracedDefault.
+ * it says, or ParaView, by a domain. See vtkSMRayTracedDefault.
  */
 #ifndef vtkSMRayTracedDoubleVectorProperty_h
 #define vtkSMRayTracedDoubleVectorProperty_h

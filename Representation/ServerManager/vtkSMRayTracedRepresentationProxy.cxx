@@ -8,9 +8,12 @@
 #include "vtkPVXMLElement.h"
 #include "vtkRayTracedRepresentation.h"
 #include "vtkRayTracedSelectionEncoder.h"
+#include "vtkSMInputArrayDomain.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
+#include "vtkSMProxyListDomain.h"
+#include "vtkSMRayTracedArrayListDomain.h"
 #include "vtkSMRayTracedDoubleVectorProperty.h"
 #include "vtkSMRayTracedLocationProperty.h"
 #include "vtkSMRayTracedStringVectorProperty.h"
@@ -49,9 +52,32 @@ vtkSMProxy* ShownBy(vtkSMProxy* display)
                                      : nullptr;
 }
 
-// Properties whose default the data choose (vtkSMRayTracedArrayListDomain).
-const char* const arrays[] = { "GlyphScaleArray", "GlyphOrientationArray", "GlyphTensorArray", "GlyphHarmonicsArray",
-  "VelocityArray" };
+// Properties whose default the data choose (vtkSMRayTracedArrayListDomain): our own, and those of 3D Glyphs.
+const char* const arrays[] = { "GlyphTensorArray", "GlyphHarmonicsArray", "VelocityArray" };
+const char* const sharedArrays[] = { "SelectScaleArray", "SelectOrientationVectors" };
+
+// Of the properties that 3D Glyphs has, those that ray-traced glyphs have another default of.
+const std::set<std::string> defaultedAnew = { "GlyphType", "Orient", "ScaleFactor", "Scaling", "SelectScaleArray",
+  "SelectOrientationVectors" };
+
+// ParaView lets subclasses choose only.
+struct InputArrays : vtkSMInputArrayDomain
+{
+  static void List(vtkSMDomain* domain, int attributeType)
+  {
+    void (vtkSMInputArrayDomain::*set)(int) = &InputArrays::SetAttributeType;
+    if (auto* arrays = vtkSMInputArrayDomain::SafeDownCast(domain))
+    {
+      (arrays->*set)(attributeType);
+    }
+  }
+};
+
+bool IsNone(vtkSMProxy* display, const char* array)
+{
+  const char* value = vtkSMPropertyHelper(display, array).GetAsString();
+  return !value || !value[0] || strcmp(value, "None") == 0;
+}
 
 // While one display's value is copied to the others, their changes are not copied on.
 bool sharing = false;
@@ -67,7 +93,7 @@ struct vtkSMRayTracedRepresentationProxy::Suggested
 namespace
 {
 const std::array<vtkSMRayTracedRepresentationProxy::Suggested, 2> suggestions = { {
-  { "GlyphScaleFactor", "GlyphScaleFactorFromData", "GlyphScaleGuess", "GlyphSizeLimit", nullptr },
+  { "ScaleFactor", "ScaleFactorFromData", "ScaleFactorGuess", "GlyphSizeLimit", nullptr },
   { "ShutterTime", "ShutterTimeFromData", "ShutterTimeGuess", nullptr, "MotionBlur" },
 } };
 }
@@ -212,20 +238,18 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
       strcmp(name, "GlyphHarmonicsArray") == 0;
     this->TensorTableChosen = table || (this->TensorTableChosen && !number);
   }
+  if (flag && name && defaultedAnew.count(name))
+  {
+    this->NoteChoice(name);
+  }
   if (flag && name && strcmp(name, "GlyphLocation") == 0)
   {
-    // The lists of arrays are those of the input that the glyphs stand on.
-    this->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
+    this->ListArraysOfLocation();
     for (const char* array : arrays)
     {
       this->RenewDefault(array, vtkSMRayTracedDefault::Where::Lost);
     }
-  }
-  if (flag && name && strcmp(name, "GlyphShape") == 0 && !vtkSMPropertyHelper(this, "GlyphScaling", true).GetAsInt())
-  {
-    // Arrows are as long as vectors, others as large as radii. Not while the array is in use: scripts and states may
-    // name the array before the shape.
-    this->RenewDefault("GlyphScaleArray", vtkSMRayTracedDefault::Where::Everywhere);
+    this->ChooseSharedArrays(/*lost=*/true);
   }
   if (flag && name && strcmp(name, "TubeRadiusArray") == 0)
   {
@@ -239,10 +263,114 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     this->ShareWithView(name);
   }
-  if (flag && name)
+}
+
+//----------------------------------------------------------------------------
+// One of the properties shared with 3D Glyphs has changed. While the display is made ParaView changes them.
+void vtkSMRayTracedRepresentationProxy::NoteChoice(const std::string& name)
+{
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  vtkSMProperty* shared = display ? display->GetProperty(name.c_str()) : nullptr;
+  if (!shared || this->Choosing || !this->FindView())
   {
-    this->ShareMaterial(name);
+    return;
   }
+  this->Chosen.insert(name);
+  if (name == "ScaleFactor")
+  {
+    const bool reset = vtkSMRayTracedDefault().Has(shared);
+    if (reset)
+    {
+      this->Chosen.erase(name);
+    }
+    vtkSMPropertyHelper(this, "ScaleFactorFromData").Set(reset && ShownBy(display) == this);
+  }
+}
+
+//----------------------------------------------------------------------------
+// What nobody has chosen gets the defaults of ray-traced glyphs when a display is first shown as such: they are as large
+// as the data suggest and turned where the data have directions, and spheres where they have none.
+void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
+{
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  vtkSMSessionProxyManager* proxies = this->GetSessionProxyManager();
+  if (!display || ShownBy(display) != this || !this->GetProperty("GlyphShape"))
+  {
+    return;
+  }
+  if (proxies && proxies->GetInLoadXMLState())
+  {
+    this->Chosen = defaultedAnew; // states say all
+    return;
+  }
+  this->Choosing = true;
+  this->ChooseSharedArrays(/*lost=*/true);
+  for (const char* name : { "Orient", "Scaling" })
+  {
+    if (!this->Chosen.count(name))
+    {
+      vtkSMPropertyHelper(display, name).Set(1);
+    }
+  }
+  vtkSMProperty* type = display->GetProperty("GlyphType");
+  auto* list = type->FindDomain<vtkSMProxyListDomain>();
+  vtkSMProxy* sphere = list ? list->FindProxy("sources", "SphereSource") : nullptr;
+  if (sphere && !this->Chosen.count("GlyphType") && IsNone(display, "SelectOrientationVectors"))
+  {
+    vtkSMPropertyHelper(type).Set(sphere);
+  }
+  if (!this->Chosen.count("ScaleFactor"))
+  {
+    vtkSMPropertyHelper(this, "ScaleFactorFromData").Set(1);
+  }
+  this->Choosing = false;
+}
+
+//----------------------------------------------------------------------------
+// Where ParaView has found none, or one that the glyphs' location does not have (lost). Returns whether others were.
+bool vtkSMRayTracedRepresentationProxy::ChooseSharedArrays(bool lost)
+{
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  bool changed = false;
+  for (const char* name : sharedArrays)
+  {
+    vtkSMProperty* own = this->GetProperty(name);
+    auto* list = own ? own->FindDomain<vtkSMRayTracedArrayListDomain>() : nullptr;
+    if (!list || !display || !this->IsFollower(name) || this->Chosen.count(name))
+    {
+      continue;
+    }
+    const std::string before = vtkSMPropertyHelper(display, name).GetAsString();
+    unsigned int index = 0;
+    if (IsNone(display, name) || (lost && !list->IsInDomain(before.c_str(), index)))
+    {
+      const bool choosing = this->Choosing;
+      this->Choosing = true;
+      list->SetDefaultValues(display->GetProperty(name), /*useUncheckedValues=*/false);
+      this->Choosing = choosing;
+      changed |= before != vtkSMPropertyHelper(display, name).GetAsString();
+    }
+  }
+  return changed;
+}
+
+//----------------------------------------------------------------------------
+// The lists of arrays are those of the input that the glyphs stand on, also in 3D Glyphs' properties.
+void vtkSMRayTracedRepresentationProxy::ListArraysOfLocation()
+{
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  vtkSMProxy* glyphs = display ? Display::Representation(display, "Glyph3DRepresentation") : nullptr;
+  const bool cells = vtkSMPropertyHelper(this, "GlyphLocation").GetAsInt() != 0;
+  if (glyphs)
+  {
+    auto domains = vtk::TakeSmartPointer(glyphs->GetProperty("Input")->NewDomainIterator());
+    for (domains->Begin(); !domains->IsAtEnd(); domains->Next())
+    {
+      InputArrays::List(domains->GetDomain(), cells ? vtkSMInputArrayDomain::CELL : vtkSMInputArrayDomain::POINT);
+    }
+    glyphs->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
+  }
+  this->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
 }
 
 //----------------------------------------------------------------------------
@@ -323,23 +451,12 @@ void vtkSMRayTracedRepresentationProxy::RenewDefaults(vtkSMProxy* view)
   {
     renewed |= this->IsExposed(name) && this->RenewDefault(name, where);
   }
+  renewed |= this->ChooseSharedArrays(where == Where::Lost);
   renewed |= this->IsExposed("TubeRadius") && this->RenewDefault("TubeRadius", Where::Missing);
   if (renewed)
   {
     this->UpdateVTKObjects();
     vtkSMViewProxy::SafeDownCast(view)->Update();
-  }
-}
-
-//----------------------------------------------------------------------------
-// ParaView copies its own surface's material to this proxy. What is changed here, as PathMetallic, goes the other way.
-void vtkSMRayTracedRepresentationProxy::ShareMaterial(const std::string& name)
-{
-  vtkSMProxy* display = this->GetTrueParentProxy();
-  vtkSMProperty* own = this->GetProperty(name.c_str());
-  if (display && own && display->GetProperty(("Path" + name).c_str()) == own)
-  {
-    display->GetProperty(name.c_str())->Copy(own);
   }
 }
 
@@ -380,6 +497,21 @@ void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtk
     consumer->AddObserver(vtkCommand::EndEvent, this, &vtkSMRayTracedRepresentationProxy::Rendered);
   }
   this->TakeFromView(consumer);
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  if (display && this->GetProperty("GlyphShape") && this->ObservedDisplay != display)
+  {
+    this->ObservedDisplay = display;
+    display->GetProperty("Representation")
+      ->AddObserver(vtkCommand::ModifiedEvent, this, &vtkSMRayTracedRepresentationProxy::ChooseDefaults);
+    // The panel shows them at once.
+    display->GetProperty("GlyphType")->SetPanelVisibility("default");
+    for (const char* name :
+      { "Orient", "ScaleFactor", "ScaleMode", "Scaling", "SelectOrientationVectors", "SelectScaleArray" })
+    {
+      display->GetProperty(name)->SetPanelVisibilityDefaultForRepresentation("ray traced glyphs");
+    }
+    this->ChooseDefaults();
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -461,14 +593,15 @@ void vtkSMRayTracedRepresentationProxy::TakeGuess(const Suggested& suggested)
   const vtkSMPropertyHelper found(guess);
   if (found.GetAsDouble() > 0.0)
   {
-    this->TakingGuess = true;
-    vtkSMPropertyHelper(this, suggested.Number).Set(found.GetAsDouble());
+    vtkSMProxy* owner = this->IsFollower(suggested.Number) ? this->GetTrueParentProxy() : this;
+    this->TakingGuess = this->Choosing = true;
+    vtkSMPropertyHelper(owner, suggested.Number).Set(found.GetAsDouble());
     if (suggested.Limit)
     {
       vtkSMPropertyHelper(this, suggested.Limit).Set(found.GetAsDouble(1));
     }
-    this->UpdateVTKObjects();
-    this->TakingGuess = false;
+    owner->UpdateVTKObjects();
+    this->TakingGuess = this->Choosing = false;
   }
 }
 

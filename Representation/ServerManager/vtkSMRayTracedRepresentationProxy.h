@@ -4,12 +4,13 @@
  *
  * - Properties with the hint OfView hold for the whole view: a change on one of its displays is a change on all, and a
  * display that is added takes the values of those that are there.
- * - Path tracing's material (PathMetallic and so on) has the values of the ordinary surface's (Metallic).
  * - Information properties speak of the process that renders, and are current after each render. ParaView asks the
  *   client for information about whatever is there too; with remote rendering nothing happens there, and the server's
  * first rank is asked.
  * - Those with the hint OfData speak of the processes that have the data.
- * - GlyphScaleFactor and ShutterTime are what the data suggest until they are set.
+ * - ScaleFactor and ShutterTime are what the data suggest until they are set.
+ * - Properties that 3D Glyphs has are those of its representation. Where nobody has chosen, data choose otherwise than
+ *   ParaView does; see ChooseDefaults().
  * - Numbers of tensors (GlyphTensorColoring) have a lookup table and a scalar bar of their own.
  */
 #ifndef vtkSMRayTracedRepresentationProxy_h
@@ -23,6 +24,7 @@
 #endif
 
 #include <functional>
+#include <set>
 #include <string>
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedRepresentationProxy : public vtkSMRepresentationProxy
@@ -68,18 +70,23 @@ private:
   void TakeSelection();
   void FollowQuality(const std::string& name);
   void ShareWithView(const char* name);
-  void ShareMaterial(const std::string& name);
+  void NoteChoice(const std::string& name);
+  void ChooseDefaults();
+  bool ChooseSharedArrays(bool lost);
+  void ListArraysOfLocation();
   void TakeFromView(vtkSMProxy* view);
   void Rendered(vtkObject* view, unsigned long event, void* interactive);
   void UpdateTensorTable(vtkSMProxy* view);
   void TakeGuess(const Suggested& suggested);
 
-  vtkWeakPointer<vtkSMProxy> ObservedView;
+  vtkWeakPointer<vtkSMProxy> ObservedView, ObservedDisplay;
   double Time = 0.0;           // of the last update
   std::string TensorTableName; // of the table and scalar bar that are in use; empty: none
   double TensorRange[2] = { 1.0, -1.0 };
   bool TensorTableChosen = false; // by somebody else than this class
   bool ApplyingQuality = false;
+  std::set<std::string> Chosen; // of the properties shared with 3D Glyphs, by the user or a script
+  bool Choosing = false;        // by this class
   bool TakingGuess = false; // a number is set to what the data suggest, not by the user
 };
 
