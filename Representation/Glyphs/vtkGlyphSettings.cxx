@@ -15,7 +15,7 @@ vtkGlyphSettings vtkGlyphSettings::InRange() const
   vtkGlyphSettings s = *this;
   PutInRange(s.ScaleMode, MAGNITUDE, COMPONENTS);
   PutInRange(s.Sizing.Function, vtkGlyphSizing::LINEAR, vtkGlyphSizing::UNIT);
-  PutInRange(s.OrientationMode, DIRECTION, AXES);
+  PutInRange(s.OrientationMode, DIRECTION, QUATERNION);
   PutInRange(s.Anchor, ORIGIN, TIP);
   PutInRange(s.Mask.Mode, vtkGlyphMask::RANDOM, vtkGlyphMask::EVEN_IN_SPACE);
   PutInRange(s.Arrow.shaftRadius, 0.0, 0.5, standard.Arrow.shaftRadius);

@@ -30,8 +30,7 @@ struct vtkGlyphSettings
     DIRECTION = 0,
     ROTATION = 1,
     QUATERNION = 2,
-    MATRIX = 3, // of rotation, row by row
-    AXES = 4    // images of x, y and z, one after another
+    MATRIX = 3 // of rotation, row by row; tuples of nine components
   };
   enum Anchors
   {

@@ -114,7 +114,7 @@ int vtkGlyphArrays::OrientationMode(vtkDataArray* orientations, const vtkGlyphSe
   {
     return Settings::QUATERNION;
   }
-  return components == 9 && settings.OrientationMode != Settings::AXES ? Settings::MATRIX : settings.OrientationMode;
+  return components == 9 ? Settings::MATRIX : settings.OrientationMode;
 }
 
 //----------------------------------------------------------------------------

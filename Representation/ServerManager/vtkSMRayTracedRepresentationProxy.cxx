@@ -63,12 +63,13 @@ const std::set<std::string> defaultedAnew = { "GlyphType", "Orient", "ScaleFacto
 // ParaView lets subclasses choose only.
 struct InputArrays : vtkSMInputArrayDomain
 {
-  static void List(vtkSMDomain* domain, int attributeType)
+  static void List(vtkSMDomain* domain, int attributeType, const std::vector<int>& numbersOfComponents)
   {
     void (vtkSMInputArrayDomain::*set)(int) = &InputArrays::SetAttributeType;
     if (auto* arrays = vtkSMInputArrayDomain::SafeDownCast(domain))
     {
       (arrays->*set)(attributeType);
+      arrays->*(&InputArrays::AcceptableNumbersOfComponents) = numbersOfComponents;
     }
   }
 };
@@ -303,6 +304,7 @@ void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
     this->Chosen = defaultedAnew; // states say all
     return;
   }
+  this->ListArraysOfLocation();
   this->Choosing = true;
   this->ChooseSharedArrays(/*lost=*/true);
   for (const char* name : { "Orient", "Scaling" })
@@ -360,15 +362,14 @@ void vtkSMRayTracedRepresentationProxy::ListArraysOfLocation()
 {
   vtkSMProxy* display = this->GetTrueParentProxy();
   vtkSMProxy* glyphs = display ? Display::Representation(display, "Glyph3DRepresentation") : nullptr;
-  const bool cells = vtkSMPropertyHelper(this, "GlyphLocation").GetAsInt() != 0;
-  if (glyphs)
+  if (glyphs && this->FindView()) // else the display is being made
   {
-    auto domains = vtk::TakeSmartPointer(glyphs->GetProperty("Input")->NewDomainIterator());
-    for (domains->Begin(); !domains->IsAtEnd(); domains->Next())
-    {
-      InputArrays::List(domains->GetDomain(), cells ? vtkSMInputArrayDomain::CELL : vtkSMInputArrayDomain::POINT);
-    }
-    glyphs->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
+    const bool cells = vtkSMPropertyHelper(this, "GlyphLocation").GetAsInt() != 0;
+    vtkSMProperty* input = glyphs->GetProperty("Input");
+    const int type = cells ? vtkSMInputArrayDomain::CELL : vtkSMInputArrayDomain::POINT;
+    InputArrays::List(input->GetDomain("scale_array"), type, {});
+    InputArrays::List(input->GetDomain("vector_array"), type, { 2, 3, 4, 9 });
+    input->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
   }
   this->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
 }

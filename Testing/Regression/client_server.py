@@ -25,13 +25,13 @@ def scene(folder):
     """Particles spread over the ranks as arrows and spheres, on an opaque surface; (view, both representations)."""
     view = session.view(300, 200)
     spread = session.spread(folder + "/impact/impact_04.vtk")
-    spheres = session.glyphs(spread, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
-                             GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
+    spheres = session.glyphs(spread, view, "Sphere", Orient=0, SelectScaleArray="diameter",
+                             ScaleMode="Magnitude", ScaleFactor=1.0)
     session.solid(spheres, (0.9, 0.7, 0.3))
     lifted = pv.Transform(Input=spread)
     lifted.Transform.Translate = [0.0, 0.0, 12.0]
-    arrows = session.glyphs(lifted, view, "Arrow", GlyphOrientationArray="velocity", GlyphScaling=1,
-                            GlyphScaleArray="velocity", GlyphScaleFactor=0.2)
+    arrows = session.glyphs(lifted, view, "Arrow", SelectOrientationVectors="velocity", ScaleMode="Magnitude",
+                            SelectScaleArray="velocity", ScaleFactor=0.2)
     pv.ColorBy(arrows, ("POINTS", "velocity"))
     arrows.SetScalarBarVisibility(view, False)
     ball = pv.Show(pv.Sphere(Center=[14.0, 14.0, 4.0], Radius=8.0, ThetaResolution=64, PhiResolution=64), view)
@@ -48,7 +48,7 @@ def blocks():
     right = pv.Sphere(Center=[1.0, 0.0, 0.0])
     group = pv.GroupDatasets(Input=[left, right])
     group.BlockNames = ["left", "right"]
-    shown = session.glyphs(group, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.15)
+    shown = session.glyphs(group, view, "Sphere", Orient=0, ScaleFactor=0.15)
     session.solid(shown, (1.0, 1.0, 1.0))
     shown.BlockSelectors = ["/Root/right"]
     shown.BlockColors = ["/Root/right", "1", "0", "0"]

@@ -15,7 +15,7 @@ from checks import Checks
 
 #: many samples are slow, and images that grow step by step move their counters
 LEFT_OUT = {"SamplesPerPixel", "StepwiseRendering"}
-STATES = ({"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "length"},
+STATES = ({"GlyphType": "Arrow", "ScaleMode": "Magnitude", "SelectScaleArray": "length"},
           {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor", "MotionBlur": 1, "VelocityArray": "vector"})
 
 
@@ -44,7 +44,7 @@ def scales(checks):
             shown.SetRepresentationType(kind if "Ray" in kind else session.REPRESENTATION)
             shown.SamplesPerPixel, shown.TubeRadius = 1, 0.05 * scale
             if "Ray" not in kind:
-                shown.GlyphShape, shown.GlyphScaleFactor, shown.GlyphOrient = kind, 0.3 * scale, 0
+                shown.GlyphType, shown.ScaleFactor, shown.Orient = session.shaped(kind)["GlyphType"], 0.3 * scale, 0
             session.look(view, (0.0, 0.0, 5.0 * scale))
             text = session.messages(lambda: pv.Render(view))
             if 1e-16 < scale < 1e18:
@@ -65,7 +65,7 @@ def main():
     for state in STATES:
         view = session.view(32, 24)
         session.look(view, (0.0, 0.0, 5.0))
-        shown = session.glyphs(points, view, GlyphOrient=0, GlyphScaleFactor=0.2, **{"shape": state["GlyphShape"]})
+        shown = session.glyphs(points, view, Orient=0, ScaleFactor=0.2, **{"shape": state["GlyphShape"]})
         for name, value in state.items():
             setattr(shown, name, value)
         pv.Render(view)

@@ -31,7 +31,7 @@ OF_SHAPES = {
     "Mesh": (["Glyph Mesh"], [])}
 
 #: what is set by a script to be copied, saved and restored by the panel's buttons; no default among it
-SET = {"GlyphShape": "Capsule", "GlyphScaling": 1, "GlyphScaleFunction": "Square Root", "GlyphTensorThickness": 0.125, "ShutterOpening": "Forward"}
+SET = {"GlyphShape": "Capsule", "ScaleMode": "Magnitude", "GlyphScaleFunction": "Square Root", "GlyphTensorThickness": 0.125, "ShutterOpening": "Forward"}
 
 
 def main():
@@ -48,12 +48,12 @@ def main():
     if session.REPRESENTATION not in list(shown.GetProperty("RepresentationTypesInfo")):
         failures.append("'%s' is not among the representations" % session.REPRESENTATION)
     shown.SetRepresentationType(session.REPRESENTATION)
-    shown.SamplesPerPixel, shown.GlyphOrient = 2, 0
+    shown.SamplesPerPixel, shown.Orient = 2, 0
     session.look(view, (10.0, -22.0, 20.0), (14.0, 13.0, 3.0), (0.0, 0.0, 1.0))
     pv.GetAnimationScene().AnimationTime = 0.8
     for shape in SHAPES:
         shown.GlyphShape = shape
-        shown.GlyphScaleFactor = 0.9
+        shown.ScaleFactor = 0.9
         pv.Render(view)
         pixels = session.capture(view, "gui-" + shape, ImageResolution=[300, 200])
         failures += comparison.against_baseline(pixels, "gui-" + shape)
@@ -130,8 +130,8 @@ def buttons(window, view, reader, shown):
     # Rows that leave move the others.
     if not window.wait(lambda: [row for row in window.labels("propertiesPanel") if row.startswith(("Glyph", "Arrow"))] == ROWS, 20):
         failures.append("the panel shows %s" % window.labels("propertiesPanel"))
-    ticked = {**first, "GlyphScaling": "1"}
-    done("ticked", lambda: window.click("GlyphScaling/CheckBox"), shown, ticked)
+    ticked = {**first, "Scaling": "1"}
+    done("ticked", lambda: window.click("Scaling/CheckBox"), shown, ticked)
     done("undone", lambda: window.trigger("actionEditUndo"), shown, first)
     done("redone", lambda: window.trigger("actionEditRedo"), shown, ticked)
     for name, value in SET.items():
@@ -154,20 +154,20 @@ def buttons(window, view, reader, shown):
 
 
 def reset(window, view, reader, shown):
-    """The button Reset beside GlyphScaleFactor goes back to what the data suggest, and the picture follows."""
+    """The button Reset beside ScaleFactor goes back to what the data suggest, and the picture follows."""
     pv.SetActiveSource(reader)
-    shown.GlyphShape = "Sphere"
-    shown.GlyphScaleFactorFromData = 1
+    shown.GlyphType = "Sphere"
+    shown.ScaleFactorFromData = 1
     pv.Render(view)
-    suggested = shown.GlyphScaleFactor
-    shown.GlyphScaleFactor = 0.3
+    suggested = shown.ScaleFactor
+    shown.ScaleFactor = 0.3
     pv.Render(view)
     # The panel is filled when the window has time.
-    clicked = window.wait(lambda: window.click("GlyphScaleFactor/Reset"), 20)
-    done = clicked and window.wait(lambda: shown.GlyphScaleFactor == suggested, 20)
-    print("factor %s, after the click %s" % (suggested, shown.GlyphScaleFactor))
-    return [] if done and shown.GlyphScaleFactorFromData else [
-        "the button %s; GlyphScaleFactor is %s, not %s" % ("was clicked" if clicked else "is not there", shown.GlyphScaleFactor, suggested)]
+    clicked = window.wait(lambda: window.click("ScaleFactor/Reset"), 20)
+    done = clicked and window.wait(lambda: shown.ScaleFactor == suggested, 20)
+    print("factor %s, after the click %s" % (suggested, shown.ScaleFactor))
+    return [] if done and shown.ScaleFactorFromData else [
+        "the button %s; ScaleFactor is %s, not %s" % ("was clicked" if clicked else "is not there", shown.ScaleFactor, suggested)]
 
 
 run("GUI", main)

@@ -74,7 +74,7 @@ def main():
                 ours, traced = kind != "Surface", kind != "Surface" and mode == "Path Tracing"
                 checks.equal(what + "ShadingMode", "ShadingMode" in found, ours)
                 checks.equal(what + "MaximumBounces", "MaximumBounces" in found, traced)
-                # They may have names of their own, such as PathMetallic.
+                # They may have names of their own, such as Metallic.
                 material = [name for name in MATERIAL if any(other.endswith(name) for other in found)]
                 checks.equal(what + "material", material, list(MATERIAL) if traced else [])
     checks.report()

@@ -42,7 +42,7 @@ def main():
     checks = Checks()
     ours = set().union(*map(names_of, OURS)) - names_of("SurfaceRepresentation") - names_of("GlyphRepresentation") - {"Input"}
     print("%d properties of this plugin" % len(ours))
-    for name in ("GlyphShape", "GlyphMesh", "GlyphScaleFactor", "ShadingMode", "SamplesPerPixel", "MotionBlur", "TubeRadius"):
+    for name in ("GlyphShape", "GlyphType", "ScaleFactor", "ShadingMode", "SamplesPerPixel", "MotionBlur", "TubeRadius"):
         checks.true("%s is no property of this plugin" % name, name in ours)
     smtrace.start_trace()
     view = pv.CreateView("RenderView")
@@ -61,10 +61,10 @@ def main():
     checks.true("the Python state names %s" % sorted(found), not found)
     # What is shown by the plugin must be named all the same.
     shown.SetRepresentationType(session.REPRESENTATION)
-    shown.GlyphShape, shown.GlyphScaleFactor = "Cone", 0.3
+    shown.GlyphType, shown.ScaleFactor = "Cone", 0.3
     pv.Render(view)
     found = assigned(smstate.get_state())
-    checks.true("the Python state of ray-traced glyphs lacks their shape or size", {"GlyphShape", "GlyphScaleFactor"} <= found)
+    checks.true("the Python state of ray-traced glyphs lacks their shape or size", {"GlyphShape", "ScaleFactor"} <= found)
     checks.report()
 
 

@@ -95,15 +95,15 @@ def shape_ours(shown, shape):
     """Gives ray-traced glyphs a shape."""
     shown.GlyphShape = "Mesh" if shape.startswith("Mesh") else shape
     if shape.startswith("Mesh"):
-        shown.GlyphMesh = shape.replace("Mesh", "")
-        tessellate(shown.GlyphMesh, shape)
+        shown.GlyphType = shape.replace("Mesh", "")
+        tessellate(shown.GlyphType, shape)
 
 
 def ours(points, in_view, shape):
     """The scene as ray-traced glyphs, arrows with the outline of ParaView's arrow source."""
-    shown = session.glyphs(points, in_view, GlyphOrient=1, GlyphOrientationArray="vector", GlyphOrientationMode="Direction",
-                           GlyphScaling=1, GlyphScaleArray="vector", GlyphScaleMode="Magnitude", GlyphScaleFactor=0.3,
-                           ArrowHeads="Scaled", ArrowTipRounding=0.0)
+    shown = session.glyphs(points, in_view, Orient=1, SelectOrientationVectors="vector", OrientationMode="Direction",
+                           SelectScaleArray="vector", ScaleMode="Magnitude", ScaleFactor=0.3,
+                           ArrowHeads="Scaled")
     shape_ours(shown, shape)
     return shown
 

@@ -24,8 +24,8 @@ STATE, TRACE, VALUES = "state.pvsm", "trace.py", "state-values.json"
 #: what scripts and the window ask for at the moment, which nothing keeps; and what other values of other properties end,
 #: whose own test is view_settings.py
 MOMENTARY = {"FeatureImageFile", "StopRefinement", "StepwiseRendering", "RenderingQuality"}
-#: who sets GlyphScaleFactor or ShutterTime has chosen it; of what is hidden there is no picture
-OTHERS = {"GlyphScaleFactorFromData": 0, "ShutterTimeFromData": 0, "Visibility": 1}
+#: who sets ScaleFactor or ShutterTime has chosen it; of what is hidden there is no picture
+OTHERS = {"ScaleFactorFromData": 0, "ShutterTimeFromData": 0, "Visibility": 1}
 #: what pictures are taken with
 PICTURED = {"ShadingMode": "Local", "GlyphLegend": 0}
 
@@ -137,7 +137,7 @@ def save():
     for kind, found in saved.items():
         for name, value in found.items():
             given = wanted(kind)[name]
-            if not callable(given) and name != "GlyphMesh" and value != as_text(given):
+            if not callable(given) and name != "GlyphType" and value != as_text(given):
                 failures.append("%s of %s is %s, not %s" % (name, kind, value, as_text(given)))
             if name != "Visibility" and is_default(name, given):
                 failures.append("%s: %s is the default, which is no proof; every_property.py must begin with another value" % (name, given))
