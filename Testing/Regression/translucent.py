@@ -10,7 +10,7 @@ import paraview.simple as pv
 
 import comparison
 import session
-from same_as_3d_glyphs import RESOLUTION, ours, scene, shape_ours
+from same_as_3d_glyphs import RESOLUTION, give_shape, ours, scene
 
 #: tessellations for depth peeling, which takes all of them again for every layer
 COARSER = {**RESOLUTION, "Sphere": {"ThetaResolution": 64, "PhiResolution": 64}}
@@ -59,7 +59,7 @@ class Scene:
     def display(self, shape):
         """Of ParaView's a new one for each shape: its surfaces stay without normals once their data have had none."""
         if self.shown and self.who == "ours":
-            shape_ours(self.shown, shape)
+            give_shape(self.shown, shape)
             return self.shown
         if self.shown:
             pv.Delete(self.shown)
