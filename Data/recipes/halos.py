@@ -25,6 +25,7 @@ halos = TableToPoints(Input=table, XColumn="x", YColumn="y", ZColumn="z")
 view = GetActiveViewOrCreate("RenderView")
 shown = Show(halos, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
+shown.GlyphType = "Sphere"
 shown.ScaleMode, shown.SelectScaleArray = "Magnitude", "mvir"
 shown.GlyphScaleFunction = "Cube Root"  # volumes are as masses
 ColorBy(shown, ("POINTS", "mvir"))

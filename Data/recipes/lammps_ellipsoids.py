@@ -33,6 +33,7 @@ molecules = TableToPoints(Input=table, XColumn="x", YColumn="y", ZColumn="z")
 view = GetActiveViewOrCreate("RenderView")
 shown = Show(molecules, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
+shown.GlyphType = "Sphere"
 shown.ScaleFactor = 1  # shapes are full lengths
 shown.ScaleMode = "Vector Components"
 shown.SelectScaleArray = "c_shape[1], c_shape[2], c_shape[3]"

@@ -28,6 +28,7 @@ grains = OpenDataFile("grains1000.vtk")
 view = GetActiveViewOrCreate("RenderView")
 shown = Show(grains, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
+shown.GlyphType = "Sphere"
 shown.ScaleMode = "Magnitude"  # by the diameter, which is found by its name
 ColorBy(shown, ("POINTS", "v", "Magnitude"))
 # --- end

@@ -26,6 +26,7 @@ lower = Show(Calculator(Input=bubbles, ResultArrayName="radius", Function="mean-
 shown = Show(Calculator(Input=bubbles, ResultArrayName="radius", Function="mean+2*deviation"), view)
 for each in (lower, shown):
     each.SetRepresentationType("Ray Traced Glyphs")
+    each.GlyphType = "Sphere"
     each.ScaleMode = "Magnitude"  # by the radius, which is found by its name
     ColorBy(each, ("POINTS", "deviation"))
 shown.Opacity = 0.3

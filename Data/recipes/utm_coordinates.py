@@ -23,6 +23,7 @@ events = TableToPoints(Input=table, XColumn="easting", YColumn="northing", ZColu
 view = GetActiveViewOrCreate("RenderView")
 shown = Show(events, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
+shown.GlyphType = "Sphere"
 shown.ScaleMode = "Magnitude"  # by the radius, which is found by its name
 # --- end
 

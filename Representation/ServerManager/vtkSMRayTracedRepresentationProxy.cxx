@@ -1,6 +1,7 @@
 #include "vtkSMRayTracedRepresentationProxy.h"
 
 #include "vtkCommand.h"
+#include "vtkGlyphArrayNames.h"
 #include "vtkGlyphTensors.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -243,6 +244,10 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     this->NoteChoice(name);
   }
+  if (flag && name && strcmp(name, "ScaleMode") == 0)
+  {
+    this->ChooseSharedArrays(/*lost=*/false);
+  }
   if (flag && name && strcmp(name, "GlyphLocation") == 0)
   {
     this->ListArraysOfLocation();
@@ -329,7 +334,8 @@ void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
 }
 
 //----------------------------------------------------------------------------
-// Where ParaView has found none, or one that the glyphs' location does not have (lost). Returns whether others were.
+// Where ParaView has found none, or normals, or one that the glyphs' location does not have (lost). Returns whether others were. One
+// that scales is chosen when a mode takes it, for the form that the glyphs have then.
 bool vtkSMRayTracedRepresentationProxy::ChooseSharedArrays(bool lost)
 {
   vtkSMProxy* display = this->GetTrueParentProxy();
@@ -338,13 +344,15 @@ bool vtkSMRayTracedRepresentationProxy::ChooseSharedArrays(bool lost)
   {
     vtkSMProperty* own = this->GetProperty(name);
     auto* list = own ? own->FindDomain<vtkSMRayTracedArrayListDomain>() : nullptr;
-    if (!list || !display || !this->IsFollower(name) || this->Chosen.count(name))
+    const bool unused =
+      strcmp(name, "SelectScaleArray") == 0 && vtkSMPropertyHelper(this, "ScaleMode", /*quiet=*/true).GetAsInt() == 0;
+    if (!list || !display || unused || !this->IsFollower(name) || this->Chosen.count(name))
     {
       continue;
     }
     const std::string before = vtkSMPropertyHelper(display, name).GetAsString();
     unsigned int index = 0;
-    if (IsNone(display, name) || (lost && !list->IsInDomain(before.c_str(), index)))
+    if (IsNone(display, name) || vtkGlyphArrayNames::IsNormal(before) || (lost && !list->IsInDomain(before.c_str(), index)))
     {
       const bool choosing = this->Choosing;
       this->Choosing = true;

@@ -186,7 +186,7 @@ FIRST, SECOND = "/Root/Block0", "/Root/Block1"
 
 ROWS = [
     # Shape and size; areas are those of the profiles.
-    Row("GlyphShape", "Capsule", area(DISC / 4.0 + 0.5), scene="small"),
+    Row("GlyphShape", "Capsule", area(DISC / 4.0 + 0.25), scene="small"),
     Row("GlyphLocation", "Cells", both(glyphs(1), area(DISC / 4.0)), scene="quad"),
     Row("GlyphType", "Box", area(1.0)),
     Row("UseCompositeGlyphTable", 1, area(1.0, 0.25), scene="two", GlyphType=forms, UseGlyphTable=1, GlyphTableIndexArray="index"),
@@ -197,6 +197,7 @@ ROWS = [
     # A fifth of the longest side, which is 1.2.
     Row("ScaleFactorFromData", 1, reads("ScaleFactor", 0.24), scene="two", back=False),
     Row("ScaleFactorGuess", LEFT, reads("ScaleFactorGuess", [0.24, 0.0]), scene="two", ScaleFactorFromData=1),
+    Row("Scaling", 0, area(DISC), ScaleFactor=0.5),
     Row("ScaleMode", "Magnitude", area(DISC / 4.0, DISC), scene="two", SelectScaleArray="size"),
     Row("SelectScaleArray", "quarter", area(DISC / 16.0, DISC / 16.0), scene="two", ScaleMode="Magnitude", **{"SelectScaleArray": "size"}),
     Row("ScaleMode", "Vector Components", area(DISC / 2.0), SelectScaleArray="lengths"),

@@ -40,7 +40,7 @@ SCENES = {
 }
 #: what all rows begin with
 START = {"ColorArrayName": [None, ""], "AmbientColor": [0.8] * 3, "DiffuseColor": [0.8] * 3, "SamplesPerPixel": 1, "Denoising": "Never"}
-START_OF_GLYPHS = {"Orient": 0}
+START_OF_GLYPHS = {"GlyphType": "Sphere", "Orient": 0, "Scaling": 1}
 #: what shows its own color and nothing else
 UNLIT = {"Ambient": 1.0, "Diffuse": 0.0}
 #: the same in white: its green tells how far it covers a pixel of the background, which has none

@@ -106,7 +106,7 @@ def magnitude(source, shown, shape):
             tensors = tensors[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]]
         tensors = tensors.reshape(-1, 3, 3)
         largest = float(numpy.abs(numpy.linalg.eigvalsh(0.5 * (tensors + tensors.transpose(0, 2, 1)))).max())
-    elif shown.Scaling:
+    elif str(shown.ScaleMode).strip("'") != "No Data Scaling Off":
         values = session.array_of(source, shown.SMProxy.GetProperty("SelectScaleArray").GetElement(0))
         largest = float(numpy.linalg.norm(values.reshape(len(values), -1), axis=1).max())
         largest = math.log10(1.0 + largest) if str(shown.GlyphScaleFunction).strip("'") == "Logarithm" else largest

@@ -286,7 +286,7 @@ class Stage:
             self.settings = Settings(show(self.source, self.view, self.representation))
         else:
             replace_data(self.source, data)
-        self.settings.set({**shaped(shape), **properties} if shape else properties)
+        self.settings.set({**(shaped(shape or "Sphere") if self.representation == REPRESENTATION else {}), **properties})
         return self.settings.shown
 
     def hide(self):

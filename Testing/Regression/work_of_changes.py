@@ -57,11 +57,11 @@ FIELDS = {
     "vtkGlyphSettings": {
         "Shape": [({}, "GlyphShape", "Capsule", "glyphs"), ({}, "GlyphType", "Box", "new data")],
         "UnitSize": ({"GlyphType": "Cylinder"}, "GlyphType.Height", 2.0, "new data"),
-        "Scaling": ({"SelectScaleArray": "length"}, "ScaleMode", "Magnitude", "glyphs"),
+        "Scaling": [({"SelectScaleArray": "length"}, "ScaleMode", "Magnitude", "glyphs"), ({}, "Scaling", 0, "glyphs")],
         "ScaleArray": [({"ScaleMode": "Magnitude", "SelectScaleArray": "length"}, "SelectScaleArray", "other", "glyphs"),
                        ({"SelectScaleArray": "length"}, "SelectScaleArray", "other", "nothing")],
         "ScaleMode": [({"ScaleMode": "Magnitude", "SelectScaleArray": "lengths"}, "ScaleMode", "Vector Components", "glyphs"),
-                      ({}, "ScaleMode", "Vector Components", "nothing")],
+                      ({"Scaling": 0}, "ScaleMode", "Vector Components", "nothing")],
         "ScaleFactor": ({}, "ScaleFactor", 0.2, "glyphs"),
         "Sizing": "vtkGlyphSizing",
         "Orient": ({"GlyphType": "Box", "SelectOrientationVectors": "velocity"}, "Orient", 1, "glyphs"),
@@ -92,7 +92,7 @@ FIELDS = {
     },
     "vtkGlyphMask": {
         "On": ({"MaximumNumberOfGlyphs": 100}, "GlyphMode", "Random", "glyphs"),
-        "Mode": [(MASK, "GlyphMode", "Even in Space", "glyphs"), ({}, "GlyphMode", "Every Nth", "nothing")],
+        "Mode": [(MASK, "GlyphMode", "Even in Space", "glyphs"), (MASK, "GlyphMode", "Every Nth", "glyphs")],
         "MaximumNumberOfGlyphs": [(MASK, "MaximumNumberOfGlyphs", 90, "glyphs"), ({}, "MaximumNumberOfGlyphs", 90, "nothing"),
                                   (NTH, "MaximumNumberOfGlyphs", 90, "nothing")],
         "Stride": [(NTH, "GlyphStride", 7, "glyphs"), (MASK, "GlyphStride", 7, "nothing")],
