@@ -7,6 +7,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
 #include "vtkPVXMLElement.h"
+#include "vtkPVXMLParser.h"
 #include "vtkRayTracedRepresentation.h"
 #include "vtkRayTracedSelectionEncoder.h"
 #include "vtkSMInputArrayDomain.h"
@@ -74,6 +75,31 @@ struct InputArrays : vtkSMInputArrayDomain
     }
   }
 };
+
+// The panel shows 3D Glyphs' properties at once, and path tracing's material not with Interpolation PBR alone.
+void ShowInPanel(vtkSMProxy* display)
+{
+  display->GetProperty("GlyphType")->SetPanelVisibility("default");
+  for (const char* name :
+    { "Orient", "ScaleFactor", "ScaleMode", "Scaling", "SelectOrientationVectors", "SelectScaleArray" })
+  {
+    display->GetProperty(name)->SetPanelVisibilityDefaultForRepresentation("ray traced glyphs");
+  }
+  const auto where = [](const std::string& property, const std::string& value)
+  {
+    return "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='" + property + "' value='" +
+      value + "'/>";
+  };
+  const std::string hints = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
+    where("Interpolation", "3") + "<Expression type='and'>" + where("ShadingMode", "2") + "<Expression type='or'>" +
+    where("Representation", "Ray Traced Glyphs") + where("Representation", "Ray Traced Surface") +
+    where("Representation", "Ray Traced Tubes") + "</Expression></Expression></Expression></PropertyWidgetDecorator></Hints>";
+  const vtkSmartPointer<vtkPVXMLElement> element = vtkPVXMLParser::ParseXML(hints.c_str());
+  for (const char* name : { "Metallic", "Roughness", "CoatStrength", "CoatIOR", "CoatRoughness", "CoatColor" })
+  {
+    display->GetProperty(name)->SetHints(element);
+  }
+}
 
 bool IsNone(vtkSMProxy* display, const char* array)
 {
@@ -344,9 +370,8 @@ bool vtkSMRayTracedRepresentationProxy::ChooseSharedArrays(bool lost)
   {
     vtkSMProperty* own = this->GetProperty(name);
     auto* list = own ? own->FindDomain<vtkSMRayTracedArrayListDomain>() : nullptr;
-    const bool unused =
-      strcmp(name, "SelectScaleArray") == 0 && vtkSMPropertyHelper(this, "ScaleMode", /*quiet=*/true).GetAsInt() == 0;
-    if (!list || !display || unused || !this->IsFollower(name) || this->Chosen.count(name))
+    if (!list || !display || !this->IsFollower(name) || this->Chosen.count(name) ||
+      (strcmp(name, "SelectScaleArray") == 0 && vtkSMPropertyHelper(this, "ScaleMode").GetAsInt() == 0))
     {
       continue;
     }
@@ -512,13 +537,7 @@ void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtk
     this->ObservedDisplay = display;
     display->GetProperty("Representation")
       ->AddObserver(vtkCommand::ModifiedEvent, this, &vtkSMRayTracedRepresentationProxy::ChooseDefaults);
-    // The panel shows them at once.
-    display->GetProperty("GlyphType")->SetPanelVisibility("default");
-    for (const char* name :
-      { "Orient", "ScaleFactor", "ScaleMode", "Scaling", "SelectOrientationVectors", "SelectScaleArray" })
-    {
-      display->GetProperty(name)->SetPanelVisibilityDefaultForRepresentation("ray traced glyphs");
-    }
+    ShowInPanel(display);
     this->ChooseDefaults();
   }
 }
