@@ -382,6 +382,7 @@ bool vtkSMRayTracedRepresentationProxy::ChooseSharedArrays(bool lost)
       const bool choosing = this->Choosing;
       this->Choosing = true;
       list->SetDefaultValues(display->GetProperty(name), /*useUncheckedValues=*/false);
+      own->Copy(display->GetProperty(name)); // links pass nothing on while they pass on ScaleMode
       this->Choosing = choosing;
       changed |= before != vtkSMPropertyHelper(display, name).GetAsString();
     }

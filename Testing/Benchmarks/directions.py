@@ -129,7 +129,7 @@ def show(pv, producer, view, kind, factor):
     if kind.startswith("spherical"):
         shown.SetRepresentationType("Ray Traced Glyphs")
         shown.GlyphShape, shown.GlyphHarmonicsArray, shown.ScaleFactor = "Spherical Harmonics", "odf", factor
-        shown.Orient = shown.Scaling = 0
+        shown.Orient = 0
     elif kind.startswith("tubes"):
         shown.SetRepresentationType("Ray Traced Tubes")
         shown.TubeRadius = factor

@@ -77,7 +77,7 @@ def measure(count):
     view.CameraPosition, view.CameraFocalPoint = [0.5, 0.5, 4.0], [0.5, 0.5, 0.5]
     shown = pv.Show(producer, view)
     shown.SetRepresentationType("Ray Traced Glyphs")
-    shown.GlyphShape, shown.ScaleFactor, shown.SamplesPerPixel = "Sphere", 0.3 / count ** (1.0 / 3.0), 1
+    shown.GlyphType, shown.ScaleFactor, shown.SamplesPerPixel = "Sphere", 0.3 / count ** (1.0 / 3.0), 1
     shown.Orient, shown.ScaleMode, shown.SelectScaleArray = 0, "Magnitude", "length"
     shown.SetScalarColoring("length", pv.servermanager.GetAssociationFromString("POINTS"))
     pv.Render(view)

@@ -34,7 +34,7 @@ def show(pv, points, view, name, count):
     if name == OURS:
         shown.SetRepresentationType("Ray Traced Glyphs")
         shown.GlyphType = "Sphere"
-        shown.Orient = shown.Scaling = 0
+        shown.Orient = 0
         shown.ScaleFactor = 2.0 * radius
         shown.SamplesPerPixel = 1
     elif name == "Point Gaussian":

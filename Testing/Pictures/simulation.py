@@ -30,7 +30,7 @@ def show(source, view, shape, **properties):
     """Shows a source as ray-traced glyphs."""
     shown = pv.Show(source, view)
     shown.SetRepresentationType(REPRESENTATION)
-    shown.GlyphShape = shape
+    session.assign_shape(shown, shape)
     for name, value in properties.items():
         setattr(shown, name, value)
     return shown

@@ -93,7 +93,7 @@ def pictures(checks, what, stages):
             shown = settings.shown
 
             def draw():
-                settings.set({"Visibility": 1, "GlyphLocation": location, "GlyphShape": shape, "ScaleFactor": 0.5, **properties})
+                settings.set({"Visibility": 1, "GlyphLocation": location, **session.shaped(shape), "ScaleFactor": 0.5, **properties})
                 pv.ColorBy(shown, (association, "size"))
                 shown.LookupTable.RescaleTransferFunction(0.0, 1.0)
                 shown.SetScalarBarVisibility(view, False)

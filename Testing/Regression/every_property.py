@@ -182,6 +182,8 @@ BLUR = {"MotionBlur": 1, "VelocityArray": "velocity", "ShutterTime": 1.0, "scene
 STEPS = {**WHITE, **BLUR, "VelocityArray": "None", "ShutterOpening": "Backward"}
 TURNED = {"scene": "two", "GlyphType": "Box", "Orient": 1, "OrientationMode": "Rotation", "SelectOrientationVectors": "angles"}
 MASKED = {"scene": "crowd", "GlyphMode": "Random", "MaximumNumberOfGlyphs": 20}
+#: fixed heads of an arrow that is half as long as the one of reference
+TWICE = as_with(**{"ArrowHeads": "Fixed", "ArrowReferenceMagnitude": 0.5, "GlyphType.TipLength": 0.7, "GlyphType.TipRadius": 0.2, "GlyphType.ShaftRadius": 0.06})
 FIRST, SECOND = "/Root/Block0", "/Root/Block1"
 
 ROWS = [
@@ -217,12 +219,11 @@ ROWS = [
     Row("GlyphExponents", [1.0] * 3, area(0.5), GlyphShape="Superquadric"),
     Row("GlyphExponentArray", "exponents", area(0.5), GlyphShape="Superquadric"),
     Row("GlyphOpacityArray", "half", as_with(Opacity=0.5, GlyphOpacityArray="None")),
+    # The head of an arrow twice as long
+    Row("ArrowHeads", "Fixed", TWICE, ScaleMode="Magnitude", SelectScaleArray="size", ArrowReferenceMagnitude=1.0, **ARROW),
     Row("ArrowHeads", "Scaled", area((0.65 * 0.06 + 0.035) / 4.0), ScaleMode="Magnitude", SelectScaleArray="size", ArrowReferenceMagnitude=1.0, **ARROW,
         **{"ArrowHeads": "Fixed"}),
-    # The head of an arrow twice as long
-    Row("ArrowReferenceMagnitude", 1.0,
-        as_with(**{"ArrowReferenceMagnitude": 0.5, "GlyphType.TipLength": 0.7, "GlyphType.TipRadius": 0.2, "GlyphType.ShaftRadius": 0.06}),
-        ScaleMode="Magnitude", SelectScaleArray="size", ArrowHeads="Fixed", **ARROW),
+    Row("ArrowReferenceMagnitude", 1.0, TWICE, ScaleMode="Magnitude", SelectScaleArray="size", ArrowHeads="Fixed", **ARROW),
     Row("GlyphMode", "Random", glyphs(20), **{**MASKED, "GlyphMode": "All Points"}),
     Row("MaximumNumberOfGlyphs", 37, glyphs(37), **MASKED),
     Row("GlyphMode", "Every Nth", glyphs(6), **MASKED),

@@ -15,8 +15,8 @@ from checks import Checks
 
 #: many samples are slow, and images that grow step by step move their counters
 LEFT_OUT = {"SamplesPerPixel", "StepwiseRendering"}
-STATES = ({"GlyphType": "Arrow", "ScaleMode": "Magnitude", "SelectScaleArray": "length"},
-          {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor", "MotionBlur": 1, "VelocityArray": "vector"})
+STATES = ({"shape": "Arrow", "ScaleMode": "Magnitude", "SelectScaleArray": "length"},
+          {"shape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor", "MotionBlur": 1, "VelocityArray": "vector"})
 
 
 def counts(shown):
@@ -65,9 +65,7 @@ def main():
     for state in STATES:
         view = session.view(32, 24)
         session.look(view, (0.0, 0.0, 5.0))
-        shown = session.glyphs(points, view, Orient=0, ScaleFactor=0.2, **{"shape": state["GlyphShape"]})
-        for name, value in state.items():
-            setattr(shown, name, value)
+        shown = session.glyphs(points, view, **{"Orient": 0, "ScaleFactor": 0.2, **state})
         pv.Render(view)
         manager = pv.servermanager.ProxyManager().SMProxyManager
         prototype = manager.GetPrototypeProxy("representations", "RayTracedGlyphRepresentation")
@@ -93,13 +91,13 @@ def main():
                 session.messages(lambda: pv.Render(view))
                 second = counts(shown)
                 moved = {counter: (first[counter], second[counter]) for counter in first if first[counter] != second[counter]}
-                checks.true("%s, %s = %s: a second render moves %s" % (state["GlyphShape"], name, value, moved), not moved)
+                checks.true("%s, %s = %s: a second render moves %s" % (state["shape"], name, value, moved), not moved)
                 tried += 1
             for i, value in enumerate(before):
                 own.SetElement(i, value)
             shown.SMProxy.UpdateVTKObjects()
         pixels = session.capture(view, "extreme-values")
-        checks.covered(state["GlyphShape"] + ", all properties as they were", pixels, 0.02)
+        checks.covered(state["shape"] + ", all properties as they were", pixels, 0.02)
         pv.Delete(view)
     scales(checks)
     print(tried, "values")

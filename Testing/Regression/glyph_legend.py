@@ -35,7 +35,7 @@ def scene():
     view = session.view(SIDE, SIDE)
     data = session.poly_data(numpy.array([[5.0, 1.0, 0.0]]), s=numpy.array([2.0]), v=numpy.array([[2.0, 0.0, 0.0]]))
     shown = session.glyphs(session.source(data), view, "Sphere", ScaleMode="Magnitude", SelectScaleArray="s", ScaleFactor=0.25,
-                           SelectOrientationVectors="v", ArrowReferenceMagnitude=1.0, GlyphLegend=1, GlyphLegendColor=GREEN)
+                           SelectOrientationVectors="v", ArrowReferenceMagnitude=1.0, GlyphLegend="Lower Left", GlyphLegendColor=GREEN)
     session.solid(shown, (1.0, 0.0, 0.0))
     shown.Ambient, shown.Diffuse = 1.0, 0.0
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (5.2, 1.1, 6.0), (5.2, 1.1, -3.0), (0.0, 1.0, 0.0)
@@ -47,7 +47,7 @@ def size(checks, view, shown):
     """The legend's glyph and that of its number at the center of rotation."""
     settings = session.Settings(shown)
     for shape in ("Sphere", "Arrow", "Box", "Cylinder", "Cone", "Capsule", "Superquadric"):
-        settings.set({"GlyphShape": shape, "GlyphLegendValue": 2.0, "GlyphExponents": (4.0, 3.0, 2.0)})
+        settings.set({**session.shaped(shape), "GlyphLegendValue": 2.0, "GlyphExponents": (4.0, 3.0, 2.0)})
         for parallel in (0, 1):
             view.CameraParallelProjection, view.CameraParallelScale = parallel, 1.1
             legend, glyph, _ = widths(view, "%s-%d" % (shape.lower(), parallel))

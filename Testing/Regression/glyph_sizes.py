@@ -77,11 +77,10 @@ def limits(checks, stage):
 
 def bounds(checks, stage):
     """What the camera is reset to holds the glyphs, and not much more."""
-    for name, properties in (("scalars", {"GlyphType": "Sphere", "ScaleMode": "Magnitude", "SelectScaleArray": "s"}),
-                             ("tensors", {"GlyphShape": "Tensor Superquadric", "GlyphTensorArray": "t"})):
+    for name, properties in (("scalars", {"shape": "Sphere", "ScaleMode": "Magnitude", "SelectScaleArray": "s"}),
+                             ("tensors", {"shape": "Tensor Superquadric", "GlyphTensorArray": "t"})):
         for how in ({"GlyphScaleFunction": "Unit"}, {"GlyphSizeRange": [0.6, 0.6]}):
-            shape = properties["GlyphShape"]
-            glyphs(stage, ScaleFactor=0.6, shape=shape, **{name: value for name, value in {**properties, **how}.items() if name != "GlyphShape"})
+            glyphs(stage, ScaleFactor=0.6, **{**properties, **how})
             box = numpy.array(stage.view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2)
             checks.within("bounds of %s with %s" % (name, how), round(float(box[0, 1]), 3), 1.299, 1.3 + 0.3 * (3.0 ** 0.5 - 1) * 3)
 

@@ -15,23 +15,20 @@ import session  # noqa: E402
 from window import Window, run  # noqa: E402
 
 SHAPES = ("Sphere", "Box", "Cylinder", "Capsule", "Cone", "Arrow")
-#: labels of the rows that all shapes have while nothing is ticked, and of those that shapes have after the first two and at the end
-ROWS = ["Glyph Shape", "Glyph Location", "Glyph Scale Factor", "Glyph Scale Function"]
-TENSOR = ["Glyph Tensor Array", "Glyph Tensor Layout", "Glyph Tensor Sharpness", "Glyph Tensor Coloring"]
+#: labels of the rows that all shapes have while nothing is ticked, and of those that shapes have before or after them
+ROWS = ["Glyph Shape", "Glyph Location"]
+TENSOR = ["Glyph Tensor Array", "Glyph Tensor Layout", "Glyph Tensor Coloring"]
+EXPONENTS = ["Glyph Exponents", "Glyph Exponent Array"]
 OF_SHAPES = {
-    "Arrow": ([], ["Arrow Heads", "Arrow Shaft Radius", "Arrow Tip Radius", "Arrow Tip Length"]),
-    "Superquadric": ([], ["Glyph Exponents", "Glyph Exponent Array", "Glyph Exponent Form"]),
-    "Tensor Ellipsoid": ([], [row for row in TENSOR if row != "Glyph Tensor Sharpness"]),
-    "Tensor Superquadric": ([], TENSOR),
-    "Signed Tensor Superquadric": ([], TENSOR),
-    "Principal Axes": ([], [row for row in TENSOR if row != "Glyph Tensor Sharpness"] + ["Arrow Shaft Radius", "Arrow Tip Radius", "Arrow Tip Length"]),
+    "Glyph Type": (["Glyph Type"], []),
+    "Superquadric": ([], EXPONENTS), "Nested Superquadric": ([], EXPONENTS),
+    "Tensor Ellipsoid": ([], TENSOR), "Tensor Superquadric": ([], TENSOR), "Signed Tensor Superquadric": ([], TENSOR), "Principal Axes": ([], TENSOR),
     "Spherical Harmonics": ([], ["Glyph Tensor Coloring", "Glyph Harmonics Array", "Glyph Harmonics Basis", "Glyph Harmonics Scaling"]),
-    "Reynolds": ([], ["Glyph Tensor Array", "Glyph Tensor Layout", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"]),
-    "Fourth-Order Tensor": ([], ["Glyph Tensor Array", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"]),
-    "Mesh": (["Glyph Mesh"], [])}
+    "Reynolds": ([], TENSOR + ["Glyph Harmonics Scaling"]),
+    "Fourth-Order Tensor": ([], ["Glyph Tensor Array", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"])}
 
 #: what is set by a script to be copied, saved and restored by the panel's buttons; no default among it
-SET = {"GlyphShape": "Capsule", "ScaleMode": "Magnitude", "GlyphScaleFunction": "Square Root", "GlyphTensorThickness": 0.125, "ShutterOpening": "Forward"}
+SET = {"GlyphShape": "Capsule", "MotionBlur": 1, "ScaleMode": "Magnitude", "GlyphScaleFunction": "Square Root", "GlyphTensorThickness": 0.125, "ShutterOpening": "Forward"}
 
 
 def main():
@@ -51,8 +48,9 @@ def main():
     shown.SamplesPerPixel, shown.Orient = 2, 0
     session.look(view, (10.0, -22.0, 20.0), (14.0, 13.0, 3.0), (0.0, 0.0, 1.0))
     pv.GetAnimationScene().AnimationTime = 0.8
+    shown.ArrowHeads = "Fixed"
     for shape in SHAPES:
-        shown.GlyphShape = shape
+        session.assign_shape(shown, shape)
         shown.ScaleFactor = 0.9
         pv.Render(view)
         pixels = session.capture(view, "gui-" + shape, ImageResolution=[300, 200])
@@ -72,7 +70,7 @@ def panel(window, view, reader, shown):
     window.resize("pqClientMainWindow", 1500, 1100)
     pv.SetActiveSource(reader)
     shown.Visibility = 0 # the panel shows it all the same, and no program is compiled for each shape
-    sections = ["Representation", "Coloring", "Ray Traced Glyphs", "Glyph Shape", "Motion", "Ray Traced Image", "Rendering Quality"]
+    sections = ["Representation", "Coloring", "Glyph Parameters", "Scale Factor", "Ray Traced Glyphs", "Glyph Shape", "Motion", "Ray Traced Image", "Rendering Quality"]
     found = []
 
     def rows():
@@ -81,7 +79,7 @@ def panel(window, view, reader, shown):
     for shape in shown.GetProperty("GlyphShape").Available:
         shown.GlyphShape = shape
         pv.Render(view)
-        wanted = ROWS[:2] + OF_SHAPES.get(shape, ([], []))[0] + ROWS[2:] + OF_SHAPES.get(shape, ([], []))[1]
+        wanted = OF_SHAPES.get(shape, ([], []))[0] + ROWS + OF_SHAPES.get(shape, ([], []))[1]
         if not window.wait(lambda wanted=wanted: rows() == wanted, 10):
             failures.append("the panel shows for %s %s, not %s" % (shape, rows(), wanted))
         window.picture("propertiesPanel", session.output("gui-panel-%s.png" % shape.replace(" ", "-")))
@@ -128,10 +126,10 @@ def buttons(window, view, reader, shown):
         setattr(shown, name, pasted.GetProperty(name).GetData())
     pv.Render(view)
     # Rows that leave move the others.
-    if not window.wait(lambda: [row for row in window.labels("propertiesPanel") if row.startswith(("Glyph", "Arrow"))] == ROWS, 20):
+    if not window.wait(lambda: [row for row in window.labels("propertiesPanel") if row.startswith(("Glyph", "Arrow"))] == ["Glyph Type"] + ROWS, 20):
         failures.append("the panel shows %s" % window.labels("propertiesPanel"))
-    ticked = {**first, "Scaling": "1"}
-    done("ticked", lambda: window.click("Scaling/CheckBox"), shown, ticked)
+    ticked = {**first, "MotionBlur": "1"}
+    done("ticked", lambda: window.click("MotionBlur/CheckBox"), shown, ticked)
     done("undone", lambda: window.trigger("actionEditUndo"), shown, first)
     done("redone", lambda: window.trigger("actionEditRedo"), shown, ticked)
     for name, value in SET.items():

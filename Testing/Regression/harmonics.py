@@ -241,7 +241,7 @@ def gallery(checks, random):
     for number, (shape, array) in enumerate(tensors.items()):
         sources.append(session.source(session.poly_data(numpy.array([[1.05 + 0.7 * number, 0.0, 0.0]]), values=array[None],
                                                         velocity=numpy.array([[0.0, 1.0, 0.0]]))))
-        shown.append(session.glyphs(sources[-1], view, GlyphShape=shape, GlyphTensorArray="values", ScaleFactor=0.62,
+        shown.append(session.glyphs(sources[-1], view, shape, GlyphTensorArray="values", ScaleFactor=0.62,
                                     GlyphHarmonicsScaling="Each", GlyphTensorColoring="Sign"))
     shown[0].SamplesPerPixel = 8
     image = session.capture(view, "harmonics-gallery")
@@ -319,12 +319,11 @@ def bad_input(checks, view):
 
 def unfinished(checks, view):
     """In a window nobody is warned of an array that has not been chosen yet; RenderStatistics tells. A script is told."""
-    data = session.poly_data(numpy.zeros((1, 3)), some=numpy.ones((1, 15)), six=numpy.ones((1, 6)), vector=numpy.ones((1, 3)))
+    data = session.poly_data(numpy.zeros((1, 3)), some=numpy.ones((1, 15)), six=numpy.ones((1, 6)))
     stage = session.Stage(view)
     for in_window in (1, 0):
         for shape, name, array in (("Spherical Harmonics", "GlyphHarmonicsArray", "some"), ("Reynolds", "GlyphTensorArray", "six"),
-                                   ("Tensor Ellipsoid", "GlyphTensorArray", "six"), ("Arrow", "SelectOrientationVectors", "vector"),
-                                   ("Cone", "SelectOrientationVectors", "vector")):
+                                   ("Tensor Ellipsoid", "GlyphTensorArray", "six")):
             shown = stage.show(data, ScaleFactor=0.8)
             shown.SMProxy.GetProperty("StepwiseRendering").SetElement(0, in_window)
             shown.SMProxy.UpdateVTKObjects()

@@ -91,7 +91,7 @@ def main():
         pictures, said = [], []
         for settings, of in zip(displays, ("points", "cells")):
             def draw():
-                settings.set({"Visibility": 1, "GlyphShape": shape, "ScaleFactor": 0.5, **properties})
+                settings.set({"Visibility": 1, **session.shaped(shape), "ScaleFactor": 0.5, **properties})
                 pv.Render(view)
 
             said.append(session.messages(draw))

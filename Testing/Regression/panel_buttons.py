@@ -13,7 +13,7 @@ from checks import Checks, cloud
 
 #: what is set, no default among it
 SET = {"GlyphShape": "Capsule", "ScaleFactor": 0.31, "GlyphScaleFunction": "Square Root", "ScaleMode": "Magnitude", "SelectScaleArray": "scalar",
-       "GlyphLegend": 1, "ShutterTime": 0.5, "ShutterOpening": "Forward", "ShadingMode": "Ambient Occlusion", "SamplesPerPixel": 3, "Exposure": 0.5}
+       "GlyphLegend": "Upper Left", "ShutterTime": 0.5, "ShutterOpening": "Forward", "ShadingMode": "Ambient Occlusion", "SamplesPerPixel": 3, "Exposure": 0.5}
 #: what the data have a say in, whatever was saved or restored
 FROM_DATA = {"ScaleFactor", "SelectScaleArray", "ShutterTime"}
 #: what is chosen by the data, and other values
@@ -142,7 +142,7 @@ def animated(checks, view, shown):
     """Numbers follow an animation track, those that hold for a view, too."""
     scene = pv.GetAnimationScene()
     scene.PlayMode, scene.StartTime, scene.EndTime, scene.NumberOfFrames = "Sequence", 0.0, 1.0, 3
-    for name, first, last in (("ScaleFactor", 0.1, 0.5), ("Exposure", -1.0, 1.0), ("GlyphType.TipLength", 0.2, 0.6)):
+    for name, first, last in (("ScaleFactor", 0.1, 0.5), ("Exposure", -1.0, 1.0), ("GlyphTensorThickness", 0.2, 0.6)):
         track = pv.GetAnimationTrack(name, index=0, proxy=shown)
         frames = [pv.CompositeKeyFrame(KeyTime=time, KeyValues=[value]) for time, value in ((0.0, first), (1.0, last))]
         track.KeyFrames = frames

@@ -105,7 +105,7 @@ def together(view, ranks, failures):
         shown = session.glyphs(source, view, "Sphere", Orient=0, ScaleFactor=0.4, samples=1)
         # Translucent ones are distributed anew: those of the lattice's middle lie where it is cut.
         for mask, wanted, opacity in ((0, SIDE**3, 1.0), (0, SIDE**3, 0.5), (1, 300, 1.0)):
-            shown.GlyphMode = "All Points"
+            shown.GlyphMode = "Random" if mask else "All Points"
             shown.Opacity = opacity
             shown.MaximumNumberOfGlyphs = wanted
             pv.Render(view)

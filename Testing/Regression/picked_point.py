@@ -42,7 +42,7 @@ def main():
         for scale in (None, 1.5):
             session.look(view, (0.0, 0.0, 6.0), parallel_scale=scale)
             for shape in ("Sphere", "Box"):
-                shown.GlyphShape = shape
+                session.assign_shape(shown, shape)
                 pv.Render(view)
                 for center in CENTERS:
                     what = "%s as %s, %s projection" % (name, shape, "perspective" if scale is None else "parallel")

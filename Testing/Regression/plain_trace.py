@@ -40,9 +40,9 @@ def main():
     """Displays of several types of data."""
     session.load()
     checks = Checks()
-    ours = set().union(*map(names_of, OURS)) - names_of("SurfaceRepresentation") - names_of("GlyphRepresentation") - {"Input"}
+    ours = set().union(*map(names_of, OURS)) - names_of("SurfaceRepresentation") - names_of("Glyph3DRepresentation") - names_of("GlyphRepresentation") - {"Input"}
     print("%d properties of this plugin" % len(ours))
-    for name in ("GlyphShape", "GlyphType", "ScaleFactor", "ShadingMode", "SamplesPerPixel", "MotionBlur", "TubeRadius"):
+    for name in ("GlyphShape", "ScaleFactorFromData", "ShadingMode", "SamplesPerPixel", "MotionBlur", "TubeRadius"):
         checks.true("%s is no property of this plugin" % name, name in ours)
     smtrace.start_trace()
     view = pv.CreateView("RenderView")
@@ -64,7 +64,7 @@ def main():
     shown.GlyphType, shown.ScaleFactor = "Cone", 0.3
     pv.Render(view)
     found = assigned(smstate.get_state())
-    checks.true("the Python state of ray-traced glyphs lacks their shape or size", {"GlyphShape", "ScaleFactor"} <= found)
+    checks.true("the Python state of ray-traced glyphs lacks their shape or size", {"GlyphType", "ScaleFactor"} <= found)
     checks.report()
 
 

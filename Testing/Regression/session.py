@@ -214,6 +214,12 @@ def shaped(shape):
     return {"GlyphType": shape} if shape in SOURCES else {"GlyphShape": shape}
 
 
+def assign_shape(shown, shape):
+    """Gives a display a shape, whatever it had."""
+    for name, value in {"GlyphShape": "Glyph Type", **shaped(shape)}.items():
+        setattr(shown, name, value)
+
+
 def assign(shown, name, value):
     """Sets a property, or with "GlyphType.Radius" one of its value's. What can be called makes the value."""
     value = value() if callable(value) else value

@@ -26,8 +26,10 @@ STATE, TRACE, VALUES = "state.pvsm", "trace.py", "state-values.json"
 MOMENTARY = {"FeatureImageFile", "StopRefinement", "StepwiseRendering", "RenderingQuality"}
 #: who sets ScaleFactor or ShutterTime has chosen it; of what is hidden there is no picture
 OTHERS = {"ScaleFactorFromData": 0, "ShutterTimeFromData": 0, "Visibility": 1}
+#: what showing a display as ray-traced glyphs switches on
+SWITCHED_ON = {"Orient", "Scaling", "ScaleFactorFromData"}
 #: what pictures are taken with
-PICTURED = {"ShadingMode": "Local", "GlyphLegend": 0}
+PICTURED = {"ShadingMode": "Local", "GlyphLegend": "None"}
 
 
 def wanted(kind):
@@ -42,6 +44,8 @@ def wanted(kind):
 
 def is_default(name, value):
     """Whether a property has the value without being set."""
+    if name in SWITCHED_ON:
+        return value == 1
     default = property_reference.default(every_property.exposed()[name][1])
     try:
         return [float(number) for number in default.split()] == numpy.atleast_1d(value).astype(float).tolist()

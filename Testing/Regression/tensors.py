@@ -212,7 +212,7 @@ def axes(failures, view, same):
     stage, arrows = session.Stage(view), session.Stage(view)
     for scaled in (0, 1):
         shown = stage.show(session.poly_data(POINTS, **data), "Tensor Ellipsoid", GlyphTensorArray="t", GlyphTensorAxisColor=colour,
-                           Scaling=scaled, SelectScaleArray="factor", ScaleFactor=1.1)
+                           ScaleMode="Magnitude" if scaled else "No Data Scaling Off", SelectScaleArray="factor", ScaleFactor=1.1)
         session.solid(shown, (0.7, 0.7, 0.7))
         without = session.capture(view, "tensors-axis-off-%d" % scaled)
         shown.GlyphTensorAxis = 1
