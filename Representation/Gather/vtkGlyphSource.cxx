@@ -78,9 +78,8 @@ rtg::Shape ShapeOf(vtkAlgorithm* algorithm, glm::dvec3& size, rtg::ArrowForm& fo
     form.tipRadius = static_cast<float>(arrow->GetTipRadius());
     form.tipLength = static_cast<float>(arrow->GetTipLength());
     const bool slender = arrow->GetShaftRadius() <= 0.5 && arrow->GetTipRadius() <= 0.5;
-    return slender && arrow->GetTipLength() >= 0.001 && !arrow->GetInvert() && BeginsAtOrigin(arrow)
-      ? rtg::Shape::Arrow
-      : rtg::Shape::Mesh;
+    return slender && arrow->GetTipLength() >= 0.001 && !arrow->GetInvert() && BeginsAtOrigin(arrow) ? rtg::Shape::Arrow
+                                                                                                     : rtg::Shape::Mesh;
   }
   return rtg::Shape::Mesh;
 }

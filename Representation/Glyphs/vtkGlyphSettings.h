@@ -44,11 +44,11 @@ struct vtkGlyphSettings
   bool Scaling = false;
   std::string ScaleArray; // empty or "None": none
   int ScaleMode = MAGNITUDE;
-  double ScaleFactor = 1.0;  // world units
+  double ScaleFactor = 1.0;   // world units
   glm::dvec3 UnitSize{ 1.0 }; // of the shape as its source makes it, in unit glyphs
-  vtkGlyphSizing Sizing;     // of magnitudes of the scale array, and of eigenvalues
-  std::string RadiusArray;   // across the glyph's x axis, instead of the scale; empty or "None": none
-  double RadiusFactor = 1.0; // what it is multiplied by
+  vtkGlyphSizing Sizing;      // of magnitudes of the scale array, and of eigenvalues
+  std::string RadiusArray;    // across the glyph's x axis, instead of the scale; empty or "None": none
+  double RadiusFactor = 1.0;  // what it is multiplied by
   bool Orient = true;
   std::string OrientationArray; // empty or "None": none
   int OrientationMode = DIRECTION;

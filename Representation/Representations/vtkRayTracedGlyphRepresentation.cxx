@@ -72,8 +72,8 @@ int vtkRayTracedGlyphRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const bool hasMesh = inputVector[1]->GetNumberOfInformationObjects() == 1;
-  this->Meshes.Gather(hasMesh ? vtkDataObject::GetData(inputVector[1], 0) : nullptr,
-    this->SourceIndexing && this->UseSourceTableTree);
+  this->Meshes.Gather(
+    hasMesh ? vtkDataObject::GetData(inputVector[1], 0) : nullptr, this->SourceIndexing && this->UseSourceTableTree);
   if (hasMesh && this->Meshes.GetForm(0))
   {
     vtkGlyphSource(this->GetInputAlgorithm(1, 0)).StoreIn(this->Meshes.GetForm(0));
@@ -421,7 +421,7 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
   }
   else
   {
-    settings.Shape = this->GlyphShape == CAPSULE  ? rtg::Shape::Capsule
+    settings.Shape = this->GlyphShape == CAPSULE ? rtg::Shape::Capsule
       : this->GlyphShape == SUPERQUADRIC         ? rtg::Shape::Superquadric
       : this->GlyphShape == NESTED_SUPERQUADRIC  ? rtg::Shape::NestedSuperquadric
       : this->Meshes.GetNumberOfForms() > 1      ? rtg::Shape::Mesh

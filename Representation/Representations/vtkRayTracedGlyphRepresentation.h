@@ -117,9 +117,9 @@ public:
 
   ///@{
   /**
-   * Whether arrows have heads of one size (0) or scaled ones (1, default), as vtkArrowSource's. Fixed heads are slightly
-   * rounded and have the source's proportions on an arrow of the reference magnitude; it is a high quantile of the scale
-   * array when not positive, the default.
+   * Whether arrows have heads of one size (0) or scaled ones (1, default), as vtkArrowSource's. Fixed heads are
+   * slightly rounded and have the source's proportions on an arrow of the reference magnitude; it is a high quantile of
+   * the scale array when not positive, the default.
    */
   void SetArrowHeads(int heads) { this->FixedHeads = heads == 0; }
   void SetArrowReferenceMagnitude(double magnitude)

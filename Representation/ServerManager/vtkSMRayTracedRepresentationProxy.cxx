@@ -93,7 +93,8 @@ void ShowInPanel(vtkSMProxy* display)
   const std::string hints = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
     where("Interpolation", "3") + "<Expression type='and'>" + where("ShadingMode", "2") + "<Expression type='or'>" +
     where("Representation", "Ray Traced Glyphs") + where("Representation", "Ray Traced Surface") +
-    where("Representation", "Ray Traced Tubes") + "</Expression></Expression></Expression></PropertyWidgetDecorator></Hints>";
+    where("Representation", "Ray Traced Tubes") +
+    "</Expression></Expression></Expression></PropertyWidgetDecorator></Hints>";
   const vtkSmartPointer<vtkPVXMLElement> element = vtkPVXMLParser::ParseXML(hints.c_str());
   for (const char* name : { "Metallic", "Roughness", "CoatStrength", "CoatIOR", "CoatRoughness", "CoatColor" })
   {
@@ -320,8 +321,8 @@ void vtkSMRayTracedRepresentationProxy::NoteChoice(const std::string& name)
 }
 
 //----------------------------------------------------------------------------
-// What nobody has chosen gets the defaults of ray-traced glyphs when a display is first shown as such: they are as large
-// as the data suggest and turned where the data have directions, and spheres where they have none.
+// What nobody has chosen gets the defaults of ray-traced glyphs when a display is first shown as such: they are as
+// large as the data suggest and turned where the data have directions, and spheres where they have none.
 void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
 {
   vtkSMProxy* display = this->GetTrueParentProxy();
@@ -360,8 +361,8 @@ void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
 }
 
 //----------------------------------------------------------------------------
-// Where ParaView has found none, or normals, or one that the glyphs' location does not have (lost). Returns whether others were. One
-// that scales is chosen when a mode takes it, for the form that the glyphs have then.
+// Where ParaView has found none, or normals, or one that the glyphs' location does not have (lost). Returns whether
+// others were. One that scales is chosen when a mode takes it, for the form that the glyphs have then.
 bool vtkSMRayTracedRepresentationProxy::ChooseSharedArrays(bool lost)
 {
   vtkSMProxy* display = this->GetTrueParentProxy();
@@ -377,7 +378,8 @@ bool vtkSMRayTracedRepresentationProxy::ChooseSharedArrays(bool lost)
     }
     const std::string before = vtkSMPropertyHelper(display, name).GetAsString();
     unsigned int index = 0;
-    if (IsNone(display, name) || vtkGlyphArrayNames::IsNormal(before) || (lost && !list->IsInDomain(before.c_str(), index)))
+    if (IsNone(display, name) || vtkGlyphArrayNames::IsNormal(before) ||
+      (lost && !list->IsInDomain(before.c_str(), index)))
     {
       const bool choosing = this->Choosing;
       this->Choosing = true;

@@ -87,7 +87,7 @@ private:
   bool ApplyingQuality = false;
   std::set<std::string> Chosen; // of the properties shared with 3D Glyphs, by the user or a script
   bool Choosing = false;        // by this class
-  bool TakingGuess = false; // a number is set to what the data suggest, not by the user
+  bool TakingGuess = false;     // a number is set to what the data suggest, not by the user
 };
 
 #endif
