@@ -1,6 +1,6 @@
 /**
  * @class   vtkSMRayTracedScaleDomain
- * @brief   values of GlyphScaleFactor: from zero to a few times what the data suggest
+ * @brief   values of ShutterTime: from zero to a few times what the data suggest
  *
  * Required properties: Guess, an information property whose first element is what the data suggest, and FromData, which
  * says whether that counts. The default of the domain is to let it count, chosen anew: the data themselves are asked

@@ -76,7 +76,7 @@ def show(look, source, arrays, diameter, shutter, factor, limits, view):
         shutter, acceleration = 2.0 * shutter, "braking"
         source = pv.Calculator(Input=source, ResultArrayName=acceleration, Function="%s*%.9g" % (velocity, -1.0 / shutter))
     if look == "arrows":
-        shown = simulation.show(source, view, "Arrow", Orient=1, SelectOrientationVectors=velocity,
+        shown = simulation.show(source, view, "Arrow", ArrowHeads="Fixed", Orient=1, SelectOrientationVectors=velocity,
                                 SelectScaleArray=velocity, ScaleMode="Magnitude", ScaleFactor=factor,
                                 **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16})
     else:

@@ -30,9 +30,10 @@ def show(source, view, shape, **properties):
     """Shows a source as ray-traced glyphs."""
     shown = pv.Show(source, view)
     shown.SetRepresentationType(REPRESENTATION)
-    session.assign_shape(shown, shape)
+    setattr(shown, "GlyphType" if shape in ("Sphere", "Box", "Cylinder", "Cone", "Arrow") else "GlyphShape", shape)
     for name, value in properties.items():
-        setattr(shown, name, value)
+        owner, _, last = name.rpartition(".")  # such as GlyphType.TipRadius
+        setattr(getattr(shown, owner) if owner else shown, last, value)
     return shown
 
 
@@ -76,10 +77,10 @@ def spheres(impact, view):
 
 def arrows(impact, view):
     """The grains' velocities as arrows, coloured by their upward part."""
-    shown = show(impact, view, "Arrow", Orient=1, SelectOrientationVectors="velocity",
+    shown = show(impact, view, "Arrow", ArrowHeads="Fixed", Orient=1, SelectOrientationVectors="velocity",
                  OrientationMode="Direction", SelectScaleArray="velocity",
-                 ScaleMode="Magnitude", ScaleFactor=0.3, ArrowReferenceMagnitude=2.0, **{"GlyphType.ShaftRadius": 0.12,
-                 "GlyphType.TipRadius": 0.3}, **{"GlyphType.TipLength": 0.8})
+                 ScaleMode="Magnitude", ScaleFactor=0.3, ArrowReferenceMagnitude=2.0,
+                 **{"GlyphType.ShaftRadius": 0.12, "GlyphType.TipRadius": 0.3, "GlyphType.TipLength": 0.8})
     colour(shown, view, "velocity", "Z", (-5.0, 5.0), "Cool to Warm", "upward velocity", (0.6, 0.02))
     look(view, (9.0, -34.0, 22.0), (14.3, 14.0, 5.5), (0.0, 0.0, 1.0))
 

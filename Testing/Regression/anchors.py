@@ -26,7 +26,7 @@ def vectors():
 def drawn(stage, shape, points, name, **properties):
     """(picture, bounds) of glyphs along vectors."""
     shown = stage.show(session.poly_data(points, along=vectors()), shape, Orient=1, SelectOrientationVectors="along", ScaleMode="Magnitude",
-                       SelectScaleArray="along", ScaleFactor=FACTOR, **{"GlyphType.TipRadius": 0.2}, **properties)
+                       SelectScaleArray="along", ScaleFactor=FACTOR, **({"GlyphType.TipRadius": 0.2} if shape == "Arrow" else {}), **properties)
     session.solid(shown, (0.9, 0.8, 0.5))
     pv.Render(stage.view)
     picture = session.capture(stage.view, "anchors-%s-%s" % (shape.lower(), name.lower()))

@@ -43,7 +43,7 @@ def main():
         vectors = numpy.zeros((len(everywhere), 3))
         vectors[:, 0] = everywhere * unit
         data = session.source(session.poly_data(points, vectors=vectors))
-        shown = session.glyphs(data, view, "Arrow", SelectOrientationVectors="vectors", ScaleMode="Magnitude", SelectScaleArray="vectors",
+        shown = session.glyphs(data, view, "Arrow", ArrowHeads="Fixed", SelectOrientationVectors="vectors", ScaleMode="Magnitude", SelectScaleArray="vectors",
                                ScaleFactor=1.0 / unit, **{"GlyphType.TipRadius": 0.25})
         session.solid(shown, (0.3, 0.6, 0.9))
 

@@ -30,7 +30,7 @@ def scene(folder):
     session.solid(spheres, (0.9, 0.7, 0.3))
     lifted = pv.Transform(Input=spread)
     lifted.Transform.Translate = [0.0, 0.0, 12.0]
-    arrows = session.glyphs(lifted, view, "Arrow", SelectOrientationVectors="velocity", ScaleMode="Magnitude",
+    arrows = session.glyphs(lifted, view, "Arrow", ArrowHeads="Fixed", SelectOrientationVectors="velocity", ScaleMode="Magnitude",
                             SelectScaleArray="velocity", ScaleFactor=0.2)
     pv.ColorBy(arrows, ("POINTS", "velocity"))
     arrows.SetScalarBarVisibility(view, False)

@@ -35,7 +35,7 @@ def scene():
     view = session.view(SIDE, SIDE)
     data = session.poly_data(numpy.array([[5.0, 1.0, 0.0]]), s=numpy.array([2.0]), v=numpy.array([[2.0, 0.0, 0.0]]))
     shown = session.glyphs(session.source(data), view, "Sphere", ScaleMode="Magnitude", SelectScaleArray="s", ScaleFactor=0.25,
-                           SelectOrientationVectors="v", ArrowReferenceMagnitude=1.0, GlyphLegend="Lower Left", GlyphLegendColor=GREEN)
+                           SelectOrientationVectors="v", ArrowHeads="Fixed", ArrowReferenceMagnitude=1.0, GlyphLegend="Lower Left", GlyphLegendColor=GREEN)
     session.solid(shown, (1.0, 0.0, 0.0))
     shown.Ambient, shown.Diffuse = 1.0, 0.0
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (5.2, 1.1, 6.0), (5.2, 1.1, -3.0), (0.0, 1.0, 0.0)

@@ -340,8 +340,8 @@ def unfinished(checks, view):
             pv.Render(view)
             checks.equal(what + ": what is left to choose with one", session.statistics(shown)["unfinished"], "")
             checks.equal(what + ": glyphs with one", session.statistics(shown)["glyphs"], 1)
-    # To lie along x may be a choice, and what has no tip has no direction.
-    for shape, orient in (("Arrow", 0), ("Cone", 0), ("Sphere", 1), ("Box", 1), ("Capsule", 1)):
+    # Without an array nothing is turned.
+    for shape, orient in (("Arrow", 0), ("Cone", 0), ("Sphere", 1), ("Arrow", 1), ("Box", 1), ("Capsule", 1)):
         shown = stage.show(data, shape, ScaleFactor=0.8, Orient=orient, SelectOrientationVectors="None")
         checks.no_message(shape + " without a direction", session.messages(lambda: pv.Render(view)))
         checks.equal(shape + " without a direction: glyphs", session.statistics(shown)["glyphs"], 1)

@@ -41,7 +41,7 @@ def vectors(view):
     half = SIDE // 2
     wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
     calculator = pv.Calculator(Input=wavelet, ResultArrayName="flow", Function="coordsY*iHat-coordsX*jHat+coordsZ*kHat")
-    shown = session.glyphs(calculator, view, "Arrow", SelectOrientationVectors="flow", ScaleMode="Magnitude", SelectScaleArray="flow",
+    shown = session.glyphs(calculator, view, "Arrow", ArrowHeads="Fixed", SelectOrientationVectors="flow", ScaleMode="Magnitude", SelectScaleArray="flow",
                            ScaleFactor=0.35, **{"GlyphType.TipRadius": 0.25, "GlyphType.ShaftRadius": 0.1})
     session.solid(shown, (0.3, 0.6, 0.9))
     look_at_cube(view)
