@@ -125,7 +125,7 @@ def largest_glyph(source, shown, shape, view):
 
 def picture(what, source, properties, view, checks):
     """The picture of a source, checked."""
-    shape = properties.get("GlyphType", "Sphere")
+    shape = properties.get("GlyphShape", "Sphere")
     shown = session.glyphs(source, view, samples=4, **{"shape": shape, **properties})
     shown.ColorArrayName = [None, ""]
     view.ViewTime = 0.0  # one case changes it
