@@ -1,7 +1,6 @@
 #include "vtkSMRayTracedRepresentationProxy.h"
 
 #include "vtkCommand.h"
-#include "vtkGlyphArrayNames.h"
 #include "vtkGlyphTensors.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -273,7 +272,7 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   }
   if (flag && name && strcmp(name, "ScaleMode") == 0)
   {
-    this->ChooseSharedArrays(/*lost=*/false);
+    this->ChooseSharedArrays(vtkSMRayTracedDefault::Where::Missing);
   }
   if (flag && name && strcmp(name, "GlyphLocation") == 0)
   {
@@ -282,7 +281,7 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
     {
       this->RenewDefault(array, vtkSMRayTracedDefault::Where::Lost);
     }
-    this->ChooseSharedArrays(/*lost=*/true);
+    this->ChooseSharedArrays(vtkSMRayTracedDefault::Where::Lost);
   }
   if (flag && name && strcmp(name, "TubeRadiusArray") == 0)
   {
@@ -308,15 +307,17 @@ void vtkSMRayTracedRepresentationProxy::NoteChoice(const std::string& name)
   {
     return;
   }
+  const bool reset = name == "ScaleFactor" && ShownBy(display) == this && vtkSMRayTracedDefault().Has(shared);
   this->Chosen.insert(name);
-  if (name == "ScaleFactor")
+  if (reset)
   {
-    const bool reset = vtkSMRayTracedDefault().Has(shared);
-    if (reset)
-    {
-      this->Chosen.erase(name);
-    }
-    vtkSMPropertyHelper(this, "ScaleFactorFromData").Set(reset && ShownBy(display) == this);
+    this->Chosen.erase(name);
+    vtkSMPropertyHelper(this, "ScaleFactorFromData").Set(1);
+    this->GetProperty("ScaleFactorFromData")->Modified(); // the data are asked again
+  }
+  else if (name == "ScaleFactor")
+  {
+    vtkSMPropertyHelper(this, "ScaleFactorFromData").Set(0);
   }
 }
 
@@ -338,7 +339,7 @@ void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
   }
   this->ListArraysOfLocation();
   this->Choosing = true;
-  this->ChooseSharedArrays(/*lost=*/true);
+  this->ChooseSharedArrays(vtkSMRayTracedDefault::Where::Everywhere);
   for (const char* name : { "Orient", "Scaling" })
   {
     if (!this->Chosen.count(name))
@@ -361,25 +362,28 @@ void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
 }
 
 //----------------------------------------------------------------------------
-// Where ParaView has found none, or normals, or one that the glyphs' location does not have (lost). Returns whether
-// others were. One that scales is chosen when a mode takes it, for the form that the glyphs have then.
-bool vtkSMRayTracedRepresentationProxy::ChooseSharedArrays(bool lost)
+// Where there is none, or one that the glyphs' location does not have (Lost). Returns whether others were. One that scales
+// is chosen when a mode takes it, for the form that the glyphs have then; ParaView's active scalars stay. Its active
+// vectors may be normals: directions are chosen Everywhere.
+bool vtkSMRayTracedRepresentationProxy::ChooseSharedArrays(vtkSMRayTracedDefault::Where where)
 {
+  using Where = vtkSMRayTracedDefault::Where;
   vtkSMProxy* display = this->GetTrueParentProxy();
   bool changed = false;
   for (const char* name : sharedArrays)
   {
+    const bool scales = strcmp(name, "SelectScaleArray") == 0;
     vtkSMProperty* own = this->GetProperty(name);
     auto* list = own ? own->FindDomain<vtkSMRayTracedArrayListDomain>() : nullptr;
     if (!list || !display || !this->IsFollower(name) || this->Chosen.count(name) ||
-      (strcmp(name, "SelectScaleArray") == 0 && vtkSMPropertyHelper(this, "ScaleMode").GetAsInt() == 0))
+      (scales && vtkSMPropertyHelper(this, "ScaleMode").GetAsInt() == 0))
     {
       continue;
     }
     const std::string before = vtkSMPropertyHelper(display, name).GetAsString();
     unsigned int index = 0;
-    if (IsNone(display, name) || vtkGlyphArrayNames::IsNormal(before) ||
-      (lost && !list->IsInDomain(before.c_str(), index)))
+    if (IsNone(display, name) || (where == Where::Everywhere && !scales) ||
+      (where != Where::Missing && !list->IsInDomain(before.c_str(), index)))
     {
       const bool choosing = this->Choosing;
       this->Choosing = true;
@@ -488,7 +492,7 @@ void vtkSMRayTracedRepresentationProxy::RenewDefaults(vtkSMProxy* view)
   {
     renewed |= this->IsExposed(name) && this->RenewDefault(name, where);
   }
-  renewed |= this->ChooseSharedArrays(where == Where::Lost);
+  renewed |= this->ChooseSharedArrays(where);
   renewed |= this->IsExposed("TubeRadius") && this->RenewDefault("TubeRadius", Where::Missing);
   if (renewed)
   {

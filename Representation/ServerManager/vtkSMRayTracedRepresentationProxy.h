@@ -65,6 +65,7 @@ private:
   bool HoldsForView(const char* name);
 #ifndef __VTK_WRAP__
   bool RenewDefault(const char* name, vtkSMRayTracedDefault::Where where);
+  bool ChooseSharedArrays(vtkSMRayTracedDefault::Where where);
 #endif
   void RenewDefaults(vtkSMProxy* view);
   void TakeSelection();
@@ -72,7 +73,6 @@ private:
   void ShareWithView(const char* name);
   void NoteChoice(const std::string& name);
   void ChooseDefaults();
-  bool ChooseSharedArrays(bool lost);
   void ListArraysOfLocation();
   void TakeFromView(vtkSMProxy* view);
   void Rendered(vtkObject* view, unsigned long event, void* interactive);

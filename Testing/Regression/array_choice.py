@@ -29,7 +29,7 @@ CASES = (
     ("a:3=Vectors velocity:3", "a a None velocity"),
     ("force:3 displacement:3 angular_velocity:3 coords:3 omega:3", "displacement displacement None None"),
     ("omega:3 coords:3", "omega omega None None"),
-    ("positions:3 EulerAngles:3 rgb:3 lengths:3", "None None None None"),
+    ("positions:3 EulerAngles:3 rgb:3 lengths:3 id:1", "None None None None"),
     ("positions:3 c_q:4 c_shape:3", "None c_q None None"),
     ("positions:3 quaternion:4 c_shape:3 thing:3", "thing quaternion None None"),
     ("positions:3 thing:3", "thing thing None None"),
@@ -137,7 +137,7 @@ def location(checks):
         view.ViewTime = time
         checks.no_message("cells at time %g" % time, session.messages(lambda: pv.Render(view)))
         checks.equal("GlyphLocation at time %g" % time, shown.SMProxy.GetProperty("GlyphLocation").GetElement(0), 1)
-        checks.equal("arrays of cells at time %g" % time, arrays(shown)[:3], ["velocity", "velocity", "stress"])
+        checks.equal("arrays of cells at time %g" % time, arrays(shown)[:3], ["None", "velocity", "stress"])
     checks.equal("glyphs of the second step", session.statistics(shown)["glyphs"], 20)
     pv.Delete(view)
 

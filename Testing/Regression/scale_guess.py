@@ -124,7 +124,7 @@ def changes(checks):
             ("SelectScaleArray", "s", 0.45), ("ScaleMode", "Magnitude", SCALED), ("SelectScaleArray", "t", 45.0), ("SelectScaleArray", "v", 0.11),
             ("GlyphScaleFunction", "Square Root", SCALED), ("GlyphScaleFunction", "Unit", 0.45), ("GlyphScaleFunction", "Linear", 0.11),
             ("ScaleMode", "No Data Scaling Off", 0.45), ("GlyphShape", "Capsule", SCALED), ("GlyphTensorArray", "tensor", SCALED),
-            ("GlyphShape", "Tensor Ellipsoid", 0.09), ("GlyphShape", "Glyph Type", 0.45), ("GlyphType", "Arrow", 1.1), ("GlyphType", "Sphere", 0.45),
+            ("GlyphShape", "Tensor Ellipsoid", 0.09), ("GlyphShape", "Glyph Type", 0.45), ("GlyphType", "Arrow", 0.7), ("GlyphType", "Sphere", 0.45),
             ("GlyphSizeRange", [0.1, 0.3], 0.45), ("Opacity", 0.5, 0.45), ("GlyphMode", "Random", 0.45), ("GlyphMode", "All Points", 0.45)):
         setattr(shown, name, value)
         found = factor(shown, view)
@@ -141,8 +141,8 @@ def changes(checks):
     checks.equal("factor from the data again", factor(shown, view), 45.0)
     shown.ScaleFactor = 0.1
     pv.Render(view)
-    # what the panel's button does
-    shown.SMProxy.GetProperty("ScaleFactor").ResetToDomainDefaults(True)
+    # what the panel's button does, and takes over
+    shown.SMProxy.GetProperty("ScaleFactor").ResetToDomainDefaults()
     checks.equal("ScaleFactorFromData after a reset", int(shown.ScaleFactorFromData), 1)
     checks.equal("factor after a reset", factor(shown, view), 45.0)
     pv.Delete(view)
@@ -162,7 +162,8 @@ def steps(checks):
     checks.no_message("an empty first step", said)
     for time, wanted in ((0.0, 0.0), (1.0, 0.0), (2.0, SCALED), (3.0, SCALED), (4.0, SCALED), (0.0, SCALED), (3.0, SCALED)):
         view.ViewTime = time
-        checks.equal("factor at time %g" % time, factor(shown, view), wanted)
+        found = factor(shown, view) if wanted else shown.SMProxy.GetProperty("ScaleFactorGuess").GetElement(0)
+        checks.equal("factor at time %g" % time, found, wanted)
     shown.SMProxy.GetProperty("ScaleFactor").ResetToDomainDefaults()
     shown.SMProxy.UpdateVTKObjects()
     checks.equal("factor after a reset at time 3", factor(shown, view), SCALED / 2)
@@ -239,11 +240,12 @@ def states(checks):
     view = session.view(80, 60)
     shown = display(pv.Wavelet(WholeExtent=[-4, 4] * 3), view, Orient=0)
     checks.equal("factor of the Wavelet", factor(shown), 0.9)
-    checks.true("a factor from the data is in the Python state", "ScaleFactor" not in smstate.get_state())
+    checks.true("the Python state does not say that the factor is the data's", re.search(r"ScaleFactorFromData *= *1", smstate.get_state()))
     pv.SaveState(session.output("scale-guess-data.pvsm"))
     shown.ScaleFactor = 0.125
     pv.Render(view)
     checks.true("a factor of a script is not in the Python state", re.search(r"ScaleFactor *= *0.125", smstate.get_state()))
+    checks.true("the Python state says that a script's factor is the data's", "ScaleFactorFromData" not in smstate.get_state())
     pv.SaveState(session.output("scale-guess-script.pvsm"))
     for name, from_data, wanted in (("data", 1, 0.9), ("script", 0, 0.125)):
         pv.ResetSession()
