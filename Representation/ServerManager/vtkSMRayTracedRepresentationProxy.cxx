@@ -307,17 +307,16 @@ void vtkSMRayTracedRepresentationProxy::NoteChoice(const std::string& name)
   {
     return;
   }
-  const bool reset = name == "ScaleFactor" && ShownBy(display) == this && vtkSMRayTracedDefault().Has(shared);
   this->Chosen.insert(name);
-  if (reset)
+  if (name == "ScaleFactor")
   {
-    this->Chosen.erase(name);
-    vtkSMPropertyHelper(this, "ScaleFactorFromData").Set(1);
-    this->GetProperty("ScaleFactorFromData")->Modified(); // the data are asked again
-  }
-  else if (name == "ScaleFactor")
-  {
-    vtkSMPropertyHelper(this, "ScaleFactorFromData").Set(0);
+    const bool reset = vtkSMRayTracedDefault().Has(shared);
+    if (reset)
+    {
+      this->Chosen.erase(name);
+    }
+    vtkSMPropertyHelper(this, "ScaleFactorFromData").Set(reset && ShownBy(display) == this);
+    this->GetProperty("ScaleFactorFromData")->Modified(); // so that the data are asked again
   }
 }
 
@@ -362,9 +361,9 @@ void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
 }
 
 //----------------------------------------------------------------------------
-// Where there is none, or one that the glyphs' location does not have (Lost). Returns whether others were. One that scales
-// is chosen when a mode takes it, for the form that the glyphs have then; ParaView's active scalars stay. Its active
-// vectors may be normals: directions are chosen Everywhere.
+// Where there is none, or one that the glyphs' location does not have (Lost). Returns whether others were. One that
+// scales is chosen when a mode takes it, for the form that the glyphs have then; ParaView's active scalars stay. Its
+// active vectors may be normals: directions are chosen Everywhere.
 bool vtkSMRayTracedRepresentationProxy::ChooseSharedArrays(vtkSMRayTracedDefault::Where where)
 {
   using Where = vtkSMRayTracedDefault::Where;

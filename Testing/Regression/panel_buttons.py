@@ -109,7 +109,9 @@ def reset(checks):
         checks.true("everything is as at first: %s" % first, all(value != first[name] for name, value in values(shown, CHOSEN).items()))
         way(shown)
         shown.SetRepresentationType(session.REPRESENTATION)
+        # What is 3D Glyphs' has ParaView's defaults, but for the size.
         shown.GlyphType, shown.ScaleMode, shown.SamplesPerPixel = "Sphere", "Magnitude", 1
+        shown.Scaling, shown.Orient, shown.SelectScaleArray, shown.SelectOrientationVectors = 1, 1, "radius", "velocity"
         picture = session.capture(view, "panel-buttons-reset")
         checks.equal("reset, " + way.__name__, values(shown, CHOSEN), first)
         checks.picture("reset, " + way.__name__, picture, expected, pixels=0.0, mean=0.0)
