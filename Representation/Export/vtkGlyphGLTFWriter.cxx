@@ -65,7 +65,7 @@ public:
   }
 
   // `factor`: the color of all copies, or white for those that have their own.
-  std::size_t AddMaterial(const vtkGlyphExportSet& set)
+  std::size_t AddMaterial(const vtkGlyphTessellatedSet& set)
   {
     const glm::vec4 factor = set.Colors.empty() ? set.Color : glm::vec4(1.0f);
     Json material = { { "name", set.Name },
@@ -79,7 +79,7 @@ public:
     return this->Add("materials", std::move(material));
   }
 
-  std::size_t AddMesh(const vtkGlyphExportPart& part, std::size_t material)
+  std::size_t AddMesh(const vtkGlyphTessellatedPart& part, std::size_t material)
   {
     const rtg::TriangleMesh& mesh = *part.Mesh;
     Json attributes = { { "POSITION", this->AddArray(mesh.positions, "VEC3", floatingPoint, arrayBuffer, true) } };
@@ -98,7 +98,7 @@ public:
     return this->Add("meshes", { { "name", part.Name }, { "primitives", Json::array({ std::move(primitive) }) } });
   }
 
-  std::size_t AddCopies(const vtkGlyphExportSet& set, const vtkGlyphExportPart& part, std::size_t material)
+  std::size_t AddCopies(const vtkGlyphTessellatedSet& set, const vtkGlyphTessellatedPart& part, std::size_t material)
   {
     Json attributes = { { "TRANSLATION", this->AddArray(part.Positions, "VEC3") },
       { "ROTATION", this->AddArray(part.Orientations, "VEC4") }, { "SCALE", this->AddArray(part.Scales, "VEC3") } };
@@ -129,12 +129,13 @@ void Append(std::string& to, std::uint32_t number)
   }
 }
 
-void AppendChunk(std::string& to, std::string chunk, std::uint32_t kind, char padding)
+void AppendChunk(std::string& to, const std::string& chunk, std::uint32_t kind, char padding)
 {
-  chunk.resize((chunk.size() + 3) / 4 * 4, padding);
-  Append(to, static_cast<std::uint32_t>(chunk.size()));
+  const std::size_t length = (chunk.size() + 3) / 4 * 4;
+  Append(to, static_cast<std::uint32_t>(length));
   Append(to, kind);
   to += chunk;
+  to.append(length - chunk.size(), padding);
 }
 
 // A file's name as a relative reference: all but what RFC 3986 calls unreserved is percent-encoded.
@@ -154,14 +155,14 @@ std::string AsUri(const std::string& name)
 
 //----------------------------------------------------------------------------
 vtkGlyphGLTFWriter::File
-vtkGlyphGLTFWriter::Make(const std::vector<vtkGlyphExportSet>& sets, const std::string& binaryName)
+vtkGlyphGLTFWriter::Make(const std::vector<vtkGlyphTessellatedSet>& sets, const std::string& binaryName)
 {
   Document document;
-  for (const vtkGlyphExportSet& set : sets)
+  for (const vtkGlyphTessellatedSet& set : sets)
   {
     const std::size_t material = document.AddMaterial(set);
     Json children = Json::array();
-    for (const vtkGlyphExportPart& part : set.Parts)
+    for (const vtkGlyphTessellatedPart& part : set.Parts)
     {
       children.push_back(document.AddCopies(set, part, material));
     }
@@ -184,12 +185,13 @@ vtkGlyphGLTFWriter::Make(const std::vector<vtkGlyphExportSet>& sets, const std::
 //----------------------------------------------------------------------------
 std::string vtkGlyphGLTFWriter::Together(const File& file)
 {
-  std::string chunks;
-  AppendChunk(chunks, file.Text, jsonChunk, ' ');
-  AppendChunk(chunks, file.Binary, binaryChunk, '\0');
+  const std::uint64_t length = LengthTogether(file.Text.size(), file.Binary.size());
   std::string whole;
+  whole.reserve(length);
   Append(whole, magic);
   Append(whole, version);
-  Append(whole, static_cast<std::uint32_t>(12 + chunks.size()));
-  return whole + chunks;
+  Append(whole, static_cast<std::uint32_t>(length));
+  AppendChunk(whole, file.Text, jsonChunk, ' ');
+  AppendChunk(whole, file.Binary, binaryChunk, '\0');
+  return whole;
 }

@@ -5,7 +5,7 @@
 #ifndef vtkGlyphGLTFWriter_h
 #define vtkGlyphGLTFWriter_h
 
-#include "vtkGlyphExportSet.h"
+#include "vtkGlyphTessellatedSet.h"
 
 namespace vtkGlyphGLTFWriter
 {
@@ -16,10 +16,18 @@ struct File
 };
 
 /// `binaryName`: where the buffer will lie, relative to the JSON; empty: in the same file (.glb).
-File Make(const std::vector<vtkGlyphExportSet>& sets, const std::string& binaryName);
+File Make(const std::vector<vtkGlyphTessellatedSet>& sets, const std::string& binaryName);
 
-/// Both in one (.glb).
+///@{
+/// Both in one (.glb), and how many bytes that has: a header, and before each of two chunks, which are filled up to a
+/// multiple of 4, another one. The format has 32 bits for this number.
 std::string Together(const File& file);
+constexpr std::uint64_t MostTogether = 0xFFFFFFFF;
+constexpr std::uint64_t LengthTogether(std::uint64_t text, std::uint64_t binary)
+{
+  return 12 + 8 + (text + 3) / 4 * 4 + 8 + (binary + 3) / 4 * 4;
+}
+///@}
 }
 
 #endif

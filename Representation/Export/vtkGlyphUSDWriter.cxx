@@ -11,7 +11,7 @@ constexpr double degrees = 57.295779513082323;
 
 // Through all copies of all parts, part by part.
 template <typename Item>
-void ListCopies(vtkGlyphFileText& out, const vtkGlyphExportSet& set, const Item& item)
+void ListCopies(vtkGlyphFileText& out, const vtkGlyphTessellatedSet& set, const Item& item)
 {
   bool first = true;
   out << "[";
@@ -27,19 +27,19 @@ void ListCopies(vtkGlyphFileText& out, const vtkGlyphExportSet& set, const Item&
   out << "]\n";
 }
 
-void WriteVectors(vtkGlyphFileText& out, const vtkGlyphExportSet& set, const char* name,
-  std::vector<glm::vec3> vtkGlyphExportPart::*values, double factor = 1.0)
+void WriteVectors(vtkGlyphFileText& out, const vtkGlyphTessellatedSet& set, const char* name,
+  std::vector<glm::vec3> vtkGlyphTessellatedPart::*values, double factor = 1.0)
 {
   if (std::any_of(set.Parts.begin(), set.Parts.end(), [values](const auto& part) { return !(part.*values).empty(); }))
   {
     out << "            vector3f[] " << name << " = ";
     ListCopies(out, set,
-      [&](const vtkGlyphExportPart& part, std::size_t, std::size_t k)
+      [&](const vtkGlyphTessellatedPart& part, std::size_t, std::size_t k)
       { out << glm::vec3(glm::dvec3((part.*values)[k]) * factor); });
   }
 }
 
-void WriteMesh(vtkGlyphFileText& out, const vtkGlyphExportPart& part)
+void WriteMesh(vtkGlyphFileText& out, const vtkGlyphTessellatedPart& part)
 {
   const rtg::TriangleMesh& mesh = *part.Mesh;
   glm::vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
@@ -66,7 +66,7 @@ void WriteMesh(vtkGlyphFileText& out, const vtkGlyphExportPart& part)
   out << "\n" << indent << "uniform token subdivisionScheme = \"none\"\n                }\n";
 }
 
-void WriteColors(vtkGlyphFileText& out, const vtkGlyphExportSet& set)
+void WriteColors(vtkGlyphFileText& out, const vtkGlyphTessellatedSet& set)
 {
   const std::string indent(12, ' ');
   const auto close = [&](const char* interpolation) {
@@ -78,7 +78,7 @@ void WriteColors(vtkGlyphFileText& out, const vtkGlyphExportSet& set)
   const auto copies = [&](const auto& item)
   {
     first = true;
-    for (const vtkGlyphExportPart& part : set.Parts)
+    for (const vtkGlyphTessellatedPart& part : set.Parts)
     {
       for (const std::uint32_t glyph : part.Glyphs)
       {
@@ -102,14 +102,14 @@ void WriteColors(vtkGlyphFileText& out, const vtkGlyphExportSet& set)
   }
 }
 
-void WriteSet(vtkGlyphFileText& out, const vtkGlyphExportSet& set)
+void WriteSet(vtkGlyphFileText& out, const vtkGlyphTessellatedSet& set)
 {
   const std::string indent(12, ' ');
   out << "    def Xform \"" << set.Name << "\"\n    {\n        double3 xformOp:translate = " << set.Origin
       << "\n        uniform token[] xformOpOrder = [\"xformOp:translate\"]\n\n"
       << "        def PointInstancer \"Instances\"\n        {\n"
       << indent << "int[] protoIndices = ";
-  ListCopies(out, set, [&](const vtkGlyphExportPart&, std::size_t p, std::size_t) { out << p; });
+  ListCopies(out, set, [&](const vtkGlyphTessellatedPart&, std::size_t p, std::size_t) { out << p; });
   out << indent << "rel prototypes = ";
   out.List(set.Parts.size(),
     [&](std::size_t p) { out << "</Glyphs/" << set.Name << "/Instances/Prototypes/" << set.Parts[p].Name << ">"; });
@@ -124,12 +124,12 @@ void WriteSet(vtkGlyphFileText& out, const vtkGlyphExportSet& set)
     });
   out << indent << "float3[] scales = ";
   ListCopies(out, set, [&](const auto& part, std::size_t, std::size_t k) { out << part.Scales[k]; });
-  WriteVectors(out, set, "velocities", &vtkGlyphExportPart::Velocities);
-  WriteVectors(out, set, "accelerations", &vtkGlyphExportPart::Accelerations);
-  WriteVectors(out, set, "angularVelocities", &vtkGlyphExportPart::AngularVelocities, degrees);
+  WriteVectors(out, set, "velocities", &vtkGlyphTessellatedPart::Velocities);
+  WriteVectors(out, set, "accelerations", &vtkGlyphTessellatedPart::Accelerations);
+  WriteVectors(out, set, "angularVelocities", &vtkGlyphTessellatedPart::AngularVelocities, degrees);
   WriteColors(out, set);
   out << "\n            def Scope \"Prototypes\"\n            {\n";
-  for (const vtkGlyphExportPart& part : set.Parts)
+  for (const vtkGlyphTessellatedPart& part : set.Parts)
   {
     WriteMesh(out, part);
   }
@@ -138,12 +138,12 @@ void WriteSet(vtkGlyphFileText& out, const vtkGlyphExportSet& set)
 }
 
 //----------------------------------------------------------------------------
-std::string vtkGlyphUSDWriter::Text(const std::vector<vtkGlyphExportSet>& sets)
+std::string vtkGlyphUSDWriter::Text(const std::vector<vtkGlyphTessellatedSet>& sets)
 {
   vtkGlyphFileText out;
   out << "#usda 1.0\n(\n    defaultPrim = \"Glyphs\"\n    metersPerUnit = 1\n    upAxis = \"Z\"\n)\n\n"
       << "def Xform \"Glyphs\"\n{\n";
-  for (const vtkGlyphExportSet& set : sets)
+  for (const vtkGlyphTessellatedSet& set : sets)
   {
     WriteSet(out, set);
   }

@@ -6,11 +6,11 @@
 #ifndef vtkGlyphUSDWriter_h
 #define vtkGlyphUSDWriter_h
 
-#include "vtkGlyphExportSet.h"
+#include "vtkGlyphTessellatedSet.h"
 
 namespace vtkGlyphUSDWriter
 {
-std::string Text(const std::vector<vtkGlyphExportSet>& sets);
+std::string Text(const std::vector<vtkGlyphTessellatedSet>& sets);
 }
 
 #endif

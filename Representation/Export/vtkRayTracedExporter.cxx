@@ -1,6 +1,6 @@
 #include "vtkRayTracedExporter.h"
 
-#include "vtkGlyphExportSet.h"
+#include "vtkGlyphTessellatedSet.h"
 #include "vtkGlyphGLTFWriter.h"
 #include "vtkGlyphUSDWriter.h"
 #include "vtkObjectFactory.h"
@@ -52,7 +52,7 @@ void vtkRayTracedExporter::WriteData()
     return;
   }
 
-  std::vector<vtkGlyphExportSet> sets;
+  std::vector<vtkGlyphTessellatedSet> sets;
   std::vector<std::string> messages;
   bool surfaces = false;
   vtkRendererCollection* renderers = this->RenderWindow->GetRenderers();
@@ -67,7 +67,7 @@ void vtkRayTracedExporter::WriteData()
         surfaces |= shown.Instances.identifyTriangles;
         if (!shown.Instances.identifyTriangles)
         {
-          vtkGlyphExportSet set = vtkGlyphExportSet::Make(
+          vtkGlyphTessellatedSet set = vtkGlyphTessellatedSet::Make(
             std::to_string(sets.size()), shown.Instances, shown.Colors, shown.Material, messages);
           if (!set.Parts.empty())
           {
@@ -104,7 +104,16 @@ void vtkRayTracedExporter::WriteData()
   }
   else if (extension == ".glb")
   {
-    written = WriteFile(this->FileName, vtkGlyphGLTFWriter::Together(vtkGlyphGLTFWriter::Make(sets, "")));
+    const vtkGlyphGLTFWriter::File file = vtkGlyphGLTFWriter::Make(sets, "");
+    const std::uint64_t length = vtkGlyphGLTFWriter::LengthTogether(file.Text.size(), file.Binary.size());
+    if (length > vtkGlyphGLTFWriter::MostTogether)
+    {
+      vtkErrorMacro(<< "The glyphs are not exported: '" << this->FileName << "' would have " << length
+                    << " bytes, and a .glb file has at most " << vtkGlyphGLTFWriter::MostTogether
+                    << ". Choose .gltf, which puts the numbers into a .bin file beside it, or .usda.");
+      return;
+    }
+    written = WriteFile(this->FileName, vtkGlyphGLTFWriter::Together(file));
   }
   else
   {

@@ -31,7 +31,7 @@ inline double InRange(double value, double lowest, double highest, double otherw
 
 ///@{
 /**
- * The same in place, of numbers of any type and of integers or enumerations.
+ * The same in place, of numbers of any type and of integers.
  */
 template <class Number>
 void PutInRange(Number& value, double lowest, double highest, double otherwise)
@@ -50,6 +50,27 @@ inline std::array<double, 3> ColorInRange(double red, double green, double blue)
   return { InRange(red, 0.0, 1.0, 1.0), InRange(green, 0.0, 1.0, 1.0), InRange(blue, 0.0, 1.0, 1.0) };
 }
 }
+
+/**
+ * An enumerator from `First`, the default, to `Last`: of a number out of this range the nearest.
+ */
+template <class Enumeration, Enumeration First, Enumeration Last>
+class vtkRayTracedChoice
+{
+public:
+  vtkRayTracedChoice() = default;
+  template <class Number>
+  vtkRayTracedChoice& operator=(Number number)
+  {
+    const int value = std::clamp(static_cast<int>(number), static_cast<int>(First), static_cast<int>(Last));
+    this->Value = static_cast<Enumeration>(value);
+    return *this;
+  }
+  operator Enumeration() const { return this->Value; }
+
+private:
+  Enumeration Value = First;
+};
 
 #endif
 // VTK-HeaderTest-Exclude: vtkRayTracedNumbers.h

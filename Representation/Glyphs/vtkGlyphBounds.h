@@ -10,7 +10,8 @@
 #define vtkGlyphBounds_h
 
 #include "vtkGlyphBlockAttributes.h"
-#include "vtkGlyphSettings.h"
+#include "vtkGlyphTuples.h"
+#include "vtkRayTracedCache.h"
 
 #include <cstdint>
 #include <vector>
@@ -36,15 +37,10 @@ public:
   ///@}
 
 private:
-  struct Key
-  {
-    std::vector<vtkGlyphSettings> Settings;
-    std::vector<vtkMTimeType> Times; // of all arrays
-    std::vector<unsigned int> HiddenBlocks;
-    bool operator==(const Key&) const = default;
-  };
-  Key Known;
-  bool IsKnown = false;
+  void Build(
+    vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings, const vtkGlyphBlockAttributes::Table& blocks);
+
+  vtkRayTracedCache<vtkGlyphArrays::Key> Known;
   double Bounds[6];
   std::uint64_t Builds = 0;
   double Seconds = 0.0;

@@ -10,6 +10,7 @@
 #include "FormExtents.h"
 #include "HarmonicForms.h"
 #include "Tensor.h"
+#include "vtkRayTracedNumbers.h"
 #include "vtkType.h"
 
 #include <array>
@@ -35,7 +36,7 @@ public:
     int Kind = HARMONICS;
     std::string Array;                                 // empty or "None": none
     rtg::TensorLayout Layout = rtg::TensorLayout::Vtk; // of tensors of second order
-    rtg::HarmonicsBasis Basis = rtg::HarmonicsBasis::MRtrix3;
+    vtkRayTracedChoice<rtg::HarmonicsBasis, rtg::HarmonicsBasis::MRtrix3, rtg::HarmonicsBasis::Orthonormal> Basis;
     bool Each = false; // all glyphs have one size
     int Coloring = 0;  // vtkGlyphTensors::SIGN, SURFACE_DIRECTION or RADIUS count
 

@@ -3,12 +3,9 @@
 #include "Finite.h"
 #include "GlyphArrays.h"
 #include "vtkDataArray.h"
-#include "vtkGlyphForms.h"
-#include "vtkGlyphHighScale.h"
 #include "vtkGlyphMaker.h"
 #include "vtkGlyphMotion.h"
 #include "vtkGlyphOutcomes.h"
-#include "vtkGlyphTensors.h"
 #include "vtkGlyphTuples.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedArrays.h"
@@ -16,7 +13,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <memory>
 
 namespace
 {
@@ -90,8 +86,9 @@ private:
     allocate(this->Instances.centres, true);
     allocate(this->Instances.forms, this->How.Tensors.ColorsBySign());
     allocate(this->Instances.exponents3,
-      (this->Maker.GetTensors() && HasExponents(this->How.Shape)) || this->Maker.Has(vtkGlyphArrays::EXPONENTS));
-    if (const vtkGlyphForms* forms = this->Maker.GetForms())
+      (this->Maker.GetSizes().GetTensors() && HasExponents(this->How.Shape)) ||
+        this->Maker.Has(vtkGlyphArrays::EXPONENTS));
+    if (const vtkGlyphForms* forms = this->Maker.GetSizes().GetForms())
     {
       this->Instances.polynomialDegree = forms->Degree();
       this->Instances.polynomials.width = forms->Width();
@@ -112,7 +109,7 @@ private:
   {
     vtkGlyphMaker::Glyph glyph;
     const Outcome outcome = this->Maker.Make(point, static_cast<int>(number % this->Parts), this->Instances.origin,
-      tuples, glyph, this->Maker.GetForms() ? this->Instances.polynomials[number] : nullptr);
+      tuples, glyph, this->Maker.GetSizes().GetForms() ? this->Instances.polynomials[number] : nullptr);
     if (outcome != SHOWN)
     {
       return outcome;
@@ -156,7 +153,8 @@ private:
     store(this->Instances.sizes3, glyph.Size);
     store(this->Instances.sizes1, glyph.Size.x);
     store(this->Instances.rotations, glyph.Turn);
-    store(this->Instances.exponents3, this->Maker.GetTensors() ? glm::vec3(glyph.Tensor.exponents) : glyph.Exponents);
+    store(this->Instances.exponents3,
+      this->Maker.GetSizes().GetTensors() ? glm::vec3(glyph.Tensor.exponents) : glyph.Exponents);
     store(this->Shifts, static_cast<float>(glyph.Shift));
     store(this->Out.Radii, glyph.Radius);
     if (!this->Instances.forms.empty())
@@ -281,31 +279,9 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   {
     return result;
   }
-  std::unique_ptr<vtkGlyphTensors> tensors;
-  std::string problem;
-  if (settings.Tensors.On)
-  {
-    vtkDataArray* array = vtkGlyphTensors::Array(points, settings.Tensors);
-    problem = vtkGlyphTensors::Problem(array, settings.Tensors);
-    if (problem.empty())
-    {
-      tensors = std::make_unique<vtkGlyphTensors>(array, settings.Tensors, candidates);
-    }
-  }
-
-  std::unique_ptr<vtkGlyphForms> forms;
-  if (settings.Forms.On)
-  {
-    vtkDataArray* array = vtkGlyphForms::Array(points, settings.Forms);
-    problem = vtkGlyphForms::Problem(array, settings.Forms);
-    if (problem.empty())
-    {
-      forms = std::make_unique<vtkGlyphForms>(array, settings.Forms);
-    }
-  }
-
-  const vtkGlyphMaker maker(points, settings, modelToWorld, tensors.get(), forms.get(), result.Messages);
-  if (!problem.empty())
+  const vtkGlyphSizes sizes(points, settings, candidates);
+  const vtkGlyphMaker maker(points, settings, modelToWorld, sizes, result.Messages);
+  if (const std::string& problem = sizes.GetProblem(); !problem.empty())
   {
     const std::string& array = settings.Forms.On ? settings.Forms.Array : settings.Tensors.Array;
     if (vtkRayTracedArrays::IsNone(array))
@@ -331,16 +307,13 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   const vtkGlyphPlacement& placement = maker.GetPlacement();
   if (settings.Shape == rtg::Shape::Arrow)
   {
-    const double reference =
-      maker.Has(vtkGlyphArrays::SCALE) ? vtkGlyphHighScale::Reference(points, settings, blocks) : 1.0;
-    const auto unit = static_cast<float>(std::abs(settings.ScaleFactor * placement.Scale) * reference);
-    const bool isGood = rtg::IsPositive(unit);
-    instances.arrow.unitLength = maker.Has(vtkGlyphArrays::RADIUS) ? 0.0f : isGood ? unit : 1.0f;
+    const auto unit = static_cast<float>(sizes.ArrowUnit() * std::abs(placement.Scale));
+    instances.arrow.unitLength = sizes.HasRadii() ? 0.0f : rtg::IsPositive(unit) ? unit : 1.0f;
   }
   if (!placement.Uniform && settings.Shape != rtg::Shape::Sphere)
   {
-    result.Messages.push_back("Scale of the representation differs between its axes, which glyphs of this shape "
-                              "can follow only approximately. Transform the data instead, or use one scale.");
+    result.Messages.emplace_back("Scale of the representation differs between its axes, which glyphs of this shape "
+                                 "can follow only approximately. Transform the data instead, or use one scale.");
   }
   if (settings.HasTable() && settings.TableEntry > 0)
   {

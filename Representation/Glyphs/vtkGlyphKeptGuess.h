@@ -11,13 +11,11 @@
 #define vtkGlyphKeptGuess_h
 
 #include "vtkGlyphSample.h"
-#include "vtkType.h"
+#include "vtkGlyphTuples.h"
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
-template <class Settings>
 class vtkGlyphKeptGuess
 {
 public:
@@ -31,17 +29,20 @@ public:
   };
 
   /**
-   * `times`: of the arrays that matter. All ranks call it at once; find(rough) gives all of them the same, and may do
-   * with less work when `rough` is true.
+   * For these settings, which are all that matter, and the length of the unit glyph. All ranks call it at once;
+   * find(rough) gives all of them the same, and may do with less work when `rough` is true.
    */
   template <class Find>
-  const Result& Get(const Settings& settings, const std::vector<vtkMTimeType>& times, double time, const Find& find)
+  const Result&
+  Get(vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time, const Find& find)
   {
-    const bool otherData = times != this->Times;
+    vtkGlyphArrays::Key key = vtkGlyphArrays::KeyOf(points, { settings }, {});
+    const bool otherData = key.Times != this->Known.Times;
     const bool otherStep = otherData && time != this->Time;
-    const bool anew = this->Found.Value <= 0.0 || !(settings == this->Known) || (otherData && !otherStep);
-    this->Known = settings;
-    this->Times = times;
+    const bool anew = this->Found.Value <= 0.0 || !(key.Settings == this->Known.Settings) ||
+      unitSize != this->UnitSize || (otherData && !otherStep);
+    this->Known = std::move(key);
+    this->UnitSize = unitSize;
     this->Time = time;
     // The reason of one rank is that of all.
     const double reason = vtkGlyphSample::Largest(anew ? 2.0 : otherStep ? 1.0 : 0.0);
@@ -73,9 +74,8 @@ private:
   static constexpr double mostExcess = 2.5;
 
   Result Found;
-  Settings Known;
-  std::vector<vtkMTimeType> Times;
-  double Time = 0.0;
+  vtkGlyphArrays::Key Known;
+  double UnitSize = 0.0, Time = 0.0;
 };
 
 #endif

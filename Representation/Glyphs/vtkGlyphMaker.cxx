@@ -2,8 +2,6 @@
 
 #include "Finite.h"
 #include "vtkDataArray.h"
-#include "vtkGlyphForms.h"
-#include "vtkGlyphTensors.h"
 #include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -68,11 +66,9 @@ float vtkGlyphMaker::Glyph::Smallest() const
 
 //----------------------------------------------------------------------------
 vtkGlyphMaker::vtkGlyphMaker(vtkPolyData* points, const vtkGlyphSettings& settings, vtkMatrix4x4* modelToWorld,
-  const vtkGlyphTensors* tensors, const vtkGlyphForms* forms, std::vector<std::string>& messages)
+  const vtkGlyphSizes& sizes, std::vector<std::string>& messages)
   : How(settings)
-  , Tensors(tensors)
-  , Forms(forms)
-  , FormArray(vtkGlyphForms::Array(points, settings.Forms))
+  , Sizes(sizes)
   , Placement(modelToWorld)
   , ChoosesForm(settings.HasTable())
   , OwnExponents(settings.HasOwnExponents())
@@ -86,25 +82,23 @@ vtkGlyphMaker::vtkGlyphMaker(vtkPolyData* points, const vtkGlyphSettings& settin
   {
     this->Arrays[id] = vtkGlyphArrays::Find(static_cast<vtkGlyphArrays::Id>(id), points, settings, &messages);
   }
-  this->ByComponents = vtkGlyphArrays::ScalesByComponents(this->Arrays[vtkGlyphArrays::SCALE], settings);
   this->OrientationMode = vtkGlyphArrays::OrientationMode(this->Arrays[vtkGlyphArrays::ORIENTATION], settings);
-  this->GoodExponents = this->OwnExponents && this->MakeExponents(settings.Exponents, 3, this->SameExponents);
+  this->GoodExponents = this->OwnExponents && MakeExponents(settings.Shape, settings.Exponents, 3, this->SameExponents);
 
-  const bool scaledByComponents = this->Has(vtkGlyphArrays::SCALE) && this->ByComponents;
-  const bool sizedByData = this->Has(vtkGlyphArrays::SCALE) || this->Has(vtkGlyphArrays::RADIUS) || tensors || forms;
+  const bool tensors = sizes.GetTensors() != nullptr, scaledByComponents = sizes.ScalesByComponents();
+  const bool sizedByData = sizes.HasScales() || sizes.HasRadii() || tensors || sizes.GetForms();
   const glm::dvec3& unit = settings.UnitSize;
   const bool sameSides = unit.x == unit.y && unit.y == unit.z && this->Placement.Uniform;
   this->SameSizes = !sizedByData && sameSides;
   this->OneSize =
-    (this->NumberOfParts > 1 || (!scaledByComponents && !this->Has(vtkGlyphArrays::RADIUS) && !tensors)) && sameSides;
+    (this->NumberOfParts > 1 || (!scaledByComponents && !sizes.HasRadii() && !tensors)) && sameSides;
   this->Turned = (this->Has(vtkGlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
     !(this->IsRound() && this->AnchorShift == 0.0);
   this->Flips = this->Pointed && (scaledByComponents || settings.ScaleFactor < 0.0 || this->Placement.Scale < 0.0);
 }
 
 //----------------------------------------------------------------------------
-// A tuple's exponents as the kernels want them; false: there are none.
-bool vtkGlyphMaker::MakeExponents(const double* tuple, int components, glm::vec3& exponents) const
+bool vtkGlyphMaker::MakeExponents(rtg::Shape shape, const double* tuple, int components, glm::vec3& exponents)
 {
   glm::dvec3 e(tuple[0]);
   if (components == 2)
@@ -115,7 +109,7 @@ bool vtkGlyphMaker::MakeExponents(const double* tuple, int components, glm::vec3
   {
     e = ToVector(tuple);
   }
-  const bool nested = this->How.Shape == rtg::Shape::NestedSuperquadric;
+  const bool nested = shape == rtg::Shape::NestedSuperquadric;
   if (nested)
   {
     // Along z, across; the third is not used.
@@ -194,59 +188,11 @@ bool vtkGlyphMaker::IsOfThisForm(vtkIdType point, Tuples& tuples, Outcome& other
 }
 
 //----------------------------------------------------------------------------
-// By scale array, tensor and polynomial; tensors turn, too.
-Outcome vtkGlyphMaker::MakeSize(
-  vtkIdType point, Tuples& tuples, glm::dvec3& size, glm::dquat& rotation, Glyph& glyph, float* polynomial) const
-{
-  size = this->How.ScaleFactor * this->How.UnitSize;
-  if (vtkGlyphTuples& scales = tuples[vtkGlyphArrays::SCALE])
-  {
-    const double* tuple = scales.Get(point);
-    size *= this->ByComponents ? this->How.Sizing(ToVector(tuple))
-                               : glm::dvec3(this->How.Sizing(vtkMath::Norm(tuple, scales.Size())));
-  }
-  if (this->Tensors && this->How.Tensors.Axes)
-  {
-    double axis[3];
-    if (!this->Tensors->Axis(point, axis))
-    {
-      return NOT_SHOWN; // nothing to show is no fault
-    }
-    size *= this->How.Sizing(std::hypot(axis[0], axis[1], axis[2]));
-    vtkGlyphPlacement::RotationFromTuple(axis, vtkGlyphSettings::DIRECTION, rotation);
-  }
-  else if (this->Tensors)
-  {
-    if (!this->Tensors->Glyph(point, glyph.Tensor))
-    {
-      return this->Tensors->IsZero(point) ? ZERO_TENSOR : TENSOR;
-    }
-    size *= this->How.Sizing(glyph.Tensor.halfLengths);
-    rotation = glyph.Tensor.rotation;
-  }
-  if (this->Forms)
-  {
-    const rtg::FormExtent extent = this->Forms->Measure(tuples.Forms, point, polynomial);
-    if (!(extent.radius > 0.0))
-    {
-      const double* tuple = tuples.Forms.Get(point);
-      const bool zero =
-        std::all_of(tuple, tuple + tuples.Forms.Size(), [](double component) { return component == 0.0; });
-      return zero ? ZERO_POLYNOMIAL : POLYNOMIAL;
-    }
-    glyph.Radius = static_cast<float>(extent.bound);
-    // Of the unit glyph, which is a little less than the largest that is possible
-    size *= this->How.Sizing(this->Forms->Magnitude(extent)) * (extent.bound / extent.radius);
-  }
-  return SHOWN;
-}
-
-//----------------------------------------------------------------------------
 // By the orientation array.
 Outcome vtkGlyphMaker::Turn(vtkIdType point, Tuples& tuples, glm::dquat& rotation) const
 {
   vtkGlyphTuples& orientations = tuples[vtkGlyphArrays::ORIENTATION];
-  if (!orientations || !this->Turned || this->Tensors)
+  if (!orientations || !this->Turned || this->Sizes.GetTensors())
   {
     return SHOWN;
   }
@@ -280,9 +226,10 @@ Outcome vtkGlyphMaker::Make(
   {
     return POSITION;
   }
-  glm::dvec3 size;
-  glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
-  outcome = this->MakeSize(point, tuples, size, rotation, glyph, polynomial);
+  vtkGlyphSizes::Glyph sized;
+  outcome = this->Sizes.Make(point, tuples.Sizes, sized, polynomial);
+  glm::dvec3& size = sized.Size;
+  glm::dquat& rotation = sized.Rotation;
   if (outcome == SHOWN)
   {
     outcome = this->Turn(point, tuples, rotation);
@@ -295,23 +242,15 @@ Outcome vtkGlyphMaker::Make(
   if (this->OwnExponents)
   {
     vtkGlyphTuples& exponents = tuples[vtkGlyphArrays::EXPONENTS];
-    if (!(exponents ? this->MakeExponents(exponents.Get(point), exponents.Size(), glyph.Exponents)
+    if (!(exponents ? MakeExponents(this->How.Shape, exponents.Get(point), exponents.Size(), glyph.Exponents)
                     : this->GoodExponents))
     {
       return EXPONENT;
     }
   }
 
-  size = this->How.Sizing.Limited(size);
-  if (vtkGlyphTuples& radii = tuples[vtkGlyphArrays::RADIUS])
-  {
-    const double width = this->How.Width(*radii.Get(point));
-    if (!rtg::IsPositive(width))
-    {
-      return width == 0.0 ? ZERO_RADIUS : RADIUS;
-    }
-    size.y = size.z = width;
-  }
+  glyph.Tensor = sized.Tensor;
+  glyph.Radius = sized.Radius;
   glyph.Shift = this->AnchorShift;
   if (this->NumberOfParts > 1)
   {

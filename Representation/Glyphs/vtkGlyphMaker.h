@@ -24,6 +24,7 @@
 #include "vtkGlyphOutcomes.h"
 #include "vtkGlyphPlacement.h"
 #include "vtkGlyphSettings.h"
+#include "vtkGlyphSizes.h"
 #include "vtkGlyphTuples.h"
 #include "vtkType.h"
 
@@ -33,8 +34,6 @@
 #include <vector>
 
 class vtkDataArray;
-class vtkGlyphForms;
-class vtkGlyphTensors;
 class vtkMatrix4x4;
 class vtkPolyData;
 
@@ -42,11 +41,11 @@ class vtkGlyphMaker
 {
 public:
   /**
-   * Takes the arrays that are there and fit; `messages` are told of others. `tensors` and `forms` may be null; they and
-   * the settings stay the caller's.
+   * Takes the arrays that are there and fit; `messages` are told of others. The settings and their `sizes` stay the
+   * caller's.
    */
   vtkGlyphMaker(vtkPolyData* points, const vtkGlyphSettings& settings, vtkMatrix4x4* modelToWorld,
-    const vtkGlyphTensors* tensors, const vtkGlyphForms* forms, std::vector<std::string>& messages);
+    const vtkGlyphSizes& sizes, std::vector<std::string>& messages);
 
   /**
    * What one thread reads.
@@ -56,12 +55,13 @@ public:
   public:
     explicit Tuples(const vtkGlyphMaker& maker)
       : Positions(maker.Positions)
-      , Forms(maker.FormArray)
+      , Sizes(maker.Sizes)
       , Named(maker.Arrays.begin(), maker.Arrays.end())
     {
     }
     vtkGlyphTuples& operator[](vtkGlyphArrays::Id id) { return this->Named[id]; }
-    vtkGlyphTuples Positions, Forms;
+    vtkGlyphTuples Positions;
+    vtkGlyphSizes::Tuples Sizes;
 
   private:
     std::vector<vtkGlyphTuples> Named; // by vtkGlyphArrays::Id
@@ -99,8 +99,7 @@ public:
   glm::dvec3 MiddleOf(const std::vector<vtkIdType>& points) const;
 
   bool Has(vtkGlyphArrays::Id id) const { return this->Arrays[id] != nullptr; }
-  const vtkGlyphTensors* GetTensors() const { return this->Tensors; }
-  const vtkGlyphForms* GetForms() const { return this->Forms; }
+  const vtkGlyphSizes& GetSizes() const { return this->Sizes; }
   const vtkGlyphPlacement& GetPlacement() const { return this->Placement; }
   int Parts() const { return this->NumberOfParts; } // glyphs of each point
   double GetShift() const { return this->AnchorShift; }
@@ -121,29 +120,28 @@ public:
    */
   const glm::vec3& GetSameExponents() const { return this->SameExponents; }
 
+  /**
+   * A tuple's exponents as the kernels want them; false: there are none.
+   */
+  static bool MakeExponents(rtg::Shape shape, const double* tuple, int components, glm::vec3& exponents);
+
   static constexpr glm::vec4 NoTurn{ 0.0f, 0.0f, 0.0f, 1.0f };
 
 private:
-  bool MakeExponents(const double* tuple, int components, glm::vec3& exponents) const;
   glm::dvec3 PlaceOf(vtkIdType point, Tuples& tuples) const;
   bool IsOfThisForm(vtkIdType point, Tuples& tuples, vtkGlyphOutcomes::Outcome& otherwise) const;
-  vtkGlyphOutcomes::Outcome MakeSize(
-    vtkIdType point, Tuples& tuples, glm::dvec3& size, glm::dquat& rotation, Glyph& glyph, float* polynomial) const;
   vtkGlyphOutcomes::Outcome Turn(vtkIdType point, Tuples& tuples, glm::dquat& rotation) const;
 
   const vtkGlyphSettings& How;
-  const vtkGlyphTensors* Tensors;
-  const vtkGlyphForms* Forms;
-  vtkDataArray* const FormArray; // null: none
+  const vtkGlyphSizes& Sizes;
   const vtkGlyphPlacement Placement;
   const bool ChoosesForm, OwnExponents, Sphere, Pointed;
   const double AnchorShift; // of the unit glyph
   const int NumberOfParts;
   vtkDataArray* const Positions;
   std::array<vtkDataArray*, vtkGlyphArrays::NUMBER_OF_IDS> Arrays{}; // null: none, or it does not fit
-  bool ByComponents = false;
-  int OrientationMode = vtkGlyphSettings::DIRECTION; // of the array that was found
-  bool SameSizes = false, OneSize = false;           // for all glyphs; for all axes of one
+  int OrientationMode = vtkGlyphSettings::DIRECTION;                 // of the array that was found
+  bool SameSizes = false, OneSize = false;                           // for all glyphs; for all axes of one
   bool Turned = false, Flips = false;
   bool GoodExponents = false; // of the settings
   glm::vec3 SameExponents{ 2.0f };

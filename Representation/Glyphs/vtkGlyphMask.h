@@ -4,6 +4,7 @@
 #ifndef vtkGlyphMask_h
 #define vtkGlyphMask_h
 
+#include "vtkRayTracedNumbers.h"
 #include "vtkType.h"
 
 #include <vector>
@@ -19,7 +20,7 @@ struct vtkGlyphMask
     EVEN_IN_SPACE = 2
   };
   bool On = false;
-  int Mode = RANDOM;
+  vtkRayTracedChoice<Modes, RANDOM, EVEN_IN_SPACE> Mode;
   vtkIdType MaximumNumberOfGlyphs = 5000; // of RANDOM and EVEN_IN_SPACE
   int Stride = 10;                        // of EVERY_NTH
   // Of all ranks together, where each has some of the points: it has that share of MaximumNumberOfGlyphs. Not more than

@@ -3,15 +3,13 @@
 #include "Finite.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
-#include "vtkGlyphTuples.h"
-#include "vtkMath.h"
+#include "vtkGlyphSizes.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numeric>
 
 namespace
@@ -30,6 +28,23 @@ std::vector<double> Along(int axis, const std::vector<double>& positions)
   {
     values.push_back(positions[j]);
   }
+  return values;
+}
+
+// value(point, tuples) of each point.
+template <class Value>
+std::vector<double> Each(vtkPolyData* data, const vtkGlyphMagnitudes& all, const Value& value)
+{
+  std::vector<double> values(data->GetNumberOfPoints());
+  vtkRayTracedParallel::ForChunks(data->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkGlyphMagnitudes::Tuples tuples(all);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        values[i] = value(i, tuples);
+      }
+    });
   return values;
 }
 }
@@ -87,15 +102,16 @@ double vtkGlyphSample::TwoDigits(double value)
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphSample::Points::Points(vtkPolyData* points, const vtkGlyphSettings& settings)
+vtkGlyphSample::Points::Points(
+  vtkPolyData* points, const vtkGlyphScaling& scaling, const vtkGlyphBlockAttributes::Table& blocks)
   : Positions(points->GetPoints() ? points->GetPoints()->GetData() : nullptr)
   , Thinned(false)
   , Count(Positions ? points->GetNumberOfPoints() : 0)
   , CountOfAll(static_cast<double>(Count))
 {
-  if (settings.Mask.On)
+  if (scaling.Mask.On || !blocks.empty())
   {
-    this->Take(vtkGlyphArrays::Candidates(points, settings, {}));
+    this->Take(vtkGlyphArrays::Candidates(points, scaling, blocks));
     return;
   }
   std::vector<double> count{ this->CountOfAll };
@@ -172,50 +188,30 @@ double vtkGlyphSample::LongestSide(const std::vector<double>& positions)
 }
 
 //----------------------------------------------------------------------------
-std::vector<double> vtkGlyphSample::Magnitudes(vtkPolyData* data, const vtkGlyphSettings& settings)
+std::vector<double> vtkGlyphSample::Points::KeepPositive(const std::vector<double>& values)
 {
-  vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, data, settings);
-  if (!scales && !settings.Tensors.On && !settings.Forms.On)
-  {
-    return {};
-  }
-  const bool byComponents = vtkGlyphArrays::ScalesByComponents(scales, settings);
-  vtkDataArray* array = vtkGlyphTensors::Array(data, settings.Tensors);
-  std::unique_ptr<vtkGlyphTensors> tensors;
-  if (array && vtkGlyphTensors::Problem(array, settings.Tensors).empty())
-  {
-    vtkGlyphTensors::Settings how = settings.Tensors;
-    how.Kind = rtg::TensorGlyphKind::Ellipsoid; // whose extent is the largest eigenvalue
-    tensors = std::make_unique<vtkGlyphTensors>(array, how, std::vector<vtkIdType>());
-  }
-  vtkDataArray* formArray = vtkGlyphForms::Array(data, settings.Forms);
-  std::unique_ptr<vtkGlyphForms> forms;
-  if (formArray && vtkGlyphForms::Problem(formArray, settings.Forms).empty())
-  {
-    forms = std::make_unique<vtkGlyphForms>(formArray, settings.Forms);
-  }
-  std::vector<double> magnitudes(data->GetNumberOfPoints());
-  vtkRayTracedParallel::ForChunks(data->GetNumberOfPoints(),
-    [&](vtkIdType begin, vtkIdType end)
+  const auto of = [&values](vtkIdType point) { return values.empty() ? 1.0 : values[point]; };
+  this->Keep([&of](vtkIdType point) { return of(point) > 0.0; });
+  return this->Values(of);
+}
+
+//----------------------------------------------------------------------------
+std::vector<double> vtkGlyphSample::Magnitudes(vtkPolyData* data, const vtkGlyphScaling& scaling)
+{
+  const vtkGlyphMagnitudes all(data, scaling);
+  const bool same = !all.HasScales() && !scaling.Tensors.On && !scaling.Forms.On;
+  return same ? std::vector<double>()
+              : Each(data, all, [&](vtkIdType i, auto& tuples) { return all.Magnitude(i, tuples); });
+}
+
+//----------------------------------------------------------------------------
+std::vector<double> vtkGlyphSample::ArrowScales(vtkPolyData* data, const vtkGlyphScaling& scaling)
+{
+  const vtkGlyphMagnitudes all(data, scaling);
+  return Each(data, all,
+    [&](vtkIdType i, auto& tuples)
     {
-      vtkGlyphTuples tuples(scales), formTuples(formArray);
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        double magnitude = settings.Tensors.On ? (tensors ? settings.Sizing(tensors->Extent(i)) : 0.0) : 1.0;
-        if (settings.Forms.On)
-        {
-          const rtg::FormExtent extent = forms ? forms->MeasureRoughly(formTuples, i) : rtg::FormExtent();
-          magnitude = extent.radius > 0.0 ? settings.Sizing(forms->Magnitude(extent)) : 0.0;
-        }
-        if (scales)
-        {
-          const double* tuple = tuples.Get(i);
-          magnitude *=
-            settings.Sizing(byComponents ? std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) })
-                                         : vtkMath::Norm(tuple, tuples.Size()));
-        }
-        magnitudes[i] = rtg::IsPositive(magnitude) ? magnitude : 0.0;
-      }
+      const double length = all.HasScales() ? std::abs(all.Scale(i, tuples).x) : 0.0;
+      return rtg::IsPositive(length) ? length : 0.0;
     });
-  return magnitudes;
 }

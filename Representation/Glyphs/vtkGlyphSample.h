@@ -5,6 +5,7 @@
 #ifndef vtkGlyphSample_h
 #define vtkGlyphSample_h
 
+#include "vtkGlyphBlockAttributes.h"
 #include "vtkGlyphSettings.h"
 #include "vtkRayTracedParallel.h"
 
@@ -44,7 +45,7 @@ double TwoDigits(double value);
 class Points
 {
 public:
-  Points(vtkPolyData* points, const vtkGlyphSettings& settings);
+  Points(vtkPolyData* points, const vtkGlyphScaling& scaling, const vtkGlyphBlockAttributes::Table& blocks = {});
 
   /**
    * Leaves those of which isWanted(point) is true; all ranks at once.
@@ -60,6 +61,11 @@ public:
     }
     this->Take(std::move(kept));
   }
+
+  /**
+   * Leaves those whose value, of those of all points, is positive; Values() of them. Without values all are 1.
+   */
+  std::vector<double> KeepPositive(const std::vector<double>& values);
 
   vtkIdType Number() const { return this->Count; }
   double NumberOfAll() const { return this->CountOfAll; }
@@ -106,10 +112,14 @@ std::array<double, 3> Sides(const std::vector<double>& positions);
  */
 double LongestSide(const std::vector<double>& positions);
 
+///@{
 /**
- * What scales each of this rank's points besides the factor: of its longest axis; 0: it has no glyph. Empty: 1 for all.
+ * Of each of this rank's points what scales the longest axis (vtkGlyphMagnitudes; empty: 1 for all), or the length of
+ * arrows by the scale array alone; 0: it has no glyph.
  */
-std::vector<double> Magnitudes(vtkPolyData* data, const vtkGlyphSettings& settings);
+std::vector<double> Magnitudes(vtkPolyData* data, const vtkGlyphScaling& scaling);
+std::vector<double> ArrowScales(vtkPolyData* data, const vtkGlyphScaling& scaling);
+///@}
 }
 
 #endif

@@ -139,30 +139,29 @@ double FactorFor(const std::vector<double>& magnitudes, double size)
 }
 
 // Of spheres whose size the array says: 2 for radii, 1 for diameters. 0: there is no such array.
-double ExactFactor(vtkPolyData* data, const vtkGlyphSettings& settings)
+double ExactFactor(vtkPolyData* data, const vtkGlyphScaling& settings, double unitSize)
 {
   vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, data, settings);
   const bool sizes = scales && scales->GetNumberOfComponents() == 1 && settings.Shape == rtg::Shape::Sphere &&
     !settings.Tensors.On && settings.Sizing.Function == vtkGlyphSizing::LINEAR;
   return !sizes                                           ? 0.0
-    : vtkGlyphArrayNames::IsRadius(settings.ScaleArray)   ? 2.0 / settings.UnitSize.x
-    : vtkGlyphArrayNames::IsDiameter(settings.ScaleArray) ? 1.0 / settings.UnitSize.x
+    : vtkGlyphArrayNames::IsRadius(settings.ScaleArray)   ? 2.0 / unitSize
+    : vtkGlyphArrayNames::IsDiameter(settings.ScaleArray) ? 1.0 / unitSize
                                                           : 0.0;
 }
 
-vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& settings, double unitSize, bool rough)
+vtkGlyphKeptGuess::Result Find(vtkPolyData* data, const vtkGlyphScaling& settings, double unitSize, bool rough)
 {
-  vtkGlyphScaleGuess::Result result;
+  vtkGlyphKeptGuess::Result result;
   Points points(data, settings);
   std::vector<double> sample{ 1.0 };
   double largest = 1.0;
   if (settings.Scaling || settings.Tensors.On || settings.Forms.On)
   {
     const std::vector<double> magnitudes = Magnitudes(data, settings);
-    const auto of = [&](vtkIdType point) { return magnitudes.empty() ? 1.0 : magnitudes[point]; };
-    points.Keep([&](vtkIdType point) { return of(point) > 0.0; });
-    largest = Largest(vtkRayTracedParallel::Largest(points.Number(), [&](vtkIdType i) { return of(points[i]); }));
-    sample = points.Values(of);
+    sample = points.KeepPositive(magnitudes);
+    largest = Largest(vtkRayTracedParallel::Largest(
+      points.Number(), [&](vtkIdType i) { return magnitudes.empty() ? 1.0 : magnitudes[points[i]]; }));
   }
   if (points.NumberOfAll() == 0.0)
   {
@@ -170,7 +169,7 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
   }
   const Extents extents = Measure(points, rough);
   const double typical = Quantile(sample, typicalQuantile);
-  const double exact = Largest(ExactFactor(data, settings));
+  const double exact = Largest(ExactFactor(data, settings, unitSize));
   if (exact * typical >= extents.Longest * std::min(seen, specks * extents.Neighbors) && exact > 0.0)
   {
     result.Value = exact;
@@ -209,29 +208,23 @@ vtkGlyphScaleGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& setti
 }
 
 //----------------------------------------------------------------------------
-const vtkGlyphScaleGuess::Result&
-vtkGlyphScaleGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time)
+const vtkGlyphKeptGuess::Result& vtkGlyphScaleGuess::Update(
+  vtkGlyphKeptGuess& kept, vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time)
 {
-  vtkGlyphSettings matter = settings.OfSizes();
-  vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, matter);
+  vtkGlyphScaling scaling = settings.OfMagnitudes();
+  vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, points, scaling);
   std::vector<double> has{ points->GetNumberOfPoints() > 0 ? 1.0 : 0.0, scales ? 1.0 : 0.0 };
   Reduce(has, vtkCommunicator::MAX_OP);
   if (has[0] == 0.0)
   {
-    return this->Found.Last(); // a step without points changes nothing
+    return kept.Last(); // a step without points changes nothing
   }
   if (has[1] == 0.0)
   {
     // A step that lacks the array says nothing of those that have it.
-    matter.Scaling = false;
-    matter.ScaleArray.clear();
+    scaling.Scaling = false;
+    scaling.ScaleArray.clear();
   }
-  std::vector<vtkMTimeType> times;
-  for (vtkDataArray* array : { points->GetPoints() ? points->GetPoints()->GetData() : nullptr, scales,
-         vtkGlyphTensors::Array(points, matter.Tensors), vtkGlyphForms::Array(points, matter.Forms) })
-  {
-    times.push_back(array ? array->GetMTime() : 0);
-  }
-  return this->Found.Get({ matter, unitSize }, times, time,
-    [&](bool rough) { return Find(points, matter, rtg::IsPositive(unitSize) ? unitSize : 1.0, rough); });
+  unitSize = rtg::IsPositive(unitSize) ? unitSize : 1.0;
+  return kept.Get(points, scaling, unitSize, time, [&](bool rough) { return Find(points, scaling, unitSize, rough); });
 }

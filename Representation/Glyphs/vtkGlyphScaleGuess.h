@@ -25,34 +25,16 @@
 #define vtkGlyphScaleGuess_h
 
 #include "vtkGlyphKeptGuess.h"
-#include "vtkGlyphSettings.h"
 
-#include <utility>
-
-class vtkPolyData;
-
-class vtkGlyphScaleGuess
+namespace vtkGlyphScaleGuess
 {
-public:
-  /**
-   * Value is the factor, Limit as vtkGlyphSizing::Most.
-   */
-  using Kept = vtkGlyphKeptGuess<std::pair<vtkGlyphSettings, double>>;
-  using Result = Kept::Result;
-
-  /**
-   * What suits the points; all ranks call it at once, and all get the same. `unitSize` is the length of the unit glyph.
-   */
-  const Result& Get(vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time);
-
-  /**
-   * Makes Get() find it anew.
-   */
-  void Forget() { this->Found.Forget(); }
-
-private:
-  Kept Found; // for the settings that matter, and the unit size
-};
+/**
+ * What suits the points: as Value the factor, as Limit vtkGlyphSizing::Most. All ranks call it at once, and all get the
+ * same. `unitSize` is the length of the unit glyph.
+ */
+const vtkGlyphKeptGuess::Result&
+Update(vtkGlyphKeptGuess& kept, vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time);
+}
 
 #endif
 // VTK-HeaderTest-Exclude: vtkGlyphScaleGuess.h

@@ -13,19 +13,11 @@ vtkGlyphSettings vtkGlyphSettings::InRange() const
 {
   const vtkGlyphSettings standard;
   vtkGlyphSettings s = *this;
-  PutInRange(s.ScaleMode, MAGNITUDE, COMPONENTS);
-  PutInRange(s.Sizing.Function, vtkGlyphSizing::LINEAR, vtkGlyphSizing::UNIT);
-  PutInRange(s.OrientationMode, DIRECTION, QUATERNION);
-  PutInRange(s.Anchor, ORIGIN, TIP);
-  PutInRange(s.Mask.Mode, vtkGlyphMask::RANDOM, vtkGlyphMask::EVEN_IN_SPACE);
   PutInRange(s.Arrow.shaftRadius, 0.0, 0.5, standard.Arrow.shaftRadius);
   PutInRange(s.Arrow.tipRadius, 0.0, 0.5, standard.Arrow.tipRadius);
   PutInRange(s.Arrow.tipLength, 0.001, 1.0, standard.Arrow.tipLength);
-  PutInRange(s.Tensors.Layout, 0, 4);
   PutInRange(s.Tensors.Sharpness, 0.0, 10.0, standard.Tensors.Sharpness);
   PutInRange(s.Tensors.Thickness, rtg::thinnestTensorGlyph, 1.0, standard.Tensors.Thickness);
-  PutInRange(s.Tensors.Coloring, vtkGlyphTensors::NONE, vtkGlyphTensors::RADIUS);
-  PutInRange(s.Forms.Basis, 0, 3);
   return s;
 }
 
@@ -91,22 +83,21 @@ vtkGlyphSettings vtkGlyphSettings::Effective() const
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphSettings vtkGlyphSettings::OfSizes() const
+vtkGlyphScaling vtkGlyphSettings::OfMagnitudes() const
 {
-  vtkGlyphSettings matter;
-  matter.Shape = this->Shape;
-  matter.UnitSize = this->UnitSize;
-  matter.Scaling = this->Scaling;
-  matter.ScaleArray = this->Scaling ? this->ScaleArray : std::string();
-  matter.ScaleMode = this->ScaleMode;
-  matter.Sizing.Function = this->Sizing.Function;
-  matter.Tensors.On = this->Tensors.On;
-  matter.Tensors.Array = this->Tensors.On ? this->Tensors.Array : std::string();
-  matter.Tensors.Layout = this->Tensors.Layout;
-  matter.Forms = this->Forms.Effective();
-  matter.Forms.Coloring = vtkGlyphTensors::NONE;
-  matter.Mask = this->Mask.Effective();
-  return matter;
+  vtkGlyphScaling scaling = this->Effective();
+  scaling.Tensors = vtkGlyphTensors::Settings{ vtkGlyphTensors::Source(scaling.Tensors) };
+  scaling.Forms.Coloring = vtkGlyphTensors::NONE;
+  scaling.Sizing.Least = scaling.Sizing.Most = 0.0;
+  return scaling;
+}
+
+//----------------------------------------------------------------------------
+double vtkGlyphSettings::ReferenceScale() const
+{
+  const bool scaled = this->Scaling && !vtkRayTracedArrays::IsNone(this->ScaleArray);
+  const double reference = this->NeedsHighScale() ? this->HighScale : scaled ? this->Sizing(this->ArrowReference) : 1.0;
+  return rtg::IsPositive(reference) ? reference : 1.0;
 }
 
 //----------------------------------------------------------------------------
@@ -193,8 +184,10 @@ vtkGlyphSettings vtkGlyphSettings::PrincipalAxes() const
   settings.Tensors.Cross = true;
   settings.Tensors.Kind = rtg::TensorGlyphKind::Ellipsoid;
   // Directions from the center are told by the arrows themselves.
-  const bool direction = settings.Tensors.Coloring == vtkGlyphTensors::SURFACE_DIRECTION;
-  settings.Tensors.Coloring = direction ? vtkGlyphTensors::NONE : settings.Tensors.Coloring;
+  if (settings.Tensors.Coloring == vtkGlyphTensors::SURFACE_DIRECTION)
+  {
+    settings.Tensors.Coloring = vtkGlyphTensors::NONE;
+  }
   settings.ScaleFactor = std::abs(settings.ScaleFactor);
   settings.Arrow.fixedHeads = false;
   settings.Motion.AngularVelocity.clear();

@@ -15,16 +15,35 @@
 #include "vtkRayTracedArrays.h"
 #include "vtkType.h"
 
+#include <cmath>
 #include <memory>
 #include <string>
 
-struct vtkGlyphSettings
+/**
+ * What the magnitudes of glyphs depend on (vtkGlyphMagnitudes). An enumeration's type has its range.
+ */
+struct vtkGlyphScaling
 {
   enum ScaleModes
   {
     MAGNITUDE = 0,
     COMPONENTS = 1
   };
+
+  rtg::Shape Shape = rtg::Shape::Sphere;
+  bool Scaling = false;
+  std::string ScaleArray; // empty or "None": none
+  vtkRayTracedChoice<ScaleModes, MAGNITUDE, COMPONENTS> ScaleMode;
+  vtkGlyphSizing Sizing;             // of magnitudes of the scale array, and of eigenvalues
+  vtkGlyphTensors::Settings Tensors; // on: they give size, rotation and exponents
+  vtkGlyphForms::Settings Forms;     // on: polynomials are the glyphs' form and size
+  vtkGlyphMask Mask;
+
+  bool operator==(const vtkGlyphScaling&) const = default;
+};
+
+struct vtkGlyphSettings : vtkGlyphScaling
+{
   enum OrientationModes
   {
     DIRECTION = 0,
@@ -40,38 +59,36 @@ struct vtkGlyphSettings
     TIP = 3     // where it ends
   };
 
-  rtg::Shape Shape = rtg::Shape::Sphere;
-  bool Scaling = false;
-  std::string ScaleArray; // empty or "None": none
-  int ScaleMode = MAGNITUDE;
+  vtkGlyphSettings() = default;
+  vtkGlyphSettings(const vtkGlyphScaling& scaling)
+    : vtkGlyphScaling(scaling)
+  {
+  }
+
   double ScaleFactor = 1.0;   // world units
   glm::dvec3 UnitSize{ 1.0 }; // of the shape as its source makes it, in unit glyphs
-  vtkGlyphSizing Sizing;      // of magnitudes of the scale array, and of eigenvalues
-  std::string RadiusArray;    // across the glyph's x axis, instead of the scale; empty or "None": none
-  double RadiusFactor = 1.0;  // what it is multiplied by
+  std::string RadiusArray;   // across the glyph's x axis, instead of the scale; empty or "None": none
+  double RadiusFactor = 1.0; // what it is multiplied by
   bool Orient = true;
   std::string OrientationArray; // empty or "None": none
-  int OrientationMode = DIRECTION;
-  int Anchor = ORIGIN;         // what of the glyph lies at its point; not of tensors' glyphs
-  rtg::ArrowForm Arrow;        // its unit length is computed
+  vtkRayTracedChoice<OrientationModes, DIRECTION, QUATERNION> OrientationMode;
+  vtkRayTracedChoice<Anchors, ORIGIN, TIP> Anchor; // what of the glyph lies at its point; not of tensors' glyphs
+  rtg::ArrowForm Arrow;                            // its unit length is computed
   double ArrowReference = 0.0; // magnitude of the arrow whose head has the unit arrow's proportions; 0: HighScale's
-  double HighScale = 0.0;      // high quantile of the scales of all ranks' glyphs; 0: of those at hand
+  double HighScale = 0.0;      // high quantile of the scales of all ranks' glyphs (vtkGlyphHighScale)
   std::shared_ptr<const rtg::TriangleMesh> Mesh; // for rtg::Shape::Mesh
   int TableSize = 1;                             // of a table of meshes, of which Mesh is
   int TableEntry = 0;                            // that number: only points that choose it show it
   std::string TableIndexArray;                   // empty or "None": all points choose entry 0
-  vtkGlyphTensors::Settings Tensors;             // on: they give size, rotation and exponents
-  vtkGlyphForms::Settings Forms;                 // on: polynomials are the glyphs' form and size
   double Exponents[3] = { 2.0, 2.0, 2.0 };       // of superquadrics; each counts as one in [0.1, 100]
   std::string ExponentArray;                     // overrides them; empty or "None": none
   std::string OpacityArray;                      // empty or "None": none
   vtkGlyphMotion::Settings Motion;               // on: the glyphs move while the shutter is open
-  vtkGlyphMask Mask;
 
   bool operator==(const vtkGlyphSettings&) const = default;
 
   /**
-   * The same with values out of range replaced by the nearest in it, NaN by the default.
+   * The same with numbers out of range replaced by the nearest in it, NaN by the default.
    */
   vtkGlyphSettings InRange() const;
 
@@ -82,9 +99,9 @@ struct vtkGlyphSettings
   vtkGlyphSettings Effective() const;
 
   /**
-   * Those that sizes and the choice of points depend on, but for ScaleFactor and limits of sizes.
+   * Those that magnitudes and the choice of points depend on, all others at their defaults.
    */
-  vtkGlyphSettings OfSizes() const;
+  vtkGlyphScaling OfMagnitudes() const;
 
   /**
    * Whether fixed arrow heads have the proportions of the unit arrow on an arrow of high scale.
@@ -94,6 +111,11 @@ struct vtkGlyphSettings
     return this->Shape == rtg::Shape::Arrow && this->Arrow.fixedHeads && this->Scaling &&
       !vtkRayTracedArrays::IsNone(this->ScaleArray) && !rtg::IsPositive(this->ArrowReference);
   }
+
+  /**
+   * The scale of the arrow whose fixed head has the proportions of the unit arrow.
+   */
+  double ReferenceScale() const;
 
   /**
    * Whether the points choose among several meshes.
@@ -115,6 +137,11 @@ struct vtkGlyphSettings
    * Whether one number of each glyph, or of each point of its surface, colors it: one of vtkGlyphTensorRange.
    */
   bool HasNumberRange() const { return this->Tensors.HasRange() || this->Forms.ColorsByRadius(); }
+
+  /**
+   * World size along the longest axis of a glyph of this magnitude, as vtkGlyphMagnitudes has it.
+   */
+  double Length(double magnitude) const { return this->Sizing.Limited(std::abs(this->ScaleFactor) * magnitude); }
 
   /**
    * The size across its x axis of a glyph with this value of the radius array. The radius of an arrow is that of its

@@ -26,16 +26,13 @@ double TypicalSize(vtkPolyData* data, const vtkGlyphSettings& settings, Points p
   double typical = 1.0;
   if (Largest(settings.Scaling || settings.Tensors.On || settings.Forms.On ? 1.0 : 0.0) > 0.0)
   {
-    const std::vector<double> magnitudes = Magnitudes(data, settings);
-    const auto of = [&](vtkIdType point) { return magnitudes.empty() ? 1.0 : magnitudes[point]; };
-    points.Keep([&](vtkIdType point) { return of(point) > 0.0; });
-    const std::vector<double> sample = points.Values(of);
+    const std::vector<double> sample = points.KeepPositive(Magnitudes(data, settings));
     typical = sample.empty() ? 0.0 : Quantile(sample, typicalQuantile);
   }
-  return Largest(settings.Sizing.Limited(glm::dvec3(std::abs(settings.ScaleFactor) * typical, 0.0, 0.0)).x);
+  return Largest(settings.Length(typical));
 }
 
-vtkGlyphShutterGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& settings, double unitSize)
+vtkGlyphKeptGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& settings, double unitSize)
 {
   const std::array<vtkDataArray*, 3> arrays = vtkGlyphMotion::Arrays(data, settings.Motion);
   const bool turns = Largest(arrays[0] ? 1.0 : 0.0) == 0.0;
@@ -73,26 +70,19 @@ vtkGlyphShutterGuess::Result Find(vtkPolyData* data, const vtkGlyphSettings& set
 }
 
 //----------------------------------------------------------------------------
-double vtkGlyphShutterGuess::Get(vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time)
+double vtkGlyphShutterGuess::Update(
+  vtkGlyphKeptGuess& kept, vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time)
 {
   if (Largest(points->GetNumberOfPoints() > 0 ? 1.0 : 0.0) == 0.0)
   {
-    return this->Found.Last().Value; // a step without points changes nothing
+    return kept.Last().Value; // a step without points changes nothing
   }
-  vtkGlyphSettings matter = settings.OfSizes();
+  vtkGlyphSettings matter = settings.OfMagnitudes();
   matter.ScaleFactor = settings.ScaleFactor;
   matter.Sizing = settings.Sizing;
   matter.Motion.On = settings.Motion.On;
   matter.Motion.Velocity = settings.Motion.Velocity;
   matter.Motion.AngularVelocity = settings.Motion.AngularVelocity;
-  const std::array<vtkDataArray*, 3> motion = vtkGlyphMotion::Arrays(points, matter.Motion);
-  std::vector<vtkMTimeType> times;
-  for (vtkDataArray* array : { points->GetPoints() ? points->GetPoints()->GetData() : nullptr, motion[0], motion[2] })
-  {
-    times.push_back(array ? array->GetMTime() : 0);
-  }
-  return this->Found
-    .Get({ matter, unitSize }, times, time,
-      [&](bool) { return Find(points, matter, rtg::IsPositive(unitSize) ? unitSize : 1.0); })
-    .Value;
+  unitSize = rtg::IsPositive(unitSize) ? unitSize : 1.0;
+  return kept.Get(points, matter, unitSize, time, [&](bool) { return Find(points, matter, unitSize); }).Value;
 }

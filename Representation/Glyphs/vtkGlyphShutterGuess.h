@@ -13,32 +13,16 @@
 #define vtkGlyphShutterGuess_h
 
 #include "vtkGlyphKeptGuess.h"
-#include "vtkGlyphSettings.h"
 
-#include <utility>
-
-class vtkPolyData;
-
-class vtkGlyphShutterGuess
+namespace vtkGlyphShutterGuess
 {
-public:
-  using Kept = vtkGlyphKeptGuess<std::pair<vtkGlyphSettings, double>>;
-  using Result = Kept::Result;
-
-  /**
-   * What suits glyphs of the points; all ranks call it at once, and all get the same. `unitSize` is the length of the
-   * unit glyph. 0: nothing moves yet.
-   */
-  double Get(vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time);
-
-  /**
-   * Makes Get() find it anew.
-   */
-  void Forget() { this->Found.Forget(); }
-
-private:
-  Kept Found; // for the settings that matter, and the unit size
-};
+/**
+ * What suits glyphs of the points; all ranks call it at once, and all get the same. `unitSize` is the length of the
+ * unit glyph. 0: nothing moves yet.
+ */
+double
+Update(vtkGlyphKeptGuess& kept, vtkPolyData* points, const vtkGlyphSettings& settings, double unitSize, double time);
+}
 
 #endif
 // VTK-HeaderTest-Exclude: vtkGlyphShutterGuess.h

@@ -5,6 +5,8 @@
 #ifndef vtkGlyphSizing_h
 #define vtkGlyphSizing_h
 
+#include "vtkRayTracedNumbers.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -20,7 +22,7 @@ struct vtkGlyphSizing
     LOGARITHM = 3, // log10(1 + magnitude)
     UNIT = 4       // 1, whatever the magnitude
   };
-  int Function = LINEAR;
+  vtkRayTracedChoice<Functions, LINEAR, UNIT> Function;
   double Least = 0.0; // of a glyph's longest extent, in world units; 0: none
   double Most = 0.0;  // the same
 
@@ -55,6 +57,7 @@ struct vtkGlyphSizing
     return this->Function == LINEAR || !(largest > 0.0) ? lengths : lengths * ((*this)(largest) / largest);
   }
 
+  ///@{
   /**
    * The extents within the limits.
    */
@@ -65,23 +68,16 @@ struct vtkGlyphSizing
     return limited == largest || !(largest > 0.0) ? extents : extents * (limited / largest);
   }
 
-  /**
-   * What is at least as large as the function of a tensor's largest eigenvalue times the ratio of `extent`, which is
-   * that eigenvalue or up to sqrt(3) times as much, to it; and as what is limited. For bounds.
-   */
-  double Bound(double extent) const
-  {
-    return this->Function == LINEAR ? extent : std::sqrt(3.0) * (*this)(extent / std::sqrt(3.0));
-  }
-
-private:
   double Limited(double extent) const
   {
     const double atLeast = this->Least > 0.0 ? std::max(extent, this->Least) : extent;
     return this->Most > 0.0 ? std::min(atLeast, this->Most) : atLeast;
   }
+  ///@}
 
-  // NaN where one of them is.
+  /**
+   * Of the magnitudes; NaN where one of them is.
+   */
   static double Largest(const glm::dvec3& lengths)
   {
     const glm::dvec3 l(glm::abs(lengths));

@@ -2,7 +2,7 @@
 
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
-#include "vtkMultiProcessController.h"
+#include "vtkGlyphSample.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedParallel.h"
 
@@ -62,23 +62,19 @@ std::array<double, 2> vtkGlyphTensorRange::Get(vtkPolyData* points, const vtkGly
   vtkDataArray* array = !points ? nullptr
     : forms.On                  ? vtkGlyphForms::Array(points, forms)
                                 : vtkGlyphTensors::Array(points, tensors);
-  const vtkMTimeType time = array ? array->GetMTime() : 0;
-  if (time != this->Time || !(tensors == this->Tensors) || !(forms == this->Forms))
+  this->Known.Update({ tensors, forms, array ? array->GetMTime() : 0 },
+    [&]
+    {
+      const bool good =
+        array && (forms.On ? vtkGlyphForms::Problem(array, forms) : vtkGlyphTensors::Problem(array, tensors)).empty();
+      this->Own = !good ? nothing
+        : forms.On      ? RangeOfPolynomials(array, forms)
+                        : RangeOfTensors(array, points->GetNumberOfPoints(), tensors);
+    });
+  std::vector<double> all(this->Own.begin(), this->Own.end());
+  if (collective)
   {
-    const bool good =
-      array && (forms.On ? vtkGlyphForms::Problem(array, forms) : vtkGlyphTensors::Problem(array, tensors)).empty();
-    this->Own = !good ? nothing
-      : forms.On      ? RangeOfPolynomials(array, forms)
-                      : RangeOfTensors(array, points->GetNumberOfPoints(), tensors);
-    this->Time = time;
-    this->Tensors = tensors;
-    this->Forms = forms;
-  }
-  Range all = this->Own;
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (collective && controller && controller->GetNumberOfProcesses() > 1)
-  {
-    controller->AllReduce(this->Own.data(), all.data(), 2, vtkCommunicator::MIN_OP);
+    vtkGlyphSample::Reduce(all, vtkCommunicator::MIN_OP);
   }
   return all[0] <= -all[1] ? std::array<double, 2>{ all[0], -all[1] } : std::array<double, 2>{ 1.0, -1.0 };
 }

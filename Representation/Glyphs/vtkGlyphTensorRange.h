@@ -6,9 +6,11 @@
 #define vtkGlyphTensorRange_h
 
 #include "vtkGlyphSettings.h"
+#include "vtkRayTracedCache.h"
 #include "vtkType.h"
 
 #include <array>
+#include <tuple>
 
 class vtkPolyData;
 
@@ -24,9 +26,7 @@ public:
 
 private:
   std::array<double, 2> Own{}; // of this rank: the least number, and the negative of the largest
-  vtkGlyphTensors::Settings Tensors;
-  vtkGlyphForms::Settings Forms;
-  vtkMTimeType Time = 1;
+  vtkRayTracedCache<std::tuple<vtkGlyphTensors::Settings, vtkGlyphForms::Settings, vtkMTimeType>> Known;
 };
 
 #endif

@@ -129,10 +129,7 @@ double vtkGlyphTensors::Extent(vtkIdType point) const
     {
       const rtg::SymmetricTensor u{ t.xx / largest, t.yy / largest, t.zz / largest, t.xy / largest, t.yz / largest,
         t.xz / largest };
-      extent = largest *
-        (this->How.Kind == rtg::TensorGlyphKind::Ellipsoid
-            ? LargestEigenvalue(u)
-            : std::sqrt(u.xx * u.xx + u.yy * u.yy + u.zz * u.zz + 2.0 * (u.xy * u.xy + u.yz * u.yz + u.xz * u.xz)));
+      extent = largest * LargestEigenvalue(u);
     }
   }
   return std::isfinite(extent) ? extent : 0.0;

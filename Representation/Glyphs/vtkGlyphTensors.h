@@ -9,6 +9,7 @@
 #define vtkGlyphTensors_h
 
 #include "Tensor.h"
+#include "vtkRayTracedNumbers.h"
 #include "vtkType.h"
 
 #include <array>
@@ -45,15 +46,24 @@ public:
       (coloring >= MAJOR_EIGENVALUE && coloring <= MINOR_EIGENVALUE);
   }
 
-  struct Settings
+  /**
+   * What says how large the glyphs are.
+   */
+  struct Source
   {
-    bool On = false; // whether the glyphs show tensors at all
-    rtg::TensorGlyphKind Kind = rtg::TensorGlyphKind::Ellipsoid;
+    bool On = false;   // whether the glyphs show tensors at all
     std::string Array; // empty or "None": none
-    rtg::TensorLayout Layout = rtg::TensorLayout::Vtk;
+    vtkRayTracedChoice<rtg::TensorLayout, rtg::TensorLayout::Vtk, rtg::TensorLayout::Lower> Layout{};
+
+    bool operator==(const Source&) const = default;
+  };
+
+  struct Settings : Source
+  {
+    rtg::TensorGlyphKind Kind = rtg::TensorGlyphKind::Ellipsoid;
     double Sharpness = 3.0;
     double Thickness = 0.02; // least, as a share of the longest axis
-    int Coloring = NONE;
+    vtkRayTracedChoice<Colorings, NONE, RADIUS> Coloring{};
     ///@{
     // Where x^T D x is zero or more, and where it is less; with SIGN.
     std::array<double, 3> PositiveColor{ { 0.839, 0.376, 0.302 } };
@@ -91,9 +101,8 @@ public:
   vtkGlyphTensors(vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points);
 
   /**
-   * What the extents of a unit glyph are multiplied with: of ellipsoids the largest magnitude of an eigenvalue, of
-   * superquadrics, whose corners reach farther, the Frobenius norm, of axes the axis's length. Zero where it is not
-   * finite.
+   * What the longest extent of a unit glyph is multiplied with: the largest magnitude of an eigenvalue, of axes the
+   * axis's length. Zero where it is not finite.
    */
   double Extent(vtkIdType point) const;
 

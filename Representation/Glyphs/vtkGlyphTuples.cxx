@@ -9,11 +9,6 @@
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <mutex>
-#include <numeric>
 #include <sstream>
 
 namespace
@@ -101,12 +96,6 @@ vtkGlyphArrays::Find(Id id, vtkPolyData* points, const vtkGlyphSettings& setting
 }
 
 //----------------------------------------------------------------------------
-bool vtkGlyphArrays::ScalesByComponents(vtkDataArray* scales, const vtkGlyphSettings& settings)
-{
-  return settings.ScaleMode == Settings::COMPONENTS && !(scales && scales->GetNumberOfComponents() == 1);
-}
-
-//----------------------------------------------------------------------------
 int vtkGlyphArrays::OrientationMode(vtkDataArray* orientations, const vtkGlyphSettings& settings)
 {
   const int components = orientations ? orientations->GetNumberOfComponents() : 0;
@@ -133,8 +122,24 @@ std::vector<vtkDataArray*> vtkGlyphArrays::All(vtkPolyData* points, const vtkGly
 }
 
 //----------------------------------------------------------------------------
+vtkGlyphArrays::Key vtkGlyphArrays::KeyOf(
+  vtkPolyData* points, std::vector<vtkGlyphSettings> settings, const vtkGlyphBlockAttributes::Table& blocks)
+{
+  Key key{ std::move(settings), {}, vtkGlyphBlockAttributes::Hidden(blocks) };
+  for (vtkGlyphSettings& each : key.Settings)
+  {
+    each = each.Effective();
+    for (vtkDataArray* array : All(points, each))
+    {
+      key.Times.push_back(array ? array->GetMTime() : 0);
+    }
+  }
+  return key;
+}
+
+//----------------------------------------------------------------------------
 std::vector<vtkIdType> vtkGlyphArrays::Candidates(
-  vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks)
+  vtkPolyData* points, const vtkGlyphScaling& settings, const vtkGlyphBlockAttributes::Table& blocks)
 {
   auto* blockIds =
     vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));

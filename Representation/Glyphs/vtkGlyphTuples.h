@@ -86,14 +86,11 @@ enum Id
 vtkDataArray*
 Find(Id id, vtkPolyData* points, const vtkGlyphSettings& settings, std::vector<std::string>* messages = nullptr);
 
-///@{
 /**
- * What the arrays that were found say of themselves, whatever the settings' modes: one component is a magnitude, four
- * are a quaternion, nine a matrix.
+ * What the array that was found says of itself, whatever the settings' mode: four components are a quaternion, nine a
+ * matrix.
  */
-bool ScalesByComponents(vtkDataArray* scales, const vtkGlyphSettings& settings);
 int OrientationMode(vtkDataArray* orientations, const vtkGlyphSettings& settings);
-///@}
 
 /**
  * All arrays that instances of these settings are built from, positions and blocks among them, in a fixed order; null
@@ -102,10 +99,23 @@ int OrientationMode(vtkDataArray* orientations, const vtkGlyphSettings& settings
 std::vector<vtkDataArray*> All(vtkPolyData* points, const vtkGlyphSettings& settings);
 
 /**
+ * What glyphs of all these settings at the same points depend on. Arrays are known by their time stamps, of which no
+ * two are alike: data that come again in a new vtkPolyData are seen to be the same.
+ */
+struct Key
+{
+  std::vector<vtkGlyphSettings> Settings;
+  std::vector<vtkMTimeType> Times;
+  std::vector<unsigned int> HiddenBlocks;
+  bool operator==(const Key&) const = default;
+};
+Key KeyOf(vtkPolyData* points, std::vector<vtkGlyphSettings> settings, const vtkGlyphBlockAttributes::Table& blocks);
+
+/**
  * The points of visible blocks, thinned out as the mask says, in their own order. Blocks as Resolve()d for `points`.
  */
 std::vector<vtkIdType>
-Candidates(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
+Candidates(vtkPolyData* points, const vtkGlyphScaling& settings, const vtkGlyphBlockAttributes::Table& blocks);
 }
 
 #endif

@@ -3,8 +3,11 @@
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkActorCollection.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkGlyphMaker.h"
+#include "vtkGlyphTessellatedSet.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
@@ -26,135 +29,35 @@ vtkStandardNewMacro(vtkGlyphLegend);
 
 namespace
 {
-using Outline = std::vector<glm::dvec2>;
-
-constexpr int arcPoints = 96;      // of a whole circle
 constexpr double leastWidth = 1.5; // pixels; triangles that are thinner may cover no pixel's middle, lines do
 
-// An arc about `center` from angle `first` to `last`.
-void AddArc(Outline& outline, glm::dvec2 center, double radius, double first, double last)
+// Copies of meshes, seen along z.
+void AddSilhouette(const vtkGlyphTessellatedPart& part, vtkPoints* points, vtkCellArray* triangles, vtkCellArray* lines,
+  vtkBoundingBox& box)
 {
-  const int pieces =
-    std::max(1, static_cast<int>(std::ceil(arcPoints * std::abs(last - first) / (2.0 * vtkMath::Pi()))));
-  for (int i = 0; i <= pieces; ++i)
+  for (std::size_t copy = 0; copy < part.Positions.size(); ++copy)
   {
-    const double angle = first + (last - first) * i / pieces;
-    outline.push_back(center + radius * glm::dvec2(std::cos(angle), std::sin(angle)));
-  }
-}
-
-// Of the head of Kernels/Shapes/ArrowForm.glsl, its tip at `tip` on the x axis: the hull of its base and a circle that
-// touches the tip.
-Outline HeadProfile(double tip, double length, double radius, double rounding)
-{
-  const double a = rounding * rounding * radius * length / (radius + std::hypot(radius, length));
-  const glm::dvec2 center(tip - a, 0.0);
-  const glm::dvec2 corner = glm::dvec2(tip - length, radius) - center;
-  const double angle = std::atan2(corner.y, corner.x) - std::acos(std::clamp(a / glm::length(corner), 0.0, 1.0));
-  Outline outline{ { tip - length, -radius } };
-  AddArc(outline, center, a, -angle, angle);
-  outline.emplace_back(tip - length, radius);
-  return outline;
-}
-
-std::vector<Outline> ArrowProfile(const rtg::ArrowForm& form, double length, double unit)
-{
-  // Shorter than its head an arrow is the head alone; see ScaleOfArrow() in Kernels/Shapes/ArrowForm.glsl.
-  const double head = form.tipLength * unit;
-  const double scale = !form.fixedHeads ? length : length > head ? unit : length / form.tipLength;
-  const double base = length - form.tipLength * scale;
-  std::vector<Outline> outlines;
-  if (form.shaftRadius > 0.0f && base > 0.0)
-  {
-    const double radius = form.shaftRadius * scale;
-    outlines.push_back({ { 0.0, -radius }, { base, -radius }, { base, radius }, { 0.0, radius } });
-  }
-  if (form.tipRadius > 0.0f)
-  {
-    outlines.push_back(HeadProfile(length, form.tipLength * scale, form.tipRadius * scale, form.tipRounding));
-  }
-  return outlines;
-}
-
-// Four arrows from the middle.
-std::vector<Outline> CrossProfile(const rtg::ArrowForm& form, double length)
-{
-  std::vector<Outline> outlines = ArrowProfile(form, length, length);
-  const std::size_t count = outlines.size();
-  for (std::size_t i = 0; i < 3 * count; ++i)
-  {
-    Outline turned = outlines[outlines.size() - count];
-    for (glm::dvec2& corner : turned)
+    const glm::vec4& turn = part.Orientations[copy];
+    const vtkIdType first = points->GetNumberOfPoints();
+    vtkBoundingBox own;
+    for (const glm::vec3& corner : part.Mesh->positions)
     {
-      corner = { -corner.y, corner.x };
+      const glm::dvec3 p = glm::dquat(turn.w, turn.x, turn.y, turn.z) * glm::dvec3(part.Scales[copy] * corner) +
+        glm::dvec3(part.Positions[copy]);
+      points->InsertNextPoint(p.x, p.y, 0.0);
+      own.AddPoint(p.x, p.y, 0.0);
     }
-    outlines.push_back(std::move(turned));
-  }
-  return outlines;
-}
-
-// |x|^r + |y|^s = 1, on rays from the middle, right to a ten-millionth of `half`.
-Outline SuperquadricProfile(double r, double s, double half)
-{
-  Outline outline;
-  for (int i = 0; i < 4 * arcPoints; ++i)
-  {
-    const double angle = 2.0 * vtkMath::Pi() * i / (4 * arcPoints);
-    const glm::dvec2 direction(std::cos(angle), std::sin(angle));
-    double low = 0.0, high = 1.5; // the profile lies in the square [-1, 1]^2
-    for (int step = 0; step < 24; ++step)
+    const bool thin = std::min(own.GetLength(0), own.GetLength(1)) < leastWidth;
+    for (const glm::uvec3& triangle : part.Mesh->triangles)
     {
-      const double middle = 0.5 * (low + high);
-      const glm::dvec2 p = glm::abs(middle * direction);
-      (std::pow(p.x, r) + std::pow(p.y, s) < 1.0 ? low : high) = middle;
+      const vtkIdType a = first + triangle.x, b = first + triangle.y, c = first + triangle.z;
+      triangles->InsertNextCell({ a, b, c });
+      if (thin)
+      {
+        lines->InsertNextCell({ a, b, c, a });
+      }
     }
-    outline.push_back(half * low * direction);
-  }
-  return outline;
-}
-
-Outline Rectangle(glm::dvec2 lower, glm::dvec2 upper)
-{
-  return { lower, { upper.x, lower.y }, upper, { lower.x, upper.y } };
-}
-
-// Seen along z, of the glyph whose unit glyph is `size` large.
-std::vector<Outline> ProfileOf(const vtkGlyphSettings& settings, double size, double unit)
-{
-  const double half = 0.5 * size;
-  Outline outline;
-  switch (settings.Shape)
-  {
-    case rtg::Shape::Arrow:
-      return settings.Tensors.On ? CrossProfile(settings.Arrow, half) : ArrowProfile(settings.Arrow, size, unit);
-    case rtg::Shape::Box:
-    case rtg::Shape::Cylinder:
-      return { Rectangle(glm::dvec2(-half), glm::dvec2(half)) };
-    case rtg::Shape::Cone:
-      return { { { -half, -half }, { half, 0.0 }, { -half, half } } };
-    case rtg::Shape::Capsule:
-      AddArc(outline, { half, 0.0 }, half, -0.5 * vtkMath::Pi(), 0.5 * vtkMath::Pi());
-      AddArc(outline, { -half, 0.0 }, half, 0.5 * vtkMath::Pi(), 1.5 * vtkMath::Pi());
-      return { outline };
-    case rtg::Shape::Mesh:
-      if (settings.Mesh && !settings.Mesh->positions.empty())
-      {
-        return { Rectangle(
-          size * glm::dvec2(settings.Mesh->positions.front()), size * glm::dvec2(settings.Mesh->positions.back())) };
-      }
-      return {};
-    case rtg::Shape::Superquadric:
-      return { SuperquadricProfile(settings.Exponents[0], settings.Exponents[1], half) };
-    case rtg::Shape::NestedSuperquadric:
-      if (!settings.Tensors.On)
-      {
-        // Its cross-section: both exponents are e2 there.
-        return { SuperquadricProfile(settings.Exponents[1], settings.Exponents[1], half) };
-      }
-      [[fallthrough]]; // equal eigenvalues make a ball
-    default:
-      AddArc(outline, glm::dvec2(0.0), half, 0.0, 2.0 * vtkMath::Pi());
-      return { outline };
+    box.AddBox(own);
   }
 }
 }
@@ -162,7 +65,7 @@ std::vector<Outline> ProfileOf(const vtkGlyphSettings& settings, double size, do
 //----------------------------------------------------------------------------
 vtkGlyphLegend::vtkGlyphLegend()
 {
-  this->Mapper->SetInputData(this->Profile);
+  this->Mapper->SetInputData(this->Silhouette);
   this->Actor->SetMapper(this->Mapper);
   this->Actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
   this->Text->GetPositionCoordinate()->SetCoordinateSystemToViewport();
@@ -185,12 +88,12 @@ void vtkGlyphLegend::PrintSelf(ostream& os, vtkIndent indent)
 
 //----------------------------------------------------------------------------
 void vtkGlyphLegend::SetGlyphs(
-  const vtkGlyphSettings& settings, double scale, const std::string& name, double reference)
+  const vtkGlyphSettings& settings, double scale, const std::string& name, const std::array<double, 2>& mesh)
 {
   this->Settings = settings;
   this->Scale = scale;
   this->Name = name;
-  this->Reference = reference;
+  this->Mesh = mesh;
 }
 
 //----------------------------------------------------------------------------
@@ -226,9 +129,44 @@ void vtkGlyphLegend::RemoveFrom(vtkPVRenderView* view)
 double vtkGlyphLegend::Extent(double number) const
 {
   const bool scaled = !this->Name.empty();
-  const double extent = std::abs(this->Settings.ScaleFactor) * (scaled ? this->Settings.Sizing(number) : number);
-  const double limited = this->Settings.Sizing.Limited(glm::dvec3(extent)).x;
-  return scaled && limited != extent ? -limited : limited;
+  const double magnitude = scaled ? this->Settings.Sizing(number) : number, extent = this->Settings.Length(magnitude);
+  return scaled && extent != std::abs(this->Settings.ScaleFactor) * magnitude ? -extent : extent;
+}
+
+//----------------------------------------------------------------------------
+// One upright glyph whose unit glyph is `size` large, in pixels, or of crosses four arrows; tensors and polynomials of
+// equal values are balls.
+rtg::GlyphInstances vtkGlyphLegend::MakeGlyphs(double size, double unit) const
+{
+  const vtkGlyphSettings& settings = this->Settings;
+  rtg::GlyphInstances glyphs;
+  glyphs.shape = settings.Shape;
+  glyphs.arrow = settings.Arrow;
+  glyphs.arrow.unitLength = static_cast<float>(unit);
+  glyphs.uniformSize = static_cast<float>(size);
+  glyphs.centres.resize(1);
+  if (settings.Shape == rtg::Shape::Mesh)
+  {
+    glyphs.shape = rtg::Shape::Box;
+    glyphs.sizes3 = { glm::vec3(size * this->Mesh[0], size * this->Mesh[1], size) };
+  }
+  else if (settings.Tensors.Parts() > 1)
+  {
+    const auto half = static_cast<float>(std::sqrt(0.5));
+    glyphs.uniformSize *= 0.5f;
+    glyphs.rotations = { { 0, 0, 0, 1 }, { 0, 0, half, half }, { 0, 0, 1, 0 }, { 0, 0, -half, half } };
+    glyphs.centres.resize(glyphs.rotations.size());
+  }
+  else if (settings.Tensors.On || settings.Forms.On)
+  {
+    glyphs.shape = rtg::Shape::Sphere;
+  }
+  else if (settings.HasOwnExponents() &&
+    !vtkGlyphMaker::MakeExponents(settings.Shape, settings.Exponents, 3, glyphs.uniformExponents))
+  {
+    glyphs.centres.clear();
+  }
+  return glyphs;
 }
 
 //----------------------------------------------------------------------------
@@ -303,44 +241,23 @@ void vtkGlyphLegend::Arrange(vtkViewport* viewport)
   {
     return;
   }
-  const double unit = std::abs(this->Settings.ScaleFactor) * this->Scale * this->Reference * perLength;
-  const std::vector<Outline> outlines = ProfileOf(this->Settings, pixels, unit);
-
+  const double unit = std::abs(this->Settings.ScaleFactor) * this->Settings.ReferenceScale() * this->Scale * perLength;
+  std::vector<std::string> unused;
+  const vtkGlyphTessellatedSet set = vtkGlyphTessellatedSet::Make("", this->MakeGlyphs(pixels, unit), {}, {}, unused);
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> triangles, lines;
-  glm::dvec2 lower(HUGE_VAL), upper(-HUGE_VAL);
-  for (const Outline& outline : outlines)
+  vtkBoundingBox box;
+  for (const vtkGlyphTessellatedPart& part : set.Parts)
   {
-    glm::dvec2 middle(0.0);
-    glm::dvec2 low(HUGE_VAL), high(-HUGE_VAL);
-    for (const glm::dvec2& p : outline)
-    {
-      middle += p / static_cast<double>(outline.size());
-      low = glm::min(low, p);
-      high = glm::max(high, p);
-    }
-    lower = glm::min(lower, low);
-    upper = glm::max(upper, high);
-    const bool thin = std::min(high.x - low.x, high.y - low.y) < leastWidth;
-    const vtkIdType first = points->InsertNextPoint(middle.x, middle.y, 0.0) + 1;
-    const auto count = static_cast<vtkIdType>(outline.size());
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      points->InsertNextPoint(outline[i].x, outline[i].y, 0.0);
-      triangles->InsertNextCell({ first - 1, first + i, first + (i + 1) % count });
-      if (thin)
-      {
-        lines->InsertNextCell({ first + i, first + (i + 1) % count });
-      }
-    }
+    AddSilhouette(part, points, triangles, lines, box);
   }
-  if (!(lower.x <= upper.x))
+  if (!(box.GetMaxLength() > 0.0))
   {
     return;
   }
-  this->Profile->SetPoints(points);
-  this->Profile->SetPolys(triangles);
-  this->Profile->SetLines(lines);
+  this->Silhouette->SetPoints(points);
+  this->Silhouette->SetPolys(triangles);
+  this->Silhouette->SetLines(lines);
 
   char text[64];
   std::snprintf(text, sizeof(text), "%.6g", alike ? extent : number);
@@ -356,7 +273,7 @@ void vtkGlyphLegend::Arrange(vtkViewport* viewport)
 
   double words[2];
   this->Text->GetSize(viewport, words);
-  const glm::dvec2 glyph = upper - lower;
+  const glm::dvec2 lower(box.GetBound(0), box.GetBound(2)), glyph(box.GetLength(0), box.GetLength(1));
   const double margin = 0.02 * shorter, gap = 0.5 * margin;
   const bool right = this->Look.Corner == LOWER_RIGHT || this->Look.Corner == UPPER_RIGHT;
   const bool top = this->Look.Corner == UPPER_LEFT || this->Look.Corner == UPPER_RIGHT;

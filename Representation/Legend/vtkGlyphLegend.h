@@ -2,11 +2,11 @@
  * @class   vtkGlyphLegend
  * @brief   a glyph of a stated number in the corner of a view, from which sizes can be read
  *
- * The glyph is the profile of an upright one whose every scale, or eigenvalue, is the number that stands beside it. It
- * is as large as it would be at the center of rotation: of parallel projections that holds everywhere, of perspective
- * ones the legend says so. Unless a number is set it is the largest of 1, 2, 5 times a power of ten whose glyph is at
- * most a fifth of the view's shorter side and that no limit of sizes changes; so it follows the zoom as the bar of a
- * map's scale does.
+ * The glyph is the silhouette of an upright one whose every scale, or eigenvalue, is the number that stands beside it.
+ * It is as large as it would be at the center of rotation: of parallel projections that holds everywhere, of
+ * perspective ones the legend says so. Unless a number is set it is the largest of 1, 2, 5 times a power of ten whose
+ * glyph is at most a fifth of the view's shorter side and that no limit of sizes changes; so it follows the zoom as the
+ * bar of a map's scale does.
  */
 #ifndef vtkGlyphLegend_h
 #define vtkGlyphLegend_h
@@ -55,10 +55,11 @@ public:
   };
 
   /**
-   * What is shown: glyphs of these settings, `scale` times as large; name of the array that scales them, or none;
-   * `reference`: the scale of the arrow whose head has the unit arrow's proportions.
+   * What is shown: glyphs of these settings, `scale` times as large; name of the array that scales them, or none; width
+   * and height of the mesh of mesh glyphs, for which the legend shows a rectangle.
    */
-  void SetGlyphs(const vtkGlyphSettings& settings, double scale, const std::string& name, double reference);
+  void
+  SetGlyphs(const vtkGlyphSettings& settings, double scale, const std::string& name, const std::array<double, 2>& mesh);
   void SetStyle(const Style& style);
 
   ///@{
@@ -89,13 +90,15 @@ private:
   double Extent(double number) const;
   double PixelsPerLength(vtkViewport* viewport) const;
   double ChooseNumber(double pixelsPerLength, double most) const;
+  rtg::GlyphInstances MakeGlyphs(double size, double unit) const;
   void Arrange(vtkViewport* viewport);
 
   vtkGlyphSettings Settings;
-  double Scale = 1.0, Reference = 1.0;
+  double Scale = 1.0;
+  std::array<double, 2> Mesh{};
   std::string Name;
   Style Look;
-  vtkNew<vtkPolyData> Profile;
+  vtkNew<vtkPolyData> Silhouette;
   vtkNew<vtkPolyDataMapper2D> Mapper;
   vtkNew<vtkActor2D> Actor;
   vtkNew<vtkTextActor> Text;

@@ -59,33 +59,6 @@ vtkUnsignedIntArray* BlocksOf(vtkPolyData* points)
 }
 
 //----------------------------------------------------------------------------
-// What instances depend on besides the settings. Arrays are known by their time stamps, of which no two are alike: data
-// that come again in a new vtkPolyData are seen to be the same.
-struct vtkRayTracedMapper::InstanceKey
-{
-  std::vector<vtkMTimeType> Times;
-  std::vector<unsigned int> HiddenBlocks;
-  std::array<double, 16> Matrix{};
-  bool operator==(const InstanceKey&) const = default;
-};
-
-//----------------------------------------------------------------------------
-struct vtkRayTracedMapper::ColorKey
-{
-  bool Visible = false;
-  std::string Array;
-  int ScalarMode = 0, ColorMode = 0;
-  std::array<vtkMTimeType, 2> Times{};
-  std::vector<vtkMTimeType> State;
-  std::uint64_t Sources = 0;
-  vtkGlyphBlockAttributes::Table Blocks;
-  std::array<double, 3> SolidColor{};
-  vtkMTimeType Selected = 0;
-  std::uint32_t SelectionColor = 0;
-  bool operator==(const ColorKey&) const = default;
-};
-
-//----------------------------------------------------------------------------
 vtkRayTracedMapper::vtkRayTracedMapper()
 {
   vtkMath::UninitializeBounds(this->Bounds);
@@ -356,7 +329,7 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   {
     this->Sources = vtkRayTracedSources();
     this->Skipped = 0;
-    this->Built.reset();
+    this->Built.Forget();
     return;
   }
 
@@ -368,16 +341,19 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   }
   key.HiddenBlocks = vtkGlyphBlockAttributes::Hidden(this->BlockTable);
   std::copy_n(&actor->GetMatrix()->Element[0][0], 16, key.Matrix.begin());
-  if (!this->Built || !(*this->Built == key) || this->HaveSettingsChanged())
+  if (this->HaveSettingsChanged())
   {
-    this->Built.reset();
-    rtg::Stopwatch watch;
-    this->BuildInstances(points, actor);
-    ++this->InstanceBuilds;
-    this->InstanceSeconds += watch.Lap();
-    this->ReportSizes();
-    this->Built = std::make_unique<InstanceKey>(std::move(key));
+    this->Built.Forget();
   }
+  this->Built.Update(std::move(key),
+    [&]
+    {
+      rtg::Stopwatch watch;
+      this->BuildInstances(points, actor);
+      ++this->InstanceBuilds;
+      this->InstanceSeconds += watch.Lap();
+      this->ReportSizes();
+    });
 
   ColorKey color;
   color.Sources = this->SourcesVersion;
@@ -404,16 +380,15 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
     color.ColorMode = this->ColorMode;
     color.Times = { TimeOf(scalars), TimeOf(this->LookupTable) };
   }
-  if (!this->Colored || !(*this->Colored == color))
-  {
-    this->Colored.reset();
-    this->SolidColor = color.SolidColor;
-    rtg::Stopwatch watch;
-    this->BuildColors(points);
-    ++this->ColorBuilds;
-    this->ColorSeconds += watch.Lap();
-    this->Colored = std::make_unique<ColorKey>(std::move(color));
-  }
+  this->Colored.Update(std::move(color),
+    [&, solid = color.SolidColor]
+    {
+      this->SolidColor = solid;
+      rtg::Stopwatch watch;
+      this->BuildColors(points);
+      ++this->ColorBuilds;
+      this->ColorSeconds += watch.Lap();
+    });
 }
 
 //----------------------------------------------------------------------------

@@ -13,13 +13,13 @@
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkMapper.h"
 #include "vtkRayTracedArrayUnion.h"
+#include "vtkRayTracedCache.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedSources.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -231,15 +231,36 @@ private:
   vtkRayTracedMapper(const vtkRayTracedMapper&) = delete;
   void operator=(const vtkRayTracedMapper&) = delete;
 
-  struct InstanceKey;
-  struct ColorKey;
+  // What instances depend on besides the settings. Arrays are known by their time stamps, of which no two are alike:
+  // data that come again in a new vtkPolyData are seen to be the same.
+  struct InstanceKey
+  {
+    std::vector<vtkMTimeType> Times;
+    std::vector<unsigned int> HiddenBlocks;
+    std::array<double, 16> Matrix{};
+    bool operator==(const InstanceKey&) const = default;
+  };
+  struct ColorKey
+  {
+    bool Visible = false;
+    std::string Array;
+    int ScalarMode = 0, ColorMode = 0;
+    std::array<vtkMTimeType, 2> Times{};
+    std::vector<vtkMTimeType> State;
+    std::uint64_t Sources = 0;
+    vtkGlyphBlockAttributes::Table Blocks;
+    std::array<double, 3> SolidColor{};
+    vtkMTimeType Selected = 0;
+    std::uint32_t SelectionColor = 0;
+    bool operator==(const ColorKey&) const = default;
+  };
 
   bool TakeValues(MappedColors& mapped, vtkIdType points);
   void ReportSizes();
 
   vtkSmartPointer<vtkPolyData> Points;
-  std::unique_ptr<InstanceKey> Built;
-  std::unique_ptr<ColorKey> Colored;
+  vtkRayTracedCache<InstanceKey> Built;
+  vtkRayTracedCache<ColorKey> Colored;
   std::uint32_t SelectionColor = 0x00ff00ffu; // packed, without an opacity
 };
 

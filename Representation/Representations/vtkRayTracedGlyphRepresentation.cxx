@@ -7,6 +7,7 @@
 #include "vtkGlyphJoinedArrays.h"
 #include "vtkGlyphLayers.h"
 #include "vtkGlyphPointGatherer.h"
+#include "vtkGlyphScaleGuess.h"
 #include "vtkGlyphSource.h"
 #include "vtkGlyphTuples.h"
 #include "vtkInformation.h"
@@ -141,6 +142,7 @@ void vtkRayTracedGlyphRepresentation::Deliver(vtkInformation* inInfo, bool lod)
     this->UpdateTensorRange(this->GetPoints());
     this->UpdateScaleGuess(this->GetPoints());
     this->CountPointsOfAllRanks(this->GetPoints());
+    this->UpdateDataSizes(this->GetPoints());
   }
 }
 
@@ -207,9 +209,37 @@ void vtkRayTracedGlyphRepresentation::UpdateScaleGuess(vtkPolyData* points)
   }
   double unitSize = 1.0;
   const vtkGlyphSettings settings = this->GetSizes(points, unitSize);
-  const vtkGlyphScaleGuess::Result& found = this->Guess.Get(points, settings, unitSize, this->GetUpdateTime());
+  const vtkGlyphKeptGuess::Result& found =
+    vtkGlyphScaleGuess::Update(this->Guess, points, settings, unitSize, this->GetUpdateTime());
   this->ScaleGuess[0] = found.Value;
   this->ScaleGuess[1] = found.Limit;
+}
+
+//----------------------------------------------------------------------------
+// On all ranks that have data; when their glyphs have been chosen.
+void vtkRayTracedGlyphRepresentation::UpdateDataSizes(vtkPolyData* points)
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  const auto& extents = this->Meshes.GetExtents();
+  glm::dvec3 sides(0.0);
+  if (!extents.empty() && !extents.front()->positions.empty())
+  {
+    sides = extents.front()->positions.back() - extents.front()->positions.front();
+  }
+  const double highScale = this->HighScale.Get(points, this->MakeSettings(), this->Blocks.Resolve(points));
+  this->DataSizes = { highScale, sides.x, sides.y };
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphDataSizes(double highScale, double meshWidth, double meshHeight)
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    this->DataSizes = { highScale, meshWidth, meshHeight };
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -250,9 +280,6 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   vtkGlyphSettings settings = this->MakeSettings();
   const bool usesTable = this->Meshes.GetNumberOfForms() > 1 && settings.Shape == rtg::Shape::Mesh;
   settings.TableSize = usesTable ? static_cast<int>(this->Meshes.GetNumberOfForms()) : 1;
-  const vtkGlyphBlockAttributes::Table noBlocks;
-  const vtkGlyphBlockAttributes::Table& blocks = points ? this->Blocks.Resolve(points) : noBlocks;
-  settings.HighScale = this->HighScale.Get(points, settings, blocks, collective);
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
   main->SetSettings(settings, this->Meshes.GetForm(0));
   main->SetTensorTable(this->TensorTable);
@@ -261,7 +288,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
     main->SetTensorRange(this->ShownRange.Get(points, settings, collective));
   }
   main->SetSelectionColor(this->GetSelectionColor());
-  this->UpdateLegend(points, settings);
+  this->UpdateLegend(settings);
 
   const bool axes = this->ShowsAxes(points, settings);
   this->ResizeLayers(this->GetRenderView(), settings.TableSize - 1 + (axes ? 1 : 0));
@@ -285,7 +312,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::UpdateLegend(vtkPolyData* points, vtkGlyphSettings settings)
+void vtkRayTracedGlyphRepresentation::UpdateLegend(const vtkGlyphSettings& settings)
 {
   this->Legend->SetStyle(this->LegendStyle);
   if (!this->LegendStyle.On)
@@ -297,18 +324,10 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(vtkPolyData* points, vtkGlyph
   const std::string name = settings.Tensors.On  ? settings.Tensors.Array
     : settings.Forms.On && !settings.Forms.Each ? settings.Forms.Array
                                                 : scales;
-  if (settings.Shape == rtg::Shape::Mesh && !this->Meshes.GetExtents().empty())
-  {
-    settings.Mesh = this->Meshes.GetExtents().front();
-  }
-  vtkNew<vtkPolyData> nothing;
-  vtkPolyData* known = points ? points : nothing.Get();
   vtkNew<vtkMatrix4x4> matrix;
   this->GetActor()->GetMatrix(matrix);
   const double scale = std::hypot(matrix->GetElement(0, 0), matrix->GetElement(1, 0), matrix->GetElement(2, 0));
-  const double reference =
-    scales.empty() ? 1.0 : vtkGlyphHighScale::Reference(known, settings, this->Blocks.Resolve(known));
-  this->Legend->SetGlyphs(settings, scale, name, reference);
+  this->Legend->SetGlyphs(settings, scale, name, { this->DataSizes[1], this->DataSizes[2] });
 }
 
 //----------------------------------------------------------------------------
@@ -369,6 +388,7 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
 {
   vtkGlyphSettings settings = this->Glyphs.InRange();
   settings.Motion = this->GetMotion();
+  settings.HighScale = this->DataSizes[0];
   settings.Scaling = this->Scaling && this->ScaleMode != vtkGlyph3DMapper::NO_DATA_SCALING;
   settings.ScaleMode = this->ScaleMode == vtkGlyph3DMapper::SCALE_BY_COMPONENTS ? vtkGlyphSettings::COMPONENTS
                                                                                 : vtkGlyphSettings::MAGNITUDE;

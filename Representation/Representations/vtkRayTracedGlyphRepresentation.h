@@ -12,7 +12,6 @@
 #include "vtkGlyphHighScale.h"
 #include "vtkGlyphLegend.h"
 #include "vtkGlyphMeshes.h"
-#include "vtkGlyphScaleGuess.h"
 #include "vtkGlyphSettings.h"
 #include "vtkGlyphTensorRange.h"
 #endif
@@ -100,6 +99,15 @@ public:
    */
   double* GetScaleFactorGuess() VTK_SIZEHINT(2) { return this->ScaleGuess; }
   void SetGlyphSizeLimit(double limit) { this->SizeLimit = vtkRayTracedNumbers::NumberOr(limit, 0.0); }
+  ///@}
+
+  ///@{
+  /**
+   * What processes that only render must know of the data: vtkGlyphHighScale, and width and height of the mesh of mesh
+   * glyphs; numbers are 0 where there is none. The client carries them there.
+   */
+  double* GetGlyphDataSizesInfo() VTK_SIZEHINT(3) { return this->DataSizes.data(); }
+  void SetGlyphDataSizes(double highScale, double meshWidth, double meshHeight);
   ///@}
 
   ///@{
@@ -227,8 +235,9 @@ private:
   bool ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const;
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points);
+  void UpdateDataSizes(vtkPolyData* points);
   void CountPointsOfAllRanks(vtkPolyData* points);
-  void UpdateLegend(vtkPolyData* points, vtkGlyphSettings settings);
+  void UpdateLegend(const vtkGlyphSettings& settings);
   void ResizeLayers(vtkPVRenderView* view, std::size_t size);
   void SetTable(bool sourceIndexing, bool useSourceTableTree);
 
@@ -241,10 +250,11 @@ private:
   vtkNew<vtkGlyphLegend> Legend;
   vtkGlyphLegend::Style LegendStyle;
   bool ScaleFactorFromData = false;
-  vtkGlyphScaleGuess Guess;
+  vtkGlyphKeptGuess Guess;
   vtkGlyphHighScale HighScale;
   double ScaleGuess[2] = { 0.0, 0.0 };
   double SizeLimit = 0.0;
+  std::array<double, 3> DataSizes{};
   std::string HarmonicsArray;
   bool SourceIndexing = false, UseSourceTableTree = false;
   bool TensorAxis = false;

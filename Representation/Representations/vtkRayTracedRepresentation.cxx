@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkGlyphSample.h"
+#include "vtkGlyphShutterGuess.h"
 #include "vtkGlyphStepVelocity.h"
 #include "vtkGlyphJoinedArrays.h"
 #include "vtkInformation.h"
@@ -171,7 +172,7 @@ void vtkRayTracedRepresentation::UpdateShutterTime(vtkPolyData* points)
   }
   double unitSize = 1.0;
   const vtkGlyphSettings sizes = this->GetSizes(points, unitSize);
-  this->ShutterTime = this->ShutterGuess.Get(points, sizes, unitSize, this->GetUpdateTime());
+  this->ShutterTime = vtkGlyphShutterGuess::Update(this->ShutterGuess, points, sizes, unitSize, this->GetUpdateTime());
 }
 
 //----------------------------------------------------------------------------

@@ -21,8 +21,8 @@
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkGlyphBounds.h"
+#include "vtkGlyphKeptGuess.h"
 #include "vtkGlyphMotion.h"
-#include "vtkGlyphShutterGuess.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedImageSettings.h"
 #include "vtkRayTracedNumbers.h"
@@ -334,7 +334,7 @@ private:
   std::unique_ptr<vtkGlyphStepVelocity> StepVelocity;
   bool ShutterTimeFromData = true;
   double ShutterTime = 0.0; // that the data suggest; 0: none
-  vtkGlyphShutterGuess ShutterGuess;
+  vtkGlyphKeptGuess ShutterGuess;
   int ParallelLight = vtkRayTracedImageSettings::LocalLight;
   bool ReplicateGlyphs = false;
   std::string FeatureFile; // until there is a scene

@@ -606,6 +606,10 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
       this->TakeGuess(suggested);
     }
   }
+  if (shown && shown->GetProperty("GlyphDataSizesInfo") && this->IsExposed("GlyphDataSizesInfo"))
+  {
+    this->TakeDataSizes();
+  }
   if (this->GetProperty("GlyphTensorLookupTable") && this->IsExposed("GlyphTensorLookupTable"))
   {
     this->UpdateTensorTable(view);
@@ -637,6 +641,17 @@ void vtkSMRayTracedRepresentationProxy::TakeGuess(const Suggested& suggested)
     owner->UpdateVTKObjects();
     this->TakingGuess = this->Choosing = false;
   }
+}
+
+//----------------------------------------------------------------------------
+// Then, too.
+void vtkSMRayTracedRepresentationProxy::TakeDataSizes()
+{
+  vtkSMProperty* found = this->GetProperty("GlyphDataSizesInfo");
+  this->UpdatePropertyInformation(found);
+  const std::vector<double> sizes = vtkSMPropertyHelper(found).GetDoubleArray();
+  vtkSMPropertyHelper(this, "GlyphDataSizes").Set(sizes.data(), static_cast<unsigned int>(sizes.size()));
+  this->UpdateVTKObjects();
 }
 
 //----------------------------------------------------------------------------

@@ -78,6 +78,7 @@ private:
   void Rendered(vtkObject* view, unsigned long event, void* interactive);
   void UpdateTensorTable(vtkSMProxy* view);
   void TakeGuess(const Suggested& suggested);
+  void TakeDataSizes();
 
   vtkWeakPointer<vtkSMProxy> ObservedView, ObservedDisplay;
   double Time = 0.0;           // of the last update

@@ -29,7 +29,7 @@ CASES = (
     ("a:3=Vectors velocity:3", "a a None velocity"),
     ("force:3 displacement:3 angular_velocity:3 coords:3 omega:3", "displacement displacement None None"),
     ("omega:3 coords:3", "omega omega None None"),
-    ("positions:3 EulerAngles:3 rgb:3 lengths:3 id:1", "None None None None"),
+    ("positions:3 EulerAngles:3 rgb:3 lengths:3", "EulerAngles None None None"),
     ("positions:3 c_q:4 c_shape:3", "None c_q None None"),
     ("positions:3 quaternion:4 c_shape:3 thing:3", "thing quaternion None None"),
     ("positions:3 thing:3", "thing thing None None"),

@@ -57,6 +57,19 @@ def blocks():
     return view
 
 
+def legends():
+    """Legends of arrows, whose heads depend on the scales of all of them, and of a mesh: the client that draws them may have no points."""
+    view = session.view(200, 150)
+    for shape, corner, further in (("Arrow", "Lower Left", {}), ("Mesh", "Upper Right", {"GlyphType": session.triangles(pv.Box(XLength=3.0, YLength=0.5))})):
+        sizes = pv.Calculator(Input=pv.Sphere(ThetaResolution=6, PhiResolution=5), Function="0.001*(coordsX+2)", ResultArrayName="size")
+        shown = session.glyphs(sizes, view, shape, ArrowHeads="Fixed", SelectOrientationVectors="Normals", ScaleMode="Magnitude", SelectScaleArray="size",
+                               ScaleFactor=300.0, GlyphLegend=corner, GlyphLegendValue=0.002, GlyphLegendColor=[0.0, 1.0, 0.0], **further)
+        session.solid(shown, (1.0, 0.0, 0.0))
+    session.look(view, (0.0, 0.0, 6.0))
+    pv.Render(view)
+    return view
+
+
 def exported(view, name):
     """How many copies of each mesh the client exports."""
     import raytracedglyphs  # comes with the plugin
@@ -117,7 +130,7 @@ def main(folder, server):
     log_name = test + ".log"
     expected = session.capture(view, test + "-none")
     expected_copies = exported(view, test + "-none")
-    expected_blocks = session.capture(blocks(), test + "-blocks-none")
+    expected_others = {made: session.capture(made(), "%s-%s-none" % (test, made.__name__)) for made in (blocks, legends)}
     pv.Disconnect()
 
     process, port = start_server(server, log_name)
@@ -131,11 +144,13 @@ def main(folder, server):
             view.RemoteRenderThreshold = threshold
             pv.Render(view)
             failures += check_statistics(spheres, where) + check_statistics(arrows, where)
-            block_view = blocks()
-            block_view.RemoteRenderThreshold = threshold
-            pv.Render(block_view)
-            pairs = ((test + "-" + where, view, expected), (test + "-blocks-" + where, block_view, expected_blocks))
-            for name, of_view, wanted in pairs:
+            pictures = [(test + "-" + where, view, expected)]
+            for made, wanted in expected_others.items():
+                other = made()
+                other.RemoteRenderThreshold = threshold
+                pv.Render(other)
+                pictures.append(("%s-%s-%s" % (test, made.__name__, where), other, wanted))
+            for name, of_view, wanted in pictures:
                 pixels = session.capture(of_view, name)
                 share, mean, apart = comparison.difference(pixels, wanted)
                 print("%s: %.3f%% of the pixels differ by more than %d, mean %.4f" % (name, 100 * share, comparison.LEVELS, mean))
@@ -145,8 +160,8 @@ def main(folder, server):
             copies = exported(view, test + "-" + where)
             if copies != expected_copies:
                 failures.append("%s rendering: exports %s, not %s" % (where, copies, expected_copies))
-            pv.Delete(view)
-            pv.Delete(block_view)
+            for _, of_view, _ in pictures:
+                pv.Delete(of_view)
     finally:
         stop(process)
     with open(session.output(log_name)) as log:

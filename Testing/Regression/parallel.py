@@ -4,6 +4,7 @@ other, and no point of a structured data set has two glyphs.
 Usage: mpiexec -n RANKS pvbatch parallel.py DATA-FOLDER
 On one rank the pictures are stored; on several they are compared with the stored ones.
 """
+import ctypes
 import json
 import sys
 
@@ -154,6 +155,16 @@ def number_of_points(shown):
     return shown.GetRepresentedDataInformation().GetNumberOfPoints()
 
 
+def exchanged(view):
+    """Numbers that this rank has reduced with others for a frame of which nothing but the camera is new (SleepingRanks.cxx)."""
+    counter = ctypes.c_long.in_dll(ctypes.CDLL(None), "rtglyphs_reduced_values")
+    view.GetActiveCamera().Azimuth(10.0)
+    before = counter.value
+    pv.Render(view)
+    view.GetActiveCamera().Azimuth(-10.0)
+    return counter.value - before
+
+
 def main(folder):
     """Every scene, with one ray through each pixel and with smooth edges."""
     pv._DisableFirstRenderCameraReset()
@@ -180,6 +191,10 @@ def main(folder):
             if share > allowed:
                 comparison.write_image(session.output(name_here + "-difference.png"), 4 * apart)
                 failures.append(name_here + " differs from one rank")
+        frame = exchanged(view) if ranks > 1 else 0
+        print("%s: %d numbers reduced for a frame" % (name, frame))
+        if frame > 500:
+            failures.append("%s: ranks reduce %d numbers for a frame in which only the camera is new" % (name, frame))
         if points and number_of_points(shown) != points:
             failures.append("%s: %d glyphs, %d points" % (name, number_of_points(shown), points))
         pv.Delete(view)

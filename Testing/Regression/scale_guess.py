@@ -143,6 +143,7 @@ def changes(checks):
     pv.Render(view)
     # what the panel's button does, and takes over
     shown.SMProxy.GetProperty("ScaleFactor").ResetToDomainDefaults()
+    shown.SMProxy.UpdateVTKObjects()
     checks.equal("ScaleFactorFromData after a reset", int(shown.ScaleFactorFromData), 1)
     checks.equal("factor after a reset", factor(shown, view), 45.0)
     pv.Delete(view)

@@ -214,18 +214,18 @@ POINTS = 400
 
 
 def fields_of(path, struct):
-    """Names of the fields of a struct in a header."""
+    """Names of the fields of a struct in a header, and of its base there."""
     with open(path) as header:
         text = re.sub(r"//[^\n]*|/\*.*?\*/", "", header.read(), flags=re.S)
-    start = re.search(r"\bstruct\s+%s\s*\{" % struct.split("::")[-1], text).end()
-    depth, body = 1, ""
+    head = re.search(r"\bstruct\s+%s(?:\s*:\s*(\w+))?\s*\{" % struct.split("::")[-1], text)
+    start, depth, body = head.end(), 1, ""
     for letter in text[start:]:
         depth += {"{": 1, "}": -1}.get(letter, 0)
         if depth == 0:
             break
         body += letter if depth == 1 else " "
         body += ";" if letter == "}" and depth == 1 and "(" in body.split(";")[-1] else ""  # the end of a function
-    names = []
+    names = fields_of(path, head.group(1)) if head.group(1) else []
     for statement in body.split(";"):
         statement = statement.strip().rstrip("} ")
         if "(" in statement.split("=")[0] or re.match(r"(enum|static|bool operator|struct)\b", statement):

@@ -2,8 +2,8 @@
  * The glyphs of one display as exporters write them: a few meshes, and for each the places, turns and sizes of its
  * copies.
  */
-#ifndef vtkGlyphExportSet_h
-#define vtkGlyphExportSet_h
+#ifndef vtkGlyphTessellatedSet_h
+#define vtkGlyphTessellatedSet_h
 
 #include "Glyphs.h"
 
@@ -13,7 +13,7 @@
 #include <vector>
 
 /// Copies of one mesh: scaled along its axes, turned, moved. One entry a copy in each array.
-struct vtkGlyphExportPart
+struct vtkGlyphTessellatedPart
 {
   std::string Name;
   std::shared_ptr<const rtg::TriangleMesh> Mesh;
@@ -24,11 +24,11 @@ struct vtkGlyphExportPart
   std::vector<glm::vec3> Velocities, Accelerations, AngularVelocities; // as in rtg::GlyphMotion; empty: none
 };
 
-struct vtkGlyphExportSet
+struct vtkGlyphTessellatedSet
 {
   std::string Name;
   glm::dvec3 Origin{ 0.0 };
-  std::vector<vtkGlyphExportPart> Parts;
+  std::vector<vtkGlyphTessellatedPart> Parts;
   ///@{
   /// Linear red, green, blue and opacity: of each glyph, or empty for Color.
   std::vector<glm::vec4> Colors;
@@ -43,11 +43,11 @@ struct vtkGlyphExportSet
    * Glyphs as their shape's parts. Those whose meshes would be more than MostMeshes are left out, as are colors that
    * change over a glyph: `messages` then says what and the remedy.
    */
-  static vtkGlyphExportSet Make(const std::string& number, const rtg::GlyphInstances& instances,
+  static vtkGlyphTessellatedSet Make(const std::string& number, const rtg::GlyphInstances& instances,
     const rtg::GlyphColours& colors, const rtg::Material& material, std::vector<std::string>& messages);
 
   static constexpr std::size_t MostMeshes = 1000;
 };
 
 #endif
-// VTK-HeaderTest-Exclude: vtkGlyphExportSet.h
+// VTK-HeaderTest-Exclude: vtkGlyphTessellatedSet.h

@@ -1,4 +1,4 @@
-#include "vtkGlyphExportSet.h"
+#include "vtkGlyphTessellatedSet.h"
 
 #include "vtkGlyphTessellation.h"
 
@@ -45,7 +45,7 @@ glm::vec3 SizeOf(const rtg::GlyphInstances& all, std::size_t glyph)
 class Assembly
 {
 public:
-  Assembly(vtkGlyphExportSet& set, const rtg::GlyphInstances& all)
+  Assembly(vtkGlyphTessellatedSet& set, const rtg::GlyphInstances& all)
     : Set(set)
     , All(all)
   {
@@ -58,7 +58,7 @@ public:
 
   std::size_t AddMesh(const std::string& name, std::shared_ptr<const rtg::TriangleMesh> mesh)
   {
-    vtkGlyphExportPart part;
+    vtkGlyphTessellatedPart part;
     part.Name = name;
     part.Mesh = std::move(mesh);
     this->Set.Parts.push_back(std::move(part));
@@ -73,7 +73,7 @@ public:
     const glm::dquat turn(r.w, r.x, r.y, r.z);
     const glm::dvec3 shift = turn * glm::dvec3(place);
     const glm::dquat whole = back ? turn * glm::dquat(0.0, 0.0, 1.0, 0.0) : turn;
-    vtkGlyphExportPart& to = this->Set.Parts[part];
+    vtkGlyphTessellatedPart& to = this->Set.Parts[part];
     to.Glyphs.push_back(static_cast<std::uint32_t>(glyph));
     glm::dvec3 center(this->All.centres[glyph]);
     if (!this->All.centresLow.empty())
@@ -169,7 +169,7 @@ public:
       const auto [found, added] = parts.try_emplace({ e.x, e.y, e.z }, this->Set.Parts.size());
       if (added)
       {
-        if (parts.size() > vtkGlyphExportSet::MostMeshes)
+        if (parts.size() > vtkGlyphTessellatedSet::MostMeshes)
         {
           this->Set.Parts.clear();
           return false;
@@ -183,29 +183,29 @@ public:
   }
 
 private:
-  vtkGlyphExportSet& Set;
+  vtkGlyphTessellatedSet& Set;
   const rtg::GlyphInstances& All;
 };
 }
 
 //----------------------------------------------------------------------------
-bool vtkGlyphExportSet::IsTranslucent() const
+bool vtkGlyphTessellatedSet::IsTranslucent() const
 {
   return this->Color.a < 1.0f ||
     std::any_of(this->Colors.begin(), this->Colors.end(), [](const glm::vec4& color) { return color.a < 1.0f; });
 }
 
 //----------------------------------------------------------------------------
-const glm::vec4& vtkGlyphExportSet::ColorOf(std::uint32_t glyph) const
+const glm::vec4& vtkGlyphTessellatedSet::ColorOf(std::uint32_t glyph) const
 {
   return this->Colors.empty() ? this->Color : this->Colors[glyph];
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphExportSet vtkGlyphExportSet::Make(const std::string& number, const rtg::GlyphInstances& instances,
+vtkGlyphTessellatedSet vtkGlyphTessellatedSet::Make(const std::string& number, const rtg::GlyphInstances& instances,
   const rtg::GlyphColours& colors, const rtg::Material& material, std::vector<std::string>& messages)
 {
-  vtkGlyphExportSet set;
+  vtkGlyphTessellatedSet set;
   set.Origin = instances.origin;
   set.Metallic = material.metallic;
   set.Roughness = material.roughness;
@@ -288,7 +288,7 @@ vtkGlyphExportSet vtkGlyphExportSet::Make(const std::string& number, const rtg::
         "exported file, because they have no triangles. Choose another GlyphShape, or save a "
         "screenshot.");
   }
-  const auto empty = [](const vtkGlyphExportPart& part) { return part.Glyphs.empty(); };
+  const auto empty = [](const vtkGlyphTessellatedPart& part) { return part.Glyphs.empty(); };
   set.Parts.erase(std::remove_if(set.Parts.begin(), set.Parts.end(), empty), set.Parts.end());
   if (!set.Parts.empty() && (bySign ? bothSigns : bySurface))
   {

@@ -57,23 +57,23 @@ void AddGrid(rtg::TriangleMesh& mesh, int columns, int rows, const std::function
   }
 }
 
-// A piece of the outline of a solid of revolution around x: its ends (x, radius), walked so that the outside is to the
-// left where the radius is upwards and x to the right, and the normals there (along x, across).
-struct Piece
+// A section of the outline of a solid of revolution around x: its ends (x, radius), walked so that the outside is to
+// the left where the radius is upwards and x to the right, and the normals there (along x, across).
+struct Section
 {
   glm::dvec2 From, To;
   glm::dvec2 NormalFrom, NormalTo;
 };
 
-void AddRevolution(rtg::TriangleMesh& mesh, const Piece& piece)
+void AddRevolution(rtg::TriangleMesh& mesh, const Section& section)
 {
   AddGrid(mesh, around, 1,
-    [&piece](int i, int j)
+    [&section](int i, int j)
     {
       // The same at both ends to the bit
       const double angle = 2.0 * pi * (i % around) / around;
       const double c = std::cos(angle), s = std::sin(angle);
-      const glm::dvec2 at = j == 0 ? piece.From : piece.To, normal = j == 0 ? piece.NormalFrom : piece.NormalTo;
+      const glm::dvec2 at = j == 0 ? section.From : section.To, normal = j == 0 ? section.NormalFrom : section.NormalTo;
       return Corner{ { at.x, at.y * c, at.y * s }, { normal.x, normal.y * c, normal.y * s } };
     });
 }
@@ -81,7 +81,7 @@ void AddRevolution(rtg::TriangleMesh& mesh, const Piece& piece)
 void AddDisc(rtg::TriangleMesh& mesh, double x, double radius, double side)
 {
   const glm::dvec2 normal(side, 0.0), center(x, 0.0), rim(x, radius);
-  AddRevolution(mesh, side < 0.0 ? Piece{ center, rim, normal, normal } : Piece{ rim, center, normal, normal });
+  AddRevolution(mesh, side < 0.0 ? Section{ center, rim, normal, normal } : Section{ rim, center, normal, normal });
 }
 
 // Of a ball with this center on the x axis, the part with angles from +x between two.
