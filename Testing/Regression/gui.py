@@ -64,6 +64,11 @@ def main():
     return failures
 
 
+def rows_of_glyphs(labels):
+    """Labels of the rows that speak of shapes."""
+    return [row for row in labels if row.startswith(("Glyph", "Arrow")) and row != "Glyph Parameters"]
+
+
 def panel(window, view, reader, shown):
     """For each shape the panel shows the rows that concern it, and no others; sections stand in the order of use."""
     failures = []
@@ -75,7 +80,7 @@ def panel(window, view, reader, shown):
 
     def rows():
         found[:] = window.labels("propertiesPanel")
-        return [row for row in found if row.startswith(("Glyph", "Arrow"))]
+        return rows_of_glyphs(found)
     for shape in shown.GetProperty("GlyphShape").Available:
         shown.GlyphShape = shape
         pv.Render(view)
@@ -126,7 +131,7 @@ def buttons(window, view, reader, shown):
         setattr(shown, name, pasted.GetProperty(name).GetData())
     pv.Render(view)
     # Rows that leave move the others.
-    if not window.wait(lambda: [row for row in window.labels("propertiesPanel") if row.startswith(("Glyph", "Arrow"))] == ["Glyph Type"] + ROWS, 20):
+    if not window.wait(lambda: rows_of_glyphs(window.labels("propertiesPanel")) == ["Glyph Type"] + ROWS, 20):
         failures.append("the panel shows %s" % window.labels("propertiesPanel"))
     ticked = {**first, "MotionBlur": "1"}
     done("ticked", lambda: window.click("MotionBlur/CheckBox"), shown, ticked)

@@ -144,7 +144,7 @@ def check_eigenvalues(checks, stage, others):
         wanted = numpy.round(255 * numpy.abs(numpy.sort(row)[::-1]) / largest.max())
         checks.true("%s: %s have color %s, not %s" % (what, row, color, wanted), numpy.abs(color - wanted).max() <= 1)
     # Shapes that show no tensors keep the array's colors.
-    shown.GlyphType = "Sphere"
+    session.assign_shape(shown, "Sphere")
     plain = session.capture(view, "tensor-colors-sphere")
     shown.GlyphTensorColoring = "None"
     checks.picture(what + ": spheres", session.capture(view, "tensor-colors-sphere-none"), plain, pixels=0.0, mean=0.0)
