@@ -89,7 +89,7 @@ def main():
         checks.covered("another camera: while programs are compiled", seen, 0.0, 0.0)
     checks.covered("another camera", finished(checks, view, shown, "another camera"), 0.2)
 
-    shown.GlyphType = "Box"
+    session.assign_shape(shown, "Box")
     window, said, saved = view.SMProxy.GetRenderWindow(), [], []
     observer = window.AddObserver("AbortCheckEvent", lambda *_: window.SetAbortRender(1))
     said.append(session.messages(lambda: saved.append(session.capture(view, "compiling-aborted"))))
