@@ -16,7 +16,7 @@ namespace rtg
 std::vector<std::uint32_t> DenoiseTask::operator()()
 {
   Stopwatch watch;
-  const bool linear = IsLinear(this->settings_.shading);
+  const bool linear = TraitsOf(this->settings_).scatters;
   if (linear)
   {
     std::transform(

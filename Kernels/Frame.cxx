@@ -27,9 +27,8 @@ std::uint32_t PlannedSamples(const TraceSettings& settings)
 // In how many ways a sample looks for light.
 std::uint32_t Branches(const TraceSettings& settings)
 {
-  return settings.shading == Shading::AmbientOcclusion ? settings.occlusionRays
-    : settings.shading == Shading::PathTracing         ? settings.paths
-                                                       : 1;
+  const auto rays = TraitsOf(settings).rays;
+  return rays ? settings.*rays : 1;
 }
 
 // How many layers of a translucent set show on a ray.
@@ -45,6 +44,14 @@ std::uint32_t LayersThatShow(const device::GlyphSetRecord& record)
 }
 
 } // namespace
+
+const ShadingTraits& TraitsOf(const TraceSettings& settings)
+{
+#define RTG_TRAITS(number, Name, program, ...) { __VA_ARGS__ },
+  static constexpr ShadingTraits traits[] = { RTG_SHADINGS(RTG_TRAITS) };
+#undef RTG_TRAITS
+  return traits[static_cast<std::size_t>(settings.shading)];
+}
 
 void Split(const glm::dvec3& exact, glm::vec3& high, glm::vec3& low)
 {
@@ -135,7 +142,7 @@ void CheckSettings(const TraceSettings& settings)
 
 bool Develops(const TraceSettings& settings)
 {
-  return IsLinear(settings.shading) || settings.exposure != 0.0f || settings.toneMapping != ToneMapping::None;
+  return TraitsOf(settings).scatters || settings.exposure != 0.0f || settings.toneMapping != ToneMapping::None;
 }
 
 void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
@@ -156,50 +163,43 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
 }
 
 // What local shading does not use does not tell its programs apart.
-Generation GenerationFor(const TraceSettings& settings)
+Specialization SpecializationFor(const TraceSettings& settings)
 {
-  Generation generation;
-  generation.program = static_cast<std::uint32_t>(settings.shading);
-  Constants& constants = generation.constants;
-  constants.independentSamples = settings.independentSamples && settings.shading != Shading::Local;
+  Specialization specialization;
+  specialization.program = static_cast<std::uint32_t>(settings.shading);
+  const ShadingTraits& traits = TraitsOf(settings);
+  Constants& constants = specialization.constants;
+  constants.independentSamples = settings.independentSamples && traits.scatters;
   constants.gathersFeatures = settings.features;
-  constants.environmentImage = settings.environmentImage && settings.shading == Shading::PathTracing;
-  return generation;
+  constants.environmentImage = settings.environmentImage && traits.environmentImage;
+  return specialization;
 }
 
-void FillScene(device::FrameRecord& frame, Generation& generation, const Scene::State& scene)
+void FillScene(device::FrameRecord& frame, Constants& constants, const Scene::State& scene)
 {
   frame.sets = scene.recordBuffer.Address();
   frame.setCount = static_cast<std::uint32_t>(scene.records.size());
   frame.sceneLower = scene.bounds.lower;
   frame.sceneUpper = scene.bounds.upper;
   frame.layerLimit = 1;
+  constants.alone = scene.records.size() == 1;
+  constants.moves = scene.moves;
+  constants.rayQueries = scene.structure == Structure::Boxes;
+  constants.allHave = ~device::ASKED_OF_SETS;
+  constants.someHave = device::ASKED_OF_SETS;
   for (const device::GlyphSetRecord& record : scene.records)
   {
     frame.layerLimit = std::max(frame.layerLimit, record.translucent ? LayersThatShow(record) : 1);
-  }
-  generation.ownTrees = scene.structure == Structure::Tree;
-  Constants& constants = generation.constants;
-  constants.alone = scene.records.size() == 1;
-  constants.moves = scene.moves;
-  constants.allHave = generation.ownTrees ? ~0u : 0u;
-  for (const HitGroup& group : scene.groups)
-  {
-    if (generation.ownTrees)
-    {
-      constants.shapes |= 1u << static_cast<std::uint32_t>(group.shape);
-      constants.allHave &= group.variants;
-      constants.someHave |= group.variants | device::ASKED_OF_SETS;
-      constants.degree = std::max(constants.degree, group.degree);
-    }
+    constants.shapes |= 1u << record.shape;
+    constants.allHave &= record.variants;
+    constants.someHave |= record.variants;
+    constants.degree = std::max(constants.degree, record.polynomialDegree);
   }
 }
 
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels)
 {
-  const std::size_t cameraRays = std::size_t(1) << (settings.shading == Shading::Local ? 28
-                                     : settings.shading == Shading::PathTracing        ? 23
-                                                                                       : 26);
+  const std::size_t cameraRays = std::size_t(1) << TraitsOf(settings).atOnce;
   const std::size_t samples = std::max<std::size_t>(1, cameraRays / (pixels * Branches(settings)));
   return static_cast<std::uint32_t>(std::min<std::size_t>(samples, settings.samples));
 }
@@ -226,7 +226,7 @@ void FillTimeStrata(device::FrameRecord& frame, const TraceSettings& settings)
 {
   constexpr std::uint32_t most = 65536;
   constexpr double goldenSection = 0.6180339887498949;
-  const bool asked = settings.shading == Shading::Local && !settings.independentSamples;
+  const bool asked = !TraitsOf(settings).scatters && !settings.independentSamples;
   const std::uint32_t planned = std::min(PlannedSamples(settings), most);
   frame.timeStrata = asked && planned > 1 ? planned : 0;
   frame.timeStep = CoprimeUpTo(static_cast<std::uint32_t>(std::lround(goldenSection * planned)), planned);

@@ -14,12 +14,6 @@ namespace rtg
 /// Throws rtg::Error, which names the first setting that is out of its range.
 void CheckSettings(const TraceSettings& settings);
 
-/// Whether such images are light; the others are display colors.
-constexpr bool IsLinear(Shading shading)
-{
-  return shading != Shading::Local;
-}
-
 /// Whether colours change on their way to the display.
 bool Develops(const TraceSettings& settings);
 
@@ -32,10 +26,10 @@ std::vector<device::LightRecord> MakeLights(const std::vector<Light>& lights, co
 /// But for samples, which are those of one dispatch, and times.
 void FillSettings(device::FrameRecord& frame, const TraceSettings& settings);
 
-/// The ray generation program for these settings, but for what the scene and the pass say.
-Generation GenerationFor(const TraceSettings& settings);
+/// The program for these settings, but for what the scene and the pass say.
+Specialization SpecializationFor(const TraceSettings& settings);
 /// What the scene says.
-void FillScene(device::FrameRecord& frame, Generation& generation, const Scene::State& scene);
+void FillScene(device::FrameRecord& frame, Constants& constants, const Scene::State& scene);
 
 /// Samples a pixel in one dispatch at most: a GPU that works on one for seconds is taken for hung by its driver.
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels);

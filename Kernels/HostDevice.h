@@ -45,80 +45,47 @@ struct TreeRecord
   uint nodesPerSlice;
 };
 
-// What programs are told of a set, or of one of the driver's structures of it (instanceCustomIndex is its number). Only
+// What programs are told of a set, or of one of the driver's structures of it (the custom index of its instance). Only
 // what the set's variants ask for means something.
 struct GlyphSetRecord
 {
 #define RTG_FIELD(number, BIT, type, name, values, words) RTG_ADDRESS(type) name;
   RTG_GLYPH_ARRAYS(RTG_FIELD)
 #undef RTG_FIELD
-  TreeRecord tree;   // when the set is traced by it
-  float shutterOpen; // as GlyphMotion has it
-  float shutterLength;
-  vec3 offset;    // of the set's origin from the scene's: high part, as in the transform
-  vec3 offsetLow; // what the high part's rounding left
-  vec4 arrow;     // shaft radius, tip radius, tip length, tip rounding
-  float unitLength;
-  float uniformSize;
-  vec3 uniformExponents;
+#define RTG_FIELD(type, name, value) type name;
+  RTG_GLYPH_NUMBERS(RTG_FIELD)
+#undef RTG_FIELD
+#define RTG_FIELD(type, name) type name;
+  RTG_MATERIAL(RTG_FIELD)
+#undef RTG_FIELD
+  TreeRecord tree;      // when the set is traced by it
+  vec3 offset;          // of the set's origin from the scene's: high part, as in the transform
+  vec3 offsetLow;       // what the high part's rounding left
   uint polynomialWidth; // values of a glyph
-  uint polynomialDegree;
-  uint shape;    // number of rtg::Shape
-  uint variants; // Variants.h
+  uint variants;        // Variants.h
   uint setId;
   uint firstGlyph; // index of this structure's first glyph in the set's sorted order
   uint glyphCount;
-  // Material
-  vec3 colour;
-  float opacity;
-  uint translucent; // belongs to the translucent pass
-  uint mask;        // one bit of instance masks
-  vec3 ambientColour;
+  uint translucent;                   // belongs to the translucent pass
+  uint mask;                          // one bit of instance masks
   uint coloured;                      // glyphs have colours of their own, also in ambient light
   RTG_ADDRESS(UintArray) colourTable; // of values at ends, when specialised
   uint colourTableSize;
-  vec3 positiveColour; // of glyphs coloured by their forms
-  vec3 negativeColour;
-  vec3 specularColour;
-  float specular;
-  float ambient;
-  float diffuse;
-  float specularPower;
-  uint lighting;
-  // Of mesh glyphs
+  float coatReflectance; // of the coat at normal incidence
+  // Of mesh glyphs, with positions relative to the middle of the mesh
   RTG_ADDRESS(Vec3Array) meshPositions;
-  RTG_ADDRESS(UintArray) meshTriangles; // three a triangle
-  RTG_ADDRESS(Vec3Array) meshNormals;   // none unless specialised
-  RTG_ADDRESS(UintArray)
-  meshColours;         // by position or by triangle, or values and their table, or none (specialised)
+  RTG_ADDRESS(UintArray) meshTriangles;  // three a triangle
+  RTG_ADDRESS(Vec3Array) meshNormals;    // none unless specialised, as velocities and accelerations
+  RTG_ADDRESS(UintArray) meshColours;    // by position or by triangle, or values and their table, or none (specialised)
+  RTG_ADDRESS(Vec3Array) meshVelocities; // MeshTree.h
+  RTG_ADDRESS(Vec3Array) meshAccelerations;
   uint meshValueCount; // values of positions, behind which the table lies
   uint meshTableSize;
-  uint firstInstance; // gl_InstanceID of the set's first glyph
-  uint identifiesTriangles;
-  // Of mesh glyphs that move: MeshTree.h. Positions are then relative to the middle of the mesh.
-  TreeRecord meshTree;
-  RTG_ADDRESS(Vec3Array) meshVelocities; // each of these two: none unless specialised
-  RTG_ADDRESS(Vec3Array) meshAccelerations;
+  uint meshTriangleCount;
   vec3 meshMiddle;
   float meshRadius; // of the ball round its middle that holds it all the time
-  uint meshTriangleCount;
-  // Material, path tracing only
-  float metallic;
-  float roughness;
-  float coatStrength;
-  float coatRoughness;
-  float coatReflectance; // of the coat at normal incidence
-  vec3 coatColour;
-};
-
-// What is known of the ray in flight beside its payload, which intersection programs cannot read.
-struct RayRecord
-{
-  vec3 originLow; // the low part of its origin
-  uint triangle;  // of the nearest glyph so far, when it is a mesh with a tree
-  uint seed;      // of the chance by which it passes translucent glyphs; 0: it passes none
-  // When in the shutter's opening its path runs, in [0, 1). Written when something in the scene moves.
-  float time;
+  TreeRecord meshTree;
+  uint firstInstance; // of the driver's triangles: the instance of the set's first glyph
 };
 
 struct LightRecord
@@ -171,24 +138,13 @@ struct PixelFeatures
 #ifndef __cplusplus
 RTG_ARRAY(PixelSumsImage, PixelSums, , 4)
 RTG_ARRAY(PixelFeaturesImage, PixelFeatures, , 4)
-// What one program of a ray writes another one reads, which may run as another invocation (Vulkan specification, "Ray
-// Tracing Repack"). The qualifier must stand at the member: glslang 12 ignores it at the block.
-#ifdef RTG_OWN_TREES
-#define RTG_COHERENT
-#else
-#define RTG_COHERENT shadercallcoherent
-#endif
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer RayRecords
-{
-  RTG_COHERENT RayRecord at[];
-};
 RTG_ARRAY(GlyphSetRecords, GlyphSetRecord, readonly, 8)
 RTG_ARRAY(LightRecords, LightRecord, readonly, 4)
 RTG_ARRAY(ProbeRecords, ProbeRecord, readonly, 4)
 RTG_ARRAY(ProbeResults, ProbeResult, writeonly, 4)
 #endif
 
-// Rays next to each other in a launch that a compute shader's workgroup traces; launches are whole multiples as wide.
+// Rays next to each other in a launch that a workgroup traces; launches are whole multiples as wide.
 const uint LAUNCH_GROUP = 64u;
 
 // Bits of instance masks. Sets that camera rays do not see shade the others all the same.
@@ -196,9 +152,7 @@ const uint OPAQUE_MASK = 1u;
 const uint TRANSLUCENT_MASK = 2u;
 const uint UNSEEN_OPAQUE_MASK = 4u;
 const uint UNSEEN_TRANSLUCENT_MASK = 8u;
-const uint ANY_OPAQUE_MASK = OPAQUE_MASK | UNSEEN_OPAQUE_MASK;
-const uint ANY_TRANSLUCENT_MASK = TRANSLUCENT_MASK | UNSEEN_TRANSLUCENT_MASK;
-const uint ANY_MASK = ANY_OPAQUE_MASK | ANY_TRANSLUCENT_MASK;
+const uint ANY_MASK = OPAQUE_MASK | TRANSLUCENT_MASK | UNSEEN_OPAQUE_MASK | UNSEEN_TRANSLUCENT_MASK;
 
 // Layers of translucent surfaces that one traversal gathers at most, and the share of light below which what shines
 // through them is left out: half a level of a display's 255.
@@ -228,7 +182,6 @@ struct FrameRecord
   RTG_ADDRESS(UintImage) glyphIds;
   RTG_ADDRESS(PixelSumsImage) sums;         // of all pixels when the image accumulates, else of one
   RTG_ADDRESS(PixelFeaturesImage) features; // when it gathers features
-  RTG_ADDRESS(RayRecords) rays;             // by launch index
   RTG_ADDRESS(ProbeRecords) probes;
   RTG_ADDRESS(ProbeResults) probeResults;
   // Camera.h, relative to the scene's origin; eye + eyeLow is exact to double-float precision.

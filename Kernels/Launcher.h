@@ -4,7 +4,6 @@
 #include "HostDevice.h"
 #include "SceneState.h"
 #include "TracerResources.h"
-#include "Vulkan/Buffer.h"
 #include "Vulkan/Pipeline.h"
 
 #include <cstdint>
@@ -18,36 +17,30 @@ class Launcher
 public:
   explicit Launcher(std::shared_ptr<Device> device);
 
-  /// Memory for launches of as many tiles at most.
-  void FitTiles(const Generation& generation, std::uint32_t tiles);
-
   /// Whether launches are to take some hundredths of a second: those that can be interrupted, and all on a GPU, whose
   /// display stands still meanwhile and whose driver takes a launch of seconds for hung.
   bool Cuts(bool interruptible) const;
 
   /// Traces some of the tiles from frame.firstTile on, `end` not included, and makes the next one that. Returns the
   /// seconds that it took.
-  double LaunchTiles(TracerResources::UsedProgram& program, const Generation& generation, const Scene::State& scene,
-    device::FrameRecord& frame, std::uint32_t end, bool interruptible);
+  double LaunchTiles(TracerResources::UsedProgram& program, const Scene::State& scene, device::FrameRecord& frame,
+    std::uint32_t end, bool interruptible);
 
   /// Samples a pixel of the next dispatch where launches are cut, after one of so many whose longest launch took so
   /// many seconds: at most eight times as many.
   static double NextSamples(std::uint32_t samples, double longest);
 
   /// Traces frame.probeCount rays.
-  void LaunchProbes(TracerResources::UsedProgram& program, const Generation& generation, const Scene::State& scene,
-    device::FrameRecord& frame);
+  void LaunchProbes(TracerResources::UsedProgram& program, const Scene::State& scene, device::FrameRecord& frame);
 
 private:
-  void FitRays(const Generation& generation, std::size_t count);
   void Launch(const Pipeline& pipeline, const Scene::State& scene, device::FrameRecord& frame, std::uint32_t width,
     std::uint32_t height);
-  std::uint32_t TilesAtOnce(const TracerResources::UsedProgram& program, const Generation& generation,
-    std::uint32_t left, std::uint32_t samples, bool interruptible) const;
+  std::uint32_t TilesAtOnce(
+    const TracerResources::UsedProgram& program, std::uint32_t left, std::uint32_t samples, bool interruptible) const;
 
   std::shared_ptr<Device> device_;
   FrameBlock frameBlock_;
-  Buffer rays_; ///< what the driver's programs know of rays in flight
 };
 
 } // namespace rtg

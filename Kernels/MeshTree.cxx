@@ -56,24 +56,29 @@ DoubleBox BoundsOf(const TriangleMesh& mesh, double firstTime, double lastTime)
   return bounds;
 }
 
-MeshTree BuildMeshTree(const TriangleMesh& mesh, const GlyphMotion& shutter)
+CentredMesh Centre(const TriangleMesh& mesh, const GlyphMotion& shutter)
+{
+  CentredMesh centred;
+  const DoubleBox bounds = BoundsOf(mesh, shutter.EarliestTime(0.0), shutter.LatestTime(1.0));
+  centred.middle = glm::vec3(0.5 * (bounds.lower + bounds.upper));
+  centred.positions = mesh.positions;
+  for (glm::vec3& position : centred.positions)
+  {
+    position -= centred.middle;
+  }
+  const glm::dvec3 middle(centred.middle);
+  const glm::dvec3 reach = glm::max(glm::abs(bounds.lower - middle), glm::abs(bounds.upper - middle));
+  // The positions have been rounded.
+  centred.radius = static_cast<float>(1.000001 * glm::length(reach) + 1e-6 * glm::length(middle));
+  return centred;
+}
+
+MeshTree BuildMeshTree(const TriangleMesh& mesh, const CentredMesh& centred, const GlyphMotion& shutter)
 {
   constexpr std::size_t trianglesPerLeaf = 2;
   MeshTree tree;
-  const DoubleBox bounds = BoundsOf(mesh, shutter.EarliestTime(0.0), shutter.LatestTime(1.0));
-  tree.middle = glm::vec3(0.5 * (bounds.lower + bounds.upper));
-  tree.positions = mesh.positions;
-  for (glm::vec3& position : tree.positions)
-  {
-    position -= tree.middle;
-  }
-  const glm::dvec3 reach =
-    glm::max(glm::abs(bounds.lower - glm::dvec3(tree.middle)), glm::abs(bounds.upper - glm::dvec3(tree.middle)));
-  // The positions have been rounded.
-  tree.radius = static_cast<float>(1.000001 * glm::length(reach) + 1e-6 * glm::length(glm::dvec3(tree.middle)));
-
-  const Paths paths{ tree.positions, mesh };
-  const double padding = SlabPadding(tree.radius);
+  const Paths paths{ centred.positions, mesh };
+  const double padding = SlabPadding(centred.radius);
   const auto boxesBetween = [&](double first, double last)
   {
     std::vector<Box> boxes(mesh.triangles.size());

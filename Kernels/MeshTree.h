@@ -1,4 +1,4 @@
-// The tree of a mesh's triangles, for meshes that move: drivers know no triangles that do.
+// A mesh about its middle, and the tree of its triangles.
 #pragma once
 
 #include "GlyphTree.h"
@@ -17,17 +17,24 @@ bool Deforms(const TriangleMesh& mesh);
 /// arithmetic, which may displace corners by a few ulps of their way.
 DoubleBox BoundsOf(const TriangleMesh& mesh, double firstTime, double lastTime);
 
-/// A GlyphTree over triangles, all slices with the triangles in the order of the opening's middle.
-struct MeshTree
+/// A mesh's positions relative to its middle.
+struct CentredMesh
 {
-  GlyphTree tree;
-  std::vector<std::uint32_t> order; ///< place in the tree -> triangle
-  glm::vec3 middle{ 0.0f };         ///< what the tree's boxes and `positions` are relative to
-  float radius = 0.0f;              ///< of the ball round the middle that holds all triangles all the time
+  glm::vec3 middle{ 0.0f };
+  float radius = 0.0f; ///< of the ball round the middle that holds all triangles all the time
   std::vector<glm::vec3> positions;
 };
 
 /// `shutter` says when the shutter is open.
-MeshTree BuildMeshTree(const TriangleMesh& mesh, const GlyphMotion& shutter);
+CentredMesh Centre(const TriangleMesh& mesh, const GlyphMotion& shutter);
+
+/// A GlyphTree over triangles, all slices with the triangles in the order of the opening's middle.
+struct MeshTree
+{
+  GlyphTree tree;                   ///< boxes are relative to the middle
+  std::vector<std::uint32_t> order; ///< place in the tree -> triangle
+};
+
+MeshTree BuildMeshTree(const TriangleMesh& mesh, const CentredMesh& centred, const GlyphMotion& shutter);
 
 } // namespace rtg

@@ -211,16 +211,10 @@ private:
 template <class Instances, class Colours, class Transfer>
 void Visit(Instances& instances, Colours& colours, Transfer& transfer)
 {
-  transfer(instances.shape);
-  transfer(instances.arrow);
-  transfer(instances.identifyTriangles);
+#define RTG_TRANSFER(type, name, value) transfer(value);
+  RTG_GLYPH_NUMBERS(RTG_TRANSFER)
+#undef RTG_TRANSFER
   transfer(instances.origin);
-  transfer(instances.uniformSize);
-  transfer(instances.uniformExponents);
-  transfer(instances.motion.shutterOpen);
-  transfer(instances.motion.shutterClose);
-  transfer(instances.polynomialDegree);
-  transfer(instances.surfaceColours);
   transfer(colours.table);
   ForEachArray(
     instances, colours, [&](std::size_t, std::uint32_t, auto& values, const char*) { transfer.OfGlyphs(values); });

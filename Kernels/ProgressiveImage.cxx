@@ -22,7 +22,7 @@ std::size_t Pixels(const ImageView& view)
 
 bool IsNoisy(const ImageView& view)
 {
-  return view.settings.shading != Shading::Local;
+  return TraitsOf(view.settings).scatters;
 }
 
 } // namespace

@@ -17,8 +17,8 @@ namespace rtg
 namespace
 {
 
-// Some drivers have no traversal; RTGLYPHS_STRUCTURE (boxes or tree) overrides, for measurements.
-Structure ChooseStructure(const Device& device, bool hasBoxes, bool canTree)
+// RTGLYPHS_STRUCTURE (boxes or tree) overrides, for tests and measurements.
+Structure ChooseStructure(const Device& device, bool rayQueries)
 {
   const char* variable = std::getenv("RTGLYPHS_STRUCTURE");
   const std::string wanted = variable ? variable : "";
@@ -26,13 +26,13 @@ Structure ChooseStructure(const Device& device, bool hasBoxes, bool canTree)
   {
     throw Error("Ray Traced Glyphs: RTGLYPHS_STRUCTURE is '" + wanted + "'; it can be 'boxes' or 'tree'.");
   }
-  if ((wanted == "boxes" && !hasBoxes) || (wanted == "tree" && !canTree))
+  if (wanted == "boxes" && !rayQueries)
   {
-    throw Error("Ray Traced Glyphs: RTGLYPHS_STRUCTURE is '" + wanted + "', for which '" + device.Name() + "' lacks " +
-      (canTree ? "VK_KHR_ray_tracing_pipeline" : "shaderInt64") + "; unset it.");
+    throw Error("Ray Traced Glyphs: RTGLYPHS_STRUCTURE is 'boxes', for which '" + device.Name() +
+      "' lacks VK_KHR_ray_query; unset it.");
   }
-  const bool trees = wanted.empty() ? device.PrefersTrees() || !hasBoxes : wanted == "tree";
-  return trees && canTree ? Structure::Tree : Structure::Boxes;
+  const bool trees = wanted.empty() ? device.PrefersTrees() || !rayQueries : wanted == "tree";
+  return trees ? Structure::Tree : Structure::Boxes;
 }
 
 // The least of the boxes' largest sides.
@@ -71,7 +71,7 @@ Statistics& Statistics::operator+=(const Statistics& other)
 Scene::State::State(std::shared_ptr<Device> d)
   : device(std::move(d))
   , mostInstances(device->GetState().structureLimits.maxInstanceCount)
-  , structure(ChooseStructure(*device, device->GetState().tracesRays, device->GetState().int64))
+  , structure(ChooseStructure(*device, device->GetState().rayQueries))
 {
 }
 
@@ -339,7 +339,7 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
     }
     // The scene's origin may have moved.
     const bool otherMesh =
-      set.instances.shape == Shape::Mesh && this->NeedsMeshTree(set) != set.placed.group.Has(device::MESH_TREE);
+      set.instances.shape == Shape::Mesh && this->NeedsMeshTree(set) != set.placed.variants.Has(device::MESH_TREE);
     if (set.instancesChanged || !set.placed.Any() || 2.0f * reach > set.placed.builtReach || otherMesh)
     {
       sent.push_back(&set);
@@ -351,8 +351,8 @@ void Scene::State::SendChanges(std::vector<GlyphSet*>& sent)
       this->SendArrays(set, set.placed, device::COLOURS | device::END_COLOURS);
       this->recordsChanged = true;
     }
-    // The top level says which hit group and which pass a set belongs to.
-    this->topLevelChanged |= !(set.placed.group.OfPrograms() == set.listedGroup && set.Mask() == set.listedMask);
+    // The top level says which pass a set belongs to.
+    this->topLevelChanged |= set.Mask() != set.listedMask;
   }
   if (this->topLevelChanged)
   {

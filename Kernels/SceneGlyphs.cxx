@@ -55,12 +55,10 @@ void Scene::State::Place(GlyphSet& set, float reach)
   }
   this->TellStage(set);
   PlacedGlyphs placed;
-  placed.group.shape = set.instances.shape;
-  placed.group.degree = static_cast<std::uint32_t>(set.instances.polynomialDegree);
   using SurfaceColours = GlyphInstances::SurfaceColours;
-  placed.group.Set(device::SIGN_COLOURS, set.instances.surfaceColours == SurfaceColours::Sign);
-  placed.group.Set(device::DIRECTION_COLOURS, set.instances.surfaceColours == SurfaceColours::Direction);
-  placed.group.Set(device::FIXED_HEADS, set.instances.shape == Shape::Arrow && set.instances.arrow.fixedHeads);
+  placed.variants.Set(device::SIGN_COLOURS, set.instances.surfaceColours == SurfaceColours::Sign);
+  placed.variants.Set(device::DIRECTION_COLOURS, set.instances.surfaceColours == SurfaceColours::Direction);
+  placed.variants.Set(device::FIXED_HEADS, set.instances.shape == Shape::Arrow && set.instances.arrow.fixedHeads);
   bool isNew = true;
   if (set.instances.shape == Shape::Mesh)
   {
@@ -90,9 +88,8 @@ void Scene::State::Place(GlyphSet& set, float reach)
     this->statistics.buildSeconds += building.Lap();
     list = {};
     this->TellStage(set);
-    this->SendArrays(set, placed, ~device::APPEARANCE);
   }
-  this->SendArrays(set, placed, device::APPEARANCE);
+  this->SendArrays(set, placed);
   this->TellStage(set);
   set.placed = std::move(placed);
   this->topLevelChanged = true;
@@ -107,13 +104,13 @@ void Scene::State::SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::ui
       if (variants & bit)
       {
         placed.arrays[number] = SendInOrder(this->device->GetState(), values, set.sorted.order);
-        placed.group.Set(bit, !values.empty());
+        placed.variants.Set(bit, !values.empty());
       }
     });
   if (variants & device::END_COLOURS)
   {
     placed.colourTable = Send(this->device->GetState(), set.colours.table);
-    placed.group.Set(device::END_VALUES, !set.colours.table.empty());
+    placed.variants.Set(device::END_VALUES, !set.colours.table.empty());
   }
   this->statistics.colourUploads += (variants & device::COLOURS) && !set.colours.Empty();
   this->statistics.uploadSeconds += watch.Lap();
@@ -196,7 +193,7 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const Bo
     // So many leaves a line through the bounds meets on average, by Cauchy's formula.
     const double leavesMet =
       LeafSurface(ordered, sorted.leafBits) / HalfSurface(glm::dvec3(set.bounds.upper - set.bounds.lower));
-    placed.group.Set(device::DROPS_HIDDEN, leavesMet > leavesWorthDropping);
+    placed.variants.Set(device::DROPS_HIDDEN, leavesMet > leavesWorthDropping);
     tree = BuildGlyphTree(ordered, sorted.leafBits, sorted.kdAxes);
   }
   else
@@ -210,7 +207,7 @@ void Scene::State::BuildTree(const GlyphSet& set, PlacedGlyphs& placed, const Bo
     tree =
       BuildSlices(TimeSliceBits(set.instances, bytes), sorted.leafBits, sorted.kdAxes, /*sorts=*/true, boxesBetween);
   }
-  placed.group.Set(device::ORDER_OF_SLICES, !tree.order.empty());
+  placed.variants.Set(device::ORDER_OF_SLICES, !tree.order.empty());
   placed.sliceBits = tree.sliceBits;
   placed.tree = PlacedTree(this->device->GetState(), tree);
   GlyphRun run;

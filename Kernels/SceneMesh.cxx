@@ -15,8 +15,6 @@ namespace rtg
 namespace
 {
 
-using Usage = vk::BufferUsageFlagBits;
-
 // Rotation times scale of one glyph.
 glm::mat3 LinearPart(const GlyphInstances& instances, std::size_t i)
 {
@@ -63,22 +61,6 @@ Buffer SendMeshColours(Device::State& device, const PlacedMesh& mesh, const Tria
                                         : Send(device, source.positionColours);
 }
 
-PlacedMesh SendStillMesh(Device::State& device, std::shared_ptr<const TriangleMesh> source, bool sorts)
-{
-  PlacedMesh mesh;
-  mesh.order = sorts ? OrderTriangles(*source) : std::vector<std::uint32_t>();
-  const auto input = Usage::eAccelerationStructureBuildInputReadOnlyKHR;
-  mesh.positions = Send(device, source->positions, input);
-  mesh.triangles = SendInOrder(device, source->triangles, mesh.order, input);
-  mesh.normals = Send(device, source->normals);
-  mesh.colours = SendMeshColours(device, mesh, *source);
-  mesh.structure =
-    AccelerationStructure::OverTriangles(device, mesh.positions, static_cast<std::uint32_t>(source->positions.size()),
-      mesh.triangles, static_cast<std::uint32_t>(source->triangles.size()));
-  mesh.source = std::move(source);
-  return mesh;
-}
-
 // Whether a mesh on the device is the wanted one, but for colors.
 bool HasShapeOf(const PlacedMesh& placed, const std::shared_ptr<const TriangleMesh>& wanted)
 {
@@ -104,20 +86,78 @@ void Scene::State::UpdateMeshColours(const GlyphSet& set, PlacedMesh& mesh)
   }
 }
 
+// The same mesh at other places is sent once, and of one that has only other colours nothing but these.
 bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
 {
   Stopwatch watch;
-  const TriangleMesh& mesh = *set.instances.mesh;
-  HitGroup& group = placed.group;
-  group.Set(device::MESH_NORMALS, !mesh.normals.empty());
-  group.Set(device::MESH_VALUE_COLOURS, !mesh.positionValues.empty());
-  group.Set(device::MESH_POSITION_COLOURS, mesh.positionValues.empty() && !mesh.positionColours.empty());
-  group.Set(device::MESH_TRIANGLE_COLOURS,
+  const std::shared_ptr<const TriangleMesh>& wanted = set.instances.mesh;
+  const TriangleMesh& mesh = *wanted;
+  const GlyphMotion& shutter = set.instances.motion;
+  const bool hasTree = this->NeedsMeshTree(set);
+  PlacedMesh& sent = placed.mesh;
+  const std::shared_ptr<const TriangleMesh> before = sent.source;
+  // Positions at rest are the same whatever the shutter does.
+  const bool sameShutter =
+    !Deforms(mesh) || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
+  const bool keeps = (sent.tree.nodes.Size() > 0) == hasTree && sameShutter && HasShapeOf(sent, wanted);
+  if (keeps)
+  {
+    this->UpdateMeshColours(set, sent);
+  }
+  else
+  {
+    Device::State& vulkan = this->device->GetState();
+    sent = PlacedMesh();
+    CentredMesh centred = Centre(mesh, shutter);
+    if (hasTree)
+    {
+      MeshTree tree = BuildMeshTree(mesh, centred, shutter);
+      sent.tree = PlacedTree(vulkan, tree.tree);
+      sent.order = std::move(tree.order);
+    }
+    else if (this->device->IsCpu())
+    {
+      sent.order = OrderTriangles(mesh);
+    }
+    const vk::BufferUsageFlags input =
+      hasTree ? vk::BufferUsageFlags() : vk::BufferUsageFlagBits::eAccelerationStructureBuildInputReadOnlyKHR;
+    sent.positions = Send(vulkan, centred.positions, input);
+    sent.triangles = SendInOrder(vulkan, mesh.triangles, sent.order, input);
+    sent.normals = Send(vulkan, mesh.normals);
+    sent.velocities = Send(vulkan, mesh.motion.velocities);
+    sent.accelerations = Send(vulkan, mesh.motion.accelerations);
+    sent.colours = SendMeshColours(vulkan, sent, mesh);
+    if (!hasTree)
+    {
+      sent.structure =
+        AccelerationStructure::OverTriangles(vulkan, sent.positions, static_cast<std::uint32_t>(mesh.positions.size()),
+          sent.triangles, static_cast<std::uint32_t>(mesh.triangles.size()));
+    }
+    sent.source = wanted;
+    sent.shutterOpen = shutter.shutterOpen;
+    sent.shutterClose = shutter.shutterClose;
+    sent.middle = centred.middle;
+    sent.radius = centred.radius;
+    ++this->statistics.structureBuilds;
+  }
+  Variants& variants = placed.variants;
+  variants.Set(device::MESH_TREE, hasTree);
+  variants.Set(device::MESH_VELOCITIES, !mesh.motion.velocities.empty());
+  variants.Set(device::MESH_ACCELERATIONS, !mesh.motion.accelerations.empty());
+  variants.Set(device::MESH_NORMALS, !mesh.normals.empty());
+  variants.Set(device::MESH_VALUE_COLOURS, !mesh.positionValues.empty());
+  variants.Set(device::MESH_POSITION_COLOURS, mesh.positionValues.empty() && !mesh.positionColours.empty());
+  variants.Set(device::MESH_TRIANGLE_COLOURS,
     mesh.positionValues.empty() && mesh.positionColours.empty() && !mesh.triangleColours.empty());
-  const std::shared_ptr<const TriangleMesh> before = placed.mesh.source;
-  const bool keeps = this->NeedsMeshTree(set) ? this->SendMeshWithTree(set, placed) : this->SendMesh(set, placed);
+  if (!hasTree)
+  {
+    // The driver's top level has the glyphs.
+    GlyphRun run;
+    run.count = static_cast<std::uint32_t>(set.count);
+    placed.runs.push_back(std::move(run));
+  }
   this->statistics.buildSeconds += watch.Lap();
-  return !keeps || before == set.instances.mesh;
+  return !keeps || before == wanted;
 }
 
 bool Scene::State::NeedsMeshTree(const GlyphSet& set) const
@@ -130,76 +170,7 @@ bool Scene::State::NeedsMeshTree(const GlyphSet& set) const
   const glm::dvec3 offset = glm::abs(set.instances.origin - this->origin);
   const double farthest = std::max({ offset.x, offset.y, offset.z });
   const double error = std::ldexp(farthest + set.bounds.Reach(), -24);
-  return farthest > 0.0 && error > 1e-6 * set.smallest && this->device->GetState().int64;
-}
-
-// The mesh itself; its glyphs are sent like those of other shapes.
-bool Scene::State::SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed)
-{
-  const GlyphInstances& instances = set.instances;
-  const TriangleMesh& mesh = *instances.mesh;
-  Device::State& vulkan = this->device->GetState();
-  if (!vulkan.int64)
-  {
-    throw Error("Ray Traced Glyphs: the device has no 64-bit integers in shaders (shaderInt64), "
-                "which mesh glyphs "
-                "need that move or lie far apart; switch their MotionBlur off, or leave points out "
-                "that lie far away.");
-  }
-  const GlyphMotion& shutter = instances.motion;
-  PlacedMesh& sent = placed.mesh;
-  // A tree of positions at rest is the same whatever the shutter does.
-  const bool sameShutter =
-    !Deforms(mesh) || (sent.shutterOpen == shutter.shutterOpen && sent.shutterClose == shutter.shutterClose);
-  const bool keeps = sent.tree.nodes.Size() && sameShutter && HasShapeOf(sent, instances.mesh);
-  if (keeps)
-  {
-    this->UpdateMeshColours(set, sent);
-  }
-  else
-  {
-    sent = PlacedMesh();
-    MeshTree tree = BuildMeshTree(mesh, shutter);
-    sent.tree = PlacedTree(vulkan, tree.tree);
-    sent.order = std::move(tree.order);
-    sent.positions = Send(vulkan, tree.positions);
-    sent.triangles = SendInOrder(vulkan, mesh.triangles, sent.order);
-    sent.normals = Send(vulkan, mesh.normals);
-    sent.velocities = Send(vulkan, mesh.motion.velocities);
-    sent.accelerations = Send(vulkan, mesh.motion.accelerations);
-    sent.colours = SendMeshColours(vulkan, sent, mesh);
-    sent.source = instances.mesh;
-    sent.shutterOpen = shutter.shutterOpen;
-    sent.shutterClose = shutter.shutterClose;
-    sent.middle = tree.middle;
-    sent.radius = tree.radius;
-    ++this->statistics.structureBuilds;
-  }
-  placed.group.Set(device::MESH_TREE, true);
-  placed.group.Set(device::MESH_VELOCITIES, !mesh.motion.velocities.empty());
-  placed.group.Set(device::MESH_ACCELERATIONS, !mesh.motion.accelerations.empty());
-  return keeps;
-}
-
-// The same mesh at other places is sent once, and of one that has only other colours nothing but these.
-bool Scene::State::SendMesh(const GlyphSet& set, PlacedGlyphs& placed)
-{
-  const GlyphInstances& instances = set.instances;
-  const bool keeps = !placed.mesh.tree.nodes.Size() && HasShapeOf(placed.mesh, instances.mesh);
-  if (keeps)
-  {
-    this->UpdateMeshColours(set, placed.mesh);
-  }
-  else
-  {
-    placed.mesh = PlacedMesh();
-    placed.mesh = SendStillMesh(this->device->GetState(), instances.mesh, this->device->IsCpu());
-    ++this->statistics.structureBuilds;
-  }
-  GlyphRun run;
-  run.count = static_cast<std::uint32_t>(set.count);
-  placed.runs.push_back(std::move(run));
-  return keeps;
+  return farthest > 0.0 && error > 1e-6 * set.smallest;
 }
 
 void Scene::State::AddMeshInstances(GlyphSet& set, const vk::AccelerationStructureInstanceKHR& like,
@@ -211,13 +182,14 @@ void Scene::State::AddMeshInstances(GlyphSet& set, const vk::AccelerationStructu
     const std::size_t glyph = set.sorted.order.empty() ? i : set.sorted.order[i];
     vk::AccelerationStructureInstanceKHR instance = like;
     const glm::mat3 linear = LinearPart(set.instances, glyph);
+    const glm::vec3 middle = set.instances.centres[glyph] + linear * set.placed.mesh.middle;
     for (int row = 0; row < 3; ++row)
     {
       for (int column = 0; column < 3; ++column)
       {
         instance.transform.matrix[row][column] = linear[column][row];
       }
-      instance.transform.matrix[row][3] += set.instances.centres[glyph][row];
+      instance.transform.matrix[row][3] += middle[row];
     }
     instance.accelerationStructureReference = set.placed.mesh.structure.Address();
     instances.push_back(instance);

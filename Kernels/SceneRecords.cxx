@@ -28,8 +28,7 @@ void Scene::State::CheckInstanceCount() const
   std::size_t count = 0;
   for (const auto& [id, set] : this->sets)
   {
-    const HitGroup& group = set.placed.group;
-    count += !set.Shown() ? 0 : group.DriverTriangles() ? set.count : set.placed.runs.size();
+    count += !set.Shown() ? 0 : set.DriverTriangles() ? set.count : set.placed.runs.size();
   }
   if (count > this->mostInstances)
   {
@@ -48,7 +47,9 @@ void Scene::State::BuildTopLevels()
   }
   this->DropTopLevels();
   this->ListSets();
-  if (this->structure == Structure::Boxes && !this->groups.empty())
+  const bool any =
+    std::any_of(this->sets.begin(), this->sets.end(), [](const auto& entry) { return entry.second.Shown(); });
+  if (this->structure == Structure::Boxes && any)
   {
     std::uint32_t sliceBits = 0;
     for (const auto& [id, set] : this->sets)
@@ -64,14 +65,13 @@ void Scene::State::BuildTopLevels()
     }
     this->topLevelAddresses = Send(this->device->GetState(), addresses);
   }
-  this->statistics.topLevelBuilds += !this->groups.empty();
+  this->statistics.topLevelBuilds += any;
   this->statistics.buildSeconds += watch.Lap();
 }
 
 // What the visible sets have in common and what tells them apart.
 void Scene::State::ListSets()
 {
-  this->groups.clear();
   this->bounds = Box();
   this->moves = false;
   this->placedTimeSliceBits = 0;
@@ -82,15 +82,10 @@ void Scene::State::ListSets()
       continue;
     }
     const PlacedGlyphs& placed = set.placed;
-    set.listedGroup = placed.group.OfPrograms();
     set.listedMask = set.Mask();
-    this->moves |= placed.group.Moves();
+    this->moves |= placed.variants.Moves();
     this->placedTimeSliceBits =
       std::max({ this->placedTimeSliceBits, placed.sliceBits, placed.mesh.tree.record.sliceBits });
-    if (std::find(this->groups.begin(), this->groups.end(), set.listedGroup) == this->groups.end())
-    {
-      this->groups.push_back(set.listedGroup);
-    }
     const glm::vec3 offset(set.instances.origin - this->origin);
     const Box moved{ set.bounds.lower + offset, set.bounds.upper + offset };
     this->bounds.Include(moved.Widened(SlabPadding(moved.Reach())));
@@ -110,7 +105,6 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
       continue;
     }
     const PlacedGlyphs& placed = set.placed;
-    const auto group = std::find(this->groups.begin(), this->groups.end(), set.listedGroup);
     const glm::vec3 offset(set.instances.origin - this->origin);
     for (const GlyphRun& run : placed.runs)
     {
@@ -120,8 +114,11 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
       instance.transform.matrix = translation;
       instance.instanceCustomIndex = record++;
       instance.mask = set.Mask();
-      instance.instanceShaderBindingTableRecordOffset = static_cast<std::uint32_t>(group - this->groups.begin());
-      if (placed.group.DriverTriangles())
+      // Of translucent triangles a ray is to be brought all.
+      instance.flags =
+        static_cast<VkGeometryInstanceFlagsKHR>(set.Translucent() ? vk::GeometryInstanceFlagBitsKHR::eForceNoOpaque
+                                                                  : vk::GeometryInstanceFlagBitsKHR::eForceOpaque);
+      if (set.DriverTriangles())
       {
         this->AddMeshInstances(set, instance, instances);
         continue;
@@ -147,12 +144,9 @@ void Scene::State::FillRecords()
     for (const GlyphRun& run : placed.runs)
     {
       device::GlyphSetRecord record{};
-      // The values of the run's first glyph. What a set lacks and another set of the scene has points at the centres,
-      // or where the driver's instances have these, at the mesh's positions: a compiler may load it, for the first
-      // glyph (InSet in bindings.glsl), and drop it.
-      const vk::DeviceAddress anything = placed.arrays[0].Size()
-        ? placed.arrays[0].Address() + run.first * sizeof(glm::vec3)
-        : placed.mesh.positions.Address();
+      // The values of the run's first glyph. What a set lacks and another set of the scene has points at the centres: a
+      // compiler may load it, for the first glyph (InSet in bindings.glsl), and drop it.
+      const vk::DeviceAddress anything = placed.arrays[0].Address() + run.first * sizeof(glm::vec3);
       const auto at = [&](const Buffer& buffer, std::size_t stride)
       { return buffer.Size() ? buffer.Address() + run.first * stride : anything; };
       const GlyphInstances& instances = set.instances;
@@ -160,67 +154,47 @@ void Scene::State::FillRecords()
 #define RTG_FILL(number, BIT, type, name, values, words) record.name = at(placed.arrays[number], Stride(values));
       RTG_GLYPH_ARRAYS(RTG_FILL)
 #undef RTG_FILL
-      const glm::dvec3 offset = set.instances.origin - this->origin;
-      record.offset = glm::vec3(offset);
-      record.offsetLow = glm::vec3(offset - glm::dvec3(record.offset));
-      const ArrowForm& arrow = set.instances.arrow;
-      record.arrow = { arrow.shaftRadius, arrow.tipRadius, arrow.tipLength, arrow.tipRounding };
-      record.unitLength = arrow.unitLength;
-      record.uniformSize = set.instances.uniformSize;
-      record.uniformExponents = set.instances.uniformExponents;
-      record.polynomialWidth = static_cast<std::uint32_t>(set.instances.polynomials.width);
-      record.polynomialDegree = static_cast<std::uint32_t>(set.instances.polynomialDegree);
+#define RTG_FILL(type, name, value) record.name = static_cast<decltype(record.name)>(value);
+      RTG_GLYPH_NUMBERS(RTG_FILL)
+#undef RTG_FILL
+#define RTG_FILL(type, name) record.name = set.material.name;
+      RTG_MATERIAL(RTG_FILL)
+#undef RTG_FILL
       record.tree = placed.tree.record;
       record.tree.order = at(placed.tree.order, sizeof(std::uint32_t));
-      record.shutterOpen = set.instances.motion.shutterOpen;
-      record.shutterLength = set.instances.motion.shutterClose - set.instances.motion.shutterOpen;
-      record.glyphCount = run.count;
-      record.meshPositions = placed.mesh.positions.Address();
-      record.meshTriangles = placed.mesh.triangles.Address();
-      const auto ofMesh = [&](const Buffer& buffer) { return buffer.Size() ? buffer.Address() : record.meshPositions; };
-      record.meshNormals = ofMesh(placed.mesh.normals);
-      record.meshColours = ofMesh(placed.mesh.colours);
-      record.meshValueCount =
-        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->positionValues.size()) : 0;
-      record.meshTableSize =
-        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->valueColours.size()) : 0;
-      record.meshTree = placed.mesh.tree.record;
-      record.meshVelocities = ofMesh(placed.mesh.velocities);
-      record.meshAccelerations = ofMesh(placed.mesh.accelerations);
-      record.meshMiddle = placed.mesh.middle;
-      record.meshRadius = placed.mesh.radius;
-      record.meshTriangleCount =
-        placed.mesh.source ? static_cast<std::uint32_t>(placed.mesh.source->triangles.size()) : 0;
-      record.firstInstance = set.firstInstance;
-      record.identifiesTriangles = set.instances.identifyTriangles;
-      record.shape = static_cast<std::uint32_t>(placed.group.shape);
-      record.variants = placed.group.variants;
+      const glm::dvec3 offset = instances.origin - this->origin;
+      record.offset = glm::vec3(offset);
+      record.offsetLow = glm::vec3(offset - glm::dvec3(record.offset));
+      record.polynomialWidth = static_cast<std::uint32_t>(instances.polynomials.width);
+      record.variants = placed.variants.bits;
       record.setId = id;
       record.firstGlyph = run.first;
-      const Material& material = set.material;
-      record.colour = material.colour;
-      record.opacity = material.opacity;
+      record.glyphCount = run.count;
       record.translucent = set.Translucent();
       record.mask = set.Mask();
-      record.ambientColour = material.ambientColour;
-      record.coloured = placed.group.Has(device::COLOURS | device::END_COLOURS | device::MESH_COLOURS | device::FORMS |
-        device::SIGN_COLOURS | device::DIRECTION_COLOURS);
+      record.coloured = placed.variants.Has(device::COLOURS | device::END_COLOURS | device::MESH_COLOURS |
+        device::FORMS | device::SIGN_COLOURS | device::DIRECTION_COLOURS);
       record.colourTable = at(placed.colourTable, 0);
       record.colourTableSize = static_cast<std::uint32_t>(colours.table.size());
-      record.positiveColour = material.positiveColour;
-      record.negativeColour = material.negativeColour;
-      record.specularColour = material.specularColour;
-      record.specular = material.specular;
-      record.ambient = material.ambient;
-      record.diffuse = material.diffuse;
-      record.specularPower = material.specularPower;
-      record.lighting = material.lighting;
-      record.metallic = material.metallic;
-      record.roughness = material.roughness;
-      record.coatStrength = material.coatStrength;
-      record.coatRoughness = material.coatRoughness;
-      record.coatReflectance = NormalReflectance(material.coatIor);
-      record.coatColour = material.coatColour;
+      record.coatReflectance = NormalReflectance(set.material.coatIor);
+      if (const TriangleMesh* source = placed.mesh.source.get())
+      {
+        const PlacedMesh& mesh = placed.mesh;
+        const auto ofMesh = [&](const Buffer& buffer) { return (buffer.Size() ? buffer : mesh.positions).Address(); };
+        record.meshPositions = mesh.positions.Address();
+        record.meshTriangles = mesh.triangles.Address();
+        record.meshNormals = ofMesh(mesh.normals);
+        record.meshColours = ofMesh(mesh.colours);
+        record.meshVelocities = ofMesh(mesh.velocities);
+        record.meshAccelerations = ofMesh(mesh.accelerations);
+        record.meshValueCount = static_cast<std::uint32_t>(source->positionValues.size());
+        record.meshTableSize = static_cast<std::uint32_t>(source->valueColours.size());
+        record.meshTriangleCount = static_cast<std::uint32_t>(source->triangles.size());
+        record.meshMiddle = mesh.middle;
+        record.meshRadius = mesh.radius;
+        record.meshTree = mesh.tree.record;
+        record.firstInstance = set.firstInstance;
+      }
       filled.push_back(record);
     }
   }

@@ -32,8 +32,18 @@ struct GlyphRun
 /// What rays find glyphs and triangles by.
 enum class Structure
 {
-  Boxes, ///< the driver's, one primitive a glyph or triangle; on GPUs
-  Tree   ///< our own trees (GlyphTree), which compute shaders walk; on CPU devices, and where the driver has none
+  Boxes, ///< the driver's, one primitive a glyph or triangle, by ray queries; on GPUs with hardware for it
+  Tree   ///< our own trees (GlyphTree); on all other devices
+};
+
+/// What tells a set from others, and its programs: bits of Variants.h.
+struct Variants
+{
+  std::uint32_t bits = 0;
+
+  bool Has(std::uint32_t variant) const { return (this->bits & variant) != 0; }
+  void Set(std::uint32_t variant, bool has) { this->bits = has ? this->bits | variant : this->bits & ~variant; }
+  bool Moves() const { return this->Has(device::MOVING_GLYPHS | device::MOVING_MESH); }
 };
 
 /// A GlyphTree on the device.
@@ -47,18 +57,17 @@ struct PlacedTree
   device::TreeRecord record{};
 };
 
-/// A mesh on the device.
+/// A mesh on the device, with positions relative to its middle.
 struct PlacedMesh
 {
   std::shared_ptr<const TriangleMesh> source;
   std::vector<std::uint32_t> order; ///< place on the device -> triangle of the source; empty: the same
   Buffer positions, triangles, normals, colours;
-  AccelerationStructure structure;
-  // Of one with a tree, instead of the structure; `positions` are then relative to the middle of the tree.
-  PlacedTree tree;
   Buffer velocities, accelerations;
-  glm::vec3 middle{ 0.0f }; ///< as MeshTree has them
+  glm::vec3 middle{ 0.0f }; ///< as CentredMesh has them
   float radius = 0.0f;
+  AccelerationStructure structure; ///< of the driver, or instead of it:
+  PlacedTree tree;
   float shutterOpen = 0.0f, shutterClose = 0.0f; ///< that its tree is made for
 };
 
@@ -70,7 +79,7 @@ bool IsMovingMesh(const GlyphInstances& instances);
 /// complete, so that a set has all of it or nothing.
 struct PlacedGlyphs
 {
-  HitGroup group;
+  Variants variants;
   float builtReach = INFINITY;            ///< distance of ray origins that the padding of the driver's boxes allows for
   std::array<Buffer, glyphArrays> arrays; ///< by number; none where the set has no such array
   Buffer colourTable;                     ///< of values at the ends of round cones
@@ -112,11 +121,12 @@ struct GlyphSet
   GlyphOrder sorted;
   PlacedGlyphs placed;
 
-  HitGroup listedGroup;            ///< as the top level has it
-  std::uint32_t listedMask = 0;    ///< likewise
+  std::uint32_t listedMask = 0;    ///< as the top level has it
   std::uint32_t firstInstance = 0; ///< in the top level; Shape::Mesh only
 
   bool Shown() const { return this->visible && this->count > 0; }
+  /// Whether the driver knows the triangles of what is placed.
+  bool DriverTriangles() const { return this->placed.mesh.structure.Address() != 0; }
   bool Translucent() const
   {
     return this->material.opacity < 1.0f || this->translucentColours || this->translucentInstances;
@@ -146,7 +156,6 @@ struct Scene::State
   // Built by Commit().
   glm::dvec3 origin{ 0.0 };
   Box bounds;                                  ///< of all visible sets, relative to origin
-  std::vector<HitGroup> groups;                ///< of the visible sets, each once
   std::vector<device::GlyphSetRecord> records; ///< none: nothing can be traced
   Buffer recordBuffer;
   std::vector<AccelerationStructure> topLevels; ///< one for each slice of time
@@ -178,15 +187,12 @@ struct Scene::State
   /// Sorts and sends one set's glyphs and builds what rays find them by.
   void Place(GlyphSet& set, float reach);
   /// Those arrays whose bits `variants` has.
-  void SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::uint32_t variants);
+  void SendArrays(const GlyphSet& set, PlacedGlyphs& placed, std::uint32_t variants = ~0u);
   /// Sends what glyphs are copies of, and builds what rays find its triangles by. False: nothing but its colors is new.
   bool PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed);
-  /// Both: whether the mesh on the device stays.
-  bool SendMesh(const GlyphSet& set, PlacedGlyphs& placed);
   /// Whether mesh glyphs need a tree of their own: where there are no triangles of the driver, and where these, which
   /// are placed in float, would not do.
   bool NeedsMeshTree(const GlyphSet& set) const;
-  bool SendMeshWithTree(const GlyphSet& set, PlacedGlyphs& placed);
   /// Of a mesh that stays. One that goes must not be sent to: the batch would copy to a buffer that is no more.
   void UpdateMeshColours(const GlyphSet& set, PlacedMesh& mesh);
   /// Adds one instance a glyph; `like` moves a set's frame to the scene's.

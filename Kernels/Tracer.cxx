@@ -34,7 +34,7 @@ struct Tracer::State
     std::uint64_t sceneVersion = 0; ///< 0: there is nothing to go on with
     Image image;
     TraceSettings settings;
-    Generation generation;
+    Specialization specialization;
     Tiling tiling;
     device::FrameRecord frame{};           ///< of the samples in work; firstTile: the first one that lacks them
     std::uint32_t atFirst = 1, atMost = 1; ///< samples of one dispatch over all tiles: of the first, of any
@@ -165,10 +165,10 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
     return;
   }
   begun.frame = this->MakeFrame(scene, camera, lights, settings, pass);
-  begun.generation = GenerationFor(settings);
-  FillScene(begun.frame, begun.generation, scene);
+  begun.specialization = SpecializationFor(settings);
+  Constants& constants = begun.specialization.constants;
+  FillScene(begun.frame, constants, scene);
   begun.frame.accumulates = keeps;
-  Constants& constants = begun.generation.constants;
   constants.manyLights = lights.size() > device::FEW_LIGHTS;
   if (scene.moves)
   {
@@ -176,15 +176,15 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
     begun.frame.sharedTimeBits = SharedTimeBits(settings, scene.placedTimeSliceBits);
     FillTimeStrata(begun.frame, settings);
   }
+  const ShadingTraits& traits = TraitsOf(settings);
   // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
-  constants.layered = pass == Pass::Translucent && settings.shading != Shading::PathTracing;
-  constants.translucency = settings.shading != Shading::Local && translucentScene;
-  constants.leavesSurface = settings.shading != Shading::Local || constants.layered;
+  constants.layered = pass == Pass::Translucent && traits.layers;
+  constants.translucency = traits.scatters && translucentScene;
+  constants.leavesSurface = traits.scatters || constants.layered;
 
   begun.tiling = Tiling(settings);
   begun.tiling.Fill(begun.frame);
   begun.done = begun.tiling.Size() > 0 ? 0 : settings.samples;
-  this->launcher.FitTiles(begun.generation, begun.tiling.Size());
 }
 
 // Goes on with the job until it is done or somebody interrupts; after each launch one is asked.
@@ -197,7 +197,7 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
   bool stopped = false;
   if (work.done < settings.samples)
   {
-    TracerResources::UsedProgram& program = this->shared->ProgramFor(work.generation, scene.groups);
+    TracerResources::UsedProgram& program = this->shared->ProgramFor(work.specialization);
     // Compiling may take many seconds.
     if (!interruptible)
     {
@@ -216,8 +216,8 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
         frame.samples = std::min(work.atOnce, settings.samples - work.done);
         work.longest = 0.0;
       }
-      work.longest = std::max(work.longest,
-        this->launcher.LaunchTiles(program, work.generation, scene, frame, work.tiling.End(), interruptible));
+      work.longest =
+        std::max(work.longest, this->launcher.LaunchTiles(program, scene, frame, work.tiling.End(), interruptible));
       this->shared->statistics.traceSeconds += watch.Lap();
       if (frame.firstTile == work.tiling.End())
       {
@@ -350,12 +350,12 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       frame.probeResults = output.Address();
       frame.probeCount = static_cast<std::uint32_t>(probes.size());
       frame.cullMask = 0xff;
-      Generation probing;
+      Specialization probing;
       probing.program = probeProgram;
-      FillScene(frame, probing, glyphs);
-      TracerResources::UsedProgram& program = state.shared->ProgramFor(probing, glyphs.groups);
+      FillScene(frame, probing.constants, glyphs);
+      TracerResources::UsedProgram& program = state.shared->ProgramFor(probing);
       state.shared->WaitFor(program);
-      state.launcher.LaunchProbes(program, probing, glyphs, frame);
+      state.launcher.LaunchProbes(program, glyphs, frame);
 
       output.Read(output.Size(),
         [&](const void* read)

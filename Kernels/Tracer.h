@@ -50,7 +50,7 @@ enum class Pass : std::uint32_t
 /// Where the light comes from that is seen on a surface: Shading/List.h.
 enum class Shading : std::uint32_t
 {
-#define RTG_SHADING_NUMBER(number, Name, program) Name = number,
+#define RTG_SHADING_NUMBER(number, Name, ...) Name = number,
   RTG_SHADINGS(RTG_SHADING_NUMBER)
 #undef RTG_SHADING_NUMBER
 };
@@ -117,6 +117,15 @@ struct TraceSettings
 
   bool operator==(const TraceSettings&) const = default;
 };
+
+/// What images of a shading have in common: Shading/List.h.
+struct ShadingTraits
+{
+  bool scatters, layers, environmentImage;
+  std::uint32_t TraceSettings::*rays; ///< null: one
+  int atOnce;
+};
+const ShadingTraits& TraitsOf(const TraceSettings& settings);
 
 /// Asked some twenty times a second while an image is traced, with the share of the work that is done, in [0, 1]; true:
 /// stop.

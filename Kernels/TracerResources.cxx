@@ -29,10 +29,9 @@ TracerResources::TracerResources(std::shared_ptr<Device> d)
 {
 }
 
-TracerResources::UsedProgram&
-TracerResources::ProgramFor(const Generation& generation, const std::vector<HitGroup>& groups)
+TracerResources::UsedProgram& TracerResources::ProgramFor(const Specialization& specialization)
 {
-  const auto [program, began] = this->device->GetState().programs->Get(generation, groups);
+  const auto [program, began] = this->device->GetState().programs->Get(specialization);
   const auto found = std::find_if(
     this->used_.begin(), this->used_.end(), [&, &p = program](const auto& used) { return used->program == p; });
   if (found != this->used_.end())
@@ -79,7 +78,7 @@ void TracerResources::WaitFor(UsedProgram& used)
 
 void TracerResources::PrepareEnvironment(const TraceSettings& settings, device::FrameRecord& frame)
 {
-  if (!settings.environmentImage || settings.shading != Shading::PathTracing)
+  if (!settings.environmentImage || !TraitsOf(settings).environmentImage)
   {
     return;
   }

@@ -30,9 +30,9 @@ public:
     std::size_t lastTiles = 0;  ///< of the last launch
   };
 
-  /// The device's program of these keys; if it has none, another thread begins to compile it. Valid until the next
+  /// The device's program of that key; if it has none, another thread begins to compile it. Valid until the next
   /// call.
-  UsedProgram& ProgramFor(const Generation& generation, const std::vector<HitGroup>& groups);
+  UsedProgram& ProgramFor(const Specialization& specialization);
 
   /// Whether the program can be launched; waits for it so long at most. Throws what compiling failed of, and the
   /// program is no more.

@@ -25,6 +25,43 @@
   ARRAY(14, AFTER, Vec4Array, after, instances.after, "ends after pieces of lines")                                    \
   ARRAY(15, POLYNOMIALS, FloatArray, polynomials, instances.polynomials, "polynomials")
 
+// The numbers of a set: type and name in GlyphSetRecord, and where they come from. Records are filled, and sets sent to
+// other processes, by this table.
+#define RTG_GLYPH_NUMBERS(NUMBER)                                                                                      \
+  NUMBER(uint, shape, instances.shape)                                                                                 \
+  NUMBER(float, uniformSize, instances.uniformSize)                                                                    \
+  NUMBER(vec3, uniformExponents, instances.uniformExponents)                                                           \
+  NUMBER(uint, polynomialDegree, instances.polynomialDegree)                                                           \
+  NUMBER(uint, surfaceColours, instances.surfaceColours)                                                               \
+  NUMBER(uint, identifiesTriangles, instances.identifyTriangles)                                                       \
+  NUMBER(float, shutterOpen, instances.motion.shutterOpen)                                                             \
+  NUMBER(float, shutterClose, instances.motion.shutterClose)                                                           \
+  NUMBER(float, shaftRadius, instances.arrow.shaftRadius)                                                              \
+  NUMBER(float, tipRadius, instances.arrow.tipRadius)                                                                  \
+  NUMBER(float, tipLength, instances.arrow.tipLength)                                                                  \
+  NUMBER(float, tipRounding, instances.arrow.tipRounding)                                                              \
+  NUMBER(float, unitLength, instances.arrow.unitLength)                                                                \
+  NUMBER(uint, fixedHeads, instances.arrow.fixedHeads)
+
+// The members of Material that programs have under the same names.
+#define RTG_MATERIAL(MEMBER)                                                                                           \
+  MEMBER(vec3, colour)                                                                                                 \
+  MEMBER(vec3, ambientColour)                                                                                          \
+  MEMBER(vec3, specularColour)                                                                                         \
+  MEMBER(vec3, positiveColour)                                                                                         \
+  MEMBER(vec3, negativeColour)                                                                                         \
+  MEMBER(float, ambient)                                                                                               \
+  MEMBER(float, diffuse)                                                                                               \
+  MEMBER(float, specular)                                                                                              \
+  MEMBER(float, specularPower)                                                                                         \
+  MEMBER(float, opacity)                                                                                               \
+  MEMBER(uint, lighting)                                                                                               \
+  MEMBER(float, metallic)                                                                                              \
+  MEMBER(float, roughness)                                                                                             \
+  MEMBER(float, coatStrength)                                                                                          \
+  MEMBER(float, coatRoughness)                                                                                         \
+  MEMBER(vec3, coatColour)
+
 #define RTG_BIT(number, BIT, type, name, values, words) const uint BIT = 1u << number;
 RTG_GLYPH_ARRAYS(RTG_BIT)
 #undef RTG_BIT
@@ -43,7 +80,6 @@ const uint MESH_TREE = 1u << 25;         // the mesh has a tree of our own inste
 const uint END_VALUES = 1u << 26;        // colours of ends are values with a table of colours (TriangleMesh.h)
 const uint SIGN_COLOURS = 1u << 27;      // of polynomials
 const uint DIRECTION_COLOURS = 1u << 28; // of the way from the centre to the surface
-const uint APPEARANCE = COLOURS | OPACITIES | END_COLOURS; // what the driver's triangles have, too, and colours of ends
 const uint MOVING_GLYPHS = VELOCITIES | ACCELERATIONS | ANGULAR_VELOCITIES;
 const uint MESH_COLOURS = MESH_POSITION_COLOURS | MESH_TRIANGLE_COLOURS | MESH_VALUE_COLOURS;
 const uint MOVING_MESH = MESH_VELOCITIES | MESH_ACCELERATIONS;
@@ -52,7 +88,7 @@ const uint MOVING_MESH = MESH_VELOCITIES | MESH_ACCELERATIONS;
 // seconds. Asked for what is read of every glyph that a ray comes by, its images take 4 % longer.
 const uint ASKED_OF_SETS = COLOURS | ORDER_OF_SLICES;
 
-// Every specialisation constant of every program: number, type, name. Each program declares all of them.
+// Every specialisation constant of the programs: number, type, name. Each program declares all of them.
 #define RTG_CONSTANTS(ENTRY)                                                                                           \
   ENTRY(0, uint, shapes)             /* bit n: some set is of shape n */                                               \
   ENTRY(1, uint, allHave)            /* variants of all sets */                                                        \
@@ -66,4 +102,5 @@ const uint ASKED_OF_SETS = COLOURS | ORDER_OF_SLICES;
   ENTRY(9, bool, environmentImage)   /* light from all around is an image */                                           \
   ENTRY(10, bool, layered)           /* the image is that of translucent sets: opaque ones only hide */                \
   ENTRY(11, bool, manyLights)        /* more than FEW_LIGHTS */                                                        \
-  ENTRY(12, uint, degree)            /* the largest of polynomials */
+  ENTRY(12, uint, degree)            /* the largest of polynomials */                                                  \
+  ENTRY(13, bool, rayQueries)        /* rays find candidates in the driver's structure, not in own trees */

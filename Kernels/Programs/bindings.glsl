@@ -1,12 +1,6 @@
-// What every program sees: the frame and one payload. With RTG_OWN_TREES programs are compute shaders: they ask nothing
-// of the driver but arithmetic and memory.
-#ifndef RTG_OWN_TREES
-#extension GL_EXT_ray_tracing : require
-#endif
+// What every program sees: the frame, and what it is specialised for.
 #extension GL_EXT_spirv_intrinsics : require
-#extension GL_KHR_memory_scope_semantics : require
 #extension GL_EXT_control_flow_attributes : require
-#pragma use_vulkan_memory_model
 // Double words rest on sums and products rounded to nearest even, bracketing solvers on comparisons with NaN and on
 // 1/0. What Device.cxx requires of a device is declared here, or its compiler need not keep to it: RoundingModeRTE and
 // SignedZeroInfNanPreserve (SPIR-V specification, "Execution Mode") for 32 bits. Denormals are as the device has them.
@@ -102,7 +96,7 @@ float LargestOf(const vec3 v)
   return max(abs(v.x), max(abs(v.y), abs(v.z)));
 }
 
-// What the nearest hit tells the ray generation program. Whatever kind of surface it lies on, it fills all of this.
+// The nearest hit. Whatever kind of surface it lies on, it fills all of this.
 struct SurfaceHit
 {
   float t;     // along the traced ray; negative: nothing hit
@@ -137,22 +131,4 @@ vec3 OutOfSurface(const SurfaceHit hit, const vec3 direction)
   return direction - 2.0 * min(dot(direction, hit.normal), 0.0) * hit.normal;
 }
 
-#ifdef RTG_OWN_TREES
 layout(local_size_x = LAUNCH_GROUP) in;
-
-uvec2 LaunchId()
-{
-  return gl_GlobalInvocationID.xy;
-}
-#else
-uvec2 LaunchId()
-{
-  return gl_LaunchIDEXT.xy;
-}
-#endif
-
-uint LaunchIndex()
-{
-  uvec2 launch = LaunchId();
-  return launch.y * frame.launchWidth + launch.x;
-}

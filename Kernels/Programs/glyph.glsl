@@ -1,14 +1,12 @@
 // Reads one glyph of a set, in the frame of the scene's origin, and intersects it. Arrays that no set of the program
-// has cost neither a load nor a branch (Variants.h). With RTG_MESHES, glyphs that are copies of a mesh are among them.
+// has cost neither a load nor a branch (Variants.h).
 #ifndef RTG_GLYPH
 #define RTG_GLYPH
 
 #include "../Shapes/Registry.glsl"
 #include "motion.glsl"
 #include "../Shading/Sobol.glsl"
-#ifdef RTG_MESHES
 #include "mesh.glsl"
-#endif
 
 // Where a set's glyphs are found, and when: read once a ray, not once a glyph.
 struct GlyphSource
@@ -27,7 +25,7 @@ GlyphSource SourceOf(const GlyphSetRecord set)
   source.alike.rotation = vec4(0.0, 0.0, 0.0, 1.0);
   source.alike.turned = Has(set.variants, ROTATIONS | ANGULAR_VELOCITIES);
   source.alike.sameSize = !Has(set.variants, SIZES_EACH);
-  source.alike.arrow = set.arrow;
+  source.alike.arrow = vec4(set.shaftRadius, set.tipRadius, set.tipLength, set.tipRounding);
   source.alike.unitLength = set.unitLength > 0.0 ? set.unitLength : set.uniformSize;
   source.alike.fixedHeads = Has(set.variants, FIXED_HEADS);
   source.alike.exponents = set.uniformExponents;
@@ -91,12 +89,10 @@ Glyph FetchGlyph(const GlyphSource source, const uint primitive)
 int Estimate(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
   out float low, out float high)
 {
-#ifdef RTG_MESHES
-  if (IsOfShape(set.shape, RTG_MESH))
+  if (Has(set.variants, MESH_TREE))
   {
     return EstimateMesh(set, ray, glyph, tMin, tMax, low, high);
   }
-#endif
   return EstimateGlyph(set.shape, ray, glyph, tMin, tMax, low, high);
 }
 
@@ -105,13 +101,11 @@ int Estimate(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, co
 bool Intersect(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
   const bool any, const bool wantsNormal, out float t, out vec3 normal, out uint triangle)
 {
-#ifdef RTG_MESHES
-  if (IsOfShape(set.shape, RTG_MESH))
+  if (Has(set.variants, MESH_TREE))
   {
     normal = vec3(0.0);
     return IntersectMesh(set, ray, glyph, tMin, tMax, any, t, triangle);
   }
-#endif
   triangle = nothing;
   return IntersectGlyph(set.shape, ray, glyph, tMin, tMax, wantsNormal, t, normal);
 }
@@ -158,17 +152,21 @@ bool Passes(const GlyphSetRecord set, const uint seed, const uint glyph, const u
   return UnitInterval(Hash(Hash(seed, set.setId), Hash(set.firstGlyph + glyph, crossing))) >= opacity;
 }
 
+bool PassesTriangle(const GlyphSetRecord set, const GlyphRay ray, const uint seed, const uint number, const Glyph glyph,
+  const uint triangle)
+{
+  return Passes(set, seed, number, triangle, TriangleColour(set, ray, glyph, number, triangle).a);
+}
+
 // How far from t the exact crossing may lie at most: Shapes/README.md's bound, doubled. A mesh is as large as its
 // triangles are spread.
 float ErrorOfT(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float t)
 {
   float extent = LargestOf(glyph.size);
-#ifdef RTG_MESHES
   if (IsOfShape(set.shape, RTG_MESH))
   {
     extent *= set.meshRadius;
   }
-#endif
   return 2e-6 * (extent / length(ray.direction) + t);
 }
 
@@ -187,20 +185,13 @@ bool IntersectStopping(const GlyphSetRecord set, const GlyphRay ray, const uint 
     passes = false;
     if (met && chance && crossing < maximumPasses)
     {
-      float opacity = OpacityOf(set, number);
-      uint which = crossing;
-#ifdef RTG_MESHES
-      if (IsOfShape(set.shape, RTG_MESH))
+      float opacity =
+        Has(set.variants, END_COLOURS) ? ColourBetweenEnds(set, ray, glyph, number, t).a : OpacityOf(set, number);
+      passes = Passes(set, seed, number, crossing, opacity);
+      if (Has(set.variants, MESH_TREE))
       {
-        opacity = TriangleColour(set, ray, glyph, number, triangle).a;
-        which = triangle;
+        passes = PassesTriangle(set, ray, seed, number, glyph, triangle);
       }
-#endif
-      if (Has(set.variants, END_COLOURS))
-      {
-        opacity = ColourBetweenEnds(set, ray, glyph, number, t).a;
-      }
-      passes = Passes(set, seed, number, which, opacity);
     }
     tMin = t + ErrorOfT(set, ray, glyph, t);
     ++crossing;

@@ -19,9 +19,7 @@ Layers BeginLayers(const DoubleWord3 origin, const vec3 direction)
   layers.tMin = max(frame.nearDepth - layers.ray.start, 0.0);
   layers.passing = 1.0;
   layers.count = 0u;
-#ifdef RTG_OWN_TREES
   layerCount = layerLimit = layerNext = 0u;
-#endif
   return layers;
 }
 
@@ -35,7 +33,7 @@ Query LayerQuery(const Layers layers)
 // Whether the answer is a layer that is shown.
 bool TakeLayer(inout Layers layers, const SurfaceHit hit)
 {
-  if (hit.t < 0.0 || (layered && SetRecord(hit.record).translucent == 0u))
+  if (hit.t < 0.0)
   {
     return false;
   }

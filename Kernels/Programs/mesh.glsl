@@ -1,5 +1,6 @@
-// A glyph that is a copy of a mesh with a tree of our own: a shape like the others, whose intersection goes through the
-// tree of its triangles (Kernels/MeshTree.h) in its own frame, at the time of the ray in flight.
+// A glyph that is a copy of a mesh. With a tree of our own (MESH_TREE) it is a shape like the others, whose
+// intersection goes through the tree of its triangles (Kernels/MeshTree.h) in its own frame, at the time of the ray in
+// flight; without one the driver's structure brings its triangles.
 #include "tree.glsl"
 #include "triangle.glsl"
 
@@ -185,6 +186,7 @@ int EstimateMesh(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph
 // A triangle where a ray meets it.
 struct TriangleCrossing
 {
+  float t;
   uvec3 corner;
   vec3 a, b, c; // the corners' positions at the time of the ray
   vec3 weight;  // of the corners
@@ -198,8 +200,20 @@ TriangleCrossing CrossTriangle(const GlyphSetRecord set, const GlyphRay ray, con
   crossing.a = CornerAt(set, crossing.corner.x, time);
   crossing.b = CornerAt(set, crossing.corner.y, time);
   crossing.c = CornerAt(set, crossing.corner.z, time);
+  MeshRay meshRay = ToMesh(ray, glyph, set);
   float s;
-  MeetsTriangle(Shear(ToMesh(ray, glyph, set)), crossing.a, crossing.b, crossing.c, s, crossing.weight);
+  bool meets = MeetsTriangle(Shear(meshRay), crossing.a, crossing.b, crossing.c, s, crossing.weight);
+  if (rayQueries && !meets)
+  {
+    // The driver's arithmetic lets a ray meet what it passes by a rounding error: there the nearest edge is met.
+    vec3 inside = mix(vec3(0.0), crossing.weight, greaterThan(crossing.weight, vec3(0.0)));
+    float sum = inside.x + inside.y + inside.z;
+    crossing.weight = sum > 0.0 && !isinf(sum) ? inside / sum : vec3(1.0, 0.0, 0.0);
+    vec3 direction = meshRay.direction;
+    vec3 position = crossing.weight.x * crossing.a + crossing.weight.y * crossing.b + crossing.weight.z * crossing.c;
+    s = dot(position - meshRay.origin, direction) / dot(direction, direction);
+  }
+  crossing.t = Add(meshRay.start, s).hi;
   return crossing;
 }
 
@@ -246,6 +260,11 @@ SurfaceHit HitOnMesh(const uint record, const GlyphSetRecord set, const Glyph gl
   hit.record = record;
   hit.glyph = set.identifiesTriangles != 0u ? triangle : set.firstGlyph + number;
   hit.error = leavesSurface ? 2e-6 * set.meshRadius * LargestOf(glyph.size) : 0.0;
+  if (leavesSurface && rayQueries && !Has(set.variants, MESH_TREE))
+  {
+    // The driver's test of the next ray works with its origin rounded to float, in the mesh's frame once more.
+    hit.error += 1e-6 * LargestOf(abs(ray.origin) + abs(ray.direction) * t);
+  }
   hit.colour = TriangleColour(set, corner, crossing.weight, triangle, number);
   return hit;
 }

@@ -1,30 +1,18 @@
 // Where a glyph is at the time of the ray in flight (Kernels/Motion.h).
 
 // When in the shutter's opening the path of the ray in flight runs, in [0, 1).
-#ifdef RTG_OWN_TREES
 float shutterTime = 0.0;
-
-float ShutterFraction()
-{
-  return shutterTime;
-}
-#else
-float ShutterFraction()
-{
-  return frame.rays.at[LaunchIndex()].time;
-}
-#endif
 
 // The same as a time of the set's own.
 float TimeOf(const GlyphSetRecord set)
 {
-  return set.shutterOpen + ShutterFraction() * set.shutterLength;
+  return set.shutterOpen + shutterTime * (set.shutterClose - set.shutterOpen);
 }
 
 // Which of the versions of a set's tree the ray in flight needs.
 uint SliceOf(const uint sliceBits)
 {
-  return uint(ShutterFraction() * float(1u << sliceBits));
+  return uint(shutterTime * float(1u << sliceBits));
 }
 
 // Sine and cosine of an angle >= 0, right to 2^-22 below 1000. Vulkan asks 2^-11 of its own, and that between -pi and

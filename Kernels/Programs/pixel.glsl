@@ -1,4 +1,4 @@
-// What the ray generation programs of images share: the pixel of a launch, camera rays, and what a pixel gathers.
+// What the programs of images share: the pixel of a launch, camera rays, and what a pixel gathers.
 // What an image does not ask for is not in its program: on CPU devices even untaken branches cost time. Accumulation
 // and exposure, which users turn on and off, are asked of the frame: once a pixel.
 #include "../Shading/Sampling.glsl"

@@ -9,12 +9,10 @@ bool LeavesColours(const GlyphSetRecord set, const vec4 colour)
 // The normal of an analytic shape where only t is known.
 vec3 NormalOnGlyph(const GlyphSource source, const GlyphRay ray, const uint glyph, const float t)
 {
-#ifdef RTG_MESHES
   if (IsOfShape(source.set.shape, RTG_MESH))
   {
     return vec3(0.0);
   }
-#endif
   return GlyphNormal(source.set.shape, ray, FetchGlyph(source, glyph), t);
 }
 
@@ -26,13 +24,11 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
   GlyphSetRecord set = source.set;
   Glyph found = FetchGlyph(source, glyph);
   SurfaceHit hit;
-#ifdef RTG_MESHES
   if (IsOfShape(set.shape, RTG_MESH))
   {
     hit = HitOnMesh(record, set, found, ray, glyph, t, triangle);
   }
   else
-#endif
   {
     hit.t = t;
     hit.normal = normal;

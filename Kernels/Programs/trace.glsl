@@ -1,18 +1,9 @@
-// Tracing one ray from ray generation programs. There are two ways from a ray to what it meets: with RTG_OWN_TREES the
-// program walks the trees of all sets itself (walk.glsl); else the driver traverses its own structure and calls the
-// programs of the sets' hit groups.
-#ifdef RTG_OWN_TREES
-#define RTG_MESHES
+// Tracing one ray. What it may meet is found in own trees (walk.glsl) or by ray queries in the driver's structure
+// (query.glsl); from there on there is one way.
 #include "glyph.glsl"
+#include "query.glsl"
 #include "walk.glsl"
 #include "surface.glsl"
-#else
-#include "../Shapes/Dialect.glsl"
-#include "../Shapes/DoubleWord.glsl"
-#include "../Shading/Sobol.glsl"
-
-layout(location = 0) rayPayloadEXT SurfaceHit payload;
-#endif
 
 // A ray ready to be traced. Floats near the scene are small numbers, and so are the errors of the traversal's box
 // tests: the origin is moved to where the ray enters the scene's bounds, exactly, and t counts from there. A place on
@@ -20,7 +11,7 @@ layout(location = 0) rayPayloadEXT SurfaceHit payload;
 // distance of the eye leaves of it.
 struct SceneRay
 {
-  DoubleWord3 origin; // exact; the low part goes to the intersection programs beside the driver's ray
+  DoubleWord3 origin; // exact; drivers see the high part
   vec3 direction;
   float start; // how far the origin was moved along the ray
 };
@@ -30,11 +21,7 @@ void SetShutterTime(const float time)
 {
   if (moves)
   {
-#ifdef RTG_OWN_TREES
     shutterTime = time;
-#else
-    frame.rays.at[LaunchIndex()].time = time;
-#endif
   }
 }
 
@@ -84,7 +71,6 @@ DoubleWord3 LeaveSurface(const SceneRay ray, const SurfaceHit hit)
   return Add(position, TwoProduct(hit.normal, vec3(ErrorOfT(ray, hit) * length(ray.direction))));
 }
 
-#ifdef RTG_OWN_TREES
 // The nearest hit with tMin <= t <= tMax, or one with t < 0; of a query of any, only the sign of t means something.
 // With `gathers` the next of the layers, which are gathered in one traversal, as many as the list holds.
 SurfaceHit Trace(const Query query, const bool gathers)
@@ -100,7 +86,14 @@ SurfaceHit Trace(const Query query, const bool gathers)
       layerLimit = frame.layerLimit;
       layerCount = layerNext = 0u;
     }
-    found = WalkSets(ray, query.tMin, query.tMax, query.mask, query.seed, query.any, gathers);
+    if (rayQueries)
+    {
+      found = QueryStructure(ray, query.tMin, query.tMax, query.mask, query.seed, query.any, gathers);
+    }
+    else
+    {
+      found = WalkSets(ray, query.tMin, query.tMax, query.mask, query.seed, query.any, gathers);
+    }
   }
   if (gathers)
   {
@@ -127,55 +120,6 @@ SurfaceHit Trace(const Query query, const bool gathers)
   }
   return hit;
 }
-#else
-// Lets the driver trace the ray; `flags`: besides that everything is opaque to it.
-void TraceDriver(const Query query, const uint flags, const uint mask)
-{
-  frame.rays.at[LaunchIndex()].originLow = query.ray.origin.lo;
-  if (translucency)
-  {
-    frame.rays.at[LaunchIndex()].seed = query.seed;
-  }
-  uint slice = moves ? uint(frame.rays.at[LaunchIndex()].time * float(frame.topLevelCount)) : 0u;
-  // The miss program makes it negative.
-  payload.t = 0.0;
-  traceRayEXT(accelerationStructureEXT(frame.topLevels.at[slice]), gl_RayFlagsOpaqueEXT | flags, mask, 0u, 0u, 0u,
-    query.ray.origin.hi, query.tMin, query.ray.direction, query.tMax, 0);
-}
-
-SurfaceHit Trace(Query query, const bool gathers)
-{
-  // Whether a ray of any still asks what is opaque, of which the first hit ends the traversal.
-  bool any = query.any;
-  uint pass = 0u;
-  payload = NoHit();
-  bool further = true;
-  // The traversal is in the program once: some drivers copy it to every call. The loop has one exit: lavapipe with LLVM
-  // 21 loses hits of one that returns.
-  while (further && query.tMin <= query.tMax)
-  {
-    TraceDriver(query, any ? gl_RayFlagsTerminateOnFirstHitEXT | gl_RayFlagsSkipClosestHitShaderEXT : 0u,
-      any ? query.mask & ANY_OPAQUE_MASK : query.mask);
-    further = false;
-    if (translucency && any)
-    {
-      any = false;
-      query.mask &= ANY_TRANSLUCENT_MASK;
-      further = payload.t < 0.0;
-    }
-    else if (translucency && query.seed != 0u && payload.t >= 0.0 && payload.colour.a < 1.0 && pass < maximumPasses)
-    {
-      // Among glyphs the traversal has decided; the opacity of one of the driver's triangles is known only now.
-      ++pass;
-      query.seed = Hash(query.seed) | 1u;
-      further = UnitInterval(Hash(query.seed)) >= payload.colour.a;
-      query.tMin = payload.t + ErrorOfT(query.ray, payload);
-      payload.t = further ? -1.0 : payload.t; // nothing more may be hit
-    }
-  }
-  return payload;
-}
-#endif
 
 // Whether something stops light that arrives along `direction` (unit) from at most `distance` away.
 Query ShadowQuery(const DoubleWord3 origin, const vec3 direction, const float distance, const uint seed)

@@ -1,4 +1,4 @@
-// What triangles of our own trees and of the driver's structure share: normals and colours by their corners.
+// Normals and colours of triangles by their corners.
 uvec3 CornersOf(const GlyphSetRecord set, const uint triangle)
 {
   return uvec3(set.meshTriangles.at[3u * triangle], set.meshTriangles.at[3u * triangle + 1u],

@@ -1,86 +1,10 @@
-// What a ray meets of the sets of a scene, by their own trees (Kernels/GlyphTree.h); after bindings.glsl and
-// glyph.glsl.
+// Candidates from own trees: a ray goes through the visible sets one after the other and walks the tree of each
+// (Kernels/GlyphTree.h).
 #ifndef RTG_WALK
 #define RTG_WALK
 
+#include "candidates.glsl"
 #include "tree.glsl"
-
-// A crossing of a glyph's surface
-struct GlyphCrossing
-{
-  uint record; // of the glyph's set
-  uint glyph;  // or `nothing`
-  uint triangle;
-  float t;
-  vec3 normal; // of an analytic shape; a layer has none
-};
-
-// The nearest crossings of a ray that gathers its layers, of all glyphs, in their order: by t, then by glyph. Not a
-// parameter: compilers copy arrays at every call.
-uint layerCount = 0u;
-uint layerLimit = 0u;           // no more are wanted
-uint layerNext = 0u;            // the first that has not been shown
-uint layerTime[LAYER_CAPACITY]; // bits of t: of floats from 0 on they have their order
-uint layerGlyph[LAYER_CAPACITY];
-uint layerRecord[LAYER_CAPACITY];   // where there are several
-uint layerTriangle[LAYER_CAPACITY]; // where there are meshes
-const bool gathersTriangles = (shapes & (1u << RTG_MESH)) != 0u;
-
-// Adds a crossing; of more than the limit the farthest is dropped. They come in nearly in their order.
-void AddLayer(const GlyphCrossing added)
-{
-  uint time = floatBitsToUint(added.t);
-  uint at = min(layerCount, layerLimit - 1u);
-  for (; at > 0u && (layerTime[at - 1u] > time || (layerTime[at - 1u] == time && layerGlyph[at - 1u] > added.glyph));
-       --at)
-  {
-    layerTime[at] = layerTime[at - 1u];
-    layerGlyph[at] = layerGlyph[at - 1u];
-    if (!alone)
-    {
-      layerRecord[at] = layerRecord[at - 1u];
-    }
-    if (gathersTriangles)
-    {
-      layerTriangle[at] = layerTriangle[at - 1u];
-    }
-  }
-  layerTime[at] = time;
-  layerGlyph[at] = added.glyph;
-  if (!alone)
-  {
-    layerRecord[at] = added.record;
-  }
-  if (gathersTriangles)
-  {
-    layerTriangle[at] = added.triangle;
-  }
-  layerCount = min(layerCount + 1u, layerLimit);
-}
-
-GlyphCrossing LayerAt(const uint at)
-{
-  return GlyphCrossing(alone ? 0u : layerRecord[at], layerGlyph[at], gathersTriangles ? layerTriangle[at] : nothing,
-    uintBitsToFloat(layerTime[at]), vec3(0.0));
-}
-
-// Adds the glyph's crossings in [tMin, tMax]; returns up to where others are still wanted.
-float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
-  float tMin, float tMax)
-{
-  float t;
-  vec3 normal;
-  uint triangle;
-  for (uint crossing = 0u;
-       crossing < maximumPasses && Intersect(set, ray, glyph, tMin, tMax, false, false, t, normal, triangle);
-       ++crossing)
-  {
-    AddLayer(GlyphCrossing(record, number, triangle, t, normal));
-    tMax = layerCount == layerLimit ? LayerAt(layerLimit - 1u).t : tMax;
-    tMin = t + ErrorOfT(set, ray, glyph, t);
-  }
-  return tMax;
-}
 
 // Brings a crossing of a glyph of the set that is nearer than `hit`; with `any` whichever comes first. With `gathers`
 // all crossings nearer than it are added to the layers instead, as many as are wanted.
@@ -164,22 +88,8 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
     }
     if (candidate != nothing)
     {
-      Glyph glyph = FetchGlyph(source, candidate);
-      float t;
-      vec3 normal;
-      uint triangle;
-      if (gathers)
+      if (MeetGlyph(record, set, ray, candidate, FetchGlyph(source, candidate), seed, tMin, any, gathers, hit))
       {
-        hit.t = AddLayersOf(record, set, ray, candidate, glyph, tMin, hit.t);
-        DropHidden(position, hit.t);
-      }
-      else if (IntersectStopping(set, ray, candidate, glyph, seed, tMin, hit.t, any, !any, t, normal, triangle))
-      {
-        hit.record = record;
-        hit.glyph = candidate;
-        hit.triangle = triangle;
-        hit.t = t;
-        hit.normal = normal;
         going = going && !any;
         DropHidden(position, hit.t);
       }

@@ -1,8 +1,19 @@
-// Where the light comes from that is seen on a surface: number, name (rtg::Shading), program (Programs/<program>.rgen).
+// Where the light comes from that is seen on a surface: number, name (rtg::Shading), program (Programs/<program>.comp),
+// and what else it differs in (rtg::ShadingTraits):
+//   scatters: rays leave surfaces in random directions, so that images are noisy light in linear units
+//   layers: translucent surfaces are composited front to back; else rays pass them by chance
+//   environmentImage: an image may be the light from all around
+//   rays: the setting that says how many start from what a camera ray hits
+//   atOnce: log2 of the camera rays of a dispatch
 // CMakeLists.txt reads these lines, too.
 #pragma once
 
+// clang-format off
 #define RTG_SHADINGS(ENTRY)                                                                                            \
-  ENTRY(0, Local, image)                /* the view's lights, as if the surface were alone */                          \
-  ENTRY(1, AmbientOcclusion, occlusion) /* times the share of light from all around that reaches it */                 \
-  ENTRY(2, PathTracing, path)           /* all around and the view's lights, after up to maximumBounces scatterings */
+  /* the view's lights, as if the surface were alone */                                                                \
+  ENTRY(0, Local, image, /*scatters*/ false, /*layers*/ true, /*environmentImage*/ false, nullptr, 28)                            \
+  /* times the share of light from all around that reaches it */                                                       \
+  ENTRY(1, AmbientOcclusion, occlusion, true, true, false, &TraceSettings::occlusionRays, 26)                          \
+  /* all around and the view's lights, after up to maximumBounces scatterings */                                       \
+  ENTRY(2, PathTracing, path, true, false, true, &TraceSettings::paths, 23)
+// clang-format on

@@ -95,11 +95,9 @@ void Batch::Run()
         build.info.scratchData.deviceAddress = (scratch.Address() + alignment - 1) / alignment * alignment;
         const vk::AccelerationStructureBuildRangeInfoKHR range(build.count, 0, 0, 0);
         command.buildAccelerationStructuresKHR(build.info, &range);
-        // The next one uses the same scratch memory, and may be built over this one. Compute shaders read no
-        // structures.
+        // The next one uses the same scratch memory, and may be built over this one.
         Barrier(command, Stage::eAccelerationStructureBuildKHR, Access::eAccelerationStructureWriteKHR,
-          Stage::eRayTracingShaderKHR | Stage::eAccelerationStructureBuildKHR,
-          Access::eAccelerationStructureReadKHR | Access::eAccelerationStructureWriteKHR);
+          this->device_.programStages, Access::eAccelerationStructureReadKHR | Access::eAccelerationStructureWriteKHR);
       }
     });
   this->copies_.clear();

@@ -20,15 +20,15 @@ namespace rtg
 namespace
 {
 
-constexpr const char* rayExtensions[] = { VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
-  VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME, VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME };
+constexpr const char* rayExtensions[] = { VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_RAY_QUERY_EXTENSION_NAME,
+  VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME };
 
 constexpr const char* remedy =
-  "Install a driver for Vulkan 1.2 with shaderInt64 or VK_KHR_ray_tracing_pipeline: a GPU vendor's, or Mesa 22.3 or "
-  "newer with lavapipe (Debian: mesa-vulkan-drivers).";
+  "Install a driver for Vulkan 1.2 with shaderInt64: a GPU vendor's, or Mesa 22.3 or newer with lavapipe "
+  "(Debian: mesa-vulkan-drivers).";
 
 using Features = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
-  vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>;
+  vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayQueryFeaturesKHR>;
 
 bool HasExtensions(const vk::raii::PhysicalDevice& physical, std::span<const char* const> names)
 {
@@ -41,17 +41,17 @@ bool HasExtensions(const vk::raii::PhysicalDevice& physical, std::span<const cha
   return std::all_of(names.begin(), names.end(), has);
 }
 
-// Whether the driver traverses structures of its own.
-bool TracesRays(const vk::raii::PhysicalDevice& physical)
+// Whether programs can query acceleration structures.
+bool HasRayQueries(const vk::raii::PhysicalDevice& physical)
 {
   if (!HasExtensions(physical, rayExtensions))
   {
     return false;
   }
   const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2,
-    vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>();
+    vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayQueryFeaturesKHR>();
   return features.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure &&
-    features.get<vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>().rayTracingPipeline;
+    features.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery;
 }
 
 // What the device lacks to trace, in words; empty: nothing.
@@ -63,17 +63,13 @@ std::string Lacks(const vk::raii::PhysicalDevice& physical)
   }
   const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
   const auto& vulkan12 = features.get<vk::PhysicalDeviceVulkan12Features>();
-  if (!features.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 && !TracesRays(physical))
+  if (!features.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64)
   {
-    return "both shaderInt64 and rayTracingPipeline";
+    return "the feature shaderInt64";
   }
   if (!vulkan12.bufferDeviceAddress || !vulkan12.scalarBlockLayout)
   {
     return "the features bufferDeviceAddress and scalarBlockLayout";
-  }
-  if (!vulkan12.vulkanMemoryModel)
-  {
-    return "the feature vulkanMemoryModel";
   }
   // Programs/bindings.glsl declares them.
   const auto properties =
@@ -202,27 +198,25 @@ std::uint32_t ChooseQueueFamily(const vk::raii::PhysicalDevice& physical)
   throw Error("Ray Traced Glyphs: the Vulkan device '" + DeviceName(physical) + "' has no compute queue. " + remedy);
 }
 
-vk::raii::Device
-MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool int64, bool tracesRays)
+vk::raii::Device MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool rayQueries)
 {
   Features enabled;
-  enabled.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 = int64;
+  enabled.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 = true;
   auto& vulkan12 = enabled.get<vk::PhysicalDeviceVulkan12Features>();
   vulkan12.bufferDeviceAddress = true;
   vulkan12.scalarBlockLayout = true;
-  vulkan12.vulkanMemoryModel = true;
   enabled.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure = true;
-  enabled.get<vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>().rayTracingPipeline = true;
-  if (!tracesRays)
+  enabled.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery = true;
+  if (!rayQueries)
   {
     enabled.unlink<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>();
-    enabled.unlink<vk::PhysicalDeviceRayTracingPipelineFeaturesKHR>();
+    enabled.unlink<vk::PhysicalDeviceRayQueryFeaturesKHR>();
   }
 
   const float priority = 1.0f;
   const vk::DeviceQueueCreateInfo queueInfo({}, queueFamily, 1, &priority);
   vk::DeviceCreateInfo info({}, queueInfo);
-  if (tracesRays)
+  if (rayQueries)
   {
     info.setPEnabledExtensionNames(rayExtensions);
   }
@@ -292,22 +286,19 @@ void Device::Start()
   State& state = *this->state_;
   state.sharesMemory = state.cpu;
   state.queueFamily = ChooseQueueFamily(state.physical);
-  state.int64 = state.physical.getFeatures().shaderInt64;
-  state.tracesRays = TracesRays(state.physical);
-  constexpr const char* rayQueries[] = { VK_KHR_RAY_QUERY_EXTENSION_NAME };
-  state.hasRayQueries = HasExtensions(state.physical, rayQueries);
+  state.rayQueries = HasRayQueries(state.physical);
   state.miscompilesTrees = MiscompilesTrees(state.physical);
   using Stage = vk::PipelineStageFlagBits;
   state.programStages = Stage::eComputeShader;
-  if (state.tracesRays)
+  if (state.rayQueries)
   {
-    state.programStages |= Stage::eRayTracingShaderKHR | Stage::eAccelerationStructureBuildKHR;
+    state.programStages |= Stage::eAccelerationStructureBuildKHR;
   }
-  state.device = MakeDevice(state.physical, state.queueFamily, state.int64, state.tracesRays);
+  state.device = MakeDevice(state.physical, state.queueFamily, state.rayQueries);
   state.queue = state.device.getQueue(state.queueFamily, 0);
   state.LoadPrograms();
-  // The programs of a ray-tracing pipeline see the block, too.
-  const vk::DescriptorSetLayoutBinding block(0, vk::DescriptorType::eUniformBuffer, 1, vk::ShaderStageFlagBits::eAll);
+  const vk::DescriptorSetLayoutBinding block(
+    0, vk::DescriptorType::eUniformBuffer, 1, vk::ShaderStageFlagBits::eCompute);
   state.frameLayout = vk::raii::DescriptorSetLayout(state.device, vk::DescriptorSetLayoutCreateInfo({}, block));
   state.programLayout = vk::raii::PipelineLayout(state.device, vk::PipelineLayoutCreateInfo({}, *state.frameLayout));
   state.programs = std::make_unique<ProgramLibrary>(state);
@@ -324,12 +315,12 @@ void Device::Start()
         .get<vk::PhysicalDeviceMaintenance4Properties>()
         .maxBufferSize;
   }
-  if (state.tracesRays)
+  if (state.rayQueries)
   {
-    const auto properties = state.physical.getProperties2<vk::PhysicalDeviceProperties2,
-      vk::PhysicalDeviceRayTracingPipelinePropertiesKHR, vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
-    state.pipelineLimits = properties.get<vk::PhysicalDeviceRayTracingPipelinePropertiesKHR>();
-    state.structureLimits = properties.get<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
+    state.structureLimits =
+      state.physical
+        .getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceAccelerationStructurePropertiesKHR>()
+        .get<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
   }
 }
 
@@ -375,7 +366,7 @@ bool Device::IsCpu() const
 
 bool Device::PrefersTrees() const
 {
-  return this->state_->cpu ? !this->state_->miscompilesTrees : !this->state_->hasRayQueries;
+  return this->state_->cpu ? !this->state_->miscompilesTrees : !this->state_->rayQueries;
 }
 
 bool Device::Lost() const

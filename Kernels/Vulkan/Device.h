@@ -12,8 +12,8 @@ class Device
 {
 public:
   /// The process's device, made on first call: the one that the environment variable RTGLYPHS_DEVICE
-  /// names (an index into, or part of a name in, the list of Vulkan devices), else the first GPU with
-  /// the ray-tracing pipeline, else Mesa's lavapipe. Throws rtg::Error that says what is missing and how to
+  /// names (an index into, or part of a name in, the list of Vulkan devices), else the first GPU,
+  /// else Mesa's lavapipe. Throws rtg::Error that says what is missing and how to
   /// install it; a later call tries again. After the device was lost, the next call makes a new one.
   static std::shared_ptr<Device> Shared();
 

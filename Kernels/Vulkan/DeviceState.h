@@ -41,7 +41,6 @@ struct Device::State
   std::mutex queueMutex; ///< programs are compiled in threads of their own
   Memory memory;
   vk::PhysicalDeviceMemoryProperties memoryTypes;
-  vk::PhysicalDeviceRayTracingPipelinePropertiesKHR pipelineLimits;
   vk::PhysicalDeviceAccelerationStructurePropertiesKHR structureLimits;
   /// Bytes of a buffer, and of an allocation: drivers may give more than they say of the latter. Tests lower them.
   vk::DeviceSize mostOfBuffer = std::numeric_limits<vk::DeviceSize>::max(), mostOfAllocation = mostOfBuffer;
@@ -51,11 +50,10 @@ struct Device::State
   /// Programs run on the host's processor, so that its memory is theirs: every buffer is mapped and nothing is copied.
   /// Tests switch it off to have a CPU device treated like others.
   bool sharesMemory = false;
-  bool int64 = false;      ///< 64-bit integers in programs
-  bool tracesRays = false; ///< the driver has structures and pipelines for rays
-  /// Of a GPU it tells whether hardware finds what rays meet: a driver that emulates pipelines for rays where there is
-  /// none, as NVIDIA's does, has no ray queries there (github.com/KhronosGroup/Vulkan-Docs/issues/1241).
-  bool hasRayQueries = false;
+  /// The driver has acceleration structures and ray queries. Of a GPU it tells whether hardware finds what rays meet: a
+  /// driver that emulates it, as NVIDIA's does, has ray-tracing pipelines, but no ray queries
+  /// (github.com/KhronosGroup/Vulkan-Docs/issues/1241).
+  bool rayQueries = false;
   /// Mesa's lavapipe with LLVM 21 and later: of the programs that walk own trees, which are the longest ones, it
   /// compiles some wrongly. Which ones changes with every line of them; NormalsTest and the tests of pictures see it.
   bool miscompilesTrees = false;

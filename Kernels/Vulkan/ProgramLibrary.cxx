@@ -16,7 +16,7 @@ constexpr std::size_t keptPrograms = 64;
 // Some drivers compile when a pipeline is made, others at its first launch: that is one of no pixel.
 void Compile(Device::State& vulkan, Program& program)
 {
-  auto pipeline = std::make_unique<Pipeline>(vulkan, program.generation, program.groups);
+  auto pipeline = std::make_unique<Pipeline>(vulkan, program.specialization);
   device::FrameRecord frame{};
   frame.tileStride = frame.tileCount = frame.tileColumns = 1;
   frame.launchWidth = 1;
@@ -53,14 +53,12 @@ ProgramLibrary::~ProgramLibrary()
   this->idle_.wait(lock, [this] { return this->atWork_ == 0; });
 }
 
-std::pair<std::shared_ptr<Program>, bool>
-ProgramLibrary::Get(const Generation& generation, const std::vector<HitGroup>& ofScene)
+std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specialization& specialization)
 {
-  const std::vector<HitGroup> groups = generation.ownTrees ? std::vector<HitGroup>() : ofScene;
   const std::lock_guard<std::mutex> lock(this->mutex_);
   std::erase_if(this->programs_, HasFailed);
   const auto found = std::find_if(this->programs_.begin(), this->programs_.end(),
-    [&](const auto& p) { return p->generation == generation && p->groups == groups; });
+    [&](const auto& program) { return program->specialization == specialization; });
   if (found != this->programs_.end())
   {
     std::rotate(found, found + 1, this->programs_.end());
@@ -77,8 +75,7 @@ ProgramLibrary::Get(const Generation& generation, const std::vector<HitGroup>& o
     }
   }
   const auto program = std::make_shared<Program>();
-  program->generation = generation;
-  program->groups = groups;
+  program->specialization = specialization;
   const auto compiling =
     std::make_shared<std::packaged_task<void()>>([device = this->device_, p = program.get()] { Compile(*device, *p); });
   program->compiled = compiling->get_future();

@@ -17,8 +17,7 @@ namespace rtg
 /// A pipeline, and the thread that compiles it.
 struct Program
 {
-  Generation generation;
-  std::vector<HitGroup> groups;
+  Specialization specialization;
   std::unique_ptr<Pipeline> pipeline; ///< null until `compiled` is ready, and after a failure
   std::shared_future<void> compiled;  ///< throws what compiling failed of
 };
@@ -32,9 +31,8 @@ public:
   ProgramLibrary(const ProgramLibrary&) = delete;
   ProgramLibrary& operator=(const ProgramLibrary&) = delete;
 
-  /// The program of these keys (of those that walk own trees, the first alone). True: compiling has begun with this
-  /// call; again, if it failed before. In any thread.
-  std::pair<std::shared_ptr<Program>, bool> Get(const Generation& generation, const std::vector<HitGroup>& groups);
+  /// The program of that key. True: compiling has begun with this call; again, if it failed before. In any thread.
+  std::pair<std::shared_ptr<Program>, bool> Get(const Specialization& specialization);
 
 private:
   Device::State* device_;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -22,6 +24,7 @@ public:
   Pruning(const programs::Code& code, const Constants& constants)
     : module_(code)
     , values_(module_, constants)
+    , rayQueries_(constants.rayQueries)
   {
     for (const Instruction& instruction : this->module_.global)
     {
@@ -40,11 +43,14 @@ public:
 
 private:
   std::uint32_t Answer(const Instruction& call, const Facts& facts) const;
-  void WriteGlobal(const Instruction& instruction, std::vector<std::uint32_t>& words) const;
+  bool DeclaresRayQueries(const Instruction& instruction, std::set<std::uint32_t>& declared) const;
+  void WriteGlobal(
+    const Instruction& instruction, const std::set<std::uint32_t>& gone, std::vector<std::uint32_t>& words) const;
   void Write(const Function& function, const Facts& facts, std::vector<std::uint32_t>& words) const;
 
   Module module_;
   Values values_;
+  bool rayQueries_;
   std::array<std::uint32_t, 2> boolean_{}; ///< ids of false and true; 0: the module has none
   std::uint32_t booleanType_ = 0;
 };
@@ -136,21 +142,52 @@ std::vector<std::uint32_t> Pruning::Write()
   }
   std::vector<std::uint32_t> pruned(this->module_.code->words, this->module_.code->words + headerWords);
   pruned.reserve(this->module_.code->bytes / sizeof(std::uint32_t));
-  for (const Instruction& instruction : this->module_.global)
+  // Names come before what they name.
+  std::vector<Instruction> globals;
+  std::copy_if(this->module_.global.begin(), this->module_.global.end(), std::back_inserter(globals),
+    [&](const Instruction& instruction) { return !this->DeclaresRayQueries(instruction, gone); });
+  for (const Instruction& instruction : globals)
   {
     const bool about = instruction.Code() == OpName || instruction.Code() == OpDecorate;
     if (!about || !gone.count(instruction.Operand(1)))
     {
-      this->WriteGlobal(instruction, pruned);
+      this->WriteGlobal(instruction, gone, pruned);
     }
   }
   pruned.insert(pruned.end(), ofFunctions.begin(), ofFunctions.end());
   return pruned;
 }
 
+// Whether nothing but ray queries needs it, which the program has not. A device that lacks them must not be told of
+// them. `declared`: the ids of what does.
+bool Pruning::DeclaresRayQueries(const Instruction& instruction, std::set<std::uint32_t>& declared) const
+{
+  if (this->rayQueries_)
+  {
+    return false;
+  }
+  switch (instruction.Code())
+  {
+    case OpCapability:
+      return instruction.Operand(1) == CapabilityRayQueryKHR;
+    case OpExtension:
+      return std::strcmp(reinterpret_cast<const char*>(instruction.words + 1), "SPV_KHR_ray_query") == 0;
+    case OpTypeRayQueryKHR:
+    case OpTypeAccelerationStructureKHR:
+      return declared.insert(instruction.Operand(1)).second;
+    case OpTypePointer:
+      return declared.count(instruction.Operand(3)) && declared.insert(instruction.Operand(1)).second;
+    case OpVariable:
+      return declared.count(instruction.Operand(1)) && declared.insert(instruction.Operand(2)).second;
+    default:
+      return false;
+  }
+}
+
 // Constants that a driver would be asked to specialise become plain ones: validation layers optimise and check a
 // program anew for each pipeline that specialises it.
-void Pruning::WriteGlobal(const Instruction& instruction, std::vector<std::uint32_t>& words) const
+void Pruning::WriteGlobal(
+  const Instruction& instruction, const std::set<std::uint32_t>& gone, std::vector<std::uint32_t>& words) const
 {
   const std::uint32_t code = instruction.Code();
   const bool specialised =
@@ -164,6 +201,17 @@ void Pruning::WriteGlobal(const Instruction& instruction, std::vector<std::uint3
   else if (value)
   {
     words.insert(words.end(), { 4u << 16 | OpConstant, instruction.Operand(1), instruction.Operand(2), *value });
+  }
+  else if (code == OpEntryPoint)
+  {
+    // Behind the name come all global variables.
+    const std::size_t at = words.size();
+    const char* const name = reinterpret_cast<const char*>(instruction.words + 3);
+    const std::uint32_t* const variables = instruction.words + 4 + std::strlen(name) / sizeof(std::uint32_t);
+    words.insert(words.end(), instruction.words, variables);
+    std::copy_if(variables, instruction.words + instruction.Count(), std::back_inserter(words),
+      [&](std::uint32_t id) { return !gone.count(id); });
+    words[at] = static_cast<std::uint32_t>(words.size() - at) << 16 | OpEntryPoint;
   }
   else if (code != OpDecorate || instruction.Operand(2) != DecorationSpecId)
   {

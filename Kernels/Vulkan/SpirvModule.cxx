@@ -65,6 +65,9 @@ std::uint32_t ResultOf(const Instruction& instruction)
     case OpReturnValue:
     case OpUnreachable:
     case OpFunctionEnd:
+    case OpRayQueryInitializeKHR:
+    case OpRayQueryGenerateIntersectionKHR:
+    case OpRayQueryConfirmIntersectionKHR:
       return 0;
     default:
       return instruction.Count() > 2 ? instruction.Operand(2) : 0;

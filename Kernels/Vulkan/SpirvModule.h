@@ -15,8 +15,11 @@ namespace rtg::spirv
 enum Opcode : std::uint32_t
 {
   OpName = 5,
+  OpExtension = 10,
   OpEntryPoint = 15,
+  OpCapability = 17,
   OpTypeBool = 20,
+  OpTypePointer = 32,
   OpConstantTrue = 41,
   OpConstantFalse = 42,
   OpConstant = 43,
@@ -28,6 +31,7 @@ enum Opcode : std::uint32_t
   OpFunctionParameter = 55,
   OpFunctionEnd = 56,
   OpFunctionCall = 57,
+  OpVariable = 59,
   OpStore = 62,
   OpDecorate = 71,
   OpCopyObject = 83,
@@ -61,8 +65,15 @@ enum Opcode : std::uint32_t
   OpSwitch = 251,
   OpReturn = 253,
   OpReturnValue = 254,
-  OpUnreachable = 255
+  OpUnreachable = 255,
+  OpTypeRayQueryKHR = 4472,
+  OpRayQueryInitializeKHR = 4473,
+  OpRayQueryGenerateIntersectionKHR = 4475,
+  OpRayQueryConfirmIntersectionKHR = 4476,
+  OpTypeAccelerationStructureKHR = 5341
 };
+
+constexpr std::uint32_t CapabilityRayQueryKHR = 4472; ///< section 3.31
 
 constexpr std::uint32_t DecorationSpecId = 1; ///< section 3.20: the number of a specialisation constant
 

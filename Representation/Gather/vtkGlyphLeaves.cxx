@@ -4,8 +4,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellCenters.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkCompositeDataSetRange.h"
 #include "vtkDataArrayRange.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkHyperTreeGridCellCenters.h"
@@ -261,8 +259,10 @@ Leaf OwnCentersOf(Data* data)
   }
   return leaf;
 }
+}
 
-Leaf LeafOf(vtkDataObject* object, bool cells)
+//----------------------------------------------------------------------------
+vtkGlyphLeaves::Leaf vtkGlyphLeaves::Find(vtkDataObject* object, bool cells)
 {
   if (auto* grid = vtkHyperTreeGrid::SafeDownCast(object))
   {
@@ -281,39 +281,6 @@ Leaf LeafOf(vtkDataObject* object, bool cells)
     FindVertexCells(leaf);
   }
   return leaf;
-}
-}
-
-//----------------------------------------------------------------------------
-std::vector<vtkGlyphLeaves::Leaf> vtkGlyphLeaves::Find(vtkDataObject* input, bool cells)
-{
-  std::vector<Leaf> leaves;
-  const auto add = [&](vtkDataObject* object, unsigned int block, unsigned int flatIndex)
-  {
-    Leaf leaf = LeafOf(object, cells);
-    if (leaf.Data && leaf.Data->GetNumberOfPoints() > 0)
-    {
-      leaf.Block = block;
-      leaf.FlatIndex = flatIndex;
-      leaves.push_back(std::move(leaf));
-    }
-  };
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    add(input, 0, 0);
-    return leaves;
-  }
-  unsigned int block = 0;
-  for (auto node : vtk::Range(composite)) // an empty block has a number, too
-  {
-    if (node.GetDataObject())
-    {
-      add(node.GetDataObject(), block, node.GetFlatIndex());
-    }
-    ++block;
-  }
-  return leaves;
 }
 
 //----------------------------------------------------------------------------

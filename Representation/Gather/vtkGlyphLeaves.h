@@ -1,5 +1,5 @@
 /**
- * The data sets of any data object, and which of their points carry a glyph: all but ghost points, hidden points and
+ * Which points of a data set carry a glyph: all but ghost points, hidden points and
  * those that belong only to blanked cells (as under a finer AMR level); or instead of the points the centers of the
  * cells.
  */
@@ -22,8 +22,6 @@ namespace vtkGlyphLeaves
 struct Leaf
 {
   vtkSmartPointer<vtkDataSet> Data;
-  unsigned int FlatIndex = 0;
-  unsigned int Block = 0;        // number among the blocks of the input
   bool All = true;               // every point carries a glyph; Points is empty then
   std::vector<vtkIdType> Points; // otherwise these
   // Where Data consists of vertices of one point each, and each point has one: these.
@@ -45,10 +43,10 @@ struct Leaf
 };
 
 /**
- * The data sets that have points, in the order of the blocks. `cells`: glyphs stand at the centers of cells; those of
- * hyper tree grids always do.
+ * A data set, or hyper tree grid, and the points of it that carry glyphs. `cells`: glyphs stand at the centers of
+ * cells; those of hyper tree grids always do. Without Data where it is neither.
  */
-std::vector<Leaf> Find(vtkDataObject* input, bool cells);
+Leaf Find(vtkDataObject* object, bool cells);
 
 /**
  * Of structured data that are spread over processes, as a piece of `wholeExtent`: leaves out the points that a lower

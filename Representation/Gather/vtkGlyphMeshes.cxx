@@ -1,14 +1,43 @@
 #include "vtkGlyphMeshes.h"
 
 #include "Glyphs.h"
+#include "vtkAppendPolyData.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedSurfaceGatherer.h"
+#include "vtkRayTracedTree.h"
 
 #include <algorithm>
+
+namespace
+{
+// The polygons of a data set, or of all blocks of composite data. 3D Glyphs shade meshes by the normals they have, and
+// compute none.
+vtkSmartPointer<vtkPolyData> PolygonsOf(vtkDataObject* data)
+{
+  vtkRayTracedSurfaceGatherer::Settings settings;
+  settings.ComputesNormals = false;
+  vtkNew<vtkAppendPolyData> append;
+  vtkRayTracedTree::ForEach(
+    vtkRayTracedTree::Make(data, /*distinctColors=*/1, /*processes=*/1,
+      [&settings](vtkDataObject* leaf) { return vtkRayTracedSurfaceGatherer::Gather(leaf, settings); }),
+    [&append](vtkPolyData* polygons)
+    {
+      if (polygons->GetNumberOfPolys() > 0)
+      {
+        append->AddInputData(polygons);
+      }
+    });
+  if (append->GetNumberOfInputConnections(0) > 0)
+  {
+    append->Update();
+  }
+  return append->GetOutput();
+}
+}
 
 //----------------------------------------------------------------------------
 vtkGlyphMeshes::vtkGlyphMeshes() = default;
@@ -19,9 +48,6 @@ vtkGlyphMeshes::~vtkGlyphMeshes() = default;
 //----------------------------------------------------------------------------
 void vtkGlyphMeshes::Gather(vtkDataObject* data, bool blocksAreForms)
 {
-  // 3D Glyphs shade meshes by the normals they have, and compute none.
-  vtkRayTracedSurfaceGatherer::Settings settings;
-  settings.ComputesNormals = false;
   auto* blocks = vtkDataObjectTree::SafeDownCast(data);
   if (blocksAreForms && blocks)
   {
@@ -32,14 +58,13 @@ void vtkGlyphMeshes::Gather(vtkDataObject* data, bool blocksAreForms)
     block->SetTraverseSubTree(false);
     for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
     {
-      table->SetBlock(
-        table->GetNumberOfBlocks(), vtkRayTracedSurfaceGatherer::Gather(block->GetCurrentDataObject(), settings));
+      table->SetBlock(table->GetNumberOfBlocks(), PolygonsOf(block->GetCurrentDataObject()));
     }
     this->Piece->SetBlock(0, table);
   }
   else
   {
-    this->Piece->SetBlock(0, vtkRayTracedSurfaceGatherer::Gather(data, settings));
+    this->Piece->SetBlock(0, PolygonsOf(data));
   }
   this->Piece->Modified();
   this->Take(this->Piece);

@@ -1,7 +1,5 @@
 #include "vtkGlyphSelection.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -11,6 +9,7 @@
 #include "vtkPolyData.h"
 #include "vtkRayTracedArrays.h"
 #include "vtkRayTracedParallel.h"
+#include "vtkRayTracedTree.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -39,29 +38,32 @@ void AddIds(std::vector<Id>& ids, vtkDataSet* extracted, unsigned int block)
   add(extracted->GetCellData()->GetArray("vtkOriginalCellIds"), vtkRayTracedArrays::Mark);
 }
 
-// Of each cell of data that have lines and maybe vertices; 0 of those without points.
-std::vector<vtkIdType> FirstPoints(vtkPolyData* data)
+// For each of so many points or cells, whether it is among the ids, which are sorted.
+vtkSmartPointer<vtkUnsignedCharArray>
+Marks(const std::vector<Id>& ids, unsigned int block, vtkIdType count, vtkDataArray* numbers, vtkTypeInt64 mark)
 {
-  std::vector<vtkIdType> first(data->GetNumberOfCells(), 0);
-  vtkIdType cell = data->GetNumberOfVerts();
-  auto line = vtk::TakeSmartPointer(data->GetLines()->NewIterator());
-  for (line->GoToFirstCell(); !line->IsDoneWithTraversal(); line->GoToNextCell(), ++cell)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* points = nullptr;
-    line->GetCurrentCell(size, points);
-    first[cell] = size > 0 ? points[0] : 0;
-  }
-  return first;
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetName(vtkRayTracedArrays::Selected);
+  array->SetNumberOfValues(count);
+  vtkRayTracedParallel::ForChunks(count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Id id(block, mark + (numbers ? static_cast<vtkTypeInt64>(numbers->GetComponent(i, 0)) : i));
+        array->SetValue(i, std::binary_search(ids.begin(), ids.end(), id) ? 1 : 0);
+      }
+    });
+  return array;
 }
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkGlyphSelection::Mark(vtkPolyData* points, vtkDataObject* extracted)
+vtkSmartPointer<vtkDataObject> vtkGlyphSelection::Mark(vtkDataObject* gathered, vtkDataObject* extracted)
 {
   if (!extracted)
   {
-    return points;
+    return gathered;
   }
   std::vector<Id> ids;
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(extracted))
@@ -78,35 +80,20 @@ vtkSmartPointer<vtkPolyData> vtkGlyphSelection::Mark(vtkPolyData* points, vtkDat
   }
   std::sort(ids.begin(), ids.end());
 
-  vtkDataArray* blocks = points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex);
-  const auto marks = [&](vtkIdType count, vtkDataArray* numbers, vtkTypeInt64 mark, const auto& pointOf)
-  {
-    auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    array->SetName(vtkRayTracedArrays::Selected);
-    array->SetNumberOfValues(count);
-    vtkRayTracedParallel::ForChunks(count,
-      [&](vtkIdType begin, vtkIdType end)
+  return vtkRayTracedTree::Change(gathered,
+    [&ids](vtkPolyData* points)
+    {
+      auto marked = vtkSmartPointer<vtkPolyData>::New();
+      marked->ShallowCopy(points);
+      const unsigned int block = vtkRayTracedTree::FlatIndex(points);
+      vtkDataArray* numbers = points->GetPointData()->GetArray(vtkRayTracedArrays::PointIds);
+      marked->GetPointData()->AddArray(Marks(ids, block, points->GetNumberOfPoints(), numbers, 0));
+      if (points->GetNumberOfLines() > 0)
       {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          const Id id(blocks ? static_cast<unsigned int>(blocks->GetComponent(pointOf(i), 0)) : 0,
-            mark + (numbers ? static_cast<vtkTypeInt64>(numbers->GetComponent(i, 0)) : i));
-          array->SetValue(i, std::binary_search(ids.begin(), ids.end(), id) ? 1 : 0);
-        }
-      });
-    return array;
-  };
-  auto marked = vtkSmartPointer<vtkPolyData>::New();
-  marked->ShallowCopy(points);
-  vtkPointData* data = points->GetPointData();
-  marked->GetPointData()->AddArray(
-    marks(points->GetNumberOfPoints(), data->GetArray(vtkRayTracedArrays::PointIds), 0, [](vtkIdType i) { return i; }));
-  if (points->GetNumberOfLines() > 0)
-  {
-    const std::vector<vtkIdType> first = FirstPoints(points);
-    marked->GetCellData()->AddArray(
-      marks(static_cast<vtkIdType>(first.size()), points->GetCellData()->GetArray(vtkRayTracedArrays::CellIds),
-        vtkRayTracedArrays::Mark, [&first](vtkIdType i) { return first[i]; }));
-  }
-  return marked;
+        numbers = points->GetCellData()->GetArray(vtkRayTracedArrays::CellIds);
+        marked->GetCellData()->AddArray(
+          Marks(ids, block, points->GetNumberOfCells(), numbers, vtkRayTracedArrays::Mark));
+      }
+      return marked;
+    });
 }

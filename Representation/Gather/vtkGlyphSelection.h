@@ -11,18 +11,18 @@
 #include "vtkSmartPointer.h"
 
 class vtkDataObject;
-class vtkPolyData;
 
 class vtkGlyphSelection
 {
 public:
   /**
-   * The points with an array vtkRayTracedArrays::Selected, 1 where the extracted data have the point or the cell that
-   * the glyph stands for and 0 elsewhere; lines have one of their cells, too. Data of several ranks, some without a
-   * selected point, are put together, so all have the array; `points` itself where `extracted` is null. Points as
-   * vtkGlyphPointGatherer makes them, or lines as vtkRayTracedSurfaceGatherer does.
+   * The vtkRayTracedTree `gathered` with an array vtkRayTracedArrays::Selected of the points of each leaf, 1 where the
+   * extracted data have the point or the cell that the glyph stands for and 0 elsewhere; lines have one of their cells,
+   * too. Data of several ranks, some without a selected point, are put together, so all have the array; `gathered`
+   * itself where `extracted` is null. Leaves as vtkGlyphPointGatherer makes them, or lines as
+   * vtkRayTracedSurfaceGatherer does.
    */
-  static vtkSmartPointer<vtkPolyData> Mark(vtkPolyData* points, vtkDataObject* extracted);
+  static vtkSmartPointer<vtkDataObject> Mark(vtkDataObject* gathered, vtkDataObject* extracted);
 };
 
 #endif

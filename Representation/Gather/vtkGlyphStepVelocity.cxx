@@ -15,7 +15,7 @@
 #include "vtkPolyData.h"
 #include "vtkRayTracedArrays.h"
 #include "vtkRayTracedParallel.h"
-#include "vtkUnsignedIntArray.h"
+#include "vtkRayTracedTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ vtkDataArray* vtkGlyphStepVelocity::IdsOf(vtkPolyData* points) const
 }
 
 //----------------------------------------------------------------------------
-void vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataObject* input, vtkAlgorithm* source)
+void vtkGlyphStepVelocity::AddTo(vtkDataObject* gathered, vtkDataObject* input, vtkAlgorithm* source)
 {
   if (this->Source != source)
   {
@@ -75,11 +75,12 @@ void vtkGlyphStepVelocity::AddTo(vtkPolyData* points, vtkDataObject* input, vtkA
   }
   vtkInformation* info = input->GetInformation();
   this->Follow(
-    points, info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : vtkMath::Nan());
+    gathered, info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : vtkMath::Nan());
 }
 
 //----------------------------------------------------------------------------
-std::vector<vtkGlyphStepVelocity::Entry> vtkGlyphStepVelocity::EntriesOf(vtkPolyData* points, vtkDataArray* ids)
+void vtkGlyphStepVelocity::AddEntries(
+  vtkPolyData* points, vtkDataArray* ids, vtkDataArray* velocities, std::vector<Entry>& entries)
 {
   const vtkIdType count = points->GetNumberOfPoints();
   std::vector<std::int64_t> numbers(count);
@@ -88,20 +89,27 @@ std::vector<vtkGlyphStepVelocity::Entry> vtkGlyphStepVelocity::EntriesOf(vtkPoly
   {
     read(ids, numbers);
   }
-  std::vector<Entry> entries(count);
-  auto* blocks =
-    vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));
+  const std::size_t first = entries.size();
+  entries.resize(first + count);
+  const unsigned int block = vtkRayTracedTree::FlatIndex(points);
   vtkRayTracedParallel::ForChunks(count,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        entries[i].Id = numbers[i];
-        entries[i].Block = blocks ? blocks->GetValue(i) : 0;
-        entries[i].Point = i;
-        points->GetPoint(i, entries[i].X);
+        Entry& entry = entries[first + i];
+        entry.Id = numbers[i];
+        entry.Block = block;
+        entry.Velocities = velocities;
+        entry.Point = i;
+        points->GetPoint(i, entry.X);
       }
     });
+}
+
+//----------------------------------------------------------------------------
+void vtkGlyphStepVelocity::KeepUnique(std::vector<Entry>& entries)
+{
   const auto before = [](const Entry& a, const Entry& b) { return a.Key() < b.Key(); };
   if (!std::is_sorted(entries.begin(), entries.end(), before))
   {
@@ -135,22 +143,33 @@ std::vector<vtkGlyphStepVelocity::Entry> vtkGlyphStepVelocity::EntriesOf(vtkPoly
     }
   }
   entries.resize(kept);
-  return entries;
 }
 
 //----------------------------------------------------------------------------
-void vtkGlyphStepVelocity::Follow(vtkPolyData* points, double time)
+void vtkGlyphStepVelocity::Follow(vtkDataObject* gathered, double time)
 {
-  vtkDataArray* ids = this->IdsOf(points);
-  this->Points = points->GetNumberOfPoints();
+  std::vector<Entry> entries;
+  this->Points = 0;
   this->WithoutPartner = 0;
-  vtkNew<vtkFloatArray> velocities;
-  velocities->SetName(Name());
-  velocities->SetNumberOfComponents(3);
-  velocities->SetNumberOfTuples(this->Points);
-  velocities->FillValue(0.0f);
-  points->GetPointData()->AddArray(velocities);
-  if (this->Points > 0 && !ids)
+  bool anyIds = false;
+  vtkRayTracedTree::ForEach(gathered,
+    [&](vtkPolyData* points)
+    {
+      vtkNew<vtkFloatArray> velocities;
+      velocities->SetName(Name());
+      velocities->SetNumberOfComponents(3);
+      velocities->SetNumberOfTuples(points->GetNumberOfPoints());
+      velocities->FillValue(0.0f);
+      points->GetPointData()->AddArray(velocities);
+      this->Points += points->GetNumberOfPoints();
+      vtkDataArray* ids = points->GetNumberOfPoints() > 0 ? this->IdsOf(points) : nullptr;
+      if (ids)
+      {
+        anyIds = true;
+        AddEntries(points, ids, velocities, entries);
+      }
+    });
+  if (this->Points > 0 && !anyIds)
   {
     this->Outcome = NO_IDS;
     return;
@@ -169,7 +188,8 @@ void vtkGlyphStepVelocity::Follow(vtkPolyData* points, double time)
   }
   this->Now.Seen = true;
   this->Now.Time = time;
-  this->Now.Entries = this->Points > 0 ? EntriesOf(points, ids) : std::vector<Entry>();
+  KeepUnique(entries);
+  this->Now.Entries = std::move(entries);
   if (!this->Before.Seen)
   {
     this->Outcome = FOUND;
@@ -191,7 +211,7 @@ void vtkGlyphStepVelocity::Follow(vtkPolyData* points, double time)
     {
       for (int c = 0; c < 3; ++c)
       {
-        velocities->SetTypedComponent(now.Point, c, static_cast<float>((now.X[c] - partner->X[c]) / length));
+        now.Velocities->SetComponent(now.Point, c, (now.X[c] - partner->X[c]) / length);
       }
       ++partners;
     }

@@ -4,7 +4,7 @@
  *
  * For data without an array of velocities: v = (x(now) - x(before)) / (t(now) - t(before)), a backward difference of
  * first order, of the points that have the same id in both steps. "Before" is the last step of another time that this
- * object was given, whichever it was, so that time may jump and run backwards; its positions are kept, 40 bytes a
+ * object was given, whichever it was, so that time may jump and run backwards; its positions are kept, 48 bytes a
  * point.
  *
  * A point without a partner stands still: its id is new, or occurs more than once in one of the steps, or one of
@@ -38,10 +38,10 @@ public:
   bool SetPointIdArray(const std::string& name);
 
   /**
-   * Adds the point array Name() to `points`, which were gathered of `input`. Without ids, or where the data say no
-   * time, all stand still. Steps of another source than the last are forgotten.
+   * Adds the point array Name() to the leaves of the vtkRayTracedTree `gathered`, made of `input`. Without ids, or
+   * where the data say no time, all stand still. Steps of another source than the last are forgotten.
    */
-  void AddTo(vtkPolyData* points, vtkDataObject* input, vtkAlgorithm* source);
+  void AddTo(vtkDataObject* gathered, vtkDataObject* input, vtkAlgorithm* source);
 
   /**
    * What is to be said of the last step, with a remedy; empty the second time that the same comes since Reset().
@@ -72,7 +72,8 @@ private:
   struct Entry
   {
     std::int64_t Id;
-    unsigned int Block; // of an id that several blocks have; else 0: points may go from block to block
+    unsigned int Block;       // of an id that several blocks have; else 0: points may go from block to block
+    vtkDataArray* Velocities; // of its block, and its place among them
     vtkIdType Point;
     double X[3];
 
@@ -84,11 +85,12 @@ private:
     double Time = 0.0;
     std::vector<Entry> Entries; // by rising id, each id once
   };
-  static std::vector<Entry> EntriesOf(vtkPolyData* points, vtkDataArray* ids);
+  static void AddEntries(vtkPolyData* points, vtkDataArray* ids, vtkDataArray* velocities, std::vector<Entry>& entries);
+  static void KeepUnique(std::vector<Entry>& entries);
 
   /// Null: there are none.
   vtkDataArray* IdsOf(vtkPolyData* points) const;
-  void Follow(vtkPolyData* points, double time);
+  void Follow(vtkDataObject* gathered, double time);
   std::string Describe() const;
 
   std::string PointIdArray;

@@ -17,7 +17,8 @@ constexpr const char* PointIds = "vtkRayTraced_PointIds";
 /// Of each point, or of each cell of a surface: the cell of the input's block that it stands for. Missing where there
 /// is none.
 constexpr const char* CellIds = "vtkRayTraced_CellIds";
-/// Of each point: flat index of its block. Missing where the input is a single data set.
+/// Field data of each block, and of each point of several: its flat index in the input. Missing where the input is a
+/// single data set.
 constexpr const char* CompositeIndex = "vtkRayTraced_CompositeIndex";
 /// Of each point: the rank that it comes from. Missing where there is one.
 constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
@@ -25,16 +26,8 @@ constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
 constexpr const char* StepVelocity = "vtkRayTraced_StepVelocity";
 /// Of each point, and of each cell of lines: 1 where the selection has its glyph, else 0. Missing where it has none.
 constexpr const char* Selected = "vtkRayTraced_Selected";
-/// Of each point of composite input: what ParaView calls vtkBlockColors, its field data of each block.
+/// Field data of each block, as ParaView's own surfaces have them.
 constexpr const char* BlockColors = "vtkBlockColors";
-/// vtkPVGeometryFilter's default number of them, after which they repeat.
-constexpr unsigned int DistinctBlockColors = 7;
-///@{
-/// Field data of composite input: the trees that block selectors are paths in, as XML (the hierarchy of blocks and,
-/// where the data have one, their assembly), and pairs (flat index, index of the data set in the trees).
-constexpr const char* Hierarchy = "vtkRayTraced_Hierarchy";
-constexpr const char* Leaves = "vtkRayTraced_Leaves";
-///@}
 
 ///@{
 /// What a selector of points is told of a glyph that stands for a cell, and one of cells of a glyph that stands for a
@@ -54,6 +47,12 @@ constexpr vtkTypeInt64 Unmarked(vtkTypeInt64 id)
   return id - Mark;
 }
 ///@}
+
+/// Whether an array is one of the above that users do not choose.
+inline bool IsOwn(const std::string& name)
+{
+  return name.rfind("vtkRayTraced_", 0) == 0;
+}
 
 /// Whether a property that names an array names none.
 inline bool IsNone(const std::string& name)

@@ -1,14 +1,11 @@
 #include "vtkRayTracedSurfaceGatherer.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkCompositeDataSetRange.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkGlyphLeaves.h"
-#include "vtkGlyphPointGatherer.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -18,13 +15,11 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
-#include "vtkRayTracedArrayUnion.h"
 #include "vtkRayTracedArrays.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 namespace
@@ -61,15 +56,6 @@ vtkSmartPointer<vtkPolyData> FacesOf(vtkDataObject* data, const Settings& settin
   return vtkPolyData::SafeDownCast(faces->GetOutputDataObject(0));
 }
 
-void AddIndex(vtkPolyData* surface, const char* name, unsigned int value)
-{
-  vtkNew<vtkUnsignedIntArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(surface->GetNumberOfPoints());
-  array->FillValue(value);
-  surface->GetPointData()->AddArray(array);
-}
-
 // The ids that ParaView's filter leaves under names that an input may have, too.
 void RenameIds(vtkPolyData* surface)
 {
@@ -88,47 +74,6 @@ void RenameIds(vtkPolyData* surface)
   if (!surface->GetCellData()->GetArray(vtkRayTracedArrays::CellIds))
   {
     rename(surface->GetCellData(), "vtkOriginalCellIds", vtkRayTracedArrays::CellIds);
-  }
-}
-
-// Only arrays that all blocks have, of one type, survive appending: makes them so. Normals are an attribute and told
-// apart by that, not by their name.
-void CompleteArrays(const std::vector<vtkSmartPointer<vtkPolyData>>& blocks, bool cells)
-{
-  std::vector<vtkDataSetAttributes*> sets;
-  for (const auto& block : blocks)
-  {
-    sets.push_back(cells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData());
-  }
-  const vtkRayTracedArrayUnion all(
-    sets, [](vtkDataSetAttributes* set, vtkAbstractArray* array) { return array != set->GetNormals(); });
-  // Added at the end: until then the union speaks of the blocks' own arrays.
-  std::vector<std::pair<vtkDataSetAttributes*, vtkSmartPointer<vtkAbstractArray>>> completed;
-  for (const auto& [name, item] : all.Items())
-  {
-    if (all.IsExact(item))
-    {
-      continue;
-    }
-    for (std::size_t i = 0; i < blocks.size(); ++i)
-    {
-      const vtkIdType tuples = cells ? blocks[i]->GetNumberOfCells() : blocks[i]->GetNumberOfPoints();
-      const vtkSmartPointer<vtkAbstractArray> array = item.Make(tuples, /*exact=*/false);
-      if (vtkAbstractArray* old = item.Of(sets[i]))
-      {
-        array->DeepCopy(old);
-        array->SetName(name.c_str());
-      }
-      else
-      {
-        vtkRayTracedArrayUnion::Holes::Fill(array, 0, tuples);
-      }
-      completed.emplace_back(sets[i], array);
-    }
-  }
-  for (const auto& [set, array] : completed)
-  {
-    set->AddArray(array);
   }
 }
 }
@@ -207,68 +152,23 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceGatherer::ExtractLines(vtkPolyDa
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* input, const Settings& settings)
+vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceGatherer::Gather(vtkDataObject* data, const Settings& settings)
 {
-  std::vector<vtkSmartPointer<vtkPolyData>> blocks;
-  unsigned int block = 0;
-  const auto add = [&](vtkDataObject* data, bool isBlock, unsigned int flatIndex)
+  vtkSmartPointer<vtkPolyData> faces = data ? FacesOf(data, settings) : nullptr;
+  if (!faces || faces->GetNumberOfPoints() == 0)
   {
-    vtkSmartPointer<vtkPolyData> faces = FacesOf(data, settings);
-    if (!faces || faces->GetNumberOfPoints() == 0)
-    {
-      return;
-    }
-    vtkSmartPointer<vtkPolyData> surface = settings.Lines ? ExtractLines(faces) : Triangulate(faces, settings);
-    RenameIds(surface);
-    if (isBlock)
-    {
-      AddIndex(surface, vtkRayTracedArrays::CompositeIndex, flatIndex);
-      AddIndex(surface, vtkRayTracedArrays::BlockColors, block % vtkRayTracedArrays::DistinctBlockColors);
-    }
-    if (settings.Processes > 1)
-    {
-      AddIndex(surface, vtkRayTracedArrays::ProcessId, static_cast<unsigned int>(settings.Process));
-    }
-    blocks.push_back(surface);
-  };
-
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (composite)
-  {
-    for (auto node : vtk::Range(composite)) // an empty block has a number, too
-    {
-      if (node.GetDataObject())
-      {
-        add(node.GetDataObject(), true, node.GetFlatIndex());
-      }
-      ++block;
-    }
+    return vtkSmartPointer<vtkPolyData>::New();
   }
-  else if (input)
+  vtkSmartPointer<vtkPolyData> surface = settings.Lines ? ExtractLines(faces) : Triangulate(faces, settings);
+  RenameIds(surface);
+  surface->GetFieldData()->PassData(data->GetFieldData());
+  if (settings.Processes > 1)
   {
-    add(input, false, 0);
-  }
-
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  if (blocks.size() == 1)
-  {
-    surface->ShallowCopy(blocks.front());
-  }
-  else if (!blocks.empty())
-  {
-    CompleteArrays(blocks, /*cells=*/false);
-    CompleteArrays(blocks, /*cells=*/true);
-    vtkNew<vtkAppendPolyData> append;
-    for (const auto& block : blocks)
-    {
-      append->AddInputData(block);
-    }
-    append->Update();
-    surface->ShallowCopy(append->GetOutput());
-  }
-  if (composite)
-  {
-    vtkGlyphPointGatherer::AddHierarchy(composite, surface);
+    vtkNew<vtkUnsignedIntArray> ranks;
+    ranks->SetName(vtkRayTracedArrays::ProcessId);
+    ranks->SetNumberOfTuples(surface->GetNumberOfPoints());
+    ranks->FillValue(static_cast<unsigned int>(settings.Process));
+    surface->GetPointData()->AddArray(ranks);
   }
   return surface;
 }

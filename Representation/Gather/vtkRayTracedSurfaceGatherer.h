@@ -1,17 +1,12 @@
 /**
  * @class   vtkRayTracedSurfaceGatherer
- * @brief   gathers the outer surface of any data object, or its lines, into one vtkPolyData
+ * @brief   the outer surface of a data set, or its lines, as poly data
  *
- * Input may be any data set, hyper tree grid or composite of them. The surface is that of ParaView's ordinary surface
- * representation (vtkPVGeometryFilter), cut into triangles; lines and vertices are left out. Or the lines and
- * poly-lines are left, and the rest is left out.
+ * Input may be any data set or hyper tree grid, one leaf of vtkRayTracedTree. The surface is that of ParaView's
+ * ordinary surface representation (vtkPVGeometryFilter), cut into triangles; lines and vertices are left out. Or the
+ * lines and poly-lines are left, and the rest is left out.
  *
- * The output has the union of all blocks' arrays (NaN where a block lacks one), and:
- * - what picking asks for (vtkRayTracedArrays.h): ids of points and cells, flat indices of blocks, ranks. No point is
- *   shared by two blocks.
- *
- * Its field data has, for composite input, the hierarchy that block selectors speak about (see
- * vtkGlyphBlockAttributes).
+ * The output has the input's arrays, and what picking asks for (vtkRayTracedArrays.h): ids of points and cells, ranks.
  */
 #ifndef vtkRayTracedSurfaceGatherer_h
 #define vtkRayTracedSurfaceGatherer_h
@@ -38,7 +33,7 @@ public:
     /// That of the structured data set of which the input is this process's piece; null when there is none.
     const int* WholeExtent = nullptr;
   };
-  static vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const Settings& settings);
+  static vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const Settings& settings);
 
   /**
    * Triangles of one poly data, with normals as the settings say; arrays are kept.

@@ -23,7 +23,7 @@ class vtkGlyphBounds
 public:
   /**
    * The box of glyphs of all these settings at the same points, before the actor's transform. Uninitialized when there
-   * are none. Blocks as Resolve()d for `points`.
+   * are none. Blocks as vtkRayTracedBlocks::GetTable() has them.
    */
   const double*
   Get(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings, const vtkGlyphBlockAttributes::Table& blocks);

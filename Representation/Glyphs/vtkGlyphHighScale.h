@@ -15,9 +15,9 @@ class vtkGlyphHighScale
 {
 public:
   /**
-   * For vtkGlyphSettings::HighScale; 0 where the settings need none. Blocks as Resolve()d for `points`. All ranks that
-   * have data call it at once; they exchange more than one number only where points, settings or visible blocks of one
-   * have changed.
+   * For vtkGlyphSettings::HighScale; 0 where the settings need none. Blocks as vtkRayTracedBlocks::GetTable() has them.
+   * All ranks that have data call it at once; they exchange more than one number only where points, settings or visible
+   * blocks of one have changed.
    */
   double Get(vtkPolyData* points, const vtkGlyphSettings& settings, const vtkGlyphBlockAttributes::Table& blocks);
 

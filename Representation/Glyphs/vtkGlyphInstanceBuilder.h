@@ -38,7 +38,7 @@ public:
   };
 
   /**
-   * `blocks` as Resolve()d for `points`; `modelToWorld` may be null.
+   * `blocks` as vtkRayTracedBlocks::GetTable() has them; `modelToWorld` may be null.
    */
   static Result Build(vtkPolyData* points, const vtkGlyphSettings& settings,
     const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld,

@@ -174,7 +174,7 @@ bool vtkGlyphMaker::IsOfThisForm(vtkIdType point, Tuples& tuples, Outcome& other
     return true;
   }
   vtkGlyphTuples& indices = tuples[vtkGlyphArrays::TABLE_INDEX];
-  const double number = indices ? vtkMath::Norm(indices.Get(point), indices.Size()) : 0.0;
+  const double number = indices.Has(point) ? vtkMath::Norm(indices.Get(point), indices.Size()) : 0.0;
   const int last = this->How.TableSize - 1;
   const bool counts = !std::isnan(number);
   if ((counts ? static_cast<int>(std::min<double>(number, last)) : 0) != this->How.TableEntry)
@@ -191,7 +191,7 @@ bool vtkGlyphMaker::IsOfThisForm(vtkIdType point, Tuples& tuples, Outcome& other
 Outcome vtkGlyphMaker::Turn(vtkIdType point, Tuples& tuples, glm::dquat& rotation) const
 {
   vtkGlyphTuples& orientations = tuples[vtkGlyphArrays::ORIENTATION];
-  if (!orientations || !this->Turned || this->Sizes.GetTensors())
+  if (!orientations.Has(point) || !this->Turned || this->Sizes.GetTensors())
   {
     return SHOWN;
   }
@@ -241,8 +241,9 @@ Outcome vtkGlyphMaker::Make(
   if (this->OwnExponents)
   {
     vtkGlyphTuples& exponents = tuples[vtkGlyphArrays::EXPONENTS];
-    if (!(exponents ? MakeExponents(this->How.Shape, exponents.Get(point), exponents.Size(), glyph.Exponents)
-                    : this->GoodExponents))
+    glyph.Exponents = this->SameExponents;
+    if (!(exponents.Has(point) ? MakeExponents(this->How.Shape, exponents.Get(point), exponents.Size(), glyph.Exponents)
+                               : this->GoodExponents))
     {
       return EXPONENT;
     }

@@ -5,6 +5,7 @@
 #include "vtkGlyphStepVelocity.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRayTracedBlocks.h"
 #include "vtkRayTracedArrays.h"
 
 #include <algorithm>
@@ -114,6 +115,10 @@ vtkGlyphMotion::vtkGlyphMotion(vtkPolyData* points, const Settings& settings)
       continue;
     }
     std::ostringstream text;
+    if (!this->Found[kind] && vtkRayTracedBlocks::IsOfRanks(points))
+    {
+      continue;
+    }
     if (!this->Found[kind])
     {
       text << "There is no point array '" << NameOf(settings, kind) << "', which " << properties[kind]
@@ -155,7 +160,10 @@ bool vtkGlyphMotion::On() const
 glm::dvec3 vtkGlyphMotion::Tuple(int kind, vtkIdType point) const
 {
   double tuple[3] = { 0.0, 0.0, 0.0 };
-  this->Found[kind]->GetTuple(point, tuple);
+  if (!vtkRayTracedBlocks::Missing(this->Found[kind])(point)) // a block without the array stands still
+  {
+    this->Found[kind]->GetTuple(point, tuple);
+  }
   return { tuple[0], tuple[1], tuple[2] };
 }
 

@@ -40,7 +40,7 @@ vtkGlyphMagnitudes::vtkGlyphMagnitudes(
 //----------------------------------------------------------------------------
 glm::dvec3 vtkGlyphMagnitudes::Scale(vtkIdType point, Tuples& tuples) const
 {
-  if (!tuples.Scales)
+  if (!tuples.Scales.Has(point))
   {
     return glm::dvec3(1.0);
   }
@@ -94,7 +94,7 @@ double vtkGlyphSizes::ArrowUnit() const
 void vtkGlyphSizes::Finish(vtkIdType point, Tuples& tuples, glm::dvec3& size) const
 {
   size = this->Settings.Sizing.Limited(size);
-  if (tuples.Radii)
+  if (tuples.Radii.Has(point))
   {
     size.y = size.z = this->Settings.Width(*tuples.Radii.Get(point));
   }
@@ -153,6 +153,6 @@ Outcome vtkGlyphSizes::Make(vtkIdType point, Tuples& tuples, Glyph& glyph, float
     glyph.Size *= this->Settings.Sizing(forms->Magnitude(extent)) * (extent.bound / extent.radius);
   }
   this->Finish(point, tuples, glyph.Size);
-  const bool good = !tuples.Radii || rtg::IsPositive(glyph.Size.y);
+  const bool good = !tuples.Radii.Has(point) || rtg::IsPositive(glyph.Size.y);
   return good ? SHOWN : glyph.Size.y == 0.0 ? ZERO_RADIUS : RADIUS;
 }

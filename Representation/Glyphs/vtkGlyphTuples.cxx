@@ -5,6 +5,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedArrays.h"
+#include "vtkRayTracedBlocks.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkUnsignedIntArray.h"
 
@@ -75,12 +76,12 @@ vtkGlyphArrays::Find(Id id, vtkPolyData* points, const vtkGlyphSettings& setting
   const std::vector<int> lengths = how.Lengths(settings);
   const bool fits = array &&
     (lengths.empty() || std::find(lengths.begin(), lengths.end(), array->GetNumberOfComponents()) != lengths.end());
-  if (!array && messages)
+  if (!array && messages && !vtkRayTracedBlocks::IsOfRanks(points))
   {
     messages->push_back("There is no point array '" + name + "', which " + how.Property + " names; " + how.Without +
       ". Choose one that exists, or None.");
   }
-  else if (!fits && messages)
+  else if (array && !fits && messages)
   {
     std::ostringstream text;
     text << "The point array '" << name << "', which " << how.Property << " names, has "

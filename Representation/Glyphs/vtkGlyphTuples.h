@@ -8,6 +8,7 @@
 #include "vtkDataArray.h"
 #include "vtkGlyphBlockAttributes.h"
 #include "vtkGlyphSettings.h"
+#include "vtkRayTracedBlocks.h"
 
 #include <algorithm>
 #include <array>
@@ -29,10 +30,13 @@ public:
     : Array(array)
     , Float(vtkAOSDataArrayTemplate<float>::FastDownCast(array))
     , Double(vtkAOSDataArrayTemplate<double>::FastDownCast(array))
+    , Missing(array)
     , Components(array ? array->GetNumberOfComponents() : 0)
   {
   }
   explicit operator bool() const { return this->Array != nullptr; }
+  /// Without the array, and in blocks that lack it, a point has no tuple.
+  bool Has(vtkIdType i) const { return this->Array && !this->Missing(i); }
   int Size() const { return this->Components; }
 
   const double* Get(vtkIdType i)
@@ -58,6 +62,7 @@ private:
   vtkDataArray* Array;
   vtkAOSDataArrayTemplate<float>* Float;
   vtkAOSDataArrayTemplate<double>* Double;
+  vtkRayTracedBlocks::Missing Missing;
   int Components;
   std::vector<double> Buffer;
 };
@@ -112,7 +117,8 @@ struct Key
 Key KeyOf(vtkPolyData* points, std::vector<vtkGlyphSettings> settings, const vtkGlyphBlockAttributes::Table& blocks);
 
 /**
- * The points of visible blocks, thinned out as the mask says, in their own order. Blocks as Resolve()d for `points`.
+ * The points of visible blocks, thinned out as the mask says, in their own order. Blocks as
+ * vtkRayTracedBlocks::GetTable() has them.
  */
 std::vector<vtkIdType>
 Candidates(vtkPolyData* points, const vtkGlyphScaling& settings, const vtkGlyphBlockAttributes::Table& blocks);

@@ -327,7 +327,7 @@ vtkSmartPointer<vtkDoubleArray> vtkRayTracedGlyphMapper::NumbersOf(const vtkGlyp
 void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
 {
   std::vector<std::string> messages;
-  vtkUnsignedCharArray* mapped = nullptr;
+  MappedColors mapped;
   std::unique_ptr<vtkGlyphTensors> tensors;
   const vtkGlyphTensors::Settings& shown = this->Settings.Tensors;
   const bool byRadius = this->Settings.Forms.ColorsByRadius();
@@ -340,18 +340,10 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
       this->TensorTable->Build();
     }
   }
-  else if (this->ScalarVisibility && !bySurface && !this->Sources.empty())
+  else if (!shown.Axes && !bySurface)
   {
-    mapped = this->MapScalars(points, 1.0);
-    if (!mapped)
-    {
-      messages.push_back("There is no array '" + std::string(this->ArrayName) +
-        "' that has a value for each glyph, so the glyphs have one color. Choose a point array, or "
-        "cell data of "
-        "vertices, as ColorArrayName.");
-    }
+    mapped = this->MapColors(false, "glyph", messages);
   }
-  const bool blockColors = this->HasBlockColors(points);
   vtkUnsignedCharArray* selected = Selected(points->GetPointData());
   vtkSmartPointer<vtkUnsignedCharArray> table;
   if (tensors && this->TensorTable && vtkGlyphTensors::IsNumber(shown.Coloring))
@@ -364,32 +356,31 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   {
     this->AddRadiusColors(colors);
   }
-  if (mapped || tensors || blockColors || selected)
+  const bool blockColors = std::any_of(
+    this->Blocks.begin(), this->Blocks.end(), [](const auto& block) { return block.Color || block.Opacity < 1.0; });
+  if (mapped.Any || tensors || blockColors || selected)
   {
     colors.each.resize(this->Sources.size());
-    const vtkRayTracedArrayUnion::Holes holes = this->HolesOf(points);
     vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.each.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType glyph = begin; glyph < end; ++glyph)
         {
           const vtkIdType point = this->Sources[glyph];
-          std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
-          if (mapped && !holes(point))
+          std::array<double, 4> rgba = this->ColorOf(mapped, point, point);
+          const vtkRayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
+          if (shown.Axes || (tensors && !block.Color))
           {
-            ReadColor(mapped, point, rgba);
-          }
-          if (table)
-          {
-            ReadColor(table, glyph, rgba);
-          }
-          else if (tensors)
-          {
-            this->TensorColor(*tensors, point, rgba.data());
-          }
-          if (blockColors)
-          {
-            this->BlockColor(points, point, rgba, !shown.Axes);
+            rgba = { { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
+            if (table)
+            {
+              ReadColor(table, glyph, rgba);
+            }
+            else if (tensors)
+            {
+              this->TensorColor(*tensors, point, rgba.data());
+            }
+            rgba[3] *= block.Opacity;
           }
           if (bySurface)
           {
@@ -399,7 +390,6 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
         }
       });
   }
-  this->ClearColorArrays(); // vtkMapper keeps them
   this->Translucent = rtg::AnyTranslucent(colors);
   if (this->ColorVersion == 0 || !(this->Colors == colors))
   {
@@ -419,15 +409,13 @@ vtkRayTracedMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, in
     return Origin();
   }
   const vtkIdType point = this->Sources[glyph];
-  Origin origin = this->OriginOfPoint(points, point);
-  vtkPointData* data = points->GetPointData();
-  vtkDataArray* ids = data->GetArray(vtkRayTracedArrays::PointIds);
-  vtkDataArray* cells = data->GetArray(vtkRayTracedArrays::CellIds);
-  origin.Id = ids ? static_cast<vtkIdType>(ids->GetComponent(point, 0)) : point;
+  Origin origin = this->Superclass::OriginOf(point, -1, false);
   if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
   {
-    const vtkIdType cell = cells ? static_cast<vtkIdType>(cells->GetComponent(point, 0)) : -1;
-    origin.Id = cell >= 0 ? cell : vtkRayTracedArrays::Marked(origin.Id);
+    const vtkRayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
+    vtkDataArray* cells = block.Data->GetPointData()->GetArray(vtkRayTracedArrays::CellIds);
+    origin.Id = cells ? static_cast<vtkIdType>(cells->GetComponent(point - block.FirstPoint, 0))
+                      : vtkRayTracedArrays::Marked(origin.Id);
   }
   return origin;
 }

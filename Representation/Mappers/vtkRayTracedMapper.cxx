@@ -3,6 +3,7 @@
 #include "Stopwatch.h"
 #include "TriangleMesh.h"
 #include "vtkActor.h"
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
@@ -18,7 +19,6 @@
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,11 +51,6 @@ vtkMTimeType TimeOf(vtkObject* object)
 {
   return object ? object->GetMTime() : 0;
 }
-
-vtkUnsignedIntArray* BlocksOf(vtkPolyData* points)
-{
-  return vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex));
-}
 }
 
 //----------------------------------------------------------------------------
@@ -84,24 +79,21 @@ int vtkRayTracedMapper::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedMapper::SetPoints(vtkPolyData* points)
+void vtkRayTracedMapper::SetBlocks(const vtkRayTracedBlocks& blocks)
 {
-  this->Points = points;
+  if (this->BlocksVersion != blocks.GetVersion())
+  {
+    this->BlocksVersion = blocks.GetVersion();
+    this->Points = blocks.GetPoints();
+    this->Blocks = blocks.GetBlocks();
+    this->BlockTable = blocks.GetTable();
+  }
 }
 
 //----------------------------------------------------------------------------
 vtkPolyData* vtkRayTracedMapper::GetPoints() const
 {
   return this->Points;
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedMapper::SetBlocks(const vtkGlyphBlockAttributes& blocks)
-{
-  if (this->Blocks.GetVersion() != blocks.GetVersion())
-  {
-    this->Blocks = blocks;
-  }
 }
 
 //----------------------------------------------------------------------------
@@ -151,74 +143,104 @@ void vtkRayTracedMapper::ReadColor(vtkUnsignedCharArray* colors, vtkIdType tuple
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedMapper::HasBlockColors(vtkPolyData* points) const
+std::size_t vtkRayTracedMapper::BlockOf(vtkIdType point) const
 {
-  return BlocksOf(points) &&
-    std::any_of(this->BlockTable.begin(), this->BlockTable.end(),
-      [](const auto& item) { return item.second.HasColor || item.second.Opacity < 1.0; });
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedMapper::BlockColor(
-  vtkPolyData* points, vtkIdType point, std::array<double, 4>& rgba, bool colors) const
-{
-  const auto block = this->BlockTable.find(BlocksOf(points)->GetValue(point));
-  if (block != this->BlockTable.end())
+  if (this->Blocks.size() == 1)
   {
-    if (block->second.HasColor && colors)
-    {
-      std::copy(block->second.Color.begin(), block->second.Color.end(), rgba.begin());
-    }
-    rgba[3] *= block->second.Opacity;
+    return 0;
   }
+  const auto next = std::upper_bound(this->Blocks.begin(), this->Blocks.end(), point,
+    [](vtkIdType p, const vtkRayTracedBlocks::Block& block) { return p < block.FirstPoint; });
+  return next - this->Blocks.begin() - 1;
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedArrayUnion::Holes vtkRayTracedMapper::HolesOf(vtkPolyData* data)
-{
-  int ofCells = 0;
-  return vtkRayTracedArrayUnion::Holes(
-    GetAbstractScalars(data, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, ofCells));
-}
-
-//----------------------------------------------------------------------------
-vtkRayTracedMapper::MappedColors vtkRayTracedMapper::MapColors(
-  vtkPolyData* data, bool interpolateValues, const char* what, std::vector<std::string>& messages)
+vtkRayTracedMapper::MappedColors
+vtkRayTracedMapper::MapColors(bool interpolateValues, const char* what, std::vector<std::string>& messages)
 {
   MappedColors mapped;
-  mapped.Blocks = this->HasBlockColors(data);
-  if (!this->ScalarVisibility || this->Sources.empty())
+  mapped.Blocks.resize(this->Blocks.size());
+  const vtkRayTracedBlocks::Block* missing = nullptr;
+  for (std::size_t i = 0; i < this->Blocks.size(); ++i)
   {
-    return mapped;
+    const vtkRayTracedBlocks::Block& block = this->Blocks[i];
+    mapped.OwnLooks |= block.Color || block.Opacity < 1.0;
+    interpolateValues &= block.Scalars.InterpolatesScalars;
   }
-  // Colors of blocks are mixed in point by point.
-  this->SetInterpolateScalarsBeforeMapping(interpolateValues && !mapped.Blocks);
-  // vtkMapper asks its input, which it has at no other time, when its texture was made.
-  this->SetInputDataObject(data);
-  int ofCells = 0;
-  mapped.Colors = this->MapScalars(data, 1.0, ofCells);
-  mapped.OfCells = ofCells != 0;
-  mapped.Holes = this->HolesOf(data);
-  const bool values = !mapped.Colors && this->TakeValues(mapped, data->GetNumberOfPoints());
-  this->SetInputDataObject(nullptr);
-  const vtkIdType wanted = mapped.OfCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-  if (!values && (!mapped.Colors || mapped.Colors->GetNumberOfTuples() != wanted))
+  interpolateValues &= !mapped.OwnLooks; // these are mixed in point by point
+  for (std::size_t i = 0; i < this->Blocks.size(); ++i)
   {
-    mapped.Colors = nullptr;
-    messages.push_back("There is no array '" + std::string(this->ArrayName) +
-      "' that has a value for each point or cell of the " + what +
-      ", so it has one color. Choose a point or cell array as ColorArrayName.");
+    const vtkRayTracedBlocks::Block& block = this->Blocks[i];
+    if (this->Sources.empty() || !block.Visible || !block.Scalars.On || block.Data->GetNumberOfPoints() == 0)
+    {
+      continue;
+    }
+    this->MapBlock(i, interpolateValues, mapped);
+    missing = &block;
+  }
+  if (!mapped.Values.empty() && (mapped.Any || !mapped.OneTable))
+  {
+    return this->MapColors(false, what, messages);
+  }
+  if (missing && !mapped.Any && mapped.Values.empty() && !vtkRayTracedBlocks::IsOfRanks(missing->Data))
+  {
+    messages.push_back("There is no array '" + missing->Scalars.Array + "' that has a value for each " + what +
+      ", so all have one color. Choose another one as ColorArrayName.");
   }
   return mapped;
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedMapper::MapBlock(std::size_t number, bool interpolateValues, MappedColors& mapped)
+{
+  const vtkRayTracedBlocks::Block& block = this->Blocks[number];
+  const vtkRayTracedBlocks::Coloring& scalars = block.Scalars;
+  this->ScalarVisibilityOn();
+  this->SetUseLookupTableScalarRange(1);
+  this->SetColorMode(scalars.ColorMode);
+  this->SetScalarMode(scalars.ScalarMode);
+  this->SelectColorArray(scalars.Array.c_str());
+  this->SetLookupTable(scalars.Table);
+  this->SetInterpolateScalarsBeforeMapping(interpolateValues);
+  // Cells of a hyper tree grid have become points on the way.
+  if (scalars.ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA &&
+    !block.Data->GetCellData()->HasArray(scalars.Array.c_str()))
+  {
+    this->SetScalarMode(VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  }
+  // vtkMapper asks its input, which it has at no other time, when its texture was made.
+  this->SetInputDataObject(block.Data);
+  this->ClearColorArrays();
+  MappedColors::OfBlock& own = mapped.Blocks[number];
+  own.Colors = this->MapScalars(block.Data, 1.0, own.Association);
+  const bool values = !own.Colors && this->TakeValues(block, mapped);
+  const vtkIdType wanted[] = { block.Data->GetNumberOfPoints(), block.Data->GetNumberOfCells(),
+    own.Colors ? std::max(own.Colors->GetNumberOfTuples(), scalars.FieldDataTuple + 1) : 0 };
+  if (own.Colors && own.Colors->GetNumberOfTuples() != wanted[own.Association])
+  {
+    own.Colors = nullptr;
+  }
+  if (!own.Colors && !values && scalars.MissingIsNan && scalars.Table)
+  {
+    own.Colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    own.Colors->SetNumberOfComponents(3);
+    own.Colors->InsertNextTypedTuple(scalars.Table->MapValue(vtkMath::Nan()));
+    own.Association = 2;
+  }
+  this->ClearColorArrays(); // vtkMapper keeps them
+  this->SetInputDataObject(nullptr);
+  mapped.Any |= own.Colors != nullptr;
+  mapped.OfCells |= own.Colors && own.Association == 1;
+}
+
+//----------------------------------------------------------------------------
 // vtkMapper's texture of colors and the points' places in it; false: it has made none.
-bool vtkRayTracedMapper::TakeValues(MappedColors& mapped, vtkIdType points)
+bool vtkRayTracedMapper::TakeValues(const vtkRayTracedBlocks::Block& block, MappedColors& mapped)
 {
   vtkFloatArray* places = this->GetColorCoordinates();
   vtkImageData* texture = this->GetColorTextureMap();
   auto* texels = texture ? vtkUnsignedCharArray::SafeDownCast(texture->GetPointData()->GetScalars()) : nullptr;
+  const vtkIdType points = block.Data->GetNumberOfPoints();
   if (!places || !texels || places->GetNumberOfTuples() != points)
   {
     return false;
@@ -230,51 +252,65 @@ bool vtkRayTracedMapper::TakeValues(MappedColors& mapped, vtkIdType points)
     ReadColor(texels, i, rgba);
     return Pack(rgba);
   };
-  mapped.Table.resize(width + 2);
+  std::vector<std::uint32_t> table(width + 2);
   for (vtkIdType i = 0; i <= width; ++i)
   {
-    mapped.Table[i] = texel(i); // the last of the second row, which is that of NaN
+    table[i] = texel(i); // the last of the second row, which is that of NaN
   }
-  mapped.Table[width + 1] = Pack({ this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 });
-  mapped.Values.resize(points);
+  table[width + 1] = Pack({ this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 });
+  if (mapped.Values.empty())
+  {
+    mapped.Table = table;
+    mapped.Values.assign(this->Points->GetNumberOfPoints(), rtg::noValue);
+  }
+  mapped.OneTable &= mapped.Table == table;
   vtkRayTracedParallel::ForChunks(points,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
         const bool isNumber = places->GetTypedComponent(i, 1) < 0.5f;
-        mapped.Values[i] = isNumber ? std::clamp(places->GetTypedComponent(i, 0), -1000.0f, 1000.0f)
-          : mapped.Holes(i)         ? rtg::noValue
-                                    : rtg::notANumber;
+        mapped.Values[block.FirstPoint + i] =
+          isNumber ? std::clamp(places->GetTypedComponent(i, 0), -1000.0f, 1000.0f) : rtg::notANumber;
       }
     });
   return true;
 }
 
 //----------------------------------------------------------------------------
-std::uint32_t
-vtkRayTracedMapper::ColorOf(const MappedColors& mapped, vtkPolyData* data, vtkIdType value, vtkIdType point) const
+std::array<double, 4> vtkRayTracedMapper::ColorOf(const MappedColors& mapped, vtkIdType point, vtkIdType cell) const
 {
-  std::array<double, 4> rgba{ { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
-  if (mapped.Colors && !mapped.Holes(value))
+  const std::size_t number = this->BlockOf(point);
+  const vtkRayTracedBlocks::Block& block = this->Blocks[number];
+  const std::array<double, 3>& solid = block.Color ? *block.Color : this->SolidColor;
+  std::array<double, 4> rgba{ { solid[0], solid[1], solid[2], 1.0 } };
+  if (vtkUnsignedCharArray* colors = mapped.Blocks.empty() ? nullptr : mapped.Blocks[number].Colors.Get())
   {
-    ReadColor(mapped.Colors, value, rgba);
+    const int association = mapped.Blocks[number].Association;
+    ReadColor(colors,
+      association == 0     ? point - block.FirstPoint
+        : association == 1 ? cell - block.FirstCell
+                           : std::min(block.Scalars.FieldDataTuple, colors->GetNumberOfTuples() - 1),
+      rgba);
   }
-  if (mapped.Blocks)
-  {
-    this->BlockColor(data, point, rgba);
-  }
-  return Pack(rgba);
+  rgba[3] *= block.Opacity;
+  return rgba;
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedMapper::Origin vtkRayTracedMapper::OriginOfPoint(vtkPolyData* points, vtkIdType point) const
+vtkRayTracedMapper::Origin vtkRayTracedMapper::OriginOf(vtkIdType point, vtkIdType cell, bool ofCells) const
 {
+  const vtkRayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
+  vtkPointData* data = block.Data->GetPointData();
+  const auto number = [](vtkDataArray* ids, vtkIdType i) { return static_cast<vtkIdType>(ids->GetComponent(i, 0)); };
   Origin origin;
-  vtkDataArray* processes = points->GetPointData()->GetArray(vtkRayTracedArrays::ProcessId);
-  vtkUnsignedIntArray* blocks = BlocksOf(points);
-  origin.CompositeIndex = blocks ? blocks->GetValue(point) : 0;
-  origin.Process = processes ? static_cast<int>(processes->GetComponent(point, 0)) : -1;
+  origin.CompositeIndex = block.FlatIndex;
+  vtkDataArray* processes = data->GetArray(vtkRayTracedArrays::ProcessId);
+  origin.Process = processes ? static_cast<int>(number(processes, point - block.FirstPoint)) : -1;
+  vtkDataArray* ids = ofCells ? block.Data->GetCellData()->GetArray(vtkRayTracedArrays::CellIds)
+                              : data->GetArray(vtkRayTracedArrays::PointIds);
+  const vtkIdType own = ofCells ? cell - block.FirstCell : point - block.FirstPoint;
+  origin.Id = ids ? number(ids, own) : own;
   return origin;
 }
 
@@ -333,7 +369,6 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
     return;
   }
 
-  this->BlockTable = this->Blocks.Resolve(points);
   InstanceKey key;
   for (vtkObject* input : this->InstanceInputs(points))
   {
@@ -357,28 +392,27 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
 
   ColorKey color;
   color.Sources = this->SourcesVersion;
-  color.Blocks = this->BlockTable;
-  color.Visible = this->ScalarVisibility != 0;
   color.State = this->ColorState();
+  for (const vtkRayTracedBlocks::Block& block : this->Blocks)
+  {
+    color.Blocks.push_back(block);
+    if (block.Scalars.On)
+    {
+      int association = 0;
+      color.Times.push_back(TimeOf(GetAbstractScalars(
+        block.Data, block.Scalars.ScalarMode, VTK_GET_ARRAY_BY_NAME, 0, block.Scalars.Array.c_str(), association)));
+      color.Times.push_back(TimeOf(block.Scalars.Table));
+    }
+  }
   vtkUnsignedCharArray* selected = Selected(points->GetPointData());
   if (selected)
   {
     color.Selected = selected->GetMTime();
     color.SelectionColor = this->SelectionColor;
   }
-  if (!color.Blocks.empty() || selected)
+  if (this->Blocks.size() != 1 || this->Blocks.front().FlatIndex != 0 || selected)
   {
     actor->GetProperty()->GetDiffuseColor(color.SolidColor.data());
-  }
-  if (color.Visible)
-  {
-    int cellFlag = 0;
-    vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
-      points, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-    color.Array = this->ArrayName;
-    color.ScalarMode = this->ScalarMode;
-    color.ColorMode = this->ColorMode;
-    color.Times = { TimeOf(scalars), TimeOf(this->LookupTable) };
   }
   this->Colored.Update(std::move(color),
     [&, solid = color.SolidColor]

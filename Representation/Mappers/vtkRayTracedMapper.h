@@ -10,9 +10,8 @@
 #define vtkRayTracedMapper_h
 
 #include "Glyphs.h"
-#include "vtkGlyphBlockAttributes.h"
 #include "vtkMapper.h"
-#include "vtkRayTracedArrayUnion.h"
+#include "vtkRayTracedBlocks.h"
 #include "vtkRayTracedCache.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedSources.h"
@@ -36,17 +35,12 @@ public:
 
   ///@{
   /**
-   * What glyphs or surfaces are made of; null: nothing. It is no input of the mapper: the inputs of a mapper are what
-   * VTK's exporters write, and the points are not what is shown.
+   * What glyphs or surfaces are made of: blocks, and their points one after the other. It is no input of the mapper:
+   * the inputs of a mapper are what VTK's exporters write, and the points are not what is shown.
    */
-  void SetPoints(vtkPolyData* points);
+  void SetBlocks(const vtkRayTracedBlocks& blocks);
   vtkPolyData* GetPoints() const;
   ///@}
-
-  /**
-   * Visibility, color and opacity of blocks.
-   */
-  void SetBlocks(const vtkGlyphBlockAttributes& blocks);
 
   /**
    * What the mapper answers when it is asked for bounds, before the actor's transform; it computes none itself.
@@ -168,42 +162,40 @@ protected:
   std::uint32_t Tinted(std::uint32_t color) const { return this->SelectionColor | (color & 0xff000000u); }
   ///@}
 
-  /**
-   * Whether blocks have colors or opacities of their own; then BlockColor() overrides those of a point's block.
-   */
-  bool HasBlockColors(vtkPolyData* points) const;
-  void BlockColor(vtkPolyData* points, vtkIdType point, std::array<double, 4>& rgba, bool colors = true) const;
-
   ///@{
   /**
-   * For what has colors between its points: maps the active array of points or cells. Where values of points are
-   * interpolated before they are mapped, and no block has a color, it gives values in [0, 1], negative for NaN, and a
-   * table (rtg::GlyphColours, rtg::TriangleMesh). `what`: what messages call it. ColorOf() is the color of a point or
-   * cell of the data, `value`, in the block of `point`.
+   * Maps the arrays that color the blocks, each block by itself, as VTK's mappers do. Where values of points are
+   * interpolated before they are mapped, all by one table, and no block has a color or opacity, it gives values in
+   * [0, 1], negative for NaN, and that table (rtg::GlyphColours, rtg::TriangleMesh). `what`: what messages call it.
+   * ColorOf() is the color of a point, or of its cell, with the solid color of the block where it has no other.
    */
   struct MappedColors
   {
-    vtkUnsignedCharArray* Colors = nullptr;
-    bool OfCells = false, Blocks = false;
-    vtkRayTracedArrayUnion::Holes Holes; // which have the solid color
-    std::vector<float> Values;           // of points
+    struct OfBlock
+    {
+      vtkSmartPointer<vtkUnsignedCharArray> Colors; // null: it has none
+      int Association = 0;                          // 0 of points, 1 of cells, 2 one for the block
+    };
+    std::vector<OfBlock> Blocks;
+    bool Any = false, OfCells = false; // some block has colors; some of those are of cells
+    bool OwnLooks = false;             // blocks have colors and opacities of their own
+    bool OneTable = true;
+    std::vector<float> Values; // of points
     std::vector<std::uint32_t> Table;
   };
-  MappedColors
-  MapColors(vtkPolyData* data, bool interpolateValues, const char* what, std::vector<std::string>& messages);
-  std::uint32_t ColorOf(const MappedColors& mapped, vtkPolyData* data, vtkIdType value, vtkIdType point) const;
+  MappedColors MapColors(bool interpolateValues, const char* what, std::vector<std::string>& messages);
+  std::array<double, 4> ColorOf(const MappedColors& mapped, vtkIdType point, vtkIdType cell) const;
   ///@}
 
   /**
-   * Which points or cells have no value in the array that colors them, since their block lacks it: they have the solid
-   * color, as ParaView's own have.
+   * The number of a point's block.
    */
-  vtkRayTracedArrayUnion::Holes HolesOf(vtkPolyData* data);
+  std::size_t BlockOf(vtkIdType point) const;
 
   /**
-   * Fills in block and rank of a point.
+   * Where a point and its cell, -1 for none, come from; of cells, or of points.
    */
-  Origin OriginOfPoint(vtkPolyData* points, vtkIdType point) const;
+  Origin OriginOf(vtkIdType point, vtkIdType cell, bool ofCells) const;
 
   /**
    * What instances are built of is unfinished in that, and `messages` are to be reported of it; with the latter, but
@@ -212,8 +204,9 @@ protected:
   void ReportInstances(std::vector<std::string> messages, const std::string& unfinished);
   void Report(const std::vector<std::string>& messages, std::vector<std::string>& reported);
 
-  vtkGlyphBlockAttributes Blocks;
+  std::vector<vtkRayTracedBlocks::Block> Blocks;
   vtkGlyphBlockAttributes::Table BlockTable;
+  std::uint64_t BlocksVersion = 0;
   vtkRayTracedSources Sources; // point of each glyph, cell of each triangle
   vtkIdType Skipped = 0;
   std::string Unfinished;
@@ -242,20 +235,17 @@ private:
   };
   struct ColorKey
   {
-    bool Visible = false;
-    std::string Array;
-    int ScalarMode = 0, ColorMode = 0;
-    std::array<vtkMTimeType, 2> Times{};
-    std::vector<vtkMTimeType> State;
+    std::vector<vtkMTimeType> Times, State;
     std::uint64_t Sources = 0;
-    vtkGlyphBlockAttributes::Table Blocks;
+    std::vector<vtkRayTracedBlocks::Attributes> Blocks;
     std::array<double, 3> SolidColor{};
     vtkMTimeType Selected = 0;
     std::uint32_t SelectionColor = 0;
     bool operator==(const ColorKey&) const = default;
   };
 
-  bool TakeValues(MappedColors& mapped, vtkIdType points);
+  void MapBlock(std::size_t number, bool interpolateValues, MappedColors& mapped);
+  bool TakeValues(const vtkRayTracedBlocks::Block& block, MappedColors& mapped);
   void ReportSizes();
 
   vtkSmartPointer<vtkPolyData> Points;

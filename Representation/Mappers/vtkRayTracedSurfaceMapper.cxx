@@ -97,7 +97,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
+void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
 {
   std::vector<std::string> messages;
   const rtg::TriangleMesh& mesh = *this->Instances.mesh;
@@ -107,10 +107,10 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
   colored->triangleColours.clear();
   colored->positionValues.clear();
   colored->valueColours.clear();
-  const MappedColors mapped = this->MapColors(surface, this->Settings.InterpolateValues, "surface", messages);
+  const MappedColors mapped = this->MapColors(true, "point or cell of the surface", messages);
   colored->positionValues = mapped.Values;
   colored->valueColours = mapped.Table;
-  if (mapped.Colors && mapped.OfCells)
+  if (mapped.OfCells)
   {
     colored->triangleColours.resize(mesh.triangles.size());
     vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.triangles.size()),
@@ -118,11 +118,11 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          colored->triangleColours[i] = this->ColorOf(mapped, surface, this->Sources[i], mesh.triangles[i].x);
+          colored->triangleColours[i] = Pack(this->ColorOf(mapped, mesh.triangles[i].x, this->Sources[i]));
         }
       });
   }
-  else if (mapped.Colors || (mapped.Blocks && mapped.Values.empty()))
+  else if (mapped.Any || mapped.OwnLooks)
   {
     colored->positionColours.resize(mesh.positions.size());
     vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.positions.size()),
@@ -130,7 +130,7 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData* surface)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          colored->positionColours[i] = this->ColorOf(mapped, surface, i, i);
+          colored->positionColours[i] = Pack(this->ColorOf(mapped, i, -1));
         }
       });
   }
@@ -178,13 +178,8 @@ vtkRayTracedSurfaceMapper::OriginOf(vtkIdType triangle, int association, const d
       nearest = corner;
     }
   }
-  Origin origin = this->OriginOfPoint(surface, nearest);
-  const bool cells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  vtkDataArray* ids = cells ? surface->GetCellData()->GetArray(vtkRayTracedArrays::CellIds)
-                            : surface->GetPointData()->GetArray(vtkRayTracedArrays::PointIds);
-  const vtkIdType own = cells ? this->Sources[triangle] : nearest;
-  origin.Id = ids ? static_cast<vtkIdType>(ids->GetComponent(own, 0)) : own;
-  return origin;
+  return this->Superclass::OriginOf(
+    nearest, this->Sources[triangle], association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
 }
 
 //----------------------------------------------------------------------------

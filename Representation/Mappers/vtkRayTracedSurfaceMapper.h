@@ -27,8 +27,7 @@ public:
 
   struct SurfaceSettings
   {
-    bool Smooth = true;            // the points' normals, where they have some, are interpolated over the triangles
-    bool InterpolateValues = true; // point data are interpolated and then mapped to colors, not the other way round
+    bool Smooth = true; // the points' normals, where they have some, are interpolated over the triangles
     vtkGlyphMotion::Settings Motion;
   };
   void SetSettings(const SurfaceSettings& settings);
@@ -51,7 +50,6 @@ protected:
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* surface) const override;
   void BuildInstances(vtkPolyData* surface, vtkActor* actor) override;
   void BuildColors(vtkPolyData* surface) override;
-  std::vector<vtkMTimeType> ColorState() const override { return { this->Settings.InterpolateValues }; }
 
 private:
   vtkRayTracedSurfaceMapper(const vtkRayTracedSurfaceMapper&) = delete;

@@ -34,10 +34,9 @@ void vtkRayTracedTubeMapper::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedTubeMapper::SetSettings(const vtkRayTracedTubeBuilder::Settings& settings, bool interpolateValues)
+void vtkRayTracedTubeMapper::SetSettings(const vtkRayTracedTubeBuilder::Settings& settings)
 {
   this->Settings = settings;
-  this->InterpolateValues = interpolateValues;
 }
 
 //----------------------------------------------------------------------------
@@ -71,7 +70,7 @@ void vtkRayTracedTubeMapper::BuildInstances(vtkPolyData* lines, vtkActor* actor)
 void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
 {
   std::vector<std::string> messages;
-  MappedColors mapped = this->MapColors(lines, this->InterpolateValues, "lines", messages);
+  const MappedColors mapped = this->MapColors(true, "point or cell of the lines", messages);
   vtkUnsignedCharArray* points = Selected(lines->GetPointData());
   vtkUnsignedCharArray* cells = Selected(lines->GetCellData());
   const auto isSelected = [&](vtkIdType piece)
@@ -82,8 +81,8 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
   };
   rtg::GlyphColours colors;
   colors.table = mapped.Table;
-  const bool ends = !mapped.Values.empty() || (mapped.Colors && !mapped.OfCells);
-  const bool each = points || (!ends && (mapped.Colors || mapped.Blocks));
+  const bool ends = !mapped.Values.empty() || (mapped.Any && !mapped.OfCells);
+  const bool each = points || (!ends && (mapped.Any || mapped.OwnLooks));
   colors.each.resize(each ? this->Sources.size() : 0);
   colors.ends.resize(ends ? this->Sources.size() : 0);
   const auto atEnd = [&](vtkIdType point)
@@ -91,7 +90,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
     std::uint32_t bits = 0;
     if (mapped.Values.empty())
     {
-      bits = this->ColorOf(mapped, lines, point, point);
+      bits = Pack(this->ColorOf(mapped, point, -1));
     }
     else
     {
@@ -108,7 +107,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
         if (each)
         {
           const std::uint32_t color =
-            ends ? 0xffffffffu : this->ColorOf(mapped, lines, this->Sources[i], first); // white leaves the ends theirs
+            ends ? 0xffffffffu : Pack(this->ColorOf(mapped, first, this->Sources[i])); // white leaves the ends theirs
           colors.each[i] = points && isSelected(i) ? this->Tinted(color) : color;
         }
         if (ends)
@@ -157,13 +156,8 @@ vtkRayTracedMapper::Origin vtkRayTracedTubeMapper::OriginOf(vtkIdType piece, int
   };
   const auto [first, last] = this->Ends[piece];
   const vtkIdType nearest = distance(last) < distance(first) ? last : first;
-  Origin origin = this->OriginOfPoint(lines, nearest);
-  const bool cells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  vtkDataArray* ids = cells ? lines->GetCellData()->GetArray(vtkRayTracedArrays::CellIds)
-                            : lines->GetPointData()->GetArray(vtkRayTracedArrays::PointIds);
-  const vtkIdType own = cells ? this->Sources[piece] : nearest;
-  origin.Id = ids ? static_cast<vtkIdType>(ids->GetComponent(own, 0)) : own;
-  return origin;
+  return this->Superclass::OriginOf(
+    nearest, this->Sources[piece], association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
 }
 
 //----------------------------------------------------------------------------

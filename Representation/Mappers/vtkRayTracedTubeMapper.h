@@ -21,10 +21,7 @@ public:
   vtkTypeMacro(vtkRayTracedTubeMapper, vtkRayTracedMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /**
-   * With `interpolateValues` point data are interpolated and then mapped to colors, else the other way round.
-   */
-  void SetSettings(const vtkRayTracedTubeBuilder::Settings& settings, bool interpolateValues);
+  void SetSettings(const vtkRayTracedTubeBuilder::Settings& settings);
 
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
@@ -40,14 +37,12 @@ protected:
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* lines) const override;
   void BuildInstances(vtkPolyData* lines, vtkActor* actor) override;
   void BuildColors(vtkPolyData* lines) override;
-  std::vector<vtkMTimeType> ColorState() const override { return { this->InterpolateValues }; }
 
 private:
   vtkRayTracedTubeMapper(const vtkRayTracedTubeMapper&) = delete;
   void operator=(const vtkRayTracedTubeMapper&) = delete;
 
   vtkRayTracedTubeBuilder::Settings Settings, BuiltSettings;
-  bool InterpolateValues = true;
   rtg::GlyphInstances Instances; // until they are taken
   bool Taken = false;
   std::vector<std::array<vtkIdType, 2>> Ends; // points of each piece

@@ -1,17 +1,13 @@
 #include "vtkGlyphLayers.h"
 
-#include "vtkGlyphBlockAttributes.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkScalarsToColors.h"
 
 //----------------------------------------------------------------------------
-void vtkGlyphLayers::Layer::Follow(vtkPolyData* points, vtkRayTracedActor* main, const vtkGlyphBlockAttributes& blocks,
-  const std::array<double, 3>& selectionColor)
+void vtkGlyphLayers::Layer::Follow(
+  const vtkRayTracedBlocks& blocks, vtkRayTracedActor* main, const std::array<double, 3>& selectionColor)
 {
   this->Mapper->SetSelectionColor(selectionColor);
-  this->Mapper->SetPoints(points);
   this->Mapper->SetBlocks(blocks);
   this->Actor->GetProperty()->DeepCopy(main->GetProperty());
   vtkNew<vtkMatrix4x4> matrix;
@@ -19,21 +15,6 @@ void vtkGlyphLayers::Layer::Follow(vtkPolyData* points, vtkRayTracedActor* main,
   this->Actor->SetUserMatrix(matrix);
   this->Actor->SetPickable(main->GetPickable());
   this->Actor->SetVisibility(main->GetVisibility());
-}
-
-//----------------------------------------------------------------------------
-void vtkGlyphLayers::Layer::FollowColors(vtkRayTracedMapper* main)
-{
-  this->Mapper->SetScalarVisibility(main->GetScalarVisibility());
-  this->Mapper->SelectColorArray(main->GetArrayName());
-  this->Mapper->SetUseLookupTableScalarRange(main->GetUseLookupTableScalarRange());
-  this->Mapper->SetScalarMode(main->GetScalarMode());
-  this->Mapper->SetColorMode(main->GetColorMode());
-  // Asked for its table, a mapper without one makes one.
-  if (main->GetScalarVisibility())
-  {
-    this->Mapper->SetLookupTable(main->GetLookupTable());
-  }
 }
 
 //----------------------------------------------------------------------------

@@ -17,9 +17,6 @@
 #include <memory>
 #include <vector>
 
-class vtkGlyphBlockAttributes;
-class vtkPolyData;
-
 class vtkGlyphLayers
 {
 public:
@@ -28,11 +25,8 @@ public:
     vtkNew<vtkRayTracedActor> Actor;
     vtkNew<vtkRayTracedGlyphMapper> Mapper;
 
-    /// Input, blocks and appearance of the main actor.
-    void Follow(vtkPolyData* points, vtkRayTracedActor* main, const vtkGlyphBlockAttributes& blocks,
-      const std::array<double, 3>& selectionColor);
-    /// How the main mapper colors by arrays.
-    void FollowColors(vtkRayTracedMapper* main);
+    /// Blocks and appearance of the main actor.
+    void Follow(const vtkRayTracedBlocks& blocks, vtkRayTracedActor* main, const std::array<double, 3>& selectionColor);
   };
 
   /**

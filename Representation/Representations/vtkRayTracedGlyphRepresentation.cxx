@@ -100,11 +100,13 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::GatherAnew(vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkPolyData>
+vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   vtkGlyphPointGatherer::Options options;
   options.CellCenters = this->GlyphLocation == CELLS;
+  options.IsBlock = isBlock;
   if (controller)
   {
     options.ProcessId = controller->GetLocalProcessId();
@@ -112,19 +114,20 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::GatherAnew(vtkData
   }
   options.WholeExtent = wholeExtent;
   options.Progress = this->ProgressOf("Gathering points");
-  return vtkGlyphPointGatherer::Gather(input, options);
+  return vtkGlyphPointGatherer::Gather(data, options);
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::AddArrays(vtkPolyData* points)
+std::vector<std::string> vtkRayTracedGlyphRepresentation::Arrays() const
 {
   const vtkGlyphSettings settings = this->MakeSettings();
-  this->Superclass::AddArrays(points);
-  for (const std::string& name : { settings.ScaleArray, settings.OrientationArray, settings.ExponentArray,
-         settings.Tensors.Array, settings.Forms.Array })
+  std::vector<std::string> names = this->Superclass::Arrays();
+  for (const std::string* name : { &settings.ScaleArray, &settings.OrientationArray, &settings.ExponentArray,
+         &settings.Tensors.Array, &settings.Forms.Array })
   {
-    vtkGlyphJoinedArrays::Add(points, name);
+    names.push_back(*name);
   }
+  return names;
 }
 
 //----------------------------------------------------------------------------
@@ -161,10 +164,10 @@ void vtkRayTracedGlyphRepresentation::CountPointsOfAllRanks(vtkPolyData* points)
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedGlyphRepresentation::MayBeTranslucent()
+bool vtkRayTracedGlyphRepresentation::NeedsOrderedCompositing()
 {
   const bool table = this->TensorTable && this->Glyphs.HasNumberRange() && !this->TensorTable->IsOpaque();
-  return table || !vtkRayTracedArrays::IsNone(this->Glyphs.OpacityArray) || this->Superclass::MayBeTranslucent();
+  return table || !vtkRayTracedArrays::IsNone(this->Glyphs.OpacityArray) || this->Superclass::NeedsOrderedCompositing();
 }
 
 //----------------------------------------------------------------------------
@@ -229,7 +232,7 @@ void vtkRayTracedGlyphRepresentation::UpdateDataSizes(vtkPolyData* points)
   {
     sides = extents.front()->positions.back() - extents.front()->positions.front();
   }
-  const double highScale = this->HighScale.Get(points, this->MakeSettings(), this->Blocks.Resolve(points));
+  const double highScale = this->HighScale.Get(points, this->MakeSettings(), this->Blocks.GetTable());
   this->DataSizes = { highScale, sides.x, sides.y };
 }
 
@@ -295,16 +298,14 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   for (int entry = 1; entry < settings.TableSize; ++entry)
   {
     vtkGlyphLayers::Layer& layer = (*this->Layers)[entry - 1];
-    layer.Follow(points, this->GetActor(), this->Blocks, this->GetSelectionColor());
-    layer.FollowColors(main);
+    layer.Follow(this->Blocks, this->GetActor(), this->GetSelectionColor());
     settings.TableEntry = entry;
     layer.Mapper->SetSettings(settings, this->Meshes.GetForm(entry));
   }
   if (axes)
   {
     vtkGlyphLayers::Layer& layer = (*this->Layers)[settings.TableSize - 1];
-    layer.Follow(points, this->GetActor(), this->Blocks, this->GetSelectionColor());
-    layer.Mapper->ScalarVisibilityOff();
+    layer.Follow(this->Blocks, this->GetActor(), this->GetSelectionColor());
     layer.Mapper->SetSettings(settings.AxesOfTensors(), nullptr);
     layer.Actor->GetProperty()->SetAmbientColor(this->TensorAxisColor.data());
     layer.Actor->GetProperty()->SetDiffuseColor(this->TensorAxisColor.data());

@@ -212,12 +212,12 @@ protected:
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
-  vtkSmartPointer<vtkPolyData> GatherAnew(vtkDataObject* input, const int* wholeExtent) override;
-  void AddArrays(vtkPolyData* points) override;
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock) override;
+  std::vector<std::string> Arrays() const override;
   const double* GetDataBounds(vtkPolyData* points) override;
   vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
   void Deliver(vtkInformation* inInfo, bool lod) override;
-  bool MayBeTranslucent() override;
+  bool NeedsOrderedCompositing() override;
 
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;
   void Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective) override;

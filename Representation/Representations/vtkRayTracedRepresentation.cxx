@@ -4,27 +4,39 @@
 #include "Stopwatch.h"
 #include "Vulkan/Device.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObject.h"
+#include "vtkDataObjectTypes.h"
 #include "vtkGlyphSample.h"
 #include "vtkGlyphShutterGuess.h"
 #include "vtkGlyphStepVelocity.h"
 #include "vtkGlyphJoinedArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
+#include "vtkRayTracedArrays.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkRayTracedNumbers.h"
 #include "vtkRayTracedPythonClass.h"
 #include "vtkRayTracedFrameStatus.h"
 #include "vtkRayTracedScene.h"
+#include "vtkRayTracedTree.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTransform.h"
+#include "vtkVersionMacros.h"
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkCompositePolyDataMapper.h"
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -43,10 +55,9 @@ struct ScreenshotState : vtkPVRenderView
 
 //----------------------------------------------------------------------------
 vtkRayTracedRepresentation::vtkRayTracedRepresentation()
-  : Points(vtkSmartPointer<vtkPolyData>::New())
-  , StepVelocity(std::make_unique<vtkGlyphStepVelocity>())
+  : StepVelocity(std::make_unique<vtkGlyphStepVelocity>())
 {
-  this->Actor->SetProperty(this->Property);
+  this->RequestGhostCellsIfNeeded = false;
   vtkRayTracedPythonClass::GetActor = [](vtkObjectBase* object) -> vtkObjectBase*
   {
     auto* representation = vtkRayTracedRepresentation::SafeDownCast(object);
@@ -62,41 +73,24 @@ vtkRayTracedRepresentation::~vtkRayTracedRepresentation() = default;
 void vtkRayTracedRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mapper: " << this->Mapper.Get() << endl;
+  os << indent << "MainMapper: " << this->MainMapper.Get() << endl;
 }
 
 //----------------------------------------------------------------------------
 vtkRayTracedMapper* vtkRayTracedRepresentation::GetMapper()
 {
-  return this->Mapper;
+  return this->MainMapper;
 }
 
 //----------------------------------------------------------------------------
 vtkRayTracedActor* vtkRayTracedRepresentation::GetActor()
 {
-  return this->Actor;
-}
-
-//----------------------------------------------------------------------------
-vtkPolyData* vtkRayTracedRepresentation::GetPoints()
-{
-  return this->Points;
+  return this->MainActor;
 }
 
 //****************************************************************************
 // The data side
 //****************************************************************************
-
-//----------------------------------------------------------------------------
-int vtkRayTracedRepresentation::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkHyperTreeGrid");
-  // On processes that only render there is no input.
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
-}
 
 //----------------------------------------------------------------------------
 int vtkRayTracedRepresentation::RequestData(
@@ -109,26 +103,75 @@ int vtkRayTracedRepresentation::RequestData(
     ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
     : nullptr;
   rtg::Stopwatch watch;
+  vtkSmartPointer<vtkDataObject> gathered = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(this->EmptyType()));
   try
   {
-    this->Points = this->Gather(input, wholeExtent);
-    this->AddStepVelocities(input);
+    if (input)
+    {
+      gathered = this->GatherTree(input, wholeExtent);
+      this->AddStepVelocities(gathered, input);
+      vtkRayTracedTree::ForEach(gathered, [this](vtkPolyData* points) { this->Complete(points); });
+    }
   }
   catch (const std::bad_alloc&)
   {
-    this->Points = vtkSmartPointer<vtkPolyData>::New();
     this->ReportLackOfMemory();
   }
+  this->MultiBlockMaker->SetInputDataObject(gathered);
+  this->MultiBlockMaker->Update();
   ++this->Gathers;
   this->GatherSeconds += watch.Lap();
-  return this->Superclass::RequestData(request, inputVector, outputVector);
+  return this->vtkPVDataRepresentation::RequestData(request, inputVector, outputVector);
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::GatherTree(vtkDataObject* input, const int* wholeExtent)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool blocks = input->IsA("vtkCompositeDataSet");
+  return vtkRayTracedTree::Make(input, this->GetBlockColorsDistinctValues(),
+    controller ? controller->GetNumberOfProcesses() : 1,
+    [&](vtkDataObject* data) { return this->Gather(data, wholeExtent, blocks); });
+}
+
+//----------------------------------------------------------------------------
+// What processes without data have in their place: of the type of what is received.
+int vtkRayTracedRepresentation::EmptyType() const
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  return this->PlaceHolderDataType;
+#else
+  return VTK_MULTIBLOCK_DATA_SET;
+#endif
+}
+
+//----------------------------------------------------------------------------
+// Arrays that are named as parts of one; and ParaView offers all arrays as colors but for those that are marked so.
+void vtkRayTracedRepresentation::Complete(vtkPolyData* points)
+{
+  for (const std::string& name : this->Arrays())
+  {
+    vtkGlyphJoinedArrays::Add(points, name);
+  }
+  for (vtkFieldData* data : { static_cast<vtkFieldData*>(points->GetPointData()),
+         static_cast<vtkFieldData*>(points->GetCellData()), points->GetFieldData() })
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = data->GetAbstractArray(i);
+      if (array->GetName() && vtkRayTracedArrays::IsOwn(array->GetName()))
+      {
+        array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
+      }
+    }
+  }
 }
 
 //----------------------------------------------------------------------------
 const double*
 vtkRayTracedRepresentation::GetBoundsOf(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings)
 {
-  return this->Bounds.Get(points, settings, this->Blocks.Resolve(points));
+  return this->Bounds.Get(points, settings, this->Blocks.GetTable());
 }
 
 //----------------------------------------------------------------------------
@@ -143,13 +186,13 @@ vtkRayTracedParallel::Progress vtkRayTracedRepresentation::ProgressOf(const char
 
 //----------------------------------------------------------------------------
 // Where the data are, and not where they are rendered: what is delivered may come from ParaView's cache of time steps.
-void vtkRayTracedRepresentation::AddStepVelocities(vtkDataObject* input)
+void vtkRayTracedRepresentation::AddStepVelocities(vtkDataObject* gathered, vtkDataObject* input)
 {
-  if (!this->Motion.FromPreviousStep || !input)
+  if (!this->Motion.FromPreviousStep)
   {
     return;
   }
-  this->StepVelocity->AddTo(this->Points, input, this->GetInputAlgorithm());
+  this->StepVelocity->AddTo(gathered, input, this->GetInputAlgorithm());
   const std::string message = this->StepVelocity->TakeMessage();
   if (!message.empty())
   {
@@ -199,20 +242,28 @@ void vtkRayTracedRepresentation::SetShutterTimeFromData(bool on)
 //----------------------------------------------------------------------------
 vtkDataObject* vtkRayTracedRepresentation::GetRenderedDataObject(int)
 {
-  return this->Points;
+  return this->Piece;
 }
 
 //----------------------------------------------------------------------------
 int vtkRayTracedRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  if (this->BlockAttrChanged)
   {
-    return 0; // not visible
+    this->AttributedData = nullptr;
+  }
+  // The superclass has another LOD.
+  const bool visible = request == vtkPVView::REQUEST_UPDATE_LOD()
+    ? this->vtkPVDataRepresentation::ProcessViewRequest(request, inInfo, outInfo)
+    : this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
+  if (!visible)
+  {
+    return 0;
   }
   try
   {
-    this->Answer(request, inInfo, outInfo);
+    this->Answer(request, inInfo);
   }
   catch (const std::bad_alloc&)
   {
@@ -223,43 +274,34 @@ int vtkRayTracedRepresentation::ProcessViewRequest(
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::Answer(
-  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+void vtkRayTracedRepresentation::Answer(vtkInformationRequestKey* request, vtkInformation* inInfo)
 {
   if (request == vtkPVView::REQUEST_UPDATE())
   {
-    if (this->Points)
-    {
-      this->AddArrays(this->Points);
-    }
-    vtkPVView::SetPiece(inInfo, this, this->Points);
     // Where the view has kept this step of an animation nothing has been gathered, and that piece is what it shows.
-    if (auto* shown = vtkPolyData::SafeDownCast(vtkPVView::GetPiece(inInfo, this)))
-    {
-      this->Points = shown;
-    }
+    this->Piece = vtkPVView::GetPiece(inInfo, this);
+    this->UseBlocks(this->Piece);
     this->Deliver(inInfo, /*lod=*/false);
-    this->UpdateShutterTime(this->Points);
+    this->UpdateShutterTime(this->GetPoints());
     double bounds[6];
-    std::copy_n(this->GetDataBounds(this->Points), 6, bounds);
-    vtkNew<vtkMatrix4x4> matrix;
-    this->Actor->GetMatrix(matrix);
-    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
-    if (this->Mapper && this->Points)
+    std::copy_n(this->GetDataBounds(this->GetPoints()), 6, bounds);
+    this->UpdateActor();
+    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, this->MainActor->GetMatrix());
+    if (this->MainMapper)
     {
       // The clipping range takes those of actors, too: old ones that were larger would hold until the next update.
       this->SetPartBounds(bounds);
     }
     vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, this->IsReplicated());
-    vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
-      this->IsReplicated() ? vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION
-                           : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
-    outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->MayBeTranslucent() ? 1 : 0);
+    if (this->IsReplicated())
+    {
+      vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
+    }
   }
   else if (request == vtkPVView::REQUEST_UPDATE_LOD())
   {
     // Glyphs are as quick to trace while the camera moves; they only must not be missing.
-    vtkPVRenderView::SetPieceLOD(inInfo, this, this->Points);
+    vtkPVRenderView::SetPieceLOD(inInfo, this, this->Piece);
     this->Deliver(inInfo, /*lod=*/true);
   }
   else if (request == vtkPVView::REQUEST_RENDER())
@@ -269,6 +311,69 @@ void vtkRayTracedRepresentation::Answer(
       this->Render(view, inInfo);
     }
   }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::UseBlocks(vtkDataObject* data)
+{
+  const vtkMTimeType time = data ? data->GetMTime() : 0;
+  if (!this->AttributedData || data != this->AttributedData || time != this->AttributedTime)
+  {
+    this->PopulateBlockAttributes(this->BlockAttributes, data);
+    this->BlockAttributes->Modified();
+    this->AttributedData = data;
+    this->AttributedTime = time;
+  }
+  vtkRayTracedBlocks::Attributes common;
+  vtkRayTracedBlocks::Coloring& scalars = common.Scalars;
+  scalars.On = this->Mapper->GetScalarVisibility() != 0;
+  if (scalars.On)
+  {
+    scalars.Array = OrEmpty(this->Mapper->GetArrayName());
+    scalars.Table = this->Mapper->GetLookupTable(); // a mapper without one makes one
+  }
+  scalars.ScalarMode = this->Mapper->GetScalarMode();
+  scalars.ColorMode = this->Mapper->GetColorMode();
+  scalars.InterpolatesScalars = this->Mapper->GetInterpolateScalarsBeforeMapping();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  auto* blocks = vtkCompositePolyDataMapper::SafeDownCast(this->Mapper);
+  scalars.MissingIsNan = blocks && blocks->GetColorMissingArraysWithNanColor();
+#endif
+  this->Blocks.Update(data, this->BlockAttributes, common);
+}
+
+//----------------------------------------------------------------------------
+// The superclass's actor is not rendered, and its numbers may be NaN or infinite.
+void vtkRayTracedRepresentation::UpdateActor()
+{
+  vtkProperty* property = this->MainActor->GetProperty();
+  property->DeepCopy(this->Property);
+  property->SetOpacity(NumberOr(property->GetOpacity(), 1.0));
+  property->SetAmbient(NumberOr(property->GetAmbient(), 0.0));
+  property->SetDiffuse(NumberOr(property->GetDiffuse(), 1.0));
+  property->SetSpecular(NumberOr(property->GetSpecular(), 0.0));
+  property->SetSpecularPower(NumberOr(property->GetSpecularPower(), 100.0));
+  property->SetMetallic(NumberOr(property->GetMetallic(), 0.0));
+  property->SetRoughness(NumberOr(property->GetRoughness(), 0.5));
+  property->SetCoatStrength(NumberOr(property->GetCoatStrength(), 0.0));
+  property->SetCoatIOR(NumberOr(property->GetCoatIOR(), 2.0));
+  property->SetCoatRoughness(NumberOr(property->GetCoatRoughness(), 0.0));
+  const auto inRange = [](const double* color) { return ColorInRange(color[0], color[1], color[2]); };
+  property->SetAmbientColor(inRange(property->GetAmbientColor()).data());
+  property->SetDiffuseColor(inRange(property->GetDiffuseColor()).data());
+  property->SetSpecularColor(inRange(property->GetSpecularColor()).data());
+  property->SetCoatColor(inRange(property->GetCoatColor()).data());
+
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Actor->GetMatrix(matrix);
+  const double* elements = matrix->GetData();
+  if (!std::all_of(elements, elements + 16, [](double element) { return std::isfinite(element); }))
+  {
+    matrix->Identity();
+  }
+  this->MainActor->SetUserMatrix(matrix);
+  this->MainActor->SetPickable(this->Actor->GetPickable());
+  this->MainActor->SetVisibility(this->GetVisibility());
 }
 
 //----------------------------------------------------------------------------
@@ -285,13 +390,9 @@ void vtkRayTracedRepresentation::SetArray(std::string& held, const char* name)
 }
 
 //----------------------------------------------------------------------------
-// Arrays that are named as parts of one.
-void vtkRayTracedRepresentation::AddArrays(vtkPolyData* points)
+std::vector<std::string> vtkRayTracedRepresentation::Arrays() const
 {
-  for (const std::string& name : { this->Motion.Velocity, this->Motion.Acceleration, this->Motion.AngularVelocity })
-  {
-    vtkGlyphJoinedArrays::Add(points, name);
-  }
+  return { this->Motion.Velocity, this->Motion.Acceleration, this->Motion.AngularVelocity };
 }
 
 //----------------------------------------------------------------------------
@@ -300,23 +401,6 @@ void vtkRayTracedRepresentation::ReportLackOfMemory()
   vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these "
                    "data. Show fewer of them, for example "
                    "with Mask Points or Threshold, or hide other data.");
-}
-
-//----------------------------------------------------------------------------
-bool vtkRayTracedRepresentation::MayBeTranslucent()
-{
-  const double opacity = this->Property->GetOpacity();
-  if ((opacity > 0.0 && opacity < 1.0) || this->Blocks.HasTranslucent())
-  {
-    return true;
-  }
-  vtkInformation* info = this->GetInputArrayInformation(0);
-  const char* name = info && info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
-  if (!name || !name[0])
-  {
-    return false;
-  }
-  return !this->MapScalars || (this->LookupTable && this->LookupTable->IsOpaque() == 0);
 }
 
 //****************************************************************************
@@ -348,6 +432,13 @@ void vtkRayTracedRepresentation::RemovePart(vtkPVRenderView* view, vtkRayTracedA
 }
 
 //----------------------------------------------------------------------------
+// Without the superclass's actor.
+bool vtkRayTracedRepresentation::AddToView(vtkView* view)
+{
+  return this->vtkPVDataRepresentation::AddToView(view);
+}
+
+//----------------------------------------------------------------------------
 bool vtkRayTracedRepresentation::RemoveFromView(vtkView* view)
 {
   auto* renderView = vtkPVRenderView::SafeDownCast(view);
@@ -355,19 +446,19 @@ bool vtkRayTracedRepresentation::RemoveFromView(vtkView* view)
   {
     return false;
   }
-  if (this->Mapper)
+  if (this->MainMapper)
   {
     this->RemoveLayers(renderView);
-    this->RemovePart(renderView, this->Actor, this->Mapper);
-    this->Mapper = nullptr;
+    this->RemovePart(renderView, this->MainActor, this->MainMapper);
+    this->MainMapper = nullptr;
   }
-  return this->Superclass::RemoveFromView(view);
+  return this->vtkPVDataRepresentation::RemoveFromView(view);
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetVisibility(bool visible)
 {
-  this->Actor->SetVisibility(visible);
+  this->MainActor->SetVisibility(visible);
   this->ShowLayers(visible);
   this->Superclass::SetVisibility(visible);
 }
@@ -375,26 +466,25 @@ void vtkRayTracedRepresentation::SetVisibility(bool visible)
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* inInfo)
 {
-  if (!this->Mapper)
+  if (!this->MainMapper)
   {
-    this->Mapper = this->MakeMapper();
-    this->AddPart(view, this->Actor, this->Mapper);
+    this->MainMapper = this->MakeMapper();
+    this->AddPart(view, this->MainActor, this->MainMapper);
   }
+  this->UpdateActor();
   const bool lod = inInfo->Has(vtkPVRenderView::USE_LOD()) != 0;
   vtkDataObject* delivered =
     lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this) : vtkPVView::GetDeliveredPiece(inInfo, this);
-  auto* points = vtkPolyData::SafeDownCast(delivered);
-  if (!points && this->Points)
+  // A selection may come before new points have been delivered: it finds what is shown.
+  if (delivered || !this->Piece)
   {
-    // A selection may come before new points have been delivered: it finds what is shown.
-    points = this->Mapper->GetPoints();
+    this->UseBlocks(delivered);
+    this->MainMapper->SetBlocks(this->Blocks);
   }
-  this->Mapper->SetPoints(points);
-  this->Mapper->SetBlocks(this->Blocks);
-  this->Mapper->SetInWindow(this->Image.StepwiseRendering);
-  this->ConfigureColors(points);
+  vtkPolyData* points = this->MainMapper->GetPoints();
   const bool collective =
     lod ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender();
+  this->MainMapper->SetInWindow(this->Image.StepwiseRendering);
   this->Configure(inInfo, points, lod, collective);
   vtkNew<vtkPolyData> nothing;
   this->SetPartBounds(this->GetDataBounds(points ? points : nothing.Get()));
@@ -411,41 +501,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetPartBounds(const double bounds[6])
 {
-  this->Mapper->SetKnownBounds(bounds);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::ConfigureColors(vtkPolyData* points)
-{
-  const char* name = nullptr;
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkInformation* info = this->GetInputArrayInformation(0);
-  if (info && info->Has(vtkDataObject::FIELD_ASSOCIATION()) && info->Has(vtkDataObject::FIELD_NAME()))
-  {
-    name = info->Get(vtkDataObject::FIELD_NAME());
-    association = info->Get(vtkDataObject::FIELD_ASSOCIATION());
-  }
-  this->Mapper->SetColorMode(this->MapScalars ? VTK_COLOR_MODE_MAP_SCALARS : VTK_COLOR_MODE_DIRECT_SCALARS);
-  if (this->LookupTable)
-  {
-    this->Mapper->SetLookupTable(this->LookupTable);
-  }
-  if (!name || !name[0])
-  {
-    this->Mapper->ScalarVisibilityOff();
-    this->Mapper->SelectColorArray(static_cast<const char*>(nullptr));
-    return;
-  }
-  // Cells of a hyper tree grid have become points on the way, and so have the numbers of blocks, which are field data.
-  bool cells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  if (cells && points && !points->GetCellData()->HasArray(name))
-  {
-    cells = !points->GetPointData()->HasArray(name);
-  }
-  this->Mapper->ScalarVisibilityOn();
-  this->Mapper->SelectColorArray(name);
-  this->Mapper->SetUseLookupTableScalarRange(1);
-  this->Mapper->SetScalarMode(cells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  this->MainMapper->SetKnownBounds(bounds);
 }
 
 //----------------------------------------------------------------------------
@@ -514,7 +570,7 @@ const char* vtkRayTracedRepresentation::GetRenderStatistics()
   vtkRayTracedScene* scene = this->GetScene();
   const vtkRayTracedDataStatistics data{ this->Gathers, this->Bounds.GetBuilds(), this->GatherSeconds,
     this->Bounds.GetSeconds() };
-  this->Statistics = scene ? scene->GetStatistics(this->Mapper, data) : std::string("{}");
+  this->Statistics = scene ? scene->GetStatistics(this->MainMapper, data) : std::string("{}");
   return this->Statistics.c_str();
 }
 
@@ -593,109 +649,4 @@ void vtkRayTracedRepresentation::SetPointIdArray(const char* name)
 void vtkRayTracedRepresentation::SetShutterOpening(int opening)
 {
   this->Motion.Opening = std::clamp(opening, 0, 2);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetLookupTable(vtkScalarsToColors* table)
-{
-  this->LookupTable = table;
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetPosition(double x, double y, double z)
-{
-  this->Position = { FiniteOr(x, 0.0), FiniteOr(y, 0.0), FiniteOr(z, 0.0) };
-  this->UpdateActorPosition();
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetTranslation(double x, double y, double z)
-{
-  this->Translation = { FiniteOr(x, 0.0), FiniteOr(y, 0.0), FiniteOr(z, 0.0) };
-  this->UpdateActorPosition();
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::UpdateActorPosition()
-{
-  this->Actor->SetPosition(this->Position[0] + this->Translation[0], this->Position[1] + this->Translation[1],
-    this->Position[2] + this->Translation[2]);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetScale(double x, double y, double z)
-{
-  this->Actor->SetScale(FiniteOr(x, 1.0), FiniteOr(y, 1.0), FiniteOr(z, 1.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetOrientation(double x, double y, double z)
-{
-  this->Actor->SetOrientation(FiniteOr(x, 0.0), FiniteOr(y, 0.0), FiniteOr(z, 0.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetOrigin(double x, double y, double z)
-{
-  this->Actor->SetOrigin(FiniteOr(x, 0.0), FiniteOr(y, 0.0), FiniteOr(z, 0.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetUserTransform(const double matrix[16])
-{
-  vtkNew<vtkTransform> transform;
-  if (std::all_of(matrix, matrix + 16, [](double element) { return std::isfinite(element); }))
-  {
-    transform->SetMatrix(matrix);
-  }
-  this->Actor->SetUserTransform(transform);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetPickable(int pickable)
-{
-  this->Actor->SetPickable(pickable);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetActiveAssembly(const char* name)
-{
-  this->Blocks.SetAssembly(name);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::AddBlockSelector(const char* selector)
-{
-  this->Blocks.AddSelector(selector);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::RemoveAllBlockSelectors()
-{
-  this->Blocks.RemoveAllSelectors();
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetBlockColor(const char* selector, double r, double g, double b)
-{
-  const std::array<double, 3> color = ColorInRange(r, g, b);
-  this->Blocks.SetColor(selector, color[0], color[1], color[2]);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::RemoveAllBlockColors()
-{
-  this->Blocks.RemoveAllColors();
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetBlockOpacity(const char* selector, double opacity)
-{
-  this->Blocks.SetOpacity(selector, InRange(opacity, 0.0, 1.0, 1.0));
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::RemoveAllBlockOpacities()
-{
-  this->Blocks.RemoveAllOpacities();
 }

@@ -1,7 +1,10 @@
 /**
  * @class   vtkRayTracedRepresentation
- * @brief   what ray-traced glyphs, surfaces and tubes have in common: delivery, colors, blocks, placement, and the
- * view's image
+ * @brief   what ray-traced glyphs, surfaces and tubes have in common: delivery, motion, and the view's image
+ *
+ * Appearance, placement, colors and blocks are those of ParaView's ordinary surface. Of the superclass neither the
+ * geometry filter is run nor the actor rendered: its MultiBlockMaker delivers what is gathered, and actors of ours
+ * follow its actor.
  *
  * Points or triangles are gathered where the data are, in RequestData(). REQUEST_UPDATE hands them to the view with
  * their bounds and touches nothing of the render side. Mappers, actors and the renderer's vtkRayTracedScene are made
@@ -13,16 +16,16 @@
 #ifndef vtkRayTracedRepresentation_h
 #define vtkRayTracedRepresentation_h
 
+#include "vtkGeometryRepresentation.h"
 #include "vtkNew.h"
-#include "vtkPVDataRepresentation.h"
-#include "vtkProperty.h"
+#include "vtkPolyData.h"
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkGlyphBlockAttributes.h"
 #include "vtkGlyphBounds.h"
 #include "vtkGlyphKeptGuess.h"
 #include "vtkGlyphMotion.h"
+#include "vtkRayTracedBlocks.h"
 #include "vtkRayTracedParallel.h"
 #include "vtkRayTracedImageSettings.h"
 #include "vtkRayTracedNumbers.h"
@@ -34,18 +37,17 @@
 #include <string>
 #include <vector>
 
+class vtkCompositeDataDisplayAttributes;
 class vtkGlyphStepVelocity;
 class vtkPVRenderView;
-class vtkPolyData;
 class vtkRayTracedActor;
 class vtkRayTracedMapper;
 class vtkRayTracedScene;
-class vtkScalarsToColors;
 
-class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedRepresentation : public vtkPVDataRepresentation
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedRepresentation : public vtkGeometryRepresentation
 {
 public:
-  vtkTypeMacro(vtkRayTracedRepresentation, vtkPVDataRepresentation);
+  vtkTypeMacro(vtkRayTracedRepresentation, vtkGeometryRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -146,75 +148,6 @@ public:
    */
   double GetShutterTimeGuess() { return this->ShutterTime; }
 
-  ///@{
-  /**
-   * Appearance, as of ParaView's ordinary surface.
-   */
-  void SetLookupTable(vtkScalarsToColors* table);
-  void SetMapScalars(int map) { this->MapScalars = map != 0; }
-  void SetInterpolateScalarsBeforeMapping(int interpolate) { this->InterpolateScalarsBeforeMapping = interpolate != 0; }
-  void SetOpacity(double opacity) { this->Property->SetOpacity(vtkRayTracedNumbers::NumberOr(opacity, 1.0)); }
-  void SetAmbientColor(double r, double g, double b)
-  {
-    this->Property->SetAmbientColor(vtkRayTracedNumbers::ColorInRange(r, g, b).data());
-  }
-  void SetDiffuseColor(double r, double g, double b)
-  {
-    this->Property->SetDiffuseColor(vtkRayTracedNumbers::ColorInRange(r, g, b).data());
-  }
-  void SetSpecularColor(double r, double g, double b)
-  {
-    this->Property->SetSpecularColor(vtkRayTracedNumbers::ColorInRange(r, g, b).data());
-  }
-  void SetAmbient(double ambient) { this->Property->SetAmbient(vtkRayTracedNumbers::NumberOr(ambient, 0.0)); }
-  void SetDiffuse(double diffuse) { this->Property->SetDiffuse(vtkRayTracedNumbers::NumberOr(diffuse, 1.0)); }
-  void SetSpecular(double specular) { this->Property->SetSpecular(vtkRayTracedNumbers::NumberOr(specular, 0.0)); }
-  void SetSpecularPower(double power) { this->Property->SetSpecularPower(vtkRayTracedNumbers::NumberOr(power, 100.0)); }
-  void SetMetallic(double metallic) { this->Property->SetMetallic(vtkRayTracedNumbers::NumberOr(metallic, 0.0)); }
-  void SetRoughness(double roughness) { this->Property->SetRoughness(vtkRayTracedNumbers::NumberOr(roughness, 0.5)); }
-  void SetCoatStrength(double strength)
-  {
-    this->Property->SetCoatStrength(vtkRayTracedNumbers::NumberOr(strength, 0.0));
-  }
-  void SetCoatIOR(double ior) { this->Property->SetCoatIOR(vtkRayTracedNumbers::NumberOr(ior, 2.0)); }
-  void SetCoatRoughness(double roughness)
-  {
-    this->Property->SetCoatRoughness(vtkRayTracedNumbers::NumberOr(roughness, 0.0));
-  }
-  void SetCoatColor(double r, double g, double b)
-  {
-    this->Property->SetCoatColor(vtkRayTracedNumbers::ColorInRange(r, g, b).data());
-  }
-  ///@}
-
-  ///@{
-  /**
-   * Placement. Position (up to ParaView 5.11) and Translation (from 5.12) are one property under two names; only one is
-   * ever set, and the other stays zero.
-   */
-  void SetPosition(double x, double y, double z);
-  void SetTranslation(double x, double y, double z);
-  void SetScale(double x, double y, double z);
-  void SetOrientation(double x, double y, double z);
-  void SetOrigin(double x, double y, double z);
-  void SetUserTransform(const double matrix[16]);
-  void SetPickable(int pickable);
-  ///@}
-
-  ///@{
-  /**
-   * Blocks of a composite data set, by selectors in its hierarchy or, with "Assembly", in its own assembly if it has
-   * one. Default is the selector "/".
-   */
-  void SetActiveAssembly(const char* name);
-  void AddBlockSelector(const char* selector);
-  void RemoveAllBlockSelectors();
-  void SetBlockColor(const char* selector, double r, double g, double b);
-  void RemoveAllBlockColors();
-  void SetBlockOpacity(const char* selector, double opacity);
-  void RemoveAllBlockOpacities();
-  ///@}
-
   // vtkPVDataRepresentation
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
   void SetVisibility(bool visible) override;
@@ -224,19 +157,21 @@ protected:
   vtkRayTracedRepresentation();
   ~vtkRayTracedRepresentation() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
   ///@{
   /**
-   * The data side. Gather() makes what is delivered to the mapper; `wholeExtent` is null unless `input` is a piece of a
-   * structured data set; AddArrays() adds to them what settings ask for. GetDataBounds() are those of everything shown
-   * of gathered or delivered points, before the actor's transform. Deliver() may hand further pieces to the view.
+   * The data side. Gather() makes what is delivered to the mapper of one data set, a block of composite data or all;
+   * `wholeExtent` is null unless it is a piece of a structured data set; Arrays() are names of those that are to be
+   * made of several. GetDataBounds() are those of everything shown of gathered or delivered points, before the actor's
+   * transform. Deliver() may hand further pieces to the view.
    */
-  virtual vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) = 0;
-  virtual void AddArrays(vtkPolyData* points);
+  virtual vtkSmartPointer<vtkDataObject> GatherTree(vtkDataObject* input, const int* wholeExtent);
+  virtual vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock) = 0;
+  virtual std::vector<std::string> Arrays() const;
   virtual const double* GetDataBounds(vtkPolyData* points) = 0;
   virtual void Deliver(vtkInformation*, bool /*lod*/) {}
   ///@}
@@ -250,11 +185,6 @@ protected:
    * How it moves: the properties, with the shutter time that the data suggest.
    */
   vtkGlyphMotion::Settings GetMotion() const;
-
-  /**
-   * Whether something of it may turn out translucent; asked on all ranks before the data are delivered.
-   */
-  virtual bool MayBeTranslucent();
 
   ///@{
   /**
@@ -287,9 +217,8 @@ protected:
    */
   vtkRayTracedParallel::Progress ProgressOf(const char* what);
 
-  bool GetInterpolateScalarsBeforeMapping() const { return this->InterpolateScalarsBeforeMapping; }
   vtkRayTracedMapper* GetMapper();
-  vtkPolyData* GetPoints();
+  vtkPolyData* GetPoints() { return this->Blocks.GetPoints(); }
   vtkPVRenderView* GetRenderView();
 
   /**
@@ -303,7 +232,7 @@ protected:
   void SetArray(std::string& held, const char* name);
 
   vtkGlyphMotion::Settings Motion; // as the properties say
-  vtkGlyphBlockAttributes Blocks;
+  vtkRayTracedBlocks Blocks;       // of what was last delivered or rendered
 
 private:
   vtkRayTracedRepresentation(const vtkRayTracedRepresentation&) = delete;
@@ -311,26 +240,27 @@ private:
 
   bool IsReplicated() const { return this->Image.ParallelLight >= vtkRayTracedImageSettings::ReplicatedLight; }
   void SetParallelLight(int light, bool replicate);
-  void Answer(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo);
+  void Answer(vtkInformationRequestKey* request, vtkInformation* inInfo);
+  int EmptyType() const;
+  void Complete(vtkPolyData* points);
   void ReportLackOfMemory();
-  void AddStepVelocities(vtkDataObject* input);
+  void AddStepVelocities(vtkDataObject* gathered, vtkDataObject* input);
   void UpdateShutterTime(vtkPolyData* points);
-  void UpdateActorPosition();
+  void UseBlocks(vtkDataObject* data);
+  void UpdateActor();
   void Render(vtkPVRenderView* view, vtkInformation* inInfo);
-  void ConfigureColors(vtkPolyData* points);
   vtkRayTracedScene* GetScene();
 
   vtkRayTracedImageSettings Image;
   vtkGlyphBounds Bounds;
   std::uint64_t Gathers = 0;
   double GatherSeconds = 0.0;
-  vtkNew<vtkRayTracedActor> Actor; // in no renderer until it is shown
-  vtkNew<vtkProperty> Property;
-  vtkSmartPointer<vtkRayTracedMapper> Mapper; // null until something is rendered
-  vtkSmartPointer<vtkPolyData> Points;        // gathered, not yet delivered
-  vtkSmartPointer<vtkScalarsToColors> LookupTable;
-  bool MapScalars = true, InterpolateScalarsBeforeMapping = true;
-  std::array<double, 3> Position{}, Translation{};
+  vtkNew<vtkRayTracedActor> MainActor;                       // in no renderer until it is shown
+  vtkSmartPointer<vtkRayTracedMapper> MainMapper;            // null until something is rendered
+  vtkSmartPointer<vtkDataObject> Piece;                      // gathered, not yet delivered
+  vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes; // of the data, as they were at that time
+  vtkDataObject* AttributedData = nullptr;                   // only to be compared
+  vtkMTimeType AttributedTime = 0;
   std::unique_ptr<vtkGlyphStepVelocity> StepVelocity;
   bool ShutterTimeFromData = true;
   double ShutterTime = 0.0; // that the data suggest; 0: none

@@ -45,15 +45,15 @@ int vtkRayTracedSelectableRepresentation::RequestData(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedSelectableRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkDataObject>
+vtkRayTracedSelectableRepresentation::GatherTree(vtkDataObject* input, const int* wholeExtent)
 {
   // Another selection is no reason to gather the same points again. Sources that fill the same data object anew differ
   // by the time of its update.
-  const std::array<vtkMTimeType, 2> times =
-    input ? std::array<vtkMTimeType, 2>{ input->GetUpdateTime(), input->GetMTime() } : std::array<vtkMTimeType, 2>{};
-  if (!this->Gathered || !input || input != this->GatheredInput || times != this->GatheredTimes)
+  const std::array<vtkMTimeType, 2> times{ input->GetUpdateTime(), input->GetMTime() };
+  if (!this->Gathered || input != this->GatheredInput || times != this->GatheredTimes)
   {
-    this->Gathered = this->GatherAnew(input, wholeExtent);
+    this->Gathered = this->Superclass::GatherTree(input, wholeExtent);
     this->GatheredInput = input;
     this->GatheredTimes = times;
   }

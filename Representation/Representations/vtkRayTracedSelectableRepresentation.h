@@ -35,15 +35,12 @@ protected:
 
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) final;
+  vtkSmartPointer<vtkDataObject> GatherTree(vtkDataObject* input, const int* wholeExtent) final;
 
-  ///@{
   /**
-   * What Gather() is in other representations, called for new input, and after ForgetGathered().
+   * The same input is gathered again.
    */
-  virtual vtkSmartPointer<vtkPolyData> GatherAnew(vtkDataObject* input, const int* wholeExtent) = 0;
   void ForgetGathered() { this->Gathered = nullptr; }
-  ///@}
 
   const std::array<double, 3>& GetSelectionColor() const { return this->SelectionColor; }
 
@@ -54,8 +51,8 @@ private:
   bool HasSelection();
 
   const int SelectionPort;
-  vtkSmartPointer<vtkPolyData> Gathered;  // of an input of these times; null: they must be gathered
-  vtkDataObject* GatheredInput = nullptr; // only to be compared
+  vtkSmartPointer<vtkDataObject> Gathered; // of an input of these times; null: they must be gathered
+  vtkDataObject* GatheredInput = nullptr;  // only to be compared
   std::array<vtkMTimeType, 2> GatheredTimes{};
   vtkSmartPointer<vtkDataObject> Extracted; // what is selected of the input; null: no selection
   std::array<double, 3> SelectionColor{ { 1.0, 0.0, 1.0 } };

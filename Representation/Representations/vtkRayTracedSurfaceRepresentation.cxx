@@ -1,21 +1,21 @@
 #include "vtkRayTracedSurfaceRepresentation.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVGeometryFilter.h"
 #include "vtkPolyData.h"
-#include "vtkProcessModule.h"
 #include "vtkProperty.h"
-#include "vtkRayTracedActors.h"
 #include "vtkRayTracedSurfaceGatherer.h"
 #include "vtkRayTracedSurfaceMapper.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 vtkStandardNewMacro(vtkRayTracedSurfaceRepresentation);
 
 //----------------------------------------------------------------------------
-vtkRayTracedSurfaceRepresentation::vtkRayTracedSurfaceRepresentation() = default;
+// Where unstructured data are spread over processes, ghost cells tell the faces between two pieces from outer ones.
+vtkRayTracedSurfaceRepresentation::vtkRayTracedSurfaceRepresentation()
+{
+  this->RequestGhostCellsIfNeeded = true;
+}
 
 //----------------------------------------------------------------------------
 vtkRayTracedSurfaceRepresentation::~vtkRayTracedSurfaceRepresentation() = default;
@@ -25,14 +25,13 @@ void vtkRayTracedSurfaceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Smooth: " << this->Smooth << endl;
-  os << indent << "NonlinearSubdivisionLevel: " << this->NonlinearSubdivisionLevel << endl;
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedSurfaceRepresentation::SetInterpolation(int interpolation)
 {
   const bool smooth = interpolation != VTK_FLAT;
-  this->GetActor()->GetProperty()->SetInterpolation(interpolation);
+  this->Superclass::SetInterpolation(interpolation);
   if (this->Smooth != smooth)
   {
     this->Smooth = smooth;
@@ -41,32 +40,8 @@ void vtkRayTracedSurfaceRepresentation::SetInterpolation(int interpolation)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedSurfaceRepresentation::SetNonlinearSubdivisionLevel(int level)
-{
-  if (this->NonlinearSubdivisionLevel != level)
-  {
-    this->NonlinearSubdivisionLevel = level;
-    this->MarkModified();
-  }
-}
-
-//----------------------------------------------------------------------------
-// Where unstructured data are spread over processes, ghost cells tell the faces between two pieces from outer ones.
-int vtkRayTracedSurfaceRepresentation::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  for (int i = 0; i < inputVector[0]->GetNumberOfInformationObjects(); ++i)
-  {
-    vtkInformation* info = inputVector[0]->GetInformationObject(i);
-    auto* levels = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS();
-    info->Set(levels, info->Get(levels) + vtkProcessModule::GetNumberOfGhostLevelsToRequest(info));
-  }
-  return 1;
-}
-
-//----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceRepresentation::Gather(vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkPolyData>
+vtkRayTracedSurfaceRepresentation::Gather(vtkDataObject* data, const int* wholeExtent, bool)
 {
   vtkRayTracedSurfaceGatherer::Settings settings;
   if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())
@@ -76,8 +51,9 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceRepresentation::Gather(vtkDataOb
   }
   settings.WholeExtent = wholeExtent;
   settings.ComputesNormals = this->Smooth;
-  settings.NonlinearSubdivisionLevel = this->NonlinearSubdivisionLevel;
-  return vtkRayTracedSurfaceGatherer::Gather(input, settings);
+  settings.NonlinearSubdivisionLevel =
+    vtkPVGeometryFilter::SafeDownCast(this->GeometryFilter)->GetNonlinearSubdivisionLevel();
+  return vtkRayTracedSurfaceGatherer::Gather(data, settings);
 }
 
 //----------------------------------------------------------------------------
@@ -108,7 +84,6 @@ void vtkRayTracedSurfaceRepresentation::Configure(vtkInformation*, vtkPolyData*,
 {
   vtkRayTracedSurfaceMapper::SurfaceSettings settings;
   settings.Smooth = this->Smooth;
-  settings.InterpolateValues = this->GetInterpolateScalarsBeforeMapping();
   settings.Motion = this->GetMotion();
   static_cast<vtkRayTracedSurfaceMapper*>(this->GetMapper())->SetSettings(settings);
 }

@@ -23,20 +23,13 @@ public:
    * 0, VTK_FLAT: each triangle has its own normal. Any other: the points' normals are interpolated, which are
    * computed where the data have none. Default is 1, VTK_GOURAUD.
    */
-  void SetInterpolation(int interpolation);
-
-  /**
-   * How often the faces of nonlinear cells are divided into four. Default is 1.
-   */
-  void SetNonlinearSubdivisionLevel(int level);
+  void SetInterpolation(int interpolation) override;
 
 protected:
   vtkRayTracedSurfaceRepresentation();
   ~vtkRayTracedSurfaceRepresentation() override;
 
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* input, const int* wholeExtent) override;
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock) override;
   const double* GetDataBounds(vtkPolyData* surface) override;
   vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;
@@ -47,7 +40,6 @@ private:
   void operator=(const vtkRayTracedSurfaceRepresentation&) = delete;
 
   bool Smooth = true;
-  int NonlinearSubdivisionLevel = 1;
 };
 
 #endif

@@ -33,7 +33,7 @@ void vtkRayTracedTubeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::GatherAnew(vtkDataObject* input, const int* wholeExtent)
+vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::Gather(vtkDataObject* data, const int* wholeExtent, bool)
 {
   vtkRayTracedSurfaceGatherer::Settings settings;
   if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::GatherAnew(vtkDataO
   }
   settings.WholeExtent = wholeExtent;
   settings.Lines = true;
-  return vtkRayTracedSurfaceGatherer::Gather(input, settings);
+  return vtkRayTracedSurfaceGatherer::Gather(data, settings);
 }
 
 //----------------------------------------------------------------------------
@@ -105,9 +105,9 @@ void vtkRayTracedTubeRepresentation::Configure(vtkInformation*, vtkPolyData*, bo
   settings.Radius = this->Radius;
   settings.RadiusArray = this->RadiusArray;
   settings.FlatEnds = this->FlatEnds;
-  settings.Joined = this->MayBeTranslucent();
+  settings.Joined = this->NeedsOrderedCompositing();
   settings.Motion = this->GetMotion();
   auto* tubes = static_cast<vtkRayTracedTubeMapper*>(this->GetMapper());
-  tubes->SetSettings(settings, this->GetInterpolateScalarsBeforeMapping());
+  tubes->SetSettings(settings);
   tubes->SetSelectionColor(this->GetSelectionColor());
 }

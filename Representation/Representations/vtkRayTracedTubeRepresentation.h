@@ -40,7 +40,7 @@ protected:
   vtkRayTracedTubeRepresentation();
   ~vtkRayTracedTubeRepresentation() override;
 
-  vtkSmartPointer<vtkPolyData> GatherAnew(vtkDataObject* input, const int* wholeExtent) override;
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock) override;
   const double* GetDataBounds(vtkPolyData* lines) override;
   vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;

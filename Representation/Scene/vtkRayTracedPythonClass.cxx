@@ -38,7 +38,7 @@ void vtkRayTracedPythonClass::RegisterIfPythonRuns()
   }
   vtkPythonScopeGilEnsurer gil;
   vtkSmartPyObject module(PyImport_ImportModule("paraview.modules.vtkRemotingViews"));
-  vtkSmartPyObject base(module ? PyObject_GetAttrString(module, "vtkPVDataRepresentation") : nullptr);
+  vtkSmartPyObject base(module ? PyObject_GetAttrString(module, "vtkGeometryRepresentation") : nullptr);
   vtkSmartPyObject bases(base ? PyTuple_Pack(1, base.GetPointer()) : nullptr);
   PyType_Slot slots[] = { { Py_tp_methods, methods }, { 0, nullptr } };
   PyType_Spec spec = { "raytracedglyphs.vtkRayTracedRepresentation", 0, 0, Py_TPFLAGS_DEFAULT, slots };

@@ -32,9 +32,9 @@ public:
   };
 
   /**
-   * In the world, relative to the middle of the data. Blocks as Resolve()d for `polygons`; hidden ones are left out.
-   * `modelToWorld` may be null. Without `smooth`, normals are left out. The motion of the points becomes that of the
-   * positions.
+   * In the world, relative to the middle of the data. Blocks as vtkRayTracedBlocks::GetTable() has them; hidden ones
+   * are left out. `modelToWorld` may be null. Without `smooth`, normals are left out. The motion of the points becomes
+   * that of the positions.
    */
   static Result BuildRelative(vtkPolyData* polygons, const vtkGlyphBlockAttributes::Table& blocks,
     vtkMatrix4x4* modelToWorld, bool smooth, const vtkGlyphMotion& motion);

@@ -58,8 +58,8 @@ public:
   static vtkDataArray* RadiusArray(vtkPolyData* lines, const Settings& settings, bool& ofCells);
 
   /**
-   * In the world, relative to the middle of the data. Blocks as Resolve()d for `lines`; hidden ones are left out.
-   * `modelToWorld` may be null.
+   * In the world, relative to the middle of the data. Blocks as vtkRayTracedBlocks::GetTable() has them; hidden ones
+   * are left out. `modelToWorld` may be null.
    */
   static Result Build(vtkPolyData* lines, const vtkGlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld,
     const Settings& settings);

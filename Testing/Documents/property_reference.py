@@ -83,7 +83,7 @@ def row(name, entry):
 
 
 def sections():
-    """(title, [(name that scripts know, XML element)]): the panel's groups in their order, then what is shared with ParaView's surfaces."""
+    """(title, [(name that scripts know, XML element)]): the panel's groups in their order, then the rest."""
     common, glyphs, surface, tubes = of_representations()
     known = {**common, **surface, **tubes, **glyphs}
     (own, *shared), of_tubes = definitions("RayTracedGlyphs.xml")[1], definitions("RayTracedTubes.xml")[1]
@@ -92,7 +92,7 @@ def sections():
     information = [name for name, entry in known.items() if entry.get("information_only") == "1" and name not in shown]
     rest = [name for name, entry in known.items()
             if name not in shown and name not in information and entry.get("is_internal") != "1" and name != "Input"]
-    groups = groups + [("Information", [(name, None) for name in information]), ("Shared with ParaView's Surface", [(name, None) for name in rest])]
+    groups = groups + [("Information", [(name, None) for name in information]), ("Selection", [(name, None) for name in rest])]
     return [(title, [(exposed or name, known[name]) for name, exposed in names]) for title, names in groups]
 
 

@@ -156,14 +156,9 @@ VKAPI_ATTR void VKAPI_CALL Features2(VkPhysicalDevice physical, VkPhysicalDevice
   features->features.shaderInt64 &= !Lacks("shaderInt64");
   for (auto* next = static_cast<VkBaseOutStructure*>(features->pNext); next; next = next->pNext)
   {
-    if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES)
+    if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR)
     {
-      reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next)->vulkanMemoryModel &= !Lacks("vulkanMemoryModel");
-    }
-    if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR)
-    {
-      reinterpret_cast<VkPhysicalDeviceRayTracingPipelineFeaturesKHR*>(next)->rayTracingPipeline &=
-        !Lacks("rayTracingPipeline");
+      reinterpret_cast<VkPhysicalDeviceRayQueryFeaturesKHR*>(next)->rayQuery &= !Lacks("rayQuery");
     }
   }
 }

@@ -64,7 +64,7 @@ TEST(DeviceTest, OwnTreesOnlyWhereNoHardwareFindsWhatRaysMeet)
   state.cpu = false;
   for (const bool queries : { false, true })
   {
-    state.hasRayQueries = queries;
+    state.rayQueries = queries;
     EXPECT_EQ(device->PrefersTrees(), !queries);
   }
 }

@@ -355,12 +355,12 @@ TEST_P(FaultTest, AnImageThatFailedIsNotGoneOnWith)
 /// What the driver has compiled is kept on disk where that can be done; a program is none the worse where it cannot.
 TEST_P(FaultTest, AProgramThatCannotBeKeptIsCompiledAllTheSame)
 {
-  rtg::Generation generation;
-  generation.ownTrees = GetParam() == rtg::Structure::Tree;
-  generation.constants.shapes = 1u;
-  generation.constants.degree = 5432u; // of no other test
+  rtg::Specialization specialization;
+  specialization.constants.rayQueries = GetParam() == rtg::Structure::Boxes;
+  specialization.constants.shapes = 1u;
+  specialization.constants.degree = 5432u; // of no other test
   const Fault fault("vkGetPipelineCacheData", 1);
-  const auto [program, began] = this->device->GetState().programs->Get(generation, {});
+  const auto [program, began] = this->device->GetState().programs->Get(specialization);
   EXPECT_TRUE(began);
   EXPECT_NO_THROW(program->compiled.get());
   EXPECT_TRUE(program->pipeline);
@@ -374,14 +374,14 @@ TEST_P(FaultTest, AProgramThatCannotBeKeptIsCompiledAllTheSame)
 TEST_P(FaultTest, AProgramThatFailedIsCompiledAgainForTheNext)
 {
   rtg::ProgramLibrary& programs = *this->device->GetState().programs;
-  rtg::Generation generation;
-  generation.ownTrees = GetParam() == rtg::Structure::Tree;
-  generation.constants.shapes = 1u;
-  generation.constants.degree = 4321u; // of no other test
+  rtg::Specialization specialization;
+  specialization.constants.rayQueries = GetParam() == rtg::Structure::Boxes;
+  specialization.constants.shapes = 1u;
+  specialization.constants.degree = 4321u; // of no other test
   const auto failing = [&]
   {
     const Fault fault("vkCreateBuffer", 1);
-    const auto [program, began] = programs.Get(generation, {});
+    const auto [program, began] = programs.Get(specialization);
     EXPECT_TRUE(began);
     EXPECT_THROW(program->compiled.get(), vk::SystemError);
   };
@@ -389,7 +389,7 @@ TEST_P(FaultTest, AProgramThatFailedIsCompiledAgainForTheNext)
   failing();
   for (const bool begins : { true, false })
   {
-    const auto [program, began] = programs.Get(generation, {});
+    const auto [program, began] = programs.Get(specialization);
     EXPECT_EQ(began, begins);
     EXPECT_NO_THROW(program->compiled.get());
     EXPECT_TRUE(program->pipeline);

@@ -1,5 +1,5 @@
 // The rays and glyphs on which float ray tracing goes wrong, for every shape: the same cases go through the
-// kernels in C++ and through the ray-tracing pipeline. Deterministic.
+// kernels in C++ and through the programs. Deterministic.
 #pragma once
 
 #include "FormExtents.h"

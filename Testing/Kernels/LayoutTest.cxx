@@ -83,8 +83,7 @@ TEST(LayoutTest, HostAndDeviceAgree)
 #undef RTG_COUNT
   for (std::size_t program = 0; program < programs; ++program)
   {
-    Read(rtg::programs::ownTreesGeneration[program], layout);
-    Read(rtg::programs::drivenGeneration[program], layout);
+    Read(rtg::programs::modules[program], layout);
   }
   namespace device = rtg::device;
   using Offsets = std::set<std::uint32_t>;
@@ -103,7 +102,6 @@ TEST(LayoutTest, HostAndDeviceAgree)
   RTG_EXPECT(GlyphSetRecord, meshVelocities);
   RTG_EXPECT(GlyphSetRecord, coatColour);
   RTG_EXPECT(LightRecord, exponent);
-  RTG_EXPECT(RayRecord, time);
   RTG_EXPECT(ProbeRecord, time);
   RTG_EXPECT(ProbeResult, glyph);
   RTG_EXPECT(PixelSums, depth);
@@ -120,7 +118,6 @@ TEST(LayoutTest, HostAndDeviceAgree)
 #undef RTG_EXPECT
   EXPECT_EQ(layout.strides["GlyphSetRecord"], Offsets{ sizeof(device::GlyphSetRecord) });
   EXPECT_EQ(layout.strides["LightRecord"], Offsets{ sizeof(device::LightRecord) });
-  EXPECT_EQ(layout.strides["RayRecord"], Offsets{ sizeof(device::RayRecord) });
   EXPECT_EQ(layout.strides["ProbeRecord"], Offsets{ sizeof(device::ProbeRecord) });
   EXPECT_EQ(layout.strides["ProbeResult"], Offsets{ sizeof(device::ProbeResult) });
   EXPECT_EQ(layout.strides["PixelSums"], Offsets{ sizeof(device::PixelSums) });

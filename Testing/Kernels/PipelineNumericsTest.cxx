@@ -1,4 +1,4 @@
-// The hard cases through the ray-tracing pipeline: the same bounds as for the kernels in C++.
+// The hard cases through the programs: the same bounds as for the kernels in C++.
 #include "CaseRays.h"
 #include "Measure.h"
 #include "Scene.h"

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -15,12 +14,14 @@
 namespace
 {
 
-constexpr std::uint32_t opName = 5, opDecorate = 71, opFunction = 54, opFunctionCall = 57, specId = 1;
+constexpr std::uint32_t opName = 5, opDecorate = 71, opFunction = 54, opCapability = 17, specId = 1;
+constexpr std::uint32_t opTypeRayQuery = 4472, capabilityRayQuery = 4472;
 
 struct Contents
 {
   std::set<std::uint32_t> constants;   ///< numbers of specialisation constants
   std::set<std::string> functionNames; ///< as GLSL has them
+  bool declaresRayQueries = false;     ///< by capability or type
 };
 
 Contents Read(const std::uint32_t* words, std::size_t count)
@@ -37,6 +38,8 @@ Contents Read(const std::uint32_t* words, std::size_t count)
   for (std::size_t at = 5; at < count; at += words[at] >> 16)
   {
     const std::uint32_t code = words[at] & 0xffffu;
+    contents.declaresRayQueries |=
+      code == opTypeRayQuery || (code == opCapability && words[at + 1] == capabilityRayQuery);
     if (code == opDecorate && words[at + 2] == specId)
     {
       contents.constants.insert(words[at + 3]);
@@ -50,58 +53,50 @@ Contents Read(const std::uint32_t* words, std::size_t count)
   return contents;
 }
 
-// All programs that shapes are cut out of.
-std::vector<rtg::programs::Code> AllPrograms()
-{
-  std::vector<rtg::programs::Code> all{ rtg::programs::glyphIntersection, rtg::programs::glyphClosestHit,
-    rtg::programs::meshIntersection, rtg::programs::meshClosestHit };
-  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
-  {
-    all.push_back(rtg::programs::ownTreesGeneration[program]);
-  }
-  return all;
-}
-
 } // namespace
 
 TEST(Prune, FixesConstantsAndLeavesWhatIsCalled)
 {
-  for (const rtg::programs::Code& code : AllPrograms())
+  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
   {
+    const rtg::programs::Code& code = rtg::programs::modules[program];
     const Contents before = Read(code.words, code.bytes / sizeof(std::uint32_t));
-    for (const char* name : { "NestedSuperquadricCrossing", "SuperquadricCrossing", "CylinderNormal" })
-    {
-      // A shape that is there is there with its normal.
-      EXPECT_EQ(before.functionNames.count(name), before.functionNames.count("EllipsoidNormal")) << name;
-    }
-    rtg::Constants constants;
-    constants.shapes = 1u << static_cast<std::uint32_t>(rtg::Shape::Sphere);
-    const std::vector<std::uint32_t> pruned = rtg::Prune(code, constants);
-    const Contents after = Read(pruned.data(), pruned.size());
     EXPECT_FALSE(before.constants.empty());
-    EXPECT_TRUE(after.constants.empty());
-    for (const char* name : { "IntersectSphere", "SphereCrossing", "Traverse" })
+    EXPECT_TRUE(before.declaresRayQueries);
+    for (const bool rayQueries : { false, true })
     {
-      EXPECT_EQ(after.functionNames.count(name), before.functionNames.count(name)) << name;
+      rtg::Constants constants;
+      constants.shapes = 1u << static_cast<std::uint32_t>(rtg::Shape::Sphere);
+      constants.rayQueries = rayQueries;
+      const std::vector<std::uint32_t> pruned = rtg::Prune(code, constants);
+      const Contents after = Read(pruned.data(), pruned.size());
+      EXPECT_TRUE(after.constants.empty());
+      // Devices without ray queries refuse a program that declares them.
+      EXPECT_EQ(after.declaresRayQueries, rayQueries);
+      EXPECT_EQ(after.functionNames.count("QueryStructure"), std::size_t(rayQueries));
+      EXPECT_EQ(after.functionNames.count("Traverse"), std::size_t(!rayQueries));
+      for (const char* name : { "IntersectSphere", "SphereCrossing", "EllipsoidNormal" })
+      {
+        EXPECT_TRUE(before.functionNames.count(name)) << name;
+        EXPECT_TRUE(after.functionNames.count(name)) << name;
+      }
+      // One set: what it has is known, so nobody asks.
+      for (const char* name : { "IntersectNestedSuperquadric", "IntersectSuperquadric", "IntersectCylinder",
+             "CylinderNormal", "PolynomialNormal", "IntersectMesh", "CrossTriangle", "AddLayersOf", "ColourBetweenEnds",
+             "Has", "IsOfShape" })
+      {
+        EXPECT_TRUE(before.functionNames.count(name)) << name;
+        EXPECT_FALSE(after.functionNames.count(name)) << name;
+      }
+      EXPECT_LT(2 * pruned.size() * sizeof(std::uint32_t), code.bytes);
     }
-    // Programs of intersection want no normal; those that walk trees or shade do.
-    EXPECT_EQ(after.functionNames.count("EllipsoidNormal"),
-      std::max(before.functionNames.count("Traverse"), before.functionNames.count("GlyphNormal")));
-    // One set: what it has is known, so nobody asks.
-    for (const char* name :
-      { "IntersectNestedSuperquadric", "IntersectSuperquadric", "IntersectCylinder", "CylinderNormal",
-        "PolynomialNormal", "IntersectMesh", "CrossTriangle", "AddLayersOf", "ColourBetweenEnds", "Has", "IsOfShape" })
-    {
-      EXPECT_FALSE(after.functionNames.count(name)) << name;
-    }
-    EXPECT_LT(2 * pruned.size() * sizeof(std::uint32_t), code.bytes);
   }
 }
 
 // Sets that differ are asked for what some of them have, and for no more.
 TEST(Prune, AsksWhatSetsDifferIn)
 {
-  const rtg::programs::Code& code = rtg::programs::ownTreesGeneration[0];
+  const rtg::programs::Code& code = rtg::programs::modules[0];
   rtg::Constants constants;
   constants.shapes =
     1u << static_cast<std::uint32_t>(rtg::Shape::Sphere) | 1u << static_cast<std::uint32_t>(rtg::Shape::Cylinder);

@@ -45,8 +45,7 @@ std::string WhatLacksFor(Structure structure)
   {
     return "a compiler that gets programs of own trees right: it is LLVM 21 or later";
   }
-  const bool has = structure == Structure::Boxes ? device->GetState().tracesRays : device->GetState().int64;
-  return has ? "" : structure == Structure::Boxes ? "VK_KHR_ray_tracing_pipeline" : "shaderInt64";
+  return structure == Structure::Tree || device->GetState().rayQueries ? "" : "VK_KHR_ray_query";
 }
 
 } // namespace rtg::testing

@@ -281,8 +281,8 @@ TEST_P(StructureTest, FindsTheNearestOfManyGlyphsOfAnyCount)
     const float size = filling / std::cbrt(static_cast<float>(count));
     const auto id = this->AddSpheres(points, size);
     this->scene.Commit();
-    const auto& group = this->scene.GetState().sets.at(id).placed.group;
-    EXPECT_EQ(group.Has(rtg::device::DROPS_HIDDEN), GetParam() == rtg::Structure::Tree && filling > 1.0f) << count;
+    const auto& variants = this->scene.GetState().sets.at(id).placed.variants;
+    EXPECT_EQ(variants.Has(rtg::device::DROPS_HIDDEN), GetParam() == rtg::Structure::Tree && filling > 1.0f) << count;
     const Image image = this->Trace();
     for (int y = 0; y < 100; y += 3)
     {
@@ -342,7 +342,7 @@ TEST_F(TracerTest, NeedlesInFrontAreNotDropped)
     const auto id = this->scene.Add();
     this->scene.SetInstances(id, needles);
     this->scene.Commit();
-    EXPECT_EQ(this->scene.GetState().sets.at(id).placed.group.Has(rtg::device::DROPS_HIDDEN),
+    EXPECT_EQ(this->scene.GetState().sets.at(id).placed.variants.Has(rtg::device::DROPS_HIDDEN),
       structure == rtg::Structure::Tree);
     const Image image = this->Trace();
     std::vector<std::uint32_t> found(image.glyphIds, image.glyphIds + 40000);

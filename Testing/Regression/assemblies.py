@@ -1,7 +1,7 @@
 """Blocks are hidden and colored by selectors in the data's own assembly, or in the hierarchy of its blocks, as the display's Assembly says.
 
 Usage: pvpython assemblies.py
-Before ParaView 5.12 displays have no such property, and selectors are paths in the hierarchy.
+Since ParaView 5.13 blocks may also have arrays and color maps of their own. Before ParaView 5.12 displays have no such property, and selectors are paths in the hierarchy.
 """
 import numpy
 import paraview.simple as pv
@@ -56,7 +56,9 @@ def collection(block):
         data.SetPartitionedDataSet(index, vtkPartitionedDataSet())
         data.GetMetaData(index).Set(vtkCompositeDataSet.NAME(), name)
         if x is not None:
-            data.GetPartitionedDataSet(index).SetPartition(0, block(x))
+            leaf = block(x)
+            session.add_arrays(leaf, value=numpy.full(leaf.GetNumberOfPoints(), 0.5))
+            data.GetPartitionedDataSet(index).SetPartition(0, leaf)
     assembly.SetRootNodeName("IOSS")
     sides = assembly.AddNode("sides")
     assembly.AddDataSetIndex(assembly.AddNode("right", sides), 2)
@@ -99,6 +101,24 @@ def selectors(checks, view, shown, what, everything, left, right):
     shown.BlockOpacities = []
 
 
+def own_array(checks, view, shown, what, left):
+    """Since ParaView 5.13 a block may have an array and a color map of its own; the others stay as they are."""
+    name = "assemblies-own-array-" + what.lower().replace(" ", "-")
+    before = look_at(view, name)
+    table = pv.GetColorTransferFunction("value")
+    table.RGBPoints = [0.0, *GREEN, 1.0, *GREEN]
+    display = shown.SMProxy
+    names = display.GetProperty("BlockColorArrayNames")
+    names.SetNumberOfElements(3)
+    for i, element in enumerate((left, "0", "value")):
+        names.SetElement(i, element)
+    display.GetProperty("BlockLookupTables").AddProxy(table.SMProxy)
+    display.UpdateVTKObjects()
+    found = look_at(view, name)
+    checks.true("%s: BlockColorArrayNames: the color is %s" % (what, found[0]), found[0][1] > 100 and found[0][0] < 10 and found[0][2] < 10)
+    checks.true("%s: BlockColorArrayNames change the other block" % what, (found[1] == before[1]).all())
+
+
 def main():
     """ParaView's own surface, which shows that this is what it does, and each of the plugin's representations."""
     session.load()
@@ -116,6 +136,8 @@ def main():
             shown.Assembly = "Hierarchy"
         if has_assembly or representation != "Surface":
             selectors(checks, view, shown, representation + ", hierarchy", "/Root", "/Root/west", "/Root/east")
+        if shown.SMProxy.GetProperty("BlockColorArrayNames") is not None:
+            own_array(checks, view, shown, representation, "/Root/west")
         pv.Delete(view)
         pv.Delete(source)
     checks.report()

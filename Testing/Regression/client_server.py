@@ -13,6 +13,7 @@ import paraview.simple as pv
 
 import comparison
 import export
+import parallel
 import session
 
 #: share of the pixels that may differ: those on outlines, where another order of the points rounds another way
@@ -39,22 +40,6 @@ def scene(folder):
     session.solid(ball, (0.2, 0.5, 0.3))
     session.look(view, (11.0, -32.0, 26.0), (14.0, 14.0, 8.0), (0.0, 0.0, 1.0))
     return view, spheres, arrows
-
-
-def blocks():
-    """Two blocks of which one is hidden and one red: their names travel with the points."""
-    view = session.view(200, 150)
-    left = pv.Sphere(Center=[-1.0, 0.0, 0.0])
-    right = pv.Sphere(Center=[1.0, 0.0, 0.0])
-    group = pv.GroupDatasets(Input=[left, right])
-    group.BlockNames = ["left", "right"]
-    shown = session.glyphs(group, view, "Sphere", Orient=0, ScaleFactor=0.15)
-    session.solid(shown, (1.0, 1.0, 1.0))
-    shown.BlockSelectors = ["/Root/right"]
-    shown.BlockColors = ["/Root/right", "1", "0", "0"]
-    session.look(view, (0.0, 0.0, 6.0))
-    pv.Render(view)
-    return view
 
 
 def legends():
@@ -130,7 +115,8 @@ def main(folder, server):
     log_name = test + ".log"
     expected = session.capture(view, test + "-none")
     expected_copies = exported(view, test + "-none")
-    expected_others = {made: session.capture(made(), "%s-%s-none" % (test, made.__name__)) for made in (blocks, legends)}
+    expected_blocks = [session.capture(block_view, picture) for picture, block_view in parallel.block_pictures(test + "-none")]
+    expected_legends = session.capture(legends(), test + "-legends-none")
     pv.Disconnect()
 
     process, port = start_server(server, log_name)
@@ -144,14 +130,16 @@ def main(folder, server):
             view.RemoteRenderThreshold = threshold
             pv.Render(view)
             failures += check_statistics(spheres, where) + check_statistics(arrows, where)
-            pictures = [(test + "-" + where, view, expected)]
-            for made, wanted in expected_others.items():
-                other = made()
-                other.RemoteRenderThreshold = threshold
-                pv.Render(other)
-                pictures.append(("%s-%s-%s" % (test, made.__name__, where), other, wanted))
-            for name, of_view, wanted in pictures:
-                pixels = session.capture(of_view, name)
+            legend_view = legends()
+            legend_view.RemoteRenderThreshold = threshold
+            pv.Render(legend_view)
+            found = [(name, session.capture(of_view, name), wanted)
+                     for name, of_view, wanted in ((test + "-" + where, view, expected), (test + "-legends-" + where, legend_view, expected_legends))]
+            for wanted, (picture, block_view) in zip(expected_blocks, parallel.block_pictures(test + "-" + where)):
+                block_view.RemoteRenderThreshold = threshold
+                pv.Render(block_view)
+                found.append((picture, session.capture(block_view, picture), wanted))
+            for name, pixels, wanted in found:
                 share, mean, apart = comparison.difference(pixels, wanted)
                 print("%s: %.3f%% of the pixels differ by more than %d, mean %.4f" % (name, 100 * share, comparison.LEVELS, mean))
                 if share > OUTLINE:
@@ -160,8 +148,8 @@ def main(folder, server):
             copies = exported(view, test + "-" + where)
             if copies != expected_copies:
                 failures.append("%s rendering: exports %s, not %s" % (where, copies, expected_copies))
-            for _, of_view, _ in pictures:
-                pv.Delete(of_view)
+            pv.Delete(view)
+            pv.Delete(legend_view)
     finally:
         stop(process)
     with open(session.output(log_name)) as log:

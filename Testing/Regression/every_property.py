@@ -289,8 +289,8 @@ ROWS = [
     Row("Diffuse", 0.5, as_surface),
     Row("Specular", 0.5, as_surface, SpecularPower=20.0),
     Row("SpecularPower", 20.0, as_surface, **{**SHINY, "SpecularPower": 100.0}),
-    Row("Interpolation", "Flat", as_surface, scene="coarse"),
-    Row("NonlinearSubdivisionLevel", 3, as_surface, scene="curved"),
+    Row("Interpolation", "Flat", as_surface, kinds=[SURFACE], scene="coarse"),
+    Row("NonlinearSubdivisionLevel", 3, as_surface, kinds=[SURFACE], scene="curved"),
     # Place
     Row("Position", [0.2, 0.1, 0.0], moved(0.2, 0.1)),
     Row("Translation", [0.2, 0.1, 0.0], moved(0.2, 0.1)),
@@ -351,8 +351,8 @@ ROWS = [
 EITHER = {"Position": "Translation", "Translation": "Position"}
 
 
-#: which displays have under another name or not before ParaView 5.12, and what tests it
-ELSEWHERE = {"Color": "SelectionColor in selection_seen.py", "Assembly": "assemblies.py"}
+#: which displays have under another name, and what tests it
+ELSEWHERE = {"Color": "SelectionColor in selection_seen.py"}
 
 
 def exposed():
@@ -362,14 +362,22 @@ def exposed():
             for _, entries in property_reference.sections() for name, entry in entries if name not in ELSEWHERE}
 
 
+def inherited():
+    """Those with a row of ParaView's own surface's properties, which all representations have."""
+    surface = pv.servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy("internal_representations", "SurfaceRepresentationBase")
+    return {row.name: {GLYPHS, SURFACE, TUBES} for row in ROWS
+            if surface.GetProperty(row.name) or surface.GetProperty(EITHER.get(row.name, row.name))}
+
+
 def completeness(checks):
-    """Each property has a row for each of its representations, each row a property. What holds for a view is the same for all of its displays,
+    """Each property of the plugin has a row for each of its representations, each row a property. What holds for a view is the same for all of its displays,
     which ViewSettings tests: one representation is enough."""
     known = {name: kinds if entry.find("Hints/OfView") is None else {GLYPHS} for name, (kinds, entry) in exposed().items()}
     for name, kinds in known.items():
         for kind in sorted(kinds):
             checks.true("%s of %s has no row in every_property.py" % (name, kind),
                         any(row.name == name and kind in (row.kinds or kinds) for row in ROWS))
+    known = {**inherited(), **known}
     for name in sorted({row.name for row in ROWS}):
         checks.true("every_property.py has a row of %s, which the XML does not have" % name, name in known)
     return known

@@ -150,6 +150,58 @@ def light(view, ranks, failures):
         failures.append("as many glyphs came from other ranks for a radius (%d) as for none (%d)" % (arrived[4.0], arrived[0.0]))
 
 
+#: properties of displays of session.blocks_of_ranks(), and what colors them
+BLOCK_STATES = {
+    "plain": ({}, None),
+    "hidden": ({"BlockSelectors": ["/Root/block0", "/Root/block2", "/Root/block3"]}, None),
+    "looks": ({"BlockColors": ["/Root/block1", "0", "1", "0"], "BlockOpacities": ["/Root/block3", "0.4"]}, None),
+    "height": ({}, ("POINTS", "height")),
+    "bytes": ({"MapScalars": 0}, ("POINTS", "rgb")),
+    "field data": ({}, ("FIELD", "material")),
+    "sizes": ({"ScaleMode": "Magnitude", "SelectScaleArray": "height"}, None),
+}
+
+
+def block_pictures(name):
+    """Blocks and arrays that only one rank has, as surfaces and, below, as glyphs: yields (name, view) in every state, opaque and not."""
+    view = session.view(240, 120)
+    blocks = session.blocks_of_ranks()
+    lowered = pv.Transform(Input=blocks)
+    lowered.Transform.Translate = [0.0, -1.0, 0.0]
+    kinds = [session.show(blocks, view, "Ray Traced Surface", 1), session.glyphs(lowered, view, "Box", 1, Orient=0, ScaleFactor=0.4)]
+    session.look(view, (2.0, 0.0, 5.0), (2.0, 0.0, 0.0), parallel_scale=1.1)
+    for state, (properties, array) in BLOCK_STATES.items():
+        for shown in kinds:
+            shown.BlockSelectors, shown.BlockColors, shown.BlockOpacities, shown.MapScalars, shown.ScaleMode = ["/"], [], [], 1, "No Data Scaling Off"
+            session.solid(shown, (0.8, 0.8, 0.8))
+            shown.Ambient, shown.Diffuse = 1.0, 0.0
+            for key, value in properties.items():
+                setattr(shown, key, value)
+            if array:
+                table = pv.GetColorTransferFunction(array[1])
+                table.RGBPoints = [0.0, 0.0, 0.0, 1.0, 4.0, 1.0, 0.0, 0.0]
+                table.AutomaticRescaleRangeMode = "Never"
+                shown.ColorArrayName, shown.LookupTable = list(array), table
+        for opacity in (1.0, 0.5):
+            for shown in kinds:
+                shown.Opacity = opacity
+            pv.Render(view)
+            yield "%s-blocks-%s-%g" % (name, state.replace(" ", "-"), opacity), view
+    pv.Delete(view)
+
+
+def blocks(_, ranks, failures):
+    """Blocks keep their visibility, colors and arrays, whichever rank has them."""
+    for picture, view in block_pictures("parallel"):
+        pixels = session.capture(view, picture + ("" if ranks == 1 else "-%d-ranks" % ranks))
+        if ranks == 1:
+            continue
+        share, mean, _ = comparison.difference(pixels, session.read_image(session.output(picture + ".png")))
+        print("%s: %.3f%% of the pixels differ, mean %.4f" % (picture, 100 * share, mean))
+        if share > 0.0:
+            failures.append("%s differs from one rank" % picture)
+
+
 def number_of_points(shown):
     """Points that carry glyphs, over all ranks."""
     return shown.GetRepresentedDataInformation().GetNumberOfPoints()
@@ -198,7 +250,7 @@ def main(folder):
         if points and number_of_points(shown) != points:
             failures.append("%s: %d glyphs, %d points" % (name, number_of_points(shown), points))
         pv.Delete(view)
-    for check in (light, together):
+    for check in (light, together, blocks):
         view = session.view(300, 200)
         check(view, ranks, failures)
         pv.Delete(view)

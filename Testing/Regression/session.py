@@ -142,6 +142,38 @@ def points_of_ranks(script, information=""):
                                  ScriptRequestInformation=information)
 
 
+#: Script of a source of four blocks in a row, squares that are dealt out to the ranks. Each has a number of its own as field data; the
+#: second alone has heights, and the third alone colors of bytes.
+BLOCKS = """
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPolyData
+blocks = self.GetOutput()
+blocks.SetNumberOfBlocks(4)
+for number in range(4):
+    blocks.GetMetaData(number).Set(vtkCompositeDataSet.NAME(), "block%d" % number)
+    if number % ranks != rank:
+        continue
+    data, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    for x, y in ((0.2, 0.2), (0.8, 0.2), (0.8, 0.8), (0.2, 0.8)):
+        points.InsertNextPoint(number + x, y, 0.0)
+    cells.InsertNextCell(4, [0, 1, 2, 3])
+    data.SetPoints(points)
+    data.SetPolys(cells)
+    for field, name, values in ((data.GetFieldData(), "material", numpy.array([1.0 + number])),
+                                (data.GetPointData(), "height", numpy.arange(4.0) if number == 1 else None),
+                                (data.GetPointData(), "rgb", numpy.full((4, 3), (200, 100, 50), numpy.uint8) if number == 2 else None)):
+        if values is not None:
+            array = numpy_to_vtk(values, deep=True)
+            array.SetName(name)
+            field.AddArray(array)
+    blocks.SetBlock(number, data)
+"""
+
+
+def blocks_of_ranks():
+    """A source of blocks that only one rank has, run on each rank of a server, too."""
+    return pv.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script=BEFORE_POINTS + BLOCKS)
+
+
 def replace_data(producer, data):
     """Gives a source new data, as a new time step would."""
     producer.GetClientSideObject().SetOutput(data)

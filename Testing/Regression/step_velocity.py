@@ -109,13 +109,17 @@ class Series:
     def delivered(self):
         """The points that are rendered: id, x, velocity, sorted."""
         representation = self.shown.GetClientSideObject().GetActiveRepresentation()
-        data = representation.GetRenderedDataObject(0)
-        values = data.GetPointData()
-        if data.GetNumberOfPoints() == 0:
-            return numpy.zeros((0, 5))
-        rows = numpy.concatenate([
-            vtk_to_numpy(values.GetArray("who"))[:, None], vtk_to_numpy(data.GetPoints().GetData())[:, :1],
-            vtk_to_numpy(values.GetArray("vtkRayTraced_StepVelocity"))], axis=1)
+        leaf = representation.GetRenderedDataObject(0).NewIterator()
+        parts = [numpy.zeros((0, 5))]
+        while not leaf.IsDoneWithTraversal():
+            data = leaf.GetCurrentDataObject()
+            values = data.GetPointData()
+            if data.GetNumberOfPoints() > 0:
+                parts.append(numpy.concatenate([
+                    vtk_to_numpy(values.GetArray("who"))[:, None], vtk_to_numpy(data.GetPoints().GetData())[:, :1],
+                    vtk_to_numpy(values.GetArray("vtkRayTraced_StepVelocity"))], axis=1))
+            leaf.GoToNextItem()
+        rows = numpy.concatenate(parts)
         return rows[numpy.lexsort((rows[:, 1], rows[:, 0]))]
 
     def go(self, step, before, words=()):

@@ -4,7 +4,7 @@ Usage: pvpython surface_colors.py
 """
 import numpy
 import paraview.simple as pv
-from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -123,6 +123,9 @@ def block_colors(checks):
         pv.ColorBy(shown, ("FIELD", "vtkBlockColors"))  # ParaView itself says here that it knows no range
         shown.SetScalarBarVisibility(view, False)
         checks.no_message("vtkBlockColors, " + kind, session.messages(lambda: pv.Render(view)))
+        offered = shown.SMProxy.GetProperty("ColorArrayName").GetDomain("array_list")
+        own = [name for name in map(offered.GetString, range(offered.GetNumberOfStrings())) if name.startswith("vtkRayTraced_")]
+        checks.equal("arrays of the plugin among those to color by, " + kind, own, [])
         pixels = session.capture(view, "surface-colors-blocks-" + kind.lower().replace(" ", "-"))
         # Just inside of each square's lower left corner, where the first point's glyph is, too.
         colors[kind] = [tuple(int(c) for c in pixels[45 - 2, round(120 + x * 60) + 2, :3]) for x in points[:, 0]]
@@ -135,7 +138,9 @@ def block_colors(checks):
 
 
 def partial_arrays(checks):
-    """A block that lacks an array of numbers, categories or texts has the solid color; numbers that are none have that of the table."""
+    """A block that lacks an array of numbers, categories, texts or colors, or field data, has the solid color; numbers that are none have that
+    of the table.
+    """
     blocks = vtkMultiBlockDataSet()
     for number in range(3):
         block = session.poly_data(numpy.array([[number - 1.2, -0.3, 0.0], [number - 0.8, -0.3, 0.0], [number - 1.0, 0.4, 0.0]]))
@@ -148,7 +153,12 @@ def partial_arrays(checks):
             for text in "abc" if number == 0 else "bca":
                 texts.InsertNextValue(text)
             block.GetPointData().AddArray(texts)
-            session.add_arrays(block, number=numpy.array([0.0, 1.0, 2.0 if number else numpy.nan]), kind=numpy.arange(3) + number)
+            session.add_arrays(block, number=numpy.array([0.0, 1.0, 2.0 if number else numpy.nan]), kind=numpy.arange(3) + number,
+                               bytes=numpy.full((3, 3), (200, 100, 50 * number), numpy.uint8))
+            material = vtkDoubleArray()
+            material.SetName("material")
+            material.InsertNextValue(0.5 * number)
+            block.GetFieldData().AddArray(material)
         blocks.SetBlock(number, block)
     source = session.source(blocks)
     view = session.view(240, 120)
@@ -158,8 +168,9 @@ def partial_arrays(checks):
     shown.GlyphType, shown.ScaleFactor, shown.Orient = "Box", 0.2, 0
     shown.GlyphType, shown.ScaleFactor, shown.Scaling, shown.SelectScaleArray, shown.Orient = "Box", 0.2, 1, "None", 0
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=0.8)
-    for array in ("number", "kind", "text"):
-        pv.ColorBy(shown, ("POINTS", array))
+    for array in ("number", "kind", "text", "bytes", "material"):
+        pv.ColorBy(shown, ("FIELD" if array == "material" else "POINTS", array))
+        shown.MapScalars = 0 if array == "bytes" else 1
         shown.SetScalarBarVisibility(view, False)
         table = pv.GetColorTransferFunction(array)
         table.NanColor = [1.0, 1.0, 0.0]
@@ -176,6 +187,11 @@ def partial_arrays(checks):
                 checks.no_message("%s of some blocks, %s" % (array, kind), session.messages(lambda: pv.Render(view)))
                 pv.Render(view)  # what 3D Glyphs show is cut off before
                 pictures.append(session.capture(view, "surface-colors-partial-%s-%s" % (array, kind.lower().replace(" ", "-"))))
+            if array == "material" and pair[0] == "3D Glyphs":
+                found = [{tuple(color) for color in picture.reshape(-1, picture.shape[-1])} for picture in (surface, pictures[1])]
+                checks.equal("%s of some blocks, %s: colors" % (array, pair[1]), found[1], found[0])  # 3D Glyphs know no field data
+                continue
+            surface = pictures[0]
             # A triangle with a corner that is no number has its color whole, and ParaView's in part.
             share = comparison.difference(*pictures)[0]
             checks.true("%s of some blocks, %s: %.2f%% of the pixels differ" % (array, pair[1], 100 * share),

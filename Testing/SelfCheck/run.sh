@@ -1,6 +1,6 @@
 #!/bin/sh
-# Tests, measures and shows ray-traced glyphs on this machine's Vulkan device. Needs a Vulkan driver with
-# VK_KHR_ray_tracing_pipeline and nothing else. Everything goes to the folder `results`; the last line is the verdict.
+# Tests, measures and shows ray-traced glyphs on this machine's Vulkan device. Needs a Vulkan driver
+# and nothing else. Everything goes to the folder `results`; the last line is the verdict.
 # Usage: run.sh [--short] [--structure tree|boxes]
 #   --short      the most telling tests and a small benchmark: some minutes on a computer without a GPU
 #   --structure  how rays find glyphs: by the kernels' own tree or by the driver's boxes; without: what the device does

@@ -16,7 +16,7 @@ program=$(command -v clang-format-14) || {
 }
 
 mapfile -d '' files < <(find Kernels Plugin Representation Testing \
-  \( -name '*.cxx' -o -name '*.h' -o -name '*.glsl' -o -name '*.r[gcaim]*' -o -name '*.comp' \) -type f -print0)
+  \( -name '*.cxx' -o -name '*.h' -o -name '*.glsl' -o -name '*.comp' \) -type f -print0)
 count=${#files[@]}
 # Files of names that clang-format does not know are C++ to it, and so is GLSL.
 status=0

@@ -15,7 +15,7 @@
 void main()
 {
   uvec2 position;
-  if (!LaunchPixel(LaunchId(), position))
+  if (!LaunchPixel(gl_GlobalInvocationID.xy, position))
   {
     return;
   }

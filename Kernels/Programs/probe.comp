@@ -6,7 +6,7 @@
 
 void main()
 {
-  uint index = LaunchIndex();
+  uint index = gl_GlobalInvocationID.y * frame.launchWidth + gl_GlobalInvocationID.x;
   if (index >= frame.probeCount)
   {
     return;

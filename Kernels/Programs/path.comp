@@ -175,7 +175,7 @@ DirectLight FromEnvironment(const Surface surface, const vec3 x, const vec3 y, c
 void main()
 {
   uvec2 position;
-  if (!LaunchPixel(LaunchId(), position))
+  if (!LaunchPixel(gl_GlobalInvocationID.xy, position))
   {
     return;
   }

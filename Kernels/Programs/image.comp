@@ -10,7 +10,7 @@
 void main()
 {
   uvec2 position;
-  if (!LaunchPixel(LaunchId(), position))
+  if (!LaunchPixel(gl_GlobalInvocationID.xy, position))
   {
     return;
   }

@@ -1,0 +1,142 @@
+// What becomes of a glyph that a ray may meet, whether own trees (walk.glsl) or the driver's structure (query.glsl)
+// have found it; after bindings.glsl and glyph.glsl.
+#ifndef RTG_CANDIDATES
+#define RTG_CANDIDATES
+
+// A crossing of a glyph's surface
+struct GlyphCrossing
+{
+  uint record; // of the glyph's set
+  uint glyph;  // or `nothing`
+  uint triangle;
+  float t;
+  vec3 normal; // of an analytic shape; a layer has none
+};
+
+// The nearest crossings of a ray that gathers its layers, of all glyphs, in their order: by t, then by glyph and set.
+// Not a parameter: compilers copy arrays at every call.
+uint layerCount = 0u;
+uint layerLimit = 0u;           // no more are wanted
+uint layerNext = 0u;            // the first that has not been shown
+uint layerTime[LAYER_CAPACITY]; // bits of t: of floats from 0 on they have their order
+uint layerGlyph[LAYER_CAPACITY];
+uint layerRecord[LAYER_CAPACITY];   // where there are several
+uint layerTriangle[LAYER_CAPACITY]; // where there are meshes
+const bool gathersTriangles = (shapes & (1u << RTG_MESH)) != 0u;
+
+GlyphCrossing LayerAt(const uint at)
+{
+  return GlyphCrossing(alone ? 0u : layerRecord[at], layerGlyph[at], gathersTriangles ? layerTriangle[at] : nothing,
+    uintBitsToFloat(layerTime[at]), vec3(0.0));
+}
+
+// Whether the layer at that place comes after a crossing.
+bool IsBehind(const uint at, const GlyphCrossing crossing)
+{
+  uint time = floatBitsToUint(crossing.t);
+  bool behind = layerTime[at] > time || (layerTime[at] == time && layerGlyph[at] > crossing.glyph);
+  if (rayQueries && !alone && layerTime[at] == time && layerGlyph[at] == crossing.glyph)
+  {
+    // Own trees bring one set after the other.
+    behind = layerRecord[at] > crossing.record;
+  }
+  return behind;
+}
+
+// Whether the layers have a crossing already: drivers may bring a candidate twice, and bring both triangles at an edge.
+// `error`: how far from t the exact crossing may lie.
+bool IsListed(const GlyphCrossing crossing, const float error)
+{
+  bool listed = false;
+  for (uint at = 0u; at < layerCount; ++at)
+  {
+    GlyphCrossing layer = LayerAt(at);
+    listed = listed ||
+      (layer.glyph == crossing.glyph && layer.record == crossing.record && abs(layer.t - crossing.t) <= error);
+  }
+  return listed;
+}
+
+// Adds a crossing; of more than the limit the farthest is dropped. They come in nearly in their order.
+void AddLayer(const GlyphCrossing added, const float error)
+{
+  if (rayQueries && IsListed(added, error))
+  {
+    return;
+  }
+  uint at = min(layerCount, layerLimit - 1u);
+  for (; at > 0u && IsBehind(at - 1u, added); --at)
+  {
+    layerTime[at] = layerTime[at - 1u];
+    layerGlyph[at] = layerGlyph[at - 1u];
+    if (!alone)
+    {
+      layerRecord[at] = layerRecord[at - 1u];
+    }
+    if (gathersTriangles)
+    {
+      layerTriangle[at] = layerTriangle[at - 1u];
+    }
+  }
+  layerTime[at] = floatBitsToUint(added.t);
+  layerGlyph[at] = added.glyph;
+  if (!alone)
+  {
+    layerRecord[at] = added.record;
+  }
+  if (gathersTriangles)
+  {
+    layerTriangle[at] = added.triangle;
+  }
+  layerCount = min(layerCount + 1u, layerLimit);
+}
+
+// Up to where further layers are wanted, of those up to tMax. The driver's structure brings what is opaque among the
+// rest, so that the last of the layers may lie behind that.
+float LayersEnd(const float tMax)
+{
+  return layerCount == layerLimit ? min(tMax, LayerAt(layerLimit - 1u).t) : tMax;
+}
+
+// Adds the glyph's crossings in [tMin, tMax]; returns up to where others are still wanted.
+float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
+  float tMin, float tMax)
+{
+  float t;
+  vec3 normal;
+  uint triangle;
+  for (uint crossing = 0u;
+       crossing < maximumPasses && Intersect(set, ray, glyph, tMin, tMax, false, false, t, normal, triangle);
+       ++crossing)
+  {
+    float error = ErrorOfT(set, ray, glyph, t);
+    AddLayer(GlyphCrossing(record, number, triangle, t, normal), error);
+    tMax = LayersEnd(tMax);
+    tMin = t + error;
+  }
+  return tMax;
+}
+
+// Intersects a candidate exactly. A crossing nearer than `hit` becomes the hit; with `any` whichever is found first.
+// With `gathers` all crossings nearer than it are added to the layers instead, as many as are wanted, and hit.t is up
+// to where others still are. False: the hit stays.
+bool MeetGlyph(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
+  const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
+{
+  if (gathers)
+  {
+    hit.t = AddLayersOf(record, set, ray, number, glyph, tMin, hit.t);
+    return true;
+  }
+  float t;
+  vec3 normal;
+  uint triangle;
+  bool met = IntersectStopping(set, ray, number, glyph, seed, tMin, hit.t, any, !any, t, normal, triangle);
+  if (met)
+  {
+    hit = GlyphCrossing(record, number, triangle, t, normal);
+  }
+  return met;
+}
+
+#endif

@@ -1,0 +1,102 @@
+// Candidates from the driver's structure, by ray queries: glyphs as boxes, and triangles of meshes at rest, which the
+// driver intersects.
+#ifndef RTG_QUERY
+#define RTG_QUERY
+
+#extension GL_EXT_ray_query : require
+#include "candidates.glsl"
+
+// Whether there may be triangles of the driver.
+bool QueriesTriangles()
+{
+  return (shapes & (1u << RTG_MESH)) != 0u && (allHave & MESH_TREE) == 0u;
+}
+
+// A triangle where the ray meets it, with t by our own arithmetic.
+GlyphCrossing MeetTriangle(
+  const uint record, const GlyphRay ray, const uint instance, const uint triangle, const float tMin, const float tMax)
+{
+  GlyphSource source = SourceOf(SetRecord(record));
+  uint number = instance - source.set.firstInstance;
+  float t = CrossTriangle(source.set, ray, FetchGlyph(source, number), triangle).t;
+  return GlyphCrossing(record, number, triangle, clamp(t, tMin, tMax), vec3(0.0));
+}
+
+// What WalkSets() in walk.glsl finds.
+GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float tMax, const uint mask, const uint seed,
+  const bool any, const bool gathers)
+{
+  GlyphCrossing hit = GlyphCrossing(0u, nothing, nothing, tMax, vec3(0.0));
+  uint slice = moves ? uint(shutterTime * float(frame.topLevelCount)) : 0u;
+  // Of triangles the driver takes the nearest, but for translucent ones that it is to bring, too.
+  uint flags = (any ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT) |
+    (translucency || gathers ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT);
+  rayQueryEXT query;
+  rayQueryInitializeEXT(
+    query, accelerationStructureEXT(frame.topLevels.at[slice]), flags, mask, ray.origin, tMin, ray.direction, tMax);
+  bool going = true;
+  while (going && rayQueryProceedEXT(query))
+  {
+    uint record = rayQueryGetIntersectionInstanceCustomIndexEXT(query, false);
+    uint primitive = rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
+    GlyphSource source = SourceOf(SetRecord(record));
+    GlyphSetRecord set = source.set;
+    bool adds = gathers && set.translucent != 0u;
+    if (QueriesTriangles() &&
+      rayQueryGetIntersectionTypeEXT(query, false) == gl_RayQueryCandidateIntersectionTriangleEXT)
+    {
+      GlyphCrossing met =
+        MeetTriangle(record, ray, rayQueryGetIntersectionInstanceIdEXT(query, false), primitive, tMin, tMax);
+      if (adds)
+      {
+        if (met.t <= hit.t)
+        {
+          AddLayer(met, ErrorOfT(set, ray, FetchGlyph(source, met.glyph), met.t));
+          hit.t = LayersEnd(hit.t);
+        }
+      }
+      else if (!MayPass(set, seed) ||
+        !PassesTriangle(set, ray, seed, met.glyph, FetchGlyph(source, met.glyph), primitive))
+      {
+        rayQueryConfirmIntersectionEXT(query);
+        going = !any;
+      }
+    }
+    else
+    {
+      if (QueriesTriangles() &&
+        rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionTriangleEXT)
+      {
+        hit.t = min(hit.t, rayQueryGetIntersectionTEXT(query, true));
+      }
+      Glyph glyph = FetchGlyph(source, primitive);
+      float low, high, before = hit.t;
+      if (Estimate(set, ray, glyph, tMin, hit.t, low, high) != RTG_MISSED &&
+        MeetGlyph(record, set, ray, primitive, glyph, seed, tMin, any, adds, hit))
+      {
+        going = !any;
+        if (hit.t < before)
+        {
+          rayQueryGenerateIntersectionEXT(query, hit.t);
+        }
+      }
+    }
+  }
+  if (QueriesTriangles() && rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionTriangleEXT)
+  {
+    hit = MeetTriangle(rayQueryGetIntersectionInstanceCustomIndexEXT(query, true), ray,
+      rayQueryGetIntersectionInstanceIdEXT(query, true), rayQueryGetIntersectionPrimitiveIndexEXT(query, true), tMin,
+      tMax);
+  }
+  if (gathers)
+  {
+    // Layers that were found before what is opaque in front of them.
+    while (layerCount > 0u && LayerAt(layerCount - 1u).t > hit.t)
+    {
+      --layerCount;
+    }
+  }
+  return hit;
+}
+
+#endif
