@@ -278,8 +278,12 @@ bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const vtkGl
 // a layer, too.
 void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
 {
-  this->Meshes.Take(
-    lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1) : vtkPVView::GetDeliveredPiece(inInfo, this, 1));
+  // A selection may come between an update and the delivery.
+  if (vtkDataObject* form =
+        lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1) : vtkPVView::GetDeliveredPiece(inInfo, this, 1))
+  {
+    this->Meshes.Take(form);
+  }
   vtkGlyphSettings settings = this->MakeSettings();
   const bool usesTable = this->Meshes.GetNumberOfForms() > 1 && settings.Shape == rtg::Shape::Mesh;
   settings.TableSize = usesTable ? static_cast<int>(this->Meshes.GetNumberOfForms()) : 1;
