@@ -248,12 +248,6 @@ private:
   std::vector<float> Shifts;     // of each glyph, where these differ
   std::atomic<bool> NeedsLowParts{ false };
 };
-
-std::string NoDirection()
-{
-  return "Arrows and cones need directions. Choose a point array of 3 components, or quaternions, as "
-         "GlyphOrientationArray, or switch GlyphOrient off: they then lie along x.";
-}
 }
 
 //----------------------------------------------------------------------------
@@ -274,8 +268,8 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
   {
     const std::string number = std::to_string(settings.TableEntry);
     result.Messages.push_back((settings.HasTable() ? "Entry " + number +
-                                    " of GlyphMesh has no polygons, so points that choose it have no glyph."
-                                                   : "GlyphMesh has no polygons, so there are no glyphs.") +
+                                    " of GlyphType has no polygons, so points that choose it have no glyph."
+                                                   : "GlyphType has no polygons, so there are no glyphs.") +
       " Choose a source that has some, such as Arrow, Cone or Sphere.");
     return result;
   }
@@ -286,12 +280,6 @@ vtkGlyphInstanceBuilder::Result vtkGlyphInstanceBuilder::Build(vtkPolyData* poin
     return result;
   }
   const vtkGlyphSizes sizes(points, settings, candidates);
-  if (settings.LacksDirection())
-  {
-    result.Unfinished = NoDirection();
-    result.Skipped = static_cast<vtkIdType>(candidates.size());
-    return result;
-  }
   const vtkGlyphMaker maker(points, settings, modelToWorld, sizes, result.Messages);
   if (const std::string& problem = sizes.GetProblem(); !problem.empty())
   {

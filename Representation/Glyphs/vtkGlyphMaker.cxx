@@ -87,9 +87,10 @@ vtkGlyphMaker::vtkGlyphMaker(vtkPolyData* points, const vtkGlyphSettings& settin
 
   const bool tensors = sizes.GetTensors() != nullptr, scaledByComponents = sizes.ScalesByComponents();
   const bool sizedByData = sizes.HasScales() || sizes.HasRadii() || tensors || sizes.GetForms();
-  this->SameSizes = !sizedByData && this->Placement.Uniform;
-  this->OneSize =
-    (this->NumberOfParts > 1 || (!scaledByComponents && !sizes.HasRadii() && !tensors)) && this->Placement.Uniform;
+  const glm::dvec3& unit = settings.UnitSize;
+  const bool sameSides = unit.x == unit.y && unit.y == unit.z && this->Placement.Uniform;
+  this->SameSizes = !sizedByData && sameSides;
+  this->OneSize = (this->NumberOfParts > 1 || (!scaledByComponents && !sizes.HasRadii() && !tensors)) && sameSides;
   this->Turned = (this->Has(vtkGlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
     !(this->IsRound() && this->AnchorShift == 0.0);
   this->Flips = this->Pointed && (scaledByComponents || settings.ScaleFactor < 0.0 || this->Placement.Scale < 0.0);

@@ -39,9 +39,9 @@ bool ComesFirst(const Sample& a, const Sample& b)
   return std::tie(a.Order, a.Point) < std::tie(b.Order, b.Point);
 }
 
-std::uint64_t RandomOrder(std::uint64_t number, std::uint64_t block, std::uint64_t seed)
+std::uint64_t RandomOrder(std::uint64_t number, std::uint64_t block)
 {
-  std::uint64_t x = number + 0x9e3779b97f4a7c15ull * (block + 1) + 0xd1342543de82ef95ull * seed;
+  std::uint64_t x = number + 0x9e3779b97f4a7c15ull * (block + 1) + 0xd1342543de82ef95ull;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
   return x ^ (x >> 31);
@@ -171,7 +171,6 @@ vtkGlyphMask vtkGlyphMask::Effective() const
   {
     mask.MaximumNumberOfGlyphs = none.MaximumNumberOfGlyphs;
     mask.PointsOfAllRanks = none.PointsOfAllRanks;
-    mask.Seed = none.Seed;
   }
   else
   {
@@ -211,7 +210,7 @@ std::vector<vtkIdType> vtkGlyphMask::Choose(vtkPolyData* points, std::vector<vtk
       for (vtkIdType k = begin; k < end; ++k)
       {
         const vtkIdType point = candidates[k];
-        samples[k] = { 0, RandomOrder(number(point), blocks ? blocks->GetValue(point) : 0, this->Seed), point };
+        samples[k] = { 0, RandomOrder(number(point), blocks ? blocks->GetValue(point) : 0), point };
       }
     });
   if (this->Mode == EVEN_IN_SPACE)

@@ -23,7 +23,6 @@ struct vtkGlyphMask
   vtkRayTracedChoice<Modes, RANDOM, EVEN_IN_SPACE> Mode;
   vtkIdType MaximumNumberOfGlyphs = 5000; // of RANDOM and EVEN_IN_SPACE
   int Stride = 10;                        // of EVERY_NTH
-  int Seed = 1;                           // of RANDOM and EVEN_IN_SPACE
   // Of all ranks together, where each has some of the points: it has that share of MaximumNumberOfGlyphs. Not more than
   // its own: it has all.
   vtkIdType PointsOfAllRanks = 0;

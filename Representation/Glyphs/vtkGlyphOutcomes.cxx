@@ -35,14 +35,14 @@ vtkIdType vtkGlyphOutcomes::Describe(
   say(counts[POSITION], "their position is not finite", "Remove these points, for example with Threshold or Clean.");
   if (!settings.Scaling)
   {
-    say(counts[SCALE] + counts[ZERO_SCALE], "GlyphScaleFactor, or Scale of the representation, is zero or not finite",
+    say(counts[SCALE] + counts[ZERO_SCALE], "ScaleFactor, or Scale of the representation, is zero or not finite",
       "Set it to a positive number.");
   }
   else
   {
     const std::string scale = "their scale, from the point array '" + settings.ScaleArray + "', is ";
     const std::string remedy =
-      "Choose another GlyphScaleArray, switch GlyphScaling off, or remove these points with Threshold.";
+      "Choose another SelectScaleArray, set ScaleMode to No Data Scaling Off, or remove these points with Threshold.";
     say(counts[SCALE], scale + "not finite", remedy);
     sayOfZeros(counts[ZERO_SCALE], scale + "zero", remedy);
   }
@@ -52,7 +52,7 @@ vtkIdType vtkGlyphOutcomes::Describe(
   sayOfZeros(counts[ZERO_RADIUS], radius + "zero", width);
   const std::string orientation = "their orientation, from the point array '" + settings.OrientationArray + "', is ";
   const std::string turn =
-    "Choose another GlyphOrientationArray, switch GlyphOrient off, or remove these points with Threshold.";
+    "Choose another SelectOrientationVectors, switch Orient off, or remove these points with Threshold.";
   say(counts[ORIENTATION], orientation + "not finite", turn);
   sayOfZeros(counts[ZERO_ORIENTATION], orientation + "zero", turn);
   const std::string tensor = "their tensor, from the point array '" + settings.Tensors.Array + "', is ";
@@ -67,7 +67,7 @@ vtkIdType vtkGlyphOutcomes::Describe(
     "open, is not finite",
     "Choose other arrays, switch MotionBlur off, or remove these points with Threshold.");
   say(counts[FORM], "the number of their form, from the point array '" + settings.TableIndexArray + "', is not finite",
-    "Choose another GlyphMeshIndexArray, or remove these points with Threshold.");
+    "Choose another GlyphTableIndexArray, or remove these points with Threshold.");
   if (vtkRayTracedArrays::IsNone(settings.ExponentArray))
   {
     std::ostringstream why;

@@ -143,7 +143,6 @@ bool vtkGlyphPlacement::RotationFromTuple(const double* tuple, int mode, glm::dq
       return true;
     }
     case vtkGlyphSettings::MATRIX:
-    case vtkGlyphSettings::AXES:
     {
       if (!finite(9))
       {
@@ -158,9 +157,8 @@ bool vtkGlyphPlacement::RotationFromTuple(const double* tuple, int mode, glm::dq
       glm::dmat3 axes; // column by column
       for (int i = 0; i < 9; ++i)
       {
-        axes[i / 3][i % 3] = tuple[i] / largest;
+        axes[i % 3][i / 3] = tuple[i] / largest;
       }
-      axes = mode == vtkGlyphSettings::AXES ? axes : glm::transpose(axes);
       // Lengths say nothing, nor do small angles that rounding has left; a mirror image is no rotation.
       axes[0] = glm::normalize(axes[0]);
       axes[1] = glm::normalize(axes[1] - glm::dot(axes[0], axes[1]) * axes[0]);

@@ -139,14 +139,14 @@ double FactorFor(const std::vector<double>& magnitudes, double size)
 }
 
 // Of spheres whose size the array says: 2 for radii, 1 for diameters. 0: there is no such array.
-double ExactFactor(vtkPolyData* data, const vtkGlyphScaling& settings)
+double ExactFactor(vtkPolyData* data, const vtkGlyphScaling& settings, double unitSize)
 {
   vtkDataArray* scales = vtkGlyphArrays::Find(vtkGlyphArrays::SCALE, data, settings);
   const bool sizes = scales && scales->GetNumberOfComponents() == 1 && settings.Shape == rtg::Shape::Sphere &&
     !settings.Tensors.On && settings.Sizing.Function == vtkGlyphSizing::LINEAR;
   return !sizes                                           ? 0.0
-    : vtkGlyphArrayNames::IsRadius(settings.ScaleArray)   ? 2.0
-    : vtkGlyphArrayNames::IsDiameter(settings.ScaleArray) ? 1.0
+    : vtkGlyphArrayNames::IsRadius(settings.ScaleArray)   ? 2.0 / unitSize
+    : vtkGlyphArrayNames::IsDiameter(settings.ScaleArray) ? 1.0 / unitSize
                                                           : 0.0;
 }
 
@@ -169,7 +169,7 @@ vtkGlyphKeptGuess::Result Find(vtkPolyData* data, const vtkGlyphScaling& setting
   }
   const Extents extents = Measure(points, rough);
   const double typical = Quantile(sample, typicalQuantile);
-  const double exact = Largest(ExactFactor(data, settings));
+  const double exact = Largest(ExactFactor(data, settings, unitSize));
   if (exact * typical >= extents.Longest * std::min(seen, specks * extents.Neighbors) && exact > 0.0)
   {
     result.Value = exact;

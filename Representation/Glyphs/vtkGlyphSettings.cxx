@@ -16,7 +16,6 @@ vtkGlyphSettings vtkGlyphSettings::InRange() const
   PutInRange(s.Arrow.shaftRadius, 0.0, 0.5, standard.Arrow.shaftRadius);
   PutInRange(s.Arrow.tipRadius, 0.0, 0.5, standard.Arrow.tipRadius);
   PutInRange(s.Arrow.tipLength, 0.001, 1.0, standard.Arrow.tipLength);
-  PutInRange(s.Arrow.tipRounding, 0.0, 1.0, standard.Arrow.tipRounding);
   PutInRange(s.Tensors.Sharpness, 0.0, 10.0, standard.Tensors.Sharpness);
   PutInRange(s.Tensors.Thickness, rtg::thinnestTensorGlyph, 1.0, standard.Tensors.Thickness);
   return s;
@@ -43,10 +42,6 @@ vtkGlyphSettings vtkGlyphSettings::Effective() const
   {
     settings.ScaleArray.clear();
     settings.ScaleMode = none.ScaleMode;
-  }
-  if (settings.Sizing.Function != vtkGlyphSizing::LOGARITHM)
-  {
-    settings.Sizing.Reference = none.Sizing.Reference;
   }
   if (!settings.Orient || settings.Tensors.On)
   {

@@ -49,8 +49,7 @@ struct vtkGlyphSettings : vtkGlyphScaling
     DIRECTION = 0,
     ROTATION = 1,
     QUATERNION = 2,
-    MATRIX = 3, // of rotation, row by row
-    AXES = 4    // images of x, y and z, one after another
+    MATRIX = 3 // of rotation, row by row; tuples of nine components
   };
   enum Anchors
   {
@@ -66,12 +65,13 @@ struct vtkGlyphSettings : vtkGlyphScaling
   {
   }
 
-  double ScaleFactor = 1.0;  // world units
-  std::string RadiusArray;   // across the glyph's x axis, instead of the scale; empty or "None": none
-  double RadiusFactor = 1.0; // what it is multiplied by
+  double ScaleFactor = 1.0;   // world units
+  glm::dvec3 UnitSize{ 1.0 }; // of the shape as its source makes it, in unit glyphs
+  std::string RadiusArray;    // across the glyph's x axis, instead of the scale; empty or "None": none
+  double RadiusFactor = 1.0;  // what it is multiplied by
   bool Orient = true;
   std::string OrientationArray; // empty or "None": none
-  vtkRayTracedChoice<OrientationModes, DIRECTION, AXES> OrientationMode;
+  vtkRayTracedChoice<OrientationModes, DIRECTION, QUATERNION> OrientationMode;
   vtkRayTracedChoice<Anchors, ORIGIN, TIP> Anchor; // what of the glyph lies at its point; not of tensors' glyphs
   rtg::ArrowForm Arrow;                            // its unit length is computed
   double ArrowReference = 0.0; // magnitude of the arrow whose head has the unit arrow's proportions; 0: HighScale's
@@ -116,15 +116,6 @@ struct vtkGlyphSettings : vtkGlyphScaling
    * The scale of the arrow whose fixed head has the proportions of the unit arrow.
    */
   double ReferenceScale() const;
-
-  /**
-   * Whether the glyphs point somewhere, and no array says where.
-   */
-  bool LacksDirection() const
-  {
-    const bool points = this->Shape == rtg::Shape::Arrow || this->Shape == rtg::Shape::Cone;
-    return points && !this->Tensors.On && this->Orient && vtkRayTracedArrays::IsNone(this->OrientationArray);
-  }
 
   /**
    * Whether the points choose among several meshes.

@@ -104,7 +104,7 @@ void vtkGlyphSizes::Finish(vtkIdType point, Tuples& tuples, glm::dvec3& size) co
 glm::dvec3 vtkGlyphSizes::Extents(vtkIdType point, Tuples& tuples, glm::dvec3& part) const
 {
   rtg::FormExtent form;
-  glm::dvec3 size = std::abs(this->Settings.ScaleFactor) * this->Bound(point, tuples, form);
+  glm::dvec3 size = std::abs(this->Settings.ScaleFactor) * this->Settings.UnitSize * this->Bound(point, tuples, form);
   part = glm::dvec3(1.0);
   if (form.radius > 0.0)
   {
@@ -118,7 +118,7 @@ glm::dvec3 vtkGlyphSizes::Extents(vtkIdType point, Tuples& tuples, glm::dvec3& p
 //----------------------------------------------------------------------------
 Outcome vtkGlyphSizes::Make(vtkIdType point, Tuples& tuples, Glyph& glyph, float* polynomial) const
 {
-  glyph.Size = this->Settings.ScaleFactor * this->Scale(point, tuples);
+  glyph.Size = this->Settings.ScaleFactor * this->Settings.UnitSize * this->Scale(point, tuples);
   if (const vtkGlyphTensors* tensors = this->GetTensors(); tensors && this->Settings.Tensors.Axes)
   {
     double axis[3];

@@ -19,13 +19,12 @@ struct vtkGlyphSizing
     LINEAR = 0,
     SQUARE_ROOT = 1,
     CUBE_ROOT = 2,
-    LOGARITHM = 3, // log10(1 + magnitude / Reference)
+    LOGARITHM = 3, // log10(1 + magnitude)
     UNIT = 4       // 1, whatever the magnitude
   };
   vtkRayTracedChoice<Functions, LINEAR, UNIT> Function;
-  double Reference = 1.0; // in units of the data
-  double Least = 0.0;     // of a glyph's longest extent, in world units; 0: none
-  double Most = 0.0;      // the same
+  double Least = 0.0; // of a glyph's longest extent, in world units; 0: none
+  double Most = 0.0;  // the same
 
   bool operator==(const vtkGlyphSizing&) const = default;
 
@@ -41,7 +40,7 @@ struct vtkGlyphSizing
       case CUBE_ROOT:
         return std::cbrt(magnitude);
       case LOGARITHM:
-        return std::log1p(magnitude / this->Reference) / std::log(10.0);
+        return std::log1p(magnitude) / std::log(10.0);
       case UNIT:
         return magnitude > 0.0 ? 1.0 : magnitude;
       default:

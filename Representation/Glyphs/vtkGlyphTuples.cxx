@@ -38,16 +38,16 @@ const std::array<Description, vtkGlyphArrays::NUMBER_OF_IDS> table = { {
     [](const Settings& settings) {
       return settings.ScaleMode == Settings::COMPONENTS ? std::vector<int>{ 1, 3 } : std::vector<int>{};
     },
-    "GlyphScaleArray", "all glyphs get the same size" },
+    "SelectScaleArray", "all glyphs get the same size" },
   { &Settings::OrientationArray, [](const Settings& settings) { return settings.Orient; },
     [](const Settings& settings)
     {
       const std::vector<int> all = { 2, 3, 4, 9 }; // longer tuples say by themselves what they are
       return std::vector<int>(all.begin() + ModeFrom(settings.OrientationMode), all.end());
     },
-    "GlyphOrientationArray", "the glyphs are not turned" },
+    "SelectOrientationVectors", "the glyphs are not turned" },
   { &Settings::TableIndexArray, [](const Settings& settings) { return settings.HasTable(); },
-    [](const Settings&) { return std::vector<int>{}; }, "GlyphMeshIndexArray",
+    [](const Settings&) { return std::vector<int>{}; }, "GlyphTableIndexArray",
     "all points have the table's first form" },
   { &Settings::ExponentArray, [](const Settings& settings) { return settings.HasOwnExponents(); },
     [](const Settings&) {
@@ -104,7 +104,7 @@ int vtkGlyphArrays::OrientationMode(vtkDataArray* orientations, const vtkGlyphSe
   {
     return Settings::QUATERNION;
   }
-  return components == 9 && settings.OrientationMode != Settings::AXES ? Settings::MATRIX : settings.OrientationMode;
+  return components == 9 ? Settings::MATRIX : settings.OrientationMode;
 }
 
 //----------------------------------------------------------------------------

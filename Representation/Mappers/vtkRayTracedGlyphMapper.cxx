@@ -216,7 +216,7 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
   const vtkGlyphTensors::Settings& tensors = this->Settings.Tensors;
   const bool byRadius = this->Settings.Forms.ColorsByRadius();
   const int coloring = tensors.On || byRadius ? tensors.Coloring : static_cast<int>(this->Settings.SurfaceColors());
-  const bool usesTable = byRadius || (tensors.On && coloring != vtkGlyphTensors::NONE);
+  const bool usesTable = byRadius || (tensors.On && vtkGlyphTensors::IsNumber(coloring));
   std::vector<vtkMTimeType> state{ static_cast<vtkMTimeType>(coloring),
     usesTable && this->TensorTable ? this->TensorTable->GetMTime() : 0 };
   if (this->Settings.HasNumberRange())

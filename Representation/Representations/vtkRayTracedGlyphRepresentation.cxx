@@ -3,10 +3,12 @@
 #include "Finite.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkGlyphJoinedArrays.h"
 #include "vtkGlyphLayers.h"
 #include "vtkGlyphPointGatherer.h"
 #include "vtkGlyphScaleGuess.h"
+#include "vtkGlyphSource.h"
 #include "vtkGlyphTuples.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -71,7 +73,12 @@ int vtkRayTracedGlyphRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const bool hasMesh = inputVector[1]->GetNumberOfInformationObjects() == 1;
-  this->Meshes.Gather(hasMesh ? vtkDataObject::GetData(inputVector[1], 0) : nullptr, this->GlyphMeshTable);
+  this->Meshes.Gather(
+    hasMesh ? vtkDataObject::GetData(inputVector[1], 0) : nullptr, this->SourceIndexing && this->UseSourceTableTree);
+  if (hasMesh && this->Meshes.GetForm(0))
+  {
+    vtkGlyphSource(this->GetInputAlgorithm(1, 0)).StoreIn(this->Meshes.GetForm(0));
+  }
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -242,9 +249,10 @@ void vtkRayTracedGlyphRepresentation::SetGlyphDataSizes(double highScale, double
 vtkGlyphSettings vtkRayTracedGlyphRepresentation::GetSizes(vtkPolyData*, double& unitSize)
 {
   const vtkGlyphSettings settings = this->MakeSettings();
+  const glm::dvec3& sides = settings.UnitSize;
   unitSize = settings.Shape == rtg::Shape::Mesh ? this->Meshes.GetLargestSide()
     : settings.Shape == rtg::Shape::Capsule     ? 2.0
-                                                : 1.0;
+                                                : std::max({ sides.x, sides.y, sides.z });
   return settings;
 }
 
@@ -270,8 +278,12 @@ bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const vtkGl
 // a layer, too.
 void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
 {
-  this->Meshes.Take(
-    lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1) : vtkPVView::GetDeliveredPiece(inInfo, this, 1));
+  // A selection may come between an update and the delivery.
+  if (vtkDataObject* form =
+        lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1) : vtkPVView::GetDeliveredPiece(inInfo, this, 1))
+  {
+    this->Meshes.Take(form);
+  }
   vtkGlyphSettings settings = this->MakeSettings();
   const bool usesTable = this->Meshes.GetNumberOfForms() > 1 && settings.Shape == rtg::Shape::Mesh;
   settings.TableSize = usesTable ? static_cast<int>(this->Meshes.GetNumberOfForms()) : 1;
@@ -382,7 +394,14 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
   vtkGlyphSettings settings = this->Glyphs.InRange();
   settings.Motion = this->GetMotion();
   settings.HighScale = this->DataSizes[0];
-  if (this->ScaleFactorFromData)
+  settings.Scaling = this->Scaling && this->ScaleMode != vtkGlyph3DMapper::NO_DATA_SCALING;
+  settings.ScaleMode = this->ScaleMode == vtkGlyph3DMapper::SCALE_BY_COMPONENTS ? vtkGlyphSettings::COMPONENTS
+                                                                                : vtkGlyphSettings::MAGNITUDE;
+  if (!this->Scaling)
+  {
+    settings.ScaleFactor = 1.0; // 3D Glyphs then have their source's own size
+  }
+  else if (this->ScaleFactorFromData)
   {
     const bool own = this->ScaleGuess[0] > 0.0; // else this process only renders, or there are no glyphs
     settings.ScaleFactor = own ? this->ScaleGuess[0] : settings.ScaleFactor;
@@ -390,11 +409,22 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     double& most = settings.Sizing.Most;
     most = limit > 0.0 && (most == 0.0 || most > limit) ? limit : most;
   }
+  // Between the process that has the source and one that renders it is part of what is delivered.
+  const vtkGlyphSource source(this->Meshes.GetForm(0));
+  settings.Arrow = source.Arrow;
+  settings.Arrow.fixedHeads = this->FixedHeads;
+  settings.Arrow.tipRounding = this->FixedHeads ? settings.Arrow.tipRounding : 0.0f;
   settings.Tensors.On = this->GlyphShape >= TENSOR_ELLIPSOID && this->GlyphShape <= SIGNED_TENSOR_SUPERQUADRIC;
   const bool polynomial = this->GlyphShape >= SPHERICAL_HARMONICS && this->GlyphShape <= FOURTH_ORDER_TENSOR;
   if (!polynomial && settings.Tensors.Coloring == vtkGlyphTensors::RADIUS)
   {
     settings.Tensors.Coloring = vtkGlyphTensors::NONE;
+  }
+  if (this->TensorTable && settings.Tensors.Coloring == vtkGlyphTensors::SIGN)
+  {
+    const double* range = this->TensorTable->GetRange();
+    this->TensorTable->GetColor(range[1], settings.Tensors.PositiveColor.data());
+    this->TensorTable->GetColor(range[0], settings.Tensors.NegativeColor.data());
   }
   if (this->GlyphShape == PRINCIPAL_AXES)
   {
@@ -416,11 +446,12 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
   }
   else
   {
-    settings.Shape = this->GlyphShape == MESH ? rtg::Shape::Mesh : static_cast<rtg::Shape>(this->GlyphShape);
-    if (settings.Shape == rtg::Shape::Superquadric && this->NestedExponents)
-    {
-      settings.Shape = rtg::Shape::NestedSuperquadric;
-    }
+    settings.Shape = this->GlyphShape == CAPSULE ? rtg::Shape::Capsule
+      : this->GlyphShape == SUPERQUADRIC         ? rtg::Shape::Superquadric
+      : this->GlyphShape == NESTED_SUPERQUADRIC  ? rtg::Shape::NestedSuperquadric
+      : this->Meshes.GetNumberOfForms() > 1      ? rtg::Shape::Mesh
+                                                 : source.Shape;
+    settings.UnitSize = this->GlyphShape == GLYPH_TYPE ? source.UnitSize : settings.UnitSize;
   }
   return settings;
 }
@@ -440,13 +471,11 @@ void vtkRayTracedGlyphRepresentation::SetGlyphLocation(int location)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 {
-  // The first entry of a number counts.
-#define RTG_SHAPE_NAME(number, Name) { number, #Name },
-  static const std::map<int, std::string> names = { { TENSOR_ELLIPSOID, "Tensor Ellipsoid" },
-    { TENSOR_SUPERQUADRIC, "Tensor Superquadric" }, { SIGNED_TENSOR_SUPERQUADRIC, "Signed Tensor Superquadric" },
-    { MESH, "Mesh" }, { SPHERICAL_HARMONICS, "Spherical Harmonics" }, { REYNOLDS, "Reynolds" },
-    { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" }, { PRINCIPAL_AXES, "Principal Axes" }, RTG_SHAPES(RTG_SHAPE_NAME) };
-#undef RTG_SHAPE_NAME
+  static const std::map<int, std::string> names = { { GLYPH_TYPE, "Glyph Type" }, { CAPSULE, "Capsule" },
+    { SUPERQUADRIC, "Superquadric" }, { NESTED_SUPERQUADRIC, "Nested Superquadric" },
+    { TENSOR_ELLIPSOID, "Tensor Ellipsoid" }, { TENSOR_SUPERQUADRIC, "Tensor Superquadric" },
+    { SIGNED_TENSOR_SUPERQUADRIC, "Signed Tensor Superquadric" }, { SPHERICAL_HARMONICS, "Spherical Harmonics" },
+    { REYNOLDS, "Reynolds" }, { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" }, { PRINCIPAL_AXES, "Principal Axes" } };
   if (!names.count(shape))
   {
     std::string known;
@@ -461,7 +490,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphScaleFactorFromData(bool on)
+void vtkRayTracedGlyphRepresentation::SetScaleFactorFromData(bool on)
 {
   this->ScaleFactorFromData = on;
   this->Guess.Forget();
@@ -469,15 +498,17 @@ void vtkRayTracedGlyphRepresentation::SetGlyphScaleFactorFromData(bool on)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphScaleReference(double reference)
+void vtkRayTracedGlyphRepresentation::SetGlyphMode(int mode)
 {
-  if (!rtg::IsPositive(reference))
-  {
-    vtkErrorMacro(
-      "GlyphScaleReference is " << reference << "; it must be positive, in units of the scale array. 1 is taken.");
-    reference = 1.0;
-  }
-  this->Glyphs.Sizing.Reference = reference;
+  this->Glyphs.Mask.On = mode > 0;
+  this->Glyphs.Mask.Mode = std::max(mode - 1, 0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphLegend(int place)
+{
+  this->LegendStyle.On = place > 0;
+  this->LegendStyle.Corner = std::clamp<int>(place - 1, vtkGlyphLegend::LOWER_LEFT, vtkGlyphLegend::UPPER_RIGHT);
 }
 
 //----------------------------------------------------------------------------
@@ -510,11 +541,12 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorLookupTable(vtkScalarsToColo
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphMeshTable(bool use)
+void vtkRayTracedGlyphRepresentation::SetTable(bool sourceIndexing, bool useSourceTableTree)
 {
-  if (this->GlyphMeshTable != use)
+  if (this->SourceIndexing != sourceIndexing || this->UseSourceTableTree != useSourceTableTree)
   {
-    this->GlyphMeshTable = use;
+    this->SourceIndexing = sourceIndexing;
+    this->UseSourceTableTree = useSourceTableTree;
     this->MarkModified(); // the meshes must be gathered again
   }
 }

@@ -74,7 +74,7 @@ vtkRayTracedDisplays::Update(vtkRenderer* renderer, const std::function<void(con
     {
       report("Ray Traced Glyphs: the computer's memory does not suffice to make the glyphs "
              "of these data. Show fewer "
-             "(GlyphMask, MaximumNumberOfGlyphs) or hide other data.");
+             "(GlyphMode, MaximumNumberOfGlyphs) or hide other data.");
       continue;
     }
     if (mapper->GetNumberOfGlyphs() == 0)

@@ -1,6 +1,5 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 
-#include "Glyphs.h"
 #include "HarmonicForms.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGlyphArrayNames.h"
@@ -15,6 +14,7 @@
 #include "vtkSMProxy.h"
 #include "vtkType.h"
 
+#include <cstring>
 #include <functional>
 #include <vector>
 
@@ -242,8 +242,8 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
     return Harmonics(arrays);
   }
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
-  if (glyphs &&
-    vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == static_cast<int>(rtg::Shape::Arrow))
+  vtkSMProxy* source = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphType", /*quiet=*/true).GetAsProxy() : nullptr;
+  if (source && strcmp(source->GetXMLName(), "ArrowSource") == 0)
   {
     return FirstOf(arrays, { ActiveVectors, AnyDirection, Size, ActiveScalars, AnyNumber });
   }

@@ -6,16 +6,13 @@
 #include "vtkSMDomain.h"
 #include "vtkSMDomainIterator.h"
 #include "vtkSMDoubleVectorProperty.h"
-#include "vtkSMInputProperty.h"
 #include "vtkSMIntVectorProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
 #include "vtkSMProxy.h"
-#include "vtkSMProxyListDomain.h"
 #include "vtkSMRayTracedDomains.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMStringVectorProperty.h"
-#include "vtkSMViewProxy.h"
 #include "vtkSmartPointer.h"
 #include "vtkVariant.h"
 
@@ -63,27 +60,6 @@ bool Prefers(vtkSMDomain* domain, vtkSMProperty* property)
   const char* xmlDefault = list && strings ? strings->GetDefaultValue(0) : nullptr;
   unsigned int index = 0;
   return xmlDefault && list->IsInDomain(xmlDefault, index);
-}
-
-// Whether the domains would choose the present value.
-bool WouldBeChosen(vtkSMProperty* property)
-{
-  auto other = vtk::TakeSmartPointer(property->NewInstance());
-  other->Copy(property);
-  auto domains = vtk::TakeSmartPointer(property->NewDomainIterator());
-  for (domains->Begin(); !domains->IsAtEnd(); domains->Next())
-  {
-    vtkSMDomain* domain = domains->GetDomain();
-    if (Prefers(domain, property))
-    {
-      return false;
-    }
-    if (domain->SetDefaultValues(other, /*use_unchecked_values=*/false))
-    {
-      return AreEqual(property, other);
-    }
-  }
-  return false;
 }
 
 enum class Where
@@ -137,12 +113,10 @@ public:
     }
     if (vtkSMDoubleVectorProperty::SafeDownCast(this))
     {
-      vtkSMProperty* alias = Sibling(this, this->GetXMLName());
       vtkSMProperty* fromData = FromDataOf(this);
-      return (alias && alias != this && AreEqual(this, alias)) ||
-        (fromData && vtkSMPropertyHelper(fromData).GetAsInt() != 0) || this->IsChosen();
+      return (fromData && vtkSMPropertyHelper(fromData).GetAsInt() != 0) || this->IsChosen();
     }
-    return !IsRayTraced(this) && (this->IsChosen() || WouldBeChosen(this));
+    return !IsRayTraced(this) && (this->IsChosen() || vtkSMRayTracedDefault::IsOfDomains(this));
   }
 
   // Where there are no data, as when ParaView resets all properties of a display, the input first, the property gets
@@ -199,19 +173,6 @@ private:
   bool ByUser = false;                   // the present value
 };
 
-// An input that is chosen from a list of sources: the list's default source.
-class InputProperty final : public vtkSMInputProperty
-{
-public:
-  bool IsValueDefault() override
-  {
-    auto* list = this->FindDomain<vtkSMProxyListDomain>();
-    return vtkSMInputProperty::IsValueDefault() ||
-      (!IsRayTraced(this) && list && list->GetNumberOfProxies() > 0 && this->GetNumberOfProxies() == 1 &&
-        this->GetProxy(0) == list->GetProxy(0));
-  }
-};
-
 bool RenewOne(vtkSMProperty* property, Where where)
 {
   auto* ours = dynamic_cast<Default*>(property);
@@ -244,11 +205,31 @@ void vtkSMRayTracedDefault::Register()
     add("vtkSMRayTracedPlainStringVectorProperty", &New<Plain<vtkSMStringVectorProperty>>);
     add("vtkSMRayTracedPlainDoubleVectorProperty", &New<Plain<vtkSMDoubleVectorProperty>>);
     add("vtkSMRayTracedPlainIntVectorProperty", &New<Plain<vtkSMIntVectorProperty>>);
-    add("vtkSMRayTracedInputProperty", &New<InputProperty>);
     vtkSMRayTracedDomains::Register();
     return true;
   }();
   static_cast<void>(known);
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedDefault::IsOfDomains(vtkSMProperty* property)
+{
+  auto other = vtk::TakeSmartPointer(property->NewInstance());
+  other->Copy(property);
+  auto domains = vtk::TakeSmartPointer(property->NewDomainIterator());
+  for (domains->Begin(); !domains->IsAtEnd(); domains->Next())
+  {
+    vtkSMDomain* domain = domains->GetDomain();
+    if (Prefers(domain, property))
+    {
+      return false;
+    }
+    if (domain->SetDefaultValues(other, /*use_unchecked_values=*/false))
+    {
+      return AreEqual(property, other);
+    }
+  }
+  return false;
 }
 
 //----------------------------------------------------------------------------
@@ -260,12 +241,6 @@ void vtkSMRayTracedDefault::Follow(vtkSMProxy* representation, const char* name)
     representation->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
     RenewAll(representation, Where::Lost);
   }
-  if (strcmp(name, "GlyphShape") == 0 && !vtkSMPropertyHelper(representation, "GlyphScaling", true).GetAsInt())
-  {
-    // Arrows are as long as vectors, others as large as radii. Not while the array is in use: scripts and states may
-    // name the array before the shape.
-    RenewOne(representation->GetProperty("GlyphScaleArray"), Where::Everywhere);
-  }
   if (strcmp(name, "TubeRadiusArray") == 0)
   {
     RenewOne(representation->GetProperty("TubeRadius"), Where::Everywhere);
@@ -273,11 +248,7 @@ void vtkSMRayTracedDefault::Follow(vtkSMProxy* representation, const char* name)
 }
 
 //----------------------------------------------------------------------------
-void vtkSMRayTracedDefault::Renew(vtkSMProxy* display, vtkSMProxy* view, bool otherTime)
+bool vtkSMRayTracedDefault::Renew(vtkSMProxy* display, bool otherTime)
 {
-  if (RenewAll(display, otherTime ? Where::Missing : Where::Lost))
-  {
-    display->UpdateVTKObjects();
-    vtkSMViewProxy::SafeDownCast(view)->Update();
-  }
+  return RenewAll(display, otherTime ? Where::Missing : Where::Lost);
 }

@@ -4,7 +4,7 @@
  * Every display of a data set has these properties, whatever it is shown as, and ParaView would name them in the trace
  * and the Python state of any display: scripts that do not run without this plugin. So on displays that show nothing
  * ray traced a value that ParaView has chosen counts as the default; so does, on all displays, a number that follows
- * the data or is but another name of one of ParaView's own (PathMetallic is Metallic).
+ * the data.
  *
  * In XML such properties are written as RayTracedStringVectorProperty, with si_class, and so on. All others of displays
  * become RayTracedPlainStringVectorProperty and so on (CMakeLists.txt): state files do not have them either.
@@ -12,6 +12,7 @@
 #ifndef vtkSMRayTracedDefault_h
 #define vtkSMRayTracedDefault_h
 
+class vtkSMProperty;
 class vtkSMProxy;
 
 namespace vtkSMRayTracedDefault
@@ -22,6 +23,11 @@ namespace vtkSMRayTracedDefault
 void Register();
 
 /**
+ * Whether the domains of a property would choose its present value.
+ */
+bool IsOfDomains(vtkSMProperty* property);
+
+/**
  * A property is being set that the defaults of others depend on.
  */
 void Follow(vtkSMProxy* representation, const char* name);
@@ -29,9 +35,9 @@ void Follow(vtkSMProxy* representation, const char* name);
 /**
  * After an update of the view, before its render: what the data shown before had nothing for, these may have, as the
  * first time step with particles has arrays. While time goes on a default that was found stays; other data may have
- * others.
+ * others. Returns whether something was chosen anew.
  */
-void Renew(vtkSMProxy* display, vtkSMProxy* view, bool otherTime);
+bool Renew(vtkSMProxy* display, bool otherTime);
 }
 
 #endif

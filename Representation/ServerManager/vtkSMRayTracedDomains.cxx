@@ -72,7 +72,7 @@ public:
   }
 };
 
-// Values of GlyphScaleFactor and ShutterTime: from zero to a few times what the data suggest. Required properties:
+// Values of ShutterTime: from zero to a few times what the data suggest. Required properties:
 // Guess, an information property whose first element is what the data suggest, and FromData, which says whether that
 // counts. The default is to let it count, chosen anew: the data are asked when the view is next updated. ParaView's
 // panel gives domains of bounds a slider and a reset button.

@@ -15,7 +15,7 @@ struct Suggested
   const char *Number, *FromData, *Guess, *Limit, *Switch;
 };
 constexpr Suggested suggestions[] = {
-  { "GlyphScaleFactor", "GlyphScaleFactorFromData", "GlyphScaleGuess", "GlyphSizeLimit", nullptr },
+  { "ScaleFactor", "ScaleFactorFromData", "ScaleFactorGuess", "GlyphSizeLimit", nullptr },
   { "ShutterTime", "ShutterTimeFromData", "ShutterTimeGuess", nullptr, "MotionBlur" },
 };
 
@@ -37,6 +37,12 @@ void vtkSMRayTracedSuggestion::Follow(vtkSMProxy* representation, const char* na
       vtkSMPropertyHelper(representation, suggested.FromData).Set(0);
     }
   }
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedSuggestion::IsTaking()
+{
+  return taking;
 }
 
 //----------------------------------------------------------------------------

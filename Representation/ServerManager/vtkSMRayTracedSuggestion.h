@@ -1,5 +1,5 @@
 /**
- * Numbers that the data suggest until they are set: GlyphScaleFactor and ShutterTime, while the property of that name
+ * Numbers that the data suggest until they are set: ScaleFactor and ShutterTime, while the property of that name
  * with FromData behind it is on.
  */
 #ifndef vtkSMRayTracedSuggestion_h
@@ -20,6 +20,11 @@ void Follow(vtkSMProxy* representation, const char* name);
  * and those that render get them.
  */
 void Take(vtkSMProxy* shown);
+
+/**
+ * Whether it is Take() that sets a number.
+ */
+bool IsTaking();
 }
 
 #endif

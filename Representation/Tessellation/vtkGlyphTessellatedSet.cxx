@@ -275,7 +275,7 @@ vtkGlyphTessellatedSet vtkGlyphTessellatedSet::Make(const std::string& number, c
       {
         messages.push_back("Superquadrics of more than " + std::to_string(MostMeshes) +
           " different forms are left out of the exported file, which has a mesh for each form. Show fewer of them with "
-          "GlyphMask, or round their exponents or tensors.");
+          "GlyphMode, or round their exponents or tensors.");
       }
       break;
     case rtg::Shape::RoundCone:

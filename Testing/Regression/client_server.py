@@ -26,13 +26,13 @@ def scene(folder):
     """Particles spread over the ranks as arrows and spheres, on an opaque surface; (view, both representations)."""
     view = session.view(300, 200)
     spread = session.spread(folder + "/impact/impact_04.vtk")
-    spheres = session.glyphs(spread, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
-                             GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
+    spheres = session.glyphs(spread, view, "Sphere", Orient=0, SelectScaleArray="diameter",
+                             ScaleMode="Magnitude", ScaleFactor=1.0)
     session.solid(spheres, (0.9, 0.7, 0.3))
     lifted = pv.Transform(Input=spread)
     lifted.Transform.Translate = [0.0, 0.0, 12.0]
-    arrows = session.glyphs(lifted, view, "Arrow", GlyphOrientationArray="velocity", GlyphScaling=1,
-                            GlyphScaleArray="velocity", GlyphScaleFactor=0.2)
+    arrows = session.glyphs(lifted, view, "Arrow", ArrowHeads="Fixed", SelectOrientationVectors="velocity", ScaleMode="Magnitude",
+                            SelectScaleArray="velocity", ScaleFactor=0.2)
     pv.ColorBy(arrows, ("POINTS", "velocity"))
     arrows.SetScalarBarVisibility(view, False)
     ball = pv.Show(pv.Sphere(Center=[14.0, 14.0, 4.0], Radius=8.0, ThetaResolution=64, PhiResolution=64), view)
@@ -45,10 +45,10 @@ def scene(folder):
 def legends():
     """Legends of arrows, whose heads depend on the scales of all of them, and of a mesh: the client that draws them may have no points."""
     view = session.view(200, 150)
-    for shape, corner, further in (("Arrow", "Lower Left", {}), ("Mesh", "Upper Right", {"GlyphMesh": pv.Box(XLength=3.0, YLength=0.5)})):
+    for shape, corner, further in (("Arrow", "Lower Left", {}), ("Mesh", "Upper Right", {"GlyphType": session.triangles(pv.Box(XLength=3.0, YLength=0.5))})):
         sizes = pv.Calculator(Input=pv.Sphere(ThetaResolution=6, PhiResolution=5), Function="0.001*(coordsX+2)", ResultArrayName="size")
-        shown = session.glyphs(sizes, view, shape, GlyphOrientationArray="Normals", GlyphScaling=1, GlyphScaleArray="size", GlyphScaleFactor=300.0,
-                               GlyphLegend=1, GlyphLegendValue=0.002, GlyphLegendCorner=corner, GlyphLegendColor=[0.0, 1.0, 0.0], **further)
+        shown = session.glyphs(sizes, view, shape, ArrowHeads="Fixed", SelectOrientationVectors="Normals", ScaleMode="Magnitude", SelectScaleArray="size",
+                               ScaleFactor=300.0, GlyphLegend=corner, GlyphLegendValue=0.002, GlyphLegendColor=[0.0, 1.0, 0.0], **further)
         session.solid(shown, (1.0, 0.0, 0.0))
     session.look(view, (0.0, 0.0, 6.0))
     pv.Render(view)

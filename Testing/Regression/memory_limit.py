@@ -18,7 +18,7 @@ POINTS = 1000000
 
 def show(source, view):
     """Small spheres."""
-    shown = session.glyphs(source, view, GlyphOrient=0, GlyphScaleFactor=0.02)
+    shown = session.glyphs(source, view, Orient=0, ScaleFactor=0.02)
     session.solid(shown, (0.9, 0.8, 0.3))
     return shown
 
@@ -42,7 +42,7 @@ def limited(megabytes):
     print("%d MB: %s" % (megabytes, said.strip()))
     what = "%d MB" % megabytes
     checks.one_message(what, said, "memory")
-    checks.true(what + ": the message names no remedy: " + said.strip(), "GlyphMask" in said or "hide" in said.lower())
+    checks.true(what + ": the message names no remedy: " + said.strip(), "GlyphMode" in said or "hide" in said.lower())
     checks.no_message(what + ", limit lifted", session.messages(lambda: pv.Render(view)))
     pixels = session.capture(view, "memory-limit-%d" % megabytes)
     fresh = session.view(80, 60)

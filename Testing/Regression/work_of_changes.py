@@ -37,47 +37,48 @@ MUST = {"image": {"dispatches"}, "pass": {"dispatches"}, "colors": {"colorBuilds
 #: bytes and seconds are no counts; programs are compiled when they are first needed
 UNCOUNTED = re.compile("Seconds$|^deviceBytes$|^pipelineBuilds$|^DeviceName$|^AccumulatedSamples$|^Refinement|^pulls$|lyphs$")
 
-ARROW = {"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "length"}
+ARROW = {"GlyphType": "Arrow", "ScaleMode": "Magnitude", "SelectScaleArray": "length", "ArrowHeads": "Fixed"}
 TENSOR = {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor"}
 #: whose programs take long to compile
 SUPERQUADRIC = {"GlyphShape": "Tensor Superquadric", "GlyphTensorArray": "tensor"}
 FORMS = {"GlyphShape": "Reynolds", "GlyphTensorArray": "tensor"}
 BALLS = {"GlyphShape": "Spherical Harmonics", "GlyphHarmonicsArray": "six"}
 SIGNS = {**TENSOR, "GlyphTensorColoring": "Sign"}
-MOTION = {"MotionBlur": 1, "VelocityArray": "velocity", "AngularVelocityArray": "spin", "GlyphShape": "Box"}
+MOTION = {"MotionBlur": 1, "VelocityArray": "velocity", "AngularVelocityArray": "spin", "GlyphType": "Box"}
 EXPONENTS = {"GlyphShape": "Superquadric"}
-MASK = {"GlyphMask": 1, "MaximumNumberOfGlyphs": 100}
-NTH = {"GlyphMask": 1, "GlyphMaskMode": "Every Nth"}
-TABLE = {"GlyphShape": "Mesh", "GlyphMeshTable": 1, "GlyphMeshIndexArray": "index"}
+MASK = {"GlyphMode": "Random", "MaximumNumberOfGlyphs": 100}
+NTH = {"GlyphMode": "Every Nth"}
+TABLE = {"UseGlyphTable": 1, "UseCompositeGlyphTable": 1, "GlyphTableIndexArray": "index"}
 OCCLUSION = {"ShadingMode": "Ambient Occlusion"}
 PATHS = {"ShadingMode": "Path Tracing"}
 
 #: field -> (properties to start from, property, its new value, kind) or a list of such, or why there is nothing to test
 FIELDS = {
     "vtkGlyphSettings": {
-        "Shape": ({}, "GlyphShape", "Box", "glyphs"),
-        "Scaling": ({"GlyphScaleArray": "length"}, "GlyphScaling", 1, "glyphs"),
-        "ScaleArray": [({"GlyphScaling": 1, "GlyphScaleArray": "length"}, "GlyphScaleArray", "other", "glyphs"),
-                       ({"GlyphScaleArray": "length"}, "GlyphScaleArray", "other", "nothing")],
-        "ScaleMode": [({"GlyphScaling": 1, "GlyphScaleArray": "lengths"}, "GlyphScaleMode", "Components", "glyphs"),
-                      ({}, "GlyphScaleMode", "Components", "nothing")],
-        "ScaleFactor": ({}, "GlyphScaleFactor", 0.2, "glyphs"),
+        "Shape": [({}, "GlyphShape", "Capsule", "glyphs"), ({}, "GlyphType", "Box", "new data")],
+        "UnitSize": ({"GlyphType": "Cylinder"}, "GlyphType.Height", 2.0, "new data"),
+        "Scaling": [({"SelectScaleArray": "length"}, "ScaleMode", "Magnitude", "glyphs"), ({}, "Scaling", 0, "glyphs")],
+        "ScaleArray": [({"ScaleMode": "Magnitude", "SelectScaleArray": "length"}, "SelectScaleArray", "other", "glyphs"),
+                       ({"SelectScaleArray": "length"}, "SelectScaleArray", "other", "nothing")],
+        "ScaleMode": [({"ScaleMode": "Magnitude", "SelectScaleArray": "lengths"}, "ScaleMode", "Vector Components", "glyphs"),
+                      ({"Scaling": 0}, "ScaleMode", "Vector Components", "nothing")],
+        "ScaleFactor": ({}, "ScaleFactor", 0.2, "glyphs"),
         "Sizing": "vtkGlyphSizing",
-        "Orient": ({"GlyphShape": "Box", "GlyphOrientationArray": "velocity"}, "GlyphOrient", 1, "glyphs"),
-        "OrientationArray": [({"GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationArray": "velocity"},
-                              "GlyphOrientationArray", "spin", "glyphs"),
-                             ({"GlyphShape": "Box"}, "GlyphOrientationArray", "spin", "nothing")],
-        "OrientationMode": [({"GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationArray": "velocity"},
-                             "GlyphOrientationMode", "Rotation", "glyphs"),
-                            ({}, "GlyphOrientationMode", "Rotation", "nothing")],
+        "Orient": ({"GlyphType": "Box", "SelectOrientationVectors": "velocity"}, "Orient", 1, "glyphs"),
+        "OrientationArray": [({"GlyphType": "Box", "Orient": 1, "SelectOrientationVectors": "velocity"},
+                              "SelectOrientationVectors", "spin", "glyphs"),
+                             ({"GlyphType": "Box"}, "SelectOrientationVectors", "spin", "nothing")],
+        "OrientationMode": [({"GlyphType": "Box", "Orient": 1, "SelectOrientationVectors": "velocity"},
+                             "OrientationMode", "Rotation", "glyphs"),
+                            ({}, "OrientationMode", "Rotation", "nothing")],
         "Arrow": "vtkGlyphSettings::ArrowForm",
         "ArrowReference": [(ARROW, "ArrowReferenceMagnitude", 3.0, "glyphs"), ({}, "ArrowReferenceMagnitude", 3.0, "nothing")],
-        "HighScale": (ARROW, "GlyphScaleArray", "other", "glyphs"),
-        "Mesh": ({"GlyphShape": "Mesh"}, "GlyphMesh", "Cone", "new data"),
-        "TableSize": ({**TABLE, "GlyphMeshTable": 0}, "GlyphMeshTable", 1, "new data"),
+        "HighScale": (ARROW, "SelectScaleArray", "other", "glyphs"),
+        "Mesh": ({"GlyphType": lambda: session.triangles(pv.Box())}, "GlyphType", lambda: session.triangles(pv.Cone()), "new data"),
+        "TableSize": ({**TABLE, "UseCompositeGlyphTable": 0}, "UseCompositeGlyphTable", 1, "new data"),
         "TableEntry": "each form of a table has its own; see TableSize",
-        "TableIndexArray": [(TABLE, "GlyphMeshIndexArray", "other index", "glyphs"),
-                            ({}, "GlyphMeshIndexArray", "index", "nothing")],
+        "TableIndexArray": [(TABLE, "GlyphTableIndexArray", "other index", "glyphs"),
+                            ({}, "GlyphTableIndexArray", "index", "nothing")],
         "Tensors": "vtkGlyphTensors::Settings",
         "Forms": "vtkGlyphForms::Settings",
         "Exponents": [(EXPONENTS, "GlyphExponents", [1.0, 2.0, 2.0], "glyphs"), ({}, "GlyphExponents", [1.0, 2.0, 2.0], "nothing")],
@@ -90,31 +91,28 @@ FIELDS = {
         "Anchor": [(ARROW, "GlyphAnchor", "Tip", "glyphs"), (TENSOR, "GlyphAnchor", "Tip", "nothing")],
     },
     "vtkGlyphMask": {
-        "On": ({"MaximumNumberOfGlyphs": 100}, "GlyphMask", 1, "glyphs"),
-        "Mode": [(MASK, "GlyphMaskMode", "Even in Space", "glyphs"), ({}, "GlyphMaskMode", "Every Nth", "nothing")],
+        "On": ({"MaximumNumberOfGlyphs": 100}, "GlyphMode", "Random", "glyphs"),
+        "Mode": [(MASK, "GlyphMode", "Even in Space", "glyphs"), (MASK, "GlyphMode", "Every Nth", "glyphs")],
         "MaximumNumberOfGlyphs": [(MASK, "MaximumNumberOfGlyphs", 90, "glyphs"), ({}, "MaximumNumberOfGlyphs", 90, "nothing"),
                                   (NTH, "MaximumNumberOfGlyphs", 90, "nothing")],
         "Stride": [(NTH, "GlyphStride", 7, "glyphs"), (MASK, "GlyphStride", 7, "nothing")],
-        "Seed": [(MASK, "GlyphSeed", 7, "glyphs"), ({}, "GlyphSeed", 7, "nothing"), (NTH, "GlyphSeed", 7, "nothing")],
         "PointsOfAllRanks": "counted from the data; see parallel.py",
     },
     "ArrowForm": {
-        "shaftRadius": [(ARROW, "ArrowShaftRadius", 0.06, "glyphs"), ({}, "ArrowShaftRadius", 0.06, "nothing")],
-        "tipRadius": [(ARROW, "ArrowTipRadius", 0.2, "glyphs"), ({}, "ArrowTipRadius", 0.2, "nothing")],
-        "tipLength": [(ARROW, "ArrowTipLength", 0.5, "glyphs"), ({}, "ArrowTipLength", 0.5, "nothing")],
-        "tipRounding": [(ARROW, "ArrowTipRounding", 0.1, "glyphs"), ({}, "ArrowTipRounding", 0.1, "nothing")],
+        "shaftRadius": [(ARROW, "GlyphType.ShaftRadius", 0.06, "new data")],
+        "tipRadius": [(ARROW, "GlyphType.TipRadius", 0.2, "new data")],
+        "tipLength": [(ARROW, "GlyphType.TipLength", 0.5, "new data")],
+        "tipRounding": "of fixed heads; see fixedHeads",
         "fixedHeads": [(ARROW, "ArrowHeads", "Scaled", "glyphs"), ({}, "ArrowHeads", "Scaled", "nothing")],
         "unitLength": "computed from the scales; see HighScale",
     },
     "vtkGlyphSizing": {
-        "Function": ({"GlyphScaling": 1, "GlyphScaleArray": "length"}, "GlyphScaleFunction", "Square Root", "glyphs"),
-        "Reference": [({"GlyphScaling": 1, "GlyphScaleArray": "length", "GlyphScaleFunction": "Logarithm"}, "GlyphScaleReference", 3.0,
-                       "glyphs"), ({}, "GlyphScaleReference", 3.0, "nothing")],
+        "Function": ({"ScaleMode": "Magnitude", "SelectScaleArray": "length"}, "GlyphScaleFunction", "Square Root", "glyphs"),
         "Least": ({}, "GlyphSizeRange", [0.15, 0.0], "glyphs"),
         "Most": ({}, "GlyphSizeRange", [0.0, 0.05], "glyphs"),
     },
     "vtkGlyphTensors::Settings": {
-        "On": (TENSOR, "GlyphShape", "Sphere", "glyphs"),
+        "On": (TENSOR, "GlyphShape", "Glyph Type", "glyphs"),
         "Kind": (SUPERQUADRIC, "GlyphShape", "Signed Tensor Superquadric", "glyphs"),
         "Array": [(TENSOR, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphTensorArray", "tensor", "nothing")],
         "Layout": [({**TENSOR, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "Row", "glyphs"), ({}, "GlyphTensorLayout", "Row", "nothing")],
@@ -123,15 +121,14 @@ FIELDS = {
         "Coloring": [({**TENSOR, "GlyphTensorColoring": "Trace"}, "GlyphTensorColoring", "Principal Direction", "colors"), ({}, "GlyphTensorColoring", "Trace", "nothing"),
                      ({**TENSOR, "GlyphTensorColoring": "Trace"}, "GlyphTensorColoring", "Eigenvalues", "colors"),
                      (TENSOR, "GlyphTensorColoring", "Sign", "glyphs")],
-        "PositiveColor": [(SIGNS, "GlyphTensorPositiveColor", [0.0, 1.0, 0.0], "image"),
-                          (TENSOR, "GlyphTensorPositiveColor", [0.0, 1.0, 0.0], "nothing")],
-        "NegativeColor": [(SIGNS, "GlyphTensorNegativeColor", [0.0, 1.0, 0.0], "image"),
-                          (TENSOR, "GlyphTensorNegativeColor", [0.0, 1.0, 0.0], "nothing")],
+        "PositiveColor": [(SIGNS, "GlyphTensorLookupTable", lambda: session.signs((0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), "image"),
+                          (TENSOR, "GlyphTensorLookupTable", lambda: session.signs((0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), "nothing")],
+        "NegativeColor": (SIGNS, "GlyphTensorLookupTable", lambda: session.signs((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)), "image"),
         "Axes": "of arrows beside the glyphs, whose settings are the glyphs' own",
         "Cross": (TENSOR, "GlyphShape", "Principal Axes", "glyphs"),
     },
     "vtkGlyphForms::Settings": {
-        "On": (FORMS, "GlyphShape", "Sphere", "glyphs"),
+        "On": (FORMS, "GlyphShape", "Glyph Type", "glyphs"),
         "Kind": ({**FORMS, "GlyphTensorArray": "six", "GlyphHarmonicsArray": "six"}, "GlyphShape", "Spherical Harmonics", "glyphs"),
         "Array": [(FORMS, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphHarmonicsArray", "six", "nothing")],
         "Layout": [({**FORMS, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "Row", "glyphs"), (BALLS, "GlyphTensorLayout", "Row", "nothing")],
@@ -177,20 +174,20 @@ FIELDS = {
         "specularPower": ({"Specular": 0.3}, "SpecularPower", 10.0, "image"),
         "opacity": ({}, "Opacity", 0.5, "pass"),
         "lighting": "no property of a representation's",
-        "metallic": (PATHS, "PathMetallic", 0.5, "image"),
-        "roughness": (PATHS, "PathRoughness", 0.9, "image"),
-        "coatStrength": (PATHS, "PathCoatStrength", 0.5, "image"),
-        "coatRoughness": ({**PATHS, "PathCoatStrength": 0.5}, "PathCoatRoughness", 0.5, "image"),
-        "coatIor": ({**PATHS, "PathCoatStrength": 0.5}, "PathCoatIOR", 1.5, "image"),
-        "coatColour": ({**PATHS, "PathCoatStrength": 0.5}, "PathCoatColor", [1.0, 0.0, 0.0], "image"),
+        "metallic": (PATHS, "Metallic", 0.5, "image"),
+        "roughness": (PATHS, "Roughness", 0.9, "image"),
+        "coatStrength": (PATHS, "CoatStrength", 0.5, "image"),
+        "coatRoughness": ({**PATHS, "CoatStrength": 0.5}, "CoatRoughness", 0.5, "image"),
+        "coatIor": ({**PATHS, "CoatStrength": 0.5}, "CoatIOR", 1.5, "image"),
+        "coatColour": ({**PATHS, "CoatStrength": 0.5}, "CoatColor", [1.0, 0.0, 0.0], "image"),
     },
 }
 #: what vtkGlyphArrays::All() returns, in its order -> (properties, array that the data have anew; None: positions)
 ARRAYS = {
     "GetPoints": ({}, None),
     "CompositeIndex": "no array of the user's: it is new where the blocks are",
-    "Scale": ({"GlyphScaling": 1, "GlyphScaleArray": "length"}, "length"),
-    "Orientation": ({"GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationArray": "velocity"}, "velocity"),
+    "Scale": ({"ScaleMode": "Magnitude", "SelectScaleArray": "length"}, "length"),
+    "Orientation": ({"GlyphType": "Box", "Orient": 1, "SelectOrientationVectors": "velocity"}, "velocity"),
     "Exponents": ({**EXPONENTS, "GlyphExponentArray": "length"}, "length"),
     "Opacity": ({"GlyphOpacityArray": "length"}, "length"),
     "Radius": ({"GlyphRadiusArray": "length"}, "length"),
@@ -266,9 +263,9 @@ class Bench:
 
     def show(self, properties):
         """The display of the glyphs with these properties, and otherwise those of a fresh one; rendered."""
-        if properties.get("GlyphMeshIndexArray"):
-            properties = {**properties, "GlyphMesh": self.table}
-        self.settings.set({"GlyphOrient": 0, "GlyphScaleFactor": 0.1, "GlyphShape": "Sphere", "SamplesPerPixel": 2, "Denoising": "Never",
+        if properties.get("GlyphTableIndexArray"):
+            properties = {**properties, "GlyphType": self.table}
+        self.settings.set({"Orient": 0, "ScaleFactor": 0.1, "GlyphType": "Sphere", "Scaling": 1, "ScaleMode": "No Data Scaling Off", "SamplesPerPixel": 2, "Denoising": "Never",
                            "ShadingMode": "Local", **properties})
         pv.Render(self.view)
         pv.Render(self.view)
@@ -313,7 +310,7 @@ def main():
             if isinstance(entries, str):
                 continue
             for properties, name, value, kind in entries if isinstance(entries, list) else [entries]:
-                what = "%s::%s, %s = %s of %s" % (struct, field, name, value, properties.get("GlyphShape", properties.get("ShadingMode", "Sphere")))
+                what = "%s::%s, %s = %s of %s" % (struct, field, name, value, properties.get("GlyphShape", properties.get("GlyphType", properties.get("ShadingMode", "Sphere"))))
                 bench.expect(what, properties, {name: value}, kind)
     for name, entry in ARRAYS.items():
         if isinstance(entry, str):
