@@ -411,7 +411,7 @@ TEST_P(TranslucencyTest, ThinLayersOfACrowdCountOnceUpToAWall)
 }
 
 // What rays meet does not depend on what finds it: layers, coincident ones among them, triangles, light.
-TEST_F(LightTest, BothStructuresGiveTheSameImages)
+TEST_F(LightTest, BoxesAndTreesGiveTheSameImages)
 {
   RTG_NEEDS(rtg::Structure::Boxes);
   RTG_NEEDS(rtg::Structure::Tree);
