@@ -25,8 +25,8 @@ as_root() {
 export DEBIAN_FRONTEND=noninteractive
 
 packages=(cmake ninja-build g++ libvulkan-dev glslang-tools spirv-tools libglm-dev googletest mesa-vulkan-drivers vulkan-validationlayers)
-# Of the other system nothing but the compiler's own libraries is needed: they go into the programs.
-options=("-DCMAKE_EXE_LINKER_FLAGS=-static-libstdc++ -static-libgcc" "-DCMAKE_CXX_FLAGS=")
+# The compiler's own libraries go into the programs.
+options=("-DCMAKE_EXE_LINKER_FLAGS=-static-libstdc++ -static-libgcc")
 suite=
 case "$compiler" in
   g++-*)
@@ -36,7 +36,7 @@ case "$compiler" in
     version=${compiler#clang++-}
     packages+=("clang-$version" "libc++-$version-dev" "libc++abi-$version-dev")
     # <quadmath.h> is GCC's.
-    options=(-DCMAKE_CXX_FLAGS="-stdlib=libc++ -idirafter $(g++ -print-file-name=include)") ;;
+    options=("-DCMAKE_CXX_FLAGS=-stdlib=libc++ -idirafter $(g++ -print-file-name=include)") ;;
   x86_64-w64-mingw32-*)
     packages+=(g++-mingw-w64-x86-64-posix wine64 wine xvfb xauth)
     options=(-DCMAKE_SYSTEM_NAME=Windows -DCMAKE_EXE_LINKER_FLAGS=-static
@@ -48,14 +48,17 @@ case "$compiler" in
   *) echo "build_kernels.sh: unknown compiler '$compiler'; see the head of this file" >&2; exit 2 ;;
 esac
 
-if ! dpkg-query -W "${packages[@]}" >/dev/null 2>&1; then
+installed() { [ "$(dpkg-query -W -f='${db:Status-Abbrev}' "$1" 2>/dev/null)" = "ii " ]; }
+missing=()
+for package in "${packages[@]}"; do installed "$package" || missing+=("$package"); done
+if [ ${#missing[@]} -gt 0 ]; then
   entry=/etc/apt/sources.list.d/raytracedglyphs-older.sources
   if [ -n "$suite" ]; then
     find_debian_mirror "${VERSION_CODENAME:-}"
     debian_source_entry deb "$suite" | as_root tee "$entry" >/dev/null
   fi
   as_root apt-get -q update
-  as_root apt-get -qy install --no-install-recommends "${packages[@]}"
+  as_root apt-get -qy install --no-install-recommends "${missing[@]}"
   [ -z "$suite" ] || as_root rm "$entry"
 fi
 
