@@ -54,12 +54,12 @@ for package in "${packages[@]}"; do installed "$package" || missing+=("$package"
 if [ ${#missing[@]} -gt 0 ]; then
   entry=/etc/apt/sources.list.d/raytracedglyphs-older.sources
   if [ -n "$suite" ]; then
+    trap 'as_root rm -f "$entry"' EXIT
     find_debian_mirror "${VERSION_CODENAME:-}"
     debian_source_entry deb "$suite" | as_root tee "$entry" >/dev/null
   fi
   as_root apt-get -q update
   as_root apt-get -qy install --no-install-recommends "${missing[@]}"
-  [ -z "$suite" ] || as_root rm "$entry"
 fi
 
 # Headers without the others of /usr/include, and GoogleTest of the same compiler.
