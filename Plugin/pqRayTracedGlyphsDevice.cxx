@@ -1,7 +1,7 @@
 #include "pqRayTracedGlyphsDevice.h"
 
 #include "vtkOutputWindow.h"
-#include "vtkRayTracedRepresentation.h"
+#include "vtkRayTracedView.h"
 
 #include <QTimer>
 
@@ -24,7 +24,7 @@ void pqRayTracedGlyphsDevice::startup()
     []()
     {
       std::string words;
-      if (vtkRayTracedRepresentation::FindDevice(words))
+      if (vtkRayTracedView::FindDevice(words))
       {
         vtkOutputWindow::GetInstance()->DisplayText((words + "\n").c_str());
       }

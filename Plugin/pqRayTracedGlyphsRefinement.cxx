@@ -18,7 +18,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMRayTracedRepresentationProxy.h"
+#include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMSession.h"
 #include "vtkSMViewProxy.h"
 
@@ -38,8 +38,6 @@ namespace
 constexpr int pauseBetween = 5;
 // Milliseconds of a render after which its user is listened to.
 constexpr int quietTime = 300;
-// Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
-constexpr double interactiveRate = 1.0;
 
 bool IsEscape(QEvent* event)
 {
@@ -162,10 +160,10 @@ void pqRayTracedGlyphsRefinement::viewAdded(pqView* view)
 void pqRayTracedGlyphsRefinement::representationAdded(pqRepresentation* representation)
 {
   vtkSMProxy* proxy = representation->getProxy();
-  if (proxy && proxy->GetProperty("StepwiseRendering"))
+  if (proxy && proxy->GetProperty("SamplesPerRender"))
   {
-    vtkSMPropertyHelper(proxy, "StepwiseRendering").Set(1);
-    proxy->UpdateProperty("StepwiseRendering");
+    vtkSMPropertyHelper(proxy, "SamplesPerRender").Set(-1);
+    proxy->UpdateProperty("SamplesPerRender");
   }
 }
 
@@ -207,28 +205,11 @@ std::vector<pqRayTracedGlyphsRefinement::Part> pqRayTracedGlyphsRefinement::Part
 }
 
 //----------------------------------------------------------------------------
-// One scene a view: what one of its visible ray-traced displays says holds for all. Null: there is none.
-vtkSMProxy* pqRayTracedGlyphsRefinement::DisplayOf(const Part& part)
+// Null: nothing ray traced is shown.
+vtkSMRayTracedViewProxy* pqRayTracedGlyphsRefinement::SceneOf(const Part& part)
 {
-  return vtkSMRayTracedRepresentationProxy::FindDisplay(part.Proxy,
-    [](vtkSMProxy* display) {
-      return display->GetProperty("RefinementProgress") && vtkSMRayTracedRepresentationProxy::ShowsRayTraced(display);
-    });
-}
-
-//----------------------------------------------------------------------------
-void pqRayTracedGlyphsRefinement::AskProgress(Part& part)
-{
-  part.Done = 1.0;
-  if (vtkSMProxy* display = DisplayOf(part))
-  {
-    vtkSMProperty* done = display->GetProperty("RefinementProgress");
-    done->GetParent()->UpdatePropertyInformation(done);
-    part.Done = vtkSMPropertyHelper(done).GetAsDouble();
-    vtkSMProperty* step = display->GetProperty("RefinementStep");
-    step->GetParent()->UpdatePropertyInformation(step);
-    part.Step = vtkSMPropertyHelper(step).GetAsString();
-  }
+  vtkSMRayTracedViewProxy* scene = part.Proxy ? vtkSMRayTracedViewProxy::Of(part.Proxy) : nullptr;
+  return scene && scene->GetShownDisplay() ? scene : nullptr;
 }
 
 //----------------------------------------------------------------------------
@@ -237,27 +218,25 @@ pqRayTracedGlyphsRefinement::Image pqRayTracedGlyphsRefinement::imageOf(pqView* 
   Image image;
   for (const Part& part : PartsOf(view))
   {
-    vtkSMProxy* display = part.Proxy ? DisplayOf(part) : nullptr;
-    if (!display)
+    vtkSMRayTracedViewProxy* scene = SceneOf(part);
+    if (!scene)
     {
       continue;
     }
-    vtkSMProperty* information = display->GetProperty("AccumulatedSamples");
-    information->GetParent()->UpdatePropertyInformation(information);
-    const int wanted = vtkSMPropertyHelper(display, "SamplesPerPixel").GetAsInt();
-    const int samples = std::min(vtkSMPropertyHelper(information).GetAsInt(), wanted);
+    const int wanted = vtkSMPropertyHelper(scene, "SamplesPerPixel").GetAsInt();
+    const int samples = std::min(scene->GetSamples(), wanted);
     if (!image.Display || wanted - samples > image.Wanted - image.Samples)
     {
       image.Samples = samples;
       image.Wanted = wanted;
     }
-    image.Display = image.Display ? image.Display : display;
+    image.Display = image.Display ? image.Display : scene->GetShownDisplay();
     for (const Part& waiting : this->Waiting)
     {
       if (waiting.Proxy == part.Proxy)
       {
         image.Refined = true;
-        image.Step = waiting.Step;
+        image.Step = QString::fromStdString(scene->GetStep());
       }
     }
   }
@@ -310,7 +289,8 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
   }
   // What selects and hovers renders too, without a beginning: nobody listens to its user.
   this->SinceStart.invalidate();
-  if (DisplayOf(part))
+  vtkSMRayTracedViewProxy* scene = SceneOf(part);
+  if (scene)
   {
     this->Attach(part);
   }
@@ -323,10 +303,9 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
   // While the camera is turned ParaView renders for speed, and once more when it comes to rest. Only that render is
   // evidence: an interactor does not say EndInteractionEvent where its style is exchanged meanwhile, as after a
   // selection.
-  if (window->GetDesiredUpdateRate() < interactiveRate)
+  if (!scene || !scene->IsInteractive())
   {
-    AskProgress(part);
-    if (part.Done < 1.0)
+    if (scene && scene->GetProgress() < 1.0)
     {
       this->Waiting.push_back(part);
     }
@@ -344,7 +323,7 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
 void pqRayTracedGlyphsRefinement::step()
 {
   this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
-                        [](const Part& part) { return !part.View || !part.Proxy || !DisplayOf(part); }),
+                        [](const Part& part) { return !part.View || !SceneOf(part); }),
     this->Waiting.end());
   if (!this->Waiting.empty() && !this->Playing)
   {
@@ -434,10 +413,17 @@ void pqRayTracedGlyphsRefinement::ShowProgress()
     this->Showing = true;
     if (bar)
     {
-      const auto least = std::min_element(
-        this->Waiting.begin(), this->Waiting.end(), [](const Part& a, const Part& b) { return a.Done < b.Done; });
+      vtkSMRayTracedViewProxy* least = nullptr;
+      for (const Part& part : this->Waiting)
+      {
+        vtkSMRayTracedViewProxy* scene = SceneOf(part);
+        least = scene && (!least || scene->GetProgress() < least->GetProgress()) ? scene : least;
+      }
       bar->enableProgress(true);
-      bar->setProgress(least->Step, static_cast<int>(100.0 * least->Done));
+      if (least)
+      {
+        bar->setProgress(QString::fromStdString(least->GetStep()), static_cast<int>(100.0 * least->GetProgress()));
+      }
       bar->enableAbort(true);
     }
   }
@@ -468,9 +454,9 @@ void pqRayTracedGlyphsRefinement::stop(const pqView* view)
   this->Waiting = std::move(others);
   for (const Part& part : stopped)
   {
-    if (vtkSMProxy* display = part.Proxy ? DisplayOf(part) : nullptr)
+    if (vtkSMRayTracedViewProxy* scene = SceneOf(part))
     {
-      display->InvokeCommand("StopRefinement");
+      scene->InvokeCommand("StopRefinement");
     }
     Q_EMIT this->looked(part.View);
   }

@@ -30,6 +30,7 @@ class pqView;
 class vtkEventQtSlotConnect;
 class vtkObject;
 class vtkSMProxy;
+class vtkSMRayTracedViewProxy;
 class vtkSMViewProxy;
 
 class pqRayTracedGlyphsRefinement : public QObject
@@ -50,7 +51,7 @@ public:
 
   struct Image
   {
-    vtkSMProxy* Display = nullptr; ///< one of its visible ray-traced displays, all of which have its settings
+    vtkSMProxy* Display = nullptr; ///< one of its visible ray-traced displays; null: there is none
     int Samples = 0, Wanted = 0;   ///< a pixel: so far, in the end
     bool Refined = false;          ///< more are being traced
     QString Step;                  ///< what is being done
@@ -95,12 +96,9 @@ private:
   {
     QPointer<pqView> View;
     vtkWeakPointer<vtkSMViewProxy> Proxy;
-    double Done = 1.0; ///< in [0, 1]
-    QString Step;      ///< what is being done
   };
   static std::vector<Part> PartsOf(pqView* view);
-  static vtkSMProxy* DisplayOf(const Part& part);
-  static void AskProgress(Part& part);
+  static vtkSMRayTracedViewProxy* SceneOf(const Part& part);
   void Attach(const Part& part);
   void Look(Part part);
   void Render(const Part& part);

@@ -1,14 +1,12 @@
 #include "pqRayTracedGlyphsToolBar.h"
 
 #include "pqActiveObjects.h"
-#include "pqDataRepresentation.h"
 #include "pqRayTracedGlyphsReference.h"
 #include "pqRayTracedGlyphsRefinement.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMRayTracedRepresentationProxy.h"
 #include "vtkSMTrace.h"
 
 #include <QAction>
@@ -24,15 +22,6 @@ pqRayTracedGlyphsRefinement::Image ImageOf(pqView* view)
 {
   const auto* refinement = pqRayTracedGlyphsRefinement::instance();
   return view && refinement ? refinement->imageOf(view) : pqRayTracedGlyphsRefinement::Image();
-}
-
-// Of the displays of a view, all of which have the same quality, the one that the user has at hand.
-vtkSMProxy* DisplayToSet(const pqView* view, vtkSMProxy* any)
-{
-  pqDataRepresentation* active = pqActiveObjects::instance().activeRepresentation();
-  const bool own =
-    active && active->getView() == view && vtkSMRayTracedRepresentationProxy::ShowsRayTraced(active->getProxy());
-  return own ? active->getProxy() : any;
 }
 }
 
@@ -124,7 +113,7 @@ void pqRayTracedGlyphsToolBar::follow(const pqView* view)
 void pqRayTracedGlyphsToolBar::chooseQuality(QAction* quality)
 {
   pqView* view = pqActiveObjects::instance().activeView();
-  if (vtkSMProxy* display = DisplayToSet(view, ImageOf(view).Display))
+  if (vtkSMProxy* display = ImageOf(view).Display)
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
     BEGIN_UNDO_SET(tr("Quality %1").arg(quality->text()));

@@ -2,6 +2,7 @@
 
 Displays are what paraview.simple.Show() returns, shown as 'Ray Traced Glyphs', 'Ray Traced Surface' or 'Ray Traced Tubes'.
 """
+import json
 import os
 
 import paraview.simple as pv
@@ -24,6 +25,21 @@ def _AnyDisplay(view):
     return displays[0]
 
 
+def Statistics(view=None):
+    """What RenderStatistics says, as a dictionary, of a view's image and of the first of its ray-traced displays."""
+    return json.loads(_AnyDisplay(view).SMProxy.GetProperty("RenderStatistics").GetElement(0))
+
+
+def SetSamplesPerRender(samples, view=None):
+    """For scripts that watch an image grow: each render adds so many samples a pixel until there are SamplesPerPixel.
+
+    0: all at once, which is the default; -1: what fits into a tenth of a second, as in ParaView's window.
+    """
+    display = _AnyDisplay(view).SMProxy
+    display.GetProperty("SamplesPerRender").SetElement(0, samples)
+    display.UpdateVTKObjects()
+
+
 def SaveFeatureImage(fileName, view=None):
     """Renders the view and leaves in a file what its ray-traced image shows besides colors, with all samples.
 
@@ -39,9 +55,8 @@ def SaveFeatureImage(fileName, view=None):
     asked.SetElement(0, fileName)
     display.UpdateProperty("FeatureImageFile", True)
     view = view or pv.GetActiveView()
-    progress = display.GetProperty("RefinementPending")
     pv.Render(view)
-    while progress.GetElement(0):
+    while Statistics(view)["RefinementProgress"] < 1.0:
         pv.Render(view)
     asked.SetElement(0, "")
 

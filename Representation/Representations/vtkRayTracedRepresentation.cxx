@@ -2,7 +2,6 @@
 
 #include "Glyphs.h"
 #include "Stopwatch.h"
-#include "Vulkan/Device.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObject.h"
@@ -23,10 +22,10 @@
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
 #include "vtkRayTracedArrays.h"
+#include "vtkRayTracedDisplays.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkRayTracedNumbers.h"
 #include "vtkRayTracedPythonClass.h"
-#include "vtkRayTracedFrameStatus.h"
 #include "vtkRayTracedScene.h"
 #include "vtkRayTracedTree.h"
 #include "vtkRenderer.h"
@@ -292,8 +291,10 @@ void vtkRayTracedRepresentation::Answer(vtkInformationRequestKey* request, vtkIn
       // The clipping range takes those of actors, too: old ones that were larger would hold until the next update.
       this->SetPartBounds(bounds);
     }
-    vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, this->IsReplicated());
-    if (this->IsReplicated())
+    vtkRayTracedScene* scene = this->GetScene();
+    const bool replicated = scene && scene->GetSettings().IsReplicated();
+    vtkPVRenderView::SetDeliverToAllProcesses(inInfo, this, replicated);
+    if (replicated)
     {
       vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
     }
@@ -484,18 +485,15 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   vtkPolyData* points = this->MainMapper->GetPoints();
   const bool collective =
     lod ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender();
-  this->MainMapper->SetInWindow(this->Image.StepwiseRendering);
+  vtkRayTracedScene* scene = this->GetScene();
+  this->MainMapper->SetInWindow(scene->GetSettings().IsStepwise());
   this->Configure(inInfo, points, lod, collective);
   vtkNew<vtkPolyData> nothing;
   this->SetPartBounds(this->GetDataBounds(points ? points : nothing.Get()));
-  vtkRayTracedScene* scene = this->GetScene();
-  scene->SetSettings(this->Image.InRange());
   scene->SetFrameKind(ScreenshotState::Of(view), collective, view->GetUseOrderedCompositing());
-  if (!this->FeatureFile.empty())
-  {
-    scene->SaveFeatureImage(this->FeatureFile);
-    this->FeatureFile.clear();
-  }
+  scene->SetStatistics(this->MainMapper,
+    { this->GetUniqueIdentifier(), this->Gathers, this->Bounds.GetBuilds(), this->GatherSeconds,
+      this->Bounds.GetSeconds() });
 }
 
 //----------------------------------------------------------------------------
@@ -505,125 +503,16 @@ void vtkRayTracedRepresentation::SetPartBounds(const double bounds[6])
 }
 
 //----------------------------------------------------------------------------
-// Null until something ray-traced was rendered in the view.
+// Null while it is in no view, and until the view has something ray traced.
 vtkRayTracedScene* vtkRayTracedRepresentation::GetScene()
 {
   vtkPVRenderView* view = this->GetRenderView();
   return view ? vtkRayTracedScene::Find(view->GetRenderer()) : nullptr;
 }
 
-//----------------------------------------------------------------------------
-const char* vtkRayTracedRepresentation::GetDeviceName()
-{
-  vtkRayTracedScene* scene = this->GetScene();
-  this->DeviceName = scene ? scene->GetDeviceName() : std::string();
-  return this->DeviceName.c_str();
-}
-
-//----------------------------------------------------------------------------
-bool vtkRayTracedRepresentation::FindDevice(std::string& words)
-{
-  try
-  {
-    const rtg::Device::Choice chosen = rtg::Device::Chosen();
-    words = "Ray Traced Glyphs: this computer traces with '" + chosen.name + "'" +
-      (chosen.cpu ? ", its processor; RTGLYPHS_DEVICE chooses another Vulkan device." : ".");
-    return true;
-  }
-  catch (const rtg::Error& error)
-  {
-    words = error.what();
-    return false;
-  }
-}
-
-//----------------------------------------------------------------------------
-int vtkRayTracedRepresentation::GetAccumulatedSamples()
-{
-  vtkRayTracedScene* scene = this->GetScene();
-  return scene ? scene->GetAccumulatedSamples() : 0;
-}
-
-//----------------------------------------------------------------------------
-int vtkRayTracedRepresentation::GetRefinementPending()
-{
-  return this->GetRefinementProgress() < 1.0;
-}
-
-//----------------------------------------------------------------------------
-double vtkRayTracedRepresentation::GetRefinementProgress()
-{
-  vtkRayTracedScene* scene = this->GetScene();
-  return scene ? scene->GetProgress() : 1.0;
-}
-
-//----------------------------------------------------------------------------
-const char* vtkRayTracedRepresentation::GetRefinementStep()
-{
-  vtkRayTracedScene* scene = this->GetScene();
-  return scene ? scene->GetStep() : "";
-}
-
-//----------------------------------------------------------------------------
-const char* vtkRayTracedRepresentation::GetRenderStatistics()
-{
-  vtkRayTracedScene* scene = this->GetScene();
-  const vtkRayTracedDataStatistics data{ this->Gathers, this->Bounds.GetBuilds(), this->GatherSeconds,
-    this->Bounds.GetSeconds() };
-  this->Statistics = scene ? scene->GetStatistics(this->MainMapper, data) : std::string("{}");
-  return this->Statistics.c_str();
-}
-
-//----------------------------------------------------------------------------
-bool vtkRayTracedRepresentation::GetRenderedRemotely()
-{
-  vtkPVRenderView* view = this->GetRenderView();
-  return view && view->GetUseDistributedRenderingForRender();
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SaveFeatureImage(const char* fileName)
-{
-  this->FeatureFile = OrEmpty(fileName);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::StopRefinement()
-{
-  if (vtkRayTracedScene* scene = this->GetScene())
-  {
-    scene->Stop();
-  }
-}
-
 //****************************************************************************
 // Properties
 //****************************************************************************
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetParallelLight(int light)
-{
-  this->SetParallelLight(light, this->ReplicateGlyphs);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetReplicateGlyphs(bool on)
-{
-  this->SetParallelLight(this->ParallelLight, on);
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::SetParallelLight(int light, bool replicate)
-{
-  const bool wasReplicated = this->IsReplicated();
-  this->ParallelLight = light;
-  this->ReplicateGlyphs = replicate;
-  this->Image.ParallelLight = replicate ? vtkRayTracedImageSettings::ReplicatedLight : light;
-  if (this->IsReplicated() != wasReplicated)
-  {
-    this->MarkModified(); // the points must be delivered again
-  }
-}
 
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetVelocityFromPreviousStep(bool on)

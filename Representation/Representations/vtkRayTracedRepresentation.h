@@ -1,6 +1,6 @@
 /**
  * @class   vtkRayTracedRepresentation
- * @brief   what ray-traced glyphs, surfaces and tubes have in common: delivery, motion, and the view's image
+ * @brief   what ray-traced glyphs, surfaces and tubes have in common: delivery and motion
  *
  * Appearance, placement, colors and blocks are those of ParaView's ordinary surface. Of the superclass neither the
  * geometry filter is run nor the actor rendered: its MultiBlockMaker delivers what is gathered, and actors of ours
@@ -27,7 +27,6 @@
 #include "vtkGlyphMotion.h"
 #include "vtkRayTracedBlocks.h"
 #include "vtkRayTracedParallel.h"
-#include "vtkRayTracedImageSettings.h"
 #include "vtkRayTracedNumbers.h"
 #endif
 
@@ -54,74 +53,6 @@ public:
    * The actor of the glyphs or the surface.
    */
   vtkRayTracedActor* GetActor();
-
-  ///@{
-  /**
-   * Settings of the view's image; see vtkRayTracedImageSettings for units and ranges. Values out of range count as the
-   * nearest in it, NaN as the default.
-   */
-  void SetShadingMode(int mode) { this->Image.ShadingMode = mode; }
-  void SetAmbientOcclusionRadius(double radius) { this->Image.AmbientOcclusionRadius = radius; }
-  void SetAmbientOcclusionRays(int rays) { this->Image.AmbientOcclusionRays = rays; }
-  void SetPathsPerSample(int paths) { this->Image.PathsPerSample = paths; }
-  void SetMaximumBounces(int bounces) { this->Image.MaximumBounces = bounces; }
-  void SetIllumination(int kind) { this->Image.Illumination = kind; }
-  void SetLightIntensity(double intensity) { this->Image.LightIntensity = intensity; }
-  void SetEnvironmentColor(double red, double green, double blue)
-  {
-    this->Image.EnvironmentColor = { red, green, blue };
-  }
-  void SetToneMapping(int kind) { this->Image.ToneMapping = kind; }
-  void SetExposure(double stops) { this->Image.Exposure = stops; }
-  void SetDenoising(int when) { this->Image.Denoising = when; }
-  void SetSamplesPerPixel(int samples) { this->Image.SamplesPerPixel = samples; }
-  void SetSamplesPerRender(int samples) { this->Image.SamplesPerRender = samples; }
-  void SetInteractiveReduction(int step) { this->Image.InteractiveReduction = step; }
-  void SetStepwiseRendering(bool stepwise) { this->Image.StepwiseRendering = stepwise; }
-  ///@}
-
-  /**
-   * The view's next finished image also leaves what it shows besides colors in this file (vtkRayTracedFeatureImage).
-   */
-  void SaveFeatureImage(const char* fileName);
-
-  /**
-   * Images of the view that are not finished stay as they are until something else changes them.
-   */
-  void StopRefinement();
-
-  ///@{
-  /**
-   * Information: the device that traces, the samples a pixel that all images of the view's last frame have, whether
-   * more renders would improve them, how far they are in [0, 1], what they wait for, and what was done (JSON).
-   */
-  const char* GetDeviceName();
-  int GetAccumulatedSamples();
-  int GetRefinementPending();
-  double GetRefinementProgress();
-  const char* GetRefinementStep();
-  const char* GetRenderStatistics();
-  ///@}
-
-  /**
-   * Whether this process has a Vulkan device to trace with; `words` tell which, or what is missing and how to get it.
-   * Drivers are asked, no device is made.
-   */
-  static bool FindDevice(std::string& words);
-
-  /**
-   * Whether the last render of the view was a server's, so that this process, the client, has no image of its own.
-   */
-  bool GetRenderedRemotely();
-
-  ///@{
-  /**
-   * With several ranks that render: what each has of the others' glyphs and surfaces (vtkRayTracedImageSettings).
-   * ReplicateGlyphs is the old name of one of the values. Default is LocalLight.
-   */
-  void SetParallelLight(int light);
-  void SetReplicateGlyphs(bool on);
-  ///@}
 
   ///@{
   /**
@@ -238,8 +169,6 @@ private:
   vtkRayTracedRepresentation(const vtkRayTracedRepresentation&) = delete;
   void operator=(const vtkRayTracedRepresentation&) = delete;
 
-  bool IsReplicated() const { return this->Image.ParallelLight >= vtkRayTracedImageSettings::ReplicatedLight; }
-  void SetParallelLight(int light, bool replicate);
   void Answer(vtkInformationRequestKey* request, vtkInformation* inInfo);
   int EmptyType() const;
   void Complete(vtkPolyData* points);
@@ -251,7 +180,6 @@ private:
   void Render(vtkPVRenderView* view, vtkInformation* inInfo);
   vtkRayTracedScene* GetScene();
 
-  vtkRayTracedImageSettings Image;
   vtkGlyphBounds Bounds;
   std::uint64_t Gathers = 0;
   double GatherSeconds = 0.0;
@@ -265,10 +193,6 @@ private:
   bool ShutterTimeFromData = true;
   double ShutterTime = 0.0; // that the data suggest; 0: none
   vtkGlyphKeptGuess ShutterGuess;
-  int ParallelLight = vtkRayTracedImageSettings::LocalLight;
-  bool ReplicateGlyphs = false;
-  std::string FeatureFile; // until there is a scene
-  std::string DeviceName, Statistics;
 };
 
 #endif

@@ -44,6 +44,15 @@ void vtkRayTracedDisplays::Remove(vtkRayTracedMapper* mapper, vtkRayTracedImages
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedDisplays::SetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& statistics)
+{
+  if (const Display* known = this->Find(mapper))
+  {
+    this->All[known - this->All.data()].Data = statistics;
+  }
+}
+
+//----------------------------------------------------------------------------
 vtkRayTracedDisplays::Content
 vtkRayTracedDisplays::Update(vtkRenderer* renderer, const std::function<void(const std::string&)>& report)
 {

@@ -19,6 +19,16 @@ class vtkRayTracedImages;
 class vtkRayTracedMapper;
 class vtkRenderer;
 
+/**
+ * What a representation does with its data before they are rendered: how often, and the seconds of that.
+ */
+struct vtkRayTracedDataStatistics
+{
+  unsigned int Representation = 0; // vtkPVDataRepresentation::GetUniqueIdentifier(); 0: of a layer of another one
+  std::uint64_t Gathers = 0, BoundsBuilds = 0;
+  double GatherSeconds = 0.0, BoundsSeconds = 0.0;
+};
+
 class vtkRayTracedDisplays
 {
 public:
@@ -30,6 +40,7 @@ public:
     rtg::Material Material;
     bool Shown = false;       // in this frame
     bool Translucent = false; // and then in the translucent pass
+    vtkRayTracedDataStatistics Data;
 
     // What the kernels have.
     std::uint64_t Scene = 0; // number of the kernels' scene that has the set; 0: none
@@ -56,6 +67,8 @@ public:
   void Add(vtkActor* actor, vtkRayTracedMapper* mapper);
   void Remove(vtkRayTracedMapper* mapper, vtkRayTracedImages& images);
   ///@}
+
+  void SetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& statistics);
 
   /**
    * Brings instances and colors of all visible displays up to date, and finds what the frame shows. `report` gets what

@@ -68,18 +68,6 @@ void vtkRayTracedFrameStatus::Finish()
 }
 
 //----------------------------------------------------------------------------
-double vtkRayTracedFrameStatus::GetProgress() const
-{
-  return this->Stereo ? std::min(this->Progress[0], this->Progress[1]) : this->Progress[this->Eye];
-}
-
-//----------------------------------------------------------------------------
-int vtkRayTracedFrameStatus::GetSamples() const
-{
-  return static_cast<int>(this->Stereo ? std::min(this->Samples[0], this->Samples[1]) : this->Samples[this->Eye]);
-}
-
-//----------------------------------------------------------------------------
 // Where ranks have different displays, which should not be, each keeps its own numbers.
 void vtkRayTracedFrameStatus::SumNumbers(vtkMultiProcessController* ranks, const vtkRayTracedContent& content)
 {
@@ -97,32 +85,26 @@ void vtkRayTracedFrameStatus::SumNumbers(vtkMultiProcessController* ranks, const
 }
 
 //----------------------------------------------------------------------------
-std::string vtkRayTracedFrameStatus::GetStatistics(
-  const vtkRayTracedContent& content, vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& data) const
+std::string vtkRayTracedFrameStatus::GetStatistics(const vtkRayTracedContent& content)
 {
   const rtg::Statistics s = content.Images.GetStatistics();
-  const vtkRayTracedDisplays& displays = content.Displays;
   std::vector<double> numbers = OwnNumbers(s, content);
   if (this->SummedNumbers.size() == numbers.size())
   {
     numbers = this->SummedNumbers;
   }
   const auto count = [&](std::size_t number) { return static_cast<std::uint64_t>(numbers[number]); };
-  const vtkRayTracedDisplays::Display* display = displays.Find(mapper);
-  const auto ofDisplay = [&](DisplayNumbers number)
-  { return display ? count(VIEW_NUMBERS + DISPLAY_NUMBERS * (display - displays.GetAll().data()) + number) : 0; };
-  const nlohmann::ordered_json json = {
+  const auto least = [this](const double* ofEyes)
+  { return this->Stereo ? std::min(ofEyes[0], ofEyes[1]) : ofEyes[this->Eye]; };
+  const double progress = least(this->Progress);
+  nlohmann::ordered_json json = {
     { "DeviceName", content.Images.GetDeviceName() },
-    { "AccumulatedSamples", this->GetSamples() },
-    { "glyphs", ofDisplay(GLYPHS) },
-    { "skippedGlyphs", ofDisplay(SKIPPED_GLYPHS) },
-    { "unfinished", mapper ? mapper->GetUnfinished() : std::string() },
+    { "AccumulatedSamples", static_cast<int>(least(this->Samples)) },
+    { "RefinementProgress", progress },
+    { "RefinementStep", this->Compiling || progress < 1.0 ? NameOfStep(this->Compiling) : "" },
+    { "pulls", ++this->Pulls },
     { "neighborGlyphs", count(NEIGHBOR_GLYPHS) },
     { "neighborBytes", count(NEIGHBOR_BYTES) },
-    { "gathers", data.Gathers },
-    { "boundsBuilds", data.BoundsBuilds },
-    { "instanceBuilds", mapper ? mapper->GetInstanceBuilds() : 0 },
-    { "colorBuilds", mapper ? mapper->GetColorBuilds() : 0 },
     { "structureBuilds", s.structureBuilds },
     { "topLevelBuilds", s.topLevelBuilds },
     { "instanceUploads", s.instanceUploads },
@@ -132,15 +114,34 @@ std::string vtkRayTracedFrameStatus::GetStatistics(
     { "primaryRays", count(PRIMARY_RAYS) },
     { "deviceBytes", count(DEVICE_BYTES) },
     { "sorts", s.sorts },
-    { "gatherSeconds", data.GatherSeconds },
-    { "boundsSeconds", data.BoundsSeconds },
-    { "instanceSeconds", mapper ? mapper->GetInstanceSeconds() : 0.0 },
-    { "colorSeconds", mapper ? mapper->GetColorSeconds() : 0.0 },
     { "sortSeconds", s.sortSeconds },
     { "buildSeconds", s.buildSeconds },
     { "uploadSeconds", s.uploadSeconds },
     { "traceSeconds", s.traceSeconds },
     { "denoiseSeconds", s.denoiseSeconds },
   };
+  nlohmann::ordered_json& representations = json["representations"] = nlohmann::ordered_json::object();
+  std::size_t own = VIEW_NUMBERS;
+  for (const vtkRayTracedDisplays::Display& display : content.Displays.GetAll())
+  {
+    if (display.Data.Representation != 0)
+    {
+      const vtkRayTracedMapper& mapper = *display.Mapper;
+      representations[std::to_string(display.Data.Representation)] = {
+        { "glyphs", count(own + GLYPHS) },
+        { "skippedGlyphs", count(own + SKIPPED_GLYPHS) },
+        { "unfinished", mapper.GetUnfinished() },
+        { "gathers", display.Data.Gathers },
+        { "boundsBuilds", display.Data.BoundsBuilds },
+        { "instanceBuilds", mapper.GetInstanceBuilds() },
+        { "colorBuilds", mapper.GetColorBuilds() },
+        { "gatherSeconds", display.Data.GatherSeconds },
+        { "boundsSeconds", display.Data.BoundsSeconds },
+        { "instanceSeconds", mapper.GetInstanceSeconds() },
+        { "colorSeconds", mapper.GetColorSeconds() },
+      };
+    }
+    own += DISPLAY_NUMBERS;
+  }
   return json.dump();
 }

@@ -12,16 +12,6 @@
 
 class vtkMultiProcessController;
 class vtkRayTracedContent;
-class vtkRayTracedMapper;
-
-/**
- * What a representation does with its data before they are rendered: how often, and the seconds of that.
- */
-struct vtkRayTracedDataStatistics
-{
-  std::uint64_t Gathers = 0, BoundsBuilds = 0;
-  double GatherSeconds = 0.0, BoundsSeconds = 0.0;
-};
 
 class vtkRayTracedFrameStatus
 {
@@ -49,14 +39,10 @@ public:
    */
   void Finish();
 
-  ///@{
   /**
-   * In stereo, the least of both eyes.
+   * What a frame that is not finished waits for.
    */
-  double GetProgress() const;
-  int GetSamples() const;
-  bool IsCompiling() const { return this->Compiling; }
-  ///@}
+  static const char* NameOfStep(bool compiling) { return compiling ? "Compiling Programs" : "Ray Tracing"; }
 
   ///@{
   /**
@@ -68,10 +54,12 @@ public:
   ///@}
 
   /**
-   * All counters as JSON, with those of one mapper, which may be null.
+   * JSON: the device; samples a pixel that all images of the last frame have; progress of that frame in [0, 1] (1:
+   * another one would change nothing), and what it waits for; all counters; and as "representations" those of each, by
+   * its vtkPVDataRepresentation::GetUniqueIdentifier(). Samples and progress are the least of both eyes and of all
+   * ranks that rendered the frame together.
    */
-  std::string GetStatistics(
-    const vtkRayTracedContent& content, vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& data) const;
+  std::string GetStatistics(const vtkRayTracedContent& content);
 
 private:
   // Of each eye.
@@ -82,6 +70,7 @@ private:
   int Eye = 0; // of the last frame
   // The view's numbers, then those of each display, of the last frame that ranks rendered together; or none.
   std::vector<double> SummedNumbers;
+  std::uint64_t Pulls = 0; // of the statistics
 };
 
 #endif

@@ -6,7 +6,7 @@
 
 namespace
 {
-// Seconds of one step of the images of a frame that somebody watches: a camera that is turned meanwhile waits so long.
+// Seconds of one step of the images of a frame in the window: a camera that is turned meanwhile waits so long.
 constexpr double stepSeconds = 0.1;
 
 // Settings that mean nothing to the shading stay at their defaults: no image is traced again for them.
@@ -17,11 +17,11 @@ rtg::TraceSettings ToTraceSettings(const vtkRayTracedImageSettings& from)
   if (settings.shading == rtg::Shading::AmbientOcclusion)
   {
     settings.occlusionRadius = static_cast<float>(from.AmbientOcclusionRadius);
-    settings.occlusionRays = static_cast<std::uint32_t>(from.AmbientOcclusionRays);
+    settings.occlusionRays = static_cast<std::uint32_t>(from.SecondaryRays > 0 ? from.SecondaryRays : 8);
   }
   if (settings.shading == rtg::Shading::PathTracing)
   {
-    settings.paths = static_cast<std::uint32_t>(from.PathsPerSample);
+    settings.paths = static_cast<std::uint32_t>(from.SecondaryRays > 0 ? from.SecondaryRays : 4);
     settings.maximumBounces = static_cast<std::uint32_t>(from.MaximumBounces);
   }
   if (settings.shading != rtg::Shading::Local)
@@ -74,14 +74,15 @@ rtg::ImageEffort vtkRayTracedImageRequest::EffortOf(const vtkRayTracedImageSetti
 {
   rtg::ImageEffort effort;
   effort.samples = static_cast<std::uint32_t>(settings.SamplesPerPixel);
-  effort.samplesAtOnce = frame.Capture ? 0 : static_cast<std::uint32_t>(settings.SamplesPerRender);
-  effort.seconds = settings.StepwiseRendering && !frame.Capture ? stepSeconds / frame.Images : 0.0;
+  const bool stepwise = settings.IsStepwise() && !frame.Capture;
+  effort.samplesAtOnce = frame.Capture || stepwise ? 0 : static_cast<std::uint32_t>(settings.SamplesPerRender);
+  effort.seconds = stepwise ? stepSeconds / frame.Images : 0.0;
   effort.preview = frame.Interactive;
   // Pixels that need more than one ray are spared more of them, for the camera to answer as fast.
   const bool noisy = settings.ShadingMode != static_cast<int>(rtg::Shading::Local);
   effort.pixelStep =
     static_cast<std::uint32_t>(settings.InteractiveReduction + (noisy && settings.InteractiveReduction > 1 ? 1 : 0));
-  effort.exact = !settings.StepwiseRendering || frame.Capture;
+  effort.exact = frame.Capture || settings.SamplesPerRender == 0;
   effort.denoising = static_cast<rtg::Denoising>(settings.Denoising);
   effort.features = frame.Features;
   return effort;

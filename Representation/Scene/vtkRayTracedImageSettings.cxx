@@ -11,8 +11,7 @@ vtkRayTracedImageSettings vtkRayTracedImageSettings::InRange() const
   vtkRayTracedImageSettings s = *this;
   PutInRange(s.ShadingMode, 0, 2);
   PutInRange(s.AmbientOcclusionRadius, 0.0, 1e30, standard.AmbientOcclusionRadius);
-  PutInRange(s.AmbientOcclusionRays, 1, 64);
-  PutInRange(s.PathsPerSample, 1, 64);
+  PutInRange(s.SecondaryRays, 0, 64);
   PutInRange(s.MaximumBounces, 1, 1000);
   PutInRange(s.Illumination, StudioLight, UniformLight);
   PutInRange(s.LightIntensity, 0.0, 1e6, standard.LightIntensity);
@@ -21,7 +20,7 @@ vtkRayTracedImageSettings vtkRayTracedImageSettings::InRange() const
   PutInRange(s.Exposure, -100.0, 100.0, standard.Exposure);
   PutInRange(s.Denoising, 0, 2);
   PutInRange(s.SamplesPerPixel, 1, 65536);
-  PutInRange(s.SamplesPerRender, 0, 65536);
+  PutInRange(s.SamplesPerRender, WhatTimeAllows, 65536);
   PutInRange(s.InteractiveReduction, 1, 16);
   PutInRange(s.ParallelLight, LocalLight, ReplicatedLight);
   return s;

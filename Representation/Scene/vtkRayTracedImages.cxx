@@ -7,8 +7,8 @@ namespace
 {
 // Images of one pass that are kept: two eyes, and as many of a capture.
 constexpr std::size_t mostEntries = 4 * vtkRayTracedImages::Passes;
-// Calls of Get() after which an image that nobody asks for is given up.
-constexpr std::uint64_t patience = 12;
+// Frames after which an image that none of them has used is given up.
+constexpr std::uint64_t patience = 6;
 
 // The device lives as long as the process, and with it its compiled programs: whoever closes the last view with glyphs
 // and opens another waits for none of them. At exit it is not destroyed, because its driver may be unloaded by then.
@@ -109,6 +109,18 @@ private:
 };
 
 //----------------------------------------------------------------------------
+void vtkRayTracedImages::StartFrame()
+{
+  std::erase_if(this->Entries, [&](const auto& kept) { return kept.second->LastUsed + patience < this->Frame; });
+  while (this->Entries.size() > mostEntries)
+  {
+    this->Entries.erase(std::min_element(this->Entries.begin(), this->Entries.end(),
+      [](const auto& a, const auto& b) { return a.second->LastUsed < b.second->LastUsed; }));
+  }
+  ++this->Frame;
+}
+
+//----------------------------------------------------------------------------
 vtkRayTracedImages::Entry& vtkRayTracedImages::Get(const Place& place)
 {
   std::unique_ptr<Entry>& entry = this->Entries[place];
@@ -116,18 +128,8 @@ vtkRayTracedImages::Entry& vtkRayTracedImages::Get(const Place& place)
   {
     entry = std::make_unique<Entry>();
   }
-  entry->LastUsed = ++this->Uses;
-  Entry& found = *entry;
-  for (auto it = this->Entries.begin(); it != this->Entries.end();)
-  {
-    it = it->second->LastUsed + patience < this->Uses ? this->Entries.erase(it) : std::next(it);
-  }
-  while (this->Entries.size() > mostEntries)
-  {
-    this->Entries.erase(std::min_element(this->Entries.begin(), this->Entries.end(),
-      [](const auto& a, const auto& b) { return a.second->LastUsed < b.second->LastUsed; }));
-  }
-  return found;
+  entry->LastUsed = this->Frame;
+  return *entry;
 }
 
 //----------------------------------------------------------------------------
@@ -138,18 +140,38 @@ std::array<vtkRayTracedImages::Entry*, vtkRayTracedImages::Passes> vtkRayTracedI
   for (place.Pass = 0; place.Pass < Passes; ++place.Pass)
   {
     const auto found = this->Entries.find(place);
-    if (found != this->Entries.end() && found->second->Frame >= frame)
+    if (found != this->Entries.end() && found->second->Shown >= frame)
     {
-      found->second->LastUsed = ++this->Uses;
+      found->second->LastUsed = this->Frame;
       last[place.Pass] = found->second.get();
-      frame = found->second->Frame;
+      frame = found->second->Shown;
     }
   }
   for (Entry*& entry : last)
   {
-    entry = entry && entry->Frame == frame ? entry : nullptr;
+    entry = entry && entry->Shown == frame ? entry : nullptr;
   }
   return last;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedImages::Draw(Entry& entry, bool again, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
+{
+  entry.Quad.Draw(renderer, actor, mapper, vtkRayTracedImageQuad::BLEND);
+  entry.Drawn = this->Frame;
+  entry.Shown = again ? entry.Shown : entry.Drawn;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedImages::DrawKept(vtkRenderer* renderer, vtkTextureObject* pixels)
+{
+  for (auto& [place, entry] : this->Entries)
+  {
+    if (entry->Drawn == this->Frame)
+    {
+      entry->Quad.DrawKept(renderer, pixels);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -19,6 +19,10 @@
 #include <map>
 #include <memory>
 
+class vtkActor;
+class vtkMapper;
+class vtkRenderer;
+class vtkTextureObject;
 class vtkWindow;
 
 class vtkRayTracedImages
@@ -42,12 +46,18 @@ public:
     std::unique_ptr<rtg::Tracer> Tracer;
     std::uint64_t SceneNumber = 0; // of the scene that the tracer traces
     vtkRayTracedImageQuad Quad;
-    std::uint64_t LastUsed = 0;
-    std::uint64_t Frame = 0; // in which the quad's picture was drawn; 0: none
+    std::uint64_t LastUsed = 0; // the frame
+    std::uint64_t Drawn = 0;    // the frame in which the quad was drawn; 0: none
+    std::uint64_t Shown = 0;    // the frame that its picture is of
   };
 
   /**
-   * The image of a place; those not asked for in a while make room.
+   * Images that no frame of late has used make room.
+   */
+  void StartFrame();
+
+  /**
+   * The image of a place.
    */
   Entry& Get(const Place& place);
 
@@ -60,6 +70,15 @@ public:
    * What the last frame at this place, of any pass, has drawn, by pass; null: nothing.
    */
   std::array<Entry*, Passes> GetLast(Place place);
+
+  ///@{
+  /**
+   * Draws an entry's quad, with the picture of this frame or, `again`, of the last one; and what is left to draw of all
+   * quads that this frame has drawn.
+   */
+  void Draw(Entry& entry, bool again, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
+  void DrawKept(vtkRenderer* renderer, vtkTextureObject* pixels);
+  ///@}
 
   /**
    * Makes or improves an entry's image. `commit` brings the kernels' scene up to date; it may throw.
@@ -88,7 +107,7 @@ private:
   std::shared_ptr<rtg::Device> Device;
   std::unique_ptr<rtg::Scene> Scene;
   std::shared_ptr<rtg::TracerResources> Resources;
-  std::uint64_t SceneNumber = 0, Uses = 0;
+  std::uint64_t SceneNumber = 0, Frame = 0;
   std::map<Place, std::unique_ptr<Entry>> Entries;
   rtg::Statistics Past; // of scenes that are gone
 };

@@ -31,7 +31,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <vector>
 
 vtkInformationKeyMacro(vtkRayTracedScene, SCENE, ObjectBase);
@@ -41,9 +40,6 @@ namespace
 {
 // Above this, in frames a second, a window asks for speed: ParaView renders interactively at 5, at rest at 0.002.
 constexpr double interactiveRate = 1.0;
-
-constexpr const char* compilingText = "Compiling Programs";
-constexpr const char* tracingText = "Ray Tracing";
 
 constexpr int opaque = static_cast<int>(rtg::Pass::Opaque);
 constexpr int translucent = static_cast<int>(rtg::Pass::Translucent);
@@ -79,8 +75,6 @@ struct vtkRayTracedScene::Internals
   vtkRayTracedRendererState::Environment Environment;
 
   std::vector<Drawn> Frame; // its images
-  std::uint64_t FrameNumber = 0;
-  std::set<vtkRayTracedImageQuad*> Quads; // that the frame has drawn
   bool Interactive = false;
   vtkRayTracedFrameStatus Status; // of the last frame
 
@@ -194,6 +188,18 @@ void vtkRayTracedScene::SetSettings(const vtkRayTracedImageSettings& settings)
 }
 
 //----------------------------------------------------------------------------
+const vtkRayTracedImageSettings& vtkRayTracedScene::GetSettings() const
+{
+  return this->Self->Settings;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedScene::SetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& statistics)
+{
+  this->Self->Content.Displays.SetStatistics(mapper, statistics);
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedScene::SetFrameKind(bool capture, bool collective, bool ordered)
 {
   this->Self->Capture = capture;
@@ -254,8 +260,7 @@ void vtkRayTracedScene::StartFrame()
 {
   Internals& self = *this->Self;
   self.Frame.clear();
-  ++self.FrameNumber;
-  self.Quads.clear();
+  self.Content.Images.StartFrame();
   self.ExportReported = false;
   self.CutReported &= self.Capture; // a picture may be captured in parts
   // On all ranks alike, whether or not they have something to draw.
@@ -339,8 +344,7 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   const rtg::ImageEffort effort = vtkRayTracedImageRequest::EffortOf(self.Settings, frame);
   // Ranks that all have everything trace a share each, and compositing puts these together.
   vtkMultiProcessController* ranks = self.OtherRanks();
-  if (ranks && self.Settings.ParallelLight == vtkRayTracedImageSettings::ReplicatedLight && !effort.preview &&
-    !effort.features && !rtg::Denoises(view, effort))
+  if (ranks && self.Settings.IsReplicated() && !effort.preview && !effort.features && !rtg::Denoises(view, effort))
   {
     view.settings.share = static_cast<std::uint32_t>(ranks->GetLocalProcessId());
     view.settings.shares = static_cast<std::uint32_t>(ranks->GetNumberOfProcesses());
@@ -369,7 +373,7 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   self.Progress.Start();
   const rtg::Interrupt interrupt = [&](double share)
   {
-    self.Progress.Tell(entry.Image.IsCompiling() ? compilingText : tracingText, share);
+    self.Progress.Tell(vtkRayTracedFrameStatus::NameOfStep(entry.Image.IsCompiling()), share);
     return window->CheckAbortStatus() != 0 || signal.Arrived();
   };
   // Whoever is told or asked may paint meanwhile: Qt makes its own OpenGL context current, and binds framebuffers of
@@ -406,7 +410,7 @@ void vtkRayTracedScene::ExchangeEdges()
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
   // Ordered compositing blends what ranks draw, in the order in which they lie.
   if (!ranks || !window || self.Ordered || self.PassReported || this->Renderer->GetSelector() ||
-    self.Settings.ParallelLight == vtkRayTracedImageSettings::ReplicatedLight || self.Settings.SamplesPerPixel < 2)
+    self.Settings.IsReplicated() || self.Settings.SamplesPerPixel < 2)
   {
     self.Edges.Clear();
     return;
@@ -459,19 +463,13 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
     return;
   }
   const glm::dmat4 worldToClip = vtkRayTracedRendererState::WorldToClip(this->Renderer);
-  const auto draw = [&](vtkRayTracedImageQuad& quad)
-  {
-    quad.Draw(this->Renderer, imageActor, mapper, vtkRayTracedImageQuad::BLEND);
-    self.Quads.insert(&quad);
-  };
   if (!waiting)
   {
     vtkRayTracedImages::Entry& entry = *drawn->Entry;
     self.Edges.Draw(image, window, this->Renderer, imageActor, mapper);
     entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth, entry.Image.Version());
     entry.Quad.SetCamera(worldToClip);
-    entry.Frame = self.FrameNumber;
-    draw(entry.Quad);
+    self.Content.Images.Draw(entry, /*again=*/false, this->Renderer, imageActor, mapper);
     return;
   }
   // While a program is compiled there is nothing to see of the image that needs it. The last frame stays, which may
@@ -481,7 +479,7 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   {
     if (last[of] && !self.Capture && (of == pass || !this->HasPass(of)) && last[of]->Quad.MoveTo(worldToClip))
     {
-      draw(last[of]->Quad);
+      self.Content.Images.Draw(*last[of], /*again=*/true, this->Renderer, imageActor, mapper);
     }
   }
 }
@@ -495,14 +493,8 @@ void vtkRayTracedScene::SmoothFrame()
   {
     return;
   }
-  self.FXAA.Apply(this->Renderer,
-    [this, &self](vtkTextureObject* pixels)
-    {
-      for (vtkRayTracedImageQuad* quad : self.Quads)
-      {
-        quad->DrawKept(this->Renderer, pixels);
-      }
-    });
+  self.FXAA.Apply(
+    this->Renderer, [this, &self](vtkTextureObject* pixels) { self.Content.Images.DrawKept(this->Renderer, pixels); });
 }
 
 //----------------------------------------------------------------------------
@@ -620,31 +612,7 @@ void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //----------------------------------------------------------------------------
-std::string vtkRayTracedScene::GetDeviceName() const
+std::string vtkRayTracedScene::GetStatistics()
 {
-  return this->Self->Content.Images.GetDeviceName();
-}
-
-//----------------------------------------------------------------------------
-int vtkRayTracedScene::GetAccumulatedSamples() const
-{
-  return this->Self->Status.GetSamples();
-}
-
-//----------------------------------------------------------------------------
-double vtkRayTracedScene::GetProgress() const
-{
-  return this->Self->Status.GetProgress();
-}
-
-//----------------------------------------------------------------------------
-const char* vtkRayTracedScene::GetStep() const
-{
-  return this->Self->Status.IsCompiling() ? compilingText : this->GetProgress() < 1.0 ? tracingText : "";
-}
-
-//----------------------------------------------------------------------------
-std::string vtkRayTracedScene::GetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& data) const
-{
-  return this->Self->Status.GetStatistics(this->Self->Content, mapper, data);
+  return this->Self->Status.GetStatistics(this->Self->Content);
 }

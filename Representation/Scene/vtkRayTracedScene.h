@@ -2,8 +2,8 @@
  * @class   vtkRayTracedScene
  * @brief   everything ray-traced in one renderer: what is traced together, and drawn as one image
  *
- * A renderer has at most one scene, made when something of it is first shown. Representations add their actors and
- * mappers and tell the view's settings; an actor of the scene's own draws the image, behind the other actors of the
+ * A renderer has at most one scene. The view's settings are those of its vtkRayTracedView. Representations add their
+ * actors and mappers; an actor of the scene's own draws the image, behind the other actors of the
  * renderer, because smooth edges are blended with what lies behind them. The actors that were added draw only ids, for
  * a selector.
  *
@@ -63,9 +63,11 @@ public:
 
   ///@{
   /**
-   * What holds for the whole view.
+   * The view's settings, in range; and what a representation has done with its data, for GetStatistics().
    */
   void SetSettings(const vtkRayTracedImageSettings& settings);
+  const vtkRayTracedImageSettings& GetSettings() const;
+  void SetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& statistics);
   ///@}
 
   /**
@@ -127,18 +129,10 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  ///@{
   /**
-   * Information: counters as JSON with those of one mapper (may be null), the device, samples a pixel that all images
-   * of the last frame have, how far that frame is in [0, 1] (1: another one would change nothing), and what it waits
-   * for. Samples and progress are the least of all ranks that rendered the frame together.
+   * Information as JSON; see vtkRayTracedFrameStatus.
    */
-  std::string GetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& data) const;
-  std::string GetDeviceName() const;
-  int GetAccumulatedSamples() const;
-  double GetProgress() const;
-  const char* GetStep() const;
-  ///@}
+  std::string GetStatistics();
 
   /// Of a renderer's information: its scene.
   static vtkInformationObjectBaseKey* SCENE();

@@ -1,69 +1,38 @@
 /**
- * Defaults of this plugin's properties, which every display of a data set has, whatever it is shown as. ParaView fills
- * in values that fit the data, and would then name these properties in the trace and the Python state of any display:
- * scripts that do not run without this plugin. So on displays that show nothing ray traced a property whose value
- * ParaView itself has chosen counts as one that has its default.
+ * Defaults that ParaView's domains choose for properties of this plugin: arrays, places and sizes that fit the data.
+ *
+ * Every display of a data set has these properties, whatever it is shown as, and ParaView would name them in the trace
+ * and the Python state of any display: scripts that do not run without this plugin. So on displays that show nothing
+ * ray traced a value that ParaView has chosen counts as the default; so does, on all displays, a number that follows
+ * the data or is but another name of one of ParaView's own (PathMetallic is Metallic).
+ *
+ * In XML such properties are written as RayTracedStringVectorProperty, with si_class, and so on. All others of displays
+ * become RayTracedPlainStringVectorProperty and so on (CMakeLists.txt): state files do not have them either.
  */
 #ifndef vtkSMRayTracedDefault_h
 #define vtkSMRayTracedDefault_h
 
-#include "vtkSmartPointer.h"
+class vtkSMProxy;
 
-class vtkSMProperty;
-
-struct vtkSMRayTracedDefault
+namespace vtkSMRayTracedDefault
 {
-  /**
-   * Whether the display that a property belongs to shows something ray traced.
-   */
-  static bool IsShown(vtkSMProperty* property);
+/**
+ * Makes the kinds of properties known to the server manager. May be called again.
+ */
+void Register();
 
-  /**
-   * Whether a property is but another name of one of ParaView's own, as PathMetallic is of Metallic. That one is named.
-   */
-  static bool IsAlias(vtkSMProperty* property);
+/**
+ * A property is being set that the defaults of others depend on.
+ */
+void Follow(vtkSMProxy* representation, const char* name);
 
-  /**
-   * To be called when the domains have been asked for a value that fits the data, with their answer, which is returned.
-   * Where there are no data, as when ParaView resets all properties of a display, the input first, the property gets
-   * the value that was chosen before; the default of the XML, while there is none, counts as chosen by ParaView.
-   */
-  bool Take(vtkSMProperty* property, bool chosen);
-
-  /**
-   * To be called when the property is modified. What is not followed by Take() is a choice of the user or of a script.
-   */
-  void Modify() { this->ByUser = true; }
-
-  /**
-   * Whether ParaView has chosen the present value, or would choose it now.
-   */
-  bool Has(vtkSMProperty* property) const;
-
-  /**
-   * Whether the present value is the one that ParaView has chosen.
-   */
-  bool IsChosen(vtkSMProperty* property) const;
-
-  enum class Where
-  {
-    Everywhere,
-    Lost,   // values that are in no list of values any more, and what Missing names
-    Missing // None, and what stands in the XML, where the data had nothing to choose
-  };
-
-  /**
-   * Chooses anew where ParaView has chosen. Returns whether that is another value.
-   */
-  bool Renew(vtkSMProperty* property, Where where);
-
-private:
-  bool IsMissing(vtkSMProperty* property) const;
-
-  vtkSmartPointer<vtkSMProperty> Chosen; // null: none yet, as in a display of a state file
-  bool Found = false;                    // by the data
-  bool ByUser = false;                   // the present value
-};
+/**
+ * After an update of the view, before its render: what the data shown before had nothing for, these may have, as the
+ * first time step with particles has arrays. While time goes on a default that was found stays; other data may have
+ * others.
+ */
+void Renew(vtkSMProxy* display, vtkSMProxy* view, bool otherTime);
+}
 
 #endif
 // VTK-HeaderTest-Exclude: vtkSMRayTracedDefault.h

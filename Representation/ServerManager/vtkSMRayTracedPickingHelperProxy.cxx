@@ -6,7 +6,8 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
-#include "vtkSMRayTracedRepresentationProxy.h"
+#include "vtkSMRayTracedDefault.h"
+#include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
 
 #include <array>
@@ -20,12 +21,8 @@ namespace
 {
 bool ShowsRayTraced(vtkSMProxy* view, vtkSMProxy* input)
 {
-  return vtkSMRayTracedRepresentationProxy::FindDisplay(view,
-           [input](vtkSMProxy* display)
-           {
-             return vtkSMRayTracedRepresentationProxy::ShowsRayTraced(display) &&
-               vtkSMPropertyHelper(display, "Input", true).GetAsProxy() == input;
-           }) != nullptr;
+  vtkSMRayTracedViewProxy* rayTraced = vtkSMRayTracedViewProxy::Of(view);
+  return rayTraced && rayTraced->GetShownDisplay(input);
 }
 
 std::array<double, 3> ToDisplay(vtkRenderer* renderer, const std::array<double, 3>& world)
@@ -54,7 +51,10 @@ bool FindPixel(vtkRenderer* renderer, const std::array<double, 3>& a, const std:
 }
 
 //----------------------------------------------------------------------------
-vtkSMRayTracedPickingHelperProxy::vtkSMRayTracedPickingHelperProxy() = default;
+vtkSMRayTracedPickingHelperProxy::vtkSMRayTracedPickingHelperProxy()
+{
+  vtkSMRayTracedDefault::Register(); // of the kinds of its properties
+}
 
 //----------------------------------------------------------------------------
 vtkSMRayTracedPickingHelperProxy::~vtkSMRayTracedPickingHelperProxy() = default;

@@ -1,246 +1,82 @@
 #include "vtkSMRayTracedRepresentationProxy.h"
 
-#include "vtkCommand.h"
-#include "vtkGlyphTensors.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
-#include "vtkPVXMLElement.h"
 #include "vtkRayTracedRepresentation.h"
 #include "vtkRayTracedSelectionEncoder.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMPropertyIterator.h"
-#include "vtkSMRayTracedDoubleVectorProperty.h"
-#include "vtkSMRayTracedLocationProperty.h"
-#include "vtkSMRayTracedStringVectorProperty.h"
-#include "vtkSMSessionProxyManager.h"
+#include "vtkSMRayTracedDefault.h"
+#include "vtkSMRayTracedSuggestion.h"
+#include "vtkSMRayTracedViewProxy.h"
+#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSMTransferFunctionManager.h"
-#include "vtkSMTransferFunctionProxy.h"
-#include "vtkSMViewProxy.h"
-#include "vtkSmartPointer.h"
 
-#include <array>
 #include <cstring>
+#include <string>
 
 vtkStandardNewMacro(vtkSMRayTracedRepresentationProxy);
-
-namespace
-{
-// ParaView names a display's representations to subclasses of its proxies only.
-struct Display : vtkSMProxy
-{
-  static vtkSMProxy* Representation(vtkSMProxy* display, const char* name)
-  {
-    vtkSMProxy* (vtkSMProxy::*representation)(const char*) = &Display::GetSubProxy;
-    return (display->*representation)(name);
-  }
-};
-
-// The representation that a display shows, when it is ray traced.
-vtkSMProxy* ShownBy(vtkSMProxy* display)
-{
-  vtkSMProperty* type = display->GetProperty("Representation");
-  const std::string name = type ? vtkSMPropertyHelper(type).GetAsString() : "";
-  return name == "Ray Traced Glyphs" ? Display::Representation(display, "RayTracedGlyphRepresentation")
-    : name == "Ray Traced Surface"   ? Display::Representation(display, "RayTracedSurfaceRepresentation")
-    : name == "Ray Traced Tubes"     ? Display::Representation(display, "RayTracedTubeRepresentation")
-                                     : nullptr;
-}
-
-// Properties whose default the data choose (vtkSMRayTracedArrayListDomain).
-const char* const arrays[] = { "GlyphScaleArray", "GlyphOrientationArray", "GlyphTensorArray", "GlyphHarmonicsArray",
-  "VelocityArray" };
-
-// While one display's value is copied to the others, their changes are not copied on.
-bool sharing = false;
-}
-
-// A number that the data suggest while FromData is on, and Switch where there is one; a second element of Guess is
-// Limit's.
-struct vtkSMRayTracedRepresentationProxy::Suggested
-{
-  const char *Number, *FromData, *Guess, *Limit, *Switch;
-};
-
-namespace
-{
-const std::array<vtkSMRayTracedRepresentationProxy::Suggested, 2> suggestions = { {
-  { "GlyphScaleFactor", "GlyphScaleFactorFromData", "GlyphScaleGuess", "GlyphSizeLimit", nullptr },
-  { "ShutterTime", "ShutterTimeFromData", "ShutterTimeGuess", nullptr, "MotionBlur" },
-} };
-}
-
-//----------------------------------------------------------------------------
-vtkSMProxy*
-vtkSMRayTracedRepresentationProxy::FindDisplay(vtkSMProxy* view, const std::function<bool(vtkSMProxy*)>& wanted)
-{
-  const vtkSMPropertyHelper displays(view, "Representations", /*quiet=*/true);
-  for (unsigned int i = 0; i < displays.GetNumberOfElements(); ++i)
-  {
-    vtkSMProxy* display = displays.GetAsProxy(i);
-    if (display && wanted(display))
-    {
-      return display;
-    }
-  }
-  return nullptr;
-}
-
-//----------------------------------------------------------------------------
-bool vtkSMRayTracedRepresentationProxy::ShowsRayTraced(vtkSMProxy* display)
-{
-  if (!display->GetProperty("Representation") || !vtkSMPropertyHelper(display, "Visibility", true).GetAsInt())
-  {
-    return false;
-  }
-  return ShownBy(display) != nullptr;
-}
 
 //----------------------------------------------------------------------------
 vtkSMRayTracedRepresentationProxy::vtkSMRayTracedRepresentationProxy()
 {
   vtkRayTracedSelectionEncoder::Register();
+  vtkSMRayTracedDefault::Register();
 }
 
 //----------------------------------------------------------------------------
 vtkSMRayTracedRepresentationProxy::~vtkSMRayTracedRepresentationProxy() = default;
 
 //----------------------------------------------------------------------------
-void vtkSMRayTracedRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)
+// Of a display's representations at most one is visible.
+bool vtkSMRayTracedRepresentationProxy::IsShown()
 {
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "TensorTableName: " << this->TensorTableName << endl;
+  auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
+  return local && local->GetVisibility();
 }
 
 //----------------------------------------------------------------------------
+vtkSMRayTracedViewProxy* vtkSMRayTracedRepresentationProxy::GetView()
+{
+  return this->View;
+}
+
+//----------------------------------------------------------------------------
+// Numbers that the data suggest are asked for one by one.
 void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMProperty* property)
 {
-  this->CreateVTKObjects();
-  auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
-  const vtkTypeUInt32 everywhere = this->Location;
-  vtkPVXMLElement* hints = property ? property->GetHints() : nullptr;
-  if (everywhere != 0 && hints && hints->FindNestedElementByName("OfData"))
+  const bool statistics = !property || property == this->GetProperty("RenderStatistics");
+  if (statistics && this->View)
   {
+    this->View->UpdateStatistics();
+  }
+  else if (!statistics && this->IsShown())
+  {
+    const vtkTypeUInt32 everywhere = this->Location;
     this->Location = vtkPVSession::DATA_SERVER_ROOT;
+    this->Superclass::UpdatePropertyInformationInternal(property);
+    this->Location = everywhere;
   }
-  else if (everywhere != 0 && local && local->GetRenderedRemotely())
-  {
-    this->Location = vtkPVSession::RENDER_SERVER_ROOT;
-  }
-  this->Superclass::UpdatePropertyInformationInternal(property);
-  this->Location = everywhere;
-  // What a display shares is that of one of its representations; what it tells is of the one that is shown.
-  vtkSMProxy* display = this->GetTrueParentProxy();
-  vtkSMProxy* shown = display ? ShownBy(display) : nullptr;
-  for (const char* name : { "RenderStatistics", "ShutterTimeGuess" })
-  {
-    vtkSMProperty* own = this->GetProperty(name);
-    if (shown && shown != this && own && (!property || property == own) && this->IsExposed(name))
-    {
-      vtkSMProperty* told = shown->GetProperty(name);
-      shown->UpdatePropertyInformation(told);
-      own->Copy(told);
-    }
-  }
-}
-
-//----------------------------------------------------------------------------
-// Null while the display is in no view.
-vtkSMProxy* vtkSMRayTracedRepresentationProxy::FindView()
-{
-  vtkSMProxy* display = this->GetTrueParentProxy();
-  for (unsigned int i = 0; display && i < display->GetNumberOfConsumers(); ++i)
-  {
-    vtkSMProxy* consumer = display->GetConsumerProxy(i);
-    if (consumer && consumer->IsA("vtkSMViewProxy"))
-    {
-      return consumer;
-    }
-  }
-  return nullptr;
-}
-
-//----------------------------------------------------------------------------
-// Glyphs and surfaces of one display share their properties: those of one of the two are what users see.
-bool vtkSMRayTracedRepresentationProxy::IsExposed(const char* name)
-{
-  vtkSMProxy* display = this->GetTrueParentProxy();
-  return display && display->GetProperty(name) && display->GetProperty(name) == this->GetProperty(name);
-}
-
-//----------------------------------------------------------------------------
-// Of a display's representations one has the property that users see, and the others get its value.
-bool vtkSMRayTracedRepresentationProxy::IsFollower(const char* name)
-{
-  vtkSMProxy* display = this->GetTrueParentProxy();
-  return display && display->GetProperty(name) && display->GetProperty(name) != this->GetProperty(name);
-}
-
-//----------------------------------------------------------------------------
-bool vtkSMRayTracedRepresentationProxy::HoldsForView(const char* name)
-{
-  vtkSMProperty* property = this->GetProperty(name);
-  vtkPVXMLElement* hints = property ? property->GetHints() : nullptr;
-  return hints && hints->FindNestedElementByName("OfView") && this->IsExposed(name);
 }
 
 //----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name, int flag)
 {
-  for (const Suggested& suggested : suggestions)
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  const bool exposed = flag && display->GetProperty(name) == this->GetProperty(name);
+  if (exposed)
   {
-    vtkSMProperty* fromData = this->GetProperty(suggested.FromData); // none yet while the proxy is made
-    if (fromData && flag && name && strcmp(name, suggested.Number) == 0 && !this->TakingGuess &&
-      !this->IsFollower(name))
-    {
-      // Who sets it wants that one. Before the change itself is told, so that undoing both ends with the data's choice.
-      vtkSMPropertyHelper(fromData).Set(0);
-    }
+    vtkSMRayTracedSuggestion::Follow(this, name);
   }
   this->Superclass::SetPropertyModifiedFlag(name, flag);
-  if (flag && name && strcmp(name, "Input") == 0)
+  if (flag && strcmp(name, "Input") == 0)
   {
     this->TakeSelection();
   }
-  if (flag && name)
+  if (flag)
   {
-    // The last word counts: another number asks for its own table, until somebody chooses one.
-    const bool table = strcmp(name, "GlyphTensorLookupTable") == 0;
-    const bool number = strcmp(name, "GlyphTensorColoring") == 0 || strcmp(name, "GlyphTensorArray") == 0 ||
-      strcmp(name, "GlyphHarmonicsArray") == 0;
-    this->TensorTableChosen = table || (this->TensorTableChosen && !number);
-  }
-  if (flag && name && strcmp(name, "GlyphLocation") == 0)
-  {
-    // The lists of arrays are those of the input that the glyphs stand on.
-    this->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
-    for (const char* array : arrays)
-    {
-      this->RenewDefault(array, vtkSMRayTracedDefault::Where::Lost);
-    }
-  }
-  if (flag && name && strcmp(name, "GlyphShape") == 0 && !vtkSMPropertyHelper(this, "GlyphScaling", true).GetAsInt())
-  {
-    // Arrows are as long as vectors, others as large as radii. Not while the array is in use: scripts and states may
-    // name the array before the shape.
-    this->RenewDefault("GlyphScaleArray", vtkSMRayTracedDefault::Where::Everywhere);
-  }
-  if (flag && name && strcmp(name, "TubeRadiusArray") == 0)
-  {
-    this->RenewDefault("TubeRadius", vtkSMRayTracedDefault::Where::Everywhere);
-  }
-  if (flag && name && !sharing && !this->ApplyingQuality)
-  {
-    this->FollowQuality(name);
-  }
-  if (flag && name && !sharing && this->HoldsForView(name))
-  {
-    this->ShareWithView(name);
-  }
-  if (flag && name)
-  {
+    this->TensorTable.Follow(name);
+    vtkSMRayTracedDefault::Follow(this, name);
     this->ShareMaterial(name);
   }
 }
@@ -261,89 +97,19 @@ void vtkSMRayTracedRepresentationProxy::TakeSelection()
 }
 
 //----------------------------------------------------------------------------
-// A quality gives other properties the values that its hints name; one of these that gets another value ends it.
-void vtkSMRayTracedRepresentationProxy::FollowQuality(const std::string& name)
-{
-  vtkSMProperty* quality = this->GetProperty("RenderingQuality");
-  vtkPVXMLElement* hints = quality ? quality->GetHints() : nullptr;
-  const bool made = quality && vtkSMPropertyHelper(quality).GetNumberOfElements() > 0; // has its default by now
-  const int chosen = made ? vtkSMPropertyHelper(quality).GetAsInt() : 0;
-  vtkPVXMLElement* values = nullptr;
-  for (unsigned int i = 0; hints && i < hints->GetNumberOfNestedElements(); ++i)
-  {
-    int of = 0;
-    vtkPVXMLElement* candidate = hints->GetNestedElement(i);
-    values = candidate->GetScalarAttribute("of", &of) && of == chosen ? candidate : values;
-  }
-  if (!values)
-  {
-    return;
-  }
-  this->ApplyingQuality = true;
-  for (const char* property : { "ShadingMode", "SamplesPerPixel", "Denoising" })
-  {
-    int value = 0;
-    values->GetScalarAttribute(property, &value);
-    vtkSMPropertyHelper helper(this, property);
-    if (name == "RenderingQuality" && helper.GetAsInt() != value)
-    {
-      helper.Set(value);
-    }
-    else if (name == property && helper.GetAsInt() != value)
-    {
-      vtkSMPropertyHelper(quality).Set(0);
-    }
-  }
-  this->ApplyingQuality = false;
-}
-
-//----------------------------------------------------------------------------
-bool vtkSMRayTracedRepresentationProxy::RenewDefault(const char* name, vtkSMRayTracedDefault::Where where)
-{
-  vtkSMProperty* property = this->GetProperty(name);
-  auto* strings = vtkSMRayTracedStringVectorProperty::SafeDownCast(property);
-  auto* numbers = vtkSMRayTracedDoubleVectorProperty::SafeDownCast(property);
-  auto* location = vtkSMRayTracedLocationProperty::SafeDownCast(property);
-  return location ? location->RenewDefault(where)
-    : strings     ? strings->RenewDefault(where)
-                  : numbers && numbers->RenewDefault(where);
-}
-
-//----------------------------------------------------------------------------
-// What the data shown before had nothing for, these may have, as the first time step with particles has arrays. While
-// time goes on a default that was found stays; other data may have others.
-void vtkSMRayTracedRepresentationProxy::RenewDefaults(vtkSMProxy* view)
-{
-  using Where = vtkSMRayTracedDefault::Where;
-  const double time = vtkSMPropertyHelper(view, "ViewTime", /*quiet=*/true).GetAsDouble();
-  const Where where = time == this->Time ? Where::Lost : Where::Missing;
-  this->Time = time;
-  bool renewed = this->IsExposed("GlyphLocation") && this->RenewDefault("GlyphLocation", Where::Missing);
-  for (const char* name : arrays)
-  {
-    renewed |= this->IsExposed(name) && this->RenewDefault(name, where);
-  }
-  renewed |= this->IsExposed("TubeRadius") && this->RenewDefault("TubeRadius", Where::Missing);
-  if (renewed)
-  {
-    this->UpdateVTKObjects();
-    vtkSMViewProxy::SafeDownCast(view)->Update();
-  }
-}
-
-//----------------------------------------------------------------------------
 // ParaView copies its own surface's material to this proxy. PathMetallic is the same as Metallic, and so on.
-void vtkSMRayTracedRepresentationProxy::ShareMaterial(const std::string& name)
+void vtkSMRayTracedRepresentationProxy::ShareMaterial(const char* name)
 {
   vtkSMProxy* display = this->GetTrueParentProxy();
-  vtkSMProperty* own = this->GetProperty(name.c_str());
-  if (vtkSMProperty* path = this->GetProperty(("Path" + name).c_str()))
+  const std::string changed = name;
+  vtkSMProperty* own = this->GetProperty(name);
+  if (vtkSMProperty* path = this->GetProperty(("Path" + changed).c_str()))
   {
     path->Copy(own);
   }
-  else if (display && own && display->GetProperty(name.c_str()) == own && name.rfind("Path", 0) == 0)
+  else if (display && own && display->GetProperty(name) == own && changed.rfind("Path", 0) == 0)
   {
-    vtkSMProperty* material = display->GetProperty(name.c_str() + strlen("Path"));
+    vtkSMProperty* material = display->GetProperty(name + strlen("Path"));
     if (material)
     {
       material->Copy(own);
@@ -352,207 +118,35 @@ void vtkSMRayTracedRepresentationProxy::ShareMaterial(const std::string& name)
 }
 
 //----------------------------------------------------------------------------
-void vtkSMRayTracedRepresentationProxy::ShareWithView(const char* name)
-{
-  vtkSMProxy* view = this->FindView();
-  if (!view)
-  {
-    return;
-  }
-  sharing = true;
-  FindDisplay(view,
-    [this, name](vtkSMProxy* display)
-    {
-      vtkSMProperty* other = display->GetProperty(name);
-      if (other && other != this->GetProperty(name) && display != this->GetTrueParentProxy())
-      {
-        other->Copy(this->GetProperty(name));
-        display->UpdateVTKObjects();
-      }
-      return false; // all of them
-    });
-  sharing = false;
-}
-
-//----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtkSMProxy* consumer)
 {
   this->Superclass::AddConsumer(property, consumer);
-  if (!consumer || !consumer->IsA("vtkSMViewProxy"))
-  {
-    return;
-  }
-  if (this->ObservedView != consumer)
-  {
-    this->ObservedView = consumer;
-    consumer->AddObserver(vtkCommand::EndEvent, this, &vtkSMRayTracedRepresentationProxy::Rendered);
-  }
-  this->TakeFromView(consumer);
-}
-
-//----------------------------------------------------------------------------
-void vtkSMRayTracedRepresentationProxy::TakeFromView(vtkSMProxy* view)
-{
-  vtkSMProxy* own = this->GetTrueParentProxy();
-  vtkSMProxy* example =
-    FindDisplay(view, [own](vtkSMProxy* display) { return display != own && display->GetProperty("ShadingMode"); });
-  if (!own || !example || sharing)
-  {
-    return;
-  }
-  sharing = true;
-  bool changed = false;
-  auto properties = vtk::TakeSmartPointer(this->NewPropertyIterator());
-  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
-  {
-    const char* name = properties->GetKey();
-    if (this->HoldsForView(name) && example->GetProperty(name))
-    {
-      this->GetProperty(name)->Copy(example->GetProperty(name));
-      changed = true;
-    }
-  }
-  if (changed)
-  {
-    own->UpdateVTKObjects();
-  }
-  sharing = false;
-}
-
-//----------------------------------------------------------------------------
-void vtkSMRayTracedRepresentationProxy::Rendered(vtkObject*, unsigned long, void* interactive)
-{
   vtkSMProxy* display = this->GetTrueParentProxy();
-  const bool turning = interactive && *static_cast<int*>(interactive);
-  if (!turning && this->IsExposed("RenderStatistics") && vtkSMPropertyHelper(display, "Visibility").GetAsInt() &&
-    strncmp(vtkSMPropertyHelper(display, "Representation").GetAsString(), "Ray Traced", 10) == 0)
+  const bool first = display->GetProperty("RenderStatistics") == this->GetProperty("RenderStatistics");
+  if (!first || !vtkSMRenderViewProxy::SafeDownCast(consumer) || (this->View && this->View->GetView() == consumer))
   {
-    this->UpdatePropertyInformation();
+    return;
   }
+  if (this->View)
+  {
+    this->View->Remove(display);
+  }
+  this->View = vtkSMRayTracedViewProxy::Add(display, consumer);
 }
 
 //----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
-  vtkSMProxy* display = this->GetTrueParentProxy();
-  vtkSMProxy* shown = display && ShowsRayTraced(display) ? ShownBy(display) : nullptr;
-  if (shown)
+  if (this->IsShown())
   {
-    this->RenewDefaults(view);
+    const double time = vtkSMPropertyHelper(view, "ViewTime", /*quiet=*/true).GetAsDouble();
+    vtkSMRayTracedDefault::Renew(this->GetTrueParentProxy(), view, /*otherTime=*/time != this->Time);
+    this->Time = time;
+    vtkSMRayTracedSuggestion::Take(this);
   }
-  for (const Suggested& suggested : suggestions)
+  if (this->GetProperty("GlyphTensorLookupTable"))
   {
-    if (shown && shown->GetProperty(suggested.Guess) && this->IsExposed(suggested.FromData))
-    {
-      this->TakeGuess(suggested);
-    }
-  }
-  if (shown && shown->GetProperty("GlyphDataSizesInfo") && this->IsExposed("GlyphDataSizesInfo"))
-  {
-    this->TakeDataSizes();
-  }
-  if (this->GetProperty("GlyphTensorLookupTable") && this->IsExposed("GlyphTensorLookupTable"))
-  {
-    this->UpdateTensorTable(view);
-  }
-}
-
-//----------------------------------------------------------------------------
-// Between the update and the render of a view: processes that have the data have found the number, and those that
-// render get it.
-void vtkSMRayTracedRepresentationProxy::TakeGuess(const Suggested& suggested)
-{
-  const bool used = !suggested.Switch || vtkSMPropertyHelper(this, suggested.Switch).GetAsInt();
-  if (!used || !vtkSMPropertyHelper(this, suggested.FromData).GetAsInt())
-  {
-    return;
-  }
-  vtkSMProperty* guess = this->GetProperty(suggested.Guess);
-  this->UpdatePropertyInformation(guess);
-  const vtkSMPropertyHelper found(guess);
-  if (found.GetAsDouble() > 0.0)
-  {
-    this->TakingGuess = true;
-    vtkSMPropertyHelper(this, suggested.Number).Set(found.GetAsDouble());
-    if (suggested.Limit)
-    {
-      vtkSMPropertyHelper(this, suggested.Limit).Set(found.GetAsDouble(1));
-    }
-    this->UpdateVTKObjects();
-    this->TakingGuess = false;
-  }
-}
-
-//----------------------------------------------------------------------------
-// Then, too.
-void vtkSMRayTracedRepresentationProxy::TakeDataSizes()
-{
-  vtkSMProperty* found = this->GetProperty("GlyphDataSizesInfo");
-  this->UpdatePropertyInformation(found);
-  const std::vector<double> sizes = vtkSMPropertyHelper(found).GetDoubleArray();
-  vtkSMPropertyHelper(this, "GlyphDataSizes").Set(sizes.data(), static_cast<unsigned int>(sizes.size()));
-  this->UpdateVTKObjects();
-}
-
-//----------------------------------------------------------------------------
-// The table of a tensor number has a name of its own, so that nothing of the table of an array is left in it.
-void vtkSMRayTracedRepresentationProxy::UpdateTensorTable(vtkSMProxy* view)
-{
-  auto* local = vtkRayTracedRepresentation::SafeDownCast(this->GetClientSideObject());
-  const vtkSMPropertyHelper coloring(this, "GlyphTensorColoring");
-  const int shape = vtkSMPropertyHelper(this, "GlyphShape").GetAsInt();
-  const bool tensor = (shape >= 6 && shape <= 8) || shape == 15;
-  const bool polynomial = shape >= 12 && shape <= 14;
-  const bool number = polynomial ? coloring.GetAsInt() == vtkGlyphTensors::RADIUS
-                                 : tensor && vtkGlyphTensors::IsNumber(coloring.GetAsInt());
-  const char* array = vtkSMPropertyHelper(this, shape == 12 ? "GlyphHarmonicsArray" : "GlyphTensorArray").GetAsString();
-  std::string name;
-  if (local && local->GetVisibility() && number && array && array[0] && strcmp(array, "None") != 0)
-  {
-    name = std::string(array) + " " + coloring.GetAsString();
-  }
-  vtkNew<vtkSMTransferFunctionManager> tables;
-  vtkSMSessionProxyManager* proxies = this->GetSessionProxyManager();
-  const auto barOf = [&](const std::string& of)
-  { return tables->GetScalarBarRepresentation(tables->GetColorTransferFunction(of.c_str(), proxies), view); };
-  if (name != this->TensorTableName && !this->TensorTableName.empty())
-  {
-    if (vtkSMProxy* bar = barOf(this->TensorTableName))
-    {
-      vtkSMPropertyHelper(bar, "Visibility").Set(0);
-      bar->UpdateVTKObjects();
-    }
-  }
-  const bool fresh = name != this->TensorTableName;
-  this->TensorTableName = name;
-  if (name.empty())
-  {
-    return;
-  }
-  vtkSMProxy* table = tables->GetColorTransferFunction(name.c_str(), proxies);
-  vtkSMProperty* range = this->GetProperty("GlyphTensorRange");
-  this->UpdatePropertyInformation(range);
-  double found[2];
-  vtkSMPropertyHelper(range).Get(found, 2);
-  if (found[0] <= found[1] && (fresh || found[0] != this->TensorRange[0] || found[1] != this->TensorRange[1]))
-  {
-    vtkSMTransferFunctionProxy::RescaleTransferFunction(table, found[0], found[1]);
-    this->TensorRange[0] = found[0];
-    this->TensorRange[1] = found[1];
-  }
-  if (!this->TensorTableChosen && vtkSMPropertyHelper(this, "GlyphTensorLookupTable").GetAsProxy() != table)
-  {
-    vtkSMPropertyHelper(this, "GlyphTensorLookupTable").Set(table);
-    this->UpdateVTKObjects();
-    this->TensorTableChosen = false;
-  }
-  if (vtkSMProxy* bar = fresh ? barOf(name) : nullptr)
-  {
-    vtkSMPropertyHelper(bar, "Title").Set(name.c_str());
-    vtkSMPropertyHelper(bar, "ComponentTitle").Set("");
-    vtkSMPropertyHelper(bar, "Enabled").Set(1);
-    vtkSMPropertyHelper(bar, "Visibility").Set(1);
-    bar->UpdateVTKObjects();
+    this->TensorTable.Update(this, view);
   }
 }

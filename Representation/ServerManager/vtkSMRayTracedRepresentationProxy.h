@@ -2,48 +2,34 @@
  * @class   vtkSMRayTracedRepresentationProxy
  * @brief   the client's side of ray-traced glyphs, surfaces and tubes
  *
- * - Properties with the hint OfView hold for the whole view: a change on one of its displays is a change on all, and a
- * display that is added takes the values of those that are there.
+ * - Defaults and suggested numbers are kept up to date with the data (vtkSMRayTracedDefault, vtkSMRayTracedSuggestion).
+ * - Information properties speak of the processes that have the data, of what is shown.
  * - Path tracing's material (PathMetallic and so on) has the values of the ordinary surface's (Metallic).
- * - Information properties speak of the process that renders, and are current after each render. ParaView asks the
- *   client for information about whatever is there too; with remote rendering nothing happens there, and the server's
- * first rank is asked.
- * - Those with the hint OfData speak of the processes that have the data.
- * - GlyphScaleFactor and ShutterTime are what the data suggest until they are set.
- * - Numbers of tensors (GlyphTensorColoring) have a lookup table and a scalar bar of their own.
  */
 #ifndef vtkSMRayTracedRepresentationProxy_h
 #define vtkSMRayTracedRepresentationProxy_h
 
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSMRepresentationProxy.h"
-#include "vtkWeakPointer.h"
+#include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkSMRayTracedDefault.h"
+#include "vtkSMRayTracedTensorTable.h"
 #endif
 
-#include <functional>
-#include <string>
+class vtkSMRayTracedViewProxy;
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedRepresentationProxy : public vtkSMRepresentationProxy
 {
 public:
   static vtkSMRayTracedRepresentationProxy* New();
   vtkTypeMacro(vtkSMRayTracedRepresentationProxy, vtkSMRepresentationProxy);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void ViewUpdated(vtkSMProxy* view) override;
 
-  ///@{
   /**
-   * The first display of a view that is wanted, or null; and whether a display, of any kind, is visible and shown as
-   * ray-traced glyphs or as a ray-traced surface.
+   * The owner of the view's settings, kept by the first of a display's representations; null: the display is in none.
    */
-  static vtkSMProxy* FindDisplay(vtkSMProxy* view, const std::function<bool(vtkSMProxy*)>& wanted);
-  static bool ShowsRayTraced(vtkSMProxy* display);
-  ///@}
-
-  struct Suggested;
+  vtkSMRayTracedViewProxy* GetView();
 
 protected:
   vtkSMRayTracedRepresentationProxy();
@@ -57,31 +43,15 @@ private:
   vtkSMRayTracedRepresentationProxy(const vtkSMRayTracedRepresentationProxy&) = delete;
   void operator=(const vtkSMRayTracedRepresentationProxy&) = delete;
 
-  vtkSMProxy* FindView();
-  bool IsExposed(const char* name);
-  bool IsFollower(const char* name);
-  bool HoldsForView(const char* name);
-#ifndef __VTK_WRAP__
-  bool RenewDefault(const char* name, vtkSMRayTracedDefault::Where where);
-#endif
-  void RenewDefaults(vtkSMProxy* view);
+  bool IsShown();
   void TakeSelection();
-  void FollowQuality(const std::string& name);
-  void ShareWithView(const char* name);
-  void ShareMaterial(const std::string& name);
-  void TakeFromView(vtkSMProxy* view);
-  void Rendered(vtkObject* view, unsigned long event, void* interactive);
-  void UpdateTensorTable(vtkSMProxy* view);
-  void TakeGuess(const Suggested& suggested);
-  void TakeDataSizes();
+  void ShareMaterial(const char* name);
 
-  vtkWeakPointer<vtkSMProxy> ObservedView;
-  double Time = 0.0;           // of the last update
-  std::string TensorTableName; // of the table and scalar bar that are in use; empty: none
-  double TensorRange[2] = { 1.0, -1.0 };
-  bool TensorTableChosen = false; // by somebody else than this class
-  bool ApplyingQuality = false;
-  bool TakingGuess = false; // a number is set to what the data suggest, not by the user
+  vtkSmartPointer<vtkSMRayTracedViewProxy> View;
+  double Time = 0.0; // of the last update
+#ifndef __VTK_WRAP__
+  vtkSMRayTracedTensorTable TensorTable;
+#endif
 };
 
 #endif

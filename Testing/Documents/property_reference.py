@@ -20,7 +20,7 @@ def definitions(name):
     root = xml.etree.ElementTree.parse(os.path.join(FOLDER, name)).getroot()
     properties = {}
     for proxy in root.iter():
-        if proxy.tag.endswith("RepresentationProxy"):
+        if proxy.tag.endswith("RepresentationProxy") or proxy.get("name") == "RayTracedImage":
             for entry in proxy:
                 if entry.tag.endswith("Property") and entry.get("name"):
                     properties.setdefault(entry.get("name"), entry)
@@ -30,8 +30,8 @@ def definitions(name):
 
 
 def of_representations():
-    """Properties by name of all representations, of glyphs, of surfaces, and of tubes."""
-    return [definitions(name)[0] for name in ("RayTracedCommon.xml", "RayTracedGlyphs.xml", "RayTracedSurface.xml", "RayTracedTubes.xml")]
+    """Properties by name of all representations, of glyphs, of surfaces, of tubes, and of the view's image."""
+    return [definitions("RayTraced%s.xml" % name)[0] for name in ("Common", "Glyphs", "Surface", "Tubes", "Image")]
 
 
 def values(entry):
@@ -82,10 +82,10 @@ def row(name, entry):
 
 def sections():
     """(title, [(name that scripts know, XML element)]): the panel's groups in their order, then the rest."""
-    common, glyphs, surface, tubes = of_representations()
-    known = {**common, **surface, **tubes, **glyphs}
+    common, glyphs, surface, tubes, image = of_representations()
+    known = {**common, **surface, **tubes, **glyphs, **image}
     (own, *shared), of_tubes = definitions("RayTracedGlyphs.xml")[1], definitions("RayTracedTubes.xml")[1]
-    groups = [own] + of_tubes + shared
+    groups = [own] + of_tubes + shared + definitions("RayTracedImage.xml")[1]
     shown = {name for _, names in groups for name, _ in names}
     information = [name for name, entry in known.items() if entry.get("information_only") == "1" and name not in shown]
     rest = [name for name, entry in known.items()

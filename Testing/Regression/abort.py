@@ -28,7 +28,7 @@ def main():
     checks = Checks()
     view = session.view(240, 180)
     shown = session.glyphs(cloud(2000), view, GlyphOrient=0, GlyphScaleFactor=0.15, ShadingMode="Ambient Occlusion",
-                           AmbientOcclusionRays=8)
+                           SecondaryRays=8)
     session.solid(shown, (0.9, 0.9, 0.9))
     session.look(view, (0.0, 0.0, 7.0))
     pv.Render(view)  # programs are compiled

@@ -24,19 +24,21 @@ def shown_by(view):
 
 def grow(mode):
     """Failures of one shading mode."""
+    import raytracedglyphs  # comes with the plugin
     failures = []
     view = session.view(160, 120, background=(255, 255, 255))
     points = session.source(session.poly_data(numpy.random.default_rng(3).uniform(-1.0, 1.0, (300, 3))))
     shown = session.glyphs(points, view, GlyphOrient=0, GlyphScaleFactor=0.35, ShadingMode=mode, samples=FINISHED)
-    shown.SamplesPerRender, shown.Denoising = STEP, "Never"
+    raytracedglyphs.SetSamplesPerRender(STEP, view)
+    shown.Denoising = "Never"
     session.solid(shown, (0.9, 0.9, 0.9))
     session.look(view, (0.0, 0.0, 6.0))
     pictures, counts, traced = [], [], []
     for _ in range(FINISHED // STEP + 2):
         pv.Render(view)
         pictures.append(shown_by(view))
-        counts.append(session.statistics(shown)["AccumulatedSamples"])
-        traced.append(session.statistics(shown)["primaryRays"])
+        counts.append(raytracedglyphs.Statistics(view)["AccumulatedSamples"])
+        traced.append(raytracedglyphs.Statistics(view)["primaryRays"])
     comparison.write_image(session.output("accumulation-%s-first.png" % mode.split()[0].lower()), pictures[0])
     comparison.write_image(session.output("accumulation-%s-last.png" % mode.split()[0].lower()), pictures[-1])
     if counts != [min(STEP * (i + 1), FINISHED) for i in range(len(counts))]:
@@ -52,7 +54,7 @@ def grow(mode):
     # Then nothing is traced any more, and the picture stays; it is the one that a screenshot makes at once.
     if errors[-3:] != [0.0, 0.0, 0.0] or len(set(traced[-3:])) != 1:
         failures.append("%s: the finished picture changes: %s, rays %s" % (mode, errors[-3:], traced[-3:]))
-    shown.SamplesPerRender = 0
+    raytracedglyphs.SetSamplesPerRender(0, view)
     session.look(view, (0.0, 0.0, 6.5))
     pv.Render(view)
     session.look(view, (0.0, 0.0, 6.0))

@@ -133,9 +133,9 @@ def settings(case):
     nothing = numpy.nan
     # The number before is another one, which a bad value that is not heeded would leave.
     for name, mode, bad, good, before in (
-            ("SamplesPerPixel", "Ambient Occlusion", (0, -7), 1, 4), ("SamplesPerRender", "Local", (-3,), 0, 2),
+            ("SamplesPerPixel", "Ambient Occlusion", (0, -7), 1, 4),
             ("AmbientOcclusionRadius", "Ambient Occlusion", (-1.0, nothing), 0.0, 0.2),
-            ("AmbientOcclusionRays", "Ambient Occlusion", (0, -3), 1, 4), ("PathsPerSample", "Path Tracing", (0, -5), 1, 3),
+            ("SecondaryRays", "Ambient Occlusion", (8, -3), 0, 4), ("SecondaryRays", "Path Tracing", (4, -5), 0, 3),
             ("LightIntensity", "Path Tracing", (-2.0,), 0.0, 0.5), ("LightIntensity", "Path Tracing", (nothing,), 1.0, 0.5),
             ("MaximumBounces", "Path Tracing", (0, -4), 1, 4), ("Exposure", "Local", (1e9,), 100.0, 1.0),
             ("Exposure", "Local", (-1e9,), -100.0, 1.0), ("Exposure", "Local", (nothing,), 0.0, 1.0),

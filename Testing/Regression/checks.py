@@ -72,23 +72,23 @@ def number_of_messages(text):
 
 
 def information(shown, name):
-    """Present value of an information property."""
+    """Present value of an information property, or of a number of RenderStatistics."""
+    if not shown.SMProxy.GetProperty(name):
+        return session.statistics(shown)[name]
     shown.SMProxy.UpdatePropertyInformation(shown.SMProxy.GetProperty(name))
     return shown.SMProxy.GetProperty(name).GetElement(0)
 
 
-def stepwise(shown):
-    """Makes each render add a step to the image, as ParaView's window does with all representations."""
-    shown.SMProxy.GetProperty("StepwiseRendering").SetElement(0, 1)
+def stepwise(shown, samples=-1):
+    """Makes each render add so many samples to the image; -1: what time allows, as in ParaView's window; 0: all."""
+    shown.SMProxy.GetProperty("SamplesPerRender").SetElement(0, samples)
     shown.SMProxy.UpdateVTKObjects()
     return shown
 
 
 def pending(shown):
     """Whether more renders would improve the image of a representation."""
-    if shown.SMProxy.GetProperty("RefinementPending"):
-        return bool(information(shown, "RefinementPending"))
-    return information(shown, "AccumulatedSamples") < shown.SamplesPerPixel
+    return information(shown, "RefinementProgress") < 1.0
 
 
 def refine(view, shown, seconds=150.0, look=lambda: None):

@@ -13,7 +13,7 @@ import paraview.simple as pv
 import comparison
 import glyph_legend
 import session
-from checks import Checks, information
+from checks import Checks, information, stepwise
 from property_claims import (GLYPHS, LEFT, LEVEL, SCENES, SIDE, SURFACE, TUBES, WHITE, Bench, Change, area, as_3d_glyphs, as_before, as_surface, as_with, both,
                              colors, data_of, developed, filmic, glyphs, light, light_of_ball, moments, moved, needing, noise, pixels_of, reads,
                              schlick, spread, to_light)
@@ -67,6 +67,7 @@ def others(change):
     seen = [set(map(tuple, numpy.unique(picture.reshape(-1, 3), axis=0).tolist())) for picture in (change.before, change.after)]
     change.ratio("share of the glyphs that were seen before", len(seen[0] & seen[1]) / len(seen[0]), 0.0, 0.7)
     change.checks.equal(change.name + ": glyphs", change.counted_after["glyphs"], change.counted_before["glyphs"])
+    grows(change)
 
 
 def legend(wanted, right=False, upper=False):
@@ -80,40 +81,36 @@ def legend(wanted, right=False, upper=False):
     return claim
 
 
-def rendered(change, times, **properties):
+def rendered(change, times, step=0, **properties):
     """Renders a fresh image so often, and gives the information that a script reads."""
     change.base = {**change.base, **properties}
-    shown = change.bench.show(change.row.scene, change.kind, change.base)
+    shown = stepwise(change.bench.show(change.row.scene, change.kind, change.base), step)
     session.look(change.bench.view, (0.0, 0.0, numpy.random.default_rng().uniform(10.0, 20.0)), parallel_scale=1.0)
     for _ in range(times):
         pv.Render(change.bench.view)
-    return {name: information(shown, name) for name in ("AccumulatedSamples", "RefinementPending", "RefinementProgress", "RefinementStep")}
+    return {name: information(shown, name) for name in ("AccumulatedSamples", "RefinementProgress", "RefinementStep")}
 
 
-def refining(first, last):
-    """What the row's property is after one of four renders, and after all."""
-    def claim(change):
-        found = [rendered(change, times, SamplesPerPixel=8, SamplesPerRender=2)[change.row.name] for times in (1, 4)]
-        change.checks.equal(change.name + ": after one render and after four", found, [first, last])
-    return claim
+def grows(change):
+    """Samples, progress and step after one of four renders, and after all."""
+    found = [list(rendered(change, times, 2, SamplesPerPixel=8).values()) for times in (1, 4)]
+    change.checks.equal(change.name + ": after one render and after four", found, [[2, 0.25, "Ray Tracing"], [8, 1.0, ""]])
 
 
 def stopped(change):
     """The image has the samples of the renders before."""
-    rendered(change, 2, SamplesPerPixel=8, SamplesPerRender=2)
+    rendered(change, 2, 2, SamplesPerPixel=8)
     change.shown.SMProxy.InvokeCommand("StopRefinement")
     pv.Render(change.bench.view)
-    found = [information(change.shown, name) for name in ("AccumulatedSamples", "RefinementPending")]
-    change.checks.equal(change.name + ": samples, and whether more are to come", found, [4, 0])
+    found = [information(change.shown, name) for name in ("AccumulatedSamples", "RefinementProgress")]
+    change.checks.equal(change.name + ": samples and progress", found, [4, 1.0])
 
 
-def stepwise(change):
-    """One render does not add all of very many samples."""
-    for on, pending in ((1, 1), (0, 0)):
-        change.shown.SMProxy.GetProperty("StepwiseRendering").SetElement(0, on)
-        change.shown.SMProxy.UpdateVTKObjects()
-        found = rendered(change, 1, SamplesPerPixel=20000 if on else 2)
-        change.checks.equal("%s: StepwiseRendering %d: pending" % (change.name, on), found["RefinementPending"], pending)
+def steps(change):
+    """One render adds so many samples, not all of very many, or all."""
+    for step, wanted, finished in ((2, 4, False), (-1, 20000, False), (0, 2, True)):
+        found = rendered(change, 1, step, SamplesPerPixel=wanted)
+        change.checks.equal("%s %d: the image is finished" % (change.name, step), found["RefinementProgress"] >= 1.0, finished)
 
 
 def reduced(change):
@@ -139,11 +136,11 @@ def written(change):
 
 
 def statistics_say(change):
-    """The same device as the property, and one glyph."""
+    """A device, one glyph, and how the image grows."""
     counted = change.counted()
     change.checks.true(change.name + ": no device", bool(counted["DeviceName"]))
-    change.checks.equal(change.name + ": DeviceName", information(change.shown, "DeviceName"), counted["DeviceName"])
     change.checks.equal(change.name + ": glyphs", counted["glyphs"], 1 if change.kind == GLYPHS else change.counted_before["glyphs"])
+    grows(change)
 
 
 def streaks(change):
@@ -315,8 +312,8 @@ ROWS = [
     Row("ShadingMode", "Path Tracing", light_of_ball(lambda cosine: [GRAY] * 3), kinds=[GLYPHS, SURFACE, TUBES], **{"ShadingMode": "Local"}),
     Row("ShadingMode", "Ambient Occlusion", as_with(**FLAT), **UNIFORM),
     Row("AmbientOcclusionRadius", 1e-3, as_with(**FLAT), scene="crowd", **OCCLUSION),
-    Row("AmbientOcclusionRays", 16, noise(0.0, 0.15, AmbientOcclusionRays=64), scene="crowd", **{**OCCLUSION, "AmbientOcclusionRays": 1}),
-    Row("PathsPerSample", 16, noise(0.0, 0.15, PathsPerSample=64), scene="crowd", **{**PATHS, "PathsPerSample": 1}),
+    Row("SecondaryRays", 16, noise(0.0, 0.15, SecondaryRays=64), scene="crowd", **{**OCCLUSION, "SecondaryRays": 1}),
+    Row("SecondaryRays", 16, noise(0.0, 0.15, SecondaryRays=64), scene="crowd", **{**PATHS, "SecondaryRays": 1}),
     Row("MaximumBounces", 100, furnace, scene="crowd", DiffuseColor=[1.0] * 3, **{**PATHS, "MaximumBounces": 1}),
     Row("PathMetallic", 1.0, light_of_ball(lambda cosine: [schlick(DARK, cosine)] * 3), **MIRROR),
     Row("PathRoughness", 0.9, light(0.3, 0.9), **{**MIRROR, "PathMetallic": 1.0}),
@@ -336,21 +333,14 @@ ROWS = [
     Row("Exposure", -1.0, light_of_ball(lambda cosine: [0.5 * GRAY] * 3)),
     # The image
     Row("SamplesPerPixel", 3, reads("AccumulatedSamples", 3)),
-    Row("Denoising", "Always", noise(0.0, 0.6, Denoising="Never", PathsPerSample=64), scene="crowd", **{**PATHS, "PathsPerSample": 1}),
+    Row("Denoising", "Always", noise(0.0, 0.6, Denoising="Never", SecondaryRays=64), scene="crowd", **{**PATHS, "SecondaryRays": 1}),
     Row("FeatureImageFile", LEFT, written),
     Row("StopRefinement", LEFT, stopped),
-    Row("SamplesPerRender", 2, lambda change: change.checks.equal(change.name, rendered(change, 2, SamplesPerPixel=8)["AccumulatedSamples"], 4)),
+    Row("SamplesPerRender", LEFT, steps),
     Row("InteractiveReduction", 4, reduced),
-    Row("StepwiseRendering", LEFT, stepwise),
     # The rest is for several ranks (parallel.py).
     Row("ParallelLight", "Neighbors", as_before),
-    Row("ReplicateGlyphs", 1, as_before),
     # Information
-    Row("DeviceName", LEFT, statistics_say),
-    Row("AccumulatedSamples", LEFT, refining(2, 8)),
-    Row("RefinementPending", LEFT, refining(1, 0)),
-    Row("RefinementProgress", LEFT, refining(0.25, 1.0)),
-    Row("RefinementStep", LEFT, refining("Ray Tracing", "")),
     Row("RenderStatistics", LEFT, statistics_say),
 ]
 #: names of one property: only one of them exists in each ParaView
@@ -363,8 +353,8 @@ ELSEWHERE = {"Color": "SelectionColor in selection_seen.py"}
 
 def exposed():
     """Property -> (representations that have it, its XML element)."""
-    common, of_glyphs, of_surfaces, of_tubes = property_reference.of_representations()
-    return {name: ({kind for kind, own in ((GLYPHS, of_glyphs), (SURFACE, of_surfaces), (TUBES, of_tubes)) if entry.get("name") in {**common, **own}}, entry)
+    common, of_glyphs, of_surfaces, of_tubes, image = property_reference.of_representations()
+    return {name: ({kind for kind, own in ((GLYPHS, of_glyphs), (SURFACE, of_surfaces), (TUBES, of_tubes)) if entry.get("name") in {**common, **image, **own}}, entry)
             for _, entries in property_reference.sections() for name, entry in entries if name not in ELSEWHERE}
 
 
@@ -378,7 +368,8 @@ def inherited():
 def completeness(checks):
     """Each property of the plugin has a row for each of its representations, each row a property. What holds for a view is the same for all of its displays,
     which ViewSettings tests: one representation is enough."""
-    known = {name: kinds if entry.find("Hints/OfView") is None else {GLYPHS} for name, (kinds, entry) in exposed().items()}
+    image = property_reference.of_representations()[-1]
+    known = {name: {GLYPHS} if name in image else kinds for name, (kinds, _) in exposed().items()}
     for name, kinds in known.items():
         for kind in sorted(kinds):
             checks.true("%s of %s has no row in every_property.py" % (name, kind),

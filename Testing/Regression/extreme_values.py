@@ -14,14 +14,14 @@ import session
 from checks import Checks
 
 #: many samples are slow, and images that grow step by step move their counters
-LEFT_OUT = {"SamplesPerPixel", "StepwiseRendering"}
+LEFT_OUT = {"SamplesPerPixel", "SamplesPerRender"}
 STATES = ({"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "length"},
           {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor", "MotionBlur": 1, "VelocityArray": "vector"})
 
 
 def counts(shown):
-    """RenderStatistics without seconds."""
-    return {name: value for name, value in session.statistics(shown).items() if "Seconds" not in name}
+    """RenderStatistics of renders, without seconds."""
+    return {name: value for name, value in session.statistics(shown).items() if "Seconds" not in name and name != "pulls"}
 
 
 def scales(checks):
@@ -70,9 +70,10 @@ def main():
             setattr(shown, name, value)
         pv.Render(view)
         manager = pv.servermanager.ProxyManager().SMProxyManager
-        prototype = manager.GetPrototypeProxy("representations", "RayTracedGlyphRepresentation")
+        prototypes = [manager.GetPrototypeProxy("representations", "RayTracedGlyphRepresentation"),
+                      manager.GetPrototypeProxy("internal_representations", "RayTracedImage")]
         for name in sorted(shown.ListProperties()):
-            inner = prototype.GetProperty(name)
+            inner = prototypes[0].GetProperty(name) or prototypes[1].GetProperty(name)
             if not inner or inner.GetInformationOnly() or name in LEFT_OUT:
                 continue
             kind = inner.GetClassName()

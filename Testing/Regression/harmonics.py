@@ -10,7 +10,7 @@ import paraview.simple as pv
 
 import comparison
 import session
-from checks import Checks
+from checks import Checks, stepwise
 
 SIDE = 72
 #: half the height of the pictures in world units
@@ -326,8 +326,7 @@ def unfinished(checks, view):
                                    ("Tensor Ellipsoid", "GlyphTensorArray", "six"), ("Arrow", "GlyphOrientationArray", "vector"),
                                    ("Cone", "GlyphOrientationArray", "vector")):
             shown = stage.show(data, GlyphScaleFactor=0.8)
-            shown.SMProxy.GetProperty("StepwiseRendering").SetElement(0, in_window)
-            shown.SMProxy.UpdateVTKObjects()
+            stepwise(shown, -in_window)
             stage.settings.add({name: "None", "GlyphShape": shape})
             text = session.messages(lambda: (pv.Render(view), pv.Render(view)))
             what = "%s without an array, %s a window" % (shape, "in" if in_window else "not in")

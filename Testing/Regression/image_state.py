@@ -12,12 +12,11 @@ SIZE = (120, 90)
 PIXELS = SIZE[0] * SIZE[1]
 
 
-def balls(mode, samples, step=0, **properties):
+def balls(mode, samples, step=-1, **properties):
     """(view, representation): balls whose image grows from render to render."""
     view = session.view(*SIZE)
-    shown = session.glyphs(cloud(), view, GlyphOrient=0, GlyphScaleFactor=0.35, ShadingMode=mode, samples=samples,
-                           SamplesPerRender=step, **properties)
-    stepwise(shown)
+    shown = session.glyphs(cloud(), view, GlyphOrient=0, GlyphScaleFactor=0.35, ShadingMode=mode, samples=samples, **properties)
+    stepwise(shown, step)
     session.solid(shown, (0.9, 0.9, 0.9))
     session.look(view, (0.0, 0.0, 6.0))
     return view, shown
@@ -35,9 +34,9 @@ def screenshots(checks):
         view, shown = balls(mode, samples)
         expected = session.capture(view, "image-state-fresh")
         checks.covered(mode + ", fresh view", expected, 0.3)
-        for step, size in ((0, SIZE), (2, SIZE), (0, (90, 60)), (2, (90, 60))):
+        for step, size in ((-1, SIZE), (2, SIZE), (-1, (90, 60)), (2, (90, 60))):
             what = "%s, %d samples a render, screenshot of %dx%d" % ((mode, step) + size)
-            shown.SamplesPerRender = step
+            stepwise(shown, step)
             session.look(view, (0.0, 0.0, 7.0))
             pv.Render(view)
             session.look(view, (0.0, 0.0, 6.0))
@@ -77,10 +76,9 @@ def out_of_sight(checks):
 def two_passes(checks):
     """Opaque and translucent glyphs have an image each; the refinement ends with the slower one."""
     samples = 12
-    view, shown = balls("Path Tracing", samples, PathsPerSample=24)
+    view, shown = balls("Path Tracing", samples, SecondaryRays=24)
     other = session.glyphs(cloud(20, 5), view, GlyphOrient=0, GlyphScaleFactor=0.1, samples=samples,
-                           ShadingMode="Path Tracing", Opacity=0.5, PathsPerSample=24)
-    stepwise(other)
+                           ShadingMode="Path Tracing", Opacity=0.5, SecondaryRays=24)
     session.solid(other, (0.2, 0.5, 0.9))
     pv.Render(view)
 

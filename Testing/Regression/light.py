@@ -95,7 +95,7 @@ def denoised():
                                 ("denoised", 4, "Always")):
         for shown in (scene.floor, scene.ball, scene.arrows):
             shown.SamplesPerPixel = samples
-            shown.AmbientOcclusionRays = 1
+            shown.SecondaryRays = 1
             shown.Denoising = when
         pictures[name] = session.capture(scene.view, "light-noise-" + name).astype(float)
     scene.close()

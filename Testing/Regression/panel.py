@@ -9,7 +9,7 @@ import session
 from checks import Checks
 
 MATERIAL = ("Metallic", "Roughness", "CoatStrength", "CoatIOR", "CoatRoughness", "CoatColor")
-GROUP = "Ray Traced Image"
+GROUPS = ("Ray Traced Image", "Ray Traced Material")
 
 
 def children(element, name):
@@ -44,13 +44,13 @@ def visible(proxy, hints):
 
 
 def panel(shown):
-    """Names of a display's visible properties in the group."""
+    """Names of a display's visible properties in the groups."""
     proxy, found = shown.SMProxy, set()
     for i in range(proxy.GetNumberOfPropertyGroups()):
         group = proxy.GetPropertyGroup(i)
         for j in range(group.GetNumberOfProperties()):
             member = group.GetProperty(j)
-            if group.GetXMLLabel() == GROUP and "never" not in (group.GetPanelVisibility(), member.GetPanelVisibility()) \
+            if group.GetXMLLabel() in GROUPS and "never" not in (group.GetPanelVisibility(), member.GetPanelVisibility()) \
                     and visible(proxy, group.GetHints()) and visible(proxy, member.GetHints()):
                 found.add(proxy.GetPropertyName(member))
     return found
@@ -69,7 +69,7 @@ def main():
             for interpolation in ("Flat", "Gouraud", "PBR"):
                 shown.Interpolation = interpolation
                 found = panel(shown)
-                what = "%s, %s, Interpolation %s: the group '%s' has " % (kind, mode, interpolation, GROUP)
+                what = "%s, %s, Interpolation %s: the panel has " % (kind, mode, interpolation)
                 print(what + str(sorted(found)))
                 ours, traced = kind != "Surface", kind != "Surface" and mode == "Path Tracing"
                 checks.equal(what + "ShadingMode", "ShadingMode" in found, ours)

@@ -87,7 +87,7 @@ def cluster(view):
     surface.SetRepresentationType("Ray Traced Surface")
     session.solid(surface, (0.9, 0.6, 0.3))
     shown.ShadingMode = "Ambient Occlusion"
-    shown.AmbientOcclusionRays = 16
+    shown.SecondaryRays = 16
     session.look(view, (20.0, 16.0, 6.0))
     return shown
 
@@ -230,7 +230,7 @@ def main(folder):
         shown = scene(view)
         for samples, replicate, allowed in ((1, 0, 0.0), (16, 0, edges), (16, 1, 0.0)):
             shown.SamplesPerPixel = samples
-            shown.ReplicateGlyphs = replicate
+            shown.ParallelLight = "Replicated" if replicate else "Local"
             pv.Render(view)
             picture = "parallel-%s-%d" % (name, samples)
             name_here = picture + ("" if ranks == 1 else "-%d-ranks%s" % (ranks, "-replicated" if replicate else ""))

@@ -1,8 +1,10 @@
-"""A trace and a Python state of an ordinary surface name none of this plugin's properties, so that they run without it.
+"""A trace, a Python state and a state file of ordinary surfaces name none of this plugin's properties: they run without it, and are as
+large as without it.
 
 Usage: pvpython plain_trace.py
 """
 import re
+import xml.etree.ElementTree
 
 import paraview.simple as pv
 from paraview import smstate, smtrace
@@ -11,12 +13,17 @@ import session
 from checks import Checks
 
 #: proxies that this plugin adds to all displays
-OURS = ("RayTracedGlyphRepresentation", "RayTracedSurfaceRepresentation", "RayTracedTubeRepresentation")
+OURS = (("representations", "RayTracedGlyphRepresentation"), ("representations", "RayTracedSurfaceRepresentation"),
+        ("representations", "RayTracedTubeRepresentation"), ("internal_representations", "RayTracedImage"))
 
 
-def names_of(proxy):
+#: proxies, whose sources belong to the display, and a command
+WITHOUT_VALUE = {"GlyphMesh", "GlyphTensorLookupTable", "StopRefinement"}
+
+
+def names_of(group, proxy):
     """Names of a prototype's properties."""
-    prototype = pv.servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy("representations", proxy)
+    prototype = pv.servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy(group, proxy)
     if not prototype:
         return set()
     iterator = prototype.NewPropertyIterator()
@@ -40,7 +47,7 @@ def main():
     """Displays of several types of data."""
     session.load()
     checks = Checks()
-    ours = set().union(*map(names_of, OURS)) - names_of("SurfaceRepresentation") - names_of("GlyphRepresentation") - {"Input"}
+    ours = set().union(*(names_of(*own) for own in OURS)) - names_of("representations", "SurfaceRepresentation") - names_of("representations", "GlyphRepresentation") - {"Input"}
     print("%d properties of this plugin" % len(ours))
     for name in ("GlyphShape", "GlyphMesh", "GlyphScaleFactor", "ShadingMode", "SamplesPerPixel", "MotionBlur", "TubeRadius"):
         checks.true("%s is no property of this plugin" % name, name in ours)
@@ -59,6 +66,10 @@ def main():
     checks.true("the trace names %s" % sorted(found), not found)
     found = assigned(smstate.get_state()) & ours
     checks.true("the Python state names %s" % sorted(found), not found)
+    pv.SaveState(session.output("plain-state.pvsm"))
+    found = {entry.get("name") for proxy in xml.etree.ElementTree.parse(session.output("plain-state.pvsm")).getroot().iter("Proxy")
+             if proxy.get("group") == "representations" for entry in proxy.iter("Property")} & ours - WITHOUT_VALUE
+    checks.true("the state file names %s" % sorted(found), not found)
     # What is shown by the plugin must be named all the same.
     shown.SetRepresentationType(session.REPRESENTATION)
     shown.GlyphShape, shown.GlyphScaleFactor = "Cone", 0.3

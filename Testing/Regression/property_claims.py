@@ -390,7 +390,7 @@ def schlick(reflectance, cosine):
 
 def light_of_ball(light):
     """The ball shows this light, a function of the cosine between its normal and the direction of view."""
-    @needing(ShadingMode="Path Tracing", Illumination="Uniform", ToneMapping="None", SamplesPerPixel=4, PathsPerSample=8)
+    @needing(ShadingMode="Path Tracing", Illumination="Uniform", ToneMapping="None", SamplesPerPixel=4, SecondaryRays=8)
     def claim(change):
         change.changed()
         axis = axes_of(change)
@@ -443,10 +443,10 @@ def glyphs(number):
 
 
 def reads(name, wanted, tolerance=1e-6):
-    """A property, perhaps another one, has this value after the next picture."""
+    """A property, perhaps another one, or a number of RenderStatistics, has this value after the next picture."""
     def claim(change):
-        change.shown.UpdatePropertyInformation()
-        found = change.shown.GetPropertyValue(name)
+        counted = change.counted()
+        found = counted[name] if name in counted else change.shown.GetPropertyValue(name)
         change.within(name, list(found) if hasattr(found, "__len__") else found, wanted, tolerance)
     return claim
 

@@ -40,9 +40,9 @@ def capture(view, name):
 def empty_first_rank(checks):
     """Where the first rank has nothing to show, the others' image grows to its end all the same."""
     view = session.view(160, 120)
-    shown = session.glyphs(points_of(False), view, GlyphOrient=0, GlyphScaleFactor=0.4, samples=SAMPLES, SamplesPerRender=2)
+    shown = session.glyphs(points_of(False), view, GlyphOrient=0, GlyphScaleFactor=0.4, samples=SAMPLES)
+    stepwise(shown, 2)
     session.solid(shown, (0.9, 0.9, 0.9))
-    stepwise(shown)
     session.look(view, (0.0, 0.0, 5.0))
     pv.Render(view)
     checks.true("nothing on the first rank: nothing is pending after the first render", pending(shown))
@@ -67,7 +67,7 @@ def arrow_heads(checks):
     pixels = capture(view, "arrows")
     checks.covered("arrows", pixels, 0.05)
     against_one_rank(checks, "arrows", pixels)
-    shown.ReplicateGlyphs = 1
+    shown.ParallelLight = "Replicated"
     pv.Render(view)
     checks.picture("arrows, replicated, on %d ranks" % RANKS, capture(view, "arrows-replicated"), pixels)
     pv.Delete(view)

@@ -4,6 +4,7 @@ camera is turned.
 Usage: [RTGLYPHS_PVSERVER=PVSERVER] paraview --plugin-search-paths=DIR --plugins=RayTracedGlyphs --script=refinement.py
 With PVSERVER the images come from such a server. Prints REFINEMENT TEST PASSED as its last line.
 """
+import json
 import os
 import sys
 import time
@@ -12,6 +13,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRI
 
 import numpy  # noqa: E402
 import paraview.simple as pv  # noqa: E402
+from vtkmodules.vtkCommonCore import VTK_INT  # noqa: E402
 
 import client_server  # noqa: E402
 import session  # noqa: E402
@@ -21,6 +23,11 @@ SAMPLES = 12
 SERVER = os.environ.get("RTGLYPHS_PVSERVER")
 #: seconds within which the image must be finished; it takes a few
 LIMIT = 120.0
+
+
+def told(shown):
+    """What the client knows since the last render."""
+    return json.loads(shown.SMProxy.GetProperty("RenderStatistics").GetElement(0))
 
 
 def state(shown):
@@ -55,7 +62,7 @@ def main():
     seen = []
 
     def finished():
-        samples = state(shown)[0]
+        samples = told(shown)["AccumulatedSamples"]
         if not seen or seen[-1] != samples:
             seen.append(samples)
         return samples >= SAMPLES
@@ -64,10 +71,25 @@ def main():
     seen.append(state(shown)[0])
     if seen[0] >= SAMPLES:
         failures.append("the first image has all %d samples at once" % seen[0])
+    renders = []
+
+    def rendered(_view, _event, interactive):
+        renders.append(interactive)
+
+    rendered.CallDataType = VTK_INT
+    view.SMProxy.AddObserver("EndEvent", rendered)
+    pulls = told(shown)["pulls"]
     start = time.time()
     if not window.wait(finished, LIMIT):
         failures.append("after %g s the image has %s samples, not %d" % (LIMIT, seen[-1], SAMPLES))
     say("refined at rest: %s samples in %.2f s" % (seen, time.time() - start))
+
+    # One round trip a step, for the plugin's own information, the progress bar and the toolbar.
+    pulls = told(shown)["pulls"] - pulls
+    steps = renders.count(0)
+    say("%d pulls of information for %d steps" % (pulls, steps))
+    if steps < 2 or pulls != steps:
+        failures.append("%d pulls of information for %d steps" % (pulls, steps))
 
     # Nothing goes on when all is done.
     before, cpu = state(shown), time.process_time()

@@ -23,7 +23,7 @@ from session import value_of
 STATE, TRACE, VALUES = "state.pvsm", "trace.py", "state-values.json"
 #: what scripts and the window ask for at the moment, which nothing keeps; and what other values of other properties end,
 #: whose own test is view_settings.py
-MOMENTARY = {"FeatureImageFile", "StopRefinement", "StepwiseRendering", "RenderingQuality"}
+MOMENTARY = {"FeatureImageFile", "StopRefinement", "SamplesPerRender", "RenderingQuality"}
 #: who sets GlyphScaleFactor or ShutterTime has chosen it; of what is hidden there is no picture
 OTHERS = {"GlyphScaleFactorFromData": 0, "ShutterTimeFromData": 0, "Visibility": 1}
 #: what pictures are taken with

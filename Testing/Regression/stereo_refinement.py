@@ -7,7 +7,7 @@ import paraview.simple as pv
 import accumulation
 import comparison
 import session
-from checks import Checks, information, pending, refine, stepwise
+from checks import Checks, cloud, information, pending, refine, stepwise
 from same_as_3d_glyphs import ours, scene, theirs
 
 SAMPLES = 8
@@ -59,8 +59,7 @@ def grown(checks, mode, points):
     view = stereo_view(mode)
     shown = ours(points, view, "Sphere")
     session.solid(shown, (0.9, 0.9, 0.9))
-    shown.SamplesPerPixel, shown.SamplesPerRender = SAMPLES, 2
-    stepwise(shown)
+    stepwise(shown, 2).SamplesPerPixel = SAMPLES
     pv.Render(view)
     checks.true(mode + ": nothing is pending after the first render", pending(shown))
     checks.true(mode + ": the image stays unfinished", refine(view, shown))
@@ -74,11 +73,29 @@ def grown(checks, mode, points):
     return pixels
 
 
+def kept(checks):
+    """A screenshot of another size, of both eyes and passes, leaves the window's images as far as they are."""
+    view = stereo_view("SplitViewportHorizontal")
+    shown = session.glyphs(cloud(200), view, GlyphOrient=0, GlyphScaleFactor=0.3, samples=64)
+    other = session.glyphs(cloud(20, 5), view, GlyphOrient=0, GlyphScaleFactor=0.2, samples=64, Opacity=0.5)
+    session.solid(other, (0.2, 0.5, 0.9))
+    stepwise(shown, 2)
+    session.look(view, EYE)
+    for _ in range(3):
+        pv.Render(view)
+    before = information(shown, "AccumulatedSamples")
+    session.capture(view, "stereo-captured", ImageResolution=[120, 90])
+    pv.Render(view)
+    checks.equal("samples of one render after a screenshot", information(shown, "AccumulatedSamples") - before, 2)
+    pv.Delete(view)
+
+
 def main():
     """A mode in which one eye's picture lies beside the other's, and one that mixes them."""
     session.load()
     checks = Checks()
     points = scene()
+    kept(checks)
     for mode in ("SplitViewportHorizontal", "Red-Blue"):
         expected, one, whole = pictures(mode, points)
         halves = (one[:, :120], one[:, 120:]) if mode != "Red-Blue" else (one[..., :1], one[..., 2:])

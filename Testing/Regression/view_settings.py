@@ -11,9 +11,9 @@ from checks import Checks, cloud
 SURFACE = "Ray Traced Surface"
 #: what is set, no default among it
 SETTINGS = {
-    "ShadingMode": "Path Tracing", "AmbientOcclusionRadius": 0.5, "AmbientOcclusionRays": 4, "PathsPerSample": 2,
+    "ShadingMode": "Path Tracing", "AmbientOcclusionRadius": 0.5, "SecondaryRays": 4,
     "MaximumBounces": 3, "Illumination": "Uniform", "LightIntensity": 0.7, "EnvironmentColor": [0.9, 0.8, 0.7], "ToneMapping": "Filmic", "Exposure": 0.5,
-    "Denoising": "Never", "SamplesPerPixel": 3, "SamplesPerRender": 2, "InteractiveReduction": 4}
+    "Denoising": "Never", "SamplesPerPixel": 3, "InteractiveReduction": 4}
 
 
 def values(shown):

@@ -35,7 +35,7 @@ KINDS = {
 MUST = {"image": {"dispatches"}, "pass": {"dispatches"}, "colors": {"colorBuilds", "colorUploads"},
         "first colors": {"colorBuilds", "colorUploads"}, "glyphs": {"instanceBuilds", "instanceUploads"}}
 #: bytes and seconds are no counts; programs are compiled when they are first needed
-UNCOUNTED = re.compile("Seconds$|^deviceBytes$|^pipelineBuilds$|^DeviceName$|^AccumulatedSamples$|lyphs$")
+UNCOUNTED = re.compile("Seconds$|^deviceBytes$|^pipelineBuilds$|^DeviceName$|^AccumulatedSamples$|^Refinement|^pulls$|lyphs$")
 
 ARROW = {"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "length"}
 TENSOR = {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor"}
@@ -151,8 +151,7 @@ FIELDS = {
     "vtkRayTracedImageSettings": {
         "ShadingMode": ({}, "ShadingMode", "Ambient Occlusion", "image"),
         "AmbientOcclusionRadius": [(OCCLUSION, "AmbientOcclusionRadius", 0.1, "image"), ({}, "AmbientOcclusionRadius", 0.1, "nothing")],
-        "AmbientOcclusionRays": [(OCCLUSION, "AmbientOcclusionRays", 3, "image"), ({}, "AmbientOcclusionRays", 3, "nothing")],
-        "PathsPerSample": [(PATHS, "PathsPerSample", 2, "image"), ({}, "PathsPerSample", 2, "nothing")],
+        "SecondaryRays": [(OCCLUSION, "SecondaryRays", 3, "image"), (PATHS, "SecondaryRays", 2, "image"), ({}, "SecondaryRays", 3, "nothing")],
         "MaximumBounces": [(PATHS, "MaximumBounces", 2, "image"), ({}, "MaximumBounces", 2, "nothing")],
         "Illumination": [(PATHS, "Illumination", "Uniform", "image"), (OCCLUSION, "Illumination", "Uniform", "image"),
                          ({}, "Illumination", "Uniform", "nothing")],
@@ -162,10 +161,9 @@ FIELDS = {
         "Exposure": (PATHS, "Exposure", 1.0, "image"),
         "Denoising": ({**PATHS, "Denoising": "Always"}, "Denoising", "Never", "display"),
         "SamplesPerPixel": [({}, "SamplesPerPixel", 3, "image"), (PATHS, "SamplesPerPixel", 3, "image")],
-        "SamplesPerRender": ({}, "SamplesPerRender", 1, "nothing"),
+        "SamplesPerRender": "internal; see every_property.py",
         "InteractiveReduction": ({}, "InteractiveReduction", 4, "nothing"),
         "ParallelLight": ({}, "ParallelLight", "Neighbors", "nothing"),
-        "StepwiseRendering": "asked for by the window only; see checks.py",
     },
     "Material": {
         "colour": ({}, "DiffuseColor", [1.0, 0.0, 0.0], "image"),

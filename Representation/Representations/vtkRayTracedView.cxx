@@ -1,0 +1,103 @@
+#include "vtkRayTracedView.h"
+
+#include "Vulkan/Device.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkRayTracedRepresentation.h"
+#include "vtkRayTracedScene.h"
+
+vtkStandardNewMacro(vtkRayTracedView);
+
+//----------------------------------------------------------------------------
+vtkRayTracedView::vtkRayTracedView() = default;
+
+//----------------------------------------------------------------------------
+vtkRayTracedView::~vtkRayTracedView() = default;
+
+//----------------------------------------------------------------------------
+void vtkRayTracedView::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "View: " << this->View.Get() << endl;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedView::SetView(vtkPVView* view)
+{
+  this->View = vtkPVRenderView::SafeDownCast(view);
+  this->Apply();
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedView::Apply()
+{
+  if (this->View)
+  {
+    vtkRayTracedScene::Of(this->View->GetRenderer())->SetSettings(this->Settings.InRange());
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedView::SetParallelLight(int light)
+{
+  const bool wasReplicated = this->Settings.IsReplicated();
+  this->Set(this->Settings.ParallelLight, light);
+  if (this->View && this->Settings.IsReplicated() != wasReplicated)
+  {
+    for (int i = 0; i < this->View->GetNumberOfRepresentations(); ++i)
+    {
+      if (auto* shown = vtkRayTracedRepresentation::SafeDownCast(this->View->GetRepresentation(i)))
+      {
+        shown->MarkModified(); // the points must be delivered again
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedView::SaveFeatureImage(const char* fileName)
+{
+  if (this->View)
+  {
+    vtkRayTracedScene::Of(this->View->GetRenderer())->SaveFeatureImage(fileName ? fileName : "");
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedView::StopRefinement()
+{
+  if (this->View)
+  {
+    vtkRayTracedScene::Of(this->View->GetRenderer())->Stop();
+  }
+}
+
+//----------------------------------------------------------------------------
+const char* vtkRayTracedView::GetRenderStatistics()
+{
+  this->Statistics = this->View ? vtkRayTracedScene::Of(this->View->GetRenderer())->GetStatistics() : "{}";
+  return this->Statistics.c_str();
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedView::GetRenderedRemotely()
+{
+  return this->View && this->View->GetUseDistributedRenderingForRender();
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedView::FindDevice(std::string& words)
+{
+  try
+  {
+    const rtg::Device::Choice chosen = rtg::Device::Chosen();
+    words = "Ray Traced Glyphs: this computer traces with '" + chosen.name + "'" +
+      (chosen.cpu ? ", its processor; RTGLYPHS_DEVICE chooses another Vulkan device." : ".");
+    return true;
+  }
+  catch (const rtg::Error& error)
+  {
+    words = error.what();
+    return false;
+  }
+}

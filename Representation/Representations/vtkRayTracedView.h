@@ -1,0 +1,104 @@
+/**
+ * @class   vtkRayTracedView
+ * @brief   settings and information of a view's ray-traced image, on the processes that have the view
+ *
+ * The client has one for each view (vtkSMRayTracedViewProxy). Settings go to the view's vtkRayTracedScene; see
+ * vtkRayTracedImageSettings for units and ranges.
+ */
+#ifndef vtkRayTracedView_h
+#define vtkRayTracedView_h
+
+#include "vtkObject.h"
+#include "vtkRayTracedGlyphsModule.h" // for export macro
+#include "vtkWeakPointer.h"
+#ifndef __VTK_WRAP__ // what the wrapping tools need not know
+#include "vtkRayTracedImageSettings.h"
+#endif
+
+#include <string>
+
+class vtkPVView;
+class vtkPVRenderView;
+
+class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedView : public vtkObject
+{
+public:
+  static vtkRayTracedView* New();
+  vtkTypeMacro(vtkRayTracedView, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetView(vtkPVView* view);
+
+  ///@{
+  /**
+   * Values out of range count as the nearest in it, NaN as the default.
+   */
+  void SetShadingMode(int mode) { this->Set(this->Settings.ShadingMode, mode); }
+  void SetAmbientOcclusionRadius(double radius) { this->Set(this->Settings.AmbientOcclusionRadius, radius); }
+  void SetSecondaryRays(int rays) { this->Set(this->Settings.SecondaryRays, rays); }
+  void SetMaximumBounces(int bounces) { this->Set(this->Settings.MaximumBounces, bounces); }
+  void SetIllumination(int kind) { this->Set(this->Settings.Illumination, kind); }
+  void SetLightIntensity(double intensity) { this->Set(this->Settings.LightIntensity, intensity); }
+  void SetEnvironmentColor(double red, double green, double blue)
+  {
+    this->Set(this->Settings.EnvironmentColor, { red, green, blue });
+  }
+  void SetToneMapping(int kind) { this->Set(this->Settings.ToneMapping, kind); }
+  void SetExposure(double stops) { this->Set(this->Settings.Exposure, stops); }
+  void SetDenoising(int when) { this->Set(this->Settings.Denoising, when); }
+  void SetSamplesPerPixel(int samples) { this->Set(this->Settings.SamplesPerPixel, samples); }
+  void SetSamplesPerRender(int samples) { this->Set(this->Settings.SamplesPerRender, samples); }
+  void SetInteractiveReduction(int step) { this->Set(this->Settings.InteractiveReduction, step); }
+  void SetParallelLight(int light);
+  ///@}
+
+  /**
+   * The view's next finished image also leaves what it shows besides colors in this file (vtkRayTracedFeatureImage).
+   */
+  void SaveFeatureImage(const char* fileName);
+
+  /**
+   * Images of the view that are not finished stay as they are until something else changes them.
+   */
+  void StopRefinement();
+
+  /**
+   * What was done, and how far the view's last frame is; see vtkRayTracedFrameStatus.
+   */
+  const char* GetRenderStatistics();
+
+  /**
+   * Whether the last render of the view was a server's, so that this process, the client, has no image of its own.
+   */
+  bool GetRenderedRemotely();
+
+  /**
+   * Whether this process has a Vulkan device to trace with; `words` tell which, or what is missing and how to get it.
+   * Drivers are asked, no device is made.
+   */
+  static bool FindDevice(std::string& words);
+
+protected:
+  vtkRayTracedView();
+  ~vtkRayTracedView() override;
+
+private:
+  vtkRayTracedView(const vtkRayTracedView&) = delete;
+  void operator=(const vtkRayTracedView&) = delete;
+
+#ifndef __VTK_WRAP__
+  template <class T>
+  void Set(T& held, const T& value)
+  {
+    held = value;
+    this->Apply();
+  }
+  void Apply();
+
+  vtkRayTracedImageSettings Settings;
+#endif
+  vtkWeakPointer<vtkPVRenderView> View;
+  std::string Statistics;
+};
+
+#endif

@@ -1,0 +1,26 @@
+/**
+ * Numbers that the data suggest until they are set: GlyphScaleFactor and ShutterTime, while the property of that name
+ * with FromData behind it is on.
+ */
+#ifndef vtkSMRayTracedSuggestion_h
+#define vtkSMRayTracedSuggestion_h
+
+class vtkSMProxy;
+
+namespace vtkSMRayTracedSuggestion
+{
+/**
+ * A property is being set, of the representation that the display exposes it of: a number that the user sets no longer
+ * follows the data. To be called before observers of the property are, so that undoing both ends with the data's.
+ */
+void Follow(vtkSMProxy* representation, const char* name);
+
+/**
+ * Between the update and the render of a view: processes that have the data have found the numbers of what is shown,
+ * and those that render get them.
+ */
+void Take(vtkSMProxy* shown);
+}
+
+#endif
+// VTK-HeaderTest-Exclude: vtkSMRayTracedSuggestion.h
