@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace rtg
 {
@@ -53,14 +54,14 @@ FormMeter::FormMeter(int degree)
   const int m = degree + 1;
   const double wanted = std::sqrt(2.0) * coarseAngle / m;
   // Rings on the upper half of the sphere: f is the same on the lower one.
-  const int rings = static_cast<int>(std::ceil(0.5 * M_PI / wanted));
-  this->side_ = 0.5 * M_PI / rings;
+  const int rings = static_cast<int>(std::ceil(0.5 * std::numbers::pi / wanted));
+  this->side_ = 0.5 * std::numbers::pi / rings;
   for (int ring = 0; ring < rings; ++ring)
   {
     const double theta = (ring + 0.5) * this->side_;
-    const double widest = std::sin(std::min(theta + 0.5 * this->side_, 0.5 * M_PI));
-    const int count = static_cast<int>(std::ceil(2.0 * M_PI * widest / this->side_));
-    const double width = 2.0 * M_PI / count;
+    const double widest = std::sin(std::min(theta + 0.5 * this->side_, 0.5 * std::numbers::pi));
+    const int count = static_cast<int>(std::ceil(2.0 * std::numbers::pi * widest / this->side_));
+    const double width = 2.0 * std::numbers::pi / count;
     for (int i = 0; i < count; ++i)
     {
       this->directions_.push_back(Direction(theta, width * i));

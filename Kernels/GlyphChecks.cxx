@@ -207,7 +207,7 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t
   fits("colors of positions", mesh->positionColours.size(), mesh->positions.size());
   fits("colors of triangles", mesh->triangleColours.size(), mesh->triangles.size());
   fits("values of positions", mesh->positionValues.size(), mesh->positions.size());
-  const auto holds = [most](const char* name, std::size_t found, std::size_t mostOfThese)
+  const auto holds = [](const char* name, std::size_t found, std::size_t mostOfThese)
   {
     if (found > mostOfThese)
     {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace rtg
@@ -99,7 +100,7 @@ Form Polar(int l, int m)
 Form Harmonic(int l, int m, bool sine, int degree)
 {
   const double norm =
-    std::sqrt((m == 0 ? 1.0 : 2.0) * (2 * l + 1) / (4.0 * M_PI) * Factorial(l - m) / Factorial(l + m));
+    std::sqrt((m == 0 ? 1.0 : 2.0) * (2 * l + 1) / (4.0 * std::numbers::pi) * Factorial(l - m) / Factorial(l + m));
   Form form = Product(Product(Azimuthal(m, sine), Polar(l, m)), SquaredRadius((degree - l) / 2));
   for (double& term : form.terms)
   {

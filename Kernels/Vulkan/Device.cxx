@@ -251,7 +251,7 @@ void StartingVulkan(Work&& work)
   catch (const std::exception& error)
   {
     throw Error(std::string("Ray Traced Glyphs: Vulkan cannot be started (") + error.what() +
-      "). Install the Vulkan loader (Debian: libvulkan1). " + remedy);
+      "). Install the Vulkan loader (Debian: libvulkan1; Windows: with the driver). " + remedy);
   }
 }
 

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <random>
 #include <string>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
 namespace rtg
@@ -79,27 +79,39 @@ void Shrink(const fs::path& folder, std::uintmax_t mostBytes, const fs::path& ke
   }
 }
 
+#ifdef _WIN32
+constexpr const char* cacheVariable = "LOCALAPPDATA";
+#else
+constexpr const char* cacheVariable = "XDG_CACHE_HOME";
+#endif
+
+// The folder that an environment variable names; empty: none.
+fs::path NamedFolder(const char* variable)
+{
+#ifdef _WIN32
+  // std::getenv would give it in the system's code page.
+  const wchar_t* value = ::_wgetenv(fs::path(variable).c_str());
+#else
+  const char* value = std::getenv(variable);
+#endif
+  return value ? fs::path(value) : fs::path();
+}
+
 } // namespace
 
 std::optional<std::filesystem::path> CacheFolder()
 {
-  const auto variable = [](const char* name)
-  {
-    const char* value = std::getenv(name);
-    return std::string(value ? value : "");
-  };
-  const std::string own = variable("RTGLYPHS_CACHE"), base = variable("XDG_CACHE_HOME"), home = variable("HOME");
+  const fs::path own = NamedFolder("RTGLYPHS_CACHE"), base = NamedFolder(cacheVariable), home = NamedFolder("HOME");
   if (!own.empty())
   {
-    return own == "off" ? std::nullopt : std::optional<fs::path>(own);
+    return own == "off" ? std::nullopt : std::optional(own);
   }
   // A relative one is to be ignored, says the XDG Base Directory Specification.
-  if (fs::path(base).is_absolute())
+  if (base.is_absolute())
   {
-    return fs::path(base) / "RayTracedGlyphs";
+    return base / "RayTracedGlyphs";
   }
-  return fs::path(home).is_absolute() ? std::optional<fs::path>(fs::path(home) / ".cache" / "RayTracedGlyphs")
-                                      : std::nullopt;
+  return home.is_absolute() ? std::optional(home / ".cache" / "RayTracedGlyphs") : std::nullopt;
 }
 
 CacheFile::CacheFile(const std::optional<std::filesystem::path>& folder, const std::string& name)
@@ -135,7 +147,9 @@ void CacheFile::Save(const std::vector<std::uint8_t>& data) const
   std::error_code error;
   const fs::path folder = this->path_.parent_path();
   fs::create_directories(folder, error);
-  const fs::path beside = this->path_.string() + "." + std::to_string(::getpid());
+  fs::path beside = this->path_;
+  beside += '.';
+  beside += std::to_string(std::random_device()());
   bool written = false;
   {
     std::ofstream out(beside, std::ios::binary | std::ios::trunc);

@@ -12,7 +12,7 @@ namespace rtg
 {
 
 /// The folder of all caches: that of the environment variable RTGLYPHS_CACHE, none when it is `off`, else
-/// RayTracedGlyphs in $XDG_CACHE_HOME or ~/.cache. None when nothing says where.
+/// RayTracedGlyphs in $XDG_CACHE_HOME (Windows: %LOCALAPPDATA%) or ~/.cache. None when nothing says where.
 std::optional<std::filesystem::path> CacheFolder();
 
 /// One file of a driver's data. It is only ever a shortcut: whatever is wrong with file or folder, there are no data,

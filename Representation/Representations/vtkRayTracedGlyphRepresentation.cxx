@@ -100,8 +100,8 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData>
-vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock)
+vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(
+  vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   vtkGlyphPointGatherer::Options options;
@@ -113,7 +113,7 @@ vtkRayTracedGlyphRepresentation::Gather(vtkDataObject* data, const int* wholeExt
     options.Processes = controller->GetNumberOfProcesses();
   }
   options.WholeExtent = wholeExtent;
-  options.Progress = this->ProgressOf("Gathering points");
+  options.Progress = progress;
   return vtkGlyphPointGatherer::Gather(data, options);
 }
 

@@ -212,7 +212,8 @@ protected:
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
-  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock) override;
+  vtkSmartPointer<vtkPolyData> Gather(
+    vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress) override;
   std::vector<std::string> Arrays() const override;
   const double* GetDataBounds(vtkPolyData* points) override;
   vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;

@@ -128,9 +128,17 @@ vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::GatherTree(vtkDataObj
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const bool blocks = input->IsA("vtkCompositeDataSet");
+  const vtkRayTracedParallel::Progress progress = this->ProgressOf("Gathering points");
+  const double all = std::max(1.0, static_cast<double>(input->GetNumberOfElements(vtkDataObject::POINT)));
+  double done = 0.0;
   return vtkRayTracedTree::Make(input, this->GetBlockColorsDistinctValues(),
     controller ? controller->GetNumberOfProcesses() : 1,
-    [&](vtkDataObject* data) { return this->Gather(data, wholeExtent, blocks); });
+    [&](vtkDataObject* data)
+    {
+      const double first = done;
+      done += data ? static_cast<double>(data->GetNumberOfElements(vtkDataObject::POINT)) / all : 0.0;
+      return this->Gather(data, wholeExtent, blocks, vtkRayTracedParallel::Part(progress, first, std::min(done, 1.0)));
+    });
 }
 
 //----------------------------------------------------------------------------

@@ -95,13 +95,14 @@ protected:
 
   ///@{
   /**
-   * The data side. Gather() makes what is delivered to the mapper of one data set, a block of composite data or all;
-   * `wholeExtent` is null unless it is a piece of a structured data set; Arrays() are names of those that are to be
-   * made of several. GetDataBounds() are those of everything shown of gathered or delivered points, before the actor's
-   * transform. Deliver() may hand further pieces to the view.
+   * The data side. Gather() makes what is delivered to the mapper of one data set, a block of composite data or all,
+   * and tells `progress`; `wholeExtent` is null unless it is a piece of a structured data set; Arrays() are names of
+   * those that are to be made of several. GetDataBounds() are those of everything shown of gathered or delivered
+   * points, before the actor's transform. Deliver() may hand further pieces to the view.
    */
   virtual vtkSmartPointer<vtkDataObject> GatherTree(vtkDataObject* input, const int* wholeExtent);
-  virtual vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock) = 0;
+  virtual vtkSmartPointer<vtkPolyData>
+  Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress) = 0;
   virtual std::vector<std::string> Arrays() const;
   virtual const double* GetDataBounds(vtkPolyData* points) = 0;
   virtual void Deliver(vtkInformation*, bool /*lod*/) {}

@@ -40,8 +40,8 @@ void vtkRayTracedSurfaceRepresentation::SetInterpolation(int interpolation)
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData>
-vtkRayTracedSurfaceRepresentation::Gather(vtkDataObject* data, const int* wholeExtent, bool)
+vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceRepresentation::Gather(
+  vtkDataObject* data, const int* wholeExtent, bool, const vtkRayTracedParallel::Progress&)
 {
   vtkRayTracedSurfaceGatherer::Settings settings;
   if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())

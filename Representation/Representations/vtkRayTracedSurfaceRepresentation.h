@@ -29,7 +29,8 @@ protected:
   vtkRayTracedSurfaceRepresentation();
   ~vtkRayTracedSurfaceRepresentation() override;
 
-  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock) override;
+  vtkSmartPointer<vtkPolyData> Gather(
+    vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress) override;
   const double* GetDataBounds(vtkPolyData* surface) override;
   vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;

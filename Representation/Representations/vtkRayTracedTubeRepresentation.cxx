@@ -33,7 +33,8 @@ void vtkRayTracedTubeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::Gather(vtkDataObject* data, const int* wholeExtent, bool)
+vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::Gather(
+  vtkDataObject* data, const int* wholeExtent, bool, const vtkRayTracedParallel::Progress&)
 {
   vtkRayTracedSurfaceGatherer::Settings settings;
   if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())

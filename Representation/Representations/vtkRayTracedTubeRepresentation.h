@@ -40,7 +40,8 @@ protected:
   vtkRayTracedTubeRepresentation();
   ~vtkRayTracedTubeRepresentation() override;
 
-  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock) override;
+  vtkSmartPointer<vtkPolyData> Gather(
+    vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress) override;
   const double* GetDataBounds(vtkPolyData* lines) override;
   vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;

@@ -43,20 +43,20 @@ vtkSMRayTracedViewProxy* vtkSMRayTracedRepresentationProxy::GetView()
 }
 
 //----------------------------------------------------------------------------
-// Numbers that the data suggest are asked for one by one.
+// What is known of the data is that of the processes that have them.
 void vtkSMRayTracedRepresentationProxy::UpdatePropertyInformationInternal(vtkSMProperty* property)
 {
-  const bool statistics = !property || property == this->GetProperty("RenderStatistics");
-  if (statistics && this->View)
-  {
-    this->View->UpdateStatistics();
-  }
-  else if (!statistics && this->IsShown())
+  vtkSMProperty* statistics = this->GetProperty("RenderStatistics");
+  if (property != statistics && this->IsShown())
   {
     const vtkTypeUInt32 everywhere = this->Location;
     this->Location = vtkPVSession::DATA_SERVER_ROOT;
     this->Superclass::UpdatePropertyInformationInternal(property);
     this->Location = everywhere;
+  }
+  if ((!property || property == statistics) && this->View)
+  {
+    this->View->UpdateStatistics();
   }
 }
 

@@ -1,15 +1,17 @@
 // The driver's data on disk: they come back as they were, or not at all; and the pipeline that uses them.
+#include "Variable.h"
 #include "Vulkan/ProgramCache.h"
 
 #include <gtest/gtest.h>
 
 #include <cerrno>
-#include <cstdlib>
-#include <dirent.h>
-#include <dlfcn.h>
 #include <fstream>
 #include <numeric>
-#include <unistd.h>
+#include <random>
+
+#ifndef _WIN32
+#include <dirent.h>
+#include <dlfcn.h>
 
 namespace
 {
@@ -27,9 +29,12 @@ extern "C" __attribute__((visibility("default"))) dirent* readdir(DIR* folder)
   }
   return entry;
 }
+#endif
 
 namespace
 {
+
+using rtg::testing::Variable;
 
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
@@ -37,7 +42,7 @@ using Bytes = std::vector<std::uint8_t>;
 class CacheFileTest : public ::testing::Test
 {
 protected:
-  const fs::path folder = fs::temp_directory_path() / ("CacheFileTest." + std::to_string(::getpid()));
+  const fs::path folder = fs::temp_directory_path() / ("CacheFileTest." + std::to_string(std::random_device()()));
   const fs::path path = this->folder / "driver";
 
   ~CacheFileTest() override { fs::remove_all(this->folder); }
@@ -53,25 +58,6 @@ protected:
   {
     return fs::exists(this->folder) ? std::size_t(std::distance(fs::directory_iterator(this->folder), {})) : 0;
   }
-};
-
-class Variable
-{
-public:
-  Variable(const char* name, const char* value)
-    : name_(name)
-  {
-    const char* before = std::getenv(name);
-    this->had_ = before != nullptr;
-    this->before_ = before ? before : "";
-    value ? ::setenv(name, value, 1) : ::unsetenv(name);
-  }
-  ~Variable() { this->had_ ? ::setenv(this->name_, this->before_.c_str(), 1) : ::unsetenv(this->name_); }
-
-private:
-  const char* name_;
-  bool had_ = false;
-  std::string before_;
 };
 
 TEST_F(CacheFileTest, ComesBack)
@@ -129,6 +115,7 @@ TEST_F(CacheFileTest, WhereNothingCanBeWrittenNothingIs)
   EXPECT_EQ(this->Files(), 2u);
 }
 
+#ifndef _WIN32
 TEST_F(CacheFileTest, AFolderThatCannotBeReadIsNoFailure)
 {
   const rtg::CacheFile file(this->folder, "driver");
@@ -140,6 +127,7 @@ TEST_F(CacheFileTest, AFolderThatCannotBeReadIsNoFailure)
   EXPECT_EQ(file.Load(), Data(20));
   EXPECT_EQ(this->Files(), 1u);
 }
+#endif
 
 TEST_F(CacheFileTest, Bounded)
 {
@@ -173,19 +161,25 @@ TEST_F(CacheFileTest, Bounded)
 
 TEST_F(CacheFileTest, FoldersOfTheEnvironment)
 {
-  const Variable home("HOME", "/home/somebody");
-  const Variable none("XDG_CACHE_HOME", nullptr), unset("RTGLYPHS_CACHE", nullptr);
-  EXPECT_EQ(rtg::CacheFolder(), fs::path("/home/somebody/.cache/RayTracedGlyphs"));
+#ifdef _WIN32
+  const char* const cacheVariable = "LOCALAPPDATA";
+#else
+  const char* const cacheVariable = "XDG_CACHE_HOME";
+#endif
+  const fs::path root = fs::temp_directory_path().root_path(), user = root / "home" / "user";
+  const Variable home("HOME", user.string().c_str());
+  const Variable none(cacheVariable, nullptr), unset("RTGLYPHS_CACHE", nullptr);
+  EXPECT_EQ(rtg::CacheFolder(), user / ".cache" / "RayTracedGlyphs");
   {
-    const Variable base("XDG_CACHE_HOME", "/caches");
-    EXPECT_EQ(rtg::CacheFolder(), fs::path("/caches/RayTracedGlyphs"));
-    const Variable own("RTGLYPHS_CACHE", "/elsewhere");
-    EXPECT_EQ(rtg::CacheFolder(), fs::path("/elsewhere"));
+    const Variable base(cacheVariable, (root / "caches").string().c_str());
+    EXPECT_EQ(rtg::CacheFolder(), root / "caches" / "RayTracedGlyphs");
+    const Variable own("RTGLYPHS_CACHE", "elsewhere");
+    EXPECT_EQ(rtg::CacheFolder(), "elsewhere");
     const Variable off("RTGLYPHS_CACHE", "off");
     EXPECT_EQ(rtg::CacheFolder(), std::nullopt);
   }
-  const Variable relative("XDG_CACHE_HOME", "caches");
-  EXPECT_EQ(rtg::CacheFolder(), fs::path("/home/somebody/.cache/RayTracedGlyphs"));
+  const Variable relative(cacheVariable, "caches");
+  EXPECT_EQ(rtg::CacheFolder(), user / ".cache" / "RayTracedGlyphs");
   const Variable homeless("HOME", nullptr);
   EXPECT_EQ(rtg::CacheFolder(), std::nullopt);
 }

@@ -1,5 +1,6 @@
 // Which device the environment variable RTGLYPHS_DEVICE chooses.
 #include "Glyphs.h"
+#include "Variable.h"
 #include "Vulkan/Device.h"
 #include "Vulkan/DeviceState.h"
 
@@ -7,16 +8,17 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
+
+using rtg::testing::Variable;
 
 TEST(DeviceTest, NumbersAreIndicesOrPartsOfNames)
 {
-  ::unsetenv("RTGLYPHS_DEVICE");
+  const Variable unset("RTGLYPHS_DEVICE", nullptr);
   const std::string name = rtg::Device::Shared()->Name();
   EXPECT_EQ(rtg::Device::Chosen().name, name);
 
   // No machine has so many devices.
-  ::setenv("RTGLYPHS_DEVICE", "4090", 1);
+  const Variable other("RTGLYPHS_DEVICE", "4090");
   if (name.find("4090") == std::string::npos)
   {
     try
@@ -46,9 +48,8 @@ TEST(DeviceTest, NumbersAreIndicesOrPartsOfNames)
   {
     GTEST_SKIP() << name << " has no number in its name";
   }
-  ::setenv("RTGLYPHS_DEVICE", number.c_str(), 1);
+  const Variable own("RTGLYPHS_DEVICE", number.c_str());
   EXPECT_EQ(rtg::Device::Shared()->Name(), name);
-  ::unsetenv("RTGLYPHS_DEVICE");
 }
 
 TEST(DeviceTest, OwnTreesOnlyWhereNoHardwareFindsWhatRaysMeet)

@@ -3,7 +3,6 @@
 #include "Shapes/Shapes.h"
 
 #include <gtest/gtest.h>
-#include <quadmath.h>
 
 #include <random>
 

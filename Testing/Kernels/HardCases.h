@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/gtc/quaternion.hpp>
+#include <numbers>
 #include <numeric>
 #include <random>
 #include <ostream>
@@ -153,13 +154,13 @@ private:
   int Choice(int count) { return int(this->engine_() % std::uint64_t(count)); }
   Vec UnitVector()
   {
-    const double z = this->Uniform(-1, 1), phi = this->Uniform(-M_PI, M_PI);
+    const double z = this->Uniform(-1, 1), phi = this->Uniform(-std::numbers::pi, std::numbers::pi);
     return { std::sqrt(1 - z * z) * std::cos(phi), std::sqrt(1 - z * z) * std::sin(phi), z };
   }
   glm::vec4 Rotation()
   {
     const Vec axis = this->UnitVector();
-    const double angle = this->Uniform(0, M_PI);
+    const double angle = this->Uniform(0, std::numbers::pi);
     return glm::vec4(glm::dvec4(std::sin(angle / 2) * axis, std::cos(angle / 2)));
   }
 
@@ -408,7 +409,7 @@ inline glm::dvec3 HardCaseMaker::RandomBoxPoint()
 /// A point of an edge, rim, vertex or apex of the unit form, in its box.
 inline glm::dvec3 HardCaseMaker::EdgePoint(const HardCase& hard, std::uint32_t index)
 {
-  const double phi = this->Uniform(-M_PI, M_PI);
+  const double phi = this->Uniform(-std::numbers::pi, std::numbers::pi);
   const double c = 0.5 * std::cos(phi), s = 0.5 * std::sin(phi);
   const double side = this->Choice(2) - 0.5;
   const ArrowForm& arrow = this->subject_.arrow;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace
@@ -142,10 +143,11 @@ TEST_F(HarmonicFormsTest, EachBasisIsTheSumOfItsHarmonics)
 /// / 4 (x^2 - y^2) and so on.
 TEST_F(HarmonicFormsTest, LowBandsAreThoseOfTables)
 {
-  const double a = 0.5 * std::sqrt(15.0 / M_PI);
+  const double a = 0.5 * std::sqrt(15.0 / std::numbers::pi);
   const glm::dvec3 n = glm::normalize(glm::dvec3(0.3, -0.5, 0.8));
   const double xy = a * n.x * n.y, yz = a * n.y * n.z, xz = a * n.x * n.z, xx = 0.5 * a * (n.x * n.x - n.y * n.y),
-               zz = 0.25 * std::sqrt(5.0 / M_PI) * (3.0 * n.z * n.z - 1.0), one = 0.5 / std::sqrt(M_PI);
+               zz = 0.25 * std::sqrt(5.0 / std::numbers::pi) * (3.0 * n.z * n.z - 1.0),
+               one = 0.5 / std::sqrt(std::numbers::pi);
   const double expected[4][6] = { { one, xy, -yz, zz, -xz, xx }, { one, xx, xz, zz, -yz, xy },
     { one, xx, -xz, zz, -yz, xy }, { one, xy, yz, zz, xz, xx } };
   for (int basis = 0; basis < 4; ++basis)

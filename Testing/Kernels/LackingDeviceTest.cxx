@@ -2,32 +2,19 @@
 #include "Glyphs.h"
 #include "Scene.h"
 #include "Tracer.h"
+#include "Variable.h"
 #include "Vulkan/DeviceState.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 
 namespace
 {
 
-// An environment variable while it lives.
-class Variable
-{
-public:
-  Variable(const char* name, const char* value)
-    : name_(name)
-  {
-    setenv(name, value, 1);
-  }
-  ~Variable() { unsetenv(this->name_); }
-
-private:
-  const char* name_;
-};
+using rtg::testing::Variable;
 
 std::string Message(bool look)
 {

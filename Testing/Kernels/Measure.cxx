@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 template struct rtg::shapes::Kernel<float>;
@@ -71,7 +72,7 @@ void CompareHit(const ReferenceGlyph& glyph, const HardRay& ray, const Answer& a
   verdict.radians = glm::length(glm::cross(normal, answer.normal));
   if (glm::dot(normal, answer.normal) <= 0.0)
   {
-    verdict.radians = M_PI - verdict.radians;
+    verdict.radians = std::numbers::pi - verdict.radians;
   }
   verdict.normalExcess = verdict.radians / (boundRadians * relativeRoundoff<Real>);
 }

@@ -3,6 +3,7 @@
 #include "MovingGlyphs.h"
 
 #include <cstring>
+#include <numbers>
 
 using namespace moving;
 
@@ -18,7 +19,7 @@ rtg::TriangleMesh SphereMesh(std::uint32_t rings)
   {
     for (std::uint32_t column = 0; column < columns; ++column)
     {
-      const double polar = M_PI * row / rings, around = 2.0 * M_PI * column / columns;
+      const double polar = std::numbers::pi * row / rings, around = 2.0 * std::numbers::pi * column / columns;
       mesh.positions.emplace_back(
         std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar));
     }

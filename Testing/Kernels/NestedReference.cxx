@@ -1,30 +1,38 @@
 #include "NestedReference.h"
 
-#include <quadmath.h>
-
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace rtg::testing
 {
 namespace
 {
 
-long double Log(long double x)
+template <class Real>
+Real Log(Real x)
 {
-  return std::log(x);
+  if constexpr (std::is_same_v<Real, Quad>)
+  {
+    return logq(x);
+  }
+  else
+  {
+    return std::log(x);
+  }
 }
-long double Exp(long double x)
+
+template <class Real>
+Real Exp(Real x)
 {
-  return std::exp(x);
-}
-__float128 Log(__float128 x)
-{
-  return logq(x);
-}
-__float128 Exp(__float128 x)
-{
-  return expq(x);
+  if constexpr (std::is_same_v<Real, Quad>)
+  {
+    return expq(x);
+  }
+  else
+  {
+    return std::exp(x);
+  }
 }
 
 /// log R(z) of a profile and the derivative -z d(log R)/dz; z in [0, 1).

@@ -2,6 +2,8 @@
 // slope where the body is convex, else subdivision by bounds that hold in every octant, in 64 bits; then in 113.
 #pragma once
 
+#include "Quad.h"
+
 #include <vector>
 
 namespace rtg::testing
@@ -10,8 +12,6 @@ namespace rtg::testing
 class NestedReference
 {
 public:
-  using Quad = __float128;
-
   struct Crossing
   {
     Quad s = 0;

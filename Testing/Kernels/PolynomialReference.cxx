@@ -1,7 +1,5 @@
 #include "PolynomialReference.h"
 
-#include <quadmath.h>
-
 #include <algorithm>
 #include <cmath>
 

@@ -3,8 +3,6 @@
 #include "NestedReference.h"
 #include "PolynomialReference.h"
 
-#include <quadmath.h>
-
 #include <algorithm>
 
 namespace rtg::testing

@@ -4,14 +4,13 @@
 #pragma once
 
 #include "Glyphs.h"
+#include "Quad.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace rtg::testing
 {
-
-using Quad = __float128;
 
 struct QuadVector
 {

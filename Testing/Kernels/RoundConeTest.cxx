@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -184,7 +185,7 @@ TYPED_TEST(RoundConeLineTest, StraightLinesHaveNoSeams)
       const double offset = 0.3 - row / 64.0, half = std::sqrt(0.25 - offset * offset);
       for (int turn = 0; turn < (inJoint ? turns : 1); ++turn)
       {
-        const double angle = 2.0 * M_PI * turn / turns, c = std::cos(angle), s = std::sin(angle);
+        const double angle = 2.0 * std::numbers::pi * turn / turns, c = std::cos(angle), s = std::sin(angle);
         typename Line<TypeParam>::Kernel::GlyphRay ray{};
         ray.origin = { TypeParam(k) / 128, TypeParam(3 * c - offset * s), TypeParam(3 * s + offset * c) };
         ray.direction = { 0, TypeParam(-c), TypeParam(-s) };
@@ -236,7 +237,7 @@ TYPED_TEST(RoundConeLineTest, TipsAndBalls)
   // A ball of radius 1 round (-1, 0, 0), and its tangents from (1, 0, 0): at 30 degrees.
   EXPECT_NEAR(crossing({ 4, 0, 0 }, { -1, 0, 0 }), 3.0, 1e-6);
   EXPECT_NEAR(crossing({ -4, 0, 0 }, { 1, 0, 0 }), 2.0, 1e-6);
-  EXPECT_NEAR(crossing({ 0, 3, 0 }, { 0, -1, 0 }), 3.0 - std::tan(M_PI / 6), 1e-6);
+  EXPECT_NEAR(crossing({ 0, 3, 0 }, { 0, -1, 0 }), 3.0 - std::tan(std::numbers::pi / 6), 1e-6);
   EXPECT_EQ(crossing({ TypeParam(1.001), 3, 0 }, { 0, -1, 0 }), -1.0);
   glyph.size = { TypeParam(0.25), 1, 2 };
   EXPECT_NEAR(crossing({ -4, 0, 0 }, { 1, 0, 0 }), 3.125, 1e-6);

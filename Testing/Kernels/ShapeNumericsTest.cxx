@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace
@@ -175,7 +176,7 @@ TEST(TinyHeadsTest, RimsAreKeptToTheirSize)
   for (int i = 0; i < 5000; ++i)
   {
     // Past the base, within a hundredth to a ten-thousandth of the rim, and hardly inclined.
-    const double angle = M_PI * uniform(engine), beside = std::pow(10.0, uniform(engine) - 3.0);
+    const double angle = std::numbers::pi * uniform(engine), beside = std::pow(10.0, uniform(engine) - 3.0);
     const double radius = 1e-6 * double(glyph.arrow.y) * (1.0 + std::copysign(beside, uniform(engine)));
     const glm::dvec3 point(1.0 - 1e-6 * double(glyph.arrow.z), radius * std::cos(angle), radius * std::sin(angle));
     const glm::dvec3 along = rtg::shapes::Kernel<double>::RotateToWorld(glyph, glm::dvec3(-1.0, 0.0, 0.0));
@@ -205,7 +206,7 @@ TEST(FlatRimsTest, NormalsKeepTheBound)
     for (int i = 0; i < 5000; ++i)
     {
       // On the unit sphere, 1e-6 to 0.1 from the circle z = 0; a capsule's halves lie half its length away.
-      const double angle = M_PI * uniform(engine), z = std::pow(10.0, 2.5 * uniform(engine) - 3.5);
+      const double angle = std::numbers::pi * uniform(engine), z = std::pow(10.0, 2.5 * uniform(engine) - 3.5);
       const glm::dvec3 unit(std::cos(angle) * std::sqrt(1 - z * z), std::sin(angle) * std::sqrt(1 - z * z), z);
       glm::dvec3 point = 0.5 * unit * glm::dvec3(glyph.size);
       point.x += shape == rtg::Shape::Capsule ? std::copysign(0.5 * glyph.size.x, unit.x) : 0.0;

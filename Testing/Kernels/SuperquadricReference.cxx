@@ -4,8 +4,6 @@
 // else halved.
 #include "Reference.h"
 
-#include <quadmath.h>
-
 #include <algorithm>
 #include <array>
 
@@ -51,7 +49,7 @@ public:
       }
       else if (d != 0 && e <= 1)
       {
-        point.slope[i] = -from * (e < 1 ? Quad(HUGE_VALQ) : fabsq(d));
+        point.slope[i] = -from * (e < 1 ? Quad(HUGE_VAL) : fabsq(d));
       }
     }
     return point;
@@ -140,7 +138,7 @@ void ReferenceGlyph::MeetSuperquadric(const UnitRay& ray, std::vector<ReferenceC
   const Line line(o, d, e);
 
   // The chord through the box.
-  Quad from = -HUGE_VALQ, to = HUGE_VALQ;
+  Quad from = -HUGE_VAL, to = HUGE_VAL;
   const Quad half = Quad(0.5) * (1 + Quad(1e-25));
   for (int i = 0; i < 3; ++i)
   {

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <quadmath.h>
-
 #include <algorithm>
 #include <iostream>
 
@@ -29,12 +27,12 @@ double LargestPowerError(double leastExponent, double mostExponent)
     const Real hi = Real(std::pow(10.0, -6 * unit(engine)) * (i % 2 ? 1.0 : 1.2));
     const typename Kernel::DoubleWord x = Kernel::FastTwoSum(hi, Real(hi * roundoff * unit(engine)));
     const typename Kernel::DoubleWord power = Kernel::Power(x, e);
-    const __float128 exact = powq(__float128(x.hi) + x.lo, e);
-    if (exact < __float128(1e-18))
+    const Quad exact = powq(Quad(x.hi) + x.lo, e);
+    if (exact < Quad(1e-18))
     {
       continue; // does not count beside one
     }
-    const double error = double(fabsq(__float128(power.hi) + power.lo - exact) / exact);
+    const double error = double(fabsq(Quad(power.hi) + power.lo - exact) / exact);
     const double bound =
       8 * std::max(roundoff * roundoff, 0x1p-101) * (1 + double(e) * (1 + std::abs(std::log2(double(x.hi)))));
     largest = std::max(largest, error / bound);

@@ -1,10 +1,9 @@
 // Tensors: decomposition against 113 bits, the exponents of both kinds of glyphs, continuity.
 #include "Continuity.h"
+#include "Quad.h"
 #include "RandomTensors.h"
 
 #include <gtest/gtest.h>
-
-#include <quadmath.h>
 
 #include <algorithm>
 #include <array>
@@ -19,11 +18,11 @@ namespace
 {
 
 using namespace rtg;
+using rtg::testing::Quad;
 using rtg::testing::Random;
 using rtg::testing::shareOfJump;
 using rtg::testing::Sweep;
 using rtg::testing::TensorOf;
-using Quad = __float128;
 
 //----------------------------------------------------------------------------
 // The reference: Jacobi's rotations in 113 bits, which loses 1e-33 of the largest eigenvalue.

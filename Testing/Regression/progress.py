@@ -2,9 +2,8 @@
 
 Usage: pvpython progress.py
 """
-import numpy
 import paraview.simple as pv
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
 
 import session
 from checks import Checks
@@ -14,12 +13,14 @@ TIMED = ("Sorting Glyphs",)  # told once a frame has taken some tenths of a seco
 
 
 def blocks(count):
-    """Points in two blocks, which have to be copied."""
-    random = numpy.random.default_rng(1)
+    """Points of two grids, which have to be computed."""
     data = vtkMultiBlockDataSet()
     for block in range(2):
-        data.SetBlock(block, session.poly_data(random.random((count // 2, 3), dtype=numpy.float32),
-                                               value=random.random(count // 2, dtype=numpy.float32)))
+        grid = vtkImageData()
+        grid.SetDimensions(count // 20000, 100, 100)
+        grid.SetOrigin(0.5 * block, 0.0, 0.0)
+        grid.SetSpacing(10000.0 / count, 0.01, 0.01)
+        data.SetBlock(block, grid)
     return data
 
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Runs demo.sh or test.sh in a bare Debian of another release, in a chroot of its own, as root or with sudo. The chroot
 # holds the clone's last commit and is used again by the next run.
-# Usage: chroot.sh RELEASE [--dir DIR] [--mirror URI] [--ccache DIR] [--fresh] demo|test [ARGUMENT...]
+# Usage: chroot.sh RELEASE [--dir DIR] [--arch ARCH] [--mirror URI] [--ccache DIR] [--fresh] demo|test [ARGUMENT...]
 #        chroot.sh RELEASE [...] deb FILE.deb                   try_deb.sh: the package is installed, used and purged
 #        chroot.sh RELEASE [...] run COMMAND [ARGUMENT...]      any other command, in the chroot's copy of the clone
 #   RELEASE        bookworm, trixie, testing: a suite of the mirror
-#   --dir DIR      the chroot                   (default: build-chroot-RELEASE in the clone)
+#   --dir DIR      the chroot                   (default: build-chroot-RELEASE[-ARCH] in the clone)
+#   --arch ARCH    Debian's name of another kind of processor, such as arm64, which qemu-user-static plays
 #   --mirror URI   where packages come from     (default: the mirror that this machine's apt uses)
 #   --ccache DIR   compile through ccache, with this cache from outside of the chroot
 #   --fresh        delete the chroot and make it anew
@@ -18,12 +19,13 @@ clone=$(cd "$here/../.." && pwd)
 fail() { echo "chroot.sh: $*" >&2; exit 1; }
 usage() { sed -n '2,/^set /s/^# \{0,1\}//p' "$0"; }
 
-release= dir= mirror= cache= fresh=no
+release= dir= arch= mirror= cache= fresh=no
 arguments=("$@")
 while [ $# -gt 0 ]; do
   case "$1" in
-    --dir | --mirror | --ccache) [ $# -gt 1 ] || fail "$1 needs a value" ;;&
+    --dir | --arch | --mirror | --ccache) [ $# -gt 1 ] || fail "$1 needs a value" ;;&
     --dir) dir=$2; shift ;;
+    --arch) arch=$2; shift ;;
     --mirror) mirror=$2; shift ;;
     --ccache) cache=$(realpath -m "$2"); shift ;;
     --fresh) fresh=yes ;;
@@ -36,7 +38,7 @@ while [ $# -gt 0 ]; do
 done
 [ -n "$release" ] && [ $# -gt 0 ] || { usage >&2; exit 2; }
 [ "$1" != deb ] || { [ $# = 2 ] && [ -r "$2" ]; } || fail "deb needs the file of one package, which '${*:2}' is not"
-dir=$(realpath -m "${dir:-$clone/build-chroot-$release}")
+dir=$(realpath -m "${dir:-$clone/build-chroot-$release${arch:+-$arch}}")
 complete=$dir/etc/raytracedglyphs-chroot # written when debootstrap has ended well
 
 if [ "$(id -u)" != 0 ]; then
@@ -44,12 +46,31 @@ if [ "$(id -u)" != 0 ]; then
   exec sudo --preserve-env=http_proxy,https_proxy,no_proxy,CI "$0" "${arguments[@]}"
 fi
 
+# Lets the kernel start programs of the other kind of processor by an emulator that it keeps open, in chroots, too.
+register_emulator() {
+  local processor formats=/proc/sys/fs/binfmt_misc
+  case "$arch" in
+    arm64) processor=aarch64 ;;
+    amd64) processor=x86_64 ;;
+    *) processor=$arch ;;
+  esac
+  [ "$processor" != "$(uname -m)" ] || return 0
+  [ -e "$formats/register" ] || mount -t binfmt_misc binfmt_misc "$formats" || fail "the kernel has no binfmt_misc"
+  [ -e "$formats/qemu-$processor" ] || cat "/usr/lib/binfmt.d/qemu-$processor.conf" >"$formats/register" ||
+    fail "qemu-user-static has no emulator of '$arch'"
+}
+
 # All that follows runs in namespaces of its own: mounts that nobody else sees, and processes that the kernel ends together
 # with the first of them. However this script ends, no process and no mount remains.
 if [ -z "${RTGLYPHS_IN_NAMESPACE:-}" ]; then
-  command -v debootstrap >/dev/null ||
-    DEBIAN_FRONTEND=noninteractive apt-get -qy install --no-install-recommends debootstrap ||
-    fail "no debootstrap; apt-get install debootstrap"
+  packages=(debootstrap)
+  [ -z "$arch" ] || packages+=(qemu-user-static)
+  dpkg-query -W "${packages[@]}" >/dev/null 2>&1 ||
+    DEBIAN_FRONTEND=noninteractive apt-get -qy install --no-install-recommends "${packages[@]}" ||
+    fail "could not install; apt-get install ${packages[*]}"
+  if [ -n "$arch" ]; then
+    register_emulator
+  fi
   mkdir -p "$(dirname "$dir")"
   exec 9>"$dir.lock"
   flock --nonblock 9 || fail "$dir is in use by another run"
@@ -89,7 +110,7 @@ make_chroot() {
   [ -e "/usr/share/debootstrap/scripts/$release" ] || script=(/usr/share/debootstrap/scripts/sid)
   echo "chroot: making $dir"
   mkdir -p "$dir"
-  debootstrap --variant=minbase "${keyring[@]}" "$release" "$dir" "$mirror" "${script[@]}" >"$dir.log" 2>&1 ||
+  debootstrap --variant=minbase ${arch:+"--arch=$arch"} "${keyring[@]}" "$release" "$dir" "$mirror" "${script[@]}" >"$dir.log" 2>&1 ||
     fail "debootstrap failed; the end of $dir.log:
 $(tail -n 5 "$dir.log")"
   # How this machine's apt reaches its mirror: proxies, checks of dates.
