@@ -356,9 +356,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   {
     this->AddRadiusColors(colors);
   }
-  const bool blockColors = std::any_of(
-    this->Blocks.begin(), this->Blocks.end(), [](const auto& block) { return block.Color || block.Opacity < 1.0; });
-  if (mapped.Any || tensors || blockColors || selected)
+  if (mapped.Any || tensors || this->HasOwnLooks() || selected)
   {
     colors.each.resize(this->Sources.size());
     vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.each.size()),

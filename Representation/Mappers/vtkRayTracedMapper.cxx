@@ -155,19 +155,24 @@ std::size_t vtkRayTracedMapper::BlockOf(vtkIdType point) const
 }
 
 //----------------------------------------------------------------------------
+bool vtkRayTracedMapper::HasOwnLooks() const
+{
+  return std::any_of(this->Blocks.begin(), this->Blocks.end(),
+    [](const vtkRayTracedBlocks::Block& block) { return block.Color || block.Opacity < 1.0; });
+}
+
+//----------------------------------------------------------------------------
 vtkRayTracedMapper::MappedColors
 vtkRayTracedMapper::MapColors(bool interpolateValues, const char* what, std::vector<std::string>& messages)
 {
   MappedColors mapped;
   mapped.Blocks.resize(this->Blocks.size());
   const vtkRayTracedBlocks::Block* missing = nullptr;
-  for (std::size_t i = 0; i < this->Blocks.size(); ++i)
+  for (const vtkRayTracedBlocks::Block& block : this->Blocks)
   {
-    const vtkRayTracedBlocks::Block& block = this->Blocks[i];
-    mapped.OwnLooks |= block.Color || block.Opacity < 1.0;
     interpolateValues &= block.Scalars.InterpolatesScalars;
   }
-  interpolateValues &= !mapped.OwnLooks; // these are mixed in point by point
+  interpolateValues &= !this->HasOwnLooks(); // these are mixed in point by point
   for (std::size_t i = 0; i < this->Blocks.size(); ++i)
   {
     const vtkRayTracedBlocks::Block& block = this->Blocks[i];

@@ -178,7 +178,6 @@ protected:
     };
     std::vector<OfBlock> Blocks;
     bool Any = false, OfCells = false; // some block has colors; some of those are of cells
-    bool OwnLooks = false;             // blocks have colors and opacities of their own
     bool OneTable = true;
     std::vector<float> Values; // of points
     std::vector<std::uint32_t> Table;
@@ -186,6 +185,11 @@ protected:
   MappedColors MapColors(bool interpolateValues, const char* what, std::vector<std::string>& messages);
   std::array<double, 4> ColorOf(const MappedColors& mapped, vtkIdType point, vtkIdType cell) const;
   ///@}
+
+  /**
+   * Whether some block has a color or an opacity of its own.
+   */
+  bool HasOwnLooks() const;
 
   /**
    * The number of a point's block.

@@ -122,7 +122,7 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
         }
       });
   }
-  else if (mapped.Any || mapped.OwnLooks)
+  else if (mapped.Any || this->HasOwnLooks())
   {
     colored->positionColours.resize(mesh.positions.size());
     vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.positions.size()),

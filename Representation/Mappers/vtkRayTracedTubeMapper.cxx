@@ -82,7 +82,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
   rtg::GlyphColours colors;
   colors.table = mapped.Table;
   const bool ends = !mapped.Values.empty() || (mapped.Any && !mapped.OfCells);
-  const bool each = points || (!ends && (mapped.Any || mapped.OwnLooks));
+  const bool each = points || (!ends && (mapped.Any || this->HasOwnLooks()));
   colors.each.resize(each ? this->Sources.size() : 0);
   colors.ends.resize(ends ? this->Sources.size() : 0);
   const auto atEnd = [&](vtkIdType point)

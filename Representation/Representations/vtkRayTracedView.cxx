@@ -29,11 +29,18 @@ void vtkRayTracedView::SetView(vtkPVView* view)
 }
 
 //----------------------------------------------------------------------------
+// Null: this process does not have the view.
+vtkRayTracedScene* vtkRayTracedView::GetScene() const
+{
+  return this->View ? vtkRayTracedScene::Of(this->View->GetRenderer()) : nullptr;
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedView::Apply()
 {
-  if (this->View)
+  if (vtkRayTracedScene* scene = this->GetScene())
   {
-    vtkRayTracedScene::Of(this->View->GetRenderer())->SetSettings(this->Settings.InRange());
+    scene->SetSettings(this->Settings.InRange());
   }
 }
 
@@ -57,25 +64,26 @@ void vtkRayTracedView::SetParallelLight(int light)
 //----------------------------------------------------------------------------
 void vtkRayTracedView::SaveFeatureImage(const char* fileName)
 {
-  if (this->View)
+  if (vtkRayTracedScene* scene = this->GetScene())
   {
-    vtkRayTracedScene::Of(this->View->GetRenderer())->SaveFeatureImage(fileName ? fileName : "");
+    scene->SaveFeatureImage(fileName ? fileName : "");
   }
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedView::StopRefinement()
 {
-  if (this->View)
+  if (vtkRayTracedScene* scene = this->GetScene())
   {
-    vtkRayTracedScene::Of(this->View->GetRenderer())->Stop();
+    scene->Stop();
   }
 }
 
 //----------------------------------------------------------------------------
 const char* vtkRayTracedView::GetRenderStatistics()
 {
-  this->Statistics = this->View ? vtkRayTracedScene::Of(this->View->GetRenderer())->GetStatistics() : "{}";
+  vtkRayTracedScene* scene = this->GetScene();
+  this->Statistics = scene ? scene->GetStatistics() : "{}";
   return this->Statistics.c_str();
 }
 

@@ -19,6 +19,7 @@
 
 class vtkPVView;
 class vtkPVRenderView;
+class vtkRayTracedScene;
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedView : public vtkObject
 {
@@ -94,6 +95,7 @@ private:
     this->Apply();
   }
   void Apply();
+  vtkRayTracedScene* GetScene() const;
 
   vtkRayTracedImageSettings Settings;
 #endif

@@ -1,7 +1,7 @@
 /**
- * vtkRayTracedRepresentation as Python sees it: a vtkPVDataRepresentation that also has GetActor(). ParaView's exporter
- * of .vtkjs files, which is in part written in Python, asks the representation of every source for it and else writes
- * no file. Without Python nothing is done.
+ * vtkRayTracedRepresentation as Python sees it: a vtkGeometryRepresentation whose GetActor() is the one
+ * that is shown. ParaView's exporter of .vtkjs files, which is in part written in Python, asks the representation of
+ * every source for it. Without Python nothing is done.
  */
 #ifndef vtkRayTracedPythonClass_h
 #define vtkRayTracedPythonClass_h

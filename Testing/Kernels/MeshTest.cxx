@@ -497,15 +497,7 @@ TEST_F(MeshTest, SaysWhatIsWrongWithAMesh)
     instances.shape = rtg::Shape::Mesh;
     instances.mesh = std::move(mesh);
     instances.centres = { { 0, 0, 0 } };
-    try
-    {
-      this->scene.SetInstances(id, instances);
-    }
-    catch (const rtg::Error& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
+    return rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); });
   };
   EXPECT_NE(message(nullptr).find("no triangle"), std::string::npos);
   EXPECT_NE(message(Share({})).find("no triangle"), std::string::npos);

@@ -412,15 +412,7 @@ TEST_P(MotionTest, RefusesWhatMakesNoSense)
   {
     rtg::GlyphInstances instances = good;
     change(instances);
-    try
-    {
-      this->scene.SetInstances(id, instances);
-    }
-    catch (const rtg::Error& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
+    return rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); });
   };
   EXPECT_EQ(message([](auto&) {}), "");
   EXPECT_NE(

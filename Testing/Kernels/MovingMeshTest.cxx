@@ -393,15 +393,7 @@ TEST_P(MovingMesh, RefusesWhatMakesNoSense)
     rtg::GlyphInstances instances = GrowingBox().Instances();
     change(mesh, instances.motion);
     instances.mesh = Share(mesh);
-    try
-    {
-      this->scene.SetInstances(id, instances);
-    }
-    catch (const rtg::Error& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
+    return rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); });
   };
   EXPECT_EQ(message([](auto&, auto&) {}), "");
   EXPECT_NE(message([](auto& mesh, auto&) { mesh.motion.velocities.pop_back(); }).find("7 velocities for 8"),

@@ -68,6 +68,26 @@ protected:
     scene.Commit();
     return this->tracer.TraceProbes(scene, probes);
   }
+
+  // Probes meet that set where they meet the same glyph alone, at the origin.
+  void ExpectAsAlone(rtg::Scene& scene, const std::vector<Tracer::Probe>& probes, rtg::Scene::SetId set,
+    const std::vector<Tracer::ProbeHit>& alone)
+  {
+    const auto hits = this->tracer.TraceProbes(scene, probes);
+    int met = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+      ASSERT_EQ(std::isfinite(hits[i].t), std::isfinite(alone[i].t)) << i;
+      if (std::isfinite(alone[i].t))
+      {
+        ++met;
+        EXPECT_EQ(hits[i].setId, set);
+        const float length = glm::length(probes[i].direction);
+        EXPECT_NEAR(hits[i].t * length, alone[i].t * length, 2e-6 * size + 1e-7);
+      }
+    }
+    EXPECT_GT(met, 5);
+  }
 };
 
 } // namespace
@@ -197,20 +217,7 @@ TEST_P(PositionsTest, SurviveAnotherOrigin)
   const auto second = scene.Add();
   scene.SetInstances(second, Glyphs(Shape::Sphere, { marked }, marked));
   scene.Commit();
-  const auto hits = this->tracer.TraceProbes(scene, probes);
-  int met = 0;
-  for (std::size_t i = 0; i < hits.size(); ++i)
-  {
-    ASSERT_EQ(std::isfinite(hits[i].t), std::isfinite(alone[i].t)) << i;
-    if (std::isfinite(alone[i].t))
-    {
-      ++met;
-      EXPECT_EQ(hits[i].setId, second);
-      const float length = glm::length(probes[i].direction);
-      EXPECT_NEAR(hits[i].t * length, alone[i].t * length, 2e-6 * size + 1e-7);
-    }
-  }
-  EXPECT_GT(met, 5);
+  this->ExpectAsAlone(scene, probes, second, alone);
 }
 
 // The driver's triangles are floats, as the transforms of their instances and the origins of rays are to it.
@@ -243,20 +250,8 @@ TEST_P(PositionsTest, MeshesSurviveAnotherOrigin)
   {
     scene.SetVisible(first, both);
     scene.Commit();
-    const auto hits = this->tracer.TraceProbes(scene, probes);
-    int met = 0;
-    for (std::size_t i = 0; i < hits.size(); ++i)
-    {
-      ASSERT_EQ(std::isfinite(hits[i].t), std::isfinite(alone[i].t)) << i << ' ' << both;
-      if (std::isfinite(alone[i].t))
-      {
-        ++met;
-        EXPECT_EQ(hits[i].setId, second);
-        const float length = glm::length(probes[i].direction);
-        EXPECT_NEAR(hits[i].t * length, alone[i].t * length, 2e-6 * size + 1e-7);
-      }
-    }
-    EXPECT_GT(met, 5);
+    SCOPED_TRACE(both);
+    this->ExpectAsAlone(scene, probes, second, alone);
   }
 }
 

@@ -19,6 +19,21 @@ Tracer& SharedTracer();
 /// What the device of all tests lacks for scenes with such structures; empty where it lacks nothing.
 std::string WhatLacksFor(Structure structure);
 
+/// Of the rtg::Error that work() throws; empty: it throws none.
+template <class Work>
+std::string MessageOf(const Work& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const Error& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
 /// Skips a test of such scenes, with a word, where the device lacks something. In SetUp() or in the test itself.
 #define RTG_NEEDS(structure)                                                                                           \
   do                                                                                                                   \

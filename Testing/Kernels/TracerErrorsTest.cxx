@@ -64,16 +64,12 @@ TEST_F(TracerTest, ArraysOfWrongLengthsAreNamed)
     instances.centres = RandomPoints(4);
     change(instances);
     const auto id = this->scene.Add();
-    try
-    {
-      this->scene.SetInstances(id, instances);
-    }
-    catch (const rtg::Error& error)
+    const std::string refusal = rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); });
+    if (!refusal.empty())
     {
       EXPECT_EQ(this->scene.GlyphCount(id), 0u);
-      return std::string(error.what());
     }
-    return std::string();
+    return refusal;
   };
   const auto names = [&](const char* what, const auto& change)
   { EXPECT_NE(message(change).find(what), std::string::npos) << what << ": " << message(change); };
@@ -100,15 +96,7 @@ TEST_F(TracerTest, GlyphsThatAreNoneAreNamed)
     rtg::GlyphInstances instances;
     instances.centres = RandomPoints(4);
     change(instances);
-    try
-    {
-      this->scene.SetInstances(id, instances);
-    }
-    catch (const rtg::Error& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
+    return rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); });
   };
   const auto names = [&](const std::string& what, const auto& change)
   { EXPECT_NE(message(change).find(what), std::string::npos) << what << ": " << message(change); };
@@ -188,17 +176,7 @@ TEST_F(TracerTest, MoreThanIndicesCountIsNamed)
   const auto id = this->scene.Add();
   this->scene.GetState().mostElements = 30;
   const auto message = [this, id](const rtg::GlyphInstances& instances)
-  {
-    try
-    {
-      this->scene.SetInstances(id, instances);
-    }
-    catch (const rtg::Error& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
+  { return rtg::testing::MessageOf([&] { this->scene.SetInstances(id, instances); }); };
   rtg::GlyphInstances instances;
   instances.centres = RandomPoints(30);
   EXPECT_EQ(message(instances), "");
