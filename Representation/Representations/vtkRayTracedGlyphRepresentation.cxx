@@ -4,12 +4,12 @@
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkGlyph3DMapper.h"
-#include "vtkGlyphJoinedArrays.h"
-#include "vtkGlyphLayers.h"
-#include "vtkGlyphPointGatherer.h"
-#include "vtkGlyphScaleGuess.h"
-#include "vtkGlyphSource.h"
-#include "vtkGlyphTuples.h"
+#include "GlyphJoinedArrays.h"
+#include "GlyphLayers.h"
+#include "GlyphPointGatherer.h"
+#include "GlyphScaleGuess.h"
+#include "GlyphSource.h"
+#include "GlyphTuples.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -22,7 +22,7 @@
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
 #include "vtkRayTracedGlyphMapper.h"
-#include "vtkRayTracedParallel.h"
+#include "RayTracedParallel.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -36,7 +36,7 @@ vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
 //----------------------------------------------------------------------------
 vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
   : vtkRayTracedSelectableRepresentation(3)
-  , Layers(std::make_unique<vtkGlyphLayers>())
+  , Layers(std::make_unique<rtglyphs::GlyphLayers>())
 {
 }
 
@@ -77,7 +77,7 @@ int vtkRayTracedGlyphRepresentation::RequestData(
     hasMesh ? vtkDataObject::GetData(inputVector[1], 0) : nullptr, this->SourceIndexing && this->UseSourceTableTree);
   if (hasMesh && this->Meshes.GetForm(0))
   {
-    vtkGlyphSource(this->GetInputAlgorithm(1, 0)).StoreIn(this->Meshes.GetForm(0));
+    rtglyphs::GlyphSource(this->GetInputAlgorithm(1, 0)).StoreIn(this->Meshes.GetForm(0));
   }
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
@@ -101,10 +101,10 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(
-  vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress)
+  vtkDataObject* data, const int* wholeExtent, bool isBlock, const rtglyphs::RayTracedParallel::Progress& progress)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  vtkGlyphPointGatherer::Options options;
+  rtglyphs::GlyphPointGatherer::Options options;
   options.CellCenters = this->GlyphLocation == CELLS;
   options.IsBlock = isBlock;
   if (controller)
@@ -114,13 +114,13 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(
   }
   options.WholeExtent = wholeExtent;
   options.Progress = progress;
-  return vtkGlyphPointGatherer::Gather(data, options);
+  return rtglyphs::GlyphPointGatherer::Gather(data, options);
 }
 
 //----------------------------------------------------------------------------
 std::vector<std::string> vtkRayTracedGlyphRepresentation::Arrays() const
 {
-  const vtkGlyphSettings settings = this->MakeSettings();
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
   std::vector<std::string> names = this->Superclass::Arrays();
   for (const std::string* name : { &settings.ScaleArray, &settings.OrientationArray, &settings.ExponentArray,
          &settings.Tensors.Array, &settings.Forms.Array })
@@ -167,14 +167,15 @@ void vtkRayTracedGlyphRepresentation::CountPointsOfAllRanks(vtkPolyData* points)
 bool vtkRayTracedGlyphRepresentation::NeedsOrderedCompositing()
 {
   const bool table = this->TensorTable && this->Glyphs.HasNumberRange() && !this->TensorTable->IsOpaque();
-  return table || !vtkRayTracedArrays::IsNone(this->Glyphs.OpacityArray) || this->Superclass::NeedsOrderedCompositing();
+  return table || !rtglyphs::RayTracedArrays::IsNone(this->Glyphs.OpacityArray) ||
+    this->Superclass::NeedsOrderedCompositing();
 }
 
 //----------------------------------------------------------------------------
 const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points)
 {
-  const vtkGlyphSettings settings = this->MakeSettings();
-  std::vector<vtkGlyphSettings> all{ settings };
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
+  std::vector<rtglyphs::GlyphSettings> all{ settings };
   if (settings.Shape == rtg::Shape::Mesh)
   {
     all.clear();
@@ -194,7 +195,7 @@ const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
 {
-  const vtkGlyphSettings settings = this->MakeSettings();
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
   if (settings.HasNumberRange())
   {
     const std::array<double, 2> range = this->NumberRange.Get(points, settings, true);
@@ -211,9 +212,9 @@ void vtkRayTracedGlyphRepresentation::UpdateScaleGuess(vtkPolyData* points)
     return;
   }
   double unitSize = 1.0;
-  const vtkGlyphSettings settings = this->GetSizes(points, unitSize);
-  const vtkGlyphKeptGuess::Result& found =
-    vtkGlyphScaleGuess::Update(this->Guess, points, settings, unitSize, this->GetUpdateTime());
+  const rtglyphs::GlyphSettings settings = this->GetSizes(points, unitSize);
+  const rtglyphs::GlyphKeptGuess::Result& found =
+    rtglyphs::GlyphScaleGuess::Update(this->Guess, points, settings, unitSize, this->GetUpdateTime());
   this->ScaleGuess[0] = found.Value;
   this->ScaleGuess[1] = found.Limit;
 }
@@ -246,9 +247,9 @@ void vtkRayTracedGlyphRepresentation::SetGlyphDataSizes(double highScale, double
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphSettings vtkRayTracedGlyphRepresentation::GetSizes(vtkPolyData*, double& unitSize)
+rtglyphs::GlyphSettings vtkRayTracedGlyphRepresentation::GetSizes(vtkPolyData*, double& unitSize)
 {
-  const vtkGlyphSettings settings = this->MakeSettings();
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
   const glm::dvec3& sides = settings.UnitSize;
   unitSize = settings.Shape == rtg::Shape::Mesh ? this->Meshes.GetLargestSide()
     : settings.Shape == rtg::Shape::Capsule     ? 2.0
@@ -267,9 +268,10 @@ vtkSmartPointer<vtkRayTracedMapper> vtkRayTracedGlyphRepresentation::MakeMapper(
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const
+bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const
 {
-  vtkDataArray* tensors = this->TensorAxis && points ? vtkGlyphTensors::Array(points, settings.Tensors) : nullptr;
+  vtkDataArray* tensors =
+    this->TensorAxis && points ? rtglyphs::GlyphTensors::Array(points, settings.Tensors) : nullptr;
   return tensors && tensors->GetNumberOfComponents() == 9;
 }
 
@@ -284,13 +286,14 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   {
     this->Meshes.Take(form);
   }
-  vtkGlyphSettings settings = this->MakeSettings();
+  rtglyphs::GlyphSettings settings = this->MakeSettings();
   const bool usesTable = this->Meshes.GetNumberOfForms() > 1 && settings.Shape == rtg::Shape::Mesh;
   settings.TableSize = usesTable ? static_cast<int>(this->Meshes.GetNumberOfForms()) : 1;
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
   main->SetSettings(settings, this->Meshes.GetForm(0));
   main->SetTensorTable(this->TensorTable);
-  if (settings.HasNumberRange() && (!this->TensorTable || settings.Tensors.Coloring == vtkGlyphTensors::EIGENVALUES))
+  if (settings.HasNumberRange() &&
+    (!this->TensorTable || settings.Tensors.Coloring == rtglyphs::GlyphTensors::EIGENVALUES))
   {
     main->SetTensorRange(this->ShownRange.Get(points, settings, collective));
   }
@@ -301,14 +304,14 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   this->ResizeLayers(this->GetRenderView(), settings.TableSize - 1 + (axes ? 1 : 0));
   for (int entry = 1; entry < settings.TableSize; ++entry)
   {
-    vtkGlyphLayers::Layer& layer = (*this->Layers)[entry - 1];
+    rtglyphs::GlyphLayers::Layer& layer = (*this->Layers)[entry - 1];
     layer.Follow(this->Blocks, this->GetActor(), this->GetSelectionColor());
     settings.TableEntry = entry;
     layer.Mapper->SetSettings(settings, this->Meshes.GetForm(entry));
   }
   if (axes)
   {
-    vtkGlyphLayers::Layer& layer = (*this->Layers)[settings.TableSize - 1];
+    rtglyphs::GlyphLayers::Layer& layer = (*this->Layers)[settings.TableSize - 1];
     layer.Follow(this->Blocks, this->GetActor(), this->GetSelectionColor());
     layer.Mapper->SetSettings(settings.AxesOfTensors(), nullptr);
     layer.Actor->GetProperty()->SetAmbientColor(this->TensorAxisColor.data());
@@ -317,7 +320,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::UpdateLegend(const vtkGlyphSettings& settings)
+void vtkRayTracedGlyphRepresentation::UpdateLegend(const rtglyphs::GlyphSettings& settings)
 {
   this->Legend->SetStyle(this->LegendStyle);
   if (!this->LegendStyle.On)
@@ -325,7 +328,7 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(const vtkGlyphSettings& setti
     return;
   }
   const std::string scales =
-    settings.Scaling && !vtkRayTracedArrays::IsNone(settings.ScaleArray) ? settings.ScaleArray : std::string();
+    settings.Scaling && !rtglyphs::RayTracedArrays::IsNone(settings.ScaleArray) ? settings.ScaleArray : std::string();
   const std::string name = settings.Tensors.On  ? settings.Tensors.Array
     : settings.Forms.On && !settings.Forms.Each ? settings.Forms.Array
                                                 : scales;
@@ -389,14 +392,14 @@ void vtkRayTracedGlyphRepresentation::RemoveLayers(vtkPVRenderView* view)
 
 //----------------------------------------------------------------------------
 // Properties that determine each other are put together here, whatever the order in which they were set.
-vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
+rtglyphs::GlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
 {
-  vtkGlyphSettings settings = this->Glyphs.InRange();
+  rtglyphs::GlyphSettings settings = this->Glyphs.InRange();
   settings.Motion = this->GetMotion();
   settings.HighScale = this->DataSizes[0];
   settings.Scaling = this->Scaling && this->ScaleMode != vtkGlyph3DMapper::NO_DATA_SCALING;
-  settings.ScaleMode = this->ScaleMode == vtkGlyph3DMapper::SCALE_BY_COMPONENTS ? vtkGlyphSettings::COMPONENTS
-                                                                                : vtkGlyphSettings::MAGNITUDE;
+  settings.ScaleMode = this->ScaleMode == vtkGlyph3DMapper::SCALE_BY_COMPONENTS ? rtglyphs::GlyphSettings::COMPONENTS
+                                                                                : rtglyphs::GlyphSettings::MAGNITUDE;
   if (!this->Scaling)
   {
     settings.ScaleFactor = 1.0; // 3D Glyphs then have their source's own size
@@ -410,17 +413,17 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     most = limit > 0.0 && (most == 0.0 || most > limit) ? limit : most;
   }
   // Between the process that has the source and one that renders it is part of what is delivered.
-  const vtkGlyphSource source(this->Meshes.GetForm(0));
+  const rtglyphs::GlyphSource source(this->Meshes.GetForm(0));
   settings.Arrow = source.Arrow;
   settings.Arrow.fixedHeads = this->FixedHeads;
   settings.Arrow.tipRounding = this->FixedHeads ? settings.Arrow.tipRounding : 0.0f;
   settings.Tensors.On = this->GlyphShape >= TENSOR_ELLIPSOID && this->GlyphShape <= SIGNED_TENSOR_SUPERQUADRIC;
   const bool polynomial = this->GlyphShape >= SPHERICAL_HARMONICS && this->GlyphShape <= FOURTH_ORDER_TENSOR;
-  if (!polynomial && settings.Tensors.Coloring == vtkGlyphTensors::RADIUS)
+  if (!polynomial && settings.Tensors.Coloring == rtglyphs::GlyphTensors::RADIUS)
   {
-    settings.Tensors.Coloring = vtkGlyphTensors::NONE;
+    settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;
   }
-  if (this->TensorTable && settings.Tensors.Coloring == vtkGlyphTensors::SIGN)
+  if (this->TensorTable && settings.Tensors.Coloring == rtglyphs::GlyphTensors::SIGN)
   {
     const double* range = this->TensorTable->GetRange();
     this->TensorTable->GetColor(range[1], settings.Tensors.PositiveColor.data());
@@ -514,9 +517,9 @@ void vtkRayTracedGlyphRepresentation::SetGlyphLegend(int place)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double most)
 {
-  vtkGlyphSizing& sizing = this->Glyphs.Sizing;
-  sizing.Least = std::max(vtkRayTracedNumbers::NumberOr(least, 0.0), 0.0);
-  sizing.Most = std::max(vtkRayTracedNumbers::NumberOr(most, 0.0), 0.0);
+  rtglyphs::GlyphSizing& sizing = this->Glyphs.Sizing;
+  sizing.Least = std::max(rtglyphs::RayTracedNumbers::NumberOr(least, 0.0), 0.0);
+  sizing.Most = std::max(rtglyphs::RayTracedNumbers::NumberOr(most, 0.0), 0.0);
   if (sizing.Most > 0.0 && sizing.Most < sizing.Least)
   {
     vtkErrorMacro("GlyphSizeRange is " << least << ", " << most
@@ -529,9 +532,9 @@ void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double mos
 void vtkRayTracedGlyphRepresentation::SetGlyphExponents(double r, double s, double t)
 {
   // What is no number makes no glyph, as zero does.
-  this->Glyphs.Exponents[0] = vtkRayTracedNumbers::NumberOr(r, 0.0);
-  this->Glyphs.Exponents[1] = vtkRayTracedNumbers::NumberOr(s, 0.0);
-  this->Glyphs.Exponents[2] = vtkRayTracedNumbers::NumberOr(t, 0.0);
+  this->Glyphs.Exponents[0] = rtglyphs::RayTracedNumbers::NumberOr(r, 0.0);
+  this->Glyphs.Exponents[1] = rtglyphs::RayTracedNumbers::NumberOr(s, 0.0);
+  this->Glyphs.Exponents[2] = rtglyphs::RayTracedNumbers::NumberOr(t, 0.0);
 }
 
 //----------------------------------------------------------------------------

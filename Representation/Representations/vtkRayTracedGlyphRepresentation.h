@@ -9,11 +9,11 @@
 
 #include "vtkRayTracedSelectableRepresentation.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkGlyphHighScale.h"
+#include "GlyphHighScale.h"
 #include "vtkGlyphLegend.h"
-#include "vtkGlyphMeshes.h"
-#include "vtkGlyphSettings.h"
-#include "vtkGlyphTensorRange.h"
+#include "GlyphMeshes.h"
+#include "GlyphSettings.h"
+#include "GlyphTensorRange.h"
 #endif
 
 #include <algorithm>
@@ -23,7 +23,10 @@
 #include <string>
 #include <vector>
 
-class vtkGlyphLayers;
+namespace rtglyphs
+{
+class GlyphLayers;
+}
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedGlyphRepresentation : public vtkRayTracedSelectableRepresentation
 {
@@ -34,7 +37,7 @@ public:
 
   /**
    * Values of GlyphShape. GLYPH_TYPE: what the second input is, exactly where a shape of the kernels is that
-   * (vtkGlyphSource), else its polygons.
+   * (GlyphSource), else its polygons.
    */
   enum GlyphShapes
   {
@@ -70,7 +73,7 @@ public:
   void SetScaling(bool on) { this->Scaling = on; }
   void SetScaleArray(const char* name) { this->SetArray(this->Glyphs.ScaleArray, name); }
   void SetScaleMode(int mode) { this->ScaleMode = mode; }
-  void SetScaleFactor(double factor) { this->Glyphs.ScaleFactor = vtkRayTracedNumbers::NumberOr(factor, 0.0); }
+  void SetScaleFactor(double factor) { this->Glyphs.ScaleFactor = rtglyphs::RayTracedNumbers::NumberOr(factor, 0.0); }
   void SetOrient(bool on) { this->Glyphs.Orient = on; }
   void SetOrientationArray(const char* name) { this->SetArray(this->Glyphs.OrientationArray, name); }
   void SetOrientationMode(int mode) { this->Glyphs.OrientationMode = mode; }
@@ -81,29 +84,32 @@ public:
 
   ///@{
   /**
-   * Size and place; see vtkGlyphSettings for modes and defaults.
+   * Size and place; see GlyphSettings for modes and defaults.
    */
   void SetScaleFactorFromData(bool on);
   void SetGlyphScaleFunction(int function) { this->Glyphs.Sizing.Function = function; }
   void SetGlyphSizeRange(double least, double most);
   void SetGlyphRadiusArray(const char* name) { this->Glyphs.RadiusArray = OrEmpty(name); }
-  void SetGlyphRadiusFactor(double factor) { this->Glyphs.RadiusFactor = vtkRayTracedNumbers::NumberOr(factor, 0.0); }
+  void SetGlyphRadiusFactor(double factor)
+  {
+    this->Glyphs.RadiusFactor = rtglyphs::RayTracedNumbers::NumberOr(factor, 0.0);
+  }
   void SetGlyphAnchor(int anchor) { this->Glyphs.Anchor = anchor; }
   ///@}
 
   ///@{
   /**
-   * What vtkGlyphScaleGuess has found, where ScaleFactorFromData is on: factor and limit. Processes that have data use
+   * What GlyphScaleGuess has found, where ScaleFactorFromData is on: factor and limit. Processes that have data use
    * it by themselves; those that only render are told by SetScaleFactor() and SetGlyphSizeLimit(), the client being
    * between them.
    */
   double* GetScaleFactorGuess() VTK_SIZEHINT(2) { return this->ScaleGuess; }
-  void SetGlyphSizeLimit(double limit) { this->SizeLimit = vtkRayTracedNumbers::NumberOr(limit, 0.0); }
+  void SetGlyphSizeLimit(double limit) { this->SizeLimit = rtglyphs::RayTracedNumbers::NumberOr(limit, 0.0); }
   ///@}
 
   ///@{
   /**
-   * What processes that only render must know of the data: vtkGlyphHighScale, and width and height of the mesh of mesh
+   * What processes that only render must know of the data: GlyphHighScale, and width and height of the mesh of mesh
    * glyphs; numbers are 0 where there is none. The client carries them there.
    */
   double* GetGlyphDataSizesInfo() VTK_SIZEHINT(3) { return this->DataSizes.data(); }
@@ -116,10 +122,10 @@ public:
    * its corner and 1. Default is none, a number that fits, white.
    */
   void SetGlyphLegend(int place);
-  void SetGlyphLegendValue(double value) { this->LegendStyle.Value = vtkRayTracedNumbers::NumberOr(value, 0.0); }
+  void SetGlyphLegendValue(double value) { this->LegendStyle.Value = rtglyphs::RayTracedNumbers::NumberOr(value, 0.0); }
   void SetGlyphLegendColor(double red, double green, double blue)
   {
-    this->LegendStyle.Color = vtkRayTracedNumbers::ColorInRange(red, green, blue);
+    this->LegendStyle.Color = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
   }
   ///@}
 
@@ -132,14 +138,14 @@ public:
   void SetArrowHeads(int heads) { this->FixedHeads = heads == 0; }
   void SetArrowReferenceMagnitude(double magnitude)
   {
-    this->Glyphs.ArrowReference = vtkRayTracedNumbers::NumberOr(magnitude, 0.0);
+    this->Glyphs.ArrowReference = rtglyphs::RayTracedNumbers::NumberOr(magnitude, 0.0);
   }
   ///@}
 
   ///@{
   /**
    * Exponents of superquadrics, each in [0.1, 100], default 2 2 2, and an array that overrides them, default none. See
-   * vtkGlyphInstanceBuilder.
+   * GlyphInstanceBuilder.
    */
   void SetGlyphExponents(double r, double s, double t);
   void SetGlyphExponentArray(const char* name) { this->SetArray(this->Glyphs.ExponentArray, name); }
@@ -154,8 +160,8 @@ public:
   /**
    * The tensors of tensor glyphs, the order of their components (rtg::TensorLayout; default is 0, VTK's), the sharpness
    * of superquadrics (in [0, 10], default 3), the least thickness as a share of the longest axis (in [0.001, 1],
-   * default 0.02), what colors the glyphs (vtkGlyphTensors::Colorings, default 0, an array), and the table that numbers
-   * of tensors are colored by, and by its ends vtkGlyphTensors::SIGN.
+   * default 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that numbers
+   * of tensors are colored by, and by its ends GlyphTensors::SIGN.
    */
   void SetGlyphTensorArray(const char* name) { this->SetArray(this->Glyphs.Tensors.Array, name); }
   void SetGlyphTensorLayout(int layout) { this->Glyphs.Tensors.Layout = static_cast<rtg::TensorLayout>(layout); }
@@ -183,19 +189,19 @@ public:
 
   ///@{
   /**
-   * Whether arrows show the antisymmetric parts of tensors of nine components (vtkGlyphSettings::AxesOfTensors), and
+   * Whether arrows show the antisymmetric parts of tensors of nine components (GlyphSettings::AxesOfTensors), and
    * their color. Default is off, yellow.
    */
   void SetGlyphTensorAxis(bool on) { this->TensorAxis = on; }
   void SetGlyphTensorAxisColor(double red, double green, double blue)
   {
-    this->TensorAxisColor = vtkRayTracedNumbers::ColorInRange(red, green, blue);
+    this->TensorAxisColor = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
   }
   ///@}
 
   ///@{
   /**
-   * Shows only some of the glyphs; see vtkGlyphMask for modes and defaults. 0: all, else its mode and 1.
+   * Shows only some of the glyphs; see GlyphMask for modes and defaults. 0: all, else its mode and 1.
    */
   void SetGlyphMode(int mode);
   void SetMaximumNumberOfGlyphs(int number) { this->Glyphs.Mask.MaximumNumberOfGlyphs = number; }
@@ -212,11 +218,11 @@ protected:
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
-  vtkSmartPointer<vtkPolyData> Gather(
-    vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress) override;
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
+    const rtglyphs::RayTracedParallel::Progress& progress) override;
   std::vector<std::string> Arrays() const override;
   const double* GetDataBounds(vtkPolyData* points) override;
-  vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
+  rtglyphs::GlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
   void Deliver(vtkInformation* inInfo, bool lod) override;
   bool NeedsOrderedCompositing() override;
 
@@ -232,17 +238,17 @@ private:
   vtkRayTracedGlyphRepresentation(const vtkRayTracedGlyphRepresentation&) = delete;
   void operator=(const vtkRayTracedGlyphRepresentation&) = delete;
 
-  vtkGlyphSettings MakeSettings() const;
-  bool ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const;
+  rtglyphs::GlyphSettings MakeSettings() const;
+  bool ShowsAxes(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const;
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points);
   void UpdateDataSizes(vtkPolyData* points);
   void CountPointsOfAllRanks(vtkPolyData* points);
-  void UpdateLegend(const vtkGlyphSettings& settings);
+  void UpdateLegend(const rtglyphs::GlyphSettings& settings);
   void ResizeLayers(vtkPVRenderView* view, std::size_t size);
   void SetTable(bool sourceIndexing, bool useSourceTableTree);
 
-  vtkGlyphSettings Glyphs; // but for what MakeSettings() adds
+  rtglyphs::GlyphSettings Glyphs; // but for what MakeSettings() adds
   int GlyphShape = GLYPH_TYPE;
   bool Scaling = false;
   int ScaleMode = 0;
@@ -251,8 +257,8 @@ private:
   vtkNew<vtkGlyphLegend> Legend;
   vtkGlyphLegend::Style LegendStyle;
   bool ScaleFactorFromData = false;
-  vtkGlyphKeptGuess Guess;
-  vtkGlyphHighScale HighScale;
+  rtglyphs::GlyphKeptGuess Guess;
+  rtglyphs::GlyphHighScale HighScale;
   double ScaleGuess[2] = { 0.0, 0.0 };
   double SizeLimit = 0.0;
   std::array<double, 3> DataSizes{};
@@ -262,11 +268,11 @@ private:
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   double TensorRange[2] = { 1.0, -1.0 };
-  vtkGlyphTensorRange NumberRange; // of the data
-  vtkGlyphTensorRange ShownRange;  // of what is delivered to be rendered
+  rtglyphs::GlyphTensorRange NumberRange; // of the data
+  rtglyphs::GlyphTensorRange ShownRange;  // of what is delivered to be rendered
 
-  vtkGlyphMeshes Meshes;
-  std::unique_ptr<vtkGlyphLayers> Layers; // arrows of tensor axes, further forms of a table of meshes
+  rtglyphs::GlyphMeshes Meshes;
+  std::unique_ptr<rtglyphs::GlyphLayers> Layers; // arrows of tensor axes, further forms of a table of meshes
 };
 
 #endif

@@ -6,10 +6,10 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
-#include "vtkGlyphSample.h"
-#include "vtkGlyphShutterGuess.h"
-#include "vtkGlyphStepVelocity.h"
-#include "vtkGlyphJoinedArrays.h"
+#include "GlyphSample.h"
+#include "GlyphShutterGuess.h"
+#include "GlyphStepVelocity.h"
+#include "GlyphJoinedArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMapper.h"
@@ -21,13 +21,13 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
-#include "vtkRayTracedArrays.h"
-#include "vtkRayTracedDisplays.h"
+#include "RayTracedArrays.h"
+#include "RayTracedDisplays.h"
 #include "vtkRayTracedMapper.h"
-#include "vtkRayTracedNumbers.h"
-#include "vtkRayTracedPythonClass.h"
+#include "RayTracedNumbers.h"
+#include "RayTracedPythonClass.h"
 #include "vtkRayTracedScene.h"
-#include "vtkRayTracedTree.h"
+#include "RayTracedTree.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -41,7 +41,7 @@
 #include <cmath>
 #include <new>
 
-using namespace vtkRayTracedNumbers;
+using namespace rtglyphs::RayTracedNumbers;
 
 namespace
 {
@@ -54,15 +54,15 @@ struct ScreenshotState : vtkPVRenderView
 
 //----------------------------------------------------------------------------
 vtkRayTracedRepresentation::vtkRayTracedRepresentation()
-  : StepVelocity(std::make_unique<vtkGlyphStepVelocity>())
+  : StepVelocity(std::make_unique<rtglyphs::GlyphStepVelocity>())
 {
   this->RequestGhostCellsIfNeeded = false;
-  vtkRayTracedPythonClass::GetActor = [](vtkObjectBase* object) -> vtkObjectBase*
+  rtglyphs::RayTracedPythonClass::GetActor = [](vtkObjectBase* object) -> vtkObjectBase*
   {
     auto* representation = vtkRayTracedRepresentation::SafeDownCast(object);
     return representation ? representation->GetActor() : nullptr;
   };
-  vtkRayTracedPythonClass::RegisterIfPythonRuns();
+  rtglyphs::RayTracedPythonClass::RegisterIfPythonRuns();
 }
 
 //----------------------------------------------------------------------------
@@ -109,7 +109,7 @@ int vtkRayTracedRepresentation::RequestData(
     {
       gathered = this->GatherTree(input, wholeExtent);
       this->AddStepVelocities(gathered, input);
-      vtkRayTracedTree::ForEach(gathered, [this](vtkPolyData* points) { this->Complete(points); });
+      rtglyphs::RayTracedTree::ForEach(gathered, [this](vtkPolyData* points) { this->Complete(points); });
     }
   }
   catch (const std::bad_alloc&)
@@ -128,16 +128,17 @@ vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::GatherTree(vtkDataObj
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const bool blocks = input->IsA("vtkCompositeDataSet");
-  const vtkRayTracedParallel::Progress progress = this->ProgressOf("Gathering points");
+  const rtglyphs::RayTracedParallel::Progress progress = this->ProgressOf("Gathering points");
   const double all = std::max(1.0, static_cast<double>(input->GetNumberOfElements(vtkDataObject::POINT)));
   double done = 0.0;
-  return vtkRayTracedTree::Make(input, this->GetBlockColorsDistinctValues(),
+  return rtglyphs::RayTracedTree::Make(input, this->GetBlockColorsDistinctValues(),
     controller ? controller->GetNumberOfProcesses() : 1,
     [&](vtkDataObject* data)
     {
       const double first = done;
       done += data ? static_cast<double>(data->GetNumberOfElements(vtkDataObject::POINT)) / all : 0.0;
-      return this->Gather(data, wholeExtent, blocks, vtkRayTracedParallel::Part(progress, first, std::min(done, 1.0)));
+      return this->Gather(
+        data, wholeExtent, blocks, rtglyphs::RayTracedParallel::Part(progress, first, std::min(done, 1.0)));
     });
 }
 
@@ -158,7 +159,7 @@ void vtkRayTracedRepresentation::Complete(vtkPolyData* points)
 {
   for (const std::string& name : this->Arrays())
   {
-    vtkGlyphJoinedArrays::Add(points, name);
+    rtglyphs::GlyphJoinedArrays::Add(points, name);
   }
   for (vtkFieldData* data : { static_cast<vtkFieldData*>(points->GetPointData()),
          static_cast<vtkFieldData*>(points->GetCellData()), points->GetFieldData() })
@@ -166,7 +167,7 @@ void vtkRayTracedRepresentation::Complete(vtkPolyData* points)
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
-      if (array->GetName() && vtkRayTracedArrays::IsOwn(array->GetName()))
+      if (array->GetName() && rtglyphs::RayTracedArrays::IsOwn(array->GetName()))
       {
         array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
       }
@@ -176,13 +177,13 @@ void vtkRayTracedRepresentation::Complete(vtkPolyData* points)
 
 //----------------------------------------------------------------------------
 const double*
-vtkRayTracedRepresentation::GetBoundsOf(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings)
+vtkRayTracedRepresentation::GetBoundsOf(vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings)
 {
   return this->Bounds.Get(points, settings, this->Blocks.GetTable());
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedParallel::Progress vtkRayTracedRepresentation::ProgressOf(const char* what)
+rtglyphs::RayTracedParallel::Progress vtkRayTracedRepresentation::ProgressOf(const char* what)
 {
   return [this, what](double share)
   {
@@ -217,18 +218,19 @@ void vtkRayTracedRepresentation::UpdateShutterTime(vtkPolyData* points)
   }
   if (this->Motion.FromPreviousStep)
   {
-    this->ShutterTime = vtkGlyphSample::Largest(this->StepVelocity->GetStepLength());
+    this->ShutterTime = rtglyphs::GlyphSample::Largest(this->StepVelocity->GetStepLength());
     return;
   }
   double unitSize = 1.0;
-  const vtkGlyphSettings sizes = this->GetSizes(points, unitSize);
-  this->ShutterTime = vtkGlyphShutterGuess::Update(this->ShutterGuess, points, sizes, unitSize, this->GetUpdateTime());
+  const rtglyphs::GlyphSettings sizes = this->GetSizes(points, unitSize);
+  this->ShutterTime =
+    rtglyphs::GlyphShutterGuess::Update(this->ShutterGuess, points, sizes, unitSize, this->GetUpdateTime());
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphMotion::Settings vtkRayTracedRepresentation::GetMotion() const
+rtglyphs::GlyphMotion::Settings vtkRayTracedRepresentation::GetMotion() const
 {
-  vtkGlyphMotion::Settings motion = this->Motion;
+  rtglyphs::GlyphMotion::Settings motion = this->Motion;
   if (this->ShutterTimeFromData)
   {
     // While nothing moves any will do.
@@ -333,8 +335,8 @@ void vtkRayTracedRepresentation::UseBlocks(vtkDataObject* data)
     this->AttributedData = data;
     this->AttributedTime = time;
   }
-  vtkRayTracedBlocks::Attributes common;
-  vtkRayTracedBlocks::Coloring& scalars = common.Scalars;
+  rtglyphs::RayTracedBlocks::Attributes common;
+  rtglyphs::RayTracedBlocks::Coloring& scalars = common.Scalars;
   scalars.On = this->Mapper->GetScalarVisibility() != 0;
   if (scalars.On)
   {

@@ -22,12 +22,12 @@
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkGlyphBounds.h"
-#include "vtkGlyphKeptGuess.h"
-#include "vtkGlyphMotion.h"
-#include "vtkRayTracedBlocks.h"
-#include "vtkRayTracedParallel.h"
-#include "vtkRayTracedNumbers.h"
+#include "GlyphBounds.h"
+#include "GlyphKeptGuess.h"
+#include "GlyphMotion.h"
+#include "RayTracedBlocks.h"
+#include "RayTracedParallel.h"
+#include "RayTracedNumbers.h"
 #endif
 
 #include <array>
@@ -37,11 +37,14 @@
 #include <vector>
 
 class vtkCompositeDataDisplayAttributes;
-class vtkGlyphStepVelocity;
 class vtkPVRenderView;
 class vtkRayTracedActor;
 class vtkRayTracedMapper;
 class vtkRayTracedScene;
+namespace rtglyphs
+{
+class GlyphStepVelocity;
+}
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedRepresentation : public vtkGeometryRepresentation
 {
@@ -57,8 +60,8 @@ public:
   ///@{
   /**
    * Motion blur: names of point arrays of two or three components ("None" or empty: none), the time that the shutter is
-   * open, and when that is, of vtkGlyphMotion::Openings. Velocities may instead be those of vtkGlyphStepVelocity, where
-   * an array of one component, by default the global ids, tells which point is which. See vtkGlyphMotion::Settings for
+   * open, and when that is, of GlyphMotion::Openings. Velocities may instead be those of GlyphStepVelocity, where
+   * an array of one component, by default the global ids, tells which point is which. See GlyphMotion::Settings for
    * defaults.
    */
   void SetMotionBlur(bool on) { this->Motion.On = on; }
@@ -68,12 +71,12 @@ public:
   void SetAccelerationArray(const char* name) { this->SetArray(this->Motion.Acceleration, name); }
   void SetAngularVelocityArray(const char* name) { this->SetArray(this->Motion.AngularVelocity, name); }
   void SetShutterTimeFromData(bool on);
-  void SetShutterTime(double time) { this->Motion.ShutterTime = vtkRayTracedNumbers::NumberOr(time, 0.0); }
+  void SetShutterTime(double time) { this->Motion.ShutterTime = rtglyphs::RayTracedNumbers::NumberOr(time, 0.0); }
   void SetShutterOpening(int opening);
   ///@}
 
   /**
-   * The shutter time that the data suggest while ShutterTimeFromData is on (default): vtkGlyphShutterGuess's, or with
+   * The shutter time that the data suggest while ShutterTimeFromData is on (default): GlyphShutterGuess's, or with
    * velocities from the previous step the time between the two. 0: none yet. Processes that have data use it by
    * themselves; those that only render get it by SetShutterTime().
    */
@@ -101,8 +104,8 @@ protected:
    * points, before the actor's transform. Deliver() may hand further pieces to the view.
    */
   virtual vtkSmartPointer<vtkDataObject> GatherTree(vtkDataObject* input, const int* wholeExtent);
-  virtual vtkSmartPointer<vtkPolyData>
-  Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress) = 0;
+  virtual vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
+    const rtglyphs::RayTracedParallel::Progress& progress) = 0;
   virtual std::vector<std::string> Arrays() const;
   virtual const double* GetDataBounds(vtkPolyData* points) = 0;
   virtual void Deliver(vtkInformation*, bool /*lod*/) {}
@@ -111,12 +114,12 @@ protected:
   /**
    * Glyphs at the points that are as large as what is shown, of a unit glyph of that length.
    */
-  virtual vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) = 0;
+  virtual rtglyphs::GlyphSettings GetSizes(vtkPolyData* points, double& unitSize) = 0;
 
   /**
    * How it moves: the properties, with the shutter time that the data suggest.
    */
-  vtkGlyphMotion::Settings GetMotion() const;
+  rtglyphs::GlyphMotion::Settings GetMotion() const;
 
   ///@{
   /**
@@ -142,12 +145,12 @@ protected:
   /**
    * For GetDataBounds(): a box around glyphs of all these settings.
    */
-  const double* GetBoundsOf(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings);
+  const double* GetBoundsOf(vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings);
 
   /**
    * Tells ParaView's progress bar.
    */
-  vtkRayTracedParallel::Progress ProgressOf(const char* what);
+  rtglyphs::RayTracedParallel::Progress ProgressOf(const char* what);
 
   vtkRayTracedMapper* GetMapper();
   vtkPolyData* GetPoints() { return this->Blocks.GetPoints(); }
@@ -163,8 +166,8 @@ protected:
    */
   void SetArray(std::string& held, const char* name);
 
-  vtkGlyphMotion::Settings Motion; // as the properties say
-  vtkRayTracedBlocks Blocks;       // of what was last delivered or rendered
+  rtglyphs::GlyphMotion::Settings Motion; // as the properties say
+  rtglyphs::RayTracedBlocks Blocks;       // of what was last delivered or rendered
 
 private:
   vtkRayTracedRepresentation(const vtkRayTracedRepresentation&) = delete;
@@ -181,7 +184,7 @@ private:
   void Render(vtkPVRenderView* view, vtkInformation* inInfo);
   vtkRayTracedScene* GetScene();
 
-  vtkGlyphBounds Bounds;
+  rtglyphs::GlyphBounds Bounds;
   std::uint64_t Gathers = 0;
   double GatherSeconds = 0.0;
   vtkNew<vtkRayTracedActor> MainActor;                       // in no renderer until it is shown
@@ -190,10 +193,10 @@ private:
   vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes; // of the data, as they were at that time
   vtkDataObject* AttributedData = nullptr;                   // only to be compared
   vtkMTimeType AttributedTime = 0;
-  std::unique_ptr<vtkGlyphStepVelocity> StepVelocity;
+  std::unique_ptr<rtglyphs::GlyphStepVelocity> StepVelocity;
   bool ShutterTimeFromData = true;
   double ShutterTime = 0.0; // that the data suggest; 0: none
-  vtkGlyphKeptGuess ShutterGuess;
+  rtglyphs::GlyphKeptGuess ShutterGuess;
 };
 
 #endif

@@ -3,7 +3,7 @@
  * @brief   settings and information of a view's ray-traced image, on the processes that have the view
  *
  * The client has one for each view (vtkSMRayTracedViewProxy). Settings go to the view's vtkRayTracedScene; see
- * vtkRayTracedImageSettings for units and ranges.
+ * RayTracedImageSettings for units and ranges.
  */
 #ifndef vtkRayTracedView_h
 #define vtkRayTracedView_h
@@ -12,7 +12,7 @@
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkWeakPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkRayTracedImageSettings.h"
+#include "RayTracedImageSettings.h"
 #endif
 
 #include <string>
@@ -54,7 +54,7 @@ public:
   ///@}
 
   /**
-   * The view's next finished image also leaves what it shows besides colors in this file (vtkRayTracedFeatureImage).
+   * The view's next finished image also leaves what it shows besides colors in this file (RayTracedFeatureImage).
    */
   void SaveFeatureImage(const char* fileName);
 
@@ -64,7 +64,7 @@ public:
   void StopRefinement();
 
   /**
-   * What was done, and how far the view's last frame is; see vtkRayTracedFrameStatus.
+   * What was done, and how far the view's last frame is; see RayTracedFrameStatus.
    */
   const char* GetRenderStatistics();
 
@@ -97,7 +97,7 @@ private:
   void Apply();
   vtkRayTracedScene* GetScene() const;
 
-  vtkRayTracedImageSettings Settings;
+  rtglyphs::RayTracedImageSettings Settings;
 #endif
   vtkWeakPointer<vtkPVRenderView> View;
   std::string Statistics;

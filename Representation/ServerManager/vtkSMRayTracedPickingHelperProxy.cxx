@@ -6,7 +6,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
-#include "vtkSMRayTracedDefault.h"
+#include "RayTracedDefault.h"
 #include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
 
@@ -53,7 +53,7 @@ bool FindPixel(vtkRenderer* renderer, const std::array<double, 3>& a, const std:
 //----------------------------------------------------------------------------
 vtkSMRayTracedPickingHelperProxy::vtkSMRayTracedPickingHelperProxy()
 {
-  vtkSMRayTracedDefault::Register(); // of the kinds of its properties
+  rtglyphs::RayTracedDefault::Register(); // of the kinds of its properties
 }
 
 //----------------------------------------------------------------------------

@@ -7,8 +7,8 @@
 #include "vtkRayTracedSelectionEncoder.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMRayTracedDefault.h"
-#include "vtkSMRayTracedSuggestion.h"
+#include "RayTracedDefault.h"
+#include "RayTracedSuggestion.h"
 #include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
@@ -22,7 +22,7 @@ vtkStandardNewMacro(vtkSMRayTracedRepresentationProxy);
 vtkSMRayTracedRepresentationProxy::vtkSMRayTracedRepresentationProxy()
 {
   vtkRayTracedSelectionEncoder::Register();
-  vtkSMRayTracedDefault::Register();
+  rtglyphs::RayTracedDefault::Register();
 }
 
 //----------------------------------------------------------------------------
@@ -67,7 +67,7 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   const bool exposed = flag && display->GetProperty(name) == this->GetProperty(name);
   if (exposed)
   {
-    vtkSMRayTracedSuggestion::Follow(this, name);
+    rtglyphs::RayTracedSuggestion::Follow(this, name);
   }
   this->Superclass::SetPropertyModifiedFlag(name, flag);
   if (flag && strcmp(name, "Input") == 0)
@@ -77,7 +77,7 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   if (flag)
   {
     this->TensorTable.Follow(name);
-    vtkSMRayTracedDefault::Follow(this, name);
+    rtglyphs::RayTracedDefault::Follow(this, name);
     if (this->GetProperty("GlyphShape"))
     {
       this->GlyphDefaults.Follow(this, name);
@@ -120,7 +120,7 @@ void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtk
   {
     display->GetProperty("Representation")
       ->AddObserver(vtkCommand::ModifiedEvent, this, &vtkSMRayTracedRepresentationProxy::ChooseDefaults);
-    vtkSMRayTracedGlyphDefaults::ShowInPanel(display);
+    rtglyphs::RayTracedGlyphDefaults::ShowInPanel(display);
     this->ChooseDefaults();
   }
 }
@@ -139,7 +139,7 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
   {
     const double time = vtkSMPropertyHelper(view, "ViewTime", /*quiet=*/true).GetAsDouble();
     vtkSMProxy* display = this->GetTrueParentProxy();
-    bool renewed = vtkSMRayTracedDefault::Renew(display, time != this->Time);
+    bool renewed = rtglyphs::RayTracedDefault::Renew(display, time != this->Time);
     if (this->GetProperty("GlyphShape"))
     {
       renewed |= this->GlyphDefaults.Renew(this, time != this->Time);
@@ -150,7 +150,7 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
       display->UpdateVTKObjects();
       vtkSMViewProxy::SafeDownCast(view)->Update();
     }
-    vtkSMRayTracedSuggestion::Take(this);
+    rtglyphs::RayTracedSuggestion::Take(this);
   }
   if (this->GetProperty("GlyphTensorLookupTable"))
   {

@@ -2,8 +2,8 @@
  * @class   vtkSMRayTracedRepresentationProxy
  * @brief   the client's side of ray-traced glyphs, surfaces and tubes
  *
- * - Defaults and suggested numbers are kept up to date with the data (vtkSMRayTracedDefault,
- *   vtkSMRayTracedGlyphDefaults, vtkSMRayTracedSuggestion).
+ * - Defaults and suggested numbers are kept up to date with the data (RayTracedDefault,
+ *   RayTracedGlyphDefaults, RayTracedSuggestion).
  * - Information properties speak of the processes that have the data, of what is shown.
  */
 #ifndef vtkSMRayTracedRepresentationProxy_h
@@ -13,8 +13,8 @@
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkSMRayTracedGlyphDefaults.h"
-#include "vtkSMRayTracedTensorTable.h"
+#include "RayTracedGlyphDefaults.h"
+#include "RayTracedTensorTable.h"
 #endif
 
 class vtkSMRayTracedViewProxy;
@@ -51,8 +51,8 @@ private:
   vtkSmartPointer<vtkSMRayTracedViewProxy> View;
   double Time = 0.0; // of the last update
 #ifndef __VTK_WRAP__
-  vtkSMRayTracedTensorTable TensorTable;
-  vtkSMRayTracedGlyphDefaults GlyphDefaults;
+  rtglyphs::RayTracedTensorTable TensorTable;
+  rtglyphs::RayTracedGlyphDefaults GlyphDefaults;
 #endif
 };
 

@@ -10,7 +10,7 @@
 #include "vtkRayTracedView.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMRayTracedDefault.h"
+#include "RayTracedDefault.h"
 #include "vtkSMRayTracedRepresentationProxy.h"
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
@@ -40,7 +40,7 @@ vtkRayTracedRepresentation* ShownBy(vtkSMProxy* display)
 //----------------------------------------------------------------------------
 vtkSMRayTracedViewProxy::vtkSMRayTracedViewProxy()
 {
-  vtkSMRayTracedDefault::Register();
+  rtglyphs::RayTracedDefault::Register();
 }
 
 //----------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 Usage: pvpython threads.py
 
-Makes the glyphs of data of several chunks (vtkRayTracedParallel.h) once for each kind of threads, and compares what came out.
+Makes the glyphs of data of several chunks (RayTracedParallel.h) once for each kind of threads, and compares what came out.
 """
 import hashlib
 import os
@@ -72,7 +72,7 @@ def blocks():
 
 
 def set_threads(backend, environment):
-    """VTK's threads for what comes, with the environment that vtkRayTracedParallel looks at."""
+    """VTK's threads for what comes, with the environment that RayTracedParallel looks at."""
     vtkSMPTools.SetBackend(backend)
     if environment:
         os.environ[CHOICE] = environment

@@ -3,7 +3,7 @@
 Usage: pvpython work_of_changes.py SOURCE
 
 SOURCE is the folder with Kernels and Representation. Fields are read out of the headers, so that a new one
-without an entry in FIELDS fails; so are the arrays of vtkGlyphArrays::All().
+without an entry in FIELDS fails; so are the arrays of GlyphArrays::All().
 """
 import os
 import re
@@ -54,7 +54,7 @@ PATHS = {"ShadingMode": "Path Tracing"}
 
 #: field -> (properties to start from, property, its new value, kind) or a list of such, or why there is nothing to test
 FIELDS = {
-    "vtkGlyphSettings": {
+    "GlyphSettings": {
         "Shape": [({}, "GlyphShape", "Capsule", "glyphs"), ({}, "GlyphType", "Box", "new data")],
         "UnitSize": ({"GlyphType": "Cylinder"}, "GlyphType.Height", 2.0, "new data"),
         "Scaling": [({"SelectScaleArray": "length"}, "ScaleMode", "Magnitude", "glyphs"), ({}, "Scaling", 0, "glyphs")],
@@ -63,7 +63,7 @@ FIELDS = {
         "ScaleMode": [({"ScaleMode": "Magnitude", "SelectScaleArray": "lengths"}, "ScaleMode", "Vector Components", "glyphs"),
                       ({"Scaling": 0}, "ScaleMode", "Vector Components", "nothing")],
         "ScaleFactor": ({}, "ScaleFactor", 0.2, "glyphs"),
-        "Sizing": "vtkGlyphSizing",
+        "Sizing": "GlyphSizing",
         "Orient": ({"GlyphType": "Box", "SelectOrientationVectors": "velocity"}, "Orient", 1, "glyphs"),
         "OrientationArray": [({"GlyphType": "Box", "Orient": 1, "SelectOrientationVectors": "velocity"},
                               "SelectOrientationVectors", "spin", "glyphs"),
@@ -71,7 +71,7 @@ FIELDS = {
         "OrientationMode": [({"GlyphType": "Box", "Orient": 1, "SelectOrientationVectors": "velocity"},
                              "OrientationMode", "Rotation", "glyphs"),
                             ({}, "OrientationMode", "Rotation", "nothing")],
-        "Arrow": "vtkGlyphSettings::ArrowForm",
+        "Arrow": "GlyphSettings::ArrowForm",
         "ArrowReference": [(ARROW, "ArrowReferenceMagnitude", 3.0, "glyphs"), ({}, "ArrowReferenceMagnitude", 3.0, "nothing")],
         "HighScale": (ARROW, "SelectScaleArray", "other", "glyphs"),
         "Mesh": ({"GlyphType": lambda: session.triangles(pv.Box())}, "GlyphType", lambda: session.triangles(pv.Cone()), "new data"),
@@ -79,18 +79,18 @@ FIELDS = {
         "TableEntry": "each form of a table has its own; see TableSize",
         "TableIndexArray": [(TABLE, "GlyphTableIndexArray", "other index", "glyphs"),
                             ({}, "GlyphTableIndexArray", "index", "nothing")],
-        "Tensors": "vtkGlyphTensors::Settings",
-        "Forms": "vtkGlyphForms::Settings",
+        "Tensors": "GlyphTensors::Settings",
+        "Forms": "GlyphForms::Settings",
         "Exponents": [(EXPONENTS, "GlyphExponents", [1.0, 2.0, 2.0], "glyphs"), ({}, "GlyphExponents", [1.0, 2.0, 2.0], "nothing")],
         "ExponentArray": [(EXPONENTS, "GlyphExponentArray", "length", "glyphs"), ({}, "GlyphExponentArray", "length", "nothing")],
         "OpacityArray": ({"GlyphOpacityArray": "length"}, "GlyphOpacityArray", "other", "glyphs"),
-        "Motion": "vtkGlyphMotion::Settings",
-        "Mask": "vtkGlyphMask",
+        "Motion": "GlyphMotion::Settings",
+        "Mask": "GlyphMask",
         "RadiusArray": [({}, "GlyphRadiusArray", "length", "glyphs"), (TENSOR, "GlyphRadiusArray", "length", "nothing")],
         "RadiusFactor": [({"GlyphRadiusArray": "length"}, "GlyphRadiusFactor", 0.1, "glyphs"), ({}, "GlyphRadiusFactor", 0.1, "nothing")],
         "Anchor": [(ARROW, "GlyphAnchor", "Tip", "glyphs"), (TENSOR, "GlyphAnchor", "Tip", "nothing")],
     },
-    "vtkGlyphMask": {
+    "GlyphMask": {
         "On": ({"MaximumNumberOfGlyphs": 100}, "GlyphMode", "Random", "glyphs"),
         "Mode": [(MASK, "GlyphMode", "Even in Space", "glyphs"), (MASK, "GlyphMode", "Every Nth", "glyphs")],
         "MaximumNumberOfGlyphs": [(MASK, "MaximumNumberOfGlyphs", 90, "glyphs"), ({}, "MaximumNumberOfGlyphs", 90, "nothing"),
@@ -106,12 +106,12 @@ FIELDS = {
         "fixedHeads": [(ARROW, "ArrowHeads", "Scaled", "glyphs"), ({}, "ArrowHeads", "Scaled", "nothing")],
         "unitLength": "computed from the scales; see HighScale",
     },
-    "vtkGlyphSizing": {
+    "GlyphSizing": {
         "Function": ({"ScaleMode": "Magnitude", "SelectScaleArray": "length"}, "GlyphScaleFunction", "Square Root", "glyphs"),
         "Least": ({}, "GlyphSizeRange", [0.15, 0.0], "glyphs"),
         "Most": ({}, "GlyphSizeRange", [0.0, 0.05], "glyphs"),
     },
-    "vtkGlyphTensors::Settings": {
+    "GlyphTensors::Settings": {
         "On": (TENSOR, "GlyphShape", "Glyph Type", "glyphs"),
         "Kind": (SUPERQUADRIC, "GlyphShape", "Signed Tensor Superquadric", "glyphs"),
         "Array": [(TENSOR, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphTensorArray", "tensor", "nothing")],
@@ -127,7 +127,7 @@ FIELDS = {
         "Axes": "of arrows beside the glyphs, whose settings are the glyphs' own",
         "Cross": (TENSOR, "GlyphShape", "Principal Axes", "glyphs"),
     },
-    "vtkGlyphForms::Settings": {
+    "GlyphForms::Settings": {
         "On": (FORMS, "GlyphShape", "Glyph Type", "glyphs"),
         "Kind": ({**FORMS, "GlyphTensorArray": "six", "GlyphHarmonicsArray": "six"}, "GlyphShape", "Spherical Harmonics", "glyphs"),
         "Array": [(FORMS, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphHarmonicsArray", "six", "nothing")],
@@ -136,7 +136,7 @@ FIELDS = {
         "Each": [(BALLS, "GlyphHarmonicsScaling", "Each", "glyphs"), ({}, "GlyphHarmonicsScaling", "Each", "nothing")],
         "Coloring": [(FORMS, "GlyphTensorColoring", "Sign", "glyphs"), (FORMS, "GlyphTensorColoring", "Radius", "first colors"), (FORMS, "GlyphTensorColoring", "Trace", "nothing")],
     },
-    "vtkGlyphMotion::Settings": {
+    "GlyphMotion::Settings": {
         "On": ({**MOTION, "MotionBlur": 0}, "MotionBlur", 1, "glyphs"),
         "Velocity": [(MOTION, "VelocityArray", "spin", "glyphs"), ({}, "VelocityArray", "velocity", "nothing")],
         "FromPreviousStep": "needs time steps; see step_velocity.py",
@@ -145,7 +145,7 @@ FIELDS = {
         "ShutterTime": [(MOTION, "ShutterTime", 0.5, "glyphs"), ({}, "ShutterTime", 0.5, "nothing")],
         "Opening": [(MOTION, "ShutterOpening", "Forward", "glyphs"), ({}, "ShutterOpening", "Forward", "nothing")],
     },
-    "vtkRayTracedImageSettings": {
+    "RayTracedImageSettings": {
         "ShadingMode": ({}, "ShadingMode", "Ambient Occlusion", "image"),
         "AmbientOcclusionRadius": [(OCCLUSION, "AmbientOcclusionRadius", 0.1, "image"), ({}, "AmbientOcclusionRadius", 0.1, "nothing")],
         "SecondaryRays": [(OCCLUSION, "SecondaryRays", 3, "image"), (PATHS, "SecondaryRays", 2, "image"), ({}, "SecondaryRays", 3, "nothing")],
@@ -166,8 +166,8 @@ FIELDS = {
         "colour": ({}, "DiffuseColor", [1.0, 0.0, 0.0], "image"),
         "ambientColour": (PATHS, "AmbientColor", [1.0, 0.0, 0.0], "image"),
         "specularColour": (PATHS, "SpecularColor", [1.0, 0.0, 0.0], "image"),
-        "positiveColour": "vtkGlyphTensors::Settings has it",
-        "negativeColour": "vtkGlyphTensors::Settings has it",
+        "positiveColour": "GlyphTensors::Settings has it",
+        "negativeColour": "GlyphTensors::Settings has it",
         "ambient": ({}, "Ambient", 0.3, "image"),
         "diffuse": ({}, "Diffuse", 0.3, "image"),
         "specular": ({}, "Specular", 0.3, "image"),
@@ -182,7 +182,7 @@ FIELDS = {
         "coatColour": ({**PATHS, "CoatStrength": 0.5}, "CoatColor", [1.0, 0.0, 0.0], "image"),
     },
 }
-#: what vtkGlyphArrays::All() returns, in its order -> (properties, array that the data have anew; None: positions)
+#: what GlyphArrays::All() returns, in its order -> (properties, array that the data have anew; None: positions)
 ARRAYS = {
     "GetPoints": ({}, None),
     "CompositeIndex": "no array of the user's: it is new where the blocks are",
@@ -200,13 +200,13 @@ ARRAYS = {
 }
 #: struct -> header
 HEADERS = {
-    "vtkGlyphSettings": "Representation/Glyphs/vtkGlyphSettings.h",
-    "vtkGlyphMask": "Representation/Glyphs/vtkGlyphMask.h",
-    "vtkGlyphSizing": "Representation/Glyphs/vtkGlyphSizing.h", "ArrowForm": "Kernels/Glyphs.h", "Material": "Kernels/Glyphs.h",
-    "vtkGlyphTensors::Settings": "Representation/Glyphs/vtkGlyphTensors.h",
-    "vtkGlyphForms::Settings": "Representation/Glyphs/vtkGlyphForms.h",
-    "vtkGlyphMotion::Settings": "Representation/Glyphs/vtkGlyphMotion.h",
-    "vtkRayTracedImageSettings": "Representation/Scene/vtkRayTracedImageSettings.h",
+    "GlyphSettings": "Representation/Glyphs/GlyphSettings.h",
+    "GlyphMask": "Representation/Glyphs/GlyphMask.h",
+    "GlyphSizing": "Representation/Glyphs/GlyphSizing.h", "ArrowForm": "Kernels/Glyphs.h", "Material": "Kernels/Glyphs.h",
+    "GlyphTensors::Settings": "Representation/Glyphs/GlyphTensors.h",
+    "GlyphForms::Settings": "Representation/Glyphs/GlyphForms.h",
+    "GlyphMotion::Settings": "Representation/Glyphs/GlyphMotion.h",
+    "RayTracedImageSettings": "Representation/Scene/RayTracedImageSettings.h",
 }
 POINTS = 400
 
@@ -296,13 +296,13 @@ def main():
     for struct, header in HEADERS.items():
         found = fields_of(os.path.join(sys.argv[1], header), struct)
         checks.equal("fields of " + struct, sorted(found), sorted(FIELDS[struct]))
-    with open(os.path.join(sys.argv[1], "Representation/Glyphs/vtkGlyphTuples.cxx")) as code:
+    with open(os.path.join(sys.argv[1], "Representation/Glyphs/GlyphTuples.cxx")) as code:
         code = code.read()
     # The rows of its table, and the list that All() begins with.
     rows = len(re.findall(r"\{ &Settings::\w+", code))
-    listed = re.search(r"vtkGlyphArrays::All\(.*?all = \{(.*?)\};", code, flags=re.S).group(1)
+    listed = re.search(r"GlyphArrays::All\(.*?all = \{(.*?)\};", code, flags=re.S).group(1)
     found = re.sub(r"\([^()]*(\([^()]*\)[^()]*)*\)", "", listed).split(",")
-    checks.equal("arrays of vtkGlyphArrays::All()", len(found) + rows, len(ARRAYS))
+    checks.equal("arrays of GlyphArrays::All()", len(found) + rows, len(ARRAYS))
 
     bench = Bench(checks)
     for struct, fields in FIELDS.items():
