@@ -1,9 +1,9 @@
 #include "GlyphJoinedArrays.h"
 
+#include "RayTracedParallel.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "RayTracedParallel.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 

@@ -1,5 +1,7 @@
 #include "GlyphLeaves.h"
 
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellCenters.h"
@@ -13,8 +15,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredData.h"
 #include "vtkStructuredGrid.h"

@@ -1,20 +1,20 @@
 #include "GlyphPointGatherer.h"
 
+#include "GlyphLeaves.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArrayRange.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "GlyphLeaves.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <numeric>

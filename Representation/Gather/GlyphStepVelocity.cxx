@@ -1,6 +1,9 @@
 #include "GlyphStepVelocity.h"
 
 #include "Finite.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "RayTracedTree.h"
 #include "vtkAlgorithm.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
@@ -13,9 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
-#include "RayTracedTree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,8 @@
 #include "RayTracedBlocks.h"
 
+#include "RayTracedArrays.h"
+#include "RayTracedNumbers.h"
+#include "RayTracedTree.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -11,9 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedNumbers.h"
-#include "RayTracedTree.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedIntArray.h"
 

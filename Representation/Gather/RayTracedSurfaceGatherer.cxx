@@ -1,11 +1,12 @@
 #include "RayTracedSurfaceGatherer.h"
 
+#include "GlyphLeaves.h"
+#include "RayTracedArrays.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
-#include "GlyphLeaves.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -15,7 +16,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
-#include "RayTracedArrays.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedIntArray.h"
 

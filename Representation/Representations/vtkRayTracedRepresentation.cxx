@@ -1,15 +1,20 @@
 #include "vtkRayTracedRepresentation.h"
 
+#include "GlyphJoinedArrays.h"
+#include "GlyphShutterGuess.h"
+#include "GlyphStepVelocity.h"
 #include "Glyphs.h"
+#include "RayTracedArrays.h"
+#include "RayTracedDisplays.h"
+#include "RayTracedNumbers.h"
+#include "RayTracedPythonClass.h"
+#include "RayTracedRanks.h"
+#include "RayTracedTree.h"
 #include "Stopwatch.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
-#include "GlyphSample.h"
-#include "GlyphShutterGuess.h"
-#include "GlyphStepVelocity.h"
-#include "GlyphJoinedArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMapper.h"
@@ -21,13 +26,8 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
-#include "RayTracedArrays.h"
-#include "RayTracedDisplays.h"
 #include "vtkRayTracedMapper.h"
-#include "RayTracedNumbers.h"
-#include "RayTracedPythonClass.h"
 #include "vtkRayTracedScene.h"
-#include "RayTracedTree.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -103,19 +103,18 @@ int vtkRayTracedRepresentation::RequestData(
     : nullptr;
   rtg::Stopwatch watch;
   vtkSmartPointer<vtkDataObject> gathered = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(this->EmptyType()));
-  try
-  {
-    if (input)
+  this->WithinMemory(
+    [&]
     {
-      gathered = this->GatherTree(input, wholeExtent);
-      this->AddStepVelocities(gathered, input);
-      rtglyphs::RayTracedTree::ForEach(gathered, [this](vtkPolyData* points) { this->Complete(points); });
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->ReportLackOfMemory();
-  }
+      if (input)
+      {
+        const vtkSmartPointer<vtkDataObject> made = this->GatherTree(input, wholeExtent);
+        this->AddStepVelocities(made, input);
+        rtglyphs::RayTracedTree::ForEach(made, [this](vtkPolyData* points) { this->Complete(points); });
+        gathered = made;
+      }
+    },
+    /*together=*/true);
   this->MultiBlockMaker->SetInputDataObject(gathered);
   this->MultiBlockMaker->Update();
   ++this->Gathers;
@@ -218,7 +217,7 @@ void vtkRayTracedRepresentation::UpdateShutterTime(vtkPolyData* points)
   }
   if (this->Motion.FromPreviousStep)
   {
-    this->ShutterTime = rtglyphs::GlyphSample::Largest(this->StepVelocity->GetStepLength());
+    this->ShutterTime = rtglyphs::RayTracedRanks::Largest(this->StepVelocity->GetStepLength());
     return;
   }
   double unitSize = 1.0;
@@ -270,16 +269,40 @@ int vtkRayTracedRepresentation::ProcessViewRequest(
   {
     return 0;
   }
+  const bool together =
+    request == vtkPVView::REQUEST_UPDATE() || (request == vtkPVView::REQUEST_RENDER() && this->IsCollective(inInfo));
+  return this->WithinMemory([&] { this->Answer(request, inInfo); }, together) ? 1 : 0;
+}
+
+//----------------------------------------------------------------------------
+// Whether memory suffices; if not, the rank that lacks it says so.
+bool vtkRayTracedRepresentation::WithinMemory(const std::function<void()>& work, bool together)
+{
   try
   {
-    this->Answer(request, inInfo);
+    together ? rtglyphs::RayTracedRanks::Together(work) : work();
+    return true;
+  }
+  catch (const rtglyphs::RayTracedRanks::FailedElsewhere&)
+  {
   }
   catch (const std::bad_alloc&)
   {
-    this->ReportLackOfMemory();
-    return 0;
+    vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these "
+                     "data. Show fewer of them, for example "
+                     "with Mask Points or Threshold, or hide other data.");
   }
-  return 1;
+  return false;
+}
+
+//----------------------------------------------------------------------------
+// Whether all ranks render together.
+bool vtkRayTracedRepresentation::IsCollective(vtkInformation* inInfo)
+{
+  vtkPVRenderView* view = this->GetRenderView();
+  return view &&
+    (inInfo->Has(vtkPVRenderView::USE_LOD()) ? view->GetUseDistributedRenderingForLODRender()
+                                             : view->GetUseDistributedRenderingForRender());
 }
 
 //----------------------------------------------------------------------------
@@ -406,14 +429,6 @@ std::vector<std::string> vtkRayTracedRepresentation::Arrays() const
   return { this->Motion.Velocity, this->Motion.Acceleration, this->Motion.AngularVelocity };
 }
 
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::ReportLackOfMemory()
-{
-  vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these "
-                   "data. Show fewer of them, for example "
-                   "with Mask Points or Threshold, or hide other data.");
-}
-
 //****************************************************************************
 // The render side
 //****************************************************************************
@@ -493,8 +508,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
     this->MainMapper->SetBlocks(this->Blocks);
   }
   vtkPolyData* points = this->MainMapper->GetPoints();
-  const bool collective =
-    lod ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender();
+  const bool collective = this->IsCollective(inInfo);
   vtkRayTracedScene* scene = this->GetScene();
   this->MainMapper->SetInWindow(scene->GetSettings().IsStepwise());
   this->Configure(inInfo, points, lod, collective);

@@ -1,12 +1,12 @@
 #include "vtkSMRayTracedPickingHelperProxy.h"
 
+#include "RayTracedDefault.h"
 #include "vtkObjectFactory.h"
 #include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
-#include "RayTracedDefault.h"
 #include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
 
