@@ -218,7 +218,7 @@ vtkSmartPointer<Data> Numbered(Data* data)
   numbered->ShallowCopy(data);
   auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
   ids->SetName(rtglyphs::RayTracedArrays::CellIds);
-  ids->SetNumberOfTuples(data->GetNumberOfCells());
+  rtglyphs::RayTracedArrays::Resize(ids, data->GetNumberOfCells());
   vtkIdType* values = ids->GetPointer(0);
   parallel::ForChunks(data->GetNumberOfCells(),
     [values](vtkIdType begin, vtkIdType end) { std::iota(values + begin, values + end, begin); });

@@ -44,7 +44,7 @@ Marks(const std::vector<Id>& ids, unsigned int block, vtkIdType count, vtkDataAr
 {
   auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
   array->SetName(rtglyphs::RayTracedArrays::Selected);
-  array->SetNumberOfValues(count);
+  rtglyphs::RayTracedArrays::Resize(array, count);
   rtglyphs::RayTracedParallel::ForChunks(count,
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -158,7 +158,7 @@ void rtglyphs::GlyphStepVelocity::Follow(vtkDataObject* gathered, double time)
       vtkNew<vtkFloatArray> velocities;
       velocities->SetName(Name());
       velocities->SetNumberOfComponents(3);
-      velocities->SetNumberOfTuples(points->GetNumberOfPoints());
+      rtglyphs::RayTracedArrays::Resize(velocities, points->GetNumberOfPoints());
       velocities->FillValue(0.0f);
       points->GetPointData()->AddArray(velocities);
       this->Points += points->GetNumberOfPoints();

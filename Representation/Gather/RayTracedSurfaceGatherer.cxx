@@ -167,7 +167,7 @@ vtkSmartPointer<vtkPolyData> rtglyphs::RayTracedSurfaceGatherer::Gather(vtkDataO
   {
     vtkNew<vtkUnsignedIntArray> ranks;
     ranks->SetName(rtglyphs::RayTracedArrays::ProcessId);
-    ranks->SetNumberOfTuples(surface->GetNumberOfPoints());
+    rtglyphs::RayTracedArrays::Resize(ranks, surface->GetNumberOfPoints());
     ranks->FillValue(static_cast<unsigned int>(settings.Process));
     surface->GetPointData()->AddArray(ranks);
   }

@@ -40,6 +40,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 using namespace rtglyphs::RayTracedNumbers;
 
@@ -261,38 +262,56 @@ int vtkRayTracedRepresentation::ProcessViewRequest(
   {
     this->AttributedData = nullptr;
   }
-  // The superclass has another LOD.
-  const bool visible = request == vtkPVView::REQUEST_UPDATE_LOD()
-    ? this->vtkPVDataRepresentation::ProcessViewRequest(request, inInfo, outInfo)
-    : this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
-  if (!visible)
-  {
-    return 0;
-  }
   const bool together =
     request == vtkPVView::REQUEST_UPDATE() || (request == vtkPVView::REQUEST_RENDER() && this->IsCollective(inInfo));
-  return this->WithinMemory([&] { this->Answer(request, inInfo); }, together) ? 1 : 0;
+  bool visible = false;
+  const bool good = this->WithinMemory(
+    [&]
+    {
+      // The superclass has another LOD.
+      visible = request == vtkPVView::REQUEST_UPDATE_LOD()
+        ? this->vtkPVDataRepresentation::ProcessViewRequest(request, inInfo, outInfo)
+        : this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
+      if (visible)
+      {
+        this->Answer(request, inInfo);
+      }
+    },
+    together);
+  return good && visible ? 1 : 0;
 }
 
 //----------------------------------------------------------------------------
-// Whether memory suffices; if not, the rank that lacks it says so.
+// Whether memory suffices; if not, the rank that lacks it says so, once for all that it was needed for.
 bool vtkRayTracedRepresentation::WithinMemory(const std::function<void()>& work, bool together)
 {
+  const bool outermost = !this->Guarded;
+  this->Guarded = true;
+  bool good = true;
   try
   {
     together ? rtglyphs::RayTracedRanks::Together(work) : work();
-    return true;
   }
   catch (const rtglyphs::RayTracedRanks::FailedElsewhere&)
   {
+    good = false;
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these "
-                     "data. Show fewer of them, for example "
-                     "with Mask Points or Threshold, or hide other data.");
+    good = false;
+    this->LacksMemory = true;
   }
-  return false;
+  if (outermost)
+  {
+    this->Guarded = false;
+    if (std::exchange(this->LacksMemory, false))
+    {
+      vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these "
+                       "data. Show fewer of them, for example "
+                       "with Mask Points or Threshold, or hide other data.");
+    }
+  }
+  return good;
 }
 
 //----------------------------------------------------------------------------
