@@ -10,6 +10,7 @@ void rtglyphs::GlyphLayers::Layer::Follow(
   this->Mapper->SetSelectionColor(selectionColor);
   this->Mapper->SetBlocks(blocks);
   this->Actor->GetProperty()->DeepCopy(main->GetProperty());
+  this->Actor->GetProperty()->SetAmbientColor(main->GetProperty()->GetAmbientColor()); // which VTK 9.6 does not copy
   vtkNew<vtkMatrix4x4> matrix;
   main->GetMatrix(matrix);
   this->Actor->SetUserMatrix(matrix);

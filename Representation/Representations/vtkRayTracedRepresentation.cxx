@@ -412,7 +412,8 @@ void vtkRayTracedRepresentation::UpdateActor()
   property->SetCoatIOR(NumberOr(property->GetCoatIOR(), 2.0));
   property->SetCoatRoughness(NumberOr(property->GetCoatRoughness(), 0.0));
   const auto inRange = [](const double* color) { return ColorInRange(color[0], color[1], color[2]); };
-  property->SetAmbientColor(inRange(property->GetAmbientColor()).data());
+  // VTK 9.6's copy has the diffuse color for the ambient one.
+  property->SetAmbientColor(inRange(this->Property->GetAmbientColor()).data());
   property->SetDiffuseColor(inRange(property->GetDiffuseColor()).data());
   property->SetSpecularColor(inRange(property->GetSpecularColor()).data());
   property->SetCoatColor(inRange(property->GetCoatColor()).data());
