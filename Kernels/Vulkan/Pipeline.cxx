@@ -1,7 +1,7 @@
 #include "Pipeline.h"
 
 #include "Programs.h"
-#include "Prune.h"
+#include "Specialize.h"
 
 #include <cstddef>
 #include <cstring>
@@ -25,7 +25,7 @@ Constants ConstantsOf(const HitGroup& group, const Generation& generation)
 
 vk::raii::ShaderModule MakeModule(Device::State& device, const programs::Code& code, const Constants& constants)
 {
-  const std::vector<std::uint32_t> words = Prune(code, constants);
+  const std::vector<std::uint32_t> words = Specialize(code, constants);
   return vk::raii::ShaderModule(
     device.device, vk::ShaderModuleCreateInfo({}, words.size() * sizeof(std::uint32_t), words.data()));
 }
