@@ -17,18 +17,13 @@ layout(set = 0, binding = 0, scalar) uniform Frame
 RTG_CONSTANTS(RTG_DECLARE)
 #undef RTG_DECLARE
 
-// Whether a set has a variant (Variants.h); `variants`: those of its record. Vulkan/Prune knows the answer where the
-// constants give it, as long as there is nothing but arithmetic in such functions.
-bool Has(const uint variants, const uint variant)
-{
-  return (allHave & variant) != 0u || ((someHave & variant) != 0u && (variants & variant) != 0u);
-}
+// Whether a set has a variant (Variants.h); `variants`: those of its record. A macro, because Vulkan/Specialize follows
+// constants within a function only.
+#define Has(variants, variant)                                                                                         \
+  ((allHave & (variant)) != 0u || ((someHave & (variant)) != 0u && ((variants) & (variant)) != 0u))
 
-// Whether a set is of a shape; `shape`: that of its record.
-bool IsOfShape(const uint shape, const uint number)
-{
-  return shapes == 1u << number || ((shapes & 1u << number) != 0u && shape == number);
-}
+// Whether a set is of a shape; `shape`: that of its record. A macro for the same reason.
+#define IsOfShape(shape, number) (shapes == 1u << (number) || ((shapes & 1u << (number)) != 0u && (shape) == (number)))
 
 GlyphSetRecord SetRecord(const uint index)
 {
