@@ -36,17 +36,11 @@ GlyphSetRecord SetRecord(const uint index)
 
 // Index of a value in an array of a set, of a glyph or a corner. Compilers may load a value where the condition round
 // the load does not hold; sets that lack the array have one value there (SceneRecords.cxx).
-uint InSet(const GlyphSetRecord set, const uint array, const uint index)
-{
-  return Has(set.variants, array) ? index : 0u;
-}
+#define InSet(set, array, index) (Has((set).variants, array) ? (index) : 0u)
 
 // Index of the value of a glyph that a ray may have hit. Compilers may load it where the condition round it does not
 // hold, for rays that hit nothing, too: the index is one of the set's whatever the glyph was.
-uint InSetIfHit(const GlyphSetRecord set, const uint array, const uint glyph)
-{
-  return InSet(set, array, min(glyph, set.glyphCount - 1u));
-}
+#define InSetIfHit(set, array, glyph) InSet(set, array, min(glyph, (set).glyphCount - 1u))
 
 // A glyph's own colour.
 vec4 ColourOf(const GlyphSetRecord set, const uint glyph)
