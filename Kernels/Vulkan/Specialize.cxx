@@ -32,10 +32,10 @@ enum : std::uint32_t
   OpCapability = 17,
   OpFunction = 54,
   OpFunctionCall = 57,
+  OpVariable = 59,
   OpDecorate = 71,
   CapabilityRayQuery = 4472,
-  DecorationNonWritable = 24,
-  DecorationNoContraction = 42
+  DecorationBlock = 2
 };
 
 // Whether a program with these constants never calls a function of this name.
@@ -103,12 +103,16 @@ std::vector<std::uint32_t> WithoutUncalled(const programs::Code& code, const Con
       ids.insert(words.size() > 2 ? words[2] : 0);
     }
   }
+  for (const Words& words : globals)
+  {
+    ids.insert((words[0] & 0xffffu) == OpVariable ? words[2] : 0);
+  }
   std::vector<std::uint32_t> all(code.words, code.words + headerWords);
   for (const Words& words : globals)
   {
-    const bool ofFunctions =
-      (words[0] & 0xffffu) == OpDecorate && (words[2] == DecorationNoContraction || words[2] == DecorationNonWritable);
-    if (!ofFunctions || ids.count(words[1]) > 0)
+    // Those without operands are of variables and values, but for Block.
+    const bool ofValues = (words[0] & 0xffffu) == OpDecorate && words.size() == 3 && words[2] != DecorationBlock;
+    if (!ofValues || ids.count(words[1]) > 0)
     {
       all.insert(all.end(), words.begin(), words.end());
     }

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 #include <spirv-tools/libspirv.hpp>
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -73,6 +75,24 @@ TEST(Specialize, LeavesWhatIsUsed)
     const std::size_t two = Bytes(code, { Shape::Sphere, Shape::Superquadric });
     EXPECT_LT(spheres, two);
     EXPECT_LT(two, Bytes(code, { Shape::Sphere, Shape::Superquadric, Shape::Cylinder }));
+  }
+}
+
+TEST(Specialize, AsksForRayQueriesOnlyWhereTheyAreMade)
+{
+  constexpr std::uint32_t opCapability = 2u << 16 | 17u, rayQuery = 4472;
+  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
+  {
+    rtg::Constants constants = ConstantsOf({ rtg::Shape::Sphere }, 0);
+    for (const std::uint32_t queries : { 0u, 1u })
+    {
+      constants.rayQueries = queries;
+      const std::vector<std::uint32_t> words = rtg::Specialize(rtg::programs::modules[program], constants);
+      EXPECT_EQ(Faults(words), "");
+      const std::uint32_t capability[] = { opCapability, rayQuery };
+      const auto found = std::search(words.begin(), words.end(), std::begin(capability), std::end(capability));
+      EXPECT_EQ(found != words.end(), queries != 0);
+    }
   }
 }
 
