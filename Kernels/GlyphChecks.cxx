@@ -149,7 +149,7 @@ void CheckInstances(const GlyphInstances& instances, std::size_t most)
   if (instances.Count() > most)
   {
     Fail("a set of " + std::to_string(instances.Count()) + " glyphs; the most that one can hold is " +
-      std::to_string(most) + ". Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs).");
+      std::to_string(most) + ". Show fewer glyphs (GlyphMode, MaximumNumberOfGlyphs).");
   }
   if (!instances.sizes3.empty() && !instances.sizes1.empty())
   {

@@ -174,7 +174,7 @@ const Image* ProgressiveImage::Update(
     this->Fail(request, prepared, /*memory=*/true,
       "Ray Traced Glyphs: the computer's memory does not suffice for the glyphs or their image. "
       "Show fewer glyphs "
-      "(GlyphMask, MaximumNumberOfGlyphs), make the picture smaller, or hide other data.");
+      "(GlyphMode, MaximumNumberOfGlyphs), make the picture smaller, or hide other data.");
   }
   catch (const OutOfMemory& error)
   {

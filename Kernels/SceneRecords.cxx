@@ -34,7 +34,7 @@ void Scene::State::CheckInstanceCount() const
   {
     throw Error("Ray Traced Glyphs: the view shows " + std::to_string(count) + " mesh glyphs; the most that '" +
       this->device->Name() + "' can show is " + std::to_string(this->mostInstances) +
-      ". Show fewer with GlyphMask, or hide other data.");
+      ". Show fewer with GlyphMode, or hide other data.");
   }
 }
 

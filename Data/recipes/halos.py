@@ -25,7 +25,8 @@ halos = TableToPoints(Input=table, XColumn="x", YColumn="y", ZColumn="z")
 view = GetActiveViewOrCreate("RenderView")
 shown = Show(halos, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
-shown.GlyphScaling, shown.GlyphScaleArray = 1, "mvir"
+shown.GlyphType = "Sphere"
+shown.ScaleMode, shown.SelectScaleArray = "Magnitude", "mvir"
 shown.GlyphScaleFunction = "Cube Root"  # volumes are as masses
 ColorBy(shown, ("POINTS", "mvir"))
 GetColorTransferFunction("mvir").MapControlPointsToLogSpace()

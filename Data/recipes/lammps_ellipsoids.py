@@ -33,10 +33,11 @@ molecules = TableToPoints(Input=table, XColumn="x", YColumn="y", ZColumn="z")
 view = GetActiveViewOrCreate("RenderView")
 shown = Show(molecules, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
-shown.GlyphScaleFactor = 1  # shapes are full lengths
-shown.GlyphScaling, shown.GlyphScaleMode = 1, "Components"
-shown.GlyphScaleArray = "c_shape[1], c_shape[2], c_shape[3]"
-shown.GlyphOrientationArray = "c_q[1], c_q[2], c_q[3], c_q[4]"
+shown.GlyphType = "Sphere"
+shown.ScaleFactor = 1  # shapes are full lengths
+shown.ScaleMode = "Vector Components"
+shown.SelectScaleArray = "c_shape[1], c_shape[2], c_shape[3]"
+shown.SelectOrientationVectors = "c_q[1], c_q[2], c_q[3], c_q[4]"
 # --- end
 
 ResetCamera(view)

@@ -28,7 +28,8 @@ grains = OpenDataFile("grains1000.vtk")
 view = GetActiveViewOrCreate("RenderView")
 shown = Show(grains, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
-shown.GlyphScaling = 1  # by the diameter, which is found by its name
+shown.GlyphType = "Sphere"
+shown.ScaleMode = "Magnitude"  # by the diameter, which is found by its name
 ColorBy(shown, ("POINTS", "v", "Magnitude"))
 # --- end
 

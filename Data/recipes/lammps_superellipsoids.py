@@ -33,11 +33,11 @@ grains = OpenDataFile("grains.vtk")
 view = GetActiveViewOrCreate("RenderView")
 shown = Show(grains, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
-shown.GlyphShape = "Superquadric"
-shown.GlyphScaleFactor = 1  # shapes are full lengths
-shown.GlyphScaling, shown.GlyphScaleArray, shown.GlyphScaleMode = 1, "c_shape[1-3]", "Components"
-shown.GlyphOrientationArray = "c_q[1-3], c_q[4]"
-shown.GlyphExponentArray, shown.GlyphExponentForm = "c_block[1], c_block[2]", "Nested"
+shown.GlyphShape = "Nested Superquadric"
+shown.ScaleFactor = 1  # shapes are full lengths
+shown.SelectScaleArray, shown.ScaleMode = "c_shape[1-3]", "Vector Components"
+shown.SelectOrientationVectors = "c_q[1-3], c_q[4]"
+shown.GlyphExponentArray = "c_block[1], c_block[2]"
 # --- end
 
 ColorBy(shown, ("POINTS", "c_block[1]"))

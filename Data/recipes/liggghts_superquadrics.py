@@ -34,11 +34,11 @@ grains = OpenDataFile("superquadrics.vtk")
 view = GetActiveViewOrCreate("RenderView")
 shown = Show(grains, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
-shown.GlyphShape = "Superquadric"
-shown.GlyphScaleFactor = 2  # shapes are half-lengths
-shown.GlyphScaling, shown.GlyphScaleArray, shown.GlyphScaleMode = 1, "shapex, shapey, shapez", "Components"
-shown.GlyphOrientationArray = "TENSOR"
-shown.GlyphExponentArray, shown.GlyphExponentForm = "blockiness1, blockiness2", "Nested"
+shown.GlyphShape = "Nested Superquadric"
+shown.ScaleFactor = 2  # shapes are half-lengths
+shown.SelectScaleArray, shown.ScaleMode = "shapex, shapey, shapez", "Vector Components"
+shown.SelectOrientationVectors = "TENSOR"
+shown.GlyphExponentArray = "blockiness1, blockiness2"
 # --- end
 
 ColorBy(shown, ("POINTS", "v", "Magnitude"))

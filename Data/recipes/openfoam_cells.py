@@ -68,8 +68,8 @@ GetAnimationScene().GoToLast()
 view = GetActiveViewOrCreate("RenderView")
 shown = Show(case, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
-shown.GlyphShape, shown.GlyphLocation = "Arrow", "Cells"
-shown.GlyphScaling = 1  # by U, along U
+shown.GlyphType, shown.GlyphLocation = "Arrow", "Cells"
+shown.ScaleMode = "Magnitude"  # by U, along U
 ColorBy(shown, ("CELLS", "U", "Magnitude"))
 # --- end
 

@@ -26,7 +26,8 @@ lower = Show(Calculator(Input=bubbles, ResultArrayName="radius", Function="mean-
 shown = Show(Calculator(Input=bubbles, ResultArrayName="radius", Function="mean+2*deviation"), view)
 for each in (lower, shown):
     each.SetRepresentationType("Ray Traced Glyphs")
-    each.GlyphScaling = 1  # by the radius, which is found by its name
+    each.GlyphType = "Sphere"
+    each.ScaleMode = "Magnitude"  # by the radius, which is found by its name
     ColorBy(each, ("POINTS", "deviation"))
 shown.Opacity = 0.3
 # --- end

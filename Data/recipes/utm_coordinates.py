@@ -23,7 +23,8 @@ events = TableToPoints(Input=table, XColumn="easting", YColumn="northing", ZColu
 view = GetActiveViewOrCreate("RenderView")
 shown = Show(events, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
-shown.GlyphScaling = 1  # by the radius, which is found by its name
+shown.GlyphType = "Sphere"
+shown.ScaleMode = "Magnitude"  # by the radius, which is found by its name
 # --- end
 
 ResetCamera(view)

@@ -50,7 +50,7 @@ std::uint32_t ChooseMemoryType(const Device::State& device, std::uint32_t allowe
 {
   throw Error("Ray Traced Glyphs: " + std::to_string(size >> 20) + " MiB are to lie in one piece, of which '" +
     device.name + "' allows " + std::to_string(most >> 20) +
-    " MiB. Show fewer glyphs in one display (GlyphMask, MaximumNumberOfGlyphs), or make the picture smaller.");
+    " MiB. Show fewer glyphs in one display (GlyphMode, MaximumNumberOfGlyphs), or make the picture smaller.");
 }
 
 } // namespace

@@ -482,7 +482,7 @@ void Device::State::SavePrograms() noexcept
 void Device::State::ThrowOutOfMemory(const char* doing, const std::string& what)
 {
   throw OutOfMemory("Ray Traced Glyphs: " + std::string(doing) + " failed on '" + this->name + "': " + what +
-    ". Show fewer glyphs (GlyphMask, MaximumNumberOfGlyphs) or hide other data.");
+    ". Show fewer glyphs (GlyphMode, MaximumNumberOfGlyphs) or hide other data.");
 }
 
 void Device::State::Rethrow(const char* doing, const vk::SystemError& error)

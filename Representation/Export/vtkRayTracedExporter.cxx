@@ -1,8 +1,8 @@
 #include "vtkRayTracedExporter.h"
 
-#include "vtkGlyphTessellatedSet.h"
-#include "vtkGlyphGLTFWriter.h"
-#include "vtkGlyphUSDWriter.h"
+#include "GlyphGLTFWriter.h"
+#include "GlyphTessellatedSet.h"
+#include "GlyphUSDWriter.h"
 #include "vtkObjectFactory.h"
 #include "vtkRayTracedScene.h"
 #include "vtkRenderWindow.h"
@@ -52,7 +52,7 @@ void vtkRayTracedExporter::WriteData()
     return;
   }
 
-  std::vector<vtkGlyphTessellatedSet> sets;
+  std::vector<rtglyphs::GlyphTessellatedSet> sets;
   std::vector<std::string> messages;
   bool surfaces = false;
   vtkRendererCollection* renderers = this->RenderWindow->GetRenderers();
@@ -67,7 +67,7 @@ void vtkRayTracedExporter::WriteData()
         surfaces |= shown.Instances.identifyTriangles;
         if (!shown.Instances.identifyTriangles)
         {
-          vtkGlyphTessellatedSet set = vtkGlyphTessellatedSet::Make(
+          rtglyphs::GlyphTessellatedSet set = rtglyphs::GlyphTessellatedSet::Make(
             std::to_string(sets.size()), shown.Instances, shown.Colors, shown.Material, messages);
           if (!set.Parts.empty())
           {
@@ -100,26 +100,26 @@ void vtkRayTracedExporter::WriteData()
   bool written = true;
   if (extension == ".usda")
   {
-    written = WriteFile(this->FileName, vtkGlyphUSDWriter::Text(sets));
+    written = WriteFile(this->FileName, rtglyphs::GlyphUSDWriter::Text(sets));
   }
   else if (extension == ".glb")
   {
-    const vtkGlyphGLTFWriter::File file = vtkGlyphGLTFWriter::Make(sets, "");
-    const std::uint64_t length = vtkGlyphGLTFWriter::LengthTogether(file.Text.size(), file.Binary.size());
-    if (length > vtkGlyphGLTFWriter::MostTogether)
+    const rtglyphs::GlyphGLTFWriter::File file = rtglyphs::GlyphGLTFWriter::Make(sets, "");
+    const std::uint64_t length = rtglyphs::GlyphGLTFWriter::LengthTogether(file.Text.size(), file.Binary.size());
+    if (length > rtglyphs::GlyphGLTFWriter::MostTogether)
     {
       vtkErrorMacro(<< "The glyphs are not exported: '" << this->FileName << "' would have " << length
-                    << " bytes, and a .glb file has at most " << vtkGlyphGLTFWriter::MostTogether
+                    << " bytes, and a .glb file has at most " << rtglyphs::GlyphGLTFWriter::MostTogether
                     << ". Choose .gltf, which puts the numbers into a .bin file beside it, or .usda.");
       return;
     }
-    written = WriteFile(this->FileName, vtkGlyphGLTFWriter::Together(file));
+    written = WriteFile(this->FileName, rtglyphs::GlyphGLTFWriter::Together(file));
   }
   else
   {
     const std::string binary = vtksys::SystemTools::GetFilenameWithoutLastExtension(this->FileName) + ".bin";
     const std::string folder = vtksys::SystemTools::GetFilenamePath(this->FileName);
-    const vtkGlyphGLTFWriter::File file = vtkGlyphGLTFWriter::Make(sets, binary);
+    const rtglyphs::GlyphGLTFWriter::File file = rtglyphs::GlyphGLTFWriter::Make(sets, binary);
     written =
       WriteFile(this->FileName, file.Text) && WriteFile(folder.empty() ? binary : folder + "/" + binary, file.Binary);
   }

@@ -1,13 +1,13 @@
 #include "vtkGlyphLegend.h"
 
+#include "GlyphMaker.h"
+#include "GlyphTessellatedSet.h"
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkActorCollection.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkGlyphMaker.h"
-#include "vtkGlyphTessellatedSet.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
@@ -32,8 +32,8 @@ namespace
 constexpr double leastWidth = 1.5; // pixels; triangles that are thinner may cover no pixel's middle, lines do
 
 // Copies of meshes, seen along z.
-void AddSilhouette(const vtkGlyphTessellatedPart& part, vtkPoints* points, vtkCellArray* triangles, vtkCellArray* lines,
-  vtkBoundingBox& box)
+void AddSilhouette(const rtglyphs::GlyphTessellatedPart& part, vtkPoints* points, vtkCellArray* triangles,
+  vtkCellArray* lines, vtkBoundingBox& box)
 {
   for (std::size_t copy = 0; copy < part.Positions.size(); ++copy)
   {
@@ -88,7 +88,7 @@ void vtkGlyphLegend::PrintSelf(ostream& os, vtkIndent indent)
 
 //----------------------------------------------------------------------------
 void vtkGlyphLegend::SetGlyphs(
-  const vtkGlyphSettings& settings, double scale, const std::string& name, const std::array<double, 2>& mesh)
+  const rtglyphs::GlyphSettings& settings, double scale, const std::string& name, const std::array<double, 2>& mesh)
 {
   this->Settings = settings;
   this->Scale = scale;
@@ -138,7 +138,7 @@ double vtkGlyphLegend::Extent(double number) const
 // equal values are balls.
 rtg::GlyphInstances vtkGlyphLegend::MakeGlyphs(double size, double unit) const
 {
-  const vtkGlyphSettings& settings = this->Settings;
+  const rtglyphs::GlyphSettings& settings = this->Settings;
   rtg::GlyphInstances glyphs;
   glyphs.shape = settings.Shape;
   glyphs.arrow = settings.Arrow;
@@ -162,7 +162,7 @@ rtg::GlyphInstances vtkGlyphLegend::MakeGlyphs(double size, double unit) const
     glyphs.shape = rtg::Shape::Sphere;
   }
   else if (settings.HasOwnExponents() &&
-    !vtkGlyphMaker::MakeExponents(settings.Shape, settings.Exponents, 3, glyphs.uniformExponents))
+    !rtglyphs::GlyphMaker::MakeExponents(settings.Shape, settings.Exponents, 3, glyphs.uniformExponents))
   {
     glyphs.centres.clear();
   }
@@ -232,7 +232,7 @@ void vtkGlyphLegend::Arrange(vtkViewport* viewport)
   const double perLength = this->PixelsPerLength(viewport);
   const double shorter = std::min(view[0], view[1]);
   // All glyphs are alike where nothing scales them; the number is their size.
-  const bool alike = this->Name.empty() || this->Settings.Sizing.Function == vtkGlyphSizing::UNIT;
+  const bool alike = this->Name.empty() || this->Settings.Sizing.Function == rtglyphs::GlyphSizing::UNIT;
   const bool chosen = this->Look.Value > 0.0 && !alike;
   const double number = alike ? 1.0 : chosen ? this->Look.Value : this->ChooseNumber(perLength, 0.2 * shorter);
   const double extent = std::abs(this->Extent(number)) * this->Scale;
@@ -243,11 +243,12 @@ void vtkGlyphLegend::Arrange(vtkViewport* viewport)
   }
   const double unit = std::abs(this->Settings.ScaleFactor) * this->Settings.ReferenceScale() * this->Scale * perLength;
   std::vector<std::string> unused;
-  const vtkGlyphTessellatedSet set = vtkGlyphTessellatedSet::Make("", this->MakeGlyphs(pixels, unit), {}, {}, unused);
+  const rtglyphs::GlyphTessellatedSet set =
+    rtglyphs::GlyphTessellatedSet::Make("", this->MakeGlyphs(pixels, unit), {}, {}, unused);
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> triangles, lines;
   vtkBoundingBox box;
-  for (const vtkGlyphTessellatedPart& part : set.Parts)
+  for (const rtglyphs::GlyphTessellatedPart& part : set.Parts)
   {
     AddSilhouette(part, points, triangles, lines, box);
   }

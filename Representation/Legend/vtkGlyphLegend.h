@@ -11,7 +11,7 @@
 #ifndef vtkGlyphLegend_h
 #define vtkGlyphLegend_h
 
-#include "vtkGlyphSettings.h"
+#include "GlyphSettings.h"
 #include "vtkNew.h"
 #include "vtkProp.h"
 
@@ -58,8 +58,8 @@ public:
    * What is shown: glyphs of these settings, `scale` times as large; name of the array that scales them, or none; width
    * and height of the mesh of mesh glyphs, for which the legend shows a rectangle.
    */
-  void
-  SetGlyphs(const vtkGlyphSettings& settings, double scale, const std::string& name, const std::array<double, 2>& mesh);
+  void SetGlyphs(
+    const rtglyphs::GlyphSettings& settings, double scale, const std::string& name, const std::array<double, 2>& mesh);
   void SetStyle(const Style& style);
 
   ///@{
@@ -93,7 +93,7 @@ private:
   rtg::GlyphInstances MakeGlyphs(double size, double unit) const;
   void Arrange(vtkViewport* viewport);
 
-  vtkGlyphSettings Settings;
+  rtglyphs::GlyphSettings Settings;
   double Scale = 1.0;
   std::array<double, 2> Mesh{};
   std::string Name;

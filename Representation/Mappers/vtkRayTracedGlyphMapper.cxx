@@ -1,20 +1,20 @@
 #include "vtkRayTracedGlyphMapper.h"
 
 #include "GlyphArrays.h"
+#include "GlyphInstanceBuilder.h"
+#include "GlyphTuples.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "RayTracedTriangleBuilder.h"
 #include "vtkActor.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
-#include "vtkGlyphInstanceBuilder.h"
-#include "vtkGlyphTuples.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRayTracedArrays.h"
-#include "vtkRayTracedParallel.h"
-#include "vtkRayTracedTriangleBuilder.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -45,18 +45,18 @@ void Mix(Hash& sum, const Value* values, std::size_t count)
 {
   const auto* bytes = reinterpret_cast<const unsigned char*>(values);
   const auto size = static_cast<vtkIdType>(count * sizeof(Value));
-  std::vector<Hash> hashes(vtkRayTracedParallel::NumberOfChunks(size), Hash{ { 1, 2 } });
-  vtkRayTracedParallel::ForChunks(size,
+  std::vector<Hash> hashes(rtglyphs::RayTracedParallel::NumberOfChunks(size), Hash{ { 1, 2 } });
+  rtglyphs::RayTracedParallel::ForChunks(size,
     [&](vtkIdType begin, vtkIdType end)
     {
-      Hash own = hashes[vtkRayTracedParallel::ChunkOf(begin)];
+      Hash own = hashes[rtglyphs::RayTracedParallel::ChunkOf(begin)];
       for (vtkIdType i = begin; i < end; i += sizeof(std::uint64_t))
       {
         std::uint64_t word = 0;
         std::memcpy(&word, bytes + i, std::min<vtkIdType>(end - i, sizeof(word)));
         MixWord(own, word);
       }
-      hashes[vtkRayTracedParallel::ChunkOf(begin)] = own;
+      hashes[rtglyphs::RayTracedParallel::ChunkOf(begin)] = own;
     });
   MixWord(sum, size);
   for (const Hash& own : hashes)
@@ -116,7 +116,7 @@ void vtkRayTracedGlyphMapper::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphMapper::SetSettings(const vtkGlyphSettings& settings, vtkPolyData* mesh)
+void vtkRayTracedGlyphMapper::SetSettings(const rtglyphs::GlyphSettings& settings, vtkPolyData* mesh)
 {
   std::shared_ptr<const rtg::TriangleMesh> triangles = this->Settings.Mesh;
   const vtkMTimeType time = mesh ? mesh->GetMTime() : 0;
@@ -129,7 +129,7 @@ void vtkRayTracedGlyphMapper::SetSettings(const vtkGlyphSettings& settings, vtkP
     auto built = std::make_shared<rtg::TriangleMesh>();
     if (mesh)
     {
-      *built = vtkRayTracedTriangleBuilder::BuildInPlace(mesh).Mesh;
+      *built = rtglyphs::RayTracedTriangleBuilder::BuildInPlace(mesh).Mesh;
     }
     // A mesh that was made again and came out the same is the same.
     if (!triangles || !rtg::SameShape(*triangles, *built))
@@ -152,7 +152,7 @@ void vtkRayTracedGlyphMapper::SetTensorTable(vtkScalarsToColors* table)
 //----------------------------------------------------------------------------
 std::vector<vtkObject*> vtkRayTracedGlyphMapper::InstanceInputs(vtkPolyData* points) const
 {
-  const std::vector<vtkDataArray*> arrays = vtkGlyphArrays::All(points, this->Settings.Effective());
+  const std::vector<vtkDataArray*> arrays = rtglyphs::GlyphArrays::All(points, this->Settings.Effective());
   return { arrays.begin(), arrays.end() };
 }
 
@@ -160,10 +160,10 @@ std::vector<vtkObject*> vtkRayTracedGlyphMapper::InstanceInputs(vtkPolyData* poi
 void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* actor)
 {
   this->BuiltSettings = this->Settings.Effective();
-  vtkGlyphInstanceBuilder::Result result = points->GetNumberOfPoints() > 0
-    ? vtkGlyphInstanceBuilder::Build(
+  rtglyphs::GlyphInstanceBuilder::Result result = points->GetNumberOfPoints() > 0
+    ? rtglyphs::GlyphInstanceBuilder::Build(
         points, this->BuiltSettings, this->BlockTable, actor->GetMatrix(), this->BuildProgress)
-    : vtkGlyphInstanceBuilder::Result();
+    : rtglyphs::GlyphInstanceBuilder::Result();
   this->Instances = std::move(result.Instances);
   this->InstancesTaken = false;
   this->TranslucentInstances = rtg::IsTranslucent(this->Instances);
@@ -201,7 +201,7 @@ rtg::GlyphInstances vtkRayTracedGlyphMapper::TakeInstances(vtkActor* actor)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphMapper::AddToMaterial(rtg::Material& material) const
 {
-  const vtkGlyphTensors::Settings& tensors = this->Settings.Tensors;
+  const rtglyphs::GlyphTensors::Settings& tensors = this->Settings.Tensors;
   const bool bySign = this->Settings.SurfaceColors() == rtg::GlyphInstances::SurfaceColours::Sign;
   for (int c = 0; c < 3 && bySign; ++c)
   {
@@ -213,10 +213,10 @@ void vtkRayTracedGlyphMapper::AddToMaterial(rtg::Material& material) const
 //----------------------------------------------------------------------------
 std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
 {
-  const vtkGlyphTensors::Settings& tensors = this->Settings.Tensors;
+  const rtglyphs::GlyphTensors::Settings& tensors = this->Settings.Tensors;
   const bool byRadius = this->Settings.Forms.ColorsByRadius();
   const int coloring = tensors.On || byRadius ? tensors.Coloring : static_cast<int>(this->Settings.SurfaceColors());
-  const bool usesTable = byRadius || (tensors.On && coloring != vtkGlyphTensors::NONE);
+  const bool usesTable = byRadius || (tensors.On && rtglyphs::GlyphTensors::IsNumber(coloring));
   std::vector<vtkMTimeType> state{ static_cast<vtkMTimeType>(coloring),
     usesTable && this->TensorTable ? this->TensorTable->GetMTime() : 0 };
   if (this->Settings.HasNumberRange())
@@ -271,18 +271,18 @@ void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
 
 //----------------------------------------------------------------------------
 // What goes through no table.
-void vtkRayTracedGlyphMapper::TensorColor(const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]) const
+void vtkRayTracedGlyphMapper::TensorColor(const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const
 {
-  if (this->Settings.Tensors.Coloring == vtkGlyphTensors::PRINCIPAL_DIRECTION)
+  if (this->Settings.Tensors.Coloring == rtglyphs::GlyphTensors::PRINCIPAL_DIRECTION)
   {
     tensors.DirectionColor(point, rgb);
     return;
   }
-  const bool anisotropy = this->Settings.Tensors.Coloring == vtkGlyphTensors::FRACTIONAL_ANISOTROPY;
+  const bool anisotropy = this->Settings.Tensors.Coloring == rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
   const double range = anisotropy ? 1.0 : std::max(std::abs(this->TensorRange[0]), std::abs(this->TensorRange[1]));
   const auto shareOf = [range](double value)
   { return range > 0.0 ? vtkMath::ClampValue(value / range, -1.0, 1.0) : 0.0; };
-  if (this->Settings.Tensors.Coloring == vtkGlyphTensors::EIGENVALUES)
+  if (this->Settings.Tensors.Coloring == rtglyphs::GlyphTensors::EIGENVALUES)
   {
     glm::dvec3 values;
     for (int i = 0; i < 3 && tensors.Eigenvalues(point, values); ++i)
@@ -307,12 +307,12 @@ vtkSmartPointer<vtkUnsignedCharArray> vtkRayTracedGlyphMapper::TableColors(vtkDo
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkDoubleArray> vtkRayTracedGlyphMapper::NumbersOf(const vtkGlyphTensors& tensors)
+vtkSmartPointer<vtkDoubleArray> vtkRayTracedGlyphMapper::NumbersOf(const rtglyphs::GlyphTensors& tensors)
 {
   auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
   numbers->SetNumberOfTuples(this->Sources.size());
   numbers->Fill(vtkMath::Nan());
-  vtkRayTracedParallel::ForChunks(numbers->GetNumberOfTuples(),
+  rtglyphs::RayTracedParallel::ForChunks(numbers->GetNumberOfTuples(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType glyph = begin; glyph < end; ++glyph)
@@ -328,13 +328,14 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
 {
   std::vector<std::string> messages;
   MappedColors mapped;
-  std::unique_ptr<vtkGlyphTensors> tensors;
-  const vtkGlyphTensors::Settings& shown = this->Settings.Tensors;
+  std::unique_ptr<rtglyphs::GlyphTensors> tensors;
+  const rtglyphs::GlyphTensors::Settings& shown = this->Settings.Tensors;
   const bool byRadius = this->Settings.Forms.ColorsByRadius();
   const bool bySurface = byRadius || this->Settings.SurfaceColors() != rtg::GlyphInstances::SurfaceColours::None;
-  if (shown.On && !shown.Axes && !bySurface && shown.Coloring != vtkGlyphTensors::NONE && !this->Sources.empty())
+  if (shown.On && !shown.Axes && !bySurface && shown.Coloring != rtglyphs::GlyphTensors::NONE && !this->Sources.empty())
   {
-    tensors = std::make_unique<vtkGlyphTensors>(vtkGlyphTensors::Array(points, shown), shown, this->Sources.ToVector());
+    tensors = std::make_unique<rtglyphs::GlyphTensors>(
+      rtglyphs::GlyphTensors::Array(points, shown), shown, this->Sources.ToVector());
     if (this->TensorTable)
     {
       this->TensorTable->Build();
@@ -346,7 +347,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   }
   vtkUnsignedCharArray* selected = Selected(points->GetPointData());
   vtkSmartPointer<vtkUnsignedCharArray> table;
-  if (tensors && this->TensorTable && vtkGlyphTensors::IsNumber(shown.Coloring))
+  if (tensors && this->TensorTable && rtglyphs::GlyphTensors::IsNumber(shown.Coloring))
   {
     table = this->TableColors(this->NumbersOf(*tensors));
   }
@@ -359,14 +360,14 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   if (mapped.Any || tensors || this->HasOwnLooks() || selected)
   {
     colors.each.resize(this->Sources.size());
-    vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.each.size()),
+    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.each.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType glyph = begin; glyph < end; ++glyph)
         {
           const vtkIdType point = this->Sources[glyph];
           std::array<double, 4> rgba = this->ColorOf(mapped, point, point);
-          const vtkRayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
+          const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
           if (shown.Axes || (tensors && !block.Color))
           {
             rgba = { { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
@@ -410,10 +411,10 @@ vtkRayTracedMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, in
   Origin origin = this->Superclass::OriginOf(point, -1, false);
   if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
   {
-    const vtkRayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
-    vtkDataArray* cells = block.Data->GetPointData()->GetArray(vtkRayTracedArrays::CellIds);
+    const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
+    vtkDataArray* cells = block.Data->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CellIds);
     origin.Id = cells ? static_cast<vtkIdType>(cells->GetComponent(point - block.FirstPoint, 0))
-                      : vtkRayTracedArrays::Marked(origin.Id);
+                      : rtglyphs::RayTracedArrays::Marked(origin.Id);
   }
   return origin;
 }

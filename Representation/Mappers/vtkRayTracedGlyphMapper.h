@@ -2,14 +2,14 @@
  * @class   vtkRayTracedGlyphMapper
  * @brief   makes glyphs of points and arrays, and their colors
  *
- * Input is the vtkPolyData of vtkGlyphPointGatherer.
+ * Input is the vtkPolyData of GlyphPointGatherer.
  *
- * @sa vtkGlyphInstanceBuilder
+ * @sa GlyphInstanceBuilder
  */
 #ifndef vtkRayTracedGlyphMapper_h
 #define vtkRayTracedGlyphMapper_h
 
-#include "vtkGlyphSettings.h"
+#include "GlyphSettings.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
@@ -24,16 +24,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * How arrays become glyphs, but for Mesh, which is made of the triangles of a vtkRayTracedSurfaceGatherer; null:
+   * How arrays become glyphs, but for Mesh, which is made of the triangles of a RayTracedSurfaceGatherer; null:
    * there are none.
    */
-  void SetSettings(const vtkGlyphSettings& settings, vtkPolyData* mesh);
+  void SetSettings(const rtglyphs::GlyphSettings& settings, vtkPolyData* mesh);
 
   ///@{
   /**
-   * The table that numbers of tensors (vtkGlyphTensors::IsNumber) and radii of polynomials are colored by; null: from
+   * The table that numbers of tensors (GlyphTensors::IsNumber) and radii of polynomials are colored by; null: from
    * blue over white to red, by their share of the largest magnitude in the range, as with
-   * vtkGlyphTensors::EIGENVALUES; of fractional anisotropies by themselves.
+   * GlyphTensors::EIGENVALUES; of fractional anisotropies by themselves.
    */
   void SetTensorTable(vtkScalarsToColors* table);
   void SetTensorRange(const std::array<double, 2>& range) { this->TensorRange = range; }
@@ -60,19 +60,19 @@ private:
   vtkRayTracedGlyphMapper(const vtkRayTracedGlyphMapper&) = delete;
   void operator=(const vtkRayTracedGlyphMapper&) = delete;
 
-  void TensorColor(const vtkGlyphTensors& tensors, vtkIdType point, double rgb[3]) const;
-  vtkSmartPointer<vtkDoubleArray> NumbersOf(const vtkGlyphTensors& tensors);
+  void TensorColor(const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const;
+  vtkSmartPointer<vtkDoubleArray> NumbersOf(const rtglyphs::GlyphTensors& tensors);
   vtkSmartPointer<vtkUnsignedCharArray> TableColors(vtkDoubleArray* numbers);
   void AddRadiusColors(rtg::GlyphColours& colors);
 
-  vtkGlyphSettings Settings;
-  vtkGlyphSettings BuiltSettings;   // the effective ones
-  vtkWeakPointer<vtkPolyData> Mesh; // that Settings.Mesh was made of
+  rtglyphs::GlyphSettings Settings;
+  rtglyphs::GlyphSettings BuiltSettings; // the effective ones
+  vtkWeakPointer<vtkPolyData> Mesh;      // that Settings.Mesh was made of
   vtkMTimeType MeshTime = 0;
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   std::array<double, 2> TensorRange{ { 1.0, -1.0 } };
   rtg::GlyphInstances Instances;
-  std::vector<float> Radii; // as vtkGlyphInstanceBuilder has them
+  std::vector<float> Radii; // as GlyphInstanceBuilder has them
   bool InstancesTaken = false;
   std::array<std::uint64_t, 2> Digest{}; // of the instances of InstanceVersion
 };

@@ -1,5 +1,6 @@
 #include "vtkRayTracedMapper.h"
 
+#include "RayTracedArrays.h"
 #include "Stopwatch.h"
 #include "TriangleMesh.h"
 #include "vtkActor.h"
@@ -15,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkRayTracedArrays.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
@@ -36,7 +36,7 @@ double LargestSize(const rtg::GlyphInstances& glyphs)
   };
   const auto largestOf = [&](const auto& sizes)
   {
-    return vtkRayTracedParallel::Largest(
+    return rtglyphs::RayTracedParallel::Largest(
       static_cast<vtkIdType>(sizes.size()), [&](vtkIdType i) { return lengthOf(sizes[i]); });
   };
   double largest = std::max(largestOf(glyphs.sizes1), largestOf(glyphs.sizes3));
@@ -79,7 +79,7 @@ int vtkRayTracedMapper::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedMapper::SetBlocks(const vtkRayTracedBlocks& blocks)
+void vtkRayTracedMapper::SetBlocks(const rtglyphs::RayTracedBlocks& blocks)
 {
   if (this->BlocksVersion != blocks.GetVersion())
   {
@@ -118,7 +118,7 @@ void vtkRayTracedMapper::SetSelectionColor(const std::array<double, 3>& color)
 //----------------------------------------------------------------------------
 vtkUnsignedCharArray* vtkRayTracedMapper::Selected(vtkDataSetAttributes* data)
 {
-  return vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkRayTracedArrays::Selected));
+  return vtkUnsignedCharArray::SafeDownCast(data->GetArray(rtglyphs::RayTracedArrays::Selected));
 }
 
 //----------------------------------------------------------------------------
@@ -150,7 +150,7 @@ std::size_t vtkRayTracedMapper::BlockOf(vtkIdType point) const
     return 0;
   }
   const auto next = std::upper_bound(this->Blocks.begin(), this->Blocks.end(), point,
-    [](vtkIdType p, const vtkRayTracedBlocks::Block& block) { return p < block.FirstPoint; });
+    [](vtkIdType p, const rtglyphs::RayTracedBlocks::Block& block) { return p < block.FirstPoint; });
   return next - this->Blocks.begin() - 1;
 }
 
@@ -158,7 +158,7 @@ std::size_t vtkRayTracedMapper::BlockOf(vtkIdType point) const
 bool vtkRayTracedMapper::HasOwnLooks() const
 {
   return std::any_of(this->Blocks.begin(), this->Blocks.end(),
-    [](const vtkRayTracedBlocks::Block& block) { return block.Color || block.Opacity < 1.0; });
+    [](const rtglyphs::RayTracedBlocks::Block& block) { return block.Color || block.Opacity < 1.0; });
 }
 
 //----------------------------------------------------------------------------
@@ -167,15 +167,15 @@ vtkRayTracedMapper::MapColors(bool interpolateValues, const char* what, std::vec
 {
   MappedColors mapped;
   mapped.Blocks.resize(this->Blocks.size());
-  const vtkRayTracedBlocks::Block* missing = nullptr;
-  for (const vtkRayTracedBlocks::Block& block : this->Blocks)
+  const rtglyphs::RayTracedBlocks::Block* missing = nullptr;
+  for (const rtglyphs::RayTracedBlocks::Block& block : this->Blocks)
   {
     interpolateValues &= block.Scalars.InterpolatesScalars;
   }
   interpolateValues &= !this->HasOwnLooks(); // these are mixed in point by point
   for (std::size_t i = 0; i < this->Blocks.size(); ++i)
   {
-    const vtkRayTracedBlocks::Block& block = this->Blocks[i];
+    const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[i];
     if (this->Sources.empty() || !block.Visible || !block.Scalars.On || block.Data->GetNumberOfPoints() == 0)
     {
       continue;
@@ -187,7 +187,7 @@ vtkRayTracedMapper::MapColors(bool interpolateValues, const char* what, std::vec
   {
     return this->MapColors(false, what, messages);
   }
-  if (missing && !mapped.Any && mapped.Values.empty() && !vtkRayTracedBlocks::IsOfRanks(missing->Data))
+  if (missing && !mapped.Any && mapped.Values.empty() && !rtglyphs::RayTracedBlocks::IsOfRanks(missing->Data))
   {
     messages.push_back("There is no array '" + missing->Scalars.Array + "' that has a value for each " + what +
       ", so all have one color. Choose another one as ColorArrayName.");
@@ -198,8 +198,8 @@ vtkRayTracedMapper::MapColors(bool interpolateValues, const char* what, std::vec
 //----------------------------------------------------------------------------
 void vtkRayTracedMapper::MapBlock(std::size_t number, bool interpolateValues, MappedColors& mapped)
 {
-  const vtkRayTracedBlocks::Block& block = this->Blocks[number];
-  const vtkRayTracedBlocks::Coloring& scalars = block.Scalars;
+  const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[number];
+  const rtglyphs::RayTracedBlocks::Coloring& scalars = block.Scalars;
   this->ScalarVisibilityOn();
   this->SetUseLookupTableScalarRange(1);
   this->SetColorMode(scalars.ColorMode);
@@ -240,7 +240,7 @@ void vtkRayTracedMapper::MapBlock(std::size_t number, bool interpolateValues, Ma
 
 //----------------------------------------------------------------------------
 // vtkMapper's texture of colors and the points' places in it; false: it has made none.
-bool vtkRayTracedMapper::TakeValues(const vtkRayTracedBlocks::Block& block, MappedColors& mapped)
+bool vtkRayTracedMapper::TakeValues(const rtglyphs::RayTracedBlocks::Block& block, MappedColors& mapped)
 {
   vtkFloatArray* places = this->GetColorCoordinates();
   vtkImageData* texture = this->GetColorTextureMap();
@@ -269,7 +269,7 @@ bool vtkRayTracedMapper::TakeValues(const vtkRayTracedBlocks::Block& block, Mapp
     mapped.Values.assign(this->Points->GetNumberOfPoints(), rtg::noValue);
   }
   mapped.OneTable &= mapped.Table == table;
-  vtkRayTracedParallel::ForChunks(points,
+  rtglyphs::RayTracedParallel::ForChunks(points,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -286,7 +286,7 @@ bool vtkRayTracedMapper::TakeValues(const vtkRayTracedBlocks::Block& block, Mapp
 std::array<double, 4> vtkRayTracedMapper::ColorOf(const MappedColors& mapped, vtkIdType point, vtkIdType cell) const
 {
   const std::size_t number = this->BlockOf(point);
-  const vtkRayTracedBlocks::Block& block = this->Blocks[number];
+  const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[number];
   const std::array<double, 3>& solid = block.Color ? *block.Color : this->SolidColor;
   std::array<double, 4> rgba{ { solid[0], solid[1], solid[2], 1.0 } };
   if (vtkUnsignedCharArray* colors = mapped.Blocks.empty() ? nullptr : mapped.Blocks[number].Colors.Get())
@@ -305,15 +305,15 @@ std::array<double, 4> vtkRayTracedMapper::ColorOf(const MappedColors& mapped, vt
 //----------------------------------------------------------------------------
 vtkRayTracedMapper::Origin vtkRayTracedMapper::OriginOf(vtkIdType point, vtkIdType cell, bool ofCells) const
 {
-  const vtkRayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
+  const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
   vtkPointData* data = block.Data->GetPointData();
   const auto number = [](vtkDataArray* ids, vtkIdType i) { return static_cast<vtkIdType>(ids->GetComponent(i, 0)); };
   Origin origin;
   origin.CompositeIndex = block.FlatIndex;
-  vtkDataArray* processes = data->GetArray(vtkRayTracedArrays::ProcessId);
+  vtkDataArray* processes = data->GetArray(rtglyphs::RayTracedArrays::ProcessId);
   origin.Process = processes ? static_cast<int>(number(processes, point - block.FirstPoint)) : -1;
-  vtkDataArray* ids = ofCells ? block.Data->GetCellData()->GetArray(vtkRayTracedArrays::CellIds)
-                              : data->GetArray(vtkRayTracedArrays::PointIds);
+  vtkDataArray* ids = ofCells ? block.Data->GetCellData()->GetArray(rtglyphs::RayTracedArrays::CellIds)
+                              : data->GetArray(rtglyphs::RayTracedArrays::PointIds);
   const vtkIdType own = ofCells ? cell - block.FirstCell : point - block.FirstPoint;
   origin.Id = ids ? number(ids, own) : own;
   return origin;
@@ -368,7 +368,7 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   vtkPolyData* points = this->GetPoints();
   if (!points)
   {
-    this->Sources = vtkRayTracedSources();
+    this->Sources = rtglyphs::RayTracedSources();
     this->Skipped = 0;
     this->Built.Forget();
     return;
@@ -379,7 +379,7 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   {
     key.Times.push_back(TimeOf(input));
   }
-  key.HiddenBlocks = vtkGlyphBlockAttributes::Hidden(this->BlockTable);
+  key.HiddenBlocks = rtglyphs::GlyphBlockAttributes::Hidden(this->BlockTable);
   std::copy_n(&actor->GetMatrix()->Element[0][0], 16, key.Matrix.begin());
   if (this->HaveSettingsChanged())
   {
@@ -398,7 +398,7 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   ColorKey color;
   color.Sources = this->SourcesVersion;
   color.State = this->ColorState();
-  for (const vtkRayTracedBlocks::Block& block : this->Blocks)
+  for (const rtglyphs::RayTracedBlocks::Block& block : this->Blocks)
   {
     color.Blocks.push_back(block);
     if (block.Scalars.On)

@@ -10,11 +10,11 @@
 #define vtkRayTracedMapper_h
 
 #include "Glyphs.h"
+#include "RayTracedBlocks.h"
+#include "RayTracedCache.h"
+#include "RayTracedParallel.h"
+#include "RayTracedSources.h"
 #include "vtkMapper.h"
-#include "vtkRayTracedBlocks.h"
-#include "vtkRayTracedCache.h"
-#include "vtkRayTracedParallel.h"
-#include "vtkRayTracedSources.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -38,7 +38,7 @@ public:
    * What glyphs or surfaces are made of: blocks, and their points one after the other. It is no input of the mapper:
    * the inputs of a mapper are what VTK's exporters write, and the points are not what is shown.
    */
-  void SetBlocks(const vtkRayTracedBlocks& blocks);
+  void SetBlocks(const rtglyphs::RayTracedBlocks& blocks);
   vtkPolyData* GetPoints() const;
   ///@}
 
@@ -49,7 +49,7 @@ public:
   void SetKnownBounds(const double bounds[6]);
 
   /**
-   * Of what vtkRayTracedArrays::Selected has a 1 for: glyphs of such points, lines that are such cells, and pieces of
+   * Of what RayTracedArrays::Selected has a 1 for: glyphs of such points, lines that are such cells, and pieces of
    * tubes on both sides of such points. Default is magenta.
    */
   void SetSelectionColor(const std::array<double, 3>& color);
@@ -57,7 +57,7 @@ public:
   /**
    * Who is told how far the building of instances is.
    */
-  void SetBuildProgress(const vtkRayTracedParallel::Progress& progress) { this->BuildProgress = progress; }
+  void SetBuildProgress(const rtglyphs::RayTracedParallel::Progress& progress) { this->BuildProgress = progress; }
 
   ///@{
   /**
@@ -208,10 +208,10 @@ protected:
   void ReportInstances(std::vector<std::string> messages, const std::string& unfinished);
   void Report(const std::vector<std::string>& messages, std::vector<std::string>& reported);
 
-  std::vector<vtkRayTracedBlocks::Block> Blocks;
-  vtkGlyphBlockAttributes::Table BlockTable;
+  std::vector<rtglyphs::RayTracedBlocks::Block> Blocks;
+  rtglyphs::GlyphBlockAttributes::Table BlockTable;
   std::uint64_t BlocksVersion = 0;
-  vtkRayTracedSources Sources; // point of each glyph, cell of each triangle
+  rtglyphs::RayTracedSources Sources; // point of each glyph, cell of each triangle
   vtkIdType Skipped = 0;
   std::string Unfinished;
   bool InWindow = false;
@@ -221,7 +221,7 @@ protected:
   std::uint64_t InstanceVersion = 0, ColorVersion = 0, SourcesVersion = 0, InstanceBuilds = 0;
   std::uint64_t ColorBuilds = 0;
   double InstanceSeconds = 0.0, ColorSeconds = 0.0;
-  vtkRayTracedParallel::Progress BuildProgress;
+  rtglyphs::RayTracedParallel::Progress BuildProgress;
   std::vector<std::string> ReportedInstances, ReportedColors, ReportedSizes;
 
 private:
@@ -241,7 +241,7 @@ private:
   {
     std::vector<vtkMTimeType> Times, State;
     std::uint64_t Sources = 0;
-    std::vector<vtkRayTracedBlocks::Attributes> Blocks;
+    std::vector<rtglyphs::RayTracedBlocks::Attributes> Blocks;
     std::array<double, 3> SolidColor{};
     vtkMTimeType Selected = 0;
     std::uint32_t SelectionColor = 0;
@@ -249,12 +249,12 @@ private:
   };
 
   void MapBlock(std::size_t number, bool interpolateValues, MappedColors& mapped);
-  bool TakeValues(const vtkRayTracedBlocks::Block& block, MappedColors& mapped);
+  bool TakeValues(const rtglyphs::RayTracedBlocks::Block& block, MappedColors& mapped);
   void ReportSizes();
 
   vtkSmartPointer<vtkPolyData> Points;
-  vtkRayTracedCache<InstanceKey> Built;
-  vtkRayTracedCache<ColorKey> Colored;
+  rtglyphs::RayTracedCache<InstanceKey> Built;
+  rtglyphs::RayTracedCache<ColorKey> Colored;
   std::uint32_t SelectionColor = 0x00ff00ffu; // packed, without an opacity
 };
 

@@ -1,18 +1,18 @@
 #include "vtkRayTracedSurfaceMapper.h"
 
+#include "GlyphMotion.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "RayTracedTriangleBuilder.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
-#include "vtkGlyphMotion.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRayTracedArrays.h"
-#include "vtkRayTracedParallel.h"
-#include "vtkRayTracedTriangleBuilder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,20 +42,20 @@ void vtkRayTracedSurfaceMapper::SetSettings(const SurfaceSettings& settings)
 //----------------------------------------------------------------------------
 std::vector<vtkObject*> vtkRayTracedSurfaceMapper::InstanceInputs(vtkPolyData* surface) const
 {
-  const std::array<vtkDataArray*, 3> motion = vtkGlyphMotion::Arrays(surface, this->Settings.Motion);
+  const std::array<vtkDataArray*, 3> motion = rtglyphs::GlyphMotion::Arrays(surface, this->Settings.Motion);
   vtkPointData* data = surface->GetPointData();
   return { surface->GetPoints() ? surface->GetPoints()->GetData() : nullptr, surface->GetPolys(),
-    this->Settings.Smooth ? data->GetNormals() : nullptr, data->GetArray(vtkRayTracedArrays::CompositeIndex), motion[0],
-    motion[1] };
+    this->Settings.Smooth ? data->GetNormals() : nullptr, data->GetArray(rtglyphs::RayTracedArrays::CompositeIndex),
+    motion[0], motion[1] };
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* actor)
 {
-  vtkGlyphMotion::Settings settings = this->Settings.Motion;
+  rtglyphs::GlyphMotion::Settings settings = this->Settings.Motion;
   settings.AngularVelocity.clear(); // points do not turn
-  const vtkGlyphMotion motion(surface, settings);
-  vtkRayTracedTriangleBuilder::Result result = vtkRayTracedTriangleBuilder::BuildRelative(
+  const rtglyphs::GlyphMotion motion(surface, settings);
+  rtglyphs::RayTracedTriangleBuilder::Result result = rtglyphs::RayTracedTriangleBuilder::BuildRelative(
     surface, this->BlockTable, actor->GetMatrix(), this->Settings.Smooth, motion);
   this->BuiltSettings = this->Settings;
   rtg::GlyphMotion shutter;
@@ -93,7 +93,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
                           "are left out. Choose another representation, or make polygons with a "
                           "filter such as Extract Surface, Tube or Contour.");
   }
-  this->ReportInstances(std::move(messages), vtkGlyphMotion::Unfinished(this->Settings.Motion));
+  this->ReportInstances(std::move(messages), rtglyphs::GlyphMotion::Unfinished(this->Settings.Motion));
 }
 
 //----------------------------------------------------------------------------
@@ -113,7 +113,7 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
   if (mapped.OfCells)
   {
     colored->triangleColours.resize(mesh.triangles.size());
-    vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.triangles.size()),
+    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.triangles.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
@@ -125,7 +125,7 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
   else if (mapped.Any || this->HasOwnLooks())
   {
     colored->positionColours.resize(mesh.positions.size());
-    vtkRayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.positions.size()),
+    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(mesh.positions.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)

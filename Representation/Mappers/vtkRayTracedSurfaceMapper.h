@@ -2,10 +2,10 @@
  * @class   vtkRayTracedSurfaceMapper
  * @brief   shows triangles as a surface among ray-traced glyphs
  *
- * Input is the vtkPolyData of vtkRayTracedSurfaceGatherer. To the scene the surface is one glyph in the form of a mesh.
+ * Input is the vtkPolyData of RayTracedSurfaceGatherer. To the scene the surface is one glyph in the form of a mesh.
  * Colors are a part of the mesh, of its positions or of its triangles.
  *
- * With motion (vtkGlyphMotion) each point of the surface moves by itself while the shutter is open; angular velocities
+ * With motion (GlyphMotion) each point of the surface moves by itself while the shutter is open; angular velocities
  * mean nothing here.
  *
  * Triangles that have a corner without finite coordinates or motion are left out, counted and reported once.
@@ -15,7 +15,7 @@
 #ifndef vtkRayTracedSurfaceMapper_h
 #define vtkRayTracedSurfaceMapper_h
 
-#include "vtkGlyphMotion.h"
+#include "GlyphMotion.h"
 #include "vtkRayTracedMapper.h"
 
 class vtkRayTracedSurfaceMapper : public vtkRayTracedMapper
@@ -28,7 +28,7 @@ public:
   struct SurfaceSettings
   {
     bool Smooth = true; // the points' normals, where they have some, are interpolated over the triangles
-    vtkGlyphMotion::Settings Motion;
+    rtglyphs::GlyphMotion::Settings Motion;
   };
   void SetSettings(const SurfaceSettings& settings);
 

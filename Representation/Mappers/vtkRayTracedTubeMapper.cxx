@@ -1,5 +1,7 @@
 #include "vtkRayTracedTubeMapper.h"
 
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -9,8 +11,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRayTracedArrays.h"
-#include "vtkRayTracedParallel.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ void vtkRayTracedTubeMapper::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedTubeMapper::SetSettings(const vtkRayTracedTubeBuilder::Settings& settings)
+void vtkRayTracedTubeMapper::SetSettings(const rtglyphs::RayTracedTubeBuilder::Settings& settings)
 {
   this->Settings = settings;
 }
@@ -42,28 +42,28 @@ void vtkRayTracedTubeMapper::SetSettings(const vtkRayTracedTubeBuilder::Settings
 //----------------------------------------------------------------------------
 std::vector<vtkObject*> vtkRayTracedTubeMapper::InstanceInputs(vtkPolyData* lines) const
 {
-  const std::array<vtkDataArray*, 3> motion = vtkGlyphMotion::Arrays(lines, this->Settings.Motion);
+  const std::array<vtkDataArray*, 3> motion = rtglyphs::GlyphMotion::Arrays(lines, this->Settings.Motion);
   bool ofCells = false;
   return { lines->GetPoints() ? lines->GetPoints()->GetData() : nullptr, lines->GetLines(),
-    vtkRayTracedTubeBuilder::RadiusArray(lines, this->Settings, ofCells),
-    lines->GetPointData()->GetArray(vtkRayTracedArrays::CompositeIndex), motion[0], motion[1] };
+    rtglyphs::RayTracedTubeBuilder::RadiusArray(lines, this->Settings, ofCells),
+    lines->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CompositeIndex), motion[0], motion[1] };
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedTubeMapper::BuildInstances(vtkPolyData* lines, vtkActor* actor)
 {
-  vtkRayTracedTubeBuilder::Result result =
-    vtkRayTracedTubeBuilder::Build(lines, this->BlockTable, actor->GetMatrix(), this->Settings);
+  rtglyphs::RayTracedTubeBuilder::Result result =
+    rtglyphs::RayTracedTubeBuilder::Build(lines, this->BlockTable, actor->GetMatrix(), this->Settings);
   this->BuiltSettings = this->Settings;
   this->Sources = std::move(result.Cells);
   this->Ends = std::move(result.Ends);
   this->Instances = std::move(result.Instances);
-  this->Placement = vtkGlyphPlacement(actor->GetMatrix());
+  this->Placement = rtglyphs::GlyphPlacement(actor->GetMatrix());
   this->Taken = false;
   this->Skipped = result.Bad + result.Empty;
   ++this->SourcesVersion;
   this->InstanceVersion = NewVersion();
-  this->ReportInstances(std::move(result.Messages), vtkGlyphMotion::Unfinished(this->Settings.Motion));
+  this->ReportInstances(std::move(result.Messages), rtglyphs::GlyphMotion::Unfinished(this->Settings.Motion));
 }
 
 //----------------------------------------------------------------------------
@@ -98,7 +98,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
     }
     return bits;
   };
-  vtkRayTracedParallel::ForChunks(this->Sources.size(),
+  rtglyphs::RayTracedParallel::ForChunks(this->Sources.size(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -130,9 +130,9 @@ rtg::GlyphInstances vtkRayTracedTubeMapper::TakeInstances(vtkActor* actor)
 {
   if (this->Taken)
   {
-    this->Instances =
-      vtkRayTracedTubeBuilder::Build(this->GetPoints(), this->BlockTable, actor->GetMatrix(), this->BuiltSettings)
-        .Instances;
+    this->Instances = rtglyphs::RayTracedTubeBuilder::Build(
+      this->GetPoints(), this->BlockTable, actor->GetMatrix(), this->BuiltSettings)
+                        .Instances;
   }
   this->Taken = true;
   return std::exchange(this->Instances, rtg::GlyphInstances());

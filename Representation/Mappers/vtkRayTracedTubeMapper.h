@@ -2,17 +2,17 @@
  * @class   vtkRayTracedTubeMapper
  * @brief   shows lines and poly-lines as tubes among ray-traced glyphs
  *
- * Input is the vtkPolyData of lines of vtkRayTracedSurfaceGatherer. To the scene each piece of a line is a glyph
- * (vtkRayTracedTubeBuilder). Values of points become colors that change linearly from end to end of a piece.
+ * Input is the vtkPolyData of lines of RayTracedSurfaceGatherer. To the scene each piece of a line is a glyph
+ * (RayTracedTubeBuilder). Values of points become colors that change linearly from end to end of a piece.
  *
  * @sa vtkRayTracedTubeRepresentation
  */
 #ifndef vtkRayTracedTubeMapper_h
 #define vtkRayTracedTubeMapper_h
 
-#include "vtkGlyphPlacement.h"
+#include "GlyphPlacement.h"
+#include "RayTracedTubeBuilder.h"
 #include "vtkRayTracedMapper.h"
-#include "vtkRayTracedTubeBuilder.h"
 
 class vtkRayTracedTubeMapper : public vtkRayTracedMapper
 {
@@ -21,7 +21,7 @@ public:
   vtkTypeMacro(vtkRayTracedTubeMapper, vtkRayTracedMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void SetSettings(const vtkRayTracedTubeBuilder::Settings& settings);
+  void SetSettings(const rtglyphs::RayTracedTubeBuilder::Settings& settings);
 
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
@@ -42,11 +42,11 @@ private:
   vtkRayTracedTubeMapper(const vtkRayTracedTubeMapper&) = delete;
   void operator=(const vtkRayTracedTubeMapper&) = delete;
 
-  vtkRayTracedTubeBuilder::Settings Settings, BuiltSettings;
+  rtglyphs::RayTracedTubeBuilder::Settings Settings, BuiltSettings;
   rtg::GlyphInstances Instances; // until they are taken
   bool Taken = false;
-  std::vector<std::array<vtkIdType, 2>> Ends; // points of each piece
-  vtkGlyphPlacement Placement{ nullptr };     // the actor's
+  std::vector<std::array<vtkIdType, 2>> Ends;    // points of each piece
+  rtglyphs::GlyphPlacement Placement{ nullptr }; // the actor's
 };
 
 #endif

@@ -1,13 +1,16 @@
 #include "vtkRayTracedGlyphRepresentation.h"
 
 #include "Finite.h"
+#include "GlyphJoinedArrays.h"
+#include "GlyphLayers.h"
+#include "GlyphPointGatherer.h"
+#include "GlyphScaleGuess.h"
+#include "GlyphSource.h"
+#include "GlyphTuples.h"
+#include "RayTracedParallel.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
-#include "vtkGlyphJoinedArrays.h"
-#include "vtkGlyphLayers.h"
-#include "vtkGlyphPointGatherer.h"
-#include "vtkGlyphScaleGuess.h"
-#include "vtkGlyphTuples.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -20,7 +23,6 @@
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
 #include "vtkRayTracedGlyphMapper.h"
-#include "vtkRayTracedParallel.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -34,7 +36,7 @@ vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
 //----------------------------------------------------------------------------
 vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
   : vtkRayTracedSelectableRepresentation(3)
-  , Layers(std::make_unique<vtkGlyphLayers>())
+  , Layers(std::make_unique<rtglyphs::GlyphLayers>())
 {
 }
 
@@ -71,7 +73,12 @@ int vtkRayTracedGlyphRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const bool hasMesh = inputVector[1]->GetNumberOfInformationObjects() == 1;
-  this->Meshes.Gather(hasMesh ? vtkDataObject::GetData(inputVector[1], 0) : nullptr, this->GlyphMeshTable);
+  this->Meshes.Gather(
+    hasMesh ? vtkDataObject::GetData(inputVector[1], 0) : nullptr, this->SourceIndexing && this->UseSourceTableTree);
+  if (hasMesh && this->Meshes.GetForm(0))
+  {
+    rtglyphs::GlyphSource(this->GetInputAlgorithm(1, 0)).StoreIn(this->Meshes.GetForm(0));
+  }
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -94,10 +101,10 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(
-  vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress)
+  vtkDataObject* data, const int* wholeExtent, bool isBlock, const rtglyphs::RayTracedParallel::Progress& progress)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  vtkGlyphPointGatherer::Options options;
+  rtglyphs::GlyphPointGatherer::Options options;
   options.CellCenters = this->GlyphLocation == CELLS;
   options.IsBlock = isBlock;
   if (controller)
@@ -107,13 +114,13 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(
   }
   options.WholeExtent = wholeExtent;
   options.Progress = progress;
-  return vtkGlyphPointGatherer::Gather(data, options);
+  return rtglyphs::GlyphPointGatherer::Gather(data, options);
 }
 
 //----------------------------------------------------------------------------
 std::vector<std::string> vtkRayTracedGlyphRepresentation::Arrays() const
 {
-  const vtkGlyphSettings settings = this->MakeSettings();
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
   std::vector<std::string> names = this->Superclass::Arrays();
   for (const std::string* name : { &settings.ScaleArray, &settings.OrientationArray, &settings.ExponentArray,
          &settings.Tensors.Array, &settings.Forms.Array })
@@ -146,28 +153,27 @@ void vtkRayTracedGlyphRepresentation::Deliver(vtkInformation* inInfo, bool lod)
 // On all ranks that have data.
 void vtkRayTracedGlyphRepresentation::CountPointsOfAllRanks(vtkPolyData* points)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  vtkIdType count = points ? points->GetNumberOfPoints() : 0;
-  if (this->Glyphs.Mask.On && controller && controller->GetNumberOfProcesses() > 1)
+  std::vector<double> count{ points ? static_cast<double>(points->GetNumberOfPoints()) : 0.0 };
+  if (this->Glyphs.Mask.On)
   {
-    const vtkIdType own = count;
-    controller->AllReduce(&own, &count, 1, vtkCommunicator::SUM_OP);
+    rtglyphs::RayTracedRanks::Reduce(count, vtkCommunicator::SUM_OP);
   }
-  this->Glyphs.Mask.PointsOfAllRanks = count;
+  this->Glyphs.Mask.PointsOfAllRanks = static_cast<vtkIdType>(count[0]);
 }
 
 //----------------------------------------------------------------------------
 bool vtkRayTracedGlyphRepresentation::NeedsOrderedCompositing()
 {
   const bool table = this->TensorTable && this->Glyphs.HasNumberRange() && !this->TensorTable->IsOpaque();
-  return table || !vtkRayTracedArrays::IsNone(this->Glyphs.OpacityArray) || this->Superclass::NeedsOrderedCompositing();
+  return table || !rtglyphs::RayTracedArrays::IsNone(this->Glyphs.OpacityArray) ||
+    this->Superclass::NeedsOrderedCompositing();
 }
 
 //----------------------------------------------------------------------------
 const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points)
 {
-  const vtkGlyphSettings settings = this->MakeSettings();
-  std::vector<vtkGlyphSettings> all{ settings };
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
+  std::vector<rtglyphs::GlyphSettings> all{ settings };
   if (settings.Shape == rtg::Shape::Mesh)
   {
     all.clear();
@@ -187,7 +193,7 @@ const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
 {
-  const vtkGlyphSettings settings = this->MakeSettings();
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
   if (settings.HasNumberRange())
   {
     const std::array<double, 2> range = this->NumberRange.Get(points, settings, true);
@@ -204,9 +210,9 @@ void vtkRayTracedGlyphRepresentation::UpdateScaleGuess(vtkPolyData* points)
     return;
   }
   double unitSize = 1.0;
-  const vtkGlyphSettings settings = this->GetSizes(points, unitSize);
-  const vtkGlyphKeptGuess::Result& found =
-    vtkGlyphScaleGuess::Update(this->Guess, points, settings, unitSize, this->GetUpdateTime());
+  const rtglyphs::GlyphSettings settings = this->GetSizes(points, unitSize);
+  const rtglyphs::GlyphKeptGuess::Result& found =
+    rtglyphs::GlyphScaleGuess::Update(this->Guess, points, settings, unitSize, this->GetUpdateTime());
   this->ScaleGuess[0] = found.Value;
   this->ScaleGuess[1] = found.Limit;
 }
@@ -239,12 +245,13 @@ void vtkRayTracedGlyphRepresentation::SetGlyphDataSizes(double highScale, double
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphSettings vtkRayTracedGlyphRepresentation::GetSizes(vtkPolyData*, double& unitSize)
+rtglyphs::GlyphSettings vtkRayTracedGlyphRepresentation::GetSizes(vtkPolyData*, double& unitSize)
 {
-  const vtkGlyphSettings settings = this->MakeSettings();
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
+  const glm::dvec3& sides = settings.UnitSize;
   unitSize = settings.Shape == rtg::Shape::Mesh ? this->Meshes.GetLargestSide()
     : settings.Shape == rtg::Shape::Capsule     ? 2.0
-                                                : 1.0;
+                                                : std::max({ sides.x, sides.y, sides.z });
   return settings;
 }
 
@@ -259,9 +266,10 @@ vtkSmartPointer<vtkRayTracedMapper> vtkRayTracedGlyphRepresentation::MakeMapper(
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const
+bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const
 {
-  vtkDataArray* tensors = this->TensorAxis && points ? vtkGlyphTensors::Array(points, settings.Tensors) : nullptr;
+  vtkDataArray* tensors =
+    this->TensorAxis && points ? rtglyphs::GlyphTensors::Array(points, settings.Tensors) : nullptr;
   return tensors && tensors->GetNumberOfComponents() == 9;
 }
 
@@ -270,15 +278,20 @@ bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const vtkGl
 // a layer, too.
 void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
 {
-  this->Meshes.Take(
-    lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1) : vtkPVView::GetDeliveredPiece(inInfo, this, 1));
-  vtkGlyphSettings settings = this->MakeSettings();
+  // A selection may come between an update and the delivery.
+  if (vtkDataObject* form =
+        lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, 1) : vtkPVView::GetDeliveredPiece(inInfo, this, 1))
+  {
+    this->Meshes.Take(form);
+  }
+  rtglyphs::GlyphSettings settings = this->MakeSettings();
   const bool usesTable = this->Meshes.GetNumberOfForms() > 1 && settings.Shape == rtg::Shape::Mesh;
   settings.TableSize = usesTable ? static_cast<int>(this->Meshes.GetNumberOfForms()) : 1;
   auto* main = static_cast<vtkRayTracedGlyphMapper*>(this->GetMapper());
   main->SetSettings(settings, this->Meshes.GetForm(0));
   main->SetTensorTable(this->TensorTable);
-  if (settings.HasNumberRange() && (!this->TensorTable || settings.Tensors.Coloring == vtkGlyphTensors::EIGENVALUES))
+  if (settings.HasNumberRange() &&
+    (!this->TensorTable || settings.Tensors.Coloring == rtglyphs::GlyphTensors::EIGENVALUES))
   {
     main->SetTensorRange(this->ShownRange.Get(points, settings, collective));
   }
@@ -289,14 +302,14 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   this->ResizeLayers(this->GetRenderView(), settings.TableSize - 1 + (axes ? 1 : 0));
   for (int entry = 1; entry < settings.TableSize; ++entry)
   {
-    vtkGlyphLayers::Layer& layer = (*this->Layers)[entry - 1];
+    rtglyphs::GlyphLayers::Layer& layer = (*this->Layers)[entry - 1];
     layer.Follow(this->Blocks, this->GetActor(), this->GetSelectionColor());
     settings.TableEntry = entry;
     layer.Mapper->SetSettings(settings, this->Meshes.GetForm(entry));
   }
   if (axes)
   {
-    vtkGlyphLayers::Layer& layer = (*this->Layers)[settings.TableSize - 1];
+    rtglyphs::GlyphLayers::Layer& layer = (*this->Layers)[settings.TableSize - 1];
     layer.Follow(this->Blocks, this->GetActor(), this->GetSelectionColor());
     layer.Mapper->SetSettings(settings.AxesOfTensors(), nullptr);
     layer.Actor->GetProperty()->SetAmbientColor(this->TensorAxisColor.data());
@@ -305,7 +318,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::UpdateLegend(const vtkGlyphSettings& settings)
+void vtkRayTracedGlyphRepresentation::UpdateLegend(const rtglyphs::GlyphSettings& settings)
 {
   this->Legend->SetStyle(this->LegendStyle);
   if (!this->LegendStyle.On)
@@ -313,7 +326,7 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(const vtkGlyphSettings& setti
     return;
   }
   const std::string scales =
-    settings.Scaling && !vtkRayTracedArrays::IsNone(settings.ScaleArray) ? settings.ScaleArray : std::string();
+    settings.Scaling && !rtglyphs::RayTracedArrays::IsNone(settings.ScaleArray) ? settings.ScaleArray : std::string();
   const std::string name = settings.Tensors.On  ? settings.Tensors.Array
     : settings.Forms.On && !settings.Forms.Each ? settings.Forms.Array
                                                 : scales;
@@ -377,12 +390,19 @@ void vtkRayTracedGlyphRepresentation::RemoveLayers(vtkPVRenderView* view)
 
 //----------------------------------------------------------------------------
 // Properties that determine each other are put together here, whatever the order in which they were set.
-vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
+rtglyphs::GlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
 {
-  vtkGlyphSettings settings = this->Glyphs.InRange();
+  rtglyphs::GlyphSettings settings = this->Glyphs.InRange();
   settings.Motion = this->GetMotion();
   settings.HighScale = this->DataSizes[0];
-  if (this->ScaleFactorFromData)
+  settings.Scaling = this->Scaling && this->ScaleMode != vtkGlyph3DMapper::NO_DATA_SCALING;
+  settings.ScaleMode = this->ScaleMode == vtkGlyph3DMapper::SCALE_BY_COMPONENTS ? rtglyphs::GlyphSettings::COMPONENTS
+                                                                                : rtglyphs::GlyphSettings::MAGNITUDE;
+  if (!this->Scaling)
+  {
+    settings.ScaleFactor = 1.0; // 3D Glyphs then have their source's own size
+  }
+  else if (this->ScaleFactorFromData)
   {
     const bool own = this->ScaleGuess[0] > 0.0; // else this process only renders, or there are no glyphs
     settings.ScaleFactor = own ? this->ScaleGuess[0] : settings.ScaleFactor;
@@ -390,11 +410,22 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     double& most = settings.Sizing.Most;
     most = limit > 0.0 && (most == 0.0 || most > limit) ? limit : most;
   }
+  // Between the process that has the source and one that renders it is part of what is delivered.
+  const rtglyphs::GlyphSource source(this->Meshes.GetForm(0));
+  settings.Arrow = source.Arrow;
+  settings.Arrow.fixedHeads = this->FixedHeads;
+  settings.Arrow.tipRounding = this->FixedHeads ? settings.Arrow.tipRounding : 0.0f;
   settings.Tensors.On = this->GlyphShape >= TENSOR_ELLIPSOID && this->GlyphShape <= SIGNED_TENSOR_SUPERQUADRIC;
   const bool polynomial = this->GlyphShape >= SPHERICAL_HARMONICS && this->GlyphShape <= FOURTH_ORDER_TENSOR;
-  if (!polynomial && settings.Tensors.Coloring == vtkGlyphTensors::RADIUS)
+  if (!polynomial && settings.Tensors.Coloring == rtglyphs::GlyphTensors::RADIUS)
   {
-    settings.Tensors.Coloring = vtkGlyphTensors::NONE;
+    settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;
+  }
+  if (this->TensorTable && settings.Tensors.Coloring == rtglyphs::GlyphTensors::SIGN)
+  {
+    const double* range = this->TensorTable->GetRange();
+    this->TensorTable->GetColor(range[1], settings.Tensors.PositiveColor.data());
+    this->TensorTable->GetColor(range[0], settings.Tensors.NegativeColor.data());
   }
   if (this->GlyphShape == PRINCIPAL_AXES)
   {
@@ -416,11 +447,12 @@ vtkGlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
   }
   else
   {
-    settings.Shape = this->GlyphShape == MESH ? rtg::Shape::Mesh : static_cast<rtg::Shape>(this->GlyphShape);
-    if (settings.Shape == rtg::Shape::Superquadric && this->NestedExponents)
-    {
-      settings.Shape = rtg::Shape::NestedSuperquadric;
-    }
+    settings.Shape = this->GlyphShape == CAPSULE ? rtg::Shape::Capsule
+      : this->GlyphShape == SUPERQUADRIC         ? rtg::Shape::Superquadric
+      : this->GlyphShape == NESTED_SUPERQUADRIC  ? rtg::Shape::NestedSuperquadric
+      : this->Meshes.GetNumberOfForms() > 1      ? rtg::Shape::Mesh
+                                                 : source.Shape;
+    settings.UnitSize = this->GlyphShape == GLYPH_TYPE ? source.UnitSize : settings.UnitSize;
   }
   return settings;
 }
@@ -440,13 +472,11 @@ void vtkRayTracedGlyphRepresentation::SetGlyphLocation(int location)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 {
-  // The first entry of a number counts.
-#define RTG_SHAPE_NAME(number, Name) { number, #Name },
-  static const std::map<int, std::string> names = { { TENSOR_ELLIPSOID, "Tensor Ellipsoid" },
-    { TENSOR_SUPERQUADRIC, "Tensor Superquadric" }, { SIGNED_TENSOR_SUPERQUADRIC, "Signed Tensor Superquadric" },
-    { MESH, "Mesh" }, { SPHERICAL_HARMONICS, "Spherical Harmonics" }, { REYNOLDS, "Reynolds" },
-    { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" }, { PRINCIPAL_AXES, "Principal Axes" }, RTG_SHAPES(RTG_SHAPE_NAME) };
-#undef RTG_SHAPE_NAME
+  static const std::map<int, std::string> names = { { GLYPH_TYPE, "Glyph Type" }, { CAPSULE, "Capsule" },
+    { SUPERQUADRIC, "Superquadric" }, { NESTED_SUPERQUADRIC, "Nested Superquadric" },
+    { TENSOR_ELLIPSOID, "Tensor Ellipsoid" }, { TENSOR_SUPERQUADRIC, "Tensor Superquadric" },
+    { SIGNED_TENSOR_SUPERQUADRIC, "Signed Tensor Superquadric" }, { SPHERICAL_HARMONICS, "Spherical Harmonics" },
+    { REYNOLDS, "Reynolds" }, { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" }, { PRINCIPAL_AXES, "Principal Axes" } };
   if (!names.count(shape))
   {
     std::string known;
@@ -461,7 +491,7 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphScaleFactorFromData(bool on)
+void vtkRayTracedGlyphRepresentation::SetScaleFactorFromData(bool on)
 {
   this->ScaleFactorFromData = on;
   this->Guess.Forget();
@@ -469,23 +499,25 @@ void vtkRayTracedGlyphRepresentation::SetGlyphScaleFactorFromData(bool on)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphScaleReference(double reference)
+void vtkRayTracedGlyphRepresentation::SetGlyphMode(int mode)
 {
-  if (!rtg::IsPositive(reference))
-  {
-    vtkErrorMacro(
-      "GlyphScaleReference is " << reference << "; it must be positive, in units of the scale array. 1 is taken.");
-    reference = 1.0;
-  }
-  this->Glyphs.Sizing.Reference = reference;
+  this->Glyphs.Mask.On = mode > 0;
+  this->Glyphs.Mask.Mode = std::max(mode - 1, 0);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedGlyphRepresentation::SetGlyphLegend(int place)
+{
+  this->LegendStyle.On = place > 0;
+  this->LegendStyle.Corner = std::clamp<int>(place - 1, vtkGlyphLegend::LOWER_LEFT, vtkGlyphLegend::UPPER_RIGHT);
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double most)
 {
-  vtkGlyphSizing& sizing = this->Glyphs.Sizing;
-  sizing.Least = std::max(vtkRayTracedNumbers::NumberOr(least, 0.0), 0.0);
-  sizing.Most = std::max(vtkRayTracedNumbers::NumberOr(most, 0.0), 0.0);
+  rtglyphs::GlyphSizing& sizing = this->Glyphs.Sizing;
+  sizing.Least = std::max(rtglyphs::RayTracedNumbers::NumberOr(least, 0.0), 0.0);
+  sizing.Most = std::max(rtglyphs::RayTracedNumbers::NumberOr(most, 0.0), 0.0);
   if (sizing.Most > 0.0 && sizing.Most < sizing.Least)
   {
     vtkErrorMacro("GlyphSizeRange is " << least << ", " << most
@@ -498,9 +530,9 @@ void vtkRayTracedGlyphRepresentation::SetGlyphSizeRange(double least, double mos
 void vtkRayTracedGlyphRepresentation::SetGlyphExponents(double r, double s, double t)
 {
   // What is no number makes no glyph, as zero does.
-  this->Glyphs.Exponents[0] = vtkRayTracedNumbers::NumberOr(r, 0.0);
-  this->Glyphs.Exponents[1] = vtkRayTracedNumbers::NumberOr(s, 0.0);
-  this->Glyphs.Exponents[2] = vtkRayTracedNumbers::NumberOr(t, 0.0);
+  this->Glyphs.Exponents[0] = rtglyphs::RayTracedNumbers::NumberOr(r, 0.0);
+  this->Glyphs.Exponents[1] = rtglyphs::RayTracedNumbers::NumberOr(s, 0.0);
+  this->Glyphs.Exponents[2] = rtglyphs::RayTracedNumbers::NumberOr(t, 0.0);
 }
 
 //----------------------------------------------------------------------------
@@ -510,11 +542,12 @@ void vtkRayTracedGlyphRepresentation::SetGlyphTensorLookupTable(vtkScalarsToColo
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphMeshTable(bool use)
+void vtkRayTracedGlyphRepresentation::SetTable(bool sourceIndexing, bool useSourceTableTree)
 {
-  if (this->GlyphMeshTable != use)
+  if (this->SourceIndexing != sourceIndexing || this->UseSourceTableTree != useSourceTableTree)
   {
-    this->GlyphMeshTable = use;
+    this->SourceIndexing = sourceIndexing;
+    this->UseSourceTableTree = useSourceTableTree;
     this->MarkModified(); // the meshes must be gathered again
   }
 }

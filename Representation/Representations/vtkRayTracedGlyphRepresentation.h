@@ -9,11 +9,11 @@
 
 #include "vtkRayTracedSelectableRepresentation.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkGlyphHighScale.h"
+#include "GlyphHighScale.h"
+#include "GlyphMeshes.h"
+#include "GlyphSettings.h"
+#include "GlyphTensorRange.h"
 #include "vtkGlyphLegend.h"
-#include "vtkGlyphMeshes.h"
-#include "vtkGlyphSettings.h"
-#include "vtkGlyphTensorRange.h"
 #endif
 
 #include <algorithm>
@@ -23,7 +23,10 @@
 #include <string>
 #include <vector>
 
-class vtkGlyphLayers;
+namespace rtglyphs
+{
+class GlyphLayers;
+}
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedGlyphRepresentation : public vtkRayTracedSelectableRepresentation
 {
@@ -33,15 +36,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Values of GlyphShape that stand for something else than the rtg::Shape of that number. Mesh: the polygons of the
-   * second input.
+   * Values of GlyphShape. GLYPH_TYPE: what the second input is, exactly where a shape of the kernels is that
+   * (GlyphSource), else its polygons.
    */
-  enum FurtherShapes
+  enum GlyphShapes
   {
+    GLYPH_TYPE = 0,
+    SUPERQUADRIC = 5,
     TENSOR_ELLIPSOID = 6,
     TENSOR_SUPERQUADRIC = 7,
     SIGNED_TENSOR_SUPERQUADRIC = 8,
-    MESH = 9,
+    CAPSULE = 10,
+    NESTED_SUPERQUADRIC = 11,
     SPHERICAL_HARMONICS = 12,
     REYNOLDS = 13,
     FOURTH_ORDER_TENSOR = 14,
@@ -61,37 +67,49 @@ public:
 
   ///@{
   /**
-   * Size and orientation; see vtkGlyphSettings for modes and defaults.
+   * As vtkGlyph3DRepresentation's, with vtkGlyph3DMapper's modes. Orientation arrays of four components are quaternions
+   * and those of nine rotation matrices in every mode.
    */
-  void SetGlyphScaling(bool on) { this->Glyphs.Scaling = on; }
-  void SetGlyphScaleArray(const char* name) { this->SetArray(this->Glyphs.ScaleArray, name); }
-  void SetGlyphScaleMode(int mode) { this->Glyphs.ScaleMode = mode; }
-  void SetGlyphScaleFactor(double factor) { this->Glyphs.ScaleFactor = vtkRayTracedNumbers::NumberOr(factor, 0.0); }
-  void SetGlyphScaleFactorFromData(bool on);
+  void SetScaling(bool on) { this->Scaling = on; }
+  void SetScaleArray(const char* name) { this->SetArray(this->Glyphs.ScaleArray, name); }
+  void SetScaleMode(int mode) { this->ScaleMode = mode; }
+  void SetScaleFactor(double factor) { this->Glyphs.ScaleFactor = rtglyphs::RayTracedNumbers::NumberOr(factor, 0.0); }
+  void SetOrient(bool on) { this->Glyphs.Orient = on; }
+  void SetOrientationArray(const char* name) { this->SetArray(this->Glyphs.OrientationArray, name); }
+  void SetOrientationMode(int mode) { this->Glyphs.OrientationMode = mode; }
+  void SetSourceIndexing(bool on) { this->SetTable(on, this->UseSourceTableTree); }
+  void SetSourceIndexArray(const char* name) { this->Glyphs.TableIndexArray = OrEmpty(name); }
+  void SetUseSourceTableTree(bool on) { this->SetTable(this->SourceIndexing, on); }
+  ///@}
+
+  ///@{
+  /**
+   * Size and place; see GlyphSettings for modes and defaults.
+   */
+  void SetScaleFactorFromData(bool on);
   void SetGlyphScaleFunction(int function) { this->Glyphs.Sizing.Function = function; }
-  void SetGlyphScaleReference(double reference);
   void SetGlyphSizeRange(double least, double most);
   void SetGlyphRadiusArray(const char* name) { this->Glyphs.RadiusArray = OrEmpty(name); }
-  void SetGlyphRadiusFactor(double factor) { this->Glyphs.RadiusFactor = vtkRayTracedNumbers::NumberOr(factor, 0.0); }
-  void SetGlyphOrient(bool on) { this->Glyphs.Orient = on; }
-  void SetGlyphOrientationArray(const char* name) { this->SetArray(this->Glyphs.OrientationArray, name); }
-  void SetGlyphOrientationMode(int mode) { this->Glyphs.OrientationMode = mode; }
+  void SetGlyphRadiusFactor(double factor)
+  {
+    this->Glyphs.RadiusFactor = rtglyphs::RayTracedNumbers::NumberOr(factor, 0.0);
+  }
   void SetGlyphAnchor(int anchor) { this->Glyphs.Anchor = anchor; }
   ///@}
 
   ///@{
   /**
-   * What vtkGlyphScaleGuess has found, where GlyphScaleFactorFromData is on (default): factor and limit. Processes that
-   * have data use it by themselves; those that only render are told by SetGlyphScaleFactor() and SetGlyphSizeLimit(),
-   * the client being between them.
+   * What GlyphScaleGuess has found, where ScaleFactorFromData is on: factor and limit. Processes that have data use
+   * it by themselves; those that only render are told by SetScaleFactor() and SetGlyphSizeLimit(), the client being
+   * between them.
    */
-  double* GetGlyphScaleGuess() VTK_SIZEHINT(2) { return this->ScaleGuess; }
-  void SetGlyphSizeLimit(double limit) { this->SizeLimit = vtkRayTracedNumbers::NumberOr(limit, 0.0); }
+  double* GetScaleFactorGuess() VTK_SIZEHINT(2) { return this->ScaleGuess; }
+  void SetGlyphSizeLimit(double limit) { this->SizeLimit = rtglyphs::RayTracedNumbers::NumberOr(limit, 0.0); }
   ///@}
 
   ///@{
   /**
-   * What processes that only render must know of the data: vtkGlyphHighScale, and width and height of the mesh of mesh
+   * What processes that only render must know of the data: GlyphHighScale, and width and height of the mesh of mesh
    * glyphs; numbers are 0 where there is none. The client carries them there.
    */
   double* GetGlyphDataSizesInfo() VTK_SIZEHINT(3) { return this->DataSizes.data(); }
@@ -100,46 +118,37 @@ public:
 
   ///@{
   /**
-   * A glyph of a stated number in a corner of the view, from which sizes can be read; see vtkGlyphLegend. Default off,
-   * a number that fits, the lower left corner, white.
+   * A glyph of a stated number in a corner of the view, from which sizes can be read; see vtkGlyphLegend. 0: none, else
+   * its corner and 1. Default is none, a number that fits, white.
    */
-  void SetGlyphLegend(bool on) { this->LegendStyle.On = on; }
-  void SetGlyphLegendValue(double value) { this->LegendStyle.Value = vtkRayTracedNumbers::NumberOr(value, 0.0); }
-  void SetGlyphLegendCorner(int corner)
-  {
-    this->LegendStyle.Corner = std::clamp<int>(corner, vtkGlyphLegend::LOWER_LEFT, vtkGlyphLegend::UPPER_RIGHT);
-  }
+  void SetGlyphLegend(int place);
+  void SetGlyphLegendValue(double value) { this->LegendStyle.Value = rtglyphs::RayTracedNumbers::NumberOr(value, 0.0); }
   void SetGlyphLegendColor(double red, double green, double blue)
   {
-    this->LegendStyle.Color = vtkRayTracedNumbers::ColorInRange(red, green, blue);
+    this->LegendStyle.Color = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
   }
   ///@}
 
   ///@{
   /**
-   * The arrow's form, in fractions of the unit arrow's length. Default is fixed heads, vtkArrowSource's proportions and
-   * a rounding of 0.5. Fixed heads have these proportions on an arrow of the reference magnitude; it is a high quantile
-   * of the scale array when not positive, the default.
+   * Whether arrows have heads of one size (0) or scaled ones (1, default), as vtkArrowSource's. Fixed heads are
+   * slightly rounded and have the source's proportions on an arrow of the reference magnitude; it is a high quantile of
+   * the scale array when not positive, the default.
    */
-  void SetArrowHeads(int heads) { this->Glyphs.Arrow.fixedHeads = heads == 0; }
+  void SetArrowHeads(int heads) { this->FixedHeads = heads == 0; }
   void SetArrowReferenceMagnitude(double magnitude)
   {
-    this->Glyphs.ArrowReference = vtkRayTracedNumbers::NumberOr(magnitude, 0.0);
+    this->Glyphs.ArrowReference = rtglyphs::RayTracedNumbers::NumberOr(magnitude, 0.0);
   }
-  void SetArrowShaftRadius(double radius) { this->Glyphs.Arrow.shaftRadius = static_cast<float>(radius); }
-  void SetArrowTipRadius(double radius) { this->Glyphs.Arrow.tipRadius = static_cast<float>(radius); }
-  void SetArrowTipLength(double length) { this->Glyphs.Arrow.tipLength = static_cast<float>(length); }
-  void SetArrowTipRounding(double rounding) { this->Glyphs.Arrow.tipRounding = static_cast<float>(rounding); }
   ///@}
 
   ///@{
   /**
-   * Exponents of superquadrics, each in [0.1, 100], default 2 2 2, an array that overrides them, default none, and the
-   * form: 0 (default) an exponent for each axis, 1 nested. See vtkGlyphInstanceBuilder.
+   * Exponents of superquadrics, each in [0.1, 100], default 2 2 2, and an array that overrides them, default none. See
+   * GlyphInstanceBuilder.
    */
   void SetGlyphExponents(double r, double s, double t);
   void SetGlyphExponentArray(const char* name) { this->SetArray(this->Glyphs.ExponentArray, name); }
-  void SetGlyphExponentForm(int form) { this->NestedExponents = form == 1; }
   ///@}
 
   /**
@@ -151,9 +160,8 @@ public:
   /**
    * The tensors of tensor glyphs, the order of their components (rtg::TensorLayout; default is 0, VTK's), the sharpness
    * of superquadrics (in [0, 10], default 3), the least thickness as a share of the longest axis (in [0.001, 1],
-   * default 0.02), what colors the glyphs (vtkGlyphTensors::Colorings, default 0, an array), the table that numbers of
-   * tensors are colored by, and the colors of vtkGlyphTensors::SIGN: where x^T D x is zero or more, and where it is
-   * less.
+   * default 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that numbers
+   * of tensors are colored by, and by its ends GlyphTensors::SIGN.
    */
   void SetGlyphTensorArray(const char* name) { this->SetArray(this->Glyphs.Tensors.Array, name); }
   void SetGlyphTensorLayout(int layout) { this->Glyphs.Tensors.Layout = static_cast<rtg::TensorLayout>(layout); }
@@ -161,14 +169,6 @@ public:
   void SetGlyphTensorThickness(double share) { this->Glyphs.Tensors.Thickness = share; }
   void SetGlyphTensorColoring(int coloring) { this->Glyphs.Tensors.Coloring = coloring; }
   void SetGlyphTensorLookupTable(vtkScalarsToColors* table);
-  void SetGlyphTensorPositiveColor(double red, double green, double blue)
-  {
-    this->Glyphs.Tensors.PositiveColor = vtkRayTracedNumbers::ColorInRange(red, green, blue);
-  }
-  void SetGlyphTensorNegativeColor(double red, double green, double blue)
-  {
-    this->Glyphs.Tensors.NegativeColor = vtkRayTracedNumbers::ColorInRange(red, green, blue);
-  }
   ///@}
 
   ///@{
@@ -189,34 +189,23 @@ public:
 
   ///@{
   /**
-   * Whether points choose their form among the blocks of GlyphMesh by the magnitude of a point array, cut to a whole
-   * number and clamped to the table; without the array all have the first. For Mesh glyphs. Default is off, none.
-   */
-  void SetGlyphMeshTable(bool use);
-  void SetGlyphMeshIndexArray(const char* name) { this->Glyphs.TableIndexArray = OrEmpty(name); }
-  ///@}
-
-  ///@{
-  /**
-   * Whether arrows show the antisymmetric parts of tensors of nine components (vtkGlyphSettings::AxesOfTensors), and
+   * Whether arrows show the antisymmetric parts of tensors of nine components (GlyphSettings::AxesOfTensors), and
    * their color. Default is off, yellow.
    */
   void SetGlyphTensorAxis(bool on) { this->TensorAxis = on; }
   void SetGlyphTensorAxisColor(double red, double green, double blue)
   {
-    this->TensorAxisColor = vtkRayTracedNumbers::ColorInRange(red, green, blue);
+    this->TensorAxisColor = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
   }
   ///@}
 
   ///@{
   /**
-   * Shows only some of the glyphs; see vtkGlyphMask for modes and defaults.
+   * Shows only some of the glyphs; see GlyphMask for modes and defaults. 0: all, else its mode and 1.
    */
-  void SetGlyphMask(bool on) { this->Glyphs.Mask.On = on; }
-  void SetGlyphMaskMode(int mode) { this->Glyphs.Mask.Mode = mode; }
+  void SetGlyphMode(int mode);
   void SetMaximumNumberOfGlyphs(int number) { this->Glyphs.Mask.MaximumNumberOfGlyphs = number; }
   void SetGlyphStride(int stride) { this->Glyphs.Mask.Stride = stride; }
-  void SetGlyphSeed(int seed) { this->Glyphs.Mask.Seed = seed; }
   ///@}
 
 protected:
@@ -229,11 +218,11 @@ protected:
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
-  vtkSmartPointer<vtkPolyData> Gather(
-    vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress) override;
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
+    const rtglyphs::RayTracedParallel::Progress& progress) override;
   std::vector<std::string> Arrays() const override;
   const double* GetDataBounds(vtkPolyData* points) override;
-  vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
+  rtglyphs::GlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
   void Deliver(vtkInformation* inInfo, bool lod) override;
   bool NeedsOrderedCompositing() override;
 
@@ -249,38 +238,41 @@ private:
   vtkRayTracedGlyphRepresentation(const vtkRayTracedGlyphRepresentation&) = delete;
   void operator=(const vtkRayTracedGlyphRepresentation&) = delete;
 
-  vtkGlyphSettings MakeSettings() const;
-  bool ShowsAxes(vtkPolyData* points, const vtkGlyphSettings& settings) const;
+  rtglyphs::GlyphSettings MakeSettings() const;
+  bool ShowsAxes(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const;
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points);
   void UpdateDataSizes(vtkPolyData* points);
   void CountPointsOfAllRanks(vtkPolyData* points);
-  void UpdateLegend(const vtkGlyphSettings& settings);
+  void UpdateLegend(const rtglyphs::GlyphSettings& settings);
   void ResizeLayers(vtkPVRenderView* view, std::size_t size);
+  void SetTable(bool sourceIndexing, bool useSourceTableTree);
 
-  vtkGlyphSettings Glyphs; // but for what MakeSettings() adds
-  int GlyphShape = 0;
+  rtglyphs::GlyphSettings Glyphs; // but for what MakeSettings() adds
+  int GlyphShape = GLYPH_TYPE;
+  bool Scaling = false;
+  int ScaleMode = 0;
+  bool FixedHeads = false;
   int GlyphLocation = POINTS;
   vtkNew<vtkGlyphLegend> Legend;
   vtkGlyphLegend::Style LegendStyle;
-  bool ScaleFactorFromData = true;
-  vtkGlyphKeptGuess Guess;
-  vtkGlyphHighScale HighScale;
+  bool ScaleFactorFromData = false;
+  rtglyphs::GlyphKeptGuess Guess;
+  rtglyphs::GlyphHighScale HighScale;
   double ScaleGuess[2] = { 0.0, 0.0 };
   double SizeLimit = 0.0;
   std::array<double, 3> DataSizes{};
-  bool NestedExponents = false;
   std::string HarmonicsArray;
-  bool GlyphMeshTable = false;
+  bool SourceIndexing = false, UseSourceTableTree = false;
   bool TensorAxis = false;
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   double TensorRange[2] = { 1.0, -1.0 };
-  vtkGlyphTensorRange NumberRange; // of the data
-  vtkGlyphTensorRange ShownRange;  // of what is delivered to be rendered
+  rtglyphs::GlyphTensorRange NumberRange; // of the data
+  rtglyphs::GlyphTensorRange ShownRange;  // of what is delivered to be rendered
 
-  vtkGlyphMeshes Meshes;
-  std::unique_ptr<vtkGlyphLayers> Layers; // arrows of tensor axes, further forms of a table of meshes
+  rtglyphs::GlyphMeshes Meshes;
+  std::unique_ptr<rtglyphs::GlyphLayers> Layers; // arrows of tensor axes, further forms of a table of meshes
 };
 
 #endif

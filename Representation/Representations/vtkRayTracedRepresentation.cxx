@@ -1,15 +1,20 @@
 #include "vtkRayTracedRepresentation.h"
 
+#include "GlyphJoinedArrays.h"
+#include "GlyphShutterGuess.h"
+#include "GlyphStepVelocity.h"
 #include "Glyphs.h"
+#include "RayTracedArrays.h"
+#include "RayTracedDisplays.h"
+#include "RayTracedNumbers.h"
+#include "RayTracedPythonClass.h"
+#include "RayTracedRanks.h"
+#include "RayTracedTree.h"
 #include "Stopwatch.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
-#include "vtkGlyphSample.h"
-#include "vtkGlyphShutterGuess.h"
-#include "vtkGlyphStepVelocity.h"
-#include "vtkGlyphJoinedArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMapper.h"
@@ -21,13 +26,8 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
-#include "vtkRayTracedArrays.h"
-#include "vtkRayTracedDisplays.h"
 #include "vtkRayTracedMapper.h"
-#include "vtkRayTracedNumbers.h"
-#include "vtkRayTracedPythonClass.h"
 #include "vtkRayTracedScene.h"
-#include "vtkRayTracedTree.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -40,8 +40,9 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
-using namespace vtkRayTracedNumbers;
+using namespace rtglyphs::RayTracedNumbers;
 
 namespace
 {
@@ -54,15 +55,15 @@ struct ScreenshotState : vtkPVRenderView
 
 //----------------------------------------------------------------------------
 vtkRayTracedRepresentation::vtkRayTracedRepresentation()
-  : StepVelocity(std::make_unique<vtkGlyphStepVelocity>())
+  : StepVelocity(std::make_unique<rtglyphs::GlyphStepVelocity>())
 {
   this->RequestGhostCellsIfNeeded = false;
-  vtkRayTracedPythonClass::GetActor = [](vtkObjectBase* object) -> vtkObjectBase*
+  rtglyphs::RayTracedPythonClass::GetActor = [](vtkObjectBase* object) -> vtkObjectBase*
   {
     auto* representation = vtkRayTracedRepresentation::SafeDownCast(object);
     return representation ? representation->GetActor() : nullptr;
   };
-  vtkRayTracedPythonClass::RegisterIfPythonRuns();
+  rtglyphs::RayTracedPythonClass::RegisterIfPythonRuns();
 }
 
 //----------------------------------------------------------------------------
@@ -103,19 +104,18 @@ int vtkRayTracedRepresentation::RequestData(
     : nullptr;
   rtg::Stopwatch watch;
   vtkSmartPointer<vtkDataObject> gathered = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(this->EmptyType()));
-  try
-  {
-    if (input)
+  this->WithinMemory(
+    [&]
     {
-      gathered = this->GatherTree(input, wholeExtent);
-      this->AddStepVelocities(gathered, input);
-      vtkRayTracedTree::ForEach(gathered, [this](vtkPolyData* points) { this->Complete(points); });
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->ReportLackOfMemory();
-  }
+      if (input)
+      {
+        const vtkSmartPointer<vtkDataObject> made = this->GatherTree(input, wholeExtent);
+        this->AddStepVelocities(made, input);
+        rtglyphs::RayTracedTree::ForEach(made, [this](vtkPolyData* points) { this->Complete(points); });
+        gathered = made;
+      }
+    },
+    /*together=*/true);
   this->MultiBlockMaker->SetInputDataObject(gathered);
   this->MultiBlockMaker->Update();
   ++this->Gathers;
@@ -128,16 +128,17 @@ vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::GatherTree(vtkDataObj
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const bool blocks = input->IsA("vtkCompositeDataSet");
-  const vtkRayTracedParallel::Progress progress = this->ProgressOf("Gathering points");
+  const rtglyphs::RayTracedParallel::Progress progress = this->ProgressOf("Gathering points");
   const double all = std::max(1.0, static_cast<double>(input->GetNumberOfElements(vtkDataObject::POINT)));
   double done = 0.0;
-  return vtkRayTracedTree::Make(input, this->GetBlockColorsDistinctValues(),
+  return rtglyphs::RayTracedTree::Make(input, this->GetBlockColorsDistinctValues(),
     controller ? controller->GetNumberOfProcesses() : 1,
     [&](vtkDataObject* data)
     {
       const double first = done;
       done += data ? static_cast<double>(data->GetNumberOfElements(vtkDataObject::POINT)) / all : 0.0;
-      return this->Gather(data, wholeExtent, blocks, vtkRayTracedParallel::Part(progress, first, std::min(done, 1.0)));
+      return this->Gather(
+        data, wholeExtent, blocks, rtglyphs::RayTracedParallel::Part(progress, first, std::min(done, 1.0)));
     });
 }
 
@@ -158,7 +159,7 @@ void vtkRayTracedRepresentation::Complete(vtkPolyData* points)
 {
   for (const std::string& name : this->Arrays())
   {
-    vtkGlyphJoinedArrays::Add(points, name);
+    rtglyphs::GlyphJoinedArrays::Add(points, name);
   }
   for (vtkFieldData* data : { static_cast<vtkFieldData*>(points->GetPointData()),
          static_cast<vtkFieldData*>(points->GetCellData()), points->GetFieldData() })
@@ -166,7 +167,7 @@ void vtkRayTracedRepresentation::Complete(vtkPolyData* points)
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
-      if (array->GetName() && vtkRayTracedArrays::IsOwn(array->GetName()))
+      if (array->GetName() && rtglyphs::RayTracedArrays::IsOwn(array->GetName()))
       {
         array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
       }
@@ -176,13 +177,13 @@ void vtkRayTracedRepresentation::Complete(vtkPolyData* points)
 
 //----------------------------------------------------------------------------
 const double*
-vtkRayTracedRepresentation::GetBoundsOf(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings)
+vtkRayTracedRepresentation::GetBoundsOf(vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings)
 {
   return this->Bounds.Get(points, settings, this->Blocks.GetTable());
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedParallel::Progress vtkRayTracedRepresentation::ProgressOf(const char* what)
+rtglyphs::RayTracedParallel::Progress vtkRayTracedRepresentation::ProgressOf(const char* what)
 {
   return [this, what](double share)
   {
@@ -217,18 +218,19 @@ void vtkRayTracedRepresentation::UpdateShutterTime(vtkPolyData* points)
   }
   if (this->Motion.FromPreviousStep)
   {
-    this->ShutterTime = vtkGlyphSample::Largest(this->StepVelocity->GetStepLength());
+    this->ShutterTime = rtglyphs::RayTracedRanks::Largest(this->StepVelocity->GetStepLength());
     return;
   }
   double unitSize = 1.0;
-  const vtkGlyphSettings sizes = this->GetSizes(points, unitSize);
-  this->ShutterTime = vtkGlyphShutterGuess::Update(this->ShutterGuess, points, sizes, unitSize, this->GetUpdateTime());
+  const rtglyphs::GlyphSettings sizes = this->GetSizes(points, unitSize);
+  this->ShutterTime =
+    rtglyphs::GlyphShutterGuess::Update(this->ShutterGuess, points, sizes, unitSize, this->GetUpdateTime());
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphMotion::Settings vtkRayTracedRepresentation::GetMotion() const
+rtglyphs::GlyphMotion::Settings vtkRayTracedRepresentation::GetMotion() const
 {
-  vtkGlyphMotion::Settings motion = this->Motion;
+  rtglyphs::GlyphMotion::Settings motion = this->Motion;
   if (this->ShutterTimeFromData)
   {
     // While nothing moves any will do.
@@ -260,24 +262,66 @@ int vtkRayTracedRepresentation::ProcessViewRequest(
   {
     this->AttributedData = nullptr;
   }
-  // The superclass has another LOD.
-  const bool visible = request == vtkPVView::REQUEST_UPDATE_LOD()
-    ? this->vtkPVDataRepresentation::ProcessViewRequest(request, inInfo, outInfo)
-    : this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
-  if (!visible)
-  {
-    return 0;
-  }
+  const bool together =
+    request == vtkPVView::REQUEST_UPDATE() || (request == vtkPVView::REQUEST_RENDER() && this->IsCollective(inInfo));
+  bool visible = false;
+  const bool good = this->WithinMemory(
+    [&]
+    {
+      // The superclass has another LOD.
+      visible = request == vtkPVView::REQUEST_UPDATE_LOD()
+        ? this->vtkPVDataRepresentation::ProcessViewRequest(request, inInfo, outInfo)
+        : this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
+      if (visible)
+      {
+        this->Answer(request, inInfo);
+      }
+    },
+    together);
+  return good && visible ? 1 : 0;
+}
+
+//----------------------------------------------------------------------------
+// Whether memory suffices; if not, the rank that lacks it says so, once for all that it was needed for.
+bool vtkRayTracedRepresentation::WithinMemory(const std::function<void()>& work, bool together)
+{
+  const bool outermost = !this->Guarded;
+  this->Guarded = true;
+  bool good = true;
   try
   {
-    this->Answer(request, inInfo);
+    together ? rtglyphs::RayTracedRanks::Together(work) : work();
+  }
+  catch (const rtglyphs::RayTracedRanks::FailedElsewhere&)
+  {
+    good = false;
   }
   catch (const std::bad_alloc&)
   {
-    this->ReportLackOfMemory();
-    return 0;
+    good = false;
+    this->LacksMemory = true;
   }
-  return 1;
+  if (outermost)
+  {
+    this->Guarded = false;
+    if (std::exchange(this->LacksMemory, false))
+    {
+      vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these "
+                       "data. Show fewer of them, for example "
+                       "with Mask Points or Threshold, or hide other data.");
+    }
+  }
+  return good;
+}
+
+//----------------------------------------------------------------------------
+// Whether all ranks render together.
+bool vtkRayTracedRepresentation::IsCollective(vtkInformation* inInfo)
+{
+  vtkPVRenderView* view = this->GetRenderView();
+  return view &&
+    (inInfo->Has(vtkPVRenderView::USE_LOD()) ? view->GetUseDistributedRenderingForLODRender()
+                                             : view->GetUseDistributedRenderingForRender());
 }
 
 //----------------------------------------------------------------------------
@@ -333,8 +377,8 @@ void vtkRayTracedRepresentation::UseBlocks(vtkDataObject* data)
     this->AttributedData = data;
     this->AttributedTime = time;
   }
-  vtkRayTracedBlocks::Attributes common;
-  vtkRayTracedBlocks::Coloring& scalars = common.Scalars;
+  rtglyphs::RayTracedBlocks::Attributes common;
+  rtglyphs::RayTracedBlocks::Coloring& scalars = common.Scalars;
   scalars.On = this->Mapper->GetScalarVisibility() != 0;
   if (scalars.On)
   {
@@ -402,14 +446,6 @@ void vtkRayTracedRepresentation::SetArray(std::string& held, const char* name)
 std::vector<std::string> vtkRayTracedRepresentation::Arrays() const
 {
   return { this->Motion.Velocity, this->Motion.Acceleration, this->Motion.AngularVelocity };
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::ReportLackOfMemory()
-{
-  vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these "
-                   "data. Show fewer of them, for example "
-                   "with Mask Points or Threshold, or hide other data.");
 }
 
 //****************************************************************************
@@ -491,8 +527,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
     this->MainMapper->SetBlocks(this->Blocks);
   }
   vtkPolyData* points = this->MainMapper->GetPoints();
-  const bool collective =
-    lod ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender();
+  const bool collective = this->IsCollective(inInfo);
   vtkRayTracedScene* scene = this->GetScene();
   this->MainMapper->SetInWindow(scene->GetSettings().IsStepwise());
   this->Configure(inInfo, points, lod, collective);

@@ -22,26 +22,30 @@
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkGlyphBounds.h"
-#include "vtkGlyphKeptGuess.h"
-#include "vtkGlyphMotion.h"
-#include "vtkRayTracedBlocks.h"
-#include "vtkRayTracedParallel.h"
-#include "vtkRayTracedNumbers.h"
+#include "GlyphBounds.h"
+#include "GlyphKeptGuess.h"
+#include "GlyphMotion.h"
+#include "RayTracedBlocks.h"
+#include "RayTracedNumbers.h"
+#include "RayTracedParallel.h"
 #endif
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 class vtkCompositeDataDisplayAttributes;
-class vtkGlyphStepVelocity;
 class vtkPVRenderView;
 class vtkRayTracedActor;
 class vtkRayTracedMapper;
 class vtkRayTracedScene;
+namespace rtglyphs
+{
+class GlyphStepVelocity;
+}
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedRepresentation : public vtkGeometryRepresentation
 {
@@ -57,8 +61,8 @@ public:
   ///@{
   /**
    * Motion blur: names of point arrays of two or three components ("None" or empty: none), the time that the shutter is
-   * open, and when that is, of vtkGlyphMotion::Openings. Velocities may instead be those of vtkGlyphStepVelocity, where
-   * an array of one component, by default the global ids, tells which point is which. See vtkGlyphMotion::Settings for
+   * open, and when that is, of GlyphMotion::Openings. Velocities may instead be those of GlyphStepVelocity, where
+   * an array of one component, by default the global ids, tells which point is which. See GlyphMotion::Settings for
    * defaults.
    */
   void SetMotionBlur(bool on) { this->Motion.On = on; }
@@ -68,12 +72,12 @@ public:
   void SetAccelerationArray(const char* name) { this->SetArray(this->Motion.Acceleration, name); }
   void SetAngularVelocityArray(const char* name) { this->SetArray(this->Motion.AngularVelocity, name); }
   void SetShutterTimeFromData(bool on);
-  void SetShutterTime(double time) { this->Motion.ShutterTime = vtkRayTracedNumbers::NumberOr(time, 0.0); }
+  void SetShutterTime(double time) { this->Motion.ShutterTime = rtglyphs::RayTracedNumbers::NumberOr(time, 0.0); }
   void SetShutterOpening(int opening);
   ///@}
 
   /**
-   * The shutter time that the data suggest while ShutterTimeFromData is on (default): vtkGlyphShutterGuess's, or with
+   * The shutter time that the data suggest while ShutterTimeFromData is on (default): GlyphShutterGuess's, or with
    * velocities from the previous step the time between the two. 0: none yet. Processes that have data use it by
    * themselves; those that only render get it by SetShutterTime().
    */
@@ -101,8 +105,8 @@ protected:
    * points, before the actor's transform. Deliver() may hand further pieces to the view.
    */
   virtual vtkSmartPointer<vtkDataObject> GatherTree(vtkDataObject* input, const int* wholeExtent);
-  virtual vtkSmartPointer<vtkPolyData>
-  Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress) = 0;
+  virtual vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
+    const rtglyphs::RayTracedParallel::Progress& progress) = 0;
   virtual std::vector<std::string> Arrays() const;
   virtual const double* GetDataBounds(vtkPolyData* points) = 0;
   virtual void Deliver(vtkInformation*, bool /*lod*/) {}
@@ -111,12 +115,12 @@ protected:
   /**
    * Glyphs at the points that are as large as what is shown, of a unit glyph of that length.
    */
-  virtual vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) = 0;
+  virtual rtglyphs::GlyphSettings GetSizes(vtkPolyData* points, double& unitSize) = 0;
 
   /**
    * How it moves: the properties, with the shutter time that the data suggest.
    */
-  vtkGlyphMotion::Settings GetMotion() const;
+  rtglyphs::GlyphMotion::Settings GetMotion() const;
 
   ///@{
   /**
@@ -142,12 +146,12 @@ protected:
   /**
    * For GetDataBounds(): a box around glyphs of all these settings.
    */
-  const double* GetBoundsOf(vtkPolyData* points, const std::vector<vtkGlyphSettings>& settings);
+  const double* GetBoundsOf(vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings);
 
   /**
    * Tells ParaView's progress bar.
    */
-  vtkRayTracedParallel::Progress ProgressOf(const char* what);
+  rtglyphs::RayTracedParallel::Progress ProgressOf(const char* what);
 
   vtkRayTracedMapper* GetMapper();
   vtkPolyData* GetPoints() { return this->Blocks.GetPoints(); }
@@ -163,8 +167,8 @@ protected:
    */
   void SetArray(std::string& held, const char* name);
 
-  vtkGlyphMotion::Settings Motion; // as the properties say
-  vtkRayTracedBlocks Blocks;       // of what was last delivered or rendered
+  rtglyphs::GlyphMotion::Settings Motion; // as the properties say
+  rtglyphs::RayTracedBlocks Blocks;       // of what was last delivered or rendered
 
 private:
   vtkRayTracedRepresentation(const vtkRayTracedRepresentation&) = delete;
@@ -173,7 +177,8 @@ private:
   void Answer(vtkInformationRequestKey* request, vtkInformation* inInfo);
   int EmptyType() const;
   void Complete(vtkPolyData* points);
-  void ReportLackOfMemory();
+  bool WithinMemory(const std::function<void()>& work, bool together);
+  bool IsCollective(vtkInformation* inInfo);
   void AddStepVelocities(vtkDataObject* gathered, vtkDataObject* input);
   void UpdateShutterTime(vtkPolyData* points);
   void UseBlocks(vtkDataObject* data);
@@ -181,7 +186,7 @@ private:
   void Render(vtkPVRenderView* view, vtkInformation* inInfo);
   vtkRayTracedScene* GetScene();
 
-  vtkGlyphBounds Bounds;
+  rtglyphs::GlyphBounds Bounds;
   std::uint64_t Gathers = 0;
   double GatherSeconds = 0.0;
   vtkNew<vtkRayTracedActor> MainActor;                       // in no renderer until it is shown
@@ -190,10 +195,11 @@ private:
   vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes; // of the data, as they were at that time
   vtkDataObject* AttributedData = nullptr;                   // only to be compared
   vtkMTimeType AttributedTime = 0;
-  std::unique_ptr<vtkGlyphStepVelocity> StepVelocity;
+  bool Guarded = false, LacksMemory = false; // see WithinMemory()
+  std::unique_ptr<rtglyphs::GlyphStepVelocity> StepVelocity;
   bool ShutterTimeFromData = true;
   double ShutterTime = 0.0; // that the data suggest; 0: none
-  vtkGlyphKeptGuess ShutterGuess;
+  rtglyphs::GlyphKeptGuess ShutterGuess;
 };
 
 #endif

@@ -1,6 +1,6 @@
 #include "vtkRayTracedSelectableRepresentation.h"
 
-#include "vtkGlyphSelection.h"
+#include "GlyphSelection.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 
@@ -57,11 +57,11 @@ vtkRayTracedSelectableRepresentation::GatherTree(vtkDataObject* input, const int
     this->GatheredInput = input;
     this->GatheredTimes = times;
   }
-  return vtkGlyphSelection::Mark(this->Gathered, this->Extracted);
+  return rtglyphs::GlyphSelection::Mark(this->Gathered, this->Extracted);
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedSelectableRepresentation::SetSelectionColor(double red, double green, double blue)
 {
-  this->SelectionColor = vtkRayTracedNumbers::ColorInRange(red, green, blue);
+  this->SelectionColor = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
 }

@@ -4,7 +4,7 @@
  *
  * The filter that extracts the selection of the input is one more input. Another selection gathers nothing anew.
  *
- * @sa vtkGlyphSelection
+ * @sa GlyphSelection
  */
 #ifndef vtkRayTracedSelectableRepresentation_h
 #define vtkRayTracedSelectableRepresentation_h

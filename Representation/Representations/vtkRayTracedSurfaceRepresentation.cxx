@@ -1,11 +1,11 @@
 #include "vtkRayTracedSurfaceRepresentation.h"
 
+#include "RayTracedSurfaceGatherer.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVGeometryFilter.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkRayTracedSurfaceGatherer.h"
 #include "vtkRayTracedSurfaceMapper.h"
 
 vtkStandardNewMacro(vtkRayTracedSurfaceRepresentation);
@@ -41,9 +41,9 @@ void vtkRayTracedSurfaceRepresentation::SetInterpolation(int interpolation)
 
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceRepresentation::Gather(
-  vtkDataObject* data, const int* wholeExtent, bool, const vtkRayTracedParallel::Progress&)
+  vtkDataObject* data, const int* wholeExtent, bool, const rtglyphs::RayTracedParallel::Progress&)
 {
-  vtkRayTracedSurfaceGatherer::Settings settings;
+  rtglyphs::RayTracedSurfaceGatherer::Settings settings;
   if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())
   {
     settings.Process = controller->GetLocalProcessId();
@@ -53,7 +53,7 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceRepresentation::Gather(
   settings.ComputesNormals = this->Smooth;
   settings.NonlinearSubdivisionLevel =
     vtkPVGeometryFilter::SafeDownCast(this->GeometryFilter)->GetNonlinearSubdivisionLevel();
-  return vtkRayTracedSurfaceGatherer::Gather(data, settings);
+  return rtglyphs::RayTracedSurfaceGatherer::Gather(data, settings);
 }
 
 //----------------------------------------------------------------------------
@@ -65,9 +65,9 @@ const double* vtkRayTracedSurfaceRepresentation::GetDataBounds(vtkPolyData* surf
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphSettings vtkRayTracedSurfaceRepresentation::GetSizes(vtkPolyData*, double&)
+rtglyphs::GlyphSettings vtkRayTracedSurfaceRepresentation::GetSizes(vtkPolyData*, double&)
 {
-  vtkGlyphSettings settings;
+  rtglyphs::GlyphSettings settings;
   settings.ScaleFactor = 0.0;
   settings.Motion = this->GetMotion();
   return settings;

@@ -5,7 +5,7 @@
  * The surface is that of ParaView's ordinary surface representation: its triangles, colors, opacity and material.
  * Lines and vertices are not shown.
  *
- * @sa vtkRayTracedSurfaceGatherer vtkRayTracedSurfaceMapper
+ * @sa RayTracedSurfaceGatherer vtkRayTracedSurfaceMapper
  */
 #ifndef vtkRayTracedSurfaceRepresentation_h
 #define vtkRayTracedSurfaceRepresentation_h
@@ -29,10 +29,10 @@ protected:
   vtkRayTracedSurfaceRepresentation();
   ~vtkRayTracedSurfaceRepresentation() override;
 
-  vtkSmartPointer<vtkPolyData> Gather(
-    vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress) override;
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
+    const rtglyphs::RayTracedParallel::Progress& progress) override;
   const double* GetDataBounds(vtkPolyData* surface) override;
-  vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
+  rtglyphs::GlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;
   void Configure(vtkInformation* inInfo, vtkPolyData* surface, bool lod, bool collective) override;
 

@@ -1,13 +1,13 @@
 #include "vtkRayTracedTubeRepresentation.h"
 
+#include "RayTracedSurfaceGatherer.h"
+#include "RayTracedTubeBuilder.h"
 #include "vtkCellArray.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedActors.h"
-#include "vtkRayTracedSurfaceGatherer.h"
-#include "vtkRayTracedTubeBuilder.h"
 #include "vtkRayTracedTubeMapper.h"
 
 #include <cmath>
@@ -34,9 +34,9 @@ void vtkRayTracedTubeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::Gather(
-  vtkDataObject* data, const int* wholeExtent, bool, const vtkRayTracedParallel::Progress&)
+  vtkDataObject* data, const int* wholeExtent, bool, const rtglyphs::RayTracedParallel::Progress&)
 {
-  vtkRayTracedSurfaceGatherer::Settings settings;
+  rtglyphs::RayTracedSurfaceGatherer::Settings settings;
   if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())
   {
     settings.Process = controller->GetLocalProcessId();
@@ -44,7 +44,7 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::Gather(
   }
   settings.WholeExtent = wholeExtent;
   settings.Lines = true;
-  return vtkRayTracedSurfaceGatherer::Gather(data, settings);
+  return rtglyphs::RayTracedSurfaceGatherer::Gather(data, settings);
 }
 
 //----------------------------------------------------------------------------
@@ -56,15 +56,15 @@ const double* vtkRayTracedTubeRepresentation::GetDataBounds(vtkPolyData* lines)
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphSettings vtkRayTracedTubeRepresentation::GetSizes(vtkPolyData* lines, double&)
+rtglyphs::GlyphSettings vtkRayTracedTubeRepresentation::GetSizes(vtkPolyData* lines, double&)
 {
-  vtkGlyphSettings settings;
+  rtglyphs::GlyphSettings settings;
   settings.ScaleFactor = 2.0 * std::abs(this->Radius);
   settings.Motion = this->GetMotion();
   bool ofCells = false;
-  vtkRayTracedTubeBuilder::Settings tubes;
+  rtglyphs::RayTracedTubeBuilder::Settings tubes;
   tubes.RadiusArray = this->RadiusArray;
-  if (vtkDataArray* radii = vtkRayTracedTubeBuilder::RadiusArray(lines, tubes, ofCells))
+  if (vtkDataArray* radii = rtglyphs::RayTracedTubeBuilder::RadiusArray(lines, tubes, ofCells))
   {
     if (ofCells)
     {
@@ -87,7 +87,7 @@ double vtkRayTracedTubeRepresentation::LargestOf(vtkDataArray* radii)
   {
     this->Radii = radii;
     this->RadiiTime = radii->GetMTime();
-    this->LargestRadius = vtkRayTracedParallel::Largest(radii->GetNumberOfTuples(),
+    this->LargestRadius = rtglyphs::RayTracedParallel::Largest(radii->GetNumberOfTuples(),
       [radii](vtkIdType i) { return std::isfinite(radii->GetComponent(i, 0)) ? radii->GetComponent(i, 0) : 0.0; });
   }
   return this->LargestRadius;
@@ -102,7 +102,7 @@ vtkSmartPointer<vtkRayTracedMapper> vtkRayTracedTubeRepresentation::MakeMapper()
 //----------------------------------------------------------------------------
 void vtkRayTracedTubeRepresentation::Configure(vtkInformation*, vtkPolyData*, bool, bool)
 {
-  vtkRayTracedTubeBuilder::Settings settings;
+  rtglyphs::RayTracedTubeBuilder::Settings settings;
   settings.Radius = this->Radius;
   settings.RadiusArray = this->RadiusArray;
   settings.FlatEnds = this->FlatEnds;

@@ -5,7 +5,7 @@
  *
  * Vertices and polygons are not shown.
  *
- * @sa vtkRayTracedSurfaceGatherer vtkRayTracedTubeMapper
+ * @sa RayTracedSurfaceGatherer vtkRayTracedTubeMapper
  */
 #ifndef vtkRayTracedTubeRepresentation_h
 #define vtkRayTracedTubeRepresentation_h
@@ -27,7 +27,7 @@ public:
   /**
    * Radius in world units, times the values of an array of points or cells; "None" or empty: none. Default is 1, None.
    */
-  void SetTubeRadius(double radius) { this->Radius = vtkRayTracedNumbers::NumberOr(radius, 0.0); }
+  void SetTubeRadius(double radius) { this->Radius = rtglyphs::RayTracedNumbers::NumberOr(radius, 0.0); }
   void SetTubeRadiusArray(const char* name) { this->RadiusArray = OrEmpty(name); }
   ///@}
 
@@ -40,10 +40,10 @@ protected:
   vtkRayTracedTubeRepresentation();
   ~vtkRayTracedTubeRepresentation() override;
 
-  vtkSmartPointer<vtkPolyData> Gather(
-    vtkDataObject* data, const int* wholeExtent, bool isBlock, const vtkRayTracedParallel::Progress& progress) override;
+  vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
+    const rtglyphs::RayTracedParallel::Progress& progress) override;
   const double* GetDataBounds(vtkPolyData* lines) override;
-  vtkGlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
+  rtglyphs::GlyphSettings GetSizes(vtkPolyData* points, double& unitSize) override;
   vtkSmartPointer<vtkRayTracedMapper> MakeMapper() override;
   void Configure(vtkInformation* inInfo, vtkPolyData* lines, bool lod, bool collective) override;
 

@@ -3,7 +3,7 @@
  * @brief   settings and information of a view's ray-traced image, on the processes that have the view
  *
  * The client has one for each view (vtkSMRayTracedViewProxy). Settings go to the view's vtkRayTracedScene; see
- * vtkRayTracedImageSettings for units and ranges.
+ * RayTracedImageSettings for units and ranges.
  */
 #ifndef vtkRayTracedView_h
 #define vtkRayTracedView_h
@@ -12,7 +12,7 @@
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkWeakPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkRayTracedImageSettings.h"
+#include "RayTracedImageSettings.h"
 #endif
 
 #include <string>
@@ -54,7 +54,7 @@ public:
   ///@}
 
   /**
-   * The view's next finished image also leaves what it shows besides colors in this file (vtkRayTracedFeatureImage).
+   * The view's next finished image also leaves what it shows besides colors in this file (RayTracedFeatureImage).
    */
   void SaveFeatureImage(const char* fileName);
 
@@ -64,9 +64,15 @@ public:
   void StopRefinement();
 
   /**
-   * What was done, and how far the view's last frame is; see vtkRayTracedFrameStatus.
+   * What was done, and how far the view's last frame is; see RayTracedFrameStatus.
    */
   const char* GetRenderStatistics();
+
+  /**
+   * The place of what is seen in a pixel, counted from the lower left, as a JSON array; empty: nothing ray-traced is.
+   * To be called by all ranks that render at once.
+   */
+  const char* FindPlace(int x, int y);
 
   /**
    * Whether the last render of the view was a server's, so that this process, the client, has no image of its own.
@@ -97,10 +103,10 @@ private:
   void Apply();
   vtkRayTracedScene* GetScene() const;
 
-  vtkRayTracedImageSettings Settings;
+  rtglyphs::RayTracedImageSettings Settings;
 #endif
   vtkWeakPointer<vtkPVRenderView> View;
-  std::string Statistics;
+  std::string Statistics, Place;
 };
 
 #endif

@@ -1,5 +1,17 @@
 #include "vtkRayTracedScene.h"
 
+#include "RayTracedContent.h"
+#include "RayTracedEdges.h"
+#include "RayTracedFXAA.h"
+#include "RayTracedFeatureImage.h"
+#include "RayTracedFrameStatus.h"
+#include "RayTracedImageRequest.h"
+#include "RayTracedOpenGL.h"
+#include "RayTracedPicker.h"
+#include "RayTracedProgress.h"
+#include "RayTracedPythonClass.h"
+#include "RayTracedRendererState.h"
+#include "RayTracedSignal.h"
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
 #include "vtkInformation.h"
@@ -13,19 +25,7 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
-#include "vtkRayTracedContent.h"
-#include "vtkRayTracedEdges.h"
-#include "vtkRayTracedFXAA.h"
-#include "vtkRayTracedFeatureImage.h"
-#include "vtkRayTracedFrameStatus.h"
-#include "vtkRayTracedImageRequest.h"
 #include "vtkRayTracedMapper.h"
-#include "vtkRayTracedOpenGL.h"
-#include "vtkRayTracedPicker.h"
-#include "vtkRayTracedProgress.h"
-#include "vtkRayTracedPythonClass.h"
-#include "vtkRayTracedRendererState.h"
-#include "vtkRayTracedSignal.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
 
@@ -55,8 +55,8 @@ bool HasForeignPass(vtkRenderer* renderer)
 //----------------------------------------------------------------------------
 struct vtkRayTracedScene::Drawn
 {
-  vtkRayTracedImages::Place Place;
-  vtkRayTracedImages::Entry* Entry;
+  rtglyphs::RayTracedImages::Place Place;
+  rtglyphs::RayTracedImages::Entry* Entry;
   const rtg::Image* Image; // null: it failed
   double EyeDepth;
 };
@@ -66,23 +66,23 @@ struct vtkRayTracedScene::Internals
 {
   vtkNew<vtkRayTracedImageActor> Actor;
   vtkNew<vtkCallbackCommand> MapperEvents;
-  vtkRayTracedContent Content;
-  vtkRayTracedImageSettings Settings;
+  rtglyphs::RayTracedContent Content;
+  rtglyphs::RayTracedImageSettings Settings;
   bool Capture = false, Collective = false, Ordered = false, Stopped = false;
   std::string FeatureFile;
-  vtkRayTracedPicker Picker;
-  vtkRayTracedFXAA FXAA;
-  vtkRayTracedRendererState::Environment Environment;
+  rtglyphs::RayTracedPicker Picker;
+  rtglyphs::RayTracedFXAA FXAA;
+  rtglyphs::RayTracedRendererState::Environment Environment;
 
   std::vector<Drawn> Frame; // its images
   bool Interactive = false;
-  vtkRayTracedFrameStatus Status; // of the last frame
+  rtglyphs::RayTracedFrameStatus Status; // of the last frame
 
   std::string Reported, CameraReported; // the last failures, until there is an image again
   bool PassReported = false, ExportReported = false, CutReported = false;
-  vtkRayTracedProgress Progress;
+  rtglyphs::RayTracedProgress Progress;
 
-  vtkRayTracedEdges Edges;
+  rtglyphs::RayTracedEdges Edges;
 
   vtkMultiProcessController* OtherRanks() const;
   bool HasBothPasses() const
@@ -110,7 +110,7 @@ vtkRayTracedScene::vtkRayTracedScene()
 //----------------------------------------------------------------------------
 vtkRayTracedScene::~vtkRayTracedScene()
 {
-  for (const vtkRayTracedDisplays::Display& display : this->Self->Content.Displays.GetAll())
+  for (const rtglyphs::RayTracedDisplays::Display& display : this->Self->Content.Displays.GetAll())
   {
     display.Mapper->RemoveObserver(this->Self->MapperEvents);
   }
@@ -178,7 +178,7 @@ void vtkRayTracedScene::Remove(vtkRayTracedMapper* mapper)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedScene::SetSettings(const vtkRayTracedImageSettings& settings)
+void vtkRayTracedScene::SetSettings(const rtglyphs::RayTracedImageSettings& settings)
 {
   if (!(this->Self->Settings == settings))
   {
@@ -188,13 +188,13 @@ void vtkRayTracedScene::SetSettings(const vtkRayTracedImageSettings& settings)
 }
 
 //----------------------------------------------------------------------------
-const vtkRayTracedImageSettings& vtkRayTracedScene::GetSettings() const
+const rtglyphs::RayTracedImageSettings& vtkRayTracedScene::GetSettings() const
 {
   return this->Self->Settings;
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedScene::SetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& statistics)
+void vtkRayTracedScene::SetStatistics(vtkRayTracedMapper* mapper, const rtglyphs::RayTracedDataStatistics& statistics)
 {
   this->Self->Content.Displays.SetStatistics(mapper, statistics);
 }
@@ -321,7 +321,7 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   rtg::ImageView view;
   try
   {
-    view = vtkRayTracedImageRequest::ViewOf(
+    view = rtglyphs::RayTracedImageRequest::ViewOf(
       self.Settings, this->Renderer, static_cast<rtg::Pass>(pass), width, height, self.Environment);
     self.CameraReported.clear();
   }
@@ -336,12 +336,12 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   }
   view.content = self.Content.GetNumber();
   const bool capture = self.Capture;
-  vtkRayTracedImageRequest::Frame frame;
+  rtglyphs::RayTracedImageRequest::Frame frame;
   frame.Capture = capture;
   frame.Interactive = self.Interactive;
   frame.Features = !self.FeatureFile.empty() && !self.Interactive;
   frame.Images = (self.HasBothPasses() ? 2 : 1) * (window->GetStereoRender() ? 2 : 1);
-  const rtg::ImageEffort effort = vtkRayTracedImageRequest::EffortOf(self.Settings, frame);
+  const rtg::ImageEffort effort = rtglyphs::RayTracedImageRequest::EffortOf(self.Settings, frame);
   // Ranks that all have everything trace a share each, and compositing puts these together.
   vtkMultiProcessController* ranks = self.OtherRanks();
   if (ranks && self.Settings.IsReplicated() && !effort.preview && !effort.features && !rtg::Denoises(view, effort))
@@ -350,13 +350,13 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
     view.settings.shares = static_cast<std::uint32_t>(ranks->GetNumberOfProcesses());
   }
 
-  vtkRayTracedImages::Place place;
+  rtglyphs::RayTracedImages::Place place;
   place.Pass = pass;
   place.Width = view.settings.width;
   place.Height = view.settings.height;
   place.Eye = this->Renderer->GetActiveCamera()->GetLeftEye();
   window->GetTileViewport(place.Tile.data());
-  vtkRayTracedImages::Entry& entry = self.Content.Images.Get(place);
+  rtglyphs::RayTracedImages::Entry& entry = self.Content.Images.Get(place);
   const auto drawn =
     std::find_if(self.Frame.begin(), self.Frame.end(), [&](const auto& d) { return d.Place == place; });
   if (drawn != self.Frame.end() && entry.Image.View() == view)
@@ -369,11 +369,11 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   self.Stopped = capture ? self.Stopped : stays;
   const bool growing = entry.Image.GetState() == rtg::ProgressiveImage::State::Growing;
   // Somebody may not want it any more; and ParaView's progress bar wants to know.
-  vtkRayTracedSignal signal;
+  rtglyphs::RayTracedSignal signal;
   self.Progress.Start();
   const rtg::Interrupt interrupt = [&](double share)
   {
-    self.Progress.Tell(vtkRayTracedFrameStatus::NameOfStep(entry.Image.IsCompiling()), share);
+    self.Progress.Tell(rtglyphs::RayTracedFrameStatus::NameOfStep(entry.Image.IsCompiling()), share);
     return window->CheckAbortStatus() != 0 || signal.Arrived();
   };
   // Whoever is told or asked may paint meanwhile: Qt makes its own OpenGL context current, and binds framebuffers of
@@ -462,10 +462,10 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   {
     return;
   }
-  const glm::dmat4 worldToClip = vtkRayTracedRendererState::WorldToClip(this->Renderer);
+  const glm::dmat4 worldToClip = rtglyphs::RayTracedRendererState::WorldToClip(this->Renderer);
   if (!waiting)
   {
-    vtkRayTracedImages::Entry& entry = *drawn->Entry;
+    rtglyphs::RayTracedImages::Entry& entry = *drawn->Entry;
     self.Edges.Draw(image, window, this->Renderer, imageActor, mapper);
     entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth, entry.Image.Version());
     entry.Quad.SetCamera(worldToClip);
@@ -508,7 +508,7 @@ void vtkRayTracedScene::EndFrame()
   {
     return;
   }
-  vtkRayTracedFrameStatus::Frame frame;
+  rtglyphs::RayTracedFrameStatus::Frame frame;
   frame.Samples = self.Settings.SamplesPerPixel;
   frame.Stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
   frame.Eye = this->Renderer->GetActiveCamera()->GetLeftEye() != 0;
@@ -542,14 +542,14 @@ void vtkRayTracedScene::EndFrame()
       images.push_back(&drawn.Entry->Image.GetImage());
     }
     std::map<rtg::Scene::SetId, vtkRayTracedMapper*> mappers;
-    for (const vtkRayTracedDisplays::Display& display : self.Content.Displays.GetAll())
+    for (const rtglyphs::RayTracedDisplays::Display& display : self.Content.Displays.GetAll())
     {
       if (display.Shown)
       {
         mappers[display.Set] = display.Mapper;
       }
     }
-    const std::string problem = vtkRayTracedFeatureImage::Write(
+    const std::string problem = rtglyphs::RayTracedFeatureImage::Write(
       self.FeatureFile, images, *self.Content.Images.GetScene(), mappers, self.Frame.front().EyeDepth);
     self.FeatureFile.clear();
     if (!problem.empty())
@@ -562,7 +562,7 @@ void vtkRayTracedScene::EndFrame()
 //----------------------------------------------------------------------------
 bool vtkRayTracedScene::PlaceAt(int x, int y, double place[3])
 {
-  return vtkRayTracedPicker::PlaceAt(this->Self->Content, this->Renderer, x, y, place,
+  return rtglyphs::RayTracedPicker::PlaceAt(this->Self->Content, this->Renderer, x, y, place,
     [this](const rtg::ProgressiveImage& image) { this->ReportFailure(image); });
 }
 
@@ -578,8 +578,8 @@ std::vector<vtkRayTracedScene::Shown> vtkRayTracedScene::CopyShown()
 {
   std::vector<Shown> all;
   std::vector<rtg::GlyphInstances> built;
-  const vtkRayTracedDisplays& displays = this->Self->Content.Displays;
-  for (const vtkRayTracedNeighbors::Shown& shown : displays.GetShown(this->Self->Content.Images, built))
+  const rtglyphs::RayTracedDisplays& displays = this->Self->Content.Displays;
+  for (const rtglyphs::RayTracedNeighbors::Shown& shown : displays.GetShown(this->Self->Content.Images, built))
   {
     all.push_back({ *shown.Instances, *shown.Colors, displays.GetAll()[shown.Display].Material });
   }
@@ -590,7 +590,7 @@ std::vector<vtkRayTracedScene::Shown> vtkRayTracedScene::CopyShown()
 void vtkRayTracedScene::ReportExport()
 {
   Internals& self = *this->Self;
-  vtkRayTracedPythonClass::Register();
+  rtglyphs::RayTracedPythonClass::Register();
   const bool selecting =
     this->Renderer->GetSelector() != nullptr; // VTK 9.6's selector asks actors for their mappers, too
   if (self.Content.Displays.ShowsAnything() && !selecting && !self.PassReported && !self.ExportReported)

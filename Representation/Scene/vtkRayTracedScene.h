@@ -9,15 +9,15 @@
  *
  * At the start of every frame the mappers of visible actors bring instances and colors up to date; what changed is
  * handed to the kernels when an image needs it. A mapper that is hidden gives its device memory back. Images are kept
- * (vtkRayTracedImages), and each decides by itself what is to be traced (rtg::ProgressiveImage). While a program is
+ * (RayTracedImages), and each decides by itself what is to be traced (rtg::ProgressiveImage). While a program is
  * compiled that one of them needs, the last frame is drawn again if the camera sees the same.
  */
 #ifndef vtkRayTracedScene_h
 #define vtkRayTracedScene_h
 
 #include "Glyphs.h"
+#include "RayTracedImageSettings.h"
 #include "vtkObject.h"
-#include "vtkRayTracedImageSettings.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -37,7 +37,10 @@ class vtkInformationObjectBaseKey;
 class vtkRayTracedMapper;
 class vtkRenderer;
 class vtkWindow;
-struct vtkRayTracedDataStatistics;
+namespace rtglyphs
+{
+struct RayTracedDataStatistics;
+}
 
 class vtkRayTracedScene : public vtkObject
 {
@@ -65,9 +68,9 @@ public:
   /**
    * The view's settings, in range; and what a representation has done with its data, for GetStatistics().
    */
-  void SetSettings(const vtkRayTracedImageSettings& settings);
-  const vtkRayTracedImageSettings& GetSettings() const;
-  void SetStatistics(vtkRayTracedMapper* mapper, const vtkRayTracedDataStatistics& statistics);
+  void SetSettings(const rtglyphs::RayTracedImageSettings& settings);
+  const rtglyphs::RayTracedImageSettings& GetSettings() const;
+  void SetStatistics(vtkRayTracedMapper* mapper, const rtglyphs::RayTracedDataStatistics& statistics);
   ///@}
 
   /**
@@ -130,7 +133,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   /**
-   * Information as JSON; see vtkRayTracedFrameStatus.
+   * Information as JSON; see RayTracedFrameStatus.
    */
   std::string GetStatistics();
 

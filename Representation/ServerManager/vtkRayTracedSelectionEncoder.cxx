@@ -1,10 +1,10 @@
 #include "vtkRayTracedSelectionEncoder.h"
 
+#include "RayTracedArrays.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkRayTracedArrays.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkVersion.h"
@@ -47,8 +47,8 @@ bool TakeMarked(vtkSelectionNode* from, vtkSelectionNode* to)
   for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
   {
     const vtkIdType id = ids->GetValue(i);
-    const bool marked = vtkRayTracedArrays::IsMarked(id);
-    (marked ? taken : kept)->InsertNextValue(marked ? vtkRayTracedArrays::Unmarked(id) : id);
+    const bool marked = rtglyphs::RayTracedArrays::IsMarked(id);
+    (marked ? taken : kept)->InsertNextValue(marked ? rtglyphs::RayTracedArrays::Unmarked(id) : id);
   }
   if (taken->GetNumberOfValues() == 0)
   {

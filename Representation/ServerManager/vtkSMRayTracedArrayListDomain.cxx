@@ -1,9 +1,8 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 
-#include "Glyphs.h"
+#include "GlyphArrayNames.h"
 #include "HarmonicForms.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkGlyphArrayNames.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
@@ -15,6 +14,7 @@
 #include "vtkSMProxy.h"
 #include "vtkType.h"
 
+#include <cstring>
 #include <functional>
 #include <vector>
 
@@ -86,8 +86,8 @@ std::string FirstOf(const Arrays& arrays, const std::vector<Choice>& choices)
 // Two components are a vector of the plane where the name says so.
 int DirectionRank(const Array& array)
 {
-  const int rank = vtkGlyphArrayNames::DirectionRank(array.Name);
-  const bool fits = array.Components == 3 || (array.Components == 2 && rank != vtkGlyphArrayNames::unknown);
+  const int rank = rtglyphs::GlyphArrayNames::DirectionRank(array.Name);
+  const bool fits = array.Components == 3 || (array.Components == 2 && rank != rtglyphs::GlyphArrayNames::unknown);
   return fits && !array.IsColor && array.Attribute != vtkDataSetAttributes::TCOORDS ? rank : -1;
 }
 
@@ -97,7 +97,7 @@ std::string NamedDirection(const Arrays& arrays)
     [](const Array& array)
     {
       const int rank = DirectionRank(array);
-      return rank == vtkGlyphArrayNames::unknown ? -1 : rank;
+      return rank == rtglyphs::GlyphArrayNames::unknown ? -1 : rank;
     });
 }
 
@@ -105,13 +105,13 @@ std::string NamedDirection(const Arrays& arrays)
 std::string ActiveVectors(const Arrays& arrays)
 {
   const std::string active = Active(arrays, vtkDataSetAttributes::VECTORS);
-  return vtkGlyphArrayNames::IsNormal(active) ? NamedDirection(arrays) : active;
+  return rtglyphs::GlyphArrayNames::IsNormal(active) ? NamedDirection(arrays) : active;
 }
 
 std::string Quaternion(const Arrays& arrays)
 {
-  return First(
-    arrays, [](const Array& array) { return array.Components == 4 && vtkGlyphArrayNames::IsQuaternion(array.Name); });
+  return First(arrays,
+    [](const Array& array) { return array.Components == 4 && rtglyphs::GlyphArrayNames::IsQuaternion(array.Name); });
 }
 
 std::string AnyDirection(const Arrays& arrays)
@@ -121,8 +121,8 @@ std::string AnyDirection(const Arrays& arrays)
 
 std::string Velocity(const Arrays& arrays)
 {
-  return First(
-    arrays, [](const Array& array) { return DirectionRank(array) >= 0 && vtkGlyphArrayNames::IsVelocity(array.Name); });
+  return First(arrays,
+    [](const Array& array) { return DirectionRank(array) >= 0 && rtglyphs::GlyphArrayNames::IsVelocity(array.Name); });
 }
 
 std::string ActiveTensors(const Arrays& arrays)
@@ -136,7 +136,7 @@ std::string AnyTensor(const Arrays& arrays)
     [](const Array& array)
     {
       const bool fits = array.Components == 9 || array.Components == 6;
-      return fits ? vtkGlyphArrayNames::TensorRank(array.Name) : -1;
+      return fits ? rtglyphs::GlyphArrayNames::TensorRank(array.Name) : -1;
     });
 }
 
@@ -146,7 +146,7 @@ std::string FourthOrder(const Arrays& arrays)
     [](const Array& array)
     {
       const int n = array.Components;
-      return n == 36 || n == 21 || n == 81 || n == 15 ? vtkGlyphArrayNames::TensorRank(array.Name) : -1;
+      return n == 36 || n == 21 || n == 81 || n == 15 ? rtglyphs::GlyphArrayNames::TensorRank(array.Name) : -1;
     });
 }
 
@@ -173,7 +173,7 @@ std::string Size(const Arrays& arrays)
     [](const Array& array)
     {
       return array.Components == 1 &&
-        (vtkGlyphArrayNames::IsRadius(array.Name) || vtkGlyphArrayNames::IsDiameter(array.Name));
+        (rtglyphs::GlyphArrayNames::IsRadius(array.Name) || rtglyphs::GlyphArrayNames::IsDiameter(array.Name));
     });
 }
 
@@ -184,8 +184,8 @@ std::string ActiveScalars(const Arrays& arrays)
 
 std::string AnyNumber(const Arrays& arrays)
 {
-  return First(
-    arrays, [](const Array& array) { return array.Components == 1 && !vtkGlyphArrayNames::IsLabel(array.Name); });
+  return First(arrays,
+    [](const Array& array) { return array.Components == 1 && !rtglyphs::GlyphArrayNames::IsLabel(array.Name); });
 }
 }
 
@@ -231,7 +231,7 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
   if (this->Choice == "velocity")
   {
     const std::string velocity = FirstOf(arrays, { Velocity, ActiveVectors });
-    return vtkGlyphArrayNames::IsNormal(velocity) ? std::string() : velocity;
+    return rtglyphs::GlyphArrayNames::IsNormal(velocity) ? std::string() : velocity;
   }
   if (this->Choice == "tensor")
   {
@@ -242,8 +242,8 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
     return Harmonics(arrays);
   }
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
-  if (glyphs &&
-    vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == static_cast<int>(rtg::Shape::Arrow))
+  vtkSMProxy* source = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphType", /*quiet=*/true).GetAsProxy() : nullptr;
+  if (source && strcmp(source->GetXMLName(), "ArrowSource") == 0)
   {
     return FirstOf(arrays, { ActiveVectors, AnyDirection, Size, ActiveScalars, AnyNumber });
   }

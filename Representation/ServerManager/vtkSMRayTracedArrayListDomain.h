@@ -11,7 +11,7 @@
  * - tensor: the active tensors, else of nine or six components one that is named as a tensor, else any that is not
  * named as a rotation.
  * - scale: one named radius or diameter, else the active scalars, else a direction, else any of one component but
- * labels; for arrows a direction first. Without any: None. See vtkGlyphArrayNames for the names.
+ * labels; for arrows a direction first. Without any: None. See GlyphArrayNames for the names.
  */
 #ifndef vtkSMRayTracedArrayListDomain_h
 #define vtkSMRayTracedArrayListDomain_h

@@ -1,12 +1,11 @@
 #include "vtkSMRayTracedPickingHelperProxy.h"
 
+#include "RayTracedDefault.h"
 #include "vtkObjectFactory.h"
-#include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
-#include "vtkSMRayTracedDefault.h"
 #include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
 
@@ -53,7 +52,7 @@ bool FindPixel(vtkRenderer* renderer, const std::array<double, 3>& a, const std:
 //----------------------------------------------------------------------------
 vtkSMRayTracedPickingHelperProxy::vtkSMRayTracedPickingHelperProxy()
 {
-  vtkSMRayTracedDefault::Register(); // of the kinds of its properties
+  rtglyphs::RayTracedDefault::Register(); // of the kinds of its properties
 }
 
 //----------------------------------------------------------------------------
@@ -95,8 +94,8 @@ bool vtkSMRayTracedPickingHelperProxy::FindPlace(double place[3])
     {
       continue;
     }
-    vtkRayTracedScene* scene = vtkRayTracedScene::Find(renderer);
-    return scene && scene->PlaceAt(pixel[0], pixel[1], place); // none: a server renders
+    vtkSMRayTracedViewProxy* owner = vtkSMRayTracedViewProxy::Of(view);
+    return owner && owner->FindPlace(pixel[0], pixel[1], place);
   }
   return false;
 }

@@ -1,13 +1,14 @@
 #include "vtkSMRayTracedRepresentationProxy.h"
 
+#include "RayTracedDefault.h"
+#include "RayTracedSuggestion.h"
+#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
 #include "vtkRayTracedRepresentation.h"
 #include "vtkRayTracedSelectionEncoder.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMRayTracedDefault.h"
-#include "vtkSMRayTracedSuggestion.h"
 #include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
@@ -21,7 +22,7 @@ vtkStandardNewMacro(vtkSMRayTracedRepresentationProxy);
 vtkSMRayTracedRepresentationProxy::vtkSMRayTracedRepresentationProxy()
 {
   vtkRayTracedSelectionEncoder::Register();
-  vtkSMRayTracedDefault::Register();
+  rtglyphs::RayTracedDefault::Register();
 }
 
 //----------------------------------------------------------------------------
@@ -66,7 +67,7 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   const bool exposed = flag && display->GetProperty(name) == this->GetProperty(name);
   if (exposed)
   {
-    vtkSMRayTracedSuggestion::Follow(this, name);
+    rtglyphs::RayTracedSuggestion::Follow(this, name);
   }
   this->Superclass::SetPropertyModifiedFlag(name, flag);
   if (flag && strcmp(name, "Input") == 0)
@@ -76,8 +77,11 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   if (flag)
   {
     this->TensorTable.Follow(name);
-    vtkSMRayTracedDefault::Follow(this, name);
-    this->ShareMaterial(name);
+    rtglyphs::RayTracedDefault::Follow(this, name);
+    if (this->GetProperty("GlyphShape"))
+    {
+      this->GlyphDefaults.Follow(this, name);
+    }
   }
 }
 
@@ -97,27 +101,6 @@ void vtkSMRayTracedRepresentationProxy::TakeSelection()
 }
 
 //----------------------------------------------------------------------------
-// ParaView copies its own surface's material to this proxy. PathMetallic is the same as Metallic, and so on.
-void vtkSMRayTracedRepresentationProxy::ShareMaterial(const char* name)
-{
-  vtkSMProxy* display = this->GetTrueParentProxy();
-  const std::string changed = name;
-  vtkSMProperty* own = this->GetProperty(name);
-  if (vtkSMProperty* path = this->GetProperty(("Path" + changed).c_str()))
-  {
-    path->Copy(own);
-  }
-  else if (display && own && display->GetProperty(name) == own && changed.rfind("Path", 0) == 0)
-  {
-    vtkSMProperty* material = display->GetProperty(name + strlen("Path"));
-    if (material)
-    {
-      material->Copy(own);
-    }
-  }
-}
-
-//----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtkSMProxy* consumer)
 {
   this->Superclass::AddConsumer(property, consumer);
@@ -131,7 +114,21 @@ void vtkSMRayTracedRepresentationProxy::AddConsumer(vtkSMProperty* property, vtk
   {
     this->View->Remove(display);
   }
+  const bool entered = !this->View;
   this->View = vtkSMRayTracedViewProxy::Add(display, consumer);
+  if (entered)
+  {
+    display->GetProperty("Representation")
+      ->AddObserver(vtkCommand::ModifiedEvent, this, &vtkSMRayTracedRepresentationProxy::ChooseDefaults);
+    rtglyphs::RayTracedGlyphDefaults::ShowInPanel(display);
+    this->ChooseDefaults();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
+{
+  this->GlyphDefaults.Choose(this);
 }
 
 //----------------------------------------------------------------------------
@@ -141,9 +138,19 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
   if (this->IsShown())
   {
     const double time = vtkSMPropertyHelper(view, "ViewTime", /*quiet=*/true).GetAsDouble();
-    vtkSMRayTracedDefault::Renew(this->GetTrueParentProxy(), view, /*otherTime=*/time != this->Time);
+    vtkSMProxy* display = this->GetTrueParentProxy();
+    bool renewed = rtglyphs::RayTracedDefault::Renew(display, time != this->Time);
+    if (this->GetProperty("GlyphShape"))
+    {
+      renewed |= this->GlyphDefaults.Renew(this, time != this->Time);
+    }
     this->Time = time;
-    vtkSMRayTracedSuggestion::Take(this);
+    if (renewed)
+    {
+      display->UpdateVTKObjects();
+      vtkSMViewProxy::SafeDownCast(view)->Update();
+    }
+    rtglyphs::RayTracedSuggestion::Take(this);
   }
   if (this->GetProperty("GlyphTensorLookupTable"))
   {

@@ -2,9 +2,9 @@
  * @class   vtkSMRayTracedRepresentationProxy
  * @brief   the client's side of ray-traced glyphs, surfaces and tubes
  *
- * - Defaults and suggested numbers are kept up to date with the data (vtkSMRayTracedDefault, vtkSMRayTracedSuggestion).
+ * - Defaults and suggested numbers are kept up to date with the data (RayTracedDefault,
+ *   RayTracedGlyphDefaults, RayTracedSuggestion).
  * - Information properties speak of the processes that have the data, of what is shown.
- * - Path tracing's material (PathMetallic and so on) has the values of the ordinary surface's (Metallic).
  */
 #ifndef vtkSMRayTracedRepresentationProxy_h
 #define vtkSMRayTracedRepresentationProxy_h
@@ -13,7 +13,8 @@
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSmartPointer.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
-#include "vtkSMRayTracedTensorTable.h"
+#include "RayTracedGlyphDefaults.h"
+#include "RayTracedTensorTable.h"
 #endif
 
 class vtkSMRayTracedViewProxy;
@@ -45,12 +46,13 @@ private:
 
   bool IsShown();
   void TakeSelection();
-  void ShareMaterial(const char* name);
+  void ChooseDefaults();
 
   vtkSmartPointer<vtkSMRayTracedViewProxy> View;
   double Time = 0.0; // of the last update
 #ifndef __VTK_WRAP__
-  vtkSMRayTracedTensorTable TensorTable;
+  rtglyphs::RayTracedTensorTable TensorTable;
+  rtglyphs::RayTracedGlyphDefaults GlyphDefaults;
 #endif
 };
 

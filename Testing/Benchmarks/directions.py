@@ -128,8 +128,8 @@ def show(pv, producer, view, kind, factor):
     shown = pv.Show(producer, view)
     if kind.startswith("spherical"):
         shown.SetRepresentationType("Ray Traced Glyphs")
-        shown.GlyphShape, shown.GlyphHarmonicsArray, shown.GlyphScaleFactor = "Spherical Harmonics", "odf", factor
-        shown.GlyphOrient = shown.GlyphScaling = 0
+        shown.GlyphShape, shown.GlyphHarmonicsArray, shown.ScaleFactor = "Spherical Harmonics", "odf", factor
+        shown.Orient = 0
     elif kind.startswith("tubes"):
         shown.SetRepresentationType("Ray Traced Tubes")
         shown.TubeRadius = factor

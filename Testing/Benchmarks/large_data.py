@@ -31,7 +31,7 @@ EDITS = {
     "Pickable": (0, 1), "Opacity": (0.5, 1.0), "SpecularPower": (20.0, 100.0), "Specular": (0.5, 0.0), "Ambient": (0.2, 0.0),
     "SamplesPerPixel": (2, 1), "ShadingMode": ("Ambient Occlusion", "Local"), "Exposure": (1.0, 0.0),
     "ToneMapping": ("Filmic", "None"), "InteractiveReduction": (3, 2), "GlyphTensorSharpness": (2.0, 3.0),
-    "ArrowTipRadius": (0.2, 0.1), "MaximumNumberOfGlyphs": (4000, 5000),
+    "ArrowReferenceMagnitude": (2.0, 0.0), "MaximumNumberOfGlyphs": (4000, 5000),
 }
 #: seconds that an edit may take in our code
 WANTED = 0.05
@@ -77,8 +77,8 @@ def measure(count):
     view.CameraPosition, view.CameraFocalPoint = [0.5, 0.5, 4.0], [0.5, 0.5, 0.5]
     shown = pv.Show(producer, view)
     shown.SetRepresentationType("Ray Traced Glyphs")
-    shown.GlyphShape, shown.GlyphScaleFactor, shown.SamplesPerPixel = "Sphere", 0.3 / count ** (1.0 / 3.0), 1
-    shown.GlyphOrient, shown.GlyphScaling, shown.GlyphScaleArray = 0, 1, "length"
+    shown.GlyphType, shown.ScaleFactor, shown.SamplesPerPixel = "Sphere", 0.3 / count ** (1.0 / 3.0), 1
+    shown.Orient, shown.ScaleMode, shown.SelectScaleArray = 0, "Magnitude", "length"
     shown.SetScalarColoring("length", pv.servermanager.GetAssociationFromString("POINTS"))
     pv.Render(view)
     first = counters(shown)

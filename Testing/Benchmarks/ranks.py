@@ -42,7 +42,7 @@ def measure(arguments):
     view.UseColorPaletteForBackground = 0
     shown = pv.Show(kept, view)
     shown.SetRepresentationType("Ray Traced Glyphs")
-    shown.GlyphShape, shown.GlyphScaling, shown.GlyphScaleArray, shown.GlyphScaleFactor = "Sphere", 1, "kept", 0.7
+    shown.GlyphType, shown.ScaleMode, shown.SelectScaleArray, shown.ScaleFactor = "Sphere", "Magnitude", "kept", 0.7
     pv.ColorBy(shown, None)
     shown.SamplesPerPixel, shown.Denoising = 1, "Never"
     shown.ShadingMode, shown.ParallelLight, shown.AmbientOcclusionRadius = arguments.mode, arguments.light, arguments.radius

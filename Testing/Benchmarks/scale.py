@@ -78,13 +78,13 @@ def show(pv, producer, view, kind):
     else:
         shown.SetRepresentationType("Ray Traced Glyphs")
         shown.SamplesPerPixel = 1
-        shown.GlyphScaleFactor = 1.0
+        shown.ScaleFactor = 1.0
         if kind == "spheres":
-            shown.GlyphShape, shown.GlyphOrient = "Sphere", 0
-            shown.GlyphScaling, shown.GlyphScaleArray = 1, "diameter"
+            shown.GlyphType, shown.Orient = "Sphere", 0
+            shown.ScaleMode, shown.SelectScaleArray = "Magnitude", "diameter"
         elif kind == "arrows":
-            shown.GlyphShape, shown.GlyphOrient, shown.GlyphOrientationArray = "Arrow", 1, "flow"
-            shown.GlyphScaling, shown.GlyphScaleArray = 1, "flow"
+            shown.GlyphType, shown.Orient, shown.SelectOrientationVectors = "Arrow", 1, "flow"
+            shown.ScaleMode, shown.SelectScaleArray = "Magnitude", "flow"
         else:
             shown.GlyphShape, shown.GlyphTensorArray = "Signed Tensor Superquadric", "tensor"
     return shown

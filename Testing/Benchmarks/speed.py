@@ -33,9 +33,9 @@ def show(pv, points, view, name, count):
     radius = spheres_280k.radius(count)
     if name == OURS:
         shown.SetRepresentationType("Ray Traced Glyphs")
-        shown.GlyphShape = "Sphere"
-        shown.GlyphOrient = shown.GlyphScaling = 0
-        shown.GlyphScaleFactor = 2.0 * radius
+        shown.GlyphType = "Sphere"
+        shown.Orient = 0
+        shown.ScaleFactor = 2.0 * radius
         shown.SamplesPerPixel = 1
     elif name == "Point Gaussian":
         shown.SetRepresentationType("Point Gaussian")

@@ -43,13 +43,13 @@ def main():
     shown = pv.Show(series, view)
     shown.SetRepresentationType("Ray Traced Glyphs")
     shown.SamplesPerPixel = 1
-    shown.GlyphScaleFactor = 0.03
+    shown.ScaleFactor = 0.03
     if blur:
         shown.MotionBlur, shown.VelocityArray, shown.AccelerationArray = 1, "velocity", "acceleration"
-        shown.GlyphOrient, shown.ShutterTime = 0, 0.03
+        shown.Orient, shown.ShutterTime = 0, 0.03
     else:
-        shown.GlyphShape, shown.GlyphOrient, shown.GlyphOrientationArray = "Arrow", 1, "velocity"
-        shown.GlyphScaling, shown.GlyphScaleArray, shown.GlyphScaleMode = 1, "velocity", "Magnitude"
+        shown.GlyphType, shown.Orient, shown.SelectOrientationVectors = "Arrow", 1, "velocity"
+        shown.SelectScaleArray, shown.ScaleMode = "velocity", "Magnitude"
     times = series.TimestepValues
     view.ViewTime = times[0]
     pv.Render(view)

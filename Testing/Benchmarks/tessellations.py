@@ -43,9 +43,8 @@ def scene(count):
 
 def ours(points, view, factor, exponent):
     """The scene as ray-traced glyphs."""
-    return session.glyphs(points, view, "Superquadric", GlyphExponents=[exponent] * 3, GlyphScaleFactor=factor, GlyphScaling=1,
-                          GlyphScaleArray="size", GlyphScaleMode="Components", GlyphOrient=1, GlyphOrientationArray="turn",
-                          GlyphOrientationMode="Quaternion")
+    return session.glyphs(points, view, "Superquadric", GlyphExponents=[exponent] * 3, ScaleFactor=factor, SelectScaleArray="size", ScaleMode="Vector Components", Orient=1, SelectOrientationVectors="turn",
+                          OrientationMode="Quaternion")
 
 
 def theirs(points, view, factor, exponent, facets):
@@ -124,7 +123,7 @@ def main():
         places, coefficients = crossings(options.count)
         scale = 0.5 * factor / float(numpy.abs(coefficients @ odf.harmonics(directions.geodesic()[0]).T).max())
         drawn["ray-traced"] = session.glyphs(session.source(session.poly_data(places, odf=coefficients)), view, "Spherical Harmonics",
-                                             GlyphHarmonicsArray="odf", GlyphOrient=0, GlyphScaleFactor=2.0 * scale)
+                                             GlyphHarmonicsArray="odf", Orient=0, ScaleFactor=2.0 * scale)
         for frequency in FREQUENCIES:
             data = directions.meshes(places, coefficients, scale, frequency)
             drawn["meshes of %d vertices" % (10 * frequency ** 2 + 2)] = session.show(session.source(data), view, "Surface")

@@ -24,9 +24,11 @@ def definitions(name):
             for entry in proxy:
                 if entry.tag.endswith("Property") and entry.get("name"):
                     properties.setdefault(entry.get("name"), entry)
-    groups = [(group.get("label"), [(entry.get("name"), entry.get("exposed_name")) for entry in group if entry.tag == "Property"])
-              for exposed in root.iter("ExposedProperties") for group in exposed.iter("PropertyGroup")]
-    return properties, groups
+    groups = {}  # those of one label are one; shared ones stand in the extension itself
+    for holder in list(root.iter("ExposedProperties")) + list(root.iter("Extension")):
+        for group in holder.findall("PropertyGroup"):
+            groups.setdefault(group.get("label"), []).extend((entry.get("name"), entry.get("exposed_name")) for entry in group if entry.tag == "Property")
+    return properties, list(groups.items())
 
 
 def of_representations():

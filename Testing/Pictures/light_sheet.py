@@ -22,7 +22,7 @@ def ball(data, folder, view):
     """A grey ball."""
     shown = pv.Show(pv.PointSource(NumberOfPoints=1), view)
     shown.SetRepresentationType(simulation.REPRESENTATION)
-    shown.GlyphScaleFactor = 1.0
+    shown.ScaleFactor = 1.0
     shown.DiffuseColor = shown.AmbientColor = [0.75] * 3
     simulation.look(view, (0.0, 0.0, 2.6), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 
@@ -32,8 +32,8 @@ def crowd(data, folder, view):
     path = os.path.join(folder, "spheres.vtk")
     if not os.path.exists(path):
         subprocess.run(["/usr/bin/python3", os.path.join(data, "spheres_280k.py"), path], check=True)
-    shown = simulation.show(pv.OpenDataFile(path), view, "Sphere", GlyphScaling=1, GlyphScaleArray="radius", GlyphScaleMode="Magnitude",
-                            GlyphScaleFactor=2.0)
+    shown = simulation.show(pv.OpenDataFile(path), view, "Sphere", SelectScaleArray="radius", ScaleMode="Magnitude",
+                            ScaleFactor=2.0)
     shown.ColorArrayName = [None, ""]
     simulation.look(view, (50.0, 50.0, 286.6), (50.0, 50.0, 50.0), (0.0, 1.0, 0.0))
 
@@ -43,7 +43,7 @@ def grains(data, folder, view):
     impact = pv.OpenDataFile(os.path.join(data, "impact", "impact.vtk.series"))
     view.ViewTime = 0.4
     pv.UpdatePipeline(0.4, impact)
-    shown = simulation.show(impact, view, "Sphere", GlyphScaling=1, GlyphScaleArray="diameter", GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
+    shown = simulation.show(impact, view, "Sphere", SelectScaleArray="diameter", ScaleMode="Magnitude", ScaleFactor=1.0)
     shown.ColorArrayName = [None, ""]
     simulation.look(view, (9.0, -36.0, 27.0), (14.3, 14.0, 4.0), (0.0, 0.0, 1.0))
 
@@ -83,9 +83,9 @@ def packing(data, folder, view):
     path = os.path.join(folder, "packing.vtk")
     if not os.path.exists(path):
         subprocess.run(["/usr/bin/python3", os.path.join(data, "packing.py"), path], check=True)
-    shown = simulation.show(pv.OpenDataFile(path), view, "Superquadric", GlyphOrient=1, GlyphOrientationArray="quaternion",
-                            GlyphOrientationMode="Quaternion", GlyphScaling=1, GlyphScaleArray="lengths", GlyphScaleMode="Components",
-                            GlyphScaleFactor=1.0, GlyphExponentArray="exponents")
+    shown = simulation.show(pv.OpenDataFile(path), view, "Superquadric", Orient=1, SelectOrientationVectors="quaternion",
+                            OrientationMode="Quaternion", SelectScaleArray="lengths", ScaleMode="Vector Components",
+                            ScaleFactor=1.0, GlyphExponentArray="exponents")
     shown.ColorArrayName = [None, ""]
     simulation.look(view, (1.8, 1.6, 2.6), (0.5, 0.5, 0.5), (0.0, 1.0, 0.0))
 

@@ -64,7 +64,7 @@ def show_can(look, path, view):
     wall.ColorArrayName, wall.DiffuseColor, wall.AmbientColor = [None, ""], [0.92, 0.93, 0.95], [0.92, 0.93, 0.95]
     # A second representation of the same source needs a source of its own.
     shown = show(look, pv.Calculator(Input=source, ResultArrayName="unused", Function="1"), arrays, *how, view)
-    shown.GlyphMask, shown.MaximumNumberOfGlyphs = 1, 1500
+    shown.GlyphMode, shown.MaximumNumberOfGlyphs = "Random", 1500
     return shown
 
 
@@ -76,11 +76,11 @@ def show(look, source, arrays, diameter, shutter, factor, limits, view):
         shutter, acceleration = 2.0 * shutter, "braking"
         source = pv.Calculator(Input=source, ResultArrayName=acceleration, Function="%s*%.9g" % (velocity, -1.0 / shutter))
     if look == "arrows":
-        shown = simulation.show(source, view, "Arrow", GlyphOrient=1, GlyphOrientationArray=velocity,
-                                GlyphScaling=1, GlyphScaleArray=velocity, GlyphScaleMode="Magnitude", GlyphScaleFactor=factor,
-                                ArrowShaftRadius=0.06, ArrowTipRadius=0.16)
+        shown = simulation.show(source, view, "Arrow", ArrowHeads="Fixed", Orient=1, SelectOrientationVectors=velocity,
+                                SelectScaleArray=velocity, ScaleMode="Magnitude", ScaleFactor=factor,
+                                **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16})
     else:
-        shown = simulation.show(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=diameter, MotionBlur=1,
+        shown = simulation.show(source, view, "Sphere", Orient=0, ScaleFactor=diameter, MotionBlur=1,
                                 VelocityArray=velocity, ShutterTime=shutter, ShutterOpening="Forward",
                                 AccelerationArray="None" if look == "velocity" else acceleration)
     colour_by_speed(shown, velocity, limits)

@@ -40,7 +40,7 @@ def superquadrics(view):
     points = [(1.15 * i, 0.0, 1.15 * j) for i, j in grid]
     exponents = [(EXPONENTS[i], EXPONENTS[i], EXPONENTS[j]) for i, j in grid]
     shown = show(source(points, exponents=exponents), view, "Superquadric", GlyphExponentArray="exponents",
-                 GlyphOrient=0, GlyphScaleFactor=1.0)
+                 Orient=0, ScaleFactor=1.0)
     shown.AmbientColor = shown.DiffuseColor = [0.85, 0.65, 0.3]
     middle = 1.15 * (len(EXPONENTS) - 1) / 2
     look(view, (middle + 4.0, -13.0, middle + 5.5), (middle, 0.0, middle), (0.0, 0.0, 1.0))
@@ -60,8 +60,8 @@ def point_load(view, data):
     spacing = 0.2 * numpy.ptp(numpy.array(points.GetDataInformation().GetBounds()).reshape(3, 2), axis=1).max() / 2.0
     largest = (log_size * norm).max()
     shown = show(points, view, "Signed Tensor Superquadric", GlyphTensorArray="stress", GlyphTensorColoring="Trace",
-                 GlyphScaling=1, GlyphScaleArray="log_size", GlyphScaleMode="Magnitude",
-                 GlyphScaleFactor=3.0 * spacing / largest)
+                 SelectScaleArray="log_size", ScaleMode="Magnitude",
+                 ScaleFactor=3.0 * spacing / largest)
     table = pv.GetColorTransferFunction("trace")
     table.ApplyPreset("Cool to Warm", True)
     limit = float(numpy.quantile(numpy.abs(stress[:, :3].sum(axis=1)), 0.9))

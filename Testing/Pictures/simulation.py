@@ -30,9 +30,10 @@ def show(source, view, shape, **properties):
     """Shows a source as ray-traced glyphs."""
     shown = pv.Show(source, view)
     shown.SetRepresentationType(REPRESENTATION)
-    shown.GlyphShape = shape
+    setattr(shown, "GlyphType" if shape in ("Sphere", "Box", "Cylinder", "Cone", "Arrow") else "GlyphShape", shape)
     for name, value in properties.items():
-        setattr(shown, name, value)
+        owner, _, last = name.rpartition(".")  # such as GlyphType.TipRadius
+        setattr(getattr(shown, owner) if owner else shown, last, value)
     return shown
 
 
@@ -68,18 +69,18 @@ def scalar_bar(table, shown, view, limits, preset, title, place):
 
 def spheres(impact, view):
     """The grains as spheres of their diameter, coloured by speed."""
-    shown = show(impact, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
-                 GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
+    shown = show(impact, view, "Sphere", Orient=0, SelectScaleArray="diameter",
+                 ScaleMode="Magnitude", ScaleFactor=1.0)
     colour(shown, view, "velocity", "Magnitude", (0.0, 8.0), "Plasma", "speed")
     look(view, (9.0, -36.0, 27.0), (14.3, 14.0, 4.0), (0.0, 0.0, 1.0))
 
 
 def arrows(impact, view):
     """The grains' velocities as arrows, coloured by their upward part."""
-    shown = show(impact, view, "Arrow", GlyphOrient=1, GlyphOrientationArray="velocity",
-                 GlyphOrientationMode="Direction", GlyphScaling=1, GlyphScaleArray="velocity",
-                 GlyphScaleMode="Magnitude", GlyphScaleFactor=0.3, ArrowReferenceMagnitude=2.0, ArrowShaftRadius=0.12,
-                 ArrowTipRadius=0.3, ArrowTipLength=0.8)
+    shown = show(impact, view, "Arrow", ArrowHeads="Fixed", Orient=1, SelectOrientationVectors="velocity",
+                 OrientationMode="Direction", SelectScaleArray="velocity",
+                 ScaleMode="Magnitude", ScaleFactor=0.3, ArrowReferenceMagnitude=2.0,
+                 **{"GlyphType.ShaftRadius": 0.12, "GlyphType.TipRadius": 0.3, "GlyphType.TipLength": 0.8})
     colour(shown, view, "velocity", "Z", (-5.0, 5.0), "Cool to Warm", "upward velocity", (0.6, 0.02))
     look(view, (9.0, -34.0, 22.0), (14.3, 14.0, 5.5), (0.0, 0.0, 1.0))
 
@@ -100,9 +101,9 @@ def streaks(impact, view):
 
 def ellipsoids(nematic, view):
     """The molecules as ellipsoids of their shape and orientation."""
-    shown = show(nematic, view, "Sphere", GlyphOrient=1, GlyphOrientationArray="quaternion",
-                 GlyphOrientationMode="Quaternion", GlyphScaling=1, GlyphScaleArray="shape",
-                 GlyphScaleMode="Components", GlyphScaleFactor=1.0)
+    shown = show(nematic, view, "Sphere", Orient=1, SelectOrientationVectors="quaternion",
+                 OrientationMode="Quaternion", SelectScaleArray="shape",
+                 ScaleMode="Vector Components", ScaleFactor=1.0)
     colour(shown, view, "velocity", "Magnitude", (0.0, 4.0), "Viridis", "speed")
     look(view, (31.0, 24.0, 49.0), (12.6, 11.6, 12.2), (0.0, 1.0, 0.0))
 

@@ -52,7 +52,7 @@ def grain_stress(view, data, _):
     loaded = norm > numpy.quantile(norm, 0.6)
     show(source(points[loaded], stress=stress[loaded], log_size=logarithmic(stress[loaded], 0.3)), view,
          "Signed Tensor Superquadric", GlyphTensorArray="stress", GlyphTensorLayout="LAMMPS", GlyphTensorColoring="Sign",
-         GlyphScaling=1, GlyphScaleArray="log_size", GlyphScaleMode="Magnitude", GlyphScaleFactor=2.0)
+         SelectScaleArray="log_size", ScaleMode="Magnitude", ScaleFactor=2.0)
     look(view, (10.0, -24.0, 22.0), (14.3, 13.0, 1.5), (0.0, 0.0, 1.0))
 
 
@@ -61,7 +61,7 @@ def fibres(view, points, tensors, share, layout, spacing):
     inside = share > 0.5
     largest = numpy.quantile(norms(tensors[inside]), 0.9)
     show(source(points[inside], d=tensors[inside]), view, "Tensor Superquadric", GlyphTensorArray="d", GlyphTensorLayout=layout,
-         GlyphTensorColoring="Principal Direction", GlyphScaleFactor=1.3 * spacing / largest)
+         GlyphTensorColoring="Principal Direction", ScaleFactor=1.3 * spacing / largest)
 
 
 def helix(view, data, folder):
@@ -75,9 +75,8 @@ def packing(view, data, folder):
     """Superquadrics of random exponents, by the logarithm of the smallest of them."""
     points, arrays = arrays_of(written_by("packing.py", data, folder))
     least = numpy.log10(arrays["exponents"].min(axis=1))
-    shown = show(source(points, least=least, **arrays), view, "Superquadric", GlyphExponentArray="exponents", GlyphScaling=1,
-                 GlyphScaleArray="lengths", GlyphScaleMode="Components", GlyphScaleFactor=1.0, GlyphOrient=1,
-                 GlyphOrientationArray="quaternion", GlyphOrientationMode="Quaternion")
+    shown = show(source(points, least=least, **arrays), view, "Superquadric", GlyphExponentArray="exponents", SelectScaleArray="lengths", ScaleMode="Vector Components", ScaleFactor=1.0, Orient=1,
+                 SelectOrientationVectors="quaternion", OrientationMode="Quaternion")
     pv.ColorBy(shown, ("POINTS", "least"), True)
     table = pv.GetColorTransferFunction("least", shown, separate=True)
     table.ApplyPreset(preset_name("Viridis"), True)
@@ -93,7 +92,7 @@ def flow(view, _, __):
     z, o = numpy.zeros_like(x), numpy.zeros_like(x)
     gradient = numpy.array([o, -numpy.sin(y), numpy.cos(z), numpy.cos(x), o, -numpy.sin(z), -numpy.sin(x), numpy.cos(y), o]).T
     show(source(numpy.array([x, y, z]).T, gradient=gradient), view, "Signed Tensor Superquadric", GlyphTensorArray="gradient",
-         GlyphTensorColoring="Sign", GlyphTensorAxis=1, GlyphTensorAxisColor=[0.1, 0.1, 0.1], GlyphScaleFactor=0.4)
+         GlyphTensorColoring="Sign", GlyphTensorAxis=1, GlyphTensorAxisColor=[0.1, 0.1, 0.1], ScaleFactor=0.4)
     look(view, (2.9, -2.6, 12.2), (2.9, 2.75, 0.0), (0.0, 1.0, 0.0))
 
 
@@ -103,7 +102,7 @@ def third_party(view, path):
         points, arrays = arrays_of(pv.OpenDataFile(path))
         t = arrays["tensors1"].reshape(-1, 9)
         show(source(points, t=t), view, "Signed Tensor Superquadric", GlyphTensorArray="t", GlyphTensorColoring="Sign",
-             GlyphScaleFactor=0.25)
+             ScaleFactor=0.25)
         look(view, (2.4, -3.0, 1.9), (0.62, 0.5, 0.4), (0.0, 0.0, 1.0))
         return
     raw = numpy.fromfile(os.path.splitext(path)[0] + ".raw", dtype=">f4").reshape(40, 39, 38, 7).astype(float)

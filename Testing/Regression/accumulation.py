@@ -28,7 +28,7 @@ def grow(mode):
     failures = []
     view = session.view(160, 120, background=(255, 255, 255))
     points = session.source(session.poly_data(numpy.random.default_rng(3).uniform(-1.0, 1.0, (300, 3))))
-    shown = session.glyphs(points, view, GlyphOrient=0, GlyphScaleFactor=0.35, ShadingMode=mode, samples=FINISHED)
+    shown = session.glyphs(points, view, Orient=0, ScaleFactor=0.35, ShadingMode=mode, samples=FINISHED)
     raytracedglyphs.SetSamplesPerRender(STEP, view)
     shown.Denoising = "Never"
     session.solid(shown, (0.9, 0.9, 0.9))

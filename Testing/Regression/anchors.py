@@ -25,8 +25,8 @@ def vectors():
 
 def drawn(stage, shape, points, name, **properties):
     """(picture, bounds) of glyphs along vectors."""
-    shown = stage.show(session.poly_data(points, along=vectors()), shape, GlyphOrient=1, GlyphOrientationArray="along", GlyphScaling=1,
-                       GlyphScaleArray="along", GlyphScaleFactor=FACTOR, ArrowTipRadius=0.2, **properties)
+    shown = stage.show(session.poly_data(points, along=vectors()), shape, Orient=1, SelectOrientationVectors="along", ScaleMode="Magnitude",
+                       SelectScaleArray="along", ScaleFactor=FACTOR, **({"GlyphType.TipRadius": 0.2} if shape == "Arrow" else {}), **properties)
     session.solid(shown, (0.9, 0.8, 0.5))
     pv.Render(stage.view)
     picture = session.capture(stage.view, "anchors-%s-%s" % (shape.lower(), name.lower()))

@@ -15,8 +15,8 @@ def impact(folder, width=300, height=200):
     """(view, reader, representation) of the simulation as spheres."""
     reader = pv.OpenDataFile(folder + "/impact/impact.vtk.series")
     view = session.view(width, height)
-    shown = session.glyphs(reader, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
-                           GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
+    shown = session.glyphs(reader, view, "Sphere", Orient=0, SelectScaleArray="diameter",
+                           ScaleMode="Magnitude", ScaleFactor=1.0)
     session.solid(shown, (0.9, 0.7, 0.3))
     session.look(view, (11.0, -32.0, 26.0), (14.0, 14.0, 4.0), (0.0, 0.0, 1.0))
     return view, reader, shown
@@ -59,12 +59,12 @@ def play(folder, cache):
                             % (step, depths_of(view), depths[step]))
         scene.GoToPrevious()
     # Steps that are at hand get an array of several, too.
-    shown.GlyphScaleArray, shown.GlyphScaleMode = "diameter, diameter, diameter", "Components"
+    shown.SelectScaleArray, shown.ScaleMode = "diameter, diameter, diameter", "Vector Components"
     for step in range(steps):
         said = session.messages(scene.GoToFirst if step == 0 else scene.GoToNext)
         if said.strip() or comparison.difference(session.capture(view, "animation-joined-%d" % step), pictures[step])[0] > 0.001:
             failures.append("step %d with three lengths looks different; %s" % (step, said.strip() or "no message"))
-    shown.GlyphScaleArray, shown.GlyphScaleMode = "diameter", "Magnitude"
+    shown.SelectScaleArray, shown.ScaleMode = "diameter", "Magnitude"
     pv.Render(view)
     scene.GoToFirst()
     before = session.statistics(shown)
@@ -119,7 +119,7 @@ def multisampled(folder):
             sources = [reader, pv.Sphere(Center=[14.0, 14.0, 4.0], Radius=8.0, ThetaResolution=128, PhiResolution=128)]
             for source in sources if glyphs_first else sources[::-1]:
                 if source is reader:
-                    shown = session.glyphs(reader, view, "Sphere", samples=16, GlyphOrient=0, GlyphScaleFactor=1.0)
+                    shown = session.glyphs(reader, view, "Sphere", samples=16, Orient=0, ScaleFactor=1.0)
                 else:
                     shown = pv.Show(source, view)
                     shown.SetRepresentationType("Surface")

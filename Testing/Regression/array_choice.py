@@ -13,7 +13,7 @@ import scale_guess
 import session
 from checks import Checks
 
-PROPERTIES = ("GlyphScaleArray", "GlyphOrientationArray", "GlyphTensorArray", "VelocityArray")
+PROPERTIES = ("SelectScaleArray", "SelectOrientationVectors", "GlyphTensorArray", "VelocityArray")
 COUNT = 20
 #: arrays as name:components, an active one with its attribute behind it -> the defaults of PROPERTIES
 CASES = (
@@ -21,7 +21,7 @@ CASES = (
     ("id:1 type:1", "None None None None"),
     ("id:1 pressure:1", "pressure None None None"),
     ("a:1 b:1=Scalars", "b None None None"),
-    ("b:1=Scalars radius:1", "radius None None None"),
+    ("b:1=Scalars radius:1", "b None None None"),
     ("c_diameter:1 mass:1", "c_diameter None None None"),
     ("ParticleRadius:1", "ParticleRadius None None None"),
     ("radiation:1=Scalars radius:3", "radiation None None None"),
@@ -29,7 +29,7 @@ CASES = (
     ("a:3=Vectors velocity:3", "a a None velocity"),
     ("force:3 displacement:3 angular_velocity:3 coords:3 omega:3", "displacement displacement None None"),
     ("omega:3 coords:3", "omega omega None None"),
-    ("positions:3 EulerAngles:3 rgb:3 lengths:3", "None None None None"),
+    ("positions:3 EulerAngles:3 rgb:3 lengths:3", "EulerAngles None None None"),
     ("positions:3 c_q:4 c_shape:3", "None c_q None None"),
     ("positions:3 quaternion:4 c_shape:3 thing:3", "thing quaternion None None"),
     ("positions:3 thing:3", "thing thing None None"),
@@ -72,12 +72,12 @@ def choices(checks):
     view = session.view(40, 30)
     for names, wanted in CASES:
         source = session.source(data(names))
-        shown = session.glyphs(source, view)
+        shown = session.glyphs(source, view, ScaleMode="Magnitude")
         checks.equal("%s of [%s]" % (", ".join(PROPERTIES), names), " ".join(arrays(shown)), wanted)
         pv.Delete(shown)
     colors = session.poly_data(numpy.zeros((3, 3)), light=numpy.zeros((3, 3), numpy.uint8))
     shown = session.glyphs(session.source(colors), view)
-    checks.equal("GlyphOrientationArray of bytes", str(shown.GetPropertyValue("GlyphOrientationArray")).strip("'"), "None")
+    checks.equal("SelectOrientationVectors of bytes", str(shown.GetPropertyValue("SelectOrientationVectors")).strip("'"), "None")
     pv.Delete(view)
 
 
@@ -88,18 +88,18 @@ def cells(checks):
                            AttributeType="Cell Data", Function="RTData*iHat", ResultArrayName="force")
     for name, explicit, wanted in (("chosen by nobody", None, "force"), ("chosen", "None", "None"), ("chosen, wrong", "nonesuch", "nonesuch")):
         shown = session.glyphs(source, view, GlyphLocation="Points")
-        checks.equal("GlyphOrientationArray of points, " + name, shown.SMProxy.GetProperty("GlyphOrientationArray").GetElement(0), "None")
+        checks.equal("SelectOrientationVectors of points, " + name, shown.SMProxy.GetProperty("SelectOrientationVectors").GetElement(0), "None")
         shown.GlyphLocation = "Cells"
         if explicit:
-            shown.GlyphOrientationArray = explicit
-        shown.GlyphScaling = 1
+            shown.SelectOrientationVectors = explicit
+        shown.ScaleMode = "Magnitude"
         session.messages(lambda: pv.Render(view))
-        checks.equal("GlyphOrientationArray of cells, " + name, shown.SMProxy.GetProperty("GlyphOrientationArray").GetElement(0), wanted)
-        checks.equal("GlyphScaleArray of cells, " + name, shown.SMProxy.GetProperty("GlyphScaleArray").GetElement(0), "RTData")
+        checks.equal("SelectOrientationVectors of cells, " + name, shown.SMProxy.GetProperty("SelectOrientationVectors").GetElement(0), wanted)
+        checks.equal("SelectScaleArray of cells, " + name, shown.SMProxy.GetProperty("SelectScaleArray").GetElement(0), "RTData")
         shown.GlyphLocation = "Points"
         session.messages(lambda: pv.Render(view))
-        checks.equal("GlyphOrientationArray of points again, " + name,
-                     shown.SMProxy.GetProperty("GlyphOrientationArray").GetElement(0), explicit or "None")
+        checks.equal("SelectOrientationVectors of points again, " + name,
+                     shown.SMProxy.GetProperty("SelectOrientationVectors").GetElement(0), explicit or "None")
         pv.Delete(shown)
     pv.Delete(view)
 
@@ -120,7 +120,7 @@ def location(checks):
         where = shown.SMProxy.GetProperty("GlyphLocation")
         checks.no_message(name, session.messages(lambda: pv.Render(view)))
         checks.equal("GlyphLocation of " + name, where.GetElement(0), wanted)
-        checks.equal("GlyphOrientationArray of " + name, arrays(shown)[1], direction)
+        checks.equal("SelectOrientationVectors of " + name, arrays(shown)[1], direction)
         checks.equal("glyphs of " + name, session.statistics(shown)["glyphs"], 27 if wanted else 64)
         pv.Delete(shown)
     shown = session.glyphs(cases["cells"][0], view, GlyphLocation="Points")
@@ -137,7 +137,7 @@ def location(checks):
         view.ViewTime = time
         checks.no_message("cells at time %g" % time, session.messages(lambda: pv.Render(view)))
         checks.equal("GlyphLocation at time %g" % time, shown.SMProxy.GetProperty("GlyphLocation").GetElement(0), 1)
-        checks.equal("arrays of cells at time %g" % time, arrays(shown)[:3], ["velocity", "velocity", "stress"])
+        checks.equal("arrays of cells at time %g" % time, arrays(shown)[:3], ["None", "velocity", "stress"])
     checks.equal("glyphs of the second step", session.statistics(shown)["glyphs"], 20)
     pv.Delete(view)
 
@@ -181,8 +181,8 @@ def steps(checks):
         sources = [pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=STEPS % (counts, having),
                                          ScriptRequestInformation=scale_guess.TIMES % (times, times[0], times[-1])) for _ in range(3)]
         view.ViewTime = 0.0
-        shown = session.glyphs(sources[0], view, GlyphScaling=1)
-        chosen = session.glyphs(sources[1], view, GlyphScaling=1, GlyphScaleArray="velocity", GlyphOrientationArray="radius")
+        shown = session.glyphs(sources[0], view, ScaleMode="Magnitude")
+        chosen = session.glyphs(sources[1], view, ScaleMode="Magnitude", SelectScaleArray="velocity", SelectOrientationVectors="radius")
         tubes = session.show(sources[2], view, "Ray Traced Tubes")
         session.messages(lambda: pv.Render(view))
         found = [arrays(shown)]
@@ -191,7 +191,7 @@ def steps(checks):
             said = session.messages(lambda: pv.Render(view))
             found.append(arrays(shown))
             if time == 1.0:
-                checks.equal("%s first: factor at time 1" % what, shown.GlyphScaleFactor, 2.0)
+                checks.equal("%s first: factor at time 1" % what, shown.ScaleFactor, 2.0)
                 checks.equal("%s first: array that a script has chosen" % what, arrays(chosen)[0], "velocity")
                 checks.equal("%s first: direction that a script has chosen" % what, arrays(chosen)[1], "radius")
         if 0 not in having:
@@ -208,12 +208,12 @@ def other_data(checks):
     """Other data at the same time may have others."""
     view = session.view(40, 30)
     source = session.source(data("radius:1 velocity:3 mass:1"))
-    shown = session.glyphs(source, view, GlyphScaling=1)
+    shown = session.glyphs(source, view, ScaleMode="Magnitude")
     pv.Render(view)
     session.replace_data(source, data("mass:1 force:3 stress:6"))
     checks.no_message("other arrays", session.messages(lambda: pv.Render(view)))
     checks.equal("arrays of other data", arrays(shown), ["force", "force", "stress", "None"])
-    shown.GlyphScaleArray = "mass"
+    shown.SelectScaleArray = "mass"
     session.replace_data(source, data("radius:1 mass:1 velocity:3"))
     pv.Render(view)
     checks.equal("arrays of other data, one being chosen", arrays(shown), ["mass", "velocity", "None", "velocity"])
@@ -224,13 +224,13 @@ def files(checks):
     """A legacy file without active vectors: arrows follow its velocity."""
     view = session.view(40, 30)
     shown = session.glyphs(pv.OpenDataFile(os.environ["RTGLYPHS_DATA"] + "/impact/impact_04.vtk"), view)
-    checks.equal("arrays of impact_04.vtk", arrays(shown), ["diameter", "velocity", "stress", "velocity"])
-    scale = shown.SMProxy.GetProperty("GlyphScaleArray")
-    for name, value, wanted in (("GlyphShape", "Arrow", "velocity"), ("GlyphShape", "Box", "diameter"), ("GlyphScaling", 1, "diameter"),
-                                ("GlyphShape", "Arrow", "diameter"), ("GlyphScaling", 0, "diameter"), ("GlyphShape", "Cone", "diameter"),
-                                ("GlyphScaleArray", "acceleration", "acceleration"), ("GlyphShape", "Arrow", "acceleration")):
+    checks.equal("arrays of impact_04.vtk", arrays(shown), ["None", "velocity", "stress", "velocity"])
+    scale = shown.SMProxy.GetProperty("SelectScaleArray")
+    for name, value, wanted in (("GlyphType", "Box", "None"), ("ScaleMode", "Magnitude", "diameter"),
+                                ("GlyphType", "Arrow", "diameter"), ("ScaleMode", "No Data Scaling Off", "diameter"),
+                                ("SelectScaleArray", "acceleration", "acceleration"), ("GlyphType", "Arrow", "acceleration")):
         setattr(shown, name, value)
-        checks.equal("GlyphScaleArray of impact_04.vtk after %s = %s" % (name, value), scale.GetElement(0), wanted)
+        checks.equal("SelectScaleArray of impact_04.vtk after %s = %s" % (name, value), scale.GetElement(0), wanted)
     pv.Delete(view)
 
 
@@ -242,16 +242,16 @@ def exact_sizes(checks):
     for name, values, factor in (("radius", radii, 2.0), ("my_diameter", 2.0 * radii, 1.0), ("Radius", radii, 2.0)):
         view = session.view(width, height)
         shown = session.glyphs(session.source(session.poly_data(points, **{name: values})), view)
-        shown.GlyphScaling = 1
+        shown.ScaleMode = "Magnitude"
         session.look(view, (0.0, 0.0, 30.0), parallel_scale=scale)
         pixels = session.capture(view, "array-choice-" + name)
-        checks.equal("factor with the array " + name, shown.GlyphScaleFactor, factor)
+        checks.equal("factor with the array " + name, shown.ScaleFactor, factor)
         pixel = 2.0 * scale / height
         wanted = numpy.pi * (radii**2).sum() / pixel**2
         checks.within("pixels of spheres with the array " + name, float(comparison.covered(pixels).sum()), 0.98 * wanted, 1.02 * wanted)
         shown.GlyphScaleFunction = "Square Root"
         pv.Render(view)
-        checks.true("the square roots of %s count as exact" % name, shown.GlyphScaleFactor not in (1.0, 2.0))
+        checks.true("the square roots of %s count as exact" % name, shown.ScaleFactor not in (1.0, 2.0))
         pv.Delete(view)
 
 

@@ -43,8 +43,8 @@ def main():
         vectors = numpy.zeros((len(everywhere), 3))
         vectors[:, 0] = everywhere * unit
         data = session.source(session.poly_data(points, vectors=vectors))
-        shown = session.glyphs(data, view, "Arrow", GlyphOrientationArray="vectors", GlyphScaling=1, GlyphScaleArray="vectors",
-                               GlyphScaleFactor=1.0 / unit, ArrowTipRadius=0.25)
+        shown = session.glyphs(data, view, "Arrow", ArrowHeads="Fixed", SelectOrientationVectors="vectors", ScaleMode="Magnitude", SelectScaleArray="vectors",
+                               ScaleFactor=1.0 / unit, **{"GlyphType.TipRadius": 0.25})
         session.solid(shown, (0.3, 0.6, 0.9))
 
         def expect(what, reference):
@@ -63,8 +63,8 @@ def main():
         shown.ArrowReferenceMagnitude = 0.0
         if (expect("high again", high * unit) != pictures[-1]).any():
             failures.append("unit %g: the automatic reference does not come back" % unit)
-        shown.GlyphScaling = 0
-        shown.GlyphScaleFactor = 1.0
+        shown.ScaleMode = "No Data Scaling Off"
+        shown.ScaleFactor = 1.0
         found, _ = thickness(view, "arrow-reference-%g-off" % unit, lengths)
         if max(abs(f - PIXELS * 0.5) for f in found) > 1.5:
             failures.append("unit %g, without scaling: heads are %s pixels wide, not %g" % (unit, found, PIXELS * 0.5))

@@ -43,7 +43,7 @@ def line(x):
 #: what a block is made of, and properties
 REPRESENTATIONS = {
     "Surface": (square, {}),
-    "Ray Traced Glyphs": (point, {"GlyphShape": "Sphere", "GlyphScaleFactor": 1.0}),
+    "Ray Traced Glyphs": (point, {"GlyphType": "Sphere", "ScaleFactor": 1.0}),
     "Ray Traced Surface": (square, {}),
     "Ray Traced Tubes": (line, {"TubeRadius": 0.4}),
 }

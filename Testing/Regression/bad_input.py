@@ -28,7 +28,7 @@ class Case:
         """Draws data; visible: x positions (of -1, 0, 1) where a glyph must be seen; message: words of the only message;
         skipped: how many points RenderStatistics must count as left out."""
         def twice():
-            self.stage.show(data, shape, **{"GlyphOrient": 0, "GlyphScaleFactor": 0.5, **properties})
+            self.stage.show(data, shape, **{"Orient": 0, "ScaleFactor": 0.5, **properties})
             pv.Render(self.view)
             session.look(self.view, (0.0, 0.0, 6.001))
             pv.Render(self.view)
@@ -66,23 +66,23 @@ def degenerate(case):
 
     def scaled(name, scale):
         case.render(name, session.poly_data(LINE, size=numpy.array([1.0, scale, 1.0])), (-1, 1), ("1 of 3", "'size'", "not finite"),
-                    GlyphScaling=1, GlyphScaleArray="size", GlyphScaleMode="Magnitude")
+                    SelectScaleArray="size", ScaleMode="Magnitude")
 
     # Not both scales one after another: what is wrong in the same words is said once.
     scaled("NaN scale", nothing)
     case.render("NaN position", session.poly_data(broken), (-1, 1), ("1 of 3",))
     scaled("infinite scale", infinity)
     case.render("negative scale", session.poly_data(LINE, size=numpy.array([1.0, -1.0, 1.0])), (-1, 0, 1), None,
-                GlyphScaling=1, GlyphScaleArray="size", GlyphScaleMode="Magnitude")
+                SelectScaleArray="size", ScaleMode="Magnitude")
     # A box, because spheres of one size are not turned and need no vector.
     case.render("NaN vector", session.poly_data(LINE, v=numpy.array([[1, 0, 0], [nothing, 0, 0], [0, 1, 0.0]])), (-1, 1), ("1 of 3",),
-                shape="Box", GlyphOrient=1, GlyphOrientationArray="v", GlyphOrientationMode="Direction")
+                shape="Box", Orient=1, SelectOrientationVectors="v", OrientationMode="Direction")
 
 
 def zeros(case):
     """Scales, directions and tensors of zero are ordinary: counted, and spoken of only where no glyph is left."""
     for name, property_name, properties in (
-            ("scale", "GlyphScaleArray", {"GlyphScaling": 1}), ("vector", "GlyphOrientationArray", {"shape": "Cone", "GlyphOrient": 1, "GlyphScaleFactor": 0.9}),
+            ("scale", "SelectScaleArray", {"ScaleMode": "Magnitude"}), ("vector", "SelectOrientationVectors", {"shape": "Cone", "Orient": 1, "ScaleFactor": 0.9}),
             ("tensor", "GlyphTensorArray", {"shape": "Tensor Ellipsoid"})):
         values = {"scale": numpy.ones(3), "vector": numpy.eye(3), "tensor": numpy.tile(numpy.eye(3).ravel(), (3, 1))}[name]
         some, none, bad = values.copy(), 0.0 * values, values.copy()
@@ -93,16 +93,16 @@ def zeros(case):
         case.render("all zero " + name, session.poly_data(LINE, a=none), (), ("3 of 3", "is zero", "'a'"), skipped=3, **properties)
         case.render("zero and NaN " + name, session.poly_data(LINE, a=bad), (1,), ("1 of 3", "not finite"), skipped=2, **properties)
     case.render("boxes without direction", session.poly_data(LINE, a=numpy.zeros((3, 3))), (-1, 0, 1), None, skipped=0,
-                shape="Box", GlyphOrient=1, GlyphOrientationArray="a")
+                shape="Box", Orient=1, SelectOrientationVectors="a")
 
 
 def arrays(case):
     """Arrays that are missing or have the wrong number of components are named in the message."""
     data = session.poly_data(LINE, scalar=numpy.ones(3))
     case.render("missing array", data, (-1, 0, 1), ("nonesuch",),
-                GlyphScaling=1, GlyphScaleArray="nonesuch", GlyphScaleMode="Magnitude")
+                SelectScaleArray="nonesuch", ScaleMode="Magnitude")
     case.render("wrong components", session.poly_data(LINE, scalar=numpy.ones(3)), (-1, 0, 1), ("scalar", "1"),
-                GlyphOrient=1, GlyphOrientationArray="scalar", GlyphOrientationMode="Quaternion")
+                Orient=1, SelectOrientationVectors="scalar", OrientationMode="Quaternion")
 
 
 def amounts(case):
@@ -115,7 +115,7 @@ def amounts(case):
 def sizes(case):
     """A view of one pixel renders and comes back."""
     points = session.source(session.poly_data(LINE))
-    shown = session.glyphs(points, case.view, GlyphOrient=0, GlyphScaleFactor=0.5)
+    shown = session.glyphs(points, case.view, Orient=0, ScaleFactor=0.5)
     for size in ([1, 1], [1, 200], [200, 100]):
         case.view.ViewSize = size
         text = session.messages(lambda: pv.Render(case.view))
@@ -129,7 +129,7 @@ def settings(case):
     """Numbers out of range count as the nearest that makes sense, NaN as the default: the picture is that of those."""
     points = session.source(session.poly_data(LINE))
     # One representation for all, which is what a fresh one takes longest for.
-    shown = session.glyphs(points, case.view, GlyphOrient=0, GlyphScaleFactor=0.9, samples=2)
+    shown = session.glyphs(points, case.view, Orient=0, ScaleFactor=0.9, samples=2)
     nothing = numpy.nan
     # The number before is another one, which a bad value that is not heeded would leave.
     for name, mode, bad, good, before in (

@@ -31,8 +31,8 @@ def check(checks, name, array, **properties):
     """Camera, clipping range and axes grid of one kind of glyphs."""
     view = session.view(160, 120)
     source = session.source(session.poly_data(POINTS, t=array, s=SCALES))
-    shown = session.glyphs(source, view, "Tensor Ellipsoid", GlyphTensorArray="t", GlyphScaling=1, GlyphScaleArray="s",
-                           GlyphScaleFactor=WIDTH, **properties)
+    shown = session.glyphs(source, view, "Tensor Ellipsoid", GlyphTensorArray="t", ScaleMode="Magnitude", SelectScaleArray="s",
+                           ScaleFactor=WIDTH, **properties)
     session.solid(shown, (0.9, 0.8, 0.3))
     session.look(view, (0.0, 0.0, 5.0))
     view.AxesGrid.Visibility = 1
@@ -59,12 +59,12 @@ def check(checks, name, array, **properties):
 def check_shrinking(checks):
     """Glyphs that have become smaller: the clipping range is theirs at once, so that an edit without effect traces nothing."""
     view = session.view(160, 120)
-    shown = session.glyphs(session.source(session.poly_data(POINTS)), view, "Box", GlyphOrient=0, GlyphScaleFactor=2.0)
+    shown = session.glyphs(session.source(session.poly_data(POINTS)), view, "Box", Orient=0, ScaleFactor=2.0)
     session.look(view, (0.0, 0.0, 5.0))
     pv.Render(view)
     ranges, traced = [], []
     for factor, heads in ((0.2, "Fixed"), (0.2, "Scaled")):
-        shown.GlyphScaleFactor, shown.ArrowHeads = factor, heads
+        shown.ScaleFactor, shown.ArrowHeads = factor, heads
         pv.Render(view)
         ranges.append(view.SMProxy.GetRenderer().GetActiveCamera().GetClippingRange())
         traced.append(session.statistics(shown)["dispatches"])

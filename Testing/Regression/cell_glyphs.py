@@ -75,16 +75,16 @@ def offered(shown, name):
 
 def lists(checks, stage, data):
     """They follow GlyphLocation both ways."""
-    shown = stage.show(data, "Sphere", GlyphOrient=0)
+    shown = stage.show(data, "Sphere", Orient=0)
     for location, wanted, other in (("Points", "of points", "size"), ("Cells", "size", "of points"), ("Points", "of points", "size")):
         stage.settings.add({"GlyphLocation": location})
-        found = offered(shown, "GlyphScaleArray")
-        checks.true("%s: GlyphScaleArray offers %s" % (location, found), wanted in found and other not in found)
+        found = offered(shown, "SelectScaleArray")
+        checks.true("%s: SelectScaleArray offers %s" % (location, found), wanted in found and other not in found)
 
 
 def pictures(checks, what, stages):
     """Of cells, beside those of points at their centers; stages: by GlyphLocation, with their data and hidden."""
-    cases = (("size", "Sphere", {"GlyphScaling": 1, "GlyphScaleArray": "size", "GlyphOrient": 0}), ("direction", "Arrow", {"GlyphOrientationArray": "flow"}),
+    cases = (("size", "Sphere", {"ScaleMode": "Magnitude", "SelectScaleArray": "size", "Orient": 0}), ("direction", "Arrow", {"SelectOrientationVectors": "flow"}),
              ("tensor", "Tensor Ellipsoid", {"GlyphTensorArray": "stress"}))
     for name, shape, properties in cases:
         seen = []
@@ -93,7 +93,7 @@ def pictures(checks, what, stages):
             shown = settings.shown
 
             def draw():
-                settings.set({"Visibility": 1, "GlyphLocation": location, "GlyphShape": shape, "GlyphScaleFactor": 0.5, **properties})
+                settings.set({"Visibility": 1, "GlyphLocation": location, **session.shaped(shape), "ScaleFactor": 0.5, **properties})
                 pv.ColorBy(shown, (association, "size"))
                 shown.LookupTable.RescaleTransferFunction(0.0, 1.0)
                 shown.SetScalarBarVisibility(view, False)
@@ -110,7 +110,7 @@ def pictures(checks, what, stages):
 
 def selecting(checks, stage, what, data, centers, numbers):
     """Cells are selected, also where points are asked for."""
-    stage.show(data, "Sphere", GlyphScaleFactor=0.5, GlyphLocation="Cells", GlyphOrient=0)
+    stage.show(data, "Sphere", ScaleFactor=0.5, GlyphLocation="Cells", Orient=0)
     view = stage.view
     pv.Render(view)
     for number in numbers:
@@ -127,7 +127,7 @@ def blocks(checks, view):
     data.SetBlock(0, grid()[0])
     data.SetBlock(1, session.poly_data(numpy.zeros((2, 3))))
     data.SetBlock(2, image()[0])
-    shown = session.glyphs(session.source(data), view, GlyphLocation="Cells", GlyphOrient=0)
+    shown = session.glyphs(session.source(data), view, GlyphLocation="Cells", Orient=0)
     said = session.messages(lambda: pv.Render(view))
     checks.no_message("blocks", said)
     checks.equal("blocks: glyphs", session.statistics(shown)["glyphs"], 8)

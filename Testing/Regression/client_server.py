@@ -9,6 +9,7 @@ import socket
 import subprocess
 import sys
 
+import numpy
 import paraview.simple as pv
 
 import comparison
@@ -26,13 +27,13 @@ def scene(folder):
     """Particles spread over the ranks as arrows and spheres, on an opaque surface; (view, both representations)."""
     view = session.view(300, 200)
     spread = session.spread(folder + "/impact/impact_04.vtk")
-    spheres = session.glyphs(spread, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
-                             GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
+    spheres = session.glyphs(spread, view, "Sphere", Orient=0, SelectScaleArray="diameter",
+                             ScaleMode="Magnitude", ScaleFactor=1.0)
     session.solid(spheres, (0.9, 0.7, 0.3))
     lifted = pv.Transform(Input=spread)
     lifted.Transform.Translate = [0.0, 0.0, 12.0]
-    arrows = session.glyphs(lifted, view, "Arrow", GlyphOrientationArray="velocity", GlyphScaling=1,
-                            GlyphScaleArray="velocity", GlyphScaleFactor=0.2)
+    arrows = session.glyphs(lifted, view, "Arrow", ArrowHeads="Fixed", SelectOrientationVectors="velocity", ScaleMode="Magnitude",
+                            SelectScaleArray="velocity", ScaleFactor=0.2)
     pv.ColorBy(arrows, ("POINTS", "velocity"))
     arrows.SetScalarBarVisibility(view, False)
     ball = pv.Show(pv.Sphere(Center=[14.0, 14.0, 4.0], Radius=8.0, ThetaResolution=64, PhiResolution=64), view)
@@ -45,10 +46,10 @@ def scene(folder):
 def legends():
     """Legends of arrows, whose heads depend on the scales of all of them, and of a mesh: the client that draws them may have no points."""
     view = session.view(200, 150)
-    for shape, corner, further in (("Arrow", "Lower Left", {}), ("Mesh", "Upper Right", {"GlyphMesh": pv.Box(XLength=3.0, YLength=0.5)})):
+    for shape, corner, further in (("Arrow", "Lower Left", {}), ("Mesh", "Upper Right", {"GlyphType": session.triangles(pv.Box(XLength=3.0, YLength=0.5))})):
         sizes = pv.Calculator(Input=pv.Sphere(ThetaResolution=6, PhiResolution=5), Function="0.001*(coordsX+2)", ResultArrayName="size")
-        shown = session.glyphs(sizes, view, shape, GlyphOrientationArray="Normals", GlyphScaling=1, GlyphScaleArray="size", GlyphScaleFactor=300.0,
-                               GlyphLegend=1, GlyphLegendValue=0.002, GlyphLegendCorner=corner, GlyphLegendColor=[0.0, 1.0, 0.0], **further)
+        shown = session.glyphs(sizes, view, shape, ArrowHeads="Fixed", SelectOrientationVectors="Normals", ScaleMode="Magnitude", SelectScaleArray="size",
+                               ScaleFactor=300.0, GlyphLegend=corner, GlyphLegendValue=0.002, GlyphLegendColor=[0.0, 1.0, 0.0], **further)
         session.solid(shown, (1.0, 0.0, 0.0))
     session.look(view, (0.0, 0.0, 6.0))
     pv.Render(view)
@@ -63,6 +64,25 @@ def exported(view, name):
         os.remove(path)
     raytracedglyphs.ExportGlyphs(path, view)
     return sorted((part.name, len(part.positions)) for parts in export.from_gltf(path) for part in parts)
+
+
+def places(view):
+    """What ParaView picks in space at some pixels: where a center of rotation or a widget's point would come to lie."""
+    width, height = view.ViewSize
+    found = {}
+    for x in range(width // 8, width, width // 8):
+        for y in range(height // 8, height, height // 8):
+            place, normal = [0.0] * 3, [0.0] * 3
+            if view.SMProxy.ConvertDisplayToPointOnSurface([x, y], place, normal, False):
+                found[x, y] = place
+    return found
+
+
+def check_places(found, expected, what):
+    """The same as without a server."""
+    print("%s: %d places picked, %d expected" % (what, len(found), len(expected)))
+    apart = [pixel for pixel in expected if pixel not in found or numpy.abs(numpy.subtract(found[pixel], expected[pixel])).max() > 1e-3]
+    return ["%s: %d of %d places picked in space are others" % (what, len(apart), len(expected))] if apart or len(expected) < 5 else []
 
 
 def start(command, log_name):
@@ -112,6 +132,7 @@ def main(folder, server):
     test = "client-server" + ("-ranks" if len(server) > 1 else "")
     log_name = test + ".log"
     expected = session.capture(view, test + "-none")
+    expected_places = places(view)
     expected_copies = exported(view, test + "-none")
     expected_blocks = [session.capture(block_view, picture) for picture, block_view in parallel.block_pictures(test + "-none")]
     expected_legends = session.capture(legends(), test + "-legends-none")
@@ -128,6 +149,7 @@ def main(folder, server):
             view.RemoteRenderThreshold = threshold
             pv.Render(view)
             failures += check_statistics(spheres, where) + check_statistics(arrows, where)
+            failures += check_places(places(view), expected_places, where)
             legend_view = legends()
             legend_view.RemoteRenderThreshold = threshold
             pv.Render(legend_view)

@@ -42,7 +42,7 @@ def main():
     view = pv.CreateView("ComparativeRenderView")
     pv.AssignViewToLayout(view, layout, hint=0)
     view.Dimensions = [2, 1]
-    shown = session.glyphs(cloud(10000), view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.05)
+    shown = session.glyphs(cloud(10000), view, "Sphere", Orient=0, ScaleFactor=0.05)
     shown.ShadingMode, shown.SamplesPerPixel = "Ambient Occlusion", SAMPLES[0]
     pv.ResetCamera(view)
     pv.Render(view)

@@ -53,7 +53,7 @@ def main():
     wall = pv.Show(pv.Plane(Origin=[-1.0, -1.0, 0.0], Point1=[0.0, -1.0, 0.0], Point2=[-1.0, 1.0, 0.0]), view)
     wall.Representation = "Surface"
     session.solid(wall, (0.2, 0.3, 0.9))
-    shown = stepwise(session.glyphs(cloud(), view, "Superquadric", samples=2, GlyphOrient=0, GlyphScaleFactor=0.3))
+    shown = stepwise(session.glyphs(cloud(), view, "Superquadric", samples=2, Orient=0, ScaleFactor=0.3))
     session.solid(shown, (0.9, 0.6, 0.3))
     session.look(view, (0.0, 0.0, 6.0))
     pv.Render(view)
@@ -70,7 +70,7 @@ def main():
 
     # It lies beside what the camera sees, far behind the wall.
     far = session.source(session.poly_data(numpy.array([[500.0, 0.0, -200.0]])))
-    other = session.glyphs(far, view, "Cone", GlyphOrient=0, GlyphScaleFactor=1.0)
+    other = session.glyphs(far, view, "Cone", Orient=0, ScaleFactor=1.0)
     stepwise(other)
     session.look(view, (0.0, 0.0, 6.0))
     pictures = while_compiling(view, shown)
@@ -89,7 +89,7 @@ def main():
         checks.covered("another camera: while programs are compiled", seen, 0.0, 0.0)
     checks.covered("another camera", finished(checks, view, shown, "another camera"), 0.2)
 
-    shown.GlyphShape = "Box"
+    session.assign_shape(shown, "Box")
     window, said, saved = view.SMProxy.GetRenderWindow(), [], []
     observer = window.AddObserver("AbortCheckEvent", lambda *_: window.SetAbortRender(1))
     said.append(session.messages(lambda: saved.append(session.capture(view, "compiling-aborted"))))

@@ -23,7 +23,7 @@ def grid():
 
 def ours(points, view):
     """The grid as ray-traced glyphs."""
-    return session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.8)
+    return session.glyphs(points, view, "Sphere", Orient=0, ScaleFactor=0.8)
 
 
 def theirs(points, view):

@@ -130,7 +130,7 @@ def kinds(view):
     failures, expected = [], None
     for name, make in KINDS.items():
         points = session.source(make())
-        shown = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.5)
+        shown = session.glyphs(points, view, "Sphere", Orient=0, ScaleFactor=0.5)
         session.solid(shown, (1.0, 1.0, 0.0))
         pv.Render(view)
         pixels = session.capture(view, "data-" + name.replace(" ", "-"))
@@ -184,7 +184,7 @@ def other_sources(view):
             continue
 
         def draw():
-            shown = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.3)
+            shown = session.glyphs(points, view, "Sphere", Orient=0, ScaleFactor=0.3)
             session.solid(shown, (1.0, 1.0, 0.0))
             pv.ResetCamera(view)
             pv.Render(view)

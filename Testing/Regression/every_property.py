@@ -72,7 +72,7 @@ def others(change):
 
 def legend(wanted, right=False, upper=False):
     """Width of the legend's green glyph in world units, and where it stands."""
-    @needing(GlyphLegend=1, GlyphLegendColor=GREEN, DiffuseColor=RED)
+    @needing(GlyphLegend="Lower Left", GlyphLegendColor=GREEN, DiffuseColor=RED)
     def claim(change):
         mask = (numpy.abs(change.after - GREEN).max(axis=2) < 0.5)[::-1]
         change.within("width of the legend's glyph", glyph_legend.longest_run(mask) * 2.0 * SCENES[change.row.scene][2] / SIDE, wanted, 0.03)
@@ -169,72 +169,68 @@ PATHS = {"ShadingMode": "Path Tracing", **UNIFORM}
 OCCLUSION = {"ShadingMode": "Ambient Occlusion", **UNIFORM}
 #: local shading of a material that shines by itself: the color and nothing else
 FLAT = {"ShadingMode": "Local", "Ambient": 1.0, "Diffuse": 0.0, "AmbientColor": [0.8] * 3}
-MIRROR = {**PATHS, "PathRoughness": 0.0, "DiffuseColor": [0.2] * 3}
-COATED = {**PATHS, "DiffuseColor": BLACK, "PathCoatStrength": 1.0}
+MIRROR = {**PATHS, "Roughness": 0.0, "DiffuseColor": [0.2] * 3}
+COATED = {**PATHS, "DiffuseColor": BLACK, "CoatStrength": 1.0}
 SHINY = {"Specular": 0.5, "SpecularPower": 20.0}
-ARROW = {"GlyphShape": "Arrow", "ArrowTipRounding": 0.0, "scene": "arrow"}
+ARROW = {"GlyphType": "Arrow", "scene": "arrow"}
 TENSOR = {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor"}
 HARMONICS = {"GlyphShape": "Spherical Harmonics", "GlyphHarmonicsArray": "round"}
 BLUR = {"MotionBlur": 1, "VelocityArray": "velocity", "ShutterTime": 1.0, "scene": "small"}
 STEPS = {**WHITE, **BLUR, "VelocityArray": "None", "ShutterOpening": "Backward"}
-TURNED = {"scene": "two", "GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationMode": "Rotation", "GlyphOrientationArray": "angles"}
-MASKED = {"scene": "crowd", "GlyphMask": 1, "MaximumNumberOfGlyphs": 20}
+TURNED = {"scene": "two", "GlyphType": "Box", "Orient": 1, "OrientationMode": "Rotation", "SelectOrientationVectors": "angles"}
+MASKED = {"scene": "crowd", "GlyphMode": "Random", "MaximumNumberOfGlyphs": 20}
+#: fixed heads of an arrow that is half as long as the one of reference
+TWICE = as_with(**{"ArrowHeads": "Fixed", "ArrowReferenceMagnitude": 0.5, "GlyphType.TipLength": 0.7, "GlyphType.TipRadius": 0.2, "GlyphType.ShaftRadius": 0.06})
 FIRST, SECOND = "/Root/Block0", "/Root/Block1"
 
 ROWS = [
     # Shape and size; areas are those of the profiles.
-    Row("GlyphShape", "Box", area(1.0)),
+    Row("GlyphShape", "Capsule", area(DISC / 4.0 + 0.25), scene="small"),
     Row("GlyphLocation", "Cells", both(glyphs(1), area(DISC / 4.0)), scene="quad"),
-    Row("GlyphMesh", "Box", as_with(GlyphShape="Box"), GlyphShape="Mesh"),
-    Row("GlyphMeshTable", 1, area(1.0, 0.25), scene="two", GlyphShape="Mesh", GlyphMesh=forms, GlyphMeshIndexArray="index"),
-    Row("GlyphMeshIndexArray", "other index", area(0.25, 1.0), scene="two", GlyphShape="Mesh", GlyphMesh=forms, GlyphMeshTable=1,
-        **{"GlyphMeshIndexArray": "index"}),
-    Row("GlyphScaleFactor", 0.5, area(DISC / 4.0)),
+    Row("GlyphType", "Box", area(1.0)),
+    Row("UseCompositeGlyphTable", 1, area(1.0, 0.25), scene="two", GlyphType=forms, UseGlyphTable=1, GlyphTableIndexArray="index"),
+    Row("UseGlyphTable", 1, area(1.0, 0.25), scene="two", GlyphType=forms, UseCompositeGlyphTable=1, GlyphTableIndexArray="index"),
+    Row("GlyphTableIndexArray", "other index", area(0.25, 1.0), scene="two", GlyphType=forms, UseGlyphTable=1, UseCompositeGlyphTable=1,
+        **{"GlyphTableIndexArray": "index"}),
+    Row("ScaleFactor", 0.5, area(DISC / 4.0)),
     # A fifth of the longest side, which is 1.2.
-    Row("GlyphScaleFactorFromData", 1, reads("GlyphScaleFactor", 0.24), scene="two", back=False),
-    Row("GlyphScaleGuess", LEFT, reads("GlyphScaleGuess", [0.24, 0.0]), scene="two", GlyphScaleFactorFromData=1),
-    Row("GlyphDataSizesInfo", LEFT, reads("GlyphDataSizesInfo", [0.5, 1.0, 1.0]), GlyphShape="Arrow", GlyphScaling=1, GlyphScaleArray="half", GlyphMesh=forms),
-    Row("GlyphScaling", 1, area(DISC / 4.0, DISC), scene="two", GlyphScaleArray="size"),
-    Row("GlyphScaleArray", "quarter", area(DISC / 16.0, DISC / 16.0), scene="two", GlyphScaling=1, **{"GlyphScaleArray": "size"}),
-    Row("GlyphScaleMode", "Components", area(DISC / 2.0), GlyphScaling=1, GlyphScaleArray="lengths"),
-    Row("GlyphScaleMode", "Components", as_3d_glyphs(Scaling=1, ScaleMode="Vector Components", SelectScaleArray="lengths"), GlyphScaling=1,
-        GlyphScaleArray="lengths"),
-    Row("GlyphScaleFunction", "Square Root", area(DISC / 4.0), GlyphScaling=1, GlyphScaleArray="quarter"),
-    # log10(1 + 0.25 / (0.25 / 9)) = 1
-    Row("GlyphScaleReference", 0.25 / 9.0, area(DISC), GlyphScaling=1, GlyphScaleArray="quarter", GlyphScaleFunction="Logarithm"),
+    Row("ScaleFactorFromData", 1, reads("ScaleFactor", 0.24), scene="two", back=False),
+    Row("ScaleFactorGuess", LEFT, reads("ScaleFactorGuess", [0.24, 0.0]), scene="two", ScaleFactorFromData=1),
+    Row("GlyphDataSizesInfo", LEFT, reads("GlyphDataSizesInfo", [0.0, 1.0, 1.0]), GlyphType=forms),
+    Row("Scaling", 0, area(DISC), ScaleFactor=0.5),
+    Row("ScaleMode", "Magnitude", area(DISC / 4.0, DISC), scene="two", SelectScaleArray="size"),
+    Row("SelectScaleArray", "quarter", area(DISC / 16.0, DISC / 16.0), scene="two", ScaleMode="Magnitude", **{"SelectScaleArray": "size"}),
+    Row("ScaleMode", "Vector Components", area(DISC / 2.0), SelectScaleArray="lengths"),
+    Row("ScaleMode", "Vector Components", as_3d_glyphs(Scaling=1, ScaleMode="Vector Components", SelectScaleArray="lengths"), SelectScaleArray="lengths"),
+    Row("GlyphScaleFunction", "Square Root", area(DISC / 4.0), ScaleMode="Magnitude", SelectScaleArray="quarter"),
     Row("GlyphSizeRange", [0.0, 0.5], area(DISC / 4.0)),
-    Row("GlyphRadiusArray", "quarter", area(0.5), GlyphShape="Box"),
-    Row("GlyphRadiusFactor", 0.5, area(0.25), GlyphShape="Box", GlyphRadiusArray="quarter"),
-    Row("GlyphAnchor", "Tip", moved(-0.25, 0.0), scene="small", GlyphShape="Box"),
-    Row("GlyphOrient", 0, as_3d_glyphs(), **TURNED),
-    Row("GlyphOrientationArray", "lengths", as_3d_glyphs(Orient=1, OrientationMode="Direction", SelectOrientationVectors="lengths"),
-        **{**TURNED, "GlyphOrientationMode": "Direction"}),
-    Row("GlyphOrientationArray", "quaternion", as_3d_glyphs(Orient=1, OrientationMode="Quaternion", SelectOrientationVectors="quaternion"),
-        **{**TURNED, "GlyphOrientationMode": "Quaternion", "GlyphOrientationArray": "axes"}),
-    Row("GlyphOrientationMode", "Rotation", as_3d_glyphs(Orient=1, OrientationMode="Rotation", SelectOrientationVectors="angles"),
-        **{**TURNED, "GlyphOrientationMode": "Direction"}),
+    Row("GlyphRadiusArray", "quarter", area(0.5), GlyphType="Box"),
+    Row("GlyphRadiusFactor", 0.5, area(0.25), GlyphType="Box", GlyphRadiusArray="quarter"),
+    Row("GlyphAnchor", "Tip", moved(-0.25, 0.0), scene="small", GlyphType="Box"),
+    Row("Orient", 0, as_3d_glyphs(), **TURNED),
+    Row("SelectOrientationVectors", "lengths", as_3d_glyphs(Orient=1, OrientationMode="Direction", SelectOrientationVectors="lengths"),
+        **{**TURNED, "OrientationMode": "Direction"}),
+    Row("SelectOrientationVectors", "quaternion", as_3d_glyphs(Orient=1, OrientationMode="Quaternion", SelectOrientationVectors="quaternion"),
+        **{**TURNED, "OrientationMode": "Quaternion", "SelectOrientationVectors": "axes"}),
+    Row("OrientationMode", "Rotation", as_3d_glyphs(Orient=1, OrientationMode="Rotation", SelectOrientationVectors="angles"),
+        **{**TURNED, "OrientationMode": "Direction"}),
     Row("GlyphExponents", [1.0] * 3, area(0.5), GlyphShape="Superquadric"),
     Row("GlyphExponentArray", "exponents", area(0.5), GlyphShape="Superquadric"),
-    # Before, |2x|^2 + |2y| = 1 encloses 2/3.
-    Row("GlyphExponentForm", "Nested", area(0.5), GlyphShape="Superquadric", GlyphExponents=[2.0, 1.0, 2.0]),
     Row("GlyphOpacityArray", "half", as_with(Opacity=0.5, GlyphOpacityArray="None")),
-    Row("ArrowShaftRadius", 0.06, area(0.65 * 0.12 + 0.035), **ARROW),
-    Row("ArrowTipRadius", 0.2, area(0.65 * 0.06 + 0.07), **ARROW),
-    Row("ArrowTipLength", 0.5, area(0.5 * 0.06 + 0.05), **ARROW),
-    Row("ArrowTipRounding", 0.0, area(0.65 * 0.06 + 0.035), **{**ARROW, "ArrowTipRounding": 0.5}),
-    Row("ArrowHeads", "Scaled", area((0.65 * 0.06 + 0.035) / 4.0), GlyphScaling=1, GlyphScaleArray="size", ArrowReferenceMagnitude=1.0, **ARROW),
-    Row("ArrowReferenceMagnitude", 1.0, area(0.15 * 0.06 + 0.035), GlyphScaling=1, GlyphScaleArray="size", **ARROW),
-    Row("GlyphMask", 1, glyphs(20), **{**MASKED, "GlyphMask": 0}),
+    # The head of an arrow twice as long
+    Row("ArrowHeads", "Fixed", TWICE, ScaleMode="Magnitude", SelectScaleArray="size", ArrowReferenceMagnitude=1.0, **ARROW),
+    Row("ArrowHeads", "Scaled", area((0.65 * 0.06 + 0.035) / 4.0), ScaleMode="Magnitude", SelectScaleArray="size", ArrowReferenceMagnitude=1.0, **ARROW,
+        **{"ArrowHeads": "Fixed"}),
+    Row("ArrowReferenceMagnitude", 1.0, TWICE, ScaleMode="Magnitude", SelectScaleArray="size", ArrowHeads="Fixed", **ARROW),
+    Row("GlyphMode", "Random", glyphs(20), **{**MASKED, "GlyphMode": "All Points"}),
     Row("MaximumNumberOfGlyphs", 37, glyphs(37), **MASKED),
-    Row("GlyphSeed", 7, others, ColorArrayName=["POINTS", "own"], MapScalars=0, Ambient=1.0, Diffuse=0.0, **MASKED),
-    Row("GlyphMaskMode", "Every Nth", glyphs(6), **MASKED),
-    Row("GlyphMaskMode", "Even in Space", glyphs(20), **{**MASKED, "GlyphMaskMode": "Every Nth"}),
-    Row("GlyphStride", 4, glyphs(15), **{**MASKED, "GlyphMaskMode": "Every Nth"}),
+    Row("GlyphMode", "Every Nth", glyphs(6), **MASKED),
+    Row("GlyphMode", "Even in Space", glyphs(20), **{**MASKED, "GlyphMode": "Every Nth"}),
+    Row("GlyphStride", 4, glyphs(15), **{**MASKED, "GlyphMode": "Every Nth"}),
     # The legend
-    Row("GlyphLegend", 1, pixels_of(GREEN, 30, 1000), GlyphLegendColor=GREEN, GlyphScaling=1, GlyphScaleArray="size"),
-    Row("GlyphLegendValue", 0.4, legend(0.4), GlyphScaling=1, GlyphScaleArray="size"),
-    Row("GlyphLegendCorner", "Upper Right", legend(0.3, True, True), GlyphScaling=1, GlyphScaleArray="size", GlyphLegendValue=0.3),
-    Row("GlyphLegendColor", GREEN, pixels_of(GREEN, 30, 1000), GlyphLegend=1, GlyphScaling=1, GlyphScaleArray="size"),
+    Row("GlyphLegend", "Lower Left", pixels_of(GREEN, 30, 1000), GlyphLegendColor=GREEN, ScaleMode="Magnitude", SelectScaleArray="size"),
+    Row("GlyphLegendValue", 0.4, legend(0.4), ScaleMode="Magnitude", SelectScaleArray="size"),
+    Row("GlyphLegendColor", GREEN, pixels_of(GREEN, 30, 1000), GlyphLegend="Lower Left", ScaleMode="Magnitude", SelectScaleArray="size"),
     # Tensors
     Row("GlyphTensorArray", "disc", area(DISC / 4.0), **TENSOR),
     Row("GlyphTensorLayout", "Row", as_with(GlyphTensorArray="rows"), **{**TENSOR, "GlyphTensorArray": "six"}),
@@ -246,8 +242,7 @@ ROWS = [
     Row("GlyphTensorColoring", "Radius", reads("GlyphTensorRange", [0.0, 1.0]), **HARMONICS),
     Row("GlyphTensorLookupTable", ALL_GREEN, colors(GREEN), GlyphTensorColoring="Trace", **TENSOR),
     Row("GlyphTensorRange", LEFT, reads("GlyphTensorRange", [2.0, 2.0]), GlyphTensorColoring="Trace", **TENSOR),
-    Row("GlyphTensorPositiveColor", GREEN, colors(GREEN), GlyphTensorColoring="Sign", **TENSOR),
-    Row("GlyphTensorNegativeColor", GREEN, colors(GREEN), **{**TENSOR, "GlyphTensorColoring": "Sign", "GlyphTensorArray": "negative"}),
+    Row("GlyphTensorLookupTable", ALL_GREEN, colors(GREEN), GlyphTensorColoring="Sign", **TENSOR),
     Row("GlyphHarmonicsArray", "flat", area(DISC / 4.0), **HARMONICS),
     Row("GlyphHarmonicsBasis", "DIPY Legacy", as_with(GlyphHarmonicsArray="lying", GlyphHarmonicsBasis="MRtrix3"), **{**HARMONICS, "GlyphHarmonicsArray": "standing"}),
     Row("GlyphHarmonicsScaling", "Each", area(DISC), **{**HARMONICS, "GlyphHarmonicsArray": "flat"}),
@@ -270,8 +265,7 @@ ROWS = [
     # The mean of a t t / 2 over the shutter's time
     Row("AccelerationArray", "push", moved(0.8 / 6.0, 0.0), ShutterOpening="Forward", **BLUR),
     # A box of 1 by 1/2 turns by up to 45 degrees to either side, over which the mean of cos^2 is 1/2 + 1/pi.
-    Row("AngularVelocityArray", "spin", spread((1.0 / numpy.pi - 0.5) / 16.0, (0.5 - 1.0 / numpy.pi) / 16.0), GlyphShape="Box", GlyphScaling=1,
-        GlyphScaleArray="lengths", GlyphScaleMode="Components", MotionBlur=1, ShutterTime=1.0, VelocityArray="None"),
+    Row("AngularVelocityArray", "spin", spread((1.0 / numpy.pi - 0.5) / 16.0, (0.5 - 1.0 / numpy.pi) / 16.0), GlyphType="Box", SelectScaleArray="lengths", ScaleMode="Vector Components", MotionBlur=1, ShutterTime=1.0, VelocityArray="None"),
     Row("VelocityFromPreviousStep", 1, streaks, PointIdArray="point", **STEPS),
     Row("PointIdArray", "point", streaks, VelocityFromPreviousStep=1, **{**STEPS, "PointIdArray": "changing"}),
     # Color and light as on ParaView's own surfaces
@@ -315,13 +309,13 @@ ROWS = [
     Row("SecondaryRays", 16, noise(0.0, 0.15, SecondaryRays=64), scene="crowd", **{**OCCLUSION, "SecondaryRays": 1}),
     Row("SecondaryRays", 16, noise(0.0, 0.15, SecondaryRays=64), scene="crowd", **{**PATHS, "SecondaryRays": 1}),
     Row("MaximumBounces", 100, furnace, scene="crowd", DiffuseColor=[1.0] * 3, **{**PATHS, "MaximumBounces": 1}),
-    Row("PathMetallic", 1.0, light_of_ball(lambda cosine: [schlick(DARK, cosine)] * 3), **MIRROR),
-    Row("PathRoughness", 0.9, light(0.3, 0.9), **{**MIRROR, "PathMetallic": 1.0}),
-    Row("PathCoatStrength", 0.5, light_of_ball(lambda cosine: [0.5 * schlick(1.0 / 9.0, cosine)] * 3), **{**COATED, "PathCoatStrength": 0.0}),
-    Row("PathCoatIOR", 3.0, light_of_ball(lambda cosine: [schlick(0.25, cosine)] * 3), **COATED),
-    Row("PathCoatIOR", 1.0, light_of_ball(lambda cosine: [0.0] * 3), **COATED),
-    Row("PathCoatRoughness", 0.9, light(0.3, 0.9), **COATED),
-    Row("PathCoatColor", RED, light_of_ball(lambda cosine: [GRAY, 0.0, 0.0]), **{**COATED, "PathCoatIOR": 1.0, "DiffuseColor": [0.8] * 3}),
+    Row("Metallic", 1.0, light_of_ball(lambda cosine: [schlick(DARK, cosine)] * 3), **MIRROR),
+    Row("Roughness", 0.9, light(0.3, 0.9), **{**MIRROR, "Metallic": 1.0}),
+    Row("CoatStrength", 0.5, light_of_ball(lambda cosine: [0.5 * schlick(1.0 / 9.0, cosine)] * 3), **{**COATED, "CoatStrength": 0.0}),
+    Row("CoatIOR", 3.0, light_of_ball(lambda cosine: [schlick(0.25, cosine)] * 3), **COATED),
+    Row("CoatIOR", 1.0, light_of_ball(lambda cosine: [0.0] * 3), **COATED),
+    Row("CoatRoughness", 0.9, light(0.3, 0.9), **COATED),
+    Row("CoatColor", RED, light_of_ball(lambda cosine: [GRAY, 0.0, 0.0]), **{**COATED, "CoatIOR": 1.0, "DiffuseColor": [0.8] * 3}),
     Row("Illumination", "Uniform", light_of_ball(lambda cosine: [GRAY] * 3), **{"Illumination": "Studio"}),
     Row("LightIntensity", 0.5, light_of_ball(lambda cosine: [0.5 * GRAY] * 3)),
     Row("LightIntensity", 0.5, developed(lambda light: 0.5 * light), **OCCLUSION),

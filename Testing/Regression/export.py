@@ -32,24 +32,24 @@ EXPONENTS = RANDOM.uniform(1.0, 6.0, (27, 3))
 TENSORS = numpy.array([(turn * row) @ turn.T for turn, row in zip(
     [numpy.linalg.qr(RANDOM.normal(size=(3, 3)))[0] for _ in range(27)], RANDOM.uniform(-1.0, 1.0, (27, 3)))]).reshape(-1, 9)
 OPACITIES = RANDOM.uniform(0.2, 1.0, 27)
-TURNED = {"GlyphOrientationArray": "turn", "GlyphOrientationMode": "Quaternion"}
-LONG = {"GlyphScaling": 1, "GlyphScaleArray": "lengths", "GlyphScaleMode": "Components", "GlyphScaleFactor": 1.0}
-COLORED = {"GlyphOrient": 1, "GlyphOrientationArray": "None", "ColorArrayName": ["POINTS", "rgb"], "MapScalars": 0}
-ALONG = {"GlyphOrientationArray": "direction", "GlyphScaling": 1, "GlyphScaleArray": "direction", "GlyphScaleFactor": 0.8}
+TURNED = {"SelectOrientationVectors": "turn", "OrientationMode": "Quaternion"}
+LONG = {"SelectScaleArray": "lengths", "ScaleMode": "Vector Components", "ScaleFactor": 1.0}
+COLORED = {"Orient": 1, "SelectOrientationVectors": "None", "ColorArrayName": ["POINTS", "rgb"], "MapScalars": 0}
+ALONG = {"SelectOrientationVectors": "direction", "ScaleMode": "Magnitude", "SelectScaleArray": "direction", "ScaleFactor": 0.8}
 #: case -> properties of the display
 CASES = {
-    "spheres": {"GlyphScaleFactor": 0.7},
+    "spheres": {"ScaleFactor": 0.7},
     "ellipsoids": {**LONG, **TURNED},
-    "boxes": {"GlyphShape": "Box", **LONG, **TURNED},
-    "cylinders": {"GlyphShape": "Cylinder", **LONG, **TURNED},
-    "cones": {"GlyphShape": "Cone", **LONG, **TURNED},
-    "capsules": {"GlyphShape": "Capsule", **LONG, **TURNED, "GlyphScaleFactor": 0.6},
-    "arrows": {"GlyphShape": "Arrow", **ALONG},
-    "sharp arrows": {"GlyphShape": "Arrow", **ALONG, "ArrowHeads": "Scaled", "ArrowTipRounding": 0.0},
+    "boxes": {"GlyphType": "Box", **LONG, **TURNED},
+    "cylinders": {"GlyphType": "Cylinder", **LONG, **TURNED},
+    "cones": {"GlyphType": "Cone", **LONG, **TURNED},
+    "capsules": {"GlyphShape": "Capsule", **LONG, **TURNED, "ScaleFactor": 0.6},
+    "arrows": {"GlyphType": "Arrow", **ALONG, "ArrowHeads": "Fixed"},
+    "sharp arrows": {"GlyphType": "Arrow", **ALONG, "ArrowHeads": "Scaled"},
     "superquadrics": {"GlyphShape": "Superquadric", **LONG, **TURNED, "GlyphExponents": [4.0, 1.0, 12.0]},
     "forms": {"GlyphShape": "Superquadric", **LONG, **TURNED, "GlyphExponentArray": "exponents"},
-    "tensors": {"GlyphShape": "Signed Tensor Superquadric", "GlyphTensorArray": "tensor", "GlyphScaleFactor": 0.9},
-    "meshes": {"GlyphShape": "Mesh", "GlyphMesh": "Cone", **LONG, **TURNED},
+    "tensors": {"GlyphShape": "Signed Tensor Superquadric", "GlyphTensorArray": "tensor", "ScaleFactor": 0.9},
+    "meshes": {"GlyphType": lambda: session.triangles(pv.Cone()), **LONG, **TURNED},
 }
 #: number of copies a glyph where it is not one
 COPIES = {"capsules": 3, "arrows": 2, "sharp arrows": 2}
@@ -305,8 +305,8 @@ def check_signs(view, checks):
     path = session.output("export-signs.usda")
     for shape, used, wanted in (("Tensor Ellipsoid", 2, (1, 1)), ("Principal Axes", 3, (10, 8))):
         points = session.source(session.poly_data(places[:used], t=tensors[:used]))
-        shown = session.glyphs(points, view, shape, GlyphTensorArray="t", GlyphScaleFactor=0.3, GlyphTensorColoring="Sign",
-                               GlyphTensorPositiveColor=[1.0, 0.0, 0.0], GlyphTensorNegativeColor=[0.0, 0.0, 1.0])
+        shown = session.glyphs(points, view, shape, GlyphTensorArray="t", ScaleFactor=0.3, GlyphTensorColoring="Sign",
+                               GlyphTensorLookupTable=session.signs((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)))
         checks.no_message("signs of " + shape, export(path, view))
         # Each arrow has a head; shafts are other copies.
         heads = max((part.colors for part in from_usda(path)[0][0]), key=len)[:, :3]
@@ -355,9 +355,9 @@ def check_messages(view, checks):
     checks.one_message("nothing to export", said, "no file is written")
     pv.Delete(surface)
     many = session.source(session.poly_data(RANDOM.uniform(size=(1001, 3)), e=RANDOM.uniform(1.0, 3.0, (1001, 3))))
-    shown = session.glyphs(many, view, "Superquadric", GlyphExponentArray="e", GlyphOrient=0)
+    shown = session.glyphs(many, view, "Superquadric", GlyphExponentArray="e", Orient=0)
     said = export(session.output("export-none.usda"), view)
-    checks.one_message("too many forms", said, "more than 1000", "GlyphMask", "no file is written")
+    checks.one_message("too many forms", said, "more than 1000", "GlyphMode", "no file is written")
     for call, words in ((lambda: export("a.obj", view), "usda"), (lambda: (pv.Hide(many, view), export("a.glb", view)), "Representation")):
         try:
             call()

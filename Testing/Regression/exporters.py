@@ -46,7 +46,7 @@ def main():
     session.look(view, (0.0, 0.0, 5.0))
     pv.Render(view)
     alone = {suffix: export(view, suffix, "alone") for suffix in SUFFIXES}
-    shown = session.glyphs(cloud(50), view, GlyphOrient=0, GlyphScaleFactor=0.3)
+    shown = session.glyphs(cloud(50), view, Orient=0, ScaleFactor=0.3)
     for case in ("hidden", "shown"):
         shown.Visibility = int(case == "shown")
         pv.Render(view)

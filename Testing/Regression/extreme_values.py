@@ -15,8 +15,8 @@ from checks import Checks
 
 #: many samples are slow, and images that grow step by step move their counters
 LEFT_OUT = {"SamplesPerPixel", "SamplesPerRender"}
-STATES = ({"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "length"},
-          {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor", "MotionBlur": 1, "VelocityArray": "vector"})
+STATES = ({"shape": "Arrow", "ScaleMode": "Magnitude", "SelectScaleArray": "length"},
+          {"shape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor", "MotionBlur": 1, "VelocityArray": "vector"})
 
 
 def counts(shown):
@@ -44,7 +44,7 @@ def scales(checks):
             shown.SetRepresentationType(kind if "Ray" in kind else session.REPRESENTATION)
             shown.SamplesPerPixel, shown.TubeRadius = 1, 0.05 * scale
             if "Ray" not in kind:
-                shown.GlyphShape, shown.GlyphScaleFactor, shown.GlyphOrient = kind, 0.3 * scale, 0
+                shown.GlyphType, shown.ScaleFactor, shown.Orient = session.shaped(kind)["GlyphType"], 0.3 * scale, 0
             session.look(view, (0.0, 0.0, 5.0 * scale))
             text = session.messages(lambda: pv.Render(view))
             if 1e-16 < scale < 1e18:
@@ -65,9 +65,7 @@ def main():
     for state in STATES:
         view = session.view(32, 24)
         session.look(view, (0.0, 0.0, 5.0))
-        shown = session.glyphs(points, view, GlyphOrient=0, GlyphScaleFactor=0.2, **{"shape": state["GlyphShape"]})
-        for name, value in state.items():
-            setattr(shown, name, value)
+        shown = session.glyphs(points, view, **{"Orient": 0, "ScaleFactor": 0.2, **state})
         pv.Render(view)
         manager = pv.servermanager.ProxyManager().SMProxyManager
         prototypes = [manager.GetPrototypeProxy("representations", "RayTracedGlyphRepresentation"),
@@ -94,13 +92,13 @@ def main():
                 session.messages(lambda: pv.Render(view))
                 second = counts(shown)
                 moved = {counter: (first[counter], second[counter]) for counter in first if first[counter] != second[counter]}
-                checks.true("%s, %s = %s: a second render moves %s" % (state["GlyphShape"], name, value, moved), not moved)
+                checks.true("%s, %s = %s: a second render moves %s" % (state["shape"], name, value, moved), not moved)
                 tried += 1
             for i, value in enumerate(before):
                 own.SetElement(i, value)
             shown.SMProxy.UpdateVTKObjects()
         pixels = session.capture(view, "extreme-values")
-        checks.covered(state["GlyphShape"] + ", all properties as they were", pixels, 0.02)
+        checks.covered(state["shape"] + ", all properties as they were", pixels, 0.02)
         pv.Delete(view)
     scales(checks)
     print(tried, "values")

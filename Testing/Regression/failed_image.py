@@ -33,7 +33,7 @@ def balls(view, seed, **properties):
     """Colored spheres."""
     points = numpy.random.default_rng(seed).uniform(-1.0, 1.0, (200, 3))
     source = session.source(session.poly_data(points, scalar=numpy.random.default_rng(seed + 1).uniform(0.0, 1.0, 200)))
-    shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.25, **properties)
+    shown = session.glyphs(source, view, "Sphere", Orient=0, ScaleFactor=0.25, **properties)
     pv.ColorBy(shown, ("POINTS", "scalar"))
     shown.SetScalarBarVisibility(view, False)
     return source, shown, points
@@ -106,7 +106,7 @@ def freed_memory(checks):
         if shown:
             shown.Visibility = 1
         else:
-            shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.25)
+            shown = session.glyphs(source, view, "Sphere", Orient=0, ScaleFactor=0.25)
             pv.ColorBy(shown, ("POINTS", "scalar"))
             shown.SetScalarBarVisibility(view, False)
         said = session.messages(lambda: pv.Render(view))

@@ -48,7 +48,7 @@ def main():
     failures = []
     view = session.view(WIDTH, HEIGHT)
     balls = session.source(session.poly_data(CENTRES, rgb=numpy.array(COLOURS, dtype=numpy.uint8)))
-    shown = session.glyphs(balls, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=DIAMETER, SamplesPerPixel=SAMPLES)
+    shown = session.glyphs(balls, view, "Sphere", Orient=0, ScaleFactor=DIAMETER, SamplesPerPixel=SAMPLES)
     pv.ColorBy(shown, ("POINTS", "rgb"))
     shown.MapScalars = 0
     wall = pv.Plane(Origin=[2, -1, 0], Point1=[4, -1, 0], Point2=[2, 1, 0], XResolution=2, YResolution=1)

@@ -34,8 +34,8 @@ def scene():
     """(view, representation) of one glyph of magnitude 2, away from the origin."""
     view = session.view(SIDE, SIDE)
     data = session.poly_data(numpy.array([[5.0, 1.0, 0.0]]), s=numpy.array([2.0]), v=numpy.array([[2.0, 0.0, 0.0]]))
-    shown = session.glyphs(session.source(data), view, "Sphere", GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFactor=0.25,
-                           GlyphOrientationArray="v", ArrowReferenceMagnitude=1.0, GlyphLegend=1, GlyphLegendColor=GREEN)
+    shown = session.glyphs(session.source(data), view, "Sphere", ScaleMode="Magnitude", SelectScaleArray="s", ScaleFactor=0.25,
+                           SelectOrientationVectors="v", ArrowHeads="Fixed", ArrowReferenceMagnitude=1.0, GlyphLegend="Lower Left", GlyphLegendColor=GREEN)
     session.solid(shown, (1.0, 0.0, 0.0))
     shown.Ambient, shown.Diffuse = 1.0, 0.0
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = (5.2, 1.1, 6.0), (5.2, 1.1, -3.0), (0.0, 1.0, 0.0)
@@ -47,7 +47,7 @@ def size(checks, view, shown):
     """The legend's glyph and that of its number at the center of rotation."""
     settings = session.Settings(shown)
     for shape in ("Sphere", "Arrow", "Box", "Cylinder", "Cone", "Capsule", "Superquadric"):
-        settings.set({"GlyphShape": shape, "GlyphLegendValue": 2.0, "GlyphExponents": (4.0, 3.0, 2.0)})
+        settings.set({**session.shaped(shape), "GlyphLegendValue": 2.0, "GlyphExponents": (4.0, 3.0, 2.0)})
         for parallel in (0, 1):
             view.CameraParallelProjection, view.CameraParallelScale = parallel, 1.1
             legend, glyph, _ = widths(view, "%s-%d" % (shape.lower(), parallel))
@@ -62,7 +62,7 @@ def larger_pictures(checks, view, shown):
     """It grows as the scene's glyphs do, where the picture is put together from tiles, too, and stays in its corner."""
     view.CameraParallelScale, shown.GlyphLegendValue = 1.1, 2.0
     for corner, factor, parallel in (("Lower Left", 1.5, 1), ("Upper Right", 2, 0), ("Upper Right", 3, 1)):
-        shown.GlyphLegendCorner, view.CameraParallelProjection = corner, parallel
+        shown.GlyphLegend, view.CameraParallelProjection = corner, parallel
         side = int(factor * SIDE)
         legend, glyph, mask = widths(view, "large", ImageResolution=[side, side])
         what = "picture %g times the window, %s: " % (factor, corner)
@@ -71,7 +71,7 @@ def larger_pictures(checks, view, shown):
         rows, columns = numpy.nonzero(mask)
         for name, places in (("rows", rows), ("columns", columns)):
             checks.within(what + "distance of its %s from the edge" % name, side / 2 - abs(places - side / 2).max(), 5, 30 * factor)
-    shown.GlyphLegendCorner, shown.GlyphLegendValue = "Lower Left", 0.0
+    shown.GlyphLegend, shown.GlyphLegendValue = "Lower Left", 0.0
 
 
 def choice(checks, view, shown):
@@ -86,7 +86,7 @@ def choice(checks, view, shown):
 def corners(checks, view, shown):
     """Where it stands."""
     for corner in ("Lower Left", "Lower Right", "Upper Left", "Upper Right"):
-        shown.GlyphLegendCorner = corner
+        shown.GlyphLegend = corner
         rows, columns = numpy.nonzero(widths(view, "corner")[2])
         checks.equal("%s: on the right" % corner, columns.mean() > SIDE / 2, "Right" in corner)
         checks.equal("%s: at the upper edge" % corner, rows.mean() < SIDE / 2, "Upper" in corner)

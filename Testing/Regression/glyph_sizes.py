@@ -21,7 +21,7 @@ FUNCTIONS = {
     "Linear": lambda s: s,
     "Square Root": numpy.sqrt,
     "Cube Root": numpy.cbrt,
-    "Logarithm": lambda s: numpy.log10(1.0 + s / 2.0),
+    "Logarithm": lambda s: numpy.log10(1.0 + s),
     "Unit": lambda s: s / s,
 }
 
@@ -39,7 +39,7 @@ def glyphs(stage, shape, **properties):
     """The representation of the three points."""
     vectors = MAGNITUDES[:, None] * numpy.array([1.0, 0.5, 0.25])
     tensors = numpy.array([numpy.diag(-0.5 * vector) for vector in vectors]).reshape(-1, 9)
-    shown = stage.show(session.poly_data(POINTS, s=-MAGNITUDES, v=vectors, t=tensors), shape, GlyphOrient=0, **properties)
+    shown = stage.show(session.poly_data(POINTS, s=-MAGNITUDES, v=vectors, t=tensors), shape, Orient=0, **properties)
     session.solid(shown, (0.9, 0.8, 0.3))
     pv.Render(stage.view)
     return shown
@@ -49,13 +49,13 @@ def functions(checks, stage):
     """Scalars, components and tensors; the largest glyph is 0.6 wide."""
     for name, function in FUNCTIONS.items():
         for kind, properties, factor in (
-                ("magnitudes", {"GlyphScaling": 1, "GlyphScaleArray": "s", "GlyphScaleMode": "Magnitude"}, 1.0),
-                ("components", {"GlyphScaling": 1, "GlyphScaleArray": "v", "GlyphScaleMode": "Components"}, 1.0),
+                ("magnitudes", {"SelectScaleArray": "s", "ScaleMode": "Magnitude"}, 1.0),
+                ("components", {"SelectScaleArray": "v", "ScaleMode": "Vector Components"}, 1.0),
                 ("tensors", {"GlyphTensorArray": "t"}, 0.5)):
             lengths = function(factor * MAGNITUDES)
             largest = 0.6 / lengths.max()
             shape = "Tensor Ellipsoid" if kind == "tensors" else "Sphere"
-            glyphs(stage, shape, GlyphScaleFactor=largest, GlyphScaleFunction=name, GlyphScaleReference=2.0, **properties)
+            glyphs(stage, shape, ScaleFactor=largest, GlyphScaleFunction=name, **properties)
             found = extents(stage.view, kind + "-" + name)
             ratio = 1.0 if kind == "magnitudes" else 0.5
             wanted = largest * lengths[:, None] * numpy.array([1.0, ratio])
@@ -67,7 +67,7 @@ def functions(checks, stage):
 def limits(checks, stage):
     """Nothing smaller or larger than the limits, with the ratios of its axes."""
     for limit, wanted in (((0.2, 0.0), [0.2, 0.2, 0.6]), ((0.0, 0.4), [0.0003, 0.0024, 0.4]), ((0.2, 0.4), [0.2, 0.2, 0.4])):
-        glyphs(stage, "Sphere", GlyphScaling=1, GlyphScaleArray="v", GlyphScaleMode="Components", GlyphScaleFactor=0.0006,
+        glyphs(stage, "Sphere", SelectScaleArray="v", ScaleMode="Vector Components", ScaleFactor=0.0006,
                GlyphSizeRange=limit)
         found = extents(stage.view, "limits %g %g" % limit)
         wanted = numpy.array(wanted)[:, None] * numpy.array([1.0, 0.5])
@@ -77,11 +77,10 @@ def limits(checks, stage):
 
 def bounds(checks, stage):
     """What the camera is reset to holds the glyphs, and not much more."""
-    for name, properties in (("scalars", {"GlyphShape": "Sphere", "GlyphScaling": 1, "GlyphScaleArray": "s"}),
-                             ("tensors", {"GlyphShape": "Tensor Superquadric", "GlyphTensorArray": "t"})):
+    for name, properties in (("scalars", {"shape": "Sphere", "ScaleMode": "Magnitude", "SelectScaleArray": "s"}),
+                             ("tensors", {"shape": "Tensor Superquadric", "GlyphTensorArray": "t"})):
         for how in ({"GlyphScaleFunction": "Unit"}, {"GlyphSizeRange": [0.6, 0.6]}):
-            shape = properties["GlyphShape"]
-            glyphs(stage, GlyphScaleFactor=0.6, shape=shape, **{name: value for name, value in {**properties, **how}.items() if name != "GlyphShape"})
+            glyphs(stage, ScaleFactor=0.6, **{**properties, **how})
             box = numpy.array(stage.view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2)
             checks.within("bounds of %s with %s" % (name, how), round(float(box[0, 1]), 3), 1.299, 1.3 + 0.3 * (3.0 ** 0.5 - 1) * 3)
 
@@ -94,24 +93,24 @@ def radii(checks, stage):
     head = 3 * thick
     short = 0.3 * lengths
     cases = {
-        "Cylinder": ({"GlyphShape": "Cylinder"}, lengths, thick), "Sphere": ({"GlyphShape": "Sphere"}, lengths, thick),
-        "Box": ({"GlyphShape": "Box"}, lengths, thick),
-        "fixed heads": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.05, "ArrowTipRadius": 0.15, "ArrowTipLength": 0.35},
+        "Cylinder": ({"GlyphType": "Cylinder"}, lengths, thick), "Sphere": ({"GlyphType": "Sphere"}, lengths, thick),
+        "Box": ({"GlyphType": "Box"}, lengths, thick),
+        "fixed heads": ({"GlyphType": "Arrow", "GlyphType.ShaftRadius": 0.05, "GlyphType.TipRadius": 0.15, "GlyphType.TipLength": 0.35, "ArrowHeads": "Fixed"},
                         lengths, numpy.minimum(head, 6 / 7 * lengths)),
-        "scaled heads": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.05, "ArrowTipRadius": 0.15, "ArrowHeads": "Scaled"},
+        "scaled heads": ({"GlyphType": "Arrow", "GlyphType.ShaftRadius": 0.05, "GlyphType.TipRadius": 0.15, "ArrowHeads": "Scaled"},
                          lengths, head),
         # Heads as long as the unit arrow: with these radii arrows are shorter than their heads and shrink as a whole.
-        "short arrows": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.05, "ArrowTipRadius": 0.25, "ArrowTipLength": 1.0,
-                          "GlyphScaleFactor": 0.3}, short, numpy.minimum(5 * thick, 0.5 * short)),
+        "short arrows": ({"GlyphType": "Arrow", "GlyphType.ShaftRadius": 0.05, "GlyphType.TipRadius": 0.25, "GlyphType.TipLength": 1.0,
+                          "ArrowHeads": "Fixed", "ScaleFactor": 0.3}, short, numpy.minimum(5 * thick, 0.5 * short)),
         # Without a shaft the radius is the head's, and only heads are seen.
-        "heads alone": ({"GlyphShape": "Arrow", "ArrowShaftRadius": 0.0, "ArrowTipRadius": 0.15, "ArrowTipLength": 0.35},
+        "heads alone": ({"GlyphType": "Arrow", "GlyphType.ShaftRadius": 0.0, "GlyphType.TipRadius": 0.15, "GlyphType.TipLength": 0.35, "ArrowHeads": "Fixed"},
                         numpy.minimum(lengths, 7 / 6 * thick), thick),
     }
     data = session.poly_data(POINTS - [0.2, 0.0, 0.0], s=lengths, w=widths, zero=numpy.array([0.0, 0.02, numpy.nan]))
     view = stage.view
     for name, (properties, long, wide) in cases.items():
-        properties = {"GlyphScaleFactor": 1.0, **properties}
-        shown = stage.show(data, properties.pop("GlyphShape"), GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="s",
+        properties = {"ScaleFactor": 1.0, **properties}
+        shown = stage.show(data, None, Orient=0, ScaleMode="Magnitude", SelectScaleArray="s",
                            GlyphRadiusArray="w", GlyphRadiusFactor=1.5, **properties)
         session.solid(shown, (0.9, 0.8, 0.3))
         pv.Render(view)
@@ -122,7 +121,7 @@ def radii(checks, stage):
         box = numpy.array(view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2)
         checks.within("radii, %s: bounds along y" % name, float(box[1, 1]), 0.5 * wide.max(), 0.66)
     stage.close()
-    shown = stage.show(data, "Cylinder", GlyphOrient=0, GlyphScaleFactor=0.5)
+    shown = stage.show(data, "Cylinder", Orient=0, ScaleFactor=0.5)
     shown.GlyphRadiusArray = "zero"
     checks.one_message("radii that are not finite", session.messages(lambda: pv.Render(view)), "radius", "zero", "not finite", "1 of 3")
     checks.equal("glyphs without a radius", session.statistics(shown)["skippedGlyphs"], 2)
@@ -133,7 +132,7 @@ def radii(checks, stage):
 
 def heads(checks, stage):
     """Fixed heads have their size on an arrow of the high quantile of lengths, which are those of the function."""
-    glyphs(stage, "Arrow", GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFunction="Unit", GlyphScaleFactor=0.4, ArrowTipRadius=0.25)
+    glyphs(stage, "Arrow", ArrowHeads="Fixed", ScaleMode="Magnitude", SelectScaleArray="s", GlyphScaleFunction="Unit", ScaleFactor=0.4, **{"GlyphType.TipRadius": 0.25})
     found = extents(stage.view, "heads")
     checks.true("arrows of unit length are %s long and thick" % numpy.round(found, 3).tolist(),
                 numpy.abs(found - [0.4, 0.2]).max() <= PIXEL)
@@ -141,10 +140,9 @@ def heads(checks, stage):
 
 def wrong(checks, stage):
     """One message each."""
-    shown = glyphs(stage, "Sphere", GlyphScaling=1, GlyphScaleArray="s", GlyphScaleFunction="Logarithm", GlyphScaleFactor=0.1)
-    for name, value, word in (("GlyphScaleReference", -2.0, "-2"), ("GlyphSizeRange", [0.4, 0.2], "0.4, 0.2")):
-        said = session.messages(lambda: (setattr(shown, name, value), pv.Render(stage.view)))
-        checks.one_message("%s %s" % (name, value), said, name, word)
+    shown = glyphs(stage, "Sphere", ScaleMode="Magnitude", SelectScaleArray="s", GlyphScaleFunction="Logarithm", ScaleFactor=0.1)
+    said = session.messages(lambda: (setattr(shown, "GlyphSizeRange", [0.4, 0.2]), pv.Render(stage.view)))
+    checks.one_message("GlyphSizeRange", said, "GlyphSizeRange", "0.4, 0.2")
 
 
 def main():

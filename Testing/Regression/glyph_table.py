@@ -28,10 +28,10 @@ def table():
 
 
 def ours(points, view, forms):
-    shown = session.glyphs(points, view, "Mesh", GlyphOrient=1, GlyphOrientationArray="vector", GlyphScaleFactor=0.8)
-    shown.GlyphMesh = forms
-    shown.GlyphMeshTable = 1
-    shown.GlyphMeshIndexArray = "form"
+    shown = session.glyphs(points, view, "Arrow", Orient=1, SelectOrientationVectors="vector", ScaleFactor=0.8)
+    shown.GlyphType = forms
+    shown.UseGlyphTable, shown.UseCompositeGlyphTable = 1, 1
+    shown.GlyphTableIndexArray = "form"
     return shown
 
 
@@ -92,36 +92,36 @@ def main():
     again = session.capture(view, "GlyphTable-again")
     if (again != pictures["ours", "table"]).any():
         failures.append("shown again the picture differs")
-    shown.GlyphMeshTable = 0
+    shown.UseCompositeGlyphTable = 0
     flat = comparison.covered(session.capture(view, "GlyphTable-off"))
     if (flat == comparison.covered(again)).all():
         failures.append("without table the forms are the same")
-    shown.GlyphMeshTable = 1
+    shown.UseCompositeGlyphTable = 1
     two = pv.GroupDatasets(Input=[pv.Cone(Resolution=64), pv.Box(XLength=0.6, YLength=0.9)])
-    shown.GlyphMesh = two
+    shown.GlyphType = two
     session.capture(view, "GlyphTable-two")
-    shown.GlyphMesh = forms
+    shown.GlyphType = forms
     if (session.capture(view, "GlyphTable-three") != again).any():
         failures.append("the first table again, the picture differs")
 
     # Bad input: one clear message each, and the other glyphs stay.
-    shown.GlyphMeshIndexArray = "None"
+    shown.GlyphTableIndexArray = "None"
     session.capture(view, "GlyphTable-none")
     bad = session.source(session.poly_data([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [-2.0, 0.0, 0.0]], form=[0.0, float("nan"), 1.0]))
     pv.Hide(points, view)
     partly = pv.GroupDatasets(Input=[pv.Cone(), pv.PointSource(NumberOfPoints=3)])
     shown = ours(bad, view, partly)
-    shown.GlyphOrient = 0
+    shown.Orient = 0
     told = session.messages(lambda: session.capture(view, "GlyphTable-bad"))
     for words in ("1 of 3 points have no glyph: the number of their form, from the point array 'form', is not finite",
-                  "Entry 1 of GlyphMesh has no polygons"):
+                  "Entry 1 of GlyphType has no polygons"):
         if told.count(words) != 1:
             failures.append("'%s' was said %d times in:\n%s" % (words, told.count(words), told))
     if session.statistics(shown)["glyphs"] != 1:
         failures.append("%s glyphs where one is good" % session.statistics(shown)["glyphs"])
-    shown.GlyphMeshIndexArray = "nothing"
+    shown.GlyphTableIndexArray = "nothing"
     told = session.messages(lambda: session.capture(view, "GlyphTable-missing"))
-    if told.count("There is no point array 'nothing', which GlyphMeshIndexArray names") != 1:
+    if told.count("There is no point array 'nothing', which GlyphTableIndexArray names") != 1:
         failures.append("the missing array was not named once:\n" + told)
     session.finish(failures)
 

@@ -15,23 +15,20 @@ import session  # noqa: E402
 from window import Window, run  # noqa: E402
 
 SHAPES = ("Sphere", "Box", "Cylinder", "Capsule", "Cone", "Arrow")
-#: labels of the rows that all shapes have while nothing is ticked, and of those that shapes have after the first two and at the end
-ROWS = ["Glyph Shape", "Glyph Location", "Glyph Scale Factor", "Glyph Scale Function"]
-TENSOR = ["Glyph Tensor Array", "Glyph Tensor Layout", "Glyph Tensor Sharpness", "Glyph Tensor Coloring"]
+#: labels of the rows that all shapes have while nothing is ticked, and of those that shapes have before or after them
+ROWS = ["Glyph Shape", "Glyph Location"]
+TENSOR = ["Glyph Tensor Array", "Glyph Tensor Layout", "Glyph Tensor Coloring"]
+EXPONENTS = ["Glyph Exponents", "Glyph Exponent Array"]
 OF_SHAPES = {
-    "Arrow": ([], ["Arrow Heads", "Arrow Shaft Radius", "Arrow Tip Radius", "Arrow Tip Length"]),
-    "Superquadric": ([], ["Glyph Exponents", "Glyph Exponent Array", "Glyph Exponent Form"]),
-    "Tensor Ellipsoid": ([], [row for row in TENSOR if row != "Glyph Tensor Sharpness"]),
-    "Tensor Superquadric": ([], TENSOR),
-    "Signed Tensor Superquadric": ([], TENSOR),
-    "Principal Axes": ([], [row for row in TENSOR if row != "Glyph Tensor Sharpness"] + ["Arrow Shaft Radius", "Arrow Tip Radius", "Arrow Tip Length"]),
+    "Glyph Type": (["Glyph Type"], []),
+    "Superquadric": ([], EXPONENTS), "Nested Superquadric": ([], EXPONENTS),
+    "Tensor Ellipsoid": ([], TENSOR), "Tensor Superquadric": ([], TENSOR), "Signed Tensor Superquadric": ([], TENSOR), "Principal Axes": ([], TENSOR),
     "Spherical Harmonics": ([], ["Glyph Tensor Coloring", "Glyph Harmonics Array", "Glyph Harmonics Basis", "Glyph Harmonics Scaling"]),
-    "Reynolds": ([], ["Glyph Tensor Array", "Glyph Tensor Layout", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"]),
-    "Fourth-Order Tensor": ([], ["Glyph Tensor Array", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"]),
-    "Mesh": (["Glyph Mesh"], [])}
+    "Reynolds": ([], TENSOR + ["Glyph Harmonics Scaling"]),
+    "Fourth-Order Tensor": ([], ["Glyph Tensor Array", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"])}
 
 #: what is set by a script to be copied, saved and restored by the panel's buttons; no default among it
-SET = {"GlyphShape": "Capsule", "GlyphScaling": 1, "GlyphScaleFunction": "Square Root", "GlyphTensorThickness": 0.125, "ShutterOpening": "Forward"}
+SET = {"GlyphShape": "Capsule", "MotionBlur": 1, "ScaleMode": "Magnitude", "GlyphScaleFunction": "Square Root", "GlyphTensorThickness": 0.125, "ShutterOpening": "Forward"}
 
 
 def main():
@@ -48,12 +45,13 @@ def main():
     if session.REPRESENTATION not in list(shown.GetProperty("RepresentationTypesInfo")):
         failures.append("'%s' is not among the representations" % session.REPRESENTATION)
     shown.SetRepresentationType(session.REPRESENTATION)
-    shown.SamplesPerPixel, shown.GlyphOrient = 2, 0
+    shown.SamplesPerPixel, shown.Orient = 2, 0
     session.look(view, (10.0, -22.0, 20.0), (14.0, 13.0, 3.0), (0.0, 0.0, 1.0))
     pv.GetAnimationScene().AnimationTime = 0.8
+    shown.ArrowHeads = "Fixed"
     for shape in SHAPES:
-        shown.GlyphShape = shape
-        shown.GlyphScaleFactor = 0.9
+        session.assign_shape(shown, shape)
+        shown.ScaleFactor = 0.9
         pv.Render(view)
         pixels = session.capture(view, "gui-" + shape, ImageResolution=[300, 200])
         failures += comparison.against_baseline(pixels, "gui-" + shape)
@@ -66,22 +64,27 @@ def main():
     return failures
 
 
+def rows_of_glyphs(labels):
+    """Labels of the rows that speak of shapes."""
+    return [row for row in labels if row.startswith(("Glyph", "Arrow")) and row != "Glyph Parameters"]
+
+
 def panel(window, view, reader, shown):
     """For each shape the panel shows the rows that concern it, and no others; sections stand in the order of use."""
     failures = []
     window.resize("pqClientMainWindow", 1500, 1100)
     pv.SetActiveSource(reader)
     shown.Visibility = 0 # the panel shows it all the same, and no program is compiled for each shape
-    sections = ["Representation", "Coloring", "Ray Traced Glyphs", "Glyph Shape", "Motion", "Ray Traced Image", "Rendering Quality"]
+    sections = ["Representation", "Coloring", "Glyph Parameters", "Scale Factor", "Ray Traced Glyphs", "Glyph Shape", "Motion", "Ray Traced Image", "Rendering Quality"]
     found = []
 
     def rows():
         found[:] = window.labels("propertiesPanel")
-        return [row for row in found if row.startswith(("Glyph", "Arrow"))]
+        return rows_of_glyphs(found)
     for shape in shown.GetProperty("GlyphShape").Available:
         shown.GlyphShape = shape
         pv.Render(view)
-        wanted = ROWS[:2] + OF_SHAPES.get(shape, ([], []))[0] + ROWS[2:] + OF_SHAPES.get(shape, ([], []))[1]
+        wanted = OF_SHAPES.get(shape, ([], []))[0] + ROWS + OF_SHAPES.get(shape, ([], []))[1]
         if not window.wait(lambda wanted=wanted: rows() == wanted, 10):
             failures.append("the panel shows for %s %s, not %s" % (shape, rows(), wanted))
         window.picture("propertiesPanel", session.output("gui-panel-%s.png" % shape.replace(" ", "-")))
@@ -128,10 +131,10 @@ def buttons(window, view, reader, shown):
         setattr(shown, name, pasted.GetProperty(name).GetData())
     pv.Render(view)
     # Rows that leave move the others.
-    if not window.wait(lambda: [row for row in window.labels("propertiesPanel") if row.startswith(("Glyph", "Arrow"))] == ROWS, 20):
+    if not window.wait(lambda: rows_of_glyphs(window.labels("propertiesPanel")) == ["Glyph Type"] + ROWS, 20):
         failures.append("the panel shows %s" % window.labels("propertiesPanel"))
-    ticked = {**first, "GlyphScaling": "1"}
-    done("ticked", lambda: window.click("GlyphScaling/CheckBox"), shown, ticked)
+    ticked = {**first, "MotionBlur": "1"}
+    done("ticked", lambda: window.click("MotionBlur/CheckBox"), shown, ticked)
     done("undone", lambda: window.trigger("actionEditUndo"), shown, first)
     done("redone", lambda: window.trigger("actionEditRedo"), shown, ticked)
     for name, value in SET.items():
@@ -154,20 +157,20 @@ def buttons(window, view, reader, shown):
 
 
 def reset(window, view, reader, shown):
-    """The button Reset beside GlyphScaleFactor goes back to what the data suggest, and the picture follows."""
+    """The button Reset beside ScaleFactor goes back to what the data suggest, and the picture follows."""
     pv.SetActiveSource(reader)
-    shown.GlyphShape = "Sphere"
-    shown.GlyphScaleFactorFromData = 1
+    shown.GlyphType = "Sphere"
+    shown.ScaleFactorFromData = 1
     pv.Render(view)
-    suggested = shown.GlyphScaleFactor
-    shown.GlyphScaleFactor = 0.3
+    suggested = shown.ScaleFactor
+    shown.ScaleFactor = 0.3
     pv.Render(view)
     # The panel is filled when the window has time.
-    clicked = window.wait(lambda: window.click("GlyphScaleFactor/Reset"), 20)
-    done = clicked and window.wait(lambda: shown.GlyphScaleFactor == suggested, 20)
-    print("factor %s, after the click %s" % (suggested, shown.GlyphScaleFactor))
-    return [] if done and shown.GlyphScaleFactorFromData else [
-        "the button %s; GlyphScaleFactor is %s, not %s" % ("was clicked" if clicked else "is not there", shown.GlyphScaleFactor, suggested)]
+    clicked = window.wait(lambda: window.click("ScaleFactor/Reset"), 20)
+    done = clicked and window.wait(lambda: shown.ScaleFactor == suggested, 20)
+    print("factor %s, after the click %s" % (suggested, shown.ScaleFactor))
+    return [] if done and shown.ScaleFactorFromData else [
+        "the button %s; ScaleFactor is %s, not %s" % ("was clicked" if clicked else "is not there", shown.ScaleFactor, suggested)]
 
 
 run("GUI", main)

@@ -113,8 +113,8 @@ def inner(mask):
 def form(checks, stage, what, array, function, factor, both=False, **properties):
     """The glyph of one tuple, in all colorings from several sides or in one from one: each program takes its time to be compiled."""
     view = stage.view
-    shown = stage.show(session.poly_data(numpy.zeros((1, 3)), values=array[None]), Ambient=1.0, Diffuse=0.0, GlyphScaleFactor=factor,
-                       GlyphTensorPositiveColor=WARM, GlyphTensorNegativeColor=COOL, **properties)
+    shown = stage.show(session.poly_data(numpy.zeros((1, 3)), values=array[None]), Ambient=1.0, Diffuse=0.0, ScaleFactor=factor,
+                       GlyphTensorLookupTable=session.signs(WARM, COOL), **properties)
     most = largest(function)
     views = (("Sign", (0.3, -0.5, 0.8)), ("Surface Direction", (-0.9, 0.2, 0.3)), ("Radius", (0.5, 0.4, -0.6)))
     for coloring, direction in views[:3 if both else 1]:
@@ -206,12 +206,12 @@ def sizes(checks, view, random):
             "each": dict(GlyphHarmonicsArray="values", GlyphHarmonicsScaling="Each"),
             "alike": dict(GlyphHarmonicsArray="alike", GlyphHarmonicsScaling="Each"),
             "common": dict(GlyphHarmonicsArray="values"),
-            "scaled": dict(GlyphHarmonicsArray="alike", GlyphScaling=1, GlyphScaleArray="fifth"),
-            "turned": dict(GlyphShape="Reynolds", GlyphTensorArray="stress", GlyphOrient=1, GlyphOrientationArray="turn",
-                           GlyphOrientationMode="Quaternion"),
+            "scaled": dict(GlyphHarmonicsArray="alike", ScaleMode="Magnitude", SelectScaleArray="fifth"),
+            "turned": dict(GlyphShape="Reynolds", GlyphTensorArray="stress", Orient=1, SelectOrientationVectors="turn",
+                           OrientationMode="Quaternion"),
             "of turned": dict(GlyphShape="Reynolds", GlyphTensorArray="turned")}.items():
         factor = 0.8 if properties.get("GlyphHarmonicsScaling") else 0.3
-        shown = stage.show(data, **{"GlyphShape": "Spherical Harmonics", "GlyphScaleFactor": factor, **properties})
+        shown = stage.show(data, **{"GlyphShape": "Spherical Harmonics", "ScaleFactor": factor, **properties})
         session.solid(shown, (0.8, 0.8, 0.8))
         pictures[name] = session.capture(view, "harmonics-" + name.replace(" ", "-"))
     checks.picture("harmonics, each of one size", pictures["each"], pictures["alike"])
@@ -234,14 +234,14 @@ def gallery(checks, random):
         array = harmonics("MRtrix3", count, peaks / numpy.linalg.norm(peaks, axis=1)[:, None]).sum(axis=0)
         sources.append(session.source(session.poly_data(numpy.array([[-1.75 + 0.7 * number, 0.0, 0.0]]), values=array[None],
                                                         velocity=numpy.array([[0.0, 1.0, 0.0]]))))
-        shown.append(session.glyphs(sources[-1], view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values", GlyphScaleFactor=0.62,
+        shown.append(session.glyphs(sources[-1], view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values", ScaleFactor=0.62,
                                     GlyphHarmonicsScaling="Each", GlyphTensorColoring="Surface Direction"))
     tensors = {"Reynolds": numpy.array([1.0, -0.7, 0.3, 0.2, 0.5, -0.1]),
                "Fourth-Order Tensor": numpy.array([3.0, 1.2, 1.2, 0, 0, 0, 3.0, 1.2, 0, 0, 0, 3.0, 0, 0, 0, 2.4, 0, 0, 2.4, 0, 2.4])}
     for number, (shape, array) in enumerate(tensors.items()):
         sources.append(session.source(session.poly_data(numpy.array([[1.05 + 0.7 * number, 0.0, 0.0]]), values=array[None],
                                                         velocity=numpy.array([[0.0, 1.0, 0.0]]))))
-        shown.append(session.glyphs(sources[-1], view, GlyphShape=shape, GlyphTensorArray="values", GlyphScaleFactor=0.62,
+        shown.append(session.glyphs(sources[-1], view, shape, GlyphTensorArray="values", ScaleFactor=0.62,
                                     GlyphHarmonicsScaling="Each", GlyphTensorColoring="Sign"))
     shown[0].SamplesPerPixel = 8
     image = session.capture(view, "harmonics-gallery")
@@ -276,7 +276,7 @@ def bounds(checks, random):
     view = session.view(100, 100)
     array = harmonics("MRtrix3", 45, numpy.array([1.0, 0.0, 0.0]))
     points = session.source(session.poly_data(numpy.array([[1.0, 2.0, 3.0], [1.1, 2.0, 3.0]]), values=numpy.repeat(array[None], 2, axis=0)))
-    shown = session.glyphs(points, view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values", GlyphScaleFactor=1.0)
+    shown = session.glyphs(points, view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values", ScaleFactor=1.0)
     pv.Render(view)
     found = numpy.array(shown.SMProxy.GetClientSideObject().GetActiveRepresentation().GetActor().GetBounds()
                         if hasattr(shown.SMProxy.GetClientSideObject(), "GetActiveRepresentation") else [0.0] * 6)
@@ -294,7 +294,7 @@ def bad_input(checks, view):
     good[1], good[2, 3] = 0.0, numpy.nan
     places = numpy.array([[-0.9, 0.0, 0.0], [-0.3, 0.0, 0.0], [0.3, 0.0, 0.0], [0.9, 0.0, 0.0]])
     points = session.source(session.poly_data(places, seven=numpy.ones((4, 7)), good=good, zeros=numpy.zeros((4, 6)), one=numpy.ones(4)))
-    shown = session.glyphs(points, view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="seven", GlyphScaleFactor=0.8)
+    shown = session.glyphs(points, view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="seven", ScaleFactor=0.8)
     look(view, (0.0, 0.0, 1.0))
     text = session.messages(lambda: pv.Render(view))
     checks.one_message("seven components", text, "'seven'", "GlyphHarmonicsArray", "7 components", "1, 6, 15, 28, 45, 66 or 91")
@@ -319,13 +319,12 @@ def bad_input(checks, view):
 
 def unfinished(checks, view):
     """In a window nobody is warned of an array that has not been chosen yet; RenderStatistics tells. A script is told."""
-    data = session.poly_data(numpy.zeros((1, 3)), some=numpy.ones((1, 15)), six=numpy.ones((1, 6)), vector=numpy.ones((1, 3)))
+    data = session.poly_data(numpy.zeros((1, 3)), some=numpy.ones((1, 15)), six=numpy.ones((1, 6)))
     stage = session.Stage(view)
     for in_window in (1, 0):
         for shape, name, array in (("Spherical Harmonics", "GlyphHarmonicsArray", "some"), ("Reynolds", "GlyphTensorArray", "six"),
-                                   ("Tensor Ellipsoid", "GlyphTensorArray", "six"), ("Arrow", "GlyphOrientationArray", "vector"),
-                                   ("Cone", "GlyphOrientationArray", "vector")):
-            shown = stage.show(data, GlyphScaleFactor=0.8)
+                                   ("Tensor Ellipsoid", "GlyphTensorArray", "six")):
+            shown = stage.show(data, ScaleFactor=0.8)
             stepwise(shown, -in_window)
             stage.settings.add({name: "None", "GlyphShape": shape})
             text = session.messages(lambda: (pv.Render(view), pv.Render(view)))
@@ -340,9 +339,9 @@ def unfinished(checks, view):
             pv.Render(view)
             checks.equal(what + ": what is left to choose with one", session.statistics(shown)["unfinished"], "")
             checks.equal(what + ": glyphs with one", session.statistics(shown)["glyphs"], 1)
-    # To lie along x may be a choice, and what has no tip has no direction.
-    for shape, orient in (("Arrow", 0), ("Cone", 0), ("Sphere", 1), ("Box", 1), ("Capsule", 1)):
-        shown = stage.show(data, shape, GlyphScaleFactor=0.8, GlyphOrient=orient, GlyphOrientationArray="None")
+    # Without an array nothing is turned.
+    for shape, orient in (("Arrow", 0), ("Cone", 0), ("Sphere", 1), ("Arrow", 1), ("Box", 1), ("Capsule", 1)):
+        shown = stage.show(data, shape, ScaleFactor=0.8, Orient=orient, SelectOrientationVectors="None")
         checks.no_message(shape + " without a direction", session.messages(lambda: pv.Render(view)))
         checks.equal(shape + " without a direction: glyphs", session.statistics(shown)["glyphs"], 1)
     stage.close()

@@ -66,7 +66,7 @@ def main():
     view = pv.GetActiveViewOrCreate("RenderView")
     pv.GetLayout().PreviewMode = [300, 200]
     source = session.source(points())
-    session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.8)
+    session.glyphs(source, view, "Sphere", Orient=0, ScaleFactor=0.8)
     session.look(view, (1.0, 0.5, 10.0), (1.0, 0.5, 0.0), parallel_scale=1.2)
     pv.SetActiveSource(source)
     window.confirm()  # ParaView explains the mode once

@@ -13,9 +13,9 @@ from checks import Checks
 
 #: the arrays that each property is to offer
 OFFERED = {
-    "GlyphScaleArray": ("size", "extent"), "GlyphOrientationArray": ("flow",), "GlyphTensorArray": ("stress",),
+    "SelectScaleArray": ("size", "extent"), "SelectOrientationVectors": ("flow",), "GlyphTensorArray": ("stress",),
     "VelocityArray": ("flow",), "AccelerationArray": ("flow",), "AngularVelocityArray": ("flow",),
-    "GlyphExponentArray": ("size", "extent"), "PointIdArray": ("size",), "GlyphMeshIndexArray": ("size",)}
+    "GlyphExponentArray": ("size", "extent"), "PointIdArray": ("size",), "GlyphTableIndexArray": ("size",)}
 
 
 def grid():
@@ -74,11 +74,11 @@ def main():
     view = session.view(160, 120)
     session.look(view, (0.0, 0.0, 5.0))
     cases = (
-        ("size", "Sphere", {"GlyphScaling": 1, "GlyphScaleArray": "size", "GlyphOrient": 0}),
-        ("extent", "Box", {"GlyphScaling": 1, "GlyphScaleArray": "extent", "GlyphScaleMode": "Components", "GlyphOrient": 0}),
-        ("direction", "Arrow", {"GlyphOrientationArray": "flow"}),
+        ("size", "Sphere", {"ScaleMode": "Magnitude", "SelectScaleArray": "size", "Orient": 0}),
+        ("extent", "Box", {"SelectScaleArray": "extent", "ScaleMode": "Vector Components", "Orient": 0}),
+        ("direction", "Arrow", {"SelectOrientationVectors": "flow"}),
         ("tensor", "Tensor Ellipsoid", {"GlyphTensorArray": "stress"}),
-        ("velocity", "Sphere", {"MotionBlur": 1, "VelocityArray": "flow", "GlyphOrient": 0, "SamplesPerPixel": 8}),
+        ("velocity", "Sphere", {"MotionBlur": 1, "VelocityArray": "flow", "Orient": 0, "SamplesPerPixel": 8}),
     )
     displays = [session.Settings(session.glyphs(source, view)) for source in (points, trees)]
     for name, wanted in OFFERED.items():
@@ -91,7 +91,7 @@ def main():
         pictures, said = [], []
         for settings, of in zip(displays, ("points", "cells")):
             def draw():
-                settings.set({"Visibility": 1, "GlyphShape": shape, "GlyphScaleFactor": 0.5, **properties})
+                settings.set({"Visibility": 1, **session.shaped(shape), "ScaleFactor": 0.5, **properties})
                 pv.Render(view)
 
             said.append(session.messages(draw))
@@ -103,7 +103,7 @@ def main():
 
     # Cells that another rank shows, too
     shown = displays[1]
-    shown.set({"Visibility": 1, "GlyphShape": "Sphere", "GlyphScaleFactor": 0.5, "GlyphOrient": 0})
+    shown.set({"Visibility": 1, "GlyphType": "Sphere", "ScaleFactor": 0.5, "Orient": 0})
     pv.Render(view)
     checks.equal("glyphs of all cells", session.statistics(shown.shown)["glyphs"], len(numbers))
     ghosts = numpy.zeros(data.GetNumberOfCells(), numpy.uint8)

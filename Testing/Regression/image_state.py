@@ -15,7 +15,7 @@ PIXELS = SIZE[0] * SIZE[1]
 def balls(mode, samples, step=-1, **properties):
     """(view, representation): balls whose image grows from render to render."""
     view = session.view(*SIZE)
-    shown = session.glyphs(cloud(), view, GlyphOrient=0, GlyphScaleFactor=0.35, ShadingMode=mode, samples=samples, **properties)
+    shown = session.glyphs(cloud(), view, Orient=0, ScaleFactor=0.35, ShadingMode=mode, samples=samples, **properties)
     stepwise(shown, step)
     session.solid(shown, (0.9, 0.9, 0.9))
     session.look(view, (0.0, 0.0, 6.0))
@@ -77,7 +77,7 @@ def two_passes(checks):
     """Opaque and translucent glyphs have an image each; the refinement ends with the slower one."""
     samples = 12
     view, shown = balls("Path Tracing", samples, SecondaryRays=24)
-    other = session.glyphs(cloud(20, 5), view, GlyphOrient=0, GlyphScaleFactor=0.1, samples=samples,
+    other = session.glyphs(cloud(20, 5), view, Orient=0, ScaleFactor=0.1, samples=samples,
                            ShadingMode="Path Tracing", Opacity=0.5, SecondaryRays=24)
     session.solid(other, (0.2, 0.5, 0.9))
     pv.Render(view)

@@ -31,7 +31,7 @@ def draw(prefix):
     checks.true("a second entry for the same plugin: %s" % plugins, "raytracedglyphs" not in plugins)
     view = session.view(80, 60)
     session.look(view, (0.0, 0.0, 5.0))
-    shown = session.glyphs(session.source(session.poly_data(numpy.zeros((1, 3)))), view, GlyphOrient=0)
+    shown = session.glyphs(session.source(session.poly_data(numpy.zeros((1, 3)))), view, Orient=0)
     session.solid(shown, (0.9, 0.8, 0.3))
     checks.covered("one sphere", session.capture(view, "installed"), 0.02, 0.2)
     checks.report()

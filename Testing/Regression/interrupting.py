@@ -48,7 +48,7 @@ def scene():
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.Background = [channel / 255.0 for channel in session.BACKGROUND]
-    shown = session.glyphs(cloud(1000), view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.15)
+    shown = session.glyphs(cloud(1000), view, "Sphere", Orient=0, ScaleFactor=0.15)
     session.solid(shown, (0.9, 0.9, 0.9))
     shown.ShadingMode, shown.SecondaryRays = "Ambient Occlusion", 4
     session.look(view, (0.0, 0.0, 6.0))

@@ -34,7 +34,7 @@ def trace():
     view = session.view(300, 200)
     view.RemoteRenderThreshold = 0.0  # on the server, if there is one
     source = session.points_of_ranks(POINTS)
-    session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.2, samples=SAMPLES)
+    session.glyphs(source, view, "Sphere", Orient=0, ScaleFactor=0.2, samples=SAMPLES)
     session.look(view, (0.0, 0.0, 5.0))
     pv.Render(view)
 

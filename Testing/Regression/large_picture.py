@@ -29,7 +29,7 @@ def main(side):
     view = session.view(512, 512)
     random = numpy.random.default_rng(1)
     points = session.source(session.poly_data(random.uniform(-1.0, 1.0, (20000, 3)), diameter=random.uniform(0.02, 0.05, 20000)))
-    shown = session.glyphs(points, view, "Sphere", GlyphScaling=1, GlyphScaleArray="diameter", GlyphScaleFactor=1.0)
+    shown = session.glyphs(points, view, "Sphere", ScaleMode="Magnitude", SelectScaleArray="diameter", ScaleFactor=1.0)
     session.look(view, (2.0, 3.0, 4.0), parallel_scale=1.5)
     small = coverage(session.capture(view, "large-picture-small"))
     shown.SamplesPerPixel = 1

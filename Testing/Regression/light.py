@@ -35,12 +35,12 @@ class Scene:
         self.floor.ShadingMode = mode
         session.solid(self.floor, (0.8, 0.8, 0.8))
         self.ball_source = session.source(session.poly_data(numpy.array([[-0.6, 0.0, 0.5]])))
-        self.ball = session.glyphs(self.ball_source, self.view, "Sphere", GlyphOrient=0, GlyphScaleFactor=1.0)
+        self.ball = session.glyphs(self.ball_source, self.view, "Sphere", Orient=0, ScaleFactor=1.0)
         session.solid(self.ball, (0.9, 0.3, 0.2))
         self.arrow_source = session.source(session.poly_data(
             numpy.array([[0.6, -0.5, 0.0], [0.6, 0.0, 0.0], [0.6, 0.5, 0.0]]), up=numpy.array([[0, 0, 1.0]] * 3)))
-        self.arrows = session.glyphs(self.arrow_source, self.view, "Arrow", GlyphOrient=1, GlyphOrientationArray="up",
-                                     GlyphScaleFactor=1.0)
+        self.arrows = session.glyphs(self.arrow_source, self.view, "Arrow", Orient=1, SelectOrientationVectors="up",
+                                     ScaleFactor=1.0)
         session.solid(self.arrows, (0.2, 0.4, 0.9))
         session.look(self.view, (0.0, -5.0, 3.5), (0.0, 0.0, 0.3), (0.0, 0.0, 1.0))
 
@@ -129,7 +129,7 @@ def studio():
     checks = Checks()
     view = session.view(120, 120, background=(255, 255, 255))
     points = session.source(session.poly_data(numpy.array([[0.0, 0.0, 0.0]]), value=numpy.array([1.0])))
-    ball = session.glyphs(points, view, "Sphere", samples=32, GlyphOrient=0, GlyphScaleFactor=1.0)
+    ball = session.glyphs(points, view, "Sphere", samples=32, Orient=0, ScaleFactor=1.0)
     table = pv.GetColorTransferFunction("value")
     red = (0.706, 0.016, 0.150)  # the upper end of ParaView's Cool to Warm
     table.RGBPoints = [0.0, *red, 1.0, *red]
@@ -176,7 +176,7 @@ def studio():
     view = session.view(160, 160, background=(255, 255, 255))
     grid = numpy.stack(numpy.meshgrid(*[numpy.arange(12.0)] * 3), axis=-1).reshape(-1, 3)
     points = session.source(session.poly_data(grid + numpy.random.default_rng(3).uniform(-0.2, 0.2, grid.shape)))
-    crowd = session.glyphs(points, view, "Sphere", samples=8, GlyphOrient=0, GlyphScaleFactor=0.9)
+    crowd = session.glyphs(points, view, "Sphere", samples=8, Orient=0, ScaleFactor=0.9)
     session.look(view, (24.0, 20.0, 30.0), (5.5, 5.5, 5.5), parallel_scale=5.0)
     means = {}
     for mode in ("Local", "Ambient Occlusion", "Path Tracing"):
@@ -205,7 +205,7 @@ def surrounded():
 
     view = session.view(160, 120, background=(255, 255, 255))
     points = session.source(session.poly_data(numpy.array([[0.0, 0.0, 0.0]])))
-    ball = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=1.0, ShadingMode="Path Tracing",
+    ball = session.glyphs(points, view, "Sphere", Orient=0, ScaleFactor=1.0, ShadingMode="Path Tracing",
                           Illumination="Uniform", SamplesPerPixel=32)
     session.solid(ball, (0.9, 0.9, 0.9))
     session.look(view, (0.0, 0.0, 4.0), parallel_scale=0.6)
@@ -250,7 +250,7 @@ def cycle(kind):
     plane = pv.Plane()
     on_device = None
     if kind == "ray traced":
-        shown = session.glyphs(points, view, "Sphere", GlyphOrient=0, ShadingMode="Ambient Occlusion")
+        shown = session.glyphs(points, view, "Sphere", Orient=0, ShadingMode="Ambient Occlusion")
         pv.Show(plane, view).SetRepresentationType(SURFACE)
     else:
         pv.Show(points, view).SetRepresentationType("Points")

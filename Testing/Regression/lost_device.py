@@ -31,7 +31,7 @@ def main():
     data = session.source(session.poly_data(points, scalar=points[:, 0]))
     views = [session.view(200, 150), session.view(200, 150)]
     for view in views:
-        shown = session.glyphs(data, view, "Box", GlyphOrient=0, GlyphScaleFactor=0.2)
+        shown = session.glyphs(data, view, "Box", Orient=0, ScaleFactor=0.2)
         pv.ColorBy(shown, ("POINTS", "scalar"))
         shown.SetScalarBarVisibility(view, False)
         session.look(view, (0.0, 0.0, 5.0))
@@ -81,9 +81,9 @@ def main():
     lose("always")
     expect("again and again", session.messages(lambda: [moved(x) for x in (0.5, 0.6, 0.7, 0.8)]), 1)
     lose(None)
-    shown_here.GlyphScaleFactor = 0.3
+    shown_here.ScaleFactor = 0.3
     pv.Render(view)
-    shown_here.GlyphScaleFactor = 0.2
+    shown_here.ScaleFactor = 0.2
     expect("whole again", session.messages(lambda: moved(2.0)), 0)
     expect_picture("whole again", view, expected)
     session.finish(failures)

@@ -56,7 +56,7 @@ def main():
                                  value=generator.uniform(size=count))
 
     points, surface = session.source(cloud(POINTS)), session.source(sheet(generator))
-    shown = session.glyphs(points, view, GlyphOrient=0, GlyphScaleFactor=0.05)
+    shown = session.glyphs(points, view, Orient=0, ScaleFactor=0.05)
     pv.ColorBy(shown, ("POINTS", "value"))
     wall = pv.Show(surface, view)
     wall.SetRepresentationType("Ray Traced Surface")

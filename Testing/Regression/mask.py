@@ -1,4 +1,4 @@
-"""GlyphMask: how many glyphs each mode leaves, and which.
+"""GlyphMode: how many glyphs each mode leaves, and which.
 
 Usage: pvpython mask.py
 """
@@ -27,7 +27,7 @@ class Masked:
 
     def __init__(self, stage, data):
         self.stage = stage
-        session.solid(stage.show(data, "Sphere", GlyphScaleFactor=0.02), (0.9, 0.8, 0.5))
+        session.solid(stage.show(data, "Sphere", ScaleFactor=0.02), (0.9, 0.8, 0.5))
 
     def __call__(self, name, **properties):
         """(covered pixels, number of glyphs)."""
@@ -40,19 +40,15 @@ def numbers(checks, stage, points):
     """How many are left, and that a smaller number is a part of a larger one."""
     masked = Masked(stage, session.poly_data(points))
     checks.equal("without a mask", masked("all")[1], len(points))
-    checks.equal("every 10th", masked("tenth", GlyphMask=1, GlyphMaskMode="Every Nth")[1], len(points) // 10)
+    checks.equal("every 10th", masked("tenth", GlyphMode="Every Nth")[1], len(points) // 10)
     nth, number = masked("nth", GlyphStride=37)
     checks.equal("every 37th", number, -(-len(points) // 37))
     for mode in ("Random", "Even in Space"):
-        few, number = masked(mode + "-few", GlyphMaskMode=mode, MaximumNumberOfGlyphs=100)
+        few, number = masked(mode + "-few", GlyphMode=mode, MaximumNumberOfGlyphs=100)
         checks.equal(mode, number, 100)
         more, number = masked(mode + "-more", MaximumNumberOfGlyphs=301)
         checks.equal(mode, number, 301)
         checks.true(mode + ": 100 glyphs are not among 301", not (few & ~more).any())
-        other, number = masked(mode + "-other", GlyphSeed=2)
-        checks.equal(mode + ", another seed", number, 301)
-        checks.true(mode + ": another seed chooses the same glyphs", (other != more).any())
-        checks.true(mode + ": the same seed chooses other glyphs", (masked(mode + "-again", GlyphSeed=1)[0] == more).all())
         checks.equal(mode + " of fewer than the maximum", masked(mode + "-maximum", MaximumNumberOfGlyphs=len(points) + 1)[1], len(points))
     some = Masked(stage, session.poly_data(points[::37]))
     checks.true("every 37th is not every 37th", (some("37")[0] == nth).all())
@@ -64,7 +60,7 @@ def evenness(checks, stage, points):
     masked = Masked(stage, session.poly_data(points))
     right = slice(SIZE // 10 + 3, None)
     for mode, share in (("Random", 0.1), ("Even in Space", 0.9)):
-        seen, number = masked("share-" + mode, GlyphMask=1, GlyphMaskMode=mode, MaximumNumberOfGlyphs=256)
+        seen, number = masked("share-" + mode, GlyphMode=mode, MaximumNumberOfGlyphs=256)
         # Spheres of four pixels across cover about twelve; few overlap.
         found = seen[:, right].sum() / 12.0 / number
         print("%s: %d glyphs, %.2f of them right of the crowd, %.2f expected" % (mode, number, found, share))
@@ -84,7 +80,7 @@ def odd(checks, stage):
     for name, points, maximum, wanted in (("place", place, 7, 7), ("line", line, 8, 8), ("broken", broken, 2000, 1000)):
         masked = Masked(stage, session.poly_data(points))
         found = []
-        session.messages(lambda: found.append(masked(name, GlyphMask=1, GlyphMaskMode="Even in Space", MaximumNumberOfGlyphs=maximum)))
+        session.messages(lambda: found.append(masked(name, GlyphMode="Even in Space", MaximumNumberOfGlyphs=maximum)))
         checks.equal("glyphs of points that are a " + name, found[0][1], wanted)
         if name == "line":
             rows = numpy.flatnonzero(found[0][0].any(axis=1))
@@ -98,7 +94,7 @@ def blocks(checks, view, points):
         data.SetBlock(i, session.poly_data(points[55 * i:55 * (i + 1)]))
         data.GetMetaData(i).Set(vtkCompositeDataSet.NAME(), "half%d" % i)
     masked = Masked(session.Stage(view), data)
-    both, number = masked("blocks", GlyphMask=1, GlyphMaskMode="Every Nth", GlyphStride=10)
+    both, number = masked("blocks", GlyphMode="Every Nth", GlyphStride=10)
     checks.equal("every 10th of two blocks of 55", number, 12)
     one, number = masked("block", BlockSelectors=["/Root/half1"])
     checks.equal("every 10th of one of them", number, 6)

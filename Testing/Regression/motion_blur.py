@@ -36,7 +36,7 @@ class Blur:
                                       slowing=numpy.array([[-2.0, 0.0, 0.0]] * 3), nothing=0.0 * VELOCITY)
         self.data.GetPointData().SetActiveVectors("velocity")
         self.points = session.source(self.data)
-        self.shown = session.glyphs(self.points, self.view, samples=64, GlyphOrient=0, GlyphScaleFactor=0.2)
+        self.shown = session.glyphs(self.points, self.view, samples=64, Orient=0, ScaleFactor=0.2)
         session.solid(self.shown, (1.0, 1.0, 1.0))
         self.shown.Ambient, self.shown.Diffuse = 1.0, 0.0
 
@@ -128,7 +128,7 @@ def series(failures):
     view = session.view(100, 100)
     generator = numpy.random.default_rng(3)
     points = session.source(session.poly_data(numpy.zeros((0, 3)), v=numpy.zeros((0, 3))))
-    shown = session.glyphs(points, view, GlyphOrient=0, GlyphScaleFactor=0.1, MotionBlur=1, VelocityArray="v",
+    shown = session.glyphs(points, view, Orient=0, ScaleFactor=0.1, MotionBlur=1, VelocityArray="v",
                            AccelerationArray="None", ShutterTime=0.2)
     session.look(view, (0.0, 0.0, 6.0))
     size = []
@@ -173,20 +173,20 @@ def from_data(checks):
     for unit in (1e-7, 1.0, 4e4):
         data = session.poly_data(grid, velocity=unit * speeds[:, None] * [1.0, 0.0, 0.0], spin=numpy.tile([0.0, 0.0, unit], (len(grid), 1)))
         source = session.source(data)
-        shown = session.glyphs(source, view, samples=8, GlyphOrient=0)
+        shown = session.glyphs(source, view, samples=8, Orient=0)
         pv.ResetCamera(view)
         still = comparison.covered(session.capture(view, "motion-data-still")).mean()
         shown.MotionBlur = 1
         time, of_data = shutter(shown, view)
         checks.equal("speeds of %g: whether the data have chosen ShutterTime" % unit, of_data, 1)
-        checks.within("speeds of %g: streaks, in glyph sizes" % unit, time * 0.95 * unit / shown.GlyphScaleFactor, 2.7, 3.1)
+        checks.within("speeds of %g: streaks, in glyph sizes" % unit, time * 0.95 * unit / shown.ScaleFactor, 2.7, 3.1)
         blurred = session.capture(view, "motion-data-%g" % unit)
         checks.within("speeds of %g: covered, of what is covered at rest" % unit, comparison.covered(blurred).mean() / still, 1.02, 2.0)
         shown.ShutterTime = 2.0 * time
         shown.ShutterTime = time
         checks.equal("speeds of %g: ShutterTime of a script" % unit, shutter(shown, view), (time, 0))
         checks.true("speeds of %g: the same ShutterTime gives another picture" % unit, (session.capture(view, "motion-data-set") == blurred).all())
-        shown.GlyphScaleFactor = shown.GlyphScaleFactor / 3.0
+        shown.ScaleFactor = shown.ScaleFactor / 3.0
         checks.equal("speeds of %g: ShutterTime of a script, and other sizes" % unit, shutter(shown, view), (time, 0))
         shown.SMProxy.GetProperty("ShutterTime").ResetToDomainDefaults()
         shown.SMProxy.UpdateVTKObjects()
@@ -196,14 +196,14 @@ def from_data(checks):
         shown.VelocityArray, shown.AngularVelocityArray = "None", "spin"
         checks.within("speeds of %g: turn in radians" % unit, shutter(shown, view)[0] * unit, 0.9, 1.1)
         pv.Delete(shown)
-    shown = session.glyphs(source, view, samples=1, MotionBlur=1, GlyphOrient=0, ShutterTime=1.0)
+    shown = session.glyphs(source, view, samples=1, MotionBlur=1, Orient=0, ShutterTime=1.0)
     checks.equal("ShutterTime that was set before the first render", shutter(shown, view), (1.0, 0))
     pv.Delete(shown)
 
     # One that is far faster than all others leaves the picture where it is.
     fast = speeds[:, None] * [1.0, 0.0, 0.0]
     fast[5] = [0.0, 1e6, 0.0]
-    shown = session.glyphs(session.source(session.poly_data(grid, velocity=fast)), view, MotionBlur=1, GlyphOrient=0)
+    shown = session.glyphs(session.source(session.poly_data(grid, velocity=fast)), view, MotionBlur=1, Orient=0)
     checks.within("way of a fast one, of the longest side", shutter(shown, view)[0] * 1e6 / 3.5, 0.4, 0.51)
     pv.Delete(view)
 
@@ -232,14 +232,14 @@ def of_others(checks):
     source = scale_guess.series(*((time, 4, 0.2 * time) for time in times))
     ids = pv.ProgrammableFilter(Input=source, CopyArrays=1, Script=IDS)
     moving = pv.Calculator(Input=ids, Function="s*iHat", ResultArrayName="velocity")
-    shown = session.glyphs(moving, view, MotionBlur=1, GlyphOrient=0, VelocityArray="velocity")
+    shown = session.glyphs(moving, view, MotionBlur=1, Orient=0, VelocityArray="velocity")
     found = []
     for time in times:
         view.ViewTime = time
         session.messages(lambda: pv.Render(view))
         found.append(shown.ShutterTime)
     checks.equal("ShutterTime of growing speeds", found[1:3] + found[3:], [found[1], found[1], found[3], found[3]])
-    checks.within("streaks of the last step, in glyph sizes", found[-1] / shown.GlyphScaleFactor, 2.7, 3.0 * 2.5)
+    checks.within("streaks of the last step, in glyph sizes", found[-1] / shown.ScaleFactor, 2.7, 3.0 * 2.5)
     shown.VelocityFromPreviousStep, shown.PointIdArray = 1, "id"
     for time, wanted in ((0.0, None), (1.0, 1.0), (3.0, 2.0)):
         view.ViewTime = time

@@ -138,8 +138,8 @@ def mesh_glyphs(streaks):
     """Boxes made of triangles at three points, and what picking says of one."""
     data = session.poly_data(bad_input.LINE, velocity=ALONG[:3], turning=numpy.array([[0.0, 0.0, 40.0 * numpy.pi]] * 3))
     points = session.source(data)
-    streaks.show(points, session.REPRESENTATION, GlyphShape="Mesh", GlyphMesh="Box", GlyphScaleFactor=0.2, GlyphOrient=0,
-                 GlyphScaling=0, VelocityArray="velocity", MotionBlur=1, ShutterTime=1.0)
+    streaks.show(points, session.REPRESENTATION, GlyphType=session.triangles(pv.Box()), ScaleFactor=0.2, Orient=0,
+                 ScaleMode="No Data Scaling Off", VelocityArray="velocity", MotionBlur=1, ShutterTime=1.0)
     centres = (-1.0, 0.0, 1.0)
     streaks.streak("mesh glyphs", [x + 0.6 * TIMES - 0.1 for x in centres], [x + 0.6 * TIMES + 0.1 for x in centres])
     text = session.messages(lambda: pv.Render(streaks.view))

@@ -1,4 +1,4 @@
-"""Orientations as codes write them give one picture: quaternions, matrices row by row, axes one after another, angles; also
+"""Orientations as codes write them give one picture: quaternions, matrices row by row, angles; also
 where the array says by its length what it is, and where each component is an array of its own, whatever the types of these.
 What is no rotation makes no glyph.
 
@@ -38,8 +38,8 @@ def quaternion(matrix):
 def drawn(stage, data, array, mode, **properties):
     """(picture, messages) of boxes."""
     def show():
-        shown = stage.show(data, "Box", **{**dict(GlyphScaleFactor=0.9, GlyphScaling=1, GlyphScaleArray="lengths", GlyphScaleMode="Components",
-                                                  GlyphOrient=1, GlyphOrientationArray=array, GlyphOrientationMode=mode), **properties})
+        shown = stage.show(data, "Box", **{**dict(ScaleFactor=0.9, SelectScaleArray="lengths", ScaleMode="Vector Components",
+                                                  Orient=1, SelectOrientationVectors=array, OrientationMode=mode), **properties})
         session.solid(shown, (0.9, 0.8, 0.5))
         pv.Render(stage.view)
 
@@ -57,19 +57,19 @@ def columns(checks, stage):
                 if isinstance(joined, str) and ", " in joined}
         pictures = []
         for data in (session.poly_data(CENTERS, **made), session.poly_data(CENTERS, **parts)):
-            shown = stage.show(data, shape, **{"GlyphScaleFactor": 0.9, "GlyphOrient": 0, **properties})
+            shown = stage.show(data, shape, **{"ScaleFactor": 0.9, "Orient": 0, **properties})
             session.solid(shown, (0.9, 0.8, 0.5))
             checks.no_message(name, session.messages(lambda: pv.Render(stage.view)))
             pictures.append(session.capture(stage.view, "orientations-columns-%s-%d" % (name, len(pictures))))
         checks.covered(name, pictures[0], 0.02)
         checks.picture(name + " of columns of different types", pictures[1], pictures[0], pixels=0.0)
 
-    picture("sizes", "Box", GlyphScaling=1, GlyphScaleMode="Components", GlyphScaleArray="a, b, c")
+    picture("sizes", "Box", ScaleMode="Vector Components", SelectScaleArray="a, b, c")
     picture("exponents", "Superquadric", GlyphExponentArray="a, b, c")
     picture("tensors", "Tensor Ellipsoid", GlyphTensorArray="a, b, c, zero, zero, zero")
-    picture("directions", "Arrow", GlyphOrient=1, GlyphOrientationArray="zero, b, c")
-    picture("quaternions", "Box", GlyphOrient=1, GlyphOrientationArray="a, b, c, zero",
-            GlyphOrientationMode="Quaternion")
+    picture("directions", "Arrow", Orient=1, SelectOrientationVectors="zero, b, c")
+    picture("quaternions", "Box", Orient=1, SelectOrientationVectors="a, b, c, zero",
+            OrientationMode="Quaternion")
     picture("velocities", "Sphere", MotionBlur=1, ShutterTime=1.0, SamplesPerPixel=4, VelocityArray="zero, b, c", AccelerationArray="None")
 
 
@@ -77,7 +77,7 @@ def plane(checks, stage):
     """Vectors of two components lie in the plane z = 0."""
     flat = numpy.array([[0.5, 0.2], [-0.3, 0.6], [0.1, -0.5], [-0.4, -0.4]])
     filled = numpy.column_stack([flat, numpy.zeros(4)])
-    for name, shape, properties in (("direction", "Arrow", {"GlyphOrient": 1, "GlyphOrientationArray": "v", "GlyphScaling": 1, "GlyphScaleArray": "v"}),
+    for name, shape, properties in (("direction", "Arrow", {"Orient": 1, "SelectOrientationVectors": "v", "ScaleMode": "Magnitude", "SelectScaleArray": "v"}),
                                     ("velocity", "Sphere", {"MotionBlur": 1, "ShutterTime": 1.0, "SamplesPerPixel": 4, "VelocityArray": "v"}),
                                     ("acceleration", "Sphere", {"MotionBlur": 1, "ShutterTime": 1.0, "SamplesPerPixel": 4, "ShutterOpening": "Forward",
                                                                 "VelocityArray": "None", "AccelerationArray": "v"})):
@@ -85,7 +85,7 @@ def plane(checks, stage):
             pictures = []
             for values in (filled, flat):
                 data = session.poly_data(CENTERS, v=(10.0 * values).astype(kind))
-                shown = stage.show(data, shape, **{"GlyphScaleFactor": 0.1, "GlyphOrient": 0, **properties})
+                shown = stage.show(data, shape, **{"ScaleFactor": 0.1, "Orient": 0, **properties})
                 checks.no_message("%s of %d components" % (name, values.shape[1]), session.messages(lambda: pv.Render(stage.view)))
                 pictures.append(session.capture(stage.view, "orientations-plane-%s-%d" % (name, len(pictures))))
             checks.covered(name + " of three components", pictures[0], 0.005)
@@ -99,7 +99,6 @@ def main():
     matrices = numpy.array([turn(2, z) @ turn(0, x) @ turn(1, y) for x, y, z in ANGLES])
     # As files have them: rounded, and axes of any length.
     rows = numpy.round(matrices, 5).reshape(4, 9)
-    axes = 1e-3 * matrices.transpose(0, 2, 1).reshape(4, 9)
     mirrored, flat = rows.copy(), rows.copy()
     mirrored[1, 6:] *= -1.0
     flat[2, 3:6] = flat[2, :3]
@@ -108,21 +107,21 @@ def main():
     components.update({"shape" + "xyz"[i]: LENGTHS[:, i] for i in range(3)})
     components["c_q[1-3]"] = quaternions[:, :3]  # as LAMMPS' dump vtk writes the first three of four
     data = session.poly_data(
-        CENTERS, **components, lengths=LENGTHS, size=numpy.linalg.norm(LENGTHS, axis=1), angles=ANGLES, rows=rows, axes=axes, mirrored=mirrored, flat=flat,
+        CENTERS, **components, lengths=LENGTHS, size=numpy.linalg.norm(LENGTHS, axis=1), angles=ANGLES, rows=rows, mirrored=mirrored, flat=flat,
         quaternions=quaternions)
     view = session.view(240, 100)
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.0)
     stage = session.Stage(view)
     expected, _ = drawn(stage, data, "angles", "Rotation")
     checks.covered("angles", expected, 0.1)
-    for array, mode in (("quaternions", "Quaternion"), ("quaternions", "Direction"), ("quaternions", "Rotation"), ("rows", "Matrix"), ("rows", "Direction"),
-                        ("rows", "Quaternion"), ("axes", "Axes")):
+    for array, mode in (("quaternions", "Quaternion"), ("quaternions", "Direction"), ("quaternions", "Rotation"), ("rows", "Rotation"), ("rows", "Direction"),
+                        ("rows", "Quaternion")):
         picture, said = drawn(stage, data, array, mode)
         checks.no_message("%s, %s" % (array, mode), said)
         checks.picture("%s, %s" % (array, mode), picture, expected, pixels=0.002)
     # The components as arrays of their own
     joined = "c_q[1], c_q[2],c_q[3] ,c_q[4]"
-    picture, said = drawn(stage, data, joined, "Quaternion", GlyphScaleArray="shapex, shapey, shapez")
+    picture, said = drawn(stage, data, joined, "Quaternion", SelectScaleArray="shapex, shapey, shapez")
     checks.no_message("components", said)
     checks.picture("components", picture, expected, pixels=0.002)
     picture, said = drawn(stage, data, "c_q[1-3], c_q[4]", "Quaternion")
@@ -132,14 +131,14 @@ def main():
     checks.one_message(missing, drawn(stage, data, missing, "Quaternion")[1], "no point array", missing)
     for several in ("c_q[1], c_q[2]", "c_q[1], lengths, c_q[3]"):
         checks.one_message(several, drawn(stage, data, several, "Quaternion")[1], several, "are needed")
-    for array, mode in (("mirrored", "Matrix"), ("flat", "Matrix")):
+    for array, mode in (("mirrored", "Direction"), ("flat", "Direction")):
         checks.one_message(array, drawn(stage, data, array, mode)[1], "1 of 4", "orientation", array)
-    for array, mode, needed in (("angles", "Matrix", "9"), ("angles", "Quaternion", "4 or 9"), ("size", "Direction", "3, 4 or 9")):
+    for array, mode, needed in (("angles", "Quaternion", "4 or 9"), ("size", "Direction", "3, 4 or 9")):
         checks.one_message("%s, %s" % (array, mode), drawn(stage, data, array, mode)[1], array, needed + " are needed")
     # A size of one component has no components to scale by.
-    pictures = [drawn(stage, data, "rows", "Matrix", GlyphScaleArray="size", GlyphScaleMode=mode)[0] for mode in ("Magnitude", "Components")]
+    pictures = [drawn(stage, data, "rows", "Direction", SelectScaleArray="size", ScaleMode=mode)[0] for mode in ("Magnitude", "Vector Components")]
     checks.covered("size", pictures[0], 0.1)
-    checks.picture("size of one component, Components", pictures[1], pictures[0])
+    checks.picture("size of one component, Vector Components", pictures[1], pictures[0])
     columns(checks, stage)
     plane(checks, stage)
     checks.report()

@@ -40,7 +40,7 @@ def main():
             shown.GlyphType.ThetaResolution = shown.GlyphType.PhiResolution = 64
             shown.GlyphType.Radius, shown.Scaling = 0.15, 0
         else:
-            shown.GlyphOrient, shown.GlyphScaleFactor, shown.SamplesPerPixel = 0, 0.3, 1
+            shown.Orient, shown.ScaleFactor, shown.SamplesPerPixel = 0, 0.3, 1
         pv.ColorBy(shown, ("POINTS", array))
         shown.SetScalarBarVisibility(view, False)
         pv.GetColorTransferFunction(array).RescaleTransferFunction(0.0, 60.0)

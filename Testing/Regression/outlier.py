@@ -15,8 +15,8 @@ SIZE = 0.3
 def picture(stage, outlier, shape, name):
     """The view along z: what lies far away along x is in no picture and moves no clipping plane."""
     points = POINTS if outlier is None else numpy.vstack([POINTS, [[outlier, 0.0, 0.0]]])
-    shown = stage.show(session.poly_data(points, v=numpy.tile([1.0, 0.5, 0.3], (len(points), 1))), shape, GlyphScaleFactor=SIZE, GlyphOrient=1,
-                       GlyphOrientationArray="v", GlyphOrientationMode="Direction")
+    shown = stage.show(session.poly_data(points, v=numpy.tile([1.0, 0.5, 0.3], (len(points), 1))), shape, ScaleFactor=SIZE, Orient=1,
+                       SelectOrientationVectors="v", OrientationMode="Direction")
     session.solid(shown, (0.9, 0.8, 0.3))
     return session.capture(stage.view, "outlier-%s-%s" % (shape, name)).astype(float)
 

@@ -1,5 +1,5 @@
-"""The properties panel as its XML describes it: path tracing's material is in the group of ray tracing whatever
-Interpolation is, and nowhere with other shading.
+"""The properties panel as its XML describes it: path tracing's material is in ParaView's group Lighting whatever Interpolation is, and with other
+shading where ParaView has it; 3D Glyphs' properties are there for both kinds of glyphs, and at most 20 of a shape's rows are not advanced.
 
 Usage: pvpython panel.py
 """
@@ -9,7 +9,11 @@ import session
 from checks import Checks
 
 MATERIAL = ("Metallic", "Roughness", "CoatStrength", "CoatIOR", "CoatRoughness", "CoatColor")
-GROUPS = ("Ray Traced Image", "Ray Traced Material")
+GROUPS, LIGHTING, GLYPHS = ("Ray Traced Image",), "Lighting", "Glyph Parameters"
+#: what both kinds of glyphs have
+SHARED = {"Orient", "OrientationMode", "SelectOrientationVectors", "Scaling", "ScaleMode", "ScaleFactor", "SelectScaleArray", "GlyphType",
+          "UseGlyphTable", "GlyphTableIndexArray"}
+MOST_ROWS = 20
 
 
 def children(element, name):
@@ -43,17 +47,41 @@ def visible(proxy, hints):
     return all(holds(proxy, decorator) for decorator in children(hints, "PropertyWidgetDecorator"))
 
 
-def panel(shown):
-    """Names of a display's visible properties in the groups."""
-    proxy, found = shown.SMProxy, set()
+def panel(shown, label=None, advanced=True):
+    """Names of a display's visible properties in the groups of that label, or in all. A property's last group is the one that shows it."""
+    proxy, group_of, found = shown.SMProxy, {}, set()
     for i in range(proxy.GetNumberOfPropertyGroups()):
         group = proxy.GetPropertyGroup(i)
         for j in range(group.GetNumberOfProperties()):
-            member = group.GetProperty(j)
-            if group.GetXMLLabel() in GROUPS and "never" not in (group.GetPanelVisibility(), member.GetPanelVisibility()) \
-                    and visible(proxy, group.GetHints()) and visible(proxy, member.GetHints()):
-                found.add(proxy.GetPropertyName(member))
+            group_of[proxy.GetPropertyName(group.GetProperty(j))] = group
+    for name, group in group_of.items():
+        member = proxy.GetProperty(name)
+        hidden = ("never",) if advanced or str(shown.Representation).strip("'").lower() == member.GetPanelVisibilityDefaultForRepresentation() \
+            else ("never", "advanced")
+        if label in (None, group.GetXMLLabel()) and "never" not in (group.GetPanelVisibility(), member.GetPanelVisibility()) \
+                and member.GetPanelVisibility() not in hidden and visible(proxy, group.GetHints()) and visible(proxy, member.GetHints()):
+            found.add(name)
     return found
+
+
+def rows(checks, view):
+    """What is seen of glyphs."""
+    shown = session.glyphs(session.source(session.poly_data([[0.0] * 3, [1.0] * 3], v=[[1.0, 0.0, 0.0]] * 2)), view)
+    for name, properties in (("sphere", {"GlyphType": "Sphere"}), ("arrow", {"GlyphType": "Arrow"}), ("tensor", {"GlyphShape": "Tensor Superquadric"})):
+        for key, value in properties.items():
+            setattr(shown, key, value)
+        # The group Coloring is one row, blocks have a panel of their own; beside the groups there are the representation's name and the data's axes.
+        found = panel(shown, advanced=False) - {"AmbientColor", "DiffuseColor", "LookupTable"} | {"Representation", "DataAxesGrid"}
+        found = {row for row in found if not row.startswith("Block")}
+        print("%s: %d rows: %s" % (name, len(found), sorted(found)))
+        checks.within(name + ": rows", len(found), 5, MOST_ROWS)
+        checks.equal(name + ": properties of 3D Glyphs", SHARED & panel(shown, GLYPHS),
+                     SHARED if name != "tensor" else {"Scaling", "ScaleMode", "ScaleFactor", "SelectScaleArray"})
+    shown.SetRepresentationType("3D Glyphs")
+    checks.equal("3D Glyphs' own properties", SHARED & panel(shown, GLYPHS), SHARED)
+    shown.SetRepresentationType("Surface")
+    checks.equal("3D Glyphs' properties of a surface", panel(shown, GLYPHS), set())
+    pv.Delete(shown)
 
 
 def main():
@@ -68,15 +96,15 @@ def main():
             shown.ShadingMode = mode
             for interpolation in ("Flat", "Gouraud", "PBR"):
                 shown.Interpolation = interpolation
-                found = panel(shown)
+                found = panel(shown, *GROUPS)
                 what = "%s, %s, Interpolation %s: the panel has " % (kind, mode, interpolation)
                 print(what + str(sorted(found)))
                 ours, traced = kind != "Surface", kind != "Surface" and mode == "Path Tracing"
                 checks.equal(what + "ShadingMode", "ShadingMode" in found, ours)
                 checks.equal(what + "MaximumBounces", "MaximumBounces" in found, traced)
-                # They may have names of their own, such as PathMetallic.
-                material = [name for name in MATERIAL if any(other.endswith(name) for other in found)]
-                checks.equal(what + "material", material, list(MATERIAL) if traced else [])
+                material = panel(shown, LIGHTING) & set(MATERIAL)
+                checks.equal(what + "material", material, set(MATERIAL) if traced or interpolation == "PBR" else set())
+    rows(checks, view)
     checks.report()
 
 

@@ -12,13 +12,13 @@ import session
 from checks import Checks, cloud
 
 #: what is set, no default among it
-SET = {"GlyphShape": "Capsule", "GlyphScaleFactor": 0.31, "GlyphScaleFunction": "Square Root", "GlyphScaling": 1, "GlyphScaleArray": "scalar",
-       "GlyphLegend": 1, "ShutterTime": 0.5, "ShutterOpening": "Forward", "ShadingMode": "Ambient Occlusion", "SamplesPerPixel": 3, "Exposure": 0.5}
+SET = {"GlyphShape": "Capsule", "ScaleFactor": 0.31, "GlyphScaleFunction": "Square Root", "ScaleMode": "Magnitude", "SelectScaleArray": "scalar",
+       "GlyphLegend": "Upper Left", "ShutterTime": 0.5, "ShutterOpening": "Forward", "ShadingMode": "Ambient Occlusion", "SamplesPerPixel": 3, "Exposure": 0.5}
 #: what the data have a say in, whatever was saved or restored
-FROM_DATA = {"GlyphScaleFactor", "GlyphScaleArray", "ShutterTime"}
+FROM_DATA = {"ScaleFactor", "SelectScaleArray", "ShutterTime"}
 #: what is chosen by the data, and other values
-OTHERS = {"GlyphScaleArray": "other", "GlyphOrientationArray": "force", "GlyphTensorArray": "None", "VelocityArray": "force", "TubeRadius": 7.0,
-          "GlyphScaleFactor": 0.11}
+OTHERS = {"SelectScaleArray": "other", "SelectOrientationVectors": "force", "GlyphTensorArray": "None", "VelocityArray": "force", "TubeRadius": 7.0,
+          "ScaleFactor": 0.11}
 CHOSEN = tuple(OTHERS)
 QUALITY = ("RenderingQuality", "ShadingMode", "SamplesPerPixel", "Denoising")
 
@@ -100,7 +100,7 @@ def reset(checks):
     view = session.view(120, 90)
     session.look(view, (0.0, 0.0, 6.0))
     for way in (panel_button, one_by_one, all_at_once):
-        shown = session.glyphs(source, view, GlyphScaling=1)
+        shown = session.glyphs(source, view, ScaleMode="Magnitude")
         expected, first = session.capture(view, "panel-buttons-first"), values(shown, CHOSEN)
         checks.equal("chosen", [first[name] for name in CHOSEN[:4]], ["radius", "velocity", "stress", "velocity"])
         for name, value in OTHERS.items():
@@ -109,7 +109,9 @@ def reset(checks):
         checks.true("everything is as at first: %s" % first, all(value != first[name] for name, value in values(shown, CHOSEN).items()))
         way(shown)
         shown.SetRepresentationType(session.REPRESENTATION)
-        shown.GlyphShape, shown.GlyphScaling, shown.SamplesPerPixel = "Sphere", 1, 1
+        # What is 3D Glyphs' has ParaView's defaults, but for the size.
+        shown.GlyphType, shown.ScaleMode, shown.SamplesPerPixel = "Sphere", "Magnitude", 1
+        shown.Scaling, shown.Orient, shown.SelectScaleArray, shown.SelectOrientationVectors = 1, 1, "radius", "velocity"
         picture = session.capture(view, "panel-buttons-reset")
         checks.equal("reset, " + way.__name__, values(shown, CHOSEN), first)
         checks.picture("reset, " + way.__name__, picture, expected, pixels=0.0, mean=0.0)
@@ -142,7 +144,7 @@ def animated(checks, view, shown):
     """Numbers follow an animation track, those that hold for a view, too."""
     scene = pv.GetAnimationScene()
     scene.PlayMode, scene.StartTime, scene.EndTime, scene.NumberOfFrames = "Sequence", 0.0, 1.0, 3
-    for name, first, last in (("GlyphScaleFactor", 0.1, 0.5), ("Exposure", -1.0, 1.0), ("ArrowTipLength", 0.2, 0.6)):
+    for name, first, last in (("ScaleFactor", 0.1, 0.5), ("Exposure", -1.0, 1.0), ("GlyphTensorThickness", 0.2, 0.6)):
         track = pv.GetAnimationTrack(name, index=0, proxy=shown)
         frames = [pv.CompositeKeyFrame(KeyTime=time, KeyValues=[value]) for time, value in ((0.0, first), (1.0, last))]
         track.KeyFrames = frames

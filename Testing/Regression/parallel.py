@@ -30,7 +30,7 @@ def structured(view):
     """Spheres at the points of an image, whose pieces share the points between them."""
     half = SIDE // 2
     wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
-    shown = session.glyphs(wavelet, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.9)
+    shown = session.glyphs(wavelet, view, "Sphere", Orient=0, ScaleFactor=0.9)
     pv.ColorBy(shown, ("POINTS", "RTData"))
     shown.SetScalarBarVisibility(view, False)
     look_at_cube(view)
@@ -42,8 +42,8 @@ def vectors(view):
     half = SIDE // 2
     wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
     calculator = pv.Calculator(Input=wavelet, ResultArrayName="flow", Function="coordsY*iHat-coordsX*jHat+coordsZ*kHat")
-    shown = session.glyphs(calculator, view, "Arrow", GlyphOrientationArray="flow", GlyphScaling=1, GlyphScaleArray="flow",
-                           GlyphScaleFactor=0.35, ArrowTipRadius=0.25, ArrowShaftRadius=0.1)
+    shown = session.glyphs(calculator, view, "Arrow", ArrowHeads="Fixed", SelectOrientationVectors="flow", ScaleMode="Magnitude", SelectScaleArray="flow",
+                           ScaleFactor=0.35, **{"GlyphType.TipRadius": 0.25, "GlyphType.ShaftRadius": 0.1})
     session.solid(shown, (0.3, 0.6, 0.9))
     look_at_cube(view)
     return shown
@@ -55,7 +55,7 @@ def tensors(view):
     wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
     stress = pv.Calculator(Input=wavelet, ResultArrayName="stress", Function="(16+coordsX+coordsY+coordsZ)*iHat+(8+coordsY)*jHat-(5+coordsX)*kHat")
     shear = pv.Calculator(Input=stress, ResultArrayName="shear", Function="coordsZ*iHat-coordsY*jHat+coordsX*kHat")
-    shown = session.glyphs(shear, view, "Tensor Ellipsoid", GlyphTensorArray="stress, shear", GlyphScaleFactor=0.05,
+    shown = session.glyphs(shear, view, "Tensor Ellipsoid", GlyphTensorArray="stress, shear", ScaleFactor=0.05,
                            GlyphTensorColoring="Eigenvalues")
     look_at_cube(view)
     return shown
@@ -64,8 +64,8 @@ def tensors(view):
 def unstructured(view, folder):
     """The particles of the simulation, spread over the ranks, and an opaque surface of their own in between."""
     spread = session.spread(folder + "/impact/impact_04.vtk")
-    shown = session.glyphs(spread, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
-                           GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
+    shown = session.glyphs(spread, view, "Sphere", Orient=0, SelectScaleArray="diameter",
+                           ScaleMode="Magnitude", ScaleFactor=1.0)
     session.solid(shown, (0.9, 0.7, 0.3))
     ball = pv.Sphere(Center=[14.0, 14.0, 4.0], Radius=8.0, ThetaResolution=64, PhiResolution=64)
     surface = pv.Show(ball, view)
@@ -81,7 +81,7 @@ def cluster(view):
     wavelet = pv.Wavelet(WholeExtent=[-half, half] * 3)
     contour = pv.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[200.0])
     kept = pv.Calculator(Input=wavelet, ResultArrayName="kept", Function="if(coordsY<1.5*abs(coordsZ)-3,1,0)")
-    shown = session.glyphs(kept, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="kept", GlyphScaleFactor=0.9, samples=1)
+    shown = session.glyphs(kept, view, "Sphere", Orient=0, ScaleMode="Magnitude", SelectScaleArray="kept", ScaleFactor=0.9, samples=1)
     session.solid(shown, (0.9, 0.9, 0.9))
     surface = pv.Show(contour, view)
     surface.SetRepresentationType("Ray Traced Surface")
@@ -103,10 +103,10 @@ def together(view, ranks, failures):
     # The other one asks for ghosts, which mark the points beyond those that two pieces share.
     plain, ghosts = (pv.Wavelet(WholeExtent=[-half, half] * 3) for _ in range(2))
     for source in (plain, pv.Gradient(Input=ghosts, ScalarArray=["POINTS", "RTData"])):
-        shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.4, samples=1)
+        shown = session.glyphs(source, view, "Sphere", Orient=0, ScaleFactor=0.4, samples=1)
         # Translucent ones are distributed anew: those of the lattice's middle lie where it is cut.
         for mask, wanted, opacity in ((0, SIDE**3, 1.0), (0, SIDE**3, 0.5), (1, 300, 1.0)):
-            shown.GlyphMask = mask
+            shown.GlyphMode = "Random" if mask else "All Points"
             shown.Opacity = opacity
             shown.MaximumNumberOfGlyphs = wanted
             pv.Render(view)
@@ -158,7 +158,7 @@ BLOCK_STATES = {
     "height": ({}, ("POINTS", "height")),
     "bytes": ({"MapScalars": 0}, ("POINTS", "rgb")),
     "field data": ({}, ("FIELD", "material")),
-    "sizes": ({"GlyphScaling": 1, "GlyphScaleArray": "height"}, None),
+    "sizes": ({"ScaleMode": "Magnitude", "SelectScaleArray": "height"}, None),
 }
 
 
@@ -168,11 +168,11 @@ def block_pictures(name):
     blocks = session.blocks_of_ranks()
     lowered = pv.Transform(Input=blocks)
     lowered.Transform.Translate = [0.0, -1.0, 0.0]
-    kinds = [session.show(blocks, view, "Ray Traced Surface", 1), session.glyphs(lowered, view, "Box", 1, GlyphOrient=0, GlyphScaleFactor=0.4)]
+    kinds = [session.show(blocks, view, "Ray Traced Surface", 1), session.glyphs(lowered, view, "Box", 1, Orient=0, ScaleFactor=0.4)]
     session.look(view, (2.0, 0.0, 5.0), (2.0, 0.0, 0.0), parallel_scale=1.1)
     for state, (properties, array) in BLOCK_STATES.items():
         for shown in kinds:
-            shown.BlockSelectors, shown.BlockColors, shown.BlockOpacities, shown.MapScalars, shown.GlyphScaling = ["/"], [], [], 1, 0
+            shown.BlockSelectors, shown.BlockColors, shown.BlockOpacities, shown.MapScalars, shown.ScaleMode = ["/"], [], [], 1, "No Data Scaling Off"
             session.solid(shown, (0.8, 0.8, 0.8))
             shown.Ambient, shown.Diffuse = 1.0, 0.0
             for key, value in properties.items():

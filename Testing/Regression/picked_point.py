@@ -38,11 +38,11 @@ def main():
     view = session.view(240, 180)
     pv.Show(pv.Plane(Origin=[-2, -1.5, -1], Point1=[2, -1.5, -1], Point2=[-2, 1.5, -1]), view)
     for name, data in sources():
-        shown = session.glyphs(session.source(data), view, GlyphOrient=0, GlyphScaleFactor=SIZE)
+        shown = session.glyphs(session.source(data), view, Orient=0, ScaleFactor=SIZE)
         for scale in (None, 1.5):
             session.look(view, (0.0, 0.0, 6.0), parallel_scale=scale)
             for shape in ("Sphere", "Box"):
-                shown.GlyphShape = shape
+                session.assign_shape(shown, shape)
                 pv.Render(view)
                 for center in CENTERS:
                     what = "%s as %s, %s projection" % (name, shape, "perspective" if scale is None else "parallel")

@@ -18,7 +18,7 @@ OURS = (("representations", "RayTracedGlyphRepresentation"), ("representations",
 
 
 #: proxies, whose sources belong to the display, and a command
-WITHOUT_VALUE = {"GlyphMesh", "GlyphTensorLookupTable", "StopRefinement"}
+WITHOUT_VALUE = {"GlyphTensorLookupTable", "StopRefinement"}
 
 
 def names_of(group, proxy):
@@ -47,9 +47,10 @@ def main():
     """Displays of several types of data."""
     session.load()
     checks = Checks()
-    ours = set().union(*(names_of(*own) for own in OURS)) - names_of("representations", "SurfaceRepresentation") - names_of("representations", "GlyphRepresentation") - {"Input"}
+    ours = set().union(*(names_of(*own) for own in OURS)) - names_of("representations", "SurfaceRepresentation") \
+        - names_of("representations", "Glyph3DRepresentation") - names_of("representations", "GlyphRepresentation") - {"Input"}
     print("%d properties of this plugin" % len(ours))
-    for name in ("GlyphShape", "GlyphMesh", "GlyphScaleFactor", "ShadingMode", "SamplesPerPixel", "MotionBlur", "TubeRadius"):
+    for name in ("GlyphShape", "ScaleFactorFromData", "ShadingMode", "SamplesPerPixel", "MotionBlur", "TubeRadius"):
         checks.true("%s is no property of this plugin" % name, name in ours)
     smtrace.start_trace()
     view = pv.CreateView("RenderView")
@@ -72,10 +73,10 @@ def main():
     checks.true("the state file names %s" % sorted(found), not found)
     # What is shown by the plugin must be named all the same.
     shown.SetRepresentationType(session.REPRESENTATION)
-    shown.GlyphShape, shown.GlyphScaleFactor = "Cone", 0.3
+    shown.GlyphType, shown.ScaleFactor = "Cone", 0.3
     pv.Render(view)
     found = assigned(smstate.get_state())
-    checks.true("the Python state of ray-traced glyphs lacks their shape or size", {"GlyphShape", "GlyphScaleFactor"} <= found)
+    checks.true("the Python state of ray-traced glyphs lacks their shape or size", {"GlyphType", "ScaleFactor"} <= found)
     checks.report()
 
 

@@ -37,7 +37,7 @@ def main():
         session.look(view, (0.5, 0.5, 4.0))
         source = session.source(blocks(count))
         told.clear()
-        shown = session.glyphs(source, view, GlyphOrient=0, GlyphScaleFactor=0.003)
+        shown = session.glyphs(source, view, Orient=0, ScaleFactor=0.003)
         pv.Render(view)
         checks.equal("glyphs", session.statistics(shown)["glyphs"], count)
         for text in TEXTS + (TIMED if wanted else ()):

@@ -40,7 +40,7 @@ SCENES = {
 }
 #: what all rows begin with
 START = {"ColorArrayName": [None, ""], "AmbientColor": [0.8] * 3, "DiffuseColor": [0.8] * 3, "SamplesPerPixel": 1, "Denoising": "Never"}
-START_OF_GLYPHS = {"GlyphOrient": 0}
+START_OF_GLYPHS = {"GlyphType": "Sphere", "Orient": 0, "Scaling": 1}
 #: what shows its own color and nothing else
 UNLIT = {"Ambient": 1.0, "Diffuse": 0.0}
 #: the same in white: its green tells how far it covers a pixel of the background, which has none
@@ -177,7 +177,7 @@ class Bench:
             self.seen, self.settings = shown, session.Settings(shown)
         start = {"Representation": kind, "Visibility": 1, **START}
         if kind == GLYPHS:
-            start.update(START_OF_GLYPHS, GlyphScaleFactor=SCENES[scene][1])
+            start.update(START_OF_GLYPHS, ScaleFactor=SCENES[scene][1])
         elif kind == TUBES:
             start.update(TubeRadius=0.5 * SCENES[scene][1])
         self.settings.set({name: value(self) if callable(value) else value for name, value in {**start, **properties}.items() if value is not LEFT})
@@ -359,7 +359,7 @@ def as_surface(change):
 
 def as_3d_glyphs(**properties):
     """The picture is that of ParaView's 3D Glyphs, boxes both, with these properties and the same place."""
-    @needing(GlyphShape="Box")
+    @needing(GlyphType="Box")
     def claim(change):
         place = {name: value for name, value in change.base.items() if name in ("Orientation", "Origin", "Position", "Scale")}
         as_paraview(change, "3D Glyphs", {"GlyphType": "Box", "ScaleFactor": SCENES[change.row.scene][1], **properties, **place})

@@ -40,7 +40,7 @@ def capture(view, name):
 def empty_first_rank(checks):
     """Where the first rank has nothing to show, the others' image grows to its end all the same."""
     view = session.view(160, 120)
-    shown = session.glyphs(points_of(False), view, GlyphOrient=0, GlyphScaleFactor=0.4, samples=SAMPLES)
+    shown = session.glyphs(points_of(False), view, Orient=0, ScaleFactor=0.4, samples=SAMPLES)
     stepwise(shown, 2)
     session.solid(shown, (0.9, 0.9, 0.9))
     session.look(view, (0.0, 0.0, 5.0))
@@ -55,14 +55,14 @@ def empty_first_rank(checks):
 
 
 def arrow_heads(checks):
-    """Fixed heads have the size that the mean over all ranks gives them, also when GlyphScaling is switched on later."""
+    """Fixed heads have the size that the mean over all ranks gives them, also when Scaling is switched on later."""
     view = session.view(240, 180)
-    shown = session.glyphs(points_of(True), view, "Arrow", GlyphOrientationArray="flow", GlyphScaleArray="flow",
-                           GlyphScaleFactor=0.4, ArrowHeads="Fixed", ArrowTipRadius=0.2, ArrowShaftRadius=0.08)
+    shown = session.glyphs(points_of(True), view, "Arrow", SelectOrientationVectors="flow", SelectScaleArray="flow",
+                           ScaleFactor=0.4, ArrowHeads="Fixed", **{"GlyphType.TipRadius": 0.2, "GlyphType.ShaftRadius": 0.08})
     session.solid(shown, (0.3, 0.6, 0.9))
     session.look(view, (0.0, 0.0, 6.0))
     pv.Render(view)
-    shown.GlyphScaling = 1
+    shown.ScaleMode = "Magnitude"
     pv.Render(view)
     pixels = capture(view, "arrows")
     checks.covered("arrows", pixels, 0.05)

@@ -61,7 +61,7 @@ def axes(tensors, shown, centers, root=False):
     values, vectors = numpy.linalg.eigh(tensors)
     if root:
         values = values / numpy.sqrt(numpy.abs(values).max(axis=1, keepdims=True))
-    steps = 0.5 * shown.GlyphScaleFactor * numpy.linspace(-0.8, 0.8, 81)
+    steps = 0.5 * shown.ScaleFactor * numpy.linspace(-0.8, 0.8, 81)
     lines = values[:, None, None, :, None] * steps[None, :, None, None, None] * numpy.swapaxes(vectors, 1, 2)[:, None, None]
     return (centers[:, None, None, None, :] + lines).reshape(-1, 3)
 
@@ -69,12 +69,12 @@ def axes(tensors, shown, centers, root=False):
 def shafts(case):
     """Points of the arrows' axes from cell centers on."""
     shown, step = case["shown"], numpy.linspace(0.0, 0.98, 50)[None, :, None]
-    return (case["centers"][:, None] + shown.GlyphScaleFactor * step * case["u"][:, None]).reshape(-1, 3)
+    return (case["centers"][:, None] + shown.ScaleFactor * step * case["u"][:, None]).reshape(-1, 3)
 
 
 def halos(case):
     """Points of balls whose volumes are as the masses."""
-    sizes = case["shown"].GlyphScaleFactor * numpy.cbrt(numpy.genfromtxt("halos.list")[:, 1])
+    sizes = case["shown"].ScaleFactor * numpy.cbrt(numpy.genfromtxt("halos.list")[:, 1])
     return spheres(numpy.genfromtxt("halos.list")[:, 2:5], 0.5 * sizes)
 
 

@@ -46,7 +46,7 @@ def scene():
     else:
         points = numpy.random.default_rng(1).uniform(-1.0, 1.0, (10000, 3))
         source = session.source(session.poly_data(points))
-    shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.05)
+    shown = session.glyphs(source, view, "Sphere", Orient=0, ScaleFactor=0.05)
     session.solid(shown, (0.9, 0.9, 0.9))
     shown.ShadingMode = "Ambient Occlusion"
     shown.SamplesPerPixel = SAMPLES

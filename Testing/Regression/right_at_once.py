@@ -27,8 +27,8 @@ SPARSE = {"clusters": 0.008, "stretched grid": 0.004, "tensors": 0.003}
 #: what has one glyph, which fills the view that is reset to it
 SINGLE = ("one point", "coincident points")
 RANDOM = numpy.random.default_rng(7)
-SCALED = {"GlyphScaling": 1}
-ARROWS = {"GlyphShape": "Arrow", "GlyphScaling": 1}
+SCALED = {"ScaleMode": "Magnitude"}
+ARROWS = {"GlyphType": "Arrow", "ScaleMode": "Magnitude"}
 
 
 def grid(*sides):
@@ -55,10 +55,10 @@ def generated():
         "plane grid": (grid(30, 30, 1), {}, {}),
         "stretched grid": (grid(12, 12, 12) * (0.02, 1.0, 0.1), {}, {}),
         "random points": (cube, {}, {}),
-        "boxes": (cube, {}, {"GlyphShape": "Box"}),
+        "boxes": (cube, {}, {"GlyphType": "Box"}),
         "capsules": (cube, {}, {"GlyphShape": "Capsule"}),
-        "cones": (grid(5, 5, 5), {}, {"GlyphShape": "Cone", "GlyphOrient": 0}),
-        "meshes": (grid(5, 5, 5), {}, {"GlyphShape": "Mesh", "GlyphMesh": "Sphere"}),
+        "cones": (grid(5, 5, 5), {}, {"GlyphType": "Cone", "Orient": 0}),
+        "meshes": (grid(5, 5, 5), {}, {"GlyphType": lambda: session.triangles(pv.Sphere())}),
         "clusters": (clusters, {}, {}),
         "100,000 points": (RANDOM.uniform(-1.0, 1.0, (100000, 3)), {}, {}),
         "two points": (numpy.array([[0.0, 0.0, 0.0], [5.0, 0.0, 0.0]]), {}, {}),
@@ -98,7 +98,7 @@ def files():
 
 
 def magnitude(source, shown, shape):
-    """The largest magnitude that multiplies GlyphScaleFactor, found in another way than the plugin does it."""
+    """The largest magnitude that multiplies ScaleFactor, found in another way than the plugin does it."""
     largest = 1.0
     if "Tensor" in shape:
         tensors = session.array_of(source, shown.SMProxy.GetProperty("GlyphTensorArray").GetElement(0))
@@ -106,8 +106,8 @@ def magnitude(source, shown, shape):
             tensors = tensors[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]]
         tensors = tensors.reshape(-1, 3, 3)
         largest = float(numpy.abs(numpy.linalg.eigvalsh(0.5 * (tensors + tensors.transpose(0, 2, 1)))).max())
-    elif shown.GlyphScaling:
-        values = session.array_of(source, shown.SMProxy.GetProperty("GlyphScaleArray").GetElement(0))
+    elif str(shown.ScaleMode).strip("'") != "No Data Scaling Off":
+        values = session.array_of(source, shown.SMProxy.GetProperty("SelectScaleArray").GetElement(0))
         largest = float(numpy.linalg.norm(values.reshape(len(values), -1), axis=1).max())
         largest = math.log10(1.0 + largest) if str(shown.GlyphScaleFunction).strip("'") == "Logarithm" else largest
     return largest
@@ -115,8 +115,8 @@ def magnitude(source, shown, shape):
 
 def largest_glyph(source, shown, shape, view):
     """The size of the largest glyph as a share of the view's shorter side in the distance of the focal point."""
-    size = shown.GlyphScaleFactor * magnitude(source, shown, shape)
-    limit = shown.SMProxy.GetProperty("GlyphScaleGuess").GetElement(1)
+    size = shown.ScaleFactor * magnitude(source, shown, shape)
+    limit = shown.SMProxy.GetProperty("ScaleFactorGuess").GetElement(1)
     size = limit if 0.0 < limit < size else size  # a ProgrammableSource has given this module another min()
     size *= 2.0 if shape == "Capsule" else 1.0
     camera = view.GetActiveCamera()
@@ -137,7 +137,7 @@ def picture(what, source, properties, view, checks):
     covered = float(comparison.covered(pixels).mean())
     largest = largest_glyph(source, shown, shape, view)
     print("%-26s factor %-10.4g covers %4.1f %%, largest glyph %4.1f %% of the view"
-          % (what, shown.GlyphScaleFactor, 100 * covered, 100 * largest), flush=True)
+          % (what, shown.ScaleFactor, 100 * covered, 100 * largest), flush=True)
     checks.within(what + ": covered share of the view", round(covered, 4), SPARSE.get(what, LEAST), MOST)
     checks.true("%s: the largest glyph is %.0f %% of the view" % (what, 100 * largest), largest <= LARGEST or what in SINGLE)
     checks.no_message(what, said)

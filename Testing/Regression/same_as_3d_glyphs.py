@@ -70,17 +70,28 @@ def tessellate(source, shape):
         setattr(source, name, value)
 
 
-def shape_theirs(shown, shape):
-    """Gives ParaView's 3D Glyphs a shape."""
-    shown.GlyphType = capsule() if shape == "Capsule" else shape.replace("Mesh", "")
-    tessellate(shown.GlyphType, shape)
+def give_shape(shown, shape):
+    """Gives a display of glyphs a shape: of ParaView's source; ray traced, meshes are the triangles of one that is not traced exactly."""
+    ray_traced = str(shown.Representation).strip("'") == session.REPRESENTATION
+    if shape == "Capsule":
+        shown.GlyphType, shown.GlyphShape = capsule(), shape
+        return
+    shown.GlyphShape = "Glyph Type"
+    name = shape.replace("Mesh", "")
+    if ray_traced and shape.startswith("Mesh"):
+        source = getattr(pv, name)()
+        tessellate(source, shape)
+        shown.GlyphType = session.triangles(source)
+    else:
+        shown.GlyphType = name
+        tessellate(shown.GlyphType, shape)
 
 
-def theirs(points, in_view, shape):
-    """The scene as ParaView's 3D Glyphs."""
+def glyphs(points, in_view, shape, representation):
+    """The scene."""
     shown = pv.Show(points, in_view)
-    shown.SetRepresentationType("3D Glyphs")
-    shape_theirs(shown, shape)
+    shown.SetRepresentationType(representation)
+    give_shape(shown, shape)
     shown.Orient = 1
     shown.OrientationMode = "Direction"
     shown.SelectOrientationVectors = "vector"
@@ -91,20 +102,16 @@ def theirs(points, in_view, shape):
     return shown
 
 
-def shape_ours(shown, shape):
-    """Gives ray-traced glyphs a shape."""
-    shown.GlyphShape = "Mesh" if shape.startswith("Mesh") else shape
-    if shape.startswith("Mesh"):
-        shown.GlyphMesh = shape.replace("Mesh", "")
-        tessellate(shown.GlyphMesh, shape)
+def theirs(points, in_view, shape):
+    """The scene as ParaView's 3D Glyphs."""
+    return glyphs(points, in_view, shape, "3D Glyphs")
 
 
 def ours(points, in_view, shape):
-    """The scene as ray-traced glyphs, arrows with the outline of ParaView's arrow source."""
-    shown = session.glyphs(points, in_view, GlyphOrient=1, GlyphOrientationArray="vector", GlyphOrientationMode="Direction",
-                           GlyphScaling=1, GlyphScaleArray="vector", GlyphScaleMode="Magnitude", GlyphScaleFactor=0.3,
-                           ArrowHeads="Scaled", ArrowTipRounding=0.0)
-    shape_ours(shown, shape)
+    """The scene as ray-traced glyphs."""
+    shown = glyphs(points, in_view, shape, session.REPRESENTATION)
+    if len(in_view.Representations) == 1:
+        shown.SamplesPerPixel = 1
     return shown
 
 
@@ -136,7 +143,7 @@ def combinations(shape):
             for row, coloring in enumerate(COLORINGS) for column, light in enumerate(LIGHTS)]
 
 
-def pictures(view, points, shapes, show, give_shape, who):
+def pictures(view, points, shapes, show, who):
     """The pictures of all shapes by one of the two representations, by shape and combination."""
     taken = {}
     shown = show(points, view, shapes[0])
@@ -172,8 +179,8 @@ def main(shapes):
     view = session.view()
     points = scene()
     failures = []
-    expected = pictures(view, points, shapes, theirs, shape_theirs, "paraview")
-    for (shape, combination), picture in pictures(view, points, shapes, ours, shape_ours, "ours").items():
+    expected = pictures(view, points, shapes, theirs, "paraview")
+    for (shape, combination), picture in pictures(view, points, shapes, ours, "ours").items():
         failures += comparison.against_paraview(picture, expected[shape, combination], "-".join((shape,) + combination), SILHOUETTE, COLOUR)
     session.finish(failures)
 

@@ -1,5 +1,5 @@
-"""GlyphScaleFactorFromData: what the data suggest is GlyphScaleFactor from the first render on, is chosen anew when it
-should be, and gives way to whoever sets GlyphScaleFactor.
+"""ScaleFactorFromData: what the data suggest is ScaleFactor from the first render on, is chosen anew when it
+should be, and gives way to whoever sets ScaleFactor.
 
 Usage: RTGLYPHS_DATA=FOLDER pvpython scale_guess.py
        mpiexec -n RANKS pvbatch scale_guess.py ranks
@@ -95,7 +95,7 @@ def factor(shown, view=None):
     """The present factor, after a render."""
     if view:
         pv.Render(view)
-    return round(shown.GlyphScaleFactor, 12)
+    return round(shown.ScaleFactor, 12)
 
 
 def first_picture(checks):
@@ -109,8 +109,8 @@ def first_picture(checks):
     checks.equal("factor", factor(shown), PLAIN)
     pv.ResetCamera(view)
     checks.true("the second picture is another one", (session.capture(view, "scale-guess-second") == pixels).all())
-    shown.GlyphScaleFactor = PLAIN / 2
-    shown.GlyphScaleFactor = PLAIN
+    shown.ScaleFactor = PLAIN / 2
+    shown.ScaleFactor = PLAIN
     checks.true("set by hand, the picture is another one", (session.capture(view, "scale-guess-third") == pixels).all())
     pv.Delete(view)
 
@@ -121,35 +121,36 @@ def changes(checks):
     source = session.source(data())
     shown = display(source, view)
     for name, value, wanted in (
-            ("GlyphScaleArray", "s", 0.45), ("GlyphScaling", 1, SCALED), ("GlyphScaleArray", "t", 45.0), ("GlyphScaleArray", "v", 0.11),
+            ("SelectScaleArray", "s", 0.45), ("ScaleMode", "Magnitude", SCALED), ("SelectScaleArray", "t", 45.0), ("SelectScaleArray", "v", 0.11),
             ("GlyphScaleFunction", "Square Root", SCALED), ("GlyphScaleFunction", "Unit", 0.45), ("GlyphScaleFunction", "Linear", 0.11),
-            ("GlyphScaling", 0, 0.45), ("GlyphShape", "Capsule", SCALED), ("GlyphTensorArray", "tensor", SCALED),
-            ("GlyphShape", "Tensor Ellipsoid", 0.09), ("GlyphShape", "Arrow", 0.7), ("GlyphShape", "Sphere", 0.45),
-            ("GlyphSizeRange", [0.1, 0.3], 0.45), ("Opacity", 0.5, 0.45), ("GlyphMask", 1, 0.45), ("GlyphMask", 0, 0.45)):
+            ("ScaleMode", "No Data Scaling Off", 0.45), ("GlyphShape", "Capsule", SCALED), ("GlyphTensorArray", "tensor", SCALED),
+            ("GlyphShape", "Tensor Ellipsoid", 0.09), ("GlyphShape", "Glyph Type", 0.45), ("GlyphType", "Arrow", 0.7), ("GlyphType", "Sphere", 0.45),
+            ("GlyphSizeRange", [0.1, 0.3], 0.45), ("Opacity", 0.5, 0.45), ("GlyphMode", "Random", 0.45), ("GlyphMode", "All Points", 0.45)):
         setattr(shown, name, value)
         found = factor(shown, view)
         checks.equal("factor after %s = %s" % (name, value), found, wanted)
     session.replace_data(source, data(3 * SPACING))
     checks.equal("factor of other data", factor(shown, view), 1.3)
 
-    shown.GlyphScaleFactor = 0.33
-    checks.equal("GlyphScaleFactorFromData after a factor was set", int(shown.GlyphScaleFactorFromData), 0)
-    shown.GlyphScaling, shown.GlyphScaleArray = 1, "t"
+    shown.ScaleFactor = 0.33
+    checks.equal("ScaleFactorFromData after a factor was set", int(shown.ScaleFactorFromData), 0)
+    shown.ScaleMode, shown.SelectScaleArray = "Magnitude", "t"
     session.replace_data(source, data())
     checks.equal("factor of a script, with another array and other data", factor(shown, view), 0.33)
-    shown.GlyphScaleFactorFromData = 1
+    shown.ScaleFactorFromData = 1
     checks.equal("factor from the data again", factor(shown, view), 45.0)
-    shown.GlyphScaleFactor = 0.1
+    shown.ScaleFactor = 0.1
     pv.Render(view)
-    # what the panel's button does
-    shown.SMProxy.GetProperty("GlyphScaleFactor").ResetToDomainDefaults(True)
-    checks.equal("GlyphScaleFactorFromData after a reset", int(shown.GlyphScaleFactorFromData), 1)
+    # what the panel's button does, and takes over
+    shown.SMProxy.GetProperty("ScaleFactor").ResetToDomainDefaults()
+    shown.SMProxy.UpdateVTKObjects()
+    checks.equal("ScaleFactorFromData after a reset", int(shown.ScaleFactorFromData), 1)
     checks.equal("factor after a reset", factor(shown, view), 45.0)
     pv.Delete(view)
 
     view = session.view(80, 60)
-    shown = session.glyphs(session.source(data()), view, GlyphScaleFactor=1.0)
-    checks.equal("factor that was set before the first render", (factor(shown, view), int(shown.GlyphScaleFactorFromData)), (1.0, 0))
+    shown = session.glyphs(session.source(data()), view, ScaleFactor=1.0)
+    checks.equal("factor that was set before the first render", (factor(shown, view), int(shown.ScaleFactorFromData)), (1.0, 0))
     pv.Delete(view)
 
 
@@ -157,13 +158,14 @@ def steps(checks):
     """Glyphs do not pulse over the steps of an animation; the first step with glyphs counts, while they do not grow too far."""
     view = session.view(80, 60)
     shown = session.glyphs(series((0.0, 0, 0.0), (1.0, SIDE, 0.0), (2.0, SIDE, 2.0), (3.0, SIDE, 4.0), (4.0, SIDE // 2, 1.0)), view,
-                           GlyphScaling=1, GlyphScaleArray="s", GlyphOrient=0)
+                           ScaleMode="Magnitude", SelectScaleArray="s", Orient=0)
     said = session.messages(lambda: pv.Render(view))
     checks.no_message("an empty first step", said)
     for time, wanted in ((0.0, 0.0), (1.0, 0.0), (2.0, SCALED), (3.0, SCALED), (4.0, SCALED), (0.0, SCALED), (3.0, SCALED)):
         view.ViewTime = time
-        checks.equal("factor at time %g" % time, factor(shown, view), wanted)
-    shown.SMProxy.GetProperty("GlyphScaleFactor").ResetToDomainDefaults()
+        found = factor(shown, view) if wanted else shown.SMProxy.GetProperty("ScaleFactorGuess").GetElement(0)
+        checks.equal("factor at time %g" % time, found, wanted)
+    shown.SMProxy.GetProperty("ScaleFactor").ResetToDomainDefaults()
     shown.SMProxy.UpdateVTKObjects()
     checks.equal("factor after a reset at time 3", factor(shown, view), SCALED / 2)
     pv.Delete(view)
@@ -173,7 +175,7 @@ def growing(checks):
     """Glyphs that time lets grow too far become smaller: seldom, and never larger again, so that an animation does not pulse."""
     view = session.view(80, 60)
     times = [float(time) for time in range(12)]
-    shown = session.glyphs(series(*((time, SIDE, 0.01 * time) for time in times)), view, GlyphScaling=1, GlyphScaleArray="s", GlyphOrient=0)
+    shown = session.glyphs(series(*((time, SIDE, 0.01 * time) for time in times)), view, ScaleMode="Magnitude", SelectScaleArray="s", Orient=0)
     factors = []
     for time in times[1:]:
         view.ViewTime = time
@@ -190,7 +192,7 @@ def growing(checks):
     # The first steps of an impact, in which grains creep.
     view = session.view(80, 60)
     source = pv.OpenDataFile(os.environ["RTGLYPHS_DATA"] + "/impact/impact.vtk.series")
-    shown = session.glyphs(source, view, "Arrow", GlyphScaling=1)
+    shown = session.glyphs(source, view, "Arrow", ScaleMode="Magnitude")
     for time, low, high in ((0.3, 200.0, 400.0), (0.4, 0.15, 0.3), (0.6, 0.15, 0.3)):
         view.ViewTime = time
         checks.within("factor of the impact at time %g" % time, factor(shown, view), low, high)
@@ -216,9 +218,9 @@ def odd_data(checks):
             ("a huge cube", 1e30 * cube, 0.05e30, 0.09e30), ("a tiny cube", 1e-30 * cube, 0.05e-30, 0.09e-30),
             ("points beyond the range", 1e308 * (cube - 0.5), 0.0, numpy.inf),
             ("points that are not finite", numpy.concatenate([cube, [[numpy.nan] * 3, [numpy.inf] * 3]]), 0.05, 0.09)):
-        shown = session.glyphs(session.source(session.poly_data(numpy.array(points, dtype=float))), view, GlyphOrient=0)
+        shown = session.glyphs(session.source(session.poly_data(numpy.array(points, dtype=float))), view, Orient=0)
         session.messages(lambda: pv.Render(view))
-        checks.within("factor of " + what, shown.GlyphScaleFactor, low, high)
+        checks.within("factor of " + what, shown.ScaleFactor, low, high)
         pv.Delete(shown)
     whole = grid()
     blocks = pv.GroupDatasets(Input=[session.source(session.poly_data(whole[:200])), session.source(session.poly_data(whole[200:]))])
@@ -227,9 +229,9 @@ def odd_data(checks):
     pv.Delete(shown)
     wild = numpy.ones(400)
     wild[7] = 1e12
-    shown = display(session.source(session.poly_data(cube, wild=wild)), view, GlyphScaling=1, GlyphScaleArray="wild", GlyphOrient=0)
+    shown = display(session.source(session.poly_data(cube, wild=wild)), view, ScaleMode="Magnitude", SelectScaleArray="wild", Orient=0)
     checks.within("factor with a wild value", factor(shown), 0.05, 0.09)
-    shown.GlyphScaleFactor = 1e-13
+    shown.ScaleFactor = 1e-13
     pv.Render(view)
     pv.Delete(view)
 
@@ -237,13 +239,14 @@ def odd_data(checks):
 def states(checks):
     """State files and Python states keep who has chosen the factor; afterwards the session is empty."""
     view = session.view(80, 60)
-    shown = display(pv.Wavelet(WholeExtent=[-4, 4] * 3), view, GlyphOrient=0)
+    shown = display(pv.Wavelet(WholeExtent=[-4, 4] * 3), view, Orient=0)
     checks.equal("factor of the Wavelet", factor(shown), 0.9)
-    checks.true("a factor from the data is in the Python state", "GlyphScaleFactor" not in smstate.get_state())
+    checks.true("the Python state does not say that the factor is the data's", re.search(r"ScaleFactorFromData *= *1", smstate.get_state()))
     pv.SaveState(session.output("scale-guess-data.pvsm"))
-    shown.GlyphScaleFactor = 0.125
+    shown.ScaleFactor = 0.125
     pv.Render(view)
-    checks.true("a factor of a script is not in the Python state", re.search(r"GlyphScaleFactor *= *0.125", smstate.get_state()))
+    checks.true("a factor of a script is not in the Python state", re.search(r"ScaleFactor *= *0.125", smstate.get_state()))
+    checks.true("the Python state says that a script's factor is the data's", "ScaleFactorFromData" not in smstate.get_state())
     pv.SaveState(session.output("scale-guess-script.pvsm"))
     for name, from_data, wanted in (("data", 1, 0.9), ("script", 0, 0.125)):
         pv.ResetSession()
@@ -252,7 +255,7 @@ def states(checks):
         pv.Render(view)
         found = [entry for entry in view.Representations if getattr(entry, "Representation", "") == session.REPRESENTATION]
         checks.equal("displays of the state of " + name, len(found), 1)
-        checks.equal("GlyphScaleFactorFromData of the state of " + name, int(found[0].GlyphScaleFactorFromData), from_data)
+        checks.equal("ScaleFactorFromData of the state of " + name, int(found[0].ScaleFactorFromData), from_data)
         checks.equal("factor of the state of " + name, factor(found[0]), wanted)
     pv.ResetSession()
 
@@ -261,18 +264,18 @@ def compare(checks, what):
     """What the test's data suggest, wherever they are."""
     view = session.view(80, 60)
     moving = pv.Calculator(Input=series((0.0, SIDE, 2.0)), Function="s*iHat", ResultArrayName="velocity")
-    shown = session.glyphs(moving, view, GlyphOrient=0)
+    shown = session.glyphs(moving, view, Orient=0)
     checks.equal(what + ": factor", factor(shown, view), PLAIN)
     shown.MotionBlur = 1
     pv.Render(view)
     checks.within(what + ": streaks, in glyph sizes", shown.ShutterTime * 2.0 / PLAIN, 2.9, 3.0)
     shown.MotionBlur = 0
-    shown.GlyphScaling, shown.GlyphScaleArray = 1, "s"
+    shown.ScaleMode, shown.SelectScaleArray = "Magnitude", "s"
     checks.equal(what + ": factor with scaling", factor(shown, view), SCALED)
     session.look(view, (1.75, 1.75, 12.0), (1.75, 1.75, 1.75))
     guessed = session.capture(view, "scale-guess-" + what.replace(" ", "-"))
-    shown.GlyphScaleFactor = 0.1
-    shown.GlyphScaleFactor = SCALED
+    shown.ScaleFactor = 0.1
+    shown.ScaleFactor = SCALED
     pv.Render(view)
     share, _, _ = comparison.difference(guessed, session.capture(view, "scale-guess-by-hand-" + what.replace(" ", "-")))
     checks.equal(what + ": share of the pixels that differ from the same factor set by hand", share, 0.0)

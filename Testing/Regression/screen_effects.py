@@ -15,7 +15,7 @@ RADIUS = 0.165
 def scene(stage, count=400, size=0.25, samples=8):
     """Puts a packing of spheres on the stage."""
     data = cloud(count).GetClientSideObject().GetOutputDataObject(0)
-    session.solid(stage.show(data, "Sphere", GlyphOrient=0, GlyphScaleFactor=size, SamplesPerPixel=samples), (0.9, 0.6, 0.3))
+    session.solid(stage.show(data, "Sphere", Orient=0, ScaleFactor=size, SamplesPerPixel=samples), (0.9, 0.6, 0.3))
     session.look(stage.view, (0.0, 0.0, 4.5))
 
 
@@ -76,7 +76,7 @@ def walls():
     view = session.view(240, 180)
     displays = {}
     for kind in (session.REPRESENTATION, "3D Glyphs"):
-        shown = session.glyphs(session.source(session.poly_data(points)), view, GlyphOrient=0, GlyphScaleFactor=2 * RADIUS, samples=1)
+        shown = session.glyphs(session.source(session.poly_data(points)), view, Orient=0, ScaleFactor=2 * RADIUS, samples=1)
         shown.SetRepresentationType(kind)
         if kind == "3D Glyphs":
             shown.GlyphType = "Sphere"

@@ -37,7 +37,7 @@ def main():
     view = pv.GetActiveViewOrCreate("RenderView")
     pv.GetLayout().PreviewMode = [300, 200]
     source = cloud(1000)
-    shown = session.glyphs(source, view, "Sphere", samples=6, GlyphOrient=0, GlyphScaleFactor=0.15, ShadingMode="Ambient Occlusion")
+    shown = session.glyphs(source, view, "Sphere", samples=6, Orient=0, ScaleFactor=0.15, ShadingMode="Ambient Occlusion")
     session.look(view, (0.0, 0.0, 6.0))
     pv.SetActiveSource(source)
     pv.Render(view)

@@ -117,7 +117,7 @@ def before_a_render(checks, view, source):
 def in_blocks(checks, view):
     """Selecting blocks gives the block of the glyph that is seen, as it does of ParaView's own points."""
     source = session.source(blocks())
-    shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.7)
+    shown = session.glyphs(source, view, "Sphere", Orient=0, ScaleFactor=0.7)
     shown.PointSize = 20.0
     found = {}
     for kind in ("Points", session.REPRESENTATION):
@@ -137,7 +137,7 @@ def in_blocks(checks, view):
 def labels(checks, view):
     """The label of a selected point is seen before its glyph, whose middle is behind the surface."""
     source = session.source(points(slice(0, 20)))
-    shown = session.glyphs(source, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.9)
+    shown = session.glyphs(source, view, "Sphere", Orient=0, ScaleFactor=0.9)
     session.solid(shown, (0.9, 0.3, 0.3))
     shown.SelectionColor = [0.0, 1.0, 0.0]
     pv.SelectPoints("number == 7", source)
@@ -165,9 +165,9 @@ def main():
     session.look(view, (2.0, 1.5, 10.0), (2.0, 1.5, 0.0), parallel_scale=2.2)
     for shape in ("Sphere", "Box", "Mesh"):
         source = session.source(points())
-        shown = session.glyphs(source, view, shape, GlyphOrient=0, GlyphScaleFactor=0.7)
+        shown = session.glyphs(source, view, shape, Orient=0, ScaleFactor=0.7)
         if shape == "Mesh":
-            shown.GlyphMesh = "Sphere"
+            shown.GlyphType = session.triangles(pv.Sphere())
         pv.Render(view)
         on_surface(checks, view, source, shape)
         if shape == "Sphere":

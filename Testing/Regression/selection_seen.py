@@ -44,12 +44,12 @@ def green_places(view, picture):
 
 CASES = {
     "Sphere": (points, {}, "number", range(7, 12)),
-    "Box": (points, {"GlyphOrient": 0}, "number", range(19)),
-    "Mesh": (points, {"GlyphOrient": 0}, "number", [3]),
-    "Signed Tensor Superquadric": (points, {"GlyphTensorArray": "tensor", "GlyphTensorColoring": "Sign", "GlyphScaleFactor": 0.35}, None, [0, 19]),
-    "Tensor Ellipsoid": (points, {"GlyphTensorArray": "tensor", "GlyphTensorColoring": "Trace", "GlyphScaleFactor": 0.35}, "number", [4, 5]),
-    "Spherical Harmonics": (points, {"GlyphHarmonicsArray": "number", "GlyphTensorColoring": "Radius", "GlyphScaleFactor": 0.06}, None, [5, 6, 11]),
-    "Capsule": (blocks, {"GlyphOrient": 0, "GlyphScaleFactor": 0.4}, "number", [2, 8, 9, 10, 17]),
+    "Box": (points, {"Orient": 0}, "number", range(19)),
+    "Mesh": (points, {"Orient": 0}, "number", [3]),
+    "Signed Tensor Superquadric": (points, {"GlyphTensorArray": "tensor", "GlyphTensorColoring": "Sign", "ScaleFactor": 0.35}, None, [0, 19]),
+    "Tensor Ellipsoid": (points, {"GlyphTensorArray": "tensor", "GlyphTensorColoring": "Trace", "ScaleFactor": 0.35}, "number", [4, 5]),
+    "Spherical Harmonics": (points, {"GlyphHarmonicsArray": "number", "GlyphTensorColoring": "Radius", "ScaleFactor": 0.06}, None, [5, 6, 11]),
+    "Capsule": (blocks, {"Orient": 0, "ScaleFactor": 0.4}, "number", [2, 8, 9, 10, 17]),
 }
 
 
@@ -61,10 +61,10 @@ def query(numbers):
 def shape_case(checks, stage, shape):
     """One shape: select, look, clear."""
     make, properties, array, wanted = CASES[shape]
-    shown = stage.show(make(), shape, **{"GlyphScaleFactor": 0.7, **properties})
+    shown = stage.show(make(), shape, **{"ScaleFactor": 0.7, **properties})
     view, source = stage.view, stage.source
     if shape == "Mesh":
-        shown.GlyphMesh = "Sphere"
+        shown.GlyphType = session.triangles(pv.Sphere())
     if array:
         pv.ColorBy(shown, ("POINTS", array))
         session.cool_to_warm(array)
@@ -95,7 +95,7 @@ def cells(checks, view):
     grid = pv.Wavelet(WholeExtent=[0, 5, 0, 4, 0, 1])
     moved = pv.Transform(Input=grid)
     moved.Transform.Translate = [-0.5, -0.5, -0.5]
-    shown = session.glyphs(moved, view, "Sphere", GlyphLocation="Cells", GlyphScaleFactor=0.7)
+    shown = session.glyphs(moved, view, "Sphere", GlyphLocation="Cells", ScaleFactor=0.7)
     session.solid(shown, (0.9, 0.3, 0.3))
     shown.SelectionColor = list(GREEN)
     pv.Render(view)
@@ -165,7 +165,7 @@ def tubes(checks, view):
 def color(checks, view):
     """The color of ParaView's palette, and another one while something is selected."""
     source = session.source(points())
-    shown = session.glyphs(source, view, "Sphere", GlyphScaleFactor=0.7, Ambient=1.0, Diffuse=0.0)
+    shown = session.glyphs(source, view, "Sphere", ScaleFactor=0.7, Ambient=1.0, Diffuse=0.0)
     session.solid(shown, (0.9, 0.3, 0.3))
     pv.SelectPoints("number == 7", source)
     for wanted in (None, (0.0, 0.5, 1.0)):

@@ -57,10 +57,10 @@ def glyphs(checks):
     for name, data, cell_ids in (("points without cells", bare, (None,) * 3), ("vertices", vertices, (1, 2, 0)),
                                  ("corners of a triangle", triangle, (None,) * 3)):
         for shape in ("Sphere", "Mesh"):
-            shown = displays.show(data, shape, GlyphOrient=0, GlyphScaleFactor=0.6)
+            shown = displays.show(data, shape, Orient=0, ScaleFactor=0.6)
             source = displays.source
             if shape == "Mesh":
-                shown.GlyphMesh = "Sphere"
+                shown.GlyphType = session.triangles(pv.Sphere())
             pv.Render(view)
             for i, (x, y, _) in enumerate(points):
                 at = pixel(x + 0.05, y)
@@ -106,7 +106,7 @@ def hyper_tree_grid(checks):
     source = session.source(data)
     bounds = [0.0] * 6
     for kind in (session.REPRESENTATION, SURFACE):
-        shown = session.glyphs(source, view, GlyphOrient=0, GlyphScaleFactor=0.6)
+        shown = session.glyphs(source, view, Orient=0, ScaleFactor=0.6)
         shown.SetRepresentationType(kind)
         pv.Render(view)
         for tree, child in ((0, None), (1, 0), (1, 1), (1, 2), (1, 3)):

@@ -60,7 +60,7 @@ def pictures(checks, window, where):
     view.UseColorPaletteForBackground = 0
     view.Background = [channel / 255.0 for channel in session.BACKGROUND]
     source = session.points_of_ranks(POINTS, STEPS)
-    shown = session.glyphs(source, view, "Sphere", samples=SAMPLES, GlyphOrient=0, GlyphScaleFactor=0.09, ShadingMode="Ambient Occlusion",
+    shown = session.glyphs(source, view, "Sphere", samples=SAMPLES, Orient=0, ScaleFactor=0.09, ShadingMode="Ambient Occlusion",
                            Denoising=0, ParallelLight="Replicated", VelocityArray="flow")
     pv.ColorBy(shown, ("POINTS", "number"))
     session.cool_to_warm("number")

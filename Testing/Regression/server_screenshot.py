@@ -21,7 +21,7 @@ def scene(points, size):
     """(view, representation): balls whose light is noisy with few samples."""
     view = session.view(*size)
     view.RemoteRenderThreshold = client_server.REMOTE
-    shown = session.glyphs(points, view, GlyphOrient=0, GlyphScaleFactor=0.4,
+    shown = session.glyphs(points, view, Orient=0, ScaleFactor=0.4,
                            ShadingMode="Ambient Occlusion", SecondaryRays=8, samples=SAMPLES)
     session.solid(shown, (0.9, 0.9, 0.9))
     session.look(view, (0.0, 0.0, 6.0))

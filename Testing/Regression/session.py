@@ -227,7 +227,36 @@ def picked(view, kind, at):
 
 def glyphs(of_source, in_view, shape="Sphere", samples=None, **properties):
     """Shows a source as ray-traced glyphs; properties as in the property reference, samples as show() has them."""
-    return show(of_source, in_view, REPRESENTATION, samples, **{"GlyphShape": shape, **properties})
+    return show(of_source, in_view, REPRESENTATION, samples, **{**shaped(shape), **properties})
+
+
+#: the sources of 3D Glyphs that are traced exactly
+SOURCES = ("Sphere", "Box", "Cylinder", "Cone", "Arrow")
+
+
+def triangles(source):
+    """A source whose triangles are the glyphs, as it does not come from a source that is traced exactly."""
+    return pv.ExtractSurface(Input=source)
+
+
+def shaped(shape):
+    """The properties of a shape: of a source, of "Mesh", the triangles of an arrow, or of another GlyphShape."""
+    if shape == "Mesh":
+        return {"GlyphType": triangles(pv.Arrow())}
+    return {"GlyphType": shape} if shape in SOURCES else {"GlyphShape": shape}
+
+
+def assign_shape(shown, shape):
+    """Gives a display a shape, whatever it had."""
+    for name, value in {"GlyphShape": "Glyph Type", **shaped(shape)}.items():
+        setattr(shown, name, value)
+
+
+def assign(shown, name, value):
+    """Sets a property, or with "GlyphType.Radius" one of its value's. What can be called makes the value."""
+    value = value() if callable(value) else value
+    owner, _, last = name.rpartition(".")
+    setattr(getattr(shown, owner) if owner else shown, last, value)
 
 
 def show(of_source, in_view, representation, samples=None, **properties):
@@ -242,12 +271,15 @@ def show(of_source, in_view, representation, samples=None, **properties):
     if samples is not None:
         shown.SamplesPerPixel = samples
     for name, value in properties.items():
-        setattr(shown, name, value)
+        assign(shown, name, value)
     return shown
 
 
 def value_of(shown, name):
     """A property's value, as a script would set it."""
+    if "." in name:
+        owner, _, last = name.rpartition(".")
+        return value_of(getattr(shown, owner), last)
     value = shown.GetPropertyValue(name)
     if name == "ColorArrayName":
         return [value.GetAssociation(), value.GetArrayName()] if value.GetArrayName() else [None, ""]
@@ -263,8 +295,8 @@ class Settings:
 
     def set(self, properties):
         """Sets these, and those that were set before back to what they were at first."""
-        for name in self.now - set(properties):
-            setattr(self.shown, name, self.first[name])
+        for name in sorted(self.now - set(properties), key=lambda name: "." not in name): # of values before these
+            assign(self.shown, name, self.first[name])
         self.now &= set(properties)
         self.add(properties)
 
@@ -273,26 +305,26 @@ class Settings:
         for name, value in properties.items():
             if name not in self.first:
                 self.first[name] = value_of(self.shown, name)
-            setattr(self.shown, name, value)
+            assign(self.shown, name, value)
             self.now.add(name)
 
 
 class Stage:
     """A view with one display, whose data and properties change from case to case. Cases state what the first one's data would otherwise choose
-    for all: GlyphScaleFactor, TubeRadius.
+    for all: ScaleFactor, TubeRadius.
     """
 
     def __init__(self, in_view, representation=REPRESENTATION):
         self.view, self.representation, self.source, self.settings = in_view, representation, None, None
 
     def show(self, data, shape=None, **properties):
-        """The display, of these data and with these properties; all others are those of a fresh one. shape: GlyphShape."""
+        """The display, of these data and with these properties; all others are those of a fresh one. shape: as shaped() has it."""
         if self.source is None:
             self.source = source(data)
             self.settings = Settings(show(self.source, self.view, self.representation))
         else:
             replace_data(self.source, data)
-        self.settings.set({"GlyphShape": shape, **properties} if shape else properties)
+        self.settings.set({**(shaped(shape or "Sphere") if self.representation == REPRESENTATION else {}), **properties})
         return self.settings.shown
 
     def hide(self):
@@ -311,6 +343,11 @@ def solid(shown, colour):
     shown.ColorArrayName = [None, ""]
     shown.DiffuseColor = list(colour)
     shown.AmbientColor = list(colour)
+
+
+def signs(positive, negative):
+    """The table of two colors for GlyphTensorColoring Sign."""
+    return pv.CreateLookupTable(RGBPoints=[-1.0, *negative, 1.0, *positive], ColorSpace="RGB")
 
 
 def cool_to_warm(name):

@@ -15,7 +15,7 @@ def main():
     session.load()
     checks = Checks()
     view = session.view(80, 60)
-    shown = session.glyphs(cloud(50), view, GlyphOrient=0, GlyphScaleFactor=0.3, samples=2)
+    shown = session.glyphs(cloud(50), view, Orient=0, ScaleFactor=0.3, samples=2)
     session.look(view, (0.0, 0.0, 5.0))
     dispatches = 0
     for count in range(1, 4):

@@ -23,7 +23,7 @@ def main():
     session.load()
     view = session.view(200, 150)
     points = session.source(cloud(1))
-    shown = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.1)
+    shown = session.glyphs(points, view, "Sphere", Orient=0, ScaleFactor=0.1)
     pv.ColorBy(shown, ("POINTS", "scalar"))
     table = pv.GetColorTransferFunction("scalar")
     session.look(view, (0.0, 0.0, 5.0))
@@ -57,7 +57,7 @@ def main():
         session.replace_data(points, cloud(2))
 
     def change_size():
-        shown.GlyphScaleFactor = 0.12
+        shown.ScaleFactor = 0.12
 
     step("camera", move_camera, BUILDS + UPLOADS, ("dispatches",))
     step("colour map", change_table, BUILDS + ("instanceUploads",), ("colorUploads",))

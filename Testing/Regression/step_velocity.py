@@ -100,7 +100,7 @@ class Series:
         self.failures, self.name, self.view = failures, name, view
         session.look(self.view, (0.0, 0.0, 5.0), parallel_scale=0.5)
         self.view.ViewTime = STEPS[0][0]
-        self.shown = session.glyphs(source, self.view, samples=16, GlyphOrient=0, GlyphScaleFactor=0.2)
+        self.shown = session.glyphs(source, self.view, samples=16, Orient=0, ScaleFactor=0.2)
         session.solid(self.shown, (1.0, 1.0, 1.0))
         self.shown.MotionBlur, self.shown.VelocityArray, self.shown.AccelerationArray = 1, "None", "None"
         self.shown.PointIdArray = ids

@@ -76,8 +76,8 @@ def grown(checks, mode, points):
 def kept(checks):
     """A screenshot of another size, of both eyes and passes, leaves the window's images as far as they are."""
     view = stereo_view("SplitViewportHorizontal")
-    shown = session.glyphs(cloud(200), view, GlyphOrient=0, GlyphScaleFactor=0.3, samples=64)
-    other = session.glyphs(cloud(20, 5), view, GlyphOrient=0, GlyphScaleFactor=0.2, samples=64, Opacity=0.5)
+    shown = session.glyphs(cloud(200), view, Orient=0, ScaleFactor=0.3, samples=64)
+    other = session.glyphs(cloud(20, 5), view, Orient=0, ScaleFactor=0.2, samples=64, Opacity=0.5)
     session.solid(other, (0.2, 0.5, 0.9))
     stepwise(shown, 2)
     session.look(view, EYE)

@@ -50,9 +50,9 @@ def one_glyph(failures, view):
     points = session.source(session.poly_data(numpy.zeros((1, 3)), size=numpy.array([SCALE]), turn=numpy.array([[0.0, 0.0, TURN]]),
                                               e1=numpy.array([4.0]), e2=three[:, 1:], e3=three,
                                               blockiness=numpy.array([[6.0, 1.5]])))
-    shown = session.glyphs(points, view, "Superquadric", GlyphScaleFactor=1.0, GlyphScaling=1, GlyphScaleArray="size",
-                           GlyphScaleMode="Components", GlyphOrient=1, GlyphOrientationArray="turn",
-                           GlyphOrientationMode="Rotation")
+    shown = session.glyphs(points, view, "Superquadric", ScaleFactor=1.0, SelectScaleArray="size",
+                           ScaleMode="Vector Components", Orient=1, SelectOrientationVectors="turn",
+                           OrientationMode="Rotation")
     if shown.GlyphExponentArray not in ("None", ""):
         failures.append("GlyphExponentArray is %s by default" % shown.GlyphExponentArray)
     their = theirs(view)
@@ -71,7 +71,7 @@ def one_glyph(failures, view):
         failures.append("the exponents make no difference")
 
     # Of two components the first is across; in the nested form, along.
-    shown.GlyphExponentForm, shown.GlyphExponentArray = "Nested", "blockiness"
+    shown.GlyphShape, shown.GlyphExponentArray = "Nested Superquadric", "blockiness"
     same_as_source(failures, view, shown, their, [("nested", (2, 2, 2), 6.0, 1.5)])
     pv.Delete(shown)
     pv.Delete(points)
@@ -84,7 +84,7 @@ def bad_exponents(failures, view):
     cases = [("bad", (2, 2, 2), "2 of 3 points", 1), ("None", (2, 0, 2), "GlyphExponents are 2, 0, 2", 0),
              ("four", (2, 2, 2), "4 components where 1, 2 or 3 are needed", 3), ("nonesuch", (2, 2, 2), "'nonesuch'", 3)]
     points = session.source(session.poly_data(LINE, bad=bad, four=numpy.ones((3, 4))))
-    shown = session.glyphs(points, view, "Superquadric", GlyphScaleFactor=0.5, GlyphOrient=0)
+    shown = session.glyphs(points, view, "Superquadric", ScaleFactor=0.5, Orient=0)
     for array, exponents, words, glyphs in cases:
         shown.GlyphExponentArray, shown.GlyphExponents = array, exponents
         text = session.messages(lambda: (pv.Render(view), pv.Render(view)))

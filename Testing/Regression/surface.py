@@ -120,7 +120,7 @@ def with_glyphs(view):
     surface = show(plane, view, SURFACE)
     session.solid(surface, blue)
     points = session.source(session.poly_data(numpy.array([[-1.0, 0.0, 0.7], [0.0, 0.0, -0.7], [1.0, 0.0, 0.0]])))
-    glyphs = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.8)
+    glyphs = session.glyphs(points, view, "Sphere", Orient=0, ScaleFactor=0.8)
     session.solid(glyphs, red)
     for shown in (surface, glyphs):
         shown.Ambient, shown.Diffuse = 1.0, 0.0

@@ -114,7 +114,7 @@ def block_colors(checks):
     view = session.view(240, 90)
     shown = pv.Show(source, view)
     shown.SamplesPerPixel = 1
-    shown.GlyphOrient, shown.GlyphScaleFactor = 0, 0.1
+    shown.Orient, shown.ScaleFactor = 0, 0.1
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=0.75)
     colors = {}
     for kind in ("Surface", SURFACE, session.REPRESENTATION):
@@ -165,7 +165,7 @@ def partial_arrays(checks):
     shown = pv.Show(source, view)
     shown.SamplesPerPixel, shown.Ambient, shown.Diffuse = 1, 1.0, 0.0
     shown.AmbientColor = shown.DiffuseColor = [0.0, 1.0, 0.0]
-    shown.GlyphShape, shown.GlyphScaleFactor, shown.GlyphOrient = "Box", 0.2, 0
+    shown.GlyphType, shown.ScaleFactor, shown.Orient = "Box", 0.2, 0
     shown.GlyphType, shown.ScaleFactor, shown.Scaling, shown.SelectScaleArray, shown.Orient = "Box", 0.2, 1, "None", 0
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=0.8)
     for array in ("number", "kind", "text", "bytes", "material"):

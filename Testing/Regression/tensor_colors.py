@@ -51,7 +51,7 @@ def scene(stage, others=numpy.zeros((0, 3))):
         points, stress=numpy.array([numpy.diag(row) for row in values]).reshape(len(values), 9),
         major=values.max(axis=1), ball=numpy.tile([0.8 * numpy.sqrt(4.0 * numpy.pi), 0, 0, 0, 0, 0], (len(values), 1)),
         tiny=1e-6 * numpy.arange(float(len(values))), large=1e3 * numpy.arange(float(len(values))))
-    shown = stage.show(data, "Tensor Ellipsoid", GlyphTensorArray="stress", GlyphScaleFactor=0.8, Ambient=1.0, Diffuse=0.0,
+    shown = stage.show(data, "Tensor Ellipsoid", GlyphTensorArray="stress", ScaleFactor=0.8, Ambient=1.0, Diffuse=0.0,
                        **(UNCHANGED if stage.source else {}))
     pv.Render(view)
     return view, shown
@@ -144,7 +144,7 @@ def check_eigenvalues(checks, stage, others):
         wanted = numpy.round(255 * numpy.abs(numpy.sort(row)[::-1]) / largest.max())
         checks.true("%s: %s have color %s, not %s" % (what, row, color, wanted), numpy.abs(color - wanted).max() <= 1)
     # Shapes that show no tensors keep the array's colors.
-    shown.GlyphShape = "Sphere"
+    session.assign_shape(shown, "Sphere")
     plain = session.capture(view, "tensor-colors-sphere")
     shown.GlyphTensorColoring = "None"
     checks.picture(what + ": spheres", session.capture(view, "tensor-colors-sphere-none"), plain, pixels=0.0, mean=0.0)

@@ -32,7 +32,7 @@ def tensors(signs=(1, 1, 1)):
 
 
 def picture(stage, name, data, shape, **properties):
-    stage.show(data, shape, GlyphScaleFactor=0.9, **properties)
+    stage.show(data, shape, ScaleFactor=0.9, **properties)
     return session.capture(stage.view, "tensors-" + name.replace(" ", "-"))
 
 
@@ -40,7 +40,7 @@ def colours(failures, view):
     """The colour in the middle of a ball or a needle, lit by nothing."""
     data = session.poly_data(POINTS, t=numpy.array([numpy.eye(3), numpy.diag([1.0, 0.2, 0.2]), -numpy.eye(3)]).reshape(3, 9))
     points = session.source(data)
-    shown = session.glyphs(points, view, GlyphScaleFactor=0.5, GlyphShape="Tensor Ellipsoid", GlyphTensorArray="t")
+    shown = session.glyphs(points, view, ScaleFactor=0.5, GlyphShape="Tensor Ellipsoid", GlyphTensorArray="t")
     shown.Ambient, shown.Diffuse = 1.0, 0.0
     shown.AmbientColor = [1.0, 1.0, 1.0]
     middle = lambda image, x: image[75, int(round(149.5 + x * 75.0 / 1.608)), :3].astype(int)
@@ -108,14 +108,14 @@ def signs(failures, view, size):
              ("Tensor Ellipsoid", (0.9, -0.4, -0.7), aslant), ("Tensor Ellipsoid", (-0.3, -0.6, -0.8), aslant),
              ("Tensor Superquadric", (1.0, -1.0, 0.5), turn[:, 2]), ("Signed Tensor Superquadric", (1.0, -0.8, 0.0), turn[:, 2]),
              ("Signed Tensor Superquadric", (1.0, -1.0, 0.5), turn[:, 2]))
-    stage = session.Stage(view)
+    stage, table = session.Stage(view), session.signs(warm, cool)
     for number, (shape, values, direction) in enumerate(cases):
         values = numpy.array(values)
         d = turn @ numpy.diag(values) @ turn.T
         half = 0.5 * numpy.maximum(numpy.abs(values), DEFAULT_THICKNESS)
         stage.show(session.poly_data(numpy.zeros((1, 3)), t=(d + axial).reshape(1, 9), along=2.0 * direction[None]), shape,
-                   GlyphScaleFactor=1.0, GlyphTensorArray="t", GlyphTensorColoring="Sign", GlyphTensorPositiveColor=warm,
-                   GlyphTensorNegativeColor=cool, Ambient=1.0, Diffuse=0.0)
+                   ScaleFactor=1.0, GlyphTensorArray="t", GlyphTensorColoring="Sign", GlyphTensorLookupTable=table,
+                   Ambient=1.0, Diffuse=0.0)
         at, along = frame_of(view, direction, numpy.array([0.1, 1.0, 0.0]), 0.6, size)
         image = session.capture(view, "tensors-sign-%d" % number)[:, :, :3].astype(int)
         hit = comparison.covered(image)
@@ -166,7 +166,7 @@ def thin(failures, view, same):
     up = numpy.array([0.0, 1.0, 0.0])
     stage = session.Stage(view)
     tensor = lambda values: session.poly_data(numpy.zeros((1, 3)), t=values.reshape(1, 9))
-    common = dict(GlyphTensorArray="t", GlyphScaleFactor=1.0)
+    common = dict(GlyphTensorArray="t", ScaleFactor=1.0)
     for shape in ("Tensor Ellipsoid", "Tensor Superquadric", "Signed Tensor Superquadric"):
         for values in ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.7, 0.0, 0.7), (1.0, -1e-5, -1e-5)):
             length = max(numpy.abs(values))
@@ -212,7 +212,7 @@ def axes(failures, view, same):
     stage, arrows = session.Stage(view), session.Stage(view)
     for scaled in (0, 1):
         shown = stage.show(session.poly_data(POINTS, **data), "Tensor Ellipsoid", GlyphTensorArray="t", GlyphTensorAxisColor=colour,
-                           GlyphScaling=scaled, GlyphScaleArray="factor", GlyphScaleFactor=1.1)
+                           ScaleMode="Magnitude" if scaled else "No Data Scaling Off", SelectScaleArray="factor", ScaleFactor=1.1)
         session.solid(shown, (0.7, 0.7, 0.7))
         without = session.capture(view, "tensors-axis-off-%d" % scaled)
         shown.GlyphTensorAxis = 1
@@ -222,9 +222,9 @@ def axes(failures, view, same):
         # The second tensor is symmetric.
         array = "both" if scaled else "axis"
         other = arrows.show(session.poly_data(POINTS[[0, 2]], axis=axis[[0, 2]], both=data["both"][[0, 2]]), "Arrow",
-                            GlyphScaleFactor=1.1, GlyphScaling=1, GlyphScaleArray=array, GlyphScaleMode="Magnitude", GlyphOrient=1,
-                            GlyphOrientationArray=array, ArrowHeads="Scaled", ArrowShaftRadius=0.015, ArrowTipRadius=0.05,
-                            ArrowTipLength=0.15, ArrowTipRounding=0.0)
+                            ScaleFactor=1.1, SelectScaleArray=array, ScaleMode="Magnitude", Orient=1,
+                            SelectOrientationVectors=array, ArrowHeads="Scaled", **{"GlyphType.ShaftRadius": 0.015, "GlyphType.TipRadius": 0.05,
+                            "GlyphType.TipLength": 0.15})
         session.solid(other, colour)
         same("axes as arrows, scaled %d" % scaled, with_axes, session.capture(view, "tensors-axis-arrows-%d" % scaled))
         changed = numpy.mean(numpy.any(without != with_axes, axis=2))
@@ -241,7 +241,7 @@ def axes(failures, view, same):
         pictures = []
         def both():
             for on in (0, 1):
-                stage.show(session.poly_data(POINTS, t=values), "Tensor Ellipsoid", GlyphTensorArray="t", GlyphScaleFactor=1.0, GlyphTensorAxis=on)
+                stage.show(session.poly_data(POINTS, t=values), "Tensor Ellipsoid", GlyphTensorArray="t", ScaleFactor=1.0, GlyphTensorAxis=on)
                 pictures.append(session.capture(view, "tensors-axis-none"))
         text = session.messages(both)
         same("no axes: " + name, pictures[0], pictures[1], 0.0)
@@ -276,13 +276,13 @@ def crosses(failures, view, same):
              "paths": dict(ShadingMode="Path Tracing", SamplesPerPixel=64),
              "moving": dict(MotionBlur=1, VelocityArray="velocity", ShutterTime=1.0, SamplesPerPixel=64)}
     stages = session.Stage(view), session.Stage(view)
-    for name, function, scripted in (("Linear", lambda value: value, {}), ("Square Root", numpy.sqrt, dict(ArrowShaftRadius=0.08, ArrowTipRounding=0.0))):
+    for name, function, scripted in (("Linear", lambda value: value, {}), ("Square Root", numpy.sqrt, {"GlyphType": "Arrow", "GlyphType.ShaftRadius": 0.08})):
         where, along = arrows_of(POINTS, whole, 1.1, function)
         nearest = numpy.argmin(numpy.linalg.norm(where[:, None] - POINTS[None], axis=2), axis=1)
         shown = stages[0].show(session.poly_data(POINTS, t=whole.reshape(3, 9), velocity=velocity), "Principal Axes", GlyphTensorArray="t",
-                               GlyphScaleFactor=1.1, GlyphScaleFunction=name, **scripted)
-        arrows = stages[1].show(session.poly_data(where, along=along, velocity=velocity[nearest]), "Arrow", GlyphScaleFactor=1.1, GlyphScaling=1,
-                                GlyphScaleArray="along", GlyphOrient=1, GlyphOrientationArray="along", ArrowHeads="Scaled", **scripted)
+                               ScaleFactor=1.1, GlyphScaleFunction=name, **scripted)
+        arrows = stages[1].show(session.poly_data(where, along=along, velocity=velocity[nearest]), "Arrow", ScaleFactor=1.1, ScaleMode="Magnitude",
+                                SelectScaleArray="along", Orient=1, SelectOrientationVectors="along", ArrowHeads="Scaled", **scripted)
         for each in (shown, arrows):
             session.solid(each, colour)
         for lit, properties in (light if name == "Linear" else {"local": {}}).items():
@@ -317,9 +317,9 @@ def crosses(failures, view, same):
     stages[1].close()
     # Red is tension, blue is compression, all over an arrow.
     signs_of = numpy.array([numpy.diag([0.9, -0.9, 0.0])])
-    stages[0].show(session.poly_data(numpy.zeros((1, 3)), t=signs_of.reshape(1, 9)), "Principal Axes", GlyphTensorArray="t", GlyphScaleFactor=1.0,
-                   GlyphTensorColoring="Sign", GlyphTensorPositiveColor=(1.0, 0.0, 0.0), GlyphTensorNegativeColor=(0.0, 0.0, 1.0),
-                   ArrowShaftRadius=0.06, ArrowTipRadius=0.15, Ambient=1.0, Diffuse=0.0)
+    stages[0].show(session.poly_data(numpy.zeros((1, 3)), t=signs_of.reshape(1, 9)), "Principal Axes", GlyphTensorArray="t", ScaleFactor=1.0,
+                   GlyphTensorColoring="Sign", GlyphTensorLookupTable=session.signs((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)),
+                   **{"GlyphType": "Arrow", "GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.15}, Ambient=1.0, Diffuse=0.0)
     session.look(view, (0.0, 0.0, 5.0), parallel_scale=0.6)
     image = session.capture(view, "tensors-cross-sign")
     for place, wanted in (((0.2, 0.0), (255, 0, 0)), ((-0.4, 0.0), (255, 0, 0)), ((0.0, 0.4), (0, 0, 255)), ((0.0, -0.2), (0, 0, 255))):
@@ -361,8 +361,8 @@ def main():
     # Ellipsoids from lengths and quaternions are the reference.
     stage = session.Stage(view)
     ellipsoids = picture(stage, "reference", session.poly_data(POINTS, size=LENGTHS, turn=QUATERNIONS),
-                         "Sphere", GlyphScaling=1, GlyphScaleArray="size", GlyphScaleMode="Components",
-                         GlyphOrient=1, GlyphOrientationArray="turn", GlyphOrientationMode="Quaternion")
+                         "Sphere", SelectScaleArray="size", ScaleMode="Vector Components",
+                         Orient=1, SelectOrientationVectors="turn", OrientationMode="Quaternion")
     t = tensors()
     six = lambda *order: numpy.array([[m[i, j] for i, j in order] for m in t])
     xx, yy, zz, xy, yz, xz = (0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)
@@ -400,7 +400,7 @@ def main():
                 ("no array", bad, "None", "VTK", "Choose a point array")]
     for name, values, array, layout, words in expected:
         def twice():
-            stage.show(session.poly_data(POINTS, t=values), "Tensor Ellipsoid", GlyphScaleFactor=0.9, GlyphTensorArray=array, GlyphTensorLayout=layout)
+            stage.show(session.poly_data(POINTS, t=values), "Tensor Ellipsoid", ScaleFactor=0.9, GlyphTensorArray=array, GlyphTensorLayout=layout)
             pv.Render(view)
             pv.Render(view)
         text = session.messages(twice)

@@ -2,7 +2,7 @@
 
 Usage: pvpython threads.py
 
-Makes the glyphs of data of several chunks (vtkRayTracedParallel.h) once for each kind of threads, and compares what came out.
+Makes the glyphs of data of several chunks (RayTracedParallel.h) once for each kind of threads, and compares what came out.
 """
 import hashlib
 import os
@@ -21,13 +21,13 @@ POINTS = 60000
 CHOICE = "VTK_SMP_BACKEND_IN_USE"
 #: VTK's backend, and what the environment says: one thread, ours where VTK has none, and VTK's
 KINDS = {"one": ("Sequential", "Sequential"), "default": ("Sequential", None), "several": ("STDThread", "STDThread")}
-LENGTHS = {"GlyphScaling": 1, "GlyphScaleArray": "length"}
-TURNED = {"GlyphOrient": 1, "GlyphOrientationArray": "vector"}
+LENGTHS = {"ScaleMode": "Magnitude", "SelectScaleArray": "length"}
+TURNED = {"Orient": 1, "SelectOrientationVectors": "vector"}
 #: name -> properties; sources are chosen by the first word
 CASES = {
-    "cloud lengths": {"GlyphShape": "Box", **LENGTHS, **TURNED},
-    "cloud arrows": {"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "vector", **TURNED},
-    "cloud mask": {"GlyphMask": 1, "MaximumNumberOfGlyphs": 20011},
+    "cloud lengths": {"GlyphType": "Box", **LENGTHS, **TURNED},
+    "cloud arrows": {"GlyphType": "Arrow", "ScaleMode": "Magnitude", "SelectScaleArray": "vector", **TURNED},
+    "cloud mask": {"GlyphMode": "Random", "MaximumNumberOfGlyphs": 20011},
     "cloud tensors": {"GlyphShape": "Tensor Superquadric", "GlyphTensorArray": "tensor", "GlyphTensorColoring": "Trace"},
     "cloud numbers": {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor",
                       "GlyphTensorColoring": "Fractional Anisotropy"},
@@ -72,7 +72,7 @@ def blocks():
 
 
 def set_threads(backend, environment):
-    """VTK's threads for what comes, with the environment that vtkRayTracedParallel looks at."""
+    """VTK's threads for what comes, with the environment that RayTracedParallel looks at."""
     vtkSMPTools.SetBackend(backend)
     if environment:
         os.environ[CHOICE] = environment
@@ -85,7 +85,7 @@ def shown_by(checks, stage, data, name, properties):
     built = session.statistics(stage.settings.shown).get("instanceBuilds", 0) if stage.settings else 0  # none before the first picture
     copy = data.NewInstance()
     copy.DeepCopy(data)
-    shown = stage.show(copy, "Sphere", **{"GlyphOrient": 0, "GlyphScaleFactor": 0.02, **properties})
+    shown = stage.show(copy, "Sphere", **{"Orient": 0, "ScaleFactor": 0.02, **properties})
     pv.ColorBy(shown, ("POINTS", "length"))
     picture = session.capture(stage.view, "threads-" + name.replace(" ", "-"))
     checks.covered(name, picture, 0.01)
@@ -113,7 +113,7 @@ def main():
             checks.equal("%s with threads: %s" % (name, kind), found[kind], found["one"])
         print(name, found["one"], flush=True)
         checks.within(name + ": glyphs", found["one"][1], 10001, 3 * POINTS)
-        if "GlyphMask" in properties:
+        if "GlyphMode" in properties:
             checks.equal(name + ": glyphs", found["one"][1], properties["MaximumNumberOfGlyphs"])
     checks.report()
 

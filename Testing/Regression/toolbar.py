@@ -143,7 +143,7 @@ def main():
     pv._DisableFirstRenderCameraReset()
     view = pv.GetActiveViewOrCreate("RenderView")
     pv.GetLayout().PreviewMode = [300, 200]
-    shown = session.glyphs(cloud(1000), view, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.15)
+    shown = session.glyphs(cloud(1000), view, "Sphere", Orient=0, ScaleFactor=0.15)
     session.look(view, (0.0, 0.0, 6.0))
     pv.Render(view)
     quality(checks, window, bar, shown)

@@ -10,7 +10,7 @@ import paraview.simple as pv
 
 import comparison
 import session
-from same_as_3d_glyphs import RESOLUTION, ours, scene, shape_ours
+from same_as_3d_glyphs import RESOLUTION, give_shape, ours, scene
 
 #: tessellations for depth peeling, which takes all of them again for every layer
 COARSER = {**RESOLUTION, "Sphere": {"ThetaResolution": 64, "PhiResolution": 64}}
@@ -59,7 +59,7 @@ class Scene:
     def display(self, shape):
         """Of ParaView's a new one for each shape: its surfaces stay without normals once their data have had none."""
         if self.shown and self.who == "ours":
-            shape_ours(self.shown, shape)
+            give_shape(self.shown, shape)
             return self.shown
         if self.shown:
             pv.Delete(self.shown)
@@ -80,7 +80,7 @@ class Scene:
 def unlit(points):
     """Glyphs that show their colour whatever shines on them, by two shading modes, as floats."""
     view = peeling_view()
-    shown = session.glyphs(points, view, "Sphere", samples=16, GlyphOrient=0, GlyphScaleFactor=0.7, LightIntensity=0.0, Ambient=1.0,
+    shown = session.glyphs(points, view, "Sphere", samples=16, Orient=0, ScaleFactor=0.7, LightIntensity=0.0, Ambient=1.0,
                            Diffuse=0.0, Opacity=0.3)
     session.solid(shown, (0.8, 0.5, 0.2))
     view.Background = [0.0, 0.0, 0.0]
@@ -103,7 +103,7 @@ def own_opacities(failures):
     stage = session.Stage(peeling_view())
 
     def picture(name, data, opacity=1.0, **properties):
-        shown = stage.show(data, "Sphere", GlyphOrient=0, GlyphScaleFactor=0.6, Opacity=opacity, **properties)
+        shown = stage.show(data, "Sphere", Orient=0, ScaleFactor=0.6, Opacity=opacity, **properties)
         session.solid(shown, (0.8, 0.5, 0.2))
         said = session.messages(lambda: pv.Render(stage.view))
         if said:

@@ -30,14 +30,14 @@ def wait(holds):
 
 def found(shown):
     """What is compared."""
-    return {"from the data": shown.GlyphScaleFactorFromData, "factor": round(shown.GlyphScaleFactor, 6),
+    return {"from the data": shown.ScaleFactorFromData, "factor": round(shown.ScaleFactor, 6),
             "light": str(shown.ShadingMode).strip("'"), "samples": shown.SamplesPerPixel}
 
 
 def displays():
     """The displays that a client sees."""
     every = pv.servermanager.ProxyManager().GetProxiesInGroup("representations").values()
-    return [shown for shown in every if shown.GetProperty("GlyphScaleFactorFromData") is not None]
+    return [shown for shown in every if shown.GetProperty("ScaleFactorFromData") is not None]
 
 
 def second(port):

@@ -34,11 +34,11 @@ def main():
     table = pv.GroupDatasets(Input=[pv.Cone(Resolution=6), pv.Box()])
     for shape in ("Mesh", "Mesh table", "Box"):
         view = session.view(80, 60)
-        shown = session.glyphs(points, view, shape.split()[0], GlyphOrient=0, GlyphScaleFactor=0.05)
+        shown = session.glyphs(points, view, shape.split()[0], Orient=0, ScaleFactor=0.05)
         if shape == "Mesh":
-            shown.GlyphMesh = "Cone"
+            shown.GlyphType = session.triangles(pv.Cone())
         elif shape == "Mesh table":
-            shown.GlyphMesh, shown.GlyphMeshTable = table, 1
+            shown.GlyphType, shown.UseGlyphTable, shown.UseCompositeGlyphTable = table, 1, 1
         session.look(view, (0.0, 0.0, 5.0))
         pv.Render(view)
         for name, change in changes(shown):
@@ -52,7 +52,7 @@ def main():
         counted = session.statistics(shown)
         for counter in COUNTERS:
             checks.true("%s: RenderStatistics has no counter %s" % (shape, counter), counter in counted)
-        shown.GlyphScaleFactor = 0.02
+        shown.ScaleFactor = 0.02
         pv.Render(view)
         moved = session.statistics(shown)
         checks.true(shape + ", another size: instanceBuilds stays", moved.get("instanceBuilds", 0) > counted.get("instanceBuilds", 0))

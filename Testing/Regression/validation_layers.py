@@ -12,7 +12,7 @@ def main():
     """Renders once."""
     session.load()
     view = session.view(20, 16)
-    session.glyphs(session.source(session.poly_data(numpy.zeros((1, 3)))), view, GlyphOrient=0)
+    session.glyphs(session.source(session.poly_data(numpy.zeros((1, 3)))), view, Orient=0)
     session.look(view, (0.0, 0.0, 5.0))
     pv.Render(view)
     session.finish()

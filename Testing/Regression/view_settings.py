@@ -79,7 +79,7 @@ def picture_follows(checks, view, shown):
     """The setting that was made last counts, whichever of the displays it was made on."""
     pictures = []
     session.replace_data(shown[0].Input, cloud(60).GetClientSideObject().GetOutputDataObject(0))
-    shown[0].GlyphScaleFactor = 0.3
+    shown[0].ScaleFactor = 0.3
     shown[0].ShadingMode, shown[0].SamplesPerPixel = "Ambient Occlusion", 2
     for order in (1, -1):
         pv.Render(view)

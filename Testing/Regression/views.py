@@ -19,8 +19,8 @@ def cross():
 
 def show(points, view):
     """The cross as spheres."""
-    shown = session.glyphs(points, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="size",
-                           GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
+    shown = session.glyphs(points, view, "Sphere", Orient=0, SelectScaleArray="size",
+                           ScaleMode="Magnitude", ScaleFactor=1.0)
     pv.ColorBy(shown, ("POINTS", "size"))
     session.cool_to_warm("size")
     shown.SetScalarBarVisibility(view, False)
@@ -101,8 +101,8 @@ def time_steps(folder):
     """Stepping through the simulation moves the glyphs, and going back gives the first picture again."""
     reader = pv.OpenDataFile(folder + "/impact/impact.vtk.series")
     view = session.view(300, 200)
-    session.glyphs(reader, view, "Sphere", GlyphOrient=0, GlyphScaling=1, GlyphScaleArray="diameter",
-                   GlyphScaleMode="Magnitude", GlyphScaleFactor=1.0)
+    session.glyphs(reader, view, "Sphere", Orient=0, SelectScaleArray="diameter",
+                   ScaleMode="Magnitude", ScaleFactor=1.0)
     session.look(view, (11.0, -32.0, 26.0), (14.0, 14.0, 4.0), (0.0, 0.0, 1.0))
     pictures = []
     for name, time in (("first", 0.0), ("later", 0.8), ("back", 0.0)):
@@ -122,9 +122,9 @@ def ellipsoids(folder):
     """Components and quaternions: the molecules of the nematic."""
     reader = pv.OpenDataFile(folder + "/nematic/nematic.vtk.series")
     view = session.view(300, 300)
-    shown = session.glyphs(reader, view, "Sphere", GlyphOrient=1, GlyphOrientationArray="quaternion",
-                           GlyphOrientationMode="Quaternion", GlyphScaling=1, GlyphScaleArray="shape",
-                           GlyphScaleMode="Components", GlyphScaleFactor=1.0)
+    shown = session.glyphs(reader, view, "Sphere", Orient=1, SelectOrientationVectors="quaternion",
+                           OrientationMode="Quaternion", SelectScaleArray="shape",
+                           ScaleMode="Vector Components", ScaleFactor=1.0)
     session.solid(shown, (0.9, 0.7, 0.3))
     view.ViewTime = reader.TimestepValues[-1]
     pv.ResetCamera(view)

@@ -3,7 +3,7 @@
 Usage: pvpython work_of_changes.py SOURCE
 
 SOURCE is the folder with Kernels and Representation. Fields are read out of the headers, so that a new one
-without an entry in FIELDS fails; so are the arrays of vtkGlyphArrays::All().
+without an entry in FIELDS fails; so are the arrays of GlyphArrays::All().
 """
 import os
 import re
@@ -37,84 +37,82 @@ MUST = {"image": {"dispatches"}, "pass": {"dispatches"}, "colors": {"colorBuilds
 #: bytes and seconds are no counts; programs are compiled when they are first needed
 UNCOUNTED = re.compile("Seconds$|^deviceBytes$|^pipelineBuilds$|^DeviceName$|^AccumulatedSamples$|^Refinement|^pulls$|lyphs$")
 
-ARROW = {"GlyphShape": "Arrow", "GlyphScaling": 1, "GlyphScaleArray": "length"}
+ARROW = {"GlyphType": "Arrow", "ScaleMode": "Magnitude", "SelectScaleArray": "length", "ArrowHeads": "Fixed"}
 TENSOR = {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor"}
 #: whose programs take long to compile
 SUPERQUADRIC = {"GlyphShape": "Tensor Superquadric", "GlyphTensorArray": "tensor"}
 FORMS = {"GlyphShape": "Reynolds", "GlyphTensorArray": "tensor"}
 BALLS = {"GlyphShape": "Spherical Harmonics", "GlyphHarmonicsArray": "six"}
 SIGNS = {**TENSOR, "GlyphTensorColoring": "Sign"}
-MOTION = {"MotionBlur": 1, "VelocityArray": "velocity", "AngularVelocityArray": "spin", "GlyphShape": "Box"}
+MOTION = {"MotionBlur": 1, "VelocityArray": "velocity", "AngularVelocityArray": "spin", "GlyphType": "Box"}
 EXPONENTS = {"GlyphShape": "Superquadric"}
-MASK = {"GlyphMask": 1, "MaximumNumberOfGlyphs": 100}
-NTH = {"GlyphMask": 1, "GlyphMaskMode": "Every Nth"}
-TABLE = {"GlyphShape": "Mesh", "GlyphMeshTable": 1, "GlyphMeshIndexArray": "index"}
+MASK = {"GlyphMode": "Random", "MaximumNumberOfGlyphs": 100}
+NTH = {"GlyphMode": "Every Nth"}
+TABLE = {"UseGlyphTable": 1, "UseCompositeGlyphTable": 1, "GlyphTableIndexArray": "index"}
 OCCLUSION = {"ShadingMode": "Ambient Occlusion"}
 PATHS = {"ShadingMode": "Path Tracing"}
 
 #: field -> (properties to start from, property, its new value, kind) or a list of such, or why there is nothing to test
 FIELDS = {
-    "vtkGlyphSettings": {
-        "Shape": ({}, "GlyphShape", "Box", "glyphs"),
-        "Scaling": ({"GlyphScaleArray": "length"}, "GlyphScaling", 1, "glyphs"),
-        "ScaleArray": [({"GlyphScaling": 1, "GlyphScaleArray": "length"}, "GlyphScaleArray", "other", "glyphs"),
-                       ({"GlyphScaleArray": "length"}, "GlyphScaleArray", "other", "nothing")],
-        "ScaleMode": [({"GlyphScaling": 1, "GlyphScaleArray": "lengths"}, "GlyphScaleMode", "Components", "glyphs"),
-                      ({}, "GlyphScaleMode", "Components", "nothing")],
-        "ScaleFactor": ({}, "GlyphScaleFactor", 0.2, "glyphs"),
-        "Sizing": "vtkGlyphSizing",
-        "Orient": ({"GlyphShape": "Box", "GlyphOrientationArray": "velocity"}, "GlyphOrient", 1, "glyphs"),
-        "OrientationArray": [({"GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationArray": "velocity"},
-                              "GlyphOrientationArray", "spin", "glyphs"),
-                             ({"GlyphShape": "Box"}, "GlyphOrientationArray", "spin", "nothing")],
-        "OrientationMode": [({"GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationArray": "velocity"},
-                             "GlyphOrientationMode", "Rotation", "glyphs"),
-                            ({}, "GlyphOrientationMode", "Rotation", "nothing")],
-        "Arrow": "vtkGlyphSettings::ArrowForm",
+    "GlyphSettings": {
+        "Shape": [({}, "GlyphShape", "Capsule", "glyphs"), ({}, "GlyphType", "Box", "new data")],
+        "UnitSize": ({"GlyphType": "Cylinder"}, "GlyphType.Height", 2.0, "new data"),
+        "Scaling": [({"SelectScaleArray": "length"}, "ScaleMode", "Magnitude", "glyphs"), ({}, "Scaling", 0, "glyphs")],
+        "ScaleArray": [({"ScaleMode": "Magnitude", "SelectScaleArray": "length"}, "SelectScaleArray", "other", "glyphs"),
+                       ({"SelectScaleArray": "length"}, "SelectScaleArray", "other", "nothing")],
+        "ScaleMode": [({"ScaleMode": "Magnitude", "SelectScaleArray": "lengths"}, "ScaleMode", "Vector Components", "glyphs"),
+                      ({"Scaling": 0}, "ScaleMode", "Vector Components", "nothing")],
+        "ScaleFactor": ({}, "ScaleFactor", 0.2, "glyphs"),
+        "Sizing": "GlyphSizing",
+        "Orient": ({"GlyphType": "Box", "SelectOrientationVectors": "velocity"}, "Orient", 1, "glyphs"),
+        "OrientationArray": [({"GlyphType": "Box", "Orient": 1, "SelectOrientationVectors": "velocity"},
+                              "SelectOrientationVectors", "spin", "glyphs"),
+                             ({"GlyphType": "Box"}, "SelectOrientationVectors", "spin", "nothing")],
+        "OrientationMode": [({"GlyphType": "Box", "Orient": 1, "SelectOrientationVectors": "velocity"},
+                             "OrientationMode", "Rotation", "glyphs"),
+                            ({}, "OrientationMode", "Rotation", "nothing")],
+        "Arrow": "GlyphSettings::ArrowForm",
         "ArrowReference": [(ARROW, "ArrowReferenceMagnitude", 3.0, "glyphs"), ({}, "ArrowReferenceMagnitude", 3.0, "nothing")],
-        "HighScale": (ARROW, "GlyphScaleArray", "other", "glyphs"),
-        "Mesh": ({"GlyphShape": "Mesh"}, "GlyphMesh", "Cone", "new data"),
-        "TableSize": ({**TABLE, "GlyphMeshTable": 0}, "GlyphMeshTable", 1, "new data"),
+        "HighScale": (ARROW, "SelectScaleArray", "other", "glyphs"),
+        "Mesh": ({"GlyphType": lambda: session.triangles(pv.Box())}, "GlyphType", lambda: session.triangles(pv.Cone()), "new data"),
+        "TableSize": ({**TABLE, "UseCompositeGlyphTable": 0}, "UseCompositeGlyphTable", 1, "new data"),
         "TableEntry": "each form of a table has its own; see TableSize",
-        "TableIndexArray": [(TABLE, "GlyphMeshIndexArray", "other index", "glyphs"),
-                            ({}, "GlyphMeshIndexArray", "index", "nothing")],
-        "Tensors": "vtkGlyphTensors::Settings",
-        "Forms": "vtkGlyphForms::Settings",
+        "TableIndexArray": [(TABLE, "GlyphTableIndexArray", "other index", "glyphs"),
+                            ({}, "GlyphTableIndexArray", "index", "nothing")],
+        "Tensors": "GlyphTensors::Settings",
+        "Forms": "GlyphForms::Settings",
         "Exponents": [(EXPONENTS, "GlyphExponents", [1.0, 2.0, 2.0], "glyphs"), ({}, "GlyphExponents", [1.0, 2.0, 2.0], "nothing")],
         "ExponentArray": [(EXPONENTS, "GlyphExponentArray", "length", "glyphs"), ({}, "GlyphExponentArray", "length", "nothing")],
         "OpacityArray": ({"GlyphOpacityArray": "length"}, "GlyphOpacityArray", "other", "glyphs"),
-        "Motion": "vtkGlyphMotion::Settings",
-        "Mask": "vtkGlyphMask",
+        "Motion": "GlyphMotion::Settings",
+        "Mask": "GlyphMask",
         "RadiusArray": [({}, "GlyphRadiusArray", "length", "glyphs"), (TENSOR, "GlyphRadiusArray", "length", "nothing")],
         "RadiusFactor": [({"GlyphRadiusArray": "length"}, "GlyphRadiusFactor", 0.1, "glyphs"), ({}, "GlyphRadiusFactor", 0.1, "nothing")],
         "Anchor": [(ARROW, "GlyphAnchor", "Tip", "glyphs"), (TENSOR, "GlyphAnchor", "Tip", "nothing")],
     },
-    "vtkGlyphMask": {
-        "On": ({"MaximumNumberOfGlyphs": 100}, "GlyphMask", 1, "glyphs"),
-        "Mode": [(MASK, "GlyphMaskMode", "Even in Space", "glyphs"), ({}, "GlyphMaskMode", "Every Nth", "nothing")],
+    "GlyphMask": {
+        "On": ({"MaximumNumberOfGlyphs": 100}, "GlyphMode", "Random", "glyphs"),
+        "Mode": [(MASK, "GlyphMode", "Even in Space", "glyphs"), (MASK, "GlyphMode", "Every Nth", "glyphs")],
         "MaximumNumberOfGlyphs": [(MASK, "MaximumNumberOfGlyphs", 90, "glyphs"), ({}, "MaximumNumberOfGlyphs", 90, "nothing"),
                                   (NTH, "MaximumNumberOfGlyphs", 90, "nothing")],
         "Stride": [(NTH, "GlyphStride", 7, "glyphs"), (MASK, "GlyphStride", 7, "nothing")],
-        "Seed": [(MASK, "GlyphSeed", 7, "glyphs"), ({}, "GlyphSeed", 7, "nothing"), (NTH, "GlyphSeed", 7, "nothing")],
         "PointsOfAllRanks": "counted from the data; see parallel.py",
     },
     "ArrowForm": {
-        "shaftRadius": [(ARROW, "ArrowShaftRadius", 0.06, "glyphs"), ({}, "ArrowShaftRadius", 0.06, "nothing")],
-        "tipRadius": [(ARROW, "ArrowTipRadius", 0.2, "glyphs"), ({}, "ArrowTipRadius", 0.2, "nothing")],
-        "tipLength": [(ARROW, "ArrowTipLength", 0.5, "glyphs"), ({}, "ArrowTipLength", 0.5, "nothing")],
-        "tipRounding": [(ARROW, "ArrowTipRounding", 0.1, "glyphs"), ({}, "ArrowTipRounding", 0.1, "nothing")],
+        "shaftRadius": [(ARROW, "GlyphType.ShaftRadius", 0.06, "new data")],
+        "tipRadius": [(ARROW, "GlyphType.TipRadius", 0.2, "new data")],
+        "tipLength": [(ARROW, "GlyphType.TipLength", 0.5, "new data")],
+        "tipRounding": "of fixed heads; see fixedHeads",
         "fixedHeads": [(ARROW, "ArrowHeads", "Scaled", "glyphs"), ({}, "ArrowHeads", "Scaled", "nothing")],
         "unitLength": "computed from the scales; see HighScale",
     },
-    "vtkGlyphSizing": {
-        "Function": ({"GlyphScaling": 1, "GlyphScaleArray": "length"}, "GlyphScaleFunction", "Square Root", "glyphs"),
-        "Reference": [({"GlyphScaling": 1, "GlyphScaleArray": "length", "GlyphScaleFunction": "Logarithm"}, "GlyphScaleReference", 3.0,
-                       "glyphs"), ({}, "GlyphScaleReference", 3.0, "nothing")],
+    "GlyphSizing": {
+        "Function": ({"ScaleMode": "Magnitude", "SelectScaleArray": "length"}, "GlyphScaleFunction", "Square Root", "glyphs"),
         "Least": ({}, "GlyphSizeRange", [0.15, 0.0], "glyphs"),
         "Most": ({}, "GlyphSizeRange", [0.0, 0.05], "glyphs"),
     },
-    "vtkGlyphTensors::Settings": {
-        "On": (TENSOR, "GlyphShape", "Sphere", "glyphs"),
+    "GlyphTensors::Settings": {
+        "On": (TENSOR, "GlyphShape", "Glyph Type", "glyphs"),
         "Kind": (SUPERQUADRIC, "GlyphShape", "Signed Tensor Superquadric", "glyphs"),
         "Array": [(TENSOR, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphTensorArray", "tensor", "nothing")],
         "Layout": [({**TENSOR, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "Row", "glyphs"), ({}, "GlyphTensorLayout", "Row", "nothing")],
@@ -123,15 +121,14 @@ FIELDS = {
         "Coloring": [({**TENSOR, "GlyphTensorColoring": "Trace"}, "GlyphTensorColoring", "Principal Direction", "colors"), ({}, "GlyphTensorColoring", "Trace", "nothing"),
                      ({**TENSOR, "GlyphTensorColoring": "Trace"}, "GlyphTensorColoring", "Eigenvalues", "colors"),
                      (TENSOR, "GlyphTensorColoring", "Sign", "glyphs")],
-        "PositiveColor": [(SIGNS, "GlyphTensorPositiveColor", [0.0, 1.0, 0.0], "image"),
-                          (TENSOR, "GlyphTensorPositiveColor", [0.0, 1.0, 0.0], "nothing")],
-        "NegativeColor": [(SIGNS, "GlyphTensorNegativeColor", [0.0, 1.0, 0.0], "image"),
-                          (TENSOR, "GlyphTensorNegativeColor", [0.0, 1.0, 0.0], "nothing")],
+        "PositiveColor": [(SIGNS, "GlyphTensorLookupTable", lambda: session.signs((0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), "image"),
+                          (TENSOR, "GlyphTensorLookupTable", lambda: session.signs((0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), "nothing")],
+        "NegativeColor": (SIGNS, "GlyphTensorLookupTable", lambda: session.signs((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)), "image"),
         "Axes": "of arrows beside the glyphs, whose settings are the glyphs' own",
         "Cross": (TENSOR, "GlyphShape", "Principal Axes", "glyphs"),
     },
-    "vtkGlyphForms::Settings": {
-        "On": (FORMS, "GlyphShape", "Sphere", "glyphs"),
+    "GlyphForms::Settings": {
+        "On": (FORMS, "GlyphShape", "Glyph Type", "glyphs"),
         "Kind": ({**FORMS, "GlyphTensorArray": "six", "GlyphHarmonicsArray": "six"}, "GlyphShape", "Spherical Harmonics", "glyphs"),
         "Array": [(FORMS, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphHarmonicsArray", "six", "nothing")],
         "Layout": [({**FORMS, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "Row", "glyphs"), (BALLS, "GlyphTensorLayout", "Row", "nothing")],
@@ -139,7 +136,7 @@ FIELDS = {
         "Each": [(BALLS, "GlyphHarmonicsScaling", "Each", "glyphs"), ({}, "GlyphHarmonicsScaling", "Each", "nothing")],
         "Coloring": [(FORMS, "GlyphTensorColoring", "Sign", "glyphs"), (FORMS, "GlyphTensorColoring", "Radius", "first colors"), (FORMS, "GlyphTensorColoring", "Trace", "nothing")],
     },
-    "vtkGlyphMotion::Settings": {
+    "GlyphMotion::Settings": {
         "On": ({**MOTION, "MotionBlur": 0}, "MotionBlur", 1, "glyphs"),
         "Velocity": [(MOTION, "VelocityArray", "spin", "glyphs"), ({}, "VelocityArray", "velocity", "nothing")],
         "FromPreviousStep": "needs time steps; see step_velocity.py",
@@ -148,7 +145,7 @@ FIELDS = {
         "ShutterTime": [(MOTION, "ShutterTime", 0.5, "glyphs"), ({}, "ShutterTime", 0.5, "nothing")],
         "Opening": [(MOTION, "ShutterOpening", "Forward", "glyphs"), ({}, "ShutterOpening", "Forward", "nothing")],
     },
-    "vtkRayTracedImageSettings": {
+    "RayTracedImageSettings": {
         "ShadingMode": ({}, "ShadingMode", "Ambient Occlusion", "image"),
         "AmbientOcclusionRadius": [(OCCLUSION, "AmbientOcclusionRadius", 0.1, "image"), ({}, "AmbientOcclusionRadius", 0.1, "nothing")],
         "SecondaryRays": [(OCCLUSION, "SecondaryRays", 3, "image"), (PATHS, "SecondaryRays", 2, "image"), ({}, "SecondaryRays", 3, "nothing")],
@@ -169,28 +166,28 @@ FIELDS = {
         "colour": ({}, "DiffuseColor", [1.0, 0.0, 0.0], "image"),
         "ambientColour": (PATHS, "AmbientColor", [1.0, 0.0, 0.0], "image"),
         "specularColour": (PATHS, "SpecularColor", [1.0, 0.0, 0.0], "image"),
-        "positiveColour": "vtkGlyphTensors::Settings has it",
-        "negativeColour": "vtkGlyphTensors::Settings has it",
+        "positiveColour": "GlyphTensors::Settings has it",
+        "negativeColour": "GlyphTensors::Settings has it",
         "ambient": ({}, "Ambient", 0.3, "image"),
         "diffuse": ({}, "Diffuse", 0.3, "image"),
         "specular": ({}, "Specular", 0.3, "image"),
         "specularPower": ({"Specular": 0.3}, "SpecularPower", 10.0, "image"),
         "opacity": ({}, "Opacity", 0.5, "pass"),
         "lighting": "no property of a representation's",
-        "metallic": (PATHS, "PathMetallic", 0.5, "image"),
-        "roughness": (PATHS, "PathRoughness", 0.9, "image"),
-        "coatStrength": (PATHS, "PathCoatStrength", 0.5, "image"),
-        "coatRoughness": ({**PATHS, "PathCoatStrength": 0.5}, "PathCoatRoughness", 0.5, "image"),
-        "coatIor": ({**PATHS, "PathCoatStrength": 0.5}, "PathCoatIOR", 1.5, "image"),
-        "coatColour": ({**PATHS, "PathCoatStrength": 0.5}, "PathCoatColor", [1.0, 0.0, 0.0], "image"),
+        "metallic": (PATHS, "Metallic", 0.5, "image"),
+        "roughness": (PATHS, "Roughness", 0.9, "image"),
+        "coatStrength": (PATHS, "CoatStrength", 0.5, "image"),
+        "coatRoughness": ({**PATHS, "CoatStrength": 0.5}, "CoatRoughness", 0.5, "image"),
+        "coatIor": ({**PATHS, "CoatStrength": 0.5}, "CoatIOR", 1.5, "image"),
+        "coatColour": ({**PATHS, "CoatStrength": 0.5}, "CoatColor", [1.0, 0.0, 0.0], "image"),
     },
 }
-#: what vtkGlyphArrays::All() returns, in its order -> (properties, array that the data have anew; None: positions)
+#: what GlyphArrays::All() returns, in its order -> (properties, array that the data have anew; None: positions)
 ARRAYS = {
     "GetPoints": ({}, None),
     "CompositeIndex": "no array of the user's: it is new where the blocks are",
-    "Scale": ({"GlyphScaling": 1, "GlyphScaleArray": "length"}, "length"),
-    "Orientation": ({"GlyphShape": "Box", "GlyphOrient": 1, "GlyphOrientationArray": "velocity"}, "velocity"),
+    "Scale": ({"ScaleMode": "Magnitude", "SelectScaleArray": "length"}, "length"),
+    "Orientation": ({"GlyphType": "Box", "Orient": 1, "SelectOrientationVectors": "velocity"}, "velocity"),
     "Exponents": ({**EXPONENTS, "GlyphExponentArray": "length"}, "length"),
     "Opacity": ({"GlyphOpacityArray": "length"}, "length"),
     "Radius": ({"GlyphRadiusArray": "length"}, "length"),
@@ -203,13 +200,13 @@ ARRAYS = {
 }
 #: struct -> header
 HEADERS = {
-    "vtkGlyphSettings": "Representation/Glyphs/vtkGlyphSettings.h",
-    "vtkGlyphMask": "Representation/Glyphs/vtkGlyphMask.h",
-    "vtkGlyphSizing": "Representation/Glyphs/vtkGlyphSizing.h", "ArrowForm": "Kernels/Glyphs.h", "Material": "Kernels/Glyphs.h",
-    "vtkGlyphTensors::Settings": "Representation/Glyphs/vtkGlyphTensors.h",
-    "vtkGlyphForms::Settings": "Representation/Glyphs/vtkGlyphForms.h",
-    "vtkGlyphMotion::Settings": "Representation/Glyphs/vtkGlyphMotion.h",
-    "vtkRayTracedImageSettings": "Representation/Scene/vtkRayTracedImageSettings.h",
+    "GlyphSettings": "Representation/Glyphs/GlyphSettings.h",
+    "GlyphMask": "Representation/Glyphs/GlyphMask.h",
+    "GlyphSizing": "Representation/Glyphs/GlyphSizing.h", "ArrowForm": "Kernels/Glyphs.h", "Material": "Kernels/Glyphs.h",
+    "GlyphTensors::Settings": "Representation/Glyphs/GlyphTensors.h",
+    "GlyphForms::Settings": "Representation/Glyphs/GlyphForms.h",
+    "GlyphMotion::Settings": "Representation/Glyphs/GlyphMotion.h",
+    "RayTracedImageSettings": "Representation/Scene/RayTracedImageSettings.h",
 }
 POINTS = 400
 
@@ -266,9 +263,9 @@ class Bench:
 
     def show(self, properties):
         """The display of the glyphs with these properties, and otherwise those of a fresh one; rendered."""
-        if properties.get("GlyphMeshIndexArray"):
-            properties = {**properties, "GlyphMesh": self.table}
-        self.settings.set({"GlyphOrient": 0, "GlyphScaleFactor": 0.1, "GlyphShape": "Sphere", "SamplesPerPixel": 2, "Denoising": "Never",
+        if properties.get("GlyphTableIndexArray"):
+            properties = {**properties, "GlyphType": self.table}
+        self.settings.set({"Orient": 0, "ScaleFactor": 0.1, "GlyphType": "Sphere", "Scaling": 1, "ScaleMode": "No Data Scaling Off", "SamplesPerPixel": 2, "Denoising": "Never",
                            "ShadingMode": "Local", **properties})
         pv.Render(self.view)
         pv.Render(self.view)
@@ -299,13 +296,13 @@ def main():
     for struct, header in HEADERS.items():
         found = fields_of(os.path.join(sys.argv[1], header), struct)
         checks.equal("fields of " + struct, sorted(found), sorted(FIELDS[struct]))
-    with open(os.path.join(sys.argv[1], "Representation/Glyphs/vtkGlyphTuples.cxx")) as code:
+    with open(os.path.join(sys.argv[1], "Representation/Glyphs/GlyphTuples.cxx")) as code:
         code = code.read()
     # The rows of its table, and the list that All() begins with.
     rows = len(re.findall(r"\{ &Settings::\w+", code))
-    listed = re.search(r"vtkGlyphArrays::All\(.*?all = \{(.*?)\};", code, flags=re.S).group(1)
+    listed = re.search(r"GlyphArrays::All\(.*?all = \{(.*?)\};", code, flags=re.S).group(1)
     found = re.sub(r"\([^()]*(\([^()]*\)[^()]*)*\)", "", listed).split(",")
-    checks.equal("arrays of vtkGlyphArrays::All()", len(found) + rows, len(ARRAYS))
+    checks.equal("arrays of GlyphArrays::All()", len(found) + rows, len(ARRAYS))
 
     bench = Bench(checks)
     for struct, fields in FIELDS.items():
@@ -313,7 +310,7 @@ def main():
             if isinstance(entries, str):
                 continue
             for properties, name, value, kind in entries if isinstance(entries, list) else [entries]:
-                what = "%s::%s, %s = %s of %s" % (struct, field, name, value, properties.get("GlyphShape", properties.get("ShadingMode", "Sphere")))
+                what = "%s::%s, %s = %s of %s" % (struct, field, name, value, properties.get("GlyphShape", properties.get("GlyphType", properties.get("ShadingMode", "Sphere"))))
                 bench.expect(what, properties, {name: value}, kind)
     for name, entry in ARRAYS.items():
         if isinstance(entry, str):

@@ -1,0 +1,152 @@
+#include "GlyphUSDWriter.h"
+
+#include "GlyphFileText.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+constexpr double degrees = 57.295779513082323;
+
+// Through all copies of all parts, part by part.
+template <typename Item>
+void ListCopies(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set, const Item& item)
+{
+  bool first = true;
+  out << "[";
+  for (std::size_t p = 0; p < set.Parts.size(); ++p)
+  {
+    for (std::size_t k = 0; k < set.Parts[p].Glyphs.size(); ++k)
+    {
+      out << (first ? "" : ", ");
+      first = false;
+      item(set.Parts[p], p, k);
+    }
+  }
+  out << "]\n";
+}
+
+void WriteVectors(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set, const char* name,
+  std::vector<glm::vec3> rtglyphs::GlyphTessellatedPart::*values, double factor = 1.0)
+{
+  if (std::any_of(set.Parts.begin(), set.Parts.end(), [values](const auto& part) { return !(part.*values).empty(); }))
+  {
+    out << "            vector3f[] " << name << " = ";
+    ListCopies(out, set,
+      [&](const rtglyphs::GlyphTessellatedPart& part, std::size_t, std::size_t k)
+      { out << glm::vec3(glm::dvec3((part.*values)[k]) * factor); });
+  }
+}
+
+void WriteMesh(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedPart& part)
+{
+  const rtg::TriangleMesh& mesh = *part.Mesh;
+  glm::vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
+  for (const glm::vec3& p : mesh.positions)
+  {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const std::string indent(20, ' ');
+  out << "                def Mesh \"" << part.Name << "\"\n                {\n";
+  out << indent << "float3[] extent = [" << low << ", " << high << "]\n" << indent << "int[] faceVertexCounts = ";
+  out.List(mesh.triangles.size(), [&](std::size_t) { out << 3; });
+  out << "\n" << indent << "int[] faceVertexIndices = ";
+  out.List(mesh.triangles.size(),
+    [&](std::size_t k) { out << mesh.triangles[k].x << ", " << mesh.triangles[k].y << ", " << mesh.triangles[k].z; });
+  out << "\n" << indent << "point3f[] points = ";
+  out.List(mesh.positions.size(), [&](std::size_t k) { out << mesh.positions[k]; });
+  if (!mesh.normals.empty())
+  {
+    out << "\n" << indent << "normal3f[] normals = ";
+    out.List(mesh.normals.size(), [&](std::size_t k) { out << mesh.normals[k]; });
+    out << " (\n" << indent << "    interpolation = \"vertex\"\n" << indent << ")";
+  }
+  out << "\n" << indent << "uniform token subdivisionScheme = \"none\"\n                }\n";
+}
+
+void WriteColors(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set)
+{
+  const std::string indent(12, ' ');
+  const auto close = [&](const char* interpolation) {
+    out << " (\n" << indent << "    interpolation = \"" << interpolation << "\"\n" << indent << ")\n";
+  };
+  const bool each = !set.Colors.empty();
+  out << indent << "color3f[] primvars:displayColor = [";
+  bool first = true;
+  const auto copies = [&](const auto& item)
+  {
+    first = true;
+    for (const rtglyphs::GlyphTessellatedPart& part : set.Parts)
+    {
+      for (const std::uint32_t glyph : part.Glyphs)
+      {
+        out << (first ? "" : ", ");
+        first = false;
+        item(set.ColorOf(glyph));
+      }
+    }
+  };
+  const auto color = [&](const glm::vec4& value) { out << glm::vec3(value); };
+  const auto opacity = [&](const glm::vec4& value) { out << value.a; };
+  each ? copies(color) : color(set.Color);
+  out << "]";
+  close(each ? "varying" : "constant");
+  if (set.IsTranslucent())
+  {
+    out << indent << "float[] primvars:displayOpacity = [";
+    each ? copies(opacity) : opacity(set.Color);
+    out << "]";
+    close(each ? "varying" : "constant");
+  }
+}
+
+void WriteSet(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set)
+{
+  const std::string indent(12, ' ');
+  out << "    def Xform \"" << set.Name << "\"\n    {\n        double3 xformOp:translate = " << set.Origin
+      << "\n        uniform token[] xformOpOrder = [\"xformOp:translate\"]\n\n"
+      << "        def PointInstancer \"Instances\"\n        {\n"
+      << indent << "int[] protoIndices = ";
+  ListCopies(out, set, [&](const rtglyphs::GlyphTessellatedPart&, std::size_t p, std::size_t) { out << p; });
+  out << indent << "rel prototypes = ";
+  out.List(set.Parts.size(),
+    [&](std::size_t p) { out << "</Glyphs/" << set.Name << "/Instances/Prototypes/" << set.Parts[p].Name << ">"; });
+  out << "\n" << indent << "point3f[] positions = ";
+  ListCopies(out, set, [&](const auto& part, std::size_t, std::size_t k) { out << part.Positions[k]; });
+  out << indent << "quath[] orientations = ";
+  ListCopies(out, set,
+    [&](const auto& part, std::size_t, std::size_t k)
+    {
+      const glm::vec4& q = part.Orientations[k];
+      out << glm::vec4(q.w, q.x, q.y, q.z);
+    });
+  out << indent << "float3[] scales = ";
+  ListCopies(out, set, [&](const auto& part, std::size_t, std::size_t k) { out << part.Scales[k]; });
+  WriteVectors(out, set, "velocities", &rtglyphs::GlyphTessellatedPart::Velocities);
+  WriteVectors(out, set, "accelerations", &rtglyphs::GlyphTessellatedPart::Accelerations);
+  WriteVectors(out, set, "angularVelocities", &rtglyphs::GlyphTessellatedPart::AngularVelocities, degrees);
+  WriteColors(out, set);
+  out << "\n            def Scope \"Prototypes\"\n            {\n";
+  for (const rtglyphs::GlyphTessellatedPart& part : set.Parts)
+  {
+    WriteMesh(out, part);
+  }
+  out << "            }\n        }\n    }\n";
+}
+}
+
+//----------------------------------------------------------------------------
+std::string rtglyphs::GlyphUSDWriter::Text(const std::vector<rtglyphs::GlyphTessellatedSet>& sets)
+{
+  rtglyphs::GlyphFileText out;
+  out << "#usda 1.0\n(\n    defaultPrim = \"Glyphs\"\n    metersPerUnit = 1\n    upAxis = \"Z\"\n)\n\n"
+      << "def Xform \"Glyphs\"\n{\n";
+  for (const rtglyphs::GlyphTessellatedSet& set : sets)
+  {
+    WriteSet(out, set);
+  }
+  out << "}\n";
+  return std::move(out.Text);
+}

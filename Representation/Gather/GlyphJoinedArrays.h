@@ -1,0 +1,22 @@
+/**
+ * Vectors, quaternions and tensors whose components are in several arrays, as particle codes write them: 'vx, vy, vz'
+ * names the array of three components that these three make, 'c_q[1-3], c_q[4]' that of four.
+ */
+#ifndef GlyphJoinedArrays_h
+#define GlyphJoinedArrays_h
+
+#include <string>
+
+class vtkPolyData;
+
+namespace rtglyphs::GlyphJoinedArrays
+{
+/**
+ * Adds a point array of that name with all components of its parts, one after another, where each part is a point array
+ * and there is none of that name yet. Parts of different types make an array of doubles.
+ */
+void Add(vtkPolyData* points, const std::string& name);
+}
+
+#endif
+// VTK-HeaderTest-Exclude: GlyphJoinedArrays.h

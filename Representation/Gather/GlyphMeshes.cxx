@@ -1,0 +1,139 @@
+#include "GlyphMeshes.h"
+
+#include "Glyphs.h"
+#include "RayTracedSurfaceGatherer.h"
+#include "RayTracedTree.h"
+#include "vtkAppendPolyData.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace
+{
+// The polygons of a data set, or of all blocks of composite data. 3D Glyphs shade meshes by the normals they have, and
+// compute none.
+vtkSmartPointer<vtkPolyData> PolygonsOf(vtkDataObject* data)
+{
+  rtglyphs::RayTracedSurfaceGatherer::Settings settings;
+  settings.ComputesNormals = false;
+  vtkNew<vtkAppendPolyData> append;
+  rtglyphs::RayTracedTree::ForEach(
+    rtglyphs::RayTracedTree::Make(data, /*distinctColors=*/1, /*processes=*/1,
+      [&settings](vtkDataObject* leaf) { return rtglyphs::RayTracedSurfaceGatherer::Gather(leaf, settings); }),
+    [&append](vtkPolyData* polygons)
+    {
+      if (polygons->GetNumberOfPolys() > 0)
+      {
+        append->AddInputData(polygons);
+      }
+    });
+  if (append->GetNumberOfInputConnections(0) > 0)
+  {
+    append->Update();
+  }
+  return append->GetOutput();
+}
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphMeshes::GlyphMeshes() = default;
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphMeshes::~GlyphMeshes() = default;
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphMeshes::Gather(vtkDataObject* data, bool blocksAreForms)
+{
+  auto* blocks = vtkDataObjectTree::SafeDownCast(data);
+  if (blocksAreForms && blocks)
+  {
+    vtkNew<vtkMultiBlockDataSet> table;
+    auto block = vtk::TakeSmartPointer(blocks->NewTreeIterator());
+    block->SetSkipEmptyNodes(false);
+    block->SetVisitOnlyLeaves(false);
+    block->SetTraverseSubTree(false);
+    for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
+    {
+      table->SetBlock(table->GetNumberOfBlocks(), PolygonsOf(block->GetCurrentDataObject()));
+    }
+    this->Piece->SetBlock(0, table);
+  }
+  else
+  {
+    this->Piece->SetBlock(0, PolygonsOf(data));
+  }
+  this->Piece->Modified();
+  this->Take(this->Piece);
+}
+
+//----------------------------------------------------------------------------
+vtkDataObject* rtglyphs::GlyphMeshes::GetPiece() const
+{
+  return this->Piece;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphMeshes::Take(vtkDataObject* piece)
+{
+  auto* outer = vtkMultiBlockDataSet::SafeDownCast(piece);
+  vtkDataObject* inner = outer && outer->GetNumberOfBlocks() > 0 ? outer->GetBlock(0) : nullptr;
+  this->Forms.clear();
+  if (auto* table = vtkMultiBlockDataSet::SafeDownCast(inner))
+  {
+    for (unsigned int i = 0; i < table->GetNumberOfBlocks(); ++i)
+    {
+      this->Forms.emplace_back(vtkPolyData::SafeDownCast(table->GetBlock(i)));
+    }
+  }
+  else
+  {
+    this->Forms.emplace_back(vtkPolyData::SafeDownCast(inner));
+  }
+  this->UpdateExtents();
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphMeshes::UpdateExtents()
+{
+  std::vector<vtkMTimeType> times;
+  for (vtkPolyData* form : this->Forms)
+  {
+    times.push_back(form && form->GetPoints() ? form->GetPoints()->GetMTime() : 0);
+  }
+  if (times == this->ExtentsTimes)
+  {
+    return;
+  }
+  this->ExtentsTimes = times;
+  this->Extents.clear();
+  for (vtkPolyData* form : this->Forms)
+  {
+    auto corners = std::make_shared<rtg::TriangleMesh>();
+    if (form && form->GetNumberOfPoints() > 0)
+    {
+      double b[6];
+      form->GetBounds(b);
+      corners->positions = { glm::vec3(b[0], b[2], b[4]), glm::vec3(b[1], b[3], b[5]) };
+    }
+    this->Extents.push_back(std::move(corners));
+  }
+}
+
+//----------------------------------------------------------------------------
+double rtglyphs::GlyphMeshes::GetLargestSide() const
+{
+  double largest = 0.0;
+  for (const auto& corners : this->Extents)
+  {
+    if (!corners->positions.empty())
+    {
+      const glm::vec3 sides = corners->positions.back() - corners->positions.front();
+      largest = std::max<double>(largest, std::max({ sides.x, sides.y, sides.z }));
+    }
+  }
+  return largest;
+}

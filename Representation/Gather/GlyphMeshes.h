@@ -1,0 +1,77 @@
+/**
+ * @class   GlyphMeshes
+ * @brief   the forms of mesh glyphs: gathered from the second input, as the view delivers them, and how large they are
+ */
+#ifndef GlyphMeshes_h
+#define GlyphMeshes_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+class vtkDataObject;
+class vtkMultiBlockDataSet;
+class vtkPolyData;
+
+namespace rtg
+{
+struct TriangleMesh;
+}
+
+namespace rtglyphs
+{
+class GlyphMeshes
+{
+public:
+  GlyphMeshes();
+  ~GlyphMeshes();
+
+  /**
+   * Gathers the polygons of `data` (may be null) as one form, or each block of a composite as a form of its own.
+   */
+  void Gather(vtkDataObject* data, bool blocksAreForms);
+
+  /**
+   * What was gathered, for the view. In a composite, because data of several ranks that are put together do not stay
+   * apart otherwise.
+   */
+  vtkDataObject* GetPiece() const;
+
+  /**
+   * The forms are those of a piece that the view has delivered (may be null), until the next Gather().
+   */
+  void Take(vtkDataObject* piece);
+
+  /**
+   * Number of forms, and form i; null: there is none.
+   */
+  std::size_t GetNumberOfForms() const { return this->Forms.size(); }
+  vtkPolyData* GetForm(std::size_t i) const { return i < this->Forms.size() ? this->Forms[i].Get() : nullptr; }
+
+  /**
+   * Two opposite corners of each form's box, as a mesh for GlyphBounds; without points where there is no form.
+   */
+  const std::vector<std::shared_ptr<const rtg::TriangleMesh>>& GetExtents() const { return this->Extents; }
+
+  /**
+   * The longest side of the forms' boxes; 0 without any.
+   */
+  double GetLargestSide() const;
+
+private:
+  void UpdateExtents();
+
+  vtkNew<vtkMultiBlockDataSet> Piece; // its only block is the form, or a composite of them
+  std::vector<vtkSmartPointer<vtkPolyData>> Forms;
+  std::vector<std::shared_ptr<const rtg::TriangleMesh>> Extents;
+  std::vector<vtkMTimeType> ExtentsTimes;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: GlyphMeshes.h

@@ -1,0 +1,242 @@
+#include "GlyphPointGatherer.h"
+
+#include "GlyphLeaves.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "vtkArrayDispatch.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedIntArray.h"
+
+#include <numeric>
+#include <string>
+
+namespace
+{
+namespace parallel = rtglyphs::RayTracedParallel;
+
+using Leaf = rtglyphs::GlyphLeaves::Leaf;
+
+// The tuples of a leaf's glyphs become those of another array of the same values.
+struct CopyTuples
+{
+  template <class From, class To>
+  void operator()(From* from, To* to, const Leaf& leaf, bool cells) const
+  {
+    const auto source = vtk::DataArrayTupleRange(from);
+    auto target = vtk::DataArrayTupleRange(to);
+    parallel::ForChunks(leaf.Count(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          target[i] = source[cells ? leaf.Cell(i) : leaf.Point(i)];
+        }
+      });
+  }
+};
+
+void CopyLeaf(vtkAbstractArray* from, vtkAbstractArray* to, const Leaf& leaf, bool cells)
+{
+  CopyTuples copy;
+  auto* numbers = vtkDataArray::SafeDownCast(from);
+  auto* target = vtkDataArray::SafeDownCast(to);
+  if (numbers && vtkArrayDispatch::Dispatch2SameValueType::Execute(numbers, target, copy, leaf, cells))
+  {
+    return;
+  }
+  const auto copyRange = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      to->SetTuple(i, cells ? leaf.Cell(i) : leaf.Point(i), from);
+    }
+  };
+  // Tuples of bits share bytes, and texts are no numbers.
+  if (numbers && from->GetDataType() != VTK_BIT)
+  {
+    parallel::ForChunks(leaf.Count(), copyRange);
+  }
+  else
+  {
+    copyRange(0, leaf.Count());
+  }
+}
+
+// All arrays of the points, or of their cells, in the order of the glyphs.
+void CopyArrays(const Leaf& leaf, bool cells, vtkDataSetAttributes* out, const parallel::Progress& progress)
+{
+  vtkDataSetAttributes* in = leaf.Data->GetPointData();
+  if (cells)
+  {
+    in = leaf.Data->GetCellData();
+  }
+  for (int i = 0; i < in->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* from = in->GetAbstractArray(i);
+    if (!from->GetName() || from->GetName() == std::string(vtkDataSetAttributes::GhostArrayName()))
+    {
+      continue;
+    }
+    // Not an instance of the first one's class, which may be an array that cannot be written to.
+    auto to = vtk::TakeSmartPointer(vtkAbstractArray::CreateArray(from->GetDataType()));
+    to->SetName(from->GetName());
+    to->SetNumberOfComponents(from->GetNumberOfComponents());
+    for (int c = 0; c < from->GetNumberOfComponents(); ++c)
+    {
+      to->SetComponentName(c, from->GetComponentName(c));
+    }
+    rtglyphs::RayTracedArrays::Resize(to, leaf.Count());
+    CopyLeaf(from, to, leaf, cells);
+    out->AddArray(to);
+    if (progress)
+    {
+      progress((i + 1.0) / in->GetNumberOfArrays());
+    }
+  }
+  // Which array the global ids are must not get lost.
+  if (vtkDataArray* ids = in->GetGlobalIds())
+  {
+    out->SetActiveGlobalIds(ids->GetName());
+  }
+}
+
+void CopyPoints(const Leaf& leaf, vtkPolyData* out, const parallel::Progress& progress)
+{
+  // The precision of the input is kept; grids whose points are computed get double.
+  auto* set = vtkPointSet::SafeDownCast(leaf.Data);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(set ? set->GetPoints()->GetDataType() : VTK_DOUBLE);
+  rtglyphs::RayTracedArrays::Resize(points->GetData(), leaf.Count());
+  double first[3];
+  leaf.Data->GetPoint(0, first); // builds what the threads need
+  parallel::ForChunks(
+    leaf.Count(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        double x[3];
+        leaf.Data->GetPoint(leaf.Point(i), x);
+        points->SetPoint(i, x);
+      }
+    },
+    progress);
+  out->SetPoints(points);
+}
+
+// An array of value(i) for the i-th point.
+template <typename ArrayType, typename Value>
+void AddIds(vtkPolyData* out, const char* name, const Value& value)
+{
+  vtkNew<ArrayType> array;
+  array->SetName(name);
+  rtglyphs::RayTracedArrays::Resize(array, out->GetNumberOfPoints());
+  auto* values = array->GetPointer(0);
+  parallel::ForChunks(out->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        values[i] = value(i);
+      }
+    });
+  out->GetPointData()->AddArray(array);
+}
+
+void AddPickingIds(const Leaf& leaf, const rtglyphs::GlyphPointGatherer::Options& options, vtkPolyData* out)
+{
+  if (options.IsBlock || options.Processes > 1 || !leaf.All || leaf.CellIds)
+  {
+    AddIds<vtkIdTypeArray>(out, rtglyphs::RayTracedArrays::PointIds,
+      [&leaf](vtkIdType i)
+      {
+        const vtkIdType point = leaf.Point(i);
+        return leaf.CellIds ? rtglyphs::RayTracedArrays::Marked(leaf.CellIds->GetValue(point)) : point;
+      });
+  }
+  if (leaf.HasCells())
+  {
+    AddIds<vtkIdTypeArray>(out, rtglyphs::RayTracedArrays::CellIds, [&leaf](vtkIdType i) { return leaf.Cell(i); });
+  }
+  if (options.Processes > 1)
+  {
+    AddIds<vtkUnsignedIntArray>(out, rtglyphs::RayTracedArrays::ProcessId,
+      [&options](vtkIdType) { return static_cast<unsigned int>(options.ProcessId); });
+  }
+}
+
+// One vertex a point.
+vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType count)
+{
+  const auto counting = [](vtkIdType last)
+  {
+    auto array = vtkSmartPointer<vtkIdTypeArray>::New();
+    rtglyphs::RayTracedArrays::Resize(array, last);
+    vtkIdType* values = array->GetPointer(0);
+    parallel::ForChunks(
+      last, [values](vtkIdType begin, vtkIdType end) { std::iota(values + begin, values + end, begin); });
+    return array;
+  };
+  auto vertices = vtkSmartPointer<vtkCellArray>::New();
+  vertices->SetData(counting(count + 1), counting(count));
+  return vertices;
+}
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> rtglyphs::GlyphPointGatherer::Gather(vtkDataObject* data, const Options& options)
+{
+  auto out = vtkSmartPointer<vtkPolyData>::New();
+  Leaf leaf = rtglyphs::GlyphLeaves::Find(data, options.CellCenters);
+  if (!leaf.Data || leaf.Data->GetNumberOfPoints() == 0)
+  {
+    return out;
+  }
+  if (!options.IsBlock && options.Processes > 1 && options.WholeExtent)
+  {
+    rtglyphs::GlyphLeaves::DropSharedFaces(leaf, options.WholeExtent);
+  }
+  out->GetFieldData()->PassData(leaf.Data->GetFieldData());
+  const vtkIdType count = leaf.Count();
+  const parallel::Progress progress = parallel::Worthwhile(options.Progress, count);
+
+  // Points and arrays are shared with the input where all of them carry glyphs.
+  auto* set = leaf.All ? vtkPointSet::SafeDownCast(leaf.Data) : nullptr;
+  if (set)
+  {
+    out->SetPoints(set->GetPoints());
+    out->GetPointData()->ShallowCopy(set->GetPointData());
+  }
+  else if (count > 0)
+  {
+    CopyPoints(leaf, out, parallel::Part(progress, 0.0, 0.3));
+    CopyArrays(leaf, false, out->GetPointData(), parallel::Part(progress, 0.3, 0.8));
+  }
+  const bool sharesCells = leaf.All && leaf.HasCells() && leaf.CellOfPoint.empty();
+  if (sharesCells)
+  {
+    out->GetCellData()->ShallowCopy(leaf.Data->GetCellData());
+    out->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  }
+  else if (leaf.HasCells() && count > 0)
+  {
+    CopyArrays(leaf, true, out->GetCellData(), parallel::Part(progress, 0.8, 0.9));
+  }
+  AddPickingIds(leaf, options, out);
+  // Filters that redistribute between ranks, and cell data, need a cell for each point.
+  if (options.Processes > 1 || out->GetCellData()->GetNumberOfArrays() > 0)
+  {
+    out->SetVerts(sharesCells ? vtkSmartPointer<vtkCellArray>(leaf.Vertices) : MakeVertices(count));
+  }
+  return out;
+}

@@ -1,0 +1,44 @@
+/**
+ * @class   GlyphPointGatherer
+ * @brief   the points of a data set that carry a glyph, as poly data
+ *
+ * Input may be any data set or hyper tree grid, one leaf of RayTracedTree; GlyphLeaves says which points carry a
+ * glyph, or that the centers of cells do, which have the cells' arrays. Where nothing has to be copied, points and
+ * arrays are shared with the input.
+ *
+ * The output's point data has the input's arrays, and what picking asks for (RayTracedArrays.h): ids of points and,
+ * for cell centers and data sets made of vertices, of the cells that the glyphs stand for, and ranks.
+ *
+ * Its cell data has the cell arrays of data sets made of vertices only, one tuple a point; cell arrays of cell centers
+ * are point arrays. Its field data are the input's.
+ */
+#ifndef GlyphPointGatherer_h
+#define GlyphPointGatherer_h
+
+#include "RayTracedParallel.h"
+#include "vtkSmartPointer.h"
+
+class vtkDataObject;
+class vtkPolyData;
+
+namespace rtglyphs
+{
+
+class GlyphPointGatherer
+{
+public:
+  struct Options
+  {
+    bool CellCenters = false; // instead of points; hyper tree grids always give those
+    bool IsBlock = false;     // of composite data
+    // This process's rank among those whose points are put together for rendering.
+    int ProcessId = 0, Processes = 1;
+    const int* WholeExtent = nullptr; // of the structured data set of which the input is this process's piece
+    RayTracedParallel::Progress Progress;
+  };
+  static vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const Options& options);
+};
+
+} // namespace rtglyphs
+
+#endif

@@ -1,0 +1,110 @@
+/**
+ * @class   GlyphStepVelocity
+ * @brief   velocities of points by differences to the time step seen before
+ *
+ * For data without an array of velocities: v = (x(now) - x(before)) / (t(now) - t(before)), a backward difference of
+ * first order, of the points that have the same id in both steps. "Before" is the last step of another time that this
+ * object was given, whichever it was, so that time may jump and run backwards; its positions are kept, 48 bytes a
+ * point.
+ *
+ * A point without a partner stands still: its id is new, or occurs more than once in one of the steps, or one of
+ * the two positions is not finite. So do all in the first step.
+ */
+#ifndef GlyphStepVelocity_h
+#define GlyphStepVelocity_h
+
+#include "RayTracedArrays.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkDataObject;
+class vtkPolyData;
+
+namespace rtglyphs
+{
+
+class GlyphStepVelocity
+{
+public:
+  /**
+   * The point array of one component that tells which point is which; "None" or empty: the global ids. Whether it is
+   * another than before, which forgets all steps.
+   */
+  bool SetPointIdArray(const std::string& name);
+
+  /**
+   * Adds the point array Name() to the leaves of the RayTracedTree `gathered`, made of `input`. Without ids, or
+   * where the data say no time, all stand still. Steps of another source than the last are forgotten.
+   */
+  void AddTo(vtkDataObject* gathered, vtkDataObject* input, vtkAlgorithm* source);
+
+  /**
+   * What is to be said of the last step, with a remedy; empty the second time that the same comes since Reset().
+   */
+  std::string TakeMessage();
+
+  /**
+   * The time between the last two steps; 0: there was one at most.
+   */
+  double GetStepLength() const;
+
+  /**
+   * Forgets all steps.
+   */
+  void Reset();
+
+  static const char* Name() { return RayTracedArrays::StepVelocity; }
+
+private:
+  enum Outcomes
+  {
+    FOUND = 0,  // all points have a velocity, or this is the first step
+    NO_IDS = 1, // the other outcomes: all or some stand still
+    NO_TIME = 2,
+    WITHOUT_PARTNER = 3
+  };
+
+  struct Entry
+  {
+    std::int64_t Id;
+    unsigned int Block;       // of an id that several blocks have; else 0: points may go from block to block
+    vtkDataArray* Velocities; // of its block, and its place among them
+    vtkIdType Point;
+    double X[3];
+
+    std::pair<std::int64_t, unsigned int> Key() const { return { this->Id, this->Block }; }
+  };
+  struct Step
+  {
+    bool Seen = false;
+    double Time = 0.0;
+    std::vector<Entry> Entries; // by rising id, each id once
+  };
+  static void AddEntries(vtkPolyData* points, vtkDataArray* ids, vtkDataArray* velocities, std::vector<Entry>& entries);
+  static void KeepUnique(std::vector<Entry>& entries);
+
+  /// Null: there are none.
+  vtkDataArray* IdsOf(vtkPolyData* points) const;
+  void Follow(vtkDataObject* gathered, double time);
+  std::string Describe() const;
+
+  std::string PointIdArray;
+  vtkWeakPointer<vtkAlgorithm> Source; // whose steps they are
+  Step Now, Before;
+  Outcomes Outcome = FOUND;
+  std::array<bool, WITHOUT_PARTNER + 1> Said{};
+  vtkIdType Points = 0;
+  vtkIdType WithoutPartner = 0;
+};
+
+} // namespace rtglyphs
+
+#endif

@@ -1,0 +1,78 @@
+/**
+ * Names of the arrays that travel from where the data are to where they are rendered, besides the input's own. They
+ * begin as the input's arrays never should: nobody's arrays of the same name are lost.
+ */
+#ifndef RayTracedArrays_h
+#define RayTracedArrays_h
+
+#include "vtkAbstractArray.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <new>
+#include <string>
+
+namespace rtglyphs::RayTracedArrays
+{
+/// Of each point: its id in the input's block, or Marked() the cell's whose center it is. Missing where it would be the
+/// identity.
+constexpr const char* PointIds = "vtkRayTraced_PointIds";
+/// Of each point, or of each cell of a surface: the cell of the input's block that it stands for. Missing where there
+/// is none.
+constexpr const char* CellIds = "vtkRayTraced_CellIds";
+/// Field data of each block, and of each point of several: its flat index in the input. Missing where the input is a
+/// single data set.
+constexpr const char* CompositeIndex = "vtkRayTraced_CompositeIndex";
+/// Of each point: the rank that it comes from. Missing where there is one.
+constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
+/// Of each point: its velocity since the step shown before. Missing unless asked for.
+constexpr const char* StepVelocity = "vtkRayTraced_StepVelocity";
+/// Of each point, and of each cell of lines: 1 where the selection has its glyph, else 0. Missing where it has none.
+constexpr const char* Selected = "vtkRayTraced_Selected";
+/// Field data of each block, as ParaView's own surfaces have them.
+constexpr const char* BlockColors = "vtkBlockColors";
+
+///@{
+/// What a selector of points is told of a glyph that stands for a cell, and one of cells of a glyph that stands for a
+/// point: a number that neither has, from which vtkRayTracedSelectionEncoder finds what is meant. Selectors keep 48
+/// bits of a number.
+constexpr vtkTypeInt64 Mark = vtkTypeInt64(1) << 47;
+constexpr bool IsMarked(vtkTypeInt64 id)
+{
+  return id >= Mark;
+}
+constexpr vtkTypeInt64 Marked(vtkTypeInt64 id)
+{
+  return id + Mark;
+}
+constexpr vtkTypeInt64 Unmarked(vtkTypeInt64 id)
+{
+  return id - Mark;
+}
+///@}
+
+/// Whether an array is one of the above that users do not choose.
+inline bool IsOwn(const std::string& name)
+{
+  return name.rfind("vtkRayTraced_", 0) == 0;
+}
+
+/// SetNumberOfTuples() that throws std::bad_alloc where memory does not suffice: VTK ends the process then, in builds
+/// for debugging, as Debian's are.
+inline void Resize(vtkAbstractArray* array, vtkIdType tuples)
+{
+  ::operator delete(::operator new(
+    static_cast<std::size_t>(tuples) * array->GetNumberOfComponents() * std::max(array->GetDataTypeSize(), 1)));
+  array->SetNumberOfTuples(tuples);
+}
+
+/// Whether a property that names an array names none.
+inline bool IsNone(const std::string& name)
+{
+  return name.empty() || name == "None";
+}
+}
+
+#endif
+// VTK-HeaderTest-Exclude: RayTracedArrays.h

@@ -1,0 +1,369 @@
+#include "RayTracedBlocks.h"
+
+#include "RayTracedArrays.h"
+#include "RayTracedNumbers.h"
+#include "RayTracedTree.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataArray.h"
+#include "vtkDataObjectTreeRange.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkMapper.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnsignedIntArray.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace
+{
+using Attributes = rtglyphs::RayTracedBlocks::Attributes;
+using Block = rtglyphs::RayTracedBlocks::Block;
+
+// A quiet NaN that no computation makes.
+constexpr std::uint64_t missing = 0x7ff8'0000'5261'5947;
+
+// A template, because VTK has these since ParaView 5.13.
+template <class Display>
+void ReadScalars(Display* from, vtkDataObject* node, rtglyphs::RayTracedBlocks::Coloring& scalars)
+{
+  if constexpr (requires { from->HasBlockArrayName(node); })
+  {
+    scalars.On = from->HasBlockScalarVisibility(node) ? from->GetBlockScalarVisibility(node) : scalars.On;
+    scalars.Array = from->HasBlockArrayName(node) ? from->GetBlockArrayName(node) : scalars.Array;
+    scalars.ScalarMode = from->HasBlockScalarMode(node) ? from->GetBlockScalarMode(node) : scalars.ScalarMode;
+    scalars.ColorMode = from->HasBlockColorMode(node) ? from->GetBlockColorMode(node) : scalars.ColorMode;
+    scalars.FieldDataTuple =
+      from->HasBlockFieldDataTupleId(node) ? from->GetBlockFieldDataTupleId(node) : scalars.FieldDataTuple;
+    scalars.InterpolatesScalars = from->HasBlockInterpolateScalarsBeforeMapping(node)
+      ? from->GetBlockInterpolateScalarsBeforeMapping(node)
+      : scalars.InterpolatesScalars;
+    scalars.Table = from->HasBlockLookupTable(node) ? from->GetBlockLookupTable(node) : scalars.Table;
+  }
+}
+
+void Visit(vtkDataObject* node, vtkCompositeDataDisplayAttributes* from, Attributes attributes, std::vector<Block>& out)
+{
+  attributes.Visible = from->HasBlockVisibility(node) ? from->GetBlockVisibility(node) : attributes.Visible;
+  if (from->HasBlockOpacity(node))
+  {
+    attributes.Opacity = rtglyphs::RayTracedNumbers::InRange(from->GetBlockOpacity(node), 0.0, 1.0, 1.0);
+  }
+  if (from->HasBlockColor(node))
+  {
+    double color[3];
+    from->GetBlockColor(node, color);
+    attributes.Color = rtglyphs::RayTracedNumbers::ColorInRange(color[0], color[1], color[2]);
+    attributes.Scalars.On = false;
+  }
+  ReadScalars(from, node, attributes.Scalars);
+  if (auto* data = vtkPolyData::SafeDownCast(node))
+  {
+    out.push_back({ attributes, data, rtglyphs::RayTracedTree::FlatIndex(data) });
+  }
+  else if (auto* tree = vtkDataObjectTree::SafeDownCast(node))
+  {
+    for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
+    {
+      Visit(child, from, attributes, out);
+    }
+  }
+}
+
+vtkDataSetAttributes* AttributesOf(vtkPolyData* data, bool cells)
+{
+  if (cells)
+  {
+    return data->GetCellData();
+  }
+  return data->GetPointData();
+}
+
+// The arrays of one name, of each block; null where it has none, or one of another length of tuple than the first.
+using Alike = std::vector<vtkDataArray*>;
+
+std::map<std::string, Alike> FindArrays(const std::vector<vtkDataSetAttributes*>& sets)
+{
+  std::map<std::string, Alike> all;
+  for (std::size_t i = 0; i < sets.size(); ++i)
+  {
+    for (int k = 0; k < sets[i]->GetNumberOfArrays(); ++k)
+    {
+      vtkDataArray* array = sets[i]->GetArray(k); // texts make no glyphs
+      const std::string name = array && array->GetName() ? array->GetName() : "";
+      if (!name.empty() && name != vtkDataSetAttributes::GhostArrayName() && name != rtglyphs::RayTracedArrays::CellIds)
+      {
+        Alike& alike = all.try_emplace(name, sets.size()).first->second;
+        const auto first =
+          std::find_if(alike.begin(), alike.end(), [](vtkDataArray* other) { return other != nullptr; });
+        const bool fits = first == alike.end() || (*first)->GetNumberOfComponents() == array->GetNumberOfComponents();
+        alike[i] = fits ? array : nullptr;
+      }
+    }
+  }
+  return all;
+}
+
+// For their values; not an instance of the first one's class, which may be an array that cannot be written to.
+vtkSmartPointer<vtkDataArray> NewArray(const Alike& alike, vtkIdType tuples)
+{
+  vtkDataArray* first = *std::find_if(alike.begin(), alike.end(), [](vtkDataArray* array) { return array != nullptr; });
+  const bool exact = std::all_of(alike.begin(), alike.end(),
+    [first](vtkDataArray* array) { return array && array->GetDataType() == first->GetDataType(); });
+  auto joined = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(exact ? first->GetDataType() : VTK_DOUBLE));
+  joined->SetName(first->GetName());
+  joined->SetNumberOfComponents(first->GetNumberOfComponents());
+  rtglyphs::RayTracedArrays::Resize(joined, tuples);
+  return joined;
+}
+
+// One number for each point of a block.
+vtkSmartPointer<vtkDataArray> Numbers(const std::vector<Block>& blocks, vtkIdType count)
+{
+  auto numbers = vtkSmartPointer<vtkUnsignedIntArray>::New();
+  rtglyphs::RayTracedArrays::Resize(numbers, count);
+  for (const Block& block : blocks)
+  {
+    std::fill_n(numbers->GetPointer(block.FirstPoint), block.Data->GetNumberOfPoints(), block.FlatIndex);
+  }
+  numbers->SetName(rtglyphs::RayTracedArrays::CompositeIndex);
+  return numbers;
+}
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::RayTracedBlocks::RayTracedBlocks() = default;
+
+//----------------------------------------------------------------------------
+rtglyphs::RayTracedBlocks::~RayTracedBlocks() = default;
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedBlocks::Update(
+  vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, const Attributes& common)
+{
+  const bool joined = data && data == this->Joined && data->GetMTime() == this->JoinedTime;
+  if (joined && attributes->GetMTime() == this->AttributesTime && common == this->Common)
+  {
+    return;
+  }
+  ++this->Version;
+  this->AttributesTime = attributes->GetMTime();
+  this->Common = common;
+  this->Blocks.clear();
+  if (data)
+  {
+    Visit(data, attributes, common, this->Blocks);
+  }
+  this->Table.clear();
+  vtkIdType points = 0, cells = 0;
+  for (Block& block : this->Blocks)
+  {
+    block.FirstPoint = points;
+    block.FirstCell = cells;
+    points += block.Data->GetNumberOfPoints();
+    cells += block.Data->GetNumberOfCells();
+    this->Table[block.FlatIndex].Visible = block.Visible;
+  }
+  if (!joined)
+  {
+    this->Points = nullptr;
+    this->Joined = data;
+    this->JoinedTime = data ? data->GetMTime() : 0;
+    if (data)
+    {
+      this->Join();
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::RayTracedBlocks::Missing::Missing(vtkDataArray* joined)
+  : Joined(vtkDoubleArray::SafeDownCast(joined))
+{
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::RayTracedBlocks::Missing::operator()(vtkIdType tuple) const
+{
+  return this->Joined &&
+    std::bit_cast<std::uint64_t>(this->Joined->GetValue(tuple * this->Joined->GetNumberOfComponents())) == missing;
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::RayTracedBlocks::IsOfRanks(vtkPolyData* points)
+{
+  return points->GetPointData()->HasArray(rtglyphs::RayTracedArrays::ProcessId) &&
+    (points->GetFieldData()->HasArray(rtglyphs::RayTracedArrays::CompositeIndex) ||
+      points->GetPointData()->HasArray(rtglyphs::RayTracedArrays::CompositeIndex));
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedBlocks::Join()
+{
+  this->Points = vtkSmartPointer<vtkPolyData>::New();
+  if (this->Blocks.size() == 1 && this->Blocks.front().FlatIndex == 0)
+  {
+    this->Points->ShallowCopy(this->Blocks.front().Data);
+    return;
+  }
+  this->JoinPoints();
+  this->JoinCells(
+    "lines", [](vtkPolyData* data) { return data->GetLines(); },
+    [](vtkPolyData* data, vtkCellArray* cells) { data->SetLines(cells); });
+  this->JoinCells(
+    "polygons", [](vtkPolyData* data) { return data->GetPolys(); },
+    [](vtkPolyData* data, vtkCellArray* cells) { data->SetPolys(cells); });
+  this->UsedArrays.clear();
+  this->JoinArrays(false);
+  if (this->Points->GetNumberOfCells() > 0)
+  {
+    this->JoinArrays(true);
+  }
+  this->Arrays = std::move(this->UsedArrays);
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedBlocks::JoinPoints()
+{
+  Times times;
+  vtkIdType count = 0;
+  bool anyDouble = false;
+  for (const Block& block : this->Blocks)
+  {
+    vtkPoints* points = block.Data->GetPoints();
+    const bool some = points && points->GetNumberOfPoints() > 0;
+    times.push_back(some ? points->GetData()->GetMTime() : 0);
+    count += some ? points->GetNumberOfPoints() : 0;
+    anyDouble |= some && points->GetDataType() != VTK_FLOAT;
+  }
+  if (!this->Places.second || this->Places.first != times)
+  {
+    auto joined = vtkSmartPointer<vtkPoints>::New();
+    joined->SetDataType(anyDouble ? VTK_DOUBLE : VTK_FLOAT);
+    rtglyphs::RayTracedArrays::Resize(joined->GetData(), count);
+    for (const Block& block : this->Blocks)
+    {
+      if (block.Data->GetNumberOfPoints() > 0)
+      {
+        joined->InsertPoints(block.FirstPoint, block.Data->GetNumberOfPoints(), 0, block.Data->GetPoints());
+      }
+    }
+    this->Places = { std::move(times), joined };
+  }
+  this->Points->SetPoints(this->Places.second);
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedBlocks::JoinCells(
+  const char* what, vtkCellArray* (*cellsOf)(vtkPolyData*), void (*set)(vtkPolyData*, vtkCellArray*))
+{
+  Times times = this->Places.first;
+  vtkIdType count = 0;
+  for (const Block& block : this->Blocks)
+  {
+    times.push_back(cellsOf(block.Data)->GetMTime());
+    count += cellsOf(block.Data)->GetNumberOfCells();
+  }
+  auto& [known, joined] = this->Cells[what];
+  if (!joined || known != times)
+  {
+    known = std::move(times);
+    joined = vtkSmartPointer<vtkCellArray>::New();
+    for (const Block& block : this->Blocks)
+    {
+      joined->Append(cellsOf(block.Data), block.FirstPoint);
+    }
+  }
+  if (count > 0)
+  {
+    set(this->Points, joined);
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedBlocks::JoinArrays(bool cells)
+{
+  const auto countOf = [cells](vtkPolyData* data)
+  { return cells ? data->GetNumberOfCells() : data->GetNumberOfPoints(); };
+  std::vector<const Block*> blocks; // an empty one lacks nothing
+  std::vector<vtkDataSetAttributes*> sets;
+  for (const Block& block : this->Blocks)
+  {
+    if (countOf(block.Data) > 0)
+    {
+      blocks.push_back(&block);
+      sets.push_back(AttributesOf(block.Data, cells));
+    }
+  }
+  if (blocks.empty())
+  {
+    return;
+  }
+  vtkDataSetAttributes* out = AttributesOf(this->Points, cells);
+  const auto keep = [&](const std::string& name, Times times, const auto& make)
+  {
+    const std::pair<bool, std::string> key(cells, name);
+    const auto known = this->Arrays.find(key);
+    const bool same = known != this->Arrays.end() && known->second.first == times;
+    auto& used = this->UsedArrays[key];
+    used = { std::move(times), same ? known->second.second : make() };
+    out->AddArray(used.second);
+  };
+  const vtkIdType count = countOf(this->Points);
+  for (const auto& [name, alike] : FindArrays(sets))
+  {
+    Times times;
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+    {
+      times.push_back(alike[i] ? alike[i]->GetMTime() : 0);
+      times.push_back(static_cast<vtkMTimeType>(countOf(blocks[i]->Data)));
+    }
+    keep(name, std::move(times),
+      [&, &alike = alike]
+      {
+        vtkSmartPointer<vtkDataArray> joined = NewArray(alike, count);
+        for (std::size_t i = 0; i < blocks.size(); ++i)
+        {
+          const vtkIdType first = cells ? blocks[i]->FirstCell : blocks[i]->FirstPoint;
+          const vtkIdType tuples = countOf(blocks[i]->Data);
+          if (alike[i])
+          {
+            joined->InsertTuples(first, tuples, 0, alike[i]);
+          }
+          else
+          {
+            const int components = joined->GetNumberOfComponents();
+            std::fill_n(vtkDoubleArray::SafeDownCast(joined)->GetPointer(first * components), tuples * components,
+              std::bit_cast<double>(missing));
+          }
+        }
+        return joined;
+      });
+  }
+  if (!cells)
+  {
+    Times times;
+    for (const Block& block : this->Blocks)
+    {
+      times.push_back(block.FlatIndex);
+      times.push_back(static_cast<vtkMTimeType>(block.FirstPoint));
+    }
+    times.push_back(static_cast<vtkMTimeType>(count));
+    keep(rtglyphs::RayTracedArrays::CompositeIndex, std::move(times), [&] { return Numbers(this->Blocks, count); });
+    // Which array the global ids and the normals are.
+    if (vtkDataArray* ids = sets.front()->GetGlobalIds())
+    {
+      out->SetActiveGlobalIds(ids->GetName());
+    }
+    if (vtkDataArray* normals = sets.front()->GetNormals())
+    {
+      out->SetActiveNormals(normals->GetName());
+    }
+  }
+}

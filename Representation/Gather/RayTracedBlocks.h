@@ -1,0 +1,131 @@
+/**
+ * @class   RayTracedBlocks
+ * @brief   the blocks of gathered or delivered data, each with the visibility and colors that ParaView gives it
+ *
+ * vtkGeometryRepresentation fills the attributes of a tree's nodes; a block has those of the nearest node above it that
+ * has some, as with vtkCompositePolyDataMapper.
+ *
+ * GetPoints() puts the blocks together, one after the other: arrays that some block lacks are doubles there, with NaN
+ * where they are missing. As long as an array of all blocks stays the same, so does theirs.
+ */
+#ifndef RayTracedBlocks_h
+#define RayTracedBlocks_h
+
+#include "GlyphBlockAttributes.h"
+#include "vtkPolyData.h"
+#include "vtkScalarsToColors.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkCellArray;
+class vtkCompositeDataDisplayAttributes;
+class vtkDataArray;
+class vtkDataObject;
+class vtkDoubleArray;
+class vtkPoints;
+
+namespace rtglyphs
+{
+
+class RayTracedBlocks
+{
+public:
+  /**
+   * How arrays color a block, as a vtkMapper has it.
+   */
+  struct Coloring
+  {
+    bool On = false;
+    std::string Array;
+    int ScalarMode = 0, ColorMode = 0;
+    vtkIdType FieldDataTuple = 0;
+    bool InterpolatesScalars = true;
+    vtkSmartPointer<vtkScalarsToColors> Table;
+    bool MissingIsNan = false; // a block without the array has the table's color of NaN
+
+    bool operator==(const Coloring&) const = default;
+  };
+
+  struct Attributes
+  {
+    bool Visible = true;
+    std::optional<std::array<double, 3>> Color;
+    double Opacity = 1.0;
+    Coloring Scalars;
+
+    bool operator==(const Attributes&) const = default;
+  };
+
+  struct Block : Attributes
+  {
+    vtkSmartPointer<vtkPolyData> Data;
+    unsigned int FlatIndex = 0;              // in the input
+    vtkIdType FirstPoint = 0, FirstCell = 0; // of GetPoints()
+  };
+
+  RayTracedBlocks();
+  ~RayTracedBlocks();
+
+  /**
+   * `data` is a RayTracedTree; `attributes` are those of its nodes, `common` those of nodes without.
+   * As long as these stay the same, so does the version.
+   */
+  void Update(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, const Attributes& common);
+  std::uint64_t GetVersion() const { return this->Version; }
+
+  const std::vector<Block>& GetBlocks() const { return this->Blocks; }
+  vtkPolyData* GetPoints() const { return this->Points; } // null: without data
+  const GlyphBlockAttributes::Table& GetTable() const { return this->Table; }
+
+  /**
+   * Whether a tuple of one of GetPoints()' arrays belongs to a block that lacks it; in any thread.
+   */
+  class Missing
+  {
+  public:
+    explicit Missing(vtkDataArray* joined);
+    bool operator()(vtkIdType tuple) const;
+
+  private:
+    vtkDoubleArray* Joined;
+  };
+
+  /**
+   * Whether points come from a block of which other ranks have other parts, and maybe other arrays.
+   */
+  static bool IsOfRanks(vtkPolyData* points);
+
+private:
+  using Times = std::vector<vtkMTimeType>;
+  using Memo = std::map<std::pair<bool, std::string>, std::pair<Times, vtkSmartPointer<vtkDataArray>>>;
+
+  void Join();
+  void JoinPoints();
+  void JoinArrays(bool cells);
+  void JoinCells(const char* what, vtkCellArray* (*cellsOf)(vtkPolyData*), void (*set)(vtkPolyData*, vtkCellArray*));
+
+  std::uint64_t Version = 0;
+  std::vector<Block> Blocks;
+  GlyphBlockAttributes::Table Table;
+  Attributes Common;
+  vtkMTimeType AttributesTime = 0;
+  vtkDataObject* Joined = nullptr; // only to be compared
+  vtkMTimeType JoinedTime = 0;
+  vtkSmartPointer<vtkPolyData> Points;
+  Memo Arrays, UsedArrays;
+  std::map<std::string, std::pair<Times, vtkSmartPointer<vtkCellArray>>> Cells;
+  std::pair<Times, vtkSmartPointer<vtkPoints>> Places;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: RayTracedBlocks.h

@@ -1,0 +1,175 @@
+#include "RayTracedSurfaceGatherer.h"
+
+#include "GlyphLeaves.h"
+#include "RayTracedArrays.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkHyperTreeGrid.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPVGeometryFilter.h"
+#include "vtkPVTrivialProducer.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnsignedIntArray.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+using Settings = rtglyphs::RayTracedSurfaceGatherer::Settings;
+
+// The outer faces of one data set.
+vtkSmartPointer<vtkPolyData> FacesOf(vtkDataObject* data, const Settings& settings)
+{
+  vtkNew<vtkPVTrivialProducer> producer;
+  vtkSmartPointer<vtkHyperTreeGrid> numbered;
+  if (auto* grid = vtkHyperTreeGrid::SafeDownCast(data))
+  {
+    numbered = rtglyphs::GlyphLeaves::Number(grid);
+    data = numbered;
+  }
+  producer->SetOutput(data);
+  if (settings.WholeExtent)
+  {
+    int extent[6];
+    std::copy_n(settings.WholeExtent, 6, extent);
+    producer->SetWholeExtent(extent);
+  }
+  vtkNew<vtkPVGeometryFilter> faces;
+  // Processes may have different numbers of blocks: none waits for another here.
+  faces->SetController(nullptr);
+  faces->SetGenerateProcessIds(false);
+  faces->SetUseOutline(0);
+  faces->SetNonlinearSubdivisionLevel(settings.NonlinearSubdivisionLevel);
+  faces->SetPassThroughCellIds(1);
+  faces->SetPassThroughPointIds(1);
+  faces->SetInputConnection(producer->GetOutputPort());
+  faces->Update();
+  return vtkPolyData::SafeDownCast(faces->GetOutputDataObject(0));
+}
+
+// The ids that ParaView's filter leaves under names that an input may have, too.
+void RenameIds(vtkPolyData* surface)
+{
+  const auto rename = [](vtkDataSetAttributes* data, const char* from, const char* to)
+  {
+    if (vtkDataArray* array = data->GetArray(from))
+    {
+      vtkSmartPointer<vtkDataArray> renamed = vtk::TakeSmartPointer(array->NewInstance());
+      renamed->ShallowCopy(array);
+      renamed->SetName(to);
+      data->RemoveArray(from);
+      data->AddArray(renamed);
+    }
+  };
+  rename(surface->GetPointData(), "vtkOriginalPointIds", rtglyphs::RayTracedArrays::PointIds);
+  if (!surface->GetCellData()->GetArray(rtglyphs::RayTracedArrays::CellIds))
+  {
+    rename(surface->GetCellData(), "vtkOriginalCellIds", rtglyphs::RayTracedArrays::CellIds);
+  }
+}
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData>
+rtglyphs::RayTracedSurfaceGatherer::Triangulate(vtkPolyData* polygons, const Settings& settings)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->SetInputData(polygons);
+  triangles->Update();
+  vtkSmartPointer<vtkPolyData> surface = triangles->GetOutput();
+  if (settings.ComputesNormals && !surface->GetPointData()->GetNormals() && surface->GetNumberOfPolys() > 0)
+  {
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetFeatureAngle(settings.FeatureAngle);
+    normals->SetInputData(surface);
+    normals->Update();
+    surface = normals->GetOutput();
+  }
+  return surface;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> rtglyphs::RayTracedSurfaceGatherer::ExtractLines(vtkPolyData* data)
+{
+  auto lines = vtkSmartPointer<vtkPolyData>::New();
+  if (data->GetNumberOfCells() == data->GetNumberOfLines() || data->GetNumberOfLines() == 0)
+  {
+    lines->SetPoints(data->GetPoints());
+    lines->SetLines(data->GetLines());
+    lines->GetPointData()->ShallowCopy(data->GetPointData());
+    if (data->GetNumberOfLines() > 0)
+    {
+      lines->GetCellData()->ShallowCopy(data->GetCellData());
+    }
+    return lines;
+  }
+  // Only the points of lines: others would count for the bounds.
+  std::vector<vtkIdType> place(data->GetNumberOfPoints(), -1);
+  vtkNew<vtkIdList> kept, cells, corners;
+  vtkNew<vtkCellArray> cut;
+  vtkIdType cell = data->GetNumberOfVerts();
+  auto iterator = vtk::TakeSmartPointer(data->GetLines()->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell(), ++cell)
+  {
+    iterator->GetCurrentCell(corners);
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    {
+      vtkIdType& at = place[corners->GetId(i)];
+      at = at < 0 ? kept->InsertNextId(corners->GetId(i)) : at;
+      corners->SetId(i, at);
+    }
+    cut->InsertNextCell(corners);
+    cells->InsertNextId(cell);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataType(data->GetPoints()->GetDataType());
+  data->GetPoints()->GetPoints(kept, points);
+  lines->SetPoints(points);
+  lines->SetLines(cut);
+  lines->GetPointData()->CopyAllOn();
+  lines->GetPointData()->CopyAllocate(data->GetPointData(), kept->GetNumberOfIds());
+  lines->GetCellData()->CopyAllOn();
+  lines->GetCellData()->CopyAllocate(data->GetCellData(), cells->GetNumberOfIds());
+  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
+  {
+    lines->GetPointData()->CopyData(data->GetPointData(), kept->GetId(i), i);
+  }
+  for (vtkIdType i = 0; i < cells->GetNumberOfIds(); ++i)
+  {
+    lines->GetCellData()->CopyData(data->GetCellData(), cells->GetId(i), i);
+  }
+  return lines;
+}
+
+//----------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> rtglyphs::RayTracedSurfaceGatherer::Gather(vtkDataObject* data, const Settings& settings)
+{
+  vtkSmartPointer<vtkPolyData> faces = data ? FacesOf(data, settings) : nullptr;
+  if (!faces || faces->GetNumberOfPoints() == 0)
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+  vtkSmartPointer<vtkPolyData> surface = settings.Lines ? ExtractLines(faces) : Triangulate(faces, settings);
+  RenameIds(surface);
+  surface->GetFieldData()->PassData(data->GetFieldData());
+  if (settings.Processes > 1)
+  {
+    vtkNew<vtkUnsignedIntArray> ranks;
+    ranks->SetName(rtglyphs::RayTracedArrays::ProcessId);
+    rtglyphs::RayTracedArrays::Resize(ranks, surface->GetNumberOfPoints());
+    ranks->FillValue(static_cast<unsigned int>(settings.Process));
+    surface->GetPointData()->AddArray(ranks);
+  }
+  return surface;
+}

@@ -1,0 +1,54 @@
+/**
+ * @class   RayTracedSurfaceGatherer
+ * @brief   the outer surface of a data set, or its lines, as poly data
+ *
+ * Input may be any data set or hyper tree grid, one leaf of RayTracedTree. The surface is that of ParaView's
+ * ordinary surface representation (vtkPVGeometryFilter), cut into triangles; lines and vertices are left out. Or the
+ * lines and poly-lines are left, and the rest is left out.
+ *
+ * The output has the input's arrays, and what picking asks for (RayTracedArrays.h): ids of points and cells, ranks.
+ */
+#ifndef RayTracedSurfaceGatherer_h
+#define RayTracedSurfaceGatherer_h
+
+#include "vtkSmartPointer.h"
+
+class vtkDataObject;
+class vtkPolyData;
+
+namespace rtglyphs
+{
+
+class RayTracedSurfaceGatherer
+{
+public:
+  struct Settings
+  {
+    /// Lines instead of triangles; where there are none, points alone.
+    bool Lines = false;
+    /// Points without normals get some; edges sharper than this angle, in degrees, stay sharp.
+    bool ComputesNormals = true;
+    double FeatureAngle = 30.0;
+    /// How often faces of nonlinear cells are divided into four, or their edges in two; 0: not at all.
+    int NonlinearSubdivisionLevel = 1;
+    /// This process's rank among those whose surfaces are put together for rendering.
+    int Process = 0, Processes = 1;
+    /// That of the structured data set of which the input is this process's piece; null when there is none.
+    const int* WholeExtent = nullptr;
+  };
+  static vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const Settings& settings);
+
+  /**
+   * Triangles of one poly data, with normals as the settings say; arrays are kept.
+   */
+  static vtkSmartPointer<vtkPolyData> Triangulate(vtkPolyData* polygons, const Settings& settings);
+
+  /**
+   * Lines of one poly data with their points and arrays.
+   */
+  static vtkSmartPointer<vtkPolyData> ExtractLines(vtkPolyData* data);
+};
+
+} // namespace rtglyphs
+
+#endif

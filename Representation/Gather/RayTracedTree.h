@@ -1,0 +1,40 @@
+/**
+ * Composite data keep their structure from the input to the renderer, as ParaView's own representations deliver it, so
+ * that vtkGeometryRepresentation finds the blocks that selectors mean. A single data set is a tree of one leaf.
+ */
+#ifndef RayTracedTree_h
+#define RayTracedTree_h
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+
+class vtkDataObject;
+class vtkPolyData;
+
+namespace rtglyphs::RayTracedTree
+{
+/**
+ * What make(leaf) makes of each data set of `input`: one poly data, or a tree of them. Of composite data make() is
+ * called for empty leaves (null), too; there every leaf gets its flat index in the input, and what ParaView calls
+ * vtkBlockColors, of which so many are distinct. `processes`: the ranks that do the same together.
+ */
+vtkSmartPointer<vtkDataObject> Make(vtkDataObject* input, int distinctColors, int processes,
+  const std::function<vtkSmartPointer<vtkPolyData>(vtkDataObject*)>& make);
+
+/**
+ * The same structure with change(leaf) in place of each leaf.
+ */
+vtkSmartPointer<vtkDataObject>
+Change(vtkDataObject* tree, const std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData*)>& change);
+
+void ForEach(vtkDataObject* tree, const std::function<void(vtkPolyData*)>& work);
+
+/**
+ * Of a leaf, in the input; 0 of a single data set.
+ */
+unsigned int FlatIndex(vtkPolyData* leaf);
+}
+
+#endif
+// VTK-HeaderTest-Exclude: RayTracedTree.h

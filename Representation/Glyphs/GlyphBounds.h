@@ -1,0 +1,55 @@
+/**
+ * @class   GlyphBounds
+ * @brief   a box around all glyphs of a set of points
+ *
+ * Each glyph counts with its own size: a point whose scale is large and another one whose tensor is do not add up.
+ * Boxes of turned glyphs are those of the balls round them. All cores share the work, which is kept until data or
+ * settings change.
+ */
+#ifndef GlyphBounds_h
+#define GlyphBounds_h
+
+#include "GlyphBlockAttributes.h"
+#include "GlyphTuples.h"
+#include "RayTracedCache.h"
+
+#include <cstdint>
+#include <vector>
+
+class vtkPolyData;
+
+namespace rtglyphs
+{
+
+class GlyphBounds
+{
+public:
+  /**
+   * The box of glyphs of all these settings at the same points, before the actor's transform. Uninitialized when there
+   * are none. Blocks as RayTracedBlocks::GetTable() has them.
+   */
+  const double*
+  Get(vtkPolyData* points, const std::vector<GlyphSettings>& settings, const GlyphBlockAttributes::Table& blocks);
+
+  ///@{
+  /**
+   * How often the box was computed, and the seconds of that.
+   */
+  std::uint64_t GetBuilds() const { return this->Builds; }
+  double GetSeconds() const { return this->Seconds; }
+  ///@}
+
+private:
+  void
+  Build(vtkPolyData* points, const std::vector<GlyphSettings>& settings, const GlyphBlockAttributes::Table& blocks);
+
+  RayTracedCache<GlyphArrays::Key> Known;
+  double Bounds[6];
+  std::uint64_t Builds = 0;
+  double Seconds = 0.0;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: GlyphBounds.h

@@ -1,0 +1,187 @@
+#include "GlyphForms.h"
+
+#include "GlyphTuples.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+rtg::FormMap MapOf(int components, const rtglyphs::GlyphForms::Settings& settings)
+{
+  switch (settings.Kind)
+  {
+    case rtglyphs::GlyphForms::REYNOLDS:
+      return rtg::FormMap::NormalStress();
+    case rtglyphs::GlyphForms::FOURTH_ORDER:
+      return rtg::FormMap::FourthOrder(components);
+    default:
+      return rtg::FormMap::Harmonics(components, settings.Basis);
+  }
+}
+
+struct Demand
+{
+  const char* Property;
+  const char* Counts;
+};
+
+Demand DemandOf(const rtglyphs::GlyphForms::Settings& settings)
+{
+  switch (settings.Kind)
+  {
+    case rtglyphs::GlyphForms::REYNOLDS:
+      return { "GlyphTensorArray", settings.Layout == rtg::TensorLayout::Matrix ? "9" : "6 or 9" };
+    case rtglyphs::GlyphForms::FOURTH_ORDER:
+      return { "GlyphTensorArray", "15, 21, 36 or 81" };
+    default:
+      return { "GlyphHarmonicsArray", "1, 6, 15, 28, 45, 66 or 91" };
+  }
+}
+
+bool Fits(int components, const rtglyphs::GlyphForms::Settings& settings)
+{
+  switch (settings.Kind)
+  {
+    case rtglyphs::GlyphForms::REYNOLDS:
+      return components == 9 || components == rtg::TensorComponents(settings.Layout);
+    case rtglyphs::GlyphForms::FOURTH_ORDER:
+      return rtg::FormMap::IsFourthOrderLength(components);
+    default:
+      return rtg::FormMap::IsHarmonicsLength(components);
+  }
+}
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphForms::Settings rtglyphs::GlyphForms::Settings::Effective() const
+{
+  const Settings none;
+  if (!this->On)
+  {
+    return none;
+  }
+  Settings settings = *this;
+  settings.Layout = this->Kind == REYNOLDS ? this->Layout : none.Layout;
+  settings.Basis = this->Kind == HARMONICS ? this->Basis : none.Basis;
+  const bool surface =
+    this->Coloring == rtglyphs::GlyphTensors::SIGN || this->Coloring == rtglyphs::GlyphTensors::SURFACE_DIRECTION;
+  settings.Coloring = surface ? this->Coloring : none.Coloring;
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphForms::Settings::ColorsByRadius() const
+{
+  return this->On && this->Coloring == rtglyphs::GlyphTensors::RADIUS;
+}
+
+//----------------------------------------------------------------------------
+vtkDataArray* rtglyphs::GlyphForms::Array(vtkPolyData* points, const Settings& settings)
+{
+  const bool wanted = settings.On && !rtglyphs::RayTracedArrays::IsNone(settings.Array);
+  return wanted ? points->GetPointData()->GetArray(settings.Array.c_str()) : nullptr;
+}
+
+//----------------------------------------------------------------------------
+std::string rtglyphs::GlyphForms::Problem(vtkDataArray* array, const Settings& settings)
+{
+  std::ostringstream text;
+  const Demand demand = DemandOf(settings);
+  if (rtglyphs::RayTracedArrays::IsNone(settings.Array))
+  {
+    text << (settings.Kind == HARMONICS ? "Spherical harmonics need coefficients." : "Tensor glyphs need tensors.")
+         << " Choose a point array of " << demand.Counts << " components as " << demand.Property << ".";
+  }
+  else if (!array)
+  {
+    text << "There is no point array '" << settings.Array << "', which " << demand.Property
+         << " names, so there are no glyphs. Choose one of " << demand.Counts << " components.";
+  }
+  else if (!Fits(array->GetNumberOfComponents(), settings))
+  {
+    text << "The point array '" << settings.Array << "', which " << demand.Property << " names, has "
+         << array->GetNumberOfComponents() << " components where " << demand.Counts
+         << " are needed, so there are no glyphs. Choose another array.";
+  }
+  return text.str();
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphForms::GlyphForms(vtkDataArray* array, const Settings& settings)
+  : How(settings)
+  , Map(MapOf(array->GetNumberOfComponents(), settings))
+  , Meter(this->Map.Degree())
+{
+  if (array->GetNumberOfComponents() == 9)
+  {
+    this->How.Layout = rtg::TensorLayout::Matrix;
+  }
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphForms::Coefficients
+rtglyphs::GlyphForms::CoefficientsOf(rtglyphs::GlyphTuples& tuples, vtkIdType point) const
+{
+  const double* components = tuples.Get(point);
+  double stress[6];
+  if (this->How.Kind == REYNOLDS)
+  {
+    const rtg::SymmetricTensor t = rtg::MakeTensor(components, this->How.Layout);
+    const double ordered[6] = { t.xx, t.yy, t.zz, t.xy, t.yz, t.xz };
+    std::copy(ordered, ordered + 6, stress);
+    components = stress;
+  }
+  Coefficients coefficients{};
+  this->Map.Apply(components, coefficients.data());
+  return coefficients;
+}
+
+//----------------------------------------------------------------------------
+rtg::FormExtent rtglyphs::GlyphForms::Measure(rtglyphs::GlyphTuples& tuples, vtkIdType point, float* values) const
+{
+  const Coefficients coefficients = this->CoefficientsOf(tuples, point);
+  const rtg::FormExtent extent = this->Meter.Measure(coefficients.data());
+  if (extent.radius > 0.0)
+  {
+    this->Meter.Store(coefficients.data(), extent, values);
+  }
+  return extent;
+}
+
+//----------------------------------------------------------------------------
+rtg::FormExtent rtglyphs::GlyphForms::MeasureRoughly(rtglyphs::GlyphTuples& tuples, vtkIdType point) const
+{
+  return this->Meter.MeasureRoughly(this->CoefficientsOf(tuples, point).data());
+}
+
+//----------------------------------------------------------------------------
+double rtglyphs::GlyphForms::LargestRadius(vtkDataArray* array, const Settings& settings)
+{
+  const rtglyphs::GlyphForms forms(array, settings);
+  const vtkIdType count = array->GetNumberOfTuples();
+  std::vector<double> largest(rtglyphs::RayTracedParallel::NumberOfChunks(count), 0.0);
+  rtglyphs::RayTracedParallel::ForChunks(count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      rtglyphs::GlyphTuples tuples(array);
+      std::vector<float> values(forms.Width());
+      double& most = largest[rtglyphs::RayTracedParallel::ChunkOf(begin)];
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        // Rough bounds, which take a quarter of the time, tell of most points that they are smaller.
+        if (forms.MeasureRoughly(tuples, point).bound > most)
+        {
+          most = std::max(most, forms.Measure(tuples, point, values.data()).radius);
+        }
+      }
+    });
+  return largest.empty() ? 0.0 : *std::max_element(largest.begin(), largest.end());
+}

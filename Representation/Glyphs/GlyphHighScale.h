@@ -1,0 +1,35 @@
+/**
+ * @class   GlyphHighScale
+ * @brief   the scale of the arrow whose fixed head has the proportions of the unit arrow
+ *
+ * It is the 95 % quantile of the scales of all glyphs where the settings name no magnitude, so that hardly an arrow has
+ * a head that is too large for it. Heads have one size on all ranks.
+ */
+#ifndef GlyphHighScale_h
+#define GlyphHighScale_h
+
+#include "GlyphTuples.h"
+#include "RayTracedCache.h"
+
+namespace rtglyphs
+{
+
+class GlyphHighScale
+{
+public:
+  /**
+   * For GlyphSettings::HighScale; 0 where the settings need none. Blocks as RayTracedBlocks::GetTable() has them.
+   * All ranks that have data call it at once; they exchange more than one number only where points, settings or visible
+   * blocks of one have changed.
+   */
+  double Get(vtkPolyData* points, const GlyphSettings& settings, const GlyphBlockAttributes::Table& blocks);
+
+private:
+  RayTracedCache<GlyphArrays::Key> Known;
+  double High = 1.0;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: GlyphHighScale.h

@@ -1,0 +1,324 @@
+#include "GlyphInstanceBuilder.h"
+
+#include "Finite.h"
+#include "GlyphArrays.h"
+#include "GlyphMaker.h"
+#include "GlyphMotion.h"
+#include "GlyphOutcomes.h"
+#include "GlyphTuples.h"
+#include "RayTracedArrays.h"
+#include "vtkDataArray.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace
+{
+using Settings = rtglyphs::GlyphSettings;
+using namespace rtglyphs::GlyphOutcomes;
+
+// Keeps the glyphs of points, of several points at the same time. Of what is the same for all one is kept.
+class Assembly
+{
+public:
+  Assembly(const rtglyphs::GlyphMaker& maker, const rtglyphs::GlyphMotion& motion, const Settings& settings,
+    rtglyphs::GlyphInstanceBuilder::Result& result)
+    : Maker(maker)
+    , Motion(motion)
+    , How(settings)
+    , Parts(maker.Parts())
+    , Rotation(glm::mat3_cast(maker.GetPlacement().Rotation))
+    , Out(result)
+    , Instances(result.Instances)
+  {
+  }
+
+  // Glyphs of the candidates, in their order; how many points had which outcome.
+  Counts AddAll(std::vector<vtkIdType> candidates, const rtglyphs::RayTracedParallel::Progress& progress)
+  {
+    this->Instances.origin = this->Maker.MiddleOf(candidates);
+    this->Instances.uniformExponents = this->Maker.GetSameExponents();
+    if (this->Parts > 1)
+    {
+      std::vector<vtkIdType> each(this->Parts * candidates.size());
+      for (std::size_t i = 0; i < each.size(); ++i)
+      {
+        each[i] = candidates[i / this->Parts];
+      }
+      candidates = std::move(each);
+    }
+    const auto count = static_cast<vtkIdType>(candidates.size());
+    this->Allocate(candidates.size());
+    std::vector<Outcome> outcomes(candidates.size());
+    rtglyphs::RayTracedParallel::ForChunks(
+      count,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        rtglyphs::GlyphMaker::Tuples tuples(this->Maker);
+        for (vtkIdType k = begin; k < end; ++k)
+        {
+          outcomes[k] = this->Add(k, candidates[k], tuples);
+        }
+      },
+      progress);
+    // Of a point's glyphs the first tells what is wrong with it.
+    Counts numbers{};
+    for (vtkIdType k = 0; k < count; k += this->Parts)
+    {
+      ++numbers[outcomes[k]];
+    }
+    this->Out.Points = std::move(candidates);
+    if (this->Parts > 1 || numbers[SHOWN] < count)
+    {
+      this->Keep(rtglyphs::RayTracedParallel::Select(count, [&](vtkIdType k) { return outcomes[k] == SHOWN; }));
+    }
+    this->Finish();
+    this->StoreLowParts();
+    return numbers;
+  }
+
+private:
+  void Allocate(std::size_t count)
+  {
+    const auto allocate = [count](auto& values, bool wanted) { values.resize(wanted ? count : 0); };
+    allocate(this->Instances.centres, true);
+    allocate(this->Instances.forms, this->How.Tensors.ColorsBySign());
+    allocate(this->Instances.exponents3,
+      (this->Maker.GetSizes().GetTensors() && HasExponents(this->How.Shape)) ||
+        this->Maker.Has(rtglyphs::GlyphArrays::EXPONENTS));
+    if (const rtglyphs::GlyphForms* forms = this->Maker.GetSizes().GetForms())
+    {
+      this->Instances.polynomialDegree = forms->Degree();
+      this->Instances.polynomials.width = forms->Width();
+      this->Instances.polynomials.values.resize(count * forms->Width());
+      this->Out.Radii.resize(count);
+    }
+    allocate(this->Shifts, this->Parts > 1);
+    allocate(this->Instances.opacities, this->Maker.Has(rtglyphs::GlyphArrays::OPACITY));
+    allocate(this->Instances.sizes3, !this->Maker.HasOneSize());
+    allocate(this->Instances.sizes1, this->Maker.HasOneSize() && !this->Maker.HasSameSizes());
+    allocate(this->Instances.rotations, this->Maker.IsTurned());
+    this->Motion.Allocate(this->Instances.motion, count);
+    this->FirstSizes.assign(rtglyphs::RayTracedParallel::NumberOfChunks(static_cast<vtkIdType>(count)), 0.0f);
+  }
+
+  // What becomes of the point; when it is shown, the glyph of this number is its.
+  Outcome Add(vtkIdType number, vtkIdType point, rtglyphs::GlyphMaker::Tuples& tuples)
+  {
+    rtglyphs::GlyphMaker::Glyph glyph;
+    const Outcome outcome = this->Maker.Make(point, static_cast<int>(number % this->Parts), this->Instances.origin,
+      tuples, glyph, this->Maker.GetSizes().GetForms() ? this->Instances.polynomials[number] : nullptr);
+    if (outcome != SHOWN)
+    {
+      return outcome;
+    }
+    if (!this->Motion.IsFinite(point))
+    {
+      return MOTION;
+    }
+    const glm::vec3 center(glyph.Center);
+    const glm::dvec3 left = glm::abs(glyph.Center - glm::dvec3(center));
+    if (std::max({ left.x, left.y, left.z }) > 1e-6 * glyph.Smallest())
+    {
+      this->NeedsLowParts = true;
+    }
+    this->Instances.centres[number] = center;
+    this->Motion.Store(this->Instances.motion, number, point, this->Maker.GetPlacement().Linear, this->Rotation);
+    if (!this->Instances.opacities.empty())
+    {
+      const double opacity = *tuples[rtglyphs::GlyphArrays::OPACITY].Get(point);
+      this->Instances.opacities[number] =
+        std::isnan(opacity) ? 1.0f : static_cast<float>(std::clamp(opacity, 0.0, 1.0));
+    }
+    this->Store(number, glyph);
+    return SHOWN;
+  }
+
+  void Store(vtkIdType number, const rtglyphs::GlyphMaker::Glyph& glyph)
+  {
+    float& first = this->FirstSizes[rtglyphs::RayTracedParallel::ChunkOf(number)];
+    if (first == 0.0f) // written once: those of other threads lie beside it
+    {
+      first = glyph.Size.x;
+    }
+    const auto store = [number](auto& values, const auto& value)
+    {
+      if (!values.empty())
+      {
+        values[number] = value;
+      }
+    };
+    store(this->Instances.sizes3, glyph.Size);
+    store(this->Instances.sizes1, glyph.Size.x);
+    store(this->Instances.rotations, glyph.Turn);
+    store(this->Instances.exponents3,
+      this->Maker.GetSizes().GetTensors() ? glm::vec3(glyph.Tensor.exponents) : glyph.Exponents);
+    store(this->Shifts, static_cast<float>(glyph.Shift));
+    store(this->Out.Radii, glyph.Radius);
+    if (!this->Instances.forms.empty())
+    {
+      const glm::dvec3 magnitudes(glm::abs(glyph.Tensor.values));
+      this->Instances.forms[number] =
+        glm::vec3(glyph.Tensor.values / std::max({ magnitudes.x, magnitudes.y, magnitudes.z }));
+    }
+  }
+
+  template <typename Value>
+  static void KeepOnly(std::vector<Value>& values, const std::vector<vtkIdType>& glyphs)
+  {
+    if (!values.empty())
+    {
+      std::transform(
+        glyphs.begin(), glyphs.end(), values.begin(), [&values](vtkIdType glyph) { return values[glyph]; });
+      values.resize(glyphs.size());
+    }
+  }
+  static void KeepOnly(rtg::GlyphTuples& tuples, const std::vector<vtkIdType>& glyphs)
+  {
+    for (std::size_t i = 0; i < glyphs.size() && !tuples.empty(); ++i)
+    {
+      std::copy_n(tuples[glyphs[i]], tuples.width, tuples[i]);
+    }
+    tuples.values.resize(tuples.empty() ? 0 : glyphs.size() * tuples.width);
+  }
+
+  // Only these glyphs, by rising number.
+  void Keep(const std::vector<vtkIdType>& glyphs)
+  {
+    const auto keep = [&glyphs](auto& values) { KeepOnly(values, glyphs); };
+    keep(this->Out.Points);
+    keep(this->Out.Radii);
+    keep(this->Shifts);
+    rtg::GlyphColours colours; // are not made here
+    rtg::ForEachArray(
+      this->Instances, colours, [&keep](std::size_t, std::uint32_t, auto& values, const char*) { keep(values); });
+  }
+
+  void Finish()
+  {
+    const auto first =
+      std::find_if(this->FirstSizes.begin(), this->FirstSizes.end(), [](float size) { return size != 0.0f; });
+    if (first != this->FirstSizes.end())
+    {
+      this->Instances.uniformSize = *first;
+    }
+    this->Motion.Finish(this->Instances.motion);
+    if (this->Maker.IsRound())
+    {
+      this->Instances.motion.angularVelocities.clear(); // it looks the same from all sides
+    }
+  }
+
+  // What rounding has left of the centers, when for some glyph it is more than 1e-6 of its size.
+  void StoreLowParts()
+  {
+    if (!this->NeedsLowParts)
+    {
+      return;
+    }
+    this->Instances.centresLow.resize(this->Out.Points.size());
+    rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(this->Out.Points.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        rtglyphs::GlyphMaker::Tuples tuples(this->Maker);
+        const rtg::GlyphInstances& all = this->Instances;
+        for (vtkIdType k = begin; k < end; ++k)
+        {
+          const float length = !all.sizes3.empty() ? all.sizes3[k].x
+            : !all.sizes1.empty()                  ? all.sizes1[k]
+                                                   : all.uniformSize;
+          const glm::dvec3 center = this->Maker.CenterOf(this->Out.Points[k], all.origin, tuples,
+            this->Shifts.empty() ? this->Maker.GetShift() : this->Shifts[k], length,
+            all.rotations.empty() ? rtglyphs::GlyphMaker::NoTurn : all.rotations[k]);
+          this->Instances.centresLow[k] = glm::vec3(center - glm::dvec3(all.centres[k]));
+        }
+      });
+  }
+
+  const rtglyphs::GlyphMaker& Maker;
+  const rtglyphs::GlyphMotion& Motion;
+  const Settings& How;
+  const int Parts;           // glyphs of each point
+  const glm::dmat3 Rotation; // of the placement
+  rtglyphs::GlyphInstanceBuilder::Result& Out;
+  rtg::GlyphInstances& Instances;
+  std::vector<float> FirstSizes; // of each chunk's first glyph, which is never 0; 0: it has none
+  std::vector<float> Shifts;     // of each glyph, where these differ
+  std::atomic<bool> NeedsLowParts{ false };
+};
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtkPolyData* points,
+  const Settings& settings, const rtglyphs::GlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld,
+  const rtglyphs::RayTracedParallel::Progress& progress)
+{
+  Result result;
+  rtg::GlyphInstances& instances = result.Instances;
+  instances.shape = settings.Shape;
+  instances.arrow = settings.Arrow;
+  // Of tensors, quadratic forms tell the sign.
+  const auto surface = settings.SurfaceColors();
+  using SurfaceColours = rtg::GlyphInstances::SurfaceColours;
+  instances.surfaceColours = surface == SurfaceColours::Sign && !settings.Forms.On ? SurfaceColours::None : surface;
+  const bool isMesh = settings.Shape == rtg::Shape::Mesh;
+  if (isMesh && (!settings.Mesh || settings.Mesh->triangles.empty()))
+  {
+    const std::string number = std::to_string(settings.TableEntry);
+    result.Messages.push_back((settings.HasTable() ? "Entry " + number +
+                                    " of GlyphType has no polygons, so points that choose it have no glyph."
+                                                   : "GlyphType has no polygons, so there are no glyphs.") +
+      " Choose a source that has some, such as Arrow, Cone or Sphere.");
+    return result;
+  }
+  instances.mesh = isMesh ? settings.Mesh : nullptr;
+  std::vector<vtkIdType> candidates = rtglyphs::GlyphArrays::Candidates(points, settings, blocks);
+  if (candidates.empty())
+  {
+    return result;
+  }
+  const rtglyphs::GlyphSizes sizes(points, settings, candidates);
+  const rtglyphs::GlyphMaker maker(points, settings, modelToWorld, sizes, result.Messages);
+  if (const std::string& problem = sizes.GetProblem(); !problem.empty())
+  {
+    const std::string& array = settings.Forms.On ? settings.Forms.Array : settings.Tensors.Array;
+    if (rtglyphs::RayTracedArrays::IsNone(array))
+    {
+      result.Unfinished = problem;
+    }
+    else
+    {
+      result.Messages.push_back(problem);
+    }
+    result.Skipped = static_cast<vtkIdType>(candidates.size());
+    return result;
+  }
+  const rtglyphs::GlyphMotion motion(points, settings.Motion);
+  result.Unfinished = rtglyphs::GlyphMotion::Unfinished(settings.Motion);
+  const std::vector<std::string>& aboutMotion = motion.Messages();
+  result.Messages.insert(result.Messages.end(), aboutMotion.begin(), aboutMotion.end());
+  const std::size_t candidatesCount = candidates.size();
+  Assembly assembly(maker, motion, settings, result);
+  const Counts outcomes = assembly.AddAll(std::move(candidates), progress);
+
+  // Fixed heads have the world size that they have on the arrow of reference
+  const rtglyphs::GlyphPlacement& placement = maker.GetPlacement();
+  if (settings.Shape == rtg::Shape::Arrow)
+  {
+    const auto unit = static_cast<float>(sizes.ArrowUnit() * std::abs(placement.Scale));
+    instances.arrow.unitLength = sizes.HasRadii() ? 0.0f : rtg::IsPositive(unit) ? unit : 1.0f;
+  }
+  if (!placement.Uniform && settings.Shape != rtg::Shape::Sphere)
+  {
+    result.Messages.emplace_back("Scale of the representation differs between its axes, which glyphs of this shape "
+                                 "can follow only approximately. Transform the data instead, or use one scale.");
+  }
+  if (settings.HasTable() && settings.TableEntry > 0)
+  {
+    result.Messages.clear(); // what is not about single points the first entry has said
+  }
+  result.Skipped += Describe(outcomes, settings, candidatesCount, result.Messages);
+  return result;
+}

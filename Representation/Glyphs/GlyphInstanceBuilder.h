@@ -1,0 +1,52 @@
+/**
+ * @class   GlyphInstanceBuilder
+ * @brief   turns points and arrays into the glyph instances that the kernels trace
+ *
+ * Which glyph a point has GlyphMaker says. Positions are made relative to the middle of the data in double
+ * precision.
+ *
+ * What cannot be shown (an exponent that is not positive; position, scale or orientation not finite) makes no glyph; it
+ * is counted and put into words in Result::Messages. Zeros are ordinary: scales and tensors of zero, and directions of
+ * zero for arrows and cones, make no glyph either, but are put into words only where no glyph is left.
+ */
+#ifndef GlyphInstanceBuilder_h
+#define GlyphInstanceBuilder_h
+
+#include "GlyphBlockAttributes.h"
+#include "GlyphSettings.h"
+#include "Glyphs.h"
+#include "RayTracedParallel.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkMatrix4x4;
+class vtkPolyData;
+
+namespace rtglyphs
+{
+
+class GlyphInstanceBuilder
+{
+public:
+  struct Result
+  {
+    rtg::GlyphInstances Instances;
+    std::vector<vtkIdType> Points; // point of each glyph
+    std::vector<float> Radii;      // of each polynomial: the |f| that half its size stands for, in units of the array
+    vtkIdType Skipped = 0;         // points that could not be shown
+    std::vector<std::string> Messages;
+    std::string Unfinished; // what must be chosen before there are glyphs, or these move; empty: nothing
+  };
+
+  /**
+   * `blocks` as RayTracedBlocks::GetTable() has them; `modelToWorld` may be null.
+   */
+  static Result Build(vtkPolyData* points, const GlyphSettings& settings, const GlyphBlockAttributes::Table& blocks,
+    vtkMatrix4x4* modelToWorld, const RayTracedParallel::Progress& progress = {});
+};
+
+} // namespace rtglyphs
+
+#endif

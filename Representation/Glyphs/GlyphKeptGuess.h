@@ -1,0 +1,86 @@
+/**
+ * @class   GlyphKeptGuess
+ * @brief   a number that the data suggest, kept while time goes on
+ *
+ * It is found anew when the settings that it depends on have changed, or the data, unless the time has changed with
+ * them: over the steps of an animation a picture must not pulse. What a step suggests is taken only where the number of
+ * the steps before is more than 2.5 times as large: of a motion that sets in, or of loads that grow from zero, too much
+ * would be shown. So the number changes seldom, and never grows; of steps that are shown again it is the same.
+ */
+#ifndef GlyphKeptGuess_h
+#define GlyphKeptGuess_h
+
+#include "GlyphSample.h"
+#include "GlyphTuples.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rtglyphs
+{
+
+class GlyphKeptGuess
+{
+public:
+  /**
+   * Value of 0: the data suggest nothing yet, which is not kept. Limit of the sizes that it leads to, which outliers
+   * have; 0: none.
+   */
+  struct Result
+  {
+    double Value = 0.0, Limit = 0.0;
+  };
+
+  /**
+   * For these settings, which are all that matter, and the length of the unit glyph. All ranks call it at once;
+   * find(rough) gives all of them the same, and may do with less work when `rough` is true.
+   */
+  template <class Find>
+  const Result& Get(vtkPolyData* points, const GlyphSettings& settings, double unitSize, double time, const Find& find)
+  {
+    GlyphArrays::Key key = GlyphArrays::KeyOf(points, { settings }, {});
+    const bool otherData = key.Times != this->Known.Times;
+    const bool otherStep = otherData && time != this->Time;
+    const bool anew = this->Found.Value <= 0.0 || !(key.Settings == this->Known.Settings) ||
+      unitSize != this->UnitSize || (otherData && !otherStep);
+    // The reason of one rank is that of all.
+    const double reason = RayTracedRanks::Largest(anew ? 2.0 : otherStep ? 1.0 : 0.0);
+    if (reason > 0.0)
+    {
+      const bool onlyTime = reason == 1.0;
+      const Result found = find(onlyTime);
+      const bool isExceeded = found.Value > 0.0 && mostExcess * found.Value < this->Found.Value;
+      if (!onlyTime || isExceeded)
+      {
+        this->Found = onlyTime ? find(false) : found;
+      }
+      else if (found.Limit > 0.0)
+      {
+        this->Found.Limit = this->Found.Limit > 0.0 ? std::min(this->Found.Limit, found.Limit) : found.Limit;
+      }
+    }
+    this->Known = std::move(key);
+    this->UnitSize = unitSize;
+    this->Time = time;
+    return this->Found;
+  }
+
+  const Result& Last() const { return this->Found; }
+
+  /**
+   * Makes Get() find it anew.
+   */
+  void Forget() { this->Found = Result(); }
+
+private:
+  static constexpr double mostExcess = 2.5;
+
+  Result Found;
+  GlyphArrays::Key Known;
+  double UnitSize = 0.0, Time = 0.0;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: GlyphKeptGuess.h

@@ -1,0 +1,242 @@
+#include "GlyphMotion.h"
+
+#include "Finite.h"
+#include "GlyphStepVelocity.h"
+#include "RayTracedArrays.h"
+#include "RayTracedBlocks.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+enum Kinds
+{
+  VELOCITY,
+  ACCELERATION,
+  ANGULAR_VELOCITY,
+  KINDS
+};
+
+const char* const properties[KINDS] = { "VelocityArray", "AccelerationArray", "AngularVelocityArray" };
+
+std::string NameOf(const rtglyphs::GlyphMotion::Settings& settings, int kind)
+{
+  switch (kind)
+  {
+    case VELOCITY:
+      return settings.FromPreviousStep ? rtglyphs::GlyphStepVelocity::Name() : settings.Velocity;
+    case ACCELERATION:
+      return settings.Acceleration;
+    default:
+      return settings.AngularVelocity;
+  }
+}
+
+bool IsNamed(const rtglyphs::GlyphMotion::Settings& settings, int kind)
+{
+  return !rtglyphs::RayTracedArrays::IsNone(NameOf(settings, kind));
+}
+
+// Vectors of two components lie in a plane.
+bool HasLength(vtkDataArray* array, int kind)
+{
+  const int components = array->GetNumberOfComponents();
+  return components == 3 || (components == 2 && kind != ANGULAR_VELOCITY);
+}
+
+void ClearZeros(std::vector<glm::vec3>& values)
+{
+  if (std::all_of(values.begin(), values.end(), [](const glm::vec3& v) { return v == glm::vec3(0.0f); }))
+  {
+    values.clear();
+  }
+}
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphMotion::Settings rtglyphs::GlyphMotion::Settings::Effective() const
+{
+  if (!this->On)
+  {
+    return Settings();
+  }
+  Settings settings = *this;
+  if (settings.FromPreviousStep)
+  {
+    settings.Velocity.clear();
+  }
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+std::array<vtkDataArray*, 3> rtglyphs::GlyphMotion::Arrays(vtkPolyData* points, const Settings& settings)
+{
+  std::array<vtkDataArray*, 3> arrays{};
+  for (int kind = 0; kind < KINDS; ++kind)
+  {
+    if (settings.On && IsNamed(settings, kind))
+    {
+      arrays[kind] = points->GetPointData()->GetArray(NameOf(settings, kind).c_str());
+    }
+  }
+  return arrays;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphMotion::GlyphMotion(vtkPolyData* points, const Settings& settings)
+{
+  if (!settings.On)
+  {
+    return;
+  }
+  if (!(settings.ShutterTime > 0.0) || !std::isfinite(float(settings.ShutterTime)))
+  {
+    std::ostringstream text;
+    text << "ShutterTime is " << settings.ShutterTime
+         << ", so there is no motion blur. Set it to a positive number, in the "
+            "data's unit of time, or switch MotionBlur off.";
+    this->Messages_.push_back(text.str());
+    return;
+  }
+  this->Open = settings.Opening == FORWARD ? 0.0
+    : settings.Opening == BACKWARD         ? -settings.ShutterTime
+                                           : -0.5 * settings.ShutterTime;
+  this->Close = this->Open + settings.ShutterTime;
+  this->Found = Arrays(points, settings);
+  for (int kind = 0; kind < KINDS; ++kind)
+  {
+    if (!IsNamed(settings, kind))
+    {
+      continue;
+    }
+    std::ostringstream text;
+    if (!this->Found[kind] && rtglyphs::RayTracedBlocks::IsOfRanks(points))
+    {
+      continue;
+    }
+    if (!this->Found[kind])
+    {
+      text << "There is no point array '" << NameOf(settings, kind) << "', which " << properties[kind]
+           << " names; motion blur goes without. Choose one that exists, or None.";
+    }
+    else if (!HasLength(this->Found[kind], kind))
+    {
+      text << "The point array '" << NameOf(settings, kind) << "', which " << properties[kind] << " names, has "
+           << this->Found[kind]->GetNumberOfComponents() << " components where "
+           << (kind == ANGULAR_VELOCITY ? "3" : "2 or 3")
+           << " are needed; motion blur goes without. Choose another array, or "
+              "None.";
+      this->Found[kind] = nullptr;
+    }
+    if (!text.str().empty())
+    {
+      this->Messages_.push_back(text.str());
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+std::string rtglyphs::GlyphMotion::Unfinished(const Settings& settings)
+{
+  const bool any =
+    IsNamed(settings, VELOCITY) || IsNamed(settings, ACCELERATION) || IsNamed(settings, ANGULAR_VELOCITY);
+  return !settings.On || any ? std::string()
+                             : "MotionBlur needs velocities. Choose a point array of 3 components as VelocityArray, "
+                               "switch VelocityFromPreviousStep on, or switch MotionBlur off.";
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphMotion::On() const
+{
+  return this->Found[VELOCITY] || this->Found[ACCELERATION] || this->Found[ANGULAR_VELOCITY];
+}
+
+//----------------------------------------------------------------------------
+glm::dvec3 rtglyphs::GlyphMotion::Tuple(int kind, vtkIdType point) const
+{
+  double tuple[3] = { 0.0, 0.0, 0.0 };
+  if (!rtglyphs::RayTracedBlocks::Missing(this->Found[kind])(point)) // a block without the array stands still
+  {
+    this->Found[kind]->GetTuple(point, tuple);
+  }
+  return { tuple[0], tuple[1], tuple[2] };
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphMotion::IsFinite(vtkIdType point) const
+{
+  for (int kind = 0; kind < KINDS; ++kind)
+  {
+    if (this->Found[kind] && !rtg::IsFiniteInFloat(this->Tuple(kind, point)))
+    {
+      return false;
+    }
+  }
+  if (this->On())
+  {
+    // Nor may the way be beyond the range.
+    const rtg::DoubleBox range = this->Range(point);
+    return rtg::IsFiniteInFloat(range.lower) && rtg::IsFiniteInFloat(range.upper);
+  }
+  return true;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphMotion::Allocate(rtg::GlyphMotion& motion, std::size_t count) const
+{
+  motion.velocities.resize(this->Found[VELOCITY] ? count : 0);
+  motion.accelerations.resize(this->Found[ACCELERATION] ? count : 0);
+  motion.angularVelocities.resize(this->Found[ANGULAR_VELOCITY] ? count : 0);
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphMotion::Store(rtg::GlyphMotion& motion, std::size_t glyph, vtkIdType point,
+  const glm::dmat3& linear, const glm::dmat3& rotation) const
+{
+  if (this->Found[VELOCITY])
+  {
+    motion.velocities[glyph] = linear * this->Tuple(VELOCITY, point);
+  }
+  if (this->Found[ACCELERATION])
+  {
+    motion.accelerations[glyph] = linear * this->Tuple(ACCELERATION, point);
+  }
+  if (this->Found[ANGULAR_VELOCITY])
+  {
+    motion.angularVelocities[glyph] = rotation * this->Tuple(ANGULAR_VELOCITY, point);
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphMotion::Finish(rtg::GlyphMotion& motion) const
+{
+  if (!this->On())
+  {
+    return;
+  }
+  motion.shutterOpen = static_cast<float>(this->Open);
+  motion.shutterClose = static_cast<float>(this->Close);
+  ClearZeros(motion.velocities);
+  ClearZeros(motion.accelerations);
+  ClearZeros(motion.angularVelocities);
+}
+
+//----------------------------------------------------------------------------
+rtg::DoubleBox rtglyphs::GlyphMotion::Range(vtkIdType point) const
+{
+  rtg::GlyphMotion one;
+  if (this->Found[VELOCITY])
+  {
+    one.velocities.emplace_back(this->Tuple(VELOCITY, point));
+  }
+  if (this->Found[ACCELERATION])
+  {
+    one.accelerations.emplace_back(this->Tuple(ACCELERATION, point));
+  }
+  return rtg::RangeOfDisplacements(one, 0, this->Open, this->Close);
+}

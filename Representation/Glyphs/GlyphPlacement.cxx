@@ -1,0 +1,200 @@
+#include "GlyphPlacement.h"
+
+#include "GlyphSettings.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Under a map that is no turn with one scale. The image of a sphere is an ellipsoid.
+void Deform(const glm::dmat3& linear, bool sphere, glm::dvec3& size, glm::dquat& rotation)
+{
+  glm::dmat3 image = linear * glm::mat3_cast(rotation);
+  for (int i = 0; i < 3; ++i)
+  {
+    image[i] *= size[i];
+  }
+  if (!sphere)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      size[i] = glm::length(image[i]);
+      if (size[i] > 0.0)
+      {
+        image[i] /= size[i];
+      }
+    }
+  }
+  double a[3][3], u[3][3], w[3], vt[3][3];
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      a[row][column] = image[column][row];
+    }
+  }
+  vtkMath::SingularValueDecomposition3x3(a, u, w, vt);
+  glm::dmat3 left, right;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      left[column][row] = u[row][column];
+      right[column][row] = vt[row][column];
+    }
+  }
+  glm::dmat3 turn = sphere ? left : left * right;
+  if (glm::determinant(turn) < 0.0)
+  {
+    turn = -turn;
+  }
+  if (sphere)
+  {
+    size = glm::dvec3(std::abs(w[0]), std::abs(w[1]), std::abs(w[2]));
+  }
+  rotation = glm::normalize(glm::quat_cast(turn));
+}
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphPlacement::GlyphPlacement(vtkMatrix4x4* matrix)
+{
+  if (!matrix || matrix->IsIdentity())
+  {
+    return;
+  }
+  this->Identity = false;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      this->Linear[column][row] = matrix->GetElement(row, column);
+    }
+    this->Offset[row] = matrix->GetElement(row, 3);
+  }
+  const glm::dmat3 gram = glm::transpose(this->Linear) * this->Linear;
+  const double square = (gram[0][0] + gram[1][1] + gram[2][2]) / 3.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      this->Uniform &= std::abs(gram[i][j] - (i == j ? square : 0.0)) <= 1e-9 * square;
+    }
+  }
+  if (this->Uniform && square > 0.0)
+  {
+    // A mirror image is the negative of a turned one: the sign goes into the scale.
+    this->Scale = std::copysign(std::sqrt(square), glm::determinant(this->Linear));
+    this->Rotation = glm::normalize(glm::quat_cast(this->Linear / this->Scale));
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphPlacement::Apply(bool sphere, glm::dvec3& size, glm::dquat& rotation) const
+{
+  if (!this->Uniform)
+  {
+    Deform(this->Linear, sphere, size, rotation);
+  }
+  else if (!this->Identity)
+  {
+    size *= this->Scale;
+    rotation = this->Rotation * rotation;
+  }
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphPlacement::RotationFromTuple(const double* tuple, int mode, glm::dquat& rotation)
+{
+  const auto finite = [tuple](int n)
+  { return std::all_of(tuple, tuple + n, [](double v) { return std::isfinite(v); }); };
+  switch (mode)
+  {
+    case rtglyphs::GlyphSettings::ROTATION:
+    {
+      if (!finite(3))
+      {
+        return false;
+      }
+      const glm::dvec3 half = 0.5 * glm::radians(glm::dvec3(tuple[0], tuple[1], tuple[2]));
+      rotation = glm::dquat(std::cos(half.z), 0.0, 0.0, std::sin(half.z)) *
+        glm::dquat(std::cos(half.x), std::sin(half.x), 0.0, 0.0) *
+        glm::dquat(std::cos(half.y), 0.0, std::sin(half.y), 0.0);
+      return true;
+    }
+    case rtglyphs::GlyphSettings::QUATERNION:
+    {
+      if (!finite(4))
+      {
+        return false;
+      }
+      // Scaled first: the square of a tiny or huge component would leave the range of double.
+      const double largest =
+        std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]), std::abs(tuple[3]) });
+      if (largest == 0.0)
+      {
+        return false;
+      }
+      rotation =
+        glm::normalize(glm::dquat(tuple[0] / largest, tuple[1] / largest, tuple[2] / largest, tuple[3] / largest));
+      return true;
+    }
+    case rtglyphs::GlyphSettings::MATRIX:
+    {
+      if (!finite(9))
+      {
+        return false;
+      }
+      const double largest =
+        std::abs(*std::max_element(tuple, tuple + 9, [](double a, double b) { return std::abs(a) < std::abs(b); }));
+      if (largest == 0.0)
+      {
+        return false;
+      }
+      glm::dmat3 axes; // column by column
+      for (int i = 0; i < 9; ++i)
+      {
+        axes[i % 3][i / 3] = tuple[i] / largest;
+      }
+      // Lengths say nothing, nor do small angles that rounding has left; a mirror image is no rotation.
+      axes[0] = glm::normalize(axes[0]);
+      axes[1] = glm::normalize(axes[1] - glm::dot(axes[0], axes[1]) * axes[0]);
+      const glm::dvec3 third = glm::cross(axes[0], axes[1]);
+      if (!(glm::dot(third, axes[2]) > 0.0))
+      {
+        return false; // NaN where an axis is zero or parallel to another
+      }
+      axes[2] = third;
+      rotation = glm::normalize(glm::quat_cast(axes));
+      return true;
+    }
+    default:
+    {
+      if (!finite(3))
+      {
+        return false;
+      }
+      const double largest = std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) });
+      if (largest == 0.0)
+      {
+        return false;
+      }
+      // A half turn about the middle between +x and the direction. It is +z for -x, as in vtkGlyph3DMapper.
+      const glm::dvec3 direction = glm::normalize(glm::dvec3(tuple[0], tuple[1], tuple[2]) / largest);
+      if (direction.y == 0.0 && direction.z == 0.0)
+      {
+        rotation = direction.x < 0.0 ? glm::dquat(0.0, 0.0, 1.0, 0.0) : glm::dquat(1.0, 0.0, 0.0, 0.0);
+        return true;
+      }
+      // 1 + x loses its digits where the direction is nearly -x; there (y^2 + z^2) / (1 - x) is the same.
+      const double yz = direction.y * direction.y + direction.z * direction.z;
+      const double x = direction.x < 0.0 ? yz / (1.0 - direction.x) : 1.0 + direction.x;
+      const glm::dvec3 axis = glm::normalize(glm::dvec3(x, direction.y, direction.z));
+      rotation = glm::dquat(0.0, axis.x, axis.y, axis.z);
+      return true;
+    }
+  }
+}

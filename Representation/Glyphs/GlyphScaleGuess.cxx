@@ -1,0 +1,231 @@
+#include "GlyphScaleGuess.h"
+
+#include "Finite.h"
+#include "GlyphArrayNames.h"
+#include "GlyphTuples.h"
+#include "RayTracedParallel.h"
+#include "vtkCommunicator.h"
+#include "vtkDataArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using namespace rtglyphs::GlyphSample;
+
+///@{
+// Lengths, as shares of the data's longest side.
+constexpr double largestGlyph = 0.2;
+constexpr double seen = 1.0 / 200.0; // in a picture of all data
+constexpr double coincident = 1e-6;  // at the same place, but for rounding
+constexpr double flat = 1e-3;        // along an axis that the data do not fill
+///@}
+constexpr double specks = 0.1;      // size of spheres that are far apart, as a share of the distance between neighbors
+constexpr double leastArea = 0.25;  // of all glyphs, as a share of that of as many of the typical size
+constexpr double mostExcess = 2.0;  // so much smaller all glyphs become for the largest to fit
+constexpr double manyLimited = 8.0; // so many of the largest glyphs cover a quarter of the longest side's square
+constexpr double arrowLength = 2.5; // of typical glyphs' size: arrows are thin
+
+// Where the points are.
+struct Extents
+{
+  double Longest = 0.0;   // side of their box
+  double Neighbors = 0.0; // usual distance, as a share of Longest; 0: all are in one place
+  double Spacing = 0.0;   // mean, if they filled their box, as a share of Longest
+};
+
+// Squared distances, in units of `length`, from each of the pivots to the nearest point of this rank that is not at
+// the same place.
+std::vector<double> NearestSquared(const Points& points, const std::vector<double>& pivots, double length)
+{
+  const std::size_t count = pivots.size() / 3;
+  std::vector<double> x(count), y(count), z(count), nearest(count, HUGE_VAL);
+  for (std::size_t j = 0; j < count; ++j)
+  {
+    x[j] = pivots[3 * j] / length;
+    y[j] = pivots[3 * j + 1] / length;
+    z[j] = pivots[3 * j + 2] / length;
+  }
+  std::vector<std::vector<double>> found(rtglyphs::RayTracedParallel::NumberOfChunks(points.Number()));
+  rtglyphs::RayTracedParallel::ForChunks(points.Number(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      rtglyphs::GlyphTuples positions(points.GetPositions());
+      std::vector<double> own(count, HUGE_VAL);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const double* p = positions.Get(points[i]);
+        const double px = p[0] / length, py = p[1] / length, pz = p[2] / length;
+        for (std::size_t j = 0; j < count; ++j)
+        {
+          const double dx = px - x[j], dy = py - y[j], dz = pz - z[j];
+          const double d = dx * dx + dy * dy + dz * dz; // NaN is never less
+          own[j] = d > coincident * coincident && d < own[j] ? d : own[j];
+        }
+      }
+      found[rtglyphs::RayTracedParallel::ChunkOf(begin)] = std::move(own);
+    });
+  for (const std::vector<double>& own : found)
+  {
+    for (std::size_t j = 0; j < count; ++j)
+    {
+      nearest[j] = std::min(nearest[j], own[j]);
+    }
+  }
+  return nearest;
+}
+
+Extents Measure(const Points& points, bool rough)
+{
+  // Few for many points, so that all of them can be compared with each in no time; 64 tell a median to some percent.
+  const double wanted = rough ? 64.0 : std::clamp(1e8 / std::max(points.NumberOfAll(), 1.0), 64.0, 512.0);
+  const std::vector<double> pivots = points.SampledPositions(wanted);
+  Extents extents;
+  extents.Longest = LongestSide(pivots);
+  if (!(extents.Longest > 0.0))
+  {
+    return extents;
+  }
+
+  double volume = 1.0, axes = 0.0;
+  for (double side : Sides(pivots))
+  {
+    volume *= side > flat * extents.Longest ? side / extents.Longest : 1.0;
+    axes += side > flat * extents.Longest ? 1.0 : 0.0;
+  }
+  extents.Spacing = std::pow(volume / points.NumberOfAll(), 1.0 / std::max(axes, 1.0));
+
+  std::vector<double> nearest = NearestSquared(points, pivots, extents.Longest);
+  rtglyphs::RayTracedRanks::Reduce(nearest, vtkCommunicator::MIN_OP);
+  nearest.erase(std::remove(nearest.begin(), nearest.end(), HUGE_VAL), nearest.end());
+  extents.Neighbors = nearest.empty() ? 0.0 : std::sqrt(Quantile(nearest, 0.5));
+  return extents;
+}
+
+// The factor that makes glyphs of typical magnitude so large; lengths are shares of the longest side.
+double FactorFor(const std::vector<double>& magnitudes, double size)
+{
+  const auto area = [&](double factor)
+  {
+    double sum = 0.0;
+    for (double magnitude : magnitudes)
+    {
+      const double length = std::min(factor * magnitude, largestGlyph);
+      sum += length * length;
+    }
+    return sum / static_cast<double>(magnitudes.size());
+  };
+  const double bySize = size / Quantile(magnitudes, typicalQuantile);
+  const double wanted = leastArea * size * size;
+  if (area(bySize) >= wanted)
+  {
+    return bySize;
+  }
+  // Most of the glyphs are much smaller than the typical one.
+  double low = std::log(bySize), high = low;
+  do
+  {
+    high += 1.0;
+  } while (area(std::exp(high)) < wanted);
+  for (int i = 0; i < 40; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (area(std::exp(middle)) < wanted ? low : high) = middle;
+  }
+  return std::exp(low);
+}
+
+// Of spheres whose size the array says: 2 for radii, 1 for diameters. 0: there is no such array.
+double ExactFactor(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize)
+{
+  vtkDataArray* scales = rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::SCALE, data, settings);
+  const bool sizes = scales && scales->GetNumberOfComponents() == 1 && settings.Shape == rtg::Shape::Sphere &&
+    !settings.Tensors.On && settings.Sizing.Function == rtglyphs::GlyphSizing::LINEAR;
+  return !sizes                                                  ? 0.0
+    : rtglyphs::GlyphArrayNames::IsRadius(settings.ScaleArray)   ? 2.0 / unitSize
+    : rtglyphs::GlyphArrayNames::IsDiameter(settings.ScaleArray) ? 1.0 / unitSize
+                                                                 : 0.0;
+}
+
+rtglyphs::GlyphKeptGuess::Result
+Find(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize, bool rough)
+{
+  rtglyphs::GlyphKeptGuess::Result result;
+  Points points(data, settings);
+  std::vector<double> sample{ 1.0 };
+  double largest = 1.0;
+  if (settings.Scaling || settings.Tensors.On || settings.Forms.On)
+  {
+    const std::vector<double> magnitudes = Magnitudes(data, settings);
+    sample = points.KeepPositive(magnitudes);
+    largest = rtglyphs::RayTracedRanks::Largest(rtglyphs::RayTracedParallel::Largest(
+      points.Number(), [&](vtkIdType i) { return magnitudes.empty() ? 1.0 : magnitudes[points[i]]; }));
+  }
+  if (points.NumberOfAll() == 0.0)
+  {
+    return result;
+  }
+  const Extents extents = Measure(points, rough);
+  const double typical = Quantile(sample, typicalQuantile);
+  const double exact = rtglyphs::RayTracedRanks::Largest(ExactFactor(data, settings, unitSize));
+  if (exact * typical >= extents.Longest * std::min(seen, specks * extents.Neighbors) && exact > 0.0)
+  {
+    result.Value = exact;
+    return result;
+  }
+  if (!(extents.Longest > 0.0))
+  {
+    result.Value = TwoDigits(1.0 / typical / unitSize); // any size will do
+    return result;
+  }
+
+  double size = std::max(0.9 * extents.Neighbors, std::min(seen, 0.5 * extents.Spacing));
+  size *= settings.Shape == rtg::Shape::Arrow && !settings.Tensors.On ? arrowLength : 1.0;
+  double factor = FactorFor(sample, std::min(size, largestGlyph));
+  const double excess = factor * largest / largestGlyph;
+  double limit = 0.0;
+  if (excess > mostExcess)
+  {
+    const auto limited =
+      std::count_if(sample.begin(), sample.end(), [&](double magnitude) { return factor * magnitude > largestGlyph; });
+    const double number = static_cast<double>(limited) * points.NumberOfAll() / static_cast<double>(sample.size());
+    limit = std::max(std::min(size, largestGlyph), largestGlyph / std::sqrt(std::max(1.0, number / manyLimited)));
+  }
+  else if (excess > 1.0)
+  {
+    factor /= excess;
+  }
+  factor *= extents.Longest / unitSize;
+  if (rtg::IsPositive(factor))
+  {
+    result.Value = TwoDigits(factor);
+    result.Limit = limit * extents.Longest / unitSize;
+  }
+  return result;
+}
+}
+
+//----------------------------------------------------------------------------
+const rtglyphs::GlyphKeptGuess::Result& rtglyphs::GlyphScaleGuess::Update(rtglyphs::GlyphKeptGuess& kept,
+  vtkPolyData* points, const rtglyphs::GlyphSettings& settings, double unitSize, double time)
+{
+  rtglyphs::GlyphScaling scaling = settings.OfMagnitudes();
+  vtkDataArray* scales = rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::SCALE, points, scaling);
+  std::vector<double> has{ points->GetNumberOfPoints() > 0 ? 1.0 : 0.0, scales ? 1.0 : 0.0 };
+  rtglyphs::RayTracedRanks::Reduce(has, vtkCommunicator::MAX_OP);
+  if (has[0] == 0.0)
+  {
+    return kept.Last(); // a step without points changes nothing
+  }
+  if (has[1] == 0.0)
+  {
+    // A step that lacks the array says nothing of those that have it.
+    scaling.Scaling = false;
+    scaling.ScaleArray.clear();
+  }
+  unitSize = rtg::IsPositive(unitSize) ? unitSize : 1.0;
+  return kept.Get(points, scaling, unitSize, time, [&](bool rough) { return Find(points, scaling, unitSize, rough); });
+}

@@ -1,0 +1,178 @@
+/**
+ * How arrays become glyphs: everything that instances depend on besides the data and the actor's matrix. A new field is
+ * compared with the others by itself.
+ */
+#ifndef GlyphSettings_h
+#define GlyphSettings_h
+
+#include "Finite.h"
+#include "GlyphForms.h"
+#include "GlyphMask.h"
+#include "GlyphMotion.h"
+#include "GlyphSizing.h"
+#include "GlyphTensors.h"
+#include "Glyphs.h"
+#include "RayTracedArrays.h"
+#include "vtkType.h"
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace rtglyphs
+{
+
+/**
+ * What the magnitudes of glyphs depend on (GlyphMagnitudes). An enumeration's type has its range.
+ */
+struct GlyphScaling
+{
+  enum ScaleModes
+  {
+    MAGNITUDE = 0,
+    COMPONENTS = 1
+  };
+
+  rtg::Shape Shape = rtg::Shape::Sphere;
+  bool Scaling = false;
+  std::string ScaleArray; // empty or "None": none
+  RayTracedChoice<ScaleModes, MAGNITUDE, COMPONENTS> ScaleMode;
+  GlyphSizing Sizing;             // of magnitudes of the scale array, and of eigenvalues
+  GlyphTensors::Settings Tensors; // on: they give size, rotation and exponents
+  GlyphForms::Settings Forms;     // on: polynomials are the glyphs' form and size
+  GlyphMask Mask;
+
+  bool operator==(const GlyphScaling&) const = default;
+};
+
+struct GlyphSettings : GlyphScaling
+{
+  enum OrientationModes
+  {
+    DIRECTION = 0,
+    ROTATION = 1,
+    QUATERNION = 2,
+    MATRIX = 3 // of rotation, row by row; tuples of nine components
+  };
+  enum Anchors
+  {
+    ORIGIN = 0, // of the unit glyph: an arrow's tail, the middle of all other shapes but meshes
+    TAIL = 1,   // where the glyph begins along its own x axis
+    CENTER = 2, // half-way between
+    TIP = 3     // where it ends
+  };
+
+  GlyphSettings() = default;
+  GlyphSettings(const GlyphScaling& scaling)
+    : GlyphScaling(scaling)
+  {
+  }
+
+  double ScaleFactor = 1.0;   // world units
+  glm::dvec3 UnitSize{ 1.0 }; // of the shape as its source makes it, in unit glyphs
+  std::string RadiusArray;    // across the glyph's x axis, instead of the scale; empty or "None": none
+  double RadiusFactor = 1.0;  // what it is multiplied by
+  bool Orient = true;
+  std::string OrientationArray; // empty or "None": none
+  RayTracedChoice<OrientationModes, DIRECTION, QUATERNION> OrientationMode;
+  RayTracedChoice<Anchors, ORIGIN, TIP> Anchor; // what of the glyph lies at its point; not of tensors' glyphs
+  rtg::ArrowForm Arrow;                         // its unit length is computed
+  double ArrowReference = 0.0; // magnitude of the arrow whose head has the unit arrow's proportions; 0: HighScale's
+  double HighScale = 0.0;      // high quantile of the scales of all ranks' glyphs (GlyphHighScale)
+  std::shared_ptr<const rtg::TriangleMesh> Mesh; // for rtg::Shape::Mesh
+  int TableSize = 1;                             // of a table of meshes, of which Mesh is
+  int TableEntry = 0;                            // that number: only points that choose it show it
+  std::string TableIndexArray;                   // empty or "None": all points choose entry 0
+  double Exponents[3] = { 2.0, 2.0, 2.0 };       // of superquadrics; each counts as one in [0.1, 100]
+  std::string ExponentArray;                     // overrides them; empty or "None": none
+  std::string OpacityArray;                      // empty or "None": none
+  GlyphMotion::Settings Motion;                  // on: the glyphs move while the shutter is open
+
+  bool operator==(const GlyphSettings&) const = default;
+
+  /**
+   * The same with numbers out of range replaced by the nearest in it, NaN by the default.
+   */
+  GlyphSettings InRange() const;
+
+  /**
+   * These settings with all that has no effect on instances set to its default. Two that are equal then make the same
+   * instances of the same arrays; colors are none of them.
+   */
+  GlyphSettings Effective() const;
+
+  /**
+   * Those that magnitudes and the choice of points depend on, all others at their defaults.
+   */
+  GlyphScaling OfMagnitudes() const;
+
+  /**
+   * Whether fixed arrow heads have the proportions of the unit arrow on an arrow of high scale.
+   */
+  bool NeedsHighScale() const
+  {
+    return this->Shape == rtg::Shape::Arrow && this->Arrow.fixedHeads && this->Scaling &&
+      !RayTracedArrays::IsNone(this->ScaleArray) && !rtg::IsPositive(this->ArrowReference);
+  }
+
+  /**
+   * The scale of the arrow whose fixed head has the proportions of the unit arrow.
+   */
+  double ReferenceScale() const;
+
+  /**
+   * Whether the points choose among several meshes.
+   */
+  bool HasTable() const { return this->Shape == rtg::Shape::Mesh && this->TableSize > 1; }
+
+  /**
+   * Whether the shape is a superquadric with exponents of these settings; those of tensors come from elsewhere.
+   */
+  bool HasOwnExponents() const { return HasExponents(this->Shape) && !this->Tensors.On; }
+
+  /**
+   * What colors the points of each glyph's surface: nothing, the sign of the tensor or polynomial in their direction,
+   * or that direction.
+   */
+  rtg::GlyphInstances::SurfaceColours SurfaceColors() const;
+
+  /**
+   * Whether one number of each glyph, or of each point of its surface, colors it: one of GlyphTensorRange.
+   */
+  bool HasNumberRange() const { return this->Tensors.HasRange() || this->Forms.ColorsByRadius(); }
+
+  /**
+   * World size along the longest axis of a glyph of this magnitude, as GlyphMagnitudes has it.
+   */
+  double Length(double magnitude) const { return this->Sizing.Limited(std::abs(this->ScaleFactor) * magnitude); }
+
+  /**
+   * The size across its x axis of a glyph with this value of the radius array. The radius of an arrow is that of its
+   * shaft, or of its head where it has no shaft.
+   */
+  double Width(double radius) const;
+
+  /**
+   * How far Anchor moves the unit glyph along its own x axis.
+   */
+  double AnchorShift() const;
+
+  /**
+   * The arrows that show the antisymmetric parts of the tensors that glyphs of these settings show: from each glyph's
+   * center along GlyphTensors::Axis, as long as the factors and scales that make a tensor glyph's axis out of an
+   * eigenvalue make of the vector's length. Components of a scale array belong to the glyph's own axes and do not
+   * count.
+   */
+  GlyphSettings AxesOfTensors() const;
+
+  /**
+   * The crosses of arrows that show tensors of these settings by their principal axes. The arrows are copies of one,
+   * and do not turn while the shutter is open.
+   */
+  GlyphSettings PrincipalAxes() const;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: GlyphSettings.h

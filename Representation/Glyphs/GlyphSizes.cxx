@@ -1,0 +1,158 @@
+#include "GlyphSizes.h"
+
+#include "Finite.h"
+#include "GlyphPlacement.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace rtglyphs::GlyphOutcomes;
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphMagnitudes::GlyphMagnitudes(
+  vtkPolyData* points, const rtglyphs::GlyphScaling& scaling, const std::vector<vtkIdType>& chosen)
+  : Scaling(scaling)
+  , ScaleArray(rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::SCALE, points, scaling))
+  , FormArray(rtglyphs::GlyphForms::Array(points, scaling.Forms))
+  , ByComponents(scaling.ScaleMode == rtglyphs::GlyphScaling::COMPONENTS && this->ScaleArray &&
+      this->ScaleArray->GetNumberOfComponents() > 1) // one is a magnitude
+{
+  if (scaling.Tensors.On)
+  {
+    vtkDataArray* array = rtglyphs::GlyphTensors::Array(points, scaling.Tensors);
+    this->Problem = rtglyphs::GlyphTensors::Problem(array, scaling.Tensors);
+    if (this->Problem.empty())
+    {
+      this->Tensors = std::make_unique<rtglyphs::GlyphTensors>(array, scaling.Tensors, chosen);
+    }
+  }
+  if (scaling.Forms.On)
+  {
+    this->Problem = rtglyphs::GlyphForms::Problem(this->FormArray, scaling.Forms);
+    if (this->Problem.empty())
+    {
+      this->Forms = std::make_unique<rtglyphs::GlyphForms>(this->FormArray, scaling.Forms);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+glm::dvec3 rtglyphs::GlyphMagnitudes::Scale(vtkIdType point, Tuples& tuples) const
+{
+  if (!tuples.Scales.Has(point))
+  {
+    return glm::dvec3(1.0);
+  }
+  const double* tuple = tuples.Scales.Get(point);
+  return this->ByComponents ? this->Scaling.Sizing(glm::dvec3(tuple[0], tuple[1], tuple[2]))
+                            : glm::dvec3(this->Scaling.Sizing(vtkMath::Norm(tuple, tuples.Scales.Size())));
+}
+
+//----------------------------------------------------------------------------
+glm::dvec3 rtglyphs::GlyphMagnitudes::Bound(vtkIdType point, Tuples& tuples, rtg::FormExtent& form) const
+{
+  glm::dvec3 scale = this->Scale(point, tuples);
+  if (this->Tensors)
+  {
+    scale *= this->Scaling.Sizing(this->Tensors->Extent(point));
+  }
+  if (this->Forms)
+  {
+    form = this->Forms->MeasureRoughly(tuples.Forms, point);
+    scale *= form.radius > 0.0 ? this->Scaling.Sizing(this->Forms->Magnitude(form)) : 0.0;
+  }
+  return glm::abs(scale);
+}
+
+//----------------------------------------------------------------------------
+double rtglyphs::GlyphMagnitudes::Magnitude(vtkIdType point, Tuples& tuples) const
+{
+  rtg::FormExtent form;
+  const double longest = this->Problem.empty() ? rtglyphs::GlyphSizing::Largest(this->Bound(point, tuples, form)) : 0.0;
+  return rtg::IsPositive(longest) ? longest : 0.0;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphSizes::GlyphSizes(
+  vtkPolyData* points, const rtglyphs::GlyphSettings& settings, const std::vector<vtkIdType>& chosen)
+  : rtglyphs::GlyphMagnitudes(points, settings, chosen)
+  , Settings(settings)
+  , RadiusArray(rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::RADIUS, points, settings))
+{
+}
+
+//----------------------------------------------------------------------------
+double rtglyphs::GlyphSizes::ArrowUnit() const
+{
+  const double reference = this->HasScales() ? this->Settings.ReferenceScale() : 1.0;
+  return this->HasRadii() ? 0.0 : std::abs(this->Settings.ScaleFactor) * reference;
+}
+
+//----------------------------------------------------------------------------
+// The limits, and what a radius replaces.
+void rtglyphs::GlyphSizes::Finish(vtkIdType point, Tuples& tuples, glm::dvec3& size) const
+{
+  size = this->Settings.Sizing.Limited(size);
+  if (tuples.Radii.Has(point))
+  {
+    size.y = size.z = this->Settings.Width(*tuples.Radii.Get(point));
+  }
+}
+
+//----------------------------------------------------------------------------
+glm::dvec3 rtglyphs::GlyphSizes::Extents(vtkIdType point, Tuples& tuples, glm::dvec3& part) const
+{
+  rtg::FormExtent form;
+  glm::dvec3 size = std::abs(this->Settings.ScaleFactor) * this->Settings.UnitSize * this->Bound(point, tuples, form);
+  part = glm::dvec3(1.0);
+  if (form.radius > 0.0)
+  {
+    size *= form.bound / form.radius;
+    part = form.reach / form.bound;
+  }
+  this->Finish(point, tuples, size);
+  return size;
+}
+
+//----------------------------------------------------------------------------
+Outcome rtglyphs::GlyphSizes::Make(vtkIdType point, Tuples& tuples, Glyph& glyph, float* polynomial) const
+{
+  glyph.Size = this->Settings.ScaleFactor * this->Settings.UnitSize * this->Scale(point, tuples);
+  if (const rtglyphs::GlyphTensors* tensors = this->GetTensors(); tensors && this->Settings.Tensors.Axes)
+  {
+    double axis[3];
+    if (!tensors->Axis(point, axis))
+    {
+      return NOT_SHOWN; // nothing to show is no fault
+    }
+    glyph.Size *= this->Settings.Sizing(tensors->Extent(point));
+    rtglyphs::GlyphPlacement::RotationFromTuple(axis, rtglyphs::GlyphSettings::DIRECTION, glyph.Rotation);
+  }
+  else if (tensors)
+  {
+    if (!tensors->Glyph(point, glyph.Tensor))
+    {
+      return tensors->IsZero(point) ? ZERO_TENSOR : TENSOR;
+    }
+    glyph.Size *= this->Settings.Sizing(glyph.Tensor.halfLengths);
+    glyph.Rotation = glyph.Tensor.rotation;
+  }
+  if (const rtglyphs::GlyphForms* forms = this->GetForms())
+  {
+    const rtg::FormExtent extent = forms->Measure(tuples.Forms, point, polynomial);
+    if (!(extent.radius > 0.0))
+    {
+      const double* tuple = tuples.Forms.Get(point);
+      const bool zero =
+        std::all_of(tuple, tuple + tuples.Forms.Size(), [](double component) { return component == 0.0; });
+      return zero ? ZERO_POLYNOMIAL : POLYNOMIAL;
+    }
+    glyph.Radius = static_cast<float>(extent.bound);
+    // Of the unit glyph, which is a little less than the largest that is possible
+    glyph.Size *= this->Settings.Sizing(forms->Magnitude(extent)) * (extent.bound / extent.radius);
+  }
+  this->Finish(point, tuples, glyph.Size);
+  const bool good = !tuples.Radii.Has(point) || rtg::IsPositive(glyph.Size.y);
+  return good ? SHOWN : glyph.Size.y == 0.0 ? ZERO_RADIUS : RADIUS;
+}

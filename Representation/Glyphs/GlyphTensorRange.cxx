@@ -1,0 +1,82 @@
+#include "GlyphTensorRange.h"
+
+#include "GlyphSample.h"
+#include "RayTracedParallel.h"
+#include "vtkCommunicator.h"
+#include "vtkDataArray.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+using Range = std::array<double, 2>; // the least number, and the negative of the largest
+
+constexpr Range nothing{ HUGE_VAL, HUGE_VAL };
+
+Range Both(const Range& a, const Range& b)
+{
+  return { std::min(a[0], b[0]), std::min(a[1], b[1]) };
+}
+
+Range RangeOfTensors(vtkDataArray* array, vtkIdType count, const rtglyphs::GlyphTensors::Settings& settings)
+{
+  const rtglyphs::GlyphTensors tensors(array, settings, {});
+  std::vector<Range> ranges(rtglyphs::RayTracedParallel::NumberOfChunks(count), nothing);
+  rtglyphs::RayTracedParallel::ForChunks(count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Range own = nothing;
+      double value = 0.0;
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        if (tensors.Number(point, value))
+        {
+          own = Both(own, { value, -value });
+        }
+      }
+      ranges[rtglyphs::RayTracedParallel::ChunkOf(begin)] = own;
+    });
+  Range all = nothing;
+  for (const Range& range : ranges)
+  {
+    all = Both(all, range);
+  }
+  return all;
+}
+
+Range RangeOfPolynomials(vtkDataArray* array, const rtglyphs::GlyphForms::Settings& settings)
+{
+  const double largest = rtglyphs::GlyphForms::LargestRadius(array, settings);
+  return largest > 0.0 ? Range{ 0.0, -largest } : nothing;
+}
+}
+
+//----------------------------------------------------------------------------
+std::array<double, 2>
+rtglyphs::GlyphTensorRange::Get(vtkPolyData* points, const rtglyphs::GlyphSettings& settings, bool collective)
+{
+  const rtglyphs::GlyphTensors::Settings& tensors = settings.Tensors;
+  const rtglyphs::GlyphForms::Settings& forms = settings.Forms;
+  vtkDataArray* array = !points ? nullptr
+    : forms.On                  ? rtglyphs::GlyphForms::Array(points, forms)
+                                : rtglyphs::GlyphTensors::Array(points, tensors);
+  this->Known.Update({ tensors, forms, array ? array->GetMTime() : 0 },
+    [&]
+    {
+      const bool good = array &&
+        (forms.On ? rtglyphs::GlyphForms::Problem(array, forms) : rtglyphs::GlyphTensors::Problem(array, tensors))
+          .empty();
+      this->Own = !good ? nothing
+        : forms.On      ? RangeOfPolynomials(array, forms)
+                        : RangeOfTensors(array, points->GetNumberOfPoints(), tensors);
+    });
+  std::vector<double> all(this->Own.begin(), this->Own.end());
+  if (collective)
+  {
+    rtglyphs::RayTracedRanks::Reduce(all, vtkCommunicator::MIN_OP);
+  }
+  return all[0] <= -all[1] ? std::array<double, 2>{ all[0], -all[1] } : std::array<double, 2>{ 1.0, -1.0 };
+}

@@ -1,0 +1,38 @@
+/**
+ * @class   GlyphTensorRange
+ * @brief   least and largest number that colors tensor glyphs or polynomials, over all ranks
+ */
+#ifndef GlyphTensorRange_h
+#define GlyphTensorRange_h
+
+#include "GlyphSettings.h"
+#include "RayTracedCache.h"
+#include "vtkType.h"
+
+#include <array>
+#include <tuple>
+
+class vtkPolyData;
+
+namespace rtglyphs
+{
+
+class GlyphTensorRange
+{
+public:
+  /**
+   * An empty interval (1, -1) where there is no number. Radii of polynomials begin at 0. Collective: all ranks call it
+   * at once; else it is that of this rank. What this rank's array gives is kept while it and the settings are the same.
+   * `points` may be null.
+   */
+  std::array<double, 2> Get(vtkPolyData* points, const GlyphSettings& settings, bool collective);
+
+private:
+  std::array<double, 2> Own{}; // of this rank: the least number, and the negative of the largest
+  RayTracedCache<std::tuple<GlyphTensors::Settings, GlyphForms::Settings, vtkMTimeType>> Known;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: GlyphTensorRange.h

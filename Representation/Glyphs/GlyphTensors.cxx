@@ -1,0 +1,252 @@
+#include "GlyphTensors.h"
+
+#include "Finite.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+//----------------------------------------------------------------------------
+vtkDataArray* rtglyphs::GlyphTensors::Array(vtkPolyData* points, const Settings& settings)
+{
+  const bool wanted = settings.On && !rtglyphs::RayTracedArrays::IsNone(settings.Array);
+  return wanted ? points->GetPointData()->GetArray(settings.Array.c_str()) : nullptr;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphTensors::Settings rtglyphs::GlyphTensors::Settings::Effective() const
+{
+  const Settings none;
+  if (!this->On)
+  {
+    return none;
+  }
+  Settings settings = *this;
+  settings.Coloring = this->ColorsBySign() ? SIGN : this->ColorsByDirection() ? SURFACE_DIRECTION : NONE;
+  settings.PositiveColor = none.PositiveColor;
+  settings.NegativeColor = none.NegativeColor;
+  if (settings.Axes)
+  {
+    settings.Kind = none.Kind;
+    settings.Thickness = none.Thickness;
+  }
+  if (settings.Kind == rtg::TensorGlyphKind::Ellipsoid)
+  {
+    settings.Sharpness = none.Sharpness;
+  }
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+std::string rtglyphs::GlyphTensors::Problem(vtkDataArray* array, const Settings& settings)
+{
+  std::ostringstream text;
+  if (rtglyphs::RayTracedArrays::IsNone(settings.Array))
+  {
+    return "Tensor glyphs need tensors. Choose a point array of 6 or 9 components as "
+           "GlyphTensorArray.";
+  }
+  if (!array)
+  {
+    text << "There is no point array '" << settings.Array
+         << "', which GlyphTensorArray names, so there are no glyphs. Choose one of 6 or 9 "
+            "components.";
+    return text.str();
+  }
+  const int components = array->GetNumberOfComponents();
+  const int needed = rtg::TensorComponents(settings.Layout);
+  if (components != 9 && components != needed)
+  {
+    text << "The point array '" << settings.Array << "', which GlyphTensorArray names, has " << components
+         << " components where " << needed << (needed == 6 ? " or 9" : "")
+         << " are needed, so there are no glyphs. Choose another array"
+         << (components == 6 ? " or another GlyphTensorLayout." : ".");
+  }
+  return text.str();
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphTensors::GlyphTensors(
+  vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points)
+  : Tensors(array)
+  , How(settings)
+{
+  if (array->GetNumberOfComponents() == 9)
+  {
+    this->How.Layout = rtg::TensorLayout::Matrix;
+  }
+  const auto count = static_cast<vtkIdType>(points.size());
+  this->Noise = 1e-6 *
+    rtglyphs::RayTracedParallel::Largest(count,
+      [&](vtkIdType i)
+      {
+        const rtg::SymmetricTensor tensor = this->Tensor(points[i]);
+        return tensor.IsFinite() ? tensor.Largest() : 0.0;
+      });
+}
+
+namespace
+{
+// By Cardano's formula: the eigenvalue of the largest magnitude is one of the two at the ends, and well conditioned.
+double LargestEigenvalue(const rtg::SymmetricTensor& t)
+{
+  const double mean = (t.xx + t.yy + t.zz) / 3.0;
+  const double a = t.xx - mean, b = t.yy - mean, c = t.zz - mean;
+  const double off = t.xy * t.xy + t.yz * t.yz + t.xz * t.xz;
+  const double p = std::sqrt((a * a + b * b + c * c + 2.0 * off) / 6.0);
+  if (!(p > 0.0))
+  {
+    return std::abs(mean);
+  }
+  const double determinant =
+    a * (b * c - t.yz * t.yz) - t.xy * (t.xy * c - t.yz * t.xz) + t.xz * (t.xy * t.yz - b * t.xz);
+  const double angle = std::acos(std::clamp(0.5 * determinant / (p * p * p), -1.0, 1.0)) / 3.0;
+  const double highest = mean + 2.0 * p * std::cos(angle);
+  const double lowest = mean + 2.0 * p * std::cos(angle + 2.0943951023931953);
+  return std::max(std::abs(highest), std::abs(lowest));
+}
+}
+
+//----------------------------------------------------------------------------
+double rtglyphs::GlyphTensors::Extent(vtkIdType point) const
+{
+  double extent = 0.0;
+  if (this->How.Axes)
+  {
+    double axis[3];
+    extent = this->Axis(point, axis) ? std::hypot(axis[0], axis[1], axis[2]) : 0.0;
+  }
+  else
+  {
+    const rtg::SymmetricTensor t = this->Tensor(point);
+    // Relative to the largest component: squares of huge and tiny ones leave the range of numbers.
+    const double largest = t.Largest();
+    if (rtg::IsPositive(largest))
+    {
+      const rtg::SymmetricTensor u{ t.xx / largest, t.yy / largest, t.zz / largest, t.xy / largest, t.yz / largest,
+        t.xz / largest };
+      extent = largest * LargestEigenvalue(u);
+    }
+  }
+  return std::isfinite(extent) ? extent : 0.0;
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphTensors::Axis(vtkIdType point, double axis[3]) const
+{
+  if (this->Tensors->GetNumberOfComponents() != 9)
+  {
+    return false;
+  }
+  double matrix[9];
+  this->Tensors->GetTuple(point, matrix);
+  const glm::dvec3 w = rtg::AntisymmetricAxis(matrix);
+  double largest = 0.0, longest = 0.0;
+  for (double component : matrix)
+  {
+    if (!std::isfinite(component))
+    {
+      return false;
+    }
+    largest = std::max(largest, std::abs(component));
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    axis[i] = w[i];
+    longest = std::max(longest, std::abs(w[i]));
+  }
+  return longest > 1e-6 * largest && std::isfinite(w.x + w.y + w.z);
+}
+
+//----------------------------------------------------------------------------
+rtg::SymmetricTensor rtglyphs::GlyphTensors::Tensor(vtkIdType point) const
+{
+  double components[9];
+  this->Tensors->GetTuple(point, components);
+  return rtg::MakeTensor(components, this->How.Layout);
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphTensors::Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const
+{
+  const rtg::SymmetricTensor tensor = this->Tensor(point);
+  if (!tensor.IsFinite() || tensor.IsZero())
+  {
+    return false;
+  }
+  glyph =
+    rtg::MakeTensorGlyph(rtg::Decompose(tensor), this->How.Kind, this->How.Sharpness, this->Noise, this->How.Thickness);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphTensors::IsZero(vtkIdType point) const
+{
+  const rtg::SymmetricTensor tensor = this->Tensor(point);
+  return tensor.IsFinite() && tensor.IsZero();
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphTensors::Eigenvalues(vtkIdType point, glm::dvec3& values) const
+{
+  const rtg::SymmetricTensor tensor = this->Tensor(point);
+  if (!tensor.IsFinite() || tensor.IsZero())
+  {
+    return false;
+  }
+  values = rtg::Decompose(tensor).values;
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphTensors::Number(vtkIdType point, double& value) const
+{
+  if (this->How.Coloring == TRACE)
+  {
+    const rtg::SymmetricTensor tensor = this->Tensor(point);
+    value = tensor.xx + tensor.yy + tensor.zz;
+    return tensor.IsFinite() && !tensor.IsZero();
+  }
+  glm::dvec3 values;
+  if (!this->Eigenvalues(point, values))
+  {
+    return false;
+  }
+  switch (this->How.Coloring)
+  {
+    case MAJOR_EIGENVALUE:
+    case MIDDLE_EIGENVALUE:
+    case MINOR_EIGENVALUE:
+      value = values[this->How.Coloring - MAJOR_EIGENVALUE];
+      return true;
+    case EIGENVALUES:
+      value = std::max(std::abs(values.x), std::abs(values.z)); // largest first
+      return true;
+    default:
+      value = rtg::FractionalAnisotropy(values);
+      return true;
+  }
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphTensors::DirectionColor(vtkIdType point, double rgb[3]) const
+{
+  const rtg::SymmetricTensor tensor = this->Tensor(point);
+  if (!tensor.IsFinite() || tensor.IsZero())
+  {
+    return false;
+  }
+  const rtg::Eigensystem eigen = rtg::Decompose(tensor);
+  const glm::dvec3& principal =
+    std::abs(eigen.values.z) > std::abs(eigen.values.x) ? eigen.vectors[2] : eigen.vectors[0];
+  for (int i = 0; i < 3; ++i)
+  {
+    rgb[i] = std::abs(principal[i]);
+  }
+  return true;
+}

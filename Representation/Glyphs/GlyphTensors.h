@@ -1,0 +1,152 @@
+/**
+ * @class   GlyphTensors
+ * @brief   an array of tensors as the sizes, rotations and exponents of glyphs
+ *
+ * Nine components are a matrix row by row whatever the layout, and their symmetric part counts; six are read as the
+ * layout says. See Kernels/Tensor.h for what the glyphs are.
+ */
+#ifndef GlyphTensors_h
+#define GlyphTensors_h
+
+#include "RayTracedNumbers.h"
+#include "Tensor.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace rtglyphs
+{
+
+class GlyphTensors
+{
+public:
+  enum Colorings
+  {
+    NONE = 0,
+    PRINCIPAL_DIRECTION = 1,
+    FRACTIONAL_ANISOTROPY = 2,
+    TRACE = 3,
+    SIGN = 4,              // of x^T D x at each point x of a glyph's surface, seen from its center
+    SURFACE_DIRECTION = 5, // magnitudes of the components of the direction from the center to each point of the surface
+    EIGENVALUES = 6,       // their magnitudes as red, green and blue
+    MAJOR_EIGENVALUE = 7,
+    MIDDLE_EIGENVALUE = 8,
+    MINOR_EIGENVALUE = 9,
+    RADIUS = 10 // |f| at each point of a polynomial's surface
+  };
+
+  /**
+   * Whether a coloring is one number for each tensor.
+   */
+  static bool IsNumber(int coloring)
+  {
+    return coloring == FRACTIONAL_ANISOTROPY || coloring == TRACE ||
+      (coloring >= MAJOR_EIGENVALUE && coloring <= MINOR_EIGENVALUE);
+  }
+
+  /**
+   * What says how large the glyphs are.
+   */
+  struct Source
+  {
+    bool On = false;   // whether the glyphs show tensors at all
+    std::string Array; // empty or "None": none
+    RayTracedChoice<rtg::TensorLayout, rtg::TensorLayout::Vtk, rtg::TensorLayout::Lower> Layout{};
+
+    bool operator==(const Source&) const = default;
+  };
+
+  struct Settings : Source
+  {
+    rtg::TensorGlyphKind Kind = rtg::TensorGlyphKind::Ellipsoid;
+    double Sharpness = 3.0;
+    double Thickness = 0.02; // least, as a share of the longest axis
+    RayTracedChoice<Colorings, NONE, RADIUS> Coloring{};
+    ///@{
+    // Where x^T D x is zero or more, and where it is less; with SIGN.
+    std::array<double, 3> PositiveColor{ { 0.839, 0.376, 0.302 } };
+    std::array<double, 3> NegativeColor{ { 0.263, 0.576, 0.765 } };
+    ///@}
+    bool Axes = false;  // arrows along the axes of the antisymmetric parts instead of glyphs of the symmetric ones
+    bool Cross = false; // arrows along the eigenvectors, from the center or to it; Kind does not count
+
+    bool operator==(const Settings&) const = default;
+    bool HasRange() const { return this->On && (IsNumber(this->Coloring) || this->Coloring == EIGENVALUES); }
+    bool ColorsBySign() const { return this->On && !this->Axes && this->Coloring == SIGN; }
+    bool ColorsByDirection() const { return this->On && !this->Axes && this->Coloring == SURFACE_DIRECTION; }
+
+    /// How many glyphs a tensor makes: with Cross one to each side of its center along each eigenvector.
+    int Parts() const { return this->On && this->Cross ? 6 : 1; }
+
+    /// With all that has no effect on instances at its default: colors, but for whether the glyphs need forms of signs.
+    Settings Effective() const;
+  };
+
+  /**
+   * The array that the settings name when they are on; null when there is none.
+   */
+  static vtkDataArray* Array(vtkPolyData* points, const Settings& settings);
+
+  /**
+   * Why the array cannot be shown, with the remedy; empty when it can.
+   */
+  static std::string Problem(vtkDataArray* array, const Settings& settings);
+
+  /**
+   * For an array without a problem. Exponents of tensors below a millionth of the largest of `points` go to those of a
+   * ball.
+   */
+  GlyphTensors(vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points);
+
+  /**
+   * What the longest extent of a unit glyph is multiplied with: the largest magnitude of an eigenvalue, of axes the
+   * axis's length. Zero where it is not finite.
+   */
+  double Extent(vtkIdType point) const;
+
+  /**
+   * The vector w of a matrix A of nine components with (A - A^T) / 2 x = w cross x, in units of the tensor: of a
+   * velocity gradient (row i, column j: d v_i / d x_j) the angular velocity, half the vorticity. False: there is none,
+   * because A is symmetric to a millionth of its largest component, not finite, or given by six numbers.
+   */
+  bool Axis(vtkIdType point, double axis[3]) const;
+
+  /**
+   * False: the tensor is zero or not finite.
+   */
+  bool Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const;
+  bool IsZero(vtkIdType point) const;
+
+  /**
+   * The components' magnitudes of the unit eigenvector of the eigenvalue with the largest magnitude, as red, green and
+   * blue in [0, 1]; false as above.
+   */
+  bool DirectionColor(vtkIdType point, double rgb[3]) const;
+
+  /**
+   * The eigenvalues, largest first, in units of the tensor; false as above.
+   */
+  bool Eigenvalues(vtkIdType point, glm::dvec3& values) const;
+
+  /**
+   * The number of the coloring: the fractional anisotropy of the eigenvalues; or, in units of the tensor, the trace or
+   * one eigenvalue, of EIGENVALUES the largest magnitude of one. False as above.
+   */
+  bool Number(vtkIdType point, double& value) const;
+
+private:
+  rtg::SymmetricTensor Tensor(vtkIdType point) const;
+
+  vtkDataArray* Tensors;
+  Settings How;
+  double Noise = 0.0;
+};
+
+} // namespace rtglyphs
+
+#endif

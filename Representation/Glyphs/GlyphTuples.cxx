@@ -1,0 +1,157 @@
+#include "GlyphTuples.h"
+
+#include "RayTracedArrays.h"
+#include "RayTracedBlocks.h"
+#include "RayTracedParallel.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedIntArray.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace
+{
+using Settings = rtglyphs::GlyphSettings;
+
+// Of the lengths of orientation tuples, the first that a mode takes.
+int ModeFrom(int mode)
+{
+  return mode == Settings::DIRECTION ? 0 : mode == Settings::ROTATION ? 1 : mode == Settings::QUATERNION ? 2 : 3;
+}
+
+// A row of the table of arrays.
+struct Description
+{
+  std::string Settings::*Name;
+  bool (*IsWanted)(const Settings&);
+  std::vector<int> (*Lengths)(const Settings&); // of tuples that make sense; none: any
+  const char* Property;
+  const char* Without; // what happens without the array
+};
+
+// In the order of GlyphArrays::Id.
+const std::array<Description, rtglyphs::GlyphArrays::NUMBER_OF_IDS> table = { {
+  { &Settings::ScaleArray, [](const Settings& settings) { return settings.Scaling; },
+    [](const Settings& settings) {
+      return settings.ScaleMode == Settings::COMPONENTS ? std::vector<int>{ 1, 3 } : std::vector<int>{};
+    },
+    "SelectScaleArray", "all glyphs get the same size" },
+  { &Settings::OrientationArray, [](const Settings& settings) { return settings.Orient; },
+    [](const Settings& settings)
+    {
+      const std::vector<int> all = { 2, 3, 4, 9 }; // longer tuples say by themselves what they are
+      return std::vector<int>(all.begin() + ModeFrom(settings.OrientationMode), all.end());
+    },
+    "SelectOrientationVectors", "the glyphs are not turned" },
+  { &Settings::TableIndexArray, [](const Settings& settings) { return settings.HasTable(); },
+    [](const Settings&) { return std::vector<int>{}; }, "GlyphTableIndexArray",
+    "all points have the table's first form" },
+  { &Settings::ExponentArray, [](const Settings& settings) { return settings.HasOwnExponents(); },
+    [](const Settings&) {
+      return std::vector<int>{ 1, 2, 3 };
+    },
+    "GlyphExponentArray", "GlyphExponents count" },
+  { &Settings::OpacityArray, [](const Settings&) { return true; },
+    [](const Settings&) { return std::vector<int>{ 1 }; }, "GlyphOpacityArray", "all glyphs have the same opacity" },
+  { &Settings::RadiusArray, [](const Settings& settings) { return !settings.Tensors.On; },
+    [](const Settings&) { return std::vector<int>{ 1 }; }, "GlyphRadiusArray",
+    "glyphs are as wide as their scale says" },
+} };
+}
+
+//----------------------------------------------------------------------------
+vtkDataArray* rtglyphs::GlyphArrays::Find(
+  Id id, vtkPolyData* points, const rtglyphs::GlyphSettings& settings, std::vector<std::string>* messages)
+{
+  const Description& how = table[id];
+  const std::string& name = settings.*how.Name;
+  if (!how.IsWanted(settings) || rtglyphs::RayTracedArrays::IsNone(name))
+  {
+    return nullptr;
+  }
+  vtkDataArray* array = points->GetPointData()->GetArray(name.c_str());
+  const std::vector<int> lengths = how.Lengths(settings);
+  const bool fits = array &&
+    (lengths.empty() || std::find(lengths.begin(), lengths.end(), array->GetNumberOfComponents()) != lengths.end());
+  if (!array && messages && !rtglyphs::RayTracedBlocks::IsOfRanks(points))
+  {
+    messages->push_back("There is no point array '" + name + "', which " + how.Property + " names; " + how.Without +
+      ". Choose one that exists, or None.");
+  }
+  else if (array && !fits && messages)
+  {
+    std::ostringstream text;
+    text << "The point array '" << name << "', which " << how.Property << " names, has "
+         << array->GetNumberOfComponents() << " components where " << lengths.front();
+    for (std::size_t i = 1; i < lengths.size(); ++i)
+    {
+      text << (i + 1 < lengths.size() ? ", " : " or ") << lengths[i];
+    }
+    text << " are needed; " << how.Without << ". Choose another array or mode.";
+    messages->push_back(text.str());
+  }
+  return fits ? array : nullptr;
+}
+
+//----------------------------------------------------------------------------
+int rtglyphs::GlyphArrays::OrientationMode(vtkDataArray* orientations, const rtglyphs::GlyphSettings& settings)
+{
+  const int components = orientations ? orientations->GetNumberOfComponents() : 0;
+  if (components == 4)
+  {
+    return Settings::QUATERNION;
+  }
+  return components == 9 ? Settings::MATRIX : settings.OrientationMode;
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkDataArray*> rtglyphs::GlyphArrays::All(vtkPolyData* points, const rtglyphs::GlyphSettings& settings)
+{
+  const std::array<vtkDataArray*, 3> motion = rtglyphs::GlyphMotion::Arrays(points, settings.Motion);
+  std::vector<vtkDataArray*> all = { points->GetPoints() ? points->GetPoints()->GetData() : nullptr,
+    points->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CompositeIndex),
+    rtglyphs::GlyphTensors::Array(points, settings.Tensors), rtglyphs::GlyphForms::Array(points, settings.Forms),
+    motion[0], motion[1], motion[2] };
+  for (int id = 0; id < NUMBER_OF_IDS; ++id)
+  {
+    all.push_back(Find(static_cast<Id>(id), points, settings));
+  }
+  return all;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphArrays::Key rtglyphs::GlyphArrays::KeyOf(vtkPolyData* points,
+  std::vector<rtglyphs::GlyphSettings> settings, const rtglyphs::GlyphBlockAttributes::Table& blocks)
+{
+  Key key{ std::move(settings), {}, rtglyphs::GlyphBlockAttributes::Hidden(blocks) };
+  for (rtglyphs::GlyphSettings& each : key.Settings)
+  {
+    each = each.Effective();
+    for (vtkDataArray* array : All(points, each))
+    {
+      key.Times.push_back(array ? array->GetMTime() : 0);
+    }
+  }
+  return key;
+}
+
+//----------------------------------------------------------------------------
+std::vector<vtkIdType> rtglyphs::GlyphArrays::Candidates(
+  vtkPolyData* points, const rtglyphs::GlyphScaling& settings, const rtglyphs::GlyphBlockAttributes::Table& blocks)
+{
+  auto* blockIds =
+    vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CompositeIndex));
+  const auto isVisible = [&](vtkIdType i)
+  {
+    if (!blockIds || blocks.empty())
+    {
+      return true;
+    }
+    const auto block = blocks.find(blockIds->GetValue(i));
+    return block == blocks.end() || block->second.Visible;
+  };
+  return settings.Mask.Choose(points, rtglyphs::RayTracedParallel::Select(points->GetNumberOfPoints(), isVisible));
+}

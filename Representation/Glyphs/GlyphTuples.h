@@ -1,0 +1,133 @@
+/**
+ * What the builders of instances and bounds share: tuples of arrays as double, and which points have a glyph at all.
+ */
+#ifndef GlyphTuples_h
+#define GlyphTuples_h
+
+#include "GlyphBlockAttributes.h"
+#include "GlyphSettings.h"
+#include "RayTracedBlocks.h"
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkDataArray.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace rtglyphs
+{
+
+/**
+ * Tuples of a float or double array without a virtual call each; of any other array through its interface. Two
+ * components, of data in a plane, are followed by a zero.
+ * vtkArrayDispatch would compile the loop over glyphs for every combination of the types of six arrays. Each thread
+ * needs one of its own.
+ */
+class GlyphTuples
+{
+public:
+  explicit GlyphTuples(vtkDataArray* array)
+    : Array(array)
+    , Float(vtkAOSDataArrayTemplate<float>::FastDownCast(array))
+    , Double(vtkAOSDataArrayTemplate<double>::FastDownCast(array))
+    , Missing(array)
+    , Components(array ? array->GetNumberOfComponents() : 0)
+  {
+  }
+  explicit operator bool() const { return this->Array != nullptr; }
+  /// Without the array, and in blocks that lack it, a point has no tuple.
+  bool Has(vtkIdType i) const { return this->Array && !this->Missing(i); }
+  int Size() const { return this->Components; }
+
+  const double* Get(vtkIdType i)
+  {
+    if (this->Double && this->Components != 2)
+    {
+      return this->Double->GetPointer(i * this->Components);
+    }
+    this->Buffer.resize(std::max(this->Components, 3));
+    if (this->Float)
+    {
+      const float* tuple = this->Float->GetPointer(i * this->Components);
+      std::copy(tuple, tuple + this->Components, this->Buffer.begin());
+    }
+    else
+    {
+      this->Array->GetTuple(i, this->Buffer.data());
+    }
+    return this->Buffer.data();
+  }
+
+private:
+  vtkDataArray* Array;
+  vtkAOSDataArrayTemplate<float>* Float;
+  vtkAOSDataArrayTemplate<double>* Double;
+  RayTracedBlocks::Missing Missing;
+  int Components;
+  std::vector<double> Buffer;
+};
+
+namespace GlyphArrays
+{
+/**
+ * Point arrays that settings name, besides those of tensors and motion, which have classes of their own. Each has one
+ * row in the table in GlyphTuples.cxx.
+ */
+enum Id
+{
+  SCALE,
+  ORIENTATION,
+  TABLE_INDEX,
+  EXPONENTS,
+  OPACITY,
+  RADIUS,
+  NUMBER_OF_IDS
+};
+
+/**
+ * The array; null where none is wanted, it is missing, or its tuples have no length that makes sense. What is wrong is
+ * appended to `messages` where there are any.
+ */
+vtkDataArray*
+Find(Id id, vtkPolyData* points, const GlyphSettings& settings, std::vector<std::string>* messages = nullptr);
+
+/**
+ * What the array that was found says of itself, whatever the settings' mode: four components are a quaternion, nine a
+ * matrix.
+ */
+int OrientationMode(vtkDataArray* orientations, const GlyphSettings& settings);
+
+/**
+ * All arrays that instances of these settings are built from, positions and blocks among them, in a fixed order; null
+ * where there is none. Instances are the same as long as these and the settings are.
+ */
+std::vector<vtkDataArray*> All(vtkPolyData* points, const GlyphSettings& settings);
+
+/**
+ * What glyphs of all these settings at the same points depend on. Arrays are known by their time stamps, of which no
+ * two are alike: data that come again in a new vtkPolyData are seen to be the same.
+ */
+struct Key
+{
+  std::vector<GlyphSettings> Settings;
+  std::vector<vtkMTimeType> Times;
+  std::vector<unsigned int> HiddenBlocks;
+  bool operator==(const Key&) const = default;
+};
+Key KeyOf(vtkPolyData* points, std::vector<GlyphSettings> settings, const GlyphBlockAttributes::Table& blocks);
+
+/**
+ * The points of visible blocks, thinned out as the mask says, in their own order. Blocks as
+ * RayTracedBlocks::GetTable() has them.
+ */
+std::vector<vtkIdType>
+Candidates(vtkPolyData* points, const GlyphScaling& settings, const GlyphBlockAttributes::Table& blocks);
+}
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: GlyphTuples.h

@@ -1,0 +1,51 @@
+#include "GlyphLayers.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkProperty.h"
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphLayers::Layer::Follow(
+  const rtglyphs::RayTracedBlocks& blocks, vtkRayTracedActor* main, const std::array<double, 3>& selectionColor)
+{
+  this->Mapper->SetSelectionColor(selectionColor);
+  this->Mapper->SetBlocks(blocks);
+  this->Actor->GetProperty()->DeepCopy(main->GetProperty());
+  vtkNew<vtkMatrix4x4> matrix;
+  main->GetMatrix(matrix);
+  this->Actor->SetUserMatrix(matrix);
+  this->Actor->SetPickable(main->GetPickable());
+  this->Actor->SetVisibility(main->GetVisibility());
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphLayers::Resize(std::size_t size, const Part& add, const Part& remove)
+{
+  while (this->Layers.size() > size)
+  {
+    remove(this->Layers.back()->Actor, this->Layers.back()->Mapper);
+    this->Layers.pop_back();
+  }
+  while (this->Layers.size() < size)
+  {
+    this->Layers.push_back(std::make_unique<Layer>());
+    add(this->Layers.back()->Actor, this->Layers.back()->Mapper);
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphLayers::SetVisibility(bool visible)
+{
+  for (const auto& layer : this->Layers)
+  {
+    layer->Actor->SetVisibility(visible);
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphLayers::SetKnownBounds(const double bounds[6])
+{
+  for (const auto& layer : this->Layers)
+  {
+    layer->Mapper->SetKnownBounds(bounds);
+  }
+}

@@ -1,0 +1,196 @@
+#include "RayTracedDisplays.h"
+
+#include "RayTracedImages.h"
+#include "RayTracedRendererState.h"
+#include "vtkActor.h"
+#include "vtkProperty.h"
+#include "vtkRayTracedMapper.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <new>
+
+//----------------------------------------------------------------------------
+const rtglyphs::RayTracedDisplays::Display* rtglyphs::RayTracedDisplays::Find(const vtkRayTracedMapper* mapper) const
+{
+  const auto found = std::find_if(
+    this->All.begin(), this->All.end(), [mapper](const Display& display) { return display.Mapper == mapper; });
+  return found == this->All.end() ? nullptr : &*found;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedDisplays::Add(vtkActor* actor, vtkRayTracedMapper* mapper)
+{
+  const Display* known = this->Find(mapper);
+  Display& display = known ? this->All[known - this->All.data()] : this->All.emplace_back();
+  display.Mapper = mapper;
+  display.Actor = actor;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedDisplays::Remove(vtkRayTracedMapper* mapper, rtglyphs::RayTracedImages& images)
+{
+  const Display* found = this->Find(mapper);
+  if (!found)
+  {
+    return;
+  }
+  rtg::Scene* scene = images.GetScene();
+  if (scene && found->Scene == images.GetSceneNumber())
+  {
+    scene->Remove(found->Set);
+  }
+  this->All.erase(this->All.begin() + (found - this->All.data()));
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedDisplays::SetStatistics(
+  vtkRayTracedMapper* mapper, const rtglyphs::RayTracedDataStatistics& statistics)
+{
+  if (const Display* known = this->Find(mapper))
+  {
+    this->All[known - this->All.data()].Data = statistics;
+  }
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::RayTracedDisplays::Content
+rtglyphs::RayTracedDisplays::Update(vtkRenderer* renderer, const std::function<void(const std::string&)>& report)
+{
+  Content content;
+  for (Display& display : this->All)
+  {
+    vtkRayTracedMapper* mapper = display.Mapper;
+    display.Shown = false;
+    vtkActor* actor = display.Actor;
+    if (!actor || !actor->GetVisibility())
+    {
+      continue;
+    }
+    try
+    {
+      mapper->Update(actor);
+    }
+    catch (const std::bad_alloc&)
+    {
+      report("Ray Traced Glyphs: the computer's memory does not suffice to make the glyphs "
+             "of these data. Show fewer "
+             "(GlyphMode, MaximumNumberOfGlyphs) or hide other data.");
+      continue;
+    }
+    if (mapper->GetNumberOfGlyphs() == 0)
+    {
+      continue;
+    }
+    const rtg::Material material = this->GetMaterial(static_cast<int>(&display - this->All.data()), renderer);
+    if (display.MaterialVersion == 0 || !(display.Material == material))
+    {
+      display.Material = material;
+      display.MaterialVersion = ++this->MaterialVersions;
+    }
+    display.Shown = true;
+    display.Translucent = material.opacity < 1.0f || mapper->IsTranslucent();
+    content.push_back({ { mapper->GetInstanceVersion(), mapper->GetColorVersion(), display.MaterialVersion } });
+  }
+  return content;
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::RayTracedDisplays::Shows(int pass) const
+{
+  const bool translucent = pass == static_cast<int>(rtg::Pass::Translucent);
+  return std::any_of(this->All.begin(), this->All.end(),
+    [translucent](const Display& display) { return display.Shown && display.Translucent == translucent; });
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::RayTracedDisplays::ShowsAnything() const
+{
+  return std::any_of(this->All.begin(), this->All.end(), [](const Display& display) { return display.Shown; });
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::RayTracedDisplays::AnyVisible() const
+{
+  return std::any_of(this->All.begin(), this->All.end(),
+    [](const Display& display) { return display.Actor && display.Actor->GetVisibility(); });
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedDisplays::Commit(rtg::Scene& scene, std::uint64_t sceneNumber)
+{
+  for (Display& display : this->All)
+  {
+    vtkRayTracedMapper* mapper = display.Mapper;
+    const bool known = display.Scene == sceneNumber;
+    if (!display.Shown)
+    {
+      if (known)
+      {
+        scene.Remove(display.Set);
+        display.Scene = 0;
+      }
+      continue;
+    }
+    if (!known)
+    {
+      display.Set = scene.Add();
+      display.Scene = sceneNumber;
+      display.SentInstances = display.SentColors = display.SentMaterial = 0;
+    }
+    if (display.SentInstances != mapper->GetInstanceVersion())
+    {
+      scene.SetInstances(display.Set, mapper->TakeInstances(display.Actor));
+      display.SentInstances = mapper->GetInstanceVersion();
+      display.SentColors = 0; // the kernels forget a set's colors with its glyphs
+    }
+    if (display.SentColors != mapper->GetColorVersion())
+    {
+      scene.SetColours(display.Set, mapper->GetColors());
+      display.SentColors = mapper->GetColorVersion();
+    }
+    if (display.SentMaterial != display.MaterialVersion)
+    {
+      scene.SetMaterial(display.Set, display.Material);
+      display.SentMaterial = display.MaterialVersion;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+std::vector<rtglyphs::RayTracedNeighbors::Shown>
+rtglyphs::RayTracedDisplays::GetShown(rtglyphs::RayTracedImages& images, std::vector<rtg::GlyphInstances>& built) const
+{
+  std::vector<rtglyphs::RayTracedNeighbors::Shown> shown;
+  built.reserve(this->All.size());
+  for (std::size_t i = 0; i < this->All.size(); ++i)
+  {
+    const Display& display = this->All[i];
+    if (!display.Shown)
+    {
+      continue;
+    }
+    const rtg::GlyphInstances* instances = display.Mapper->GetInstances();
+    rtg::Scene* scene = images.GetScene();
+    if (!instances && scene && display.Scene == images.GetSceneNumber() &&
+      display.SentInstances == display.Mapper->GetInstanceVersion())
+    {
+      instances = &scene->InstancesOf(display.Set);
+    }
+    if (!instances)
+    {
+      instances = &built.emplace_back(display.Mapper->TakeInstances(display.Actor));
+    }
+    shown.push_back({ static_cast<int>(i), instances, &display.Mapper->GetColors() });
+  }
+  return shown;
+}
+
+//----------------------------------------------------------------------------
+rtg::Material rtglyphs::RayTracedDisplays::GetMaterial(int display, vtkRenderer* renderer) const
+{
+  const Display& of = this->All[display];
+  rtg::Material material = rtglyphs::RayTracedRendererState::MaterialOf(of.Actor->GetProperty(), renderer);
+  of.Mapper->AddToMaterial(material);
+  return material;
+}

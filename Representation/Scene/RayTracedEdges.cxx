@@ -1,0 +1,227 @@
+#include "RayTracedEdges.h"
+
+#include "RayTracedExchange.h"
+#include "Tracer.h"
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
+
+#include <algorithm>
+#include <array>
+#include <climits>
+#include <cstring>
+
+namespace
+{
+// What a rank shows in a pixel.
+struct Fragment
+{
+  std::uint32_t Pixel, Color;
+  float Depth;
+  std::uint32_t Rank;
+};
+
+// What lies behind what it shows there.
+struct Behind
+{
+  std::uint32_t Pixel, Color;
+  float Depth;
+};
+
+std::uint32_t AlphaOf(std::uint32_t color)
+{
+  return color >> 24;
+}
+
+bool IsEdge(std::uint32_t color)
+{
+  return AlphaOf(color) > 0 && AlphaOf(color) < 255;
+}
+
+template <class Item>
+void Append(std::vector<char>& message, const Item& item)
+{
+  const auto* bytes = reinterpret_cast<const char*>(&item);
+  message.insert(message.end(), bytes, bytes + sizeof(item));
+}
+
+template <class Item>
+std::vector<Item> ItemsOf(const std::vector<char>& bytes)
+{
+  std::vector<Item> items(bytes.size() / sizeof(Item));
+  if (!items.empty())
+  {
+    std::memcpy(items.data(), bytes.data(), items.size() * sizeof(Item));
+  }
+  return items;
+}
+
+// Of the fragments of one pixel, the nearest first. Straight colors in, straight color out.
+std::uint32_t Over(const Fragment* first, const Fragment* end)
+{
+  std::array<double, 3> sum{};
+  double clear = 1.0;
+  for (const Fragment* at = first; at != end && clear > 0.0; ++at)
+  {
+    const double share = clear * AlphaOf(at->Color) / 255.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      sum[i] += share * ((at->Color >> (8 * i)) & 255u);
+    }
+    clear = AlphaOf(at->Color) == 255 ? 0.0 : clear - share;
+  }
+  std::uint32_t color = static_cast<std::uint32_t>((1.0 - clear) * 255.0 + 0.5) << 24;
+  for (int i = 0; i < 3; ++i)
+  {
+    color |= std::min(static_cast<std::uint32_t>(sum[i] / (1.0 - clear) + 0.5), 255u) << (8 * i);
+  }
+  return color;
+}
+
+// The first pixel of a rank's share of the picture.
+std::size_t BeginOf(int rank, int ranks, std::size_t pixels)
+{
+  return pixels * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks);
+}
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedEdges::Forget()
+{
+  this->Colors = {};
+  this->Depths = {};
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedEdges::Clear()
+{
+  this->Forget();
+  this->Front = nullptr;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedEdges::Draw(
+  const rtg::Image* image, vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
+{
+  if (image == this->Front && !this->Colors.empty())
+  {
+    this->Quad.SetImage(window, image->width, image->height, this->Colors.data(), this->Depths.data(), this->Version);
+    this->Quad.Draw(renderer, actor, mapper, rtglyphs::RayTracedImageQuad::BLEND);
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedEdges::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Quad.ReleaseGraphicsResources(window);
+}
+
+//----------------------------------------------------------------------------
+// Every rank takes part in every collective call, whatever has gone wrong on it.
+std::string rtglyphs::RayTracedEdges::Exchange(
+  vtkMultiProcessController* controller, const rtg::Image* image, std::uint64_t version)
+{
+  const bool changed = image != this->Front || (image && version != this->FrontVersion);
+  this->Front = image;
+  this->FrontVersion = version;
+  const int ranks = controller->GetNumberOfProcesses();
+  const int own = controller->GetLocalProcessId();
+  const std::size_t ownPixels = image ? std::size_t(image->width) * image->height : 0;
+
+  // Ranks that show nothing have an image of any size.
+  const int width = image ? static_cast<int>(image->width) : 0, height = image ? static_cast<int>(image->height) : 0;
+  const int flags[5] = { changed, image ? width : 0, image ? -width : INT_MIN, image ? height : 0,
+    image ? -height : INT_MIN };
+  int largest[5];
+  controller->AllReduce(flags, largest, 5, vtkCommunicator::MAX_OP);
+  if (!largest[0])
+  {
+    return std::string();
+  }
+  this->Forget();
+  if (largest[1] == 0 || largest[1] != -largest[2] || largest[3] != -largest[4])
+  {
+    return std::string();
+  }
+
+  // Pixels in which any rank shows an edge
+  const std::size_t pixels = static_cast<std::size_t>(largest[1]) * static_cast<std::size_t>(largest[3]);
+  std::vector<unsigned char> edges((pixels + 7) / 8, 0), ofAny(edges.size());
+  for (std::size_t i = 0; i < ownPixels; ++i)
+  {
+    edges[i / 8] |= static_cast<unsigned char>(IsEdge(image->colour[i]) << (i % 8));
+  }
+  controller->AllReduce(
+    edges.data(), ofAny.data(), static_cast<vtkIdType>(edges.size()), vtkCommunicator::BITWISE_OR_OP);
+
+  // To the rank that looks through the pixel
+  rtglyphs::RayTracedExchange fragments;
+  std::vector<std::vector<char>> messages(ranks);
+  fragments.Try(
+    [&]
+    {
+      for (int to = 0; to < ranks && ownPixels > 0; ++to)
+      {
+        for (std::size_t i = BeginOf(to, ranks, pixels); i < BeginOf(to + 1, ranks, pixels); ++i)
+        {
+          if (((ofAny[i / 8] >> (i % 8)) & 1) && AlphaOf(image->colour[i]) > 0)
+          {
+            Append(messages[to],
+              Fragment{
+                static_cast<std::uint32_t>(i), image->colour[i], image->depth[i], static_cast<std::uint32_t>(own) });
+          }
+        }
+      }
+    });
+  if (!fragments.Send(controller, std::move(messages)))
+  {
+    return fragments.Problem;
+  }
+
+  // To the rank in front, where it shows an edge before another's
+  rtglyphs::RayTracedExchange behind;
+  std::vector<std::vector<char>> answers(ranks);
+  behind.Try(
+    [&]
+    {
+      std::vector<Fragment> all = ItemsOf<Fragment>(fragments.Bytes);
+      std::sort(all.begin(), all.end(),
+        [](const Fragment& a, const Fragment& b) {
+          return a.Pixel != b.Pixel ? a.Pixel < b.Pixel : a.Depth != b.Depth ? a.Depth < b.Depth : a.Rank < b.Rank;
+        });
+      for (std::size_t first = 0, end = 0; first < all.size(); first = end)
+      {
+        while (end < all.size() && all[end].Pixel == all[first].Pixel)
+        {
+          ++end;
+        }
+        if (end - first > 1 && IsEdge(all[first].Color))
+        {
+          const Fragment& next = all[first + 1];
+          Append(answers[all[first].Rank], Behind{ next.Pixel, Over(&next, all.data() + end), next.Depth });
+        }
+      }
+    });
+  if (!behind.Send(controller, std::move(answers)))
+  {
+    return behind.Problem;
+  }
+  behind.Try(
+    [&]
+    {
+      const std::vector<Behind> arrived = ItemsOf<Behind>(behind.Bytes);
+      if (!arrived.empty())
+      {
+        std::vector<std::uint32_t> colors(ownPixels, 0);
+        std::vector<float> depths(ownPixels, 1.0f);
+        for (const Behind& pixel : arrived)
+        {
+          colors[pixel.Pixel] = pixel.Color;
+          depths[pixel.Pixel] = pixel.Depth;
+        }
+        this->Colors = std::move(colors);
+        this->Depths = std::move(depths);
+        ++this->Version;
+      }
+    });
+  return behind.Problem;
+}

@@ -1,0 +1,50 @@
+/**
+ * The anti-aliasing in screen space (FXAA) of a view, but for ray-traced images: their edges are smooth already, and
+ * FXAA would blur them and, in transparent screenshots, which are made of a picture before white and one before black,
+ * tear holes.
+ */
+#ifndef RayTracedFXAA_h
+#define RayTracedFXAA_h
+
+#include "vtkNew.h"
+
+#include <functional>
+
+class vtkOpenGLFXAAFilter;
+class vtkRenderer;
+class vtkTextureObject;
+
+namespace rtglyphs
+{
+
+class RayTracedFXAA
+{
+public:
+  RayTracedFXAA();
+  ~RayTracedFXAA();
+
+  ///@{
+  /**
+   * Before a frame is drawn: takes FXAA over from the renderer where it is on. After it: gives it back.
+   */
+  void Take(vtkRenderer* renderer);
+  void GiveBack(vtkRenderer* renderer);
+  ///@}
+
+  /**
+   * When all is drawn: FXAA where it was taken, and then `drawKept` with the pixels as they were before.
+   */
+  void Apply(vtkRenderer* renderer, const std::function<void(vtkTextureObject*)>& drawKept);
+
+  void ReleaseGraphicsResources();
+
+private:
+  vtkNew<vtkOpenGLFXAAFilter> Filter;
+  vtkNew<vtkTextureObject> Pixels;
+  bool Taken = false;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: RayTracedFXAA.h

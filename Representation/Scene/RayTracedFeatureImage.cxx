@@ -1,0 +1,103 @@
+#include "RayTracedFeatureImage.h"
+
+#include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRayTracedMapper.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkXMLImageDataWriter.h"
+
+namespace
+{
+template <class Array>
+Array* Add(vtkImageData* data, const char* name, int components)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(data->GetNumberOfPoints());
+  data->GetPointData()->AddArray(array);
+  return array;
+}
+
+// Every rank has an image of its own.
+std::string NameOfRank(const std::string& name)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (!controller || controller->GetNumberOfProcesses() < 2)
+  {
+    return name;
+  }
+  const std::string rank = "-" + std::to_string(controller->GetLocalProcessId());
+  const std::size_t dot = name.find_last_of("./\\");
+  return dot == std::string::npos || name[dot] != '.' ? name + rank : name.substr(0, dot) + rank + name.substr(dot);
+}
+}
+
+//----------------------------------------------------------------------------
+std::string rtglyphs::RayTracedFeatureImage::Write(const std::string& fileName,
+  const std::vector<const rtg::Image*>& images, const rtg::Scene& scene,
+  const std::map<rtg::Scene::SetId, vtkRayTracedMapper*>& mappers, double eyeDepth)
+{
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(static_cast<int>(images[0]->width), static_cast<int>(images[0]->height), 1);
+  auto* colors = Add<vtkUnsignedCharArray>(data, "Color", 4);
+  auto* windowDepths = Add<vtkFloatArray>(data, "WindowDepth", 1);
+  auto* viewDepths = Add<vtkFloatArray>(data, "ViewDepth", 1);
+  auto* normals = Add<vtkFloatArray>(data, "Normal", 3);
+  auto* albedos = Add<vtkFloatArray>(data, "Albedo", 3);
+  auto* representations = Add<vtkIntArray>(data, "Representation", 1);
+  auto* ids = Add<vtkIdTypeArray>(data, "OriginalId", 1);
+  auto* blocks = Add<vtkIntArray>(data, "CompositeIndex", 1);
+  auto* samples = Add<vtkIntArray>(data, "SampleCount", 1);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const rtg::Image* image = images[0];
+    for (const rtg::Image* other : images)
+    {
+      image = other->depth[i] < image->depth[i] ? other : image;
+    }
+    const std::uint32_t color = image->colour[i];
+    colors->SetTuple4(i, color & 255, (color >> 8) & 255, (color >> 16) & 255, color >> 24);
+    windowDepths->SetValue(i, image->depth[i]);
+    viewDepths->SetValue(
+      i, image->normals[i] == glm::vec3(0.0f) ? 0.0f : image->viewDepths[i] + static_cast<float>(eyeDepth));
+    const glm::vec3 normal = image->normals[i], albedo = image->albedos[i];
+    normals->SetTuple3(i, normal.x, normal.y, normal.z);
+    albedos->SetTuple3(i, albedo.x, albedo.y, albedo.z);
+    samples->SetValue(i, static_cast<int>(image->samples));
+
+    const auto source = mappers.find(image->setIds[i]);
+    const bool hit = image->glyphIds[i] != rtg::Image::noGlyph && source != mappers.end();
+    vtkRayTracedMapper::Origin origin;
+    if (hit)
+    {
+      const double anywhere[3] = { 0.0, 0.0, 0.0 };
+      origin = source->second->OriginOf(
+        scene.OriginalGlyph(source->first, image->glyphIds[i]), source->second->GetNaturalAssociation(), anywhere);
+    }
+    // Sets are numbered in the order in which they came.
+    representations->SetValue(i, hit ? static_cast<int>(std::distance(mappers.begin(), source)) : -1);
+    ids->SetValue(i, origin.Id);
+    blocks->SetValue(i, static_cast<int>(origin.CompositeIndex));
+  }
+
+  const std::string name = NameOfRank(fileName);
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetFileName(name.c_str());
+  writer->SetInputData(data);
+  // Raw bytes in XML are refused by newer versions of libexpat.
+  writer->SetDataModeToBinary();
+  const vtkTypeBool shown = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::SetGlobalWarningDisplay(0); // one message is enough
+  const bool written = writer->Write() != 0 && writer->GetErrorCode() == vtkErrorCode::NoError;
+  vtkObject::SetGlobalWarningDisplay(shown);
+  return written ? std::string()
+                 : "The feature image could not be written to '" + name +
+      "'. Give the path of a file (.vti) in a folder that exists and may be written to.";
+}

@@ -1,0 +1,81 @@
+/**
+ * What a view says of its last frame: how far it is, its samples, and its statistics, of all ranks that rendered it
+ * together.
+ */
+#ifndef RayTracedFrameStatus_h
+#define RayTracedFrameStatus_h
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkMultiProcessController;
+namespace rtglyphs
+{
+class RayTracedContent;
+
+class RayTracedFrameStatus
+{
+public:
+  /**
+   * Of one frame, on one rank.
+   */
+  struct Frame
+  {
+    double Progress = 1.0; // the least of its images, in [0, 1]
+    double Samples = 0.0;  // a pixel, the least of its images
+    bool Compiling = false;
+    bool Stereo = false;
+    int Eye = 0; // 0 or 1
+  };
+
+  /**
+   * What all ranks must know of a frame that they rendered together is put together here: to be called by all of them
+   * at once. `ranks` may be null.
+   */
+  void SetFrame(Frame frame, vtkMultiProcessController* ranks);
+
+  /**
+   * Nothing is waited for any more.
+   */
+  void Finish();
+
+  /**
+   * What a frame that is not finished waits for.
+   */
+  static const char* NameOfStep(bool compiling) { return compiling ? "Compiling Programs" : "Ray Tracing"; }
+
+  ///@{
+  /**
+   * Counts of glyphs, bytes and rays: of this rank, until they are summed over all. SumNumbers() is to be called by all
+   * ranks at once.
+   */
+  void SumNumbers(vtkMultiProcessController* ranks, const RayTracedContent& content);
+  void ForgetSums() { this->SummedNumbers.clear(); }
+  ///@}
+
+  /**
+   * JSON: the device; samples a pixel that all images of the last frame have; progress of that frame in [0, 1] (1:
+   * another one would change nothing), and what it waits for; all counters; and as "representations" those of each, by
+   * its vtkPVDataRepresentation::GetUniqueIdentifier(). Samples and progress are the least of both eyes and of all
+   * ranks that rendered the frame together.
+   */
+  std::string GetStatistics(const RayTracedContent& content);
+
+private:
+  // Of each eye.
+  double Progress[2] = { 1.0, 1.0 };
+  double Samples[2] = { 0.0, 0.0 };
+  bool Compiling = false;
+  bool Stereo = false;
+  int Eye = 0; // of the last frame
+  // The view's numbers, then those of each display, of the last frame that ranks rendered together; or none.
+  std::vector<double> SummedNumbers;
+  std::uint64_t Pulls = 0; // of the statistics
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: RayTracedFrameStatus.h

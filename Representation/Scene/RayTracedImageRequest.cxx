@@ -1,0 +1,92 @@
+#include "RayTracedImageRequest.h"
+
+#include "RayTracedStudioLight.h"
+
+#include <algorithm>
+
+namespace
+{
+// Seconds of one step of the images of a frame in the window: a camera that is turned meanwhile waits so long.
+constexpr double stepSeconds = 0.1;
+
+// Settings that mean nothing to the shading stay at their defaults: no image is traced again for them.
+rtg::TraceSettings ToTraceSettings(const rtglyphs::RayTracedImageSettings& from)
+{
+  rtg::TraceSettings settings;
+  settings.shading = static_cast<rtg::Shading>(from.ShadingMode);
+  if (settings.shading == rtg::Shading::AmbientOcclusion)
+  {
+    settings.occlusionRadius = static_cast<float>(from.AmbientOcclusionRadius);
+    settings.occlusionRays = static_cast<std::uint32_t>(from.SecondaryRays > 0 ? from.SecondaryRays : 8);
+  }
+  if (settings.shading == rtg::Shading::PathTracing)
+  {
+    settings.paths = static_cast<std::uint32_t>(from.SecondaryRays > 0 ? from.SecondaryRays : 4);
+    settings.maximumBounces = static_cast<std::uint32_t>(from.MaximumBounces);
+  }
+  if (settings.shading != rtg::Shading::Local)
+  {
+    settings.lightIntensity = static_cast<float>(from.LightIntensity);
+    settings.environmentColour =
+      glm::vec3(from.EnvironmentColor[0], from.EnvironmentColor[1], from.EnvironmentColor[2]);
+  }
+  if (from.ToneMapping != rtglyphs::RayTracedImageSettings::AutomaticToneMapping)
+  {
+    settings.toneMapping = static_cast<rtg::ToneMapping>(from.ToneMapping);
+  }
+  else if (settings.shading != rtg::Shading::Local)
+  {
+    settings.toneMapping = rtg::ToneMapping::Neutral;
+  }
+  settings.exposure = static_cast<float>(from.Exposure);
+  return settings;
+}
+}
+
+//----------------------------------------------------------------------------
+rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTracedImageSettings& settings,
+  vtkRenderer* renderer, rtg::Pass pass, std::uint32_t width, std::uint32_t height,
+  rtglyphs::RayTracedRendererState::Environment& environment)
+{
+  rtg::ImageView view;
+  view.camera =
+    rtglyphs::RayTracedRendererState::CameraOf(renderer, rtglyphs::RayTracedRendererState::WorldToClip(renderer));
+  view.pass = pass;
+  view.settings = ToTraceSettings(settings);
+  view.settings.width = width;
+  view.settings.height = height;
+  // Headlight and light kit make up for the lack of light from all around; path tracing has that.
+  const bool surrounded = view.settings.shading == rtg::Shading::PathTracing && settings.LightIntensity > 0.0;
+  view.lights = rtglyphs::RayTracedRendererState::LightsOf(renderer, /*placedOnly=*/surrounded);
+  if (surrounded)
+  {
+    environment = rtglyphs::RayTracedRendererState::EnvironmentOf(renderer, environment);
+    view.settings.environmentImage = environment.Image;
+  }
+  const bool lit = view.settings.shading == rtg::Shading::AmbientOcclusion || surrounded;
+  if (lit && settings.Illumination == rtglyphs::RayTracedImageSettings::StudioLight && !view.settings.environmentImage)
+  {
+    rtglyphs::RayTracedStudioLight::Apply(view, renderer);
+  }
+  return view;
+}
+
+//----------------------------------------------------------------------------
+rtg::ImageEffort
+rtglyphs::RayTracedImageRequest::EffortOf(const rtglyphs::RayTracedImageSettings& settings, const Frame& frame)
+{
+  rtg::ImageEffort effort;
+  effort.samples = static_cast<std::uint32_t>(settings.SamplesPerPixel);
+  const bool stepwise = settings.IsStepwise() && !frame.Capture;
+  effort.samplesAtOnce = frame.Capture || stepwise ? 0 : static_cast<std::uint32_t>(settings.SamplesPerRender);
+  effort.seconds = stepwise ? stepSeconds / frame.Images : 0.0;
+  effort.preview = frame.Interactive;
+  // Pixels that need more than one ray are spared more of them, for the camera to answer as fast.
+  const bool noisy = settings.ShadingMode != static_cast<int>(rtg::Shading::Local);
+  effort.pixelStep =
+    static_cast<std::uint32_t>(settings.InteractiveReduction + (noisy && settings.InteractiveReduction > 1 ? 1 : 0));
+  effort.exact = frame.Capture || settings.SamplesPerRender == 0;
+  effort.denoising = static_cast<rtg::Denoising>(settings.Denoising);
+  effort.features = frame.Features;
+  return effort;
+}

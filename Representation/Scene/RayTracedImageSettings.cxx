@@ -1,0 +1,27 @@
+#include "RayTracedImageSettings.h"
+
+#include "RayTracedNumbers.h"
+
+using namespace rtglyphs::RayTracedNumbers;
+
+//----------------------------------------------------------------------------
+rtglyphs::RayTracedImageSettings rtglyphs::RayTracedImageSettings::InRange() const
+{
+  const rtglyphs::RayTracedImageSettings standard;
+  rtglyphs::RayTracedImageSettings s = *this;
+  PutInRange(s.ShadingMode, 0, 2);
+  PutInRange(s.AmbientOcclusionRadius, 0.0, 1e30, standard.AmbientOcclusionRadius);
+  PutInRange(s.SecondaryRays, 0, 64);
+  PutInRange(s.MaximumBounces, 1, 1000);
+  PutInRange(s.Illumination, StudioLight, UniformLight);
+  PutInRange(s.LightIntensity, 0.0, 1e6, standard.LightIntensity);
+  s.EnvironmentColor = ColorInRange(s.EnvironmentColor[0], s.EnvironmentColor[1], s.EnvironmentColor[2]);
+  PutInRange(s.ToneMapping, 0, AutomaticToneMapping);
+  PutInRange(s.Exposure, -100.0, 100.0, standard.Exposure);
+  PutInRange(s.Denoising, 0, 2);
+  PutInRange(s.SamplesPerPixel, 1, 65536);
+  PutInRange(s.SamplesPerRender, WhatTimeAllows, 65536);
+  PutInRange(s.InteractiveReduction, 1, 16);
+  PutInRange(s.ParallelLight, LocalLight, ReplicatedLight);
+  return s;
+}

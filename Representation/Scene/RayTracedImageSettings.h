@@ -1,0 +1,47 @@
+/**
+ * How the image of a view is lit, denoised and displayed, and how many samples it gets.
+ */
+#ifndef RayTracedImageSettings_h
+#define RayTracedImageSettings_h
+
+#include <array>
+
+namespace rtglyphs
+{
+
+struct RayTracedImageSettings
+{
+  int ShadingMode = 0;                 // as rtg::Shading, in [0, 2]
+  double AmbientOcclusionRadius = 0.0; // world units, >= 0; 0: unbounded
+  int SecondaryRays = 0;               // a sample, in [0, 64]; 0: what suits the shading mode
+  int MaximumBounces = 10;             // of path tracing, in [1, 1000]
+  int Illumination = 0;                // where the light from all around comes from
+  static constexpr int StudioLight = 0, UniformLight = 1;
+  double LightIntensity = 1.0;                             // in [0, 1e6]
+  std::array<double, 3> EnvironmentColor{ 1.0, 1.0, 1.0 }; // in [0, 1]
+  int ToneMapping = 3;                                     // as rtg::ToneMapping, or
+  static constexpr int AutomaticToneMapping = 3;           // Neutral where the image is light
+  double Exposure = 0.0;                                   // stops, in [-100, 100]
+  int Denoising = 1;                                       // as rtg::Denoising, in [0, 2]
+  int SamplesPerPixel = 16;                                // of a finished image, in [1, 65536]
+  int SamplesPerRender = 0;                                // in [-1, 65536]; 0: all
+  static constexpr int WhatTimeAllows = -1;                // the window renders until the image is finished
+  int InteractiveReduction = 2;                            // every n-th pixel while the camera moves, in [1, 16]
+  int ParallelLight = 0;                                   // of several ranks: what each has of the others' glyphs
+  static constexpr int LocalLight = 0, NeighborLight = 1, ReplicatedLight = 2;
+
+  bool IsReplicated() const { return this->ParallelLight >= ReplicatedLight; }
+  bool IsStepwise() const { return this->SamplesPerRender == WhatTimeAllows; }
+
+  bool operator==(const RayTracedImageSettings&) const = default;
+
+  /**
+   * The same with values out of range replaced by the nearest in it, NaN by the default.
+   */
+  RayTracedImageSettings InRange() const;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: RayTracedImageSettings.h

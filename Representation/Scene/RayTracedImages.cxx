@@ -1,0 +1,244 @@
+#include "RayTracedImages.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace
+{
+// Images of one pass that are kept: two eyes, and as many of a capture.
+constexpr std::size_t mostEntries = 4 * rtglyphs::RayTracedImages::Passes;
+// Frames after which an image that none of them has used is given up.
+constexpr std::uint64_t patience = 6;
+
+// The device lives as long as the process, and with it its compiled programs: whoever closes the last view with glyphs
+// and opens another waits for none of them. At exit it is not destroyed, because its driver may be unloaded by then.
+std::shared_ptr<rtg::Device> DeviceOfProcess()
+{
+  static auto* const kept = new std::shared_ptr<rtg::Device>;
+  *kept = rtg::Device::Shared();
+  return *kept;
+}
+}
+
+// What traces an entry's image.
+class rtglyphs::RayTracedImages::Source : public rtg::ImageSource
+{
+public:
+  Source(rtglyphs::RayTracedImages& images, Entry& entry, const std::function<void(rtg::Scene&)>& commit)
+    : Images(images)
+    , Own(entry)
+    , Commit(commit)
+  {
+  }
+
+  bool Prepare() override
+  {
+    if (!this->Images.Device || this->Images.Device->Lost())
+    {
+      this->Images.DropScene();
+      if (this->Images.Resources)
+      {
+        this->Images.Past += rtg::StatisticsOf(*this->Images.Resources);
+        this->Images.Resources.reset();
+      }
+      for (auto& [place, entry] : this->Images.Entries)
+      {
+        entry->Tracer.reset();
+      }
+      this->Images.Device.reset();
+      this->Images.Device = DeviceOfProcess();
+    }
+    if (!this->Images.Resources)
+    {
+      this->Images.Resources = rtg::MakeTracerResources(this->Images.Device);
+    }
+    if (!this->Images.Scene)
+    {
+      this->Images.Scene = std::make_unique<rtg::Scene>(this->Images.Device);
+      ++this->Images.SceneNumber;
+    }
+    try
+    {
+      this->Commit(*this->Images.Scene);
+    }
+    catch (...)
+    {
+      // What was sent only in part must not be taken for whole.
+      this->Images.DropScene();
+      throw;
+    }
+    const bool kept = this->Own.Tracer && this->Own.SceneNumber == this->Images.SceneNumber;
+    if (!kept)
+    {
+      this->Own.Tracer = std::make_unique<rtg::Tracer>(this->Images.Resources);
+      this->Own.SceneNumber = this->Images.SceneNumber;
+    }
+    return kept;
+  }
+
+  rtg::Image
+  Trace(const rtg::ImageView& view, const rtg::TraceSettings& settings, const rtg::Interrupt& interrupt) override
+  {
+    return this->Own.Tracer->Trace(*this->Images.Scene, view.camera, view.lights, settings, view.pass, interrupt);
+  }
+
+  rtg::Image Resume(const rtg::Interrupt& interrupt) override
+  {
+    return this->Own.Tracer->Resume(*this->Images.Scene, interrupt);
+  }
+
+  std::function<std::vector<std::uint32_t>()> Denoise(const rtg::Image& image, std::stop_token stop) override
+  {
+    return this->Own.Tracer->Denoise(image, std::move(stop));
+  }
+
+  bool HasDevice() const override { return this->Images.Device && !this->Images.Device->Lost(); }
+  bool IsDeviceLost() const override { return this->Images.Device && this->Images.Device->Lost(); }
+  std::uint64_t HeldBytes() const override { return this->Images.Device ? this->Images.Device->HeldBytes() : 0; }
+
+  double Now() const override
+  {
+    const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
+    return now.count();
+  }
+
+private:
+  rtglyphs::RayTracedImages& Images;
+  Entry& Own;
+  const std::function<void(rtg::Scene&)>& Commit;
+};
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedImages::StartFrame()
+{
+  std::erase_if(this->Entries, [&](const auto& kept) { return kept.second->LastUsed + patience < this->Frame; });
+  while (this->Entries.size() > mostEntries)
+  {
+    this->Entries.erase(std::min_element(this->Entries.begin(), this->Entries.end(),
+      [](const auto& a, const auto& b) { return a.second->LastUsed < b.second->LastUsed; }));
+  }
+  ++this->Frame;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::RayTracedImages::Entry& rtglyphs::RayTracedImages::Get(const Place& place)
+{
+  std::unique_ptr<Entry>& entry = this->Entries[place];
+  if (!entry)
+  {
+    entry = std::make_unique<Entry>();
+  }
+  entry->LastUsed = this->Frame;
+  return *entry;
+}
+
+//----------------------------------------------------------------------------
+std::array<rtglyphs::RayTracedImages::Entry*, rtglyphs::RayTracedImages::Passes>
+rtglyphs::RayTracedImages::GetLast(Place place)
+{
+  std::array<Entry*, Passes> last{};
+  std::uint64_t frame = 1;
+  for (place.Pass = 0; place.Pass < Passes; ++place.Pass)
+  {
+    const auto found = this->Entries.find(place);
+    if (found != this->Entries.end() && found->second->Shown >= frame)
+    {
+      found->second->LastUsed = this->Frame;
+      last[place.Pass] = found->second.get();
+      frame = found->second->Shown;
+    }
+  }
+  for (Entry*& entry : last)
+  {
+    entry = entry && entry->Shown == frame ? entry : nullptr;
+  }
+  return last;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedImages::Draw(
+  Entry& entry, bool again, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
+{
+  entry.Quad.Draw(renderer, actor, mapper, rtglyphs::RayTracedImageQuad::BLEND);
+  entry.Drawn = this->Frame;
+  entry.Shown = again ? entry.Shown : entry.Drawn;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedImages::DrawKept(vtkRenderer* renderer, vtkTextureObject* pixels)
+{
+  for (auto& [place, entry] : this->Entries)
+  {
+    if (entry->Drawn == this->Frame)
+    {
+      entry->Quad.DrawKept(renderer, pixels);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::RayTracedImages::Entry* rtglyphs::RayTracedImages::FindSame(const rtg::ImageView& view)
+{
+  for (const auto& [place, entry] : this->Entries)
+  {
+    const rtg::ImageView& other = entry->Image.View();
+    if (entry->Image.GetState() != rtg::ProgressiveImage::State::Failed && entry->Image.IsComplete() &&
+      other.settings.shares == 1 && other.pass == view.pass && other.content == view.content &&
+      other.camera == view.camera && other.settings.width == view.settings.width &&
+      other.settings.height == view.settings.height)
+    {
+      return entry.get();
+    }
+  }
+  return nullptr;
+}
+
+//----------------------------------------------------------------------------
+const rtg::Image* rtglyphs::RayTracedImages::Update(Entry& entry, const rtg::ImageView& view,
+  const rtg::ImageEffort& effort, const rtg::Interrupt& interrupt, const std::function<void(rtg::Scene&)>& commit)
+{
+  Source source(*this, entry, commit);
+  return entry.Image.Update(source, view, effort, interrupt);
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedImages::DropScene()
+{
+  if (this->Scene)
+  {
+    this->Past += this->Scene->GetStatistics();
+    this->Scene.reset();
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedImages::DropImages()
+{
+  this->DropScene();
+  this->Entries.clear();
+}
+
+//----------------------------------------------------------------------------
+rtg::Statistics rtglyphs::RayTracedImages::GetStatistics() const
+{
+  rtg::Statistics sum = this->Past;
+  if (this->Scene)
+  {
+    sum += this->Scene->GetStatistics();
+  }
+  if (this->Resources)
+  {
+    sum += rtg::StatisticsOf(*this->Resources);
+  }
+  sum.deviceBytes = this->Device ? this->Device->HeldBytes() : 0;
+  return sum;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedImages::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& [place, entry] : this->Entries)
+  {
+    entry->Quad.ReleaseGraphicsResources(window);
+  }
+}

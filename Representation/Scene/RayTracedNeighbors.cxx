@@ -1,0 +1,182 @@
+#include "RayTracedNeighbors.h"
+
+#include "GlyphBoxes.h"
+#include "Neighbors.h"
+
+#include "RayTracedExchange.h"
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
+#include "vtkType.h"
+
+#include <array>
+#include <cstring>
+
+namespace
+{
+// Before each set on its way between ranks.
+struct Header
+{
+  std::int64_t Display;
+  std::uint64_t Size; // bytes that follow
+};
+
+void Append(std::vector<char>& message, int display, const std::vector<char>& bytes)
+{
+  if (!bytes.empty())
+  {
+    const Header header{ display, bytes.size() };
+    const auto* first = reinterpret_cast<const char*>(&header);
+    message.insert(message.end(), first, first + sizeof(header));
+    message.insert(message.end(), bytes.begin(), bytes.end());
+  }
+}
+
+// A box as six numbers; that of nothing has lower ends above its upper ones.
+std::array<double, 6> NumbersOf(const rtg::DoubleBox& box)
+{
+  return { { box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z } };
+}
+
+rtg::DoubleBox BoxOf(const double* numbers)
+{
+  return { { numbers[0], numbers[1], numbers[2] }, { numbers[3], numbers[4], numbers[5] } };
+}
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedNeighbors::Clear()
+{
+  if (this->Reach >= 0.0 || !this->Sets.empty())
+  {
+    this->Sets.clear();
+    this->Glyphs = this->Bytes = 0;
+    this->Reach = -1.0;
+    ++this->Version;
+  }
+}
+
+//----------------------------------------------------------------------------
+// Every rank takes part in every collective call, whatever has gone wrong on it.
+std::string rtglyphs::RayTracedNeighbors::Exchange(vtkMultiProcessController* controller, double reach, bool changed,
+  int displays, const std::function<std::vector<Shown>()>& shown)
+{
+  const int flags[3] = { changed || reach != this->Reach, displays, -displays };
+  int largest[3];
+  controller->AllReduce(flags, largest, 3, vtkCommunicator::MAX_OP);
+  if (largest[0] == 0)
+  {
+    return std::string();
+  }
+  this->Clear();
+  this->Reach = reach;
+  ++this->Version;
+  if (largest[1] != -largest[2])
+  {
+    return "Ray Traced Glyphs: ranks have " + std::to_string(-largest[2]) + " to " + std::to_string(largest[1]) +
+      " displays, so their glyphs do not shade each other. Render again.";
+  }
+
+  // Where each rank's neighborhood is
+  const int ranks = controller->GetNumberOfProcesses();
+  const int own = controller->GetLocalProcessId();
+  std::vector<Shown> sets;
+  std::vector<std::vector<rtg::Box>> boxes;
+  rtg::DoubleBox bounds;
+  rtglyphs::RayTracedExchange exchange;
+  exchange.Try(
+    [&]
+    {
+      sets = shown();
+      for (const Shown& set : sets)
+      {
+        boxes.push_back(rtg::GlyphBoxes(*set.Instances));
+        bounds.Include(rtg::BoundsOf(*set.Instances, boxes.back()));
+      }
+    });
+  const std::array<double, 6> numbers = NumbersOf(bounds);
+  std::vector<double> all(6 * static_cast<std::size_t>(ranks));
+  controller->AllGather(numbers.data(), all.data(), 6);
+
+  // What each of them gets from here
+  std::vector<std::vector<char>> messages(ranks);
+  exchange.Try(
+    [&]
+    {
+      for (int to = 0; to < ranks; ++to)
+      {
+        const rtg::DoubleBox region = BoxOf(&all[6 * to]);
+        for (std::size_t i = 0; to != own && !region.Empty() && i < sets.size(); ++i)
+        {
+          Append(messages[to], sets[i].Display,
+            rtg::PackNear(*sets[i].Instances, *sets[i].Colors, boxes[i], region.Widened(reach)));
+        }
+      }
+    });
+  if (exchange.Send(controller, std::move(messages)))
+  {
+    exchange.Try([&] { this->Receive(exchange.Bytes); });
+  }
+  if (exchange.Problem.empty())
+  {
+    return std::string();
+  }
+  this->Sets.clear();
+  return "Ray Traced Glyphs: glyphs of other ranks cannot shade those of this one (" + exchange.Problem +
+    "). Make AmbientOcclusionRadius smaller, or set ParallelLight to Local.";
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedNeighbors::Receive(const std::vector<char>& bytes)
+{
+  this->Bytes = bytes.size();
+  for (std::size_t at = 0; at + sizeof(Header) <= bytes.size();)
+  {
+    Header header;
+    std::memcpy(&header, bytes.data() + at, sizeof(header));
+    at += sizeof(header);
+    Set& set = this->Sets.emplace_back();
+    set.Display = static_cast<int>(header.Display);
+    rtg::Unpack({ bytes.begin() + at, bytes.begin() + at + header.Size }, set.Instances, set.Colors);
+    at += header.Size;
+    this->Glyphs += set.Instances.identifyTriangles ? set.Instances.mesh->triangles.size() : set.Instances.Count();
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedNeighbors::Commit(
+  rtg::Scene& scene, std::uint64_t sceneNumber, const std::function<rtg::Material(int display)>& material)
+{
+  if (this->SentScene != sceneNumber)
+  {
+    this->Sent.clear(); // they went with the scene
+    this->SentScene = sceneNumber;
+    this->SentVersion = 0;
+  }
+  if (this->SentVersion != this->Version)
+  {
+    for (const rtg::Scene::SetId id : this->Sent)
+    {
+      scene.Remove(id);
+    }
+    this->Sent.clear();
+    this->SentMaterials.assign(this->Sets.size(), rtg::Material());
+    for (const Set& set : this->Sets)
+    {
+      const rtg::Scene::SetId id = scene.Add();
+      this->Sent.push_back(id);
+      scene.SetSeen(id, false);
+      scene.SetInstances(id, set.Instances);
+      scene.SetColours(id, set.Colors);
+    }
+    this->SentVersion = this->Version;
+  }
+  for (std::size_t i = 0; i < this->Sent.size(); ++i)
+  {
+    const rtg::Material wanted = material(this->Sets[i].Display);
+    if (!(this->SentMaterials[i] == wanted))
+    {
+      scene.SetMaterial(this->Sent[i], wanted);
+      this->SentMaterials[i] = wanted;
+    }
+  }
+}

@@ -1,0 +1,86 @@
+/**
+ * Light across ranks: each rank gets the glyphs and triangles of the others that reach into its neighborhood, which
+ * shade what it shows and are not seen themselves.
+ *
+ * A rank's neighborhood is the box round what it shows, grown by the distance from which things occlude. What comes
+ * from others is asked for again only when something of any rank has changed.
+ */
+#ifndef RayTracedNeighbors_h
+#define RayTracedNeighbors_h
+
+#include "Glyphs.h"
+#include "Scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkMultiProcessController;
+
+namespace rtglyphs
+{
+
+class RayTracedNeighbors
+{
+public:
+  /**
+   * What this rank shows of a display. Displays have the same numbers on all ranks.
+   */
+  struct Shown
+  {
+    int Display = 0;
+    const rtg::GlyphInstances* Instances = nullptr;
+    const rtg::GlyphColours* Colors = nullptr;
+  };
+
+  /**
+   * To be called by all ranks at once. `changed`: what this rank shows is not what it was at the last call; only then,
+   * on some rank, `shown` is asked for. `displays` is the number of displays. Returns what went wrong on this rank;
+   * nobody is sent anything when something has gone wrong on any.
+   */
+  std::string Exchange(vtkMultiProcessController* controller, double reach, bool changed, int displays,
+    const std::function<std::vector<Shown>()>& shown);
+
+  void Clear();
+
+  /**
+   * Grows with each exchange.
+   */
+  std::uint64_t GetVersion() const { return this->Version; }
+
+  /**
+   * Brings the kernels' scene of that number up to date. `material` is that of a display.
+   */
+  void Commit(rtg::Scene& scene, std::uint64_t sceneNumber, const std::function<rtg::Material(int display)>& material);
+
+  ///@{
+  /**
+   * Of the last exchange: glyphs or triangles that came from other ranks, and the bytes in which they came.
+   */
+  std::uint64_t GetNumberOfGlyphs() const { return this->Glyphs; }
+  std::uint64_t GetNumberOfBytes() const { return this->Bytes; }
+  ///@}
+
+private:
+  struct Set
+  {
+    int Display = 0;
+    rtg::GlyphInstances Instances;
+    rtg::GlyphColours Colors;
+  };
+  void Receive(const std::vector<char>& bytes);
+
+  std::vector<Set> Sets;
+  std::uint64_t Version = 0, Glyphs = 0, Bytes = 0;
+  double Reach = -1.0; // of the last exchange; negative: there was none
+  // What of it the kernels have.
+  std::uint64_t SentVersion = 0, SentScene = 0;
+  std::vector<rtg::Scene::SetId> Sent;
+  std::vector<rtg::Material> SentMaterials;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: RayTracedNeighbors.h

@@ -1,0 +1,56 @@
+/**
+ * What the camera sees in a pixel: numbers for a renderer's hardware selector, and places. An image that is shown knows
+ * that; without one, one ray a pixel finds it.
+ */
+#ifndef RayTracedPicker_h
+#define RayTracedPicker_h
+
+#include "RayTracedImageQuad.h"
+
+#include <functional>
+#include <vector>
+
+namespace rtg
+{
+class ProgressiveImage;
+struct Image;
+}
+class vtkActor;
+class vtkRayTracedMapper;
+class vtkRenderer;
+class vtkWindow;
+namespace rtglyphs
+{
+class RayTracedContent;
+
+class RayTracedPicker
+{
+public:
+  using Failed = std::function<void(const rtg::ProgressiveImage&)>;
+
+  /**
+   * Draws a number in the place of each of the actor's pixels, 24 bits of it, as the renderer's selector asks for.
+   */
+  void DrawIds(RayTracedContent& content, vtkRenderer* renderer, vtkActor* actor, vtkRayTracedMapper* mapper,
+    const Failed& failed);
+
+  /**
+   * The point of the nearest ray-traced surface, of any display, that the camera sees in a pixel of the renderer;
+   * false: none.
+   */
+  static bool
+  PlaceAt(RayTracedContent& content, vtkRenderer* renderer, int x, int y, double place[3], const Failed& failed);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  static std::vector<const rtg::Image*>
+  ImagesWithIds(RayTracedContent& content, vtkRenderer* renderer, int width, int height, const Failed& failed);
+
+  RayTracedImageQuad Quad;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: RayTracedPicker.h

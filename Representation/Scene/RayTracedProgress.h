@@ -1,0 +1,59 @@
+/**
+ * Tells ParaView's progress bar what a frame is doing, once that has taken so long that somebody may wonder, and gives
+ * a frame its OpenGL context back when the bar was painted: a user interface paints with a context of its own.
+ */
+#ifndef RayTracedProgress_h
+#define RayTracedProgress_h
+
+#include "vtkNew.h"
+#include "vtkWeakPointer.h"
+
+#include <chrono>
+
+class vtkAlgorithm;
+class vtkCallbackCommand;
+class vtkOpenGLRenderWindow;
+class vtkPVProgressHandler;
+class vtkRenderWindow;
+
+namespace rtglyphs
+{
+
+class RayTracedProgress
+{
+public:
+  RayTracedProgress();
+  ~RayTracedProgress();
+  RayTracedProgress(const RayTracedProgress&) = delete;
+  RayTracedProgress& operator=(const RayTracedProgress&) = delete;
+
+  /**
+   * A frame of this window begins: its context and OpenGL state survive what is painted for progress, of this process
+   * or of a server that renders for it, until the frame ends.
+   */
+  void StartFrame(vtkRenderWindow* window);
+  void EndFrame();
+
+  /**
+   * Work begins, of which there is nothing to tell yet.
+   */
+  void Start();
+
+  /**
+   * `share` in [0, 1] of what `text` names is done.
+   */
+  void Tell(const char* text, double share);
+
+private:
+  vtkNew<vtkAlgorithm> Teller; // the bar knows algorithms only
+  bool IsKnown = false;
+  vtkNew<vtkCallbackCommand> Before, After; // what listens to progress
+  vtkWeakPointer<vtkPVProgressHandler> Handler;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  std::chrono::steady_clock::time_point Begin;
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: RayTracedProgress.h

@@ -1,0 +1,218 @@
+#include "RayTracedRendererState.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+
+#include "Shading/Shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+template <typename Vector>
+Vector ToVector(const double* v)
+{
+  return Vector(v[0], v[1], v[2]);
+}
+
+std::vector<vtkLight*> LightsOn(vtkRenderer* renderer)
+{
+  std::vector<vtkLight*> on;
+  vtkLightCollection* all = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  all->InitTraversal(iterator);
+  while (vtkLight* light = all->GetNextLight(iterator))
+  {
+    if (light->GetSwitch())
+    {
+      on.push_back(light);
+    }
+  }
+  return on;
+}
+}
+
+//----------------------------------------------------------------------------
+glm::dmat4 rtglyphs::RayTracedRendererState::WorldToClip(vtkRenderer* renderer)
+{
+  glm::dmat4 result(1.0);
+  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
+  if (!camera)
+  {
+    return result;
+  }
+  vtkMatrix4x4 *worldToView, *viewToClip, *worldToClip;
+  vtkMatrix3x3* normals;
+  camera->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);
+  // VTK keeps it transposed for OpenGL: its rows are GLM's columns.
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      result[i][j] = worldToClip->GetElement(i, j);
+    }
+  }
+  return result;
+}
+
+//----------------------------------------------------------------------------
+glm::dvec3 rtglyphs::RayTracedRendererState::PlaceOf(
+  std::size_t pixel, std::uint32_t width, std::uint32_t height, float depth, const glm::dmat4& clipToWorld)
+{
+  const glm::dvec4 clip(
+    2.0 * (pixel % width + 0.5) / width - 1.0, 2.0 * (pixel / width + 0.5) / height - 1.0, 2.0 * depth - 1.0, 1.0);
+  const glm::dvec4 world = clipToWorld * clip;
+  return glm::dvec3(world) / world.w;
+}
+
+//----------------------------------------------------------------------------
+rtg::Camera rtglyphs::RayTracedRendererState::CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip)
+{
+  rtg::Camera camera = rtg::Camera::FromWorldToClip(worldToClip);
+  if (camera.parallel)
+  {
+    camera.position = ToVector<glm::dvec3>(renderer->GetActiveCamera()->GetPosition());
+  }
+  return camera;
+}
+
+//----------------------------------------------------------------------------
+std::vector<rtg::Light> rtglyphs::RayTracedRendererState::LightsOf(vtkRenderer* renderer, bool placedOnly)
+{
+  const std::vector<vtkLight*> on = LightsOn(renderer);
+  const bool loneHeadlight = on.size() == 1 && on.front()->LightTypeIsHeadlight() && !on.front()->GetPositional();
+
+  std::vector<rtg::Light> lights;
+  for (vtkLight* light : on)
+  {
+    if (placedOnly && !light->LightTypeIsSceneLight() && !light->GetPositional())
+    {
+      continue;
+    }
+    rtg::Light converted;
+    converted.colour = ToVector<glm::vec3>(light->GetDiffuseColor()) * static_cast<float>(light->GetIntensity());
+    const glm::dvec3 position = ToVector<glm::dvec3>(light->GetTransformedPosition());
+    const glm::dvec3 focus = ToVector<glm::dvec3>(light->GetTransformedFocalPoint());
+    converted.position = position;
+    if (position != focus)
+    {
+      converted.direction = glm::normalize(focus - position);
+    }
+    if (loneHeadlight)
+    {
+      converted.kind = rtg::Light::Kind::Headlight;
+    }
+    else if (light->GetPositional())
+    {
+      converted.kind = rtg::Light::Kind::Positional;
+      converted.attenuation = ToVector<glm::vec3>(light->GetAttenuationValues());
+      converted.coneAngle = static_cast<float>(light->GetConeAngle());
+      converted.exponent = static_cast<float>(light->GetExponent());
+    }
+    else
+    {
+      converted.kind = rtg::Light::Kind::Directional;
+    }
+    lights.push_back(converted);
+  }
+  return lights;
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+// Wider environment images, or higher than half of it, are made smaller: one of 32768 x 16384 would take 6 GB twice.
+constexpr vtkIdType mostEnvironmentColumns = 4096;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::RayTracedRendererState::Environment
+rtglyphs::RayTracedRendererState::EnvironmentOf(vtkRenderer* renderer, const Environment& last)
+{
+  vtkTexture* texture = renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
+  vtkImageData* input = texture && !texture->GetCubeMap() ? texture->GetInput() : nullptr;
+  vtkDataArray* colours = input ? input->GetPointData()->GetScalars() : nullptr;
+  if (!colours || input->GetDimensions()[2] != 1)
+  {
+    return Environment();
+  }
+  const auto right = glm::normalize(ToVector<glm::vec3>(renderer->GetEnvironmentRight()));
+  const auto up = glm::normalize(ToVector<glm::vec3>(renderer->GetEnvironmentUp()));
+  Environment environment;
+  environment.Input = input;
+  environment.Time = input->GetMTime();
+  if (last.Image && last.Input == environment.Input && last.Time == environment.Time && last.Image->right == right &&
+    last.Image->up == up)
+  {
+    return last;
+  }
+  auto image = std::make_shared<rtg::EnvironmentImage>();
+  image->right = right;
+  image->up = up;
+  // Blocks of side x side texels become one, of their mean light: the light from an image asks for no more of them.
+  const vtkIdType columns = input->GetDimensions()[0], rows = input->GetDimensions()[1];
+  const vtkIdType side = std::max<vtkIdType>(1,
+    std::max((columns + mostEnvironmentColumns - 1) / mostEnvironmentColumns,
+      (2 * rows + mostEnvironmentColumns - 1) / mostEnvironmentColumns));
+  image->width = static_cast<std::uint32_t>((columns + side - 1) / side);
+  image->height = static_cast<std::uint32_t>((rows + side - 1) / side);
+  image->radiance.assign(std::size_t(image->width) * image->height, glm::vec3(0.0f));
+  const int components = colours->GetNumberOfComponents();
+  const bool display = colours->GetDataType() == VTK_UNSIGNED_CHAR;
+  for (vtkIdType y = 0; y < rows; ++y)
+  {
+    const vtkIdType blockRows = std::min(side, rows - y / side * side);
+    for (vtkIdType x = 0; x < columns; ++x)
+    {
+      glm::vec3 radiance;
+      for (int c = 0; c < 3; ++c)
+      {
+        // One component, or one and alpha: grey.
+        const double value = colours->GetComponent(y * columns + x, components >= 3 ? c : 0);
+        radiance[c] = static_cast<float>(display ? value / 255.0 : value);
+      }
+      radiance = display ? rtg::shading::DisplayToLinear(radiance) : radiance;
+      for (int c = 0; c < 3; ++c)
+      {
+        radiance[c] = std::isfinite(radiance[c]) ? std::max(radiance[c], 0.0f) : 0.0f;
+      }
+      const vtkIdType blockColumns = std::min(side, columns - x / side * side);
+      image->radiance[y / side * image->width + x / side] += radiance / static_cast<float>(blockRows * blockColumns);
+    }
+  }
+  environment.Image = std::move(image);
+  return environment;
+}
+
+//----------------------------------------------------------------------------
+rtg::Material rtglyphs::RayTracedRendererState::MaterialOf(vtkProperty* property, vtkRenderer* renderer)
+{
+  rtg::Material material;
+  material.colour = ToVector<glm::vec3>(property->GetDiffuseColor());
+  material.ambientColour = ToVector<glm::vec3>(property->GetAmbientColor());
+  material.specularColour = ToVector<glm::vec3>(property->GetSpecularColor());
+  material.ambient = static_cast<float>(property->GetAmbient());
+  material.diffuse = static_cast<float>(property->GetDiffuse());
+  material.specular = static_cast<float>(property->GetSpecular());
+  material.specularPower = static_cast<float>(property->GetSpecularPower());
+  material.opacity = static_cast<float>(property->GetOpacity());
+  material.metallic = static_cast<float>(property->GetMetallic());
+  material.roughness = static_cast<float>(property->GetRoughness());
+  material.coatStrength = static_cast<float>(property->GetCoatStrength());
+  material.coatRoughness = static_cast<float>(property->GetCoatRoughness());
+  material.coatIor = static_cast<float>(property->GetCoatIOR());
+  material.coatColour = ToVector<glm::vec3>(property->GetCoatColor());
+  material.lighting = property->GetLighting() && (renderer->GetAutomaticLightCreation() || !LightsOn(renderer).empty());
+  return material;
+}

@@ -1,0 +1,182 @@
+#include "RayTracedDomains.h"
+
+#include "Finite.h"
+#include "vtkClientServerInterpreter.h"
+#include "vtkClientServerInterpreterInitializer.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkSMBoundsDomain.h"
+#include "vtkSMEnumerationDomain.h"
+#include "vtkSMInputArrayDomain.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRayTracedArrayListDomain.h"
+#include "vtkSMSourceProxy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+// The arrays that glyphs of an input can use: of its points, or of its cells, by GlyphLocation. In XML it is written as
+// an InputArrayDomain of point arrays.
+class ArrayDomain final : public vtkSMInputArrayDomain
+{
+public:
+  int GetAttributeType() override
+  {
+    vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
+    if (glyphs && vtkSMPropertyHelper(glyphs, "GlyphLocation", /*quiet=*/true).GetAsInt() == 1)
+    {
+      return vtkSMInputArrayDomain::CELL;
+    }
+    vtkSMPropertyHelper input(this->GetProperty(), /*quiet=*/true);
+    auto* source = this->GetProperty() && input.GetNumberOfElements() > 0
+      ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy(0))
+      : nullptr;
+    if (source && source->GetOutputPortsCreated())
+    {
+      vtkPVDataInformation* data = source->GetDataInformation(input.GetOutputPort(0));
+      const bool grid = data->GetDataSetType() == VTK_HYPER_TREE_GRID ||
+        (data->IsCompositeDataSet() && data->HasDataSetType(VTK_HYPER_TREE_GRID));
+      if (grid)
+      {
+        return vtkSMInputArrayDomain::CELL;
+      }
+    }
+    return vtkSMInputArrayDomain::GetAttributeType();
+  }
+};
+
+// Where glyphs stand: on cells (1) where only these have directions or tensors.
+class LocationDomain final : public vtkSMEnumerationDomain
+{
+public:
+  int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override
+  {
+    const vtkSMPropertyHelper input(this->GetProperty()->GetParent(), "Input");
+    auto* source = input.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
+    vtkPVDataInformation* data =
+      source && source->GetOutputPortsCreated() ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
+    if (!data || vtkSMRayTracedArrayListDomain::HasDirectionsOrTensors(data->GetPointDataInformation()) ||
+      !vtkSMRayTracedArrayListDomain::HasDirectionsOrTensors(data->GetCellDataInformation()))
+    {
+      return 0;
+    }
+    vtkSMPropertyHelper helper(property);
+    helper.SetUseUnchecked(useUncheckedValues);
+    helper.Set(1);
+    return 1;
+  }
+};
+
+// Values of ShutterTime: from zero to a few times what the data suggest. Required properties:
+// Guess, an information property whose first element is what the data suggest, and FromData, which says whether that
+// counts. The default is to let it count, chosen anew: the data are asked when the view is next updated. ParaView's
+// panel gives domains of bounds a slider and a reset button.
+class ScaleDomain final : public vtkSMBoundsDomain
+{
+public:
+  void Update(vtkSMProperty*) override
+  {
+    vtkSMProperty* guess = this->GetRequiredProperty("Guess");
+    const double factor = guess ? vtkSMPropertyHelper(guess).GetAsDouble() : 0.0;
+    this->SetEntries(std::vector<vtkEntry>{ vtkEntry(0.0, factor > 0.0 ? 4.0 * factor : 1.0) });
+  }
+
+  int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override
+  {
+    vtkSMProperty* fromData = this->GetRequiredProperty("FromData");
+    if (!fromData)
+    {
+      return 0;
+    }
+    if (vtkSMPropertyHelper(fromData).GetAsInt() == 1)
+    {
+      fromData->Modified(); // so that the data are asked again
+    }
+    else
+    {
+      vtkSMPropertyHelper(fromData).Set(1);
+    }
+    if (useUncheckedValues && property->GetParent())
+    {
+      property->GetParent()->UpdateVTKObjects(); // the panel only takes over what it finds unchecked
+    }
+    return 1;
+  }
+};
+
+// Values of TubeRadius: from zero to a few times what the data suggest. Required properties: Input, and Array, the name
+// of an array of points or cells that the radius is multiplied by. The default is such that the thickest tube has a
+// radius of `scale_factor` times the longest side of the data.
+class RadiusDomain final : public vtkSMBoundsDomain
+{
+public:
+  void Update(vtkSMProperty*) override
+  {
+    vtkPVDataInformation* data = this->GetInputInformation();
+    double longest = 0.0;
+    if (data)
+    {
+      const double* bounds = data->GetBounds();
+      longest = std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+    }
+    this->Suggested = rtg::IsPositive(longest) ? this->GetScaleFactor() * longest / this->LargestValue() : 0.0;
+    this->SetEntries(std::vector<vtkEntry>{ vtkEntry(0.0, this->Suggested > 0.0 ? 4.0 * this->Suggested : 1.0) });
+  }
+
+  int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override
+  {
+    this->Update(nullptr); // the array may have changed just now
+    if (!(this->Suggested > 0.0))
+    {
+      return 0;
+    }
+    vtkSMPropertyHelper helper(property);
+    helper.SetUseUnchecked(useUncheckedValues);
+    helper.Set(this->Suggested);
+    return 1;
+  }
+
+private:
+  // Of the array of points of that name, or else of cells; 1 where there is none.
+  double LargestValue()
+  {
+    vtkSMProperty* named = this->GetRequiredProperty("Array");
+    const char* name = named ? vtkSMPropertyHelper(named).GetAsString() : nullptr;
+    vtkPVDataInformation* data = this->GetInputInformation();
+    vtkPVArrayInformation* array = nullptr;
+    if (data && name)
+    {
+      array = data->GetPointDataInformation()->GetArrayInformation(name);
+      array = array ? array : data->GetCellDataInformation()->GetArrayInformation(name);
+    }
+    const double* range = array ? array->GetComponentRange(0) : nullptr;
+    const double largest = range ? std::max(std::abs(range[0]), std::abs(range[1])) : 1.0;
+    return rtg::IsPositive(largest) ? largest : 1.0;
+  }
+
+  double Suggested = 0.0; // 0: nothing
+};
+
+template <class T>
+vtkObjectBase* NewDomain(void*)
+{
+  auto* made = new T;
+  made->InitializeObjectBase();
+  return made;
+}
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedDomains::Register()
+{
+  vtkClientServerInterpreter* interpreter = vtkClientServerInterpreterInitializer::GetGlobalInterpreter();
+  interpreter->AddNewInstanceFunction("vtkSMRayTracedArrayDomain", &NewDomain<ArrayDomain>);
+  interpreter->AddNewInstanceFunction("vtkSMRayTracedLocationDomain", &NewDomain<LocationDomain>);
+  interpreter->AddNewInstanceFunction("vtkSMRayTracedRadiusDomain", &NewDomain<RadiusDomain>);
+  interpreter->AddNewInstanceFunction("vtkSMRayTracedScaleDomain", &NewDomain<ScaleDomain>);
+}

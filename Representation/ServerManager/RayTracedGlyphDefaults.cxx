@@ -1,0 +1,218 @@
+#include "RayTracedGlyphDefaults.h"
+
+#include "RayTracedDefault.h"
+#include "RayTracedSuggestion.h"
+#include "vtkCommand.h"
+#include "vtkPVXMLElement.h"
+#include "vtkPVXMLParser.h"
+#include "vtkSMInputArrayDomain.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMProxyListDomain.h"
+#include "vtkSMRayTracedArrayListDomain.h"
+#include "vtkSMSession.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSmartPointer.h"
+
+#include <cstring>
+#include <vector>
+
+namespace
+{
+// ParaView names a display's representations to subclasses of its proxies only.
+struct Display : vtkSMProxy
+{
+  static vtkSMProxy* Representation(vtkSMProxy* display, const char* name)
+  {
+    vtkSMProxy* (vtkSMProxy::*representation)(const char*) = &Display::GetSubProxy;
+    return (display->*representation)(name);
+  }
+};
+
+// ParaView lets subclasses choose only.
+struct InputArrays : vtkSMInputArrayDomain
+{
+  static void List(vtkSMDomain* domain, int attributeType, const std::vector<int>& numbersOfComponents)
+  {
+    void (vtkSMInputArrayDomain::*set)(int) = &InputArrays::SetAttributeType;
+    if (auto* arrays = vtkSMInputArrayDomain::SafeDownCast(domain))
+    {
+      (arrays->*set)(attributeType);
+      arrays->*(&InputArrays::AcceptableNumbersOfComponents) = numbersOfComponents;
+    }
+  }
+};
+
+const char* const sharedArrays[] = { "SelectScaleArray", "SelectOrientationVectors" };
+
+// Those that ray-traced glyphs have another default of.
+const std::set<std::string> defaultedAnew = { "GlyphType", "Orient", "ScaleFactor", "Scaling", "SelectScaleArray",
+  "SelectOrientationVectors" };
+
+bool ShowsGlyphs(vtkSMProxy* display)
+{
+  vtkSMProperty* type = display->GetProperty("Representation");
+  return type && strcmp(vtkSMPropertyHelper(type).GetAsString(), "Ray Traced Glyphs") == 0;
+}
+
+bool IsNone(vtkSMProxy* display, const char* array)
+{
+  const char* value = vtkSMPropertyHelper(display, array).GetAsString();
+  return !value || !value[0] || strcmp(value, "None") == 0;
+}
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
+{
+  display->GetProperty("GlyphType")->SetPanelVisibility("default");
+  for (const char* name :
+    { "Orient", "ScaleFactor", "ScaleMode", "Scaling", "SelectOrientationVectors", "SelectScaleArray" })
+  {
+    display->GetProperty(name)->SetPanelVisibilityDefaultForRepresentation("ray traced glyphs");
+  }
+  const auto where = [](const std::string& property, const std::string& value)
+  {
+    return "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='" + property + "' value='" +
+      value + "'/>";
+  };
+  const std::string hints = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
+    where("Interpolation", "3") + "<Expression type='and'>" + where("ShadingMode", "2") + "<Expression type='or'>" +
+    where("Representation", "Ray Traced Glyphs") + where("Representation", "Ray Traced Surface") +
+    where("Representation", "Ray Traced Tubes") +
+    "</Expression></Expression></Expression></PropertyWidgetDecorator></Hints>";
+  const vtkSmartPointer<vtkPVXMLElement> element = vtkPVXMLParser::ParseXML(hints.c_str());
+  for (const char* name : { "Metallic", "Roughness", "CoatStrength", "CoatIOR", "CoatRoughness", "CoatColor" })
+  {
+    display->GetProperty(name)->SetHints(element);
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedGlyphDefaults::Follow(vtkSMProxy* glyphs, const std::string& name)
+{
+  if (name == "ScaleMode")
+  {
+    this->ChooseArrays(glyphs, Where::Missing);
+  }
+  if (name == "GlyphLocation")
+  {
+    this->ListArrays(glyphs);
+    this->ChooseArrays(glyphs, Where::Lost);
+  }
+  // While the display is made ParaView changes them, and what another client sets comes with its ScaleFactorFromData.
+  if (!defaultedAnew.count(name) || this->Choosing || !this->InView || rtglyphs::RayTracedSuggestion::IsTaking() ||
+    glyphs->GetSession()->IsProcessingRemoteNotification())
+  {
+    return;
+  }
+  this->Chosen.insert(name);
+  if (name == "ScaleFactor")
+  {
+    vtkSMProxy* display = glyphs->GetTrueParentProxy();
+    const bool reset = rtglyphs::RayTracedDefault::IsOfDomains(display->GetProperty("ScaleFactor"));
+    if (reset)
+    {
+      this->Chosen.erase(name);
+    }
+    vtkSMPropertyHelper(glyphs, "ScaleFactorFromData").Set(reset && ShowsGlyphs(display));
+    glyphs->GetProperty("ScaleFactorFromData")->Modified(); // so that the data are asked again
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedGlyphDefaults::Choose(vtkSMProxy* glyphs)
+{
+  this->InView = true;
+  vtkSMProxy* display = glyphs->GetTrueParentProxy();
+  vtkSMSessionProxyManager* proxies = glyphs->GetSessionProxyManager();
+  if (!ShowsGlyphs(display))
+  {
+    return;
+  }
+  if (proxies && proxies->GetInLoadXMLState())
+  {
+    this->Chosen = defaultedAnew; // states say all
+    return;
+  }
+  this->ListArrays(glyphs);
+  this->Choosing = true;
+  this->ChooseArrays(glyphs, Where::Everywhere);
+  for (const char* name : { "Orient", "Scaling" })
+  {
+    if (!this->Chosen.count(name))
+    {
+      vtkSMPropertyHelper(display, name).Set(1);
+    }
+  }
+  vtkSMProperty* type = display->GetProperty("GlyphType");
+  auto* list = type->FindDomain<vtkSMProxyListDomain>();
+  vtkSMProxy* sphere = list ? list->FindProxy("sources", "SphereSource") : nullptr;
+  if (sphere && !this->Chosen.count("GlyphType") && IsNone(display, "SelectOrientationVectors"))
+  {
+    vtkSMPropertyHelper(type).Set(sphere);
+  }
+  if (!this->Chosen.count("ScaleFactor"))
+  {
+    vtkSMPropertyHelper(glyphs, "ScaleFactorFromData").Set(1);
+  }
+  this->Choosing = false;
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::RayTracedGlyphDefaults::Renew(vtkSMProxy* glyphs, bool otherTime)
+{
+  return this->ChooseArrays(glyphs, otherTime ? Where::Missing : Where::Lost);
+}
+
+//----------------------------------------------------------------------------
+// An array that scales is chosen when a mode takes it, for the form that the glyphs have then; ParaView's active
+// scalars stay. Its active vectors may be normals: directions are chosen Everywhere.
+bool rtglyphs::RayTracedGlyphDefaults::ChooseArrays(vtkSMProxy* glyphs, Where where)
+{
+  vtkSMProxy* display = glyphs->GetTrueParentProxy();
+  bool changed = false;
+  for (const char* name : sharedArrays)
+  {
+    const bool scales = strcmp(name, "SelectScaleArray") == 0;
+    vtkSMProperty* own = glyphs->GetProperty(name);
+    auto* list = own ? own->FindDomain<vtkSMRayTracedArrayListDomain>() : nullptr;
+    vtkSMProperty* shared = display->GetProperty(name);
+    if (!list || !shared || shared == own || this->Chosen.count(name) ||
+      (scales && vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() == 0))
+    {
+      continue;
+    }
+    const std::string before = vtkSMPropertyHelper(shared).GetAsString();
+    unsigned int index = 0;
+    if (IsNone(display, name) || (where == Where::Everywhere && !scales) ||
+      (where != Where::Missing && !list->IsInDomain(before.c_str(), index)))
+    {
+      const bool choosing = this->Choosing;
+      this->Choosing = true;
+      list->SetDefaultValues(shared, /*useUncheckedValues=*/false);
+      own->Copy(shared); // links pass nothing on while they pass on ScaleMode
+      this->Choosing = choosing;
+      changed |= before != vtkSMPropertyHelper(shared).GetAsString();
+    }
+  }
+  return changed;
+}
+
+//----------------------------------------------------------------------------
+// The lists of arrays are those of the input that the glyphs stand on, also in 3D Glyphs' properties.
+void rtglyphs::RayTracedGlyphDefaults::ListArrays(vtkSMProxy* glyphs)
+{
+  vtkSMProxy* other = Display::Representation(glyphs->GetTrueParentProxy(), "Glyph3DRepresentation");
+  if (other && this->InView)
+  {
+    const bool cells = vtkSMPropertyHelper(glyphs, "GlyphLocation").GetAsInt() != 0;
+    vtkSMProperty* input = other->GetProperty("Input");
+    const int type = cells ? vtkSMInputArrayDomain::CELL : vtkSMInputArrayDomain::POINT;
+    InputArrays::List(input->GetDomain("scale_array"), type, {});
+    InputArrays::List(input->GetDomain("vector_array"), type, { 2, 3, 4, 9 });
+    input->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
+  }
+  glyphs->GetProperty("Input")->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
+}

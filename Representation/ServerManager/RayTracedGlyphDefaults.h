@@ -1,0 +1,60 @@
+/**
+ * Defaults of the properties that ray-traced glyphs share with 3D Glyphs: where neither the user nor a script has set
+ * them, a display that is first shown as ray-traced glyphs gets glyphs as large as the data suggest, turned where the
+ * data have directions, and spheres where they have none.
+ */
+#ifndef RayTracedGlyphDefaults_h
+#define RayTracedGlyphDefaults_h
+
+#include <set>
+#include <string>
+
+class vtkSMProxy;
+
+namespace rtglyphs
+{
+
+class RayTracedGlyphDefaults
+{
+public:
+  /**
+   * The display of the glyphs has entered a view, or its representation was changed.
+   */
+  void Choose(vtkSMProxy* glyphs);
+
+  /**
+   * A property of the glyphs was set.
+   */
+  void Follow(vtkSMProxy* glyphs, const std::string& name);
+
+  /**
+   * After an update of the view, before its render, as RayTracedDefault::Renew(). Returns whether another array was
+   * chosen.
+   */
+  bool Renew(vtkSMProxy* glyphs, bool otherTime);
+
+  /**
+   * The panel shows 3D Glyphs' properties at once, and path tracing's material not with Interpolation PBR alone.
+   */
+  static void ShowInPanel(vtkSMProxy* display);
+
+private:
+  enum class Where
+  {
+    Everywhere,
+    Lost,   // arrays that the glyphs' location does not have, and what Missing names
+    Missing // None
+  };
+
+  bool ChooseArrays(vtkSMProxy* glyphs, Where where);
+  void ListArrays(vtkSMProxy* glyphs);
+
+  std::set<std::string> Chosen; // properties that the user or a script has set
+  bool InView = false;          // else the display is being made
+  bool Choosing = false;        // by this class
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: RayTracedGlyphDefaults.h

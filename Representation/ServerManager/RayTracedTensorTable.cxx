@@ -1,0 +1,88 @@
+#include "RayTracedTensorTable.h"
+
+#include "GlyphTensors.h"
+#include "vtkNew.h"
+#include "vtkRayTracedRepresentation.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMTransferFunctionManager.h"
+#include "vtkSMTransferFunctionProxy.h"
+
+#include <cstring>
+
+namespace
+{
+// Array and number that visible glyphs are colored by; empty: none.
+std::string NumberOf(vtkSMProxy* glyphs)
+{
+  auto* local = vtkRayTracedRepresentation::SafeDownCast(glyphs->GetClientSideObject());
+  const vtkSMPropertyHelper coloring(glyphs, "GlyphTensorColoring");
+  const int shape = vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt();
+  const bool tensor = (shape >= 6 && shape <= 8) || shape == 15;
+  const bool polynomial = shape >= 12 && shape <= 14;
+  const bool number = polynomial ? coloring.GetAsInt() == rtglyphs::GlyphTensors::RADIUS
+                                 : tensor && rtglyphs::GlyphTensors::IsNumber(coloring.GetAsInt());
+  const char* array =
+    vtkSMPropertyHelper(glyphs, shape == 12 ? "GlyphHarmonicsArray" : "GlyphTensorArray").GetAsString();
+  const bool shown = local && local->GetVisibility() && number && array && array[0] && strcmp(array, "None") != 0;
+  return shown ? std::string(array) + " " + coloring.GetAsString() : std::string();
+}
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedTensorTable::Follow(const std::string& name)
+{
+  const bool number = name == "GlyphTensorColoring" || name == "GlyphTensorArray" || name == "GlyphHarmonicsArray";
+  this->IsChosen = name == "GlyphTensorLookupTable" || (this->IsChosen && !number);
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
+{
+  const std::string name = NumberOf(glyphs);
+  vtkNew<vtkSMTransferFunctionManager> tables;
+  vtkSMSessionProxyManager* proxies = glyphs->GetSessionProxyManager();
+  const auto barOf = [&](const std::string& of)
+  { return tables->GetScalarBarRepresentation(tables->GetColorTransferFunction(of.c_str(), proxies), view); };
+  if (name != this->Name && !this->Name.empty())
+  {
+    if (vtkSMProxy* bar = barOf(this->Name))
+    {
+      vtkSMPropertyHelper(bar, "Visibility").Set(0);
+      bar->UpdateVTKObjects();
+    }
+  }
+  const bool fresh = name != this->Name;
+  this->Name = name;
+  if (name.empty())
+  {
+    return;
+  }
+  vtkSMProxy* table = tables->GetColorTransferFunction(name.c_str(), proxies);
+  vtkSMProperty* range = glyphs->GetProperty("GlyphTensorRange");
+  glyphs->UpdatePropertyInformation(range);
+  double found[2];
+  vtkSMPropertyHelper(range).Get(found, 2);
+  if (found[0] <= found[1] && (fresh || found[0] != this->Range[0] || found[1] != this->Range[1]))
+  {
+    vtkSMTransferFunctionProxy::RescaleTransferFunction(table, found[0], found[1]);
+    this->Range[0] = found[0];
+    this->Range[1] = found[1];
+  }
+  if (!this->IsChosen && vtkSMPropertyHelper(glyphs, "GlyphTensorLookupTable").GetAsProxy() != table)
+  {
+    vtkSMPropertyHelper(glyphs, "GlyphTensorLookupTable").Set(table);
+    glyphs->UpdateVTKObjects();
+    this->IsChosen = false;
+  }
+  if (vtkSMProxy* bar = fresh ? barOf(name) : nullptr)
+  {
+    vtkSMPropertyHelper(bar, "Title").Set(name.c_str());
+    vtkSMPropertyHelper(bar, "ComponentTitle").Set("");
+    vtkSMPropertyHelper(bar, "Enabled").Set(1);
+    vtkSMPropertyHelper(bar, "Visibility").Set(1);
+    bar->UpdateVTKObjects();
+  }
+}

@@ -1,0 +1,52 @@
+/**
+ * @class   RayTracedTriangleBuilder
+ * @brief   turns polygons into the triangles that the kernels trace
+ *
+ * Normals of the points become those of the triangles' corners, with an actor's transform as vtk does it; normals of
+ * zero length, or not finite, leave a triangle its own.
+ *
+ * Triangles with a corner that is not finite, or whose motion is not, are left out and counted.
+ */
+#ifndef RayTracedTriangleBuilder_h
+#define RayTracedTriangleBuilder_h
+
+#include "GlyphBlockAttributes.h"
+#include "TriangleMesh.h"
+#include "vtkType.h"
+
+#include <vector>
+
+class vtkMatrix4x4;
+class vtkPolyData;
+namespace rtglyphs
+{
+class GlyphMotion;
+
+class RayTracedTriangleBuilder
+{
+public:
+  struct Result
+  {
+    rtg::TriangleMesh Mesh;       // without colors; positions are those of the points, in their order
+    glm::dvec3 Origin{ 0.0 };     // that positions are relative to
+    std::vector<vtkIdType> Cells; // of each triangle
+    vtkIdType Skipped = 0;        // triangles
+  };
+
+  /**
+   * In the world, relative to the middle of the data. Blocks as RayTracedBlocks::GetTable() has them; hidden ones
+   * are left out. `modelToWorld` may be null. Without `smooth`, normals are left out. The motion of the points becomes
+   * that of the positions.
+   */
+  static Result BuildRelative(vtkPolyData* polygons, const GlyphBlockAttributes::Table& blocks,
+    vtkMatrix4x4* modelToWorld, bool smooth, const GlyphMotion& motion);
+
+  /**
+   * In the polygons' own frame, relative to its origin.
+   */
+  static Result BuildInPlace(vtkPolyData* polygons);
+};
+
+} // namespace rtglyphs
+
+#endif

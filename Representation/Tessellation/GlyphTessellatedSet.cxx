@@ -1,0 +1,306 @@
+#include "GlyphTessellatedSet.h"
+
+#include "GlyphTessellation.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace
+{
+// What the screen shows, as the amount of light that exporters' formats mean (IEC 61966-2-1).
+float Linear(float shown)
+{
+  return shown <= 0.04045f ? shown / 12.92f : std::pow((shown + 0.055f) / 1.055f, 2.4f);
+}
+
+glm::vec4 Linear(const glm::vec3& shown, float opacity)
+{
+  return { Linear(shown.x), Linear(shown.y), Linear(shown.z), opacity };
+}
+
+std::string NameOf(rtg::Shape shape)
+{
+  switch (shape)
+  {
+#define RTG_SHAPE_NAME(number, Name)                                                                                   \
+  case rtg::Shape::Name:                                                                                               \
+    return #Name;
+    RTG_SHAPES(RTG_SHAPE_NAME)
+#undef RTG_SHAPE_NAME
+    default:
+      return "Mesh";
+  }
+}
+
+glm::vec3 SizeOf(const rtg::GlyphInstances& all, std::size_t glyph)
+{
+  return !all.sizes3.empty() ? all.sizes3[glyph] : glm::vec3(all.sizes1.empty() ? all.uniformSize : all.sizes1[glyph]);
+}
+
+// Puts copies of a display's glyphs, part by part, into the set.
+class Assembly
+{
+public:
+  Assembly(rtglyphs::GlyphTessellatedSet& set, const rtg::GlyphInstances& all)
+    : Set(set)
+    , All(all)
+  {
+  }
+
+  std::size_t AddMesh(const std::string& name, rtg::TriangleMesh mesh)
+  {
+    return this->AddMesh(name, std::make_shared<const rtg::TriangleMesh>(std::move(mesh)));
+  }
+
+  std::size_t AddMesh(const std::string& name, std::shared_ptr<const rtg::TriangleMesh> mesh)
+  {
+    rtglyphs::GlyphTessellatedPart part;
+    part.Name = name;
+    part.Mesh = std::move(mesh);
+    this->Set.Parts.push_back(std::move(part));
+    return this->Set.Parts.size() - 1;
+  }
+
+  // A copy at `place` in the glyph's frame, turned about its y axis by half a turn if it looks back.
+  void Add(std::size_t part, std::size_t glyph, const glm::vec3& scale, const glm::vec3& place = glm::vec3(0.0f),
+    bool back = false)
+  {
+    const glm::vec4 r = this->All.rotations.empty() ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) : this->All.rotations[glyph];
+    const glm::dquat turn(r.w, r.x, r.y, r.z);
+    const glm::dvec3 shift = turn * glm::dvec3(place);
+    const glm::dquat whole = back ? turn * glm::dquat(0.0, 0.0, 1.0, 0.0) : turn;
+    rtglyphs::GlyphTessellatedPart& to = this->Set.Parts[part];
+    to.Glyphs.push_back(static_cast<std::uint32_t>(glyph));
+    glm::dvec3 center(this->All.centres[glyph]);
+    if (!this->All.centresLow.empty())
+    {
+      center += glm::dvec3(this->All.centresLow[glyph]);
+    }
+    to.Positions.emplace_back(center + shift);
+    to.Orientations.emplace_back(whole.x, whole.y, whole.z, whole.w);
+    to.Scales.push_back(scale);
+
+    const rtg::GlyphMotion& motion = this->All.motion;
+    const glm::dvec3 spin = motion.Spins() ? glm::dvec3(motion.angularVelocities[glyph]) : glm::dvec3(0.0);
+    const auto fill = [&](std::vector<glm::vec3>& values, const std::vector<glm::vec3>& of, const glm::dvec3& more)
+    {
+      if (!of.empty() || motion.Spins())
+      {
+        values.emplace_back((of.empty() ? glm::dvec3(0.0) : glm::dvec3(of[glyph])) + more);
+      }
+    };
+    // What lies beside the glyph's center goes round it.
+    const glm::dvec3 around = glm::cross(spin, shift);
+    fill(to.Velocities, motion.velocities, around);
+    fill(to.Accelerations, motion.accelerations, glm::cross(spin, around));
+    if (motion.Spins())
+    {
+      to.AngularVelocities.emplace_back(spin);
+    }
+  }
+
+  void AddAll(std::size_t part)
+  {
+    for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
+    {
+      this->Add(part, glyph, SizeOf(this->All, glyph));
+    }
+  }
+
+  // A cylinder, and half balls that are as long as its larger diameter is wide: Kernels/Shapes/Capsule.glsl.
+  void AddCapsules()
+  {
+    const std::size_t middle = this->AddMesh("Middle", rtglyphs::GlyphTessellation::Shaft(true));
+    const std::size_t end = this->AddMesh("End", rtglyphs::GlyphTessellation::HalfBall());
+    for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
+    {
+      const glm::vec3 size = SizeOf(this->All, glyph);
+      const float half = 0.5f * size.x;
+      this->Add(middle, glyph, { size.x, 0.5f * size.y, 0.5f * size.z }, { -half, 0.0f, 0.0f });
+      const float widest = std::max(size.y, size.z);
+      this->Add(end, glyph, { widest, size.y, size.z }, { half, 0.0f, 0.0f });
+      this->Add(end, glyph, { widest, size.y, size.z }, { -half, 0.0f, 0.0f }, true);
+    }
+  }
+
+  // Shaft and head, each of which is an affine image of one mesh, whether or not heads are fixed:
+  // Kernels/Shapes/ArrowForm.glsl.
+  void AddArrows()
+  {
+    const rtg::ArrowForm& form = this->All.arrow;
+    const bool hasHeads = form.tipRadius > 0.0f, hasShafts = form.shaftRadius > 0.0f;
+    const std::size_t shaft = hasShafts ? this->AddMesh("Shaft", rtglyphs::GlyphTessellation::Shaft(false)) : 0;
+    const std::size_t head = hasHeads ? this->AddMesh("Head", rtglyphs::GlyphTessellation::ArrowHead(form)) : 0;
+    for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
+    {
+      const glm::vec3 size = SizeOf(this->All, glyph);
+      glm::vec3 unit = size; // of the arrow that has this one's head
+      if (form.fixedHeads)
+      {
+        const float length = form.unitLength > 0.0f ? form.unitLength : size.y;
+        unit = glm::vec3(std::min(length, size.x / form.tipLength));
+      }
+      const float shaftLength = size.x - form.tipLength * unit.x;
+      if (hasShafts && shaftLength > 1e-6f * size.x)
+      {
+        this->Add(shaft, glyph, { shaftLength, form.shaftRadius * unit.y, form.shaftRadius * unit.z });
+      }
+      if (hasHeads)
+      {
+        this->Add(head, glyph, unit, { size.x, 0.0f, 0.0f });
+      }
+    }
+  }
+
+  // A mesh for each triple of exponents. False: they would be too many.
+  bool AddSuperquadrics()
+  {
+    const bool same = this->All.exponents3.empty();
+    const int facets = same ? 64 : 16;
+    const bool nested = this->All.shape == rtg::Shape::NestedSuperquadric;
+    std::map<std::array<float, 3>, std::size_t> parts;
+    for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
+    {
+      const glm::vec3 e = same ? this->All.uniformExponents : this->All.exponents3[glyph];
+      const auto [found, added] = parts.try_emplace({ e.x, e.y, e.z }, this->Set.Parts.size());
+      if (added)
+      {
+        if (parts.size() > rtglyphs::GlyphTessellatedSet::MostMeshes)
+        {
+          this->Set.Parts.clear();
+          return false;
+        }
+        this->AddMesh("Superquadric_" + std::to_string(found->second),
+          nested ? rtglyphs::GlyphTessellation::NestedSuperquadric(e, facets)
+                 : rtglyphs::GlyphTessellation::Superquadric(e, facets));
+      }
+      this->Add(found->second, glyph, SizeOf(this->All, glyph));
+    }
+    return true;
+  }
+
+private:
+  rtglyphs::GlyphTessellatedSet& Set;
+  const rtg::GlyphInstances& All;
+};
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphTessellatedSet::IsTranslucent() const
+{
+  return this->Color.a < 1.0f ||
+    std::any_of(this->Colors.begin(), this->Colors.end(), [](const glm::vec4& color) { return color.a < 1.0f; });
+}
+
+//----------------------------------------------------------------------------
+const glm::vec4& rtglyphs::GlyphTessellatedSet::ColorOf(std::uint32_t glyph) const
+{
+  return this->Colors.empty() ? this->Color : this->Colors[glyph];
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::string& number,
+  const rtg::GlyphInstances& instances, const rtg::GlyphColours& colors, const rtg::Material& material,
+  std::vector<std::string>& messages)
+{
+  rtglyphs::GlyphTessellatedSet set;
+  set.Origin = instances.origin;
+  set.Metallic = material.metallic;
+  set.Roughness = material.roughness;
+  set.Color = Linear(material.colour, material.opacity);
+  const bool bySign = !instances.forms.empty();
+  const bool bySurface = bySign || instances.surfaceColours == rtg::GlyphInstances::SurfaceColours::Direction;
+  bool bothSigns = false;
+  if (bySign || !instances.opacities.empty() || !colors.each.empty())
+  {
+    set.Colors.resize(instances.Count(), set.Color);
+    for (std::size_t glyph = 0; glyph < instances.Count(); ++glyph)
+    {
+      glm::vec4& color = set.Colors[glyph];
+      if (bySign)
+      {
+        const glm::vec3& form = instances.forms[glyph];
+        const auto [least, most] = std::minmax({ form.x, form.y, form.z });
+        const bool negative = least < 0.0f && most <= 0.0f;
+        bothSigns = bothSigns || (least < 0.0f && most > 0.0f);
+        color = Linear(negative ? material.negativeColour : material.positiveColour, material.opacity);
+      }
+      const glm::vec4 ofSurface = color;
+      if (!colors.each.empty())
+      {
+        const std::uint32_t packed = colors.each[glyph];
+        const glm::vec4 shown =
+          glm::vec4(packed & 255u, (packed >> 8) & 255u, (packed >> 16) & 255u, packed >> 24) / 255.0f;
+        // White stands for the colors of the surface (rtg::GlyphColours).
+        color =
+          bySurface && glm::vec3(shown) == glm::vec3(1.0f) ? ofSurface : Linear(glm::vec3(shown), material.opacity);
+        color.a *= shown.a;
+      }
+      color.a *= instances.opacities.empty() ? 1.0f : instances.opacities[glyph];
+    }
+  }
+
+  Assembly assembly(set, instances);
+  const std::string shape = NameOf(instances.shape);
+  set.Name = shape + "_" + number;
+  const auto all = [&](rtg::TriangleMesh mesh) { assembly.AddAll(assembly.AddMesh(shape, std::move(mesh))); };
+  switch (instances.shape)
+  {
+    case rtg::Shape::Sphere:
+      all(rtglyphs::GlyphTessellation::Sphere());
+      break;
+    case rtg::Shape::Box:
+      all(rtglyphs::GlyphTessellation::Box());
+      break;
+    case rtg::Shape::Cylinder:
+      all(rtglyphs::GlyphTessellation::Cylinder());
+      break;
+    case rtg::Shape::Cone:
+      all(rtglyphs::GlyphTessellation::Cone());
+      break;
+    case rtg::Shape::Capsule:
+      assembly.AddCapsules();
+      break;
+    case rtg::Shape::Arrow:
+      assembly.AddArrows();
+      break;
+    case rtg::Shape::Mesh:
+      assembly.AddAll(assembly.AddMesh(shape, instances.mesh));
+      break;
+    case rtg::Shape::Superquadric:
+    case rtg::Shape::NestedSuperquadric:
+      if (!assembly.AddSuperquadrics())
+      {
+        messages.push_back("Superquadrics of more than " + std::to_string(MostMeshes) +
+          " different forms are left out of the exported file, which has a mesh for each form. Show fewer of them with "
+          "GlyphMode, or round their exponents or tensors.");
+      }
+      break;
+    case rtg::Shape::RoundCone:
+      messages.push_back("Tubes are left out of the exported file, because they have no triangles. Export those of "
+                         "ParaView's Tube filter, or save a screenshot.");
+      break;
+    default:
+      messages.push_back(
+        "Glyphs of the shapes Spherical Harmonics, Reynolds and Fourth-Order Tensor are left out of the "
+        "exported file, because they have no triangles. Choose another GlyphShape, or save a "
+        "screenshot.");
+  }
+  const auto empty = [](const rtglyphs::GlyphTessellatedPart& part) { return part.Glyphs.empty(); };
+  set.Parts.erase(std::remove_if(set.Parts.begin(), set.Parts.end(), empty), set.Parts.end());
+  if (!set.Parts.empty() && (bySign ? bothSigns : bySurface))
+  {
+    messages.push_back(bySign
+        ? "GlyphTensorColoring Sign gives some of the glyphs two colors, which exported instances "
+          "cannot have: these have the first "
+          "one. Choose another GlyphTensorColoring to export colors."
+        : "GlyphTensorColoring Surface Direction colors each point of a glyph by itself, which "
+          "exported instances cannot "
+          "have: they have DiffuseColor. Choose another GlyphTensorColoring to export colors.");
+  }
+  return set;
+}

@@ -1,0 +1,40 @@
+/**
+ * Triangles of the unit glyphs (Kernels/Shapes), for exporters: analytic shapes have none of their own.
+ *
+ * Corners lie on the surface; normals are the surface's, and edges are sharp.
+ */
+#ifndef GlyphTessellation_h
+#define GlyphTessellation_h
+
+#include "Glyphs.h"
+#include "TriangleMesh.h"
+
+namespace rtglyphs::GlyphTessellation
+{
+///@{
+/// The unit glyphs of the same name. The parts that capsules and arrows consist of follow.
+rtg::TriangleMesh Sphere();
+rtg::TriangleMesh Box();
+rtg::TriangleMesh Cylinder();
+rtg::TriangleMesh Cone();
+///@}
+
+/// Half a ball of diameter 1 around the origin, its disc, which is left open, at x = 0, towards +x.
+rtg::TriangleMesh HalfBall();
+
+/// A cylinder of radius 1 around the x axis from 0 to 1; `open`: without its discs.
+rtg::TriangleMesh Shaft(bool open);
+
+/// The head of a unit arrow, with its tip at the origin, towards +x.
+rtg::TriangleMesh ArrowHead(const rtg::ArrowForm& form);
+
+///@{
+/// |x|^r + |y|^s + |z|^t = 1, and Kernels/Shapes/NestedSuperquadric.glsl of exponents alpha, beta, c; with half-lengths
+/// 0.5. `facets`: from pole to pole, an even number; twice as many around.
+rtg::TriangleMesh Superquadric(const glm::vec3& exponents, int facets);
+rtg::TriangleMesh NestedSuperquadric(const glm::vec3& exponents, int facets);
+///@}
+}
+
+#endif
+// VTK-HeaderTest-Exclude: GlyphTessellation.h

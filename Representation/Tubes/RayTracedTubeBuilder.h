@@ -1,0 +1,73 @@
+/**
+ * @class   RayTracedTubeBuilder
+ * @brief   turns lines and poly-lines into the round cones that the kernels trace
+ *
+ * Each piece between two points of a line that do not coincide is a round cone (Kernels/Shapes/RoundCone.glsl). A line
+ * whose first point is also its last one has no ends. Points nearer to a flat end than their radius are left out, so
+ * that the line is straight there: the balls round them would stick out.
+ *
+ * Left out and counted are lines without two different points, and pieces with an end whose position, motion or radius
+ * is not finite, or whose radius is negative, or with radii of zero at both ends.
+ */
+#ifndef RayTracedTubeBuilder_h
+#define RayTracedTubeBuilder_h
+
+#include "GlyphBlockAttributes.h"
+#include "GlyphMotion.h"
+#include "Glyphs.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkMatrix4x4;
+class vtkPolyData;
+
+namespace rtglyphs
+{
+
+class RayTracedTubeBuilder
+{
+public:
+  struct Settings
+  {
+    double Radius = 1.0;     // world units
+    std::string RadiusArray; // of points, or else of cells, times Radius; empty or "None": none
+    bool FlatEnds = false;
+    bool Joined = false; // no surface is left inside a line, as translucent ones show
+    GlyphMotion::Settings Motion;
+
+    bool operator==(const Settings&) const = default;
+
+    /// With all that has no effect at its default.
+    Settings Effective() const;
+  };
+
+  struct Result
+  {
+    rtg::GlyphInstances Instances;
+    std::vector<vtkIdType> Cells;               // of each piece
+    std::vector<std::array<vtkIdType, 2>> Ends; // points of each piece
+    vtkIdType Bad = 0;                          // pieces and lines left out because something is wrong
+    vtkIdType Empty = 0;                        // pieces left out because their radii are zero
+    std::vector<std::string> Messages;
+  };
+
+  /**
+   * The array of radii, and whether it has one for each cell; null where none is named, or none fits.
+   */
+  static vtkDataArray* RadiusArray(vtkPolyData* lines, const Settings& settings, bool& ofCells);
+
+  /**
+   * In the world, relative to the middle of the data. Blocks as RayTracedBlocks::GetTable() has them; hidden ones
+   * are left out. `modelToWorld` may be null.
+   */
+  static Result Build(vtkPolyData* lines, const GlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld,
+    const Settings& settings);
+};
+
+} // namespace rtglyphs
+
+#endif
