@@ -42,6 +42,11 @@ struct Tracer::State
     double longest = 0.0;                  ///< seconds of a launch of the one in work
     std::uint32_t done = 0;                ///< samples that all tiles have
 
+    /// Samples that the buffers' sums hold for others to be added to.
+    std::uint32_t KeptSamples() const
+    {
+      return this->settings.keepSums && this->image.complete ? this->image.samples : 0;
+    }
     /// Of the tiles, those that have the samples in work.
     double TracedShare() const
     {
@@ -67,9 +72,7 @@ struct Tracer::State
   Launcher launcher;
   ImageBuffers buffers;
   Buffer lightBuffer;
-  Job job;                       ///< the last one; goes on where image.complete is false
-  TraceSettings last;            ///< of the last image
-  std::uint32_t keptSamples = 0; ///< that the buffers' sums hold
+  Job job; ///< the last one; goes on where image.complete is false
 };
 
 Tracer::Tracer(std::shared_ptr<Device> device)
@@ -96,16 +99,16 @@ void Tracer::State::CheckContinues(const TraceSettings& settings, const Scene::S
   {
     return;
   }
-  const TraceSettings& l = this->last;
+  const TraceSettings& l = this->job.settings;
   const bool same = l.width == settings.width && l.height == settings.height && l.pixelStep == settings.pixelStep &&
     l.shading == settings.shading && l.features == settings.features && l.occlusionRays == settings.occlusionRays &&
     l.paths == settings.paths && l.share == settings.share && l.shares == settings.shares &&
-    l.environmentImage == settings.environmentImage && this->job.image.complete &&
-    this->job.sceneVersion == scene.version;
-  if (!same || this->keptSamples != settings.firstSample)
+    l.environmentImage == settings.environmentImage && this->job.sceneVersion == scene.version;
+  const std::uint32_t kept = same ? this->job.KeptSamples() : 0;
+  if (kept != settings.firstSample)
   {
     throw Error("Ray Traced Glyphs: samples from number " + std::to_string(settings.firstSample) +
-      " on are to be added to an image that holds " + std::to_string(same ? this->keptSamples : 0) +
+      " on are to be added to an image that holds " + std::to_string(kept) +
       "; trace it from its first sample with keepSums.");
   }
 }
@@ -237,8 +240,6 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
   const float part = work.image.complete ? 0.0f : float(work.frame.samples * work.TracedShare());
   work.image.share = (work.done + part) / settings.samples;
   this->buffers.Show(work.image, work.tiling);
-  this->keptSamples = settings.keepSums && work.image.complete ? work.image.samples : 0;
-  this->last = settings;
   if (settings.features && settings.pixelStep == 1 && work.image.complete)
   {
     this->buffers.FillFeatures(work.image);
@@ -258,12 +259,10 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
     image.width = settings.width;
     image.height = settings.height;
     image.samples = settings.firstSample + settings.samples;
-    state.keptSamples = 0;
     state.job = State::Job();
     return image;
   }
   state.CheckContinues(settings, glyphs);
-  state.keptSamples = 0;
   state.Vulkan().Guard("tracing an image",
     [&]
     {
@@ -298,11 +297,12 @@ Image Tracer::Resume(Scene& scene, const Interrupt& interrupt)
 std::vector<glm::vec4> Tracer::Means() const
 {
   const State& state = *this->state_;
-  if (state.keptSamples == 0)
+  const std::uint32_t samples = state.job.KeptSamples();
+  if (samples == 0)
   {
     throw Error("Ray Traced Glyphs: means are asked of an image that was traced without keepSums.");
   }
-  return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Means(state.keptSamples); });
+  return state.Vulkan().Guard("reading an image", [&] { return state.buffers.Means(samples); });
 }
 
 DenoiseTask Tracer::Denoise(const Image& image, std::stop_token stop) const
@@ -314,7 +314,7 @@ DenoiseTask Tracer::Denoise(const Image& image, std::stop_token stop) const
     throw Error("Ray Traced Glyphs: an image is to be denoised that was traced without features.");
   }
   task.image_ = image;
-  task.settings_ = this->state_->last;
+  task.settings_ = this->state_->job.settings;
   task.shared_ = this->state_->shared;
   task.stop_ = std::move(stop);
   return task;

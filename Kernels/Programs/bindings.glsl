@@ -17,18 +17,13 @@ layout(set = 0, binding = 0, scalar) uniform Frame
 RTG_CONSTANTS(RTG_DECLARE)
 #undef RTG_DECLARE
 
-// Whether a set has a variant (Variants.h); `variants`: those of its record. Vulkan/Prune knows the answer where the
-// constants give it, as long as there is nothing but arithmetic in such functions.
-bool Has(const uint variants, const uint variant)
-{
-  return (allHave & variant) != 0u || ((someHave & variant) != 0u && (variants & variant) != 0u);
-}
+// Whether a set has a variant (Variants.h); `variants`: those of its record. A macro, because Vulkan/Specialize follows
+// constants within a function only.
+#define Has(variants, variant)                                                                                         \
+  ((allHave & (variant)) != 0u || ((someHave & (variant)) != 0u && ((variants) & (variant)) != 0u))
 
-// Whether a set is of a shape; `shape`: that of its record.
-bool IsOfShape(const uint shape, const uint number)
-{
-  return shapes == 1u << number || ((shapes & 1u << number) != 0u && shape == number);
-}
+// Whether a set is of a shape; `shape`: that of its record. A macro for the same reason.
+#define IsOfShape(shape, number) (shapes == 1u << (number) || ((shapes & 1u << (number)) != 0u && (shape) == (number)))
 
 GlyphSetRecord SetRecord(const uint index)
 {
@@ -41,17 +36,11 @@ GlyphSetRecord SetRecord(const uint index)
 
 // Index of a value in an array of a set, of a glyph or a corner. Compilers may load a value where the condition round
 // the load does not hold; sets that lack the array have one value there (SceneRecords.cxx).
-uint InSet(const GlyphSetRecord set, const uint array, const uint index)
-{
-  return Has(set.variants, array) ? index : 0u;
-}
+#define InSet(set, array, index) (Has((set).variants, array) ? (index) : 0u)
 
 // Index of the value of a glyph that a ray may have hit. Compilers may load it where the condition round it does not
 // hold, for rays that hit nothing, too: the index is one of the set's whatever the glyph was.
-uint InSetIfHit(const GlyphSetRecord set, const uint array, const uint glyph)
-{
-  return InSet(set, array, min(glyph, set.glyphCount - 1u));
-}
+#define InSetIfHit(set, array, glyph) InSet(set, array, min(glyph, (set).glyphCount - 1u))
 
 // A glyph's own colour.
 vec4 ColourOf(const GlyphSetRecord set, const uint glyph)

@@ -123,7 +123,7 @@ float AddLayersOf(const uint record, const GlyphSetRecord set, const GlyphRay ra
 bool MeetGlyph(const uint record, const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
   const uint seed, const float tMin, const bool any, const bool gathers, inout GlyphCrossing hit)
 {
-  if (gathers)
+  if (layered && gathers)
   {
     hit.t = AddLayersOf(record, set, ray, number, glyph, tMin, hit.t);
     return true;

@@ -30,7 +30,7 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
   uint slice = moves ? uint(shutterTime * float(frame.topLevelCount)) : 0u;
   // Of triangles the driver takes the nearest, but for translucent ones that it is to bring, too.
   uint flags = (any ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT) |
-    (translucency || gathers ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT);
+    (translucency || (layered && gathers) ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT);
   rayQueryEXT query;
   rayQueryInitializeEXT(
     query, accelerationStructureEXT(frame.topLevels.at[slice]), flags, mask, ray.origin, tMin, ray.direction, tMax);
@@ -41,13 +41,13 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
     uint primitive = rayQueryGetIntersectionPrimitiveIndexEXT(query, false);
     GlyphSource source = SourceOf(SetRecord(record));
     GlyphSetRecord set = source.set;
-    bool adds = gathers && set.translucent != 0u;
+    bool adds = layered && gathers && set.translucent != 0u;
     if (QueriesTriangles() &&
       rayQueryGetIntersectionTypeEXT(query, false) == gl_RayQueryCandidateIntersectionTriangleEXT)
     {
       GlyphCrossing met =
         MeetTriangle(record, ray, rayQueryGetIntersectionInstanceIdEXT(query, false), primitive, tMin, tMax);
-      if (adds)
+      if (layered && adds)
       {
         if (met.t <= hit.t)
         {
@@ -88,7 +88,7 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
       rayQueryGetIntersectionInstanceIdEXT(query, true), rayQueryGetIntersectionPrimitiveIndexEXT(query, true), tMin,
       tMax);
   }
-  if (gathers)
+  if (layered && gathers)
   {
     // Layers that were found before what is opaque in front of them.
     while (layerCount > 0u && LayerAt(layerCount - 1u).t > hit.t)

@@ -78,10 +78,10 @@ SurfaceHit Trace(const Query query, const bool gathers)
   GlyphRay ray = GlyphRay(query.ray.origin.hi, query.ray.origin.lo, query.ray.direction);
   GlyphCrossing found = GlyphCrossing(0u, nothing, nothing, query.tMax, vec3(0.0));
   // A list of layers that was not full was the last.
-  bool walks = !gathers || (layerNext == layerCount && layerCount == layerLimit);
+  bool walks = !(layered && gathers) || (layerNext == layerCount && layerCount == layerLimit);
   if (walks && query.tMin <= query.tMax)
   {
-    if (gathers)
+    if (layered && gathers)
     {
       layerLimit = frame.layerLimit;
       layerCount = layerNext = 0u;
@@ -95,7 +95,7 @@ SurfaceHit Trace(const Query query, const bool gathers)
       found = WalkSets(ray, query.tMin, query.tMax, query.mask, query.seed, query.any, gathers);
     }
   }
-  if (gathers)
+  if (layered && gathers)
   {
     found.glyph = nothing;
     if (layerNext < layerCount)
@@ -111,7 +111,7 @@ SurfaceHit Trace(const Query query, const bool gathers)
     {
       GlyphSource source = SourceOf(SetRecord(found.record));
       vec3 normal = found.normal;
-      if (gathers)
+      if (layered && gathers)
       {
         normal = NormalOnGlyph(source, ray, found.glyph, found.t);
       }

@@ -55,7 +55,7 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
         {
           verdict = RTG_MISSED;
         }
-        if (!gathers && !passes && verdict == RTG_MET && high < surely)
+        if (!(layered && gathers) && !passes && verdict == RTG_MET && high < surely)
         {
           hit.record = record;
           hit.glyph = glyph;
@@ -107,13 +107,13 @@ GlyphCrossing WalkSets(const GlyphRay ray, const float tMin, const float tMax, c
   GlyphCrossing hit = GlyphCrossing(0u, nothing, nothing, tMax, vec3(0.0));
   uint count = alone ? 1u : frame.setCount;
   // Two rounds where layers are gathered: opaque sets end them.
-  uint end = gathers && !alone ? 2u * count : count;
+  uint end = layered && gathers && !alone ? 2u * count : count;
   for (uint i = 0u; i < end && !(any && hit.glyph != nothing); ++i)
   {
     uint record = i < count ? i : i - count;
-    bool gathering = gathers && (alone || i >= count);
+    bool gathering = layered && gathers && (alone || i >= count);
     GlyphSetRecord set = SetRecord(record);
-    if ((set.mask & (gathers ? (gathering ? mask & TRANSLUCENT_MASK : OPAQUE_MASK) : mask)) != 0u)
+    if ((set.mask & (layered && gathers ? (gathering ? mask & TRANSLUCENT_MASK : OPAQUE_MASK) : mask)) != 0u)
     {
       Traverse(record, SourceOf(set), ray, tMin, seed, any, gathering, hit);
     }

@@ -1,7 +1,7 @@
 #include "Pipeline.h"
 
 #include "Programs.h"
-#include "Prune.h"
+#include "Specialize.h"
 
 namespace rtg
 {
@@ -34,7 +34,8 @@ void FrameBlock::Send(vk::raii::CommandBuffer& command, const device::FrameRecor
 Pipeline::Pipeline(Device::State& device, const Specialization& specialization)
   : device_(&device)
 {
-  const std::vector<std::uint32_t> words = Prune(programs::modules[specialization.program], specialization.constants);
+  const std::vector<std::uint32_t> words =
+    Specialize(programs::modules[specialization.program], specialization.constants);
   const vk::raii::ShaderModule module(
     device.device, vk::ShaderModuleCreateInfo({}, words.size() * sizeof(words[0]), words.data()));
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");

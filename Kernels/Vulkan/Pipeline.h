@@ -10,7 +10,7 @@
 namespace rtg
 {
 
-/// The specialisation constants of a program (Variants.h), by which Prune() makes it.
+/// The specialisation constants of a program (Variants.h), by which Specialize() makes it.
 struct Constants
 {
 #define RTG_FIELD(id, type, name) std::uint32_t name = 0;

@@ -25,7 +25,7 @@ class ParaviewRaytracedglyphs(CMakePackage):
     depends_on("cmake@3.21:", type="build")
     depends_on("ninja", type="build")
     depends_on("glslang", type="build")
-    depends_on("spirv-tools", type="build")
+    depends_on("spirv-tools", type=("build", "link"))
     depends_on("glm", type="build")
     depends_on("vulkan-headers@1.3.239:", type="build")
     # Loaded when the first glyph is drawn.

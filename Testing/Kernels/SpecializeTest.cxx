@@ -1,0 +1,108 @@
+// Programs are valid for all values of their constants, and hold no more than these ask for.
+#include "HostDevice.h"
+#include "Vulkan/Programs.h"
+#include "Vulkan/Specialize.h"
+
+#include <gtest/gtest.h>
+#include <spirv-tools/libspirv.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+constexpr std::uint32_t opSpecConstantTrue = 48, opSpecConstantOp = 52;
+
+// Instructions of specialization constants.
+int SpecializationConstants(const std::uint32_t* words, std::size_t count)
+{
+  int found = 0;
+  for (std::size_t at = 5; at < count; at += words[at] >> 16)
+  {
+    const std::uint32_t code = words[at] & 0xffffu;
+    found += code >= opSpecConstantTrue && code <= opSpecConstantOp;
+  }
+  return found;
+}
+
+std::string Faults(const std::vector<std::uint32_t>& words)
+{
+  std::string faults;
+  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
+  tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* message)
+    { faults += std::string(message) + "\n"; });
+  spvtools::ValidatorOptions options;
+  options.SetScalarBlockLayout(true);
+  return tools.Validate(words.data(), words.size(), options) ? "" : "invalid: " + faults;
+}
+
+rtg::Constants ConstantsOf(std::initializer_list<rtg::Shape> shapes, std::uint32_t variants)
+{
+  rtg::Constants constants;
+  for (const rtg::Shape shape : shapes)
+  {
+    constants.shapes |= 1u << static_cast<std::uint32_t>(shape);
+  }
+  constants.someHave = variants;
+  return constants;
+}
+
+// The bytes of a program for these; `code`: one that shapes are cut out of.
+std::size_t Bytes(const rtg::programs::Code& code, std::initializer_list<rtg::Shape> shapes, std::uint32_t variants = 0)
+{
+  const std::vector<std::uint32_t> words = rtg::Specialize(code, ConstantsOf(shapes, variants));
+  EXPECT_EQ(Faults(words), "");
+  EXPECT_EQ(SpecializationConstants(words.data(), words.size()), 0);
+  return words.size() * sizeof(std::uint32_t);
+}
+
+} // namespace
+
+TEST(Specialize, LeavesWhatIsUsed)
+{
+  using rtg::Shape;
+  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
+  {
+    const rtg::programs::Code& code = rtg::programs::modules[program];
+    EXPECT_GT(SpecializationConstants(code.words, code.bytes / sizeof(std::uint32_t)), 0);
+    const std::size_t spheres = Bytes(code, { Shape::Sphere });
+    EXPECT_LT(2 * spheres, code.bytes);
+    EXPECT_LT(spheres, Bytes(code, { Shape::Sphere }, rtg::device::VELOCITIES));
+    const std::size_t two = Bytes(code, { Shape::Sphere, Shape::Superquadric });
+    EXPECT_LT(spheres, two);
+    EXPECT_LT(two, Bytes(code, { Shape::Sphere, Shape::Superquadric, Shape::Cylinder }));
+  }
+}
+
+TEST(Specialize, AsksForRayQueriesOnlyWhereTheyAreMade)
+{
+  constexpr std::uint32_t opCapability = 2u << 16 | 17u, rayQuery = 4472;
+  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
+  {
+    rtg::Constants constants = ConstantsOf({ rtg::Shape::Sphere }, 0);
+    for (const std::uint32_t queries : { 0u, 1u })
+    {
+      constants.rayQueries = queries;
+      const std::vector<std::uint32_t> words = rtg::Specialize(rtg::programs::modules[program], constants);
+      EXPECT_EQ(Faults(words), "");
+      const std::uint32_t capability[] = { opCapability, rayQuery };
+      const auto found = std::search(words.begin(), words.end(), std::begin(capability), std::end(capability));
+      EXPECT_EQ(found != words.end(), queries != 0);
+    }
+  }
+}
+
+TEST(Specialize, IsValidForMeshes)
+{
+  for (std::uint32_t program = 0; program <= rtg::probeProgram; ++program)
+  {
+    const rtg::programs::Code& code = rtg::programs::modules[program];
+    const std::size_t plain = Bytes(code, { rtg::Shape::Mesh });
+    EXPECT_LT(plain, Bytes(code, { rtg::Shape::Mesh }, ~0u));
+    EXPECT_LT(plain, code.bytes);
+  }
+}
