@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMap>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QProgressBar>
@@ -51,11 +52,12 @@ QWidget* Find(const char* path)
   return nullptr;
 }
 
-void PostMouse(QWindow* window, QEvent::Type type, QPoint at, Qt::MouseButtons buttons)
+void PostMouse(
+  QWindow* window, QEvent::Type type, QPoint at, Qt::MouseButtons buttons, Qt::MouseButton button = Qt::LeftButton)
 {
   QCoreApplication::postEvent(window,
-    new QMouseEvent(type, at, window->mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
-      buttons, Qt::NoModifier));
+    new QMouseEvent(type, at, window->mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button, buttons,
+      Qt::NoModifier));
 }
 }
 
@@ -119,6 +121,37 @@ extern "C"
     }
     PostMouse(window, QEvent::MouseButtonRelease, place(toX, toY), Qt::NoButton);
     return 1;
+  }
+
+  // 1: a click of the right button is on its way to a place in the widget, in pixels from its lower left corner.
+  Q_DECL_EXPORT int probe_right_click(const char* name, int x, int y)
+  {
+    const QWidget* widget = Find(name);
+    QWindow* window = widget ? widget->window()->windowHandle() : nullptr;
+    if (!window)
+    {
+      return 0;
+    }
+    const QPoint at = widget->mapTo(widget->window(), QPoint(x, widget->height() - 1 - y));
+    PostMouse(window, QEvent::MouseButtonPress, at, Qt::RightButton, Qt::RightButton);
+    PostMouse(window, QEvent::MouseButtonRelease, at, Qt::NoButton, Qt::RightButton);
+    return 1;
+  }
+
+  // The entries of the menu that is open, which is closed, a line each; copied as below.
+  Q_DECL_EXPORT void probe_menu(char* text, int size)
+  {
+    QString said;
+    if (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget()))
+    {
+      for (const QAction* action : menu->actions())
+      {
+        said += action->text() + '\n';
+      }
+      menu->close();
+    }
+    std::strncpy(text, said.toUtf8().constData(), size - 1);
+    text[size - 1] = 0;
   }
 
   // 1: Esc is on its way to the widget, as if that had the focus.

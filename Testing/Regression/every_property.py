@@ -233,7 +233,7 @@ ROWS = [
     Row("GlyphLegendColor", GREEN, pixels_of(GREEN, 30, 1000), GlyphLegend="Lower Left", ScaleMode="Magnitude", SelectScaleArray="size"),
     # Tensors
     Row("GlyphTensorArray", "disc", area(DISC / 4.0), **TENSOR),
-    Row("GlyphTensorLayout", "Row", as_with(GlyphTensorArray="rows"), **{**TENSOR, "GlyphTensorArray": "six"}),
+    Row("GlyphTensorLayout", "xx xy xz yy yz zz", as_with(GlyphTensorArray="rows"), **{**TENSOR, "GlyphTensorArray": "six"}),
     Row("GlyphTensorSharpness", 0.0, as_with(GlyphShape="Tensor Ellipsoid"), **{**TENSOR, "GlyphShape": "Tensor Superquadric"}),
     Row("GlyphTensorThickness", 1.0, area(DISC), **TENSOR),
     Row("GlyphTensorColoring", "Principal Direction", colors(RED), **TENSOR),
@@ -245,7 +245,7 @@ ROWS = [
     Row("GlyphTensorLookupTable", ALL_GREEN, colors(GREEN), GlyphTensorColoring="Sign", **TENSOR),
     Row("GlyphHarmonicsArray", "flat", area(DISC / 4.0), **HARMONICS),
     Row("GlyphHarmonicsBasis", "DIPY Legacy", as_with(GlyphHarmonicsArray="lying", GlyphHarmonicsBasis="MRtrix3"), **{**HARMONICS, "GlyphHarmonicsArray": "standing"}),
-    Row("GlyphHarmonicsScaling", "Each", area(DISC), **{**HARMONICS, "GlyphHarmonicsArray": "flat"}),
+    Row("GlyphHarmonicsScaling", "Each Alike", area(DISC), **{**HARMONICS, "GlyphHarmonicsArray": "flat"}),
     Row("GlyphTensorAxis", 1, pixels_of([0.95, 0.8, 0.2], 20, 200), **{**TENSOR, "GlyphTensorArray": "turning"}),
     Row("GlyphTensorAxisColor", GREEN, pixels_of(GREEN, 20, 200), **{**TENSOR, "GlyphTensorArray": "turning", "GlyphTensorAxis": 1}),
     # Tubes

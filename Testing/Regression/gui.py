@@ -24,7 +24,7 @@ OF_SHAPES = {
     "Superquadric": ([], EXPONENTS), "Nested Superquadric": ([], EXPONENTS),
     "Tensor Ellipsoid": ([], TENSOR), "Tensor Superquadric": ([], TENSOR), "Signed Tensor Superquadric": ([], TENSOR), "Principal Axes": ([], TENSOR),
     "Spherical Harmonics": ([], ["Glyph Tensor Coloring", "Glyph Harmonics Array", "Glyph Harmonics Basis", "Glyph Harmonics Scaling"]),
-    "Reynolds": ([], TENSOR + ["Glyph Harmonics Scaling"]),
+    "Normal Stress": ([], TENSOR + ["Glyph Harmonics Scaling"]),
     "Fourth-Order Tensor": ([], ["Glyph Tensor Array", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"])}
 
 #: what is set by a script to be copied, saved and restored by the panel's buttons; no default among it

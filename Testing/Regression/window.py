@@ -49,6 +49,14 @@ class Window:
         """Posts a drag with the left button between two pixels of a widget, from its lower left; False: there is no such widget."""
         return bool(self.probe.probe_drag(name.encode(), *start, *end))
 
+    def right_click(self, name, at):
+        """Posts a click with the right button on a pixel of a widget, from its lower left; False: there is no such widget."""
+        return bool(self.probe.probe_right_click(name.encode(), *at))
+
+    def menu(self):
+        """The entries of the menu that is open, which is closed."""
+        return self._words(lambda _, text, size: self.probe.probe_menu(text, size), "").splitlines()
+
     def escape(self, name):
         """Posts the Esc key; False: there is no such widget."""
         return bool(self.probe.probe_escape(name.encode()))
