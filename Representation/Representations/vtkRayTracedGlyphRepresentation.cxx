@@ -7,6 +7,7 @@
 #include "GlyphJoinedArrays.h"
 #include "GlyphLayers.h"
 #include "GlyphPointGatherer.h"
+#include "GlyphSample.h"
 #include "GlyphScaleGuess.h"
 #include "GlyphSource.h"
 #include "GlyphTuples.h"
@@ -233,16 +234,25 @@ void vtkRayTracedGlyphRepresentation::UpdateDataSizes(vtkPolyData* points)
   {
     sides = extents.front()->positions.back() - extents.front()->positions.front();
   }
-  const double highScale = this->HighScale.Get(points, this->MakeSettings(), this->Blocks.GetTable());
-  this->DataSizes = { highScale, sides.x, sides.y };
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
+  const double highScale = this->HighScale.Get(points, settings, this->Blocks.GetTable());
+  double largest = 0.0;
+  if (this->LegendStyle.On)
+  {
+    const std::vector<double> magnitudes = rtglyphs::GlyphSample::Magnitudes(points, settings);
+    largest = rtglyphs::GlyphSample::Largest(
+      magnitudes.empty() ? 0.0 : *std::max_element(magnitudes.begin(), magnitudes.end()));
+  }
+  this->DataSizes = { highScale, sides.x, sides.y, largest };
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphDataSizes(double highScale, double meshWidth, double meshHeight)
+void vtkRayTracedGlyphRepresentation::SetGlyphDataSizes(
+  double highScale, double meshWidth, double meshHeight, double largest)
 {
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    this->DataSizes = { highScale, meshWidth, meshHeight };
+    this->DataSizes = { highScale, meshWidth, meshHeight, largest };
   }
 }
 
@@ -335,7 +345,8 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(const rtglyphs::GlyphSettings
   vtkNew<vtkMatrix4x4> matrix;
   this->GetActor()->GetMatrix(matrix);
   const double scale = std::hypot(matrix->GetElement(0, 0), matrix->GetElement(1, 0), matrix->GetElement(2, 0));
-  this->Legend->SetGlyphs(settings, scale, name, { this->DataSizes[1], this->DataSizes[2] });
+  this->Legend->SetGlyphs(
+    settings, scale, name, { this->DataSizes[1], this->DataSizes[2] }, this->DataSizes[3]);
 }
 
 //----------------------------------------------------------------------------

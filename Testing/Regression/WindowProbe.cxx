@@ -5,6 +5,8 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QCursor>
 #include <QKeyEvent>
 #include <QLabel>
@@ -204,6 +206,19 @@ extern "C"
     timer->start(200);
   }
 
+  // 1: the entry of a combo box is on its way to be chosen.
+  Q_DECL_EXPORT int probe_choose(const char* name, const char* entry)
+  {
+    auto* box = qobject_cast<QComboBox*>(Find(name));
+    const int index = box ? box->findText(entry) : -1;
+    if (index < 0)
+    {
+      return 0;
+    }
+    box->setCurrentIndex(index);
+    return QMetaObject::invokeMethod(box, "activated", Qt::QueuedConnection, Q_ARG(int, index));
+  }
+
   // 1: a menu's action is on its way.
   Q_DECL_EXPORT int probe_trigger(const char* name)
   {
@@ -271,17 +286,23 @@ extern "C"
     return pixels;
   }
 
-  // The labels of the rows that a widget shows, from the upper to the lower, a line each; copied as above.
-  Q_DECL_EXPORT void probe_labels(const char* name, char* text, int size)
+  // The labels of the rows that a widget shows, and what its check boxes say, from the upper to the lower, a line each;
+  // copied as above. Only those that are cut off: a word is wider than its label, or there are more lines than room.
+  Q_DECL_EXPORT void probe_labels(const char* name, int cut, char* text, int size)
   {
     QMap<int, QString> labels;
     const QWidget* outer = Find(name);
-    for (const QLabel* label : outer ? outer->findChildren<QLabel*>() : QList<QLabel*>())
+    for (QWidget* widget : outer ? outer->findChildren<QWidget*>() : QList<QWidget*>())
     {
-      if (label->isVisible() && !label->text().isEmpty())
+      const auto* label = qobject_cast<QLabel*>(widget);
+      const auto* box = qobject_cast<QCheckBox*>(widget);
+      const QString words = label ? label->text() : box ? box->text() : QString();
+      const bool fits = !label || !label->wordWrap()
+        ? widget->width() >= widget->sizeHint().width()
+        : widget->width() >= label->minimumSizeHint().width() && widget->height() >= label->heightForWidth(widget->width());
+      if (widget->isVisible() && !words.isEmpty() && !(cut && fits))
       {
-        labels.insert(
-          label->mapTo(outer, QPoint(0, 0)).y() * 4096 + label->mapTo(outer, QPoint(0, 0)).x(), label->text());
+        labels.insert(widget->mapTo(outer, QPoint(0, 0)).y() * 4096 + widget->mapTo(outer, QPoint(0, 0)).x(), words);
       }
     }
     const QString said = labels.values().join('\n');

@@ -73,6 +73,10 @@ class Window:
         """Whether a button is pressed."""
         return bool(self.probe.probe_checked(name.encode()))
 
+    def choose(self, name, entry):
+        """Chooses an entry of a combo box; False: there is none."""
+        return bool(self.probe.probe_choose(name.encode(), entry.encode()))
+
     def trigger(self, name):
         """Does what a menu's action does; False: there is none, or it is disabled."""
         return bool(self.probe.probe_trigger(name.encode()))
@@ -95,9 +99,10 @@ class Window:
         """The rows of the lists in a widget, which need not be visible, each once."""
         return list(dict.fromkeys(self._words(self.probe.probe_rows, name).splitlines()))
 
-    def labels(self, name):
-        """The labels that a widget shows, from the upper to the lower."""
-        return [re.sub("<[^>]*>", "", line) for line in self._words(self.probe.probe_labels, name).splitlines()]
+    def labels(self, name, cut=False):
+        """The labels of rows and check boxes that a widget shows, from the upper to the lower; only those that are cut off."""
+        words = self._words(lambda name, text, size: self.probe.probe_labels(name, cut, text, size), name)
+        return [re.sub("<[^>]*>", "", line) for line in words.splitlines()]
 
     def sideways(self, name):
         """How far a widget, or one in it, can be scrolled sideways, in pixels."""
