@@ -67,6 +67,7 @@ def main():
     pv.GetLayout().PreviewMode = [300, 200]
     failures += panel(window, view, reader, shown)
     failures += clicked(window, view, shown)
+    failures += parts(window, view, reader, shown)
     failures += sized(window, view, shown)
     failures += buttons(window, view, reader, shown)
     return failures
@@ -88,13 +89,6 @@ def panel(window, view, reader, shown):
     window.resize("pqClientMainWindow", 1500, 1100)
     pv.SetActiveSource(reader)
     shown.Visibility = 0  # the panel shows it all the same, and no program is compiled for each shape
-    narrow = []  # how much wider than its room the panel is, for ParaView's own rows, too
-    for kind in ("3D Glyphs", session.REPRESENTATION):
-        shown.SetRepresentationType(kind)
-        window.wait(lambda: False, 0.5)
-        narrow.append(window.sideways("propertiesPanel"))
-    if narrow[1] > narrow[0]:
-        failures.append("the panel is %d pixels wider than its room, that of 3D Glyphs %d" % (narrow[1], narrow[0]))
     for advanced in (False, True):
         if advanced:
             window.click("SearchBox/AdvancedButton")
@@ -227,6 +221,35 @@ def clicked(window, view, shown):
         if not at or not window.right_click("Viewport", at) or not window.wait(lambda: found.extend(window.menu()) or found, 10) \
                 or {"Hide", "Representation", "Color By"} & {entry.replace("&", "") for entry in found} != wanted:
             failures.append("the menu at %s has %s" % (at, found))
+    return failures
+
+
+def parts(window, view, reader, shown):
+    """A clip of what is shown as glyphs is shown with the same glyphs, in place of the source."""
+    failures = []
+    set_before = {"GlyphShape": "Capsule", "ScaleMode": "Magnitude", "SelectScaleArray": "diameter", "ScaleFactor": 0.75, "ScaleFactorFromData": 0, "GlyphMode": "Every Nth"}
+    for name, value in set_before.items():
+        setattr(shown, name, value)
+    shown.GlyphType = "Cone"
+    shown.GlyphType.Height = 2.0
+    pv.SetActiveSource(reader)
+    pv.Render(view)
+    window.trigger("Clip")
+    applied = window.wait(lambda: window.click("propertiesPanel/Accept"), 20)
+    found = {}
+
+    def same():
+        clips = [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("Clip")]
+        part = pv.GetRepresentation(clips[0], view) if clips else None
+        found.update({name: part.GetPropertyValue(name) for name in ("Representation", *set_before)} if part else {})
+        return part and all(str(found[name]).strip("'") == str(value) for name, value in {"Representation": session.REPRESENTATION, **set_before}.items()) \
+            and part.GlyphType.Height == 2.0 and part.GlyphType.SMProxy.GetXMLName() == "ConeSource" and not shown.Visibility
+    if not applied or not window.wait(same, 20):
+        failures.append("a clip of glyphs has %s; its source is %s" % (found, "shown" if shown.Visibility else "hidden"))
+    for proxy in [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("Clip")]:
+        pv.Delete(proxy)
+    pv.SetActiveSource(reader)
+    shown.Visibility, shown.GlyphMode, shown.GlyphShape, shown.GlyphType = 1, "All Points", "Glyph Type", "Sphere"
     return failures
 
 
