@@ -38,8 +38,7 @@ pqRayTracedGlyphsArray::pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMPropert
   {
     pqCoreUtilities::connect(arrays, vtkCommand::DomainModifiedEvent, this, SLOT(list()));
   }
-  QObject::connect(
-    this->Arrays, QOverload<int>::of(&QComboBox::activated), this, &pqRayTracedGlyphsArray::choose);
+  QObject::connect(this->Arrays, QOverload<int>::of(&QComboBox::activated), this, &pqRayTracedGlyphsArray::choose);
   this->addPropertyLink(this, "array", SIGNAL(chosen()), property);
   if (IsSize(display, property))
   {

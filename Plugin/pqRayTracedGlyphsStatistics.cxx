@@ -9,8 +9,7 @@
 #include <QVBoxLayout>
 
 //----------------------------------------------------------------------------
-pqRayTracedGlyphsStatistics::pqRayTracedGlyphsStatistics(
-  vtkSMProxy* display, vtkSMProperty* property, QWidget* parent)
+pqRayTracedGlyphsStatistics::pqRayTracedGlyphsStatistics(vtkSMProxy* display, vtkSMProperty* property, QWidget* parent)
   : pqPropertyWidget(display, parent)
   , Words(new QLabel(this))
 {

@@ -314,8 +314,9 @@ void vtkGlyphLegend::Arrange(vtkViewport* viewport)
   const double textX = right ? view[0] - margin - words[0] : margin;
   const double glyphX = right ? view[0] - margin - glyph.x : margin;
   const double width = std::max(words[0], glyph.x), left = std::min(textX, glyphX);
-  const double bottom = top ? view[1] - margin - words[1] - gap - glyph.y
-                            : margin + TopOfAxes(vtkRenderer::SafeDownCast(viewport), left / view[0], (left + width) / view[0]) * view[1];
+  const double bottom = top
+    ? view[1] - margin - words[1] - gap - glyph.y
+    : margin + TopOfAxes(vtkRenderer::SafeDownCast(viewport), left / view[0], (left + width) / view[0]) * view[1];
   this->Text->SetPosition(textX, bottom);
   this->Actor->SetPosition(glyphX - lower.x, bottom + words[1] + gap - lower.y);
   this->Shows = true;

@@ -4,9 +4,9 @@
  *
  * The glyph is the silhouette of an upright one whose every scale, or eigenvalue, is the number that stands beside it.
  * It is as large as it would be at the center of rotation, with parallel projection as everywhere. It stands above
- * ParaView's orientation axes where these are in its corner. Unless a number is set it is the largest of 1, 2, 5 times a power of ten whose
- * glyph is at most a fifth of the view's shorter side, that no limit of sizes changes and that the data reach; so it follows the zoom as the
- * bar of a map's scale does.
+ * ParaView's orientation axes where these are in its corner. Unless a number is set it is the largest of 1, 2, 5 times
+ * a power of ten whose glyph is at most a fifth of the view's shorter side, that no limit of sizes changes and that the
+ * data reach; so it follows the zoom as the bar of a map's scale does.
  */
 #ifndef vtkGlyphLegend_h
 #define vtkGlyphLegend_h
@@ -59,8 +59,8 @@ public:
    * and height of the mesh of mesh glyphs, for which the legend shows a rectangle; the largest magnitude of the data
    * (0: unknown), which a number that is chosen does not exceed.
    */
-  void SetGlyphs(
-    const rtglyphs::GlyphSettings& settings, double scale, const std::string& name, const std::array<double, 2>& mesh, double largest);
+  void SetGlyphs(const rtglyphs::GlyphSettings& settings, double scale, const std::string& name,
+    const std::array<double, 2>& mesh, double largest);
   void SetStyle(const Style& style);
 
   ///@{

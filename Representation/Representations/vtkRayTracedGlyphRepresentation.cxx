@@ -345,8 +345,7 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(const rtglyphs::GlyphSettings
   vtkNew<vtkMatrix4x4> matrix;
   this->GetActor()->GetMatrix(matrix);
   const double scale = std::hypot(matrix->GetElement(0, 0), matrix->GetElement(1, 0), matrix->GetElement(2, 0));
-  this->Legend->SetGlyphs(
-    settings, scale, name, { this->DataSizes[1], this->DataSizes[2] }, this->DataSizes[3]);
+  this->Legend->SetGlyphs(settings, scale, name, { this->DataSizes[1], this->DataSizes[2] }, this->DataSizes[3]);
 }
 
 //----------------------------------------------------------------------------
@@ -489,7 +488,8 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
     { SUPERQUADRIC, "Superquadric" }, { NESTED_SUPERQUADRIC, "Nested Superquadric" },
     { TENSOR_ELLIPSOID, "Tensor Ellipsoid" }, { TENSOR_SUPERQUADRIC, "Tensor Superquadric" },
     { SIGNED_TENSOR_SUPERQUADRIC, "Signed Tensor Superquadric" }, { SPHERICAL_HARMONICS, "Spherical Harmonics" },
-    { REYNOLDS, "Normal Stress" }, { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" }, { PRINCIPAL_AXES, "Principal Axes" } };
+    { REYNOLDS, "Normal Stress" }, { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" },
+    { PRINCIPAL_AXES, "Principal Axes" } };
   if (!names.count(shape))
   {
     std::string known;

@@ -119,8 +119,9 @@ void rtglyphs::RayTracedGlyphDefaults::Follow(vtkSMProxy* glyphs, const std::str
     this->ListArrays(glyphs);
     this->ChooseArrays(glyphs, Where::Lost);
   }
-  if (name == "SelectOrientationVectors" && this->InView && !this->Choosing && !this->Chosen.count("SelectScaleArray") &&
-    vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 && vtkSMRayTracedArrayListDomain::AreArrows(glyphs))
+  if (name == "SelectOrientationVectors" && this->InView && !this->Choosing &&
+    !this->Chosen.count("SelectScaleArray") && vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 &&
+    vtkSMRayTracedArrayListDomain::AreArrows(glyphs))
   {
     this->ChooseArray(glyphs, "SelectScaleArray"); // the lengths of arrows follow their direction
   }

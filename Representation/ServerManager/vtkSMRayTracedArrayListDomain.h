@@ -35,7 +35,8 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Whether the glyphs' GlyphType is an arrow, which is as long as its direction's array says where nothing else is chosen.
+   * Whether the glyphs' GlyphType is an arrow, which is as long as its direction's array says where nothing else is
+   * chosen.
    */
   static bool AreArrows(vtkSMProxy* glyphs);
 

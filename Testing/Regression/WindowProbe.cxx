@@ -58,8 +58,8 @@ void PostMouse(
   QWindow* window, QEvent::Type type, QPoint at, Qt::MouseButtons buttons, Qt::MouseButton button = Qt::LeftButton)
 {
   QCoreApplication::postEvent(window,
-    new QMouseEvent(type, at, window->mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button, buttons,
-      Qt::NoModifier));
+    new QMouseEvent(
+      type, at, window->mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button, buttons, Qt::NoModifier));
 }
 }
 
@@ -140,15 +140,20 @@ extern "C"
     return 1;
   }
 
-  // The entries of the menu that is open, which is closed, a line each; copied as below.
-  Q_DECL_EXPORT void probe_menu(char* text, int size)
+  // The entries of the menu that is open, a line each; copied as below. The menu is closed, one of that name
+  // chosen.
+  Q_DECL_EXPORT void probe_menu(const char* chosen, char* text, int size)
   {
     QString said;
     if (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget()))
     {
-      for (const QAction* action : menu->actions())
+      for (QAction* action : menu->actions())
       {
         said += action->text() + '\n';
+        if (action->text() == chosen)
+        {
+          QMetaObject::invokeMethod(action, "trigger", Qt::QueuedConnection);
+        }
       }
       menu->close();
     }
@@ -297,9 +302,9 @@ extern "C"
       const auto* label = qobject_cast<QLabel*>(widget);
       const auto* box = qobject_cast<QCheckBox*>(widget);
       const QString words = label ? label->text() : box ? box->text() : QString();
-      const bool fits = !label || !label->wordWrap()
-        ? widget->width() >= widget->sizeHint().width()
-        : widget->width() >= label->minimumSizeHint().width() && widget->height() >= label->heightForWidth(widget->width());
+      const bool fits = !label || !label->wordWrap() ? widget->width() >= widget->sizeHint().width()
+                                                     : widget->width() >= label->minimumSizeHint().width() &&
+          widget->height() >= label->heightForWidth(widget->width());
       if (widget->isVisible() && !words.isEmpty() && !(cut && fits))
       {
         labels.insert(widget->mapTo(outer, QPoint(0, 0)).y() * 4096 + widget->mapTo(outer, QPoint(0, 0)).x(), words);

@@ -106,7 +106,7 @@ def panel(window, view, reader, shown):
             window.wait(lambda: cut.clear() or cut.extend(label for label in window.labels("propertiesPanel", cut=True) if label in found) or not cut, 2)
             if cut or len(set(found)) < len(found):
                 failures.append("%s: labels that are cut off: %s, or twice among %s" % (shape, cut, found))
-            window.picture("DisplayProperties", session.output("gui-panel-%s%s.png" % (shape.replace(" ", "-"), "-advanced" if advanced else "")))
+            window.picture("DisplayFrame", session.output("gui-panel-%s%s.png" % (shape.replace(" ", "-"), "-advanced" if advanced else "")))
     window.click("SearchBox/AdvancedButton")
     failures += colored(window, view, shown)
     sections = [label for label in window.labels("propertiesPanel") if label in SECTIONS]
@@ -216,11 +216,20 @@ def clicked(window, view, shown):
     pv.Render(view)
     width, height = view.ViewSize
     on = next((at for at in ((x, y) for y in range(height // 2, height, 7) for x in range(width // 2, width, 7)) if view.SMProxy.Pick(*at)), None)
-    for at, wanted in ((on, {"Hide", "Representation", "Color By"}), ((2, 2), set())):
+    entries = {"Hide", "Representation", "Color By", "Add Surface"}
+    for at, wanted in (((2, 2), set()), (on, entries)):
         found = []
-        if not at or not window.right_click("Viewport", at) or not window.wait(lambda: found.extend(window.menu()) or found, 10) \
-                or {"Hide", "Representation", "Color By"} & {entry.replace("&", "") for entry in found} != wanted:
+        if not at or not window.right_click("Viewport", at) or not window.wait(lambda: found.extend(window.menu("Add Surface")) or found, 20) \
+                or entries & set(found) != wanted:
             failures.append("the menu at %s has %s" % (at, found))
+
+    def surface():
+        found = [pv.GetRepresentation(proxy, view) for (name, _), proxy in pv.GetSources().items() if name.startswith("ExtractSurface")]
+        return found and found[0] and found[0].Visibility and str(found[0].Representation).strip("'") == "Ray Traced Surface" and shown.Visibility
+    if not window.wait(surface, 20):
+        failures.append("Add Surface: %s" % list(pv.GetSources()))
+    for proxy in [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("ExtractSurface")]:
+        pv.Delete(proxy)
     return failures
 
 
@@ -234,7 +243,8 @@ def parts(window, view, reader, shown):
     shown.GlyphType.Height = 2.0
     pv.SetActiveSource(reader)
     pv.Render(view)
-    window.trigger("Clip")
+    window.wait(lambda: window.trigger("Clip"), 20)
+    window.wait(lambda: any(name.startswith("Clip") for name, _ in pv.GetSources()), 20)
     applied = window.wait(lambda: window.click("propertiesPanel/Accept"), 20)
     found = {}
 

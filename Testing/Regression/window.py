@@ -53,9 +53,9 @@ class Window:
         """Posts a click with the right button on a pixel of a widget, from its lower left; False: there is no such widget."""
         return bool(self.probe.probe_right_click(name.encode(), *at))
 
-    def menu(self):
-        """The entries of the menu that is open, which is closed."""
-        return self._words(lambda _, text, size: self.probe.probe_menu(text, size), "").splitlines()
+    def menu(self, chosen=""):
+        """The entries of the menu that is open, which is closed; one may be chosen."""
+        return self._words(self.probe.probe_menu, chosen).splitlines()
 
     def escape(self, name):
         """Posts the Esc key; False: there is no such widget."""
