@@ -1,7 +1,7 @@
 #include "vtkRayTracedExporter.h"
 
-#include "GlyphTessellatedSet.h"
 #include "GlyphGLTFWriter.h"
+#include "GlyphTessellatedSet.h"
 #include "GlyphUSDWriter.h"
 #include "vtkObjectFactory.h"
 #include "vtkRayTracedScene.h"

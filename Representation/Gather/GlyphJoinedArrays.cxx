@@ -1,9 +1,10 @@
 #include "GlyphJoinedArrays.h"
 
+#include "RayTracedParallel.h"
+#include "RayTracedArrays.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "RayTracedParallel.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -57,7 +58,7 @@ void rtglyphs::GlyphJoinedArrays::Add(vtkPolyData* points, const std::string& na
   auto joined = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(alike ? type : VTK_DOUBLE));
   joined->SetName(name.c_str());
   joined->SetNumberOfComponents(components);
-  joined->SetNumberOfTuples(points->GetNumberOfPoints());
+  rtglyphs::RayTracedArrays::Resize(joined, points->GetNumberOfPoints());
   rtglyphs::RayTracedParallel::ForChunks(points->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -1,5 +1,7 @@
 #include "GlyphLeaves.h"
 
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellCenters.h"
@@ -13,8 +15,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredData.h"
 #include "vtkStructuredGrid.h"
@@ -218,7 +218,7 @@ vtkSmartPointer<Data> Numbered(Data* data)
   numbered->ShallowCopy(data);
   auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
   ids->SetName(rtglyphs::RayTracedArrays::CellIds);
-  ids->SetNumberOfTuples(data->GetNumberOfCells());
+  rtglyphs::RayTracedArrays::Resize(ids, data->GetNumberOfCells());
   vtkIdType* values = ids->GetPointer(0);
   parallel::ForChunks(data->GetNumberOfCells(),
     [values](vtkIdType begin, vtkIdType end) { std::iota(values + begin, values + end, begin); });

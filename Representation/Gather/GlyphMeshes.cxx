@@ -1,14 +1,14 @@
 #include "GlyphMeshes.h"
 
 #include "Glyphs.h"
+#include "RayTracedSurfaceGatherer.h"
+#include "RayTracedTree.h"
 #include "vtkAppendPolyData.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedSurfaceGatherer.h"
-#include "RayTracedTree.h"
 
 #include <algorithm>
 

@@ -1,20 +1,20 @@
 #include "GlyphPointGatherer.h"
 
+#include "GlyphLeaves.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArrayRange.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "GlyphLeaves.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <numeric>
@@ -95,7 +95,7 @@ void CopyArrays(const Leaf& leaf, bool cells, vtkDataSetAttributes* out, const p
     {
       to->SetComponentName(c, from->GetComponentName(c));
     }
-    to->SetNumberOfTuples(leaf.Count());
+    rtglyphs::RayTracedArrays::Resize(to, leaf.Count());
     CopyLeaf(from, to, leaf, cells);
     out->AddArray(to);
     if (progress)
@@ -116,7 +116,7 @@ void CopyPoints(const Leaf& leaf, vtkPolyData* out, const parallel::Progress& pr
   auto* set = vtkPointSet::SafeDownCast(leaf.Data);
   vtkNew<vtkPoints> points;
   points->SetDataType(set ? set->GetPoints()->GetDataType() : VTK_DOUBLE);
-  points->SetNumberOfPoints(leaf.Count());
+  rtglyphs::RayTracedArrays::Resize(points->GetData(), leaf.Count());
   double first[3];
   leaf.Data->GetPoint(0, first); // builds what the threads need
   parallel::ForChunks(
@@ -140,7 +140,7 @@ void AddIds(vtkPolyData* out, const char* name, const Value& value)
 {
   vtkNew<ArrayType> array;
   array->SetName(name);
-  array->SetNumberOfTuples(out->GetNumberOfPoints());
+  rtglyphs::RayTracedArrays::Resize(array, out->GetNumberOfPoints());
   auto* values = array->GetPointer(0);
   parallel::ForChunks(out->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
@@ -181,7 +181,7 @@ vtkSmartPointer<vtkCellArray> MakeVertices(vtkIdType count)
   const auto counting = [](vtkIdType last)
   {
     auto array = vtkSmartPointer<vtkIdTypeArray>::New();
-    array->SetNumberOfValues(last);
+    rtglyphs::RayTracedArrays::Resize(array, last);
     vtkIdType* values = array->GetPointer(0);
     parallel::ForChunks(
       last, [values](vtkIdType begin, vtkIdType end) { std::iota(values + begin, values + end, begin); });

@@ -1,5 +1,8 @@
 #include "GlyphSelection.h"
 
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "RayTracedTree.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -7,9 +10,6 @@
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
-#include "RayTracedTree.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ Marks(const std::vector<Id>& ids, unsigned int block, vtkIdType count, vtkDataAr
 {
   auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
   array->SetName(rtglyphs::RayTracedArrays::Selected);
-  array->SetNumberOfValues(count);
+  rtglyphs::RayTracedArrays::Resize(array, count);
   rtglyphs::RayTracedParallel::ForChunks(count,
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -1,6 +1,9 @@
 #include "GlyphStepVelocity.h"
 
 #include "Finite.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "RayTracedTree.h"
 #include "vtkAlgorithm.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
@@ -13,9 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
-#include "RayTracedTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -158,7 +158,7 @@ void rtglyphs::GlyphStepVelocity::Follow(vtkDataObject* gathered, double time)
       vtkNew<vtkFloatArray> velocities;
       velocities->SetName(Name());
       velocities->SetNumberOfComponents(3);
-      velocities->SetNumberOfTuples(points->GetNumberOfPoints());
+      rtglyphs::RayTracedArrays::Resize(velocities, points->GetNumberOfPoints());
       velocities->FillValue(0.0f);
       points->GetPointData()->AddArray(velocities);
       this->Points += points->GetNumberOfPoints();

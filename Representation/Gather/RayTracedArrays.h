@@ -5,8 +5,12 @@
 #ifndef RayTracedArrays_h
 #define RayTracedArrays_h
 
+#include "vtkAbstractArray.h"
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <new>
 #include <string>
 
 namespace rtglyphs::RayTracedArrays
@@ -52,6 +56,15 @@ constexpr vtkTypeInt64 Unmarked(vtkTypeInt64 id)
 inline bool IsOwn(const std::string& name)
 {
   return name.rfind("vtkRayTraced_", 0) == 0;
+}
+
+/// SetNumberOfTuples() that throws std::bad_alloc where memory does not suffice: VTK ends the process then, in builds
+/// for debugging, as Debian's are.
+inline void Resize(vtkAbstractArray* array, vtkIdType tuples)
+{
+  ::operator delete(::operator new(
+    static_cast<std::size_t>(tuples) * array->GetNumberOfComponents() * std::max(array->GetDataTypeSize(), 1)));
+  array->SetNumberOfTuples(tuples);
 }
 
 /// Whether a property that names an array names none.

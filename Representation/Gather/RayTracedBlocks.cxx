@@ -1,5 +1,8 @@
 #include "RayTracedBlocks.h"
 
+#include "RayTracedArrays.h"
+#include "RayTracedNumbers.h"
+#include "RayTracedTree.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
@@ -11,9 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedNumbers.h"
-#include "RayTracedTree.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedIntArray.h"
 
@@ -119,7 +119,7 @@ vtkSmartPointer<vtkDataArray> NewArray(const Alike& alike, vtkIdType tuples)
   auto joined = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(exact ? first->GetDataType() : VTK_DOUBLE));
   joined->SetName(first->GetName());
   joined->SetNumberOfComponents(first->GetNumberOfComponents());
-  joined->SetNumberOfTuples(tuples);
+  rtglyphs::RayTracedArrays::Resize(joined, tuples);
   return joined;
 }
 
@@ -127,7 +127,7 @@ vtkSmartPointer<vtkDataArray> NewArray(const Alike& alike, vtkIdType tuples)
 vtkSmartPointer<vtkDataArray> Numbers(const std::vector<Block>& blocks, vtkIdType count)
 {
   auto numbers = vtkSmartPointer<vtkUnsignedIntArray>::New();
-  numbers->SetNumberOfValues(count);
+  rtglyphs::RayTracedArrays::Resize(numbers, count);
   for (const Block& block : blocks)
   {
     std::fill_n(numbers->GetPointer(block.FirstPoint), block.Data->GetNumberOfPoints(), block.FlatIndex);
@@ -246,7 +246,7 @@ void rtglyphs::RayTracedBlocks::JoinPoints()
   {
     auto joined = vtkSmartPointer<vtkPoints>::New();
     joined->SetDataType(anyDouble ? VTK_DOUBLE : VTK_FLOAT);
-    joined->SetNumberOfPoints(count);
+    rtglyphs::RayTracedArrays::Resize(joined->GetData(), count);
     for (const Block& block : this->Blocks)
     {
       if (block.Data->GetNumberOfPoints() > 0)

@@ -30,6 +30,8 @@ public:
     return true;
   }
 
+  bool Holds(const Key& key) const { return this->Known == key; }
+
   void Forget() { this->Known.reset(); }
 
 private:

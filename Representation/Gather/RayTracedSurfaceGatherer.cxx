@@ -1,11 +1,12 @@
 #include "RayTracedSurfaceGatherer.h"
 
+#include "GlyphLeaves.h"
+#include "RayTracedArrays.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
-#include "GlyphLeaves.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -15,7 +16,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
-#include "RayTracedArrays.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedIntArray.h"
 
@@ -167,7 +167,7 @@ vtkSmartPointer<vtkPolyData> rtglyphs::RayTracedSurfaceGatherer::Gather(vtkDataO
   {
     vtkNew<vtkUnsignedIntArray> ranks;
     ranks->SetName(rtglyphs::RayTracedArrays::ProcessId);
-    ranks->SetNumberOfTuples(surface->GetNumberOfPoints());
+    rtglyphs::RayTracedArrays::Resize(ranks, surface->GetNumberOfPoints());
     ranks->FillValue(static_cast<unsigned int>(settings.Process));
     surface->GetPointData()->AddArray(ranks);
   }

@@ -1,5 +1,7 @@
 #include "RayTracedTree.h"
 
+#include "RayTracedArrays.h"
+#include "RayTracedRanks.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -7,10 +9,8 @@
 #include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiPieceDataSet.h"
-#include "vtkMultiProcessController.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
 #include "vtkUnsignedIntArray.h"
 #include "vtkVersionMacros.h"
 
@@ -48,16 +48,15 @@ void MatchPieces(vtkMultiBlockDataSet* tree)
   }
   if (!blocks.empty())
   {
-    std::vector<unsigned int> own, most(blocks.size());
+    std::vector<double> most;
     for (vtkMultiPieceDataSet* pieces : blocks)
     {
-      own.push_back(pieces->GetNumberOfPieces());
+      most.push_back(pieces->GetNumberOfPieces());
     }
-    vtkMultiProcessController::GetGlobalController()->AllReduce(
-      own.data(), most.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::MAX_OP);
+    rtglyphs::RayTracedRanks::Reduce(most, vtkCommunicator::MAX_OP);
     for (std::size_t i = 0; i < blocks.size(); ++i)
     {
-      blocks[i]->SetNumberOfPieces(most[i]);
+      blocks[i]->SetNumberOfPieces(static_cast<unsigned int>(most[i]));
     }
   }
 }

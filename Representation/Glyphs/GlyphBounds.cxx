@@ -2,16 +2,16 @@
 
 #include "Finite.h"
 #include "GlyphBoxes.h"
-#include "Stopwatch.h"
-#include "vtkDataArray.h"
 #include "GlyphMotion.h"
 #include "GlyphSizes.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "Stopwatch.h"
+#include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>

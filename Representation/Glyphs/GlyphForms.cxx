@@ -1,11 +1,11 @@
 #include "GlyphForms.h"
 
-#include "vtkDataArray.h"
 #include "GlyphTuples.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>

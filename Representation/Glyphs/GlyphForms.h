@@ -9,8 +9,8 @@
 
 #include "FormExtents.h"
 #include "HarmonicForms.h"
-#include "Tensor.h"
 #include "RayTracedNumbers.h"
+#include "Tensor.h"
 #include "vtkType.h"
 
 #include <array>

@@ -11,12 +11,18 @@ double rtglyphs::GlyphHighScale::Get(
     return 0.0;
   }
   const rtglyphs::GlyphScaling scaling = settings.OfMagnitudes();
-  const bool changed = this->Known.Update(rtglyphs::GlyphArrays::KeyOf(points, { scaling }, blocks), [] {});
-  if (rtglyphs::GlyphSample::Largest(changed ? 1.0 : 0.0) > 0.0)
+  rtglyphs::GlyphArrays::Key key = rtglyphs::GlyphArrays::KeyOf(points, { scaling }, blocks);
+  if (rtglyphs::RayTracedRanks::Largest(this->Known.Holds(key) ? 0.0 : 1.0) > 0.0)
   {
-    rtglyphs::GlyphSample::Points glyphs(points, scaling, blocks);
-    const std::vector<double> scales = glyphs.KeepPositive(rtglyphs::GlyphSample::ArrowScales(points, scaling));
-    this->High = scales.empty() ? 1.0 : rtglyphs::GlyphSample::Quantile(scales, rtglyphs::GlyphSample::typicalQuantile);
+    this->Known.Forget();
+    this->Known.Update(std::move(key),
+      [&]
+      {
+        rtglyphs::GlyphSample::Points glyphs(points, scaling, blocks);
+        const std::vector<double> scales = glyphs.KeepPositive(rtglyphs::GlyphSample::ArrowScales(points, scaling));
+        this->High =
+          scales.empty() ? 1.0 : rtglyphs::GlyphSample::Quantile(scales, rtglyphs::GlyphSample::typicalQuantile);
+      });
   }
   return this->High;
 }

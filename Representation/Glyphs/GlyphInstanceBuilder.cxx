@@ -2,13 +2,13 @@
 
 #include "Finite.h"
 #include "GlyphArrays.h"
-#include "vtkDataArray.h"
 #include "GlyphMaker.h"
 #include "GlyphMotion.h"
 #include "GlyphOutcomes.h"
 #include "GlyphTuples.h"
-#include "vtkPolyData.h"
 #include "RayTracedArrays.h"
+#include "vtkDataArray.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <atomic>

@@ -12,9 +12,9 @@
 #ifndef GlyphInstanceBuilder_h
 #define GlyphInstanceBuilder_h
 
-#include "Glyphs.h"
 #include "GlyphBlockAttributes.h"
 #include "GlyphSettings.h"
+#include "Glyphs.h"
 #include "RayTracedParallel.h"
 #include "vtkType.h"
 

@@ -43,11 +43,8 @@ public:
     const bool otherStep = otherData && time != this->Time;
     const bool anew = this->Found.Value <= 0.0 || !(key.Settings == this->Known.Settings) ||
       unitSize != this->UnitSize || (otherData && !otherStep);
-    this->Known = std::move(key);
-    this->UnitSize = unitSize;
-    this->Time = time;
     // The reason of one rank is that of all.
-    const double reason = GlyphSample::Largest(anew ? 2.0 : otherStep ? 1.0 : 0.0);
+    const double reason = RayTracedRanks::Largest(anew ? 2.0 : otherStep ? 1.0 : 0.0);
     if (reason > 0.0)
     {
       const bool onlyTime = reason == 1.0;
@@ -62,6 +59,9 @@ public:
         this->Found.Limit = this->Found.Limit > 0.0 ? std::min(this->Found.Limit, found.Limit) : found.Limit;
       }
     }
+    this->Known = std::move(key);
+    this->UnitSize = unitSize;
+    this->Time = time;
     return this->Found;
   }
 

@@ -20,12 +20,12 @@
 #ifndef GlyphMaker_h
 #define GlyphMaker_h
 
-#include "Tensor.h"
 #include "GlyphOutcomes.h"
 #include "GlyphPlacement.h"
 #include "GlyphSettings.h"
 #include "GlyphSizes.h"
 #include "GlyphTuples.h"
+#include "Tensor.h"
 #include "vtkType.h"
 
 #include <array>

@@ -1,13 +1,13 @@
 #include "GlyphMask.h"
 
 #include "Finite.h"
-#include "vtkDataArray.h"
 #include "GlyphTuples.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedIntArray.h"
 

@@ -1,12 +1,12 @@
 #include "GlyphMotion.h"
 
 #include "Finite.h"
-#include "vtkDataArray.h"
 #include "GlyphStepVelocity.h"
+#include "RayTracedArrays.h"
+#include "RayTracedBlocks.h"
+#include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "RayTracedBlocks.h"
-#include "RayTracedArrays.h"
 
 #include <algorithm>
 #include <cmath>

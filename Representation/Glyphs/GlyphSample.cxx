@@ -1,25 +1,17 @@
 #include "GlyphSample.h"
 
 #include "Finite.h"
+#include "GlyphSizes.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
-#include "GlyphSizes.h"
-#include "vtkMultiProcessController.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace
 {
-vtkMultiProcessController* Others()
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
-}
-
 // Those of one axis of positions.
 std::vector<double> Along(int axis, const std::vector<double>& positions)
 {
@@ -47,42 +39,6 @@ std::vector<double> Each(vtkPolyData* data, const rtglyphs::GlyphMagnitudes& all
     });
   return values;
 }
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::GlyphSample::Reduce(std::vector<double>& values, int operation)
-{
-  if (vtkMultiProcessController* controller = Others())
-  {
-    const std::vector<double> own = values;
-    controller->AllReduce(own.data(), values.data(), static_cast<vtkIdType>(own.size()), operation);
-  }
-}
-
-//----------------------------------------------------------------------------
-double rtglyphs::GlyphSample::Largest(double value)
-{
-  std::vector<double> values{ value };
-  Reduce(values, vtkCommunicator::MAX_OP);
-  return values[0];
-}
-
-//----------------------------------------------------------------------------
-std::vector<double> rtglyphs::GlyphSample::Gather(const std::vector<double>& own)
-{
-  vtkMultiProcessController* controller = Others();
-  if (!controller)
-  {
-    return own;
-  }
-  const int ranks = controller->GetNumberOfProcesses();
-  const auto length = static_cast<vtkIdType>(own.size());
-  std::vector<vtkIdType> lengths(ranks), offsets(ranks, 0);
-  controller->AllGather(&length, lengths.data(), 1);
-  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
-  std::vector<double> all(offsets.back() + lengths.back());
-  controller->AllGatherV(own.data(), all.data(), length, lengths.data(), offsets.data());
-  return all;
 }
 
 //----------------------------------------------------------------------------
@@ -115,7 +71,7 @@ rtglyphs::GlyphSample::Points::Points(
     return;
   }
   std::vector<double> count{ this->CountOfAll };
-  Reduce(count, vtkCommunicator::SUM_OP);
+  rtglyphs::RayTracedRanks::Reduce(count, vtkCommunicator::SUM_OP);
   this->CountOfAll = count[0];
 }
 
@@ -126,7 +82,7 @@ void rtglyphs::GlyphSample::Points::Take(std::vector<vtkIdType> chosen)
   this->Thinned = true;
   this->Count = static_cast<vtkIdType>(this->Chosen.size());
   std::vector<double> count{ static_cast<double>(this->Count) };
-  Reduce(count, vtkCommunicator::SUM_OP);
+  rtglyphs::RayTracedRanks::Reduce(count, vtkCommunicator::SUM_OP);
   this->CountOfAll = count[0];
 }
 
@@ -157,7 +113,7 @@ std::vector<double> rtglyphs::GlyphSample::Points::SampledPositions(double wante
       own.insert(own.end(), p, p + 3);
     }
   }
-  return Gather(own);
+  return rtglyphs::RayTracedRanks::Gather(own);
 }
 
 //----------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "GlyphBlockAttributes.h"
 #include "GlyphSettings.h"
 #include "RayTracedParallel.h"
+#include "RayTracedRanks.h"
 
 #include <array>
 #include <utility>
@@ -18,16 +19,6 @@ class vtkPolyData;
 
 namespace rtglyphs::GlyphSample
 {
-///@{
-/**
- * Of all ranks at once: vtkCommunicator's operations on the values, the largest, and all values, one rank after
- * another.
- */
-void Reduce(std::vector<double>& values, int operation);
-double Largest(double value);
-std::vector<double> Gather(const std::vector<double>& own);
-///@}
-
 /**
  * Of at least one value.
  */
@@ -88,7 +79,7 @@ public:
     {
       own.push_back(value(point));
     }
-    return Gather(own);
+    return RayTracedRanks::Gather(own);
   }
   std::vector<double> SampledPositions(double wanted) const;
 

@@ -1,13 +1,13 @@
 #include "GlyphScaleGuess.h"
 
 #include "Finite.h"
-#include "vtkCommunicator.h"
-#include "vtkDataArray.h"
 #include "GlyphArrayNames.h"
 #include "GlyphTuples.h"
+#include "RayTracedParallel.h"
+#include "vtkCommunicator.h"
+#include "vtkDataArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedParallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +99,7 @@ Extents Measure(const Points& points, bool rough)
   extents.Spacing = std::pow(volume / points.NumberOfAll(), 1.0 / std::max(axes, 1.0));
 
   std::vector<double> nearest = NearestSquared(points, pivots, extents.Longest);
-  Reduce(nearest, vtkCommunicator::MIN_OP);
+  rtglyphs::RayTracedRanks::Reduce(nearest, vtkCommunicator::MIN_OP);
   nearest.erase(std::remove(nearest.begin(), nearest.end(), HUGE_VAL), nearest.end());
   extents.Neighbors = nearest.empty() ? 0.0 : std::sqrt(Quantile(nearest, 0.5));
   return extents;
@@ -161,7 +161,7 @@ Find(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize,
   {
     const std::vector<double> magnitudes = Magnitudes(data, settings);
     sample = points.KeepPositive(magnitudes);
-    largest = Largest(rtglyphs::RayTracedParallel::Largest(
+    largest = rtglyphs::RayTracedRanks::Largest(rtglyphs::RayTracedParallel::Largest(
       points.Number(), [&](vtkIdType i) { return magnitudes.empty() ? 1.0 : magnitudes[points[i]]; }));
   }
   if (points.NumberOfAll() == 0.0)
@@ -170,7 +170,7 @@ Find(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize,
   }
   const Extents extents = Measure(points, rough);
   const double typical = Quantile(sample, typicalQuantile);
-  const double exact = Largest(ExactFactor(data, settings, unitSize));
+  const double exact = rtglyphs::RayTracedRanks::Largest(ExactFactor(data, settings, unitSize));
   if (exact * typical >= extents.Longest * std::min(seen, specks * extents.Neighbors) && exact > 0.0)
   {
     result.Value = exact;
@@ -215,7 +215,7 @@ const rtglyphs::GlyphKeptGuess::Result& rtglyphs::GlyphScaleGuess::Update(rtglyp
   rtglyphs::GlyphScaling scaling = settings.OfMagnitudes();
   vtkDataArray* scales = rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::SCALE, points, scaling);
   std::vector<double> has{ points->GetNumberOfPoints() > 0 ? 1.0 : 0.0, scales ? 1.0 : 0.0 };
-  Reduce(has, vtkCommunicator::MAX_OP);
+  rtglyphs::RayTracedRanks::Reduce(has, vtkCommunicator::MAX_OP);
   if (has[0] == 0.0)
   {
     return kept.Last(); // a step without points changes nothing

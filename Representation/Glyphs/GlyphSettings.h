@@ -6,12 +6,12 @@
 #define GlyphSettings_h
 
 #include "Finite.h"
-#include "Glyphs.h"
 #include "GlyphForms.h"
 #include "GlyphMask.h"
 #include "GlyphMotion.h"
 #include "GlyphSizing.h"
 #include "GlyphTensors.h"
+#include "Glyphs.h"
 #include "RayTracedArrays.h"
 #include "vtkType.h"
 

@@ -1,8 +1,8 @@
 #include "GlyphShutterGuess.h"
 
 #include "Finite.h"
-#include "vtkDataArray.h"
 #include "GlyphTuples.h"
+#include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -24,18 +24,18 @@ constexpr double longestStreak = 0.5;       // the same
 double TypicalSize(vtkPolyData* data, const rtglyphs::GlyphSettings& settings, Points points)
 {
   double typical = 1.0;
-  if (Largest(settings.Scaling || settings.Tensors.On || settings.Forms.On ? 1.0 : 0.0) > 0.0)
+  if (rtglyphs::RayTracedRanks::Largest(settings.Scaling || settings.Tensors.On || settings.Forms.On ? 1.0 : 0.0) > 0.0)
   {
     const std::vector<double> sample = points.KeepPositive(Magnitudes(data, settings));
     typical = sample.empty() ? 0.0 : Quantile(sample, typicalQuantile);
   }
-  return Largest(settings.Length(typical));
+  return rtglyphs::RayTracedRanks::Largest(settings.Length(typical));
 }
 
 rtglyphs::GlyphKeptGuess::Result Find(vtkPolyData* data, const rtglyphs::GlyphSettings& settings, double unitSize)
 {
   const std::array<vtkDataArray*, 3> arrays = rtglyphs::GlyphMotion::Arrays(data, settings.Motion);
-  const bool turns = Largest(arrays[0] ? 1.0 : 0.0) == 0.0;
+  const bool turns = rtglyphs::RayTracedRanks::Largest(arrays[0] ? 1.0 : 0.0) == 0.0;
   vtkDataArray* array = arrays[turns ? 2 : 0];
   array = array && array->GetNumberOfComponents() <= 3 ? array : nullptr;
   const auto speed = [array](vtkIdType point)
@@ -60,8 +60,8 @@ rtglyphs::GlyphKeptGuess::Result Find(vtkPolyData* data, const rtglyphs::GlyphSe
     return { TwoDigits(1.0 / typical) };
   }
   const double longest = LongestSide(all.SampledPositions(512));
-  const double fastest =
-    Largest(rtglyphs::RayTracedParallel::Largest(moving.Number(), [&](vtkIdType i) { return speed(moving[i]); }));
+  const double fastest = rtglyphs::RayTracedRanks::Largest(
+    rtglyphs::RayTracedParallel::Largest(moving.Number(), [&](vtkIdType i) { return speed(moving[i]); }));
   const double size = TypicalSize(data, settings, all) * unitSize;
   const double length = size > 0.0 ? streak * size : streakOfNoSize * longest;
   const double time = std::min(length / typical, std::max(length, longestStreak * longest) / fastest);
@@ -73,7 +73,7 @@ rtglyphs::GlyphKeptGuess::Result Find(vtkPolyData* data, const rtglyphs::GlyphSe
 double rtglyphs::GlyphShutterGuess::Update(rtglyphs::GlyphKeptGuess& kept, vtkPolyData* points,
   const rtglyphs::GlyphSettings& settings, double unitSize, double time)
 {
-  if (Largest(points->GetNumberOfPoints() > 0 ? 1.0 : 0.0) == 0.0)
+  if (rtglyphs::RayTracedRanks::Largest(points->GetNumberOfPoints() > 0 ? 1.0 : 0.0) == 0.0)
   {
     return kept.Last().Value; // a step without points changes nothing
   }

@@ -1,10 +1,10 @@
 #include "GlyphTensorRange.h"
 
+#include "GlyphSample.h"
+#include "RayTracedParallel.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
-#include "GlyphSample.h"
 #include "vtkPolyData.h"
-#include "RayTracedParallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +76,7 @@ rtglyphs::GlyphTensorRange::Get(vtkPolyData* points, const rtglyphs::GlyphSettin
   std::vector<double> all(this->Own.begin(), this->Own.end());
   if (collective)
   {
-    rtglyphs::GlyphSample::Reduce(all, vtkCommunicator::MIN_OP);
+    rtglyphs::RayTracedRanks::Reduce(all, vtkCommunicator::MIN_OP);
   }
   return all[0] <= -all[1] ? std::array<double, 2>{ all[0], -all[1] } : std::array<double, 2>{ 1.0, -1.0 };
 }

@@ -1,11 +1,11 @@
 #include "GlyphTensors.h"
 
 #include "Finite.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 #ifndef GlyphTensors_h
 #define GlyphTensors_h
 
-#include "Tensor.h"
 #include "RayTracedNumbers.h"
+#include "Tensor.h"
 #include "vtkType.h"
 
 #include <array>

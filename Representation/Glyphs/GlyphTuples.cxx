@@ -1,12 +1,12 @@
 #include "GlyphTuples.h"
 
+#include "RayTracedArrays.h"
+#include "RayTracedBlocks.h"
+#include "RayTracedParallel.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedBlocks.h"
-#include "RayTracedParallel.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>

@@ -4,11 +4,11 @@
 #ifndef GlyphTuples_h
 #define GlyphTuples_h
 
-#include "vtkAOSDataArrayTemplate.h"
-#include "vtkDataArray.h"
 #include "GlyphBlockAttributes.h"
 #include "GlyphSettings.h"
 #include "RayTracedBlocks.h"
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkDataArray.h"
 
 #include <algorithm>
 #include <array>

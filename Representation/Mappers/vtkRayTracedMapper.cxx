@@ -1,5 +1,6 @@
 #include "vtkRayTracedMapper.h"
 
+#include "RayTracedArrays.h"
 #include "Stopwatch.h"
 #include "TriangleMesh.h"
 #include "vtkActor.h"
@@ -15,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "RayTracedArrays.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"

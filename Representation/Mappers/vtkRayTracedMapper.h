@@ -10,11 +10,11 @@
 #define vtkRayTracedMapper_h
 
 #include "Glyphs.h"
-#include "vtkMapper.h"
 #include "RayTracedBlocks.h"
 #include "RayTracedCache.h"
 #include "RayTracedParallel.h"
 #include "RayTracedSources.h"
+#include "vtkMapper.h"
 #include "vtkSmartPointer.h"
 
 #include <array>

@@ -1,18 +1,18 @@
 #include "vtkRayTracedSurfaceMapper.h"
 
+#include "GlyphMotion.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "RayTracedTriangleBuilder.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
-#include "GlyphMotion.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
-#include "RayTracedTriangleBuilder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "vtkRayTracedTubeMapper.h"
 
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -9,8 +11,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>

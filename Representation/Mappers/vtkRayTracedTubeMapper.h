@@ -11,8 +11,8 @@
 #define vtkRayTracedTubeMapper_h
 
 #include "GlyphPlacement.h"
-#include "vtkRayTracedMapper.h"
 #include "RayTracedTubeBuilder.h"
+#include "vtkRayTracedMapper.h"
 
 class vtkRayTracedTubeMapper : public vtkRayTracedMapper
 {

@@ -1,9 +1,6 @@
 #include "vtkRayTracedGlyphRepresentation.h"
 
 #include "Finite.h"
-#include "vtkCommunicator.h"
-#include "vtkDataArray.h"
-#include "vtkGlyph3DMapper.h"
 #include "GlyphJoinedArrays.h"
 #include "GlyphLayers.h"
 #include "GlyphPointGatherer.h"
@@ -11,6 +8,10 @@
 #include "GlyphScaleGuess.h"
 #include "GlyphSource.h"
 #include "GlyphTuples.h"
+#include "RayTracedParallel.h"
+#include "vtkCommunicator.h"
+#include "vtkDataArray.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -23,7 +24,6 @@
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
 #include "vtkRayTracedGlyphMapper.h"
-#include "RayTracedParallel.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -154,14 +154,12 @@ void vtkRayTracedGlyphRepresentation::Deliver(vtkInformation* inInfo, bool lod)
 // On all ranks that have data.
 void vtkRayTracedGlyphRepresentation::CountPointsOfAllRanks(vtkPolyData* points)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  vtkIdType count = points ? points->GetNumberOfPoints() : 0;
-  if (this->Glyphs.Mask.On && controller && controller->GetNumberOfProcesses() > 1)
+  std::vector<double> count{ points ? static_cast<double>(points->GetNumberOfPoints()) : 0.0 };
+  if (this->Glyphs.Mask.On)
   {
-    const vtkIdType own = count;
-    controller->AllReduce(&own, &count, 1, vtkCommunicator::SUM_OP);
+    rtglyphs::RayTracedRanks::Reduce(count, vtkCommunicator::SUM_OP);
   }
-  this->Glyphs.Mask.PointsOfAllRanks = count;
+  this->Glyphs.Mask.PointsOfAllRanks = static_cast<vtkIdType>(count[0]);
 }
 
 //----------------------------------------------------------------------------

@@ -10,10 +10,10 @@
 #include "vtkRayTracedSelectableRepresentation.h"
 #ifndef __VTK_WRAP__ // what the wrapping tools need not know
 #include "GlyphHighScale.h"
-#include "vtkGlyphLegend.h"
 #include "GlyphMeshes.h"
 #include "GlyphSettings.h"
 #include "GlyphTensorRange.h"
+#include "vtkGlyphLegend.h"
 #endif
 
 #include <algorithm>

@@ -1,15 +1,20 @@
 #include "vtkRayTracedRepresentation.h"
 
+#include "GlyphJoinedArrays.h"
+#include "GlyphShutterGuess.h"
+#include "GlyphStepVelocity.h"
 #include "Glyphs.h"
+#include "RayTracedArrays.h"
+#include "RayTracedDisplays.h"
+#include "RayTracedNumbers.h"
+#include "RayTracedPythonClass.h"
+#include "RayTracedRanks.h"
+#include "RayTracedTree.h"
 #include "Stopwatch.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
-#include "GlyphSample.h"
-#include "GlyphShutterGuess.h"
-#include "GlyphStepVelocity.h"
-#include "GlyphJoinedArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMapper.h"
@@ -21,13 +26,8 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedActors.h"
-#include "RayTracedArrays.h"
-#include "RayTracedDisplays.h"
 #include "vtkRayTracedMapper.h"
-#include "RayTracedNumbers.h"
-#include "RayTracedPythonClass.h"
 #include "vtkRayTracedScene.h"
-#include "RayTracedTree.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -40,6 +40,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 using namespace rtglyphs::RayTracedNumbers;
 
@@ -103,19 +104,18 @@ int vtkRayTracedRepresentation::RequestData(
     : nullptr;
   rtg::Stopwatch watch;
   vtkSmartPointer<vtkDataObject> gathered = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(this->EmptyType()));
-  try
-  {
-    if (input)
+  this->WithinMemory(
+    [&]
     {
-      gathered = this->GatherTree(input, wholeExtent);
-      this->AddStepVelocities(gathered, input);
-      rtglyphs::RayTracedTree::ForEach(gathered, [this](vtkPolyData* points) { this->Complete(points); });
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->ReportLackOfMemory();
-  }
+      if (input)
+      {
+        const vtkSmartPointer<vtkDataObject> made = this->GatherTree(input, wholeExtent);
+        this->AddStepVelocities(made, input);
+        rtglyphs::RayTracedTree::ForEach(made, [this](vtkPolyData* points) { this->Complete(points); });
+        gathered = made;
+      }
+    },
+    /*together=*/true);
   this->MultiBlockMaker->SetInputDataObject(gathered);
   this->MultiBlockMaker->Update();
   ++this->Gathers;
@@ -218,7 +218,7 @@ void vtkRayTracedRepresentation::UpdateShutterTime(vtkPolyData* points)
   }
   if (this->Motion.FromPreviousStep)
   {
-    this->ShutterTime = rtglyphs::GlyphSample::Largest(this->StepVelocity->GetStepLength());
+    this->ShutterTime = rtglyphs::RayTracedRanks::Largest(this->StepVelocity->GetStepLength());
     return;
   }
   double unitSize = 1.0;
@@ -262,24 +262,66 @@ int vtkRayTracedRepresentation::ProcessViewRequest(
   {
     this->AttributedData = nullptr;
   }
-  // The superclass has another LOD.
-  const bool visible = request == vtkPVView::REQUEST_UPDATE_LOD()
-    ? this->vtkPVDataRepresentation::ProcessViewRequest(request, inInfo, outInfo)
-    : this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
-  if (!visible)
-  {
-    return 0;
-  }
+  const bool together =
+    request == vtkPVView::REQUEST_UPDATE() || (request == vtkPVView::REQUEST_RENDER() && this->IsCollective(inInfo));
+  bool visible = false;
+  const bool good = this->WithinMemory(
+    [&]
+    {
+      // The superclass has another LOD.
+      visible = request == vtkPVView::REQUEST_UPDATE_LOD()
+        ? this->vtkPVDataRepresentation::ProcessViewRequest(request, inInfo, outInfo)
+        : this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
+      if (visible)
+      {
+        this->Answer(request, inInfo);
+      }
+    },
+    together);
+  return good && visible ? 1 : 0;
+}
+
+//----------------------------------------------------------------------------
+// Whether memory suffices; if not, the rank that lacks it says so, once for all that it was needed for.
+bool vtkRayTracedRepresentation::WithinMemory(const std::function<void()>& work, bool together)
+{
+  const bool outermost = !this->Guarded;
+  this->Guarded = true;
+  bool good = true;
   try
   {
-    this->Answer(request, inInfo);
+    together ? rtglyphs::RayTracedRanks::Together(work) : work();
+  }
+  catch (const rtglyphs::RayTracedRanks::FailedElsewhere&)
+  {
+    good = false;
   }
   catch (const std::bad_alloc&)
   {
-    this->ReportLackOfMemory();
-    return 0;
+    good = false;
+    this->LacksMemory = true;
   }
-  return 1;
+  if (outermost)
+  {
+    this->Guarded = false;
+    if (std::exchange(this->LacksMemory, false))
+    {
+      vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these "
+                       "data. Show fewer of them, for example "
+                       "with Mask Points or Threshold, or hide other data.");
+    }
+  }
+  return good;
+}
+
+//----------------------------------------------------------------------------
+// Whether all ranks render together.
+bool vtkRayTracedRepresentation::IsCollective(vtkInformation* inInfo)
+{
+  vtkPVRenderView* view = this->GetRenderView();
+  return view &&
+    (inInfo->Has(vtkPVRenderView::USE_LOD()) ? view->GetUseDistributedRenderingForLODRender()
+                                             : view->GetUseDistributedRenderingForRender());
 }
 
 //----------------------------------------------------------------------------
@@ -406,14 +448,6 @@ std::vector<std::string> vtkRayTracedRepresentation::Arrays() const
   return { this->Motion.Velocity, this->Motion.Acceleration, this->Motion.AngularVelocity };
 }
 
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::ReportLackOfMemory()
-{
-  vtkErrorMacro(<< "Ray Traced Glyphs: the computer's memory does not suffice to gather these "
-                   "data. Show fewer of them, for example "
-                   "with Mask Points or Threshold, or hide other data.");
-}
-
 //****************************************************************************
 // The render side
 //****************************************************************************
@@ -493,8 +527,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
     this->MainMapper->SetBlocks(this->Blocks);
   }
   vtkPolyData* points = this->MainMapper->GetPoints();
-  const bool collective =
-    lod ? view->GetUseDistributedRenderingForLODRender() : view->GetUseDistributedRenderingForRender();
+  const bool collective = this->IsCollective(inInfo);
   vtkRayTracedScene* scene = this->GetScene();
   this->MainMapper->SetInWindow(scene->GetSettings().IsStepwise());
   this->Configure(inInfo, points, lod, collective);

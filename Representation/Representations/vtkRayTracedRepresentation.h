@@ -26,12 +26,13 @@
 #include "GlyphKeptGuess.h"
 #include "GlyphMotion.h"
 #include "RayTracedBlocks.h"
-#include "RayTracedParallel.h"
 #include "RayTracedNumbers.h"
+#include "RayTracedParallel.h"
 #endif
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -176,7 +177,8 @@ private:
   void Answer(vtkInformationRequestKey* request, vtkInformation* inInfo);
   int EmptyType() const;
   void Complete(vtkPolyData* points);
-  void ReportLackOfMemory();
+  bool WithinMemory(const std::function<void()>& work, bool together);
+  bool IsCollective(vtkInformation* inInfo);
   void AddStepVelocities(vtkDataObject* gathered, vtkDataObject* input);
   void UpdateShutterTime(vtkPolyData* points);
   void UseBlocks(vtkDataObject* data);
@@ -193,6 +195,7 @@ private:
   vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes; // of the data, as they were at that time
   vtkDataObject* AttributedData = nullptr;                   // only to be compared
   vtkMTimeType AttributedTime = 0;
+  bool Guarded = false, LacksMemory = false; // see WithinMemory()
   std::unique_ptr<rtglyphs::GlyphStepVelocity> StepVelocity;
   bool ShutterTimeFromData = true;
   double ShutterTime = 0.0; // that the data suggest; 0: none

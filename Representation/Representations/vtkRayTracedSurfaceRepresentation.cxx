@@ -1,11 +1,11 @@
 #include "vtkRayTracedSurfaceRepresentation.h"
 
+#include "RayTracedSurfaceGatherer.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVGeometryFilter.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "RayTracedSurfaceGatherer.h"
 #include "vtkRayTracedSurfaceMapper.h"
 
 vtkStandardNewMacro(vtkRayTracedSurfaceRepresentation);

@@ -1,13 +1,13 @@
 #include "vtkRayTracedTubeRepresentation.h"
 
+#include "RayTracedSurfaceGatherer.h"
+#include "RayTracedTubeBuilder.h"
 #include "vtkCellArray.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedActors.h"
-#include "RayTracedSurfaceGatherer.h"
-#include "RayTracedTubeBuilder.h"
 #include "vtkRayTracedTubeMapper.h"
 
 #include <cmath>

@@ -1,10 +1,19 @@
 #include "vtkRayTracedView.h"
 
+#include "RayTracedRanks.h"
 #include "Vulkan/Device.h"
+#include "vtkCamera.h"
+#include "vtkCommunicator.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkRayTracedRepresentation.h"
 #include "vtkRayTracedScene.h"
+#include "vtk_nlohmannjson.h"
+#include VTK_NLOHMANN_JSON(json.hpp)
+
+#include <cmath>
+#include <vector>
 
 vtkStandardNewMacro(vtkRayTracedView);
 
@@ -85,6 +94,31 @@ const char* vtkRayTracedView::GetRenderStatistics()
   vtkRayTracedScene* scene = this->GetScene();
   this->Statistics = scene ? scene->GetStatistics() : "{}";
   return this->Statistics.c_str();
+}
+
+//----------------------------------------------------------------------------
+const char* vtkRayTracedView::FindPlace(int x, int y)
+{
+  vtkRayTracedScene* scene = this->GetScene();
+  double place[3];
+  double distance = HUGE_VAL;
+  if (scene && scene->PlaceAt(x, y, place))
+  {
+    vtkCamera* camera = this->View->GetActiveCamera();
+    double offset[3];
+    vtkMath::Subtract(place, camera->GetPosition(), offset);
+    distance = vtkMath::Dot(offset, camera->GetDirectionOfProjection());
+  }
+  std::vector<double> nearest{ distance };
+  rtglyphs::RayTracedRanks::Reduce(nearest, vtkCommunicator::MIN_OP);
+  std::vector<double> found(3, HUGE_VAL);
+  if (distance == nearest[0] && distance < HUGE_VAL)
+  {
+    found.assign(place, place + 3);
+  }
+  rtglyphs::RayTracedRanks::Reduce(found, vtkCommunicator::MIN_OP);
+  this->Place = nlohmann::json(found[0] < HUGE_VAL ? found : std::vector<double>()).dump();
+  return this->Place.c_str();
 }
 
 //----------------------------------------------------------------------------

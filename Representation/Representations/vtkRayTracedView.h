@@ -69,6 +69,12 @@ public:
   const char* GetRenderStatistics();
 
   /**
+   * The place of what is seen in a pixel, counted from the lower left, as a JSON array; empty: nothing ray-traced is.
+   * To be called by all ranks that render at once.
+   */
+  const char* FindPlace(int x, int y);
+
+  /**
    * Whether the last render of the view was a server's, so that this process, the client, has no image of its own.
    */
   bool GetRenderedRemotely();
@@ -100,7 +106,7 @@ private:
   rtglyphs::RayTracedImageSettings Settings;
 #endif
   vtkWeakPointer<vtkPVRenderView> View;
-  std::string Statistics;
+  std::string Statistics, Place;
 };
 
 #endif

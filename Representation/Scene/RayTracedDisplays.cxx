@@ -1,10 +1,10 @@
 #include "RayTracedDisplays.h"
 
+#include "RayTracedImages.h"
+#include "RayTracedRendererState.h"
 #include "vtkActor.h"
 #include "vtkProperty.h"
-#include "RayTracedImages.h"
 #include "vtkRayTracedMapper.h"
-#include "RayTracedRendererState.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #ifndef RayTracedDisplays_h
 #define RayTracedDisplays_h
 
-#include "Scene.h"
 #include "RayTracedNeighbors.h"
+#include "Scene.h"
 #include "vtkWeakPointer.h"
 
 #include <array>

@@ -1,9 +1,9 @@
 #include "RayTracedEdges.h"
 
+#include "RayTracedExchange.h"
 #include "Tracer.h"
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
-#include "RayTracedExchange.h"
 
 #include <algorithm>
 #include <array>

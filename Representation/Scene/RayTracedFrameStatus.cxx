@@ -1,8 +1,8 @@
 #include "RayTracedFrameStatus.h"
 
+#include "RayTracedContent.h"
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
-#include "RayTracedContent.h"
 #include "vtkRayTracedMapper.h"
 #include "vtk_nlohmannjson.h"
 #include VTK_NLOHMANN_JSON(json.hpp)

@@ -1,8 +1,8 @@
 #include "RayTracedIdBuffer.h"
 
+#include "RayTracedRendererState.h"
 #include "vtkHardwareSelector.h"
 #include "vtkRayTracedMapper.h"
-#include "RayTracedRendererState.h"
 
 #include <algorithm>
 

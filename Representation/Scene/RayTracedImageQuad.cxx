@@ -3,6 +3,7 @@
 #include "ImageQuadFragments.h" // the shaders
 #include "KeptPixelsFragments.h"
 
+#include "RayTracedOpenGL.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkInformation.h"
@@ -17,7 +18,6 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "RayTracedOpenGL.h"
 
 #include <algorithm>
 #include <cmath>

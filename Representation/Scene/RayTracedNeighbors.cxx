@@ -3,9 +3,9 @@
 #include "GlyphBoxes.h"
 #include "Neighbors.h"
 
+#include "RayTracedExchange.h"
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
-#include "RayTracedExchange.h"
 #include "vtkType.h"
 
 #include <array>

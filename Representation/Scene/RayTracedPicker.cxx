@@ -1,13 +1,13 @@
 #include "RayTracedPicker.h"
 
+#include "RayTracedContent.h"
+#include "RayTracedIdBuffer.h"
+#include "RayTracedOpenGL.h"
+#include "RayTracedRendererState.h"
 #include "vtkDataObject.h"
 #include "vtkHardwareSelector.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "RayTracedContent.h"
-#include "RayTracedIdBuffer.h"
 #include "vtkRayTracedMapper.h"
-#include "RayTracedOpenGL.h"
-#include "RayTracedRendererState.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>

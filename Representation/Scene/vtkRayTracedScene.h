@@ -16,8 +16,8 @@
 #define vtkRayTracedScene_h
 
 #include "Glyphs.h"
-#include "vtkObject.h"
 #include "RayTracedImageSettings.h"
+#include "vtkObject.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 

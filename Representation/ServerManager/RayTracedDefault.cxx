@@ -1,5 +1,6 @@
 #include "RayTracedDefault.h"
 
+#include "RayTracedDomains.h"
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkCommand.h"
@@ -10,7 +11,6 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
 #include "vtkSMProxy.h"
-#include "RayTracedDomains.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSmartPointer.h"

@@ -1,5 +1,7 @@
 #include "RayTracedGlyphDefaults.h"
 
+#include "RayTracedDefault.h"
+#include "RayTracedSuggestion.h"
 #include "vtkCommand.h"
 #include "vtkPVXMLElement.h"
 #include "vtkPVXMLParser.h"
@@ -10,8 +12,6 @@
 #include "vtkSMProxy.h"
 #include "vtkSMProxyListDomain.h"
 #include "vtkSMRayTracedArrayListDomain.h"
-#include "RayTracedDefault.h"
-#include "RayTracedSuggestion.h"
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSmartPointer.h"

@@ -1,10 +1,10 @@
 #include "vtkRayTracedSelectionEncoder.h"
 
+#include "RayTracedArrays.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "RayTracedArrays.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkVersion.h"

@@ -1,8 +1,8 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 
+#include "GlyphArrayNames.h"
 #include "HarmonicForms.h"
 #include "vtkDataSetAttributes.h"
-#include "GlyphArrayNames.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"

@@ -1,12 +1,11 @@
 #include "vtkSMRayTracedPickingHelperProxy.h"
 
+#include "RayTracedDefault.h"
 #include "vtkObjectFactory.h"
-#include "vtkRayTracedScene.h"
 #include "vtkRenderer.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyIterator.h"
-#include "RayTracedDefault.h"
 #include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
 
@@ -95,8 +94,8 @@ bool vtkSMRayTracedPickingHelperProxy::FindPlace(double place[3])
     {
       continue;
     }
-    vtkRayTracedScene* scene = vtkRayTracedScene::Find(renderer);
-    return scene && scene->PlaceAt(pixel[0], pixel[1], place); // none: a server renders
+    vtkSMRayTracedViewProxy* owner = vtkSMRayTracedViewProxy::Of(view);
+    return owner && owner->FindPlace(pixel[0], pixel[1], place);
   }
   return false;
 }

@@ -1,5 +1,7 @@
 #include "vtkSMRayTracedRepresentationProxy.h"
 
+#include "RayTracedDefault.h"
+#include "RayTracedSuggestion.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
@@ -7,8 +9,6 @@
 #include "vtkRayTracedSelectionEncoder.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "RayTracedDefault.h"
-#include "RayTracedSuggestion.h"
 #include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"

@@ -1,16 +1,16 @@
 #include "vtkSMRayTracedViewProxy.h"
 
+#include "RayTracedDefault.h"
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
-#include "vtkObjectFactory.h"
 #include "vtkCompositeRepresentation.h"
+#include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
 #include "vtkPVXMLElement.h"
 #include "vtkRayTracedRepresentation.h"
 #include "vtkRayTracedView.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "RayTracedDefault.h"
 #include "vtkSMRayTracedRepresentationProxy.h"
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
@@ -232,12 +232,34 @@ void vtkSMRayTracedViewProxy::Rendered(vtkObject*, unsigned long, void* interact
 }
 
 //----------------------------------------------------------------------------
+bool vtkSMRayTracedViewProxy::IsRenderedRemotely()
+{
+  auto* local = vtkRayTracedView::SafeDownCast(this->GetClientSideObject());
+  return local && local->GetRenderedRemotely();
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedViewProxy::FindPlace(int x, int y, double place[3])
+{
+  const bool remote = this->IsRenderedRemotely();
+  vtkClientServerStream stream;
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "FindPlace" << x << y << vtkClientServerStream::End;
+  this->ExecuteStream(stream, /*ignore_errors=*/false, remote ? vtkPVSession::RENDER_SERVER : vtkPVSession::CLIENT);
+  std::string result;
+  if (!this->GetLastResult(remote ? vtkPVSession::RENDER_SERVER_ROOT : vtkPVSession::CLIENT).GetArgument(0, 0, &result))
+  {
+    return false;
+  }
+  const auto found = nlohmann::json::parse(result).get<std::vector<double>>();
+  std::copy(found.begin(), found.end(), place);
+  return !found.empty();
+}
+
+//----------------------------------------------------------------------------
 // With remote rendering nothing happens on the client, and the server's first rank has the statistics.
 void vtkSMRayTracedViewProxy::UpdateStatistics()
 {
-  auto* local = vtkRayTracedView::SafeDownCast(this->GetClientSideObject());
-  const vtkTypeUInt32 renders =
-    local && local->GetRenderedRemotely() ? vtkPVSession::RENDER_SERVER_ROOT : vtkPVSession::CLIENT;
+  const vtkTypeUInt32 renders = this->IsRenderedRemotely() ? vtkPVSession::RENDER_SERVER_ROOT : vtkPVSession::CLIENT;
   vtkClientServerStream stream;
   stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "GetRenderStatistics" << vtkClientServerStream::End;
   this->ExecuteStream(stream, /*ignore_errors=*/false, renders);

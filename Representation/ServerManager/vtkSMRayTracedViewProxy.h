@@ -60,6 +60,11 @@ public:
   ///@}
 
   /**
+   * The place of what a pixel of the view shows; false: nothing ray-traced.
+   */
+  bool FindPlace(int x, int y, double place[3]);
+
+  /**
    * Pulls the statistics.
    */
   void UpdateStatistics();
@@ -76,6 +81,7 @@ private:
   vtkSMRayTracedViewProxy(const vtkSMRayTracedViewProxy&) = delete;
   void operator=(const vtkSMRayTracedViewProxy&) = delete;
 
+  bool IsRenderedRemotely();
   void FollowQuality(const std::string& name);
   void Take(vtkObject* settings, unsigned long, void* name);
   void Push(vtkObject* settings, unsigned long, void* name);

@@ -1,17 +1,17 @@
 #include "RayTracedTriangleBuilder.h"
 
 #include "Finite.h"
+#include "GlyphMotion.h"
+#include "GlyphPlacement.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
-#include "GlyphMotion.h"
-#include "GlyphPlacement.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <cmath>

@@ -10,8 +10,8 @@
 #ifndef RayTracedTriangleBuilder_h
 #define RayTracedTriangleBuilder_h
 
-#include "TriangleMesh.h"
 #include "GlyphBlockAttributes.h"
+#include "TriangleMesh.h"
 #include "vtkType.h"
 
 #include <vector>

@@ -1,17 +1,17 @@
 #include "RayTracedTubeBuilder.h"
 
 #include "Finite.h"
+#include "GlyphPlacement.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "GlyphPlacement.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <glm/gtc/quaternion.hpp>

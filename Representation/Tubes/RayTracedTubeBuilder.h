@@ -12,9 +12,9 @@
 #ifndef RayTracedTubeBuilder_h
 #define RayTracedTubeBuilder_h
 
-#include "Glyphs.h"
 #include "GlyphBlockAttributes.h"
 #include "GlyphMotion.h"
+#include "Glyphs.h"
 #include "vtkType.h"
 
 #include <array>

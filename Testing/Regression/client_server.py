@@ -9,6 +9,7 @@ import socket
 import subprocess
 import sys
 
+import numpy
 import paraview.simple as pv
 
 import comparison
@@ -65,6 +66,25 @@ def exported(view, name):
     return sorted((part.name, len(part.positions)) for parts in export.from_gltf(path) for part in parts)
 
 
+def places(view):
+    """What ParaView picks in space at some pixels: where a center of rotation or a widget's point would come to lie."""
+    width, height = view.ViewSize
+    found = {}
+    for x in range(width // 8, width, width // 8):
+        for y in range(height // 8, height, height // 8):
+            place, normal = [0.0] * 3, [0.0] * 3
+            if view.SMProxy.ConvertDisplayToPointOnSurface([x, y], place, normal, False):
+                found[x, y] = place
+    return found
+
+
+def check_places(found, expected, what):
+    """The same as without a server."""
+    print("%s: %d places picked, %d expected" % (what, len(found), len(expected)))
+    apart = [pixel for pixel in expected if pixel not in found or numpy.abs(numpy.subtract(found[pixel], expected[pixel])).max() > 1e-3]
+    return ["%s: %d of %d places picked in space are others" % (what, len(apart), len(expected))] if apart or len(expected) < 5 else []
+
+
 def start(command, log_name):
     """A process of its own that writes to a log of that name."""
     # This process is an MPI rank, too; an mpiexec that is told so starts nothing.
@@ -112,6 +132,7 @@ def main(folder, server):
     test = "client-server" + ("-ranks" if len(server) > 1 else "")
     log_name = test + ".log"
     expected = session.capture(view, test + "-none")
+    expected_places = places(view)
     expected_copies = exported(view, test + "-none")
     expected_blocks = [session.capture(block_view, picture) for picture, block_view in parallel.block_pictures(test + "-none")]
     expected_legends = session.capture(legends(), test + "-legends-none")
@@ -128,6 +149,7 @@ def main(folder, server):
             view.RemoteRenderThreshold = threshold
             pv.Render(view)
             failures += check_statistics(spheres, where) + check_statistics(arrows, where)
+            failures += check_places(places(view), expected_places, where)
             legend_view = legends()
             legend_view.RemoteRenderThreshold = threshold
             pv.Render(legend_view)

@@ -2,7 +2,9 @@
 next render without the limit is right.
 
 Usage: pvpython memory_limit.py MEGABYTES
+       mpiexec -n 2 pvbatch memory_limit.py ranks
 MEGABYTES: that the process may take beyond what it has before the glyphs are made, which take some 100.
+ranks: memory runs out on one rank while data are gathered and measured; the others must not wait for it.
 """
 import resource
 import sys
@@ -55,5 +57,50 @@ def limited(megabytes):
     checks.report()
 
 
+#: Script of a source of which each rank has half of the points.
+HALVES = """
+import numpy
+generator = numpy.random.default_rng(1)
+points = generator.uniform(-1.0, 1.0, (%d, 3)).astype(numpy.float32)
+arrays = {name: generator.normal(size=len(points)).astype(numpy.float32) for name in "uvw"}
+mine = slice(rank * len(points) // ranks, (rank + 1) * len(points) // ranks)
+""" % POINTS
+
+
+def arrows(source, view, scales):
+    """Arrows whose heads, lengths and factor depend on the points of all ranks."""
+    return session.glyphs(source, view, "Arrow", ArrowHeads="Fixed", SelectOrientationVectors="u, v, w", ScaleMode="Magnitude", SelectScaleArray=scales)
+
+
+def on_one_rank():
+    """Limits that one rank reaches in one step or another of an update, in which the ranks find numbers together."""
+    session.load()
+    checks = Checks()
+    view = session.view(80, 60)
+    session.look(view, (0.0, 0.0, 6.0))
+    halves = session.points_of_ranks(HALVES)
+    shown = arrows(halves, view, "u, v")
+    pv.Render(view)
+    failures = 0
+    for trial, megabytes in enumerate(range(20)):
+        shown.SelectScaleArray = ("u, w", "u, v")[trial % 2]  # the points are gathered again
+        resource.setrlimit(resource.RLIMIT_AS, (session.memory("VmSize") + megabytes * 2**20, resource.RLIM_INFINITY))
+        said = session.messages(view.SMProxy.Update)
+        resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+        print("%d MB: %s" % (megabytes, said.strip()), flush=True)
+        if said:
+            checks.one_message("%d MB" % megabytes, said, "memory")
+            failures += 1
+    checks.true("memory ran out %d times" % failures, 2 <= failures < 20)
+    shown.SelectScaleArray = "v, w"
+    checks.no_message("limit lifted", session.messages(lambda: pv.Render(view)))
+    pixels = session.capture(view, "memory-limit-ranks")
+    fresh = session.view(80, 60)
+    session.look(fresh, (0.0, 0.0, 6.0))
+    arrows(halves, fresh, "v, w")
+    checks.picture("limit lifted", pixels, session.capture(fresh, "memory-limit-ranks-fresh"), pixels=0.002, mean=0.1)
+    checks.report()
+
+
 if __name__ == "__main__":
-    limited(int(sys.argv[1]))
+    on_one_rank() if sys.argv[1] == "ranks" else limited(int(sys.argv[1]))
