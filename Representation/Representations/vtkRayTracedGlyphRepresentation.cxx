@@ -5,6 +5,7 @@
 #include "GlyphLayers.h"
 #include "GlyphPointGatherer.h"
 #include "GlyphSample.h"
+#include "RayTracedRanks.h"
 #include "GlyphScaleGuess.h"
 #include "GlyphSource.h"
 #include "GlyphTuples.h"
@@ -237,9 +238,13 @@ void vtkRayTracedGlyphRepresentation::UpdateDataSizes(vtkPolyData* points)
   double largest = 0.0;
   if (this->LegendStyle.On)
   {
-    const std::vector<double> magnitudes = rtglyphs::GlyphSample::Magnitudes(points, settings);
-    largest = rtglyphs::GlyphSample::Largest(
-      magnitudes.empty() ? 0.0 : *std::max_element(magnitudes.begin(), magnitudes.end()));
+    rtglyphs::RayTracedRanks::Together(
+      [&]()
+      {
+        const std::vector<double> magnitudes = rtglyphs::GlyphSample::Magnitudes(points, settings);
+        largest = magnitudes.empty() ? 0.0 : *std::max_element(magnitudes.begin(), magnitudes.end());
+      });
+    largest = rtglyphs::RayTracedRanks::Largest(largest);
   }
   this->DataSizes = { highScale, sides.x, sides.y, largest };
 }
