@@ -1,8 +1,8 @@
 /**
  * @class   pqRayTracedGlyphsReference
- * @brief   a window that says what the groups of display properties, and each property in them, mean
+ * @brief   a window that shows the shapes and says what each display property means, with an index and a search
  *
- * The words are those of the properties' XML, so that they are the same as in tooltips.
+ * The words are those of the properties' XML: the tool tip's sentence and the rest.
  */
 #ifndef pqRayTracedGlyphsReference_h
 #define pqRayTracedGlyphsReference_h

@@ -30,7 +30,7 @@ view = GetActiveViewOrCreate("RenderView")
 shown = Show(volume, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
 shown.GlyphShape = "Tensor Superquadric"
-shown.GlyphTensorLayout = "Row"
+shown.GlyphTensorLayout = "xx xy xz yy yz zz"
 shown.GlyphTensorColoring = "Principal Direction"
 # --- end
 

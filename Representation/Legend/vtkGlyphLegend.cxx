@@ -15,7 +15,10 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty2D.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkViewport.h"
@@ -60,6 +63,36 @@ void AddSilhouette(const rtglyphs::GlyphTessellatedPart& part, vtkPoints* points
     box.AddBox(own);
   }
 }
+
+// How far ParaView's orientation axes reach up from the view's lower edge between two of its columns; all in parts of
+// the view. 0: none are there.
+double TopOfAxes(vtkRenderer* renderer, double left, double right)
+{
+  double top = 0.0;
+  vtkRendererCollection* renderers = renderer->GetRenderWindow()->GetRenderers();
+  vtkCollectionSimpleIterator at;
+  renderers->InitTraversal(at);
+  const double* whole = renderer->GetViewport();
+  while (vtkRenderer* other = renderers->GetNextRenderer(at))
+  {
+    bool hasAxes = false;
+    vtkPropCollection* props = other->GetViewProps();
+    vtkCollectionSimpleIterator prop;
+    props->InitTraversal(prop);
+    while (vtkProp* one = props->GetNextProp(prop))
+    {
+      hasAxes = hasAxes || (one->IsA("vtkPVAxesActor") && one->GetVisibility());
+    }
+    const double* box = other->GetViewport();
+    const auto across = [&](int side) { return (box[side] - whole[0]) / (whole[2] - whole[0]); };
+    const auto up = [&](int side) { return (box[side] - whole[1]) / (whole[3] - whole[1]); };
+    if (hasAxes && across(0) < right && across(2) > left && up(1) < 0.5)
+    {
+      top = std::max(top, up(3));
+    }
+  }
+  return top;
+}
 }
 
 //----------------------------------------------------------------------------
@@ -87,9 +120,10 @@ void vtkGlyphLegend::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //----------------------------------------------------------------------------
-void vtkGlyphLegend::SetGlyphs(
-  const rtglyphs::GlyphSettings& settings, double scale, const std::string& name, const std::array<double, 2>& mesh)
+void vtkGlyphLegend::SetGlyphs(const rtglyphs::GlyphSettings& settings, double scale, const std::string& name,
+  const std::array<double, 2>& mesh, double largest)
 {
+  this->Largest = largest;
   this->Settings = settings;
   this->Scale = scale;
   this->Name = name;
@@ -211,7 +245,8 @@ double vtkGlyphLegend::ChooseNumber(double pixelsPerLength, double most) const
     {
       const double number = digit * std::pow(10.0, exponent);
       const double pixels = this->Extent(number) * this->Scale * pixelsPerLength;
-      if (pixels > 0.0 && pixels <= most)
+      const bool reached = !(this->Largest > 0.0) || this->Settings.Sizing(number) <= (1.0 + 1e-6) * this->Largest;
+      if (pixels > 0.0 && pixels <= most && reached)
       {
         return number;
       }
@@ -262,25 +297,26 @@ void vtkGlyphLegend::Arrange(vtkViewport* viewport)
 
   char text[64];
   std::snprintf(text, sizeof(text), "%.6g", alike ? extent : number);
-  std::string label = alike ? text : this->Name + " " + text;
-  auto* renderer = vtkRenderer::SafeDownCast(viewport);
-  if (!renderer->GetActiveCamera()->GetParallelProjection())
-  {
-    label += "\nat the center of rotation";
-  }
-  this->Text->SetInput(label.c_str());
+  this->Text->SetInput((alike ? text : this->Name + " " + text).c_str());
   this->Text->GetTextProperty()->SetColor(this->Look.Color.data());
   this->Actor->GetProperty()->SetColor(this->Look.Color.data());
 
+  // In a picture of tiles words grow as all else does.
+  const int* tiles = viewport->GetVTKWindow()->GetTileScale();
   double words[2];
   this->Text->GetSize(viewport, words);
+  words[0] *= tiles[0];
+  words[1] *= tiles[1];
   const glm::dvec2 lower(box.GetBound(0), box.GetBound(2)), glyph(box.GetLength(0), box.GetLength(1));
   const double margin = 0.02 * shorter, gap = 0.5 * margin;
   const bool right = this->Look.Corner == LOWER_RIGHT || this->Look.Corner == UPPER_RIGHT;
   const bool top = this->Look.Corner == UPPER_LEFT || this->Look.Corner == UPPER_RIGHT;
   const double textX = right ? view[0] - margin - words[0] : margin;
   const double glyphX = right ? view[0] - margin - glyph.x : margin;
-  const double bottom = top ? view[1] - margin - words[1] - gap - glyph.y : margin;
+  const double width = std::max(words[0], glyph.x), left = std::min(textX, glyphX);
+  const double bottom = top
+    ? view[1] - margin - words[1] - gap - glyph.y
+    : margin + TopOfAxes(vtkRenderer::SafeDownCast(viewport), left / view[0], (left + width) / view[0]) * view[1];
   this->Text->SetPosition(textX, bottom);
   this->Actor->SetPosition(glyphX - lower.x, bottom + words[1] + gap - lower.y);
   this->Shows = true;

@@ -3,10 +3,10 @@
  * @brief   a glyph of a stated number in the corner of a view, from which sizes can be read
  *
  * The glyph is the silhouette of an upright one whose every scale, or eigenvalue, is the number that stands beside it.
- * It is as large as it would be at the center of rotation: of parallel projections that holds everywhere, of
- * perspective ones the legend says so. Unless a number is set it is the largest of 1, 2, 5 times a power of ten whose
- * glyph is at most a fifth of the view's shorter side and that no limit of sizes changes; so it follows the zoom as the
- * bar of a map's scale does.
+ * It is as large as it would be at the center of rotation, with parallel projection as everywhere. It stands above
+ * ParaView's orientation axes where these are in its corner. Unless a number is set it is the largest of 1, 2, 5 times
+ * a power of ten whose glyph is at most a fifth of the view's shorter side, that no limit of sizes changes and that the
+ * data reach; so it follows the zoom as the bar of a map's scale does.
  */
 #ifndef vtkGlyphLegend_h
 #define vtkGlyphLegend_h
@@ -56,10 +56,11 @@ public:
 
   /**
    * What is shown: glyphs of these settings, `scale` times as large; name of the array that scales them, or none; width
-   * and height of the mesh of mesh glyphs, for which the legend shows a rectangle.
+   * and height of the mesh of mesh glyphs, for which the legend shows a rectangle; the largest magnitude of the data
+   * (0: unknown), which a number that is chosen does not exceed.
    */
-  void SetGlyphs(
-    const rtglyphs::GlyphSettings& settings, double scale, const std::string& name, const std::array<double, 2>& mesh);
+  void SetGlyphs(const rtglyphs::GlyphSettings& settings, double scale, const std::string& name,
+    const std::array<double, 2>& mesh, double largest);
   void SetStyle(const Style& style);
 
   ///@{
@@ -96,6 +97,7 @@ private:
   rtglyphs::GlyphSettings Settings;
   double Scale = 1.0;
   std::array<double, 2> Mesh{};
+  double Largest = 0.0;
   std::string Name;
   Style Look;
   vtkNew<vtkPolyData> Silhouette;

@@ -4,6 +4,8 @@
 #include "GlyphJoinedArrays.h"
 #include "GlyphLayers.h"
 #include "GlyphPointGatherer.h"
+#include "GlyphSample.h"
+#include "RayTracedRanks.h"
 #include "GlyphScaleGuess.h"
 #include "GlyphSource.h"
 #include "GlyphTuples.h"
@@ -231,16 +233,29 @@ void vtkRayTracedGlyphRepresentation::UpdateDataSizes(vtkPolyData* points)
   {
     sides = extents.front()->positions.back() - extents.front()->positions.front();
   }
-  const double highScale = this->HighScale.Get(points, this->MakeSettings(), this->Blocks.GetTable());
-  this->DataSizes = { highScale, sides.x, sides.y };
+  const rtglyphs::GlyphSettings settings = this->MakeSettings();
+  const double highScale = this->HighScale.Get(points, settings, this->Blocks.GetTable());
+  double largest = 0.0;
+  if (this->LegendStyle.On)
+  {
+    rtglyphs::RayTracedRanks::Together(
+      [&]()
+      {
+        const std::vector<double> magnitudes = rtglyphs::GlyphSample::Magnitudes(points, settings);
+        largest = magnitudes.empty() ? 0.0 : *std::max_element(magnitudes.begin(), magnitudes.end());
+      });
+    largest = rtglyphs::RayTracedRanks::Largest(largest);
+  }
+  this->DataSizes = { highScale, sides.x, sides.y, largest };
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::SetGlyphDataSizes(double highScale, double meshWidth, double meshHeight)
+void vtkRayTracedGlyphRepresentation::SetGlyphDataSizes(
+  double highScale, double meshWidth, double meshHeight, double largest)
 {
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    this->DataSizes = { highScale, meshWidth, meshHeight };
+    this->DataSizes = { highScale, meshWidth, meshHeight, largest };
   }
 }
 
@@ -333,7 +348,7 @@ void vtkRayTracedGlyphRepresentation::UpdateLegend(const rtglyphs::GlyphSettings
   vtkNew<vtkMatrix4x4> matrix;
   this->GetActor()->GetMatrix(matrix);
   const double scale = std::hypot(matrix->GetElement(0, 0), matrix->GetElement(1, 0), matrix->GetElement(2, 0));
-  this->Legend->SetGlyphs(settings, scale, name, { this->DataSizes[1], this->DataSizes[2] });
+  this->Legend->SetGlyphs(settings, scale, name, { this->DataSizes[1], this->DataSizes[2] }, this->DataSizes[3]);
 }
 
 //----------------------------------------------------------------------------
@@ -476,7 +491,8 @@ void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
     { SUPERQUADRIC, "Superquadric" }, { NESTED_SUPERQUADRIC, "Nested Superquadric" },
     { TENSOR_ELLIPSOID, "Tensor Ellipsoid" }, { TENSOR_SUPERQUADRIC, "Tensor Superquadric" },
     { SIGNED_TENSOR_SUPERQUADRIC, "Signed Tensor Superquadric" }, { SPHERICAL_HARMONICS, "Spherical Harmonics" },
-    { REYNOLDS, "Reynolds" }, { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" }, { PRINCIPAL_AXES, "Principal Axes" } };
+    { REYNOLDS, "Normal Stress" }, { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" },
+    { PRINCIPAL_AXES, "Principal Axes" } };
   if (!names.count(shape))
   {
     std::string known;

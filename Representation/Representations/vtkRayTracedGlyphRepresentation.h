@@ -112,8 +112,8 @@ public:
    * What processes that only render must know of the data: GlyphHighScale, and width and height of the mesh of mesh
    * glyphs; numbers are 0 where there is none. The client carries them there.
    */
-  double* GetGlyphDataSizesInfo() VTK_SIZEHINT(3) { return this->DataSizes.data(); }
-  void SetGlyphDataSizes(double highScale, double meshWidth, double meshHeight);
+  double* GetGlyphDataSizesInfo() VTK_SIZEHINT(4) { return this->DataSizes.data(); }
+  void SetGlyphDataSizes(double highScale, double meshWidth, double meshHeight, double largest);
   ///@}
 
   ///@{
@@ -261,7 +261,7 @@ private:
   rtglyphs::GlyphHighScale HighScale;
   double ScaleGuess[2] = { 0.0, 0.0 };
   double SizeLimit = 0.0;
-  std::array<double, 3> DataSizes{};
+  std::array<double, 4> DataSizes{};
   std::string HarmonicsArray;
   bool SourceIndexing = false, UseSourceTableTree = false;
   bool TensorAxis = false;

@@ -7,6 +7,7 @@
 #include "vtkPVXMLParser.h"
 #include "vtkSMInputArrayDomain.h"
 #include "vtkSMProperty.h"
+#include "vtkSMPropertyGroup.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxyListDomain.h"
@@ -67,15 +68,18 @@ bool IsNone(vtkSMProxy* display, const char* array)
 void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
 {
   display->GetProperty("GlyphType")->SetPanelVisibility("default");
-  for (const char* name :
-    { "Orient", "ScaleFactor", "ScaleMode", "Scaling", "SelectOrientationVectors", "SelectScaleArray" })
+  for (const char* name : { "ScaleFactor", "SelectOrientationVectors", "SelectScaleArray" })
   {
     display->GetProperty(name)->SetPanelVisibilityDefaultForRepresentation("ray traced glyphs");
   }
-  const auto where = [](const std::string& property, const std::string& value)
+  for (const char* name : { "SelectOrientationVectors", "SelectScaleArray" })
+  {
+    display->GetProperty(name)->SetPanelWidget("RayTracedGlyphsArray");
+  }
+  const auto where = [](const std::string& property, const std::string& value, const std::string& more = "")
   {
     return "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='" + property + "' value='" +
-      value + "'/>";
+      value + "' " + more + "/>";
   };
   const std::string hints = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
     where("Interpolation", "3") + "<Expression type='and'>" + where("ShadingMode", "2") + "<Expression type='or'>" +
@@ -86,6 +90,20 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
   for (const char* name : { "Metallic", "Roughness", "CoatStrength", "CoatIOR", "CoatRoughness", "CoatColor" })
   {
     display->GetProperty(name)->SetHints(element);
+  }
+  // ParaView's Coloring says nothing true while tensors are colored by themselves.
+  const std::string colored = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
+    where("Representation", "Ray Traced Glyphs", "inverse='1'") + where("GlyphTensorColoring", "0") +
+    "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='GlyphShape' values='0 5 10 11'/>" +
+    "</Expression></PropertyWidgetDecorator></Hints>";
+  const vtkSmartPointer<vtkPVXMLElement> coloring = vtkPVXMLParser::ParseXML(colored.c_str());
+  for (size_t i = 0; i < display->GetNumberOfPropertyGroups(); ++i)
+  {
+    vtkSMPropertyGroup* group = display->GetPropertyGroup(i);
+    if (group->GetXMLLabel() && strcmp(group->GetXMLLabel(), "Coloring") == 0)
+    {
+      group->SetHints(coloring);
+    }
   }
 }
 
@@ -100,6 +118,12 @@ void rtglyphs::RayTracedGlyphDefaults::Follow(vtkSMProxy* glyphs, const std::str
   {
     this->ListArrays(glyphs);
     this->ChooseArrays(glyphs, Where::Lost);
+  }
+  if (name == "SelectOrientationVectors" && this->InView && !this->Choosing &&
+    !this->Chosen.count("SelectScaleArray") && vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 &&
+    vtkSMRayTracedArrayListDomain::AreArrows(glyphs))
+  {
+    this->ChooseArray(glyphs, "SelectScaleArray"); // the lengths of arrows follow their direction
   }
   // While the display is made ParaView changes them, and what another client sets comes with its ScaleFactorFromData.
   if (!defaultedAnew.count(name) || this->Choosing || !this->InView || rtglyphs::RayTracedSuggestion::IsTaking() ||
@@ -189,15 +213,23 @@ bool rtglyphs::RayTracedGlyphDefaults::ChooseArrays(vtkSMProxy* glyphs, Where wh
     if (IsNone(display, name) || (where == Where::Everywhere && !scales) ||
       (where != Where::Missing && !list->IsInDomain(before.c_str(), index)))
     {
-      const bool choosing = this->Choosing;
-      this->Choosing = true;
-      list->SetDefaultValues(shared, /*useUncheckedValues=*/false);
-      own->Copy(shared); // links pass nothing on while they pass on ScaleMode
-      this->Choosing = choosing;
+      this->ChooseArray(glyphs, name);
       changed |= before != vtkSMPropertyHelper(shared).GetAsString();
     }
   }
   return changed;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedGlyphDefaults::ChooseArray(vtkSMProxy* glyphs, const char* name)
+{
+  vtkSMProperty* own = glyphs->GetProperty(name);
+  vtkSMProperty* shared = glyphs->GetTrueParentProxy()->GetProperty(name);
+  const bool choosing = this->Choosing;
+  this->Choosing = true;
+  own->FindDomain<vtkSMRayTracedArrayListDomain>()->SetDefaultValues(shared, /*useUncheckedValues=*/false);
+  own->Copy(shared); // links pass nothing on while they pass on ScaleMode
+  this->Choosing = choosing;
 }
 
 //----------------------------------------------------------------------------

@@ -47,6 +47,7 @@ private:
   };
 
   bool ChooseArrays(vtkSMProxy* glyphs, Where where);
+  void ChooseArray(vtkSMProxy* glyphs, const char* name);
   void ListArrays(vtkSMProxy* glyphs);
 
   std::set<std::string> Chosen; // properties that the user or a script has set

@@ -242,12 +242,22 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
     return Harmonics(arrays);
   }
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
-  vtkSMProxy* source = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphType", /*quiet=*/true).GetAsProxy() : nullptr;
-  if (source && strcmp(source->GetXMLName(), "ArrowSource") == 0)
+  if (glyphs && AreArrows(glyphs))
   {
-    return FirstOf(arrays, { ActiveVectors, AnyDirection, Size, ActiveScalars, AnyNumber });
+    const std::string direction = vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString();
+    const std::string followed = First(arrays,
+      [&](const Array& array) { return array.Name == direction && (array.Components == 2 || array.Components == 3); });
+    return !followed.empty() ? followed
+                             : FirstOf(arrays, { ActiveVectors, AnyDirection, Size, ActiveScalars, AnyNumber });
   }
   return FirstOf(arrays, { Size, ActiveScalars, ActiveVectors, AnyDirection, AnyNumber });
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedArrayListDomain::AreArrows(vtkSMProxy* glyphs)
+{
+  vtkSMProxy* source = vtkSMPropertyHelper(glyphs, "GlyphType", /*quiet=*/true).GetAsProxy();
+  return source && strcmp(source->GetXMLName(), "ArrowSource") == 0;
 }
 
 //----------------------------------------------------------------------------

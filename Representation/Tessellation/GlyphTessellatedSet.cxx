@@ -286,7 +286,7 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
       break;
     default:
       messages.push_back(
-        "Glyphs of the shapes Spherical Harmonics, Reynolds and Fourth-Order Tensor are left out of the "
+        "Glyphs of the shapes Spherical Harmonics, Normal Stress and Fourth-Order Tensor are left out of the "
         "exported file, because they have no triangles. Choose another GlyphShape, or save a "
         "screenshot.");
   }

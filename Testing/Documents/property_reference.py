@@ -1,4 +1,4 @@
-"""The property reference in Representation/README.md, from the documentation that ParaView shows in tooltips and help.
+"""The property reference in Representation/README.md, from the documentation that the panel's tool tips and the help page show.
 
 Usage: python3 property_reference.py [--check]
 Without --check the table between the markers is written anew; with it the program only says whether it is up to date.
@@ -27,7 +27,8 @@ def definitions(name):
     groups = {}  # those of one label are one; shared ones stand in the extension itself
     for holder in list(root.iter("ExposedProperties")) + list(root.iter("Extension")):
         for group in holder.findall("PropertyGroup"):
-            groups.setdefault(group.get("label"), []).extend((entry.get("name"), entry.get("exposed_name")) for entry in group if entry.tag == "Property")
+            title = next((hint.get("title") for hint in group.iter("RayTraced") if hint.get("title")), group.get("label"))
+            groups.setdefault(title, []).extend((entry.get("name"), entry.get("exposed_name")) for entry in group if entry.tag == "Property")
     return properties, list(groups.items())
 
 
@@ -36,9 +37,16 @@ def of_representations():
     return [definitions("RayTraced%s.xml" % name)[0] for name in ("Common", "Glyphs", "Surface", "Tubes", "Image")]
 
 
+def words(entry):
+    """What ParaView shows in the tool tip, and the rest, which stands on the help page."""
+    documentation = entry.find("Documentation")
+    texts = ("", "") if documentation is None else (documentation.text or "", documentation.get("long_help", ""))
+    return re.sub(r"\s+", " ", " ".join(texts)).strip()
+
+
 def values(entry):
     """What the property can be, as its documentation says, else its domains, which are the sliders' ends."""
-    stated = re.search(r"\bIn (\[[^\]]*\])", re.sub(r"\s+", " ", entry.findtext("Documentation") or ""))
+    stated = re.search(r"\b[Ii]n (\[[^\]]*\])", words(entry))
     for domain in entry:
         if domain.tag == "EnumerationDomain":
             return ", ".join(item.get("text") for item in domain.iter("Entry"))
@@ -74,7 +82,7 @@ def default(entry):
 
 def row(name, entry):
     """One line of the table."""
-    text = re.sub(r"\s+", " ", entry.findtext("Documentation") or "").strip()
+    text = words(entry)
     if not text:
         raise SystemExit("property_reference.py: %s has no Documentation" % name)
     if entry.get("information_only") == "1":

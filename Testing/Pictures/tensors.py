@@ -51,7 +51,7 @@ def grain_stress(view, data, _):
     norm = norms(stress)
     loaded = norm > numpy.quantile(norm, 0.6)
     show(source(points[loaded], stress=stress[loaded], log_size=logarithmic(stress[loaded], 0.3)), view,
-         "Signed Tensor Superquadric", GlyphTensorArray="stress", GlyphTensorLayout="LAMMPS", GlyphTensorColoring="Sign",
+         "Signed Tensor Superquadric", GlyphTensorArray="stress", GlyphTensorLayout="xx yy zz xy xz yz", GlyphTensorColoring="Sign",
          SelectScaleArray="log_size", ScaleMode="Magnitude", ScaleFactor=2.0)
     look(view, (10.0, -24.0, 22.0), (14.3, 13.0, 1.5), (0.0, 0.0, 1.0))
 
@@ -67,7 +67,7 @@ def fibres(view, points, tensors, share, layout, spacing):
 def helix(view, data, folder):
     """Fibres along a helix."""
     points, arrays = arrays_of(written_by("helix.py", data, folder))
-    fibres(view, points, arrays["diffusion"], arrays["bundle"], "VTK", 2.0 / 23)
+    fibres(view, points, arrays["diffusion"], arrays["bundle"], "xx yy zz xy yz xz", 2.0 / 23)
     look(view, (2.6, -3.0, 1.9), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -114,7 +114,7 @@ def third_party(view, path):
     apart = numpy.hstack([diagonal_first[:, :3] - mean, diagonal_first[:, 3:]])
     anisotropy = numpy.sqrt(1.5) * norms(apart) / numpy.maximum(norms(diagonal_first), 1e-30)
     share = ((raw[..., 0].ravel() > 0.5) & (anisotropy > 0.6)).astype(float)
-    fibres(view, numpy.array([x.ravel(), y.ravel(), z.ravel()]).T, diagonal_first, share, "VTK", 4.0 / 39)
+    fibres(view, numpy.array([x.ravel(), y.ravel(), z.ravel()]).T, diagonal_first, share, "xx yy zz xy yz xz", 4.0 / 39)
     look(view, (5.6, -7.3, 4.4), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
 
 

@@ -5,10 +5,13 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QCursor>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMap>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QProgressBar>
@@ -51,11 +54,12 @@ QWidget* Find(const char* path)
   return nullptr;
 }
 
-void PostMouse(QWindow* window, QEvent::Type type, QPoint at, Qt::MouseButtons buttons)
+void PostMouse(
+  QWindow* window, QEvent::Type type, QPoint at, Qt::MouseButtons buttons, Qt::MouseButton button = Qt::LeftButton)
 {
   QCoreApplication::postEvent(window,
-    new QMouseEvent(type, at, window->mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
-      buttons, Qt::NoModifier));
+    new QMouseEvent(
+      type, at, window->mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button, buttons, Qt::NoModifier));
 }
 }
 
@@ -121,6 +125,42 @@ extern "C"
     return 1;
   }
 
+  // 1: a click of the right button is on its way to a place in the widget, in pixels from its lower left corner.
+  Q_DECL_EXPORT int probe_right_click(const char* name, int x, int y)
+  {
+    const QWidget* widget = Find(name);
+    QWindow* window = widget ? widget->window()->windowHandle() : nullptr;
+    if (!window)
+    {
+      return 0;
+    }
+    const QPoint at = widget->mapTo(widget->window(), QPoint(x, widget->height() - 1 - y));
+    PostMouse(window, QEvent::MouseButtonPress, at, Qt::RightButton, Qt::RightButton);
+    PostMouse(window, QEvent::MouseButtonRelease, at, Qt::NoButton, Qt::RightButton);
+    return 1;
+  }
+
+  // The entries of the menu that is open, a line each; copied as below. The menu is closed, one of that name
+  // chosen.
+  Q_DECL_EXPORT void probe_menu(const char* chosen, char* text, int size)
+  {
+    QString said;
+    if (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget()))
+    {
+      for (QAction* action : menu->actions())
+      {
+        said += action->text() + '\n';
+        if (action->text() == chosen)
+        {
+          QMetaObject::invokeMethod(action, "trigger", Qt::QueuedConnection);
+        }
+      }
+      menu->close();
+    }
+    std::strncpy(text, said.toUtf8().constData(), size - 1);
+    text[size - 1] = 0;
+  }
+
   // 1: Esc is on its way to the widget, as if that had the focus.
   Q_DECL_EXPORT int probe_escape(const char* name)
   {
@@ -169,6 +209,19 @@ extern "C"
         }
       });
     timer->start(200);
+  }
+
+  // 1: the entry of a combo box is on its way to be chosen.
+  Q_DECL_EXPORT int probe_choose(const char* name, const char* entry)
+  {
+    auto* box = qobject_cast<QComboBox*>(Find(name));
+    const int index = box ? box->findText(entry) : -1;
+    if (index < 0)
+    {
+      return 0;
+    }
+    box->setCurrentIndex(index);
+    return QMetaObject::invokeMethod(box, "activated", Qt::QueuedConnection, Q_ARG(int, index));
   }
 
   // 1: a menu's action is on its way.
@@ -238,17 +291,23 @@ extern "C"
     return pixels;
   }
 
-  // The labels of the rows that a widget shows, from the upper to the lower, a line each; copied as above.
-  Q_DECL_EXPORT void probe_labels(const char* name, char* text, int size)
+  // The labels of the rows that a widget shows, and what its check boxes say, from the upper to the lower, a line each;
+  // copied as above. Only those that are cut off: a word is wider than its label, or there are more lines than room.
+  Q_DECL_EXPORT void probe_labels(const char* name, int cut, char* text, int size)
   {
     QMap<int, QString> labels;
     const QWidget* outer = Find(name);
-    for (const QLabel* label : outer ? outer->findChildren<QLabel*>() : QList<QLabel*>())
+    for (QWidget* widget : outer ? outer->findChildren<QWidget*>() : QList<QWidget*>())
     {
-      if (label->isVisible() && !label->text().isEmpty())
+      const auto* label = qobject_cast<QLabel*>(widget);
+      const auto* box = qobject_cast<QCheckBox*>(widget);
+      const QString words = label ? label->text() : box ? box->text() : QString();
+      const bool fits = !label || !label->wordWrap() ? widget->width() >= widget->sizeHint().width()
+                                                     : widget->width() >= label->minimumSizeHint().width() &&
+          widget->height() >= label->heightForWidth(widget->width());
+      if (widget->isVisible() && !words.isEmpty() && !(cut && fits))
       {
-        labels.insert(
-          label->mapTo(outer, QPoint(0, 0)).y() * 4096 + label->mapTo(outer, QPoint(0, 0)).x(), label->text());
+        labels.insert(widget->mapTo(outer, QPoint(0, 0)).y() * 4096 + widget->mapTo(outer, QPoint(0, 0)).x(), words);
       }
     }
     const QString said = labels.values().join('\n');

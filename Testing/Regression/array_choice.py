@@ -220,6 +220,25 @@ def other_data(checks):
     pv.Delete(view)
 
 
+def lengths(checks):
+    """Lengths of arrows follow their direction's array until another one is set; those of spheres do not."""
+    view = session.view(40, 30)
+    source = session.source(data("radius:1 velocity:3 force:3"))
+    for shape, followed in (("Arrow", "force"), ("Sphere", "radius")):
+        shown = session.glyphs(source, view, shape, ScaleMode="Magnitude")
+        pv.Render(view)
+        checks.equal(shape + ": arrays", arrays(shown)[:2], ["velocity" if shape == "Arrow" else "radius", "velocity"])
+        shown.SelectOrientationVectors = "force"
+        pv.Render(view)
+        checks.equal(shape + ": arrays after another direction", arrays(shown)[:2], [followed, "force"])
+        shown.SelectScaleArray = "radius"
+        shown.SelectOrientationVectors = "velocity"
+        pv.Render(view)
+        checks.equal(shape + ": arrays after a size of its own", arrays(shown)[:2], ["radius", "velocity"])
+        pv.Delete(shown)
+    pv.Delete(view)
+
+
 def files(checks):
     """A legacy file without active vectors: arrows follow its velocity."""
     view = session.view(40, 30)
@@ -265,6 +284,7 @@ def main():
     location(checks)
     steps(checks)
     other_data(checks)
+    lengths(checks)
     exact_sizes(checks)
     checks.report()
 

@@ -196,7 +196,7 @@ ROWS = [
     # A fifth of the longest side, which is 1.2.
     Row("ScaleFactorFromData", 1, reads("ScaleFactor", 0.24), scene="two", back=False),
     Row("ScaleFactorGuess", LEFT, reads("ScaleFactorGuess", [0.24, 0.0]), scene="two", ScaleFactorFromData=1),
-    Row("GlyphDataSizesInfo", LEFT, reads("GlyphDataSizesInfo", [0.0, 1.0, 1.0]), GlyphType=forms),
+    Row("GlyphDataSizesInfo", LEFT, reads("GlyphDataSizesInfo", [0.0, 1.0, 1.0, 0.0]), GlyphType=forms),
     Row("Scaling", 0, area(DISC), ScaleFactor=0.5),
     Row("ScaleMode", "Magnitude", area(DISC / 4.0, DISC), scene="two", SelectScaleArray="size"),
     Row("SelectScaleArray", "quarter", area(DISC / 16.0, DISC / 16.0), scene="two", ScaleMode="Magnitude", **{"SelectScaleArray": "size"}),
@@ -233,7 +233,7 @@ ROWS = [
     Row("GlyphLegendColor", GREEN, pixels_of(GREEN, 30, 1000), GlyphLegend="Lower Left", ScaleMode="Magnitude", SelectScaleArray="size"),
     # Tensors
     Row("GlyphTensorArray", "disc", area(DISC / 4.0), **TENSOR),
-    Row("GlyphTensorLayout", "Row", as_with(GlyphTensorArray="rows"), **{**TENSOR, "GlyphTensorArray": "six"}),
+    Row("GlyphTensorLayout", "xx xy xz yy yz zz", as_with(GlyphTensorArray="rows"), **{**TENSOR, "GlyphTensorArray": "six"}),
     Row("GlyphTensorSharpness", 0.0, as_with(GlyphShape="Tensor Ellipsoid"), **{**TENSOR, "GlyphShape": "Tensor Superquadric"}),
     Row("GlyphTensorThickness", 1.0, area(DISC), **TENSOR),
     Row("GlyphTensorColoring", "Principal Direction", colors(RED), **TENSOR),
@@ -245,7 +245,7 @@ ROWS = [
     Row("GlyphTensorLookupTable", ALL_GREEN, colors(GREEN), GlyphTensorColoring="Sign", **TENSOR),
     Row("GlyphHarmonicsArray", "flat", area(DISC / 4.0), **HARMONICS),
     Row("GlyphHarmonicsBasis", "DIPY Legacy", as_with(GlyphHarmonicsArray="lying", GlyphHarmonicsBasis="MRtrix3"), **{**HARMONICS, "GlyphHarmonicsArray": "standing"}),
-    Row("GlyphHarmonicsScaling", "Each", area(DISC), **{**HARMONICS, "GlyphHarmonicsArray": "flat"}),
+    Row("GlyphHarmonicsScaling", "Each Alike", area(DISC), **{**HARMONICS, "GlyphHarmonicsArray": "flat"}),
     Row("GlyphTensorAxis", 1, pixels_of([0.95, 0.8, 0.2], 20, 200), **{**TENSOR, "GlyphTensorArray": "turning"}),
     Row("GlyphTensorAxisColor", GREEN, pixels_of(GREEN, 20, 200), **{**TENSOR, "GlyphTensorArray": "turning", "GlyphTensorAxis": 1}),
     # Tubes

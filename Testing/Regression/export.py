@@ -342,7 +342,7 @@ def check_messages(view, checks):
     export(path, view)
     ellipsoids = next(parts[0] for parts in from_usda(path)[0])
     checks.true("directions: not the display's color", numpy.allclose(shown_color(ellipsoids.colors[:, :3]), (255.0, 127.5, 0.0), atol=0.01))
-    shown.ColorArrayName, shown.GlyphShape = ["POINTS", "rgb"], "Reynolds"
+    shown.ColorArrayName, shown.GlyphShape = ["POINTS", "rgb"], "Normal Stress"
     checks.one_message("no triangles", export(path, view), "Spherical Harmonics", "left out")
     shown.GlyphShape = "Tensor Ellipsoid"
     ball = pv.Sphere(Radius=9.0)

@@ -68,6 +68,7 @@ def larger_pictures(checks, view, shown):
         what = "picture %g times the window, %s: " % (factor, corner)
         front = 0 if parallel else 6 * factor
         checks.within(what + "width of the glyph", glyph, max(40 * factor, legend - 2), legend + 2 + front)
+        checks.equal(what + "the glyph and one line of words, apart", int((numpy.diff(mask.any(axis=1).astype(int)) == 1).sum()), 2)
         rows, columns = numpy.nonzero(mask)
         for name, places in (("rows", rows), ("columns", columns)):
             checks.within(what + "distance of its %s from the edge" % name, side / 2 - abs(places - side / 2).max(), 5, 30 * factor)
@@ -75,11 +76,12 @@ def larger_pictures(checks, view, shown):
 
 
 def choice(checks, view, shown):
-    """Numbers that fit whatever the zoom."""
+    """Numbers that fit whatever the zoom, but none above the data's largest, 2: a glyph of 0.5 in a view 34 high."""
     view.CameraParallelProjection = 1
-    for scale in (0.3, 1.0, 17.0, 1e4):
+    for scale, least, most in ((0.3, SIDE / 5 / 2.6, SIDE / 5 + 1), (1.0, SIDE / 5 / 2.6, SIDE / 5 + 1), (17.0, 0.5 / 34 * SIDE - 2, 0.5 / 34 * SIDE + 2)):
         view.CameraParallelScale = scale
-        checks.within("pixels at parallel scale %g" % scale, widths(view, "zoom")[0], SIDE / 5 / 2.6, SIDE / 5 + 1)
+        legend = widths(view, "zoom")[2]
+        checks.within("pixels at parallel scale %g" % scale, longest_run(legend[:legend.nonzero()[0].max() - 16]), least, most)
     view.CameraParallelScale, shown.GlyphLegendValue = 1.0, 1.0
 
 
@@ -91,6 +93,14 @@ def corners(checks, view, shown):
         checks.equal("%s: on the right" % corner, columns.mean() > SIDE / 2, "Right" in corner)
         checks.equal("%s: at the upper edge" % corner, rows.mean() < SIDE / 2, "Upper" in corner)
         checks.within("%s: distance from the edge" % corner, SIDE / 2 - abs(rows - SIDE / 2).max(), 5, 30)
+    view.OrientationAxesVisibility = 1
+    for corner, lowest in (("Lower Left", 0.2 * SIDE), ("Lower Right", 5)):
+        pictures = []
+        for shown.GlyphLegend in ("None", corner):
+            pictures.append(session.capture(view, "glyph-legend-axes").astype(int))
+        rows = numpy.nonzero(abs(pictures[1] - pictures[0]).max(axis=2) > 60)[0]
+        checks.within("%s with orientation axes: distance from the lower edge" % corner, SIDE - 1 - rows.max(), lowest, lowest + 60)
+    view.OrientationAxesVisibility = 0
 
 
 def absence(checks, view, shown):

@@ -22,7 +22,7 @@ FUNCTIONS = {
     "Square Root": numpy.sqrt,
     "Cube Root": numpy.cbrt,
     "Logarithm": lambda s: numpy.log10(1.0 + s),
-    "Unit": lambda s: s / s,
+    "All the Same": lambda s: s / s,
 }
 
 
@@ -79,7 +79,7 @@ def bounds(checks, stage):
     """What the camera is reset to holds the glyphs, and not much more."""
     for name, properties in (("scalars", {"shape": "Sphere", "ScaleMode": "Magnitude", "SelectScaleArray": "s"}),
                              ("tensors", {"shape": "Tensor Superquadric", "GlyphTensorArray": "t"})):
-        for how in ({"GlyphScaleFunction": "Unit"}, {"GlyphSizeRange": [0.6, 0.6]}):
+        for how in ({"GlyphScaleFunction": "All the Same"}, {"GlyphSizeRange": [0.6, 0.6]}):
             glyphs(stage, ScaleFactor=0.6, **{**properties, **how})
             box = numpy.array(stage.view.SMProxy.GetRenderer().ComputeVisiblePropBounds()).reshape(3, 2)
             checks.within("bounds of %s with %s" % (name, how), round(float(box[0, 1]), 3), 1.299, 1.3 + 0.3 * (3.0 ** 0.5 - 1) * 3)
@@ -132,7 +132,7 @@ def radii(checks, stage):
 
 def heads(checks, stage):
     """Fixed heads have their size on an arrow of the high quantile of lengths, which are those of the function."""
-    glyphs(stage, "Arrow", ArrowHeads="Fixed", ScaleMode="Magnitude", SelectScaleArray="s", GlyphScaleFunction="Unit", ScaleFactor=0.4, **{"GlyphType.TipRadius": 0.25})
+    glyphs(stage, "Arrow", ArrowHeads="Fixed", ScaleMode="Magnitude", SelectScaleArray="s", GlyphScaleFunction="All the Same", ScaleFactor=0.4, **{"GlyphType.TipRadius": 0.25})
     found = extents(stage.view, "heads")
     checks.true("arrows of unit length are %s long and thick" % numpy.round(found, 3).tolist(),
                 numpy.abs(found - [0.4, 0.2]).max() <= PIXEL)

@@ -12,20 +12,26 @@ import paraview.simple as pv  # noqa: E402
 
 import comparison  # noqa: E402
 import session  # noqa: E402
-from window import Window, run  # noqa: E402
+from window import Window, run, say  # noqa: E402
 
 SHAPES = ("Sphere", "Box", "Cylinder", "Capsule", "Cone", "Arrow")
-#: labels of the rows that all shapes have while nothing is ticked, and of those that shapes have before or after them
-ROWS = ["Glyph Shape", "Glyph Location"]
-TENSOR = ["Glyph Tensor Array", "Glyph Tensor Layout", "Glyph Tensor Coloring"]
-EXPONENTS = ["Glyph Exponents", "Glyph Exponent Array"]
-OF_SHAPES = {
-    "Glyph Type": (["Glyph Type"], []),
-    "Superquadric": ([], EXPONENTS), "Nested Superquadric": ([], EXPONENTS),
-    "Tensor Ellipsoid": ([], TENSOR), "Tensor Superquadric": ([], TENSOR), "Signed Tensor Superquadric": ([], TENSOR), "Principal Axes": ([], TENSOR),
-    "Spherical Harmonics": ([], ["Glyph Tensor Coloring", "Glyph Harmonics Array", "Glyph Harmonics Basis", "Glyph Harmonics Scaling"]),
-    "Reynolds": ([], TENSOR + ["Glyph Harmonics Scaling"]),
-    "Fourth-Order Tensor": ([], ["Glyph Tensor Array", "Glyph Tensor Coloring", "Glyph Harmonics Scaling"])}
+#: sections of the panel with the plugin's rows, in their order, and labels that the panel gives to rows of 3D Glyphs
+SECTIONS = ["Glyph Parameters", "Ray Traced Object", "Motion", "Ray Traced Image (Whole View)"]
+RELABELED = ["Size By", "Direction By"]
+#: labels of the default rows of shapes; and how many rows there are with the advanced ones
+FIRST, LAST = ["Shape", "Location", "Show Only Some"], ["Motion Blur", "Quality"]
+SIZE, DIRECTION = ["Scale Factor", "Size By"], ["Direction By"]
+TENSOR, COLORED = ["Tensor Array", "Tensor Components"], ["Color Glyphs By"]
+DEFAULT_ROWS = {
+    "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 22), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 26),
+    "Box": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 25), "Capsule": (DIRECTION + SIZE + FIRST + LAST, 22),
+    "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 24), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 24),
+    "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + LAST, 23), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + LAST, 24),
+    "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + LAST, 24), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + LAST, 22),
+    "Spherical Harmonics": (SIZE + FIRST + COLORED + ["Harmonics Array", "Harmonics Basis"] + LAST, 22),
+    "Normal Stress": (SIZE + FIRST + TENSOR + COLORED + LAST, 22), "Fourth-Order Tensor": (SIZE + FIRST + ["Tensor Array"] + COLORED + LAST, 21)}
+#: no more than so many
+MOST_ROWS, MOST_OF_SPHERES = 14, 8
 
 #: what is set by a script to be copied, saved and restored by the panel's buttons; no default among it
 SET = {"GlyphShape": "Capsule", "MotionBlur": 1, "ScaleMode": "Magnitude", "GlyphScaleFunction": "Square Root", "GlyphTensorThickness": 0.125, "ShutterOpening": "Forward"}
@@ -60,37 +66,82 @@ def main():
     failures += reset(window, view, reader, shown)
     pv.GetLayout().PreviewMode = [300, 200]
     failures += panel(window, view, reader, shown)
+    failures += clicked(window, view, shown)
+    failures += parts(window, view, reader, shown)
+    failures += sized(window, view, shown)
     failures += buttons(window, view, reader, shown)
     return failures
 
 
-def rows_of_glyphs(labels):
-    """Labels of the rows that speak of shapes."""
-    return [row for row in labels if row.startswith(("Glyph", "Arrow")) and row != "Glyph Parameters"]
+def own_rows(window, shown):
+    """Labels of the plugin's rows that the panel shows, in its sections."""
+    proxy = shown.SMProxy
+    groups = [proxy.GetPropertyGroup(i) for i in range(proxy.GetNumberOfPropertyGroups())]
+    own = {group.GetProperty(i).GetXMLLabel() for group in groups if group.GetXMLLabel() in SECTIONS for i in range(group.GetNumberOfProperties())}
+    labels = window.labels("propertiesPanel")
+    begin, end = (labels.index(name) if name in labels else len(labels) for name in (SECTIONS[0], "View (Render View)"))
+    return [label for label in labels[begin:end] if label in own or label in RELABELED]
 
 
 def panel(window, view, reader, shown):
-    """For each shape the panel shows the rows that concern it, and no others; sections stand in the order of use."""
+    """For each shape the panel shows the rows that have an effect, few by default, none twice or cut off; sections stand in the order of use."""
     failures = []
     window.resize("pqClientMainWindow", 1500, 1100)
     pv.SetActiveSource(reader)
-    shown.Visibility = 0 # the panel shows it all the same, and no program is compiled for each shape
-    sections = ["Representation", "Coloring", "Glyph Parameters", "Scale Factor", "Ray Traced Glyphs", "Glyph Shape", "Motion", "Ray Traced Image", "Rendering Quality"]
-    found = []
-
-    def rows():
-        found[:] = window.labels("propertiesPanel")
-        return rows_of_glyphs(found)
-    for shape in shown.GetProperty("GlyphShape").Available:
-        shown.GlyphShape = shape
-        pv.Render(view)
-        wanted = OF_SHAPES.get(shape, ([], []))[0] + ROWS + OF_SHAPES.get(shape, ([], []))[1]
-        if not window.wait(lambda wanted=wanted: rows() == wanted, 10):
-            failures.append("the panel shows for %s %s, not %s" % (shape, rows(), wanted))
-        window.picture("propertiesPanel", session.output("gui-panel-%s.png" % shape.replace(" ", "-")))
-    if [row for row in found if row in sections] != sections:
-        failures.append("the panel's sections are %s" % found)
+    shown.Visibility = 0  # the panel shows it all the same, and no program is compiled for each shape
+    for advanced in (False, True):
+        if advanced:
+            window.click("SearchBox/AdvancedButton")
+        for shape, (wanted, number) in DEFAULT_ROWS.items():
+            session.assign_shape(shown, shape)
+            pv.Render(view)
+            found = []
+            done = window.wait(lambda: found.clear() or found.extend(own_rows(window, shown)) or (len(found) == number if advanced else found == wanted), 5)
+            say("%-28s %s: %2d rows" % (shape, "advanced" if advanced else "default ", len(found)))
+            if not done:
+                failures.append("the panel shows for %s %d rows: %s, not %s" % (shape, len(found), found, number if advanced else wanted))
+            if not advanced and len(found) > (MOST_OF_SPHERES if shape == "Sphere" else MOST_ROWS):
+                failures.append("%s: %d rows by default" % (shape, len(found)))
+            cut = []
+            window.wait(lambda: cut.clear() or cut.extend(label for label in window.labels("propertiesPanel", cut=True) if label in found) or not cut, 2)
+            if cut or len(set(found)) < len(found):
+                failures.append("%s: labels that are cut off: %s, or twice among %s" % (shape, cut, found))
+            window.picture("DisplayFrame", session.output("gui-panel-%s%s.png" % (shape.replace(" ", "-"), "-advanced" if advanced else "")))
+    window.click("SearchBox/AdvancedButton")
+    failures += colored(window, view, shown)
+    sections = [label for label in window.labels("propertiesPanel") if label in SECTIONS]
+    if sections != SECTIONS:
+        failures.append("the panel's sections are %s" % sections)
+    shown.SetRepresentationType("Ray Traced Tubes")
+    tubes = ["Ray Traced Object", "Tube Radius", "Radius By", "Motion", "Motion Blur", "Ray Traced Image (Whole View)", "Quality"]
+    if not window.wait(lambda: [label for label in window.labels("propertiesPanel") if label in tubes] == tubes, 5):
+        failures.append("the panel of tubes shows %s" % window.labels("propertiesPanel"))
+    shown.SetRepresentationType(session.REPRESENTATION)
     shown.Visibility = 1
+    return failures
+
+
+def colored(window, view, shown):
+    """ParaView's section Coloring is shown where it says the truth."""
+    failures = []
+    shown.GlyphShape = "Tensor Superquadric"
+    for coloring, seen in (("Trace", False), ("None", True)):
+        shown.GlyphTensorColoring = coloring
+        pv.Render(view)
+        if not window.wait(lambda: ("Coloring" in window.labels("propertiesPanel")) == seen, 5):
+            failures.append("GlyphTensorColoring %s: the section Coloring is %s" % (coloring, "hidden" if seen else "shown"))
+    return failures
+
+
+def sized(window, view, shown):
+    """Size By sets array and mode, and says None while a mode leaves the array unused."""
+    failures = []
+    session.assign_shape(shown, "Sphere")
+    shown.ScaleMode = "No Data Scaling Off"
+    for choice, wanted in (("diameter", ("Magnitude", "diameter")), ("None", ("No Data Scaling Off", "diameter"))):
+        chosen = window.wait(lambda: window.choose("SelectScaleArray/ComboBox", choice), 10)
+        if not chosen or not window.wait(lambda: (str(shown.ScaleMode).strip("'"), str(shown.SelectScaleArray).strip("'")) == wanted, 5):
+            failures.append("Size By %s: %s, %s" % (choice, shown.ScaleMode, shown.SelectScaleArray))
     return failures
 
 
@@ -131,7 +182,7 @@ def buttons(window, view, reader, shown):
         setattr(shown, name, pasted.GetProperty(name).GetData())
     pv.Render(view)
     # Rows that leave move the others.
-    if not window.wait(lambda: rows_of_glyphs(window.labels("propertiesPanel")) == ["Glyph Type"] + ROWS, 20):
+    if not window.wait(lambda: own_rows(window, shown) == DEFAULT_ROWS["Sphere"][0], 20):
         failures.append("the panel shows %s" % window.labels("propertiesPanel"))
     ticked = {**first, "MotionBlur": "1"}
     done("ticked", lambda: window.click("MotionBlur/CheckBox"), shown, ticked)
@@ -153,6 +204,62 @@ def buttons(window, view, reader, shown):
         failures.append("saved as default: a new display has %s, not %s" % (fresh, wanted))
     activate(later, "later")
     done("restored", lambda: window.click("DisplayButtons/DisplayRestoreDefaults"), pv.Show(later, view), first)
+    return failures
+
+
+def clicked(window, view, shown):
+    """A click of the right button on a glyph opens ParaView's menu of the display, beside the glyphs the view's."""
+    failures = []
+    session.assign_shape(shown, "Sphere")
+    shown.ScaleFactor = 2.0
+    view.ResetCamera()
+    pv.Render(view)
+    width, height = view.ViewSize
+    on = next((at for at in ((x, y) for y in range(height // 2, height, 7) for x in range(width // 2, width, 7)) if view.SMProxy.Pick(*at)), None)
+    entries = {"Hide", "Representation", "Color By", "Add Surface"}
+    for at, wanted in (((2, 2), set()), (on, entries)):
+        found = []
+        if not at or not window.right_click("Viewport", at) or not window.wait(lambda: found.extend(window.menu("Add Surface")) or found, 20) \
+                or entries & set(found) != wanted:
+            failures.append("the menu at %s has %s" % (at, found))
+
+    def surface():
+        found = [pv.GetRepresentation(proxy, view) for (name, _), proxy in pv.GetSources().items() if name.startswith("ExtractSurface")]
+        return found and found[0] and found[0].Visibility and str(found[0].Representation).strip("'") == "Ray Traced Surface" and shown.Visibility
+    if not window.wait(surface, 20):
+        failures.append("Add Surface: %s" % list(pv.GetSources()))
+    for proxy in [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("ExtractSurface")]:
+        pv.Delete(proxy)
+    return failures
+
+
+def parts(window, view, reader, shown):
+    """A clip of what is shown as glyphs is shown with the same glyphs, in place of the source."""
+    failures = []
+    set_before = {"GlyphShape": "Capsule", "ScaleMode": "Magnitude", "SelectScaleArray": "diameter", "ScaleFactor": 0.75, "ScaleFactorFromData": 0, "GlyphMode": "Every Nth"}
+    for name, value in set_before.items():
+        setattr(shown, name, value)
+    shown.GlyphType = "Cone"
+    shown.GlyphType.Height = 2.0
+    pv.SetActiveSource(reader)
+    pv.Render(view)
+    window.wait(lambda: window.trigger("Clip"), 20)
+    window.wait(lambda: any(name.startswith("Clip") for name, _ in pv.GetSources()), 20)
+    applied = window.wait(lambda: window.click("propertiesPanel/Accept"), 20)
+    found = {}
+
+    def same():
+        clips = [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("Clip")]
+        part = pv.GetRepresentation(clips[0], view) if clips else None
+        found.update({name: part.GetPropertyValue(name) for name in ("Representation", *set_before)} if part else {})
+        return part and all(str(found[name]).strip("'") == str(value) for name, value in {"Representation": session.REPRESENTATION, **set_before}.items()) \
+            and part.GlyphType.Height == 2.0 and part.GlyphType.SMProxy.GetXMLName() == "ConeSource" and not shown.Visibility
+    if not applied or not window.wait(same, 20):
+        failures.append("a clip of glyphs has %s; its source is %s" % (found, "shown" if shown.Visibility else "hidden"))
+    for proxy in [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("Clip")]:
+        pv.Delete(proxy)
+    pv.SetActiveSource(reader)
+    shown.Visibility, shown.GlyphMode, shown.GlyphShape, shown.GlyphType = 1, "All Points", "Glyph Type", "Sphere"
     return failures
 
 

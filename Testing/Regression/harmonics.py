@@ -180,7 +180,7 @@ def forms(checks, view, random):
     array = random.normal(size=91) * numpy.repeat(1.0 / (1.0 + numpy.arange(7)), 4 * numpy.arange(7) + 1)
     form(checks, stage, "band 12", array, lambda n: expansion("MRtrix3", array, n), 0.7, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values")
     array = random.normal(size=6)
-    form(checks, stage, "normal stress", array, lambda n: normal_stress(array, n), 1.0, GlyphShape="Reynolds", GlyphTensorArray="values")
+    form(checks, stage, "normal stress", array, lambda n: normal_stress(array, n), 1.0, GlyphShape="Normal Stress", GlyphTensorArray="values")
     array = random.normal(size=21)
     form(checks, stage, "fourth order", array, lambda n: fourth_order(array, n), 0.7, both=True, GlyphShape="Fourth-Order Tensor", GlyphTensorArray="values")
     stage.close()
@@ -203,13 +203,13 @@ def sizes(checks, view, random):
     look(view, (0.2, 0.3, 1.0))
     pictures, stage = {}, session.Stage(view)
     for name, properties in {
-            "each": dict(GlyphHarmonicsArray="values", GlyphHarmonicsScaling="Each"),
-            "alike": dict(GlyphHarmonicsArray="alike", GlyphHarmonicsScaling="Each"),
+            "each": dict(GlyphHarmonicsArray="values", GlyphHarmonicsScaling="Each Alike"),
+            "alike": dict(GlyphHarmonicsArray="alike", GlyphHarmonicsScaling="Each Alike"),
             "common": dict(GlyphHarmonicsArray="values"),
             "scaled": dict(GlyphHarmonicsArray="alike", ScaleMode="Magnitude", SelectScaleArray="fifth"),
-            "turned": dict(GlyphShape="Reynolds", GlyphTensorArray="stress", Orient=1, SelectOrientationVectors="turn",
+            "turned": dict(GlyphShape="Normal Stress", GlyphTensorArray="stress", Orient=1, SelectOrientationVectors="turn",
                            OrientationMode="Quaternion"),
-            "of turned": dict(GlyphShape="Reynolds", GlyphTensorArray="turned")}.items():
+            "of turned": dict(GlyphShape="Normal Stress", GlyphTensorArray="turned")}.items():
         factor = 0.8 if properties.get("GlyphHarmonicsScaling") else 0.3
         shown = stage.show(data, **{"GlyphShape": "Spherical Harmonics", "ScaleFactor": factor, **properties})
         session.solid(shown, (0.8, 0.8, 0.8))
@@ -235,14 +235,14 @@ def gallery(checks, random):
         sources.append(session.source(session.poly_data(numpy.array([[-1.75 + 0.7 * number, 0.0, 0.0]]), values=array[None],
                                                         velocity=numpy.array([[0.0, 1.0, 0.0]]))))
         shown.append(session.glyphs(sources[-1], view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values", ScaleFactor=0.62,
-                                    GlyphHarmonicsScaling="Each", GlyphTensorColoring="Surface Direction"))
-    tensors = {"Reynolds": numpy.array([1.0, -0.7, 0.3, 0.2, 0.5, -0.1]),
+                                    GlyphHarmonicsScaling="Each Alike", GlyphTensorColoring="Surface Direction"))
+    tensors = {"Normal Stress": numpy.array([1.0, -0.7, 0.3, 0.2, 0.5, -0.1]),
                "Fourth-Order Tensor": numpy.array([3.0, 1.2, 1.2, 0, 0, 0, 3.0, 1.2, 0, 0, 0, 3.0, 0, 0, 0, 2.4, 0, 0, 2.4, 0, 2.4])}
     for number, (shape, array) in enumerate(tensors.items()):
         sources.append(session.source(session.poly_data(numpy.array([[1.05 + 0.7 * number, 0.0, 0.0]]), values=array[None],
                                                         velocity=numpy.array([[0.0, 1.0, 0.0]]))))
         shown.append(session.glyphs(sources[-1], view, shape, GlyphTensorArray="values", ScaleFactor=0.62,
-                                    GlyphHarmonicsScaling="Each", GlyphTensorColoring="Sign"))
+                                    GlyphHarmonicsScaling="Each Alike", GlyphTensorColoring="Sign"))
     shown[0].SamplesPerPixel = 8
     image = session.capture(view, "harmonics-gallery")
     for failure in comparison.against_baseline(image, "harmonics-gallery"):
@@ -309,7 +309,7 @@ def bad_input(checks, view):
     shown.GlyphHarmonicsArray = "one"
     checks.no_message("one component", session.messages(lambda: pv.Render(view)))
     checks.equal("glyphs of one component", session.statistics(shown)["glyphs"], 4)
-    for shape, name, counts in (("Reynolds", "seven", "6 or 9"), ("Fourth-Order Tensor", "good", "15, 21, 36 or 81")):
+    for shape, name, counts in (("Normal Stress", "seven", "6 or 9"), ("Fourth-Order Tensor", "good", "15, 21, 36 or 81")):
         shown.GlyphTensorArray, shown.GlyphShape = name, shape
         text = session.messages(lambda: pv.Render(view))
         checks.one_message(shape, text, "'%s'" % name, "GlyphTensorArray", counts)
@@ -322,7 +322,7 @@ def unfinished(checks, view):
     data = session.poly_data(numpy.zeros((1, 3)), some=numpy.ones((1, 15)), six=numpy.ones((1, 6)))
     stage = session.Stage(view)
     for in_window in (1, 0):
-        for shape, name, array in (("Spherical Harmonics", "GlyphHarmonicsArray", "some"), ("Reynolds", "GlyphTensorArray", "six"),
+        for shape, name, array in (("Spherical Harmonics", "GlyphHarmonicsArray", "some"), ("Normal Stress", "GlyphTensorArray", "six"),
                                    ("Tensor Ellipsoid", "GlyphTensorArray", "six")):
             shown = stage.show(data, ScaleFactor=0.8)
             stepwise(shown, -in_window)

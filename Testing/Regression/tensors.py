@@ -366,8 +366,8 @@ def main():
     t = tensors()
     six = lambda *order: numpy.array([[m[i, j] for i, j in order] for m in t])
     xx, yy, zz, xy, yz, xz = (0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)
-    layouts = {"VTK": six(xx, yy, zz, xy, yz, xz), "Row": six(xx, xy, xz, yy, yz, zz),
-               "LAMMPS": six(xx, yy, zz, xy, xz, yz), "Lower": six(xx, xy, yy, xz, yz, zz), "Matrix": t.reshape(3, 9)}
+    layouts = {"xx yy zz xy yz xz": six(xx, yy, zz, xy, yz, xz), "xx xy xz yy yz zz": six(xx, xy, xz, yy, yz, zz),
+               "xx yy zz xy xz yz": six(xx, yy, zz, xy, xz, yz), "xx xy yy xz yz zz": six(xx, xy, yy, xz, yz, zz), "Matrix": t.reshape(3, 9)}
     twisted = t + numpy.array([[0, 3, -2], [-3, 0, 1], [2, -1, 0]])
     layouts["Matrix "] = twisted.reshape(3, 9)
     for layout, values in layouts.items():
@@ -395,9 +395,9 @@ def main():
     bad[0] = 0.0
     bad[2, 4] = numpy.nan
     expected = [("zero and not finite", bad, "t", "Matrix", "1 of 3 points"),
-                ("four components", numpy.ones((3, 4)), "t", "VTK", "4 components where 6 or 9 are needed"),
-                ("six as matrix", layouts["VTK"], "t", "Matrix", "6 components where 9 are needed"),
-                ("no array", bad, "None", "VTK", "Choose a point array")]
+                ("four components", numpy.ones((3, 4)), "t", "xx yy zz xy yz xz", "4 components where 6 or 9 are needed"),
+                ("six as matrix", layouts["xx yy zz xy yz xz"], "t", "Matrix", "6 components where 9 are needed"),
+                ("no array", bad, "None", "xx yy zz xy yz xz", "Choose a point array")]
     for name, values, array, layout, words in expected:
         def twice():
             stage.show(session.poly_data(POINTS, t=values), "Tensor Ellipsoid", ScaleFactor=0.9, GlyphTensorArray=array, GlyphTensorLayout=layout)

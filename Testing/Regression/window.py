@@ -49,6 +49,14 @@ class Window:
         """Posts a drag with the left button between two pixels of a widget, from its lower left; False: there is no such widget."""
         return bool(self.probe.probe_drag(name.encode(), *start, *end))
 
+    def right_click(self, name, at):
+        """Posts a click with the right button on a pixel of a widget, from its lower left; False: there is no such widget."""
+        return bool(self.probe.probe_right_click(name.encode(), *at))
+
+    def menu(self, chosen=""):
+        """The entries of the menu that is open, which is closed; one may be chosen."""
+        return self._words(self.probe.probe_menu, chosen).splitlines()
+
     def escape(self, name):
         """Posts the Esc key; False: there is no such widget."""
         return bool(self.probe.probe_escape(name.encode()))
@@ -64,6 +72,10 @@ class Window:
     def checked(self, name):
         """Whether a button is pressed."""
         return bool(self.probe.probe_checked(name.encode()))
+
+    def choose(self, name, entry):
+        """Chooses an entry of a combo box; False: there is none."""
+        return bool(self.probe.probe_choose(name.encode(), entry.encode()))
 
     def trigger(self, name):
         """Does what a menu's action does; False: there is none, or it is disabled."""
@@ -87,9 +99,10 @@ class Window:
         """The rows of the lists in a widget, which need not be visible, each once."""
         return list(dict.fromkeys(self._words(self.probe.probe_rows, name).splitlines()))
 
-    def labels(self, name):
-        """The labels that a widget shows, from the upper to the lower."""
-        return [re.sub("<[^>]*>", "", line) for line in self._words(self.probe.probe_labels, name).splitlines()]
+    def labels(self, name, cut=False):
+        """The labels of rows and check boxes that a widget shows, from the upper to the lower; only those that are cut off."""
+        words = self._words(lambda name, text, size: self.probe.probe_labels(name, cut, text, size), name)
+        return [re.sub("<[^>]*>", "", line) for line in words.splitlines()]
 
     def sideways(self, name):
         """How far a widget, or one in it, can be scrolled sideways, in pixels."""

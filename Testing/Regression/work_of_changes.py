@@ -41,7 +41,7 @@ ARROW = {"GlyphType": "Arrow", "ScaleMode": "Magnitude", "SelectScaleArray": "le
 TENSOR = {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor"}
 #: whose programs take long to compile
 SUPERQUADRIC = {"GlyphShape": "Tensor Superquadric", "GlyphTensorArray": "tensor"}
-FORMS = {"GlyphShape": "Reynolds", "GlyphTensorArray": "tensor"}
+FORMS = {"GlyphShape": "Normal Stress", "GlyphTensorArray": "tensor"}
 BALLS = {"GlyphShape": "Spherical Harmonics", "GlyphHarmonicsArray": "six"}
 SIGNS = {**TENSOR, "GlyphTensorColoring": "Sign"}
 MOTION = {"MotionBlur": 1, "VelocityArray": "velocity", "AngularVelocityArray": "spin", "GlyphType": "Box"}
@@ -115,7 +115,7 @@ FIELDS = {
         "On": (TENSOR, "GlyphShape", "Glyph Type", "glyphs"),
         "Kind": (SUPERQUADRIC, "GlyphShape", "Signed Tensor Superquadric", "glyphs"),
         "Array": [(TENSOR, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphTensorArray", "tensor", "nothing")],
-        "Layout": [({**TENSOR, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "Row", "glyphs"), ({}, "GlyphTensorLayout", "Row", "nothing")],
+        "Layout": [({**TENSOR, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "xx xy xz yy yz zz", "glyphs"), ({}, "GlyphTensorLayout", "xx xy xz yy yz zz", "nothing")],
         "Sharpness": [(SUPERQUADRIC, "GlyphTensorSharpness", 1.0, "glyphs"), (TENSOR, "GlyphTensorSharpness", 1.0, "nothing")],
         "Thickness": [(TENSOR, "GlyphTensorThickness", 0.5, "glyphs"), ({}, "GlyphTensorThickness", 0.5, "nothing")],
         "Coloring": [({**TENSOR, "GlyphTensorColoring": "Trace"}, "GlyphTensorColoring", "Principal Direction", "colors"), ({}, "GlyphTensorColoring", "Trace", "nothing"),
@@ -131,9 +131,9 @@ FIELDS = {
         "On": (FORMS, "GlyphShape", "Glyph Type", "glyphs"),
         "Kind": ({**FORMS, "GlyphTensorArray": "six", "GlyphHarmonicsArray": "six"}, "GlyphShape", "Spherical Harmonics", "glyphs"),
         "Array": [(FORMS, "GlyphTensorArray", "other tensor", "glyphs"), ({}, "GlyphHarmonicsArray", "six", "nothing")],
-        "Layout": [({**FORMS, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "Row", "glyphs"), (BALLS, "GlyphTensorLayout", "Row", "nothing")],
+        "Layout": [({**FORMS, "GlyphTensorArray": "six"}, "GlyphTensorLayout", "xx xy xz yy yz zz", "glyphs"), (BALLS, "GlyphTensorLayout", "xx xy xz yy yz zz", "nothing")],
         "Basis": [(BALLS, "GlyphHarmonicsBasis", "DIPY", "glyphs"), (FORMS, "GlyphHarmonicsBasis", "DIPY", "nothing")],
-        "Each": [(BALLS, "GlyphHarmonicsScaling", "Each", "glyphs"), ({}, "GlyphHarmonicsScaling", "Each", "nothing")],
+        "Each": [(BALLS, "GlyphHarmonicsScaling", "Each Alike", "glyphs"), ({}, "GlyphHarmonicsScaling", "Each Alike", "nothing")],
         "Coloring": [(FORMS, "GlyphTensorColoring", "Sign", "glyphs"), (FORMS, "GlyphTensorColoring", "Radius", "first colors"), (FORMS, "GlyphTensorColoring", "Trace", "nothing")],
     },
     "GlyphMotion::Settings": {

@@ -1,0 +1,145 @@
+#include "pqRayTracedGlyphsArray.h"
+
+#include "pqCoreUtilities.h"
+#include "vtkCommand.h"
+#include "vtkSMProperty.h"
+#include "vtkSMProxy.h"
+#include "vtkSMStringListDomain.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include <cstring>
+
+namespace
+{
+const char* const unscaled = "No Data Scaling Off"; // ScaleMode's
+
+bool IsSize(vtkSMProxy* display, vtkSMProperty* property)
+{
+  return property == display->GetProperty("SelectScaleArray");
+}
+}
+
+//----------------------------------------------------------------------------
+pqRayTracedGlyphsArray::pqRayTracedGlyphsArray(vtkSMProxy* display, vtkSMProperty* property, QWidget* parent)
+  : pqPropertyWidget(display, parent)
+  , Arrays(new QComboBox(this))
+{
+  this->Arrays->setObjectName("ComboBox");
+  this->Arrays->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  this->setProperty(property);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(this->Arrays);
+  if (auto* arrays = property->FindDomain<vtkSMStringListDomain>())
+  {
+    pqCoreUtilities::connect(arrays, vtkCommand::DomainModifiedEvent, this, SLOT(list()));
+  }
+  QObject::connect(this->Arrays, QOverload<int>::of(&QComboBox::activated), this, &pqRayTracedGlyphsArray::choose);
+  this->addPropertyLink(this, "array", SIGNAL(chosen()), property);
+  if (IsSize(display, property))
+  {
+    this->addPropertyLink(this, "mode", SIGNAL(chosen()), display->GetProperty("ScaleMode"));
+    this->addPropertyLink(this, "on", SIGNAL(chosen()), display->GetProperty("Scaling"));
+  }
+  else
+  {
+    this->addPropertyLink(this, "on", SIGNAL(chosen()), display->GetProperty("Orient"));
+  }
+  this->list();
+}
+
+//----------------------------------------------------------------------------
+pqRayTracedGlyphsArray::~pqRayTracedGlyphsArray() = default;
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsArray::setArray(const QString& array)
+{
+  this->Array = array;
+  this->Show();
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsArray::setMode(const QString& mode)
+{
+  this->Mode = mode;
+  this->Show();
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsArray::setOn(bool on)
+{
+  this->On = on;
+  this->Show();
+}
+
+//----------------------------------------------------------------------------
+// The first entry is None, whatever word the list of arrays has for that.
+void pqRayTracedGlyphsArray::list()
+{
+  this->Arrays->clear();
+  this->Arrays->addItem(tr("None"));
+  auto* arrays = this->property()->FindDomain<vtkSMStringListDomain>();
+  for (unsigned int i = 0; arrays && i < arrays->GetNumberOfStrings(); ++i)
+  {
+    const char* name = arrays->GetString(i);
+    const char* none = arrays->GetNoneString();
+    if (!none || strcmp(name, none) != 0)
+    {
+      this->Arrays->addItem(name);
+    }
+  }
+  this->Show();
+}
+
+//----------------------------------------------------------------------------
+// An array that the data lack is listed as long as it is chosen.
+void pqRayTracedGlyphsArray::Show()
+{
+  const bool used = this->On && this->Mode != unscaled && !this->Array.isEmpty() && this->Array != "None";
+  int entry = used ? this->Arrays->findText(this->Array) : 0;
+  if (entry < 0)
+  {
+    entry = this->Arrays->count();
+    this->Arrays->addItem(this->Array);
+  }
+  this->Arrays->setCurrentIndex(entry);
+}
+
+//----------------------------------------------------------------------------
+// Without an array sizes are one, ScaleFactor's, and directions are off.
+void pqRayTracedGlyphsArray::choose(int entry)
+{
+  const bool used = entry > 0, size = IsSize(this->proxy(), this->property());
+  this->On = used || size;
+  if (used)
+  {
+    this->Array = this->Arrays->itemText(entry);
+  }
+  if (size && (!used || this->Mode == unscaled))
+  {
+    this->Mode = used ? "Magnitude" : unscaled;
+  }
+  Q_EMIT this->chosen();
+}
+
+//----------------------------------------------------------------------------
+// ParaView labels a row as its property, which is 3D Glyphs' here.
+void pqRayTracedGlyphsArray::showEvent(QShowEvent* event)
+{
+  this->pqPropertyWidget::showEvent(event);
+  auto* rows = qobject_cast<QGridLayout*>(this->parentWidget()->layout());
+  int row = 0, column = 0, height = 0, width = 0;
+  if (rows && rows->indexOf(this) >= 0)
+  {
+    rows->getItemPosition(rows->indexOf(this), &row, &column, &height, &width);
+    QLayoutItem* first = column > 0 ? rows->itemAtPosition(row, 0) : nullptr;
+    if (auto* label = first ? qobject_cast<QLabel*>(first->widget()) : nullptr)
+    {
+      label->setText(IsSize(this->proxy(), this->property()) ? tr("Size By") : tr("Direction By"));
+    }
+  }
+}

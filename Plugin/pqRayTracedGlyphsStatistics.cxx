@@ -1,0 +1,40 @@
+#include "pqRayTracedGlyphsStatistics.h"
+
+#include "vtkSMProperty.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
+#include <QLocale>
+#include <QVBoxLayout>
+
+//----------------------------------------------------------------------------
+pqRayTracedGlyphsStatistics::pqRayTracedGlyphsStatistics(vtkSMProxy* display, vtkSMProperty* property, QWidget* parent)
+  : pqPropertyWidget(display, parent)
+  , Words(new QLabel(this))
+{
+  this->setProperty(property);
+  this->Words->setObjectName("Words");
+  this->Words->setWordWrap(true);
+  this->Words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(this->Words);
+  this->addPropertyLink(this, "statistics", SIGNAL(unused()), property);
+}
+
+//----------------------------------------------------------------------------
+pqRayTracedGlyphsStatistics::~pqRayTracedGlyphsStatistics() = default;
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsStatistics::setStatistics(const QString& json)
+{
+  this->Statistics = json;
+  const QJsonObject numbers = QJsonDocument::fromJson(json.toUtf8()).object();
+  const auto number = [&](const char* name) { return QLocale().toString(numbers.value(name).toDouble(), 'f', 0); };
+  this->Words->setText(numbers.isEmpty()
+      ? tr("No picture yet")
+      : tr("%1\n%2 samples a pixel\n%3 glyphs\n%4 for glyphs and pictures on the device")
+          .arg(numbers.value("DeviceName").toString(), number("AccumulatedSamples"), number("glyphs"),
+            QLocale().formattedDataSize(static_cast<qint64>(numbers.value("deviceBytes").toDouble()))));
+}
