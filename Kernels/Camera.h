@@ -27,6 +27,12 @@ struct Camera
   /// the camera's position, so set it after FromWorldToClip (which puts it on the view axis at depth 0).
   glm::dvec3 position{ 0, 0, 1 };
 
+  /// A thin lens, square to the view axis, through whose middle the rays above run: in world units. Points at that view
+  /// depth are in focus. Radius 0: all are. Sample 0 of a pixel runs through the middle.
+  double lensRadius = 0.0;
+  double focusDepth = 1.0;
+  double lensDepth = 0.0; ///< where it stands
+
   bool operator==(const Camera&) const = default;
 
   /// The rays that rasterisation with this matrix (OpenGL clip space, column vectors, world to clip) sees.

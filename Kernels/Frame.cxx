@@ -78,6 +78,11 @@ void FillCamera(device::FrameRecord& frame, const Camera& camera, const glm::dve
   frame.depthA = static_cast<float>(camera.depthA);
   frame.depthB = static_cast<float>(camera.depthB);
   frame.parallel = camera.parallel;
+  frame.lensRadius = static_cast<float>(camera.lensRadius);
+  frame.lensAtEye = static_cast<float>(camera.focusDepth / (camera.focusDepth - camera.lensDepth));
+  frame.lensSlope = static_cast<float>(1.0 / (camera.focusDepth - camera.lensDepth));
+  frame.lensX = glm::normalize(spanX);
+  frame.lensY = glm::normalize(spanY);
 }
 
 std::vector<device::LightRecord> MakeLights(const std::vector<Light>& lights, const glm::dvec3& origin)

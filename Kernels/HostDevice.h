@@ -199,6 +199,11 @@ struct FrameRecord
   float depthA;
   float depthB;
   uint parallel;
+  float lensRadius; // 0: rays run through the lens's middle
+  float lensAtEye;  // a ray's distance from that through the middle, in those that it has in the lens: at depth 0
+  float lensSlope;  // and what it loses of it on each unit of depth
+  vec3 lensX;       // unit, in the lens
+  vec3 lensY;
   vec3 sceneLower; // bounds of all that is visible, padded
   vec3 sceneUpper;
   uint width;

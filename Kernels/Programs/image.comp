@@ -17,11 +17,12 @@ void main()
   Pixel pixel = BeginPixel(position);
   for (uint s = frame.firstSample; s < frame.firstSample + frame.samples; ++s)
   {
-    OpenShutter(SampleNumber(position, s));
+    SampleNumber number = SampleNumber(position, s);
+    OpenShutter(number);
     // The same pattern for all pixels: without light from other glyphs there is no noise to spread.
     DoubleWord3 origin;
     vec3 direction;
-    CameraRay(position, PixelSample(moves ? PlaceAmongTimes(s) : s), origin, direction);
+    CameraRay(number, PixelSample(moves ? PlaceAmongTimes(s) : s), origin, direction);
     Layers layers = BeginLayers(origin, direction);
     bool more;
     do

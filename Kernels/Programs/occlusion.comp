@@ -54,7 +54,7 @@ void main()
         OpenShutter(number);
         DoubleWord3 origin;
         vec3 direction;
-        CameraRay(position, PixelPosition(number), origin, direction);
+        CameraRay(number, PixelPosition(number), origin, direction);
         layers = BeginLayers(origin, direction);
         begins = false;
       }

@@ -207,7 +207,7 @@ void main()
     {
       number = SampleNumber(position, s);
       OpenShutter(number);
-      CameraRay(position, PixelPosition(number), origin, direction);
+      CameraRay(number, PixelPosition(number), origin, direction);
       radiance = vec3(0.0);
       throughput = vec3(1.0);
       path = 0u;

@@ -1,6 +1,7 @@
 // What the programs of images share: the pixel of a launch, camera rays, and what a pixel gathers.
 // What an image does not ask for is not in its program: on CPU devices even untaken branches cost time. Accumulation
 // and exposure, which users turn on and off, are asked of the frame: once a pixel.
+#include "../Shading/Frame.glsl"
 #include "../Shading/Sampling.glsl"
 #include "../Shading/ShutterTime.glsl"
 #include "../Shading/Tone.glsl"
@@ -22,11 +23,11 @@ bool LaunchPixel(const uvec2 launch, out uvec2 position)
   return number < frame.endTile && position.x < frame.width && position.y < frame.height;
 }
 
-// The ray through a position in the pixel, or in the block of pixels that it stands for, in [0,1)^2. Its parameter is
-// the view depth.
-void CameraRay(const uvec2 pixel, const vec2 position, out DoubleWord3 origin, out vec3 direction)
+// The sample's ray through a position in the pixel, or in the block of pixels that it stands for, in [0,1)^2. Its
+// parameter is the view depth.
+void CameraRay(const SampleNumber number, const vec2 position, out DoubleWord3 origin, out vec3 direction)
 {
-  vec2 ndc = 2.0 * (vec2(pixel) + position * float(frame.pixelStep)) / vec2(frame.width, frame.height) - 1.0;
+  vec2 ndc = 2.0 * (vec2(number.pixel) + position * float(frame.pixelStep)) / vec2(frame.width, frame.height) - 1.0;
   direction = frame.forward + ndc.x * frame.right + ndc.y * frame.up;
   origin.hi = frame.eye;
   origin.lo = frame.eyeLow;
@@ -34,6 +35,14 @@ void CameraRay(const uvec2 pixel, const vec2 position, out DoubleWord3 origin, o
   {
     origin = Add(origin, TwoProduct(frame.eyeRight, vec3(ndc.x)));
     origin = Add(origin, TwoProduct(frame.eyeUp, vec3(ndc.y)));
+  }
+  if (frame.lensRadius > 0.0)
+  {
+    // All rays of this position meet at the focus depth (Cook, Porter and Carpenter, "Distributed Ray Tracing", 1984).
+    vec2 place = DiscPoint(SamplePair(number, pairLens));
+    vec3 offset = (frame.lensRadius * place.x) * (cos(place.y) * frame.lensX + sin(place.y) * frame.lensY);
+    origin = Add(origin, frame.lensAtEye * offset);
+    direction -= frame.lensSlope * offset;
   }
 }
 

@@ -16,6 +16,7 @@ vec2 PixelSample(const uint s)
 // The pairs in use. Those that matter together share a sequence, and the place in the pixel and the first direction its
 // best four dimensions.
 const uint pairPixel = 0u;
+const uint pairLens = pairsPerSequence * 0x2000u; // in a sequence of its own
 // of one bounce
 const uint pairDirection = 0u;
 const uint pairLobe = 1u; // metal or not, coat or base
@@ -59,11 +60,12 @@ vec2 SamplePair(const SampleNumber number, const uint pair)
   {
     uint sequenceSeed = Hash((pair / pairsPerSequence) * 0x9e3779b9u ^ Hash(number.pixel.x, number.pixel.y));
     bits = ScrambledSobol(number.index, sequenceSeed, pair % pairsPerSequence);
-    if (pair == pairPixel)
+    if (pair == pairPixel || pair == pairLens)
     {
-      // Sample 0 goes through the pixel's centre. A shift by digits puts it there and keeps the net; turned round in
-      // half of the pixels, because such a net leans to one side.
-      bits ^= ScrambledSobol(0u, sequenceSeed, pairPixel) ^ ((sequenceSeed & 1u) != 0u ? 0x7fffffffu : 0x80000000u);
+      // Sample 0 goes through the pixel's centre and the lens's. A shift by digits puts it there and keeps the net;
+      // turned round in half of the pixels, because such a net leans to one side.
+      bits ^= ScrambledSobol(0u, sequenceSeed, pair % pairsPerSequence);
+      bits ^= (sequenceSeed & 1u) != 0u ? 0x7fffffffu : 0x80000000u;
     }
   }
   return vec2(UnitInterval(bits.x), UnitInterval(bits.y));

@@ -84,6 +84,15 @@ rtg::Camera rtglyphs::RayTracedRendererState::CameraOf(vtkRenderer* renderer, co
   {
     camera.position = ToVector<glm::dvec3>(renderer->GetActiveCamera()->GetPosition());
   }
+  // As vtkOSPRayCameraNode, and in parallel projection, too, where depths count from another place.
+  vtkCamera* view = renderer->GetActiveCamera();
+  const double distance = view->GetFocalDistance();
+  if (distance > 0.0 && std::isfinite(distance) && std::isfinite(view->GetFocalDisk()))
+  {
+    camera.lensRadius = std::max(0.5 * view->GetFocalDisk(), 0.0);
+    camera.lensDepth = glm::dot(camera.position - camera.eye, ToVector<glm::dvec3>(view->GetDirectionOfProjection()));
+    camera.focusDepth = camera.lensDepth + distance;
+  }
   return camera;
 }
 

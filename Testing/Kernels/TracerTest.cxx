@@ -113,6 +113,64 @@ TEST_P(StructureTest, MoreSamplesApproachTheExactArea)
 }
 
 /// The places of samples in a pixel are as fine after many of them as at first.
+// Mean square distance of what is seen from the middle of the image, along one axis, in pixels.
+double Spread(const Image& image)
+{
+  double sum = 0.0, squares = 0.0;
+  for (std::uint32_t y = 0; y < image.height; ++y)
+  {
+    for (std::uint32_t x = 0; x < image.width; ++x)
+    {
+      const double alpha = (image.colour[y * image.width + x] >> 24) / 255.0;
+      const double dx = x + 0.5 - 0.5 * image.width, dy = y + 0.5 - 0.5 * image.height;
+      sum += alpha;
+      squares += alpha * 0.5 * (dx * dx + dy * dy);
+    }
+  }
+  return squares / sum;
+}
+
+TEST_F(TracerTest, LensBlursWhatIsOutOfFocusAndNothingElse)
+{
+  // 50 pixels a unit at the depth in focus, 10.
+  const glm::dmat4 look = glm::frustum(-0.1, 0.1, -0.1, 0.1, 1.0, 40.0) * this->LookFrom(10.0);
+  const rtg::Camera pinhole = rtg::Camera::FromWorldToClip(look);
+  const auto id = this->AddSpheres({ { 0, 0, -10 } }, 0.3f);
+  for (const auto shading : { rtg::Shading::Local, rtg::Shading::AmbientOcclusion, rtg::Shading::PathTracing })
+  {
+    SCOPED_TRACE(static_cast<int>(shading));
+    const rtg::Pass pass = shading == rtg::Shading::PathTracing ? rtg::Pass::All : rtg::Pass::Opaque;
+    this->settings.shading = shading;
+    this->settings.samples = 256;
+    const auto spreadAt = [&](float z, double radius)
+    {
+      rtg::GlyphInstances instances;
+      instances.centres = { { 0, 0, z } };
+      instances.uniformSize = 0.3f;
+      this->scene.SetInstances(id, instances);
+      this->camera = pinhole;
+      this->camera.lensRadius = radius;
+      this->camera.focusDepth = 10.0;
+      return Spread(this->Trace(pass));
+    };
+    // The circle of confusion of a point at depth d is radius |d - 10| / d in the plane in focus; a disc of radius R
+    // spreads by R * R / 4.
+    for (const auto& [z, circle] : { std::pair(-10.0f, 12.5), std::pair(5.0f, 25.0) })
+    {
+      const double blurred = std::sqrt(4.0 * (spreadAt(z, 0.5) - spreadAt(z, 0.0)));
+      EXPECT_NEAR(blurred, circle, 0.02 * circle) << "at " << z;
+    }
+    EXPECT_NEAR(spreadAt(0.0f, 0.5), spreadAt(0.0f, 0.0), 0.02 * spreadAt(0.0f, 0.0));
+    // Depths and ids are those of the lens's middle.
+    this->settings.samples = 1;
+    spreadAt(-10.0f, 0.5);
+    const Image first = this->Trace(pass);
+    const std::vector<std::uint32_t> colours(first.colour, first.colour + 100 * 100);
+    spreadAt(-10.0f, 0.0);
+    EXPECT_TRUE(std::equal(colours.begin(), colours.end(), this->Trace(pass).colour));
+  }
+}
+
 TEST_F(TracerTest, AnEdgeCoversThePixelAlsoOfManySamples)
 {
   // Just beyond a 64th of the pixel's width, to which places would be rounded here if they were computed in floats.

@@ -134,6 +134,33 @@ def stripes(checks):
         checks.true(what, untouched or alike)
 
 
+def spread(alpha):
+    """Mean square distance of what covers a picture from its middle, along one axis, in pixels."""
+    rows, columns = (numpy.arange(size) + 0.5 - size / 2 for size in alpha.shape)
+    return (alpha * (rows[:, None] ** 2 + columns ** 2)).sum() / 2 / alpha.sum()
+
+
+def lens(checks, stage):
+    """What is out of the focus of ParaView's camera is as wide as a thin lens makes it, with both projections."""
+    view = stage.view
+    session.solid(stage.show(session.poly_data(numpy.zeros((1, 3))), "Sphere", Orient=0, ScaleFactor=0.5, SamplesPerPixel=256), (0.9, 0.6, 0.3))
+    for scale, focus in ((None, 4.0), (None, 8.0), (1.5, 4.0)):
+        session.look(view, (0.0, 0.0, 6.0), parallel_scale=scale)
+        view.CameraFocalDisk = 0.9
+        found = []
+        for distance in (0.0, focus, 6.0):
+            view.CameraFocalDistance = distance
+            found.append(spread(session.capture(view, "screen-effects-lens", TransparentBackground=1)[..., 3] / 255.0))
+        # In the plane in focus; rays of a parallel projection fan out from it alone.
+        pixel = 2 * scale / 180 if scale else 2 * focus * numpy.tan(numpy.radians(view.CameraViewAngle / 2)) / 180
+        wanted = 0.45 * abs(6.0 - focus) / (focus if scale else 6.0) / pixel
+        radius = 2 * numpy.sqrt(found[1] - found[0])
+        print("focus at %g: circle of confusion %.2f pixels, %.2f expected" % (focus, radius, wanted))
+        checks.true("focus at %g: circle of %.2f pixels, not %.2f" % (focus, radius, wanted), abs(radius - wanted) < 0.03 * wanted)
+        checks.true("in focus: spread %.3f, not %.3f" % (found[2], found[0]), abs(found[2] - found[0]) < 0.02 * found[0])
+    view.CameraFocalDistance = 0.0
+
+
 def main():
     """All parts."""
     session.load()
@@ -141,6 +168,7 @@ def main():
     stage = session.Stage(session.view(240, 180))
     holes(checks, stage)
     kept(checks, stage)
+    lens(checks, stage)
     stage.hide()
     stripes(checks)
     checks.report()
