@@ -148,7 +148,7 @@ bool Fits(Role role, const Array& array)
 }
 
 // 1 or less: not in this role.
-int Score(Role role, const Array& array, double spacing, std::string& reason)
+int Score(Role role, const Array& array, double spacing)
 {
   const Meaning& meaning = MeaningOf(array.Name, array.Components);
   const bool named = &meaning != &unnamed;
@@ -157,15 +157,9 @@ int Score(Role role, const Array& array, double spacing, std::string& reason)
   {
     return 0;
   }
-  reason = named ? "its name" : "its number of components";
-  const auto add = [&](int points, const char* why)
-  {
-    score += points;
-    reason = points > meaning.Scores[role] || !named ? why : reason;
-  };
   if (array.IsActive[role])
   {
-    add(active, "ParaView's active array");
+    score += active;
   }
   if ((role == DIRECTION || role == ROTATION) && array.Components == 4)
   {
@@ -173,11 +167,11 @@ int Score(Role role, const Array& array, double spacing, std::string& reason)
   }
   if (role == ROTATION && IsRotation(array))
   {
-    add(turns, "its values, which are rotations");
+    score += turns;
   }
   if (role == TENSOR && array.HasTensorNames)
   {
-    add(tensor, "its components' names");
+    score += tensor;
   }
   if (role == TENSOR && array.Components > 9)
   {
@@ -195,7 +189,7 @@ int Score(Role role, const Array& array, double spacing, std::string& reason)
       const bool same = array.Least == array.Largest || array.IsWhole;
       if (plausible)
       {
-        add(2, "its values, which are of the points' distance");
+        score += 2;
       }
       score -= same ? 2 : 0; // a number of kinds, or nothing to see
     }
@@ -205,18 +199,17 @@ int Score(Role role, const Array& array, double spacing, std::string& reason)
 }
 
 //----------------------------------------------------------------------------
-Choice rtglyphs::GlyphArrayRoles::Choose(Role role, const std::vector<Array>& arrays, double spacing)
+std::string rtglyphs::GlyphArrayRoles::Choose(Role role, const std::vector<Array>& arrays, double spacing)
 {
-  Choice best;
+  std::string best;
   int most = 1;
   for (const Array& array : arrays)
   {
-    std::string reason;
-    const int score = Score(role, array, spacing, reason);
+    const int score = Score(role, array, spacing);
     if (score > most)
     {
       most = score;
-      best = { array.Name, reason };
+      best = array.Name;
     }
   }
   return best;

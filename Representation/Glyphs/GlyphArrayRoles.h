@@ -37,16 +37,11 @@ struct Array
   bool IsKnown() const { return this->Least <= this->Largest; }
 };
 
-struct Choice
-{
-  std::string Name;   // empty: none
-  std::string Reason; // 'its name', ...
-};
-
 /**
- * The array with the most evidence for a role. `spacing` is the usual distance between points, 0: not known.
+ * The name of the array with the most evidence for a role; empty: none. `spacing` is the usual distance between points,
+ * 0: not known.
  */
-Choice Choose(Role role, const std::vector<Array>& arrays, double spacing);
+std::string Choose(Role role, const std::vector<Array>& arrays, double spacing);
 
 /**
  * What a size of that name has to be multiplied by to be a diameter: 2 a radius, 1 a diameter. 0: the name is not that

@@ -165,8 +165,9 @@ std::string rtglyphs::GlyphTensors::Problem(vtkDataArray* array, const Settings&
   if (!Order(array, settings.Layout))
   {
     text << "The point array '" << settings.Array << "', which GlyphTensorArray names, has "
-         << array->GetNumberOfComponents() << " components where 6 or 9, 7 with a confidence, or 3 or 4 of a plane "
-         << "are needed, so there are no glyphs. Choose another array"
+         << array->GetNumberOfComponents() << " components where "
+         << (settings.Layout == MATRIX ? "9, or 4 of a plane," : "6 or 9, 7 with a confidence, or 3 or 4 of a plane")
+         << " are needed, so there are no glyphs. Choose another array"
          << (array->GetNumberOfComponents() == 6 ? " or another GlyphTensorLayout." : ".");
   }
   return text.str();

@@ -1,5 +1,6 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 
+#include "GlyphArrayRoles.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
@@ -124,7 +125,8 @@ int vtkSMRayTracedArrayListDomain::ReadXMLAttributes(vtkSMProperty* property, vt
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::GlyphArrayRoles::Choice vtkSMRayTracedArrayListDomain::Choose()
+// Empty: none.
+std::string vtkSMRayTracedArrayListDomain::Choose()
 {
   vtkSMProperty* input = this->GetRequiredProperty("Input");
   vtkPVDataInformation* data = input ? this->GetInputDataInformation("Input") : nullptr;
@@ -153,8 +155,7 @@ rtglyphs::GlyphArrayRoles::Choice vtkSMRayTracedArrayListDomain::Choose()
   };
   if (role == LENGTH && std::any_of(arrays.begin(), arrays.end(), isAsLong))
   {
-    return { vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString(),
-      "the direction, whose length it is" };
+    return vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString();
   }
   return rtglyphs::GlyphArrayRoles::Choose(role, arrays, data ? SpacingOf(data) : 0.0);
 }
@@ -166,11 +167,10 @@ int vtkSMRayTracedArrayListDomain::SetDefaultValues(vtkSMProperty* property, boo
   {
     return 0; // nothing can be chosen
   }
-  const rtglyphs::GlyphArrayRoles::Choice chosen = this->Choose();
-  this->Reason = chosen.Reason;
+  const std::string chosen = this->Choose();
   vtkSMPropertyHelper helper(property);
   helper.SetUseUnchecked(useUncheckedValues);
-  helper.Set(chosen.Name.empty() ? "None" : chosen.Name.c_str());
+  helper.Set(chosen.empty() ? "None" : chosen.c_str());
   return 1;
 }
 
@@ -178,6 +178,6 @@ int vtkSMRayTracedArrayListDomain::SetDefaultValues(vtkSMProperty* property, boo
 bool vtkSMRayTracedArrayListDomain::HasDirectionsOrTensors(vtkPVDataSetAttributesInformation* attributes)
 {
   const std::vector<Array> arrays = ArraysOf(attributes, [](const char*) { return true; });
-  const auto has = [&arrays](Role role) { return !rtglyphs::GlyphArrayRoles::Choose(role, arrays, 0.0).Name.empty(); };
+  const auto has = [&arrays](Role role) { return !rtglyphs::GlyphArrayRoles::Choose(role, arrays, 0.0).empty(); };
   return has(DIRECTION) || has(TENSOR);
 }

@@ -12,9 +12,6 @@
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSMArrayListDomain.h"
 
-#ifndef __VTK_WRAP__
-#include "GlyphArrayRoles.h"
-#endif
 #include <string>
 
 class vtkPVDataSetAttributesInformation;
@@ -35,14 +32,6 @@ public:
   static bool HasDirectionsOrTensors(vtkPVDataSetAttributesInformation* attributes);
 #endif
 
-  /**
-   * Why the last default was chosen: its name, its values, ...; empty: there was none.
-   */
-  const char* GetReason() const
-  {
-    return this->Reason.c_str();
-  }
-
 protected:
   vtkSMRayTracedArrayListDomain();
   ~vtkSMRayTracedArrayListDomain() override;
@@ -53,12 +42,9 @@ private:
   vtkSMRayTracedArrayListDomain(const vtkSMRayTracedArrayListDomain&) = delete;
   void operator=(const vtkSMRayTracedArrayListDomain&) = delete;
 
-#ifndef __VTK_WRAP__
-  rtglyphs::GlyphArrayRoles::Choice Choose();
-#endif
+  std::string Choose();
 
   std::string Choice;
-  std::string Reason; // of the last default
 };
 
 #endif
