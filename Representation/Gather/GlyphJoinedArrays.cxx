@@ -13,42 +13,46 @@
 
 namespace
 {
-// The names between the commas, without blanks around them; fewer than two are none.
-std::vector<std::string> Parts(const std::string& name)
+// The arrays whose names have commas between them, without blanks round them; fewer than two are none. A name may have
+// commas itself: the longest that is there counts.
+std::vector<vtkDataArray*> Parts(vtkPointData* data, const std::string& name)
 {
-  std::vector<std::string> parts;
+  std::vector<vtkDataArray*> parts;
   for (std::size_t begin = 0; begin <= name.size();)
   {
-    const std::size_t end = std::min(name.find(',', begin), name.size());
-    const std::string part = name.substr(begin, end - begin);
-    const std::size_t first = part.find_first_not_of(' ');
-    parts.push_back(
-      first == std::string::npos ? std::string() : part.substr(first, part.find_last_not_of(' ') - first + 1));
-    begin = end + 1;
+    begin = std::min(name.find_first_not_of(' ', begin), name.size());
+    vtkDataArray* found = nullptr;
+    std::size_t next = 0;
+    for (std::size_t end = name.size(); !found && end != std::string::npos && end > begin;
+         end = name.rfind(',', end - 1))
+    {
+      found = data->GetArray(name.substr(begin, name.find_last_not_of(' ', end - 1) + 1 - begin).c_str());
+      next = end + 1;
+    }
+    if (!found)
+    {
+      return {};
+    }
+    parts.push_back(found);
+    begin = next;
   }
-  return parts.size() < 2 ? std::vector<std::string>() : parts;
+  return parts.size() < 2 ? std::vector<vtkDataArray*>() : parts;
 }
 }
 
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphJoinedArrays::Add(vtkPolyData* points, const std::string& name)
 {
-  const std::vector<std::string> parts = Parts(name);
   vtkPointData* data = points->GetPointData();
-  if (parts.empty() || data->HasArray(name.c_str()))
+  const std::vector<vtkDataArray*> arrays =
+    data->HasArray(name.c_str()) ? std::vector<vtkDataArray*>() : Parts(data, name);
+  if (arrays.empty())
   {
     return;
   }
-  std::vector<vtkDataArray*> arrays;
   int components = 0;
-  for (const std::string& part : parts)
+  for (vtkDataArray* array : arrays)
   {
-    vtkDataArray* array = data->GetArray(part.c_str());
-    if (!array)
-    {
-      return;
-    }
-    arrays.push_back(array);
     components += array->GetNumberOfComponents();
   }
   // A reader of tables makes columns of whole numbers and of fractions; doubles hold what glyphs read of any type.

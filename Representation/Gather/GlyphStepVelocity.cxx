@@ -146,6 +146,28 @@ void rtglyphs::GlyphStepVelocity::KeepUnique(std::vector<Entry>& entries)
 }
 
 //----------------------------------------------------------------------------
+// Half of the extent along each axis where most points move less than a tenth of it, else infinite.
+std::array<double, 3> rtglyphs::GlyphStepVelocity::LongestWays(const Pairs& pairs)
+{
+  std::array<double, 3> longest{ { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
+  for (int c = 0; c < 3 && !pairs.empty(); ++c)
+  {
+    std::vector<double> ways;
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const auto& [now, before] : pairs)
+    {
+      ways.push_back(std::abs(now->X[c] - before->X[c]));
+      least = std::min({ least, now->X[c], before->X[c] });
+      most = std::max({ most, now->X[c], before->X[c] });
+    }
+    const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
+    std::nth_element(ways.begin(), middle, ways.end());
+    longest[c] = *middle < 0.1 * (most - least) ? 0.5 * (most - least) : HUGE_VAL;
+  }
+  return longest;
+}
+
+//----------------------------------------------------------------------------
 void rtglyphs::GlyphStepVelocity::Follow(vtkDataObject* gathered, double time)
 {
   std::vector<Entry> entries;
@@ -198,6 +220,7 @@ void rtglyphs::GlyphStepVelocity::Follow(vtkDataObject* gathered, double time)
 
   const double length = time - this->Before.Time;
   vtkIdType partners = 0;
+  Pairs pairs;
   auto partner = this->Before.Entries.begin();
   for (const Entry& now : this->Now.Entries)
   {
@@ -209,11 +232,21 @@ void rtglyphs::GlyphStepVelocity::Follow(vtkDataObject* gathered, double time)
     }
     if (partner->Key() == now.Key())
     {
-      for (int c = 0; c < 3; ++c)
-      {
-        now.Velocities->SetComponent(now.Point, c, (now.X[c] - partner->X[c]) / length);
-      }
+      pairs.emplace_back(&now, &*partner);
       ++partners;
+    }
+  }
+  const std::array<double, 3> longest = LongestWays(pairs);
+  for (const auto& [now, before] : pairs)
+  {
+    bool crossed = false;
+    for (int c = 0; c < 3; ++c)
+    {
+      crossed |= std::abs(now->X[c] - before->X[c]) > longest[c];
+    }
+    for (int c = 0; c < 3 && !crossed; ++c)
+    {
+      now->Velocities->SetComponent(now->Point, c, (now->X[c] - before->X[c]) / length);
     }
   }
   this->WithoutPartner = this->Points - partners;

@@ -9,6 +9,9 @@
  *
  * A point without a partner stands still: its id is new, or occurs more than once in one of the steps, or one of
  * the two positions is not finite. So do all in the first step.
+ *
+ * So does a point that goes more than half of the extent along an axis while most go less than a tenth of it: it has
+ * crossed the border of a periodic box, whose length the data do not tell.
  */
 #ifndef GlyphStepVelocity_h
 #define GlyphStepVelocity_h
@@ -93,6 +96,8 @@ private:
 
   /// Null: there are none.
   vtkDataArray* IdsOf(vtkPolyData* points) const;
+  using Pairs = std::vector<std::pair<const Entry*, const Entry*>>; // now and before
+  static std::array<double, 3> LongestWays(const Pairs& pairs);
   void Follow(vtkDataObject* gathered, double time);
   std::string Describe() const;
 

@@ -38,7 +38,7 @@ Demand DemandOf(const rtglyphs::GlyphForms::Settings& settings)
   switch (settings.Kind)
   {
     case rtglyphs::GlyphForms::REYNOLDS:
-      return { "GlyphTensorArray", settings.Layout == rtg::TensorLayout::Matrix ? "9" : "6 or 9" };
+      return { "GlyphTensorArray", "6 or 9" };
     case rtglyphs::GlyphForms::FOURTH_ORDER:
       return { "GlyphTensorArray", "15, 21, 36 or 81" };
     default:
@@ -46,12 +46,13 @@ Demand DemandOf(const rtglyphs::GlyphForms::Settings& settings)
   }
 }
 
-bool Fits(int components, const rtglyphs::GlyphForms::Settings& settings)
+bool Fits(vtkDataArray* array, const rtglyphs::GlyphForms::Settings& settings)
 {
+  const int components = array->GetNumberOfComponents();
   switch (settings.Kind)
   {
     case rtglyphs::GlyphForms::REYNOLDS:
-      return components == 9 || components == rtg::TensorComponents(settings.Layout);
+      return static_cast<bool>(rtglyphs::GlyphTensors::Order(array, settings.Layout));
     case rtglyphs::GlyphForms::FOURTH_ORDER:
       return rtg::FormMap::IsFourthOrderLength(components);
     default:
@@ -105,7 +106,7 @@ std::string rtglyphs::GlyphForms::Problem(vtkDataArray* array, const Settings& s
     text << "There is no point array '" << settings.Array << "', which " << demand.Property
          << " names, so there are no glyphs. Choose one of " << demand.Counts << " components.";
   }
-  else if (!Fits(array->GetNumberOfComponents(), settings))
+  else if (!Fits(array, settings))
   {
     text << "The point array '" << settings.Array << "', which " << demand.Property << " names, has "
          << array->GetNumberOfComponents() << " components where " << demand.Counts
@@ -117,13 +118,10 @@ std::string rtglyphs::GlyphForms::Problem(vtkDataArray* array, const Settings& s
 //----------------------------------------------------------------------------
 rtglyphs::GlyphForms::GlyphForms(vtkDataArray* array, const Settings& settings)
   : How(settings)
+  , Read(array, settings.Layout)
   , Map(MapOf(array->GetNumberOfComponents(), settings))
   , Meter(this->Map.Degree())
 {
-  if (array->GetNumberOfComponents() == 9)
-  {
-    this->How.Layout = rtg::TensorLayout::Matrix;
-  }
 }
 
 //----------------------------------------------------------------------------
@@ -134,7 +132,7 @@ rtglyphs::GlyphForms::CoefficientsOf(rtglyphs::GlyphTuples& tuples, vtkIdType po
   double stress[6];
   if (this->How.Kind == REYNOLDS)
   {
-    const rtg::SymmetricTensor t = rtg::MakeTensor(components, this->How.Layout);
+    const rtg::SymmetricTensor t = this->Read(components);
     const double ordered[6] = { t.xx, t.yy, t.zz, t.xy, t.yz, t.xz };
     std::copy(ordered, ordered + 6, stress);
     components = stress;

@@ -7,6 +7,7 @@
 #ifndef GlyphForms_h
 #define GlyphForms_h
 
+#include "GlyphTensors.h"
 #include "FormExtents.h"
 #include "HarmonicForms.h"
 #include "RayTracedNumbers.h"
@@ -36,8 +37,8 @@ public:
   {
     bool On = false; // whether the glyphs show polynomials at all
     int Kind = HARMONICS;
-    std::string Array;                                 // empty or "None": none
-    rtg::TensorLayout Layout = rtg::TensorLayout::Vtk; // of tensors of second order
+    std::string Array;                    // empty or "None": none
+    int Layout = GlyphTensors::VTK_ORDER; // of tensors of second order
     RayTracedChoice<rtg::HarmonicsBasis, rtg::HarmonicsBasis::MRtrix3, rtg::HarmonicsBasis::Orthonormal> Basis;
     bool Each = false; // all glyphs have one size
     int Coloring = 0;  // GlyphTensors::SIGN, SURFACE_DIRECTION or RADIUS count
@@ -91,6 +92,7 @@ private:
   Coefficients CoefficientsOf(GlyphTuples& tuples, vtkIdType point) const;
 
   Settings How;
+  GlyphTensors::Order Read; // of tensors of second order
   rtg::FormMap Map;
   rtg::FormMeter Meter;
 };

@@ -297,6 +297,14 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
   }
   const rtglyphs::GlyphMotion motion(points, settings.Motion);
   result.Unfinished = rtglyphs::GlyphMotion::Unfinished(settings.Motion);
+  const bool pointed = settings.Shape == rtg::Shape::Arrow || settings.Shape == rtg::Shape::Cone;
+  if (pointed && settings.Orient && !settings.Tensors.On &&
+    rtglyphs::RayTracedArrays::IsNone(settings.OrientationArray))
+  {
+    result.Unfinished =
+      "Arrows and cones need directions; without them all point along x. Choose a point array of 2 or 3 "
+      "components as SelectOrientationVectors, or switch Orient off.";
+  }
   const std::vector<std::string>& aboutMotion = motion.Messages();
   result.Messages.insert(result.Messages.end(), aboutMotion.begin(), aboutMotion.end());
   const std::size_t candidatesCount = candidates.size();

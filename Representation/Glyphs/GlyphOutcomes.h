@@ -24,6 +24,7 @@ namespace rtglyphs::GlyphOutcomes
 enum Outcome : unsigned char
 {
   POSITION,
+  MISSING_SCALE, // in blocks that lack the array
   SCALE,
   RADIUS,
   ORIENTATION,

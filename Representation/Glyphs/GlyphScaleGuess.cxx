@@ -1,7 +1,7 @@
 #include "GlyphScaleGuess.h"
 
 #include "Finite.h"
-#include "GlyphArrayNames.h"
+#include "GlyphArrayRoles.h"
 #include "GlyphTuples.h"
 #include "RayTracedParallel.h"
 #include "vtkCommunicator.h"
@@ -23,11 +23,12 @@ constexpr double seen = 1.0 / 200.0; // in a picture of all data
 constexpr double coincident = 1e-6;  // at the same place, but for rounding
 constexpr double flat = 1e-3;        // along an axis that the data do not fill
 ///@}
-constexpr double specks = 0.1;      // size of spheres that are far apart, as a share of the distance between neighbors
-constexpr double leastArea = 0.25;  // of all glyphs, as a share of that of as many of the typical size
-constexpr double mostExcess = 2.0;  // so much smaller all glyphs become for the largest to fit
-constexpr double manyLimited = 8.0; // so many of the largest glyphs cover a quarter of the longest side's square
-constexpr double arrowLength = 2.5; // of typical glyphs' size: arrows are thin
+constexpr double specks = 0.1; // size of spheres that are far apart, as a share of the distance between neighbors
+constexpr double mostNeighbors = 10.0; // size of spheres in another unit than their places, the same
+constexpr double leastArea = 0.25;     // of all glyphs, as a share of that of as many of the typical size
+constexpr double mostExcess = 2.0;     // so much smaller all glyphs become for the largest to fit
+constexpr double manyLimited = 8.0;    // so many of the largest glyphs cover a quarter of the longest side's square
+constexpr double arrowLength = 2.5;    // of typical glyphs' size: arrows are thin
 
 // Where the points are.
 struct Extents
@@ -138,16 +139,18 @@ double FactorFor(const std::vector<double>& magnitudes, double size)
   return std::exp(low);
 }
 
-// Of spheres whose size the array says: 2 for radii, 1 for diameters. 0: there is no such array.
+// Of spheres whose size the array says: 2 for radii, 1 for diameters; three equal components have a magnitude that is
+// larger than each. 0: there is no such array.
 double ExactFactor(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize)
 {
   vtkDataArray* scales = rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::SCALE, data, settings);
-  const bool sizes = scales && scales->GetNumberOfComponents() == 1 && settings.Shape == rtg::Shape::Sphere &&
+  const int components = scales ? scales->GetNumberOfComponents() : 0;
+  const bool sizes = (components == 1 || components == 3) && settings.Shape == rtg::Shape::Sphere &&
     !settings.Tensors.On && settings.Sizing.Function == rtglyphs::GlyphSizing::LINEAR;
-  return !sizes                                                  ? 0.0
-    : rtglyphs::GlyphArrayNames::IsRadius(settings.ScaleArray)   ? 2.0 / unitSize
-    : rtglyphs::GlyphArrayNames::IsDiameter(settings.ScaleArray) ? 1.0 / unitSize
-                                                                 : 0.0;
+  const bool byMagnitude = components == 3 && settings.ScaleMode == rtglyphs::GlyphScaling::MAGNITUDE;
+  return sizes
+    ? rtglyphs::GlyphArrayRoles::DiametersOf(settings.ScaleArray) / (byMagnitude ? std::sqrt(3.0) : 1.0) / unitSize
+    : 0.0;
 }
 
 rtglyphs::GlyphKeptGuess::Result
@@ -171,7 +174,9 @@ Find(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize,
   const Extents extents = Measure(points, rough);
   const double typical = Quantile(sample, typicalQuantile);
   const double exact = rtglyphs::RayTracedRanks::Largest(ExactFactor(data, settings, unitSize));
-  if (exact * typical >= extents.Longest * std::min(seen, specks * extents.Neighbors) && exact > 0.0)
+  const double most = extents.Longest * std::max(1.0, mostNeighbors * extents.Neighbors);
+  if (exact * typical >= extents.Longest * std::min(seen, specks * extents.Neighbors) && exact > 0.0 &&
+    (exact * typical <= most || !(most > 0.0)))
   {
     result.Value = exact;
     return result;

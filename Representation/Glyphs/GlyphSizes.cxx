@@ -3,6 +3,8 @@
 #include "Finite.h"
 #include "GlyphPlacement.h"
 #include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +19,8 @@ rtglyphs::GlyphMagnitudes::GlyphMagnitudes(
   , FormArray(rtglyphs::GlyphForms::Array(points, scaling.Forms))
   , ByComponents(scaling.ScaleMode == rtglyphs::GlyphScaling::COMPONENTS && this->ScaleArray &&
       this->ScaleArray->GetNumberOfComponents() > 1) // one is a magnitude
+  , RankLacksScales(scaling.Scaling && !rtglyphs::RayTracedArrays::IsNone(scaling.ScaleArray) &&
+      rtglyphs::RayTracedBlocks::IsOfRanks(points) && !points->GetPointData()->HasArray(scaling.ScaleArray.c_str()))
 {
   if (scaling.Tensors.On)
   {
@@ -45,8 +49,9 @@ glm::dvec3 rtglyphs::GlyphMagnitudes::Scale(vtkIdType point, Tuples& tuples) con
     return glm::dvec3(1.0);
   }
   const double* tuple = tuples.Scales.Get(point);
-  return this->ByComponents ? this->Scaling.Sizing(glm::dvec3(tuple[0], tuple[1], tuple[2]))
-                            : glm::dvec3(this->Scaling.Sizing(vtkMath::Norm(tuple, tuples.Scales.Size())));
+  return this->ByComponents
+    ? this->Scaling.Sizing(glm::dvec3(tuple[0], tuple[1], tuples.Scales.Size() == 2 ? tuple[1] : tuple[2]))
+    : glm::dvec3(this->Scaling.Sizing(vtkMath::Norm(tuple, tuples.Scales.Size())));
 }
 
 //----------------------------------------------------------------------------
@@ -69,7 +74,9 @@ glm::dvec3 rtglyphs::GlyphMagnitudes::Bound(vtkIdType point, Tuples& tuples, rtg
 double rtglyphs::GlyphMagnitudes::Magnitude(vtkIdType point, Tuples& tuples) const
 {
   rtg::FormExtent form;
-  const double longest = this->Problem.empty() ? rtglyphs::GlyphSizing::Largest(this->Bound(point, tuples, form)) : 0.0;
+  const double longest = this->Problem.empty() && !this->Lacks(point, tuples)
+    ? rtglyphs::GlyphSizing::Largest(this->Bound(point, tuples, form))
+    : 0.0;
   return rtg::IsPositive(longest) ? longest : 0.0;
 }
 
@@ -118,6 +125,10 @@ glm::dvec3 rtglyphs::GlyphSizes::Extents(vtkIdType point, Tuples& tuples, glm::d
 //----------------------------------------------------------------------------
 Outcome rtglyphs::GlyphSizes::Make(vtkIdType point, Tuples& tuples, Glyph& glyph, float* polynomial) const
 {
+  if (this->Lacks(point, tuples))
+  {
+    return MISSING_SCALE;
+  }
   glyph.Size = this->Settings.ScaleFactor * this->Settings.UnitSize * this->Scale(point, tuples);
   if (const rtglyphs::GlyphTensors* tensors = this->GetTensors(); tensors && this->Settings.Tensors.Axes)
   {

@@ -40,6 +40,11 @@ public:
     GlyphTuples Scales, Forms;
   };
 
+  /// Whether the point is of a block that lacks the scale array, which others have: it has no glyph.
+  bool Lacks(vtkIdType point, Tuples& tuples) const
+  {
+    return this->RankLacksScales || (tuples.Scales && !tuples.Scales.Has(point));
+  }
   bool HasScales() const { return this->ScaleArray != nullptr; }
   bool ScalesByComponents() const { return this->ByComponents; }
 
@@ -72,7 +77,7 @@ protected:
 private:
   const GlyphScaling Scaling;
   vtkDataArray *ScaleArray, *FormArray;
-  const bool ByComponents;
+  const bool ByComponents, RankLacksScales;
   std::unique_ptr<const GlyphTensors> Tensors;
   std::unique_ptr<const GlyphForms> Forms;
   std::string Problem;

@@ -11,6 +11,110 @@
 #include <cmath>
 #include <sstream>
 
+namespace
+{
+using Tensor = rtg::SymmetricTensor;
+using Indices = std::vector<std::string>;
+
+struct Known
+{
+  int Layout; // -1: any
+  std::string Names;
+};
+// As simulation codes write tuples of 3, 4, 6, 7 and 9 components; of two for the same number the first counts.
+const Known known[] = {
+  { rtglyphs::GlyphTensors::VTK_ORDER, "xx yy zz xy yz xz" },
+  { rtglyphs::GlyphTensors::ROW, "xx xy xz yy yz zz" },
+  { rtglyphs::GlyphTensors::LAMMPS, "xx yy zz xy xz yz" },
+  { rtglyphs::GlyphTensors::LOWER, "xx xy yy xz yz zz" },
+  { rtglyphs::GlyphTensors::VOIGT, "xx yy zz yz xz xy" },
+  { rtglyphs::GlyphTensors::MATRIX, "xx xy yx yy" },
+  { rtglyphs::GlyphTensors::ROW, "xx xy yy" },
+  { rtglyphs::GlyphTensors::LOWER, "xx xy yy" },
+  { -1, "xx yy zz xy" },
+  { -1, "xx yy xy" },
+  { -1, "-- xx xy xz yy yz zz" },
+  { -1, "xx xy xz yx yy yz zx zy zz" },
+};
+
+Indices Split(const std::string& names)
+{
+  Indices indices;
+  for (std::size_t i = 0; i < names.size(); i += 3)
+  {
+    indices.push_back(names.substr(i, 2));
+  }
+  return indices;
+}
+
+// Of 'S-xy', 'S12' and the like: xy. Empty: it is none.
+std::string IndexOf(const char* name)
+{
+  const std::string text = name ? name : "";
+  std::string index;
+  for (std::size_t i = text.size() < 2 ? text.size() : text.size() - 2; i < text.size(); ++i)
+  {
+    const std::size_t letter = std::string("xyzXYZ123").find(text[i]);
+    index += letter == std::string::npos ? std::string() : std::string(1, "xyz"[letter % 3]);
+  }
+  return index.size() == 2 ? index : std::string();
+}
+
+double Tensor::*PlaceOf(std::string index)
+{
+  std::sort(index.begin(), index.end());
+  return index == "xx" ? &Tensor::xx
+    : index == "yy"    ? &Tensor::yy
+    : index == "zz"    ? &Tensor::zz
+    : index == "xy"    ? &Tensor::xy
+    : index == "yz"    ? &Tensor::yz
+    : index == "xz"    ? &Tensor::xz
+                       : nullptr;
+}
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphTensors::Order::Order(vtkDataArray* array, int layout)
+{
+  const int components = array->GetNumberOfComponents();
+  Indices indices;
+  for (int i = 0; i < components; ++i)
+  {
+    indices.push_back(IndexOf(array->GetComponentName(i)));
+  }
+  if (components == 1 || components > 9 || std::count(indices.begin(), indices.end(), std::string()) > 0)
+  {
+    const auto found = std::find_if(std::begin(known), std::end(known),
+      [&](const Known& one)
+      { return static_cast<int>(one.Names.size() + 1) == 3 * components && (one.Layout < 0 || one.Layout == layout); });
+    indices = found != std::end(known) ? Split(found->Names) : Indices();
+  }
+  for (const std::string& index : indices)
+  {
+    const std::string mirrored(index.rbegin(), index.rend());
+    const bool both = index != mirrored && std::find(indices.begin(), indices.end(), mirrored) != indices.end();
+    this->Places.push_back({ PlaceOf(index), both ? 0.5 : 1.0 });
+  }
+}
+
+//----------------------------------------------------------------------------
+rtg::SymmetricTensor rtglyphs::GlyphTensors::Order::operator()(const double* tuple) const
+{
+  rtg::SymmetricTensor tensor;
+  for (std::size_t i = 0; i < this->Places.size(); ++i)
+  {
+    if (this->Places[i].To)
+    {
+      tensor.*this->Places[i].To += this->Places[i].Weight * tuple[i]; // halved first: huge numbers would overflow
+    }
+    else if (tuple[i] == 0.0)
+    {
+      return {};
+    }
+  }
+  return tensor;
+}
+
 //----------------------------------------------------------------------------
 vtkDataArray* rtglyphs::GlyphTensors::Array(vtkPolyData* points, const Settings& settings)
 {
@@ -58,14 +162,13 @@ std::string rtglyphs::GlyphTensors::Problem(vtkDataArray* array, const Settings&
             "components.";
     return text.str();
   }
-  const int components = array->GetNumberOfComponents();
-  const int needed = rtg::TensorComponents(settings.Layout);
-  if (components != 9 && components != needed)
+  if (!Order(array, settings.Layout))
   {
-    text << "The point array '" << settings.Array << "', which GlyphTensorArray names, has " << components
-         << " components where " << needed << (needed == 6 ? " or 9" : "")
+    text << "The point array '" << settings.Array << "', which GlyphTensorArray names, has "
+         << array->GetNumberOfComponents() << " components where "
+         << (settings.Layout == MATRIX ? "9, or 4 of a plane," : "6 or 9, 7 with a confidence, or 3 or 4 of a plane")
          << " are needed, so there are no glyphs. Choose another array"
-         << (components == 6 ? " or another GlyphTensorLayout." : ".");
+         << (array->GetNumberOfComponents() == 6 ? " or another GlyphTensorLayout." : ".");
   }
   return text.str();
 }
@@ -75,11 +178,8 @@ rtglyphs::GlyphTensors::GlyphTensors(
   vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points)
   : Tensors(array)
   , How(settings)
+  , Read(array, settings.Layout)
 {
-  if (array->GetNumberOfComponents() == 9)
-  {
-    this->How.Layout = rtg::TensorLayout::Matrix;
-  }
   const auto count = static_cast<vtkIdType>(points.size());
   this->Noise = 1e-6 *
     rtglyphs::RayTracedParallel::Largest(count,
@@ -168,7 +268,7 @@ rtg::SymmetricTensor rtglyphs::GlyphTensors::Tensor(vtkIdType point) const
 {
   double components[9];
   this->Tensors->GetTuple(point, components);
-  return rtg::MakeTensor(components, this->How.Layout);
+  return this->Read(components);
 }
 
 //----------------------------------------------------------------------------

@@ -2,8 +2,7 @@
  * @class   GlyphTensors
  * @brief   an array of tensors as the sizes, rotations and exponents of glyphs
  *
- * Nine components are a matrix row by row whatever the layout, and their symmetric part counts; six are read as the
- * layout says. See Kernels/Tensor.h for what the glyphs are.
+ * Of matrices the symmetric part counts. See Kernels/Tensor.h for what the glyphs are.
  */
 #ifndef GlyphTensors_h
 #define GlyphTensors_h
@@ -41,6 +40,41 @@ public:
   };
 
   /**
+   * Orders of the components of tuples, in GlyphTensors.cxx by their indices.
+   */
+  enum TensorLayouts
+  {
+    VTK_ORDER = 0,
+    ROW = 1,
+    LAMMPS = 2,
+    MATRIX = 3,
+    LOWER = 4,
+    VOIGT = 5
+  };
+
+  /**
+   * Reads tuples of an array: by the names of its components, where these are indices such as xx or 11, else as the
+   * layout says for their number; nine are always a matrix, and seven a confidence before Row. Without confidence there
+   * is no tensor.
+   */
+  class Order
+  {
+  public:
+    Order(vtkDataArray* array, int layout);
+    /// Whether there is an order for so many components.
+    explicit operator bool() const { return !this->Places.empty(); }
+    rtg::SymmetricTensor operator()(const double* tuple) const;
+
+  private:
+    struct Place
+    {
+      double rtg::SymmetricTensor::*To;
+      double Weight;
+    };
+    std::vector<Place> Places; // of each component; null: a confidence
+  };
+
+  /**
    * Whether a coloring is one number for each tensor.
    */
   static bool IsNumber(int coloring)
@@ -56,7 +90,7 @@ public:
   {
     bool On = false;   // whether the glyphs show tensors at all
     std::string Array; // empty or "None": none
-    RayTracedChoice<rtg::TensorLayout, rtg::TensorLayout::Vtk, rtg::TensorLayout::Lower> Layout{};
+    RayTracedChoice<TensorLayouts, VTK_ORDER, VOIGT> Layout{};
 
     bool operator==(const Source&) const = default;
   };
@@ -144,6 +178,7 @@ private:
 
   vtkDataArray* Tensors;
   Settings How;
+  Order Read;
   double Noise = 0.0;
 };
 

@@ -36,7 +36,7 @@ struct Description
 const std::array<Description, rtglyphs::GlyphArrays::NUMBER_OF_IDS> table = { {
   { &Settings::ScaleArray, [](const Settings& settings) { return settings.Scaling; },
     [](const Settings& settings) {
-      return settings.ScaleMode == Settings::COMPONENTS ? std::vector<int>{ 1, 3 } : std::vector<int>{};
+      return settings.ScaleMode == Settings::COMPONENTS ? std::vector<int>{ 1, 2, 3 } : std::vector<int>{};
     },
     "SelectScaleArray", "all glyphs get the same size" },
   { &Settings::OrientationArray, [](const Settings& settings) { return settings.Orient; },

@@ -331,11 +331,18 @@ void vtkRayTracedMapper::ReportInstances(std::vector<std::string> messages, cons
 }
 
 //----------------------------------------------------------------------------
+// Counts of points at the beginning of a message change with each time step, and are not reported anew.
 void vtkRayTracedMapper::Report(const std::vector<std::string>& messages, std::vector<std::string>& reported)
 {
   for (const std::string& message : messages)
   {
-    if (std::find(reported.begin(), reported.end(), message) == reported.end())
+    const auto same = [&message](const std::string& other)
+    {
+      const auto begin = [](const std::string& text)
+      { return std::min(text.find_first_not_of("0123456789 of"), text.size()); };
+      return message.compare(begin(message), std::string::npos, other, begin(other)) == 0;
+    };
+    if (std::none_of(reported.begin(), reported.end(), same))
     {
       vtkWarningMacro(<< message);
     }

@@ -158,13 +158,16 @@ public:
 
   ///@{
   /**
-   * The tensors of tensor glyphs, the order of their components (rtg::TensorLayout; default is 0, VTK's), the sharpness
-   * of superquadrics (in [0, 10], default 3), the least thickness as a share of the longest axis (in [0.001, 1],
-   * default 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that numbers
-   * of tensors are colored by, and by its ends GlyphTensors::SIGN.
+   * The tensors of tensor glyphs, the order of their components (GlyphTensors::TensorLayouts; default is 0, VTK's), the
+   * sharpness of superquadrics (in [0, 10], default 3), the least thickness as a share of the longest axis (in [0.001,
+   * 1], default 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that
+   * numbers of tensors are colored by, and by its ends GlyphTensors::SIGN.
    */
   void SetGlyphTensorArray(const char* name) { this->SetArray(this->Glyphs.Tensors.Array, name); }
-  void SetGlyphTensorLayout(int layout) { this->Glyphs.Tensors.Layout = static_cast<rtg::TensorLayout>(layout); }
+  void SetGlyphTensorLayout(int layout)
+  {
+    this->Glyphs.Tensors.Layout = static_cast<rtglyphs::GlyphTensors::TensorLayouts>(layout);
+  }
   void SetGlyphTensorSharpness(double sharpness) { this->Glyphs.Tensors.Sharpness = sharpness; }
   void SetGlyphTensorThickness(double share) { this->Glyphs.Tensors.Thickness = share; }
   void SetGlyphTensorColoring(int coloring) { this->Glyphs.Tensors.Coloring = coloring; }

@@ -1,6 +1,7 @@
 #include "RayTracedDomains.h"
 
 #include "Finite.h"
+#include "GlyphArrayRoles.h"
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkPVArrayInformation.h"
@@ -122,9 +123,26 @@ public:
     if (data)
     {
       const double* bounds = data->GetBounds();
-      longest = std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+      vtkPVArrayInformation* points = data->GetPointArrayInformation();
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        // Bounds hold separators of lines that are not finite.
+        const double* finite = points->GetNumberOfComponents() == 3 ? points->GetComponentFiniteRange(axis) : nullptr;
+        const bool known = finite && finite[0] <= finite[1];
+        longest = std::max(longest, known ? finite[1] - finite[0] : bounds[2 * axis + 1] - bounds[2 * axis]);
+      }
     }
-    this->Suggested = rtg::IsPositive(longest) ? this->GetScaleFactor() * longest / this->LargestValue() : 0.0;
+    const double largest = this->LargestValue();
+    this->Suggested = rtg::IsPositive(longest) ? this->GetScaleFactor() * longest / largest : 0.0;
+    // Radii and diameters are exact where they are possible: as in GlyphScaleGuess.
+    vtkSMProperty* named = this->GetRequiredProperty("Array");
+    const double diameters =
+      named ? rtglyphs::GlyphArrayRoles::DiametersOf(vtkSMPropertyHelper(named).GetAsString()) : 0.0;
+    if (diameters > 0.0 && this->Suggested > 0.0 && 0.5 * diameters * largest < 0.2 * longest &&
+      0.5 * diameters * largest > 1e-4 * longest)
+    {
+      this->Suggested = 0.5 * diameters;
+    }
     this->SetEntries(std::vector<vtkEntry>{ vtkEntry(0.0, this->Suggested > 0.0 ? 4.0 * this->Suggested : 1.0) });
   }
 
@@ -154,7 +172,7 @@ private:
       array = data->GetPointDataInformation()->GetArrayInformation(name);
       array = array ? array : data->GetCellDataInformation()->GetArrayInformation(name);
     }
-    const double* range = array ? array->GetComponentRange(0) : nullptr;
+    const double* range = array ? array->GetComponentFiniteRange(array->GetNumberOfComponents() > 1 ? -1 : 0) : nullptr;
     const double largest = range ? std::max(std::abs(range[0]), std::abs(range[1])) : 1.0;
     return rtg::IsPositive(largest) ? largest : 1.0;
   }

@@ -45,7 +45,10 @@ struct InputArrays : vtkSMInputArrayDomain
   }
 };
 
-const char* const sharedArrays[] = { "SelectScaleArray", "SelectOrientationVectors" };
+const char* const sharedArrays[] = { "SelectOrientationVectors", "SelectScaleArray" };
+
+// Those that the choice of arrays depends on: what turns and scales arrows differs from what turns and scales bodies.
+const std::set<std::string> decisive = { "GlyphShape", "GlyphType", "ScaleMode", "SelectOrientationVectors" };
 
 // Those that ray-traced glyphs have another default of.
 const std::set<std::string> defaultedAnew = { "GlyphType", "Orient", "ScaleFactor", "Scaling", "SelectScaleArray",
@@ -110,10 +113,6 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedGlyphDefaults::Follow(vtkSMProxy* glyphs, const std::string& name)
 {
-  if (name == "ScaleMode")
-  {
-    this->ChooseArrays(glyphs, Where::Missing);
-  }
   if (name == "GlyphLocation")
   {
     this->ListArrays(glyphs);
@@ -126,12 +125,19 @@ void rtglyphs::RayTracedGlyphDefaults::Follow(vtkSMProxy* glyphs, const std::str
     this->ChooseArray(glyphs, "SelectScaleArray"); // the lengths of arrows follow their direction
   }
   // While the display is made ParaView changes them, and what another client sets comes with its ScaleFactorFromData.
-  if (!defaultedAnew.count(name) || this->Choosing || !this->InView || rtglyphs::RayTracedSuggestion::IsTaking() ||
+  if (this->Choosing || !this->InView || rtglyphs::RayTracedSuggestion::IsTaking() ||
     glyphs->GetSession()->IsProcessingRemoteNotification())
   {
     return;
   }
-  this->Chosen.insert(name);
+  if (defaultedAnew.count(name))
+  {
+    this->Chosen.insert(name);
+  }
+  if (decisive.count(name) && ShowsGlyphs(glyphs->GetTrueParentProxy()))
+  {
+    this->ChooseArrays(glyphs, Where::Everywhere);
+  }
   if (name == "ScaleFactor")
   {
     vtkSMProxy* display = glyphs->GetTrueParentProxy();
@@ -191,8 +197,7 @@ bool rtglyphs::RayTracedGlyphDefaults::Renew(vtkSMProxy* glyphs, bool otherTime)
 }
 
 //----------------------------------------------------------------------------
-// An array that scales is chosen when a mode takes it, for the form that the glyphs have then; ParaView's active
-// scalars stay. Its active vectors may be normals: directions are chosen Everywhere.
+// An array that scales is chosen when a mode takes it.
 bool rtglyphs::RayTracedGlyphDefaults::ChooseArrays(vtkSMProxy* glyphs, Where where)
 {
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
@@ -210,7 +215,7 @@ bool rtglyphs::RayTracedGlyphDefaults::ChooseArrays(vtkSMProxy* glyphs, Where wh
     }
     const std::string before = vtkSMPropertyHelper(shared).GetAsString();
     unsigned int index = 0;
-    if (IsNone(display, name) || (where == Where::Everywhere && !scales) ||
+    if (IsNone(display, name) || where == Where::Everywhere ||
       (where != Where::Missing && !list->IsInDomain(before.c_str(), index)))
     {
       this->ChooseArray(glyphs, name);

@@ -1,7 +1,6 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 
-#include "GlyphArrayNames.h"
-#include "HarmonicForms.h"
+#include "GlyphArrayRoles.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVArrayInformation.h"
@@ -14,6 +13,8 @@
 #include "vtkSMProxy.h"
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <functional>
 #include <vector>
@@ -22,170 +23,75 @@ vtkStandardNewMacro(vtkSMRayTracedArrayListDomain);
 
 namespace
 {
-struct Array
+using namespace rtglyphs::GlyphArrayRoles;
+
+bool AreTensorNames(vtkPVArrayInformation* array)
 {
-  std::string Name;
-  int Components, Attribute;
-  bool IsColor; // by its type
-};
-using Arrays = std::vector<Array>;
+  const auto isIndex = [](const char* name)
+  {
+    const std::string text = name ? name : "";
+    const std::string index = text.size() < 2 ? text : text.substr(text.size() - 2);
+    return index.size() == 2 && index.find_first_not_of("xyzXYZ123") == std::string::npos;
+  };
+  bool all = array->GetNumberOfComponents() > 1;
+  for (int i = 0; i < array->GetNumberOfComponents(); ++i)
+  {
+    all &= isIndex(array->GetComponentName(i));
+  }
+  return all;
+}
 
 // Null attributes have none.
-Arrays ArraysOf(vtkPVDataSetAttributesInformation* attributes, const std::function<bool(const char*)>& isWanted)
+std::vector<Array>
+ArraysOf(vtkPVDataSetAttributesInformation* attributes, const std::function<bool(const char*)>& isWanted)
 {
-  Arrays arrays;
+  std::vector<Array> arrays;
   for (int i = 0; attributes && i < attributes->GetNumberOfArrays(); ++i)
   {
     vtkPVArrayInformation* array = attributes->GetArrayInformation(i);
-    if (array && array->GetName() && isWanted(array->GetName()))
+    if (!array || !array->GetName() || !isWanted(array->GetName()))
     {
-      arrays.push_back({ array->GetName(), array->GetNumberOfComponents(), attributes->IsArrayAnAttribute(i),
-        array->GetDataType() == VTK_UNSIGNED_CHAR });
+      continue;
     }
+    const int type = array->GetDataType(), attribute = attributes->IsArrayAnAttribute(i);
+    const double* range = array->GetComponentFiniteRange(array->GetNumberOfComponents() > 1 ? -1 : 0);
+    Array one;
+    one.Name = array->GetName();
+    one.Components = array->GetNumberOfComponents();
+    one.IsColor = type == VTK_UNSIGNED_CHAR || attribute == vtkDataSetAttributes::TCOORDS;
+    one.IsWhole = type != VTK_FLOAT && type != VTK_DOUBLE;
+    for (Role role : { DIRECTION, ROTATION, LENGTH, VELOCITY })
+    {
+      one.IsActive[role] = attribute == vtkDataSetAttributes::VECTORS;
+    }
+    one.IsActive[SIZE] = attribute == vtkDataSetAttributes::SCALARS || attribute == vtkDataSetAttributes::VECTORS;
+    one.IsActive[TENSOR] = attribute == vtkDataSetAttributes::TENSORS;
+    one.HasTensorNames = AreTensorNames(array);
+    one.Least = range ? range[0] : one.Least;
+    one.Largest = range ? range[1] : one.Largest;
+    arrays.push_back(one);
   }
   return arrays;
 }
 
-// The name of the array of the lowest rank, the first of several; those with a negative one do not count. Empty: none.
-std::string Best(const Arrays& arrays, const std::function<int(const Array&)>& rank)
+// The usual distance between points, if they fill their box. 0: not known.
+double SpacingOf(vtkPVDataInformation* data)
 {
-  const Array* best = nullptr;
-  for (const Array& array : arrays)
+  const double* bounds = data->GetBounds();
+  double volume = 1.0, longest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const int own = rank(array);
-    best = own >= 0 && (!best || own < rank(*best)) ? &array : best;
+    longest = std::max(longest, bounds[2 * axis + 1] - bounds[2 * axis]);
   }
-  return best ? best->Name : std::string();
-}
-
-std::string First(const Arrays& arrays, const std::function<bool(const Array&)>& wanted)
-{
-  return Best(arrays, [&](const Array& array) { return wanted(array) ? 0 : -1; });
-}
-
-std::string Active(const Arrays& arrays, int attribute)
-{
-  return First(arrays, [attribute](const Array& array) { return array.Attribute == attribute; });
-}
-
-using Choice = std::string (*)(const Arrays&);
-
-std::string FirstOf(const Arrays& arrays, const std::vector<Choice>& choices)
-{
-  for (Choice choice : choices)
+  int axes = 0;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const std::string found = choice(arrays);
-    if (!found.empty())
-    {
-      return found;
-    }
+    const double side = bounds[2 * axis + 1] - bounds[2 * axis];
+    volume *= side > 1e-3 * longest ? side : 1.0;
+    axes += side > 1e-3 * longest ? 1 : 0;
   }
-  return {};
-}
-
-// Two components are a vector of the plane where the name says so.
-int DirectionRank(const Array& array)
-{
-  const int rank = rtglyphs::GlyphArrayNames::DirectionRank(array.Name);
-  const bool fits = array.Components == 3 || (array.Components == 2 && rank != rtglyphs::GlyphArrayNames::unknown);
-  return fits && !array.IsColor && array.Attribute != vtkDataSetAttributes::TCOORDS ? rank : -1;
-}
-
-std::string NamedDirection(const Arrays& arrays)
-{
-  return Best(arrays,
-    [](const Array& array)
-    {
-      const int rank = DirectionRank(array);
-      return rank == rtglyphs::GlyphArrayNames::unknown ? -1 : rank;
-    });
-}
-
-// Filters such as Stream Tracer make normals active; a vector that a solver has written is preferred.
-std::string ActiveVectors(const Arrays& arrays)
-{
-  const std::string active = Active(arrays, vtkDataSetAttributes::VECTORS);
-  return rtglyphs::GlyphArrayNames::IsNormal(active) ? NamedDirection(arrays) : active;
-}
-
-std::string Quaternion(const Arrays& arrays)
-{
-  return First(arrays,
-    [](const Array& array) { return array.Components == 4 && rtglyphs::GlyphArrayNames::IsQuaternion(array.Name); });
-}
-
-std::string AnyDirection(const Arrays& arrays)
-{
-  return Best(arrays, DirectionRank);
-}
-
-std::string Velocity(const Arrays& arrays)
-{
-  return First(arrays,
-    [](const Array& array) { return DirectionRank(array) >= 0 && rtglyphs::GlyphArrayNames::IsVelocity(array.Name); });
-}
-
-std::string ActiveTensors(const Arrays& arrays)
-{
-  return Active(arrays, vtkDataSetAttributes::TENSORS);
-}
-
-std::string AnyTensor(const Arrays& arrays)
-{
-  return Best(arrays,
-    [](const Array& array)
-    {
-      const bool fits = array.Components == 9 || array.Components == 6;
-      return fits ? rtglyphs::GlyphArrayNames::TensorRank(array.Name) : -1;
-    });
-}
-
-std::string FourthOrder(const Arrays& arrays)
-{
-  return Best(arrays,
-    [](const Array& array)
-    {
-      const int n = array.Components;
-      return n == 36 || n == 21 || n == 81 || n == 15 ? rtglyphs::GlyphArrayNames::TensorRank(array.Name) : -1;
-    });
-}
-
-std::string Direction(const Arrays& arrays)
-{
-  return FirstOf(arrays, { ActiveVectors, NamedDirection, Quaternion, AnyDirection });
-}
-
-std::string Tensor(const Arrays& arrays)
-{
-  return FirstOf(arrays, { ActiveTensors, AnyTensor, FourthOrder });
-}
-
-// Those of one and six components are seldom harmonics.
-std::string Harmonics(const Arrays& arrays)
-{
-  return First(arrays,
-    [](const Array& array) { return array.Components > 9 && rtg::FormMap::IsHarmonicsLength(array.Components); });
-}
-
-std::string Size(const Arrays& arrays)
-{
-  return First(arrays,
-    [](const Array& array)
-    {
-      return array.Components == 1 &&
-        (rtglyphs::GlyphArrayNames::IsRadius(array.Name) || rtglyphs::GlyphArrayNames::IsDiameter(array.Name));
-    });
-}
-
-std::string ActiveScalars(const Arrays& arrays)
-{
-  return Active(arrays, vtkDataSetAttributes::SCALARS);
-}
-
-std::string AnyNumber(const Arrays& arrays)
-{
-  return First(arrays,
-    [](const Array& array) { return array.Components == 1 && !rtglyphs::GlyphArrayNames::IsLabel(array.Name); });
+  const double spacing = std::pow(volume / std::max<double>(1.0, data->GetNumberOfPoints()), 1.0 / std::max(axes, 1));
+  return axes > 0 && std::isfinite(spacing) ? spacing : 0.0;
 }
 }
 
@@ -218,46 +124,40 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
   auto* domain = input ? vtkSMInputArrayDomain::SafeDownCast(input->GetDomain(this->InputDomainName)) : nullptr;
   vtkPVDataSetAttributesInformation* attributes =
     data && domain ? data->GetAttributeInformation(domain->GetAttributeType()) : nullptr;
-  const Arrays arrays = ArraysOf(attributes,
+  const std::vector<Array> arrays = ArraysOf(attributes,
     [this](const char* name)
     {
       unsigned int listed = 0;
       return this->IsInDomain(name, listed) != 0;
     });
-  if (this->Choice == "direction")
-  {
-    return Direction(arrays);
-  }
-  if (this->Choice == "velocity")
-  {
-    const std::string velocity = FirstOf(arrays, { Velocity, ActiveVectors });
-    return rtglyphs::GlyphArrayNames::IsNormal(velocity) ? std::string() : velocity;
-  }
-  if (this->Choice == "tensor")
-  {
-    return Tensor(arrays);
-  }
-  if (this->Choice == "harmonics")
-  {
-    return Harmonics(arrays);
-  }
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
-  if (glyphs && AreArrows(glyphs))
+  const bool arrows = AreArrows(glyphs);
+  const Role role = this->Choice == "direction" ? (arrows ? DIRECTION : ROTATION)
+    : this->Choice == "velocity"                ? VELOCITY
+    : this->Choice == "tensor"                  ? TENSOR
+    : this->Choice == "harmonics"               ? HARMONICS
+    : arrows                                    ? LENGTH
+                                                : SIZE;
+  const auto isAsLong = [&](const Array& array)
   {
-    const std::string direction = vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString();
-    const std::string followed = First(arrays,
-      [&](const Array& array) { return array.Name == direction && (array.Components == 2 || array.Components == 3); });
-    return !followed.empty() ? followed
-                             : FirstOf(arrays, { ActiveVectors, AnyDirection, Size, ActiveScalars, AnyNumber });
+    // Lengths of other vectors than the directions would be a wrong figure.
+    const char* direction = vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString();
+    return array.Components <= 3 && direction && array.Name == direction;
+  };
+  if (role == LENGTH && std::any_of(arrays.begin(), arrays.end(), isAsLong))
+  {
+    return vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString();
   }
-  return FirstOf(arrays, { Size, ActiveScalars, ActiveVectors, AnyDirection, AnyNumber });
+  return rtglyphs::GlyphArrayRoles::Choose(role, arrays, data ? SpacingOf(data) : 0.0);
 }
 
 //----------------------------------------------------------------------------
 bool vtkSMRayTracedArrayListDomain::AreArrows(vtkSMProxy* glyphs)
 {
-  vtkSMProxy* source = vtkSMPropertyHelper(glyphs, "GlyphType", /*quiet=*/true).GetAsProxy();
-  return source && strcmp(source->GetXMLName(), "ArrowSource") == 0;
+  vtkSMProxy* source = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphType", /*quiet=*/true).GetAsProxy() : nullptr;
+  const char* type = source ? source->GetXMLName() : "";
+  const bool pointed = strcmp(type, "ArrowSource") == 0 || strcmp(type, "ConeSource") == 0;
+  return pointed && vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == 0;
 }
 
 //----------------------------------------------------------------------------
@@ -277,6 +177,7 @@ int vtkSMRayTracedArrayListDomain::SetDefaultValues(vtkSMProperty* property, boo
 //----------------------------------------------------------------------------
 bool vtkSMRayTracedArrayListDomain::HasDirectionsOrTensors(vtkPVDataSetAttributesInformation* attributes)
 {
-  const Arrays arrays = ArraysOf(attributes, [](const char*) { return true; });
-  return !Direction(arrays).empty() || !Tensor(arrays).empty();
+  const std::vector<Array> arrays = ArraysOf(attributes, [](const char*) { return true; });
+  const auto has = [&arrays](Role role) { return !rtglyphs::GlyphArrayRoles::Choose(role, arrays, 0.0).empty(); };
+  return has(DIRECTION) || has(TENSOR);
 }

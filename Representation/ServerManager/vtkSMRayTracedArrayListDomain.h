@@ -3,15 +3,8 @@
  * @brief   a list of arrays whose default is chosen by what the arrays are
  *
  * ParaView's own list takes the active attribute, and without one whatever comes first. The attribute `choice` in the
- * XML says what is looked for:
- * - direction: the active vectors, unless they are normals and there is better, else of three components one that is
- * named as a direction (velocity before displacement, force, normal, others), else a quaternion, else any that is not
- * named as a position, angle, color or length.
- * - velocity: one named velocity, else the active vectors, unless they are normals.
- * - tensor: the active tensors, else of nine or six components one that is named as a tensor, else any that is not
- * named as a rotation.
- * - scale: one named radius or diameter, else the active scalars, else a direction, else any of one component but
- * labels; for arrows a direction first. Without any: None. See GlyphArrayNames for the names.
+ * XML says which role it has (GlyphArrayRoles): direction, velocity, tensor, harmonics or scale. Bodies, all shapes but
+ * arrows and cones, are turned by rotations first, and arrows are as long as their direction. Without any: None.
  */
 #ifndef vtkSMRayTracedArrayListDomain_h
 #define vtkSMRayTracedArrayListDomain_h

@@ -8,6 +8,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -98,7 +99,16 @@ private:
 
   double Radius(vtkIdType point, vtkIdType cell) const
   {
-    return this->Factor * (this->Radii ? this->Radii->GetComponent(this->RadiiOfCells ? cell : point, 0) : 1.0);
+    const vtkIdType tuple = this->RadiiOfCells ? cell : point;
+    double value[3] = { 1.0, 0.0, 0.0 };
+    if (this->Radii)
+    {
+      this->Radii->GetTuple(tuple, value);
+    }
+    return this->Factor *
+      (this->Radii && this->Radii->GetNumberOfComponents() > 1
+          ? vtkMath::Norm(value, this->Radii->GetNumberOfComponents())
+          : value[0]);
   }
 
   bool IsGood(vtkIdType point, vtkIdType cell) const
@@ -348,7 +358,8 @@ private:
     if (!rtglyphs::RayTracedArrays::IsNone(this->How.RadiusArray) && !this->Radii)
     {
       this->Out.Messages.push_back("There is no array '" + this->How.RadiusArray +
-        "' of one component that has a value for each point or cell of the lines, so all tubes have the radius "
+        "' of one to three components that has a value for each point or cell of the lines, so all tubes have the "
+        "radius "
         "TubeRadius. Choose a point or cell array as TubeRadiusArray.");
     }
     if (!this->Placement.Uniform)
@@ -415,7 +426,7 @@ vtkDataArray* rtglyphs::RayTracedTubeBuilder::RadiusArray(vtkPolyData* lines, co
     return nullptr;
   }
   const auto fits = [](vtkDataArray* array, vtkIdType count)
-  { return array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == count ? array : nullptr; };
+  { return array && array->GetNumberOfComponents() <= 3 && array->GetNumberOfTuples() == count ? array : nullptr; };
   vtkDataArray* found = fits(lines->GetPointData()->GetArray(settings.RadiusArray.c_str()), lines->GetNumberOfPoints());
   if (!found)
   {

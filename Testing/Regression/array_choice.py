@@ -21,17 +21,17 @@ CASES = (
     ("id:1 type:1", "None None None None"),
     ("id:1 pressure:1", "pressure None None None"),
     ("a:1 b:1=Scalars", "b None None None"),
-    ("b:1=Scalars radius:1", "b None None None"),
+    ("b:1=Scalars radius:1", "radius None None None"),
     ("c_diameter:1 mass:1", "c_diameter None None None"),
     ("ParticleRadius:1", "ParticleRadius None None None"),
-    ("radiation:1=Scalars radius:3", "radiation None None None"),
+    ("radiation:1=Scalars radius:3", "radius None None None"),
     ("a:3 velocity:3", "velocity velocity None velocity"),
     ("a:3=Vectors velocity:3", "a a None velocity"),
     ("force:3 displacement:3 angular_velocity:3 coords:3 omega:3", "displacement displacement None None"),
     ("omega:3 coords:3", "omega omega None None"),
-    ("positions:3 EulerAngles:3 rgb:3 lengths:3", "EulerAngles None None None"),
-    ("positions:3 c_q:4 c_shape:3", "None c_q None None"),
-    ("positions:3 quaternion:4 c_shape:3 thing:3", "thing quaternion None None"),
+    ("positions:3 EulerAngles:3 rgb:3 lengths:3", "lengths None None None"),
+    ("positions:3 c_q:4 c_shape:3", "c_shape c_q None None"),
+    ("positions:3 quaternion:4 c_shape:3 thing:3", "c_shape quaternion None None"),
     ("positions:3 thing:3", "thing thing None None"),
     ("a:3 b:3 c:3 d:3 e:3 f:3 g:3 h:3 Normals:3 j:3", "f f None None"),
     ("V:3 Pres:1", "V V None V"),
@@ -40,12 +40,12 @@ CASES = (
     ("range:2 uv:2=TCoords", "None None None None"),
     # As Stream Tracer makes them
     ("p:1 U:3 Vorticity:3 Normals:3=Vectors", "U U None U"),
-    ("Vorticity:3 Normals:3=Vectors", "Normals Normals None None"),
-    ("orientations:9 stress:6", "None None stress None"),
-    ("rotation:9", "None None None None"),
+    ("Vorticity:3 Normals:3=Vectors", "Vorticity Normals None None"),
+    ("orientations:9 stress:6", "None orientations stress None"),
+    ("rotation:9", "None rotation None None"),
     ("a:9 strain:9 b:9", "None None strain None"),
     ("a:9 strain:9 b:9=Tensors", "None None b None"),
-    ("rotation:9 thing:6", "None None thing None"),
+    ("rotation:9 thing:6", "None rotation thing None"),
 )
 
 
@@ -95,7 +95,7 @@ def cells(checks):
         shown.ScaleMode = "Magnitude"
         session.messages(lambda: pv.Render(view))
         checks.equal("SelectOrientationVectors of cells, " + name, shown.SMProxy.GetProperty("SelectOrientationVectors").GetElement(0), wanted)
-        checks.equal("SelectScaleArray of cells, " + name, shown.SMProxy.GetProperty("SelectScaleArray").GetElement(0), "RTData")
+        checks.equal("SelectScaleArray of cells, " + name, shown.SMProxy.GetProperty("SelectScaleArray").GetElement(0), "force")
         shown.GlyphLocation = "Points"
         session.messages(lambda: pv.Render(view))
         checks.equal("SelectOrientationVectors of points again, " + name,
@@ -246,7 +246,7 @@ def files(checks):
     checks.equal("arrays of impact_04.vtk", arrays(shown), ["None", "velocity", "stress", "velocity"])
     scale = shown.SMProxy.GetProperty("SelectScaleArray")
     for name, value, wanted in (("GlyphType", "Box", "None"), ("ScaleMode", "Magnitude", "diameter"),
-                                ("GlyphType", "Arrow", "diameter"), ("ScaleMode", "No Data Scaling Off", "diameter"),
+                                ("GlyphType", "Arrow", "velocity"), ("ScaleMode", "No Data Scaling Off", "velocity"),
                                 ("SelectScaleArray", "acceleration", "acceleration"), ("GlyphType", "Arrow", "acceleration")):
         setattr(shown, name, value)
         checks.equal("SelectScaleArray of impact_04.vtk after %s = %s" % (name, value), scale.GetElement(0), wanted)

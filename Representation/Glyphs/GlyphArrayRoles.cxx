@@ -1,0 +1,222 @@
+#include "GlyphArrayRoles.h"
+
+#include "HarmonicForms.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+namespace
+{
+using namespace rtglyphs::GlyphArrayRoles;
+using Words = std::vector<std::string>;
+
+// What a name says. An array whose name has several of the words is what comes first.
+struct Meaning
+{
+  Words Names;                             // words that begin so where they end with *; " word": the only word
+  std::array<int, NUMBER_OF_ROLES> Scores; // 0: never in this role
+  double Diameters = 0.0;
+};
+
+constexpr int active = 45; // ParaView's attribute
+constexpr int turns = 120; // a body is turned by its rotation, whatever vectors there are
+constexpr int tensor = 60; // the name of one
+
+// Columns: DIRECTION, ROTATION, SIZE, LENGTH, VELOCITY, TENSOR, HARMONICS
+const Meaning meanings[] = {
+  { { "colo*", "rgb*", "rgba", "texture*", "tcoord*", "normalmap" }, {} },
+  { { "radius*", "radii" }, { 0, 0, 90, 20, 0, 0, 0 }, 2.0 },
+  { { "diameter*", "diam", " d" }, { 0, 0, 88, 20, 0, 0, 0 }, 1.0 },
+  { { "spacing" }, { 0, 0, 80, 18, 0, 0, 0 }, 1.0 },
+  { { "smoothing*", "size*", "length*", "shape*", "scale*", "dimension*", "extent*", " h" },
+    { 0, 0, 70, 16, 0, 0, 0 } },
+  { { "id", "ids", "type*", "material*", "block*", "index", "label*", "rank*", "process*", "proc", "ghost*", "vtk*",
+      "mol", "molecule*", "element*", "group*", "mask*", "flag*", "status*", "state*", "is", "image*", "period*" },
+    {} },
+  { { "angle*", "euler*", "position*", "pos", "coord*", "location*", "point*", " xyz" }, {} },
+  { { "quat*", "q", "rot", "rotation*", "matrix", "axes", "frame", "basis", "transform*" },
+    { 48, turns, 0, 0, 0, 0, 0 } },
+  { { "orient*" }, { 48, turns, 0, 0, 0, 0, 0 } },
+  { { "angular*", "ang", "angvel", "omega" }, { 44, 44, 10, 44, 0, tensor, 0 } },
+  { { "tensor*", "stress*", "strain*", "sigma", "epsilon", "diffusion*", "dti", "hessian*", "inertia*", "conductivity*",
+      "permeability*", "virial*", "reynolds*", "fabric*" },
+    { 20, 20, 15, 20, 0, tensor, 20 } },
+  { { "veloc*", "vel", "speed*", "v", "u" }, { 60, 60, 25, 60, 90, 20, 0 } },
+  { { "displac*", "disp", "displ" }, { 58, 58, 24, 58, 0, 20, 0 } },
+  { { "force*", "f" }, { 56, 56, 24, 56, 0, 20, 0 } },
+  { { "acceler*", "moment*", "mom", "flux*", "flow*", "wind*", "current*", "field*", "magnet*", "dipole*", "spin*",
+      "grad*", "direct*", "dir", "vector*", "vec", "tangent*", "axis", "vorticity", "torque*" },
+    { 50, 50, 22, 50, 0, tensor, 0 } },
+  { { "pressure*" }, { 20, 20, 20, 20, 0, tensor, 0 } },
+  { { "normal*" }, { 7, 7, 0, 7, 0, 0, 0 } },
+};
+const Meaning unnamed = { {}, { 20, 20, 20, 20, 1, 20, 20 } };
+
+// In lower case.
+Words WordsOf(const std::string& name)
+{
+  Words words(1);
+  char before = 0;
+  for (char letter : name)
+  {
+    const auto c = static_cast<unsigned char>(letter);
+    const bool camel = std::isupper(c) && std::islower(static_cast<unsigned char>(before));
+    if (!std::isalpha(c) || camel)
+    {
+      words.emplace_back();
+    }
+    if (std::isalpha(c))
+    {
+      words.back() += static_cast<char>(std::tolower(c));
+    }
+    before = letter;
+  }
+  words.erase(std::remove(words.begin(), words.end(), std::string()), words.end());
+  return words;
+}
+
+// A letter alone is the name of a number only.
+const Meaning& MeaningOf(const std::string& name, int components)
+{
+  const Words words = WordsOf(name);
+  const auto isOneOf = [&](const Meaning& meaning)
+  {
+    return std::any_of(meaning.Names.begin(), meaning.Names.end(),
+      [&](const std::string& known)
+      {
+        if (known[0] == ' ')
+        {
+          return words.size() == 1 && words[0] == known.substr(1) && (known.size() > 2 || components == 1);
+        }
+        return std::any_of(words.begin(), words.end(),
+          [&known](const std::string& word) {
+            return known.back() == '*' ? word.compare(0, known.size() - 1, known, 0, known.size() - 1) == 0
+                                       : word == known;
+          });
+      });
+  };
+  const auto found = std::find_if(std::begin(meanings), std::end(meanings), isOneOf);
+  return found != std::end(meanings) ? *found : unnamed;
+}
+
+// All of one magnitude: quaternions, rotation matrices.
+bool HasLength(const Array& array, double length)
+{
+  return array.IsKnown() && std::abs(array.Least - length) < 1e-3 && std::abs(array.Largest - length) < 1e-3;
+}
+
+bool IsRotation(const Array& array)
+{
+  return (array.Components == 9 && HasLength(array, std::sqrt(3.0))) ||
+    (array.Components == 4 && HasLength(array, 1.0));
+}
+
+// Three components under the name of a rotation are angles.
+bool IsNeverVector(const Meaning& meaning)
+{
+  return meaning.Scores[ROTATION] == turns && meaning.Names.front() != "orient*";
+}
+
+// The number of components that a role takes; a plane's vectors and tensors where more than the number says so.
+bool Fits(Role role, const Array& array)
+{
+  const int n = array.Components;
+  const Meaning& meaning = MeaningOf(array.Name, array.Components);
+  const bool vector = n == 3 || (n == 2 && &meaning != &unnamed);
+  const bool turning = meaning.Scores[ROTATION] == turns || IsRotation(array);
+  switch (role)
+  {
+    case DIRECTION:
+      return (vector && !IsNeverVector(meaning)) || (n == 4 && turning);
+    case ROTATION:
+      return (vector && !IsNeverVector(meaning)) || ((n == 4 || n == 9) && turning);
+    case SIZE:
+    case LENGTH:
+      return n == 1 || vector;
+    case VELOCITY:
+      return vector;
+    case TENSOR:
+      return n == 6 || n == 7 || n == 9 || n == 15 || n == 21 || n == 36 || n == 81 ||
+        ((n == 3 || n == 4) &&
+          (array.HasTensorNames ||
+            (meaning.Scores[TENSOR] == tensor && meaning.Scores[DIRECTION] == unnamed.Scores[DIRECTION])));
+    default:
+      return n > 9 && rtg::FormMap::IsHarmonicsLength(n); // those of one and six components are seldom harmonics
+  }
+}
+
+// 1 or less: not in this role.
+int Score(Role role, const Array& array, double spacing)
+{
+  const Meaning& meaning = MeaningOf(array.Name, array.Components);
+  const bool named = &meaning != &unnamed;
+  int score = meaning.Scores[role];
+  if (array.IsColor || score == 0 || !Fits(role, array) || (role == TENSOR && IsRotation(array)))
+  {
+    return 0;
+  }
+  if (array.IsActive[role])
+  {
+    score += active;
+  }
+  if ((role == DIRECTION || role == ROTATION) && array.Components == 4)
+  {
+    score -= role == DIRECTION ? 6 : 0; // arrows follow a vector, if there is one
+  }
+  if (role == ROTATION && IsRotation(array))
+  {
+    score += turns;
+  }
+  if (role == TENSOR && array.HasTensorNames)
+  {
+    score += tensor;
+  }
+  if (role == TENSOR && array.Components > 9)
+  {
+    score = 1 + score / 16; // of second order first
+  }
+  if (array.Components == 1 && (role == SIZE || role == LENGTH))
+  {
+    if (role == LENGTH)
+    {
+      score = 1 + score / 8; // arrows are as long as a vector, if there is one
+    }
+    if (array.IsKnown() && !named)
+    {
+      const bool plausible = array.Least > 0.0 && array.Largest < 2.0 * spacing && array.Largest > 0.02 * spacing;
+      const bool same = array.Least == array.Largest || array.IsWhole;
+      if (plausible)
+      {
+        score += 2;
+      }
+      score -= same ? 2 : 0; // a number of kinds, or nothing to see
+    }
+  }
+  return score;
+}
+}
+
+//----------------------------------------------------------------------------
+std::string rtglyphs::GlyphArrayRoles::Choose(Role role, const std::vector<Array>& arrays, double spacing)
+{
+  std::string best;
+  int most = 1;
+  for (const Array& array : arrays)
+  {
+    const int score = Score(role, array, spacing);
+    if (score > most)
+    {
+      most = score;
+      best = array.Name;
+    }
+  }
+  return best;
+}
+
+//----------------------------------------------------------------------------
+double rtglyphs::GlyphArrayRoles::DiametersOf(const std::string& name)
+{
+  return MeaningOf(name, 1).Diameters;
+}

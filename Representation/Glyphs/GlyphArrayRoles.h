@@ -1,0 +1,54 @@
+/**
+ * Which array of the data has which role for glyphs. The table in GlyphArrayRoles.cxx weighs what is known of an array:
+ * the words of its name, ParaView's attributes, the number of components, and the range of its values.
+ *
+ * Words are told apart by case, digits and punctuation: 'c_radius', 'ParticleRadius' and 'radius2' are named a radius,
+ * 'radiation' is not.
+ */
+#ifndef GlyphArrayRoles_h
+#define GlyphArrayRoles_h
+
+#include <string>
+#include <vector>
+
+namespace rtglyphs::GlyphArrayRoles
+{
+enum Role
+{
+  DIRECTION, // of arrows and cones
+  ROTATION,  // of all other shapes
+  SIZE,
+  LENGTH, // of arrows
+  VELOCITY,
+  TENSOR, // of second order, else of fourth
+  HARMONICS,
+  NUMBER_OF_ROLES
+};
+
+struct Array
+{
+  std::string Name;
+  int Components = 1;
+  bool IsColor = false;                // bytes, or an attribute that is no quantity
+  bool IsWhole = false;                // of an integer type
+  bool IsActive[NUMBER_OF_ROLES] = {}; // ParaView's attribute of that kind
+  bool HasTensorNames = false;         // its components are named xx, xy, ...
+  double Least = 0.0, Largest = -1.0;  // value, of several components magnitude; Largest < Least: not known
+  bool IsKnown() const { return this->Least <= this->Largest; }
+};
+
+/**
+ * The name of the array with the most evidence for a role; empty: none. `spacing` is the usual distance between points,
+ * 0: not known.
+ */
+std::string Choose(Role role, const std::vector<Array>& arrays, double spacing);
+
+/**
+ * What a size of that name has to be multiplied by to be a diameter: 2 a radius, 1 a diameter. 0: the name is not that
+ * of an exact size.
+ */
+double DiametersOf(const std::string& name);
+}
+
+#endif
+// VTK-HeaderTest-Exclude: GlyphArrayRoles.h

@@ -1,0 +1,334 @@
+"""Data as the codes of others write them are right at once: which arrays are chosen, how large the glyphs are, how many there are, and what
+is said, with nothing set but what a row says.
+
+Usage: pvpython cases.py [WORD OF A ROW'S NAME...]
+"""
+import sys
+
+import numpy
+import paraview.simple as pv
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkMultiBlockDataSet
+
+import comparison
+import scale_guess
+import session
+from checks import Checks, number_of_messages
+
+RANDOM = numpy.random.default_rng(11)
+ARROWS = {"GlyphType": "Arrow", "ScaleMode": "Magnitude"}
+SIZED = {"GlyphType": "Sphere", "ScaleMode": "Magnitude"}
+
+
+def grid(*sides):
+    """Points of a regular grid."""
+    return numpy.stack(numpy.meshgrid(*[numpy.arange(float(side)) for side in sides], indexing="ij"), axis=-1).reshape(-1, 3)
+
+
+def attributes(data, **active):
+    """The data with these active arrays: Vectors="velocity", ..."""
+    for attribute, name in active.items():
+        getattr(data.GetPointData(), "SetActive" + attribute)(name)
+    return data
+
+
+def components(data, name, names):
+    """The data with names of an array's components."""
+    for i, each in enumerate(names):
+        data.GetPointData().GetArray(name).SetComponentName(i, each)
+    return data
+
+
+def blocks(**parts):
+    """A multi-block data set."""
+    data = vtkMultiBlockDataSet()
+    for i, (name, part) in enumerate(parts.items()):
+        data.SetBlock(i, part)
+        data.GetMetaData(i).Set(vtkMultiBlockDataSet.NAME(), name)
+    return data
+
+
+def lines(points, runs):
+    """Poly-lines through the points of each run."""
+    data, cells = session.poly_data(points), vtkCellArray()
+    for run in runs:
+        cells.InsertNextCell(len(run), list(run))
+    data.SetLines(cells)
+    return data
+
+
+def box():
+    """100 places in a box."""
+    return RANDOM.uniform(0.0, 1.0, (100, 3))
+
+
+def pdb():
+    """Atoms as ParaView's reader of PDB files gives them: radii of three equal components and colors are active."""
+    radii = numpy.repeat(RANDOM.choice([1.2, 1.5, 1.7], 100)[:, None], 3, axis=1)
+    colors = RANDOM.integers(0, 255, (100, 3)).astype(numpy.uint8)
+    return attributes(session.poly_data(5.0 * grid(10, 10, 1), radius=radii, rgb_colors=colors), Scalars="rgb_colors", Vectors="radius")
+
+
+def cloud(mesh, drops):
+    """A mesh with its velocity, and a cloud of drops."""
+    return blocks(internalMesh=mesh, cloud=drops)
+
+
+def openfoam():
+    """As ParaView's OpenFOAM reader gives a mesh and a Lagrangian cloud."""
+    cavity = 0.01 * grid(11, 11, 2)
+    drops = RANDOM.uniform(0.0, 0.1, (37, 3)) * [1.0, 1.0, 0.1]
+    return cloud(session.poly_data(cavity, U=RANDOM.normal(size=(242, 3))),
+                 session.poly_data(drops, d=RANDOM.uniform(2e-3, 5e-3, 37), U=RANDOM.normal(size=(37, 3)), origProcId=numpy.zeros(37)))
+
+
+def part_and_node_sets():
+    """A part that has displacements and four node sets that have not."""
+    part = grid(4, 2, 2) * [0.66, 0.3, 0.3]
+    sets = {"set%d" % i: session.poly_data(part[i:i + 10]) for i in range(4)}
+    return blocks(part=session.poly_data(part, displacement=0.002 * part[:, [1, 0, 2]] + 1e-4), **sets)
+
+
+def with_nan(arrays):
+    """Points of which two have velocities that are no numbers."""
+    velocity = RANDOM.normal(size=(100, 3))
+    velocity[[3, 50]] = numpy.nan
+    return session.poly_data(box(), velocity=velocity, **arrays)
+
+
+def tensors(layout, count=8):
+    """Shears and stretches as 9 numbers, and those of them that an order names."""
+    matrix = numpy.array([[3.0, 1.0, 0.5], [1.0, 2.0, -0.7], [0.5, -0.7, 1.0]])
+    if all("z" not in index for index in layout):
+        matrix[2], matrix[:, 2] = 0.0, 0.0
+    if "zz" in layout and "xz" not in layout and "zx" not in layout:
+        matrix[2, :2] = matrix[:2, 2] = 0.0
+    chosen = [1.0 if index == "confidence" else matrix["xyz".index(index[0]), "xyz".index(index[1])] for index in layout]
+    return numpy.tile(matrix.reshape(-1), (count, 1)), numpy.tile(chosen, (count, 1))
+
+
+class Row:
+    """One case: data, what is set, and what must come out.
+
+    arrays: property -> name; factor: of ScaleFactor, the lowest and highest; glyphs: their number; says: words of the only message, or None
+    """
+
+    def __init__(self, name, data, properties=None, arrays=None, factor=None, glyphs=None, says=None, shown=None):
+        self.name, self.data, self.properties = name, data, properties or {}
+        self.arrays, self.factor, self.glyphs, self.says, self.shown = arrays or {}, factor, glyphs, says, shown
+
+    def check(self, view, checks):
+        """Shows the data."""
+        data = self.data()
+        display = session.glyphs(session.source(data) if isinstance(data, vtkDataObject) else data, view, shape="Sphere")
+        for name, value in self.properties.items():
+            session.assign(display, name, value)
+        said = session.messages(lambda: (pv.ResetCamera(view), pv.Render(view)))
+        for name, wanted in self.arrays.items():
+            checks.equal("%s: %s" % (self.name, name), display.SMProxy.GetProperty(name).GetElement(0), wanted)
+        if self.factor:
+            checks.within(self.name + ": factor", display.ScaleFactor, *self.factor)
+        if self.glyphs is not None:
+            checks.equal(self.name + ": glyphs", session.statistics(display)["glyphs"], self.glyphs)
+        if self.says:
+            checks.one_message(self.name, said, *self.says)
+        else:
+            checks.no_message(self.name, said)
+        if self.shown:
+            self.shown(self.name, display, view, checks)
+        print("%-40s factor %-9.4g %5d glyphs %s" % (self.name, display.ScaleFactor, session.statistics(display)["glyphs"],
+                                                     "%d messages" % number_of_messages(said) if said else ""), flush=True)
+        pv.Delete(display)
+
+
+#: (name, order, GlyphTensorLayout): tensors as codes write them, which make the glyphs of the same matrix of nine components
+ORDERS = (
+    ("xx yy zz xy yz xz", "xx yy zz xy yz xz", "CalculiX, Ansys, OpenFOAM's reader"),
+    ("xx xy xz yy yz zz", "xx xy xz yy yz zz", "FSL, NRRD"),
+    ("xx yy zz xy xz yz", "xx yy zz xy xz yz", "LAMMPS, Abaqus, TORTOISE, Code_Aster"),
+    ("xx xy yy xz yz zz", "xx xy yy xz yz zz", "NIfTI, AFNI"),
+    ("xx yy zz yz xz xy", "xx yy zz yz xz xy", "GEOS, ASE, deal.II, MFEM"),
+    ("confidence xx xy xz yy yz zz", "xx yy zz xy yz xz", "Teem, Slicer"),
+    ("xx yy zz xy", "xx yy zz xy yz xz", "plane strain: Abaqus, Code_Aster, CalculiX"),
+    ("xx xy yx yy", "Matrix", "FEniCS in the plane"),
+    ("xx yy xy", "xx yy zz xy yz xz", "plane stress: Voigt's order"),
+    ("xx xy yy", "xx xy xz yy yz zz", "the upper triangle of a matrix of the plane"),
+)
+
+
+def orders(view, checks):
+    """Each order has the picture of the matrix."""
+    for order, layout, codes in ORDERS:
+        whole, part = tensors(order.split())
+        named = tensors(list(reversed(order.replace("confidence ", "").split())))[1]
+        data = session.poly_data(3.0 * grid(2, 2, 2), matrix=whole, part=part, named=named)
+        letters = ["S" + index for index in reversed(order.replace("confidence ", "").split())]
+        source = session.source(components(data, "named", letters) if len(letters) not in (1, ) else data)
+        shown = session.glyphs(source, view, "Tensor Ellipsoid", GlyphTensorArray="matrix", ScaleFactor=0.5)
+        shown.ColorArrayName = [None, ""]
+        pv.ResetCamera(view)
+        wanted = session.capture(view, "cases-tensors-matrix")
+        shown.GlyphTensorArray, shown.GlyphTensorLayout = "part", layout
+        said = session.messages(lambda: pv.Render(view))
+        checks.no_message("tensors %s (%s)" % (order, codes), said)
+        checks.picture("tensors %s" % order, session.capture(view, "cases-tensors-part"), wanted)
+        shown.GlyphTensorArray, shown.GlyphTensorLayout = "named", "xx yy zz xy yz xz"
+        checks.no_message("components named " + order, session.messages(lambda: pv.Render(view)))
+        checks.picture("components named %s, reversed" % order, session.capture(view, "cases-tensors-named"), wanted)
+        pv.Delete(shown)
+
+
+#: Points of a periodic box that all move by 0.3 along x in a step; they come back on the other side.
+PERIODIC = """
+import numpy
+from vtkmodules.numpy_interface import dataset_adapter
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+info, key = self.GetOutputInformation(0), vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()
+time = info.Get(key) if info.Has(key) else 0.0
+output = dataset_adapter.WrapDataObject(self.GetOutputDataObject(0))
+points = numpy.random.default_rng(1).uniform(0.0, 10.0, (80, 3))
+points[:, 0] = (points[:, 0] + 0.3 * time) % 10.0
+output.Points = points
+output.PointData.append(numpy.arange(80), "id")
+output.VTKObject.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
+"""
+
+
+def periodic(view, checks):
+    """Points that cross the border of a periodic box make no streak through the picture."""
+    source = pv.ProgrammableSource(OutputDataSetType="vtkPolyData", Script=PERIODIC,
+                                   ScriptRequestInformation=scale_guess.TIMES % ([0.0, 1.0], 0.0, 1.0))
+    shown = session.glyphs(source, view, "Sphere", MotionBlur=1, VelocityFromPreviousStep=1, PointIdArray="id", ShutterTime=1.0,
+                           ScaleFactor=0.3)
+    view.ViewTime = 0.0
+    session.messages(lambda: (pv.ResetCamera(view), pv.Render(view)))
+    view.ViewTime = 1.0
+    checks.no_message("periodic", session.messages(lambda: pv.Render(view)))
+    shown.SMProxy.UpdatePropertyInformation()
+    delivered = shown.SMProxy.GetClientSideObject().GetActiveRepresentation().GetRenderedDataObject(0)
+    leaf = delivered.NewIterator()
+    leaf.InitTraversal()
+    velocity = vtk_to_numpy(leaf.GetCurrentDataObject().GetPointData().GetArray("vtkRayTraced_StepVelocity"))
+    points = numpy.random.default_rng(1).uniform(0.0, 10.0, (80, 3))
+    crossing = points[:, 0] + 0.3 >= 10.0
+    checks.true("no point crosses the border", crossing.any())
+    checks.within("fastest way in a periodic box", float(numpy.linalg.norm(velocity, axis=1).max()), 0.299, 0.301)
+    checks.equal("points that stand still", int((velocity[:, 0] == 0.0).sum()), int(crossing.sum()))
+    view.ViewTime = 0.0
+    pv.Delete(shown)
+
+
+def tubes(view, checks):
+    """Radii of tubes: separators of lines that are not finite, diameters, vectors."""
+    run = numpy.array([[0.1 * i, numpy.sin(0.1 * i), 0.0] for i in range(151)])
+    apart = numpy.concatenate([run, [[numpy.nan] * 3, [numpy.inf] * 3]])
+    throats = lines(2.0 * grid(3, 1, 1), [(0, 1), (1, 2)])
+    session.add_arrays(throats, **{"throat.diameter": numpy.full(3, 0.3), "force": numpy.tile([3.0, 4.0, 0.0], (3, 1))})
+    for name, data, properties, wanted in (
+            ("lines with separators", lines(apart, [range(151)]), {}, 0.15),
+            ("throats by their diameters", throats, {"TubeRadiusArray": "throat.diameter"}, 0.5),
+            ("chains by their forces", throats, {"TubeRadiusArray": "force"}, 0.01 * 4.0 / 5.0)):
+        shown = session.show(session.source(data), view, "Ray Traced Tubes", **properties)
+        checks.no_message(name, session.messages(lambda: pv.Render(view)))
+        checks.within("TubeRadius of " + name, shown.TubeRadius, 0.99 * wanted, 1.01 * wanted)
+        pv.Delete(shown)
+
+
+def ramp(view, checks):
+    """A displacement that grows from nothing in blocks of which only one has it."""
+    part = part_and_node_sets()
+    shown = session.glyphs(session.source(part), view, "Arrow", ScaleMode="Magnitude")
+    said = session.messages(lambda: pv.Render(view))
+    for factor in (2.0, 4.0, 8.0, 16.0):
+        grown = part_and_node_sets()
+        array = grown.GetBlock(0).GetPointData().GetArray("displacement")
+        for i in range(3):
+            for k in range(array.GetNumberOfTuples()):
+                array.SetComponent(k, i, factor * array.GetComponent(k, i))
+        view.ViewTime = factor
+        session.replace_data(shown.Input, grown)
+        said += session.messages(lambda: pv.Render(view))
+    checks.one_message("a ramp", said, "40 of 56")
+    view.ViewTime = 0.0
+    pv.Delete(shown)
+
+
+def streak(name, display, view, checks):
+    """Motion blur has something to show."""
+    checks.equal(name + ": motion", session.statistics(display).get("unfinished", ""), "")
+
+
+ROWS = (
+    # Arrays that are made of others
+    Row("columns of whole numbers and fractions", lambda: session.poly_data(
+        grid(4, 4, 1), shapex=numpy.ones(16, int), shapey=numpy.full(16, 0.5), shapez=numpy.full(16, 0.25)),
+        {"ScaleMode": "Vector Components", "SelectScaleArray": "shapex, shapey, shapez"}, glyphs=16),
+    Row("columns whose names have commas", lambda: session.poly_data(
+        grid(4, 4, 1), **{"u, m/s": numpy.ones(16), "v, m/s": numpy.ones(16), "w, m/s": numpy.zeros(16)}),
+        {"GlyphType": "Arrow", "SelectOrientationVectors": "u, m/s, v, m/s, w, m/s"}, glyphs=16),
+    # Sizes
+    Row("units", lambda: session.poly_data(box(), **{"Diameter, mm": RANDOM.uniform(20.0, 80.0, 100)}), SIZED,
+        {"SelectScaleArray": "Diameter, mm"}, (1e-4, 0.2 / 79.0)),
+    Row("atoms", pdb, SIZED, {"SelectScaleArray": "radius", "SelectOrientationVectors": "None"}, (1.15, 1.16), 100),
+    Row("atoms, components", pdb, {"GlyphType": "Sphere", "ScaleMode": "Vector Components"},
+        {"SelectScaleArray": "radius"}, (2.0, 2.0), 100),
+    Row("drops beside a mesh", openfoam, {**SIZED, "SelectScaleArray": "d"}, factor=(1.0, 1.0), glyphs=37, says=["242 of 279", "'d'", "BlockSelectors"]),
+    Row("drops", lambda: openfoam().GetBlock(1), SIZED, {"SelectScaleArray": "d"}, (1.0, 1.0), 37),
+    Row("fluid particles", lambda: session.poly_data(0.1 * grid(6, 6, 6), velocity=RANDOM.normal(size=(216, 3)), pressure=numpy.ones(216),
+                                                     particle_spacing=numpy.full(216, 0.1)),
+        SIZED, {"SelectScaleArray": "particle_spacing"}, (1.0, 1.0), 216),
+    Row("smoothing lengths", lambda: session.poly_data(0.1 * grid(6, 6, 6), density=numpy.ones(216), smoothing_length=numpy.full(216, 0.12)),
+        SIZED, {"SelectScaleArray": "smoothing_length"}, (0.4, 0.84), 216),
+    Row("colors and flags", lambda: attributes(session.poly_data(
+        box(), b=numpy.ones(100), FA=RANDOM.uniform(size=100), _rgba=numpy.ones((100, 4), numpy.uint8),
+        mask=(RANDOM.uniform(size=100) > 0.5).astype(numpy.int8), vtkGhostType=numpy.zeros(100, numpy.uint8)), Scalars="_rgba"),
+        SIZED, {"SelectScaleArray": "FA"}),
+    # Directions
+    Row("vectors of two components", lambda: session.poly_data(grid(8, 8, 1), VELOCITY=RANDOM.normal(size=(64, 2))),
+        {**ARROWS, "MotionBlur": 1}, {"SelectOrientationVectors": "VELOCITY", "SelectScaleArray": "VELOCITY", "VelocityArray": "VELOCITY"},
+        glyphs=64, shown=streak),
+    Row("stream lines", lambda: attributes(session.poly_data(
+        box(), U=RANDOM.normal(size=(100, 3)), Vorticity=RANDOM.normal(size=(100, 3)), Normals=RANDOM.normal(size=(100, 3))), Vectors="Normals"),
+        ARROWS, {"SelectOrientationVectors": "U", "SelectScaleArray": "U"}, glyphs=100),
+    Row("no direction", lambda: session.poly_data(box(), pressure=numpy.ones(100)), {"GlyphType": "Arrow"},
+        {"SelectOrientationVectors": "None"}, glyphs=100, says=["SelectOrientationVectors", "direction"]),
+    Row("positions beside vectors", lambda: session.poly_data(box(), xyz=box(), vectors_xyz=RANDOM.normal(size=(100, 3))), ARROWS,
+        {"SelectOrientationVectors": "vectors_xyz", "SelectScaleArray": "vectors_xyz"}),
+    # Bodies are turned by what turns them
+    Row("bodies with quaternions", lambda: session.poly_data(
+        grid(4, 4, 4), v=RANDOM.normal(size=(64, 3)), quat=RANDOM.normal(size=(64, 4)), shape=numpy.ones((64, 3))), {"GlyphType": "Box"},
+        {"SelectOrientationVectors": "quat"}, glyphs=64),
+    Row("bodies with matrices", lambda: attributes(session.poly_data(
+        grid(4, 4, 4), v=RANDOM.normal(size=(64, 3)), TENSOR=numpy.tile(numpy.eye(3).reshape(-1), (64, 1))), Vectors="v"),
+        {"GlyphShape": "Superquadric"}, {"SelectOrientationVectors": "TENSOR"}, glyphs=64),
+    Row("arrows of bodies", lambda: session.poly_data(
+        grid(4, 4, 4), v=RANDOM.normal(size=(64, 3)), quat=RANDOM.normal(size=(64, 4))), ARROWS, {"SelectOrientationVectors": "v"}),
+    # Messages
+    Row("blocks without the array", part_and_node_sets, ARROWS, {"SelectScaleArray": "displacement"}, (1.0, 200.0), 16, says=["40 of 56", "'displacement'", "BlockSelectors"]),
+    Row("two reasons", lambda: with_nan({}), ARROWS, glyphs=98, says=["2 of 100", "velocity"]),
+    # Names say nothing
+    Row("letters", lambda: session.poly_data(box(), a=RANDOM.uniform(size=100), b=RANDOM.normal(size=(100, 3)), c=numpy.arange(100)), ARROWS,
+        {"SelectScaleArray": "b", "SelectOrientationVectors": "b"}),
+    Row("letters of sizes", lambda: session.poly_data(grid(5, 5, 4), a=numpy.arange(100.0), b=RANDOM.uniform(0.8, 1.0, 100)), SIZED,
+        {"SelectScaleArray": "b"}),
+)
+
+
+def main(words):
+    """All rows, or those whose names have one of the words."""
+    session.load()
+    checks = Checks()
+    view = session.view(120, 90)
+    for row in ROWS:
+        if not words or any(word in row.name for word in words):
+            row.check(view, checks)
+    for part in (orders, tubes, periodic, ramp):
+        if not words or part.__name__ in words:
+            part(view, checks)
+    checks.report()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
