@@ -97,11 +97,10 @@ void Tracer::State::CheckContinues(const TraceSettings& settings, const Scene::S
     return;
   }
   const TraceSettings& l = this->last;
-  const bool same = l.width == settings.width && l.height == settings.height && l.pixelStep == settings.pixelStep &&
-    l.shading == settings.shading && l.features == settings.features && l.occlusionRays == settings.occlusionRays &&
-    l.paths == settings.paths && l.share == settings.share && l.shares == settings.shares &&
-    l.environmentImage == settings.environmentImage && this->job.image.complete &&
-    this->job.sceneVersion == scene.version;
+  const bool same = l.width == settings.width && l.height == settings.height && l.shading == settings.shading &&
+    l.features == settings.features && l.occlusionRays == settings.occlusionRays && l.paths == settings.paths &&
+    l.share == settings.share && l.shares == settings.shares && l.environmentImage == settings.environmentImage &&
+    this->job.image.complete && this->job.sceneVersion == scene.version;
   if (!same || this->keptSamples != settings.firstSample)
   {
     throw Error("Ray Traced Glyphs: samples from number " + std::to_string(settings.firstSample) +
@@ -154,7 +153,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   const bool keeps = settings.keepSums || settings.firstSample > 0 || begun.atOnce < settings.samples;
   this->buffers.Prepare(this->Vulkan(), settings, keeps);
   const bool empty = scene.records.empty();
-  if (empty || (interruptible && settings.firstSample == 0 && !settings.overPreview))
+  if (empty || (interruptible && settings.firstSample == 0))
   {
     this->buffers.Clear();
   }
@@ -239,7 +238,7 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
   this->buffers.Show(work.image, work.tiling);
   this->keptSamples = settings.keepSums && work.image.complete ? work.image.samples : 0;
   this->last = settings;
-  if (settings.features && settings.pixelStep == 1 && work.image.complete)
+  if (settings.features && work.image.complete)
   {
     this->buffers.FillFeatures(work.image);
   }
