@@ -122,8 +122,11 @@ void rtglyphs::RayTracedImages::StartFrame(bool capture)
 {
   this->Capture = capture;
   const auto stays = [&](const auto& kept) { return capture && !kept.second->Capture; };
-  std::erase_if(
-    this->Entries, [&](const auto& kept) { return !stays(kept) && kept.second->LastUsed + patience < this->Frame; });
+  for (const auto& kept : this->Entries)
+  {
+    kept.second->LastUsed += stays(kept); // does not age
+  }
+  std::erase_if(this->Entries, [&](const auto& kept) { return kept.second->LastUsed + patience < this->Frame; });
   while (this->Entries.size() > mostEntries)
   {
     const auto oldest = std::min_element(this->Entries.begin(), this->Entries.end(),
@@ -147,7 +150,7 @@ rtglyphs::RayTracedImages::Entry& rtglyphs::RayTracedImages::Get(const Place& pl
     entry = std::make_unique<Entry>();
   }
   entry->LastUsed = this->Frame;
-  entry->Capture = this->Capture;
+  entry->Capture &= this->Capture;
   return *entry;
 }
 

@@ -50,7 +50,7 @@ public:
     std::uint64_t SceneNumber = 0; // of the scene that the tracer traces
     RayTracedImageQuad Quad;
     std::uint64_t LastUsed = 0; // the frame
-    bool Capture = false;       // was last used for a picture that is not shown
+    bool Capture = true;        // was used for nothing but pictures that are not shown
     std::uint64_t Drawn = 0;    // the frame in which the quad was drawn; 0: none
     std::uint64_t Shown = 0;    // the frame that its picture is of
   };
