@@ -6,6 +6,7 @@
 #include "pqProgressManager.h"
 #include "pqProgressWidget.h"
 #include "pqRenderView.h"
+#include "pqRayTracedGlyphsWords.h"
 #include "pqRepresentation.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
@@ -30,7 +31,6 @@
 #include <QWidget>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace
@@ -230,39 +230,12 @@ pqRayTracedGlyphsRefinement::Image pqRayTracedGlyphsRefinement::imageOf(pqView* 
     if (!image.Display || scene->GetProgress() < image.Progress)
     {
       image.Progress = scene->GetProgress();
-      image.Words = WordsOf(scene, refined);
+      image.Words = pqRayTracedGlyphsWords::Of(scene, refined);
       image.Scene = scene;
     }
     image.Display = image.Display ? image.Display : scene->GetShownDisplay();
   }
   return image;
-}
-
-//----------------------------------------------------------------------------
-QString pqRayTracedGlyphsRefinement::WordsOf(vtkSMRayTracedViewProxy* scene, bool refined)
-{
-  const int wanted = vtkSMPropertyHelper(scene, "SamplesPerPixel").GetAsInt();
-  const int samples = std::min(scene->GetSamples(), wanted);
-  const bool compiling = refined && samples == 0 && scene->GetStep().rfind("Compiling", 0) == 0;
-  const QString words = compiling ? tr("Compiling") : tr("%1 of %2").arg(samples).arg(wanted);
-  const double seconds = !refined ? 0.0 : compiling ? scene->GetSecondsOfStep() : scene->GetSecondsLeft();
-  return seconds < 2.0 ? words
-    : compiling        ? tr("%1, %2 s").arg(words).arg(static_cast<int>(seconds))
-                       : tr("%1, about %2 left").arg(words, wordsFor(seconds));
-}
-
-//----------------------------------------------------------------------------
-QString pqRayTracedGlyphsRefinement::wordsFor(double seconds)
-{
-  // Numbers of one digit that counts are enough, and do not flicker.
-  const auto rounded = [](double number)
-  {
-    const double unit = number < 10.0 ? 1.0 : number < 100.0 ? 5.0 : 50.0;
-    return static_cast<int>(unit * std::max(1.0, std::round(number / unit)));
-  };
-  return seconds < 90.0 ? tr("%1 s").arg(rounded(seconds))
-    : seconds < 5400.0  ? tr("%1 min").arg(rounded(seconds / 60.0))
-                        : tr("%1 h").arg(rounded(seconds / 3600.0));
 }
 
 //----------------------------------------------------------------------------
@@ -444,7 +417,7 @@ void pqRayTracedGlyphsRefinement::ShowProgress()
       bar->enableProgress(true);
       if (least)
       {
-        bar->setProgress(WordsOf(least, true), static_cast<int>(100.0 * least->GetProgress()));
+        bar->setProgress(pqRayTracedGlyphsWords::Of(least, true), static_cast<int>(100.0 * least->GetProgress()));
       }
       bar->enableAbort(true);
     }

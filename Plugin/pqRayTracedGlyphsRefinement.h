@@ -68,11 +68,6 @@ public:
    */
   void stop(const pqView* view);
 
-  /**
-   * A time in words, roughly.
-   */
-  static QString wordsFor(double seconds);
-
 Q_SIGNALS:
   /**
    * The image of a view may be another one, or further.
@@ -106,7 +101,6 @@ private:
   };
   static std::vector<Part> PartsOf(pqView* view);
   static vtkSMRayTracedViewProxy* SceneOf(const Part& part);
-  static QString WordsOf(vtkSMRayTracedViewProxy* scene, bool refined);
   void Attach(const Part& part);
   void Look(Part part);
   void Render(const Part& part);

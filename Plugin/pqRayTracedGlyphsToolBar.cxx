@@ -3,6 +3,7 @@
 #include "pqActiveObjects.h"
 #include "pqRayTracedGlyphsReference.h"
 #include "pqRayTracedGlyphsRefinement.h"
+#include "pqRayTracedGlyphsWords.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkSMPropertyHelper.h"
@@ -35,7 +36,7 @@ constexpr double longTime = 60.0; // seconds
 QString TimeOf(const pqRayTracedGlyphsRefinement::Image& image, const QAction* quality)
 {
   const double seconds = image.Scene ? image.Scene->GetSecondsOfQuality(quality->data().toInt()) : -1.0;
-  return seconds >= 0.0 ? pqRayTracedGlyphsRefinement::wordsFor(seconds) : QString();
+  return seconds >= 0.0 ? pqRayTracedGlyphsWords::ForTime(seconds) : QString();
 }
 }
 

@@ -30,7 +30,6 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 vtkInformationKeyMacro(vtkRayTracedScene, SCENE, ObjectBase);
@@ -542,16 +541,8 @@ void vtkRayTracedScene::EndFrame()
     {
       images.push_back(&drawn.Entry->Image.GetImage());
     }
-    std::map<rtg::Scene::SetId, vtkRayTracedMapper*> mappers;
-    for (const rtglyphs::RayTracedDisplays::Display& display : self.Content.Displays.GetAll())
-    {
-      if (display.Shown)
-      {
-        mappers[display.Set] = display.Mapper;
-      }
-    }
-    const std::string problem = rtglyphs::RayTracedFeatureImage::Write(
-      self.FeatureFile, images, *self.Content.Images.GetScene(), mappers, self.Frame.front().EyeDepth);
+    const std::string problem = rtglyphs::RayTracedFeatureImage::Write(self.FeatureFile, images,
+      *self.Content.Images.GetScene(), self.Content.Displays.GetShownMappers(), self.Frame.front().EyeDepth);
     self.FeatureFile.clear();
     if (!problem.empty())
     {
