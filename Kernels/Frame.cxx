@@ -118,7 +118,6 @@ void CheckSettings(const TraceSettings& settings)
   };
   check("the samples per pixel", settings.samples, 1u, maxSamples);
   check("the number of the first sample", settings.firstSample, 0u, maxSamples);
-  check("the pixel step", settings.pixelStep, 1u, 64u);
   check("the ambient occlusion radius", settings.occlusionRadius, 0.0f, FLT_MAX);
   check("the number of occlusion rays", settings.occlusionRays, 1u, 64u);
   check("the number of paths a sample", settings.paths, 1u, 64u);
@@ -154,7 +153,6 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
 {
   frame.width = settings.width;
   frame.height = settings.height;
-  frame.pixelStep = settings.pixelStep;
   frame.environment = settings.lightIntensity * shading::DisplayToLinear(settings.environmentColour);
   frame.skySlope = settings.skySlope;
   frame.lightFraction = settings.lightFraction;

@@ -214,7 +214,6 @@ struct FrameRecord
   uint sharedTimeBits; // Shading/ShutterTime.glsl
   uint timeStrata;     // the same; 65536 at most
   uint timeStep;       // has no common divisor with it
-  uint pixelStep;
   // The tiles of this launch, out of all tiles of the image: numbers firstTile to endTile - 1, scattered over the image
   // by tileStride, which has no common divisor with tileCount.
   uint firstTile;

@@ -1,6 +1,7 @@
 #include "ProgressiveImage.h"
 
 #include "Parallel.h"
+#include "Tiles.h"
 
 #include <algorithm>
 #include <chrono>
@@ -12,7 +13,7 @@ namespace rtg
 namespace
 {
 
-constexpr std::uint32_t firstPreviewStep = 8; ///< while nothing is known of what a ray costs
+constexpr std::uint32_t firstPreviewStep = 8; ///< of one that tells what a ray costs
 constexpr std::uint32_t coarsestPreviewStep = 64;
 
 std::size_t Pixels(const ImageView& view)
@@ -79,6 +80,8 @@ void ProgressiveImage::StopSmoothing()
 void ProgressiveImage::Forget()
 {
   this->state_ = State::Empty;
+  this->image_ = {};
+  this->hasPicture_ = false;
   this->samples_ = 0;
   this->previewStep_ = 0;
   this->pending_ = this->canContinue_ = this->features_ = false;
@@ -93,7 +96,7 @@ double ProgressiveImage::Progress() const
   {
     return this->state_ == State::Empty ? 0.0 : 1.0;
   }
-  const double part = this->pending_ ? double(this->image_.share) * this->pendingSamples_ : 0.0;
+  const double part = this->pending_ ? this->pendingShare_ * this->pendingSamples_ : 0.0;
   return std::min(0.999, (this->samples_ + part) / std::max(1u, this->wanted_));
 }
 
@@ -155,7 +158,7 @@ const Image* ProgressiveImage::Update(
       const bool sharp = this->samples_ > 0 || (this->previewStep_ > 0 && this->previewStep_ <= effort.pixelStep);
       if (!sharp)
       {
-        this->Preview(request, effort.pixelStep);
+        this->Preview(request);
       }
     }
     else
@@ -212,10 +215,13 @@ bool ProgressiveImage::WaitsForProgram(const Image& image)
 // The image of a view that there is nothing of yet.
 void ProgressiveImage::Restart(const Request& request)
 {
-  const bool sameSize = Pixels(request.view) == Pixels(this->view_) &&
-    request.view.settings.shading == this->view_.settings.shading && request.view.content == this->view_.content;
+  const ImageView &was = this->view_, &is = request.view;
+  const bool same = is.content == was.content && is.pass == was.pass && is.settings.width == was.settings.width &&
+    is.settings.height == was.settings.height;
+  this->onlyLightChanged_ = same && is.camera == was.camera &&
+    (this->hasPicture_ || (this->state_ == State::Growing && this->onlyLightChanged_));
   this->Forget();
-  if (!sameSize)
+  if (!same || is.settings.shading != was.settings.shading)
   {
     this->secondsPerRay_ = 0.0;
   }
@@ -227,75 +233,69 @@ void ProgressiveImage::Restart(const Request& request)
 void ProgressiveImage::Show(const Image& image)
 {
   this->image_ = image;
+  this->hasPicture_ = true;
   ++this->version_;
 }
 
-// One sample of every pixelStep-th pixel; fewer pixels where the time is limited and rays cost too much.
-void ProgressiveImage::Preview(const Request& request, std::uint32_t pixelStep)
+// Where the time is limited: of as many pixels as it allows.
+void ProgressiveImage::Preview(const Request& request)
 {
-  TraceSettings settings = this->view_.settings;
-  settings.samples = 1;
+  const TraceSettings& whole = this->view_.settings;
+  TraceSettings settings = whole;
+  settings.shading = Shading::Local;
   settings.plannedSamples = this->planned_;
-  // Where an image will grow it takes the same program, which need not be compiled when the camera comes to rest.
-  settings.keepSums = !request.effort.exact || this->features_;
-  settings.features = this->features_;
-  std::uint32_t step = std::max(1u, pixelStep);
-  if (request.IsTimed() && this->secondsPerRay_ > 0.0)
+  // It is quick: each process that traces a share of the image traces all of it.
+  settings.share = 0;
+  settings.shares = 1;
+  const auto affordable = [&](double seconds)
   {
-    const double seconds = this->secondsPerRay_ * Pixels(this->view_); // of all pixels
-    while (step < coarsestPreviewStep && seconds / (double(step) * step) > request.effort.seconds)
+    std::uint32_t step = std::max(1u, request.effort.pixelStep);
+    const double all = this->secondsPerPreviewRay_ * Pixels(this->view_);
+    while (request.IsTimed() && step < coarsestPreviewStep && all / (double(step) * step) > seconds)
     {
       ++step;
     }
-  }
-  for (;;)
+    return step;
+  };
+  // To begin again costs more than a little more time.
+  const Interrupt patient = [&](double)
   {
-    settings.pixelStep = step;
-    if (step > 1)
-    {
-      // Such an image is not added to, so its samples need not be like others.
-      settings.occlusionRays = settings.paths = 1;
-      // It is quick: each process that traces a share of the image traces all of it.
-      settings.share = 0;
-      settings.shares = 1;
-    }
+    return (request.IsTimed() && request.Left() <= -request.effort.seconds) ||
+      (request.interrupt && request.interrupt(0.0));
+  };
+  const bool known = this->secondsPerPreviewRay_ > 0.0 || !request.IsTimed();
+  std::uint32_t step = affordable(request.effort.seconds);
+  step = known ? step : std::max(step, firstPreviewStep);
+  for (bool final = known;;)
+  {
+    settings.width = DivideUp(whole.width, step);
+    settings.height = DivideUp(whole.height, step);
     const double before = request.source.Now();
-    Image image = request.source.Trace(this->view_, settings, request.MakeInterrupt(0.0, 0.0));
-    const double seconds = request.source.Now() - before;
+    const Image image = request.source.Preview(this->view_, settings, patient);
     if (this->WaitsForProgram(image))
     {
-      this->pending_ = this->canContinue_ = false;
-      this->Show(image);
       return;
     }
-    if (image.complete || step >= coarsestPreviewStep)
+    if (image.complete)
     {
-      this->previewStep_ = step;
-      this->pending_ = this->canContinue_ = false;
-      if (step == 1)
+      this->secondsPerPreviewRay_ = (request.source.Now() - before) / (double(settings.width) * settings.height);
+      const std::uint32_t finer = final ? step : affordable(request.Left());
+      if (finer < step)
       {
-        this->samples_ = image.complete ? 1 : 0;
-        this->pending_ = !image.complete;
-        this->canContinue_ = image.complete && settings.keepSums;
-        this->previewStep_ = 0;
+        step = finer;
+        final = true;
+        continue;
       }
-      else if (this->secondsPerRay_ <= 0.0)
-      {
-        this->secondsPerRay_ = seconds * step * step / Pixels(this->view_);
-      }
-      image.samples = 1;
-      this->Show(image);
-      return;
     }
-    if (!request.IsTimed())
+    else if (request.IsTimed() && step < coarsestPreviewStep)
     {
-      // The caller has stopped it. The tracer holds this preview now, not a sample that was stopped before.
-      this->previewStep_ = step;
-      this->pending_ = this->canContinue_ = false;
-      this->Show(image);
-      return;
+      step = std::min(coarsestPreviewStep, 2 * step);
+      final = true;
+      continue;
     }
-    step = std::min(coarsestPreviewStep, 2 * step);
+    this->previewStep_ = step;
+    this->Show(image);
+    return;
   }
 }
 
@@ -304,17 +304,17 @@ void ProgressiveImage::Grow(const Request& request)
 {
   const ImageEffort& effort = request.effort;
   const auto pixels = static_cast<double>(Pixels(this->view_));
-  if (request.IsTimed() && this->samples_ == 0 && !this->pending_ && this->previewStep_ == 0)
+  if (request.IsTimed() && this->samples_ == 0 && !this->pending_ && !this->hasPicture_ && !this->onlyLightChanged_)
   {
     // Something to see at once, unless a sample of all pixels is as quick.
     const bool quick = this->secondsPerRay_ > 0.0 && this->secondsPerRay_ * pixels < 0.5 * effort.seconds;
     if (!quick)
     {
-      this->Preview(request, this->secondsPerRay_ > 0.0 ? effort.pixelStep : firstPreviewStep);
-      if (this->previewStep_ == 0 && this->samples_ == 0 && !this->pending_)
-      {
-        return;
-      }
+      this->Preview(request);
+    }
+    if (this->hasPicture_ && request.Left() <= 0.0)
+    {
+      return;
     }
   }
   std::uint32_t added = 0;
@@ -347,29 +347,42 @@ void ProgressiveImage::Grow(const Request& request)
       settings.plannedSamples = this->planned_;
       settings.features = this->features_;
       settings.keepSums = !effort.exact || this->features_ || this->samples_ + left < effort.samples;
-      settings.overPreview = this->samples_ == 0 && this->previewStep_ > 0;
       this->canContinue_ = settings.keepSums;
       this->pendingSamples_ = left;
+      this->pendingSeconds_ = 0.0;
       image = request.source.Trace(
         this->view_, settings, request.MakeInterrupt(this->samples_ / wanted, (this->samples_ + left) / wanted));
     }
-    this->WaitsForProgram(image);
+    const bool waits = this->WaitsForProgram(image);
     const std::uint32_t before_ = this->samples_;
     this->pending_ = interrupted = !image.complete;
+    this->pendingShare_ = image.share;
+    this->pendingSeconds_ += waits ? 0.0 : request.source.Now() - before;
     if (image.complete)
     {
       this->samples_ = image.samples;
       added += this->samples_ - before_;
-      const double cost = (request.source.Now() - before) / (pixels * std::max(1u, this->samples_ - before_));
+      const double cost = this->pendingSeconds_ / (pixels * std::max(1u, this->samples_ - before_));
       this->secondsPerRay_ = this->secondsPerRay_ > 0.0 ? 0.5 * (this->secondsPerRay_ + cost) : cost;
     }
-    else if (image.share > 0.0f)
+    // A first sample that not all pixels have is shown only where there is nothing else.
+    if (image.complete || this->samples_ > 0 ||
+      (!waits && this->previewStep_ == 0 && !(request.IsTimed() && this->onlyLightChanged_)))
     {
-      this->secondsPerRay_ = std::max(this->secondsPerRay_, 1e-12);
+      this->Show(image);
     }
-    this->Show(image);
-    interrupted |= request.IsTimed() && request.Left() <= 0.0;
+    interrupted |= request.IsTimed() && (request.Left() <= 0.0 || this->IsWorthSmoothing(request));
   }
+}
+
+// Denoising takes about as long as a sample: only when there is a good deal more to see, or nothing more to come.
+bool ProgressiveImage::IsWorthSmoothing(const Request& request) const
+{
+  const bool finished = this->samples_ >= request.effort.samples;
+  const bool more = this->smoothSamples_ == 0 || 2 * this->samples_ >= 3 * this->smoothSamples_ ||
+    (finished && this->smoothSamples_ != this->samples_);
+  return more && this->features_ && request.Denoises() && this->samples_ > 0 && !this->smoothing_.valid() &&
+    !this->pending_ && this->image_.complete;
 }
 
 // Colors with less noise, of the image as it is or, where the time is limited, as it was when another thread began.
@@ -401,10 +414,7 @@ void ProgressiveImage::Smooth(const Request& request)
   {
     collect();
   }
-  // Denoising takes about as long as a sample: only when there is a good deal more to see, or nothing more to come.
-  const bool worthIt = this->smoothSamples_ == 0 || 2 * this->samples_ >= 3 * this->smoothSamples_ ||
-    (finished && this->smoothSamples_ != this->samples_);
-  if (!this->smoothing_.valid() && !this->pending_ && worthIt && this->image_.complete)
+  if (this->IsWorthSmoothing(request))
   {
     this->smoothingSamples_ = this->samples_;
     this->stopOfSmoothing_ = std::stop_source();

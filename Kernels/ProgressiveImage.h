@@ -19,7 +19,7 @@ namespace rtg
 struct ImageView
 {
   Camera camera;
-  std::vector<Light> lights;
+  std::vector<Light> lights, previewLights;
   Pass pass = Pass::Opaque;
   TraceSettings settings;    ///< size and light; everything about samples keeps its default
   std::uint64_t content = 0; ///< version of what the scene shows
@@ -40,8 +40,8 @@ struct ImageEffort
   std::uint32_t samples = 1;       ///< samples a pixel of a finished image, >= 1
   std::uint32_t samplesAtOnce = 0; ///< most samples that one Update() adds; 0: as many as there is time for
   double seconds = 0.0;            ///< that one Update() may take, but for a launch; 0: no limit
-  bool preview = false;            ///< the camera moves: one sample of every n-th pixel will do
-  std::uint32_t pixelStep = 2;     ///< that n, >= 1; time may ask for a larger one
+  bool preview = false;            ///< the camera moves: a preview will do
+  std::uint32_t pixelStep = 2; ///< pixels of the image a pixel of a preview, along a side, >= 1; time may ask for more
   /// True: the finished image has exactly `samples`, spread as for that number. False: more are as good, and a larger
   /// number is added to what is there.
   bool exact = true;
@@ -62,6 +62,8 @@ public:
   virtual bool Prepare() = 0;
   virtual Image Trace(const ImageView& view, const TraceSettings& settings, const Interrupt& interrupt) = 0;
   virtual Image Resume(const Interrupt& interrupt) = 0;
+  /// Traces an image beside that one, which stays as it is, in the view's previewLights.
+  virtual Image Preview(const ImageView& view, const TraceSettings& settings, const Interrupt& interrupt) = 0;
   /// The denoising of the last image, to be run in any thread. It returns or throws soon after a stop is requested.
   virtual std::function<std::vector<std::uint32_t>()> Denoise(const Image& image, std::stop_token stop) = 0;
 
@@ -75,13 +77,16 @@ public:
   virtual double Now() const = 0;
 };
 
+/// The image of a view. A first one, of fewer and larger pixels, is there at once: a preview, shaded locally, because a
+/// single sample of other light is all noise. Where only the light has changed there is none: what was seen before
+/// shows more.
 class ProgressiveImage
 {
 public:
   enum class State
   {
     Empty,    ///< nothing was asked for yet, or all was forgotten
-    Growing,  ///< there is an image, a preview at least, and more samples are to come
+    Growing,  ///< more samples are to come
     Finished, ///< it has all samples that the last effort wanted
     Failed    ///< there is none; see Failure
   };
@@ -105,9 +110,9 @@ public:
   ProgressiveImage(const ProgressiveImage&) = delete;
   ProgressiveImage& operator=(const ProgressiveImage&) = delete;
 
-  /// Makes the image of this view, or makes it better. Null: there is none, see GetFailure(). The image is valid until
-  /// the next call. `interrupt` is told the progress of the image, as Progress(), and ends the work early; the next
-  /// call goes on with it. Throws nothing.
+  /// Makes the image of this view, or makes it better. Null: it failed, see GetFailure(). The image, of which there is
+  /// nothing unless HasPicture(), is valid until the next call. `interrupt` is told the progress of the image, as
+  /// Progress(), and ends the work early; the next call goes on with it. Throws nothing.
   const Image*
   Update(ImageSource& source, const ImageView& view, const ImageEffort& effort, const Interrupt& interrupt = {});
 
@@ -127,8 +132,8 @@ public:
   bool IsComplete() const { return this->samples_ > 0; }
   /// The last Update() found that the program it needs is still being compiled.
   bool IsCompiling() const { return this->compiling_; }
-  /// False: nothing of the view was traced yet, because of that.
-  bool HasPicture() const { return !this->compiling_ || this->samples_ > 0 || this->previewStep_ > 0; }
+  /// False: there is nothing to show of the view yet.
+  bool HasPicture() const { return this->hasPicture_; }
   const Image& GetImage() const { return this->image_; }
 
 private:
@@ -137,8 +142,9 @@ private:
   bool MayTryAgain(const ImageSource& source, const ImageView& view, const ImageEffort& effort) const;
   bool WaitsForProgram(const Image& image);
   void Restart(const Request& request);
-  void Preview(const Request& request, std::uint32_t pixelStep);
+  void Preview(const Request& request);
   void Grow(const Request& request);
+  bool IsWorthSmoothing(const Request& request) const;
   void Smooth(const Request& request);
   void Show(const Image& image);
   void StopSmoothing();
@@ -148,7 +154,8 @@ private:
   Failure failure_;
   ImageView view_;
   Image image_;
-  bool compiling_ = false;
+  bool compiling_ = false, hasPicture_ = false;
+  bool onlyLightChanged_ = false; ///< since there was a picture
   std::uint64_t version_ = 0;
   std::uint32_t wanted_ = 1;         ///< samples of a finished image, as last asked
   std::uint32_t planned_ = 1;        ///< likewise, when the first sample was traced
@@ -156,9 +163,12 @@ private:
   std::uint32_t previewStep_ = 0;    ///< of the preview that is there; 0: none
   bool pending_ = false;             ///< the tracer was interrupted, and goes on by Resume()
   std::uint32_t pendingSamples_ = 0; ///< that it was asked for
+  double pendingShare_ = 0.0;        ///< of them that is traced
+  double pendingSeconds_ = 0.0;      ///< that this took
   bool canContinue_ = false;         ///< the tracer keeps the sums of samples_
   bool features_ = false;            ///< and of normals and so on
-  double secondsPerRay_ = 0.0;       ///< of a sample in full resolution; 0: unknown
+  double secondsPerRay_ = 0.0;       ///< of a sample; 0: unknown
+  double secondsPerPreviewRay_ = 0.0;
 
   // Denoised colors, and the number of samples that they were made of.
   std::vector<std::uint32_t> smooth_;

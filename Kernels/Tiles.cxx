@@ -20,9 +20,8 @@ std::uint32_t StrideOf(std::uint32_t count)
 Tiling::Tiling(const TraceSettings& settings)
   : width_(settings.width)
   , height_(settings.height)
-  , side_(tileSize * settings.pixelStep)
-  , columns_(DivideUp(this->width_, this->side_))
-  , count_(this->columns_ * DivideUp(this->height_, this->side_))
+  , columns_(DivideUp(this->width_, tileSize))
+  , count_(this->columns_ * DivideUp(this->height_, tileSize))
   , stride_(StrideOf(this->count_))
 {
   // Tiles that follow each other are scattered already.
@@ -30,17 +29,16 @@ Tiling::Tiling(const TraceSettings& settings)
   { return static_cast<std::uint32_t>(std::uint64_t(this->count_) * share / settings.shares); };
   this->begin_ = boundary(settings.share);
   this->end_ = boundary(settings.share + 1);
-  this->rays_ = settings.shares > 1
-    ? std::size_t(this->Size()) * raysPerTile
-    : std::size_t(DivideUp(this->width_, settings.pixelStep)) * DivideUp(this->height_, settings.pixelStep);
+  this->rays_ =
+    settings.shares > 1 ? std::size_t(this->Size()) * raysPerTile : std::size_t(this->width_) * this->height_;
 }
 
 // As LaunchPixel() of Programs/pixel.glsl has it.
 Tiling::Rectangle Tiling::PixelsOf(std::uint32_t number) const
 {
   const std::uint32_t tile = number * this->stride_ % this->count_;
-  const std::uint32_t left = tile % this->columns_ * this->side_, bottom = tile / this->columns_ * this->side_;
-  return { left, bottom, std::min(left + this->side_, this->width_), std::min(bottom + this->side_, this->height_) };
+  const std::uint32_t left = tile % this->columns_ * tileSize, bottom = tile / this->columns_ * tileSize;
+  return { left, bottom, std::min(left + tileSize, this->width_), std::min(bottom + tileSize, this->height_) };
 }
 
 void Tiling::Fill(device::FrameRecord& frame) const

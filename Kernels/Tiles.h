@@ -68,9 +68,9 @@ public:
   void Fill(device::FrameRecord& frame) const;
 
 private:
-  std::uint32_t width_ = 0, height_ = 0, side_ = tileSize; ///< pixels
-  std::uint32_t columns_ = 0, count_ = 0;                  ///< tiles of a row, of the image
-  std::uint32_t stride_ = 1;                               ///< from a tile to the next that is traced
+  std::uint32_t width_ = 0, height_ = 0;  ///< pixels
+  std::uint32_t columns_ = 0, count_ = 0; ///< tiles of a row, of the image
+  std::uint32_t stride_ = 1;              ///< from a tile to the next that is traced
   std::uint32_t begin_ = 0, end_ = 0;
   std::size_t rays_ = 0;
 };

@@ -100,10 +100,10 @@ void Tracer::State::CheckContinues(const TraceSettings& settings, const Scene::S
     return;
   }
   const TraceSettings& l = this->job.settings;
-  const bool same = l.width == settings.width && l.height == settings.height && l.pixelStep == settings.pixelStep &&
-    l.shading == settings.shading && l.features == settings.features && l.occlusionRays == settings.occlusionRays &&
-    l.paths == settings.paths && l.share == settings.share && l.shares == settings.shares &&
-    l.environmentImage == settings.environmentImage && this->job.sceneVersion == scene.version;
+  const bool same = l.width == settings.width && l.height == settings.height && l.shading == settings.shading &&
+    l.features == settings.features && l.occlusionRays == settings.occlusionRays && l.paths == settings.paths &&
+    l.share == settings.share && l.shares == settings.shares && l.environmentImage == settings.environmentImage &&
+    this->job.sceneVersion == scene.version;
   const std::uint32_t kept = same ? this->job.KeptSamples() : 0;
   if (kept != settings.firstSample)
   {
@@ -157,7 +157,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
   const bool keeps = settings.keepSums || settings.firstSample > 0 || begun.atOnce < settings.samples;
   this->buffers.Prepare(this->Vulkan(), settings, keeps);
   const bool empty = scene.records.empty();
-  if (empty || (interruptible && settings.firstSample == 0 && !settings.overPreview))
+  if (empty || (interruptible && settings.firstSample == 0))
   {
     this->buffers.Clear();
   }
@@ -240,7 +240,7 @@ void Tracer::State::Run(const Scene::State& scene, const Interrupt& interrupt)
   const float part = work.image.complete ? 0.0f : float(work.frame.samples * work.TracedShare());
   work.image.share = (work.done + part) / settings.samples;
   this->buffers.Show(work.image, work.tiling);
-  if (settings.features && settings.pixelStep == 1 && work.image.complete)
+  if (settings.features && work.image.complete)
   {
     this->buffers.FillFeatures(work.image);
   }

@@ -69,11 +69,7 @@ struct TraceSettings
   /// Samples a pixel that this tracer's image already has and keeps: 0 starts anew. Otherwise the last
   /// Trace() must have been with keepSums, ended with this many, and all else be as it was then.
   std::uint32_t firstSample = 0;
-  bool keepSums = false;       ///< more samples will be added: keep what they are added to
-  std::uint32_t pixelStep = 1; ///< trace every n-th pixel in x and y and repeat it, for interaction
-  /// The last image of this tracer, of the same size, shows the same view with a larger pixelStep. Where a trace is
-  /// interrupted the pixels that have no sample yet keep what it shows; otherwise they are empty.
-  bool overPreview = false;
+  bool keepSums = false; ///< more samples will be added: keep what they are added to
 
   Shading shading = Shading::Local;
   /// Light from all around (the sky), of ambient occlusion and path tracing: a display colour and its strength, >= 0.
@@ -109,7 +105,7 @@ struct TraceSettings
   std::uint32_t plannedSamples = 0;
   ToneMapping toneMapping = ToneMapping::None;
   float exposure = 0.0f; ///< stops, that is powers of two, in [-100, 100]
-  bool features = false; ///< gather Image::normals and so on, which need a pixelStep of 1 to be filled
+  bool features = false; ///< gather Image::normals and so on
 
   /// Of so many equal shares of the image, scattered over it in tiles, this one is traced, < shares; the rest stays
   /// empty. For processes that trace an image together.

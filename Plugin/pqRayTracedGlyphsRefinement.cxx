@@ -6,6 +6,7 @@
 #include "pqProgressManager.h"
 #include "pqProgressWidget.h"
 #include "pqRenderView.h"
+#include "pqRayTracedGlyphsWords.h"
 #include "pqRepresentation.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
@@ -223,22 +224,16 @@ pqRayTracedGlyphsRefinement::Image pqRayTracedGlyphsRefinement::imageOf(pqView* 
     {
       continue;
     }
-    const int wanted = vtkSMPropertyHelper(scene, "SamplesPerPixel").GetAsInt();
-    const int samples = std::min(scene->GetSamples(), wanted);
-    if (!image.Display || wanted - samples > image.Wanted - image.Samples)
+    const bool refined = std::any_of(
+      this->Waiting.begin(), this->Waiting.end(), [&part](const Part& waiting) { return waiting.Proxy == part.Proxy; });
+    image.Refined |= refined;
+    if (!image.Display || scene->GetProgress() < image.Progress)
     {
-      image.Samples = samples;
-      image.Wanted = wanted;
+      image.Progress = scene->GetProgress();
+      image.Words = pqRayTracedGlyphsWords::Of(scene, refined);
+      image.Scene = scene;
     }
     image.Display = image.Display ? image.Display : scene->GetShownDisplay();
-    for (const Part& waiting : this->Waiting)
-    {
-      if (waiting.Proxy == part.Proxy)
-      {
-        image.Refined = true;
-        image.Step = QString::fromStdString(scene->GetStep());
-      }
-    }
   }
   return image;
 }
@@ -422,7 +417,7 @@ void pqRayTracedGlyphsRefinement::ShowProgress()
       bar->enableProgress(true);
       if (least)
       {
-        bar->setProgress(QString::fromStdString(least->GetStep()), static_cast<int>(100.0 * least->GetProgress()));
+        bar->setProgress(pqRayTracedGlyphsWords::Of(least, true), static_cast<int>(100.0 * least->GetProgress()));
       }
       bar->enableAbort(true);
     }

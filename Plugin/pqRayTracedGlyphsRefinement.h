@@ -51,10 +51,12 @@ public:
 
   struct Image
   {
-    vtkSMProxy* Display = nullptr; ///< one of its visible ray-traced displays; null: there is none
-    int Samples = 0, Wanted = 0;   ///< a pixel: so far, in the end
-    bool Refined = false;          ///< more are being traced
-    QString Step;                  ///< what is being done
+    vtkSMProxy* Display = nullptr;            ///< one of its visible ray-traced displays; null: there is none
+    int Samples = 0, Wanted = 0;              ///< a pixel: so far, in the end
+    bool Refined = false;                     ///< more are being traced
+    QString Words;                            ///< how far it is, or what it waits for
+    double Progress = 1.0;                    ///< in [0, 1]
+    vtkSMRayTracedViewProxy* Scene = nullptr; ///< of what is meant
   };
   /**
    * The image of a view; of a comparative view's parts the one that lacks most.

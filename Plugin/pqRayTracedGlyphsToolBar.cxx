@@ -3,16 +3,22 @@
 #include "pqActiveObjects.h"
 #include "pqRayTracedGlyphsReference.h"
 #include "pqRayTracedGlyphsRefinement.h"
+#include "pqRayTracedGlyphsWords.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMTrace.h"
 
 #include <QAction>
 #include <QFontMetrics>
+#include <QMainWindow>
 #include <QProgressBar>
+#include <QStatusBar>
+#include <QStringList>
 #include <QStyle>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -22,6 +28,15 @@ pqRayTracedGlyphsRefinement::Image ImageOf(pqView* view)
 {
   const auto* refinement = pqRayTracedGlyphsRefinement::instance();
   return view && refinement ? refinement->imageOf(view) : pqRayTracedGlyphsRefinement::Image();
+}
+
+constexpr double longTime = 60.0; // seconds
+
+// How long an image of that quality takes; empty: unknown.
+QString TimeOf(const pqRayTracedGlyphsRefinement::Image& image, const QAction* quality)
+{
+  const double seconds = image.Scene ? image.Scene->GetSecondsOfQuality(quality->data().toInt()) : -1.0;
+  return seconds >= 0.0 ? pqRayTracedGlyphsWords::ForTime(seconds) : QString();
 }
 }
 
@@ -34,10 +49,15 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
   this->Qualities = { this->AddButton("Fast", tr("Quick pictures: plain light, few samples a pixel.") + view),
     this->AddButton("Balanced", tr("Glyphs shade each other; enough samples a pixel for daily work.") + view),
     this->AddButton("Publication",
-      tr("Glyphs shade each other; many samples a pixel and nothing smoothed, for final pictures.") + view) };
+      tr("Glyphs shade each other; many samples a pixel and nothing smoothed, for final pictures.") + view),
+    this->AddButton("Path Tracing", tr("Light is scattered from glyph to glyph, with soft shadows.") + view),
+    this->AddButton("Custom", tr("As the properties panel says: none of the others.")) };
+  int value = 0; // Custom is the last one's, and 0
   for (QAction* quality : this->Qualities)
   {
     quality->setCheckable(true);
+    quality->setData(value = (value + 1) % static_cast<int>(this->Qualities.size()));
+    quality->setWhatsThis(quality->toolTip());
     QObject::connect(quality, &QAction::triggered, this, [this, quality]() { this->chooseQuality(quality); });
   }
   this->addSeparator();
@@ -54,7 +74,8 @@ pqRayTracedGlyphsToolBar::pqRayTracedGlyphsToolBar(QWidget* parent)
     tr("Samples a pixel that the picture of the active view has, of those that it will have (SamplesPerPixel)."));
   // No wider than it must be: what does not fit into a narrow window is hidden.
   const QFontMetrics font = this->Samples->fontMetrics();
-  this->Samples->setFixedWidth(font.horizontalAdvance(tr("%1 of %1").arg(65536)) + 2 * font.averageCharWidth());
+  this->Samples->setFixedWidth(
+    font.horizontalAdvance(tr("%1 of %1, about 55 min left").arg(256)) + 2 * font.averageCharWidth());
   this->Samples->setAlignment(Qt::AlignCenter);
   this->addWidget(this->Samples);
 
@@ -78,9 +99,13 @@ pqRayTracedGlyphsToolBar::~pqRayTracedGlyphsToolBar() = default;
 QAction* pqRayTracedGlyphsToolBar::AddButton(const QString& name, const QString& toolTip)
 {
   QAction* action = this->addAction(name);
-  action->setObjectName("action" + name);
+  const QString objectName = QString(name).remove(' ');
+  action->setObjectName("action" + objectName);
   action->setToolTip(toolTip);
-  this->widgetForAction(action)->setObjectName(name);
+  auto* button = qobject_cast<QToolButton*>(this->widgetForAction(action));
+  button->setObjectName(objectName);
+  button->setAutoRaise(false);
+  button->setStyleSheet("QToolButton:checked { background: palette(highlight); color: palette(highlighted-text); }");
   return action;
 }
 
@@ -99,21 +124,23 @@ void pqRayTracedGlyphsToolBar::follow(const pqView* view)
   {
     quality->setEnabled(image.Display != nullptr);
     quality->setChecked(quality->text() == chosen);
+    const QString time = TimeOf(image, quality);
+    quality->setToolTip(quality->whatsThis() + (time.isEmpty() ? time : tr(" Takes about %1 here.").arg(time)));
   }
   this->Stop->setEnabled(image.Refined);
   this->Samples->setEnabled(image.Display != nullptr);
-  this->Samples->setRange(0, std::max(image.Wanted, 1));
-  this->Samples->setValue(std::min(image.Samples, image.Wanted));
-  const bool fits = this->Samples->fontMetrics().horizontalAdvance(image.Step) < this->Samples->width();
-  const QString step = fits ? image.Step : image.Step.section(' ', 0, 0);
-  this->Samples->setFormat(!image.Display ? QString() : image.Samples > 0 || !image.Refined ? tr("%v of %m") : step);
+  this->Samples->setRange(0, 1000);
+  this->Samples->setValue(image.Display ? static_cast<int>(1000.0 * image.Progress) : 0);
+  const bool fits = this->Samples->fontMetrics().horizontalAdvance(image.Words) < this->Samples->width();
+  this->Samples->setFormat(fits ? image.Words : image.Words.section(',', 0, 0));
 }
 
 //----------------------------------------------------------------------------
 void pqRayTracedGlyphsToolBar::chooseQuality(QAction* quality)
 {
   pqView* view = pqActiveObjects::instance().activeView();
-  if (vtkSMProxy* display = ImageOf(view).Display)
+  const pqRayTracedGlyphsRefinement::Image image = ImageOf(view);
+  if (vtkSMProxy* display = image.Display)
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
     BEGIN_UNDO_SET(tr("Quality %1").arg(quality->text()));
@@ -121,6 +148,21 @@ void pqRayTracedGlyphsToolBar::chooseQuality(QAction* quality)
     display->UpdateVTKObjects();
     END_UNDO_SET();
     view->render();
+    // Where it takes long, what would not.
+    QStringList times;
+    for (QAction* one : this->Qualities)
+    {
+      const QString time = TimeOf(image, one);
+      if (!time.isEmpty() && one->data().toInt() <= quality->data().toInt())
+      {
+        times += tr("%1 takes about %2").arg(one->text(), time);
+      }
+    }
+    auto* window = qobject_cast<QMainWindow*>(this->window());
+    if (window && image.Scene && image.Scene->GetSecondsOfQuality(quality->data().toInt()) > longTime)
+    {
+      window->statusBar()->showMessage(times.join("; ") + tr(". Stop keeps what is there."), 10000);
+    }
   }
   this->follow(view);
 }

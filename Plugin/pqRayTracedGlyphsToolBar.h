@@ -2,8 +2,8 @@
  * @class   pqRayTracedGlyphsToolBar
  * @brief   quality, progress and end of the active view's ray-traced images
  *
- * The buttons set RenderingQuality of the view, as the properties panel does; none is pressed while it is Custom. All
- * are disabled while the active view shows nothing ray-traced.
+ * The buttons set RenderingQuality of the view, as the properties panel does, and say beforehand how long its image
+ * will take where that is known. All are disabled while the active view shows nothing ray-traced.
  */
 #ifndef pqRayTracedGlyphsToolBar_h
 #define pqRayTracedGlyphsToolBar_h
@@ -34,7 +34,7 @@ private:
 
   QAction* AddButton(const QString& name, const QString& toolTip);
 
-  std::vector<QAction*> Qualities;
+  std::vector<QAction*> Qualities; // their data: RenderingQuality
   QAction* Stop = nullptr;
   QProgressBar* Samples = nullptr;
 };

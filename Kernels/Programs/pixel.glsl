@@ -19,15 +19,14 @@ bool LaunchPixel(const uvec2 launch, out uvec2 position)
   uint block = lane >> 3u;
   uvec2 inBlock = uvec2(lane & 3u, (lane >> 2u) & 1u);
   uvec2 inTile = uvec2((block & 1u) * 4u, (block >> 1u) * 2u) + inBlock;
-  position = (uvec2(tile % frame.tileColumns, tile / frame.tileColumns) * tileSize + inTile) * frame.pixelStep;
+  position = uvec2(tile % frame.tileColumns, tile / frame.tileColumns) * tileSize + inTile;
   return number < frame.endTile && position.x < frame.width && position.y < frame.height;
 }
 
-// The sample's ray through a position in the pixel, or in the block of pixels that it stands for, in [0,1)^2. Its
-// parameter is the view depth.
+// The sample's ray through a position in the pixel, in [0,1)^2. Its parameter is the view depth.
 void CameraRay(const SampleNumber number, const vec2 position, out DoubleWord3 origin, out vec3 direction)
 {
-  vec2 ndc = 2.0 * (vec2(number.pixel) + position * float(frame.pixelStep)) / vec2(frame.width, frame.height) - 1.0;
+  vec2 ndc = 2.0 * (vec2(number.pixel) + position) / vec2(frame.width, frame.height) - 1.0;
   direction = frame.forward + ndc.x * frame.right + ndc.y * frame.up;
   origin.hi = frame.eye;
   origin.lo = frame.eyeLow;
@@ -134,9 +133,9 @@ void AddFeatures(const uvec2 position, const uint index, const vec3 normal, cons
 // Keeps and shows the pixel. `linear`: its colour is light, not a display colour.
 void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
 {
+  uint at = position.y * frame.width + position.x;
   if (frame.accumulates != 0u)
   {
-    uint at = position.y * frame.width + position.x;
     frame.sums.at[at].colour = pixel.colour.hi;
     frame.sums.at[at].colourLow = pixel.colour.lo;
     frame.sums.at[at].opacity = pixel.opacity.hi;
@@ -164,19 +163,11 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
   }
   // Earlier samples may have said already what is there.
   bool fresh = frame.firstSample == 0u || pixel.record != 0xffffffffu;
-  uvec2 end = min(position + uvec2(frame.pixelStep), uvec2(frame.width, frame.height));
-  for (uint y = position.y; y < end.y; ++y)
+  frame.colour.at[at] = packedColour;
+  if (fresh)
   {
-    for (uint x = position.x; x < end.x; ++x)
-    {
-      uint at = y * frame.width + x;
-      frame.colour.at[at] = packedColour;
-      if (fresh)
-      {
-        frame.depth.at[at] = windowDepth;
-        frame.setIds.at[at] = setId;
-        frame.glyphIds.at[at] = pixel.glyph;
-      }
-    }
+    frame.depth.at[at] = windowDepth;
+    frame.setIds.at[at] = setId;
+    frame.glyphIds.at[at] = pixel.glyph;
   }
 }

@@ -37,14 +37,46 @@ vec3 StepAlong(ivec2 direction, ivec2 pixel, vec3 place)
 }
 #endif
 
+#ifdef RAYTRACED_COARSE
+// The image has fewer pixels than the viewport: of the four around a place colors are interpolated, and the depth is
+// that of the frontmost.
+void Shown(out vec4 colour, out float depth)
+{
+  ivec2 size = textureSize(imageColour, 0);
+  vec2 place = texCoord * vec2(size) - 0.5;
+  ivec2 first = ivec2(floor(place));
+  vec2 second = place - vec2(first);
+  colour = vec4(0.0);
+  depth = 1.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    ivec2 side = ivec2(i & 1, i >> 1);
+    ivec2 pixel = clamp(first + side, ivec2(0), size - 1);
+    vec2 weights = mix(1.0 - second, second, vec2(side));
+    vec4 of = texelFetch(imageColour, pixel, 0);
+    colour += weights.x * weights.y * of.a * vec4(of.rgb, 1.0);
+    depth = of.a > 0.0 ? min(depth, texelFetch(imageDepth, pixel, 0).r) : depth;
+  }
+  colour.rgb /= max(colour.a, 1e-6);
+}
+#else
+void Shown(out vec4 colour, out float depth)
+{
+  colour = texture(imageColour, texCoord);
+  depth = texture(imageDepth, texCoord).r;
+}
+#endif
+
 void main()
 {
-  vec4 colour = texture(imageColour, texCoord);
+  vec4 colour;
+  float depth;
+  Shown(colour, depth);
   if (colour.a <= 0.0)
   {
     discard;
   }
-  gl_FragDepth = depthMap.x * texture(imageDepth, texCoord).r + depthMap.y;
+  gl_FragDepth = depthMap.x * depth + depthMap.y;
 #ifdef RAYTRACED_SURFACE
   // These names are those of VTK's own shaders, which vtkSSAOPass looks for.
   ivec2 pixel = ivec2(texCoord * vec2(textureSize(imageDepth, 0)));

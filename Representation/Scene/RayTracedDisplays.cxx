@@ -194,3 +194,17 @@ rtg::Material rtglyphs::RayTracedDisplays::GetMaterial(int display, vtkRenderer*
   of.Mapper->AddToMaterial(material);
   return material;
 }
+
+//----------------------------------------------------------------------------
+std::map<rtg::Scene::SetId, vtkRayTracedMapper*> rtglyphs::RayTracedDisplays::GetShownMappers() const
+{
+  std::map<rtg::Scene::SetId, vtkRayTracedMapper*> mappers;
+  for (const Display& display : this->GetAll())
+  {
+    if (display.Shown)
+    {
+      mappers[display.Set] = display.Mapper;
+    }
+  }
+  return mappers;
+}

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <map>
 #include <vector>
 
 class vtkActor;
@@ -59,6 +60,11 @@ public:
   /**
    * In the order in which they were added.
    */
+  /**
+   * By set.
+   */
+  std::map<rtg::Scene::SetId, vtkRayTracedMapper*> GetShownMappers() const;
+
   const std::vector<Display>& GetAll() const { return this->All; }
   const Display* Find(const vtkRayTracedMapper* mapper) const;
 

@@ -138,7 +138,13 @@ void rtglyphs::RayTracedImageQuad::Draw(vtkRenderer* renderer, vtkActor* actor, 
   std::string vertex, geometry, fragment = ImageQuadFragments;
   if (surface)
   {
-    vtkShaderProgram::Substitute(fragment, "//RayTraced::Define", "#define RAYTRACED_SURFACE");
+    vtkShaderProgram::Substitute(fragment, "//RayTraced::Define", "#define RAYTRACED_SURFACE\n//RayTraced::Define");
+  }
+  int viewport[4] = { 0, 0, 0, 0 };
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  if (use == BLEND && static_cast<int>(this->Color->GetWidth()) < viewport[2])
+  {
+    vtkShaderProgram::Substitute(fragment, "//RayTraced::Define", "#define RAYTRACED_COARSE");
   }
   for (vtkOpenGLRenderPass* pass : passes)
   {

@@ -58,6 +58,7 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   // Headlight and light kit make up for the lack of light from all around; path tracing has that.
   const bool surrounded = view.settings.shading == rtg::Shading::PathTracing && settings.LightIntensity > 0.0;
   view.lights = rtglyphs::RayTracedRendererState::LightsOf(renderer, /*placedOnly=*/surrounded);
+  view.previewLights = rtglyphs::RayTracedRendererState::LightsOf(renderer, /*placedOnly=*/false);
   if (surrounded)
   {
     environment = rtglyphs::RayTracedRendererState::EnvironmentOf(renderer, environment);
@@ -81,10 +82,7 @@ rtglyphs::RayTracedImageRequest::EffortOf(const rtglyphs::RayTracedImageSettings
   effort.samplesAtOnce = frame.Capture || stepwise ? 0 : static_cast<std::uint32_t>(settings.SamplesPerRender);
   effort.seconds = stepwise ? stepSeconds / frame.Images : 0.0;
   effort.preview = frame.Interactive;
-  // Pixels that need more than one ray are spared more of them, for the camera to answer as fast.
-  const bool noisy = settings.ShadingMode != static_cast<int>(rtg::Shading::Local);
-  effort.pixelStep =
-    static_cast<std::uint32_t>(settings.InteractiveReduction + (noisy && settings.InteractiveReduction > 1 ? 1 : 0));
+  effort.pixelStep = static_cast<std::uint32_t>(settings.InteractiveReduction);
   effort.exact = frame.Capture || settings.SamplesPerRender == 0;
   effort.denoising = static_cast<rtg::Denoising>(settings.Denoising);
   effort.features = frame.Features;

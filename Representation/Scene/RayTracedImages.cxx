@@ -44,6 +44,7 @@ public:
       for (auto& [place, entry] : this->Images.Entries)
       {
         entry->Tracer.reset();
+        entry->PreviewTracer.reset();
       }
       this->Images.Device.reset();
       this->Images.Device = DeviceOfProcess();
@@ -71,6 +72,7 @@ public:
     if (!kept)
     {
       this->Own.Tracer = std::make_unique<rtg::Tracer>(this->Images.Resources);
+      this->Own.PreviewTracer = std::make_unique<rtg::Tracer>(this->Images.Resources);
       this->Own.SceneNumber = this->Images.SceneNumber;
     }
     return kept;
@@ -85,6 +87,13 @@ public:
   rtg::Image Resume(const rtg::Interrupt& interrupt) override
   {
     return this->Own.Tracer->Resume(*this->Images.Scene, interrupt);
+  }
+
+  rtg::Image
+  Preview(const rtg::ImageView& view, const rtg::TraceSettings& settings, const rtg::Interrupt& interrupt) override
+  {
+    return this->Own.PreviewTracer->Trace(
+      *this->Images.Scene, view.camera, view.previewLights, settings, view.pass, interrupt);
   }
 
   std::function<std::vector<std::uint32_t>()> Denoise(const rtg::Image& image, std::stop_token stop) override
@@ -109,13 +118,25 @@ private:
 };
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedImages::StartFrame()
+void rtglyphs::RayTracedImages::StartFrame(bool capture)
 {
+  this->Capture = capture;
+  const auto stays = [&](const auto& kept) { return capture && !kept.second->Capture; };
+  for (const auto& kept : this->Entries)
+  {
+    kept.second->LastUsed += stays(kept); // does not age
+  }
   std::erase_if(this->Entries, [&](const auto& kept) { return kept.second->LastUsed + patience < this->Frame; });
   while (this->Entries.size() > mostEntries)
   {
-    this->Entries.erase(std::min_element(this->Entries.begin(), this->Entries.end(),
-      [](const auto& a, const auto& b) { return a.second->LastUsed < b.second->LastUsed; }));
+    const auto oldest = std::min_element(this->Entries.begin(), this->Entries.end(),
+      [&](const auto& a, const auto& b)
+      { return std::pair(stays(a), a.second->LastUsed) < std::pair(stays(b), b.second->LastUsed); });
+    if (stays(*oldest))
+    {
+      break;
+    }
+    this->Entries.erase(oldest);
   }
   ++this->Frame;
 }
@@ -129,6 +150,7 @@ rtglyphs::RayTracedImages::Entry& rtglyphs::RayTracedImages::Get(const Place& pl
     entry = std::make_unique<Entry>();
   }
   entry->LastUsed = this->Frame;
+  entry->Capture &= this->Capture;
   return *entry;
 }
 

@@ -46,18 +46,20 @@ public:
   struct Entry
   {
     rtg::ProgressiveImage Image;
-    std::unique_ptr<rtg::Tracer> Tracer;
+    std::unique_ptr<rtg::Tracer> Tracer, PreviewTracer;
     std::uint64_t SceneNumber = 0; // of the scene that the tracer traces
     RayTracedImageQuad Quad;
     std::uint64_t LastUsed = 0; // the frame
+    bool Capture = true;        // was used for nothing but pictures that are not shown
     std::uint64_t Drawn = 0;    // the frame in which the quad was drawn; 0: none
     std::uint64_t Shown = 0;    // the frame that its picture is of
   };
 
   /**
-   * Images that no frame of late has used make room.
+   * Images that no frame of late has used make room; in captures only those of captures, because the window goes on
+   * with its own.
    */
-  void StartFrame();
+  void StartFrame(bool capture);
 
   /**
    * The image of a place.
@@ -111,6 +113,7 @@ private:
   std::unique_ptr<rtg::Scene> Scene;
   std::shared_ptr<rtg::TracerResources> Resources;
   std::uint64_t SceneNumber = 0, Frame = 0;
+  bool Capture = false; // this frame
   std::map<Place, std::unique_ptr<Entry>> Entries;
   rtg::Statistics Past; // of scenes that are gone
 };

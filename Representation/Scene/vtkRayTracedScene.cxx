@@ -30,7 +30,6 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 vtkInformationKeyMacro(vtkRayTracedScene, SCENE, ObjectBase);
@@ -260,7 +259,7 @@ void vtkRayTracedScene::StartFrame()
 {
   Internals& self = *this->Self;
   self.Frame.clear();
-  self.Content.Images.StartFrame();
+  self.Content.Images.StartFrame(self.Capture);
   self.ExportReported = false;
   self.CutReported &= self.Capture; // a picture may be captured in parts
   // On all ranks alike, whether or not they have something to draw.
@@ -424,8 +423,9 @@ void vtkRayTracedScene::ExchangeEdges()
     this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
     drawn = this->TraceImage(opaque, window, static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]));
   }
+  const bool whole = drawn && drawn->Image && drawn->Entry->Image.IsComplete();
   const std::string problem =
-    self.Edges.Exchange(ranks, drawn ? drawn->Image : nullptr, drawn ? drawn->Entry->Image.Version() : 0);
+    self.Edges.Exchange(ranks, whole ? drawn->Image : nullptr, whole ? drawn->Entry->Image.Version() : 0);
   if (!problem.empty())
   {
     this->Report("Ray Traced Glyphs: smooth edges in front of other ranks' glyphs are mixed with the background (" +
@@ -541,16 +541,8 @@ void vtkRayTracedScene::EndFrame()
     {
       images.push_back(&drawn.Entry->Image.GetImage());
     }
-    std::map<rtg::Scene::SetId, vtkRayTracedMapper*> mappers;
-    for (const rtglyphs::RayTracedDisplays::Display& display : self.Content.Displays.GetAll())
-    {
-      if (display.Shown)
-      {
-        mappers[display.Set] = display.Mapper;
-      }
-    }
-    const std::string problem = rtglyphs::RayTracedFeatureImage::Write(
-      self.FeatureFile, images, *self.Content.Images.GetScene(), mappers, self.Frame.front().EyeDepth);
+    const std::string problem = rtglyphs::RayTracedFeatureImage::Write(self.FeatureFile, images,
+      *self.Content.Images.GetScene(), self.Content.Displays.GetShownMappers(), self.Frame.front().EyeDepth);
     self.FeatureFile.clear();
     if (!problem.empty())
     {

@@ -1,10 +1,12 @@
 #include "vtkSMRayTracedViewProxy.h"
 
 #include "RayTracedDefault.h"
+#include "vtkCallbackCommand.h"
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
 #include "vtkCompositeRepresentation.h"
 #include "vtkObjectFactory.h"
+#include "vtkNew.h"
 #include "vtkPVSession.h"
 #include "vtkPVXMLElement.h"
 #include "vtkRayTracedRepresentation.h"
@@ -18,12 +20,22 @@
 #include VTK_NLOHMANN_JSON(json.hpp)
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
+#include <map>
 
 vtkStandardNewMacro(vtkSMRayTracedViewProxy);
 
 namespace
 {
+std::map<vtkSMProxy*, vtkSMRayTracedViewProxy*> owners; // by view, which keeps its own
+
+// Of the wall clock, since some fixed time.
+double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 vtkSMProxy* SettingsOf(vtkSMProxy* display)
 {
   return display->GetProperty("ShadingMode")->GetParent();
@@ -44,22 +56,16 @@ vtkSMRayTracedViewProxy::vtkSMRayTracedViewProxy()
 }
 
 //----------------------------------------------------------------------------
-vtkSMRayTracedViewProxy::~vtkSMRayTracedViewProxy() = default;
+vtkSMRayTracedViewProxy::~vtkSMRayTracedViewProxy()
+{
+  std::erase_if(owners, [this](const auto& owned) { return owned.second == this; });
+}
 
 //----------------------------------------------------------------------------
 vtkSMRayTracedViewProxy* vtkSMRayTracedViewProxy::Of(vtkSMProxy* view)
 {
-  const vtkSMPropertyHelper displays(view, "Representations", /*quiet=*/true);
-  for (unsigned int i = 0; i < displays.GetNumberOfElements(); ++i)
-  {
-    vtkSMProperty* one = displays.GetAsProxy(i) ? displays.GetAsProxy(i)->GetProperty("RenderStatistics") : nullptr;
-    auto* glyphs = one ? vtkSMRayTracedRepresentationProxy::SafeDownCast(one->GetParent()) : nullptr;
-    if (glyphs && glyphs->GetView() && glyphs->GetView()->View == view)
-    {
-      return glyphs->GetView();
-    }
-  }
-  return nullptr;
+  const auto found = owners.find(view);
+  return found != owners.end() && found->second->View == view ? found->second : nullptr; // another may be in its place
 }
 
 //----------------------------------------------------------------------------
@@ -86,6 +92,14 @@ vtkSmartPointer<vtkSMRayTracedViewProxy> vtkSMRayTracedViewProxy::Add(vtkSMProxy
     owner->ExecuteStream(stream);
     // Before observers that want to know how far the frame is.
     view->AddObserver(vtkCommand::EndEvent, owner.Get(), &vtkSMRayTracedViewProxy::Rendered, 1.0f);
+    // Settings stay while nothing ray-traced is in the view.
+    vtkNew<vtkCallbackCommand> keeps;
+    keeps->SetClientData(owner.Get());
+    owner->Register(nullptr);
+    keeps->SetClientDataDeleteCallback(
+      [](void* kept) { static_cast<vtkSMRayTracedViewProxy*>(kept)->UnRegister(nullptr); });
+    view->AddObserver(vtkCommand::DeleteEvent, keeps);
+    owners[view] = owner;
   }
   owner->Displays.emplace_back(display);
   settings->AddObserver(vtkCommand::PropertyModifiedEvent, owner.Get(), &vtkSMRayTracedViewProxy::Take);
@@ -146,9 +160,17 @@ vtkSMProxy* vtkSMRayTracedViewProxy::GetView()
 //----------------------------------------------------------------------------
 vtkSMProxy* vtkSMRayTracedViewProxy::GetShownDisplay(vtkSMProxy* input)
 {
-  for (vtkSMProxy* display : this->Displays)
+  if (!this->View)
   {
-    vtkRayTracedRepresentation* shown = display ? ShownBy(display) : nullptr;
+    return nullptr;
+  }
+  // One that was deleted may live on, in a script for example.
+  const vtkSMPropertyHelper all(this->View, "Representations", /*quiet=*/true);
+  for (unsigned int i = 0; i < all.GetNumberOfElements(); ++i)
+  {
+    vtkSMProxy* display = all.GetAsProxy(i);
+    const bool own = std::find(this->Displays.begin(), this->Displays.end(), display) != this->Displays.end();
+    vtkRayTracedRepresentation* shown = own && display ? ShownBy(display) : nullptr;
     if (shown && shown->GetVisibility() && (!input || vtkSMPropertyHelper(display, "Input").GetAsProxy() == input))
     {
       return display;
@@ -177,22 +199,30 @@ void vtkSMRayTracedViewProxy::SetPropertyModifiedFlag(const char* name, int flag
 }
 
 //----------------------------------------------------------------------------
-// A quality gives other properties the values that its hints name; one of these that gets another value ends it.
-void vtkSMRayTracedViewProxy::FollowQuality(const std::string& name)
+// The properties that a quality's hints name, with their values.
+std::vector<std::pair<std::string, int>> vtkSMRayTracedViewProxy::MeantBy(int quality)
 {
-  vtkSMPropertyHelper quality(this, "RenderingQuality");
+  std::vector<std::pair<std::string, int>> meant;
   vtkPVXMLElement* hints = this->GetProperty("RenderingQuality")->GetHints();
   for (unsigned int i = 0; i < hints->GetNumberOfNestedElements(); ++i)
   {
-    vtkPVXMLElement* meant = hints->GetNestedElement(i);
-    int of = 0;
-    if (!meant->GetScalarAttribute("quality", &of) || of != quality.GetAsInt())
+    vtkPVXMLElement* one = hints->GetNestedElement(i);
+    int of = 0, value = 0;
+    if (one->GetScalarAttribute("quality", &of) && of == quality && one->GetScalarAttribute("value", &value))
     {
-      continue;
+      meant.emplace_back(one->GetAttributeOrEmpty("property"), value);
     }
-    int value = 0;
-    meant->GetScalarAttribute("value", &value);
-    const std::string property = meant->GetAttributeOrEmpty("property");
+  }
+  return meant;
+}
+
+//----------------------------------------------------------------------------
+// One of the properties that gets another value than the quality's ends that.
+void vtkSMRayTracedViewProxy::FollowQuality(const std::string& name)
+{
+  vtkSMPropertyHelper quality(this, "RenderingQuality");
+  for (const auto& [property, value] : this->MeantBy(quality.GetAsInt()))
+  {
     vtkSMPropertyHelper helper(this, property.c_str());
     if (name == "RenderingQuality")
     {
@@ -269,9 +299,22 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
     return;
   }
   auto all = nlohmann::ordered_json::parse(statistics);
-  this->Progress = all.value("RefinementProgress", 1.0);
-  this->Step = all.value("RefinementStep", "");
+  const double progress = all.value("RefinementProgress", 1.0);
+  const std::string step = all.value("RefinementStep", "");
   this->Samples = all.value("AccumulatedSamples", 0);
+  if (step != this->Step || progress < this->Progress)
+  {
+    this->StepStart = Now();
+    this->StepProgress = progress;
+  }
+  this->Progress = progress;
+  this->Step = step;
+  if (this->GetSecondsLeft() >= 0.0)
+  {
+    const int wanted = vtkSMPropertyHelper(this, "SamplesPerPixel").GetAsInt();
+    this->MeasuredMode = vtkSMPropertyHelper(this, "ShadingMode").GetAsInt();
+    this->SecondsPerSample = this->GetSecondsLeft() / ((1.0 - progress) * wanted);
+  }
   const auto ofRepresentations = all.value("representations", all.object());
   all.erase("representations");
   for (vtkSMProxy* display : this->Displays)
@@ -284,4 +327,32 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
       vtkSMPropertyHelper(display, "RenderStatistics").Set(own.dump().c_str());
     }
   }
+}
+
+//----------------------------------------------------------------------------
+double vtkSMRayTracedViewProxy::GetSecondsOfStep() const
+{
+  return Now() - this->StepStart;
+}
+
+//----------------------------------------------------------------------------
+// The first half of a second may be that of a preview.
+double vtkSMRayTracedViewProxy::GetSecondsLeft() const
+{
+  const double done = this->Progress - this->StepProgress;
+  return this->Progress < 1.0 && done > 0.0 && this->GetSecondsOfStep() > 0.5
+    ? this->GetSecondsOfStep() * (1.0 - this->Progress) / done
+    : -1.0;
+}
+
+//----------------------------------------------------------------------------
+double vtkSMRayTracedViewProxy::GetSecondsOfQuality(int quality)
+{
+  int mode = -1, samples = 0;
+  for (const auto& [property, value] : this->MeantBy(quality))
+  {
+    mode = property == "ShadingMode" ? value : mode;
+    samples = property == "SamplesPerPixel" ? value : samples;
+  }
+  return mode >= 0 && mode == this->MeasuredMode ? samples * this->SecondsPerSample : -1.0;
 }

@@ -2,10 +2,9 @@
  * @class   vtkSMRayTracedViewProxy
  * @brief   the one owner of the settings and the information of a view's ray-traced image, on the client
  *
- * There is one for each view with displays, made when the first of them enters it and gone with the last; views need
- * not know this plugin. Displays have the same settings, on the client only (RayTracedImage): a change of one is copied
- * to all. A display that is added takes those of the view, the first one gives them. States keep them with the
- * displays.
+ * There is one for each view, made when its first display enters it; views need not know this plugin. Displays have the
+ * same settings, on the client only (RayTracedImage): a change of one is copied to all. A display that is added takes
+ * those of the view, the first one gives them. States keep them with the displays.
  *
  * RenderingQuality sets the properties that its hints name.
  *
@@ -20,6 +19,7 @@
 #include "vtkWeakPointer.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedViewProxy : public vtkSMProxy
@@ -29,7 +29,7 @@ public:
   vtkTypeMacro(vtkSMRayTracedViewProxy, vtkSMProxy);
 
   /**
-   * Of a view; null while nothing is in it.
+   * Of a view; null: nothing was in it yet.
    */
   static vtkSMRayTracedViewProxy* Of(vtkSMProxy* view);
 
@@ -59,6 +59,16 @@ public:
   int GetSamples() const { return this->Samples; }
   ///@}
 
+  ///@{
+  /**
+   * Seconds since that step has begun, of the whole image that are left, and that one of a RenderingQuality would take,
+   * with all that the window does meanwhile; negative: unknown.
+   */
+  double GetSecondsOfStep() const;
+  double GetSecondsLeft() const;
+  double GetSecondsOfQuality(int quality);
+  ///@}
+
   /**
    * The place of what a pixel of the view shows; false: nothing ray-traced.
    */
@@ -82,6 +92,7 @@ private:
   void operator=(const vtkSMRayTracedViewProxy&) = delete;
 
   bool IsRenderedRemotely();
+  std::vector<std::pair<std::string, int>> MeantBy(int quality);
   void FollowQuality(const std::string& name);
   void Take(vtkObject* settings, unsigned long, void* name);
   void Push(vtkObject* settings, unsigned long, void* name);
@@ -95,6 +106,10 @@ private:
   double Progress = 1.0;
   std::string Step;
   int Samples = 0;
+  // When the present step was begun, the image's progress then, and what was measured.
+  double StepStart = 0.0, StepProgress = 0.0;
+  double SecondsPerSample = -1.0;
+  int MeasuredMode = -1;
 };
 
 #endif

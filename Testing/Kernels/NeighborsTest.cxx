@@ -167,43 +167,36 @@ TEST_P(NeighborsTest, SharesMakeUpTheImage)
 {
   Add(this->scene, Balls(60));
   constexpr std::uint32_t shares = 3;
-  for (const std::uint32_t step : { 1u, 3u })
+  const Kept whole = this->Trace(this->scene);
+  const auto covered = whole.colours.size() - std::count(whole.colours.begin(), whole.colours.end(), 0u);
+  this->settings.shares = shares;
+  std::vector<int> found(side * side, 0);
+  std::size_t wrong = 0;
+  for (std::uint32_t share = 0; share < shares; ++share)
   {
-    SCOPED_TRACE("every pixel of " + std::to_string(step));
-    this->settings.pixelStep = step;
-    this->settings.share = 0;
-    this->settings.shares = 1;
-    const Kept whole = this->Trace(this->scene);
-    const auto covered = whole.colours.size() - std::count(whole.colours.begin(), whole.colours.end(), 0u);
-    this->settings.shares = shares;
-    std::vector<int> found(side * side, 0);
-    std::size_t wrong = 0;
-    for (std::uint32_t share = 0; share < shares; ++share)
-    {
-      this->settings.share = share;
-      // In parts, as somebody who waits asks for it.
-      const Kept part = this->Trace(this->scene, rtg::Pass::Opaque, [](double) { return false; });
-      std::size_t own = 0;
-      for (std::size_t i = 0; i < found.size(); ++i)
-      {
-        const bool shown = part.glyphIds[i] != rtg::Image::noGlyph || part.colours[i] != 0u;
-        found[i] += shown;
-        own += shown;
-        wrong += shown &&
-          (part.colours[i] != whole.colours[i] || part.depths[i] != whole.depths[i] ||
-            part.glyphIds[i] != whole.glyphIds[i] || part.setIds[i] != whole.setIds[i]);
-      }
-      const double fair = double(covered) / shares;
-      EXPECT_NEAR(double(own), fair, 0.4 * fair) << "share " << share;
-    }
-    EXPECT_EQ(wrong, 0u);
-    std::size_t missing = 0;
+    this->settings.share = share;
+    // In parts, as somebody who waits asks for it.
+    const Kept part = this->Trace(this->scene, rtg::Pass::Opaque, [](double) { return false; });
+    std::size_t own = 0;
     for (std::size_t i = 0; i < found.size(); ++i)
     {
-      missing += found[i] != (whole.glyphIds[i] != rtg::Image::noGlyph || whole.colours[i] != 0u);
+      const bool shown = part.glyphIds[i] != rtg::Image::noGlyph || part.colours[i] != 0u;
+      found[i] += shown;
+      own += shown;
+      wrong += shown &&
+        (part.colours[i] != whole.colours[i] || part.depths[i] != whole.depths[i] ||
+          part.glyphIds[i] != whole.glyphIds[i] || part.setIds[i] != whole.setIds[i]);
     }
-    EXPECT_EQ(missing, 0u);
+    const double fair = double(covered) / shares;
+    EXPECT_NEAR(double(own), fair, 0.4 * fair) << "share " << share;
   }
+  EXPECT_EQ(wrong, 0u);
+  std::size_t missing = 0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    missing += found[i] != (whole.glyphIds[i] != rtg::Image::noGlyph || whole.colours[i] != 0u);
+  }
+  EXPECT_EQ(missing, 0u);
 }
 
 TEST_P(NeighborsTest, ShareOfSamplesThatAreAdded)

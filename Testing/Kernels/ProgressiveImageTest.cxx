@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <new>
 #include <string>
 #include <thread>
@@ -49,7 +50,7 @@ public:
     ++this->traces;
     if (settings.firstSample > 0 &&
       (!this->keeps || this->done != settings.firstSample || this->launchesLeft > 0 ||
-        this->last.features != settings.features || this->last.pixelStep != settings.pixelStep))
+        this->last.features != settings.features))
     {
       throw rtg::Error("cannot continue");
     }
@@ -63,6 +64,35 @@ public:
   {
     ++this->resumes;
     return this->Run(interrupt);
+  }
+
+  Image Preview(const ImageView& of, const rtg::TraceSettings& settings, const rtg::Interrupt& interrupt) override
+  {
+    this->previewStep = std::ceil(double(of.settings.width) / settings.width);
+    this->previewShading = settings.shading;
+    const double pixels = double(settings.width) * settings.height / (double(width) * height);
+    Image preview;
+    preview.complete = this->previewCompilingSeconds <= 0.0;
+    if (!preview.complete)
+    {
+      preview.share = 0.0f;
+      do
+      {
+        this->now += 0.02;
+        this->previewCompilingSeconds -= 0.02;
+      } while (!(interrupt && interrupt(0.0)) && this->previewCompilingSeconds > 0.0);
+      return preview;
+    }
+    ++this->previews;
+    for (int launch = 0; launch < 4 && preview.complete; ++launch)
+    {
+      this->now += 0.25 * pixels * this->secondsPerSample;
+      preview.complete = launch == 3 || !interrupt || !interrupt(0.25 * (launch + 1));
+    }
+    preview.width = settings.width;
+    preview.height = settings.height;
+    preview.colour = preview.traced = this->previewPixels.data();
+    return preview;
   }
 
   std::function<std::vector<std::uint32_t>()> Denoise(const Image&, std::stop_token stop) override
@@ -87,7 +117,6 @@ public:
 
   Image Run(const rtg::Interrupt& interrupt)
   {
-    const double step = this->last.pixelStep;
     bool stopped = false;
     while (this->compilingSeconds > 0.0 && !stopped)
     {
@@ -111,7 +140,7 @@ public:
         this->lost = true;
         throw rtg::Error("lost");
       }
-      this->now += 0.25 * this->secondsPerSample * this->last.samples / (step * step);
+      this->now += 0.25 * this->secondsPerSample * this->last.samples;
       --this->launchesLeft;
       stopped = interrupt && interrupt(1.0 - 0.25 * this->launchesLeft);
     }
@@ -122,7 +151,7 @@ public:
     image.share = 1.0f - 0.25f * this->launchesLeft;
     if (image.complete)
     {
-      this->rays += this->last.samples / (step * step);
+      this->rays += this->last.samples;
       this->done += this->last.samples;
       this->keeps = this->last.keepSums;
     }
@@ -133,9 +162,11 @@ public:
 
   bool noDevice = false, hasDevice = true, lost = false, sceneFails = false, traceFails = false, memoryFails = false,
        loseDevice = false;
-  double compilingSeconds = 0.0, secondsPerSample = 0.01, now = 0.0, rays = 0.0;
+  double compilingSeconds = 0.0, previewCompilingSeconds = 0.0, secondsPerSample = 0.01, now = 0.0, rays = 0.0;
   std::uint64_t bytes = 100;
-  int traces = 0, resumes = 0, denoisings = 0;
+  int traces = 0, resumes = 0, denoisings = 0, previews = 0;
+  double previewStep = 0.0;
+  rtg::Shading previewShading = rtg::Shading::PathTracing;
   std::chrono::duration<double> denoisingSeconds{ 0.0 };
   std::atomic<int> denoisingsStopped{ 0 };
   rtg::TraceSettings last;
@@ -144,6 +175,7 @@ private:
   std::uint32_t done = 0, launchesLeft = 0;
   bool keeps = false;
   std::vector<std::uint32_t> pixels = std::vector<std::uint32_t>(width * height, 7u);
+  std::vector<std::uint32_t> previewPixels = std::vector<std::uint32_t>(width * height, 5u);
 };
 
 ImageView View(rtg::Shading shading = rtg::Shading::AmbientOcclusion)
@@ -262,10 +294,9 @@ TEST_F(ProgressiveImageTest, ASampleThatTakesLongIsInterruptedAndGoneOnWith)
   // The stand-in's launches are a quarter of a sample long.
   EXPECT_LT(this->source.now - before, 5.5);
   const int updates = this->Finish(Window(2));
-  EXPECT_EQ(updates, 7);
+  EXPECT_EQ(updates, 8); // the first one has time for a preview only
   EXPECT_EQ(this->source.resumes, 6);
-  EXPECT_EQ(this->source.rays - int(this->source.rays),
-    this->source.rays - 2.0); // previews besides 2 samples
+  EXPECT_EQ(this->source.rays, 2.0);
 }
 
 TEST_F(ProgressiveImageTest, MoreSamplesAreAddedToAFinishedImage)
@@ -335,16 +366,19 @@ TEST_F(ProgressiveImageTest, AnotherViewBeginsAnew)
   changed("pass");
 }
 
-TEST_F(ProgressiveImageTest, APreviewIsCoarseAndOnce)
+TEST_F(ProgressiveImageTest, APreviewIsCoarseLocalAndOnce)
 {
   ImageEffort turning = Window(16);
   turning.preview = true;
   turning.pixelStep = 3;
   ASSERT_NE(this->Update(turning), nullptr);
-  EXPECT_EQ(this->source.last.pixelStep, 3u);
+  EXPECT_EQ(this->source.previewStep, 3.0);
+  EXPECT_EQ(this->source.previewShading, rtg::Shading::Local);
   EXPECT_EQ(this->image.GetState(), State::Growing);
+  const int previews = this->source.previews;
   this->Update(turning);
-  EXPECT_EQ(this->source.traces, 1);
+  EXPECT_EQ(this->source.previews, previews);
+  EXPECT_EQ(this->source.traces, 0);
   // A finished image is as good as a preview.
   this->Finish(Window(16));
   const int traces = this->source.traces;
@@ -354,7 +388,7 @@ TEST_F(ProgressiveImageTest, APreviewIsCoarseAndOnce)
 
 TEST_F(ProgressiveImageTest, APreviewOfCostlyGlyphsIsCoarser)
 {
-  this->source.secondsPerSample = 20.0;
+  this->source.secondsPerSample = 10.0;
   ImageEffort turning = Window(16);
   turning.preview = true;
   this->Update(turning);
@@ -362,7 +396,65 @@ TEST_F(ProgressiveImageTest, APreviewOfCostlyGlyphsIsCoarser)
   const double before = this->source.now;
   this->Update(turning);
   EXPECT_LT(this->source.now - before, 0.2);
-  EXPECT_GE(this->source.last.pixelStep, 8u);
+  EXPECT_GE(this->source.previewStep, 8.0);
+}
+
+// The first picture has half the resolution where that can be had in time, also when nothing is known of its cost; it
+// stays until all pixels have a sample.
+TEST_F(ProgressiveImageTest, APreviewStaysUntilThereIsASample)
+{
+  this->source.secondsPerSample = 0.3;
+  for (std::uint64_t content : { 1u, 2u })
+  {
+    this->view.content = content;
+    const double before = this->source.now;
+    ASSERT_NE(this->Update(Window(4)), nullptr);
+    EXPECT_LT(this->source.now - before, 0.2);
+    EXPECT_EQ(this->source.previewStep, 2.0);
+    ASSERT_EQ(this->image.Samples(), 0u);
+    const std::uint64_t version = this->image.Version();
+    int updates = 0;
+    for (; this->image.Samples() == 0; ++updates)
+    {
+      ASSERT_LT(updates, 10);
+      EXPECT_EQ(this->image.GetImage().colour[0], 5u);
+      EXPECT_EQ(this->image.Version(), version);
+      ASSERT_NE(this->Update(Window(4)), nullptr);
+    }
+    EXPECT_GT(updates, 1);
+    EXPECT_EQ(this->image.GetImage().colour[0], 7u);
+  }
+}
+
+// What was seen before other light was chosen shows more than a preview.
+TEST_F(ProgressiveImageTest, OtherLightHasNoPreview)
+{
+  this->source.secondsPerSample = 0.3;
+  this->Finish(Window(2));
+  const int previews = this->source.previews;
+  this->view.settings.shading = rtg::Shading::PathTracing;
+  int updates = 0;
+  for (; this->image.Samples() == 0 || updates == 0; ++updates)
+  {
+    ASSERT_LT(updates, 10);
+    ASSERT_NE(this->Update(Window(2)), nullptr);
+    EXPECT_EQ(this->image.HasPicture(), this->image.Samples() > 0);
+  }
+  EXPECT_GT(updates, 1);
+  EXPECT_EQ(this->source.previews, previews);
+  this->view.camera.eye.x += 1.0;
+  ASSERT_NE(this->Update(Window(2)), nullptr);
+  EXPECT_TRUE(this->image.HasPicture());
+  EXPECT_GT(this->source.previews, previews);
+}
+
+// The program of previews may be the one that lacks.
+TEST_F(ProgressiveImageTest, PreviewsThatAreCompiledHoldNothingUp)
+{
+  this->source.previewCompilingSeconds = 1e9;
+  const int updates = this->Finish(Window(8));
+  EXPECT_LT(updates, 20);
+  EXPECT_EQ(this->source.previews, 0);
 }
 
 TEST_F(ProgressiveImageTest, AnImageOfTheSceneFailsUntilItsContentChangesOrMemoryIsFreed)
@@ -485,27 +577,6 @@ TEST_F(ProgressiveImageTest, SomebodyStopsATraceAndItGoesOn)
   this->image.Update(this->source, this->view, Script(1), interrupt);
   EXPECT_EQ(this->image.GetState(), State::Finished);
   EXPECT_EQ(this->source.rays, 1.0);
-}
-
-// After a stopped sample and a stopped preview of the same view, the tracer's job is the preview's.
-TEST_F(ProgressiveImageTest, AStoppedPreviewIsNotGoneOnWithAsTheImage)
-{
-  const auto stop = [](double) { return true; };
-  for (const std::uint32_t samples : { 1u, 4u })
-  {
-    this->view.camera.eye.x += 1.0;
-    ImageEffort turning = Script(samples);
-    turning.preview = true;
-    turning.pixelStep = 8;
-    ASSERT_NE(this->image.Update(this->source, this->view, Script(samples), stop), nullptr);
-    ASSERT_NE(this->image.Update(this->source, this->view, turning, stop), nullptr);
-    ASSERT_EQ(this->source.last.pixelStep, 8u);
-    const double rays = this->source.rays;
-    ASSERT_NE(this->Update(Script(samples)), nullptr) << this->image.GetFailure().message;
-    EXPECT_EQ(this->image.GetState(), State::Finished);
-    EXPECT_EQ(this->source.last.pixelStep, 1u);
-    EXPECT_EQ(this->source.rays - rays, double(samples));
-  }
 }
 
 // A capture keeps no sums: what it has begun is no beginning of an image of more samples.

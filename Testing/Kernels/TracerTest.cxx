@@ -449,24 +449,6 @@ TEST_P(StructureTest, NearestAcrossSetsWins)
   }
 }
 
-TEST_F(TracerTest, CoarseImageRepeatsEveryNthPixel)
-{
-  this->AddSpheres(RandomPoints(200), 0.2f);
-  this->settings.width = 101; // not a multiple of the step
-  this->settings.pixelStep = 3;
-  const std::uint64_t before = this->tracer->GetStatistics().primaryRays;
-  const Image image = this->Trace();
-  for (std::size_t y = 0; y < 100; ++y)
-  {
-    for (std::size_t x = 0; x < 101; ++x)
-    {
-      ASSERT_EQ(image.colour[y * 101 + x], image.colour[y / 3 * 3 * 101 + x / 3 * 3]);
-    }
-  }
-  EXPECT_GT(Coverage(image), 0.1);
-  EXPECT_EQ(this->tracer->GetStatistics().primaryRays - before, 34u * 34u);
-}
-
 // Heads that keep their size take it from each arrow where there is no length of a unit arrow, in whichever array it
 // is.
 TEST_P(StructureTest, ArrowsOfOneSizeAreThoseOfThreeEqualOnes)

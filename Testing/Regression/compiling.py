@@ -1,4 +1,5 @@
-"""While programs are compiled the last picture stays, in front of and behind what ParaView draws; but not from another camera, nor in files.
+"""While programs are compiled the last picture stays, in front of and behind what ParaView draws, until there is a preview: at once, or
+when its program is there. Not in files.
 
 Usage: MESA_SHADER_CACHE_DISABLE=true pvpython compiling.py
 """
@@ -33,12 +34,15 @@ def finished(checks, view, shown, what):
     return accumulation.shown_by(view)
 
 
-def stays(checks, view, shown, what, before):
-    """The picture from before is there until there is another one, which differs; returns that when it is finished."""
+def stays(checks, view, shown, what, before, light=False):
+    """The picture from before is there until there is another one, which differs; returns that when it is finished.
+
+    light: nothing else has changed, and there are no previews.
+    """
     pictures = while_compiling(view, shown)
     print("%s: %d renders while programs were compiled" % (what, len(pictures)))
     checks.true("%s: no program was compiled" % what, bool(pictures))
-    for picture in pictures[:1] + pictures[-1:]:
+    for picture in pictures[:1] + (pictures[-1:] if light else []):
         checks.picture("%s: while programs are compiled" % what, picture, before)
     after = finished(checks, view, shown, what)
     checks.true("%s: the picture stays for good" % what, bool((after != before).any()))
@@ -61,7 +65,7 @@ def main():
     checks.covered("first picture", picture, 0.2)
 
     shown.ShadingMode = "Ambient Occlusion"
-    picture = stays(checks, view, shown, "other light", picture)
+    picture = stays(checks, view, shown, "other light", picture, light=True)
     shown.Opacity = 0.5
     picture = stays(checks, view, shown, "opacity", picture)
     shown.Opacity = 1.0
@@ -75,7 +79,7 @@ def main():
     session.look(view, (0.0, 0.0, 6.0))
     pictures = while_compiling(view, shown)
     checks.true("a second display: no program was compiled", bool(pictures))
-    for seen in pictures[:1] + pictures[-1:]:
+    for seen in pictures[:1]:
         checks.picture("a second display: while programs are compiled", seen, picture, pixels=0.001)
     pv.Hide(far, view)
     finished(checks, view, shown, "a second display")
@@ -86,7 +90,7 @@ def main():
     pictures = while_compiling(view, shown)
     checks.true("another camera: no program was compiled", bool(pictures))
     for seen in pictures[:1] + pictures[-1:]:
-        checks.covered("another camera: while programs are compiled", seen, 0.0, 0.0)
+        checks.covered("another camera: while programs are compiled", seen, 0.2)
     checks.covered("another camera", finished(checks, view, shown, "another camera"), 0.2)
 
     session.assign_shape(shown, "Box")

@@ -56,6 +56,18 @@ def screenshots(checks):
         pv.Delete(view)
 
 
+def after_many_tiles(checks):
+    """A screenshot of many tiles leaves the window's image the samples that it has."""
+    view, shown = balls("Ambient Occlusion", 64, 2)
+    session.look(view, (0.0, 0.0, 6.0))
+    while information(shown, "AccumulatedSamples") < 8:
+        pv.Render(view)
+    session.capture(view, "image-state-tiles", ImageResolution=[4 * side for side in SIZE])
+    pv.Render(view)
+    checks.within("samples after a screenshot of many tiles", information(shown, "AccumulatedSamples"), 10, 64)
+    pv.Delete(view)
+
+
 def out_of_sight(checks):
     """Glyphs behind the camera end the refinement; turned back they are refined again."""
     view, shown = balls("Ambient Occlusion", 8, 2)
@@ -123,6 +135,7 @@ def main():
     session.load()
     checks = Checks()
     screenshots(checks)
+    after_many_tiles(checks)
     out_of_sight(checks)
     two_passes(checks)
     other_samples(checks)

@@ -17,7 +17,7 @@ import session  # noqa: E402
 from checks import Checks, cloud, information, pending  # noqa: E402
 from window import Window, run, say  # noqa: E402
 
-QUALITIES = ("Fast", "Balanced", "Publication")
+QUALITIES = ("Fast", "Balanced", "Publication", "PathTracing", "Custom")
 BAR = "RayTracedGlyphs"
 #: samples that take long, and samples that do not
 MANY, FEW = 4000, 3
@@ -65,7 +65,7 @@ def quality(checks, window, bar, shown):
     was = "Custom"
     shown.SamplesPerPixel = 5
     pv.Render()
-    bar.waits(checks, "Custom", lambda: bar.pressed() == [] and bar.samples() == "5 of 5")
+    bar.waits(checks, "Custom", lambda: bar.pressed() == ["Custom"] and bar.samples() == "5 of 5")
     for name, samples in (("Fast", 4), ("Balanced", 32)):
         smtrace.start_trace()
         checks.true("%s cannot be pressed" % name, window.click(BAR + "/" + name))
@@ -87,7 +87,7 @@ def quality(checks, window, bar, shown):
         was = name
     shown.SamplesPerPixel = 6
     pv.Render()
-    bar.waits(checks, "Custom again", lambda: bar.pressed() == [] and " of 6" in bar.samples())
+    bar.waits(checks, "Custom again", lambda: bar.pressed() == ["Custom"] and " of 6" in bar.samples())
 
 
 def stopping(checks, window, bar, view, shown):
@@ -97,6 +97,10 @@ def stopping(checks, window, bar, view, shown):
     pv.Render(view)
     told = set()
     bar.waits(checks, "refining", lambda: told.add(bar.samples()) or len(told) >= 4)
+    bar.waits(checks, "time left", lambda: re.fullmatch(r"\d+ of %d, about \d+ (s|min|h) left" % MANY, bar.samples()))
+    window.wait(lambda: False, 0.0)
+    checks.true("the window's bar says '%s', the toolbar '%s'" % (window.text("ProgressBar"), bar.samples()),
+                window.wait(lambda: window.text("ProgressBar").startswith(bar.samples()), LIMIT))
     say("told: %s" % sorted(told))
     checks.true("nothing tells of %d: %s" % (MANY, told), any("of %d" % MANY in one for one in told))
     checks.true("refining: %s" % bar.enabled(), "Stop" in bar.enabled())
@@ -117,20 +121,29 @@ def views(checks, bar, view, shown):
     pv.SetActiveView(other)
     bar.waits(checks, "an empty view", lambda: bar.enabled() == [] and bar.pressed() == [] and not bar.samples())
     pv.SetActiveView(view)
-    bar.waits(checks, "back in the view", lambda: bar.enabled()[:3] == list(QUALITIES))
+    bar.waits(checks, "back in the view", lambda: bar.enabled()[:5] == list(QUALITIES))
     pv.Delete(other)
     shown.Visibility = 0
     pv.Render(view)
     bar.waits(checks, "hidden glyphs", lambda: bar.enabled() == [])
     shown.Visibility = 1
     pv.Render(view)
-    bar.waits(checks, "glyphs again", lambda: bar.enabled()[:3] == list(QUALITIES))
+    bar.waits(checks, "glyphs again", lambda: bar.enabled()[:5] == list(QUALITIES))
+    shown.RenderingQuality = "Fast"
+    source = shown.Input
+    pv.Delete(shown)
+    pv.Render(view)
+    bar.waits(checks, "no display", lambda: bar.enabled() == [])
+    shown = pv.Show(source, view)
+    shown.SetRepresentationType("Ray Traced Glyphs")
+    pv.Render(view)
+    bar.waits(checks, "another display", lambda: bar.pressed() == ["Fast"] and " of 4" in bar.samples())
     shown.SetRepresentationType("Surface")
     pv.Render(view)
     bar.waits(checks, "an ordinary surface", lambda: bar.enabled() == [])
     shown.SetRepresentationType("Ray Traced Surface")
     pv.Render(view)
-    bar.waits(checks, "a ray-traced surface", lambda: bar.enabled()[:3] == list(QUALITIES))
+    bar.waits(checks, "a ray-traced surface", lambda: bar.enabled()[:5] == list(QUALITIES))
 
 
 def main():

@@ -126,6 +126,7 @@ def quality(checks, view, shown):
                  ("RenderingQuality", "ShadingMode", "SamplesPerPixel", "Denoising")] for display in shown]
 
     meant = {"Fast": ["Fast", "Local", "4", "While Refining"], "Publication": ["Publication", "Ambient Occlusion", "256", "Never"],
+             "Path Tracing": ["Path Tracing", "Path Tracing", "64", "While Refining"],
              "Balanced": ["Balanced", "Ambient Occlusion", "32", "While Refining"]}
     for number, (name, values_of_it) in enumerate(meant.items()):
         shown[number % 2].RenderingQuality = name
