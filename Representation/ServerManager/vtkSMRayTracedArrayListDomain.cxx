@@ -94,13 +94,12 @@ double SpacingOf(vtkPVDataInformation* data)
   return axes > 0 && std::isfinite(spacing) ? spacing : 0.0;
 }
 
-// Of a display: what its glyphs are.
-bool HasArrows(vtkSMProxy* glyphs)
+// Of a display whether its glyphs are of that source.
+bool Has(vtkSMProxy* glyphs, const std::vector<std::string>& sources)
 {
   vtkSMProxy* source = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphType", /*quiet=*/true).GetAsProxy() : nullptr;
-  const char* type = source ? source->GetXMLName() : "";
-  const bool pointed = strcmp(type, "ArrowSource") == 0 || strcmp(type, "ConeSource") == 0;
-  return pointed && vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == 0;
+  const bool one = std::count(sources.begin(), sources.end(), source ? source->GetXMLName() : "") > 0;
+  return one && vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == 0;
 }
 }
 
@@ -140,8 +139,10 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
       return this->IsInDomain(name, listed) != 0;
     });
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
-  const bool arrows = HasArrows(glyphs);
-  const Role role = this->Choice == "direction" ? (arrows ? DIRECTION : ROTATION)
+  const bool arrows = Has(glyphs, { "ArrowSource", "ConeSource" });
+  // 3D Glyphs, which shares the property, takes no quaternions and matrices beside directions.
+  const bool shared = !glyphs || vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == 0;
+  const Role role = this->Choice == "direction" ? (shared ? DIRECTION : ROTATION)
     : this->Choice == "velocity"                ? VELOCITY
     : this->Choice == "tensor"                  ? TENSOR
     : this->Choice == "harmonics"               ? HARMONICS
