@@ -159,8 +159,19 @@ void rtglyphs::RayTracedGlyphDefaults::Choose(vtkSMProxy* glyphs)
   vtkSMSessionProxyManager* proxies = glyphs->GetSessionProxyManager();
   if (!ShowsGlyphs(display))
   {
+    // 3D Glyphs takes no matrices, and quaternions in one mode only.
+    this->Choosing = true;
+    for (const char* name : sharedArrays)
+    {
+      if (this->Shown && !this->Chosen.count(name))
+      {
+        display->GetProperty(name)->ResetToDomainDefaults();
+      }
+    }
+    this->Choosing = this->Shown = false;
     return;
   }
+  this->Shown = true;
   if (proxies && proxies->GetInLoadXMLState())
   {
     this->Chosen = defaultedAnew; // states say all

@@ -51,6 +51,7 @@ private:
   void ListArrays(vtkSMProxy* glyphs);
 
   std::set<std::string> Chosen; // properties that the user or a script has set
+  bool Shown = false;           // as ray-traced glyphs
   bool InView = false;          // else the display is being made
   bool Choosing = false;        // by this class
 };

@@ -132,7 +132,9 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
     });
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
   const bool arrows = AreArrows(glyphs);
-  const Role role = this->Choice == "direction" ? (arrows ? DIRECTION : ROTATION)
+  // 3D Glyphs, which shares the property, takes no quaternions and matrices beside directions.
+  const bool shared = !glyphs || vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == 0;
+  const Role role = this->Choice == "direction" ? (shared ? DIRECTION : ROTATION)
     : this->Choice == "velocity"                ? VELOCITY
     : this->Choice == "tensor"                  ? TENSOR
     : this->Choice == "harmonics"               ? HARMONICS

@@ -41,11 +41,11 @@ CASES = (
     # As Stream Tracer makes them
     ("p:1 U:3 Vorticity:3 Normals:3=Vectors", "U U None U"),
     ("Vorticity:3 Normals:3=Vectors", "Vorticity Normals None None"),
-    ("orientations:9 stress:6", "None orientations stress None"),
-    ("rotation:9", "None rotation None None"),
+    ("orientations:9 stress:6", "None None stress None"),
+    ("rotation:9", "None None None None"),
     ("a:9 strain:9 b:9", "None None strain None"),
     ("a:9 strain:9 b:9=Tensors", "None None b None"),
-    ("rotation:9 thing:6", "None rotation thing None"),
+    ("rotation:9 thing:6", "None None thing None"),
 )
 
 

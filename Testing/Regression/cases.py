@@ -298,7 +298,7 @@ ROWS = (
         {"SelectOrientationVectors": "vectors_xyz", "SelectScaleArray": "vectors_xyz"}),
     # Bodies are turned by what turns them
     Row("bodies with quaternions", lambda: session.poly_data(
-        grid(4, 4, 4), v=RANDOM.normal(size=(64, 3)), quat=RANDOM.normal(size=(64, 4)), shape=numpy.ones((64, 3))), {"GlyphType": "Box"},
+        grid(4, 4, 4), v=RANDOM.normal(size=(64, 3)), quat=RANDOM.normal(size=(64, 4)), shape=numpy.ones((64, 3))), {"GlyphShape": "Capsule"},
         {"SelectOrientationVectors": "quat"}, glyphs=64),
     Row("bodies with matrices", lambda: attributes(session.poly_data(
         grid(4, 4, 4), v=RANDOM.normal(size=(64, 3)), TENSOR=numpy.tile(numpy.eye(3).reshape(-1), (64, 1))), Vectors="v"),
