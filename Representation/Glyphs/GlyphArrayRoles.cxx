@@ -33,7 +33,7 @@ const Meaning meanings[] = {
   { { "smoothing*", "size*", "length*", "shape*", "scale*", "dimension*", "extent*", " h" },
     { 0, 0, 70, 16, 0, 0, 0 } },
   { { "id", "ids", "type*", "material*", "block*", "index", "label*", "rank*", "process*", "proc", "ghost*", "vtk*",
-      "mol", "molecule*", "element*", "group*", "mask*", "flag*", "status*", "state*", "is", "image*", "period*" },
+      "mol", "molecule*", "element*", "group*", "mask*", "flag*", "status*", "state*", "is", " image", "period*" },
     {} },
   { { "angle*", "euler*", "position*", "pos", "coord*", "location*", "point*", " xyz" }, {} },
   { { "quat*", "q", "rot", "rotation*", "matrix", "axes", "frame", "basis", "transform*" },

@@ -8,6 +8,7 @@
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMInputArrayDomain.h"
+#include "vtkRayTracedGlyphRepresentation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -132,9 +133,11 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
     });
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
   const bool arrows = AreArrows(glyphs);
-  // 3D Glyphs, which shares the property, takes no quaternions and matrices beside directions.
-  const bool shared = !glyphs || vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == 0;
-  const Role role = this->Choice == "direction" ? (shared ? DIRECTION : ROTATION)
+  // Shapes that 3D Glyphs lacks: it shares the property, and takes no quaternions and matrices beside directions.
+  using Shapes = vtkRayTracedGlyphRepresentation;
+  const int shape = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() : 0;
+  const bool body = shape == Shapes::CAPSULE || shape == Shapes::SUPERQUADRIC || shape == Shapes::NESTED_SUPERQUADRIC;
+  const Role role = this->Choice == "direction" ? (body ? ROTATION : DIRECTION)
     : this->Choice == "velocity"                ? VELOCITY
     : this->Choice == "tensor"                  ? TENSOR
     : this->Choice == "harmonics"               ? HARMONICS
