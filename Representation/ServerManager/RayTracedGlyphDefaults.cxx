@@ -159,11 +159,12 @@ void rtglyphs::RayTracedGlyphDefaults::Choose(vtkSMProxy* glyphs)
   vtkSMSessionProxyManager* proxies = glyphs->GetSessionProxyManager();
   if (!ShowsGlyphs(display))
   {
-    // 3D Glyphs takes no matrices, and quaternions in one mode only.
+    // Capsules and superquadrics are turned by matrices and quaternions, which 3D Glyphs does not take beside directions.
+    const bool own = this->Shown && vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt() != 0;
     this->Choosing = true;
     for (const char* name : sharedArrays)
     {
-      if (this->Shown && !this->Chosen.count(name))
+      if (own && !this->Chosen.count(name))
       {
         display->GetProperty(name)->ResetToDomainDefaults();
       }
