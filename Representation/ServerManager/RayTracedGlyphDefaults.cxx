@@ -159,7 +159,8 @@ void rtglyphs::RayTracedGlyphDefaults::Choose(vtkSMProxy* glyphs)
   vtkSMSessionProxyManager* proxies = glyphs->GetSessionProxyManager();
   if (!ShowsGlyphs(display))
   {
-    // Capsules and superquadrics are turned by matrices and quaternions, which 3D Glyphs does not take beside directions.
+    // Capsules and superquadrics are turned by matrices and quaternions, which 3D Glyphs does not take beside
+    // directions.
     const bool own = this->Shown && vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt() != 0;
     this->Choosing = true;
     for (const char* name : sharedArrays)

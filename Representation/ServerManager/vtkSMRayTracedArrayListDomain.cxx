@@ -125,7 +125,7 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
   auto* domain = input ? vtkSMInputArrayDomain::SafeDownCast(input->GetDomain(this->InputDomainName)) : nullptr;
   vtkPVDataSetAttributesInformation* attributes =
     data && domain ? data->GetAttributeInformation(domain->GetAttributeType()) : nullptr;
-  const std::vector<Array> arrays = ArraysOf(attributes,
+  std::vector<Array> arrays = ArraysOf(attributes,
     [this](const char* name)
     {
       unsigned int listed = 0;
@@ -137,6 +137,12 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
   using Shapes = vtkRayTracedGlyphRepresentation;
   const int shape = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() : 0;
   const bool body = shape == Shapes::CAPSULE || shape == Shapes::SUPERQUADRIC || shape == Shapes::NESTED_SUPERQUADRIC;
+  if (this->Choice == "direction" && shape != 0 && !body)
+  {
+    // Tensors and polynomials are given in the data's frame.
+    arrays.erase(std::remove_if(arrays.begin(), arrays.end(), [](const Array& array) { return array.Components > 3; }),
+      arrays.end());
+  }
   const Role role = this->Choice == "direction" ? (body ? ROTATION : DIRECTION)
     : this->Choice == "velocity"                ? VELOCITY
     : this->Choice == "tensor"                  ? TENSOR

@@ -245,12 +245,17 @@ def parts(window, view, reader, shown):
     pv.Render(view)
     window.wait(lambda: window.trigger("Clip"), 20)
     window.wait(lambda: any(name.startswith("Clip") for name, _ in pv.GetSources()), 20)
-    applied = window.wait(lambda: window.click("propertiesPanel/Accept"), 20)
     found = {}
 
-    def same():
+    def display():
         clips = [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("Clip")]
-        part = pv.GetRepresentation(clips[0], view) if clips else None
+        return pv.GetRepresentation(clips[0], view) if clips else None
+
+    # The button has no effect until the panel has noticed the filter.
+    applied = window.wait(lambda: window.click("propertiesPanel/Accept") and display(), 20)
+
+    def same():
+        part = display()
         found.update({name: part.GetPropertyValue(name) for name in ("Representation", *set_before)} if part else {})
         return part and all(str(found[name]).strip("'") == str(value) for name, value in {"Representation": session.REPRESENTATION, **set_before}.items()) \
             and part.GlyphType.Height == 2.0 and part.GlyphType.SMProxy.GetXMLName() == "ConeSource" and not shown.Visibility
