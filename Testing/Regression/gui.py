@@ -243,13 +243,14 @@ def parts(window, view, reader, shown):
     shown.GlyphType.Height = 2.0
     pv.SetActiveSource(reader)
     pv.Render(view)
-    window.wait(lambda: window.trigger("Clip"), 20)
-    window.wait(lambda: any(name.startswith("Clip") for name, _ in pv.GetSources()), 20)
+    made = window.wait(lambda: window.trigger("Clip"), 20) and \
+        window.wait(lambda: any(name.startswith("Clip") for name, _ in pv.GetSources()), 20)
     found = {}
 
     def display():
+        # A busy window may have heard twice.
         clips = [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("Clip")]
-        return pv.GetRepresentation(clips[0], view) if clips else None
+        return next((found for found in (pv.GetRepresentation(clip, view) for clip in clips) if found), None)
 
     # The button has no effect until the panel has noticed the filter.
     applied = window.wait(lambda: window.click("propertiesPanel/Accept") and display(), 20)
@@ -260,7 +261,8 @@ def parts(window, view, reader, shown):
         return part and all(str(found[name]).strip("'") == str(value) for name, value in {"Representation": session.REPRESENTATION, **set_before}.items()) \
             and part.GlyphType.Height == 2.0 and part.GlyphType.SMProxy.GetXMLName() == "ConeSource" and not shown.Visibility
     if not applied or not window.wait(same, 20):
-        failures.append("a clip of glyphs has %s; its source is %s" % (found, "shown" if shown.Visibility else "hidden"))
+        failures.append("a clip of glyphs (made: %s, applied: %s) has %s; its source is %s" % (
+            bool(made), bool(applied), found, "shown" if shown.Visibility else "hidden"))
     for proxy in [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("Clip")]:
         pv.Delete(proxy)
     pv.SetActiveSource(reader)
