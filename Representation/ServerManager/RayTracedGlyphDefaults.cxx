@@ -118,12 +118,6 @@ void rtglyphs::RayTracedGlyphDefaults::Follow(vtkSMProxy* glyphs, const std::str
     this->ListArrays(glyphs);
     this->ChooseArrays(glyphs, Where::Lost);
   }
-  if (name == "SelectOrientationVectors" && this->InView && !this->Choosing &&
-    !this->Chosen.count("SelectScaleArray") && vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 &&
-    vtkSMRayTracedArrayListDomain::AreArrows(glyphs))
-  {
-    this->ChooseArray(glyphs, "SelectScaleArray"); // the lengths of arrows follow their direction
-  }
   // While the display is made ParaView changes them, and what another client sets comes with its ScaleFactorFromData.
   if (this->Choosing || !this->InView || rtglyphs::RayTracedSuggestion::IsTaking() ||
     glyphs->GetSession()->IsProcessingRemoteNotification())

@@ -94,6 +94,15 @@ double SpacingOf(vtkPVDataInformation* data)
   const double spacing = std::pow(volume / std::max<double>(1.0, data->GetNumberOfPoints()), 1.0 / std::max(axes, 1));
   return axes > 0 && std::isfinite(spacing) ? spacing : 0.0;
 }
+
+// Of a display whether its glyphs, arrows or cones, follow directions.
+bool AreArrows(vtkSMProxy* glyphs)
+{
+  vtkSMProxy* source = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphType", /*quiet=*/true).GetAsProxy() : nullptr;
+  const char* type = source ? source->GetXMLName() : "";
+  const bool pointed = strcmp(type, "ArrowSource") == 0 || strcmp(type, "ConeSource") == 0;
+  return pointed && vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == 0;
+}
 }
 
 //----------------------------------------------------------------------------
@@ -160,15 +169,6 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
     return vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString();
   }
   return rtglyphs::GlyphArrayRoles::Choose(role, arrays, data ? SpacingOf(data) : 0.0);
-}
-
-//----------------------------------------------------------------------------
-bool vtkSMRayTracedArrayListDomain::AreArrows(vtkSMProxy* glyphs)
-{
-  vtkSMProxy* source = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphType", /*quiet=*/true).GetAsProxy() : nullptr;
-  const char* type = source ? source->GetXMLName() : "";
-  const bool pointed = strcmp(type, "ArrowSource") == 0 || strcmp(type, "ConeSource") == 0;
-  return pointed && vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() == 0;
 }
 
 //----------------------------------------------------------------------------

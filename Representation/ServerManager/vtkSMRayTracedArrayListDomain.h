@@ -15,7 +15,6 @@
 #include <string>
 
 class vtkPVDataSetAttributesInformation;
-class vtkSMProxy;
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedArrayListDomain : public vtkSMArrayListDomain
 {
@@ -27,12 +26,6 @@ public:
   int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override;
 
 #ifndef __VTK_WRAP__
-  /**
-   * Whether the glyphs' GlyphType is an arrow, which is as long as its direction's array says where nothing else is
-   * chosen.
-   */
-  static bool AreArrows(vtkSMProxy* glyphs);
-
   /**
    * Whether there is what `direction` or `tensor` would choose, whatever the list.
    */
