@@ -16,7 +16,7 @@ namespace rtg
 std::vector<std::uint32_t> DenoiseTask::operator()()
 {
   Stopwatch watch;
-  const bool linear = TraitsOf(this->settings_).scatters;
+  const bool linear = TraitsOf(this->settings_).linear;
   if (linear)
   {
     std::transform(

@@ -116,4 +116,25 @@ EnvironmentCells MakeEnvironmentCells(const EnvironmentImage& image)
   return result;
 }
 
+glm::vec3 MeanRadiance(const EnvironmentImage& image, const glm::vec3& normal)
+{
+  const glm::dvec3 front = glm::cross(image.right, image.up);
+  glm::dvec3 sum(0.0);
+  for (std::uint32_t row = 0; row < image.height; ++row)
+  {
+    const double sine = 0.5 * (SineOf(row, image.height) + SineOf(row + 1, image.height));
+    const double cosine = std::sqrt(std::max(1.0 - sine * sine, 0.0));
+    const double share = (SineOf(row + 1, image.height) - SineOf(row, image.height)) * 2.0 / image.width;
+    for (std::uint32_t column = 0; column < image.width; ++column)
+    {
+      const double longitude = ((column + 0.5) / image.width - 0.5) * 2.0 * glm::pi<double>();
+      const glm::dvec3 direction = cosine * (std::cos(longitude) * glm::dvec3(image.right) + std::sin(longitude) * front) +
+        sine * glm::dvec3(image.up);
+      const double facing = std::max(glm::dot(direction, glm::dvec3(normal)), 0.0);
+      sum += share * facing * glm::dvec3(image.radiance[std::size_t(row) * image.width + column]);
+    }
+  }
+  return sum;
+}
+
 } // namespace rtg

@@ -45,12 +45,14 @@ std::uint32_t LayersThatShow(const device::GlyphSetRecord& record)
 
 } // namespace
 
-const ShadingTraits& TraitsOf(const TraceSettings& settings)
+ShadingTraits TraitsOf(const TraceSettings& settings)
 {
 #define RTG_TRAITS(number, Name, program, ...) { __VA_ARGS__ },
   static constexpr ShadingTraits traits[] = { RTG_SHADINGS(RTG_TRAITS) };
 #undef RTG_TRAITS
-  return traits[static_cast<std::size_t>(settings.shading)];
+  ShadingTraits result = traits[static_cast<std::size_t>(settings.shading)];
+  result.scatters |= settings.shadows;
+  return result;
 }
 
 void Split(const glm::dvec3& exact, glm::vec3& high, glm::vec3& low)
@@ -99,6 +101,8 @@ std::vector<device::LightRecord> MakeLights(const std::vector<Light>& lights, co
     record.cosCone = light.coneAngle < 90.0f ? std::cos(glm::radians(light.coneAngle)) : -2.0f;
     record.exponent = light.exponent;
     record.spread = light.kind == Light::Kind::Directional ? 1.0f - std::cos(glm::radians(light.angularRadius)) : 0.0f;
+    record.radius = light.kind == Light::Kind::Positional ? light.radius : 0.0f;
+    record.casts = light.castsShadow && light.kind != Light::Kind::Headlight;
     records.push_back(record);
   }
   return records;
@@ -131,6 +135,9 @@ void CheckSettings(const TraceSettings& settings)
   check("the lights' fraction", settings.lightFraction, 0.0f, 1.0f);
   check("the albedo limit", settings.albedoLimit, 1e-3f, 1.0f);
   check("the exposure", settings.exposure, -100.0f, 100.0f);
+  const float groundNormal = glm::length(settings.groundNormal);
+  check("the length of the ground's normal", groundNormal, groundNormal > 0.0f ? 0.999f : 0.0f, 1.001f);
+  check("the ground's height", std::abs(settings.groundHeight), 0.0, double(FLT_MAX));
   check("the number of shares", settings.shares, 1u, maxShares);
   check("the share", settings.share, 0u, settings.shares - 1u);
   if (settings.shares > 1 && settings.features)
@@ -146,10 +153,10 @@ void CheckSettings(const TraceSettings& settings)
 
 bool Develops(const TraceSettings& settings)
 {
-  return TraitsOf(settings).scatters || settings.exposure != 0.0f || settings.toneMapping != ToneMapping::None;
+  return TraitsOf(settings).linear || settings.exposure != 0.0f || settings.toneMapping != ToneMapping::None;
 }
 
-void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
+void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, const glm::dvec3& origin)
 {
   frame.width = settings.width;
   frame.height = settings.height;
@@ -159,6 +166,10 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
   frame.albedoLimit = settings.albedoLimit;
   frame.occlusionRadius = settings.occlusionRadius > 0.0f ? settings.occlusionRadius : 1e38f;
   frame.branches = Branches(settings);
+  frame.groundNormal = settings.groundNormal;
+  frame.groundHeight = static_cast<float>(settings.groundHeight - glm::dot(glm::dvec3(settings.groundNormal), origin));
+  // The mean of 1 + s.d about a normal n, by the cosine, is 1 + 2/3 s.n.
+  frame.groundSky = frame.environment * (1.0f + 2.0f / 3.0f * glm::dot(settings.skySlope, settings.groundNormal));
   frame.maximumBounces = settings.maximumBounces;
   frame.develops = Develops(settings);
   frame.exposureFactor = std::exp2(settings.exposure);
@@ -169,12 +180,17 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings)
 Specialization SpecializationFor(const TraceSettings& settings)
 {
   Specialization specialization;
-  specialization.program = static_cast<std::uint32_t>(settings.shading);
-  const ShadingTraits& traits = TraitsOf(settings);
+  const ShadingTraits traits = TraitsOf(settings);
+  // Local shading that asks for lights is ambient occlusion that does not ask for the sky.
+  const bool asks = settings.shadows && settings.shading == Shading::Local;
+  specialization.program = static_cast<std::uint32_t>(asks ? Shading::AmbientOcclusion : settings.shading);
   Constants& constants = specialization.constants;
   constants.independentSamples = settings.independentSamples && traits.scatters;
   constants.gathersFeatures = settings.features;
   constants.environmentImage = settings.environmentImage && traits.environmentImage;
+  constants.shadows = settings.shadows && settings.shading != Shading::PathTracing;
+  constants.sky = settings.shading == Shading::AmbientOcclusion;
+  constants.ground = traits.scatters && settings.groundNormal != glm::vec3(0.0f);
   return specialization;
 }
 

@@ -24,7 +24,7 @@ void Split(const glm::dvec3& exact, glm::vec3& high, glm::vec3& low);
 void FillCamera(device::FrameRecord& frame, const Camera& camera, const glm::dvec3& origin);
 std::vector<device::LightRecord> MakeLights(const std::vector<Light>& lights, const glm::dvec3& origin);
 /// But for samples, which are those of one dispatch, and times.
-void FillSettings(device::FrameRecord& frame, const TraceSettings& settings);
+void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, const glm::dvec3& origin);
 
 /// The program for these settings, but for what the scene and the pass say.
 Specialization SpecializationFor(const TraceSettings& settings);

@@ -236,7 +236,9 @@ struct Light
   glm::vec3 attenuation{ 1, 0, 0 }; ///< constant, linear, quadratic
   float coneAngle = 180.0f;         ///< half angle in degrees; 90 or more: no spot
   float exponent = 1.0f;            ///< spot fall-off
-  float angularRadius = 0.0f;       ///< of Directional, in degrees, [0, 90]: path tracing gives its shadows soft edges
+  float angularRadius = 0.0f;       ///< of Directional, in degrees, [0, 90]: its shadows have soft edges
+  float radius = 0.0f;              ///< of Positional, world units, >= 0: likewise
+  bool castsShadow = true; ///< with TraceSettings::shadows; a headlight never does, with path tracing every other does
 
   bool operator==(const Light&) const = default;
 };

@@ -97,7 +97,9 @@ struct LightRecord
   vec3 attenuation;
   float cosCone; // cosine of the half angle; -2: no spot
   float exponent;
-  float spread; // 1 - cosine of the angular radius
+  float spread; // 1 - cosine of the angular radius of a directional one
+  float radius; // of a positional one
+  uint casts;   // shadows
 };
 
 struct ProbeRecord
@@ -231,6 +233,10 @@ struct FrameRecord
   float lightFraction; // occlusion: of the light on a surface, that of the view's lights
   float albedoLimit;
   float occlusionRadius;
+  // The ground (Shading/Ground.glsl)
+  vec3 groundNormal;  // unit
+  float groundHeight; // along it, relative to the scene's origin
+  vec3 groundSky;     // light from all around that arrives there, as that of the sky's mean radiance
   uint branches; // of a sample at its first hit: occlusion rays or paths
   uint maximumBounces;
   // An environment image (Shading/Environment.glsl), when the program has one

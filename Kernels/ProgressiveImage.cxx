@@ -243,6 +243,7 @@ void ProgressiveImage::Preview(const Request& request)
   const TraceSettings& whole = this->view_.settings;
   TraceSettings settings = whole;
   settings.shading = Shading::Local;
+  settings.shadows = false;
   settings.plannedSamples = this->planned_;
   // It is quick: each process that traces a share of the image traces all of it.
   settings.share = 0;

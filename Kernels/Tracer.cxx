@@ -119,7 +119,7 @@ device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Ca
 {
   device::FrameRecord frame{};
   FillCamera(frame, camera, scene.origin);
-  FillSettings(frame, settings);
+  FillSettings(frame, settings, scene.origin);
   const std::vector<device::LightRecord> records = MakeLights(lights, scene.origin);
   frame.lightCount = static_cast<std::uint32_t>(records.size());
   if (records.size() <= device::FEW_LIGHTS)
@@ -179,7 +179,7 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
     begun.frame.sharedTimeBits = SharedTimeBits(settings, scene.placedTimeSliceBits);
     FillTimeStrata(begun.frame, settings);
   }
-  const ShadingTraits& traits = TraitsOf(settings);
+  const ShadingTraits traits = TraitsOf(settings);
   // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
   constants.layered = pass == Pass::Translucent && traits.layers;
   constants.translucency = traits.scatters && translucentScene;

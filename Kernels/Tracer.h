@@ -87,6 +87,13 @@ struct TraceSettings
   /// Path tracing: the light from all around is this image's, times environmentColour and lightIntensity; null: it is
   /// the same from everywhere. Not to be changed afterwards: another image is another object.
   std::shared_ptr<const EnvironmentImage> environmentImage;
+  /// Local shading and ambient occlusion: lights that cast shadows do; path tracing's always do.
+  bool shadows = false;
+  /// A plane that shows nothing but the share of its light that something keeps from it: ambient occlusion's and path
+  /// tracing's, and that of shadows. It is seen from the side to which its normal (unit) points, behind all else; zero:
+  /// there is none.
+  glm::vec3 groundNormal{ 0.0f };
+  double groundHeight = 0.0; ///< along the normal, world coordinates
   float occlusionRadius = 0.0f; ///< world units, from how far things occlude; 0: from everywhere
   /// Ambient occlusion: directions that each sample asks for light, 1 to 64; powers of two are spread best. Among small
   /// glyphs the light differs more from direction to direction than the place in the pixel matters, and asking costs
@@ -117,11 +124,11 @@ struct TraceSettings
 /// What images of a shading have in common: Shading/List.h.
 struct ShadingTraits
 {
-  bool scatters, layers, environmentImage;
+  bool scatters, linear, layers, environmentImage;
   std::uint32_t TraceSettings::*rays; ///< null: one
   int atOnce;
 };
-const ShadingTraits& TraitsOf(const TraceSettings& settings);
+ShadingTraits TraitsOf(const TraceSettings& settings);
 
 /// Asked some twenty times a second while an image is traced, with the share of the work that is done, in [0, 1]; true:
 /// stop.

@@ -93,7 +93,14 @@ void TracerResources::PrepareEnvironment(const TraceSettings& settings, device::
     this->environmentCellBuffer_ = Buffer();
     this->environmentCellBuffer_ = Send(vulkan, this->environmentCells_.cells);
     this->environment_ = settings.environmentImage;
+    this->groundNormal_ = glm::vec3(0.0f);
   }
+  if (this->groundNormal_ != settings.groundNormal)
+  {
+    this->groundNormal_ = settings.groundNormal;
+    this->groundMean_ = MeanRadiance(image, settings.groundNormal);
+  }
+  frame.groundSky = frame.environment * this->groundMean_;
   frame.environmentTexels = this->environmentTexels_.Address();
   frame.environmentSize = { image.width, image.height };
   frame.environmentThreshold = this->environmentCells_.threshold;

@@ -50,9 +50,10 @@ public:
 
 private:
   std::vector<std::unique_ptr<UsedProgram>> used_;      ///< newest last
-  std::shared_ptr<const EnvironmentImage> environment_; ///< that the next three are made from
+  std::shared_ptr<const EnvironmentImage> environment_; ///< that the next four are made from
   EnvironmentCells environmentCells_;
   Buffer environmentTexels_, environmentCellBuffer_;
+  glm::vec3 groundNormal_{ 0.0f }, groundMean_{ 0.0f }; ///< its light on a surface with that normal
 };
 
 } // namespace rtg

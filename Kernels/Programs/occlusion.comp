@@ -1,9 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Ambient occlusion: a surface reflects what reaches it of the sky's light, and a part of it is lit by the view's
-// lights, which nothing is in the way of. Each sample looks for the sky in several directions, with a density in
-// proportion to the cosine. After Zellmann et al., "High-Quality Rendering of Glyphs Using Hardware-Accelerated Ray
-// Tracing", EGPGV 2020, who darken all light; that makes clutter black.
+// lights. Each sample looks for the sky in several directions, with a density in proportion to the cosine. After
+// Zellmann et al., "High-Quality Rendering of Glyphs Using Hardware-Accelerated Ray Tracing", EGPGV 2020, who darken
+// all light; that makes clutter black.
+// With `shadows` each sample asks once for each light that casts any whether something is in its way. Local shading
+// with shadows is this program without `sky`: lights add up as display colors then.
 #include "bindings.glsl"
 #include "trace.glsl"
 #include "pixel.glsl"
@@ -11,6 +13,58 @@
 #include "../Shading/Frame.glsl"
 #include "../Shading/Local.glsl"
 #include "../Shading/Reflection.glsl"
+#include "../Shading/Ground.glsl"
+
+// The numbers of the rays towards lights: beyond those of all layers.
+const uint eventLight = 0x400000u;
+
+// Light of the view's lights as this program adds it up.
+vec3 Linear(const vec3 shown)
+{
+  return sky ? DisplayToLinear(shown) : shown;
+}
+
+// A surface whose lights are asked one after the other.
+struct Asking
+{
+  uint light; // the next; frame.lightCount: none is left
+  LocalLight sum;
+  vec3 position;
+  vec3 normal;
+  vec3 toViewer;
+  float power;
+  // The way to a place of it.
+  vec3 aim;
+  float distance;
+};
+
+// Adds lights that cast no shadows here, up to the first that may.
+void NextLight(inout Asking asking, const vec2 u)
+{
+  bool found = false;
+  while (asking.light < frame.lightCount && !found)
+  {
+    LightRecord light = LightAt(asking.light);
+    Incidence at = ArriveAt(light, asking.position);
+    found = light.casts != 0u && at.attenuation * dot(asking.normal, -at.direction) > 0.0;
+    if (found)
+    {
+      asking.aim = AimAtLight(light, at, u, asking.distance);
+    }
+    else
+    {
+      AddLight(asking.sum, light, at, asking.normal, asking.toViewer, asking.power);
+      ++asking.light;
+    }
+  }
+}
+
+// Adds the light that was asked for.
+void AddAskedLight(inout Asking asking)
+{
+  LightRecord light = LightAt(asking.light);
+  AddLight(asking.sum, light, ArriveAt(light, asking.position), asking.normal, asking.toViewer, asking.power);
+}
 
 void main()
 {
@@ -24,22 +78,38 @@ void main()
   SampleNumber number;
   Layers layers;
   bool begins = true; // a sample
-  // The layer that is asked about, and how many of its rays are still to be traced.
+  // The layer that is asked about, and how many of its rays towards the sky are still to be traced.
   SurfaceHit hit = NoHit();
   vec3 colour, reflected, x, y; // `reflected`: of the sky's light
   DoubleWord3 start;
   uint left = 0u;
-  vec3 sky;
+  vec3 arrived; // of the sky's light
   float weight;
+  // Of its lights: what they bring is shown times `lightScale`.
+  Asking asking;
+  asking.light = frame.lightCount;
+  bool adds = false;
+  vec3 ambient;
+  float lightScale;
+  // The ground: its light, and what something keeps from it.
+  bool onGround = false;
+  vec3 all, missing;
 
   // One ray a turn, of whatever kind: lanes of a CPU device that have no occlusion rays to trace go on with the next
   // sample instead of waiting for the others, and the traversal is in the program once.
   for (uint s = frame.firstSample; s < frame.firstSample + frame.samples;)
   {
     Query query;
-    if (left > 0u)
+    bool asksLight = shadows && asking.light < frame.lightCount;
+    bool asksSky = !asksLight && left > 0u;
+    if (asksLight)
     {
-      uint layer = layers.count - 1u;
+      query = ShadowQuery(start, OutOfSurface(hit, asking.aim), asking.distance,
+        SeedOf(number, eventLight + maximumLayers * asking.light + layers.count));
+    }
+    else if (asksSky)
+    {
+      uint layer = layers.count - (onGround ? 0u : 1u);
       // Those of one sample follow each other in the sequence: a power of two of them is spread evenly.
       SampleNumber own = SampleNumber(position, (s + 1u) * frame.branches - left);
       vec3 to = CosineDirection(SamplePair(own, PairOf(layer, pairDirection)));
@@ -61,15 +131,25 @@ void main()
       query = LayerQuery(layers);
     }
 
-    SurfaceHit found = Trace(query, layered && left == 0u);
+    SurfaceHit found = Trace(query, layered && !asksLight && !asksSky);
 
-    if (left > 0u)
+    if (asksLight)
     {
-      sky += found.t < 0.0 ? SkyRadiance(query.ray.direction) : vec3(0.0);
+      if (found.t < 0.0)
+      {
+        AddAskedLight(asking);
+      }
+      ++asking.light;
+    }
+    else if (asksSky)
+    {
+      vec3 light = SkyRadiance(query.ray.direction);
+      arrived += found.t < 0.0 ? light : vec3(0.0);
+      missing += found.t < 0.0 ? vec3(0.0) : light * ((1.0 - frame.lightFraction) / float(frame.branches));
       --left;
       if (left == 0u)
       {
-        colour += reflected * (sky / float(frame.branches));
+        colour += reflected * (arrived / float(frame.branches));
       }
     }
     else if (TakeLayer(layers, found))
@@ -82,20 +162,40 @@ void main()
         Identify(pixel, s, depth, hit.record, hit.glyph);
         AddFeatures(position, s, hit.shadingNormal, hit.colour.rgb, depth);
       }
-      colour = EmissionOfHit(hit);
+      ambient = sky ? vec3(0.0) : AmbientOf(hit);
+      colour = sky ? EmissionOfHit(hit) : vec3(0.0);
       weight = WeightOfLayer(layers, hit);
-      if (SetRecord(hit.record).lighting != 0u)
+      GlyphSetRecord set = SetRecord(hit.record);
+      if (set.lighting != 0u)
       {
-        vec3 albedo = SetRecord(hit.record).diffuse * DisplayToLinear(hit.colour.rgb);
+        vec3 albedo = set.diffuse * DisplayToLinear(hit.colour.rgb);
         float scale = AlbedoScale(hit, albedo);
-        vec3 lit = ShadeLocal(hit, layers.ray.origin.hi + hit.t * direction, direction, vec3(0.0));
-        colour += (frame.lightFraction * scale) * DisplayToLinear(lit);
+        lightScale = sky ? frame.lightFraction * scale : 1.0;
+        vec3 place = layers.ray.origin.hi + hit.t * direction;
+        if (shadows)
+        {
+          asking.light = 0u;
+          asking.sum = LocalLight(vec3(0.0), vec3(0.0));
+          asking.position = place;
+          asking.normal = LitNormal(hit, direction);
+          asking.toViewer = normalize(frame.viewPosition - place);
+          asking.power = set.specularPower;
+          adds = true;
+        }
+        else
+        {
+          colour += lightScale * Linear(ShadeLocal(hit, place, direction, ambient));
+        }
         reflected = ((1.0 - frame.lightFraction) * scale) * albedo;
         FaceForward(hit, direction);
         Tangents(hit.shadingNormal, x, y);
         start = LeaveSurface(layers.ray, hit);
-        sky = vec3(0.0);
-        left = frame.branches;
+        arrived = vec3(0.0);
+        left = sky ? frame.branches : 0u;
+      }
+      else if (!sky)
+      {
+        colour = ShadeLocal(hit, vec3(0.0), direction, ambient);
       }
     }
     else
@@ -103,13 +203,61 @@ void main()
       begins = true;
       weight = 0.0;
       colour = vec3(0.0);
+      onGround = ground && MeetGround(layers.ray, hit);
+      if (onGround)
+      {
+        start = LeaveGround(layers.ray, hit);
+        Tangents(hit.normal, x, y);
+        asking.light = shadows ? 0u : frame.lightCount;
+        asking.sum = LocalLight(vec3(0.0), vec3(0.0));
+        asking.position = start.hi;
+        asking.normal = hit.normal;
+        asking.toViewer = hit.normal;
+        asking.power = 0.0;
+        adds = shadows;
+        lightScale = sky ? frame.lightFraction : 1.0;
+        LocalLight full = LocalLight(vec3(0.0), vec3(0.0));
+        for (uint i = 0u; i < frame.lightCount; ++i)
+        {
+          LightRecord light = LightAt(i);
+          AddLight(full, light, ArriveAt(light, start.hi), hit.normal, hit.normal, 0.0);
+        }
+        all = lightScale * Linear(clamp(full.diffuse, 0.0, 1.0));
+        missing = shadows ? all : vec3(0.0);
+        all += sky ? (1.0 - frame.lightFraction) * frame.groundSky : vec3(0.0);
+        reflected = arrived = vec3(0.0);
+        left = sky ? frame.branches : 0u;
+      }
     }
-    if (left == 0u)
+
+    if (shadows)
     {
+      NextLight(asking, SamplePair(number, PairOf(layers.count, pairAim)));
+      if (adds && asking.light == frame.lightCount)
+      {
+        adds = false;
+        if (onGround)
+        {
+          missing -= lightScale * Linear(clamp(asking.sum.diffuse, 0.0, 1.0));
+        }
+        else
+        {
+          GlyphSetRecord set = SetRecord(hit.record);
+          colour += lightScale * Linear(ReflectLocal(set, hit.colour.rgb, ambient, asking.sum));
+        }
+      }
+    }
+    if (left == 0u && !adds)
+    {
+      if (onGround)
+      {
+        weight = layers.passing * MissingShare(missing, all);
+        onGround = false;
+      }
       AddToPixel(pixel, weight * colour, weight);
       begins = begins || !MoreLayers(layers);
       s += begins ? 1u : 0u;
     }
   }
-  EndPixel(position, pixel, true);
+  EndPixel(position, pixel, sky);
 }

@@ -9,6 +9,7 @@
 #include "../Shading/Principled.glsl"
 #include "../Shading/Environment.glsl"
 #include "../Shading/Reflection.glsl"
+#include "../Shading/Ground.glsl"
 
 // The number of rays aimed at the environment image: beyond those of all bounces.
 const uint eventEnvironment = 0x400000u;
@@ -43,6 +44,18 @@ Surface SurfaceOfHit(const SurfaceHit hit)
   surface.coatReflectance = set.coatReflectance;
   surface.coatColour = DisplayToLinear(set.coatColour);
   return surface;
+}
+
+// The ground's, which sends back all light evenly.
+Surface GroundSurface()
+{
+  return Surface(vec3(1.0), 0.0, 0.0, 0.0, vec3(0.0), 0.0, 0.0, 0.0, vec3(0.0));
+}
+
+vec3 EvaluateAt(
+  const bool onGround, const Surface surface, const vec3 from, const vec3 to, const ScatterNumbers u)
+{
+  return ground && onGround ? vec3(to.z / scatterPi) : Evaluate(surface, from, to, u);
 }
 
 // The numbers that decide one scattering; those that the surface does not ask for are not drawn.
@@ -108,6 +121,25 @@ bool Survives(const SampleNumber number, const uint bounce, const Surface surfac
   return true;
 }
 
+// From where there is nothing in the way and nothing is aimed at.
+vec3 LightFrom(const vec3 direction)
+{
+  return environmentImage ? EnvironmentBelow(direction) : SkyRadiance(direction);
+}
+
+// What arrives on the ground where nothing is in the way.
+vec3 GroundLight(const SceneRay ray, const SurfaceHit hit)
+{
+  vec3 position = LeaveGround(ray, hit).hi;
+  vec3 light = frame.groundSky;
+  for (uint i = 0u; i < frame.lightCount; ++i)
+  {
+    Incidence at = ArriveAt(frame.lights.at[i], position);
+    light += frame.lights.at[i].colour * (at.attenuation * max(dot(hit.normal, -at.direction), 0.0));
+  }
+  return light;
+}
+
 // Light that a surface reflects unless something is in the way.
 struct DirectLight
 {
@@ -124,7 +156,7 @@ DirectLight NoLight()
 
 // What the surface at `origin` reflects of one of the view's lights, as if it were all of them; `x`, `y` and `normal`:
 // its frame, in which `from` points back along the path.
-DirectLight FromLights(const DoubleWord3 origin, const Surface surface, const vec3 x, const vec3 y, const vec3 normal,
+DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surface surface, const vec3 x, const vec3 y, const vec3 normal,
   const vec3 from, const ScatterNumbers u, const SampleNumber number, const uint bounce)
 {
   DirectLight direct = NoLight();
@@ -133,27 +165,24 @@ DirectLight FromLights(const DoubleWord3 origin, const Surface surface, const ve
     float pick = frame.lightCount > 1u ? SamplePair(number, PairOf(bounce, pairLight)).x : 0.0;
     LightRecord light = frame.lights.at[min(uint(pick * float(frame.lightCount)), frame.lightCount - 1u)];
     Incidence incidence = ArriveAt(light, origin.hi);
-    vec3 aim = -incidence.direction;
-    if (light.spread > 0.0)
-    {
-      aim = ConeDirection(SamplePair(number, PairOf(bounce, pairAim)), aim, light.spread);
-    }
+    float distance;
+    vec3 aim = AimAtLight(light, incidence, SamplePair(number, PairOf(bounce, pairAim)), distance);
     vec3 to = vec3(dot(aim, x), dot(aim, y), dot(aim, normal));
     if (incidence.attenuation > 0.0 && to.z > 0.0)
     {
       direct.direction = aim;
-      direct.distance = incidence.distance;
+      direct.distance = distance;
       direct.seed = SeedOf(number, 2u * bounce + 1u);
       // vtkLight's colours are what a white surface facing the light shows, hence pi.
       direct.radiance =
-        Evaluate(surface, from, to, u) * light.colour * (scatterPi * incidence.attenuation * float(frame.lightCount));
+        EvaluateAt(onGround, surface, from, to, u) * light.colour * (scatterPi * incidence.attenuation * float(frame.lightCount));
     }
   }
   return direct;
 }
 
 // The same of what is aimed at of the environment.
-DirectLight FromEnvironment(const Surface surface, const vec3 x, const vec3 y, const vec3 normal, const vec3 from,
+DirectLight FromEnvironment(const bool onGround, const Surface surface, const vec3 x, const vec3 y, const vec3 normal, const vec3 from,
   const ScatterNumbers u, const SampleNumber number, const uint bounce)
 {
   DirectLight direct = NoLight();
@@ -166,7 +195,7 @@ DirectLight FromEnvironment(const Surface surface, const vec3 x, const vec3 y, c
     if (to.z > 0.0 && light.x + light.y + light.z > 0.0)
     {
       direct =
-        DirectLight(Evaluate(surface, from, to, u) * light, aim, 1e38, SeedOf(number, eventEnvironment + bounce));
+        DirectLight(EvaluateAt(onGround, surface, from, to, u) * light, aim, 1e38, SeedOf(number, eventEnvironment + bounce));
     }
   }
   return direct;
@@ -191,6 +220,10 @@ void main()
   SurfaceHit first = NoHit();
   DoubleWord3 start;
   vec3 firstDirection;
+
+  // The ground, and what something keeps from it.
+  bool onGround = false;
+  vec3 all, missing;
 
   // Light whose way to the last hit is not known to be free.
   DirectLight fromLights = NoLight(), fromEnvironment = NoLight();
@@ -231,7 +264,9 @@ void main()
     if (shadow)
     {
       vec3 arrived = asksLights ? fromLights.radiance : fromEnvironment.radiance;
-      radiance += hit.t < 0.0 ? arrived : vec3(0.0);
+      bool free = hit.t < 0.0;
+      radiance += free ? arrived : vec3(0.0);
+      missing += free ? vec3(0.0) : arrived;
       if (asksLights)
       {
         fromLights = NoLight();
@@ -256,25 +291,45 @@ void main()
         AddFeatures(position, s, hit.shadingNormal, hit.colour.rgb, depth);
         pixel.opacity = Add(pixel.opacity, 1.0);
       }
+      onGround = ground && hit.t < 0.0 && MeetGround(ray, hit);
+      if (onGround)
+      {
+        missing = vec3(0.0);
+        all = GroundLight(ray, hit);
+        onward = true;
+      }
+    }
+    else if (onGround)
+    {
+      missing += onward ? LightFrom(direction) : vec3(0.0);
+      onward = false;
     }
     else if (!onward)
     {
-      radiance += throughput * (environmentImage ? EnvironmentBelow(direction) : SkyRadiance(direction));
+      radiance += throughput * LightFrom(direction);
     }
 
     Surface surface;
-    if (onward)
+    if (onward && !onGround)
     {
       // Once for all paths of the sample.
       radiance += throughput * EmissionOfHit(hit) * (camera ? float(frame.branches) : 1.0);
       onward = bounce < frame.maximumBounces && SetRecord(hit.record).lighting != 0u;
     }
-    if (onward)
+    if (onward && onGround)
+    {
+      surface = GroundSurface();
+      first = hit;
+      origin = start = LeaveGround(ray, hit);
+      firstDirection = direction;
+      number.index = s * frame.branches;
+    }
+    else if (onward)
     {
       surface = SurfaceOfHit(hit);
       onward = Survives(number, bounce, surface, hit, direction, throughput, radiance);
     }
-    if (onward)
+    if (onward && !onGround)
     {
       FaceForward(hit, direction);
       origin = LeaveSurface(ray, hit);
@@ -296,13 +351,28 @@ void main()
       hit = first;
       origin = start;
       direction = firstDirection;
-      surface = SurfaceOfHit(hit);
+      if (onGround)
+      {
+        surface = GroundSurface();
+      }
+      else
+      {
+        surface = SurfaceOfHit(hit);
+      }
       onward = true;
     }
 
     if (!onward)
     {
-      AddToPixel(pixel, radiance / float(frame.branches), 0.0);
+      if (onGround)
+      {
+        AddToPixel(pixel, vec3(0.0), MissingShare(missing / float(frame.branches), all));
+        onGround = false;
+      }
+      else
+      {
+        AddToPixel(pixel, radiance / float(frame.branches), 0.0);
+      }
       bounce = 0u;
       ++s;
       continue;
@@ -315,12 +385,19 @@ void main()
     vec3 back = -normalize(direction);
     vec3 from = vec3(dot(back, x), dot(back, y), max(dot(back, normal), 1e-4));
     from = normalize(from);
-    fromLights = FromLights(origin, surface, x, y, normal, from, u, number, bounce);
+    fromLights = FromLights(onGround, origin, surface, x, y, normal, from, u, number, bounce);
     fromLights.radiance *= throughput;
-    fromEnvironment = FromEnvironment(surface, x, y, normal, from, u, number, bounce);
+    fromEnvironment = FromEnvironment(onGround, surface, x, y, normal, from, u, number, bounce);
     fromEnvironment.radiance *= throughput;
     vec3 to;
-    throughput *= Scatter(surface, from, u, to);
+    if (ground && onGround)
+    {
+      to = CosineDirection(u.direction);
+    }
+    else
+    {
+      throughput *= Scatter(surface, from, u, to);
+    }
     direction = OutOfSurface(hit, FromFrame(to, x, y, normal));
     ++bounce;
   }

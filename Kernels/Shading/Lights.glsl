@@ -3,12 +3,15 @@
 #ifndef RTG_LIGHTS
 #define RTG_LIGHTS
 
+#include "Frame.glsl"
+
 struct Incidence
 {
   vec3 direction;    // the way the light travels, unit
   float distance;    // from where it comes; far for lights at infinity
   float attenuation; // zero: it does not arrive
   bool alongView;    // it shines and is seen along the view axis, in perspective too
+  float spread;      // 1 - cosine of the angular radius that the light is seen under
 };
 
 // Light i in a loop over all of them.
@@ -28,6 +31,7 @@ Incidence ArriveAt(const LightRecord light, const vec3 position)
   at.attenuation = 1.0;
   at.alongView = light.kind == 0u;
   at.direction = at.alongView ? -frame.viewAxis : light.direction;
+  at.spread = light.spread;
   if (light.kind == 2u)
   {
     vec3 way = position - light.position;
@@ -41,8 +45,31 @@ Incidence ArriveAt(const LightRecord light, const vec3 position)
       float coneDot = dot(at.direction, light.direction);
       at.attenuation *= coneDot >= cosCone ? pow(coneDot, light.exponent) : 0.0;
     }
+    // The cone of directions in which a ball is seen: Shirley, Wang and Zimmerman, "Monte Carlo Techniques for Direct
+    // Lighting Calculations", ACM TOG 15(1), 1996.
+    float sine = min(light.radius / at.distance, 1.0);
+    at.spread = sine * sine / (1.0 + sqrt(1.0 - sine * sine));
   }
   return at;
+}
+
+// The direction to a place of the light, chosen evenly by solid angle, and how far it is.
+vec3 AimAtLight(const LightRecord light, const Incidence at, const vec2 u, out float distance)
+{
+  vec3 aim = -at.direction;
+  distance = at.distance;
+  if (at.spread > 0.0)
+  {
+    vec3 middle = aim;
+    aim = ConeDirection(u, middle, at.spread);
+    if (light.kind == 2u)
+    {
+      vec3 off = at.distance * (middle - dot(aim, middle) * aim);
+      distance = max(
+        at.distance * dot(aim, middle) - sqrt(max(light.radius * light.radius - dot(off, off), 0.0)), 0.0);
+    }
+  }
+  return aim;
 }
 
 #endif

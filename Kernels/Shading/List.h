@@ -1,6 +1,7 @@
 // Where the light comes from that is seen on a surface: number, name (rtg::Shading), program (Programs/<program>.comp),
 // and what else it differs in (rtg::ShadingTraits):
-//   scatters: rays leave surfaces in random directions, so that images are noisy light in linear units
+//   scatters: rays leave surfaces in random directions, so that images are noisy; with shadows all are
+//   linear: images are light in linear units, else display colors
 //   layers: translucent surfaces are composited front to back; else rays pass them by chance
 //   environmentImage: an image may be the light from all around
 //   rays: the setting that says how many start from what a camera ray hits
@@ -11,9 +12,9 @@
 // clang-format off
 #define RTG_SHADINGS(ENTRY)                                                                                            \
   /* the view's lights, as if the surface were alone */                                                                \
-  ENTRY(0, Local, image, /*scatters*/ false, /*layers*/ true, /*environmentImage*/ false, nullptr, 28)                            \
+  ENTRY(0, Local, image, /*scatters*/ false, /*linear*/ false, /*layers*/ true, /*environmentImage*/ false, nullptr, 28)                            \
   /* times the share of light from all around that reaches it */                                                       \
-  ENTRY(1, AmbientOcclusion, occlusion, true, true, false, &TraceSettings::occlusionRays, 26)                          \
+  ENTRY(1, AmbientOcclusion, occlusion, true, true, true, false, &TraceSettings::occlusionRays, 26)                          \
   /* all around and the view's lights, after up to maximumBounces scatterings */                                       \
-  ENTRY(2, PathTracing, path, true, false, true, &TraceSettings::paths, 23)
+  ENTRY(2, PathTracing, path, true, true, false, true, &TraceSettings::paths, 23)
 // clang-format on

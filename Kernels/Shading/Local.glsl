@@ -9,6 +9,37 @@ vec3 AmbientOf(const SurfaceHit hit)
   return set.ambient * (set.coloured != 0u ? hit.colour.rgb : set.ambientColour);
 }
 
+// What the view's lights bring to a surface.
+struct LocalLight
+{
+  vec3 diffuse;
+  vec3 specular;
+};
+
+// A surface shows its lit side to the viewer, the inside of a cut glyph too.
+vec3 LitNormal(const SurfaceHit hit, const vec3 direction)
+{
+  return dot(hit.shadingNormal, direction) > 0.0 ? -hit.shadingNormal : hit.shadingNormal;
+}
+
+void AddLight(inout LocalLight sum, const LightRecord light, const Incidence at, const vec3 normal, const vec3 toViewer,
+  const float power)
+{
+  float df = max(at.alongView ? 0.000001 : 0.0, at.attenuation * dot(normal, -at.direction));
+  sum.diffuse += df * light.colour;
+  if (df > 0.0)
+  {
+    float highlight = at.alongView ? df : max(1e-5, dot(reflect(at.direction, normal), toViewer));
+    sum.specular += at.attenuation * pow(highlight, power) * light.colour;
+  }
+}
+
+vec3 ReflectLocal(const GlyphSetRecord set, const vec3 base, const vec3 ambient, const LocalLight sum)
+{
+  vec3 shaded = ambient + sum.diffuse * set.diffuse * base + sum.specular * set.specular * set.specularColour;
+  return clamp(shaded, 0.0, 1.0);
+}
+
 // Colour of a hit, added to its ambient term. `position` is relative to the scene's origin, `direction` the ray's.
 vec3 ShadeLocal(const SurfaceHit hit, const vec3 position, const vec3 direction, const vec3 ambient)
 {
@@ -19,24 +50,13 @@ vec3 ShadeLocal(const SurfaceHit hit, const vec3 position, const vec3 direction,
     return clamp(ambient + set.diffuse * base, 0.0, 1.0);
   }
 
-  // A surface shows its lit side to the viewer, the inside of a cut glyph too.
-  vec3 normal = dot(hit.shadingNormal, direction) > 0.0 ? -hit.shadingNormal : hit.shadingNormal;
+  vec3 normal = LitNormal(hit, direction);
   vec3 toViewer = normalize(frame.viewPosition - position);
-  float power = set.specularPower;
-  vec3 diffuse = vec3(0.0);
-  vec3 specular = vec3(0.0);
+  LocalLight sum = LocalLight(vec3(0.0), vec3(0.0));
   for (uint i = 0u; i < frame.lightCount; ++i)
   {
     LightRecord light = LightAt(i);
-    Incidence at = ArriveAt(light, position);
-    float df = max(at.alongView ? 0.000001 : 0.0, at.attenuation * dot(normal, -at.direction));
-    diffuse += df * light.colour;
-    if (df > 0.0)
-    {
-      float highlight = at.alongView ? df : max(1e-5, dot(reflect(at.direction, normal), toViewer));
-      specular += at.attenuation * pow(highlight, power) * light.colour;
-    }
+    AddLight(sum, light, ArriveAt(light, position), normal, toViewer, set.specularPower);
   }
-  vec3 shaded = ambient + diffuse * set.diffuse * base + specular * set.specular * set.specularColour;
-  return clamp(shaded, 0.0, 1.0);
+  return ReflectLocal(set, base, ambient, sum);
 }

@@ -1,0 +1,33 @@
+// A shadow catcher: a plane below the scene, black and as opaque as the share of its light that something keeps from
+// it. Rays that start on surfaces do not see it.
+
+float Luminance(const vec3 light)
+{
+  return dot(light, vec3(0.2126, 0.7152, 0.0722));
+}
+
+// How much of its light the ground lacks.
+float MissingShare(const vec3 missing, const vec3 all)
+{
+  return clamp(Luminance(missing) / max(Luminance(all), 1e-30), 0.0, 1.0);
+}
+
+// Where a ray that has met nothing meets the ground, from above.
+bool MeetGround(const SceneRay ray, out SurfaceHit hit)
+{
+  hit = NoHit();
+  hit.normal = hit.shadingNormal = frame.groundNormal;
+  float slope = dot(ray.direction, frame.groundNormal);
+  float height = dot(ray.origin.hi, frame.groundNormal) - frame.groundHeight;
+  hit.t = -height / slope;
+  // Below the way to `ray.origin`, too: a ray that passes by the scene's bounds has been moved anywhere.
+  return slope < 0.0 && hit.t + ray.start >= max(frame.nearDepth, 0.0);
+}
+
+// Where rays from there start: beyond what rounding does to the place.
+DoubleWord3 LeaveGround(const SceneRay ray, const SurfaceHit hit)
+{
+  DoubleWord3 position = Add(ray.origin, TwoProduct(ray.direction, vec3(hit.t)));
+  float lift = 1e-6 * (abs(frame.groundHeight) + abs(hit.t) * length(ray.direction));
+  return Add(position, TwoProduct(hit.normal, vec3(lift)));
+}
