@@ -215,7 +215,7 @@ void main()
         asking.toViewer = hit.normal;
         asking.power = 0.0;
         adds = shadows;
-        lightScale = sky ? frame.lightFraction : 1.0;
+        lightScale = sky ? frame.lightFraction : groundLights;
         LocalLight full = LocalLight(vec3(0.0), vec3(0.0));
         for (uint i = 0u; i < frame.lightCount; ++i)
         {
@@ -224,7 +224,7 @@ void main()
         }
         all = lightScale * Linear(clamp(full.diffuse, 0.0, 1.0));
         missing = shadows ? all : vec3(0.0);
-        all += sky ? (1.0 - frame.lightFraction) * frame.groundSky : vec3(0.0);
+        all += sky ? (1.0 - frame.lightFraction) * frame.groundSky : all * (1.0 / groundLights - 1.0);
         reflected = arrived = vec3(0.0);
         left = sky ? frame.branches : 0u;
       }

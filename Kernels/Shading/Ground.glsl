@@ -1,6 +1,9 @@
 // A shadow catcher: a plane below the scene, black and as opaque as the share of its light that something keeps from
 // it. Rays that start on surfaces do not see it.
 
+// Of the ground's light under local shading, which knows of no sky, the part that lights cast shadows in.
+const float groundLights = 0.5;
+
 float Luminance(const vec3 light)
 {
   return dot(light, vec3(0.2126, 0.7152, 0.0722));

@@ -39,6 +39,9 @@ public:
   void SetSecondaryRays(int rays) { this->Set(this->Settings.SecondaryRays, rays); }
   void SetMaximumBounces(int bounces) { this->Set(this->Settings.MaximumBounces, bounces); }
   void SetIllumination(int kind) { this->Set(this->Settings.Illumination, kind); }
+  void SetShadows(bool cast) { this->Set(this->Settings.Shadows, cast); }
+  void SetShadowSoftness(double degrees) { this->Set(this->Settings.ShadowSoftness, degrees); }
+  void SetGroundShadow(int kind) { this->Set(this->Settings.GroundShadow, kind); }
   void SetLightIntensity(double intensity) { this->Set(this->Settings.LightIntensity, intensity); }
   void SetEnvironmentColor(double red, double green, double blue)
   {
@@ -50,6 +53,12 @@ public:
   void SetSamplesPerPixel(int samples) { this->Set(this->Settings.SamplesPerPixel, samples); }
   void SetSamplesPerRender(int samples) { this->Set(this->Settings.SamplesPerRender, samples); }
   void SetInteractiveReduction(int step) { this->Set(this->Settings.InteractiveReduction, step); }
+  void SetOutlineWidth(double pixels) { this->Set(this->Settings.OutlineWidth, pixels); }
+  void SetOutlineColor(double red, double green, double blue)
+  {
+    this->Set(this->Settings.OutlineColor, { red, green, blue });
+  }
+  void SetDepthCue(double share) { this->Set(this->Settings.DepthCue, share); }
   void SetParallelLight(int light);
   ///@}
 

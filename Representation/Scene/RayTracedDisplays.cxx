@@ -3,6 +3,7 @@
 #include "RayTracedImages.h"
 #include "RayTracedRendererState.h"
 #include "vtkActor.h"
+#include "vtkMath.h"
 #include "vtkProperty.h"
 #include "vtkRayTracedMapper.h"
 #include "vtkRenderer.h"
@@ -114,6 +115,21 @@ bool rtglyphs::RayTracedDisplays::AnyVisible() const
 {
   return std::any_of(this->All.begin(), this->All.end(),
     [](const Display& display) { return display.Actor && display.Actor->GetVisibility(); });
+}
+
+//----------------------------------------------------------------------------
+vtkBoundingBox rtglyphs::RayTracedDisplays::ComputeShownBounds() const
+{
+  vtkBoundingBox bounds;
+  for (const Display& display : this->All)
+  {
+    const double* own = display.Shown && display.Actor ? display.Actor->GetBounds() : nullptr;
+    if (own && vtkMath::AreBoundsInitialized(own))
+    {
+      bounds.AddBounds(own);
+    }
+  }
+  return bounds;
 }
 
 //----------------------------------------------------------------------------

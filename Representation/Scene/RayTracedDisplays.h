@@ -6,6 +6,7 @@
 
 #include "RayTracedNeighbors.h"
 #include "Scene.h"
+#include "vtkBoundingBox.h"
 #include "vtkWeakPointer.h"
 
 #include <array>
@@ -58,13 +59,13 @@ public:
   using Content = std::vector<std::array<std::uint64_t, 3>>;
 
   /**
-   * In the order in which they were added.
-   */
-  /**
    * By set.
    */
   std::map<rtg::Scene::SetId, vtkRayTracedMapper*> GetShownMappers() const;
 
+  /**
+   * In the order in which they were added.
+   */
   const std::vector<Display>& GetAll() const { return this->All; }
   const Display* Find(const vtkRayTracedMapper* mapper) const;
 
@@ -94,6 +95,11 @@ public:
    * Whether any display is visible, with or without data in this process.
    */
   bool AnyVisible() const;
+
+  /**
+   * Of what the frame shows.
+   */
+  vtkBoundingBox ComputeShownBounds() const;
 
   /**
    * Hands the kernels' scene of that number what has changed since it had it.

@@ -104,7 +104,10 @@ void rtglyphs::RayTracedEdges::Draw(
 {
   if (image == this->Front && !this->Colors.empty())
   {
-    this->Quad.SetImage(window, image->width, image->height, this->Colors.data(), this->Depths.data(), this->Version);
+    if (!this->Quad.Shows(this->Version))
+    {
+      this->Quad.SetImage(window, image->width, image->height, this->Colors.data(), this->Depths.data(), this->Version);
+    }
     this->Quad.Draw(renderer, actor, mapper, rtglyphs::RayTracedImageQuad::BLEND);
   }
 }

@@ -79,10 +79,6 @@ rtglyphs::RayTracedImageQuad::~RayTracedImageQuad() = default;
 void rtglyphs::RayTracedImageQuad::SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height,
   const std::uint32_t* color, const float* depth, std::uint64_t version)
 {
-  if (this->Sent && version != 0 && version == this->Version)
-  {
-    return;
-  }
   Send(this->Color, window, width, height, 4, VTK_UNSIGNED_CHAR, color);
   Send(this->Depth, window, width, height, 1, VTK_FLOAT, depth);
   this->Sent = true;

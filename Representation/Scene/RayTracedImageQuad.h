@@ -41,9 +41,9 @@ public:
   };
 
   /**
-   * Sends an image: RGBA8 and window depths, bottom row first. One of the version that was sent last is not sent again,
-   * unless it is 0.
+   * Sends an image: RGBA8 and window depths, bottom row first. Its version, if not 0, tells whether the quad shows it.
    */
+  bool Shows(std::uint64_t version) const { return this->Sent && version != 0 && version == this->Version; }
   void SetImage(vtkOpenGLRenderWindow* window, unsigned int width, unsigned int height, const std::uint32_t* color,
     const float* depth, std::uint64_t version);
 

@@ -1,8 +1,12 @@
 #include "RayTracedImageRequest.h"
 
 #include "RayTracedStudioLight.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -41,11 +45,24 @@ rtg::TraceSettings ToTraceSettings(const rtglyphs::RayTracedImageSettings& from)
   settings.exposure = static_cast<float>(from.Exposure);
   return settings;
 }
+
+void PutGroundBelow(const vtkBoundingBox& shown, int across, vtkCamera* camera, rtg::TraceSettings& settings)
+{
+  const double* up = camera->GetViewUp();
+  int axis = across - rtglyphs::RayTracedImageSettings::GroundAcrossX;
+  if (across == rtglyphs::RayTracedImageSettings::GroundBelowView)
+  {
+    axis = static_cast<int>(std::max_element(up, up + 3, [](double a, double b) { return std::abs(a) < std::abs(b); }) - up);
+  }
+  const bool upwards = up[axis] >= 0.0;
+  settings.groundNormal[axis] = upwards ? 1.0f : -1.0f;
+  settings.groundHeight = upwards ? shown.GetBound(2 * axis) : -shown.GetBound(2 * axis + 1);
+}
 }
 
 //----------------------------------------------------------------------------
 rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTracedImageSettings& settings,
-  vtkRenderer* renderer, rtg::Pass pass, std::uint32_t width, std::uint32_t height,
+  vtkRenderer* renderer, rtg::Pass pass, std::uint32_t width, std::uint32_t height, const vtkBoundingBox& shown,
   rtglyphs::RayTracedRendererState::Environment& environment)
 {
   rtg::ImageView view;
@@ -57,8 +74,8 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   view.settings.height = height;
   // Headlight and light kit make up for the lack of light from all around; path tracing has that.
   const bool surrounded = view.settings.shading == rtg::Shading::PathTracing && settings.LightIntensity > 0.0;
-  view.lights = rtglyphs::RayTracedRendererState::LightsOf(renderer, /*placedOnly=*/surrounded);
-  view.previewLights = rtglyphs::RayTracedRendererState::LightsOf(renderer, /*placedOnly=*/false);
+  view.lights = rtglyphs::RayTracedRendererState::LightsOf(renderer, settings.ShadowSoftness, /*placedOnly=*/surrounded);
+  view.previewLights = rtglyphs::RayTracedRendererState::LightsOf(renderer, settings.ShadowSoftness, /*placedOnly=*/false);
   if (surrounded)
   {
     environment = rtglyphs::RayTracedRendererState::EnvironmentOf(renderer, environment);
@@ -69,7 +86,31 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   {
     rtglyphs::RayTracedStudioLight::Apply(view, renderer);
   }
+  // Where no light casts a shadow nobody is to ask for any.
+  view.settings.shadows = settings.Shadows && view.settings.shading != rtg::Shading::PathTracing &&
+    std::any_of(view.lights.begin(), view.lights.end(), [](const rtg::Light& light)
+      { return light.castsShadow && light.kind != rtg::Light::Kind::Headlight; });
+  if (shown.IsValid() && settings.GroundShadow != rtglyphs::RayTracedImageSettings::NoGround &&
+    (view.settings.shadows || view.settings.shading != rtg::Shading::Local))
+  {
+    PutGroundBelow(shown, settings.GroundShadow, renderer->GetActiveCamera(), view.settings);
+  }
   return view;
+}
+
+//----------------------------------------------------------------------------
+rtg::ScreenEffects rtglyphs::RayTracedImageRequest::EffectsOf(
+  const rtglyphs::RayTracedImageSettings& settings, const rtg::ImageView& view, const rtg::Image& image)
+{
+  rtg::ScreenEffects effects;
+  const double scale = view.settings.width > 0 ? double(image.width) / view.settings.width : 1.0;
+  effects.outlineWidth = static_cast<float>(settings.OutlineWidth * scale);
+  effects.outlineColour = glm::vec3(settings.OutlineColor[0], settings.OutlineColor[1], settings.OutlineColor[2]);
+  effects.depthCue = static_cast<float>(settings.DepthCue);
+  // ParaView puts the planes round all that is visible, on all ranks alike.
+  effects.nearDepth = view.camera.nearDepth;
+  effects.farDepth = view.camera.farDepth;
+  return effects;
 }
 
 //----------------------------------------------------------------------------

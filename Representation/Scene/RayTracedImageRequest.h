@@ -7,17 +7,25 @@
 #include "ProgressiveImage.h"
 #include "RayTracedImageSettings.h"
 #include "RayTracedRendererState.h"
+#include "ScreenEffects.h"
 
+class vtkBoundingBox;
 class vtkRenderer;
 
 namespace rtglyphs::RayTracedImageRequest
 {
 /**
- * The view of a pass. `environment`: the last one, which is kept up to date. Throws rtg::Error for a camera that sees
- * nothing.
+ * The view of a pass. `shown`: the bounds of what a ground is to lie below; invalid: there is none. `environment`: the
+ * last one, which is kept up to date. Throws rtg::Error for a camera that sees nothing.
  */
 rtg::ImageView ViewOf(const RayTracedImageSettings& settings, vtkRenderer* renderer, rtg::Pass pass,
-  std::uint32_t width, std::uint32_t height, RayTracedRendererState::Environment& environment);
+  std::uint32_t width, std::uint32_t height, const vtkBoundingBox& shown, RayTracedRendererState::Environment& environment);
+
+/**
+ * What is done to the pixels of an image of that view, which may have fewer than were asked for.
+ */
+rtg::ScreenEffects
+EffectsOf(const RayTracedImageSettings& settings, const rtg::ImageView& view, const rtg::Image& image);
 
 /**
  * The frame that the image is for.

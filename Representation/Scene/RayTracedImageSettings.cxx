@@ -14,6 +14,8 @@ rtglyphs::RayTracedImageSettings rtglyphs::RayTracedImageSettings::InRange() con
   PutInRange(s.SecondaryRays, 0, 64);
   PutInRange(s.MaximumBounces, 1, 1000);
   PutInRange(s.Illumination, StudioLight, UniformLight);
+  PutInRange(s.ShadowSoftness, 0.0, 45.0, standard.ShadowSoftness);
+  PutInRange(s.GroundShadow, NoGround, GroundAcrossZ);
   PutInRange(s.LightIntensity, 0.0, 1e6, standard.LightIntensity);
   s.EnvironmentColor = ColorInRange(s.EnvironmentColor[0], s.EnvironmentColor[1], s.EnvironmentColor[2]);
   PutInRange(s.ToneMapping, 0, AutomaticToneMapping);
@@ -22,6 +24,9 @@ rtglyphs::RayTracedImageSettings rtglyphs::RayTracedImageSettings::InRange() con
   PutInRange(s.SamplesPerPixel, 1, 65536);
   PutInRange(s.SamplesPerRender, WhatTimeAllows, 65536);
   PutInRange(s.InteractiveReduction, 1, 16);
+  PutInRange(s.OutlineWidth, 0.0, 64.0, standard.OutlineWidth);
+  s.OutlineColor = ColorInRange(s.OutlineColor[0], s.OutlineColor[1], s.OutlineColor[2]);
+  PutInRange(s.DepthCue, 0.0, 1.0, standard.DepthCue);
   PutInRange(s.ParallelLight, LocalLight, ReplicatedLight);
   return s;
 }

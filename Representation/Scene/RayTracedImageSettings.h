@@ -17,6 +17,10 @@ struct RayTracedImageSettings
   int MaximumBounces = 10;             // of path tracing, in [1, 1000]
   int Illumination = 0;                // where the light from all around comes from
   static constexpr int StudioLight = 0, UniformLight = 1;
+  bool Shadows = false;                // of lights, where the shading mode has a choice
+  double ShadowSoftness = 2.0;         // degrees, in [0, 45]: angular radius of lights that have no radius
+  int GroundShadow = 0;                // the plane that catches shadows: none, or across
+  static constexpr int NoGround = 0, GroundBelowView = 1, GroundAcrossX = 2, GroundAcrossZ = 4;
   double LightIntensity = 1.0;                             // in [0, 1e6]
   std::array<double, 3> EnvironmentColor{ 1.0, 1.0, 1.0 }; // in [0, 1]
   int ToneMapping = 3;                                     // as rtg::ToneMapping, or
@@ -27,6 +31,9 @@ struct RayTracedImageSettings
   int SamplesPerRender = 0;                                // in [-1, 65536]; 0: all
   static constexpr int WhatTimeAllows = -1;                // the window renders until the image is finished
   int InteractiveReduction = 2;                            // every n-th pixel while the camera moves, in [1, 16]
+  double OutlineWidth = 0.0;                               // pixels, in [0, 64]
+  std::array<double, 3> OutlineColor{};                    // in [0, 1]
+  double DepthCue = 0.0;                                   // in [0, 1]
   int ParallelLight = 0;                                   // of several ranks: what each has of the others' glyphs
   static constexpr int LocalLight = 0, NeighborLight = 1, ReplicatedLight = 2;
 

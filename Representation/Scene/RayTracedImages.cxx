@@ -178,6 +178,25 @@ rtglyphs::RayTracedImages::GetLast(Place place)
 }
 
 //----------------------------------------------------------------------------
+void rtglyphs::RayTracedImages::Send(
+  Entry& entry, const rtg::Image& image, const rtg::ScreenEffects& effects, vtkOpenGLRenderWindow* window)
+{
+  const std::uint64_t version = entry.Image.Version();
+  if (entry.Quad.Shows(version) && entry.Effects == effects)
+  {
+    return;
+  }
+  entry.Effects = effects;
+  if (!effects.Any())
+  {
+    entry.Quad.SetImage(window, image.width, image.height, image.colour, image.depth, version);
+    return;
+  }
+  const rtg::EffectImage shown = rtg::Apply(effects, image, entry.Image.View().camera);
+  entry.Quad.SetImage(window, image.width, image.height, shown.colours.data(), shown.depths.data(), version);
+}
+
+//----------------------------------------------------------------------------
 void rtglyphs::RayTracedImages::Draw(
   Entry& entry, bool again, vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
 {

@@ -8,6 +8,7 @@
 
 #include "ProgressiveImage.h"
 #include "Scene.h"
+#include "ScreenEffects.h"
 #include "Tracer.h"
 #include "Vulkan/Device.h"
 
@@ -21,6 +22,7 @@
 
 class vtkActor;
 class vtkMapper;
+class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkWindow;
@@ -49,6 +51,7 @@ public:
     std::unique_ptr<rtg::Tracer> Tracer, PreviewTracer;
     std::uint64_t SceneNumber = 0; // of the scene that the tracer traces
     RayTracedImageQuad Quad;
+    rtg::ScreenEffects Effects; // of the picture that the quad has
     std::uint64_t LastUsed = 0; // the frame
     bool Capture = true;        // was used for nothing but pictures that are not shown
     std::uint64_t Drawn = 0;    // the frame in which the quad was drawn; 0: none
@@ -75,6 +78,11 @@ public:
    * What the last frame at this place, of any pass, has drawn, by pass; null: nothing.
    */
   std::array<Entry*, Passes> GetLast(Place place);
+
+  /**
+   * Gives the entry's quad the image with these effects.
+   */
+  void Send(Entry& entry, const rtg::Image& image, const rtg::ScreenEffects& effects, vtkOpenGLRenderWindow* window);
 
   ///@{
   /**

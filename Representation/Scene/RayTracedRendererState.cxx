@@ -2,6 +2,9 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
+#include "vtkInformationKeyLookup.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
@@ -40,6 +43,33 @@ std::vector<vtkLight*> LightsOn(vtkRenderer* renderer)
     }
   }
   return on;
+}
+
+// Null: none. Headlights shine from where they cannot be seen to cast a shadow.
+const vtkLight* BrightestOnCamera(const std::vector<vtkLight*>& lights)
+{
+  const vtkLight* brightest = nullptr;
+  double most = 0.0;
+  for (vtkLight* light : lights)
+  {
+    const double* color = light->GetDiffuseColor();
+    const double brightness = light->GetIntensity() * (0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2]);
+    if (light->LightTypeIsCameraLight() && brightness > most)
+    {
+      brightest = light;
+      most = brightness;
+    }
+  }
+  return brightest;
+}
+
+// ParaView's lights keep their radius for OSPRay alone, and only where VTK has it; 0: none.
+double RadiusOf(vtkLight* light)
+{
+  auto* key = vtkInformationDoubleKey::SafeDownCast(vtkInformationKeyLookup::Find("RADIUS", "vtkOSPRayLightNode"));
+  vtkInformation* info = light->GetInformation();
+  const double radius = key && info && info->Has(key) ? info->Get(key) : 0.0;
+  return std::isfinite(radius) ? std::max(radius, 0.0) : 0.0;
 }
 }
 
@@ -97,11 +127,14 @@ rtg::Camera rtglyphs::RayTracedRendererState::CameraOf(vtkRenderer* renderer, co
 }
 
 //----------------------------------------------------------------------------
-std::vector<rtg::Light> rtglyphs::RayTracedRendererState::LightsOf(vtkRenderer* renderer, bool placedOnly)
+std::vector<rtg::Light> rtglyphs::RayTracedRendererState::LightsOf(
+  vtkRenderer* renderer, double softness, bool placedOnly)
 {
   const std::vector<vtkLight*> on = LightsOn(renderer);
   const bool loneHeadlight = on.size() == 1 && on.front()->LightTypeIsHeadlight() && !on.front()->GetPositional();
 
+  // Of the lights that make up for others one casts shadows.
+  const vtkLight* const key = BrightestOnCamera(on);
   std::vector<rtg::Light> lights;
   for (vtkLight* light : on)
   {
@@ -118,6 +151,8 @@ std::vector<rtg::Light> rtglyphs::RayTracedRendererState::LightsOf(vtkRenderer* 
     {
       converted.direction = glm::normalize(focus - position);
     }
+    converted.castsShadow = light == key || light->LightTypeIsSceneLight();
+    const double radius = RadiusOf(light);
     if (loneHeadlight)
     {
       converted.kind = rtg::Light::Kind::Headlight;
@@ -128,10 +163,14 @@ std::vector<rtg::Light> rtglyphs::RayTracedRendererState::LightsOf(vtkRenderer* 
       converted.attenuation = ToVector<glm::vec3>(light->GetAttenuationValues());
       converted.coneAngle = static_cast<float>(light->GetConeAngle());
       converted.exponent = static_cast<float>(light->GetExponent());
+      const double seen = glm::length(focus - position) * std::sin(glm::radians(softness));
+      converted.radius = static_cast<float>(radius > 0.0 ? radius : seen);
     }
     else
     {
       converted.kind = rtg::Light::Kind::Directional;
+      // As OSPRay, for which a light's radius is the angular diameter then.
+      converted.angularRadius = static_cast<float>(radius > 0.0 ? std::min(0.5 * radius, 90.0) : softness);
     }
     lights.push_back(converted);
   }

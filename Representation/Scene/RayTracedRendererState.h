@@ -37,7 +37,7 @@ rtg::Camera CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToClip);
  * as such, several lights as directional and positional ones. `placedOnly` leaves out those that move with the camera
  * and have no place: headlight and light kit.
  */
-std::vector<rtg::Light> LightsOf(vtkRenderer* renderer, bool placedOnly = false);
+std::vector<rtg::Light> LightsOf(vtkRenderer* renderer, double softness, bool placedOnly = false);
 
 /**
  * The image that the renderer takes light from all around from (vtkRenderer::UseImageBasedLighting), with 8-bit colours

@@ -13,6 +13,7 @@
 #include "RayTracedRendererState.h"
 #include "RayTracedSignal.h"
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
@@ -84,6 +85,13 @@ struct vtkRayTracedScene::Internals
   rtglyphs::RayTracedEdges Edges;
 
   vtkMultiProcessController* OtherRanks() const;
+  // Of what the ground lies below, in the image that shows it; ranks draw it where all of them have everything.
+  vtkBoundingBox GroundBounds(int pass) const
+  {
+    const bool first = pass == opaque || !this->Content.Displays.Shows(opaque);
+    const bool whole = !this->OtherRanks() || this->Settings.IsReplicated();
+    return first && whole ? this->Content.Displays.ComputeShownBounds() : vtkBoundingBox();
+  }
   bool HasBothPasses() const
   {
     return this->Content.Displays.Shows(opaque) && this->Content.Displays.Shows(translucent);
@@ -321,7 +329,7 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   try
   {
     view = rtglyphs::RayTracedImageRequest::ViewOf(
-      self.Settings, this->Renderer, static_cast<rtg::Pass>(pass), width, height, self.Environment);
+      self.Settings, this->Renderer, static_cast<rtg::Pass>(pass), width, height, self.GroundBounds(pass), self.Environment);
     self.CameraReported.clear();
   }
   catch (const rtg::Error& error)
@@ -467,7 +475,8 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   {
     rtglyphs::RayTracedImages::Entry& entry = *drawn->Entry;
     self.Edges.Draw(image, window, this->Renderer, imageActor, mapper);
-    entry.Quad.SetImage(window, image->width, image->height, image->colour, image->depth, entry.Image.Version());
+    self.Content.Images.Send(
+      entry, *image, rtglyphs::RayTracedImageRequest::EffectsOf(self.Settings, entry.Image.View(), *image), window);
     entry.Quad.SetCamera(worldToClip);
     self.Content.Images.Draw(entry, /*again=*/false, this->Renderer, imageActor, mapper);
     return;

@@ -1,0 +1,189 @@
+// Outlines and depth cue on images that are made by hand: their places and widths are known.
+#include "ScreenEffects.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/packing.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace
+{
+
+using rtg::Image;
+
+class ScreenEffectsTest : public ::testing::Test
+{
+protected:
+  // What a pixel shows: view depth and glyph; a depth of 0: nothing.
+  struct Seen
+  {
+    double depth = 0.0;
+    std::uint32_t glyph = 0;
+  };
+
+  static constexpr std::uint32_t rows = 32;
+
+  // The middle rows of a square image: of a parallel view of half-width 1, or of one in perspective that is so wide at
+  // depth 4.
+  void Make(std::uint32_t side, const std::function<Seen(double x, double y)>& scene, bool parallel = true)
+  {
+    const double half = double(rows) / side; // of the height
+    const glm::dmat4 projection = parallel ? glm::ortho(-1.0, 1.0, -half, half, 1.0, 9.0)
+                                           : glm::frustum(-0.25, 0.25, -0.25 * half, 0.25 * half, 1.0, 9.0);
+    this->camera = rtg::Camera::FromWorldToClip(
+      projection * glm::lookAt(glm::dvec3(0, 0, 4), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+    this->side = side;
+    this->colours.assign(std::size_t(side) * rows, 0);
+    this->depths.assign(this->colours.size(), 1.0f);
+    this->sets.assign(this->colours.size(), Image::noGlyph);
+    this->glyphs = this->sets;
+    for (std::uint32_t row = 0; row < rows; ++row)
+    {
+      for (std::uint32_t column = 0; column < side; ++column)
+      {
+        const Seen seen = scene(2.0 * (column + 0.5) / side - 1.0, half * (2.0 * (row + 0.5) / rows - 1.0));
+        const std::size_t at = std::size_t(row) * side + column;
+        if (seen.depth > 0.0)
+        {
+          this->colours[at] = glm::packUnorm4x8(glm::vec4(1.0f));
+          this->depths[at] = static_cast<float>(
+            this->camera.depthA + (parallel ? this->camera.depthB * seen.depth : this->camera.depthB / seen.depth));
+          this->sets[at] = 0;
+          this->glyphs[at] = seen.glyph;
+        }
+      }
+    }
+    this->image.width = side;
+    this->image.height = rows;
+    this->image.colour = this->colours.data();
+    this->image.depth = this->depths.data();
+    this->image.setIds = this->sets.data();
+    this->image.glyphIds = this->glyphs.data();
+  }
+
+  rtg::EffectImage Apply() const { return rtg::Apply(this->effects, this->image, this->camera); }
+
+  // In the middle row, how much of each pixel is black line: what its white is darker by, or its opacity.
+  std::vector<double> LineInRow() const
+  {
+    const rtg::EffectImage result = this->Apply();
+    std::vector<double> line;
+    for (std::uint32_t column = 0; column < this->side; ++column)
+    {
+      const std::size_t at = std::size_t(rows) / 2 * this->side + column;
+      const glm::vec4 colour = glm::unpackUnorm4x8(result.colours[at]);
+      const bool hit = this->colours[at] != 0;
+      line.push_back(hit ? 1.0 - colour.r : colour.a);
+    }
+    return line;
+  }
+
+  rtg::ScreenEffects effects;
+  rtg::Camera camera;
+  std::uint32_t side = 0;
+  std::vector<std::uint32_t> colours, sets, glyphs;
+  std::vector<float> depths;
+  Image image;
+};
+
+class SilhouetteTest : public ScreenEffectsTest, public ::testing::WithParamInterface<std::uint32_t>
+{
+};
+
+// A ball's outline is as wide in each image and lies, half inside and half outside, on its edge; nothing is drawn
+// within.
+TEST_P(SilhouetteTest, SilhouettesAreAsWideInEveryImage)
+{
+  const double radius = 0.5;
+  for (const bool parallel : { true, false })
+  {
+    this->Make(
+      this->GetParam(),
+      [&](double x, double y) {
+        const double square = radius * radius - x * x - y * y;
+        return Seen{ square > 0.0 ? 4.0 - std::sqrt(square) : 0.0, 0 };
+      },
+      parallel);
+    for (const float width : { 1.0f, 2.0f, 5.0f })
+    {
+      this->effects.outlineWidth = width;
+      const std::vector<double> line = this->LineInRow();
+      const auto middle = line.begin() + this->side / 2;
+      EXPECT_NEAR(std::accumulate(line.begin(), middle, 0.0), width, 0.5) << width;
+      EXPECT_NEAR(std::accumulate(middle, line.end(), 0.0), width, 0.5) << width;
+      const double edge = 0.5 * this->side * (1.0 - radius); // in pixels
+      double centre = 0.0;
+      for (std::uint32_t i = 0; i < this->side / 2; ++i)
+      {
+        centre += (i + 0.5) * line[i] / std::accumulate(line.begin(), middle, 0.0);
+      }
+      EXPECT_NEAR(centre, edge, 0.6) << width;
+      const auto reach = static_cast<std::uint32_t>(edge + width + 2.0);
+      EXPECT_EQ(std::accumulate(line.begin() + reach, line.end() - reach, 0.0), 0.0) << width;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sides, SilhouetteTest, ::testing::Values(200u, 1000u, 8000u));
+
+// Lines run between glyphs, along steps and creases within one, and nowhere on what is smooth.
+TEST_F(ScreenEffectsTest, LinesWithinAGlyph)
+{
+  this->effects.outlineWidth = 2.0f;
+  const double slope = 3.0;
+  const auto lineAt = [this](const std::function<Seen(double, double)>& scene)
+  {
+    this->Make(200, scene);
+    const std::vector<double> line = this->LineInRow();
+    return std::accumulate(line.begin() + 5, line.end() - 5, 0.0);
+  };
+  // A plane that leans much; one glyph or two beside each other; a small and a large step; a roof of 90 and one of 20
+  // degrees.
+  EXPECT_EQ(lineAt([&](double x, double) { return Seen{ 4.0 + slope * x * 0.9, 0 }; }), 0.0);
+  EXPECT_NEAR(lineAt([](double x, double) { return Seen{ 4.0, x < 0.0 ? 0u : 1u }; }), 2.0, 0.5);
+  EXPECT_EQ(lineAt([](double x, double) { return Seen{ x < 0.0 ? 4.0 : 4.01, 0 }; }), 0.0);
+  EXPECT_NEAR(lineAt([](double x, double) { return Seen{ x < 0.0 ? 4.0 : 4.2, 0 }; }), 2.0, 0.5);
+  EXPECT_NEAR(lineAt([](double x, double) { return Seen{ 4.0 + std::abs(x), 0 }; }), 2.0, 0.5);
+  EXPECT_EQ(lineAt([](double x, double) { return Seen{ 4.0 + 0.17 * std::abs(x), 0 }; }), 0.0);
+}
+
+// A line over nothing has the depth of what it belongs to, and what has none stays as it was.
+TEST_F(ScreenEffectsTest, LinesHaveDepth)
+{
+  this->effects.outlineWidth = 4.0f;
+  this->effects.outlineColour = { 1.0f, 0.0f, 0.0f };
+  this->Make(64, [](double x, double) { return Seen{ x < 0.0 ? 4.0 : 0.0, 0 }; });
+  const rtg::EffectImage result = this->Apply();
+  const std::size_t row = 64 * rows / 2;
+  EXPECT_EQ(result.colours[row + 32], glm::packUnorm4x8(glm::vec4(1, 0, 0, 1)));
+  EXPECT_EQ(result.depths[row + 32], this->depths[row + 31]);
+  EXPECT_EQ(result.depths[row + 40], 1.0f);
+  EXPECT_EQ(result.colours[row + 40], 0u);
+  EXPECT_EQ(result.colours[row + 10], this->colours[row + 10]);
+}
+
+// What is half-way between the planes loses half of what the farthest loses.
+TEST_F(ScreenEffectsTest, DepthCueGrowsWithDistance)
+{
+  this->effects.depthCue = 0.8f;
+  this->effects.nearDepth = 3.0;
+  this->effects.farDepth = 5.0;
+  for (const bool parallel : { true, false })
+  {
+    this->Make(
+      100, [](double x, double) { return Seen{ 4.0 + 1.5 * x, 0 }; }, parallel);
+    const rtg::EffectImage result = this->Apply();
+    for (std::size_t column = 0; column < 100; ++column)
+    {
+      const double share = glm::clamp((4.0 + 1.5 * (2.0 * (column + 0.5) / 100.0 - 1.0) - 3.0) / 2.0, 0.0, 1.0);
+      const glm::vec4 colour = glm::unpackUnorm4x8(result.colours[rows / 2 * 100 + column]);
+      EXPECT_NEAR(colour.a, 1.0 - 0.8 * share, 0.003);
+      EXPECT_EQ(colour.r, 1.0f);
+    }
+  }
+}
+
+} // namespace
