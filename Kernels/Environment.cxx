@@ -128,7 +128,8 @@ glm::vec3 MeanRadiance(const EnvironmentImage& image, const glm::vec3& normal)
     for (std::uint32_t column = 0; column < image.width; ++column)
     {
       const double longitude = ((column + 0.5) / image.width - 0.5) * 2.0 * glm::pi<double>();
-      const glm::dvec3 direction = cosine * (std::cos(longitude) * glm::dvec3(image.right) + std::sin(longitude) * front) +
+      const glm::dvec3 direction =
+        cosine * (std::cos(longitude) * glm::dvec3(image.right) + std::sin(longitude) * front) +
         sine * glm::dvec3(image.up);
       const double facing = std::max(glm::dot(direction, glm::dvec3(normal)), 0.0);
       sum += share * facing * glm::dvec3(image.radiance[std::size_t(row) * image.width + column]);

@@ -237,7 +237,7 @@ struct FrameRecord
   vec3 groundNormal;  // unit
   float groundHeight; // along it, relative to the scene's origin
   vec3 groundSky;     // light from all around that arrives there, as that of the sky's mean radiance
-  uint branches; // of a sample at its first hit: occlusion rays or paths
+  uint branches;      // of a sample at its first hit: occlusion rays or paths
   uint maximumBounces;
   // An environment image (Shading/Environment.glsl), when the program has one
   RTG_ADDRESS(Vec3Array) environmentTexels;

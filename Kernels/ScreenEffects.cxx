@@ -14,9 +14,11 @@ namespace rtg
 namespace
 {
 
-// From this angle between two surfaces on, in degrees, their edge is a crease; each of them is flatter than that. And by
-// how many pixels a depth must be off what its neighbors on either side lead to, to be a step.
-constexpr double creaseAngle = 40.0, leastStep = 2.0;
+// From this angle between two surfaces on, in degrees, their edge is a crease. Either turns by less than this part of
+// it from pixel to pixel: thin cylinders have none.
+constexpr double creaseAngle = 40.0, flatness = 0.25;
+// By how many pixels a depth must be off what its neighbors on either side lead to, to be a step.
+constexpr double leastStep = 2.0;
 
 // The image's pixels as places in space, from their centers' depths.
 class Surface
@@ -70,19 +72,21 @@ public:
       return false;
     }
     const double between = (next - here) / pixel;
-    if (between > std::max(*before, *behind) + leastStep || between < std::min(*before, *behind) - leastStep)
+    const double step =
+      leastStep + std::max(this->Steepness(x, y, dy, dx, pixel), this->Steepness(nextX, nextY, dy, dx, pixel));
+    if (between > std::max(*before, *behind) + step || between < std::min(*before, *behind) - step)
     {
       return true;
     }
-    // Of two pairs of pixels beside a crease the one that turns more before it than behind it has the line.
-    if (Turn(*before, *behind) < glm::radians(creaseAngle) || Turn(*before, between) < Turn(between, *behind))
+    // The edge may lie in a pixel that both pairs have: the first one, which does not turn, has no line.
+    const double turn = Turn(*before, *behind);
+    if (turn < glm::radians(creaseAngle) || Turn(*before, between) < 0.1 * turn)
     {
       return false;
     }
     const std::optional<double> first = this->Slope(x - 2 * dx, y - 2 * dy, dx, dy, pixel);
     const std::optional<double> last = this->Slope(nextX + dx, nextY + dy, dx, dy, pixel);
-    const double smooth = 0.5 * glm::radians(creaseAngle);
-    return first && last && Turn(*first, *before) < smooth && Turn(*behind, *last) < smooth;
+    return first && last && std::max(Turn(*first, *before), Turn(*behind, *last)) < flatness * turn;
   }
 
 private:
@@ -99,6 +103,13 @@ private:
       return {};
     }
     return (this->ViewDepth(x + dx, y + dy) - this->ViewDepth(x, y)) / pixel;
+  }
+  // At the rim of a glyph depths are those of samples beside the pixel's center: on what is steep across the pair they
+  // are off by up to so much.
+  double Steepness(int x, int y, int dx, int dy, double pixel) const
+  {
+    return std::max(std::abs(this->Slope(x, y, dx, dy, pixel).value_or(0.0)),
+      std::abs(this->Slope(x - dx, y - dy, dx, dy, pixel).value_or(0.0)));
   }
   static double Turn(double slope, double other) { return std::abs(std::atan(slope) - std::atan(other)); }
 
@@ -199,8 +210,7 @@ EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera
           if (result.depths[at] < 1.0f)
           {
             const double depth = places.ViewDepth(static_cast<int>(x), static_cast<int>(row));
-            const double share =
-              (depth - effects.nearDepth) / std::max(effects.farDepth - effects.nearDepth, 1e-300);
+            const double share = (depth - effects.nearDepth) / std::max(effects.farDepth - effects.nearDepth, 1e-300);
             glm::vec4 colour = glm::unpackUnorm4x8(result.colours[at]);
             colour.a *= 1.0f - effects.depthCue * static_cast<float>(std::clamp(share, 0.0, 1.0));
             result.colours[at] = glm::packUnorm4x8(colour);

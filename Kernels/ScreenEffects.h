@@ -12,9 +12,9 @@ namespace rtg
 /// What is done to the pixels of an image once it has been traced.
 struct ScreenEffects
 {
-  float outlineWidth = 0.0f;       ///< pixels, in [0, 64]; 0: no lines
-  glm::vec3 outlineColour{ 0.0f }; ///< display color, in [0, 1]
-  float depthCue = 0.0f;           ///< [0, 1]: what is lost of the opacity at farDepth; in between in proportion
+  float outlineWidth = 0.0f;              ///< pixels, in [0, 64]; 0: no lines
+  glm::vec3 outlineColour{ 0.0f };        ///< display color, in [0, 1]
+  float depthCue = 0.0f;                  ///< [0, 1]: what is lost of the opacity at farDepth; in between in proportion
   double nearDepth = 0.0, farDepth = 1.0; ///< view depths between which the depth cue grows
 
   bool Any() const { return this->outlineWidth > 0.0f || this->depthCue > 0.0f; }
@@ -22,8 +22,8 @@ struct ScreenEffects
 };
 
 /// The colors and window depths of an image with these effects. Lines run along borders between glyphs, or between a
-/// glyph and what is behind it, along steps of the depth within a glyph, and along creases of more than 40 degrees. They
-/// are as wide in every image, half of it on either side of the border, and lie at the depth of what is in front.
+/// glyph and what is behind it, along steps of the depth within a glyph, and along creases of more than 40 degrees.
+/// They are as wide in every image, half of it on either side of the border, and lie at the depth of what is in front.
 struct EffectImage
 {
   std::vector<std::uint32_t> colours; ///< as Image::colour

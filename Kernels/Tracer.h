@@ -93,7 +93,7 @@ struct TraceSettings
   /// tracing's, and that of shadows. It is seen from the side to which its normal (unit) points, behind all else; zero:
   /// there is none.
   glm::vec3 groundNormal{ 0.0f };
-  double groundHeight = 0.0; ///< along the normal, world coordinates
+  double groundHeight = 0.0;    ///< along the normal, world coordinates
   float occlusionRadius = 0.0f; ///< world units, from how far things occlude; 0: from everywhere
   /// Ambient occlusion: directions that each sample asks for light, 1 to 64; powers of two are spread best. Among small
   /// glyphs the light differs more from direction to direction than the place in the pixel matters, and asking costs

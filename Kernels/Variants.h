@@ -103,7 +103,7 @@ const uint ASKED_OF_SETS = COLOURS | ORDER_OF_SLICES;
   ENTRY(10, bool, layered)           /* the image is that of translucent sets: opaque ones only hide */                \
   ENTRY(11, bool, manyLights)        /* more than FEW_LIGHTS */                                                        \
   ENTRY(12, uint, degree)            /* the largest of polynomials */                                                  \
-  ENTRY(13, bool, rayQueries)        /* rays find candidates in the driver's structure, not in own trees */          \
+  ENTRY(13, bool, rayQueries)        /* rays find candidates in the driver's structure, not in own trees */            \
   ENTRY(14, bool, shadows)           /* as TraceSettings has it */                                                     \
   ENTRY(15, bool, sky)               /* light comes from all around, too */                                            \
   ENTRY(16, bool, ground)            /* a plane catches shadows */

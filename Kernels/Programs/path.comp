@@ -52,8 +52,7 @@ Surface GroundSurface()
   return Surface(vec3(1.0), 0.0, 0.0, 0.0, vec3(0.0), 0.0, 0.0, 0.0, vec3(0.0));
 }
 
-vec3 EvaluateAt(
-  const bool onGround, const Surface surface, const vec3 from, const vec3 to, const ScatterNumbers u)
+vec3 EvaluateAt(const bool onGround, const Surface surface, const vec3 from, const vec3 to, const ScatterNumbers u)
 {
   return ground && onGround ? vec3(to.z / scatterPi) : Evaluate(surface, from, to, u);
 }
@@ -156,8 +155,8 @@ DirectLight NoLight()
 
 // What the surface at `origin` reflects of one of the view's lights, as if it were all of them; `x`, `y` and `normal`:
 // its frame, in which `from` points back along the path.
-DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surface surface, const vec3 x, const vec3 y, const vec3 normal,
-  const vec3 from, const ScatterNumbers u, const SampleNumber number, const uint bounce)
+DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surface surface, const vec3 x, const vec3 y,
+  const vec3 normal, const vec3 from, const ScatterNumbers u, const SampleNumber number, const uint bounce)
 {
   DirectLight direct = NoLight();
   if (frame.lightCount > 0u)
@@ -174,16 +173,16 @@ DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surf
       direct.distance = distance;
       direct.seed = SeedOf(number, 2u * bounce + 1u);
       // vtkLight's colours are what a white surface facing the light shows, hence pi.
-      direct.radiance =
-        EvaluateAt(onGround, surface, from, to, u) * light.colour * (scatterPi * incidence.attenuation * float(frame.lightCount));
+      direct.radiance = EvaluateAt(onGround, surface, from, to, u) * light.colour *
+        (scatterPi * incidence.attenuation * float(frame.lightCount));
     }
   }
   return direct;
 }
 
 // The same of what is aimed at of the environment.
-DirectLight FromEnvironment(const bool onGround, const Surface surface, const vec3 x, const vec3 y, const vec3 normal, const vec3 from,
-  const ScatterNumbers u, const SampleNumber number, const uint bounce)
+DirectLight FromEnvironment(const bool onGround, const Surface surface, const vec3 x, const vec3 y, const vec3 normal,
+  const vec3 from, const ScatterNumbers u, const SampleNumber number, const uint bounce)
 {
   DirectLight direct = NoLight();
   if (environmentImage && frame.environmentCellColumns > 0u)
@@ -194,8 +193,8 @@ DirectLight FromEnvironment(const bool onGround, const Surface surface, const ve
     vec3 to = vec3(dot(aim, x), dot(aim, y), dot(aim, normal));
     if (to.z > 0.0 && light.x + light.y + light.z > 0.0)
     {
-      direct =
-        DirectLight(EvaluateAt(onGround, surface, from, to, u) * light, aim, 1e38, SeedOf(number, eventEnvironment + bounce));
+      direct = DirectLight(
+        EvaluateAt(onGround, surface, from, to, u) * light, aim, 1e38, SeedOf(number, eventEnvironment + bounce));
     }
   }
   return direct;

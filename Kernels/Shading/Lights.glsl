@@ -65,8 +65,7 @@ vec3 AimAtLight(const LightRecord light, const Incidence at, const vec2 u, out f
     if (light.kind == 2u)
     {
       vec3 off = at.distance * (middle - dot(aim, middle) * aim);
-      distance = max(
-        at.distance * dot(aim, middle) - sqrt(max(light.radius * light.radius - dot(off, off), 0.0)), 0.0);
+      distance = max(at.distance * dot(aim, middle) - sqrt(max(light.radius * light.radius - dot(off, off), 0.0)), 0.0);
     }
   }
   return aim;

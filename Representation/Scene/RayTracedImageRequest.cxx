@@ -52,7 +52,8 @@ void PutGroundBelow(const vtkBoundingBox& shown, int across, vtkCamera* camera, 
   int axis = across - rtglyphs::RayTracedImageSettings::GroundAcrossX;
   if (across == rtglyphs::RayTracedImageSettings::GroundBelowView)
   {
-    axis = static_cast<int>(std::max_element(up, up + 3, [](double a, double b) { return std::abs(a) < std::abs(b); }) - up);
+    axis =
+      static_cast<int>(std::max_element(up, up + 3, [](double a, double b) { return std::abs(a) < std::abs(b); }) - up);
   }
   const bool upwards = up[axis] >= 0.0;
   settings.groundNormal[axis] = upwards ? 1.0f : -1.0f;
@@ -74,8 +75,10 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   view.settings.height = height;
   // Headlight and light kit make up for the lack of light from all around; path tracing has that.
   const bool surrounded = view.settings.shading == rtg::Shading::PathTracing && settings.LightIntensity > 0.0;
-  view.lights = rtglyphs::RayTracedRendererState::LightsOf(renderer, settings.ShadowSoftness, /*placedOnly=*/surrounded);
-  view.previewLights = rtglyphs::RayTracedRendererState::LightsOf(renderer, settings.ShadowSoftness, /*placedOnly=*/false);
+  const bool soft = settings.Shadows || view.settings.shading == rtg::Shading::PathTracing;
+  view.lights = rtglyphs::RayTracedRendererState::LightsOf(
+    renderer, soft ? settings.ShadowSoftness : 0.0, /*placedOnly=*/surrounded);
+  view.previewLights = rtglyphs::RayTracedRendererState::LightsOf(renderer, /*softness=*/0.0, /*placedOnly=*/false);
   if (surrounded)
   {
     environment = rtglyphs::RayTracedRendererState::EnvironmentOf(renderer, environment);
@@ -88,8 +91,8 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   }
   // Where no light casts a shadow nobody is to ask for any.
   view.settings.shadows = settings.Shadows && view.settings.shading != rtg::Shading::PathTracing &&
-    std::any_of(view.lights.begin(), view.lights.end(), [](const rtg::Light& light)
-      { return light.castsShadow && light.kind != rtg::Light::Kind::Headlight; });
+    std::any_of(view.lights.begin(), view.lights.end(),
+      [](const rtg::Light& light) { return light.castsShadow && light.kind != rtg::Light::Kind::Headlight; });
   if (shown.IsValid() && settings.GroundShadow != rtglyphs::RayTracedImageSettings::NoGround &&
     (view.settings.shadows || view.settings.shading != rtg::Shading::Local))
   {

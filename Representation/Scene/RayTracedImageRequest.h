@@ -19,7 +19,8 @@ namespace rtglyphs::RayTracedImageRequest
  * last one, which is kept up to date. Throws rtg::Error for a camera that sees nothing.
  */
 rtg::ImageView ViewOf(const RayTracedImageSettings& settings, vtkRenderer* renderer, rtg::Pass pass,
-  std::uint32_t width, std::uint32_t height, const vtkBoundingBox& shown, RayTracedRendererState::Environment& environment);
+  std::uint32_t width, std::uint32_t height, const vtkBoundingBox& shown,
+  RayTracedRendererState::Environment& environment);
 
 /**
  * What is done to the pixels of an image of that view, which may have fewer than were asked for.

@@ -17,9 +17,9 @@ struct RayTracedImageSettings
   int MaximumBounces = 10;             // of path tracing, in [1, 1000]
   int Illumination = 0;                // where the light from all around comes from
   static constexpr int StudioLight = 0, UniformLight = 1;
-  bool Shadows = false;                // of lights, where the shading mode has a choice
-  double ShadowSoftness = 2.0;         // degrees, in [0, 45]: angular radius of lights that have no radius
-  int GroundShadow = 0;                // the plane that catches shadows: none, or across
+  bool Shadows = false;        // of lights, where the shading mode has a choice
+  double ShadowSoftness = 2.0; // degrees, in [0, 45]: angular radius of lights that have no radius
+  int GroundShadow = 0;        // the plane that catches shadows: none, or across
   static constexpr int NoGround = 0, GroundBelowView = 1, GroundAcrossX = 2, GroundAcrossZ = 4;
   double LightIntensity = 1.0;                             // in [0, 1e6]
   std::array<double, 3> EnvironmentColor{ 1.0, 1.0, 1.0 }; // in [0, 1]

@@ -127,8 +127,8 @@ rtg::Camera rtglyphs::RayTracedRendererState::CameraOf(vtkRenderer* renderer, co
 }
 
 //----------------------------------------------------------------------------
-std::vector<rtg::Light> rtglyphs::RayTracedRendererState::LightsOf(
-  vtkRenderer* renderer, double softness, bool placedOnly)
+std::vector<rtg::Light>
+rtglyphs::RayTracedRendererState::LightsOf(vtkRenderer* renderer, double softness, bool placedOnly)
 {
   const std::vector<vtkLight*> on = LightsOn(renderer);
   const bool loneHeadlight = on.size() == 1 && on.front()->LightTypeIsHeadlight() && !on.front()->GetPositional();

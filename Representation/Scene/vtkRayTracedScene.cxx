@@ -328,8 +328,8 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
   rtg::ImageView view;
   try
   {
-    view = rtglyphs::RayTracedImageRequest::ViewOf(
-      self.Settings, this->Renderer, static_cast<rtg::Pass>(pass), width, height, self.GroundBounds(pass), self.Environment);
+    view = rtglyphs::RayTracedImageRequest::ViewOf(self.Settings, this->Renderer, static_cast<rtg::Pass>(pass), width,
+      height, self.GroundBounds(pass), self.Environment);
     self.CameraReported.clear();
   }
   catch (const rtg::Error& error)

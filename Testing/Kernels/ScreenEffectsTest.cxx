@@ -33,8 +33,8 @@ protected:
     const double half = double(rows) / side; // of the height
     const glm::dmat4 projection = parallel ? glm::ortho(-1.0, 1.0, -half, half, 1.0, 9.0)
                                            : glm::frustum(-0.25, 0.25, -0.25 * half, 0.25 * half, 1.0, 9.0);
-    this->camera = rtg::Camera::FromWorldToClip(
-      projection * glm::lookAt(glm::dvec3(0, 0, 4), glm::dvec3(0), glm::dvec3(0, 1, 0)));
+    this->camera =
+      rtg::Camera::FromWorldToClip(projection * glm::lookAt(glm::dvec3(0, 0, 4), glm::dvec3(0), glm::dvec3(0, 1, 0)));
     this->side = side;
     this->colours.assign(std::size_t(side) * rows, 0);
     this->depths.assign(this->colours.size(), 1.0f);
@@ -89,7 +89,9 @@ protected:
   Image image;
 };
 
-class SilhouetteTest : public ScreenEffectsTest, public ::testing::WithParamInterface<std::uint32_t>
+class SilhouetteTest
+  : public ScreenEffectsTest
+  , public ::testing::WithParamInterface<std::uint32_t>
 {
 };
 
@@ -102,7 +104,8 @@ TEST_P(SilhouetteTest, SilhouettesAreAsWideInEveryImage)
   {
     this->Make(
       this->GetParam(),
-      [&](double x, double y) {
+      [&](double x, double y)
+      {
         const double square = radius * radius - x * x - y * y;
         return Seen{ square > 0.0 ? 4.0 - std::sqrt(square) : 0.0, 0 };
       },
@@ -174,7 +177,11 @@ TEST_F(ScreenEffectsTest, DepthCueGrowsWithDistance)
   for (const bool parallel : { true, false })
   {
     this->Make(
-      100, [](double x, double) { return Seen{ 4.0 + 1.5 * x, 0 }; }, parallel);
+      100,
+      [](double x, double) {
+        return Seen{ 4.0 + 1.5 * x, 0 };
+      },
+      parallel);
     const rtg::EffectImage result = this->Apply();
     for (std::size_t column = 0; column < 100; ++column)
     {

@@ -215,8 +215,9 @@ TEST_F(ShadowTest, GroundCatchesShadows)
           const glm::dvec3 from(1.5 * (2.0 * (x + (i + 0.5) / 16.0) / 31.0 - 1.0), 0.0, 0.0);
           const double distance = glm::length(glm::dvec3(0, 1, 0) - from);
           // A ball of radius r whose center is d away in a direction of cosine c hides c r^2 / d^2 of a uniform sky.
-          expected += (skyOnly ? 0.16 / std::pow(distance, 3.0)
-                               : 1.0 - FreeShare(from, place, 0.5, glm::dvec3(0, 1, 0), 0.4, shading == Shading::PathTracing)) /
+          expected +=
+            (skyOnly ? 0.16 / std::pow(distance, 3.0)
+                     : 1.0 - FreeShare(from, place, 0.5, glm::dvec3(0, 1, 0), 0.4, shading == Shading::PathTracing)) /
             16.0;
         }
         expected *= shading == Shading::Local ? 0.5 : 1.0; // half of its light comes from elsewhere

@@ -14,7 +14,7 @@ import comparison
 import glyph_legend
 import session
 from checks import Checks, information, stepwise
-from property_claims import (GLYPHS, LEFT, LEVEL, SCENES, SIDE, SURFACE, TUBES, WHITE, Bench, Change, area, as_3d_glyphs, as_before, as_surface, as_with, both,
+from property_claims import (GLYPHS, LEFT, LEVEL, SCENES, SIDE, SURFACE, TUBES, UNLIT, WHITE, Bench, Change, area, as_3d_glyphs, as_before, as_surface, as_with, both,
                              colors, data_of, developed, filmic, glyphs, light, light_of_ball, moments, moved, needing, noise, pixels_of, reads,
                              schlick, spread, to_light)
 
@@ -60,6 +60,59 @@ def picked(change):
         change.look("pick", Pickable=pickable)
         found.append(len(session.picked(change.bench.view, "POINT" if change.kind == GLYPHS else "CELL", (SIDE // 2, SIDE // 2))))
     change.checks.equal(change.name + ": number of things under the pixel", found, [1, 0])
+
+
+def softer(change):
+    """Shadows are as dark in the mean, but have no sharp edges."""
+    change.changed()
+    mask = comparison.covered(255.0 * change.before)
+    change.ratio("mean level", change.after[mask].mean() / change.before[mask].mean(), 0.9, 1.1)
+    # Differences between neighbors within glyphs
+    edges = [numpy.abs(numpy.diff(picture, axis=0))[mask[1:] & mask[:-1]].mean() for picture in (change.before, change.after)]
+    change.ratio("mean difference of neighbors", edges[1] / edges[0], 0.3, 0.97)
+
+
+def caught(low, high, tilt=False):
+    """The background is darker, but no lighter anywhere, in at least such a share of the picture; glyphs stay."""
+    def claim(change):
+        if tilt:
+            session.look(change.bench.view, (0.0, 5.0, 10.0), parallel_scale=SCENES[change.row.scene][2])
+            change.before, change.after = [
+                session.pixels_of(capture(change, value))[..., :3].astype(float) / 255.0 for value in ("None", change.row.value)]
+        mask = comparison.covered(255.0 * change.before)
+        inside = numpy.logical_and.reduce([numpy.roll(mask, (x, y), (0, 1)) for x in range(-2, 3) for y in range(-2, 3)])
+        change.within("change of what glyphs cover", numpy.abs(change.after - change.before)[inside].max(), 0.0, 0.0)
+        lost = (change.before - change.after).max(axis=2)
+        change.within("light that the background gains", max(0.0, float(-(change.before - change.after).min())), 0.0, 1.5 / 255.0)
+        change.ratio("share of the picture that is darker", (lost > 0.02).mean(), low, high)
+    return claim
+
+
+def capture(change, value):
+    """The picture from where the camera is, with another value of the property."""
+    change.shown.SetPropertyWithName(change.name.split()[0], value)
+    return change.bench.view.SMProxy.CaptureWindow(1)
+
+
+def outlined(color, width):
+    """Pixels of the color lie along the ball's edge, as many as a line of that width has."""
+    def claim(change):
+        change.changed()
+        near = [numpy.clip(1.0 - numpy.abs(picture - color).max(axis=2), 0.0, 1.0) for picture in (change.before, change.after)]
+        around = numpy.pi * SCENES[change.row.scene][1] * SIDE / (2.0 * SCENES[change.row.scene][2])
+        found = (near[1] - near[0])[(near[1] > 0.9)].size
+        change.ratio("pixels of the line over those of its length", found / around, width - 1.5, width + 0.5)
+    return claim
+
+
+def faded(change):
+    """All of the ball is nearer the background, what is farther more so."""
+    change.changed()
+    center, rim = SIDE // 2, int(SIDE / 2 - 0.46 * SIDE / (2.0 * SCENES[change.row.scene][2]))
+    magenta = numpy.array([1.0, 0.0, 1.0])
+    left = [numpy.abs(change.after[center, at] - magenta).max() / numpy.abs(change.before[center, at] - magenta).max() for at in (center, rim)]
+    change.ratio("what is left in front", left[0], 0.8, 1.0)
+    change.ratio("what is left at the rim over that", left[1] / left[0], 0.6, 0.97)
 
 
 def others(change):
@@ -171,6 +224,8 @@ OCCLUSION = {"ShadingMode": "Ambient Occlusion", **UNIFORM}
 FLAT = {"ShadingMode": "Local", "Ambient": 1.0, "Diffuse": 0.0, "AmbientColor": [0.8] * 3}
 MIRROR = {**PATHS, "Roughness": 0.0, "DiffuseColor": [0.2] * 3}
 COATED = {**PATHS, "DiffuseColor": BLACK, "CoatStrength": 1.0}
+#: of ParaView's light kit one light casts them
+SHADOWS = {"Shadows": 1, "ShadingMode": "Local", "SamplesPerPixel": 64}
 SHINY = {"Specular": 0.5, "SpecularPower": 20.0}
 ARROW = {"GlyphType": "Arrow", "scene": "arrow"}
 TENSOR = {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor"}
@@ -317,6 +372,12 @@ ROWS = [
     Row("CoatRoughness", 0.9, light(0.3, 0.9), **COATED),
     Row("CoatColor", RED, light_of_ball(lambda cosine: [GRAY, 0.0, 0.0]), **{**COATED, "CoatIOR": 1.0, "DiffuseColor": [0.8] * 3}),
     Row("Illumination", "Uniform", light_of_ball(lambda cosine: [GRAY] * 3), **{"Illumination": "Studio"}),
+    Row("Shadows", 1, light(0.6, 0.97), scene="crowd"),
+    Row("Shadows", 1, light(0.6, 0.99), scene="crowd", **{**OCCLUSION, "Illumination": "Studio"}),
+    Row("ShadowSoftness", 45.0, softer, scene="crowd", **{**SHADOWS, "ShadowSoftness": 0.0}),
+    Row("GroundShadow", "Across Z", caught(0.01, 0.3), **SHADOWS),
+    Row("GroundShadow", "Below", caught(0.05, 0.5, tilt=True), **OCCLUSION),
+    Row("GroundShadow", "Across Z", caught(0.05, 0.6), **PATHS),
     Row("LightIntensity", 0.5, light_of_ball(lambda cosine: [0.5 * GRAY] * 3)),
     Row("LightIntensity", 0.5, developed(lambda light: 0.5 * light), **OCCLUSION),
     Row("EnvironmentColor", [1.0, 0.5, 0.0], light_of_ball(lambda cosine: [GRAY, float(to_light(0.5)) * GRAY, 0.0])),
@@ -325,6 +386,9 @@ ROWS = [
     Row("ToneMapping", "Filmic", light_of_ball(lambda cosine: [filmic(GRAY)] * 3)),
     Row("Exposure", -1.0, developed(lambda light: 0.5 * light)),
     Row("Exposure", -1.0, light_of_ball(lambda cosine: [0.5 * GRAY] * 3)),
+    Row("OutlineWidth", 4.0, outlined(BLACK, 4.0), **UNLIT),
+    Row("OutlineColor", GREEN, outlined(GREEN, 4.0), OutlineWidth=4.0, **{**UNLIT, "DiffuseColor": RED, "AmbientColor": RED}),
+    Row("DepthCue", 0.5, faded, **UNLIT),
     # The image
     Row("SamplesPerPixel", 3, reads("AccumulatedSamples", 3)),
     Row("Denoising", "Always", noise(0.0, 0.6, Denoising="Never", SecondaryRays=64), scene="crowd", **{**PATHS, "SecondaryRays": 1}),

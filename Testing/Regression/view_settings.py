@@ -12,7 +12,8 @@ SURFACE = "Ray Traced Surface"
 #: what is set, no default among it
 SETTINGS = {
     "ShadingMode": "Path Tracing", "AmbientOcclusionRadius": 0.5, "SecondaryRays": 4,
-    "MaximumBounces": 3, "Illumination": "Uniform", "LightIntensity": 0.7, "EnvironmentColor": [0.9, 0.8, 0.7], "ToneMapping": "Filmic", "Exposure": 0.5,
+    "MaximumBounces": 3, "Illumination": "Uniform", "Shadows": 1, "ShadowSoftness": 5.0, "GroundShadow": "Below", "OutlineWidth": 1.5, "OutlineColor": [0.1, 0.2, 0.3],
+    "DepthCue": 0.4, "LightIntensity": 0.7, "EnvironmentColor": [0.9, 0.8, 0.7], "ToneMapping": "Filmic", "Exposure": 0.5,
     "Denoising": "Never", "SamplesPerPixel": 3, "InteractiveReduction": 4}
 
 
@@ -22,7 +23,7 @@ def values(shown):
     for name in SETTINGS:
         value = shown.GetPropertyValue(name)
         # Numbers are stored in text files.
-        found[name] = [round(item, 6) for item in value] if name == "EnvironmentColor" else value
+        found[name] = [round(item, 6) for item in value] if name in ("EnvironmentColor", "OutlineColor") else value
     return found
 
 
