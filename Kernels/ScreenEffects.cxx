@@ -31,7 +31,10 @@ public:
   {
   }
 
-  bool IsHit(int x, int y) const { return this->Inside(x, y) && this->image_.depth[this->At(x, y)] < 1.0f; }
+  bool IsHit(int x, int y) const
+  {
+    return this->Inside(x, y) && this->image_.glyphIds[this->At(x, y)] != Image::noGlyph;
+  }
   bool IsSame(int x, int y, int otherX, int otherY) const
   {
     const std::size_t a = this->At(x, y), b = this->At(otherX, otherY);

@@ -259,5 +259,9 @@ void main()
       s += begins ? 1u : 0u;
     }
   }
+  if (ground)
+  {
+    pixel.behind = GroundDepth(position);
+  }
   EndPixel(position, pixel, sky);
 }

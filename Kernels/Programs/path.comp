@@ -400,5 +400,9 @@ void main()
     direction = OutOfSurface(hit, FromFrame(to, x, y, normal));
     ++bounce;
   }
+  if (ground)
+  {
+    pixel.behind = GroundDepth(position);
+  }
   EndPixel(position, pixel, true);
 }

@@ -63,8 +63,9 @@ struct Pixel
   DoubleWord opacity;
   bool found; // some sample hit
   bool centreHit;
-  float depth; // view depth of the centre's sample, or else of the nearest
-  uint record; // its glyph set's, when a sample of this dispatch identified it; else 0xffffffff
+  float depth;  // view depth of the centre's sample, or else of the nearest
+  float behind; // window depth of what is seen without having been hit: the ground
+  uint record;  // its glyph set's, when a sample of this dispatch identified it; else 0xffffffff
   uint glyph;
 };
 
@@ -76,6 +77,7 @@ Pixel BeginPixel(const uvec2 position)
   pixel.found = false;
   pixel.centreHit = false;
   pixel.depth = 1e38;
+  pixel.behind = 1.0;
   pixel.record = 0xffffffffu;
   pixel.glyph = 0xffffffffu;
   if (frame.firstSample > 0u)
@@ -151,7 +153,7 @@ void EndPixel(const uvec2 position, const Pixel pixel, const bool linear)
     vec3 shown = linear || frame.develops != 0u ? Develop(mean, linear, frame.exposureFactor, frame.toneMapping) : mean;
     packedColour = packUnorm4x8(vec4(shown, pixel.opacity.hi / samples));
   }
-  float windowDepth = 1.0;
+  float windowDepth = pixel.opacity.hi > 0.0 ? pixel.behind : 1.0;
   uint setId = 0xffffffffu;
   if (pixel.found)
   {

@@ -27,6 +27,18 @@ bool MeetGround(const SceneRay ray, out SurfaceHit hit)
   return slope < 0.0 && hit.t + ray.start >= max(frame.nearDepth, 0.0);
 }
 
+// The window depth of the ground in a pixel's center; what lies beyond the far plane is there.
+float GroundDepth(const uvec2 position)
+{
+  DoubleWord3 origin;
+  vec3 direction;
+  CameraRay(SampleNumber(position, 0u), vec2(0.5), origin, direction);
+  SurfaceHit hit;
+  bool met = MeetGround(SceneRay(origin, direction, 0.0), hit);
+  float depth = frame.depthA + (frame.parallel != 0u ? frame.depthB * hit.t : frame.depthB / hit.t);
+  return met ? min(depth, 0.99999994) : 1.0;
+}
+
 // Where rays from there start: beyond what rounding does to the place.
 DoubleWord3 LeaveGround(const SceneRay ray, const SurfaceHit hit)
 {

@@ -28,13 +28,13 @@ std::uint64_t rtglyphs::RayTracedContent::UpdateNeighbors(const rtglyphs::RayTra
   const std::function<void(const std::string&)>& report)
 {
   if (!ranks || settings.ParallelLight != rtglyphs::RayTracedImageSettings::NeighborLight ||
-    settings.ShadingMode == static_cast<int>(rtg::Shading::Local))
+    (settings.ShadingMode == static_cast<int>(rtg::Shading::Local) && !settings.Shadows))
   {
     this->Neighbors.Clear();
     return this->Neighbors.GetVersion();
   }
-  const bool bounded =
-    settings.ShadingMode == static_cast<int>(rtg::Shading::AmbientOcclusion) && settings.AmbientOcclusionRadius > 0.0;
+  const bool bounded = settings.ShadingMode == static_cast<int>(rtg::Shading::AmbientOcclusion) &&
+    settings.AmbientOcclusionRadius > 0.0 && !settings.Shadows;
   std::vector<rtg::GlyphInstances> built;
   const std::string problem =
     this->Neighbors.Exchange(ranks, bounded ? settings.AmbientOcclusionRadius : HUGE_VAL, shown != this->ShownToOthers,

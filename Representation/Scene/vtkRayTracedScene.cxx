@@ -79,18 +79,18 @@ struct vtkRayTracedScene::Internals
   rtglyphs::RayTracedFrameStatus Status; // of the last frame
 
   std::string Reported, CameraReported; // the last failures, until there is an image again
-  bool PassReported = false, ExportReported = false, CutReported = false;
+  bool PassReported = false, GroundReported = false, ExportReported = false, CutReported = false;
   rtglyphs::RayTracedProgress Progress;
 
   rtglyphs::RayTracedEdges Edges;
 
   vtkMultiProcessController* OtherRanks() const;
-  // Of what the ground lies below, in the image that shows it; ranks draw it where all of them have everything.
+  // Of what the ground lies below, in the image that shows it. Of several ranks' pictures compositing takes no more
+  // than what lies before the bounds of their data.
   vtkBoundingBox GroundBounds(int pass) const
   {
     const bool first = pass == opaque || !this->Content.Displays.Shows(opaque);
-    const bool whole = !this->OtherRanks() || this->Settings.IsReplicated();
-    return first && whole ? this->Content.Displays.ComputeShownBounds() : vtkBoundingBox();
+    return first && !this->OtherRanks() ? this->Content.Displays.ComputeShownBounds() : vtkBoundingBox();
   }
   bool HasBothPasses() const
   {
@@ -301,6 +301,12 @@ void vtkRayTracedScene::StartFrame()
                        "off, or choose another representation such as 3D Glyphs.");
   }
   self.PassReported = other;
+  const bool cannot = self.Settings.GroundShadow != rtglyphs::RayTracedImageSettings::NoGround && self.OtherRanks();
+  if (cannot && !self.GroundReported)
+  {
+    vtkWarningMacro(<< "GroundShadow is left out: several ranks render. Set it to None, or render on one.");
+  }
+  self.GroundReported = cannot;
   this->ExchangeEdges();
 }
 

@@ -46,6 +46,13 @@ protected:
       glm::lookAt(glm::dvec3(0, 0.2, 8), glm::dvec3(0, 0, 0), glm::dvec3(0, 1, 0)));
   }
 
+  // Where a pixel of that row sees the floor.
+  double WindowDepth(int x) const
+  {
+    const glm::dvec3 start = this->camera.eye + (2.0 * (x + 0.5) / this->settings.width - 1.0) * this->camera.eyeRight;
+    return this->camera.depthA - this->camera.depthB * start.y / this->camera.forward.y;
+  }
+
   // Of a ball that shines, the share of its solid angle from a place on the floor that another ball leaves free; or of
   // the light that arrives there.
   static double FreeShare(const glm::dvec3& from, const glm::dvec3& shining, double radius, const glm::dvec3& ball,
@@ -224,7 +231,7 @@ TEST_F(ShadowTest, GroundCatchesShadows)
         const glm::vec4 mean = this->PixelMean(x, 0);
         EXPECT_NEAR(mean.a, expected, 0.01) << static_cast<int>(shading) << ' ' << skyOnly << ' ' << x;
         EXPECT_EQ(glm::vec3(mean), glm::vec3(0.0f));
-        EXPECT_EQ(image.depth[x], 1.0f);
+        EXPECT_NEAR(image.depth[x], mean.a > 0.0f ? this->WindowDepth(x) : 1.0, 1e-6);
         EXPECT_EQ(image.setIds[x], Image::noGlyph);
       }
     }

@@ -117,14 +117,16 @@ def together(view, ranks, failures):
 
 
 def light(view, ranks, failures):
-    """What ParallelLight promises: bounded and unbounded occlusion, and paths."""
+    """What ParallelLight promises: bounded and unbounded occlusion, paths, shadows of lights."""
     shown = cluster(view)
     arrived = {}
     # Rays start from places that differ in their last bits, or, with copies of everything, in none.
     for mode, radius, parallel, allowed in (("Ambient Occlusion", 4.0, "Neighbors", 0.0005), ("Ambient Occlusion", 4.0, "Replicated", 0.0),
                                             ("Ambient Occlusion", 0.0, "Neighbors", 0.0005), ("Path Tracing", 0.0, "Neighbors", 0.001),
-                                            ("Path Tracing", 0.0, "Replicated", 0.0), ("Ambient Occlusion", 4.0, "Local", None)):
-        shown.ShadingMode = mode
+                                            ("Path Tracing", 0.0, "Replicated", 0.0), ("Shadows", 0.0, "Neighbors", 0.001),
+                                            ("Shadows", 0.0, "Replicated", 0.0), ("Ambient Occlusion", 4.0, "Local", None)):
+        shown.ShadingMode = {"Shadows": "Local"}.get(mode, mode)
+        shown.Shadows = int(mode == "Shadows")
         shown.AmbientOcclusionRadius = radius
         shown.ParallelLight = parallel
         picture = "parallel-%s-%g" % (mode.lower().replace(" ", "-"), radius)
