@@ -23,13 +23,13 @@ FIRST, LAST = ["Shape", "Location", "Show Only Some"], ["Motion Blur", "Quality"
 SIZE, DIRECTION = ["Scale Factor", "Size By"], ["Direction By"]
 TENSOR, COLORED = ["Tensor Array", "Tensor Components"], ["Color Glyphs By"]
 DEFAULT_ROWS = {
-    "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 22), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 26),
-    "Box": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 25), "Capsule": (DIRECTION + SIZE + FIRST + LAST, 22),
-    "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 24), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 24),
-    "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + LAST, 23), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + LAST, 24),
-    "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + LAST, 24), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + LAST, 22),
-    "Spherical Harmonics": (SIZE + FIRST + COLORED + ["Harmonics Array", "Harmonics Basis"] + LAST, 22),
-    "Normal Stress": (SIZE + FIRST + TENSOR + COLORED + LAST, 22), "Fourth-Order Tensor": (SIZE + FIRST + ["Tensor Array"] + COLORED + LAST, 21)}
+    "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 25), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 29),
+    "Box": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 28), "Capsule": (DIRECTION + SIZE + FIRST + LAST, 25),
+    "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 27), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 27),
+    "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + LAST, 26), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + LAST, 27),
+    "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + LAST, 27), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + LAST, 25),
+    "Spherical Harmonics": (SIZE + FIRST + COLORED + ["Harmonics Array", "Harmonics Basis"] + LAST, 25),
+    "Normal Stress": (SIZE + FIRST + TENSOR + COLORED + LAST, 25), "Fourth-Order Tensor": (SIZE + FIRST + ["Tensor Array"] + COLORED + LAST, 24)}
 #: no more than so many
 MOST_ROWS, MOST_OF_SPHERES = 14, 8
 
