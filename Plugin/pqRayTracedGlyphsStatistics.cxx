@@ -2,6 +2,7 @@
 
 #include "vtkSMProperty.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
@@ -32,9 +33,15 @@ void pqRayTracedGlyphsStatistics::setStatistics(const QString& json)
   this->Statistics = json;
   const QJsonObject numbers = QJsonDocument::fromJson(json.toUtf8()).object();
   const auto number = [&](const char* name) { return QLocale().toString(numbers.value(name).toDouble(), 'f', 0); };
+  QStringList choices;
+  for (const QJsonValue& sentence : numbers.value("choices").toArray())
+  {
+    choices.append(sentence.toString() + "\n");
+  }
   this->Words->setText(numbers.isEmpty()
       ? tr("No picture yet")
-      : tr("%1\n%2 samples a pixel\n%3 glyphs\n%4 for glyphs and pictures on the device")
+      : choices.join("") +
+        tr("%1\n%2 samples a pixel\n%3 glyphs\n%4 for glyphs and pictures on the device")
           .arg(numbers.value("DeviceName").toString(), number("AccumulatedSamples"), number("glyphs"),
             QLocale().formattedDataSize(static_cast<qint64>(numbers.value("deviceBytes").toDouble()))));
 }

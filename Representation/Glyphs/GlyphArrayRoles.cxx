@@ -24,35 +24,37 @@ constexpr int active = 45; // ParaView's attribute
 constexpr int turns = 120; // a body is turned by its rotation, whatever vectors there are
 constexpr int tensor = 60; // the name of one
 
-// Columns: DIRECTION, ROTATION, SIZE, LENGTH, VELOCITY, TENSOR, HARMONICS
+// Columns: DIRECTION, ROTATION, SIZE, LENGTH, VELOCITY, TENSOR, HARMONICS, EXPONENTS
 const Meaning meanings[] = {
   { { "colo*", "rgb*", "rgba", "texture*", "tcoord*", "normalmap" }, {} },
-  { { "radius*", "radii" }, { 0, 0, 90, 20, 0, 0, 0 }, 2.0 },
-  { { "diameter*", "diam", " d" }, { 0, 0, 88, 20, 0, 0, 0 }, 1.0 },
-  { { "spacing" }, { 0, 0, 80, 18, 0, 0, 0 }, 1.0 },
+  { { "blockiness*", "exponent*", "roundness*", " block" }, { 0, 0, 0, 0, 0, 0, 0, 80 } },
+  { { "radius*", "radii" }, { 0, 0, 90, 20, 0, 0, 0, 0 }, 2.0 },
+  { { "diameter*", "diam", " d" }, { 0, 0, 88, 20, 0, 0, 0, 0 }, 1.0 },
+  { { "spacing" }, { 0, 0, 80, 18, 0, 0, 0, 0 }, 1.0 },
   { { "smoothing*", "size*", "length*", "shape*", "scale*", "dimension*", "extent*", " h" },
-    { 0, 0, 70, 16, 0, 0, 0 } },
+    { 0, 0, 70, 16, 0, 0, 0, 0 } },
   { { "id", "ids", "type*", "material*", "block*", "index", "label*", "rank*", "process*", "proc", "ghost*", "vtk*",
-      "mol", "molecule*", "element*", "group*", "mask*", "flag*", "status*", "state*", "is", " image", "period*" },
+      "mol", "molecule*", "element*", "group*", "mask*", "flag*", "status*", "state*", "is", "idp",
+      "subdomain*", "partition*", " image", "period*" },
     {} },
   { { "angle*", "euler*", "position*", "pos", "coord*", "location*", "point*", " xyz" }, {} },
   { { "quat*", "q", "rot", "rotation*", "matrix", "axes", "frame", "basis", "transform*" },
-    { 48, turns, 0, 0, 0, 0, 0 } },
-  { { "orient*" }, { 48, turns, 0, 0, 0, 0, 0 } },
-  { { "angular*", "ang", "angvel", "omega" }, { 44, 44, 10, 44, 0, tensor, 0 } },
+    { 48, turns, 0, 0, 0, 0, 0, 0 } },
+  { { "orient*" }, { 48, turns, 0, 0, 0, 0, 0, 0 } },
+  { { "angular*", "ang", "angvel", "omega" }, { 44, 44, 10, 44, 0, tensor, 0, 0 } },
   { { "tensor*", "stress*", "strain*", "sigma", "epsilon", "diffusion*", "dti", "hessian*", "inertia*", "conductivity*",
       "permeability*", "virial*", "reynolds*", "fabric*" },
-    { 20, 20, 15, 20, 0, tensor, 20 } },
-  { { "veloc*", "vel", "speed*", "v", "u" }, { 60, 60, 25, 60, 90, 20, 0 } },
-  { { "displac*", "disp", "displ" }, { 58, 58, 24, 58, 0, 20, 0 } },
-  { { "force*", "f" }, { 56, 56, 24, 56, 0, 20, 0 } },
+    { 20, 20, 15, 20, 0, tensor, 20, 0 } },
+  { { "veloc*", "vel", "speed*", "v", "u" }, { 60, 60, 25, 60, 90, 20, 0, 0 } },
+  { { "displac*", "disp", "displ", "depl" }, { 58, 58, 24, 58, 0, 20, 0, 0 } },
+  { { "force*", "f" }, { 56, 56, 24, 56, 0, 20, 0, 0 } },
   { { "acceler*", "moment*", "mom", "flux*", "flow*", "wind*", "current*", "field*", "magnet*", "dipole*", "spin*",
       "grad*", "direct*", "dir", "vector*", "vec", "tangent*", "axis", "vorticity", "torque*" },
-    { 50, 50, 22, 50, 0, tensor, 0 } },
-  { { "pressure*" }, { 20, 20, 20, 20, 0, tensor, 0 } },
-  { { "normal*" }, { 7, 7, 0, 7, 0, 0, 0 } },
+    { 50, 50, 22, 50, 0, tensor, 0, 0 } },
+  { { "pressure*" }, { 20, 20, 20, 20, 0, tensor, 0, 0 } },
+  { { "normal*" }, { 7, 7, 0, 7, 0, 0, 0, 0 } },
 };
-const Meaning unnamed = { {}, { 20, 20, 20, 20, 1, 20, 20 } };
+const Meaning unnamed = { {}, { 20, 20, 20, 20, 1, 20, 20, 0 } };
 
 // In lower case.
 Words WordsOf(const std::string& name)
@@ -101,6 +103,11 @@ const Meaning& MeaningOf(const std::string& name, int components)
   return found != std::end(meanings) ? *found : unnamed;
 }
 
+const Meaning& MeaningOf(const Array& array)
+{
+  return MeaningOf(array.Columns.empty() ? array.Name : array.Columns, array.Components);
+}
+
 // All of one magnitude: quaternions, rotation matrices.
 bool HasLength(const Array& array, double length)
 {
@@ -123,7 +130,7 @@ bool IsNeverVector(const Meaning& meaning)
 bool Fits(Role role, const Array& array)
 {
   const int n = array.Components;
-  const Meaning& meaning = MeaningOf(array.Name, array.Components);
+  const Meaning& meaning = MeaningOf(array);
   const bool vector = n == 3 || (n == 2 && &meaning != &unnamed);
   const bool turning = meaning.Scores[ROTATION] == turns || IsRotation(array);
   switch (role)
@@ -137,6 +144,8 @@ bool Fits(Role role, const Array& array)
       return n == 1 || vector;
     case VELOCITY:
       return vector;
+    case EXPONENTS:
+      return n == 2 || n == 3;
     case TENSOR:
       return n == 6 || n == 7 || n == 9 || n == 15 || n == 21 || n == 36 || n == 81 ||
         ((n == 3 || n == 4) &&
@@ -147,20 +156,28 @@ bool Fits(Role role, const Array& array)
   }
 }
 
-// 1 or less: not in this role.
-int Score(Role role, const Array& array, double spacing)
+struct Evidence
 {
-  const Meaning& meaning = MeaningOf(array.Name, array.Components);
+  int Score = 0; // 1 or less: not in this role
+  const char* Why = nullptr; // null: nothing but the number of components
+};
+
+Evidence Weigh(Role role, const Array& array, double spacing)
+{
+  const Meaning& meaning = MeaningOf(array);
   const bool named = &meaning != &unnamed;
-  int score = meaning.Scores[role];
+  Evidence evidence{ meaning.Scores[role], named ? "its name" : nullptr };
+  int& score = evidence.Score;
   if (array.IsColor || score == 0 || !Fits(role, array) || (role == TENSOR && IsRotation(array)))
   {
-    return 0;
+    return {};
   }
   if (array.IsActive[role])
   {
+    evidence.Why = score < active ? "an active array of the data" : evidence.Why;
     score += active;
   }
+  score -= array.Columns.empty() ? 0 : 1; // arrays of the data first
   if ((role == DIRECTION || role == ROTATION) && array.Components == 4)
   {
     score -= role == DIRECTION ? 6 : 0; // arrows follow a vector, if there is one
@@ -168,10 +185,12 @@ int Score(Role role, const Array& array, double spacing)
   if (role == ROTATION && IsRotation(array))
   {
     score += turns;
+    evidence.Why = evidence.Why ? evidence.Why : "its values, which are rotations";
   }
   if (role == TENSOR && array.HasTensorNames)
   {
     score += tensor;
+    evidence.Why = "the names of its components";
   }
   if (role == TENSOR && array.Components > 9)
   {
@@ -190,29 +209,103 @@ int Score(Role role, const Array& array, double spacing)
       if (plausible)
       {
         score += 2;
+        evidence.Why = evidence.Why ? evidence.Why : "its values, which suit the distances of the points";
       }
       score -= same ? 2 : 0; // a number of kinds, or nothing to see
     }
   }
-  return score;
+  else if (!named && array.IsPlace)
+  {
+    return {}; // the points' coordinates once more
+  }
+  else if (!named && array.IsKnown() && array.Largest == 0.0)
+  {
+    score /= 4; // nothing to see
+  }
+  return evidence;
 }
 }
 
 //----------------------------------------------------------------------------
-std::string rtglyphs::GlyphArrayRoles::Choose(Role role, const std::vector<Array>& arrays, double spacing)
+Choice rtglyphs::GlyphArrayRoles::Choose(Role role, const std::vector<Array>& arrays, double spacing)
 {
-  std::string best;
-  int most = 1;
+  Choice best;
+  Evidence most{ 1, nullptr };
+  int alike = 0; // arrays that as much speaks for
   for (const Array& array : arrays)
   {
-    const int score = Score(role, array, spacing);
-    if (score > most)
+    const Evidence evidence = Weigh(role, array, spacing);
+    alike = evidence.Score > most.Score ? 1 : alike + (evidence.Score == most.Score ? 1 : 0);
+    if (evidence.Score > most.Score)
     {
-      most = score;
-      best = array.Name;
+      most = evidence;
+      best.Name = array.Name;
+      best.Components = array.Components;
     }
   }
+  if (best)
+  {
+    best.Why = most.Why ? most.Why : "its number of components";
+    best.Why += alike > 1 ? ", as the first of " + std::to_string(alike) + " arrays that are alike in this" : "";
+  }
   return best;
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphArrayRoles::IsSize(const std::string& name)
+{
+  return MeaningOf(name, 1).Scores[SIZE] >= 70;
+}
+
+//----------------------------------------------------------------------------
+std::vector<Array> rtglyphs::GlyphArrayRoles::Join(const std::vector<Array>& numbers)
+{
+  // Six numbered columns are those of LAMMPS, in its order of tensors.
+  static const std::vector<Words> indices = { { "1", "2", "3", "4", "6", "5" }, { "xx", "yy", "zz", "xy", "yz", "xz" },
+    { "XX", "YY", "ZZ", "XY", "YZ", "XZ" }, { "11", "22", "33", "12", "23", "13" }, { "w", "x", "y", "z" },
+    { "w", "i", "j", "k" }, { "1", "2", "3", "4" }, { "x", "y", "z" }, { "X", "Y", "Z" }, { "0", "1", "2" },
+    { "1", "2", "3" }, { "x", "y" }, { "1", "2" } };
+  Words left;
+  for (const Array& number : numbers)
+  {
+    left.push_back(number.Name);
+  }
+  std::vector<Array> joined;
+  for (const Words& index : indices)
+  {
+    for (const std::string& first : Words(left))
+    {
+      const std::size_t length = index.front().size(), at = first.rfind(index.front());
+      const auto isAt = [&](std::size_t place)
+      { return place < first.size() && std::isalnum(static_cast<unsigned char>(first[place])); };
+      // Behind a name, or before one but for a sign between.
+      if (at == std::string::npos || isAt(at + length))
+      {
+        continue;
+      }
+      Array array;
+      Words names;
+      for (const std::string& one : index)
+      {
+        names.push_back(first.substr(0, at) + one + first.substr(at + length));
+        array.Name += (array.Name.empty() ? "" : ", ") + names.back();
+      }
+      array.Columns = first.substr(0, at) + ' ' + first.substr(at + length);
+      array.Components = static_cast<int>(index.size());
+      const bool all = std::all_of(names.begin(), names.end(),
+        [&left](const std::string& name) { return std::find(left.begin(), left.end(), name) != left.end(); });
+      const bool meant = array.Components > 2 || &MeaningOf(array) != &unnamed;
+      if (all && meant && !WordsOf(array.Columns).empty())
+      {
+        left.erase(std::remove_if(left.begin(), left.end(),
+                     [&names](const std::string& name)
+                     { return std::find(names.begin(), names.end(), name) != names.end(); }),
+          left.end());
+        joined.push_back(array);
+      }
+    }
+  }
+  return joined;
 }
 
 //----------------------------------------------------------------------------

@@ -22,26 +22,48 @@ enum Role
   VELOCITY,
   TENSOR, // of second order, else of fourth
   HARMONICS,
+  EXPONENTS, // of superquadrics
   NUMBER_OF_ROLES
 };
 
 struct Array
 {
   std::string Name;
+  std::string Columns; // what the names of joined arrays have in common; empty: one array
   int Components = 1;
   bool IsColor = false;                // bytes, or an attribute that is no quantity
   bool IsWhole = false;                // of an integer type
   bool IsActive[NUMBER_OF_ROLES] = {}; // ParaView's attribute of that kind
   bool HasTensorNames = false;         // its components are named xx, xy, ...
+  bool IsPlace = false;                // three components with the ranges of the points' coordinates
   double Least = 0.0, Largest = -1.0;  // value, of several components magnitude; Largest < Least: not known
   bool IsKnown() const { return this->Least <= this->Largest; }
 };
 
+struct Choice
+{
+  std::string Name; // empty: none
+  std::string Why;  // what speaks for it, in a few words
+  int Components = 0;
+  explicit operator bool() const { return !this->Name.empty(); }
+};
+
 /**
- * The name of the array with the most evidence for a role; empty: none. `spacing` is the usual distance between points,
- * 0: not known.
+ * The array with the most evidence for a role. `spacing` is the usual distance between points, 0: not known.
  */
-std::string Choose(Role role, const std::vector<Array>& arrays, double spacing);
+Choice Choose(Role role, const std::vector<Array>& arrays, double spacing);
+
+/**
+ * Vectors, quaternions, tensors and exponents that tables have as columns, whose names differ in an index only: vx, vy
+ * and vz, x_vel, ..., Velocity:0, ..., quatw, quati, ... Their name is what properties call joined arrays, with commas
+ * between. Of tensors the order is xx, yy, zz, xy, yz, xz.
+ */
+std::vector<Array> Join(const std::vector<Array>& numbers);
+
+/**
+ * Whether the name is that of a size.
+ */
+bool IsSize(const std::string& name);
 
 /**
  * What a size of that name has to be multiplied by to be a diameter: 2 a radius, 1 a diameter. 0: the name is not that

@@ -80,3 +80,45 @@ rtglyphs::GlyphTensorRange::Get(vtkPolyData* points, const rtglyphs::GlyphSettin
   }
   return all[0] <= -all[1] ? std::array<double, 2>{ all[0], -all[1] } : std::array<double, 2>{ 1.0, -1.0 };
 }
+
+//----------------------------------------------------------------------------
+double rtglyphs::GlyphTensorRange::NegativeFraction(vtkPolyData* points, const rtglyphs::GlyphSettings& settings)
+{
+  constexpr double rounding = 1e-6;
+  rtglyphs::GlyphTensors::Settings tensors;
+  static_cast<rtglyphs::GlyphTensors::Source&>(tensors) = settings.Tensors;
+  tensors.On = settings.Tensors.On || settings.Forms.On;
+  vtkDataArray* array = points ? rtglyphs::GlyphTensors::Array(points, tensors) : nullptr;
+  this->Counted.Update({ tensors, array ? array->GetMTime() : 0 },
+    [&]
+    {
+      this->Counts.assign(2, 0.0);
+      if (!array || !rtglyphs::GlyphTensors::Problem(array, tensors).empty())
+      {
+        return;
+      }
+      const rtglyphs::GlyphTensors all(array, tensors, {});
+      const vtkIdType count = points->GetNumberOfPoints();
+      std::vector<std::array<double, 2>> counts(rtglyphs::RayTracedParallel::NumberOfChunks(count));
+      rtglyphs::RayTracedParallel::ForChunks(count,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          std::array<double, 2>& own = counts[rtglyphs::RayTracedParallel::ChunkOf(begin)];
+          glm::dvec3 values;
+          for (vtkIdType point = begin; point < end; ++point)
+          {
+            const bool good = all.Eigenvalues(point, values);
+            own[0] += good && values.z < -rounding * std::max(std::abs(values.x), std::abs(values.z)) ? 1.0 : 0.0;
+            own[1] += good ? 1.0 : 0.0;
+          }
+        });
+      for (const std::array<double, 2>& own : counts)
+      {
+        this->Counts[0] += own[0];
+        this->Counts[1] += own[1];
+      }
+    });
+  std::vector<double> counts = this->Counts;
+  rtglyphs::RayTracedRanks::Reduce(counts, vtkCommunicator::SUM_OP);
+  return counts[1] > 0.0 ? counts[0] / counts[1] : 0.0;
+}

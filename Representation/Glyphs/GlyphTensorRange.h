@@ -11,6 +11,7 @@
 
 #include <array>
 #include <tuple>
+#include <vector>
 
 class vtkPolyData;
 
@@ -27,9 +28,16 @@ public:
    */
   std::array<double, 2> Get(vtkPolyData* points, const GlyphSettings& settings, bool collective);
 
+  /**
+   * The fraction of the tensors, if glyphs show any, that have a negative eigenvalue, over all ranks.
+   */
+  double NegativeFraction(vtkPolyData* points, const GlyphSettings& settings);
+
 private:
   std::array<double, 2> Own{}; // of this rank: the least number, and the negative of the largest
   RayTracedCache<std::tuple<GlyphTensors::Settings, GlyphForms::Settings, vtkMTimeType>> Known;
+  std::vector<double> Counts{ 0.0, 0.0 }; // of this rank's tensors: with a negative eigenvalue, all
+  RayTracedCache<std::tuple<GlyphTensors::Source, vtkMTimeType>> Counted;
 };
 
 } // namespace rtglyphs

@@ -201,6 +201,7 @@ void vtkRayTracedGlyphRepresentation::UpdateTensorRange(vtkPolyData* points)
     const std::array<double, 2> range = this->NumberRange.Get(points, settings, true);
     std::copy(range.begin(), range.end(), this->TensorRange);
   }
+  this->NegativeTensors = this->NumberRange.NegativeFraction(points, settings);
 }
 
 //----------------------------------------------------------------------------

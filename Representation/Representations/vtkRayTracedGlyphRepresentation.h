@@ -190,6 +190,11 @@ public:
    */
   double* GetGlyphTensorRange() VTK_SIZEHINT(2) { return this->TensorRange; }
 
+  /**
+   * Information: the fraction of the tensors shown that have a negative eigenvalue.
+   */
+  double GetGlyphNegativeTensors() const { return this->NegativeTensors; }
+
   ///@{
   /**
    * Whether arrows show the antisymmetric parts of tensors of nine components (GlyphSettings::AxesOfTensors), and
@@ -271,6 +276,7 @@ private:
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   double TensorRange[2] = { 1.0, -1.0 };
+  double NegativeTensors = 0.0;
   rtglyphs::GlyphTensorRange NumberRange; // of the data
   rtglyphs::GlyphTensorRange ShownRange;  // of what is delivered to be rendered
 

@@ -1,10 +1,13 @@
 #include "RayTracedGlyphDefaults.h"
 
 #include "RayTracedDefault.h"
+#include "GlyphTensors.h"
 #include "RayTracedSuggestion.h"
 #include "vtkCommand.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkPVXMLElement.h"
 #include "vtkPVXMLParser.h"
+#include "vtkRayTracedGlyphRepresentation.h"
 #include "vtkSMInputArrayDomain.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
@@ -16,6 +19,8 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -51,7 +56,7 @@ const char* const sharedArrays[] = { "SelectOrientationVectors", "SelectScaleArr
 const std::set<std::string> decisive = { "GlyphShape", "GlyphType", "ScaleMode", "SelectOrientationVectors" };
 
 // Those that ray-traced glyphs have another default of.
-const std::set<std::string> defaultedAnew = { "GlyphType", "Orient", "ScaleFactor", "Scaling", "SelectScaleArray",
+const std::set<std::string> defaultedAnew = { "GlyphType", "Orient", "ScaleFactor", "ScaleMode", "Scaling", "SelectScaleArray",
   "SelectOrientationVectors" };
 
 bool ShowsGlyphs(vtkSMProxy* display)
@@ -124,12 +129,16 @@ void rtglyphs::RayTracedGlyphDefaults::Follow(vtkSMProxy* glyphs, const std::str
   {
     return;
   }
-  if (defaultedAnew.count(name))
+  if (defaultedAnew.count(name) || this->Coloring.Follow(glyphs, name))
   {
     this->Chosen.insert(name);
   }
   if (decisive.count(name) && ShowsGlyphs(glyphs->GetTrueParentProxy()))
   {
+    if (name == "GlyphShape")
+    {
+      this->ChooseScaleMode(glyphs);
+    }
     this->ChooseArrays(glyphs, Where::Everywhere);
   }
   if (name == "ScaleFactor")
@@ -148,6 +157,10 @@ void rtglyphs::RayTracedGlyphDefaults::Follow(vtkSMProxy* glyphs, const std::str
 //----------------------------------------------------------------------------
 void rtglyphs::RayTracedGlyphDefaults::Choose(vtkSMProxy* glyphs)
 {
+  if (!this->InView)
+  {
+    this->Coloring.Enter(glyphs);
+  }
   this->InView = true;
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
   vtkSMSessionProxyManager* proxies = glyphs->GetSessionProxyManager();
@@ -189,10 +202,15 @@ void rtglyphs::RayTracedGlyphDefaults::Choose(vtkSMProxy* glyphs)
   if (sphere && !this->Chosen.count("GlyphType") && IsNone(display, "SelectOrientationVectors"))
   {
     vtkSMPropertyHelper(type).Set(sphere);
+    this->ChooseScaleMode(glyphs);
   }
   if (!this->Chosen.count("ScaleFactor"))
   {
     vtkSMPropertyHelper(glyphs, "ScaleFactorFromData").Set(1);
+  }
+  if (!this->Chosen.count("ColorArrayName") && !this->Chosen.count("GlyphTensorColoring"))
+  {
+    this->Coloring.Begin(glyphs);
   }
   this->Choosing = false;
 }
@@ -242,6 +260,97 @@ void rtglyphs::RayTracedGlyphDefaults::ChooseArray(vtkSMProxy* glyphs, const cha
   own->FindDomain<vtkSMRayTracedArrayListDomain>()->SetDefaultValues(shared, /*useUncheckedValues=*/false);
   own->Copy(shared); // links pass nothing on while they pass on ScaleMode
   this->Choosing = choosing;
+}
+
+//----------------------------------------------------------------------------
+std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* display)
+{
+  std::vector<std::string> sentences;
+  vtkSMProxy* glyphs =
+    ShowsGlyphs(display) ? Display::Representation(display, "RayTracedGlyphRepresentation") : nullptr;
+  if (!glyphs)
+  {
+    return sentences;
+  }
+  const auto number = [glyphs](const char* name) { return vtkSMPropertyHelper(glyphs, name).GetAsDouble(); };
+  const auto explain = [&](const char* what, const char* name)
+  {
+    auto* domain = glyphs->GetProperty(name)->FindDomain<vtkSMRayTracedArrayListDomain>();
+    if (IsNone(glyphs, name) || !domain)
+    {
+      return;
+    }
+    const std::string array = vtkSMPropertyHelper(glyphs, name).GetAsString();
+    const auto choice = domain->Choose();
+    sentences.push_back(what + (" by " + array) + (choice.Name == array ? ": " + choice.Why : ""));
+  };
+  using Shapes = vtkRayTracedGlyphRepresentation;
+  const int shape = static_cast<int>(number("GlyphShape"));
+  const bool tensors = (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) ||
+    shape >= Shapes::REYNOLDS;
+  if (tensors || shape == Shapes::SPHERICAL_HARMONICS)
+  {
+    explain("Form", tensors ? "GlyphTensorArray" : "GlyphHarmonicsArray");
+  }
+  if (number("Scaling") != 0.0 && number("ScaleMode") != 0.0)
+  {
+    explain("Size", "SelectScaleArray");
+  }
+  if (number("Orient") != 0.0 && !tensors)
+  {
+    explain("Direction", "SelectOrientationVectors");
+  }
+  if (number("MotionBlur") != 0.0)
+  {
+    explain("Motion", "VelocityArray");
+  }
+  if (number("ColorFromData") != 0.0)
+  {
+    const char* array = vtkSMPropertyHelper(display, "ColorArrayName").GetAsString(4);
+    const vtkSMPropertyHelper coloring(glyphs, "GlyphTensorColoring");
+    const std::string color = coloring.GetAsInt() != 0 ? coloring.GetAsString() : array ? array : "";
+    if (!color.empty())
+    {
+      sentences.push_back("Color by " + color + ": what the glyphs show");
+    }
+  }
+  const double negative = number("GlyphNegativeTensors");
+  if (tensors && negative > 0.0)
+  {
+    const int percent = std::max(1, static_cast<int>(std::lround(100.0 * negative)));
+    const bool anisotropy = number("GlyphTensorColoring") == rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
+    const bool positive = shape == Shapes::TENSOR_ELLIPSOID || shape == Shapes::TENSOR_SUPERQUADRIC;
+    std::string sentence = std::to_string(percent) + " % of the tensors have a negative eigenvalue";
+    sentence += positive ? ", drawn as a positive one" : "";
+    sentence += anisotropy ? "; their fractional anisotropy may pass 1" : "";
+    if (positive || anisotropy)
+    {
+      sentences.push_back(sentence);
+    }
+  }
+  return sentences;
+}
+
+//----------------------------------------------------------------------------
+// Bodies, and spheres that nobody has chosen, have the sizes that the data say they have.
+void rtglyphs::RayTracedGlyphDefaults::ChooseScaleMode(vtkSMProxy* glyphs)
+{
+  auto* list = glyphs->GetProperty("SelectScaleArray")->FindDomain<vtkSMRayTracedArrayListDomain>();
+  if (this->Chosen.count("ScaleMode") || !list)
+  {
+    return;
+  }
+  const auto size = list->Choose();
+  const int mode = !rtglyphs::GlyphArrayRoles::IsSize(size.Name) ? vtkGlyph3DMapper::NO_DATA_SCALING
+    : size.Components == 1                                      ? vtkGlyph3DMapper::SCALE_BY_MAGNITUDE
+                                                                : vtkGlyph3DMapper::SCALE_BY_COMPONENTS;
+  vtkSMProperty* shared = glyphs->GetTrueParentProxy()->GetProperty("ScaleMode");
+  const bool choosing = this->Choosing;
+  this->Choosing = true;
+  vtkSMPropertyHelper(shared).Set(mode);
+  glyphs->GetProperty("ScaleMode")->Copy(shared);
+  this->Choosing = choosing;
+  this->ChooseArrays(glyphs, Where::Everywhere);
 }
 
 //----------------------------------------------------------------------------

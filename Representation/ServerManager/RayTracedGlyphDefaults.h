@@ -6,8 +6,11 @@
 #ifndef RayTracedGlyphDefaults_h
 #define RayTracedGlyphDefaults_h
 
+#include "RayTracedColoring.h"
+
 #include <set>
 #include <string>
+#include <vector>
 
 class vtkSMProxy;
 
@@ -34,6 +37,17 @@ public:
   bool Renew(vtkSMProxy* glyphs, bool otherTime);
 
   /**
+   * The same, when all is chosen that the color depends on.
+   */
+  void Color(vtkSMProxy* glyphs, vtkSMProxy* view) { this->Coloring.Update(glyphs, view); }
+
+  /**
+   * Which arrays the glyphs of a display show, and why, where they are those that the data suggest; and what is to be
+   * known of them. Sentences, none where it shows no ray-traced glyphs.
+   */
+  static std::vector<std::string> Explain(vtkSMProxy* display);
+
+  /**
    * The panel shows 3D Glyphs' properties at once, and path tracing's material not with Interpolation PBR alone.
    */
   static void ShowInPanel(vtkSMProxy* display);
@@ -48,8 +62,10 @@ private:
 
   bool ChooseArrays(vtkSMProxy* glyphs, Where where);
   void ChooseArray(vtkSMProxy* glyphs, const char* name);
+  void ChooseScaleMode(vtkSMProxy* glyphs);
   void ListArrays(vtkSMProxy* glyphs);
 
+  RayTracedColoring Coloring;
   std::set<std::string> Chosen; // properties that the user or a script has set
   bool Shown = false;           // as ray-traced glyphs
   bool InView = false;          // else the display is being made

@@ -77,7 +77,10 @@ void rtglyphs::RayTracedTensorTable::Update(vtkSMProxy* glyphs, vtkSMProxy* view
     glyphs->UpdateVTKObjects();
     this->IsChosen = false;
   }
-  if (vtkSMProxy* bar = fresh ? barOf(name) : nullptr)
+  // Of what the data have chosen ParaView's window shows bars, scripts do it themselves.
+  const bool shows = vtkSMPropertyHelper(glyphs, "ColorFromData").GetAsInt() == 0 ||
+    vtkSMPropertyHelper(glyphs->GetTrueParentProxy(), "SamplesPerRender").GetAsInt() < 0;
+  if (vtkSMProxy* bar = fresh && shows ? barOf(name) : nullptr)
   {
     vtkSMPropertyHelper(bar, "Title").Set(name.c_str());
     vtkSMPropertyHelper(bar, "ComponentTitle").Set("");

@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <functional>
+#include <iterator>
 #include <vector>
 
 vtkStandardNewMacro(vtkSMRayTracedArrayListDomain);
@@ -26,31 +26,44 @@ namespace
 {
 using namespace rtglyphs::GlyphArrayRoles;
 
+// Of six and nine components without names ParaView says XX, YY, ...
 bool AreTensorNames(vtkPVArrayInformation* array)
 {
-  const auto isIndex = [](const char* name)
+  const int components = array->GetNumberOfComponents();
+  bool all = components > 1, known = components == 6 || components == 9;
+  for (int i = 0; i < components; ++i)
   {
+    const char* name = array->GetComponentName(i);
     const std::string text = name ? name : "";
     const std::string index = text.size() < 2 ? text : text.substr(text.size() - 2);
-    return index.size() == 2 && index.find_first_not_of("xyzXYZ123") == std::string::npos;
-  };
-  bool all = array->GetNumberOfComponents() > 1;
-  for (int i = 0; i < array->GetNumberOfComponents(); ++i)
-  {
-    all &= isIndex(array->GetComponentName(i));
+    all &= index.size() == 2 && index.find_first_not_of("xyzXYZ123") == std::string::npos;
+    known &= text.size() == 2 && text.find_first_not_of("XYZ") == std::string::npos;
   }
-  return all;
+  return all && !known;
 }
 
-// Null attributes have none.
-std::vector<Array>
-ArraysOf(vtkPVDataSetAttributesInformation* attributes, const std::function<bool(const char*)>& isWanted)
+// Whether the components' ranges are those of the coordinates.
+bool ArePlaces(vtkPVArrayInformation* array, const double bounds[6])
+{
+  bool same = array->GetNumberOfComponents() == 3;
+  for (int axis = 0; same && axis < 3; ++axis)
+  {
+    const double* range = array->GetComponentFiniteRange(axis);
+    const double tolerance = 1e-6 * (bounds[2 * axis + 1] - bounds[2 * axis]);
+    same = range && std::abs(range[0] - bounds[2 * axis]) <= tolerance &&
+      std::abs(range[1] - bounds[2 * axis + 1]) <= tolerance;
+  }
+  return same;
+}
+
+// Null attributes have none; `bounds` may be null.
+std::vector<Array> ArraysOf(vtkPVDataSetAttributesInformation* attributes, const double* bounds)
 {
   std::vector<Array> arrays;
   for (int i = 0; attributes && i < attributes->GetNumberOfArrays(); ++i)
   {
     vtkPVArrayInformation* array = attributes->GetArrayInformation(i);
-    if (!array || !array->GetName() || !isWanted(array->GetName()))
+    if (!array || !array->GetName())
     {
       continue;
     }
@@ -68,6 +81,7 @@ ArraysOf(vtkPVDataSetAttributesInformation* attributes, const std::function<bool
     one.IsActive[SIZE] = attribute == vtkDataSetAttributes::SCALARS || attribute == vtkDataSetAttributes::VECTORS;
     one.IsActive[TENSOR] = attribute == vtkDataSetAttributes::TENSORS;
     one.HasTensorNames = AreTensorNames(array);
+    one.IsPlace = bounds && ArePlaces(array, bounds);
     one.Least = range ? range[0] : one.Least;
     one.Largest = range ? range[1] : one.Largest;
     arrays.push_back(one);
@@ -115,49 +129,70 @@ vtkSMRayTracedArrayListDomain::~vtkSMRayTracedArrayListDomain() = default;
 void vtkSMRayTracedArrayListDomain::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Choice: " << this->Choice << endl;
+  os << indent << "ChoiceOfArray: " << this->ChoiceOfArray << endl;
 }
 
 //----------------------------------------------------------------------------
 int vtkSMRayTracedArrayListDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element)
 {
-  this->Choice = element->GetAttributeOrEmpty("choice");
+  this->ChoiceOfArray = element->GetAttributeOrEmpty("choice");
   return this->Superclass::ReadXMLAttributes(property, element);
 }
 
 //----------------------------------------------------------------------------
-// Empty: none.
-std::string vtkSMRayTracedArrayListDomain::Choose()
+std::vector<Array> vtkSMRayTracedArrayListDomain::Listed()
 {
   vtkSMProperty* input = this->GetRequiredProperty("Input");
   vtkPVDataInformation* data = input ? this->GetInputDataInformation("Input") : nullptr;
   auto* domain = input ? vtkSMInputArrayDomain::SafeDownCast(input->GetDomain(this->InputDomainName)) : nullptr;
-  vtkPVDataSetAttributesInformation* attributes =
-    data && domain ? data->GetAttributeInformation(domain->GetAttributeType()) : nullptr;
-  std::vector<Array> arrays = ArraysOf(attributes,
-    [this](const char* name)
-    {
-      unsigned int listed = 0;
-      return this->IsInDomain(name, listed) != 0;
-    });
+  std::vector<Array> arrays =
+    ArraysOf(data && domain ? data->GetAttributeInformation(domain->GetAttributeType()) : nullptr,
+      data ? data->GetBounds() : nullptr);
+  std::vector<Array> numbers;
+  std::copy_if(arrays.begin(), arrays.end(), std::back_inserter(numbers),
+    [](const Array& array) { return array.Components == 1 && !array.IsColor; });
+  const auto isMissing = [this](const Array& array)
+  {
+    unsigned int listed = 0;
+    return this->IsInDomain(array.Name.c_str(), listed) == 0;
+  };
+  const std::vector<Array> joined = rtglyphs::GlyphArrayRoles::Join(numbers);
+  const auto isPart = [&joined](const Array& array)
+  {
+    return std::any_of(joined.begin(), joined.end(),
+      [&](const Array& whole) { return (", " + whole.Name + ',').find(", " + array.Name + ',') != std::string::npos; });
+  };
+  arrays.erase(std::remove_if(arrays.begin(), arrays.end(),
+                 [&](const Array& array) { return isMissing(array) || isPart(array); }),
+    arrays.end());
+  arrays.insert(arrays.end(), joined.begin(), joined.end());
+  return arrays;
+}
+
+//----------------------------------------------------------------------------
+Choice vtkSMRayTracedArrayListDomain::Choose()
+{
+  std::vector<Array> arrays = this->Listed();
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
   const bool arrows = AreArrows(glyphs);
   // Shapes that 3D Glyphs lacks: it shares the property, and takes no quaternions and matrices beside directions.
   using Shapes = vtkRayTracedGlyphRepresentation;
   const int shape = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() : 0;
   const bool body = shape == Shapes::CAPSULE || shape == Shapes::SUPERQUADRIC || shape == Shapes::NESTED_SUPERQUADRIC;
-  if (this->Choice == "direction" && shape != 0 && !body)
+  if (this->ChoiceOfArray == "direction" && shape != 0 && !body)
   {
     // Tensors and polynomials are given in the data's frame.
     arrays.erase(std::remove_if(arrays.begin(), arrays.end(), [](const Array& array) { return array.Components > 3; }),
       arrays.end());
   }
-  const Role role = this->Choice == "direction" ? (body ? ROTATION : DIRECTION)
-    : this->Choice == "velocity"                ? VELOCITY
-    : this->Choice == "tensor"                  ? TENSOR
-    : this->Choice == "harmonics"               ? HARMONICS
-    : arrows                                    ? LENGTH
-                                                : SIZE;
+  const std::string& choice = this->ChoiceOfArray;
+  const Role role = choice == "direction" ? (body ? ROTATION : DIRECTION)
+    : choice == "velocity"                ? VELOCITY
+    : choice == "tensor"                  ? TENSOR
+    : choice == "harmonics"               ? HARMONICS
+    : choice == "exponents"               ? EXPONENTS
+    : arrows                              ? LENGTH
+                                          : SIZE;
   const auto isAsLong = [&](const Array& array)
   {
     // Lengths of other vectors than the directions would be a wrong figure.
@@ -166,8 +201,15 @@ std::string vtkSMRayTracedArrayListDomain::Choose()
   };
   if (role == LENGTH && std::any_of(arrays.begin(), arrays.end(), isAsLong))
   {
-    return vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString();
+    return { vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString(), "the direction of the arrows", 3 };
   }
+  return this->ChooseFor(role, arrays);
+}
+
+//----------------------------------------------------------------------------
+Choice vtkSMRayTracedArrayListDomain::ChooseFor(Role role, const std::vector<Array>& arrays)
+{
+  vtkPVDataInformation* data = this->GetInputDataInformation("Input");
   return rtglyphs::GlyphArrayRoles::Choose(role, arrays, data ? SpacingOf(data) : 0.0);
 }
 
@@ -178,17 +220,18 @@ int vtkSMRayTracedArrayListDomain::SetDefaultValues(vtkSMProperty* property, boo
   {
     return 0; // nothing can be chosen
   }
-  const std::string chosen = this->Choose();
+  const Choice chosen = this->Choose();
   vtkSMPropertyHelper helper(property);
   helper.SetUseUnchecked(useUncheckedValues);
-  helper.Set(chosen.empty() ? "None" : chosen.c_str());
+  helper.Set(chosen ? chosen.Name.c_str() : "None");
   return 1;
 }
 
 //----------------------------------------------------------------------------
 bool vtkSMRayTracedArrayListDomain::HasDirectionsOrTensors(vtkPVDataSetAttributesInformation* attributes)
 {
-  const std::vector<Array> arrays = ArraysOf(attributes, [](const char*) { return true; });
-  const auto has = [&arrays](Role role) { return !rtglyphs::GlyphArrayRoles::Choose(role, arrays, 0.0).empty(); };
+  const std::vector<Array> arrays = ArraysOf(attributes, nullptr);
+  const auto has = [&arrays](Role role)
+  { return static_cast<bool>(rtglyphs::GlyphArrayRoles::Choose(role, arrays, 0.0)); };
   return has(DIRECTION) || has(TENSOR);
 }

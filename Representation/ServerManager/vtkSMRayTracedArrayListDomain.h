@@ -3,16 +3,21 @@
  * @brief   a list of arrays whose default is chosen by what the arrays are
  *
  * ParaView's own list takes the active attribute, and without one whatever comes first. The attribute `choice` in the
- * XML says which role it has (GlyphArrayRoles): direction, velocity, tensor, harmonics or scale. Bodies, all shapes but
+ * XML says which role it has (GlyphArrayRoles): direction, velocity, tensor, harmonics,
+ * exponents or scale. Bodies, all shapes but
  * arrows and cones, are turned by rotations first, and arrows are as long as their direction. Without any: None.
  */
 #ifndef vtkSMRayTracedArrayListDomain_h
 #define vtkSMRayTracedArrayListDomain_h
 
+#ifndef __VTK_WRAP__
+#include "GlyphArrayRoles.h"
+#endif
 #include "vtkRayTracedGlyphsModule.h" // for export macro
 #include "vtkSMArrayListDomain.h"
 
 #include <string>
+#include <vector>
 
 class vtkPVDataSetAttributesInformation;
 
@@ -26,6 +31,20 @@ public:
   int SetDefaultValues(vtkSMProperty* property, bool useUncheckedValues) override;
 
 #ifndef __VTK_WRAP__
+  using Array = rtglyphs::GlyphArrayRoles::Array;
+  using Choice = rtglyphs::GlyphArrayRoles::Choice;
+
+  /**
+   * What is known of the listed arrays.
+   */
+  std::vector<Array> Listed();
+
+  /**
+   * The default, and why.
+   */
+  Choice Choose();
+  Choice ChooseFor(rtglyphs::GlyphArrayRoles::Role role, const std::vector<Array>& arrays);
+
   /**
    * Whether there is what `direction` or `tensor` would choose, whatever the list.
    */
@@ -42,9 +61,7 @@ private:
   vtkSMRayTracedArrayListDomain(const vtkSMRayTracedArrayListDomain&) = delete;
   void operator=(const vtkSMRayTracedArrayListDomain&) = delete;
 
-  std::string Choose();
-
-  std::string Choice;
+  std::string ChoiceOfArray; // the attribute `choice`
 };
 
 #endif

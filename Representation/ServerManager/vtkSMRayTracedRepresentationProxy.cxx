@@ -151,6 +151,10 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
       vtkSMViewProxy::SafeDownCast(view)->Update();
     }
     rtglyphs::RayTracedSuggestion::Take(this);
+    if (this->GetProperty("GlyphShape"))
+    {
+      this->GlyphDefaults.Color(this, view);
+    }
   }
   if (this->GetProperty("GlyphTensorLookupTable"))
   {

@@ -1,6 +1,7 @@
 #include "vtkSMRayTracedViewProxy.h"
 
 #include "RayTracedDefault.h"
+#include "RayTracedGlyphDefaults.h"
 #include "vtkCallbackCommand.h"
 #include "vtkClientServerStream.h"
 #include "vtkCommand.h"
@@ -324,6 +325,7 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
       vtkRayTracedRepresentation* shown = ShownBy(display);
       auto own = all;
       own.update(ofRepresentations.value(std::to_string(shown ? shown->GetUniqueIdentifier() : 0), all.object()));
+      own["choices"] = rtglyphs::RayTracedGlyphDefaults::Explain(display);
       vtkSMPropertyHelper(display, "RenderStatistics").Set(own.dump().c_str());
     }
   }

@@ -161,6 +161,10 @@ private:
     {
       this->StraightenEnds(cell, closed);
     }
+    if (!this->Motion.On())
+    {
+      this->Thin(cell);
+    }
     const std::size_t count = this->Line.size();
     for (std::size_t i = 0; i + 1 < count; ++i)
     {
@@ -180,6 +184,58 @@ private:
         this->Pieces.push_back({ cell, ends, { before, after } });
       }
     }
+  }
+
+  // Leaves out points of which the tube through their neighbors shows nothing: a ray meets all balls of a tube whose
+  // pieces are much shorter than its radius.
+  void Thin(vtkIdType cell)
+  {
+    constexpr double longest = 0.25, tolerance = 1e-3; // in radii
+    std::vector<vtkIdType> kept;
+    for (std::size_t i = 0; i < this->Line.size();)
+    {
+      kept.push_back(this->Line[i]);
+      std::size_t next = i + 1;
+      while (next + 1 < this->Line.size() && this->Line[i] >= 0 &&
+        this->IsStraight(cell, i, next + 1, longest, tolerance))
+      {
+        ++next;
+      }
+      i = next;
+    }
+    this->Line = std::move(kept);
+  }
+
+  // Whether the points of the line between two are those of the tube between these.
+  bool IsStraight(vtkIdType cell, std::size_t first, std::size_t last, double longest, double tolerance) const
+  {
+    if (this->Line[last] < 0)
+    {
+      return false;
+    }
+    const glm::dvec3 begin = this->Places[this->Line[first]], way = this->Places[this->Line[last]] - begin;
+    const double from = this->Radius(this->Line[first], cell), to = this->Radius(this->Line[last], cell);
+    const double length = glm::length(way), least = std::min(from, to);
+    if (!(length > 0.0) || !(length < longest * least))
+    {
+      return false;
+    }
+    for (std::size_t i = first + 1; i < last; ++i)
+    {
+      const vtkIdType point = this->Line[i];
+      if (point < 0)
+      {
+        return false;
+      }
+      const glm::dvec3 apart = this->Places[point] - begin;
+      const double along = glm::dot(apart, way) / (length * length);
+      if (along < 0.0 || along > 1.0 || glm::length(apart - along * way) > tolerance * least ||
+        std::abs(this->Radius(point, cell) - (from + along * (to - from))) > tolerance * least)
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   // Leaves out the points whose balls would stick out of a flat end.

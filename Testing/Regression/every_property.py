@@ -296,6 +296,8 @@ ROWS = [
     Row("GlyphTensorColoring", "Middle Eigenvalue", reads("GlyphTensorRange", [0.5, 0.5]), **TENSOR),
     Row("GlyphTensorColoring", "Radius", reads("GlyphTensorRange", [0.0, 1.0]), **HARMONICS),
     Row("GlyphTensorLookupTable", ALL_GREEN, colors(GREEN), GlyphTensorColoring="Trace", **TENSOR),
+    Row("ColorFromData", 1, reads("GlyphTensorColoring", 2), **TENSOR),
+    Row("GlyphNegativeTensors", LEFT, reads("GlyphNegativeTensors", 0.0), **TENSOR),
     Row("GlyphTensorRange", LEFT, reads("GlyphTensorRange", [2.0, 2.0]), GlyphTensorColoring="Trace", **TENSOR),
     Row("GlyphTensorLookupTable", ALL_GREEN, colors(GREEN), GlyphTensorColoring="Sign", **TENSOR),
     Row("GlyphHarmonicsArray", "flat", area(DISC / 4.0), **HARMONICS),

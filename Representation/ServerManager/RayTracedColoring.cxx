@@ -1,0 +1,176 @@
+#include "RayTracedColoring.h"
+
+#include "GlyphTensors.h"
+#include "vtkDataObject.h"
+#include "vtkNew.h"
+#include "vtkRayTracedGlyphRepresentation.h"
+#include "vtkSMInputArrayDomain.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRayTracedArrayListDomain.h"
+#include "vtkSMSession.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSettings.h"
+#include "vtkSMTransferFunctionManager.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace
+{
+using namespace rtglyphs::GlyphArrayRoles;
+using Shapes = vtkRayTracedGlyphRepresentation;
+
+constexpr double fewNegative = 0.1; // fraction of the tensors, as noise makes it
+
+std::string ValueOf(vtkSMProxy* proxy, const char* name)
+{
+  const char* value = vtkSMPropertyHelper(proxy, name).GetAsString();
+  return value && strcmp(value, "None") != 0 ? value : "";
+}
+
+// The last two of five strings are association and name.
+std::string ColorArrayOf(vtkSMProxy* proxy, unsigned int string = 4)
+{
+  const char* value = vtkSMPropertyHelper(proxy, "ColorArrayName").GetAsString(string);
+  return value ? value : "";
+}
+
+vtkSMRayTracedArrayListDomain* ArraysOf(vtkSMProxy* glyphs)
+{
+  return glyphs->GetProperty("SelectScaleArray")->FindDomain<vtkSMRayTracedArrayListDomain>();
+}
+
+// Shapes whose surfaces GlyphTensorColoring colors; empty: none, or no array.
+std::string TensorsOf(vtkSMProxy* glyphs, int shape)
+{
+  const bool tensors = (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) ||
+    (shape >= Shapes::SPHERICAL_HARMONICS && shape <= Shapes::PRINCIPAL_AXES);
+  return !tensors ? std::string()
+                  : ValueOf(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray");
+}
+
+int TensorColoring(vtkSMProxy* glyphs, int shape)
+{
+  if (shape == Shapes::SPHERICAL_HARMONICS || shape == Shapes::FOURTH_ORDER_TENSOR)
+  {
+    return rtglyphs::GlyphTensors::SURFACE_DIRECTION;
+  }
+  vtkSMProperty* negative = glyphs->GetProperty("GlyphNegativeTensors");
+  glyphs->UpdatePropertyInformation(negative);
+  const bool positive = vtkSMPropertyHelper(negative).GetAsDouble() <= fewNegative;
+  return !positive             ? rtglyphs::GlyphTensors::SIGN
+    : shape == Shapes::REYNOLDS ? rtglyphs::GlyphTensors::SURFACE_DIRECTION
+                                : rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
+}
+
+// What the glyphs follow, else the size, else what speaks most for being shown at all.
+std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
+{
+  vtkSMRayTracedArrayListDomain* domain = ArraysOf(glyphs);
+  std::vector<Array> arrays = domain->Listed();
+  const auto isJoined = [](const Array& array) { return !array.Columns.empty(); }; // which ColorArrayName does not take
+  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isJoined), arrays.end());
+  const auto isListed = [&arrays](const std::string& name, bool varies)
+  {
+    return std::any_of(arrays.begin(), arrays.end(),
+      [&](const Array& array)
+      { return array.Name == name && array.Components <= 3 && !(varies && array.IsKnown() && array.Least == array.Largest); });
+  };
+  vtkSMProxy* source = vtkSMPropertyHelper(glyphs, "GlyphType").GetAsProxy();
+  const bool arrows =
+    shape == 0 && source && (strcmp(source->GetXMLName(), "ArrowSource") == 0 || strcmp(source->GetXMLName(), "ConeSource") == 0);
+  const std::string direction =
+    arrows && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt() ? ValueOf(glyphs, "SelectOrientationVectors") : "";
+  const std::string size =
+    vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? ValueOf(glyphs, "SelectScaleArray") : "";
+  return isListed(direction, false) ? direction
+    : isListed(size, true)          ? size
+                                    : domain->ChooseFor(LENGTH, arrays).Name;
+}
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedColoring::Begin(vtkSMProxy* glyphs)
+{
+  vtkSMProxy* display = glyphs->GetTrueParentProxy();
+  const std::string setting =
+    std::string(".") + display->GetXMLGroup() + "." + display->GetXMLName() + ".ColorArrayName";
+  const std::string found = ColorArrayOf(display);
+  std::vector<Array> arrays = ArraysOf(glyphs)->Listed();
+  arrays.erase(std::remove_if(arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name != found; }),
+    arrays.end());
+  const bool isQuantity =
+    !arrays.empty() && (arrays.front().IsColor || ArraysOf(glyphs)->ChooseFor(SIZE, arrays));
+  if (!isQuantity && !vtkSMSettings::GetInstance()->HasSetting(setting.c_str()))
+  {
+    vtkSMPropertyHelper(glyphs, "ColorFromData").Set(1);
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedColoring::Enter(vtkSMProxy* glyphs)
+{
+  this->Chosen = ColorArrayOf(glyphs, 3) + ColorArrayOf(glyphs);
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::RayTracedColoring::Follow(vtkSMProxy* glyphs, const std::string& name)
+{
+  if (name != "ColorArrayName" && name != "GlyphTensorColoring")
+  {
+    return false;
+  }
+  const std::string before = this->Chosen;
+  this->Enter(glyphs);
+  const bool chosen = !this->Choosing && (name == "GlyphTensorColoring" || this->Chosen != before);
+  if (chosen)
+  {
+    vtkSMPropertyHelper(glyphs, "ColorFromData").Set(0);
+  }
+  return chosen;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
+{
+  vtkSMProxy* display = glyphs->GetTrueParentProxy();
+  auto* colored = vtkSMPVRepresentationProxy::SafeDownCast(display);
+  if (!colored || !vtkSMPropertyHelper(glyphs, "ColorFromData").GetAsInt())
+  {
+    return;
+  }
+  const int shape = vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt();
+  const std::string tensors = TensorsOf(glyphs, shape);
+  const int coloring = tensors.empty() ? rtglyphs::GlyphTensors::NONE : TensorColoring(glyphs, shape);
+  const std::string array = tensors.empty() ? ArrayToColorBy(glyphs, shape) : std::string();
+  const std::string shown = tensors.empty() ? array : tensors + ' ' + std::to_string(coloring);
+  if (shown.empty() || shown == this->Shown)
+  {
+    return; // a time step that has nothing to color by changes nothing
+  }
+  this->Shown = shown;
+  this->Choosing = true;
+  vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").Set(coloring);
+  if (tensors.empty())
+  {
+    auto* input = vtkSMInputArrayDomain::SafeDownCast(glyphs->GetProperty("Input")->GetDomain("scale_array"));
+    const bool cells = input && input->GetAttributeType() == vtkSMInputArrayDomain::CELL;
+    colored->SetScalarColoring(array.c_str(), cells ? vtkDataObject::CELL : vtkDataObject::POINT);
+    colored->RescaleTransferFunctionToDataRange(/*extend=*/false, /*force=*/false);
+  }
+  display->UpdateVTKObjects();
+  this->Choosing = false;
+  // ParaView's window shows scalar bars, where its settings say so; scripts do it themselves.
+  const bool window = vtkSMPropertyHelper(display, "SamplesPerRender").GetAsInt() < 0;
+  vtkSMProxy* settings = glyphs->GetSessionProxyManager()->GetProxy("settings", "GeneralSettings");
+  vtkSMProperty* mode = settings ? settings->GetProperty("ScalarBarMode") : nullptr;
+  if (window && mode && vtkSMPropertyHelper(mode).GetAsInt() == 1)
+  {
+    vtkNew<vtkSMTransferFunctionManager> tables;
+    tables->UpdateScalarBars(view,
+      vtkSMTransferFunctionManager::SHOW_USED_SCALAR_BARS | vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
+  }
+}

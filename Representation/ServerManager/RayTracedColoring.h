@@ -1,0 +1,49 @@
+/**
+ * What ray-traced glyphs are colored by while ColorFromData is on: by what they show, as ParaView colors volumes and
+ * slices at once. Neither where the user, a script or the user's settings have chosen, nor where ParaView has found a
+ * quantity to color by.
+ */
+#ifndef RayTracedColoring_h
+#define RayTracedColoring_h
+
+#include <string>
+
+class vtkSMProxy;
+
+namespace rtglyphs
+{
+
+class RayTracedColoring
+{
+public:
+  /**
+   * The display has entered a view: what it is colored by now ParaView has chosen.
+   */
+  void Enter(vtkSMProxy* glyphs);
+
+  /**
+   * The display is shown as ray-traced glyphs for the first time.
+   */
+  void Begin(vtkSMProxy* glyphs);
+
+  /**
+   * A property of the glyphs was set. Whether that chooses a color; of its five strings ColorArrayName gets others by
+   * paraview.simple alone, whenever an input is set.
+   */
+  bool Follow(vtkSMProxy* glyphs, const std::string& name);
+
+  /**
+   * After an update of the view, before its render.
+   */
+  void Update(vtkSMProxy* glyphs, vtkSMProxy* view);
+
+private:
+  bool Choosing = false; // by this class
+  std::string Chosen;    // association and name of ColorArrayName
+  std::string Shown;     // by the glyphs, when the color was chosen
+};
+
+} // namespace rtglyphs
+
+#endif
+// VTK-HeaderTest-Exclude: RayTracedColoring.h
