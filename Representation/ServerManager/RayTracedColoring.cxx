@@ -12,6 +12,7 @@
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSettings.h"
+#include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
 
 #include <algorithm>
@@ -106,7 +107,7 @@ void rtglyphs::RayTracedColoring::Begin(vtkSMProxy* glyphs)
     !arrays.empty() && (arrays.front().IsColor || ArraysOf(glyphs)->ChooseFor(SIZE, arrays));
   if (!isQuantity && !vtkSMSettings::GetInstance()->HasSetting(setting.c_str()))
   {
-    vtkSMPropertyHelper(glyphs, "ColorFromData").Set(1);
+    this->Wanted = true;
   }
 }
 
@@ -128,6 +129,7 @@ bool rtglyphs::RayTracedColoring::Follow(vtkSMProxy* glyphs, const std::string& 
   const bool chosen = !this->Choosing && (name == "GlyphTensorColoring" || this->Chosen != before);
   if (chosen)
   {
+    this->Wanted = false;
     vtkSMPropertyHelper(glyphs, "ColorFromData").Set(0);
   }
   return chosen;
@@ -138,6 +140,13 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
 {
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
   auto* colored = vtkSMPVRepresentationProxy::SafeDownCast(display);
+  // Scripts of 3D Glyphs, which say nothing of colors, have the same picture with ray-traced glyphs.
+  const bool window = vtkSMPropertyHelper(display, "SamplesPerRender").GetAsInt() < 0;
+  if (this->Wanted && window)
+  {
+    vtkSMPropertyHelper(glyphs, "ColorFromData").Set(1);
+    this->Wanted = false;
+  }
   if (!colored || !vtkSMPropertyHelper(glyphs, "ColorFromData").GetAsInt())
   {
     return;
@@ -153,8 +162,12 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   }
   this->Shown = shown;
   this->Choosing = true;
-  vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").Set(coloring);
-  if (tensors.empty())
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
+    vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").Set(coloring);
+    display->UpdateVTKObjects();
+  }
+  if (tensors.empty() && ColorArrayOf(display) != array) // as in a state that is loaded, with its own table
   {
     auto* input = vtkSMInputArrayDomain::SafeDownCast(glyphs->GetProperty("Input")->GetDomain("scale_array"));
     const bool cells = input && input->GetAttributeType() == vtkSMInputArrayDomain::CELL;
@@ -163,8 +176,7 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   }
   display->UpdateVTKObjects();
   this->Choosing = false;
-  // ParaView's window shows scalar bars, where its settings say so; scripts do it themselves.
-  const bool window = vtkSMPropertyHelper(display, "SamplesPerRender").GetAsInt() < 0;
+  // Where ParaView's settings say so; scripts do it themselves.
   vtkSMProxy* settings = glyphs->GetSessionProxyManager()->GetProxy("settings", "GeneralSettings");
   vtkSMProperty* mode = settings ? settings->GetProperty("ScalarBarMode") : nullptr;
   if (window && mode && vtkSMPropertyHelper(mode).GetAsInt() == 1)

@@ -1,7 +1,7 @@
 /**
  * What ray-traced glyphs are colored by while ColorFromData is on: by what they show, as ParaView colors volumes and
- * slices at once. Neither where the user, a script or the user's settings have chosen, nor where ParaView has found a
- * quantity to color by.
+ * slices at once. In the window it is switched on, but neither where the user or the user's settings have chosen, nor
+ * where ParaView has found a quantity to color by.
  */
 #ifndef RayTracedColoring_h
 #define RayTracedColoring_h
@@ -38,6 +38,7 @@ public:
   void Update(vtkSMProxy* glyphs, vtkSMProxy* view);
 
 private:
+  bool Wanted = false;   // ColorFromData, in a window
   bool Choosing = false; // by this class
   std::string Chosen;    // association and name of ColorArrayName
   std::string Shown;     // by the glyphs, when the color was chosen

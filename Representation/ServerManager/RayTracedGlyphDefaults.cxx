@@ -332,18 +332,23 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
 }
 
 //----------------------------------------------------------------------------
-// Bodies, and spheres that nobody has chosen, have the sizes that the data say they have.
+// In the window bodies, and spheres that nobody has chosen, have the sizes that the data say they have; scripts say so.
 void rtglyphs::RayTracedGlyphDefaults::ChooseScaleMode(vtkSMProxy* glyphs)
 {
   auto* list = glyphs->GetProperty("SelectScaleArray")->FindDomain<vtkSMRayTracedArrayListDomain>();
-  if (this->Chosen.count("ScaleMode") || !list)
+  const bool window = vtkSMPropertyHelper(glyphs->GetTrueParentProxy(), "SamplesPerRender").GetAsInt() < 0;
+  if (this->Chosen.count("ScaleMode") || !list || !window)
   {
     return;
   }
   const auto size = list->Choose();
-  const int mode = !rtglyphs::GlyphArrayRoles::IsSize(size.Name) ? vtkGlyph3DMapper::NO_DATA_SCALING
-    : size.Components == 1                                      ? vtkGlyph3DMapper::SCALE_BY_MAGNITUDE
-                                                                : vtkGlyph3DMapper::SCALE_BY_COMPONENTS;
+  const bool turned = vtkSMRayTracedArrayListDomain::IsBody(glyphs);
+  const bool sphere = vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt() == 0 && !this->Chosen.count("GlyphType") &&
+    IsNone(glyphs, "SelectOrientationVectors");
+  const bool sized = (turned || sphere) && rtglyphs::GlyphArrayRoles::IsSize(size.Name);
+  const int mode = !sized      ? vtkGlyph3DMapper::NO_DATA_SCALING
+    : size.Components == 1 ? vtkGlyph3DMapper::SCALE_BY_MAGNITUDE
+                           : vtkGlyph3DMapper::SCALE_BY_COMPONENTS;
   vtkSMProperty* shared = glyphs->GetTrueParentProxy()->GetProperty("ScaleMode");
   const bool choosing = this->Choosing;
   this->Choosing = true;

@@ -175,10 +175,8 @@ Choice vtkSMRayTracedArrayListDomain::Choose()
   std::vector<Array> arrays = this->Listed();
   vtkSMProxy* glyphs = this->GetProperty() ? this->GetProperty()->GetParent() : nullptr;
   const bool arrows = AreArrows(glyphs);
-  // Shapes that 3D Glyphs lacks: it shares the property, and takes no quaternions and matrices beside directions.
-  using Shapes = vtkRayTracedGlyphRepresentation;
   const int shape = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() : 0;
-  const bool body = shape == Shapes::CAPSULE || shape == Shapes::SUPERQUADRIC || shape == Shapes::NESTED_SUPERQUADRIC;
+  const bool body = IsBody(glyphs);
   if (this->ChoiceOfArray == "direction" && shape != 0 && !body)
   {
     // Tensors and polynomials are given in the data's frame.
@@ -204,6 +202,15 @@ Choice vtkSMRayTracedArrayListDomain::Choose()
     return { vtkSMPropertyHelper(glyphs, "SelectOrientationVectors").GetAsString(), "the direction of the arrows", 3 };
   }
   return this->ChooseFor(role, arrays);
+}
+
+//----------------------------------------------------------------------------
+// Shapes that 3D Glyphs lacks: it shares the property, and takes no quaternions and matrices beside directions.
+bool vtkSMRayTracedArrayListDomain::IsBody(vtkSMProxy* glyphs)
+{
+  using Shapes = vtkRayTracedGlyphRepresentation;
+  const int shape = glyphs ? vtkSMPropertyHelper(glyphs, "GlyphShape", /*quiet=*/true).GetAsInt() : 0;
+  return shape == Shapes::CAPSULE || shape == Shapes::SUPERQUADRIC || shape == Shapes::NESTED_SUPERQUADRIC;
 }
 
 //----------------------------------------------------------------------------

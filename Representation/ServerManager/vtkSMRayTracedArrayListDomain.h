@@ -20,6 +20,7 @@
 #include <vector>
 
 class vtkPVDataSetAttributesInformation;
+class vtkSMProxy;
 
 class VTKRAYTRACEDGLYPHS_EXPORT vtkSMRayTracedArrayListDomain : public vtkSMArrayListDomain
 {
@@ -44,6 +45,11 @@ public:
    */
   Choice Choose();
   Choice ChooseFor(rtglyphs::GlyphArrayRoles::Role role, const std::vector<Array>& arrays);
+
+  /**
+   * Whether glyphs have a shape that rotations turn.
+   */
+  static bool IsBody(vtkSMProxy* glyphs);
 
   /**
    * Whether there is what `direction` or `tensor` would choose, whatever the list.

@@ -12,7 +12,7 @@ import paraview.simple as pv
 import comparison
 import session
 from cases import grid
-from checks import Checks
+from checks import Checks, stepwise
 
 RANDOM = numpy.random.default_rng(5)
 WIDTH, HEIGHT, COLUMNS = 240, 180, 5
@@ -228,7 +228,7 @@ class Row:
         """Shows the file; returns the picture."""
         data = self.data()
         source = pv.OpenDataFile(data) if isinstance(data, str) else data
-        shown = pv.Show(source, view)
+        shown = stepwise(pv.Show(source, view))  # as in the window
         shown.SetRepresentationType("Ray Traced Glyphs")
         shown.SamplesPerPixel = 2
         for name, value in self.properties.items():

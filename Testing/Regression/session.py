@@ -263,13 +263,11 @@ def show(of_source, in_view, representation, samples=None, **properties):
     """Shows a source as a representation.
 
     samples: SamplesPerPixel of the view; None: 1 for the first display of a view, and what holds there for others.
-    Colors are ParaView's choice unless properties say otherwise: tests compare shapes of arrays of several names.
     """
     if samples is None and len(in_view.Representations) == 0:
         samples = 1
     shown = pv.Show(of_source, in_view)
     shown.SetRepresentationType(representation)
-    shown.ColorFromData = 0
     if samples is not None:
         shown.SamplesPerPixel = samples
     for name, value in properties.items():
