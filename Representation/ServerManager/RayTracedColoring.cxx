@@ -179,7 +179,8 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   // Where ParaView's settings say so; scripts do it themselves.
   vtkSMProxy* settings = glyphs->GetSessionProxyManager()->GetProxy("settings", "GeneralSettings");
   vtkSMProperty* mode = settings ? settings->GetProperty("ScalarBarMode") : nullptr;
-  if (window && mode && vtkSMPropertyHelper(mode).GetAsInt() == 1)
+  const bool automatic = mode && vtkSMPropertyHelper(mode).GetAsInt() == 0; // Automatically show and hide color bars
+  if (window && automatic)
   {
     vtkNew<vtkSMTransferFunctionManager> tables;
     tables->UpdateScalarBars(view,

@@ -3,6 +3,7 @@
 Usage: RTGLYPHS_DATA=DIR paraview --plugin-search-paths=DIR --plugins=RayTracedGlyphs --script=gui.py
 Prints GUI TEST PASSED as its last line; the pictures are compared by this very process.
 """
+import json
 import os
 import sys
 
@@ -55,9 +56,10 @@ def main():
     session.look(view, (10.0, -22.0, 20.0), (14.0, 13.0, 3.0), (0.0, 0.0, 1.0))
     pv.GetAnimationScene().AnimationTime = 0.8
     shown.ArrowHeads = "Fixed"
+    failures += at_once(view, shown)
     for shape in SHAPES:
         session.assign_shape(shown, shape)
-        shown.ScaleFactor = 0.9
+        shown.ScaleMode, shown.ScaleFactor = "No Data Scaling Off", 0.9
         pv.Render(view)
         pixels = session.capture(view, "gui-" + shape, ImageResolution=[300, 200])
         failures += comparison.against_baseline(pixels, "gui-" + shape)
@@ -71,6 +73,20 @@ def main():
     failures += sized(window, view, shown)
     failures += buttons(window, view, reader, shown)
     return failures
+
+
+def at_once(view, shown):
+    """A display made anew is colored by what it shows, with a scalar bar, until another color is chosen."""
+    pv.Render(view)
+    table = pv.GetColorTransferFunction("velocity")
+    found = (shown.ColorArrayName.GetArrayName(), bool(pv.GetScalarBar(table, view).Visibility), json.loads(shown.GetPropertyValue("RenderStatistics"))["choices"])
+    pv.ColorBy(shown, None)
+    pv.HideScalarBarIfNotNeeded(table, view)
+    shown.GlyphType = "Sphere"
+    pv.Render(view)
+    after = (shown.ColorArrayName.GetArrayName(), shown.ColorFromData)
+    wanted = ("velocity", True, ["Color by velocity: what the glyphs show"])
+    return [] if found == wanted and after == ("", 0) else ["colored at once by %s, not %s; after ColorBy None by %s" % (found, wanted, after)]
 
 
 def own_rows(window, shown):
