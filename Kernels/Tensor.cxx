@@ -173,11 +173,6 @@ double Sharpened(double beta, double sharpness)
 
 } // namespace
 
-int TensorComponents(TensorLayout layout)
-{
-  return layout == TensorLayout::Matrix ? 9 : 6;
-}
-
 bool SymmetricTensor::IsFinite() const
 {
   return std::isfinite(this->xx) && std::isfinite(this->yy) && std::isfinite(this->zz) && std::isfinite(this->xy) &&
@@ -198,24 +193,6 @@ double SymmetricTensor::Largest() const
 glm::dmat3 SymmetricTensor::Matrix() const
 {
   return { this->xx, this->xy, this->xz, this->xy, this->yy, this->yz, this->xz, this->yz, this->zz };
-}
-
-SymmetricTensor MakeTensor(const double* t, TensorLayout layout)
-{
-  switch (layout)
-  {
-    case TensorLayout::Row:
-      return { t[0], t[3], t[5], t[1], t[4], t[2] };
-    case TensorLayout::Lammps:
-      return { t[0], t[1], t[2], t[3], t[5], t[4] };
-    case TensorLayout::Lower:
-      return { t[0], t[2], t[5], t[1], t[4], t[3] };
-    case TensorLayout::Matrix:
-      // Halved first: the sum of two huge numbers would overflow.
-      return { t[0], t[4], t[8], 0.5 * t[1] + 0.5 * t[3], 0.5 * t[5] + 0.5 * t[7], 0.5 * t[2] + 0.5 * t[6] };
-    default:
-      return { t[0], t[1], t[2], t[3], t[4], t[5] };
-  }
 }
 
 glm::dvec3 AntisymmetricAxis(const double* m)

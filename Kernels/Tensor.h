@@ -1,27 +1,12 @@
-// Symmetric tensors and the glyphs that show them: from nine or six numbers to a frame, three lengths and
+// Symmetric tensors and the glyphs that show them: from six numbers to a frame, three lengths and
 // three exponents of Shapes/NestedSuperquadric.glsl.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include <cstdint>
-
 namespace rtg
 {
-
-/// Order of a tensor's components in an array.
-enum class TensorLayout : std::uint32_t
-{
-  Vtk = 0,    ///< xx yy zz xy yz xz
-  Row = 1,    ///< xx xy xz yy yz zz, the upper triangle row by row
-  Lammps = 2, ///< xx yy zz xy xz yz
-  Matrix = 3, ///< nine, row by row; the symmetric part counts
-  Lower = 4   ///< xx xy yy xz yz zz, the lower triangle row by row
-};
-
-/// Length of a tuple: 9 for Matrix, else 6.
-int TensorComponents(TensorLayout layout);
 
 struct SymmetricTensor
 {
@@ -33,9 +18,6 @@ struct SymmetricTensor
   double Largest() const;
   glm::dmat3 Matrix() const;
 };
-
-/// The tensor of a tuple with TensorComponents(layout) numbers; of nine the symmetric part (A + A^T) / 2.
-SymmetricTensor MakeTensor(const double* components, TensorLayout layout);
 
 /// The vector w with (A - A^T) / 2 x = w cross x, of nine numbers row by row. The tensor of a velocity
 /// gradient (row i, column j: d v_i / d x_j) turns about w at |w| radians a unit of time.

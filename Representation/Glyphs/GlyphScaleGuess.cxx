@@ -19,15 +19,18 @@ using namespace rtglyphs::GlyphSample;
 ///@{
 // Lengths, as shares of the data's longest side.
 constexpr double largestGlyph = 0.2;
-constexpr double seen = 1.0 / 200.0; // in a picture of all data
+constexpr double exactlySeen = 1.0 / 200.0; // in a picture of all data; of sizes that the data say
+constexpr double seen = 1.0 / 80.0;         // of others: a dozen pixels
 constexpr double coincident = 1e-6;  // at the same place, but for rounding
 constexpr double flat = 1e-3;        // along an axis that the data do not fill
 ///@}
+constexpr double graded = 2.5; // points are this much closer than in most of the space, where the mesh is graded
 constexpr double specks = 0.1; // size of spheres that are far apart, as a share of the distance between neighbors
 constexpr double mostNeighbors = 10.0; // size of spheres in another unit than their places, the same
 constexpr double leastArea = 0.25;     // of all glyphs, as a share of that of as many of the typical size
 constexpr double mostExcess = 2.0;     // so much smaller all glyphs become for the largest to fit
 constexpr double manyLimited = 8.0;    // so many of the largest glyphs cover a quarter of the longest side's square
+constexpr double few = 2000.0;         // so few are seen one by one, also where some touch
 constexpr double arrowLength = 2.5;    // of typical glyphs' size: arrows are thin
 
 // Where the points are.
@@ -79,6 +82,24 @@ std::vector<double> NearestSquared(const Points& points, const std::vector<doubl
   return nearest;
 }
 
+// The median of squared distances over the space that points fill: each counts as much as it has of that.
+double MedianOfSpace(std::vector<double> squared, double axes)
+{
+  std::sort(squared.begin(), squared.end());
+  const auto space = [axes](double square) { return std::pow(square, 0.5 * axes); };
+  double all = 0.0, sum = 0.0;
+  for (double square : squared)
+  {
+    all += space(square);
+  }
+  return *std::find_if(squared.begin(), squared.end() - 1,
+    [&](double square)
+    {
+      sum += space(square);
+      return sum >= 0.5 * all;
+    });
+}
+
 Extents Measure(const Points& points, bool rough)
 {
   // Few for many points, so that all of them can be compared with each in no time; 64 tell a median to some percent.
@@ -102,7 +123,12 @@ Extents Measure(const Points& points, bool rough)
   std::vector<double> nearest = NearestSquared(points, pivots, extents.Longest);
   rtglyphs::RayTracedRanks::Reduce(nearest, vtkCommunicator::MIN_OP);
   nearest.erase(std::remove(nearest.begin(), nearest.end(), HUGE_VAL), nearest.end());
-  extents.Neighbors = nearest.empty() ? 0.0 : std::sqrt(Quantile(nearest, 0.5));
+  if (!nearest.empty())
+  {
+    const double ofSpace = std::sqrt(MedianOfSpace(nearest, axes));
+    extents.Neighbors = std::sqrt(Quantile(nearest, 0.5));
+    extents.Neighbors = ofSpace > graded * extents.Neighbors ? ofSpace : extents.Neighbors;
+  }
   return extents;
 }
 
@@ -175,7 +201,7 @@ Find(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize,
   const double typical = Quantile(sample, typicalQuantile);
   const double exact = rtglyphs::RayTracedRanks::Largest(ExactFactor(data, settings, unitSize));
   const double most = extents.Longest * std::max(1.0, mostNeighbors * extents.Neighbors);
-  if (exact * typical >= extents.Longest * std::min(seen, specks * extents.Neighbors) && exact > 0.0 &&
+  if (exact * typical >= extents.Longest * std::min(exactlySeen, specks * extents.Neighbors) && exact > 0.0 &&
     (exact * typical <= most || !(most > 0.0)))
   {
     result.Value = exact;
@@ -187,7 +213,8 @@ Find(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize,
     return result;
   }
 
-  double size = std::max(0.9 * extents.Neighbors, std::min(seen, 0.5 * extents.Spacing));
+  const double space = points.NumberOfAll() < few ? extents.Spacing : 0.5 * extents.Spacing;
+  double size = std::max(0.9 * extents.Neighbors, std::min(seen, space));
   size *= settings.Shape == rtg::Shape::Arrow && !settings.Tensors.On ? arrowLength : 1.0;
   double factor = FactorFor(sample, std::min(size, largestGlyph));
   const double excess = factor * largest / largestGlyph;

@@ -295,6 +295,14 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   if (number("Scaling") != 0.0 && number("ScaleMode") != 0.0)
   {
     explain("Size", "SelectScaleArray");
+    if (IsNone(glyphs, "SelectScaleArray"))
+    {
+      sentences.emplace_back("ScaleMode has no effect: choose a SelectScaleArray");
+    }
+  }
+  if (shape == 0 && number("UseGlyphTable") != 0.0 && IsNone(glyphs, "GlyphTableIndexArray"))
+  {
+    sentences.emplace_back("UseGlyphTable has no effect: choose a GlyphTableIndexArray");
   }
   if (number("Orient") != 0.0 && !tensors)
   {

@@ -139,9 +139,10 @@ inline void AddTensors(LightScene& subject, const std::string& path)
     {
       continue;
     }
-    const std::vector<double> tensor(tensors.begin() + 6 * i, tensors.begin() + 6 * i + 6);
-    const rtg::TensorGlyph glyph = rtg::MakeTensorGlyph(
-      rtg::Decompose(rtg::MakeTensor(tensor.data(), rtg::TensorLayout::Vtk)), rtg::TensorGlyphKind::Superquadric, 3.0);
+    const auto t = tensors.begin() + 6 * i;
+    const rtg::SymmetricTensor tensor{ t[0], t[1], t[2], t[3], t[4], t[5] };
+    const rtg::TensorGlyph glyph =
+      rtg::MakeTensorGlyph(rtg::Decompose(tensor), rtg::TensorGlyphKind::Superquadric, 3.0);
     const glm::dvec3 at(i % side, i / side % side, i / side / side);
     instances.centres.emplace_back(at * spacing - 1.0);
     // The largest eigenvalue is 1.7, and the longest glyph is to be 1.3 spacings long.

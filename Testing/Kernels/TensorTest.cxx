@@ -77,23 +77,6 @@ void ExpectValid(const SymmetricTensor& t, const Eigensystem& eigen)
   EXPECT_NEAR(glm::determinant(v), 1.0, 64 * u);
 }
 
-TEST(TensorTest, LayoutsNameTheSameTensor)
-{
-  const double vtk[] = { 1, 2, 3, 4, 5, 6 }; // xx yy zz xy yz xz
-  const double row[] = { 1, 4, 6, 2, 5, 3 };
-  const double lammps[] = { 1, 2, 3, 4, 6, 5 };
-  const double lower[] = { 1, 4, 2, 6, 5, 3 };
-  const double matrix[] = { 1, 4 + 0.5, 6 - 1, 4 - 0.5, 2, 5 + 3, 6 + 1, 5 - 3, 3 };
-  const glm::dmat3 expected = MakeTensor(vtk, TensorLayout::Vtk).Matrix();
-  EXPECT_EQ(expected, glm::dmat3(1, 4, 6, 4, 2, 5, 6, 5, 3));
-  EXPECT_EQ(MakeTensor(row, TensorLayout::Row).Matrix(), expected);
-  EXPECT_EQ(MakeTensor(lammps, TensorLayout::Lammps).Matrix(), expected);
-  EXPECT_EQ(MakeTensor(lower, TensorLayout::Lower).Matrix(), expected);
-  EXPECT_EQ(MakeTensor(matrix, TensorLayout::Matrix).Matrix(), expected);
-  EXPECT_EQ(TensorComponents(TensorLayout::Lammps), 6);
-  EXPECT_EQ(TensorComponents(TensorLayout::Matrix), 9);
-}
-
 TEST(TensorTest, AntisymmetricPartTurnsAboutItsAxis)
 {
   const double m[] = { 1, 2, 3, 4, 5, 6, 7, 8, 10 };

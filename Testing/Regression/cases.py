@@ -97,14 +97,15 @@ def with_nan(arrays):
 
 
 def tensors(layout, count=8):
-    """Shears and stretches as 9 numbers, and those of them that an order names."""
+    """Shears, stretches and turns as 9 numbers, and those of the symmetric part that an order names."""
     matrix = numpy.array([[3.0, 1.0, 0.5], [1.0, 2.0, -0.7], [0.5, -0.7, 1.0]])
     if all("z" not in index for index in layout):
         matrix[2], matrix[:, 2] = 0.0, 0.0
     if "zz" in layout and "xz" not in layout and "zx" not in layout:
         matrix[2, :2] = matrix[:2, 2] = 0.0
     chosen = [1.0 if index == "confidence" else matrix["xyz".index(index[0]), "xyz".index(index[1])] for index in layout]
-    return numpy.tile(matrix.reshape(-1), (count, 1)), numpy.tile(chosen, (count, 1))
+    turning = numpy.array([[0.0, 0.5, -1.0], [-0.5, 0.0, 3.0], [1.0, -3.0, 0.0]])
+    return numpy.tile((matrix + turning).reshape(-1), (count, 1)), numpy.tile(chosen, (count, 1))
 
 
 class Row:

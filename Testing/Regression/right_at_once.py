@@ -53,6 +53,7 @@ def generated():
     return {
         "regular grid": (grid(10, 10, 10), {}, {}),
         "plane grid": (grid(30, 30, 1), {}, {}),
+        "graded mesh": (1.2 ** grid(24, 24, 1) - 1.0, {}, {}),
         "stretched grid": (grid(12, 12, 12) * (0.02, 1.0, 0.1), {}, {}),
         "random points": (cube, {}, {}),
         "boxes": (cube, {}, {"GlyphType": "Box"}),
