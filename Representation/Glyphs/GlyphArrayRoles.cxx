@@ -108,6 +108,23 @@ const Meaning& MeaningOf(const Array& array)
   return MeaningOf(array.Columns.empty() ? array.Name : array.Columns, array.Components);
 }
 
+// Sizes that suit the distances of the points; unknown ones do.
+bool IsPlausible(const Array& array, double spacing)
+{
+  return !array.IsKnown() || !(spacing > 0.0) ||
+    (array.Least >= 0.0 && array.Largest < 2.0 * spacing && array.Largest > 0.02 * spacing);
+}
+
+// A letter alone may be anything.
+const Meaning& MeaningOf(const Array& array, double spacing)
+{
+  const Words words = WordsOf(array.Columns.empty() ? array.Name : array.Columns);
+  const bool letter = words.size() == 1 && words.front().size() == 1;
+  const Meaning& meaning = MeaningOf(array);
+  const bool meant = array.Components > 1 ? !array.IsPlace : meaning.Scores[SIZE] >= 70 && IsPlausible(array, spacing);
+  return letter && !meant ? unnamed : meaning;
+}
+
 // All of one magnitude: quaternions, rotation matrices.
 bool HasLength(const Array& array, double length)
 {
@@ -164,7 +181,7 @@ struct Evidence
 
 Evidence Weigh(Role role, const Array& array, double spacing)
 {
-  const Meaning& meaning = MeaningOf(array);
+  const Meaning& meaning = MeaningOf(array, spacing);
   const bool named = &meaning != &unnamed;
   Evidence evidence{ meaning.Scores[role], named ? "its name" : nullptr };
   int& score = evidence.Score;
@@ -204,11 +221,11 @@ Evidence Weigh(Role role, const Array& array, double spacing)
     }
     if (array.IsKnown() && !named)
     {
-      const bool plausible = array.Least > 0.0 && array.Largest < 2.0 * spacing && array.Largest > 0.02 * spacing;
+      const bool plausible = array.Least > 0.0 && spacing > 0.0 && IsPlausible(array, spacing);
       const bool same = array.Least == array.Largest || array.IsWhole;
       if (plausible)
       {
-        score += 2;
+        score += 6; // more than a vector's name
         evidence.Why = evidence.Why ? evidence.Why : "its values, which suit the distances of the points";
       }
       score -= same ? 2 : 0; // a number of kinds, or nothing to see

@@ -256,6 +256,31 @@ def ramp(view, checks):
     pv.Delete(shown)
 
 
+def shuffled(view, checks):
+    """Where names say nothing values do, or the choice says that it is one of several."""
+    points = grid(5, 5, 4)
+    arrays = {"radius": RANDOM.uniform(0.3, 0.5, 100), "velocity": 30.0 * RANDOM.normal(size=(100, 3)), "id": numpy.arange(100), "place": points,
+              "turn": (lambda q: q / numpy.linalg.norm(q, axis=1, keepdims=True))(RANDOM.normal(size=(100, 4))), "density": RANDOM.uniform(900.0, 1100.0, 100)}
+    shown = session.glyphs(session.source(session.poly_data(points)), view, "Arrow", ScaleMode="Magnitude", ScaleFactor=0.1)
+    for number in range(6):
+        names = dict(zip(arrays, RANDOM.permutation(list("abcdef"))))
+        session.replace_data(shown.Input, session.poly_data(points, **{names[name]: arrays[name] for name in sorted(arrays, key=names.get)}))
+        for shape, wanted in (("Sphere", {"SelectScaleArray": "radius"}), ("Arrow", {"SelectOrientationVectors": "velocity", "SelectScaleArray": "velocity"}),
+                              ("Superquadric", {"SelectOrientationVectors": "turn", "SelectScaleArray": "radius"})):
+            session.assign_shape(shown, shape)
+            pv.Render(view)
+            reasons = session.statistics(shown)["choices"]
+            for name, array in wanted.items():
+                checks.equal("shuffled %d, %s: %s (%s)" % (number, shape, name, reasons), shown.SMProxy.GetProperty(name).GetElement(0), names[array])
+    pv.Delete(shown)
+    vectors = session.poly_data(points, a=RANDOM.normal(size=(100, 3)), b=RANDOM.normal(size=(100, 3)), c=points)
+    shown = session.glyphs(session.source(vectors), view, "Arrow", ScaleMode="Magnitude")
+    pv.Render(view)
+    reasons = session.statistics(shown)["choices"]
+    checks.true("two vectors: %s" % reasons, any("first of 2 arrays" in reason for reason in reasons))
+    pv.Delete(shown)
+
+
 def streak(name, display, view, checks):
     """Motion blur has something to show."""
     checks.equal(name + ": motion", session.statistics(display).get("unfinished", ""), "")
@@ -309,6 +334,23 @@ ROWS = (
     # Messages
     Row("blocks without the array", part_and_node_sets, ARROWS, {"SelectScaleArray": "displacement"}, (1.0, 200.0), 16, says=["40 of 56", "'displacement'", "BlockSelectors"]),
     Row("two reasons", lambda: with_nan({}), ARROWS, glyphs=98, says=["2 of 100", "velocity"]),
+    Row("a drop of no size that a code adds to empty steps", lambda: session.poly_data(
+        numpy.concatenate([box(), [[0.5, 0.5, 0.5]]]), d=numpy.append(RANDOM.uniform(0.02, 0.05, 100), 0.0)), SIZED, {"SelectScaleArray": "d"}, (1.0, 1.0), 100),
+    Row("a step whose vectors are all zero", lambda: session.poly_data(box(), velocity=numpy.zeros((100, 3))), ARROWS, glyphs=0,
+        says=["100 of 100", "velocity"]),
+    # Columns of tables
+    Row("columns of a table", lambda: session.poly_data(box(), **{
+        "id": numpy.arange(100), **{name: RANDOM.normal(size=100) for name in ("x_vel", "y_vel", "z_vel", "x_acc", "y_acc", "z_acc", "mass")}}), ARROWS,
+        {"SelectOrientationVectors": "x_vel, y_vel, z_vel", "SelectScaleArray": "x_vel, y_vel, z_vel"}, glyphs=100),
+    Row("columns as ParaView saves vectors", lambda: session.poly_data(box(), **{
+        name: RANDOM.normal(size=100) for name in ("Points:0", "Points:1", "Points:2", "U:0", "U:1", "U:2", "p")}), ARROWS,
+        {"SelectOrientationVectors": "U:0, U:1, U:2", "SelectScaleArray": "U:0, U:1, U:2"}, glyphs=100),
+    Row("coordinates that were not unwrapped", lambda: session.poly_data(box(), **{
+        name: RANDOM.normal(size=100) for name in ("xu", "yu", "zu", "xs", "ys", "zs")}), {"GlyphType": "Arrow"},
+        {"SelectOrientationVectors": "None"}, glyphs=100, says=["direction"]),
+    Row("stress of LAMMPS in six columns", lambda: session.poly_data(grid(4, 4, 4), **{
+        "c_stress[%d]" % (i + 1): RANDOM.normal(size=64) for i in range(6)}), {"GlyphShape": "Tensor Ellipsoid"},
+        {"GlyphTensorArray": "c_stress[1], c_stress[2], c_stress[3], c_stress[4], c_stress[6], c_stress[5]"}, glyphs=64),
     # Names say nothing
     Row("letters", lambda: session.poly_data(box(), a=RANDOM.uniform(size=100), b=RANDOM.normal(size=(100, 3)), c=numpy.arange(100)), ARROWS,
         {"SelectScaleArray": "b", "SelectOrientationVectors": "b"}),
@@ -325,7 +367,7 @@ def main(words):
     for row in ROWS:
         if not words or any(word in row.name for word in words):
             row.check(view, checks)
-    for part in (orders, tubes, periodic, ramp):
+    for part in (orders, tubes, periodic, ramp, shuffled):
         if not words or part.__name__ in words:
             part(view, checks)
     checks.report()
