@@ -38,9 +38,8 @@ void pqRayTracedGlyphsStatistics::setStatistics(const QString& json)
   {
     choices.append(sentence.toString() + "\n");
   }
-  this->Words->setText(numbers.isEmpty()
-      ? tr("No picture yet")
-      : choices.join("") +
+  this->Words->setText(numbers.isEmpty() ? tr("No picture yet")
+                                         : choices.join("") +
         tr("%1\n%2 samples a pixel\n%3 glyphs\n%4 for glyphs and pictures on the device")
           .arg(numbers.value("DeviceName").toString(), number("AccumulatedSamples"), number("glyphs"),
             QLocale().formattedDataSize(static_cast<qint64>(numbers.value("deviceBytes").toDouble()))));

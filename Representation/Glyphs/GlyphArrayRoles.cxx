@@ -34,8 +34,8 @@ const Meaning meanings[] = {
   { { "smoothing*", "size*", "length*", "shape*", "scale*", "dimension*", "extent*", " h" },
     { 0, 0, 70, 16, 0, 0, 0, 0 } },
   { { "id", "ids", "type*", "material*", "block*", "index", "label*", "rank*", "process*", "proc", "ghost*", "vtk*",
-      "mol", "molecule*", "element*", "group*", "mask*", "flag*", "status*", "state*", "is", "idp",
-      "subdomain*", "partition*", " image", "period*" },
+      "mol", "molecule*", "element*", "group*", "mask*", "flag*", "status*", "state*", "is", "idp", "subdomain*",
+      "partition*", " image", "period*" },
     {} },
   { { "angle*", "euler*", "position*", "pos", "coord*", "location*", "point*", " xyz" }, {} },
   { { "quat*", "q", "rot", "rotation*", "matrix", "axes", "frame", "basis", "transform*" },
@@ -175,7 +175,7 @@ bool Fits(Role role, const Array& array)
 
 struct Evidence
 {
-  int Score = 0; // 1 or less: not in this role
+  int Score = 0;             // 1 or less: not in this role
   const char* Why = nullptr; // null: nothing but the number of components
 };
 
@@ -314,9 +314,9 @@ std::vector<Array> rtglyphs::GlyphArrayRoles::Join(const std::vector<Array>& num
       const bool meant = array.Components > 2 || &MeaningOf(array) != &unnamed;
       if (all && meant && !WordsOf(array.Columns).empty())
       {
-        left.erase(std::remove_if(left.begin(), left.end(),
-                     [&names](const std::string& name)
-                     { return std::find(names.begin(), names.end(), name) != names.end(); }),
+        left.erase(
+          std::remove_if(left.begin(), left.end(),
+            [&names](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }),
           left.end());
         joined.push_back(array);
       }

@@ -21,8 +21,8 @@ using namespace rtglyphs::GlyphSample;
 constexpr double largestGlyph = 0.2;
 constexpr double exactlySeen = 1.0 / 200.0; // in a picture of all data; of sizes that the data say
 constexpr double seen = 1.0 / 80.0;         // of others: a dozen pixels
-constexpr double coincident = 1e-6;  // at the same place, but for rounding
-constexpr double flat = 1e-3;        // along an axis that the data do not fill
+constexpr double coincident = 1e-6;         // at the same place, but for rounding
+constexpr double flat = 1e-3;               // along an axis that the data do not fill
 ///@}
 constexpr double graded = 2.5; // points are this much closer than in most of the space, where the mesh is graded
 constexpr double specks = 0.1; // size of spheres that are far apart, as a share of the distance between neighbors

@@ -62,7 +62,7 @@ int TensorColoring(vtkSMProxy* glyphs, int shape)
   vtkSMProperty* negative = glyphs->GetProperty("GlyphNegativeTensors");
   glyphs->UpdatePropertyInformation(negative);
   const bool positive = vtkSMPropertyHelper(negative).GetAsDouble() <= fewNegative;
-  return !positive             ? rtglyphs::GlyphTensors::SIGN
+  return !positive              ? rtglyphs::GlyphTensors::SIGN
     : shape == Shapes::REYNOLDS ? rtglyphs::GlyphTensors::SURFACE_DIRECTION
                                 : rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
 }
@@ -78,18 +78,19 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
   {
     return std::any_of(arrays.begin(), arrays.end(),
       [&](const Array& array)
-      { return array.Name == name && array.Components <= 3 && !(varies && array.IsKnown() && array.Least == array.Largest); });
+      {
+        return array.Name == name && array.Components <= 3 &&
+          !(varies && array.IsKnown() && array.Least == array.Largest);
+      });
   };
   vtkSMProxy* source = vtkSMPropertyHelper(glyphs, "GlyphType").GetAsProxy();
-  const bool arrows =
-    shape == 0 && source && (strcmp(source->GetXMLName(), "ArrowSource") == 0 || strcmp(source->GetXMLName(), "ConeSource") == 0);
+  const bool arrows = shape == 0 && source &&
+    (strcmp(source->GetXMLName(), "ArrowSource") == 0 || strcmp(source->GetXMLName(), "ConeSource") == 0);
   const std::string direction =
     arrows && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt() ? ValueOf(glyphs, "SelectOrientationVectors") : "";
   const std::string size =
     vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? ValueOf(glyphs, "SelectScaleArray") : "";
-  return isListed(direction, false) ? direction
-    : isListed(size, true)          ? size
-                                    : domain->ChooseFor(LENGTH, arrays).Name;
+  return isListed(direction, false) ? direction : isListed(size, true) ? size : domain->ChooseFor(LENGTH, arrays).Name;
 }
 }
 
@@ -103,8 +104,7 @@ void rtglyphs::RayTracedColoring::Begin(vtkSMProxy* glyphs)
   std::vector<Array> arrays = ArraysOf(glyphs)->Listed();
   arrays.erase(std::remove_if(arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name != found; }),
     arrays.end());
-  const bool isQuantity =
-    !arrays.empty() && (arrays.front().IsColor || ArraysOf(glyphs)->ChooseFor(SIZE, arrays));
+  const bool isQuantity = !arrays.empty() && (arrays.front().IsColor || ArraysOf(glyphs)->ChooseFor(SIZE, arrays));
   if (!isQuantity && !vtkSMSettings::GetInstance()->HasSetting(setting.c_str()))
   {
     this->Wanted = true;

@@ -56,8 +56,8 @@ const char* const sharedArrays[] = { "SelectOrientationVectors", "SelectScaleArr
 const std::set<std::string> decisive = { "GlyphShape", "GlyphType", "ScaleMode", "SelectOrientationVectors" };
 
 // Those that ray-traced glyphs have another default of.
-const std::set<std::string> defaultedAnew = { "GlyphType", "Orient", "ScaleFactor", "ScaleMode", "Scaling", "SelectScaleArray",
-  "SelectOrientationVectors" };
+const std::set<std::string> defaultedAnew = { "GlyphType", "Orient", "ScaleFactor", "ScaleMode", "Scaling",
+  "SelectScaleArray", "SelectOrientationVectors" };
 
 bool ShowsGlyphs(vtkSMProxy* display)
 {
@@ -286,8 +286,8 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   };
   using Shapes = vtkRayTracedGlyphRepresentation;
   const int shape = static_cast<int>(number("GlyphShape"));
-  const bool tensors = (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) ||
-    shape >= Shapes::REYNOLDS;
+  const bool tensors =
+    (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) || shape >= Shapes::REYNOLDS;
   if (tensors || shape == Shapes::SPHERICAL_HARMONICS)
   {
     explain("Form", tensors ? "GlyphTensorArray" : "GlyphHarmonicsArray");
@@ -354,7 +354,7 @@ void rtglyphs::RayTracedGlyphDefaults::ChooseScaleMode(vtkSMProxy* glyphs)
   const bool sphere = vtkSMPropertyHelper(glyphs, "GlyphShape").GetAsInt() == 0 && !this->Chosen.count("GlyphType") &&
     IsNone(glyphs, "SelectOrientationVectors");
   const bool sized = (turned || sphere) && rtglyphs::GlyphArrayRoles::IsSize(size.Name);
-  const int mode = !sized      ? vtkGlyph3DMapper::NO_DATA_SCALING
+  const int mode = !sized  ? vtkGlyph3DMapper::NO_DATA_SCALING
     : size.Components == 1 ? vtkGlyph3DMapper::SCALE_BY_MAGNITUDE
                            : vtkGlyph3DMapper::SCALE_BY_COMPONENTS;
   vtkSMProperty* shared = glyphs->GetTrueParentProxy()->GetProperty("ScaleMode");

@@ -162,8 +162,8 @@ std::vector<Array> vtkSMRayTracedArrayListDomain::Listed()
     return std::any_of(joined.begin(), joined.end(),
       [&](const Array& whole) { return (", " + whole.Name + ',').find(", " + array.Name + ',') != std::string::npos; });
   };
-  arrays.erase(std::remove_if(arrays.begin(), arrays.end(),
-                 [&](const Array& array) { return isMissing(array) || isPart(array); }),
+  arrays.erase(
+    std::remove_if(arrays.begin(), arrays.end(), [&](const Array& array) { return isMissing(array) || isPart(array); }),
     arrays.end());
   arrays.insert(arrays.end(), joined.begin(), joined.end());
   return arrays;

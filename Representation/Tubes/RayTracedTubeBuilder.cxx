@@ -196,8 +196,8 @@ private:
     {
       kept.push_back(this->Line[i]);
       std::size_t next = i + 1;
-      while (next + 1 < this->Line.size() && this->Line[i] >= 0 &&
-        this->IsStraight(cell, i, next + 1, longest, tolerance))
+      while (
+        next + 1 < this->Line.size() && this->Line[i] >= 0 && this->IsStraight(cell, i, next + 1, longest, tolerance))
       {
         ++next;
       }
