@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace
 {
@@ -41,6 +43,31 @@ glm::vec3 SizeOf(const rtg::GlyphInstances& all, std::size_t glyph)
   return !all.sizes3.empty() ? all.sizes3[glyph] : glm::vec3(all.sizes1.empty() ? all.uniformSize : all.sizes1[glyph]);
 }
 
+// What the screen shows: red, green, blue and opacity.
+glm::vec4 Unpacked(std::uint32_t packed)
+{
+  return glm::vec4(packed & 255u, (packed >> 8) & 255u, (packed >> 16) & 255u, packed >> 24) / 255.0f;
+}
+
+// The mean of the colors at a tube's ends.
+glm::vec4 MeanOfEnds(const rtg::GlyphColours& colors, std::size_t glyph)
+{
+  const auto at = [&colors](std::uint32_t bits)
+  {
+    if (colors.table.empty())
+    {
+      return Unpacked(bits);
+    }
+    const auto values = static_cast<float>(colors.table.size() - 2);
+    const float value = std::bit_cast<float>(bits);
+    const std::size_t entry = value <= rtg::noValue ? colors.table.size() - 1
+      : value <= rtg::notANumber                    ? colors.table.size() - 2
+                                 : static_cast<std::size_t>(std::clamp(value * values, 0.0f, values - 1.0f));
+    return Unpacked(colors.table[entry]);
+  };
+  return 0.5f * (at(colors.ends[glyph].x) + at(colors.ends[glyph].y));
+}
+
 // Puts copies of a display's glyphs, part by part, into the set.
 class Assembly
 {
@@ -69,18 +96,12 @@ public:
   void Add(std::size_t part, std::size_t glyph, const glm::vec3& scale, const glm::vec3& place = glm::vec3(0.0f),
     bool back = false)
   {
-    const glm::vec4 r = this->All.rotations.empty() ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) : this->All.rotations[glyph];
-    const glm::dquat turn(r.w, r.x, r.y, r.z);
+    const glm::dquat turn = this->TurnOf(glyph);
     const glm::dvec3 shift = turn * glm::dvec3(place);
     const glm::dquat whole = back ? turn * glm::dquat(0.0, 0.0, 1.0, 0.0) : turn;
     rtglyphs::GlyphTessellatedPart& to = this->Set.Parts[part];
     to.Glyphs.push_back(static_cast<std::uint32_t>(glyph));
-    glm::dvec3 center(this->All.centres[glyph]);
-    if (!this->All.centresLow.empty())
-    {
-      center += glm::dvec3(this->All.centresLow[glyph]);
-    }
-    to.Positions.emplace_back(center + shift);
+    to.Positions.emplace_back(this->PlaceOf(glyph, place));
     to.Orientations.emplace_back(whole.x, whole.y, whole.z, whole.w);
     to.Scales.push_back(scale);
 
@@ -156,6 +177,52 @@ public:
     }
   }
 
+  // Balls, and the cones between that touch them: Kernels/Shapes/RoundCone.glsl. Cones have a mesh for each percent of
+  // their ratio of radii.
+  void AddTubes()
+  {
+    const std::size_t ball = this->AddMesh("Ball", rtglyphs::GlyphTessellation::Sphere());
+    std::map<std::pair<int, bool>, std::size_t> cones;
+    glm::dvec3 last(HUGE_VAL); // middle of the last ball
+    for (std::size_t glyph = 0; glyph < this->All.Count(); ++glyph)
+    {
+      const glm::vec3 size = SizeOf(this->All, glyph);
+      const bool flat[] = { !this->All.before.empty() && this->All.before[glyph].w < 0.0f,
+        !this->All.after.empty() && this->All.after[glyph].w < 0.0f };
+      const double radii[] = { 0.5 * size.y, 0.5 * size.z }, half = 0.5 * size.x;
+      const bool back = radii[1] > radii[0]; // the mesh becomes thinner towards +x
+      const double larger = radii[back ? 1 : 0], smaller = radii[back ? 0 : 1];
+      const double sine = (larger - smaller) / size.x, cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
+      if (sine < 1.0)
+      {
+        const double from = -half + larger * sine, to = half + smaller * sine; // along the mesh
+        const int percent =
+          smaller > 0.0 ? std::max(-1000, static_cast<int>(std::lround(100.0 * std::log(smaller / larger)))) : -1000;
+        const bool open = !flat[0] && !flat[1];
+        const auto [found, added] = cones.try_emplace({ percent, open }, this->Set.Parts.size());
+        if (added)
+        {
+          this->AddMesh("Cone_" + std::to_string(found->second),
+            rtglyphs::GlyphTessellation::CutCone(std::exp(0.01 * percent), open));
+        }
+        const auto across = static_cast<float>(larger * cosine);
+        this->Add(found->second, glyph, { static_cast<float>(to - from), across, across },
+          { static_cast<float>(back ? -from : from), 0.0f, 0.0f }, back);
+      }
+      for (int end = 0; end < 2; ++end)
+      {
+        const float at = static_cast<float>(end == 0 ? -half : half);
+        const glm::dvec3 middle = this->PlaceOf(glyph, { at, 0.0f, 0.0f });
+        const bool again = glm::distance(middle, last) < 1e-4 * radii[end];
+        if (!flat[end] && !again && radii[end] > 0.0)
+        {
+          this->Add(ball, glyph, glm::vec3(static_cast<float>(2.0 * radii[end])), { at, 0.0f, 0.0f });
+        }
+        last = middle;
+      }
+    }
+  }
+
   // A mesh for each triple of exponents. False: they would be too many.
   bool AddSuperquadrics()
   {
@@ -184,6 +251,23 @@ public:
   }
 
 private:
+  glm::dquat TurnOf(std::size_t glyph) const
+  {
+    const glm::vec4 r = this->All.rotations.empty() ? glm::vec4(0.0f, 0.0f, 0.0f, 1.0f) : this->All.rotations[glyph];
+    return glm::dquat(r.w, r.x, r.y, r.z);
+  }
+
+  // Of a place in the glyph's frame.
+  glm::dvec3 PlaceOf(std::size_t glyph, const glm::vec3& place) const
+  {
+    glm::dvec3 center(this->All.centres[glyph]);
+    if (!this->All.centresLow.empty())
+    {
+      center += glm::dvec3(this->All.centresLow[glyph]);
+    }
+    return center + this->TurnOf(glyph) * glm::dvec3(place);
+  }
+
   rtglyphs::GlyphTessellatedSet& Set;
   const rtg::GlyphInstances& All;
 };
@@ -214,8 +298,9 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
   set.Color = Linear(material.colour, material.opacity);
   const bool bySign = !instances.forms.empty();
   const bool bySurface = bySign || instances.surfaceColours == rtg::GlyphInstances::SurfaceColours::Direction;
+  const bool ofEnds = instances.shape == rtg::Shape::RoundCone && !colors.ends.empty();
   bool bothSigns = false;
-  if (bySign || !instances.opacities.empty() || !colors.each.empty())
+  if (bySign || !instances.opacities.empty() || !colors.Empty())
   {
     set.Colors.resize(instances.Count(), set.Color);
     for (std::size_t glyph = 0; glyph < instances.Count(); ++glyph)
@@ -230,11 +315,9 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
         color = Linear(negative ? material.negativeColour : material.positiveColour, material.opacity);
       }
       const glm::vec4 ofSurface = color;
-      if (!colors.each.empty())
+      if (!colors.each.empty() || ofEnds)
       {
-        const std::uint32_t packed = colors.each[glyph];
-        const glm::vec4 shown =
-          glm::vec4(packed & 255u, (packed >> 8) & 255u, (packed >> 16) & 255u, packed >> 24) / 255.0f;
+        const glm::vec4 shown = ofEnds ? MeanOfEnds(colors, glyph) : Unpacked(colors.each[glyph]);
         // White stands for the colors of the surface (rtg::GlyphColours).
         color =
           bySurface && glm::vec3(shown) == glm::vec3(1.0f) ? ofSurface : Linear(glm::vec3(shown), material.opacity);
@@ -281,8 +364,7 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
       }
       break;
     case rtg::Shape::RoundCone:
-      messages.push_back("Tubes are left out of the exported file, because they have no triangles. Export those of "
-                         "ParaView's Tube filter, or save a screenshot.");
+      assembly.AddTubes();
       break;
     default:
       messages.push_back(

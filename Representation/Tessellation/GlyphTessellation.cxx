@@ -186,16 +186,23 @@ rtg::TriangleMesh rtglyphs::GlyphTessellation::Box()
 }
 
 //----------------------------------------------------------------------------
-rtg::TriangleMesh rtglyphs::GlyphTessellation::Shaft(bool open)
+rtg::TriangleMesh rtglyphs::GlyphTessellation::CutCone(double ratio, bool open)
 {
   rtg::TriangleMesh mesh;
-  AddRevolution(mesh, { { 0.0, 1.0 }, { 1.0, 1.0 }, { 0.0, 1.0 }, { 0.0, 1.0 } });
+  const glm::dvec2 normal = glm::normalize(glm::dvec2(1.0 - ratio, 1.0));
+  AddRevolution(mesh, { { 0.0, 1.0 }, { 1.0, ratio }, normal, normal });
   if (!open)
   {
     AddDisc(mesh, 0.0, 1.0, -1.0);
-    AddDisc(mesh, 1.0, 1.0, 1.0);
+    AddDisc(mesh, 1.0, ratio, 1.0);
   }
   return mesh;
+}
+
+//----------------------------------------------------------------------------
+rtg::TriangleMesh rtglyphs::GlyphTessellation::Shaft(bool open)
+{
+  return CutCone(1.0, open);
 }
 
 //----------------------------------------------------------------------------

@@ -298,7 +298,7 @@ ROWS = (
     Row("Code_Aster, MED", lambda: vtu("aster.vtu", SIDES, 1.0, {
         "RESU____DEPL": (1e-3 * swirl(NODES), ("DX", "DY", "DZ")),
         "RESU____SIEF_NOEU": (stresses(NODES)[:, [0, 1, 2, 3, 5, 4]], ("SIXX", "SIYY", "SIZZ", "SIXY", "SIXZ", "SIYZ"))}),
-        {TENSOR: "RESU____SIEF_NOEU", DIRECTION: "RESU____DEPL"}, "Sign", 120, ("the names of its components", ), GlyphShape="Tensor Ellipsoid"),
+        {TENSOR: "RESU____SIEF_NOEU", DIRECTION: "RESU____DEPL"}, "Sign", 120, ("the names of its components", "90 % of the tensors have a negative eigenvalue, drawn as a positive one"), GlyphShape="Tensor Ellipsoid"),
     Row("Gmsh, by meshio", lambda: vtu("gmsh.vtu", SIDES, 1.0, {"velocity": swirl(NODES)}, {"gmsh:physical": numpy.ones(60, int)}),
         {DIRECTION: "velocity"}, "velocity", 120),
     Row("deal.II", lambda: vtu("dealii.vtu", SIDES, 1.0, {"displacement": 1e-4 * swirl(NODES), "pressure": NODES[:, 1]},
@@ -317,6 +317,10 @@ ROWS = (
         {"GlyphHarmonicsArray": "odf"}, "Surface Direction", 20, ("Form by odf", ), GlyphShape="Spherical Harmonics"),
     Row("diffusion tensors, VTK", lambda: vti("dti.vti", (6, 5, 2), DTI=diffusion(60)[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]], b0=numpy.ones(60)),
         {TENSOR: "DTI"}, "Fractional Anisotropy", 60, ("Form by DTI: its name", ), GlyphShape="Tensor Superquadric"),
+    Row("diffusion tensors with noise", lambda: vti("noisy.vti", (6, 5, 2), DTI=diffusion(60)[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]]
+                                                    - numpy.where(numpy.arange(60) % 20 == 0, 5e-4, 0.0)[:, None] * numpy.eye(3).reshape(-1)),
+        {TENSOR: "DTI"}, "Fractional Anisotropy", 60, ("5 % of the tensors have a negative eigenvalue, drawn as a positive one; their fractional "
+                                                       "anisotropy may pass 1", ), GlyphShape="Tensor Superquadric"),
     Row("PDB", pdb, {SIZE: "radius"}, "rgb_colors", 40, ("Size by radius", )),
 )
 

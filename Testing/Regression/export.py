@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 import session
+import tubes
 from checks import Checks
 
 RANDOM = numpy.random.default_rng(11)
@@ -298,6 +299,28 @@ def check_motion(view, checks):
     pv.Delete(points)
 
 
+def check_tubes(view, checks):
+    """Balls and cones between them, with flat ends discs; colors of points as their means."""
+    along = numpy.linspace(0.0, 1.0, 41)
+    curves = [numpy.stack([3.0 * along, numpy.sin(7.0 * along) + 2.0 * k, numpy.cos(5.0 * along)], axis=1) for k in range(2)]
+    widths = numpy.concatenate([0.15 + 0.1 * numpy.sin(9.0 * along), numpy.full(41, 0.2)])
+    lines = tubes.line_data(curves, {"rgb": RGB[:2]}, width=widths, height=numpy.repeat([1.0, 3.0], 41))
+    path = session.output("export-tubes.usda")
+    for name, ends, color in (("round tubes", "Rounded", ["CELLS", "rgb"]), ("flat tubes", "Flat", ["CELLS", "rgb"]), ("values along tubes", "Rounded", ["POINTS", "height"])):
+        shown = session.show(session.source(lines), view, "Ray Traced Tubes", TubeRadius=1.0, TubeRadiusArray="width", TubeEnds=ends)
+        pv.ColorBy(shown, color)
+        shown.MapScalars = int(color[1] == "height")
+        session.look(view, (1.5, 1.0, 9.0), (1.5, 1.0, 0.0))
+        expected = session.capture(view, "export-" + name.replace(" ", "-"))
+        checks.no_message(name, export(path, view))
+        pv.Delete(shown)
+        surface = session.show(session.source(triangles(from_usda(path)[0][0])), view, "Surface", ColorArrayName=["POINTS", "rgb"],
+                               MapScalars=0, Interpolation="Gouraud")
+        # Cones of a percent of their ratio, of 48 facets
+        checks.picture("export, " + name, session.capture(view, "export-read-" + name.replace(" ", "-")), expected, pixels=0.005, mean=0.7)
+        pv.Delete(surface)
+
+
 def check_signs(view, checks):
     """Tensors of one sign, and arrows along principal axes, have one color each, which exports have; nothing is said."""
     tensors = numpy.array([numpy.diag(values) for values in ((1.0, 2.0, 3.0), (-1.0, -2.0, -3.0), (2.0, -1.0, 1.5))]).reshape(-1, 9)
@@ -377,14 +400,14 @@ def main():
     session.load()
     checks = Checks()
     view = session.view(300, 300)
-    wanted = sys.argv[1:] or [*CASES, "motion", "signs", "messages"]
+    wanted = sys.argv[1:] or [*CASES, "motion", "tubes", "signs", "messages"]
     cases = [name for name in wanted if name in CASES]
     if cases:
         shown = Shown(view)
         for name in cases:
             check_case(name, CASES[name], view, shown, checks)
         shown.delete()
-    for name, check in (("motion", check_motion), ("signs", check_signs), ("messages", check_messages)):
+    for name, check in (("motion", check_motion), ("tubes", check_tubes), ("signs", check_signs), ("messages", check_messages)):
         if name in wanted:
             check(view, checks)
     checks.report()
