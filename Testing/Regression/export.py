@@ -47,7 +47,7 @@ CASES = {
     "capsules": {"GlyphShape": "Capsule", **LONG, **TURNED, "ScaleFactor": 0.6},
     "arrows": {"GlyphType": "Arrow", **ALONG, "ArrowHeads": "Fixed"},
     "sharp arrows": {"GlyphType": "Arrow", **ALONG, "ArrowHeads": "Scaled"},
-    "superquadrics": {"GlyphShape": "Superquadric", **LONG, **TURNED, "GlyphExponents": [4.0, 1.0, 12.0]},
+    "superquadrics": {"GlyphShape": "Superquadric", **LONG, **TURNED, "GlyphExponentArray": "None", "GlyphExponents": [4.0, 1.0, 12.0]},
     "forms": {"GlyphShape": "Superquadric", **LONG, **TURNED, "GlyphExponentArray": "exponents"},
     "tensors": {"GlyphShape": "Signed Tensor Superquadric", "GlyphTensorArray": "tensor", "ScaleFactor": 0.9},
     "meshes": {"GlyphType": lambda: session.triangles(pv.Cone()), **LONG, **TURNED},
