@@ -39,7 +39,7 @@ std::string ColorArrayOf(vtkSMProxy* proxy, unsigned int string = 4)
   return value ? value : "";
 }
 
-vtkSMRayTracedArrayListDomain* ArraysOf(vtkSMProxy* glyphs)
+vtkSMRayTracedArrayListDomain* ScaleArrays(vtkSMProxy* glyphs)
 {
   return glyphs->GetProperty("SelectScaleArray")->FindDomain<vtkSMRayTracedArrayListDomain>();
 }
@@ -70,7 +70,7 @@ int TensorColoring(vtkSMProxy* glyphs, int shape)
 // What the glyphs follow, else the size, else what speaks most for being shown at all.
 std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
 {
-  vtkSMRayTracedArrayListDomain* domain = ArraysOf(glyphs);
+  vtkSMRayTracedArrayListDomain* domain = ScaleArrays(glyphs);
   std::vector<Array> arrays = domain->Listed();
   const auto isJoined = [](const Array& array) { return !array.Columns.empty(); }; // which ColorArrayName does not take
   arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isJoined), arrays.end());
@@ -101,10 +101,10 @@ void rtglyphs::RayTracedColoring::Begin(vtkSMProxy* glyphs)
   const std::string setting =
     std::string(".") + display->GetXMLGroup() + "." + display->GetXMLName() + ".ColorArrayName";
   const std::string found = ColorArrayOf(display);
-  std::vector<Array> arrays = ArraysOf(glyphs)->Listed();
+  std::vector<Array> arrays = ScaleArrays(glyphs)->Listed();
   arrays.erase(std::remove_if(arrays.begin(), arrays.end(), [&](const Array& array) { return array.Name != found; }),
     arrays.end());
-  const bool isQuantity = !arrays.empty() && (arrays.front().IsColor || ArraysOf(glyphs)->ChooseFor(SIZE, arrays));
+  const bool isQuantity = !arrays.empty() && (arrays.front().IsColor || ScaleArrays(glyphs)->ChooseFor(SIZE, arrays));
   if (!isQuantity && !vtkSMSettings::GetInstance()->HasSetting(setting.c_str()))
   {
     this->Wanted = true;
@@ -171,7 +171,12 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   {
     auto* input = vtkSMInputArrayDomain::SafeDownCast(glyphs->GetProperty("Input")->GetDomain("scale_array"));
     const bool cells = input && input->GetAttributeType() == vtkSMInputArrayDomain::CELL;
-    colored->SetScalarColoring(array.c_str(), cells ? vtkDataObject::CELL : vtkDataObject::POINT);
+    const int association = cells ? vtkDataObject::CELL : vtkDataObject::POINT;
+    SM_SCOPED_TRACE(SetScalarColoring)
+      .arg("display", display)
+      .arg("arrayname", array.c_str())
+      .arg("attribute_type", association);
+    colored->SetScalarColoring(array.c_str(), association);
     colored->RescaleTransferFunctionToDataRange(/*extend=*/false, /*force=*/false);
   }
   display->UpdateVTKObjects();

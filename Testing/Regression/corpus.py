@@ -8,6 +8,7 @@ import sys
 
 import numpy
 import paraview.simple as pv
+from paraview import smtrace
 
 import comparison
 import session
@@ -331,7 +332,13 @@ def main(words):
     checks = Checks()
     view = session.view(WIDTH, HEIGHT)
     rows = [row for row in ROWS if not words or any(word in row.name for word in words)]
-    pictures = [row.check(view, checks) for row in rows]
+    pictures = []
+    for row in rows:
+        smtrace.start_trace()
+        pictures.append(row.check(view, checks))
+        trace = smtrace.stop_trace()
+        wanted = "GlyphTensorColoring = '%s'" % row.color if row.color in ("Sign", "Fractional Anisotropy", "Surface Direction") else "'%s'))" % row.color
+        checks.true("%s: the trace has no %s" % (row.name, wanted), not row.color or row.color in ("p", "rgb_colors") or wanted in trace)
     sheet = numpy.full((-(-len(pictures) // COLUMNS) * HEIGHT, COLUMNS * WIDTH, 3), 128, numpy.uint8)
     for i, pixels in enumerate(pictures):
         row, column = divmod(i, COLUMNS)
