@@ -81,16 +81,24 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
   };
   rtg::GlyphColours colors;
   colors.table = mapped.Table;
-  const bool ends = !mapped.Values.empty() || (mapped.Any && !mapped.OfCells);
+  const bool directions = this->DirectionColors && !mapped.Any && mapped.Values.empty();
+  const bool ends = directions || !mapped.Values.empty() || (mapped.Any && !mapped.OfCells);
   const bool each = points || (!ends && (mapped.Any || this->HasOwnLooks()));
   colors.each.resize(each ? this->Sources.size() : 0);
   colors.ends.resize(ends ? this->Sources.size() : 0);
-  const auto atEnd = [&](vtkIdType point)
+  const auto atEnd = [&](vtkIdType piece, int end)
   {
+    const vtkIdType point = this->Ends[piece][end];
     std::uint32_t bits = 0;
     if (mapped.Values.empty())
     {
-      bits = Pack(this->ColorOf(mapped, point, -1));
+      std::array<double, 4> rgba = this->ColorOf(mapped, point, -1);
+      if (directions && !this->Blocks[this->BlockOf(point)].Color)
+      {
+        const glm::dvec3 direction = glm::abs(this->DirectionOf(lines, piece, end));
+        rgba = { { direction.x, direction.y, direction.z, rgba[3] } };
+      }
+      bits = Pack(rgba);
     }
     else
     {
@@ -112,7 +120,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
         }
         if (ends)
         {
-          colors.ends[i] = { atEnd(first), atEnd(last) };
+          colors.ends[i] = { atEnd(i, 0), atEnd(i, 1) };
         }
       }
     });
@@ -123,6 +131,24 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
     this->ColorVersion = NewVersion();
   }
   this->Report(messages, this->ReportedColors);
+}
+
+//----------------------------------------------------------------------------
+// Of unit length: between two pieces the mean of both.
+glm::dvec3 vtkRayTracedTubeMapper::DirectionOf(vtkPolyData* lines, vtkIdType piece, int end) const
+{
+  const auto along = [&](vtkIdType of)
+  {
+    glm::dvec3 from, to;
+    lines->GetPoint(this->Ends[of][0], &from[0]);
+    lines->GetPoint(this->Ends[of][1], &to[0]);
+    return glm::normalize(to - from);
+  };
+  const vtkIdType next = end == 0 ? piece - 1 : piece + 1;
+  const bool joined = next >= 0 && next < static_cast<vtkIdType>(this->Ends.size()) &&
+    this->Sources[next] == this->Sources[piece] && this->Ends[next][1 - end] == this->Ends[piece][end];
+  const glm::dvec3 own = along(piece), mean = joined ? own + along(next) : own;
+  return glm::length(mean) > 1e-6 ? glm::normalize(mean) : own;
 }
 
 //----------------------------------------------------------------------------

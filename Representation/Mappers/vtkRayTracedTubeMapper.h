@@ -23,6 +23,12 @@ public:
 
   void SetSettings(const rtglyphs::RayTracedTubeBuilder::Settings& settings);
 
+  /**
+   * Whether what no array colors has the colors of its directions: the magnitudes of their components as red, green
+   * and blue. Default is off.
+   */
+  void SetDirectionColors(bool on) { this->DirectionColors = on; }
+
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
   const rtg::GlyphInstances* GetInstances() const override { return this->Taken ? nullptr : &this->Instances; }
@@ -37,12 +43,16 @@ protected:
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* lines) const override;
   void BuildInstances(vtkPolyData* lines, vtkActor* actor) override;
   void BuildColors(vtkPolyData* lines) override;
+  std::vector<vtkMTimeType> ColorState() const override { return { this->DirectionColors ? 1u : 0u }; }
 
 private:
   vtkRayTracedTubeMapper(const vtkRayTracedTubeMapper&) = delete;
   void operator=(const vtkRayTracedTubeMapper&) = delete;
 
+  glm::dvec3 DirectionOf(vtkPolyData* lines, vtkIdType piece, int end) const;
+
   rtglyphs::RayTracedTubeBuilder::Settings Settings, BuiltSettings;
+  bool DirectionColors = false;
   rtg::GlyphInstances Instances; // until they are taken
   bool Taken = false;
   std::vector<std::array<vtkIdType, 2>> Ends;    // points of each piece

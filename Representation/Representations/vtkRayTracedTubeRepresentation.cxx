@@ -110,5 +110,6 @@ void vtkRayTracedTubeRepresentation::Configure(vtkInformation*, vtkPolyData*, bo
   settings.Motion = this->GetMotion();
   auto* tubes = static_cast<vtkRayTracedTubeMapper*>(this->GetMapper());
   tubes->SetSettings(settings);
+  tubes->SetDirectionColors(this->DirectionColors);
   tubes->SetSelectionColor(this->GetSelectionColor());
 }

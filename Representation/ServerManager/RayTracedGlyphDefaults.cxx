@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace
@@ -59,10 +60,15 @@ const std::set<std::string> decisive = { "GlyphShape", "GlyphType", "ScaleMode",
 const std::set<std::string> defaultedAnew = { "GlyphType", "Orient", "ScaleFactor", "ScaleMode", "Scaling",
   "SelectScaleArray", "SelectOrientationVectors" };
 
-bool ShowsGlyphs(vtkSMProxy* display)
+bool Shows(vtkSMProxy* display, const char* representation)
 {
   vtkSMProperty* type = display->GetProperty("Representation");
-  return type && strcmp(vtkSMPropertyHelper(type).GetAsString(), "Ray Traced Glyphs") == 0;
+  return type && strcmp(vtkSMPropertyHelper(type).GetAsString(), representation) == 0;
+}
+
+bool ShowsGlyphs(vtkSMProxy* display)
+{
+  return Shows(display, "Ray Traced Glyphs");
 }
 
 bool IsNone(vtkSMProxy* display, const char* array)
@@ -164,6 +170,11 @@ void rtglyphs::RayTracedGlyphDefaults::Choose(vtkSMProxy* glyphs)
   this->InView = true;
   vtkSMProxy* display = glyphs->GetTrueParentProxy();
   vtkSMSessionProxyManager* proxies = glyphs->GetSessionProxyManager();
+  if (!this->TubesShown && Shows(display, "Ray Traced Tubes"))
+  {
+    this->TubesShown = true;
+    this->TubesWanted = !(proxies && proxies->GetInLoadXMLState());
+  }
   if (!ShowsGlyphs(display))
   {
     // Capsules and superquadrics are turned by matrices and quaternions, which 3D Glyphs does not take beside
@@ -263,11 +274,24 @@ void rtglyphs::RayTracedGlyphDefaults::ChooseArray(vtkSMProxy* glyphs, const cha
 }
 
 //----------------------------------------------------------------------------
+vtkSMProxy* rtglyphs::RayTracedGlyphDefaults::GlyphsOf(vtkSMProxy* display)
+{
+  return Display::Representation(display, "RayTracedGlyphRepresentation");
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::RayTracedGlyphDefaults::TakeTubeColors(vtkSMProxy* display)
+{
+  const char* array = vtkSMPropertyHelper(display, "ColorArrayName").GetAsString(4);
+  const bool window = vtkSMPropertyHelper(display, "SamplesPerRender").GetAsInt() < 0;
+  return std::exchange(this->TubesWanted, false) && window && !(array && array[0]);
+}
+
+//----------------------------------------------------------------------------
 std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* display)
 {
   std::vector<std::string> sentences;
-  vtkSMProxy* glyphs =
-    ShowsGlyphs(display) ? Display::Representation(display, "RayTracedGlyphRepresentation") : nullptr;
+  vtkSMProxy* glyphs = ShowsGlyphs(display) ? GlyphsOf(display) : nullptr;
   if (!glyphs)
   {
     return sentences;

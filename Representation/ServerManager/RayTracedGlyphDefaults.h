@@ -42,6 +42,17 @@ public:
   void Color(vtkSMProxy* glyphs, vtkSMProxy* view) { this->Coloring.Update(glyphs, view); }
 
   /**
+   * Of a display; null: it has none.
+   */
+  static vtkSMProxy* GlyphsOf(vtkSMProxy* display);
+
+  /**
+   * Whether tubes of the display get the colors of their directions: in the window, once, when they are first shown and
+   * nothing colors them.
+   */
+  bool TakeTubeColors(vtkSMProxy* display);
+
+  /**
    * Which arrays the glyphs of a display show, and why, where they are those that the data suggest; and what is to be
    * known of them. Sentences, none where it shows no ray-traced glyphs.
    */
@@ -70,6 +81,7 @@ private:
   bool Shown = false;           // as ray-traced glyphs
   bool InView = false;          // else the display is being made
   bool Choosing = false;        // by this class
+  bool TubesShown = false, TubesWanted = false;
 };
 
 } // namespace rtglyphs

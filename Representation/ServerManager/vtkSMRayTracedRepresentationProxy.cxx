@@ -12,6 +12,7 @@
 #include "vtkSMRayTracedViewProxy.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
 
 #include <cstring>
 #include <string>
@@ -132,6 +133,20 @@ void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
 }
 
 //----------------------------------------------------------------------------
+// The first of a display's representations has its defaults.
+void vtkSMRayTracedRepresentationProxy::ColorTubes()
+{
+  vtkSMProxy* display = this->GetTrueParentProxy();
+  auto* first = vtkSMRayTracedRepresentationProxy::SafeDownCast(rtglyphs::RayTracedGlyphDefaults::GlyphsOf(display));
+  if (first && first->GlyphDefaults.TakeTubeColors(display))
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
+    vtkSMPropertyHelper(this, "TubeDirectionColors").Set(1);
+    display->UpdateVTKObjects();
+  }
+}
+
+//----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
@@ -151,6 +166,10 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
       vtkSMViewProxy::SafeDownCast(view)->Update();
     }
     rtglyphs::RayTracedSuggestion::Take(this);
+    if (this->GetProperty("TubeDirectionColors"))
+    {
+      this->ColorTubes();
+    }
     if (this->GetProperty("GlyphShape"))
     {
       this->GlyphDefaults.Color(this, view);

@@ -47,6 +47,7 @@ private:
   bool IsShown();
   void TakeSelection();
   void ChooseDefaults();
+  void ColorTubes();
 
   vtkSmartPointer<vtkSMRayTracedViewProxy> View;
   double Time = 0.0; // of the last update

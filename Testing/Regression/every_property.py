@@ -309,6 +309,7 @@ ROWS = [
     Row("TubeRadius", 0.25, area(DISC / 4.0)),
     Row("TubeRadiusArray", "half", area(DISC / 4.0)),
     Row("TubeEnds", "Flat", area(0.5), scene="coarse"),
+    Row("TubeDirectionColors", 1, colors(GREEN)),
     # Motion: what moves evenly by d has a variance of d^2 / 12 more.
     Row("MotionBlur", 1, spread(0.25 / 12.0, 0.0), **{**BLUR, "MotionBlur": 0}),
     Row("VelocityArray", "upward", spread(-0.25 / 12.0, 0.25 / 12.0), **BLUR),

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vt
 
 import comparison
 import session
-from checks import Checks
+from checks import Checks, stepwise
 
 TUBES = "Ray Traced Tubes"
 #: share of the pixels that may be covered in one of two pictures only, or have other colors; levels of 255 by which the rest may differ in the mean
@@ -134,6 +134,29 @@ def dense(view, checks):
         pv.Delete(shown)
     checks.within("pieces of a dense track", counted[0]["glyphs"], 0.5 * counted[1]["glyphs"], 1.5 * counted[1]["glyphs"])
     checks.picture("a dense track", pictures[0], pictures[1], pixels=0.002, mean=1.0)
+
+
+def directions(view, checks):
+    """In the window tubes that nothing colors have the colors of their directions, until that is switched off; scripts ask for it."""
+    ways = numpy.array([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.6, 0.8]])
+    lines = line_data([numpy.outer([-1.0, 0.2, 1.0], way) for way in ways])
+    for in_window in (False, True):
+        shown = pv.Show(session.source(lines), view)
+        shown = stepwise(shown) if in_window else shown
+        shown.SetRepresentationType(TUBES)
+        shown.SamplesPerPixel, shown.TubeRadius, shown.Ambient, shown.Diffuse = 1, 0.1, 1.0, 0.0
+        session.look(view, (4.0, 3.0, 6.0))
+        pv.Render(view)
+        checks.equal("TubeDirectionColors, in a window: %s" % in_window, shown.TubeDirectionColors, int(in_window))
+        shown.TubeDirectionColors = 1
+        pixels = session.capture(view, "tubes-directions")
+        for way in ways:
+            x, y = session.pixel_of(view, 0.8 * way)
+            checks.within("color along %s" % way, float(abs(pixels[::-1][y, x, :3] - 255.0 * abs(way)).max()), 0.0, 1.0)
+        shown.TubeDirectionColors = 0
+        checks.true("still colored by direction", (session.capture(view, "tubes-directions-off")[..., :3] != pixels[..., :3]).any())
+        stepwise(shown, 0)
+        pv.Delete(shown)
 
 
 def picking(view, checks):
@@ -289,7 +312,7 @@ def main():
     session.load()
     checks = Checks()
     view = session.view()
-    for part in (like_tube_filter, dense, picking, translucent, blocks, default_radius, bounds, bad_input):
+    for part in (like_tube_filter, dense, directions, picking, translucent, blocks, default_radius, bounds, bad_input):
         part(view, checks)
     checks.report()
 
