@@ -167,6 +167,10 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
     vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").Set(coloring);
     display->UpdateVTKObjects();
   }
+  if (!tensors.empty() && !ColorArrayOf(display).empty())
+  {
+    colored->SetScalarColoring(nullptr, vtkDataObject::POINT); // no bar of what is not seen
+  }
   if (tensors.empty() && ColorArrayOf(display) != array) // as in a state that is loaded, with its own table
   {
     auto* input = vtkSMInputArrayDomain::SafeDownCast(glyphs->GetProperty("Input")->GetDomain("scale_array"));

@@ -242,6 +242,8 @@ class Row:
         coloring = str(shown.GlyphTensorColoring).strip("'")
         found = shown.ColorArrayName.GetArrayName() if coloring == "None" else coloring
         checks.equal(self.name + ": color", found, self.color)
+        checks.true("%s: the section Coloring has %s" % (self.name, shown.ColorArrayName.GetArrayName()),
+                    coloring == "None" or not shown.ColorArrayName.GetArrayName())
         if self.glyphs is not None:
             checks.equal(self.name + ": glyphs", counted["glyphs"], self.glyphs)
         reasons = "; ".join(counted["choices"])
@@ -253,6 +255,7 @@ class Row:
         print("%-34s %4.1f %%  factor %-9.4g %5d glyphs. %s" % (self.name, 100 * covered, shown.ScaleFactor, counted["glyphs"], reasons), flush=True)
         pv.Delete(shown)
         pv.Delete(source)
+        pv.UpdateScalarBars(view)
         pixels = pixels[..., :3].copy()
         pixels[~comparison.covered(pixels)] = (82, 87, 110)
         return pixels
