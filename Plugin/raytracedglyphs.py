@@ -86,3 +86,67 @@ def ExportGlyphs(fileName, view=None):
     exporter.GetProperty("FileName").SetElement(0, fileName)
     exporter.UpdateVTKObjects()
     exporter.Write()
+
+
+def Figure(source, kind="Sphere", fileName=None, colors=None, view=None, size=(1600, 1200), quality="Publication", **properties):
+    """Shows a source as a figure for print: on white, in the light of a quality, with a scalar bar. Returns the display.
+
+    kind: a GlyphType or GlyphShape such as "Arrow" or "Tensor Ellipsoid", or "Surface" or "Tubes". fileName: where a picture of
+    that size, in pixels, is written; None: nowhere, so that camera and properties can be changed first. colors: name of the
+    array of points or cells that colors them; None: the array that the glyphs' sizes or directions are, if any; "": none. view:
+    None: a new one; its camera is kept in all others. quality: a RenderingQuality. properties: of the display, such as
+    GroundShadow="Below"; a dot leads to one of a property: **{"GlyphType.TipRadius": 0.2}.
+    """
+    isNew = view is None
+    if isNew:
+        view = pv.CreateView("RenderView")
+        view.ViewSize, view.OrientationAxesVisibility = list(size), 0
+        view.UseColorPaletteForBackground, view.BackgroundColorMode = 0, "Single Color"
+        view.Background = [1.0, 1.0, 1.0]
+    source.UpdatePipeline(view.ViewTime)
+    display = pv.Show(source, view)
+    lines = {"Surface": "Ray Traced Surface", "Tubes": "Ray Traced Tubes"}
+    display.SetRepresentationType(lines.get(kind, "Ray Traced Glyphs"))
+    if kind not in lines:
+        types = display.GetProperty("GlyphType").Available
+        setattr(display, "GlyphType" if kind in types else "GlyphShape", kind)
+    if isNew:
+        # ParaView renders when a camera is reset.
+        display.RenderingQuality, display.SamplesPerPixel = "Fast", 1
+        _LookFromAbove(view)
+    display.RenderingQuality = quality
+    for name, value in properties.items():
+        owner, _, last = name.rpartition(".")
+        setattr(getattr(display, owner) if owner else display, last, value)
+    _Color(source, display, view, colors)
+    if fileName:
+        pv.SaveScreenshot(fileName, view, ImageResolution=list(size))
+    return display
+
+
+def _LookFromAbove(view):
+    """Shows all from in front, above and the right, z upwards."""
+    pv.ResetCamera(view)
+    view.CameraViewUp, focus = [0.0, 0.0, 1.0], list(view.CameraFocalPoint)
+    distance = sum((a - b) ** 2 for a, b in zip(view.CameraPosition, focus)) ** 0.5
+    view.CameraPosition = [f + distance * d for f, d in zip(focus, (0.45, -0.75, 0.48))]
+    pv.ResetCamera(view)
+
+
+def _Color(source, display, view, name):
+    """Colors a display by an array, with a scalar bar beside the glyphs."""
+    if name is None:
+        asked = [("Orient", "SelectOrientationVectors"), ("Scaling", "SelectScaleArray")]
+        chosen = [display.GetPropertyValue(array) for switch, array in asked if display.GetProperty(switch) and display.GetPropertyValue(switch)]
+        name = next((array for array in chosen if array and array != "None"), "")
+    for association, arrays in (("POINTS", source.PointData), ("CELLS", source.CellData)):
+        if name and arrays.GetArray(name):
+            pv.ColorBy(display, (association, name))
+            display.RescaleTransferFunctionToDataRange(False, True)
+            display.SetScalarBarVisibility(view, True)
+            bar = pv.GetScalarBar(pv.GetColorTransferFunction(name), view)
+            bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
+            return
+    if name:
+        raise ValueError("There is no array '%s' of points or cells to color by; colors=\"\" leaves them in one color." % name)
+    display.ColorArrayName = [None, ""]
