@@ -243,4 +243,23 @@ void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t
   }
 }
 
+void CheckSection(const Section& section)
+{
+  constexpr std::size_t most = 6;
+  if (section.planes.size() > most)
+  {
+    Fail("a cut has " + std::to_string(section.planes.size()) + " planes; it can have " + std::to_string(most) + ".");
+  }
+  for (const Section::Plane& plane : section.planes)
+  {
+    const double length = glm::length(plane.normal);
+    const double farthest = glm::length(plane.point);
+    if (!(length > 0.0 && std::isfinite(length) && std::isfinite(farthest)))
+    {
+      Fail("a plane of a cut has a normal of length " + std::to_string(length) + " and a point " +
+        std::to_string(farthest) + " from the origin; give it a normal of some length and a finite point.");
+    }
+  }
+}
+
 } // namespace rtg

@@ -15,6 +15,9 @@ void CheckInstances(const GlyphInstances& instances, std::size_t most);
 /// Likewise of the colors of these glyphs.
 void CheckColours(const GlyphInstances& instances, const GlyphColours& colours);
 
+/// Likewise of a cut.
+void CheckSection(const Section& section);
+
 /// The same of a mesh, which may also be missing or have no triangle.
 void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t most);
 

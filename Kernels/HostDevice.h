@@ -86,6 +86,14 @@ struct GlyphSetRecord
   float meshRadius; // of the ball round its middle that holds it all the time
   TreeRecord meshTree;
   uint firstInstance; // of the driver's triangles: the instance of the set's first glyph
+  uint meshClosed;    // triangles bound a body
+  // A cut: planes of a convex body, each its normal out of the body and its offset as a sum of two floats
+  RTG_ADDRESS(FloatArray) section;
+  uint sectionPlanes;
+  uint sectionKeepsInside; // of the body, else what is outside it
+  uint sectionFaces;       // rtg::Section::Faces
+  uint sectionColours;     // caps have the colour
+  vec3 sectionColour;
 };
 
 struct LightRecord
@@ -160,6 +168,10 @@ const uint ANY_MASK = OPAQUE_MASK | TRANSLUCENT_MASK | UNSEEN_OPAQUE_MASK | UNSE
 // through them is left out: half a level of a display's 255.
 const uint LAYER_CAPACITY = 24u;
 const float LEAST_PASSING = 1.0f / 512.0f;
+
+// Numbers of a plane of a cut, and what becomes of glyphs that it meets (rtg::Section::Faces).
+const uint SECTION_NUMBERS = 5u;
+const uint SECTION_CAPS = 0u, SECTION_OPEN = 1u, SECTION_WHOLE = 2u;
 
 // So many lights are uniforms; a light kit has five.
 const uint FEW_LIGHTS = 8u;

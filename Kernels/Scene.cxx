@@ -147,6 +147,14 @@ void Scene::SetMaterial(SetId id, const Material& material)
   this->state_->recordsChanged = true;
 }
 
+void Scene::SetSection(SetId id, const Section& section)
+{
+  GlyphSet& set = this->state_->Find(id);
+  CheckSection(section);
+  this->state_->recordsChanged |= set.section != section;
+  set.section = section;
+}
+
 void Scene::SetVisible(SetId id, bool visible)
 {
   GlyphSet& set = this->state_->Find(id);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <cmath>
+#include <tuple>
 
 namespace rtg
 {
@@ -73,6 +74,39 @@ bool IsMovingMesh(const GlyphInstances& instances)
 {
   return instances.shape == Shape::Mesh &&
     (instances.motion.Any() || Deforms(*instances.mesh) || !instances.centresLow.empty());
+}
+
+bool IsClosed(const TriangleMesh& mesh)
+{
+  const auto before = [](const glm::vec3& a, const glm::vec3& b)
+  { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+  std::vector<glm::vec3> places = mesh.positions;
+  std::sort(places.begin(), places.end(), before);
+  std::vector<std::uint64_t> place(mesh.positions.size());
+  std::transform(mesh.positions.begin(), mesh.positions.end(), place.begin(), [&](const glm::vec3& position)
+    { return std::lower_bound(places.begin(), places.end(), position, before) - places.begin(); });
+  std::vector<std::uint64_t> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (const glm::uvec3& corner : mesh.triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::uint64_t a = place[corner[i]], b = place[corner[(i + 1) % 3]];
+      edges.push_back(std::min(a, b) << 32 | std::max(a, b));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (auto edge = edges.begin(); edge != edges.end();)
+  {
+    const auto next = std::upper_bound(edge, edges.end(), *edge);
+    const bool isPoint = *edge >> 32 == (*edge & 0xffffffffu);
+    if (!isPoint && (next - edge) % 2 != 0)
+    {
+      return false;
+    }
+    edge = next;
+  }
+  return true;
 }
 
 void Scene::State::UpdateMeshColours(const GlyphSet& set, PlacedMesh& mesh)
@@ -162,7 +196,7 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
 
 bool Scene::State::NeedsMeshTree(const GlyphSet& set) const
 {
-  if (this->structure == Structure::Tree || IsMovingMesh(set.instances))
+  if (this->structure == Structure::Tree || IsMovingMesh(set.instances) || !set.section.planes.empty())
   {
     return true;
   }

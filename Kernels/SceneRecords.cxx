@@ -130,11 +130,39 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
   return instances;
 }
 
+// What the record says of a cut, whose planes are added to those of others.
+void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record, std::vector<float>& planes) const
+{
+  const Section& section = set.section;
+  record.variants |= device::SECTION;
+  record.section = planes.size() * sizeof(float); // the address comes when all are known
+  record.sectionPlanes = static_cast<std::uint32_t>(section.planes.size());
+  record.sectionKeepsInside = section.keepsInside;
+  record.sectionFaces = static_cast<std::uint32_t>(section.faces);
+  record.sectionColours = section.capColour.has_value();
+  record.sectionColour = section.capColour.value_or(glm::vec3(0.0f));
+  for (const Section::Plane& plane : section.planes)
+  {
+    // The plane passes its point, however its normal is rounded.
+    const glm::vec3 normal(glm::normalize(plane.normal));
+    const double offset = glm::dot(glm::dvec3(normal), plane.point - this->origin);
+    const float high = static_cast<float>(offset);
+    planes.insert(planes.end(), { normal.x, normal.y, normal.z, high, static_cast<float>(offset - high) });
+  }
+  if (const TriangleMesh* mesh = set.placed.mesh.source.get())
+  {
+    std::optional<bool>& closed = set.placed.mesh.closed;
+    closed = closed ? *closed : IsClosed(*mesh);
+    record.meshClosed = *closed;
+  }
+}
+
 // In the order of InstancesIn().
 void Scene::State::FillRecords()
 {
   std::vector<device::GlyphSetRecord> filled;
-  for (const auto& [id, set] : this->sets)
+  std::vector<float> planes;
+  for (auto& [id, set] : this->sets)
   {
     if (!set.Shown())
     {
@@ -195,7 +223,19 @@ void Scene::State::FillRecords()
         record.meshTree = mesh.tree.record;
         record.firstInstance = set.firstInstance;
       }
+      if (!set.section.planes.empty())
+      {
+        this->FillSection(set, record, planes);
+      }
       filled.push_back(record);
+    }
+  }
+  if (!planes.empty())
+  {
+    this->sectionBuffer = Send(this->device->GetState(), planes);
+    for (device::GlyphSetRecord& record : filled)
+    {
+      record.section += this->sectionBuffer.Address();
     }
   }
   this->recordBuffer = Send(this->device->GetState(), filled);

@@ -69,11 +69,15 @@ struct PlacedMesh
   AccelerationStructure structure; ///< of the driver, or instead of it:
   PlacedTree tree;
   float shutterOpen = 0.0f, shutterClose = 0.0f; ///< that its tree is made for
+  std::optional<bool> closed;                    ///< IsClosed() of the source, when it was asked for
 };
 
 /// Whether the glyphs of a set are copies of a mesh that moves or deforms, or lie at places that the driver's floats
 /// cannot tell: then the driver's triangles will not do.
 bool IsMovingMesh(const GlyphInstances& instances);
+
+/// Whether triangles bound a body: each edge, by the places of its ends, is one of an even number of triangles.
+bool IsClosed(const TriangleMesh& mesh);
 
 /// What of a glyph set is on the device, in the set's GlyphOrder. It is built aside and moved into its set when it is
 /// complete, so that a set has all of it or nothing.
@@ -106,6 +110,7 @@ struct GlyphSet
   GlyphInstances instances;
   GlyphColours colours;
   Material material;
+  Section section;
   bool visible = true;
   bool seen = true; ///< by camera rays
   bool translucentColours = false;
@@ -158,6 +163,7 @@ struct Scene::State
   Box bounds;                                  ///< of all visible sets, relative to origin
   std::vector<device::GlyphSetRecord> records; ///< none: nothing can be traced
   Buffer recordBuffer;
+  Buffer sectionBuffer; ///< the planes of all cuts
   std::vector<AccelerationStructure> topLevels; ///< one for each slice of time
   Buffer topLevelAddresses;
   bool moves = false;                    ///< some visible set does
@@ -206,6 +212,7 @@ struct Scene::State
   void ListSets();
   std::vector<vk::AccelerationStructureInstanceKHR> InstancesIn(std::uint32_t slice, std::uint32_t sliceBits);
   void FillRecords();
+  void FillSection(GlyphSet& set, device::GlyphSetRecord& record, std::vector<float>& planes) const;
 };
 
 /// A buffer on the device with these values; `more` is usage besides that of a storage buffer.

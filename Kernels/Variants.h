@@ -80,6 +80,7 @@ const uint MESH_TREE = 1u << 25;         // the mesh has a tree of our own inste
 const uint END_VALUES = 1u << 26;        // colours of ends are values with a table of colours (TriangleMesh.h)
 const uint SIGN_COLOURS = 1u << 27;      // of polynomials
 const uint DIRECTION_COLOURS = 1u << 28; // of the way from the centre to the surface
+const uint SECTION = 1u << 29;           // a cut (Programs/section.glsl)
 const uint MOVING_GLYPHS = VELOCITIES | ACCELERATIONS | ANGULAR_VELOCITIES;
 const uint MESH_COLOURS = MESH_POSITION_COLOURS | MESH_TRIANGLE_COLOURS | MESH_VALUE_COLOURS;
 const uint MOVING_MESH = MESH_VELOCITIES | MESH_ACCELERATIONS;

@@ -21,8 +21,8 @@ uint layerNext = 0u;            // the first that has not been shown
 uint layerTime[LAYER_CAPACITY]; // bits of t: of floats from 0 on they have their order
 uint layerGlyph[LAYER_CAPACITY];
 uint layerRecord[LAYER_CAPACITY];   // where there are several
-uint layerTriangle[LAYER_CAPACITY]; // where there are meshes
-const bool gathersTriangles = (shapes & (1u << RTG_MESH)) != 0u;
+uint layerTriangle[LAYER_CAPACITY]; // where there are meshes or cuts
+const bool gathersTriangles = ((shapes & (1u << RTG_MESH)) | (someHave & SECTION)) != 0u;
 
 GlyphCrossing LayerAt(const uint at)
 {

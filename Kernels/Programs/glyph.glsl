@@ -7,6 +7,7 @@
 #include "motion.glsl"
 #include "../Shading/Sobol.glsl"
 #include "mesh.glsl"
+#include "section.glsl"
 
 // Where a set's glyphs are found, and when: read once a ray, not once a glyph.
 struct GlyphSource
@@ -89,6 +90,12 @@ Glyph FetchGlyph(const GlyphSource source, const uint primitive)
 int Estimate(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
   out float low, out float high)
 {
+  if (IsLeftOut(set, glyph))
+  {
+    low = tMin;
+    high = tMax;
+    return RTG_MISSED;
+  }
   if (Has(set.variants, MESH_TREE))
   {
     return EstimateMesh(set, ray, glyph, tMin, tMax, low, high);
@@ -96,18 +103,74 @@ int Estimate(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, co
   return EstimateGlyph(set.shape, ray, glyph, tMin, tMax, low, high);
 }
 
+// A mesh is as large as its triangles are spread.
+float ExtentOf(const GlyphSetRecord set, const Glyph glyph)
+{
+  float extent = LargestOf(glyph.size);
+  if (IsOfShape(set.shape, RTG_MESH))
+  {
+    extent *= set.meshRadius;
+  }
+  return extent;
+}
+
+// How far from t the exact crossing may lie at most: Shapes/README.md's bound, doubled.
+float ErrorOfT(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float t)
+{
+  return 2e-6 * (ExtentOf(set, glyph) / length(ray.direction) + t);
+}
+
 // The nearest crossing in [tMin, tMax], and which triangle of a mesh is crossed there. With `any` another one will do.
-// The normal is that of an analytic shape, where it is wanted.
+// The normal is that of an analytic shape, where it is wanted. Where tMin lies in a plane of a cut and the glyph is to
+// be closed there, it crosses the cap if it is inside: of an analytic shape, if it leaves that at its next crossing; of
+// a mesh, if there is an odd number of them.
 bool Intersect(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float tMin, const float tMax,
   const bool any, const bool wantsNormal, out float t, out vec3 normal, out uint triangle)
 {
+  bool atCap = StartsAtCap(set, tMin);
+  bool inside = false;
+  bool met = false;
+  triangle = nothing;
   if (Has(set.variants, MESH_TREE))
   {
+    bool counts = atCap && set.meshClosed != 0u;
     normal = vec3(0.0);
-    return IntersectMesh(set, ray, glyph, tMin, tMax, any, t, triangle);
+    t = tMin;
+    bool again;
+    float from = tMin;
+    uint crossings = 0u;
+    do
+    {
+      float next;
+      uint crossed;
+      again = IntersectMesh(set, ray, glyph, from, counts ? RTG_NEVER : tMax, any && !counts, next, crossed);
+      if (crossings == 0u)
+      {
+        met = again && next <= tMax;
+        t = next;
+        triangle = crossed;
+      }
+      inside = inside != again;
+      ++crossings;
+      from = next + ErrorOfT(set, ray, glyph, next);
+    } while (counts && again && crossings < maximumPasses);
+    inside = inside && counts;
   }
-  triangle = nothing;
-  return IntersectGlyph(set.shape, ray, glyph, tMin, tMax, wantsNormal, t, normal);
+  else
+  {
+    met = IntersectGlyph(set.shape, ray, glyph, tMin, atCap ? RTG_NEVER : tMax, wantsNormal || atCap, t, normal);
+    if (atCap)
+    {
+      inside = Has(set.variants, BEFORE | AFTER) ? IsInPiece(ray, glyph, tMin) : met && dot(normal, ray.direction) > 0.0;
+      met = met && t <= tMax;
+    }
+  }
+  if (inside)
+  {
+    t = tMin;
+    triangle = firstCap + capPlane;
+  }
+  return met || inside;
 }
 
 // Translucent surfaces that rays pass by chance: Enderton et al., "Stochastic Transparency", IEEE TVCG 17(8), 2011.
@@ -158,18 +221,6 @@ bool PassesTriangle(const GlyphSetRecord set, const GlyphRay ray, const uint see
   return Passes(set, seed, number, triangle, TriangleColour(set, ray, glyph, number, triangle).a);
 }
 
-// How far from t the exact crossing may lie at most: Shapes/README.md's bound, doubled. A mesh is as large as its
-// triangles are spread.
-float ErrorOfT(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, const float t)
-{
-  float extent = LargestOf(glyph.size);
-  if (IsOfShape(set.shape, RTG_MESH))
-  {
-    extent *= set.meshRadius;
-  }
-  return 2e-6 * (extent / length(ray.direction) + t);
-}
-
 // The first crossing in [tMin, tMax] that the ray does not pass.
 bool IntersectStopping(const GlyphSetRecord set, const GlyphRay ray, const uint number, const Glyph glyph,
   const uint seed, float tMin, const float tMax, const bool any, const bool wantsNormal, out float t, out vec3 normal,
@@ -187,8 +238,8 @@ bool IntersectStopping(const GlyphSetRecord set, const GlyphRay ray, const uint 
     {
       float opacity =
         Has(set.variants, END_COLOURS) ? ColourBetweenEnds(set, ray, glyph, number, t).a : OpacityOf(set, number);
-      passes = Passes(set, seed, number, crossing, opacity);
-      if (Has(set.variants, MESH_TREE))
+      passes = Passes(set, seed, number, CrossingNumber(set, crossing), opacity);
+      if (Has(set.variants, MESH_TREE) && !IsCap(set, triangle))
       {
         passes = PassesTriangle(set, ray, seed, number, glyph, triangle);
       }

@@ -24,7 +24,8 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
   GlyphSetRecord set = source.set;
   Glyph found = FetchGlyph(source, glyph);
   SurfaceHit hit;
-  if (IsOfShape(set.shape, RTG_MESH))
+  bool cap = IsCap(set, triangle);
+  if (IsOfShape(set.shape, RTG_MESH) && !cap)
   {
     hit = HitOnMesh(record, set, found, ray, glyph, t, triangle);
   }
@@ -32,11 +33,21 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
   {
     hit.t = t;
     hit.normal = normal;
-    hit.shadingNormal = normal;
+    if (cap)
+    {
+      hit.normal = CapNormal(set, triangle);
+    }
+    hit.shadingNormal = hit.normal;
     // The shapes promise 1e-6 sizes (Shapes/README.md).
-    hit.error = leavesSurface ? 2e-6 * max(found.size.x, max(found.size.y, found.size.z)) : 0.0;
+    hit.error = leavesSurface ? 2e-6 * ExtentOf(set, found) : 0.0;
     hit.record = record;
     hit.glyph = set.firstGlyph + glyph;
+    if (cap && set.identifiesTriangles != 0u)
+    {
+      // Behind a cap of a surface, the triangle through which the ray leaves it.
+      float next;
+      IntersectMesh(set, ray, found, t, RTG_NEVER, false, next, hit.glyph);
+    }
     vec3 base = Has(set.variants, COLOURS) ? ColourOf(set, glyph).rgb : set.colour;
     hit.colour = vec4(base, OpacityOf(set, glyph));
     if (Has(set.variants, END_COLOURS))
@@ -66,6 +77,10 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
     // In the world: a glyph that is turned has other colours.
     vec3 way = abs(RotateToWorld(found, FromCentre(ray, found, t)));
     hit.colour.rgb = way / max(length(way), 1e-30);
+  }
+  if (cap && set.sectionColours != 0u)
+  {
+    hit.colour.rgb = set.sectionColour;
   }
   return hit;
 }

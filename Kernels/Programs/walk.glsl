@@ -50,8 +50,8 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
         float low, high;
         int verdict = Estimate(set, ray, FetchGlyph(source, glyph), tMin, hit.t, low, high);
         // An estimated glyph is met twice; a ray that passes by both misses it.
-        bool passes = chance && verdict == RTG_MET && Passes(set, seed, glyph, 0u, OpacityOf(set, glyph));
-        if (passes && Passes(set, seed, glyph, 1u, OpacityOf(set, glyph)))
+        bool passes = chance && verdict == RTG_MET && Passes(set, seed, glyph, CrossingNumber(set, 0u), OpacityOf(set, glyph));
+        if (passes && Passes(set, seed, glyph, CrossingNumber(set, 1u), OpacityOf(set, glyph)))
         {
           verdict = RTG_MISSED;
         }
@@ -108,14 +108,35 @@ GlyphCrossing WalkSets(const GlyphRay ray, const float tMin, const float tMax, c
   uint count = alone ? 1u : frame.setCount;
   // Two rounds where layers are gathered: opaque sets end them.
   uint end = layered && gathers && !alone ? 2u * count : count;
-  for (uint i = 0u; i < end && !(any && hit.glyph != nothing); ++i)
+  // A ray that is cut goes through a set once for each part of it.
+  Span body = WholeRay();
+  for (uint turn = 0u; turn < partsOfRay * end && !(any && hit.glyph != nothing); ++turn)
   {
+    uint i = turn / partsOfRay;
     uint record = i < count ? i : i - count;
     bool gathering = layered && gathers && (alone || i >= count);
     GlyphSetRecord set = SetRecord(record);
     if ((set.mask & (layered && gathers ? (gathering ? mask & TRANSLUCENT_MASK : OPAQUE_MASK) : mask)) != 0u)
     {
-      Traverse(record, SourceOf(set), ray, tMin, seed, any, gathering, hit);
+      GlyphCrossing found = hit;
+      vec2 range = vec2(tMin, hit.t);
+      if (partsOfRay > 1u)
+      {
+        if (turn % partsOfRay == 0u)
+        {
+          body = SectionSpan(set, ray);
+        }
+        range = BeginPart(set, body, turn % partsOfRay, tMin, hit.t);
+        found = GlyphCrossing(0u, nothing, nothing, range.y, vec3(0.0));
+      }
+      if (range.x <= range.y)
+      {
+        Traverse(record, SourceOf(set), ray, range.x, seed, any, gathering, found);
+        if (partsOfRay == 1u || found.glyph != nothing || found.t < range.y)
+        {
+          hit = found;
+        }
+      }
     }
   }
   return hit;

@@ -189,6 +189,40 @@ RTG_FN bool IsInner(const RoundConeForm form, const Glyph glyph, const real3 p, 
   return inner;
 }
 
+// Whether the convex hull of two balls holds a point.
+RTG_FN bool InHull(
+  const real3 p, const real3 first, const real firstRadius, const real3 last, const real lastRadius)
+{
+  real3 axis = last - first;
+  real run = length(axis);
+  real fall = firstRadius - lastRadius;
+  real3 fromFirst = p - first;
+  real3 fromLast = p - last;
+  bool held =
+    dot(fromFirst, fromFirst) <= firstRadius * firstRadius || dot(fromLast, fromLast) <= lastRadius * lastRadius;
+  if (run > abs(fall))
+  {
+    real sine = fall / run;
+    real along = dot(fromFirst, axis) / run;
+    bool between = along >= firstRadius * sine && along <= run + lastRadius * sine;
+    real reach = (firstRadius - along * sine) / sqrt((real(1.0) - sine) * (real(1.0) + sine));
+    held = held || (between && length(fromFirst - (along / run) * axis) <= reach);
+  }
+  return held;
+}
+
+// Whether the ray's point at t is inside a piece of a line, and of those that share it the first.
+RTG_FN bool IsInPiece(const GlyphRay ray, const Glyph glyph, const real t)
+{
+  real3 p = FromCentre(ray, glyph, t);
+  real3 last = real3(real(0.5) * glyph.size.x, real(0.0), real(0.0));
+  real first = real(0.5) * glyph.size.y;
+  bool held = InHull(p, -last, first, last, real(0.5) * glyph.size.z);
+  held = held && !(glyph.before.w < real(0.0) && p.x < -last.x) && !(glyph.after.w < real(0.0) && p.x > last.x);
+  real3 before = real3(glyph.before.x, glyph.before.y, glyph.before.z);
+  return held && !(glyph.before.w > real(0.0) && InHull(p, -last, first, before, glyph.before.w));
+}
+
 // The ray in the frame of the form.
 RTG_FN bool RoundConeCrossing(const GlyphRay ray, const Glyph glyph, const RoundConeForm form, const real tMin,
   const real tMax, RTG_OUT(LocalRay) local, RTG_OUT(Crossing) crossing)

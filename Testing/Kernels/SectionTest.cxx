@@ -1,0 +1,627 @@
+// Cuts through glyphs, against constructive geometry: what the 113-bit reference says of a ray and a glyph, less what
+// is removed; and light inside what is opened, against closed forms.
+#include "BoxMesh.h"
+#include "CaseRays.h"
+#include "LightFixture.h"
+#include "Measure.h"
+#include "SubjectName.h"
+
+#include "SceneState.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <optional>
+
+namespace rtg
+{
+// Names the parameter in lists of tests.
+static void PrintTo(Structure structure, std::ostream* out)
+{
+  *out << (structure == Structure::Boxes ? "Boxes" : "Tree");
+}
+} // namespace rtg
+
+namespace
+{
+
+using namespace light;
+using namespace rtg::testing;
+using rtg::Section;
+using rtg::Tracer;
+
+/// The planes of a box with that center and those half extents along a rotation's columns.
+std::vector<Section::Plane> BoxPlanes(const glm::dvec3& centre, const glm::dmat3& axes, const glm::dvec3& half)
+{
+  std::vector<Section::Plane> planes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double side : { -1.0, 1.0 })
+    {
+      planes.push_back({ centre + side * half[axis] * axes[axis], side * axes[axis] });
+    }
+  }
+  return planes;
+}
+
+struct Expected
+{
+  bool hit = false;
+  bool cap = false;
+  double t = 0.0;
+  glm::dvec3 normal{ 0.0 }; ///< of a cap
+  bool certain = true;      ///< nothing is decided by less than `tolerance`
+};
+
+/// What of the crossings of a line is left, and where the cut closes it. The ray begins at t = 0.
+Expected Cut(
+  const std::vector<ReferenceCrossing>& crossings, const HardRay& ray, const Section& section, double tolerance)
+{
+  double in = -INFINITY, out = INFINITY;
+  glm::dvec3 inNormal(0.0), outNormal(0.0);
+  for (const Section::Plane& plane : section.planes)
+  {
+    const glm::dvec3 normal(glm::vec3(glm::normalize(plane.normal)));
+    const double height = glm::dot(normal, ray.origin - plane.point);
+    const double slope = glm::dot(normal, glm::dvec3(ray.direction));
+    const double at = -height / slope;
+    if (slope < 0.0 && at > in)
+    {
+      in = at;
+      inNormal = normal;
+    }
+    if (slope > 0.0 && at < out)
+    {
+      out = at;
+      outNormal = normal;
+    }
+  }
+  Expected expected;
+  expected.certain = std::abs(in - out) > tolerance && std::abs(in) > tolerance && std::abs(out) > tolerance;
+  struct Part
+  {
+    double begin, end;
+    bool cut;
+    glm::dvec3 normal;
+  };
+  std::vector<Part> parts;
+  if (section.keepsInside)
+  {
+    parts.push_back({ std::max(in, 0.0), out, in > 0.0, inNormal });
+  }
+  else if (in <= out)
+  {
+    parts.push_back({ 0.0, in, false, inNormal });
+    parts.push_back({ std::max(out, 0.0), INFINITY, out > 0.0, -outNormal });
+  }
+  else
+  {
+    parts.push_back({ 0.0, INFINITY, false, inNormal });
+  }
+  for (const ReferenceCrossing& crossing : crossings)
+  {
+    const double t = double(crossing.t);
+    expected.certain =
+      expected.certain && std::abs(t - in) > tolerance && std::abs(t - out) > tolerance && std::abs(t) > tolerance;
+  }
+  for (const Part& part : parts)
+  {
+    if (expected.hit || !(part.begin <= part.end))
+    {
+      continue;
+    }
+    const auto next = std::find_if(
+      crossings.begin(), crossings.end(), [&](const auto& crossing) { return double(crossing.t) >= part.begin; });
+    const bool inside = (next - crossings.begin()) % 2 != 0;
+    if (part.cut && inside && section.faces == Section::Faces::Caps)
+    {
+      expected.hit = expected.cap = true;
+      expected.t = part.begin;
+      expected.normal = part.normal;
+    }
+    else if (next != crossings.end() && double(next->t) <= part.end)
+    {
+      expected.hit = true;
+      expected.t = double(next->t);
+    }
+  }
+  return expected;
+}
+
+class SectionShapesTest : public ::testing::TestWithParam<Subject>
+{
+protected:
+  glm::dvec3 Vector()
+  {
+    return { this->uniform(this->engine), this->uniform(this->engine), this->uniform(this->engine) };
+  }
+
+  glm::dmat3 Axes()
+  {
+    const glm::dvec3 x = glm::normalize(this->Vector()), y = glm::normalize(glm::cross(x, this->Vector()));
+    return { x, y, glm::cross(x, y) };
+  }
+
+  // Through the middle of a glyph of that size at that place: a plane, three planes, boxes both ways.
+  std::vector<Section> Sections(const glm::dvec3& middle, double size)
+  {
+    std::vector<Section> sections(6);
+    const auto near = [&] { return middle + 0.2 * size * this->Vector(); };
+    for (Section& section : sections)
+    {
+      section.planes = BoxPlanes(near(), this->Axes(), 0.25 * size * (glm::abs(this->Vector()) + 0.3));
+    }
+    sections[0].planes = { { near(), 3.0 * this->Vector() } };
+    sections[1].planes = { { near(), this->Vector() }, { near(), this->Vector() }, { near(), this->Vector() } };
+    sections[1].keepsInside = true;
+    sections[3].keepsInside = true;
+    sections[4].faces = Section::Faces::Open;
+    sections[5].faces = Section::Faces::Open;
+    sections[5].keepsInside = true;
+    return sections;
+  }
+
+  std::mt19937_64 engine{ 5 };
+  std::uniform_real_distribution<double> uniform{ -1.0, 1.0 };
+  std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
+  rtg::Scene scene{ device };
+};
+
+TEST_P(SectionShapesTest, AreCutExactly)
+{
+  const HardCase hard = Cases(this->GetParam(), 2, 100).Case("turned");
+  std::size_t rays = 0, caps = 0, hits = 0, judged = 0;
+  for (std::uint32_t i = 0; i < hard.instances.Count(); ++i)
+  {
+    const auto set = this->scene.Add();
+    rtg::GlyphInstances one = hard.instances;
+    const auto keep = [&](auto& values) { values = values.empty() ? values : std::decay_t<decltype(values)>{ values[i] }; };
+    keep(one.centres);
+    keep(one.sizes1);
+    keep(one.sizes3);
+    keep(one.rotations);
+    keep(one.exponents3);
+    if (!hard.instances.polynomials.empty())
+    {
+      const std::size_t width = hard.instances.polynomials.width;
+      one.polynomials.values.assign(hard.instances.polynomials[i], hard.instances.polynomials[i] + width);
+    }
+    this->scene.SetInstances(set, one);
+    ReferenceGlyph reference(hard.instances, i);
+    const double size = reference.Size();
+    std::vector<HardRay> aimed;
+    std::vector<Tracer::Probe> probes;
+    std::vector<std::vector<ReferenceCrossing>> crossings;
+    glm::dvec3 middle(0.0);
+    int ends = 0;
+    for (const HardRay& ray : hard.rays)
+    {
+      if (ray.glyph == i)
+      {
+        aimed.push_back(ray);
+        probes.push_back({ hard.instances.origin + ray.origin, ray.direction });
+        crossings.push_back(reference.Crossings(ray.origin, ray.direction));
+        for (const ReferenceCrossing& crossing : crossings.back())
+        {
+          middle += ray.origin + double(crossing.t) * glm::dvec3(ray.direction);
+          ++ends;
+        }
+      }
+    }
+    ASSERT_GT(ends, 0);
+    for (Section& section : this->Sections(middle / double(ends), size))
+    {
+      Section inWorld = section;
+      for (Section::Plane& plane : inWorld.planes)
+      {
+        plane.point += hard.instances.origin;
+      }
+      this->scene.SetSection(set, inWorld);
+      this->scene.Commit();
+      const auto answers = SharedTracer().TraceProbes(this->scene, probes);
+      for (std::size_t k = 0; k < aimed.size(); ++k)
+      {
+        const HardRay& ray = aimed[k];
+        const double length = glm::length(glm::dvec3(ray.direction));
+        const double farthest = glm::length(ray.origin) / length;
+        const double tolerance = 2e-5 * size / length + 1e-6 * farthest;
+        const Expected expected = Cut(crossings[k], ray, section, tolerance);
+        const bool hit = std::isfinite(answers[k].t);
+        ++rays;
+        const bool same = hit == expected.hit && (!hit || std::abs(answers[k].t - expected.t) <= tolerance);
+        // Where the line passes near a silhouette it crosses another number of times.
+        const bool certain = expected.certain &&
+          (same ||
+            (reference.Crossings(ray.origin, ray.direction, 1.0 - 2e-5).size() == crossings[k].size() &&
+              reference.Crossings(ray.origin, ray.direction, 1.0 + 2e-5).size() == crossings[k].size()));
+        if (!certain)
+        {
+          continue;
+        }
+        ++judged;
+        hits += hit;
+        caps += expected.cap;
+        EXPECT_TRUE(same) << "ray " << k << " of glyph " << i << ": " << answers[k].t << " instead of "
+                          << (expected.hit ? expected.t : INFINITY) << (expected.cap ? ", a cap" : "");
+        if (same && expected.cap)
+        {
+          EXPECT_LT(glm::length(glm::dvec3(answers[k].normal) - expected.normal), 1e-6);
+          EXPECT_EQ(answers[k].glyphId, 0u);
+          EXPECT_EQ(answers[k].setId, set);
+        }
+      }
+    }
+    this->scene.Remove(set);
+  }
+  EXPECT_GT(caps, 20u);
+  EXPECT_GT(hits, 2 * caps);
+  EXPECT_GT(judged, rays * 9 / 10);
+  std::cout << caps << " caps of " << hits << " hits of " << judged << " judged of " << rays << " rays\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, SectionShapesTest, ::testing::ValuesIn(HardSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(Polynomials, SectionShapesTest, ::testing::ValuesIn(PolynomialSubjects()), SubjectName);
+INSTANTIATE_TEST_SUITE_P(Nested, SectionShapesTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);
+
+class SectionTest
+  : public LightTest
+  , public ::testing::WithParamInterface<rtg::Structure>
+{
+protected:
+  void SetUp() override
+  {
+    RTG_NEEDS(GetParam());
+    this->LightTest::SetUp();
+    this->scene.GetState().structure = GetParam();
+  }
+
+  // Away with what lies in front of z = height.
+  static Section FrontOff(double height)
+  {
+    Section section;
+    section.planes = { { { 0, 0, height }, { 0, 0, -2 } } };
+    return section;
+  }
+
+  std::vector<std::uint32_t> Picture(rtg::Pass pass = rtg::Pass::Opaque)
+  {
+    const Image image = this->Trace(pass);
+    return { image.colour, image.colour + std::size_t(image.width) * image.height };
+  }
+};
+
+// A cut beside everything leaves each bit of the picture as it was, in each kind of light.
+TEST_P(SectionTest, NothingCutIsNothingChanged)
+{
+  rtg::Material half;
+  half.opacity = 0.5f;
+  const auto balls = this->Add(Shape::Sphere, Clutter(3, 60), std::vector<glm::vec3>(60, glm::vec3(0.3f)), White());
+  const auto thin = this->Add(Shape::Cone, Clutter(4, 60), std::vector<glm::vec3>(60, glm::vec3(0.3f)), half);
+  this->lights = { rtg::Light() };
+  this->settings.samples = 4;
+  for (const Shading shading : { Shading::Local, Shading::AmbientOcclusion, Shading::PathTracing })
+  {
+    this->settings.shading = shading;
+    for (const rtg::Pass pass : { rtg::Pass::Opaque, rtg::Pass::Translucent })
+    {
+      this->scene.SetSection(balls, {});
+      this->scene.SetSection(thin, {});
+      const auto whole = this->Picture(pass);
+      Section beside;
+      beside.planes = BoxPlanes({ 5, 5, 5 }, glm::dmat3(1.0), glm::dvec3(1.0));
+      this->scene.SetSection(balls, beside);
+      this->scene.SetSection(thin, FrontOff(3.0));
+      const auto builds = this->scene.GetStatistics().structureBuilds;
+      EXPECT_EQ(whole, this->Picture(pass));
+      EXPECT_EQ(this->scene.GetStatistics().structureBuilds, builds);
+    }
+  }
+}
+
+// Caps have the color, the number and the light of a plane, and the shells behind them nobody sees.
+TEST_P(SectionTest, CapsAreFlatFacesOfTheirGlyphs)
+{
+  rtg::Material red;
+  red.colour = { 1.0f, 0.0f, 0.0f };
+  const auto set = this->Add(Shape::Sphere, { { -0.5f, 0, 0 }, { 0.5f, 0, 0.1f } }, { glm::vec3(0.8f), glm::vec3(0.8f) }, red);
+  this->settings.width = this->settings.height = 200;
+  this->lights = { rtg::Light() };
+  Section section = FrontOff(0.1);
+  const auto expect = [&](const glm::vec3& left, const glm::vec3& right)
+  {
+    this->scene.SetSection(set, section);
+    const Image image = this->Trace();
+    std::size_t wrong = 0, caps = 0;
+    for (std::size_t i = 0; i < 40000; ++i)
+    {
+      const glm::dvec2 p((i % 200 + 0.5) / 100.0 - 1.0, (i / 200 + 0.5) / 100.0 - 1.0);
+      const int ball = p.x > 0.0;
+      const double radius = ball ? 0.4 : std::sqrt(0.16 - 0.01);
+      const double distance = glm::length(p - glm::dvec2(ball ? 0.5 : -0.5, 0.0));
+      if (std::abs(distance - radius) < 1e-4 || distance > radius)
+      {
+        continue;
+      }
+      ++caps;
+      const glm::vec3 colour = ball ? right : left;
+      const glm::uvec3 bytes(255.0f * colour + 0.5f);
+      const std::uint32_t wanted = bytes.x | bytes.y << 8 | bytes.z << 16 | 255u << 24;
+      wrong += image.colour[i] != wanted || image.setIds[i] != set ||
+        this->scene.OriginalGlyph(set, image.glyphIds[i]) != std::uint32_t(ball) ||
+        std::abs(image.depth[i] - (4.9 - 0.01) / (20.0 - 0.01)) > 1e-6;
+    }
+    EXPECT_GT(caps, 9000u);
+    EXPECT_EQ(wrong, 0u) << "of " << caps;
+  };
+  expect(red.colour, red.colour);
+  this->scene.SetColours(set, rtg::GlyphColours({ 0xff00ff00u, 0xffff0000u }));
+  expect({ 0, 1, 0 }, { 0, 0, 1 });
+  section.capColour = glm::vec3(1.0f, 1.0f, 0.0f);
+  expect({ 1, 1, 0 }, { 1, 1, 0 });
+  // Bad cuts have words.
+  section.planes[0].normal = glm::dvec3(0.0);
+  EXPECT_NE(MessageOf([&] { this->scene.SetSection(set, section); }).find("normal of length 0.0"), std::string::npos);
+  section.planes.assign(7, FrontOff(0.0).planes[0]);
+  EXPECT_NE(MessageOf([&] { this->scene.SetSection(set, section); }).find("7 planes"), std::string::npos);
+}
+
+TEST_P(SectionTest, WholeGlyphsGoByTheirCenters)
+{
+  const auto centres = Clutter(9, 200);
+  const auto set = this->Add(Shape::Sphere, centres, std::vector<glm::vec3>(200, glm::vec3(0.1f)), White());
+  for (const bool keepsInside : { false, true })
+  {
+    Section section;
+    section.planes = BoxPlanes({ 0.1, 0, 0 }, glm::dmat3(1.0), glm::dvec3(0.6));
+    section.keepsInside = keepsInside;
+    section.faces = Section::Faces::Whole;
+    this->scene.SetSection(set, section);
+    this->scene.Commit();
+    std::size_t left = 0;
+    for (std::uint32_t i = 0; i < 200; ++i)
+    {
+      const glm::vec3 c = centres[i];
+      const bool inside = std::abs(c.x - 0.1f) < 0.6f && std::abs(c.y) < 0.6f && std::abs(c.z) < 0.6f;
+      // From next to the shell, inwards: nothing else is nearer.
+      const auto hit = this->tracer.TraceProbes(this->scene, { { c + glm::vec3(0, 0, 0.0501f), { 0, 0, -1 } } })[0];
+      const bool found = hit.t < 0.001f && hit.glyphId == i;
+      left += found;
+      EXPECT_EQ(found, inside == keepsInside) << "glyph " << i;
+    }
+    EXPECT_GT(left, 40u);
+  }
+}
+
+// Inside of a sphere each point sees each other one under the same cosine: of the sky it sees the share of the sphere's
+// area that is not there.
+TEST_P(SectionTest, OpenedSpheresAreDarkAsTheirOpeningsSay)
+{
+  const auto set = this->Add(Shape::Sphere, { glm::vec3(0.0f) }, { glm::vec3(1.9f) }, White());
+  this->settings.shading = Shading::AmbientOcclusion;
+  this->settings.samples = 256;
+  this->camera = this->LookFrom({ 0, 0, 5 }, { 0, 0, 0 }, 0.5);
+  for (const double height : { 0.0, 0.3 })
+  {
+    Section section = FrontOff(height);
+    section.faces = Section::Faces::Open;
+    this->scene.SetSection(set, section);
+    this->Trace();
+    const double open = 0.5 - height / 1.9;
+    const double rays = 24.0 * 24.0 * 256.0;
+    EXPECT_NEAR(this->ErrorOf(open).mean, 0.0, certain * std::sqrt(open * (1.0 - open) / rays));
+    EXPECT_NEAR(this->ErrorOf(open).square, open * (1.0 - open) / 256.0, 0.2 * open * (1.0 - open) / 256.0);
+  }
+}
+
+// In the middle of the floor of a box cut out of a box the sky is a rectangle overhead.
+TEST_P(SectionTest, CavitiesAreDarkAsTheirOpeningsSay)
+{
+  const auto set = this->Add(Shape::Box, { glm::vec3(0.0f) }, { glm::vec3(2.0f) }, White());
+  Section section;
+  section.planes = BoxPlanes({ 0, 0, 1 }, glm::dmat3(1.0), { 0.6, 0.4, 0.7 });
+  this->scene.SetSection(set, section);
+  this->settings.samples = 256;
+  this->camera = this->LookFrom({ 0, 0, 5 }, { 0, 0, 0 }, 1e-3);
+  const double x = 0.6 / 0.7, y = 0.4 / 0.7, a = std::sqrt(1.0 + x * x), b = std::sqrt(1.0 + y * y);
+  const double open = 2.0 / std::numbers::pi * (x / a * std::atan(y / a) + y / b * std::atan(x / b));
+  const double deviation = certain * std::sqrt(0.25 / (24.0 * 24.0 * 256.0));
+  this->settings.shading = Shading::AmbientOcclusion;
+  this->Trace();
+  EXPECT_NEAR(this->ErrorOf(open).mean, 0.0, deviation);
+  // Paths of one bounce are the same.
+  this->settings.shading = Shading::PathTracing;
+  this->settings.maximumBounces = 1;
+  this->Trace();
+  EXPECT_NEAR(this->ErrorOf(open).mean, 0.0, deviation);
+}
+
+// A ball of opacity a half with a slab out of its middle: two shells and a cap, whatever counts them.
+TEST_P(SectionTest, TranslucentGlyphsHaveCapsAsLayers)
+{
+  rtg::Material half;
+  half.opacity = 0.5f;
+  this->settings.samples = 64;
+  this->camera = this->LookFrom({ 0, 0, 5 }, { 0, 0, 0 }, 0.3);
+  for (const Shape shape : { Shape::Sphere, Shape::Mesh })
+  {
+    rtg::GlyphInstances instances;
+    instances.shape = shape;
+    instances.mesh = Share(BoxMesh());
+    instances.centres = { glm::vec3(0.0f) };
+    const auto set = this->scene.Add();
+    this->scene.SetInstances(set, instances);
+    this->scene.SetMaterial(set, half);
+    Section slab;
+    slab.planes = BoxPlanes({ 0.01, 0.02, 0.0 }, glm::dmat3(1.0), { 5, 5, 0.1 });
+    for (const auto& [faces, layers] : { std::pair(Section::Faces::Caps, 3), std::pair(Section::Faces::Open, 2) })
+    {
+      slab.faces = faces;
+      this->scene.SetSection(set, slab);
+      const double alpha = 1.0 - std::pow(0.5, layers);
+      const double rays = 24.0 * 24.0 * 64.0;
+      for (const Shading shading : { Shading::Local, Shading::AmbientOcclusion, Shading::PathTracing })
+      {
+        this->settings.shading = shading;
+        this->Trace(rtg::Pass::Translucent);
+        double mean = 0.0;
+        for (const glm::vec4& pixel : this->tracer.Means())
+        {
+          mean += pixel.a / (24.0 * 24.0);
+        }
+        const bool chance = shading == Shading::PathTracing;
+        EXPECT_NEAR(mean, alpha, chance ? certain * std::sqrt(alpha * (1.0 - alpha) / rays) : 1e-5)
+          << "shape " << int(shape) << ", shading " << int(shading);
+      }
+    }
+    this->scene.Remove(set);
+  }
+}
+
+// Glyphs pass the cut, which stands still.
+TEST_P(SectionTest, MovingGlyphsPassTheCut)
+{
+  rtg::GlyphInstances instances;
+  instances.centres = { glm::vec3(0.0f) };
+  instances.uniformSize = 1.0f;
+  instances.motion.velocities = { { 0.0f, 0.0f, 1.0f } };
+  instances.motion.shutterOpen = -1.0f;
+  instances.motion.shutterClose = 1.0f;
+  const auto set = this->scene.Add();
+  this->scene.SetInstances(set, instances);
+  this->scene.SetSection(set, FrontOff(0.1));
+  this->scene.Commit();
+  for (const float time : { 0.1f, 0.3f, 0.5f, 0.6f, 0.7f, 0.9f })
+  {
+    const double z = 2.0 * time - 1.0;
+    const auto hit = this->tracer.TraceProbes(this->scene, { { { 0, 0, 4 }, { 0, 0, -1 }, time } })[0];
+    if (z - 0.5 > 0.1)
+    {
+      EXPECT_FALSE(std::isfinite(hit.t));
+    }
+    else
+    {
+      EXPECT_NEAR(4.0 - hit.t, std::min(z + 0.5, 0.1), 1e-6) << "time " << time;
+    }
+  }
+}
+
+// Closed meshes have caps whatever way round their triangles are; open ones have none. Surfaces name a triangle.
+TEST_P(SectionTest, ClosedMeshesHaveCaps)
+{
+  rtg::TriangleMesh mesh = BoxMesh();
+  std::swap(mesh.triangles[3].x, mesh.triangles[3].y);
+  rtg::GlyphInstances instances;
+  instances.shape = Shape::Mesh;
+  instances.identifyTriangles = true;
+  instances.centres = { glm::vec3(0.0f) };
+  const auto set = this->scene.Add();
+  const auto probe = [&](const rtg::TriangleMesh& source, const Section& section)
+  {
+    instances.mesh = Share(source);
+    this->scene.SetInstances(set, instances);
+    this->scene.SetSection(set, section);
+    this->scene.Commit();
+    // Also along a diagonal of the far side, an edge of two triangles.
+    for (const glm::dvec2& at : { glm::dvec2(0.1, 0.3), glm::dvec2(-0.2, 0.15) })
+    {
+      const auto hit =
+        this->tracer.TraceProbes(this->scene, { { { at, 4 }, { 0, 0, -1 } }, { { 0, 0, 4 }, { 0, 0, -1 } } })[0];
+      EXPECT_NE(hit.glyphId, Image::noGlyph);
+      if (source.triangles.size() == 12 && section.faces == Section::Faces::Caps)
+      {
+        EXPECT_NEAR(hit.t, 3.9, 1e-6);
+        EXPECT_NEAR(hit.normal.z, 1.0, 1e-6);
+        // The far side's
+        EXPECT_TRUE(hit.glyphId == 8 || hit.glyphId == 9) << hit.glyphId;
+      }
+      else
+      {
+        EXPECT_NEAR(hit.t, 4.5, 1e-6);
+      }
+    }
+  };
+  probe(mesh, FrontOff(0.1));
+  Section open = FrontOff(0.1);
+  open.faces = Section::Faces::Open;
+  probe(mesh, open);
+  mesh.triangles.pop_back();
+  probe(mesh, FrontOff(0.1));
+  // Positions twice, as normals want them.
+  rtg::TriangleMesh apart;
+  for (const glm::uvec3& corner : BoxMesh().triangles)
+  {
+    const auto first = static_cast<std::uint32_t>(apart.positions.size());
+    for (int i = 0; i < 3; ++i)
+    {
+      apart.positions.push_back(BoxMesh().positions[corner[i]]);
+    }
+    apart.triangles.push_back({ first, first + 1, first + 2 });
+  }
+  probe(apart, FrontOff(0.1));
+}
+
+// Each point of a line's cap is that of the first piece which holds it.
+TEST_P(SectionTest, LinesHaveOneCap)
+{
+  const std::vector<glm::dvec3> points = { { -0.7, -0.3, 0 }, { -0.25, 0.2, 0.1 }, { 0.1, 0.1, -0.05 }, { 0.7, -0.4, 0 } };
+  constexpr double radius = 0.2;
+  rtg::GlyphInstances instances;
+  instances.shape = Shape::RoundCone;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const glm::dvec3 way = points[i + 1] - points[i], middle = 0.5 * (points[i] + points[i + 1]);
+    const glm::dvec3 axis = glm::normalize(way);
+    const glm::dquat turn = glm::normalize(glm::dquat(1.0 + axis.x, 0.0, -axis.z, axis.y));
+    const auto end = [&](std::size_t at)
+    { return glm::vec4(glm::vec3(glm::conjugate(turn) * (points[at] - middle)), float(radius)); };
+    instances.centres.emplace_back(middle);
+    instances.sizes3.emplace_back(glm::length(way), 2 * radius, 2 * radius);
+    instances.rotations.emplace_back(turn.x, turn.y, turn.z, turn.w);
+    instances.before.push_back(i > 0 ? end(i - 1) : glm::vec4(0.0f));
+    instances.after.push_back(i < 2 ? end(i + 2) : glm::vec4(0.0f));
+  }
+  const auto set = this->scene.Add();
+  this->scene.SetInstances(set, instances);
+  this->scene.SetSection(set, FrontOff(0.03));
+  this->scene.Commit();
+  std::vector<Tracer::Probe> probes;
+  for (int i = 0; i < 60 * 60; ++i)
+  {
+    probes.push_back({ { (i % 60 + 0.5) / 30.0 - 1.0, (i / 60 + 0.5) / 30.0 - 1.0, 3.0 }, { 0, 0, -1 } });
+  }
+  const auto hits = this->tracer.TraceProbes(this->scene, probes);
+  std::size_t caps = 0, later = 0;
+  for (std::size_t k = 0; k < probes.size(); ++k)
+  {
+    const glm::dvec3 p(probes[k].origin.x, probes[k].origin.y, 0.03);
+    std::optional<std::uint32_t> first;
+    bool certain = true;
+    for (std::uint32_t i = 0; i < 3; ++i)
+    {
+      const glm::dvec3 way = points[i + 1] - points[i];
+      const double along = std::clamp(glm::dot(p - points[i], way) / glm::dot(way, way), 0.0, 1.0);
+      const double depth = radius - glm::length(p - points[i] - along * way);
+      certain = certain && std::abs(depth) > 1e-5;
+      first = !first && depth > 0.0 ? i : first;
+    }
+    if (certain && first)
+    {
+      ++caps;
+      later += *first > 0;
+      EXPECT_NEAR(hits[k].t, 2.97, 1e-6);
+      EXPECT_EQ(hits[k].glyphId, *first) << p.x << " " << p.y;
+    }
+    else if (certain)
+    {
+      EXPECT_GT(hits[k].t, 2.97001);
+    }
+  }
+  EXPECT_GT(later, 200u);
+  EXPECT_GT(caps, later + 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Structures, SectionTest, ::testing::Values(rtg::Structure::Tree, rtg::Structure::Boxes), ::testing::PrintToStringParamName());
+
+} // namespace
