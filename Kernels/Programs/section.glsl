@@ -73,11 +73,12 @@ vec2 BeginPart(const GlyphSetRecord set, const Span body, const uint part, const
   float start = keeps ? body.sIn.hi : body.sOut.hi;
   float end = keeps ? body.sOut.hi : body.sIn.hi;
   bool nothingLeft = part == 1u ? keeps || !meets : keeps && !meets;
-  bool closed = begins && start > tMin && set.sectionFaces == SECTION_CAPS;
+  bool cut = begins && start > tMin;
+  bool closed = cut && set.sectionFaces == SECTION_CAPS;
   capStart = closed ? start : -1.0;
   capPlane = closed ? uint(keeps ? body.faceIn : body.faceOut) : nothing;
-  firstCrossing = part * (maximumPasses / 2u);
-  return nothingLeft ? vec2(1.0, 0.0) : vec2(begins ? max(tMin, start) : tMin, ends ? min(tMax, end) : tMax);
+  firstCrossing = cut ? part * (maximumPasses / 2u) : 0u;
+  return nothingLeft ? vec2(1.0, 0.0) : vec2(cut ? start : tMin, ends ? min(tMax, end) : tMax);
 }
 
 // The number of a crossing on the whole ray, by which chance lets rays pass.
