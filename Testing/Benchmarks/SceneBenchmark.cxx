@@ -1,10 +1,10 @@
-// What an image of each kind of scene costs: one set of glyphs, several, surfaces beside them, translucent ones.
+// What an image of each kind of scene costs: one set of glyphs, several, surfaces beside them, translucent and cut ones.
 // Usage: SceneBenchmark [PIXELS] [REPETITIONS] [CSV]
 //
 // Glyphs lie at random in a cube that fills the image (Crowds.h). Printed: processor seconds of an image with local
 // shading, depth and ids, the median of the repetitions, which are taken in turns over the scenes, and the cost beside
 // that of the first scene. The file has all turns. Where the program is built with Embree, also the processor seconds
-// of its rays alone, one by one and in packets of eight, for the scenes that are opaque, in the same turns; the program
+// of its rays alone, one by one and in packets of eight, for the scenes that are opaque and whole, in the same turns; the program
 // fails where their picture is another one. To compare two trees, run the program of each in turns.
 #include "Crowds.h"
 #ifdef RTGLYPHS_EMBREE
@@ -94,7 +94,22 @@ struct Part
 {
   rtg::GlyphInstances instances;
   float opacity = 1.0f;
+  rtg::Section section = {};
 };
+
+/// Away with the half of the cube before a plane that is askew to the view, or with an octant's box.
+rtg::Section Cut(bool box)
+{
+  rtg::Section section;
+  section.planes = { { glm::dvec3(0.0), { -0.3, -0.2, -1.0 } } };
+  if (box)
+  {
+    section.planes = { { glm::dvec3(0.0), { -1, 0, 0 } }, { glm::dvec3(0.0), { 0, -1, 0 } },
+      { glm::dvec3(0.0), { 0, 0, -1 } }, { glm::dvec3(benchmark::crowdSide), { 1, 0, 0 } },
+      { glm::dvec3(benchmark::crowdSide), { 0, 1, 0 } }, { glm::dvec3(benchmark::crowdSide), { 0, 0, 1 } } };
+  }
+  return section;
+}
 
 /// One scene on the device, and the processor seconds of its images.
 class Subject
@@ -115,6 +130,8 @@ public:
 #endif
       this->scene_.SetInstances(set, std::move(part.instances));
       this->scene_.SetMaterial(set, material);
+      this->scene_.SetSection(set, part.section);
+      this->cut_ |= !part.section.planes.empty();
     }
     this->scene_.Commit();
 #ifdef RTGLYPHS_EMBREE
@@ -143,7 +160,7 @@ public:
       this->seconds_.push_back(benchmark::CpuSeconds() - start);
     }
 #ifdef RTGLYPHS_EMBREE
-    if (this->translucent_)
+    if (this->translucent_ || this->cut_)
     {
       return;
     }
@@ -208,7 +225,7 @@ private:
   rtg::Tracer tracer_{ device_ };
   std::vector<double> seconds_, singles_, packets_;
   double differs_ = 0.0;
-  bool translucent_ = false, opaque_ = false;
+  bool translucent_ = false, opaque_ = false, cut_ = false;
 };
 
 } // namespace
@@ -235,6 +252,10 @@ try
   add("surface", { { Sheet() } });
   add("mesh glyphs", { { MeshGlyphs() } });
   add("superquadrics", { crowd(random) });
+  add("spheres, packed, plane", { { packed.instances, 1.0f, Cut(false) } });
+  add("spheres, packed, box", { { packed.instances, 1.0f, Cut(true) } });
+  add("superquadrics, plane", { { crowd(random).instances, 1.0f, Cut(false) } });
+  add("superquadrics, box", { { crowd(random).instances, 1.0f, Cut(true) } });
   add("balls", { { Spheres(balls, 1.0f) } });
   add("balls, opacity 0.3", { { Spheres(balls, 1.0f), 0.3f } });
   add("balls, opacity 0.3, surface", { { Spheres(balls, 1.0f), 0.3f }, { Sheet() } });
