@@ -194,6 +194,30 @@ inline bool AnyTranslucent(const GlyphColours& colours)
       [plainEnds](const glm::uvec2& ends) { return plainEnds && ((ends.x & ends.y) >> 24) != 255u; });
 }
 
+/// A cut through the glyphs of a set: what lies inside a convex body, or all that lies outside it, is not there for any
+/// ray. Glyphs that move pass the cut, which stands still.
+struct Section
+{
+  enum class Faces : std::uint32_t
+  {
+    Caps = 0, ///< glyphs and closed meshes that are cut are closed by flat faces in their colour; open meshes are not
+    Open = 1, ///< one looks into them
+    Whole = 2 ///< glyphs are left out by their centres, none is cut; surfaces (identifyTriangles) are Open
+  };
+  struct Plane
+  {
+    glm::dvec3 point{ 0.0 };        ///< in world coordinates
+    glm::dvec3 normal{ 0, 0, 1.0 }; ///< out of the body, of any length but zero
+    bool operator==(const Plane&) const = default;
+  };
+  std::vector<Plane> planes; ///< of the body, up to six; none: no cut
+  bool keepsInside = false;  ///< of the body, else what is outside it
+  Faces faces = Faces::Caps;
+  std::optional<glm::vec3> capColour; ///< instead of the glyphs' colours
+
+  bool operator==(const Section&) const = default;
+};
+
 /// ParaView's surface appearance. Colours are as the lookup table gives them (display-referred).
 struct Material
 {
@@ -218,31 +242,9 @@ struct Material
   float coatIor = 2.0f;       ///< refractive index, >= 1
   glm::vec3 coatColour{ 1.0f };
 
+  Section section;
+
   bool operator==(const Material&) const = default;
-};
-
-/// A cut through the glyphs of a set: what lies inside a convex body, or all that lies outside it, is not there for any
-/// ray. Glyphs that move pass the cut, which stands still.
-struct Section
-{
-  enum class Faces : std::uint32_t
-  {
-    Caps = 0, ///< glyphs and closed meshes that are cut are closed by flat faces in their colour; open meshes are not
-    Open = 1, ///< one looks into them
-    Whole = 2 ///< glyphs are left out by their centres, none is cut
-  };
-  struct Plane
-  {
-    glm::dvec3 point{ 0.0 };        ///< in world coordinates
-    glm::dvec3 normal{ 0, 0, 1.0 }; ///< out of the body, of any length but zero
-    bool operator==(const Plane&) const = default;
-  };
-  std::vector<Plane> planes; ///< of the body, up to six; none: no cut
-  bool keepsInside = false;  ///< of the body, else what is outside it
-  Faces faces = Faces::Caps;
-  std::optional<glm::vec3> capColour; ///< instead of the glyphs' colours
-
-  bool operator==(const Section&) const = default;
 };
 
 /// A light, in world coordinates, with vtkLight's meaning (vtkOpenGLPolyDataMapper's formulas).

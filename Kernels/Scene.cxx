@@ -143,16 +143,10 @@ void Scene::SetColours(SetId id, GlyphColours colours)
 
 void Scene::SetMaterial(SetId id, const Material& material)
 {
-  this->state_->Find(id).material = material;
-  this->state_->recordsChanged = true;
-}
-
-void Scene::SetSection(SetId id, const Section& section)
-{
   GlyphSet& set = this->state_->Find(id);
-  CheckSection(section);
-  this->state_->recordsChanged |= set.section != section;
-  set.section = section;
+  CheckSection(material.section);
+  set.material = material;
+  this->state_->recordsChanged = true;
 }
 
 void Scene::SetVisible(SetId id, bool visible)

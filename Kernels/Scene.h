@@ -55,8 +55,6 @@ public:
   void SetInstances(SetId id, GlyphInstances instances);
   void SetColours(SetId id, GlyphColours colours);
   void SetMaterial(SetId id, const Material& material);
-  /// Nothing is sent anew but a few numbers, and a mesh on devices that trace triangles themselves.
-  void SetSection(SetId id, const Section& section);
   void SetVisible(SetId id, bool visible);
   /// False: camera rays do not see the set, which shades the others all the same: another process shows it.
   void SetSeen(SetId id, bool seen);

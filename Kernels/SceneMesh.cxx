@@ -83,7 +83,8 @@ bool IsClosed(const TriangleMesh& mesh)
   std::vector<glm::vec3> places = mesh.positions;
   std::sort(places.begin(), places.end(), before);
   std::vector<std::uint64_t> place(mesh.positions.size());
-  std::transform(mesh.positions.begin(), mesh.positions.end(), place.begin(), [&](const glm::vec3& position)
+  std::transform(mesh.positions.begin(), mesh.positions.end(), place.begin(),
+    [&](const glm::vec3& position)
     { return std::lower_bound(places.begin(), places.end(), position, before) - places.begin(); });
   std::vector<std::uint64_t> edges;
   edges.reserve(3 * mesh.triangles.size());
@@ -196,7 +197,7 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
 
 bool Scene::State::NeedsMeshTree(const GlyphSet& set) const
 {
-  if (this->structure == Structure::Tree || IsMovingMesh(set.instances) || !set.section.planes.empty())
+  if (this->structure == Structure::Tree || IsMovingMesh(set.instances) || !set.material.section.planes.empty())
   {
     return true;
   }

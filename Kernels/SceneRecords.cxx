@@ -133,12 +133,13 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
 // What the record says of a cut, whose planes are added to those of others.
 void Scene::State::FillSection(GlyphSet& set, device::GlyphSetRecord& record, std::vector<float>& planes) const
 {
-  const Section& section = set.section;
+  const Section& section = set.material.section;
   record.variants |= device::SECTION;
   record.section = planes.size() * sizeof(float); // the address comes when all are known
   record.sectionPlanes = static_cast<std::uint32_t>(section.planes.size());
   record.sectionKeepsInside = section.keepsInside;
-  record.sectionFaces = static_cast<std::uint32_t>(section.faces);
+  const bool cutsWhole = section.faces == Section::Faces::Whole && set.instances.identifyTriangles;
+  record.sectionFaces = static_cast<std::uint32_t>(cutsWhole ? Section::Faces::Open : section.faces);
   record.sectionColours = section.capColour.has_value();
   record.sectionColour = section.capColour.value_or(glm::vec3(0.0f));
   for (const Section::Plane& plane : section.planes)
@@ -223,7 +224,7 @@ void Scene::State::FillRecords()
         record.meshTree = mesh.tree.record;
         record.firstInstance = set.firstInstance;
       }
-      if (!set.section.planes.empty())
+      if (!set.material.section.planes.empty())
       {
         this->FillSection(set, record, planes);
       }

@@ -110,7 +110,6 @@ struct GlyphSet
   GlyphInstances instances;
   GlyphColours colours;
   Material material;
-  Section section;
   bool visible = true;
   bool seen = true; ///< by camera rays
   bool translucentColours = false;
@@ -163,7 +162,7 @@ struct Scene::State
   Box bounds;                                  ///< of all visible sets, relative to origin
   std::vector<device::GlyphSetRecord> records; ///< none: nothing can be traced
   Buffer recordBuffer;
-  Buffer sectionBuffer; ///< the planes of all cuts
+  Buffer sectionBuffer;                         ///< the planes of all cuts
   std::vector<AccelerationStructure> topLevels; ///< one for each slice of time
   Buffer topLevelAddresses;
   bool moves = false;                    ///< some visible set does

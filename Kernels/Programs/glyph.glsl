@@ -161,7 +161,8 @@ bool Intersect(const GlyphSetRecord set, const GlyphRay ray, const Glyph glyph, 
     met = IntersectGlyph(set.shape, ray, glyph, tMin, atCap ? RTG_NEVER : tMax, wantsNormal || atCap, t, normal);
     if (atCap)
     {
-      inside = Has(set.variants, BEFORE | AFTER) ? IsInPiece(ray, glyph, tMin) : met && dot(normal, ray.direction) > 0.0;
+      inside =
+        Has(set.variants, BEFORE | AFTER) ? IsInPiece(ray, glyph, tMin) : met && dot(normal, ray.direction) > 0.0;
       met = met && t <= tMax;
     }
   }

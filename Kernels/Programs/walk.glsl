@@ -50,7 +50,8 @@ void Traverse(const uint record, const GlyphSource source, const GlyphRay ray, c
         float low, high;
         int verdict = Estimate(set, ray, FetchGlyph(source, glyph), tMin, hit.t, low, high);
         // An estimated glyph is met twice; a ray that passes by both misses it.
-        bool passes = chance && verdict == RTG_MET && Passes(set, seed, glyph, CrossingNumber(set, 0u), OpacityOf(set, glyph));
+        bool passes =
+          chance && verdict == RTG_MET && Passes(set, seed, glyph, CrossingNumber(set, 0u), OpacityOf(set, glyph));
         if (passes && Passes(set, seed, glyph, CrossingNumber(set, 1u), OpacityOf(set, glyph)))
         {
           verdict = RTG_MISSED;

@@ -190,8 +190,7 @@ RTG_FN bool IsInner(const RoundConeForm form, const Glyph glyph, const real3 p, 
 }
 
 // Whether the convex hull of two balls holds a point.
-RTG_FN bool InHull(
-  const real3 p, const real3 first, const real firstRadius, const real3 last, const real lastRadius)
+RTG_FN bool InHull(const real3 p, const real3 first, const real firstRadius, const real3 last, const real lastRadius)
 {
   real3 axis = last - first;
   real run = length(axis);

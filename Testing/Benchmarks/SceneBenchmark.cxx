@@ -1,11 +1,11 @@
-// What an image of each kind of scene costs: one set of glyphs, several, surfaces beside them, translucent and cut ones.
-// Usage: SceneBenchmark [PIXELS] [REPETITIONS] [CSV]
+// What an image of each kind of scene costs: one set of glyphs, several, surfaces beside them, translucent and cut
+// ones. Usage: SceneBenchmark [PIXELS] [REPETITIONS] [CSV]
 //
 // Glyphs lie at random in a cube that fills the image (Crowds.h). Printed: processor seconds of an image with local
 // shading, depth and ids, the median of the repetitions, which are taken in turns over the scenes, and the cost beside
 // that of the first scene. The file has all turns. Where the program is built with Embree, also the processor seconds
-// of its rays alone, one by one and in packets of eight, for the scenes that are opaque and whole, in the same turns; the program
-// fails where their picture is another one. To compare two trees, run the program of each in turns.
+// of its rays alone, one by one and in packets of eight, for the scenes that are opaque and whole, in the same turns;
+// the program fails where their picture is another one. To compare two trees, run the program of each in turns.
 #include "Crowds.h"
 #ifdef RTGLYPHS_EMBREE
 #include "EmbreeScene.h"
@@ -123,6 +123,7 @@ public:
       const rtg::Scene::SetId set = this->scene_.Add();
       rtg::Material material;
       material.opacity = part.opacity;
+      material.section = part.section;
       this->translucent_ |= part.opacity < 1.0f;
       this->opaque_ |= part.opacity == 1.0f;
 #ifdef RTGLYPHS_EMBREE
@@ -130,7 +131,6 @@ public:
 #endif
       this->scene_.SetInstances(set, std::move(part.instances));
       this->scene_.SetMaterial(set, material);
-      this->scene_.SetSection(set, part.section);
       this->cut_ |= !part.section.planes.empty();
     }
     this->scene_.Commit();

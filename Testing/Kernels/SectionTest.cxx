@@ -45,6 +45,12 @@ std::vector<Section::Plane> BoxPlanes(const glm::dvec3& centre, const glm::dmat3
   return planes;
 }
 
+rtg::Material CutBy(const Section& section, rtg::Material material = {})
+{
+  material.section = section;
+  return material;
+}
+
 struct Expected
 {
   bool hit = false;
@@ -55,8 +61,8 @@ struct Expected
 };
 
 /// What of the crossings of a line is left, and where the cut closes it. The ray begins at t = 0.
-Expected Cut(
-  const std::vector<ReferenceCrossing>& crossings, const HardRay& ray, const Section& section, double tolerance)
+Expected
+Cut(const std::vector<ReferenceCrossing>& crossings, const HardRay& ray, const Section& section, double tolerance)
 {
   double in = -INFINITY, out = INFINITY, inBefore = -INFINITY, outBehind = INFINITY;
   glm::dvec3 inNormal(0.0), outNormal(0.0);
@@ -180,7 +186,8 @@ TEST_P(SectionShapesTest, AreCutExactly)
   {
     const auto set = this->scene.Add();
     rtg::GlyphInstances one = hard.instances;
-    const auto keep = [&](auto& values) { values = values.empty() ? values : std::decay_t<decltype(values)>{ values[i] }; };
+    const auto keep = [&](auto& values)
+    { values = values.empty() ? values : std::decay_t<decltype(values)>{ values[i] }; };
     keep(one.centres);
     keep(one.sizes1);
     keep(one.sizes3);
@@ -220,7 +227,7 @@ TEST_P(SectionShapesTest, AreCutExactly)
       {
         plane.point += hard.instances.origin;
       }
-      this->scene.SetSection(set, inWorld);
+      this->scene.SetMaterial(set, CutBy(inWorld));
       this->scene.Commit();
       const auto answers = SharedTracer().TraceProbes(this->scene, probes);
       for (std::size_t k = 0; k < aimed.size(); ++k)
@@ -300,7 +307,7 @@ TEST_P(SectionTest, NothingCutIsNothingChanged)
   Section beside;
   beside.planes = BoxPlanes({ 5, 5, 5 }, glm::dmat3(1.0), glm::dvec3(1.0));
   this->Add(Shape::Sphere, { { 0.9f, 0.9f, 0 } }, { glm::vec3(0.1f) }, White());
-  this->scene.SetSection(this->Add(Shape::Sphere, { { -0.9f, 0.9f, 0 } }, { glm::vec3(0.1f) }, White()), beside);
+  this->Add(Shape::Sphere, { { -0.9f, 0.9f, 0 } }, { glm::vec3(0.1f) }, CutBy(beside));
   this->lights = { rtg::Light() };
   this->settings.samples = 4;
   for (const Shading shading : { Shading::Local, Shading::AmbientOcclusion, Shading::PathTracing })
@@ -312,8 +319,8 @@ TEST_P(SectionTest, NothingCutIsNothingChanged)
       const auto builds = this->scene.GetStatistics().structureBuilds;
       for (const bool cut : { false, true })
       {
-        this->scene.SetSection(balls, cut ? beside : Section());
-        this->scene.SetSection(thin, cut ? beside : Section());
+        this->scene.SetMaterial(balls, CutBy(cut ? beside : Section()));
+        this->scene.SetMaterial(thin, CutBy(cut ? beside : Section(), half));
         const Image image = this->Trace(pass);
         pictures[cut].assign(image.colour, image.colour + std::size_t(image.width) * image.height);
       }
@@ -328,13 +335,14 @@ TEST_P(SectionTest, CapsAreFlatFacesOfTheirGlyphs)
 {
   rtg::Material red;
   red.colour = { 1.0f, 0.0f, 0.0f };
-  const auto set = this->Add(Shape::Sphere, { { -0.5f, 0, 0 }, { 0.5f, 0, 0.1f } }, { glm::vec3(0.8f), glm::vec3(0.8f) }, red);
+  const auto set =
+    this->Add(Shape::Sphere, { { -0.5f, 0, 0 }, { 0.5f, 0, 0.1f } }, { glm::vec3(0.8f), glm::vec3(0.8f) }, red);
   this->settings.width = this->settings.height = 200;
   this->lights = { rtg::Light() };
   Section section = FrontOff(0.1);
   const auto expect = [&](const glm::vec3& left, const glm::vec3& right)
   {
-    this->scene.SetSection(set, section);
+    this->scene.SetMaterial(set, CutBy(section, red));
     const Image image = this->Trace();
     std::size_t wrong = 0, caps = 0;
     for (std::size_t i = 0; i < 40000; ++i)
@@ -365,9 +373,10 @@ TEST_P(SectionTest, CapsAreFlatFacesOfTheirGlyphs)
   expect({ 1, 1, 0 }, { 1, 1, 0 });
   // Bad cuts have words.
   section.planes[0].normal = glm::dvec3(0.0);
-  EXPECT_NE(MessageOf([&] { this->scene.SetSection(set, section); }).find("normal of length 0.0"), std::string::npos);
+  EXPECT_NE(
+    MessageOf([&] { this->scene.SetMaterial(set, CutBy(section)); }).find("normal of length 0.0"), std::string::npos);
   section.planes.assign(7, FrontOff(0.0).planes[0]);
-  EXPECT_NE(MessageOf([&] { this->scene.SetSection(set, section); }).find("7 planes"), std::string::npos);
+  EXPECT_NE(MessageOf([&] { this->scene.SetMaterial(set, CutBy(section)); }).find("7 planes"), std::string::npos);
 }
 
 TEST_P(SectionTest, WholeGlyphsGoByTheirCenters)
@@ -380,7 +389,7 @@ TEST_P(SectionTest, WholeGlyphsGoByTheirCenters)
     section.planes = BoxPlanes({ 0.1, 0, 0 }, glm::dmat3(1.0), glm::dvec3(0.6));
     section.keepsInside = keepsInside;
     section.faces = Section::Faces::Whole;
-    this->scene.SetSection(set, section);
+    this->scene.SetMaterial(set, CutBy(section));
     this->scene.Commit();
     std::size_t left = 0;
     for (std::uint32_t i = 0; i < 200; ++i)
@@ -409,7 +418,7 @@ TEST_P(SectionTest, OpenedSpheresAreDarkAsTheirOpeningsSay)
   {
     Section section = FrontOff(height);
     section.faces = Section::Faces::Open;
-    this->scene.SetSection(set, section);
+    this->scene.SetMaterial(set, CutBy(section));
     this->Trace();
     const double open = 0.5 - height / 1.9;
     const double rays = 24.0 * 24.0 * 256.0;
@@ -424,7 +433,7 @@ TEST_P(SectionTest, CavitiesAreDarkAsTheirOpeningsSay)
   const auto set = this->Add(Shape::Box, { glm::vec3(0.0f) }, { glm::vec3(2.0f) }, White());
   Section section;
   section.planes = BoxPlanes({ 0, 0, 1 }, glm::dmat3(1.0), { 0.6, 0.4, 0.7 });
-  this->scene.SetSection(set, section);
+  this->scene.SetMaterial(set, CutBy(section));
   this->settings.samples = 256;
   this->camera = this->LookFrom({ 0, 0, 5 }, { 0, 0, 0 }, 1e-3);
   const double x = 0.6 / 0.7, y = 0.4 / 0.7, a = std::sqrt(1.0 + x * x), b = std::sqrt(1.0 + y * y);
@@ -455,13 +464,12 @@ TEST_P(SectionTest, TranslucentGlyphsHaveCapsAsLayers)
     instances.centres = { glm::vec3(0.0f) };
     const auto set = this->scene.Add();
     this->scene.SetInstances(set, instances);
-    this->scene.SetMaterial(set, half);
     Section slab;
     slab.planes = BoxPlanes({ 0.01, 0.02, 0.0 }, glm::dmat3(1.0), { 5, 5, 0.1 });
     for (const auto& [faces, layers] : { std::pair(Section::Faces::Caps, 3), std::pair(Section::Faces::Open, 2) })
     {
       slab.faces = faces;
-      this->scene.SetSection(set, slab);
+      this->scene.SetMaterial(set, CutBy(slab, half));
       const double alpha = 1.0 - std::pow(0.5, layers);
       const double rays = 24.0 * 24.0 * 64.0;
       for (const Shading shading : { Shading::Local, Shading::AmbientOcclusion, Shading::PathTracing })
@@ -493,7 +501,7 @@ TEST_P(SectionTest, MovingGlyphsPassTheCut)
   instances.motion.shutterClose = 1.0f;
   const auto set = this->scene.Add();
   this->scene.SetInstances(set, instances);
-  this->scene.SetSection(set, FrontOff(0.1));
+  this->scene.SetMaterial(set, CutBy(FrontOff(0.1)));
   this->scene.Commit();
   for (const float time : { 0.1f, 0.3f, 0.5f, 0.6f, 0.7f, 0.9f })
   {
@@ -524,7 +532,7 @@ TEST_P(SectionTest, ClosedMeshesHaveCaps)
   {
     instances.mesh = Share(source);
     this->scene.SetInstances(set, instances);
-    this->scene.SetSection(set, section);
+    this->scene.SetMaterial(set, CutBy(section));
     this->scene.Commit();
     // Also along a diagonal of the far side, an edge of two triangles.
     for (const glm::dvec2& at : { glm::dvec2(0.1, 0.3), glm::dvec2(-0.2, 0.15) })
@@ -568,7 +576,8 @@ TEST_P(SectionTest, ClosedMeshesHaveCaps)
 // Each point of a line's cap is that of the first piece which holds it.
 TEST_P(SectionTest, LinesHaveOneCap)
 {
-  const std::vector<glm::dvec3> points = { { -0.7, -0.3, 0 }, { -0.25, 0.2, 0.1 }, { 0.1, 0.1, -0.05 }, { 0.7, -0.4, 0 } };
+  const std::vector<glm::dvec3> points = { { -0.7, -0.3, 0 }, { -0.25, 0.2, 0.1 }, { 0.1, 0.1, -0.05 },
+    { 0.7, -0.4, 0 } };
   constexpr double radius = 0.2;
   rtg::GlyphInstances instances;
   instances.shape = Shape::RoundCone;
@@ -587,7 +596,7 @@ TEST_P(SectionTest, LinesHaveOneCap)
   }
   const auto set = this->scene.Add();
   this->scene.SetInstances(set, instances);
-  this->scene.SetSection(set, FrontOff(0.03));
+  this->scene.SetMaterial(set, CutBy(FrontOff(0.03)));
   this->scene.Commit();
   std::vector<Tracer::Probe> probes;
   for (int i = 0; i < 60 * 60; ++i)
@@ -625,7 +634,7 @@ TEST_P(SectionTest, LinesHaveOneCap)
   EXPECT_GT(caps, later + 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  Structures, SectionTest, ::testing::Values(rtg::Structure::Tree, rtg::Structure::Boxes), ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Structures, SectionTest, ::testing::Values(rtg::Structure::Tree, rtg::Structure::Boxes),
+  ::testing::PrintToStringParamName());
 
 } // namespace
