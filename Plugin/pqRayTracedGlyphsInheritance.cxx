@@ -66,7 +66,8 @@ void CopySettings(vtkSMProxy* from, vtkSMProxy* to)
     {
       vtkSMProperty* property = group->GetProperty(j);
       const char* name = from->GetPropertyName(property);
-      const bool ours = label == "Glyph Parameters" || label == "Ray Traced Object" || label == "Motion";
+      const bool ours =
+        label == "Glyph Parameters" || label == "Ray Traced Object" || label == "Motion" || label == "Cut";
       if (ours && !property->GetInformationOnly() && to->GetProperty(name))
       {
         CopyValue(property, to->GetProperty(name));

@@ -19,7 +19,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkActor;
@@ -55,6 +57,11 @@ public:
   void SetSelectionColor(const std::array<double, 3>& color);
 
   /**
+   * The cut through what is shown, which whoever gives it may change.
+   */
+  void SetSection(std::shared_ptr<const rtg::Section> section) { this->Section = std::move(section); }
+
+  /**
    * Who is told how far the building of instances is.
    */
   void SetBuildProgress(const rtglyphs::RayTracedParallel::Progress& progress) { this->BuildProgress = progress; }
@@ -72,6 +79,7 @@ public:
   virtual const rtg::GlyphInstances* GetInstances() const = 0;
   const rtg::GlyphColours& GetColors() const { return this->Colors; }
   virtual void AddToMaterial(rtg::Material&) const {}
+  const rtg::Section& GetSection() const { return *this->Section; }
   bool IsTranslucent() const { return this->Translucent || this->TranslucentInstances; }
   ///@}
 
@@ -255,6 +263,7 @@ private:
   vtkSmartPointer<vtkPolyData> Points;
   rtglyphs::RayTracedCache<InstanceKey> Built;
   rtglyphs::RayTracedCache<ColorKey> Colored;
+  std::shared_ptr<const rtg::Section> Section = std::make_shared<rtg::Section>();
   std::uint32_t SelectionColor = 0x00ff00ffu; // packed, without an opacity
 };
 

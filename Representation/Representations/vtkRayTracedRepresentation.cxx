@@ -56,6 +56,7 @@ struct ScreenshotState : vtkPVRenderView
 //----------------------------------------------------------------------------
 vtkRayTracedRepresentation::vtkRayTracedRepresentation()
   : StepVelocity(std::make_unique<rtglyphs::GlyphStepVelocity>())
+  , MadeSection(std::make_shared<rtg::Section>())
 {
   this->RequestGhostCellsIfNeeded = false;
   rtglyphs::RayTracedPythonClass::GetActor = [](vtkObjectBase* object) -> vtkObjectBase*
@@ -431,6 +432,17 @@ void vtkRayTracedRepresentation::UpdateActor()
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::UpdateSection()
+{
+  std::string problem;
+  *this->MadeSection = this->Section.Make(problem);
+  if (problem != std::exchange(this->SectionProblem, problem) && !problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+  }
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetArray(std::string& held, const char* name)
 {
   if (held != OrEmpty(name))
@@ -466,6 +478,7 @@ void vtkRayTracedRepresentation::AddPart(vtkPVRenderView* view, vtkRayTracedActo
   view->GetRenderer()->AddActor(actor);
   view->RegisterPropForHardwareSelection(this, actor);
   mapper->SetBuildProgress(this->ProgressOf("Building glyphs"));
+  mapper->SetSection(this->MadeSection);
   vtkRayTracedScene::Of(view->GetRenderer())->Add(actor, mapper);
 }
 
@@ -518,6 +531,7 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
     this->AddPart(view, this->MainActor, this->MainMapper);
   }
   this->UpdateActor();
+  this->UpdateSection();
   const bool lod = inInfo->Has(vtkPVRenderView::USE_LOD()) != 0;
   vtkDataObject* delivered =
     lod ? vtkPVView::GetDeliveredPieceLOD(inInfo, this) : vtkPVView::GetDeliveredPiece(inInfo, this);

@@ -28,6 +28,7 @@
 #include "RayTracedBlocks.h"
 #include "RayTracedNumbers.h"
 #include "RayTracedParallel.h"
+#include "RayTracedSection.h"
 #endif
 
 #include <array>
@@ -82,6 +83,25 @@ public:
    * themselves; those that only render get it by SetShutterTime().
    */
   double GetShutterTimeGuess() { return this->ShutterTime; }
+
+  ///@{
+  /**
+   * A cut: kinds and faces are those of RayTracedSection. Of a plane what lies on the side of its normal is cut off, of
+   * a box what is outside; not inverted the other way round. All in world coordinates.
+   */
+  void SetSection(int kind) { this->Section.Kind = kind; }
+  void SetSectionInvert(bool invert) { this->Section.Invert = invert; }
+  void SetSectionOrigin(double x, double y, double z) { this->Section.Origin = { x, y, z }; }
+  void SetSectionNormal(double x, double y, double z) { this->Section.Normal = { x, y, z }; }
+  void SetSectionPosition(double x, double y, double z) { this->Section.Position = { x, y, z }; }
+  void SetSectionRotation(double x, double y, double z) { this->Section.Rotation = { x, y, z }; }
+  void SetSectionLength(double x, double y, double z) { this->Section.Length = { x, y, z }; }
+  void SetSectionCaps(int faces) { this->Section.Face = faces; }
+  void SetSectionCapColor(double red, double green, double blue)
+  {
+    this->Section.CapColor = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
+  }
+  ///@}
 
   // vtkPVDataRepresentation
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
@@ -183,6 +203,7 @@ private:
   void UpdateShutterTime(vtkPolyData* points);
   void UseBlocks(vtkDataObject* data);
   void UpdateActor();
+  void UpdateSection();
   void Render(vtkPVRenderView* view, vtkInformation* inInfo);
   vtkRayTracedScene* GetScene();
 
@@ -199,6 +220,9 @@ private:
   std::unique_ptr<rtglyphs::GlyphStepVelocity> StepVelocity;
   bool ShutterTimeFromData = true;
   double ShutterTime = 0.0; // that the data suggest; 0: none
+  rtglyphs::RayTracedSection Section;
+  std::shared_ptr<rtg::Section> MadeSection; // of all mappers
+  std::string SectionProblem;                // that has been reported
   rtglyphs::GlyphKeptGuess ShutterGuess;
 };
 

@@ -208,6 +208,7 @@ rtg::Material rtglyphs::RayTracedDisplays::GetMaterial(int display, vtkRenderer*
   const Display& of = this->All[display];
   rtg::Material material = rtglyphs::RayTracedRendererState::MaterialOf(of.Actor->GetProperty(), renderer);
   of.Mapper->AddToMaterial(material);
+  material.section = of.Mapper->GetSection();
   return material;
 }
 

@@ -233,6 +233,9 @@ HARMONICS = {"GlyphShape": "Spherical Harmonics", "GlyphHarmonicsArray": "round"
 BLUR = {"MotionBlur": 1, "VelocityArray": "velocity", "ShutterTime": 1.0, "scene": "small"}
 STEPS = {**WHITE, **BLUR, "VelocityArray": "None", "ShutterOpening": "Backward"}
 TURNED = {"scene": "two", "GlyphType": "Box", "Orient": 1, "OrientationMode": "Rotation", "SelectOrientationVectors": "angles"}
+PLANE, BOX = {"Section": "Plane"}, {"Section": "Box", "SectionPosition": [-0.25] * 3}
+#: area of the segment of the disc beyond half of its radius
+SEGMENT = (2.0 * numpy.pi - 1.5 * numpy.sqrt(3.0)) / 24.0
 MASKED = {"scene": "crowd", "GlyphMode": "Random", "MaximumNumberOfGlyphs": 20}
 #: fixed heads of an arrow that is half as long as the one of reference
 TWICE = as_with(**{"ArrowHeads": "Fixed", "ArrowReferenceMagnitude": 0.5, "GlyphType.TipLength": 0.7, "GlyphType.TipRadius": 0.2, "GlyphType.ShaftRadius": 0.06})
@@ -326,6 +329,20 @@ ROWS = [
     Row("AngularVelocityArray", "spin", spread((1.0 / numpy.pi - 0.5) / 16.0, (0.5 - 1.0 / numpy.pi) / 16.0), GlyphType="Box", SelectScaleArray="lengths", ScaleMode="Vector Components", MotionBlur=1, ShutterTime=1.0, VelocityArray="None"),
     Row("VelocityFromPreviousStep", 1, streaks, PointIdArray="point", **STEPS),
     Row("PointIdArray", "point", streaks, VelocityFromPreviousStep=1, **{**STEPS, "PointIdArray": "changing"}),
+    # Cuts: areas of half a disc, of a segment, of squares; where their middles are
+    Row("Section", "Plane", area(DISC / 2.0)),
+    Row("Section", "Box", area(0.25), SectionPosition=[-0.25] * 3, SectionLength=[0.5] * 3),
+    Row("SectionInvert", 0, area(SEGMENT), **{**PLANE, "SectionOrigin": [0.25, 0.0, 0.0]}),
+    Row("SectionInvert", 0, area(DISC - 0.25), **BOX, SectionLength=[0.5, 0.5, 0.0]),
+    Row("SectionOrigin", [0.25, 0.0, 0.0], area(DISC - SEGMENT), **PLANE),
+    Row("SectionNormal", [0.0, 2.0, 0.0], moved(2.0 / (3.0 * numpy.pi), -2.0 / (3.0 * numpy.pi)), **PLANE),
+    Row("SectionPosition", [0.0, 0.05, -0.1], moved(0.1, 0.15), **{**BOX, "SectionPosition": [-0.1] * 3}, SectionLength=[0.2] * 3),
+    Row("SectionRotation", [0.0, 0.0, 45.0], moved(-0.1, 0.1 * (numpy.sqrt(2.0) - 1.0)), **{**BOX, "SectionPosition": [-0.1] * 3}, SectionLength=[0.2] * 3),
+    Row("SectionLength", [0.25, 0.5, 0.5], area(0.125), **BOX, **{"SectionLength": [0.5] * 3}),
+    Row("SectionCaps", "Whole Glyphs", area(DISC), kinds=[GLYPHS, TUBES], **{**PLANE, "SectionOrigin": [0.25, 0.0, 0.0]}),
+    Row("SectionCaps", "Colored Caps", colors(GREEN), SectionCapColor=GREEN, **{**PLANE, "SectionNormal": [0.0, 0.0, 1.0]}),
+    Row("SectionCaps", "Open", light(0.0, 0.9), **{**OCCLUSION, **PLANE, "SectionNormal": [0.0, 0.0, 1.0]}),
+    Row("SectionCapColor", GREEN, colors(GREEN), SectionCaps="Colored Caps", **{**PLANE, "SectionNormal": [0.0, 0.0, 1.0]}),
     # Color and light as on ParaView's own surfaces
     Row("Visibility", 0, area(0.0)),
     Row("ColorArrayName", ["POINTS", "size"], colors(RED, BLUE), scene="two", LookupTable=RED_TO_BLUE),

@@ -51,6 +51,7 @@ NTH = {"GlyphMode": "Every Nth"}
 TABLE = {"UseGlyphTable": 1, "UseCompositeGlyphTable": 1, "GlyphTableIndexArray": "index"}
 OCCLUSION = {"ShadingMode": "Ambient Occlusion"}
 PATHS = {"ShadingMode": "Path Tracing"}
+PLANE = {"Section": "Plane"}
 
 #: field -> (properties to start from, property, its new value, kind) or a list of such, or why there is nothing to test
 FIELDS = {
@@ -186,6 +187,19 @@ FIELDS = {
         "coatRoughness": ({**PATHS, "CoatStrength": 0.5}, "CoatRoughness", 0.5, "image"),
         "coatIor": ({**PATHS, "CoatStrength": 0.5}, "CoatIOR", 1.5, "image"),
         "coatColour": ({**PATHS, "CoatStrength": 0.5}, "CoatColor", [1.0, 0.0, 0.0], "image"),
+        "section": "RayTracedSection",
+    },
+    "RayTracedSection": {
+        "Kind": ({}, "Section", "Plane", "image"),
+        "Face": [(PLANE, "SectionCaps", "Open", "image"), ({}, "SectionCaps", "Open", "nothing")],
+        "Invert": [(PLANE, "SectionInvert", 0, "image"), ({}, "SectionInvert", 0, "nothing")],
+        "Origin": [(PLANE, "SectionOrigin", [0.1, 0.0, 0.0], "image"), ({}, "SectionOrigin", [0.1, 0.0, 0.0], "nothing")],
+        "Normal": [(PLANE, "SectionNormal", [0.0, 1.0, 0.0], "image"), (PLANE, "SectionNormal", [2.0, 0.0, 0.0], "nothing")],
+        "Position": [({"Section": "Box"}, "SectionPosition", [0.1, 0.0, 0.0], "image"), (PLANE, "SectionPosition", [0.1, 0.0, 0.0], "nothing")],
+        "Rotation": ({"Section": "Box"}, "SectionRotation", [0.0, 10.0, 0.0], "image"),
+        "Length": ({"Section": "Box"}, "SectionLength", [0.5, 0.5, 0.5], "image"),
+        "CapColor": [({**PLANE, "SectionCaps": "Colored Caps"}, "SectionCapColor", [1.0, 0.0, 0.0], "image"),
+                     (PLANE, "SectionCapColor", [1.0, 0.0, 0.0], "nothing")],
     },
 }
 #: what GlyphArrays::All() returns, in its order -> (properties, array that the data have anew; None: positions)
@@ -213,6 +227,7 @@ HEADERS = {
     "GlyphForms::Settings": "Representation/Glyphs/GlyphForms.h",
     "GlyphMotion::Settings": "Representation/Glyphs/GlyphMotion.h",
     "RayTracedImageSettings": "Representation/Scene/RayTracedImageSettings.h",
+    "RayTracedSection": "Representation/Representations/RayTracedSection.h",
 }
 POINTS = 400
 

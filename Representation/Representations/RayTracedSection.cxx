@@ -1,0 +1,88 @@
+#include "RayTracedSection.h"
+
+#include "vtkAbstractTransform.h"
+#include "vtkNew.h"
+#include "vtkPVBox.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+glm::dvec3 Vector(const std::array<double, 3>& numbers)
+{
+  return { numbers[0], numbers[1], numbers[2] };
+}
+
+void Check(const char* name, const std::array<double, 3>& numbers, bool good, const char* remedy, std::string& problem)
+{
+  if (!good || !std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }))
+  {
+    std::ostringstream message;
+    message << "Ray Traced Glyphs: " << name << " is " << numbers[0] << ' ' << numbers[1] << ' ' << numbers[2]
+            << ", so nothing is cut; " << remedy << '.';
+    problem = message.str();
+  }
+}
+}
+
+//----------------------------------------------------------------------------
+rtg::Section rtglyphs::RayTracedSection::Make(std::string& problem) const
+{
+  rtg::Section section;
+  if (this->Kind == Kinds::None)
+  {
+    return section;
+  }
+  section.keepsInside = this->Invert;
+  const Faces faces = this->Face;
+  section.faces = faces == Faces::ColoredCaps ? rtg::Section::Faces::Caps : static_cast<rtg::Section::Faces>(faces);
+  if (faces == Faces::ColoredCaps)
+  {
+    section.capColour = glm::vec3(Vector(this->CapColor));
+  }
+  if (this->Kind == Kinds::Plane)
+  {
+    const double length = glm::length(Vector(this->Normal));
+    Check("SectionNormal", this->Normal, length > 0.0, "give it a length", problem);
+    Check("SectionOrigin", this->Origin, true, "give it three numbers", problem);
+    section.planes.push_back({ Vector(this->Origin), Vector(this->Normal) / length });
+  }
+  else
+  {
+    Check("SectionLength", this->Length, true, "give it three lengths", problem);
+    Check("SectionPosition", this->Position, true, "give it three numbers", problem);
+    Check("SectionRotation", this->Rotation, true, "give it three angles", problem);
+    // ParaView's box is the unit cube in its own frame. Along an axis without length it has no ends.
+    std::array<double, 3> scale = this->Length;
+    std::replace(scale.begin(), scale.end(), 0.0, 1.0);
+    vtkNew<vtkPVBox> box;
+    box->SetPosition(this->Position.data());
+    box->SetRotation(this->Rotation.data());
+    box->SetScale(scale.data());
+    const auto toWorld = [&](const glm::dvec3& in)
+    {
+      glm::dvec3 out;
+      box->GetTransform()->GetInverse()->TransformPoint(&in.x, &out.x);
+      return out;
+    };
+    const glm::dvec3 middle = toWorld(glm::dvec3(0.5));
+    for (int side = 0; side < 6; ++side)
+    {
+      const int axis = side / 2;
+      glm::dvec3 at(0.5);
+      at[axis] = side % 2;
+      const glm::dvec3 point = toWorld(at);
+      if (this->Length[axis] != 0.0)
+      {
+        section.planes.push_back({ point, glm::normalize(point - middle) });
+      }
+    }
+  }
+  if (!problem.empty())
+  {
+    section = rtg::Section();
+  }
+  return section;
+}
