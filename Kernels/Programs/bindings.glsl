@@ -93,13 +93,14 @@ struct SurfaceHit
   vec3 normal; // of the surface itself: outward, unit, world frame
   vec3 shadingNormal; // the same, or between corners of triangles interpolated; on the same side of the surface
   vec4 colour;
-  uint record; // index of its GlyphSetRecord
-  uint glyph;  // index in the set's sorted order
+  uint record;   // index of its GlyphSetRecord
+  uint glyph;    // index in the set's sorted order
+  bool coloured; // its colour stands for something, also in ambient light
 };
 
 SurfaceHit NoHit()
 {
-  return SurfaceHit(-1.0, 0.0, vec3(0.0), vec3(0.0), vec4(0.0), 0u, 0u);
+  return SurfaceHit(-1.0, 0.0, vec3(0.0), vec3(0.0), vec4(0.0), 0u, 0u, false);
 }
 
 // Turns both normals to the side that a ray along `direction` came from: both sides of a surface are the same.

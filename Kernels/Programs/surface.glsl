@@ -78,9 +78,11 @@ SurfaceHit HitOnGlyph(const uint record, const GlyphSource source, const GlyphRa
     vec3 way = abs(RotateToWorld(found, FromCentre(ray, found, t)));
     hit.colour.rgb = way / max(length(way), 1e-30);
   }
+  hit.coloured = set.coloured != 0u;
   if (cap && set.sectionColours != 0u)
   {
     hit.colour.rgb = set.sectionColour;
+    hit.coloured = true;
   }
   return hit;
 }

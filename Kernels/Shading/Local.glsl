@@ -6,7 +6,7 @@
 vec3 AmbientOf(const SurfaceHit hit)
 {
   GlyphSetRecord set = SetRecord(hit.record);
-  return set.ambient * (set.coloured != 0u ? hit.colour.rgb : set.ambientColour);
+  return set.ambient * (hit.coloured ? hit.colour.rgb : set.ambientColour);
 }
 
 // What the view's lights bring to a surface.

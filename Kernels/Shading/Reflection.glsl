@@ -13,7 +13,7 @@ vec3 SkyRadiance(const vec3 direction)
 vec3 EmissionOfHit(const SurfaceHit hit)
 {
   GlyphSetRecord set = SetRecord(hit.record);
-  vec3 colour = set.coloured != 0u ? hit.colour.rgb : set.ambientColour;
+  vec3 colour = hit.coloured ? hit.colour.rgb : set.ambientColour;
   vec3 emission = set.ambient * DisplayToLinear(colour);
   if (set.lighting == 0u)
   {
@@ -27,7 +27,7 @@ vec3 EmissionOfHit(const SurfaceHit hit)
 float AlbedoScale(const SurfaceHit hit, const vec3 albedo)
 {
   float largest = max(albedo.x, max(albedo.y, albedo.z));
-  return SetRecord(hit.record).coloured == 0u && largest > frame.albedoLimit ? frame.albedoLimit / largest : 1.0;
+  return !hit.coloured && largest > frame.albedoLimit ? frame.albedoLimit / largest : 1.0;
 }
 
 #endif

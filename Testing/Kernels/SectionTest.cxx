@@ -371,6 +371,11 @@ TEST_P(SectionTest, CapsAreFlatFacesOfTheirGlyphs)
   expect({ 0, 1, 0 }, { 0, 0, 1 });
   section.capColour = glm::vec3(1.0f, 1.0f, 0.0f);
   expect({ 1, 1, 0 }, { 1, 1, 0 });
+  // Also where the ambient color of the glyphs is another one.
+  this->scene.SetColours(set, {});
+  red.ambient = 1.0f;
+  red.diffuse = 0.0f;
+  expect({ 1, 1, 0 }, { 1, 1, 0 });
   // Bad cuts have words.
   section.planes[0].normal = glm::dvec3(0.0);
   EXPECT_NE(

@@ -12,7 +12,7 @@ from same_as_3d_glyphs import scene, tessellate
 
 ORIGIN, NORMAL = [0.1, -0.05, 0.0], [0.4, 0.2, 1.0]
 BOX = {"Position": [-0.6, -0.7, 0.1], "Rotation": [20.0, -30.0, 10.0], "Length": [1.2, 1.1, 1.4]}
-GLYPH = {"OrientationArray": ["POINTS", "vector"], "ScaleArray": ["POINTS", "vector"], "ScaleFactor": 0.3, "GlyphMode": "All Points"}
+GLYPH = {"OrientationArray": ["POINTS", "vector"], "ScaleArray": ["POINTS", "vector"], "ScaleFactor": 0.45, "GlyphMode": "All Points"}
 COLORS = {"ColorArrayName": [None, ""], "DiffuseColor": [0.9, 0.6, 0.3], "AmbientColor": [0.9, 0.6, 0.3]}
 #: what is built where a cut changes
 BUILDS = ("gathers", "boundsBuilds", "instanceBuilds", "colorBuilds", "structureBuilds", "topLevelBuilds", "instanceUploads")
@@ -59,11 +59,11 @@ def pictures(checks, shape, cases):
         their_picture = picture(theirs, name + "-theirs")
         ours = session.view()
         shown = session.glyphs(points, ours, shape, samples=1, Orient=1, OrientationMode="Direction", SelectOrientationVectors="vector", Scaling=1,
-                               ScaleMode="Magnitude", SelectScaleArray="vector", ScaleFactor=0.3, Section=cut, SectionInvert=int(invert),
+                               ScaleMode="Magnitude", SelectScaleArray="vector", ScaleFactor=0.45, Section=cut, SectionInvert=int(invert),
                                SectionCaps="Caps" if closed else "Open", SectionOrigin=ORIGIN, SectionNormal=NORMAL,
                                **{"Section" + property_: value for property_, value in BOX.items()}, **COLORS)
         our_picture = picture(ours, name)
-        checks.failures += comparison.against_paraview(our_picture, their_picture, name, silhouette=0.001, colour=2.0)
+        checks.failures += comparison.against_paraview(our_picture, their_picture, name, silhouette=0.0003, colour=0.6)
         pv.Delete(theirs)
         pv.Delete(ours)
 
@@ -87,7 +87,7 @@ def main():
     checks = Checks()
     pictures(checks, "Sphere", [("Plane", True, True), ("Plane", False, True), ("Plane", True, False), ("Box", True, False), ("Box", False, False)])
     pictures(checks, "Arrow", [("Plane", True, True), ("Box", False, False)])
-    pictures(checks, "Cone", [("Plane", False, True)])
+    pictures(checks, "Cone", [("Plane", True, True)])
     dragged(checks)
     checks.report()
 
