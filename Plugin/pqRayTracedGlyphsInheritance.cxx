@@ -67,7 +67,7 @@ void CopySettings(vtkSMProxy* from, vtkSMProxy* to)
       vtkSMProperty* property = group->GetProperty(j);
       const char* name = from->GetPropertyName(property);
       const bool ours =
-        label == "Glyph Parameters" || label == "Ray Traced Object" || label == "Motion" || label == "Cut";
+        label == "Glyph Parameters" || label == "Ray Traced Object" || label == "Motion" || label.startsWith("Cut");
       if (ours && !property->GetInformationOnly() && to->GetProperty(name))
       {
         CopyValue(property, to->GetProperty(name));
