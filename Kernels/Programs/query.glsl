@@ -73,7 +73,7 @@ GlyphCrossing QueryStructure(const GlyphRay ray, const float tMin, const float t
       float low, high, before = hit.t;
       bool near = Estimate(set, ray, glyph, tMin, hit.t, low, high) != RTG_MISSED;
       Span body = WholeRay();
-      if (partsOfRay > 1u)
+      if (partsOfRay > 1u && near)
       {
         body = SectionSpan(set, ray);
       }

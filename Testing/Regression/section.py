@@ -1,5 +1,5 @@
 """Cuts through ray-traced glyphs beside ParaView's filters on tessellated ones: Clip leaves them open, Clip Closed Surface closes them. A plane that is
-dragged has nothing gathered or built; bounds stay.
+dragged has nothing gathered or built; bounds stay. Caps are picked.
 
 Usage: pvpython section.py
 """
@@ -81,6 +81,23 @@ def dragged(checks):
     checks.equal("what is built, and bounds, while a plane is dragged", found[1:], found[:1] * 4)
 
 
+def picked_and_refused(checks):
+    """A cap is picked as its glyph is, and a cut that is none has one message."""
+    view = session.view(64, 64)
+    points = session.source(session.poly_data([[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0]]))
+    shown = session.glyphs(points, view, ScaleFactor=0.9, Section="Plane", SectionOrigin=[0.0, 0.0, 0.1], SectionNormal=[0.0, 0.0, 1.0])
+    session.look(view, (0.0, 0.0, 5.0), parallel_scale=1.0)
+    pv.Render(view)
+    for number, x in enumerate((-0.5, 0.5)):
+        found = session.picked(view, "POINT", session.pixel_of(view, (x, 0.1, 0.1)))
+        checks.equal("what is picked on a cap", [entry[-1] for entry in found], [number])
+    whole = comparison.covered(session.capture(view, "section-whole")).mean()
+    shown.SectionNormal = [0.0, 0.0, 0.0]
+    checks.one_message("a plane without a normal", session.messages(lambda: pv.Render(view)), "SectionNormal", "0 0 0", "give it a length")
+    checks.no_message("the same again", session.messages(lambda: pv.Render(view)))
+    checks.within("covered where nothing is cut", comparison.covered(session.capture(view, "section-none")).mean() / whole, 1.0, 1.1)
+
+
 def main():
     """Shapes, then what is built."""
     session.load()
@@ -89,6 +106,7 @@ def main():
     pictures(checks, "Arrow", [("Plane", True, True), ("Box", False, False)])
     pictures(checks, "Cone", [("Plane", True, True)])
     dragged(checks)
+    picked_and_refused(checks)
     checks.report()
 
 
