@@ -262,4 +262,26 @@ void CheckSection(const Section& section)
   }
 }
 
+void CheckImages(const PeriodicImages& images)
+{
+  constexpr int most = 1000;
+  std::size_t count = 1;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double length = glm::length(images.edges[i]);
+    if (images.shown[i] < 0 || images.lit[i] < images.shown[i] || (images.lit[i] > 0 && !std::isfinite(length)))
+    {
+      Fail("periodic images: " + std::to_string(images.shown[i]) + " shown and " + std::to_string(images.lit[i]) +
+        " lit along an edge of length " + std::to_string(length) +
+        "; give a finite edge, and at least as many that are lit as are shown.");
+    }
+    count *= 2 * static_cast<std::size_t>(std::min(images.lit[i], most)) + 1;
+  }
+  if (count > most)
+  {
+    Fail(std::to_string(count) + " periodic images are asked for; a set can have " + std::to_string(most) +
+      " with those that only shade others.");
+  }
+}
+
 } // namespace rtg

@@ -18,6 +18,9 @@ void CheckColours(const GlyphInstances& instances, const GlyphColours& colours);
 /// Likewise of a cut.
 void CheckSection(const Section& section);
 
+/// Likewise of periodic images.
+void CheckImages(const PeriodicImages& images);
+
 /// The same of a mesh, which may also be missing or have no triangle.
 void CheckMesh(const TriangleMesh* mesh, const GlyphMotion& shutter, std::size_t most);
 

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -216,6 +217,17 @@ struct Section
   std::optional<glm::vec3> capColour; ///< instead of the glyphs' colours
 
   bool operator==(const Section&) const = default;
+};
+
+/// A set that repeats along the edges of a box, without copies of its arrays. All images have the glyphs' ids.
+struct PeriodicImages
+{
+  std::array<glm::dvec3, 3> edges{}; ///< of the box, world units
+  glm::ivec3 shown{ 0 };             ///< images on either side along each edge, >= 0
+  glm::ivec3 lit{ 0 };               ///< likewise those that shade others, seen or not; at least as many
+
+  bool Any() const { return this->lit != glm::ivec3(0); }
+  bool operator==(const PeriodicImages&) const = default;
 };
 
 /// ParaView's surface appearance. Colours are as the lookup table gives them (display-referred).

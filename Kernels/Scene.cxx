@@ -149,6 +149,14 @@ void Scene::SetMaterial(SetId id, const Material& material)
   this->state_->recordsChanged = true;
 }
 
+void Scene::SetImages(SetId id, const PeriodicImages& images)
+{
+  GlyphSet& set = this->state_->Find(id);
+  CheckImages(images);
+  this->state_->topLevelChanged |= !(set.images == images);
+  set.images = images;
+}
+
 void Scene::SetVisible(SetId id, bool visible)
 {
   GlyphSet& set = this->state_->Find(id);
@@ -243,7 +251,7 @@ float Scene::State::Measure()
   {
     if (set.Shown())
     {
-      const glm::dvec3 offset = glm::abs(set.instances.origin - this->origin);
+      const glm::dvec3 offset = glm::abs(set.instances.origin - this->origin) + set.ImageReach();
       reach = std::max(reach, set.bounds.Reach() + static_cast<float>(std::max({ offset.x, offset.y, offset.z })));
     }
   }

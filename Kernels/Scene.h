@@ -55,6 +55,7 @@ public:
   void SetInstances(SetId id, GlyphInstances instances);
   void SetColours(SetId id, GlyphColours colours);
   void SetMaterial(SetId id, const Material& material);
+  void SetImages(SetId id, const PeriodicImages& images);
   void SetVisible(SetId id, bool visible);
   /// False: camera rays do not see the set, which shades the others all the same: another process shows it.
   void SetSeen(SetId id, bool seen);

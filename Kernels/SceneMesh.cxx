@@ -197,7 +197,8 @@ bool Scene::State::PlaceMesh(const GlyphSet& set, PlacedGlyphs& placed)
 
 bool Scene::State::NeedsMeshTree(const GlyphSet& set) const
 {
-  if (this->structure == Structure::Tree || IsMovingMesh(set.instances) || !set.material.section.planes.empty())
+  if (this->structure == Structure::Tree || IsMovingMesh(set.instances) || !set.material.section.planes.empty() ||
+    set.images.Any())
   {
     return true;
   }

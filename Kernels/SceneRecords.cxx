@@ -1,6 +1,7 @@
 // The part of a scene that places its sets beside each other, and tells the device's programs about each.
 #include "SceneState.h"
 
+#include "Frame.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ void Scene::State::CheckInstanceCount() const
   std::size_t count = 0;
   for (const auto& [id, set] : this->sets)
   {
-    count += !set.Shown() ? 0 : set.DriverTriangles() ? set.count : set.placed.runs.size();
+    count += !set.Shown() ? 0 : set.DriverTriangles() ? set.count : set.placed.runs.size() * set.Images().size();
   }
   if (count > this->mostInstances)
   {
@@ -86,10 +87,36 @@ void Scene::State::ListSets()
     this->moves |= placed.variants.Moves();
     this->placedTimeSliceBits =
       std::max({ this->placedTimeSliceBits, placed.sliceBits, placed.mesh.tree.record.sliceBits });
-    const glm::vec3 offset(set.instances.origin - this->origin);
-    const Box moved{ set.bounds.lower + offset, set.bounds.upper + offset };
-    this->bounds.Include(moved.Widened(SlabPadding(moved.Reach())));
+    for (const GlyphSet::Image& image : set.Images())
+    {
+      const glm::vec3 offset(set.instances.origin + image.offset - this->origin);
+      const Box moved{ set.bounds.lower + offset, set.bounds.upper + offset };
+      this->bounds.Include(moved.Widened(SlabPadding(moved.Reach())));
+    }
   }
+}
+
+std::vector<GlyphSet::Image> GlyphSet::Images() const
+{
+  std::vector<Image> result{ { glm::dvec3(0.0), true } };
+  const glm::ivec3& lit = this->images.lit;
+  for (int i = -lit.x; i <= lit.x; ++i)
+  {
+    for (int j = -lit.y; j <= lit.y; ++j)
+    {
+      for (int k = -lit.z; k <= lit.z; ++k)
+      {
+        const glm::ivec3 place(i, j, k);
+        const glm::dvec3 offset =
+          double(i) * this->images.edges[0] + double(j) * this->images.edges[1] + double(k) * this->images.edges[2];
+        if (place != glm::ivec3(0))
+        {
+          result.push_back({ offset, glm::all(glm::lessThanEqual(glm::abs(place), this->images.shown)) });
+        }
+      }
+    }
+  }
+  return result;
 }
 
 // Of the top-level structure of a slice, out of 2^sliceBits.
@@ -105,26 +132,29 @@ Scene::State::InstancesIn(std::uint32_t slice, std::uint32_t sliceBits)
       continue;
     }
     const PlacedGlyphs& placed = set.placed;
-    const glm::vec3 offset(set.instances.origin - this->origin);
-    for (const GlyphRun& run : placed.runs)
+    for (const GlyphSet::Image& image : set.Images())
     {
-      vk::AccelerationStructureInstanceKHR instance;
-      const std::array<std::array<float, 4>, 3> translation = { { { 1, 0, 0, offset.x }, { 0, 1, 0, offset.y },
-        { 0, 0, 1, offset.z } } };
-      instance.transform.matrix = translation;
-      instance.instanceCustomIndex = record++;
-      instance.mask = set.Mask();
-      // Of translucent triangles a ray is to be brought all.
-      instance.flags =
-        static_cast<VkGeometryInstanceFlagsKHR>(set.Translucent() ? vk::GeometryInstanceFlagBitsKHR::eForceNoOpaque
-                                                                  : vk::GeometryInstanceFlagBitsKHR::eForceOpaque);
-      if (set.DriverTriangles())
+      const glm::vec3 offset(set.instances.origin + image.offset - this->origin);
+      for (const GlyphRun& run : placed.runs)
       {
-        this->AddMeshInstances(set, instance, instances);
-        continue;
+        vk::AccelerationStructureInstanceKHR instance;
+        const std::array<std::array<float, 4>, 3> translation = { { { 1, 0, 0, offset.x }, { 0, 1, 0, offset.y },
+          { 0, 0, 1, offset.z } } };
+        instance.transform.matrix = translation;
+        instance.instanceCustomIndex = record++;
+        instance.mask = set.Mask(image.shown);
+        // Of translucent triangles a ray is to be brought all.
+        instance.flags =
+          static_cast<VkGeometryInstanceFlagsKHR>(set.Translucent() ? vk::GeometryInstanceFlagBitsKHR::eForceNoOpaque
+                                                                    : vk::GeometryInstanceFlagBitsKHR::eForceOpaque);
+        if (set.DriverTriangles())
+        {
+          this->AddMeshInstances(set, instance, instances);
+          continue;
+        }
+        instance.accelerationStructureReference = run.structures[slice >> (sliceBits - placed.sliceBits)].Address();
+        instances.push_back(instance);
       }
-      instance.accelerationStructureReference = run.structures[slice >> (sliceBits - placed.sliceBits)].Address();
-      instances.push_back(instance);
     }
   }
   return instances;
@@ -170,6 +200,7 @@ void Scene::State::FillRecords()
       continue;
     }
     const PlacedGlyphs& placed = set.placed;
+    const std::size_t first = filled.size();
     for (const GlyphRun& run : placed.runs)
     {
       device::GlyphSetRecord record{};
@@ -192,8 +223,7 @@ void Scene::State::FillRecords()
       record.tree = placed.tree.record;
       record.tree.order = at(placed.tree.order, sizeof(std::uint32_t));
       const glm::dvec3 offset = instances.origin - this->origin;
-      record.offset = glm::vec3(offset);
-      record.offsetLow = glm::vec3(offset - glm::dvec3(record.offset));
+      Split(offset, record.offset, record.offsetLow);
       record.polynomialWidth = static_cast<std::uint32_t>(instances.polynomials.width);
       record.variants = placed.variants.bits;
       record.setId = id;
@@ -229,6 +259,19 @@ void Scene::State::FillRecords()
         this->FillSection(set, record, planes);
       }
       filled.push_back(record);
+    }
+    // The same again at other places.
+    const std::vector<GlyphSet::Image> images = set.Images();
+    for (auto image = images.begin() + 1; image != images.end(); ++image)
+    {
+      const glm::dvec3 offset = set.instances.origin + image->offset - this->origin;
+      for (std::size_t i = 0; i < placed.runs.size(); ++i)
+      {
+        device::GlyphSetRecord record = filled[first + i];
+        Split(offset, record.offset, record.offsetLow);
+        record.mask = set.Mask(image->shown);
+        filled.push_back(record);
+      }
     }
   }
   if (!planes.empty())

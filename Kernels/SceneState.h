@@ -110,6 +110,7 @@ struct GlyphSet
   GlyphInstances instances;
   GlyphColours colours;
   Material material;
+  PeriodicImages images;
   bool visible = true;
   bool seen = true; ///< by camera rays
   bool translucentColours = false;
@@ -135,10 +136,27 @@ struct GlyphSet
   {
     return this->material.opacity < 1.0f || this->translucentColours || this->translucentInstances;
   }
-  std::uint32_t Mask() const
+  std::uint32_t Mask(bool shown = true) const
   {
-    return this->Translucent() ? (this->seen ? device::TRANSLUCENT_MASK : device::UNSEEN_TRANSLUCENT_MASK)
-                               : (this->seen ? device::OPAQUE_MASK : device::UNSEEN_OPAQUE_MASK);
+    return this->Translucent() ? (this->seen && shown ? device::TRANSLUCENT_MASK : device::UNSEEN_TRANSLUCENT_MASK)
+                               : (this->seen && shown ? device::OPAQUE_MASK : device::UNSEEN_OPAQUE_MASK);
+  }
+  /// An image of the set: how far it lies from the set, and whether it is shown. The first one is the set.
+  struct Image
+  {
+    glm::dvec3 offset;
+    bool shown;
+  };
+  std::vector<Image> Images() const;
+  /// How far images are at most along each axis.
+  glm::dvec3 ImageReach() const
+  {
+    glm::dvec3 reach(0.0);
+    for (int i = 0; i < 3; ++i)
+    {
+      reach += static_cast<double>(this->images.lit[i]) * glm::abs(this->images.edges[i]);
+    }
+    return reach;
   }
 };
 
