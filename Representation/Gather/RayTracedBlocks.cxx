@@ -21,7 +21,6 @@
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
-#include <cstring>
 #include <sstream>
 
 namespace
@@ -149,6 +148,10 @@ vtkSmartPointer<vtkDataArray> NewArray(const Alike& alike, vtkIdType tuples)
   joined->SetName(first->GetName());
   joined->SetNumberOfComponents(first->GetNumberOfComponents());
   rtglyphs::RayTracedArrays::Resize(joined, tuples);
+  if (std::find(alike.begin(), alike.end(), nullptr) != alike.end())
+  {
+    joined->Fill(0.0);
+  }
   return joined;
 }
 
@@ -428,9 +431,6 @@ void rtglyphs::RayTracedBlocks::JoinArrays(bool cells)
           }
           else
           {
-            const int components = joined->GetNumberOfComponents();
-            std::memset(joined->GetVoidPointer(first * components), 0,
-              static_cast<std::size_t>(tuples) * components * joined->GetDataTypeSize());
             lacking.push_back({ first, first + tuples, blocks[i]->Name });
           }
         }

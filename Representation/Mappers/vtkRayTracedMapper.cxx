@@ -330,6 +330,18 @@ void vtkRayTracedMapper::Report(const std::vector<std::string>& messages, std::v
 }
 
 //----------------------------------------------------------------------------
+void vtkRayTracedMapper::SetColors(rtg::GlyphColours colors, const std::vector<std::string>& messages)
+{
+  this->Translucent = rtg::AnyTranslucent(colors);
+  if (this->ColorVersion == 0 || !(this->Colors == colors))
+  {
+    this->Colors = std::move(colors);
+    this->ColorVersion = NewVersion();
+  }
+  this->Report(messages, this->ReportedColors);
+}
+
+//----------------------------------------------------------------------------
 // The kernels' numbers have single precision, and squares of lengths must be among them.
 void vtkRayTracedMapper::ReportSizes()
 {

@@ -143,7 +143,7 @@ protected:
   ///@{
   /**
    * For subclasses. Instances are built when their settings or arrays have changed; colors when the points chosen,
-   * their arrays, the lookup table or anything of ColorState() has. SetInstances() and SetColors() say what was made.
+   * their arrays, the lookup table or anything of ColorState() has.
    */
   virtual bool HaveSettingsChanged() const = 0;
   virtual std::vector<vtkObject*> InstanceInputs(vtkPolyData* points) const = 0;
@@ -218,6 +218,12 @@ protected:
    */
   void ReportInstances(std::vector<std::string> messages, const std::string& unfinished);
   void Report(const std::vector<std::string>& messages, std::vector<std::string>& reported);
+
+  /**
+   * Colors that were built, which have a new version where they differ from the last ones, and what is to be reported
+   * of them.
+   */
+  void SetColors(rtg::GlyphColours colors, const std::vector<std::string>& messages);
 
   std::vector<rtglyphs::RayTracedBlocks::Block> Blocks;
   rtglyphs::RayTracedRanges Hidden; // points

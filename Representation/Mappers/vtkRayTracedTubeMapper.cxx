@@ -104,13 +104,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
         }
       }
     });
-  this->Translucent = rtg::AnyTranslucent(colors);
-  if (this->ColorVersion == 0 || !(this->Colors == colors))
-  {
-    this->Colors = std::move(colors);
-    this->ColorVersion = NewVersion();
-  }
-  this->Report(messages, this->ReportedColors);
+  this->SetColors(std::move(colors), messages);
 }
 
 //----------------------------------------------------------------------------
