@@ -31,4 +31,3 @@ constexpr std::uint64_t LengthTogether(std::uint64_t text, std::uint64_t binary)
 }
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphGLTFWriter.h

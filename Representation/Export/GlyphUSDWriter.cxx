@@ -1,17 +1,66 @@
 #include "GlyphUSDWriter.h"
 
-#include "GlyphFileText.h"
+#include <glm/glm.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
+#include <type_traits>
 
 namespace
 {
+// Numbers as text, shortest first.
+class GlyphFileText
+{
+public:
+  GlyphFileText& operator<<(const char* text)
+  {
+    this->Text += text;
+    return *this;
+  }
+  GlyphFileText& operator<<(const std::string& text)
+  {
+    this->Text += text;
+    return *this;
+  }
+  template <typename Number>
+  requires std::is_arithmetic_v<Number> GlyphFileText& operator<<(Number number)
+  {
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof(digits), number).ptr;
+    this->Text.append(digits, end);
+    return *this;
+  }
+  template <int Length, typename Number, glm::qualifier Q>
+  GlyphFileText& operator<<(const glm::vec<Length, Number, Q>& tuple)
+  {
+    for (int c = 0; c < Length; ++c)
+    {
+      *this << (c == 0 ? "(" : ", ") << tuple[c];
+    }
+    return *this << ")";
+  }
+  /// Between brackets: what `item` writes of each of so many.
+  template <typename Item>
+  GlyphFileText& List(std::size_t count, const Item& item)
+  {
+    *this << "[";
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      *this << (k == 0 ? "" : ", ");
+      item(k);
+    }
+    return *this << "]";
+  }
+
+  std::string Text;
+};
+
 constexpr double degrees = 57.295779513082323;
 
 // Through all copies of all parts, part by part.
 template <typename Item>
-void ListCopies(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set, const Item& item)
+void ListCopies(GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set, const Item& item)
 {
   bool first = true;
   out << "[";
@@ -27,7 +76,7 @@ void ListCopies(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedSe
   out << "]\n";
 }
 
-void WriteVectors(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set, const char* name,
+void WriteVectors(GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set, const char* name,
   std::vector<glm::vec3> rtglyphs::GlyphTessellatedPart::*values, double factor = 1.0)
 {
   if (std::any_of(set.Parts.begin(), set.Parts.end(), [values](const auto& part) { return !(part.*values).empty(); }))
@@ -39,7 +88,7 @@ void WriteVectors(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellated
   }
 }
 
-void WriteMesh(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedPart& part)
+void WriteMesh(GlyphFileText& out, const rtglyphs::GlyphTessellatedPart& part)
 {
   const rtg::TriangleMesh& mesh = *part.Mesh;
   glm::vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
@@ -66,7 +115,7 @@ void WriteMesh(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedPar
   out << "\n" << indent << "uniform token subdivisionScheme = \"none\"\n                }\n";
 }
 
-void WriteColors(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set)
+void WriteColors(GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set)
 {
   const std::string indent(12, ' ');
   const auto close = [&](const char* interpolation) {
@@ -102,7 +151,7 @@ void WriteColors(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedS
   }
 }
 
-void WriteSet(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set)
+void WriteSet(GlyphFileText& out, const rtglyphs::GlyphTessellatedSet& set)
 {
   const std::string indent(12, ' ');
   out << "    def Xform \"" << set.Name << "\"\n    {\n        double3 xformOp:translate = " << set.Origin
@@ -140,7 +189,7 @@ void WriteSet(rtglyphs::GlyphFileText& out, const rtglyphs::GlyphTessellatedSet&
 //----------------------------------------------------------------------------
 std::string rtglyphs::GlyphUSDWriter::Text(const std::vector<rtglyphs::GlyphTessellatedSet>& sets)
 {
-  rtglyphs::GlyphFileText out;
+  GlyphFileText out;
   out << "#usda 1.0\n(\n    defaultPrim = \"Glyphs\"\n    metersPerUnit = 1\n    upAxis = \"Z\"\n)\n\n"
       << "def Xform \"Glyphs\"\n{\n";
   for (const rtglyphs::GlyphTessellatedSet& set : sets)

@@ -14,4 +14,3 @@ std::string Text(const std::vector<GlyphTessellatedSet>& sets);
 }
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphUSDWriter.h

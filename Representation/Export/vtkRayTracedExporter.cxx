@@ -28,19 +28,6 @@ bool WriteFile(const std::string& name, const std::string& text)
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedExporter::vtkRayTracedExporter() = default;
-
-//----------------------------------------------------------------------------
-vtkRayTracedExporter::~vtkRayTracedExporter() = default;
-
-//----------------------------------------------------------------------------
-void vtkRayTracedExporter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "File name: " << this->FileName << endl;
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedExporter::WriteData()
 {
   const std::string extension =

@@ -21,7 +21,6 @@ class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedExporter : public vtkExporter
 public:
   static vtkRayTracedExporter* New();
   vtkTypeMacro(vtkRayTracedExporter, vtkExporter);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
@@ -32,15 +31,12 @@ public:
   ///@}
 
 protected:
-  vtkRayTracedExporter();
-  ~vtkRayTracedExporter() override;
+  vtkRayTracedExporter() = default;
+  ~vtkRayTracedExporter() override = default;
 
   void WriteData() override;
 
 private:
-  vtkRayTracedExporter(const vtkRayTracedExporter&) = delete;
-  void operator=(const vtkRayTracedExporter&) = delete;
-
   std::string FileName;
 };
 

@@ -19,4 +19,3 @@ void Add(vtkPolyData* points, const std::string& name);
 }
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphJoinedArrays.h

@@ -11,13 +11,11 @@
 #include "vtkHyperTreeGridCellCenters.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkStructuredData.h"
-#include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -96,27 +94,6 @@ void DropGhosts(Leaf& leaf)
         (ghostPoints && (pointGhosts->GetValue(i) & ghostPoint)) || (ghostCells && users[i] == USED_BY_GHOST);
       return !ghost;
     });
-}
-
-// Extent of structured data; false: the data are not structured.
-bool ExtentOf(vtkDataSet* data, int extent[6])
-{
-  if (auto* image = vtkImageData::SafeDownCast(data))
-  {
-    image->GetExtent(extent);
-    return true;
-  }
-  if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
-  {
-    rectilinear->GetExtent(extent);
-    return true;
-  }
-  if (auto* curvilinear = vtkStructuredGrid::SafeDownCast(data))
-  {
-    curvilinear->GetExtent(extent);
-    return true;
-  }
-  return false;
 }
 
 // The lowest indices of points of structured data with that extent whose cells are no ghosts.
@@ -288,11 +265,12 @@ rtglyphs::GlyphLeaves::Leaf rtglyphs::GlyphLeaves::Find(vtkDataObject* object, b
 // Ghosts, which filters that ask for them leave, mark those beyond, and not always these.
 void rtglyphs::GlyphLeaves::DropSharedFaces(Leaf& leaf, const int wholeExtent[6])
 {
-  int extent[6];
-  if (leaf.CellIds || !ExtentOf(leaf.Data, extent))
+  if (leaf.CellIds || leaf.Data->GetExtentType() != VTK_3D_EXTENT)
   {
     return; // no two pieces have the same cell
   }
+  int extent[6];
+  leaf.Data->GetInformation()->Get(vtkDataObject::DATA_EXTENT(), extent);
   int first[3];
   FindOwn(leaf.Data, extent, first);
   bool shared = false;

@@ -61,4 +61,3 @@ vtkSmartPointer<vtkHyperTreeGrid> Number(vtkHyperTreeGrid* grid);
 }
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphLeaves.h

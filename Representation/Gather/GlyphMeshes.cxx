@@ -22,7 +22,7 @@ vtkSmartPointer<vtkPolyData> PolygonsOf(vtkDataObject* data)
   settings.ComputesNormals = false;
   vtkNew<vtkAppendPolyData> append;
   rtglyphs::RayTracedTree::ForEach(
-    rtglyphs::RayTracedTree::Make(data, /*distinctColors=*/1, /*processes=*/1,
+    rtglyphs::RayTracedTree::Make(data, /*distinctColors=*/1,
       [&settings](vtkDataObject* leaf) { return rtglyphs::RayTracedSurfaceGatherer::Gather(leaf, settings); }),
     [&append](vtkPolyData* polygons)
     {

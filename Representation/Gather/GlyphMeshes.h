@@ -74,4 +74,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphMeshes.h

@@ -3,6 +3,7 @@
 #include "GlyphLeaves.h"
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
+#include "RayTracedRanks.h"
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -155,23 +156,23 @@ void AddIds(vtkPolyData* out, const char* name, const Value& value)
 
 void AddPickingIds(const Leaf& leaf, const rtglyphs::GlyphPointGatherer::Options& options, vtkPolyData* out)
 {
-  if (options.IsBlock || options.Processes > 1 || !leaf.All || leaf.CellIds)
+  if (options.IsBlock || rtglyphs::RayTracedRanks::Count() > 1 || !leaf.All || leaf.CellIds)
   {
     AddIds<vtkIdTypeArray>(out, rtglyphs::RayTracedArrays::PointIds,
       [&leaf](vtkIdType i)
       {
         const vtkIdType point = leaf.Point(i);
-        return leaf.CellIds ? rtglyphs::RayTracedArrays::Marked(leaf.CellIds->GetValue(point)) : point;
+        return leaf.CellIds ? rtglyphs::RayTracedArrays::EncodeCellId(leaf.CellIds->GetValue(point)) : point;
       });
   }
   if (leaf.HasCells())
   {
     AddIds<vtkIdTypeArray>(out, rtglyphs::RayTracedArrays::CellIds, [&leaf](vtkIdType i) { return leaf.Cell(i); });
   }
-  if (options.Processes > 1)
+  if (rtglyphs::RayTracedRanks::Count() > 1)
   {
     AddIds<vtkUnsignedIntArray>(out, rtglyphs::RayTracedArrays::ProcessId,
-      [&options](vtkIdType) { return static_cast<unsigned int>(options.ProcessId); });
+      [own = rtglyphs::RayTracedRanks::Own()](vtkIdType) { return static_cast<unsigned int>(own); });
   }
 }
 
@@ -202,7 +203,7 @@ vtkSmartPointer<vtkPolyData> rtglyphs::GlyphPointGatherer::Gather(vtkDataObject*
   {
     return out;
   }
-  if (!options.IsBlock && options.Processes > 1 && options.WholeExtent)
+  if (!options.IsBlock && rtglyphs::RayTracedRanks::Count() > 1 && options.WholeExtent)
   {
     rtglyphs::GlyphLeaves::DropSharedFaces(leaf, options.WholeExtent);
   }
@@ -234,7 +235,7 @@ vtkSmartPointer<vtkPolyData> rtglyphs::GlyphPointGatherer::Gather(vtkDataObject*
   }
   AddPickingIds(leaf, options, out);
   // Filters that redistribute between ranks, and cell data, need a cell for each point.
-  if (options.Processes > 1 || out->GetCellData()->GetNumberOfArrays() > 0)
+  if (rtglyphs::RayTracedRanks::Count() > 1 || out->GetCellData()->GetNumberOfArrays() > 0)
   {
     out->SetVerts(sharesCells ? vtkSmartPointer<vtkCellArray>(leaf.Vertices) : MakeVertices(count));
   }

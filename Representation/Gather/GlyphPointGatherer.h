@@ -29,10 +29,8 @@ class GlyphPointGatherer
 public:
   struct Options
   {
-    bool CellCenters = false; // instead of points; hyper tree grids always give those
-    bool IsBlock = false;     // of composite data
-    // This process's rank among those whose points are put together for rendering.
-    int ProcessId = 0, Processes = 1;
+    bool CellCenters = false;         // instead of points; hyper tree grids always give those
+    bool IsBlock = false;             // of composite data
     const int* WholeExtent = nullptr; // of the structured data set of which the input is this process's piece
     RayTracedParallel::Progress Progress;
   };

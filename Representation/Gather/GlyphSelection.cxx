@@ -20,7 +20,7 @@ namespace
 {
 using Id = std::pair<unsigned int, vtkTypeInt64>; // flat index of the block, number in it
 
-// Those of points, and Marked() those of cells, sorted.
+// Those of points, and EncodeCellId() those of cells, sorted.
 void AddIds(std::vector<Id>& ids, vtkDataSet* extracted, unsigned int block)
 {
   if (!extracted)
@@ -35,7 +35,7 @@ void AddIds(std::vector<Id>& ids, vtkDataSet* extracted, unsigned int block)
     }
   };
   add(extracted->GetPointData()->GetArray("vtkOriginalPointIds"), 0);
-  add(extracted->GetCellData()->GetArray("vtkOriginalCellIds"), rtglyphs::RayTracedArrays::Mark);
+  add(extracted->GetCellData()->GetArray("vtkOriginalCellIds"), rtglyphs::RayTracedArrays::CellIdOffset);
 }
 
 // For each of so many points or cells, whether it is among the ids, which are sorted.
@@ -92,7 +92,7 @@ vtkSmartPointer<vtkDataObject> rtglyphs::GlyphSelection::Mark(vtkDataObject* gat
       {
         numbers = points->GetCellData()->GetArray(rtglyphs::RayTracedArrays::CellIds);
         marked->GetCellData()->AddArray(
-          Marks(ids, block, points->GetNumberOfCells(), numbers, rtglyphs::RayTracedArrays::Mark));
+          Marks(ids, block, points->GetNumberOfCells(), numbers, rtglyphs::RayTracedArrays::CellIdOffset));
       }
       return marked;
     });

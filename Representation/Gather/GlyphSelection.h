@@ -31,4 +31,3 @@ public:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphSelection.h

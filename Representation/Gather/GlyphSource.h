@@ -37,4 +37,3 @@ struct GlyphSource
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphSource.h

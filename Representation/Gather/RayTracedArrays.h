@@ -1,6 +1,6 @@
 /**
  * Names of the arrays that travel from where the data are to where they are rendered, besides the input's own. They
- * begin as the input's arrays never should: nobody's arrays of the same name are lost.
+ * begin as the input's arrays never should, so that none of the same name is lost.
  */
 #ifndef RayTracedArrays_h
 #define RayTracedArrays_h
@@ -15,8 +15,8 @@
 
 namespace rtglyphs::RayTracedArrays
 {
-/// Of each point: its id in the input's block, or Marked() the cell's whose center it is. Missing where it would be the
-/// identity.
+/// Of each point: its id in the input's block, or EncodeCellId() the cell's whose center it is. Missing where it would
+/// be the identity.
 constexpr const char* PointIds = "vtkRayTraced_PointIds";
 /// Of each point, or of each cell of a surface: the cell of the input's block that it stands for. Missing where there
 /// is none.
@@ -30,6 +30,9 @@ constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
 constexpr const char* StepVelocity = "vtkRayTraced_StepVelocity";
 /// Of each point, and of each cell of lines: 1 where the selection has its glyph, else 0. Missing where it has none.
 constexpr const char* Selected = "vtkRayTraced_Selected";
+/// Field data of each block: names of the arrays that some ranks have, and others, with points, have not. Missing where
+/// there is none.
+constexpr const char* PartialArrays = "vtkRayTraced_PartialArrays";
 /// Field data of each block, as ParaView's own surfaces have them.
 constexpr const char* BlockColors = "vtkBlockColors";
 
@@ -37,18 +40,18 @@ constexpr const char* BlockColors = "vtkBlockColors";
 /// What a selector of points is told of a glyph that stands for a cell, and one of cells of a glyph that stands for a
 /// point: a number that neither has, from which vtkRayTracedSelectionEncoder finds what is meant. Selectors keep 48
 /// bits of a number.
-constexpr vtkTypeInt64 Mark = vtkTypeInt64(1) << 47;
-constexpr bool IsMarked(vtkTypeInt64 id)
+constexpr vtkTypeInt64 CellIdOffset = vtkTypeInt64(1) << 47;
+constexpr bool IsCellId(vtkTypeInt64 id)
 {
-  return id >= Mark;
+  return id >= CellIdOffset;
 }
-constexpr vtkTypeInt64 Marked(vtkTypeInt64 id)
+constexpr vtkTypeInt64 EncodeCellId(vtkTypeInt64 id)
 {
-  return id + Mark;
+  return id + CellIdOffset;
 }
-constexpr vtkTypeInt64 Unmarked(vtkTypeInt64 id)
+constexpr vtkTypeInt64 DecodeCellId(vtkTypeInt64 id)
 {
-  return id - Mark;
+  return id - CellIdOffset;
 }
 ///@}
 
@@ -75,4 +78,3 @@ inline bool IsNone(const std::string& name)
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedArrays.h

@@ -8,26 +8,55 @@
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTreeRange.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkMapper.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkScalarsToColors.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
+#include <sstream>
 
 namespace
 {
 using Attributes = rtglyphs::RayTracedBlocks::Attributes;
 using Block = rtglyphs::RayTracedBlocks::Block;
 
-// A quiet NaN that no computation makes.
-constexpr std::uint64_t missing = 0x7ff8'0000'5261'5947;
+// Of joined points those of each block, of a joined array those that lack it.
+class Ranges : public vtkObject
+{
+public:
+  static Ranges* New();
+  vtkTypeMacro(Ranges, vtkObject);
+  rtglyphs::RayTracedRanges All;
+
+  static void Set(vtkInformation* of, rtglyphs::RayTracedRanges all)
+  {
+    vtkNew<Ranges> ranges;
+    ranges->All = std::move(all);
+    of->Set(Key(), ranges);
+  }
+  static const rtglyphs::RayTracedRanges& Get(vtkInformation* of)
+  {
+    static const rtglyphs::RayTracedRanges none;
+    auto* ranges = Ranges::SafeDownCast(of->Get(Key()));
+    return ranges ? ranges->All : none;
+  }
+
+private:
+  static vtkInformationObjectBaseKey* Key()
+  {
+    static auto* const key = vtkInformationObjectBaseKey::MakeKey("Ranges", "RayTracedBlocks");
+    return key;
+  }
+};
+vtkStandardNewMacro(Ranges);
 
 // A template, because VTK has these since ParaView 5.13.
 template <class Display>
@@ -48,7 +77,8 @@ void ReadScalars(Display* from, vtkDataObject* node, rtglyphs::RayTracedBlocks::
   }
 }
 
-void Visit(vtkDataObject* node, vtkCompositeDataDisplayAttributes* from, Attributes attributes, std::vector<Block>& out)
+void Visit(vtkDataObject* node, const std::string& name, vtkCompositeDataDisplayAttributes* from, Attributes attributes,
+  std::vector<Block>& out)
 {
   attributes.Visible = from->HasBlockVisibility(node) ? from->GetBlockVisibility(node) : attributes.Visible;
   if (from->HasBlockOpacity(node))
@@ -65,14 +95,12 @@ void Visit(vtkDataObject* node, vtkCompositeDataDisplayAttributes* from, Attribu
   ReadScalars(from, node, attributes.Scalars);
   if (auto* data = vtkPolyData::SafeDownCast(node))
   {
-    out.push_back({ attributes, data, rtglyphs::RayTracedTree::FlatIndex(data) });
+    out.push_back({ attributes, data, rtglyphs::RayTracedTree::FlatIndex(data), name });
   }
   else if (auto* tree = vtkDataObjectTree::SafeDownCast(node))
   {
-    for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes))
-    {
-      Visit(child, from, attributes, out);
-    }
+    rtglyphs::RayTracedTree::ForEachChild(
+      tree, name, [&](vtkDataObject* child, const std::string& own) { Visit(child, own, from, attributes, out); });
   }
 }
 
@@ -115,11 +143,15 @@ vtkSmartPointer<vtkDataArray> NewArray(const Alike& alike, vtkIdType tuples)
 {
   vtkDataArray* first = *std::find_if(alike.begin(), alike.end(), [](vtkDataArray* array) { return array != nullptr; });
   const bool exact = std::all_of(alike.begin(), alike.end(),
-    [first](vtkDataArray* array) { return array && array->GetDataType() == first->GetDataType(); });
+    [first](vtkDataArray* array) { return !array || array->GetDataType() == first->GetDataType(); });
   auto joined = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(exact ? first->GetDataType() : VTK_DOUBLE));
   joined->SetName(first->GetName());
   joined->SetNumberOfComponents(first->GetNumberOfComponents());
   rtglyphs::RayTracedArrays::Resize(joined, tuples);
+  if (std::find(alike.begin(), alike.end(), nullptr) != alike.end())
+  {
+    joined->Fill(0.0);
+  }
   return joined;
 }
 
@@ -158,9 +190,9 @@ void rtglyphs::RayTracedBlocks::Update(
   this->Blocks.clear();
   if (data)
   {
-    Visit(data, attributes, common, this->Blocks);
+    Visit(data, std::string(), attributes, common, this->Blocks);
   }
-  this->Table.clear();
+  this->Hidden.clear();
   vtkIdType points = 0, cells = 0;
   for (Block& block : this->Blocks)
   {
@@ -168,7 +200,10 @@ void rtglyphs::RayTracedBlocks::Update(
     block.FirstCell = cells;
     points += block.Data->GetNumberOfPoints();
     cells += block.Data->GetNumberOfCells();
-    this->Table[block.FlatIndex].Visible = block.Visible;
+    if (!block.Visible && points > block.FirstPoint)
+    {
+      this->Hidden.push_back({ block.FirstPoint, points, block.Name });
+    }
   }
   if (!joined)
   {
@@ -183,24 +218,67 @@ void rtglyphs::RayTracedBlocks::Update(
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::RayTracedBlocks::Missing::Missing(vtkDataArray* joined)
-  : Joined(vtkDoubleArray::SafeDownCast(joined))
+const rtglyphs::RayTracedRanges& rtglyphs::RayTracedBlocks::Lacking(vtkDataArray* joined)
 {
+  static const rtglyphs::RayTracedRanges none;
+  return joined && joined->HasInformation() ? Ranges::Get(joined->GetInformation()) : none;
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::RayTracedBlocks::Missing::operator()(vtkIdType tuple) const
+bool rtglyphs::RayTracedBlocks::IsElsewhere(vtkPolyData* points, const std::string& array)
 {
-  return this->Joined &&
-    std::bit_cast<std::uint64_t>(this->Joined->GetValue(tuple * this->Joined->GetNumberOfComponents())) == missing;
+  auto* names =
+    vtkStringArray::SafeDownCast(points->GetFieldData()->GetAbstractArray(rtglyphs::RayTracedArrays::PartialArrays));
+  return names && names->LookupValue(array) >= 0;
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::RayTracedBlocks::IsOfRanks(vtkPolyData* points)
+void rtglyphs::RayTracedBlocks::ReportLacking(vtkPolyData* points, const std::string& array,
+  const rtglyphs::RayTracedRanges& hidden, const char* property, const char* consequence,
+  std::vector<std::string>& messages)
 {
-  return points->GetPointData()->HasArray(rtglyphs::RayTracedArrays::ProcessId) &&
-    (points->GetFieldData()->HasArray(rtglyphs::RayTracedArrays::CompositeIndex) ||
-      points->GetPointData()->HasArray(rtglyphs::RayTracedArrays::CompositeIndex));
+  vtkDataArray* ofPoints = points->GetPointData()->GetArray(array.c_str());
+  vtkDataArray* ofCells = ofPoints ? nullptr : points->GetCellData()->GetArray(array.c_str());
+  const bool elsewhere = !ofPoints && !ofCells && IsElsewhere(points, array);
+  rtglyphs::RayTracedRanges lacking =
+    elsewhere ? Ranges::Get(points->GetInformation()) : Lacking(ofCells ? ofCells : ofPoints);
+  if (elsewhere && lacking.empty())
+  {
+    lacking.push_back({ 0, points->GetNumberOfPoints(), std::string() });
+  }
+  constexpr int most = 3; // that are named
+  std::string names;
+  int blocks = 0;
+  vtkIdType count = 0;
+  for (const rtglyphs::RayTracedRange& range : lacking)
+  {
+    const bool isHidden =
+      std::any_of(hidden.begin(), hidden.end(), [&](const auto& other) { return other.Block == range.Block; });
+    if (!isHidden && range.End > range.First)
+    {
+      count += range.End - range.First;
+      ++blocks;
+      names += blocks > most ? std::string() : (blocks > 1 ? ", '" : " '") + range.Block + "'";
+    }
+  }
+  const std::string what = "no array '" + array + "'";
+  const bool reported = std::any_of(messages.begin(), messages.end(),
+    [&what](const std::string& message) { return message.find(what) != std::string::npos; });
+  if (count == 0 || reported)
+  {
+    return;
+  }
+  const bool one = blocks == 1;
+  std::ostringstream text;
+  text << (names == " ''" ? "A part of the data, which one rank has," : one ? "Block" + names : "Blocks" + names);
+  if (blocks > most)
+  {
+    text << " and " << blocks - most << " more";
+  }
+  text << (one ? " has " : " have ") << what << ", which " << property << " names: " << (one ? "its " : "their ")
+       << count << (ofCells ? " cells " : " points ") << consequence << ". Choose another array, or leave "
+       << (one ? "this block" : "these blocks") << " out with BlockSelectors.";
+  messages.push_back(text.str());
 }
 
 //----------------------------------------------------------------------------
@@ -213,6 +291,20 @@ void rtglyphs::RayTracedBlocks::Join()
     return;
   }
   this->JoinPoints();
+  rtglyphs::RayTracedRanges ranges;
+  for (const Block& block : this->Blocks)
+  {
+    if (block.Data->GetNumberOfPoints() > 0)
+    {
+      ranges.push_back({ block.FirstPoint, block.FirstPoint + block.Data->GetNumberOfPoints(), block.Name });
+    }
+    if (vtkAbstractArray* partial =
+          block.Data->GetFieldData()->GetAbstractArray(rtglyphs::RayTracedArrays::PartialArrays))
+    {
+      this->Points->GetFieldData()->AddArray(partial);
+    }
+  }
+  Ranges::Set(this->Points->GetInformation(), std::move(ranges));
   this->JoinCells(
     "lines", [](vtkPolyData* data) { return data->GetLines(); },
     [](vtkPolyData* data, vtkCellArray* cells) { data->SetLines(cells); });
@@ -328,6 +420,7 @@ void rtglyphs::RayTracedBlocks::JoinArrays(bool cells)
       [&, &alike = alike]
       {
         vtkSmartPointer<vtkDataArray> joined = NewArray(alike, count);
+        rtglyphs::RayTracedRanges lacking;
         for (std::size_t i = 0; i < blocks.size(); ++i)
         {
           const vtkIdType first = cells ? blocks[i]->FirstCell : blocks[i]->FirstPoint;
@@ -338,10 +431,12 @@ void rtglyphs::RayTracedBlocks::JoinArrays(bool cells)
           }
           else
           {
-            const int components = joined->GetNumberOfComponents();
-            std::fill_n(vtkDoubleArray::SafeDownCast(joined)->GetPointer(first * components), tuples * components,
-              std::bit_cast<double>(missing));
+            lacking.push_back({ first, first + tuples, blocks[i]->Name });
           }
+        }
+        if (!lacking.empty())
+        {
+          Ranges::Set(joined->GetInformation(), std::move(lacking));
         }
         return joined;
       });

@@ -5,13 +5,13 @@
  * vtkGeometryRepresentation fills the attributes of a tree's nodes; a block has those of the nearest node above it that
  * has some, as with vtkCompositePolyDataMapper.
  *
- * GetPoints() puts the blocks together, one after the other: arrays that some block lacks are doubles there, with NaN
- * where they are missing. As long as an array of all blocks stays the same, so does theirs.
+ * GetPoints() puts the blocks together, one after the other. Arrays that some block lacks are zero there, and know
+ * where that is. As long as an array of all blocks stays the same, so does theirs.
  */
 #ifndef RayTracedBlocks_h
 #define RayTracedBlocks_h
 
-#include "GlyphBlockAttributes.h"
+#include "RayTracedRanges.h"
 #include "vtkPolyData.h"
 #include "vtkScalarsToColors.h"
 #include "vtkSmartPointer.h"
@@ -29,7 +29,6 @@ class vtkCellArray;
 class vtkCompositeDataDisplayAttributes;
 class vtkDataArray;
 class vtkDataObject;
-class vtkDoubleArray;
 class vtkPoints;
 
 namespace rtglyphs
@@ -67,7 +66,8 @@ public:
   struct Block : Attributes
   {
     vtkSmartPointer<vtkPolyData> Data;
-    unsigned int FlatIndex = 0;              // in the input
+    unsigned int FlatIndex = 0; // in the input
+    std::string Name;
     vtkIdType FirstPoint = 0, FirstCell = 0; // of GetPoints()
   };
 
@@ -82,26 +82,25 @@ public:
   std::uint64_t GetVersion() const { return this->Version; }
 
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
-  vtkPolyData* GetPoints() const { return this->Points; } // null: without data
-  const GlyphBlockAttributes::Table& GetTable() const { return this->Table; }
+  vtkPolyData* GetPoints() const { return this->Points; }           // null: without data
+  const RayTracedRanges& GetHidden() const { return this->Hidden; } // points of blocks that are not visible
 
   /**
-   * Whether a tuple of one of GetPoints()' arrays belongs to a block that lacks it; in any thread.
+   * The tuples of one of GetPoints()' arrays (may be null) that belong to blocks without it.
    */
-  class Missing
-  {
-  public:
-    explicit Missing(vtkDataArray* joined);
-    bool operator()(vtkIdType tuple) const;
-
-  private:
-    vtkDoubleArray* Joined;
-  };
+  static const RayTracedRanges& Lacking(vtkDataArray* joined);
 
   /**
-   * Whether points come from a block of which other ranks have other parts, and maybe other arrays.
+   * Whether GetPoints(), or a block, lack an array that other ranks have.
    */
-  static bool IsOfRanks(vtkPolyData* points);
+  static bool IsElsewhere(vtkPolyData* points, const std::string& array);
+
+  /**
+   * Says of which points that are not hidden the blocks lack a point array that others, or other ranks, have:
+   * `consequence` completes 'its 120 points'. Of one array it speaks once.
+   */
+  static void ReportLacking(vtkPolyData* points, const std::string& array, const RayTracedRanges& hidden,
+    const char* property, const char* consequence, std::vector<std::string>& messages);
 
 private:
   using Times = std::vector<vtkMTimeType>;
@@ -114,7 +113,7 @@ private:
 
   std::uint64_t Version = 0;
   std::vector<Block> Blocks;
-  GlyphBlockAttributes::Table Table;
+  RayTracedRanges Hidden;
   Attributes Common;
   vtkMTimeType AttributesTime = 0;
   vtkDataObject* Joined = nullptr; // only to be compared
@@ -128,4 +127,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedBlocks.h

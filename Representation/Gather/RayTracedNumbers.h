@@ -76,4 +76,3 @@ private:
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedNumbers.h

@@ -134,4 +134,3 @@ Box BoxOf(vtkIdType count, const std::function<void(vtkIdType, vtkIdType, Box&)>
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedParallel.h

@@ -1,45 +1,57 @@
 /**
- * Numbers that all ranks find together. When memory runs out on one of them, all give up at the same place: none waits
- * for what another one will never send.
+ * What all ranks find together. When something goes wrong on one of them, such as memory that runs out, all give up at
+ * the same place: none waits for what another one will never send.
  */
 #ifndef RayTracedRanks_h
 #define RayTracedRanks_h
 
+#include <exception>
 #include <functional>
-#include <new>
+#include <string>
 #include <vector>
-
-class vtkMultiProcessController;
 
 namespace rtglyphs::RayTracedRanks
 {
 /**
- * What together() throws on the ranks that had memory enough.
+ * What Together() throws on the ranks on which nothing has gone wrong.
  */
-struct FailedElsewhere : std::bad_alloc
+struct FailedElsewhere : std::exception
 {
 };
 
+///@{
 /**
- * The controller of all ranks of this process group; null: there is only one.
+ * How many ranks this process group has, and which of them this process is.
  */
-vtkMultiProcessController* Controller();
-
-/**
- * To be called by all ranks at once: work() of each. Throws std::bad_alloc on all when that is thrown on any.
- */
-void Together(const std::function<void()>& work);
+int Count();
+int Own();
+///@}
 
 ///@{
 /**
- * Of all ranks at once: vtkCommunicator's operations on the values, the largest, and all values, one rank after
- * another.
+ * To be called by all ranks at once: work() of each, which may throw. When it does on any, Together() throws on all.
+ * Problem() returns what was thrown on this rank instead; empty: nothing.
+ */
+void Together(const std::function<void()>& work);
+std::string Problem(const std::function<void()>& work);
+///@}
+
+///@{
+/**
+ * Of all ranks at once; within Together() they agree first that nothing has gone wrong. vtkCommunicator's operations on
+ * the values; the largest; all values, one rank after another; the texts of each rank, none of which is empty.
  */
 void Reduce(std::vector<double>& values, int operation);
+void Reduce(std::vector<unsigned char>& values, int operation);
 double Largest(double value);
 std::vector<double> Gather(const std::vector<double>& own);
+std::vector<std::vector<std::string>> Gather(const std::vector<std::string>& own);
 ///@}
+
+/**
+ * The same of messages[i], which goes to rank i: what has come, from rank after rank.
+ */
+std::vector<char> Exchange(std::vector<std::vector<char>> messages);
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedRanks.h

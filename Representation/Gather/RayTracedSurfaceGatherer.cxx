@@ -2,6 +2,7 @@
 
 #include "GlyphLeaves.h"
 #include "RayTracedArrays.h"
+#include "RayTracedRanks.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -163,12 +164,12 @@ vtkSmartPointer<vtkPolyData> rtglyphs::RayTracedSurfaceGatherer::Gather(vtkDataO
   vtkSmartPointer<vtkPolyData> surface = settings.Lines ? ExtractLines(faces) : Triangulate(faces, settings);
   RenameIds(surface);
   surface->GetFieldData()->PassData(data->GetFieldData());
-  if (settings.Processes > 1)
+  if (rtglyphs::RayTracedRanks::Count() > 1)
   {
     vtkNew<vtkUnsignedIntArray> ranks;
     ranks->SetName(rtglyphs::RayTracedArrays::ProcessId);
     rtglyphs::RayTracedArrays::Resize(ranks, surface->GetNumberOfPoints());
-    ranks->FillValue(static_cast<unsigned int>(settings.Process));
+    ranks->FillValue(static_cast<unsigned int>(rtglyphs::RayTracedRanks::Own()));
     surface->GetPointData()->AddArray(ranks);
   }
   return surface;

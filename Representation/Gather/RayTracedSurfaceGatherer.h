@@ -31,8 +31,6 @@ public:
     double FeatureAngle = 30.0;
     /// How often faces of nonlinear cells are divided into four, or their edges in two; 0: not at all.
     int NonlinearSubdivisionLevel = 1;
-    /// This process's rank among those whose surfaces are put together for rendering.
-    int Process = 0, Processes = 1;
     /// That of the structured data set of which the input is this process's piece; null when there is none.
     const int* WholeExtent = nullptr;
   };

@@ -2,18 +2,25 @@
 
 #include "RayTracedArrays.h"
 #include "RayTracedRanks.h"
+#include "vtkCellData.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTreeRange.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiPieceDataSet.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedIntArray.h"
 #include "vtkVersionMacros.h"
 
+#include <map>
+#include <set>
 #include <vector>
 
 namespace
@@ -91,8 +98,8 @@ void SetLeaf(vtkDataObjectTree* tree, vtkCompositeDataIterator* place, unsigned 
 }
 
 //----------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> rtglyphs::RayTracedTree::Make(vtkDataObject* input, int distinctColors, int processes,
-  const std::function<vtkSmartPointer<vtkPolyData>(vtkDataObject*)>& make)
+vtkSmartPointer<vtkDataObject> rtglyphs::RayTracedTree::Make(
+  vtkDataObject* input, int distinctColors, const std::function<vtkSmartPointer<vtkPolyData>(vtkDataObject*)>& make)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   if (!composite)
@@ -104,7 +111,7 @@ vtkSmartPointer<vtkDataObject> rtglyphs::RayTracedTree::Make(vtkDataObject* inpu
   if (HasBranches(composite))
   {
     tree->CopyStructure(composite);
-    if (multiBlock && processes > 1)
+    if (multiBlock && rtglyphs::RayTracedRanks::Count() > 1)
     {
       MatchPieces(multiBlock);
     }
@@ -155,6 +162,80 @@ void rtglyphs::RayTracedTree::ForEach(vtkDataObject* data, const std::function<v
       ForEach(child, work);
     }
   }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedTree::ForEachChild(
+  vtkDataObjectTree* tree, const std::string& name, const std::function<void(vtkDataObject*, const std::string&)>& work)
+{
+  int index = 0;
+  for (const auto& child : vtk::Range(tree, vtk::DataObjectTreeOptions::None))
+  {
+    vtkInformation* data = child.HasMetaData() ? child.GetMetaData() : nullptr;
+    const char* own = data ? data->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    if (child.GetDataObject())
+    {
+      work(child.GetDataObject(),
+        own                                           ? own
+          : vtkPartitionedDataSet::SafeDownCast(tree) ? name
+                                                      : "block" + std::to_string(index));
+    }
+    ++index;
+  }
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedTree::AddPartialArrays(vtkDataObject* tree)
+{
+  if (rtglyphs::RayTracedRanks::Count() == 1)
+  {
+    return;
+  }
+  std::set<std::string> own;
+  ForEach(tree,
+    [&own](vtkPolyData* leaf)
+    {
+      for (vtkFieldData* data :
+        { static_cast<vtkFieldData*>(leaf->GetPointData()), static_cast<vtkFieldData*>(leaf->GetCellData()) })
+      {
+        for (int i = 0; i < data->GetNumberOfArrays() && leaf->GetNumberOfPoints() > 0; ++i)
+        {
+          const char* name = data->GetAbstractArray(i)->GetName();
+          own.insert(name ? name : "");
+        }
+      }
+    });
+  own.erase(std::string());
+  std::map<std::string, int> ranks; // that have the array
+  int withPoints = 0;
+  for (const std::vector<std::string>& names :
+    rtglyphs::RayTracedRanks::Gather(std::vector<std::string>(own.begin(), own.end())))
+  {
+    withPoints += names.empty() ? 0 : 1;
+    for (const std::string& name : names)
+    {
+      ++ranks[name];
+    }
+  }
+  vtkNew<vtkStringArray> partial;
+  partial->SetName(rtglyphs::RayTracedArrays::PartialArrays);
+  partial->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
+  for (const auto& [name, number] : ranks)
+  {
+    if (number < withPoints)
+    {
+      partial->InsertNextValue(name);
+    }
+  }
+  ForEach(tree,
+    [&partial](vtkPolyData* leaf)
+    {
+      leaf->GetFieldData()->RemoveArray(partial->GetName()); // of the last time
+      if (partial->GetNumberOfValues() > 0)
+      {
+        leaf->GetFieldData()->AddArray(partial);
+      }
+    });
 }
 
 //----------------------------------------------------------------------------

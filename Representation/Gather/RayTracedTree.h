@@ -8,8 +8,10 @@
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <string>
 
 class vtkDataObject;
+class vtkDataObjectTree;
 class vtkPolyData;
 
 namespace rtglyphs::RayTracedTree
@@ -17,10 +19,10 @@ namespace rtglyphs::RayTracedTree
 /**
  * What make(leaf) makes of each data set of `input`: one poly data, or a tree of them. Of composite data make() is
  * called for empty leaves (null), too; there every leaf gets its flat index in the input, and what ParaView calls
- * vtkBlockColors, of which so many are distinct. `processes`: the ranks that do the same together.
+ * vtkBlockColors, of which so many are distinct. All ranks do it at once.
  */
-vtkSmartPointer<vtkDataObject> Make(vtkDataObject* input, int distinctColors, int processes,
-  const std::function<vtkSmartPointer<vtkPolyData>(vtkDataObject*)>& make);
+vtkSmartPointer<vtkDataObject>
+Make(vtkDataObject* input, int distinctColors, const std::function<vtkSmartPointer<vtkPolyData>(vtkDataObject*)>& make);
 
 /**
  * The same structure with change(leaf) in place of each leaf.
@@ -31,10 +33,21 @@ Change(vtkDataObject* tree, const std::function<vtkSmartPointer<vtkPolyData>(vtk
 void ForEach(vtkDataObject* tree, const std::function<void(vtkPolyData*)>& work);
 
 /**
+ * Children that are not empty, with their names: of those that have none block0 and so on, as in ParaView's hierarchy,
+ * of pieces that of the tree.
+ */
+void ForEachChild(vtkDataObjectTree* tree, const std::string& name,
+  const std::function<void(vtkDataObject* child, const std::string& name)>& work);
+
+/**
+ * Adds RayTracedArrays::PartialArrays to the leaves. All ranks do it at once.
+ */
+void AddPartialArrays(vtkDataObject* tree);
+
+/**
  * Of a leaf, in the input; 0 of a single data set.
  */
 unsigned int FlatIndex(vtkPolyData* leaf);
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedTree.h

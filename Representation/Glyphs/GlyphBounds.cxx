@@ -4,15 +4,12 @@
 #include "GlyphBoxes.h"
 #include "GlyphMotion.h"
 #include "GlyphSizes.h"
-#include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
 #include "Stopwatch.h"
 #include "vtkDataArray.h"
 #include "vtkMath.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,14 +20,11 @@ namespace
 class Collector
 {
 public:
-  Collector(
-    vtkPolyData* points, const rtglyphs::GlyphSettings& settings, const rtglyphs::GlyphBlockAttributes::Table& blocks)
+  Collector(vtkPolyData* points, const rtglyphs::GlyphSettings& settings, const rtglyphs::RayTracedRanges& hidden)
     : Settings(settings)
     , Sizes(points, settings)
-    , Blocks(blocks)
+    , Hidden(hidden)
     , Positions(points->GetPoints()->GetData())
-    , BlockIds(
-        vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CompositeIndex)))
     , Motion(points, settings.Motion)
     , Arrow(settings.Arrow)
     , AnchorShift(settings.AnchorShift())
@@ -66,7 +60,7 @@ private:
     for (vtkIdType i = begin; i < end; ++i)
     {
       const double* x = positions.Get(i);
-      if (!rtg::IsFinite(x) || !this->IsVisible(i))
+      if (!rtg::IsFinite(x) || this->Hidden.Has(i))
       {
         continue;
       }
@@ -81,16 +75,6 @@ private:
       const glm::dvec3 reach = this->Reach(i, tuples);
       box.Add(lower - reach, upper + reach);
     }
-  }
-
-  bool IsVisible(vtkIdType point) const
-  {
-    if (!this->BlockIds || this->Blocks.empty())
-    {
-      return true;
-    }
-    const auto block = this->Blocks.find(this->BlockIds->GetValue(point));
-    return block == this->Blocks.end() || block->second.Visible;
   }
 
   // How far the glyph reaches from its point along each axis; zero where it has no finite size.
@@ -118,9 +102,8 @@ private:
 
   const rtglyphs::GlyphSettings& Settings;
   const rtglyphs::GlyphSizes Sizes;
-  const rtglyphs::GlyphBlockAttributes::Table& Blocks;
+  const rtglyphs::RayTracedRanges& Hidden;
   vtkDataArray* Positions;
-  vtkUnsignedIntArray* BlockIds;
   const rtglyphs::GlyphMotion Motion;
   bool Turned = false;
   rtg::ArrowForm Arrow;
@@ -130,8 +113,8 @@ private:
 }
 
 //----------------------------------------------------------------------------
-const double* rtglyphs::GlyphBounds::Get(vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings,
-  const rtglyphs::GlyphBlockAttributes::Table& blocks)
+const double* rtglyphs::GlyphBounds::Get(
+  vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings, const rtglyphs::RayTracedRanges& hidden)
 {
   // Neither colors nor the mask count: glyphs that a mask leaves out stay in the box, which does not jump then.
   std::vector<rtglyphs::GlyphSettings> all = settings;
@@ -140,13 +123,13 @@ const double* rtglyphs::GlyphBounds::Get(vtkPolyData* points, const std::vector<
     form.Mask = {};
   }
   this->Known.Update(
-    rtglyphs::GlyphArrays::KeyOf(points, std::move(all), blocks), [&] { this->Build(points, settings, blocks); });
+    rtglyphs::GlyphArrays::KeyOf(points, std::move(all), hidden), [&] { this->Build(points, settings, hidden); });
   return this->Bounds;
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::GlyphBounds::Build(vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings,
-  const rtglyphs::GlyphBlockAttributes::Table& blocks)
+void rtglyphs::GlyphBounds::Build(
+  vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings, const rtglyphs::RayTracedRanges& hidden)
 {
   rtg::Stopwatch watch;
   rtglyphs::RayTracedParallel::Box box;
@@ -154,7 +137,7 @@ void rtglyphs::GlyphBounds::Build(vtkPolyData* points, const std::vector<rtglyph
   {
     for (const rtglyphs::GlyphSettings& form : settings)
     {
-      const rtglyphs::RayTracedParallel::Box all = Collector(points, form, blocks).Box(points->GetNumberOfPoints());
+      const rtglyphs::RayTracedParallel::Box all = Collector(points, form, hidden).Box(points->GetNumberOfPoints());
       if (!all.IsEmpty())
       {
         box.Add(all.Lower, all.Upper);

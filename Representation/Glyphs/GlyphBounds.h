@@ -9,7 +9,7 @@
 #ifndef GlyphBounds_h
 #define GlyphBounds_h
 
-#include "GlyphBlockAttributes.h"
+#include "RayTracedRanges.h"
 #include "GlyphTuples.h"
 #include "RayTracedCache.h"
 
@@ -26,10 +26,9 @@ class GlyphBounds
 public:
   /**
    * The box of glyphs of all these settings at the same points, before the actor's transform. Uninitialized when there
-   * are none. Blocks as RayTracedBlocks::GetTable() has them.
+   * are none. Hidden points as RayTracedBlocks has them.
    */
-  const double*
-  Get(vtkPolyData* points, const std::vector<GlyphSettings>& settings, const GlyphBlockAttributes::Table& blocks);
+  const double* Get(vtkPolyData* points, const std::vector<GlyphSettings>& settings, const RayTracedRanges& hidden);
 
   ///@{
   /**
@@ -40,8 +39,7 @@ public:
   ///@}
 
 private:
-  void
-  Build(vtkPolyData* points, const std::vector<GlyphSettings>& settings, const GlyphBlockAttributes::Table& blocks);
+  void Build(vtkPolyData* points, const std::vector<GlyphSettings>& settings, const RayTracedRanges& hidden);
 
   RayTracedCache<GlyphArrays::Key> Known;
   double Bounds[6];

@@ -18,11 +18,12 @@ class GlyphHighScale
 {
 public:
   /**
-   * For GlyphSettings::HighScale; 0 where the settings need none. Blocks as RayTracedBlocks::GetTable() has them.
+   * For GlyphSettings::HighScale; 0 where the settings need none. Hidden points as RayTracedBlocks
+   * has them.
    * All ranks that have data call it at once; they exchange more than one number only where points, settings or visible
    * blocks of one have changed.
    */
-  double Get(vtkPolyData* points, const GlyphSettings& settings, const GlyphBlockAttributes::Table& blocks);
+  double Get(vtkPolyData* points, const GlyphSettings& settings, const RayTracedRanges& hidden);
 
 private:
   RayTracedCache<GlyphArrays::Key> Known;

@@ -128,7 +128,8 @@ private:
     this->Motion.Store(this->Instances.motion, number, point, this->Maker.GetPlacement().Linear, this->Rotation);
     if (!this->Instances.opacities.empty())
     {
-      const double opacity = *tuples[rtglyphs::GlyphArrays::OPACITY].Get(point);
+      rtglyphs::GlyphTuples& opacities = tuples[rtglyphs::GlyphArrays::OPACITY];
+      const double opacity = opacities.Has(point) ? *opacities.Get(point) : 1.0;
       this->Instances.opacities[number] =
         std::isnan(opacity) ? 1.0f : static_cast<float>(std::clamp(opacity, 0.0, 1.0));
     }
@@ -252,7 +253,7 @@ private:
 
 //----------------------------------------------------------------------------
 rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtkPolyData* points,
-  const Settings& settings, const rtglyphs::GlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld,
+  const Settings& settings, const rtglyphs::RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld,
   const rtglyphs::RayTracedParallel::Progress& progress)
 {
   Result result;
@@ -274,11 +275,12 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
     return result;
   }
   instances.mesh = isMesh ? settings.Mesh : nullptr;
-  std::vector<vtkIdType> candidates = rtglyphs::GlyphArrays::Candidates(points, settings, blocks);
+  std::vector<vtkIdType> candidates = rtglyphs::GlyphArrays::Candidates(points, settings, hidden);
   if (candidates.empty())
   {
     return result;
   }
+  rtglyphs::GlyphArrays::ReportLacking(points, settings, hidden, result.Messages);
   const rtglyphs::GlyphSizes sizes(points, settings, candidates);
   const rtglyphs::GlyphMaker maker(points, settings, modelToWorld, sizes, result.Messages);
   if (const std::string& problem = sizes.GetProblem(); !problem.empty())
@@ -288,7 +290,7 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
     {
       result.Unfinished = problem;
     }
-    else
+    else if (!rtglyphs::RayTracedBlocks::IsElsewhere(points, array))
     {
       result.Messages.push_back(problem);
     }

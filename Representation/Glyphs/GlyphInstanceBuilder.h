@@ -12,7 +12,7 @@
 #ifndef GlyphInstanceBuilder_h
 #define GlyphInstanceBuilder_h
 
-#include "GlyphBlockAttributes.h"
+#include "RayTracedRanges.h"
 #include "GlyphSettings.h"
 #include "Glyphs.h"
 #include "RayTracedParallel.h"
@@ -41,9 +41,9 @@ public:
   };
 
   /**
-   * `blocks` as RayTracedBlocks::GetTable() has them; `modelToWorld` may be null.
+   * Hidden points as RayTracedBlocks has them; `modelToWorld` may be null.
    */
-  static Result Build(vtkPolyData* points, const GlyphSettings& settings, const GlyphBlockAttributes::Table& blocks,
+  static Result Build(vtkPolyData* points, const GlyphSettings& settings, const RayTracedRanges& hidden,
     vtkMatrix4x4* modelToWorld, const RayTracedParallel::Progress& progress = {});
 };
 

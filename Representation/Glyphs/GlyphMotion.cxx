@@ -115,7 +115,7 @@ rtglyphs::GlyphMotion::GlyphMotion(vtkPolyData* points, const Settings& settings
       continue;
     }
     std::ostringstream text;
-    if (!this->Found[kind] && rtglyphs::RayTracedBlocks::IsOfRanks(points))
+    if (!this->Found[kind] && rtglyphs::RayTracedBlocks::IsElsewhere(points, NameOf(settings, kind)))
     {
       continue;
     }
@@ -141,6 +141,20 @@ rtglyphs::GlyphMotion::GlyphMotion(vtkPolyData* points, const Settings& settings
 }
 
 //----------------------------------------------------------------------------
+void rtglyphs::GlyphMotion::ReportLacking(vtkPolyData* points, const Settings& settings,
+  const rtglyphs::RayTracedRanges& hidden, std::vector<std::string>& messages)
+{
+  for (int kind = 0; kind < KINDS; ++kind)
+  {
+    if (settings.On && IsNamed(settings, kind))
+    {
+      rtglyphs::RayTracedBlocks::ReportLacking(
+        points, NameOf(settings, kind), hidden, properties[kind], "do not move", messages);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
 std::string rtglyphs::GlyphMotion::Unfinished(const Settings& settings)
 {
   const bool any =
@@ -160,10 +174,7 @@ bool rtglyphs::GlyphMotion::On() const
 glm::dvec3 rtglyphs::GlyphMotion::Tuple(int kind, vtkIdType point) const
 {
   double tuple[3] = { 0.0, 0.0, 0.0 };
-  if (!rtglyphs::RayTracedBlocks::Missing(this->Found[kind])(point)) // a block without the array stands still
-  {
-    this->Found[kind]->GetTuple(point, tuple);
-  }
+  this->Found[kind]->GetTuple(point, tuple);
   return { tuple[0], tuple[1], tuple[2] };
 }
 

@@ -9,6 +9,7 @@
 #define GlyphMotion_h
 
 #include "Motion.h"
+#include "RayTracedRanges.h"
 #include "vtkType.h"
 
 #include <array>
@@ -55,9 +56,16 @@ public:
   static std::array<vtkDataArray*, 3> Arrays(vtkPolyData* points, const Settings& settings);
 
   /**
-   * Takes what makes sense of `points` and `settings`; what does not is said in Messages() and left out.
+   * Takes what makes sense of `points` and `settings`; what does not is said in Messages() and left out. Points of
+   * blocks that lack an array stand still.
    */
   GlyphMotion(vtkPolyData* points, const Settings& settings);
+
+  /**
+   * Says which blocks lack one of the arrays (RayTracedBlocks::ReportLacking).
+   */
+  static void ReportLacking(
+    vtkPolyData* points, const Settings& settings, const RayTracedRanges& hidden, std::vector<std::string>& messages);
 
   const std::vector<std::string>& Messages() const { return this->Messages_; }
 

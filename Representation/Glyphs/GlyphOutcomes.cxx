@@ -9,7 +9,7 @@
 vtkIdType rtglyphs::GlyphOutcomes::Describe(const Counts& counts, const rtglyphs::GlyphSettings& settings,
   std::size_t candidates, std::vector<std::string>& messages)
 {
-  vtkIdType skipped = 0;
+  vtkIdType skipped = counts[MISSING_ARRAY];
   const auto say = [&](vtkIdType count, const std::string& why, const std::string& remedy)
   {
     if (count > 0)
@@ -43,9 +43,6 @@ vtkIdType rtglyphs::GlyphOutcomes::Describe(const Counts& counts, const rtglyphs
     const std::string scale = "their scale, from the point array '" + settings.ScaleArray + "', is ";
     const std::string remedy =
       "Choose another SelectScaleArray, set ScaleMode to No Data Scaling Off, or remove these points with Threshold.";
-    say(counts[MISSING_SCALE],
-      "their blocks have no point array '" + settings.ScaleArray + "', which scales the others",
-      "Leave these blocks out with BlockSelectors, or choose another SelectScaleArray.");
     say(counts[SCALE], scale + "not finite", remedy);
     sayOfZeros(counts[ZERO_SCALE], scale + "zero", remedy);
   }

@@ -24,7 +24,7 @@ namespace rtglyphs::GlyphOutcomes
 enum Outcome : unsigned char
 {
   POSITION,
-  MISSING_SCALE, // in blocks that lack the array
+  MISSING_ARRAY, // in blocks that lack one of those that follow; RayTracedBlocks reports it
   SCALE,
   RADIUS,
   ORIENTATION,

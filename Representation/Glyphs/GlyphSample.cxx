@@ -59,15 +59,15 @@ double rtglyphs::GlyphSample::TwoDigits(double value)
 
 //----------------------------------------------------------------------------
 rtglyphs::GlyphSample::Points::Points(
-  vtkPolyData* points, const rtglyphs::GlyphScaling& scaling, const rtglyphs::GlyphBlockAttributes::Table& blocks)
+  vtkPolyData* points, const rtglyphs::GlyphScaling& scaling, const rtglyphs::RayTracedRanges& hidden)
   : Positions(points->GetPoints() ? points->GetPoints()->GetData() : nullptr)
   , Thinned(false)
   , Count(Positions ? points->GetNumberOfPoints() : 0)
   , CountOfAll(static_cast<double>(Count))
 {
-  if (scaling.Mask.On || !blocks.empty())
+  if (scaling.Mask.On || !hidden.empty())
   {
-    this->Take(rtglyphs::GlyphArrays::Candidates(points, scaling, blocks));
+    this->Take(rtglyphs::GlyphArrays::Candidates(points, scaling, hidden));
     return;
   }
   std::vector<double> count{ this->CountOfAll };

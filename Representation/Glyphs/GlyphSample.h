@@ -5,7 +5,7 @@
 #ifndef GlyphSample_h
 #define GlyphSample_h
 
-#include "GlyphBlockAttributes.h"
+#include "RayTracedRanges.h"
 #include "GlyphSettings.h"
 #include "RayTracedParallel.h"
 #include "RayTracedRanks.h"
@@ -36,7 +36,7 @@ double TwoDigits(double value);
 class Points
 {
 public:
-  Points(vtkPolyData* points, const rtglyphs::GlyphScaling& scaling, const GlyphBlockAttributes::Table& blocks = {});
+  Points(vtkPolyData* points, const rtglyphs::GlyphScaling& scaling, const RayTracedRanges& hidden = {});
 
   /**
    * Leaves those of which isWanted(point) is true; all ranks at once.

@@ -20,7 +20,8 @@ rtglyphs::GlyphMagnitudes::GlyphMagnitudes(
   , ByComponents(scaling.ScaleMode == rtglyphs::GlyphScaling::COMPONENTS && this->ScaleArray &&
       this->ScaleArray->GetNumberOfComponents() > 1) // one is a magnitude
   , RankLacksScales(scaling.Scaling && !rtglyphs::RayTracedArrays::IsNone(scaling.ScaleArray) &&
-      rtglyphs::RayTracedBlocks::IsOfRanks(points) && !points->GetPointData()->HasArray(scaling.ScaleArray.c_str()))
+      rtglyphs::RayTracedBlocks::IsElsewhere(points, scaling.ScaleArray) &&
+      !points->GetPointData()->HasArray(scaling.ScaleArray.c_str()))
 {
   if (scaling.Tensors.On)
   {
@@ -29,6 +30,7 @@ rtglyphs::GlyphMagnitudes::GlyphMagnitudes(
     if (this->Problem.empty())
     {
       this->Tensors = std::make_unique<rtglyphs::GlyphTensors>(array, scaling.Tensors, chosen);
+      this->LackingTensors = rtglyphs::RayTracedBlocks::Lacking(array);
     }
   }
   if (scaling.Forms.On)
@@ -127,7 +129,7 @@ Outcome rtglyphs::GlyphSizes::Make(vtkIdType point, Tuples& tuples, Glyph& glyph
 {
   if (this->Lacks(point, tuples))
   {
-    return MISSING_SCALE;
+    return MISSING_ARRAY;
   }
   glyph.Size = this->Settings.ScaleFactor * this->Settings.UnitSize * this->Scale(point, tuples);
   if (const rtglyphs::GlyphTensors* tensors = this->GetTensors(); tensors && this->Settings.Tensors.Axes)

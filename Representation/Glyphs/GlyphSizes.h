@@ -40,10 +40,12 @@ public:
     GlyphTuples Scales, Forms;
   };
 
-  /// Whether the point is of a block that lacks the scale array, which others have: it has no glyph.
+  /// Whether the point is of a block that lacks an array of scales, tensors or polynomials, which others have: it has
+  /// no glyph.
   bool Lacks(vtkIdType point, Tuples& tuples) const
   {
-    return this->RankLacksScales || (tuples.Scales && !tuples.Scales.Has(point));
+    return this->RankLacksScales || (tuples.Scales && !tuples.Scales.Has(point)) ||
+      (tuples.Forms && !tuples.Forms.Has(point)) || this->LackingTensors.Has(point);
   }
   bool HasScales() const { return this->ScaleArray != nullptr; }
   bool ScalesByComponents() const { return this->ByComponents; }
@@ -79,6 +81,7 @@ private:
   vtkDataArray *ScaleArray, *FormArray;
   const bool ByComponents, RankLacksScales;
   std::unique_ptr<const GlyphTensors> Tensors;
+  RayTracedRanges LackingTensors;
   std::unique_ptr<const GlyphForms> Forms;
   std::string Problem;
 };

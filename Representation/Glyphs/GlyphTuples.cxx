@@ -7,7 +7,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedIntArray.h"
 
 #include <algorithm>
 #include <sstream>
@@ -30,6 +29,7 @@ struct Description
   std::vector<int> (*Lengths)(const Settings&); // of tuples that make sense; none: any
   const char* Property;
   const char* Without; // what happens without the array
+  const char* OfBlock; // what then becomes of a block's points
 };
 
 // In the order of GlyphArrays::Id.
@@ -38,27 +38,28 @@ const std::array<Description, rtglyphs::GlyphArrays::NUMBER_OF_IDS> table = { {
     [](const Settings& settings) {
       return settings.ScaleMode == Settings::COMPONENTS ? std::vector<int>{ 1, 2, 3 } : std::vector<int>{};
     },
-    "SelectScaleArray", "all glyphs get the same size" },
+    "SelectScaleArray", "all glyphs get the same size", "have no glyph" },
   { &Settings::OrientationArray, [](const Settings& settings) { return settings.Orient; },
     [](const Settings& settings)
     {
       const std::vector<int> all = { 2, 3, 4, 9 }; // longer tuples say by themselves what they are
       return std::vector<int>(all.begin() + ModeFrom(settings.OrientationMode), all.end());
     },
-    "SelectOrientationVectors", "the glyphs are not turned" },
+    "SelectOrientationVectors", "the glyphs are not turned", "have glyphs that are not turned" },
   { &Settings::TableIndexArray, [](const Settings& settings) { return settings.HasTable(); },
     [](const Settings&) { return std::vector<int>{}; }, "GlyphTableIndexArray",
-    "all points have the table's first form" },
+    "all points have the table's first form", "have the table's first form" },
   { &Settings::ExponentArray, [](const Settings& settings) { return settings.HasOwnExponents(); },
     [](const Settings&) {
       return std::vector<int>{ 1, 2, 3 };
     },
-    "GlyphExponentArray", "GlyphExponents count" },
+    "GlyphExponentArray", "GlyphExponents count", "have GlyphExponents" },
   { &Settings::OpacityArray, [](const Settings&) { return true; },
-    [](const Settings&) { return std::vector<int>{ 1 }; }, "GlyphOpacityArray", "all glyphs have the same opacity" },
+    [](const Settings&) { return std::vector<int>{ 1 }; }, "GlyphOpacityArray", "all glyphs have the same opacity",
+    "have glyphs without an opacity of their own" },
   { &Settings::RadiusArray, [](const Settings& settings) { return !settings.Tensors.On; },
-    [](const Settings&) { return std::vector<int>{ 1 }; }, "GlyphRadiusArray",
-    "glyphs are as wide as their scale says" },
+    [](const Settings&) { return std::vector<int>{ 1 }; }, "GlyphRadiusArray", "glyphs are as wide as their scale says",
+    "have glyphs as wide as their scale says" },
 } };
 }
 
@@ -76,7 +77,7 @@ vtkDataArray* rtglyphs::GlyphArrays::Find(
   const std::vector<int> lengths = how.Lengths(settings);
   const bool fits = array &&
     (lengths.empty() || std::find(lengths.begin(), lengths.end(), array->GetNumberOfComponents()) != lengths.end());
-  if (!array && messages && !rtglyphs::RayTracedBlocks::IsOfRanks(points))
+  if (!array && messages && !rtglyphs::RayTracedBlocks::IsElsewhere(points, name))
   {
     messages->push_back("There is no point array '" + name + "', which " + how.Property + " names; " + how.Without +
       ". Choose one that exists, or None.");
@@ -94,6 +95,33 @@ vtkDataArray* rtglyphs::GlyphArrays::Find(
     messages->push_back(text.str());
   }
   return fits ? array : nullptr;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphArrays::ReportLacking(vtkPolyData* points, const rtglyphs::GlyphSettings& settings,
+  const rtglyphs::RayTracedRanges& hidden, std::vector<std::string>& messages)
+{
+  const auto report = [&](const std::string& name, const char* property, const char* consequence)
+  { rtglyphs::RayTracedBlocks::ReportLacking(points, name, hidden, property, consequence, messages); };
+  // Arrays without which there is no glyph come first: of an array that has several uses one message speaks.
+  const char* none = table[SCALE].OfBlock;
+  if (settings.Tensors.On)
+  {
+    report(settings.Tensors.Array, "GlyphTensorArray", none);
+  }
+  if (settings.Forms.On)
+  {
+    report(settings.Forms.Array,
+      settings.Forms.Kind == rtglyphs::GlyphForms::HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray", none);
+  }
+  for (const Description& how : table)
+  {
+    if (how.IsWanted(settings))
+    {
+      report(settings.*how.Name, how.Property, how.OfBlock);
+    }
+  }
+  rtglyphs::GlyphMotion::ReportLacking(points, settings.Motion, hidden, messages);
 }
 
 //----------------------------------------------------------------------------
@@ -123,10 +151,10 @@ std::vector<vtkDataArray*> rtglyphs::GlyphArrays::All(vtkPolyData* points, const
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::GlyphArrays::Key rtglyphs::GlyphArrays::KeyOf(vtkPolyData* points,
-  std::vector<rtglyphs::GlyphSettings> settings, const rtglyphs::GlyphBlockAttributes::Table& blocks)
+rtglyphs::GlyphArrays::Key rtglyphs::GlyphArrays::KeyOf(
+  vtkPolyData* points, std::vector<rtglyphs::GlyphSettings> settings, const rtglyphs::RayTracedRanges& hidden)
 {
-  Key key{ std::move(settings), {}, rtglyphs::GlyphBlockAttributes::Hidden(blocks) };
+  Key key{ std::move(settings), {}, hidden };
   for (rtglyphs::GlyphSettings& each : key.Settings)
   {
     each = each.Effective();
@@ -140,18 +168,9 @@ rtglyphs::GlyphArrays::Key rtglyphs::GlyphArrays::KeyOf(vtkPolyData* points,
 
 //----------------------------------------------------------------------------
 std::vector<vtkIdType> rtglyphs::GlyphArrays::Candidates(
-  vtkPolyData* points, const rtglyphs::GlyphScaling& settings, const rtglyphs::GlyphBlockAttributes::Table& blocks)
+  vtkPolyData* points, const rtglyphs::GlyphScaling& settings, const rtglyphs::RayTracedRanges& hidden)
 {
-  auto* blockIds =
-    vtkUnsignedIntArray::SafeDownCast(points->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CompositeIndex));
-  const auto isVisible = [&](vtkIdType i)
-  {
-    if (!blockIds || blocks.empty())
-    {
-      return true;
-    }
-    const auto block = blocks.find(blockIds->GetValue(i));
-    return block == blocks.end() || block->second.Visible;
-  };
-  return settings.Mask.Choose(points, rtglyphs::RayTracedParallel::Select(points->GetNumberOfPoints(), isVisible));
+  return settings.Mask.Choose(points,
+    rtglyphs::RayTracedParallel::Select(
+      points->GetNumberOfPoints(), [&hidden](vtkIdType i) { return !hidden.Has(i); }));
 }

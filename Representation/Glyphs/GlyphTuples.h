@@ -4,7 +4,7 @@
 #ifndef GlyphTuples_h
 #define GlyphTuples_h
 
-#include "GlyphBlockAttributes.h"
+#include "RayTracedRanges.h"
 #include "GlyphSettings.h"
 #include "RayTracedBlocks.h"
 #include "vtkAOSDataArrayTemplate.h"
@@ -33,13 +33,13 @@ public:
     : Array(array)
     , Float(vtkAOSDataArrayTemplate<float>::FastDownCast(array))
     , Double(vtkAOSDataArrayTemplate<double>::FastDownCast(array))
-    , Missing(array)
+    , Lacking(RayTracedBlocks::Lacking(array))
     , Components(array ? array->GetNumberOfComponents() : 0)
   {
   }
   explicit operator bool() const { return this->Array != nullptr; }
   /// Without the array, and in blocks that lack it, a point has no tuple.
-  bool Has(vtkIdType i) const { return this->Array && !this->Missing(i); }
+  bool Has(vtkIdType i) const { return this->Array && !this->Lacking.Has(i); }
   int Size() const { return this->Components; }
 
   const double* Get(vtkIdType i)
@@ -65,7 +65,7 @@ private:
   vtkDataArray* Array;
   vtkAOSDataArrayTemplate<float>* Float;
   vtkAOSDataArrayTemplate<double>* Double;
-  RayTracedBlocks::Missing Missing;
+  const RayTracedRanges& Lacking;
   int Components;
   std::vector<double> Buffer;
 };
@@ -95,6 +95,12 @@ vtkDataArray*
 Find(Id id, vtkPolyData* points, const GlyphSettings& settings, std::vector<std::string>* messages = nullptr);
 
 /**
+ * Says which blocks lack one of all the arrays that settings name (RayTracedBlocks::ReportLacking).
+ */
+void ReportLacking(vtkPolyData* points, const GlyphSettings& settings, const RayTracedRanges& hidden,
+  std::vector<std::string>& messages);
+
+/**
  * What the array that was found says of itself, whatever the settings' mode: four components are a quaternion, nine a
  * matrix.
  */
@@ -114,17 +120,15 @@ struct Key
 {
   std::vector<GlyphSettings> Settings;
   std::vector<vtkMTimeType> Times;
-  std::vector<unsigned int> HiddenBlocks;
+  RayTracedRanges Hidden;
   bool operator==(const Key&) const = default;
 };
-Key KeyOf(vtkPolyData* points, std::vector<GlyphSettings> settings, const GlyphBlockAttributes::Table& blocks);
+Key KeyOf(vtkPolyData* points, std::vector<GlyphSettings> settings, const RayTracedRanges& hidden);
 
 /**
- * The points of visible blocks, thinned out as the mask says, in their own order. Blocks as
- * RayTracedBlocks::GetTable() has them.
+ * The points that are not hidden, thinned out as the mask says, in their own order.
  */
-std::vector<vtkIdType>
-Candidates(vtkPolyData* points, const GlyphScaling& settings, const GlyphBlockAttributes::Table& blocks);
+std::vector<vtkIdType> Candidates(vtkPolyData* points, const GlyphScaling& settings, const RayTracedRanges& hidden);
 }
 
 } // namespace rtglyphs

@@ -109,17 +109,6 @@ vtkGlyphLegend::vtkGlyphLegend()
 }
 
 //----------------------------------------------------------------------------
-vtkGlyphLegend::~vtkGlyphLegend() = default;
-
-//----------------------------------------------------------------------------
-void vtkGlyphLegend::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "On: " << this->Look.On << endl;
-  os << indent << "Value: " << this->Look.Value << endl;
-}
-
-//----------------------------------------------------------------------------
 void vtkGlyphLegend::SetGlyphs(const rtglyphs::GlyphSettings& settings, double scale, const std::string& name,
   const std::array<double, 2>& mesh, double largest)
 {

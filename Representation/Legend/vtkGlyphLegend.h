@@ -31,7 +31,6 @@ class vtkGlyphLegend : public vtkProp
 public:
   static vtkGlyphLegend* New();
   vtkTypeMacro(vtkGlyphLegend, vtkProp);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Corners
   {
@@ -78,12 +77,9 @@ public:
 
 protected:
   vtkGlyphLegend();
-  ~vtkGlyphLegend() override;
+  ~vtkGlyphLegend() override = default;
 
 private:
-  vtkGlyphLegend(const vtkGlyphLegend&) = delete;
-  void operator=(const vtkGlyphLegend&) = delete;
-
   /**
    * World size of the unit glyph scaled by that number, before the representation's own scale; negative: a limit has
    * changed it.
@@ -109,4 +105,3 @@ private:
 };
 
 #endif
-// VTK-HeaderTest-Exclude: vtkGlyphLegend.h

@@ -103,19 +103,6 @@ void ColorOfShare(double share, double rgb[3])
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedGlyphMapper::vtkRayTracedGlyphMapper() = default;
-
-//----------------------------------------------------------------------------
-vtkRayTracedGlyphMapper::~vtkRayTracedGlyphMapper() = default;
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Shape: " << static_cast<int>(this->Settings.Shape) << endl;
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedGlyphMapper::SetSettings(const rtglyphs::GlyphSettings& settings, vtkPolyData* mesh)
 {
   std::shared_ptr<const rtg::TriangleMesh> triangles = this->Settings.Mesh;
@@ -162,14 +149,14 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
   this->BuiltSettings = this->Settings.Effective();
   rtglyphs::GlyphInstanceBuilder::Result result = points->GetNumberOfPoints() > 0
     ? rtglyphs::GlyphInstanceBuilder::Build(
-        points, this->BuiltSettings, this->BlockTable, actor->GetMatrix(), this->BuildProgress)
+        points, this->BuiltSettings, this->Hidden, actor->GetMatrix(), this->BuildProgress)
     : rtglyphs::GlyphInstanceBuilder::Result();
   this->Instances = std::move(result.Instances);
   this->InstancesTaken = false;
   this->TranslucentInstances = rtg::IsTranslucent(this->Instances);
-  this->Sources = std::move(result.Points);
+  this->OriginalIds = std::move(result.Points);
   this->Radii = std::move(result.Radii);
-  ++this->SourcesVersion;
+  ++this->OriginalIdsVersion;
   this->Skipped = result.Skipped;
   const Hash digest = DigestOf(this->Instances);
   if (this->InstanceVersion == 0 || this->Digest != digest)
@@ -310,14 +297,14 @@ vtkSmartPointer<vtkUnsignedCharArray> vtkRayTracedGlyphMapper::TableColors(vtkDo
 vtkSmartPointer<vtkDoubleArray> vtkRayTracedGlyphMapper::NumbersOf(const rtglyphs::GlyphTensors& tensors)
 {
   auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
-  numbers->SetNumberOfTuples(this->Sources.size());
+  numbers->SetNumberOfTuples(this->OriginalIds.size());
   numbers->Fill(vtkMath::Nan());
   rtglyphs::RayTracedParallel::ForChunks(numbers->GetNumberOfTuples(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType glyph = begin; glyph < end; ++glyph)
       {
-        tensors.Number(this->Sources[glyph], *numbers->GetPointer(glyph));
+        tensors.Number(this->OriginalIds[glyph], *numbers->GetPointer(glyph));
       }
     });
   return numbers;
@@ -332,10 +319,11 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   const rtglyphs::GlyphTensors::Settings& shown = this->Settings.Tensors;
   const bool byRadius = this->Settings.Forms.ColorsByRadius();
   const bool bySurface = byRadius || this->Settings.SurfaceColors() != rtg::GlyphInstances::SurfaceColours::None;
-  if (shown.On && !shown.Axes && !bySurface && shown.Coloring != rtglyphs::GlyphTensors::NONE && !this->Sources.empty())
+  if (shown.On && !shown.Axes && !bySurface && shown.Coloring != rtglyphs::GlyphTensors::NONE &&
+    !this->OriginalIds.empty())
   {
     tensors = std::make_unique<rtglyphs::GlyphTensors>(
-      rtglyphs::GlyphTensors::Array(points, shown), shown, this->Sources.ToVector());
+      rtglyphs::GlyphTensors::Array(points, shown), shown, this->OriginalIds.ToVector());
     if (this->TensorTable)
     {
       this->TensorTable->Build();
@@ -359,13 +347,13 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   }
   if (mapped.Any || tensors || this->HasOwnLooks() || selected)
   {
-    colors.each.resize(this->Sources.size());
+    colors.each.resize(this->OriginalIds.size());
     rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.each.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType glyph = begin; glyph < end; ++glyph)
         {
-          const vtkIdType point = this->Sources[glyph];
+          const vtkIdType point = this->OriginalIds[glyph];
           std::array<double, 4> rgba = this->ColorOf(mapped, point, point);
           const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
           if (shown.Axes || (tensors && !block.Color))
@@ -389,13 +377,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
         }
       });
   }
-  this->Translucent = rtg::AnyTranslucent(colors);
-  if (this->ColorVersion == 0 || !(this->Colors == colors))
-  {
-    this->Colors = std::move(colors);
-    this->ColorVersion = NewVersion();
-  }
-  this->Report(messages, this->ReportedColors);
+  this->SetColors(std::move(colors), messages);
 }
 
 //----------------------------------------------------------------------------
@@ -407,20 +389,14 @@ vtkRayTracedMapper::Origin vtkRayTracedGlyphMapper::OriginOf(vtkIdType glyph, in
   {
     return Origin();
   }
-  const vtkIdType point = this->Sources[glyph];
+  const vtkIdType point = this->OriginalIds[glyph];
   Origin origin = this->Superclass::OriginOf(point, -1, false);
   if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
   {
     const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
     vtkDataArray* cells = block.Data->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CellIds);
     origin.Id = cells ? static_cast<vtkIdType>(cells->GetComponent(point - block.FirstPoint, 0))
-                      : rtglyphs::RayTracedArrays::Marked(origin.Id);
+                      : rtglyphs::RayTracedArrays::EncodeCellId(origin.Id);
   }
   return origin;
-}
-
-//----------------------------------------------------------------------------
-int vtkRayTracedGlyphMapper::GetNaturalAssociation() const
-{
-  return vtkDataObject::FIELD_ASSOCIATION_POINTS;
 }

@@ -21,7 +21,6 @@ class vtkRayTracedGlyphMapper : public vtkRayTracedMapper
 public:
   static vtkRayTracedGlyphMapper* New();
   vtkTypeMacro(vtkRayTracedGlyphMapper, vtkRayTracedMapper);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * How arrays become glyphs, but for Mesh, which is made of the triangles of a RayTracedSurfaceGatherer; null:
@@ -44,11 +43,11 @@ public:
   const rtg::GlyphInstances* GetInstances() const override { return this->InstancesTaken ? nullptr : &this->Instances; }
   void AddToMaterial(rtg::Material& material) const override;
   Origin OriginOf(vtkIdType glyph, int association, const double position[3]) override;
-  int GetNaturalAssociation() const override;
+  int GetNaturalAssociation() const override { return vtkDataObject::FIELD_ASSOCIATION_POINTS; }
 
 protected:
-  vtkRayTracedGlyphMapper();
-  ~vtkRayTracedGlyphMapper() override;
+  vtkRayTracedGlyphMapper() = default;
+  ~vtkRayTracedGlyphMapper() override = default;
 
   bool HaveSettingsChanged() const override { return !(this->Settings.Effective() == this->BuiltSettings); }
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* points) const override;
@@ -57,9 +56,6 @@ protected:
   std::vector<vtkMTimeType> ColorState() const override;
 
 private:
-  vtkRayTracedGlyphMapper(const vtkRayTracedGlyphMapper&) = delete;
-  void operator=(const vtkRayTracedGlyphMapper&) = delete;
-
   void TensorColor(const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const;
   vtkSmartPointer<vtkDoubleArray> NumbersOf(const rtglyphs::GlyphTensors& tensors);
   vtkSmartPointer<vtkUnsignedCharArray> TableColors(vtkDoubleArray* numbers);

@@ -22,6 +22,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <regex>
 #include <sstream>
 
 namespace
@@ -60,17 +62,6 @@ vtkRayTracedMapper::vtkRayTracedMapper()
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedMapper::~vtkRayTracedMapper() = default;
-
-//----------------------------------------------------------------------------
-void vtkRayTracedMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Number of glyphs: " << this->GetNumberOfGlyphs() << endl;
-  os << indent << "Skipped glyphs: " << this->Skipped << endl;
-}
-
-//----------------------------------------------------------------------------
 int vtkRayTracedMapper::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -86,20 +77,8 @@ void vtkRayTracedMapper::SetBlocks(const rtglyphs::RayTracedBlocks& blocks)
     this->BlocksVersion = blocks.GetVersion();
     this->Points = blocks.GetPoints();
     this->Blocks = blocks.GetBlocks();
-    this->BlockTable = blocks.GetTable();
+    this->Hidden = blocks.GetHidden();
   }
-}
-
-//----------------------------------------------------------------------------
-vtkPolyData* vtkRayTracedMapper::GetPoints() const
-{
-  return this->Points;
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedMapper::SetKnownBounds(const double bounds[6])
-{
-  std::copy_n(bounds, 6, this->Bounds);
 }
 
 //----------------------------------------------------------------------------
@@ -176,7 +155,7 @@ vtkRayTracedMapper::MapColors(bool interpolateValues, const char* what, std::vec
   for (std::size_t i = 0; i < this->Blocks.size(); ++i)
   {
     const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[i];
-    if (this->Sources.empty() || !block.Visible || !block.Scalars.On || block.Data->GetNumberOfPoints() == 0)
+    if (this->OriginalIds.empty() || !block.Visible || !block.Scalars.On || block.Data->GetNumberOfPoints() == 0)
     {
       continue;
     }
@@ -187,7 +166,8 @@ vtkRayTracedMapper::MapColors(bool interpolateValues, const char* what, std::vec
   {
     return this->MapColors(false, what, messages);
   }
-  if (missing && !mapped.Any && mapped.Values.empty() && !rtglyphs::RayTracedBlocks::IsOfRanks(missing->Data))
+  if (missing && !mapped.Any && mapped.Values.empty() &&
+    !rtglyphs::RayTracedBlocks::IsElsewhere(missing->Data, missing->Scalars.Array))
   {
     messages.push_back("There is no array '" + missing->Scalars.Array + "' that has a value for each " + what +
       ", so all have one color. Choose another one as ColorArrayName.");
@@ -331,23 +311,34 @@ void vtkRayTracedMapper::ReportInstances(std::vector<std::string> messages, cons
 }
 
 //----------------------------------------------------------------------------
-// Counts of points at the beginning of a message change with each time step, and are not reported anew.
+std::string vtkRayTracedMapper::WithoutCounts(const std::string& message)
+{
+  static const std::regex counts("\\d+ (of \\d+ )?(?=points|cells|triangles|pieces)");
+  return std::regex_replace(message, counts, std::string());
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedMapper::Report(const std::vector<std::string>& messages, std::vector<std::string>& reported)
 {
-  for (const std::string& message : messages)
-  {
-    const auto same = [&message](const std::string& other)
+  std::copy_if(messages.begin(), messages.end(), std::back_inserter(this->NewMessages),
+    [&reported](const std::string& message)
     {
-      const auto begin = [](const std::string& text)
-      { return std::min(text.find_first_not_of("0123456789 of"), text.size()); };
-      return message.compare(begin(message), std::string::npos, other, begin(other)) == 0;
-    };
-    if (std::none_of(reported.begin(), reported.end(), same))
-    {
-      vtkWarningMacro(<< message);
-    }
-  }
+      return std::none_of(reported.begin(), reported.end(),
+        [&message](const std::string& other) { return WithoutCounts(message) == WithoutCounts(other); });
+    });
   reported = messages;
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedMapper::SetColors(rtg::GlyphColours colors, const std::vector<std::string>& messages)
+{
+  this->Translucent = rtg::AnyTranslucent(colors);
+  if (this->ColorVersion == 0 || !(this->Colors == colors))
+  {
+    this->Colors = std::move(colors);
+    this->ColorVersion = NewVersion();
+  }
+  this->Report(messages, this->ReportedColors);
 }
 
 //----------------------------------------------------------------------------
@@ -375,7 +366,7 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   vtkPolyData* points = this->GetPoints();
   if (!points)
   {
-    this->Sources = rtglyphs::RayTracedSources();
+    this->OriginalIds = rtglyphs::RayTracedOriginalIds();
     this->Skipped = 0;
     this->Built.Forget();
     return;
@@ -386,7 +377,7 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
   {
     key.Times.push_back(TimeOf(input));
   }
-  key.HiddenBlocks = rtglyphs::GlyphBlockAttributes::Hidden(this->BlockTable);
+  key.Hidden = this->Hidden;
   std::copy_n(&actor->GetMatrix()->Element[0][0], 16, key.Matrix.begin());
   if (this->HaveSettingsChanged())
   {
@@ -403,7 +394,7 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
     });
 
   ColorKey color;
-  color.Sources = this->SourcesVersion;
+  color.OriginalIds = this->OriginalIdsVersion;
   color.State = this->ColorState();
   for (const rtglyphs::RayTracedBlocks::Block& block : this->Blocks)
   {

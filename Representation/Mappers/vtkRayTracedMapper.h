@@ -13,10 +13,12 @@
 #include "RayTracedBlocks.h"
 #include "RayTracedCache.h"
 #include "RayTracedParallel.h"
-#include "RayTracedSources.h"
+#include "RayTracedOriginalIds.h"
+#include "vtkDataObject.h"
 #include "vtkMapper.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -33,7 +35,6 @@ class vtkRayTracedMapper : public vtkMapper
 {
 public:
   vtkTypeMacro(vtkRayTracedMapper, vtkMapper);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
@@ -41,14 +42,14 @@ public:
    * the inputs of a mapper are what VTK's exporters write, and the points are not what is shown.
    */
   void SetBlocks(const rtglyphs::RayTracedBlocks& blocks);
-  vtkPolyData* GetPoints() const;
+  vtkPolyData* GetPoints() const { return this->Points; }
   ///@}
 
   /**
    * What the mapper answers when it is asked for bounds, before the actor's transform; it computes none itself.
    * Compositing between ranks and selecting leave out what lies outside.
    */
-  void SetKnownBounds(const double bounds[6]);
+  void SetKnownBounds(const double bounds[6]) { std::copy_n(bounds, 6, this->Bounds); }
 
   /**
    * Of what RayTracedArrays::Selected has a 1 for: glyphs of such points, lines that are such cells, and pieces of
@@ -70,7 +71,7 @@ public:
   /**
    * For the scene. Update() brings instances and colors up to date, whose versions then differ from all earlier ones of
    * any mapper; it may throw std::bad_alloc and is then to be called again. TakeInstances() hands the instances over,
-   * and builds them again for a second taker; GetInstances() is null when somebody has taken them.
+   * and builds them again for a second taker; GetInstances() is null when they have been taken.
    */
   void Update(vtkActor* actor);
   std::uint64_t GetInstanceVersion() const { return this->InstanceVersion; }
@@ -88,7 +89,7 @@ public:
    * Counters: glyphs or triangles shown, those left out because something of them is not finite, how often instances
    * and colors were built, and the seconds of that.
    */
-  vtkIdType GetNumberOfGlyphs() const { return this->Sources.size(); }
+  vtkIdType GetNumberOfGlyphs() const { return this->OriginalIds.size(); }
   vtkIdType GetSkippedGlyphs() const { return this->Skipped; }
   std::uint64_t GetInstanceBuilds() const { return this->InstanceBuilds; }
   std::uint64_t GetColorBuilds() const { return this->ColorBuilds; }
@@ -103,6 +104,15 @@ public:
    */
   const std::string& GetUnfinished() const { return this->Unfinished; }
   void SetInWindow(bool inWindow) { this->InWindow = inWindow; }
+  ///@}
+
+  ///@{
+  /**
+   * Warnings that came up since the last call, for the scene to report. The counts of a message change with each time
+   * step and differ between ranks; without them it tells the same.
+   */
+  std::vector<std::string> TakeMessages() { return std::exchange(this->NewMessages, {}); }
+  static std::string WithoutCounts(const std::string& message);
   ///@}
 
   /**
@@ -133,14 +143,14 @@ public:
 
 protected:
   vtkRayTracedMapper();
-  ~vtkRayTracedMapper() override;
+  ~vtkRayTracedMapper() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
   ///@{
   /**
    * For subclasses. Instances are built when their settings or arrays have changed; colors when the points chosen,
-   * their arrays, the lookup table or anything of ColorState() has. SetInstances() and SetColors() say what was made.
+   * their arrays, the lookup table or anything of ColorState() has.
    */
   virtual bool HaveSettingsChanged() const = 0;
   virtual std::vector<vtkObject*> InstanceInputs(vtkPolyData* points) const = 0;
@@ -216,39 +226,42 @@ protected:
   void ReportInstances(std::vector<std::string> messages, const std::string& unfinished);
   void Report(const std::vector<std::string>& messages, std::vector<std::string>& reported);
 
+  /**
+   * Colors that were built, which have a new version where they differ from the last ones, and what is to be reported
+   * of them.
+   */
+  void SetColors(rtg::GlyphColours colors, const std::vector<std::string>& messages);
+
   std::vector<rtglyphs::RayTracedBlocks::Block> Blocks;
-  rtglyphs::GlyphBlockAttributes::Table BlockTable;
+  rtglyphs::RayTracedRanges Hidden; // points
   std::uint64_t BlocksVersion = 0;
-  rtglyphs::RayTracedSources Sources; // point of each glyph, cell of each triangle
+  rtglyphs::RayTracedOriginalIds OriginalIds; // point of each glyph, cell of each triangle
   vtkIdType Skipped = 0;
   std::string Unfinished;
   bool InWindow = false;
   rtg::GlyphColours Colors;
   bool Translucent = false, TranslucentInstances = false; // by colors, by instances
   std::array<double, 3> SolidColor{ { 1.0, 1.0, 1.0 } }; // diffuse color of glyphs without a color, where some have one
-  std::uint64_t InstanceVersion = 0, ColorVersion = 0, SourcesVersion = 0, InstanceBuilds = 0;
+  std::uint64_t InstanceVersion = 0, ColorVersion = 0, OriginalIdsVersion = 0, InstanceBuilds = 0;
   std::uint64_t ColorBuilds = 0;
   double InstanceSeconds = 0.0, ColorSeconds = 0.0;
   rtglyphs::RayTracedParallel::Progress BuildProgress;
-  std::vector<std::string> ReportedInstances, ReportedColors, ReportedSizes;
+  std::vector<std::string> ReportedInstances, ReportedColors, ReportedSizes, NewMessages;
 
 private:
-  vtkRayTracedMapper(const vtkRayTracedMapper&) = delete;
-  void operator=(const vtkRayTracedMapper&) = delete;
-
   // What instances depend on besides the settings. Arrays are known by their time stamps, of which no two are alike:
   // data that come again in a new vtkPolyData are seen to be the same.
   struct InstanceKey
   {
     std::vector<vtkMTimeType> Times;
-    std::vector<unsigned int> HiddenBlocks;
+    rtglyphs::RayTracedRanges Hidden;
     std::array<double, 16> Matrix{};
     bool operator==(const InstanceKey&) const = default;
   };
   struct ColorKey
   {
     std::vector<vtkMTimeType> Times, State;
-    std::uint64_t Sources = 0;
+    std::uint64_t OriginalIds = 0;
     std::vector<rtglyphs::RayTracedBlocks::Attributes> Blocks;
     std::array<double, 3> SolidColor{};
     vtkMTimeType Selected = 0;

@@ -1,7 +1,6 @@
 #include "vtkRayTracedSurfaceMapper.h"
 
 #include "GlyphMotion.h"
-#include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
 #include "RayTracedTriangleBuilder.h"
 #include "vtkActor.h"
@@ -21,32 +20,11 @@
 vtkStandardNewMacro(vtkRayTracedSurfaceMapper);
 
 //----------------------------------------------------------------------------
-vtkRayTracedSurfaceMapper::vtkRayTracedSurfaceMapper() = default;
-
-//----------------------------------------------------------------------------
-vtkRayTracedSurfaceMapper::~vtkRayTracedSurfaceMapper() = default;
-
-//----------------------------------------------------------------------------
-void vtkRayTracedSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Smooth: " << this->Settings.Smooth << endl;
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedSurfaceMapper::SetSettings(const SurfaceSettings& settings)
-{
-  this->Settings = settings;
-}
-
-//----------------------------------------------------------------------------
 std::vector<vtkObject*> vtkRayTracedSurfaceMapper::InstanceInputs(vtkPolyData* surface) const
 {
   const std::array<vtkDataArray*, 3> motion = rtglyphs::GlyphMotion::Arrays(surface, this->Settings.Motion);
-  vtkPointData* data = surface->GetPointData();
   return { surface->GetPoints() ? surface->GetPoints()->GetData() : nullptr, surface->GetPolys(),
-    this->Settings.Smooth ? data->GetNormals() : nullptr, data->GetArray(rtglyphs::RayTracedArrays::CompositeIndex),
-    motion[0], motion[1] };
+    this->Settings.Smooth ? surface->GetPointData()->GetNormals() : nullptr, motion[0], motion[1] };
 }
 
 //----------------------------------------------------------------------------
@@ -56,13 +34,13 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   settings.AngularVelocity.clear(); // points do not turn
   const rtglyphs::GlyphMotion motion(surface, settings);
   rtglyphs::RayTracedTriangleBuilder::Result result = rtglyphs::RayTracedTriangleBuilder::BuildRelative(
-    surface, this->BlockTable, actor->GetMatrix(), this->Settings.Smooth, motion);
+    surface, this->Hidden, actor->GetMatrix(), this->Settings.Smooth, motion);
   this->BuiltSettings = this->Settings;
   rtg::GlyphMotion shutter;
   motion.Finish(shutter);
-  this->Sources = std::move(result.Cells);
+  this->OriginalIds = std::move(result.Cells);
   this->Skipped = result.Skipped;
-  ++this->SourcesVersion;
+  ++this->OriginalIdsVersion;
   const bool same = this->Instances.mesh && this->InstanceVersion > 0 && result.Origin == this->Instances.origin &&
     rtg::SameShape(result.Mesh, *this->Instances.mesh) && shutter.shutterOpen == this->Instances.motion.shutterOpen &&
     shutter.shutterClose == this->Instances.motion.shutterClose;
@@ -79,6 +57,7 @@ void vtkRayTracedSurfaceMapper::BuildInstances(vtkPolyData* surface, vtkActor* a
   }
 
   std::vector<std::string> messages = motion.Messages();
+  rtglyphs::GlyphMotion::ReportLacking(surface, settings, this->Hidden, messages);
   if (result.Skipped > 0)
   {
     messages.push_back(std::to_string(result.Skipped) + " of " +
@@ -118,7 +97,7 @@ void vtkRayTracedSurfaceMapper::BuildColors(vtkPolyData*)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          colored->triangleColours[i] = Pack(this->ColorOf(mapped, mesh.triangles[i].x, this->Sources[i]));
+          colored->triangleColours[i] = Pack(this->ColorOf(mapped, mesh.triangles[i].x, this->OriginalIds[i]));
         }
       });
   }
@@ -179,11 +158,5 @@ vtkRayTracedSurfaceMapper::OriginOf(vtkIdType triangle, int association, const d
     }
   }
   return this->Superclass::OriginOf(
-    nearest, this->Sources[triangle], association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
-}
-
-//----------------------------------------------------------------------------
-int vtkRayTracedSurfaceMapper::GetNaturalAssociation() const
-{
-  return vtkDataObject::FIELD_ASSOCIATION_CELLS;
+    nearest, this->OriginalIds[triangle], association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
 }

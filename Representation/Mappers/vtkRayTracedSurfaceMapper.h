@@ -23,24 +23,23 @@ class vtkRayTracedSurfaceMapper : public vtkRayTracedMapper
 public:
   static vtkRayTracedSurfaceMapper* New();
   vtkTypeMacro(vtkRayTracedSurfaceMapper, vtkRayTracedMapper);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   struct SurfaceSettings
   {
     bool Smooth = true; // the points' normals, where they have some, are interpolated over the triangles
     rtglyphs::GlyphMotion::Settings Motion;
   };
-  void SetSettings(const SurfaceSettings& settings);
+  void SetSettings(const SurfaceSettings& settings) { this->Settings = settings; }
 
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
   const rtg::GlyphInstances* GetInstances() const override { return &this->Instances; }
   Origin OriginOf(vtkIdType triangle, int association, const double position[3]) override;
-  int GetNaturalAssociation() const override;
+  int GetNaturalAssociation() const override { return vtkDataObject::FIELD_ASSOCIATION_CELLS; }
 
 protected:
-  vtkRayTracedSurfaceMapper();
-  ~vtkRayTracedSurfaceMapper() override;
+  vtkRayTracedSurfaceMapper() = default;
+  ~vtkRayTracedSurfaceMapper() override = default;
 
   bool HaveSettingsChanged() const override
   {
@@ -52,9 +51,6 @@ protected:
   void BuildColors(vtkPolyData* surface) override;
 
 private:
-  vtkRayTracedSurfaceMapper(const vtkRayTracedSurfaceMapper&) = delete;
-  void operator=(const vtkRayTracedSurfaceMapper&) = delete;
-
   SurfaceSettings Settings, BuiltSettings;
   rtg::GlyphInstances Instances;
   bool ShapeChanged = false; // since the last BuildColors()

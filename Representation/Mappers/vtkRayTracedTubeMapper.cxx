@@ -1,6 +1,5 @@
 #include "vtkRayTracedTubeMapper.h"
 
-#include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -21,47 +20,27 @@
 vtkStandardNewMacro(vtkRayTracedTubeMapper);
 
 //----------------------------------------------------------------------------
-vtkRayTracedTubeMapper::vtkRayTracedTubeMapper() = default;
-
-//----------------------------------------------------------------------------
-vtkRayTracedTubeMapper::~vtkRayTracedTubeMapper() = default;
-
-//----------------------------------------------------------------------------
-void vtkRayTracedTubeMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Radius: " << this->Settings.Radius << endl;
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedTubeMapper::SetSettings(const rtglyphs::RayTracedTubeBuilder::Settings& settings)
-{
-  this->Settings = settings;
-}
-
-//----------------------------------------------------------------------------
 std::vector<vtkObject*> vtkRayTracedTubeMapper::InstanceInputs(vtkPolyData* lines) const
 {
   const std::array<vtkDataArray*, 3> motion = rtglyphs::GlyphMotion::Arrays(lines, this->Settings.Motion);
   bool ofCells = false;
   return { lines->GetPoints() ? lines->GetPoints()->GetData() : nullptr, lines->GetLines(),
-    rtglyphs::RayTracedTubeBuilder::RadiusArray(lines, this->Settings, ofCells),
-    lines->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CompositeIndex), motion[0], motion[1] };
+    rtglyphs::RayTracedTubeBuilder::RadiusArray(lines, this->Settings, ofCells), motion[0], motion[1] };
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedTubeMapper::BuildInstances(vtkPolyData* lines, vtkActor* actor)
 {
   rtglyphs::RayTracedTubeBuilder::Result result =
-    rtglyphs::RayTracedTubeBuilder::Build(lines, this->BlockTable, actor->GetMatrix(), this->Settings);
+    rtglyphs::RayTracedTubeBuilder::Build(lines, this->Hidden, actor->GetMatrix(), this->Settings);
   this->BuiltSettings = this->Settings;
-  this->Sources = std::move(result.Cells);
+  this->OriginalIds = std::move(result.Cells);
   this->Ends = std::move(result.Ends);
   this->Instances = std::move(result.Instances);
   this->Placement = rtglyphs::GlyphPlacement(actor->GetMatrix());
   this->Taken = false;
   this->Skipped = result.Bad + result.Empty;
-  ++this->SourcesVersion;
+  ++this->OriginalIdsVersion;
   this->InstanceVersion = NewVersion();
   this->ReportInstances(std::move(result.Messages), rtglyphs::GlyphMotion::Unfinished(this->Settings.Motion));
 }
@@ -76,7 +55,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
   const auto isSelected = [&](vtkIdType piece)
   {
     const auto [first, last] = this->Ends[piece];
-    return (cells && cells->GetValue(this->Sources[piece])) ||
+    return (cells && cells->GetValue(this->OriginalIds[piece])) ||
       (points && (points->GetValue(first) || points->GetValue(last)));
   };
   rtg::GlyphColours colors;
@@ -84,8 +63,8 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
   const bool directions = this->DirectionColors && !mapped.Any && mapped.Values.empty();
   const bool ends = directions || !mapped.Values.empty() || (mapped.Any && !mapped.OfCells);
   const bool each = points || (!ends && (mapped.Any || this->HasOwnLooks()));
-  colors.each.resize(each ? this->Sources.size() : 0);
-  colors.ends.resize(ends ? this->Sources.size() : 0);
+  colors.each.resize(each ? this->OriginalIds.size() : 0);
+  colors.ends.resize(ends ? this->OriginalIds.size() : 0);
   const auto atEnd = [&](vtkIdType piece, int end)
   {
     const vtkIdType point = this->Ends[piece][end];
@@ -106,7 +85,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
     }
     return bits;
   };
-  rtglyphs::RayTracedParallel::ForChunks(this->Sources.size(),
+  rtglyphs::RayTracedParallel::ForChunks(this->OriginalIds.size(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -114,8 +93,9 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
         const auto [first, last] = this->Ends[i];
         if (each)
         {
-          const std::uint32_t color =
-            ends ? 0xffffffffu : Pack(this->ColorOf(mapped, first, this->Sources[i])); // white leaves the ends theirs
+          const std::uint32_t color = ends
+            ? 0xffffffffu
+            : Pack(this->ColorOf(mapped, first, this->OriginalIds[i])); // white leaves the ends theirs
           colors.each[i] = points && isSelected(i) ? this->Tinted(color) : color;
         }
         if (ends)
@@ -124,13 +104,7 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
         }
       }
     });
-  this->Translucent = rtg::AnyTranslucent(colors);
-  if (this->ColorVersion == 0 || !(this->Colors == colors))
-  {
-    this->Colors = std::move(colors);
-    this->ColorVersion = NewVersion();
-  }
-  this->Report(messages, this->ReportedColors);
+  this->SetColors(std::move(colors), messages);
 }
 
 //----------------------------------------------------------------------------
@@ -146,7 +120,7 @@ glm::dvec3 vtkRayTracedTubeMapper::DirectionOf(vtkPolyData* lines, vtkIdType pie
   };
   const vtkIdType next = end == 0 ? piece - 1 : piece + 1;
   const bool joined = next >= 0 && next < static_cast<vtkIdType>(this->Ends.size()) &&
-    this->Sources[next] == this->Sources[piece] && this->Ends[next][1 - end] == this->Ends[piece][end];
+    this->OriginalIds[next] == this->OriginalIds[piece] && this->Ends[next][1 - end] == this->Ends[piece][end];
   const glm::dvec3 own = along(piece), mean = joined ? own + along(next) : own;
   return glm::length(mean) > 1e-6 ? glm::normalize(mean) : own;
 }
@@ -156,9 +130,9 @@ rtg::GlyphInstances vtkRayTracedTubeMapper::TakeInstances(vtkActor* actor)
 {
   if (this->Taken)
   {
-    this->Instances = rtglyphs::RayTracedTubeBuilder::Build(
-      this->GetPoints(), this->BlockTable, actor->GetMatrix(), this->BuiltSettings)
-                        .Instances;
+    this->Instances =
+      rtglyphs::RayTracedTubeBuilder::Build(this->GetPoints(), this->Hidden, actor->GetMatrix(), this->BuiltSettings)
+        .Instances;
   }
   this->Taken = true;
   return std::exchange(this->Instances, rtg::GlyphInstances());
@@ -183,11 +157,5 @@ vtkRayTracedMapper::Origin vtkRayTracedTubeMapper::OriginOf(vtkIdType piece, int
   const auto [first, last] = this->Ends[piece];
   const vtkIdType nearest = distance(last) < distance(first) ? last : first;
   return this->Superclass::OriginOf(
-    nearest, this->Sources[piece], association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
-}
-
-//----------------------------------------------------------------------------
-int vtkRayTracedTubeMapper::GetNaturalAssociation() const
-{
-  return vtkDataObject::FIELD_ASSOCIATION_CELLS;
+    nearest, this->OriginalIds[piece], association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
 }

@@ -19,9 +19,8 @@ class vtkRayTracedTubeMapper : public vtkRayTracedMapper
 public:
   static vtkRayTracedTubeMapper* New();
   vtkTypeMacro(vtkRayTracedTubeMapper, vtkRayTracedMapper);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void SetSettings(const rtglyphs::RayTracedTubeBuilder::Settings& settings);
+  void SetSettings(const rtglyphs::RayTracedTubeBuilder::Settings& settings) { this->Settings = settings; }
 
   /**
    * Whether what no array colors has the colors of its directions: the magnitudes of their components as red, green
@@ -33,11 +32,11 @@ public:
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
   const rtg::GlyphInstances* GetInstances() const override { return this->Taken ? nullptr : &this->Instances; }
   Origin OriginOf(vtkIdType piece, int association, const double position[3]) override;
-  int GetNaturalAssociation() const override;
+  int GetNaturalAssociation() const override { return vtkDataObject::FIELD_ASSOCIATION_CELLS; }
 
 protected:
-  vtkRayTracedTubeMapper();
-  ~vtkRayTracedTubeMapper() override;
+  vtkRayTracedTubeMapper() = default;
+  ~vtkRayTracedTubeMapper() override = default;
 
   bool HaveSettingsChanged() const override { return !(this->Settings.Effective() == this->BuiltSettings.Effective()); }
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* lines) const override;
@@ -46,9 +45,6 @@ protected:
   std::vector<vtkMTimeType> ColorState() const override { return { this->DirectionColors ? 1u : 0u }; }
 
 private:
-  vtkRayTracedTubeMapper(const vtkRayTracedTubeMapper&) = delete;
-  void operator=(const vtkRayTracedTubeMapper&) = delete;
-
   glm::dvec3 DirectionOf(vtkPolyData* lines, vtkIdType piece, int end) const;
 
   rtglyphs::RayTracedTubeBuilder::Settings Settings, BuiltSettings;

@@ -5,7 +5,7 @@
 
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphLayers::Layer::Follow(
-  const rtglyphs::RayTracedBlocks& blocks, vtkRayTracedActor* main, const std::array<double, 3>& selectionColor)
+  const rtglyphs::RayTracedBlocks& blocks, vtkActor* main, const std::array<double, 3>& selectionColor)
 {
   this->Mapper->SetSelectionColor(selectionColor);
   this->Mapper->SetBlocks(blocks);

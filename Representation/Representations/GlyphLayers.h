@@ -29,7 +29,7 @@ public:
     vtkNew<vtkRayTracedGlyphMapper> Mapper;
 
     /// Blocks and appearance of the main actor.
-    void Follow(const RayTracedBlocks& blocks, vtkRayTracedActor* main, const std::array<double, 3>& selectionColor);
+    void Follow(const RayTracedBlocks& blocks, vtkActor* main, const std::array<double, 3>& selectionColor);
   };
 
   /**
@@ -50,4 +50,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphLayers.h

@@ -17,7 +17,6 @@
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVView.h"
@@ -30,7 +29,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
@@ -44,14 +42,6 @@ vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
 
 //----------------------------------------------------------------------------
 vtkRayTracedGlyphRepresentation::~vtkRayTracedGlyphRepresentation() = default;
-
-//----------------------------------------------------------------------------
-void vtkRayTracedGlyphRepresentation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "GlyphShape: " << this->GlyphShape << endl;
-  os << indent << "GlyphLocation: " << this->GlyphLocation << endl;
-}
 
 //****************************************************************************
 // The data side
@@ -105,15 +95,9 @@ int vtkRayTracedGlyphRepresentation::RequestUpdateExtent(
 vtkSmartPointer<vtkPolyData> vtkRayTracedGlyphRepresentation::Gather(
   vtkDataObject* data, const int* wholeExtent, bool isBlock, const rtglyphs::RayTracedParallel::Progress& progress)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   rtglyphs::GlyphPointGatherer::Options options;
   options.CellCenters = this->GlyphLocation == CELLS;
   options.IsBlock = isBlock;
-  if (controller)
-  {
-    options.ProcessId = controller->GetLocalProcessId();
-    options.Processes = controller->GetNumberOfProcesses();
-  }
   options.WholeExtent = wholeExtent;
   options.Progress = progress;
   return rtglyphs::GlyphPointGatherer::Gather(data, options);
@@ -235,7 +219,7 @@ void vtkRayTracedGlyphRepresentation::UpdateDataSizes(vtkPolyData* points)
     sides = extents.front()->positions.back() - extents.front()->positions.front();
   }
   const rtglyphs::GlyphSettings settings = this->MakeSettings();
-  const double highScale = this->HighScale.Get(points, settings, this->Blocks.GetTable());
+  const double highScale = this->HighScale.Get(points, settings, this->Blocks.GetHidden());
   double largest = 0.0;
   if (this->LegendStyle.On)
   {
@@ -488,20 +472,11 @@ void vtkRayTracedGlyphRepresentation::SetGlyphLocation(int location)
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 {
-  static const std::map<int, std::string> names = { { GLYPH_TYPE, "Glyph Type" }, { CAPSULE, "Capsule" },
-    { SUPERQUADRIC, "Superquadric" }, { NESTED_SUPERQUADRIC, "Nested Superquadric" },
-    { TENSOR_ELLIPSOID, "Tensor Ellipsoid" }, { TENSOR_SUPERQUADRIC, "Tensor Superquadric" },
-    { SIGNED_TENSOR_SUPERQUADRIC, "Signed Tensor Superquadric" }, { SPHERICAL_HARMONICS, "Spherical Harmonics" },
-    { REYNOLDS, "Normal Stress" }, { FOURTH_ORDER_TENSOR, "Fourth-Order Tensor" },
-    { PRINCIPAL_AXES, "Principal Axes" } };
-  if (!names.count(shape))
+  const bool known = shape == GLYPH_TYPE || (shape >= SUPERQUADRIC && shape <= SIGNED_TENSOR_SUPERQUADRIC) ||
+    (shape >= CAPSULE && shape <= PRINCIPAL_AXES);
+  if (!known)
   {
-    std::string known;
-    for (const auto& [number, name] : names)
-    {
-      known += (known.empty() ? "" : ", ") + std::to_string(number) + " (" + name + ")";
-    }
-    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of " << known << ".");
+    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of 0, 5 to 8 and 10 to 15.");
     return;
   }
   this->GlyphShape = shape;

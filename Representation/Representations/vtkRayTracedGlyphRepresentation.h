@@ -33,7 +33,6 @@ class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedGlyphRepresentation : public vtkRayT
 public:
   static vtkRayTracedGlyphRepresentation* New();
   vtkTypeMacro(vtkRayTracedGlyphRepresentation, vtkRayTracedSelectableRepresentation);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * Values of GlyphShape. GLYPH_TYPE: what the second input is, exactly where a shape of the kernels is that
@@ -243,9 +242,6 @@ protected:
   bool RemoveFromView(vtkView* view) override;
 
 private:
-  vtkRayTracedGlyphRepresentation(const vtkRayTracedGlyphRepresentation&) = delete;
-  void operator=(const vtkRayTracedGlyphRepresentation&) = delete;
-
   rtglyphs::GlyphSettings MakeSettings() const;
   bool ShowsAxes(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const;
   void UpdateTensorRange(vtkPolyData* points);

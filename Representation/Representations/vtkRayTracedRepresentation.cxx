@@ -7,7 +7,6 @@
 #include "RayTracedArrays.h"
 #include "RayTracedDisplays.h"
 #include "RayTracedNumbers.h"
-#include "RayTracedPythonClass.h"
 #include "RayTracedRanks.h"
 #include "RayTracedTree.h"
 #include "Stopwatch.h"
@@ -19,7 +18,6 @@
 #include "vtkInformationVector.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
-#include "vtkMultiProcessController.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
@@ -59,23 +57,10 @@ vtkRayTracedRepresentation::vtkRayTracedRepresentation()
   , MadeSection(std::make_shared<rtg::Section>())
 {
   this->RequestGhostCellsIfNeeded = false;
-  rtglyphs::RayTracedPythonClass::GetActor = [](vtkObjectBase* object) -> vtkObjectBase*
-  {
-    auto* representation = vtkRayTracedRepresentation::SafeDownCast(object);
-    return representation ? representation->GetActor() : nullptr;
-  };
-  rtglyphs::RayTracedPythonClass::RegisterIfPythonRuns();
 }
 
 //----------------------------------------------------------------------------
 vtkRayTracedRepresentation::~vtkRayTracedRepresentation() = default;
-
-//----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "MainMapper: " << this->MainMapper.Get() << endl;
-}
 
 //----------------------------------------------------------------------------
 vtkRayTracedMapper* vtkRayTracedRepresentation::GetMapper()
@@ -84,7 +69,7 @@ vtkRayTracedMapper* vtkRayTracedRepresentation::GetMapper()
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedActor* vtkRayTracedRepresentation::GetActor()
+vtkPVLODActor* vtkRayTracedRepresentation::GetRenderedProp()
 {
   return this->MainActor;
 }
@@ -115,6 +100,7 @@ int vtkRayTracedRepresentation::RequestData(
         rtglyphs::RayTracedTree::ForEach(made, [this](vtkPolyData* points) { this->Complete(points); });
         gathered = made;
       }
+      rtglyphs::RayTracedTree::AddPartialArrays(gathered);
     },
     /*together=*/true);
   this->MultiBlockMaker->SetInputDataObject(gathered);
@@ -127,13 +113,11 @@ int vtkRayTracedRepresentation::RequestData(
 //----------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> vtkRayTracedRepresentation::GatherTree(vtkDataObject* input, const int* wholeExtent)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const bool blocks = input->IsA("vtkCompositeDataSet");
   const rtglyphs::RayTracedParallel::Progress progress = this->ProgressOf("Gathering points");
   const double all = std::max(1.0, static_cast<double>(input->GetNumberOfElements(vtkDataObject::POINT)));
   double done = 0.0;
   return rtglyphs::RayTracedTree::Make(input, this->GetBlockColorsDistinctValues(),
-    controller ? controller->GetNumberOfProcesses() : 1,
     [&](vtkDataObject* data)
     {
       const double first = done;
@@ -180,7 +164,7 @@ void vtkRayTracedRepresentation::Complete(vtkPolyData* points)
 const double*
 vtkRayTracedRepresentation::GetBoundsOf(vtkPolyData* points, const std::vector<rtglyphs::GlyphSettings>& settings)
 {
-  return this->Bounds.Get(points, settings, this->Blocks.GetTable());
+  return this->Bounds.Get(points, settings, this->Blocks.GetHidden());
 }
 
 //----------------------------------------------------------------------------
@@ -259,10 +243,13 @@ vtkDataObject* vtkRayTracedRepresentation::GetRenderedDataObject(int)
 int vtkRayTracedRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  if (this->BlockAttrChanged)
+  // The superclass would fill attributes of blocks for its mapper and for bounds, neither of which is used.
+  if (std::exchange(this->BlockAttrChanged, false))
   {
     this->AttributedData = nullptr;
   }
+  this->BlockAttributeTime.Modified();
+  this->VisibleDataBoundsTime.Modified();
   const bool together =
     request == vtkPVView::REQUEST_UPDATE() || (request == vtkPVView::REQUEST_RENDER() && this->IsCollective(inInfo));
   bool visible = false;
@@ -275,7 +262,7 @@ int vtkRayTracedRepresentation::ProcessViewRequest(
         : this->Superclass::ProcessViewRequest(request, inInfo, outInfo);
       if (visible)
       {
-        this->Answer(request, inInfo);
+        this->ProcessRequest(request, inInfo);
       }
     },
     together);
@@ -326,7 +313,7 @@ bool vtkRayTracedRepresentation::IsCollective(vtkInformation* inInfo)
 }
 
 //----------------------------------------------------------------------------
-void vtkRayTracedRepresentation::Answer(vtkInformationRequestKey* request, vtkInformation* inInfo)
+void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* request, vtkInformation* inInfo)
 {
   if (request == vtkPVView::REQUEST_UPDATE())
   {

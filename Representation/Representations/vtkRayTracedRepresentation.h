@@ -52,12 +52,6 @@ class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedRepresentation : public vtkGeometryR
 {
 public:
   vtkTypeMacro(vtkRayTracedRepresentation, vtkGeometryRepresentation);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /**
-   * The actor of the glyphs or the surface.
-   */
-  vtkRayTracedActor* GetActor();
 
   ///@{
   /**
@@ -112,6 +106,8 @@ protected:
   vtkRayTracedRepresentation();
   ~vtkRayTracedRepresentation() override;
 
+  /// The actor of the glyphs or the surface, which GetActor() returns, too.
+  vtkPVLODActor* GetRenderedProp() override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   bool AddToView(vtkView* view) override;
@@ -191,10 +187,7 @@ protected:
   rtglyphs::RayTracedBlocks Blocks;       // of what was last delivered or rendered
 
 private:
-  vtkRayTracedRepresentation(const vtkRayTracedRepresentation&) = delete;
-  void operator=(const vtkRayTracedRepresentation&) = delete;
-
-  void Answer(vtkInformationRequestKey* request, vtkInformation* inInfo);
+  void ProcessRequest(vtkInformationRequestKey* request, vtkInformation* inInfo);
   int EmptyType() const;
   void Complete(vtkPolyData* points);
   bool WithinMemory(const std::function<void()>& work, bool together);

@@ -12,16 +12,6 @@ vtkRayTracedSelectableRepresentation::vtkRayTracedSelectableRepresentation(int p
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedSelectableRepresentation::~vtkRayTracedSelectableRepresentation() = default;
-
-//----------------------------------------------------------------------------
-void vtkRayTracedSelectableRepresentation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "SelectionPort: " << this->SelectionPort << endl;
-}
-
-//----------------------------------------------------------------------------
 // On all ranks alike, whether or not any of it is on this one. ParaView puts a filter that does nothing behind the one
 // that extracts what is selected, whose second input is the selection.
 bool vtkRayTracedSelectableRepresentation::HasSelection()

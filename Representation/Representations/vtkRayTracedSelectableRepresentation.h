@@ -19,7 +19,6 @@ class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedSelectableRepresentation : public vt
 {
 public:
   vtkTypeMacro(vtkRayTracedSelectableRepresentation, vtkRayTracedRepresentation);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * The color of what is selected; default is ParaView's, magenta.
@@ -31,7 +30,7 @@ protected:
    * The last of the ports is that of what is selected.
    */
   explicit vtkRayTracedSelectableRepresentation(int ports);
-  ~vtkRayTracedSelectableRepresentation() override;
+  ~vtkRayTracedSelectableRepresentation() override = default;
 
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
@@ -45,9 +44,6 @@ protected:
   const std::array<double, 3>& GetSelectionColor() const { return this->SelectionColor; }
 
 private:
-  vtkRayTracedSelectableRepresentation(const vtkRayTracedSelectableRepresentation&) = delete;
-  void operator=(const vtkRayTracedSelectableRepresentation&) = delete;
-
   bool HasSelection();
 
   const int SelectionPort;

@@ -1,7 +1,6 @@
 #include "vtkRayTracedSurfaceRepresentation.h"
 
 #include "RayTracedSurfaceGatherer.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVGeometryFilter.h"
 #include "vtkPolyData.h"
@@ -15,16 +14,6 @@ vtkStandardNewMacro(vtkRayTracedSurfaceRepresentation);
 vtkRayTracedSurfaceRepresentation::vtkRayTracedSurfaceRepresentation()
 {
   this->RequestGhostCellsIfNeeded = true;
-}
-
-//----------------------------------------------------------------------------
-vtkRayTracedSurfaceRepresentation::~vtkRayTracedSurfaceRepresentation() = default;
-
-//----------------------------------------------------------------------------
-void vtkRayTracedSurfaceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Smooth: " << this->Smooth << endl;
 }
 
 //----------------------------------------------------------------------------
@@ -44,11 +33,6 @@ vtkSmartPointer<vtkPolyData> vtkRayTracedSurfaceRepresentation::Gather(
   vtkDataObject* data, const int* wholeExtent, bool, const rtglyphs::RayTracedParallel::Progress&)
 {
   rtglyphs::RayTracedSurfaceGatherer::Settings settings;
-  if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())
-  {
-    settings.Process = controller->GetLocalProcessId();
-    settings.Processes = controller->GetNumberOfProcesses();
-  }
   settings.WholeExtent = wholeExtent;
   settings.ComputesNormals = this->Smooth;
   settings.NonlinearSubdivisionLevel =

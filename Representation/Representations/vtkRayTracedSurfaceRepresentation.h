@@ -17,7 +17,6 @@ class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedSurfaceRepresentation : public vtkRa
 public:
   static vtkRayTracedSurfaceRepresentation* New();
   vtkTypeMacro(vtkRayTracedSurfaceRepresentation, vtkRayTracedRepresentation);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * 0, VTK_FLAT: each triangle has its own normal. Any other: the points' normals are interpolated, which are
@@ -27,7 +26,7 @@ public:
 
 protected:
   vtkRayTracedSurfaceRepresentation();
-  ~vtkRayTracedSurfaceRepresentation() override;
+  ~vtkRayTracedSurfaceRepresentation() override = default;
 
   vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
     const rtglyphs::RayTracedParallel::Progress& progress) override;
@@ -37,9 +36,6 @@ protected:
   void Configure(vtkInformation* inInfo, vtkPolyData* surface, bool lod, bool collective) override;
 
 private:
-  vtkRayTracedSurfaceRepresentation(const vtkRayTracedSurfaceRepresentation&) = delete;
-  void operator=(const vtkRayTracedSurfaceRepresentation&) = delete;
-
   bool Smooth = true;
 };
 

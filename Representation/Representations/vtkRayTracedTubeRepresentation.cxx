@@ -4,7 +4,6 @@
 #include "RayTracedTubeBuilder.h"
 #include "vtkCellArray.h"
 #include "vtkInformation.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedActors.h"
@@ -21,27 +20,10 @@ vtkRayTracedTubeRepresentation::vtkRayTracedTubeRepresentation()
 }
 
 //----------------------------------------------------------------------------
-vtkRayTracedTubeRepresentation::~vtkRayTracedTubeRepresentation() = default;
-
-//----------------------------------------------------------------------------
-void vtkRayTracedTubeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Radius: " << this->Radius << endl;
-  os << indent << "RadiusArray: " << this->RadiusArray << endl;
-  os << indent << "FlatEnds: " << this->FlatEnds << endl;
-}
-
-//----------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> vtkRayTracedTubeRepresentation::Gather(
   vtkDataObject* data, const int* wholeExtent, bool, const rtglyphs::RayTracedParallel::Progress&)
 {
   rtglyphs::RayTracedSurfaceGatherer::Settings settings;
-  if (vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController())
-  {
-    settings.Process = controller->GetLocalProcessId();
-    settings.Processes = controller->GetNumberOfProcesses();
-  }
   settings.WholeExtent = wholeExtent;
   settings.Lines = true;
   return rtglyphs::RayTracedSurfaceGatherer::Gather(data, settings);

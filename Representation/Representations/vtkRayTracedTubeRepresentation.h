@@ -21,7 +21,6 @@ class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedTubeRepresentation : public vtkRayTr
 public:
   static vtkRayTracedTubeRepresentation* New();
   vtkTypeMacro(vtkRayTracedTubeRepresentation, vtkRayTracedSelectableRepresentation);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
@@ -43,7 +42,7 @@ public:
 
 protected:
   vtkRayTracedTubeRepresentation();
-  ~vtkRayTracedTubeRepresentation() override;
+  ~vtkRayTracedTubeRepresentation() override = default;
 
   vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const int* wholeExtent, bool isBlock,
     const rtglyphs::RayTracedParallel::Progress& progress) override;
@@ -53,9 +52,6 @@ protected:
   void Configure(vtkInformation* inInfo, vtkPolyData* lines, bool lod, bool collective) override;
 
 private:
-  vtkRayTracedTubeRepresentation(const vtkRayTracedTubeRepresentation&) = delete;
-  void operator=(const vtkRayTracedTubeRepresentation&) = delete;
-
   double LargestOf(vtkDataArray* radii);
 
   double Radius = 1.0;

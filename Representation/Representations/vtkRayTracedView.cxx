@@ -18,19 +18,6 @@
 vtkStandardNewMacro(vtkRayTracedView);
 
 //----------------------------------------------------------------------------
-vtkRayTracedView::vtkRayTracedView() = default;
-
-//----------------------------------------------------------------------------
-vtkRayTracedView::~vtkRayTracedView() = default;
-
-//----------------------------------------------------------------------------
-void vtkRayTracedView::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "View: " << this->View.Get() << endl;
-}
-
-//----------------------------------------------------------------------------
 void vtkRayTracedView::SetView(vtkPVView* view)
 {
   this->View = vtkPVRenderView::SafeDownCast(view);

@@ -26,7 +26,6 @@ class VTKRAYTRACEDGLYPHS_EXPORT vtkRayTracedView : public vtkObject
 public:
   static vtkRayTracedView* New();
   vtkTypeMacro(vtkRayTracedView, vtkObject);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void SetView(vtkPVView* view);
 
@@ -95,13 +94,10 @@ public:
   static bool FindDevice(std::string& words);
 
 protected:
-  vtkRayTracedView();
-  ~vtkRayTracedView() override;
+  vtkRayTracedView() = default;
+  ~vtkRayTracedView() override = default;
 
 private:
-  vtkRayTracedView(const vtkRayTracedView&) = delete;
-  void operator=(const vtkRayTracedView&) = delete;
-
 #ifndef __VTK_WRAP__
   template <class T>
   void Set(T& held, const T& value)

@@ -1,6 +1,8 @@
 #include "RayTracedDisplays.h"
 
+#include "RayTracedImageSettings.h"
 #include "RayTracedImages.h"
+#include "RayTracedRanks.h"
 #include "RayTracedRendererState.h"
 #include "vtkActor.h"
 #include "vtkMath.h"
@@ -9,7 +11,10 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
+#include <set>
+#include <utility>
 
 //----------------------------------------------------------------------------
 const rtglyphs::RayTracedDisplays::Display* rtglyphs::RayTracedDisplays::Find(const vtkRayTracedMapper* mapper) const
@@ -55,10 +60,41 @@ void rtglyphs::RayTracedDisplays::SetStatistics(
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::RayTracedDisplays::Content
-rtglyphs::RayTracedDisplays::Update(vtkRenderer* renderer, const std::function<void(const std::string&)>& report)
+bool rtglyphs::RayTracedDisplays::Update(vtkRenderer* renderer, const rtglyphs::RayTracedImageSettings& settings,
+  bool collective, rtglyphs::RayTracedImages& images, const std::function<void(const std::string&)>& report)
 {
-  Content content;
+  Versions shown = this->UpdateAll(renderer, report);
+  this->ReportMessages(collective);
+  if (collective && settings.ParallelLight == rtglyphs::RayTracedImageSettings::NeighborLight &&
+    (settings.ShadingMode != static_cast<int>(rtg::Shading::Local) || settings.Shadows))
+  {
+    const bool bounded = settings.ShadingMode == static_cast<int>(rtg::Shading::AmbientOcclusion) &&
+      settings.AmbientOcclusionRadius > 0.0 && !settings.Shadows;
+    std::vector<rtg::GlyphInstances> built;
+    const std::string problem = this->Neighbors.Exchange(bounded ? settings.AmbientOcclusionRadius : HUGE_VAL,
+      shown != this->ShownToOthers, static_cast<int>(this->All.size()), [&] { return this->GetShown(images, built); });
+    this->ShownToOthers = shown;
+    if (!problem.empty())
+    {
+      report(problem);
+    }
+  }
+  else
+  {
+    this->Neighbors.Clear();
+  }
+  shown.push_back({ { this->Neighbors.GetVersion(), 0, 0 } });
+  const bool changed = shown != this->Shown;
+  this->Shown = std::move(shown);
+  this->Version += changed;
+  return changed;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::RayTracedDisplays::Versions
+rtglyphs::RayTracedDisplays::UpdateAll(vtkRenderer* renderer, const std::function<void(const std::string&)>& report)
+{
+  Versions versions;
   for (Display& display : this->All)
   {
     vtkRayTracedMapper* mapper = display.Mapper;
@@ -91,9 +127,44 @@ rtglyphs::RayTracedDisplays::Update(vtkRenderer* renderer, const std::function<v
     }
     display.Shown = true;
     display.Translucent = material.opacity < 1.0f || mapper->IsTranslucent();
-    content.push_back({ { mapper->GetInstanceVersion(), mapper->GetColorVersion(), display.MaterialVersion } });
+    versions.push_back({ { mapper->GetInstanceVersion(), mapper->GetColorVersion(), display.MaterialVersion } });
   }
-  return content;
+  return versions;
+}
+
+//----------------------------------------------------------------------------
+// What several ranks have to say the first of them says.
+void rtglyphs::RayTracedDisplays::ReportMessages(bool collective)
+{
+  std::vector<std::pair<vtkRayTracedMapper*, std::string>> own;
+  for (const Display& display : this->All)
+  {
+    for (std::string& message : display.Mapper->TakeMessages())
+    {
+      own.emplace_back(display.Mapper, std::move(message));
+    }
+  }
+  std::set<std::string> said;
+  if (collective && rtglyphs::RayTracedRanks::Largest(own.empty() ? 0.0 : 1.0) > 0.0)
+  {
+    std::vector<std::string> texts;
+    for (const auto& [mapper, message] : own)
+    {
+      texts.push_back(vtkRayTracedMapper::WithoutCounts(message));
+    }
+    const std::vector<std::vector<std::string>> ofRanks = rtglyphs::RayTracedRanks::Gather(texts);
+    for (int rank = 0; rank < rtglyphs::RayTracedRanks::Own(); ++rank)
+    {
+      said.insert(ofRanks[rank].begin(), ofRanks[rank].end());
+    }
+  }
+  for (const auto& [mapper, message] : own)
+  {
+    if (!said.count(vtkRayTracedMapper::WithoutCounts(message)))
+    {
+      vtkWarningWithObjectMacro(mapper, << message);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -133,7 +204,7 @@ vtkBoundingBox rtglyphs::RayTracedDisplays::ComputeShownBounds() const
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedDisplays::Commit(rtg::Scene& scene, std::uint64_t sceneNumber)
+void rtglyphs::RayTracedDisplays::Commit(rtg::Scene& scene, std::uint64_t sceneNumber, vtkRenderer* renderer)
 {
   for (Display& display : this->All)
   {
@@ -171,6 +242,7 @@ void rtglyphs::RayTracedDisplays::Commit(rtg::Scene& scene, std::uint64_t sceneN
       display.SentMaterial = display.MaterialVersion;
     }
   }
+  this->Neighbors.Commit(scene, sceneNumber, [&](int display) { return this->GetMaterial(display, renderer); });
 }
 
 //----------------------------------------------------------------------------

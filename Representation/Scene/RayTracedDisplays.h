@@ -1,5 +1,6 @@
 /**
- * The ray-traced displays of a view: what each shows in a frame, and what of it the kernels have.
+ * The ray-traced displays of a view: what each shows in a frame, what other ranks have near it, and what of both the
+ * kernels have.
  */
 #ifndef RayTracedDisplays_h
 #define RayTracedDisplays_h
@@ -22,6 +23,7 @@ class vtkRenderer;
 namespace rtglyphs
 {
 class RayTracedImages;
+struct RayTracedImageSettings;
 
 /**
  * What a representation does with its data before they are rendered: how often, and the seconds of that.
@@ -53,21 +55,11 @@ public:
   };
 
   /**
-   * Of each shown display the versions of its instances, colors and material: two frames with the same list look the
-   * same.
-   */
-  using Content = std::vector<std::array<std::uint64_t, 3>>;
-
-  /**
-   * By set.
-   */
-  std::map<rtg::Scene::SetId, vtkRayTracedMapper*> GetShownMappers() const;
-
-  /**
-   * In the order in which they were added.
+   * In the order in which they were added; those that are shown by their sets.
    */
   const std::vector<Display>& GetAll() const { return this->All; }
   const Display* Find(const vtkRayTracedMapper* mapper) const;
+  std::map<rtg::Scene::SetId, vtkRayTracedMapper*> GetShownMappers() const;
 
   ///@{
   /**
@@ -80,10 +72,19 @@ public:
   void SetStatistics(vtkRayTracedMapper* mapper, const RayTracedDataStatistics& statistics);
 
   /**
-   * Brings instances and colors of all visible displays up to date, and finds what the frame shows. `report` gets what
-   * a display could not make.
+   * Brings instances and colors of all visible displays up to date and, where the settings want it and all ranks render
+   * together, asks these what they have near. Returns whether the frame shows something else than the last one did.
+   * `report` gets what could not be made.
    */
-  Content Update(vtkRenderer* renderer, const std::function<void(const std::string&)>& report);
+  bool Update(vtkRenderer* renderer, const RayTracedImageSettings& settings, bool collective, RayTracedImages& images,
+    const std::function<void(const std::string&)>& report);
+
+  /**
+   * Grows with what is shown.
+   */
+  std::uint64_t GetVersion() const { return this->Version; }
+
+  const RayTracedNeighbors& GetNeighbors() const { return this->Neighbors; }
 
   /**
    * Whether a pass (of rtg::Pass), or any, has something to draw.
@@ -104,7 +105,7 @@ public:
   /**
    * Hands the kernels' scene of that number what has changed since it had it.
    */
-  void Commit(rtg::Scene& scene, std::uint64_t sceneNumber);
+  void Commit(rtg::Scene& scene, std::uint64_t sceneNumber, vtkRenderer* renderer);
 
   /**
    * What is shown. Instances that the kernels have been handed are theirs; where they have been given back they are
@@ -113,17 +114,23 @@ public:
   std::vector<RayTracedNeighbors::Shown>
   GetShown(RayTracedImages& images, std::vector<rtg::GlyphInstances>& built) const;
 
-  /**
-   * The material of a display, by its number.
-   */
-  rtg::Material GetMaterial(int display, vtkRenderer* renderer) const;
-
 private:
+  // Of each shown display the versions of its instances, colors and material, and that of the neighbors: two frames
+  // with the same list look the same.
+  using Versions = std::vector<std::array<std::uint64_t, 3>>;
+
+  Versions UpdateAll(vtkRenderer* renderer, const std::function<void(const std::string&)>& report);
+  void ReportMessages(bool collective);
+  rtg::Material GetMaterial(int display, vtkRenderer* renderer) const; // by its number
+
   std::vector<Display> All;
   std::uint64_t MaterialVersions = 0;
+  RayTracedNeighbors Neighbors;
+  Versions Shown;         // in the last frame
+  Versions ShownToOthers; // when neighbors were last asked for
+  std::uint64_t Version = 0;
 };
 
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedDisplays.h

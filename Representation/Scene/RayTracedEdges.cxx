@@ -1,13 +1,12 @@
 #include "RayTracedEdges.h"
 
-#include "RayTracedExchange.h"
+#include "RayTracedRanks.h"
 #include "Tracer.h"
 #include "vtkCommunicator.h"
-#include "vtkMultiProcessController.h"
 
 #include <algorithm>
 #include <array>
-#include <climits>
+#include <cmath>
 #include <cstring>
 
 namespace
@@ -119,112 +118,89 @@ void rtglyphs::RayTracedEdges::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //----------------------------------------------------------------------------
-// Every rank takes part in every collective call, whatever has gone wrong on it.
-std::string rtglyphs::RayTracedEdges::Exchange(
-  vtkMultiProcessController* controller, const rtg::Image* image, std::uint64_t version)
+std::string rtglyphs::RayTracedEdges::Exchange(const rtg::Image* image, std::uint64_t version)
 {
   const bool changed = image != this->Front || (image && version != this->FrontVersion);
   this->Front = image;
   this->FrontVersion = version;
-  const int ranks = controller->GetNumberOfProcesses();
-  const int own = controller->GetLocalProcessId();
-  const std::size_t ownPixels = image ? std::size_t(image->width) * image->height : 0;
 
   // Ranks that show nothing have an image of any size.
-  const int width = image ? static_cast<int>(image->width) : 0, height = image ? static_cast<int>(image->height) : 0;
-  const int flags[5] = { changed, image ? width : 0, image ? -width : INT_MIN, image ? height : 0,
-    image ? -height : INT_MIN };
-  int largest[5];
-  controller->AllReduce(flags, largest, 5, vtkCommunicator::MAX_OP);
-  if (!largest[0])
+  const double width = image ? image->width : 0.0, height = image ? image->height : 0.0;
+  std::vector<double> largest{ changed ? 1.0 : 0.0, width, image ? -width : -HUGE_VAL, height,
+    image ? -height : -HUGE_VAL };
+  rtglyphs::RayTracedRanks::Reduce(largest, vtkCommunicator::MAX_OP);
+  if (largest[0] == 0.0)
   {
     return std::string();
   }
   this->Forget();
-  if (largest[1] == 0 || largest[1] != -largest[2] || largest[3] != -largest[4])
+  if (largest[1] == 0.0 || largest[1] != -largest[2] || largest[3] != -largest[4])
   {
     return std::string();
   }
+  return rtglyphs::RayTracedRanks::Problem(
+    [&] { this->FindBehind(image, static_cast<std::size_t>(largest[1] * largest[3])); });
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedEdges::FindBehind(const rtg::Image* image, std::size_t pixels)
+{
+  const int ranks = rtglyphs::RayTracedRanks::Count();
+  const auto own = static_cast<std::uint32_t>(rtglyphs::RayTracedRanks::Own());
+  const std::size_t ownPixels = image ? pixels : 0;
 
   // Pixels in which any rank shows an edge
-  const std::size_t pixels = static_cast<std::size_t>(largest[1]) * static_cast<std::size_t>(largest[3]);
-  std::vector<unsigned char> edges((pixels + 7) / 8, 0), ofAny(edges.size());
+  std::vector<unsigned char> edges((pixels + 7) / 8, 0);
   for (std::size_t i = 0; i < ownPixels; ++i)
   {
     edges[i / 8] |= static_cast<unsigned char>(IsEdge(image->colour[i]) << (i % 8));
   }
-  controller->AllReduce(
-    edges.data(), ofAny.data(), static_cast<vtkIdType>(edges.size()), vtkCommunicator::BITWISE_OR_OP);
+  rtglyphs::RayTracedRanks::Reduce(edges, vtkCommunicator::BITWISE_OR_OP);
 
   // To the rank that looks through the pixel
-  rtglyphs::RayTracedExchange fragments;
-  std::vector<std::vector<char>> messages(ranks);
-  fragments.Try(
-    [&]
-    {
-      for (int to = 0; to < ranks && ownPixels > 0; ++to)
-      {
-        for (std::size_t i = BeginOf(to, ranks, pixels); i < BeginOf(to + 1, ranks, pixels); ++i)
-        {
-          if (((ofAny[i / 8] >> (i % 8)) & 1) && AlphaOf(image->colour[i]) > 0)
-          {
-            Append(messages[to],
-              Fragment{
-                static_cast<std::uint32_t>(i), image->colour[i], image->depth[i], static_cast<std::uint32_t>(own) });
-          }
-        }
-      }
-    });
-  if (!fragments.Send(controller, std::move(messages)))
+  std::vector<std::vector<char>> fragments(ranks);
+  for (int to = 0; to < ranks && ownPixels > 0; ++to)
   {
-    return fragments.Problem;
+    for (std::size_t i = BeginOf(to, ranks, pixels); i < BeginOf(to + 1, ranks, pixels); ++i)
+    {
+      if (((edges[i / 8] >> (i % 8)) & 1) && AlphaOf(image->colour[i]) > 0)
+      {
+        Append(fragments[to], Fragment{ static_cast<std::uint32_t>(i), image->colour[i], image->depth[i], own });
+      }
+    }
   }
+  std::vector<Fragment> all = ItemsOf<Fragment>(rtglyphs::RayTracedRanks::Exchange(std::move(fragments)));
 
   // To the rank in front, where it shows an edge before another's
-  rtglyphs::RayTracedExchange behind;
-  std::vector<std::vector<char>> answers(ranks);
-  behind.Try(
-    [&]
-    {
-      std::vector<Fragment> all = ItemsOf<Fragment>(fragments.Bytes);
-      std::sort(all.begin(), all.end(),
-        [](const Fragment& a, const Fragment& b) {
-          return a.Pixel != b.Pixel ? a.Pixel < b.Pixel : a.Depth != b.Depth ? a.Depth < b.Depth : a.Rank < b.Rank;
-        });
-      for (std::size_t first = 0, end = 0; first < all.size(); first = end)
-      {
-        while (end < all.size() && all[end].Pixel == all[first].Pixel)
-        {
-          ++end;
-        }
-        if (end - first > 1 && IsEdge(all[first].Color))
-        {
-          const Fragment& next = all[first + 1];
-          Append(answers[all[first].Rank], Behind{ next.Pixel, Over(&next, all.data() + end), next.Depth });
-        }
-      }
+  std::vector<std::vector<char>> behind(ranks);
+  std::sort(all.begin(), all.end(),
+    [](const Fragment& a, const Fragment& b) {
+      return a.Pixel != b.Pixel ? a.Pixel < b.Pixel : a.Depth != b.Depth ? a.Depth < b.Depth : a.Rank < b.Rank;
     });
-  if (!behind.Send(controller, std::move(answers)))
+  for (std::size_t first = 0, end = 0; first < all.size(); first = end)
   {
-    return behind.Problem;
-  }
-  behind.Try(
-    [&]
+    while (end < all.size() && all[end].Pixel == all[first].Pixel)
     {
-      const std::vector<Behind> arrived = ItemsOf<Behind>(behind.Bytes);
-      if (!arrived.empty())
-      {
-        std::vector<std::uint32_t> colors(ownPixels, 0);
-        std::vector<float> depths(ownPixels, 1.0f);
-        for (const Behind& pixel : arrived)
-        {
-          colors[pixel.Pixel] = pixel.Color;
-          depths[pixel.Pixel] = pixel.Depth;
-        }
-        this->Colors = std::move(colors);
-        this->Depths = std::move(depths);
-        ++this->Version;
-      }
-    });
-  return behind.Problem;
+      ++end;
+    }
+    if (end - first > 1 && IsEdge(all[first].Color))
+    {
+      const Fragment& next = all[first + 1];
+      Append(behind[all[first].Rank], Behind{ next.Pixel, Over(&next, all.data() + end), next.Depth });
+    }
+  }
+  const std::vector<Behind> arrived = ItemsOf<Behind>(rtglyphs::RayTracedRanks::Exchange(std::move(behind)));
+  if (!arrived.empty())
+  {
+    std::vector<std::uint32_t> colors(ownPixels, 0);
+    std::vector<float> depths(ownPixels, 1.0f);
+    for (const Behind& pixel : arrived)
+    {
+      colors[pixel.Pixel] = pixel.Color;
+      depths[pixel.Pixel] = pixel.Depth;
+    }
+    this->Colors = std::move(colors);
+    this->Depths = std::move(depths);
+    ++this->Version;
+  }
 }

@@ -18,7 +18,6 @@
 
 class vtkActor;
 class vtkMapper;
-class vtkMultiProcessController;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkWindow;
@@ -34,10 +33,10 @@ class RayTracedEdges
 public:
   /**
    * To be called by all ranks at once, with what this rank shows, and its version; null: nothing. When these are what
-   * they were at the last call on all ranks, nothing is done. Returns what went wrong on this rank, which then has
-   * nothing behind its edges.
+   * they were at the last call on all ranks, nothing is done. Returns what went wrong on this rank; nothing then lies
+   * behind the edges of any.
    */
-  std::string Exchange(vtkMultiProcessController* controller, const rtg::Image* image, std::uint64_t version);
+  std::string Exchange(const rtg::Image* image, std::uint64_t version);
 
   void Clear();
 
@@ -51,6 +50,7 @@ public:
 
 private:
   void Forget();
+  void FindBehind(const rtg::Image* image, std::size_t pixels);
 
   const rtg::Image* Front = nullptr; // of the last exchange; only compared
   std::uint64_t FrontVersion = 0;
@@ -64,4 +64,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedEdges.h

@@ -1,11 +1,11 @@
 #include "RayTracedFeatureImage.h"
 
+#include "RayTracedRanks.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRayTracedMapper.h"
@@ -28,12 +28,11 @@ Array* Add(vtkImageData* data, const char* name, int components)
 // Every rank has an image of its own.
 std::string NameOfRank(const std::string& name)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (!controller || controller->GetNumberOfProcesses() < 2)
+  if (rtglyphs::RayTracedRanks::Count() < 2)
   {
     return name;
   }
-  const std::string rank = "-" + std::to_string(controller->GetLocalProcessId());
+  const std::string rank = "-" + std::to_string(rtglyphs::RayTracedRanks::Own());
   const std::size_t dot = name.find_last_of("./\\");
   return dot == std::string::npos || name[dot] != '.' ? name + rank : name.substr(0, dot) + rank + name.substr(dot);
 }

@@ -29,4 +29,3 @@ std::string Write(const std::string& fileName, const std::vector<const rtg::Imag
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedFeatureImage.h

@@ -1,8 +1,9 @@
 #include "RayTracedFrameStatus.h"
 
-#include "RayTracedContent.h"
+#include "RayTracedDisplays.h"
+#include "RayTracedImages.h"
+#include "RayTracedRanks.h"
 #include "vtkCommunicator.h"
-#include "vtkMultiProcessController.h"
 #include "vtkRayTracedMapper.h"
 #include "vtk_nlohmannjson.h"
 #include VTK_NLOHMANN_JSON(json.hpp)
@@ -27,14 +28,14 @@ enum DisplayNumbers
   DISPLAY_NUMBERS
 };
 
-std::vector<double> OwnNumbers(const rtg::Statistics& statistics, const rtglyphs::RayTracedContent& content)
+std::vector<double> OwnNumbers(const rtg::Statistics& statistics, const rtglyphs::RayTracedDisplays& displays)
 {
   std::vector<double> numbers(VIEW_NUMBERS);
   numbers[DEVICE_BYTES] = static_cast<double>(statistics.deviceBytes);
   numbers[PRIMARY_RAYS] = static_cast<double>(statistics.primaryRays);
-  numbers[NEIGHBOR_GLYPHS] = static_cast<double>(content.Neighbors.GetNumberOfGlyphs());
-  numbers[NEIGHBOR_BYTES] = static_cast<double>(content.Neighbors.GetNumberOfBytes());
-  for (const rtglyphs::RayTracedDisplays::Display& display : content.Displays.GetAll())
+  numbers[NEIGHBOR_GLYPHS] = static_cast<double>(displays.GetNeighbors().GetNumberOfGlyphs());
+  numbers[NEIGHBOR_BYTES] = static_cast<double>(displays.GetNeighbors().GetNumberOfBytes());
+  for (const rtglyphs::RayTracedDisplays::Display& display : displays.GetAll())
   {
     numbers.push_back(static_cast<double>(display.Mapper->GetNumberOfGlyphs()));
     numbers.push_back(static_cast<double>(display.Mapper->GetSkippedGlyphs()));
@@ -44,13 +45,12 @@ std::vector<double> OwnNumbers(const rtg::Statistics& statistics, const rtglyphs
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedFrameStatus::SetFrame(Frame frame, vtkMultiProcessController* ranks)
+void rtglyphs::RayTracedFrameStatus::SetFrame(Frame frame, bool collective)
 {
-  if (ranks)
+  if (collective)
   {
-    const double own[2] = { frame.Progress, frame.Samples };
-    double least[2];
-    ranks->AllReduce(own, least, 2, vtkCommunicator::MIN_OP);
+    std::vector<double> least{ frame.Progress, frame.Samples };
+    rtglyphs::RayTracedRanks::Reduce(least, vtkCommunicator::MIN_OP);
     frame.Progress = least[0];
     frame.Samples = least[1];
   }
@@ -70,26 +70,26 @@ void rtglyphs::RayTracedFrameStatus::Finish()
 //----------------------------------------------------------------------------
 // Where ranks have different displays, which should not be, each keeps its own numbers.
 void rtglyphs::RayTracedFrameStatus::SumNumbers(
-  vtkMultiProcessController* ranks, const rtglyphs::RayTracedContent& content)
+  const rtglyphs::RayTracedDisplays& displays, const rtglyphs::RayTracedImages& images)
 {
-  const std::vector<double> own = OwnNumbers(content.Images.GetStatistics(), content);
-  const int lengths[2] = { static_cast<int>(own.size()), -static_cast<int>(own.size()) };
-  int largest[2];
-  ranks->AllReduce(lengths, largest, 2, vtkCommunicator::MAX_OP);
+  std::vector<double> numbers = OwnNumbers(images.GetStatistics(), displays);
+  const auto length = static_cast<double>(numbers.size());
+  std::vector<double> largest{ length, -length };
+  rtglyphs::RayTracedRanks::Reduce(largest, vtkCommunicator::MAX_OP);
   this->SummedNumbers.clear();
   if (largest[0] == -largest[1])
   {
-    this->SummedNumbers.resize(own.size());
-    ranks->AllReduce(
-      own.data(), this->SummedNumbers.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::SUM_OP);
+    rtglyphs::RayTracedRanks::Reduce(numbers, vtkCommunicator::SUM_OP);
+    this->SummedNumbers = std::move(numbers);
   }
 }
 
 //----------------------------------------------------------------------------
-std::string rtglyphs::RayTracedFrameStatus::GetStatistics(const rtglyphs::RayTracedContent& content)
+std::string rtglyphs::RayTracedFrameStatus::GetStatistics(
+  const rtglyphs::RayTracedDisplays& displays, const rtglyphs::RayTracedImages& images)
 {
-  const rtg::Statistics s = content.Images.GetStatistics();
-  std::vector<double> numbers = OwnNumbers(s, content);
+  const rtg::Statistics s = images.GetStatistics();
+  std::vector<double> numbers = OwnNumbers(s, displays);
   if (this->SummedNumbers.size() == numbers.size())
   {
     numbers = this->SummedNumbers;
@@ -99,7 +99,7 @@ std::string rtglyphs::RayTracedFrameStatus::GetStatistics(const rtglyphs::RayTra
   { return this->Stereo ? std::min(ofEyes[0], ofEyes[1]) : ofEyes[this->Eye]; };
   const double progress = least(this->Progress);
   nlohmann::ordered_json json = {
-    { "DeviceName", content.Images.GetDeviceName() },
+    { "DeviceName", images.GetDeviceName() },
     { "AccumulatedSamples", static_cast<int>(least(this->Samples)) },
     { "RefinementProgress", progress },
     { "RefinementStep", this->Compiling || progress < 1.0 ? NameOfStep(this->Compiling) : "" },
@@ -123,7 +123,7 @@ std::string rtglyphs::RayTracedFrameStatus::GetStatistics(const rtglyphs::RayTra
   };
   nlohmann::ordered_json& representations = json["representations"] = nlohmann::ordered_json::object();
   std::size_t own = VIEW_NUMBERS;
-  for (const rtglyphs::RayTracedDisplays::Display& display : content.Displays.GetAll())
+  for (const rtglyphs::RayTracedDisplays::Display& display : displays.GetAll())
   {
     if (display.Data.Representation != 0)
     {

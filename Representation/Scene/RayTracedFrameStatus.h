@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-class vtkMultiProcessController;
 namespace rtglyphs
 {
-class RayTracedContent;
+class RayTracedDisplays;
+class RayTracedImages;
 
 class RayTracedFrameStatus
 {
@@ -32,9 +32,9 @@ public:
 
   /**
    * What all ranks must know of a frame that they rendered together is put together here: to be called by all of them
-   * at once. `ranks` may be null.
+   * at once, or else by this one alone.
    */
-  void SetFrame(Frame frame, vtkMultiProcessController* ranks);
+  void SetFrame(Frame frame, bool collective);
 
   /**
    * Nothing is waited for any more.
@@ -51,7 +51,7 @@ public:
    * Counts of glyphs, bytes and rays: of this rank, until they are summed over all. SumNumbers() is to be called by all
    * ranks at once.
    */
-  void SumNumbers(vtkMultiProcessController* ranks, const RayTracedContent& content);
+  void SumNumbers(const RayTracedDisplays& displays, const RayTracedImages& images);
   void ForgetSums() { this->SummedNumbers.clear(); }
   ///@}
 
@@ -61,7 +61,7 @@ public:
    * its vtkPVDataRepresentation::GetUniqueIdentifier(). Samples and progress are the least of both eyes and of all
    * ranks that rendered the frame together.
    */
-  std::string GetStatistics(const RayTracedContent& content);
+  std::string GetStatistics(const RayTracedDisplays& displays, const RayTracedImages& images);
 
 private:
   // Of each eye.
@@ -78,4 +78,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedFrameStatus.h

@@ -42,4 +42,3 @@ rtg::ImageEffort EffortOf(const RayTracedImageSettings& settings, const Frame& f
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedImageRequest.h

@@ -51,4 +51,3 @@ struct RayTracedImageSettings
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedImageSettings.h

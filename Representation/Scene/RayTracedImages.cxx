@@ -8,10 +8,11 @@ namespace
 // Images of one pass that are kept: two eyes, and as many of a capture.
 constexpr std::size_t mostEntries = 4 * rtglyphs::RayTracedImages::Passes;
 // Frames after which an image that none of them has used is given up.
-constexpr std::uint64_t patience = 6;
+constexpr std::uint64_t keptFrames = 6;
 
-// The device lives as long as the process, and with it its compiled programs: whoever closes the last view with glyphs
-// and opens another waits for none of them. At exit it is not destroyed, because its driver may be unloaded by then.
+// The device lives as long as the process, and with it its compiled programs: a view that is opened after the last one
+// with glyphs was closed waits for none of them. At exit it is not destroyed, because its driver may be unloaded by
+// then.
 std::shared_ptr<rtg::Device> DeviceOfProcess()
 {
   static auto* const kept = new std::shared_ptr<rtg::Device>;
@@ -24,10 +25,9 @@ std::shared_ptr<rtg::Device> DeviceOfProcess()
 class rtglyphs::RayTracedImages::Source : public rtg::ImageSource
 {
 public:
-  Source(rtglyphs::RayTracedImages& images, Entry& entry, const std::function<void(rtg::Scene&)>& commit)
+  Source(rtglyphs::RayTracedImages& images, Entry& entry)
     : Images(images)
     , Own(entry)
-    , Commit(commit)
   {
   }
 
@@ -60,7 +60,7 @@ public:
     }
     try
     {
-      this->Commit(*this->Images.Scene);
+      this->Images.CommitTo(*this->Images.Scene, this->Images.SceneNumber);
     }
     catch (...)
     {
@@ -114,7 +114,6 @@ public:
 private:
   rtglyphs::RayTracedImages& Images;
   Entry& Own;
-  const std::function<void(rtg::Scene&)>& Commit;
 };
 
 //----------------------------------------------------------------------------
@@ -126,7 +125,7 @@ void rtglyphs::RayTracedImages::StartFrame(bool capture)
   {
     kept.second->LastUsed += stays(kept); // does not age
   }
-  std::erase_if(this->Entries, [&](const auto& kept) { return kept.second->LastUsed + patience < this->Frame; });
+  std::erase_if(this->Entries, [&](const auto& kept) { return kept.second->LastUsed + keptFrames < this->Frame; });
   while (this->Entries.size() > mostEntries)
   {
     const auto oldest = std::min_element(this->Entries.begin(), this->Entries.end(),
@@ -235,10 +234,10 @@ rtglyphs::RayTracedImages::Entry* rtglyphs::RayTracedImages::FindSame(const rtg:
 }
 
 //----------------------------------------------------------------------------
-const rtg::Image* rtglyphs::RayTracedImages::Update(Entry& entry, const rtg::ImageView& view,
-  const rtg::ImageEffort& effort, const rtg::Interrupt& interrupt, const std::function<void(rtg::Scene&)>& commit)
+const rtg::Image* rtglyphs::RayTracedImages::Update(
+  Entry& entry, const rtg::ImageView& view, const rtg::ImageEffort& effort, const rtg::Interrupt& interrupt)
 {
-  Source source(*this, entry, commit);
+  Source source(*this, entry);
   return entry.Image.Update(source, view, effort, interrupt);
 }
 

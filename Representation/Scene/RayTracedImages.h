@@ -19,6 +19,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <utility>
 
 class vtkActor;
 class vtkMapper;
@@ -45,6 +46,15 @@ public:
     bool OnlyIds = false;                // for selecting, of no light
     auto operator<=>(const Place&) const = default;
   };
+  /**
+   * `commit` brings the kernels' scene of that number up to date; it may throw.
+   */
+  using Commit = std::function<void(rtg::Scene& scene, std::uint64_t number)>;
+  explicit RayTracedImages(Commit commit)
+    : CommitTo(std::move(commit))
+  {
+  }
+
   struct Entry
   {
     rtg::ProgressiveImage Image;
@@ -94,10 +104,11 @@ public:
   ///@}
 
   /**
-   * Makes or improves an entry's image. `commit` brings the kernels' scene up to date; it may throw.
+   * Makes or improves an entry's image, after handing the kernels what has changed since they last had it; null: it
+   * failed.
    */
-  const rtg::Image* Update(Entry& entry, const rtg::ImageView& view, const rtg::ImageEffort& effort,
-    const rtg::Interrupt& interrupt, const std::function<void(rtg::Scene&)>& commit);
+  const rtg::Image*
+  Update(Entry& entry, const rtg::ImageView& view, const rtg::ImageEffort& effort, const rtg::Interrupt& interrupt);
 
   ///@{
   /**
@@ -117,6 +128,7 @@ public:
 private:
   class Source;
 
+  const Commit CommitTo;
   std::shared_ptr<rtg::Device> Device;
   std::unique_ptr<rtg::Scene> Scene;
   std::shared_ptr<rtg::TracerResources> Resources;
@@ -129,4 +141,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedImages.h

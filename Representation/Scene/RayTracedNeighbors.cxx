@@ -2,13 +2,9 @@
 
 #include "GlyphBoxes.h"
 #include "Neighbors.h"
-
-#include "RayTracedExchange.h"
+#include "RayTracedRanks.h"
 #include "vtkCommunicator.h"
-#include "vtkMultiProcessController.h"
-#include "vtkType.h"
 
-#include <array>
 #include <cstring>
 
 namespace
@@ -32,9 +28,9 @@ void Append(std::vector<char>& message, int display, const std::vector<char>& by
 }
 
 // A box as six numbers; that of nothing has lower ends above its upper ones.
-std::array<double, 6> NumbersOf(const rtg::DoubleBox& box)
+std::vector<double> NumbersOf(const rtg::DoubleBox& box)
 {
-  return { { box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z } };
+  return { box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z };
 }
 
 rtg::DoubleBox BoxOf(const double* numbers)
@@ -56,14 +52,12 @@ void rtglyphs::RayTracedNeighbors::Clear()
 }
 
 //----------------------------------------------------------------------------
-// Every rank takes part in every collective call, whatever has gone wrong on it.
-std::string rtglyphs::RayTracedNeighbors::Exchange(vtkMultiProcessController* controller, double reach, bool changed,
-  int displays, const std::function<std::vector<Shown>()>& shown)
+std::string rtglyphs::RayTracedNeighbors::Exchange(
+  double reach, bool changed, int displays, const std::function<std::vector<Shown>()>& shown)
 {
-  const int flags[3] = { changed || reach != this->Reach, displays, -displays };
-  int largest[3];
-  controller->AllReduce(flags, largest, 3, vtkCommunicator::MAX_OP);
-  if (largest[0] == 0)
+  std::vector<double> largest{ changed || reach != this->Reach ? 1.0 : 0.0, double(displays), -double(displays) };
+  rtglyphs::RayTracedRanks::Reduce(largest, vtkCommunicator::MAX_OP);
+  if (largest[0] == 0.0)
   {
     return std::string();
   }
@@ -72,57 +66,43 @@ std::string rtglyphs::RayTracedNeighbors::Exchange(vtkMultiProcessController* co
   ++this->Version;
   if (largest[1] != -largest[2])
   {
-    return "Ray Traced Glyphs: ranks have " + std::to_string(-largest[2]) + " to " + std::to_string(largest[1]) +
+    return "Ray Traced Glyphs: ranks have " + std::to_string(static_cast<int>(-largest[2])) + " to " +
+      std::to_string(static_cast<int>(largest[1])) +
       " displays, so their glyphs do not shade each other. Render again.";
   }
-
-  // Where each rank's neighborhood is
-  const int ranks = controller->GetNumberOfProcesses();
-  const int own = controller->GetLocalProcessId();
-  std::vector<Shown> sets;
-  std::vector<std::vector<rtg::Box>> boxes;
-  rtg::DoubleBox bounds;
-  rtglyphs::RayTracedExchange exchange;
-  exchange.Try(
-    [&]
-    {
-      sets = shown();
-      for (const Shown& set : sets)
-      {
-        boxes.push_back(rtg::GlyphBoxes(*set.Instances));
-        bounds.Include(rtg::BoundsOf(*set.Instances, boxes.back()));
-      }
-    });
-  const std::array<double, 6> numbers = NumbersOf(bounds);
-  std::vector<double> all(6 * static_cast<std::size_t>(ranks));
-  controller->AllGather(numbers.data(), all.data(), 6);
-
-  // What each of them gets from here
-  std::vector<std::vector<char>> messages(ranks);
-  exchange.Try(
-    [&]
-    {
-      for (int to = 0; to < ranks; ++to)
-      {
-        const rtg::DoubleBox region = BoxOf(&all[6 * to]);
-        for (std::size_t i = 0; to != own && !region.Empty() && i < sets.size(); ++i)
-        {
-          Append(messages[to], sets[i].Display,
-            rtg::PackNear(*sets[i].Instances, *sets[i].Colors, boxes[i], region.Widened(reach)));
-        }
-      }
-    });
-  if (exchange.Send(controller, std::move(messages)))
-  {
-    exchange.Try([&] { this->Receive(exchange.Bytes); });
-  }
-  if (exchange.Problem.empty())
+  const std::string problem = rtglyphs::RayTracedRanks::Problem([&] { this->SendNear(shown()); });
+  if (problem.empty())
   {
     return std::string();
   }
   this->Sets.clear();
-  return "Ray Traced Glyphs: glyphs of other ranks cannot shade those of this one (" + exchange.Problem +
+  return "Ray Traced Glyphs: glyphs of other ranks cannot shade those of this one (" + problem +
     "). Make AmbientOcclusionRadius smaller, or set ParallelLight to Local.";
+}
+
+//----------------------------------------------------------------------------
+// To each rank what reaches into its neighborhood.
+void rtglyphs::RayTracedNeighbors::SendNear(const std::vector<Shown>& sets)
+{
+  std::vector<std::vector<rtg::Box>> boxes;
+  rtg::DoubleBox bounds;
+  for (const Shown& set : sets)
+  {
+    boxes.push_back(rtg::GlyphBoxes(*set.Instances));
+    bounds.Include(rtg::BoundsOf(*set.Instances, boxes.back()));
+  }
+  const std::vector<double> all = rtglyphs::RayTracedRanks::Gather(NumbersOf(bounds));
+  std::vector<std::vector<char>> messages(rtglyphs::RayTracedRanks::Count());
+  for (int to = 0; to < rtglyphs::RayTracedRanks::Count(); ++to)
+  {
+    const rtg::DoubleBox region = BoxOf(&all[6 * to]);
+    for (std::size_t i = 0; to != rtglyphs::RayTracedRanks::Own() && !region.Empty() && i < sets.size(); ++i)
+    {
+      Append(messages[to], sets[i].Display,
+        rtg::PackNear(*sets[i].Instances, *sets[i].Colors, boxes[i], region.Widened(this->Reach)));
+    }
+  }
+  this->Receive(rtglyphs::RayTracedRanks::Exchange(std::move(messages)));
 }
 
 //----------------------------------------------------------------------------

@@ -16,8 +16,6 @@
 #include <string>
 #include <vector>
 
-class vtkMultiProcessController;
-
 namespace rtglyphs
 {
 
@@ -37,10 +35,9 @@ public:
   /**
    * To be called by all ranks at once. `changed`: what this rank shows is not what it was at the last call; only then,
    * on some rank, `shown` is asked for. `displays` is the number of displays. Returns what went wrong on this rank;
-   * nobody is sent anything when something has gone wrong on any.
+   * nothing is sent when something has gone wrong on any.
    */
-  std::string Exchange(vtkMultiProcessController* controller, double reach, bool changed, int displays,
-    const std::function<std::vector<Shown>()>& shown);
+  std::string Exchange(double reach, bool changed, int displays, const std::function<std::vector<Shown>()>& shown);
 
   void Clear();
 
@@ -69,6 +66,7 @@ private:
     rtg::GlyphInstances Instances;
     rtg::GlyphColours Colors;
   };
+  void SendNear(const std::vector<Shown>& sets);
   void Receive(const std::vector<char>& bytes);
 
   std::vector<Set> Sets;
@@ -83,4 +81,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedNeighbors.h

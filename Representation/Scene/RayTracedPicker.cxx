@@ -1,7 +1,7 @@
 #include "RayTracedPicker.h"
 
-#include "RayTracedContent.h"
-#include "RayTracedIdBuffer.h"
+#include "RayTracedDisplays.h"
+#include "RayTracedImages.h"
 #include "RayTracedOpenGL.h"
 #include "RayTracedRendererState.h"
 #include "vtkDataObject.h"
@@ -12,12 +12,98 @@
 
 #include <algorithm>
 
+namespace
+{
+// What a hardware selector reads in the place of colors: one number a pixel of one mapper, in one of its passes.
+struct IdBuffer
+{
+  std::vector<std::uint32_t> Values; // RGBA8; 0: the pixel shows something else
+  std::vector<float> Depths;         // window depths
+  vtkIdType LargestId = 0;
+
+  /**
+   * `images` show the same view; the nearest surface counts. Where a glyph or triangle has nothing to select the number
+   * is opaque black: it hides what lies behind it.
+   */
+  void Fill(const std::vector<const rtg::Image*>& images, const rtg::Scene& scene, rtg::Scene::SetId set,
+    const glm::dmat4& worldToClip, vtkRayTracedMapper* mapper, vtkHardwareSelector* selector);
+};
+
+// See vtkHardwareSelector for the passes and their order.
+void IdBuffer::Fill(const std::vector<const rtg::Image*>& images, const rtg::Scene& scene, rtg::Scene::SetId set,
+  const glm::dmat4& worldToClip, vtkRayTracedMapper* mapper, vtkHardwareSelector* selector)
+{
+  const std::size_t width = images.front()->width, height = images.front()->height;
+  this->Values.assign(width * height, 0);
+  this->Depths.assign(width * height, 1.0f);
+  this->LargestId = 0;
+  std::uint32_t propValue = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    propValue |= static_cast<std::uint32_t>(selector->GetPropColorValue()[c] * 255.0f + 0.5f) << (8 * c);
+  }
+  const int pass = selector->GetCurrentPass();
+  const int association = selector->GetFieldAssociation();
+  const glm::dmat4 clipToWorld = glm::inverse(worldToClip);
+  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  {
+    const rtg::Image* nearest = nullptr;
+    for (const rtg::Image* image : images)
+    {
+      if (image->glyphIds[i] != rtg::Image::noGlyph && (!nearest || image->depth[i] < nearest->depth[i]))
+      {
+        nearest = image;
+      }
+    }
+    if (!nearest || nearest->setIds[i] != set)
+    {
+      continue;
+    }
+    const glm::dvec3 position =
+      rtglyphs::RayTracedRendererState::PlaceOf(i, nearest->width, nearest->height, nearest->depth[i], clipToWorld);
+    const vtkRayTracedMapper::Origin origin =
+      mapper->OriginOf(scene.OriginalGlyph(set, nearest->glyphIds[i]), association, &position[0]);
+    std::uint32_t value = 0;
+    if (origin.Id >= 0)
+    {
+      this->LargestId = std::max(this->LargestId, origin.Id);
+      switch (pass)
+      {
+        case vtkHardwareSelector::ACTOR_PASS:
+          value = propValue;
+          break;
+        case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
+          value = origin.CompositeIndex;
+          break;
+        case vtkHardwareSelector::POINT_ID_LOW24:
+        case vtkHardwareSelector::CELL_ID_LOW24:
+          value = static_cast<std::uint32_t>(origin.Id & 0xffffff);
+          break;
+        case vtkHardwareSelector::POINT_ID_HIGH24:
+        case vtkHardwareSelector::CELL_ID_HIGH24:
+          value = static_cast<std::uint32_t>((origin.Id >> 24) & 0xffffff);
+          break;
+        case vtkHardwareSelector::PROCESS_PASS:
+          // One more than the rank: zero means that nothing was hit.
+          value = static_cast<std::uint32_t>(
+            (origin.Process >= 0 ? origin.Process : std::max(selector->GetProcessID(), 0)) + 1);
+          break;
+        default:
+          break;
+      }
+    }
+    this->Values[i] = (value & 0xffffff) | 0xff000000u;
+    this->Depths[i] = nearest->depth[i];
+  }
+}
+}
+
 //----------------------------------------------------------------------------
 // Images of both passes; none where the camera sees nothing.
-std::vector<const rtg::Image*> rtglyphs::RayTracedPicker::ImagesWithIds(
-  rtglyphs::RayTracedContent& content, vtkRenderer* renderer, int width, int height, const Failed& failed)
+std::vector<const rtg::Image*> rtglyphs::RayTracedPicker::ImagesWithIds(const rtglyphs::RayTracedDisplays& displays,
+  rtglyphs::RayTracedImages& images, vtkRenderer* renderer, int width, int height, const Failed& failed)
 {
-  std::vector<const rtg::Image*> images;
+  std::vector<const rtg::Image*> found;
   rtg::ImageView view;
   try
   {
@@ -26,40 +112,40 @@ std::vector<const rtg::Image*> rtglyphs::RayTracedPicker::ImagesWithIds(
   }
   catch (const rtg::Error&)
   {
-    return images;
+    return found;
   }
-  view.content = content.GetNumber();
+  view.content = displays.GetVersion();
   view.settings.width = static_cast<std::uint32_t>(width);
   view.settings.height = static_cast<std::uint32_t>(height);
   for (int pass = 0; pass < rtglyphs::RayTracedImages::Passes; ++pass)
   {
-    if (!content.Displays.Shows(pass))
+    if (!displays.Shows(pass))
     {
       continue;
     }
     view.pass = static_cast<rtg::Pass>(pass);
-    if (rtglyphs::RayTracedImages::Entry* shown = content.Images.FindSame(view))
+    if (rtglyphs::RayTracedImages::Entry* shown = images.FindSame(view))
     {
-      images.push_back(&shown->Image.GetImage());
+      found.push_back(&shown->Image.GetImage());
       continue;
     }
     rtglyphs::RayTracedImages::Entry& own =
-      content.Images.Get({ pass, view.settings.width, view.settings.height, 0, {}, /*OnlyIds=*/true });
-    if (const rtg::Image* image = content.Trace(own, view, rtg::ImageEffort(), {}, renderer))
+      images.Get({ pass, view.settings.width, view.settings.height, 0, {}, /*OnlyIds=*/true });
+    if (const rtg::Image* image = images.Update(own, view, rtg::ImageEffort(), {}))
     {
-      images.push_back(image);
+      found.push_back(image);
     }
     else
     {
       failed(own.Image);
     }
   }
-  return images;
+  return found;
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::RayTracedPicker::PlaceAt(
-  rtglyphs::RayTracedContent& content, vtkRenderer* renderer, int x, int y, double place[3], const Failed& failed)
+bool rtglyphs::RayTracedPicker::PlaceAt(const rtglyphs::RayTracedDisplays& displays, rtglyphs::RayTracedImages& images,
+  vtkRenderer* renderer, int x, int y, double place[3], const Failed& failed)
 {
   const int* size = renderer ? renderer->GetSize() : nullptr;
   if (!size || x < 0 || y < 0 || x >= size[0] || y >= size[1])
@@ -69,7 +155,7 @@ bool rtglyphs::RayTracedPicker::PlaceAt(
   const auto width = static_cast<std::uint32_t>(size[0]), height = static_cast<std::uint32_t>(size[1]);
   const std::size_t pixel = std::size_t(y) * width + x;
   float depth = 1.0f;
-  for (const rtg::Image* image : ImagesWithIds(content, renderer, size[0], size[1], failed))
+  for (const rtg::Image* image : ImagesWithIds(displays, images, renderer, size[0], size[1], failed))
   {
     depth = std::min(depth, image->depth[pixel]);
   }
@@ -84,12 +170,12 @@ bool rtglyphs::RayTracedPicker::PlaceAt(
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedPicker::DrawIds(rtglyphs::RayTracedContent& content, vtkRenderer* renderer, vtkActor* actor,
-  vtkRayTracedMapper* mapper, const Failed& failed)
+void rtglyphs::RayTracedPicker::DrawIds(const rtglyphs::RayTracedDisplays& displays, rtglyphs::RayTracedImages& images,
+  vtkRenderer* renderer, vtkActor* actor, vtkRayTracedMapper* mapper, const Failed& failed)
 {
   vtkHardwareSelector* selector = renderer->GetSelector();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const rtglyphs::RayTracedDisplays::Display* display = content.Displays.Find(mapper);
+  const rtglyphs::RayTracedDisplays::Display* display = displays.Find(mapper);
   int viewport[4] = { 0, 0, 0, 0 };
   glGetIntegerv(GL_VIEWPORT, viewport);
   if (!window || !display || !display->Shown || viewport[2] < 1 || viewport[3] < 1)
@@ -97,12 +183,13 @@ void rtglyphs::RayTracedPicker::DrawIds(rtglyphs::RayTracedContent& content, vtk
     return;
   }
   selector->BeginRenderProp();
-  const std::vector<const rtg::Image*> images = ImagesWithIds(content, renderer, viewport[2], viewport[3], failed);
-  if (!images.empty() && content.Images.GetScene())
+  const std::vector<const rtg::Image*> found =
+    ImagesWithIds(displays, images, renderer, viewport[2], viewport[3], failed);
+  if (!found.empty() && images.GetScene())
   {
-    rtglyphs::RayTracedIdBuffer buffer;
-    buffer.Fill(images, *content.Images.GetScene(), display->Set,
-      rtglyphs::RayTracedRendererState::WorldToClip(renderer), mapper, selector);
+    IdBuffer buffer;
+    buffer.Fill(found, *images.GetScene(), display->Set, rtglyphs::RayTracedRendererState::WorldToClip(renderer),
+      mapper, selector);
     if (selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_CELLS)
     {
       selector->UpdateMaximumCellId(buffer.LargestId);
@@ -112,7 +199,7 @@ void rtglyphs::RayTracedPicker::DrawIds(rtglyphs::RayTracedContent& content, vtk
       selector->UpdateMaximumPointId(buffer.LargestId);
     }
     this->Quad.SetImage(
-      window, images.front()->width, images.front()->height, buffer.Values.data(), buffer.Depths.data(), 0);
+      window, found.front()->width, found.front()->height, buffer.Values.data(), buffer.Depths.data(), 0);
     this->Quad.Draw(renderer, actor, mapper, rtglyphs::RayTracedImageQuad::IDS);
   }
   selector->EndRenderProp();

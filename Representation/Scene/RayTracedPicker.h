@@ -21,7 +21,8 @@ class vtkRenderer;
 class vtkWindow;
 namespace rtglyphs
 {
-class RayTracedContent;
+class RayTracedDisplays;
+class RayTracedImages;
 
 class RayTracedPicker
 {
@@ -31,21 +32,21 @@ public:
   /**
    * Draws a number in the place of each of the actor's pixels, 24 bits of it, as the renderer's selector asks for.
    */
-  void DrawIds(RayTracedContent& content, vtkRenderer* renderer, vtkActor* actor, vtkRayTracedMapper* mapper,
-    const Failed& failed);
+  void DrawIds(const RayTracedDisplays& displays, RayTracedImages& images, vtkRenderer* renderer, vtkActor* actor,
+    vtkRayTracedMapper* mapper, const Failed& failed);
 
   /**
    * The point of the nearest ray-traced surface, of any display, that the camera sees in a pixel of the renderer;
    * false: none.
    */
-  static bool
-  PlaceAt(RayTracedContent& content, vtkRenderer* renderer, int x, int y, double place[3], const Failed& failed);
+  static bool PlaceAt(const RayTracedDisplays& displays, RayTracedImages& images, vtkRenderer* renderer, int x, int y,
+    double place[3], const Failed& failed);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  static std::vector<const rtg::Image*>
-  ImagesWithIds(RayTracedContent& content, vtkRenderer* renderer, int width, int height, const Failed& failed);
+  static std::vector<const rtg::Image*> ImagesWithIds(const RayTracedDisplays& displays, RayTracedImages& images,
+    vtkRenderer* renderer, int width, int height, const Failed& failed);
 
   RayTracedImageQuad Quad;
 };
@@ -53,4 +54,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedPicker.h

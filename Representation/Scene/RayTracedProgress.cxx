@@ -51,7 +51,7 @@ rtglyphs::RayTracedProgress::~RayTracedProgress()
 }
 
 //----------------------------------------------------------------------------
-// Whoever paints listens with the priority 0.
+// Observers that paint have the priority 0.
 void rtglyphs::RayTracedProgress::StartFrame(vtkRenderWindow* window)
 {
   this->EndFrame();
@@ -83,7 +83,7 @@ void rtglyphs::RayTracedProgress::Start()
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::RayTracedProgress::Tell(const char* text, double share)
+void rtglyphs::RayTracedProgress::Report(const char* text, double share)
 {
   if (std::chrono::steady_clock::now() - this->Begin < quiet)
   {
@@ -93,10 +93,10 @@ void rtglyphs::RayTracedProgress::Tell(const char* text, double share)
   {
     if (vtkPVProgressHandler* handler = ActiveHandler())
     {
-      handler->RegisterProgressEvent(this->Teller, 0);
+      handler->RegisterProgressEvent(this->Reporter, 0);
     }
     this->IsKnown = true;
   }
-  this->Teller->SetProgressText(text);
-  this->Teller->UpdateProgress(share);
+  this->Reporter->SetProgressText(text);
+  this->Reporter->UpdateProgress(share);
 }

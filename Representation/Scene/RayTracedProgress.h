@@ -1,5 +1,5 @@
 /**
- * Tells ParaView's progress bar what a frame is doing, once that has taken so long that somebody may wonder, and gives
+ * Tells ParaView's progress bar what a frame is doing, once that has taken a while, and gives
  * a frame its OpenGL context back when the bar was painted: a user interface paints with a context of its own.
  */
 #ifndef RayTracedProgress_h
@@ -42,10 +42,10 @@ public:
   /**
    * `share` in [0, 1] of what `text` names is done.
    */
-  void Tell(const char* text, double share);
+  void Report(const char* text, double share);
 
 private:
-  vtkNew<vtkAlgorithm> Teller; // the bar knows algorithms only
+  vtkNew<vtkAlgorithm> Reporter; // the bar knows algorithms only
   bool IsKnown = false;
   vtkNew<vtkCallbackCommand> Before, After; // what listens to progress
   vtkWeakPointer<vtkPVProgressHandler> Handler;
@@ -56,4 +56,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedProgress.h

@@ -59,4 +59,3 @@ rtg::Material MaterialOf(vtkProperty* property, vtkRenderer* renderer);
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedRendererState.h

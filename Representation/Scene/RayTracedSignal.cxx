@@ -6,7 +6,7 @@ namespace
 {
 volatile std::sig_atomic_t arrived = 0;
 
-void Note(int)
+void HandleInterrupt(int)
 {
   arrived = 1;
 }
@@ -15,8 +15,8 @@ void Note(int)
 //----------------------------------------------------------------------------
 rtglyphs::RayTracedSignal::RayTracedSignal()
 {
-  Handler before = std::signal(SIGINT, Note);
-  if (before == SIG_DFL || before == SIG_IGN || before == SIG_ERR || before == Note)
+  Handler before = std::signal(SIGINT, HandleInterrupt);
+  if (before == SIG_DFL || before == SIG_IGN || before == SIG_ERR || before == HandleInterrupt)
   {
     std::signal(SIGINT, before == SIG_ERR ? SIG_DFL : before);
     return;

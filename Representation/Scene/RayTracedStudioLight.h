@@ -22,4 +22,3 @@ void Apply(rtg::ImageView& view, vtkRenderer* renderer);
 }
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedStudioLight.h

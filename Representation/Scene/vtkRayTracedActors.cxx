@@ -31,7 +31,7 @@ void vtkRayTracedImageActor::SetScene(vtkRayTracedScene* scene)
 }
 
 //----------------------------------------------------------------------------
-// Nobody asks while the view is rendered: an actor that draws by itself needs no mapper.
+// Not called while the view is rendered: an actor that draws by itself needs no mapper.
 vtkMapper* vtkRayTracedImageActor::GetMapper()
 {
   if (this->Scene)

@@ -4,7 +4,9 @@
 #ifndef vtkRayTracedActors_h
 #define vtkRayTracedActors_h
 
+#include "vtkMapper.h"
 #include "vtkOpenGLActor.h"
+#include "vtkPVLODActor.h"
 #include "vtkWeakPointer.h"
 
 class vtkRayTracedScene;
@@ -12,22 +14,23 @@ class vtkRayTracedScene;
 /**
  * Stands for one mapper of a scene: it is picked, moved and hidden, but draws nothing itself besides ids.
  */
-class vtkRayTracedActor : public vtkOpenGLActor
+class vtkRayTracedActor : public vtkPVLODActor
 {
 public:
   static vtkRayTracedActor* New();
-  vtkTypeMacro(vtkRayTracedActor, vtkOpenGLActor);
+  vtkTypeMacro(vtkRayTracedActor, vtkPVLODActor);
 
+  ///@{
+  /// The superclass chooses between two mappers, and renders another actor in its place.
+  vtkMapper* GetMapper() override { return this->Mapper; }
+  void Render(vtkRenderer* renderer, vtkMapper* mapper) override { mapper->Render(renderer, this); }
+  ///@}
   vtkTypeBool HasOpaqueGeometry() override { return 0; }
   vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
 
 protected:
   vtkRayTracedActor() = default;
   ~vtkRayTracedActor() override = default;
-
-private:
-  vtkRayTracedActor(const vtkRayTracedActor&) = delete;
-  void operator=(const vtkRayTracedActor&) = delete;
 };
 
 /**
@@ -57,12 +60,9 @@ protected:
   ~vtkRayTracedImageActor() override = default;
 
 private:
-  vtkRayTracedImageActor(const vtkRayTracedImageActor&) = delete;
-  void operator=(const vtkRayTracedImageActor&) = delete;
   int Draw(vtkViewport* viewport, int pass);
 
   vtkWeakPointer<vtkRayTracedScene> Scene;
 };
 
 #endif
-// VTK-HeaderTest-Exclude: vtkRayTracedActors.h

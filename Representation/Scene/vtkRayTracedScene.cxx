@@ -1,27 +1,24 @@
 #include "vtkRayTracedScene.h"
 
-#include "RayTracedContent.h"
+#include "RayTracedDisplays.h"
 #include "RayTracedEdges.h"
 #include "RayTracedFXAA.h"
 #include "RayTracedFeatureImage.h"
+#include "RayTracedFrame.h"
 #include "RayTracedFrameStatus.h"
-#include "RayTracedImageRequest.h"
+#include "RayTracedImages.h"
 #include "RayTracedOpenGL.h"
 #include "RayTracedPicker.h"
 #include "RayTracedProgress.h"
-#include "RayTracedPythonClass.h"
+#include "RayTracedRanks.h"
 #include "RayTracedRendererState.h"
-#include "RayTracedSignal.h"
 #include "vtkActor.h"
-#include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -53,54 +50,45 @@ bool HasForeignPass(vtkRenderer* renderer)
 }
 
 //----------------------------------------------------------------------------
-struct vtkRayTracedScene::Drawn
-{
-  rtglyphs::RayTracedImages::Place Place;
-  rtglyphs::RayTracedImages::Entry* Entry;
-  const rtg::Image* Image; // null: it failed
-  double EyeDepth;
-};
-
-//----------------------------------------------------------------------------
 struct vtkRayTracedScene::Internals
 {
+  explicit Internals(vtkRayTracedScene& scene)
+    : Images(
+        [&](rtg::Scene& kernels, std::uint64_t number)
+        {
+          this->Displays.Commit(kernels, number, scene.Renderer);
+          kernels.Commit([this](double share) { this->Progress.Report("Sorting Glyphs", share); });
+        })
+    , Frame(this->Images, this->Progress,
+        { [&](const rtglyphs::RayTracedFrame::Drawn& drawn)
+          { scene.CheckImage(drawn.Entry->Image, drawn.Image == nullptr); },
+          [&](const std::string& why) { vtkWarningWithObjectMacro(&scene, << why); } })
+  {
+  }
+
   vtkNew<vtkRayTracedImageActor> Actor;
   vtkNew<vtkCallbackCommand> MapperEvents;
-  rtglyphs::RayTracedContent Content;
+  rtglyphs::RayTracedDisplays Displays;
+  rtglyphs::RayTracedImages Images;
   rtglyphs::RayTracedImageSettings Settings;
-  bool Capture = false, Collective = false, Ordered = false, Stopped = false;
+  bool Capture = false, Collective = false, Ordered = false; // of the next frames
   std::string FeatureFile;
   rtglyphs::RayTracedPicker Picker;
   rtglyphs::RayTracedFXAA FXAA;
-  rtglyphs::RayTracedRendererState::Environment Environment;
-
-  std::vector<Drawn> Frame; // its images
-  bool Interactive = false;
-  rtglyphs::RayTracedFrameStatus Status; // of the last frame
-
-  std::string Reported, CameraReported; // the last failures, until there is an image again
-  bool PassReported = false, GroundReported = false, ExportReported = false, CutReported = false;
   rtglyphs::RayTracedProgress Progress;
-
+  rtglyphs::RayTracedFrame Frame;
+  rtglyphs::RayTracedFrameStatus Status; // of the last frame
   rtglyphs::RayTracedEdges Edges;
 
-  vtkMultiProcessController* OtherRanks() const;
-  // Of what the ground lies below, in the image that shows it. Of several ranks' pictures compositing takes no more
-  // than what lies before the bounds of their data.
-  vtkBoundingBox GroundBounds(int pass) const
-  {
-    const bool first = pass == opaque || !this->Content.Displays.Shows(opaque);
-    return first && !this->OtherRanks() ? this->Content.Displays.ComputeShownBounds() : vtkBoundingBox();
-  }
-  bool HasBothPasses() const
-  {
-    return this->Content.Displays.Shows(opaque) && this->Content.Displays.Shows(translucent);
-  }
+  std::string Reported; // the last failure, until there is an image again
+  bool PassReported = false, GroundReported = false, ExportReported = false, CutReported = false;
+
+  bool HasOtherRanks() const { return this->Collective && rtglyphs::RayTracedRanks::Count() > 1; }
 };
 
 //----------------------------------------------------------------------------
 vtkRayTracedScene::vtkRayTracedScene()
-  : Self(std::make_unique<Internals>())
+  : Self(std::make_unique<Internals>(*this))
 {
   this->Self->Actor->SetScene(this);
   this->Self->MapperEvents->SetClientData(this);
@@ -111,24 +99,15 @@ vtkRayTracedScene::vtkRayTracedScene()
       auto* mapper = static_cast<vtkRayTracedMapper*>(caller);
       event == vtkCommand::DeleteEvent ? scene->Remove(mapper) : scene->DrawIds(static_cast<vtkActor*>(actor), mapper);
     });
-  this->Self->Content.Sorting = [this](double share) { this->Self->Progress.Tell("Sorting Glyphs", share); };
 }
 
 //----------------------------------------------------------------------------
 vtkRayTracedScene::~vtkRayTracedScene()
 {
-  for (const rtglyphs::RayTracedDisplays::Display& display : this->Self->Content.Displays.GetAll())
+  for (const rtglyphs::RayTracedDisplays::Display& display : this->Self->Displays.GetAll())
   {
     display.Mapper->RemoveObserver(this->Self->MapperEvents);
   }
-}
-
-//----------------------------------------------------------------------------
-void vtkRayTracedScene::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Renderer: " << this->Renderer.Get() << endl;
-  os << indent << "Number of displays: " << this->Self->Content.Displays.GetAll().size() << endl;
 }
 
 //----------------------------------------------------------------------------
@@ -158,7 +137,7 @@ vtkRayTracedScene* vtkRayTracedScene::Find(vtkRenderer* renderer)
 //----------------------------------------------------------------------------
 void vtkRayTracedScene::Add(vtkActor* actor, vtkRayTracedMapper* mapper)
 {
-  this->Self->Content.Displays.Add(actor, mapper);
+  this->Self->Displays.Add(actor, mapper);
   mapper->RemoveObserver(this->Self->MapperEvents); // added again
   mapper->AddObserver(vtkCommand::RenderEvent, this->Self->MapperEvents);
   mapper->AddObserver(vtkCommand::DeleteEvent, this->Self->MapperEvents);
@@ -173,10 +152,10 @@ void vtkRayTracedScene::Remove(vtkRayTracedMapper* mapper)
 {
   Internals& self = *this->Self;
   mapper->RemoveObserver(self.MapperEvents);
-  self.Content.Displays.Remove(mapper, self.Content.Images);
-  if (self.Content.Displays.GetAll().empty())
+  self.Displays.Remove(mapper, self.Images);
+  if (self.Displays.GetAll().empty())
   {
-    self.Content.Images.DropImages();
+    self.Images.DropImages();
     if (this->Renderer)
     {
       this->Renderer->RemoveActor(self.Actor);
@@ -190,7 +169,7 @@ void vtkRayTracedScene::SetSettings(const rtglyphs::RayTracedImageSettings& sett
   if (!(this->Self->Settings == settings))
   {
     this->Self->Settings = settings;
-    this->Self->Stopped = false;
+    this->Self->Frame.SetStopped(false);
   }
 }
 
@@ -203,7 +182,7 @@ const rtglyphs::RayTracedImageSettings& vtkRayTracedScene::GetSettings() const
 //----------------------------------------------------------------------------
 void vtkRayTracedScene::SetStatistics(vtkRayTracedMapper* mapper, const rtglyphs::RayTracedDataStatistics& statistics)
 {
-  this->Self->Content.Displays.SetStatistics(mapper, statistics);
+  this->Self->Displays.SetStatistics(mapper, statistics);
 }
 
 //----------------------------------------------------------------------------
@@ -223,7 +202,7 @@ void vtkRayTracedScene::SaveFeatureImage(const std::string& fileName)
 //----------------------------------------------------------------------------
 void vtkRayTracedScene::Stop()
 {
-  this->Self->Stopped = true;
+  this->Self->Frame.SetStopped(true);
   this->Self->Status.Finish();
 }
 
@@ -256,7 +235,7 @@ void vtkRayTracedScene::ReportFailure(const rtg::ProgressiveImage& image)
 // A client whose server renders has displays without data.
 void vtkRayTracedScene::TakeSmoothing()
 {
-  if (this->Self->Content.Displays.AnyVisible() && !HasForeignPass(this->Renderer))
+  if (this->Self->Displays.AnyVisible() && !HasForeignPass(this->Renderer))
   {
     this->Self->FXAA.Take(this->Renderer);
   }
@@ -266,42 +245,56 @@ void vtkRayTracedScene::TakeSmoothing()
 void vtkRayTracedScene::StartFrame()
 {
   Internals& self = *this->Self;
-  self.Frame.clear();
-  self.Content.Images.StartFrame(self.Capture);
   self.ExportReported = false;
   self.CutReported &= self.Capture; // a picture may be captured in parts
   // On all ranks alike, whether or not they have something to draw.
-  self.Interactive = this->Renderer->GetRenderWindow()->GetDesiredUpdateRate() >= interactiveRate && !self.Capture;
-  if (self.Content.Displays.GetAll().empty())
+  vtkRenderWindow* window = this->Renderer->GetRenderWindow();
+  rtglyphs::RayTracedFrame::Kind kind;
+  kind.Capture = self.Capture;
+  kind.Interactive = window->GetDesiredUpdateRate() >= interactiveRate && !self.Capture;
+  kind.Features = !self.FeatureFile.empty() && !kind.Interactive;
+  kind.Collective = self.HasOtherRanks();
+  if (self.Displays.GetAll().empty())
   {
+    self.Frame.Start(kind);
     return;
   }
-  self.Progress.StartFrame(this->Renderer->GetRenderWindow());
+  self.Progress.StartFrame(window);
   vtkPropCollection* props = this->Renderer->GetViewProps();
   if (props->GetLastProp() != self.Actor)
   {
     props->RemoveItem(self.Actor);
     props->AddItem(self.Actor);
   }
-  if (self.Content.Update(this->Renderer, self.Settings, self.OtherRanks(),
+  if (self.Displays.Update(this->Renderer, self.Settings, kind.Collective, self.Images,
         [this](const std::string& message) { this->Report(message); }))
   {
-    self.Stopped = false;
+    self.Frame.SetStopped(false);
   }
-  if (!self.Content.Displays.ShowsAnything())
+  kind.Content = self.Displays.GetVersion();
+  kind.Images =
+    (self.Displays.Shows(opaque) && self.Displays.Shows(translucent) ? 2 : 1) * (window->GetStereoRender() ? 2 : 1);
+  if (!kind.Collective)
+  {
+    // Of several ranks' pictures compositing takes no more than what lies before the bounds of their data.
+    kind.GroundPass = self.Displays.Shows(opaque) ? opaque : translucent;
+    kind.Shown = self.Displays.ComputeShownBounds();
+  }
+  self.Frame.Start(kind);
+  if (!self.Displays.ShowsAnything())
   {
     // Nothing is shown: device memory goes back, but for compiled programs.
-    self.Content.Images.DropImages();
+    self.Images.DropImages();
   }
   const bool other = HasForeignPass(this->Renderer);
-  if (other && self.Content.Displays.ShowsAnything() && !self.PassReported)
+  if (other && self.Displays.ShowsAnything() && !self.PassReported)
   {
     vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out while the view's "
                        "EnableRayTracing is on. Switch it "
                        "off, or choose another representation such as 3D Glyphs.");
   }
   self.PassReported = other;
-  const bool cannot = self.Settings.GroundShadow != rtglyphs::RayTracedImageSettings::NoGround && self.OtherRanks();
+  const bool cannot = self.Settings.GroundShadow != rtglyphs::RayTracedImageSettings::NoGround && kind.Collective;
   if (cannot && !self.GroundReported)
   {
     vtkWarningMacro(<< "GroundShadow is left out: several ranks render. Set it to None, or render on one.");
@@ -311,106 +304,27 @@ void vtkRayTracedScene::StartFrame()
 }
 
 //----------------------------------------------------------------------------
-// Those that render this frame together with this one; null: there are none.
-vtkMultiProcessController* vtkRayTracedScene::Internals::OtherRanks() const
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return this->Collective && controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
-}
-
-//----------------------------------------------------------------------------
 bool vtkRayTracedScene::HasPass(int pass) const
 {
-  return this->Self->Content.Displays.Shows(pass);
+  return this->Self->Displays.Shows(pass);
 }
 
 //----------------------------------------------------------------------------
-// The image of a pass for a viewport of that size, which is traced once in a frame. Null: the camera sees nothing.
-const vtkRayTracedScene::Drawn*
-vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint32_t width, std::uint32_t height)
+void vtkRayTracedScene::CheckImage(const rtg::ProgressiveImage& image, bool failed)
 {
   Internals& self = *this->Self;
-  // A camera that sees nothing is no failure of the glyphs: the next one may be good.
-  rtg::ImageView view;
-  try
+  if (failed)
   {
-    view = rtglyphs::RayTracedImageRequest::ViewOf(self.Settings, this->Renderer, static_cast<rtg::Pass>(pass), width,
-      height, self.GroundBounds(pass), self.Environment);
-    self.CameraReported.clear();
-  }
-  catch (const rtg::Error& error)
-  {
-    if (self.CameraReported != error.what())
-    {
-      self.CameraReported = error.what();
-      vtkWarningMacro(<< error.what());
-    }
-    return nullptr;
-  }
-  view.content = self.Content.GetNumber();
-  const bool capture = self.Capture;
-  rtglyphs::RayTracedImageRequest::Frame frame;
-  frame.Capture = capture;
-  frame.Interactive = self.Interactive;
-  frame.Features = !self.FeatureFile.empty() && !self.Interactive;
-  frame.Images = (self.HasBothPasses() ? 2 : 1) * (window->GetStereoRender() ? 2 : 1);
-  const rtg::ImageEffort effort = rtglyphs::RayTracedImageRequest::EffortOf(self.Settings, frame);
-  // Ranks that all have everything trace a share each, and compositing puts these together.
-  vtkMultiProcessController* ranks = self.OtherRanks();
-  if (ranks && self.Settings.IsReplicated() && !effort.preview && !effort.features && !rtg::Denoises(view, effort))
-  {
-    view.settings.share = static_cast<std::uint32_t>(ranks->GetLocalProcessId());
-    view.settings.shares = static_cast<std::uint32_t>(ranks->GetNumberOfProcesses());
-  }
-
-  rtglyphs::RayTracedImages::Place place;
-  place.Pass = pass;
-  place.Width = view.settings.width;
-  place.Height = view.settings.height;
-  place.Eye = this->Renderer->GetActiveCamera()->GetLeftEye();
-  window->GetTileViewport(place.Tile.data());
-  rtglyphs::RayTracedImages::Entry& entry = self.Content.Images.Get(place);
-  const auto drawn =
-    std::find_if(self.Frame.begin(), self.Frame.end(), [&](const auto& d) { return d.Place == place; });
-  if (drawn != self.Frame.end() && entry.Image.View() == view)
-  {
-    return &*drawn;
-  }
-
-  // Another camera, for example, is asked for because somebody wants to see more.
-  const bool stays = self.Stopped && !capture && entry.Image.View() == view;
-  self.Stopped = capture ? self.Stopped : stays;
-  const bool growing = entry.Image.GetState() == rtg::ProgressiveImage::State::Growing;
-  // Somebody may not want it any more; and ParaView's progress bar wants to know.
-  rtglyphs::RayTracedSignal signal;
-  self.Progress.Start();
-  const rtg::Interrupt interrupt = [&](double share)
-  {
-    self.Progress.Tell(rtglyphs::RayTracedFrameStatus::NameOfStep(entry.Image.IsCompiling()), share);
-    return window->CheckAbortStatus() != 0 || signal.Arrived();
-  };
-  // Whoever is told or asked may paint meanwhile: Qt makes its own OpenGL context current, and binds framebuffers of
-  // widgets in ours.
-  window->GetState()->Push();
-  const rtg::Image* image =
-    stays && growing ? &entry.Image.GetImage() : self.Content.Trace(entry, view, effort, interrupt, this->Renderer);
-  window->MakeCurrent();
-  window->GetState()->Pop();
-  self.Frame.push_back(
-    { place, &entry, image, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
-  if (!image)
-  {
-    this->ReportFailure(entry.Image);
-    return &self.Frame.back();
+    this->ReportFailure(image);
+    return;
   }
   self.Reported.clear();
-  if (capture && entry.Image.GetState() == rtg::ProgressiveImage::State::Growing && !self.CutReported)
+  if (self.Capture && image.GetState() == rtg::ProgressiveImage::State::Growing && !self.CutReported)
   {
     self.CutReported = true;
-    vtkWarningMacro(<< "Tracing was stopped: the picture that is saved has " << entry.Image.Samples() << " of "
-                    << effort.samples << " samples a pixel. Save it again to have them all.");
+    vtkWarningMacro(<< "Tracing was stopped: the picture that is saved has " << image.Samples() << " of "
+                    << self.Settings.SamplesPerPixel << " samples a pixel. Save it again to have them all.");
   }
-  return &self.Frame.back();
 }
 
 //----------------------------------------------------------------------------
@@ -419,27 +333,27 @@ vtkRayTracedScene::TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint
 void vtkRayTracedScene::ExchangeEdges()
 {
   Internals& self = *this->Self;
-  vtkMultiProcessController* ranks = self.OtherRanks();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
   // Ordered compositing blends what ranks draw, in the order in which they lie.
-  if (!ranks || !window || self.Ordered || self.PassReported || this->Renderer->GetSelector() ||
+  if (!self.HasOtherRanks() || !window || self.Ordered || self.PassReported || this->Renderer->GetSelector() ||
     self.Settings.IsReplicated() || self.Settings.SamplesPerPixel < 2)
   {
     self.Edges.Clear();
     return;
   }
-  const Drawn* drawn = nullptr;
-  if (self.Content.Displays.Shows(opaque))
+  const rtglyphs::RayTracedFrame::Drawn* drawn = nullptr;
+  if (self.Displays.Shows(opaque))
   {
     window->MakeCurrent();
     this->Renderer->UpdateLightsGeometryToFollowCamera();
     int size[2], corner[2];
     this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &corner[0], &corner[1]);
-    drawn = this->TraceImage(opaque, window, static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]));
+    drawn = self.Frame.Trace(opaque, self.Settings, this->Renderer, window, static_cast<std::uint32_t>(size[0]),
+      static_cast<std::uint32_t>(size[1]));
   }
   const bool whole = drawn && drawn->Image && drawn->Entry->Image.IsComplete();
   const std::string problem =
-    self.Edges.Exchange(ranks, whole ? drawn->Image : nullptr, whole ? drawn->Entry->Image.Version() : 0);
+    self.Edges.Exchange(whole ? drawn->Image : nullptr, whole ? drawn->Entry->Image.Version() : 0);
   if (!problem.empty())
   {
     this->Report("Ray Traced Glyphs: smooth edges in front of other ranks' glyphs are mixed with the background (" +
@@ -461,16 +375,16 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
 
   const auto trace = [&](int of)
   {
-    return this->TraceImage(
-      of, window, static_cast<std::uint32_t>(viewport[2]), static_cast<std::uint32_t>(viewport[3]));
+    return self.Frame.Trace(of, self.Settings, this->Renderer, window, static_cast<std::uint32_t>(viewport[2]),
+      static_cast<std::uint32_t>(viewport[3]));
   };
   const auto waits = [&](int of)
   {
-    const Drawn* traced = this->HasPass(of) ? trace(of) : nullptr;
+    const rtglyphs::RayTracedFrame::Drawn* traced = this->HasPass(of) ? trace(of) : nullptr;
     return traced && traced->Image && !traced->Entry->Image.HasPicture();
   };
   const bool waiting = waits(opaque) || waits(translucent);
-  const Drawn* drawn = trace(pass);
+  const rtglyphs::RayTracedFrame::Drawn* drawn = trace(pass);
   const rtg::Image* image = drawn ? drawn->Image : nullptr;
   if (!image)
   {
@@ -481,20 +395,20 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
   {
     rtglyphs::RayTracedImages::Entry& entry = *drawn->Entry;
     self.Edges.Draw(image, window, this->Renderer, imageActor, mapper);
-    self.Content.Images.Send(
+    self.Images.Send(
       entry, *image, rtglyphs::RayTracedImageRequest::EffectsOf(self.Settings, entry.Image.View(), *image), window);
     entry.Quad.SetCamera(worldToClip);
-    self.Content.Images.Draw(entry, /*again=*/false, this->Renderer, imageActor, mapper);
+    self.Images.Draw(entry, /*again=*/false, this->Renderer, imageActor, mapper);
     return;
   }
   // While a program is compiled there is nothing to see of the image that needs it. The last frame stays, which may
   // show what is no longer so; but not from another camera, beside what ParaView draws, nor in files.
-  const auto last = self.Content.Images.GetLast(drawn->Place);
+  const auto last = self.Images.GetLast(drawn->Place);
   for (int of : { opaque, translucent })
   {
     if (last[of] && !self.Capture && (of == pass || !this->HasPass(of)) && last[of]->Quad.MoveTo(worldToClip))
     {
-      self.Content.Images.Draw(*last[of], /*again=*/true, this->Renderer, imageActor, mapper);
+      self.Images.Draw(*last[of], /*again=*/true, this->Renderer, imageActor, mapper);
     }
   }
 }
@@ -504,12 +418,12 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
 void vtkRayTracedScene::SmoothFrame()
 {
   Internals& self = *this->Self;
-  if (self.OtherRanks())
+  if (self.HasOtherRanks())
   {
     return;
   }
   self.FXAA.Apply(
-    this->Renderer, [this, &self](vtkTextureObject* pixels) { self.Content.Images.DrawKept(this->Renderer, pixels); });
+    this->Renderer, [this, &self](vtkTextureObject* pixels) { self.Images.DrawKept(this->Renderer, pixels); });
 }
 
 //----------------------------------------------------------------------------
@@ -519,7 +433,7 @@ void vtkRayTracedScene::EndFrame()
   Internals& self = *this->Self;
   self.Progress.EndFrame();
   self.FXAA.GiveBack(this->Renderer);
-  if (self.Content.Displays.GetAll().empty() || this->Renderer->GetSelector())
+  if (self.Displays.GetAll().empty() || this->Renderer->GetSelector())
   {
     return;
   }
@@ -528,36 +442,36 @@ void vtkRayTracedScene::EndFrame()
   frame.Stereo = this->Renderer->GetRenderWindow()->GetStereoRender() != 0;
   frame.Eye = this->Renderer->GetActiveCamera()->GetLeftEye() != 0;
   bool finished = true;
-  for (const Drawn& drawn : self.Frame)
+  for (const rtglyphs::RayTracedFrame::Drawn& drawn : self.Frame.GetAll())
   {
     using State = rtg::ProgressiveImage::State;
     const rtg::ProgressiveImage& image = drawn.Entry->Image;
     const State state = image.GetState();
     frame.Compiling |= state == State::Growing && image.IsCompiling();
-    frame.Progress = self.Stopped && !self.Capture ? 1.0 : std::min(frame.Progress, image.Progress());
+    frame.Progress = self.Frame.IsStopped() ? 1.0 : std::min(frame.Progress, image.Progress());
     frame.Samples = std::min(frame.Samples, state == State::Failed ? 0.0 : double(image.Samples()));
     finished &= state == State::Finished;
   }
-  vtkMultiProcessController* ranks = self.OtherRanks();
-  self.Status.SetFrame(frame, self.Interactive ? nullptr : ranks);
-  if (!ranks)
+  const bool interactive = self.Frame.GetKind().Interactive;
+  self.Status.SetFrame(frame, self.HasOtherRanks() && !interactive);
+  if (!self.HasOtherRanks())
   {
     self.Status.ForgetSums();
   }
-  else if (!self.Interactive)
+  else if (!interactive)
   {
-    self.Status.SumNumbers(ranks, self.Content);
+    self.Status.SumNumbers(self.Displays, self.Images);
   }
 
-  if (!self.FeatureFile.empty() && finished && !self.Frame.empty() && self.Content.Images.GetScene())
+  if (!self.FeatureFile.empty() && finished && !self.Frame.GetAll().empty() && self.Images.GetScene())
   {
     std::vector<const rtg::Image*> images;
-    for (const Drawn& drawn : self.Frame)
+    for (const rtglyphs::RayTracedFrame::Drawn& drawn : self.Frame.GetAll())
     {
       images.push_back(&drawn.Entry->Image.GetImage());
     }
     const std::string problem = rtglyphs::RayTracedFeatureImage::Write(self.FeatureFile, images,
-      *self.Content.Images.GetScene(), self.Content.Displays.GetShownMappers(), self.Frame.front().EyeDepth);
+      *self.Images.GetScene(), self.Displays.GetShownMappers(), self.Frame.GetAll().front().EyeDepth);
     self.FeatureFile.clear();
     if (!problem.empty())
     {
@@ -569,14 +483,14 @@ void vtkRayTracedScene::EndFrame()
 //----------------------------------------------------------------------------
 bool vtkRayTracedScene::PlaceAt(int x, int y, double place[3])
 {
-  return rtglyphs::RayTracedPicker::PlaceAt(this->Self->Content, this->Renderer, x, y, place,
+  return rtglyphs::RayTracedPicker::PlaceAt(this->Self->Displays, this->Self->Images, this->Renderer, x, y, place,
     [this](const rtg::ProgressiveImage& image) { this->ReportFailure(image); });
 }
 
 //----------------------------------------------------------------------------
 void vtkRayTracedScene::DrawIds(vtkActor* actor, vtkRayTracedMapper* mapper)
 {
-  this->Self->Picker.DrawIds(this->Self->Content, this->Renderer, actor, mapper,
+  this->Self->Picker.DrawIds(this->Self->Displays, this->Self->Images, this->Renderer, actor, mapper,
     [this](const rtg::ProgressiveImage& image) { this->ReportFailure(image); });
 }
 
@@ -585,8 +499,8 @@ std::vector<vtkRayTracedScene::Shown> vtkRayTracedScene::CopyShown()
 {
   std::vector<Shown> all;
   std::vector<rtg::GlyphInstances> built;
-  const rtglyphs::RayTracedDisplays& displays = this->Self->Content.Displays;
-  for (const rtglyphs::RayTracedNeighbors::Shown& shown : displays.GetShown(this->Self->Content.Images, built))
+  const rtglyphs::RayTracedDisplays& displays = this->Self->Displays;
+  for (const rtglyphs::RayTracedNeighbors::Shown& shown : displays.GetShown(this->Self->Images, built))
   {
     all.push_back({ *shown.Instances, *shown.Colors, displays.GetAll()[shown.Display].Material });
   }
@@ -597,10 +511,9 @@ std::vector<vtkRayTracedScene::Shown> vtkRayTracedScene::CopyShown()
 void vtkRayTracedScene::ReportExport()
 {
   Internals& self = *this->Self;
-  rtglyphs::RayTracedPythonClass::Register();
   const bool selecting =
     this->Renderer->GetSelector() != nullptr; // VTK 9.6's selector asks actors for their mappers, too
-  if (self.Content.Displays.ShowsAnything() && !selecting && !self.PassReported && !self.ExportReported)
+  if (self.Displays.ShowsAnything() && !selecting && !self.PassReported && !self.ExportReported)
   {
     vtkWarningMacro(<< "Ray-traced glyphs and surfaces are left out of the exported file: they have no polygons. "
                        "Export the glyphs by themselves (Ray-traced glyphs, .usda or .glb), choose another "
@@ -612,7 +525,7 @@ void vtkRayTracedScene::ReportExport()
 //----------------------------------------------------------------------------
 void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Self->Content.Images.ReleaseGraphicsResources(window);
+  this->Self->Images.ReleaseGraphicsResources(window);
   this->Self->Picker.ReleaseGraphicsResources(window);
   this->Self->Edges.ReleaseGraphicsResources(window);
   this->Self->FXAA.ReleaseGraphicsResources();
@@ -621,5 +534,5 @@ void vtkRayTracedScene::ReleaseGraphicsResources(vtkWindow* window)
 //----------------------------------------------------------------------------
 std::string vtkRayTracedScene::GetStatistics()
 {
-  return this->Self->Status.GetStatistics(this->Self->Content);
+  return this->Self->Status.GetStatistics(this->Self->Displays, this->Self->Images);
 }

@@ -32,7 +32,6 @@ class ProgressiveImage;
 }
 class vtkActor;
 class vtkMapper;
-class vtkOpenGLRenderWindow;
 class vtkInformationObjectBaseKey;
 class vtkRayTracedMapper;
 class vtkRenderer;
@@ -46,7 +45,6 @@ class vtkRayTracedScene : public vtkObject
 {
 public:
   vtkTypeMacro(vtkRayTracedScene, vtkObject);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
@@ -145,10 +143,7 @@ protected:
   ~vtkRayTracedScene() override;
 
 private:
-  vtkRayTracedScene(const vtkRayTracedScene&) = delete;
-  void operator=(const vtkRayTracedScene&) = delete;
   static vtkRayTracedScene* New();
-  struct Drawn;
 
   void TakeSmoothing();
   void StartFrame();
@@ -156,7 +151,7 @@ private:
   void Report(const std::string& message);
   void Report(const std::string& message, const std::string& what);
   void ReportFailure(const rtg::ProgressiveImage& image);
-  const Drawn* TraceImage(int pass, vtkOpenGLRenderWindow* window, std::uint32_t width, std::uint32_t height);
+  void CheckImage(const rtg::ProgressiveImage& image, bool failed);
   void ExchangeEdges();
 
   vtkWeakPointer<vtkRenderer> Renderer;

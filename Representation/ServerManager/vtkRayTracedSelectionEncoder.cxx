@@ -47,8 +47,8 @@ bool TakeMarked(vtkSelectionNode* from, vtkSelectionNode* to)
   for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
   {
     const vtkIdType id = ids->GetValue(i);
-    const bool marked = rtglyphs::RayTracedArrays::IsMarked(id);
-    (marked ? taken : kept)->InsertNextValue(marked ? rtglyphs::RayTracedArrays::Unmarked(id) : id);
+    const bool marked = rtglyphs::RayTracedArrays::IsCellId(id);
+    (marked ? taken : kept)->InsertNextValue(marked ? rtglyphs::RayTracedArrays::DecodeCellId(id) : id);
   }
   if (taken->GetNumberOfValues() == 0)
   {

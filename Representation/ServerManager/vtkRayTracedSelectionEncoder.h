@@ -2,10 +2,10 @@
  * @class   vtkRayTracedSelectionEncoder
  * @brief   selects what glyphs stand for, whatever is asked for
  *
- * Glyphs of points without cells give a Marked() number in the place of a cell's, glyphs at the centers of cells one in
- * the place of a point's (RayTracedArrays). This class makes a selection of those points or cells, so that picking
- * such glyphs does what the user sees. It takes the place of ParaView's
- * vtkPVEncodeSelectionForServer from the first ray-traced display on.
+ * Glyphs of points without cells give a EncodeCellId() number in the place of a cell's, glyphs at the centers of cells
+ * one in the place of a point's (RayTracedArrays). This class makes a selection of those points or cells, so that
+ * picking such glyphs does what the user sees. It takes the place of ParaView's vtkPVEncodeSelectionForServer from the
+ * first ray-traced display on.
  */
 #ifndef vtkRayTracedSelectionEncoder_h
 #define vtkRayTracedSelectionEncoder_h

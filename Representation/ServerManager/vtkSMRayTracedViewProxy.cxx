@@ -270,36 +270,39 @@ bool vtkSMRayTracedViewProxy::IsRenderedRemotely()
 }
 
 //----------------------------------------------------------------------------
-bool vtkSMRayTracedViewProxy::FindPlace(int x, int y, double place[3])
+// Of the process that renders; with remote rendering nothing happens on the client, and the server's first rank knows.
+std::string vtkSMRayTracedViewProxy::Ask(const vtkClientServerStream& question, bool ofAllRanks)
 {
   const bool remote = this->IsRenderedRemotely();
+  const vtkTypeUInt32 first = remote ? vtkPVSession::RENDER_SERVER_ROOT : vtkPVSession::CLIENT;
+  this->ExecuteStream(question, /*ignore_errors=*/false, remote && ofAllRanks ? vtkPVSession::RENDER_SERVER : first);
+  std::string json;
+  this->GetLastResult(first).GetArgument(0, 0, &json);
+  return json;
+}
+
+//----------------------------------------------------------------------------
+bool vtkSMRayTracedViewProxy::FindPlace(int x, int y, double place[3])
+{
   vtkClientServerStream stream;
   stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "FindPlace" << x << y << vtkClientServerStream::End;
-  this->ExecuteStream(stream, /*ignore_errors=*/false, remote ? vtkPVSession::RENDER_SERVER : vtkPVSession::CLIENT);
-  std::string result;
-  if (!this->GetLastResult(remote ? vtkPVSession::RENDER_SERVER_ROOT : vtkPVSession::CLIENT).GetArgument(0, 0, &result))
-  {
-    return false;
-  }
-  const auto found = nlohmann::json::parse(result).get<std::vector<double>>();
+  const std::string answer = this->Ask(stream, /*ofAllRanks=*/true);
+  const auto found = answer.empty() ? std::vector<double>() : nlohmann::json::parse(answer).get<std::vector<double>>();
   std::copy(found.begin(), found.end(), place);
   return !found.empty();
 }
 
 //----------------------------------------------------------------------------
-// With remote rendering nothing happens on the client, and the server's first rank has the statistics.
 void vtkSMRayTracedViewProxy::UpdateStatistics()
 {
-  const vtkTypeUInt32 renders = this->IsRenderedRemotely() ? vtkPVSession::RENDER_SERVER_ROOT : vtkPVSession::CLIENT;
   vtkClientServerStream stream;
   stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "GetRenderStatistics" << vtkClientServerStream::End;
-  this->ExecuteStream(stream, /*ignore_errors=*/false, renders);
-  std::string statistics;
-  if (!this->GetLastResult(renders).GetArgument(0, 0, &statistics))
+  const std::string answer = this->Ask(stream, /*ofAllRanks=*/false);
+  if (answer.empty())
   {
     return;
   }
-  auto all = nlohmann::ordered_json::parse(statistics);
+  auto all = nlohmann::ordered_json::parse(answer);
   const double progress = all.value("RefinementProgress", 1.0);
   const std::string step = all.value("RefinementStep", "");
   this->Samples = all.value("AccumulatedSamples", 0);

@@ -92,6 +92,7 @@ private:
   void operator=(const vtkSMRayTracedViewProxy&) = delete;
 
   bool IsRenderedRemotely();
+  std::string Ask(const vtkClientServerStream& question, bool ofAllRanks); // empty: no answer
   std::vector<std::pair<std::string, int>> MeantBy(int quality);
   void FollowQuality(const std::string& name);
   void Take(vtkObject* settings, unsigned long, void* name);

@@ -3,7 +3,6 @@
 #include "Finite.h"
 #include "GlyphMotion.h"
 #include "GlyphPlacement.h"
-#include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -12,7 +11,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedIntArray.h"
 
 #include <cmath>
 #include <utility>
@@ -66,12 +64,10 @@ std::vector<glm::vec3> Turn(vtkDataArray* array, const rtglyphs::GlyphPlacement&
 }
 
 // Polygons as fans: they are triangles, unless something on the way here has cut them.
-void AddTriangles(vtkPolyData* polygons, const rtglyphs::GlyphBlockAttributes::Table& table, bool mirrored,
+void AddTriangles(vtkPolyData* polygons, const rtglyphs::RayTracedRanges& hidden, bool mirrored,
   rtglyphs::RayTracedTriangleBuilder::Result& result)
 {
   const std::vector<glm::vec3>& positions = result.Mesh.positions;
-  auto* blocks =
-    vtkUnsignedIntArray::SafeDownCast(polygons->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CompositeIndex));
   vtkIdType cell = polygons->GetNumberOfVerts() + polygons->GetNumberOfLines();
   auto iterator = vtk::TakeSmartPointer(polygons->GetPolys()->NewIterator());
   for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell(), ++cell)
@@ -79,12 +75,7 @@ void AddTriangles(vtkPolyData* polygons, const rtglyphs::GlyphBlockAttributes::T
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     iterator->GetCurrentCell(size, corners);
-    const auto block = blocks && size > 0 ? table.find(blocks->GetValue(corners[0])) : table.end();
-    if (block != table.end() && !block->second.Visible)
-    {
-      continue;
-    }
-    for (vtkIdType i = 2; i < size; ++i)
+    for (vtkIdType i = 2; i < size && !hidden.Has(corners[0]); ++i)
     {
       glm::uvec3 triangle(corners[0], corners[i - 1], corners[i]);
       if (!rtg::IsFinite(positions[triangle.x]) || !rtg::IsFinite(positions[triangle.y]) ||
@@ -125,9 +116,8 @@ void AddMotion(const rtglyphs::GlyphMotion& motion, const rtglyphs::GlyphPlaceme
   motion.Finish(mesh.motion);
 }
 
-rtglyphs::RayTracedTriangleBuilder::Result Build(vtkPolyData* polygons,
-  const rtglyphs::GlyphBlockAttributes::Table& blocks, const rtglyphs::GlyphPlacement& placement, bool smooth,
-  bool relative, const rtglyphs::GlyphMotion* motion)
+rtglyphs::RayTracedTriangleBuilder::Result Build(vtkPolyData* polygons, const rtglyphs::RayTracedRanges& hidden,
+  const rtglyphs::GlyphPlacement& placement, bool smooth, bool relative, const rtglyphs::GlyphMotion* motion)
 {
   rtglyphs::RayTracedTriangleBuilder::Result result;
   if (!polygons->GetPoints() || polygons->GetNumberOfPoints() == 0)
@@ -153,7 +143,7 @@ rtglyphs::RayTracedTriangleBuilder::Result Build(vtkPolyData* polygons,
   {
     AddMotion(*motion, placement, mesh);
   }
-  AddTriangles(polygons, blocks, glm::determinant(placement.Linear) < 0.0, result);
+  AddTriangles(polygons, hidden, glm::determinant(placement.Linear) < 0.0, result);
   for (glm::vec3& position : mesh.positions)
   {
     position = rtg::IsFinite(position) ? position : glm::vec3(0.0f); // of no triangle
@@ -169,10 +159,9 @@ rtglyphs::RayTracedTriangleBuilder::Result Build(vtkPolyData* polygons,
 
 //----------------------------------------------------------------------------
 rtglyphs::RayTracedTriangleBuilder::Result rtglyphs::RayTracedTriangleBuilder::BuildRelative(vtkPolyData* polygons,
-  const rtglyphs::GlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld, bool smooth,
-  const rtglyphs::GlyphMotion& motion)
+  const rtglyphs::RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld, bool smooth, const rtglyphs::GlyphMotion& motion)
 {
-  return Build(polygons, blocks, rtglyphs::GlyphPlacement(modelToWorld), smooth, /*relative=*/true, &motion);
+  return Build(polygons, hidden, rtglyphs::GlyphPlacement(modelToWorld), smooth, /*relative=*/true, &motion);
 }
 
 //----------------------------------------------------------------------------

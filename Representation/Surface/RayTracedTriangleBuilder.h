@@ -10,7 +10,7 @@
 #ifndef RayTracedTriangleBuilder_h
 #define RayTracedTriangleBuilder_h
 
-#include "GlyphBlockAttributes.h"
+#include "RayTracedRanges.h"
 #include "TriangleMesh.h"
 #include "vtkType.h"
 
@@ -34,12 +34,12 @@ public:
   };
 
   /**
-   * In the world, relative to the middle of the data. Blocks as RayTracedBlocks::GetTable() has them; hidden ones
+   * In the world, relative to the middle of the data. Points that are `hidden` (RayTracedBlocks::GetHidden())
    * are left out. `modelToWorld` may be null. Without `smooth`, normals are left out. The motion of the points becomes
    * that of the positions.
    */
-  static Result BuildRelative(vtkPolyData* polygons, const GlyphBlockAttributes::Table& blocks,
-    vtkMatrix4x4* modelToWorld, bool smooth, const GlyphMotion& motion);
+  static Result BuildRelative(vtkPolyData* polygons, const RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld,
+    bool smooth, const GlyphMotion& motion);
 
   /**
    * In the polygons' own frame, relative to its origin.

@@ -55,4 +55,3 @@ struct GlyphTessellatedSet
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphTessellatedSet.h

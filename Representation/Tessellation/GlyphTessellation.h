@@ -40,4 +40,3 @@ rtg::TriangleMesh NestedSuperquadric(const glm::vec3& exponents, int facets);
 }
 
 #endif
-// VTK-HeaderTest-Exclude: GlyphTessellation.h

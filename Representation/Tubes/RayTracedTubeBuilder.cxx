@@ -3,6 +3,7 @@
 #include "Finite.h"
 #include "GlyphPlacement.h"
 #include "RayTracedArrays.h"
+#include "RayTracedBlocks.h"
 #include "RayTracedParallel.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -13,7 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedIntArray.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -37,25 +37,29 @@ struct Piece
 class Builder
 {
 public:
-  Builder(vtkPolyData* lines, vtkMatrix4x4* modelToWorld, const Settings& settings)
+  Builder(
+    vtkPolyData* lines, const rtglyphs::RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld, const Settings& settings)
     : Lines(lines)
+    , Hidden(hidden)
     , How(settings)
     , Placement(modelToWorld)
     , Motion(lines, WithoutTurns(settings.Motion))
     , Positions(lines->GetPoints()->GetData())
     , Radii(rtglyphs::RayTracedTubeBuilder::RadiusArray(lines, settings, this->RadiiOfCells))
+    , LackingRadii(rtglyphs::RayTracedBlocks::Lacking(this->Radii))
+    , RankLacksRadii(!this->Radii && rtglyphs::RayTracedBlocks::IsElsewhere(lines, settings.RadiusArray))
   {
     const double determinant = std::abs(glm::determinant(this->Placement.Linear));
     this->Factor =
       std::abs(settings.Radius) * (this->Placement.Uniform ? std::abs(this->Placement.Scale) : std::cbrt(determinant));
   }
 
-  rtglyphs::RayTracedTubeBuilder::Result Build(const rtglyphs::GlyphBlockAttributes::Table& blocks)
+  rtglyphs::RayTracedTubeBuilder::Result Build()
   {
     this->FindPlaces();
-    this->FindPieces(blocks);
+    this->FindPieces();
     this->Place();
-    this->Tell();
+    this->ReportMessages();
     return std::move(this->Out);
   }
 
@@ -118,10 +122,8 @@ private:
       this->Motion.IsFinite(point);
   }
 
-  void FindPieces(const rtglyphs::GlyphBlockAttributes::Table& table)
+  void FindPieces()
   {
-    auto* blocks = vtkUnsignedIntArray::SafeDownCast(
-      this->Lines->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CompositeIndex));
     vtkIdType cell = this->Lines->GetNumberOfVerts();
     auto iterator = vtk::TakeSmartPointer(this->Lines->GetLines()->NewIterator());
     for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell(), ++cell)
@@ -129,8 +131,8 @@ private:
       vtkIdType size = 0;
       const vtkIdType* points = nullptr;
       iterator->GetCurrentCell(size, points);
-      const auto block = blocks && size > 0 ? table.find(blocks->GetValue(points[0])) : table.end();
-      if (block == table.end() || block->second.Visible)
+      if (size > 0 && !this->Hidden.Has(points[0]) && !this->RankLacksRadii &&
+        !this->LackingRadii.Has(this->RadiiOfCells ? cell : points[0]))
       {
         this->AddLine(cell, size, points);
       }
@@ -408,10 +410,13 @@ private:
     }
   }
 
-  void Tell()
+  void ReportMessages()
   {
     this->Out.Messages = this->Motion.Messages();
-    if (!rtglyphs::RayTracedArrays::IsNone(this->How.RadiusArray) && !this->Radii)
+    rtglyphs::RayTracedBlocks::ReportLacking(
+      this->Lines, this->How.RadiusArray, this->Hidden, "TubeRadiusArray", "have no tubes", this->Out.Messages);
+    rtglyphs::GlyphMotion::ReportLacking(this->Lines, WithoutTurns(this->How.Motion), this->Hidden, this->Out.Messages);
+    if (!rtglyphs::RayTracedArrays::IsNone(this->How.RadiusArray) && !this->Radii && !this->RankLacksRadii)
     {
       this->Out.Messages.push_back("There is no array '" + this->How.RadiusArray +
         "' of one to three components that has a value for each point or cell of the lines, so all tubes have the "
@@ -445,12 +450,15 @@ private:
   }
 
   vtkPolyData* Lines;
+  const rtglyphs::RayTracedRanges& Hidden;
   const Settings& How;
   const rtglyphs::GlyphPlacement Placement;
   const rtglyphs::GlyphMotion Motion;
   vtkDataArray* Positions;
   bool RadiiOfCells = false;
   vtkDataArray* Radii;
+  const rtglyphs::RayTracedRanges& LackingRadii; // points, or cells
+  const bool RankLacksRadii;
   double Factor = 1.0; // of radii
   double Extent = 0.0; // of places
   std::vector<glm::dvec3> Places;
@@ -493,8 +501,8 @@ vtkDataArray* rtglyphs::RayTracedTubeBuilder::RadiusArray(vtkPolyData* lines, co
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::RayTracedTubeBuilder::Result rtglyphs::RayTracedTubeBuilder::Build(vtkPolyData* lines,
-  const rtglyphs::GlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld, const Settings& settings)
+rtglyphs::RayTracedTubeBuilder::Result rtglyphs::RayTracedTubeBuilder::Build(
+  vtkPolyData* lines, const rtglyphs::RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld, const Settings& settings)
 {
   if (!lines->GetPoints() || lines->GetNumberOfPoints() == 0)
   {
@@ -502,5 +510,5 @@ rtglyphs::RayTracedTubeBuilder::Result rtglyphs::RayTracedTubeBuilder::Build(vtk
     nothing.Instances.shape = rtg::Shape::RoundCone;
     return nothing;
   }
-  return Builder(lines, modelToWorld, settings).Build(blocks);
+  return Builder(lines, hidden, modelToWorld, settings).Build();
 }

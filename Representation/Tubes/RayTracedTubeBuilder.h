@@ -12,7 +12,7 @@
 #ifndef RayTracedTubeBuilder_h
 #define RayTracedTubeBuilder_h
 
-#include "GlyphBlockAttributes.h"
+#include "RayTracedRanges.h"
 #include "GlyphMotion.h"
 #include "Glyphs.h"
 #include "vtkType.h"
@@ -61,11 +61,11 @@ public:
   static vtkDataArray* RadiusArray(vtkPolyData* lines, const Settings& settings, bool& ofCells);
 
   /**
-   * In the world, relative to the middle of the data. Blocks as RayTracedBlocks::GetTable() has them; hidden ones
+   * In the world, relative to the middle of the data. Points that are `hidden` (RayTracedBlocks::GetHidden())
    * are left out. `modelToWorld` may be null.
    */
-  static Result Build(vtkPolyData* lines, const GlyphBlockAttributes::Table& blocks, vtkMatrix4x4* modelToWorld,
-    const Settings& settings);
+  static Result
+  Build(vtkPolyData* lines, const RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld, const Settings& settings);
 };
 
 } // namespace rtglyphs

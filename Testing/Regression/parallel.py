@@ -9,6 +9,7 @@ import json
 import sys
 
 import paraview.simple as pv
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 import comparison
@@ -204,6 +205,35 @@ def blocks(_, ranks, failures):
             failures.append("%s differs from one rank" % picture)
 
 
+def words(view, ranks, failures):
+    """A name that no rank has is one message of all; blocks that lack an array that another rank has are named."""
+    path = session.output("parallel-words")
+    script = """
+from vtkmodules.vtkCommonCore import vtkFileOutputWindow, vtkOutputWindow
+window = vtkFileOutputWindow()
+window.SetFileName("%s-%%d-of-%%d" %% (rank, ranks))
+window.FlushOn()
+open(window.GetFileName(), "w").close()
+vtkOutputWindow.SetInstance(window)
+""" % path
+    before = vtkOutputWindow.GetInstance()
+    shown = session.glyphs(session.blocks_of_ranks(script), view, "Box", 1, Orient=0, ScaleMode="Magnitude", ScaleFactor=0.4)
+    said = []
+    for array in ("misspelled", "height"):
+        shown.SelectScaleArray = array
+        pv.Render(view)
+        said.append([open("%s-%d-of-%d" % (path, rank, ranks), encoding="utf-8").read() for rank in range(ranks)])
+    vtkOutputWindow.SetInstance(before)
+    misspelled, height = "".join(said[0]), "".join(after[len(text):] for text, after in zip(*said))
+    named = [height.count("'block%d'" % i) for i in range(4)]
+    print("messages: %s%s" % (misspelled, height))
+    if misspelled.count("Warning") != 1 or "There is no point array 'misspelled'" not in misspelled:
+        failures.append("a misspelled array: %d messages" % misspelled.count("Warning"))
+    if height.count("no array 'height'") != height.count("Warning") or named != [1, 0, 1, 1]:
+        failures.append("an array of one block: messages do not name the others")
+    pv.Delete(shown)
+
+
 def number_of_points(shown):
     """Points that carry glyphs, over all ranks."""
     return shown.GetRepresentedDataInformation().GetNumberOfPoints()
@@ -252,7 +282,7 @@ def main(folder):
         if points and number_of_points(shown) != points:
             failures.append("%s: %d glyphs, %d points" % (name, number_of_points(shown), points))
         pv.Delete(view)
-    for check in (light, together, blocks):
+    for check in (light, together, blocks, words):
         view = session.view(300, 200)
         check(view, ranks, failures)
         pv.Delete(view)

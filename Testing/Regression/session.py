@@ -169,9 +169,9 @@ for number in range(4):
 """
 
 
-def blocks_of_ranks():
-    """A source of blocks that only one rank has, run on each rank of a server, too."""
-    return pv.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script=BEFORE_POINTS + BLOCKS)
+def blocks_of_ranks(before=""):
+    """A source of blocks that only one rank has, run on each rank of a server, too; before: what each does first."""
+    return pv.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script=BEFORE_POINTS + before + BLOCKS)
 
 
 def replace_data(producer, data):

@@ -2,8 +2,9 @@
 
 Usage: pvpython work_of_changes.py SOURCE
 
-SOURCE is the folder with Kernels and Representation. Fields are read out of the headers, so that a new one
-without an entry in FIELDS fails; so are the arrays of GlyphArrays::All().
+SOURCE is the folder with Kernels and Representation. Fields are read out of the headers: a new one is changed as the row of
+its property in every_property.py says, and must build the glyphs anew, unless it has an entry in FIELDS. So are the arrays
+of GlyphArrays::All(), of which each has an entry.
 """
 import os
 import re
@@ -14,6 +15,7 @@ import paraview.simple as pv
 
 import session
 from checks import Checks
+from every_property import ROWS
 
 #: what some change may move; of all else of RenderStatistics nothing that counts may
 KINDS = {
@@ -316,7 +318,10 @@ def main():
     checks = Checks()
     for struct, header in HEADERS.items():
         found = fields_of(os.path.join(sys.argv[1], header), struct)
-        checks.equal("fields of " + struct, sorted(found), sorted(FIELDS[struct]))
+        checks.equal("fields that %s does not have" % struct, sorted(set(FIELDS[struct]) - set(found)), [])
+        for field in set(found) - set(FIELDS[struct]):
+            FIELDS[struct][field] = [(row.properties, row.name, row.value, "glyphs") for row in ROWS if row.name in (field, "Glyph" + field)]
+            checks.true("%s::%s has neither an entry in FIELDS nor a row of its property in every_property.py" % (struct, field), FIELDS[struct][field])
     with open(os.path.join(sys.argv[1], "Representation/Glyphs/GlyphTuples.cxx")) as code:
         code = code.read()
     # The rows of its table, and the list that All() begins with.

@@ -2,8 +2,8 @@
  * Which point or cell each glyph or triangle stands for. Where each stands for that of its own number, as mostly, the
  * list is not kept: of many glyphs it would be the longest one.
  */
-#ifndef RayTracedSources_h
-#define RayTracedSources_h
+#ifndef RayTracedOriginalIds_h
+#define RayTracedOriginalIds_h
 
 #include "vtkType.h"
 
@@ -14,18 +14,18 @@
 namespace rtglyphs
 {
 
-class RayTracedSources
+class RayTracedOriginalIds
 {
 public:
-  RayTracedSources() = default;
-  RayTracedSources(std::vector<vtkIdType> sources)
-    : Count(static_cast<vtkIdType>(sources.size()))
+  RayTracedOriginalIds() = default;
+  RayTracedOriginalIds(std::vector<vtkIdType> ids)
+    : Count(static_cast<vtkIdType>(ids.size()))
   {
     for (vtkIdType i = 0; i < this->Count; ++i)
     {
-      if (sources[i] != i)
+      if (ids[i] != i)
       {
-        this->List = std::move(sources);
+        this->List = std::move(ids);
         break;
       }
     }
@@ -37,13 +37,13 @@ public:
 
   std::vector<vtkIdType> ToVector() const
   {
-    std::vector<vtkIdType> sources = this->List;
-    if (sources.empty())
+    std::vector<vtkIdType> ids = this->List;
+    if (ids.empty())
     {
-      sources.resize(this->Count);
-      std::iota(sources.begin(), sources.end(), vtkIdType(0));
+      ids.resize(this->Count);
+      std::iota(ids.begin(), ids.end(), vtkIdType(0));
     }
-    return sources;
+    return ids;
   }
 
 private:
@@ -54,4 +54,3 @@ private:
 } // namespace rtglyphs
 
 #endif
-// VTK-HeaderTest-Exclude: RayTracedSources.h

@@ -1,0 +1,99 @@
+#include "RayTracedFrame.h"
+
+#include "RayTracedFrameStatus.h"
+#include "RayTracedProgress.h"
+#include "RayTracedRanks.h"
+#include "RayTracedSignal.h"
+#include "vtkCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <utility>
+
+//----------------------------------------------------------------------------
+rtglyphs::RayTracedFrame::RayTracedFrame(
+  rtglyphs::RayTracedImages& images, rtglyphs::RayTracedProgress& progress, Listener listener)
+  : Images(images)
+  , Progress(progress)
+  , To(std::move(listener))
+{
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::RayTracedFrame::Start(const Kind& kind)
+{
+  this->Own = kind;
+  this->All.clear();
+  this->Images.StartFrame(kind.Capture);
+}
+
+//----------------------------------------------------------------------------
+const rtglyphs::RayTracedFrame::Drawn* rtglyphs::RayTracedFrame::Trace(int pass,
+  const rtglyphs::RayTracedImageSettings& settings, vtkRenderer* renderer, vtkOpenGLRenderWindow* window,
+  std::uint32_t width, std::uint32_t height)
+{
+  // A camera that sees nothing is no failure of the glyphs: the next one may be good.
+  rtg::ImageView view;
+  try
+  {
+    view = rtglyphs::RayTracedImageRequest::ViewOf(settings, renderer, static_cast<rtg::Pass>(pass), width, height,
+      pass == this->Own.GroundPass ? this->Own.Shown : vtkBoundingBox(), this->Environment);
+    this->BlindFor.clear();
+  }
+  catch (const rtg::Error& error)
+  {
+    if (std::exchange(this->BlindFor, error.what()) != error.what())
+    {
+      this->To.Blind(error.what());
+    }
+    return nullptr;
+  }
+  view.content = this->Own.Content;
+  const rtg::ImageEffort effort = rtglyphs::RayTracedImageRequest::EffortOf(settings, this->Own);
+  // Ranks that all have everything trace a share each, and compositing puts these together.
+  if (this->Own.Collective && settings.IsReplicated() && !effort.preview && !effort.features &&
+    !rtg::Denoises(view, effort))
+  {
+    view.settings.share = static_cast<std::uint32_t>(rtglyphs::RayTracedRanks::Own());
+    view.settings.shares = static_cast<std::uint32_t>(rtglyphs::RayTracedRanks::Count());
+  }
+
+  rtglyphs::RayTracedImages::Place place;
+  place.Pass = pass;
+  place.Width = view.settings.width;
+  place.Height = view.settings.height;
+  place.Eye = renderer->GetActiveCamera()->GetLeftEye();
+  window->GetTileViewport(place.Tile.data());
+  rtglyphs::RayTracedImages::Entry& entry = this->Images.Get(place);
+  const auto drawn = std::find_if(this->All.begin(), this->All.end(), [&](const auto& d) { return d.Place == place; });
+  if (drawn != this->All.end() && entry.Image.View() == view)
+  {
+    return &*drawn;
+  }
+
+  // Another camera, for example, is asked for because the user wants to see more.
+  const bool stays = this->IsStopped() && entry.Image.View() == view;
+  this->Stopped = this->Own.Capture ? this->Stopped : stays;
+  const bool growing = entry.Image.GetState() == rtg::ProgressiveImage::State::Growing;
+  // The user may not want it any more; and ParaView's progress bar tells how far it is.
+  rtglyphs::RayTracedSignal signal;
+  this->Progress.Start();
+  const rtg::Interrupt interrupt = [&](double share)
+  {
+    this->Progress.Report(rtglyphs::RayTracedFrameStatus::NameOfStep(entry.Image.IsCompiling()), share);
+    return window->CheckAbortStatus() != 0 || signal.Arrived();
+  };
+  // The progress callback may switch the OpenGL context: Qt makes its own current, and binds framebuffers of widgets in
+  // ours.
+  window->GetState()->Push();
+  const rtg::Image* image =
+    stays && growing ? &entry.Image.GetImage() : this->Images.Update(entry, view, effort, interrupt);
+  window->MakeCurrent();
+  window->GetState()->Pop();
+  this->All.push_back(
+    { place, &entry, image, glm::dot(view.camera.eye - view.camera.position, glm::dvec3(view.camera.forward)) });
+  this->To.Traced(this->All.back());
+  return &this->All.back();
+}
