@@ -34,12 +34,23 @@ public:
   /// The program of that key. True: compiling has begun with this call; again, if it failed before. In any thread.
   std::pair<std::shared_ptr<Program>, bool> Get(const Specialization& specialization);
 
+  /// Compiles what there is none of yet, one program after the other, while the processor has nothing else to do. What
+  /// was asked for before and has not begun is forgotten.
+  void CompileAhead(std::vector<Specialization> wanted);
+
 private:
+  using Compiling = std::shared_ptr<std::packaged_task<void()>>;
+  std::shared_ptr<Program> Find(const Specialization& specialization);
+  std::pair<std::shared_ptr<Program>, Compiling> Add(const Specialization& specialization);
+  void WorkAhead();
+
   Device::State* device_;
   std::mutex mutex_;
   std::size_t atWork_ = 0; ///< threads that compile or save
   std::condition_variable idle_;
   std::vector<std::shared_ptr<Program>> programs_; ///< last used last
+  std::vector<Specialization> ahead_;              ///< to be compiled ahead, the next one last
+  bool worksAhead_ = false;
 };
 
 } // namespace rtg

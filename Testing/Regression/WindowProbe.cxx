@@ -104,9 +104,9 @@ extern "C"
     return 1;
   }
 
-  // 1: the mouse is on its way from one place in the widget to another, with its left button down, first sideways and
-  // then up or down; in pixels from the widget's lower left corner.
-  Q_DECL_EXPORT int probe_drag(const char* name, int fromX, int fromY, int toX, int toY)
+  // 1: what the left button does is on its way to a place in the widget, in pixels from its lower left corner.
+  // `what`: 0 it is pressed, 1 the mouse is moved with it down, 2 it is released.
+  Q_DECL_EXPORT int probe_mouse(const char* name, int what, int x, int y)
   {
     const QWidget* widget = Find(name);
     QWindow* window = widget ? widget->window()->windowHandle() : nullptr;
@@ -114,14 +114,9 @@ extern "C"
     {
       return 0;
     }
-    const auto place = [&](int x, int y)
-    { return widget->mapTo(widget->window(), QPoint(x, widget->height() - 1 - y)); };
-    PostMouse(window, QEvent::MouseButtonPress, place(fromX, fromY), Qt::LeftButton);
-    for (const QPoint at : { QPoint((fromX + toX) / 2, fromY), QPoint(toX, fromY), QPoint(toX, toY) })
-    {
-      PostMouse(window, QEvent::MouseMove, place(at.x(), at.y()), Qt::LeftButton);
-    }
-    PostMouse(window, QEvent::MouseButtonRelease, place(toX, toY), Qt::NoButton);
+    constexpr QEvent::Type types[] = { QEvent::MouseButtonPress, QEvent::MouseMove, QEvent::MouseButtonRelease };
+    PostMouse(window, types[what], widget->mapTo(widget->window(), QPoint(x, widget->height() - 1 - y)),
+      what == 2 ? Qt::NoButton : Qt::LeftButton);
     return 1;
   }
 
