@@ -155,6 +155,12 @@ void ProgramLibrary::CompileAhead(std::vector<Specialization> wanted)
   }
 }
 
+std::size_t ProgramLibrary::Ahead()
+{
+  const std::lock_guard<std::mutex> lock(this->mutex_);
+  return this->ahead_.size() + this->worksAhead_;
+}
+
 // In a thread of its own, because what has the lowest priority keeps it.
 void ProgramLibrary::WorkAhead()
 {

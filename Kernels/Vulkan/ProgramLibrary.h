@@ -37,6 +37,8 @@ public:
   /// Compiles what there is none of yet, one program after the other, while the processor has nothing else to do. What
   /// was asked for before and has not begun is forgotten.
   void CompileAhead(std::vector<Specialization> wanted);
+  /// Programs that are still to be compiled ahead, the one in work among them.
+  std::size_t Ahead();
 
 private:
   using Compiling = std::shared_ptr<std::packaged_task<void()>>;

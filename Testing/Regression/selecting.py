@@ -26,7 +26,7 @@ WIDGETS = {"ruler": lambda source: pv.Ruler(Point1=[-1.0, 0.0, 0.0], Point2=[1.0
 CAPTURES = {"larger": {"ImageResolution": [420, 300]}, "larger, transparent": {"ImageResolution": [420, 300], "TransparentBackground": 1},
             "transparent": {"ImageResolution": [300, 200], "TransparentBackground": 1}, "animated": {"ImageResolution": [360, 240], "FrameWindow": [0, 1]}}
 #: seconds within which what is waited for must have happened
-LIMIT = 60.0
+LIMIT = 20.0
 
 
 def refined(checks, window, shown, what):
@@ -57,7 +57,8 @@ def tools(checks, window, view, shown, source):
             if cancelled:
                 if cancelled == "in the middle":
                     window.drag(VIEW, *place, release=False)
-                press_escape(window)
+                # ParaView's zoom does not listen to Esc.
+                press_escape(window) if selects else window.trigger(action)
                 if cancelled == "in the middle":
                     window.mouse(VIEW, "release", place[1])
                 refined(checks, window, shown, what)
