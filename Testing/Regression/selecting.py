@@ -65,9 +65,9 @@ def tools(checks, window, view, shown, source):
                 # The mouse turns the camera again.
                 checks.true("%s: the tool is still there" % what, window.wait(lambda: view.InteractionMode == "3D", 5.0))
                 continue
-            before = list(view.CameraPosition)
+            before = view.CameraViewAngle
             window.drag(VIEW, *place)
-            done = window.wait(lambda: source.SMProxy.GetSelectionInput(0) is not None if selects else list(view.CameraPosition) != before, LIMIT)
+            done = window.wait(lambda: source.SMProxy.GetSelectionInput(0) is not None if selects else view.CameraViewAngle < before, LIMIT)
             checks.true("%s: nothing happened" % action, done)
             refined(checks, window, shown, what)
         if selects and action != "actionPolygonSelectionPoints":
