@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <thread>
 #ifdef __linux__
 #include <sys/resource.h>
@@ -38,18 +39,19 @@ std::unique_ptr<Pipeline> MakePipeline(Device::State& vulkan, const Specializati
 
 // lavapipe compiles where it launches, so that what is launched next waits. It keeps what it has compiled on disk, when
 // a device goes at the latest: another device compiles first, beside which this one has nothing left to do.
-void Compile(Device::State& vulkan, Program& program)
+std::unique_ptr<Pipeline> MakePipelineAside(Device::State& vulkan, const Specialization& specialization)
 {
   static std::atomic<bool> helps{ true }; // the user may have switched that cache off
   Stopwatch watch;
   const bool aside = vulkan.cpu && helps;
   if (aside)
   {
-    MakePipeline(Device::Another()->GetState(), program.specialization);
+    MakePipeline(Device::Another()->GetState(), specialization);
   }
   const double before = watch.Lap();
-  program.pipeline = MakePipeline(vulkan, program.specialization);
+  std::unique_ptr<Pipeline> pipeline = MakePipeline(vulkan, specialization);
   helps = helps && !(aside && watch.Lap() > 0.5 * before);
+  return pipeline;
 }
 
 bool IsCompiling(const Program& program)
@@ -88,23 +90,53 @@ std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specializati
 {
   const std::lock_guard<std::mutex> lock(this->mutex_);
   std::erase_if(this->programs_, HasFailed);
-  if (const auto found = this->Find(specialization))
+  std::shared_ptr<Program> program = this->Find(specialization);
+  const bool begins = !program;
+  if (begins)
   {
-    return { found, false };
+    program = this->Add(specialization);
   }
-  const auto [program, compiling] = this->Add(specialization);
-  ++this->atWork_;
-  RunInBackground(
-    [this, task = compiling]
+  // On a busy machine what was begun ahead takes very long.
+  if (begins || (program->ahead && IsCompiling(*program)))
+  {
+    program->ahead = false;
+    ++this->atWork_;
+    RunInBackground(
+      [this, program]
+      {
+        this->Compile(*program);
+        const std::lock_guard<std::mutex> done(this->mutex_);
+        --this->atWork_;
+        this->idle_.notify_all();
+      });
+  }
+  return { program, begins };
+}
+
+// The thread that is ready first makes the program.
+void ProgramLibrary::Compile(Program& program)
+{
+  std::unique_ptr<Pipeline> pipeline;
+  std::exception_ptr failure;
+  try
+  {
+    pipeline = MakePipelineAside(*this->device_, program.specialization);
+  }
+  catch (...)
+  {
+    failure = std::current_exception();
+  }
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex_);
+    if (!IsCompiling(program))
     {
-      (*task)();
-      // The program is used meanwhile.
-      this->device_->SavePrograms();
-      const std::lock_guard<std::mutex> done(this->mutex_);
-      --this->atWork_;
-      this->idle_.notify_all();
-    });
-  return { program, true };
+      return;
+    }
+    program.pipeline = std::move(pipeline);
+    failure ? program.done.set_exception(failure) : program.done.set_value();
+  }
+  // The program is used meanwhile.
+  this->device_->SavePrograms();
 }
 
 // The program of that key, which now is the last used one; null: there is none. The mutex is held.
@@ -121,11 +153,10 @@ std::shared_ptr<Program> ProgramLibrary::Find(const Specialization& specializati
 }
 
 // A program that is to be compiled. The mutex is held.
-std::pair<std::shared_ptr<Program>, ProgramLibrary::Compiling> ProgramLibrary::Add(const Specialization& specialization)
+std::shared_ptr<Program> ProgramLibrary::Add(const Specialization& specialization)
 {
   if (this->programs_.size() >= keptPrograms)
   {
-    // One that is being compiled must stay: its thread uses it.
     const auto oldest = std::find_if_not(
       this->programs_.begin(), this->programs_.end(), [](const auto& program) { return IsCompiling(*program); });
     if (oldest != this->programs_.end())
@@ -135,11 +166,8 @@ std::pair<std::shared_ptr<Program>, ProgramLibrary::Compiling> ProgramLibrary::A
   }
   const auto program = std::make_shared<Program>();
   program->specialization = specialization;
-  const auto compiling =
-    std::make_shared<std::packaged_task<void()>>([device = this->device_, p = program.get()] { Compile(*device, *p); });
-  program->compiled = compiling->get_future();
   this->programs_.push_back(program);
-  return { program, compiling };
+  return program;
 }
 
 void ProgramLibrary::CompileAhead(std::vector<Specialization> wanted)
@@ -172,10 +200,10 @@ void ProgramLibrary::WorkAhead()
     this->ahead_.pop_back();
     if (!this->Find(next))
     {
-      const auto [program, compiling] = this->Add(next);
+      const std::shared_ptr<Program> program = this->Add(next);
+      program->ahead = true;
       lock.unlock();
-      (*compiling)();
-      this->device_->SavePrograms();
+      this->Compile(*program);
       lock.lock();
     }
   }

@@ -14,12 +14,14 @@
 namespace rtg
 {
 
-/// A pipeline, and the thread that compiles it.
+/// A pipeline, and what is known of the threads that compile it.
 struct Program
 {
   Specialization specialization;
   std::unique_ptr<Pipeline> pipeline; ///< null until `compiled` is ready, and after a failure
-  std::shared_future<void> compiled;  ///< throws what compiling failed of
+  std::promise<void> done;
+  std::shared_future<void> compiled = done.get_future(); ///< throws what compiling failed of
+  bool ahead = false;                                    ///< compiled by the thread of the lowest priority alone
 };
 
 /// Programs stay compiled while the device lives, so that a further view, or one that is made anew, has them at once.
@@ -41,9 +43,9 @@ public:
   std::size_t Ahead();
 
 private:
-  using Compiling = std::shared_ptr<std::packaged_task<void()>>;
   std::shared_ptr<Program> Find(const Specialization& specialization);
-  std::pair<std::shared_ptr<Program>, Compiling> Add(const Specialization& specialization);
+  std::shared_ptr<Program> Add(const Specialization& specialization);
+  void Compile(Program& program);
   void WorkAhead();
 
   Device::State* device_;

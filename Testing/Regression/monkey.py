@@ -88,7 +88,7 @@ class Monkey:
 
     def representation(self):
         """Another one, and back."""
-        for name in (self.random.choice(["Surface", "Points", "3D Glyphs", "Ray Traced Surface", "Outline"]), session.REPRESENTATION):
+        for name in (self.random.choice(["Surface", "Points", "3D Glyphs", "Point Gaussian", "Outline"]), session.REPRESENTATION):
             self.shown.SetRepresentationType(name)
             pv.Render(self.view)
             self.window.wait(lambda: False, self.random.uniform(0.0, 0.3))
