@@ -10,6 +10,7 @@
 #include <QCursor>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMap>
 #include <QMenu>
 #include <QMessageBox>
@@ -178,6 +179,22 @@ extern "C"
     return 1;
   }
 
+  // 1: a letter is on its way to the widget.
+  Q_DECL_EXPORT int probe_type(const char* name, const char* letter)
+  {
+    QWidget* widget = Find(name);
+    if (!widget)
+    {
+      return 0;
+    }
+    for (const QEvent::Type type : { QEvent::KeyPress, QEvent::KeyRelease })
+    {
+      QCoreApplication::postEvent(
+        widget, new QKeyEvent(type, QString(letter).toUpper().at(0).unicode(), Qt::NoModifier, letter));
+    }
+    return 1;
+  }
+
   Q_DECL_EXPORT int probe_enabled(const char* name)
   {
     const QWidget* widget = Find(name);
@@ -242,7 +259,7 @@ extern "C"
     return 0;
   }
 
-  // What a label, a button or a progress bar says; copied, at most `size` characters with the 0 at the end.
+  // What a label, a button, a line of text or a progress bar says; copied, at most `size` characters with the 0 at the end.
   Q_DECL_EXPORT void probe_text(const char* name, char* text, int size)
   {
     const QWidget* widget = Find(name);
@@ -254,6 +271,10 @@ extern "C"
     else if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
     {
       said = button->text();
+    }
+    else if (const auto* line = qobject_cast<const QLineEdit*>(widget))
+    {
+      said = line->text();
     }
     else if (const auto* bar = qobject_cast<const QProgressBar*>(widget))
     {

@@ -195,7 +195,7 @@ def main():
         monkey.step(checks)
         first = session.memory("VmRSS") if len(monkey.done) == 10 else first
     say("%d steps" % len(monkey.done))
-    checks.true("no steps", len(monkey.done) > 5)
+    checks.true("no steps", bool(monkey.done))
     checks.within("growth of memory in bytes", session.memory("VmRSS") - first if first else 0, -1e12, GROWTH)
     return checks.failures
 

@@ -67,6 +67,10 @@ class Window:
         """Posts the Esc key; False: there is no such widget."""
         return bool(self.probe.probe_escape(name.encode()))
 
+    def type(self, name, letter):
+        """Posts a letter; False: there is no such widget."""
+        return bool(self.probe.probe_type(name.encode(), letter.encode()))
+
     def enabled(self, name):
         """Whether a visible widget takes input."""
         return bool(self.probe.probe_enabled(name.encode()))
@@ -98,7 +102,7 @@ class Window:
         return text.value.decode()
 
     def text(self, name):
-        """What a label, a button or a progress bar says."""
+        """What a label, a button, a line of text or a progress bar says."""
         return self._words(self.probe.probe_text, name)
 
     def rows(self, name):
