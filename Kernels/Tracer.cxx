@@ -56,8 +56,8 @@ struct Tracer::State
 
   void CheckContinues(const TraceSettings& settings, const Scene::State& scene) const;
   Device::State& Vulkan() const { return this->shared->device->GetState(); }
-  static Specialization SpecializationOf(const Scene::State& scene, bool translucentScene, std::size_t lights,
-    const TraceSettings& settings, Pass pass);
+  static Specialization SpecializationOf(
+    const Scene::State& scene, bool translucentScene, std::size_t lights, const TraceSettings& settings, Pass pass);
   device::FrameRecord MakeFrame(const Scene::State& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass);
   void Begin(const Scene::State& scene, bool translucentScene, const Camera& camera, const std::vector<Light>& lights,
@@ -288,8 +288,7 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
   return state.job.image;
 }
 
-void Tracer::CompileAhead(
-  Scene& scene, const std::vector<Light>& lights, const std::vector<TraceSettings>& ofShading)
+void Tracer::CompileAhead(Scene& scene, const std::vector<Light>& lights, const std::vector<TraceSettings>& ofShading)
 {
   const Scene::State& glyphs = scene.GetState();
   std::vector<Specialization> wanted;

@@ -147,8 +147,9 @@ TEST_P(TranslucencyTest, BoxesAreMetByChance)
   }
 }
 
-// A ball in a shell, in the same light from everywhere. The shell's front sees all of the sky; from the ball, and from the shell's
-// far side beside it, the shell lets a part through, and the ball hides (r / R)^2 of the cosine-weighted hemisphere.
+// A ball in a shell, in the same light from everywhere. The shell's front sees all of the sky; from the ball, and from
+// the shell's far side beside it, the shell lets a part through, and the ball hides (r / R)^2 of the cosine-weighted
+// hemisphere.
 TEST_P(TranslucencyTest, TheSkyShinesThroughShells)
 {
   constexpr double inner = 0.25, outer = 1.0, through = 1.0 - opacity;

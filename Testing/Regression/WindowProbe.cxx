@@ -259,7 +259,8 @@ extern "C"
     return 0;
   }
 
-  // What a label, a button, a line of text or a progress bar says; copied, at most `size` characters with the 0 at the end.
+  // What a label, a button, a line of text or a progress bar says; copied, at most `size` characters with the 0 at the
+  // end.
   Q_DECL_EXPORT void probe_text(const char* name, char* text, int size)
   {
     const QWidget* widget = Find(name);

@@ -31,7 +31,7 @@ LIMIT = 20.0
 
 def refined(checks, window, shown, what):
     """The image gets all its samples. The first render may still be on its way."""
-    window.wait(lambda: pending(shown), 1.0)
+    window.wait(lambda: pending(shown), 0.5)
     done = window.wait(lambda: not pending(shown) and information(shown, "AccumulatedSamples") >= shown.SamplesPerPixel, LIMIT)
     said = "%d of %d samples" % (information(shown, "AccumulatedSamples"), shown.SamplesPerPixel)
     say("%s: %s" % (what, said))
