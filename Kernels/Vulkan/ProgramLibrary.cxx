@@ -18,7 +18,7 @@ namespace rtg
 namespace
 {
 
-constexpr std::size_t keptPrograms = 64;
+constexpr std::size_t keptPrograms = 24; // lavapipe takes some 17 MB for each
 
 // Some drivers compile when a pipeline is made, others at its first launch: that is one of no pixel.
 std::unique_ptr<Pipeline> MakePipeline(Device::State& vulkan, const Specialization& specialization)
