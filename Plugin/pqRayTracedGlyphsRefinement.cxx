@@ -15,6 +15,7 @@
 #include "vtkEventQtSlotConnect.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkSMComparativeViewProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -247,12 +248,25 @@ pqRayTracedGlyphsRefinement::Image pqRayTracedGlyphsRefinement::imageOf(pqView* 
 // Parts of a comparative view come and go, and other views may have no window at first.
 void pqRayTracedGlyphsRefinement::Attach(const Part& part)
 {
-  vtkObject* window = part.Proxy->GetRenderWindow();
+  vtkRenderWindow* window = part.Proxy->GetRenderWindow();
   if (std::find(this->Observed.begin(), this->Observed.end(), window) != this->Observed.end())
   {
     return;
   }
   this->Observers->Connect(window, vtkCommand::AbortCheckEvent, this, SLOT(abortChecked(vtkObject*)));
+  if (vtkObject* interactor = window->GetInteractor())
+  {
+    for (const auto pressed :
+      { vtkCommand::LeftButtonPressEvent, vtkCommand::MiddleButtonPressEvent, vtkCommand::RightButtonPressEvent })
+    {
+      this->Observers->Connect(interactor, pressed, this, SLOT(mousePressed()), nullptr, 1.0f);
+    }
+    for (const auto released :
+      { vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonReleaseEvent, vtkCommand::RightButtonReleaseEvent })
+    {
+      this->Observers->Connect(interactor, released, this, SLOT(mouseReleased()), nullptr, 1.0f);
+    }
+  }
   this->Observed.erase(std::remove(this->Observed.begin(), this->Observed.end(), nullptr), this->Observed.end());
   this->Observed.emplace_back(window);
 }
@@ -344,10 +358,22 @@ void pqRayTracedGlyphsRefinement::step()
 }
 
 //----------------------------------------------------------------------------
+void pqRayTracedGlyphsRefinement::mousePressed()
+{
+  this->MouseDown = true;
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsRefinement::mouseReleased()
+{
+  this->MouseDown = false;
+}
+
+//----------------------------------------------------------------------------
 // No view was turned of late.
 void pqRayTracedGlyphsRefinement::rested()
 {
-  if (QApplication::mouseButtons() != Qt::NoButton)
+  if (this->MouseDown)
   {
     this->AtRest.start();
     return;

@@ -88,6 +88,8 @@ private Q_SLOTS:
   void abortChecked(vtkObject* window);
   void abortPressed();
   void step();
+  void mousePressed();
+  void mouseReleased();
   void rested();
   void rest();
 
@@ -119,6 +121,7 @@ private:
   QElapsedTimer SinceStart; ///< of the last render
   bool Showing = false;     ///< something in the progress bar
   bool Playing = false;
+  bool MouseDown = false; ///< in a view
   bool Listening = false; ///< to events, within a render
   bool Aborted = false;   ///< until the window is at rest again
 };
