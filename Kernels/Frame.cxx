@@ -194,13 +194,8 @@ Specialization SpecializationFor(const TraceSettings& settings)
   return specialization;
 }
 
-void FillScene(device::FrameRecord& frame, Constants& constants, const Scene::State& scene)
+void FillConstants(Constants& constants, const Scene::State& scene)
 {
-  frame.sets = scene.recordBuffer.Address();
-  frame.setCount = static_cast<std::uint32_t>(scene.records.size());
-  frame.sceneLower = scene.bounds.lower;
-  frame.sceneUpper = scene.bounds.upper;
-  frame.layerLimit = 1;
   constants.alone = scene.records.size() == 1;
   constants.moves = scene.moves;
   constants.rayQueries = scene.structure == Structure::Boxes;
@@ -208,11 +203,23 @@ void FillScene(device::FrameRecord& frame, Constants& constants, const Scene::St
   constants.someHave = device::ASKED_OF_SETS;
   for (const device::GlyphSetRecord& record : scene.records)
   {
-    frame.layerLimit = std::max(frame.layerLimit, record.translucent ? LayersThatShow(record) : 1);
     constants.shapes |= 1u << record.shape;
     constants.allHave &= record.variants;
     constants.someHave |= record.variants;
     constants.degree = std::max(constants.degree, record.polynomialDegree);
+  }
+}
+
+void FillScene(device::FrameRecord& frame, const Scene::State& scene)
+{
+  frame.sets = scene.recordBuffer.Address();
+  frame.setCount = static_cast<std::uint32_t>(scene.records.size());
+  frame.sceneLower = scene.bounds.lower;
+  frame.sceneUpper = scene.bounds.upper;
+  frame.layerLimit = 1;
+  for (const device::GlyphSetRecord& record : scene.records)
+  {
+    frame.layerLimit = std::max(frame.layerLimit, record.translucent ? LayersThatShow(record) : 1);
   }
 }
 

@@ -29,7 +29,8 @@ void FillSettings(device::FrameRecord& frame, const TraceSettings& settings, con
 /// The program for these settings, but for what the scene and the pass say.
 Specialization SpecializationFor(const TraceSettings& settings);
 /// What the scene says.
-void FillScene(device::FrameRecord& frame, Constants& constants, const Scene::State& scene);
+void FillConstants(Constants& constants, const Scene::State& scene);
+void FillScene(device::FrameRecord& frame, const Scene::State& scene);
 
 /// Samples a pixel in one dispatch at most: a GPU that works on one for seconds is taken for hung by its driver.
 std::uint32_t SamplesAtOnce(const TraceSettings& settings, std::size_t pixels);

@@ -165,6 +165,7 @@ const Image* ProgressiveImage::Update(
     {
       this->Grow(request);
       this->Smooth(request);
+      this->ExpectOtherLight(request);
     }
     const bool smoothed = effort.denoising != Denoising::Always || !this->features_ || effort.preview ||
       this->smoothSamples_ == this->samples_;
@@ -436,6 +437,24 @@ void ProgressiveImage::Smooth(const Request& request)
   {
     this->image_.colour = this->smooth_.data();
   }
+}
+
+// Whoever looks at an image may want to see it in another light.
+void ProgressiveImage::ExpectOtherLight(const Request& request)
+{
+  if (!request.IsTimed() || this->samples_ == 0)
+  {
+    return;
+  }
+  std::vector<TraceSettings> expected;
+  ImageView other = request.view;
+#define RTG_EXPECTED(number, Name, ...)                                                                                \
+  other.settings.shading = Shading::Name;                                                                              \
+  other.settings.features = request.effort.features || rtg::Denoises(other, request.effort);                           \
+  expected.push_back(other.settings);
+  RTG_SHADINGS(RTG_EXPECTED)
+#undef RTG_EXPECTED
+  request.source.Expect(request.view, expected);
 }
 
 } // namespace rtg

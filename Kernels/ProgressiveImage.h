@@ -64,6 +64,8 @@ public:
   virtual Image Resume(const Interrupt& interrupt) = 0;
   /// Traces an image beside that one, which stays as it is, in the view's previewLights.
   virtual Image Preview(const ImageView& view, const TraceSettings& settings, const Interrupt& interrupt) = 0;
+  /// Images of the view may soon be wanted with one of these settings: what that takes is prepared in the background.
+  virtual void Expect(const ImageView& view, const std::vector<TraceSettings>& settings) = 0;
   /// The denoising of the last image, to be run in any thread. It returns or throws soon after a stop is requested.
   virtual std::function<std::vector<std::uint32_t>()> Denoise(const Image& image, std::stop_token stop) = 0;
 
@@ -146,6 +148,7 @@ private:
   void Grow(const Request& request);
   bool IsWorthSmoothing(const Request& request) const;
   void Smooth(const Request& request);
+  void ExpectOtherLight(const Request& request);
   void Show(const Image& image);
   void StopSmoothing();
   void Fail(const Request& request, bool prepared, bool memory, const char* message);

@@ -56,6 +56,7 @@ Statistics& Statistics::operator+=(const Statistics& other)
   this->instanceUploads += other.instanceUploads;
   this->colourUploads += other.colourUploads;
   this->sorts += other.sorts;
+  this->programsAhead += other.programsAhead;
   this->pipelineBuilds += other.pipelineBuilds;
   this->dispatches += other.dispatches;
   this->primaryRays += other.primaryRays;

@@ -20,6 +20,7 @@ struct Statistics
   std::uint64_t instanceUploads = 0; ///< glyph sets whose centres, sizes, rotations, exponents were sent
   std::uint64_t colourUploads = 0;   ///< glyph sets whose colours were sent
   std::uint64_t sorts = 0;           ///< glyph sets put into another order; new instances may do with the last one's
+  std::uint64_t programsAhead = 0;   ///< that are still to be compiled ahead on the device
   std::uint64_t pipelineBuilds = 0;  ///< programs that were compiled for these tracers: those of others they share
   std::uint64_t dispatches = 0;      ///< images or sample batches traced
   std::uint64_t primaryRays = 0;

@@ -56,6 +56,8 @@ struct Tracer::State
 
   void CheckContinues(const TraceSettings& settings, const Scene::State& scene) const;
   Device::State& Vulkan() const { return this->shared->device->GetState(); }
+  static Specialization SpecializationOf(
+    const Scene::State& scene, bool translucentScene, std::size_t lights, const TraceSettings& settings, Pass pass);
   device::FrameRecord MakeFrame(const Scene::State& scene, const Camera& camera, const std::vector<Light>& lights,
     const TraceSettings& settings, Pass pass);
   void Begin(const Scene::State& scene, bool translucentScene, const Camera& camera, const std::vector<Light>& lights,
@@ -141,6 +143,25 @@ device::FrameRecord Tracer::State::MakeFrame(const Scene::State& scene, const Ca
   return frame;
 }
 
+Specialization Tracer::State::SpecializationOf(
+  const Scene::State& scene, bool translucentScene, std::size_t lights, const TraceSettings& settings, Pass pass)
+{
+  Specialization specialization = SpecializationFor(settings);
+  Constants& constants = specialization.constants;
+  FillConstants(constants, scene);
+  constants.manyLights = lights > device::FEW_LIGHTS;
+  if (scene.moves)
+  {
+    constants.independentSamples = settings.independentSamples;
+  }
+  const ShadingTraits traits = TraitsOf(settings);
+  // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
+  constants.layered = pass == Pass::Translucent && traits.layers;
+  constants.translucency = traits.scatters && translucentScene;
+  constants.leavesSurface = traits.scatters || constants.layered;
+  return specialization;
+}
+
 // What is to be launched for an image; nothing is launched yet.
 void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, const Camera& camera,
   const std::vector<Light>& lights, const TraceSettings& settings, Pass pass, bool interruptible)
@@ -168,22 +189,14 @@ void Tracer::State::Begin(const Scene::State& scene, bool translucentScene, cons
     return;
   }
   begun.frame = this->MakeFrame(scene, camera, lights, settings, pass);
-  begun.specialization = SpecializationFor(settings);
-  Constants& constants = begun.specialization.constants;
-  FillScene(begun.frame, constants, scene);
+  begun.specialization = SpecializationOf(scene, translucentScene, lights.size(), settings, pass);
+  FillScene(begun.frame, scene);
   begun.frame.accumulates = keeps;
-  constants.manyLights = lights.size() > device::FEW_LIGHTS;
   if (scene.moves)
   {
-    constants.independentSamples = settings.independentSamples;
     begun.frame.sharedTimeBits = SharedTimeBits(settings, scene.placedTimeSliceBits);
     FillTimeStrata(begun.frame, settings);
   }
-  const ShadingTraits traits = TraitsOf(settings);
-  // The sets of a pass of translucent ones are translucent whether or not the scene still says so.
-  constants.layered = pass == Pass::Translucent && traits.layers;
-  constants.translucency = traits.scatters && translucentScene;
-  constants.leavesSurface = traits.scatters || constants.layered;
 
   begun.tiling = Tiling(settings);
   begun.tiling.Fill(begun.frame);
@@ -275,6 +288,24 @@ Image Tracer::Trace(Scene& scene, const Camera& camera, const std::vector<Light>
   return state.job.image;
 }
 
+void Tracer::CompileAhead(Scene& scene, const std::vector<Light>& lights, const std::vector<TraceSettings>& ofShading)
+{
+  const Scene::State& glyphs = scene.GetState();
+  std::vector<Specialization> wanted;
+  for (const Pass pass : { Pass::Opaque, Pass::Translucent })
+  {
+    if (glyphs.records.empty() || !(pass == Pass::Opaque ? scene.HasOpaque() : scene.HasTranslucent()))
+    {
+      continue;
+    }
+    for (const TraceSettings& settings : ofShading)
+    {
+      wanted.push_back(State::SpecializationOf(glyphs, scene.HasTranslucent(), lights.size(), settings, pass));
+    }
+  }
+  this->state_->Vulkan().programs->CompileAhead(std::move(wanted));
+}
+
 Image Tracer::Resume(Scene& scene, const Interrupt& interrupt)
 {
   State& state = *this->state_;
@@ -352,7 +383,8 @@ std::vector<Tracer::ProbeHit> Tracer::TraceProbes(Scene& scene, const std::vecto
       frame.cullMask = 0xff;
       Specialization probing;
       probing.program = probeProgram;
-      FillScene(frame, probing.constants, glyphs);
+      FillScene(frame, glyphs);
+      FillConstants(probing.constants, glyphs);
       TracerResources::UsedProgram& program = state.shared->ProgramFor(probing);
       state.shared->WaitFor(program);
       state.launcher.LaunchProbes(program, glyphs, frame);

@@ -173,6 +173,10 @@ public:
   Image Trace(Scene& scene, const Camera& camera, const std::vector<Light>& lights, const TraceSettings& settings,
     Pass pass = Pass::Opaque, const Interrupt& interrupt = {});
 
+  /// Has the programs for images of the scene in other light compiled in the background, when the processor has nothing
+  /// else to do. `ofShading`: the settings of each kind of shading.
+  void CompileAhead(Scene& scene, const std::vector<Light>& lights, const std::vector<TraceSettings>& ofShading);
+
   /// Goes on with the last image, which was interrupted, of the same scene.
   Image Resume(Scene& scene, const Interrupt& interrupt = {});
 

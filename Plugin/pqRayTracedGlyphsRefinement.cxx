@@ -15,6 +15,7 @@
 #include "vtkEventQtSlotConnect.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkSMComparativeViewProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -37,7 +38,7 @@ namespace
 {
 // Between two renders, in milliseconds: enough for the window to take its events.
 constexpr int pauseBetween = 5;
-// Milliseconds of a render after which its user is listened to.
+// Milliseconds of a render after which its user is listened to, and without one after which a view rests.
 constexpr int quietTime = 300;
 
 bool IsEscape(QEvent* event)
@@ -90,6 +91,9 @@ pqRayTracedGlyphsRefinement::pqRayTracedGlyphsRefinement(QObject* parent)
   this->Timer.setSingleShot(true);
   this->Timer.setInterval(pauseBetween);
   QObject::connect(&this->Timer, &QTimer::timeout, this, &pqRayTracedGlyphsRefinement::step);
+  this->AtRest.setSingleShot(true);
+  this->AtRest.setInterval(quietTime);
+  QObject::connect(&this->AtRest, &QTimer::timeout, this, &pqRayTracedGlyphsRefinement::rested);
   this->Rest.setSingleShot(true);
   QObject::connect(&this->Rest, &QTimer::timeout, this, &pqRayTracedGlyphsRefinement::rest);
   onlyOne = this;
@@ -132,7 +136,9 @@ void pqRayTracedGlyphsRefinement::shutdown()
 {
   this->Timer.stop();
   this->Rest.stop();
+  this->AtRest.stop();
   this->Waiting.clear();
+  this->Turned.clear();
   this->Observers->Disconnect();
   this->Observed.clear();
   this->ShowProgress();
@@ -242,12 +248,25 @@ pqRayTracedGlyphsRefinement::Image pqRayTracedGlyphsRefinement::imageOf(pqView* 
 // Parts of a comparative view come and go, and other views may have no window at first.
 void pqRayTracedGlyphsRefinement::Attach(const Part& part)
 {
-  vtkObject* window = part.Proxy->GetRenderWindow();
+  vtkRenderWindow* window = part.Proxy->GetRenderWindow();
   if (std::find(this->Observed.begin(), this->Observed.end(), window) != this->Observed.end())
   {
     return;
   }
   this->Observers->Connect(window, vtkCommand::AbortCheckEvent, this, SLOT(abortChecked(vtkObject*)));
+  if (vtkObject* interactor = window->GetInteractor())
+  {
+    for (const auto pressed :
+      { vtkCommand::LeftButtonPressEvent, vtkCommand::MiddleButtonPressEvent, vtkCommand::RightButtonPressEvent })
+    {
+      this->Observers->Connect(interactor, pressed, this, SLOT(mousePressed()), nullptr, 1.0f);
+    }
+    for (const auto released :
+      { vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonReleaseEvent, vtkCommand::RightButtonReleaseEvent })
+    {
+      this->Observers->Connect(interactor, released, this, SLOT(mouseReleased()), nullptr, 1.0f);
+    }
+  }
   this->Observed.erase(std::remove(this->Observed.begin(), this->Observed.end(), nullptr), this->Observed.end());
   this->Observed.emplace_back(window);
 }
@@ -295,9 +314,14 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
   {
     this->Waiting.erase(found);
   }
-  // While the camera is turned ParaView renders for speed, and once more when it comes to rest. Only that render is
-  // evidence: an interactor does not say EndInteractionEvent where its style is exchanged meanwhile, as after a
-  // selection.
+  // While the camera is turned ParaView renders for speed, and once more when it comes to rest. But where the style of
+  // the interactor is exchanged meanwhile, as after a zoom to a box beside a selection, there is no such render.
+  std::erase_if(this->Turned, [&part](const Part& other) { return other.Proxy == part.Proxy; });
+  if (scene && scene->IsInteractive())
+  {
+    this->Turned.push_back(part);
+    this->AtRest.start();
+  }
   if (!scene || !scene->IsInteractive())
   {
     if (scene && scene->GetProgress() < 1.0)
@@ -331,6 +355,36 @@ void pqRayTracedGlyphsRefinement::step()
     this->Render(part);
   }
   this->ShowProgress();
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsRefinement::mousePressed()
+{
+  this->MouseDown = true;
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsRefinement::mouseReleased()
+{
+  this->MouseDown = false;
+}
+
+//----------------------------------------------------------------------------
+// No view was turned of late.
+void pqRayTracedGlyphsRefinement::rested()
+{
+  if (this->MouseDown)
+  {
+    this->AtRest.start();
+    return;
+  }
+  for (const Part& part : std::exchange(this->Turned, {}))
+  {
+    if (part.View && SceneOf(part))
+    {
+      part.View->render();
+    }
+  }
 }
 
 //----------------------------------------------------------------------------

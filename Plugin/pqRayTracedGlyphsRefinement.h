@@ -88,6 +88,9 @@ private Q_SLOTS:
   void abortChecked(vtkObject* window);
   void abortPressed();
   void step();
+  void mousePressed();
+  void mouseReleased();
+  void rested();
   void rest();
 
 private:
@@ -110,12 +113,15 @@ private:
   vtkNew<vtkEventQtSlotConnect> Observers;
   std::vector<vtkWeakPointer<vtkObject>> Observed; ///< windows
   std::vector<Part> Waiting;                       ///< to be rendered again, the next one first
+  std::vector<Part> Turned;                        ///< last rendered for speed
   QPointer<pqProgressWidget> Bar;
   QTimer Timer;             ///< of the next step
+  QTimer AtRest;            ///< runs out when no view was turned of late
   QTimer Rest;              ///< runs out when the window is at rest again
   QElapsedTimer SinceStart; ///< of the last render
   bool Showing = false;     ///< something in the progress bar
   bool Playing = false;
+  bool MouseDown = false; ///< in a view
   bool Listening = false; ///< to events, within a render
   bool Aborted = false;   ///< until the window is at rest again
 };

@@ -66,6 +66,14 @@ void AddAskedLight(inout Asking asking)
   AddLight(asking.sum, light, ArriveAt(light, asking.position), asking.normal, asking.toViewer, asking.power);
 }
 
+// How many rays a layer is worth, a power of two where it is not worth all of them: as many as it has of the pixel, so
+// that all layers together are no noisier than one that is opaque.
+uint RaysOfWeight(const float weight)
+{
+  uint wanted = max(uint(ceil(weight * float(frame.branches))), 1u);
+  return min(wanted > 1u ? 2u << findMSB(wanted - 1u) : 1u, frame.branches);
+}
+
 void main()
 {
   uvec2 position;
@@ -82,7 +90,7 @@ void main()
   SurfaceHit hit = NoHit();
   vec3 colour, reflected, x, y; // `reflected`: of the sky's light
   DoubleWord3 start;
-  uint left = 0u;
+  uint rays, left = 0u;
   vec3 arrived; // of the sky's light
   float weight;
   // Of its lights: what they bring is shown times `lightScale`.
@@ -111,7 +119,7 @@ void main()
     {
       uint layer = layers.count - (onGround ? 0u : 1u);
       // Those of one sample follow each other in the sequence: a power of two of them is spread evenly.
-      SampleNumber own = SampleNumber(position, (s + 1u) * frame.branches - left);
+      SampleNumber own = SampleNumber(position, (s + 1u) * rays - left);
       vec3 to = CosineDirection(SamplePair(own, PairOf(layer, pairDirection)));
       vec3 towardsLight = OutOfSurface(hit, FromFrame(to, x, y, hit.shadingNormal));
       query = ShadowQuery(start, towardsLight, frame.occlusionRadius, SeedOf(own, layer));
@@ -145,11 +153,11 @@ void main()
     {
       vec3 light = SkyRadiance(query.ray.direction);
       arrived += found.t < 0.0 ? light : vec3(0.0);
-      missing += found.t < 0.0 ? vec3(0.0) : light * ((1.0 - frame.lightFraction) / float(frame.branches));
+      missing += found.t < 0.0 ? vec3(0.0) : light * ((1.0 - frame.lightFraction) / float(rays));
       --left;
       if (left == 0u)
       {
-        colour += reflected * (arrived / float(frame.branches));
+        colour += reflected * (arrived / float(rays));
       }
     }
     else if (TakeLayer(layers, found))
@@ -191,7 +199,8 @@ void main()
         Tangents(hit.shadingNormal, x, y);
         start = LeaveSurface(layers.ray, hit);
         arrived = vec3(0.0);
-        left = sky ? frame.branches : 0u;
+        rays = RaysOfWeight(weight);
+        left = sky ? rays : 0u;
       }
       else if (!sky)
       {
@@ -226,7 +235,8 @@ void main()
         missing = shadows ? all : vec3(0.0);
         all += sky ? (1.0 - frame.lightFraction) * frame.groundSky : all * (1.0 / groundLights - 1.0);
         reflected = arrived = vec3(0.0);
-        left = sky ? frame.branches : 0u;
+        rays = frame.branches;
+        left = sky ? rays : 0u;
       }
     }
 

@@ -335,15 +335,21 @@ std::shared_ptr<Device> Device::Shared()
   std::shared_ptr<Device> device = shared.lock();
   if (!device || device->Lost())
   {
-    device = std::shared_ptr<Device>(new Device);
-    StartingVulkan(
-      [&]()
-      {
-        device->Choose();
-        device->Start();
-      });
+    device = Another();
     shared = device;
   }
+  return device;
+}
+
+std::shared_ptr<Device> Device::Another()
+{
+  const std::shared_ptr<Device> device(new Device);
+  StartingVulkan(
+    [&]()
+    {
+      device->Choose();
+      device->Start();
+    });
   return device;
 }
 

@@ -17,6 +17,9 @@ public:
   /// install it; a later call tries again. After the device was lost, the next call makes a new one.
   static std::shared_ptr<Device> Shared();
 
+  /// Another device of the same kind, which nobody shares: for what would hold up the launches of that one.
+  static std::shared_ptr<Device> Another();
+
   struct Choice
   {
     std::string name;

@@ -1,9 +1,16 @@
 #include "ProgramLibrary.h"
 
 #include "../Parallel.h"
+#include "../Stopwatch.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <exception>
+#include <thread>
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
 
 namespace rtg
 {
@@ -11,12 +18,12 @@ namespace rtg
 namespace
 {
 
-constexpr std::size_t keptPrograms = 64;
+constexpr std::size_t keptPrograms = 24; // lavapipe takes some 17 MB for each
 
 // Some drivers compile when a pipeline is made, others at its first launch: that is one of no pixel.
-void Compile(Device::State& vulkan, Program& program)
+std::unique_ptr<Pipeline> MakePipeline(Device::State& vulkan, const Specialization& specialization)
 {
-  auto pipeline = std::make_unique<Pipeline>(vulkan, program.specialization);
+  auto pipeline = std::make_unique<Pipeline>(vulkan, specialization);
   device::FrameRecord frame{};
   frame.tileStride = frame.tileCount = frame.tileColumns = 1;
   frame.launchWidth = 1;
@@ -27,7 +34,24 @@ void Compile(Device::State& vulkan, Program& program)
       block.Send(command, frame);
       pipeline->Trace(command, block, 1, 1);
     });
-  program.pipeline = std::move(pipeline);
+  return pipeline;
+}
+
+// lavapipe compiles where it launches, so that what is launched next waits. It keeps what it has compiled on disk, when
+// a device goes at the latest: another device compiles first, beside which this one has nothing left to do.
+std::unique_ptr<Pipeline> MakePipelineAside(Device::State& vulkan, const Specialization& specialization)
+{
+  static std::atomic<bool> helps{ true }; // the user may have switched that cache off
+  Stopwatch watch;
+  const bool aside = vulkan.cpu && helps;
+  if (aside)
+  {
+    MakePipeline(Device::Another()->GetState(), specialization);
+  }
+  const double before = watch.Lap();
+  std::unique_ptr<Pipeline> pipeline = MakePipeline(vulkan, specialization);
+  helps = helps && !(aside && watch.Lap() > 0.5 * before);
+  return pipeline;
 }
 
 bool IsCompiling(const Program& program)
@@ -40,6 +64,14 @@ bool HasFailed(const std::shared_ptr<Program>& program)
   return !IsCompiling(*program) && !program->pipeline;
 }
 
+// Of this thread and those that it starts. Elsewhere than on Linux it would be that of the process.
+void LowerPriority()
+{
+#ifdef __linux__
+  ::setpriority(PRIO_PROCESS, 0, 19);
+#endif
+}
+
 } // namespace
 
 ProgramLibrary::ProgramLibrary(Device::State& device)
@@ -50,6 +82,7 @@ ProgramLibrary::ProgramLibrary(Device::State& device)
 ProgramLibrary::~ProgramLibrary()
 {
   std::unique_lock<std::mutex> lock(this->mutex_);
+  this->ahead_.clear();
   this->idle_.wait(lock, [this] { return this->atWork_ == 0; });
 }
 
@@ -57,16 +90,73 @@ std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specializati
 {
   const std::lock_guard<std::mutex> lock(this->mutex_);
   std::erase_if(this->programs_, HasFailed);
+  std::shared_ptr<Program> program = this->Find(specialization);
+  const bool begins = !program;
+  if (begins)
+  {
+    program = this->Add(specialization);
+  }
+  // On a busy machine what was begun ahead takes very long.
+  if (begins || (program->ahead && IsCompiling(*program)))
+  {
+    program->ahead = false;
+    ++this->atWork_;
+    RunInBackground(
+      [this, program]
+      {
+        this->Compile(*program);
+        const std::lock_guard<std::mutex> done(this->mutex_);
+        --this->atWork_;
+        this->idle_.notify_all();
+      });
+  }
+  return { program, begins };
+}
+
+// The thread that is ready first makes the program.
+void ProgramLibrary::Compile(Program& program)
+{
+  std::unique_ptr<Pipeline> pipeline;
+  std::exception_ptr failure;
+  try
+  {
+    pipeline = MakePipelineAside(*this->device_, program.specialization);
+  }
+  catch (...)
+  {
+    failure = std::current_exception();
+  }
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex_);
+    if (!IsCompiling(program))
+    {
+      return;
+    }
+    program.pipeline = std::move(pipeline);
+    failure ? program.done.set_exception(failure) : program.done.set_value();
+  }
+  // The program is used meanwhile.
+  this->device_->SavePrograms();
+}
+
+// The program of that key, which now is the last used one; null: there is none. The mutex is held.
+std::shared_ptr<Program> ProgramLibrary::Find(const Specialization& specialization)
+{
   const auto found = std::find_if(this->programs_.begin(), this->programs_.end(),
     [&](const auto& program) { return program->specialization == specialization; });
-  if (found != this->programs_.end())
+  if (found == this->programs_.end())
   {
-    std::rotate(found, found + 1, this->programs_.end());
-    return { this->programs_.back(), false };
+    return nullptr;
   }
+  std::rotate(found, found + 1, this->programs_.end());
+  return this->programs_.back();
+}
+
+// A program that is to be compiled. The mutex is held.
+std::shared_ptr<Program> ProgramLibrary::Add(const Specialization& specialization)
+{
   if (this->programs_.size() >= keptPrograms)
   {
-    // One that is being compiled must stay: its thread uses it.
     const auto oldest = std::find_if_not(
       this->programs_.begin(), this->programs_.end(), [](const auto& program) { return IsCompiling(*program); });
     if (oldest != this->programs_.end())
@@ -76,22 +166,50 @@ std::pair<std::shared_ptr<Program>, bool> ProgramLibrary::Get(const Specializati
   }
   const auto program = std::make_shared<Program>();
   program->specialization = specialization;
-  const auto compiling =
-    std::make_shared<std::packaged_task<void()>>([device = this->device_, p = program.get()] { Compile(*device, *p); });
-  program->compiled = compiling->get_future();
   this->programs_.push_back(program);
-  RunInBackground(
-    [this, compiling]
+  return program;
+}
+
+void ProgramLibrary::CompileAhead(std::vector<Specialization> wanted)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex_);
+  std::erase_if(wanted, [this](const Specialization& one) { return this->Find(one) != nullptr; });
+  this->ahead_ = std::move(wanted);
+  if (!this->ahead_.empty() && !this->worksAhead_)
+  {
+    this->worksAhead_ = true;
+    ++this->atWork_;
+    std::thread([this] { this->WorkAhead(); }).detach();
+  }
+}
+
+std::size_t ProgramLibrary::Ahead()
+{
+  const std::lock_guard<std::mutex> lock(this->mutex_);
+  return this->ahead_.size() + this->worksAhead_;
+}
+
+// In a thread of its own, because what has the lowest priority keeps it.
+void ProgramLibrary::WorkAhead()
+{
+  LowerPriority();
+  std::unique_lock<std::mutex> lock(this->mutex_);
+  while (!this->ahead_.empty())
+  {
+    const Specialization next = this->ahead_.back();
+    this->ahead_.pop_back();
+    if (!this->Find(next))
     {
-      (*compiling)();
-      // The program is used meanwhile.
-      this->device_->SavePrograms();
-      const std::lock_guard<std::mutex> done(this->mutex_);
-      --this->atWork_;
-      this->idle_.notify_all();
-    });
-  ++this->atWork_;
-  return { program, true };
+      const std::shared_ptr<Program> program = this->Add(next);
+      program->ahead = true;
+      lock.unlock();
+      this->Compile(*program);
+      lock.lock();
+    }
+  }
+  this->worksAhead_ = false;
+  --this->atWork_;
+  this->idle_.notify_all();
 }
 
 } // namespace rtg

@@ -111,6 +111,7 @@ std::string rtglyphs::RayTracedFrameStatus::GetStatistics(
     { "instanceUploads", s.instanceUploads },
     { "colorUploads", s.colourUploads },
     { "pipelineBuilds", s.pipelineBuilds },
+    { "programsAhead", s.programsAhead },
     { "dispatches", s.dispatches },
     { "primaryRays", count(PRIMARY_RAYS) },
     { "deviceBytes", count(DEVICE_BYTES) },

@@ -96,6 +96,11 @@ public:
       *this->Images.Scene, view.camera, view.previewLights, settings, view.pass, interrupt);
   }
 
+  void Expect(const rtg::ImageView& view, const std::vector<rtg::TraceSettings>& settings) override
+  {
+    this->Own.Tracer->CompileAhead(*this->Images.Scene, view.lights, settings);
+  }
+
   std::function<std::vector<std::uint32_t>()> Denoise(const rtg::Image& image, std::stop_token stop) override
   {
     return this->Own.Tracer->Denoise(image, std::move(stop));

@@ -95,6 +95,8 @@ public:
     return preview;
   }
 
+  void Expect(const ImageView&, const std::vector<rtg::TraceSettings>& settings) override { this->expected = settings; }
+
   std::function<std::vector<std::uint32_t>()> Denoise(const Image&, std::stop_token stop) override
   {
     ++this->denoisings;
@@ -170,6 +172,7 @@ public:
   std::chrono::duration<double> denoisingSeconds{ 0.0 };
   std::atomic<int> denoisingsStopped{ 0 };
   rtg::TraceSettings last;
+  std::vector<rtg::TraceSettings> expected;
 
 private:
   std::uint32_t done = 0, launchesLeft = 0;
@@ -657,6 +660,23 @@ TEST_F(ProgressiveImageTest, FeaturesOfAFinishedImageAreTracedWhereTheyLack)
   EXPECT_EQ(this->source.traces, 2);
   this->Update(effort);
   EXPECT_EQ(this->source.traces, 2);
+}
+
+// Once there is something to see of a window's image, it may be wanted in any light; scripts know what they want.
+TEST_F(ProgressiveImageTest, OtherLightIsExpected)
+{
+  this->Update(Script(4));
+  EXPECT_TRUE(this->source.expected.empty());
+  this->view.content = 1;
+  this->source.compilingSeconds = 1.0;
+  this->Update(Window(4));
+  EXPECT_TRUE(this->source.expected.empty());
+  this->Finish(Window(4));
+  ASSERT_EQ(this->source.expected.size(), 3u);
+  for (const rtg::TraceSettings& settings : this->source.expected)
+  {
+    EXPECT_EQ(settings.features, settings.shading != rtg::Shading::Local);
+  }
 }
 
 // Compiling takes longer than an update may: there is no image for a while, and then all is as usual.

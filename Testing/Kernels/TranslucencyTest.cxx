@@ -147,6 +147,32 @@ TEST_P(TranslucencyTest, BoxesAreMetByChance)
   }
 }
 
+// A ball in a shell, in the same light from everywhere. The shell's front sees all of the sky; from the ball, and from
+// the shell's far side beside it, the shell lets a part through, and the ball hides (r / R)^2 of the cosine-weighted
+// hemisphere.
+TEST_P(TranslucencyTest, TheSkyShinesThroughShells)
+{
+  constexpr double inner = 0.25, outer = 1.0, through = 1.0 - opacity;
+  this->Add(Shape::Sphere, { { 0, 0, 0 } }, { glm::vec3(2.0 * inner) }, White());
+  this->AddBalls({ { 0, 0, 0 } }, 2.0f * outer);
+  this->settings.shading = Shading::AmbientOcclusion;
+  this->settings.keepSums = true;
+  this->settings.occlusionRays = 8;
+  this->settings.samples = 16;
+  // Of all layers together, no more than of an opaque one.
+  const double error = certain * 0.5 / std::sqrt(24.0 * 24.0 * 16.0 * 8.0);
+  this->camera = this->LookFrom({ 0, 0, 5 }, { 0, 0, 0 }, 0.5 * inner);
+  this->Trace(rtg::Pass::Opaque);
+  EXPECT_NEAR(this->Mean(0), through, error);
+  this->Trace(rtg::Pass::Translucent);
+  EXPECT_NEAR(this->Mean(0), opacity, error);
+  this->camera = this->LookFrom({ 0.6, 0, 5 }, { 0.6, 0, 0 }, 0.1);
+  this->Trace(rtg::Pass::Translucent);
+  EXPECT_NEAR(this->Mean(3), 1.0 - through * through, 1e-5);
+  const double farSide = through * (1.0 - inner * inner / (outer * outer));
+  EXPECT_NEAR(this->Mean(0), opacity + through * opacity * farSide, error);
+}
+
 // A triangle is met once by each ray, however large the surface is and however near to its edge the ray enters.
 TEST_P(TranslucencyTest, ASurfaceOfAnyExtentCountsOnce)
 {

@@ -10,6 +10,7 @@
 #include <QCursor>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMap>
 #include <QMenu>
 #include <QMessageBox>
@@ -25,6 +26,10 @@
 
 #include <algorithm>
 #include <cstring>
+
+// As QTest has it, which tests of windows would otherwise need for this alone.
+Q_GUI_EXPORT bool qt_sendShortcutOverrideEvent(QObject* to, ulong time, int key, Qt::KeyboardModifiers modifiers,
+  const QString& text = QString(), bool repeated = false, ushort count = 1);
 
 namespace
 {
@@ -104,9 +109,9 @@ extern "C"
     return 1;
   }
 
-  // 1: the mouse is on its way from one place in the widget to another, with its left button down, first sideways and
-  // then up or down; in pixels from the widget's lower left corner.
-  Q_DECL_EXPORT int probe_drag(const char* name, int fromX, int fromY, int toX, int toY)
+  // 1: what the left button does is on its way to a place in the widget, in pixels from its lower left corner.
+  // `what`: 0 it is pressed, 1 the mouse is moved with it down, 2 it is released.
+  Q_DECL_EXPORT int probe_mouse(const char* name, int what, int x, int y)
   {
     const QWidget* widget = Find(name);
     QWindow* window = widget ? widget->window()->windowHandle() : nullptr;
@@ -114,14 +119,9 @@ extern "C"
     {
       return 0;
     }
-    const auto place = [&](int x, int y)
-    { return widget->mapTo(widget->window(), QPoint(x, widget->height() - 1 - y)); };
-    PostMouse(window, QEvent::MouseButtonPress, place(fromX, fromY), Qt::LeftButton);
-    for (const QPoint at : { QPoint((fromX + toX) / 2, fromY), QPoint(toX, fromY), QPoint(toX, toY) })
-    {
-      PostMouse(window, QEvent::MouseMove, place(at.x(), at.y()), Qt::LeftButton);
-    }
-    PostMouse(window, QEvent::MouseButtonRelease, place(toX, toY), Qt::NoButton);
+    constexpr QEvent::Type types[] = { QEvent::MouseButtonPress, QEvent::MouseMove, QEvent::MouseButtonRelease };
+    PostMouse(window, types[what], widget->mapTo(widget->window(), QPoint(x, widget->height() - 1 - y)),
+      what == 2 ? Qt::NoButton : Qt::LeftButton);
     return 1;
   }
 
@@ -161,7 +161,7 @@ extern "C"
     text[size - 1] = 0;
   }
 
-  // 1: Esc is on its way to the widget, as if that had the focus.
+  // 1: Esc is pressed, as if the widget had the focus: shortcuts come first.
   Q_DECL_EXPORT int probe_escape(const char* name)
   {
     QWidget* widget = Find(name);
@@ -169,8 +169,29 @@ extern "C"
     {
       return 0;
     }
+    QApplication::setActiveWindow(widget->window()); // a display without window manager has none
+    if (qt_sendShortcutOverrideEvent(widget, 0, Qt::Key_Escape, Qt::NoModifier))
+    {
+      return 1;
+    }
     QCoreApplication::postEvent(widget, new QKeyEvent(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier));
     QCoreApplication::postEvent(widget, new QKeyEvent(QEvent::KeyRelease, Qt::Key_Escape, Qt::NoModifier));
+    return 1;
+  }
+
+  // 1: a letter is on its way to the widget.
+  Q_DECL_EXPORT int probe_type(const char* name, const char* letter)
+  {
+    QWidget* widget = Find(name);
+    if (!widget)
+    {
+      return 0;
+    }
+    for (const QEvent::Type type : { QEvent::KeyPress, QEvent::KeyRelease })
+    {
+      QCoreApplication::postEvent(
+        widget, new QKeyEvent(type, QString(letter).toUpper().at(0).unicode(), Qt::NoModifier, letter));
+    }
     return 1;
   }
 
@@ -238,7 +259,8 @@ extern "C"
     return 0;
   }
 
-  // What a label, a button or a progress bar says; copied, at most `size` characters with the 0 at the end.
+  // What a label, a button, a line of text or a progress bar says; copied, at most `size` characters with the 0 at the
+  // end.
   Q_DECL_EXPORT void probe_text(const char* name, char* text, int size)
   {
     const QWidget* widget = Find(name);
@@ -250,6 +272,10 @@ extern "C"
     else if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
     {
       said = button->text();
+    }
+    else if (const auto* line = qobject_cast<const QLineEdit*>(widget))
+    {
+      said = line->text();
     }
     else if (const auto* bar = qobject_cast<const QProgressBar*>(widget))
     {

@@ -1,8 +1,11 @@
 """While programs are compiled the last picture stays, in front of and behind what ParaView draws, until there is a preview: at once, or
-when its program is there. Not in files.
+when its program is there. Not in files. Programs of other light are compiled ahead, and the camera is turned meanwhile.
 
-Usage: MESA_SHADER_CACHE_DISABLE=true pvpython compiling.py
+Usage: MESA_SHADER_CACHE_DIR=FOLDER pvpython compiling.py
+FOLDER is emptied.
 """
+import os
+import shutil
 import time
 
 import numpy
@@ -49,22 +52,47 @@ def stays(checks, view, shown, what, before, light=False):
     return after
 
 
+def ahead(checks, view, shown):
+    """The other modes have their programs when they are chosen, and nothing waits while these are compiled."""
+    shown.ShadingMode = "Local"
+    session.assign_shape(shown, "Cone")
+    pv.Render(view)
+    finished(checks, view, shown, "before programs are compiled ahead")
+    checks.true("no program is compiled ahead", information(shown, "programsAhead") > 0)
+    begin, longest = time.monotonic(), 0.0
+    while information(shown, "programsAhead") > 0 and time.monotonic() < begin + LIMIT:
+        start = time.monotonic()
+        view.CameraPosition = [2.0 + 0.1 * (start - begin), 0.0, 6.0]
+        view.SMProxy.InteractiveRender()
+        longest = max(longest, time.monotonic() - start)
+    took = time.monotonic() - begin
+    print("programs were compiled ahead in %.2f s, the longest render meanwhile took %.3f s" % (took, longest))
+    checks.true("a render took %.2f s of %.2f s in which programs were compiled" % (longest, took), longest < 0.3 * took)
+    finished(checks, view, shown, "programs are compiled ahead")
+    for mode in ("Ambient Occlusion", "Path Tracing"):
+        shown.ShadingMode = mode
+        checks.true("%s: a program is compiled" % mode, not while_compiling(view, shown))
+        finished(checks, view, shown, mode)
+
+
 def main():
     """Other light, opacity, a second display that widens the clipping range, another camera, and a file."""
+    shutil.rmtree(os.environ["MESA_SHADER_CACHE_DIR"], ignore_errors=True)
     session.load()
     checks = Checks()
     view = session.view(200, 150)
     wall = pv.Show(pv.Plane(Origin=[-1.0, -1.0, 0.0], Point1=[0.0, -1.0, 0.0], Point2=[-1.0, 1.0, 0.0]), view)
     wall.Representation = "Surface"
     session.solid(wall, (0.2, 0.3, 0.9))
-    shown = stepwise(session.glyphs(cloud(), view, "Superquadric", samples=2, Orient=0, ScaleFactor=0.3))
+    shown = session.glyphs(cloud(), view, "Superquadric", samples=2, Orient=0, ScaleFactor=0.3) # of scripts nothing is expected
     session.solid(shown, (0.9, 0.6, 0.3))
     session.look(view, (0.0, 0.0, 6.0))
     pv.Render(view)
     picture = finished(checks, view, shown, "first picture")
     checks.covered("first picture", picture, 0.2)
 
-    shown.ShadingMode = "Ambient Occlusion"
+    stepwise(shown)
+    shown.ShadingMode, shown.Denoising = "Ambient Occlusion", "Never"
     picture = stays(checks, view, shown, "other light", picture, light=True)
     shown.Opacity = 0.5
     picture = stays(checks, view, shown, "opacity", picture)
@@ -85,7 +113,7 @@ def main():
     finished(checks, view, shown, "a second display")
 
     wall.Visibility = 0
-    shown.ShadingMode = "Path Tracing"
+    shown.ShadingMode, shown.Denoising = "Path Tracing", "While Refining"
     session.look(view, (2.0, 0.0, 6.0))
     pictures = while_compiling(view, shown)
     checks.true("another camera: no program was compiled", bool(pictures))
@@ -102,6 +130,7 @@ def main():
     checks.covered("a screenshot that is stopped while programs are compiled", saved[0], 0.0, 0.0)
     pv.Render(view)
     checks.covered("after the screenshot", finished(checks, view, shown, "after the screenshot"), 0.2)
+    ahead(checks, view, shown)
     checks.report()
 
 

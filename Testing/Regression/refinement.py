@@ -101,7 +101,7 @@ def main():
 
     # While the camera is turned there are coarse images and no steps between them.
     interactor = view.SMProxy.GetInteractor()
-    interactor.InvokeEvent("StartInteractionEvent")
+    interactor.InvokeEvent("LeftButtonPressEvent")
     before = state(shown)
     start = time.time()
     session.look(view, (1.0, 0.0, 6.0))
@@ -114,7 +114,7 @@ def main():
     # A coarse image has no sample of every pixel; before the first one a coarser one tells what rays cost.
     if turning[1] > before[1] + 2 or turning[1] == before[1] or turning[0] != 0:
         failures.append("a turn of the camera took %s to %s samples and images" % (before, turning))
-    interactor.InvokeEvent("EndInteractionEvent")
+    interactor.InvokeEvent("LeftButtonReleaseEvent")
     start = time.time()
     view.SMProxy.StillRender()
     sample = time.time() - start

@@ -45,9 +45,15 @@ class Window:
         """Moves the mouse to a pixel of a widget, from its lower left; False: there is no such widget."""
         return bool(self.probe.probe_hover(name.encode(), *at))
 
-    def drag(self, name, start, end):
-        """Posts a drag with the left button between two pixels of a widget, from its lower left; False: there is no such widget."""
-        return bool(self.probe.probe_drag(name.encode(), *start, *end))
+    def mouse(self, name, what, at):
+        """Posts what the left button does, press, move or release, on a pixel of a widget, from its lower left; False: there is no such widget."""
+        return bool(self.probe.probe_mouse(name.encode(), ("press", "move", "release").index(what), *at))
+
+    def drag(self, name, start, end, release=True):
+        """Posts a drag with the left button between two pixels of a widget, first sideways and then up or down; False: there is no such widget."""
+        moves = ((start[0] + end[0]) // 2, start[1]), (end[0], start[1]), end
+        return self.mouse(name, "press", start) and all(self.mouse(name, "move", at) for at in moves) and (
+            not release or self.mouse(name, "release", end))
 
     def right_click(self, name, at):
         """Posts a click with the right button on a pixel of a widget, from its lower left; False: there is no such widget."""
@@ -60,6 +66,10 @@ class Window:
     def escape(self, name):
         """Posts the Esc key; False: there is no such widget."""
         return bool(self.probe.probe_escape(name.encode()))
+
+    def type(self, name, letter):
+        """Posts a letter; False: there is no such widget."""
+        return bool(self.probe.probe_type(name.encode(), letter.encode()))
 
     def enabled(self, name):
         """Whether a visible widget takes input."""
@@ -92,7 +102,7 @@ class Window:
         return text.value.decode()
 
     def text(self, name):
-        """What a label, a button or a progress bar says."""
+        """What a label, a button, a line of text or a progress bar says."""
         return self._words(self.probe.probe_text, name)
 
     def rows(self, name):

@@ -37,7 +37,7 @@ KINDS = {
 MUST = {"image": {"dispatches"}, "pass": {"dispatches"}, "colors": {"colorBuilds", "colorUploads"},
         "first colors": {"colorBuilds", "colorUploads"}, "glyphs": {"instanceBuilds", "instanceUploads"}}
 #: bytes and seconds are no counts; programs are compiled when they are first needed
-UNCOUNTED = re.compile("Seconds$|^deviceBytes$|^pipelineBuilds$|^DeviceName$|^AccumulatedSamples$|^Refinement|^pulls$|^choices$|lyphs$")
+UNCOUNTED = re.compile("Seconds$|^deviceBytes$|^pipelineBuilds$|^programsAhead$|^DeviceName$|^AccumulatedSamples$|^Refinement|^pulls$|^choices$|lyphs$")
 
 ARROW = {"GlyphType": "Arrow", "ScaleMode": "Magnitude", "SelectScaleArray": "length", "ArrowHeads": "Fixed"}
 TENSOR = {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor"}
