@@ -20,20 +20,23 @@ namespace
 
 constexpr std::size_t keptPrograms = 24; // lavapipe takes some 17 MB for each
 
-// Some drivers compile when a pipeline is made, others at its first launch: that is one of no pixel.
-std::unique_ptr<Pipeline> MakePipeline(Device::State& vulkan, const Specialization& specialization)
+// Some drivers compile when a pipeline is made, others at its first launch: that is one of no pixel, which takes so
+// many seconds.
+std::unique_ptr<Pipeline> MakePipeline(Device::State& vulkan, const Specialization& specialization, double& seconds)
 {
   auto pipeline = std::make_unique<Pipeline>(vulkan, specialization);
   device::FrameRecord frame{};
   frame.tileStride = frame.tileCount = frame.tileColumns = 1;
   frame.launchWidth = 1;
   FrameBlock block(vulkan);
+  Stopwatch watch;
   vulkan.Submit(
     [&](vk::raii::CommandBuffer& command)
     {
       block.Send(command, frame);
       pipeline->Trace(command, block, 1, 1);
     });
+  seconds = watch.Lap();
   return pipeline;
 }
 
@@ -42,15 +45,14 @@ std::unique_ptr<Pipeline> MakePipeline(Device::State& vulkan, const Specializati
 std::unique_ptr<Pipeline> MakePipelineAside(Device::State& vulkan, const Specialization& specialization)
 {
   static std::atomic<bool> helps{ true }; // the user may have switched that cache off
-  Stopwatch watch;
-  const bool aside = vulkan.cpu && helps;
-  if (aside)
+  constexpr double worthSaving = 0.2;     // seconds
+  double before = 0.0, after = 0.0;
+  if (vulkan.cpu && helps)
   {
-    MakePipeline(Device::Another()->GetState(), specialization);
+    MakePipeline(Device::Another()->GetState(), specialization, before);
   }
-  const double before = watch.Lap();
-  std::unique_ptr<Pipeline> pipeline = MakePipeline(vulkan, specialization);
-  helps = helps && !(aside && watch.Lap() > 0.5 * before);
+  std::unique_ptr<Pipeline> pipeline = MakePipeline(vulkan, specialization, after);
+  helps = helps && (before < worthSaving || after < 0.5 * before);
   return pipeline;
 }
 
