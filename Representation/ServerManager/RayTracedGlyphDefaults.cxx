@@ -350,7 +350,8 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   if (tensors && negative > 0.0)
   {
     const int percent = std::max(1, static_cast<int>(std::lround(100.0 * negative)));
-    const bool anisotropy = number("GlyphTensorColoring") == rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
+    const int coloring = vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").GetAsInt();
+    const bool anisotropy = coloring == rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
     const bool positive = shape == Shapes::TENSOR_ELLIPSOID || shape == Shapes::TENSOR_SUPERQUADRIC;
     std::string sentence = std::to_string(percent) + " % of the tensors have a negative eigenvalue";
     sentence += positive ? ", drawn as a positive one" : "";

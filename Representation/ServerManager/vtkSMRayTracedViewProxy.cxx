@@ -275,7 +275,8 @@ std::string vtkSMRayTracedViewProxy::Ask(const vtkClientServerStream& question, 
 {
   const bool remote = this->IsRenderedRemotely();
   const vtkTypeUInt32 first = remote ? vtkPVSession::RENDER_SERVER_ROOT : vtkPVSession::CLIENT;
-  this->ExecuteStream(question, /*ignore_errors=*/false, remote && ofAllRanks ? vtkPVSession::RENDER_SERVER : first);
+  const vtkTypeUInt32 all = vtkPVSession::RENDER_SERVER;
+  this->ExecuteStream(question, /*ignore_errors=*/false, remote && ofAllRanks ? all : first);
   std::string json;
   this->GetLastResult(first).GetArgument(0, 0, &json);
   return json;

@@ -12,7 +12,9 @@ using light::White;
 
 constexpr std::size_t glyphs = 40;
 
-class PeriodicTest : public light::LightTest, public ::testing::WithParamInterface<rtg::Structure>
+class PeriodicTest
+  : public light::LightTest
+  , public ::testing::WithParamInterface<rtg::Structure>
 {
 protected:
   void SetUp() override
@@ -74,10 +76,9 @@ protected:
           {
             continue;
           }
-          rtg::GlyphInstances& into =
-            glm::all(glm::lessThanEqual(glm::abs(place), this->images.shown)) ? shown : lit;
-          const glm::vec3 offset(double(i) * this->images.edges[0] + double(j) * this->images.edges[1] +
-            double(k) * this->images.edges[2]);
+          rtg::GlyphInstances& into = glm::all(glm::lessThanEqual(glm::abs(place), this->images.shown)) ? shown : lit;
+          const glm::vec3 offset(
+            double(i) * this->images.edges[0] + double(j) * this->images.edges[1] + double(k) * this->images.edges[2]);
           for (std::size_t g = 0; g < glyphs; ++g)
           {
             into.centres.push_back(original.centres[g] + offset);
