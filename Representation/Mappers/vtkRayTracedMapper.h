@@ -63,6 +63,11 @@ public:
   void SetSection(std::shared_ptr<const rtg::Section> section) { this->Section = std::move(section); }
 
   /**
+   * Where it is shown again, in world coordinates; likewise.
+   */
+  void SetImages(std::shared_ptr<const rtg::PeriodicImages> images) { this->Images = std::move(images); }
+
+  /**
    * Who is told how far the building of instances is.
    */
   void SetBuildProgress(const rtglyphs::RayTracedParallel::Progress& progress) { this->BuildProgress = progress; }
@@ -81,6 +86,7 @@ public:
   const rtg::GlyphColours& GetColors() const { return this->Colors; }
   virtual void AddToMaterial(rtg::Material&) const {}
   const rtg::Section& GetSection() const { return *this->Section; }
+  const rtg::PeriodicImages& GetImages() const { return *this->Images; }
   bool IsTranslucent() const { return this->Translucent || this->TranslucentInstances; }
   ///@}
 
@@ -277,6 +283,7 @@ private:
   rtglyphs::RayTracedCache<InstanceKey> Built;
   rtglyphs::RayTracedCache<ColorKey> Colored;
   std::shared_ptr<const rtg::Section> Section = std::make_shared<rtg::Section>();
+  std::shared_ptr<const rtg::PeriodicImages> Images = std::make_shared<rtg::PeriodicImages>();
   std::uint32_t SelectionColor = 0x00ff00ffu; // packed, without an opacity
 };
 

@@ -4,6 +4,7 @@
 #include "GlyphShutterGuess.h"
 #include "GlyphStepVelocity.h"
 #include "Glyphs.h"
+#include "Tracer.h"
 #include "RayTracedArrays.h"
 #include "RayTracedDisplays.h"
 #include "RayTracedNumbers.h"
@@ -54,6 +55,7 @@ struct ScreenshotState : vtkPVRenderView
 //----------------------------------------------------------------------------
 vtkRayTracedRepresentation::vtkRayTracedRepresentation()
   : StepVelocity(std::make_unique<rtglyphs::GlyphStepVelocity>())
+  , MadeImages(std::make_shared<rtg::PeriodicImages>())
   , MadeSection(std::make_shared<rtg::Section>())
 {
   this->RequestGhostCellsIfNeeded = false;
@@ -324,6 +326,7 @@ void vtkRayTracedRepresentation::ProcessRequest(vtkInformationRequestKey* reques
     this->UpdateShutterTime(this->GetPoints());
     double bounds[6];
     std::copy_n(this->GetDataBounds(this->GetPoints()), 6, bounds);
+    rtglyphs::ExtendBounds(this->MakeImages(this->GetPoints(), this->Piece, /*together=*/true), bounds);
     this->UpdateActor();
     vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, this->MainActor->GetMatrix());
     if (this->MainMapper)
@@ -430,6 +433,40 @@ void vtkRayTracedRepresentation::UpdateSection()
 }
 
 //----------------------------------------------------------------------------
+// In the data's coordinates. `together`: all ranks ask at once, each of which has a part of the data.
+rtg::PeriodicImages vtkRayTracedRepresentation::MakeImages(vtkPolyData* points, vtkDataObject* data, bool together)
+{
+  if (!this->Periodic.Boundary)
+  {
+    return {};
+  }
+  double bounds[6];
+  vtkMath::UninitializeBounds(bounds);
+  if (points && points->GetNumberOfPoints() > 0)
+  {
+    points->GetBounds(bounds);
+  }
+  if (together)
+  {
+    const bool any = vtkMath::AreBoundsInitialized(bounds);
+    for (int i = 0; i < 6; ++i)
+    {
+      const double sign = i % 2 == 0 ? -1.0 : 1.0;
+      bounds[i] = sign * rtglyphs::RayTracedRanks::Largest(any ? sign * bounds[i] : -VTK_DOUBLE_MAX);
+    }
+  }
+  std::string problem;
+  vtkFieldData* own = points ? points->GetFieldData() : nullptr;
+  vtkFieldData* field = own && own->GetNumberOfArrays() > 0 ? own : data ? data->GetFieldData() : nullptr;
+  const rtg::PeriodicImages images = this->Periodic.Make(field, bounds, problem);
+  if (problem != std::exchange(this->PeriodicProblem, problem) && !problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+  }
+  return images;
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetArray(std::string& held, const char* name)
 {
   if (held != OrEmpty(name))
@@ -466,6 +503,7 @@ void vtkRayTracedRepresentation::AddPart(vtkPVRenderView* view, vtkRayTracedActo
   view->RegisterPropForHardwareSelection(this, actor);
   mapper->SetBuildProgress(this->ProgressOf("Building glyphs"));
   mapper->SetSection(this->MadeSection);
+  mapper->SetImages(this->MadeImages);
   vtkRayTracedScene::Of(view->GetRenderer())->Add(actor, mapper);
 }
 
@@ -534,7 +572,18 @@ void vtkRayTracedRepresentation::Render(vtkPVRenderView* view, vtkInformation* i
   this->MainMapper->SetInWindow(scene->GetSettings().IsStepwise());
   this->Configure(inInfo, points, lod, collective);
   vtkNew<vtkPolyData> nothing;
-  this->SetPartBounds(this->GetDataBounds(points ? points : nothing.Get()));
+  double bounds[6];
+  std::copy_n(this->GetDataBounds(points ? points : nothing.Get()), 6, bounds);
+  rtg::PeriodicImages images = this->MakeImages(points, delivered, collective);
+  rtglyphs::ExtendBounds(images, bounds);
+  // In a domain without end no sky is seen: light that comes from any distance meets what is shown alone.
+  const rtglyphs::RayTracedImageSettings& light = scene->GetSettings();
+  if (light.ShadingMode != static_cast<int>(rtg::Shading::AmbientOcclusion) || light.AmbientOcclusionRadius <= 0.0)
+  {
+    images.lit = images.shown;
+  }
+  this->SetPartBounds(bounds);
+  *this->MadeImages = rtglyphs::Moved(images, this->MainActor->GetMatrix());
   scene->SetFrameKind(ScreenshotState::Of(view), collective, view->GetUseOrderedCompositing());
   scene->SetStatistics(this->MainMapper,
     { this->GetUniqueIdentifier(), this->Gathers, this->Bounds.GetBuilds(), this->GatherSeconds,

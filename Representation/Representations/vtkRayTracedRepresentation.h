@@ -28,6 +28,7 @@
 #include "RayTracedBlocks.h"
 #include "RayTracedNumbers.h"
 #include "RayTracedParallel.h"
+#include "RayTracedPeriodic.h"
 #include "RayTracedSection.h"
 #endif
 
@@ -77,6 +78,15 @@ public:
    * themselves; those that only render get it by SetShutterTime().
    */
   double GetShutterTimeGuess() { return this->ShutterTime; }
+
+  ///@{
+  /**
+   * A periodic box of the data, as RayTracedPeriodic has it.
+   */
+  void SetPeriodicBoundary(bool on) { this->Periodic.Boundary = on; }
+  void SetPeriodicVectors(int index, double value) { this->Periodic.Vectors.at(index) = value; }
+  void SetPeriodicImages(int a, int b, int c) { this->Periodic.Images = { a, b, c }; }
+  ///@}
 
   ///@{
   /**
@@ -197,6 +207,7 @@ private:
   void UseBlocks(vtkDataObject* data);
   void UpdateActor();
   void UpdateSection();
+  rtg::PeriodicImages MakeImages(vtkPolyData* points, vtkDataObject* data, bool together);
   void Render(vtkPVRenderView* view, vtkInformation* inInfo);
   vtkRayTracedScene* GetScene();
 
@@ -213,6 +224,9 @@ private:
   std::unique_ptr<rtglyphs::GlyphStepVelocity> StepVelocity;
   bool ShutterTimeFromData = true;
   double ShutterTime = 0.0; // that the data suggest; 0: none
+  rtglyphs::RayTracedPeriodic Periodic;
+  std::shared_ptr<rtg::PeriodicImages> MadeImages; // of all mappers
+  std::string PeriodicProblem;                     // that has been reported
   rtglyphs::RayTracedSection Section;
   std::shared_ptr<rtg::Section> MadeSection; // of all mappers
   std::string SectionProblem;                // that has been reported

@@ -120,9 +120,11 @@ rtglyphs::RayTracedDisplays::UpdateAll(vtkRenderer* renderer, const std::functio
       continue;
     }
     const rtg::Material material = this->GetMaterial(static_cast<int>(&display - this->All.data()), renderer);
-    if (display.MaterialVersion == 0 || !(display.Material == material))
+    const rtg::PeriodicImages& images = mapper->GetImages();
+    if (display.MaterialVersion == 0 || !(display.Material == material) || !(display.Images == images))
     {
       display.Material = material;
+      display.Images = images;
       display.MaterialVersion = ++this->MaterialVersions;
     }
     display.Shown = true;
@@ -239,6 +241,7 @@ void rtglyphs::RayTracedDisplays::Commit(rtg::Scene& scene, std::uint64_t sceneN
     if (display.SentMaterial != display.MaterialVersion)
     {
       scene.SetMaterial(display.Set, display.Material);
+      scene.SetImages(display.Set, display.Images);
       display.SentMaterial = display.MaterialVersion;
     }
   }

@@ -44,6 +44,7 @@ public:
     vtkWeakPointer<vtkActor> Actor;
     rtg::Scene::SetId Set = 0;
     rtg::Material Material;
+    rtg::PeriodicImages Images;
     bool Shown = false;       // in this frame
     bool Translucent = false; // and then in the translucent pass
     RayTracedDataStatistics Data;

@@ -54,6 +54,7 @@ TABLE = {"UseGlyphTable": 1, "UseCompositeGlyphTable": 1, "GlyphTableIndexArray"
 OCCLUSION = {"ShadingMode": "Ambient Occlusion"}
 PATHS = {"ShadingMode": "Path Tracing"}
 PLANE = {"Section": "Plane"}
+BOXED = {"PeriodicBoundary": 1, "PeriodicVectors": [3.0, 0, 0, 0, 3.0, 0, 0, 0, 3.0], "PeriodicImages": [1, 0, 0]}
 
 #: field -> (properties to start from, property, its new value, kind) or a list of such, or why there is nothing to test
 FIELDS = {
@@ -191,6 +192,11 @@ FIELDS = {
         "coatColour": ({**PATHS, "CoatStrength": 0.5}, "CoatColor", [1.0, 0.0, 0.0], "image"),
         "section": "RayTracedSection",
     },
+    "RayTracedPeriodic": {
+        "Boundary": (BOXED, "PeriodicBoundary", 0, "pass"),
+        "Vectors": [(BOXED, "PeriodicVectors", [2.0, 0, 0, 0, 2.0, 0, 0, 0, 2.0], "pass"), ({}, "PeriodicVectors", [2.0] * 9, "nothing")],
+        "Images": [(BOXED, "PeriodicImages", [0, 1, 0], "pass"), ({}, "PeriodicImages", [0, 1, 0], "nothing")],
+    },
     "RayTracedSection": {
         "Kind": ({}, "Section", "Plane", "image"),
         "Face": [(PLANE, "SectionCaps", "Open", "image"), ({}, "SectionCaps", "Open", "nothing")],
@@ -229,6 +235,7 @@ HEADERS = {
     "GlyphForms::Settings": "Representation/Glyphs/GlyphForms.h",
     "GlyphMotion::Settings": "Representation/Glyphs/GlyphMotion.h",
     "RayTracedImageSettings": "Representation/Scene/RayTracedImageSettings.h",
+    "RayTracedPeriodic": "Representation/Representations/RayTracedPeriodic.h",
     "RayTracedSection": "Representation/Representations/RayTracedSection.h",
 }
 POINTS = 400

@@ -1,0 +1,112 @@
+#include "RayTracedPeriodic.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+// Names under which codes and readers keep the edges of a box, nine numbers.
+constexpr const char* names[] = { "lattice", "lattice_vectors", "latticevectors", "lattice vectors", "cell",
+  "cell_vectors", "unitcell", "unit_cell", "box", "box_vectors", "boxvectors", "vectors" };
+
+// The first array of such a name that has nine numbers; null: there is none.
+vtkDataArray* FindEdges(vtkFieldData* field)
+{
+  for (const char* name : names)
+  {
+    for (int i = 0; field && i < field->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = field->GetArray(i);
+      if (array && array->GetName() && vtksys::SystemTools::LowerCase(array->GetName()) == name &&
+        array->GetNumberOfValues() == 9)
+      {
+        return array;
+      }
+    }
+  }
+  return nullptr;
+}
+}
+
+//----------------------------------------------------------------------------
+rtg::PeriodicImages
+rtglyphs::RayTracedPeriodic::Make(vtkFieldData* field, const double bounds[6], std::string& problem) const
+{
+  rtg::PeriodicImages images;
+  if (!this->Boundary || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    return images;
+  }
+  std::array<double, 9> edges = this->Vectors;
+  if (edges == std::array<double, 9>{})
+  {
+    if (vtkDataArray* found = FindEdges(field))
+    {
+      const int components = found->GetNumberOfComponents();
+      for (int i = 0; i < 9; ++i)
+      {
+        edges[i] = found->GetComponent(i / components, i % components);
+      }
+    }
+    else
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        edges[4 * i] = bounds[2 * i + 1] - bounds[2 * i];
+      }
+    }
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    images.edges[i] = { edges[3 * i], edges[3 * i + 1], edges[3 * i + 2] };
+    const double length = glm::length(images.edges[i]);
+    const int shown = std::clamp(this->Images[i], 0, 4);
+    if (!std::isfinite(length) || (!(length > 0.0) && shown > 0))
+    {
+      std::ostringstream message;
+      message << "Ray Traced Glyphs: edge " << i + 1 << " of the periodic box is " << edges[3 * i] << ' '
+              << edges[3 * i + 1] << ' ' << edges[3 * i + 2]
+              << ", so nothing repeats; give the box in PeriodicVectors, or switch PeriodicBoundary off.";
+      problem = message.str();
+      return {};
+    }
+    images.shown[i] = shown;
+    images.lit[i] = length > 0.0 ? shown + 1 : 0;
+  }
+  return images;
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::ExtendBounds(const rtg::PeriodicImages& images, double bounds[6])
+{
+  for (int i = 0; i < 3 && vtkMath::AreBoundsInitialized(bounds); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double reach = images.shown[i] * std::abs(images.edges[i][axis]);
+      bounds[2 * axis] -= reach;
+      bounds[2 * axis + 1] += reach;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+rtg::PeriodicImages rtglyphs::Moved(rtg::PeriodicImages images, vtkMatrix4x4* matrix)
+{
+  for (glm::dvec3& edge : images.edges)
+  {
+    const double direction[4] = { edge.x, edge.y, edge.z, 0.0 };
+    double moved[4];
+    matrix->MultiplyPoint(direction, moved);
+    edge = { moved[0], moved[1], moved[2] };
+  }
+  return images;
+}

@@ -1,0 +1,42 @@
+/**
+ * How a display repeats along the edges of a periodic box, as its properties say.
+ */
+#ifndef RayTracedPeriodic_h
+#define RayTracedPeriodic_h
+
+#include "Glyphs.h"
+
+#include <array>
+#include <string>
+
+class vtkFieldData;
+class vtkMatrix4x4;
+
+namespace rtglyphs
+{
+struct RayTracedPeriodic
+{
+  bool Boundary = false;
+  std::array<double, 9> Vectors{}; // edges of the box one after the other; all zero: those of the data
+  std::array<int, 3> Images{};     // that are shown on either side along each edge
+
+  /**
+   * The images in the data's coordinates. `field` may have the edges, else they are those of `bounds`. Where there is a
+   * `problem`, which is to be reported, there are none.
+   */
+  rtg::PeriodicImages Make(vtkFieldData* field, const double bounds[6], std::string& problem) const;
+};
+
+/**
+ * Adds the shown images of what lies within the bounds.
+ */
+void ExtendBounds(const rtg::PeriodicImages& images, double bounds[6]);
+
+/**
+ * The same images of what a matrix moves.
+ */
+rtg::PeriodicImages Moved(rtg::PeriodicImages images, vtkMatrix4x4* matrix);
+}
+
+#endif
+// VTK-HeaderTest-Exclude: RayTracedPeriodic.h
