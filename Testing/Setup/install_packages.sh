@@ -19,8 +19,13 @@ names=no
 groups=("$@")
 [ ${#groups[@]} -gt 0 ] || groups=(build test gui)
 
+spirv=(spirv-tools)
+case "$codename" in
+  bookworm | trixie) ;; # The tools' package has the library, too.
+  *) spirv+=(spirv-tools-dev) ;;
+esac
 build=(cmake ninja-build g++ ccache pkg-config
-  libvulkan-dev glslang-tools spirv-tools libglm-dev
+  libvulkan-dev glslang-tools "${spirv[@]}" libglm-dev
   paraview paraview-dev python3-paraview
   libopenmpi-dev libglew-dev libgl-dev python3-dev libfreetype-dev
   libvulkan1 mesa-vulkan-drivers libgl1-mesa-dri xvfb python3-numpy)
@@ -44,7 +49,7 @@ simulate=(lammps)
 # What Testing/Setup/build_paraview.sh compiles ParaView with.
 source_build=(cmake ninja-build g++ ccache xz-utils ca-certificates
   libgl-dev libegl-dev libxt-dev libxcursor-dev libpython3-dev python3-numpy
-  libvulkan-dev glslang-tools spirv-tools libglm-dev libvulkan1 mesa-vulkan-drivers libgl1-mesa-dri xvfb)
+  libvulkan-dev glslang-tools "${spirv[@]}" libglm-dev libvulkan1 mesa-vulkan-drivers libgl1-mesa-dri xvfb)
 source_build_qt=(qtbase5-dev libqt5svg5-dev libqt5opengl5-dev qttools5-dev qttools5-dev-tools
   libqt5x11extras5-dev qtxmlpatterns5-dev-tools libqt5xmlpatterns5-dev)
 source_build_mpi=(libopenmpi-dev openmpi-bin)
