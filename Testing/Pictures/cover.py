@@ -42,6 +42,11 @@ def bar(view, array, limits, title, preset=None, where=(0.63, 0.86)):
     return table
 
 
+def finish(display, samples):
+    """Few samples, whose noise is smoothed."""
+    display.SamplesPerPixel, display.Denoising = samples, "Always"
+
+
 def vessel(data, folder):
     """Arrows of particles that are blown into a chamber, path traced."""
     made("injection.py", os.path.join(folder, "injection"), "36", "5000")
@@ -54,7 +59,7 @@ def vessel(data, folder):
                            ArrowReferenceMagnitude=2.2, **{"GlyphType.ShaftRadius": 0.06, "GlyphType.TipRadius": 0.16, "GlyphType.TipLength": 0.45})
     bar(view, "velocity", (0.0, 5.0), "speed").RGBPoints = [value * (5.0 if i % 4 == 0 else 1.0) for i, value in enumerate(SPEED)]
     place(view, (1.75, 5.6, -1.6), (1.75, 0.0, 0.05), (0.0, 0.0, -1.0), 27.0)
-    wall.SamplesPerPixel = 48
+    finish(wall, 16)
 
 
 def impact(data, _):
@@ -65,7 +70,7 @@ def impact(data, _):
     view = pv.GetActiveView()
     bar(view, "velocity", (0.0, 8.0), "speed", "Plasma")
     place(view, (9.0, -36.0, 27.0), (14.3, 14.0, 3.2))
-    shown.SamplesPerPixel = 48
+    finish(shown, 16)
 
 
 def motion(data, _):
@@ -76,7 +81,7 @@ def motion(data, _):
     view = pv.GetActiveView()
     bar(view, "velocity", (0.0, 8.0), "speed", "Plasma")
     place(view, (9.0, -30.0, 17.0), (14.3, 14.0, 5.0))
-    shown.SamplesPerPixel = 96
+    finish(shown, 32)
 
 
 def fibers(data, folder):
@@ -86,8 +91,9 @@ def fibers(data, folder):
     inside = pv.Threshold(Input=pv.OpenDataFile(file), Scalars=["POINTS", "bundle"], LowerThreshold=0.5, UpperThreshold=1.0)
     shown = raytracedglyphs.Figure(inside, "Tensor Superquadric", colors="", GlyphTensorArray="diffusion", GlyphTensorLayout="xx yy zz xy yz xz",
                                    GlyphTensorColoring="Principal Direction", GroundShadow="Below")
+    shown.ScaleFactor = 1.8 * shown.ScaleFactor
     place(pv.GetActiveView(), (2.6, -3.0, 1.9), (0.0, 0.0, -0.05))
-    shown.SamplesPerPixel = 64
+    finish(shown, 16)
 
 
 def chains(data, folder):
@@ -99,7 +105,19 @@ def chains(data, folder):
     view = pv.GetActiveView()
     bar(view, "force", (0.0, 990.0), "force between two grains", "Plasma")
     place(view, (10.0, -12.0, 17.0), (12.9, 12.0, 5.5), angle=21.0)
-    shown.SamplesPerPixel = 64
+    finish(shown, 16)
+
+
+def packing(data, folder):
+    """Superquadrics that do not touch, cut open by a plane: the cut faces are exact, too."""
+    file = os.path.join(folder, "packing.vtk")
+    made("packing.py", file)
+    shown = raytracedglyphs.Figure(pv.OpenDataFile(file), "Superquadric", colors="", GlyphExponentArray="exponents", SelectScaleArray="lengths",
+                                   ScaleMode="Vector Components", ScaleFactor=1.0, Orient=1, SelectOrientationVectors="quaternion", OrientationMode="Quaternion",
+                                   DiffuseColor=[0.35, 0.55, 0.80], Section="Plane", SectionOrigin=[0.5, 0.42, 0.5], SectionNormal=[0.25, -1.0, 0.35],
+                                   SectionCaps="Colored Caps", SectionCapColor=[0.95, 0.62, 0.25], OutlineWidth=1.0, GroundShadow="Below")
+    place(pv.GetActiveView(), (2.0, -1.7, 1.75), (0.5, 0.52, 0.44))
+    finish(shown, 16)
 
 
 def crossing(_, folder):
@@ -110,10 +128,11 @@ def crossing(_, folder):
     view = pv.GetActiveView()
     focus = list(view.CameraFocalPoint)
     place(view, [f + d for f, d in zip(focus, (5.0, -20.0, 22.0))], focus, angle=28.0)
-    shown.SamplesPerPixel = 48
+    finish(shown, 16)
 
 
-PICTURES = {"vessel": vessel, "impact": impact, "fibers": fibers, "chains": chains, "motion": motion, "crossing": crossing}
+#: the first four are those of demo.sh
+PICTURES = {"impact": impact, "chains": chains, "packing": packing, "motion": motion, "fibers": fibers, "vessel": vessel, "crossing": crossing}
 
 
 def main():

@@ -31,7 +31,7 @@ if (PARAVIEW_USE_MPI AND RTGLYPHS_PVBATCH AND RTGLYPHS_MPIEXEC)
     COMMAND ${mpiexec} -n 3 "${RTGLYPHS_PVBATCH}" "${regression}/scale_guess.py" ranks)
   set_tests_properties(ScaleGuessOnRanks PROPERTIES PASS_REGULAR_EXPRESSION "SCALE GUESS TEST PASSED")
   # What was freed goes back to the system, so that limits are reached.
-  rtglyphs_regression_test(MemoryLimitOnRanks ENVIRONMENT ${mpi_environment} "GLIBC_TUNABLES=glibc.malloc.mmap_threshold=65536"
+  rtglyphs_regression_test(MemoryLimitOnRanks ENVIRONMENT ${mpi_environment} "GLIBC_TUNABLES=glibc.malloc.mmap_threshold=65536:glibc.malloc.arena_max=1"
     COMMAND ${mpiexec} -n 2 "${RTGLYPHS_PVBATCH}" "${regression}/memory_limit.py" ranks)
   set_tests_properties(MemoryLimitOnRanks PROPERTIES PASS_REGULAR_EXPRESSION "[\n]0 failures")
   set_tests_properties(Parallel1 PROPERTIES FIXTURES_SETUP one_rank)

@@ -13,8 +13,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray
 import session
 from checks import Checks
 
-#: many samples are slow, and images that grow step by step move their counters
-LEFT_OUT = {"SamplesPerPixel", "SamplesPerRender"}
+#: many samples are slow, and images that grow step by step move their counters; after a coloring, ColorBy()'s too, ParaView touches the color table once more
+LEFT_OUT = {"SamplesPerPixel", "SamplesPerRender", "ColorFromData"}
 STATES = ({"shape": "Arrow", "ScaleMode": "Magnitude", "SelectScaleArray": "length"},
           {"shape": "Tensor Ellipsoid", "GlyphTensorArray": "tensor", "MotionBlur": 1, "VelocityArray": "vector"})
 

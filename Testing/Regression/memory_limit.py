@@ -6,6 +6,7 @@ Usage: pvpython memory_limit.py MEGABYTES
 MEGABYTES: that the process may take beyond what it has before the glyphs are made, which take some 100.
 ranks: memory runs out on one rank while data are gathered and measured; the others must not wait for it.
 """
+import ctypes
 import resource
 import sys
 
@@ -72,6 +73,16 @@ def arrows(source, view, scales):
     return session.glyphs(source, view, "Arrow", ArrowHeads="Fixed", SelectOrientationVectors="u, v, w", ScaleMode="Magnitude", SelectScaleArray=scales)
 
 
+def fill_heap():
+    """Takes what is left free of the heap: blocks in it are asked of no limit of the address space."""
+    libc = ctypes.CDLL(None)
+    libc.malloc.restype, libc.malloc.argtypes = ctypes.c_void_p, [ctypes.c_size_t]
+    libc.sbrk.restype, libc.sbrk.argtypes = ctypes.c_void_p, [ctypes.c_ssize_t]
+    end = libc.sbrk(0)
+    while libc.sbrk(0) == end:
+        libc.malloc(60000)  # below the threshold beyond which blocks are mapped
+
+
 def on_one_rank():
     """Limits that one rank reaches in one step or another of an update, in which the ranks find numbers together."""
     session.load()
@@ -81,6 +92,7 @@ def on_one_rank():
     halves = session.points_of_ranks(HALVES)
     shown = arrows(halves, view, "u, v")
     pv.Render(view)
+    fill_heap()
     failures = 0
     for trial, megabytes in enumerate(range(20)):
         shown.SelectScaleArray = ("u, w", "u, v")[trial % 2]  # the points are gathered again
