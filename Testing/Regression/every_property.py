@@ -331,12 +331,12 @@ ROWS = [
     Row("PointIdArray", "point", streaks, VelocityFromPreviousStep=1, **{**STEPS, "PointIdArray": "changing"}),
     # Cuts: areas of half a disc, of a segment, of squares; where their middles are
     # A ball of diameter 0.5 and its images at either side, one of them outside of the picture
-    Row("PeriodicBoundary", 1, area(3.0 * DISC / 4.0), scene="small", PeriodicImages=[1, 1, 0], PeriodicVectors=[2.0, 0, 0, 0, 0.8, 0, 0, 0, 1.0]),
-    Row("PeriodicBoundary", 1, light(0.3, 0.95), scene="crowd", PeriodicVectors=[1.6, 0, 0, 0, 1.6, 0, 0, 0, 1.6],
+    Row("PeriodicBoundary", 1, area(3.0 * DISC / 4.0), scene="small", PeriodicImages=[1, 1, 0], PeriodicVectors=[2.0, 0.0, 0.0, 0.0, 0.8, 0.0, 0.0, 0.0, 1.0]),
+    Row("PeriodicBoundary", 1, light(0.3, 0.95), scene="crowd", PeriodicVectors=[1.6, 0.0, 0.0, 0.0, 1.6, 0.0, 0.0, 0.0, 1.6],
         AmbientOcclusionRadius=0.5, **OCCLUSION),
-    Row("PeriodicImages", [0, 1, 0], area(3.0 * DISC / 4.0), scene="small", PeriodicBoundary=1, PeriodicVectors=[2.0, 0, 0, 0, 0.8, 0, 0, 0, 1.0]),
-    Row("PeriodicVectors", [2.0, 0, 0, 0, 0.8, 0, 0, 0, 1.0], area(3.0 * DISC / 4.0), scene="small", PeriodicBoundary=1, PeriodicImages=[0, 1, 0],
-        **{"PeriodicVectors": [9.0, 0, 0, 0, 9.0, 0, 0, 0, 9.0]}),
+    Row("PeriodicImages", [0, 1, 0], area(3.0 * DISC / 4.0), scene="small", PeriodicBoundary=1, PeriodicVectors=[2.0, 0.0, 0.0, 0.0, 0.8, 0.0, 0.0, 0.0, 1.0]),
+    Row("PeriodicVectors", [2.0, 0.0, 0.0, 0.0, 0.8, 0.0, 0.0, 0.0, 1.0], area(3.0 * DISC / 4.0), scene="small", PeriodicBoundary=1, PeriodicImages=[0, 1, 0],
+        **{"PeriodicVectors": [9.0, 0.0, 0.0, 0.0, 9.0, 0.0, 0.0, 0.0, 9.0]}),
     Row("Section", "Plane", area(DISC / 2.0)),
     Row("Section", "Box", area(0.25), SectionPosition=[-0.25] * 3, SectionLength=[0.5] * 3),
     Row("SectionInvert", 0, area(SEGMENT), **{**PLANE, "SectionOrigin": [0.25, 0.0, 0.0]}),

@@ -26,8 +26,10 @@ def plane(function):
 def clipped(glyphs, shape, invert, closed):
     """ParaView's filter on tessellated glyphs."""
     if closed:
-        made = pv.ClipClosedSurface(Input=glyphs, ClippingPlane="Plane", GenerateOutline=0, InsideOut=int(invert))
+        made = pv.ClipClosedSurface(Input=glyphs, ClippingPlane="Plane", GenerateOutline=0)
         plane(made.ClippingPlane)
+        if invert:  # InsideOut does nothing in ParaView 6.1
+            made.ClippingPlane.Normal = [-component for component in NORMAL]
         return made
     made = pv.Clip(Input=glyphs, ClipType=shape, Invert=int(invert))
     if shape == "Plane":
