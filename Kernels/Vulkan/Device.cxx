@@ -281,7 +281,7 @@ void Device::Choose()
   state.cpu = state.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
 }
 
-void Device::Start()
+void Device::Start(bool keepsPrograms)
 {
   State& state = *this->state_;
   state.sharesMemory = state.cpu;
@@ -296,7 +296,7 @@ void Device::Start()
   }
   state.device = MakeDevice(state.physical, state.queueFamily, state.rayQueries);
   state.queue = state.device.getQueue(state.queueFamily, 0);
-  state.LoadPrograms();
+  state.LoadPrograms(keepsPrograms);
   const vk::DescriptorSetLayoutBinding block(
     0, vk::DescriptorType::eUniformBuffer, 1, vk::ShaderStageFlagBits::eCompute);
   state.frameLayout = vk::raii::DescriptorSetLayout(state.device, vk::DescriptorSetLayoutCreateInfo({}, block));
@@ -341,14 +341,14 @@ std::shared_ptr<Device> Device::Shared()
   return device;
 }
 
-std::shared_ptr<Device> Device::Another()
+std::shared_ptr<Device> Device::Another(bool keepsPrograms)
 {
   const std::shared_ptr<Device> device(new Device);
   StartingVulkan(
     [&]()
     {
       device->Choose();
-      device->Start();
+      device->Start(keepsPrograms);
     });
   return device;
 }
@@ -446,7 +446,7 @@ Device::State::Submission Device::State::TakeSubmission()
   return made;
 }
 
-void Device::State::LoadPrograms()
+void Device::State::LoadPrograms(bool keeps)
 {
   const vk::PhysicalDeviceProperties properties = this->physical.getProperties();
   std::ostringstream name;
@@ -460,7 +460,7 @@ void Device::State::LoadPrograms()
   {
     name << std::setw(2) << unsigned(byte);
   }
-  this->cacheFile_ = CacheFile(CacheFolder(), name.str());
+  this->cacheFile_ = keeps ? CacheFile(CacheFolder(), name.str()) : CacheFile();
   const std::vector<std::uint8_t> data = this->cacheFile_.Load();
   this->cachedBytes_ = data.size();
   this->programCache = vk::raii::PipelineCache(this->device, vk::PipelineCacheCreateInfo({}, data.size(), data.data()));

@@ -17,8 +17,9 @@ public:
   /// install it; a later call tries again. After the device was lost, the next call makes a new one.
   static std::shared_ptr<Device> Shared();
 
-  /// Another device of the same kind, which nobody shares: for what would hold up the launches of that one.
-  static std::shared_ptr<Device> Another();
+  /// Another device of the same kind, which nobody shares: for what would hold up the launches of that one. It may
+  /// leave the programs that earlier processes have kept alone.
+  static std::shared_ptr<Device> Another(bool keepsPrograms = true);
 
   struct Choice
   {
@@ -44,7 +45,7 @@ public:
 private:
   Device();
   void Choose();
-  void Start();
+  void Start(bool keepsPrograms);
 
   std::unique_ptr<State> state_;
 };

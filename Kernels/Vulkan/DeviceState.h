@@ -71,7 +71,7 @@ struct Device::State
   void Submit(const std::function<void(vk::raii::CommandBuffer&)>& record);
 
   /// Starts `programCache` with what processes before have left on disk.
-  void LoadPrograms();
+  void LoadPrograms(bool keeps);
   /// Leaves on disk what the driver has compiled since, where that can be done. In any thread.
   void SavePrograms() noexcept;
 

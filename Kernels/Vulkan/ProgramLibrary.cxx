@@ -49,7 +49,7 @@ std::unique_ptr<Pipeline> MakePipelineAside(Device::State& vulkan, const Special
   double before = 0.0, after = 0.0;
   if (vulkan.cpu && helps)
   {
-    MakePipeline(Device::Another()->GetState(), specialization, before);
+    MakePipeline(Device::Another(/*keepsPrograms=*/false)->GetState(), specialization, before);
   }
   std::unique_ptr<Pipeline> pipeline = MakePipeline(vulkan, specialization, after);
   helps = helps && (before < worthSaving || after < 0.5 * before);
