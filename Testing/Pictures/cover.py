@@ -1,6 +1,6 @@
 """The pictures at the head of the README, and of demo.sh: the main job from simulation data to figures for print.
 
-Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython cover.py DATA-FOLDER OUTPUT-FOLDER [WIDTH HEIGHT [NAME...]]
+Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython cover.py DATA-FOLDER OUTPUT-FOLDER [WIDTH HEIGHT [NAME...]]      (default: 1200 900 and the first four)
 What DATA-FOLDER lacks is made in the output folder by the scripts there.
 """
 import os
@@ -9,8 +9,10 @@ import sys
 
 import paraview.simple as pv
 
-import raytracedglyphs
 import simulation
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin"))
+import raytracedglyphs  # noqa: E402
 
 #: Speed from blue over green to red, none of them pale
 SPEED = (0.0, 0.08, 0.30, 0.68, 0.3, 0.05, 0.55, 0.60, 0.6, 0.95, 0.70, 0.10, 1.0, 0.80, 0.10, 0.08)
@@ -131,15 +133,15 @@ def crossing(_, folder):
     finish(shown, 16)
 
 
-#: the first four are those of demo.sh
-PICTURES = {"impact": impact, "chains": chains, "packing": packing, "motion": motion, "fibers": fibers, "vessel": vessel, "crossing": crossing}
+#: the first four are those of the README and of demo.sh
+PICTURES = {"packing": packing, "chains": chains, "impact": impact, "motion": motion, "fibers": fibers, "vessel": vessel, "crossing": crossing}
 
 
 def main():
     """Makes the pictures, the one that shows the most first."""
     data, folder = simulation.begin()
-    size = [int(value) for value in sys.argv[3:5]] or [1600, 1200]
-    for name in sys.argv[5:] or PICTURES:
+    size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
+    for name in sys.argv[5:] or list(PICTURES)[:4]:
         PICTURES[name](data, folder)
         view = pv.GetActiveView()
         view.ViewSize = size

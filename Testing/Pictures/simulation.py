@@ -143,9 +143,12 @@ def main():
     data, folder = begin()
     impact, nematic = simulations(data)
     size = [int(value) for value in sys.argv[3:5]] or [1200, 900]
+    wanted = os.environ.get("RTGLYPHS_PICTURES", "").split()  # names, or none for all
     for name, source, draw, time in (("spheres", impact, spheres, 0.8), ("arrows", impact, arrows, 0.8),
                                      ("ellipsoids", nematic, ellipsoids, nematic.TimestepValues[-1]),
                                      ("light", impact, path_traced, 0.8), ("motion", impact, streaks, 0.8)):
+        if wanted and name not in wanted:
+            continue
         view = new_view(size)
         view.ViewTime = time
         pv.UpdatePipeline(time, source)

@@ -30,5 +30,7 @@ if [ "$needs_display" = yes ]; then
   "$display" start "$build/display"
   on_display=("$display" run "$build/display")
 fi
-RTGLYPHS_PLUGIN=$plugin "${on_display[@]}" "$pvpython" "$clone/Testing/Pictures/simulation.py" "$clone/Data" "$build/pictures"
+for script in cover simulation; do
+  RTGLYPHS_PICTURES="arrows ellipsoids" RTGLYPHS_PLUGIN=$plugin "${on_display[@]}" "$pvpython" "$clone/Testing/Pictures/$script.py" "$clone/Data" "$build/pictures"
+done
 echo "The pictures are in $build/pictures"
