@@ -3,6 +3,7 @@
 #include "Finite.h"
 #include "Glyphs.h"
 #include "Parallel.h"
+#include "Shading/Shading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +25,7 @@ constexpr float kernel[2] = { 0.5f, 0.25f }; // binomial; wider ones take thrice
 // Light of a pixel and the variance of its luminance.
 using Estimate = glm::vec4;
 
-float Luminance(const glm::vec3& light)
-{
-  return glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f));
-}
+using shading::Luminance;
 
 // e^-x for x >= 0 to 4e-6, and exactly 0 where nothing is left: most of the filter's time goes here.
 float Falloff(float x)

@@ -24,8 +24,9 @@ constexpr double leastStep = 2.0;
 class Surface
 {
 public:
-  Surface(const Image& image, const Camera& camera)
+  Surface(const Image& image, const float* depths, const Camera& camera)
     : image_(image)
+    , depths_(depths)
     , camera_(camera)
     , pixelAtOne_(2.0 * glm::length(camera.parallel ? camera.eyeRight : camera.right) / image.width)
   {
@@ -42,7 +43,7 @@ public:
   }
   double ViewDepth(int x, int y) const
   {
-    const double window = this->image_.depth[this->At(x, y)];
+    const double window = this->depths_[this->At(x, y)];
     const double offset = window - this->camera_.depthA;
     return this->camera_.parallel ? offset / this->camera_.depthB : this->camera_.depthB / offset;
   }
@@ -117,6 +118,7 @@ private:
   static double Turn(double slope, double other) { return std::abs(std::atan(slope) - std::atan(other)); }
 
   const Image& image_;
+  const float* depths_; ///< window depths of its pixels
   const Camera& camera_;
   double pixelAtOne_; ///< width of a pixel at view depth 1
 };
@@ -194,16 +196,13 @@ EffectImage Apply(const ScreenEffects& effects, const Image& image, const Camera
   EffectImage result;
   result.colours.assign(image.colour, image.colour + pixels);
   result.depths.assign(image.depth, image.depth + pixels);
-  Surface surface(image, camera);
   if (effects.outlineWidth > 0.0f)
   {
-    DrawLines(effects, image, surface, result);
+    DrawLines(effects, image, Surface(image, image.depth, camera), result);
   }
   if (effects.depthCue > 0.0f)
   {
-    Image drawn = image; // lines have depths of their own
-    drawn.depth = result.depths.data();
-    const Surface places(drawn, camera);
+    const Surface places(image, result.depths.data(), camera); // lines have depths of their own
     ParallelFor(image.height,
       [&](std::size_t row)
       {

@@ -105,9 +105,9 @@ def Figure(source, kind="Sphere", fileName=None, colors=None, view=None, size=(1
         view.Background = [1.0, 1.0, 1.0]
     source.UpdatePipeline(view.ViewTime)
     display = pv.Show(source, view)
-    lines = {"Surface": "Ray Traced Surface", "Tubes": "Ray Traced Tubes"}
-    display.SetRepresentationType(lines.get(kind, "Ray Traced Glyphs"))
-    if kind not in lines:
+    others = {"Surface": "Ray Traced Surface", "Tubes": "Ray Traced Tubes"}
+    display.SetRepresentationType(others.get(kind, "Ray Traced Glyphs"))
+    if kind not in others:
         types = display.GetProperty("GlyphType").Available
         setattr(display, "GlyphType" if kind in types else "GlyphShape", kind)
     if isNew:

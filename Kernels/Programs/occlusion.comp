@@ -242,7 +242,10 @@ void main()
 
     if (shadows)
     {
-      NextLight(asking, SamplePair(number, PairOf(layers.count, pairAim)));
+      if (asking.light < frame.lightCount)
+      {
+        NextLight(asking, SamplePair(number, PairOf(layers.count, pairAim)));
+      }
       if (adds && asking.light == frame.lightCount)
       {
         adds = false;

@@ -165,7 +165,12 @@ DirectLight FromLights(const bool onGround, const DoubleWord3 origin, const Surf
     LightRecord light = frame.lights.at[min(uint(pick * float(frame.lightCount)), frame.lightCount - 1u)];
     Incidence incidence = ArriveAt(light, origin.hi);
     float distance;
-    vec3 aim = AimAtLight(light, incidence, SamplePair(number, PairOf(bounce, pairAim)), distance);
+    vec2 place = vec2(0.0);
+    if (incidence.spread > 0.0)
+    {
+      place = SamplePair(number, PairOf(bounce, pairAim));
+    }
+    vec3 aim = AimAtLight(light, incidence, place, distance);
     vec3 to = vec3(dot(aim, x), dot(aim, y), dot(aim, normal));
     if (incidence.attenuation > 0.0 && to.z > 0.0)
     {

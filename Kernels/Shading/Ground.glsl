@@ -4,11 +4,6 @@
 // Of the ground's light under local shading, which knows of no sky, the part that lights cast shadows in.
 const float groundLights = 0.5;
 
-float Luminance(const vec3 light)
-{
-  return dot(light, vec3(0.2126, 0.7152, 0.0722));
-}
-
 // How much of its light the ground lacks.
 float MissingShare(const vec3 missing, const vec3 all)
 {

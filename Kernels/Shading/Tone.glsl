@@ -17,6 +17,12 @@ RTG_SHADING_FN vec3 LinearToDisplay(vec3 light)
   return mix(1.055f * pow(light, vec3(1.0f / 2.4f)) - 0.055f, 12.92f * light, lessThanEqual(light, vec3(0.0031308f)));
 }
 
+// Of linear light (IEC 61966-2-1).
+RTG_SHADING_FN float Luminance(vec3 light)
+{
+  return dot(light, vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
 // Narkowicz's fit of the ACES reference curve ("ACES Filmic Tone Mapping Curve", 2015).
 RTG_SHADING_FN vec3 Filmic(vec3 light)
 {

@@ -155,6 +155,18 @@ double rtglyphs::RayTracedRanks::Largest(double value)
 }
 
 //----------------------------------------------------------------------------
+vtkBoundingBox rtglyphs::RayTracedRanks::Union(const vtkBoundingBox& own)
+{
+  vtkBoundingBox all = own;
+  if (vtkMultiProcessController* controller = Controller())
+  {
+    Agree(true);
+    controller->AllReduce(own, all);
+  }
+  return all;
+}
+
+//----------------------------------------------------------------------------
 std::vector<double> rtglyphs::RayTracedRanks::Gather(const std::vector<double>& own)
 {
   std::vector<vtkIdType> ends;

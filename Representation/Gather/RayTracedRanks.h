@@ -5,6 +5,8 @@
 #ifndef RayTracedRanks_h
 #define RayTracedRanks_h
 
+#include "vtkBoundingBox.h"
+
 #include <exception>
 #include <functional>
 #include <string>
@@ -39,11 +41,13 @@ std::string Problem(const std::function<void()>& work);
 ///@{
 /**
  * Of all ranks at once; within Together() they agree first that nothing has gone wrong. vtkCommunicator's operations on
- * the values; the largest; all values, one rank after another; the texts of each rank, none of which is empty.
+ * the values; the largest; the bounds of all; all values, one rank after another; the texts of each rank, none of which
+ * is empty.
  */
 void Reduce(std::vector<double>& values, int operation);
 void Reduce(std::vector<unsigned char>& values, int operation);
 double Largest(double value);
+vtkBoundingBox Union(const vtkBoundingBox& own);
 std::vector<double> Gather(const std::vector<double>& own);
 std::vector<std::vector<std::string>> Gather(const std::vector<std::string>& own);
 ///@}

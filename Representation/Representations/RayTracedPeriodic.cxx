@@ -1,5 +1,6 @@
 #include "RayTracedPeriodic.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
@@ -38,10 +39,10 @@ vtkDataArray* FindEdges(vtkFieldData* field)
 
 //----------------------------------------------------------------------------
 rtg::PeriodicImages
-rtglyphs::RayTracedPeriodic::Make(vtkFieldData* field, const double bounds[6], std::string& problem) const
+rtglyphs::RayTracedPeriodic::Make(vtkFieldData* field, const vtkBoundingBox& box, std::string& problem) const
 {
   rtg::PeriodicImages images;
-  if (!this->Boundary || !vtkMath::AreBoundsInitialized(bounds))
+  if (!this->Boundary || !box.IsValid())
   {
     return images;
   }
@@ -60,7 +61,7 @@ rtglyphs::RayTracedPeriodic::Make(vtkFieldData* field, const double bounds[6], s
     {
       for (int i = 0; i < 3; ++i)
       {
-        edges[4 * i] = bounds[2 * i + 1] - bounds[2 * i];
+        edges[4 * i] = box.GetLength(i);
       }
     }
   }

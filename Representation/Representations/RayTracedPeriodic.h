@@ -9,6 +9,7 @@
 #include <array>
 #include <string>
 
+class vtkBoundingBox;
 class vtkFieldData;
 class vtkMatrix4x4;
 
@@ -21,10 +22,10 @@ struct RayTracedPeriodic
   std::array<int, 3> Images{};     // that are shown on either side along each edge
 
   /**
-   * The images in the data's coordinates. `field` may have the edges, else they are those of `bounds`. Where there is a
+   * The images in the data's coordinates. `field` may have the edges, else they are those of `box`. Where there is a
    * `problem`, which is to be reported, there are none.
    */
-  rtg::PeriodicImages Make(vtkFieldData* field, const double bounds[6], std::string& problem) const;
+  rtg::PeriodicImages Make(vtkFieldData* field, const vtkBoundingBox& box, std::string& problem) const;
 };
 
 /**

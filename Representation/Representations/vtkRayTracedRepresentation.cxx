@@ -422,14 +422,21 @@ void vtkRayTracedRepresentation::UpdateActor()
 }
 
 //----------------------------------------------------------------------------
+// A problem with properties, or none, unless it is the one that was last reported.
+void vtkRayTracedRepresentation::ReportAnew(const std::string& problem, std::string& reported)
+{
+  if (problem != std::exchange(reported, problem) && !problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+  }
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::UpdateSection()
 {
   std::string problem;
   *this->MadeSection = this->Section.Make(problem);
-  if (problem != std::exchange(this->SectionProblem, problem) && !problem.empty())
-  {
-    vtkErrorMacro(<< problem);
-  }
+  this->ReportAnew(problem, this->SectionProblem);
 }
 
 //----------------------------------------------------------------------------
@@ -440,29 +447,20 @@ rtg::PeriodicImages vtkRayTracedRepresentation::MakeImages(vtkPolyData* points, 
   {
     return {};
   }
-  double bounds[6];
-  vtkMath::UninitializeBounds(bounds);
+  vtkBoundingBox box;
   if (points && points->GetNumberOfPoints() > 0)
   {
-    points->GetBounds(bounds);
+    box.SetBounds(points->GetBounds());
   }
   if (together)
   {
-    const bool any = vtkMath::AreBoundsInitialized(bounds);
-    for (int i = 0; i < 6; ++i)
-    {
-      const double sign = i % 2 == 0 ? -1.0 : 1.0;
-      bounds[i] = sign * rtglyphs::RayTracedRanks::Largest(any ? sign * bounds[i] : -VTK_DOUBLE_MAX);
-    }
+    box = rtglyphs::RayTracedRanks::Union(box);
   }
   std::string problem;
   vtkFieldData* own = points ? points->GetFieldData() : nullptr;
   vtkFieldData* field = own && own->GetNumberOfArrays() > 0 ? own : data ? data->GetFieldData() : nullptr;
-  const rtg::PeriodicImages images = this->Periodic.Make(field, bounds, problem);
-  if (problem != std::exchange(this->PeriodicProblem, problem) && !problem.empty())
-  {
-    vtkErrorMacro(<< problem);
-  }
+  const rtg::PeriodicImages images = this->Periodic.Make(field, box, problem);
+  this->ReportAnew(problem, this->PeriodicProblem);
   return images;
 }
 

@@ -206,6 +206,7 @@ private:
   void UpdateShutterTime(vtkPolyData* points);
   void UseBlocks(vtkDataObject* data);
   void UpdateActor();
+  void ReportAnew(const std::string& problem, std::string& reported);
   void UpdateSection();
   rtg::PeriodicImages MakeImages(vtkPolyData* points, vtkDataObject* data, bool together);
   void Render(vtkPVRenderView* view, vtkInformation* inInfo);

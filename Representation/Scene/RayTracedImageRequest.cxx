@@ -93,8 +93,7 @@ rtg::ImageView rtglyphs::RayTracedImageRequest::ViewOf(const rtglyphs::RayTraced
   view.settings.shadows = settings.Shadows && view.settings.shading != rtg::Shading::PathTracing &&
     std::any_of(view.lights.begin(), view.lights.end(),
       [](const rtg::Light& light) { return light.castsShadow && light.kind != rtg::Light::Kind::Headlight; });
-  if (shown.IsValid() && settings.GroundShadow != rtglyphs::RayTracedImageSettings::NoGround &&
-    (view.settings.shadows || view.settings.shading != rtg::Shading::Local))
+  if (shown.IsValid() && (view.settings.shadows || view.settings.shading != rtg::Shading::Local))
   {
     PutGroundBelow(shown, settings.GroundShadow, renderer->GetActiveCamera(), view.settings);
   }

@@ -52,8 +52,8 @@ const vtkLight* BrightestOnCamera(const std::vector<vtkLight*>& lights)
   double most = 0.0;
   for (vtkLight* light : lights)
   {
-    const double* color = light->GetDiffuseColor();
-    const double brightness = light->GetIntensity() * (0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2]);
+    const double brightness =
+      light->GetIntensity() * rtg::shading::Luminance(ToVector<glm::vec3>(light->GetDiffuseColor()));
     if (light->LightTypeIsCameraLight() && brightness > most)
     {
       brightest = light;

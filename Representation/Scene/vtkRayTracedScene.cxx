@@ -274,7 +274,8 @@ void vtkRayTracedScene::StartFrame()
   kind.Content = self.Displays.GetVersion();
   kind.Images =
     (self.Displays.Shows(opaque) && self.Displays.Shows(translucent) ? 2 : 1) * (window->GetStereoRender() ? 2 : 1);
-  if (!kind.Collective)
+  const bool ground = self.Settings.GroundShadow != rtglyphs::RayTracedImageSettings::NoGround;
+  if (ground && !kind.Collective)
   {
     // Of several ranks' pictures compositing takes no more than what lies before the bounds of their data.
     kind.GroundPass = self.Displays.Shows(opaque) ? opaque : translucent;
@@ -294,7 +295,7 @@ void vtkRayTracedScene::StartFrame()
                        "off, or choose another representation such as 3D Glyphs.");
   }
   self.PassReported = other;
-  const bool cannot = self.Settings.GroundShadow != rtglyphs::RayTracedImageSettings::NoGround && kind.Collective;
+  const bool cannot = ground && kind.Collective;
   if (cannot && !self.GroundReported)
   {
     vtkWarningMacro(<< "GroundShadow is left out: several ranks render. Set it to None, or render on one.");

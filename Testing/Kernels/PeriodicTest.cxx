@@ -12,23 +12,16 @@ using light::White;
 
 constexpr std::size_t glyphs = 40;
 
-class PeriodicTest
-  : public light::LightTest
-  , public ::testing::WithParamInterface<rtg::Structure>
+class PeriodicTest : public rtg::testing::WithStructure<light::LightTest>
 {
 protected:
   void SetUp() override
   {
-    light::LightTest::SetUp();
-    if (this->GetParam() == rtg::Structure::Boxes && !this->device->GetState().rayQueries)
-    {
-      GTEST_SKIP() << "no ray queries";
-    }
+    this->WithStructure::SetUp();
     this->settings.samples = 16;
     this->settings.width = this->settings.height = 64;
     // A box that leans in all directions
     this->images.edges = { glm::dvec3(1.7, 0.1, 0.0), glm::dvec3(0.3, 1.6, 0.0), glm::dvec3(-0.2, 0.2, 1.8) };
-    this->scene.GetState().structure = this->GetParam();
   }
 
   static rtg::GlyphInstances Instances(Shape shape, bool moves)
@@ -197,6 +190,8 @@ TEST_P(PeriodicTest, RefusesWhatMakesNoSense)
   EXPECT_THROW(this->scene.SetImages(id, this->images), rtg::Error);
   this->images.lit = glm::ivec3(20);
   EXPECT_THROW(this->scene.SetImages(id, this->images), rtg::Error);
+  this->images.lit = glm::ivec3(5); // one more than the most that a display shows
+  this->scene.SetImages(id, this->images);
   this->images.lit = glm::ivec3(2, 0, 0);
   this->images.edges[0].x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(this->scene.SetImages(id, this->images), rtg::Error);

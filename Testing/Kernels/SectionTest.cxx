@@ -278,18 +278,9 @@ INSTANTIATE_TEST_SUITE_P(Shapes, SectionShapesTest, ::testing::ValuesIn(HardSubj
 INSTANTIATE_TEST_SUITE_P(Polynomials, SectionShapesTest, ::testing::ValuesIn(PolynomialSubjects()), SubjectName);
 INSTANTIATE_TEST_SUITE_P(Nested, SectionShapesTest, ::testing::ValuesIn(NestedSubjects()), SubjectName);
 
-class SectionTest
-  : public LightTest
-  , public ::testing::WithParamInterface<rtg::Structure>
+class SectionTest : public rtg::testing::WithStructure<LightTest>
 {
 protected:
-  void SetUp() override
-  {
-    RTG_NEEDS(GetParam());
-    this->LightTest::SetUp();
-    this->scene.GetState().structure = GetParam();
-  }
-
   // Away with what lies in front of z = height.
   static Section FrontOff(double height)
   {

@@ -45,4 +45,19 @@ std::string MessageOf(const Work& work)
     }                                                                                                                  \
   } while (false)
 
+/// A fixture with a scene, once with the driver's structure, as on GPUs, and once with our tree, as on CPU devices.
+template <class Fixture>
+class WithStructure
+  : public Fixture
+  , public ::testing::WithParamInterface<Structure>
+{
+protected:
+  void SetUp() override
+  {
+    RTG_NEEDS(this->GetParam());
+    this->Fixture::SetUp();
+    this->scene.GetState().structure = this->GetParam();
+  }
+};
+
 } // namespace rtg::testing

@@ -77,18 +77,8 @@ private:
   std::unique_ptr<rtg::Tracer> own_;
 };
 
-// With the driver's structure, as on GPUs, and with our tree, as on CPU devices.
-class StructureTest
-  : public TracerTest
-  , public ::testing::WithParamInterface<rtg::Structure>
+class StructureTest : public WithStructure<TracerTest>
 {
-protected:
-  void SetUp() override
-  {
-    RTG_NEEDS(GetParam());
-    this->TracerTest::SetUp();
-    this->scene.GetState().structure = GetParam();
-  }
 };
 
 inline std::vector<glm::vec3> RandomPoints(std::size_t count)

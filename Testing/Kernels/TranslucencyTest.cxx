@@ -24,16 +24,12 @@ using namespace light;
 
 constexpr float opacity = 0.3f;
 
-class TranslucencyTest
-  : public LightTest
-  , public ::testing::WithParamInterface<rtg::Structure>
+class TranslucencyTest : public rtg::testing::WithStructure<LightTest>
 {
 protected:
   void SetUp() override
   {
-    RTG_NEEDS(GetParam());
-    this->LightTest::SetUp();
-    this->scene.GetState().structure = GetParam();
+    this->WithStructure::SetUp();
     this->settings.keepSums = false;
   }
 

@@ -64,26 +64,25 @@ def vessel(data, folder):
     finish(wall, 16)
 
 
-def impact(data, _):
+def grains(data, position, focus, samples, **properties):
     """Grains that a ball has hit, by speed, on a ground that catches their shadows."""
-    grains = at(pv.OpenDataFile(os.path.join(data, "impact", "impact.vtk.series")), 0.8)
-    shown = raytracedglyphs.Figure(grains, "Sphere", colors="velocity", Orient=0, ScaleMode="Magnitude", SelectScaleArray="diameter", ScaleFactor=1.0,
-                                   GroundShadow="Below")
+    source = at(pv.OpenDataFile(os.path.join(data, "impact", "impact.vtk.series")), 0.8)
+    shown = raytracedglyphs.Figure(source, "Sphere", colors="velocity", Orient=0, ScaleMode="Magnitude", SelectScaleArray="diameter", ScaleFactor=1.0,
+                                   GroundShadow="Below", **properties)
     view = pv.GetActiveView()
     bar(view, "velocity", (0.0, 8.0), "speed", "Plasma")
-    place(view, (9.0, -36.0, 27.0), (14.3, 14.0, 3.2))
-    finish(shown, 16)
+    place(view, position, focus)
+    finish(shown, samples)
+
+
+def impact(data, _):
+    """The grains at one moment."""
+    grains(data, (9.0, -36.0, 27.0), (14.3, 14.0, 3.2), 16)
 
 
 def motion(data, _):
-    """The same while the shutter is open: streaks show how fast and where to."""
-    grains = at(pv.OpenDataFile(os.path.join(data, "impact", "impact.vtk.series")), 0.8)
-    shown = raytracedglyphs.Figure(grains, "Sphere", colors="velocity", Orient=0, ScaleMode="Magnitude", SelectScaleArray="diameter", ScaleFactor=1.0,
-                                   GroundShadow="Below", MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25)
-    view = pv.GetActiveView()
-    bar(view, "velocity", (0.0, 8.0), "speed", "Plasma")
-    place(view, (9.0, -30.0, 17.0), (14.3, 14.0, 5.0))
-    finish(shown, 32)
+    """The grains while the shutter is open: streaks show how fast and where to."""
+    grains(data, (9.0, -30.0, 17.0), (14.3, 14.0, 5.0), 32, MotionBlur=1, VelocityArray="velocity", ShutterTime=0.25)
 
 
 def fibers(data, folder):
