@@ -33,7 +33,7 @@ const Meaning meanings[] = {
   { { "spacing" }, { 0, 0, 80, 18, 0, 0, 0, 0 }, 1.0 },
   { { "smoothing*", "size*", "length*", "shape*", "scale*", "dimension*", "extent*", " h" },
     { 0, 0, 70, 16, 0, 0, 0, 0 } },
-  { { "id", "ids", "type*", "material*", "block*", "index", "label*", "rank*", "process*", "proc", "ghost*", "vtk*",
+  { { "id", "ids", "atomic*", "type*", "material*", "block*", "index", "label*", "rank*", "process*", "proc", "ghost*", "vtk*",
       "mol", "molecule*", "element*", "group*", "mask*", "flag*", "status*", "state*", "is", "idp", "subdomain*",
       "partition*", " image", "period*" },
     {} },

@@ -62,6 +62,14 @@ def box():
     return RANDOM.uniform(0.0, 1.0, (100, 3))
 
 
+def molecule():
+    """A file of Cartesian coordinates: ParaView's readers of chemistry give a molecule, of which Molecule To Lines makes points."""
+    path = session.output("molecule.xyz")
+    with open(path, "w", encoding="ascii") as file:
+        file.write("6\nwater and a part of chloromethane\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\nC 3 0 0\nH 3.6 0.6 0.6\nCl 4.2 -1.2 0\n")
+    return pv.MoleculeToLines(Input=pv.XYZReader(FileName=path))
+
+
 def pdb():
     """Atoms as ParaView's reader of PDB files gives them: radii of three equal components and colors are active."""
     radii = numpy.repeat(RANDOM.choice([1.2, 1.5, 1.7], 100)[:, None], 3, axis=1)
@@ -300,6 +308,7 @@ ROWS = (
     Row("atoms", pdb, SIZED, {"SelectScaleArray": "radius", "SelectOrientationVectors": "None"}, (1.15, 1.16), 100),
     Row("atoms, components", pdb, {"GlyphType": "Sphere", "ScaleMode": "Vector Components"},
         {"SelectScaleArray": "radius"}, (2.0, 2.0), 100),
+    Row("atoms of a molecule", molecule, SIZED, {"SelectScaleArray": "None"}, glyphs=6),
     Row("drops beside a mesh", openfoam, {**SIZED, "SelectScaleArray": "d"}, factor=(1.0, 1.0), glyphs=37, says=["Block 'internalMesh'", "242 points", "'d'", "BlockSelectors"]),
     Row("drops", lambda: openfoam().GetBlock(1), SIZED, {"SelectScaleArray": "d"}, (1.0, 1.0), 37),
     Row("fluid particles", lambda: session.poly_data(0.1 * grid(6, 6, 6), velocity=RANDOM.normal(size=(216, 3)), pressure=numpy.ones(216),
