@@ -19,10 +19,13 @@ enum Kinds
   VELOCITY,
   ACCELERATION,
   ANGULAR_VELOCITY,
+  MASK,
   KINDS
 };
 
-const char* const properties[KINDS] = { "VelocityArray", "AccelerationArray", "AngularVelocityArray" };
+const char* const properties[KINDS] = { "VelocityArray", "AccelerationArray", "AngularVelocityArray",
+  "MotionBlurMask" };
+const char* const components[KINDS] = { "2 or 3", "2 or 3", "3", "1" };
 
 std::string NameOf(const rtglyphs::GlyphMotion::Settings& settings, int kind)
 {
@@ -32,6 +35,8 @@ std::string NameOf(const rtglyphs::GlyphMotion::Settings& settings, int kind)
       return settings.FromPreviousStep ? rtglyphs::GlyphStepVelocity::Name() : settings.Velocity;
     case ACCELERATION:
       return settings.Acceleration;
+    case MASK:
+      return settings.Mask;
     default:
       return settings.AngularVelocity;
   }
@@ -45,8 +50,8 @@ bool IsNamed(const rtglyphs::GlyphMotion::Settings& settings, int kind)
 // Vectors of two components lie in a plane.
 bool HasLength(vtkDataArray* array, int kind)
 {
-  const int components = array->GetNumberOfComponents();
-  return components == 3 || (components == 2 && kind != ANGULAR_VELOCITY);
+  const int length = array->GetNumberOfComponents();
+  return kind == MASK ? length == 1 : length == 3 || (length == 2 && kind != ANGULAR_VELOCITY);
 }
 
 void ClearZeros(std::vector<glm::vec3>& values)
@@ -74,9 +79,9 @@ rtglyphs::GlyphMotion::Settings rtglyphs::GlyphMotion::Settings::Effective() con
 }
 
 //----------------------------------------------------------------------------
-std::array<vtkDataArray*, 3> rtglyphs::GlyphMotion::Arrays(vtkPolyData* points, const Settings& settings)
+std::array<vtkDataArray*, 4> rtglyphs::GlyphMotion::Arrays(vtkPolyData* points, const Settings& settings)
 {
-  std::array<vtkDataArray*, 3> arrays{};
+  std::array<vtkDataArray*, 4> arrays{};
   for (int kind = 0; kind < KINDS; ++kind)
   {
     if (settings.On && IsNamed(settings, kind))
@@ -117,6 +122,10 @@ rtglyphs::GlyphMotion::GlyphMotion(vtkPolyData* points, const Settings& settings
     std::ostringstream text;
     if (!this->Found[kind] && rtglyphs::RayTracedBlocks::IsElsewhere(points, NameOf(settings, kind)))
     {
+      if (kind == MASK)
+      {
+        this->Found = {};
+      }
       continue;
     }
     if (!this->Found[kind])
@@ -127,8 +136,7 @@ rtglyphs::GlyphMotion::GlyphMotion(vtkPolyData* points, const Settings& settings
     else if (!HasLength(this->Found[kind], kind))
     {
       text << "The point array '" << NameOf(settings, kind) << "', which " << properties[kind] << " names, has "
-           << this->Found[kind]->GetNumberOfComponents() << " components where "
-           << (kind == ANGULAR_VELOCITY ? "3" : "2 or 3")
+           << this->Found[kind]->GetNumberOfComponents() << " components where " << components[kind]
            << " are needed; motion blur goes without. Choose another array, or "
               "None.";
       this->Found[kind] = nullptr;
@@ -171,17 +179,26 @@ bool rtglyphs::GlyphMotion::On() const
 }
 
 //----------------------------------------------------------------------------
+bool rtglyphs::GlyphMotion::Moves(vtkIdType point) const
+{
+  return !this->Found[MASK] || std::abs(this->Found[MASK]->GetComponent(point, 0)) > 0.0;
+}
+
+//----------------------------------------------------------------------------
 glm::dvec3 rtglyphs::GlyphMotion::Tuple(int kind, vtkIdType point) const
 {
   double tuple[3] = { 0.0, 0.0, 0.0 };
-  this->Found[kind]->GetTuple(point, tuple);
+  if (this->Moves(point))
+  {
+    this->Found[kind]->GetTuple(point, tuple);
+  }
   return { tuple[0], tuple[1], tuple[2] };
 }
 
 //----------------------------------------------------------------------------
 bool rtglyphs::GlyphMotion::IsFinite(vtkIdType point) const
 {
-  for (int kind = 0; kind < KINDS; ++kind)
+  for (int kind = 0; kind < MASK; ++kind)
   {
     if (this->Found[kind] && !rtg::IsFiniteInFloat(this->Tuple(kind, point)))
     {
