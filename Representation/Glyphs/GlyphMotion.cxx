@@ -16,9 +16,9 @@ namespace
 {
 enum Kinds
 {
-  VELOCITY,
+  LINEAR,
   ACCELERATION,
-  ANGULAR_VELOCITY,
+  ANGULAR,
   MASK,
   KINDS
 };
@@ -31,7 +31,7 @@ std::string NameOf(const rtglyphs::GlyphMotion::Settings& settings, int kind)
 {
   switch (kind)
   {
-    case VELOCITY:
+    case LINEAR:
       return settings.FromPreviousStep ? rtglyphs::GlyphStepVelocity::Name() : settings.Velocity;
     case ACCELERATION:
       return settings.Acceleration;
@@ -51,7 +51,7 @@ bool IsNamed(const rtglyphs::GlyphMotion::Settings& settings, int kind)
 bool HasLength(vtkDataArray* array, int kind)
 {
   const int length = array->GetNumberOfComponents();
-  return kind == MASK ? length == 1 : length == 3 || (length == 2 && kind != ANGULAR_VELOCITY);
+  return kind == MASK ? length == 1 : length == 3 || (length == 2 && kind != ANGULAR);
 }
 
 void ClearZeros(std::vector<glm::vec3>& values)
@@ -166,7 +166,7 @@ void rtglyphs::GlyphMotion::ReportLacking(vtkPolyData* points, const Settings& s
 std::string rtglyphs::GlyphMotion::Unfinished(const Settings& settings)
 {
   const bool any =
-    IsNamed(settings, VELOCITY) || IsNamed(settings, ACCELERATION) || IsNamed(settings, ANGULAR_VELOCITY);
+    IsNamed(settings, LINEAR) || IsNamed(settings, ACCELERATION) || IsNamed(settings, ANGULAR);
   return !settings.On || any ? std::string()
                              : "MotionBlur needs velocities. Choose a point array of 3 components as VelocityArray, "
                                "switch VelocityFromPreviousStep on, or switch MotionBlur off.";
@@ -175,7 +175,7 @@ std::string rtglyphs::GlyphMotion::Unfinished(const Settings& settings)
 //----------------------------------------------------------------------------
 bool rtglyphs::GlyphMotion::On() const
 {
-  return this->Found[VELOCITY] || this->Found[ACCELERATION] || this->Found[ANGULAR_VELOCITY];
+  return this->Found[LINEAR] || this->Found[ACCELERATION] || this->Found[ANGULAR];
 }
 
 //----------------------------------------------------------------------------
@@ -217,26 +217,26 @@ bool rtglyphs::GlyphMotion::IsFinite(vtkIdType point) const
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphMotion::Allocate(rtg::GlyphMotion& motion, std::size_t count) const
 {
-  motion.velocities.resize(this->Found[VELOCITY] ? count : 0);
+  motion.velocities.resize(this->Found[LINEAR] ? count : 0);
   motion.accelerations.resize(this->Found[ACCELERATION] ? count : 0);
-  motion.angularVelocities.resize(this->Found[ANGULAR_VELOCITY] ? count : 0);
+  motion.angularVelocities.resize(this->Found[ANGULAR] ? count : 0);
 }
 
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphMotion::Store(rtg::GlyphMotion& motion, std::size_t glyph, vtkIdType point,
   const glm::dmat3& linear, const glm::dmat3& rotation) const
 {
-  if (this->Found[VELOCITY])
+  if (this->Found[LINEAR])
   {
-    motion.velocities[glyph] = linear * this->Tuple(VELOCITY, point);
+    motion.velocities[glyph] = linear * this->Tuple(LINEAR, point);
   }
   if (this->Found[ACCELERATION])
   {
     motion.accelerations[glyph] = linear * this->Tuple(ACCELERATION, point);
   }
-  if (this->Found[ANGULAR_VELOCITY])
+  if (this->Found[ANGULAR])
   {
-    motion.angularVelocities[glyph] = rotation * this->Tuple(ANGULAR_VELOCITY, point);
+    motion.angularVelocities[glyph] = rotation * this->Tuple(ANGULAR, point);
   }
 }
 
@@ -258,9 +258,9 @@ void rtglyphs::GlyphMotion::Finish(rtg::GlyphMotion& motion) const
 rtg::DoubleBox rtglyphs::GlyphMotion::Range(vtkIdType point) const
 {
   rtg::GlyphMotion one;
-  if (this->Found[VELOCITY])
+  if (this->Found[LINEAR])
   {
-    one.velocities.emplace_back(this->Tuple(VELOCITY, point));
+    one.velocities.emplace_back(this->Tuple(LINEAR, point));
   }
   if (this->Found[ACCELERATION])
   {
