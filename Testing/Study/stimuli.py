@@ -23,7 +23,7 @@ RENDERINGS = {
     "occlusion": {"ShadingMode": "Ambient Occlusion", "Denoising": "Always"},
     "paths": {"ShadingMode": "Path Tracing", "Denoising": "Always"},
     "blur": {"ShadingMode": "Local", **BLUR}}
-#: how much of what a question is about must be seen; what is seen less is hidden altogether
+#: how much of what a question is about must be seen
 SEEN = 0.6
 GRAY, COLORS = (170, 170, 175), {"orange": (235, 120, 20), "blue": (40, 90, 220), "red": (205, 30, 45), "green": (30, 150, 60), "violet": (140, 60, 170)}
 BALL, ARROW = 0.12, 0.4
@@ -152,6 +152,9 @@ def lengths(stage, random, count):
         scene = crowd(random, count, random.uniform(0.5, 1.0, count) * ARROW)
         ratio = random.choice([1.1, 1.2, 1.35, 1.5])
         longer = int(random.integers(2))
+        # Both lie nearly across the view.
+        scene["direction"][:2] *= [1.0, 1.0, 0.4]
+        scene["direction"][:2] /= numpy.linalg.norm(scene["direction"][:2], axis=1)[:, None]
         scene["length"][:2] = 0.7 * ARROW
         scene["length"][longer] *= ratio
         mark(scene, 0, "orange")
@@ -210,10 +213,8 @@ def count(stage, random, count):
     # Of a disc of that size, at that distance
     height = stage.view.ViewSize[1] / (2.0 * numpy.tan(numpy.radians(0.5 * ANGLE)))
     share = pixels / (numpy.pi * (0.5 * scene["length"] * height / (EYE - scene["place"][:, 2])) ** 2)
-    visible, hidden = numpy.flatnonzero(share >= SEEN), numpy.flatnonzero(pixels == 0)
-    wanted = int(random.integers(4, 12))
-    marked = random.permutation(visible)[:wanted]
-    for number in numpy.concatenate([marked, random.permutation(hidden)[:wanted]]):
+    marked = random.permutation(numpy.flatnonzero(share >= SEEN))[:random.integers(4, 12)]
+    for number in marked:
         mark(scene, number, "orange")
     stage.set("Sphere", scene)
     found = stage.ids("Sphere")
