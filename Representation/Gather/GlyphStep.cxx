@@ -32,8 +32,7 @@ struct ReadIds
 vtkDataArray* IdsOf(vtkPolyData* points, const std::string& name)
 {
   vtkPointData* data = points->GetPointData();
-  vtkDataArray* ids =
-    rtglyphs::RayTracedArrays::IsNone(name) ? data->GetGlobalIds() : data->GetArray(name.c_str());
+  vtkDataArray* ids = rtglyphs::RayTracedArrays::IsNone(name) ? data->GetGlobalIds() : data->GetArray(name.c_str());
   return ids && ids->GetNumberOfComponents() == 1 ? ids : nullptr;
 }
 }
@@ -125,15 +124,13 @@ void rtglyphs::GlyphStep::KeepUnique()
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::GlyphStep::Pairs
-rtglyphs::GlyphStep::Match(const std::vector<Entry>& now, const std::vector<Entry>& before)
+rtglyphs::GlyphStep::Pairs rtglyphs::GlyphStep::Match(const std::vector<Entry>& now, const std::vector<Entry>& before)
 {
   Pairs pairs;
   auto partner = before.begin();
   for (const Entry& entry : now)
   {
-    partner =
-      std::find_if(partner, before.end(), [&entry](const Entry& other) { return other.Key() >= entry.Key(); });
+    partner = std::find_if(partner, before.end(), [&entry](const Entry& other) { return other.Key() >= entry.Key(); });
     if (partner == before.end())
     {
       break;

@@ -92,8 +92,7 @@ std::optional<double> rtglyphs::GlyphStepTrail::GetMissing() const
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::GlyphStepTrail::Take(
-  vtkDataObject* gathered, double time, vtkInformation* from, vtkAlgorithm* source)
+bool rtglyphs::GlyphStepTrail::Take(vtkDataObject* gathered, double time, vtkInformation* from, vtkAlgorithm* source)
 {
   GlyphStep step(gathered, this->PointIdArray);
   if (!this->Missing.empty())
@@ -167,8 +166,8 @@ void rtglyphs::GlyphStepTrail::FindMissing(double time, vtkInformation* from)
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphStepTrail::AddTo(vtkDataObject* gathered, const rtg::PeriodicImages& images) const
 {
-  rtglyphs::RayTracedTree::ForEach(gathered,
-    [](vtkPolyData* points) { points->GetPointData()->RemoveArray(rtglyphs::RayTracedArrays::Trail); });
+  rtglyphs::RayTracedTree::ForEach(
+    gathered, [](vtkPolyData* points) { points->GetPointData()->RemoveArray(rtglyphs::RayTracedArrays::Trail); });
   if (this->Steps == 0 || this->Earlier.empty())
   {
     return;

@@ -118,8 +118,7 @@ rtglyphs::GlyphUnturnedBox::GlyphUnturnedBox(const rtglyphs::GlyphSettings& sett
 }
 
 //----------------------------------------------------------------------------
-rtg::DoubleBox
-rtglyphs::GlyphUnturnedBox::operator()(vtkIdType point, rtglyphs::GlyphSizes::Tuples& tuples) const
+rtg::DoubleBox rtglyphs::GlyphUnturnedBox::operator()(vtkIdType point, rtglyphs::GlyphSizes::Tuples& tuples) const
 {
   glm::dvec3 part;
   const glm::dvec3 size = this->Sizes.Extents(point, tuples, part);

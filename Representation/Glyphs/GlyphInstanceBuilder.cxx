@@ -128,8 +128,7 @@ private:
     this->Motion.Store(this->Instances.motion, number, point, this->Maker.GetPlacement().Linear, this->Rotation);
     if (!this->Instances.opacities.empty())
     {
-      this->Instances.opacities[number] =
-        rtglyphs::GlyphArrays::Opacity(tuples[rtglyphs::GlyphArrays::OPACITY], point);
+      this->Instances.opacities[number] = rtglyphs::GlyphArrays::Opacity(tuples[rtglyphs::GlyphArrays::OPACITY], point);
     }
     this->Store(number, glyph);
     return SHOWN;

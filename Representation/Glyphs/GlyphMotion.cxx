@@ -165,8 +165,7 @@ void rtglyphs::GlyphMotion::ReportLacking(vtkPolyData* points, const Settings& s
 //----------------------------------------------------------------------------
 std::string rtglyphs::GlyphMotion::Unfinished(const Settings& settings)
 {
-  const bool any =
-    IsNamed(settings, LINEAR) || IsNamed(settings, ACCELERATION) || IsNamed(settings, ANGULAR);
+  const bool any = IsNamed(settings, LINEAR) || IsNamed(settings, ACCELERATION) || IsNamed(settings, ANGULAR);
   return !settings.On || any ? std::string()
                              : "MotionBlur needs velocities. Choose a point array of 3 components as VelocityArray, "
                                "switch VelocityFromPreviousStep on, or switch MotionBlur off.";

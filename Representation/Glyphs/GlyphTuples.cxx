@@ -156,8 +156,7 @@ std::vector<vtkDataArray*> rtglyphs::GlyphArrays::All(vtkPolyData* points, const
   std::vector<vtkDataArray*> all = { points->GetPoints() ? points->GetPoints()->GetData() : nullptr,
     points->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CompositeIndex),
     rtglyphs::GlyphTensors::Array(points, settings.Tensors), rtglyphs::GlyphForms::Array(points, settings.Forms),
-    Trail(points, settings), motion[0], motion[1], motion[2],
-    motion[3] };
+    Trail(points, settings), motion[0], motion[1], motion[2], motion[3] };
   for (int id = 0; id < NUMBER_OF_IDS; ++id)
   {
     all.push_back(Find(static_cast<Id>(id), points, settings));

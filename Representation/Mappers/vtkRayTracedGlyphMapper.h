@@ -76,7 +76,7 @@ private:
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   std::array<double, 2> TensorRange{ { 1.0, -1.0 } };
   rtg::GlyphInstances Instances;
-  std::vector<float> Radii; // as GlyphInstanceBuilder has them
+  std::vector<float> Radii;                            // as GlyphInstanceBuilder has them
   std::vector<std::array<std::uint16_t, 2>> TrailEnds; // as GlyphTrails has them
   double TrailFading = 0.0;
   bool InstancesTaken = false;

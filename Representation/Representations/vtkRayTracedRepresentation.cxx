@@ -221,8 +221,8 @@ bool vtkRayTracedRepresentation::AddTrails(vtkDataObject* gathered, vtkDataObjec
   if (this->HasTrails())
   {
     vtkInformation* info = input->GetInformation();
-    const double time = info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP())
-                                                                   : this->GetUpdateTime();
+    const double time =
+      info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : this->GetUpdateTime();
     if (this->StepTrail->Take(gathered, time, from, this->GetInputAlgorithm()))
     {
       return true;

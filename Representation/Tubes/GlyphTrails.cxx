@@ -69,8 +69,8 @@ double MiddleOf(const glm::dvec3& v)
 }
 
 //----------------------------------------------------------------------------
-rtglyphs::GlyphTrails::Result rtglyphs::GlyphTrails::Build(vtkPolyData* points,
-  const rtglyphs::GlyphSettings& settings, const rtglyphs::RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld)
+rtglyphs::GlyphTrails::Result rtglyphs::GlyphTrails::Build(vtkPolyData* points, const rtglyphs::GlyphSettings& settings,
+  const rtglyphs::RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld)
 {
   Result result;
   result.Instances.shape = rtg::Shape::RoundCone;

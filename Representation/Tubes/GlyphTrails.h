@@ -37,8 +37,8 @@ public:
   /**
    * Hidden points as RayTracedBlocks has them; `modelToWorld` may be null.
    */
-  static Result Build(
-    vtkPolyData* points, const GlyphSettings& settings, const RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld);
+  static Result
+  Build(vtkPolyData* points, const GlyphSettings& settings, const RayTracedRanges& hidden, vtkMatrix4x4* modelToWorld);
 };
 
 } // namespace rtglyphs

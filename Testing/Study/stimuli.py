@@ -179,7 +179,8 @@ def direction(stage, random, count):
         targets = numpy.array([way] + others[:3])
         order = random.permutation(4)
         places = scene["place"][0] + targets[order] * random.uniform(0.7, 0.9, (4, 1))
-        balls = {"place": places, "length": numpy.full(4, BALL), "rgb": numpy.array([COLORS[name] for name in names], dtype=numpy.uint8), "context": numpy.zeros(4)}
+        balls = {"place": places, "length": numpy.full(4, BALL), "rgb": numpy.array([COLORS[name] for name in names], dtype=numpy.uint8), "context": numpy.zeros(4),
+                 "velocity": numpy.zeros((4, 3))}
         apart = numpy.linalg.norm(places[:, None] - places, axis=2) + numpy.eye(4)
         if len(others) < 3 or apart.min() < 2.0 * BALL:
             continue
