@@ -1,40 +1,21 @@
 #include "GlyphStepVelocity.h"
 
-#include "Finite.h"
 #include "RayTracedArrays.h"
-#include "RayTracedParallel.h"
 #include "RayTracedTree.h"
 #include "vtkAlgorithm.h"
-#include "vtkArrayDispatch.h"
-#include "vtkDataArray.h"
-#include "vtkDataArrayRange.h"
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
-
-namespace
-{
-// Without going through double, which has not room for all 64-bit ids.
-struct ReadIds
-{
-  template <typename Array>
-  void operator()(Array* array, std::vector<std::int64_t>& ids) const
-  {
-    const auto values = vtk::DataArrayValueRange<1>(array);
-    std::transform(
-      values.begin(), values.end(), ids.begin(), [](auto value) { return static_cast<std::int64_t>(value); });
-  }
-};
-}
+#include <utility>
+#include <vector>
 
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphStepVelocity::Reset()
@@ -57,15 +38,6 @@ bool rtglyphs::GlyphStepVelocity::SetPointIdArray(const std::string& name)
 }
 
 //----------------------------------------------------------------------------
-vtkDataArray* rtglyphs::GlyphStepVelocity::IdsOf(vtkPolyData* points) const
-{
-  vtkPointData* data = points->GetPointData();
-  const bool named = !rtglyphs::RayTracedArrays::IsNone(this->PointIdArray);
-  vtkDataArray* ids = named ? data->GetArray(this->PointIdArray.c_str()) : data->GetGlobalIds();
-  return ids && ids->GetNumberOfComponents() == 1 ? ids : nullptr;
-}
-
-//----------------------------------------------------------------------------
 void rtglyphs::GlyphStepVelocity::AddTo(vtkDataObject* gathered, vtkDataObject* input, vtkAlgorithm* source)
 {
   if (this->Source != source)
@@ -79,119 +51,24 @@ void rtglyphs::GlyphStepVelocity::AddTo(vtkDataObject* gathered, vtkDataObject* 
 }
 
 //----------------------------------------------------------------------------
-void rtglyphs::GlyphStepVelocity::AddEntries(
-  vtkPolyData* points, vtkDataArray* ids, vtkDataArray* velocities, std::vector<Entry>& entries)
-{
-  const vtkIdType count = points->GetNumberOfPoints();
-  std::vector<std::int64_t> numbers(count);
-  ReadIds read;
-  if (!vtkArrayDispatch::Dispatch::Execute(ids, read, numbers))
-  {
-    read(ids, numbers);
-  }
-  const std::size_t first = entries.size();
-  entries.resize(first + count);
-  const unsigned int block = rtglyphs::RayTracedTree::FlatIndex(points);
-  rtglyphs::RayTracedParallel::ForChunks(count,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        Entry& entry = entries[first + i];
-        entry.Id = numbers[i];
-        entry.Block = block;
-        entry.Velocities = velocities;
-        entry.Point = i;
-        points->GetPoint(i, entry.X);
-      }
-    });
-}
-
-//----------------------------------------------------------------------------
-void rtglyphs::GlyphStepVelocity::KeepUnique(std::vector<Entry>& entries)
-{
-  const auto before = [](const Entry& a, const Entry& b) { return a.Key() < b.Key(); };
-  if (!std::is_sorted(entries.begin(), entries.end(), before))
-  {
-    std::sort(entries.begin(), entries.end(), before);
-  }
-  // Who is who cannot be told of ids that occur more than once in a block.
-  std::size_t kept = 0;
-  const auto endOf = [&](std::size_t first, const auto& key)
-  {
-    std::size_t last = first + 1;
-    while (last < entries.size() && key(entries[last]) == key(entries[first]))
-    {
-      ++last;
-    }
-    return last;
-  };
-  for (std::size_t first = 0; first < entries.size();)
-  {
-    const std::size_t last = endOf(first, [](const Entry& entry) { return entry.Id; });
-    const bool unique = last == first + 1;
-    while (first < last)
-    {
-      const std::size_t next = endOf(first, [](const Entry& entry) { return entry.Key(); });
-      if (next == first + 1 && rtg::IsFinite(entries[first].X))
-      {
-        entries[kept] = entries[first];
-        entries[kept].Block = unique ? 0 : entries[first].Block;
-        ++kept;
-      }
-      first = next;
-    }
-  }
-  entries.resize(kept);
-}
-
-//----------------------------------------------------------------------------
-// Half of the extent along each axis where most points move less than a tenth of it, else infinite.
-std::array<double, 3> rtglyphs::GlyphStepVelocity::LongestWays(const Pairs& pairs)
-{
-  std::array<double, 3> longest{ { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
-  for (int c = 0; c < 3 && !pairs.empty(); ++c)
-  {
-    std::vector<double> ways;
-    double least = HUGE_VAL, most = -HUGE_VAL;
-    for (const auto& [now, before] : pairs)
-    {
-      ways.push_back(std::abs(now->X[c] - before->X[c]));
-      least = std::min({ least, now->X[c], before->X[c] });
-      most = std::max({ most, now->X[c], before->X[c] });
-    }
-    const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
-    std::nth_element(ways.begin(), middle, ways.end());
-    longest[c] = *middle < 0.1 * (most - least) ? 0.5 * (most - least) : HUGE_VAL;
-  }
-  return longest;
-}
-
-//----------------------------------------------------------------------------
 void rtglyphs::GlyphStepVelocity::Follow(vtkDataObject* gathered, double time)
 {
-  std::vector<Entry> entries;
-  this->Points = 0;
-  this->WithoutPartner = 0;
-  bool anyIds = false;
+  std::vector<vtkFloatArray*> velocities;
   rtglyphs::RayTracedTree::ForEach(gathered,
     [&](vtkPolyData* points)
     {
-      vtkNew<vtkFloatArray> velocities;
-      velocities->SetName(Name());
-      velocities->SetNumberOfComponents(3);
-      rtglyphs::RayTracedArrays::Resize(velocities, points->GetNumberOfPoints());
-      velocities->FillValue(0.0f);
-      points->GetPointData()->AddArray(velocities);
-      this->Points += points->GetNumberOfPoints();
-      vtkDataArray* ids = points->GetNumberOfPoints() > 0 ? this->IdsOf(points) : nullptr;
-      if (ids)
-      {
-        anyIds = true;
-        AddEntries(points, ids, velocities, entries);
-      }
+      vtkNew<vtkFloatArray> ofLeaf;
+      ofLeaf->SetName(Name());
+      ofLeaf->SetNumberOfComponents(3);
+      rtglyphs::RayTracedArrays::Resize(ofLeaf, points->GetNumberOfPoints());
+      ofLeaf->FillValue(0.0f);
+      points->GetPointData()->AddArray(ofLeaf);
+      velocities.push_back(ofLeaf);
     });
-  if (this->Points > 0 && !anyIds)
+  rtglyphs::GlyphStep step(gathered, this->PointIdArray);
+  this->Points = step.GetPoints();
+  this->WithoutPartner = 0;
+  if (step.LacksIds())
   {
     this->Outcome = NO_IDS;
     return;
@@ -208,10 +85,7 @@ void rtglyphs::GlyphStepVelocity::Follow(vtkDataObject* gathered, double time)
   {
     std::swap(this->Before, this->Now);
   }
-  this->Now.Seen = true;
-  this->Now.Time = time;
-  KeepUnique(entries);
-  this->Now.Entries = std::move(entries);
+  this->Now = { true, time, std::move(step) };
   if (!this->Before.Seen)
   {
     this->Outcome = FOUND;
@@ -219,24 +93,9 @@ void rtglyphs::GlyphStepVelocity::Follow(vtkDataObject* gathered, double time)
   }
 
   const double length = time - this->Before.Time;
-  vtkIdType partners = 0;
-  Pairs pairs;
-  auto partner = this->Before.Entries.begin();
-  for (const Entry& now : this->Now.Entries)
-  {
-    partner = std::find_if(
-      partner, this->Before.Entries.end(), [&now](const Entry& before) { return before.Key() >= now.Key(); });
-    if (partner == this->Before.Entries.end())
-    {
-      break;
-    }
-    if (partner->Key() == now.Key())
-    {
-      pairs.emplace_back(&now, &*partner);
-      ++partners;
-    }
-  }
-  const std::array<double, 3> longest = LongestWays(pairs);
+  const rtglyphs::GlyphStep::Pairs pairs =
+    rtglyphs::GlyphStep::Match(this->Now.Points.GetEntries(), this->Before.Points.GetEntries());
+  const std::array<double, 3> longest = rtglyphs::GlyphStep::LongestWays(pairs);
   for (const auto& [now, before] : pairs)
   {
     bool crossed = false;
@@ -246,10 +105,10 @@ void rtglyphs::GlyphStepVelocity::Follow(vtkDataObject* gathered, double time)
     }
     for (int c = 0; c < 3 && !crossed; ++c)
     {
-      now->Velocities->SetComponent(now->Point, c, (now->X[c] - before->X[c]) / length);
+      velocities[now->Leaf]->SetComponent(now->Point, c, (now->X[c] - before->X[c]) / length);
     }
   }
-  this->WithoutPartner = this->Points - partners;
+  this->WithoutPartner = this->Points - static_cast<vtkIdType>(pairs.size());
   this->Outcome = this->WithoutPartner > 0 ? WITHOUT_PARTNER : FOUND;
 }
 
@@ -277,11 +136,7 @@ std::string rtglyphs::GlyphStepVelocity::Describe() const
   switch (this->Outcome)
   {
     case NO_IDS:
-      return "VelocityFromPreviousStep needs to know which point is which, and the points have "
-             "neither global ids nor the "
-             "array that PointIdArray names, of one component; so the glyphs stand still. Choose a "
-             "PointIdArray; where "
-             "points never change their order, the filter Point And Cell Ids makes one.";
+      return rtglyphs::GlyphStep::IdsNeeded("VelocityFromPreviousStep", "the glyphs stand still");
     case NO_TIME:
       return "VelocityFromPreviousStep needs the time of the data, and they say none; so the "
              "glyphs stand still. Open "

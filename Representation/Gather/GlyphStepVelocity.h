@@ -8,28 +8,22 @@
  * point.
  *
  * A point without a partner stands still: its id is new, or occurs more than once in one of the steps, or one of
- * the two positions is not finite. So do all in the first step.
- *
- * So does a point that goes more than half of the extent along an axis while most go less than a tenth of it: it has
- * crossed the border of a periodic box, whose length the data do not tell.
+ * the two positions is not finite. So do all in the first step, and those that go farther than
+ * GlyphStep::LongestWays().
  */
 #ifndef GlyphStepVelocity_h
 #define GlyphStepVelocity_h
 
+#include "GlyphStep.h"
 #include "RayTracedArrays.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
 #include <array>
-#include <cstdint>
 #include <string>
-#include <utility>
-#include <vector>
 
 class vtkAlgorithm;
-class vtkDataArray;
 class vtkDataObject;
-class vtkPolyData;
 
 namespace rtglyphs
 {
@@ -75,29 +69,12 @@ private:
     WITHOUT_PARTNER = 3
   };
 
-  struct Entry
-  {
-    std::int64_t Id;
-    unsigned int Block;       // of an id that several blocks have; else 0: points may go from block to block
-    vtkDataArray* Velocities; // of its block, and its place among them
-    vtkIdType Point;
-    double X[3];
-
-    std::pair<std::int64_t, unsigned int> Key() const { return { this->Id, this->Block }; }
-  };
   struct Step
   {
     bool Seen = false;
     double Time = 0.0;
-    std::vector<Entry> Entries; // by rising id, each id once
+    GlyphStep Points;
   };
-  static void AddEntries(vtkPolyData* points, vtkDataArray* ids, vtkDataArray* velocities, std::vector<Entry>& entries);
-  static void KeepUnique(std::vector<Entry>& entries);
-
-  /// Null: there are none.
-  vtkDataArray* IdsOf(vtkPolyData* points) const;
-  using Pairs = std::vector<std::pair<const Entry*, const Entry*>>; // now and before
-  static std::array<double, 3> LongestWays(const Pairs& pairs);
   void Follow(vtkDataObject* gathered, double time);
   std::string Describe() const;
 

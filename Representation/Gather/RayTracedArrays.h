@@ -28,6 +28,8 @@ constexpr const char* CompositeIndex = "vtkRayTraced_CompositeIndex";
 constexpr const char* ProcessId = "vtkRayTraced_ProcessId";
 /// Of each point: its velocity since the step shown before. Missing unless asked for.
 constexpr const char* StepVelocity = "vtkRayTraced_StepVelocity";
+/// Of each point: where it was in earlier steps (GlyphStepTrail). Missing unless asked for.
+constexpr const char* Trail = "vtkRayTraced_Trail";
 /// Of each point, and of each cell of lines: 1 where the selection has its glyph, else 0. Missing where it has none.
 constexpr const char* Selected = "vtkRayTraced_Selected";
 /// Field data of each block: names of the arrays that some ranks have, and others, with points, have not. Missing where

@@ -3,7 +3,6 @@
 #include "Finite.h"
 #include "GlyphBoxes.h"
 #include "GlyphMotion.h"
-#include "GlyphSizes.h"
 #include "RayTracedParallel.h"
 #include "Stopwatch.h"
 #include "vtkDataArray.h"
@@ -25,24 +24,13 @@ public:
     , Sizes(points, settings)
     , Hidden(hidden)
     , Positions(points->GetPoints()->GetData())
+    , Trails(rtglyphs::GlyphArrays::Trail(points, settings))
     , Motion(points, settings.Motion)
-    , Arrow(settings.Arrow)
-    , AnchorShift(settings.AnchorShift())
+    , Unturned(settings, this->Sizes)
   {
     const bool arrow = settings.Shape == rtg::Shape::Arrow;
     this->Turned = rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::ORIENTATION, points, settings) ||
       settings.Tensors.On || arrow || settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
-    if (arrow && settings.Arrow.fixedHeads)
-    {
-      this->Arrow.unitLength = static_cast<float>(this->Sizes.ArrowUnit());
-    }
-    else if (settings.Shape == rtg::Shape::Mesh && settings.Mesh)
-    {
-      for (const glm::vec3& position : settings.Mesh->positions)
-      {
-        this->Mesh.Include({ position, position });
-      }
-    }
   }
 
   rtglyphs::RayTracedParallel::Box Box(vtkIdType count) const
@@ -55,7 +43,7 @@ public:
 private:
   void AddRange(vtkIdType begin, vtkIdType end, rtglyphs::RayTracedParallel::Box& box) const
   {
-    rtglyphs::GlyphTuples positions(this->Positions);
+    rtglyphs::GlyphTuples positions(this->Positions), trails(this->Trails);
     rtglyphs::GlyphSizes::Tuples tuples(this->Sizes);
     for (vtkIdType i = begin; i < end; ++i)
     {
@@ -72,6 +60,13 @@ private:
         lower = glm::min(lower, position + range.lower);
         upper = glm::max(upper, position + range.upper);
       }
+      const double* trail = trails.Has(i) ? trails.Get(i) : nullptr;
+      for (int k = 0; trail && k < trails.Size(); k += 3)
+      {
+        const glm::dvec3 earlier(trail[k], trail[k + 1], trail[k + 2]);
+        lower = rtg::IsFinite(earlier) ? glm::min(lower, earlier) : lower;
+        upper = rtg::IsFinite(earlier) ? glm::max(upper, earlier) : upper;
+      }
       const glm::dvec3 reach = this->Reach(i, tuples);
       box.Add(lower - reach, upper + reach);
     }
@@ -80,16 +75,7 @@ private:
   // How far the glyph reaches from its point along each axis; zero where it has no finite size.
   glm::dvec3 Reach(vtkIdType point, rtglyphs::GlyphSizes::Tuples& tuples) const
   {
-    glm::dvec3 part;
-    const glm::dvec3 size = this->Sizes.Extents(point, tuples, part);
-    part *= this->Settings.Tensors.Parts() > 1 ? 0.5 : 1.0; // crosses begin at the center
-    rtg::DoubleBox box = this->Settings.Shape == rtg::Shape::Mesh
-      ? rtg::DoubleBox{ this->Mesh.lower * size, this->Mesh.upper * size }
-      : rtg::GlyphExtent(this->Settings.Shape, this->Arrow, size);
-    box.lower *= part;
-    box.upper *= part;
-    box.lower.x += this->AnchorShift * size.x;
-    box.upper.x += this->AnchorShift * size.x;
+    const rtg::DoubleBox box = this->Unturned(point, tuples);
     glm::dvec3 reach = glm::max(glm::abs(box.lower), glm::abs(box.upper));
     if (this->Turned)
     {
@@ -104,12 +90,47 @@ private:
   const rtglyphs::GlyphSizes Sizes;
   const rtglyphs::RayTracedRanges& Hidden;
   vtkDataArray* Positions;
+  vtkDataArray* Trails;
   const rtglyphs::GlyphMotion Motion;
+  const rtglyphs::GlyphUnturnedBox Unturned;
   bool Turned = false;
-  rtg::ArrowForm Arrow;
-  rtg::DoubleBox Mesh; // the unit glyph's, where it is one
-  const double AnchorShift;
 };
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphUnturnedBox::GlyphUnturnedBox(const rtglyphs::GlyphSettings& settings, const rtglyphs::GlyphSizes& sizes)
+  : Settings(settings)
+  , Sizes(sizes)
+  , Arrow(settings.Arrow)
+  , AnchorShift(settings.AnchorShift())
+{
+  if (settings.Shape == rtg::Shape::Arrow && settings.Arrow.fixedHeads)
+  {
+    this->Arrow.unitLength = static_cast<float>(sizes.ArrowUnit());
+  }
+  else if (settings.Shape == rtg::Shape::Mesh && settings.Mesh)
+  {
+    for (const glm::vec3& position : settings.Mesh->positions)
+    {
+      this->Mesh.Include({ position, position });
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+rtg::DoubleBox rtglyphs::GlyphUnturnedBox::operator()(vtkIdType point, rtglyphs::GlyphSizes::Tuples& tuples) const
+{
+  glm::dvec3 part;
+  const glm::dvec3 size = this->Sizes.Extents(point, tuples, part);
+  part *= this->Settings.Tensors.Parts() > 1 ? 0.5 : 1.0; // crosses begin at the center
+  rtg::DoubleBox box = this->Settings.Shape == rtg::Shape::Mesh
+    ? rtg::DoubleBox{ this->Mesh.lower * size, this->Mesh.upper * size }
+    : rtg::GlyphExtent(this->Settings.Shape, this->Arrow, size);
+  box.lower *= part;
+  box.upper *= part;
+  box.lower.x += this->AnchorShift * size.x;
+  box.upper.x += this->AnchorShift * size.x;
+  return box;
 }
 
 //----------------------------------------------------------------------------

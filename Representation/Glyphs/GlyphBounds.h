@@ -10,6 +10,8 @@
 #define GlyphBounds_h
 
 #include "RayTracedRanges.h"
+#include "GlyphBoxes.h"
+#include "GlyphSizes.h"
 #include "GlyphTuples.h"
 #include "RayTracedCache.h"
 
@@ -20,6 +22,26 @@ class vtkPolyData;
 
 namespace rtglyphs
 {
+
+/**
+ * The boxes of glyphs that are not turned, relative to their points, before the actor's transform.
+ */
+class GlyphUnturnedBox
+{
+public:
+  /**
+   * The settings and their sizes stay the caller's.
+   */
+  GlyphUnturnedBox(const GlyphSettings& settings, const GlyphSizes& sizes);
+  rtg::DoubleBox operator()(vtkIdType point, GlyphSizes::Tuples& tuples) const;
+
+private:
+  const GlyphSettings& Settings;
+  const GlyphSizes& Sizes;
+  rtg::ArrowForm Arrow;
+  rtg::DoubleBox Mesh; // the unit glyph's, where it is one
+  const double AnchorShift;
+};
 
 class GlyphBounds
 {

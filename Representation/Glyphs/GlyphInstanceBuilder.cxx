@@ -128,10 +128,7 @@ private:
     this->Motion.Store(this->Instances.motion, number, point, this->Maker.GetPlacement().Linear, this->Rotation);
     if (!this->Instances.opacities.empty())
     {
-      rtglyphs::GlyphTuples& opacities = tuples[rtglyphs::GlyphArrays::OPACITY];
-      const double opacity = opacities.Has(point) ? *opacities.Get(point) : 1.0;
-      this->Instances.opacities[number] =
-        std::isnan(opacity) ? 1.0f : static_cast<float>(std::clamp(opacity, 0.0, 1.0));
+      this->Instances.opacities[number] = rtglyphs::GlyphArrays::Opacity(tuples[rtglyphs::GlyphArrays::OPACITY], point);
     }
     this->Store(number, glyph);
     return SHOWN;

@@ -16,22 +16,27 @@ namespace
 {
 enum Kinds
 {
-  VELOCITY,
+  LINEAR,
   ACCELERATION,
-  ANGULAR_VELOCITY,
+  ANGULAR,
+  MASK,
   KINDS
 };
 
-const char* const properties[KINDS] = { "VelocityArray", "AccelerationArray", "AngularVelocityArray" };
+const char* const properties[KINDS] = { "VelocityArray", "AccelerationArray", "AngularVelocityArray",
+  "MotionBlurMask" };
+const char* const components[KINDS] = { "2 or 3", "2 or 3", "3", "1" };
 
 std::string NameOf(const rtglyphs::GlyphMotion::Settings& settings, int kind)
 {
   switch (kind)
   {
-    case VELOCITY:
+    case LINEAR:
       return settings.FromPreviousStep ? rtglyphs::GlyphStepVelocity::Name() : settings.Velocity;
     case ACCELERATION:
       return settings.Acceleration;
+    case MASK:
+      return settings.Mask;
     default:
       return settings.AngularVelocity;
   }
@@ -45,8 +50,8 @@ bool IsNamed(const rtglyphs::GlyphMotion::Settings& settings, int kind)
 // Vectors of two components lie in a plane.
 bool HasLength(vtkDataArray* array, int kind)
 {
-  const int components = array->GetNumberOfComponents();
-  return components == 3 || (components == 2 && kind != ANGULAR_VELOCITY);
+  const int length = array->GetNumberOfComponents();
+  return kind == MASK ? length == 1 : length == 3 || (length == 2 && kind != ANGULAR);
 }
 
 void ClearZeros(std::vector<glm::vec3>& values)
@@ -74,9 +79,9 @@ rtglyphs::GlyphMotion::Settings rtglyphs::GlyphMotion::Settings::Effective() con
 }
 
 //----------------------------------------------------------------------------
-std::array<vtkDataArray*, 3> rtglyphs::GlyphMotion::Arrays(vtkPolyData* points, const Settings& settings)
+std::array<vtkDataArray*, 4> rtglyphs::GlyphMotion::Arrays(vtkPolyData* points, const Settings& settings)
 {
-  std::array<vtkDataArray*, 3> arrays{};
+  std::array<vtkDataArray*, 4> arrays{};
   for (int kind = 0; kind < KINDS; ++kind)
   {
     if (settings.On && IsNamed(settings, kind))
@@ -117,6 +122,10 @@ rtglyphs::GlyphMotion::GlyphMotion(vtkPolyData* points, const Settings& settings
     std::ostringstream text;
     if (!this->Found[kind] && rtglyphs::RayTracedBlocks::IsElsewhere(points, NameOf(settings, kind)))
     {
+      if (kind == MASK)
+      {
+        this->Found = {};
+      }
       continue;
     }
     if (!this->Found[kind])
@@ -127,8 +136,7 @@ rtglyphs::GlyphMotion::GlyphMotion(vtkPolyData* points, const Settings& settings
     else if (!HasLength(this->Found[kind], kind))
     {
       text << "The point array '" << NameOf(settings, kind) << "', which " << properties[kind] << " names, has "
-           << this->Found[kind]->GetNumberOfComponents() << " components where "
-           << (kind == ANGULAR_VELOCITY ? "3" : "2 or 3")
+           << this->Found[kind]->GetNumberOfComponents() << " components where " << components[kind]
            << " are needed; motion blur goes without. Choose another array, or "
               "None.";
       this->Found[kind] = nullptr;
@@ -157,8 +165,7 @@ void rtglyphs::GlyphMotion::ReportLacking(vtkPolyData* points, const Settings& s
 //----------------------------------------------------------------------------
 std::string rtglyphs::GlyphMotion::Unfinished(const Settings& settings)
 {
-  const bool any =
-    IsNamed(settings, VELOCITY) || IsNamed(settings, ACCELERATION) || IsNamed(settings, ANGULAR_VELOCITY);
+  const bool any = IsNamed(settings, LINEAR) || IsNamed(settings, ACCELERATION) || IsNamed(settings, ANGULAR);
   return !settings.On || any ? std::string()
                              : "MotionBlur needs velocities. Choose a point array of 3 components as VelocityArray, "
                                "switch VelocityFromPreviousStep on, or switch MotionBlur off.";
@@ -167,21 +174,30 @@ std::string rtglyphs::GlyphMotion::Unfinished(const Settings& settings)
 //----------------------------------------------------------------------------
 bool rtglyphs::GlyphMotion::On() const
 {
-  return this->Found[VELOCITY] || this->Found[ACCELERATION] || this->Found[ANGULAR_VELOCITY];
+  return this->Found[LINEAR] || this->Found[ACCELERATION] || this->Found[ANGULAR];
+}
+
+//----------------------------------------------------------------------------
+bool rtglyphs::GlyphMotion::Moves(vtkIdType point) const
+{
+  return !this->Found[MASK] || std::abs(this->Found[MASK]->GetComponent(point, 0)) > 0.0;
 }
 
 //----------------------------------------------------------------------------
 glm::dvec3 rtglyphs::GlyphMotion::Tuple(int kind, vtkIdType point) const
 {
   double tuple[3] = { 0.0, 0.0, 0.0 };
-  this->Found[kind]->GetTuple(point, tuple);
+  if (this->Moves(point))
+  {
+    this->Found[kind]->GetTuple(point, tuple);
+  }
   return { tuple[0], tuple[1], tuple[2] };
 }
 
 //----------------------------------------------------------------------------
 bool rtglyphs::GlyphMotion::IsFinite(vtkIdType point) const
 {
-  for (int kind = 0; kind < KINDS; ++kind)
+  for (int kind = 0; kind < MASK; ++kind)
   {
     if (this->Found[kind] && !rtg::IsFiniteInFloat(this->Tuple(kind, point)))
     {
@@ -200,26 +216,26 @@ bool rtglyphs::GlyphMotion::IsFinite(vtkIdType point) const
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphMotion::Allocate(rtg::GlyphMotion& motion, std::size_t count) const
 {
-  motion.velocities.resize(this->Found[VELOCITY] ? count : 0);
+  motion.velocities.resize(this->Found[LINEAR] ? count : 0);
   motion.accelerations.resize(this->Found[ACCELERATION] ? count : 0);
-  motion.angularVelocities.resize(this->Found[ANGULAR_VELOCITY] ? count : 0);
+  motion.angularVelocities.resize(this->Found[ANGULAR] ? count : 0);
 }
 
 //----------------------------------------------------------------------------
 void rtglyphs::GlyphMotion::Store(rtg::GlyphMotion& motion, std::size_t glyph, vtkIdType point,
   const glm::dmat3& linear, const glm::dmat3& rotation) const
 {
-  if (this->Found[VELOCITY])
+  if (this->Found[LINEAR])
   {
-    motion.velocities[glyph] = linear * this->Tuple(VELOCITY, point);
+    motion.velocities[glyph] = linear * this->Tuple(LINEAR, point);
   }
   if (this->Found[ACCELERATION])
   {
     motion.accelerations[glyph] = linear * this->Tuple(ACCELERATION, point);
   }
-  if (this->Found[ANGULAR_VELOCITY])
+  if (this->Found[ANGULAR])
   {
-    motion.angularVelocities[glyph] = rotation * this->Tuple(ANGULAR_VELOCITY, point);
+    motion.angularVelocities[glyph] = rotation * this->Tuple(ANGULAR, point);
   }
 }
 
@@ -241,9 +257,9 @@ void rtglyphs::GlyphMotion::Finish(rtg::GlyphMotion& motion) const
 rtg::DoubleBox rtglyphs::GlyphMotion::Range(vtkIdType point) const
 {
   rtg::GlyphMotion one;
-  if (this->Found[VELOCITY])
+  if (this->Found[LINEAR])
   {
-    one.velocities.emplace_back(this->Tuple(VELOCITY, point));
+    one.velocities.emplace_back(this->Tuple(LINEAR, point));
   }
   if (this->Found[ACCELERATION])
   {

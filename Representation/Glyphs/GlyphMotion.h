@@ -40,6 +40,7 @@ public:
     bool FromPreviousStep = false; // the velocities are those of GlyphStepVelocity instead
     std::string Acceleration;
     std::string AngularVelocity; // radians per time
+    std::string Mask;            // of one component: points where it is 0 or NaN stand still; empty or "None": none do
     double ShutterTime = 1.0;    // in the arrays' unit of time, > 0
     int Opening = CENTERED;
 
@@ -50,10 +51,10 @@ public:
   };
 
   /**
-   * The named arrays of velocities, accelerations and angular velocities when the settings are on; null where none is
-   * named, or it is missing.
+   * The named arrays of velocities, accelerations, angular velocities and the mask when the settings are on; null where
+   * none is named, or it is missing.
    */
-  static std::array<vtkDataArray*, 3> Arrays(vtkPolyData* points, const Settings& settings);
+  static std::array<vtkDataArray*, 4> Arrays(vtkPolyData* points, const Settings& settings);
 
   /**
    * Takes what makes sense of `points` and `settings`; what does not is said in Messages() and left out. Points of
@@ -104,9 +105,10 @@ public:
   rtg::DoubleBox Range(vtkIdType point) const;
 
 private:
+  bool Moves(vtkIdType point) const; // as the mask has it
   glm::dvec3 Tuple(int kind, vtkIdType point) const;
 
-  std::array<vtkDataArray*, 3> Found{};
+  std::array<vtkDataArray*, 4> Found{};
   std::vector<std::string> Messages_;
   double Open = 0.0, Close = 0.0;
 };

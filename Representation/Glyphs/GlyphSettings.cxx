@@ -176,6 +176,21 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::AxesOfTensors() const
 }
 
 //----------------------------------------------------------------------------
+rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Trails(int steps, bool translucent) const
+{
+  rtglyphs::GlyphSettings settings = *this;
+  settings.TrailSteps = steps;
+  settings.TrailJoined = translucent;
+  settings.Motion = rtglyphs::GlyphMotion::Settings();
+  settings.TableSize = 1;
+  if (settings.SurfaceColors() != rtg::GlyphInstances::SurfaceColours::None || settings.Forms.ColorsByRadius())
+  {
+    settings.Tensors.Coloring = settings.Forms.Coloring = rtglyphs::GlyphTensors::NONE;
+  }
+  return settings;
+}
+
+//----------------------------------------------------------------------------
 rtglyphs::GlyphSettings rtglyphs::GlyphSettings::PrincipalAxes() const
 {
   rtglyphs::GlyphSettings settings = *this;

@@ -87,6 +87,8 @@ struct GlyphSettings : GlyphScaling
   std::string ExponentArray;                     // overrides them; empty or "None": none
   std::string OpacityArray;                      // empty or "None": none
   GlyphMotion::Settings Motion;                  // on: the glyphs move while the shutter is open
+  int TrailSteps = 0; // > 0: of the glyphs, the trails over so many earlier steps (GlyphTrails), or bounds with these
+  bool TrailJoined = false; // inside them there is no surface, as translucent ones show
 
   bool operator==(const GlyphSettings&) const = default;
 
@@ -164,6 +166,12 @@ struct GlyphSettings : GlyphScaling
    * count.
    */
   GlyphSettings AxesOfTensors() const;
+
+  /**
+   * The trails of the glyphs, translucent or not. They stand still, and have the glyphs' colors, where these are not of
+   * each place on the surface.
+   */
+  GlyphSettings Trails(int steps, bool translucent) const;
 
   /**
    * The crosses of arrows that show tensors of these settings by their principal axes. The arrows are copies of one,

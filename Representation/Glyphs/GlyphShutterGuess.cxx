@@ -34,7 +34,7 @@ double TypicalSize(vtkPolyData* data, const rtglyphs::GlyphSettings& settings, P
 
 rtglyphs::GlyphKeptGuess::Result Find(vtkPolyData* data, const rtglyphs::GlyphSettings& settings, double unitSize)
 {
-  const std::array<vtkDataArray*, 3> arrays = rtglyphs::GlyphMotion::Arrays(data, settings.Motion);
+  const std::array<vtkDataArray*, 4> arrays = rtglyphs::GlyphMotion::Arrays(data, settings.Motion);
   const bool turns = rtglyphs::RayTracedRanks::Largest(arrays[0] ? 1.0 : 0.0) == 0.0;
   vtkDataArray* array = arrays[turns ? 2 : 0];
   array = array && array->GetNumberOfComponents() <= 3 ? array : nullptr;

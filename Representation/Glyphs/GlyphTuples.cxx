@@ -9,6 +9,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace
@@ -98,6 +99,13 @@ vtkDataArray* rtglyphs::GlyphArrays::Find(
 }
 
 //----------------------------------------------------------------------------
+float rtglyphs::GlyphArrays::Opacity(rtglyphs::GlyphTuples& opacities, vtkIdType point)
+{
+  const double opacity = opacities.Has(point) ? *opacities.Get(point) : 1.0;
+  return std::isnan(opacity) ? 1.0f : static_cast<float>(std::clamp(opacity, 0.0, 1.0));
+}
+
+//----------------------------------------------------------------------------
 void rtglyphs::GlyphArrays::ReportLacking(vtkPolyData* points, const rtglyphs::GlyphSettings& settings,
   const rtglyphs::RayTracedRanges& hidden, std::vector<std::string>& messages)
 {
@@ -136,13 +144,19 @@ int rtglyphs::GlyphArrays::OrientationMode(vtkDataArray* orientations, const rtg
 }
 
 //----------------------------------------------------------------------------
+vtkDataArray* rtglyphs::GlyphArrays::Trail(vtkPolyData* points, const rtglyphs::GlyphSettings& settings)
+{
+  return settings.TrailSteps > 0 ? points->GetPointData()->GetArray(rtglyphs::RayTracedArrays::Trail) : nullptr;
+}
+
+//----------------------------------------------------------------------------
 std::vector<vtkDataArray*> rtglyphs::GlyphArrays::All(vtkPolyData* points, const rtglyphs::GlyphSettings& settings)
 {
-  const std::array<vtkDataArray*, 3> motion = rtglyphs::GlyphMotion::Arrays(points, settings.Motion);
+  const std::array<vtkDataArray*, 4> motion = rtglyphs::GlyphMotion::Arrays(points, settings.Motion);
   std::vector<vtkDataArray*> all = { points->GetPoints() ? points->GetPoints()->GetData() : nullptr,
     points->GetPointData()->GetArray(rtglyphs::RayTracedArrays::CompositeIndex),
     rtglyphs::GlyphTensors::Array(points, settings.Tensors), rtglyphs::GlyphForms::Array(points, settings.Forms),
-    motion[0], motion[1], motion[2] };
+    Trail(points, settings), motion[0], motion[1], motion[2], motion[3] };
   for (int id = 0; id < NUMBER_OF_IDS; ++id)
   {
     all.push_back(Find(static_cast<Id>(id), points, settings));

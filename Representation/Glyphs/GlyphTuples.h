@@ -95,6 +95,11 @@ vtkDataArray*
 Find(Id id, vtkPolyData* points, const GlyphSettings& settings, std::vector<std::string>* messages = nullptr);
 
 /**
+ * A point's tuple of the array of opacities as the kernels want it.
+ */
+float Opacity(GlyphTuples& opacities, vtkIdType point);
+
+/**
  * Says which blocks lack one of all the arrays that settings name (RayTracedBlocks::ReportLacking).
  */
 void ReportLacking(vtkPolyData* points, const GlyphSettings& settings, const RayTracedRanges& hidden,
@@ -105,6 +110,11 @@ void ReportLacking(vtkPolyData* points, const GlyphSettings& settings, const Ray
  * matrix.
  */
 int OrientationMode(vtkDataArray* orientations, const GlyphSettings& settings);
+
+/**
+ * Where the points were in earlier steps, where the settings want it; else null.
+ */
+vtkDataArray* Trail(vtkPolyData* points, const GlyphSettings& settings);
 
 /**
  * All arrays that instances of these settings are built from, positions and blocks among them, in a fixed order; null

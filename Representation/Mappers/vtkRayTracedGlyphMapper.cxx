@@ -2,6 +2,7 @@
 
 #include "GlyphArrays.h"
 #include "GlyphInstanceBuilder.h"
+#include "GlyphTrails.h"
 #include "GlyphTuples.h"
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
@@ -147,10 +148,19 @@ std::vector<vtkObject*> vtkRayTracedGlyphMapper::InstanceInputs(vtkPolyData* poi
 void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* actor)
 {
   this->BuiltSettings = this->Settings.Effective();
-  rtglyphs::GlyphInstanceBuilder::Result result = points->GetNumberOfPoints() > 0
+  const bool trails = this->BuiltSettings.TrailSteps > 0;
+  rtglyphs::GlyphInstanceBuilder::Result result = points->GetNumberOfPoints() > 0 && !trails
     ? rtglyphs::GlyphInstanceBuilder::Build(
         points, this->BuiltSettings, this->Hidden, actor->GetMatrix(), this->BuildProgress)
     : rtglyphs::GlyphInstanceBuilder::Result();
+  if (trails)
+  {
+    rtglyphs::GlyphTrails::Result built =
+      rtglyphs::GlyphTrails::Build(points, this->BuiltSettings, this->Hidden, actor->GetMatrix());
+    result.Instances = std::move(built.Instances);
+    result.Points = std::move(built.Points);
+    this->TrailEnds = std::move(built.Steps);
+  }
   this->Instances = std::move(result.Instances);
   this->InstancesTaken = false;
   this->TranslucentInstances = rtg::IsTranslucent(this->Instances);
@@ -164,8 +174,8 @@ void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* acto
     this->Digest = digest;
     this->InstanceVersion = NewVersion();
   }
-  // Axes go with tensor glyphs, which have told what is wrong with the points.
-  if (!this->Settings.Tensors.Axes)
+  // Axes and trails go with glyphs, which have told what is wrong with the points.
+  if (!this->Settings.Tensors.Axes && !trails)
   {
     this->ReportInstances(std::move(result.Messages), result.Unfinished);
   }
@@ -212,6 +222,10 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
     {
       state.push_back(std::bit_cast<std::uint64_t>(end));
     }
+  }
+  if (this->Settings.TrailSteps > 0)
+  {
+    state.push_back(std::bit_cast<std::uint64_t>(this->TrailFading));
   }
   return state;
 }
@@ -377,7 +391,26 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
         }
       });
   }
+  if (this->NeedsSolidColor())
+  {
+    this->AddFading(colors);
+  }
   this->SetColors(std::move(colors), messages);
+}
+
+//----------------------------------------------------------------------------
+// The opacity falls with each step by the same amount.
+void vtkRayTracedGlyphMapper::AddFading(rtg::GlyphColours& colors) const
+{
+  const auto at = [&](std::uint16_t step)
+  {
+    const double opacity = 1.0 - this->TrailFading * step / this->BuiltSettings.TrailSteps;
+    return colors.each.empty() ? Pack({ this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], opacity })
+                               : Pack({ 1.0, 1.0, 1.0, opacity });
+  };
+  colors.ends.resize(this->TrailEnds.size());
+  std::transform(this->TrailEnds.begin(), this->TrailEnds.end(), colors.ends.begin(),
+    [&at](const std::array<std::uint16_t, 2>& ends) { return glm::uvec2(at(ends[0]), at(ends[1])); });
 }
 
 //----------------------------------------------------------------------------

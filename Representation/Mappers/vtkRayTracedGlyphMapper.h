@@ -36,7 +36,13 @@ public:
    */
   void SetTensorTable(vtkScalarsToColors* table);
   void SetTensorRange(const std::array<double, 2>& range) { this->TensorRange = range; }
+  const std::array<double, 2>& GetTensorRange() const { return this->TensorRange; }
   ///@}
+
+  /**
+   * How much of their opacity trails (GlyphSettings::TrailSteps) lose to their last step, in [0, 1].
+   */
+  void SetTrailFading(double fading) { this->TrailFading = fading; }
 
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
@@ -54,12 +60,14 @@ protected:
   void BuildInstances(vtkPolyData* points, vtkActor* actor) override;
   void BuildColors(vtkPolyData* points) override;
   std::vector<vtkMTimeType> ColorState() const override;
+  bool NeedsSolidColor() const override { return !this->TrailEnds.empty() && this->TrailFading > 0.0; }
 
 private:
   void TensorColor(const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const;
   vtkSmartPointer<vtkDoubleArray> NumbersOf(const rtglyphs::GlyphTensors& tensors);
   vtkSmartPointer<vtkUnsignedCharArray> TableColors(vtkDoubleArray* numbers);
   void AddRadiusColors(rtg::GlyphColours& colors);
+  void AddFading(rtg::GlyphColours& colors) const;
 
   rtglyphs::GlyphSettings Settings;
   rtglyphs::GlyphSettings BuiltSettings; // the effective ones
@@ -68,7 +76,9 @@ private:
   vtkSmartPointer<vtkScalarsToColors> TensorTable;
   std::array<double, 2> TensorRange{ { 1.0, -1.0 } };
   rtg::GlyphInstances Instances;
-  std::vector<float> Radii; // as GlyphInstanceBuilder has them
+  std::vector<float> Radii;                            // as GlyphInstanceBuilder has them
+  std::vector<std::array<std::uint16_t, 2>> TrailEnds; // as GlyphTrails has them
+  double TrailFading = 0.0;
   bool InstancesTaken = false;
   std::array<std::uint64_t, 2> Digest{}; // of the instances of InstanceVersion
 };

@@ -413,7 +413,7 @@ void vtkRayTracedMapper::Update(vtkActor* actor)
     color.Selected = selected->GetMTime();
     color.SelectionColor = this->SelectionColor;
   }
-  if (this->Blocks.size() != 1 || this->Blocks.front().FlatIndex != 0 || selected)
+  if (this->Blocks.size() != 1 || this->Blocks.front().FlatIndex != 0 || selected || this->NeedsSolidColor())
   {
     actor->GetProperty()->GetDiffuseColor(color.SolidColor.data());
   }

@@ -163,6 +163,7 @@ protected:
   virtual void BuildInstances(vtkPolyData* points, vtkActor* actor) = 0;
   virtual void BuildColors(vtkPolyData* points) = 0;
   virtual std::vector<vtkMTimeType> ColorState() const { return {}; }
+  virtual bool NeedsSolidColor() const { return false; } // even where no glyph has a color
   ///@}
 
   /**

@@ -22,9 +22,9 @@ vtkStandardNewMacro(vtkRayTracedSurfaceMapper);
 //----------------------------------------------------------------------------
 std::vector<vtkObject*> vtkRayTracedSurfaceMapper::InstanceInputs(vtkPolyData* surface) const
 {
-  const std::array<vtkDataArray*, 3> motion = rtglyphs::GlyphMotion::Arrays(surface, this->Settings.Motion);
+  const std::array<vtkDataArray*, 4> motion = rtglyphs::GlyphMotion::Arrays(surface, this->Settings.Motion);
   return { surface->GetPoints() ? surface->GetPoints()->GetData() : nullptr, surface->GetPolys(),
-    this->Settings.Smooth ? surface->GetPointData()->GetNormals() : nullptr, motion[0], motion[1] };
+    this->Settings.Smooth ? surface->GetPointData()->GetNormals() : nullptr, motion[0], motion[1], motion[3] };
 }
 
 //----------------------------------------------------------------------------

@@ -22,10 +22,10 @@ vtkStandardNewMacro(vtkRayTracedTubeMapper);
 //----------------------------------------------------------------------------
 std::vector<vtkObject*> vtkRayTracedTubeMapper::InstanceInputs(vtkPolyData* lines) const
 {
-  const std::array<vtkDataArray*, 3> motion = rtglyphs::GlyphMotion::Arrays(lines, this->Settings.Motion);
+  const std::array<vtkDataArray*, 4> motion = rtglyphs::GlyphMotion::Arrays(lines, this->Settings.Motion);
   bool ofCells = false;
   return { lines->GetPoints() ? lines->GetPoints()->GetData() : nullptr, lines->GetLines(),
-    rtglyphs::RayTracedTubeBuilder::RadiusArray(lines, this->Settings, ofCells), motion[0], motion[1] };
+    rtglyphs::RayTracedTubeBuilder::RadiusArray(lines, this->Settings, ofCells), motion[0], motion[1], motion[3] };
 }
 
 //----------------------------------------------------------------------------

@@ -3,7 +3,7 @@
  * @brief   what a representation of glyphs draws besides its main actor, each with an actor and a mapper of its own
  *
  * Layers show the points, blocks, placement and appearance of the main actor with other settings: further forms of a
- * table of meshes, arrows of antisymmetric parts.
+ * table of meshes, arrows of antisymmetric parts, trails.
  */
 #ifndef GlyphLayers_h
 #define GlyphLayers_h

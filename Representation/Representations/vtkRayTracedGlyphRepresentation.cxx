@@ -151,14 +151,15 @@ void vtkRayTracedGlyphRepresentation::CountPointsOfAllRanks(vtkPolyData* points)
 bool vtkRayTracedGlyphRepresentation::NeedsOrderedCompositing()
 {
   const bool table = this->TensorTable && this->Glyphs.HasNumberRange() && !this->TensorTable->IsOpaque();
-  return table || !rtglyphs::RayTracedArrays::IsNone(this->Glyphs.OpacityArray) ||
+  return table || this->FadesTrails() || !rtglyphs::RayTracedArrays::IsNone(this->Glyphs.OpacityArray) ||
     this->Superclass::NeedsOrderedCompositing();
 }
 
 //----------------------------------------------------------------------------
 const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points)
 {
-  const rtglyphs::GlyphSettings settings = this->MakeSettings();
+  rtglyphs::GlyphSettings settings = this->MakeSettings();
+  settings.TrailSteps = this->GetTrailSteps();
   std::vector<rtglyphs::GlyphSettings> all{ settings };
   if (settings.Shape == rtg::Shape::Mesh)
   {
@@ -274,8 +275,8 @@ bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const rtgly
 }
 
 //----------------------------------------------------------------------------
-// Form 0 of a table of meshes is drawn by the main mapper, form i by layer i - 1. The arrows of antisymmetric parts are
-// a layer, too.
+// Form 0 of a table of meshes is drawn by the main mapper, form i by layer i - 1. The arrows of antisymmetric parts and
+// trails are layers, too.
 void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
 {
   // A selection may come between an update and the delivery.
@@ -298,19 +299,30 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   main->SetSelectionColor(this->GetSelectionColor());
   this->UpdateLegend(settings);
 
-  const bool axes = this->ShowsAxes(points, settings);
-  this->ResizeLayers(this->GetRenderView(), settings.TableSize - 1 + (axes ? 1 : 0));
+  const bool axes = this->ShowsAxes(points, settings), trails = this->HasTrails();
+  const int tableLayers = settings.TableSize - 1, layers = tableLayers + (axes ? 1 : 0) + (trails ? 1 : 0);
+  this->ResizeLayers(this->GetRenderView(), layers);
+  for (int i = 0; i < layers; ++i)
+  {
+    (*this->Layers)[i].Follow(this->Blocks, this->GetActor(), this->GetSelectionColor());
+  }
+  if (trails)
+  {
+    vtkRayTracedGlyphMapper* mapper = (*this->Layers)[layers - 1].Mapper;
+    mapper->SetSettings(
+      settings.Trails(this->GetTrailSteps(), this->NeedsOrderedCompositing()), this->Meshes.GetForm(0));
+    mapper->SetTrailFading(this->TrailFading);
+    mapper->SetTensorTable(this->TensorTable);
+    mapper->SetTensorRange(main->GetTensorRange());
+  }
   for (int entry = 1; entry < settings.TableSize; ++entry)
   {
-    rtglyphs::GlyphLayers::Layer& layer = (*this->Layers)[entry - 1];
-    layer.Follow(this->Blocks, this->GetActor(), this->GetSelectionColor());
     settings.TableEntry = entry;
-    layer.Mapper->SetSettings(settings, this->Meshes.GetForm(entry));
+    (*this->Layers)[entry - 1].Mapper->SetSettings(settings, this->Meshes.GetForm(entry));
   }
   if (axes)
   {
-    rtglyphs::GlyphLayers::Layer& layer = (*this->Layers)[settings.TableSize - 1];
-    layer.Follow(this->Blocks, this->GetActor(), this->GetSelectionColor());
+    rtglyphs::GlyphLayers::Layer& layer = (*this->Layers)[tableLayers];
     layer.Mapper->SetSettings(settings.AxesOfTensors(), nullptr);
     layer.Actor->GetProperty()->SetAmbientColor(this->TensorAxisColor.data());
     layer.Actor->GetProperty()->SetDiffuseColor(this->TensorAxisColor.data());

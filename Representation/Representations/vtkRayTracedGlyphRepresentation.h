@@ -215,6 +215,14 @@ public:
   void SetGlyphStride(int stride) { this->Glyphs.Mask.Stride = stride; }
   ///@}
 
+  /**
+   * How much of their opacity trails lose to their last step, in [0, 1]. Default is 0.
+   */
+  void SetTrailFading(double fading)
+  {
+    this->TrailFading = std::clamp(rtglyphs::RayTracedNumbers::NumberOr(fading, 0.0), 0.0, 1.0);
+  }
+
 protected:
   vtkRayTracedGlyphRepresentation();
   ~vtkRayTracedGlyphRepresentation() override;
@@ -243,6 +251,7 @@ protected:
 
 private:
   rtglyphs::GlyphSettings MakeSettings() const;
+  bool FadesTrails() const { return this->HasTrails() && this->TrailFading > 0.0; }
   bool ShowsAxes(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const;
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points);
@@ -268,6 +277,7 @@ private:
   std::array<double, 4> DataSizes{};
   std::string HarmonicsArray;
   bool SourceIndexing = false, UseSourceTableTree = false;
+  double TrailFading = 0.0;
   bool TensorAxis = false;
   std::array<double, 3> TensorAxisColor{ { 0.95, 0.8, 0.2 } };
   vtkSmartPointer<vtkScalarsToColors> TensorTable;

@@ -2,6 +2,7 @@
 
 #include "GlyphJoinedArrays.h"
 #include "GlyphShutterGuess.h"
+#include "GlyphStepTrail.h"
 #include "GlyphStepVelocity.h"
 #include "Glyphs.h"
 #include "Tracer.h"
@@ -39,6 +40,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <optional>
 #include <utility>
 
 using namespace rtglyphs::RayTracedNumbers;
@@ -55,6 +57,7 @@ struct ScreenshotState : vtkPVRenderView
 //----------------------------------------------------------------------------
 vtkRayTracedRepresentation::vtkRayTracedRepresentation()
   : StepVelocity(std::make_unique<rtglyphs::GlyphStepVelocity>())
+  , StepTrail(std::make_unique<rtglyphs::GlyphStepTrail>())
   , MadeImages(std::make_shared<rtg::PeriodicImages>())
   , MadeSection(std::make_shared<rtg::Section>())
 {
@@ -92,12 +95,18 @@ int vtkRayTracedRepresentation::RequestData(
     : nullptr;
   rtg::Stopwatch watch;
   vtkSmartPointer<vtkDataObject> gathered = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(this->EmptyType()));
-  this->WithinMemory(
+  bool again = false;
+  const bool good = this->WithinMemory(
     [&]
     {
       if (input)
       {
         const vtkSmartPointer<vtkDataObject> made = this->GatherTree(input, wholeExtent);
+        again = this->AddTrails(made, input, info);
+        if (again)
+        {
+          return;
+        }
         this->AddStepVelocities(made, input);
         rtglyphs::RayTracedTree::ForEach(made, [this](vtkPolyData* points) { this->Complete(points); });
         gathered = made;
@@ -105,6 +114,16 @@ int vtkRayTracedRepresentation::RequestData(
       rtglyphs::RayTracedTree::AddPartialArrays(gathered);
     },
     /*together=*/true);
+  if (again && good)
+  {
+    request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
+    return 1;
+  }
+  if (!good)
+  {
+    this->StepTrail->GiveUp();
+  }
+  request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   this->MultiBlockMaker->SetInputDataObject(gathered);
   this->MultiBlockMaker->Update();
   ++this->Gathers;
@@ -192,6 +211,62 @@ void vtkRayTracedRepresentation::AddStepVelocities(vtkDataObject* gathered, vtkD
   if (!message.empty())
   {
     vtkWarningMacro(<< message);
+  }
+}
+
+//----------------------------------------------------------------------------
+// Whether the pipeline is to be asked for another step.
+bool vtkRayTracedRepresentation::AddTrails(vtkDataObject* gathered, vtkDataObject* input, vtkInformation* from)
+{
+  if (this->HasTrails())
+  {
+    vtkInformation* info = input->GetInformation();
+    const double time =
+      info->Has(vtkDataObject::DATA_TIME_STEP()) ? info->Get(vtkDataObject::DATA_TIME_STEP()) : this->GetUpdateTime();
+    if (this->StepTrail->Take(gathered, time, from, this->GetInputAlgorithm()))
+    {
+      return true;
+    }
+  }
+  this->StepTrail->AddTo(
+    gathered, this->HasTrails() ? this->MakeImages(gathered, input, /*together=*/true) : rtg::PeriodicImages());
+  const std::string message = this->StepTrail->TakeMessage();
+  if (!message.empty())
+  {
+    vtkWarningMacro(<< message);
+  }
+  return false;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedRepresentation::RequestUpdateTime(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int good = this->Superclass::RequestUpdateTime(request, inputVector, outputVector);
+  this->AskForMissingStep(inputVector);
+  return good;
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int good = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  this->AskForMissingStep(inputVector);
+  return good;
+}
+
+//----------------------------------------------------------------------------
+// Of all inputs, since those behind the same source get one time.
+void vtkRayTracedRepresentation::AskForMissingStep(vtkInformationVector** inputVector)
+{
+  const std::optional<double> missing = this->StepTrail->GetMissing();
+  for (int port = 0; missing && port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      inputVector[port]->GetInformationObject(i)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), *missing);
+    }
   }
 }
 
@@ -440,17 +515,25 @@ void vtkRayTracedRepresentation::UpdateSection()
 }
 
 //----------------------------------------------------------------------------
-// In the data's coordinates. `together`: all ranks ask at once, each of which has a part of the data.
-rtg::PeriodicImages vtkRayTracedRepresentation::MakeImages(vtkPolyData* points, vtkDataObject* data, bool together)
+// In the data's coordinates, of a RayTracedTree of points; null: none. `together`: all ranks ask at once, each of which
+// has a part of the data.
+rtg::PeriodicImages vtkRayTracedRepresentation::MakeImages(vtkDataObject* points, vtkDataObject* data, bool together)
 {
   if (!this->Periodic.Boundary)
   {
     return {};
   }
   vtkBoundingBox box;
-  if (points && points->GetNumberOfPoints() > 0)
+  if (points)
   {
-    box.SetBounds(points->GetBounds());
+    rtglyphs::RayTracedTree::ForEach(points,
+      [&box](vtkPolyData* leaf)
+      {
+        if (leaf->GetNumberOfPoints() > 0)
+        {
+          box.AddBounds(leaf->GetBounds());
+        }
+      });
   }
   if (together)
   {
@@ -620,10 +703,46 @@ void vtkRayTracedRepresentation::SetVelocityFromPreviousStep(bool on)
 //----------------------------------------------------------------------------
 void vtkRayTracedRepresentation::SetPointIdArray(const char* name)
 {
-  if (this->StepVelocity->SetPointIdArray(OrEmpty(name)) && this->Motion.FromPreviousStep)
+  const bool ofVelocity = this->StepVelocity->SetPointIdArray(OrEmpty(name)) && this->Motion.FromPreviousStep;
+  const bool ofTrails = this->StepTrail->SetPointIdArray(OrEmpty(name)) && this->HasTrails();
+  if (ofVelocity || ofTrails)
   {
     this->MarkModified();
   }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetTrailSteps(int steps)
+{
+  if (this->StepTrail->SetSteps(steps))
+  {
+    this->MarkModified();
+  }
+}
+
+//----------------------------------------------------------------------------
+// The box of the data also tells where trails go on.
+void vtkRayTracedRepresentation::SetPeriodicBoundary(bool on)
+{
+  if (std::exchange(this->Periodic.Boundary, on) != on && this->HasTrails())
+  {
+    this->MarkModified();
+  }
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedRepresentation::SetPeriodicVectors(int index, double value)
+{
+  if (std::exchange(this->Periodic.Vectors.at(index), value) != value && this->HasTrails())
+  {
+    this->MarkModified();
+  }
+}
+
+//----------------------------------------------------------------------------
+int vtkRayTracedRepresentation::GetTrailSteps() const
+{
+  return this->StepTrail->GetSteps();
 }
 
 //----------------------------------------------------------------------------

@@ -46,6 +46,7 @@ class vtkRayTracedMapper;
 class vtkRayTracedScene;
 namespace rtglyphs
 {
+class GlyphStepTrail;
 class GlyphStepVelocity;
 }
 
@@ -67,10 +68,17 @@ public:
   void SetPointIdArray(const char* name);
   void SetAccelerationArray(const char* name) { this->SetArray(this->Motion.Acceleration, name); }
   void SetAngularVelocityArray(const char* name) { this->SetArray(this->Motion.AngularVelocity, name); }
+  void SetMotionBlurMask(const char* name) { this->Motion.Mask = OrEmpty(name); }
   void SetShutterTimeFromData(bool on);
   void SetShutterTime(double time) { this->Motion.ShutterTime = rtglyphs::RayTracedNumbers::NumberOr(time, 0.0); }
   void SetShutterOpening(int opening);
   ///@}
+
+  /**
+   * In how many earlier time steps the points are sought (GlyphStepTrail), for representations that show their trails.
+   * Default is 0.
+   */
+  void SetTrailSteps(int steps);
 
   /**
    * The shutter time that the data suggest while ShutterTimeFromData is on (default): GlyphShutterGuess's, or with
@@ -83,8 +91,8 @@ public:
   /**
    * A periodic box of the data, as RayTracedPeriodic has it.
    */
-  void SetPeriodicBoundary(bool on) { this->Periodic.Boundary = on; }
-  void SetPeriodicVectors(int index, double value) { this->Periodic.Vectors.at(index) = value; }
+  void SetPeriodicBoundary(bool on);
+  void SetPeriodicVectors(int index, double value);
   void SetPeriodicImages(int a, int b, int c) { this->Periodic.Images = { a, b, c }; }
   ///@}
 
@@ -120,6 +128,10 @@ protected:
   vtkPVLODActor* GetRenderedProp() override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestUpdateTime(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
@@ -142,6 +154,9 @@ protected:
    * Glyphs at the points that are as large as what is shown, of a unit glyph of that length.
    */
   virtual rtglyphs::GlyphSettings GetSizes(vtkPolyData* points, double& unitSize) = 0;
+
+  int GetTrailSteps() const;
+  bool HasTrails() const { return this->GetTrailSteps() > 0; }
 
   /**
    * How it moves: the properties, with the shutter time that the data suggest.
@@ -202,13 +217,15 @@ private:
   void Complete(vtkPolyData* points);
   bool WithinMemory(const std::function<void()>& work, bool together);
   bool IsCollective(vtkInformation* inInfo);
+  bool AddTrails(vtkDataObject* gathered, vtkDataObject* input, vtkInformation* from);
+  void AskForMissingStep(vtkInformationVector** inputVector);
   void AddStepVelocities(vtkDataObject* gathered, vtkDataObject* input);
   void UpdateShutterTime(vtkPolyData* points);
   void UseBlocks(vtkDataObject* data);
   void UpdateActor();
   void ReportAnew(const std::string& problem, std::string& reported);
   void UpdateSection();
-  rtg::PeriodicImages MakeImages(vtkPolyData* points, vtkDataObject* data, bool together);
+  rtg::PeriodicImages MakeImages(vtkDataObject* points, vtkDataObject* data, bool together);
   void Render(vtkPVRenderView* view, vtkInformation* inInfo);
   vtkRayTracedScene* GetScene();
 
@@ -223,6 +240,7 @@ private:
   vtkMTimeType AttributedTime = 0;
   bool Guarded = false, LacksMemory = false; // see WithinMemory()
   std::unique_ptr<rtglyphs::GlyphStepVelocity> StepVelocity;
+  std::unique_ptr<rtglyphs::GlyphStepTrail> StepTrail;
   bool ShutterTimeFromData = true;
   double ShutterTime = 0.0; // that the data suggest; 0: none
   rtglyphs::RayTracedPeriodic Periodic;

@@ -327,6 +327,8 @@ ROWS = [
     Row("AccelerationArray", "push", moved(0.8 / 6.0, 0.0), ShutterOpening="Forward", **BLUR),
     # A box of 1 by 1/2 turns by up to 45 degrees to either side, over which the mean of cos^2 is 1/2 + 1/pi.
     Row("AngularVelocityArray", "spin", spread((1.0 / numpy.pi - 0.5) / 16.0, (0.5 - 1.0 / numpy.pi) / 16.0), GlyphType="Box", SelectScaleArray="lengths", ScaleMode="Vector Components", MotionBlur=1, ShutterTime=1.0, VelocityArray="None"),
+    Row("MotionBlurMask", "index", spread(-0.25 / 12.0, 0.0), **BLUR),
+    Row("MotionBlurMask", "other index", as_with(MotionBlurMask="None"), **{**BLUR, "MotionBlurMask": "index"}),
     Row("VelocityFromPreviousStep", 1, streaks, PointIdArray="point", **STEPS),
     Row("PointIdArray", "point", streaks, VelocityFromPreviousStep=1, **{**STEPS, "PointIdArray": "changing"}),
     # Cuts: areas of half a disc, of a segment, of squares; where their middles are
@@ -432,8 +434,8 @@ ROWS = [
 EITHER = {"Position": "Translation", "Translation": "Position"}
 
 
-#: which displays have under another name, and what tests it
-ELSEWHERE = {"Color": "SelectionColor in selection_seen.py"}
+#: which displays have under another name, or which need time steps, and what tests them
+ELSEWHERE = {"Color": "SelectionColor in selection_seen.py", "TrailSteps": "trails.py", "TrailFading": "trails.py"}
 
 
 def exposed():

@@ -14,6 +14,7 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 import comparison
 import session
+import step_velocity
 
 SIDE = 11
 #: share of the pixels that may differ where smooth edges of different ranks' glyphs cross, or lie before another rank's rasterized surface
@@ -73,6 +74,31 @@ def unstructured(view, folder):
     surface.SetRepresentationType("Surface")
     session.solid(surface, (0.2, 0.5, 0.3))
     session.look(view, (11.0, -32.0, 26.0), (14.0, 14.0, 4.0), (0.0, 0.0, 1.0))
+    return shown
+
+
+#: Points on screws about the x axis, of which each rank has some whatever their places
+SCREWS = """
+import numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+time, number = self.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()), numpy.arange(90)
+angle = 0.3 * time + number
+points = numpy.stack([0.2 * number - 9.0 + 0.3 * time, 4.0 * numpy.cos(angle), 4.0 * numpy.sin(angle)], axis=1)
+arrays, mine = {"number": number}, slice(90 * rank // ranks, 90 * (rank + 1) // ranks)
+self.GetOutput().GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
+"""
+
+
+def trails(view):
+    """Balls that come from earlier steps."""
+    times = [float(time) for time in range(8)]
+    shown = session.glyphs(session.points_of_ranks(SCREWS, step_velocity.INFORMATION % (times, times[0], times[-1])), view, "Sphere", Orient=0,
+                           ScaleFactor=0.8, TrailSteps=5, PointIdArray="number")
+    pv.ColorBy(shown, ("POINTS", "number"))
+    shown.SetScalarBarVisibility(view, False)
+    view.ViewTime = 6.0
+    look_at_cube(view)
     return shown
 
 
@@ -256,7 +282,7 @@ def main(folder):
     ranks = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
     failures = []
     scenes = (("structured", structured, SIDE**3, CROSSING), ("vectors", vectors, SIDE**3, CROSSING), ("tensors", tensors, SIDE**3, CUTTING),
-              ("unstructured", lambda view: unstructured(view, folder), None, RASTERIZED))
+              ("trails", trails, 90, CROSSING), ("unstructured", lambda view: unstructured(view, folder), None, RASTERIZED))
     for name, scene, points, edges in scenes:
         view = session.view(300, 200)
         shown = scene(view)

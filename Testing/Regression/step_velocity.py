@@ -21,6 +21,7 @@ STEPS = ((0.0, (1, 2, 3), (-1.0, 0.0, 1.0)),
 # any, max, min, sum.
 SCRIPT = """
 import numpy
+nan = numpy.nan
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -29,10 +30,10 @@ steps = %r
 info = self.GetOutputInformation(0)
 wanted = info.Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()) if info.Has(
     vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()) else 0.0
-time, ids, x = [step for step in steps if step[0] <= wanted][-1]
+time, ids, places = [step for step in steps if step[0] <= wanted][-1]
 def fill(data, part):
     rows = list(range(len(ids)))[part]
-    at = numpy.array([[x[i], ids[i] / 4.0 - 0.5 + (time / 8.0 if ids[i] == 2 else 0.0), 0.0] for i in rows])
+    at = numpy.array([places[i] + (0.0,) for i in rows])
     points = vtkPoints()
     points.SetData(numpy_to_vtk(at.reshape(-1, 3).astype(numpy.float64), deep=True))
     data.SetPoints(points)
@@ -64,20 +65,21 @@ info.Append(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), %r)
 """
 
 
-def series(kind="vtkPolyData", integer="int32", global_ids=False):
-    """A source of STEPS."""
-    times = [step[0] for step in STEPS]
+def series(kind="vtkPolyData", integer="int32", global_ids=False, steps=None):
+    """A source of steps: time, ids, and x and y of the points; of STEPS by default."""
+    steps = steps or [(time, ids, [tuple(position(step, who, at).tolist()[:2]) for who, at in zip(ids, x)]) for step, (time, ids, x) in enumerate(STEPS)]
+    times = [step[0] for step in steps]
     return pv.ProgrammableSource(
-        OutputDataSetType=kind, Script=SCRIPT % (STEPS, integer, global_ids),
+        OutputDataSetType=kind, Script=SCRIPT % (steps, integer, global_ids),
         ScriptRequestInformation=INFORMATION % (times, times[0], times[-1]))
 
 
-def position(step, who):
-    """Where the point of that id is in a step; None: not there, or not the only one."""
+def position(step, who, at=None):
+    """Where the point of that id is in a step, or the one that has that x; None: not there, or not the only one."""
     time, ids, x = STEPS[step]
-    if ids.count(who) != 1:
+    if at is None and ids.count(who) != 1:
         return None
-    return numpy.array([x[ids.index(who)], who / 4.0 - 0.5 + (time / 8.0 if who == 2 else 0.0), 0.0])
+    return numpy.array([x[ids.index(who)] if at is None else at, who / 4.0 - 0.5 + (time / 8.0 if who == 2 else 0.0), 0.0])
 
 
 def expected(step, before):

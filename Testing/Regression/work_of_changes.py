@@ -89,6 +89,8 @@ FIELDS = {
         "ExponentArray": [(EXPONENTS, "GlyphExponentArray", "length", "glyphs"), ({}, "GlyphExponentArray", "length", "nothing")],
         "OpacityArray": ({"GlyphOpacityArray": "length"}, "GlyphOpacityArray", "other", "glyphs"),
         "Motion": "GlyphMotion::Settings",
+        "TrailSteps": "needs time steps; see trails.py",
+        "TrailJoined": "needs time steps; see trails.py",
         "Mask": "GlyphMask",
         "RadiusArray": [({}, "GlyphRadiusArray", "length", "glyphs"), (TENSOR, "GlyphRadiusArray", "length", "nothing")],
         "RadiusFactor": [({"GlyphRadiusArray": "length"}, "GlyphRadiusFactor", 0.1, "glyphs"), ({}, "GlyphRadiusFactor", 0.1, "nothing")],
@@ -146,6 +148,7 @@ FIELDS = {
         "FromPreviousStep": "needs time steps; see step_velocity.py",
         "Acceleration": [(MOTION, "AccelerationArray", "spin", "glyphs"), ({}, "AccelerationArray", "spin", "nothing")],
         "AngularVelocity": [(MOTION, "AngularVelocityArray", "None", "glyphs"), ({}, "AngularVelocityArray", "spin", "nothing")],
+        "Mask": [(MOTION, "MotionBlurMask", "index", "glyphs"), ({}, "MotionBlurMask", "index", "nothing")],
         "ShutterTime": [(MOTION, "ShutterTime", 0.5, "glyphs"), ({}, "ShutterTime", 0.5, "nothing")],
         "Opening": [(MOTION, "ShutterOpening", "Forward", "glyphs"), ({}, "ShutterOpening", "Forward", "nothing")],
     },
@@ -225,6 +228,8 @@ ARRAYS = {
     "motion[0]": (MOTION, "velocity"),
     "motion[1]": ({**MOTION, "AccelerationArray": "spin", "AngularVelocityArray": "None"}, "spin"),
     "motion[2]": (MOTION, "spin"),
+    "motion[3]": ({**MOTION, "MotionBlurMask": "index"}, "index"),
+    "Trail": "comes with time steps; see trails.py",
 }
 #: struct -> header
 HEADERS = {

@@ -1,0 +1,175 @@
+#include "GlyphStep.h"
+
+#include "Finite.h"
+#include "RayTracedArrays.h"
+#include "RayTracedParallel.h"
+#include "RayTracedTree.h"
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDataObject.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Without going through double, which has not room for all 64-bit ids.
+struct ReadIds
+{
+  template <typename Array>
+  void operator()(Array* array, std::vector<std::int64_t>& ids) const
+  {
+    const auto values = vtk::DataArrayValueRange<1>(array);
+    std::transform(
+      values.begin(), values.end(), ids.begin(), [](auto value) { return static_cast<std::int64_t>(value); });
+  }
+};
+
+// Null: there are none.
+vtkDataArray* IdsOf(vtkPolyData* points, const std::string& name)
+{
+  vtkPointData* data = points->GetPointData();
+  vtkDataArray* ids = rtglyphs::RayTracedArrays::IsNone(name) ? data->GetGlobalIds() : data->GetArray(name.c_str());
+  return ids && ids->GetNumberOfComponents() == 1 ? ids : nullptr;
+}
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphStep::GlyphStep(vtkDataObject* tree, const std::string& idArray)
+{
+  int leaf = 0;
+  rtglyphs::RayTracedTree::ForEach(tree,
+    [&](vtkPolyData* points)
+    {
+      this->Points += points->GetNumberOfPoints();
+      vtkDataArray* ids = points->GetNumberOfPoints() > 0 ? IdsOf(points, idArray) : nullptr;
+      if (ids)
+      {
+        this->AnyIds = true;
+        this->Add(points, ids, leaf);
+      }
+      ++leaf;
+    });
+  this->KeepUnique();
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphStep::Add(vtkPolyData* points, vtkDataArray* ids, int leaf)
+{
+  const vtkIdType count = points->GetNumberOfPoints();
+  std::vector<std::int64_t> numbers(count);
+  ReadIds read;
+  if (!vtkArrayDispatch::Dispatch::Execute(ids, read, numbers))
+  {
+    read(ids, numbers);
+  }
+  const std::size_t first = this->Entries.size();
+  this->Entries.resize(first + count);
+  const unsigned int block = rtglyphs::RayTracedTree::FlatIndex(points);
+  rtglyphs::RayTracedParallel::ForChunks(count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        Entry& entry = this->Entries[first + i];
+        entry.Id = numbers[i];
+        entry.Block = block;
+        entry.Leaf = leaf;
+        entry.Point = i;
+        points->GetPoint(i, entry.X);
+      }
+    });
+}
+
+//----------------------------------------------------------------------------
+void rtglyphs::GlyphStep::KeepUnique()
+{
+  std::vector<Entry>& entries = this->Entries;
+  const auto before = [](const Entry& a, const Entry& b) { return a.Key() < b.Key(); };
+  if (!std::is_sorted(entries.begin(), entries.end(), before))
+  {
+    std::sort(entries.begin(), entries.end(), before);
+  }
+  // Who is who cannot be told of ids that occur more than once in a block.
+  std::size_t kept = 0;
+  const auto endOf = [&](std::size_t first, const auto& key)
+  {
+    std::size_t last = first + 1;
+    while (last < entries.size() && key(entries[last]) == key(entries[first]))
+    {
+      ++last;
+    }
+    return last;
+  };
+  for (std::size_t first = 0; first < entries.size();)
+  {
+    const std::size_t last = endOf(first, [](const Entry& entry) { return entry.Id; });
+    const bool unique = last == first + 1;
+    while (first < last)
+    {
+      const std::size_t next = endOf(first, [](const Entry& entry) { return entry.Key(); });
+      if (next == first + 1 && rtg::IsFinite(entries[first].X))
+      {
+        entries[kept] = entries[first];
+        entries[kept].Block = unique ? 0 : entries[first].Block;
+        ++kept;
+      }
+      first = next;
+    }
+  }
+  entries.resize(kept);
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphStep::Pairs rtglyphs::GlyphStep::Match(const std::vector<Entry>& now, const std::vector<Entry>& before)
+{
+  Pairs pairs;
+  auto partner = before.begin();
+  for (const Entry& entry : now)
+  {
+    partner = std::find_if(partner, before.end(), [&entry](const Entry& other) { return other.Key() >= entry.Key(); });
+    if (partner == before.end())
+    {
+      break;
+    }
+    if (partner->Key() == entry.Key())
+    {
+      pairs.emplace_back(&entry, &*partner);
+    }
+  }
+  return pairs;
+}
+
+//----------------------------------------------------------------------------
+std::array<double, 3> rtglyphs::GlyphStep::LongestWays(const Pairs& pairs)
+{
+  std::array<double, 3> longest{ { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
+  for (int c = 0; c < 3 && !pairs.empty(); ++c)
+  {
+    std::vector<double> ways;
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const auto& [now, before] : pairs)
+    {
+      ways.push_back(std::abs(now->X[c] - before->X[c]));
+      least = std::min({ least, now->X[c], before->X[c] });
+      most = std::max({ most, now->X[c], before->X[c] });
+    }
+    const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
+    std::nth_element(ways.begin(), middle, ways.end());
+    longest[c] = *middle < 0.1 * (most - least) ? 0.5 * (most - least) : HUGE_VAL;
+  }
+  return longest;
+}
+
+//----------------------------------------------------------------------------
+std::string rtglyphs::GlyphStep::IdsNeeded(const std::string& property, const std::string& consequence)
+{
+  return property +
+    " needs to know which point is which, and the points have neither global ids nor the array that PointIdArray "
+    "names, of one component; so " +
+    consequence +
+    ". Choose a PointIdArray; where points never change their order, the filter Point And Cell Ids makes one.";
+}
