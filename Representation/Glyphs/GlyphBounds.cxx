@@ -82,6 +82,12 @@ private:
   {
     glm::dvec3 part;
     const glm::dvec3 size = this->Sizes.Extents(point, tuples, part);
+    if (this->Settings.Sizing.Split)
+    {
+      const double radius = std::max(this->Arrow.shaftRadius, this->Arrow.tipRadius);
+      const double reach = size.x > 0.0 ? std::hypot(size.x, radius * this->Settings.ScaleFactor) : 0.0;
+      return glm::dvec3(std::isfinite(reach) ? reach : 0.0);
+    }
     part *= this->Settings.Tensors.Parts() > 1 ? 0.5 : 1.0; // crosses begin at the center
     rtg::DoubleBox box = this->Settings.Shape == rtg::Shape::Mesh
       ? rtg::DoubleBox{ this->Mesh.lower * size, this->Mesh.upper * size }

@@ -215,7 +215,8 @@ Find(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize,
 
   const double space = points.NumberOfAll() < few ? extents.Spacing : 0.5 * extents.Spacing;
   double size = std::max(0.9 * extents.Neighbors, std::min(seen, space));
-  size *= settings.Shape == rtg::Shape::Arrow && !settings.Tensors.On ? arrowLength : 1.0;
+  const bool arrows = (settings.Shape == rtg::Shape::Arrow && !settings.Tensors.On) || settings.Sizing.Split;
+  size *= arrows ? arrowLength : 1.0;
   double factor = FactorFor(sample, std::min(size, largestGlyph));
   const double excess = factor * largest / largestGlyph;
   double limit = 0.0;

@@ -26,7 +26,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Effective() const
 {
   const rtglyphs::GlyphSettings none;
   rtglyphs::GlyphSettings settings = *this;
-  if (settings.Shape != rtg::Shape::Arrow)
+  if (settings.Shape != rtg::Shape::Arrow && !settings.Sizing.Split)
   {
     settings.Arrow = none.Arrow;
   }
@@ -190,6 +190,33 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::PrincipalAxes() const
   }
   settings.ScaleFactor = std::abs(settings.ScaleFactor);
   settings.Arrow.fixedHeads = false;
+  settings.Motion.AngularVelocity.clear();
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphSettings::Cylinder rtglyphs::GlyphSettings::CylinderOf(double magnitude, int part) const
+{
+  const rtglyphs::SplitNumber number(magnitude);
+  const double power = 0.1 * number.Power, front = std::max(power, 0.0);
+  return part == 0 ? Cylinder{ front, front + 0.1 * number.Digit, this->Arrow.shaftRadius }
+                   : Cylinder{ std::min(power, 0.0), front, this->Arrow.tipRadius };
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphSettings rtglyphs::GlyphSettings::SplitVectors() const
+{
+  rtglyphs::GlyphSettings settings = *this;
+  settings.Shape = rtg::Shape::Cylinder;
+  settings.Sizing = {};
+  settings.Sizing.Split = true;
+  settings.Orient = settings.Scaling = true;
+  settings.OrientationMode = DIRECTION;
+  settings.ScaleMode = MAGNITUDE;
+  settings.ScaleArray = settings.OrientationArray;
+  settings.ArrowReference = 0.0;
+  settings.RadiusArray.clear();
+  settings.Anchor = ORIGIN;
   settings.Motion.AngularVelocity.clear();
   return settings;
 }

@@ -166,6 +166,28 @@ struct GlyphSettings : GlyphScaling
   GlyphSettings AxesOfTensors() const;
 
   /**
+   * Glyphs of a point: of a tensor's cross six arrows, of a split vector the cylinders of its digit and its power.
+   */
+  int Parts() const { return this->Sizing.Split ? 2 : this->Tensors.Parts(); }
+
+  /**
+   * One of the two cylinders that show a vector's magnitude, in unit glyphs along the vector from its point: the digit
+   * (0), thin, before the power (1), thick, which lies behind the point where it is negative.
+   */
+  struct Cylinder
+  {
+    double Begin, End, Radius;
+    double Length() const { return this->End - this->Begin; }
+  };
+  Cylinder CylinderOf(double magnitude, int part) const;
+
+  /**
+   * Split vectors of these settings' directions, whose lengths are the magnitudes. They do not turn while the shutter
+   * is open.
+   */
+  GlyphSettings SplitVectors() const;
+
+  /**
    * The crosses of arrows that show tensors of these settings by their principal axes. The arrows are copies of one,
    * and do not turn while the shutter is open.
    */

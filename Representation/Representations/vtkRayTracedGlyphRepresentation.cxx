@@ -218,11 +218,12 @@ void vtkRayTracedGlyphRepresentation::UpdateDataSizes(vtkPolyData* points)
   {
     sides = extents.front()->positions.back() - extents.front()->positions.front();
   }
-  const rtglyphs::GlyphSettings settings = this->MakeSettings();
+  rtglyphs::GlyphSettings settings = this->MakeSettings();
   const double highScale = this->HighScale.Get(points, settings, this->Blocks.GetHidden());
   double largest = 0.0;
   if (this->LegendStyle.On)
   {
+    settings.Sizing.Split = false; // the magnitudes themselves
     rtglyphs::RayTracedRanks::Together(
       [&]()
       {
@@ -427,6 +428,10 @@ rtglyphs::GlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     this->TensorTable->GetColor(range[1], settings.Tensors.PositiveColor.data());
     this->TensorTable->GetColor(range[0], settings.Tensors.NegativeColor.data());
   }
+  if (this->GlyphShape == SPLIT_VECTOR)
+  {
+    return settings.SplitVectors();
+  }
   if (this->GlyphShape == PRINCIPAL_AXES)
   {
     return settings.PrincipalAxes();
@@ -473,10 +478,10 @@ void vtkRayTracedGlyphRepresentation::SetGlyphLocation(int location)
 void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 {
   const bool known = shape == GLYPH_TYPE || (shape >= SUPERQUADRIC && shape <= SIGNED_TENSOR_SUPERQUADRIC) ||
-    (shape >= CAPSULE && shape <= PRINCIPAL_AXES);
+    (shape >= CAPSULE && shape <= SPLIT_VECTOR);
   if (!known)
   {
-    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of 0, 5 to 8 and 10 to 15.");
+    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of 0, 5 to 8 and 10 to 16.");
     return;
   }
   this->GlyphShape = shape;

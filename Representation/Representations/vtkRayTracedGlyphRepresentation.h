@@ -50,7 +50,8 @@ public:
     SPHERICAL_HARMONICS = 12,
     REYNOLDS = 13,
     FOURTH_ORDER_TENSOR = 14,
-    PRINCIPAL_AXES = 15 // of tensors
+    PRINCIPAL_AXES = 15, // of tensors
+    SPLIT_VECTOR = 16
   };
   void SetGlyphShape(int shape);
 

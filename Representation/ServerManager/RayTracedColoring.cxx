@@ -86,8 +86,8 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
   vtkSMProxy* source = vtkSMPropertyHelper(glyphs, "GlyphType").GetAsProxy();
   const bool arrows = shape == 0 && source &&
     (strcmp(source->GetXMLName(), "ArrowSource") == 0 || strcmp(source->GetXMLName(), "ConeSource") == 0);
-  const std::string direction =
-    arrows && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt() ? ValueOf(glyphs, "SelectOrientationVectors") : "";
+  const bool directed = shape == Shapes::SPLIT_VECTOR || (arrows && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt());
+  const std::string direction = directed ? ValueOf(glyphs, "SelectOrientationVectors") : "";
   const std::string size =
     vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? ValueOf(glyphs, "SelectScaleArray") : "";
   return isListed(direction, false) ? direction : isListed(size, true) ? size : domain->ChooseFor(LENGTH, arrays).Name;

@@ -108,7 +108,7 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
   // ParaView's Coloring says nothing true while tensors are colored by themselves.
   const std::string colored = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
     where("Representation", "Ray Traced Glyphs", "inverse='1'") + where("GlyphTensorColoring", "0") +
-    "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='GlyphShape' values='0 5 10 11'/>" +
+    "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='GlyphShape' values='0 5 10 11 16'/>" +
     "</Expression></PropertyWidgetDecorator></Hints>";
   const vtkSmartPointer<vtkPVXMLElement> coloring = vtkPVXMLParser::ParseXML(colored.c_str());
   for (size_t i = 0; i < display->GetNumberOfPropertyGroups(); ++i)
@@ -310,8 +310,8 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   };
   using Shapes = vtkRayTracedGlyphRepresentation;
   const int shape = static_cast<int>(number("GlyphShape"));
-  const bool tensors =
-    (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) || shape >= Shapes::REYNOLDS;
+  const bool tensors = (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) ||
+    (shape >= Shapes::REYNOLDS && shape <= Shapes::PRINCIPAL_AXES);
   if (tensors || shape == Shapes::SPHERICAL_HARMONICS)
   {
     explain("Form", tensors ? "GlyphTensorArray" : "GlyphHarmonicsArray");

@@ -114,6 +114,7 @@ FIELDS = {
         "Function": ({"ScaleMode": "Magnitude", "SelectScaleArray": "length"}, "GlyphScaleFunction", "Square Root", "glyphs"),
         "Least": ({}, "GlyphSizeRange", [0.15, 0.0], "glyphs"),
         "Most": ({}, "GlyphSizeRange", [0.0, 0.05], "glyphs"),
+        "Split": [(ARROW, "GlyphShape", "Split Vector", "glyphs"), ({**ARROW, "GlyphShape": "Split Vector"}, "SelectScaleArray", "other", "nothing")],
     },
     "GlyphTensors::Settings": {
         "On": (TENSOR, "GlyphShape", "Glyph Type", "glyphs"),
