@@ -11,6 +11,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,8 +32,9 @@ public:
     , AnchorShift(settings.AnchorShift())
   {
     const bool arrow = settings.Shape == rtg::Shape::Arrow;
-    this->Turned = rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::ORIENTATION, points, settings) ||
-      settings.Tensors.On || arrow || settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
+    this->Orientations = rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::ORIENTATION, points, settings);
+    this->Turned =
+      this->Orientations || settings.Tensors.On || arrow || settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
     if (arrow && settings.Arrow.fixedHeads)
     {
       this->Arrow.unitLength = static_cast<float>(this->Sizes.ArrowUnit());
@@ -57,6 +60,7 @@ private:
   {
     rtglyphs::GlyphTuples positions(this->Positions);
     rtglyphs::GlyphSizes::Tuples tuples(this->Sizes);
+    rtglyphs::GlyphTuples vectors(this->Settings.Tensors.AtTips ? this->Orientations : nullptr);
     for (vtkIdType i = begin; i < end; ++i)
     {
       const double* x = positions.Get(i);
@@ -64,7 +68,11 @@ private:
       {
         continue;
       }
-      const glm::dvec3 position(x[0], x[1], x[2]);
+      glm::dvec3 position(x[0], x[1], x[2]);
+      if (vectors.Has(i) && rtg::IsFinite(vectors.Get(i)))
+      {
+        position += this->Settings.ScaleFactor * glm::make_vec3(vectors.Get(i));
+      }
       glm::dvec3 lower = position, upper = position;
       if (this->Motion.On() && this->Motion.IsFinite(i))
       {
@@ -109,7 +117,7 @@ private:
   const rtglyphs::GlyphSettings& Settings;
   const rtglyphs::GlyphSizes Sizes;
   const rtglyphs::RayTracedRanges& Hidden;
-  vtkDataArray* Positions;
+  vtkDataArray *Positions, *Orientations = nullptr;
   const rtglyphs::GlyphMotion Motion;
   bool Turned = false;
   rtg::ArrowForm Arrow;

@@ -182,7 +182,13 @@ glm::dvec3 rtglyphs::GlyphMaker::CenterOf(
 //----------------------------------------------------------------------------
 glm::dvec3 rtglyphs::GlyphMaker::PlaceOf(vtkIdType point, Tuples& tuples) const
 {
-  return this->Placement(ToVector(tuples.Positions.Get(point)));
+  glm::dvec3 place = ToVector(tuples.Positions.Get(point));
+  if (this->How.Tensors.AtTips)
+  {
+    rtglyphs::GlyphTuples& vectors = tuples[rtglyphs::GlyphArrays::ORIENTATION];
+    place += vectors.Has(point) ? this->How.ScaleFactor * ToVector(vectors.Get(point)) : glm::dvec3(NAN);
+  }
+  return this->Placement(place);
 }
 
 //----------------------------------------------------------------------------
@@ -242,7 +248,7 @@ Outcome rtglyphs::GlyphMaker::Make(
   const glm::dvec3 place = this->PlaceOf(point, tuples) - origin;
   if (!rtg::IsFinite(glm::vec3(place)))
   {
-    return POSITION;
+    return this->How.Tensors.AtTips ? NOT_SHOWN : POSITION; // of which the vectors tell
   }
   rtglyphs::GlyphSizes::Glyph sized;
   outcome = this->Sizes.Make(point, tuples.Sizes, sized, polynomial);

@@ -166,9 +166,13 @@ double FactorFor(const std::vector<double>& magnitudes, double size)
 }
 
 // Of spheres whose size the array says: 2 for radii, 1 for diameters; three equal components have a magnitude that is
-// larger than each. 0: there is no such array.
+// larger than each. Ellipsoids of covariances of places have their size, too. 0: there is no such array.
 double ExactFactor(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize)
 {
+  if (settings.Tensors.Covariances)
+  {
+    return 1.0;
+  }
   vtkDataArray* scales = rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::SCALE, data, settings);
   const int components = scales ? scales->GetNumberOfComponents() : 0;
   const bool sizes = (components == 1 || components == 3) && settings.Shape == rtg::Shape::Sphere &&

@@ -142,6 +142,15 @@ struct GlyphSettings : GlyphScaling
   bool HasNumberRange() const { return this->Tensors.HasRange() || this->Forms.ColorsByRadius(); }
 
   /**
+   * The magnitude, as GlyphMagnitudes has it, of the glyph that shows this number: of a covariance a variance.
+   */
+  double MagnitudeOf(double number) const
+  {
+    return this->Tensors.Covariances ? 2.0 * GlyphTensors::RadiusOf(this->Tensors.Confidence) * std::sqrt(number)
+                                     : this->Sizing(number);
+  }
+
+  /**
    * World size along the longest axis of a glyph of this magnitude, as GlyphMagnitudes has it.
    */
   double Length(double magnitude) const { return this->Sizing.Limited(std::abs(this->ScaleFactor) * magnitude); }
@@ -186,6 +195,17 @@ struct GlyphSettings : GlyphScaling
    * is open.
    */
   GlyphSettings SplitVectors() const;
+
+  ///@{
+  /**
+   * Arrows of these settings' directions, whose lengths are the magnitudes; and the ellipsoids round their tips of the
+   * vectors' covariances. They do not turn while the shutter is open. And ellipsoids round the points, of covariances
+   * of their places.
+   */
+  GlyphSettings Vectors() const;
+  GlyphSettings ConfidenceAtTips() const;
+  GlyphSettings ConfidenceEllipsoids() const;
+  ///@}
 
   /**
    * The crosses of arrows that show tensors of these settings by their principal axes. The arrows are copies of one,

@@ -150,9 +150,9 @@ Outcome rtglyphs::GlyphSizes::Make(vtkIdType point, Tuples& tuples, Glyph& glyph
   }
   else if (tensors)
   {
-    if (!tensors->Glyph(point, glyph.Tensor))
+    if (const Outcome outcome = tensors->Glyph(point, glyph.Tensor); outcome != SHOWN)
     {
-      return tensors->IsZero(point) ? ZERO_TENSOR : TENSOR;
+      return outcome;
     }
     glyph.Size *= this->Settings.Sizing(glyph.Tensor.halfLengths);
     glyph.Rotation = glyph.Tensor.rotation;

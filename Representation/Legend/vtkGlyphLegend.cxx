@@ -152,7 +152,8 @@ void vtkGlyphLegend::RemoveFrom(vtkPVRenderView* view)
 double vtkGlyphLegend::Extent(double number) const
 {
   const bool scaled = !this->Name.empty();
-  const double magnitude = scaled ? this->Settings.Sizing(number) : number, extent = this->Settings.Length(magnitude);
+  const double magnitude = scaled ? this->Settings.MagnitudeOf(number) : number,
+               extent = this->Settings.Length(magnitude);
   return scaled && extent != std::abs(this->Settings.ScaleFactor) * magnitude ? -extent : extent;
 }
 
@@ -249,7 +250,7 @@ double vtkGlyphLegend::ChooseNumber(double pixelsPerLength, double most) const
     {
       const double number = digit * std::pow(10.0, exponent);
       const double pixels = this->Extent(number) * this->Scale * pixelsPerLength;
-      const double reach = this->Settings.Sizing.Split ? number : this->Settings.Sizing(number);
+      const double reach = this->Settings.Sizing.Split ? number : this->Settings.MagnitudeOf(number);
       const bool reached = !(this->Largest > 0.0) || reach <= (1.0 + 1e-6) * this->Largest;
       if (pixels > 0.0 && pixels <= most && reached)
       {

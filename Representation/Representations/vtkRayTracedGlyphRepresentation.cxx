@@ -33,6 +33,11 @@
 
 vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
 
+namespace
+{
+constexpr double ellipsoidOpacity = 0.4; // of uncertain vectors, whose heads are seen through it
+}
+
 //----------------------------------------------------------------------------
 vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
   : vtkRayTracedSelectableRepresentation(3)
@@ -151,8 +156,8 @@ void vtkRayTracedGlyphRepresentation::CountPointsOfAllRanks(vtkPolyData* points)
 bool vtkRayTracedGlyphRepresentation::NeedsOrderedCompositing()
 {
   const bool table = this->TensorTable && this->Glyphs.HasNumberRange() && !this->TensorTable->IsOpaque();
-  return table || !rtglyphs::RayTracedArrays::IsNone(this->Glyphs.OpacityArray) ||
-    this->Superclass::NeedsOrderedCompositing();
+  return table || this->GlyphShape == UNCERTAIN_VECTOR ||
+    !rtglyphs::RayTracedArrays::IsNone(this->Glyphs.OpacityArray) || this->Superclass::NeedsOrderedCompositing();
 }
 
 //----------------------------------------------------------------------------
@@ -169,9 +174,9 @@ const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points
       all.back().Mesh = corners;
     }
   }
-  else if (this->ShowsAxes(points, settings))
+  else if (const std::optional<rtglyphs::GlyphSettings> beside = this->Beside(points, settings))
   {
-    all.push_back(settings.AxesOfTensors());
+    all.push_back(*beside);
   }
   return this->GetBoundsOf(points, all);
 }
@@ -267,16 +272,23 @@ vtkSmartPointer<vtkRayTracedMapper> vtkRayTracedGlyphRepresentation::MakeMapper(
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const
+// Glyphs that go with others: arrows of the antisymmetric parts of tensors, ellipsoids of uncertain vectors.
+std::optional<rtglyphs::GlyphSettings>
+vtkRayTracedGlyphRepresentation::Beside(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const
 {
+  if (this->GlyphShape == UNCERTAIN_VECTOR)
+  {
+    return settings.ConfidenceAtTips();
+  }
   vtkDataArray* tensors =
     this->TensorAxis && points ? rtglyphs::GlyphTensors::Array(points, settings.Tensors) : nullptr;
-  return tensors && tensors->GetNumberOfComponents() == 9;
+  const bool axes = tensors && tensors->GetNumberOfComponents() == 9 && !settings.Tensors.Covariances;
+  return axes ? std::optional(settings.AxesOfTensors()) : std::nullopt;
 }
 
 //----------------------------------------------------------------------------
-// Form 0 of a table of meshes is drawn by the main mapper, form i by layer i - 1. The arrows of antisymmetric parts are
-// a layer, too.
+// Form 0 of a table of meshes is drawn by the main mapper, form i by layer i - 1. What stands beside the glyphs is a
+// layer, too.
 void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
 {
   // A selection may come between an update and the delivery.
@@ -299,8 +311,8 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   main->SetSelectionColor(this->GetSelectionColor());
   this->UpdateLegend(settings);
 
-  const bool axes = this->ShowsAxes(points, settings);
-  this->ResizeLayers(this->GetRenderView(), settings.TableSize - 1 + (axes ? 1 : 0));
+  const std::optional<rtglyphs::GlyphSettings> beside = this->Beside(points, settings);
+  this->ResizeLayers(this->GetRenderView(), settings.TableSize - 1 + (beside ? 1 : 0));
   for (int entry = 1; entry < settings.TableSize; ++entry)
   {
     rtglyphs::GlyphLayers::Layer& layer = (*this->Layers)[entry - 1];
@@ -308,13 +320,21 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
     settings.TableEntry = entry;
     layer.Mapper->SetSettings(settings, this->Meshes.GetForm(entry));
   }
-  if (axes)
+  if (beside)
   {
     rtglyphs::GlyphLayers::Layer& layer = (*this->Layers)[settings.TableSize - 1];
     layer.Follow(this->Blocks, this->GetActor(), this->GetSelectionColor());
-    layer.Mapper->SetSettings(settings.AxesOfTensors(), nullptr);
-    layer.Actor->GetProperty()->SetAmbientColor(this->TensorAxisColor.data());
-    layer.Actor->GetProperty()->SetDiffuseColor(this->TensorAxisColor.data());
+    layer.Mapper->SetSettings(*beside, nullptr);
+    vtkProperty* property = layer.Actor->GetProperty();
+    if (beside->Tensors.Axes)
+    {
+      property->SetAmbientColor(this->TensorAxisColor.data());
+      property->SetDiffuseColor(this->TensorAxisColor.data());
+    }
+    else
+    {
+      property->SetOpacity(ellipsoidOpacity * property->GetOpacity());
+    }
   }
 }
 
@@ -432,6 +452,14 @@ rtglyphs::GlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
   {
     return settings.SplitVectors();
   }
+  if (this->GlyphShape == UNCERTAIN_VECTOR)
+  {
+    return settings.Vectors();
+  }
+  if (this->GlyphShape == CONFIDENCE_ELLIPSOID)
+  {
+    return settings.ConfidenceEllipsoids();
+  }
   if (this->GlyphShape == PRINCIPAL_AXES)
   {
     return settings.PrincipalAxes();
@@ -478,10 +506,10 @@ void vtkRayTracedGlyphRepresentation::SetGlyphLocation(int location)
 void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 {
   const bool known = shape == GLYPH_TYPE || (shape >= SUPERQUADRIC && shape <= SIGNED_TENSOR_SUPERQUADRIC) ||
-    (shape >= CAPSULE && shape <= SPLIT_VECTOR);
+    (shape >= CAPSULE && shape <= CONFIDENCE_ELLIPSOID);
   if (!known)
   {
-    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of 0, 5 to 8 and 10 to 16.");
+    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of 0, 5 to 8 and 10 to 18.");
     return;
   }
   this->GlyphShape = shape;
