@@ -17,6 +17,9 @@ BEFORE, ACROSS, HIGH = UNIT // 2 + 10, 2 * UNIT + 20, 20
 COLUMNS = 2
 POINTS = numpy.array([[-0.9, -0.2, 0.0], [0.0, 0.3, 0.2], [0.8, -0.3, 0.1]])
 VECTORS = numpy.array([[0.5, 0.7, -0.3], [-1.0, 0.4, 0.2], [0.3, -0.2, 0.9]])
+#: properties that do not apply
+WITHOUT_EFFECT = {"Orient": 0, "OrientationMode": "Rotation", "GlyphScaleFunction": "Logarithm", "GlyphSizeRange": [0.0, 0.05], "GlyphAnchor": "Tip",
+                  "GlyphRadiusArray": "radius"}
 VECTORS *= (numpy.array([0.0023, 47000.0, 1.0]) / numpy.linalg.norm(VECTORS, axis=1))[:, None]
 
 
@@ -42,7 +45,7 @@ def read(mask):
 
 def shown_split(stage, vectors, points, **properties):
     """The display."""
-    shown = stage.show(session.poly_data(points, v=vectors, **properties.pop("arrays", {})), "Split Vector", SelectOrientationVectors="v",
+    shown = stage.show(session.poly_data(points, v=vectors, radius=numpy.full(len(points), 0.01), **properties.pop("arrays", {})), "Split Vector", SelectOrientationVectors="v",
                        **{"ScaleFactor": 1.0, "GlyphType": "Arrow", **properties})
     session.solid(shown, (0.9, 0.6, 0.2))
     return shown
@@ -102,7 +105,7 @@ def as_cylinders(checks, view):
     factor, velocity = 0.5, numpy.array([[0.3, 0.0, 0.1], [0.0, 0.4, 0.0], [-0.2, 0.2, 0.0]])
     points, lengths, quaternions, numbers, ends = cylinders_of(factor)
     stages = session.Stage(view), session.Stage(view)
-    shown = shown_split(stages[0], VECTORS, POINTS, arrays={"velocity": velocity}, ScaleFactor=factor)
+    shown = shown_split(stages[0], VECTORS, POINTS, arrays={"velocity": velocity}, ScaleFactor=factor, **WITHOUT_EFFECT)
     single = stages[1].show(session.poly_data(points, lengths=lengths, turn=quaternions, velocity=velocity[numbers]), "Cylinder", Orient=1, ScaleFactor=1.0,
                             SelectOrientationVectors="turn", ScaleMode="Vector Components", SelectScaleArray="lengths")
     session.solid(single, (0.9, 0.6, 0.2))

@@ -10,6 +10,7 @@ import comparison
 import export
 import session
 from checks import Checks
+from split_vectors import WITHOUT_EFFECT
 
 RANDOM = numpy.random.default_rng(5)
 SIDE, SCALE = 400, 3.0
@@ -31,7 +32,7 @@ def six(covariances):
 
 def data(**arrays):
     """The points with their arrays."""
-    return session.poly_data(POINTS, **{"covariance": six(COVARIANCES), "v": VECTORS, "velocity": VELOCITIES, **arrays})
+    return session.poly_data(POINTS, **{"radius": numpy.full(len(POINTS), 0.01), "covariance": six(COVARIANCES), "v": VECTORS, "velocity": VELOCITIES, **arrays})
 
 
 def shown_ellipsoids(stage, of=None, **properties):
@@ -76,7 +77,8 @@ def tips(checks, view):
     factor = 0.8
     stages = [session.Stage(view) for _ in range(3)]
     given = data(nine=COVARIANCES.reshape(-1, 9))
-    shown = stages[0].show(given, "Uncertain Vector", SelectOrientationVectors="v", GlyphTensorArray="nine", ScaleFactor=factor, GlyphConfidence=0.9)
+    shown = stages[0].show(given, "Uncertain Vector", SelectOrientationVectors="v", GlyphTensorArray="nine", ScaleFactor=factor, GlyphConfidence=0.9,
+                            **WITHOUT_EFFECT)
     arrows = stages[1].show(given, "Arrow", Orient=1, SelectOrientationVectors="v", ScaleMode="Magnitude", SelectScaleArray="v", ScaleFactor=factor)
     ends = session.poly_data(POINTS + factor * VECTORS, covariance=six(COVARIANCES), velocity=VELOCITIES)
     ellipsoids = shown_ellipsoids(stages[2], ends, ScaleFactor=factor, GlyphConfidence=0.9, Opacity=0.4)
