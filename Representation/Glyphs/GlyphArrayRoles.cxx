@@ -43,7 +43,7 @@ const Meaning meanings[] = {
   { { "orient*" }, { 48, turns, 0, 0, 0, 0, 0, 0 } },
   { { "angular*", "ang", "angvel", "omega" }, { 44, 44, 10, 44, 0, tensor, 0, 0 } },
   { { "tensor*", "stress*", "strain*", "sigma", "epsilon", "diffusion*", "dti", "hessian*", "inertia*", "conductivity*",
-      "permeability*", "virial*", "reynolds*", "fabric*" },
+      "permeability*", "virial*", "reynolds*", "fabric*", "cov", "covar*" },
     { 20, 20, 15, 20, 0, tensor, 20, 0 } },
   { { "veloc*", "vel", "speed*", "v", "u" }, { 60, 60, 25, 60, 90, 20, 0, 0 } },
   { { "displac*", "disp", "displ", "depl" }, { 58, 58, 24, 58, 0, 20, 0, 0 } },

@@ -10,6 +10,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,8 +31,9 @@ public:
     , Unturned(settings, this->Sizes)
   {
     const bool arrow = settings.Shape == rtg::Shape::Arrow;
-    this->Turned = rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::ORIENTATION, points, settings) ||
-      settings.Tensors.On || arrow || settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
+    this->Orientations = rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::ORIENTATION, points, settings);
+    this->Turned =
+      this->Orientations || settings.Tensors.On || arrow || settings.Shape == rtg::Shape::Cone || this->Motion.Spins();
   }
 
   rtglyphs::RayTracedParallel::Box Box(vtkIdType count) const
@@ -45,6 +48,7 @@ private:
   {
     rtglyphs::GlyphTuples positions(this->Positions), trails(this->Trails);
     rtglyphs::GlyphSizes::Tuples tuples(this->Sizes);
+    rtglyphs::GlyphTuples vectors(this->Settings.Tensors.AtTips ? this->Orientations : nullptr);
     for (vtkIdType i = begin; i < end; ++i)
     {
       const double* x = positions.Get(i);
@@ -52,7 +56,11 @@ private:
       {
         continue;
       }
-      const glm::dvec3 position(x[0], x[1], x[2]);
+      glm::dvec3 position(x[0], x[1], x[2]);
+      if (vectors.Has(i) && rtg::IsFinite(vectors.Get(i)))
+      {
+        position += this->Settings.ScaleFactor * glm::make_vec3(vectors.Get(i));
+      }
       glm::dvec3 lower = position, upper = position;
       if (this->Motion.On() && this->Motion.IsFinite(i))
       {
@@ -89,8 +97,7 @@ private:
   const rtglyphs::GlyphSettings& Settings;
   const rtglyphs::GlyphSizes Sizes;
   const rtglyphs::RayTracedRanges& Hidden;
-  vtkDataArray* Positions;
-  vtkDataArray* Trails;
+  vtkDataArray *Positions, *Trails, *Orientations = nullptr;
   const rtglyphs::GlyphMotion Motion;
   const rtglyphs::GlyphUnturnedBox Unturned;
   bool Turned = false;
@@ -122,6 +129,12 @@ rtg::DoubleBox rtglyphs::GlyphUnturnedBox::operator()(vtkIdType point, rtglyphs:
 {
   glm::dvec3 part;
   const glm::dvec3 size = this->Sizes.Extents(point, tuples, part);
+  if (this->Settings.Sizing.Split)
+  {
+    const double radius = std::max(this->Arrow.shaftRadius, this->Arrow.tipRadius) * this->Settings.ScaleFactor;
+    const glm::dvec3 reach = size.x > 0.0 ? glm::dvec3(size.x, radius, radius) : glm::dvec3(0.0);
+    return { -reach, reach };
+  }
   part *= this->Settings.Tensors.Parts() > 1 ? 0.5 : 1.0; // crosses begin at the center
   rtg::DoubleBox box = this->Settings.Shape == rtg::Shape::Mesh
     ? rtg::DoubleBox{ this->Mesh.lower * size, this->Mesh.upper * size }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <vector>
 
 namespace
@@ -94,25 +93,10 @@ vtkDataArray* rtglyphs::GlyphForms::Array(vtkPolyData* points, const Settings& s
 //----------------------------------------------------------------------------
 std::string rtglyphs::GlyphForms::Problem(vtkDataArray* array, const Settings& settings)
 {
-  std::ostringstream text;
   const Demand demand = DemandOf(settings);
-  if (rtglyphs::RayTracedArrays::IsNone(settings.Array))
-  {
-    text << (settings.Kind == HARMONICS ? "Spherical harmonics need coefficients." : "Tensor glyphs need tensors.")
-         << " Choose a point array of " << demand.Counts << " components as " << demand.Property << ".";
-  }
-  else if (!array)
-  {
-    text << "There is no point array '" << settings.Array << "', which " << demand.Property
-         << " names, so there are no glyphs. Choose one of " << demand.Counts << " components.";
-  }
-  else if (!Fits(array, settings))
-  {
-    text << "The point array '" << settings.Array << "', which " << demand.Property << " names, has "
-         << array->GetNumberOfComponents() << " components where " << demand.Counts
-         << " are needed, so there are no glyphs. Choose another array.";
-  }
-  return text.str();
+  return rtglyphs::GlyphArrays::Problem(settings.Array, array, array && Fits(array, settings),
+    settings.Kind == HARMONICS ? "Spherical harmonics need coefficients" : "Tensor glyphs need tensors",
+    demand.Property, demand.Counts);
 }
 
 //----------------------------------------------------------------------------

@@ -116,7 +116,7 @@ private:
     }
     if (!this->Motion.IsFinite(point))
     {
-      return MOTION;
+      return this->How.Tensors.AtTips ? NOT_SHOWN : MOTION; // as above
     }
     const glm::vec3 center(glyph.Center);
     const glm::dvec3 left = glm::abs(glyph.Center - glm::dvec3(center));
@@ -224,7 +224,7 @@ private:
         const rtg::GlyphInstances& all = this->Instances;
         for (vtkIdType k = begin; k < end; ++k)
         {
-          const float length = !all.sizes3.empty() ? all.sizes3[k].x
+          const float length = !all.sizes3.empty() ? all.sizes3[k][this->Maker.ShiftAxis()]
             : !all.sizes1.empty()                  ? all.sizes1[k]
                                                    : all.uniformSize;
           const glm::dvec3 center = this->Maker.CenterOf(this->Out.Points[k], all.origin, tuples,
@@ -279,10 +279,11 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
   }
   rtglyphs::GlyphArrays::ReportLacking(points, settings, hidden, result.Messages);
   const rtglyphs::GlyphSizes sizes(points, settings, candidates);
-  const rtglyphs::GlyphMaker maker(points, settings, modelToWorld, sizes, result.Messages);
   if (const std::string& problem = sizes.GetProblem(); !problem.empty())
   {
-    const std::string& array = settings.Forms.On ? settings.Forms.Array : settings.Tensors.Array;
+    const std::string& array = settings.Forms.On ? settings.Forms.Array
+      : settings.Tensors.On                      ? settings.Tensors.Array
+                                                 : settings.OrientationArray;
     if (rtglyphs::RayTracedArrays::IsNone(array))
     {
       result.Unfinished = problem;
@@ -294,6 +295,7 @@ rtglyphs::GlyphInstanceBuilder::Result rtglyphs::GlyphInstanceBuilder::Build(vtk
     result.Skipped = static_cast<vtkIdType>(candidates.size());
     return result;
   }
+  const rtglyphs::GlyphMaker maker(points, settings, modelToWorld, sizes, result.Messages);
   const rtglyphs::GlyphMotion motion(points, settings.Motion);
   result.Unfinished = rtglyphs::GlyphMotion::Unfinished(settings.Motion);
   const bool pointed = settings.Shape == rtg::Shape::Arrow || settings.Shape == rtg::Shape::Cone;

@@ -19,14 +19,16 @@ glm::dvec3 ToVector(const double* x)
 }
 
 // From a glyph's point to its center, computed from what is kept of its size and rotation.
-glm::dvec3 Shifted(const glm::dvec3& place, double shift, float length, const glm::vec4& turn)
+glm::dvec3 Shifted(const glm::dvec3& place, int axis, double shift, float length, const glm::vec4& turn)
 {
   if (shift == 0.0)
   {
     return place;
   }
   const glm::dquat rotation(turn.w, turn.x, turn.y, turn.z);
-  return place + glm::normalize(rotation) * glm::dvec3(shift * length, 0.0, 0.0);
+  glm::dvec3 along(0.0);
+  along[axis] = shift * length;
+  return place + glm::normalize(rotation) * along;
 }
 
 // One of the arrows of a tensor: along the eigenvector of the largest magnitude first, to both sides of the center.
@@ -55,6 +57,20 @@ Outcome TakePart(int part, rtg::TensorGlyph& tensor, glm::dvec3& size, glm::dqua
   tensor.values = glm::dvec3(value);
   return SHOWN;
 }
+
+// One of the cylinders of a split vector, whose y axis lies along the glyph's x.
+Outcome TakeCylinder(
+  const rtglyphs::GlyphSettings::Cylinder& part, double factor, glm::dvec3& size, glm::dquat& rotation, double& shift)
+{
+  if (!(part.Length() > 0.0))
+  {
+    return NOT_SHOWN; // of the power 0
+  }
+  size = factor * glm::dvec3(2.0 * part.Radius, part.Length(), 2.0 * part.Radius);
+  rotation = rotation * glm::dquat(std::sqrt(0.5), 0.0, 0.0, -std::sqrt(0.5));
+  shift = 0.5 * (part.Begin + part.End) / part.Length();
+  return SHOWN;
+}
 }
 
 //----------------------------------------------------------------------------
@@ -73,9 +89,9 @@ rtglyphs::GlyphMaker::GlyphMaker(vtkPolyData* points, const rtglyphs::GlyphSetti
   , ChoosesForm(settings.HasTable())
   , OwnExponents(settings.HasOwnExponents())
   , Sphere(settings.Shape == rtg::Shape::Sphere)
-  , Pointed(settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow)
+  , Pointed(settings.Shape == rtg::Shape::Cone || settings.Shape == rtg::Shape::Arrow || settings.Sizing.Split)
   , AnchorShift(settings.AnchorShift())
-  , NumberOfParts(settings.Tensors.Parts())
+  , NumberOfParts(settings.Parts())
   , Positions(points->GetPoints()->GetData())
 {
   for (int id = 0; id < rtglyphs::GlyphArrays::NUMBER_OF_IDS; ++id)
@@ -92,7 +108,8 @@ rtglyphs::GlyphMaker::GlyphMaker(vtkPolyData* points, const rtglyphs::GlyphSetti
   const glm::dvec3& unit = settings.UnitSize;
   const bool sameSides = unit.x == unit.y && unit.y == unit.z && this->Placement.Uniform;
   this->SameSizes = !sizedByData && sameSides;
-  this->OneSize = (this->NumberOfParts > 1 || (!scaledByComponents && !sizes.HasRadii() && !tensors)) && sameSides;
+  this->OneSize = !settings.Sizing.Split &&
+    (this->NumberOfParts > 1 || (!scaledByComponents && !sizes.HasRadii() && !tensors)) && sameSides;
   this->Turned = (this->Has(rtglyphs::GlyphArrays::ORIENTATION) || tensors || !this->Placement.Identity) &&
     !(this->IsRound() && this->AnchorShift == 0.0);
   this->Flips = this->Pointed && (scaledByComponents || settings.ScaleFactor < 0.0 || this->Placement.Scale < 0.0);
@@ -159,13 +176,19 @@ glm::dvec3 rtglyphs::GlyphMaker::MiddleOf(const std::vector<vtkIdType>& points) 
 glm::dvec3 rtglyphs::GlyphMaker::CenterOf(
   vtkIdType point, const glm::dvec3& origin, Tuples& tuples, double shift, float length, const glm::vec4& turn) const
 {
-  return Shifted(this->PlaceOf(point, tuples) - origin, shift, length, turn);
+  return Shifted(this->PlaceOf(point, tuples) - origin, this->ShiftAxis(), shift, length, turn);
 }
 
 //----------------------------------------------------------------------------
 glm::dvec3 rtglyphs::GlyphMaker::PlaceOf(vtkIdType point, Tuples& tuples) const
 {
-  return this->Placement(ToVector(tuples.Positions.Get(point)));
+  glm::dvec3 place = ToVector(tuples.Positions.Get(point));
+  if (this->How.Tensors.AtTips)
+  {
+    rtglyphs::GlyphTuples& vectors = tuples[rtglyphs::GlyphArrays::ORIENTATION];
+    place += vectors.Has(point) ? this->How.ScaleFactor * ToVector(vectors.Get(point)) : glm::dvec3(NAN);
+  }
+  return this->Placement(place);
 }
 
 //----------------------------------------------------------------------------
@@ -225,7 +248,7 @@ Outcome rtglyphs::GlyphMaker::Make(
   const glm::dvec3 place = this->PlaceOf(point, tuples) - origin;
   if (!rtg::IsFinite(glm::vec3(place)))
   {
-    return POSITION;
+    return this->How.Tensors.AtTips ? NOT_SHOWN : POSITION; // of which the vectors tell
   }
   rtglyphs::GlyphSizes::Glyph sized;
   outcome = this->Sizes.Make(point, tuples.Sizes, sized, polynomial);
@@ -254,13 +277,19 @@ Outcome rtglyphs::GlyphMaker::Make(
   glyph.Tensor = sized.Tensor;
   glyph.Radius = sized.Radius;
   glyph.Shift = this->AnchorShift;
-  if (this->NumberOfParts > 1)
+  if (this->How.Sizing.Split)
+  {
+    rtglyphs::GlyphTuples& vectors = tuples[rtglyphs::GlyphArrays::ORIENTATION];
+    const double magnitude = vtkMath::Norm(vectors.Get(point), vectors.Size());
+    outcome = TakeCylinder(this->How.CylinderOf(magnitude, part), this->How.ScaleFactor, size, rotation, glyph.Shift);
+  }
+  else if (this->NumberOfParts > 1)
   {
     outcome = TakePart(part, glyph.Tensor, size, rotation, glyph.Shift);
-    if (outcome != SHOWN)
-    {
-      return outcome;
-    }
+  }
+  if (outcome != SHOWN)
+  {
+    return outcome;
   }
   this->Placement.Apply(this->Sphere, size, rotation);
   if (this->Flips && size.x < 0.0)
@@ -278,6 +307,6 @@ Outcome rtglyphs::GlyphMaker::Make(
   {
     return ZERO_SCALE;
   }
-  glyph.Center = Shifted(place, glyph.Shift, glyph.Size.x, glyph.Turn);
+  glyph.Center = Shifted(place, this->ShiftAxis(), glyph.Shift, glyph.Size[this->ShiftAxis()], glyph.Turn);
   return SHOWN;
 }

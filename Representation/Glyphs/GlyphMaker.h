@@ -73,7 +73,7 @@ public:
   struct Glyph
   {
     glm::dvec3 Center{ 0.0 }; // from the origin
-    double Shift = 0.0;       // from the point to the center, along x, in lengths of the glyph
+    double Shift = 0.0;       // from the point to the center, along ShiftAxis(), in lengths of the glyph there
     glm::vec3 Size{ 0.0f };   // extents; negative ones mirror a mesh
     glm::vec4 Turn = NoTurn;  // quaternion (x, y, z, w)
     rtg::TensorGlyph Tensor;
@@ -106,6 +106,7 @@ public:
   const GlyphPlacement& GetPlacement() const { return this->Placement; }
   int Parts() const { return this->NumberOfParts; } // glyphs of each point
   double GetShift() const { return this->AnchorShift; }
+  int ShiftAxis() const { return this->How.Sizing.Split ? 1 : 0; }
 
   ///@{
   /**

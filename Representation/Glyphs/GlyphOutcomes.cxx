@@ -57,6 +57,8 @@ vtkIdType rtglyphs::GlyphOutcomes::Describe(const Counts& counts, const rtglyphs
   sayOfZeros(counts[ZERO_ORIENTATION], orientation + "zero", turn);
   const std::string tensor = "their tensor, from the point array '" + settings.Tensors.Array + "', is ";
   say(counts[TENSOR], tensor + "not finite", "To silence this warning remove the points with Threshold.");
+  say(counts[COVARIANCE], tensor + "no covariance, because it has a negative eigenvalue",
+    "Choose another GlyphTensorArray or GlyphTensorLayout, or remove these points with Threshold.");
   sayOfZeros(counts[ZERO_TENSOR], tensor + "zero", "Choose another GlyphTensorArray, or another time step.");
   const std::string components = "the components of their tuple in the point array '" + settings.Forms.Array + "' are ";
   say(counts[POLYNOMIAL], components + "not all finite, or too large or small for floats",

@@ -29,6 +29,7 @@ enum Outcome : unsigned char
   RADIUS,
   ORIENTATION,
   TENSOR,
+  COVARIANCE,
   EXPONENT,
   MOTION,
   FORM,

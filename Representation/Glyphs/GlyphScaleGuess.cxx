@@ -166,9 +166,13 @@ double FactorFor(const std::vector<double>& magnitudes, double size)
 }
 
 // Of spheres whose size the array says: 2 for radii, 1 for diameters; three equal components have a magnitude that is
-// larger than each. 0: there is no such array.
+// larger than each. Ellipsoids of covariances of places have their size, too. 0: there is no such array.
 double ExactFactor(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize)
 {
+  if (settings.Tensors.Covariances)
+  {
+    return 1.0;
+  }
   vtkDataArray* scales = rtglyphs::GlyphArrays::Find(rtglyphs::GlyphArrays::SCALE, data, settings);
   const int components = scales ? scales->GetNumberOfComponents() : 0;
   const bool sizes = (components == 1 || components == 3) && settings.Shape == rtg::Shape::Sphere &&
@@ -215,7 +219,8 @@ Find(vtkPolyData* data, const rtglyphs::GlyphScaling& settings, double unitSize,
 
   const double space = points.NumberOfAll() < few ? extents.Spacing : 0.5 * extents.Spacing;
   double size = std::max(0.9 * extents.Neighbors, std::min(seen, space));
-  size *= settings.Shape == rtg::Shape::Arrow && !settings.Tensors.On ? arrowLength : 1.0;
+  const bool arrows = (settings.Shape == rtg::Shape::Arrow && !settings.Tensors.On) || settings.Sizing.Split;
+  size *= arrows ? arrowLength : 1.0;
   double factor = FactorFor(sample, std::min(size, largestGlyph));
   const double excess = factor * largest / largestGlyph;
   double limit = 0.0;

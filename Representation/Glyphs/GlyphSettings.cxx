@@ -17,6 +17,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::InRange() const
   PutInRange(s.Arrow.tipRadius, 0.0, 0.5, standard.Arrow.tipRadius);
   PutInRange(s.Arrow.tipLength, 0.001, 1.0, standard.Arrow.tipLength);
   PutInRange(s.Tensors.Sharpness, 0.0, 10.0, standard.Tensors.Sharpness);
+  PutInRange(s.Tensors.Confidence, 0.01, 0.9999, standard.Tensors.Confidence);
   PutInRange(s.Tensors.Thickness, rtg::thinnestTensorGlyph, 1.0, standard.Tensors.Thickness);
   return s;
 }
@@ -26,7 +27,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Effective() const
 {
   const rtglyphs::GlyphSettings none;
   rtglyphs::GlyphSettings settings = *this;
-  if (settings.Shape != rtg::Shape::Arrow)
+  if (settings.Shape != rtg::Shape::Arrow && !settings.Sizing.Split)
   {
     settings.Arrow = none.Arrow;
   }
@@ -43,7 +44,7 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Effective() const
     settings.ScaleArray.clear();
     settings.ScaleMode = none.ScaleMode;
   }
-  if (!settings.Orient || settings.Tensors.On)
+  if (!settings.Orient || (settings.Tensors.On && !settings.Tensors.AtTips))
   {
     settings.Orient = false;
     settings.OrientationArray.clear();
@@ -206,5 +207,62 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::PrincipalAxes() const
   settings.ScaleFactor = std::abs(settings.ScaleFactor);
   settings.Arrow.fixedHeads = false;
   settings.Motion.AngularVelocity.clear();
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphSettings::Cylinder rtglyphs::GlyphSettings::CylinderOf(double magnitude, int part) const
+{
+  const rtglyphs::SplitNumber number(magnitude);
+  const double power = 0.1 * number.Power, front = std::max(power, 0.0);
+  return part == 0 ? Cylinder{ front, front + 0.1 * number.Digit, this->Arrow.shaftRadius }
+                   : Cylinder{ std::min(power, 0.0), front, this->Arrow.tipRadius };
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Vectors() const
+{
+  rtglyphs::GlyphSettings settings = *this;
+  settings.Shape = rtg::Shape::Arrow;
+  settings.Sizing = {};
+  settings.Orient = settings.Scaling = true;
+  settings.OrientationMode = DIRECTION;
+  settings.ScaleMode = MAGNITUDE;
+  settings.ScaleArray = settings.OrientationArray;
+  settings.RadiusArray.clear();
+  settings.Anchor = ORIGIN;
+  settings.Motion.AngularVelocity.clear();
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphSettings rtglyphs::GlyphSettings::SplitVectors() const
+{
+  rtglyphs::GlyphSettings settings = this->Vectors();
+  settings.Shape = rtg::Shape::Cylinder;
+  settings.Sizing.Split = true;
+  settings.ArrowReference = 0.0;
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphSettings rtglyphs::GlyphSettings::ConfidenceEllipsoids() const
+{
+  rtglyphs::GlyphSettings settings = *this;
+  settings.Shape = rtg::Shape::Sphere;
+  settings.Sizing = {};
+  settings.Tensors.On = settings.Tensors.Covariances = true;
+  settings.Tensors.Kind = rtg::TensorGlyphKind::Ellipsoid;
+  settings.Tensors.Thickness = rtg::thinnestTensorGlyph;
+  return settings;
+}
+
+//----------------------------------------------------------------------------
+rtglyphs::GlyphSettings rtglyphs::GlyphSettings::ConfidenceAtTips() const
+{
+  rtglyphs::GlyphSettings settings = this->ConfidenceEllipsoids();
+  settings.Scaling = false;
+  settings.Tensors.AtTips = true;
+  settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;
   return settings;
 }

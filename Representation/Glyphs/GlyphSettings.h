@@ -144,6 +144,15 @@ struct GlyphSettings : GlyphScaling
   bool HasNumberRange() const { return this->Tensors.HasRange() || this->Forms.ColorsByRadius(); }
 
   /**
+   * The magnitude, as GlyphMagnitudes has it, of the glyph that shows this number: of a covariance a variance.
+   */
+  double MagnitudeOf(double number) const
+  {
+    return this->Tensors.Covariances ? 2.0 * GlyphTensors::RadiusOf(this->Tensors.Confidence) * std::sqrt(number)
+                                     : this->Sizing(number);
+  }
+
+  /**
    * World size along the longest axis of a glyph of this magnitude, as GlyphMagnitudes has it.
    */
   double Length(double magnitude) const { return this->Sizing.Limited(std::abs(this->ScaleFactor) * magnitude); }
@@ -172,6 +181,39 @@ struct GlyphSettings : GlyphScaling
    * each place on the surface.
    */
   GlyphSettings Trails(int steps, bool translucent) const;
+
+  /**
+   * Glyphs of a point: of a tensor's cross six arrows, of a split vector the cylinders of its digit and its power.
+   */
+  int Parts() const { return this->Sizing.Split ? 2 : this->Tensors.Parts(); }
+
+  /**
+   * One of the two cylinders that show a vector's magnitude, in unit glyphs along the vector from its point: the digit
+   * (0), thin, before the power (1), thick, which lies behind the point where it is negative.
+   */
+  struct Cylinder
+  {
+    double Begin, End, Radius;
+    double Length() const { return this->End - this->Begin; }
+  };
+  Cylinder CylinderOf(double magnitude, int part) const;
+
+  /**
+   * Split vectors of these settings' directions, whose lengths are the magnitudes. They do not turn while the shutter
+   * is open.
+   */
+  GlyphSettings SplitVectors() const;
+
+  ///@{
+  /**
+   * Arrows of these settings' directions, whose lengths are the magnitudes; and the ellipsoids round their tips of the
+   * vectors' covariances. They do not turn while the shutter is open. And ellipsoids round the points, of covariances
+   * of their places.
+   */
+  GlyphSettings Vectors() const;
+  GlyphSettings ConfidenceAtTips() const;
+  GlyphSettings ConfidenceEllipsoids() const;
+  ///@}
 
   /**
    * The crosses of arrows that show tensors of these settings by their principal axes. The arrows are copies of one,

@@ -33,6 +33,12 @@ rtglyphs::GlyphMagnitudes::GlyphMagnitudes(
       this->LackingTensors = rtglyphs::RayTracedBlocks::Lacking(array);
     }
   }
+  if (scaling.Sizing.Split)
+  {
+    const int components = this->ScaleArray ? this->ScaleArray->GetNumberOfComponents() : 0;
+    this->Problem = rtglyphs::GlyphArrays::Problem(scaling.ScaleArray, this->ScaleArray,
+      components == 2 || components == 3, "Split vectors need vectors", "SelectOrientationVectors", "2 or 3");
+  }
   if (scaling.Forms.On)
   {
     this->Problem = rtglyphs::GlyphForms::Problem(this->FormArray, scaling.Forms);
@@ -144,9 +150,9 @@ Outcome rtglyphs::GlyphSizes::Make(vtkIdType point, Tuples& tuples, Glyph& glyph
   }
   else if (tensors)
   {
-    if (!tensors->Glyph(point, glyph.Tensor))
+    if (const Outcome outcome = tensors->Glyph(point, glyph.Tensor); outcome != SHOWN)
     {
-      return tensors->IsZero(point) ? ZERO_TENSOR : TENSOR;
+      return outcome;
     }
     glyph.Size *= this->Settings.Sizing(glyph.Tensor.halfLengths);
     glyph.Rotation = glyph.Tensor.rotation;

@@ -1,10 +1,11 @@
 /**
  * How numbers of the data become sizes of glyphs: a function of their magnitude, and limits of the result. Ratios
- * between the lengths of one glyph are kept.
+ * between the lengths of one glyph are kept. Or, of vectors, digit and power of ten of their magnitudes as two lengths.
  */
 #ifndef GlyphSizing_h
 #define GlyphSizing_h
 
+#include "Finite.h"
 #include "RayTracedNumbers.h"
 
 #include <glm/glm.hpp>
@@ -14,6 +15,26 @@
 
 namespace rtglyphs
 {
+
+/**
+ * A magnitude as Digit times ten to the Power. The digit is in [1, 10) in single precision, which glyphs have: what
+ * rounds to 10 there is 1 of the next power. Zero is 0; NaN and infinity are digits.
+ */
+struct SplitNumber
+{
+  explicit SplitNumber(double magnitude)
+    : Power(rtg::IsPositive(magnitude) ? static_cast<int>(std::floor(std::log10(magnitude))) : 0)
+    , Digit(static_cast<float>(magnitude / std::pow(10.0, this->Power)))
+  {
+    if (this->Digit >= 10.0 && std::isfinite(this->Digit))
+    {
+      this->Digit = 1.0;
+      ++this->Power;
+    }
+  }
+  int Power;
+  double Digit;
+};
 
 struct GlyphSizing
 {
@@ -28,6 +49,7 @@ struct GlyphSizing
   RayTracedChoice<Functions, LINEAR, UNIT> Function;
   double Least = 0.0; // of a glyph's longest extent, in world units; 0: none
   double Most = 0.0;  // the same
+  bool Split = false; // a tenth for each one of SplitNumber's digit and power, in place of the function
 
   bool operator==(const GlyphSizing&) const = default;
 
@@ -36,6 +58,11 @@ struct GlyphSizing
    */
   double operator()(double magnitude) const
   {
+    if (this->Split)
+    {
+      const SplitNumber number(magnitude);
+      return 0.1 * (number.Digit + std::abs(number.Power));
+    }
     switch (this->Function)
     {
       case SQUARE_ROOT:

@@ -4,6 +4,7 @@
 #include "RayTracedArrays.h"
 #include "RayTracedParallel.h"
 #include "vtkDataArray.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -131,6 +132,7 @@ rtglyphs::GlyphTensors::Settings rtglyphs::GlyphTensors::Settings::Effective() c
     return none;
   }
   Settings settings = *this;
+  settings.Confidence = this->Covariances ? this->Confidence : none.Confidence;
   settings.Coloring = this->ColorsBySign() ? SIGN : this->ColorsByDirection() ? SURFACE_DIRECTION : NONE;
   settings.PositiveColor = none.PositiveColor;
   settings.NegativeColor = none.NegativeColor;
@@ -179,6 +181,7 @@ rtglyphs::GlyphTensors::GlyphTensors(
   : Tensors(array)
   , How(settings)
   , Read(array, settings.Layout)
+  , Radius(settings.Covariances ? RadiusOf(settings.Confidence) : 0.0)
 {
   const auto count = static_cast<vtkIdType>(points.size());
   this->Noise = 1e-6 *
@@ -188,6 +191,20 @@ rtglyphs::GlyphTensors::GlyphTensors(
         const rtg::SymmetricTensor tensor = this->Tensor(points[i]);
         return tensor.IsFinite() ? tensor.Largest() : 0.0;
       });
+}
+
+//----------------------------------------------------------------------------
+// By bisection: the cumulative distribution of the distance rises.
+double rtglyphs::GlyphTensors::RadiusOf(double confidence)
+{
+  double low = 0.0, high = 10.0;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double r = 0.5 * (low + high);
+    const double share = std::erf(r / std::sqrt(2.0)) - r * std::sqrt(2.0 / vtkMath::Pi()) * std::exp(-0.5 * r * r);
+    (share < confidence ? low : high) = r;
+  }
+  return high;
 }
 
 namespace
@@ -231,6 +248,7 @@ double rtglyphs::GlyphTensors::Extent(vtkIdType point) const
       const rtg::SymmetricTensor u{ t.xx / largest, t.yy / largest, t.zz / largest, t.xy / largest, t.yz / largest,
         t.xz / largest };
       extent = largest * LargestEigenvalue(u);
+      extent = this->How.Covariances ? 2.0 * this->Radius * std::sqrt(extent) : extent;
     }
   }
   return std::isfinite(extent) ? extent : 0.0;
@@ -272,23 +290,25 @@ rtg::SymmetricTensor rtglyphs::GlyphTensors::Tensor(vtkIdType point) const
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::GlyphTensors::Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const
+rtglyphs::GlyphOutcomes::Outcome rtglyphs::GlyphTensors::Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const
 {
+  constexpr double rounding = 1e-6;
   const rtg::SymmetricTensor tensor = this->Tensor(point);
   if (!tensor.IsFinite() || tensor.IsZero())
   {
-    return false;
+    return tensor.IsFinite() ? GlyphOutcomes::ZERO_TENSOR : GlyphOutcomes::TENSOR;
   }
-  glyph =
-    rtg::MakeTensorGlyph(rtg::Decompose(tensor), this->How.Kind, this->How.Sharpness, this->Noise, this->How.Thickness);
-  return true;
-}
-
-//----------------------------------------------------------------------------
-bool rtglyphs::GlyphTensors::IsZero(vtkIdType point) const
-{
-  const rtg::SymmetricTensor tensor = this->Tensor(point);
-  return tensor.IsFinite() && tensor.IsZero();
+  rtg::Eigensystem eigen = rtg::Decompose(tensor);
+  if (this->How.Covariances)
+  {
+    if (eigen.values.z < -rounding * eigen.values.x)
+    {
+      return GlyphOutcomes::COVARIANCE;
+    }
+    eigen.values = 2.0 * this->Radius * glm::sqrt(glm::max(eigen.values, glm::dvec3(0.0)));
+  }
+  glyph = rtg::MakeTensorGlyph(eigen, this->How.Kind, this->How.Sharpness, this->Noise, this->How.Thickness);
+  return GlyphOutcomes::SHOWN;
 }
 
 //----------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #ifndef GlyphTensors_h
 #define GlyphTensors_h
 
+#include "GlyphOutcomes.h"
 #include "RayTracedNumbers.h"
 #include "Tensor.h"
 #include "vtkType.h"
@@ -91,6 +92,9 @@ public:
     bool On = false;   // whether the glyphs show tensors at all
     std::string Array; // empty or "None": none
     RayTracedChoice<TensorLayouts, VTK_ORDER, VOIGT> Layout{};
+    bool Covariances = false; // of Gaussians; their glyphs are the ellipsoids that hold a share of each
+    double Confidence = 0.95; // that share
+    bool AtTips = false;      // round the tips of vectors, which the glyphs' directions are, instead of the points
 
     bool operator==(const Source&) const = default;
   };
@@ -138,8 +142,13 @@ public:
   GlyphTensors(vtkDataArray* array, const Settings& settings, const std::vector<vtkIdType>& points);
 
   /**
-   * What the longest extent of a unit glyph is multiplied with: the largest magnitude of an eigenvalue, of axes the
-   * axis's length. Zero where it is not finite.
+   * How many standard deviations the ellipsoid of a Gaussian in three dimensions reaches that holds this share of it.
+   */
+  static double RadiusOf(double confidence);
+
+  /**
+   * What the longest extent of a unit glyph is multiplied with: the largest magnitude of an eigenvalue, of a covariance
+   * the ellipsoid's diameter, of axes the axis's length. Zero where it is not finite.
    */
   double Extent(vtkIdType point) const;
 
@@ -151,14 +160,13 @@ public:
   bool Axis(vtkIdType point, double axis[3]) const;
 
   /**
-   * False: the tensor is zero or not finite.
+   * SHOWN, or why there is no glyph.
    */
-  bool Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const;
-  bool IsZero(vtkIdType point) const;
+  GlyphOutcomes::Outcome Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const;
 
   /**
    * The components' magnitudes of the unit eigenvector of the eigenvalue with the largest magnitude, as red, green and
-   * blue in [0, 1]; false as above.
+   * blue in [0, 1]; false: the tensor is zero or not finite.
    */
   bool DirectionColor(vtkIdType point, double rgb[3]) const;
 
@@ -180,6 +188,7 @@ private:
   Settings How;
   Order Read;
   double Noise = 0.0;
+  double Radius = 0.0; // RadiusOf() the confidence, of covariances
 };
 
 } // namespace rtglyphs

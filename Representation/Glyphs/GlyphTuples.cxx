@@ -106,6 +106,24 @@ float rtglyphs::GlyphArrays::Opacity(rtglyphs::GlyphTuples& opacities, vtkIdType
 }
 
 //----------------------------------------------------------------------------
+std::string rtglyphs::GlyphArrays::Problem(const std::string& name, vtkDataArray* array, bool fits,
+  const std::string& need, const std::string& property, const std::string& counts)
+{
+  if (rtglyphs::RayTracedArrays::IsNone(name))
+  {
+    return need + ". Choose a point array of " + counts + " components as " + property + ".";
+  }
+  const std::string named = "point array '" + name + "', which " + property + " names,";
+  if (!array)
+  {
+    return "There is no " + named + " so there are no glyphs. Choose one of " + counts + " components.";
+  }
+  return fits ? ""
+              : "The " + named + " has " + std::to_string(array->GetNumberOfComponents()) + " components where " +
+      counts + " are needed, so there are no glyphs. Choose another array.";
+}
+
+//----------------------------------------------------------------------------
 void rtglyphs::GlyphArrays::ReportLacking(vtkPolyData* points, const rtglyphs::GlyphSettings& settings,
   const rtglyphs::RayTracedRanges& hidden, std::vector<std::string>& messages)
 {

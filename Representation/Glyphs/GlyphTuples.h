@@ -99,6 +99,13 @@ Find(Id id, vtkPolyData* points, const GlyphSettings& settings, std::vector<std:
  */
 float Opacity(GlyphTuples& opacities, vtkIdType point);
 
+  /**
+ * Why glyphs that need an array have none, with the remedy: it is not chosen, not there, or its number of components is
+ * none of the `counts`. Empty: it fits.
+ */
+std::string Problem(const std::string& name, vtkDataArray* array, bool fits, const std::string& need,
+  const std::string& property, const std::string& counts);
+
 /**
  * Says which blocks lack one of all the arrays that settings name (RayTracedBlocks::ReportLacking).
  */

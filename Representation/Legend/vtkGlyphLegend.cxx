@@ -152,14 +152,15 @@ void vtkGlyphLegend::RemoveFrom(vtkPVRenderView* view)
 double vtkGlyphLegend::Extent(double number) const
 {
   const bool scaled = !this->Name.empty();
-  const double magnitude = scaled ? this->Settings.Sizing(number) : number, extent = this->Settings.Length(magnitude);
+  const double magnitude = scaled ? this->Settings.MagnitudeOf(number) : number,
+               extent = this->Settings.Length(magnitude);
   return scaled && extent != std::abs(this->Settings.ScaleFactor) * magnitude ? -extent : extent;
 }
 
 //----------------------------------------------------------------------------
-// One upright glyph whose unit glyph is `size` large, in pixels, or of crosses four arrows; tensors and polynomials of
-// equal values are balls.
-rtg::GlyphInstances vtkGlyphLegend::MakeGlyphs(double size, double unit) const
+// One upright glyph that is `size` large, in pixels, or of crosses four arrows, of split vectors the number's cylinders
+// along x; tensors and polynomials of equal values are balls.
+rtg::GlyphInstances vtkGlyphLegend::MakeGlyphs(double number, double size, double unit) const
 {
   const rtglyphs::GlyphSettings& settings = this->Settings;
   rtg::GlyphInstances glyphs;
@@ -173,7 +174,22 @@ rtg::GlyphInstances vtkGlyphLegend::MakeGlyphs(double size, double unit) const
     glyphs.shape = rtg::Shape::Box;
     glyphs.sizes3 = { glm::vec3(size * this->Mesh[0], size * this->Mesh[1], size) };
   }
-  else if (settings.Tensors.Parts() > 1)
+  else if (settings.Sizing.Split)
+  {
+    const auto half = static_cast<float>(std::sqrt(0.5));
+    glyphs.centres.clear();
+    for (int part = 0; part < settings.Parts(); ++part)
+    {
+      const rtglyphs::GlyphSettings::Cylinder cylinder = settings.CylinderOf(number, part);
+      if (cylinder.Length() > 0.0)
+      {
+        glyphs.centres.emplace_back(0.5 * (cylinder.Begin + cylinder.End) * unit, 0.0, 0.0);
+        glyphs.sizes3.emplace_back(unit * glm::dvec3(2.0 * cylinder.Radius, cylinder.Length(), 2.0 * cylinder.Radius));
+        glyphs.rotations.emplace_back(0.0f, 0.0f, -half, half);
+      }
+    }
+  }
+  else if (settings.Parts() > 1)
   {
     const auto half = static_cast<float>(std::sqrt(0.5));
     glyphs.uniformSize *= 0.5f;
@@ -234,7 +250,8 @@ double vtkGlyphLegend::ChooseNumber(double pixelsPerLength, double most) const
     {
       const double number = digit * std::pow(10.0, exponent);
       const double pixels = this->Extent(number) * this->Scale * pixelsPerLength;
-      const bool reached = !(this->Largest > 0.0) || this->Settings.Sizing(number) <= (1.0 + 1e-6) * this->Largest;
+      const double reach = this->Settings.Sizing.Split ? number : this->Settings.MagnitudeOf(number);
+      const bool reached = !(this->Largest > 0.0) || reach <= (1.0 + 1e-6) * this->Largest;
       if (pixels > 0.0 && pixels <= most && reached)
       {
         return number;
@@ -268,7 +285,7 @@ void vtkGlyphLegend::Arrange(vtkViewport* viewport)
   const double unit = std::abs(this->Settings.ScaleFactor) * this->Settings.ReferenceScale() * this->Scale * perLength;
   std::vector<std::string> unused;
   const rtglyphs::GlyphTessellatedSet set =
-    rtglyphs::GlyphTessellatedSet::Make("", this->MakeGlyphs(pixels, unit), {}, {}, unused);
+    rtglyphs::GlyphTessellatedSet::Make("", this->MakeGlyphs(number, pixels, unit), {}, {}, unused);
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> triangles, lines;
   vtkBoundingBox box;
@@ -285,7 +302,15 @@ void vtkGlyphLegend::Arrange(vtkViewport* viewport)
   this->Silhouette->SetLines(lines);
 
   char text[64];
-  std::snprintf(text, sizeof(text), "%.6g", alike ? extent : number);
+  const rtglyphs::SplitNumber split(number);
+  if (this->Settings.Sizing.Split)
+  {
+    std::snprintf(text, sizeof(text), "%.6ge%d", split.Digit, split.Power);
+  }
+  else
+  {
+    std::snprintf(text, sizeof(text), "%.6g", alike ? extent : number);
+  }
   this->Text->SetInput((alike ? text : this->Name + " " + text).c_str());
   this->Text->GetTextProperty()->SetColor(this->Look.Color.data());
   this->Actor->GetProperty()->SetColor(this->Look.Color.data());

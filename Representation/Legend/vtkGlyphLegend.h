@@ -87,7 +87,7 @@ private:
   double Extent(double number) const;
   double PixelsPerLength(vtkViewport* viewport) const;
   double ChooseNumber(double pixelsPerLength, double most) const;
-  rtg::GlyphInstances MakeGlyphs(double size, double unit) const;
+  rtg::GlyphInstances MakeGlyphs(double number, double size, double unit) const;
   void Arrange(vtkViewport* viewport);
 
   rtglyphs::GlyphSettings Settings;

@@ -33,6 +33,11 @@
 
 vtkStandardNewMacro(vtkRayTracedGlyphRepresentation);
 
+namespace
+{
+constexpr double ellipsoidOpacity = 0.4; // of uncertain vectors, whose heads are seen through it
+}
+
 //----------------------------------------------------------------------------
 vtkRayTracedGlyphRepresentation::vtkRayTracedGlyphRepresentation()
   : vtkRayTracedSelectableRepresentation(3)
@@ -151,8 +156,8 @@ void vtkRayTracedGlyphRepresentation::CountPointsOfAllRanks(vtkPolyData* points)
 bool vtkRayTracedGlyphRepresentation::NeedsOrderedCompositing()
 {
   const bool table = this->TensorTable && this->Glyphs.HasNumberRange() && !this->TensorTable->IsOpaque();
-  return table || this->FadesTrails() || !rtglyphs::RayTracedArrays::IsNone(this->Glyphs.OpacityArray) ||
-    this->Superclass::NeedsOrderedCompositing();
+  return table || this->FadesTrails() || this->GlyphShape == UNCERTAIN_VECTOR ||
+    !rtglyphs::RayTracedArrays::IsNone(this->Glyphs.OpacityArray) || this->Superclass::NeedsOrderedCompositing();
 }
 
 //----------------------------------------------------------------------------
@@ -170,9 +175,9 @@ const double* vtkRayTracedGlyphRepresentation::GetDataBounds(vtkPolyData* points
       all.back().Mesh = corners;
     }
   }
-  else if (this->ShowsAxes(points, settings))
+  else if (const std::optional<rtglyphs::GlyphSettings> beside = this->Beside(points, settings))
   {
-    all.push_back(settings.AxesOfTensors());
+    all.push_back(*beside);
   }
   return this->GetBoundsOf(points, all);
 }
@@ -219,11 +224,12 @@ void vtkRayTracedGlyphRepresentation::UpdateDataSizes(vtkPolyData* points)
   {
     sides = extents.front()->positions.back() - extents.front()->positions.front();
   }
-  const rtglyphs::GlyphSettings settings = this->MakeSettings();
+  rtglyphs::GlyphSettings settings = this->MakeSettings();
   const double highScale = this->HighScale.Get(points, settings, this->Blocks.GetHidden());
   double largest = 0.0;
   if (this->LegendStyle.On)
   {
+    settings.Sizing.Split = false; // the magnitudes themselves
     rtglyphs::RayTracedRanks::Together(
       [&]()
       {
@@ -267,15 +273,22 @@ vtkSmartPointer<vtkRayTracedMapper> vtkRayTracedGlyphRepresentation::MakeMapper(
 }
 
 //----------------------------------------------------------------------------
-bool vtkRayTracedGlyphRepresentation::ShowsAxes(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const
+// Glyphs that go with others: arrows of the antisymmetric parts of tensors, ellipsoids of uncertain vectors.
+std::optional<rtglyphs::GlyphSettings>
+vtkRayTracedGlyphRepresentation::Beside(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const
 {
+  if (this->GlyphShape == UNCERTAIN_VECTOR)
+  {
+    return settings.ConfidenceAtTips();
+  }
   vtkDataArray* tensors =
     this->TensorAxis && points ? rtglyphs::GlyphTensors::Array(points, settings.Tensors) : nullptr;
-  return tensors && tensors->GetNumberOfComponents() == 9;
+  const bool axes = tensors && tensors->GetNumberOfComponents() == 9 && !settings.Tensors.Covariances;
+  return axes ? std::optional(settings.AxesOfTensors()) : std::nullopt;
 }
 
 //----------------------------------------------------------------------------
-// Form 0 of a table of meshes is drawn by the main mapper, form i by layer i - 1. The arrows of antisymmetric parts and
+// Form 0 of a table of meshes is drawn by the main mapper, form i by layer i - 1. What stands beside the glyphs and
 // trails are layers, too.
 void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyData* points, bool lod, bool collective)
 {
@@ -299,8 +312,9 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   main->SetSelectionColor(this->GetSelectionColor());
   this->UpdateLegend(settings);
 
-  const bool axes = this->ShowsAxes(points, settings), trails = this->HasTrails();
-  const int tableLayers = settings.TableSize - 1, layers = tableLayers + (axes ? 1 : 0) + (trails ? 1 : 0);
+  const std::optional<rtglyphs::GlyphSettings> beside = this->Beside(points, settings);
+  const bool trails = this->HasTrails();
+  const int tableLayers = settings.TableSize - 1, layers = tableLayers + (beside ? 1 : 0) + (trails ? 1 : 0);
   this->ResizeLayers(this->GetRenderView(), layers);
   for (int i = 0; i < layers; ++i)
   {
@@ -320,12 +334,20 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
     settings.TableEntry = entry;
     (*this->Layers)[entry - 1].Mapper->SetSettings(settings, this->Meshes.GetForm(entry));
   }
-  if (axes)
+  if (beside)
   {
     rtglyphs::GlyphLayers::Layer& layer = (*this->Layers)[tableLayers];
-    layer.Mapper->SetSettings(settings.AxesOfTensors(), nullptr);
-    layer.Actor->GetProperty()->SetAmbientColor(this->TensorAxisColor.data());
-    layer.Actor->GetProperty()->SetDiffuseColor(this->TensorAxisColor.data());
+    layer.Mapper->SetSettings(*beside, nullptr);
+    vtkProperty* property = layer.Actor->GetProperty();
+    if (beside->Tensors.Axes)
+    {
+      property->SetAmbientColor(this->TensorAxisColor.data());
+      property->SetDiffuseColor(this->TensorAxisColor.data());
+    }
+    else
+    {
+      property->SetOpacity(ellipsoidOpacity * property->GetOpacity());
+    }
   }
 }
 
@@ -439,6 +461,18 @@ rtglyphs::GlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     this->TensorTable->GetColor(range[1], settings.Tensors.PositiveColor.data());
     this->TensorTable->GetColor(range[0], settings.Tensors.NegativeColor.data());
   }
+  if (this->GlyphShape == SPLIT_VECTOR)
+  {
+    return settings.SplitVectors();
+  }
+  if (this->GlyphShape == UNCERTAIN_VECTOR)
+  {
+    return settings.Vectors();
+  }
+  if (this->GlyphShape == CONFIDENCE_ELLIPSOID)
+  {
+    return settings.ConfidenceEllipsoids();
+  }
   if (this->GlyphShape == PRINCIPAL_AXES)
   {
     return settings.PrincipalAxes();
@@ -485,10 +519,10 @@ void vtkRayTracedGlyphRepresentation::SetGlyphLocation(int location)
 void vtkRayTracedGlyphRepresentation::SetGlyphShape(int shape)
 {
   const bool known = shape == GLYPH_TYPE || (shape >= SUPERQUADRIC && shape <= SIGNED_TENSOR_SUPERQUADRIC) ||
-    (shape >= CAPSULE && shape <= PRINCIPAL_AXES);
+    (shape >= CAPSULE && shape <= CONFIDENCE_ELLIPSOID);
   if (!known)
   {
-    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of 0, 5 to 8 and 10 to 15.");
+    vtkErrorMacro("GlyphShape is " << shape << "; it must be one of 0, 5 to 8 and 10 to 18.");
     return;
   }
   this->GlyphShape = shape;

@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,7 +51,10 @@ public:
     SPHERICAL_HARMONICS = 12,
     REYNOLDS = 13,
     FOURTH_ORDER_TENSOR = 14,
-    PRINCIPAL_AXES = 15 // of tensors
+    PRINCIPAL_AXES = 15, // of tensors
+    SPLIT_VECTOR = 16,
+    UNCERTAIN_VECTOR = 17,    // with tensors as covariances
+    CONFIDENCE_ELLIPSOID = 18 // of tensors as covariances
   };
   void SetGlyphShape(int shape);
 
@@ -158,15 +162,17 @@ public:
   ///@{
   /**
    * The tensors of tensor glyphs, the order of their components (GlyphTensors::TensorLayouts; default is 0, VTK's), the
-   * sharpness of superquadrics (in [0, 10], default 3), the least thickness as a share of the longest axis (in [0.001,
-   * 1], default 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that
-   * numbers of tensors are colored by, and by its ends GlyphTensors::SIGN.
+   * share of a Gaussian that the ellipsoid of a covariance holds (in [0.01, 0.9999], default 0.95), the sharpness of
+   * superquadrics (in [0, 10], default 3), the least thickness as a share of the longest axis (in [0.001, 1], default
+   * 0.02), what colors the glyphs (GlyphTensors::Colorings, default 0, an array), and the table that numbers of tensors
+   * are colored by, and by its ends GlyphTensors::SIGN.
    */
   void SetGlyphTensorArray(const char* name) { this->SetArray(this->Glyphs.Tensors.Array, name); }
   void SetGlyphTensorLayout(int layout)
   {
     this->Glyphs.Tensors.Layout = static_cast<rtglyphs::GlyphTensors::TensorLayouts>(layout);
   }
+  void SetGlyphConfidence(double share) { this->Glyphs.Tensors.Confidence = share; }
   void SetGlyphTensorSharpness(double sharpness) { this->Glyphs.Tensors.Sharpness = sharpness; }
   void SetGlyphTensorThickness(double share) { this->Glyphs.Tensors.Thickness = share; }
   void SetGlyphTensorColoring(int coloring) { this->Glyphs.Tensors.Coloring = coloring; }
@@ -252,7 +258,7 @@ protected:
 private:
   rtglyphs::GlyphSettings MakeSettings() const;
   bool FadesTrails() const { return this->HasTrails() && this->TrailFading > 0.0; }
-  bool ShowsAxes(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const;
+  std::optional<rtglyphs::GlyphSettings> Beside(vtkPolyData* points, const rtglyphs::GlyphSettings& settings) const;
   void UpdateTensorRange(vtkPolyData* points);
   void UpdateScaleGuess(vtkPolyData* points);
   void UpdateDataSizes(vtkPolyData* points);
@@ -287,7 +293,7 @@ private:
   rtglyphs::GlyphTensorRange ShownRange;  // of what is delivered to be rendered
 
   rtglyphs::GlyphMeshes Meshes;
-  std::unique_ptr<rtglyphs::GlyphLayers> Layers; // arrows of tensor axes, further forms of a table of meshes
+  std::unique_ptr<rtglyphs::GlyphLayers> Layers; // what stands beside the glyphs, further forms of a table of meshes
 };
 
 #endif

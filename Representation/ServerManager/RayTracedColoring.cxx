@@ -47,7 +47,8 @@ vtkSMRayTracedArrayListDomain* ScaleArrays(vtkSMProxy* glyphs)
 // Shapes whose surfaces GlyphTensorColoring colors; empty: none, or no array.
 std::string TensorsOf(vtkSMProxy* glyphs, int shape)
 {
-  const bool tensors = (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) ||
+  const bool tensors = shape == Shapes::CONFIDENCE_ELLIPSOID ||
+    (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) ||
     (shape >= Shapes::SPHERICAL_HARMONICS && shape <= Shapes::PRINCIPAL_AXES);
   return !tensors ? std::string()
                   : ValueOf(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray");
@@ -86,8 +87,9 @@ std::string ArrayToColorBy(vtkSMProxy* glyphs, int shape)
   vtkSMProxy* source = vtkSMPropertyHelper(glyphs, "GlyphType").GetAsProxy();
   const bool arrows = shape == 0 && source &&
     (strcmp(source->GetXMLName(), "ArrowSource") == 0 || strcmp(source->GetXMLName(), "ConeSource") == 0);
-  const std::string direction =
-    arrows && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt() ? ValueOf(glyphs, "SelectOrientationVectors") : "";
+  const bool directed = shape == Shapes::SPLIT_VECTOR || shape == Shapes::UNCERTAIN_VECTOR ||
+    (arrows && vtkSMPropertyHelper(glyphs, "Orient").GetAsInt());
+  const std::string direction = directed ? ValueOf(glyphs, "SelectOrientationVectors") : "";
   const std::string size =
     vtkSMPropertyHelper(glyphs, "ScaleMode").GetAsInt() != 0 ? ValueOf(glyphs, "SelectScaleArray") : "";
   return isListed(direction, false) ? direction : isListed(size, true) ? size : domain->ChooseFor(LENGTH, arrays).Name;

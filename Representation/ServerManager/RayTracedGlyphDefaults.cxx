@@ -108,7 +108,8 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
   // ParaView's Coloring says nothing true while tensors are colored by themselves.
   const std::string colored = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +
     where("Representation", "Ray Traced Glyphs", "inverse='1'") + where("GlyphTensorColoring", "0") +
-    "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='GlyphShape' values='0 5 10 11'/>" +
+    "<PropertyWidgetDecorator type='GenericDecorator' mode='visibility' property='GlyphShape' values='0 5 10 11 16 "
+    "17'/>" +
     "</Expression></PropertyWidgetDecorator></Hints>";
   const vtkSmartPointer<vtkPVXMLElement> coloring = vtkPVXMLParser::ParseXML(colored.c_str());
   for (size_t i = 0; i < display->GetNumberOfPropertyGroups(); ++i)
@@ -310,11 +311,12 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   };
   using Shapes = vtkRayTracedGlyphRepresentation;
   const int shape = static_cast<int>(number("GlyphShape"));
-  const bool tensors =
-    (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) || shape >= Shapes::REYNOLDS;
-  if (tensors || shape == Shapes::SPHERICAL_HARMONICS)
+  const bool tensors = (shape >= Shapes::TENSOR_ELLIPSOID && shape <= Shapes::SIGNED_TENSOR_SUPERQUADRIC) ||
+    (shape >= Shapes::REYNOLDS && shape <= Shapes::PRINCIPAL_AXES) || shape == Shapes::CONFIDENCE_ELLIPSOID;
+  const bool formed = tensors || shape == Shapes::UNCERTAIN_VECTOR;
+  if (formed || shape == Shapes::SPHERICAL_HARMONICS)
   {
-    explain("Form", tensors ? "GlyphTensorArray" : "GlyphHarmonicsArray");
+    explain("Form", formed ? "GlyphTensorArray" : "GlyphHarmonicsArray");
   }
   if (number("Scaling") != 0.0 && number("ScaleMode") != 0.0)
   {

@@ -14,6 +14,9 @@ import session  # noqa: E402
 
 FOLDER = os.path.join(HERE, "..", "..", "Plugin", "Shapes")
 WIDTH, HEIGHT = 112, 84
+#: of tensors
+ARRAYS = {"Fourth-Order Tensor": "stiffness", "Tensor Ellipsoid": "tensor", "Tensor Superquadric": "tensor", "Uncertain Vector": "covariance",
+          "Confidence Ellipsoid": "covariance"}
 
 
 def stiffness():
@@ -32,17 +35,19 @@ def main():
     tensor = numpy.array([[1.0, 0.55, 0.2, 0.1, 0.0, 0.0]])
     signs = numpy.array([[1.0, -0.6, 0.3, 0.1, 0.0, 0.0]])
     source = session.source(session.poly_data(numpy.zeros((1, 3)), harmonics=harmonics, stiffness=stiffness(), tensor=tensor, signs=signs,
-                                              v=numpy.array([[1.0, 0.25, 0.2]])))
+                                              v=numpy.array([[1.0, 0.25, 0.2]]), covariance=numpy.array([[0.03, 0.01, 0.015, 0.005, 0.0, 0.0]]), small=0.004 * numpy.array([[1.0, 0.25, 0.2]])))
     shown = session.glyphs(source, view, SelectOrientationVectors="v", ScaleFactor=1.0, samples=64)
     session.solid(shown, (0.35, 0.55, 0.8))
     names = list(session.SOURCES) + [name for name in shown.GetProperty("GlyphShape").Available if name != "Glyph Type"]
     for name in names:
         session.assign_shape(shown, name)
-        shown.GlyphTensorArray = "stiffness" if name == "Fourth-Order Tensor" else "tensor" if name in ("Tensor Ellipsoid", "Tensor Superquadric") else "signs"
+        shown.GlyphTensorArray = ARRAYS.get(name, "signs")
         shown.GlyphHarmonicsArray, shown.GlyphHarmonicsScaling = "harmonics", "Each Alike"
         shown.GlyphExponents = [3.0, 1.2, 1.2] if name == "Nested Superquadric" else [6.0, 6.0, 1.2]
         shown.GlyphAnchor = "Center"
-        session.look(view, (1.5, -4.0, 2.2), up=(0.0, 0.0, 1.0), parallel_scale=1.15 if name == "Capsule" else 0.72)
+        shown.SelectOrientationVectors = "small" if name == "Split Vector" else "v"
+        middle = numpy.array([0.5, 0.12, 0.1]) if name == "Uncertain Vector" else numpy.zeros(3)
+        session.look(view, middle + (1.5, -4.0, 2.2), middle, up=(0.0, 0.0, 1.0), parallel_scale=1.15 if name == "Capsule" else 0.72)
         pv.SaveScreenshot(os.path.join(FOLDER, name + ".png"), view, ImageResolution=[WIDTH, HEIGHT], TransparentBackground=1)
     session.finish()
 

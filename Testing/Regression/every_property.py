@@ -294,6 +294,8 @@ ROWS = [
     Row("GlyphTensorLayout", "xx xy xz yy yz zz", as_with(GlyphTensorArray="rows"), **{**TENSOR, "GlyphTensorArray": "six"}),
     Row("GlyphTensorSharpness", 0.0, as_with(GlyphShape="Tensor Ellipsoid"), **{**TENSOR, "GlyphShape": "Tensor Superquadric"}),
     Row("GlyphTensorThickness", 1.0, area(DISC), **TENSOR),
+    # Half-axes of a fifth of the standard deviations times the root of the quantile, which is 2.366 for a half
+    Row("GlyphConfidence", 0.5, area(numpy.pi * 0.04 * 2.366 * numpy.sqrt(0.5)), GlyphShape="Confidence Ellipsoid", GlyphTensorArray="tensor", ScaleFactor=0.2),
     Row("GlyphTensorColoring", "Principal Direction", colors(RED), **TENSOR),
     Row("GlyphTensorColoring", "Eigenvalues", colors([1.0, 0.5, 0.5]), **TENSOR),
     Row("GlyphTensorColoring", "Middle Eigenvalue", reads("GlyphTensorRange", [0.5, 0.5]), **TENSOR),

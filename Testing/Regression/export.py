@@ -50,13 +50,15 @@ CASES = {
     "superquadrics": {"GlyphShape": "Superquadric", **LONG, **TURNED, "GlyphExponentArray": "None", "GlyphExponents": [4.0, 1.0, 12.0]},
     "forms": {"GlyphShape": "Superquadric", **LONG, **TURNED, "GlyphExponentArray": "exponents"},
     "tensors": {"GlyphShape": "Signed Tensor Superquadric", "GlyphTensorArray": "tensor", "ScaleFactor": 0.9},
+    "split vectors": {"GlyphShape": "Split Vector", "SelectOrientationVectors": "direction", "ScaleFactor": 0.8},
     "meshes": {"GlyphType": lambda: session.triangles(pv.Cone()), **LONG, **TURNED},
 }
 #: number of copies a glyph where it is not one
-COPIES = {"capsules": 3, "arrows": 2, "sharp arrows": 2}
-#: number of arrows that are shorter than their fixed heads, 0.35 of what 95 % of them do not exceed, and so have no shaft
+COPIES = {"capsules": 3, "arrows": 2, "sharp arrows": 2, "split vectors": 2}
+#: number of arrows that are shorter than their fixed heads, 0.35 of what 95 % of them do not exceed, and so have no shaft, and of vectors of the
+#: power of ten 0
 SPEEDS = numpy.linalg.norm(DIRECTIONS, axis=1)
-WITHOUT_SHAFT = {"arrows": int((SPEEDS < 0.35 * numpy.quantile(SPEEDS, 0.95)).sum())}
+WITHOUT_SHAFT = {"arrows": int((SPEEDS < 0.35 * numpy.quantile(SPEEDS, 0.95)).sum()), "split vectors": int((SPEEDS >= 1.0).sum())}
 #: share of the pixels that may differ from the exact shapes, where facets are seen, and the mean of all differences
 PIXELS, MEAN = 0.002, 0.3
 #: the same where each glyph has a form of its own, with fewer facets

@@ -58,6 +58,32 @@ def size(checks, view, shown):
     settings.set({})
 
 
+def split(checks, view, shown):
+    """Digit and power of the legend's split vector are those of the glyph in the scene, within a pixel."""
+    source = session.source(session.poly_data(numpy.array([[5.0, 1.0, 0.0]]), v=numpy.array([[2300.0, 0.0, 0.0]])))
+    shown.Visibility = 0
+    single = session.glyphs(source, view, "Split Vector", SelectOrientationVectors="v", ScaleFactor=1.0, GlyphType="Arrow", GlyphLegend="Lower Left",
+                            GlyphLegendColor=GREEN, Ambient=1.0, Diffuse=0.0)
+    session.solid(single, (1.0, 0.0, 0.0))
+    view.CameraParallelProjection, view.CameraParallelScale = 1, 1.1
+    for single.GlyphLegendValue in (2300.0, 0.0):
+        image = session.capture(view, "glyph-legend-split-%g" % single.GlyphLegendValue).astype(int)
+        found = []
+        for channel in (0, 1):
+            mask = (image[..., channel] > 200) & (numpy.delete(image[..., :3], channel, axis=2).max(axis=2) < 100)
+            runs = [longest_run(row[None]) for row in mask]
+            # Through the middle both, beside it the power alone.
+            thick = [run for run in runs if 0.25 * max(runs) < run < 0.9 * max(runs)]
+            found.append(numpy.array([max(runs), max(thick), len([run for run in runs if run >= max(thick) - 1])]))
+        print("of split vectors: length, power, width", found)
+        # Chosen is 1000, a digit of 1 in place of 2.3: with 2 it were longer than a fifth of the view.
+        wanted = found[0] - numpy.array([0.13 * SIDE / 2.2, 0, 0]) * (single.GlyphLegendValue == 0.0)
+        checks.within("split vector of %g: difference of the legend's length, power and width" % single.GlyphLegendValue, numpy.abs(found[1] - wanted).max(), 0, 1.0)
+    pv.Delete(single)
+    pv.Delete(source)
+    shown.Visibility = 1
+
+
 def larger_pictures(checks, view, shown):
     """It grows as the scene's glyphs do, where the picture is put together from tiles, too, and stays in its corner."""
     view.CameraParallelScale, shown.GlyphLegendValue = 1.1, 2.0
@@ -120,6 +146,7 @@ def main():
     checks = Checks()
     view, shown = scene()
     size(checks, view, shown)
+    split(checks, view, shown)
     larger_pictures(checks, view, shown)
     choice(checks, view, shown)
     corners(checks, view, shown)

@@ -26,6 +26,9 @@ TENSOR, COLORED = ["Tensor Array", "Tensor Components"], ["Color Glyphs By"]
 DEFAULT_ROWS = {
     "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 25), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 29),
     "Box": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 28), "Capsule": (DIRECTION + SIZE + FIRST + LAST, 25),
+    "Split Vector": (DIRECTION + SIZE + FIRST + LAST, 22),
+    "Uncertain Vector": (DIRECTION + SIZE + FIRST + TENSOR + ["Confidence"] + LAST, 25),
+    "Confidence Ellipsoid": (SIZE + FIRST + TENSOR + ["Confidence"] + COLORED + LAST, 23),
     "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 27), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 27),
     "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + LAST, 26), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + LAST, 27),
     "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + LAST, 27), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + LAST, 25),

@@ -116,6 +116,7 @@ FIELDS = {
         "Function": ({"ScaleMode": "Magnitude", "SelectScaleArray": "length"}, "GlyphScaleFunction", "Square Root", "glyphs"),
         "Least": ({}, "GlyphSizeRange", [0.15, 0.0], "glyphs"),
         "Most": ({}, "GlyphSizeRange", [0.0, 0.05], "glyphs"),
+        "Split": [(ARROW, "GlyphShape", "Split Vector", "glyphs"), ({**ARROW, "GlyphShape": "Split Vector"}, "SelectScaleArray", "other", "nothing")],
     },
     "GlyphTensors::Settings": {
         "On": (TENSOR, "GlyphShape", "Glyph Type", "glyphs"),
@@ -131,6 +132,9 @@ FIELDS = {
                           (TENSOR, "GlyphTensorLookupTable", lambda: session.signs((0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), "nothing")],
         "NegativeColor": (SIGNS, "GlyphTensorLookupTable", lambda: session.signs((0.0, 0.0, 1.0), (0.0, 1.0, 0.0)), "image"),
         "Axes": "of arrows beside the glyphs, whose settings are the glyphs' own",
+        "Covariances": (TENSOR, "GlyphShape", "Confidence Ellipsoid", "glyphs"),
+        "Confidence": [({**TENSOR, "GlyphShape": "Confidence Ellipsoid"}, "GlyphConfidence", 0.5, "glyphs"), (TENSOR, "GlyphConfidence", 0.5, "nothing")],
+        "AtTips": "of ellipsoids beside arrows, whose settings are the arrows' own",
         "Cross": (TENSOR, "GlyphShape", "Principal Axes", "glyphs"),
     },
     "GlyphForms::Settings": {
