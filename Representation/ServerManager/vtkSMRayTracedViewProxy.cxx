@@ -314,6 +314,13 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
   }
   this->Progress = progress;
   this->Step = step;
+  int size[2] = { 0, 0 };
+  vtkSMPropertyHelper(this->View, "ViewSize").Get(size, 2);
+  if (!std::equal(size, size + 2, this->MeasuredSize))
+  {
+    std::copy_n(size, 2, this->MeasuredSize);
+    this->SecondsPerSample.clear();
+  }
   if (this->GetSecondsLeft() >= 0.0)
   {
     const int wanted = vtkSMPropertyHelper(this, "SamplesPerPixel").GetAsInt();
