@@ -306,7 +306,8 @@ void ProgressiveImage::Grow(const Request& request)
 {
   const ImageEffort& effort = request.effort;
   const auto pixels = static_cast<double>(Pixels(this->view_));
-  if (request.IsTimed() && this->samples_ == 0 && !this->pending_ && !this->hasPicture_ && !this->onlyLightChanged_)
+  const bool begun = this->pending_ && this->pendingShare_ > 0.0;
+  if (request.IsTimed() && this->samples_ == 0 && !begun && !this->hasPicture_ && !this->onlyLightChanged_)
   {
     // Something to see at once, unless a sample of all pixels is as quick.
     const bool quick = this->secondsPerRay_ > 0.0 && this->secondsPerRay_ * pixels < 0.5 * effort.seconds;

@@ -460,6 +460,20 @@ TEST_F(ProgressiveImageTest, PreviewsThatAreCompiledHoldNothingUp)
   EXPECT_EQ(this->source.previews, 0);
 }
 
+// Where both programs are compiled the first picture is a preview, and no part of a sample.
+TEST_F(ProgressiveImageTest, PreviewsComeFirstOnceTheyAreCompiled)
+{
+  this->source.previewCompilingSeconds = 0.3;
+  this->source.compilingSeconds = 0.1;
+  this->source.secondsPerSample = 4.0;
+  for (int i = 0; i < 20 && !this->image.HasPicture(); ++i)
+  {
+    ASSERT_NE(this->Update(Window(8)), nullptr);
+  }
+  EXPECT_EQ(this->source.previews, 1);
+  EXPECT_LT(this->image.GetImage().width, width);
+}
+
 TEST_F(ProgressiveImageTest, AnImageOfTheSceneFailsUntilItsContentChangesOrMemoryIsFreed)
 {
   this->source.sceneFails = true;
