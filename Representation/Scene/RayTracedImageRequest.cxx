@@ -13,6 +13,7 @@ namespace
 {
 // Seconds of one step of the images of a frame in the window, and of a frame of a camera that moves: what the user does
 // meanwhile waits for the one and is shown by the other. A server's frames take longer to be sent.
+constexpr double firstSeconds = 0.1; // of the first frame of another image: it is to have more than a few pixels
 double StepSeconds()
 {
   return vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT ? 0.04 : 0.1;
@@ -129,6 +130,7 @@ rtglyphs::RayTracedImageRequest::EffortOf(const rtglyphs::RayTracedImageSettings
   const bool stepwise = settings.IsStepwise() && !frame.Capture;
   effort.samplesAtOnce = frame.Capture || stepwise ? 0 : static_cast<std::uint32_t>(settings.SamplesPerRender);
   effort.seconds = stepwise ? StepSeconds() / frame.Images : 0.0;
+  effort.firstSeconds = firstSeconds / frame.Images;
   effort.preview = frame.Interactive;
   effort.pixelStep = static_cast<std::uint32_t>(settings.InteractiveReduction);
   effort.exact = frame.Capture || settings.SamplesPerRender == 0;

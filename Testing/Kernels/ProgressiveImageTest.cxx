@@ -402,6 +402,19 @@ TEST_F(ProgressiveImageTest, APreviewOfCostlyGlyphsIsCoarser)
   EXPECT_GE(this->source.previewStep, 8.0);
 }
 
+TEST_F(ProgressiveImageTest, TheFirstPictureMayTakeLonger)
+{
+  this->source.secondsPerSample = 2.0;
+  ImageEffort effort = Window(16);
+  for (const double first : { 0.0, 0.8 })
+  {
+    ++this->view.content;
+    effort.firstSeconds = first;
+    this->Update(effort);
+    EXPECT_EQ(this->source.previewStep, first > 0.0 ? 2.0 : 6.0);
+  }
+}
+
 // The first picture has half the resolution where that can be had in time, also when nothing is known of its cost; it
 // stays until all pixels have a sample.
 TEST_F(ProgressiveImageTest, APreviewStaysUntilThereIsASample)
