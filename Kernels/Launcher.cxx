@@ -14,7 +14,7 @@ namespace
 constexpr std::uint32_t mostTiles = 16 * LaunchGrid::mostColumns; ///< of a launch
 /// Seconds that a launch is to take where launches are cut: a user who stops it, or whose display stands still, waits
 /// so long.
-constexpr double launchSeconds = 0.04;
+constexpr double launchSeconds = 0.02;
 
 } // namespace
 

@@ -249,24 +249,27 @@ void ProgressiveImage::Preview(const Request& request)
   // It is quick: each process that traces a share of the image traces all of it.
   settings.share = 0;
   settings.shares = 1;
-  const auto affordable = [&](double seconds)
+  const auto affordable = [&](double time)
   {
     std::uint32_t step = std::max(1u, request.effort.pixelStep);
     const double all = this->secondsPerPreviewRay_ * Pixels(this->view_);
-    while (request.IsTimed() && step < coarsestPreviewStep && all / (double(step) * step) > seconds)
+    while (request.IsTimed() && step < coarsestPreviewStep && all / (double(step) * step) > time)
     {
       ++step;
     }
     return step;
   };
+  const double seconds =
+    request.effort.preview ? request.effort.seconds : std::max(request.effort.seconds, request.effort.firstSeconds);
+  const auto left = [&] { return request.start + seconds - request.source.Now(); };
   // To begin again costs more than a little more time.
   const Interrupt patient = [&](double)
   {
-    return (request.IsTimed() && request.Left() <= -request.effort.seconds) ||
+    return (request.IsTimed() && left() <= -seconds) ||
       (request.interrupt && request.interrupt(0.0));
   };
   const bool known = this->secondsPerPreviewRay_ > 0.0 || !request.IsTimed();
-  std::uint32_t step = affordable(request.effort.seconds);
+  std::uint32_t step = affordable(seconds);
   step = known ? step : std::max(step, firstPreviewStep);
   for (bool final = known;;)
   {
@@ -281,7 +284,7 @@ void ProgressiveImage::Preview(const Request& request)
     if (image.complete)
     {
       this->secondsPerPreviewRay_ = (request.source.Now() - before) / (double(settings.width) * settings.height);
-      const std::uint32_t finer = final ? step : affordable(request.Left());
+      const std::uint32_t finer = final ? step : affordable(left());
       if (finer < step)
       {
         step = finer;
@@ -306,7 +309,8 @@ void ProgressiveImage::Grow(const Request& request)
 {
   const ImageEffort& effort = request.effort;
   const auto pixels = static_cast<double>(Pixels(this->view_));
-  if (request.IsTimed() && this->samples_ == 0 && !this->pending_ && !this->hasPicture_ && !this->onlyLightChanged_)
+  const bool begun = this->pending_ && this->pendingShare_ > 0.0;
+  if (request.IsTimed() && this->samples_ == 0 && !begun && !this->hasPicture_ && !this->onlyLightChanged_)
   {
     // Something to see at once, unless a sample of all pixels is as quick.
     const bool quick = this->secondsPerRay_ > 0.0 && this->secondsPerRay_ * pixels < 0.5 * effort.seconds;

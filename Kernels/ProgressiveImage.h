@@ -40,6 +40,7 @@ struct ImageEffort
   std::uint32_t samples = 1;       ///< samples a pixel of a finished image, >= 1
   std::uint32_t samplesAtOnce = 0; ///< most samples that one Update() adds; 0: as many as there is time for
   double seconds = 0.0;            ///< that one Update() may take, but for a launch; 0: no limit
+  double firstSeconds = 0.0;       ///< likewise, where there was nothing to see of the image; at least `seconds`
   bool preview = false;            ///< the camera moves: a preview will do
   std::uint32_t pixelStep = 2; ///< pixels of the image a pixel of a preview, along a side, >= 1; time may ask for more
   /// True: the finished image has exactly `samples`, spread as for that number. False: more are as good, and a larger

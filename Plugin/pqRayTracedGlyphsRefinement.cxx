@@ -2,7 +2,6 @@
 
 #include "pqAnimationScene.h"
 #include "pqApplicationCore.h"
-#include "pqCoreUtilities.h"
 #include "pqProgressManager.h"
 #include "pqProgressWidget.h"
 #include "pqRenderView.h"
@@ -11,11 +10,7 @@
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
 #include "vtkCollection.h"
-#include "vtkCommand.h"
-#include "vtkEventQtSlotConnect.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
-#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderWindow.h"
 #include "vtkSMComparativeViewProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -25,10 +20,7 @@
 #include "vtkSMViewProxy.h"
 
 #include <QApplication>
-#include <QKeyEvent>
-#include <QProgressDialog>
 #include <QSignalBlocker>
-#include <QToolButton>
 #include <QWidget>
 
 #include <algorithm>
@@ -38,50 +30,10 @@ namespace
 {
 // Between two renders, in milliseconds: enough for the window to take its events.
 constexpr int pauseBetween = 5;
-// Milliseconds of a render after which its user is listened to, and without one after which a view rests.
+// Milliseconds without a render after which a view that was turned rests.
 constexpr int quietTime = 300;
 
-bool IsEscape(QEvent* event)
-{
-  return (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) &&
-    static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
-}
-
-// What a user does, and what may render.
-bool MayInterfere(QEvent* event)
-{
-  switch (event->type())
-  {
-    case QEvent::Timer: // comes again
-    case QEvent::KeyPress:
-    case QEvent::KeyRelease:
-    case QEvent::ShortcutOverride:
-    case QEvent::Shortcut:
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::NonClientAreaMouseButtonPress:
-    case QEvent::Wheel:
-    case QEvent::TabletPress:
-    case QEvent::TouchBegin:
-    case QEvent::ContextMenu:
-    case QEvent::DragEnter:
-    case QEvent::Drop:
-    case QEvent::Close:
-      return true;
-    default:
-      return false;
-  }
-}
-
 QPointer<pqRayTracedGlyphsRefinement> onlyOne;
-
-bool IsWithin(QObject* object, const QWidget* widget)
-{
-  const auto* asWidget = qobject_cast<QWidget*>(object);
-  return widget && asWidget && (asWidget == widget || widget->isAncestorOf(asWidget));
-}
 }
 
 //----------------------------------------------------------------------------
@@ -94,8 +46,15 @@ pqRayTracedGlyphsRefinement::pqRayTracedGlyphsRefinement(QObject* parent)
   this->AtRest.setSingleShot(true);
   this->AtRest.setInterval(quietTime);
   QObject::connect(&this->AtRest, &QTimer::timeout, this, &pqRayTracedGlyphsRefinement::rested);
-  this->Rest.setSingleShot(true);
-  QObject::connect(&this->Rest, &QTimer::timeout, this, &pqRayTracedGlyphsRefinement::rest);
+  QObject::connect(&this->Abort, &pqRayTracedGlyphsAbort::pressed, this, [this]() { this->stop(nullptr); });
+  QObject::connect(&this->Abort, &pqRayTracedGlyphsAbort::rested, this,
+    [this]()
+    {
+      if (pqProgressWidget* bar = this->Showing ? nullptr : this->Abort.progressBar())
+      {
+        bar->enableAbort(false);
+      }
+    });
   onlyOne = this;
 }
 
@@ -135,12 +94,10 @@ void pqRayTracedGlyphsRefinement::startup()
 void pqRayTracedGlyphsRefinement::shutdown()
 {
   this->Timer.stop();
-  this->Rest.stop();
   this->AtRest.stop();
+  this->Abort.shutdown();
   this->Waiting.clear();
   this->Turned.clear();
-  this->Observers->Disconnect();
-  this->Observed.clear();
   this->ShowProgress();
   if (pqApplicationCore* core = pqApplicationCore::instance())
   {
@@ -244,33 +201,6 @@ pqRayTracedGlyphsRefinement::Image pqRayTracedGlyphsRefinement::imageOf(pqView* 
   return image;
 }
 
-//----------------------------------------------------------------------------
-// Parts of a comparative view come and go, and other views may have no window at first.
-void pqRayTracedGlyphsRefinement::Attach(const Part& part)
-{
-  vtkRenderWindow* window = part.Proxy->GetRenderWindow();
-  if (std::find(this->Observed.begin(), this->Observed.end(), window) != this->Observed.end())
-  {
-    return;
-  }
-  this->Observers->Connect(window, vtkCommand::AbortCheckEvent, this, SLOT(abortChecked(vtkObject*)));
-  if (vtkObject* interactor = window->GetInteractor())
-  {
-    for (const auto pressed :
-      { vtkCommand::LeftButtonPressEvent, vtkCommand::MiddleButtonPressEvent, vtkCommand::RightButtonPressEvent })
-    {
-      this->Observers->Connect(interactor, pressed, this, SLOT(mousePressed()), nullptr, 1.0f);
-    }
-    for (const auto released :
-      { vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonReleaseEvent, vtkCommand::RightButtonReleaseEvent })
-    {
-      this->Observers->Connect(interactor, released, this, SLOT(mouseReleased()), nullptr, 1.0f);
-    }
-  }
-  this->Observed.erase(std::remove(this->Observed.begin(), this->Observed.end(), nullptr), this->Observed.end());
-  this->Observed.emplace_back(window);
-}
-
 //****************************************************************************
 // Refinement
 //****************************************************************************
@@ -278,7 +208,7 @@ void pqRayTracedGlyphsRefinement::Attach(const Part& part)
 //----------------------------------------------------------------------------
 void pqRayTracedGlyphsRefinement::renderStarted()
 {
-  this->SinceStart.start();
+  this->Abort.renderStarted();
 }
 
 //----------------------------------------------------------------------------
@@ -301,28 +231,23 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
   {
     return;
   }
-  // What selects and hovers renders too, without a beginning: nobody listens to its user.
-  this->SinceStart.invalidate();
+  this->Abort.renderEnded();
   vtkSMRayTracedViewProxy* scene = SceneOf(part);
   if (scene)
   {
-    this->Attach(part);
+    this->Abort.watch(window);
   }
-  const auto found = std::find_if(
-    this->Waiting.begin(), this->Waiting.end(), [&part](const Part& other) { return other.Proxy == part.Proxy; });
-  if (found != this->Waiting.end())
-  {
-    this->Waiting.erase(found);
-  }
+  const auto isSame = [&part](const Part& other) { return other.Proxy == part.Proxy; };
+  std::erase_if(this->Waiting, isSame);
   // While the camera is turned ParaView renders for speed, and once more when it comes to rest. But where the style of
   // the interactor is exchanged meanwhile, as after a zoom to a box beside a selection, there is no such render.
-  std::erase_if(this->Turned, [&part](const Part& other) { return other.Proxy == part.Proxy; });
+  std::erase_if(this->Turned, isSame);
   if (scene && scene->IsInteractive())
   {
     this->Turned.push_back(part);
     this->AtRest.start();
   }
-  if (!scene || !scene->IsInteractive())
+  else
   {
     if (scene && scene->GetProgress() < 1.0)
     {
@@ -341,9 +266,7 @@ void pqRayTracedGlyphsRefinement::Look(Part part)
 // One image at a time, so that between any two of them the window can take its events.
 void pqRayTracedGlyphsRefinement::step()
 {
-  this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
-                        [](const Part& part) { return !part.View || !SceneOf(part); }),
-    this->Waiting.end());
+  std::erase_if(this->Waiting, [](const Part& part) { return !part.View || !SceneOf(part); });
   if (!this->Waiting.empty() && !this->Playing)
   {
     const Part part = this->Waiting.front();
@@ -358,22 +281,10 @@ void pqRayTracedGlyphsRefinement::step()
 }
 
 //----------------------------------------------------------------------------
-void pqRayTracedGlyphsRefinement::mousePressed()
-{
-  this->MouseDown = true;
-}
-
-//----------------------------------------------------------------------------
-void pqRayTracedGlyphsRefinement::mouseReleased()
-{
-  this->MouseDown = false;
-}
-
-//----------------------------------------------------------------------------
 // No view was turned of late.
 void pqRayTracedGlyphsRefinement::rested()
 {
-  if (this->MouseDown)
+  if (QApplication::mouseButtons() != Qt::NoButton)
   {
     this->AtRest.start();
     return;
@@ -424,25 +335,10 @@ void pqRayTracedGlyphsRefinement::playEnded()
 //****************************************************************************
 
 //----------------------------------------------------------------------------
-pqProgressWidget* pqRayTracedGlyphsRefinement::ProgressBar()
-{
-  QWidget* window = pqCoreUtilities::mainWidget();
-  if (!this->Bar && window)
-  {
-    this->Bar = window->findChild<pqProgressWidget*>();
-    if (this->Bar)
-    {
-      QObject::connect(this->Bar, &pqProgressWidget::abortPressed, this, &pqRayTracedGlyphsRefinement::abortPressed);
-    }
-  }
-  return this->Bar;
-}
-
-//----------------------------------------------------------------------------
 // The widget itself is told: while pqProgressManager has progress to show it lets no input through.
 void pqRayTracedGlyphsRefinement::ShowProgress()
 {
-  pqProgressWidget* bar = this->ProgressBar();
+  pqProgressWidget* bar = this->Abort.progressBar();
   if (this->Waiting.empty() && this->Showing)
   {
     this->Showing = false;
@@ -479,19 +375,6 @@ void pqRayTracedGlyphsRefinement::ShowProgress()
 }
 
 //----------------------------------------------------------------------------
-void pqRayTracedGlyphsRefinement::abortPressed()
-{
-  if (this->Listening)
-  {
-    this->Aborted = true;
-  }
-  else
-  {
-    this->stop(nullptr);
-  }
-}
-
-//----------------------------------------------------------------------------
 // Null: all views.
 void pqRayTracedGlyphsRefinement::stop(const pqView* view)
 {
@@ -503,9 +386,11 @@ void pqRayTracedGlyphsRefinement::stop(const pqView* view)
   this->Waiting = std::move(others);
   for (const Part& part : stopped)
   {
-    if (vtkSMRayTracedViewProxy* scene = SceneOf(part))
+    vtkSMRayTracedViewProxy* scene = SceneOf(part);
+    if (scene && part.View)
     {
       scene->InvokeCommand("StopRefinement");
+      part.View->render(); // as a finished picture is: smoothed
     }
     Q_EMIT this->looked(part.View);
   }
@@ -513,98 +398,13 @@ void pqRayTracedGlyphsRefinement::stop(const pqView* view)
 }
 
 //----------------------------------------------------------------------------
-// Within a render that takes long. Those in the window do not: pictures that are captured have all their samples. VTK's
-// mappers check, too, each before it draws.
-void pqRayTracedGlyphsRefinement::abortChecked(vtkObject* caller)
-{
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(caller);
-  if (!window || window->GetSwapBuffers() || this->Listening)
-  {
-    return;
-  }
-  if (!this->Aborted && this->SinceStart.isValid() && this->SinceStart.elapsed() > quietTime)
-  {
-    this->Listening = true;
-    pqProgressWidget* bar = this->ProgressBar();
-    if (bar)
-    {
-      bar->enableAbort(true);
-    }
-    qApp->removeEventFilter(this);
-    qApp->installEventFilter(this);
-    pqProgressManager* manager = pqApplicationCore::instance()->getProgressManager();
-    const bool before = manager->unblockEvents(true);
-    // Widgets that paint make OpenGL contexts of their own current, and bind their framebuffers in the window's.
-    window->GetState()->Push();
-    QApplication::processEvents();
-    window->MakeCurrent();
-    window->GetState()->Pop();
-    manager->unblockEvents(before);
-    if (!this->Showing)
-    {
-      qApp->removeEventFilter(this);
-    }
-    this->Listening = false;
-    // Tiles of one picture and frames of an animation that follow are not wanted either. At rest all is as before.
-    auto* dialog = qobject_cast<QProgressDialog*>(QApplication::activeModalWidget());
-    if (dialog && (this->Aborted || dialog->wasCanceled()))
-    {
-      this->Aborted = true;
-      if (!dialog->wasCanceled())
-      {
-        Q_EMIT dialog->canceled();
-      }
-    }
-    this->Rest.start();
-  }
-  if (this->Aborted)
-  {
-    window->SetAbortRender(1);
-  }
-}
-
-//----------------------------------------------------------------------------
-// No render is going on.
-void pqRayTracedGlyphsRefinement::rest()
-{
-  this->Aborted = false;
-  if (this->Bar && !this->Showing)
-  {
-    this->Bar->enableAbort(false);
-  }
-}
-
-//----------------------------------------------------------------------------
 bool pqRayTracedGlyphsRefinement::eventFilter(QObject* object, QEvent* event)
 {
-  if (this->Listening)
-  {
-    if (IsEscape(event))
-    {
-      this->Aborted = true;
-      event->accept();
-      return true;
-    }
-    if (!MayInterfere(event))
-    {
-      return false;
-    }
-    // A window hands what the mouse does on to its widgets: that is where it is looked at.
-    const bool mouse = dynamic_cast<QMouseEvent*>(event) != nullptr;
-    const bool wanted = object->isWindowType() ? mouse
-                                               : IsWithin(object, this->Bar ? this->Bar->abortButton() : nullptr) ||
-        IsWithin(object, qobject_cast<QProgressDialog*>(QApplication::activeModalWidget()));
-    if (!wanted && event->type() == QEvent::Close)
-    {
-      event->ignore();
-    }
-    return !wanted;
-  }
-  if (event->type() == QEvent::KeyPress && IsEscape(event))
+  if (event->type() == QEvent::KeyPress && pqRayTracedGlyphsAbort::isEscape(event))
   {
     for (const Part& part : this->Waiting)
     {
-      if (part.View && IsWithin(object, part.View->widget()))
+      if (part.View && pqRayTracedGlyphsAbort::isWithin(object, part.View->widget()))
       {
         this->stop(part.View);
         break;

@@ -2,32 +2,26 @@
  * @class   pqRayTracedGlyphsRefinement
  * @brief   finishes ray-traced images while ParaView's window rests, and ends tracing that nobody wants any more
  *
- * A render in the window traces only what takes a tenth of a second or so. After each, this object renders the view
+ * A render in the window traces only what takes some hundredths of a second. After each, this object renders the view
  * again until all samples are there: between two renders the window answers to its user, and none happens while the
  * camera is turned or an animation plays. ParaView's progress bar says how far the images are. Its Abort button, or Esc
  * in a view, leaves them as they are. When all views are finished no timer runs.
- *
- * A screenshot is one render with all samples. While it takes long this object looks for the same button and key, and
- * lets nothing else happen in the window.
  */
 #ifndef pqRayTracedGlyphsRefinement_h
 #define pqRayTracedGlyphsRefinement_h
 
-#include "vtkNew.h"
+#include "pqRayTracedGlyphsAbort.h"
 #include "vtkWeakPointer.h"
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
 
 #include <vector>
 
-class pqProgressWidget;
 class pqProxy;
 class pqRepresentation;
 class pqView;
-class vtkEventQtSlotConnect;
 class vtkObject;
 class vtkSMProxy;
 class vtkSMRayTracedViewProxy;
@@ -85,13 +79,8 @@ private Q_SLOTS:
   void rendered();
   void playStarted();
   void playEnded();
-  void abortChecked(vtkObject* window);
-  void abortPressed();
   void step();
-  void mousePressed();
-  void mouseReleased();
   void rested();
-  void rest();
 
 private:
   Q_DISABLE_COPY(pqRayTracedGlyphsRefinement)
@@ -104,26 +93,17 @@ private:
   };
   static std::vector<Part> PartsOf(pqView* view);
   static vtkSMRayTracedViewProxy* SceneOf(const Part& part);
-  void Attach(const Part& part);
   void Look(Part part);
   void Render(const Part& part);
   void ShowProgress();
-  pqProgressWidget* ProgressBar();
 
-  vtkNew<vtkEventQtSlotConnect> Observers;
-  std::vector<vtkWeakPointer<vtkObject>> Observed; ///< windows
-  std::vector<Part> Waiting;                       ///< to be rendered again, the next one first
-  std::vector<Part> Turned;                        ///< last rendered for speed
-  QPointer<pqProgressWidget> Bar;
-  QTimer Timer;             ///< of the next step
-  QTimer AtRest;            ///< runs out when no view was turned of late
-  QTimer Rest;              ///< runs out when the window is at rest again
-  QElapsedTimer SinceStart; ///< of the last render
-  bool Showing = false;     ///< something in the progress bar
+  std::vector<Part> Waiting; ///< to be rendered again, the next one first
+  std::vector<Part> Turned;  ///< last rendered for speed
+  pqRayTracedGlyphsAbort Abort;
+  QTimer Timer;         ///< of the next step
+  QTimer AtRest;        ///< runs out when no view was turned of late
+  bool Showing = false; ///< something in the progress bar
   bool Playing = false;
-  bool MouseDown = false; ///< in a view
-  bool Listening = false; ///< to events, within a render
-  bool Aborted = false;   ///< until the window is at rest again
 };
 
 #endif

@@ -2,7 +2,6 @@
 
 #include "pqActiveObjects.h"
 #include "pqRayTracedGlyphsReference.h"
-#include "pqRayTracedGlyphsRefinement.h"
 #include "pqRayTracedGlyphsWords.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
@@ -32,11 +31,10 @@ pqRayTracedGlyphsRefinement::Image ImageOf(pqView* view)
 
 constexpr double longTime = 60.0; // seconds
 
-// How long an image of that quality takes; empty: unknown.
-QString TimeOf(const pqRayTracedGlyphsRefinement::Image& image, const QAction* quality)
+// Seconds that an image of that quality takes; negative: unknown.
+double SecondsOf(const pqRayTracedGlyphsRefinement::Image& image, const QAction* quality)
 {
-  const double seconds = image.Scene ? image.Scene->GetSecondsOfQuality(quality->data().toInt()) : -1.0;
-  return seconds >= 0.0 ? pqRayTracedGlyphsWords::ForTime(seconds) : QString();
+  return image.Scene ? image.Scene->GetSecondsOfQuality(quality->data().toInt()) : -1.0;
 }
 }
 
@@ -124,9 +122,14 @@ void pqRayTracedGlyphsToolBar::follow(const pqView* view)
   {
     quality->setEnabled(image.Display != nullptr);
     quality->setChecked(quality->text() == chosen);
-    const QString time = TimeOf(image, quality);
-    quality->setToolTip(quality->whatsThis() + (time.isEmpty() ? time : tr(" Takes about %1 here.").arg(time)));
+    const double seconds = SecondsOf(image, quality);
+    const bool sets = image.Display && quality->data().toInt() != 0;
+    quality->setToolTip(quality->whatsThis() +
+      (seconds >= 0.0 ? tr(" Takes about %1 here.").arg(pqRayTracedGlyphsWords::ForTime(seconds))
+          : sets      ? tr(" How long it takes here is not measured yet.")
+                      : QString()));
   }
+  this->TellTime(image);
   this->Stop->setEnabled(image.Refined);
   this->Samples->setEnabled(image.Display != nullptr);
   this->Samples->setRange(0, 1000);
@@ -148,23 +151,36 @@ void pqRayTracedGlyphsToolBar::chooseQuality(QAction* quality)
     display->UpdateVTKObjects();
     END_UNDO_SET();
     view->render();
-    // Where it takes long, what would not.
-    QStringList times;
-    for (QAction* one : this->Qualities)
-    {
-      const QString time = TimeOf(image, one);
-      if (!time.isEmpty() && one->data().toInt() <= quality->data().toInt())
-      {
-        times += tr("%1 takes about %2").arg(one->text(), time);
-      }
-    }
-    auto* window = qobject_cast<QMainWindow*>(this->window());
-    if (window && image.Scene && image.Scene->GetSecondsOfQuality(quality->data().toInt()) > longTime)
-    {
-      window->statusBar()->showMessage(times.join("; ") + tr(". Stop keeps what is there."), 10000);
-    }
+    this->Untold = quality;
   }
   this->follow(view);
+}
+
+//----------------------------------------------------------------------------
+// Of a quality that was chosen, as soon as it is known: that it takes long, and what would not.
+void pqRayTracedGlyphsToolBar::TellTime(const pqRayTracedGlyphsRefinement::Image& image)
+{
+  const bool holds = this->Untold && this->Untold->isChecked();
+  const double seconds = holds ? SecondsOf(image, this->Untold) : 0.0;
+  auto* window = qobject_cast<QMainWindow*>(this->window());
+  if (seconds < 0.0)
+  {
+    return;
+  }
+  if (window && seconds > longTime)
+  {
+    QStringList times;
+    for (const QAction* one : this->Qualities)
+    {
+      const double its = SecondsOf(image, one);
+      if (its >= 0.0 && one->data().toInt() <= this->Untold->data().toInt())
+      {
+        times += tr("%1 takes about %2").arg(one->text(), pqRayTracedGlyphsWords::ForTime(its));
+      }
+    }
+    window->statusBar()->showMessage(times.join("; ") + tr(". Stop keeps what is there."), 10000);
+  }
+  this->Untold = nullptr;
 }
 
 //----------------------------------------------------------------------------

@@ -33,7 +33,7 @@ def Statistics(view=None):
 def SetSamplesPerRender(samples, view=None):
     """For scripts that watch an image grow: each render adds so many samples a pixel until there are SamplesPerPixel.
 
-    0: all at once, which is the default; -1: what fits into a tenth of a second, as in ParaView's window.
+    0: all at once, which is the default; -1: what fits into some hundredths of a second, as in ParaView's window.
     """
     display = _AnyDisplay(view).SMProxy
     display.GetProperty("SamplesPerRender").SetElement(0, samples)

@@ -3,6 +3,7 @@
 #include "RayTracedStudioLight.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkProcessModule.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -10,8 +11,13 @@
 
 namespace
 {
-// Seconds of one step of the images of a frame in the window: a camera that is turned meanwhile waits so long.
-constexpr double stepSeconds = 0.1;
+// Seconds of one step of the images of a frame in the window, and of a frame of a camera that moves: what the user does
+// meanwhile waits for the one and is shown by the other. A server's frames take longer to be sent.
+constexpr double firstSeconds = 0.1; // of the first frame of another image: it is to have more than a few pixels
+double StepSeconds()
+{
+  return vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT ? 0.04 : 0.1;
+}
 
 // Settings that mean nothing to the shading stay at their defaults: no image is traced again for them.
 rtg::TraceSettings ToTraceSettings(const rtglyphs::RayTracedImageSettings& from)
@@ -123,7 +129,8 @@ rtglyphs::RayTracedImageRequest::EffortOf(const rtglyphs::RayTracedImageSettings
   effort.samples = static_cast<std::uint32_t>(settings.SamplesPerPixel);
   const bool stepwise = settings.IsStepwise() && !frame.Capture;
   effort.samplesAtOnce = frame.Capture || stepwise ? 0 : static_cast<std::uint32_t>(settings.SamplesPerRender);
-  effort.seconds = stepwise ? stepSeconds / frame.Images : 0.0;
+  effort.seconds = stepwise ? StepSeconds() / frame.Images : 0.0;
+  effort.firstSeconds = firstSeconds / frame.Images;
   effort.preview = frame.Interactive;
   effort.pixelStep = static_cast<std::uint32_t>(settings.InteractiveReduction);
   effort.exact = frame.Capture || settings.SamplesPerRender == 0;

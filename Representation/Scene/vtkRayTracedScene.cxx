@@ -415,11 +415,15 @@ void vtkRayTracedScene::DrawImage(int pass, vtkActor* imageActor, vtkMapper* map
 }
 
 //----------------------------------------------------------------------------
-// A rank's own part of the picture has edges that the whole has not.
+// A rank's own part of the picture has edges that the whole has not. Without a GPU, smoothing takes longer than all else
+// that OpenGL does for a frame: while an image is refined or the camera turned, the user would wait for it.
 void vtkRayTracedScene::SmoothFrame()
 {
   Internals& self = *this->Self;
-  if (self.HasOtherRanks())
+  const std::vector<rtglyphs::RayTracedFrame::Drawn>& all = self.Frame.GetAll();
+  const bool last = self.Frame.IsStopped() ||
+    std::all_of(all.begin(), all.end(), [](const auto& drawn) { return drawn.Entry->Image.Progress() >= 1.0; });
+  if (self.HasOtherRanks() || !last)
   {
     return;
   }

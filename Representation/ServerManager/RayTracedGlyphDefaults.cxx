@@ -5,6 +5,7 @@
 #include "RayTracedSuggestion.h"
 #include "vtkCommand.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkNew.h"
 #include "vtkPVXMLElement.h"
 #include "vtkPVXMLParser.h"
 #include "vtkRayTracedGlyphRepresentation.h"
@@ -104,6 +105,32 @@ void rtglyphs::RayTracedGlyphDefaults::ShowInPanel(vtkSMProxy* display)
   for (const char* name : { "Metallic", "Roughness", "CoatStrength", "CoatIOR", "CoatRoughness", "CoatColor" })
   {
     display->GetProperty(name)->SetHints(element);
+  }
+  // What ParaView has for points, lines, textures and back faces has no effect on what is ray traced.
+  const std::string others = "<PropertyWidgetDecorator type='CompositeDecorator'><Expression type='and'>" +
+    where("Representation", "Ray Traced Glyphs", "inverse='1'") +
+    where("Representation", "Ray Traced Surface", "inverse='1'") +
+    where("Representation", "Ray Traced Tubes", "inverse='1'") + "</Expression></PropertyWidgetDecorator>";
+  const vtkSmartPointer<vtkPVXMLElement> decorator = vtkPVXMLParser::ParseXML(others.c_str());
+  for (const char* name : { "PointSize", "LineWidth", "RenderLinesAsTubes", "RenderPointsAsSpheres",
+         "SelectTCoordArray", "SelectNormalArray", "SelectTangentArray", "Texture", "RepeatTextures",
+         "InterpolateTextures", "SeamlessU", "SeamlessV", "UseMipmapTextures", "ShowTexturesOnBackface",
+         "NormalTexture", "CoatNormalTexture", "FlipTextures", "EdgeColor", "BackfaceRepresentation",
+         "BackfaceAmbientColor", "BackfaceDiffuseColor", "BackfaceOpacity" })
+  {
+    if (vtkSMProperty* property = display->GetProperty(name))
+    {
+      // Those of ParaView are its definition's, which all displays share.
+      vtkNew<vtkPVXMLElement> both;
+      both->SetName("Hints");
+      vtkPVXMLElement* own = property->GetHints();
+      for (unsigned int i = 0; own && i < own->GetNumberOfNestedElements(); ++i)
+      {
+        both->AddNestedElement(own->GetNestedElement(i), /*setParent=*/0);
+      }
+      both->AddNestedElement(decorator, /*setParent=*/0);
+      property->SetHints(both);
+    }
   }
   // ParaView's Coloring says nothing true while tensors are colored by themselves.
   const std::string colored = "<Hints><PropertyWidgetDecorator type='CompositeDecorator'><Expression type='or'>" +

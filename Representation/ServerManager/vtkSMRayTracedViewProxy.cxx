@@ -314,11 +314,18 @@ void vtkSMRayTracedViewProxy::UpdateStatistics()
   }
   this->Progress = progress;
   this->Step = step;
+  int size[2] = { 0, 0 };
+  vtkSMPropertyHelper(this->View, "ViewSize").Get(size, 2);
+  if (!std::equal(size, size + 2, this->MeasuredSize))
+  {
+    std::copy_n(size, 2, this->MeasuredSize);
+    this->SecondsPerSample.clear();
+  }
   if (this->GetSecondsLeft() >= 0.0)
   {
     const int wanted = vtkSMPropertyHelper(this, "SamplesPerPixel").GetAsInt();
-    this->MeasuredMode = vtkSMPropertyHelper(this, "ShadingMode").GetAsInt();
-    this->SecondsPerSample = this->GetSecondsLeft() / ((1.0 - progress) * wanted);
+    this->SecondsPerSample[vtkSMPropertyHelper(this, "ShadingMode").GetAsInt()] =
+      this->GetSecondsLeft() / ((1.0 - progress) * wanted);
   }
   const auto ofRepresentations = all.value("representations", all.object());
   all.erase("representations");
@@ -360,5 +367,6 @@ double vtkSMRayTracedViewProxy::GetSecondsOfQuality(int quality)
     mode = property == "ShadingMode" ? value : mode;
     samples = property == "SamplesPerPixel" ? value : samples;
   }
-  return mode >= 0 && mode == this->MeasuredMode ? samples * this->SecondsPerSample : -1.0;
+  const auto found = this->SecondsPerSample.find(mode);
+  return found != this->SecondsPerSample.end() ? samples * found->second : -1.0;
 }

@@ -18,6 +18,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -109,8 +110,8 @@ private:
   int Samples = 0;
   // When the present step was begun, the image's progress then, and what was measured.
   double StepStart = 0.0, StepProgress = 0.0;
-  double SecondsPerSample = -1.0;
-  int MeasuredMode = -1;
+  std::map<int, double> SecondsPerSample; // by ShadingMode, of pictures of this size
+  int MeasuredSize[2] = { 0, 0 };
 };
 
 #endif

@@ -402,6 +402,19 @@ TEST_F(ProgressiveImageTest, APreviewOfCostlyGlyphsIsCoarser)
   EXPECT_GE(this->source.previewStep, 8.0);
 }
 
+TEST_F(ProgressiveImageTest, TheFirstPictureMayTakeLonger)
+{
+  this->source.secondsPerSample = 2.0;
+  ImageEffort effort = Window(16);
+  for (const double first : { 0.0, 0.8 })
+  {
+    ++this->view.content;
+    effort.firstSeconds = first;
+    this->Update(effort);
+    EXPECT_EQ(this->source.previewStep, first > 0.0 ? 2.0 : 6.0);
+  }
+}
+
 // The first picture has half the resolution where that can be had in time, also when nothing is known of its cost; it
 // stays until all pixels have a sample.
 TEST_F(ProgressiveImageTest, APreviewStaysUntilThereIsASample)
@@ -458,6 +471,20 @@ TEST_F(ProgressiveImageTest, PreviewsThatAreCompiledHoldNothingUp)
   const int updates = this->Finish(Window(8));
   EXPECT_LT(updates, 20);
   EXPECT_EQ(this->source.previews, 0);
+}
+
+// Where both programs are compiled the first picture is a preview, and no part of a sample.
+TEST_F(ProgressiveImageTest, PreviewsComeFirstOnceTheyAreCompiled)
+{
+  this->source.previewCompilingSeconds = 0.3;
+  this->source.compilingSeconds = 0.1;
+  this->source.secondsPerSample = 4.0;
+  for (int i = 0; i < 20 && !this->image.HasPicture(); ++i)
+  {
+    ASSERT_NE(this->Update(Window(8)), nullptr);
+  }
+  EXPECT_EQ(this->source.previews, 1);
+  EXPECT_LT(this->image.GetImage().width, width);
 }
 
 TEST_F(ProgressiveImageTest, AnImageOfTheSceneFailsUntilItsContentChangesOrMemoryIsFreed)

@@ -14,11 +14,11 @@
 #include <QMap>
 #include <QMenu>
 #include <QMessageBox>
-#include <QMouseEvent>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStatusBar>
 #include <QString>
 #include <QTimer>
 #include <QWidget>
@@ -27,9 +27,11 @@
 #include <algorithm>
 #include <cstring>
 
-// As QTest has it, which tests of windows would otherwise need for this alone.
+// As QTest has them, which tests of windows would otherwise need for these alone.
 Q_GUI_EXPORT bool qt_sendShortcutOverrideEvent(QObject* to, ulong time, int key, Qt::KeyboardModifiers modifiers,
   const QString& text = QString(), bool repeated = false, ushort count = 1);
+Q_GUI_EXPORT void qt_handleMouseEvent(QWindow* window, const QPointF& at, const QPointF& onScreen,
+  Qt::MouseButtons buttons, Qt::MouseButton button, QEvent::Type type, Qt::KeyboardModifiers modifiers, int time);
 
 namespace
 {
@@ -62,9 +64,13 @@ QWidget* Find(const char* path)
 void PostMouse(
   QWindow* window, QEvent::Type type, QPoint at, Qt::MouseButtons buttons, Qt::MouseButton button = Qt::LeftButton)
 {
-  QCoreApplication::postEvent(window,
-    new QMouseEvent(
-      type, at, window->mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button, buttons, Qt::NoModifier));
+  const auto happens = [=]()
+  {
+    static int time = 0;
+    qt_handleMouseEvent(window, at, window->mapToGlobal(at), buttons, type == QEvent::MouseMove ? Qt::NoButton : button,
+      type, Qt::NoModifier, time += 1000); // no two clicks are a double click
+  };
+  QMetaObject::invokeMethod(window, happens, Qt::QueuedConnection);
 }
 }
 
@@ -259,8 +265,8 @@ extern "C"
     return 0;
   }
 
-  // What a label, a button, a line of text or a progress bar says; copied, at most `size` characters with the 0 at the
-  // end.
+  // What a label, a button, a line of text, a progress bar or a status bar says; copied, at most `size` characters with
+  // the 0 at the end.
   Q_DECL_EXPORT void probe_text(const char* name, char* text, int size)
   {
     const QWidget* widget = Find(name);
@@ -281,7 +287,19 @@ extern "C"
     {
       said = bar->text();
     }
+    else if (const auto* status = qobject_cast<const QStatusBar*>(widget))
+    {
+      said = status->currentMessage();
+    }
     std::strncpy(text, said.toUtf8().constData(), size - 1);
+    text[size - 1] = 0;
+  }
+
+  // The tool tip of a widget; copied as above.
+  Q_DECL_EXPORT void probe_tip(const char* name, char* text, int size)
+  {
+    const QWidget* widget = Find(name);
+    std::strncpy(text, widget ? widget->toolTip().toUtf8().constData() : "", size - 1);
     text[size - 1] = 0;
   }
 

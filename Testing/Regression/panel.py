@@ -10,10 +10,20 @@ import session
 from checks import Checks
 
 MATERIAL = ("Metallic", "Roughness", "CoatStrength", "CoatIOR", "CoatRoughness", "CoatColor")
+#: some of those that have an effect on surfaces of polygons alone
+OTHERS = {"PointSize", "LineWidth", "EdgeColor", "BackfaceOpacity", "SelectTangentArray", "SeamlessU"}
 GROUPS, LIGHTING, GLYPHS = ("Ray Traced Image (Whole View)",), "Lighting", "Glyph Parameters"
 #: what both kinds of glyphs have
 SHARED = {"Orient", "OrientationMode", "SelectOrientationVectors", "Scaling", "ScaleMode", "ScaleFactor", "SelectScaleArray", "GlyphType",
           "UseGlyphTable", "GlyphTableIndexArray"}
+#: rows that are there where they have an effect, and not elsewhere; settings add up
+EFFECTS = [("GlyphScaleFunction", seen, settings) for seen, settings in (
+    (True, {"GlyphShape": "Spherical Harmonics", "ScaleMode": "No Data Scaling Off"}), (False, {"GlyphHarmonicsScaling": "Each Alike"}),
+    (True, {"ScaleMode": "Magnitude"}), (True, {"GlyphShape": "Capsule"}), (False, {"ScaleMode": "No Data Scaling Off"}))] + [
+    ("GlyphTensorAxisColor", True, {"GlyphShape": "Tensor Ellipsoid", "GlyphTensorAxis": 1}), ("GlyphTensorAxisColor", False, {"GlyphShape": "Capsule"}),
+    ("AngularVelocityArray", True, {"MotionBlur": 1}), ("AngularVelocityArray", False, {"GlyphShape": "Principal Axes"}),
+    ("VelocityArray", True, {}), ("VelocityArray", False, {"VelocityFromPreviousStep": 1}), ("PointIdArray", True, {}), ("PointIdArray", False, {"MotionBlur": 0}),
+    ("AngularVelocityArray", False, {"MotionBlur": 1, "GlyphShape": "Capsule", "Representation": "Ray Traced Tubes"})]
 ORIENTATION = {"Orient", "OrientationMode", "SelectOrientationVectors"}
 
 
@@ -78,6 +88,10 @@ def rows(checks, view):
     for coloring, seen in (("Trace", False), ("None", True)):
         shown.GlyphTensorColoring = coloring
         checks.equal("GlyphTensorColoring %s: ParaView's Coloring" % coloring, "LookupTable" in panel(shown, "Coloring"), seen)
+    for name, seen, settings in EFFECTS:
+        for key, value in settings.items():
+            setattr(shown, key, value)
+        checks.equal("%s beside %s" % (name, settings), name in panel(shown), seen)
     shown.SetRepresentationType("3D Glyphs")
     checks.equal("3D Glyphs' own properties", SHARED & panel(shown, GLYPHS), SHARED)
     shown.SetRepresentationType("Surface")
@@ -103,6 +117,7 @@ def main():
                 ours, traced = kind != "Surface", kind != "Surface" and mode == "Path Tracing"
                 checks.equal(what + "ShadingMode", "ShadingMode" in found, ours)
                 checks.equal(what + "MaximumBounces", "MaximumBounces" in found, traced)
+                checks.equal(what + "rows of other kinds of displays", panel(shown) & OTHERS, set() if ours else OTHERS)
                 material = panel(shown, LIGHTING) & set(MATERIAL)
                 checks.equal(what + "material", material, set(MATERIAL) if traced or interpolation == "PBR" else set())
     rows(checks, view)

@@ -100,8 +100,8 @@ def main():
         failures.append("a finished image was traced again: %s, then %s" % (before, state(shown)))
 
     # While the camera is turned there are coarse images and no steps between them.
-    interactor = view.SMProxy.GetInteractor()
-    interactor.InvokeEvent("LeftButtonPressEvent")
+    window.mouse("Viewport", "press", (100, 100))
+    window.wait(lambda: False, 0.1)
     before = state(shown)
     start = time.time()
     session.look(view, (1.0, 0.0, 6.0))
@@ -114,7 +114,8 @@ def main():
     # A coarse image has no sample of every pixel; before the first one a coarser one tells what rays cost.
     if turning[1] > before[1] + 2 or turning[1] == before[1] or turning[0] != 0:
         failures.append("a turn of the camera took %s to %s samples and images" % (before, turning))
-    interactor.InvokeEvent("LeftButtonReleaseEvent")
+    window.mouse("Viewport", "release", (100, 100))
+    window.events()
     start = time.time()
     view.SMProxy.StillRender()
     sample = time.time() - start

@@ -6,6 +6,7 @@ import numpy
 import paraview.simple as pv
 
 import session
+from accumulation import shown_by
 from checks import Checks, cloud
 
 #: of the balls of the wall
@@ -66,7 +67,26 @@ def kept(checks, stage):
     print("pixels that FXAA changes: %d of glyphs, %d of a box" % (changed[:, :ordinary].sum(), changed[:, ordinary:].sum()))
     checks.equal("pixels of glyphs that FXAA changes", int(changed[:, :ordinary].sum()), 0)
     checks.true("FXAA smooths no edge of a box", changed[:, ordinary:].sum() > 20)
+    changed[:, :ordinary] = False
+    growing(checks, view, changed)
     pv.Hide(tilted, view)
+
+
+def growing(checks, view, edges):
+    """Of an image that grows the frame that ends it, or after which it is stopped, is smoothed, and no other: its user waits for them."""
+    import raytracedglyphs  # comes with the plugin
+    raytracedglyphs.SetSamplesPerRender(3, view)  # of 8
+    for what in ("finished", "stopped"):
+        view.CameraPosition = [1.0, 0.001 * len(what), 7.0]
+        frames = []
+        for _ in range(5):
+            pv.Render(view)
+            frames.append(shown_by(view)[edges])
+            if what == "stopped" and len(frames) == 2:
+                raytracedglyphs.StopRefinement(view)
+        checks.equal("%s: frames in which a box becomes smooth" % what, [bool((a != b).any()) for a, b in zip(frames, frames[1:])],
+                     [False, True, False, False])
+    raytracedglyphs.SetSamplesPerRender(0, view)
 
 
 def walls():

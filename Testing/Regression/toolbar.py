@@ -146,6 +146,21 @@ def views(checks, bar, view, shown):
     bar.waits(checks, "a ray-traced surface", lambda: bar.enabled()[:5] == list(QUALITIES))
 
 
+def long(checks, window, bar, view, source):
+    """What takes long says so as soon as that is measured, and not before."""
+    pv.GetLayout().PreviewMode = [1200, 800]
+    shown = session.glyphs(source, view, "Sphere", Orient=0, ScaleFactor=0.15, RenderingQuality="Fast")
+    pv.Render(view)
+    bar.waits(checks, "a larger view", lambda: bar.samples() == "4 of 4")
+    checks.true("tool tip of what is not measured: %s" % window.tip(BAR + "/Publication"), window.tip(BAR + "/Publication").endswith("not measured yet."))
+    checks.true("Publication cannot be pressed", window.click(BAR + "/Publication"))
+    told = r"Publication takes about \d+ (s|min|h)\. Stop keeps what is there."
+    checks.true("nothing tells how long it takes: %s" % window.text("statusbar"), window.wait(lambda: re.search(told, window.text("statusbar")), LIMIT))
+    checks.true("tool tip of what is measured: %s" % window.tip(BAR + "/Publication"), re.search(r"about \d+ (s|min|h) here", window.tip(BAR + "/Publication")))
+    say("said: %s" % window.text("statusbar"))
+    shown.RenderingQuality = "Fast"
+
+
 def main():
     """All of it in one window."""
     checks, window = Checks(), Window()
@@ -162,6 +177,7 @@ def main():
     quality(checks, window, bar, shown)
     stopping(checks, window, bar, view, shown)
     views(checks, bar, view, shown)
+    long(checks, window, bar, view, cloud(20000))
     return checks.failures
 
 

@@ -102,8 +102,12 @@ class Window:
         return text.value.decode()
 
     def text(self, name):
-        """What a label, a button, a line of text or a progress bar says."""
+        """What a label, a button, a line of text, a progress bar or a status bar says."""
         return self._words(self.probe.probe_text, name)
+
+    def tip(self, name):
+        """The tool tip of a widget."""
+        return self._words(self.probe.probe_tip, name)
 
     def rows(self, name):
         """The rows of the lists in a widget, which need not be visible, each once."""

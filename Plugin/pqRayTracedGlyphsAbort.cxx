@@ -1,0 +1,220 @@
+#include "pqRayTracedGlyphsAbort.h"
+
+#include "pqApplicationCore.h"
+#include "pqCoreUtilities.h"
+#include "pqProgressManager.h"
+#include "pqProgressWidget.h"
+#include "vtkCommand.h"
+#include "vtkEventQtSlotConnect.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QProgressDialog>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace
+{
+// Milliseconds of a render after which its user is listened to.
+constexpr int quietTime = 300;
+
+// What a user does, and what may render.
+bool MayInterfere(QEvent* event)
+{
+  switch (event->type())
+  {
+    case QEvent::Timer: // comes again
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+    case QEvent::ShortcutOverride:
+    case QEvent::Shortcut:
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::NonClientAreaMouseButtonPress:
+    case QEvent::Wheel:
+    case QEvent::TabletPress:
+    case QEvent::TouchBegin:
+    case QEvent::ContextMenu:
+    case QEvent::DragEnter:
+    case QEvent::Drop:
+    case QEvent::Close:
+      return true;
+    default:
+      return false;
+  }
+}
+}
+
+//----------------------------------------------------------------------------
+pqRayTracedGlyphsAbort::pqRayTracedGlyphsAbort(QObject* parent)
+  : QObject(parent)
+{
+  this->Rest.setSingleShot(true);
+  QObject::connect(&this->Rest, &QTimer::timeout, this,
+    [this]()
+    {
+      this->Aborted = false;
+      Q_EMIT this->rested();
+    });
+}
+
+//----------------------------------------------------------------------------
+pqRayTracedGlyphsAbort::~pqRayTracedGlyphsAbort() = default;
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsAbort::shutdown()
+{
+  this->Rest.stop();
+  this->Observers->Disconnect();
+  this->Watched.clear();
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsAbort::watch(vtkRenderWindow* window)
+{
+  if (std::find(this->Watched.begin(), this->Watched.end(), window) == this->Watched.end())
+  {
+    this->Observers->Connect(window, vtkCommand::AbortCheckEvent, this, SLOT(abortChecked(vtkObject*)));
+    std::erase(this->Watched, nullptr);
+    this->Watched.emplace_back(window);
+  }
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsAbort::renderStarted()
+{
+  this->SinceStart.start();
+}
+
+//----------------------------------------------------------------------------
+// What selects and hovers renders too, without a beginning: nobody listens to its user.
+void pqRayTracedGlyphsAbort::renderEnded()
+{
+  this->SinceStart.invalidate();
+}
+
+//----------------------------------------------------------------------------
+pqProgressWidget* pqRayTracedGlyphsAbort::progressBar()
+{
+  QWidget* window = pqCoreUtilities::mainWidget();
+  if (!this->Bar && window)
+  {
+    this->Bar = window->findChild<pqProgressWidget*>();
+    if (this->Bar)
+    {
+      QObject::connect(this->Bar, &pqProgressWidget::abortPressed, this, &pqRayTracedGlyphsAbort::abortPressed);
+    }
+  }
+  return this->Bar;
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsAbort::abortPressed()
+{
+  if (this->Listening)
+  {
+    this->Aborted = true;
+  }
+  else
+  {
+    Q_EMIT this->pressed();
+  }
+}
+
+//----------------------------------------------------------------------------
+// Within a render that takes long. Those in the window do not: pictures that are captured have all their samples. VTK's
+// mappers check, too, each before it draws.
+void pqRayTracedGlyphsAbort::abortChecked(vtkObject* caller)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(caller);
+  if (!window || window->GetSwapBuffers() || this->Listening)
+  {
+    return;
+  }
+  if (!this->Aborted && this->SinceStart.isValid() && this->SinceStart.elapsed() > quietTime)
+  {
+    // Widgets that paint make OpenGL contexts of their own current, and bind their framebuffers in the window's.
+    window->GetState()->Push();
+    this->Listen();
+    window->MakeCurrent();
+    window->GetState()->Pop();
+    this->Rest.start();
+  }
+  if (this->Aborted)
+  {
+    window->SetAbortRender(1);
+  }
+}
+
+//----------------------------------------------------------------------------
+void pqRayTracedGlyphsAbort::Listen()
+{
+  this->Listening = true;
+  if (pqProgressWidget* bar = this->progressBar())
+  {
+    bar->enableAbort(true);
+  }
+  qApp->installEventFilter(this);
+  pqProgressManager* manager = pqApplicationCore::instance()->getProgressManager();
+  const bool before = manager->unblockEvents(true);
+  QApplication::processEvents();
+  manager->unblockEvents(before);
+  qApp->removeEventFilter(this);
+  this->Listening = false;
+  // Tiles of one picture and frames of an animation that follow are not wanted either. At rest all is as before.
+  auto* dialog = qobject_cast<QProgressDialog*>(QApplication::activeModalWidget());
+  if (dialog && (this->Aborted || dialog->wasCanceled()))
+  {
+    this->Aborted = true;
+    if (!dialog->wasCanceled())
+    {
+      Q_EMIT dialog->canceled();
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+bool pqRayTracedGlyphsAbort::isEscape(QEvent* event)
+{
+  return (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) &&
+    static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+}
+
+//----------------------------------------------------------------------------
+bool pqRayTracedGlyphsAbort::isWithin(const QObject* object, const QWidget* outer)
+{
+  const auto* widget = qobject_cast<const QWidget*>(object);
+  return outer && widget && (widget == outer || outer->isAncestorOf(widget));
+}
+
+//----------------------------------------------------------------------------
+// Within a render.
+bool pqRayTracedGlyphsAbort::eventFilter(QObject* object, QEvent* event)
+{
+  if (isEscape(event))
+  {
+    this->Aborted = true;
+    event->accept();
+    return true;
+  }
+  if (!MayInterfere(event))
+  {
+    return false;
+  }
+  // A window hands what the mouse does on to its widgets: that is where it is looked at.
+  const bool mouse = dynamic_cast<QMouseEvent*>(event) != nullptr;
+  const bool wanted = object->isWindowType() ? mouse
+                                             : isWithin(object, this->Bar ? this->Bar->abortButton() : nullptr) ||
+      isWithin(object, qobject_cast<QProgressDialog*>(QApplication::activeModalWidget()));
+  if (!wanted && event->type() == QEvent::Close)
+  {
+    event->ignore();
+  }
+  return !wanted;
+}
