@@ -127,12 +127,20 @@ def main():
 
 
 def on_server():
-    """The same with images that come from a server."""
+    """The same with images that come from a server, which does not have the plugin at first."""
     process, port = client_server.start_server([SERVER], "refinement-server.log")
+    window = Window()
+
+    def settle(work):
+        work()
+        window.wait(lambda: False, 0.5)
+
     try:
-        pv.Connect("127.0.0.1", port)
-        pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))
-        return main()
+        without = session.messages(lambda: settle(lambda: pv.Connect("127.0.0.1", port)))
+        loaded = session.messages(lambda: settle(lambda: pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))))
+        say("a server without the plugin: %s\nwith it: %s" % (without, loaded))
+        failures = [] if without.count("has not loaded the plugin RayTracedGlyphs") == 1 and not loaded.strip() else ["a server without the plugin: '%s', with it: '%s'" % (without, loaded)]
+        return failures + main()
     finally:
         client_server.stop(process)
         with open(session.output("refinement-server.log")) as log:

@@ -2,10 +2,11 @@
 # Makes a Debian package of the clone's last commit for the release that it runs on, Debian 12, 13 or testing, as root or
 # with sudo: installs what is missing, builds, and leaves the package in build-deb/. May be called again at any time.
 # Usage: build_deb.sh     DEBFULLNAME and DEBEMAIL: whom the package names as its maintainer (default: the commit's author)
+#        HOMEPAGE: the repository's address on the web, for the package's files that name it (default: they are left out)
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 clone=$(cd "$here/../.." && pwd)
-[ $# = 0 ] || { sed -n '2,4s/^# //p' "$0"; exit 2; }
+[ $# = 0 ] || { sed -n '2,5s/^# //p' "$0"; exit 2; }
 . /etc/os-release
 
 echo "== packages"
@@ -24,9 +25,19 @@ rm -rf "$source"
 mkdir -p "$source"
 git -C "$clone" archive HEAD | tar -x -C "$source"
 cp -r "$source/Testing/Setup/debian" "$source/debian"
-cp "$source/LICENSE" "$source/debian/copyright"
+# The license's text as debian/copyright wants it: indented, and a dot where a line is empty.
+sed '1,/^All rights/d; s/^/ /; s/^ $/ ./' "$source/LICENSE" | sed 1d | cat "$source/debian/copyright.in" - >"$source/debian/copyright"
 packages=$("$here/install_packages.sh" --names build gui | paste -s -d , | sed 's/,/, /g')
-sed -e "s|@packages@|$packages|" -e "s|@maintainer@|$maintainer|" "$source/debian/control.in" >"$source/debian/control"
+for template in control watch upstream/metadata; do
+  sed -e "s|@packages@|$packages|" -e "s|@maintainer@|$maintainer|" -e "s|@homepage@|${HOMEPAGE:-}|" \
+    "$source/debian/$template.in" >"$source/debian/$template"
+done
+if [ -n "${HOMEPAGE:-}" ]; then
+  sed -i "/^Rules-Requires-Root/aHomepage: $HOMEPAGE" "$source/debian/control"
+else
+  rm -r "$source/debian/watch" "$source/debian/upstream"
+fi
+rm -f "$source"/debian/*.in "$source"/debian/upstream/*.in
 cat >"$source/debian/changelog" <<END
 $name ($version) $VERSION_CODENAME; urgency=medium
 
@@ -35,10 +46,10 @@ $name ($version) $VERSION_CODENAME; urgency=medium
  -- $maintainer  $(git -C "$clone" log -1 --format=%cD)
 END
 # Without a second package of the debugging symbols.
-(cd "$source" && DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:+$DEB_BUILD_OPTIONS }noautodbgsym" dpkg-buildpackage --build=binary --unsigned-changes --no-pre-clean) \
+(cd "$source" && DEB_BUILD_OPTIONS="${DEB_BUILD_OPTIONS:+$DEB_BUILD_OPTIONS }noautodbgsym" dpkg-buildpackage --build=full --unsigned-source --unsigned-changes) \
   >"$log" 2>&1 || { tail -n 30 "$log" >&2; exit 1; }
 rm -rf "$source"
 
 ls "$folder/${name}_$version"_*.deb
 echo "== lintian"
-lintian --fail-on error,warning "$folder/${name}_$version"_*.changes
+lintian --pedantic --fail-on error,warning,info,pedantic "$folder/${name}_$version"_*.changes
