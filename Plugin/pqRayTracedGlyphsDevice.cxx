@@ -20,8 +20,8 @@ void Warn(const std::string& words)
   vtkOutputWindow::GetInstance()->DisplayWarningText((words + "\n").c_str());
 }
 
-// A server without the plugin has no such representations, and ParaView does not say why. Those who load it there when a
-// server is connected come first.
+// A server without the plugin has no such representations, and ParaView does not say why. Those who load it there when
+// a server is connected come first.
 void CheckServer(pqServer* server)
 {
   QTimer::singleShot(0, server,
@@ -31,7 +31,8 @@ void CheckServer(pqServer* server)
             "internal_representations", "RayTracedGlyphRepresentation"))
       {
         Warn("Ray Traced Glyphs: the server " + server->getResource().toURI().toStdString() +
-          " has not loaded the plugin RayTracedGlyphs, so data there cannot be shown with it. Load it on the server, too: "
+          " has not loaded the plugin RayTracedGlyphs, so data there cannot be shown with it. Load it on the server, "
+          "too: "
           "Tools > Manage Plugins, Remote Plugins.");
       }
     });

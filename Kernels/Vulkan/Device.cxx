@@ -269,8 +269,9 @@ void Device::Choose()
   }
   catch (const std::runtime_error&)
   {
-    throw Error("Ray Traced Glyphs: Vulkan's loader was not found (libvulkan.so.1, on Windows vulkan-1.dll). Install it "
-                "(Debian: libvulkan1; Windows: with the driver). " +
+    throw Error(
+      "Ray Traced Glyphs: Vulkan's loader was not found (libvulkan.so.1, on Windows vulkan-1.dll). Install it "
+      "(Debian: libvulkan1; Windows: with the driver). " +
       std::string(remedy));
   }
   State& state = *this->state_;

@@ -8,8 +8,8 @@
 // vkGetPipelineCacheData, which answers VK_ERROR_OUT_OF_HOST_MEMORY, or mmap: vkMapMemory then answers VK_SUCCESS and
 // maps nothing, as lavapipe's does where the computer has no memory left.
 //
-// It makes devices lack what RTGLYPHS_LACKS names, one thing or several: see Properties(), Properties2() and Features2(). And where
-// RTGLYPHS_KEEPS is set, pipeline caches have data of the driver, which lavapipe's have not: see
+// It makes devices lack what RTGLYPHS_LACKS names, one thing or several: see Properties(), Properties2() and
+// Features2(). And where RTGLYPHS_KEEPS is set, pipeline caches have data of the driver, which lavapipe's have not: see
 // GetPipelineCacheData().
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>

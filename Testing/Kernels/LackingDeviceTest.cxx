@@ -51,7 +51,8 @@ TEST(LackingDeviceTest, WhatADeviceLacksIsNamedOnce)
     EXPECT_NE(message.find("no Vulkan device can trace rays"), std::string::npos) << message;
     EXPECT_NE(message.find("Install a driver"), std::string::npos) << message;
     EXPECT_EQ(Message(true), message) << "when only looked at";
-    EXPECT_EQ(message.find("its driver has 1.1") != std::string::npos, property == std::string("Vulkan 1.2")) << message;
+    EXPECT_EQ(message.find("its driver has 1.1") != std::string::npos, property == std::string("Vulkan 1.2"))
+      << message;
   }
   EXPECT_EQ(Message(false), "");
 }

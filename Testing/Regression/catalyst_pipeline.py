@@ -1,3 +1,4 @@
+# script-version: 2.0
 """A Catalyst script as ParaView's File > Save Catalyst State writes them, with a display of the plugin: pictures of the steps 4 and 7.
 
 In situ its source is what the simulation calls grains; in pvpython it is the file, whose extracts in_situ.py saves.
