@@ -28,7 +28,7 @@ void CheckServer(pqServer* server)
     [server]()
     {
       if (!server->proxyManager()->GetProxyDefinitionManager()->HasDefinition(
-            "internal_representations", "RayTracedGlyphRepresentation"))
+            "representations", "RayTracedGlyphRepresentation"))
       {
         Warn("Ray Traced Glyphs: the server " + server->getResource().toURI().toStdString() +
           " has not loaded the plugin RayTracedGlyphs, so data there cannot be shown with it. Load it on the server, "
