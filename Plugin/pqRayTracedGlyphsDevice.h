@@ -1,8 +1,10 @@
 /**
  * @class   pqRayTracedGlyphsDevice
- * @brief   says once, when ParaView's window has started, which Vulkan device will trace or what is missing
+ * @brief   says once, when ParaView's window has started, which Vulkan device will trace or what is missing, here or on
+ * a server
  *
- * A device is plain information among ParaView's output messages; that there is none is a warning.
+ * A device is plain information among ParaView's output messages; that there is none is a warning, and so is a server
+ * without the plugin.
  */
 #ifndef pqRayTracedGlyphsDevice_h
 #define pqRayTracedGlyphsDevice_h

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <sstream>
+#include <stdexcept>
 
 namespace rtg
 {
@@ -55,9 +56,11 @@ bool HasRayQueries(const vk::raii::PhysicalDevice& physical)
 // What the device lacks to trace, in words; empty: nothing.
 std::string Lacks(const vk::raii::PhysicalDevice& physical)
 {
-  if (physical.getProperties().apiVersion < VK_API_VERSION_1_2)
+  const std::uint32_t version = physical.getProperties().apiVersion;
+  if (version < VK_API_VERSION_1_2)
   {
-    return "Vulkan 1.2";
+    return "Vulkan 1.2: its driver has " + std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
+      std::to_string(VK_API_VERSION_MINOR(version));
   }
   const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
   const auto& vulkan12 = features.get<vk::PhysicalDeviceVulkan12Features>();
@@ -236,8 +239,7 @@ void StartingVulkan(Work&& work)
   }
   catch (const std::exception& error)
   {
-    throw Error(std::string("Ray Traced Glyphs: Vulkan cannot be started (") + error.what() +
-      "). Install the Vulkan loader (Debian: libvulkan1; Windows: with the driver). " + remedy);
+    throw Error(std::string("Ray Traced Glyphs: Vulkan cannot be started (") + error.what() + "). " + remedy);
   }
 }
 
@@ -247,19 +249,32 @@ Device::Device() = default;
 
 void Device::Choose()
 {
-  this->state_ = std::make_unique<State>();
+  try
+  {
+    this->state_ = std::make_unique<State>();
+  }
+  catch (const std::runtime_error&)
+  {
+    throw Error(
+      "Ray Traced Glyphs: Vulkan's loader was not found (libvulkan.so.1, on Windows vulkan-1.dll). Install it "
+      "(Debian: libvulkan1; Windows: with the driver). " +
+      std::string(remedy));
+  }
   State& state = *this->state_;
   const vk::ApplicationInfo application("RayTracedGlyphs", 1, "RayTracedGlyphs", 1, VK_API_VERSION_1_2);
-  state.instance = vk::raii::Instance(state.context, vk::InstanceCreateInfo({}, &application));
-
   std::vector<vk::raii::PhysicalDevice> devices;
   try
   {
+    state.instance = vk::raii::Instance(state.context, vk::InstanceCreateInfo({}, &application));
     devices = vk::raii::PhysicalDevices(state.instance);
   }
-  catch (const vk::InitializationFailedError&)
+  catch (const vk::SystemError& error)
   {
-    // No driver at all; ChooseDevice says so.
+    // Without any driver, which ChooseDevice says.
+    if (error.code() != vk::Result::eErrorIncompatibleDriver && error.code() != vk::Result::eErrorInitializationFailed)
+    {
+      throw;
+    }
   }
   const std::size_t chosen = ChooseDevice(devices);
   state.physical = std::move(devices[chosen]);

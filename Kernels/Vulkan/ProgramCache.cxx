@@ -1,7 +1,8 @@
 #include "ProgramCache.h"
 
+#include "../System.h"
+
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <random>
@@ -79,39 +80,16 @@ void Shrink(const fs::path& folder, std::uintmax_t mostBytes, const fs::path& ke
   }
 }
 
-#ifdef _WIN32
-constexpr const char* cacheVariable = "LOCALAPPDATA";
-#else
-constexpr const char* cacheVariable = "XDG_CACHE_HOME";
-#endif
-
-// The folder that an environment variable names; empty: none.
-fs::path NamedFolder(const char* variable)
-{
-#ifdef _WIN32
-  // std::getenv would give it in the system's code page.
-  const wchar_t* value = ::_wgetenv(fs::path(variable).c_str());
-#else
-  const char* value = std::getenv(variable);
-#endif
-  return value ? fs::path(value) : fs::path();
-}
-
 } // namespace
 
 std::optional<std::filesystem::path> CacheFolder()
 {
-  const fs::path own = NamedFolder("RTGLYPHS_CACHE"), base = NamedFolder(cacheVariable), home = NamedFolder("HOME");
+  const fs::path own = FolderOfVariable("RTGLYPHS_CACHE"), base = CacheFolderOfUser();
   if (!own.empty())
   {
     return own == "off" ? std::nullopt : std::optional(own);
   }
-  // A relative one is to be ignored, says the XDG Base Directory Specification.
-  if (base.is_absolute())
-  {
-    return base / "RayTracedGlyphs";
-  }
-  return home.is_absolute() ? std::optional(home / ".cache" / "RayTracedGlyphs") : std::nullopt;
+  return base.empty() ? std::nullopt : std::optional(base / "RayTracedGlyphs");
 }
 
 CacheFile::CacheFile(const std::optional<std::filesystem::path>& folder, const std::string& name)

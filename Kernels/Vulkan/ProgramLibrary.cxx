@@ -2,15 +2,13 @@
 
 #include "../Parallel.h"
 #include "../Stopwatch.h"
+#include "../System.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <exception>
 #include <thread>
-#ifdef __linux__
-#include <sys/resource.h>
-#endif
 
 namespace rtg
 {
@@ -64,14 +62,6 @@ bool IsCompiling(const Program& program)
 bool HasFailed(const std::shared_ptr<Program>& program)
 {
   return !IsCompiling(*program) && !program->pipeline;
-}
-
-// Of this thread and those that it starts. Elsewhere than on Linux it would be that of the process.
-void LowerPriority()
-{
-#ifdef __linux__
-  ::setpriority(PRIO_PROCESS, 0, 19);
-#endif
 }
 
 } // namespace

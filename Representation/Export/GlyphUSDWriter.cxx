@@ -1,10 +1,13 @@
 #include "GlyphUSDWriter.h"
 
+#include "vtkNumberToString.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
+#include <locale>
+#include <sstream>
 #include <type_traits>
 
 namespace
@@ -13,22 +16,19 @@ namespace
 class GlyphFileText
 {
 public:
+  GlyphFileText() { this->Text.imbue(std::locale::classic()); }
   GlyphFileText& operator<<(const char* text)
   {
-    this->Text += text;
+    this->Text << text;
     return *this;
   }
-  GlyphFileText& operator<<(const std::string& text)
-  {
-    this->Text += text;
-    return *this;
-  }
+  GlyphFileText& operator<<(const std::string& text) { return *this << text.c_str(); }
   template <typename Number>
   requires std::is_arithmetic_v<Number> GlyphFileText& operator<<(Number number)
   {
-    char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof(digits), number).ptr;
-    this->Text.append(digits, end);
+    using Tag = std::conditional_t<std::is_same_v<Number, float>, vtkNumberToString::TagFloat,
+      std::conditional_t<std::is_same_v<Number, double>, vtkNumberToString::TagDouble, Number>>;
+    this->Text << Tag(number);
     return *this;
   }
   template <int Length, typename Number, glm::qualifier Q>
@@ -53,7 +53,7 @@ public:
     return *this << "]";
   }
 
-  std::string Text;
+  std::ostringstream Text;
 };
 
 constexpr double degrees = 57.295779513082323;
@@ -197,5 +197,5 @@ std::string rtglyphs::GlyphUSDWriter::Text(const std::vector<rtglyphs::GlyphTess
     WriteSet(out, set);
   }
   out << "}\n";
-  return std::move(out.Text);
+  return out.Text.str();
 }

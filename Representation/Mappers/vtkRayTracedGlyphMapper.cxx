@@ -20,7 +20,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -220,7 +219,8 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
   {
     for (double end : this->TensorRange)
     {
-      state.push_back(std::bit_cast<std::uint64_t>(end));
+      state.emplace_back();
+      std::memcpy(&state.back(), &end, sizeof(end));
     }
   }
   if (this->Settings.TrailSteps > 0)
@@ -267,7 +267,7 @@ void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
   std::fill_n(colors.table.end() - 2, 2, colors.table.front());
   colors.ends.resize(this->Radii.size());
   std::transform(this->Radii.begin(), this->Radii.end(), colors.ends.begin(),
-    [top](float radius) { return glm::uvec2(0u, std::bit_cast<std::uint32_t>(static_cast<float>(radius / top))); });
+    [top](float radius) { return glm::uvec2(0u, glm::floatBitsToUint(static_cast<float>(radius / top))); });
 }
 
 //----------------------------------------------------------------------------

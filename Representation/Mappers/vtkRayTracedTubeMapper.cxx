@@ -13,7 +13,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <utility>
 

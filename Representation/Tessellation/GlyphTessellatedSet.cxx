@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -59,7 +58,7 @@ glm::vec4 MeanOfEnds(const rtg::GlyphColours& colors, std::size_t glyph)
       return Unpacked(bits);
     }
     const auto values = static_cast<float>(colors.table.size() - 2);
-    const float value = std::bit_cast<float>(bits);
+    const float value = glm::uintBitsToFloat(bits);
     const std::size_t entry = value <= rtg::noValue ? colors.table.size() - 1
       : value <= rtg::notANumber                    ? colors.table.size() - 2
                                  : static_cast<std::size_t>(std::clamp(value * values, 0.0f, values - 1.0f));

@@ -8,8 +8,8 @@
 // vkGetPipelineCacheData, which answers VK_ERROR_OUT_OF_HOST_MEMORY, or mmap: vkMapMemory then answers VK_SUCCESS and
 // maps nothing, as lavapipe's does where the computer has no memory left.
 //
-// It makes devices lack what RTGLYPHS_LACKS names, one thing or several: see Properties2() and Features2(). And where
-// RTGLYPHS_KEEPS is set, pipeline caches have data of the driver, which lavapipe's have not: see
+// It makes devices lack what RTGLYPHS_LACKS names, one thing or several: see Properties(), Properties2() and
+// Features2(). And where RTGLYPHS_KEEPS is set, pipeline caches have data of the driver, which lavapipe's have not: see
 // GetPipelineCacheData().
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
@@ -31,6 +31,7 @@ namespace
 
 std::mutex mutex;
 PFN_vkGetInstanceProcAddr nextInstanceProcAddr = nullptr;
+PFN_vkGetPhysicalDeviceProperties nextProperties = nullptr;
 PFN_vkGetPhysicalDeviceProperties2 nextProperties2 = nullptr;
 PFN_vkGetPhysicalDeviceFeatures2 nextFeatures2 = nullptr;
 
@@ -122,6 +123,8 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateInstance(
   const VkResult result = create(info, allocator, instance);
   if (result == VK_SUCCESS)
   {
+    nextProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(
+      nextInstanceProcAddr(*instance, "vkGetPhysicalDeviceProperties"));
     nextProperties2 = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties2>(
       nextInstanceProcAddr(*instance, "vkGetPhysicalDeviceProperties2"));
     nextFeatures2 = reinterpret_cast<PFN_vkGetPhysicalDeviceFeatures2>(
@@ -134,6 +137,15 @@ bool Lacks(const char* name)
 {
   const char* lacks = std::getenv("RTGLYPHS_LACKS");
   return lacks && std::strstr(lacks, name) != nullptr;
+}
+
+VKAPI_ATTR void VKAPI_CALL Properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* properties)
+{
+  nextProperties(physical, properties);
+  if (Lacks("Vulkan 1.2"))
+  {
+    properties->apiVersion = VK_API_VERSION_1_1;
+  }
 }
 
 VKAPI_ATTR void VKAPI_CALL Properties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties)
@@ -314,6 +326,7 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetInstanceProcAddr(VkInstance instance
                                                          reinterpret_cast<PFN_vkVoidFunction>(GetInstanceProcAddr) },
     { "vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(GetDeviceProcAddr) },
     { "vkCreateInstance", reinterpret_cast<PFN_vkVoidFunction>(CreateInstance) },
+    { "vkGetPhysicalDeviceProperties", reinterpret_cast<PFN_vkVoidFunction>(Properties) },
     { "vkGetPhysicalDeviceProperties2", reinterpret_cast<PFN_vkVoidFunction>(Properties2) },
     { "vkGetPhysicalDeviceFeatures2", reinterpret_cast<PFN_vkVoidFunction>(Features2) },
     { "vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(CreateDevice) } };

@@ -42,7 +42,7 @@ TEST(LackingDeviceTest, WhatADeviceLacksIsNamedOnce)
 {
   EXPECT_EQ(Message(false), "");
   for (const char* property :
-    { "shaderRoundingModeRTEFloat32", "shaderSignedZeroInfNanPreserveFloat32", "shaderInt64" })
+    { "Vulkan 1.2", "shaderRoundingModeRTEFloat32", "shaderSignedZeroInfNanPreserveFloat32", "shaderInt64" })
   {
     const Variable lacks("RTGLYPHS_LACKS", property);
     const std::string message = Message(false);
@@ -51,6 +51,8 @@ TEST(LackingDeviceTest, WhatADeviceLacksIsNamedOnce)
     EXPECT_NE(message.find("no Vulkan device can trace rays"), std::string::npos) << message;
     EXPECT_NE(message.find("Install a driver"), std::string::npos) << message;
     EXPECT_EQ(Message(true), message) << "when only looked at";
+    EXPECT_EQ(message.find("its driver has 1.1") != std::string::npos, property == std::string("Vulkan 1.2"))
+      << message;
   }
   EXPECT_EQ(Message(false), "");
 }

@@ -30,6 +30,11 @@ if (PARAVIEW_USE_MPI AND RTGLYPHS_PVBATCH AND RTGLYPHS_MPIEXEC)
   rtglyphs_regression_test(ScaleGuessOnRanks ENVIRONMENT ${mpi_environment}
     COMMAND ${mpiexec} -n 3 "${RTGLYPHS_PVBATCH}" "${regression}/scale_guess.py" ranks)
   set_tests_properties(ScaleGuessOnRanks PROPERTIES PASS_REGULAR_EXPRESSION "SCALE GUESS TEST PASSED")
+  # ParaView may be built without Catalyst.
+  if (TARGET ParaView::PythonCatalyst)
+    rtglyphs_regression_test(InSitu ENVIRONMENT ${mpi_environment}
+      COMMAND "${RTGLYPHS_PVPYTHON}" "${regression}/in_situ.py" ${mpiexec} -n 2 "${RTGLYPHS_PVBATCH}")
+  endif ()
   # What was freed goes back to the system, so that limits are reached.
   rtglyphs_regression_test(MemoryLimitOnRanks ENVIRONMENT ${mpi_environment} "GLIBC_TUNABLES=glibc.malloc.mmap_threshold=65536:glibc.malloc.arena_max=1"
     COMMAND ${mpiexec} -n 2 "${RTGLYPHS_PVBATCH}" "${regression}/memory_limit.py" ranks)

@@ -1,6 +1,7 @@
-"""The plugin as users install it: only what they need is there, ParaView finds it by its name, it draws, and it can be removed.
+"""The plugin as users install it: only what they need is there, ParaView finds it by its name in another folder, too, it draws, without
+Vulkan's loader it says so, and it can be removed.
 
-Usage: pvpython installed.py CMAKE BUILD PVPYTHON     installs into a folder of its own, draws, uninstalls
+Usage: pvpython installed.py CMAKE BUILD PVPYTHON     installs into a folder of its own, moves it, draws, uninstalls
        pvpython installed.py PREFIX                   draws with the plugin that lies below PREFIX
 """
 import os
@@ -27,7 +28,7 @@ def draw(prefix):
     tracker = vtkPVPluginTracker.GetInstance()
     plugins = {tracker.GetPluginName(i): tracker.GetPluginFileName(i) for i in range(tracker.GetNumberOfPlugins())}
     path = os.path.realpath(plugins["RayTracedGlyphs"])
-    checks.true("%s is not the installed one below %s" % (path, prefix), path.startswith(os.path.realpath(prefix) + "/lib"))
+    checks.true("%s is not the installed one below %s" % (path, prefix), path.startswith(os.path.realpath(prefix) + os.sep))
     checks.true("a second entry for the same plugin: %s" % plugins, "raytracedglyphs" not in plugins)
     view = session.view(80, 60)
     session.look(view, (0.0, 0.0, 5.0))
@@ -37,6 +38,14 @@ def draw(prefix):
     checks.report()
 
 
+def without_loader(folder):
+    """An environment in which Vulkan's loader cannot be opened: what has its names is no library."""
+    for name in ("libvulkan.so", "libvulkan.so.1"):
+        with open(os.path.join(folder, name), "w"):
+            pass
+    return {"LD_LIBRARY_PATH": folder}
+
+
 def main(cmake, build, pvpython):
     """Draws in a process of its own for each variable by which ParaView is told of plugins."""
     failures = []
@@ -44,16 +53,25 @@ def main(cmake, build, pvpython):
     kept = manifest + ".kept"  # what somebody has installed from this folder can still be removed afterwards
     if os.path.exists(manifest):
         shutil.move(manifest, kept)
-    with tempfile.TemporaryDirectory() as prefix:
+
+    def run(what, environment, *script):
+        result = subprocess.run([pvpython, *script], env=dict(os.environ, **environment), check=False)
+        if result.returncode:
+            failures.append("%s: the process ends with %d" % (what, result.returncode))
+
+    with tempfile.TemporaryDirectory() as folder:
+        prefix, moved = os.path.join(folder, "here"), os.path.join(folder, "elsewhere")
         subprocess.run([cmake, "--install", build, "--prefix", prefix], check=True)
-        paths = {name: os.path.join(folder, name) for folder, _, names in os.walk(prefix) for name in names}
+        os.rename(prefix, moved)
+        paths = {name: os.path.join(folder, name) for folder, _, names in os.walk(moved) for name in names}
         if sorted(paths) != FILES:
             failures.append("installed are %s, not %s" % (sorted(paths), FILES))
-        for variable, value in (("PV_PLUGIN_PATH", os.path.dirname(paths["RayTracedGlyphs.so"])),
-                                ("PV_PLUGIN_CONFIG_FILE", paths["raytracedglyphs.xml"])):
-            result = subprocess.run([pvpython, __file__, prefix], env=dict(os.environ, **{variable: value}), check=False)
-            if result.returncode:
-                failures.append("%s=%s: the process ends with %d" % (variable, value, result.returncode))
+        plugin = paths["RayTracedGlyphs.so"]
+        for variable, value in (("PV_PLUGIN_PATH", os.path.dirname(plugin)), ("PV_PLUGIN_CONFIG_FILE", paths["raytracedglyphs.xml"])):
+            run("%s=%s" % (variable, value), {variable: value}, __file__, moved)
+        run("without Vulkan's loader", dict(without_loader(folder), RTGLYPHS_PLUGIN=plugin), os.path.join(os.path.dirname(__file__), "bad_input.py"),
+            "no-device", "Vulkan's loader was not found", "libvulkan1")
+        os.rename(moved, prefix)
         subprocess.run([cmake, "--build", build, "--target", "uninstall"], check=False)
         left = os.listdir(prefix)
         if left:

@@ -128,12 +128,22 @@ def main():
 
 
 def on_server():
-    """The same with images that come from a server."""
+    """The same with images that come from a server, which does not have the plugin at first."""
     process, port = client_server.start_server([SERVER], "refinement-server.log")
+    window = Window()
+
+    def settle(work):
+        work()
+        window.wait(lambda: False, 0.5)
+
     try:
-        pv.Connect("127.0.0.1", port)
-        pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv))
-        return main()
+        settle(lambda: None)  # what ParaView's window and the plugin say when they start
+        said = [session.messages(lambda: settle(work)) for work in (
+            pv.Connect, lambda: pv.Connect("127.0.0.1", port), lambda: pv.LoadPlugin(os.environ["RTGLYPHS_PLUGIN"], remote=True, ns=vars(pv)))]
+        say("this computer, a server without the plugin, with it: %s" % said)
+        counts = [text.count("has not loaded the plugin RayTracedGlyphs") for text in said]
+        failures = [] if counts == [0, 1, 0] and not said[0] + said[2] else ["messages of servers: %s" % said]
+        return failures + main()
     finally:
         client_server.stop(process)
         with open(session.output("refinement-server.log")) as log:

@@ -4,7 +4,6 @@
 # Usage: try_deb.sh FILE.deb
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-regression=$(cd "$here/../Regression" && pwd)
 [ $# = 1 ] && [ -r "$1" ] || { sed -n '2,4s/^# //p' "$0" >&2; exit 2; }
 file=$(realpath "$1")
 name=$(dpkg-deb --field "$file" Package)
@@ -15,14 +14,11 @@ echo "== install"
 apt-get -q update
 # The package's own recommendation, without those of all others.
 recommended=$(dpkg-deb --field "$file" Recommends)
-apt-get -qy install --no-install-recommends "$file" ${recommended//,/ } python3-paraview libgl1-mesa-dri xvfb
+apt-get -qy install --no-install-recommends "$file" ${recommended//,/ } python3-paraview python3-numpy libgl1-mesa-dri xvfb
 mapfile -t paths < <(dpkg --listfiles "$name" | grep -v '^/\.$') # without the root folder
 
 echo "== draw"
-output=$(mktemp -d)
-trap '"$regression/display.sh" stop "$output"' EXIT
-"$regression/display.sh" start "$output"
-RTGLYPHS_OUTPUT=$output PYTHONDONTWRITEBYTECODE=1 "$regression/display.sh" run "$output" pvpython "$regression/installed.py" /usr
+(cd "$here/../.." && Testing/Setup/debian/tests/draw)
 
 echo "== purge"
 apt-get -qy purge "$name"
