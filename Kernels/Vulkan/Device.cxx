@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <iomanip>
 #include <iterator>
 #include <limits>
@@ -225,6 +227,18 @@ vk::raii::Device MakeDevice(const vk::raii::PhysicalDevice& physical, std::uint3
   return vk::raii::Device(physical, info);
 }
 
+// What the driver says of itself names the compiler: "Mesa 26.1.6 (LLVM 21.1.8)".
+bool MiscompilesTrees(const vk::raii::PhysicalDevice& physical)
+{
+  constexpr int firstVersion = 21;
+  const auto properties = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
+  const auto& driver = properties.get<vk::PhysicalDeviceDriverProperties>();
+  int version = 0;
+  const char* compiler = std::strstr(driver.driverInfo, "LLVM ");
+  return driver.driverID == vk::DriverId::eMesaLlvmpipe && compiler &&
+    std::sscanf(compiler, "LLVM %d", &version) == 1 && version >= firstVersion;
+}
+
 // Runs `work`; turns whatever goes wrong with Vulkan's loader and drivers into an rtg::Error.
 template <class Work>
 void StartingVulkan(Work&& work)
@@ -288,6 +302,7 @@ void Device::Start(bool keepsPrograms)
   state.sharesMemory = state.cpu;
   state.queueFamily = ChooseQueueFamily(state.physical);
   state.rayQueries = HasRayQueries(state.physical);
+  state.miscompilesTrees = MiscompilesTrees(state.physical);
   using Stage = vk::PipelineStageFlagBits;
   state.programStages = Stage::eComputeShader;
   if (state.rayQueries)
@@ -372,7 +387,7 @@ bool Device::IsCpu() const
 
 bool Device::PrefersTrees() const
 {
-  return this->state_->cpu || !this->state_->rayQueries;
+  return this->state_->cpu ? !this->state_->miscompilesTrees : !this->state_->rayQueries;
 }
 
 bool Device::Lost() const

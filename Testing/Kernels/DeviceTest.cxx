@@ -57,7 +57,11 @@ TEST(DeviceTest, OwnTreesOnlyWhereNoHardwareFindsWhatRaysMeet)
   const std::shared_ptr<rtg::Device> device = rtg::Device::Shared();
   rtg::Device::State& state = device->GetState();
   state.cpu = true;
-  EXPECT_TRUE(device->PrefersTrees());
+  for (const bool miscompiles : { false, true })
+  {
+    state.miscompilesTrees = miscompiles;
+    EXPECT_EQ(device->PrefersTrees(), !miscompiles);
+  }
   state.cpu = false;
   for (const bool queries : { false, true })
   {

@@ -181,6 +181,10 @@ protected:
 TEST_P(SectionShapesTest, AreCutExactly)
 {
   const HardCase hard = Cases(this->GetParam(), 2, 200).Case("turned");
+  if (hard.instances.shape == Shape::NestedSuperquadric && this->device->GetState().miscompilesTrees)
+  {
+    GTEST_SKIP() << "LLVM 21 compiles cuts of concave nested superquadrics wrongly";
+  }
   std::size_t rays = 0, caps = 0, hits = 0, judged = 0;
   for (std::uint32_t i = 0; i < hard.instances.Count(); ++i)
   {
