@@ -7,18 +7,71 @@
 #include "pqPipelineSource.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
+#include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMRayTracedViewProxy.h"
+#include "vtkSMRenderViewProxy.h"
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSMViewProxy.h"
+#include "vtkSMTrace.h"
 
 #include <QMenu>
 #include <QPointer>
+#include <QWidget>
+
+#include <cmath>
 
 namespace
 {
+// A lens of a twentieth of its distance in focus blurs what is far by a tenth of the view's height.
+constexpr double opening = 0.05;
+
+// How deep in a view lies what is seen at a place of its widget; 0: nothing ray-traced is there.
+double DepthAt(pqView* view, const QPoint& place)
+{
+  auto* proxy = vtkSMRenderViewProxy::SafeDownCast(view->getProxy());
+  vtkSMRayTracedViewProxy* traced = proxy ? vtkSMRayTracedViewProxy::Of(proxy) : nullptr;
+  const QWidget* widget = view->widget();
+  const double scale = widget->devicePixelRatioF();
+  const auto x = static_cast<int>(std::floor(scale * place.x()));
+  const auto y = static_cast<int>(std::floor(scale * (widget->height() - 1 - place.y())));
+  double seen[3];
+  if (!traced || !traced->GetShownDisplay() || !traced->FindPlace(x, y, seen))
+  {
+    return 0.0;
+  }
+  vtkCamera* camera = proxy->GetActiveCamera();
+  vtkMath::Subtract(seen, camera->GetPosition(), seen);
+  return vtkMath::Dot(seen, camera->GetDirectionOfProjection());
+}
+
+// 0: there is no lens. One that was not there gets an opening.
+void FocusLens(pqView* view, double depth)
+{
+  vtkSMProxy* proxy = view->getProxy();
+  vtkSMPropertyHelper distance(proxy, "CameraFocalDistance");
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
+  BEGIN_UNDO_SET(depth > 0.0 ? QObject::tr("Focus Lens") : QObject::tr("Lens Off"));
+  if (!(distance.GetAsDouble() > 0.0))
+  {
+    vtkSMPropertyHelper(proxy, "CameraFocalDisk").Set(opening * depth);
+  }
+  distance.Set(depth);
+  proxy->UpdateVTKObjects();
+  END_UNDO_SET();
+  view->render();
+}
+
+void AddLens(QMenu* menu, pqView* view, const char* name, const QString& text, double depth)
+{
+  QAction* action = menu->addAction(text);
+  action->setObjectName(name);
+  QObject::connect(action, &QAction::triggered, view, [view, depth]() { FocusLens(view, depth); });
+}
+
 void AddSurface(pqOutputPort* port, pqView* view)
 {
   BEGIN_UNDO_SET(QObject::tr("Add Surface"));
@@ -49,7 +102,7 @@ pqRayTracedGlyphsMenu::~pqRayTracedGlyphsMenu() = default;
 
 //----------------------------------------------------------------------------
 bool pqRayTracedGlyphsMenu::contextMenu(
-  QMenu* menu, pqView* view, const QPoint&, pqRepresentation* display, const QList<unsigned int>&) const
+  QMenu* menu, pqView* view, const QPoint& place, pqRepresentation* display, const QList<unsigned int>&) const
 {
   auto* data = qobject_cast<pqDataRepresentation*>(display);
   vtkSMProperty* kind = data ? data->getProxy()->GetProperty("Representation") : nullptr;
@@ -67,6 +120,15 @@ bool pqRayTracedGlyphsMenu::contextMenu(
           AddSurface(port, shown);
         }
       });
+  }
+  const double depth = view ? DepthAt(view, place) : 0.0;
+  if (depth > 0.0)
+  {
+    AddLens(menu, view, "FocusLens", tr("Focus Lens Here"), depth);
+    if (vtkSMPropertyHelper(view->getProxy(), "CameraFocalDistance").GetAsDouble() > 0.0)
+    {
+      AddLens(menu, view, "LensOff", tr("Lens Off"), 0.0);
+    }
   }
   return false;
 }

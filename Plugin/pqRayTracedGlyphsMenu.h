@@ -1,9 +1,11 @@
 /**
  * @class   pqRayTracedGlyphsMenu
- * @brief   "Add Surface" in the menu of a click with the right button on ray-traced glyphs
+ * @brief   "Add Surface", "Focus Lens Here" and "Lens Off" in the menu of a click with the right button
  *
  * ParaView has one display of a source in a view, so that its surface beside its glyphs is the display of a filter,
  * Extract Surface, as Ray Traced Surface.
+ *
+ * The lens is that of ParaView's camera, CameraFocalDistance and CameraFocalDisk of the view.
  */
 #ifndef pqRayTracedGlyphsMenu_h
 #define pqRayTracedGlyphsMenu_h

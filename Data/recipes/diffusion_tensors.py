@@ -31,7 +31,7 @@ shown = Show(volume, view)
 shown.SetRepresentationType("Ray Traced Glyphs")
 shown.GlyphShape = "Tensor Superquadric"
 shown.GlyphTensorLayout = "xx xy xz yy yz zz"
-shown.GlyphTensorColoring = "Principal Direction"
+shown.GlyphDirectionColoring = "Axes"
 # --- end
 
 ResetCamera(view)

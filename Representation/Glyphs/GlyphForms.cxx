@@ -71,9 +71,7 @@ rtglyphs::GlyphForms::Settings rtglyphs::GlyphForms::Settings::Effective() const
   Settings settings = *this;
   settings.Layout = this->Kind == REYNOLDS ? this->Layout : none.Layout;
   settings.Basis = this->Kind == HARMONICS ? this->Basis : none.Basis;
-  const bool surface =
-    this->Coloring == rtglyphs::GlyphTensors::SIGN || this->Coloring == rtglyphs::GlyphTensors::SURFACE_DIRECTION;
-  settings.Coloring = surface ? this->Coloring : none.Coloring;
+  settings.Coloring = this->Coloring == rtglyphs::GlyphTensors::SIGN ? this->Coloring : none.Coloring;
   return settings;
 }
 

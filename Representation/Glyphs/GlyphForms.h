@@ -41,7 +41,7 @@ public:
     int Layout = GlyphTensors::VTK_ORDER; // of tensors of second order
     RayTracedChoice<rtg::HarmonicsBasis, rtg::HarmonicsBasis::MRtrix3, rtg::HarmonicsBasis::Orthonormal> Basis;
     bool Each = false; // all glyphs have one size
-    int Coloring = 0;  // GlyphTensors::SIGN, SURFACE_DIRECTION or RADIUS count
+    int Coloring = 0;  // GlyphTensors::SIGN or RADIUS count
 
     bool operator==(const Settings&) const = default;
 

@@ -80,6 +80,8 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::Effective() const
     settings.RadiusFactor = none.RadiusFactor;
   }
   settings.Anchor = settings.Tensors.On ? none.Anchor : settings.Anchor;
+  // Of polynomials each point of the surface has a direction.
+  settings.DirectionColoring = settings.Forms.On ? settings.DirectionColoring : none.DirectionColoring;
   return settings;
 }
 
@@ -105,12 +107,11 @@ double rtglyphs::GlyphSettings::ReferenceScale() const
 rtg::GlyphInstances::SurfaceColours rtglyphs::GlyphSettings::SurfaceColors() const
 {
   using SurfaceColours = rtg::GlyphInstances::SurfaceColours;
-  const int forms = this->Forms.On ? this->Forms.Coloring : rtglyphs::GlyphTensors::NONE;
-  if (this->Tensors.ColorsBySign() || forms == rtglyphs::GlyphTensors::SIGN)
+  if (this->Tensors.ColorsBySign() || (this->Forms.On && this->Forms.Coloring == rtglyphs::GlyphTensors::SIGN))
   {
     return SurfaceColours::Sign;
   }
-  const bool direction = this->Tensors.ColorsByDirection() || forms == rtglyphs::GlyphTensors::SURFACE_DIRECTION;
+  const bool direction = this->Forms.On && this->DirectionColoring != rtglyphs::DirectionColors::NONE;
   return direction ? SurfaceColours::Direction : SurfaceColours::None;
 }
 
@@ -199,11 +200,6 @@ rtglyphs::GlyphSettings rtglyphs::GlyphSettings::PrincipalAxes() const
   settings.Tensors.On = true;
   settings.Tensors.Cross = true;
   settings.Tensors.Kind = rtg::TensorGlyphKind::Ellipsoid;
-  // Directions from the center are told by the arrows themselves.
-  if (settings.Tensors.Coloring == rtglyphs::GlyphTensors::SURFACE_DIRECTION)
-  {
-    settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;
-  }
   settings.ScaleFactor = std::abs(settings.ScaleFactor);
   settings.Arrow.fixedHeads = false;
   settings.Motion.AngularVelocity.clear();

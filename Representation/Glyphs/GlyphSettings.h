@@ -5,6 +5,7 @@
 #ifndef GlyphSettings_h
 #define GlyphSettings_h
 
+#include "DirectionColors.h"
 #include "Finite.h"
 #include "GlyphForms.h"
 #include "GlyphMask.h"
@@ -86,6 +87,8 @@ struct GlyphSettings : GlyphScaling
   double Exponents[3] = { 2.0, 2.0, 2.0 };       // of superquadrics; each counts as one in [0.1, 100]
   std::string ExponentArray;                     // overrides them; empty or "None": none
   std::string OpacityArray;                      // empty or "None": none
+  // What directions color, whatever else would; of tensors and polynomials, whose axes have no sign, at most AXES.
+  RayTracedChoice<DirectionColors::Kinds, DirectionColors::NONE, DirectionColors::SPHERE> DirectionColoring;
   GlyphMotion::Settings Motion;                  // on: the glyphs move while the shutter is open
   int TrailSteps = 0; // > 0: of the glyphs, the trails over so many earlier steps (GlyphTrails), or bounds with these
   bool TrailJoined = false; // inside them there is no surface, as translucent ones show

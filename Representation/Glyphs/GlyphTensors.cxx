@@ -133,7 +133,7 @@ rtglyphs::GlyphTensors::Settings rtglyphs::GlyphTensors::Settings::Effective() c
   }
   Settings settings = *this;
   settings.Confidence = this->Covariances ? this->Confidence : none.Confidence;
-  settings.Coloring = this->ColorsBySign() ? SIGN : this->ColorsByDirection() ? SURFACE_DIRECTION : NONE;
+  settings.Coloring = this->ColorsBySign() ? SIGN : NONE;
   settings.PositiveColor = none.PositiveColor;
   settings.NegativeColor = none.NegativeColor;
   if (settings.Axes)
@@ -354,7 +354,7 @@ bool rtglyphs::GlyphTensors::Number(vtkIdType point, double& value) const
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::GlyphTensors::DirectionColor(vtkIdType point, double rgb[3]) const
+bool rtglyphs::GlyphTensors::PrincipalDirection(vtkIdType point, glm::dvec3& direction) const
 {
   const rtg::SymmetricTensor tensor = this->Tensor(point);
   if (!tensor.IsFinite() || tensor.IsZero())
@@ -362,11 +362,6 @@ bool rtglyphs::GlyphTensors::DirectionColor(vtkIdType point, double rgb[3]) cons
     return false;
   }
   const rtg::Eigensystem eigen = rtg::Decompose(tensor);
-  const glm::dvec3& principal =
-    std::abs(eigen.values.z) > std::abs(eigen.values.x) ? eigen.vectors[2] : eigen.vectors[0];
-  for (int i = 0; i < 3; ++i)
-  {
-    rgb[i] = std::abs(principal[i]);
-  }
+  direction = std::abs(eigen.values.z) > std::abs(eigen.values.x) ? eigen.vectors[2] : eigen.vectors[0];
   return true;
 }

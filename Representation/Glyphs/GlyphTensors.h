@@ -28,16 +28,14 @@ public:
   enum Colorings
   {
     NONE = 0,
-    PRINCIPAL_DIRECTION = 1,
-    FRACTIONAL_ANISOTROPY = 2,
-    TRACE = 3,
-    SIGN = 4,              // of x^T D x at each point x of a glyph's surface, seen from its center
-    SURFACE_DIRECTION = 5, // magnitudes of the components of the direction from the center to each point of the surface
-    EIGENVALUES = 6,       // their magnitudes as red, green and blue
-    MAJOR_EIGENVALUE = 7,
-    MIDDLE_EIGENVALUE = 8,
-    MINOR_EIGENVALUE = 9,
-    RADIUS = 10 // |f| at each point of a polynomial's surface
+    FRACTIONAL_ANISOTROPY = 1,
+    TRACE = 2,
+    SIGN = 3,        // of x^T D x at each point x of a glyph's surface, seen from its center
+    EIGENVALUES = 4, // their magnitudes as red, green and blue
+    MAJOR_EIGENVALUE = 5,
+    MIDDLE_EIGENVALUE = 6,
+    MINOR_EIGENVALUE = 7,
+    RADIUS = 8 // |f| at each point of a polynomial's surface
   };
 
   /**
@@ -116,7 +114,6 @@ public:
     bool operator==(const Settings&) const = default;
     bool HasRange() const { return this->On && (IsNumber(this->Coloring) || this->Coloring == EIGENVALUES); }
     bool ColorsBySign() const { return this->On && !this->Axes && this->Coloring == SIGN; }
-    bool ColorsByDirection() const { return this->On && !this->Axes && this->Coloring == SURFACE_DIRECTION; }
 
     /// How many glyphs a tensor makes: with Cross one to each side of its center along each eigenvector.
     int Parts() const { return this->On && this->Cross ? 6 : 1; }
@@ -165,10 +162,9 @@ public:
   GlyphOutcomes::Outcome Glyph(vtkIdType point, rtg::TensorGlyph& glyph) const;
 
   /**
-   * The components' magnitudes of the unit eigenvector of the eigenvalue with the largest magnitude, as red, green and
-   * blue in [0, 1]; false: the tensor is zero or not finite.
+   * The unit eigenvector of the eigenvalue with the largest magnitude; false: the tensor is zero or not finite.
    */
-  bool DirectionColor(vtkIdType point, double rgb[3]) const;
+  bool PrincipalDirection(vtkIdType point, glm::dvec3& direction) const;
 
   /**
    * The eigenvalues, largest first, in units of the tensor; false as above.

@@ -13,14 +13,8 @@
 #include "vtkPVRenderView.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper2D.h"
 #include "vtkProperty2D.h"
-#include "vtkPropCollection.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkRendererCollection.h"
-#include "vtkTextActor.h"
-#include "vtkTextProperty.h"
 #include "vtkViewport.h"
 #include "vtkWindow.h"
 
@@ -64,48 +58,6 @@ void AddSilhouette(const rtglyphs::GlyphTessellatedPart& part, vtkPoints* points
   }
 }
 
-// How far ParaView's orientation axes reach up from the view's lower edge between two of its columns; all in parts of
-// the view. 0: none are there.
-double TopOfAxes(vtkRenderer* renderer, double left, double right)
-{
-  double top = 0.0;
-  vtkRendererCollection* renderers = renderer->GetRenderWindow()->GetRenderers();
-  vtkCollectionSimpleIterator at;
-  renderers->InitTraversal(at);
-  const double* whole = renderer->GetViewport();
-  while (vtkRenderer* other = renderers->GetNextRenderer(at))
-  {
-    bool hasAxes = false;
-    vtkPropCollection* props = other->GetViewProps();
-    vtkCollectionSimpleIterator prop;
-    props->InitTraversal(prop);
-    while (vtkProp* one = props->GetNextProp(prop))
-    {
-      hasAxes = hasAxes || (one->IsA("vtkPVAxesActor") && one->GetVisibility());
-    }
-    const double* box = other->GetViewport();
-    const auto across = [&](int side) { return (box[side] - whole[0]) / (whole[2] - whole[0]); };
-    const auto up = [&](int side) { return (box[side] - whole[1]) / (whole[3] - whole[1]); };
-    if (hasAxes && across(0) < right && across(2) > left && up(1) < 0.5)
-    {
-      top = std::max(top, up(3));
-    }
-  }
-  return top;
-}
-}
-
-//----------------------------------------------------------------------------
-vtkGlyphLegend::vtkGlyphLegend()
-{
-  this->Mapper->SetInputData(this->Silhouette);
-  this->Actor->SetMapper(this->Mapper);
-  this->Actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
-  this->Text->GetPositionCoordinate()->SetCoordinateSystemToViewport();
-  this->Text->GetTextProperty()->SetFontSize(16);
-  this->Text->GetTextProperty()->SetJustificationToLeft();
-  this->Text->GetTextProperty()->SetVerticalJustificationToBottom();
-  this->PickableOff();
 }
 
 //----------------------------------------------------------------------------
@@ -123,12 +75,13 @@ void vtkGlyphLegend::SetGlyphs(const rtglyphs::GlyphSettings& settings, double s
 void vtkGlyphLegend::SetStyle(const Style& style)
 {
   this->Look = style;
+  this->Corner = style.Corner;
 }
 
 //----------------------------------------------------------------------------
 void vtkGlyphLegend::AddTo(vtkPVRenderView* view)
 {
-  view->GetNonCompositedRenderer()->AddViewProp(this);
+  this->Superclass::AddTo(view);
   vtkActorCollection* actors = view->GetRenderer()->GetActors();
   vtkCollectionSimpleIterator at;
   actors->InitTraversal(at);
@@ -144,7 +97,7 @@ void vtkGlyphLegend::AddTo(vtkPVRenderView* view)
 //----------------------------------------------------------------------------
 void vtkGlyphLegend::RemoveFrom(vtkPVRenderView* view)
 {
-  view->GetNonCompositedRenderer()->RemoveViewProp(this);
+  this->Superclass::RemoveFrom(view);
   this->Center = nullptr;
 }
 
@@ -262,12 +215,11 @@ double vtkGlyphLegend::ChooseNumber(double pixelsPerLength, double most) const
 }
 
 //----------------------------------------------------------------------------
-void vtkGlyphLegend::Arrange(vtkViewport* viewport)
+bool vtkGlyphLegend::Draw(vtkViewport* viewport, vtkBoundingBox& box)
 {
-  this->Shows = false;
   if (!this->Look.On)
   {
-    return;
+    return false;
   }
   const int* view = viewport->GetSize();
   const double perLength = this->PixelsPerLength(viewport);
@@ -280,7 +232,7 @@ void vtkGlyphLegend::Arrange(vtkViewport* viewport)
   const double pixels = extent * perLength;
   if (!(pixels > 0.0) || !std::isfinite(pixels) || pixels > 1e6)
   {
-    return;
+    return false;
   }
   const double unit = std::abs(this->Settings.ScaleFactor) * this->Settings.ReferenceScale() * this->Scale * perLength;
   std::vector<std::string> unused;
@@ -288,18 +240,13 @@ void vtkGlyphLegend::Arrange(vtkViewport* viewport)
     rtglyphs::GlyphTessellatedSet::Make("", this->MakeGlyphs(number, pixels, unit), {}, {}, unused);
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> triangles, lines;
-  vtkBoundingBox box;
   for (const rtglyphs::GlyphTessellatedPart& part : set.Parts)
   {
     AddSilhouette(part, points, triangles, lines, box);
   }
-  if (!(box.GetMaxLength() > 0.0))
-  {
-    return;
-  }
-  this->Silhouette->SetPoints(points);
-  this->Silhouette->SetPolys(triangles);
-  this->Silhouette->SetLines(lines);
+  this->Drawing->SetPoints(points);
+  this->Drawing->SetPolys(triangles);
+  this->Drawing->SetLines(lines);
 
   char text[64];
   const rtglyphs::SplitNumber split(number);
@@ -311,47 +258,7 @@ void vtkGlyphLegend::Arrange(vtkViewport* viewport)
   {
     std::snprintf(text, sizeof(text), "%.6g", alike ? extent : number);
   }
-  this->Text->SetInput((alike ? text : this->Name + " " + text).c_str());
-  this->Text->GetTextProperty()->SetColor(this->Look.Color.data());
+  this->SetWords((alike ? text : this->Name + " " + text).c_str(), this->Look.Color);
   this->Actor->GetProperty()->SetColor(this->Look.Color.data());
-
-  // In a picture of tiles words grow as all else does.
-  const int* tiles = viewport->GetVTKWindow()->GetTileScale();
-  double words[2];
-  this->Text->GetSize(viewport, words);
-  words[0] *= tiles[0];
-  words[1] *= tiles[1];
-  const glm::dvec2 lower(box.GetBound(0), box.GetBound(2)), glyph(box.GetLength(0), box.GetLength(1));
-  const double margin = 0.02 * shorter, gap = 0.5 * margin;
-  const bool right = this->Look.Corner == LOWER_RIGHT || this->Look.Corner == UPPER_RIGHT;
-  const bool top = this->Look.Corner == UPPER_LEFT || this->Look.Corner == UPPER_RIGHT;
-  const double textX = right ? view[0] - margin - words[0] : margin;
-  const double glyphX = right ? view[0] - margin - glyph.x : margin;
-  const double width = std::max(words[0], glyph.x), left = std::min(textX, glyphX);
-  const double bottom = top
-    ? view[1] - margin - words[1] - gap - glyph.y
-    : margin + TopOfAxes(vtkRenderer::SafeDownCast(viewport), left / view[0], (left + width) / view[0]) * view[1];
-  this->Text->SetPosition(textX, bottom);
-  this->Actor->SetPosition(glyphX - lower.x, bottom + words[1] + gap - lower.y);
-  this->Shows = true;
-}
-
-//----------------------------------------------------------------------------
-int vtkGlyphLegend::RenderOpaqueGeometry(vtkViewport* viewport)
-{
-  this->Arrange(viewport);
-  return this->Shows ? this->Text->RenderOpaqueGeometry(viewport) + this->Actor->RenderOpaqueGeometry(viewport) : 0;
-}
-
-//----------------------------------------------------------------------------
-int vtkGlyphLegend::RenderOverlay(vtkViewport* viewport)
-{
-  return this->Shows ? this->Actor->RenderOverlay(viewport) + this->Text->RenderOverlay(viewport) : 0;
-}
-
-//----------------------------------------------------------------------------
-void vtkGlyphLegend::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Actor->ReleaseGraphicsResources(window);
-  this->Text->ReleaseGraphicsResources(window);
+  return true;
 }

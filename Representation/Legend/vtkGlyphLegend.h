@@ -3,8 +3,7 @@
  * @brief   a glyph of a stated number in the corner of a view, from which sizes can be read
  *
  * The glyph is the silhouette of an upright one whose every scale, or eigenvalue, is the number that stands beside it.
- * It is as large as it would be at the center of rotation, with parallel projection as everywhere. It stands above
- * ParaView's orientation axes where these are in its corner. Unless a number is set it is the largest of 1, 2, 5 times
+ * It is as large as it would be at the center of rotation, with parallel projection as everywhere. Unless a number is set it is the largest of 1, 2, 5 times
  * a power of ten whose glyph is at most a fifth of the view's shorter side, that no limit of sizes changes and that the
  * data reach; so it follows the zoom as the bar of a map's scale does.
  */
@@ -12,33 +11,20 @@
 #define vtkGlyphLegend_h
 
 #include "GlyphSettings.h"
-#include "vtkNew.h"
-#include "vtkProp.h"
+#include "vtkRayTracedLegend.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
 class vtkActor;
-class vtkActor2D;
 class vtkPVRenderView;
-class vtkPolyData;
-class vtkPolyDataMapper2D;
-class vtkTextActor;
 
-class vtkGlyphLegend : public vtkProp
+class vtkGlyphLegend : public vtkRayTracedLegend
 {
 public:
   static vtkGlyphLegend* New();
-  vtkTypeMacro(vtkGlyphLegend, vtkProp);
-
-  enum Corners
-  {
-    LOWER_LEFT = 0,
-    LOWER_RIGHT = 1,
-    UPPER_LEFT = 2,
-    UPPER_RIGHT = 3
-  };
+  vtkTypeMacro(vtkGlyphLegend, vtkRayTracedLegend);
 
   /**
    * What the user sets. Value: 0 for one that fits.
@@ -62,22 +48,14 @@ public:
     const std::array<double, 2>& mesh, double largest);
   void SetStyle(const Style& style);
 
-  ///@{
-  /**
-   * Among what `view` draws over its picture, on the process that shows it.
-   */
-  void AddTo(vtkPVRenderView* view);
-  void RemoveFrom(vtkPVRenderView* view);
-  ///@}
-
-  int RenderOpaqueGeometry(vtkViewport* viewport) override;
-  int RenderOverlay(vtkViewport* viewport) override;
-  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
-  void ReleaseGraphicsResources(vtkWindow* window) override;
+  void AddTo(vtkPVRenderView* view) override;
+  void RemoveFrom(vtkPVRenderView* view) override;
 
 protected:
-  vtkGlyphLegend();
+  vtkGlyphLegend() = default;
   ~vtkGlyphLegend() override = default;
+
+  bool Draw(vtkViewport* viewport, vtkBoundingBox& box) override;
 
 private:
   /**
@@ -88,7 +66,6 @@ private:
   double PixelsPerLength(vtkViewport* viewport) const;
   double ChooseNumber(double pixelsPerLength, double most) const;
   rtg::GlyphInstances MakeGlyphs(double number, double size, double unit) const;
-  void Arrange(vtkViewport* viewport);
 
   rtglyphs::GlyphSettings Settings;
   double Scale = 1.0;
@@ -96,12 +73,7 @@ private:
   double Largest = 0.0;
   std::string Name;
   Style Look;
-  vtkNew<vtkPolyData> Silhouette;
-  vtkNew<vtkPolyDataMapper2D> Mapper;
-  vtkNew<vtkActor2D> Actor;
-  vtkNew<vtkTextActor> Text;
   vtkActor* Center = nullptr; // what ParaView shows at the center of rotation; lives as long as the view
-  bool Shows = false;
 };
 
 #endif

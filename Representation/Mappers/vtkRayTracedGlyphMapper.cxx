@@ -147,6 +147,7 @@ std::vector<vtkObject*> vtkRayTracedGlyphMapper::InstanceInputs(vtkPolyData* poi
 void vtkRayTracedGlyphMapper::BuildInstances(vtkPolyData* points, vtkActor* actor)
 {
   this->BuiltSettings = this->Settings.Effective();
+  this->Placed = rtglyphs::GlyphPlacement(actor->GetMatrix()).Linear;
   const bool trails = this->BuiltSettings.TrailSteps > 0;
   rtglyphs::GlyphInstanceBuilder::Result result = points->GetNumberOfPoints() > 0 && !trails
     ? rtglyphs::GlyphInstanceBuilder::Build(
@@ -214,7 +215,8 @@ std::vector<vtkMTimeType> vtkRayTracedGlyphMapper::ColorState() const
   const int coloring = tensors.On || byRadius ? tensors.Coloring : static_cast<int>(this->Settings.SurfaceColors());
   const bool usesTable = byRadius || (tensors.On && rtglyphs::GlyphTensors::IsNumber(coloring));
   std::vector<vtkMTimeType> state{ static_cast<vtkMTimeType>(coloring),
-    usesTable && this->TensorTable ? this->TensorTable->GetMTime() : 0 };
+    usesTable && this->TensorTable ? this->TensorTable->GetMTime() : 0,
+    static_cast<vtkMTimeType>(this->Settings.DirectionColoring) };
   if (this->Settings.HasNumberRange())
   {
     for (double end : this->TensorRange)
@@ -274,11 +276,6 @@ void vtkRayTracedGlyphMapper::AddRadiusColors(rtg::GlyphColours& colors)
 // What goes through no table.
 void vtkRayTracedGlyphMapper::TensorColor(const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const
 {
-  if (this->Settings.Tensors.Coloring == rtglyphs::GlyphTensors::PRINCIPAL_DIRECTION)
-  {
-    tensors.DirectionColor(point, rgb);
-    return;
-  }
   const bool anisotropy = this->Settings.Tensors.Coloring == rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
   const double range = anisotropy ? 1.0 : std::max(std::abs(this->TensorRange[0]), std::abs(this->TensorRange[1]));
   const auto shareOf = [range](double value)
@@ -325,6 +322,55 @@ vtkSmartPointer<vtkDoubleArray> vtkRayTracedGlyphMapper::NumbersOf(const rtglyph
 }
 
 //----------------------------------------------------------------------------
+// In the world: of tensors the axis of the eigenvalue with the largest magnitude, else that along which the glyph's own
+// x axis lies, and arrows and cones point. White: there is none.
+std::vector<std::array<double, 3>> vtkRayTracedGlyphMapper::DirectionsAsColors(
+  vtkPolyData* points, const rtglyphs::GlyphTensors* tensors, std::vector<std::string>& messages) const
+{
+  namespace Arrays = rtglyphs::GlyphArrays;
+  const rtglyphs::GlyphSettings& how = this->Settings;
+  vtkDataArray* orientations = tensors ? nullptr : Arrays::Find(Arrays::ORIENTATION, points, how);
+  if (!tensors && !orientations && !this->OriginalIds.empty())
+  {
+    messages.push_back(
+      "GlyphDirectionColoring shows the glyphs' directions as colors, but they have none, so all are white. "
+      "Switch Orient on and choose an array as SelectOrientationVectors.");
+  }
+  const int mode = Arrays::OrientationMode(orientations, how);
+  const bool pointed = how.Shape == rtg::Shape::Arrow || how.Shape == rtg::Shape::Cone;
+  const bool turnedAround = how.Scaling && how.ScaleMode == rtglyphs::GlyphSettings::COMPONENTS;
+  vtkDataArray* scales = pointed && turnedAround ? Arrays::Find(Arrays::SCALE, points, how) : nullptr;
+  std::vector<std::array<double, 3>> colors(this->OriginalIds.size(), { { 1.0, 1.0, 1.0 } });
+  rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      rtglyphs::GlyphTuples turns(orientations), sizes(scales);
+      for (vtkIdType glyph = begin; glyph < end; ++glyph)
+      {
+        const vtkIdType point = this->OriginalIds[glyph];
+        glm::dquat turn;
+        glm::dvec3 direction(0.0);
+        if (tensors)
+        {
+          tensors->PrincipalDirection(point, direction);
+        }
+        else if (turns.Has(point) && rtglyphs::GlyphPlacement::RotationFromTuple(turns.Get(point), mode, turn))
+        {
+          const double sign = sizes.Has(point) && sizes.Get(point)[0] < 0.0 ? -1.0 : 1.0;
+          direction = turn * glm::dvec3(pointed && how.ScaleFactor < 0.0 ? -sign : sign, 0.0, 0.0);
+        }
+        direction = this->Placed * direction;
+        const double length = glm::length(direction);
+        if (rtg::IsPositive(length))
+        {
+          colors[glyph] = rtglyphs::DirectionColors::Of(direction / length, how.DirectionColoring);
+        }
+      }
+    });
+  return colors;
+}
+
+//----------------------------------------------------------------------------
 void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
 {
   std::vector<std::string> messages;
@@ -333,7 +379,9 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   const rtglyphs::GlyphTensors::Settings& shown = this->Settings.Tensors;
   const bool byRadius = this->Settings.Forms.ColorsByRadius();
   const bool bySurface = byRadius || this->Settings.SurfaceColors() != rtg::GlyphInstances::SurfaceColours::None;
-  if (shown.On && !shown.Axes && !bySurface && shown.Coloring != rtglyphs::GlyphTensors::NONE &&
+  const bool byDirection =
+    !shown.Axes && !bySurface && this->Settings.DirectionColoring != rtglyphs::DirectionColors::NONE;
+  if (shown.On && !shown.Axes && !bySurface && (byDirection || shown.Coloring != rtglyphs::GlyphTensors::NONE) &&
     !this->OriginalIds.empty())
   {
     tensors = std::make_unique<rtglyphs::GlyphTensors>(
@@ -343,7 +391,7 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
       this->TensorTable->Build();
     }
   }
-  else if (!shown.Axes && !bySurface)
+  else if (!shown.Axes && !bySurface && !byDirection)
   {
     mapped = this->MapColors(false, "glyph", messages);
   }
@@ -353,13 +401,18 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
   {
     table = this->TableColors(this->NumbersOf(*tensors));
   }
+  std::vector<std::array<double, 3>> directions;
+  if (byDirection)
+  {
+    directions = this->DirectionsAsColors(points, tensors.get(), messages);
+  }
 
   rtg::GlyphColours colors;
   if (byRadius && !this->Radii.empty())
   {
     this->AddRadiusColors(colors);
   }
-  if (mapped.Any || tensors || this->HasOwnLooks() || selected)
+  if (mapped.Any || tensors || byDirection || this->HasOwnLooks() || selected)
   {
     colors.each.resize(this->OriginalIds.size());
     rtglyphs::RayTracedParallel::ForChunks(static_cast<vtkIdType>(colors.each.size()),
@@ -370,7 +423,11 @@ void vtkRayTracedGlyphMapper::BuildColors(vtkPolyData* points)
           const vtkIdType point = this->OriginalIds[glyph];
           std::array<double, 4> rgba = this->ColorOf(mapped, point, point);
           const rtglyphs::RayTracedBlocks::Block& block = this->Blocks[this->BlockOf(point)];
-          if (shown.Axes || (tensors && !block.Color))
+          if (byDirection && !block.Color)
+          {
+            std::copy_n(directions[glyph].begin(), 3, rgba.begin());
+          }
+          else if (shown.Axes || (tensors && !block.Color))
           {
             rgba = { { this->SolidColor[0], this->SolidColor[1], this->SolidColor[2], 1.0 } };
             if (table)

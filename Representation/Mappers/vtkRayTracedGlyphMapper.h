@@ -64,6 +64,8 @@ protected:
 
 private:
   void TensorColor(const rtglyphs::GlyphTensors& tensors, vtkIdType point, double rgb[3]) const;
+  std::vector<std::array<double, 3>> DirectionsAsColors(
+    vtkPolyData* points, const rtglyphs::GlyphTensors* tensors, std::vector<std::string>& messages) const;
   vtkSmartPointer<vtkDoubleArray> NumbersOf(const rtglyphs::GlyphTensors& tensors);
   vtkSmartPointer<vtkUnsignedCharArray> TableColors(vtkDoubleArray* numbers);
   void AddRadiusColors(rtg::GlyphColours& colors);
@@ -71,6 +73,7 @@ private:
 
   rtglyphs::GlyphSettings Settings;
   rtglyphs::GlyphSettings BuiltSettings; // the effective ones
+  glm::dmat3 Placed{ 1.0 };              // by the actor's matrix
   vtkWeakPointer<vtkPolyData> Mesh;      // that Settings.Mesh was made of
   vtkMTimeType MeshTime = 0;
   vtkSmartPointer<vtkScalarsToColors> TensorTable;

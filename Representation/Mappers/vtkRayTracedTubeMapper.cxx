@@ -48,7 +48,12 @@ void vtkRayTracedTubeMapper::BuildInstances(vtkPolyData* lines, vtkActor* actor)
 void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
 {
   std::vector<std::string> messages;
-  const MappedColors mapped = this->MapColors(true, "point or cell of the lines", messages);
+  const bool directions = this->DirectionColoring != rtglyphs::DirectionColors::NONE;
+  MappedColors mapped;
+  if (!directions)
+  {
+    mapped = this->MapColors(true, "point or cell of the lines", messages);
+  }
   vtkUnsignedCharArray* points = Selected(lines->GetPointData());
   vtkUnsignedCharArray* cells = Selected(lines->GetCellData());
   const auto isSelected = [&](vtkIdType piece)
@@ -59,7 +64,6 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
   };
   rtg::GlyphColours colors;
   colors.table = mapped.Table;
-  const bool directions = this->DirectionColors && !mapped.Any && mapped.Values.empty();
   const bool ends = directions || !mapped.Values.empty() || (mapped.Any && !mapped.OfCells);
   const bool each = points || (!ends && (mapped.Any || this->HasOwnLooks()));
   colors.each.resize(each ? this->OriginalIds.size() : 0);
@@ -73,8 +77,9 @@ void vtkRayTracedTubeMapper::BuildColors(vtkPolyData* lines)
       std::array<double, 4> rgba = this->ColorOf(mapped, point, -1);
       if (directions && !this->Blocks[this->BlockOf(point)].Color)
       {
-        const glm::dvec3 direction = glm::abs(this->DirectionOf(lines, piece, end));
-        rgba = { { direction.x, direction.y, direction.z, rgba[3] } };
+        const glm::dvec3 direction = glm::normalize(this->Placement.Linear * this->DirectionOf(lines, piece, end));
+        const auto rgb = rtglyphs::DirectionColors::Of(direction, this->DirectionColoring);
+        std::copy(rgb.begin(), rgb.end(), rgba.begin());
       }
       bits = Pack(rgba);
     }

@@ -10,6 +10,7 @@
 #ifndef vtkRayTracedTubeMapper_h
 #define vtkRayTracedTubeMapper_h
 
+#include "DirectionColors.h"
 #include "GlyphPlacement.h"
 #include "RayTracedTubeBuilder.h"
 #include "vtkRayTracedMapper.h"
@@ -23,10 +24,9 @@ public:
   void SetSettings(const rtglyphs::RayTracedTubeBuilder::Settings& settings) { this->Settings = settings; }
 
   /**
-   * Whether what no array colors has the colors of its directions: the magnitudes of their components as red, green
-   * and blue. Default is off.
+   * Of rtglyphs::DirectionColors, whatever else would color tubes. Default is none.
    */
-  void SetDirectionColors(bool on) { this->DirectionColors = on; }
+  void SetDirectionColoring(int kind) { this->DirectionColoring = kind; }
 
   // vtkRayTracedMapper
   rtg::GlyphInstances TakeInstances(vtkActor* actor) override;
@@ -42,13 +42,16 @@ protected:
   std::vector<vtkObject*> InstanceInputs(vtkPolyData* lines) const override;
   void BuildInstances(vtkPolyData* lines, vtkActor* actor) override;
   void BuildColors(vtkPolyData* lines) override;
-  std::vector<vtkMTimeType> ColorState() const override { return { this->DirectionColors ? 1u : 0u }; }
+  std::vector<vtkMTimeType> ColorState() const override
+  {
+    return { static_cast<vtkMTimeType>(this->DirectionColoring) };
+  }
 
 private:
   glm::dvec3 DirectionOf(vtkPolyData* lines, vtkIdType piece, int end) const;
 
   rtglyphs::RayTracedTubeBuilder::Settings Settings, BuiltSettings;
-  bool DirectionColors = false;
+  int DirectionColoring = rtglyphs::DirectionColors::NONE;
   rtg::GlyphInstances Instances; // until they are taken
   bool Taken = false;
   std::vector<std::array<vtkIdType, 2>> Ends;    // points of each piece

@@ -311,6 +311,7 @@ void vtkRayTracedGlyphRepresentation::Configure(vtkInformation* inInfo, vtkPolyD
   }
   main->SetSelectionColor(this->GetSelectionColor());
   this->UpdateLegend(settings);
+  this->Key->SetColoring(settings.DirectionColoring);
 
   const std::optional<rtglyphs::GlyphSettings> beside = this->Beside(points, settings);
   const bool trails = this->HasTrails();
@@ -380,6 +381,7 @@ void vtkRayTracedGlyphRepresentation::SetPartBounds(const double bounds[6])
 //----------------------------------------------------------------------------
 void vtkRayTracedGlyphRepresentation::ShowLayers(bool visible)
 {
+  this->Superclass::ShowLayers(visible);
   this->Legend->SetVisibility(visible);
   this->Layers->SetVisibility(visible);
 }
@@ -460,6 +462,16 @@ rtglyphs::GlyphSettings vtkRayTracedGlyphRepresentation::MakeSettings() const
     const double* range = this->TensorTable->GetRange();
     this->TensorTable->GetColor(range[1], settings.Tensors.PositiveColor.data());
     this->TensorTable->GetColor(range[0], settings.Tensors.NegativeColor.data());
+  }
+  settings.DirectionColoring = this->DirectionColoring;
+  if (this->DirectionColoring != rtglyphs::DirectionColors::NONE)
+  {
+    settings.Tensors.Coloring = rtglyphs::GlyphTensors::NONE;
+    if (settings.Tensors.On || polynomial || this->GlyphShape == PRINCIPAL_AXES ||
+      this->GlyphShape == CONFIDENCE_ELLIPSOID)
+    {
+      settings.DirectionColoring = rtglyphs::DirectionColors::AXES;
+    }
   }
   if (this->GlyphShape == SPLIT_VECTOR)
   {

@@ -3,6 +3,9 @@
 #include "GlyphSelection.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPVRenderView.h"
+
+#include <algorithm>
 
 //----------------------------------------------------------------------------
 vtkRayTracedSelectableRepresentation::vtkRayTracedSelectableRepresentation(int ports)
@@ -54,4 +57,42 @@ vtkRayTracedSelectableRepresentation::GatherTree(vtkDataObject* input, const int
 void vtkRayTracedSelectableRepresentation::SetSelectionColor(double red, double green, double blue)
 {
   this->SelectionColor = rtglyphs::RayTracedNumbers::ColorInRange(red, green, blue);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedSelectableRepresentation::SetGlyphDirectionColoring(int kind)
+{
+  this->DirectionColoring = std::clamp<int>(kind, rtglyphs::DirectionColors::NONE, rtglyphs::DirectionColors::SPHERE);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedSelectableRepresentation::SetGlyphDirectionKey(int place)
+{
+  this->Key->SetPlace(place);
+}
+
+//----------------------------------------------------------------------------
+void vtkRayTracedSelectableRepresentation::ShowLayers(bool visible)
+{
+  this->Key->SetVisibility(visible);
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedSelectableRepresentation::AddToView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    this->Key->AddTo(renderView);
+  }
+  return this->Superclass::AddToView(view);
+}
+
+//----------------------------------------------------------------------------
+bool vtkRayTracedSelectableRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    this->Key->RemoveFrom(renderView);
+  }
+  return this->Superclass::RemoveFromView(view);
 }

@@ -1,6 +1,7 @@
 /**
  * @class   vtkRayTracedSelectableRepresentation
- * @brief   ray-traced representation that shows in another color what ParaView's selection has of its data
+ * @brief   ray-traced representation that shows in another color what ParaView's selection has of its data, and
+ * directions as colors: of glyphs and tubes
  *
  * The filter that extracts the selection of the input is one more input. Another selection gathers nothing anew.
  *
@@ -12,6 +13,9 @@
 #include "vtkDataObject.h"
 #include "vtkPolyData.h"
 #include "vtkRayTracedRepresentation.h"
+#ifndef __VTK_WRAP__ // what the wrapping tools need not know
+#include "vtkDirectionLegend.h"
+#endif
 
 #include <array>
 
@@ -25,6 +29,15 @@ public:
    */
   void SetSelectionColor(double red, double green, double blue);
 
+  ///@{
+  /**
+   * How directions become colors (rtglyphs::DirectionColors), and where in the view their key is. Default is not at
+   * all, and the upper right corner.
+   */
+  void SetGlyphDirectionColoring(int kind);
+  void SetGlyphDirectionKey(int place);
+  ///@}
+
 protected:
   /**
    * The last of the ports is that of what is selected.
@@ -35,6 +48,9 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   vtkSmartPointer<vtkDataObject> GatherTree(vtkDataObject* input, const int* wholeExtent) final;
+  void ShowLayers(bool visible) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
   /**
    * The same input is gathered again.
@@ -42,6 +58,12 @@ protected:
   void ForgetGathered() { this->Gathered = nullptr; }
 
   const std::array<double, 3>& GetSelectionColor() const { return this->SelectionColor; }
+
+  /**
+   * What the key shows is what the representation does with it.
+   */
+  int DirectionColoring = rtglyphs::DirectionColors::NONE;
+  vtkNew<vtkDirectionLegend> Key;
 
 private:
   bool HasSelection();

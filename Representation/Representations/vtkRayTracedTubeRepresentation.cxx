@@ -92,6 +92,7 @@ void vtkRayTracedTubeRepresentation::Configure(vtkInformation*, vtkPolyData*, bo
   settings.Motion = this->GetMotion();
   auto* tubes = static_cast<vtkRayTracedTubeMapper*>(this->GetMapper());
   tubes->SetSettings(settings);
-  tubes->SetDirectionColors(this->DirectionColors);
+  tubes->SetDirectionColoring(this->DirectionColoring);
+  this->Key->SetColoring(this->DirectionColoring);
   tubes->SetSelectionColor(this->GetSelectionColor());
 }

@@ -35,11 +35,6 @@ public:
    */
   void SetTubeEnds(int ends) { this->FlatEnds = ends == 1; }
 
-  /**
-   * Whether what no array colors has the colors of its directions. Default is off.
-   */
-  void SetTubeDirectionColors(bool on) { this->DirectionColors = on; }
-
 protected:
   vtkRayTracedTubeRepresentation();
   ~vtkRayTracedTubeRepresentation() override = default;
@@ -56,7 +51,7 @@ private:
 
   double Radius = 1.0;
   std::string RadiusArray;
-  bool FlatEnds = false, DirectionColors = false;
+  bool FlatEnds = false;
   vtkWeakPointer<vtkDataArray> Radii; // of cells, as they were at that time; their largest one
   vtkMTimeType RadiiTime = 0;
   double LargestRadius = 0.0;

@@ -1,5 +1,6 @@
 #include "RayTracedColoring.h"
 
+#include "DirectionColors.h"
 #include "GlyphTensors.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace
@@ -54,18 +56,32 @@ std::string TensorsOf(vtkSMProxy* glyphs, int shape)
                   : ValueOf(glyphs, shape == Shapes::SPHERICAL_HARMONICS ? "GlyphHarmonicsArray" : "GlyphTensorArray");
 }
 
+// NONE: directions do.
 int TensorColoring(vtkSMProxy* glyphs, int shape)
 {
   if (shape == Shapes::SPHERICAL_HARMONICS || shape == Shapes::FOURTH_ORDER_TENSOR)
   {
-    return rtglyphs::GlyphTensors::SURFACE_DIRECTION;
+    return rtglyphs::GlyphTensors::NONE;
   }
   vtkSMProperty* negative = glyphs->GetProperty("GlyphNegativeTensors");
   glyphs->UpdatePropertyInformation(negative);
   const bool positive = vtkSMPropertyHelper(negative).GetAsDouble() <= fewNegative;
   return !positive              ? rtglyphs::GlyphTensors::SIGN
-    : shape == Shapes::REYNOLDS ? rtglyphs::GlyphTensors::SURFACE_DIRECTION
+    : shape == Shapes::REYNOLDS ? rtglyphs::GlyphTensors::NONE
                                 : rtglyphs::GlyphTensors::FRACTIONAL_ANISOTROPY;
+}
+
+// Where ParaView's settings say so; scripts do it themselves.
+void UpdateBars(vtkSMProxy* glyphs, vtkSMProxy* view)
+{
+  vtkSMProxy* settings = glyphs->GetSessionProxyManager()->GetProxy("settings", "GeneralSettings");
+  vtkSMProperty* mode = settings ? settings->GetProperty("ScalarBarMode") : nullptr;
+  if (mode && vtkSMPropertyHelper(mode).GetAsInt() == 0) // Automatically show and hide color bars
+  {
+    vtkNew<vtkSMTransferFunctionManager> tables;
+    tables->UpdateScalarBars(view,
+      vtkSMTransferFunctionManager::SHOW_USED_SCALAR_BARS | vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
+  }
 }
 
 // What the glyphs follow, else the size, else what speaks most for being shown at all.
@@ -122,19 +138,40 @@ void rtglyphs::RayTracedColoring::Enter(vtkSMProxy* glyphs)
 //----------------------------------------------------------------------------
 bool rtglyphs::RayTracedColoring::Follow(vtkSMProxy* glyphs, const std::string& name)
 {
-  if (name != "ColorArrayName" && name != "GlyphTensorColoring")
+  if (name != "ColorArrayName" && name != "GlyphTensorColoring" && name != "GlyphDirectionColoring")
   {
     return false;
   }
   const std::string before = this->Chosen;
   this->Enter(glyphs);
-  const bool chosen = !this->Choosing && (name == "GlyphTensorColoring" || this->Chosen != before);
+  const bool chosen = !this->Choosing && (name != "ColorArrayName" || this->Chosen != before);
   if (chosen)
   {
     this->Wanted = false;
     vtkSMPropertyHelper(glyphs, "ColorFromData").Set(0);
+    this->TakeBack(glyphs, name);
   }
   return chosen;
+}
+
+//----------------------------------------------------------------------------
+// Directions and arrays do not color the same glyphs.
+void rtglyphs::RayTracedColoring::TakeBack(vtkSMProxy* glyphs, const std::string& chosen)
+{
+  vtkSMProxy* display = glyphs->GetTrueParentProxy();
+  const bool array = !ColorArrayOf(display).empty();
+  const bool directions = vtkSMPropertyHelper(display, "GlyphDirectionColoring").GetAsInt() != 0;
+  this->Choosing = true;
+  if (array && directions && chosen == "GlyphDirectionColoring")
+  {
+    vtkSMPropertyHelper(display, "ColorArrayName").SetInputArrayToProcess(vtkDataObject::POINT, "");
+    this->Replaced = true;
+  }
+  else if (array && directions && chosen == "ColorArrayName")
+  {
+    vtkSMPropertyHelper(display, "GlyphDirectionColoring").Set(rtglyphs::DirectionColors::NONE);
+  }
+  this->Choosing = false;
 }
 
 //----------------------------------------------------------------------------
@@ -148,6 +185,10 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   {
     vtkSMPropertyHelper(glyphs, "ColorFromData").Set(1);
     this->Wanted = false;
+  }
+  if (window && std::exchange(this->Replaced, false))
+  {
+    UpdateBars(glyphs, view);
   }
   if (!colored || !vtkSMPropertyHelper(glyphs, "ColorFromData").GetAsInt())
   {
@@ -166,7 +207,10 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   this->Choosing = true;
   {
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
+    const bool directions = !tensors.empty() && coloring == rtglyphs::GlyphTensors::NONE;
     vtkSMPropertyHelper(glyphs, "GlyphTensorColoring").Set(coloring);
+    vtkSMPropertyHelper(display, "GlyphDirectionColoring")
+      .Set(directions ? rtglyphs::DirectionColors::AXES : rtglyphs::DirectionColors::NONE);
     display->UpdateVTKObjects();
   }
   if (!tensors.empty() && !ColorArrayOf(display).empty())
@@ -187,14 +231,8 @@ void rtglyphs::RayTracedColoring::Update(vtkSMProxy* glyphs, vtkSMProxy* view)
   }
   display->UpdateVTKObjects();
   this->Choosing = false;
-  // Where ParaView's settings say so; scripts do it themselves.
-  vtkSMProxy* settings = glyphs->GetSessionProxyManager()->GetProxy("settings", "GeneralSettings");
-  vtkSMProperty* mode = settings ? settings->GetProperty("ScalarBarMode") : nullptr;
-  const bool automatic = mode && vtkSMPropertyHelper(mode).GetAsInt() == 0; // Automatically show and hide color bars
-  if (window && automatic)
+  if (window)
   {
-    vtkNew<vtkSMTransferFunctionManager> tables;
-    tables->UpdateScalarBars(view,
-      vtkSMTransferFunctionManager::SHOW_USED_SCALAR_BARS | vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
+    UpdateBars(glyphs, view);
   }
 }

@@ -27,8 +27,8 @@ public:
   void Begin(vtkSMProxy* glyphs);
 
   /**
-   * A property of the glyphs was set. Whether that chooses a color; of its five strings ColorArrayName gets others by
-   * paraview.simple alone, whenever an input is set.
+   * A property of the glyphs was set. Whether that chooses a color; of directions and an array the one chosen before is
+   * taken back. Of its five strings ColorArrayName gets others by paraview.simple alone, whenever an input is set.
    */
   bool Follow(vtkSMProxy* glyphs, const std::string& name);
 
@@ -38,8 +38,11 @@ public:
   void Update(vtkSMProxy* glyphs, vtkSMProxy* view);
 
 private:
+  void TakeBack(vtkSMProxy* glyphs, const std::string& chosen);
+
   bool Wanted = false;   // ColorFromData, in a window
   bool Choosing = false; // by this class
+  bool Replaced = false; // an array, whose scalar bar may be of no use
   std::string Chosen;    // association and name of ColorArrayName
   std::string Shown;     // by the glyphs, when the color was chosen
 };

@@ -1,5 +1,6 @@
 #include "RayTracedGlyphDefaults.h"
 
+#include "DirectionColors.h"
 #include "RayTracedDefault.h"
 #include "GlyphTensors.h"
 #include "RayTracedSuggestion.h"
@@ -18,6 +19,7 @@
 #include "vtkSMRayTracedArrayListDomain.h"
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkSMTrace.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -247,7 +249,8 @@ void rtglyphs::RayTracedGlyphDefaults::Choose(vtkSMProxy* glyphs)
   {
     vtkSMPropertyHelper(glyphs, "ScaleFactorFromData").Set(1);
   }
-  if (!this->Chosen.count("ColorArrayName") && !this->Chosen.count("GlyphTensorColoring"))
+  const auto chosen = [this](const char* name) { return this->Chosen.count(name) > 0; };
+  if (!chosen("ColorArrayName") && !chosen("GlyphTensorColoring") && !chosen("GlyphDirectionColoring"))
   {
     this->Coloring.Begin(glyphs);
   }
@@ -308,11 +311,18 @@ vtkSMProxy* rtglyphs::RayTracedGlyphDefaults::GlyphsOf(vtkSMProxy* display)
 }
 
 //----------------------------------------------------------------------------
-bool rtglyphs::RayTracedGlyphDefaults::TakeTubeColors(vtkSMProxy* display)
+void rtglyphs::RayTracedGlyphDefaults::ColorTubes(vtkSMProxy* display)
 {
   const char* array = vtkSMPropertyHelper(display, "ColorArrayName").GetAsString(4);
   const bool window = vtkSMPropertyHelper(display, "SamplesPerRender").GetAsInt() < 0;
-  return std::exchange(this->TubesWanted, false) && window && !(array && array[0]);
+  if (Shows(display, "Ray Traced Tubes") && std::exchange(this->TubesWanted, false) && window && !(array && array[0]))
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
+    this->Choosing = true;
+    vtkSMPropertyHelper(display, "GlyphDirectionColoring").Set(rtglyphs::DirectionColors::AXES);
+    this->Choosing = false;
+    display->UpdateVTKObjects();
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -369,7 +379,8 @@ std::vector<std::string> rtglyphs::RayTracedGlyphDefaults::Explain(vtkSMProxy* d
   {
     const char* array = vtkSMPropertyHelper(display, "ColorArrayName").GetAsString(4);
     const vtkSMPropertyHelper coloring(glyphs, "GlyphTensorColoring");
-    const std::string color = coloring.GetAsInt() != 0 ? coloring.GetAsString() : array ? array : "";
+    const std::string other = number("GlyphDirectionColoring") != 0.0 ? "direction" : array ? array : "";
+    const std::string color = coloring.GetAsInt() != 0 ? coloring.GetAsString() : other;
     if (!color.empty())
     {
       sentences.push_back("Color by " + color + ": what the glyphs show");

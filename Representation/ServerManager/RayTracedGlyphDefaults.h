@@ -47,10 +47,10 @@ public:
   static vtkSMProxy* GlyphsOf(vtkSMProxy* display);
 
   /**
-   * Whether tubes of the display get the colors of their directions: in the window, once, when they are first shown and
-   * nothing colors them.
+   * Tubes of the display get the colors of their directions: in the window, once, when they are first shown and nothing
+   * colors them.
    */
-  bool TakeTubeColors(vtkSMProxy* display);
+  void ColorTubes(vtkSMProxy* display);
 
   /**
    * Which arrays the glyphs of a display show, and why, where they are those that the data suggest; and what is to be

@@ -26,7 +26,9 @@ std::string NumberOf(vtkSMProxy* glyphs)
                                  : tensor && rtglyphs::GlyphTensors::IsNumber(coloring.GetAsInt());
   const char* array =
     vtkSMPropertyHelper(glyphs, shape == 12 ? "GlyphHarmonicsArray" : "GlyphTensorArray").GetAsString();
-  const bool shown = local && local->GetVisibility() && number && array && array[0] && strcmp(array, "None") != 0;
+  const bool directions = vtkSMPropertyHelper(glyphs, "GlyphDirectionColoring").GetAsInt() != 0;
+  const bool shown =
+    local && local->GetVisibility() && number && !directions && array && array[0] && strcmp(array, "None") != 0;
   return shown ? std::string(array) + " " + coloring.GetAsString() : std::string();
 }
 }

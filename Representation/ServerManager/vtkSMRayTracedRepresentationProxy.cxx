@@ -5,6 +5,7 @@
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
+#include "vtkRayTracedGlyphRepresentation.h"
 #include "vtkRayTracedRepresentation.h"
 #include "vtkRayTracedSelectionEncoder.h"
 #include "vtkSMProperty.h"
@@ -75,12 +76,24 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     this->TakeSelection();
   }
+  // Where there is a cut the panel has its row among those that it always shows; directions of tensors, too.
+  const auto valueOf = [this](const char* property)
+  {
+    const vtkSMPropertyHelper value(this, property, /*quiet=*/true);
+    return value.GetNumberOfElements() > 0 ? value.GetAsInt() : 0;
+  };
   if (flag && strcmp(name, "Section") == 0)
   {
-    // Where there is a cut the panel has its row among those that it always shows.
-    const vtkSMPropertyHelper section(this, name);
-    const bool cut = section.GetNumberOfElements() > 0 && section.GetAsInt() != 0;
-    this->GetProperty(name)->SetPanelVisibility(cut ? "default" : "advanced");
+    this->GetProperty(name)->SetPanelVisibility(valueOf(name) != 0 ? "default" : "advanced");
+  }
+  if (flag && (strcmp(name, "GlyphDirectionColoring") == 0 || strcmp(name, "GlyphShape") == 0))
+  {
+    const int shape = valueOf("GlyphShape");
+    const bool ofTensors = (shape >= vtkRayTracedGlyphRepresentation::TENSOR_ELLIPSOID &&
+                             shape <= vtkRayTracedGlyphRepresentation::SIGNED_TENSOR_SUPERQUADRIC) ||
+      shape >= vtkRayTracedGlyphRepresentation::SPHERICAL_HARMONICS;
+    const bool common = ofTensors || valueOf("GlyphDirectionColoring") != 0;
+    this->GetProperty("GlyphDirectionColoring")->SetPanelVisibility(common ? "default" : "advanced");
   }
   if (flag)
   {
@@ -140,20 +153,6 @@ void vtkSMRayTracedRepresentationProxy::ChooseDefaults()
 }
 
 //----------------------------------------------------------------------------
-// The first of a display's representations has its defaults.
-void vtkSMRayTracedRepresentationProxy::ColorTubes()
-{
-  vtkSMProxy* display = this->GetTrueParentProxy();
-  auto* first = vtkSMRayTracedRepresentationProxy::SafeDownCast(rtglyphs::RayTracedGlyphDefaults::GlyphsOf(display));
-  if (first && first->GlyphDefaults.TakeTubeColors(display))
-  {
-    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
-    vtkSMPropertyHelper(this, "TubeDirectionColors").Set(1);
-    display->UpdateVTKObjects();
-  }
-}
-
-//----------------------------------------------------------------------------
 void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
 {
   this->Superclass::ViewUpdated(view);
@@ -173,9 +172,11 @@ void vtkSMRayTracedRepresentationProxy::ViewUpdated(vtkSMProxy* view)
       vtkSMViewProxy::SafeDownCast(view)->Update();
     }
     rtglyphs::RayTracedSuggestion::Take(this);
-    if (this->GetProperty("TubeDirectionColors"))
+    // The first of a display's representations has its defaults.
+    if (auto* first =
+          vtkSMRayTracedRepresentationProxy::SafeDownCast(rtglyphs::RayTracedGlyphDefaults::GlyphsOf(display)))
     {
-      this->ColorTubes();
+      first->GlyphDefaults.ColorTubes(display);
     }
     if (this->GetProperty("GlyphShape"))
     {

@@ -47,7 +47,6 @@ private:
   bool IsShown();
   void TakeSelection();
   void ChooseDefaults();
-  void ColorTubes();
 
   vtkSmartPointer<vtkSMRayTracedViewProxy> View;
   double Time = 0.0; // of the last update

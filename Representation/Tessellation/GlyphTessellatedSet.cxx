@@ -296,7 +296,6 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
   set.Roughness = material.roughness;
   set.Color = Linear(material.colour, material.opacity);
   const bool bySign = !instances.forms.empty();
-  const bool bySurface = bySign || instances.surfaceColours == rtg::GlyphInstances::SurfaceColours::Direction;
   const bool ofEnds = instances.shape == rtg::Shape::RoundCone && !colors.ends.empty();
   bool bothSigns = false;
   if (bySign || !instances.opacities.empty() || !colors.Empty())
@@ -318,8 +317,7 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
       {
         const glm::vec4 shown = ofEnds ? MeanOfEnds(colors, glyph) : Unpacked(colors.each[glyph]);
         // White stands for the colors of the surface (rtg::GlyphColours).
-        color =
-          bySurface && glm::vec3(shown) == glm::vec3(1.0f) ? ofSurface : Linear(glm::vec3(shown), material.opacity);
+        color = bySign && glm::vec3(shown) == glm::vec3(1.0f) ? ofSurface : Linear(glm::vec3(shown), material.opacity);
         color.a *= shown.a;
       }
       color.a *= instances.opacities.empty() ? 1.0f : instances.opacities[glyph];
@@ -373,15 +371,10 @@ rtglyphs::GlyphTessellatedSet rtglyphs::GlyphTessellatedSet::Make(const std::str
   }
   const auto empty = [](const rtglyphs::GlyphTessellatedPart& part) { return part.Glyphs.empty(); };
   set.Parts.erase(std::remove_if(set.Parts.begin(), set.Parts.end(), empty), set.Parts.end());
-  if (!set.Parts.empty() && (bySign ? bothSigns : bySurface))
+  if (!set.Parts.empty() && bothSigns)
   {
-    messages.push_back(bySign
-        ? "GlyphTensorColoring Sign gives some of the glyphs two colors, which exported instances "
-          "cannot have: these have the first "
-          "one. Choose another GlyphTensorColoring to export colors."
-        : "GlyphTensorColoring Surface Direction colors each point of a glyph by itself, which "
-          "exported instances cannot "
-          "have: they have DiffuseColor. Choose another GlyphTensorColoring to export colors.");
+    messages.push_back("GlyphTensorColoring Sign gives some of the glyphs two colors, which exported instances "
+                       "cannot have: these have the first one. Choose another GlyphTensorColoring to export colors.");
   }
   return set;
 }

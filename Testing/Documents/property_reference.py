@@ -34,7 +34,9 @@ def definitions(name):
 
 def of_representations():
     """Properties by name of all representations, of glyphs, of surfaces, of tubes, and of the view's image."""
-    return [definitions("RayTraced%s.xml" % name)[0] for name in ("Common", "Glyphs", "Surface", "Tubes", "Image")]
+    common, directions, glyphs, surface, tubes, image = (
+        definitions("RayTraced%s.xml" % name)[0] for name in ("Common", "Directions", "Glyphs", "Surface", "Tubes", "Image"))
+    return common, {**glyphs, **directions}, surface, {**tubes, **directions}, image
 
 
 def words(entry):

@@ -91,7 +91,7 @@ def fibers(data, folder):
     made("helix.py", file)
     inside = pv.Threshold(Input=pv.OpenDataFile(file), Scalars=["POINTS", "bundle"], LowerThreshold=0.5, UpperThreshold=1.0)
     shown = raytracedglyphs.Figure(inside, "Tensor Superquadric", colors="", GlyphTensorArray="diffusion", GlyphTensorLayout="xx yy zz xy yz xz",
-                                   GlyphTensorColoring="Principal Direction", GroundShadow="Below")
+                                   GlyphDirectionColoring="Axes", GroundShadow="Below")
     shown.ScaleFactor = 1.8 * shown.ScaleFactor
     place(pv.GetActiveView(), (2.6, -3.0, 1.9), (0.0, 0.0, -0.05))
     finish(shown, 16)

@@ -39,7 +39,7 @@ def crystals(view):
     places = numpy.array([(1.15 * i - 1.725) * across for i in range(len(CRYSTALS))])
     shown = simulation.show(source(places, stiffness=[stiffness(*constants) for _, constants in CRYSTALS]), view, "Fourth-Order Tensor",
                             GlyphTensorArray="stiffness", GlyphHarmonicsScaling="Each Alike", ScaleFactor=1.0, Orient=0,
-                            GlyphTensorColoring="Surface Direction", Ambient=0.2)
+                            GlyphDirectionColoring="Axes", Ambient=0.2)
     simulation.look(view, 6.0 * toward, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
     view.CameraParallelProjection, view.CameraParallelScale = 1, 0.6
     return shown
@@ -54,7 +54,7 @@ def crossing(view, path):
     kept = (points[:, 2] < 2) & (shares.sum(axis=1) > 0.3)
     shown = simulation.show(source(points[kept], odf=numpy.array(adapter.PointData["odf"])[kept]), view, "Spherical Harmonics",
                             GlyphHarmonicsArray="odf", GlyphHarmonicsScaling="Each Alike", ScaleFactor=1.1, Orient=0,
-                            GlyphTensorColoring="Surface Direction", Ambient=0.2)
+                            GlyphDirectionColoring="Axes", Ambient=0.2)
     simulation.look(view, (7.5, -5.0, 16.0), (10.2, 10.2, 0.5), (0.0, 1.0, 0.0))
     view.CameraViewAngle = 18.0
     return shown

@@ -71,7 +71,7 @@ def tensors(data, folder, view):
         subprocess.run(["/usr/bin/python3", os.path.join(data, "helix.py"), path], check=True)
     source = pv.OpenDataFile(path)
     shown = simulation.show(source, view, "Tensor Superquadric")
-    shown.GlyphTensorColoring = "Principal Direction"
+    shown.GlyphDirectionColoring = "Axes"
     view.ResetCamera()
     camera = view.GetActiveCamera()
     camera.Elevation(-40.0)

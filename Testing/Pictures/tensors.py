@@ -61,7 +61,7 @@ def fibres(view, points, tensors, share, layout, spacing):
     inside = share > 0.5
     largest = numpy.quantile(norms(tensors[inside]), 0.9)
     show(source(points[inside], d=tensors[inside]), view, "Tensor Superquadric", GlyphTensorArray="d", GlyphTensorLayout=layout,
-         GlyphTensorColoring="Principal Direction", ScaleFactor=1.3 * spacing / largest)
+         GlyphDirectionColoring="Axes", ScaleFactor=1.3 * spacing / largest)
 
 
 def helix(view, data, folder):

@@ -318,7 +318,7 @@ ROWS = (
     Row("DualSPHysics", lambda: legacy("sph.vtk", 0.01 * grid(8, 6, 5), Idp=numpy.arange(240), Vel=v_of(240), Rhop=numpy.full(240, 1000.0)),
         {DIRECTION: "Vel"}, "Vel", 240),
     Row("MRtrix, ODF", lambda: vti("odf.vti", (5, 4, 1), odf=RANDOM.normal(size=(20, 15)) * 0.05 + numpy.eye(15)[0] * 0.28),
-        {"GlyphHarmonicsArray": "odf"}, "Surface Direction", 20, ("Form by odf", ), GlyphShape="Spherical Harmonics"),
+        {"GlyphHarmonicsArray": "odf"}, "Axes", 20, ("Form by odf", ), GlyphShape="Spherical Harmonics"),
     Row("diffusion tensors, VTK", lambda: vti("dti.vti", (6, 5, 2), DTI=diffusion(60)[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]], b0=numpy.ones(60)),
         {TENSOR: "DTI"}, "Fractional Anisotropy", 60, ("Form by DTI: its name", ), GlyphShape="Tensor Superquadric"),
     Row("diffusion tensors with noise", lambda: vti("noisy.vti", (6, 5, 2), DTI=diffusion(60)[:, [0, 3, 5, 3, 1, 4, 5, 4, 2]]
@@ -340,7 +340,8 @@ def main(words):
         smtrace.start_trace()
         pictures.append(row.check(view, checks))
         trace = smtrace.stop_trace()
-        wanted = "GlyphTensorColoring = '%s'" % row.color if row.color in ("Sign", "Fractional Anisotropy", "Surface Direction") else "'%s'))" % row.color
+        own = {"Sign": "GlyphTensorColoring", "Fractional Anisotropy": "GlyphTensorColoring", "Axes": "GlyphDirectionColoring"}.get(row.color)
+        wanted = "%s = '%s'" % (own, row.color) if own else "'%s'))" % row.color
         checks.true("%s: the trace has no %s" % (row.name, wanted), not row.color or row.color in ("p", "rgb_colors") or wanted in trace)
     sheet = numpy.full((-(-len(pictures) // COLUMNS) * HEIGHT, COLUMNS * WIDTH, 3), 128, numpy.uint8)
     for i, pixels in enumerate(pictures):

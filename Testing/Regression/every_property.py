@@ -196,6 +196,13 @@ def statistics_say(change):
     grows(change)
 
 
+def keyless(change):
+    """The key goes, which was in the upper right corner."""
+    change.changed()
+    found = [(picture[:SIDE // 5, -SIDE // 5:].std(axis=(0, 1)) > 0.05).any() for picture in (change.before, change.after)]
+    change.checks.equal(change.name + ": a key in the corner before and after", found, [True, False])
+
+
 def streaks(change):
     """The ball has a streak as long as the way since the step before, and had none."""
     source = change.bench.display(change.row.scene, change.kind).Input
@@ -296,7 +303,6 @@ ROWS = [
     Row("GlyphTensorThickness", 1.0, area(DISC), **TENSOR),
     # Half-axes of a fifth of the standard deviations times the root of the quantile, which is 2.366 for a half
     Row("GlyphConfidence", 0.5, area(numpy.pi * 0.04 * 2.366 * numpy.sqrt(0.5)), GlyphShape="Confidence Ellipsoid", GlyphTensorArray="tensor", ScaleFactor=0.2),
-    Row("GlyphTensorColoring", "Principal Direction", colors(RED), **TENSOR),
     Row("GlyphTensorColoring", "Eigenvalues", colors([1.0, 0.5, 0.5]), **TENSOR),
     Row("GlyphTensorColoring", "Middle Eigenvalue", reads("GlyphTensorRange", [0.5, 0.5]), **TENSOR),
     Row("GlyphTensorColoring", "Radius", reads("GlyphTensorRange", [0.0, 1.0]), **HARMONICS),
@@ -314,7 +320,11 @@ ROWS = [
     Row("TubeRadius", 0.25, area(DISC / 4.0)),
     Row("TubeRadiusArray", "half", area(DISC / 4.0)),
     Row("TubeEnds", "Flat", area(0.5), scene="coarse"),
-    Row("TubeDirectionColors", 1, colors(GREEN)),
+    # Directions: tubes, and what TURNED turns
+    Row("GlyphDirectionColoring", "Axes", colors(GREEN), kinds=[TUBES], GlyphDirectionKey="None"),
+    Row("GlyphDirectionColoring", "Axes", colors(RED), kinds=[GLYPHS], GlyphDirectionKey="None", **TENSOR),
+    Row("GlyphDirectionKey", "None", keyless, kinds=[TUBES], GlyphDirectionColoring="Sphere"),
+    Row("GlyphDirectionKey", "None", keyless, kinds=[GLYPHS], GlyphDirectionColoring="Axes", **TENSOR),
     # Motion: what moves evenly by d has a variance of d^2 / 12 more.
     Row("MotionBlur", 1, spread(0.25 / 12.0, 0.0), **{**BLUR, "MotionBlur": 0}),
     Row("VelocityArray", "upward", spread(-0.25 / 12.0, 0.25 / 12.0), **BLUR),

@@ -361,12 +361,6 @@ def check_messages(view, checks):
     checks.one_message("no such folder", export(session.output("no such folder/a.glb"), view), "could not be written")
     shown.GlyphShape, shown.GlyphTensorArray, shown.GlyphTensorColoring = "Tensor Ellipsoid", "tensor", "Sign"
     checks.one_message("signs", export(path, view), "GlyphTensorColoring", "Sign", "some of the glyphs")
-    shown.GlyphTensorColoring = "Surface Direction"
-    checks.one_message("directions", export(path, view), "GlyphTensorColoring", "Surface Direction")
-    session.solid(shown, (1.0, 0.5, 0.0))
-    export(path, view)
-    ellipsoids = next(parts[0] for parts in from_usda(path)[0])
-    checks.true("directions: not the display's color", numpy.allclose(shown_color(ellipsoids.colors[:, :3]), (255.0, 127.5, 0.0), atol=0.01))
     shown.ColorArrayName, shown.GlyphShape = ["POINTS", "rgb"], "Normal Stress"
     checks.one_message("no triangles", export(path, view), "Spherical Harmonics", "left out")
     shown.GlyphShape = "Tensor Ellipsoid"

@@ -10,6 +10,7 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ.get("RTGLYPHS_SCRIPT", "."))))
 
 import paraview.simple as pv  # noqa: E402
+from paraview import smtrace  # noqa: E402
 
 import comparison  # noqa: E402
 import session  # noqa: E402
@@ -22,18 +23,18 @@ RELABELED = ["Size By", "Direction By"]
 #: labels of the default rows of shapes; and how many rows there are with the advanced ones
 FIRST, LAST = ["Shape", "Location", "Show Only Some"], ["Motion Blur", "Quality"]
 SIZE, DIRECTION = ["Scale Factor", "Size By"], ["Direction By"]
-TENSOR, COLORED = ["Tensor Array", "Tensor Components"], ["Color Glyphs By"]
+TENSOR, COLORED, BY_DIRECTION = ["Tensor Array", "Tensor Components"], ["Color Glyphs By"], ["Color By Direction"]
 DEFAULT_ROWS = {
-    "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 25), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 29),
-    "Box": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 28), "Capsule": (DIRECTION + SIZE + FIRST + LAST, 25),
-    "Split Vector": (DIRECTION + SIZE + FIRST + LAST, 22),
-    "Uncertain Vector": (DIRECTION + SIZE + FIRST + TENSOR + ["Confidence"] + LAST, 25),
-    "Confidence Ellipsoid": (SIZE + FIRST + TENSOR + ["Confidence"] + COLORED + LAST, 23),
-    "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 27), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 27),
-    "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + LAST, 26), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + LAST, 27),
-    "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + LAST, 27), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + LAST, 25),
-    "Spherical Harmonics": (SIZE + FIRST + COLORED + ["Harmonics Array", "Harmonics Basis"] + LAST, 25),
-    "Normal Stress": (SIZE + FIRST + TENSOR + COLORED + LAST, 25), "Fourth-Order Tensor": (SIZE + FIRST + ["Tensor Array"] + COLORED + LAST, 24)}
+    "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 26), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 30),
+    "Box": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 29), "Capsule": (DIRECTION + SIZE + FIRST + LAST, 26),
+    "Split Vector": (DIRECTION + SIZE + FIRST + LAST, 23),
+    "Uncertain Vector": (DIRECTION + SIZE + FIRST + TENSOR + ["Confidence"] + LAST, 26),
+    "Confidence Ellipsoid": (SIZE + FIRST + TENSOR + ["Confidence"] + COLORED + BY_DIRECTION + LAST, 24),
+    "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 28), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 28),
+    "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28),
+    "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 26),
+    "Spherical Harmonics": (SIZE + FIRST + COLORED + ["Harmonics Array", "Harmonics Basis"] + BY_DIRECTION + LAST, 26),
+    "Normal Stress": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 26), "Fourth-Order Tensor": (SIZE + FIRST + ["Tensor Array"] + COLORED + BY_DIRECTION + LAST, 25)}
 #: no more than so many
 MOST_ROWS, MOST_OF_SPHERES = 14, 8
 
@@ -235,7 +236,7 @@ def clicked(window, view, shown):
     pv.Render(view)
     width, height = view.ViewSize
     on = next((at for at in ((x, y) for y in range(height // 2, height, 7) for x in range(width // 2, width, 7)) if view.SMProxy.Pick(*at)), None)
-    entries = {"Hide", "Representation", "Color By", "Add Surface"}
+    entries = {"Hide", "Representation", "Color By", "Add Surface", "Focus Lens Here"}
     for at, wanted in (((2, 2), set()), (on, entries)):
         found = []
         if not at or not window.right_click("Viewport", at) or not window.wait(lambda: found.extend(window.menu("Add Surface")) or found, 20) \
@@ -249,6 +250,30 @@ def clicked(window, view, shown):
         failures.append("Add Surface: %s" % list(pv.GetSources()))
     for proxy in [proxy for (name, _), proxy in pv.GetSources().items() if name.startswith("ExtractSurface")]:
         pv.Delete(proxy)
+    return failures + lens(window, view, on)
+
+
+def lens(window, view, at):
+    """The menu's entries focus on the depth of what was clicked on, as the depth buffer has it, are undone and traced, and end it."""
+    renderer, camera = view.SMProxy.GetRenderer(), view.GetActiveCamera()
+    pv.Render(view)
+    renderer.SetDisplayPoint(at[0] + 0.5, at[1] + 0.5, renderer.GetZ(*at))
+    renderer.DisplayToWorld()
+    place = renderer.GetWorldPoint()
+    depth = sum((place[i] / place[3] - camera.GetPosition()[i]) * camera.GetDirectionOfProjection()[i] for i in range(3))
+    smtrace.start_trace()
+    failures = []
+    for entry, action, wanted in (("Focus Lens Here", "", depth), ("", "actionEditUndo", 0.0), ("", "actionEditRedo", depth), ("Lens Off", "", 0.0)):
+        if entry:
+            window.right_click("Viewport", at)
+        done = window.wait(lambda: window.menu(entry) if entry else window.trigger(action), 20)
+        if not done or not window.wait(lambda: abs(view.CameraFocalDistance - wanted) <= 1e-3 * depth, 10):
+            failures.append("%s at %s: focus at %g, not %g" % (entry or action, at, view.CameraFocalDistance, wanted))
+        if wanted and abs(view.CameraFocalDisk - 0.05 * depth) > 1e-3 * depth:
+            failures.append("%s: a lens of %g" % (entry or action, view.CameraFocalDisk))
+    trace = smtrace.stop_trace()
+    if not all(".CameraFocalDistance = %s" % digits in trace for digits in (("%.3f" % depth)[:-2], "0.0")) or ".CameraFocalDisk = " not in trace:
+        failures.append("the trace of the lens is %s" % trace)
     return failures
 
 

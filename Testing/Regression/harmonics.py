@@ -116,9 +116,10 @@ def form(checks, stage, what, array, function, factor, both=False, **properties)
     shown = stage.show(session.poly_data(numpy.zeros((1, 3)), values=array[None]), Ambient=1.0, Diffuse=0.0, ScaleFactor=factor,
                        GlyphTensorLookupTable=session.signs(WARM, COOL), **properties)
     most = largest(function)
-    views = (("Sign", (0.3, -0.5, 0.8)), ("Surface Direction", (-0.9, 0.2, 0.3)), ("Radius", (0.5, 0.4, -0.6)))
+    views = (("Sign", (0.3, -0.5, 0.8)), ("Direction", (-0.9, 0.2, 0.3)), ("Radius", (0.5, 0.4, -0.6)))
     for coloring, direction in views[:3 if both else 1]:
-        stage.settings.add({"GlyphTensorColoring": coloring})
+        directions = coloring == "Direction"
+        stage.settings.add({"GlyphDirectionColoring": "Axes" if directions else "None", **({} if directions else {"GlyphTensorColoring": coloring})})
         pv.Render(view)
         if coloring == "Radius":
             scalar_bar(checks, view, shown, what, [name for name in (properties.get("GlyphHarmonicsArray"), properties.get("GlyphTensorArray")) if name][0],
@@ -235,7 +236,7 @@ def gallery(checks, random):
         sources.append(session.source(session.poly_data(numpy.array([[-1.75 + 0.7 * number, 0.0, 0.0]]), values=array[None],
                                                         velocity=numpy.array([[0.0, 1.0, 0.0]]))))
         shown.append(session.glyphs(sources[-1], view, GlyphShape="Spherical Harmonics", GlyphHarmonicsArray="values", ScaleFactor=0.62,
-                                    GlyphHarmonicsScaling="Each Alike", GlyphTensorColoring="Surface Direction"))
+                                    GlyphHarmonicsScaling="Each Alike", GlyphDirectionColoring="Axes", GlyphDirectionKey="None"))
     tensors = {"Normal Stress": numpy.array([1.0, -0.7, 0.3, 0.2, 0.5, -0.1]),
                "Fourth-Order Tensor": numpy.array([3.0, 1.2, 1.2, 0, 0, 0, 3.0, 1.2, 0, 0, 0, 3.0, 0, 0, 0, 2.4, 0, 0, 2.4, 0, 2.4])}
     for number, (shape, array) in enumerate(tensors.items()):

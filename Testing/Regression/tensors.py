@@ -45,14 +45,14 @@ def colours(failures, view):
     shown.AmbientColor = [1.0, 1.0, 1.0]
     middle = lambda image, x: image[75, int(round(149.5 + x * 75.0 / 1.608)), :3].astype(int)
     wanted = {"Trace": [None, None, (59, 77, 191)], "Fractional Anisotropy": [(59, 76, 192), None, (59, 76, 192)],
-              "Principal Direction": [None, (255, 0, 0), None]}
+              "Axes": [None, (255, 0, 0), None]}
     # Both have tables of their own, from blue to red over the data's range: -3 to 3, and 0 to 0.77.
     wanted["Trace"][0] = (180, 4, 38)
     wanted["Fractional Anisotropy"][1] = (180, 4, 38)
     for colouring, expected in wanted.items():
-        shown.GlyphTensorColoring = colouring
+        setattr(shown, "GlyphDirectionColoring" if colouring == "Axes" else "GlyphTensorColoring", colouring)
         pv.Render(view)
-        if colouring != "Principal Direction":
+        if colouring != "Axes":
             session.cool_to_warm("t " + colouring)
         for bar in view.Representations:  # it would stand before the glyphs
             if bar.GetProperty("ComponentTitle") is not None:
@@ -66,7 +66,7 @@ def colours(failures, view):
     table = pv.GetColorTransferFunction("anisotropy of the test")
     table.RGBPoints = [0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 1.0]
     table.ColorSpace = "RGB"
-    shown.GlyphTensorColoring = "Fractional Anisotropy"
+    shown.GlyphTensorColoring, shown.GlyphDirectionColoring = "Fractional Anisotropy", "None"
     shown.GlyphTensorLookupTable = table
     image = session.capture(view, "tensors-colour-table")
     # Eigenvalues 1, 0.2, 0.2: sqrt(3/2) sqrt(0.8^2 2/3) / sqrt(1.08) = 0.770.

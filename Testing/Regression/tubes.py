@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vt
 import comparison
 import session
 from checks import Checks, stepwise
+from direction_colors import levels
 
 TUBES = "Ray Traced Tubes"
 #: share of the pixels that may be covered in one of two pictures only, or have other colors; levels of 255 by which the rest may differ in the mean
@@ -147,13 +148,13 @@ def directions(view, checks):
         shown.SamplesPerPixel, shown.TubeRadius, shown.Ambient, shown.Diffuse = 1, 0.1, 1.0, 0.0
         session.look(view, (4.0, 3.0, 6.0))
         pv.Render(view)
-        checks.equal("TubeDirectionColors, in a window: %s" % in_window, shown.TubeDirectionColors, int(in_window))
-        shown.TubeDirectionColors = 1
-        pixels = session.capture(view, "tubes-directions")
-        for way in ways:
-            x, y = session.pixel_of(view, 0.8 * way)
-            checks.within("color along %s" % way, float(abs(pixels[::-1][y, x, :3] - 255.0 * abs(way)).max()), 0.0, 1.0)
-        shown.TubeDirectionColors = 0
+        checks.equal("GlyphDirectionColoring, in a window: %s" % in_window, shown.GlyphDirectionColoring, "Axes" if in_window else "None")
+        for shown.GlyphDirectionColoring in ("Sphere", "Axes"):
+            pixels = session.capture(view, "tubes-directions")
+            for way in ways:
+                x, y = session.pixel_of(view, 0.8 * way)
+                checks.within("color along %s" % way, float(abs(pixels[::-1][y, x, :3] - levels(way, shown.GlyphDirectionColoring)).max()), 0.0, 1.0)
+        shown.GlyphDirectionColoring = "None"
         checks.true("still colored by direction", (session.capture(view, "tubes-directions-off")[..., :3] != pixels[..., :3]).any())
         stepwise(shown, 0)
         pv.Delete(shown)

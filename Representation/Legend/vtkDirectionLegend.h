@@ -1,0 +1,47 @@
+/**
+ * @class   vtkDirectionLegend
+ * @brief   the sphere of directions with their colors, in the corner of a view
+ *
+ * It is turned as the view is: a glyph has the color that the sphere has where a glyph from its center along the same
+ * direction would leave it. Where opposite directions differ its back is beside it, as if the sphere were of glass.
+ */
+#ifndef vtkDirectionLegend_h
+#define vtkDirectionLegend_h
+
+#include "DirectionColors.h"
+#include "vtkRayTracedLegend.h"
+#include "vtkWeakPointer.h"
+
+class vtkRenderer;
+
+class vtkDirectionLegend : public vtkRayTracedLegend
+{
+public:
+  static vtkDirectionLegend* New();
+  vtkTypeMacro(vtkDirectionLegend, vtkRayTracedLegend);
+
+  /**
+   * 0: none, else its corner and 1. Default is the upper right one.
+   */
+  void SetPlace(int place);
+
+  /**
+   * Of rtglyphs::DirectionColors; with NONE nothing is shown. Default is NONE.
+   */
+  void SetColoring(int kind) { this->Coloring = kind; }
+
+  void AddTo(vtkPVRenderView* view) override;
+
+protected:
+  vtkDirectionLegend() { this->Corner = UPPER_RIGHT; }
+  ~vtkDirectionLegend() override = default;
+
+  bool Draw(vtkViewport* viewport, vtkBoundingBox& box) override;
+
+private:
+  bool On = true;
+  int Coloring = rtglyphs::DirectionColors::NONE;
+  vtkWeakPointer<vtkRenderer> Scene; // behind the legend
+};
+
+#endif

@@ -1,0 +1,70 @@
+/**
+ * @class   vtkRayTracedLegend
+ * @brief   a drawing, and words below it, in a corner of a view
+ *
+ * It stands above ParaView's orientation axes where these are in its corner. Subclasses draw.
+ */
+#ifndef vtkRayTracedLegend_h
+#define vtkRayTracedLegend_h
+
+#include "vtkNew.h"
+#include "vtkProp.h"
+
+#include <array>
+
+class vtkActor2D;
+class vtkBoundingBox;
+class vtkPVRenderView;
+class vtkPolyData;
+class vtkPolyDataMapper2D;
+class vtkTextActor;
+
+class vtkRayTracedLegend : public vtkProp
+{
+public:
+  vtkTypeMacro(vtkRayTracedLegend, vtkProp);
+
+  enum Corners
+  {
+    LOWER_LEFT = 0,
+    LOWER_RIGHT = 1,
+    UPPER_LEFT = 2,
+    UPPER_RIGHT = 3
+  };
+
+  ///@{
+  /**
+   * Among what `view` draws over its picture, on the process that shows it.
+   */
+  virtual void AddTo(vtkPVRenderView* view);
+  virtual void RemoveFrom(vtkPVRenderView* view);
+  ///@}
+
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderOverlay(vtkViewport* viewport) override;
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkRayTracedLegend();
+  ~vtkRayTracedLegend() override;
+
+  /**
+   * Sets the drawing, in pixels, and its box, and the words, which may be none. False: there is nothing to show.
+   */
+  virtual bool Draw(vtkViewport* viewport, vtkBoundingBox& box) = 0;
+  void SetWords(const char* words, const std::array<double, 3>& color);
+
+  int Corner = LOWER_LEFT;
+  vtkNew<vtkPolyData> Drawing;
+  vtkNew<vtkActor2D> Actor;
+
+private:
+  void Arrange(vtkViewport* viewport);
+
+  vtkNew<vtkPolyDataMapper2D> Mapper;
+  vtkNew<vtkTextActor> Text;
+  bool Shows = false;
+};
+
+#endif
