@@ -10,6 +10,7 @@
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRayTracedViewProxy.h"
@@ -17,6 +18,8 @@
 #include "vtkSMRepresentationProxy.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
+#include "vtkSMUndoElement.h"
+#include "vtkWeakPointer.h"
 
 #include <QMenu>
 #include <QPointer>
@@ -48,19 +51,49 @@ double DepthAt(pqView* view, const QPoint& place)
   return vtkMath::Dot(seen, camera->GetDirectionOfProjection());
 }
 
+// ParaView's own undo leaves cameras out.
+class vtkLensChange : public vtkSMUndoElement
+{
+public:
+  static vtkLensChange* New() { VTK_STANDARD_NEW_BODY(vtkLensChange); }
+  vtkTypeMacro(vtkLensChange, vtkSMUndoElement);
+
+  struct Lens
+  {
+    double Distance, Disk;
+  };
+  vtkWeakPointer<vtkSMProxy> View;
+  Lens Before{}, After{};
+
+  int Undo() override { return this->Put(this->Before); }
+  int Redo() override { return this->Put(this->After); }
+
+private:
+  int Put(const Lens& lens)
+  {
+    if (this->View)
+    {
+      vtkSMPropertyHelper(this->View, "CameraFocalDistance").Set(lens.Distance);
+      vtkSMPropertyHelper(this->View, "CameraFocalDisk").Set(lens.Disk);
+      this->View->UpdateVTKObjects();
+    }
+    return 1;
+  }
+};
+
 // 0: there is no lens. One that was not there gets an opening.
 void FocusLens(pqView* view, double depth)
 {
-  vtkSMProxy* proxy = view->getProxy();
-  vtkSMPropertyHelper distance(proxy, "CameraFocalDistance");
-  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
+  vtkNew<vtkLensChange> change;
+  change->View = view->getProxy();
+  change->SetSession(view->getProxy()->GetSession());
+  change->Before = { vtkSMPropertyHelper(change->View, "CameraFocalDistance").GetAsDouble(),
+    vtkSMPropertyHelper(change->View, "CameraFocalDisk").GetAsDouble() };
+  change->After = { depth, change->Before.Distance > 0.0 ? change->Before.Disk : opening * depth };
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", view->getProxy());
   BEGIN_UNDO_SET(depth > 0.0 ? QObject::tr("Focus Lens") : QObject::tr("Lens Off"));
-  if (!(distance.GetAsDouble() > 0.0))
-  {
-    vtkSMPropertyHelper(proxy, "CameraFocalDisk").Set(opening * depth);
-  }
-  distance.Set(depth);
-  proxy->UpdateVTKObjects();
+  change->Redo();
+  ADD_UNDO_ELEM(change);
   END_UNDO_SET();
   view->render();
 }

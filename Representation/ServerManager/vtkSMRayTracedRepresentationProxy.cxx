@@ -5,7 +5,6 @@
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
-#include "vtkRayTracedGlyphRepresentation.h"
 #include "vtkRayTracedRepresentation.h"
 #include "vtkRayTracedSelectionEncoder.h"
 #include "vtkSMProperty.h"
@@ -76,24 +75,12 @@ void vtkSMRayTracedRepresentationProxy::SetPropertyModifiedFlag(const char* name
   {
     this->TakeSelection();
   }
-  // Where there is a cut the panel has its row among those that it always shows; directions of tensors, too.
-  const auto valueOf = [this](const char* property)
-  {
-    const vtkSMPropertyHelper value(this, property, /*quiet=*/true);
-    return value.GetNumberOfElements() > 0 ? value.GetAsInt() : 0;
-  };
   if (flag && strcmp(name, "Section") == 0)
   {
-    this->GetProperty(name)->SetPanelVisibility(valueOf(name) != 0 ? "default" : "advanced");
-  }
-  if (flag && (strcmp(name, "GlyphDirectionColoring") == 0 || strcmp(name, "GlyphShape") == 0))
-  {
-    const int shape = valueOf("GlyphShape");
-    const bool ofTensors = (shape >= vtkRayTracedGlyphRepresentation::TENSOR_ELLIPSOID &&
-                             shape <= vtkRayTracedGlyphRepresentation::SIGNED_TENSOR_SUPERQUADRIC) ||
-      shape >= vtkRayTracedGlyphRepresentation::SPHERICAL_HARMONICS;
-    const bool common = ofTensors || valueOf("GlyphDirectionColoring") != 0;
-    this->GetProperty("GlyphDirectionColoring")->SetPanelVisibility(common ? "default" : "advanced");
+    // Where there is a cut the panel has its row among those that it always shows.
+    const vtkSMPropertyHelper section(this, name);
+    const bool cut = section.GetNumberOfElements() > 0 && section.GetAsInt() != 0;
+    this->GetProperty(name)->SetPanelVisibility(cut ? "default" : "advanced");
   }
   if (flag)
   {

@@ -1,7 +1,4 @@
-"""A lattice of magnetic skyrmions, spins as arrows with the color of their direction.
-
-Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython skyrmions.py OUTPUT.png [WIDTH HEIGHT]
-"""
+"""A lattice of magnetic skyrmions. Usage: RTGLYPHS_PLUGIN=PLUGIN.so pvpython skyrmions.py OUTPUT.png [WIDTH HEIGHT]"""
 import os
 import sys
 
@@ -12,13 +9,15 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import session  # noqa: E402
 
 session.load()
+import raytracedglyphs  # noqa: E402
+
 
 x, y = (grid.ravel() for grid in numpy.mgrid[-33:34, -24:25])
 places = numpy.stack([x + 0.5 * (y % 2), 0.75 ** 0.5 * y, 0.0 * x], axis=1)
 waves = [numpy.array([numpy.cos(a), numpy.sin(a), 0.0]) for a in numpy.radians((0, 120, 240))]  # S. Muehlbauer et al., Science 323, 915 (2009)
 spins = sum(numpy.cos(places @ q * 0.38)[:, None] * [0, 0, 1] + numpy.sin(places @ q * 0.38)[:, None] * numpy.cross([0, 0, 1], q) for q in waves)
 spins /= numpy.linalg.norm(spins, axis=1, keepdims=True)
-shown = __import__("raytracedglyphs").Figure(
+raytracedglyphs.Figure(
     session.source(session.poly_data(places, spins=spins)), "Arrow", colors="", GlyphDirectionColoring="Sphere", GlyphAnchor="Center",
     ScaleFactor=1.5, SelectOrientationVectors="spins", **{"GlyphType.ShaftRadius": 0.07, "GlyphType.TipRadius": 0.2})
 view = pv.GetActiveView()

@@ -25,12 +25,12 @@ FIRST, LAST = ["Shape", "Location", "Show Only Some"], ["Motion Blur", "Quality"
 SIZE, DIRECTION = ["Scale Factor", "Size By"], ["Direction By"]
 TENSOR, COLORED, BY_DIRECTION = ["Tensor Array", "Tensor Components"], ["Color Glyphs By"], ["Color By Direction"]
 DEFAULT_ROWS = {
-    "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 26), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 30),
-    "Box": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + LAST, 29), "Capsule": (DIRECTION + SIZE + FIRST + LAST, 26),
-    "Split Vector": (DIRECTION + SIZE + FIRST + LAST, 23),
-    "Uncertain Vector": (DIRECTION + SIZE + FIRST + TENSOR + ["Confidence"] + LAST, 26),
+    "Sphere": (SIZE + ["Glyph Type"] + FIRST + LAST, 25), "Arrow": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 30),
+    "Box": (DIRECTION + SIZE + ["Glyph Type"] + FIRST + BY_DIRECTION + LAST, 29), "Capsule": (DIRECTION + SIZE + FIRST + BY_DIRECTION + LAST, 26),
+    "Split Vector": (DIRECTION + SIZE + FIRST + BY_DIRECTION + LAST, 23),
+    "Uncertain Vector": (DIRECTION + SIZE + FIRST + TENSOR + ["Confidence"] + BY_DIRECTION + LAST, 26),
     "Confidence Ellipsoid": (SIZE + FIRST + TENSOR + ["Confidence"] + COLORED + BY_DIRECTION + LAST, 24),
-    "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 28), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + LAST, 28),
+    "Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 28), "Nested Superquadric": (DIRECTION + SIZE + FIRST + ["Exponents"] + BY_DIRECTION + LAST, 28),
     "Tensor Ellipsoid": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 27), "Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28),
     "Signed Tensor Superquadric": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 28), "Principal Axes": (SIZE + FIRST + TENSOR + COLORED + BY_DIRECTION + LAST, 26),
     "Spherical Harmonics": (SIZE + FIRST + COLORED + ["Harmonics Array", "Harmonics Basis"] + BY_DIRECTION + LAST, 26),
@@ -266,9 +266,10 @@ def lens(window, view, at):
     for entry, action, wanted in (("Focus Lens Here", "", depth), ("", "actionEditUndo", 0.0), ("", "actionEditRedo", depth), ("Lens Off", "", 0.0)):
         if entry:
             window.right_click("Viewport", at)
-        done = window.wait(lambda: window.menu(entry) if entry else window.trigger(action), 20)
+        found = []
+        done = window.wait(lambda: found.extend(window.menu(entry) if entry else [window.trigger(action)]) or any(found), 20)
         if not done or not window.wait(lambda: abs(view.CameraFocalDistance - wanted) <= 1e-3 * depth, 10):
-            failures.append("%s at %s: focus at %g, not %g" % (entry or action, at, view.CameraFocalDistance, wanted))
+            failures.append("%s at %s, of %s: focus at %g, not %g" % (entry or action, at, found, view.CameraFocalDistance, wanted))
         if wanted and abs(view.CameraFocalDisk - 0.05 * depth) > 1e-3 * depth:
             failures.append("%s: a lens of %g" % (entry or action, view.CameraFocalDisk))
     trace = smtrace.stop_trace()
@@ -331,4 +332,5 @@ def reset(window, view, reader, shown):
         "the button %s; ScaleFactor is %s, not %s" % ("was clicked" if clicked else "is not there", shown.ScaleFactor, suggested)]
 
 
-run("GUI", main)
+if __name__ == "__main__":
+    run("GUI", main)
